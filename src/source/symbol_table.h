@@ -1,0 +1,66 @@
+// The symbol table of an S7 program (S7-SYM): names for absolute operands and blocks.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "address/area.h"
+#include "address/block_id.h"
+#include "address/type_code.h"
+#include "base/problem.h"
+#include "source/source_file.h"
+
+namespace merker::source {
+
+// What a symbol stands for.
+struct SymbolAddress {
+  enum class Kind : std::uint8_t { Memory, Timer, Counter, Block } kind = Kind::Memory;
+  Area area = Area::None;     // Memory: Input, Output, Flag, Peripheral
+  Width width = Width::Bit;
+  BitAddress address = 0;
+  bool peripheralOutput = false;  // Peripheral: PA instead of PE
+  std::uint16_t number = 0;       // Timer, Counter
+  BlockId block;                  // Block
+  bool operator==(const SymbolAddress&) const = default;
+};
+
+struct Symbol {
+  std::string name;     // at most 24 characters
+  SymbolAddress address;
+  TypeCode type = TypeCode::Bool;  // Memory; Timer and Counter for those; Void for blocks
+  std::optional<BlockId> blockType; // DB of type FB 3 / UDT 2 …
+  std::string comment;  // at most 80 characters
+  Position position;
+};
+
+class SymbolTable {
+ public:
+  // False if the name is taken (compared without case, S7-OPEN-31).
+  bool add(Symbol symbol);
+  const Symbol* find(std::string_view name) const;
+  // The symbol of an absolute operand, if any: for displays.
+  const Symbol* findAddress(const SymbolAddress& address) const;
+  const std::vector<Symbol>& list() const { return list_; }
+
+ private:
+  std::vector<Symbol> list_;
+  std::map<std::string, std::size_t> byName_;  // upper case
+};
+
+// "A 1.0", "MW10", "PEW 256", "T 1", "DB 5", "Q 1.0" … Operands that may not have a symbol (L, DBW, constants)
+// give a problem (S7-SYM-06, -15).
+Result<SymbolAddress> parseSymbolAddress(std::string_view text, const Position& at);
+
+// Reads a symbol file into `table`; the format follows the extension (.sdf .asc .seq .dif) or, for .sym and .txt, is
+// the readable table of docs/formats/symbols.md. Problems: name longer than 24, comment longer than 80 characters,
+// name twice, operand not allowed, type that does not fit the operand's width (S7-SYM-16).
+void readSymbols(const SourceFile& file, SymbolTable& table, Problems& problems);
+bool isSymbolFile(std::string_view path);
+
+// The table in one of these formats (".sdf", ".asc", ".seq", ".dif", ".sym").
+std::string writeSymbols(const SymbolTable& table, std::string_view extension, Mnemonics mnemonics);
+
+}  // namespace merker::source

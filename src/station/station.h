@@ -1,0 +1,89 @@
+// One PLC put together: CPU, engine, system services, periphery. A value built by arguments; no globals, so any number
+// of stations lives in one process. Everything outside (scenarios, command line, servers) works through this.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "block/block.h"
+#include "catalogue/cpu_model.h"
+#include "clock/instant.h"
+#include "mc7/reference.h"
+
+namespace merker::station {
+
+enum class Mode : std::uint8_t { Stop, Startup, Run, Halt };
+
+// One entry of the diagnostic buffer (S7-DIAG-01, -02), newest last here.
+struct DiagnosticEntry {
+  std::uint16_t event = 0;  // 16#2521, 16#4562 …
+  Instant time;
+  std::string text;         // "programming error: BCD conversion error", with block and position if known
+};
+
+struct Options {
+  const CpuModel* model = &defaultCpuModel();
+  std::shared_ptr<const block::Program> program;
+  std::int64_t startOfClock = 0;  // milliseconds since 1990-01-01 that the CPU's clock shows at Instant 0
+};
+
+// What a check (//=) saw. `reached` counts how often it was evaluated.
+struct CheckResult {
+  const block::Check* check = nullptr;
+  std::uint64_t reached = 0;
+  std::vector<std::string> failures;  // first few: "AKKU1 = W#16#8000: is W#16#7FFF"
+};
+
+class Station {
+ public:
+  explicit Station(Options options);
+  ~Station();
+  Station(Station&&) noexcept;
+  Station& operator=(Station&&) noexcept;
+
+  const CpuModel& model() const;
+  const block::Program& program() const;
+
+  // operating states (S7-STATE)
+  Mode mode() const;
+  bool stoppedByFault() const;       // STOP for another reason than a wish (switch, SFC 46)
+  std::string stopReason() const;    // as the diagnostic buffer names it; empty while not in STOP
+  void memoryReset();
+  bool warmRestart();                // OB 100, then OB 1; false if refused (no OB 1 …)
+  bool coldRestart();                // false if the model has none
+  void stop();                       // mode switch to STOP
+  void powerOff();
+  void powerOn();
+
+  // time; nothing moves outside these calls
+  Instant now() const;
+  std::uint64_t cycles() const;
+  std::uint64_t instructions() const;
+  void advanceTo(Instant t);         // runs up to t; stops early only if the CPU goes to STOP (then time still moves)
+  void advanceCycles(std::uint64_t count);
+  // Runs OB 1 once, back to back, without the operating system's share of the cycle: for measurements.
+  void runOb1();
+
+  // values (bits as 0/1). Reading an input shows its process image; `write` to an input sets its terminal, from where
+  // the image takes it at the next cycle; other areas are written at once. A force holds until unforced.
+  std::optional<std::uint32_t> read(const mc7::Reference& reference) const;
+  bool write(const mc7::Reference& reference, std::uint32_t value);
+  bool force(const mc7::Reference& reference, std::uint32_t value);
+  void unforce();
+
+  const std::vector<DiagnosticEntry>& diagnostics() const;
+  const std::vector<CheckResult>& checkResults() const;
+
+  // Called after each change of simulated time at a cycle checkpoint: traces look at values here.
+  void onCycle(std::function<void(Station&)> observer);
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace merker::station

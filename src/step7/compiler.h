@@ -1,0 +1,42 @@
+// STEP 7 AWL to MC7 blocks: the whole front end behind three functions.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "block/block.h"
+#include "catalogue/cpu_model.h"
+#include "mc7/instruction.h"
+#include "mc7/reference.h"
+#include "source/source_file.h"
+#include "source/symbol_table.h"
+
+namespace merker::step7 {
+
+struct CompileOptions {
+  const CpuModel* model = &defaultCpuModel();
+  // SFC, SFB and library functions that the CPU brings: interface only, no code.
+  const block::Program* library = nullptr;
+  const source::SymbolTable* symbols = nullptr;
+  // Translate //= comments into checks.
+  bool checks = false;
+};
+
+struct Compilation {
+  block::Program program;
+  Problems problems;
+  bool ok() const { return !problems.hasErrors(); }
+};
+
+// Compiles all sources into one program. Blocks may stand in any order and in any file. All problems are collected;
+// a block with an error is left out of the program.
+Compilation compile(const std::vector<source::SourceFile>& sources, const CompileOptions& options);
+
+// "MW 10", "DB1.DBW 4", "\"Motor\"", "DB1.var[2]", "T 1": an operand for monitor, scenario, --print. Both mnemonics.
+Result<mc7::Reference> resolve(std::string_view text, const block::Program& program,
+                               const CompileOptions& options, const Position& at);
+
+// One instruction as `merker assemble --mc7` takes it; jumps with their distance in words.
+Result<mc7::Instruction> parseInstruction(std::string_view text, const Position& at);
+
+}  // namespace merker::step7
