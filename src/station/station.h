@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -29,6 +30,7 @@ struct Options {
   const CpuModel* model = &defaultCpuModel();
   std::shared_ptr<const block::Program> program;
   std::int64_t startOfClock = 0;  // milliseconds since 1990-01-01 that the CPU's clock shows at Instant 0
+  bool coverage = false;          // count how often each instruction runs
 };
 
 // What a check (//=) saw. `reached` counts how often it was evaluated.
@@ -65,11 +67,15 @@ class Station {
   std::uint64_t instructions() const;
   void advanceTo(Instant t);         // runs up to t; stops early only if the CPU goes to STOP (then time still moves)
   void advanceCycles(std::uint64_t count);
+  // Runs to the next cycle checkpoint, at most to `limit`; true if it came to a checkpoint. While not in RUN time moves
+  // to `limit` (false). Scenarios look at values after each cycle with it.
+  bool advanceToCheckpoint(Instant limit);
   // Runs OB 1 once, back to back, without the operating system's share of the cycle: for measurements.
   void runOb1();
 
   // values (bits as 0/1). Reading an input shows its process image; `write` to an input sets its terminal, from where
   // the image takes it at the next cycle; other areas are written at once. A force holds until unforced.
+  // Timer and counter: Width::Bit is the status bit, any other width the coded value as LC loads it (S5TIME, BCD).
   std::optional<std::uint32_t> read(const mc7::Reference& reference) const;
   bool write(const mc7::Reference& reference, std::uint32_t value);
   bool force(const mc7::Reference& reference, std::uint32_t value);
@@ -77,6 +83,9 @@ class Station {
 
   const std::vector<DiagnosticEntry>& diagnostics() const;
   const std::vector<CheckResult>& checkResults() const;
+  // With Options::coverage: how often each instruction ran, by block and byte offset of its code; those that never ran
+  // may be missing.
+  std::map<BlockId, std::map<std::uint32_t, std::uint64_t>> executed() const;
 
   // Called after each change of simulated time at a cycle checkpoint: traces look at values here.
   void onCycle(std::function<void(Station&)> observer);
