@@ -1,0 +1,146 @@
+#include "simulator/comparison.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <bit>
+#include <cmath>
+
+#include "base/bcd.h"
+#include "simulator/display.h"
+
+namespace merker::simulator {
+namespace {
+
+using block::Relation;
+using mc7::OperandKind;
+
+constexpr double kTolerance = 1e-6;  // of ~=, relative
+
+bool isTimerOrCounter(const Term& term) {
+  return !term.constant && (term.reference.operand.kind == OperandKind::Timer ||
+                            term.reference.operand.kind == OperandKind::Counter);
+}
+
+// How a timer or counter is looked at.
+enum class View { Status, Coded, Number };
+
+View view(OperandKind kind, const Term& other) {
+  if (!other.constant) return View::Number;
+  const Constant& constant = *other.constant;
+  if (constant.format == ConstantFormat::Boolean) return View::Status;
+  if (kind == OperandKind::Counter)
+    return constant.format == ConstantFormat::Counter ? View::Coded : View::Number;
+  if (constant.format == ConstantFormat::S5Time) return View::Coded;
+  return constant.format == ConstantFormat::Integer && constant.bits <= 1 ? View::Status
+                                                                          : View::Number;
+}
+
+std::optional<std::uint32_t> timerOrCounter(const Term& term, const Term& other,
+                                            const Reader& read) {
+  const View how = view(term.reference.operand.kind, other);
+  mc7::Reference reference = term.reference;
+  reference.operand.width = how == View::Status ? Width::Bit : Width::Word;
+  const auto bits = read(reference);
+  if (!bits || how != View::Number) return bits;
+  return fromBcd(*bits & 0xFFF, 3);
+}
+
+TypeCode typeOf(const Term& term) { return term.constant ? TypeCode::Void : term.reference.type; }
+
+bool isReal(const Term& term) { return typeOf(term) == TypeCode::Real; }
+
+bool isSigned(const Term& term) {
+  const TypeCode type = typeOf(term);
+  return type == TypeCode::Int || type == TypeCode::DInt || type == TypeCode::Time;
+}
+
+float real(std::uint32_t bits) { return std::bit_cast<float>(bits); }
+
+bool about(std::uint32_t left, std::uint32_t right) {
+  const double a = real(left), b = real(right);
+  if (a == b) return true;
+  return std::abs(a - b) <= kTolerance * std::max(std::abs(a), std::abs(b));
+}
+
+template <typename T>
+bool relates(T a, Relation relation, T b) {
+  switch (relation) {
+    case Relation::Equal:
+      return a == b;
+    case Relation::NotEqual:
+      return a != b;
+    case Relation::Less:
+      return a < b;
+    case Relation::LessEqual:
+      return a <= b;
+    case Relation::Greater:
+      return a > b;
+    case Relation::GreaterEqual:
+      return a >= b;
+    case Relation::About:
+      return false;
+  }
+  return false;
+}
+
+bool isOrder(Relation relation) {
+  return relation != Relation::Equal && relation != Relation::NotEqual;
+}
+
+std::int32_t withSign(const Term& term, std::uint32_t bits) {
+  const bool word = term.constant ? term.constant->format == ConstantFormat::Integer
+                                  : bitWidth(term.reference) == 16;
+  return word ? static_cast<std::int16_t>(bits) : static_cast<std::int32_t>(bits);
+}
+
+bool holds(const Term& left, std::uint32_t a, Relation relation, const Term& right,
+           std::uint32_t b) {
+  if (relation == Relation::About) return about(a, b);
+  if (isOrder(relation) && (isReal(left) || isReal(right)))
+    return relates(real(a), relation, real(b));
+  if (isOrder(relation) && (isSigned(left) || isSigned(right)))
+    return relates(withSign(left, a), relation, withSign(right, b));
+  return relates(a, relation, b);
+}
+
+// In the notation of the constant that the operand is compared with, if that is wide enough for it.
+std::string showLike(ConstantFormat format, const Term& term, std::uint32_t bits) {
+  if (bitWidth(format) >= bitWidth(term.reference)) return formatConstant({format, bits});
+  if (format == ConstantFormat::Integer) return formatConstant({ConstantFormat::LongInteger, bits});
+  return formatOperand(term.reference, bits);
+}
+
+std::string show(const Term& term, const Term& other, std::uint32_t bits) {
+  if (isTimerOrCounter(term) && view(term.reference.operand.kind, other) != View::Coded)
+    return std::to_string(bits);
+  if (!term.constant && bitWidth(term.reference) == 1) return std::to_string(bits);
+  if (term.constant) return formatConstant({term.constant->format, bits});
+  return other.constant ? showLike(adapt(*other.constant, typeOf(term)).format, term, bits)
+                        : formatOperand(term.reference, bits);
+}
+
+}  // namespace
+
+std::optional<std::uint32_t> value(const Term& term, const Term& other, const Reader& read) {
+  if (term.constant) return adapt(*term.constant, typeOf(other)).bits;
+  return isTimerOrCounter(term) ? timerOrCounter(term, other, read) : read(term.reference);
+}
+
+Outcome compare(const Term& left, Relation relation, const Term& right, const Reader& read) {
+  const auto a = value(left, right, read);
+  const auto b = value(right, left, read);
+  if (!a) return {false, fmt::format("{} does not exist", left.text)};
+  if (!b) return {false, fmt::format("{} does not exist", right.text)};
+  Outcome outcome{holds(left, *a, relation, right, *b), show(left, right, *a)};
+  if (!right.constant)
+    outcome.actual += fmt::format(", {} is {}", right.text, show(right, left, *b));
+  return outcome;
+}
+
+std::string_view text(Relation relation) {
+  constexpr std::array<std::string_view, 7> kTexts = {"=", "<>", "<", "<=", ">", ">=", "~="};
+  return kTexts[static_cast<std::size_t>(relation)];
+}
+
+}  // namespace merker::simulator

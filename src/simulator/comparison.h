@@ -1,0 +1,27 @@
+// Comparisons of scenarios: the rules of self-checking programs (raw bits as unsigned numbers, the
+// narrower side filled up with zeros, ~= as REAL within 1e-6), and typed variables ordered as their
+// type is.
+#pragma once
+
+#include <string>
+
+#include "block/check.h"
+#include "simulator/term.h"
+
+namespace merker::simulator {
+
+struct Outcome {
+  bool holds = false;
+  std::string actual;  // the left side's value, written like the right side
+};
+
+Outcome compare(const Term& left, block::Relation relation, const Term& right, const Reader& read);
+
+// The value that `term` has now; nothing if the operand does not exist. `other` is what it is
+// compared with: a timer gives its status bit beside 0, 1 and TRUE, its coded value beside S5T#,
+// else its number (L T 1).
+std::optional<std::uint32_t> value(const Term& term, const Term& other, const Reader& read);
+
+std::string_view text(block::Relation relation);
+
+}  // namespace merker::simulator

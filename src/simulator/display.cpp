@@ -1,0 +1,60 @@
+#include "simulator/display.h"
+
+#include <bit>
+
+#include "address/constant.h"
+#include "base/bcd.h"
+#include "simulator/term.h"
+
+namespace merker::simulator {
+namespace {
+
+using mc7::OperandKind;
+
+ConstantFormat plainFormat(Width width) {
+  return width == Width::Byte   ? ConstantFormat::Byte
+         : width == Width::Word ? ConstantFormat::Word
+                                : ConstantFormat::DWord;
+}
+
+TypeCode typeOf(const mc7::Reference& reference) {
+  if (reference.operand.kind == OperandKind::Timer) return TypeCode::S5Time;
+  if (reference.operand.kind == OperandKind::Counter) return TypeCode::Counter;
+  return reference.type;
+}
+
+std::int64_t s5TimeMilliseconds(std::uint32_t bits) {
+  return decodeS5Time(static_cast<std::uint16_t>(bits)).value_or(0);
+}
+
+}  // namespace
+
+std::string formatOperand(const mc7::Reference& reference, std::uint32_t bits) {
+  const TypeCode type = typeOf(reference);
+  if (bitWidth(reference) == 1) return bits != 0 ? "1" : "0";
+  if (type == TypeCode::Counter) return formatConstant({ConstantFormat::Counter, bits});
+  if (isElementary(type)) return formatValue(type, bits);
+  return formatConstant({plainFormat(reference.operand.width), bits});
+}
+
+std::variant<bool, std::int64_t, double> numericValue(const mc7::Reference& reference,
+                                                      std::uint32_t bits) {
+  if (bitWidth(reference) == 1) return bits != 0;
+  switch (typeOf(reference)) {
+    case TypeCode::Int:
+      return std::int64_t{static_cast<std::int16_t>(bits)};
+    case TypeCode::DInt:
+    case TypeCode::Time:
+      return std::int64_t{static_cast<std::int32_t>(bits)};
+    case TypeCode::Real:
+      return double{std::bit_cast<float>(bits)};
+    case TypeCode::S5Time:
+      return s5TimeMilliseconds(bits);
+    case TypeCode::Counter:
+      return std::int64_t{fromBcd(bits & 0xFFF, 3).value_or(0)};
+    default:
+      return std::int64_t{bits};
+  }
+}
+
+}  // namespace merker::simulator

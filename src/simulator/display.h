@@ -1,0 +1,22 @@
+// The value of an operand as a person or a program reads it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+
+#include "mc7/reference.h"
+
+namespace merker::simulator {
+
+// Bits as 0 and 1, bytes, words and double words as B#16#, W#16#, DW#16#, typed variables in their
+// type's own notation, timers (as LC loads them) as S5T#, counters as C#.
+std::string formatOperand(const mc7::Reference& reference, std::uint32_t bits);
+
+// The same as a number or truth value: INT and DINT with sign, REAL, TIME, S5TIME and timers in
+// milliseconds, TOD in milliseconds, DATE in days since 1990-01-01, counters as their count; all
+// else unsigned.
+std::variant<bool, std::int64_t, double> numericValue(const mc7::Reference& reference,
+                                                      std::uint32_t bits);
+
+}  // namespace merker::simulator

@@ -1,0 +1,265 @@
+#include "simulator/runner.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "base/text.h"
+#include "simulator/comparison.h"
+#include "simulator/duration.h"
+
+namespace merker::simulator {
+namespace {
+
+using station::Mode;
+using station::Station;
+
+// A startup OB that never ends is ended by nothing on the real CPU (S7-STATE-11); a test must end.
+constexpr Duration kLongestStartup = Duration::seconds(3600);
+
+std::string_view name(Mode mode) {
+  constexpr std::array<std::string_view, 4> kNames = {"STOP", "STARTUP", "RUN", "HALT"};
+  return kNames[static_cast<std::size_t>(mode)];
+}
+
+bool containsIgnoreCase(std::string_view text, std::string_view part) {
+  return upper(text).find(upper(part)) != std::string::npos;
+}
+
+std::string because(const Station& station) {
+  return station.mode() == Mode::Stop ? ": " + station.stopReason() : std::string();
+}
+
+// Restart of either kind, and the startup OBs up to RUN.
+bool restart(Station& station, bool cold) {
+  if (station.mode() != Mode::Stop) station.stop();
+  if (!(cold ? station.coldRestart() : station.warmRestart())) return false;
+  const Instant limit = station.now() + kLongestStartup;
+  while (station.mode() == Mode::Startup && station.now() < limit)
+    station.advanceToCheckpoint(limit);
+  return true;
+}
+
+class Runner {
+ public:
+  Runner(Station& station, TestResult& result)
+      : station_(station),
+        result_(result),
+        read_([&station](const mc7::Reference& reference) { return station.read(reference); }) {}
+
+  bool run(const std::vector<Step>& steps);
+  void endState(const Scenario& scenario);
+
+ private:
+  bool fail(const Position& position, std::string message);
+  bool perform(const Step& step);
+  bool set(const Step& step);
+  bool repeat(const Step& step);
+  bool restarted(const Step& step, bool cold);
+  bool memoryReset();
+  bool waitCycles(const Step& step);
+  bool expect(const Step& step);
+  bool during(const Step& step, Instant end);
+  bool within(const Step& step, Instant end);
+  bool miss(const Step& step, const std::string& actual);
+  Outcome look(const Expectation& expectation) const;
+  Outcome lookAtDiagnostics(const Expectation& expectation) const;
+
+  Station& station_;
+  TestResult& result_;
+  Reader read_;
+  bool speaksOfState_ = false;
+};
+
+bool Runner::fail(const Position& position, std::string message) {
+  result_.failures.push_back({position, station_.now(), std::move(message)});
+  return false;
+}
+
+bool Runner::run(const std::vector<Step>& steps) {
+  for (const Step& step : steps)
+    if (!perform(step)) return false;
+  return true;
+}
+
+bool Runner::perform(const Step& step) {
+  switch (step.kind) {
+    case StepKind::Set:
+    case StepKind::Force:
+      return set(step);
+    case StepKind::Wait:
+      station_.advanceTo(station_.now() + step.duration);
+      return true;
+    case StepKind::WaitCycles:
+      return waitCycles(step);
+    case StepKind::Expect:
+      return expect(step);
+    case StepKind::Run:
+      return station_.mode() == Mode::Run || restarted(step, false);
+    case StepKind::Stop:
+      station_.stop();
+      return true;
+    case StepKind::ColdRestart:
+      return restarted(step, true);
+    case StepKind::WarmRestart:
+      return restarted(step, false);
+    case StepKind::PowerOff:
+      station_.powerOff();
+      return true;
+    case StepKind::PowerOn:
+      station_.powerOn();
+      return true;
+    case StepKind::MemoryReset:
+      return memoryReset();
+    case StepKind::Unforce:
+      station_.unforce();
+      return true;
+    case StepKind::Repeat:
+      return repeat(step);
+  }
+  return true;
+}
+
+bool Runner::set(const Step& step) {
+  for (const auto& [operand, term] : step.assignments) {
+    const auto bits = value(term, operand, read_);
+    const bool done =
+        bits && (step.kind == StepKind::Force ? station_.force(operand.reference, *bits)
+                                              : station_.write(operand.reference, *bits));
+    if (!done)
+      return fail(operand.position,
+                  fmt::format("{} cannot be {}: {}", operand.text,
+                              step.kind == StepKind::Force ? "forced" : "set",
+                              bits ? "there is no such place" : term.text + " does not exist"));
+  }
+  return true;
+}
+
+bool Runner::repeat(const Step& step) {
+  for (std::uint64_t i = 0; i < step.count; ++i)
+    if (!run(step.body)) return false;
+  return true;
+}
+
+bool Runner::restarted(const Step& step, bool cold) {
+  if (restart(station_, cold)) return true;
+  return fail(step.position, fmt::format("{}: the CPU refuses{}", step.text, because(station_)));
+}
+
+bool Runner::memoryReset() {
+  if (station_.mode() != Mode::Stop) station_.stop();
+  station_.memoryReset();
+  return true;
+}
+
+bool Runner::waitCycles(const Step& step) {
+  const std::uint64_t end = station_.cycles() + step.count;
+  station_.advanceCycles(step.count);
+  if (station_.cycles() >= end) return true;
+  return fail(step.position, fmt::format("{}: the CPU is in {}{}", step.text, name(station_.mode()),
+                                         because(station_)));
+}
+
+Outcome Runner::lookAtDiagnostics(const Expectation& expectation) const {
+  for (const auto& entry : station_.diagnostics())
+    if (containsIgnoreCase(fmt::format("16#{:04X} {}", entry.event, entry.text), expectation.words))
+      return {true, {}};
+  if (station_.diagnostics().empty()) return {false, "the diagnostic buffer is empty"};
+  const auto& last = station_.diagnostics().back();
+  return {false, fmt::format("the newest entry is 16#{:04X} {}", last.event, last.text)};
+}
+
+Outcome Runner::look(const Expectation& expectation) const {
+  switch (expectation.what) {
+    case Expectation::What::Values:
+      return compare(expectation.left, expectation.relation, expectation.right, read_);
+    case Expectation::What::Mode:
+      return {
+          (station_.mode() == expectation.mode) == (expectation.relation == block::Relation::Equal),
+          std::string(name(station_.mode())) + because(station_)};
+    case Expectation::What::Diagnostics:
+      return lookAtDiagnostics(expectation);
+  }
+  return {};
+}
+
+// "expected A 1.2 = 1 within 300ms, A 1.2 is 0".
+bool Runner::miss(const Step& step, const std::string& actual) {
+  const Expectation& e = step.expectation;
+  const std::string_view wish =
+      trim(std::string_view(step.text).substr(std::string_view("expect").size()));
+  switch (e.what) {
+    case Expectation::What::Values: {
+      const std::string stop = station_.mode() == Mode::Stop
+                                   ? fmt::format(" (the CPU is in STOP{})", because(station_))
+                                   : std::string();
+      return fail(step.position,
+                  fmt::format("expected {}, {} is {}{}", wish, e.left.text, actual, stop));
+    }
+    case Expectation::What::Mode:
+      return fail(step.position, fmt::format("expected {}, mode is {}", wish, actual));
+    case Expectation::What::Diagnostics:
+      return fail(step.position, fmt::format("expected {}, {}", wish, actual));
+  }
+  return false;
+}
+
+bool Runner::expect(const Step& step) {
+  if (step.expectation.what != Expectation::What::Values) speaksOfState_ = true;
+  const Instant end = station_.now() + step.expectation.duration;
+  if (step.expectation.when == Expectation::When::During) return during(step, end);
+  if (step.expectation.when == Expectation::When::Within) return within(step, end);
+  const Outcome outcome = look(step.expectation);
+  return outcome.holds || miss(step, outcome.actual);
+}
+
+// Now, at every cycle boundary, and at the end.
+bool Runner::during(const Step& step, Instant end) {
+  for (;;) {
+    const Outcome outcome = look(step.expectation);
+    if (!outcome.holds) return miss(step, outcome.actual);
+    if (station_.now() >= end) return true;
+    station_.advanceToCheckpoint(end);
+  }
+}
+
+// Ends at the first cycle boundary at which it holds.
+bool Runner::within(const Step& step, Instant end) {
+  for (;;) {
+    const Outcome outcome = look(step.expectation);
+    if (outcome.holds) return true;
+    if (station_.now() >= end) return miss(step, outcome.actual);
+    station_.advanceToCheckpoint(end);
+  }
+}
+
+void Runner::endState(const Scenario& scenario) {
+  if (!station_.stoppedByFault() || speaksOfState_) return;
+  const Position& position =
+      scenario.steps.empty() ? scenario.position : scenario.steps.back().position;
+  fail(position, "expected no fault, the CPU went to STOP: " + station_.stopReason());
+}
+
+}  // namespace
+
+std::string startFresh(Station& station) {
+  if (station.mode() != Mode::Stop) station.stop();
+  station.memoryReset();
+  if (!restart(station, false)) return "the CPU does not start" + because(station);
+  if (station.mode() == Mode::Run) return {};
+  return fmt::format("the CPU does not reach RUN{}", because(station));
+}
+
+TestResult runScenario(const Scenario& scenario, Station& station) {
+  TestResult result{scenario.position.file, scenario.name, {}, {}};
+  Runner runner(station, result);
+  const std::string reason = startFresh(station);
+  // A fault in the startup OB is a state that a scenario may expect; a refused start is not.
+  const bool refused = !reason.empty() && !station.stoppedByFault();
+  if (refused) result.failures.push_back({scenario.position, station.now(), reason});
+  if (!refused && runner.run(scenario.steps)) runner.endState(scenario);
+  result.end = station.now();
+  return result;
+}
+
+}  // namespace merker::simulator

@@ -1,0 +1,18 @@
+// Runs one scenario on a station.
+#pragma once
+
+#include <string>
+
+#include "simulator/scenario.h"
+#include "simulator/test_result.h"
+
+namespace merker::simulator {
+
+// Memory reset and warm restart up to mode RUN. The reason if the CPU does not get there.
+std::string startFresh(station::Station& station);
+
+// `scenario` is resolved against the station's program. Ends at the first failure. A STOP through a
+// fault that the scenario does not speak of (expect mode, expect diagnostics) is a failure too.
+TestResult runScenario(const Scenario& scenario, station::Station& station);
+
+}  // namespace merker::simulator

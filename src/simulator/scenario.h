@@ -1,0 +1,80 @@
+// A scenario (*.scn) as values: steps in order, each with its place in the file
+// (docs/formats/scenario.md).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "block/check.h"
+#include "clock/instant.h"
+#include "simulator/term.h"
+#include "source/source_file.h"
+#include "station/station.h"
+
+namespace merker::simulator {
+
+struct Assignment {
+  Term operand, value;
+};
+
+struct Expectation {
+  enum class What : std::uint8_t { Values, Mode, Diagnostics } what = What::Values;
+  Term left, right;  // Values
+  block::Relation relation = block::Relation::Equal;
+  station::Mode mode = station::Mode::Run;  // Mode: = or <>
+  std::string words;                        // Diagnostics: what an entry contains
+  enum class When : std::uint8_t { Now, During, Within } when = When::Now;
+  Duration duration;  // During, Within
+};
+
+enum class StepKind : std::uint8_t {
+  Set,
+  Wait,
+  WaitCycles,
+  Expect,
+  Run,
+  Stop,
+  ColdRestart,
+  WarmRestart,
+  PowerOff,
+  PowerOn,
+  MemoryReset,
+  Force,
+  Unforce,
+  Repeat
+};
+
+struct Step {
+  StepKind kind = StepKind::Wait;
+  Position position;
+  std::string text;                     // as written
+  std::vector<Assignment> assignments;  // Set, Force
+  Duration duration;                    // Wait
+  std::uint64_t count = 0;              // WaitCycles, Repeat
+  Expectation expectation;
+  std::vector<Step> body;  // Repeat
+};
+
+struct Scenario {
+  std::string name;
+  Position position;
+  std::vector<Step> steps;
+};
+
+// Reads all scenarios of a file; steps before the first `scenario` line form one named after the
+// file. Lines with problems are left out.
+std::vector<Scenario> parseScenarios(const source::SourceFile& file, Problems& problems);
+
+// Binds all operands to the program and checks that values fit.
+void resolve(Scenario& scenario, const Resolver& resolver, Problems& problems);
+
+// "set E 0.0 = 1, MW 10 = 5" without the word set: also what `merker run --set` takes. Texts are
+// views into `file`.
+std::vector<Assignment> parseAssignments(const source::SourceFile& file, std::string_view text,
+                                         Problems& problems);
+std::optional<Problem> resolve(Assignment& assignment, const Resolver& resolver);
+
+}  // namespace merker::simulator

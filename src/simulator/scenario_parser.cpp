@@ -1,0 +1,291 @@
+// Lines to steps. Every text is a view into the file, so that a problem can point at it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <filesystem>
+
+#include "base/text.h"
+#include "simulator/duration.h"
+#include "simulator/line.h"
+#include "simulator/scenario.h"
+#include "simulator/step_words.h"
+
+namespace merker::simulator {
+namespace {
+
+using block::Relation;
+
+struct RelationText {
+  std::string_view text;
+  Relation relation;
+};
+// Two characters before one: <= before <.
+constexpr std::array kRelations = {
+    RelationText{"<>", Relation::NotEqual},     RelationText{"<=", Relation::LessEqual},
+    RelationText{">=", Relation::GreaterEqual}, RelationText{"~=", Relation::About},
+    RelationText{"=", Relation::Equal},         RelationText{"<", Relation::Less},
+    RelationText{">", Relation::Greater}};
+
+const RelationText* relationAt(std::string_view text) {
+  for (const RelationText& row : kRelations)
+    if (text.starts_with(row.text)) return &row;
+  return nullptr;
+}
+
+struct ModeName {
+  std::string_view name;
+  station::Mode mode;
+};
+constexpr std::array kModes = {
+    ModeName{"RUN", station::Mode::Run}, ModeName{"STOP", station::Mode::Stop},
+    ModeName{"STARTUP", station::Mode::Startup}, ModeName{"HALT", station::Mode::Halt}};
+
+class Parser {
+ public:
+  Parser(const source::SourceFile& file, Problems& problems) : file_(file), problems_(problems) {}
+
+  std::vector<Scenario> parse();
+  std::vector<Assignment> assignments(std::string_view text);
+
+ private:
+  Position at(std::string_view text) const;
+  template <typename... Arguments>
+  bool fail(ProblemCode code, std::string_view where, const Arguments&... arguments) {
+    problems_.add(code, at(where), arguments...);
+    return false;
+  }
+
+  void line(std::string_view text);
+  void step(const StepWord& word, std::string_view whole, std::string_view rest);
+  bool content(Step& step, StepWord::Rest kind, std::string_view rest);
+  void beginScenario(std::string_view whole, std::string_view rest);
+  void endRepeat(std::string_view whole, std::string_view rest);
+  void closeScenario();
+
+  bool wait(Step& step, std::string_view rest);
+  bool count(std::uint64_t& number, std::string_view text);
+  bool expectation(Expectation& e, std::string_view rest);
+  bool timing(Expectation& e, std::string_view& rest);
+  bool mode(Expectation& e, std::string_view rest, std::string_view value);
+  bool diagnostics(Expectation& e, std::string_view rest);
+  bool assignment(std::vector<Assignment>& list, std::string_view text);
+  bool term(Term& term, std::string_view text, std::string_view where, std::string_view what);
+  std::vector<Step>& target();
+
+  const source::SourceFile& file_;
+  Problems& problems_;
+  std::vector<Scenario> scenarios_;
+  std::string_view line_;   // being read, without its comment
+  std::vector<Step> open_;  // repeats not yet ended, outermost first
+};
+
+// An empty part may have lost its place; the whole line stands for it.
+Position Parser::at(std::string_view text) const {
+  if (text.empty()) text = line_;
+  const auto offset = static_cast<std::size_t>(text.data() - file_.text().data());
+  return file_.position(offset, std::max<std::size_t>(text.size(), 1));
+}
+
+std::vector<Step>& Parser::target() {
+  if (!open_.empty()) return open_.back().body;
+  if (scenarios_.empty())
+    scenarios_.push_back(
+        {std::filesystem::path(file_.name()).stem().string(), {file_.name(), 1, 1}, {}});
+  return scenarios_.back().steps;
+}
+
+std::vector<Scenario> Parser::parse() {
+  for (std::uint32_t number = 1; number <= file_.lineCount(); ++number)
+    line(withoutComment(file_.line(number)));
+  closeScenario();
+  if (scenarios_.empty()) problems_.add(ProblemCode::P0958, Position{file_.name()});
+  return std::move(scenarios_);
+}
+
+void Parser::line(std::string_view text) {
+  if (text.empty()) return;
+  line_ = text;
+  std::string_view rest = text;
+  if (const StepWord* word = needsPlant(text) ? nullptr : takeStepWord(rest))
+    return step(*word, text, rest);
+  const std::string_view first = takeWord(rest);
+  fail(needsPlant(text) ? ProblemCode::P0951 : ProblemCode::P0950, first, first, stepWords());
+}
+
+void Parser::step(const StepWord& word, std::string_view whole, std::string_view rest) {
+  if (word.rest == StepWord::Rest::Scenario) return beginScenario(whole, rest);
+  if (word.rest == StepWord::Rest::End) return endRepeat(whole, rest);
+  Step step;
+  step.kind = word.kind;
+  step.position = at(whole);
+  step.text = whole;
+  const bool good = content(step, word.rest, rest);
+  if (step.kind == StepKind::Repeat)
+    open_.push_back(
+        std::move(step));  // also with a bad count, so that its end is not a second problem
+  else if (good)
+    target().push_back(std::move(step));
+}
+
+bool Parser::content(Step& step, StepWord::Rest kind, std::string_view rest) {
+  switch (kind) {
+    case StepWord::Rest::Assignments:
+      step.assignments = assignments(rest);
+      return !step.assignments.empty();
+    case StepWord::Rest::Wait:
+      return wait(step, rest);
+    case StepWord::Rest::Expectation:
+      return expectation(step.expectation, rest);
+    case StepWord::Rest::Count:
+      return count(step.count, rest);
+    default:
+      return rest.empty() || fail(ProblemCode::P0959, rest, rest, step.text);
+  }
+}
+
+void Parser::beginScenario(std::string_view whole, std::string_view rest) {
+  closeScenario();
+  std::string name(rest);
+  if (rest.size() >= 2 && rest.front() == '"' && rest.back() == '"')
+    name = rest.substr(1, rest.size() - 2);
+  else
+    fail(ProblemCode::P0952, rest.empty() ? whole : rest, "a name in quotation marks");
+  scenarios_.push_back({std::move(name), at(whole), {}});
+}
+
+void Parser::endRepeat(std::string_view whole, std::string_view rest) {
+  if (!rest.empty()) fail(ProblemCode::P0959, rest, rest, "end");
+  if (open_.empty()) {
+    fail(ProblemCode::P0957, whole);
+    return;
+  }
+  Step repeat = std::move(open_.back());
+  open_.pop_back();
+  target().push_back(std::move(repeat));
+}
+
+void Parser::closeScenario() {
+  for (const Step& repeat : open_) problems_.add(ProblemCode::P0956, repeat.position);
+  open_.clear();
+}
+
+bool Parser::wait(Step& step, std::string_view rest) {
+  std::string_view words = rest;
+  const std::string_view number = takeWord(words);
+  if (equalsIgnoreCase(words, "cycles") || equalsIgnoreCase(words, "cycle")) {
+    step.kind = StepKind::WaitCycles;
+    return count(step.count, number);
+  }
+  const auto duration = parseDuration(rest);
+  if (!duration) return fail(ProblemCode::P0953, rest.empty() ? number : rest, rest);
+  step.duration = *duration;
+  return true;
+}
+
+bool Parser::count(std::uint64_t& number, std::string_view text) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error == std::errc() && end == text.data() + text.size() && number <= 1'000'000'000)
+    return true;
+  number = 0;
+  return fail(ProblemCode::P0952, text, "a whole number from 0 to 1000000000");
+}
+
+// Takes "for 5s" or "within 5s" off the end.
+bool Parser::timing(Expectation& e, std::string_view& rest) {
+  const auto place = findOutside(rest, [](std::string_view tail) {
+    std::string_view words = tail;
+    if (tail.front() != ' ' && tail.front() != '\t') return false;
+    const std::string_view word = takeWord(words);
+    return equalsIgnoreCase(word, "for") || equalsIgnoreCase(word, "within");
+  });
+  if (place == std::string_view::npos) return true;
+  std::string_view length = rest.substr(place);
+  const bool during = equalsIgnoreCase(takeWord(length), "for");
+  e.when = during ? Expectation::When::During : Expectation::When::Within;
+  rest = trim(rest.substr(0, place));
+  const auto duration = parseDuration(length);
+  if (!duration) return fail(ProblemCode::P0953, length.empty() ? rest : length, length);
+  e.duration = *duration;
+  return true;
+}
+
+bool Parser::expectation(Expectation& e, std::string_view rest) {
+  if (!timing(e, rest)) return false;
+  std::string_view words = rest;
+  if (equalsIgnoreCase(takeWord(words), "diagnostics"))
+    return diagnostics(e, words.empty() ? rest : words);
+  const auto place =
+      findOutside(rest, [](std::string_view tail) { return relationAt(tail) != nullptr; });
+  if (place == std::string_view::npos)
+    return fail(ProblemCode::P0952, rest, "a comparison (= <> < <= > >= ~=)");
+  const RelationText* relation = relationAt(rest.substr(place));
+  e.relation = relation->relation;
+  const std::string_view left = trim(rest.substr(0, place));
+  const std::string_view right = trim(rest.substr(place + relation->text.size()));
+  if (equalsIgnoreCase(left, "mode")) return mode(e, rest, right);
+  return term(e.left, left, rest, "an operand") && term(e.right, right, rest, "a value");
+}
+
+bool Parser::mode(Expectation& e, std::string_view rest, std::string_view value) {
+  e.what = Expectation::What::Mode;
+  if (e.relation != Relation::Equal && e.relation != Relation::NotEqual)
+    return fail(ProblemCode::P0952, rest, "mode = or mode <>");
+  for (const ModeName& row : kModes) {
+    if (!equalsIgnoreCase(value, row.name)) continue;
+    e.mode = row.mode;
+    return true;
+  }
+  return fail(ProblemCode::P0954, value.empty() ? rest : value, value);
+}
+
+bool Parser::diagnostics(Expectation& e, std::string_view rest) {
+  e.what = Expectation::What::Diagnostics;
+  std::string_view words = rest;
+  const std::string_view contains = takeWord(words);
+  if (!equalsIgnoreCase(contains, "contains"))
+    return fail(ProblemCode::P0952, rest, "contains \"text\"");
+  if (words.size() < 2 || words.front() != '"' || words.back() != '"')
+    return fail(ProblemCode::P0952, words.empty() ? contains : words, "a text in quotation marks");
+  e.words = words.substr(1, words.size() - 2);
+  return true;
+}
+
+bool Parser::term(Term& term, std::string_view text, std::string_view where,
+                  std::string_view what) {
+  if (text.empty()) return fail(ProblemCode::P0952, where, what);
+  term.text = text;
+  term.position = at(text);
+  return true;
+}
+
+bool Parser::assignment(std::vector<Assignment>& list, std::string_view text) {
+  const auto sign = findOutside(text, [](std::string_view rest) { return rest[0] == '='; });
+  if (sign == std::string_view::npos) return fail(ProblemCode::P0952, text, "OPERAND = VALUE");
+  Assignment assignment;
+  const bool good = term(assignment.operand, trim(text.substr(0, sign)), text, "an operand") &&
+                    term(assignment.value, trim(text.substr(sign + 1)), text, "a value");
+  if (good) list.push_back(std::move(assignment));
+  return good;
+}
+
+std::vector<Assignment> Parser::assignments(std::string_view text) {
+  if (line_.empty()) line_ = text;
+  std::vector<Assignment> list;
+  for (std::string_view part : splitList(text)) assignment(list, part);
+  return list;
+}
+
+}  // namespace
+
+std::vector<Scenario> parseScenarios(const source::SourceFile& file, Problems& problems) {
+  return Parser(file, problems).parse();
+}
+
+std::vector<Assignment> parseAssignments(const source::SourceFile& file, std::string_view text,
+                                         Problems& problems) {
+  return Parser(file, problems).assignments(text);
+}
+
+}  // namespace merker::simulator

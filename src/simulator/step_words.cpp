@@ -1,0 +1,70 @@
+#include "simulator/step_words.h"
+
+#include <array>
+
+#include "base/text.h"
+#include "simulator/line.h"
+
+namespace merker::simulator {
+namespace {
+
+using Rest = StepWord::Rest;
+
+constexpr std::array kSteps = {
+    StepWord{"set", Rest::Assignments, StepKind::Set},
+    StepWord{"wait", Rest::Wait, StepKind::Wait},
+    StepWord{"expect", Rest::Expectation, StepKind::Expect},
+    StepWord{"run", Rest::None, StepKind::Run},
+    StepWord{"stop", Rest::None, StepKind::Stop},
+    StepWord{"cold restart", Rest::None, StepKind::ColdRestart},
+    StepWord{"warm restart", Rest::None, StepKind::WarmRestart},
+    StepWord{"power off", Rest::None, StepKind::PowerOff},
+    StepWord{"power on", Rest::None, StepKind::PowerOn},
+    StepWord{"memory reset", Rest::None, StepKind::MemoryReset},
+    StepWord{"force", Rest::Assignments, StepKind::Force},
+    StepWord{"unforce", Rest::None, StepKind::Unforce},
+    StepWord{"repeat", Rest::Count, StepKind::Repeat},
+    StepWord{"end", Rest::End, StepKind::Repeat},
+    StepWord{"scenario", Rest::Scenario, StepKind::Wait},
+};
+
+constexpr std::array<std::string_view, 4> kPlantSteps = {"pulses", "encoder", "plant", "fault"};
+
+// Takes the words of `wanted` off `line` if it begins with them.
+bool takeWords(std::string_view& line, std::string_view wanted) {
+  std::string_view rest = line;
+  while (!wanted.empty()) {
+    const std::string_view word = takeWord(rest);
+    if (!equalsIgnoreCase(word, takeWord(wanted))) return false;
+  }
+  line = rest;
+  return true;
+}
+
+}  // namespace
+
+const StepWord* takeStepWord(std::string_view& line) {
+  for (const StepWord& step : kSteps)
+    if (takeWords(line, step.words)) return &step;
+  return nullptr;
+}
+
+bool needsPlant(std::string_view line) {
+  std::string_view word = takeWord(line);
+  if (equalsIgnoreCase(word, "expect")) word = takeWord(line);
+  for (std::string_view plant : kPlantSteps)
+    if (equalsIgnoreCase(word, plant)) return true;
+  return false;
+}
+
+std::string stepWords() {
+  std::string list;
+  for (const StepWord& step : kSteps) {
+    if (step.rest == Rest::Scenario) continue;
+    if (!list.empty()) list += ", ";
+    list += step.words;
+  }
+  return list;
+}
+
+}  // namespace merker::simulator

@@ -1,0 +1,58 @@
+#include "simulator/term.h"
+
+#include <bit>
+
+#include "base/text.h"
+
+namespace merker::simulator {
+namespace {
+
+// Whether a text that is no valid constant was meant to be one: its own problem is then the better
+// one.
+bool looksLikeConstant(std::string_view text) {
+  if (text.empty()) return false;
+  const char first = text.front();
+  if ((first >= '0' && first <= '9') || first == '-' || first == '+' || first == '\'') return true;
+  return first != '"' && first != '#' && text.substr(0, text.find('"')).find('#') < text.size();
+}
+
+}  // namespace
+
+std::optional<Problem> resolveOperand(Term& term, const Resolver& resolver) {
+  auto reference = resolver(term.text, term.position);
+  if (!reference) return reference.error();
+  term.reference = std::move(reference.value());
+  term.reference.text = term.text;
+  return std::nullopt;
+}
+
+std::optional<Problem> resolveTerm(Term& term, const Resolver& resolver) {
+  auto constant = parseConstant(term.text, term.position);
+  if (constant) {
+    term.constant = constant.value();
+    return std::nullopt;
+  }
+  if (looksLikeConstant(term.text)) return constant.error();
+  return resolveOperand(term, resolver);
+}
+
+unsigned bitWidth(const mc7::Reference& reference) {
+  if (reference.operand.kind != mc7::OperandKind::Memory) return 16;
+  if (reference.operand.width == Width::Bit) return 1;
+  return 8 * byteCount(reference.operand.width);
+}
+
+Constant adapt(const Constant& constant, TypeCode type) {
+  if (constant.format != ConstantFormat::Integer && constant.format != ConstantFormat::LongInteger)
+    return constant;
+  const auto number = constant.format == ConstantFormat::Integer
+                          ? static_cast<std::int32_t>(static_cast<std::int16_t>(constant.bits))
+                          : static_cast<std::int32_t>(constant.bits);
+  if (type == TypeCode::DInt || type == TypeCode::Time)
+    return {ConstantFormat::LongInteger, static_cast<std::uint32_t>(number)};
+  if (type == TypeCode::Real)
+    return {ConstantFormat::Real, std::bit_cast<std::uint32_t>(static_cast<float>(number))};
+  return constant;
+}
+
+}  // namespace merker::simulator

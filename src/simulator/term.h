@@ -1,0 +1,40 @@
+// One side of a comparison, or a value that is set: a constant in AWL notation or an operand of the
+// program.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "address/constant.h"
+#include "base/problem.h"
+#include "mc7/reference.h"
+
+namespace merker::simulator {
+
+struct Term {
+  std::string text;  // as written
+  Position position;
+  std::optional<Constant> constant;
+  mc7::Reference reference;  // unless it is a constant
+};
+
+// What an operand's text stands for in the program at hand.
+using Resolver = std::function<Result<mc7::Reference>(std::string_view text, const Position& at)>;
+// The present value of an operand; nothing if it does not exist.
+using Reader = std::function<std::optional<std::uint32_t>(const mc7::Reference&)>;
+
+// Fills `constant` or `reference` from `text`. The problem if it is neither.
+std::optional<Problem> resolveTerm(Term& term, const Resolver& resolver);
+std::optional<Problem> resolveOperand(Term& term, const Resolver& resolver);
+
+// Bits of an operand: 1, 8, 16 or 32; 16 for timers and counters.
+unsigned bitWidth(const mc7::Reference& reference);
+
+// The constant as a value of this type: an integer becomes a DINT with its sign, or a REAL, where
+// the operand is one.
+Constant adapt(const Constant& constant, TypeCode type);
+
+}  // namespace merker::simulator
