@@ -1,0 +1,108 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds, and runs every test. The last line is "N passed, N failed", the sum of all parts;
+# the exit code is 1 if anything failed.
+set -u
+cd "$(dirname "${BASH_SOURCE[0]}")" || exit 1
+. tools/packages.sh
+
+jobs=$(nproc)
+passed=0
+failed=0
+failures=()
+
+say() { printf '\n==> %s [%d s]\n' "$1" "$SECONDS"; }
+
+count() {  # count PASSED FAILED NAME
+  passed=$((passed + $1))
+  failed=$((failed + $2))
+  [ "$2" -eq 0 ] || failures+=("$3")
+}
+
+# One step that either works or does not.
+step() {  # step NAME COMMAND...
+  local name=$1
+  shift
+  say "$name"
+  if "$@"; then count 1 0 "$name"; else count 0 1 "$name"; return 1; fi
+}
+
+format_check() {
+  find src apps tests fuzz bench \( -name '*.h' -o -name '*.cpp' \) -print0 | sort -z |
+    xargs -0 -r clang-format --dry-run -Werror
+}
+
+build() {  # build PRESET OPTIONS...
+  local preset=$1
+  shift
+  cmake --preset "$preset" "$@" >"build/$preset.configure.log" 2>&1 || { cat "build/$preset.configure.log"; return 1; }
+  cmake --build --preset "$preset" -j "$jobs"
+}
+
+run_ctest() {  # run_ctest NAME PRESET
+  say "$1"
+  local log="build/$2.ctest.log" summary
+  # A test of its own timeout must not hang the run.
+  ctest --preset "$2" --output-on-failure --timeout 600 -j "$jobs" 2>&1 | tee "$log"
+  # "98% tests passed, 1 tests failed out of 50"
+  summary=$(sed -nE 's/^[0-9]+% tests passed, ([0-9]+) tests? failed out of ([0-9]+)$/\1 \2/p' "$log" | tail -n 1)
+  if [ -z "$summary" ]; then count 0 1 "$1"; return 1; fi
+  set -- "$1" ${summary}
+  count $(($3 - $2)) "$2" "$1"
+}
+
+# A program whose last line is "N passed, N failed".
+counted() {  # counted NAME COMMAND...
+  local name=$1 log="build/counted.log" summary code
+  shift
+  say "$name"
+  "$@" 2>&1 | tee "$log"
+  code=${PIPESTATUS[0]}
+  summary=$(tail -n 1 "$log" | sed -nE 's/^([0-9]+) passed, ([0-9]+) failed$/\1 \2/p')
+  if [ -z "$summary" ]; then count 0 1 "$name: no summary (exit code $code)"; return 1; fi
+  set -- ${summary}
+  count "$1" "$2" "$name"
+  if [ "$code" -ne 0 ] && [ "$2" -eq 0 ]; then count 0 1 "$name: exit code $code"; fi
+}
+
+# Every stored input once through its fuzzer, and some new ones that are the same every time.
+fuzz_corpus() {
+  local program name corpus
+  step "fuzzers: build" build fuzz || return 1
+  for program in build/fuzz/fuzz/fuzz_*; do
+    [ -f "$program" ] && [ -x "$program" ] || continue
+    name=$(basename "$program")
+    say "$name"
+    corpus=$(mktemp -d)
+    [ ! -d "tests/corpus/${name#fuzz_}" ] || cp -r "tests/corpus/${name#fuzz_}/." "$corpus"
+    if "$program" -seed=1 -runs=10000 -max_total_time=30 -timeout=10 -artifact_prefix="build/fuzz/" "$corpus" \
+        >"build/fuzz/$name.log" 2>&1; then
+      tail -n 1 "build/fuzz/$name.log"
+      count 1 0 "$name"
+    else
+      tail -n 40 "build/fuzz/$name.log"
+      count 0 1 "$name"
+    fi
+    rm -rf "$corpus"
+  done
+}
+
+say "packages"
+need_packages $BUILD_PACKAGES $CHECK_PACKAGES || { echo "0 passed, 1 failed"; exit 1; }
+mkdir -p build
+
+step "format" format_check
+if step "release build" build release; then
+  run_ctest "release tests, architecture and documents" release
+  counted "examples and conformance programs" build/release/merker test examples tests/conformance
+fi
+if step "debug build with sanitizers" build debug; then
+  run_ctest "debug tests with sanitizers" debug
+fi
+if [ -f fuzz/CMakeLists.txt ]; then
+  fuzz_corpus
+fi
+
+say "done"
+[ ${#failures[@]} -eq 0 ] || printf 'failed: %s\n' "${failures[@]}"
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]
