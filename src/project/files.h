@@ -1,0 +1,35 @@
+// Files of a folder and the patterns that choose among them. Always in the same order, whatever the
+// file system gives.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace merker::project {
+
+// * and ? within one name, ** over any number of folders ("lib/**/*.awl" also finds lib/a.awl).
+// Case does not matter, as on the disks that STEP 7 projects come from.
+bool matches(std::string_view pattern, std::string_view path);
+
+// All files under `folder`, relative to it with '/', sorted; without hidden ones, and without
+// folders that are projects of their own.
+std::vector<std::string> listFiles(const std::string& folder);
+
+// What lies directly in a folder, sorted by name, without hidden files and links to folders (they
+// may lead back up).
+struct Entry {
+  std::string name;
+  bool folder = false;
+};
+std::vector<Entry> entries(const std::string& folder);
+
+bool isFolder(const std::string& path);
+bool isFile(const std::string& path);
+bool hasExtension(std::string_view path, std::string_view extension);  // ".awl", ignoring case
+// "folder/name", just "name" for the folder "." or none.
+std::string join(const std::string& folder, const std::string& name);
+std::string folderOf(const std::string& path);
+std::string stemOf(const std::string& path);
+
+}  // namespace merker::project

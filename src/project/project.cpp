@@ -1,0 +1,156 @@
+#include "project/project.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "project/files.h"
+#include "project/settings.h"
+
+namespace merker::project {
+namespace {
+
+constexpr const char* kSettingsFile = "merker.toml";
+
+void chooseModel(Project& project, const std::string& cpu) {
+  if (cpu.empty()) return;
+  if (const CpuModel* model = findCpuModel(cpu))
+    project.model = model;
+  else
+    project.problems.add(ProblemCode::P0705, Position{project.path}, cpu, modelNames());
+}
+
+const source::SourceFile* read(Project& project, const std::string& path,
+                               std::vector<source::SourceFile>& list) {
+  auto file = source::readSource(path);
+  if (file) {
+    list.push_back(std::move(file.value()));
+    return &list.back();
+  }
+  project.unreadable |= file.error().code == ProblemCode::P0101;
+  project.problems.add(file.error());
+  return nullptr;
+}
+
+void readSource(Project& project, const std::string& path) {
+  if (hasExtension(path, ".s5"))
+    project.problems.add(ProblemCode::P0707, Position{path});
+  else
+    read(project, path, project.sources);
+}
+
+void readSymbolFile(Project& project, const std::string& path) {
+  if (const auto* file = read(project, path, project.otherFiles))
+    source::readSymbols(*file, project.symbols, project.problems);
+}
+
+// Files that match the patterns, each once, in the order of the patterns.
+std::vector<std::string> choose(Project& project, const std::vector<std::string>& files,
+                                const std::vector<Pattern>& patterns) {
+  std::vector<std::string> chosen;
+  for (const Pattern& pattern : patterns) {
+    bool found = false;
+    for (const std::string& file : files) {
+      if (!matches(pattern.text, file)) continue;
+      found = true;
+      if (std::find(chosen.begin(), chosen.end(), file) == chosen.end()) chosen.push_back(file);
+    }
+    if (!found) project.problems.add(ProblemCode::P0706, pattern.position, pattern.text);
+  }
+  return chosen;
+}
+
+// Only endings that are used for symbols and nothing else: a .txt may be anything.
+bool isSymbolExport(const std::string& path) {
+  for (const char* extension : {".sdf", ".asc", ".seq", ".dif", ".sym"})
+    if (hasExtension(path, extension)) return true;
+  return false;
+}
+
+template <typename Predicate>
+std::vector<std::string> filter(const std::vector<std::string>& files, Predicate predicate) {
+  std::vector<std::string> chosen;
+  std::copy_if(files.begin(), files.end(), std::back_inserter(chosen), predicate);
+  return chosen;
+}
+
+void loadFolder(Project& project, const std::string& cpu) {
+  const auto* settingsFile = read(project, join(project.folder, kSettingsFile), project.otherFiles);
+  const Settings settings =
+      settingsFile ? readSettings(*settingsFile, project.problems) : Settings{};
+  if (!settings.name.empty()) project.name = settings.name;
+  project.model = settings.model;
+  project.startOfClock = settings.startOfClock;
+  chooseModel(project, cpu);
+  const std::vector<std::string> files = listFiles(project.folder);
+  const auto sources =
+      settings.sources
+          ? choose(project, files, *settings.sources)
+          : filter(files, [](const std::string& f) { return hasExtension(f, ".awl"); });
+  const auto symbols =
+      settings.symbols ? choose(project, files, *settings.symbols) : filter(files, isSymbolExport);
+  for (const std::string& file : symbols) readSymbolFile(project, join(project.folder, file));
+  for (const std::string& file : sources) readSource(project, join(project.folder, file));
+  if (sources.empty()) project.problems.add(ProblemCode::P0708, Position{project.path});
+}
+
+void fail(Project& project, ProblemCode code) {
+  project.unreadable = true;
+  project.problems.add(code, Position{project.path}, project.path);
+}
+
+std::string baseName(const std::string& folder) {
+  std::error_code error;
+  const auto absolute = std::filesystem::weakly_canonical(folder, error);
+  return absolute.filename().string();
+}
+
+}  // namespace
+
+const source::SourceFile* Project::file(const std::string& wanted) const {
+  for (const auto* list : {&sources, &otherFiles})
+    for (const source::SourceFile& file : *list)
+      if (file.name() == wanted) return &file;
+  return nullptr;
+}
+
+Project loadSources(const std::string& path, const std::vector<std::string>& sources,
+                    const std::string& cpu) {
+  Project project;
+  project.path = path;
+  project.folder = folderOf(path);
+  project.name = stemOf(path);
+  project.startOfClock = defaultStartOfClock();
+  chooseModel(project, cpu);
+  for (const std::string& source : sources) {
+    // no search below: the symbols of a single source stand beside it
+    for (const Entry& entry : entries(folderOf(source)))
+      if (isSymbolExport(entry.name) && stemOf(entry.name) == stemOf(source))
+        readSymbolFile(project, join(folderOf(source), entry.name));
+  }
+  for (const std::string& source : sources) readSource(project, source);
+  return project;
+}
+
+Project load(const std::string& path, const std::string& cpu) {
+  Project project;
+  project.path = path;
+  if (isFile(path) && std::filesystem::path(path).filename() == kSettingsFile) {
+    project.folder = folderOf(path);
+  } else if (isFolder(path)) {
+    project.folder = path;
+    if (!isFile(join(path, kSettingsFile))) {
+      fail(project, ProblemCode::P0701);
+      return project;
+    }
+  } else if (isFile(path) && !hasExtension(path, ".awl") && !hasExtension(path, ".s5")) {
+    fail(project, ProblemCode::P0709);
+    return project;
+  } else {
+    return loadSources(path, {path}, cpu);
+  }
+  project.name = baseName(project.folder);
+  loadFolder(project, cpu);
+  return project;
+}
+
+}  // namespace merker::project

@@ -1,0 +1,38 @@
+// A program as it is loaded from disk: sources, symbols, CPU. A project folder with merker.toml, or
+// a single source.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "catalogue/cpu_model.h"
+#include "source/source_file.h"
+#include "source/symbol_table.h"
+
+namespace merker::project {
+
+struct Project {
+  std::string path;    // as the user gave it
+  std::string folder;  // where its files are
+  std::string name;
+  const CpuModel* model = &defaultCpuModel();
+  std::int64_t startOfClock = 0;  // milliseconds since 1990-01-01
+  std::vector<source::SourceFile> sources;
+  std::vector<source::SourceFile> otherFiles;  // merker.toml and symbol files: for showing problems
+  source::SymbolTable symbols;
+  Problems problems;
+  bool unreadable = false;  // a file or the project itself could not be read
+
+  // The file of this name, for the line under a problem; null if it was not read.
+  const source::SourceFile* file(const std::string& name) const;
+};
+
+// `cpu`, unless empty, replaces the model. Never throws; everything that is wrong is in `problems`.
+Project load(const std::string& path, const std::string& cpu);
+
+// Some sources as one program, with the symbol files of the same stems beside them.
+Project loadSources(const std::string& path, const std::vector<std::string>& sources,
+                    const std::string& cpu);
+
+}  // namespace merker::project

@@ -1,0 +1,38 @@
+// What merker.toml says. All keys are optional; a key that is not known is a problem, so that no
+// typing error passes.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "catalogue/cpu_model.h"
+#include "source/source_file.h"
+
+namespace merker::project {
+
+// A pattern with its place in the file, for the problem that it matches nothing.
+struct Pattern {
+  std::string text;
+  Position position;
+};
+
+struct Settings {
+  std::string name;
+  const CpuModel* model = &defaultCpuModel();
+  std::int64_t startOfClock = 0;  // milliseconds since 1990-01-01
+  std::optional<std::vector<Pattern>> sources, symbols;
+};
+
+Settings readSettings(const source::SourceFile& file, Problems& problems);
+
+// "314C-2 PtP, generic, …", for problems.
+std::string modelNames();
+
+// What the CPU's clock shows when a station is switched on, unless the project says otherwise:
+// always the same, so that two runs are the same. 1994-01-01-00:00:00.000, the clock of a CPU whose
+// battery was flat.
+std::int64_t defaultStartOfClock();
+
+}  // namespace merker::project
