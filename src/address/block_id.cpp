@@ -6,14 +6,22 @@ namespace merker {
 
 std::string_view name(BlockKind kind) {
   switch (kind) {
-    case BlockKind::UDT: return "UDT";
-    case BlockKind::OB: return "OB";
-    case BlockKind::DB: return "DB";
-    case BlockKind::SDB: return "SDB";
-    case BlockKind::FC: return "FC";
-    case BlockKind::SFC: return "SFC";
-    case BlockKind::FB: return "FB";
-    case BlockKind::SFB: return "SFB";
+    case BlockKind::UDT:
+      return "UDT";
+    case BlockKind::OB:
+      return "OB";
+    case BlockKind::DB:
+      return "DB";
+    case BlockKind::SDB:
+      return "SDB";
+    case BlockKind::FC:
+      return "FC";
+    case BlockKind::SFC:
+      return "SFC";
+    case BlockKind::FB:
+      return "FB";
+    case BlockKind::SFB:
+      return "SFB";
   }
   return "?";
 }

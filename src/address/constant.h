@@ -53,12 +53,19 @@ TypeCode naturalType(const Constant& constant);
 // The position of a problem is `at`.
 Result<Constant> parseConstant(std::string_view text, const Position& at);
 
-// The value in the notation that STEP 7 displays: REAL always exponential (1.230000e+001), S5TIME with the
-// largest units (S5T#1H10M20S), P#M10.0 in the given mnemonics (E/A or I/Q).
+// The value as a source shows it: REAL always exponential (1.230000e+001), S5TIME with the largest units
+// (S5T#1H10M20S), P#M10.0 in the given mnemonics (E/A or I/Q). Reading it again gives the same bits: a REAL gets more
+// digits where seven are too few, and bits that the notation cannot express come out as B#16#, W#16# or DW#16#.
 std::string formatConstant(const Constant& constant, Mnemonics mnemonics = Mnemonics::German);
 
-// An elementary value as a constant of its own type: INT 5 -> "5", WORD -> W#16#0005, TIME -> T#5S …
+// An elementary value as STEP 7 displays it, in the notation of its type: INT 5 -> "5", WORD -> W#16#0005,
+// TIME -> T#5S, REAL with seven digits. TIMER and COUNTER show as S5TIME and C#.
 std::string formatValue(TypeCode type, std::uint32_t bits, Mnemonics mnemonics = Mnemonics::German);
+
+// Characters of a CHAR, STRING or `L 'ab'` with their quotation marks and $ escapes ($$ $' $L $N $P $R $T $hh) to one
+// CP1252 byte each, and back. Any length; P0209 says what is wrong.
+Result<std::string> parseCharacters(std::string_view quoted, const Position& at);
+std::string formatCharacters(std::string_view cp1252);
 
 // S5TIME of a length in milliseconds: smallest base that holds it, remainder truncated (S7-TYPES-10).
 // Nothing above 9990 s; below 10 ms gives 0.

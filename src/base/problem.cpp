@@ -13,9 +13,7 @@ constexpr std::array kProblems{
 #undef PROBLEM
 };
 
-auto key(const Problem& p) {
-  return std::tie(p.position.file, p.position.line, p.position.column);
-}
+auto key(const Problem& p) { return std::tie(p.position.file, p.position.line, p.position.column); }
 
 }  // namespace
 

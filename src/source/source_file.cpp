@@ -1,0 +1,146 @@
+#include "source/source_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+
+namespace merker::source {
+namespace {
+
+constexpr std::uint64_t kMegabyte = 1024 * 1024;
+constexpr std::uint64_t kLargestFile = 256 * kMegabyte;
+
+const char* find(const char* from, const char* end, char c) {
+  const void* const found = std::memchr(from, c, static_cast<std::size_t>(end - from));
+  return found ? static_cast<const char*>(found) : end;
+}
+
+// Starts of lines behind each CR LF, LF or CR; an end of line at the end of the text starts none.
+std::vector<std::size_t> lineStarts(std::string_view text) {
+  std::vector<std::size_t> starts{0};
+  const char* const begin = text.data();
+  const char* const end = begin + text.size();
+  for (const char* line = begin; line != end;) {
+    const char* const feed = find(line, end, '\n');
+    // A CR that no LF follows ends a line as well (old Macintosh and some terminal programs).
+    for (const char* cr = find(line, feed, '\r'); cr != feed; cr = find(cr + 1, feed, '\r'))
+      if (cr + 1 != feed || feed == end) starts.push_back(static_cast<std::size_t>(cr + 1 - begin));
+    line = feed == end ? end : feed + 1;
+    if (feed != end) starts.push_back(static_cast<std::size_t>(line - begin));
+  }
+  if (starts.size() > 1 && starts.back() == text.size()) starts.pop_back();
+  return starts;
+}
+
+std::string_view withoutLineEnd(std::string_view line) {
+  while (!line.empty() && (line.back() == '\n' || line.back() == '\r')) line.remove_suffix(1);
+  return line;
+}
+
+Problem unreadable(const std::string& path, const std::string& reason) {
+  return makeProblem(ProblemCode::P0101, Position{path}, path, reason);
+}
+
+Result<std::string> readBytes(const std::string& path) {
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status)) return unreadable(path, "no such file");
+  if (std::filesystem::is_directory(status)) return unreadable(path, "it is a directory");
+  std::ifstream in(path, std::ios::binary);
+  if (!in) return unreadable(path, "access denied");
+  // Not by the size of the file alone: a pipe has none.
+  std::string bytes;
+  std::vector<char> buffer(kMegabyte);
+  while (in.read(buffer.data(), static_cast<std::streamsize>(buffer.size())) || in.gcount() > 0) {
+    bytes.append(buffer.data(), static_cast<std::size_t>(in.gcount()));
+    if (bytes.size() > kLargestFile)
+      return makeProblem(ProblemCode::P0103, Position{path}, kLargestFile / kMegabyte);
+  }
+  if (in.bad()) return unreadable(path, "reading failed");
+  return bytes;
+}
+
+std::string place(const Position& position) {
+  if (position.file.empty()) return {};
+  if (position.line == 0) return position.file + ": ";
+  if (position.column == 0) return fmt::format("{}:{}: ", position.file, position.line);
+  return fmt::format("{}:{}:{}: ", position.file, position.line, position.column);
+}
+
+bool isContinuation(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
+
+// The line as it is shown: control characters would upset a terminal.
+std::string printable(std::string_view line) {
+  std::string result(line);
+  for (char& c : result)
+    if (static_cast<unsigned char>(c) < 0x20 && c != '\t') c = ' ';
+  return result;
+}
+
+// Tabs stay tabs, so the caret stands under its place whatever their width is.
+std::string caretLine(std::string_view line, const Position& position) {
+  std::string result;
+  std::uint32_t column = 1;
+  for (const char c : line) {
+    if (isContinuation(c)) continue;
+    if (column++ == position.column) break;
+    result += c == '\t' ? '\t' : ' ';
+  }
+  const std::size_t width = characterCount(line);
+  const std::size_t room = width >= position.column ? width - position.column + 1 : 1;
+  const std::size_t length = std::clamp<std::size_t>(position.length, 1, room);
+  return result + '^' + std::string(length - 1, '~');
+}
+
+}  // namespace
+
+SourceFile::SourceFile(std::string name, std::string utf8)
+    : name_(std::move(name)), text_(std::move(utf8)), starts_(lineStarts(text_)) {}
+
+std::string_view SourceFile::line(std::uint32_t number) const {
+  if (number == 0 || number > starts_.size()) return {};
+  const std::size_t end = number < starts_.size() ? starts_[number] : text_.size();
+  return withoutLineEnd(
+      std::string_view(text_).substr(starts_[number - 1], end - starts_[number - 1]));
+}
+
+Position SourceFile::position(std::size_t offset, std::size_t length) const {
+  offset = std::min(offset, text_.size());
+  const auto next = std::upper_bound(starts_.begin(), starts_.end(), offset);
+  const auto number = static_cast<std::uint32_t>(next - starts_.begin());
+  const std::string_view content = line(number);
+  const std::size_t inLine = std::min(offset - starts_[number - 1], content.size());
+  Position result{name_, number};
+  result.column = static_cast<std::uint32_t>(characterCount(content.substr(0, inLine)) + 1);
+  const std::size_t characters = characterCount(content.substr(inLine, length));
+  result.length = static_cast<std::uint32_t>(std::max<std::size_t>(characters, 1));
+  return result;
+}
+
+Result<SourceFile> readSource(const std::string& path) {
+  auto bytes = readBytes(path);
+  if (!bytes) return bytes.error();
+  const Encoding encoding = detectEncoding(*bytes);
+  if (encoding == Encoding::Binary) return makeProblem(ProblemCode::P0102, Position{path});
+  // DOS editors end a text with Ctrl-Z.
+  while (bytes->ends_with('\x1A')) bytes->pop_back();
+  return SourceFile(path, toUtf8(*bytes, encoding));
+}
+
+std::string format(const Problem& problem, const SourceFile* file) {
+  const Position& at = problem.position;
+  const auto* const severity = problem.severity() == Severity::Error ? "error" : "warning";
+  std::string result =
+      fmt::format("{}{}: {} [{}]", place(at), severity, problem.message, problem.name());
+  if (file == nullptr || at.line == 0 || at.line > file->lineCount()) return result;
+  const std::string_view line = file->line(at.line);
+  result += '\n' + printable(line);
+  if (at.column > 0) result += '\n' + caretLine(line, at);
+  return result;
+}
+
+}  // namespace merker::source

@@ -1,0 +1,1 @@
+#include "source/symbol_table.h"
