@@ -23,5 +23,5 @@ printf '\n== The sorting plant: all scenarios, in virtual time\n\n'
 for size in small middle large; do
   printf '\n== A %s box: a light barrier is 0 while its beam is interrupted, a slider is out while its output is 1\n\n' "$size"
   "$merker" test "$plant" --filter "a $size box is pushed out" --trace "build/$size.csv" --watch "$rows" >/dev/null
-  python3 tools/timeline "build/$size.csv" --rows "$rows" --names "$plant/plant.sym" --step 200ms --to 11 --changes
+  python3 tools/timeline "build/$size.csv" --rows "$rows" --names "$plant/sorting.sym" --step 200ms --to 11 --changes
 done
