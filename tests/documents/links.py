@@ -1,11 +1,14 @@
 #!/usr/bin/env python3
-"""Every relative link of a Markdown page leads to a file or folder of the repository."""
+"""Every relative link of a Markdown page leads to a file or folder of the repository, and so does every page that a
+comment names (docs/….md)."""
 import pathlib
 import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 LINK = re.compile(r"\]\(([^)\s#]+)(?:#[^)]*)?\)")
+
+MENTION = re.compile(r"\bdocs/[\w/-]+\.md\b")
 
 
 def pages():
@@ -21,6 +24,16 @@ def broken(page):
             yield f"{page.relative_to(ROOT)}: {target} does not exist"
 
 
-findings = [finding for page in pages() for finding in broken(page)]
+def missing_pages():
+    for folder in ("src", "apps"):
+        for path in sorted((ROOT / folder).rglob("*")):
+            if path.suffix not in (".h", ".cpp", ".inc", ".md", ".txt"):
+                continue
+            for page in MENTION.findall(path.read_text(encoding="utf-8", errors="ignore")):
+                if not (ROOT / page).exists():
+                    yield f"{path.relative_to(ROOT)}: {page} does not exist"
+
+
+findings = [finding for page in pages() for finding in broken(page)] + list(missing_pages())
 print("\n".join(findings) if findings else "every link leads somewhere")
 sys.exit(1 if findings else 0)
