@@ -2,18 +2,14 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 
-#include "address/constant.h"
+#include "address/notation.h"
 #include "base/bcd.h"
 
 namespace merker {
 namespace {
-
-constexpr std::uint16_t kLastDate = 65378;                 // D#2168-12-31
-constexpr std::uint32_t kMillisecondsPerDay = 86'400'000;  // TOD ends one before it
 
 struct FormatRow {
   ConstantFormat format;
@@ -85,50 +81,9 @@ std::string exactReal(const Constant& constant) {
   return readsAs(text, constant) ? text : exponential(value, 8);
 }
 
-std::string lengthOfTime(std::uint64_t milliseconds) {
-  struct Unit {
-    std::string_view name;
-    std::uint64_t length;
-  };
-  constexpr Unit kUnits[] = {
-      {"D", 86'400'000}, {"H", 3'600'000}, {"M", 60'000}, {"S", 1'000}, {"MS", 1}};
-  if (milliseconds == 0) return "0MS";
-  std::string text;
-  for (const Unit& unit : kUnits) {
-    if (milliseconds >= unit.length)
-      text += fmt::format("{}{}", milliseconds / unit.length, unit.name);
-    milliseconds %= unit.length;
-  }
-  return text;
-}
-
-std::string time(std::uint32_t bits) {
-  const bool negative = bits >> 31 != 0;
-  const std::uint32_t magnitude = negative ? 0u - bits : bits;
-  return fmt::format("T#{}{}", negative ? "-" : "", lengthOfTime(magnitude));
-}
-
-std::string s5Time(std::uint32_t bits) {
-  const auto length = bits < 0x4000 ? decodeS5Time(static_cast<std::uint16_t>(bits)) : std::nullopt;
-  return length ? "S5T#" + lengthOfTime(*length) : std::string();
-}
-
 std::string counter(std::uint32_t bits) {
   const auto count = bits < 0x1000 ? fromBcd(bits, 3) : std::nullopt;
   return count ? fmt::format("C#{}", *count) : std::string();
-}
-
-std::string date(std::uint32_t days) {
-  if (days > kLastDate) return {};
-  int year = 0, month = 0, day = 0;
-  dateFromDays(static_cast<std::uint16_t>(days), year, month, day);
-  return fmt::format("D#{:04}-{:02}-{:02}", year, month, day);
-}
-
-std::string timeOfDay(std::uint32_t ms) {
-  if (ms >= kMillisecondsPerDay) return {};
-  return fmt::format("TOD#{:02}:{:02}:{:02}.{:03}", ms / 3'600'000, ms / 60'000 % 60,
-                     ms / 1000 % 60, ms % 1000);
 }
 
 std::string pointerText(std::uint32_t bits, Mnemonics mnemonics) {
@@ -176,7 +131,7 @@ std::string bytes(std::uint32_t bits, unsigned count) {
 }
 
 // Empty if the notation cannot express the bits.
-std::string notation(const Constant& constant, Mnemonics mnemonics) {
+std::string inNotation(const Constant& constant, Mnemonics mnemonics) {
   const std::uint32_t bits = constant.bits;
   switch (constant.format) {
     case ConstantFormat::Boolean:
@@ -200,17 +155,17 @@ std::string notation(const Constant& constant, Mnemonics mnemonics) {
     case ConstantFormat::Counter:
       return counter(bits);
     case ConstantFormat::Date:
-      return date(bits);
+      return notation::writeDate(bits);
     case ConstantFormat::S5Time:
-      return s5Time(bits);
+      return notation::writeS5Time(bits);
     case ConstantFormat::Real:
       return exactReal(constant);
     case ConstantFormat::Pointer:
       return pointerText(bits, mnemonics);
     case ConstantFormat::Time:
-      return time(bits);
+      return notation::writeTime(bits);
     case ConstantFormat::TimeOfDay:
-      return timeOfDay(bits);
+      return notation::writeTimeOfDay(bits);
     case ConstantFormat::Byte:
     case ConstantFormat::Word:
     case ConstantFormat::DWord:
@@ -253,7 +208,7 @@ TypeCode naturalType(const Constant& constant) {
 std::string formatConstant(const Constant& constant, Mnemonics mnemonics) {
   const unsigned width = bitWidth(constant.format);
   const Constant clean{constant.format, masked(constant.bits, width)};
-  const std::string text = notation(clean, mnemonics);
+  const std::string text = inNotation(clean, mnemonics);
   return !text.empty() && readsAs(text, clean) ? text : hexadecimal(clean.bits, width);
 }
 
@@ -263,23 +218,10 @@ std::string formatValue(TypeCode type, std::uint32_t bits, Mnemonics mnemonics) 
     const std::uint32_t value = masked(bits, display.bits);
     if (type == TypeCode::Real && std::isfinite(toFloat(value)))
       return exponential(toFloat(value), 6);
-    const std::string text = notation({display.format, value}, mnemonics);
+    const std::string text = inNotation({display.format, value}, mnemonics);
     return text.empty() ? hexadecimal(value, display.bits) : text;
   }
   return hexadecimal(bits, 32);
-}
-
-std::string formatDateAndTime(std::uint64_t bcd) {
-  const auto part = [bcd](int shift, int digits) {
-    return fromBcd(static_cast<std::uint32_t>(bcd >> shift), digits).value_or(0);
-  };
-  const std::uint32_t year = part(56, 2);
-  const std::string text =
-      fmt::format("DT#{:04}-{:02}-{:02}-{:02}:{:02}:{:02}.{:03}", year + (year >= 90 ? 1900 : 2000),
-                  part(48, 2), part(40, 2), part(32, 2), part(24, 2), part(16, 2), part(4, 3));
-  // Not a date with its right weekday: show what is there.
-  const auto again = parseDateAndTime(text, {});
-  return again && (*again ^ bcd) >> 4 == 0 ? text : fmt::format("16#{:016X}", bcd);
 }
 
 }  // namespace merker

@@ -43,11 +43,27 @@ class Scanner {
   std::size_t digits_ = 0;
 };
 
+// Readers in number_notation.cpp
+Result<Constant> readByte(const Input& input);
+Result<Constant> readWord(const Input& input);
+Result<Constant> readDWord(const Input& input);
+Result<Constant> readPlainHexadecimal(const Input& input);  // 16#FF
+Result<Constant> readBinary(const Input& input);
+Result<Constant> readCounter(const Input& input);
+Result<Constant> readPointer(const Input& input);
+Result<Constant> readLongInteger(const Input& input);
+Result<Constant> readNumber(const Input& input);  // INT or REAL
 // Readers in time_notation.cpp
 Result<Constant> readS5Time(const Input& input);
 Result<Constant> readTime(const Input& input);
 Result<Constant> readDate(const Input& input);
 Result<Constant> readTimeOfDay(const Input& input);
 Result<std::uint64_t> readDateAndTime(const Input& input);
+
+// Writers in time_format.cpp; empty if the notation cannot express the bits.
+std::string writeS5Time(std::uint32_t bits);
+std::string writeTime(std::uint32_t bits);
+std::string writeDate(std::uint32_t days);
+std::string writeTimeOfDay(std::uint32_t milliseconds);
 
 }  // namespace merker::notation

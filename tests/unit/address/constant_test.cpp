@@ -76,7 +76,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Good{"1e3", Real, 0x447A0000}, Good{"-1.5", Real, 0xBFC00000},
                     Good{"+1.5E0", Real, 0x3FC00000}, Good{"0.0", Real, 0},
                     Good{"0.000e-99", Real, 0}, Good{"-0.0", Real, 0x80000000},
-                    Good{"1.175495e-38", Real, 0x00800001}, Good{"1.175494e-38", Real, 0x00800000},
+                    Good{"1.175495e-38", Real, 0x00800005},
+                    Good{"1.17549435e-38", Real, 0x00800000},
                     Good{"-3.402823e+38", Real, 0xFF7FFFFD},
                     Good{"3.40282347e+038", Real, 0x7F7FFFFF}, Good{"16777217.0", Real, 0x4B800000},
                     Good{"16777219.0", Real, 0x4B800002}, Good{"0.1", Real, 0x3DCCCCCD},
@@ -128,7 +129,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Bad{"B#(256,0)", P0202}, Bad{"16#100000000", P0202},
                     Bad{"2#111111111111111111111111111111111", P0202}, Bad{"P#65536.0", P0202},
                     Bad{"P#0.8", P0202}, Bad{"3.402824e+38", P0202}, Bad{"-1e39", P0202},
-                    Bad{"1e-38", P0202}, Bad{"1e-99", P0202}, Bad{"1e99999999", P0202}));
+                    Bad{"1.175494e-38", P0202}, Bad{"1e-38", P0202}, Bad{"1e-99", P0202},
+                    Bad{"1e99999999", P0202}));
 
 INSTANTIATE_TEST_SUITE_P(
     Misspelt, Refuses,
