@@ -26,11 +26,6 @@ step() {  # step NAME COMMAND...
   if "$@"; then count 1 0 "$name"; else count 0 1 "$name"; return 1; fi
 }
 
-format_check() {
-  find src apps tests fuzz bench \( -name '*.h' -o -name '*.cpp' \) -print0 | sort -z |
-    xargs -0 -r clang-format --dry-run -Werror
-}
-
 build() {  # build PRESET OPTIONS...
   local preset=$1
   shift
@@ -90,7 +85,7 @@ say "packages"
 need_packages $BUILD_PACKAGES $CHECK_PACKAGES || { echo "0 passed, 1 failed"; exit 1; }
 mkdir -p build
 
-step "format" format_check
+step "format" tools/format --check
 if step "release build" build release; then
   run_ctest "release tests, architecture and documents" release
   counted "examples and conformance programs" build/release/merker test examples tests/conformance
