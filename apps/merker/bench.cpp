@@ -1,0 +1,103 @@
+// merker bench PATH --for TIME: how fast OB 1 runs on this machine. Wall clock, for measurements
+// only.
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "build.h"
+#include "command.h"
+#include "simulator/duration.h"
+#include "simulator/runner.h"
+
+namespace merker::app {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct Options {
+  std::string path, cpu, time = "1s", engine = "interpreter";
+  bool json = false;
+};
+
+struct Measurement {
+  double instructionsPerSecond = 0, cyclesPerSecond = 0, translationSeconds = 0;
+};
+
+double secondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// Looks at the clock once per portion only: the look must not cost more than a short OB 1.
+void measure(station::Station& station, double seconds, Measurement& result) {
+  constexpr int kPortion = 64;
+  const std::uint64_t before = station.instructions();
+  const auto start = Clock::now();
+  std::uint64_t cycles = 0;
+  double elapsed = 0;
+  do {
+    for (int i = 0; i < kPortion; ++i) station.runOb1();
+    cycles += kPortion;
+    elapsed = secondsSince(start);
+  } while (elapsed < seconds && station.mode() == station::Mode::Run);
+  result.instructionsPerSecond = static_cast<double>(station.instructions() - before) / elapsed;
+  result.cyclesPerSecond = static_cast<double>(cycles) / elapsed;
+}
+
+void show(const Measurement& m, bool json) {
+  if (json) {
+    print({{"instructions_per_second", m.instructionsPerSecond},
+           {"cycles_per_second", m.cyclesPerSecond},
+           {"translation_seconds", m.translationSeconds}});
+    return;
+  }
+  std::cout << "instructions_per_second " << static_cast<std::uint64_t>(m.instructionsPerSecond)
+            << '\n'
+            << "cycles_per_second       " << static_cast<std::uint64_t>(m.cyclesPerSecond) << '\n'
+            << "translation_seconds     " << m.translationSeconds << '\n';
+}
+
+int bench(const Options& options) {
+  const auto time = simulator::parseDuration(options.time);
+  if (!time || options.engine == "jit") {
+    std::cerr << "merker bench: "
+              << (time ? "--engine: this version has no jit yet; use interpreter"
+                       : "--for: '" + options.time + "' is no length of time")
+              << '\n';
+    return kUsage;
+  }
+  Build built = build(project::load(options.path, options.cpu), false);
+  requireOb1(built);
+  if (!built.ok()) return report(built, options.json);
+  printProblems(built.problems, built.files());
+  Measurement result;
+  const auto start = Clock::now();
+  station::Station station = built.station();
+  result.translationSeconds = secondsSince(start);
+  const std::string reason = simulator::startFresh(station);
+  if (reason.empty()) {
+    measure(station, static_cast<double>(time->ns) / 1e9, result);
+    show(result, options.json);
+  }
+  if (reason.empty() && !station.stoppedByFault()) return kGood;
+  std::cerr << "merker bench: "
+            << (reason.empty() ? "the CPU went to STOP: " + station.stopReason() : reason) << '\n';
+  return kFault;
+}
+
+}  // namespace
+
+void addBench(CLI::App& program, int& result) {
+  auto* command = program.add_subcommand("bench", "run OB 1 back to back and measure the speed");
+  auto options = std::make_shared<Options>();
+  command->add_option("PATH", options->path, "project folder or source")->required();
+  command->add_option("--for", options->time, "real time to measure: 250ms, 1s");
+  command->add_option("--engine", options->engine, "interpreter or jit")
+      ->check(CLI::IsMember({"interpreter", "jit"}));
+  command->add_option("--cpu", options->cpu, "CPU model instead of the project's");
+  command->add_flag("--json", options->json, "as one JSON object");
+  command->footer("Example:\n  merker bench examples/sorting-plant --for 2s --json");
+  command->callback([options, &result] { result = bench(*options); });
+}
+
+}  // namespace merker::app

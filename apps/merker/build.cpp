@@ -1,0 +1,68 @@
+#include "build.h"
+
+#include <nlohmann/json.hpp>
+
+#include "command.h"
+#include "system/library.h"
+
+namespace merker::app {
+namespace {
+
+step7::CompileOptions options(const project::Project& project) {
+  step7::CompileOptions options;
+  options.model = project.model;
+  options.library = &system::library();
+  options.symbols = &project.symbols;
+  return options;
+}
+
+}  // namespace
+
+int Build::exitCode() const {
+  if (project.unreadable) return kUnreadable;
+  return ok() ? kGood : kProblems;
+}
+
+FileLookup Build::files() const {
+  return [this](const std::string& name) { return project.file(name); };
+}
+
+simulator::Resolver Build::resolver() const {
+  return [this](std::string_view text, const Position& at) {
+    return step7::resolve(text, *program, options(project), at);
+  };
+}
+
+station::Station Build::station(bool coverage) const {
+  station::Options options;
+  options.model = project.model;
+  options.program = program;
+  options.startOfClock = project.startOfClock;
+  options.coverage = coverage;
+  return station::Station(std::move(options));
+}
+
+Build build(project::Project project, bool checks) {
+  Build result;
+  result.project = std::move(project);
+  result.problems = result.project.problems;
+  step7::CompileOptions compileOptions = options(result.project);
+  compileOptions.checks = checks;
+  step7::Compilation compilation = step7::compile(result.project.sources, compileOptions);
+  result.problems.append(compilation.problems);
+  result.program = std::make_shared<const block::Program>(std::move(compilation.program));
+  return result;
+}
+
+int report(const Build& build, bool json) {
+  printProblems(build.problems, build.files());
+  if (json) print({{"problems", toJson(build.problems)}});
+  return build.exitCode();
+}
+
+void requireOb1(Build& build) {
+  if (build.ok() && !build.program->contains({BlockKind::OB, 1}))
+    build.problems.add(ProblemCode::P0710, Position{build.project.path});
+}
+
+}  // namespace merker::app

@@ -1,0 +1,32 @@
+// A project, loaded and compiled.
+#pragma once
+
+#include <memory>
+
+#include "output.h"
+#include "project/project.h"
+#include "simulator/term.h"
+#include "station/station.h"
+#include "step7/compiler.h"
+
+namespace merker::app {
+
+struct Build {
+  project::Project project;
+  Problems problems;  // of loading and compiling
+  std::shared_ptr<const block::Program> program;
+  bool ok() const { return !problems.hasErrors(); }
+  int exitCode() const;  // of the problems
+  FileLookup files() const;
+  // Operands of this program. The Build must outlive it.
+  simulator::Resolver resolver() const;
+  station::Station station(bool coverage = false) const;
+};
+
+Build build(project::Project project, bool checks);
+// Prints the problems; with `json` also as an object on standard output. The exit code.
+int report(const Build& build, bool json);
+// Adds the problem that a program without OB 1 cannot run (S7-OPEN-39).
+void requireOb1(Build& build);
+
+}  // namespace merker::app

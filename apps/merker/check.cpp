@@ -1,0 +1,55 @@
+// merker check PATH...
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "build.h"
+#include "command.h"
+
+namespace merker::app {
+namespace {
+
+struct Options {
+  std::vector<std::string> paths;
+  std::string cpu;
+  bool json = false;
+};
+
+void summary(const Build& build) {
+  std::size_t errors = 0;
+  for (const Problem& problem : build.problems.list())
+    errors += problem.severity() == Severity::Error;
+  const std::size_t warnings = build.problems.size() - errors;
+  std::cout << build.project.path << ": " << build.program->size() << " blocks, " << errors
+            << " errors, " << warnings << " warnings\n";
+}
+
+int check(const Options& options) {
+  int result = kGood;
+  Problems problems;
+  for (const std::string& path : options.paths) {
+    const Build checked = build(project::load(path, options.cpu), true);
+    printProblems(checked.problems, checked.files());
+    problems.append(checked.problems);
+    if (!options.json) summary(checked);
+    result = std::max(result, checked.exitCode());
+  }
+  if (options.json) print({{"problems", toJson(problems)}});
+  return result;
+}
+
+}  // namespace
+
+void addCheck(CLI::App& program, int& result) {
+  auto* command =
+      program.add_subcommand("check", "compile and link, print all problems, run nothing");
+  auto options = std::make_shared<Options>();
+  command->add_option("PATH", options->paths, "project folders or sources")->required();
+  command->add_option("--cpu", options->cpu, "CPU model instead of the project's");
+  command->add_flag("--json", options->json, "problems as JSON on standard output, too");
+  command->footer(
+      "Examples:\n  merker check examples/sorting-plant\n  merker check --cpu generic a.awl b.awl");
+  command->callback([options, &result] { result = check(*options); });
+}
+
+}  // namespace merker::app

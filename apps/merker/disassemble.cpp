@@ -1,0 +1,102 @@
+// merker disassemble --mc7 [FILE]
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <iostream>
+
+#include "command.h"
+#include "input.h"
+#include "mc7/disassembly.h"
+#include "output.h"
+
+namespace merker::app {
+namespace {
+
+struct Options {
+  std::string file, mnemonics = "de";
+  bool mc5 = false, mc7 = false;
+};
+
+using Bytes = std::vector<std::uint8_t>;
+
+constexpr std::string_view kSeparators = " \t\r\n,;";
+
+// Digits in pairs; a word may begin with 0x or 16#.
+bool appendHex(std::string_view word, Bytes& bytes) {
+  for (std::string_view prefix : {"0x", "0X", "16#"})
+    if (word.starts_with(prefix)) word.remove_prefix(prefix.size());
+  if (word.size() % 2 != 0) return false;
+  for (std::size_t i = 0; i < word.size(); i += 2) {
+    unsigned value = 0;
+    const auto [end, error] = std::from_chars(word.data() + i, word.data() + i + 2, value, 16);
+    if (error != std::errc() || end != word.data() + i + 2) return false;
+    bytes.push_back(static_cast<std::uint8_t>(value));
+  }
+  return true;
+}
+
+Bytes parseHex(const source::SourceFile& file, Problems& problems) {
+  Bytes bytes;
+  const std::string_view text = file.text();
+  for (std::size_t start = text.find_first_not_of(kSeparators); start < text.size();) {
+    const std::size_t end = std::min(text.find_first_of(kSeparators, start), text.size());
+    const std::string_view word = text.substr(start, end - start);
+    if (!appendHex(word, bytes))
+      problems.add(ProblemCode::P0690, file.position(start, word.size()), word.substr(0, 40));
+    start = text.find_first_not_of(kSeparators, end);
+  }
+  return bytes;
+}
+
+int show(const Bytes& bytes, const Options& options) {
+  const auto mnemonics = options.mnemonics == "en" ? Mnemonics::International : Mnemonics::German;
+  for (const mc7::Line& line : mc7::disassemble(bytes, mnemonics))
+    std::cout << mc7::toString(line) << '\n';
+  return kGood;
+}
+
+int disassembleFile(const Options& options) {
+  const auto content = readBytes(options.file);
+  if (content) return show(Bytes(content.value().begin(), content.value().end()), options);
+  Problems problems;
+  problems.add(content.error());
+  printProblems(problems, [](const std::string&) { return nullptr; });
+  return kUnreadable;
+}
+
+int disassembleInput(const Options& options) {
+  const source::SourceFile file("standard input", readStandardInput());
+  Problems problems;
+  const Bytes bytes = parseHex(file, problems);
+  printProblems(problems, [&](const std::string&) { return &file; });
+  return problems.empty() ? show(bytes, options) : kProblems;
+}
+
+int disassemble(const Options& options) {
+  if (options.mc5 || !options.mc7) {
+    std::cerr << "merker disassemble: "
+              << (options.mc5 ? "machine code of STEP 5 (--mc5) comes in a later version\n"
+                              : "which machine code? Use --mc7\n");
+    return kUsage;
+  }
+  return options.file.empty() || options.file == "-" ? disassembleInput(options)
+                                                     : disassembleFile(options);
+}
+
+}  // namespace
+
+void addDisassemble(CLI::App& program, int& result) {
+  auto* command = program.add_subcommand("disassemble", "machine code to instructions, one a line");
+  auto options = std::make_shared<Options>();
+  auto* mc7 = command->add_flag("--mc7", options->mc7, "machine code of STEP 7");
+  command->add_flag("--mc5", options->mc5, "machine code of STEP 5")->excludes(mc7);
+  command->add_option("FILE", options->file,
+                      "binary file; without it, hexadecimal text on standard input");
+  command->add_option("--mnemonics", options->mnemonics, "de or en")
+      ->check(CLI::IsMember({"de", "en"}));
+  command->footer(
+      "Examples:\n  echo 'C000 D880 6500' | merker disassemble --mc7\n"
+      "  merker disassemble --mc7 code.bin --mnemonics en");
+  command->callback([options, &result] { result = disassemble(*options); });
+}
+
+}  // namespace merker::app

@@ -1,0 +1,15 @@
+// Files and standard input as bytes.
+#pragma once
+
+#include <string>
+
+#include "base/result.h"
+
+namespace merker::app {
+
+Result<std::string> readBytes(const std::string& path);
+std::string readStandardInput();
+// False, and the reason on standard error, if it cannot be written.
+bool writeText(const std::string& path, const std::string& text);
+
+}  // namespace merker::app

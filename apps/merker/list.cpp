@@ -1,0 +1,114 @@
+// merker list PATH [--code]
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "block/container.h"
+#include "build.h"
+#include "command.h"
+#include "mc7/disassembly.h"
+
+namespace merker::app {
+namespace {
+
+struct Options {
+  std::string path, cpu, mnemonics = "de";
+  bool code = false, json = false;
+};
+
+struct Row {
+  std::string block, symbol;
+  std::size_t load = 0, work = 0;  // bytes: container; code, or actual values of a data block
+  std::uint32_t local = 0;
+  std::string version;
+  std::uint16_t checksum = 0;
+};
+
+Row row(const block::Block& block) {
+  const auto& attributes = block.attributes;
+  return {toString(block.id),
+          block.symbol.empty() ? attributes.name : block.symbol,
+          block::writeContainer(block).size(),
+          block.code.empty() ? block.actualData.size() : block.code.size(),
+          block.localBytes,
+          fmt::format("{}.{}", attributes.version >> 4, attributes.version & 0xF),
+          block::checksum(block)};
+}
+
+std::vector<mc7::Line> lines(const block::Block& block, const Options& options) {
+  return mc7::disassemble(block.code,
+                          options.mnemonics == "en" ? Mnemonics::International : Mnemonics::German);
+}
+
+void printRow(const Row& r) {
+  std::cout << fmt::format("{:<10} {:<24} {:>6} {:>6} {:>6}  {:<7}  {:04X}\n", r.block, r.symbol,
+                           r.load, r.work, r.local, r.version, r.checksum);
+}
+
+void printTable(const Build& build, const Options& options) {
+  std::cout << fmt::format("{:<10} {:<24} {:>6} {:>6} {:>6}  {:<7}  {}\n", "block", "name", "load",
+                           "work", "local", "version", "checksum");
+  for (const auto& [id, block] : *build.program) {
+    printRow(row(block));
+    if (!options.code) continue;
+    for (const mc7::Line& line : lines(block, options))
+      std::cout << "  " << mc7::toString(line) << '\n';
+  }
+}
+
+std::string hex(std::span<const std::uint8_t> bytes) {
+  std::string text;
+  for (std::uint8_t byte : bytes) text += fmt::format("{:02X}", byte);
+  return text;
+}
+
+nlohmann::json blockToJson(const block::Block& block, const Options& options) {
+  const Row r = row(block);
+  nlohmann::json document = {{"block", r.block},       {"name", r.symbol},
+                             {"load_bytes", r.load},   {"work_bytes", r.work},
+                             {"local_bytes", r.local}, {"version", r.version},
+                             {"checksum", r.checksum}};
+  if (!options.code) return document;
+  document["code"] = nlohmann::json::array();
+  for (const mc7::Line& line : lines(block, options))
+    document["code"].push_back(
+        {{"offset", line.offset}, {"bytes", hex(line.bytes)}, {"text", line.text}});
+  return document;
+}
+
+void printJson(const Build& build, const Options& options) {
+  nlohmann::json blocks = nlohmann::json::array();
+  for (const auto& [id, block] : *build.program) blocks.push_back(blockToJson(block, options));
+  print({{"blocks", blocks}, {"problems", toJson(build.problems)}});
+}
+
+int list(const Options& options) {
+  const Build built = build(project::load(options.path, options.cpu), false);
+  printProblems(built.problems, built.files());
+  options.json ? printJson(built, options) : printTable(built, options);
+  return built.exitCode();
+}
+
+}  // namespace
+
+void addList(CLI::App& program, int& result) {
+  auto* command =
+      program.add_subcommand("list", "blocks with name, lengths in bytes, version and checksum");
+  auto options = std::make_shared<Options>();
+  command->add_option("PATH", options->path, "project folder or source")->required();
+  command->add_flag("--code", options->code, "each block disassembled, with its machine code");
+  command->add_option("--mnemonics", options->mnemonics, "de or en")
+      ->check(CLI::IsMember({"de", "en"}));
+  command->add_option("--cpu", options->cpu, "CPU model instead of the project's");
+  command->add_flag("--json", options->json, "as one JSON object");
+  command->footer(
+      "Columns: load = length of the block in load memory, work = machine code or actual values,\n"
+      "local = local data.\n"
+      "Examples:\n  merker list examples/sorting-plant\n  merker list blink.awl --code --mnemonics "
+      "en");
+  command->callback([options, &result] { result = list(*options); });
+}
+
+}  // namespace merker::app

@@ -1,0 +1,50 @@
+// merker: an open PLC in software. Commands, options and exit codes are described by `merker
+// --help`.
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <iostream>
+
+#include "command.h"
+
+namespace {
+
+// CLI11 has many exit codes of its own; here every wrong usage is 2.
+int parse(CLI::App& program, int argc, char** argv, const int& result) {
+  try {
+    program.parse(argc, argv);
+    return result;
+  } catch (const CLI::ParseError& error) {
+    return program.exit(error) == 0 ? merker::app::kGood : merker::app::kUsage;
+  }
+}
+
+int run(int argc, char** argv) {
+  CLI::App program{"Merker: an open PLC in software that runs STEP 7 programs", "merker"};
+  program.set_version_flag("--version", std::string("merker ") + MERKER_VERSION);
+  program.require_subcommand(1);
+  program.footer(
+      "PATH is a project folder (with merker.toml) or a single source (*.awl).\n"
+      "Exit codes: 0 good, 1 problems in the sources or a check failed, 2 wrong usage,\n"
+      "3 the CPU went to STOP through a fault, 4 a file could not be read or written.\n"
+      "`merker COMMAND --help` shows the options and examples of a command.");
+  int result = merker::app::kGood;
+  merker::app::addCheck(program, result);
+  merker::app::addRun(program, result);
+  merker::app::addTest(program, result);
+  merker::app::addList(program, result);
+  merker::app::addDisassemble(program, result);
+  merker::app::addAssemble(program, result);
+  merker::app::addBench(program, result);
+  return parse(program, argc, argv, result);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& error) {  // out of memory and the like
+    std::cerr << "merker: " << error.what() << '\n';
+    return merker::app::kUnreadable;
+  }
+}

@@ -1,0 +1,21 @@
+// Operands and assignments in the options of a command: --print "MW 10, A 0.0", --set "E 0.0=1".
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/problem.h"
+#include "mc7/reference.h"
+#include "simulator/scenario.h"
+
+namespace merker::app {
+
+// `texts` are the values of all uses of `option`; problems name the option in place of a file and
+// are printed at once. Timers and counters come back with their value as LC loads it.
+bool readOperands(const std::string& option, const std::vector<std::string>& texts,
+                  const simulator::Resolver& resolver, std::vector<mc7::Reference>& operands);
+bool readAssignments(const std::string& option, const std::vector<std::string>& texts,
+                     const simulator::Resolver& resolver,
+                     std::vector<simulator::Assignment>& assignments);
+
+}  // namespace merker::app

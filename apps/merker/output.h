@@ -1,0 +1,23 @@
+// Problems and values as the user reads them.
+#pragma once
+
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "mc7/reference.h"
+#include "source/source_file.h"
+
+namespace merker::app {
+
+using FileLookup = std::function<const source::SourceFile*(const std::string& name)>;
+
+// All problems on standard error, in the order of their places.
+void printProblems(Problems problems, const FileLookup& files);
+// A list of objects with file, line, column, length, severity, code and message.
+nlohmann::json toJson(Problems problems);
+nlohmann::json toJson(const mc7::Reference& reference, std::uint32_t bits);
+// The document on standard output, indented; text that is no UTF-8 does not stop it.
+void print(const nlohmann::json& document);
+
+}  // namespace merker::app

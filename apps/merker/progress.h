@@ -1,0 +1,25 @@
+// How far long work has come, on a terminal only: a line on standard error that is wiped out at the
+// end.
+#pragma once
+
+#include <chrono>
+#include <string_view>
+
+namespace merker::app {
+
+class Progress {
+ public:
+  explicit Progress(std::string_view what);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+  void show(double fraction);  // 0..1; at most a few times a second
+
+ private:
+  std::string_view what_;
+  bool terminal_;
+  bool shown_ = false;
+  std::chrono::steady_clock::time_point next_;
+};
+
+}  // namespace merker::app

@@ -1,0 +1,15 @@
+// Virtual time tied to the wall clock.
+#pragma once
+
+#include "station/station.h"
+
+namespace merker::app {
+
+// Keeps Ctrl-C and the request to end (SIGINT, SIGTERM) back until runRealTime asks for them. Call
+// before it.
+void holdSignals();
+// Lets the station run as fast as time passes, until one of these signals comes or the CPU is in
+// STOP.
+void runRealTime(station::Station& station);
+
+}  // namespace merker::app

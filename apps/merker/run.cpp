@@ -1,0 +1,204 @@
+// merker run PATH [--for TIME | --cycles N]
+#include <CLI/CLI.hpp>
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "build.h"
+#include "command.h"
+#include "input.h"
+#include "operands.h"
+#include "progress.h"
+#include "real_time.h"
+#include "simulator/comparison.h"
+#include "simulator/display.h"
+#include "simulator/duration.h"
+#include "simulator/trace.h"
+
+namespace merker::app {
+namespace {
+
+struct Options {
+  std::string path, cpu, time, trace, engine = "interpreter";
+  std::uint64_t cycles = 0;
+  bool hasCycles = false, json = false;
+  std::vector<std::string> set, print, watch;
+};
+
+struct Operands {
+  std::vector<simulator::Assignment> set;
+  std::vector<mc7::Reference> print, watch;
+};
+
+int wrongUsage(const std::string& text) {
+  std::cerr << "merker run: " << text << '\n';
+  return kUsage;
+}
+
+// Before the first cycle: after the restart, which clears what is not retentive (S7-STATE-09).
+bool applySet(const std::vector<simulator::Assignment>& assignments, station::Station& station) {
+  const simulator::Reader read = [&](const mc7::Reference& r) { return station.read(r); };
+  for (const auto& [operand, term] : assignments) {
+    const auto bits = simulator::value(term, operand, read);
+    if (bits && station.write(operand.reference, *bits)) continue;
+    std::cerr << "merker run: --set: " << operand.text << " cannot be set\n";
+    return false;
+  }
+  return true;
+}
+
+void runFor(station::Station& station, Duration time) {
+  Progress progress("running");
+  const Instant start = station.now(), end = start + time;
+  while (station.now() < end) {
+    station.advanceTo(std::min(end, station.now() + Duration::milliseconds(100)));
+    progress.show(static_cast<double>((station.now() - start).ns) / static_cast<double>(time.ns));
+  }
+}
+
+void runCycles(station::Station& station, std::uint64_t count) {
+  Progress progress("running");
+  constexpr std::uint64_t kPortion = 1000;
+  for (std::uint64_t done = 0; done < count && station.mode() != station::Mode::Stop;
+       done += kPortion) {
+    station.advanceCycles(std::min(kPortion, count - done));
+    progress.show(static_cast<double>(done) / static_cast<double>(count));
+  }
+}
+
+std::string_view name(station::Mode mode) {
+  constexpr std::string_view kNames[] = {"STOP", "STARTUP", "RUN", "HALT"};
+  return kNames[static_cast<std::size_t>(mode)];
+}
+
+void printText(const Operands& operands, const station::Station& station) {
+  for (const mc7::Reference& operand : operands.print) {
+    const auto bits = station.read(operand);
+    std::cout << operand.text << " = " << (bits ? simulator::formatOperand(operand, *bits) : "?")
+              << '\n';
+  }
+}
+
+void printJson(const Operands& operands, const station::Station& station) {
+  nlohmann::ordered_json document = {{"mode", name(station.mode())},
+                                     {"fault", station.stoppedByFault()},
+                                     {"seconds", static_cast<double>(station.now().ns) / 1e9},
+                                     {"cycles", station.cycles()},
+                                     {"instructions", station.instructions()}};
+  if (station.mode() == station::Mode::Stop) document["stop_reason"] = station.stopReason();
+  for (const mc7::Reference& operand : operands.print) {
+    const auto bits = station.read(operand);
+    document[operand.text] = bits ? toJson(operand, *bits) : nlohmann::json();
+  }
+  std::cout << document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+}
+
+int finish(const Options& options, const Operands& operands, const station::Station& station) {
+  options.json ? printJson(operands, station) : printText(operands, station);
+  if (!station.stoppedByFault()) return kGood;
+  std::cerr << "merker run: the CPU went to STOP: " << station.stopReason() << '\n';
+  return kFault;
+}
+
+bool readOptions(const Options& options, const Build& build, Operands& operands) {
+  const auto resolver = build.resolver();
+  const bool set = readAssignments("--set", options.set, resolver, operands.set);
+  const bool print = readOperands("--print", options.print, resolver, operands.print);
+  const bool watch = readOperands("--watch", options.watch, resolver, operands.watch);
+  return set && print && watch;
+}
+
+void advance(const Options& options, station::Station& station, std::optional<Duration> time) {
+  if (time)
+    runFor(station, *time);
+  else if (options.hasCycles)
+    runCycles(station, options.cycles);
+  else
+    runRealTime(station);
+}
+
+int runStation(const Options& options, const Build& build, const Operands& operands,
+               std::optional<Duration> time) {
+  station::Station station = build.station();
+  station.memoryReset();
+  if (!station.warmRestart()) {
+    std::cerr << "merker run: the CPU does not start: " << station.stopReason() << '\n';
+    return kFault;
+  }
+  if (!applySet(operands.set, station)) return kUsage;
+  std::ofstream file;
+  std::optional<simulator::Trace> trace;
+  if (!options.trace.empty()) {
+    file.open(options.trace, std::ios::binary);
+    trace.emplace(file, operands.watch, station);
+    station.onCycle([&trace](station::Station& s) { trace->sample(s); });
+  }
+  if (!time && !options.hasCycles) holdSignals();
+  advance(options, station, time);
+  if (trace) trace->sample(station);
+  const int result = finish(options, operands, station);
+  file.close();
+  if (!options.trace.empty() && !file) {
+    std::cerr << "merker run: cannot write " << options.trace << '\n';
+    return kUnreadable;
+  }
+  return result;
+}
+
+int run(const Options& options) {
+  std::optional<Duration> time;
+  if (!options.time.empty()) {
+    time = simulator::parseDuration(options.time);
+    if (!time)
+      return wrongUsage("--for: '" + options.time +
+                        "' is no length of time; write 250ms, 7.5s, 2m or T#1S");
+  }
+  if (options.engine == "jit")
+    return wrongUsage("--engine: this version has no jit yet; use interpreter");
+  if (options.trace.empty() != options.watch.empty())
+    return wrongUsage("--trace and --watch belong together");
+  Build built = build(project::load(options.path, options.cpu), false);
+  requireOb1(built);
+  if (!built.ok()) return report(built, options.json);
+  printProblems(built.problems, built.files());
+  Operands operands;
+  if (!readOptions(options, built, operands)) return kUsage;
+  return runStation(options, built, operands, time);
+}
+
+}  // namespace
+
+void addRun(CLI::App& program, int& result) {
+  auto* command =
+      program.add_subcommand("run", "run a program in real time until Ctrl-C, or in virtual time");
+  auto options = std::make_shared<Options>();
+  command->add_option("PATH", options->path, "project folder or source")->required();
+  auto* time = command->add_option("--for", options->time,
+                                   "run this long in virtual time: 250ms, 7.5s, 2m, T#10S");
+  auto* cycles =
+      command->add_option("--cycles", options->cycles, "run this many cycles in virtual time");
+  cycles->excludes(time);
+  command->add_option("--cpu", options->cpu, "CPU model instead of the project's");
+  command->add_option("--engine", options->engine, "interpreter or jit")
+      ->check(CLI::IsMember({"interpreter", "jit"}));
+  command->add_option("--set", options->set, "before the start: \"E 0.0=1, MW 10=W#16#0005\"")
+      ->allow_extra_args(false);
+  command->add_option("--print", options->print, "at the end: \"MW 10, A 0.0, DB1.DBD 4\"")
+      ->allow_extra_args(false);
+  command->add_option("--watch", options->watch, "operands to record: \"E 0.0, A 1.0\"")
+      ->allow_extra_args(false);
+  command->add_option("--trace", options->trace,
+                      "file for --watch: time, operand, value of each change");
+  command->add_flag("--json", options->json, "the values at the end as one JSON object");
+  command->footer(
+      "Examples:\n"
+      "  merker run examples/sorting-plant\n"
+      "  merker run blink.awl --for 10s --print \"A 0.0, MW 10\"\n"
+      "  merker run plant --for 1m --set \"E 0.0=1\" --trace plant.csv --watch \"E 0.0, A 1.0\"");
+  command->callback([options, cycles, &result] {
+    options->hasCycles = cycles->count() > 0;
+    result = run(*options);
+  });
+}
+
+}  // namespace merker::app

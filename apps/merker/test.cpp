@@ -1,0 +1,96 @@
+// merker test PATH...
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "command.h"
+#include "input.h"
+#include "simulator/junit.h"
+#include "test_session.h"
+
+namespace merker::app {
+namespace {
+
+struct Options {
+  std::vector<std::string> paths;
+  std::string cpu, filter, junit, coverage;
+  bool json = false;
+};
+
+nlohmann::json toJson(const simulator::TestResult& result) {
+  nlohmann::json failures = nlohmann::json::array();
+  for (const simulator::Failure& failure : result.failures)
+    failures.push_back({{"file", failure.position.file},
+                        {"line", failure.position.line},
+                        {"seconds", static_cast<double>(failure.time.ns) / 1e9},
+                        {"message", failure.message}});
+  return {{"file", result.file},
+          {"name", result.name},
+          {"passed", result.passed()},
+          {"failures", failures}};
+}
+
+void summary(const TestSession& session, bool json) {
+  const std::size_t failed = session.failed(), passed = session.results().size() - failed;
+  if (!json) {
+    std::cout << passed << " passed, " << failed << " failed\n";
+    return;
+  }
+  nlohmann::json list = nlohmann::json::array();
+  for (const auto& result : session.results()) list.push_back(toJson(result));
+  print({{"passed", passed}, {"failed", failed}, {"results", list}});
+}
+
+template <typename Write>
+bool writeFile(const std::string& path, Write write) {
+  if (path.empty()) return true;
+  std::ostringstream out;
+  write(out);
+  return writeText(path, out.str());
+}
+
+int test(const Options& options) {
+  TestSession session({options.cpu, options.filter, !options.coverage.empty(), options.json});
+  bool unreadable = false;
+  for (const std::string& path : options.paths) {
+    bool missing = false;
+    for (const project::TestTarget& target : project::findTests(path, missing)) session.run(target);
+    if (missing) std::cerr << "merker test: " << path << " does not exist\n";
+    unreadable |= missing;
+  }
+  if (session.results().empty() && !unreadable)
+    std::cerr << "merker test: no scenario and no //= check "
+              << (options.filter.empty() ? "was found" : "fits the filter") << '\n';
+  unreadable |= !writeFile(
+      options.junit, [&](std::ostream& out) { simulator::writeJunit(session.results(), out); });
+  unreadable |=
+      !writeFile(options.coverage, [&](std::ostream& out) { session.coverage().write(out); });
+  summary(session, options.json);
+  if (unreadable || session.unreadable()) return kUnreadable;
+  return session.failed() > 0 ? kProblems : kGood;
+}
+
+}  // namespace
+
+void addTest(CLI::App& program, int& result) {
+  auto* command =
+      program.add_subcommand("test", "run scenarios (*.scn) and self-checking programs (//=)");
+  auto options = std::make_shared<Options>();
+  command->add_option("PATH", options->paths, "projects, folders, sources, scenarios")->required();
+  command->add_option("--filter", options->filter,
+                      "only tests whose name or file contains this text");
+  command->add_option("--junit", options->junit, "write the results as JUnit XML");
+  command->add_option("--coverage", options->coverage,
+                      "write which source lines ran (lcov format)");
+  command->add_option("--cpu", options->cpu, "CPU model instead of the project's");
+  command->add_flag("--json", options->json, "the results as one JSON object");
+  command->footer(
+      "Examples:\n"
+      "  merker test examples\n"
+      "  merker test plant --filter \"third slider\"\n"
+      "  merker test plant --junit result.xml --coverage plant.info");
+  command->callback([options, &result] { result = test(*options); });
+}
+
+}  // namespace merker::app

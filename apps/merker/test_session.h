@@ -1,0 +1,45 @@
+// What `merker test` does with the programs, scenarios and self-checks that were found.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "build.h"
+#include "project/discovery.h"
+#include "simulator/coverage.h"
+#include "simulator/scenario.h"
+#include "simulator/test_result.h"
+
+namespace merker::app {
+
+class TestSession {
+ public:
+  struct Options {
+    std::string cpu, filter;
+    bool coverage = false;
+    bool quiet = false;  // no line per test
+  };
+  explicit TestSession(Options options) : options_(std::move(options)) {}
+
+  void run(const project::TestTarget& target);
+
+  const std::vector<simulator::TestResult>& results() const { return results_; }
+  const simulator::Coverage& coverage() const { return coverage_; }
+  bool unreadable() const { return unreadable_; }
+  std::size_t failed() const;
+
+ private:
+  void selfChecks(const project::TestTarget& target, const project::Project& project);
+  void scenarios(const std::string& file, const Build& build);
+  void scenario(simulator::Scenario& scenario, const Build& build, const FileLookup& files);
+  void notRun(const std::string& file, const std::string& name, const Problems& problems);
+  void add(simulator::TestResult result);
+  bool chosen(const std::string& file, const std::string& name) const;
+
+  Options options_;
+  std::vector<simulator::TestResult> results_;
+  simulator::Coverage coverage_;
+  bool unreadable_ = false;
+};
+
+}  // namespace merker::app
