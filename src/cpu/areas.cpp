@@ -1,0 +1,67 @@
+#include "cpu/areas.h"
+
+#include <algorithm>
+
+namespace merker::cpu {
+namespace {
+
+struct Range {
+  std::uint32_t first, last;
+};
+
+// On-board addresses of a 314C (S7-CPU-18) beyond its process image; the image itself always answers, as in
+// the S7 simulator: docs/compatibility.md, "periphery without hardware configuration".
+constexpr Range kInputs[] = {{752, 761}, {768, 783}, {784, 799}};
+constexpr Range kOutputs[] = {{752, 755}, {768, 783}, {784, 799}};
+
+void mark(std::vector<bool>& present, Range range) {
+  for (std::uint32_t i = range.first; i <= range.last && i < present.size(); ++i) present[i] = true;
+}
+
+}  // namespace
+
+Areas::Areas(const CpuModel& model)
+    : image(2 * model.imageBytes + model.flagBytes),
+      imageBytes(model.imageBytes),
+      flagBytes(model.flagBytes),
+      outputBase(model.imageBytes),
+      flagBase(2 * model.imageBytes),
+      inputs(model.peripheralBytes),
+      outputs(model.peripheralBytes),
+      inputPresent(model.peripheralBytes, model.allPeripheral),
+      outputPresent(model.peripheralBytes, model.allPeripheral) {
+  mark(inputPresent, {0, imageBytes - 1});
+  mark(outputPresent, {0, imageBytes - 1});
+  for (const Range& range : kInputs) mark(inputPresent, range);
+  for (const Range& range : kOutputs) mark(outputPresent, range);
+}
+
+std::uint32_t Areas::length(Area area) const {
+  if (area == Area::Input || area == Area::Output) return imageBytes;
+  return area == Area::Flag ? flagBytes : 0;
+}
+
+std::uint32_t Areas::base(Area area) const {
+  if (area == Area::Output) return outputBase;
+  return area == Area::Flag ? flagBase : 0;
+}
+
+bool Areas::answers(const std::vector<bool>& present, std::uint32_t byte, unsigned count) const {
+  for (unsigned i = 0; i < count; ++i)
+    if (byte + i >= present.size() || !present[byte + i]) return false;
+  return true;
+}
+
+void Areas::readInputs() {
+  const std::size_t count = std::min<std::size_t>(imageBytes, inputs.size());
+  std::copy_n(inputs.begin(), count, image.begin());
+}
+
+void Areas::writeOutputs() {
+  const std::size_t count = std::min<std::size_t>(imageBytes, outputs.size());
+  std::copy_n(image.begin() + outputBase, count, outputs.begin());
+}
+
+void Areas::clearImages() { std::fill_n(image.begin(), flagBase, std::uint8_t{0}); }
+
+}  // namespace merker::cpu

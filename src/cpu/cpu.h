@@ -1,0 +1,135 @@
+// The operating system of an S7-300: operating states, scan cycle, priority classes, faults. It knows no module, no
+// machine code and no socket; an Engine executes, SystemServices answer system calls.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cpu/diagnostics.h"
+#include "cpu/engine.h"
+#include "cpu/error.h"
+#include "cpu/event.h"
+#include "cpu/interrupts.h"
+#include "cpu/machine.h"
+#include "cpu/real_time_clock.h"
+
+namespace merker::cpu {
+
+enum class Mode : std::uint8_t { Stop, Startup, Run };
+enum class Restart : std::uint8_t { ManualWarm, AutomaticWarm, ManualCold };
+// What the running block does after a synchronous error.
+enum class AfterError : std::uint8_t { GoOn, ErrorOb, Stopped };
+
+struct CycleTimes {  // ms, as OB 1 sees them (S7-OBI-02)
+  std::int32_t previous = 0, shortest = 0, longest = 0;
+};
+
+class Cpu {
+ public:
+  Cpu(const CpuModel& model, Engine& engine, SystemServices& services, std::int64_t startOfClock);
+  // Fills load and work memory; the CPU is then as after memory reset.
+  void load(std::shared_ptr<const block::Program> program);
+
+  Machine& machine() { return machine_; }
+  const Machine& machine() const { return machine_; }
+  Mode mode() const { return mode_; }
+  bool stoppedByFault() const { return stoppedByFault_; }
+  const DiagnosticEvent& stopEvent() const { return stopEvent_; }
+  const Diagnostics& diagnostics() const { return diagnostics_; }
+  std::uint64_t cycles() const { return cycles_; }
+
+  // operating states (S7-STATE)
+  bool restart(Restart how);  // false: refused
+  void stop(Event why);       // a wish: switch, programming device, SFC 46
+  void memoryReset();
+  void powerOff();
+  void powerOn();
+
+  // time
+  bool betweenCycles() const { return machine_.levels.empty(); }
+  void step(Instant limit);  // the next piece of work, not beyond limit unless an instruction crosses it
+  void runOb1();             // once, without the rest of the cycle
+  void onCheckpoint(std::function<void()> observer) { observer_ = std::move(observer); }
+  // Bits of E, A, M that keep their value (mask and value over areas.image); applied around each OB 1.
+  void force(std::uint32_t imageByte, std::uint8_t mask, std::uint8_t value);
+  void unforce() { forces_.clear(); }
+
+  // for engines; machine.position tells where
+  AfterError synchronousError(const SyncError& error);
+  void stopByFault(Event why, std::string detail = {});
+  bool callSystem(BlockId block, std::span<const std::uint32_t> parameters);
+
+  // for system functions
+  RealTimeClock& clock() { return clock_; }
+  Interrupts& interrupts() { return interrupts_; }
+  const CycleTimes& cycleTimes() const { return cycleTimes_; }
+  void retrigger();  // SFC 43
+  bool hasOb(std::uint32_t number) const { return find(machine_.organizationBlocks, number) != nullptr; }
+
+ private:
+  struct Force {
+    std::uint32_t byte;
+    std::uint8_t mask, value;
+  };
+
+  // cycle.cpp
+  void idle(Instant limit);
+  void runTop(Instant limit);
+  void startCycle();
+  void endCycle();
+  void enterRun();
+  void applyForces();
+  // levels.cpp
+  bool startLevel(std::uint8_t ob, std::uint8_t priority, const StartInformation& start, bool errorOb);
+  void endLevel();
+  void startWaiting();
+  std::uint8_t priority() const;
+  // events.cpp
+  Instant nextEvent() const;
+  void takeEvents();
+  void takeCyclic();
+  void takeDelayed();
+  void takeTimeOfDay();
+  void cycleTimeExceeded();
+  void request(std::uint8_t ob, const StartInformation& start);
+  void timeError(std::uint8_t faultId, std::uint16_t info, std::uint8_t ob);
+  bool runsOrWaits(std::uint8_t ob) const;
+  void prepareInterrupts();
+  // restart.cpp
+  void clearStacks();
+  void clearSystemMemory(bool all);
+  void goToStop(DiagnosticEvent event, bool fault);
+  // faults.cpp
+  Place here() const;
+  DateAndTime dateAndTime() const;
+  void report(std::uint16_t event, std::string text, Place place = {});
+
+  Machine machine_;
+  Engine& engine_;
+  SystemServices& services_;
+  std::shared_ptr<const block::Program> program_;
+  std::vector<std::unique_ptr<Code>> code_;
+  RealTimeClock clock_;
+  Diagnostics diagnostics_;
+  Interrupts interrupts_;
+  std::vector<Force> forces_;
+  std::function<void()> observer_;
+
+  Mode mode_ = Mode::Stop;
+  bool stoppedByFault_ = false;
+  bool powered_ = true, runningAtPowerOff_ = false;
+  DiagnosticEvent stopEvent_;
+  Instant stoppedAt_;
+
+  std::uint64_t cycles_ = 0;
+  std::uint8_t scan_ = 1;     // OB1_SCAN_1 of the next cycle
+  Instant cycleStart_, nextCycle_, watchdog_ = Instant::never();
+  bool watchdogWarned_ = false;
+  CycleTimes cycleTimes_;
+};
+
+}  // namespace merker::cpu

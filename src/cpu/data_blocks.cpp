@@ -1,0 +1,53 @@
+#include "cpu/data_blocks.h"
+
+namespace merker::cpu {
+
+void DataBlocks::loadOne(const block::Block& source, bool initial) {
+  if (source.attributes.unlinked) return;  // S7-MEM-03: stays in load memory
+  if (blocks_.size() <= source.id.number) blocks_.resize(source.id.number + 1u);
+  const bool useInitial = initial || source.actualData.empty();
+  blocks_[source.id.number] = {.loaded = true,
+                               .readOnly = source.attributes.readOnly,
+                               .retentive = !source.attributes.nonRetain,
+                               .data = useInitial ? source.initialData : source.actualData};
+}
+
+void DataBlocks::load(const block::Program& program, bool initial) {
+  blocks_.clear();
+  for (const auto& [id, source] : program)
+    if (id.kind == BlockKind::DB) loadOne(source, initial);
+}
+
+void DataBlocks::loadNonRetentive(const block::Program& program) {
+  for (const auto& [id, source] : program)
+    if (id.kind == BlockKind::DB && source.attributes.nonRetain) loadOne(source, false);
+}
+
+DataBlock* DataBlocks::find(std::uint32_t number) {
+  return number < blocks_.size() && blocks_[number].loaded ? &blocks_[number] : nullptr;
+}
+
+const DataBlock* DataBlocks::find(std::uint32_t number) const {
+  return number < blocks_.size() && blocks_[number].loaded ? &blocks_[number] : nullptr;
+}
+
+OpenBlock DataBlocks::open(std::uint32_t number) {
+  DataBlock* found = find(number);
+  if (found == nullptr) return {};
+  const auto length = static_cast<std::uint32_t>(found->data.size());
+  return {.data = found->data.data(),
+          .length = length,
+          .writable = found->readOnly ? 0 : length,
+          .number = static_cast<std::uint16_t>(number)};
+}
+
+void DataBlocks::create(std::uint32_t number, std::uint32_t length) {
+  if (blocks_.size() <= number) blocks_.resize(number + 1);
+  blocks_[number] = {.loaded = true, .madeByProgram = true, .data = std::vector<std::uint8_t>(length)};
+}
+
+void DataBlocks::remove(std::uint32_t number) {
+  if (number < blocks_.size()) blocks_[number] = {};
+}
+
+}  // namespace merker::cpu

@@ -1,0 +1,40 @@
+// The diagnostic buffer: a ring of 100 events that survives memory reset (S7-DIAG-01, S7-STATE-10).
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "address/block_id.h"
+#include "clock/instant.h"
+
+namespace merker::cpu {
+
+// Where in the program something happened.
+struct Place {
+  bool known = false;
+  BlockId block{};
+  std::uint32_t offset = 0;  // bytes of code
+};
+
+struct DiagnosticEvent {
+  std::uint16_t event = 0;
+  Instant time{};
+  std::string text{};
+  Place place{};
+};
+
+class Diagnostics {
+ public:
+  static constexpr std::size_t kCapacity = 100;
+  // The oldest entry makes room.
+  void add(DiagnosticEvent event);
+  const std::vector<DiagnosticEvent>& events() const { return events_; }  // newest last
+  std::uint64_t added() const { return added_; }
+
+ private:
+  std::vector<DiagnosticEvent> events_;
+  std::uint64_t added_ = 0;
+};
+
+}  // namespace merker::cpu

@@ -1,0 +1,63 @@
+// Synchronous errors and faults that end in STOP (S7-ERR-02 … -04, S7-DIAG-03).
+#include "cpu/cpu.h"
+
+namespace merker::cpu {
+namespace {
+
+constexpr unsigned kNestedErrors = 4;  // S7-ERR-04
+
+unsigned nestedErrors(const std::vector<Level>& levels) {
+  unsigned count = 0;
+  for (auto level = levels.rbegin(); level != levels.rend() && level->errorOb; ++level) ++count;
+  return count;
+}
+
+// SFC 36: bit 1 stands for 16#21 … bit 31 for 16#3F; access errors: bit 2 reading, bit 3 writing.
+bool masked(ErrorMasks& masks, const SyncError& error) {
+  const auto code = static_cast<unsigned>(error.code);
+  const std::uint32_t bit = error.peripheral() ? 1u << (code - 0x40) : 1u << (code - 0x20);
+  std::uint32_t& seen = error.peripheral() ? masks.accessSeen : masks.programSeen;
+  if (((error.peripheral() ? masks.accessMask : masks.programMask) & bit) == 0) return false;
+  seen |= bit;
+  return true;
+}
+
+}  // namespace
+
+Place Cpu::here() const {
+  if (machine_.levels.empty() || machine_.top->code == nullptr) return {};
+  return {.known = true, .block = machine_.top->code->source->id, .offset = machine_.position};
+}
+
+DateAndTime Cpu::dateAndTime() const { return toDateAndTime(clock_.milliseconds(machine_.clock)); }
+
+void Cpu::report(std::uint16_t event, std::string text, Place place) {
+  diagnostics_.add({.event = event, .time = machine_.clock, .text = std::move(text), .place = place});
+}
+
+AfterError Cpu::synchronousError(const SyncError& error) {
+  Machine& m = machine_;
+  if (masked(m.levels.back().masks, error)) return AfterError::GoOn;
+  const std::string kind = error.peripheral() ? "I/O access error: " : "programming error: ";
+  report(error.event(), kind + describe(error), here());
+  const std::uint8_t ob = error.peripheral() ? 122 : 121;
+  if (!hasOb(ob)) {
+    stopByFault(error.peripheral() ? Event::StopAccessError : Event::StopProgrammingError, describe(error));
+    return AfterError::Stopped;
+  }
+  if (nestedErrors(m.levels) >= kNestedErrors) {
+    stopByFault(Event::StopErrorNesting, describe(error));
+    return AfterError::Stopped;
+  }
+  const StartInformation start =
+      errorInformation(error, priority(), m.top->code->source->id, m.position, dateAndTime());
+  return startLevel(ob, priority(), start, true) ? AfterError::ErrorOb : AfterError::Stopped;
+}
+
+void Cpu::stopByFault(Event why, std::string detail) {
+  std::string reason(text(why));
+  if (!detail.empty()) reason += ": " + detail;
+  goToStop({.event = static_cast<std::uint16_t>(why), .text = std::move(reason), .place = here()}, true);
+}
+
+}  // namespace merker::cpu

@@ -1,0 +1,53 @@
+#include "cpu/real_time_clock.h"
+
+#include "address/constant.h"
+#include "base/bcd.h"
+
+namespace merker::cpu {
+namespace {
+
+constexpr std::int64_t kDay = 86'400'000;
+// DT reaches to 2089: two digits of the year, 90..99 are 19xx.
+constexpr std::int64_t kDays = 36'525;
+
+struct Field {
+  unsigned low, high;
+};
+constexpr Field kFields[] = {{0, 99}, {1, 12}, {1, 31}, {0, 23}, {0, 59}, {0, 59}, {0, 99}};
+
+}  // namespace
+
+DateAndTime toDateAndTime(std::int64_t milliseconds) {
+  const std::int64_t time = (milliseconds % kDay + kDay) % kDay;
+  const std::int64_t since = ((milliseconds - time) / kDay % kDays + kDays) % kDays;
+  const auto days = static_cast<std::uint16_t>(since);
+  int year = 0, month = 0, day = 0;
+  dateFromDays(days, year, month, day);
+  const auto ms = static_cast<unsigned>(time % 1000);
+  const auto seconds = static_cast<unsigned>(time / 1000);
+  return {toBcd(static_cast<unsigned>(year % 100)),
+          toBcd(static_cast<unsigned>(month)),
+          toBcd(static_cast<unsigned>(day)),
+          toBcd(seconds / 3600),
+          toBcd(seconds / 60 % 60),
+          toBcd(seconds % 60),
+          toBcd(ms / 10),
+          static_cast<std::uint8_t>(ms % 10 << 4 | static_cast<unsigned>(weekday(days)))};
+}
+
+std::optional<std::int64_t> fromDateAndTime(const std::uint8_t* bytes) {
+  std::int64_t part[7];
+  for (int i = 0; i < 7; ++i) {
+    const auto value = fromBcd(bytes[i], 2);
+    if (!value || *value < kFields[i].low || *value > kFields[i].high) return std::nullopt;
+    part[i] = *value;
+  }
+  const unsigned units = bytes[7] >> 4;
+  if (units > 9) return std::nullopt;
+  const int year = static_cast<int>(part[0]) + (part[0] >= 90 ? 1900 : 2000);
+  const auto days = daysSince1990(year, static_cast<int>(part[1]), static_cast<int>(part[2]));
+  if (!days) return std::nullopt;
+  return *days * kDay + part[3] * 3'600'000 + part[4] * 60'000 + part[5] * 1'000 + part[6] * 10 + units;
+}
+
+}  // namespace merker::cpu
