@@ -52,6 +52,7 @@ struct Block {
 
   std::vector<std::uint8_t> code;  // MC7; empty for DB, UDT
   std::vector<Network> networks;
+  std::vector<std::uint32_t> jumps;  // places of the jumps in words (mc7::jumpPositions), for the segment table
   std::string file;
   std::vector<LineEntry> lines;
   std::vector<std::string> labels;

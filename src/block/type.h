@@ -51,6 +51,11 @@ std::uint32_t sizeInBits(const Type& type);
 inline std::uint32_t sizeInBytes(const Type& type) { return (sizeInBits(type) + 7) / 8; }
 bool beginsAtWord(const Type& type);
 
+// Place of an element from the start of the array; rows of a BOOL array begin at even bytes (S7-TYPES-20).
+BitAddress elementOffset(const Type& array, const std::vector<std::int32_t>& indices);
+// The places of all elements in their order: the last index runs fastest.
+std::vector<BitAddress> elementOffsets(const Type& array);
+
 TypePtr elementaryType(TypeCode code);
 TypePtr stringType(std::uint16_t length);
 TypePtr arrayType(std::vector<Dimension> dimensions, TypePtr element);
@@ -59,15 +64,19 @@ TypePtr structType(std::vector<Variable> members);
 // Same layout and same types throughout (names do not matter): what a parameter of this type accepts.
 bool sameStructure(const Type& a, const Type& b);
 
-// Gives each variable its address from `start` on; returns the first free bit address, rounded to even bytes
-// when `roundUp`.
+// Gives each variable its address from `start` on; every section (IN, OUT …) begins at an even byte. Returns the
+// first free bit address, rounded to even bytes when `roundUp`.
 BitAddress layOut(std::vector<Variable>& variables, BitAddress start, bool roundUp);
 
 // "INT", "ARRAY [1..4] OF WORD", "STRING [20]", "UDT 3", "FB 10".
 std::string toString(const Type& type);
 
+// A composite IN_OUT parameter takes the 6 bytes of a POINTER in its frame (S7-PAR-03).
+bool isStoredAsPointer(const Variable& variable);
+
 // Writes the start values of `variable` into `image` (bytes of the frame), zero where none is declared, with
-// STRING lengths and DT defaults (DT#1990-01-01-00:00:00.000).
-void writeInitial(const Variable& variable, BitAddress base, std::vector<std::uint8_t>& image);
+// STRING lengths and DT defaults (DT#1990-01-01-00:00:00.000). The variable lies at `place` of the image, which
+// grows where it is too short.
+void writeInitial(const Variable& variable, BitAddress place, std::vector<std::uint8_t>& image);
 
 }  // namespace merker::block
