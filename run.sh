@@ -13,15 +13,28 @@ echo "building (a minute or two the first time; $log) ..."
   { tail -n 40 "$log"; exit 1; }
 
 merker=build/release/merker
-[ -x "$merker" ] || merker=build/release/apps/merker/merker
 plant=examples/sorting-plant
 rows="E 0.0, E 0.1, E 0.2, A 1.0, A 1.1, A 1.2"
 
-printf '\n== The sorting plant: all scenarios, in virtual time\n\n'
+printf '\n== The sorting plant: all its scenarios, in virtual time\n\n'
 "$merker" test "$plant"
 
-for size in small middle large; do
-  printf '\n== A %s box: a light barrier is 0 while its beam is interrupted, a slider is out while its output is 1\n\n' "$size"
-  "$merker" test "$plant" --filter "a $size box is pushed out" --trace "build/$size.csv" --watch "$rows" >/dev/null
-  python3 tools/timeline "build/$size.csv" --rows "$rows" --names "$plant/sorting.sym" --step 200ms --to 11 --changes
+# The program plays the boxes itself: one of each size, ten seconds apart. The run takes 31 s of virtual time.
+"$merker" run "$plant" --for 31s --set 'E 0.0=1, E 0.1=1, E 0.2=1, "Play".Show=1' \
+  --trace build/plant.csv --watch "$rows" --print '"Plant data".Small, "Plant data".Middle, "Plant data".Large' \
+  >build/plant.txt
+
+printf '\n== Inputs and outputs over time, in seconds\n'
+printf '   A light barrier is 0 while a box interrupts its beam; a slider is out while its output is 1.\n'
+begin=0
+for box in "A small box: slider small 3 s after it has left the barriers" \
+  "A middle box: slider middle after 5 s" "A large box: slider large after 7 s"; do
+  end=$((begin + 10))
+  printf '\n-- %s\n\n' "$box"
+  python3 -B tools/timeline build/plant.csv --rows "$rows" --names "$plant/sorting.sym" --step 200ms \
+    --from $begin --to $end --changes
+  begin=$end
 done
+
+printf '\n== Counted by the program\n\n'
+cat build/plant.txt
