@@ -1,0 +1,168 @@
+#include <gtest/gtest.h>
+
+#include "simulator/scenario.h"
+
+namespace merker::simulator {
+namespace {
+
+struct Parsed {
+  std::vector<Scenario> scenarios;
+  Problems problems;
+  const std::vector<Step>& steps() const { return scenarios.at(0).steps; }
+  // "3:8 P0950" of the only problem.
+  std::string problem() const {
+    if (problems.size() != 1) return std::to_string(problems.size()) + " problems";
+    const Problem& p = problems.list()[0];
+    return std::to_string(p.position.line) + ":" + std::to_string(p.position.column) + " " +
+           std::string(p.name());
+  }
+};
+
+Parsed parse(std::string text) {
+  Parsed parsed;
+  const source::SourceFile file("dir/plant.scn", std::move(text));
+  parsed.scenarios = parseScenarios(file, parsed.problems);
+  return parsed;
+}
+
+TEST(ScenarioParser, TheExampleOfTheContract) {
+  const Parsed p = parse(R"(scenario "a large box is pushed out by the third slider after 7 s"
+  set E 0.0 = 1, E 0.1 = 1, "Light barrier large" = 1
+  wait 50ms
+  expect A 1.2 = 0 for 6.8s          # holds during the whole time
+  expect A 1.2 = 1 within 300ms      # becomes true, at the latest then
+  expect A 1.0 = 0                   # holds now
+  wait 3 cycles
+  expect mode = RUN
+)");
+  EXPECT_TRUE(p.problems.empty());
+  ASSERT_EQ(p.scenarios.size(), 1u);
+  EXPECT_EQ(p.scenarios[0].name, "a large box is pushed out by the third slider after 7 s");
+  ASSERT_EQ(p.steps().size(), 7u);
+  EXPECT_EQ(p.steps()[0].assignments.size(), 3u);
+  EXPECT_EQ(p.steps()[0].assignments[2].operand.text, "\"Light barrier large\"");
+  EXPECT_EQ(p.steps()[1].duration, Duration::milliseconds(50));
+  EXPECT_EQ(p.steps()[2].expectation.when, Expectation::When::During);
+  EXPECT_EQ(p.steps()[2].expectation.duration, Duration::milliseconds(6800));
+  EXPECT_EQ(p.steps()[3].expectation.when, Expectation::When::Within);
+  EXPECT_EQ(p.steps()[3].expectation.left.text, "A 1.2");
+  EXPECT_EQ(p.steps()[3].expectation.right.text, "1");
+  EXPECT_EQ(p.steps()[3].position, (Position{"dir/plant.scn", 5, 3, 29}));
+  EXPECT_EQ(p.steps()[5].kind, StepKind::WaitCycles);
+  EXPECT_EQ(p.steps()[5].count, 3u);
+  EXPECT_EQ(p.steps()[6].expectation.what, Expectation::What::Mode);
+}
+
+TEST(ScenarioParser, SeveralScenariosInAFile) {
+  const Parsed p = parse("wait 1s\nscenario \"a\"\nrun\nscenario \"b\"\nstop\n");
+  ASSERT_EQ(p.scenarios.size(), 3u);
+  EXPECT_EQ(p.scenarios[0].name, "plant");
+  EXPECT_EQ(p.scenarios[1].name, "a");
+  EXPECT_EQ(p.scenarios[2].steps.at(0).kind, StepKind::Stop);
+}
+
+TEST(ScenarioParser, EveryStepWithoutWordsBehindIt) {
+  const Parsed p =
+      parse("Run\nSTOP\ncold  restart\nwarm restart\npower off\npower on\nmemory reset\nunforce\n");
+  EXPECT_TRUE(p.problems.empty());
+  const StepKind kinds[] = {StepKind::Run,         StepKind::Stop,     StepKind::ColdRestart,
+                            StepKind::WarmRestart, StepKind::PowerOff, StepKind::PowerOn,
+                            StepKind::MemoryReset, StepKind::Unforce};
+  ASSERT_EQ(p.steps().size(), std::size(kinds));
+  for (std::size_t i = 0; i < std::size(kinds); ++i) EXPECT_EQ(p.steps()[i].kind, kinds[i]);
+}
+
+TEST(ScenarioParser, RelationsAndOperands) {
+  struct Row {
+    const char* text;
+    block::Relation relation;
+    const char *left, *right;
+  };
+  const Row rows[] = {
+      {"expect MW 10 <> W#16#5", block::Relation::NotEqual, "MW 10", "W#16#5"},
+      {"expect MD 4 ~= 1.5", block::Relation::About, "MD 4", "1.5"},
+      {"expect \"a = b\" <= 5", block::Relation::LessEqual, "\"a = b\"", "5"},
+      {"expect DB1.a[1, 2] >= -3", block::Relation::GreaterEqual, "DB1.a[1, 2]", "-3"},
+      {"expect MB 1<2", block::Relation::Less, "MB 1", "2"},
+      {"expect MB 1 > MB 2", block::Relation::Greater, "MB 1", "MB 2"}};
+  for (const Row& row : rows) {
+    const Parsed p = parse(row.text);
+    ASSERT_TRUE(p.problems.empty()) << row.text;
+    EXPECT_EQ(p.steps()[0].expectation.relation, row.relation) << row.text;
+    EXPECT_EQ(p.steps()[0].expectation.left.text, row.left);
+    EXPECT_EQ(p.steps()[0].expectation.right.text, row.right);
+  }
+}
+
+TEST(ScenarioParser, WordsInSymbolsAreNoKeywords) {
+  const Parsed p = parse("expect \"wait for it\" = 1 within 5s\n");
+  EXPECT_TRUE(p.problems.empty());
+  EXPECT_EQ(p.steps()[0].expectation.left.text, "\"wait for it\"");
+}
+
+TEST(ScenarioParser, DiagnosticsAndModes) {
+  const Parsed p =
+      parse("expect diagnostics contains \"BCD # error\" within 1s\nexpect mode <> stop\n");
+  EXPECT_TRUE(p.problems.empty());
+  EXPECT_EQ(p.steps()[0].expectation.words, "BCD # error");
+  EXPECT_EQ(p.steps()[0].expectation.when, Expectation::When::Within);
+  EXPECT_EQ(p.steps()[1].expectation.mode, station::Mode::Stop);
+  EXPECT_EQ(p.steps()[1].expectation.relation, block::Relation::NotEqual);
+}
+
+TEST(ScenarioParser, RepeatsNest) {
+  const Parsed p = parse("repeat 3\n wait 1 cycle\n repeat 2\n  run\n end\nend\nstop\n");
+  EXPECT_TRUE(p.problems.empty());
+  ASSERT_EQ(p.steps().size(), 2u);
+  EXPECT_EQ(p.steps()[0].count, 3u);
+  ASSERT_EQ(p.steps()[0].body.size(), 2u);
+  EXPECT_EQ(p.steps()[0].body[1].count, 2u);
+}
+
+TEST(ScenarioParser, ProblemsNameTheirPlace) {
+  EXPECT_EQ(parse("run\n  sett E 0.0 = 1\n").problem(), "2:3 P0950");
+  EXPECT_EQ(parse("wait 5\n").problem(), "1:6 P0953");
+  EXPECT_EQ(parse("wait\n").problem(), "1:1 P0953");
+  EXPECT_EQ(parse("wait x cycles\n").problem(), "1:6 P0952");
+  EXPECT_EQ(parse("expect A 0.0\n").problem(), "1:8 P0952");
+  EXPECT_EQ(parse("expect A 0.0 = \n").problem(), "1:8 P0952");
+  EXPECT_EQ(parse("expect A 0.0 = 1 for ever\n").problem(), "1:22 P0953");
+  EXPECT_EQ(parse("expect mode = FAST\n").problem(), "1:15 P0954");
+  EXPECT_EQ(parse("expect diagnostics BCD\n").problem(), "1:20 P0952");
+  EXPECT_EQ(parse("set E 0.0\n").problem(), "1:5 P0952");
+  EXPECT_EQ(parse("set\n").problem(), "1:1 P0952");
+  EXPECT_EQ(parse("set E 0.0 = 1,\n").problem(), "1:1 P0952");
+  EXPECT_EQ(parse("run now\n").problem(), "1:5 P0959");
+  EXPECT_EQ(parse("repeat 2\nrun\n").problem(), "1:1 P0956");
+  EXPECT_EQ(parse("run\nend\n").problem(), "2:1 P0957");
+  EXPECT_EQ(parse("scenario a\nrun\n").problem(), "1:10 P0952");
+  EXPECT_EQ(parse("# nothing\n").problem(), "0:0 P0958");
+}
+
+TEST(ScenarioParser, StepsOfOtherPartsSayWhichExist) {
+  for (const char* text : {"pulses E 0.0 10Hz", "encoder 1 = 5", "plant oven.heat = 1",
+                           "fault DI wirebreak", "expect plant oven.hot = 1"}) {
+    const Parsed p = parse(text);
+    ASSERT_EQ(p.problems.size(), 1u) << text;
+    EXPECT_EQ(p.problems.list()[0].code, ProblemCode::P0951);
+    EXPECT_NE(p.problems.list()[0].message.find("expect"), std::string::npos);
+  }
+}
+
+TEST(ScenarioParser, AllProblemsInOnePass) {
+  EXPECT_EQ(parse("foo\nwait x\nexpect 5\nrun\n").problems.size(), 3u);
+}
+
+TEST(ScenarioParser, AssignmentsOfAnOption) {
+  Problems problems;
+  const source::SourceFile file("--set", "E 0.0=1, MW 10=W#16#0005");
+  const auto list = parseAssignments(file, file.text(), problems);
+  EXPECT_TRUE(problems.empty());
+  ASSERT_EQ(list.size(), 2u);
+  EXPECT_EQ(list[1].operand.text, "MW 10");
+  EXPECT_EQ(list[1].value.text, "W#16#0005");
+  EXPECT_EQ(list[1].value.position, (Position{"--set", 1, 16, 9}));
+}
+
+}  // namespace
+}  // namespace merker::simulator

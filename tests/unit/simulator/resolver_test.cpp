@@ -1,0 +1,46 @@
+#include <gtest/gtest.h>
+
+#include "operands.h"
+#include "simulator/scenario.h"
+
+namespace merker::simulator {
+namespace {
+
+Problems problemsOf(const char* text) {
+  Problems problems;
+  const source::SourceFile file("a.scn", text);
+  for (Scenario& scenario : parseScenarios(file, problems))
+    resolve(scenario, resolveFake, problems);
+  return problems;
+}
+
+TEST(ScenarioResolver, KnownOperandsAndConstants) {
+  EXPECT_TRUE(
+      problemsOf("set MW 10 = W#16#FFFF, M 1.0 = TRUE, MB 3 = 255\nexpect MD 4 = MW 10\n").empty());
+  EXPECT_TRUE(problemsOf("set dint = -5, real = 5, MD 4 = L#-1\n").empty());
+}
+
+TEST(ScenarioResolver, UnknownOperandsWithTheirPlaceAlsoInsideRepeats) {
+  const Problems problems = problemsOf("repeat 2\nexpect MW 11 = XY 1\nend\nset nix = 1\n");
+  ASSERT_EQ(problems.size(), 3u);
+  EXPECT_EQ(problems.list()[0].position, (Position{"a.scn", 2, 8, 5}));
+  EXPECT_EQ(problems.list()[1].position, (Position{"a.scn", 2, 16, 4}));
+}
+
+TEST(ScenarioResolver, ABadConstantIsNamedAsSuch) {
+  const Problems problems = problemsOf("expect MW 10 = W#16#12345\n");
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_NE(problems.list()[0].code, ProblemCode::P0952);
+}
+
+TEST(ScenarioResolver, ValuesMustFit) {
+  for (const char* text :
+       {"set MB 3 = 256", "set M 1.0 = 2", "set MW 10 = L#70000", "force MB 3 = -1"}) {
+    const Problems problems = problemsOf(text);
+    ASSERT_EQ(problems.size(), 1u) << text;
+    EXPECT_EQ(problems.list()[0].code, ProblemCode::P0955) << text;
+  }
+}
+
+}  // namespace
+}  // namespace merker::simulator

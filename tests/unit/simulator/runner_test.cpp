@@ -1,0 +1,140 @@
+#include "simulator/runner.h"
+
+#include <gtest/gtest.h>
+
+#include "machine.h"
+
+namespace merker::simulator {
+namespace {
+
+// A 0.0 follows E 0.0; A 0.1 comes 2 s after it; MW 20 counts cycles; E 0.7 divides by reading a DB
+// that is not there.
+constexpr const char* kProgram = R"(
+ORGANIZATION_BLOCK OB 1
+BEGIN
+NETWORK
+      U     E 0.0
+      =     A 0.0
+      L     S5T#2S
+      SE    T 1
+      U     T 1
+      =     A 0.1
+      L     MW 20
+      +     1
+      T     MW 20
+      UN    E 0.7
+      SPB   good
+      L     W#16#FFFF
+      BTI
+good: NOP 0
+END_ORGANIZATION_BLOCK
+)";
+
+std::string failure(const TestResult& result) {
+  if (result.failures.size() != 1) return std::to_string(result.failures.size()) + " failures";
+  return std::to_string(result.failures[0].position.line) + ": " + result.failures[0].message;
+}
+
+TEST(Runner, InputsReachTheProgramWithTheNextCycle) {
+  const Machine machine(kProgram);
+  EXPECT_EQ(failure(machine.run(
+                "set E 0.0 = 1\nwait 2 cycles\nexpect A 0.0 = 1\nset E 0.0 = 0\nexpect A 0.0 = 1\n"
+                "wait 2 cycles\nexpect A 0.0 = 0\n")),
+            "0 failures");
+}
+
+TEST(Runner, AFailureSaysWhatWasExpectedAndWhatWasThere) {
+  const Machine machine(kProgram);
+  const TestResult result = machine.run("wait 1s\nexpect A 0.0 = 1   # never\nexpect A 0.1 = 1\n");
+  EXPECT_EQ(failure(result), "2: expected A 0.0 = 1, A 0.0 is 0");
+  EXPECT_GE(result.failures[0].time, Instant{1'000'000'000});
+}
+
+TEST(Runner, ForHoldsDuringTheWholeTime) {
+  const Machine machine(kProgram);
+  EXPECT_EQ(failure(machine.run("set E 0.0 = 1\nwait 2 cycles\nexpect A 0.1 = 0 for 1.9s\n")),
+            "0 failures");
+  const TestResult late = machine.run("set E 0.0 = 1\nwait 2 cycles\nexpect A 0.1 = 0 for 2.1s\n");
+  EXPECT_EQ(failure(late), "3: expected A 0.1 = 0 for 2.1s, A 0.1 is 1");
+  EXPECT_NEAR(static_cast<double>(late.failures[0].time.ns) / 1e9, 2.0, 0.02);
+}
+
+TEST(Runner, WithinGoesOnFromTheMomentItHolds) {
+  const Machine machine(kProgram);
+  const TestResult result = machine.run("set E 0.0 = 1\nexpect A 0.1 = 1 within 10s\n");
+  EXPECT_EQ(failure(result), "0 failures");
+  EXPECT_NEAR(static_cast<double>(result.end.ns) / 1e9, 2.0, 0.02);
+  const TestResult never = machine.run("expect A 0.1 = 1 within 1s\n");
+  EXPECT_EQ(failure(never), "1: expected A 0.1 = 1 within 1s, A 0.1 is 0");
+  EXPECT_GE(never.end, Instant{1'000'000'000});
+  EXPECT_LT(never.end, Instant{1'020'000'000});
+}
+
+TEST(Runner, WaitsForCycles) {
+  const Machine machine(kProgram);
+  EXPECT_EQ(failure(machine.run("set MW 20 = 0\nwait 5 cycles\nexpect MW 20 = 5\nrepeat 3\nwait 1 "
+                                "cycle\nend\nexpect MW 20 = 8\n")),
+            "0 failures");
+}
+
+TEST(Runner, ModesAndRestarts) {
+  const Machine machine(kProgram);
+  EXPECT_EQ(failure(machine.run(
+                "expect mode = RUN\nstop\nexpect mode = STOP\nwait 1s\nexpect mode = STOP for 1s\n"
+                "run\nexpect mode = RUN\nwarm restart\nexpect mode = RUN\nmemory reset\n"
+                "expect mode = STOP\nrun\nexpect mode = RUN\n")),
+            "0 failures");
+}
+
+TEST(Runner, PowerOffAndOnKeepsRetentiveFlags) {  // S7-CPU-28
+  const Machine machine(kProgram);
+  EXPECT_EQ(
+      failure(machine.run(
+          "set MB 15 = 7, MB 100 = 7\nwait 2 cycles\npower off\nwait 1s\npower on\nwait 2 cycles\n"
+          "expect mode = RUN\nexpect MB 15 = 7\nexpect MB 100 = 0\n")),
+      "0 failures");
+}
+
+TEST(Runner, TheModel314HasNoColdRestart) {  // S7-OPEN-43
+  const Machine machine(kProgram);
+  EXPECT_NE(failure(machine.run("cold restart\n")).find("1: cold restart: the CPU refuses"),
+            std::string::npos);
+}
+
+TEST(Runner, ForcedOperandsKeepTheirValue) {
+  const Machine machine(kProgram);
+  EXPECT_EQ(failure(machine.run(
+                "force E 0.0 = 1\nwait 2 cycles\nset E 0.0 = 0\nwait 2 cycles\nexpect A 0.0 = 1\n"
+                "unforce\nwait 2 cycles\nexpect A 0.0 = 0\n")),
+            "0 failures");
+}
+
+TEST(Runner, AFaultFailsUnlessTheScenarioSpeaksOfIt) {
+  const Machine machine(kProgram);
+  const std::string fault = failure(machine.run("set E 0.7 = 1\nwait 1s\n"));
+  EXPECT_TRUE(fault.starts_with("2: expected no fault, the CPU went to STOP: ")) << fault;
+  EXPECT_EQ(failure(machine.run("set E 0.7 = 1\nexpect mode = STOP within 1s\n")), "0 failures");
+  EXPECT_EQ(
+      failure(machine.run("set E 0.7 = 1\nwait 1s\nexpect diagnostics contains \"16#2521\"\n")),
+      "0 failures");
+  const std::string wait = failure(machine.run("set E 0.7 = 1\nwait 9 cycles\n"));
+  EXPECT_TRUE(wait.starts_with("2: wait 9 cycles: the CPU is in STOP")) << wait;
+}
+
+TEST(Runner, DiagnosticsShowTheNewestEntryWhereTheyMiss) {
+  const Machine machine(kProgram);
+  const std::string text = failure(machine.run("expect diagnostics contains \"no such words\"\n"));
+  EXPECT_TRUE(text.starts_with(
+      "1: expected diagnostics contains \"no such words\", the newest entry is 16#"))
+      << text;
+}
+
+TEST(Runner, TwoRunsAreTheSame) {
+  const Machine machine(kProgram);
+  const char* scenario = "set E 0.0 = 1\nexpect A 0.1 = 1 within 10s\nexpect MW 20 = 0\n";
+  EXPECT_EQ(failure(machine.run(scenario)), failure(machine.run(scenario)));
+  EXPECT_EQ(machine.run(scenario).end, machine.run(scenario).end);
+}
+
+}  // namespace
+}  // namespace merker::simulator
