@@ -1,0 +1,81 @@
+// The code part of one block: statements to MC7. Third pass of the compiler.
+#pragma once
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "step7/code_builder.h"
+#include "step7/operand_parser.h"
+
+namespace merker::step7 {
+
+class BlockCompiler {
+ public:
+  BlockCompiler(const BlockSource& source, block::Block& target, Interfaces& interfaces, const CompileOptions& options,
+                Problems& problems);
+
+  // Fills the target's code, lines, networks, checks and its local data requirement.
+  void compile();
+
+  // --- for the CALL macro (call_compiler) ---
+  const Scope& scope() const { return scope_; }
+  CodeBuilder& builder() { return *builder_; }
+  Cursor& cursor() { return cursor_; }
+  Problems& problems() { return problems_; }
+  std::optional<Access> operand();
+  // Local data for the duration of one statement; begins at an even byte when `bytes` is 2 or more.
+  std::uint32_t allocate(std::uint32_t bytes);
+  // Code that performs `operation` on the operand, with what has to be opened before. Problem if impossible.
+  bool access(mc7::Operation operation, const Access& access);
+  bool emit(mc7::Operation operation, const mc7::Operand& operand = {});
+  // Local data byte of a copied descriptor or number; marks it as needed.
+  std::uint32_t parameterCopy(const block::Variable& variable);
+  Position at(std::size_t begin, std::size_t end) const {
+    return source_.file->position(begin, std::max(end, begin + 1) - begin);
+  }
+  Position here() { return at(cursor_.pos(), cursor_.pos() + 1); }
+
+ private:
+  bool pass(std::uint32_t localBase);
+  void reserveParameterCopies();
+  std::vector<std::uint8_t> prologue();
+  void statement();
+  void labelDefinition(std::string_view word, std::size_t begin);
+  bool networkHeader(std::string_view word);
+  void instruction(const std::string& mnemonic, std::size_t begin);
+  void operate(mc7::Operation operation, std::size_t begin, const std::string& mnemonic);
+  void jump(mc7::Operation operation, std::size_t begin);
+  void addressRegister(mc7::Operation operation, const Access& access);
+  void blockCall(mc7::Operation operation, const Access& access);
+  void checkCallWithoutParameters(mc7::Operation operation, const Access& access);
+  bool checkDirection(mc7::Operation operation, const Access& access, const std::string& mnemonic);
+  void structure(mc7::Operation operation, std::size_t begin);
+  void endOfNetwork();
+  void endOfStatement();
+  void checks();
+  void endOfBlock();
+  void skipStatement();
+
+  const BlockSource& source_;
+  block::Block& target_;
+  const CompileOptions& options_;
+  Problems& finalProblems_;
+  Problems problems_;
+  Scope scope_;
+  Cursor cursor_;
+  std::unique_ptr<CodeBuilder> builder_;
+  std::vector<std::pair<const block::Variable*, std::uint32_t>> copies_;
+  std::vector<const block::Variable*> usedCopies_;
+  std::uint32_t localTop_ = 0;      // absolute local data used by the program
+  std::uint32_t allocated_ = 0;     // next free byte for statements
+  std::uint32_t allocatedTop_ = 0;  // highest byte ever allocated
+  std::uint32_t copiesEnd_ = 0;
+  std::vector<std::size_t> brackets_;  // positions of open U( … in this network
+  std::vector<std::size_t> relays_;    // of open MCR(
+  bool ended_ = false;                 // BE was the last statement
+  bool reportedAfterEnd_ = false;
+  bool any_ = false;                   // an instruction was made: a check has something to refer to
+};
+
+}  // namespace merker::step7

@@ -1,0 +1,272 @@
+#include "step7/call_parameters.h"
+
+#include "base/text.h"
+#include "step7/declaration.h"
+#include "step7/initial_value.h"
+
+namespace merker::step7 {
+
+using block::Section;
+using mc7::OperandKind;
+
+std::optional<Actuals> CallParameters::read() {
+  Cursor& cursor = c_.cursor();
+  const std::size_t begin = cursor.pos();
+  bool good = true;
+  cursor.skipBlanks();
+  if (cursor.peek() == '(') {
+    cursor.take();
+    good = body(true);
+  } else if (cursor.atLineEnd() && atParameterLine()) {
+    good = body(false);
+  }
+  if (!good || !complete(begin)) return std::nullopt;
+  return std::move(actuals_);
+}
+
+// Whether the next line that is not empty begins with "name :=".
+bool CallParameters::atParameterLine() {
+  Cursor& cursor = c_.cursor();
+  const std::size_t start = cursor.pos();
+  const std::size_t comments = cursor.checks().size();
+  cursor.skipSpace();
+  const bool quoted = cursor.accept('"');
+  const bool word = !cursor.word().empty();
+  if (quoted) cursor.accept('"');
+  cursor.skipBlanks();
+  const bool found = word && cursor.peek() == ':' && cursor.peek(1) == '=';
+  cursor.seek(start);
+  cursor.checks().resize(comments);
+  return found;
+}
+
+bool CallParameters::body(bool bracketed) {
+  Cursor& cursor = c_.cursor();
+  for (;;) {
+    cursor.skipSpace();
+    if (bracketed && cursor.peek() == ')') {
+      cursor.take();
+      return true;
+    }
+    if (cursor.atEnd() || cursor.peek() == ';')
+      return bracketed ? problem(ProblemCode::P0301, cursor.pos(), cursor.pos() + 1, ")") : true;
+    if (!parameter()) {
+      // Go on behind the closing bracket, so that one wrong parameter gives one problem.
+      for (int depth = 1; bracketed && !cursor.atEnd() && depth > 0 && cursor.peek() != ';';) {
+        const char c = cursor.take();
+        depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+      }
+      return false;
+    }
+    cursor.skipBlanks();
+    cursor.accept(',');
+    if (!bracketed && !(cursor.atLineEnd() && atParameterLine())) return true;
+  }
+}
+
+bool CallParameters::parameter() {
+  Cursor& cursor = c_.cursor();
+  cursor.accept('#');
+  const std::size_t begin = cursor.pos();
+  const bool quoted = cursor.accept('"');
+  std::string name(cursor.word());
+  if (quoted) cursor.accept('"');
+  const block::Variable* formal = findMember(target_.block->variables, name);
+  const bool parameter = formal && formal->section != Section::Static && formal->section != Section::Temp;
+  if (name.empty() || !parameter)
+    return problem(ProblemCode::P0511, begin, std::max(cursor.pos(), begin + 1), name, toString(target_.id));
+  cursor.skipSpace();
+  if (!cursor.accept(':') || !cursor.accept('='))
+    return problem(ProblemCode::P0301, cursor.pos(), cursor.pos() + 1, ":=");
+  if (actuals_.count(formal)) return problem(ProblemCode::P0513, begin, cursor.pos(), name);
+  cursor.skipBlanks();
+  // "name :=" alone: not supplied.
+  if (cursor.atStatementEnd() || cursor.peek() == ',' || cursor.peek() == ')') return true;
+  Actual value;
+  if (!actual(value) || !check(*formal, value)) return false;
+  actuals_.emplace(formal, std::move(value));
+  return true;
+}
+
+bool CallParameters::actual(Actual& out) {
+  Cursor& cursor = c_.cursor();
+  out.begin = cursor.pos();
+  const bool p = cursor.peek() == 'P' || cursor.peek() == 'p';
+  if (p && cursor.peek(1) == '#' && cursor.peek(2) != '#') {
+    if (!pointer(out)) return false;
+  } else if (cursor.acceptWord("NIL")) {
+    out.nil = true;
+  } else {
+    out.access = c_.operand();
+    if (!out.access) return false;
+  }
+  out.end = cursor.pos();
+  return true;
+}
+
+// P#M10.0  P#DB10.DBX4.0 WORD 5 (S7-IND-11, S7-IND-12, S7-IND-15)
+bool CallParameters::pointer(Actual& out) {
+  Cursor& cursor = c_.cursor();
+  const std::size_t start = cursor.pos();
+  out.isPointer = true;
+  cursor.seek(start + 2);
+  cursor.skipBlanks();
+  std::string_view word = cursor.word();
+  std::string digits;
+  if (word.size() >= 2 && equalsIgnoreCase(word.substr(0, 2), "DB") && word.find_first_not_of("0123456789", 2) == std::string_view::npos) {
+    digits = word.substr(2);
+    if (digits.empty())
+      if (const auto number = readInteger(cursor)) digits = std::to_string(*number);
+  }
+  std::string text = "P#";
+  if (!digits.empty() && cursor.accept('.')) {
+    out.db = static_cast<std::uint16_t>(std::min(std::atol(digits.c_str()), 65535L));
+  } else {
+    cursor.seek(start + 2);
+  }
+  cursor.skipBlanks();
+  const std::size_t begin = cursor.pos();
+  cursor.word();
+  if (cursor.peek() != '.') {
+    cursor.skipBlanks();
+    while (isDigit(cursor.peek())) cursor.take();
+  }
+  if (cursor.peek() == '.')
+    for (cursor.take(); isDigit(cursor.peek());) cursor.take();
+  text += cursor.slice(begin, cursor.pos());
+  const auto value = parseConstant(text, c_.at(start, cursor.pos()));
+  if (!value) {
+    c_.problems().add(value.error());
+    return false;
+  }
+  out.pointer = value->bits;
+  if (pointerArea(out.pointer) == Area::Local)  // the called block sees it as the caller's
+    out.pointer = merker::pointer(Area::CallerLocal, pointerAddress(out.pointer));
+  return anyTail(out);
+}
+
+bool CallParameters::anyTail(Actual& out) {
+  Cursor& cursor = c_.cursor();
+  const std::size_t start = cursor.pos();
+  cursor.skipBlanks();
+  const std::size_t wordBegin = cursor.pos();
+  const auto type = typeFromName(cursor.word());
+  const auto count = type ? readInteger(cursor) : std::nullopt;
+  if (!count) {
+    cursor.seek(start);
+    if (!type) return true;
+    return problem(ProblemCode::P0316, wordBegin, wordBegin + 1);
+  }
+  if (*count < 0 || *count > 65535) return problem(ProblemCode::P0316, wordBegin, cursor.pos());
+  out.anyType = *type;
+  out.anyCount = static_cast<std::uint16_t>(*count);
+  return true;
+}
+
+bool CallParameters::mismatch(const block::Variable& formal, const Actual& actual) {
+  const std::string_view text = c_.cursor().slice(actual.begin, actual.end);
+  return problem(ProblemCode::P0514, actual.begin, actual.end, std::string(text), block::toString(*formal.type),
+                 formal.name);
+}
+
+bool CallParameters::check(const block::Variable& formal, Actual& actual) {
+  const TypeCode code = formal.type->code;
+  if (!checkForwarding(formal, actual)) return false;
+  if (isParameterNumber(code)) return checkNumber(formal, actual);
+  if (code == TypeCode::Any || code == TypeCode::Pointer) {
+    if (code == TypeCode::Pointer && (actual.nil || actual.anyType != TypeCode::Void)) return mismatch(formal, actual);
+    if (actual.isConstant()) return mismatch(formal, actual);
+    return true;
+  }
+  if (actual.isPointer && code == TypeCode::DWord && actual.anyType == TypeCode::Void && actual.db == 0) {
+    Access constant;
+    constant.operand = mc7::constant(ConstantFormat::Pointer, actual.pointer);
+    actual.access = constant;
+    actual.isPointer = false;
+  }
+  if (actual.nil || actual.isPointer) return mismatch(formal, actual);
+  if (actual.access->kind == Access::Kind::BlockName || actual.access->kind == Access::Kind::Address)
+    return mismatch(formal, actual);
+  return isElementary(code) ? checkElementary(formal, actual) : checkComposite(formal, actual);
+}
+
+bool CallParameters::checkConstant(const block::Variable& formal, Actual& actual) {
+  if (formal.section != Section::Input)  // something has to be written to it
+    return problem(ProblemCode::P0512, actual.begin, actual.end, formal.name);
+  mc7::Operand& operand = actual.access->operand;
+  const auto bits = convertConstant({operand.format, operand.value}, formal.type->code);
+  if (!bits) return mismatch(formal, actual);
+  operand.value = *bits;
+  return true;
+}
+
+bool CallParameters::checkElementary(const block::Variable& formal, Actual& actual) {
+  if (actual.isConstant()) return checkConstant(formal, actual);
+  const Access& access = *actual.access;
+  const mc7::Operand& operand = access.operand;
+  const bool direct = operand.kind == OperandKind::Memory || access.variable || access.kind == Access::Kind::Descriptor;
+  if (!direct) return problem(ProblemCode::P0515, actual.begin, actual.end);
+  if (operand.area == Area::Peripheral && access.peripheralOutput != (formal.section != Section::Input))
+    return problem(access.peripheralOutput ? ProblemCode::P0324 : ProblemCode::P0323, actual.begin, actual.end);
+  if (operand.width != widthOf(formal.type->code)) return mismatch(formal, actual);
+  // A declared variable must have the very type, an absolute operand fits every type of its width (S7-PAR-05).
+  if (access.type && access.type->code != formal.type->code) return mismatch(formal, actual);
+  return true;
+}
+
+bool CallParameters::checkComposite(const block::Variable& formal, const Actual& actual) {
+  const block::TypePtr& type = actual.access->type;
+  if (!type) return mismatch(formal, actual);  // S7-PAR-04: only variables
+  if (formal.type->code == TypeCode::String && type->code == TypeCode::String) {
+    const bool byValue = !target_.isFunction() && formal.section != Section::InOut;
+    return !byValue || formal.type->length == type->length || mismatch(formal, actual);
+  }
+  return block::sameStructure(*formal.type, *type) || mismatch(formal, actual);
+}
+
+bool CallParameters::checkNumber(const block::Variable& formal, const Actual& actual) {
+  if (!actual.access) return mismatch(formal, actual);
+  const mc7::Operand& operand = actual.access->operand;
+  const TypeCode code = formal.type->code;
+  if (actual.access->variable)
+    return (actual.access->variable->type->code == code) || mismatch(formal, actual);
+  const bool block = operand.kind == OperandKind::Block && operand.reg == 0;
+  const bool fits = code == TypeCode::Timer     ? operand.kind == OperandKind::Timer
+                    : code == TypeCode::Counter ? operand.kind == OperandKind::Counter
+                    : code == TypeCode::BlockFc ? block && operand.blockKind == BlockKind::FC
+                    : code == TypeCode::BlockFb ? block && operand.blockKind == BlockKind::FB
+                    : code == TypeCode::BlockDb ? block && operand.blockKind == BlockKind::DB
+                                                : block && operand.blockKind == BlockKind::SDB;
+  return fits || mismatch(formal, actual);
+}
+
+// What a block may hand on of its own parameters (S7-PAR-06).
+bool CallParameters::checkForwarding(const block::Variable& formal, const Actual& actual) {
+  if (!actual.access || !actual.access->variable) return true;
+  const block::Variable& own = *actual.access->variable;
+  if (own.section == Section::Temp || own.section == Section::Static) return true;
+  const auto forbidden = [&] { return problem(ProblemCode::P0516, actual.begin, actual.end, own.name, formal.name); };
+  const bool writes = formal.section != Section::Input;
+  if (writes && own.section == Section::Input && isElementary(formal.type->code)) return forbidden();
+  const bool ownFunction = c_.scope().block->id.kind == BlockKind::FC;
+  const TypeCode code = own.type->code;
+  if (ownFunction && target_.isFunction() && !isElementary(code)) {
+    // One element of a composite parameter is an elementary value.
+    const bool element = actual.access->kind == Access::Kind::Descriptor && actual.access->type &&
+                         isElementary(actual.access->type->code);
+    if (!element) return forbidden();
+  }
+  if (target_.isFunction() && isParameterNumber(code)) return forbidden();
+  return true;
+}
+
+bool CallParameters::complete(std::size_t begin) {
+  if (!target_.isFunction()) return true;
+  bool good = true;
+  for (const block::Variable* formal : block::parameters(*target_.block))
+    if (!actuals_.count(formal))  // S7-BLK-18
+      good = problem(ProblemCode::P0517, begin, begin + 1, formal->name, toString(target_.id));
+  return good;
+}
+
+}  // namespace merker::step7

@@ -1,0 +1,79 @@
+#include "step7/compiler.h"
+
+#include "base/text.h"
+#include "step7/block_compiler.h"
+#include "step7/block_source.h"
+#include "step7/interfaces.h"
+#include "step7/machine_instruction.h"
+
+namespace merker::step7 {
+
+Compilation compile(const std::vector<source::SourceFile>& sources, const CompileOptions& options) {
+  Compilation result;
+  std::vector<BlockSource> blocks;
+  for (const source::SourceFile& file : sources) {
+    const std::size_t before = result.problems.size();
+    std::vector<BlockSource> found = BlockSplitter(file, options.symbols, result.problems).split();
+    const Mnemonics mnemonics = detectMnemonics(file.text(), found);
+    for (BlockSource& block : found) {
+      block.mnemonics = mnemonics;
+      blocks.push_back(std::move(block));
+    }
+    if (found.empty() && before == result.problems.size())
+      result.problems.add(ProblemCode::P0104, Position{file.name(), 0, 0, 0});
+  }
+  Interfaces interfaces(blocks, options, result.problems);
+  interfaces.resolveAll();
+  for (const BlockSource& source : blocks) {
+    const bool code = source.id.kind != BlockKind::DB && source.id.kind != BlockKind::UDT;
+    const auto target = interfaces.program().find(source.id);
+    if (!code || target == interfaces.program().end() || source.faulty) continue;
+    BlockCompiler(source, target->second, interfaces, options, result.problems).compile();
+  }
+  result.program = std::move(interfaces.program());
+  result.problems.sort();
+  return result;
+}
+
+Result<mc7::Reference> resolve(std::string_view text, const block::Program& program, const CompileOptions& options,
+                               const Position& at) {
+  const source::SourceFile file(at.file, std::string(text));
+  Scope scope;
+  scope.file = &file;
+  scope.anyMnemonics = true;
+  scope.options = &options;
+  scope.program = &program;
+  Problems problems;
+  std::uint32_t localTop = 0;
+  Cursor cursor(file.text(), 0, file.text().size());
+  const auto access = OperandParser(cursor, scope, problems, localTop).parse();
+  const auto place = [&at](Problem problem) {
+    problem.position = at;
+    return problem;
+  };
+  if (!access || problems.hasErrors()) return place(problems.list().front());
+  cursor.skipSpace();
+  const mc7::Operand& operand = access->operand;
+  const bool memory = operand.kind == mc7::OperandKind::Memory && operand.area != Area::Local &&
+                      operand.area != Area::Instance && (operand.area != Area::DataBlock || access->openDb >= 0);
+  const bool number = operand.kind == mc7::OperandKind::Timer || operand.kind == mc7::OperandKind::Counter;
+  const bool composite = access->type && !isElementary(access->type->code);
+  if (!cursor.atEnd() || (!memory && !number) || composite)
+    return makeProblem(ProblemCode::P0904, at, std::string(text));
+  mc7::Reference reference;
+  reference.text = trim(text);
+  reference.operand = operand;
+  reference.db = access->openDb;
+  if (access->type) reference.type = access->type->code;
+  if (const source::Symbol* symbol = options.symbols && reference.text.starts_with('"')
+                                         ? options.symbols->find(reference.text.substr(1, reference.text.size() - 2))
+                                         : nullptr)
+    reference.type = symbol->type;
+  return reference;
+}
+
+Result<mc7::Instruction> parseInstruction(std::string_view text, const Position& at) {
+  return parseMachineInstruction(text, at);
+}
+
+}  // namespace merker::step7

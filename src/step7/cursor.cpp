@@ -1,0 +1,83 @@
+#include "step7/cursor.h"
+
+#include "base/text.h"
+
+namespace merker::step7 {
+
+bool Cursor::skipBlockComment() {
+  if (peek() != '(' || peek(1) != '*') return false;
+  const std::size_t close = text_.find("*)", pos_ + 2);
+  pos_ = close == std::string_view::npos || close + 2 > end_ ? end_ : close + 2;
+  return true;
+}
+
+void Cursor::skipBlanks() {
+  for (;;) {
+    const char c = peek();
+    if (c == ' ' || c == '\t')
+      ++pos_;
+    else if (!skipBlockComment())
+      return;
+  }
+}
+
+void Cursor::passLineComment() {
+  const std::size_t begin = pos_;
+  skipLine();
+  if (begin + 2 < end_ && text_[begin + 2] == '=') checks_.push_back({begin + 3, pos_});
+}
+
+void Cursor::skipSpace() {
+  for (;;) {
+    skipBlanks();
+    const char c = peek();
+    if (c == '\n' || c == '\r' || c == '\f' || c == '\v')
+      ++pos_;
+    else if (c == '/' && peek(1) == '/')
+      passLineComment();
+    else
+      return;
+  }
+}
+
+void Cursor::skipLine() {
+  while (pos_ < end_ && text_[pos_] != '\n' && text_[pos_] != '\r') ++pos_;
+}
+
+bool Cursor::atLineEnd() {
+  skipBlanks();
+  const char c = peek();
+  return atEnd() || c == '\n' || c == '\r' || (c == '/' && peek(1) == '/');
+}
+
+bool Cursor::atStatementEnd() { return atLineEnd() || peek() == ';'; }
+
+bool Cursor::accept(char c) {
+  skipBlanks();
+  if (peek() != c) return false;
+  ++pos_;
+  return true;
+}
+
+bool Cursor::peekWord(std::string_view wanted) {
+  skipBlanks();
+  const std::size_t saved = pos_;
+  const bool same = equalsIgnoreCase(word(), wanted);
+  pos_ = saved;
+  return same;
+}
+
+bool Cursor::acceptWord(std::string_view wanted) {
+  if (!peekWord(wanted)) return false;
+  word();
+  return true;
+}
+
+std::string_view Cursor::word() {
+  const std::size_t begin = pos_;
+  if (isWordStart(peek()))
+    while (isWordChar(peek())) ++pos_;
+  return text_.substr(begin, pos_ - begin);
+}
+
+}  // namespace merker::step7

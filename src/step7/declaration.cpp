@@ -1,0 +1,307 @@
+#include "step7/declaration.h"
+
+#include <charconv>
+
+#include "base/text.h"
+
+namespace merker::step7 {
+
+std::optional<BlockKind> blockKindFromName(std::string_view word) {
+  for (const BlockKind kind : {BlockKind::OB, BlockKind::FB, BlockKind::FC, BlockKind::DB,
+                               BlockKind::UDT, BlockKind::SFB, BlockKind::SFC})
+    if (equalsIgnoreCase(word, name(kind))) return kind;
+  return std::nullopt;
+}
+
+std::optional<std::int64_t> readInteger(Cursor& cursor) {
+  cursor.skipBlanks();
+  const std::size_t start = cursor.pos();
+  if (cursor.peek() == '-' || cursor.peek() == '+') cursor.take();
+  const std::size_t digits = cursor.pos();
+  while (isDigit(cursor.peek())) cursor.take();
+  std::string_view text = cursor.slice(start, cursor.pos());
+  if (text.starts_with('+')) text.remove_prefix(1);
+  std::int64_t value = 0;
+  if (digits == cursor.pos() ||
+      std::from_chars(text.data(), text.data() + text.size(), value).ec != std::errc()) {
+    cursor.seek(start);
+    return std::nullopt;
+  }
+  return value;
+}
+
+namespace {
+
+// Where a list of declarations ends; the word is left for the caller.
+bool endsDeclarations(std::string_view word) {
+  static constexpr std::string_view kEnds[] = {
+      "END_VAR", "END_STRUCT", "END_TYPE", "BEGIN", "VAR", "VAR_INPUT", "VAR_OUTPUT", "VAR_IN_OUT",
+      "VAR_TEMP", "END_FUNCTION", "END_FUNCTION_BLOCK", "END_ORGANIZATION_BLOCK", "END_DATA_BLOCK",
+      "FUNCTION", "FUNCTION_BLOCK", "ORGANIZATION_BLOCK", "DATA_BLOCK"};
+  for (const std::string_view end : kEnds)
+    if (equalsIgnoreCase(word, end)) return true;
+  return false;
+}
+
+}  // namespace
+
+void DeclarationParser::recover() {
+  while (!cursor_.atStatementEnd()) cursor_.take();
+  cursor_.accept(';');
+}
+
+std::vector<std::pair<std::string, std::string>> DeclarationParser::attributes() {
+  std::vector<std::pair<std::string, std::string>> result;
+  cursor_.skipSpace();
+  if (cursor_.peek() != '{') return result;
+  const std::size_t open = cursor_.pos();
+  cursor_.take();
+  while (!cursor_.atEnd() && cursor_.peek() != '}') {
+    const std::size_t begin = cursor_.pos();
+    while (!cursor_.atEnd() && cursor_.peek() != '}' && cursor_.peek() != ';') {
+      if (cursor_.take() != '\'') continue;
+      while (!cursor_.atEnd() && cursor_.take() != '\'') continue;
+    }
+    const std::string_view item = cursor_.slice(begin, cursor_.pos());
+    const std::size_t assign = item.find(":=");
+    if (assign != std::string_view::npos)
+      result.emplace_back(trim(item.substr(0, assign)), trim(item.substr(assign + 2)));
+    cursor_.accept(';');
+    cursor_.skipSpace();
+  }
+  if (!cursor_.accept('}')) problems_.add(ProblemCode::P0301, at(open, open + 1), "}");
+  return result;
+}
+
+bool DeclarationParser::variableName(VariableSyntax& variable) {
+  cursor_.skipSpace();
+  variable.begin = cursor_.pos();
+  if (cursor_.accept('#')) variable.begin = cursor_.pos();
+  if (cursor_.peek() == '"') {
+    cursor_.take();
+    const std::size_t begin = cursor_.pos();
+    while (!cursor_.atEnd() && cursor_.peek() != '"' && cursor_.peek() != '\n') cursor_.take();
+    variable.name = cursor_.slice(begin, cursor_.pos());
+    return cursor_.accept('"') && !variable.name.empty();
+  }
+  variable.name = cursor_.word();
+  return !variable.name.empty();
+}
+
+bool DeclarationParser::variables(block::Section section, std::vector<VariableSyntax>& out) {
+  cursor_.skipSpace();
+  if (cursor_.atEnd()) return false;
+  const std::size_t start = cursor_.pos();
+  if (endsDeclarations(cursor_.word())) {
+    cursor_.seek(start);
+    return false;
+  }
+  cursor_.seek(start);
+  if (cursor_.accept(';')) return true;
+  std::vector<VariableSyntax> names;
+  do {
+    VariableSyntax variable;
+    variable.section = section;
+    if (!variableName(variable)) {
+      problems_.add(ProblemCode::P0401, at(cursor_.pos(), cursor_.pos() + 1));
+      if (cursor_.atStatementEnd()) cursor_.take();
+      recover();
+      return true;
+    }
+    variable.attributes = attributes();
+    names.push_back(std::move(variable));
+  } while (cursor_.accept(','));
+  return variableTail(names, out);
+}
+
+bool DeclarationParser::variableTail(std::vector<VariableSyntax>& names,
+                                     std::vector<VariableSyntax>& out) {
+  cursor_.skipSpace();
+  if (!cursor_.accept(':')) {
+    problems_.add(ProblemCode::P0402, at(cursor_.pos(), cursor_.pos() + 1), names.back().name);
+    recover();
+    return true;
+  }
+  std::optional<TypeSyntax> syntax = type();
+  if (!syntax) {
+    recover();
+    return true;
+  }
+  VariableSyntax pattern;
+  initialValue(pattern);
+  const std::string comment = endOfLineComment();
+  for (VariableSyntax& variable : names) {
+    variable.type = *syntax;
+    variable.initialBegin = pattern.initialBegin;
+    variable.initialEnd = pattern.initialEnd;
+    variable.comment = comment;
+    out.push_back(std::move(variable));
+  }
+  return true;
+}
+
+void DeclarationParser::initialValue(VariableSyntax& variable) {
+  const std::size_t before = cursor_.pos();
+  cursor_.skipSpace();
+  if (cursor_.peek() == ':' && cursor_.peek(1) == '=') {
+    cursor_.take();
+    cursor_.take();
+    cursor_.skipSpace();
+    variable.initialBegin = cursor_.pos();
+    // An array's list may go on over several lines, up to the semicolon.
+    while (!cursor_.atEnd() && cursor_.peek() != ';') {
+      const char c = cursor_.take();
+      if (c == '\'')
+        while (!cursor_.atEnd() && cursor_.peek() != '\n' && cursor_.take() != '\'') continue;
+      cursor_.skipBlanks();
+      if (!cursor_.atLineEnd()) continue;
+      const std::size_t lineEnd = cursor_.pos();
+      if (c == ',' || c == '(') {
+        cursor_.skipSpace();
+        continue;
+      }
+      cursor_.skipSpace();
+      if (cursor_.peek() == ',' || cursor_.peek() == ')') continue;
+      cursor_.seek(lineEnd);
+      break;
+    }
+    variable.initialEnd = cursor_.pos();
+  } else {
+    cursor_.seek(before);
+  }
+  const std::size_t tail = cursor_.pos();
+  cursor_.skipSpace();
+  if (cursor_.peek() == ';') {
+    cursor_.take();
+    return;
+  }
+  cursor_.seek(tail);
+  if (!cursor_.atLineEnd()) {
+    problems_.add(ProblemCode::P0302, at(cursor_.pos(), cursor_.pos() + 1),
+                  std::string(1, cursor_.peek()));
+    recover();
+  }
+}
+
+std::string DeclarationParser::endOfLineComment() {
+  cursor_.skipBlanks();
+  if (cursor_.peek() != '/' || cursor_.peek(1) != '/') return {};
+  const std::size_t begin = cursor_.pos() + 2;
+  cursor_.skipLine();
+  return std::string(trim(cursor_.slice(begin, cursor_.pos())));
+}
+
+std::optional<TypeSyntax> DeclarationParser::type() {
+  cursor_.skipSpace();
+  TypeSyntax syntax;
+  syntax.begin = cursor_.pos();
+  if (cursor_.accept('"')) {
+    const std::size_t begin = cursor_.pos();
+    while (!cursor_.atEnd() && cursor_.peek() != '"' && cursor_.peek() != '\n') cursor_.take();
+    syntax.kind = TypeSyntax::Kind::Symbol;
+    syntax.symbol = cursor_.slice(begin, cursor_.pos());
+    cursor_.accept('"');
+    syntax.end = cursor_.pos();
+    return syntax;
+  }
+  std::string_view word = cursor_.word();
+  syntax.end = cursor_.pos();
+  if (equalsIgnoreCase(word, "ARRAY")) return array(std::move(syntax));
+  if (equalsIgnoreCase(word, "STRUCT")) return structure(std::move(syntax));
+  if (equalsIgnoreCase(word, "STRING")) return string(std::move(syntax));
+  if (const auto code = typeFromName(word)) {
+    syntax.code = *code;
+    return syntax;
+  }
+  // "UDT 3" or "UDT3"
+  const std::size_t letters = word.find_first_of("0123456789");
+  if (const auto kind = blockKindFromName(word.substr(0, letters))) {
+    if (letters != std::string_view::npos) cursor_.seek(syntax.begin + letters);
+    const auto number = readInteger(cursor_);
+    syntax.end = cursor_.pos();
+    const bool usable = *kind == BlockKind::UDT || *kind == BlockKind::FB || *kind == BlockKind::SFB;
+    if (number && *number >= 0 && *number <= 65535 && usable) {
+      syntax.kind = TypeSyntax::Kind::Block;
+      syntax.block = {*kind, static_cast<std::uint16_t>(*number)};
+      return syntax;
+    }
+  }
+  problems_.add(ProblemCode::P0403, at(syntax.begin, std::max(cursor_.pos(), syntax.begin + 1)),
+                std::string(cursor_.slice(syntax.begin, cursor_.pos())));
+  return std::nullopt;
+}
+
+bool DeclarationParser::dimension(TypeSyntax& syntax) {
+  const auto low = readInteger(cursor_);
+  cursor_.skipSpace();
+  const bool dots = cursor_.accept('.') && cursor_.accept('.');
+  cursor_.skipSpace();
+  const auto high = readInteger(cursor_);
+  cursor_.skipSpace();
+  if (!low || !dots || !high || *low > *high || *low < -32768 || *high > 32767) return false;
+  syntax.dimensions.push_back({static_cast<std::int32_t>(*low), static_cast<std::int32_t>(*high)});
+  return true;
+}
+
+std::optional<TypeSyntax> DeclarationParser::array(TypeSyntax syntax) {
+  syntax.kind = TypeSyntax::Kind::Array;
+  cursor_.skipSpace();
+  if (!cursor_.accept('[')) {
+    problems_.add(ProblemCode::P0301, at(cursor_.pos(), cursor_.pos() + 1), "[");
+    return std::nullopt;
+  }
+  do {
+    cursor_.skipSpace();
+    const std::size_t begin = cursor_.pos();
+    if (!dimension(syntax)) {
+      problems_.add(ProblemCode::P0404, at(begin, std::max(begin + 1, cursor_.pos())));
+      return std::nullopt;
+    }
+  } while (cursor_.accept(','));
+  if (!cursor_.accept(']')) {
+    problems_.add(ProblemCode::P0301, at(cursor_.pos(), cursor_.pos() + 1), "]");
+    return std::nullopt;
+  }
+  if (syntax.dimensions.size() > 6) {  // S7-TYPES-20
+    problems_.add(ProblemCode::P0405, at(syntax.begin, cursor_.pos()), syntax.dimensions.size());
+    return std::nullopt;
+  }
+  cursor_.skipSpace();
+  if (!cursor_.acceptWord("OF")) {
+    problems_.add(ProblemCode::P0301, at(cursor_.pos(), cursor_.pos() + 1), "OF");
+    return std::nullopt;
+  }
+  auto element = type();
+  if (!element) return std::nullopt;
+  syntax.element = std::make_shared<TypeSyntax>(std::move(*element));
+  syntax.end = cursor_.pos();
+  return syntax;
+}
+
+std::optional<TypeSyntax> DeclarationParser::structure(TypeSyntax syntax) {
+  syntax.kind = TypeSyntax::Kind::Struct;
+  while (variables(block::Section::Static, syntax.members)) continue;
+  if (!cursor_.acceptWord("END_STRUCT")) {
+    problems_.add(ProblemCode::P0406, at(syntax.begin, syntax.begin + 6));
+    return std::nullopt;
+  }
+  syntax.end = cursor_.pos();
+  return syntax;
+}
+
+std::optional<TypeSyntax> DeclarationParser::string(TypeSyntax syntax) {
+  syntax.kind = TypeSyntax::Kind::String;
+  syntax.code = TypeCode::String;
+  if (!cursor_.accept('[')) return syntax;
+  const std::size_t begin = cursor_.pos();
+  const auto length = readInteger(cursor_);
+  if (!length || *length < 1 || *length > 254 || !cursor_.accept(']')) {
+    problems_.add(ProblemCode::P0407, at(begin, std::max(begin + 1, cursor_.pos())));
+    return std::nullopt;
+  }
+  syntax.length = static_cast<std::uint16_t>(*length);
+  syntax.end = cursor_.pos();
+  return syntax;
+}
+
+}  // namespace merker::step7

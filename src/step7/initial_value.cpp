@@ -1,0 +1,312 @@
+#include "step7/initial_value.h"
+
+#include <string>
+
+#include "address/constant.h"
+#include "base/bytes.h"
+#include "base/text.h"
+#include "step7/declaration.h"
+#include "step7/path.h"
+
+namespace merker::step7 {
+namespace {
+
+// Which notations an elementary type takes and how many bits they may need (S7-TYPES, S7-PAR-05).
+bool acceptsInteger(TypeCode type, std::int64_t value) {
+  switch (type) {
+    case TypeCode::Bool: return value == 0 || value == 1;
+    case TypeCode::Byte: return value >= -128 && value <= 255;
+    case TypeCode::Word: return value >= -32768 && value <= 65535;
+    case TypeCode::Int: return value >= -32768 && value <= 32767;
+    case TypeCode::DWord:
+    case TypeCode::DInt: return true;
+    default: return false;
+  }
+}
+
+bool acceptsBits(TypeCode type, unsigned width) {
+  switch (type) {
+    case TypeCode::Byte:
+    case TypeCode::Char: return width <= 8;
+    case TypeCode::Word:
+    case TypeCode::Int:
+    case TypeCode::S5Time:
+    case TypeCode::Date: return width <= 16;
+    case TypeCode::DWord:
+    case TypeCode::DInt:
+    case TypeCode::Real:
+    case TypeCode::Time:
+    case TypeCode::TimeOfDay: return width <= 32;
+    default: return false;
+  }
+}
+
+unsigned significantBits(std::uint32_t bits) {
+  unsigned width = 0;
+  for (; bits; bits >>= 1) ++width;
+  return width;
+}
+
+}  // namespace
+
+std::optional<std::uint32_t> convertConstant(const Constant& constant, TypeCode type) {
+  const auto when = [&](bool fits) {
+    return fits ? std::optional<std::uint32_t>(constant.bits) : std::nullopt;
+  };
+  switch (constant.format) {
+    case ConstantFormat::Boolean: return when(type == TypeCode::Bool);
+    case ConstantFormat::Integer:
+    case ConstantFormat::LongInteger: {
+      const std::int64_t value = constant.format == ConstantFormat::Integer
+                                     ? static_cast<std::int16_t>(constant.bits)
+                                     : static_cast<std::int32_t>(constant.bits);
+      if (!acceptsInteger(type, value)) return std::nullopt;
+      return static_cast<std::uint32_t>(value);
+    }
+    case ConstantFormat::Real: return when(type == TypeCode::Real);
+    case ConstantFormat::S5Time: return when(type == TypeCode::S5Time || type == TypeCode::Word);
+    case ConstantFormat::Time: return when(type == TypeCode::Time || type == TypeCode::DWord);
+    case ConstantFormat::Date: return when(type == TypeCode::Date || type == TypeCode::Word);
+    case ConstantFormat::TimeOfDay: return when(type == TypeCode::TimeOfDay || type == TypeCode::DWord);
+    case ConstantFormat::Counter: return when(type == TypeCode::Word || type == TypeCode::Int);
+    case ConstantFormat::Characters:
+    case ConstantFormat::LongCharacters:
+      return when(type == TypeCode::Char ? constant.bits <= 0xFF
+                                         : type == TypeCode::Byte   ? constant.bits <= 0xFF
+                                           : type == TypeCode::Word ? constant.bits <= 0xFFFF
+                                                                    : type == TypeCode::DWord);
+    case ConstantFormat::Pointer: return when(type == TypeCode::DWord || type == TypeCode::DInt);
+    default: break;
+  }
+  if (type == TypeCode::Bool) return when(constant.bits <= 1);  // 2#1
+  return when(acceptsBits(type, significantBits(constant.bits)));
+}
+
+void storeElementary(std::vector<std::uint8_t>& image, BitAddress at, TypeCode type,
+                     std::uint32_t bits) {
+  const std::size_t byte = at / 8;
+  const unsigned width = bitWidth(type);
+  if (image.size() < byte + (width + 7) / 8) image.resize(byte + (width + 7) / 8);
+  if (width == 1) {
+    const auto mask = static_cast<std::uint8_t>(1u << (at & 7));
+    image[byte] = static_cast<std::uint8_t>(bits ? image[byte] | mask : image[byte] & ~mask);
+  } else if (width == 8) {
+    image[byte] = static_cast<std::uint8_t>(bits);
+  } else if (width == 16) {
+    storeWord(&image[byte], bits);
+  } else {
+    storeDWord(&image[byte], bits);
+  }
+}
+
+namespace {
+
+class InitialReader {
+ public:
+  InitialReader(const source::SourceFile& file, std::size_t begin, std::size_t end, Problems& problems)
+      : file_(file), cursor_(file.text(), begin, end), problems_(problems) {}
+
+  std::optional<std::vector<std::uint8_t>> read(const block::Type& type) {
+    std::vector<std::uint8_t> image(block::sizeInBytes(type));
+    block::Variable whole;
+    whole.type = std::make_shared<block::Type>(type);
+    block::writeInitial(whole, 0, image);
+    const bool good = type.code == TypeCode::Array ? array(type, image) : single(type, 0, image);
+    if (!good) return std::nullopt;
+    cursor_.skipSpace();
+    if (!cursor_.atEnd()) {
+      problems_.add(ProblemCode::P0302, here(), std::string(1, cursor_.peek()));
+      return std::nullopt;
+    }
+    return image;
+  }
+
+ private:
+  Position here(std::size_t begin, std::size_t end) const {
+    return file_.position(begin, std::max(end, begin + 1) - begin);
+  }
+  Position here() const { return here(cursor_.pos(), cursor_.pos() + 1); }
+
+  // The text of one value: up to , ( ) or the end; commas and brackets of B#(1,2) and of 'strings' belong to it.
+  std::string_view valueText(std::size_t& begin) {
+    cursor_.skipSpace();
+    begin = cursor_.pos();
+    if (cursor_.peek() == '\'') {
+      cursor_.take();
+      while (!cursor_.atEnd()) {
+        const char c = cursor_.take();
+        if (c == '$') cursor_.take();
+        else if (c == '\'' && cursor_.peek() == '\'') cursor_.take();
+        else if (c == '\'') break;
+      }
+    } else {
+      while (!cursor_.atEnd() && cursor_.peek() != ',' && cursor_.peek() != ')' && cursor_.peek() != '(' &&
+             !(cursor_.peek() == '/' && cursor_.peek(1) == '/')) {
+        const bool bytes = cursor_.take() == '#' && cursor_.peek() == '(';
+        if (bytes)
+          while (!cursor_.atEnd() && cursor_.take() != ')') continue;
+      }
+    }
+    return trim(cursor_.slice(begin, cursor_.pos()));
+  }
+
+  bool array(const block::Type& type, std::vector<std::uint8_t>& image) {
+    std::size_t next = 0;
+    return list(type, elementAddresses(type), next, image);
+  }
+
+  bool list(const block::Type& type, const std::vector<BitAddress>& places, std::size_t& next,
+            std::vector<std::uint8_t>& image) {
+    do {
+      cursor_.skipSpace();
+      const std::size_t begin = cursor_.pos();
+      const auto factor = repetition();
+      if (factor) {
+        const std::size_t body = cursor_.pos();
+        if (*factor == 0) return problem(begin);
+        for (std::int64_t i = 0; i < *factor; ++i) {
+          cursor_.seek(body);
+          if (!list(type, places, next, image)) return false;
+        }
+        cursor_.skipSpace();
+        if (!cursor_.accept(')')) return problem(begin);
+        continue;
+      }
+      if (next >= places.size()) {
+        problems_.add(ProblemCode::P0413, here(), places.size());
+        return false;
+      }
+      if (!single(*type.element, places[next++], image)) return false;
+    } while (cursor_.accept(','));
+    return true;
+  }
+
+  // "5 (" : five times what stands in the brackets.
+  std::optional<std::int64_t> repetition() {
+    const std::size_t start = cursor_.pos();
+    const auto number = readInteger(cursor_);
+    if (number && *number >= 0 && *number <= 65535) {
+      cursor_.skipBlanks();
+      if (cursor_.accept('(')) return number;
+    }
+    cursor_.seek(start);
+    return std::nullopt;
+  }
+
+  bool problem(std::size_t begin) {
+    problems_.add(ProblemCode::P0412, here(begin, cursor_.pos()),
+                  std::string(trim(cursor_.slice(begin, cursor_.pos()))), "list");
+    return false;
+  }
+
+  bool single(const block::Type& type, BitAddress at, std::vector<std::uint8_t>& image) {
+    std::size_t begin = 0;
+    const std::string_view text = valueText(begin);
+    const Position place = here(begin, cursor_.pos());
+    if (type.code == TypeCode::String) return string(type, text, at, image, place);
+    if (type.code == TypeCode::DateAndTime) return dateAndTime(text, at, image, place);
+    if (isParameterNumber(type.code)) return parameterNumber(type, text, at, image, place);
+    if (!isElementary(type.code)) {
+      problems_.add(ProblemCode::P0414, place, block::toString(type));
+      return false;
+    }
+    const auto constant = parseConstant(text, place);
+    if (!constant) {
+      problems_.add(constant.error());
+      return false;
+    }
+    const auto bits = convertConstant(*constant, type.code);
+    if (!bits) {
+      problems_.add(ProblemCode::P0412, place, std::string(text), block::toString(type));
+      return false;
+    }
+    storeElementary(image, at, type.code, *bits);
+    return true;
+  }
+
+  bool string(const block::Type& type, std::string_view text, BitAddress at,
+              std::vector<std::uint8_t>& image, const Position& place) {
+    std::string value;
+    if (text.size() < 2 || text.front() != '\'' || text.back() != '\'') {
+      problems_.add(ProblemCode::P0412, place, std::string(text), block::toString(type));
+      return false;
+    }
+    const std::string bytes = unescape(toCp1252(text.substr(1, text.size() - 2)));
+    if (bytes.size() > type.length) {
+      problems_.add(ProblemCode::P0415, place, bytes.size(), type.length);
+      return false;
+    }
+    const std::size_t byte = at / 8;
+    image[byte] = static_cast<std::uint8_t>(type.length);
+    image[byte + 1] = static_cast<std::uint8_t>(bytes.size());
+    for (std::size_t i = 0; i < bytes.size(); ++i)
+      image[byte + 2 + i] = static_cast<std::uint8_t>(bytes[i]);
+    return true;
+  }
+
+  // $ marks control characters and hexadecimal codes in STEP 7 strings; '' is one quote.
+  static std::string unescape(const std::string& text) {
+    static constexpr std::string_view kLetters = "LNPRT", kCodes = "\n\n\f\r\t";
+    std::string out;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      const char c = text[i];
+      if (c == '\'' && i + 1 < text.size() && text[i + 1] == '\'') ++i;
+      if (c != '$' || i + 1 >= text.size()) {
+        out += c;
+        continue;
+      }
+      const char next = text[++i];
+      const std::size_t letter = kLetters.find(static_cast<char>(std::toupper(static_cast<unsigned char>(next))));
+      if (letter != std::string_view::npos) {
+        out += kCodes[letter];
+      } else if (std::isxdigit(static_cast<unsigned char>(next)) && i + 1 < text.size() &&
+                 std::isxdigit(static_cast<unsigned char>(text[i + 1]))) {
+        out += static_cast<char>(std::stoi(text.substr(i, 2), nullptr, 16));
+        ++i;
+      } else {
+        out += next;
+      }
+    }
+    return out;
+  }
+
+  bool dateAndTime(std::string_view text, BitAddress at, std::vector<std::uint8_t>& image,
+                   const Position& place) {
+    const auto value = parseDateAndTime(text, place);
+    if (!value) {
+      problems_.add(value.error());
+      return false;
+    }
+    storeDWord(&image[at / 8], static_cast<std::uint32_t>(*value >> 32));
+    storeDWord(&image[at / 8 + 4], static_cast<std::uint32_t>(*value));
+    return true;
+  }
+
+  bool parameterNumber(const block::Type& type, std::string_view text, BitAddress at,
+                       std::vector<std::uint8_t>& image, const Position& place) {
+    const std::size_t digits = text.find_first_of("0123456789");
+    Cursor digitCursor(text, std::min(digits, text.size()), text.size());
+    const auto number = readInteger(digitCursor);
+    if (!number || *number > 65535 || !digitCursor.atEnd()) {
+      problems_.add(ProblemCode::P0412, place, std::string(text), block::toString(type));
+      return false;
+    }
+    storeWord(&image[at / 8], static_cast<std::uint32_t>(*number));
+    return true;
+  }
+
+  const source::SourceFile& file_;
+  Cursor cursor_;
+  Problems& problems_;
+};
+
+}  // namespace
+
+std::optional<std::vector<std::uint8_t>> readInitialValue(const block::Type& type,
+                                                          const source::SourceFile& file,
+                                                          std::size_t begin, std::size_t end,
+                                                          Mnemonics, Problems& problems) {
+  return InitialReader(file, begin, end, problems).read(type);
+}
+
+}  // namespace merker::step7

@@ -1,0 +1,177 @@
+#include "step7/mnemonic.h"
+
+#include <algorithm>
+
+#include "base/text.h"
+#include "step7/operand_words.h"
+
+namespace merker::step7 {
+
+using mc7::Operand;
+using mc7::OperandKind;
+using mc7::Operation;
+
+std::string readMnemonic(Cursor& cursor) {
+  const auto typeLetter = [&](std::size_t ahead) {
+    const char c = static_cast<char>(std::toupper(static_cast<unsigned char>(cursor.peek(ahead))));
+    return (c == 'I' || c == 'D' || c == 'R') && !isWordChar(cursor.peek(ahead + 1)) ? c : '\0';
+  };
+  const char c = cursor.peek();
+  if (isWordStart(c)) {
+    std::string word = upper(cursor.word());
+    if (word == "RND" && (cursor.peek() == '+' || cursor.peek() == '-')) return word + cursor.take();
+    const std::size_t saved = cursor.pos();
+    cursor.skipBlanks();
+    static constexpr std::string_view kBrackets[] = {"U", "UN", "O", "ON", "X", "XN", "A", "AN", "MCR"};
+    const bool bracket = std::find(std::begin(kBrackets), std::end(kBrackets), word) != std::end(kBrackets);
+    if (bracket && cursor.peek() == '(') return word + cursor.take();
+    if (word == "NOP" && (cursor.peek() == '0' || cursor.peek() == '1')) return word + ' ' + cursor.take();
+    cursor.seek(saved);
+    return word;
+  }
+  if (c == ')') {
+    cursor.take();
+    return cursor.acceptWord("MCR") ? ")MCR" : ")";
+  }
+  std::string text;
+  if (c == '+' || c == '-' || c == '*' || c == '/') {
+    text = cursor.take();
+    if (const char letter = typeLetter(0)) {
+      cursor.take();
+      return text + letter;
+    }
+    const std::size_t saved = cursor.pos();
+    const std::string word = upper(cursor.word());
+    if (c == '+' && (word == "AR1" || word == "AR2")) return text + word;
+    cursor.seek(saved);
+    return text;
+  }
+  while (cursor.peek() == '=' || cursor.peek() == '<' || cursor.peek() == '>') text += cursor.take();
+  if (text.empty()) text = cursor.take();
+  if (text != "=")
+    if (const char letter = typeLetter(0)) {
+      cursor.take();
+      text += letter;
+    }
+  return text;
+}
+
+bool worksWithoutOperand(Operation operation) {
+  std::vector<std::uint8_t> code;
+  return operation == Operation::OR || mc7::encode({operation, {}}, code);
+}
+
+bool isJump(Operation operation) { return operation >= Operation::SPA && operation <= Operation::LOOP; }
+
+// Some operations know a constant only in one notation: SLW 4, UW W#16#F0F0, + L#5, BLD 7.
+Operand fittedConstant(Operation operation, Operand operand, const Position& place, Problems& problems) {
+  const unsigned width = bitWidth(operand.format);
+  const auto count = [&](std::uint32_t highest) {
+    if (operand.format != ConstantFormat::Integer || operand.value > highest)
+      problems.add(ProblemCode::P0342, place, mc7::info(operation).de, highest);
+    return mc7::number(OperandKind::ShiftCount, std::min(operand.value, highest));
+  };
+  switch (operation) {
+    case Operation::SLW:
+    case Operation::SRW:
+    case Operation::SSI: return count(15);
+    case Operation::SLD:
+    case Operation::SRD:
+    case Operation::SSD:
+    case Operation::RLD:
+    case Operation::RRD: return count(32);
+    case Operation::INC:
+    case Operation::DEC:
+    case Operation::BLD:
+      if (operand.format == ConstantFormat::Byte) operand.format = ConstantFormat::Integer;
+      return count(255);
+    case Operation::AND_W:
+    case Operation::OR_W:
+    case Operation::XOR_W:
+      if (width > 16) problems.add(ProblemCode::P0343, place, 16);
+      operand.format = ConstantFormat::Word;
+      return operand;
+    case Operation::AND_D:
+    case Operation::OR_D:
+    case Operation::XOR_D:
+      operand.format = ConstantFormat::DWord;
+      return operand;
+    case Operation::ADD_CONSTANT:
+      operand.format = width > 16 ? ConstantFormat::LongInteger : ConstantFormat::Integer;
+      return operand;
+    case Operation::ADD_AR1:
+    case Operation::ADD_AR2:
+      if (operand.format != ConstantFormat::Pointer || operand.value > 0xFFFF)
+        problems.add(ProblemCode::P0322, place);
+      return mc7::number(OperandKind::Pointer, operand.value & 0xFFFF);
+    default: return operand;
+  }
+}
+
+namespace {
+
+struct Votes {
+  unsigned german = 0, international = 0;
+  void add(std::optional<Mnemonics> which, unsigned weight) {
+    if (which) (*which == Mnemonics::German ? german : international) += weight;
+  }
+};
+
+// A mnemonic that exists in one setting only says which.
+std::optional<Mnemonics> settingOf(const std::string& mnemonic) {
+  const bool german = mc7::findOperation(mnemonic, Mnemonics::German).has_value();
+  const bool international = mc7::findOperation(mnemonic, Mnemonics::International).has_value();
+  if (german == international) return std::nullopt;
+  return german ? Mnemonics::German : Mnemonics::International;
+}
+
+void voteOnOperand(Cursor& cursor, Votes& votes) {
+  cursor.skipBlanks();
+  std::string_view word = cursor.word();
+  const std::size_t letters = word.find_first_of("0123456789");
+  if (letters != std::string_view::npos && word.find_first_not_of("0123456789", letters) == std::string_view::npos)
+    word = word.substr(0, letters);
+  else if (cursor.skipBlanks(), !isDigit(cursor.peek()))
+    return;
+  std::optional<Mnemonics> which;
+  findMemoryWord(word, which);
+  if (equalsIgnoreCase(word, "Z")) which = Mnemonics::German;
+  if (equalsIgnoreCase(word, "C")) which = Mnemonics::International;
+  votes.add(which, 1);
+}
+
+void voteOnStatement(Cursor& cursor, Votes& votes) {
+  const std::size_t begin = cursor.pos();
+  cursor.word();
+  cursor.skipBlanks();
+  if (cursor.peek() == ':' && cursor.peek(1) != '=') {
+    cursor.take();
+    cursor.skipSpace();
+  } else {
+    cursor.seek(begin);
+  }
+  const std::string name = readMnemonic(cursor);
+  votes.add(settingOf(name), 2);
+  if (name != "CALL" && name != "TITLE") voteOnOperand(cursor, votes);
+}
+
+}  // namespace
+
+Mnemonics detectMnemonics(std::string_view text, const std::vector<BlockSource>& blocks) {
+  Votes votes;
+  for (const BlockSource& block : blocks) {
+    if (block.id.kind == BlockKind::DB || block.id.kind == BlockKind::UDT) continue;
+    Cursor cursor(text, block.codeBegin, block.codeEnd);
+    // A few thousand statements tell enough.
+    for (int i = 0; i < 5000; ++i) {
+      cursor.skipSpace();
+      if (cursor.accept(';')) continue;
+      if (cursor.atEnd()) break;
+      voteOnStatement(cursor, votes);
+      while (!cursor.atStatementEnd()) cursor.take();
+    }
+  }
+  return votes.international > votes.german ? Mnemonics::International : Mnemonics::German;
+}
+
+}  // namespace merker::step7

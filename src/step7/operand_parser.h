@@ -1,0 +1,93 @@
+// Reads one operand of an instruction and resolves it: absolute, symbolic, local, indirect, constant.
+#pragma once
+
+#include <optional>
+
+#include "step7/access.h"
+#include "step7/compiler.h"
+#include "step7/cursor.h"
+#include "step7/interfaces.h"
+#include "step7/operand_words.h"
+#include "step7/path.h"
+
+namespace merker::step7 {
+
+// What an operand may refer to at its place.
+struct Scope {
+  const source::SourceFile* file = nullptr;
+  Mnemonics mnemonics = Mnemonics::German;
+  bool anyMnemonics = false;                // monitor and checks: E and I alike
+  const CompileOptions* options = nullptr;
+  Interfaces* interfaces = nullptr;         // null: only `program`
+  const block::Program* program = nullptr;
+  const block::Block* block = nullptr;      // whose local names are visible; null outside of blocks
+  const CpuModel& model() const { return *options->model; }
+  const block::Block* findBlock(BlockId id) const;
+};
+
+class OperandParser {
+ public:
+  // `transfers` holds the byte up to which local data are addressed absolutely; it grows.
+  OperandParser(Cursor& cursor, const Scope& scope, Problems& problems, std::uint32_t& localTop)
+      : cursor_(cursor), scope_(scope), problems_(problems), localTop_(localTop) {}
+
+  // The operand at the cursor; nothing after a problem.
+  std::optional<Access> parse();
+  // A constant at the cursor, if one begins here.
+  bool atConstant();
+  std::optional<Access> constantOperand();
+  // Where a FB keeps the number of parameter `variable` while its code runs (words and descriptors that are copied
+  // to local data at the start of the block, because they cannot be addressed through AR2).
+  void setParameterCopies(const std::vector<std::pair<const block::Variable*, std::uint32_t>>* copies) {
+    copies_ = copies;
+  }
+
+ private:
+  std::optional<Access> dispatch();
+  std::optional<Access> quoted();
+  std::optional<Access> symbol(const std::string& name, std::size_t begin);
+  std::optional<Access> local(std::string_view name, std::size_t begin);
+  std::optional<Access> localVariable(const block::Variable& variable, std::size_t begin);
+  std::optional<Access> parameterOfFunction(const block::Variable& variable, Access access, Place place);
+  std::optional<Access> instanceVariable(const block::Variable& variable, Access access, Place place);
+  std::optional<Access> numberParameter(const block::Variable& variable, Access access);
+  std::optional<Access> placed(Access access, Area area, const Place& place, int reg);
+  std::optional<Access> addressOf(std::size_t begin);
+  std::optional<Access> word();
+  std::optional<Access> memoryOperand(const MemoryWord& row);
+  std::optional<Access> numbered(mc7::OperandKind direct, mc7::OperandKind indirect);
+  std::optional<Access> blockOperand(BlockKind kind, bool instance);
+  std::optional<Access> insideDataBlock(BlockId db, std::size_t begin);
+  std::optional<Access> indirect(Area area, Width width, bool crossing);
+  std::optional<Access> registerIndirect(Area area, Width width, bool crossing, std::string_view word);
+  bool memoryPointer(Width width, mc7::Operand& out);
+  bool bitAddressAt(Width width, BitAddress& out, std::size_t begin);
+  bool checkRange(const MemoryWord& row, BitAddress address, std::size_t begin);
+  bool checkSetting(std::optional<Mnemonics> which, std::string_view word, std::size_t begin);
+  std::optional<std::uint32_t> copyOf(const block::Variable& variable) const;
+  Access simple(const mc7::Operand& operand) const {
+    Access access;
+    access.operand = operand;
+    return access;
+  }
+  Position at(std::size_t begin, std::size_t end) const {
+    return scope_.file->position(begin, std::max(end, begin + 1) - begin);
+  }
+  template <typename... Arguments>
+  std::nullopt_t problem(ProblemCode code, std::size_t begin, const Arguments&... arguments) {
+    problems_.add(code, at(begin, cursor_.pos()), arguments...);
+    return std::nullopt;
+  }
+
+  Cursor& cursor_;
+  const Scope& scope_;
+  Problems& problems_;
+  std::uint32_t& localTop_;
+  const std::vector<std::pair<const block::Variable*, std::uint32_t>>* copies_ = nullptr;
+  std::size_t begin_ = 0;
+};
+
+Width widthOf(TypeCode code);
+bool isComposite(TypeCode code);
+
+}  // namespace merker::step7

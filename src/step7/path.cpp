@@ -1,0 +1,110 @@
+#include "step7/path.h"
+
+#include "base/text.h"
+#include "step7/declaration.h"
+
+namespace merker::step7 {
+
+BitAddress elementStride(const block::Type& array, std::size_t dimension) {
+  if (dimension + 1 < array.dimensions.size()) {
+    const auto rest = array.dimensions.begin() + static_cast<std::ptrdiff_t>(dimension) + 1;
+    return block::sizeInBits(*block::arrayType({rest, array.dimensions.end()}, array.element));
+  }
+  const BitAddress bits = block::sizeInBits(*array.element);
+  return block::beginsAtWord(*array.element) ? (bits + 15) / 16 * 16 : bits;
+}
+
+std::vector<BitAddress> elementAddresses(const block::Type& array) {
+  std::vector<BitAddress> result{0};
+  for (std::size_t d = 0; d < array.dimensions.size(); ++d) {
+    const BitAddress stride = elementStride(array, d);
+    std::vector<BitAddress> next;
+    next.reserve(result.size() * array.dimensions[d].count());
+    for (const BitAddress base : result)
+      for (std::uint32_t i = 0; i < array.dimensions[d].count(); ++i) next.push_back(base + i * stride);
+    result = std::move(next);
+  }
+  return result;
+}
+
+const block::Variable* findMember(const std::vector<block::Variable>& members, std::string_view name) {
+  for (const block::Variable& member : members)
+    if (equalsIgnoreCase(member.name, name)) return &member;
+  return nullptr;
+}
+
+namespace {
+
+bool followIndex(Cursor& cursor, Place& place, const source::SourceFile& file, Problems& problems) {
+  const std::size_t open = cursor.pos();
+  cursor.take();
+  const auto here = [&] { return file.position(open, std::max(cursor.pos(), open + 1) - open); };
+  const block::Type& array = *place.type;
+  if (array.code != TypeCode::Array) {
+    problems.add(ProblemCode::P0416, here(), block::toString(array));
+    return false;
+  }
+  std::size_t dimension = 0;
+  do {
+    const auto index = readInteger(cursor);
+    if (!index || dimension >= array.dimensions.size()) {
+      problems.add(index ? ProblemCode::P0417 : ProblemCode::P0418, here(), array.dimensions.size());
+      return false;
+    }
+    const block::Dimension& range = array.dimensions[dimension];
+    if (*index < range.low || *index > range.high) {
+      problems.add(ProblemCode::P0419, here(), *index, range.low, range.high);
+      return false;
+    }
+    place.address += static_cast<BitAddress>(*index - range.low) * elementStride(array, dimension);
+    ++dimension;
+  } while (cursor.accept(','));
+  if (!cursor.accept(']') || dimension != array.dimensions.size()) {
+    problems.add(ProblemCode::P0417, here(), array.dimensions.size());
+    return false;
+  }
+  place.type = array.element;
+  return true;
+}
+
+bool followMember(Cursor& cursor, Place& place, const source::SourceFile& file, Problems& problems) {
+  cursor.take();
+  cursor.skipBlanks();
+  const std::size_t begin = cursor.pos();
+  std::string_view name;
+  if (cursor.accept('"')) {
+    while (!cursor.atEnd() && cursor.peek() != '"' && cursor.peek() != '\n') cursor.take();
+    name = cursor.slice(begin + 1, cursor.pos());
+    cursor.accept('"');
+  } else {
+    name = cursor.word();
+  }
+  const block::Variable* member = findMember(place.type->members, name);
+  if (!member) {
+    problems.add(ProblemCode::P0420, file.position(begin, std::max(cursor.pos(), begin + 1) - begin),
+                 std::string(name), block::toString(*place.type));
+    return false;
+  }
+  place.address += member->address;
+  place.type = member->type;
+  return true;
+}
+
+}  // namespace
+
+bool followPath(Cursor& cursor, Place& place, const source::SourceFile& file, Problems& problems) {
+  for (;;) {
+    const std::size_t before = cursor.pos();
+    cursor.skipBlanks();
+    if (cursor.peek() == '[') {
+      if (!followIndex(cursor, place, file, problems)) return false;
+    } else if (cursor.peek() == '.' && (isWordStart(cursor.peek(1)) || cursor.peek(1) == '"' || cursor.peek(1) == ' ')) {
+      if (!followMember(cursor, place, file, problems)) return false;
+    } else {
+      cursor.seek(before);
+      return true;
+    }
+  }
+}
+
+}  // namespace merker::step7

@@ -1,0 +1,27 @@
+// Components of a variable: .member and [index, index] behind its name (S7-TYPES-20, -21).
+#pragma once
+
+#include <vector>
+
+#include "block/type.h"
+#include "source/source_file.h"
+#include "step7/cursor.h"
+
+namespace merker::step7 {
+
+struct Place {
+  block::TypePtr type;
+  BitAddress address = 0;
+};
+
+// Bits from one index of dimension `dimension` to the next.
+BitAddress elementStride(const block::Type& array, std::size_t dimension);
+// Addresses of all elements, the last index running fastest.
+std::vector<BitAddress> elementAddresses(const block::Type& array);
+
+// Follows .member and [i] from `place` as long as they stand at the cursor. False after a problem.
+bool followPath(Cursor& cursor, Place& place, const source::SourceFile& file, Problems& problems);
+
+const block::Variable* findMember(const std::vector<block::Variable>& members, std::string_view name);
+
+}  // namespace merker::step7
