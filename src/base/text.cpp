@@ -48,23 +48,19 @@ bool looksCp437(const Counts& counts) {
   return frames > letters;
 }
 
-// Bytes C4h and CDh that stand beside their like: frames of a DOS text, for nobody writes two of
-// these letters.
-std::size_t frameBytes(std::string_view bytes) {
-  std::size_t count = 0;
-  for (std::size_t i = 1; i < bytes.size(); ++i)
-    if (bytes[i] == bytes[i - 1] && (bytes[i] == '\xC4' || bytes[i] == '\xCD')) ++count;
-  return count;
+// Rows of C4h or CDh are the frames of a DOS text, for nobody writes three of these letters.
+bool hasFrames(std::string_view bytes) {
+  return bytes.find("\xC4\xC4\xC4") != std::string_view::npos ||
+         bytes.find("\xCD\xCD\xCD") != std::string_view::npos;
 }
 
 Encoding codePage(std::string_view bytes, const Counts& counts) {
   const std::size_t high = sumFrom(counts, 0x80, 0xFF);
-  const std::size_t frames = frameBytes(bytes);
-  const std::size_t dos = sum(counts, "\x81\x84\x8E\x94\x99\x9A\xE1") + frames;  // ü ä Ä ö Ö Ü ß
-  const std::size_t windows =
-      sum(counts, "\xC4\xD6\xDC\xE4\xF6\xFC\xDF") - std::min(frames, counts[0xC4]);
+  const std::size_t dos = sum(counts, "\x81\x84\x8E\x94\x99\x9A\xE1");      // ü ä Ä ö Ö Ü ß
+  const std::size_t windows = sum(counts, "\xC4\xD6\xDC\xE4\xF6\xFC\xDF");  // Ä Ö Ü ä ö ü ß
   // More than half: the pair of quotation marks 84h … 93h of CP1252 must not count as DOS text.
-  if (dos * 2 <= high || windows > dos) return Encoding::Cp1252;
+  const bool isDos = hasFrames(bytes) || (dos * 2 > high && windows <= dos);
+  if (!isDos) return Encoding::Cp1252;
   return looksCp437(counts) ? Encoding::Cp437 : Encoding::Cp850;
 }
 

@@ -1,1 +1,141 @@
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+#include "base/text.h"
 #include "source/symbol_table.h"
+#include "source/symbol_text.h"
+
+namespace merker::source {
+namespace {
+
+using Kind = SymbolAddress::Kind;
+
+constexpr SymbolAddress memory(Area area, Width width, bool output = false) {
+  SymbolAddress address;
+  address.area = area;
+  address.width = width;
+  address.peripheralOutput = output;
+  return address;
+}
+constexpr SymbolAddress ofKind(Kind kind) {
+  SymbolAddress address;
+  address.kind = kind;
+  return address;
+}
+constexpr SymbolAddress block(BlockKind kind) {
+  SymbolAddress address;
+  address.kind = Kind::Block;
+  address.block.kind = kind;
+  return address;
+}
+
+struct Row {
+  std::string_view german, international;
+  SymbolAddress address;  // its number 0
+};
+
+// Every operand that a symbol may stand for (S7-SYM-09 to -14, -16; mnemonics S7-MNE-11).
+constexpr std::array kOperands{
+    Row{"E", "I", memory(Area::Input, Width::Bit)},
+    Row{"EB", "IB", memory(Area::Input, Width::Byte)},
+    Row{"EW", "IW", memory(Area::Input, Width::Word)},
+    Row{"ED", "ID", memory(Area::Input, Width::DWord)},
+    Row{"A", "Q", memory(Area::Output, Width::Bit)},
+    Row{"AB", "QB", memory(Area::Output, Width::Byte)},
+    Row{"AW", "QW", memory(Area::Output, Width::Word)},
+    Row{"AD", "QD", memory(Area::Output, Width::DWord)},
+    Row{"M", "M", memory(Area::Flag, Width::Bit)},
+    Row{"MB", "MB", memory(Area::Flag, Width::Byte)},
+    Row{"MW", "MW", memory(Area::Flag, Width::Word)},
+    Row{"MD", "MD", memory(Area::Flag, Width::DWord)},
+    Row{"PEB", "PIB", memory(Area::Peripheral, Width::Byte)},
+    Row{"PEW", "PIW", memory(Area::Peripheral, Width::Word)},
+    Row{"PED", "PID", memory(Area::Peripheral, Width::DWord)},
+    Row{"PAB", "PQB", memory(Area::Peripheral, Width::Byte, true)},
+    Row{"PAW", "PQW", memory(Area::Peripheral, Width::Word, true)},
+    Row{"PAD", "PQD", memory(Area::Peripheral, Width::DWord, true)},
+    Row{"T", "T", ofKind(Kind::Timer)},
+    Row{"Z", "C", ofKind(Kind::Counter)},
+    Row{"OB", "OB", block(BlockKind::OB)},
+    Row{"FB", "FB", block(BlockKind::FB)},
+    Row{"FC", "FC", block(BlockKind::FC)},
+    Row{"DB", "DB", block(BlockKind::DB)},
+    Row{"SFB", "SFB", block(BlockKind::SFB)},
+    Row{"SFC", "SFC", block(BlockKind::SFC)},
+    Row{"UDT", "UDT", block(BlockKind::UDT)},
+    Row{"VAT", "VAT", ofKind(Kind::VariableTable)},
+};
+
+// Without its number.
+SymbolAddress base(SymbolAddress address) {
+  address.address = 0;
+  address.number = 0;
+  address.block.number = 0;
+  return address;
+}
+
+void setNumber(SymbolAddress& address, std::uint16_t number, unsigned bit) {
+  if (address.kind == Kind::Memory)
+    address.address = bitAddress(number, bit);
+  else if (address.kind == Kind::Block)
+    address.block.number = number;
+  else
+    address.number = number;
+}
+
+// Decimal digits from the front of `text`, at most 65535.
+std::optional<std::uint16_t> takeNumber(std::string_view& text) {
+  std::uint16_t value = 0;
+  const auto end = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (end.ec != std::errc()) return std::nullopt;
+  text.remove_prefix(static_cast<std::size_t>(end.ptr - text.data()));
+  return value;
+}
+
+bool isLetter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
+
+}  // namespace
+
+Result<SymbolAddress> parseSymbolAddress(std::string_view text, const Position& at) {
+  const std::string_view written = trim(text);
+  const auto letters = static_cast<std::size_t>(
+      std::find_if_not(written.begin(), written.end(), isLetter) - written.begin());
+  const std::string_view operand = written.substr(0, letters);
+  std::string_view rest = trim(written.substr(letters));
+  const auto* const row = std::find_if(kOperands.begin(), kOperands.end(), [&](const Row& r) {
+    return equalsIgnoreCase(r.german, operand) || equalsIgnoreCase(r.international, operand);
+  });
+  if (row == kOperands.end()) return makeProblem(ProblemCode::P0804, at, written);
+
+  SymbolAddress address = row->address;
+  const bool isBit = address.kind == Kind::Memory && address.width == Width::Bit;
+  const auto number = takeNumber(rest);
+  std::optional<std::uint16_t> bit = 0;
+  if (isBit) {
+    const bool point = rest.starts_with('.');
+    if (point) rest.remove_prefix(1);
+    bit = point ? takeNumber(rest) : std::nullopt;
+  }
+  // S7-ADDR-02: a bit operand has a byte and a bit number 0..7.
+  if (!number || !bit || *bit > 7 || !rest.empty())
+    return makeProblem(ProblemCode::P0805, at, written, row->german, isBit ? "1.0" : "1");
+  setNumber(address, *number, *bit);
+  return address;
+}
+
+std::string_view operandName(const SymbolAddress& address, Mnemonics mnemonics) {
+  for (const Row& row : kOperands)
+    if (row.address == base(address))
+      return mnemonics == Mnemonics::German ? row.german : row.international;
+  return "?";
+}
+
+std::string operandNumber(const SymbolAddress& address) {
+  if (address.kind == Kind::Block) return std::to_string(address.block.number);
+  if (address.kind != Kind::Memory) return std::to_string(address.number);
+  const std::string byte = std::to_string(address.address / 8);
+  return address.width == Width::Bit ? byte + '.' + std::to_string(address.address % 8) : byte;
+}
+
+}  // namespace merker::source

@@ -1,6 +1,7 @@
 // The symbol table of an S7 program (S7-SYM): names for absolute operands and blocks.
 #pragma once
 
+#include <compare>
 #include <map>
 #include <optional>
 #include <string>
@@ -17,14 +18,14 @@ namespace merker::source {
 
 // What a symbol stands for.
 struct SymbolAddress {
-  enum class Kind : std::uint8_t { Memory, Timer, Counter, Block } kind = Kind::Memory;
+  enum class Kind : std::uint8_t { Memory, Timer, Counter, Block, VariableTable } kind = Kind::Memory;
   Area area = Area::None;     // Memory: Input, Output, Flag, Peripheral
   Width width = Width::Bit;
   BitAddress address = 0;
   bool peripheralOutput = false;  // Peripheral: PA instead of PE
-  std::uint16_t number = 0;       // Timer, Counter
+  std::uint16_t number = 0;       // Timer, Counter, VariableTable
   BlockId block;                  // Block
-  bool operator==(const SymbolAddress&) const = default;
+  auto operator<=>(const SymbolAddress&) const = default;
 };
 
 struct Symbol {
@@ -48,6 +49,7 @@ class SymbolTable {
  private:
   std::vector<Symbol> list_;
   std::map<std::string, std::size_t> byName_;  // upper case
+  std::map<SymbolAddress, std::size_t> byAddress_;
 };
 
 // "A 1.0", "MW10", "PEW 256", "T 1", "DB 5", "Q 1.0" … Operands that may not have a symbol (L, DBW, constants)
@@ -58,9 +60,11 @@ Result<SymbolAddress> parseSymbolAddress(std::string_view text, const Position& 
 // the readable table of docs/formats/symbols.md. Problems: name longer than 24, comment longer than 80 characters,
 // name twice, operand not allowed, type that does not fit the operand's width (S7-SYM-16).
 void readSymbols(const SourceFile& file, SymbolTable& table, Problems& problems);
+// By the extension; a .txt is taken for one only where it is named as such.
 bool isSymbolFile(std::string_view path);
 
-// The table in one of these formats (".sdf", ".asc", ".seq", ".dif", ".sym").
+// The bytes of a file in one of these formats (".sdf", ".asc", ".seq", ".dif", ".sym"): CP1252 and CR LF as STEP 7
+// writes its exports, UTF-8 and LF for .sym. Empty for any other extension.
 std::string writeSymbols(const SymbolTable& table, std::string_view extension, Mnemonics mnemonics);
 
 }  // namespace merker::source

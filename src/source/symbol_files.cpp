@@ -1,1 +1,0 @@
-#include "source/symbol_table.h"

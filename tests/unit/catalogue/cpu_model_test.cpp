@@ -1,0 +1,70 @@
+#include "catalogue/cpu_model.h"
+
+#include <gtest/gtest.h>
+
+namespace merker {
+namespace {
+
+const CpuModel& model(std::string_view name) { return *findCpuModel(name); }
+
+TEST(CpuModel, foundByKeywordOrName) {
+  EXPECT_EQ(findCpuModel("314C-2 PtP"), &defaultCpuModel());
+  EXPECT_EQ(findCpuModel("cpu314c-2ptp"), &defaultCpuModel());
+  EXPECT_EQ(findCpuModel("CPU 314C-2 DP")->name, "CPU 314C-2 DP");
+  EXPECT_EQ(findCpuModel("417-4"), nullptr);
+  EXPECT_EQ(findCpuModel(""), nullptr);
+}
+
+// S7-CPU-02 to -11, -24 to -29
+TEST(CpuModel, limitsOfThe314C) {
+  const CpuModel& cpu = defaultCpuModel();
+  EXPECT_EQ(cpu.workMemory, 49152u);
+  EXPECT_EQ(cpu.dataBlockSize, 16384u);
+  EXPECT_EQ(cpu.flagBytes, 256u);
+  EXPECT_EQ(cpu.imageBytes, 128u);
+  EXPECT_EQ(cpu.peripheralBytes, 1024u);
+  EXPECT_EQ(cpu.timers, 256u);
+  EXPECT_EQ(cpu.counters, 256u);
+  EXPECT_EQ(cpu.localBytes, 510u);
+  EXPECT_EQ(cpu.nesting, 8u);
+  EXPECT_EQ(cpu.bracketDepth, 7u);
+  EXPECT_EQ(cpu.cycleMonitoring, 150u);
+  EXPECT_EQ(cpu.retentiveFlags, 16u);
+  EXPECT_EQ(cpu.retentiveCounters, 8u);
+  EXPECT_FALSE(cpu.hotRestart);  // S7-OPEN-43
+}
+
+// S7-CPU-04
+TEST(CpuModel, executionTimes) {
+  EXPECT_EQ(defaultCpuModel().time(TimeClass::Bit), 100u);
+  EXPECT_EQ(defaultCpuModel().time(TimeClass::Word), 200u);
+  EXPECT_EQ(defaultCpuModel().time(TimeClass::Fixed), 2'000u);
+  EXPECT_EQ(defaultCpuModel().time(TimeClass::Real), 20'000u);
+}
+
+// S7-CPU-08, -09, -10
+TEST(CpuModel, blockNumbers) {
+  const CpuModel& cpu = defaultCpuModel();
+  EXPECT_TRUE(cpu.allows({BlockKind::DB, 127}));
+  EXPECT_FALSE(cpu.allows({BlockKind::DB, 0}));
+  EXPECT_FALSE(cpu.allows({BlockKind::DB, 128}));
+  EXPECT_TRUE(cpu.allows({BlockKind::FB, 0}));
+  EXPECT_FALSE(cpu.allows({BlockKind::FB, 128}));
+  EXPECT_TRUE(cpu.allows({BlockKind::FC, 127}));
+  EXPECT_FALSE(cpu.allows({BlockKind::FC, 128}));
+  EXPECT_TRUE(model("generic").allows({BlockKind::DB, 65535}));
+}
+
+// S7-CPU-30
+TEST(CpuModel, organizationBlocks) {
+  for (const unsigned number : {1, 10, 20, 35, 40, 80, 81, 82, 85, 87, 100, 121, 122})
+    EXPECT_TRUE(defaultCpuModel().hasOrganizationBlock(number)) << number;
+  EXPECT_FALSE(defaultCpuModel().allows({BlockKind::OB, 101}));
+  EXPECT_FALSE(defaultCpuModel().allows({BlockKind::OB, 0}));
+  EXPECT_FALSE(defaultCpuModel().hasOrganizationBlock(86));
+  EXPECT_TRUE(model("314C-2 DP").hasOrganizationBlock(86));
+  EXPECT_TRUE(model("generic").allows({BlockKind::OB, 102}));
+}
+
+}  // namespace
+}  // namespace merker
