@@ -11,12 +11,17 @@ namespace {
 
 bool isProject(const std::string& folder) { return isFile(join(folder, "merker.toml")); }
 
+fs::path parent(const fs::path& folder) {
+  const fs::path above = (folder / "..").lexically_normal();
+  return above.has_filename() ? above : above.parent_path();  // without a slash at the end
+}
+
 // The nearest folder above that is a project, empty if there is none. Relative paths stay relative.
 std::string projectAround(const std::string& file) {
   std::error_code error;
   fs::path folder = folderOf(file);
   fs::path above = fs::absolute(file, error).lexically_normal().parent_path();
-  for (;; above = above.parent_path(), folder = (folder / "..").lexically_normal()) {
+  for (;; above = above.parent_path(), folder = parent(folder)) {
     if (isProject(above.string()))
       return isProject(folder.string()) ? folder.string() : above.string();
     if (above == above.parent_path()) return {};

@@ -94,8 +94,22 @@ std::int32_t withSign(const Term& term, std::uint32_t bits) {
   return word ? static_cast<std::int16_t>(bits) : static_cast<std::int32_t>(bits);
 }
 
+// A running timer may count with a longer base than the shortest that the constant has: S5T#2S is
+// 16#0200 and 16#1020.
+bool comparesTimes(const Term& left, const Term& right) {
+  const auto isS5Time = [](const Term& term) {
+    return term.constant && term.constant->format == ConstantFormat::S5Time;
+  };
+  return (isTimerOrCounter(left) && isS5Time(right)) || (isTimerOrCounter(right) && isS5Time(left));
+}
+
+std::uint32_t milliseconds(std::uint32_t coded) {
+  return decodeS5Time(static_cast<std::uint16_t>(coded)).value_or(0);
+}
+
 bool holds(const Term& left, std::uint32_t a, Relation relation, const Term& right,
            std::uint32_t b) {
+  if (comparesTimes(left, right)) return relates(milliseconds(a), relation, milliseconds(b));
   if (relation == Relation::About) return about(a, b);
   if (isOrder(relation) && (isReal(left) || isReal(right)))
     return relates(real(a), relation, real(b));
@@ -115,6 +129,7 @@ std::string show(const Term& term, const Term& other, std::uint32_t bits) {
   if (isTimerOrCounter(term) && view(term.reference.operand.kind, other) != View::Coded)
     return std::to_string(bits);
   if (!term.constant && bitWidth(term.reference) == 1) return std::to_string(bits);
+  if (isTimerOrCounter(term)) return formatOperand(term.reference, bits);
   if (term.constant) return formatConstant({term.constant->format, bits});
   return other.constant ? showLike(adapt(*other.constant, typeOf(term)).format, term, bits)
                         : formatOperand(term.reference, bits);

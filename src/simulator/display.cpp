@@ -27,11 +27,18 @@ std::int64_t s5TimeMilliseconds(std::uint32_t bits) {
   return decodeS5Time(static_cast<std::uint16_t>(bits)).value_or(0);
 }
 
+// With the shortest base, whatever base the timer counts with.
+std::string formatTimer(std::uint32_t bits) {
+  const auto coded = encodeS5Time(static_cast<std::uint64_t>(s5TimeMilliseconds(bits)));
+  return formatConstant({ConstantFormat::S5Time, coded.value_or(0)});
+}
+
 }  // namespace
 
 std::string formatOperand(const mc7::Reference& reference, std::uint32_t bits) {
   const TypeCode type = typeOf(reference);
   if (bitWidth(reference) == 1) return bits != 0 ? "1" : "0";
+  if (reference.operand.kind == OperandKind::Timer) return formatTimer(bits);
   if (type == TypeCode::Counter) return formatConstant({ConstantFormat::Counter, bits});
   if (isElementary(type)) return formatValue(type, bits);
   return formatConstant({plainFormat(reference.operand.width), bits});

@@ -100,7 +100,8 @@ std::vector<Scenario> Parser::parse() {
   for (std::uint32_t number = 1; number <= file_.lineCount(); ++number)
     line(withoutComment(file_.line(number)));
   closeScenario();
-  if (scenarios_.empty()) problems_.add(ProblemCode::P0958, Position{file_.name()});
+  if (scenarios_.empty() && problems_.empty())
+    problems_.add(ProblemCode::P0958, Position{file_.name()});
   return std::move(scenarios_);
 }
 

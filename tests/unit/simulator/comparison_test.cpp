@@ -72,8 +72,10 @@ TEST(Comparison, ATimerIsItsStatusBitBesideZeroAndOne) {
 }
 
 TEST(Comparison, ATimerIsItsCodedValueBesideS5TimeAndItsNumberElse) {
-  EXPECT_TRUE(equal(0x2005, "T 1", "S5T#5S", 1));
+  EXPECT_TRUE(equal(0x2005, "T 1", "S5T#5S", 1));  // counted in seconds, as S5T#1000S was
+  EXPECT_TRUE(equal(0x0500, "T 1", "S5T#5S", 1));
   EXPECT_FALSE(equal(0x1005, "T 1", "S5T#5S", 1));
+  EXPECT_TRUE(check(0x2005, "T 1", Relation::Less, "S5T#5S10MS", 1).holds);
   EXPECT_TRUE(equal(0x2125, "T 1", "125", 1));
   EXPECT_TRUE(check(0x2125, "T 1", Relation::LessEqual, "W#16#7D", 1).holds);
 }
