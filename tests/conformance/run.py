@@ -1,0 +1,93 @@
+#!/usr/bin/env python3
+"""Runs the conformance programs: self-checking sources, scenarios and sources that must be rejected.
+
+usage: run.py MERKER [--filter TEXT] [--verbose]
+"""
+import argparse
+import json
+import pathlib
+import re
+import subprocess
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+MARK = re.compile(r"//!\s*(error|warning)")
+TIMEOUT = 120  # seconds of this machine; a program runs at most 10 s of virtual time
+
+def call(merker, *arguments):
+    """Exit code and both outputs of one call."""
+    try:
+        done = subprocess.run([merker, *arguments], capture_output=True, text=True, errors="replace",
+                              timeout=TIMEOUT, check=False)
+    except subprocess.TimeoutExpired:
+        return None, "", f"no end within {TIMEOUT} s"
+    return done.returncode, done.stdout, done.stderr
+
+def test(merker, path):
+    """Problems of a self-checking program or a scenario; none if it passed."""
+    cpu = ["--cpu", "generic-4"] if path.stem.endswith("_generic4") else []
+    code, out, err = call(merker, "test", *cpu, str(path))
+    if code == 0 and not re.search(r"\b0 passed", out):
+        return []
+    return [f"exit code {code}", *(out + err).strip().splitlines()]
+
+def wanted(path):
+    """(line, severity) of every marked line."""
+    lines = path.read_text(encoding="utf-8").splitlines()
+    return {(n, m.group(1)) for n, text in enumerate(lines, 1) if (m := MARK.search(text))}
+
+def reported(text):
+    """(line, severity) -> message of every problem in the JSON output."""
+    data = json.loads(text)
+    problems = data["problems"] if isinstance(data, dict) else data
+    return {(p["line"], p["severity"]): p["message"] for p in problems}
+
+def check(merker, path):
+    """Problems of a source that must be rejected: what is missing and what is too much."""
+    code, out, err = call(merker, "check", "--json", str(path))
+    try:
+        seen = reported(out)
+    except (ValueError, KeyError, TypeError) as error:
+        return [f"exit code {code}, output is not the expected JSON ({error})", *(out + err).splitlines()[:5]]
+    marks = wanted(path)
+    failures = [f"line {n}: no {severity}" for n, severity in sorted(marks - seen.keys())]
+    failures += [f"line {n}: unexpected {severity}: {seen[n, severity]}" for n, severity in sorted(seen.keys() - marks)]
+    expected = 1 if any(severity == "error" for _, severity in marks) else 0
+    if not failures and code != expected:
+        failures.append(f"exit code {code} instead of {expected}")
+    return failures
+
+def cases():
+    """Every file with the function that judges it."""
+    for path in sorted(HERE.rglob("*")):
+        if path.suffix == ".scn":
+            yield path, test
+        elif path.suffix == ".awl" and "rejected" in path.parts:
+            yield path, check
+        elif path.suffix == ".awl" and "//=" in path.read_text(encoding="utf-8"):
+            yield path, test
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("merker", help="the program under test")
+    parser.add_argument("--filter", default="", help="only files whose path contains this")
+    parser.add_argument("--verbose", action="store_true", help="print every line of a failure")
+    arguments = parser.parse_args()
+    passed = failed = 0
+    for path, judge in cases():
+        name = path.relative_to(HERE).as_posix()
+        if arguments.filter not in name:
+            continue
+        failures = judge(arguments.merker, path)
+        if not failures:
+            passed += 1
+            continue
+        failed += 1
+        print(f"FAILED {name}")
+        for line in failures if arguments.verbose else failures[:8]:
+            print("    " + line)
+    print(f"{passed} passed, {failed} failed")
+    return 1 if failed or not passed else 0
+
+if __name__ == "__main__":
+    sys.exit(main())
