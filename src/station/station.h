@@ -67,8 +67,9 @@ class Station {
   std::uint64_t instructions() const;
   void advanceTo(Instant t);         // runs up to t; stops early only if the CPU goes to STOP (then time still moves)
   void advanceCycles(std::uint64_t count);
-  // Runs to the next cycle checkpoint, at most to `limit`; true if it came to a checkpoint. While not in RUN time moves
-  // to `limit` (false). Scenarios look at values after each cycle with it.
+  // Runs to the next cycle checkpoint, at most to `limit`; true if it came to a checkpoint. The change from STARTUP to
+  // RUN, before the first cycle, counts as one. In STOP time moves to `limit` (false). Scenarios look at values after
+  // each cycle with it.
   bool advanceToCheckpoint(Instant limit);
   // Runs OB 1 once, back to back, without the operating system's share of the cycle: for measurements.
   void runOb1();
