@@ -10,6 +10,15 @@
 
 namespace merker::cpu {
 
+// Where E, A and M begin in `Areas::image`, and how long they are (0: another area).
+constexpr std::uint32_t imageBase(const CpuModel& model, Area area) {
+  return area == Area::Flag ? 2 * model.imageBytes : area == Area::Output ? model.imageBytes : 0;
+}
+constexpr std::uint32_t imageLength(const CpuModel& model, Area area) {
+  if (area == Area::Input || area == Area::Output) return model.imageBytes;
+  return area == Area::Flag ? model.flagBytes : 0;
+}
+
 struct Areas {
   explicit Areas(const CpuModel& model);
 

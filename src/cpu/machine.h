@@ -39,7 +39,11 @@ struct Machine {
   bool mcrActive = false;
   std::vector<std::uint8_t> mcrStack;
   std::vector<Bracket> brackets;
-  void updateMcr() { mcrOff = mcrActive && !mcrStack.empty() && mcrStack.back() == 0; }
+  // The innermost zone of this level counts; without any zone the relay is on.
+  void updateMcr() {
+    const std::size_t base = levels.empty() ? 0 : levels.back().mcrBase;
+    mcrOff = mcrActive && mcrStack.size() > base && mcrStack.back() == 0;
+  }
 
   std::vector<Frame> frames;
   std::vector<Level> levels;

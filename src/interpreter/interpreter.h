@@ -1,0 +1,34 @@
+// The reference engine: runs MC7 blocks instruction by instruction, plain and obviously right.
+#pragma once
+
+#include <deque>
+#include <map>
+#include <memory>
+
+#include "cpu/engine.h"
+#include "interpreter/recorder.h"
+
+namespace merker::interpreter {
+
+class Interpreter : public cpu::Engine {
+ public:
+  explicit Interpreter(const CpuModel& model) : translator_(table_, model) {}
+  // From the next translation on, note which instructions run.
+  void countCoverage(bool on) { coverage_ = on; }
+
+  std::unique_ptr<cpu::Code> translate(const block::Block& block) override;
+  void run(cpu::Machine& machine) override;
+  std::uint32_t offset(const cpu::Frame& frame) const override;
+
+  const std::deque<CheckRecord>& checkRecords() const { return recorder_.records(); }
+
+ private:
+  void attachSide(const block::Block& block, Translated& code, const OpByWord& opAt);
+
+  HandlerTable table_;
+  Translator translator_;
+  Recorder recorder_;
+  bool coverage_ = false;
+};
+
+}  // namespace merker::interpreter
