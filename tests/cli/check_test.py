@@ -1,0 +1,87 @@
+from harness import *
+
+
+class Check(Case):
+    def test_a_good_program(self):
+        self.write("a.awl", PROGRAM)
+        call = self.expect(GOOD, "check", "a.awl")
+        self.assertEqual(call.err, "")
+
+    def test_problems_have_place_code_line_and_caret(self):
+        self.write("a.awl", block("      U     M 300.0\n      =     A 0.0"))
+        call = self.expect(PROBLEMS, "check", "a.awl")
+        lines = call.err.splitlines()
+        self.assertRegex(lines[0], r"^a\.awl:4:\d+: error: .*\[P\d{4}\]$")
+        self.assertIn("U     M 300.0", lines[1])
+        self.assertIn("^", lines[2])
+        self.assertEqual(lines[1].index("M 300.0"), lines[2].index("^"))
+
+    def test_all_problems_in_one_pass_and_in_all_files(self):
+        self.write("a.awl", block("      U     M 300.0\n      FLY\n      L     MW 4711"))
+        self.write("b.awl", block("      SPA   nowhere"))
+        err = self.expect(PROBLEMS, "check", "a.awl", "b.awl").err
+        for place in ("a.awl:4:", "a.awl:5:", "a.awl:6:", "b.awl:4:"):
+            self.assertIn(place, err)
+
+    def test_json_has_the_same_fields(self):
+        self.write("a.awl", block("      U     M 300.0"))
+        call = self.expect(PROBLEMS, "check", "--json", "a.awl")
+        problem = call.json["problems"][0]
+        self.assertEqual({"file", "line", "column", "length", "severity", "code", "message"}, set(problem))
+        text = f"{problem['file']}:{problem['line']}:{problem['column']}: {problem['severity']}: {problem['message']} [{problem['code']}]"
+        self.assertEqual(call.err.splitlines()[0], text)
+
+    def test_json_without_problems(self):
+        self.write("a.awl", PROGRAM)
+        self.assertEqual(self.expect(GOOD, "check", "--json", "a.awl").json, {"problems": []})
+
+    def test_the_model_decides_about_limits(self):
+        self.write("a.awl", block("      U     M 300.0\n      =     M 300.1"))
+        self.expect(PROBLEMS, "check", "a.awl")
+        self.expect(GOOD, "check", "--cpu", "generic", "a.awl")
+        self.assertIn("P0705", self.expect(PROBLEMS, "check", "--cpu", "317", "a.awl").err)
+
+    def test_nothing_and_garbage(self):
+        self.write("empty.awl", "")
+        self.assertIn("empty.awl", self.expect(GOOD, "check", "empty.awl").err)
+        self.write("bin.awl", bytes(range(256)) * 64)
+        self.assertIn("P0102", self.expect(PROBLEMS, "check", "bin.awl").err)
+        self.write("old.s5", "SEGMENT 1\n")
+        self.assertIn("P0707", self.expect(PROBLEMS, "check", "old.s5").err)
+
+    def test_a_hundred_megabytes(self):
+        self.write("big.awl", b"      FLY   1 2 3\n" * 100)  # the same words, once as a check of the small case
+        self.expect(PROBLEMS, "check", "big.awl")
+        self.write("big.awl", b"x" * 100_000_000)
+        self.assertLess(len(self.expect(PROBLEMS, "check", "big.awl", timeout=120).err), 10_000_000)
+
+    def test_every_encoding_of_a_comment_and_a_symbol(self):
+        source = "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n      U     \"Tür\"   // geöffnet, für Höhe\n      =     A 0.0\nEND_ORGANIZATION_BLOCK\n"
+        symbols = "\"Tür\" E 0.0 BOOL // Öffner\n"
+        for encoding in ("utf-8", "utf-8-sig", "cp1252", "cp850", "cp437"):
+            with self.subTest(encoding):
+                self.write("a.awl", source.encode(encoding))
+                self.write("a.sym", symbols.encode(encoding))
+                self.expect(GOOD, "check", "a.awl")
+
+
+class Projects(Case):
+    def test_a_project_folder(self):
+        self.write("p/merker.toml", "[project]\nname = \"P\"\n[cpu]\nmodel = \"generic\"\n")
+        self.write("p/a.awl", block("      U     \"Start\"\n      =     M 300.0"))
+        self.write("p/names.sym", "\"Start\" E 0.0 BOOL\n")
+        self.expect(GOOD, "check", "p")
+        self.expect(GOOD, "check", "p/merker.toml")
+        self.expect(PROBLEMS, "check", "p", "--cpu", "314C-2 PtP")
+
+    def test_a_key_that_is_not_known(self):
+        self.write("p/merker.toml", "[cpu]\nmodell = \"generic\"\n")
+        self.write("p/a.awl", PROGRAM)
+        err = self.expect(PROBLEMS, "check", "p").err
+        self.assertRegex(err, r"^p/merker\.toml:2:1: error: .*\[P0703\]\nmodell = \"generic\"\n\^")
+
+    def test_a_problem_in_a_symbol_file(self):
+        self.write("p/merker.toml", "")
+        self.write("p/a.awl", PROGRAM)
+        self.write("p/a.sym", "\"Start\" E 0.0 BOOL\n\"start\" E 0.1 BOOL\n")
+        self.assertIn("p/a.sym:2:", self.expect(PROBLEMS, "check", "p").err)

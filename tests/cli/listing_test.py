@@ -1,0 +1,91 @@
+from harness import *
+
+
+class List(Case):
+    def setUp(self):
+        super().setUp()
+        self.write("a.awl", PROGRAM + DATA)
+
+    def test_blocks_with_lengths_and_version(self):
+        lines = self.expect(GOOD, "list", "a.awl").lines
+        self.assertRegex(lines[0], r"block .*name .*load .*work .*local .*version .*checksum")
+        rows = {line[:10].strip(): line.split() for line in lines[1:]}
+        self.assertEqual(set(rows), {"OB 1", "DB 1"})
+        self.assertIn("1.2", rows["OB 1"])
+
+    def test_json(self):
+        blocks = {row["block"]: row for row in self.expect(GOOD, "list", "a.awl", "--json", "--code").json["blocks"]}
+        ob = blocks["OB 1"]
+        self.assertGreater(ob["load_bytes"], ob["work_bytes"])
+        self.assertEqual(ob["version"], "1.2")
+        self.assertNotEqual(ob["checksum"], 0)
+        self.assertEqual(sum(len(line["bytes"]) // 2 for line in ob["code"]), ob["work_bytes"])
+
+    def test_code_in_both_mnemonics(self):
+        german = self.expect(GOOD, "list", "a.awl", "--code").out
+        english = self.expect(GOOD, "list", "a.awl", "--code", "--mnemonics", "en").out
+        self.assertRegex(german, r"(?m)^  0000: C000 +U +E 0\.0$")
+        self.assertRegex(english, r"(?m)^  0000: C000 +A +I 0\.0$")
+        self.assertRegex(german, r"SE +T 1")
+        self.assertRegex(english, r"SD +T 1")
+
+    def test_problems(self):
+        self.write("bad.awl", PROGRAM + "FUNCTION FC 1 : VOID\nBEGIN\nNETWORK\n      FLY\nEND_FUNCTION\n")
+        call = self.expect(PROBLEMS, "list", "bad.awl")
+        self.assertIn("OB 1", call.out)
+        self.assertIn("bad.awl:", call.err)
+
+
+class MachineCode(Case):
+    def test_assemble_and_back(self):
+        source = "U     E 0.0\nL     5\nL     W#16#ABCD\n+I\nSPB   3\nT     MW 10\nL     DW#16#12345678\nBE\n"
+        code = self.expect(GOOD, "assemble", "--mc7", text=source).out
+        self.assertEqual(code.splitlines()[0], "C000")
+        self.assertEqual(code.splitlines()[1], "3003 0005")
+        self.assertEqual(len(code.splitlines()), 8)
+        listing = self.expect(GOOD, "disassemble", "--mc7", text=code).lines
+        words = [line.split(None, 2)[2].split() for line in listing]
+        self.assertEqual(words, [line.split() for line in source.splitlines()])
+
+    def test_both_mnemonics_are_read_and_written(self):
+        german = self.expect(GOOD, "assemble", "--mc7", text="U E 0.0\nSE T 1\nSPB 3\nZV Z 1\n").out
+        english = self.expect(GOOD, "disassemble", "--mc7", "--mnemonics", "en", text=german).out
+        for text in ("A     I 0.0", "SD    T 1", "JC    3", "CU    C 1"):
+            self.assertIn(text, english)
+
+    def test_illegal_words_and_the_rest_goes_on(self):
+        lines = self.expect(GOOD, "disassemble", "--mc7", text="FFFF 6500 C0").lines
+        self.assertRegex(lines[0], r"^0000: FFFF +illegal$")
+        self.assertRegex(lines[1], r"^0002: 6500 +BE$")
+        self.assertIn("illegal", lines[2])
+
+    def test_a_binary_file(self):
+        self.write("code.bin", bytes.fromhex("c0006500"))
+        self.assertEqual(len(self.expect(GOOD, "disassemble", "--mc7", "code.bin").lines), 2)
+        self.write("noise.bin", bytes(range(256)) * 300)
+        self.expect(GOOD, "disassemble", "--mc7", "noise.bin")
+        self.assertEqual(self.expect(GOOD, "disassemble", "--mc7", text="").out, "")
+
+    def test_text_that_is_no_hexadecimal(self):
+        call = self.expect(PROBLEMS, "disassemble", "--mc7", text="C000\nhello\n")
+        self.assertRegex(call.err, r"^standard input:2:1: error: .*\[P0690\]")
+
+    def test_bad_instructions_have_their_place_and_the_rest_goes_on(self):
+        self.write("a.txt", "U E 0.0\n\n// a comment\nFLY 5\nBE  // the end\n")
+        call = self.expect(PROBLEMS, "assemble", "--mc7", "a.txt")
+        self.assertEqual(call.lines, ["C000", "6500"])
+        self.assertRegex(call.err, r"^a\.txt:4:1: error: ")
+
+
+class Bench(Case):
+    def test_numbers(self):
+        self.write("a.awl", PROGRAM)
+        self.assertEqual(len(self.expect(GOOD, "bench", "a.awl", "--for", "50ms").lines), 3)
+        values = self.expect(GOOD, "bench", "a.awl", "--for", "50ms", "--json").json
+        self.assertEqual(set(values), {"instructions_per_second", "cycles_per_second", "translation_seconds"})
+        self.assertGreater(values["instructions_per_second"], values["cycles_per_second"])
+        self.assertGreater(values["cycles_per_second"], 0)
+
+    def test_a_fault(self):
+        self.write("a.awl", block("      L     W#16#FFFF\n      BTI"))
+        self.assertIn("STOP", self.expect(FAULT, "bench", "a.awl", "--for", "50ms").err)

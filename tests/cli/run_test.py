@@ -1,0 +1,136 @@
+import os
+import signal
+import subprocess
+import time
+
+from harness import *
+
+
+class Run(Case):
+    def setUp(self):
+        super().setUp()
+        self.write("a.awl", PROGRAM + DATA)
+
+    def test_prints_in_the_documented_form(self):
+        call = self.expect(GOOD, "run", "a.awl", "--for", "3s", "--set", "E 0.0=1, MW 10=W#16#0005, MB 30=200",
+                           "--print", "MW 10, MB 30, MD 40, A 0.0, A 0.1, I 0.0, DB1.DBW 0, DB1.count, DB1.level, DB1.pause, DB1.list[2], DB1.on")
+        self.assertEqual(call.lines, [
+            "MW 10 = W#16#0005", "MB 30 = B#16#C8", "MD 40 = DW#16#00000000", "A 0.0 = 1", "A 0.1 = 1", "I 0.0 = 1",
+            "DB1.DBW 0 = W#16#0005", "DB1.count = 5", "DB1.level = 1.500000e+000", "DB1.pause = T#5S",
+            "DB1.list[2] = W#16#0002", "DB1.on = 1"])
+        self.assertEqual(call.err, "")
+
+    def test_timers_show_their_time(self):
+        call = self.expect(GOOD, "run", "a.awl", "--for", "500ms", "--set", "E 0.0 = 1", "--print", "T 1, A 0.1")
+        self.assertRegex(call.lines[0], r"^T 1 = S5T#1S(4|5)\d0MS$")
+        self.assertEqual(call.lines[1], "A 0.1 = 0")
+
+    def test_symbols(self):
+        self.write("a.sym", "\"Start, now\" E 0.0 BOOL\n\"Motor\" A 0.0 BOOL\n\"Number\" MW 10 INT\n")
+        call = self.expect(GOOD, "run", "a.awl", "--for", "1s", "--set", "\"Start, now\" = TRUE, \"Number\" = -5",
+                           "--print", "\"Motor\", \"Number\"")
+        self.assertEqual(call.lines, ["\"Motor\" = 1", "\"Number\" = -5"])
+
+    def test_json(self):
+        call = self.expect(GOOD, "run", "a.awl", "--for", "3s", "--set", "E 0.0 = 1", "--json",
+                           "--print", "A 0.0, MW 10", "--print", "DB1.count, DB1.level, T 1")
+        values = call.json
+        self.assertIs(values["A 0.0"], True)
+        self.assertEqual((values["MW 10"], values["DB1.count"], values["DB1.level"], values["T 1"]), (0, 5, 1.5, 0))
+        self.assertEqual(values["mode"], "RUN")
+        self.assertIs(values["fault"], False)
+        self.assertAlmostEqual(values["seconds"], 3.0, places=2)
+        self.assertGreater(values["cycles"], 100)
+        self.assertGreater(values["instructions"], 1000)
+
+    def test_cycles(self):
+        call = self.expect(GOOD, "run", "a.awl", "--cycles", "7", "--print", "MW 20")
+        self.assertEqual(call.lines, ["MW 20 = W#16#0007"])
+        self.assertEqual(self.expect(GOOD, "run", "a.awl", "--cycles", "0", "--print", "MW 20").lines, ["MW 20 = W#16#0000"])
+
+    def test_lengths_of_time(self):
+        for text in ("1500ms", "1.5s", "T#1S500MS", "S5T#1S500MS"):
+            seconds = self.expect(GOOD, "run", "a.awl", "--for", text, "--json").json["seconds"]
+            self.assertAlmostEqual(seconds, 1.5, places=2, msg=text)
+
+    def test_a_fault_is_3_with_its_cause(self):
+        call = self.expect(FAULT, "run", "a.awl", "--for", "1s", "--set", "E 0.7 = 1", "--print", "MW 20")
+        self.assertIn("STOP", call.err)
+        self.assertIn("OB 1", call.err)
+        self.assertEqual(call.lines, ["MW 20 = W#16#0001"])
+        values = self.expect(FAULT, "run", "a.awl", "--for", "1s", "--set", "E 0.7 = 1", "--json").json
+        self.assertEqual((values["mode"], values["fault"]), ("STOP", True))
+        self.assertIn("OB 1", values["stop_reason"])
+
+    def test_a_program_that_stops_itself_is_good(self):
+        self.write("s.awl", block("      CALL  SFC 46"))
+        self.assertEqual(self.expect(GOOD, "run", "s.awl", "--for", "1s", "--json").json["mode"], "STOP")
+        self.expect(GOOD, "run", "s.awl", "--cycles", "5")
+
+    def test_an_endless_loop_is_a_fault(self):
+        self.write("loop.awl", block("here: SPA   here"))
+        self.assertIn("STOP", self.expect(FAULT, "run", "loop.awl", "--for", "1s").err)
+
+    def test_a_program_without_ob_1(self):
+        self.write("fc.awl", "FUNCTION FC 1 : VOID\nBEGIN\nNETWORK\n      NOP   0\nEND_FUNCTION\n")
+        self.assertIn("P0710", self.expect(PROBLEMS, "run", "fc.awl", "--for", "1s").err)
+
+    def test_problems_in_the_source(self):
+        self.write("bad.awl", block("      FLY"))
+        call = self.expect(PROBLEMS, "run", "bad.awl", "--for", "1s", "--json")
+        self.assertEqual(call.json["problems"][0]["line"], 4)
+        self.assertIn("bad.awl:4:", call.err)
+
+    def test_a_day_of_virtual_time_costs_seconds(self):
+        self.write("s.awl", block("      L     DW#16#0\n      T     MD 10"))
+        start = time.monotonic()
+        self.expect(GOOD, "run", "s.awl", "--for", "10m")
+        self.assertLess(time.monotonic() - start, 60)
+
+
+class Trace(Case):
+    def trace(self, name):
+        self.write("a.awl", PROGRAM)
+        self.expect(GOOD, "run", "a.awl", "--for", "3s", "--set", "E 0.0=1", "--trace", name, "--watch", "E 0.0, A 0.0, A 0.1, T 1")
+        return self.read(name)
+
+    def test_one_line_per_change(self):
+        rows = [line.split(",") for line in self.trace("t.csv").splitlines()]
+        changes = [(operand, value) for _, operand, value in rows]
+        self.assertEqual(changes[:2], [("E 0.0", "1"), ("A 0.0", "1")])
+        self.assertEqual(sorted(changes[2:]), [("A 0.1", "1"), ("T 1", "1")])
+        self.assertLess(float(rows[0][0]), 0.1)
+        self.assertAlmostEqual(float(rows[-1][0]), 2.0, delta=0.05)
+
+    def test_two_runs_are_the_same_byte_for_byte(self):
+        self.assertEqual(self.trace("1.csv"), self.trace("2.csv"))
+
+
+class RealTime(Case):
+    def start(self, *arguments):
+        self.write("a.awl", PROGRAM)
+        return subprocess.Popen([os.environ["MERKER"], "run", "a.awl", *arguments], cwd=self.folder, text=True,
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+
+    def end(self, process, number):
+        start = time.monotonic()
+        process.send_signal(number)
+        out, err = process.communicate(timeout=20)
+        # 1 s is the promise; the machine of a test may be busy
+        self.assertLess(time.monotonic() - start, 5)
+        self.assertEqual((process.returncode, err), (GOOD, ""))
+        return out
+
+    def test_ctrl_c_ends_it_and_prints(self):
+        for number in (signal.SIGINT, signal.SIGTERM):
+            process = self.start("--set", "E 0.0 = 1", "--json", "--print", "A 0.0")
+            time.sleep(0.6)
+            values = json.loads(self.end(process, number))
+            self.assertIs(values["A 0.0"], True)
+            self.assertGreater(values["seconds"], 0.05)
+            self.assertLess(values["seconds"], 20)
+
+    def test_a_fault_ends_it_at_once(self):
+        process = self.start("--set", "E 0.7 = 1")
+        process.communicate(timeout=20)
+        self.assertEqual(process.returncode, FAULT)

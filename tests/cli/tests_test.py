@@ -1,0 +1,117 @@
+import xml.etree.ElementTree
+
+from harness import *
+
+CHECKED = block("      L     32767\n      L     1\n      +I                 //= AKKU1 = W#16#8000, A1 = 0, A0 = 1, OV = 1, OS = 1\n      CALL  SFC 46")
+
+
+class Test(Case):
+    def last(self, call):
+        return call.lines[-1]
+
+    def test_a_self_checking_program(self):
+        self.write("a.awl", CHECKED)
+        self.assertEqual(self.last(self.expect(GOOD, "test", "a.awl")), "1 passed, 0 failed")
+
+    def test_a_failing_check_names_its_line(self):
+        self.write("a.awl", CHECKED.replace("W#16#8000", "W#16#7FFF"))
+        call = self.expect(PROBLEMS, "test", "a.awl")
+        self.assertEqual(self.last(call), "0 passed, 1 failed")
+        self.assertIn("a.awl:6:", call.out)
+        self.assertIn("AKKU1 = W#16#7FFF", call.out)
+        self.assertIn("8000", call.out)
+
+    def test_every_check_must_be_reached(self):
+        self.write("a.awl", block("      SPA   over\n      L     5   //= AKKU1 = 5\nover: CALL  SFC 46"))
+        call = self.expect(PROBLEMS, "test", "a.awl")
+        self.assertIn("a.awl:5:", call.out)
+
+    def test_a_fault_fails_also_when_all_checks_held(self):
+        self.write("a.awl", block("      L     W#16#FFFF   //= AKKU1 = W#16#FFFF\n      BTI"))
+        call = self.expect(PROBLEMS, "test", "a.awl")
+        self.assertIn("STOP", call.out)
+
+    def test_a_program_that_never_stops_is_judged_after_10_s(self):
+        self.write("a.awl", block("      L     5   //= AKKU1 = 5"))
+        self.assertEqual(self.last(self.expect(GOOD, "test", "a.awl")), "1 passed, 0 failed")
+
+    def test_checks_change_nothing_for_other_commands(self):
+        self.write("a.awl", CHECKED)
+        self.write("b.awl", CHECKED.split("//=")[0] + "\n      CALL  SFC 46\nEND_ORGANIZATION_BLOCK\n")
+        self.assertEqual(self.expect(GOOD, "list", "a.awl", "--code").out, self.expect(GOOD, "list", "b.awl", "--code").out)
+
+    def test_scenarios(self):
+        self.write("a.awl", PROGRAM)
+        self.write("a.scn", "scenario \"good\"\n  set E 0.0 = 1\n  expect A 0.1 = 1 within 2.1s\n\n"
+                            "scenario \"bad\"\n  wait 50ms\n  expect A 0.0 = 1   # E 0.0 is 0\n")
+        call = self.expect(PROBLEMS, "test", "a.scn")
+        self.assertEqual(self.last(call), "1 passed, 1 failed")
+        self.assertIn("ok      a.scn: good", call.lines)
+        self.assertIn("FAILED  a.scn: bad", call.lines)
+        self.assertRegex(call.out, r"a\.scn:7: at 0\.05\d* s: expected A 0\.0 = 1, A 0\.0 is 0")
+
+    def test_filter_picks_scenarios(self):
+        self.write("a.awl", PROGRAM)
+        self.write("a.scn", "scenario \"good one\"\n  wait 1s\nscenario \"bad one\"\n  expect A 0.0 = 1\n")
+        self.assertEqual(self.last(self.expect(GOOD, "test", "a.awl", "--filter", "Good")), "1 passed, 0 failed")
+        self.assertEqual(self.last(self.expect(GOOD, "test", "a.awl", "--filter", "nothing")), "0 passed, 0 failed")
+
+    def test_problems_of_a_scenario(self):
+        self.write("a.awl", PROGRAM)
+        self.write("a.scn", "  sett E 0.0 = 1\n  expect XY 5 = 1\n  plant oven.heat = 1\n")
+        call = self.expect(PROBLEMS, "test", "a.scn")
+        self.assertRegex(call.err, r"(?m)^a\.scn:1:3: error: .*\[P0950\]$")
+        self.assertRegex(call.err, r"(?m)^a\.scn:3:3: error: .*\[P0951\]$")
+        self.assertEqual(self.last(call), "0 passed, 1 failed")
+        self.write("a.scn", "  expect XY 5 = 1\n")
+        self.assertIn("a.scn:1:10: error:", self.expect(PROBLEMS, "test", "a.scn").err)
+
+    def test_a_source_that_does_not_compile_fails_its_tests(self):
+        self.write("a.awl", block("      FLY"))
+        self.write("a.scn", "scenario \"x\"\n  wait 1s\nscenario \"y\"\n  wait 1s\n")
+        call = self.expect(PROBLEMS, "test", "a.scn")
+        self.assertEqual(self.last(call), "0 passed, 2 failed")
+        self.assertIn("a.awl:4:", call.err)
+
+    def test_a_tree_of_programs(self):
+        self.write("t/p/merker.toml", "")
+        self.write("t/p/main.awl", PROGRAM)
+        self.write("t/p/tests/one.scn", "expect mode = RUN\n")
+        self.write("t/loose/a.awl", CHECKED)
+        self.write("t/loose/plain.awl", block("      NOP   0"))
+        self.write("t/loose/plain.scn", "wait 3 cycles\n")
+        self.assertEqual(self.last(self.expect(GOOD, "test", "t")), "3 passed, 0 failed")
+        self.assertEqual(self.last(self.expect(GOOD, "test", "t/p", "t/loose/a.awl")), "2 passed, 0 failed")
+
+    def test_two_runs_print_the_same(self):
+        self.write("a.awl", PROGRAM)
+        self.write("a.scn", "set E 0.0 = 1\nexpect A 0.1 = 1 within 3s\nexpect MW 20 = 0\n")
+        self.assertEqual(self.merker("test", "a.scn").out, self.merker("test", "a.scn").out)
+
+
+class Reports(Case):
+    def setUp(self):
+        super().setUp()
+        self.write("a.awl", PROGRAM)
+        self.write("a.scn", "scenario \"good\"\n  wait 1s\nscenario \"bad <1>\"\n  expect A 0.0 = 1\n")
+
+    def test_junit(self):
+        self.expect(PROBLEMS, "test", "a.scn", "--junit", "r.xml")
+        root = xml.etree.ElementTree.parse(self.folder / "r.xml").getroot()
+        self.assertEqual((root.get("tests"), root.get("failures")), ("2", "1"))
+        cases = root.findall("./testsuite/testcase")
+        self.assertEqual([case.get("name") for case in cases], ["good", "bad <1>"])
+        self.assertIn("expected A 0.0 = 1", cases[1].find("failure").get("message"))
+
+    def test_coverage(self):
+        self.expect(PROBLEMS, "test", "a.scn", "--coverage", "c.info")
+        text = self.read("c.info")
+        counts = dict(line[3:].split(",") for line in text.splitlines() if line.startswith("DA:"))
+        self.assertIn("SF:a.awl", text)
+        self.assertGreater(int(counts["6"]), 0)
+        self.assertEqual((counts["17"], counts["18"]), ("0", "0"))
+
+    def test_json(self):
+        results = self.expect(PROBLEMS, "test", "a.scn", "--json").json
+        self.assertEqual((results["passed"], results["failed"]), (1, 1))
+        self.assertEqual(results["results"][1]["failures"][0]["line"], 4)
