@@ -35,54 +35,82 @@ constexpr std::array kRows{
 #include "mc7/encodings.inc"
 #undef ENCODING
 };
-constexpr std::size_t kRowCount = kRows.size();
 
-// Row numbers grouped by a key, in the order of the rows within a group.
+// What decides whether a row comes into question, small enough to look through quickly: a key of
+// the code or of the operand, of which the bits of the mask count.
+struct Entry {
+  std::uint16_t row = 0, mask = 0, bits = 0;
+};
+
+// Rows grouped by first byte or by operation, in the order of the table within a group.
 template <std::size_t Groups, std::size_t Entries>
 struct Index {
   std::array<std::uint16_t, Groups + 1> start{};
-  std::array<std::uint16_t, Entries> row{};
+  std::array<Entry, Entries> entries{};
 
-  std::span<const std::uint16_t> rows(std::size_t group) const {
-    return std::span{row}.subspan(start[group],
-                                  static_cast<std::size_t>(start[group + 1] - start[group]));
+  std::span<const Entry> group(std::size_t number) const {
+    return std::span{entries}.subspan(start[number],
+                                      static_cast<std::size_t>(start[number + 1] - start[number]));
   }
 };
 
-constexpr bool beginsWith(const Encoding& row, unsigned firstByte) {
-  return ((std::uint64_t{firstByte} << 40 ^ row.bits) & row.mask & 0xFF0000000000) == 0;
-}
-constexpr bool belongsTo(const Encoding& row, unsigned operation) {
-  return static_cast<unsigned>(row.operation) == operation;
+// Decoding: groups are first bytes, the key is the first word.
+struct ByFirstByte {
+  static constexpr std::size_t kGroups = 256;
+  static constexpr bool fits(const Encoding& row, std::size_t firstByte) {
+    return ((std::uint64_t{firstByte} << 40 ^ row.bits) & row.mask & 0xFF0000000000) == 0;
+  }
+  static constexpr Entry entry(std::size_t number, const Encoding& row) {
+    return {static_cast<std::uint16_t>(number), static_cast<std::uint16_t>(row.mask >> 32),
+            static_cast<std::uint16_t>(row.bits >> 32)};
+  }
+};
+
+// What no field changes: kind (5 bits), width (2), format of a constant (5), kind of a block (4).
+constexpr std::uint16_t operandKey(const Operand& operand) {
+  return static_cast<std::uint16_t>(static_cast<unsigned>(operand.kind) << 11 |
+                                    static_cast<unsigned>(operand.width) << 9 |
+                                    static_cast<unsigned>(operand.format) << 4 |
+                                    (static_cast<unsigned>(operand.blockKind) & 0xF));
 }
 
-template <std::size_t Groups>
-constexpr std::size_t countEntries(bool (*fits)(const Encoding&, unsigned)) {
+// Encoding: groups are operations, the key is what no field of a pattern changes.
+struct ByOperation {
+  static constexpr std::size_t kGroups = 0
+#define OPERATION(...) +1
+#include "mc7/operations.inc"
+#undef OPERATION
+      ;
+  static constexpr bool fits(const Encoding& row, std::size_t operation) {
+    return static_cast<std::size_t>(row.operation) == operation;
+  }
+  static constexpr Entry entry(std::size_t number, const Encoding& row) {
+    return {static_cast<std::uint16_t>(number), 0xFFFF, operandKey(row.operand)};
+  }
+};
+
+template <typename Grouping>
+constexpr std::size_t countEntries() {
   std::size_t count = 0;
-  for (unsigned group = 0; group < Groups; ++group)
-    for (const Encoding& row : kRows) count += fits(row, group) ? 1 : 0;
+  for (std::size_t group = 0; group < Grouping::kGroups; ++group)
+    for (const Encoding& row : kRows) count += Grouping::fits(row, group) ? 1 : 0;
   return count;
 }
 
-template <std::size_t Groups, std::size_t Entries>
-constexpr Index<Groups, Entries> makeIndex(bool (*fits)(const Encoding&, unsigned)) {
-  Index<Groups, Entries> index;
+template <typename Grouping>
+constexpr auto makeIndex() {
+  Index<Grouping::kGroups, countEntries<Grouping>()> index;
   std::size_t next = 0;
-  for (unsigned group = 0; group < Groups; ++group) {
-    for (std::size_t i = 0; i < kRowCount; ++i)
-      if (fits(kRows[i], group)) index.row[next++] = static_cast<std::uint16_t>(i);
+  for (std::size_t group = 0; group < Grouping::kGroups; ++group) {
+    for (std::size_t i = 0; i < kRows.size(); ++i)
+      if (Grouping::fits(kRows[i], group)) index.entries[next++] = Grouping::entry(i, kRows[i]);
     index.start[group + 1] = static_cast<std::uint16_t>(next);
   }
   return index;
 }
 
-constexpr std::size_t kOperations = 0
-#define OPERATION(...) +1
-#include "mc7/operations.inc"
-#undef OPERATION
-    ;
-constexpr auto kByFirstByte = makeIndex<256, countEntries<256>(beginsWith)>(beginsWith);
-constexpr auto kByOperation = makeIndex<kOperations, kRowCount>(belongsTo);
+constexpr auto kByFirstByte = makeIndex<ByFirstByte>();
+constexpr auto kByOperation = makeIndex<ByOperation>();
 
 std::uint32_t fieldMask(const Field& field) {
   return static_cast<std::uint32_t>((std::uint64_t{1} << field.bits) - 1);
@@ -114,7 +142,7 @@ std::optional<Operand> decodeOperand(const Encoding& row, std::uint64_t code) {
 }
 
 std::optional<std::uint64_t> encodeOperand(const Encoding& row, const Operand& operand) {
-  if (operand.kind != row.operand.kind || operand.width != row.operand.width) return std::nullopt;
+  if (operandKey(operand) != operandKey(row.operand)) return std::nullopt;
   std::uint64_t code = row.bits;
   for (unsigned i = 0; i < row.fieldCount; ++i) {
     const Field& field = row.fields[i];
@@ -136,16 +164,19 @@ bool encode(const Encoding& row, const Operand& operand, std::vector<std::uint8_
 }
 
 bool encode(const Instruction& instruction, std::vector<std::uint8_t>& out) {
-  for (const std::uint16_t i : kByOperation.rows(static_cast<std::size_t>(instruction.operation)))
-    if (encode(kRows[i], instruction.operand, out)) return true;
+  const std::uint16_t key = operandKey(instruction.operand);
+  for (const Entry& entry : kByOperation.group(static_cast<std::size_t>(instruction.operation)))
+    if (entry.bits == key && encode(kRows[entry.row], instruction.operand, out)) return true;
   return false;
 }
 
 std::optional<Decoded> decode(std::span<const std::uint8_t> code) {
   if (code.size() < 2) return std::nullopt;
   const std::uint64_t bits = fetch(code);
-  for (const std::uint16_t i : kByFirstByte.rows(code[0])) {
-    const Encoding& row = kRows[i];
+  const auto firstWord = static_cast<std::uint16_t>(bits >> 32);
+  for (const Entry& entry : kByFirstByte.group(code[0])) {
+    if ((firstWord & entry.mask) != entry.bits) continue;
+    const Encoding& row = kRows[entry.row];
     if (row.length > code.size()) continue;
     if (const auto operand = decodeOperand(row, bits))
       return Decoded{{row.operation, *operand}, &row, row.length};
