@@ -10,7 +10,6 @@
 #include "operands.h"
 #include "progress.h"
 #include "real_time.h"
-#include "simulator/comparison.h"
 #include "simulator/display.h"
 #include "simulator/duration.h"
 #include "simulator/trace.h"
@@ -37,11 +36,10 @@ int wrongUsage(const std::string& text) {
 
 // Before the first cycle: after the restart, which clears what is not retentive (S7-STATE-09).
 bool applySet(const std::vector<simulator::Assignment>& assignments, station::Station& station) {
-  const simulator::Reader read = [&](const mc7::Reference& r) { return station.read(r); };
-  for (const auto& [operand, term] : assignments) {
-    const auto bits = simulator::value(term, operand, read);
-    if (bits && station.write(operand.reference, *bits)) continue;
-    std::cerr << "merker run: --set: " << operand.text << " cannot be set\n";
+  for (const simulator::Assignment& assignment : assignments) {
+    const std::string reason = simulator::apply(assignment, false, station);
+    if (reason.empty()) continue;
+    std::cerr << "merker run: --set: " << reason << '\n';
     return false;
   }
   return true;

@@ -121,16 +121,9 @@ bool Runner::perform(const Step& step) {
 }
 
 bool Runner::set(const Step& step) {
-  for (const auto& [operand, term] : step.assignments) {
-    const auto bits = value(term, operand, read_);
-    const bool done =
-        bits && (step.kind == StepKind::Force ? station_.force(operand.reference, *bits)
-                                              : station_.write(operand.reference, *bits));
-    if (!done)
-      return fail(operand.position,
-                  fmt::format("{} cannot be {}: {}", operand.text,
-                              step.kind == StepKind::Force ? "forced" : "set",
-                              bits ? "there is no such place" : term.text + " does not exist"));
+  for (const Assignment& assignment : step.assignments) {
+    const std::string reason = apply(assignment, step.kind == StepKind::Force, station_);
+    if (!reason.empty()) return fail(assignment.operand.position, reason);
   }
   return true;
 }

@@ -1,0 +1,32 @@
+// Sets operands from outside the program.
+#include <fmt/format.h>
+
+#include "base/bcd.h"
+#include "simulator/comparison.h"
+#include "simulator/scenario.h"
+
+namespace merker::simulator {
+namespace {
+
+// A counter takes its count in BCD (C#); a plain number means the count.
+std::uint32_t coded(const Assignment& assignment, std::uint32_t bits) {
+  const bool counter = assignment.operand.reference.operand.kind == mc7::OperandKind::Counter;
+  const auto& constant = assignment.value.constant;
+  const bool number = !constant || constant->format != ConstantFormat::Counter;
+  return counter && number && bits <= 999 ? toBcd(bits, 3) : bits;
+}
+
+}  // namespace
+
+std::string apply(const Assignment& assignment, bool force, station::Station& station) {
+  const auto& [operand, term] = assignment;
+  const Reader read = [&](const mc7::Reference& reference) { return station.read(reference); };
+  const auto bits = value(term, operand, read);
+  if (!bits) return fmt::format("{} does not exist", term.text);
+  const std::uint32_t value = coded(assignment, *bits);
+  if (force ? station.force(operand.reference, value) : station.write(operand.reference, value))
+    return {};
+  return fmt::format("{} cannot be {}", operand.text, force ? "forced" : "set");
+}
+
+}  // namespace merker::simulator
