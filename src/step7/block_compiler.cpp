@@ -209,7 +209,7 @@ void BlockCompiler::labelDefinition(std::string_view word, std::size_t begin) {
   const Position position = at(begin, begin + word.size());
   if (characterCount(word) > 4) problems_.add(ProblemCode::P0332, position, std::string(word));
   if (!brackets_.empty()) problems_.add(ProblemCode::P0333, position, std::string(word));  // S7-BRACKET-03
-  builder_->label(upper(word), position, problems_);
+  builder_->label(std::string(word), position, problems_);  // labels keep their case
 }
 
 bool BlockCompiler::networkHeader(std::string_view word) {
@@ -260,8 +260,11 @@ void BlockCompiler::instruction(const std::string& name, std::size_t begin) {
   else
     operate(*operation, begin, name);
   any_ = true;
+  const bool bracket = *operation >= Operation::AND_OPEN && *operation <= Operation::XOR_NOT_OPEN;
   if (problems_.size() != before)
     skipStatement();
+  else if (bracket)
+    cursor_.accept(';');  // U( O E 0.0 may stand on one line
   else
     endOfStatement();
 }
@@ -277,7 +280,7 @@ void BlockCompiler::jump(Operation operation, std::size_t begin) {
   ended_ = false;
   cursor_.skipBlanks();
   const std::size_t labelBegin = cursor_.pos();
-  const std::string label = upper(cursor_.word());
+  const std::string label(cursor_.word());
   if (label.empty()) {
     problems_.add(ProblemCode::P0335, at(begin, cursor_.pos()));
     return;
@@ -334,7 +337,7 @@ void BlockCompiler::operate(Operation operation, std::size_t begin, const std::s
     if (!emit(operation)) problems_.add(ProblemCode::P0316, at(begin, cursor_.pos()));
     return;
   } else if (operation >= Operation::AND_OPEN && operation <= Operation::AND_BEFORE_OR) {
-    return (void)emit(operation);  // U( O E 0.0 on one line
+    return (void)emit(operation);
   }
   auto operandAccess = operand();
   if (!operandAccess) return;

@@ -119,6 +119,7 @@ std::vector<BlockSource> BlockSplitter::split() {
 void BlockSplitter::block(const Frame& frame, std::size_t begin) {
   BlockSource source;
   source.file = &file_;
+  source.id.kind = frame.kinds[0];
   source.codeBegin = source.codeEnd = begin;
   const std::size_t before = problems_.size();
   const bool named = blockName(frame, source);
@@ -167,14 +168,25 @@ std::string BlockSplitter::headerValue() {
   return std::string(text);
 }
 
-void BlockSplitter::header(BlockSource& source) {
+// The comment lines behind the title are the block's comment.
+void BlockSplitter::blockComment(BlockSource& source) {
   for (;;) {
     cursor_.skipBlanks();
-    if (cursor_.peek() == '/' && cursor_.peek(1) == '/' && !source.attributes.title.empty()) {
+    if (cursor_.peek() == '\n' || cursor_.peek() == '\r') {
+      cursor_.take();
+    } else if (cursor_.peek() == '/' && cursor_.peek(1) == '/' && !source.attributes.title.empty()) {
       cursor_.seek(cursor_.pos() + 2);
       if (!source.attributes.comment.empty()) source.attributes.comment += '\n';
       source.attributes.comment += restOfLine();
+    } else {
+      return;
     }
+  }
+}
+
+void BlockSplitter::header(BlockSource& source) {
+  for (;;) {
+    blockComment(source);
     cursor_.skipSpace();
     if (cursor_.peek() == '{') {
       DeclarationParser parser(cursor_, file_, problems_);

@@ -45,6 +45,7 @@ class BlockSplitter {
   void block(const Frame& frame, std::size_t begin);
   bool blockName(const Frame& frame, BlockSource& block);
   void header(BlockSource& block);
+  void blockComment(BlockSource& block);
   bool headerLine(BlockSource& block);
   void declarations(const Frame& frame, BlockSource& block);
   void declarationSection(BlockSource& block, block::Section section, std::size_t begin);

@@ -1,6 +1,9 @@
 #include "step7/check_comment.h"
 
+#include <cstdint>
+
 #include "base/text.h"
+#include "step7/declaration.h"
 
 namespace merker::step7 {
 namespace {
@@ -121,10 +124,25 @@ class TermParser {
     return false;
   }
 
+  // A plain number may be larger than an INT: 40000 is what the accumulator shows.
+  bool plainNumber(Side& side) {
+    const std::size_t start = cursor_.pos();
+    const auto value = readInteger(cursor_);
+    const char next = cursor_.peek();
+    const bool whole = value && !isWordChar(next) && next != '#' && next != '.' && next != ':';
+    if (!whole || (*value >= -32768 && *value <= 32767) || *value < INT32_MIN || *value > UINT32_MAX) {
+      cursor_.seek(start);
+      return false;
+    }
+    side.value.constant = static_cast<std::uint32_t>(*value);
+    side.format = ConstantFormat::LongInteger;
+    return true;
+  }
+
   std::optional<Side> side() {
     Side result;
     cursor_.skipBlanks();
-    if (registerWord(result)) return result;
+    if (registerWord(result) || plainNumber(result)) return result;
     std::uint32_t localTop = 0;
     OperandParser parser(cursor_, scope_, problems_, localTop);
     parser.setParameterCopies(&copies_);

@@ -6,7 +6,6 @@
 #include "base/bytes.h"
 #include "base/text.h"
 #include "step7/declaration.h"
-#include "step7/path.h"
 
 namespace merker::step7 {
 namespace {
@@ -152,7 +151,7 @@ class InitialReader {
 
   bool array(const block::Type& type, std::vector<std::uint8_t>& image) {
     std::size_t next = 0;
-    return list(type, elementAddresses(type), next, image);
+    return list(type, block::elementOffsets(type), next, image);
   }
 
   bool list(const block::Type& type, const std::vector<BitAddress>& places, std::size_t& next,

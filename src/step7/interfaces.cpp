@@ -171,14 +171,6 @@ block::TypePtr Interfaces::blockType(const BlockSource& source, const TypeSyntax
   return block::elementaryType(TypeCode::Bool);
 }
 
-// Composite in/out parameters of an FB are held as a POINTER (S7-PAR-03).
-static block::TypePtr heldAs(const block::Variable& variable) {
-  const TypeCode code = variable.type->code;
-  const bool composite = code == TypeCode::Array || code == TypeCode::Struct || code == TypeCode::String ||
-                         code == TypeCode::DateAndTime;
-  return variable.section == Section::InOut && composite ? block::elementaryType(TypeCode::Pointer) : variable.type;
-}
-
 block::TypePtr Interfaces::instanceType(BlockId id) {
   if (const auto known = instanceTypes_.find(id); known != instanceTypes_.end()) return known->second;
   const block::Block* fb = find(id);
@@ -231,15 +223,8 @@ void Interfaces::layOutSections(BlockSource& source, block::Block& result) {
   std::vector<block::Variable> parameters, temps;
   for (block::Variable& variable : result.variables)
     (variable.section == Section::Temp ? temps : parameters).push_back(std::move(variable));
-  // In its frame, a composite in/out parameter of an FB takes the place of its pointer.
-  std::vector<block::TypePtr> types;
   const bool instance = source.id.kind == BlockKind::FB || source.id.kind == BlockKind::SFB;
-  for (block::Variable& variable : parameters) {
-    types.push_back(variable.type);
-    if (instance) variable.type = heldAs(variable);
-  }
   result.instanceBytes = block::layOut(parameters, 0, true) / 8;
-  for (std::size_t i = 0; i < parameters.size(); ++i) parameters[i].type = types[i];
   BitAddress start = 0;
   BitAddress end = block::layOut(temps, start, true);
   if (source.id.kind == BlockKind::OB) {
@@ -295,11 +280,8 @@ void Interfaces::resolveData(BlockSource& source, block::Block& result) {
 void Interfaces::dataBlockOf(BlockSource& source, const block::Type& type, block::Block& result) {
   result.variables = type.members;
   result.initialData.assign(block::sizeInBytes(type), 0);
-  for (const block::Variable& member : type.members) {
-    block::Variable held = member;
-    if (result.instanceOf >= 0) held.type = heldAs(member);
-    block::writeInitial(held, held.address, result.initialData);
-  }
+  for (const block::Variable& member : type.members)
+    block::writeInitial(member, member.address, result.initialData);
   result.actualData = result.initialData;
   if (result.actualData.size() > options_.model->dataBlockSize)  // S7-CPU-08
     problems_.add(ProblemCode::P0503, at(source, source.name.begin, source.name.end), toString(source.id),
@@ -350,7 +332,7 @@ void Interfaces::assignments(BlockSource& source, const std::vector<block::Varia
       if (cursor.take() != '\'') continue;
       while (!cursor.atEnd() && cursor.peek() != '\n' && cursor.take() != '\'') continue;
     }
-    if (result.instanceOf >= 0 && heldAs(*variable) != variable->type) {  // a POINTER that the call sets
+    if (block::isStoredAsPointer(*variable)) {  // a POINTER that the call sets
       problems_.add(ProblemCode::P0424, at(source, begin, cursor.pos()), std::string(name));
       continue;
     }

@@ -59,7 +59,7 @@ Result<mc7::Instruction> withOperand(Cursor& cursor, Operation operation, const 
       return problem;
     }
     operand = access->operand;
-    if (operand.kind == OperandKind::Constant) operand = fittedConstant(operation, operand, at, problems);
+    if (operand.kind == OperandKind::Constant) operand = fittedConstant(operation, operand, at, problems, Limits::OfCode);
     if (problems.hasErrors()) return problems.list().front();
   }
   if (operand.kind == OperandKind::StatusWord)

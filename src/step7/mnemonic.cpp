@@ -64,9 +64,12 @@ bool worksWithoutOperand(Operation operation) {
 bool isJump(Operation operation) { return operation >= Operation::SPA && operation <= Operation::LOOP; }
 
 // Some operations know a constant only in one notation: SLW 4, UW W#16#F0F0, + L#5, BLD 7.
-Operand fittedConstant(Operation operation, Operand operand, const Position& place, Problems& problems) {
+Operand fittedConstant(Operation operation, Operand operand, const Position& place, Problems& problems,
+                       Limits limits) {
   const unsigned width = bitWidth(operand.format);
   const auto count = [&](std::uint32_t highest) {
+    if (limits == Limits::OfCode && operand.format == ConstantFormat::Integer)
+      return mc7::number(OperandKind::ShiftCount, operand.value);
     if (operand.format != ConstantFormat::Integer || operand.value > highest)
       problems.add(ProblemCode::P0342, place, mc7::info(operation).de, highest);
     return mc7::number(OperandKind::ShiftCount, std::min(operand.value, highest));
@@ -98,6 +101,10 @@ Operand fittedConstant(Operation operation, Operand operand, const Position& pla
       return operand;
     case Operation::ADD_CONSTANT:
       operand.format = width > 16 ? ConstantFormat::LongInteger : ConstantFormat::Integer;
+      return operand;
+    case Operation::LAR1:
+    case Operation::LAR2:  // a pointer that cannot exist shows as DW#16#
+      if (limits == Limits::OfCode) operand.format = ConstantFormat::Pointer;
       return operand;
     case Operation::ADD_AR1:
     case Operation::ADD_AR2:

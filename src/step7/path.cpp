@@ -5,28 +5,6 @@
 
 namespace merker::step7 {
 
-BitAddress elementStride(const block::Type& array, std::size_t dimension) {
-  if (dimension + 1 < array.dimensions.size()) {
-    const auto rest = array.dimensions.begin() + static_cast<std::ptrdiff_t>(dimension) + 1;
-    return block::sizeInBits(*block::arrayType({rest, array.dimensions.end()}, array.element));
-  }
-  const BitAddress bits = block::sizeInBits(*array.element);
-  return block::beginsAtWord(*array.element) ? (bits + 15) / 16 * 16 : bits;
-}
-
-std::vector<BitAddress> elementAddresses(const block::Type& array) {
-  std::vector<BitAddress> result{0};
-  for (std::size_t d = 0; d < array.dimensions.size(); ++d) {
-    const BitAddress stride = elementStride(array, d);
-    std::vector<BitAddress> next;
-    next.reserve(result.size() * array.dimensions[d].count());
-    for (const BitAddress base : result)
-      for (std::uint32_t i = 0; i < array.dimensions[d].count(); ++i) next.push_back(base + i * stride);
-    result = std::move(next);
-  }
-  return result;
-}
-
 const block::Variable* findMember(const std::vector<block::Variable>& members, std::string_view name) {
   for (const block::Variable& member : members)
     if (equalsIgnoreCase(member.name, name)) return &member;
@@ -44,25 +22,25 @@ bool followIndex(Cursor& cursor, Place& place, const source::SourceFile& file, P
     problems.add(ProblemCode::P0416, here(), block::toString(array));
     return false;
   }
-  std::size_t dimension = 0;
+  std::vector<std::int32_t> indices;
   do {
     const auto index = readInteger(cursor);
-    if (!index || dimension >= array.dimensions.size()) {
+    if (!index || indices.size() >= array.dimensions.size()) {
       problems.add(index ? ProblemCode::P0417 : ProblemCode::P0418, here(), array.dimensions.size());
       return false;
     }
-    const block::Dimension& range = array.dimensions[dimension];
+    const block::Dimension& range = array.dimensions[indices.size()];
     if (*index < range.low || *index > range.high) {
       problems.add(ProblemCode::P0419, here(), *index, range.low, range.high);
       return false;
     }
-    place.address += static_cast<BitAddress>(*index - range.low) * elementStride(array, dimension);
-    ++dimension;
+    indices.push_back(static_cast<std::int32_t>(*index));
   } while (cursor.accept(','));
-  if (!cursor.accept(']') || dimension != array.dimensions.size()) {
+  if (!cursor.accept(']') || indices.size() != array.dimensions.size()) {
     problems.add(ProblemCode::P0417, here(), array.dimensions.size());
     return false;
   }
+  place.address += block::elementOffset(array, indices);
   place.type = array.element;
   return true;
 }

@@ -14,11 +14,6 @@ struct Place {
   BitAddress address = 0;
 };
 
-// Bits from one index of dimension `dimension` to the next.
-BitAddress elementStride(const block::Type& array, std::size_t dimension);
-// Addresses of all elements, the last index running fastest.
-std::vector<BitAddress> elementAddresses(const block::Type& array);
-
 // Follows .member and [i] from `place` as long as they stand at the cursor. False after a problem.
 bool followPath(Cursor& cursor, Place& place, const source::SourceFile& file, Problems& problems);
 
