@@ -1,9 +1,20 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds, and runs every test. The last line is "N passed, N failed", the sum of all parts;
 # the exit code is 1 if anything failed.
+#
+#   ./test.sh              all tests, the stored inputs of the fuzzers among them
+#   ./test.sh --fuzz 60    then 60 seconds of new inputs for each fuzzer (clang)
 set -u
 cd "$(dirname "${BASH_SOURCE[0]}")" || exit 1
 . tools/packages.sh
+
+fuzz_seconds=0
+if [ "${1:-}" = --fuzz ] && [[ "${2:-}" =~ ^[0-9]+$ ]]; then
+  fuzz_seconds=$2
+elif [ $# -gt 0 ]; then
+  echo "usage: ./test.sh [--fuzz SECONDS]" >&2
+  exit 2
+fi
 
 jobs=$(nproc)
 passed=0
@@ -59,18 +70,18 @@ counted() {  # counted NAME COMMAND...
   if [ "$code" -ne 0 ] && [ "$2" -eq 0 ]; then count 0 1 "$name: exit code $code"; fi
 }
 
-# Every stored input once through its fuzzer, and some new ones that are the same every time.
-fuzz_corpus() {
+# New inputs, beginning with the stored ones.
+fuzz() {
   local program name corpus
+  need_packages $FUZZ_PACKAGES || { count 0 1 "fuzzers: packages"; return 1; }
   step "fuzzers: build" build fuzz || return 1
   for program in build/fuzz/fuzz/fuzz_*; do
     [ -f "$program" ] && [ -x "$program" ] || continue
     name=$(basename "$program")
     say "$name"
     corpus=$(mktemp -d)
-    [ ! -d "tests/corpus/${name#fuzz_}" ] || cp -r "tests/corpus/${name#fuzz_}/." "$corpus"
-    if "$program" -seed=1 -runs=10000 -max_total_time=30 -timeout=10 -artifact_prefix="build/fuzz/" "$corpus" \
-        >"build/fuzz/$name.log" 2>&1; then
+    if "$program" -max_total_time="$fuzz_seconds" -timeout=10 -artifact_prefix=build/fuzz/ "$corpus" \
+        "tests/corpus/${name#fuzz_}" >"build/fuzz/$name.log" 2>&1; then
       tail -n 1 "build/fuzz/$name.log"
       count 1 0 "$name"
     else
@@ -87,15 +98,13 @@ mkdir -p build
 
 step "format" tools/format --check
 if step "release build" build release; then
-  run_ctest "release tests, architecture and documents" release
+  run_ctest "release: unit tests, architecture, documents, stored fuzzer inputs, command line" release
   counted "examples and conformance programs" build/release/merker test examples tests/conformance
 fi
 if step "debug build with sanitizers" build debug; then
-  run_ctest "debug tests with sanitizers" debug
+  run_ctest "debug with sanitizers: the same" debug
 fi
-if [ -f fuzz/CMakeLists.txt ]; then
-  fuzz_corpus
-fi
+[ "$fuzz_seconds" -eq 0 ] || fuzz
 
 say "done"
 [ ${#failures[@]} -eq 0 ] || printf 'failed: %s\n' "${failures[@]}"

@@ -3,7 +3,8 @@
 
 BUILD_PACKAGES="g++ cmake ninja-build python3 libfmt-dev libcli11-dev nlohmann-json3-dev libtomlplusplus-dev
   libgtest-dev librapidcheck-dev"
-CHECK_PACKAGES="clang-format clang libclang-rt-14-dev"
+CHECK_PACKAGES="clang-format"
+FUZZ_PACKAGES="clang libclang-rt-14-dev"
 
 installed() {
   [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
