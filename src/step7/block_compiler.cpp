@@ -327,6 +327,15 @@ void BlockCompiler::structure(Operation operation, std::size_t begin) {
     problems_.add(ProblemCode::P0339, at(begin, cursor_.pos()), mc7::info(operation).de, scope_.model().name);
 }
 
+// The variables of an FB are reached through DI and AR2 (S7-IND-10).
+void BlockCompiler::checkInstanceRegisters(Operation operation, const Access* access, std::size_t begin) {
+  if (target_.id.kind != BlockKind::FB || target_.instanceBytes == 0) return;
+  const bool opensInstance = operation == Operation::OPEN && access && access->operand.reg == 1;
+  if (opensInstance || operation == Operation::LAR2 || operation == Operation::ADD_AR2 || operation == Operation::TAR ||
+      operation == Operation::SWAP_DB)
+    problems_.add(ProblemCode::P0347, at(begin, cursor_.pos()), opensInstance || operation == Operation::SWAP_DB ? "DI" : "AR2");
+}
+
 void BlockCompiler::operate(Operation operation, std::size_t begin, const std::string& name) {
   structure(operation, begin);
   ended_ = operation == Operation::BE;
@@ -334,6 +343,7 @@ void BlockCompiler::operate(Operation operation, std::size_t begin, const std::s
     cursor_.skipSpace();  // the operand may stand on the next line
   } else if (cursor_.atStatementEnd()) {
     if (operation == Operation::OR) operation = Operation::AND_BEFORE_OR;
+    checkInstanceRegisters(operation, nullptr, begin);
     if (!emit(operation)) problems_.add(ProblemCode::P0316, at(begin, cursor_.pos()));
     return;
   } else if (operation >= Operation::AND_OPEN && operation <= Operation::AND_BEFORE_OR) {
@@ -342,6 +352,7 @@ void BlockCompiler::operate(Operation operation, std::size_t begin, const std::s
   auto operandAccess = operand();
   if (!operandAccess) return;
   Access& access = *operandAccess;
+  checkInstanceRegisters(operation, &access, begin);
   if (operation == Operation::LOAD && access.operand.kind == OperandKind::StatusWord) operation = Operation::LOAD_STW;
   if (operation == Operation::TRANSFER && access.operand.kind == OperandKind::StatusWord)
     operation = Operation::TRANSFER_STW;

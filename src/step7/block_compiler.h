@@ -51,6 +51,7 @@ class BlockCompiler {
   void checkCallWithoutParameters(mc7::Operation operation, const Access& access);
   bool checkDirection(mc7::Operation operation, const Access& access, const std::string& mnemonic);
   void structure(mc7::Operation operation, std::size_t begin);
+  void checkInstanceRegisters(mc7::Operation operation, const Access* access, std::size_t begin);
   void endOfNetwork();
   void endOfStatement();
   void checks();

@@ -332,8 +332,7 @@ void BlockSplitter::code(const Frame& frame, BlockSource& source) {
       bool next = upper(word).starts_with("END_");
       for (const std::string_view keyword : kBegins) next = next || equalsIgnoreCase(word, keyword);
       if (next && (cursor_.atStatementEnd() || !upper(word).starts_with("END_"))) {
-        problems_.add(ProblemCode::P0310, at(source.name.begin, source.name.end),
-                      toString(source.id), frame.end);
+        problems_.add(ProblemCode::P0310, at(begin, cursor_.pos()), toString(source.id), frame.end);
         source.codeEnd = begin;
         source.faulty = true;
         if (!upper(word).starts_with("END_")) cursor_.seek(begin);

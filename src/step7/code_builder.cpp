@@ -1,6 +1,7 @@
 #include "step7/code_builder.h"
 
 #include "base/bytes.h"
+#include "mc7/disassembly.h"
 
 namespace merker::step7 {
 
@@ -85,6 +86,7 @@ void CodeBuilder::prepend(const std::vector<std::uint8_t>& prologue) {
 }
 
 void CodeBuilder::moveInto(block::Block& block) {
+  block.jumps = mc7::jumpPositions(code_);
   block.code = std::move(code_);
   block.lines = std::move(lines_);
   block.networks = std::move(networks_);

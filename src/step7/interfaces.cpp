@@ -88,6 +88,7 @@ block::Variable Interfaces::variable(const BlockSource& source, const VariableSy
   if (characterCount(syntax.name) > 24)  // S7-SRC-10
     problems_.add(ProblemCode::P0423, result.position, syntax.name);
   result.type = type(source, syntax.type, syntax.section);
+  if (syntax.section == Section::InOut) checkNoInitials(source, syntax.type);
   if (syntax.initialEnd > syntax.initialBegin) {
     checkInitial(source, syntax);
     if (const auto bytes = readInitialValue(*result.type, *source.file, syntax.initialBegin, syntax.initialEnd,
@@ -105,6 +106,15 @@ void Interfaces::checkInitial(const BlockSource& source, const VariableSyntax& v
   const bool composite = variable.section == Section::InOut && variable.type.kind != TypeSyntax::Kind::Elementary;
   if (variable.section != Section::Temp && !ofFunction && !composite) return;
   problems_.add(ProblemCode::P0424, at(source, variable.initialBegin, variable.initialEnd), variable.name);
+}
+
+void Interfaces::checkNoInitials(const BlockSource& source, const TypeSyntax& type) {
+  for (const VariableSyntax& member : type.members) {
+    if (member.initialEnd > member.initialBegin)
+      problems_.add(ProblemCode::P0424, at(source, member.initialBegin, member.initialEnd), member.name);
+    checkNoInitials(source, member.type);
+  }
+  if (type.element) checkNoInitials(source, *type.element);
 }
 
 block::TypePtr Interfaces::structure(const BlockSource& source, const TypeSyntax& syntax) {

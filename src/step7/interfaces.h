@@ -39,6 +39,7 @@ class Interfaces {
   void dataBlockOf(BlockSource& source, const block::Type& type, block::Block& result);
   void assignments(BlockSource& source, const std::vector<block::Variable>& variables, block::Block& result);
   void checkInitial(const BlockSource& source, const VariableSyntax& variable);
+  void checkNoInitials(const BlockSource& source, const TypeSyntax& type);
   block::TypePtr type(const BlockSource& source, const TypeSyntax& syntax, block::Section section);
   block::TypePtr blockType(const BlockSource& source, const TypeSyntax& syntax, BlockId id, block::Section section);
   block::TypePtr structure(const BlockSource& source, const TypeSyntax& syntax);

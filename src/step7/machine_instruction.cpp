@@ -75,6 +75,7 @@ Result<mc7::Instruction> parseWith(std::string_view text, const Position& at, Mn
   Scope scope;
   scope.file = &file;
   scope.anyMnemonics = true;
+  scope.limits = Limits::OfCode;
   scope.options = &options;
   Cursor cursor(file.text(), 0, file.text().size());
   cursor.skipSpace();

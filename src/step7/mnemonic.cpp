@@ -108,7 +108,7 @@ Operand fittedConstant(Operation operation, Operand operand, const Position& pla
       return operand;
     case Operation::ADD_AR1:
     case Operation::ADD_AR2:
-      if (operand.format != ConstantFormat::Pointer || operand.value > 0xFFFF)
+      if (operand.format != ConstantFormat::Pointer || operand.value > (limits == Limits::OfLanguage ? 0x7FFFu : 0xFFFFu))
         problems.add(ProblemCode::P0322, place);
       return mc7::number(OperandKind::Pointer, operand.value & 0xFFFF);
     default: return operand;

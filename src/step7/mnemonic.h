@@ -7,6 +7,7 @@
 #include "mc7/instruction.h"
 #include "step7/block_source.h"
 #include "step7/cursor.h"
+#include "step7/operand_parser.h"
 
 namespace merker::step7 {
 
@@ -15,9 +16,6 @@ std::string readMnemonic(Cursor& cursor);
 
 bool worksWithoutOperand(mc7::Operation operation);
 bool isJump(mc7::Operation operation);
-
-// A source may write SLD 0 to SLD 32; the code has room for more, and a disassembler shows it.
-enum class Limits : std::uint8_t { OfLanguage, OfCode };
 
 // The constant as the operation takes it: SLW 4, UW W#16#F0F0, + L#5, BLD 7. Problem if it is out of range.
 mc7::Operand fittedConstant(mc7::Operation operation, mc7::Operand operand, const Position& place, Problems& problems,

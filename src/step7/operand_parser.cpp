@@ -66,7 +66,8 @@ std::optional<Access> OperandParser::dispatch() {
     std::string text;
     for (const char d : cursor_.slice(begin, cursor_.pos()))
       if (d != ' ' && d != '\t') text += d;
-    if (const auto query = findStatusWord(text))
+    std::optional<Mnemonics> which;
+    if (const auto query = findStatusWord(text, which))
       return simple(mc7::number(OperandKind::StatusBit, static_cast<std::uint32_t>(*query)));
     return problem(ProblemCode::P0312, begin, text);
   }
@@ -358,8 +359,10 @@ std::optional<Access> OperandParser::word() {
   if (equalsIgnoreCase(whole, "STW")) return simple(mc7::number(OperandKind::StatusWord, 0));
   if (equalsIgnoreCase(whole, "AR2")) return simple({.kind = OperandKind::AddressRegister, .reg = 2});
   if (equalsIgnoreCase(whole, "AR1")) return simple({.kind = OperandKind::AddressRegister, .reg = 1});
-  if (const auto query = findStatusWord(whole))
+  if (const auto query = findStatusWord(whole, which)) {
+    if (!checkSetting(which, whole, begin)) return std::nullopt;
     return simple(mc7::number(OperandKind::StatusBit, static_cast<std::uint32_t>(*query)));
+  }
   if (const auto query = findDataBlockQuery(whole))
     return simple(mc7::number(OperandKind::DataBlockInfo, static_cast<std::uint32_t>(*query)));
   return problem(ProblemCode::P0317, begin, std::string(whole));
@@ -577,7 +580,7 @@ std::optional<Access> OperandParser::registerIndirect(Area area, Width width, bo
   const auto offset = parseConstant(trim(cursor_.slice(begin, cursor_.pos())), at(begin, cursor_.pos()));
   if (!cursor_.accept(']')) return problem(ProblemCode::P0301, cursor_.pos(), "]");
   // S7-IND-05: P#0.0 … P#4095.7; the code has room up to P#8191.7.
-  if (!offset || offset->format != ConstantFormat::Pointer || offset->bits > 0xFFFF)
+  if (!offset || offset->format != ConstantFormat::Pointer || offset->bits > scope_.highestOffset())
     return problem(ProblemCode::P0322, open);
   const int reg = word == "AR1" ? 1 : 2;
   return simple(crossing ? mc7::registerCrossing(width, reg, offset->bits)

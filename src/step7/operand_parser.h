@@ -12,6 +12,9 @@
 
 namespace merker::step7 {
 
+// A source may write SLD 0 to SLD 32 and P#0.0 to P#4095.7; the code has room for more, and a disassembler shows it.
+enum class Limits : std::uint8_t { OfLanguage, OfCode };
+
 // What an operand may refer to at its place.
 struct Scope {
   const source::SourceFile* file = nullptr;
@@ -21,7 +24,10 @@ struct Scope {
   Interfaces* interfaces = nullptr;         // null: only `program`
   const block::Program* program = nullptr;
   const block::Block* block = nullptr;      // whose local names are visible; null outside of blocks
+  Limits limits = Limits::OfLanguage;
   const CpuModel& model() const { return *options->model; }
+  // [AR1,P#4095.7]; the code has room up to P#8191.7 (S7-IND-05).
+  std::uint32_t highestOffset() const { return limits == Limits::OfLanguage ? 0x7FFF : 0xFFFF; }
   const block::Block* findBlock(BlockId id) const;
 };
 

@@ -67,9 +67,14 @@ const MemoryWord* findMemoryWord(std::string_view word, std::optional<Mnemonics>
   return nullptr;
 }
 
-std::optional<mc7::StatusQuery> findStatusWord(std::string_view word) {
-  for (const StatusWordRow& row : kStatus)
-    if (equalsIgnoreCase(word, row.de) || equalsIgnoreCase(word, row.en)) return row.query;
+std::optional<mc7::StatusQuery> findStatusWord(std::string_view word, std::optional<Mnemonics>& which) {
+  which.reset();
+  for (const StatusWordRow& row : kStatus) {
+    const bool german = equalsIgnoreCase(word, row.de);
+    if (!german && !equalsIgnoreCase(word, row.en)) continue;
+    if (row.de != row.en) which = german ? Mnemonics::German : Mnemonics::International;
+    return row.query;
+  }
   return std::nullopt;
 }
 

@@ -36,7 +36,7 @@ TEST(Problem, BlocksAndCalls) {
             (List{"1:10 P0502", "4:12 P0502", "9:20 P0502"}));
   EXPECT_EQ(compileText("FUNCTION FC 1 : VOID\nEND_FUNCTION\nFUNCTION FC 1 : VOID\nEND_FUNCTION\n").problems(), (List{"3:10 P0501"}));
   EXPECT_EQ(compileText("FUNCTION FC 1 : VOID\nBEGIN\nSET\n").problems(), (List{"1:10 P0310"}));
-  EXPECT_EQ(compileText("FUNCTION FC 1 : VOID\nBEGIN\nSET\nFUNCTION FC 2 : VOID\nEND_FUNCTION\n").problems(), (List{"1:10 P0310"}));
+  EXPECT_EQ(compileText("FUNCTION FC 1 : VOID\nBEGIN\nSET\nFUNCTION FC 2 : VOID\nEND_FUNCTION\n").problems(), (List{"4:1 P0310"}));
 }
 
 TEST(Problem, Parameters) {
