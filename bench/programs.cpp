@@ -1,0 +1,112 @@
+#include "programs.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <iostream>
+
+#include "step7/compiler.h"
+
+namespace merker::bench {
+namespace {
+
+// Ten lines about a motor; {0} and {1} are byte addresses, {2} makes the label unique.
+constexpr std::string_view kMotor = R"(      U     E {0}.0             // start
+      O     M {0}.1
+      UN    E {0}.2             // stop
+      =     M {0}.1             // runs
+      L     MW {1}              // setpoint
+      L     100
+      <=I
+      SPBN  m{2}
+      T     MW {1}
+m{2}: U     M {0}.1
+)";
+
+// Ten lines of calculation.
+constexpr std::string_view kCalculation = R"(      L     MW {0}
+      L     MW {1}
+      +I
+      L     2
+      *I
+      T     MW {1}
+      L     MD {0}
+      L     L#5
+      +D
+      T     MD {1}
+)";
+
+std::string body(int lines) {
+  std::string text;
+  for (int i = 0; i < lines / 20; ++i) {
+    const int byte = i % 100;
+    text += fmt::format(fmt::runtime(kMotor), byte, 100 + 2 * (i % 70), i);
+    text += fmt::format(fmt::runtime(kCalculation), byte, 100 + 2 * (i % 70));
+  }
+  return text;
+}
+
+std::string function(int number, int lines) {
+  return fmt::format(
+      "FUNCTION FC {} : VOID\nTITLE = motors\nVAR_INPUT\n  speed : INT ; // 1/min\nEND_VAR\n"
+      "VAR_TEMP\n  scratch : INT ;\nEND_VAR\nBEGIN\nNETWORK\n      L     #speed\n      T     "
+      "#scratch\n"
+      "{}      BE\nEND_FUNCTION\n",
+      number, body(lines));
+}
+
+std::string organizationBlock(const std::string& code) {
+  return "ORGANIZATION_BLOCK OB 1\nVAR_TEMP\n  info : ARRAY [0 .. 19] OF BYTE "
+         ";\nEND_VAR\nBEGIN\nNETWORK\n" +
+         code + "END_ORGANIZATION_BLOCK\n";
+}
+
+}  // namespace
+
+std::string largeSource(int lines) {
+  constexpr int kLinesPerFunction = 1000;
+  std::string text, calls;
+  for (int i = 1; i <= lines / kLinesPerFunction; ++i) {
+    text += function(i, kLinesPerFunction);
+    calls += fmt::format("      CALL  FC {} ( speed := {} )\n", i, i);
+  }
+  return text + organizationBlock(calls);
+}
+
+std::string mixedSource() {
+  constexpr std::string_view kReal =
+      "      L     MD 200\n      L     1.5\n      *R\n      T     MD 204\n";
+  std::string code;
+  for (int i = 0; i < 100; ++i) {
+    code += fmt::format(fmt::runtime(kMotor), i % 100, 100 + 2 * (i % 50), i);
+    code += fmt::format(fmt::runtime(kCalculation), i % 90, 100 + 2 * (i % 45));
+    if (i % 10 == 0) code += kReal;
+  }
+  return organizationBlock(code);
+}
+
+std::string callingSource(int calls) {
+  std::string code;
+  for (int i = 0; i < calls; ++i)
+    code += "      CALL  FC 1 ( a := MW 10, b := MW 12, c := MW 14 )\n";
+  return "FUNCTION FC 1 : VOID\nVAR_INPUT\n  a : INT ;\n  b : INT ;\nEND_VAR\nVAR_OUTPUT\n  c : "
+         "INT ;\nEND_VAR\n"
+         "BEGIN\nNETWORK\n      L     #a\n      L     #b\n      +I\n      T     "
+         "#c\nEND_FUNCTION\n" +
+         organizationBlock(code);
+}
+
+std::shared_ptr<const block::Program> compiled(const std::string& source) {
+  std::vector<source::SourceFile> sources;
+  sources.emplace_back("bench.awl", source);
+  step7::CompileOptions options;
+  options.model = findCpuModel("generic");
+  step7::Compilation compilation = step7::compile(sources, options);
+  if (!compilation.ok()) {
+    std::cerr << source::format(compilation.problems.list().front(), &sources.front()) << '\n';
+    std::exit(1);
+  }
+  return std::make_shared<const block::Program>(std::move(compilation.program));
+}
+
+}  // namespace merker::bench
