@@ -9,8 +9,9 @@ struct Range {
   std::uint32_t first, last;
 };
 
-// On-board addresses of a 314C (S7-CPU-18) beyond its process image; the image itself always answers, as in
-// the S7 simulator: docs/compatibility.md, "periphery without hardware configuration".
+// On-board addresses of a 314C (S7-CPU-18) beyond its process image; the image itself always
+// answers, as in the S7 simulator: docs/compatibility.md, "periphery without hardware
+// configuration".
 constexpr Range kInputs[] = {{752, 761}, {768, 783}, {784, 799}};
 constexpr Range kOutputs[] = {{752, 755}, {768, 783}, {784, 799}};
 

@@ -1,5 +1,5 @@
-// The operand areas of a CPU: process image, flags and periphery. Inputs, outputs and flags lie one behind the other
-// in `image`, so that an engine reaches each of them with one offset.
+// The operand areas of a CPU: process image, flags and periphery. Inputs, outputs and flags lie one
+// behind the other in `image`, so that an engine reaches each of them with one offset.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,8 @@ struct Areas {
   std::uint32_t imageBytes = 0, flagBytes = 0;
   std::uint32_t outputBase = 0, flagBase = 0;
 
-  // Periphery: what the modules' terminals show. A byte without module does not answer (S7-OPND-11).
+  // Periphery: what the modules' terminals show. A byte without module does not answer
+  // (S7-OPND-11).
   std::vector<std::uint8_t> inputs, outputs;
   std::vector<bool> inputPresent, outputPresent;
 

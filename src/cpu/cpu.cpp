@@ -38,7 +38,8 @@ void Cpu::load(std::shared_ptr<const block::Program> program) {
 }
 
 bool Cpu::callSystem(BlockId block, std::span<const std::uint32_t> parameters) {
-  return services_.call({.cpu = *this, .machine = machine_, .block = block, .parameters = parameters});
+  return services_.call(
+      {.cpu = *this, .machine = machine_, .block = block, .parameters = parameters});
 }
 
 void Cpu::force(std::uint32_t imageByte, std::uint8_t mask, std::uint8_t value) {

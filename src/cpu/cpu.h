@@ -1,5 +1,6 @@
-// The operating system of an S7-300: operating states, scan cycle, priority classes, faults. It knows no module, no
-// machine code and no socket; an Engine executes, SystemServices answer system calls.
+// The operating system of an S7-300: operating states, scan cycle, priority classes, faults. It
+// knows no module, no machine code and no socket; an Engine executes, SystemServices answer system
+// calls.
 #pragma once
 
 #include <cstdint>
@@ -26,6 +27,13 @@ enum class AfterError : std::uint8_t { GoOn, ErrorOb, Stopped };
 
 struct CycleTimes {  // ms, as OB 1 sees them (S7-OBI-02)
   std::int32_t previous = 0, shortest = 0, longest = 0;
+  bool any = false;
+  void add(Duration cycle) {
+    previous = static_cast<std::int32_t>(cycle.ns / 1'000'000);
+    shortest = any && shortest < previous ? shortest : previous;
+    longest = any && longest > previous ? longest : previous;
+    any = true;
+  }
 };
 
 class Cpu {
@@ -41,6 +49,8 @@ class Cpu {
   const DiagnosticEvent& stopEvent() const { return stopEvent_; }
   const Diagnostics& diagnostics() const { return diagnostics_; }
   std::uint64_t cycles() const { return cycles_; }
+  // Ends of cycles, and changes to RUN.
+  std::uint64_t checkpoints() const { return checkpoints_; }
 
   // operating states (S7-STATE)
   bool restart(Restart how);  // false: refused
@@ -51,10 +61,12 @@ class Cpu {
 
   // time
   bool betweenCycles() const { return machine_.levels.empty(); }
-  void step(Instant limit);  // the next piece of work, not beyond limit unless an instruction crosses it
-  void runOb1();             // once, without the rest of the cycle
+  void step(
+      Instant limit);  // the next piece of work, not beyond limit unless an instruction crosses it
+  void runOb1();       // once, without the rest of the cycle
   void onCheckpoint(std::function<void()> observer) { observer_ = std::move(observer); }
-  // Bits of E, A, M that keep their value (mask and value over areas.image); applied around each OB 1.
+  // Bits of E, A, M that keep their value (mask and value over areas.image); applied around each
+  // OB 1.
   void force(std::uint32_t imageByte, std::uint8_t mask, std::uint8_t value);
   void unforce() { forces_.clear(); }
 
@@ -68,7 +80,9 @@ class Cpu {
   Interrupts& interrupts() { return interrupts_; }
   const CycleTimes& cycleTimes() const { return cycleTimes_; }
   void retrigger();  // SFC 43
-  bool hasOb(std::uint32_t number) const { return find(machine_.organizationBlocks, number) != nullptr; }
+  bool hasOb(std::uint32_t number) const {
+    return find(machine_.organizationBlocks, number) != nullptr;
+  }
 
  private:
   struct Force {
@@ -84,7 +98,8 @@ class Cpu {
   void enterRun();
   void applyForces();
   // levels.cpp
-  bool startLevel(std::uint8_t ob, std::uint8_t priority, const StartInformation& start, bool errorOb);
+  bool startLevel(std::uint8_t ob, std::uint8_t priority, const StartInformation& start,
+                  bool errorOb);
   void endLevel();
   void startWaiting();
   std::uint8_t priority() const;
@@ -125,8 +140,8 @@ class Cpu {
   DiagnosticEvent stopEvent_;
   Instant stoppedAt_;
 
-  std::uint64_t cycles_ = 0;
-  std::uint8_t scan_ = 1;     // OB1_SCAN_1 of the next cycle
+  std::uint64_t cycles_ = 0, checkpoints_ = 0;
+  std::uint8_t scan_ = 1;  // OB1_SCAN_1 of the next cycle
   Instant cycleStart_, nextCycle_, watchdog_ = Instant::never();
   bool watchdogWarned_ = false;
   CycleTimes cycleTimes_;

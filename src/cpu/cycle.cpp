@@ -1,4 +1,5 @@
-// The scan cycle (S7-CYCLE-02): cycle monitoring on, write outputs, read inputs, OB 1, operating system, again.
+// The scan cycle (S7-CYCLE-02): cycle monitoring on, write outputs, read inputs, OB 1, operating
+// system, again.
 #include <algorithm>
 
 #include "cpu/cpu.h"
@@ -27,7 +28,8 @@ void Cpu::runTop(Instant limit) {
   Instant until = limit;
   if (mode_ == Mode::Run) until = std::min(until, nextEvent());
   if (Level& level = machine_.levels.back(); level.wait > 0) {  // SFC 47
-    const Instant end = std::min(machine_.clock + Duration{level.wait}, std::max(until, machine_.clock));
+    const Instant end =
+        std::min(machine_.clock + Duration{level.wait}, std::max(until, machine_.clock));
     level.wait -= (end - machine_.clock).ns;
     machine_.clock = end;
     return;
@@ -44,6 +46,7 @@ void Cpu::runTop(Instant limit) {
 
 void Cpu::enterRun() {
   mode_ = Mode::Run;
+  ++checkpoints_;
   report(static_cast<std::uint16_t>(Event::StartupToRun), std::string(text(Event::StartupToRun)));
   nextCycle_ = cycleStart_ = machine_.clock;
   for (CyclicInterrupt& cyclic : interrupts_.cyclic)
@@ -52,14 +55,7 @@ void Cpu::enterRun() {
 
 void Cpu::startCycle() {
   const Duration monitoring = Duration::milliseconds(machine_.model->cycleMonitoring);
-  if (scan_ == 3 || cycleTimes_.previous != 0 || cycles_ != 0) {
-    const auto last = static_cast<std::int32_t>((machine_.clock - cycleStart_).ns / 1'000'000);
-    if (scan_ == 3) {
-      cycleTimes_.previous = last;
-      cycleTimes_.shortest = cycleTimes_.longest == 0 ? last : std::min(cycleTimes_.shortest, last);
-      cycleTimes_.longest = std::max(cycleTimes_.longest, last);
-    }
-  }
+  if (scan_ == 3) cycleTimes_.add(machine_.clock - cycleStart_);
   cycleStart_ = machine_.clock;
   watchdog_ = machine_.clock + monitoring;
   watchdogWarned_ = false;
@@ -78,6 +74,7 @@ void Cpu::startCycle() {
 
 void Cpu::endCycle() {
   ++cycles_;
+  ++checkpoints_;
   nextCycle_ = machine_.clock + Duration{machine_.model->cycleTime};
   applyForces();
   if (observer_) observer_();

@@ -43,7 +43,8 @@ OpenBlock DataBlocks::open(std::uint32_t number) {
 
 void DataBlocks::create(std::uint32_t number, std::uint32_t length) {
   if (blocks_.size() <= number) blocks_.resize(number + 1);
-  blocks_[number] = {.loaded = true, .madeByProgram = true, .data = std::vector<std::uint8_t>(length)};
+  blocks_[number] = {
+      .loaded = true, .madeByProgram = true, .data = std::vector<std::uint8_t>(length)};
 }
 
 void DataBlocks::remove(std::uint32_t number) {

@@ -19,7 +19,8 @@ struct DataBlock {
 
 class DataBlocks {
  public:
-  // All blocks as load memory has them (S7-MEM-04): actual values, or with `initial` the declared start values.
+  // All blocks as load memory has them (S7-MEM-04): actual values, or with `initial` the declared
+  // start values.
   void load(const block::Program& program, bool initial);
   // Only those that a restart sets back (NON_RETAIN).
   void loadNonRetentive(const block::Program& program);

@@ -13,8 +13,9 @@ class Engine {
  public:
   virtual ~Engine() = default;
   virtual std::unique_ptr<Code> translate(const block::Block& block) = 0;
-  // Runs the top block from where it stands until the first instruction boundary at or after machine.horizon. Then
-  // top->resume is the place to go on, or levelEnded says that the last block of the level has ended.
+  // Runs the top block from where it stands until the first instruction boundary at or after
+  // machine.horizon. Then top->resume is the place to go on, or levelEnded says that the last block
+  // of the level has ended.
   virtual void run(Machine& machine) = 0;
   // After a fault: the next instruction of the top block, as an offset in its code.
   virtual std::uint32_t offset(const Frame& frame) const = 0;

@@ -1,4 +1,5 @@
-// Synchronous errors: what one instruction can do wrong (S7-OBI-14, -15). The code is SW_FLT of OB 121 and OB 122.
+// Synchronous errors: what one instruction can do wrong (S7-OBI-14, -15). The code is SW_FLT of OB
+// 121 and OB 122.
 #pragma once
 
 #include <cstdint>
@@ -37,15 +38,16 @@ enum class ErrorCode : std::uint8_t {
 
 struct SyncError {
   ErrorCode code = ErrorCode::None;
-  Area area = Area::None;       // of the access
+  Area area = Area::None;  // of the access
   Width width = Width::Bit;
-  std::uint32_t detail = 0;     // byte address, timer, counter or block number
+  std::uint32_t detail = 0;  // byte address, timer, counter or block number
 
   explicit operator bool() const { return code != ErrorCode::None; }
   bool peripheral() const { return code >= ErrorCode::PeripheralRead; }
   // Diagnostic event: 16#25xx programming error, 16#29xx access error (S7-DIAG-02).
   std::uint16_t event() const {
-    return static_cast<std::uint16_t>((peripheral() ? 0x2900 : 0x2500) | static_cast<unsigned>(code));
+    return static_cast<std::uint16_t>((peripheral() ? 0x2900 : 0x2500) |
+                                      static_cast<unsigned>(code));
   }
   // RESERVED_1 of OB 121 and MEM_AREA of OB 122: bits 7..4 access, 3..0 area (S7-OBI-13).
   std::uint8_t accessByte() const {

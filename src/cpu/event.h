@@ -1,4 +1,5 @@
-// Event numbers of the diagnostic buffer that the CPU itself makes (S7-DIAG-02, -03), with their texts.
+// Event numbers of the diagnostic buffer that the CPU itself makes (S7-DIAG-02, -03), with their
+// texts.
 #pragma once
 
 #include <cstdint>

@@ -10,7 +10,8 @@ void Cpu::prepareInterrupts() {
   for (const std::uint8_t ob : machine_.model->organizationBlocks) {
     if (!hasOb(ob)) continue;
     if (ob >= 30 && ob <= 38)
-      interrupts_.cyclic.push_back({.ob = ob, .milliseconds = defaultInterval(ob), .next = Instant::never()});
+      interrupts_.cyclic.push_back(
+          {.ob = ob, .milliseconds = defaultInterval(ob), .next = Instant::never()});
     if (ob >= 20 && ob <= 23) interrupts_.delay.push_back({.ob = ob});
     if (ob >= 10 && ob <= 17) interrupts_.timeOfDay.push_back({.ob = ob});
   }
@@ -52,8 +53,8 @@ void Cpu::takeDelayed() {
   for (DelayInterrupt& delay : interrupts_.delay) {
     if (!delay.active || delay.due > machine_.clock) continue;
     const std::uint8_t ob = delay.ob;
-    StartInformation start = startInformation(0x11, static_cast<std::uint8_t>(0x21 + ob - 20), priorityOf(ob),
-                                              ob, dateAndTime());
+    StartInformation start = startInformation(0x11, static_cast<std::uint8_t>(0x21 + ob - 20),
+                                              priorityOf(ob), ob, dateAndTime());
     setWord(start, 6, delay.sign);
     setDWord(start, 8, delay.milliseconds);
     delay.active = false;
@@ -67,8 +68,8 @@ void Cpu::takeTimeOfDay() {
   for (TimeOfDayInterrupt& time : interrupts_.timeOfDay) {
     if (!time.active || time.due > now) continue;
     const std::uint8_t ob = time.ob;
-    StartInformation start = startInformation(0x11, static_cast<std::uint8_t>(0x11 + ob - 10), priorityOf(ob),
-                                              ob, dateAndTime());
+    StartInformation start = startInformation(0x11, static_cast<std::uint8_t>(0x11 + ob - 10),
+                                              priorityOf(ob), ob, dateAndTime());
     setWord(start, 6, static_cast<std::uint32_t>(time.period));
     time.due = nextTimeOfDay(time.start, time.period, now);
     time.active = time.due >= 0;
@@ -80,8 +81,10 @@ void Cpu::takeTimeOfDay() {
 bool Cpu::runsOrWaits(std::uint8_t ob) const {
   const auto& waiting = interrupts_.waiting;
   const auto& levels = machine_.levels;
-  return std::any_of(waiting.begin(), waiting.end(), [&](const Request& r) { return r.ob == ob; }) ||
-         std::any_of(levels.begin(), levels.end(), [&](const Level& level) { return level.ob == ob; });
+  return std::any_of(waiting.begin(), waiting.end(),
+                     [&](const Request& r) { return r.ob == ob; }) ||
+         std::any_of(levels.begin(), levels.end(),
+                     [&](const Level& level) { return level.ob == ob; });
 }
 
 void Cpu::request(std::uint8_t ob, const StartInformation& start) {
@@ -95,8 +98,8 @@ void Cpu::request(std::uint8_t ob, const StartInformation& start) {
 void Cpu::cycleTimeExceeded() {
   const Duration monitoring = Duration::milliseconds(machine_.model->cycleMonitoring);
   if (watchdogWarned_) {  // S7-CYCLE-06: twice in one cycle
-    report(static_cast<std::uint16_t>(Event::CycleTimeExceeded), std::string(text(Event::CycleTimeExceeded)),
-           here());
+    report(static_cast<std::uint16_t>(Event::CycleTimeExceeded),
+           std::string(text(Event::CycleTimeExceeded)), here());
     return stopByFault(Event::StopTimeError, "cycle time exceeded twice");
   }
   watchdogWarned_ = true;

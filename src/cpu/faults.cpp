@@ -32,7 +32,8 @@ Place Cpu::here() const {
 DateAndTime Cpu::dateAndTime() const { return toDateAndTime(clock_.milliseconds(machine_.clock)); }
 
 void Cpu::report(std::uint16_t event, std::string text, Place place) {
-  diagnostics_.add({.event = event, .time = machine_.clock, .text = std::move(text), .place = place});
+  diagnostics_.add(
+      {.event = event, .time = machine_.clock, .text = std::move(text), .place = place});
 }
 
 AfterError Cpu::synchronousError(const SyncError& error) {
@@ -42,7 +43,8 @@ AfterError Cpu::synchronousError(const SyncError& error) {
   report(error.event(), kind + describe(error), here());
   const std::uint8_t ob = error.peripheral() ? 122 : 121;
   if (!hasOb(ob)) {
-    stopByFault(error.peripheral() ? Event::StopAccessError : Event::StopProgrammingError, describe(error));
+    stopByFault(error.peripheral() ? Event::StopAccessError : Event::StopProgrammingError,
+                describe(error));
     return AfterError::Stopped;
   }
   if (nestedErrors(m.levels) >= kNestedErrors) {
@@ -57,7 +59,8 @@ AfterError Cpu::synchronousError(const SyncError& error) {
 void Cpu::stopByFault(Event why, std::string detail) {
   std::string reason(text(why));
   if (!detail.empty()) reason += ": " + detail;
-  goToStop({.event = static_cast<std::uint16_t>(why), .text = std::move(reason), .place = here()}, true);
+  goToStop({.event = static_cast<std::uint16_t>(why), .text = std::move(reason), .place = here()},
+           true);
 }
 
 }  // namespace merker::cpu

@@ -1,5 +1,5 @@
-// What the CPU remembers about running blocks: one frame per block (B stack), one level per priority class or
-// synchronous error OB (I stack).
+// What the CPU remembers about running blocks: one frame per block (B stack), one level per
+// priority class or synchronous error OB (I stack).
 #pragma once
 
 #include <array>
@@ -55,11 +55,11 @@ struct Level {
   std::uint32_t localBase = 0;   // error OB: local data below belong to the interrupted blocks
   std::uint32_t localStack = 0;  // which local data stack
   std::uint16_t bracketBase = 0, mcrBase = 0;
-  bool mcrActive = false;        // of the interrupted block
-  Registers interrupted{};        // given back at the end
+  bool mcrActive = false;   // of the interrupted block
+  Registers interrupted{};  // given back at the end
   ErrorMasks masks{};
-  std::int64_t wait = 0;         // ns that SFC 47 still lets pass
-  std::uint32_t delayed = 0;     // SFC 41 without SFC 42
+  std::int64_t wait = 0;                 // ns that SFC 47 still lets pass
+  std::uint32_t delayed = 0;             // SFC 41 without SFC 42
   std::array<std::uint8_t, 20> start{};  // start information as it was handed over
 };
 

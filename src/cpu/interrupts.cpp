@@ -21,15 +21,21 @@ Date dateOf(std::int64_t milliseconds) {
 
 std::int64_t lengthOf(Period period) {
   switch (period) {
-    case Period::Minute: return 60'000;
-    case Period::Hour: return 3'600'000;
-    case Period::Day: return kDay;
-    case Period::Week: return 7 * kDay;
-    default: return 0;
+    case Period::Minute:
+      return 60'000;
+    case Period::Hour:
+      return 3'600'000;
+    case Period::Day:
+      return kDay;
+    case Period::Week:
+      return 7 * kDay;
+    default:
+      return 0;
   }
 }
 
-// The same day and time `months` later, or the last day of that month; -1 if that month has no such day.
+// The same day and time `months` later, or the last day of that month; -1 if that month has no such
+// day.
 std::int64_t monthsLater(std::int64_t start, int months, bool last) {
   const Date date = dateOf(start);
   const int count = date.month - 1 + months;
@@ -43,7 +49,8 @@ std::int64_t monthsLater(std::int64_t start, int months, bool last) {
 }  // namespace
 
 DelayInterrupt* Interrupts::findDelay(std::uint32_t ob) {
-  const auto at = std::find_if(delay.begin(), delay.end(), [&](const auto& d) { return d.ob == ob; });
+  const auto at =
+      std::find_if(delay.begin(), delay.end(), [&](const auto& d) { return d.ob == ob; });
   return at == delay.end() ? nullptr : &*at;
 }
 

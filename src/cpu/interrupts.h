@@ -1,5 +1,5 @@
-// Who wants to run: cyclic, time-delay and time-of-day interrupts with their next instants, and the OBs whose event has
-// come but which still wait for a higher or equal class (S7-BLK-08 … -10).
+// Who wants to run: cyclic, time-delay and time-of-day interrupts with their next instants, and the
+// OBs whose event has come but which still wait for a higher or equal class (S7-BLK-08 … -10).
 #pragma once
 
 #include <cstdint>
@@ -27,8 +27,14 @@ struct DelayInterrupt {
 
 // PERIOD of SFC 28.
 enum class Period : std::uint16_t {
-  Once = 0x0000, Minute = 0x0201, Hour = 0x0401, Day = 0x1001, Week = 0x1201, Month = 0x1401,
-  Year = 0x1801, EndOfMonth = 0x2001
+  Once = 0x0000,
+  Minute = 0x0201,
+  Hour = 0x0401,
+  Day = 0x1001,
+  Week = 0x1201,
+  Month = 0x1401,
+  Year = 0x1801,
+  EndOfMonth = 0x2001
 };
 
 struct TimeOfDayInterrupt {
@@ -49,7 +55,7 @@ struct Interrupts {
   std::vector<CyclicInterrupt> cyclic;
   std::vector<DelayInterrupt> delay;
   std::vector<TimeOfDayInterrupt> timeOfDay;
-  std::vector<Request> waiting;  // in the order of their events
+  std::vector<Request> waiting;      // in the order of their events
   std::vector<std::uint8_t> locked;  // OB numbers that SFC 39 has locked
 
   DelayInterrupt* findDelay(std::uint32_t ob);
@@ -57,7 +63,8 @@ struct Interrupts {
   bool isLocked(std::uint8_t ob) const;
 };
 
-// The first time after `now` at which a periodic interrupt that began at `start` is due; -1 = never again.
+// The first time after `now` at which a periodic interrupt that began at `start` is due; -1 = never
+// again.
 std::int64_t nextTimeOfDay(std::int64_t start, Period period, std::int64_t now);
 bool isPeriod(std::uint32_t word);
 

@@ -1,5 +1,5 @@
-// Priority classes: an OB of a higher class interrupts at an instruction boundary; registers are saved and begin at
-// zero (S7-REG-05, -06).
+// Priority classes: an OB of a higher class interrupts at an instruction boundary; registers are
+// saved and begin at zero (S7-REG-05, -06).
 #include <algorithm>
 
 #include "cpu/cpu.h"
@@ -15,7 +15,8 @@ std::uint8_t Cpu::priority() const {
   return machine_.levels.empty() ? std::uint8_t{0} : machine_.levels.back().priority;
 }
 
-bool Cpu::startLevel(std::uint8_t ob, std::uint8_t priority, const StartInformation& start, bool errorOb) {
+bool Cpu::startLevel(std::uint8_t ob, std::uint8_t priority, const StartInformation& start,
+                     bool errorOb) {
   Machine& m = machine_;
   const Code* code = find(m.organizationBlocks, ob);
   if (m.levels.size() >= kDeepestInterruption) {
@@ -61,16 +62,17 @@ void Cpu::endLevel() {
   if (level.ob == 1 && mode_ == Mode::Run) endCycle();
 }
 
-// The waiting request of the highest class, the oldest among equals, if it is higher than what runs.
+// The waiting request of the highest class, the oldest among equals, if it is higher than what
+// runs.
 void Cpu::startWaiting() {
   auto& waiting = interrupts_.waiting;
   if (waiting.empty()) return;
   const bool delayed = std::any_of(machine_.levels.begin(), machine_.levels.end(),
                                    [](const Level& level) { return level.delayed > 0; });
   if (delayed) return;  // SFC 41
-  const auto highest = std::max_element(
-      waiting.begin(), waiting.end(),
-      [](const Request& a, const Request& b) { return a.priority < b.priority; });
+  const auto highest =
+      std::max_element(waiting.begin(), waiting.end(),
+                       [](const Request& a, const Request& b) { return a.priority < b.priority; });
   if (highest->priority <= priority()) return;
   const Request request = *highest;
   waiting.erase(highest);

@@ -1,4 +1,5 @@
-// Everything a running program sees and changes. Plain values; engines work on this and on nothing else.
+// Everything a running program sees and changes. Plain values; engines work on this and on nothing
+// else.
 #pragma once
 
 #include <cstdint>
@@ -29,11 +30,11 @@ struct Machine {
   Frame* top = nullptr;           // never null: below the first block lies an empty frame
   bool mcrOff = false;            // MCR active and its relay 0: = and T write 0, S and R do nothing
   bool fourAccumulators = false;
-  bool probing = false;           // a check looks at operands: errors are noted, nothing happens
+  bool probing = false;  // a check looks at operands: errors are noted, nothing happens
   bool probeFailed = false;
-  bool levelEnded = false;        // BE of an OB was reached
+  bool levelEnded = false;  // BE of an OB was reached
   std::uint64_t instructions = 0;
-  std::uint32_t position = 0;     // offset of the instruction that calls or fails, for messages
+  std::uint32_t position = 0;  // offset of the instruction that calls or fails, for messages
 
   // master control relay (S7-INSTR-129) and brackets (S7-INSTR-08)
   bool mcrActive = false;
@@ -60,11 +61,14 @@ struct Machine {
   const CpuModel* model;
   Cpu* cpu = nullptr;  // the operating system: faults, system functions
 
-  // Puts a block on the stack. False: nesting depth or local data exhausted, the CPU has gone to STOP.
+  // Puts a block on the stack. False: nesting depth or local data exhausted, the CPU has gone to
+  // STOP.
   bool enter(const Code* code);
   // Takes the top block off and gives the caller its registers back.
   void leave();
-  void interrupt() { horizon = Instant{INT64_MIN}; }  // lets the engine return after this instruction
+  void interrupt() {
+    horizon = Instant{INT64_MIN};
+  }  // lets the engine return after this instruction
   // Local data of the block that called the running one; null if none.
   const Frame* caller() const;
   // After creation or deletion of a data block: registers and saved registers see the new place.

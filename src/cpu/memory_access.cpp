@@ -22,13 +22,19 @@ Span spanOf(Machine& m, Area area) {
   switch (area) {
     case Area::Input:
     case Area::Output:
-    case Area::Flag: return {m.image + m.areas.base(area), m.areas.length(area), true};
-    case Area::DataBlock: return open(m.registers.db);
-    case Area::Instance: return open(m.registers.di);
-    case Area::Local: return local(m.top);
-    case Area::CallerLocal: return local(m.caller());
+    case Area::Flag:
+      return {m.image + m.areas.base(area), m.areas.length(area), true};
+    case Area::DataBlock:
+      return open(m.registers.db);
+    case Area::Instance:
+      return open(m.registers.di);
+    case Area::Local:
+      return local(m.top);
+    case Area::CallerLocal:
+      return local(m.caller());
     case Area::Peripheral:
-    case Area::None: break;
+    case Area::None:
+      break;
   }
   return {};
 }
@@ -51,13 +57,16 @@ std::uint32_t writable(const Machine& m, Area area, std::uint32_t length) {
 }
 
 // Bytes, words and double words begin at bit 0 (S7-IND-07).
-bool misaligned(Width width, BitAddress address) { return width != Width::Bit && (address & 7) != 0; }
+bool misaligned(Width width, BitAddress address) {
+  return width != Width::Bit && (address & 7) != 0;
+}
 
 // PE: the terminals. Only whole bytes (S7-OPND-07, -08).
 SyncError readPeripheral(Machine& m, Width width, BitAddress address, std::uint32_t& value) {
   const std::uint32_t byte = address / 8;
   if (width == Width::Bit) return fail(ErrorCode::AreaRead, Area::Peripheral, width, byte);
-  if (misaligned(width, address)) return fail(ErrorCode::AlignmentRead, Area::Peripheral, width, byte);
+  if (misaligned(width, address))
+    return fail(ErrorCode::AlignmentRead, Area::Peripheral, width, byte);
   if (!m.areas.answers(m.areas.inputPresent, byte, byteCount(width)))
     return fail(ErrorCode::PeripheralRead, Area::Peripheral, width, byte);
   value = loadBytes(&m.areas.inputs[byte], width);
@@ -68,7 +77,8 @@ SyncError readPeripheral(Machine& m, Width width, BitAddress address, std::uint3
 SyncError writePeripheral(Machine& m, Width width, BitAddress address, std::uint32_t value) {
   const std::uint32_t byte = address / 8, count = byteCount(width);
   if (width == Width::Bit) return fail(ErrorCode::AreaWrite, Area::Peripheral, width, byte);
-  if (misaligned(width, address)) return fail(ErrorCode::AlignmentWrite, Area::Peripheral, width, byte);
+  if (misaligned(width, address))
+    return fail(ErrorCode::AlignmentWrite, Area::Peripheral, width, byte);
   if (!m.areas.answers(m.areas.outputPresent, byte, count))
     return fail(ErrorCode::PeripheralWrite, Area::Peripheral, width, byte);
   storeBytes(&m.areas.outputs[byte], width, value);
@@ -97,10 +107,13 @@ Located locate(Machine& m, Area area, Width width, BitAddress address, Access ac
   if (!span.exists)
     return {.error = fail(reads ? ErrorCode::AreaRead : ErrorCode::AreaWrite, area, width, byte)};
   if (misaligned(width, address))
-    return {.error = fail(reads ? ErrorCode::AlignmentRead : ErrorCode::AlignmentWrite, area, width, byte)};
+    return {.error = fail(reads ? ErrorCode::AlignmentRead : ErrorCode::AlignmentWrite, area, width,
+                          byte)};
   if (end > (reads ? span.length : writable(m, area, span.length)))
     return {.error = fail(lengthError(m, area, access, end), area, width, byte)};
-  return {.bytes = span.data + byte, .mask = static_cast<std::uint8_t>(1u << (address & 7)), .error = {}};
+  return {.bytes = span.data + byte,
+          .mask = static_cast<std::uint8_t>(1u << (address & 7)),
+          .error = {}};
 }
 
 SyncError read(Machine& m, Area area, Width width, BitAddress address, std::uint32_t& value) {

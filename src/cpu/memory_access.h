@@ -1,5 +1,5 @@
-// Access to any operand by area and bit address, as pointers name it. For everything that is not known before it
-// runs: indirect addressing, parameters, system functions, the outside.
+// Access to any operand by area and bit address, as pointers name it. For everything that is not
+// known before it runs: indirect addressing, parameters, system functions, the outside.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,8 @@ struct Located {
 
 enum class Access : std::uint8_t { Read, Write };
 
-// Where the operand lies; E, A, M, DB, DI, L, V. Periphery has no place in memory: use read and write.
+// Where the operand lies; E, A, M, DB, DI, L, V. Periphery has no place in memory: use read and
+// write.
 Located locate(Machine& m, Area area, Width width, BitAddress address, Access access);
 
 SyncError read(Machine& m, Area area, Width width, BitAddress address, std::uint32_t& value);

@@ -47,7 +47,8 @@ std::optional<std::int64_t> fromDateAndTime(const std::uint8_t* bytes) {
   const int year = static_cast<int>(part[0]) + (part[0] >= 90 ? 1900 : 2000);
   const auto days = daysSince1990(year, static_cast<int>(part[1]), static_cast<int>(part[2]));
   if (!days) return std::nullopt;
-  return *days * kDay + part[3] * 3'600'000 + part[4] * 60'000 + part[5] * 1'000 + part[6] * 10 + units;
+  return *days * kDay + part[3] * 3'600'000 + part[4] * 60'000 + part[5] * 1'000 + part[6] * 10 +
+         units;
 }
 
 }  // namespace merker::cpu

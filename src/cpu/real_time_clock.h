@@ -21,7 +21,9 @@ class RealTimeClock {
   std::int64_t milliseconds(Instant now) const { return offset_ + now.ns / 1'000'000; }
   void set(std::int64_t milliseconds, Instant now) { offset_ = milliseconds - now.ns / 1'000'000; }
   // The instant at which the clock shows this time.
-  Instant when(std::int64_t milliseconds) const { return Instant{(milliseconds - offset_) * 1'000'000}; }
+  Instant when(std::int64_t milliseconds) const {
+    return Instant{(milliseconds - offset_) * 1'000'000};
+  }
 
  private:
   std::int64_t offset_;  // ms since 1990-01-01 at Instant 0

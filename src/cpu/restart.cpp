@@ -20,13 +20,15 @@ void Cpu::clearSystemMemory(bool all) {
   const CpuModel& model = *machine_.model;
   Areas& areas = machine_.areas;
   const std::uint32_t flags = all ? 0 : std::min(model.retentiveFlags, areas.flagBytes);
-  const std::size_t timers = all ? 0 : std::min<std::size_t>(model.retentiveTimers, machine_.timers.size());
+  const std::size_t timers =
+      all ? 0 : std::min<std::size_t>(model.retentiveTimers, machine_.timers.size());
   const std::size_t counters =
       all ? 0 : std::min<std::size_t>(model.retentiveCounters, machine_.counters.size());
   std::fill(areas.image.begin() + areas.flagBase + flags, areas.image.end(), std::uint8_t{0});
-  std::fill(machine_.timers.begin() + static_cast<std::ptrdiff_t>(timers), machine_.timers.end(), S5Timer{});
-  std::fill(machine_.counters.begin() + static_cast<std::ptrdiff_t>(counters), machine_.counters.end(),
-            S5Counter{});
+  std::fill(machine_.timers.begin() + static_cast<std::ptrdiff_t>(timers), machine_.timers.end(),
+            S5Timer{});
+  std::fill(machine_.counters.begin() + static_cast<std::ptrdiff_t>(counters),
+            machine_.counters.end(), S5Counter{});
   areas.clearImages();
 }
 
@@ -36,7 +38,8 @@ bool Cpu::restart(Restart how) {
   if (mode_ != Mode::Stop) stop(Event::StopByProgrammer);
   if (!hasOb(1)) {  // S7-OPEN-39
     goToStop({.event = static_cast<std::uint16_t>(Event::StopProgramSequence),
-              .text = "start refused: OB 1 is not loaded"}, true);
+              .text = "start refused: OB 1 is not loaded"},
+             true);
     return false;
   }
   clearStacks();
@@ -51,7 +54,7 @@ bool Cpu::restart(Restart how) {
   prepareInterrupts();
 
   const auto last = stopEvent_.event;
-  const Event request = cold ? Event::ColdRestartManual
+  const Event request = cold                            ? Event::ColdRestartManual
                         : how == Restart::AutomaticWarm ? Event::WarmRestartAutomatic
                                                         : Event::WarmRestartManual;
   report(static_cast<std::uint16_t>(request), std::string(text(request)));
@@ -81,13 +84,15 @@ void Cpu::goToStop(DiagnosticEvent event, bool fault) {
   mode_ = Mode::Stop;
   stoppedByFault_ = fault;
   watchdog_ = Instant::never();
-  std::fill(machine_.areas.outputs.begin(), machine_.areas.outputs.end(), std::uint8_t{0});  // S7-STATE-02
+  std::fill(machine_.areas.outputs.begin(), machine_.areas.outputs.end(),
+            std::uint8_t{0});  // S7-STATE-02
   machine_.interrupt();
 }
 
 void Cpu::stop(Event why) {
   if (mode_ == Mode::Stop) return;
-  goToStop({.event = static_cast<std::uint16_t>(why), .text = std::string(text(why)), .place = {}}, false);
+  goToStop({.event = static_cast<std::uint16_t>(why), .text = std::string(text(why)), .place = {}},
+           false);
 }
 
 // S7-STATE-10: the diagnostic buffer and the clock stay.
@@ -98,7 +103,8 @@ void Cpu::memoryReset() {
   clearSystemMemory(true);
   if (program_) machine_.dataBlocks.load(*program_, false);
   stoppedByFault_ = false;
-  report(static_cast<std::uint16_t>(Event::MemoryResetDone), std::string(text(Event::MemoryResetDone)));
+  report(static_cast<std::uint16_t>(Event::MemoryResetDone),
+         std::string(text(Event::MemoryResetDone)));
 }
 
 void Cpu::powerOff() {

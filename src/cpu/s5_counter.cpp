@@ -41,6 +41,8 @@ void S5Counter::enable(bool rlo) {
   if (rising(rlo, enableEdge)) setEdge = upEdge = downEdge = false;
 }
 
-std::uint16_t S5Counter::bcd() const { return static_cast<std::uint16_t>(toBcd(std::uint32_t{count}, 3)); }
+std::uint16_t S5Counter::bcd() const {
+  return static_cast<std::uint16_t>(toBcd(std::uint32_t{count}, 3));
+}
 
 }  // namespace merker::cpu

@@ -64,7 +64,8 @@ void S5Timer::enable(bool rlo) {
   enableEdge = rlo;
 }
 
-// S7-TMR-06: value, base and status 0. The edge memory stays, so a constant start does not run again.
+// S7-TMR-06: value, base and status 0. The edge memory stays, so a constant start does not run
+// again.
 void S5Timer::reset(bool rlo) {
   if (!rlo) return;
   started = held = false;
@@ -75,10 +76,13 @@ void S5Timer::reset(bool rlo) {
 bool S5Timer::status(Instant now) const {
   switch (kind) {
     case Kind::Pulse:
-    case Kind::ExtendedPulse: return started && !expired(now);
+    case Kind::ExtendedPulse:
+      return started && !expired(now);
     case Kind::OnDelay:
-    case Kind::StoredOnDelay: return started && expired(now);
-    case Kind::OffDelay: return held || (started && !expired(now));
+    case Kind::StoredOnDelay:
+      return started && expired(now);
+    case Kind::OffDelay:
+      return held || (started && !expired(now));
   }
   return false;
 }

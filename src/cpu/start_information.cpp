@@ -6,8 +6,8 @@
 
 namespace merker::cpu {
 
-StartInformation startInformation(std::uint8_t eventClass, std::uint8_t eventNumber, std::uint8_t priority,
-                                  std::uint8_t ob, const DateAndTime& time) {
+StartInformation startInformation(std::uint8_t eventClass, std::uint8_t eventNumber,
+                                  std::uint8_t priority, std::uint8_t ob, const DateAndTime& time) {
   StartInformation info{eventClass, eventNumber, priority, ob};
   std::copy(time.begin(), time.end(), info.begin() + 12);
   return info;
@@ -16,8 +16,12 @@ StartInformation startInformation(std::uint8_t eventClass, std::uint8_t eventNum
 void setByte(StartInformation& info, unsigned at, unsigned value) {
   info[at] = static_cast<std::uint8_t>(value);
 }
-void setWord(StartInformation& info, unsigned at, std::uint32_t value) { storeWord(&info[at], value); }
-void setDWord(StartInformation& info, unsigned at, std::uint32_t value) { storeDWord(&info[at], value); }
+void setWord(StartInformation& info, unsigned at, std::uint32_t value) {
+  storeWord(&info[at], value);
+}
+void setDWord(StartInformation& info, unsigned at, std::uint32_t value) {
+  storeDWord(&info[at], value);
+}
 
 StartInformation errorInformation(const SyncError& error, std::uint8_t priority, BlockId block,
                                   std::uint32_t offset, const DateAndTime& time) {
@@ -37,9 +41,9 @@ std::uint8_t priorityOf(std::uint8_t ob) {
   struct Row {
     std::uint8_t first, last, priority, step;
   };
-  constexpr Row kRows[] = {{1, 1, 1, 0},     {10, 17, 2, 0},   {20, 23, 3, 1},   {30, 38, 7, 1},
-                           {40, 47, 16, 1},  {50, 51, 24, 0},  {60, 60, 25, 0},  {80, 87, 26, 0},
-                           {100, 102, 27, 0}};
+  constexpr Row kRows[] = {{1, 1, 1, 0},    {10, 17, 2, 0},  {20, 23, 3, 1},
+                           {30, 38, 7, 1},  {40, 47, 16, 1}, {50, 51, 24, 0},
+                           {60, 60, 25, 0}, {80, 87, 26, 0}, {100, 102, 27, 0}};
   for (const Row& row : kRows)
     if (ob >= row.first && ob <= row.last)
       return static_cast<std::uint8_t>(row.priority + (ob - row.first) * row.step);

@@ -13,8 +13,8 @@ namespace merker::cpu {
 using StartInformation = std::array<std::uint8_t, 20>;
 
 // Bytes 0..3 and 12..19, the same for all (S7-OBI-01).
-StartInformation startInformation(std::uint8_t eventClass, std::uint8_t eventNumber, std::uint8_t priority,
-                                  std::uint8_t ob, const DateAndTime& time);
+StartInformation startInformation(std::uint8_t eventClass, std::uint8_t eventNumber,
+                                  std::uint8_t priority, std::uint8_t ob, const DateAndTime& time);
 
 // Puts a value of 1, 2 or 4 bytes at its place.
 void setByte(StartInformation& info, unsigned at, unsigned value);

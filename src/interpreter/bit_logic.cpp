@@ -18,7 +18,8 @@ const Op* anywhere(cpu::Machine& m, const Op* op) {
 template <typename Logic, Form F>
 const Op* direct(cpu::Machine& m, const Op* op) {
   const std::uint8_t* byte = readable<F>(m, op, 1);
-  if (byte == nullptr) [[unlikely]] return anywhere<Logic>(m, op);
+  if (byte == nullptr) [[unlikely]]
+    return anywhere<Logic>(m, op);
   Logic::apply(m.registers.status, (*byte & op->mask) != 0);
   return op + 1;
 }

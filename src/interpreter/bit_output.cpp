@@ -41,7 +41,8 @@ template <typename Output, Form F>
 const Op* direct(cpu::Machine& m, const Op* op) {
   if (Output::writes(m)) {
     std::uint8_t* byte = writable<F>(m, op, 1);
-    if (byte == nullptr) [[unlikely]] return anywhere<Output>(m, op);
+    if (byte == nullptr) [[unlikely]]
+      return anywhere<Output>(m, op);
     *byte = static_cast<std::uint8_t>(Output::value(m) ? *byte | op->mask : *byte & ~op->mask);
   }
   finish<Output>(m);

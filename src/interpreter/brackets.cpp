@@ -10,24 +10,34 @@ using mc7::Operation;
 // S7-INSTR-08: depth by model (S7-CPU-27).
 const Op* open(cpu::Machine& m, const Op* op) {
   cpu::StatusWord& s = m.registers.status;
-  const std::size_t used = m.brackets.size() - (m.levels.empty() ? 0u : m.levels.back().bracketBase);
+  const std::size_t used =
+      m.brackets.size() - (m.levels.empty() ? 0u : m.levels.back().bracketBase);
   if (used >= m.model->bracketDepth) return stop(m, op, cpu::Event::StopBracketStack);
   m.brackets.push_back({.function = static_cast<std::uint8_t>(op->operation),
-                        .rlo = s.rlo, .orBit = s.orBit, .er = s.er});
+                        .rlo = s.rlo,
+                        .orBit = s.orBit,
+                        .er = s.er});
   s.sta = true;
   s.endChain();
   return op + 1;
 }
 
-// What stood before the bracket, combined with what came out of it. A stored /ER of 0 makes it a first check.
+// What stood before the bracket, combined with what came out of it. A stored /ER of 0 makes it a
+// first check.
 bool combine(const cpu::Bracket& before, bool inner) {
   switch (static_cast<Operation>(before.function)) {
-    case Operation::AND_OPEN: return (before.rlo || !before.er) && inner;
-    case Operation::AND_NOT_OPEN: return (before.rlo || !before.er) && !inner;
-    case Operation::OR_OPEN: return (before.rlo && before.er) || inner;
-    case Operation::OR_NOT_OPEN: return (before.rlo && before.er) || !inner;
-    case Operation::XOR_OPEN: return (before.rlo && before.er) != inner;
-    default: return (before.rlo && before.er) != !inner;
+    case Operation::AND_OPEN:
+      return (before.rlo || !before.er) && inner;
+    case Operation::AND_NOT_OPEN:
+      return (before.rlo || !before.er) && !inner;
+    case Operation::OR_OPEN:
+      return (before.rlo && before.er) || inner;
+    case Operation::OR_NOT_OPEN:
+      return (before.rlo && before.er) || !inner;
+    case Operation::XOR_OPEN:
+      return (before.rlo && before.er) != inner;
+    default:
+      return (before.rlo && before.er) != !inner;
   }
 }
 

@@ -109,8 +109,10 @@ const Op* endIf(cpu::Machine& m, const Op* op) {
 }  // namespace
 
 Rows callRows() {
-  return {{Operation::UC, Form::Other, call},   {Operation::CC, Form::Other, callIf},
-          {Operation::BE, Form::None, end},     {Operation::BEA, Form::None, end},
+  return {{Operation::UC, Form::Other, call},
+          {Operation::CC, Form::Other, callIf},
+          {Operation::BE, Form::None, end},
+          {Operation::BEA, Form::None, end},
           {Operation::BEB, Form::None, endIf}};
 }
 

@@ -12,12 +12,18 @@ enum class Relation : std::uint8_t { Equal, NotEqual, Less, LessEqual, Greater, 
 template <Relation R, typename Number>
 constexpr bool holds(Number a, Number b) {
   switch (R) {
-    case Relation::Equal: return a == b;
-    case Relation::NotEqual: return a != b;
-    case Relation::Less: return a < b;
-    case Relation::LessEqual: return a <= b;
-    case Relation::Greater: return a > b;
-    case Relation::GreaterEqual: return a >= b;
+    case Relation::Equal:
+      return a == b;
+    case Relation::NotEqual:
+      return a != b;
+    case Relation::Less:
+      return a < b;
+    case Relation::LessEqual:
+      return a <= b;
+    case Relation::Greater:
+      return a > b;
+    case Relation::GreaterEqual:
+      return a >= b;
   }
   return false;
 }
@@ -30,7 +36,8 @@ void finish(cpu::StatusWord& s, bool result) {
 
 template <Relation R, typename Number>
 const Op* integers(cpu::Machine& m, const Op* op) {
-  const auto a = static_cast<Number>(m.registers.accu[1]), b = static_cast<Number>(m.registers.accu[0]);
+  const auto a = static_cast<Number>(m.registers.accu[1]),
+             b = static_cast<Number>(m.registers.accu[0]);
   cpu::StatusWord& s = m.registers.status;
   s.cc0 = a < b;
   s.cc1 = a > b;

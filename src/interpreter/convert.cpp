@@ -37,7 +37,8 @@ const Op* intToBcd(cpu::Machine& m, const Op* op) {
   const bool overflow = std::abs(value) > 999;
   setOverflow(m.registers.status, overflow);
   if (!overflow)
-    m.registers.setLow((value < 0 ? 0xF000u : 0u) | toBcd(static_cast<std::uint32_t>(std::abs(value)), 3));
+    m.registers.setLow((value < 0 ? 0xF000u : 0u) |
+                       toBcd(static_cast<std::uint32_t>(std::abs(value)), 3));
   return op + 1;
 }
 

@@ -23,7 +23,8 @@ const Op* open(cpu::Machine& m, const Op* op) {
   SyncError error = numberOperand(m, op, number);
   const bool instance = op->reg == 1;
   if (!error) error = check(m, number, instance);
-  (instance ? m.registers.di : m.registers.db) = error ? cpu::OpenBlock{} : m.dataBlocks.open(number);
+  (instance ? m.registers.di : m.registers.db) =
+      error ? cpu::OpenBlock{} : m.dataBlocks.open(number);
   return goOn(m, op, error);
 }
 
@@ -35,7 +36,8 @@ const Op* exchange(cpu::Machine& m, const Op* op) {
 }  // namespace
 
 Rows dataBlockRows() {
-  return {{mc7::Operation::OPEN, Form::Other, open}, {mc7::Operation::SWAP_DB, Form::None, exchange}};
+  return {{mc7::Operation::OPEN, Form::Other, open},
+          {mc7::Operation::SWAP_DB, Form::None, exchange}};
 }
 
 }  // namespace merker::interpreter

@@ -76,9 +76,9 @@ const Op* invert(cpu::Machine& m, const Op* op) {
 }  // namespace
 
 Rows doubleIntegerRows() {
-  return {{Operation::ADD_D, Form::None, plus},    {Operation::SUB_D, Form::None, minus},
-          {Operation::MUL_D, Form::None, times},   {Operation::DIV_D, Form::None, divide},
-          {Operation::MOD, Form::None, modulo},    {Operation::NEGD, Form::None, negate},
+  return {{Operation::ADD_D, Form::None, plus},  {Operation::SUB_D, Form::None, minus},
+          {Operation::MUL_D, Form::None, times}, {Operation::DIV_D, Form::None, divide},
+          {Operation::MOD, Form::None, modulo},  {Operation::NEGD, Form::None, negate},
           {Operation::INVD, Form::None, invert}};
 }
 

@@ -13,7 +13,8 @@ const Op* edge(cpu::Machine& m, const Op* op) {
   const bool before = place.bytes != nullptr && (*place.bytes & place.mask) != 0;
   const bool now = s.rlo;
   if (place.bytes != nullptr)
-    *place.bytes = static_cast<std::uint8_t>(now ? *place.bytes | place.mask : *place.bytes & ~place.mask);
+    *place.bytes =
+        static_cast<std::uint8_t>(now ? *place.bytes | place.mask : *place.bytes & ~place.mask);
   s.rlo = Rising ? now && !before : !now && before;
   s.sta = now;
   s.orBit = false;

@@ -13,9 +13,12 @@ const Op* fail(cpu::Machine& m, const Op* op, const cpu::SyncError& error) {
   m.position = op->offset;
   m.top->resume = indexOf(m, op + 1);
   switch (m.cpu->synchronousError(error)) {
-    case cpu::AfterError::GoOn: return op + 1;
-    case cpu::AfterError::ErrorOb: return codeOf(*m.top).ops.data();
-    case cpu::AfterError::Stopped: break;
+    case cpu::AfterError::GoOn:
+      return op + 1;
+    case cpu::AfterError::ErrorOb:
+      return codeOf(*m.top).ops.data();
+    case cpu::AfterError::Stopped:
+      break;
   }
   return op;
 }
@@ -33,6 +36,8 @@ const Op* stop(cpu::Machine& m, const Op* op, cpu::Event why) {
 const Op* unknownCode(cpu::Machine& m, const Op* op) {
   return stop(m, op, cpu::Event::StopUnknownOpcode);
 }
-const Op* endOfCode(cpu::Machine& m, const Op* op) { return stop(m, op, cpu::Event::StopCodeLength); }
+const Op* endOfCode(cpu::Machine& m, const Op* op) {
+  return stop(m, op, cpu::Event::StopCodeLength);
+}
 
 }  // namespace merker::interpreter

@@ -7,7 +7,8 @@
 
 namespace merker::interpreter {
 
-// Synchronous error, after the instruction has done what it can (S7-ERR-03): OB 121 or OB 122 begins, or the CPU stops.
+// Synchronous error, after the instruction has done what it can (S7-ERR-03): OB 121 or OB 122
+// begins, or the CPU stops.
 const Op* fail(cpu::Machine& m, const Op* op, const cpu::SyncError& error);
 // Goes on behind `op`, or with the error OB if there is an error.
 inline const Op* goOn(cpu::Machine& m, const Op* op, const cpu::SyncError& error) {

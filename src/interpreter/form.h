@@ -1,5 +1,6 @@
-// The shapes of operands for which handlers differ. Direct operands have forms of their own, so that they are reached
-// with one offset and at most one comparison; everything else goes through operand_access.h.
+// The shapes of operands for which handlers differ. Direct operands have forms of their own, so
+// that they are reached with one offset and at most one comparison; everything else goes through
+// operand_access.h.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +20,7 @@ enum class Form : std::uint8_t {
   Counter,
   StatusBit,
   Constant,
-  Other,     // status word, address register, DBNO …, P##
+  Other,  // status word, address register, DBNO …, P##
   Count
 };
 

@@ -6,17 +6,19 @@ namespace {
 constexpr std::size_t kWidths = 4;
 
 constexpr Rows (*kFamilies[])() = {
-    bitLogicRows,  statusBitRows, bracketRows,  bitOutputRows,       edgeRows,      timerRows,
-    counterRows,   loadRows,      transferRows, addressRegisterRows, dataBlockRows, integerRows,
-    doubleIntegerRows, realRows,  realFunctionRows, compareRows,     wordLogicRows, shiftRows,
-    rotateRows,    accumulatorRows, convertRows, roundRows,          jumpRows,      callRows,
-    mcrRows};
+    bitLogicRows,  statusBitRows, bracketRows,       bitOutputRows, edgeRows,
+    timerRows,     counterRows,   loadRows,          transferRows,  addressRegisterRows,
+    dataBlockRows, integerRows,   doubleIntegerRows, realRows,      realFunctionRows,
+    compareRows,   wordLogicRows, shiftRows,         rotateRows,    accumulatorRows,
+    convertRows,   roundRows,     jumpRows,          callRows,      mcrRows};
 
 }  // namespace
 
 std::size_t HandlerTable::index(mc7::Operation operation, Form form, Width width) {
   return (static_cast<std::size_t>(operation) * static_cast<std::size_t>(Form::Count) +
-          static_cast<std::size_t>(form)) * kWidths + static_cast<std::size_t>(width);
+          static_cast<std::size_t>(form)) *
+             kWidths +
+         static_cast<std::size_t>(width);
 }
 
 HandlerTable::HandlerTable()

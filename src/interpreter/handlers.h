@@ -1,5 +1,5 @@
-// The handlers of all instructions. Each family has one file with its rows; together they are the table from operation,
-// form and width to a handler.
+// The handlers of all instructions. Each family has one file with its rows; together they are the
+// table from operation, form and width to a handler.
 #pragma once
 
 #include <array>

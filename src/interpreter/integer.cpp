@@ -48,8 +48,8 @@ const Op* divide(cpu::Machine& m, const Op* op) {
     setInvalid(m.registers.status);
   } else {
     const std::int32_t quotient = dividend / divisor, remainder = dividend % divisor;
-    m.registers.accu[0] =
-        static_cast<std::uint32_t>(remainder) << 16 | (static_cast<std::uint32_t>(quotient) & 0xFFFF);
+    m.registers.accu[0] = static_cast<std::uint32_t>(remainder) << 16 |
+                          (static_cast<std::uint32_t>(quotient) & 0xFFFF);
     m.registers.status.setSign(quotient);
     setOverflow(m.registers.status, !fits(quotient));
   }

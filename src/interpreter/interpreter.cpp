@@ -23,7 +23,8 @@ std::unique_ptr<cpu::Code> Interpreter::translate(const block::Block& block) {
   code->source = &block;
   const OpByWord opAt = translator_.translate(block.code, *code);
   code->localBytes = std::max(block.localBytes, localUse(*code));
-  if (block.id.kind == BlockKind::OB) code->localBytes = std::max(code->localBytes, kStartInformation);
+  if (block.id.kind == BlockKind::OB)
+    code->localBytes = std::max(code->localBytes, kStartInformation);
   if (coverage_ || !block.checks.empty()) attachSide(block, *code, opAt);
   return code;
 }
@@ -32,7 +33,10 @@ void Interpreter::attachSide(const block::Block& block, Translated& code, const 
   const std::uint32_t count = code.instructionCount;
   code.side.resize(count);
   code.recorder = &recorder_;
-  if (coverage_) code.covered.resize(count);
+  if (coverage_) {
+    code.executed.resize(count);
+    counted_.push_back(&code);
+  }
 
   std::map<std::int32_t, std::vector<const block::Check*>> byOp;
   for (const block::Check& check : block.checks) {
@@ -72,6 +76,16 @@ void Interpreter::run(cpu::Machine& m) {
   } while (m.clock < m.horizon);
   m.instructions += count;
   if (!m.levelEnded) m.top->resume = indexOf(m, op);
+}
+
+std::map<BlockId, std::map<std::uint32_t, std::uint64_t>> Interpreter::executed() const {
+  std::map<BlockId, std::map<std::uint32_t, std::uint64_t>> result;
+  for (const Translated* code : counted_) {
+    auto& block = result[code->source->id];
+    for (std::uint32_t i = 0; i < code->instructionCount; ++i)
+      if (code->executed[i] != 0) block[code->ops[i].offset] = code->executed[i];
+  }
+  return result;
 }
 
 std::uint32_t Interpreter::offset(const cpu::Frame& frame) const {

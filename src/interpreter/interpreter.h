@@ -13,13 +13,15 @@ namespace merker::interpreter {
 class Interpreter : public cpu::Engine {
  public:
   explicit Interpreter(const CpuModel& model) : translator_(table_, model) {}
-  // From the next translation on, note which instructions run.
+  // From the next translation on, count how often each instruction runs.
   void countCoverage(bool on) { coverage_ = on; }
 
   std::unique_ptr<cpu::Code> translate(const block::Block& block) override;
   void run(cpu::Machine& machine) override;
   std::uint32_t offset(const cpu::Frame& frame) const override;
 
+  // How often each counted instruction ran, by block and offset.
+  std::map<BlockId, std::map<std::uint32_t, std::uint64_t>> executed() const;
   const std::deque<CheckRecord>& checkRecords() const { return recorder_.records(); }
 
  private:
@@ -29,6 +31,7 @@ class Interpreter : public cpu::Engine {
   Translator translator_;
   Recorder recorder_;
   bool coverage_ = false;
+  std::vector<const Translated*> counted_;  // they belong to the CPU, which loads once
 };
 
 }  // namespace merker::interpreter

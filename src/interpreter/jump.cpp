@@ -45,7 +45,8 @@ const Op* onConditions(cpu::Machine& m, const Op* op) {
   const unsigned conditions = m.registers.status.cc1 * 2u + m.registers.status.cc0;
   return jump(op, (Set >> conditions & 1) != 0);
 }
-constexpr unsigned kZero = 1u << 0b00, kMinus = 1u << 0b01, kPlus = 1u << 0b10, kUnordered = 1u << 0b11;
+constexpr unsigned kZero = 1u << 0b00, kMinus = 1u << 0b01, kPlus = 1u << 0b10,
+                   kUnordered = 1u << 0b11;
 
 // SPL (S7-INSTR-127): the list behind it are SPA instructions; target is what follows the list.
 const Op* distribute(cpu::Machine& m, const Op* op) {

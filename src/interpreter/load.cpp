@@ -51,10 +51,18 @@ const Op* statusWord(cpu::Machine& m, const Op* op) {
 const Op* dataBlockInfo(cpu::Machine& m, const Op* op) {
   const cpu::Registers& r = m.registers;
   switch (static_cast<mc7::DataBlockQuery>(op->value)) {
-    case mc7::DataBlockQuery::DbLength: m.registers.load(r.db.length); break;
-    case mc7::DataBlockQuery::DiLength: m.registers.load(r.di.length); break;
-    case mc7::DataBlockQuery::DbNumber: m.registers.load(r.db.number); break;
-    case mc7::DataBlockQuery::DiNumber: m.registers.load(r.di.number); break;
+    case mc7::DataBlockQuery::DbLength:
+      m.registers.load(r.db.length);
+      break;
+    case mc7::DataBlockQuery::DiLength:
+      m.registers.load(r.di.length);
+      break;
+    case mc7::DataBlockQuery::DbNumber:
+      m.registers.load(r.db.number);
+      break;
+    case mc7::DataBlockQuery::DiNumber:
+      m.registers.load(r.di.number);
+      break;
   }
   return op + 1;
 }
@@ -64,12 +72,14 @@ const Op* parameterAddress(cpu::Machine& m, const Op* op) {
   const bool exists = op->value < m.top->parameterCount;
   m.registers.load(exists ? m.top->parameters[op->value] : 0);
   if (exists) return op + 1;
-  return fail(m, op, {.code = cpu::ErrorCode::AreaRead, .width = Width::DWord, .detail = op->value});
+  return fail(m, op,
+              {.code = cpu::ErrorCode::AreaRead, .width = Width::DWord, .detail = op->value});
 }
 
 // Both kinds of "other" operands of L share one form.
 const Op* other(cpu::Machine& m, const Op* op) {
-  return op->kind == mc7::OperandKind::DataBlockInfo ? dataBlockInfo(m, op) : parameterAddress(m, op);
+  return op->kind == mc7::OperandKind::DataBlockInfo ? dataBlockInfo(m, op)
+                                                     : parameterAddress(m, op);
 }
 
 }  // namespace

@@ -25,11 +25,23 @@ inline void xorWith(cpu::StatusWord& s, bool term, bool state) {
   s.er = true;
 }
 
-struct And { static void apply(cpu::StatusWord& s, bool bit) { andWith(s, bit, bit); } };
-struct AndNot { static void apply(cpu::StatusWord& s, bool bit) { andWith(s, !bit, bit); } };
-struct Or { static void apply(cpu::StatusWord& s, bool bit) { orWith(s, bit, bit); } };
-struct OrNot { static void apply(cpu::StatusWord& s, bool bit) { orWith(s, !bit, bit); } };
-struct Xor { static void apply(cpu::StatusWord& s, bool bit) { xorWith(s, bit, bit); } };
-struct XorNot { static void apply(cpu::StatusWord& s, bool bit) { xorWith(s, !bit, bit); } };
+struct And {
+  static void apply(cpu::StatusWord& s, bool bit) { andWith(s, bit, bit); }
+};
+struct AndNot {
+  static void apply(cpu::StatusWord& s, bool bit) { andWith(s, !bit, bit); }
+};
+struct Or {
+  static void apply(cpu::StatusWord& s, bool bit) { orWith(s, bit, bit); }
+};
+struct OrNot {
+  static void apply(cpu::StatusWord& s, bool bit) { orWith(s, !bit, bit); }
+};
+struct Xor {
+  static void apply(cpu::StatusWord& s, bool bit) { xorWith(s, bit, bit); }
+};
+struct XorNot {
+  static void apply(cpu::StatusWord& s, bool bit) { xorWith(s, !bit, bit); }
+};
 
 }  // namespace merker::interpreter

@@ -18,7 +18,8 @@ bool validArea(Area area) { return area >= Area::Peripheral && area <= Area::Cal
 // [MD n]: bits 18..0 of the double word (S7-IND-03).
 Effective memoryIndirect(cpu::Machine& m, const Op* op) {
   std::uint32_t pointer = 0;
-  const SyncError error = cpu::read(m, op->pointerArea, Width::DWord, bitAddress(op->value), pointer);
+  const SyncError error =
+      cpu::read(m, op->pointerArea, Width::DWord, bitAddress(op->value), pointer);
   return {.area = op->area, .address = pointerAddress(pointer), .error = error};
 }
 
@@ -49,11 +50,16 @@ Effective parameter(cpu::Machine& m, const Op* op, Access access) {
 
 Effective effective(cpu::Machine& m, const Op* op, Access access) {
   switch (op->kind) {
-    case OperandKind::MemoryIndirect: return memoryIndirect(m, op);
-    case OperandKind::RegisterIndirect: return registerIndirect(m, op);
-    case OperandKind::RegisterCrossing: return registerCrossing(m, op, access);
-    case OperandKind::Parameter: return parameter(m, op, access);
-    default: return {.area = op->area, .address = op->value};
+    case OperandKind::MemoryIndirect:
+      return memoryIndirect(m, op);
+    case OperandKind::RegisterIndirect:
+      return registerIndirect(m, op);
+    case OperandKind::RegisterCrossing:
+      return registerCrossing(m, op, access);
+    case OperandKind::Parameter:
+      return parameter(m, op, access);
+    default:
+      return {.area = op->area, .address = op->value};
   }
 }
 
@@ -83,10 +89,13 @@ SyncError numberOperand(cpu::Machine& m, const Op* op, std::uint32_t& number) {
     case OperandKind::TimerParameter:
     case OperandKind::CounterParameter:
     case OperandKind::BlockParameter:
-      if (op->value >= m.top->parameterCount) return areaError(Access::Read, Width::Word, op->value);
+      if (op->value >= m.top->parameterCount)
+        return areaError(Access::Read, Width::Word, op->value);
       number = m.top->parameters[op->value] >> 16;
       return {};
-    default: number = op->value; return {};
+    default:
+      number = op->value;
+      return {};
   }
 }
 

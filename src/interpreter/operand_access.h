@@ -1,5 +1,5 @@
-// Operands whose place is only known when the instruction runs (S7-IND-03 … -07, S7-PAR-01), and the quick way to the
-// others.
+// Operands whose place is only known when the instruction runs (S7-IND-03 … -07, S7-PAR-01), and
+// the quick way to the others.
 #pragma once
 
 #include "cpu/memory_access.h"

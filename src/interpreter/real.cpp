@@ -7,9 +7,15 @@ namespace {
 
 using mc7::Operation;
 
-struct Plus { static float of(float a, float b) { return a + b; } };
-struct Minus { static float of(float a, float b) { return a - b; } };
-struct Times { static float of(float a, float b) { return a * b; } };
+struct Plus {
+  static float of(float a, float b) { return a + b; }
+};
+struct Minus {
+  static float of(float a, float b) { return a - b; }
+};
+struct Times {
+  static float of(float a, float b) { return a * b; }
+};
 // x/0 is infinite, 0/0 no number: IEEE 754, which C++ leaves open.
 struct Divide {
   static float of(float a, float b) {
@@ -39,9 +45,10 @@ const Op* absolute(cpu::Machine& m, const Op* op) {
 }  // namespace
 
 Rows realRows() {
-  return {{Operation::ADD_R, Form::None, binary<Plus>},  {Operation::SUB_R, Form::None, binary<Minus>},
-          {Operation::MUL_R, Form::None, binary<Times>}, {Operation::DIV_R, Form::None, binary<Divide>},
-          {Operation::NEGR, Form::None, negate},         {Operation::ABS, Form::None, absolute}};
+  return {
+      {Operation::ADD_R, Form::None, binary<Plus>},  {Operation::SUB_R, Form::None, binary<Minus>},
+      {Operation::MUL_R, Form::None, binary<Times>}, {Operation::DIV_R, Form::None, binary<Divide>},
+      {Operation::NEGR, Form::None, negate},         {Operation::ABS, Form::None, absolute}};
 }
 
 }  // namespace merker::interpreter

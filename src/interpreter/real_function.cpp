@@ -1,4 +1,5 @@
-// SQRT SQR LN EXP SIN COS TAN ASIN ACOS ATAN (S7-INSTR-65 … -70): computed in double, then rounded once.
+// SQRT SQR LN EXP SIN COS TAN ASIN ACOS ATAN (S7-INSTR-65 … -70): computed in double, then rounded
+// once.
 #include "interpreter/handlers.h"
 #include "interpreter/real_number.h"
 
@@ -36,11 +37,16 @@ const Op* apply(cpu::Machine& m, const Op* op) {
 }  // namespace
 
 Rows realFunctionRows() {
-  return {{Operation::SQRT, Form::None, apply<root>},        {Operation::SQR, Form::None, apply<square>},
-          {Operation::LN, Form::None, apply<logarithm>},     {Operation::EXP, Form::None, apply<exponential>},
-          {Operation::SIN, Form::None, apply<sine>},         {Operation::COS, Form::None, apply<cosine>},
-          {Operation::TAN, Form::None, apply<tangent>},      {Operation::ASIN, Form::None, apply<arcSine>},
-          {Operation::ACOS, Form::None, apply<arcCosine>},   {Operation::ATAN, Form::None, apply<arcTangent>}};
+  return {{Operation::SQRT, Form::None, apply<root>},
+          {Operation::SQR, Form::None, apply<square>},
+          {Operation::LN, Form::None, apply<logarithm>},
+          {Operation::EXP, Form::None, apply<exponential>},
+          {Operation::SIN, Form::None, apply<sine>},
+          {Operation::COS, Form::None, apply<cosine>},
+          {Operation::TAN, Form::None, apply<tangent>},
+          {Operation::ASIN, Form::None, apply<arcSine>},
+          {Operation::ACOS, Form::None, apply<arcCosine>},
+          {Operation::ATAN, Form::None, apply<arcTangent>}};
 }
 
 }  // namespace merker::interpreter

@@ -13,8 +13,8 @@ inline float real(const cpu::Machine& m, unsigned accu) {
   return std::bit_cast<float>(m.registers.accu[accu]);
 }
 
-// Result to AKKU1 with A1 A0 OV OS (S7-INSTR-60). A result that is no number has one fixed pattern, so that
-// it does not depend on the host.
+// Result to AKKU1 with A1 A0 OV OS (S7-INSTR-60). A result that is no number has one fixed pattern,
+// so that it does not depend on the host.
 inline void setReal(cpu::Machine& m, float result) {
   constexpr std::uint32_t kNoNumber = 0xFFFF'FFFF;
   cpu::StatusWord& s = m.registers.status;

@@ -23,13 +23,20 @@ bool about(std::uint32_t a, std::uint32_t b) {
 
 bool holds(std::uint32_t a, Relation relation, std::uint32_t b) {
   switch (relation) {
-    case Relation::Equal: return a == b;
-    case Relation::NotEqual: return a != b;
-    case Relation::Less: return a < b;
-    case Relation::LessEqual: return a <= b;
-    case Relation::Greater: return a > b;
-    case Relation::GreaterEqual: return a >= b;
-    case Relation::About: return about(a, b);
+    case Relation::Equal:
+      return a == b;
+    case Relation::NotEqual:
+      return a != b;
+    case Relation::Less:
+      return a < b;
+    case Relation::LessEqual:
+      return a <= b;
+    case Relation::Greater:
+      return a > b;
+    case Relation::GreaterEqual:
+      return a >= b;
+    case Relation::About:
+      return about(a, b);
   }
   return false;
 }
@@ -75,7 +82,8 @@ void Recorder::evaluateOne(cpu::Machine& m, std::uint32_t number) {
     const auto right = valueOf(m, term.right, terms_[number][i].right);
     if (left && right && holds(*left, term.relation, *right)) continue;
     if (record.failures.size() >= kFailuresKept) continue;
-    const std::string seen = left && right ? "is " + shown(*left, term) : "the operand cannot be read here";
+    const std::string seen =
+        left && right ? "is " + shown(*left, term) : "the operand cannot be read here";
     record.failures.push_back(term.text + ": " + seen);
   }
 }

@@ -1,4 +1,5 @@
-// SLW SLD SRW SRD SSI SSD (S7-INSTR-75 … -80). Count 0 does nothing at all, not even to the status word.
+// SLW SLD SRW SRD SSI SSD (S7-INSTR-75 … -80). Count 0 does nothing at all, not even to the status
+// word.
 #include "interpreter/shift.h"
 
 #include <algorithm>

@@ -9,7 +9,7 @@ const Op* runWithSide(cpu::Machine& m, const Op* op) {
   const Translated& code = codeOf(*m.top);
   const std::uint32_t index = indexOf(m, op);
   const Side& side = code.side[index];
-  if (!code.covered.empty()) code.covered[index] = true;
+  if (!code.executed.empty()) ++code.executed[index];
   const std::size_t depth = m.frames.size();
   const Op* next = side.original(m, op);
   if (side.checks == 0 || m.cpu->stoppedByFault()) return next;

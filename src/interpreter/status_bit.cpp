@@ -8,16 +8,26 @@ namespace {
 bool stateOf(const cpu::StatusWord& s, mc7::StatusQuery query) {
   using mc7::StatusQuery;
   switch (query) {
-    case StatusQuery::OS: return s.os;
-    case StatusQuery::OV: return s.ov;
-    case StatusQuery::Greater: return s.cc1 && !s.cc0;
-    case StatusQuery::Less: return !s.cc1 && s.cc0;
-    case StatusQuery::Unordered: return s.cc1 && s.cc0;
-    case StatusQuery::NotEqual: return s.cc1 != s.cc0;
-    case StatusQuery::Equal: return !s.cc1 && !s.cc0;
-    case StatusQuery::GreaterEqual: return !s.cc0;
-    case StatusQuery::LessEqual: return !s.cc1;
-    case StatusQuery::BIE: return s.br;
+    case StatusQuery::OS:
+      return s.os;
+    case StatusQuery::OV:
+      return s.ov;
+    case StatusQuery::Greater:
+      return s.cc1 && !s.cc0;
+    case StatusQuery::Less:
+      return !s.cc1 && s.cc0;
+    case StatusQuery::Unordered:
+      return s.cc1 && s.cc0;
+    case StatusQuery::NotEqual:
+      return s.cc1 != s.cc0;
+    case StatusQuery::Equal:
+      return !s.cc1 && !s.cc0;
+    case StatusQuery::GreaterEqual:
+      return !s.cc0;
+    case StatusQuery::LessEqual:
+      return !s.cc1;
+    case StatusQuery::BIE:
+      return s.br;
   }
   return false;
 }

@@ -1,4 +1,5 @@
-// T: to memory and to the status word (S7-INSTR-40, -46). With the master control relay off T writes 0.
+// T: to memory and to the status word (S7-INSTR-40, -46). With the master control relay off T
+// writes 0.
 #include "interpreter/fault.h"
 #include "interpreter/handlers.h"
 #include "interpreter/operand_access.h"

@@ -66,7 +66,8 @@ Op plain(Handler handler, std::uint32_t offset) {
 
 bool isJump(const Op& op) { return op.kind == OperandKind::Jump; }
 
-std::int32_t distance(const OpByWord& opAt, std::int64_t offset, std::size_t from, std::size_t unknown) {
+std::int32_t distance(const OpByWord& opAt, std::int64_t offset, std::size_t from,
+                      std::size_t unknown) {
   const bool inside = offset >= 0 && offset / 2 < static_cast<std::int64_t>(opAt.size());
   const std::int32_t found = inside ? opAt[static_cast<std::size_t>(offset / 2)] : -1;
   const std::size_t to = found < 0 ? unknown : static_cast<std::size_t>(found);
@@ -171,7 +172,8 @@ OpByWord Translator::translate(std::span<const std::uint8_t> code, Translated& o
     out.ops.push_back(op);
   }
   out.instructionCount = static_cast<std::uint32_t>(out.ops.size());
-  if (opAt.back() < 0 && code.size() % 2 == 0) opAt.back() = static_cast<std::int32_t>(out.ops.size());
+  if (opAt.back() < 0 && code.size() % 2 == 0)
+    opAt.back() = static_cast<std::int32_t>(out.ops.size());
   const auto end = static_cast<std::uint32_t>(code.size());
   out.ops.push_back(plain(endOfCode, end));
   out.ops.push_back(plain(unknownCode, end));

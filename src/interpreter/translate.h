@@ -8,12 +8,14 @@
 
 namespace merker::interpreter {
 
-// Where each instruction begins: op number by word of the code, -1 inside an instruction or a parameter list.
+// Where each instruction begins: op number by word of the code, -1 inside an instruction or a
+// parameter list.
 using OpByWord = std::vector<std::int32_t>;
 
 class Translator {
  public:
-  Translator(const HandlerTable& handlers, const CpuModel& model) : handlers_(handlers), model_(model) {}
+  Translator(const HandlerTable& handlers, const CpuModel& model)
+      : handlers_(handlers), model_(model) {}
   // Fills ops, instructionCount and parameters; any bytes are welcome.
   OpByWord translate(std::span<const std::uint8_t> code, Translated& out) const;
   Op makeOp(const mc7::Instruction& instruction, std::uint32_t offset) const;

@@ -10,12 +10,12 @@ namespace merker::interpreter {
 
 class Recorder;
 
-// What else happens at an instruction: checks (//=) and counting for coverage. Only blocks that have one of them carry
-// such a list, as long as `ops`.
+// What else happens at an instruction: checks (//=) and counting for coverage. Only blocks that
+// have one of them carry such a list, as long as `ops`.
 struct Side {
   Handler original = nullptr;
   std::uint32_t firstCheck = 0, checks = 0;  // numbers in the recorder
-  std::uint32_t afterCall = 0;               // op that evaluates the checks when a called block has returned
+  std::uint32_t afterCall = 0;  // op that evaluates the checks when a called block has returned
 };
 
 struct Translated : cpu::Code {
@@ -23,7 +23,7 @@ struct Translated : cpu::Code {
   std::uint32_t instructionCount = 0;     // ops that stand for instructions
   std::vector<std::uint32_t> parameters;  // of all calls, one list behind the other
   std::vector<Side> side;
-  mutable std::vector<bool> covered;      // by op; empty when nobody counts
+  mutable std::vector<std::uint64_t> executed;  // by op; empty when nobody counts
   Recorder* recorder = nullptr;
 };
 

@@ -6,9 +6,15 @@ namespace {
 
 using mc7::Operation;
 
-struct And { static std::uint32_t of(std::uint32_t a, std::uint32_t b) { return a & b; } };
-struct Or { static std::uint32_t of(std::uint32_t a, std::uint32_t b) { return a | b; } };
-struct Xor { static std::uint32_t of(std::uint32_t a, std::uint32_t b) { return a ^ b; } };
+struct And {
+  static std::uint32_t of(std::uint32_t a, std::uint32_t b) { return a & b; }
+};
+struct Or {
+  static std::uint32_t of(std::uint32_t a, std::uint32_t b) { return a | b; }
+};
+struct Xor {
+  static std::uint32_t of(std::uint32_t a, std::uint32_t b) { return a ^ b; }
+};
 
 // A1 = (result not 0), A0 and OV 0 (S7-STW-13).
 void setStatus(cpu::StatusWord& s, std::uint32_t result) {

@@ -1,5 +1,6 @@
-// One PLC put together: CPU, engine, system services, periphery. A value built by arguments; no globals, so any number
-// of stations lives in one process. Everything outside (scenarios, command line, servers) works through this.
+// One PLC put together: CPU, engine, system services, periphery. A value built by arguments; no
+// globals, so any number of stations lives in one process. Everything outside (scenarios, command
+// line, servers) works through this.
 #pragma once
 
 #include <cstdint>
@@ -23,14 +24,15 @@ enum class Mode : std::uint8_t { Stop, Startup, Run, Halt };
 struct DiagnosticEntry {
   std::uint16_t event = 0;  // 16#2521, 16#4562 …
   Instant time;
-  std::string text;         // "programming error: BCD conversion error", with block and position if known
+  std::string text;  // "programming error: BCD conversion error", with block and position if known
 };
 
 struct Options {
   const CpuModel* model = &defaultCpuModel();
   std::shared_ptr<const block::Program> program;
-  std::int64_t startOfClock = 0;  // milliseconds since 1990-01-01 that the CPU's clock shows at Instant 0
-  bool coverage = false;          // count how often each instruction runs
+  std::int64_t startOfClock =
+      0;                  // milliseconds since 1990-01-01 that the CPU's clock shows at Instant 0
+  bool coverage = false;  // count how often each instruction runs
 };
 
 // What a check (//=) saw. `reached` counts how often it was evaluated.
@@ -52,12 +54,12 @@ class Station {
 
   // operating states (S7-STATE)
   Mode mode() const;
-  bool stoppedByFault() const;       // STOP for another reason than a wish (switch, SFC 46)
-  std::string stopReason() const;    // as the diagnostic buffer names it; empty while not in STOP
+  bool stoppedByFault() const;     // STOP for another reason than a wish (switch, SFC 46)
+  std::string stopReason() const;  // as the diagnostic buffer names it; empty while not in STOP
   void memoryReset();
-  bool warmRestart();                // OB 100, then OB 1; false if refused (no OB 1 …)
-  bool coldRestart();                // false if the model has none
-  void stop();                       // mode switch to STOP
+  bool warmRestart();  // OB 100, then OB 1; false if refused (no OB 1 …)
+  bool coldRestart();  // false if the model has none
+  void stop();         // mode switch to STOP
   void powerOff();
   void powerOn();
 
@@ -65,18 +67,21 @@ class Station {
   Instant now() const;
   std::uint64_t cycles() const;
   std::uint64_t instructions() const;
-  void advanceTo(Instant t);         // runs up to t; stops early only if the CPU goes to STOP (then time still moves)
+  void advanceTo(
+      Instant t);  // runs up to t; stops early only if the CPU goes to STOP (then time still moves)
   void advanceCycles(std::uint64_t count);
-  // Runs to the next cycle checkpoint, at most to `limit`; true if it came to a checkpoint. The change from STARTUP to
-  // RUN, before the first cycle, counts as one. In STOP time moves to `limit` (false). Scenarios look at values after
-  // each cycle with it.
+  // Runs to the next cycle checkpoint, at most to `limit`; true if it came to a checkpoint. The
+  // change from STARTUP to RUN, before the first cycle, counts as one. In STOP time moves to
+  // `limit` (false). Scenarios look at values after each cycle with it.
   bool advanceToCheckpoint(Instant limit);
-  // Runs OB 1 once, back to back, without the operating system's share of the cycle: for measurements.
+  // Runs OB 1 once, back to back, without the operating system's share of the cycle: for
+  // measurements.
   void runOb1();
 
-  // values (bits as 0/1). Reading an input shows its process image; `write` to an input sets its terminal, from where
-  // the image takes it at the next cycle; other areas are written at once. A force holds until unforced.
-  // Timer and counter: Width::Bit is the status bit, any other width the coded value as LC loads it (S5TIME, BCD).
+  // values (bits as 0/1). Reading an input shows its process image; `write` to an input sets its
+  // terminal, from where the image takes it at the next cycle; other areas are written at once. A
+  // force holds until unforced. Timer and counter: Width::Bit is the status bit, any other width
+  // the coded value as LC loads it (S5TIME, BCD).
   std::optional<std::uint32_t> read(const mc7::Reference& reference) const;
   bool write(const mc7::Reference& reference, std::uint32_t value);
   bool force(const mc7::Reference& reference, std::uint32_t value);
@@ -84,8 +89,8 @@ class Station {
 
   const std::vector<DiagnosticEntry>& diagnostics() const;
   const std::vector<CheckResult>& checkResults() const;
-  // With Options::coverage: how often each instruction ran, by block and byte offset of its code; those that never ran
-  // may be missing.
+  // With Options::coverage: how often each instruction ran, by block and byte offset of its code;
+  // those that never ran may be missing.
   std::map<BlockId, std::map<std::uint32_t, std::uint64_t>> executed() const;
 
   // Called after each change of simulated time at a cycle checkpoint: traces look at values here.

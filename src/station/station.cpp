@@ -1,0 +1,181 @@
+#include "station/station.h"
+
+#include <fmt/format.h>
+
+#include "cpu/cpu.h"
+#include "interpreter/interpreter.h"
+#include "station/values.h"
+#include "system/services.h"
+
+namespace merker::station {
+namespace {
+
+// How far beyond its end a call may run to reach the end of a cycle that never comes.
+constexpr Duration kLongestCycle = Duration::seconds(60);
+
+std::string placeText(const cpu::Place& place, const block::Program& program) {
+  if (!place.known) return {};
+  std::string text = fmt::format(", {} byte {}", toString(place.block), place.offset);
+  const auto found = program.find(place.block);
+  if (found == program.end()) return text;
+  const block::Block& block = found->second;
+  const std::uint32_t line = block.line(place.offset);
+  if (line != 0) text += fmt::format(" ({}:{})", block.file, line);
+  return text;
+}
+
+}  // namespace
+
+struct Station::Parts {
+  explicit Parts(Options options)
+      : model(options.model),
+        program(options.program ? options.program : std::make_shared<const block::Program>()),
+        engine(*model),
+        cpu(*model, engine, services, options.startOfClock) {
+    engine.countCoverage(options.coverage);
+    cpu.load(program);
+  }
+
+  const CpuModel* model;
+  std::shared_ptr<const block::Program> program;
+  interpreter::Interpreter engine;
+  system::Services services;
+  cpu::Cpu cpu;
+  Station* self = nullptr;  // whom the observer gets to see; moves along
+  std::function<void(Station&)> observer;
+
+  void settle();
+
+  std::vector<DiagnosticEntry> diagnostics;
+  std::uint64_t diagnosticsSeen = 0;
+  std::vector<CheckResult> checks;
+};
+
+Station::Station(Options options) : parts_(std::make_unique<Parts>(std::move(options))) {
+  parts_->self = this;
+}
+Station::~Station() = default;
+
+Station::Station(Station&& other) noexcept : parts_(std::move(other.parts_)) {
+  parts_->self = this;
+}
+Station& Station::operator=(Station&& other) noexcept {
+  parts_ = std::move(other.parts_);
+  if (parts_) parts_->self = this;
+  return *this;
+}
+
+const CpuModel& Station::model() const { return *parts_->model; }
+const block::Program& Station::program() const { return *parts_->program; }
+
+Mode Station::mode() const {
+  switch (parts_->cpu.mode()) {
+    case cpu::Mode::Stop:
+      return Mode::Stop;
+    case cpu::Mode::Startup:
+      return Mode::Startup;
+    case cpu::Mode::Run:
+      return Mode::Run;
+  }
+  return Mode::Stop;
+}
+
+bool Station::stoppedByFault() const {
+  return mode() == Mode::Stop && parts_->cpu.stoppedByFault();
+}
+
+std::string Station::stopReason() const {
+  if (mode() != Mode::Stop) return {};
+  const cpu::DiagnosticEvent& event = parts_->cpu.stopEvent();
+  if (event.text.empty()) return {};
+  return fmt::format("{}{} [16#{:04X}]", event.text, placeText(event.place, program()),
+                     event.event);
+}
+
+void Station::memoryReset() { parts_->cpu.memoryReset(); }
+bool Station::warmRestart() { return parts_->cpu.restart(cpu::Restart::ManualWarm); }
+bool Station::coldRestart() { return parts_->cpu.restart(cpu::Restart::ManualCold); }
+void Station::stop() { parts_->cpu.stop(cpu::Event::StopBySwitch); }
+void Station::powerOff() { parts_->cpu.powerOff(); }
+void Station::powerOn() { parts_->cpu.powerOn(); }
+
+Instant Station::now() const { return parts_->cpu.machine().clock; }
+std::uint64_t Station::cycles() const { return parts_->cpu.cycles(); }
+std::uint64_t Station::instructions() const { return parts_->cpu.machine().instructions; }
+
+// On to the end of the OB that runs now: outside, values are seen between two cycles, never in the
+// middle of one.
+void Station::Parts::settle() {
+  const Instant latest = cpu.machine().clock + kLongestCycle;
+  while (!cpu.betweenCycles() && cpu.mode() != cpu::Mode::Stop && cpu.machine().clock < latest)
+    cpu.step(latest);
+}
+
+void Station::advanceTo(Instant t) {
+  while (now() < t) parts_->cpu.step(t);
+  parts_->settle();
+}
+
+bool Station::advanceToCheckpoint(Instant limit) {
+  cpu::Cpu& cpu = parts_->cpu;
+  const std::uint64_t before = cpu.checkpoints();
+  while (now() < limit && cpu.checkpoints() == before) cpu.step(limit);
+  parts_->settle();
+  return cpu.checkpoints() != before;
+}
+
+void Station::advanceCycles(std::uint64_t count) {
+  for (; count > 0 && mode() != Mode::Stop; --count) {
+    const std::uint64_t before = cycles();
+    const Instant latest = now() + kLongestCycle;
+    while (cycles() == before && mode() != Mode::Stop && now() < latest) parts_->cpu.step(latest);
+    parts_->settle();
+  }
+}
+
+void Station::runOb1() { parts_->cpu.runOb1(); }
+
+std::optional<std::uint32_t> Station::read(const mc7::Reference& reference) const {
+  return readValue(parts_->cpu, reference);
+}
+bool Station::write(const mc7::Reference& reference, std::uint32_t value) {
+  return writeValue(parts_->cpu, reference, value);
+}
+bool Station::force(const mc7::Reference& reference, std::uint32_t value) {
+  return forceValue(parts_->cpu, reference, value);
+}
+void Station::unforce() { parts_->cpu.unforce(); }
+
+const std::vector<DiagnosticEntry>& Station::diagnostics() const {
+  Parts& p = *parts_;
+  const cpu::Diagnostics& buffer = p.cpu.diagnostics();
+  if (p.diagnosticsSeen == buffer.added()) return p.diagnostics;
+  p.diagnosticsSeen = buffer.added();
+  p.diagnostics.clear();
+  for (const cpu::DiagnosticEvent& event : buffer.events())
+    p.diagnostics.push_back(
+        {event.event, event.time, event.text + placeText(event.place, *p.program)});
+  return p.diagnostics;
+}
+
+const std::vector<CheckResult>& Station::checkResults() const {
+  Parts& p = *parts_;
+  p.checks.clear();
+  for (const interpreter::CheckRecord& record : p.engine.checkRecords())
+    p.checks.push_back({record.check, record.reached, record.failures});
+  return p.checks;
+}
+
+std::map<BlockId, std::map<std::uint32_t, std::uint64_t>> Station::executed() const {
+  return parts_->engine.executed();
+}
+
+void Station::onCycle(std::function<void(Station&)> observer) {
+  parts_->observer = std::move(observer);
+  Parts* parts = parts_.get();
+  parts->cpu.onCheckpoint([parts] {
+    if (parts->observer) parts->observer(*parts->self);
+  });
+}
+
+}  // namespace merker::station

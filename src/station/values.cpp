@@ -1,0 +1,121 @@
+#include "station/values.h"
+
+#include "base/bcd.h"
+#include "cpu/memory_access.h"
+
+namespace merker::station {
+namespace {
+
+using cpu::Machine;
+using mc7::Operand;
+using mc7::OperandKind;
+
+// A place among bytes; null if the operand does not lie in them.
+struct Bytes {
+  std::uint8_t* data = nullptr;
+  std::uint32_t length = 0;
+};
+
+std::uint8_t* place(Bytes bytes, const Operand& operand) {
+  const std::uint32_t end = operand.value / 8 + byteCount(operand.width);
+  const bool aligned = operand.width == Width::Bit || operand.value % 8 == 0;
+  return aligned && end <= bytes.length ? bytes.data + operand.value / 8 : nullptr;
+}
+
+Bytes all(std::vector<std::uint8_t>& bytes) {
+  return {bytes.data(), static_cast<std::uint32_t>(bytes.size())};
+}
+
+Bytes imageOf(Machine& m, Area area) {
+  return {m.image + m.areas.base(area), m.areas.length(area)};
+}
+
+Bytes bytesOf(Machine& m, const mc7::Reference& reference, bool write) {
+  switch (reference.operand.area) {
+    case Area::Input:
+      return write ? all(m.areas.inputs) : imageOf(m, Area::Input);
+    case Area::Output:
+    case Area::Flag:
+      return imageOf(m, reference.operand.area);
+    case Area::Peripheral:
+      return all(write ? m.areas.inputs : m.areas.outputs);
+    case Area::DataBlock: {
+      cpu::DataBlock* block =
+          reference.db < 0 ? nullptr : m.dataBlocks.find(static_cast<std::uint32_t>(reference.db));
+      return block == nullptr ? Bytes{} : all(block->data);
+    }
+    default:
+      return {};
+  }
+}
+
+std::uint32_t get(const std::uint8_t* bytes, const Operand& operand) {
+  if (operand.width == Width::Bit) return *bytes >> (operand.value & 7) & 1;
+  return cpu::loadBytes(bytes, operand.width);
+}
+
+void put(std::uint8_t* bytes, const Operand& operand, std::uint32_t value) {
+  if (operand.width != Width::Bit) return cpu::storeBytes(bytes, operand.width, value);
+  const auto mask = static_cast<std::uint8_t>(1u << (operand.value & 7));
+  *bytes = static_cast<std::uint8_t>(value != 0 ? *bytes | mask : *bytes & ~mask);
+}
+
+}  // namespace
+
+// T and Z as bits show their status, else what LC loads (S5TIME, BCD).
+std::optional<std::uint32_t> readValue(cpu::Cpu& cpu, const mc7::Reference& reference) {
+  Machine& m = cpu.machine();
+  const Operand& operand = reference.operand;
+  const bool bit = operand.width == Width::Bit;
+  if (operand.kind == OperandKind::Timer) {
+    if (operand.value >= m.timers.size()) return std::nullopt;
+    const cpu::S5Timer& timer = m.timers[operand.value];
+    return bit ? timer.status(m.clock) : timer.s5time(m.clock);
+  }
+  if (operand.kind == OperandKind::Counter) {
+    if (operand.value >= m.counters.size()) return std::nullopt;
+    const cpu::S5Counter& counter = m.counters[operand.value];
+    return bit ? counter.count > 0 : counter.bcd();
+  }
+  if (operand.kind != OperandKind::Memory) return std::nullopt;
+  const std::uint8_t* bytes = place(bytesOf(m, reference, false), operand);
+  if (bytes == nullptr) return std::nullopt;
+  return get(bytes, operand);
+}
+
+bool writeValue(cpu::Cpu& cpu, const mc7::Reference& reference, std::uint32_t value) {
+  Machine& m = cpu.machine();
+  const Operand& operand = reference.operand;
+  if (operand.kind == OperandKind::Counter) {
+    const auto count = fromBcd(value, 3);
+    if (operand.value >= m.counters.size() || value > 0x999 || !count) return false;
+    m.counters[operand.value].count = static_cast<std::uint16_t>(*count);
+    return true;
+  }
+  if (operand.kind != OperandKind::Memory) return false;
+  std::uint8_t* bytes = place(bytesOf(m, reference, true), operand);
+  if (bytes == nullptr) return false;
+  put(bytes, operand, value);
+  return true;
+}
+
+bool forceValue(cpu::Cpu& cpu, const mc7::Reference& reference, std::uint32_t value) {
+  Machine& m = cpu.machine();
+  const Operand& operand = reference.operand;
+  if (operand.kind != OperandKind::Memory) return false;
+  std::uint8_t* bytes = place(imageOf(m, operand.area), operand);
+  if (bytes == nullptr || m.areas.length(operand.area) == 0) return false;
+  std::uint8_t values[4] = {};
+  const bool bit = operand.width == Width::Bit;
+  const auto mask = static_cast<std::uint8_t>(bit ? 1u << (operand.value & 7) : 0xFFu);
+  if (bit)
+    values[0] = value != 0 ? mask : std::uint8_t{0};
+  else
+    cpu::storeBytes(values, operand.width, value);
+  const auto first = static_cast<std::uint32_t>(bytes - m.image);
+  for (std::uint32_t i = 0; i < byteCount(operand.width); ++i)
+    cpu.force(first + i, mask, values[i]);
+  return true;
+}
+
+}  // namespace merker::station

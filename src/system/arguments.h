@@ -1,0 +1,81 @@
+// The parameters of one call: by reference behind the call (FC, SFC), or in the instance (SFB).
+// Descriptors of type POINTER and ANY are followed (S7-IND-11, -12).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "cpu/cpu.h"
+#include "cpu/memory_access.h"
+#include "system/function.h"
+
+namespace merker::system {
+
+struct AnyPointer {
+  TypeCode type = TypeCode::Void;
+  std::uint32_t count = 0;
+  std::uint16_t db = 0;
+  std::uint32_t pointer = 0;
+};
+
+// Bytes in the CPU's memory, or why they cannot be reached.
+struct Region {
+  std::uint8_t* data = nullptr;
+  std::uint32_t length = 0;
+  cpu::ErrorCode error = cpu::ErrorCode::None;
+  explicit operator bool() const { return error == cpu::ErrorCode::None; }
+};
+
+class Arguments {
+ public:
+  Arguments(const cpu::SystemCall& call, const Function& function,
+            const std::vector<BitAddress>& places)
+      : call_(call), function_(function), places_(places) {}
+
+  cpu::Cpu& cpu() { return call_.cpu; }
+  cpu::Machine& machine() { return call_.machine; }
+
+  // Elementary values by the number of the parameter in its row.
+  std::uint32_t value(std::size_t i);
+  bool flag(std::size_t i) { return value(i) != 0; }
+  std::int32_t integer(std::size_t i) { return static_cast<std::int16_t>(value(i)); }
+  std::int32_t longInteger(std::size_t i) { return static_cast<std::int32_t>(value(i)); }
+  void set(std::size_t i, std::uint32_t value);
+
+  // DT and STRING: the bytes that the POINTER in the caller's local data names.
+  Region composite(std::size_t i, std::uint32_t bytes, cpu::Access access);
+  AnyPointer any(std::size_t i);
+  // POINTER: 6 bytes, number of a data block and an area pointer.
+  AnyPointer pointer(std::size_t i);
+  // The `bytes` bytes that `where` points to.
+  Region region(const AnyPointer& where, std::uint32_t bytes, cpu::Access access);
+
+  // RET_VAL of a function that reports errors with it; 8xyy makes BIE 0.
+  void status(std::uint32_t code);
+  // 8xyy for a parameter (S7-SFC-01).
+  void parameterError(std::size_t i, cpu::ErrorCode code);
+  // For functions that return a value: BIE only.
+  void fail() { good_ = false; }
+  bool good() const { return good_; }
+
+ private:
+  struct Where {
+    Area area = Area::None;
+    BitAddress address = 0;
+  };
+  Where placeOf(std::size_t i) const;
+  std::optional<std::size_t> returnParameter() const;
+  void note(const cpu::SyncError& error) { good_ = good_ && !error; }
+
+  const cpu::SystemCall& call_;
+  const Function& function_;
+  const std::vector<BitAddress>& places_;
+  bool good_ = true;
+};
+
+// Bytes of an ANY: type and repetition factor. 0 for types that have no size (timers, blocks).
+std::uint32_t byteCount(const AnyPointer& any);
+
+}  // namespace merker::system

@@ -1,0 +1,45 @@
+// SFC 79 SET, 80 RSET: a range of output bits (S7-SFC-24).
+#include "system/arguments.h"
+
+namespace merker::system {
+namespace {
+
+// Outputs change in the image and at the terminals, whichever of both the pointer names.
+cpu::SyncError writeBit(cpu::Machine& m, Area area, BitAddress address, bool value) {
+  if (area != Area::Output && area != Area::Peripheral)
+    return cpu::write(m, area, Width::Bit, address, value);
+  const std::uint32_t byte = address / 8;
+  if (!m.areas.answers(m.areas.outputPresent, byte, 1))
+    return {.code = cpu::ErrorCode::PeripheralWrite, .area = Area::Peripheral, .detail = byte};
+  const auto mask = static_cast<std::uint8_t>(1u << (address & 7));
+  std::uint8_t& terminal = m.areas.outputs[byte];
+  terminal = static_cast<std::uint8_t>(value ? terminal | mask : terminal & ~mask);
+  return byte < m.areas.imageBytes ? cpu::write(m, Area::Output, Width::Bit, address, value)
+                                   : cpu::SyncError{};
+}
+
+template <bool Value>
+void writeRange(Arguments& a) {
+  const std::int32_t count = a.integer(0);
+  const AnyPointer start = a.pointer(1);
+  Area area = pointerArea(start.pointer);
+  if (area == Area::CallerLocal) area = Area::Local;
+  for (std::int32_t i = 0; i < count; ++i) {
+    const BitAddress address = (start.pointer & 0xFFFFFF) + static_cast<std::uint32_t>(i);
+    if (const auto error = writeBit(a.machine(), area, address, Value))
+      return a.parameterError(1, error.code);
+  }
+  a.status(0);
+}
+
+}  // namespace
+
+Functions bitFieldFunctions() {
+  using enum TypeCode;
+  const std::vector<Parameter> range{
+      {"N", kIn, Int}, {"SA", kIn, Pointer}, {"RET_VAL", kReturn, Int}};
+  return {{BlockKind::SFC, 79, "SET", range, writeRange<true>},
+          {BlockKind::SFC, 80, "RSET", range, writeRange<false>}};
+}
+
+}  // namespace merker::system

@@ -1,0 +1,58 @@
+// SFC 6 RD_SINFO, 43 RE_TRIGR, 44 REPL_VAL, 46 STP, 47 WAIT (S7-SFC-05, -16 … -18).
+#include "base/bytes.h"
+#include "system/arguments.h"
+
+namespace merker::system {
+namespace {
+
+void retrigger(Arguments& a) { a.cpu().retrigger(); }
+
+// AKKU1 of the block that the error interrupted; only in OB 121 and OB 122.
+void replace(Arguments& a) {
+  constexpr std::uint32_t kNotInErrorOb = 0x8080;
+  cpu::Level& level = a.machine().levels.back();
+  if (!level.errorOb) return a.status(kNotInErrorOb);
+  level.interrupted.accu[0] = a.value(0);
+  a.status(0);
+}
+
+void stop(Arguments& a) { a.cpu().stop(cpu::Event::StopCommand); }
+
+// Microseconds; higher classes interrupt it.
+void wait(Arguments& a) {
+  const std::int32_t time = a.integer(0);
+  if (time <= 0) return;
+  a.machine().levels.back().wait = Duration::microseconds(time).ns;
+  a.machine().interrupt();
+}
+
+// EV_CLASS EV_NUM PRIORITY NUM TYP2_3 TYP1 ZI1 ZI2_3: the first twelve bytes of start information.
+void startInfo(Arguments& a) {
+  const std::vector<cpu::Level>& levels = a.machine().levels;
+  const cpu::Level* sources[] = {&levels.back(), &levels.front()};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const AnyPointer where = a.any(i);
+    const Region target = a.region(where, 12, cpu::Access::Write);
+    if (!target) return a.parameterError(i, target.error);
+    std::copy_n(sources[i]->start.begin(), 12, target.data);
+  }
+  a.status(0);
+}
+
+}  // namespace
+
+Functions controlFunctions() {
+  using enum TypeCode;
+  return {
+      {BlockKind::SFC,
+       6,
+       "RD_SINFO",
+       {{"TOP_SI", kOut, Any}, {"START_UP_SI", kOut, Any}, {"RET_VAL", kReturn, Int}},
+       startInfo},
+      {BlockKind::SFC, 43, "RE_TRIGR", {}, retrigger},
+      {BlockKind::SFC, 44, "REPL_VAL", {{"VAL", kIn, DWord}, {"RET_VAL", kReturn, Int}}, replace},
+      {BlockKind::SFC, 46, "STP", {}, stop},
+      {BlockKind::SFC, 47, "WAIT", {{"WT", kIn, Int}}, wait}};
+}
+
+}  // namespace merker::system

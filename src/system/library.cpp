@@ -1,0 +1,55 @@
+#include "system/library.h"
+
+#include "system/function.h"
+
+namespace merker::system {
+namespace {
+
+block::TypePtr typeOf(const Parameter& parameter) {
+  if (parameter.type == TypeCode::String) return block::stringType(parameter.length);
+  return block::elementaryType(parameter.type);
+}
+
+block::Block blockOf(const Function& function) {
+  block::Block result;
+  result.id = {function.kind, function.number};
+  result.symbol = result.attributes.name = std::string(function.name);
+  result.attributes.family = function.kind == BlockKind::FC ? "IEC" : "SYSTEM";
+  for (const Parameter& parameter : function.parameters) {
+    block::Variable variable;
+    variable.name = std::string(parameter.name);
+    variable.section = parameter.section;
+    variable.type = typeOf(parameter);
+    if (parameter.section == kReturn) result.returnType = variable.type;
+    result.variables.push_back(std::move(variable));
+  }
+  const BitAddress end = block::layOut(result.variables, 0, true);
+  if (function.kind == BlockKind::SFB) result.instanceBytes = end / 8;
+  return result;
+}
+
+}  // namespace
+
+Functions allFunctions() {
+  constexpr Functions (*kFamilies[])() = {
+      clockFunctions,      blockMoveFunctions, dataBlockFunctions, timeOfDayFunctions,
+      delayFunctions,      maskFunctions,      lockFunctions,      controlFunctions,
+      bitFieldFunctions,   iecCounters,        iecTimers,          dateTimeFunctions,
+      dateTimeComparisons, stringFunctions,    stringComparisons,  stringConversions,
+      selectFunctions,     scaleFunctions};
+  Functions all;
+  for (const auto family : kFamilies)
+    for (Function& function : family()) all.push_back(std::move(function));
+  return all;
+}
+
+block::Program library() {
+  block::Program program;
+  for (const Function& function : allFunctions()) {
+    block::Block block = blockOf(function);
+    program.emplace(block.id, std::move(block));
+  }
+  return program;
+}
+
+}  // namespace merker::system

@@ -1,0 +1,38 @@
+#include "system/services.h"
+
+#include "system/arguments.h"
+#include "system/library.h"
+
+namespace merker::system {
+
+Services::Services() : functions_(allFunctions()) {
+  const block::Program blocks = library();
+  for (const Function& function : functions_) {
+    auto& table = function.kind == BlockKind::FC    ? fcs_
+                  : function.kind == BlockKind::SFC ? sfcs_
+                                                    : sfbs_;
+    if (table.size() <= function.number) table.resize(function.number + 1u);
+    Entry& entry = table[function.number];
+    entry.function = &function;
+    for (const block::Variable& variable : blocks.at({function.kind, function.number}).variables)
+      entry.places.push_back(variable.address);
+  }
+}
+
+const Services::Entry* Services::find(BlockId id) const {
+  const auto& table = id.kind == BlockKind::FC ? fcs_ : id.kind == BlockKind::SFC ? sfcs_ : sfbs_;
+  const bool known = id.number < table.size() && table[id.number].function != nullptr;
+  return known ? &table[id.number] : nullptr;
+}
+
+// BIE tells whether it went well (S7-SFC-01).
+bool Services::call(const cpu::SystemCall& call) {
+  const Entry* entry = find(call.block);
+  if (entry == nullptr) return false;
+  Arguments arguments(call, *entry->function, entry->places);
+  entry->function->run(arguments);
+  call.machine.registers.status.br = arguments.good();
+  return true;
+}
+
+}  // namespace merker::system

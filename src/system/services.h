@@ -1,0 +1,28 @@
+// Answers calls of SFC, SFB and of the library functions that the CPU brings.
+#pragma once
+
+#include <vector>
+
+#include "block/block.h"
+#include "cpu/engine.h"
+#include "system/function.h"
+
+namespace merker::system {
+
+class Services : public cpu::SystemServices {
+ public:
+  Services();
+  bool call(const cpu::SystemCall& call) override;
+
+ private:
+  struct Entry {
+    const Function* function = nullptr;
+    std::vector<BitAddress> places;  // SFB: of the parameters in the instance
+  };
+  const Entry* find(BlockId id) const;
+
+  Functions functions_;
+  std::vector<Entry> fcs_, sfcs_, sfbs_;  // by number
+};
+
+}  // namespace merker::system

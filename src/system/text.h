@@ -1,0 +1,15 @@
+// STRING parameters: byte 0 longest length, byte 1 length, then the characters (S7-TYPES-19).
+#pragma once
+
+#include <string>
+
+#include "system/arguments.h"
+
+namespace merker::system {
+
+// An unreadable or inconsistent STRING counts as empty, BIE 0.
+std::string getText(Arguments& a, std::size_t i);
+// Cut off where it does not fit; BIE 0 then.
+void setText(Arguments& a, std::size_t i, const std::string& text);
+
+}  // namespace merker::system
