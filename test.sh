@@ -47,7 +47,7 @@ build() {  # build PRESET OPTIONS...
 run_ctest() {  # run_ctest NAME PRESET
   say "$1"
   local log="build/$2.ctest.log" summary
-  # A test of its own timeout must not hang the run.
+  # No test may hang the run.
   ctest --preset "$2" --output-on-failure --timeout 600 -j "$jobs" 2>&1 | tee "$log"
   # "98% tests passed, 1 tests failed out of 50"
   summary=$(sed -nE 's/^[0-9]+% tests passed, ([0-9]+) tests? failed out of ([0-9]+)$/\1 \2/p' "$log" | tail -n 1)
