@@ -8,11 +8,11 @@
 namespace merker::app {
 namespace {
 
-step7::CompileOptions options(const project::Project& project) {
+step7::CompileOptions options(const Build& build) {
   step7::CompileOptions options;
-  options.model = project.model;
-  options.library = &system::library();
-  options.symbols = &project.symbols;
+  options.model = build.project.model;
+  options.library = build.library.get();
+  options.symbols = &build.project.symbols;
   return options;
 }
 
@@ -29,7 +29,7 @@ FileLookup Build::files() const {
 
 simulator::Resolver Build::resolver() const {
   return [this](std::string_view text, const Position& at) {
-    return step7::resolve(text, *program, options(project), at);
+    return step7::resolve(text, *program, options(*this), at);
   };
 }
 
@@ -45,8 +45,9 @@ station::Station Build::station(bool coverage) const {
 Build build(project::Project project, bool checks) {
   Build result;
   result.project = std::move(project);
+  result.library = std::make_shared<const block::Program>(system::library());
   result.problems = result.project.problems;
-  step7::CompileOptions compileOptions = options(result.project);
+  step7::CompileOptions compileOptions = options(result);
   compileOptions.checks = checks;
   step7::Compilation compilation = step7::compile(result.project.sources, compileOptions);
   result.problems.append(compilation.problems);

@@ -13,7 +13,8 @@ namespace merker::app {
 
 struct Build {
   project::Project project;
-  Problems problems;  // of loading and compiling
+  std::shared_ptr<const block::Program> library;  // what the CPU brings
+  Problems problems;                              // of loading and compiling
   std::shared_ptr<const block::Program> program;
   bool ok() const { return !problems.hasErrors(); }
   int exitCode() const;  // of the problems

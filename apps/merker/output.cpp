@@ -7,10 +7,32 @@
 
 namespace merker::app {
 
+namespace {
+
+// What begins like a source may be one word of 100 MB.
+constexpr std::size_t kLongestMessage = 400, kLongestLine = 2000;
+
+std::string shortened(std::string message) {
+  if (message.size() <= kLongestMessage) return message;
+  std::size_t end = kLongestMessage;
+  while (end > 0 && (message[end] & 0xC0) == 0x80) --end;  // not inside a character
+  return message.substr(0, end) + " …";
+}
+
+// Without its line if that is too long to be read.
+const source::SourceFile* shown(const Problem& problem, const source::SourceFile* file) {
+  const std::uint32_t line = problem.position.line;
+  if (file == nullptr || line == 0 || line > file->lineCount()) return file;
+  return file->line(line).size() <= kLongestLine ? file : nullptr;
+}
+
+}  // namespace
+
 void printProblems(Problems problems, const FileLookup& files) {
   problems.sort();
-  for (const Problem& problem : problems.list()) {
-    const std::string text = source::format(problem, files(problem.position.file));
+  for (Problem problem : problems.list()) {
+    problem.message = shortened(std::move(problem.message));
+    const std::string text = source::format(problem, shown(problem, files(problem.position.file)));
     std::cerr << text << (text.ends_with('\n') ? "" : "\n");
   }
 }
@@ -25,7 +47,7 @@ nlohmann::json toJson(Problems problems) {
                     {"length", problem.position.length},
                     {"severity", problem.severity() == Severity::Error ? "error" : "warning"},
                     {"code", problem.name()},
-                    {"message", problem.message}});
+                    {"message", shortened(problem.message)}});
   return list;
 }
 

@@ -19,7 +19,7 @@ namespace {
 
 struct Options {
   std::string path, cpu, time, trace, engine = "interpreter";
-  std::uint64_t cycles = 0;
+  std::int64_t cycles = 0;
   bool hasCycles = false, json = false;
   std::vector<std::string> set, print, watch;
 };
@@ -110,7 +110,7 @@ void advance(const Options& options, station::Station& station, std::optional<Du
   if (time)
     runFor(station, *time);
   else if (options.hasCycles)
-    runCycles(station, options.cycles);
+    runCycles(station, static_cast<std::uint64_t>(options.cycles));
   else
     runRealTime(station);
 }
@@ -175,7 +175,7 @@ void addRun(CLI::App& program, int& result) {
                                    "run this long in virtual time: 250ms, 7.5s, 2m, T#10S");
   auto* cycles =
       command->add_option("--cycles", options->cycles, "run this many cycles in virtual time");
-  cycles->excludes(time);
+  cycles->excludes(time)->check(CLI::NonNegativeNumber);
   command->add_option("--cpu", options->cpu, "CPU model instead of the project's");
   command->add_option("--engine", options->engine, "interpreter or jit")
       ->check(CLI::IsMember({"interpreter", "jit"}));

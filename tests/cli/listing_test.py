@@ -54,8 +54,8 @@ class MachineCode(Case):
             self.assertIn(text, english)
 
     def test_illegal_words_and_the_rest_goes_on(self):
-        lines = self.expect(GOOD, "disassemble", "--mc7", text="FFFF 6500 C0").lines
-        self.assertRegex(lines[0], r"^0000: FFFF +illegal$")
+        lines = self.expect(GOOD, "disassemble", "--mc7", text="FF07 6500 C0").lines
+        self.assertRegex(lines[0], r"^0000: FF07 +illegal$")
         self.assertRegex(lines[1], r"^0002: 6500 +BE$")
         self.assertIn("illegal", lines[2])
 

@@ -16,7 +16,7 @@ namespace merker::simulator {
 class Machine {
  public:
   explicit Machine(std::string source, bool checks = false) {
-    options_.library = &system::library();
+    options_.library = &library_;
     options_.checks = checks;
     sources_.emplace_back("test.awl", std::move(source));
     auto compilation = step7::compile(sources_, options_);
@@ -54,6 +54,7 @@ class Machine {
   }
 
  private:
+  block::Program library_ = system::library();
   step7::CompileOptions options_;
   std::vector<source::SourceFile> sources_;
   std::shared_ptr<const block::Program> program_;
