@@ -161,8 +161,9 @@ Result<Constant> readPointer(const Input& input) {
                                        [name](const PointerArea& r) { return r.name == name; });
   text.skipBlanks();
   const auto byte = text.number();
-  const auto bit = text.take(".") ? text.number() : std::nullopt;
-  if (row == std::end(kPointerAreas) || !byte || !bit || !text.atEnd())
+  const bool point = text.take(".");
+  const auto bit = text.number();
+  if (row == std::end(kPointerAreas) || !byte || !point || !bit || !text.atEnd())
     return misspelt(input, kExample);
   if (*byte > 65535 || *bit > 7) return outside(input, "0.0..65535.7");
   const auto address =
