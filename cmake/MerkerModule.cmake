@@ -23,11 +23,8 @@ function(merker_module name)
   endif()
 endfunction()
 
-# g++ 12 at -O3 takes a std::optional that was tested for one that may be empty: -Wmaybe-uninitialized stays off, the
-# sanitizers of the debug preset look for the real ones.
 function(merker_warnings target)
-  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
-    -Wno-maybe-uninitialized)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
   if(PROJECT_IS_TOP_LEVEL)
     target_compile_options(${target} PRIVATE -Werror)
   endif()
