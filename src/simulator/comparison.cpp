@@ -107,8 +107,8 @@ std::uint32_t milliseconds(std::uint32_t coded) {
   return decodeS5Time(static_cast<std::uint16_t>(coded)).value_or(0);
 }
 
-bool holds(const Term& left, std::uint32_t a, Relation relation, const Term& right,
-           std::uint32_t b) {
+bool related(const Term& left, std::uint32_t a, Relation relation, const Term& right,
+             std::uint32_t b) {
   if (comparesTimes(left, right)) return relates(milliseconds(a), relation, milliseconds(b));
   if (relation == Relation::About) return about(a, b);
   if (isOrder(relation) && (isReal(left) || isReal(right)))
@@ -142,15 +142,19 @@ std::optional<std::uint32_t> value(const Term& term, const Term& other, const Re
   return isTimerOrCounter(term) ? timerOrCounter(term, other, read) : read(term.reference);
 }
 
-Outcome compare(const Term& left, Relation relation, const Term& right, const Reader& read) {
+bool holds(const Term& left, Relation relation, const Term& right, const Reader& read) {
   const auto a = value(left, right, read);
   const auto b = value(right, left, read);
-  if (!a) return {false, fmt::format("{} does not exist", left.text)};
-  if (!b) return {false, fmt::format("{} does not exist", right.text)};
-  Outcome outcome{holds(left, *a, relation, right, *b), show(left, right, *a)};
-  if (!right.constant)
-    outcome.actual += fmt::format(", {} is {}", right.text, show(right, left, *b));
-  return outcome;
+  return a && b && related(left, *a, relation, right, *b);
+}
+
+std::string actualValue(const Term& left, const Term& right, const Reader& read) {
+  const auto a = value(left, right, read);
+  const auto b = value(right, left, read);
+  if (!a || !b) return fmt::format("not there: {} does not exist", (a ? right : left).text);
+  std::string text = show(left, right, *a);
+  if (!right.constant) text += fmt::format(", {} is {}", right.text, show(right, left, *b));
+  return text;
 }
 
 std::string_view text(Relation relation) {

@@ -10,12 +10,12 @@
 
 namespace merker::simulator {
 
-struct Outcome {
-  bool holds = false;
-  std::string actual;  // the left side's value, written like the right side
-};
+// False also if an operand does not exist.
+bool holds(const Term& left, block::Relation relation, const Term& right, const Reader& read);
 
-Outcome compare(const Term& left, block::Relation relation, const Term& right, const Reader& read);
+// For a message: the left side's value, written like the right side, and the right side's if it is
+// an operand.
+std::string actualValue(const Term& left, const Term& right, const Reader& read);
 
 // The value that `term` has now; nothing if the operand does not exist. `other` is what it is
 // compared with: a timer gives its status bit beside 0, 1 and TRUE, its coded value beside S5T#,

@@ -61,9 +61,11 @@ class Runner {
   bool expect(const Step& step);
   bool during(const Step& step, Instant end);
   bool within(const Step& step, Instant end);
-  bool miss(const Step& step, const std::string& actual);
-  Outcome look(const Expectation& expectation) const;
-  Outcome lookAtDiagnostics(const Expectation& expectation) const;
+  bool miss(const Step& step);
+  bool holds(const Expectation& e) const;
+  bool inDiagnostics(const std::string& words) const;
+  std::string actual(const Expectation& e) const;
+  std::string newestEntry() const;
 
   Station& station_;
   TestResult& result_;
@@ -153,48 +155,51 @@ bool Runner::waitCycles(const Step& step) {
                                          because(station_)));
 }
 
-Outcome Runner::lookAtDiagnostics(const Expectation& expectation) const {
+bool Runner::inDiagnostics(const std::string& words) const {
   for (const auto& entry : station_.diagnostics())
-    if (containsIgnoreCase(fmt::format("16#{:04X} {}", entry.event, entry.text), expectation.words))
-      return {true, {}};
-  if (station_.diagnostics().empty()) return {false, "the diagnostic buffer is empty"};
-  const auto& last = station_.diagnostics().back();
-  return {false, fmt::format("the newest entry is 16#{:04X} {}", last.event, last.text)};
+    if (containsIgnoreCase(fmt::format("16#{:04X} {}", entry.event, entry.text), words))
+      return true;
+  return false;
 }
 
-Outcome Runner::look(const Expectation& expectation) const {
-  switch (expectation.what) {
+bool Runner::holds(const Expectation& e) const {
+  switch (e.what) {
     case Expectation::What::Values:
-      return compare(expectation.left, expectation.relation, expectation.right, read_);
+      return simulator::holds(e.left, e.relation, e.right, read_);
     case Expectation::What::Mode:
-      return {
-          (station_.mode() == expectation.mode) == (expectation.relation == block::Relation::Equal),
-          std::string(name(station_.mode())) + because(station_)};
+      return (station_.mode() == e.mode) == (e.relation == block::Relation::Equal);
     case Expectation::What::Diagnostics:
-      return lookAtDiagnostics(expectation);
+      return inDiagnostics(e.words);
+  }
+  return false;
+}
+
+std::string Runner::newestEntry() const {
+  if (station_.diagnostics().empty()) return "the diagnostic buffer is empty";
+  const auto& last = station_.diagnostics().back();
+  return fmt::format("the newest entry is 16#{:04X} {}", last.event, last.text);
+}
+
+// What is there instead.
+std::string Runner::actual(const Expectation& e) const {
+  const bool stopped = station_.mode() == Mode::Stop;
+  switch (e.what) {
+    case Expectation::What::Values:
+      return fmt::format("{} is {}", e.left.text, actualValue(e.left, e.right, read_)) +
+             (stopped ? fmt::format(" (the CPU is in STOP{})", because(station_)) : "");
+    case Expectation::What::Mode:
+      return fmt::format("mode is {}{}", name(station_.mode()), because(station_));
+    case Expectation::What::Diagnostics:
+      return newestEntry();
   }
   return {};
 }
 
 // "expected A 1.2 = 1 within 300ms, A 1.2 is 0".
-bool Runner::miss(const Step& step, const std::string& actual) {
-  const Expectation& e = step.expectation;
-  const std::string_view wish =
-      trim(std::string_view(step.text).substr(std::string_view("expect").size()));
-  switch (e.what) {
-    case Expectation::What::Values: {
-      const std::string stop = station_.mode() == Mode::Stop
-                                   ? fmt::format(" (the CPU is in STOP{})", because(station_))
-                                   : std::string();
-      return fail(step.position,
-                  fmt::format("expected {}, {} is {}{}", wish, e.left.text, actual, stop));
-    }
-    case Expectation::What::Mode:
-      return fail(step.position, fmt::format("expected {}, mode is {}", wish, actual));
-    case Expectation::What::Diagnostics:
-      return fail(step.position, fmt::format("expected {}, {}", wish, actual));
-  }
-  return false;
+bool Runner::miss(const Step& step) {
+  const std::string_view words =
+      std::string_view(step.text).substr(std::string_view("expect").size());
+  return fail(step.position, fmt::format("expected {}, {}", trim(words), actual(step.expectation)));
 }
 
 bool Runner::expect(const Step& step) {
@@ -202,15 +207,13 @@ bool Runner::expect(const Step& step) {
   const Instant end = station_.now() + step.expectation.duration;
   if (step.expectation.when == Expectation::When::During) return during(step, end);
   if (step.expectation.when == Expectation::When::Within) return within(step, end);
-  const Outcome outcome = look(step.expectation);
-  return outcome.holds || miss(step, outcome.actual);
+  return holds(step.expectation) || miss(step);
 }
 
 // Now, at every cycle boundary, and at the end.
 bool Runner::during(const Step& step, Instant end) {
   for (;;) {
-    const Outcome outcome = look(step.expectation);
-    if (!outcome.holds) return miss(step, outcome.actual);
+    if (!holds(step.expectation)) return miss(step);
     if (station_.now() >= end) return true;
     station_.advanceToCheckpoint(end);
   }
@@ -219,9 +222,8 @@ bool Runner::during(const Step& step, Instant end) {
 // Ends at the first cycle boundary at which it holds.
 bool Runner::within(const Step& step, Instant end) {
   for (;;) {
-    const Outcome outcome = look(step.expectation);
-    if (outcome.holds) return true;
-    if (station_.now() >= end) return miss(step, outcome.actual);
+    if (holds(step.expectation)) return true;
+    if (station_.now() >= end) return miss(step);
     station_.advanceToCheckpoint(end);
   }
 }

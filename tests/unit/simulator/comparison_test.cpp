@@ -9,6 +9,11 @@ namespace {
 
 using block::Relation;
 
+struct Outcome {
+  bool holds;
+  std::string actual;
+};
+
 // One value for every operand; of timers and counters the status bit is `status`.
 Outcome check(std::uint32_t bits, const char* left, Relation relation, const char* right,
               std::uint32_t status = 0) {
@@ -16,7 +21,8 @@ Outcome check(std::uint32_t bits, const char* left, Relation relation, const cha
     const bool memory = reference.operand.kind == mc7::OperandKind::Memory;
     return !memory && reference.operand.width == Width::Bit ? status : bits;
   };
-  return compare(term(left), relation, term(right), read);
+  return {holds(term(left), relation, term(right), read),
+          actualValue(term(left), term(right), read)};
 }
 
 bool equal(std::uint32_t bits, const char* left, const char* right, std::uint32_t status = 0) {
@@ -104,9 +110,8 @@ TEST(Comparison, WhatDoesNotExistHoldsNever) {
   const Reader nothing = [](const mc7::Reference&) -> std::optional<std::uint32_t> {
     return std::nullopt;
   };
-  const Outcome outcome = compare(term("MW 10"), Relation::NotEqual, term("5"), nothing);
-  EXPECT_FALSE(outcome.holds);
-  EXPECT_EQ(outcome.actual, "MW 10 does not exist");
+  EXPECT_FALSE(holds(term("MW 10"), Relation::NotEqual, term("5"), nothing));
+  EXPECT_EQ(actualValue(term("MW 10"), term("5"), nothing), "not there: MW 10 does not exist");
 }
 
 }  // namespace

@@ -109,6 +109,15 @@ TEST(Runner, ForcedOperandsKeepTheirValue) {
             "0 failures");
 }
 
+TEST(Runner, CountersAreSetByTheirCount) {
+  const Machine machine(kProgram);
+  EXPECT_EQ(
+      failure(machine.run(
+          "set Z 1 = 125\nexpect Z 1 = C#125\nset Z 1 = C#7\nexpect Z 1 = 7\nexpect Z 1 = TRUE\n")),
+      "0 failures");
+  EXPECT_EQ(failure(machine.run("set T 1 = S5T#1S\n")), "1: T 1 cannot be set");
+}
+
 TEST(Runner, AFaultFailsUnlessTheScenarioSpeaksOfIt) {
   const Machine machine(kProgram);
   const std::string fault = failure(machine.run("set E 0.7 = 1\nwait 1s\n"));
