@@ -61,7 +61,7 @@ counted() {  # counted NAME COMMAND...
   local name=$1 log="build/counted.log" summary code
   shift
   say "$name"
-  "$@" 2>&1 | tee "$log"
+  "$@" | tee "$log"
   code=${PIPESTATUS[0]}
   summary=$(tail -n 1 "$log" | sed -nE 's/^([0-9]+) passed, ([0-9]+) failed$/\1 \2/p')
   if [ -z "$summary" ]; then count 0 1 "$name: no summary (exit code $code)"; return 1; fi
