@@ -99,7 +99,8 @@ mkdir -p build
 step "format" tools/format --check
 if step "release build" build release; then
   run_ctest "release: unit tests, architecture, documents, stored fuzzer inputs, command line" release
-  counted "examples and conformance programs" build/release/merker test examples tests/conformance
+  counted "examples" build/release/merker test examples
+  counted "conformance programs" python3 -B tests/conformance/run.py build/release/merker
 fi
 if step "debug build with sanitizers" build debug; then
   run_ctest "debug with sanitizers: the same" debug
