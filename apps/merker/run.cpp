@@ -133,6 +133,7 @@ int runStation(const Options& options, const Build& build, const Operands& opera
   }
   if (!time && !options.hasCycles) holdSignals();
   advance(options, station, time);
+  station.settle();
   if (trace) trace->sample(station);
   const int result = finish(options, operands, station);
   file.close();

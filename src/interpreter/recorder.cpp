@@ -60,7 +60,7 @@ std::uint32_t Recorder::add(const block::Check& check, const Translator& transla
     translator.translate(term.left.code, snippets.left);
     translator.translate(term.right.code, snippets.right);
   }
-  records_.push_back({.check = &check, .reached = 0, .failures = {}});
+  records_.push_back({.check = &check, .onward = {}, .away = {}});
   return static_cast<std::uint32_t>(records_.size() - 1);
 }
 
@@ -69,22 +69,23 @@ void Recorder::clear() {
   terms_.clear();
 }
 
-void Recorder::evaluate(cpu::Machine& m, std::uint32_t first, std::uint32_t count) {
-  for (std::uint32_t i = first; i < first + count; ++i) evaluateOne(m, i);
+void Recorder::evaluate(cpu::Machine& m, std::uint32_t first, std::uint32_t count, bool away) {
+  for (std::uint32_t i = first; i < first + count; ++i) evaluateOne(m, i, away);
 }
 
-void Recorder::evaluateOne(cpu::Machine& m, std::uint32_t number) {
+void Recorder::evaluateOne(cpu::Machine& m, std::uint32_t number, bool away) {
   CheckRecord& record = records_[number];
-  ++record.reached;
+  CheckSight& sight = away ? record.away : record.onward;
+  ++sight.reached;
   for (std::size_t i = 0; i < record.check->terms.size(); ++i) {
     const block::CheckTerm& term = record.check->terms[i];
     const auto left = valueOf(m, term.left, terms_[number][i].left);
     const auto right = valueOf(m, term.right, terms_[number][i].right);
     if (left && right && holds(*left, term.relation, *right)) continue;
-    if (record.failures.size() >= kFailuresKept) continue;
+    if (sight.failures.size() >= kFailuresKept) continue;
     const std::string seen =
         left && right ? "is " + shown(*left, term) : "the operand cannot be read here";
-    record.failures.push_back(term.text + ": " + seen);
+    sight.failures.push_back(term.text + ": " + seen);
   }
 }
 

@@ -16,14 +16,15 @@ const Op* runWithSide(cpu::Machine& m, const Op* op) {
   if (m.frames.size() > depth)  // a call or an error OB: look when it has returned
     m.frames[depth - 1].resume = side.afterCall;
   else
-    code.recorder->evaluate(m, side.firstCheck, side.checks);
+    code.recorder->evaluate(m, side.firstCheck, side.checks,
+                            m.frames.size() < depth || next != op + 1);
   return next;
 }
 
 const Op* runAfterCall(cpu::Machine& m, const Op* op) {
   const Translated& code = codeOf(*m.top);
   const Side& side = code.side[op->value];
-  code.recorder->evaluate(m, side.firstCheck, side.checks);
+  code.recorder->evaluate(m, side.firstCheck, side.checks, false);
   --m.instructions;  // this op is no instruction
   return code.ops.data() + op->value + 1;
 }

@@ -44,7 +44,6 @@ struct Station::Parts {
   Station* self = nullptr;  // whom the observer gets to see; moves along
   std::function<void(Station&)> observer;
 
-  void settle();
 
   std::vector<DiagnosticEntry> diagnostics;
   std::uint64_t diagnosticsSeen = 0;
@@ -103,9 +102,8 @@ Instant Station::now() const { return parts_->cpu.machine().clock; }
 std::uint64_t Station::cycles() const { return parts_->cpu.cycles(); }
 std::uint64_t Station::instructions() const { return parts_->cpu.machine().instructions; }
 
-// On to the end of the OB that runs now: outside, values are seen between two cycles, never in the
-// middle of one.
-void Station::Parts::settle() {
+void Station::settle() {
+  cpu::Cpu& cpu = parts_->cpu;
   const Instant latest = cpu.machine().clock + kLongestCycle;
   while (!cpu.betweenCycles() && cpu.mode() != cpu::Mode::Stop && cpu.machine().clock < latest)
     cpu.step(latest);
@@ -113,14 +111,12 @@ void Station::Parts::settle() {
 
 void Station::advanceTo(Instant t) {
   while (now() < t) parts_->cpu.step(t);
-  parts_->settle();
 }
 
 bool Station::advanceToCheckpoint(Instant limit) {
   cpu::Cpu& cpu = parts_->cpu;
   const std::uint64_t before = cpu.checkpoints();
   while (now() < limit && cpu.checkpoints() == before) cpu.step(limit);
-  parts_->settle();
   return cpu.checkpoints() != before;
 }
 
@@ -129,7 +125,7 @@ void Station::advanceCycles(std::uint64_t count) {
     const std::uint64_t before = cycles();
     const Instant latest = now() + kLongestCycle;
     while (cycles() == before && mode() != Mode::Stop && now() < latest) parts_->cpu.step(latest);
-    parts_->settle();
+    settle();
   }
 }
 
@@ -162,7 +158,7 @@ const std::vector<CheckResult>& Station::checkResults() const {
   Parts& p = *parts_;
   p.checks.clear();
   for (const interpreter::CheckRecord& record : p.engine.checkRecords())
-    p.checks.push_back({record.check, record.reached, record.failures});
+    p.checks.push_back({record.check, record.judged().reached, record.judged().failures});
   return p.checks;
 }
 

@@ -35,7 +35,8 @@ struct Options {
   bool coverage = false;  // count how often each instruction runs
 };
 
-// What a check (//=) saw. `reached` counts how often it was evaluated.
+// What a check (//=) saw. `reached` counts how often it was evaluated; behind a jump the passes that
+// went on to the next instruction count, if there were any.
 struct CheckResult {
   const block::Check* check = nullptr;
   std::uint64_t reached = 0;
@@ -67,8 +68,10 @@ class Station {
   Instant now() const;
   std::uint64_t cycles() const;
   std::uint64_t instructions() const;
-  void advanceTo(
-      Instant t);  // runs up to t; stops early only if the CPU goes to STOP (then time still moves)
+  // Runs up to t exactly, also into the middle of a cycle; in STOP only time moves.
+  void advanceTo(Instant t);
+  // On to the end of the cycle that runs now: there values are looked at from outside.
+  void settle();
   void advanceCycles(std::uint64_t count);
   // Runs to the next cycle checkpoint, at most to `limit`; true if it came to a checkpoint. The
   // change from STARTUP to RUN, before the first cycle, counts as one. In STOP time moves to

@@ -448,7 +448,8 @@ void BlockCompiler::checkCallWithoutParameters(Operation operation, const Access
   const std::string_view name = mc7::info(operation).de;
   const Position place = at(access.begin, access.end);
   const block::Block* callee = scope_.findBlock(id);
-  if (!callee) {
+  const bool own = scope_.interfaces->program().count(id) != 0;
+  if (!callee || (!own && (id.kind == BlockKind::FC || id.kind == BlockKind::FB))) {
     problems_.add(ProblemCode::P0508, place, toString(id));
     return;
   }

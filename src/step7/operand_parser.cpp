@@ -352,6 +352,15 @@ std::optional<Access> OperandParser::word() {
     if (byte || word16 || equalsIgnoreCase(head, "D"))
       return indirect(Area::None, byte ? Width::Byte : word16 ? Width::Word : Width::DWord, true);
   }
+  // AUF DI "symbol", AUF DB "symbol"
+  if (next() == '"' && (equalsIgnoreCase(head, "DI") || equalsIgnoreCase(head, "DB"))) {
+    cursor_.skipBlanks();
+    auto access = quoted();
+    const bool block = access && access->kind == Access::Kind::BlockName && access->operand.blockKind == BlockKind::DB;
+    if (block) access->operand.reg = equalsIgnoreCase(head, "DI") ? 1 : 0;
+    if (access && !block) return problem(ProblemCode::P0304, begin, std::string(head));
+    return access;
+  }
   cursor_.seek(begin + whole.size());
   // A variable of the block may be written without #.
   if (const block::Variable* variable = scope_.block ? findMember(scope_.block->variables, whole) : nullptr)
