@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "base/text.h"
@@ -36,7 +37,7 @@ bool restart(Station& station, bool cold) {
   if (!(cold ? station.coldRestart() : station.warmRestart())) return false;
   const Instant limit = station.now() + kLongestStartup;
   while (station.mode() == Mode::Startup && station.now() < limit)
-    station.advanceToCheckpoint(limit);
+    advanceToNextLook(station, limit);
   return true;
 }
 
@@ -217,7 +218,7 @@ bool Runner::during(const Step& step, Instant end) {
   for (;;) {
     if (!holds(step.expectation)) return miss(step);
     if (station_.now() >= end) return true;
-    station_.advanceToCheckpoint(end);
+    advanceToNextLook(station_, end);
   }
 }
 
@@ -226,7 +227,7 @@ bool Runner::within(const Step& step, Instant end) {
   for (;;) {
     if (holds(step.expectation)) return true;
     if (station_.now() >= end) return miss(step);
-    station_.advanceToCheckpoint(end);
+    advanceToNextLook(station_, end);
   }
 }
 
@@ -238,6 +239,14 @@ void Runner::endState(const Scenario& scenario) {
 }
 
 }  // namespace
+
+// A STOP inside a call lets time run to the end of that call, so calls are short; in STOP nothing
+// happens any more.
+void advanceToNextLook(Station& station, Instant end) {
+  constexpr Duration kSlice = Duration::milliseconds(1);
+  const bool stopped = station.mode() == Mode::Stop;
+  station.advanceToCheckpoint(stopped ? end : std::min(end, station.now() + kSlice));
+}
 
 std::string startFresh(Station& station) {
   if (station.mode() != Mode::Stop) station.stop();

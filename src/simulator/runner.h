@@ -11,6 +11,9 @@ namespace merker::simulator {
 // Memory reset and warm restart up to mode RUN. The reason if the CPU does not get there.
 std::string startFresh(station::Station& station);
 
+// To the next cycle boundary or state change, at most to `end`.
+void advanceToNextLook(station::Station& station, Instant end);
+
 // `scenario` is resolved against the station's program. Ends at the first failure. A STOP through a
 // fault that the scenario does not speak of (expect mode, expect diagnostics) is a failure too.
 TestResult runScenario(const Scenario& scenario, station::Station& station);

@@ -43,7 +43,7 @@ TestResult runSelfChecks(const std::string& file, station::Station& station) {
   }
   const Instant end = station.now() + kLongest;
   while (station.now() < end && station.mode() != station::Mode::Stop)
-    station.advanceToCheckpoint(end);
+    advanceToNextLook(station, end);
   result.end = station.now();
   if (station.stoppedByFault())
     result.failures.push_back(

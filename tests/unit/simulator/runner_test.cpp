@@ -130,6 +130,24 @@ TEST(Runner, AFaultFailsUnlessTheScenarioSpeaksOfIt) {
   EXPECT_TRUE(wait.starts_with("2: wait 9 cycles: the CPU is in STOP")) << wait;
 }
 
+TEST(Runner, AStopIsSeenWhenItHappens) {
+  const Machine machine(kProgram);
+  const TestResult result = machine.run("set E 0.7 = 1\nexpect mode = STOP within 10s\n");
+  EXPECT_TRUE(result.passed());
+  EXPECT_LT(result.end, Instant{10'000'000});
+}
+
+TEST(Runner, AFaultInTheStartupIsSomethingToExpect) {
+  const Machine machine(
+      "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\nEND_ORGANIZATION_BLOCK\n"
+      "ORGANIZATION_BLOCK OB 100\nBEGIN\nNETWORK\nAUF DB 7\nL DBW 0\nEND_ORGANIZATION_BLOCK\n");
+  const TestResult result =
+      machine.run("expect mode = STOP\nexpect diagnostics contains \"DB 7\"\n");
+  EXPECT_EQ(failure(result), "0 failures");
+  EXPECT_LT(result.end, Instant{10'000'000});
+  EXPECT_TRUE(failure(machine.run("wait 1s\n")).starts_with("1: expected no fault, "));
+}
+
 TEST(Runner, DiagnosticsShowTheNewestEntryWhereTheyMiss) {
   const Machine machine(kProgram);
   const std::string text = failure(machine.run("expect diagnostics contains \"no such words\"\n"));
