@@ -16,7 +16,7 @@ using station::Mode;
 using station::Station;
 
 // A startup OB that never ends is ended by nothing on the real CPU (S7-STATE-11); a test must end.
-constexpr Duration kLongestStartup = Duration::seconds(3600);
+constexpr Duration kLongestStartup = Duration::seconds(60);
 
 std::string_view name(Mode mode) {
   constexpr std::array<std::string_view, 4> kNames = {"STOP", "STARTUP", "RUN", "HALT"};
