@@ -16,8 +16,9 @@ struct CheckSight {
   std::vector<std::string> failures;  // the first few
 };
 
-// A jump or block end leads away from its line or on to the next one. Behind LOOP or SPB a check usually speaks of
-// the way on; it is judged by that if the program ever took it, and by the state after the jump otherwise.
+// A jump or block end leads away from its line or on to the next one. Behind LOOP or SPB a check
+// usually speaks of the way on; it is judged by that if the program ever took it, and by the state
+// after the jump otherwise.
 struct CheckRecord {
   const block::Check* check = nullptr;
   CheckSight onward, away;
@@ -30,7 +31,8 @@ class Recorder {
 
   // Number of the new record. The check lives as long as the program.
   std::uint32_t add(const block::Check& check, const Translator& translator);
-  // Looks at the state after the instruction; changes nothing. `away`: it did not lead to the next one.
+  // Looks at the state after the instruction; changes nothing. `away`: it did not lead to the next
+  // one.
   void evaluate(cpu::Machine& m, std::uint32_t first, std::uint32_t count, bool away);
   const std::deque<CheckRecord>& records() const { return records_; }
   void clear();

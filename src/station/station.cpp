@@ -44,7 +44,6 @@ struct Station::Parts {
   Station* self = nullptr;  // whom the observer gets to see; moves along
   std::function<void(Station&)> observer;
 
-
   std::vector<DiagnosticEntry> diagnostics;
   std::uint64_t diagnosticsSeen = 0;
   std::vector<CheckResult> checks;

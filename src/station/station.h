@@ -35,8 +35,8 @@ struct Options {
   bool coverage = false;  // count how often each instruction runs
 };
 
-// What a check (//=) saw. `reached` counts how often it was evaluated; behind a jump the passes that
-// went on to the next instruction count, if there were any.
+// What a check (//=) saw. `reached` counts how often it was evaluated; behind a jump the passes
+// that went on to the next instruction count, if there were any.
 struct CheckResult {
   const block::Check* check = nullptr;
   std::uint64_t reached = 0;

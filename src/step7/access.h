@@ -9,7 +9,8 @@ namespace merker::step7 {
 struct Access {
   enum class Kind : std::uint8_t {
     Machine,     // `operand` as it stands, after AUF DB `openDb` if that is not -1
-    Descriptor,  // part of a composite parameter: through the POINTER of parameter `descriptor`, at `operand.value`
+    Descriptor,  // part of a composite parameter: through the POINTER of parameter `descriptor`, at
+                 // `operand.value`
     Address,     // P##name: `operand` is a constant or ParameterAddress
     BlockName    // FC 5, DB 3, "symbol of a block"
   } kind = Kind::Machine;
@@ -17,9 +18,9 @@ struct Access {
   std::int32_t openDb = -1;
   const block::Variable* descriptor = nullptr;  // the parameter whose POINTER is followed
   const block::Variable* variable = nullptr;    // local variable at the root of the name, if any
-  block::TypePtr type;                          // of a declared variable, null for an absolute operand
-  bool peripheralOutput = false;                // PAB … instead of PEB …
-  std::size_t begin = 0, end = 0;               // in the source
+  block::TypePtr type;             // of a declared variable, null for an absolute operand
+  bool peripheralOutput = false;   // PAB … instead of PEB …
+  std::size_t begin = 0, end = 0;  // in the source
 };
 
 }  // namespace merker::step7

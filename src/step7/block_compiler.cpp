@@ -13,8 +13,9 @@ using mc7::Operand;
 using mc7::OperandKind;
 using mc7::Operation;
 
-BlockCompiler::BlockCompiler(const BlockSource& source, block::Block& target, Interfaces& interfaces,
-                             const CompileOptions& options, Problems& problems)
+BlockCompiler::BlockCompiler(const BlockSource& source, block::Block& target,
+                             Interfaces& interfaces, const CompileOptions& options,
+                             Problems& problems)
     : source_(source),
       target_(target),
       options_(options),
@@ -29,16 +30,18 @@ BlockCompiler::BlockCompiler(const BlockSource& source, block::Block& target, In
 
 void BlockCompiler::compile() {
   const std::uint32_t declared = target_.localBytes;
-  // Absolute local data (LW 30) may lie behind the declared variables; what the macros need must lie behind both.
+  // Absolute local data (LW 30) may lie behind the declared variables; what the macros need must
+  // lie behind both.
   if (!pass(declared)) pass((localTop_ + 1) & ~1u);
   const std::uint32_t top = std::max({declared, localTop_, allocatedTop_});
   target_.localBytes = (top + 1) & ~1u;
   if (target_.localBytes > scope_.model().localBytes)  // S7-CPU-25
-    problems_.add(ProblemCode::P0507, at(source_.name.begin, source_.name.end), toString(target_.id),
-                  target_.localBytes, scope_.model().localBytes, scope_.model().name);
+    problems_.add(ProblemCode::P0507, at(source_.name.begin, source_.name.end),
+                  toString(target_.id), target_.localBytes, scope_.model().localBytes,
+                  scope_.model().name);
   if (builder_->code().size() > std::min(scope_.model().blockSize, 65'534u))  // S7-LIM-03
-    problems_.add(ProblemCode::P0503, at(source_.name.begin, source_.name.end), toString(target_.id),
-                  builder_->code().size(), scope_.model().blockSize);
+    problems_.add(ProblemCode::P0503, at(source_.name.begin, source_.name.end),
+                  toString(target_.id), builder_->code().size(), scope_.model().blockSize);
   builder_->moveInto(target_);
   finalProblems_.append(problems_);
 }
@@ -64,8 +67,8 @@ bool BlockCompiler::pass(std::uint32_t localBase) {
   return localTop_ <= localBase || (allocatedTop_ == localBase && usedCopies_.empty());
 }
 
-// Descriptors of composite parameters and numbers of parameter types cannot be addressed where they arrive; the block
-// copies those it uses to its local data before its first statement.
+// Descriptors of composite parameters and numbers of parameter types cannot be addressed where they
+// arrive; the block copies those it uses to its local data before its first statement.
 void BlockCompiler::reserveParameterCopies() {
   copies_.clear();
   const bool function = target_.id.kind == BlockKind::FC;
@@ -102,7 +105,9 @@ std::vector<std::uint8_t> BlockCompiler::prologue() {
   const auto put = [&code](Operation operation, const Operand& operand = {}) {
     (void)mc7::encode({operation, operand}, code);
   };
-  const auto localData = [](Width width, std::uint32_t byte) { return mc7::memory(Area::Local, width, byte * 8); };
+  const auto localData = [](Width width, std::uint32_t byte) {
+    return mc7::memory(Area::Local, width, byte * 8);
+  };
   // The accumulators and AR1 stay as the caller left them.
   const std::uint32_t saved = (allocatedTop_ + 1) & ~1u;
   allocatedTop_ = saved + 12;
@@ -208,8 +213,9 @@ void BlockCompiler::statement() {
 void BlockCompiler::labelDefinition(std::string_view word, std::size_t begin) {
   const Position position = at(begin, begin + word.size());
   if (characterCount(word) > 4) problems_.add(ProblemCode::P0332, position, std::string(word));
-  if (!brackets_.empty()) problems_.add(ProblemCode::P0333, position, std::string(word));  // S7-BRACKET-03
-  builder_->label(std::string(word), position, problems_);  // labels keep their case
+  if (!brackets_.empty())
+    problems_.add(ProblemCode::P0333, position, std::string(word));  // S7-BRACKET-03
+  builder_->label(std::string(word), position, problems_);           // labels keep their case
 }
 
 bool BlockCompiler::networkHeader(std::string_view word) {
@@ -247,9 +253,9 @@ void BlockCompiler::instruction(const std::string& name, std::size_t begin) {
     const Mnemonics other =
         scope_.mnemonics == Mnemonics::German ? Mnemonics::International : Mnemonics::German;
     const bool foreign = mc7::findOperation(name, other).has_value();
-    problems_.add(!foreign                                    ? ProblemCode::P0334
+    problems_.add(!foreign                                ? ProblemCode::P0334
                   : scope_.mnemonics == Mnemonics::German ? ProblemCode::P0314
-                                                              : ProblemCode::P0315,
+                                                          : ProblemCode::P0315,
                   at(begin, cursor_.pos()), name);
     skipStatement();
     return;
@@ -310,7 +316,8 @@ void BlockCompiler::structure(Operation operation, std::size_t begin) {
   if (opens) {
     brackets_.push_back(begin);
     if (brackets_.size() == scope_.model().bracketDepth + 1)  // S7-BRACKET-04
-      problems_.add(ProblemCode::P0336, at(begin, cursor_.pos()), scope_.model().bracketDepth, scope_.model().name);
+      problems_.add(ProblemCode::P0336, at(begin, cursor_.pos()), scope_.model().bracketDepth,
+                    scope_.model().name);
   } else if (operation == Operation::CLOSE) {
     if (brackets_.empty())
       problems_.add(ProblemCode::P0337, at(begin, cursor_.pos()));
@@ -319,21 +326,26 @@ void BlockCompiler::structure(Operation operation, std::size_t begin) {
   } else if (operation == Operation::MCR_OPEN) {
     relays_.push_back(begin);
     if (relays_.size() == scope_.model().mcrDepth + 1)
-      problems_.add(ProblemCode::P0338, at(begin, cursor_.pos()), scope_.model().mcrDepth, scope_.model().name);
+      problems_.add(ProblemCode::P0338, at(begin, cursor_.pos()), scope_.model().mcrDepth,
+                    scope_.model().name);
   } else if (operation == Operation::MCR_CLOSE && !relays_.empty()) {
     relays_.pop_back();
   }
-  if ((operation == Operation::ENT || operation == Operation::LEAVE) && scope_.model().accumulators < 4)
-    problems_.add(ProblemCode::P0339, at(begin, cursor_.pos()), mc7::info(operation).de, scope_.model().name);
+  if ((operation == Operation::ENT || operation == Operation::LEAVE) &&
+      scope_.model().accumulators < 4)
+    problems_.add(ProblemCode::P0339, at(begin, cursor_.pos()), mc7::info(operation).de,
+                  scope_.model().name);
 }
 
 // The variables of an FB are reached through DI and AR2 (S7-IND-10).
-void BlockCompiler::checkInstanceRegisters(Operation operation, const Access* access, std::size_t begin) {
+void BlockCompiler::checkInstanceRegisters(Operation operation, const Access* access,
+                                           std::size_t begin) {
   if (target_.id.kind != BlockKind::FB || target_.instanceBytes == 0) return;
   const bool opensInstance = operation == Operation::OPEN && access && access->operand.reg == 1;
-  if (opensInstance || operation == Operation::LAR2 || operation == Operation::ADD_AR2 || operation == Operation::TAR ||
-      operation == Operation::SWAP_DB)
-    problems_.add(ProblemCode::P0347, at(begin, cursor_.pos()), opensInstance || operation == Operation::SWAP_DB ? "DI" : "AR2");
+  if (opensInstance || operation == Operation::LAR2 || operation == Operation::ADD_AR2 ||
+      operation == Operation::TAR || operation == Operation::SWAP_DB)
+    problems_.add(ProblemCode::P0347, at(begin, cursor_.pos()),
+                  opensInstance || operation == Operation::SWAP_DB ? "DI" : "AR2");
 }
 
 void BlockCompiler::operate(Operation operation, std::size_t begin, const std::string& name) {
@@ -353,30 +365,38 @@ void BlockCompiler::operate(Operation operation, std::size_t begin, const std::s
   if (!operandAccess) return;
   Access& access = *operandAccess;
   checkInstanceRegisters(operation, &access, begin);
-  if (operation == Operation::LOAD && access.operand.kind == OperandKind::StatusWord) operation = Operation::LOAD_STW;
+  if (operation == Operation::LOAD && access.operand.kind == OperandKind::StatusWord)
+    operation = Operation::LOAD_STW;
   if (operation == Operation::TRANSFER && access.operand.kind == OperandKind::StatusWord)
     operation = Operation::TRANSFER_STW;
   if (!checkDirection(operation, access, name)) return;
   if (operation == Operation::UC || operation == Operation::CC) return blockCall(operation, access);
-  if (operation >= Operation::LAR1 && operation <= Operation::TAR2) return addressRegister(operation, access);
+  if (operation >= Operation::LAR1 && operation <= Operation::TAR2)
+    return addressRegister(operation, access);
   if (access.operand.kind == OperandKind::Constant)
-    access.operand = fittedConstant(operation, access.operand, at(access.begin, access.end), problems_);
+    access.operand =
+        fittedConstant(operation, access.operand, at(access.begin, access.end), problems_);
   this->access(operation, access);
 }
 
-// Which way data flow: PE is read, PA written; IN parameters of a function are read only (S7-OPND-09, S7-FC-06).
-bool BlockCompiler::checkDirection(Operation operation, const Access& access, const std::string& name) {
+// Which way data flow: PE is read, PA written; IN parameters of a function are read only
+// (S7-OPND-09, S7-FC-06).
+bool BlockCompiler::checkDirection(Operation operation, const Access& access,
+                                   const std::string& name) {
   const Position place = at(access.begin, access.end);
   const bool writes = operation == Operation::TRANSFER || operation == Operation::ASSIGN ||
                       operation == Operation::SET_BIT || operation == Operation::RESET_BIT ||
-                      operation == Operation::EDGE_POSITIVE || operation == Operation::EDGE_NEGATIVE;
+                      operation == Operation::EDGE_POSITIVE ||
+                      operation == Operation::EDGE_NEGATIVE;
   if (access.operand.area == Area::Peripheral && access.operand.kind != OperandKind::Constant &&
       writes != access.peripheralOutput) {
     problems_.add(writes ? ProblemCode::P0323 : ProblemCode::P0324, place);
     return false;
   }
-  const bool accessesValue = access.kind == Access::Kind::Machine || access.kind == Access::Kind::Descriptor;
-  if (accessesValue && access.type && !isElementary(access.type->code) && !isParameterNumber(access.type->code)) {
+  const bool accessesValue =
+      access.kind == Access::Kind::Machine || access.kind == Access::Kind::Descriptor;
+  if (accessesValue && access.type && !isElementary(access.type->code) &&
+      !isParameterNumber(access.type->code)) {
     problems_.add(ProblemCode::P0326, place, block::toString(*access.type), name);  // S7-TYPES-17
     return false;
   }
@@ -395,16 +415,21 @@ bool BlockCompiler::checkDirection(Operation operation, const Access& access, co
 
 bool BlockCompiler::access(Operation operation, const Access& access) {
   const auto impossible = [&] {
-    problems_.add(ProblemCode::P0311, at(access.begin, access.end),
-                  std::string(cursor_.slice(access.begin, access.end)),
-                  scope_.mnemonics == Mnemonics::German ? mc7::info(operation).de : mc7::info(operation).en);
+    problems_.add(
+        ProblemCode::P0311, at(access.begin, access.end),
+        std::string(cursor_.slice(access.begin, access.end)),
+        scope_.mnemonics == Mnemonics::German ? mc7::info(operation).de : mc7::info(operation).en);
     return false;
   };
   if (access.kind == Access::Kind::Descriptor) {
     const std::uint32_t byte = parameterCopy(*access.descriptor);
-    Operand open{.kind = OperandKind::BlockIndirect, .pointerArea = Area::Local, .blockKind = BlockKind::DB, .value = byte};
+    Operand open{.kind = OperandKind::BlockIndirect,
+                 .pointerArea = Area::Local,
+                 .blockKind = BlockKind::DB,
+                 .value = byte};
     if (!emit(Operation::OPEN, open)) return false;
-    if (!emit(Operation::LAR1, mc7::memory(Area::Local, Width::DWord, (byte + 2) * 8))) return false;
+    if (!emit(Operation::LAR1, mc7::memory(Area::Local, Width::DWord, (byte + 2) * 8)))
+      return false;
     Operand operand = access.operand;
     for (; operand.value > 0x7FFF; operand.value -= 0x7FF8)
       if (!emit(Operation::ADD_AR1, mc7::number(OperandKind::Pointer, 0x7FF8))) return false;
@@ -416,17 +441,20 @@ bool BlockCompiler::access(Operation operation, const Access& access) {
   if (access.openDb >= 0) {
     std::vector<std::uint8_t> probe;
     if (!mc7::encode({operation, access.operand}, probe)) return impossible();
-    if (!emit(Operation::OPEN, mc7::blockOperand(BlockKind::DB, static_cast<std::uint32_t>(access.openDb))))
+    if (!emit(Operation::OPEN,
+              mc7::blockOperand(BlockKind::DB, static_cast<std::uint32_t>(access.openDb))))
       return false;
   }
   return emit(operation, access.operand) || impossible();
 }
 
-// LAR1 P##parameter and variables that no LAR/TAR instruction reaches: by way of accumulator 1, which is kept.
+// LAR1 P##parameter and variables that no LAR/TAR instruction reaches: by way of accumulator 1,
+// which is kept.
 void BlockCompiler::addressRegister(Operation operation, const Access& access) {
   const bool load = operation == Operation::LAR1 || operation == Operation::LAR2;
   std::vector<std::uint8_t> probe;
-  if (access.kind == Access::Kind::Machine && access.openDb < 0 && mc7::encode({operation, access.operand}, probe))
+  if (access.kind == Access::Kind::Machine && access.openDb < 0 &&
+      mc7::encode({operation, access.operand}, probe))
     return (void)emit(operation, access.operand);
   if (access.kind == Access::Kind::Address && mc7::encode({operation, access.operand}, probe))
     return (void)emit(operation, access.operand);
@@ -459,14 +487,16 @@ void BlockCompiler::checkCallWithoutParameters(Operation operation, const Access
 
 void BlockCompiler::blockCall(Operation operation, const Access& access) {
   const Operand& operand = access.operand;
-  const bool block = operand.kind == OperandKind::Block || operand.kind == OperandKind::BlockIndirect ||
+  const bool block = operand.kind == OperandKind::Block ||
+                     operand.kind == OperandKind::BlockIndirect ||
                      operand.kind == OperandKind::BlockParameter;
   const bool callable = operand.blockKind == BlockKind::FC || operand.blockKind == BlockKind::FB ||
                         operand.blockKind == BlockKind::SFC || operand.blockKind == BlockKind::SFB;
   if (!block || !callable) {
-    problems_.add(operand.blockKind == BlockKind::OB && block ? ProblemCode::P0510 : ProblemCode::P0311,
-                  at(access.begin, access.end), std::string(cursor_.slice(access.begin, access.end)),
-                  mc7::info(operation).de);
+    problems_.add(
+        operand.blockKind == BlockKind::OB && block ? ProblemCode::P0510 : ProblemCode::P0311,
+        at(access.begin, access.end), std::string(cursor_.slice(access.begin, access.end)),
+        mc7::info(operation).de);
     return;
   }
   if (operand.kind == OperandKind::Block) checkCallWithoutParameters(operation, access);
@@ -480,7 +510,8 @@ void BlockCompiler::blockCall(Operation operation, const Access& access) {
 }
 
 void BlockCompiler::endOfNetwork() {
-  for (const std::size_t open : brackets_) problems_.add(ProblemCode::P0344, at(open, open + 1));  // S7-BRACKET-01, -02
+  for (const std::size_t open : brackets_)
+    problems_.add(ProblemCode::P0344, at(open, open + 1));  // S7-BRACKET-01, -02
   brackets_.clear();
 }
 

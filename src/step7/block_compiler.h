@@ -12,8 +12,8 @@ namespace merker::step7 {
 
 class BlockCompiler {
  public:
-  BlockCompiler(const BlockSource& source, block::Block& target, Interfaces& interfaces, const CompileOptions& options,
-                Problems& problems);
+  BlockCompiler(const BlockSource& source, block::Block& target, Interfaces& interfaces,
+                const CompileOptions& options, Problems& problems);
 
   // Fills the target's code, lines, networks, checks and its local data requirement.
   void compile();
@@ -26,7 +26,8 @@ class BlockCompiler {
   std::optional<Access> operand();
   // Local data for the duration of one statement; begins at an even byte when `bytes` is 2 or more.
   std::uint32_t allocate(std::uint32_t bytes);
-  // Code that performs `operation` on the operand, with what has to be opened before. Problem if impossible.
+  // Code that performs `operation` on the operand, with what has to be opened before. Problem if
+  // impossible.
   bool access(mc7::Operation operation, const Access& access);
   bool emit(mc7::Operation operation, const mc7::Operand& operand = {});
   // Local data byte of a copied descriptor or number; marks it as needed.
@@ -76,7 +77,7 @@ class BlockCompiler {
   std::vector<std::size_t> relays_;    // of open MCR(
   bool ended_ = false;                 // BE was the last statement
   bool reportedAfterEnd_ = false;
-  bool any_ = false;                   // an instruction was made: a check has something to refer to
+  bool any_ = false;  // an instruction was made: a check has something to refer to
 };
 
 }  // namespace merker::step7

@@ -24,9 +24,11 @@ std::string_view firstWordOfStatement(Cursor& cursor) {
 std::uint8_t parseVersion(std::string_view text) {
   unsigned high = 0, low = 0;
   std::size_t i = 0;
-  while (i < text.size() && isDigit(text[i])) high = high * 10 + static_cast<unsigned>(text[i++] - '0');
+  while (i < text.size() && isDigit(text[i]))
+    high = high * 10 + static_cast<unsigned>(text[i++] - '0');
   if (i < text.size() && text[i] == '.')
-    for (++i; i < text.size() && isDigit(text[i]); ++i) low = low * 10 + static_cast<unsigned>(text[i] - '0');
+    for (++i; i < text.size() && isDigit(text[i]); ++i)
+      low = low * 10 + static_cast<unsigned>(text[i] - '0');
   return static_cast<std::uint8_t>((high & 15) << 4 | (low & 15));
 }
 
@@ -134,7 +136,8 @@ bool BlockSplitter::blockName(const Frame& frame, BlockSource& source) {
   const auto name = readBlockName(cursor_, file_, symbols_, problems_);
   if (name) source.name = *name;
   if (name && name->id && name->id->kind != frame.kinds[0] && name->id->kind != frame.kinds[1]) {
-    problems_.add(ProblemCode::P0307, at(name->begin, name->end), frame.begin, merker::name(frame.kinds[0]));
+    problems_.add(ProblemCode::P0307, at(name->begin, name->end), frame.begin,
+                  merker::name(frame.kinds[0]));
     return false;
   }
   if (frame.kinds[0] == BlockKind::FC) {
@@ -163,7 +166,8 @@ std::string BlockSplitter::headerValue() {
   while (!cursor_.atStatementEnd()) cursor_.take();
   std::string_view text = trim(cursor_.slice(begin, cursor_.pos()));
   cursor_.accept(';');
-  if (text.size() >= 2 && (text.front() == '\'' || text.front() == '"') && text.back() == text.front())
+  if (text.size() >= 2 && (text.front() == '\'' || text.front() == '"') &&
+      text.back() == text.front())
     text = text.substr(1, text.size() - 2);
   return std::string(text);
 }
@@ -174,7 +178,8 @@ void BlockSplitter::blockComment(BlockSource& source) {
     cursor_.skipBlanks();
     if (cursor_.peek() == '\n' || cursor_.peek() == '\r') {
       cursor_.take();
-    } else if (cursor_.peek() == '/' && cursor_.peek(1) == '/' && !source.attributes.title.empty()) {
+    } else if (cursor_.peek() == '/' && cursor_.peek(1) == '/' &&
+               !source.attributes.title.empty()) {
       cursor_.seek(cursor_.pos() + 2);
       if (!source.attributes.comment.empty()) source.attributes.comment += '\n';
       source.attributes.comment += restOfLine();
@@ -203,7 +208,8 @@ bool BlockSplitter::headerLine(BlockSource& source) {
   block::Attributes& attributes = source.attributes;
   const auto text8 = [&](std::string& target) {
     target = headerValue();
-    if (characterCount(target) > 8) problems_.add(ProblemCode::P0308, at(begin, cursor_.pos()), key);
+    if (characterCount(target) > 8)
+      problems_.add(ProblemCode::P0308, at(begin, cursor_.pos()), key);
   };
   const auto flag = [&](bool& target) {
     target = true;
@@ -271,7 +277,8 @@ void BlockSplitter::checkSectionOrder(const BlockSource& source, block::Section 
                        source.id.kind == BlockKind::SFB ||
                        ((source.id.kind == BlockKind::FC || source.id.kind == BlockKind::SFC) &&
                         section != block::Section::Static);
-  // S7-EDIT-03: stat only in an FB, only temp in an OB. A VAR section in FC or OB is what older sources use for temp.
+  // S7-EDIT-03: stat only in an FB, only temp in an OB. A VAR section in FC or OB is what older
+  // sources use for temp.
   if (!allowed)
     problems_.add(ProblemCode::P0408, at(begin, cursor_.pos()),
                   std::string(cursor_.slice(begin, cursor_.pos())), merker::name(source.id.kind));
@@ -327,8 +334,8 @@ void BlockSplitter::code(const Frame& frame, BlockSource& source) {
         source.codeEnd = begin;
         return;
       }
-      static constexpr std::string_view kBegins[] = {"ORGANIZATION_BLOCK", "FUNCTION", "FUNCTION_BLOCK",
-                                                     "DATA_BLOCK", "TYPE"};
+      static constexpr std::string_view kBegins[] = {"ORGANIZATION_BLOCK", "FUNCTION",
+                                                     "FUNCTION_BLOCK", "DATA_BLOCK", "TYPE"};
       bool next = upper(word).starts_with("END_");
       for (const std::string_view keyword : kBegins) next = next || equalsIgnoreCase(word, keyword);
       if (next && (cursor_.atStatementEnd() || !upper(word).starts_with("END_"))) {
@@ -352,7 +359,8 @@ void BlockSplitter::code(const Frame& frame, BlockSource& source) {
     } else if (c == '(' && cursor_.peek(1) == '*') {
       cursor_.skipBlanks();
     } else {
-      statementStart = c == '\n' || c == '\r' || c == ';' || (statementStart && (c == ' ' || c == '\t'));
+      statementStart =
+          c == '\n' || c == '\r' || c == ';' || (statementStart && (c == ' ' || c == '\t'));
       cursor_.take();
       // The text behind TITLE = is free.
       if (c == '=' && upper(trim(cursor_.slice(file_.text().rfind('\n', cursor_.pos()) + 1,
@@ -362,7 +370,8 @@ void BlockSplitter::code(const Frame& frame, BlockSource& source) {
   }
   source.codeEnd = cursor_.pos();
   source.faulty = true;
-  problems_.add(ProblemCode::P0310, at(source.name.begin, source.name.end), toString(source.id), frame.end);
+  problems_.add(ProblemCode::P0310, at(source.name.begin, source.name.end), toString(source.id),
+                frame.end);
 }
 
 }  // namespace merker::step7

@@ -1,4 +1,5 @@
-// One block of a source as written: header, declarations, and where its code stands. First pass of the compiler.
+// One block of a source as written: header, declarations, and where its code stands. First pass of
+// the compiler.
 #pragma once
 
 #include <optional>
@@ -25,8 +26,8 @@ struct BlockSource {
   BlockName name;
   block::Attributes attributes;
   std::vector<VariableSyntax> variables;
-  std::optional<TypeSyntax> returnType;  // FC
-  std::optional<TypeSyntax> dataType;    // DB, UDT: STRUCT …, UDT n, FB n
+  std::optional<TypeSyntax> returnType;    // FC
+  std::optional<TypeSyntax> dataType;      // DB, UDT: STRUCT …, UDT n, FB n
   std::size_t codeBegin = 0, codeEnd = 0;  // between BEGIN and END_…; for a DB the assignments
   Mnemonics mnemonics = Mnemonics::German;
   bool faulty = false;  // an error in header or declarations: no code is made
@@ -35,8 +36,12 @@ struct BlockSource {
 // Splits a source into its blocks. Everything between BEGIN and END_… stays text.
 class BlockSplitter {
  public:
-  BlockSplitter(const source::SourceFile& file, const source::SymbolTable* symbols, Problems& problems)
-      : file_(file), symbols_(symbols), problems_(problems), cursor_(file.text(), 0, file.text().size()) {}
+  BlockSplitter(const source::SourceFile& file, const source::SymbolTable* symbols,
+                Problems& problems)
+      : file_(file),
+        symbols_(symbols),
+        problems_(problems),
+        cursor_(file.text(), 0, file.text().size()) {}
 
   std::vector<BlockSource> split();
 
@@ -69,7 +74,8 @@ class BlockSplitter {
 std::optional<BlockName> readBlockName(Cursor& cursor, const source::SourceFile& file,
                                        const source::SymbolTable* symbols, Problems& problems);
 
-// Which mnemonics a source uses (S7-SRC-10): by the words that exist in only one of them; German if none.
+// Which mnemonics a source uses (S7-SRC-10): by the words that exist in only one of them; German if
+// none.
 Mnemonics detectMnemonics(std::string_view text, const std::vector<BlockSource>& blocks);
 
 }  // namespace merker::step7

@@ -20,8 +20,8 @@ constexpr std::uint32_t kInlineBytes = 64;
 
 bool needsNoDataBlock(const Access& access) {
   const Operand& operand = access.operand;
-  return access.kind == Access::Kind::Machine && operand.kind == OperandKind::Memory && access.openDb < 0 &&
-         operand.area != Area::DataBlock && operand.area != Area::Instance;
+  return access.kind == Access::Kind::Machine && operand.kind == OperandKind::Memory &&
+         access.openDb < 0 && operand.area != Area::DataBlock && operand.area != Area::Instance;
 }
 
 }  // namespace
@@ -80,7 +80,8 @@ bool CallCompiler::instanceTarget(const block::Variable& variable, std::size_t b
     c_.problems().add(ProblemCode::P0518, c_.at(begin, c_.cursor().pos()));
     return false;
   }
-  target_.id = {code == TypeCode::FunctionBlock ? BlockKind::FB : BlockKind::SFB, variable.type->length};
+  target_.id = {code == TypeCode::FunctionBlock ? BlockKind::FB : BlockKind::SFB,
+                variable.type->length};
   target_.block = c_.scope().findBlock(target_.id);
   target_.instance = &variable;
   return target_.block != nullptr;
@@ -109,7 +110,8 @@ bool CallCompiler::instanceDataBlock(std::size_t begin) {
     c_.problems().add(ProblemCode::P0520, place, toString(id), toString(target_.id));
     return false;
   }
-  if (db->instanceOf != target_.id.number || db->instanceOfSystemBlock != (target_.id.kind == BlockKind::SFB)) {
+  if (db->instanceOf != target_.id.number ||
+      db->instanceOfSystemBlock != (target_.id.kind == BlockKind::SFB)) {
     c_.problems().add(ProblemCode::P0521, place, toString(id), toString(target_.id));
     return false;
   }
@@ -144,13 +146,40 @@ void CallCompiler::loadConstant(Width width, std::uint32_t value) {
                                               : mc7::constant(ConstantFormat::DWord, value));
 }
 
+// The notation in which a disassembler shows a value of this type.
+static ConstantFormat notationOf(TypeCode type) {
+  switch (type) {
+    case TypeCode::Byte:
+      return ConstantFormat::Byte;
+    case TypeCode::Char:
+      return ConstantFormat::Characters;
+    case TypeCode::Int:
+      return ConstantFormat::Integer;
+    case TypeCode::DInt:
+      return ConstantFormat::LongInteger;
+    case TypeCode::Real:
+      return ConstantFormat::Real;
+    case TypeCode::Date:
+      return ConstantFormat::Date;
+    case TypeCode::TimeOfDay:
+      return ConstantFormat::TimeOfDay;
+    case TypeCode::Time:
+      return ConstantFormat::Time;
+    case TypeCode::S5Time:
+      return ConstantFormat::S5Time;
+    default:
+      return bitWidth(type) > 16 ? ConstantFormat::DWord : ConstantFormat::Word;
+  }
+}
+
 void CallCompiler::storeConstant(TypeCode type, std::uint32_t bits, const Operand& to) {
   if (type == TypeCode::Bool) {
     put(bits ? Operation::SET : Operation::CLR);
     put(Operation::ASSIGN, to);
     return;
   }
-  loadConstant(widthOf(type), bits);
+  const std::uint32_t mask = bitWidth(type) >= 32 ? ~0u : (1u << bitWidth(type)) - 1;
+  put(Operation::LOAD, mc7::constant(notationOf(type), bits & mask));
   put(Operation::TRANSFER, to);
 }
 
@@ -188,7 +217,8 @@ void CallCompiler::returnResult() {
 
 // --- POINTER and ANY
 
-void CallCompiler::descriptorAddress(const Actual& actual, std::uint32_t dbByte, std::uint32_t pointerByte) {
+void CallCompiler::descriptorAddress(const Actual& actual, std::uint32_t dbByte,
+                                     std::uint32_t pointerByte) {
   const Access& access = *actual.access;
   const Operand& operand = access.operand;
   const Operand db = local(Width::Word, dbByte), place = local(Width::DWord, pointerByte);
@@ -204,7 +234,8 @@ void CallCompiler::descriptorAddress(const Actual& actual, std::uint32_t dbByte,
     return addOffset(operand.value);
   }
   if (operand.kind == OperandKind::RegisterIndirect) {  // own instance: AR2 carries its offset
-    put(Operation::LOAD, mc7::number(OperandKind::DataBlockInfo, static_cast<std::uint32_t>(mc7::DataBlockQuery::DiNumber)));
+    put(Operation::LOAD, mc7::number(OperandKind::DataBlockInfo,
+                                     static_cast<std::uint32_t>(mc7::DataBlockQuery::DiNumber)));
     put(Operation::TRANSFER, db);
     put(Operation::TAR2);
     return addOffset(operand.value);
@@ -218,8 +249,10 @@ void CallCompiler::descriptorAddress(const Actual& actual, std::uint32_t dbByte,
   Area area = operand.area;
   const bool openBlock = access.openDb < 0 && (area == Area::DataBlock || area == Area::Instance);
   if (openBlock) {
-    const auto query = area == Area::DataBlock ? mc7::DataBlockQuery::DbNumber : mc7::DataBlockQuery::DiNumber;
-    put(Operation::LOAD, mc7::number(OperandKind::DataBlockInfo, static_cast<std::uint32_t>(query)));
+    const auto query =
+        area == Area::DataBlock ? mc7::DataBlockQuery::DbNumber : mc7::DataBlockQuery::DiNumber;
+    put(Operation::LOAD,
+        mc7::number(OperandKind::DataBlockInfo, static_cast<std::uint32_t>(query)));
   } else {
     loadConstant(Width::Word, static_cast<std::uint32_t>(std::max(access.openDb, 0)));
   }
@@ -240,7 +273,8 @@ std::uint32_t CallCompiler::copyOfOwn(const Access& access, std::uint32_t bytes)
     put(Operation::LAR1);
     from = machine(mc7::registerCrossing(Width::Word, 1, 0));
   }
-  for (std::uint32_t i = 0; i < bytes; i += 2) move(Width::Word, part(from, i, Width::Word), machine(local(Width::Word, byte + i)));
+  for (std::uint32_t i = 0; i < bytes; i += 2)
+    move(Width::Word, part(from, i, Width::Word), machine(local(Width::Word, byte + i)));
   return byte;
 }
 
@@ -254,12 +288,14 @@ struct AnyHeader {
 // Type code and repetition factor of a variable or operand (S7-IND-13, S7-IND-15).
 AnyHeader anyHeader(const Access& access) {
   if (!access.type) {
-    static constexpr TypeCode kByWidth[] = {TypeCode::Bool, TypeCode::Byte, TypeCode::Word, TypeCode::DWord};
+    static constexpr TypeCode kByWidth[] = {TypeCode::Bool, TypeCode::Byte, TypeCode::Word,
+                                            TypeCode::DWord};
     return {kByWidth[static_cast<int>(access.operand.width)], 1};
   }
   const block::Type& type = *access.type;
   if (isElementary(type.code) || type.code == TypeCode::DateAndTime) return {type.code, 1};
-  if (type.code == TypeCode::Array && (isElementary(type.element->code) || type.element->code == TypeCode::DateAndTime)) {
+  if (type.code == TypeCode::Array &&
+      (isElementary(type.element->code) || type.element->code == TypeCode::DateAndTime)) {
     std::uint32_t count = 1;
     for (const block::Dimension& dimension : type.dimensions) count *= dimension.count();
     return {type.element->code, count};
@@ -287,14 +323,20 @@ std::uint32_t CallCompiler::descriptor(const Actual& actual, bool any) {
   };
   if (actual.nil || actual.isPointer) {
     const bool counted = actual.anyType != TypeCode::Void;
-    header(actual.nil ? TypeCode::Void : counted ? actual.anyType : TypeCode::Byte, actual.nil ? 0 : counted ? actual.anyCount : 1u);
+    header(actual.nil ? TypeCode::Void
+           : counted  ? actual.anyType
+                      : TypeCode::Byte,
+           actual.nil ? 0
+           : counted  ? actual.anyCount
+                      : 1u);
     word(db, actual.db);
     loadConstant(Width::DWord, actual.pointer);
     put(Operation::TRANSFER, local(Width::DWord, db + 2));
     return byte;
   }
   const Operand& operand = actual.access->operand;
-  if (operand.kind == OperandKind::Timer || operand.kind == OperandKind::Counter || operand.kind == OperandKind::Block) {
+  if (operand.kind == OperandKind::Timer || operand.kind == OperandKind::Counter ||
+      operand.kind == OperandKind::Block) {
     const TypeCode type = operand.kind == OperandKind::Timer     ? TypeCode::Timer
                           : operand.kind == OperandKind::Counter ? TypeCode::Counter
                           : operand.blockKind == BlockKind::FB   ? TypeCode::BlockFb
@@ -321,7 +363,8 @@ std::uint32_t CallCompiler::elementaryEntry(const block::Variable& formal, const
   if (actual.isConstant())
     place = constantInLocal(type, access.operand.value);
   else if (!needsNoDataBlock(access))
-    place = staged(access, widthOf(type), formal.section == Section::Input || formal.section == Section::InOut,
+    place = staged(access, widthOf(type),
+                   formal.section == Section::Input || formal.section == Section::InOut,
                    formal.section != Section::Input);
   const Area area = place.area == Area::Local ? Area::CallerLocal : place.area;
   return pointer(area, place.value);
@@ -345,7 +388,8 @@ void CallCompiler::callFunction() {
     entries.push_back(entry(*formal, actuals_.at(formal)));
   returnResult();
   put(Operation::UC, mc7::blockOperand(target_.id.kind, target_.id.number));
-  put(Operation::SPA, mc7::number(OperandKind::Jump, static_cast<std::uint32_t>(2 * entries.size() + 2)));
+  put(Operation::SPA,
+      mc7::number(OperandKind::Jump, static_cast<std::uint32_t>(2 * entries.size() + 2)));
   for (const std::uint32_t value : entries) c_.builder().parameterEntry(value);
   if (!afterwards_.empty()) {
     keepResult();
@@ -360,15 +404,20 @@ void CallCompiler::callFunction() {
 // --- function blocks
 
 Operand CallCompiler::instanceOperand(BitAddress address, Width width) const {
-  if (target_.instance) return mc7::registerIndirect(Area::Instance, width, 2, target_.instance->address + address);
+  if (target_.instance)
+    return mc7::registerIndirect(Area::Instance, width, 2, target_.instance->address + address);
   return mc7::memory(Area::Instance, width, address);
 }
 
 void CallCompiler::collectBytes(BitAddress instance, const Operand& from, std::uint32_t bytes) {
   std::uint32_t byte = 0;
   while (byte < bytes) {
-    const Width width = bytes - byte >= 4 ? Width::DWord : bytes - byte >= 2 ? Width::Word : Width::Byte;
-    const TypeCode type = width == Width::DWord ? TypeCode::DWord : width == Width::Word ? TypeCode::Word : TypeCode::Byte;
+    const Width width = bytes - byte >= 4   ? Width::DWord
+                        : bytes - byte >= 2 ? Width::Word
+                                            : Width::Byte;
+    const TypeCode type = width == Width::DWord  ? TypeCode::DWord
+                          : width == Width::Word ? TypeCode::Word
+                                                 : TypeCode::Byte;
     transfers_.push_back({instance + byte * 8, local(width, from.value / 8 + byte), type});
     byte += byteCount(width);
   }
@@ -382,7 +431,8 @@ void CallCompiler::collectComposite(const block::Variable& formal, const Actual&
   if (bytes > kInlineBytes) return copyBlock(formal, actual, true);
   const std::uint32_t place = c_.allocate(bytes);
   for (std::uint32_t byte = 0; byte < bytes; byte += 2)
-    move(Width::Word, part(*actual.access, byte, Width::Word), machine(local(Width::Word, place + byte)));
+    move(Width::Word, part(*actual.access, byte, Width::Word),
+         machine(local(Width::Word, place + byte)));
   collectBytes(formal.address, local(Width::Byte, place), bytes);
 }
 
@@ -391,9 +441,12 @@ void CallCompiler::collectInput(const block::Variable& formal, const Actual& act
   if (isParameterNumber(code)) {
     const Access& access = *actual.access;
     if (!access.variable) {
-      transfers_.push_back({formal.address, mc7::constant(ConstantFormat::Word, access.operand.value), TypeCode::Word});
+      transfers_.push_back({formal.address,
+                            mc7::constant(ConstantFormat::Word, access.operand.value),
+                            TypeCode::Word});
     } else if (access.operand.pointerArea == Area::Local) {  // own parameter of an FB
-      transfers_.push_back({formal.address, local(Width::Word, c_.parameterCopy(*access.variable)), TypeCode::Word});
+      transfers_.push_back(
+          {formal.address, local(Width::Word, c_.parameterCopy(*access.variable)), TypeCode::Word});
     } else {  // of an FC: the number stands in the first word of its entry
       const std::uint32_t byte = c_.allocate(4);
       put(Operation::LOAD, mc7::number(OperandKind::ParameterAddress, access.operand.value));
@@ -410,13 +463,15 @@ void CallCompiler::collectInput(const block::Variable& formal, const Actual& act
   if (formal.section == Section::Output) return;
   const Access& access = *actual.access;
   const bool direct = actual.isConstant() || needsNoDataBlock(access);
-  transfers_.push_back({formal.address, direct ? access.operand : staged(access, widthOf(code), true, false), code});
+  transfers_.push_back(
+      {formal.address, direct ? access.operand : staged(access, widthOf(code), true, false), code});
 }
 
 void CallCompiler::collectOutputs() {
   for (const block::Variable* formal : block::parameters(*target_.block)) {
     const auto found = actuals_.find(formal);
-    if (found == actuals_.end() || formal->section == Section::Input || !found->second.access) continue;
+    if (found == actuals_.end() || formal->section == Section::Input || !found->second.access)
+      continue;
     const Access& to = *found->second.access;
     const TypeCode code = formal->type->code;
     if (isElementary(code)) {
@@ -435,7 +490,8 @@ void CallCompiler::collectOutputs() {
       const std::uint32_t place = c_.allocate(bytes);
       for (std::uint32_t byte = 0; byte < bytes; byte += 2) {
         const Operand word = local(Width::Word, place + byte);
-        fromInstance_.push_back({instanceOperand(formal->address + byte * 8, Width::Word), machine(word)});
+        fromInstance_.push_back(
+            {instanceOperand(formal->address + byte * 8, Width::Word), machine(word)});
         afterwards_.push_back({word, part(to, byte, Width::Word)});
       }
     }
@@ -454,7 +510,8 @@ void CallCompiler::transferIn(const Transfer& transfer) {
 void CallCompiler::switchToInstance() {
   if (target_.instance) return;
   put(Operation::SWAP_DB);
-  put(Operation::OPEN, mc7::blockOperand(BlockKind::DB, static_cast<std::uint32_t>(target_.instanceDb), true));
+  put(Operation::OPEN,
+      mc7::blockOperand(BlockKind::DB, static_cast<std::uint32_t>(target_.instanceDb), true));
 }
 
 void CallCompiler::switchBack() {
@@ -468,7 +525,8 @@ void CallCompiler::callFunctionBlock() {
   ar2_ = c_.allocate(4);
   keepResult();
   for (const block::Variable* formal : block::parameters(*target_.block))
-    if (const auto found = actuals_.find(formal); found != actuals_.end()) collectInput(*formal, found->second);
+    if (const auto found = actuals_.find(formal); found != actuals_.end())
+      collectInput(*formal, found->second);
   collectOutputs();
   switchToInstance();
   for (const Transfer& transfer : transfers_) transferIn(transfer);
@@ -497,7 +555,8 @@ void CallCompiler::callFunctionBlock() {
 void CallCompiler::copyBlock(const block::Variable& formal, const Actual& actual, bool in) {
   const block::Block* service = c_.scope().findBlock({BlockKind::SFC, 20});
   if (!service) {
-    c_.problems().add(ProblemCode::P0506, c_.at(actual.begin, actual.end), toString(BlockId{BlockKind::SFC, 20}));
+    c_.problems().add(ProblemCode::P0506, c_.at(actual.begin, actual.end),
+                      toString(BlockId{BlockKind::SFC, 20}));
     return;
   }
   Actual inside;
@@ -511,9 +570,10 @@ void CallCompiler::copyBlock(const block::Variable& formal, const Actual& actual
   const std::uint32_t result = c_.allocate(2);
   const auto parameters = block::parameters(*service);
   put(Operation::UC, mc7::blockOperand(BlockKind::SFC, 20));
-  put(Operation::SPA, mc7::number(OperandKind::Jump, static_cast<std::uint32_t>(2 * parameters.size() + 2)));
+  put(Operation::SPA,
+      mc7::number(OperandKind::Jump, static_cast<std::uint32_t>(2 * parameters.size() + 2)));
   for (const block::Variable* parameter : parameters) {
-    const std::uint32_t byte = parameter->section == Section::Return ? result
+    const std::uint32_t byte = parameter->section == Section::Return          ? result
                                : (parameter->section == Section::Input) == in ? own
                                                                               : instance;
     c_.builder().parameterEntry(pointer(Area::CallerLocal, byte * 8));

@@ -1,4 +1,5 @@
-// CALL: the macro that STEP 7 makes of a call with parameters (architecture, decision 1; MC7 section 7.3).
+// CALL: the macro that STEP 7 makes of a call with parameters (architecture, decision 1; MC7
+// section 7.3).
 #pragma once
 
 #include "step7/call_parameters.h"
@@ -45,7 +46,9 @@ class CallCompiler {
   void switchBack();
 
   // building blocks
-  void put(mc7::Operation operation, const mc7::Operand& operand = {}) { (void)c_.emit(operation, operand); }
+  void put(mc7::Operation operation, const mc7::Operand& operand = {}) {
+    (void)c_.emit(operation, operand);
+  }
   static mc7::Operand local(Width width, std::uint32_t byte, std::uint32_t bit = 0) {
     return mc7::memory(Area::Local, width, bitAddress(byte, bit));
   }

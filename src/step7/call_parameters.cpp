@@ -72,9 +72,11 @@ bool CallParameters::parameter() {
   std::string name(cursor.word());
   if (quoted) cursor.accept('"');
   const block::Variable* formal = findMember(target_.block->variables, name);
-  const bool parameter = formal && formal->section != Section::Static && formal->section != Section::Temp;
+  const bool parameter =
+      formal && formal->section != Section::Static && formal->section != Section::Temp;
   if (name.empty() || !parameter)
-    return problem(ProblemCode::P0511, begin, std::max(cursor.pos(), begin + 1), name, toString(target_.id));
+    return problem(ProblemCode::P0511, begin, std::max(cursor.pos(), begin + 1), name,
+                   toString(target_.id));
   cursor.skipSpace();
   if (!cursor.accept(':') || !cursor.accept('='))
     return problem(ProblemCode::P0301, cursor.pos(), cursor.pos() + 1, ":=");
@@ -113,7 +115,8 @@ bool CallParameters::pointer(Actual& out) {
   cursor.skipBlanks();
   std::string_view word = cursor.word();
   std::string digits;
-  if (word.size() >= 2 && equalsIgnoreCase(word.substr(0, 2), "DB") && word.find_first_not_of("0123456789", 2) == std::string_view::npos) {
+  if (word.size() >= 2 && equalsIgnoreCase(word.substr(0, 2), "DB") &&
+      word.find_first_not_of("0123456789", 2) == std::string_view::npos) {
     digits = word.substr(2);
     if (digits.empty())
       if (const auto number = readInteger(cursor)) digits = std::to_string(*number);
@@ -165,8 +168,8 @@ bool CallParameters::anyTail(Actual& out) {
 
 bool CallParameters::mismatch(const block::Variable& formal, const Actual& actual) {
   const std::string_view text = c_.cursor().slice(actual.begin, actual.end);
-  return problem(ProblemCode::P0514, actual.begin, actual.end, std::string(text), block::toString(*formal.type),
-                 formal.name);
+  return problem(ProblemCode::P0514, actual.begin, actual.end, std::string(text),
+                 block::toString(*formal.type), formal.name);
 }
 
 bool CallParameters::check(const block::Variable& formal, Actual& actual) {
@@ -174,18 +177,21 @@ bool CallParameters::check(const block::Variable& formal, Actual& actual) {
   if (!checkForwarding(formal, actual)) return false;
   if (isParameterNumber(code)) return checkNumber(formal, actual);
   if (code == TypeCode::Any || code == TypeCode::Pointer) {
-    if (code == TypeCode::Pointer && (actual.nil || actual.anyType != TypeCode::Void)) return mismatch(formal, actual);
+    if (code == TypeCode::Pointer && (actual.nil || actual.anyType != TypeCode::Void))
+      return mismatch(formal, actual);
     if (actual.isConstant()) return mismatch(formal, actual);
     return true;
   }
-  if (actual.isPointer && code == TypeCode::DWord && actual.anyType == TypeCode::Void && actual.db == 0) {
+  if (actual.isPointer && code == TypeCode::DWord && actual.anyType == TypeCode::Void &&
+      actual.db == 0) {
     Access constant;
     constant.operand = mc7::constant(ConstantFormat::Pointer, actual.pointer);
     actual.access = constant;
     actual.isPointer = false;
   }
   if (actual.nil || actual.isPointer) return mismatch(formal, actual);
-  if (actual.access->kind == Access::Kind::BlockName || actual.access->kind == Access::Kind::Address)
+  if (actual.access->kind == Access::Kind::BlockName ||
+      actual.access->kind == Access::Kind::Address)
     return mismatch(formal, actual);
   return isElementary(code) ? checkElementary(formal, actual) : checkComposite(formal, actual);
 }
@@ -204,12 +210,16 @@ bool CallParameters::checkElementary(const block::Variable& formal, Actual& actu
   if (actual.isConstant()) return checkConstant(formal, actual);
   const Access& access = *actual.access;
   const mc7::Operand& operand = access.operand;
-  const bool direct = operand.kind == OperandKind::Memory || access.variable || access.kind == Access::Kind::Descriptor;
+  const bool direct = operand.kind == OperandKind::Memory || access.variable ||
+                      access.kind == Access::Kind::Descriptor;
   if (!direct) return problem(ProblemCode::P0515, actual.begin, actual.end);
-  if (operand.area == Area::Peripheral && access.peripheralOutput != (formal.section != Section::Input))
-    return problem(access.peripheralOutput ? ProblemCode::P0324 : ProblemCode::P0323, actual.begin, actual.end);
+  if (operand.area == Area::Peripheral &&
+      access.peripheralOutput != (formal.section != Section::Input))
+    return problem(access.peripheralOutput ? ProblemCode::P0324 : ProblemCode::P0323, actual.begin,
+                   actual.end);
   if (operand.width != widthOf(formal.type->code)) return mismatch(formal, actual);
-  // A declared variable must have the very type, an absolute operand fits every type of its width (S7-PAR-05).
+  // A declared variable must have the very type, an absolute operand fits every type of its width
+  // (S7-PAR-05).
   if (access.type && access.type->code != formal.type->code) return mismatch(formal, actual);
   return true;
 }
@@ -245,9 +255,12 @@ bool CallParameters::checkForwarding(const block::Variable& formal, const Actual
   if (!actual.access || !actual.access->variable) return true;
   const block::Variable& own = *actual.access->variable;
   if (own.section == Section::Temp || own.section == Section::Static) return true;
-  const auto forbidden = [&] { return problem(ProblemCode::P0516, actual.begin, actual.end, own.name, formal.name); };
+  const auto forbidden = [&] {
+    return problem(ProblemCode::P0516, actual.begin, actual.end, own.name, formal.name);
+  };
   const bool writes = formal.section != Section::Input;
-  if (writes && own.section == Section::Input && isElementary(formal.type->code)) return forbidden();
+  if (writes && own.section == Section::Input && isElementary(formal.type->code))
+    return forbidden();
   const bool ownFunction = c_.scope().block->id.kind == BlockKind::FC;
   const TypeCode code = own.type->code;
   if (ownFunction && target_.isFunction() && !isElementary(code)) {

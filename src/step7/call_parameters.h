@@ -1,4 +1,5 @@
-// The actual parameters of a CALL: what is written behind the formal names, checked against the declaration.
+// The actual parameters of a CALL: what is written behind the formal names, checked against the
+// declaration.
 #pragma once
 
 #include <map>
@@ -20,7 +21,7 @@ struct CallTarget {
 struct Actual {
   std::optional<Access> access;  // operand, variable or constant; nothing for NIL and P#…
   bool nil = false;
-  bool isPointer = false;        // P#DB10.DBX4.0 WORD 5
+  bool isPointer = false;  // P#DB10.DBX4.0 WORD 5
   std::uint16_t db = 0;
   std::uint32_t pointer = 0;
   TypeCode anyType = TypeCode::Void;  // with a count: ANY; Void: POINTER
@@ -28,7 +29,8 @@ struct Actual {
   std::size_t begin = 0, end = 0;
 
   bool isConstant() const {
-    return access && access->kind == Access::Kind::Machine && access->operand.kind == mc7::OperandKind::Constant;
+    return access && access->kind == Access::Kind::Machine &&
+           access->operand.kind == mc7::OperandKind::Constant;
   }
 };
 
@@ -36,8 +38,10 @@ using Actuals = std::map<const block::Variable*, Actual>;
 
 class CallParameters {
  public:
-  CallParameters(BlockCompiler& compiler, const CallTarget& target) : c_(compiler), target_(target) {}
-  // Reads ( name := actual, … ) or, as the editor shows it, one name := actual a line. Empty optional after a problem.
+  CallParameters(BlockCompiler& compiler, const CallTarget& target)
+      : c_(compiler), target_(target) {}
+  // Reads ( name := actual, … ) or, as the editor shows it, one name := actual a line. Empty
+  // optional after a problem.
   std::optional<Actuals> read();
 
  private:

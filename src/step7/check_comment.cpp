@@ -21,15 +21,15 @@ struct RegisterWord {
   unsigned width;
 };
 constexpr RegisterWord kRegisters[] = {
-    {"VKE", "RLO", CheckRegister::VKE, 1},       {"STA", "STA", CheckRegister::STA, 1},
-    {"OR", "OR", CheckRegister::OR, 1},          {"OS", "OS", CheckRegister::OS, 1},
-    {"OV", "OV", CheckRegister::OV, 1},          {"A0", "CC0", CheckRegister::A0, 1},
-    {"A1", "CC1", CheckRegister::A1, 1},         {"BIE", "BR", CheckRegister::BIE, 1},
-    {"ER", "FC", CheckRegister::ER, 1},          {"AKKU1", "ACCU1", CheckRegister::AKKU1, 32},
+    {"VKE", "RLO", CheckRegister::VKE, 1},        {"STA", "STA", CheckRegister::STA, 1},
+    {"OR", "OR", CheckRegister::OR, 1},           {"OS", "OS", CheckRegister::OS, 1},
+    {"OV", "OV", CheckRegister::OV, 1},           {"A0", "CC0", CheckRegister::A0, 1},
+    {"A1", "CC1", CheckRegister::A1, 1},          {"BIE", "BR", CheckRegister::BIE, 1},
+    {"ER", "FC", CheckRegister::ER, 1},           {"AKKU1", "ACCU1", CheckRegister::AKKU1, 32},
     {"AKKU2", "ACCU2", CheckRegister::AKKU2, 32}, {"AKKU3", "ACCU3", CheckRegister::AKKU3, 32},
     {"AKKU4", "ACCU4", CheckRegister::AKKU4, 32}, {"AR1", "AR1", CheckRegister::AR1, 32},
-    {"AR2", "AR2", CheckRegister::AR2, 32},      {"STW", "STW", CheckRegister::STW, 16},
-    {"DBNO", "DBNO", CheckRegister::DBNO, 16},   {"DINO", "DINO", CheckRegister::DINO, 16},
+    {"AR2", "AR2", CheckRegister::AR2, 32},       {"STW", "STW", CheckRegister::STW, 16},
+    {"DBNO", "DBNO", CheckRegister::DBNO, 16},    {"DINO", "DINO", CheckRegister::DINO, 16},
 };
 
 struct Side {
@@ -79,12 +79,13 @@ class TermParser {
 
   bool relation(Relation& out) {
     static constexpr std::pair<std::string_view, Relation> kRelations[] = {
-        {"~=", Relation::About},      {"<>", Relation::NotEqual},     {"<=", Relation::LessEqual},
-        {">=", Relation::GreaterEqual}, {"==", Relation::Equal},      {"=", Relation::Equal},
-        {"<", Relation::Less},        {">", Relation::Greater}};
+        {"~=", Relation::About},        {"<>", Relation::NotEqual}, {"<=", Relation::LessEqual},
+        {">=", Relation::GreaterEqual}, {"==", Relation::Equal},    {"=", Relation::Equal},
+        {"<", Relation::Less},          {">", Relation::Greater}};
     cursor_.skipBlanks();
     for (const auto& [text, relation] : kRelations)
-      if (cursor_.slice(cursor_.pos(), std::min(cursor_.pos() + text.size(), cursor_.end())) == text) {
+      if (cursor_.slice(cursor_.pos(), std::min(cursor_.pos() + text.size(), cursor_.end())) ==
+          text) {
         cursor_.seek(cursor_.pos() + text.size());
         out = relation;
         return true;
@@ -99,7 +100,8 @@ class TermParser {
     if (word == "AKKU" || word == "ACCU" || word == "CC" || word == "A") {  // AKKU 1, CC 0
       const std::size_t saved = cursor_.pos();
       cursor_.skipBlanks();
-      if (isDigit(cursor_.peek()) && !isDigit(cursor_.peek(1)) && cursor_.peek(1) != '.' && word != "A")
+      if (isDigit(cursor_.peek()) && !isDigit(cursor_.peek(1)) && cursor_.peek(1) != '.' &&
+          word != "A")
         word += cursor_.take();
       else
         cursor_.seek(saved);
@@ -116,7 +118,8 @@ class TermParser {
       cursor_.take();
       const std::string rest = upper(cursor_.word());
       if (rest == "ER" || rest == "FC") {
-        side.value = {.kind = CheckValue::Kind::Register, .reg = CheckRegister::ER, .code = {}, .width = 1};
+        side.value = {
+            .kind = CheckValue::Kind::Register, .reg = CheckRegister::ER, .code = {}, .width = 1};
         return true;
       }
     }
@@ -130,7 +133,8 @@ class TermParser {
     const auto value = readInteger(cursor_);
     const char next = cursor_.peek();
     const bool whole = value && !isWordChar(next) && next != '#' && next != '.' && next != ':';
-    if (!whole || (*value >= -32768 && *value <= 32767) || *value < INT32_MIN || *value > UINT32_MAX) {
+    if (!whole || (*value >= -32768 && *value <= 32767) || *value < INT32_MIN ||
+        *value > UINT32_MAX) {
       cursor_.seek(start);
       return false;
     }
@@ -165,46 +169,63 @@ class TermParser {
     const mc7::Operand& operand = access.operand;
     Operation operation = Operation::LOAD;
     bool bit = false;
-    const bool timer = operand.kind == OperandKind::Timer || operand.kind == OperandKind::TimerIndirect ||
+    const bool timer = operand.kind == OperandKind::Timer ||
+                       operand.kind == OperandKind::TimerIndirect ||
                        operand.kind == OperandKind::TimerParameter;
-    const bool counter = operand.kind == OperandKind::Counter || operand.kind == OperandKind::CounterIndirect ||
+    const bool counter = operand.kind == OperandKind::Counter ||
+                         operand.kind == OperandKind::CounterIndirect ||
                          operand.kind == OperandKind::CounterParameter;
     if (timer || counter) {
-      const bool boolean = other.format == ConstantFormat::Boolean ||
-                           (timer && other.format == ConstantFormat::Integer && other.value.constant <= 1) ||
-                           (!other.format && other.value.kind == CheckValue::Kind::Register && other.value.width == 1);
+      const bool boolean =
+          other.format == ConstantFormat::Boolean ||
+          (timer && other.format == ConstantFormat::Integer && other.value.constant <= 1) ||
+          (!other.format && other.value.kind == CheckValue::Kind::Register &&
+           other.value.width == 1);
       const bool coded = other.format == (timer ? ConstantFormat::S5Time : ConstantFormat::Counter);
       bit = boolean;
       operation = boolean ? Operation::AND : coded ? Operation::LOAD_BCD : Operation::LOAD;
     } else if (operand.kind == OperandKind::StatusBit || operand.width == Width::Bit) {
-      const bool memory = operand.kind != OperandKind::DataBlockInfo && operand.kind != OperandKind::ParameterAddress;
+      const bool memory = operand.kind != OperandKind::DataBlockInfo &&
+                          operand.kind != OperandKind::ParameterAddress;
       bit = memory;
       operation = memory ? Operation::AND : Operation::LOAD;
     }
     side.value.kind = bit ? CheckValue::Kind::BitCode : CheckValue::Kind::ValueCode;
-    side.value.width = bit ? 1 : operand.width == Width::Byte ? 8 : operand.width == Width::Word ? 16 : 32;
+    side.value.width = bit                            ? 1
+                       : operand.width == Width::Byte ? 8
+                       : operand.width == Width::Word ? 16
+                                                      : 32;
     return encode(operation, access, side.value.code);
   }
 
   bool encode(Operation operation, const Access& access, std::vector<std::uint8_t>& code) {
-    const auto put = [&code](Operation what, const mc7::Operand& operand) { return mc7::encode({what, operand}, code); };
+    const auto put = [&code](Operation what, const mc7::Operand& operand) {
+      return mc7::encode({what, operand}, code);
+    };
     bool good = true;
     if (access.kind == Access::Kind::Descriptor) {
       std::uint32_t byte = 0;
       for (const auto& [variable, at] : copies_)
         if (variable == access.descriptor) byte = at;
-      good = put(Operation::OPEN, {.kind = OperandKind::BlockIndirect, .pointerArea = Area::Local,
-                                   .blockKind = BlockKind::DB, .value = byte}) &&
+      good = put(Operation::OPEN, {.kind = OperandKind::BlockIndirect,
+                                   .pointerArea = Area::Local,
+                                   .blockKind = BlockKind::DB,
+                                   .value = byte}) &&
              put(Operation::LAR1, mc7::memory(Area::Local, Width::DWord, (byte + 2) * 8));
       used_.push_back(access.descriptor);
     } else if (access.openDb >= 0) {
-      good = put(Operation::OPEN, mc7::blockOperand(BlockKind::DB, static_cast<std::uint32_t>(access.openDb)));
+      good = put(Operation::OPEN,
+                 mc7::blockOperand(BlockKind::DB, static_cast<std::uint32_t>(access.openDb)));
     }
-    if (access.variable && access.operand.pointerArea == Area::Local && isParameterNumber(access.variable->type->code))
+    if (access.variable && access.operand.pointerArea == Area::Local &&
+        isParameterNumber(access.variable->type->code))
       used_.push_back(access.variable);
-    const bool composite = access.type && !isElementary(access.type->code) && !isParameterNumber(access.type->code);
-    if (composite || access.kind == Access::Kind::BlockName || !good || !put(operation, access.operand)) {
-      problems_.add(ProblemCode::P0903, scope_.file->position(access.begin, access.end - access.begin),
+    const bool composite =
+        access.type && !isElementary(access.type->code) && !isParameterNumber(access.type->code);
+    if (composite || access.kind == Access::Kind::BlockName || !good ||
+        !put(operation, access.operand)) {
+      problems_.add(ProblemCode::P0903,
+                    scope_.file->position(access.begin, access.end - access.begin),
                     std::string(cursor_.slice(access.begin, access.end)));
       return false;
     }
@@ -225,7 +246,8 @@ std::optional<block::Check> parseCheckComment(const CheckComment& comment, const
                                               std::vector<const block::Variable*>& usedCopies,
                                               Problems& problems) {
   block::Check check;
-  if (!TermParser(comment, scope, copies, usedCopies, problems).parse(check.terms)) return std::nullopt;
+  if (!TermParser(comment, scope, copies, usedCopies, problems).parse(check.terms))
+    return std::nullopt;
   return check;
 }
 

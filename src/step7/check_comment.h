@@ -1,4 +1,5 @@
-// The terms of a //= comment: what holds after an instruction (command line contract, self-checking programs).
+// The terms of a //= comment: what holds after an instruction (command line contract, self-checking
+// programs).
 #pragma once
 
 #include <optional>

@@ -19,7 +19,8 @@ class CodeBuilder {
   void jump(mc7::Operation operation, std::string label, Position position);
   // A distributor: its entries are the SPA that follow (S7-INSTR-127).
   void jumpList(std::string label, Position position);
-  bool label(std::string name, Position position, Problems& problems);  // false if it exists already
+  bool label(std::string name, Position position,
+             Problems& problems);  // false if it exists already
   // Entry of a parameter list behind a call.
   void parameterEntry(std::uint32_t pointer);
   void line(std::uint32_t line, std::uint32_t column);

@@ -35,8 +35,8 @@ Compilation compile(const std::vector<source::SourceFile>& sources, const Compil
   return result;
 }
 
-Result<mc7::Reference> resolve(std::string_view text, const block::Program& program, const CompileOptions& options,
-                               const Position& at) {
+Result<mc7::Reference> resolve(std::string_view text, const block::Program& program,
+                               const CompileOptions& options, const Position& at) {
   const source::SourceFile file(at.file, std::string(text));
   Scope scope;
   scope.file = &file;
@@ -55,8 +55,10 @@ Result<mc7::Reference> resolve(std::string_view text, const block::Program& prog
   cursor.skipSpace();
   const mc7::Operand& operand = access->operand;
   const bool memory = operand.kind == mc7::OperandKind::Memory && operand.area != Area::Local &&
-                      operand.area != Area::Instance && (operand.area != Area::DataBlock || access->openDb >= 0);
-  const bool number = operand.kind == mc7::OperandKind::Timer || operand.kind == mc7::OperandKind::Counter;
+                      operand.area != Area::Instance &&
+                      (operand.area != Area::DataBlock || access->openDb >= 0);
+  const bool number =
+      operand.kind == mc7::OperandKind::Timer || operand.kind == mc7::OperandKind::Counter;
   const bool composite = access->type && !isElementary(access->type->code);
   if (!cursor.atEnd() || (!memory && !number) || composite)
     return makeProblem(ProblemCode::P0904, at, std::string(text));
@@ -65,9 +67,10 @@ Result<mc7::Reference> resolve(std::string_view text, const block::Program& prog
   reference.operand = operand;
   reference.db = access->openDb;
   if (access->type) reference.type = access->type->code;
-  if (const source::Symbol* symbol = options.symbols && reference.text.starts_with('"')
-                                         ? options.symbols->find(reference.text.substr(1, reference.text.size() - 2))
-                                         : nullptr)
+  if (const source::Symbol* symbol =
+          options.symbols && reference.text.starts_with('"')
+              ? options.symbols->find(reference.text.substr(1, reference.text.size() - 2))
+              : nullptr)
     reference.type = symbol->type;
   return reference;
 }

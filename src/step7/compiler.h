@@ -28,11 +28,12 @@ struct Compilation {
   bool ok() const { return !problems.hasErrors(); }
 };
 
-// Compiles all sources into one program. Blocks may stand in any order and in any file. All problems are collected;
-// a block with an error is left out of the program.
+// Compiles all sources into one program. Blocks may stand in any order and in any file. All
+// problems are collected; a block with an error is left out of the program.
 Compilation compile(const std::vector<source::SourceFile>& sources, const CompileOptions& options);
 
-// "MW 10", "DB1.DBW 4", "\"Motor\"", "DB1.var[2]", "T 1": an operand for monitor, scenario, --print. Both mnemonics.
+// "MW 10", "DB1.DBW 4", "\"Motor\"", "DB1.var[2]", "T 1": an operand for monitor, scenario,
+// --print. Both mnemonics.
 Result<mc7::Reference> resolve(std::string_view text, const block::Program& program,
                                const CompileOptions& options, const Position& at);
 

@@ -1,5 +1,5 @@
-// Walks over source text. AWL has no fixed token set (U(, ==I, P##x, S5T#1H, DB10.DBX 0.0), so the parsers read
-// characters and words as their place demands.
+// Walks over source text. AWL has no fixed token set (U(, ==I, P##x, S5T#1H, DB10.DBX 0.0), so the
+// parsers read characters and words as their place demands.
 #pragma once
 
 #include <cctype>
@@ -24,7 +24,9 @@ class Cursor {
   void seek(std::size_t pos) { pos_ = pos; }
   std::size_t end() const { return end_; }
   bool atEnd() const { return pos_ >= end_; }
-  char peek(std::size_t ahead = 0) const { return pos_ + ahead < end_ ? text_[pos_ + ahead] : '\0'; }
+  char peek(std::size_t ahead = 0) const {
+    return pos_ + ahead < end_ ? text_[pos_ + ahead] : '\0';
+  }
   char take() { return pos_ < end_ ? text_[pos_++] : '\0'; }
   std::string_view text() const { return text_; }
   std::string_view slice(std::size_t begin, std::size_t end) const {
@@ -41,8 +43,8 @@ class Cursor {
   // The next line's first word stays; true if only white space or a comment is left on this line.
   bool atLineEnd();
 
-  bool accept(char c);                      // after blanks
-  bool acceptWord(std::string_view word);   // whole word in any case, after blanks
+  bool accept(char c);                     // after blanks
+  bool acceptWord(std::string_view word);  // whole word in any case, after blanks
   bool peekWord(std::string_view word);
   // Letters, digits, underscores and bytes above 7Fh; empty if there is none here.
   std::string_view word();
@@ -59,7 +61,8 @@ class Cursor {
 };
 
 inline bool isWordStart(char c) {
-  return std::isalpha(static_cast<unsigned char>(c)) || c == '_' || static_cast<unsigned char>(c) >= 0x80;
+  return std::isalpha(static_cast<unsigned char>(c)) || c == '_' ||
+         static_cast<unsigned char>(c) >= 0x80;
 }
 inline bool isDigit(char c) { return c >= '0' && c <= '9'; }
 inline bool isWordChar(char c) { return isWordStart(c) || isDigit(c); }

@@ -34,10 +34,23 @@ namespace {
 
 // Where a list of declarations ends; the word is left for the caller.
 bool endsDeclarations(std::string_view word) {
-  static constexpr std::string_view kEnds[] = {
-      "END_VAR", "END_STRUCT", "END_TYPE", "BEGIN", "VAR", "VAR_INPUT", "VAR_OUTPUT", "VAR_IN_OUT",
-      "VAR_TEMP", "END_FUNCTION", "END_FUNCTION_BLOCK", "END_ORGANIZATION_BLOCK", "END_DATA_BLOCK",
-      "FUNCTION", "FUNCTION_BLOCK", "ORGANIZATION_BLOCK", "DATA_BLOCK"};
+  static constexpr std::string_view kEnds[] = {"END_VAR",
+                                               "END_STRUCT",
+                                               "END_TYPE",
+                                               "BEGIN",
+                                               "VAR",
+                                               "VAR_INPUT",
+                                               "VAR_OUTPUT",
+                                               "VAR_IN_OUT",
+                                               "VAR_TEMP",
+                                               "END_FUNCTION",
+                                               "END_FUNCTION_BLOCK",
+                                               "END_ORGANIZATION_BLOCK",
+                                               "END_DATA_BLOCK",
+                                               "FUNCTION",
+                                               "FUNCTION_BLOCK",
+                                               "ORGANIZATION_BLOCK",
+                                               "DATA_BLOCK"};
   for (const std::string_view end : kEnds)
     if (equalsIgnoreCase(word, end)) return true;
   return false;
@@ -219,7 +232,8 @@ std::optional<TypeSyntax> DeclarationParser::type() {
     if (letters != std::string_view::npos) cursor_.seek(syntax.begin + letters);
     const auto number = readInteger(cursor_);
     syntax.end = cursor_.pos();
-    const bool usable = *kind == BlockKind::UDT || *kind == BlockKind::FB || *kind == BlockKind::SFB;
+    const bool usable =
+        *kind == BlockKind::UDT || *kind == BlockKind::FB || *kind == BlockKind::SFB;
     if (number && *number >= 0 && *number <= 65535 && usable) {
       syntax.kind = TypeSyntax::Kind::Block;
       syntax.block = {*kind, static_cast<std::uint16_t>(*number)};

@@ -16,7 +16,14 @@ namespace merker::step7 {
 struct VariableSyntax;
 
 struct TypeSyntax {
-  enum class Kind : std::uint8_t { Elementary, String, Array, Struct, Block, Symbol } kind = Kind::Elementary;
+  enum class Kind : std::uint8_t {
+    Elementary,
+    String,
+    Array,
+    Struct,
+    Block,
+    Symbol
+  } kind = Kind::Elementary;
   TypeCode code = TypeCode::Void;
   std::uint16_t length = 254;  // STRING
   std::vector<block::Dimension> dimensions;
@@ -59,7 +66,9 @@ class DeclarationParser {
   void initialValue(VariableSyntax& variable);
   std::string endOfLineComment();
   bool variableName(VariableSyntax& variable);
-  Position at(std::size_t begin, std::size_t end) const { return file_.position(begin, end - begin); }
+  Position at(std::size_t begin, std::size_t end) const {
+    return file_.position(begin, end - begin);
+  }
   void recover();
 
   Cursor& cursor_;

@@ -13,30 +13,40 @@ namespace {
 // Which notations an elementary type takes and how many bits they may need (S7-TYPES, S7-PAR-05).
 bool acceptsInteger(TypeCode type, std::int64_t value) {
   switch (type) {
-    case TypeCode::Bool: return value == 0 || value == 1;
-    case TypeCode::Byte: return value >= -128 && value <= 255;
-    case TypeCode::Word: return value >= -32768 && value <= 65535;
-    case TypeCode::Int: return value >= -32768 && value <= 32767;
+    case TypeCode::Bool:
+      return value == 0 || value == 1;
+    case TypeCode::Byte:
+      return value >= -128 && value <= 255;
+    case TypeCode::Word:
+      return value >= -32768 && value <= 65535;
+    case TypeCode::Int:
+      return value >= -32768 && value <= 32767;
     case TypeCode::DWord:
-    case TypeCode::DInt: return true;
-    default: return false;
+    case TypeCode::DInt:
+      return true;
+    default:
+      return false;
   }
 }
 
 bool acceptsBits(TypeCode type, unsigned width) {
   switch (type) {
     case TypeCode::Byte:
-    case TypeCode::Char: return width <= 8;
+    case TypeCode::Char:
+      return width <= 8;
     case TypeCode::Word:
     case TypeCode::Int:
     case TypeCode::S5Time:
-    case TypeCode::Date: return width <= 16;
+    case TypeCode::Date:
+      return width <= 16;
     case TypeCode::DWord:
     case TypeCode::DInt:
     case TypeCode::Real:
     case TypeCode::Time:
-    case TypeCode::TimeOfDay: return width <= 32;
-    default: return false;
+    case TypeCode::TimeOfDay:
+      return width <= 32;
+    default:
+      return false;
   }
 }
 
@@ -53,7 +63,8 @@ std::optional<std::uint32_t> convertConstant(const Constant& constant, TypeCode 
     return fits ? std::optional<std::uint32_t>(constant.bits) : std::nullopt;
   };
   switch (constant.format) {
-    case ConstantFormat::Boolean: return when(type == TypeCode::Bool);
+    case ConstantFormat::Boolean:
+      return when(type == TypeCode::Bool);
     case ConstantFormat::Integer:
     case ConstantFormat::LongInteger: {
       const std::int64_t value = constant.format == ConstantFormat::Integer
@@ -62,20 +73,28 @@ std::optional<std::uint32_t> convertConstant(const Constant& constant, TypeCode 
       if (!acceptsInteger(type, value)) return std::nullopt;
       return static_cast<std::uint32_t>(value);
     }
-    case ConstantFormat::Real: return when(type == TypeCode::Real);
-    case ConstantFormat::S5Time: return when(type == TypeCode::S5Time || type == TypeCode::Word);
-    case ConstantFormat::Time: return when(type == TypeCode::Time || type == TypeCode::DWord);
-    case ConstantFormat::Date: return when(type == TypeCode::Date || type == TypeCode::Word);
-    case ConstantFormat::TimeOfDay: return when(type == TypeCode::TimeOfDay || type == TypeCode::DWord);
-    case ConstantFormat::Counter: return when(type == TypeCode::Word || type == TypeCode::Int);
+    case ConstantFormat::Real:
+      return when(type == TypeCode::Real);
+    case ConstantFormat::S5Time:
+      return when(type == TypeCode::S5Time || type == TypeCode::Word);
+    case ConstantFormat::Time:
+      return when(type == TypeCode::Time || type == TypeCode::DWord);
+    case ConstantFormat::Date:
+      return when(type == TypeCode::Date || type == TypeCode::Word);
+    case ConstantFormat::TimeOfDay:
+      return when(type == TypeCode::TimeOfDay || type == TypeCode::DWord);
+    case ConstantFormat::Counter:
+      return when(type == TypeCode::Word || type == TypeCode::Int);
     case ConstantFormat::Characters:
     case ConstantFormat::LongCharacters:
-      return when(type == TypeCode::Char ? constant.bits <= 0xFF
-                                         : type == TypeCode::Byte   ? constant.bits <= 0xFF
-                                           : type == TypeCode::Word ? constant.bits <= 0xFFFF
-                                                                    : type == TypeCode::DWord);
-    case ConstantFormat::Pointer: return when(type == TypeCode::DWord || type == TypeCode::DInt);
-    default: break;
+      return when(type == TypeCode::Char   ? constant.bits <= 0xFF
+                  : type == TypeCode::Byte ? constant.bits <= 0xFF
+                  : type == TypeCode::Word ? constant.bits <= 0xFFFF
+                                           : type == TypeCode::DWord);
+    case ConstantFormat::Pointer:
+      return when(type == TypeCode::DWord || type == TypeCode::DInt);
+    default:
+      break;
   }
   if (type == TypeCode::Bool) return when(constant.bits <= 1);  // 2#1
   return when(acceptsBits(type, significantBits(constant.bits)));
@@ -102,7 +121,8 @@ namespace {
 
 class InitialReader {
  public:
-  InitialReader(const source::SourceFile& file, std::size_t begin, std::size_t end, Problems& problems)
+  InitialReader(const source::SourceFile& file, std::size_t begin, std::size_t end,
+                Problems& problems)
       : file_(file), cursor_(file.text(), begin, end), problems_(problems) {}
 
   std::optional<std::vector<std::uint8_t>> read(const block::Type& type) {
@@ -126,7 +146,8 @@ class InitialReader {
   }
   Position here() const { return here(cursor_.pos(), cursor_.pos() + 1); }
 
-  // The text of one value: up to , ( ) or the end; commas and brackets of B#(1,2) and of 'strings' belong to it.
+  // The text of one value: up to , ( ) or the end; commas and brackets of B#(1,2) and of 'strings'
+  // belong to it.
   std::string_view valueText(std::size_t& begin) {
     cursor_.skipSpace();
     begin = cursor_.pos();
@@ -134,13 +155,16 @@ class InitialReader {
       cursor_.take();
       while (!cursor_.atEnd()) {
         const char c = cursor_.take();
-        if (c == '$') cursor_.take();
-        else if (c == '\'' && cursor_.peek() == '\'') cursor_.take();
-        else if (c == '\'') break;
+        if (c == '$')
+          cursor_.take();
+        else if (c == '\'' && cursor_.peek() == '\'')
+          cursor_.take();
+        else if (c == '\'')
+          break;
       }
     } else {
-      while (!cursor_.atEnd() && cursor_.peek() != ',' && cursor_.peek() != ')' && cursor_.peek() != '(' &&
-             !(cursor_.peek() == '/' && cursor_.peek(1) == '/')) {
+      while (!cursor_.atEnd() && cursor_.peek() != ',' && cursor_.peek() != ')' &&
+             cursor_.peek() != '(' && !(cursor_.peek() == '/' && cursor_.peek(1) == '/')) {
         const bool bytes = cursor_.take() == '#' && cursor_.peek() == '(';
         if (bytes)
           while (!cursor_.atEnd() && cursor_.take() != ')') continue;
@@ -255,7 +279,8 @@ class InitialReader {
         continue;
       }
       const char next = text[++i];
-      const std::size_t letter = kLetters.find(static_cast<char>(std::toupper(static_cast<unsigned char>(next))));
+      const std::size_t letter =
+          kLetters.find(static_cast<char>(std::toupper(static_cast<unsigned char>(next))));
       if (letter != std::string_view::npos) {
         out += kCodes[letter];
       } else if (std::isxdigit(static_cast<unsigned char>(next)) && i + 1 < text.size() &&

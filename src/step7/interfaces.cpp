@@ -11,19 +11,22 @@ namespace merker::step7 {
 
 using block::Section;
 
-Interfaces::Interfaces(std::vector<BlockSource>& sources, const CompileOptions& options, Problems& problems)
+Interfaces::Interfaces(std::vector<BlockSource>& sources, const CompileOptions& options,
+                       Problems& problems)
     : options_(options), problems_(problems) {
   for (BlockSource& source : sources) {
-    auto [entry, added] = entries_.try_emplace(source.id, Entry{&source, State::Open, source.faulty});
+    auto [entry, added] =
+        entries_.try_emplace(source.id, Entry{&source, State::Open, source.faulty});
     if (!added) {
-      const Position first = at(*entry->second.source, entry->second.source->name.begin, entry->second.source->name.end);
-      problems_.add(ProblemCode::P0501, at(source, source.name.begin, source.name.end), toString(source.id),
-                    first.file, first.line);
+      const Position first = at(*entry->second.source, entry->second.source->name.begin,
+                                entry->second.source->name.end);
+      problems_.add(ProblemCode::P0501, at(source, source.name.begin, source.name.end),
+                    toString(source.id), first.file, first.line);
       source.faulty = true;
     }
     if (!options.model->allows(source.id))
-      problems_.add(ProblemCode::P0502, at(source, source.name.begin, source.name.end), toString(source.id),
-                    options.model->name);
+      problems_.add(ProblemCode::P0502, at(source, source.name.begin, source.name.end),
+                    toString(source.id), options.model->name);
   }
 }
 
@@ -70,11 +73,13 @@ const block::Block* Interfaces::resolve(BlockId id) {
   return &program_.emplace(id, std::move(result)).first->second;
 }
 
-void Interfaces::checkDuplicates(const BlockSource& source, const std::vector<VariableSyntax>& variables) {
+void Interfaces::checkDuplicates(const BlockSource& source,
+                                 const std::vector<VariableSyntax>& variables) {
   std::set<std::string> names;
   for (const VariableSyntax& variable : variables)
     if (!names.insert(upper(variable.name)).second)
-      problems_.add(ProblemCode::P0422, at(source, variable.begin, variable.begin + variable.name.size()),
+      problems_.add(ProblemCode::P0422,
+                    at(source, variable.begin, variable.begin + variable.name.size()),
                     variable.name);
 }
 
@@ -91,8 +96,8 @@ block::Variable Interfaces::variable(const BlockSource& source, const VariableSy
   if (syntax.section == Section::InOut) checkNoInitials(source, syntax.type);
   if (syntax.initialEnd > syntax.initialBegin) {
     checkInitial(source, syntax);
-    if (const auto bytes = readInitialValue(*result.type, *source.file, syntax.initialBegin, syntax.initialEnd,
-                                            source.mnemonics, problems_)) {
+    if (const auto bytes = readInitialValue(*result.type, *source.file, syntax.initialBegin,
+                                            syntax.initialEnd, source.mnemonics, problems_)) {
       result.initial = *bytes;
       result.hasInitial = true;
     }
@@ -103,15 +108,18 @@ block::Variable Interfaces::variable(const BlockSource& source, const VariableSy
 // S7-SRC-04: no start values for FC parameters, temporary variables, composite in/out parameters.
 void Interfaces::checkInitial(const BlockSource& source, const VariableSyntax& variable) {
   const bool ofFunction = source.id.kind == BlockKind::FC && variable.section != Section::Temp;
-  const bool composite = variable.section == Section::InOut && variable.type.kind != TypeSyntax::Kind::Elementary;
+  const bool composite =
+      variable.section == Section::InOut && variable.type.kind != TypeSyntax::Kind::Elementary;
   if (variable.section != Section::Temp && !ofFunction && !composite) return;
-  problems_.add(ProblemCode::P0424, at(source, variable.initialBegin, variable.initialEnd), variable.name);
+  problems_.add(ProblemCode::P0424, at(source, variable.initialBegin, variable.initialEnd),
+                variable.name);
 }
 
 void Interfaces::checkNoInitials(const BlockSource& source, const TypeSyntax& type) {
   for (const VariableSyntax& member : type.members) {
     if (member.initialEnd > member.initialBegin)
-      problems_.add(ProblemCode::P0424, at(source, member.initialBegin, member.initialEnd), member.name);
+      problems_.add(ProblemCode::P0424, at(source, member.initialBegin, member.initialEnd),
+                    member.name);
     checkNoInitials(source, member.type);
   }
   if (type.element) checkNoInitials(source, *type.element);
@@ -121,22 +129,27 @@ block::TypePtr Interfaces::structure(const BlockSource& source, const TypeSyntax
   checkDuplicates(source, syntax.members);
   std::vector<block::Variable> members;
   for (const VariableSyntax& member : syntax.members) members.push_back(variable(source, member));
-  if (members.empty()) problems_.add(ProblemCode::P0425, at(source, syntax.begin, syntax.begin + 6));
+  if (members.empty())
+    problems_.add(ProblemCode::P0425, at(source, syntax.begin, syntax.begin + 6));
   return block::structType(std::move(members));
 }
 
-block::TypePtr Interfaces::type(const BlockSource& source, const TypeSyntax& syntax, Section section) {
+block::TypePtr Interfaces::type(const BlockSource& source, const TypeSyntax& syntax,
+                                Section section) {
   const Position place = at(source, syntax.begin, syntax.end);
   switch (syntax.kind) {
     case TypeSyntax::Kind::Elementary: {
       const bool parameterType = isParameterNumber(syntax.code) || syntax.code == TypeCode::Pointer;
       const bool parameter = section <= Section::InOut;
       const bool any = syntax.code == TypeCode::Any && section == Section::Static;
-      if ((parameterType && !parameter) || any || (isParameterNumber(syntax.code) && section == Section::Output))
-        problems_.add(ProblemCode::P0426, place, block::toString(*block::elementaryType(syntax.code)));  // S7-TYPES-22
+      if ((parameterType && !parameter) || any ||
+          (isParameterNumber(syntax.code) && section == Section::Output))
+        problems_.add(ProblemCode::P0426, place,
+                      block::toString(*block::elementaryType(syntax.code)));  // S7-TYPES-22
       return block::elementaryType(syntax.code);
     }
-    case TypeSyntax::Kind::String: return block::stringType(syntax.length);
+    case TypeSyntax::Kind::String:
+      return block::stringType(syntax.length);
     case TypeSyntax::Kind::Array: {
       block::TypePtr element = type(source, *syntax.element, Section::Static);
       std::uint64_t count = 1;
@@ -147,10 +160,13 @@ block::TypePtr Interfaces::type(const BlockSource& source, const TypeSyntax& syn
       }
       return block::arrayType(syntax.dimensions, std::move(element));
     }
-    case TypeSyntax::Kind::Struct: return structure(source, syntax);
-    case TypeSyntax::Kind::Block: return blockType(source, syntax, syntax.block, section);
+    case TypeSyntax::Kind::Struct:
+      return structure(source, syntax);
+    case TypeSyntax::Kind::Block:
+      return blockType(source, syntax, syntax.block, section);
     case TypeSyntax::Kind::Symbol: {
-      const source::Symbol* symbol = options_.symbols ? options_.symbols->find(syntax.symbol) : nullptr;
+      const source::Symbol* symbol =
+          options_.symbols ? options_.symbols->find(syntax.symbol) : nullptr;
       if (symbol && symbol->address.kind == source::SymbolAddress::Kind::Block)
         return blockType(source, syntax, symbol->address.block, section);
       problems_.add(symbol ? ProblemCode::P0304 : ProblemCode::P0303, place, syntax.symbol);
@@ -160,8 +176,8 @@ block::TypePtr Interfaces::type(const BlockSource& source, const TypeSyntax& syn
   return block::elementaryType(TypeCode::Bool);
 }
 
-block::TypePtr Interfaces::blockType(const BlockSource& source, const TypeSyntax& syntax, BlockId id,
-                                     Section section) {
+block::TypePtr Interfaces::blockType(const BlockSource& source, const TypeSyntax& syntax,
+                                     BlockId id, Section section) {
   const Position place = at(source, syntax.begin, syntax.end);
   if (id.kind == BlockKind::UDT) {
     const block::Block* udt = find(id);
@@ -182,7 +198,8 @@ block::TypePtr Interfaces::blockType(const BlockSource& source, const TypeSyntax
 }
 
 block::TypePtr Interfaces::instanceType(BlockId id) {
-  if (const auto known = instanceTypes_.find(id); known != instanceTypes_.end()) return known->second;
+  if (const auto known = instanceTypes_.find(id); known != instanceTypes_.end())
+    return known->second;
   const block::Block* fb = find(id);
   if (!fb) return nullptr;
   std::vector<block::Variable> members;
@@ -199,15 +216,17 @@ block::TypePtr Interfaces::instanceType(BlockId id) {
 
 void Interfaces::resolveCode(BlockSource& source, block::Block& result) {
   checkDuplicates(source, source.variables);
-  for (const VariableSyntax& syntax : source.variables) result.variables.push_back(variable(source, syntax));
+  for (const VariableSyntax& syntax : source.variables)
+    result.variables.push_back(variable(source, syntax));
   if (source.returnType && source.returnType->code != TypeCode::Void) {
     result.returnType = type(source, *source.returnType, Section::Input);
     block::Variable value;
     value.name = "RET_VAL";
     value.section = Section::Return;
     value.type = result.returnType;
-    const auto firstTemp = std::find_if(result.variables.begin(), result.variables.end(),
-                                        [](const block::Variable& v) { return v.section == Section::Temp; });
+    const auto firstTemp =
+        std::find_if(result.variables.begin(), result.variables.end(),
+                     [](const block::Variable& v) { return v.section == Section::Temp; });
     result.variables.insert(firstTemp, std::move(value));
   } else if (source.returnType && source.returnType->kind != TypeSyntax::Kind::Elementary) {
     result.returnType = type(source, *source.returnType, Section::Input);
@@ -215,8 +234,8 @@ void Interfaces::resolveCode(BlockSource& source, block::Block& result) {
   layOutSections(source, result);
 }
 
-// The first 20 bytes of an OB's local data are its start information (S7-OBI-01). A source may declare them, as STEP 7
-// writes it; otherwise its own variables begin behind them (S7-FC-09).
+// The first 20 bytes of an OB's local data are its start information (S7-OBI-01). A source may
+// declare them, as STEP 7 writes it; otherwise its own variables begin behind them (S7-FC-09).
 bool Interfaces::hasStartInformation(const std::vector<block::Variable>& temps) const {
   if (temps.empty()) return false;
   const std::string first = upper(temps.front().name);
@@ -238,7 +257,8 @@ void Interfaces::layOutSections(BlockSource& source, block::Block& result) {
   BitAddress start = 0;
   BitAddress end = block::layOut(temps, start, true);
   if (source.id.kind == BlockKind::OB) {
-    if (!temps.empty() && !hasStartInformation(temps)) end = block::layOut(temps, bitAddress(20), true);
+    if (!temps.empty() && !hasStartInformation(temps))
+      end = block::layOut(temps, bitAddress(20), true);
     end = std::max(end, bitAddress(20));
   }
   result.localBytes = end / 8;
@@ -246,8 +266,8 @@ void Interfaces::layOutSections(BlockSource& source, block::Block& result) {
   result.variables.insert(result.variables.end(), std::make_move_iterator(temps.begin()),
                           std::make_move_iterator(temps.end()));
   if (instance && result.instanceBytes > options_.model->dataBlockSize)
-    problems_.add(ProblemCode::P0503, at(source, source.name.begin, source.name.end), toString(source.id),
-                  result.instanceBytes, options_.model->dataBlockSize);
+    problems_.add(ProblemCode::P0503, at(source, source.name.begin, source.name.end),
+                  toString(source.id), result.instanceBytes, options_.model->dataBlockSize);
 }
 
 void Interfaces::resolveData(BlockSource& source, block::Block& result) {
@@ -280,7 +300,8 @@ void Interfaces::resolveData(BlockSource& source, block::Block& result) {
     result.instanceOf = instance.number;
     result.instanceOfSystemBlock = instance.kind == BlockKind::SFB;
     dataBlockOf(source, *type, result);
-  } else if (syntax.kind == TypeSyntax::Kind::Struct || byBlock || syntax.kind == TypeSyntax::Kind::Symbol) {
+  } else if (syntax.kind == TypeSyntax::Kind::Struct || byBlock ||
+             syntax.kind == TypeSyntax::Kind::Symbol) {
     dataBlockOf(source, *type(source, syntax, Section::Static), result);
   } else {
     problems_.add(ProblemCode::P0411, at(source, syntax.begin, syntax.end), toString(result.id));
@@ -294,8 +315,8 @@ void Interfaces::dataBlockOf(BlockSource& source, const block::Type& type, block
     block::writeInitial(member, member.address, result.initialData);
   result.actualData = result.initialData;
   if (result.actualData.size() > options_.model->dataBlockSize)  // S7-CPU-08
-    problems_.add(ProblemCode::P0503, at(source, source.name.begin, source.name.end), toString(source.id),
-                  result.actualData.size(), options_.model->dataBlockSize);
+    problems_.add(ProblemCode::P0503, at(source, source.name.begin, source.name.end),
+                  toString(source.id), result.actualData.size(), options_.model->dataBlockSize);
   assignments(source, type.members, result);
 }
 
@@ -321,7 +342,8 @@ void Interfaces::assignments(BlockSource& source, const std::vector<block::Varia
     const block::Variable* variable = findMember(variables, name);
     if (!variable) {
       if (name.empty()) cursor.take();
-      problems_.add(ProblemCode::P0420, at(source, begin, cursor.pos()), std::string(name), toString(result.id));
+      problems_.add(ProblemCode::P0420, at(source, begin, cursor.pos()), std::string(name),
+                    toString(result.id));
       skip();
       continue;
     }
@@ -346,8 +368,8 @@ void Interfaces::assignments(BlockSource& source, const std::vector<block::Varia
       problems_.add(ProblemCode::P0424, at(source, begin, cursor.pos()), std::string(name));
       continue;
     }
-    const auto bytes =
-        readInitialValue(*place.type, *source.file, valueBegin, cursor.pos(), source.mnemonics, problems_);
+    const auto bytes = readInitialValue(*place.type, *source.file, valueBegin, cursor.pos(),
+                                        source.mnemonics, problems_);
     if (!bytes) continue;
     if (place.type->code == TypeCode::Bool)
       storeElementary(result.actualData, place.address, TypeCode::Bool, bytes->front() & 1u);

@@ -1,5 +1,6 @@
-// Resolves declarations to interfaces with addresses: UDTs, FBs and instance DBs refer to each other, so each is
-// resolved when it is first needed; a circle is a problem. Second pass of the compiler.
+// Resolves declarations to interfaces with addresses: UDTs, FBs and instance DBs refer to each
+// other, so each is resolved when it is first needed; a circle is a problem. Second pass of the
+// compiler.
 #pragma once
 
 #include <map>
@@ -37,11 +38,13 @@ class Interfaces {
   void layOutSections(BlockSource& source, block::Block& result);
   bool hasStartInformation(const std::vector<block::Variable>& temps) const;
   void dataBlockOf(BlockSource& source, const block::Type& type, block::Block& result);
-  void assignments(BlockSource& source, const std::vector<block::Variable>& variables, block::Block& result);
+  void assignments(BlockSource& source, const std::vector<block::Variable>& variables,
+                   block::Block& result);
   void checkInitial(const BlockSource& source, const VariableSyntax& variable);
   void checkNoInitials(const BlockSource& source, const TypeSyntax& type);
   block::TypePtr type(const BlockSource& source, const TypeSyntax& syntax, block::Section section);
-  block::TypePtr blockType(const BlockSource& source, const TypeSyntax& syntax, BlockId id, block::Section section);
+  block::TypePtr blockType(const BlockSource& source, const TypeSyntax& syntax, BlockId id,
+                           block::Section section);
   block::TypePtr structure(const BlockSource& source, const TypeSyntax& syntax);
   block::Variable variable(const BlockSource& source, const VariableSyntax& syntax);
   void checkDuplicates(const BlockSource& source, const std::vector<VariableSyntax>& variables);

@@ -24,7 +24,10 @@ std::optional<Operand> formalOperand(Cursor& cursor) {
     if (const auto index = readInteger(cursor); index && *index >= 0) {
       Operand operand{.kind = address ? OperandKind::ParameterAddress : OperandKind::Parameter,
                       .value = static_cast<std::uint32_t>(*index)};
-      operand.width = word == "B" ? Width::Byte : word == "W" ? Width::Word : word == "D" ? Width::DWord : Width::Bit;
+      operand.width = word == "B"   ? Width::Byte
+                      : word == "W" ? Width::Word
+                      : word == "D" ? Width::DWord
+                                    : Width::Bit;
       if (word == "T") operand.kind = OperandKind::TimerParameter;
       if (word == "Z" || word == "C") operand.kind = OperandKind::CounterParameter;
       const auto kind = word == "DI" ? std::optional(BlockKind::DB) : blockKindFromName(word);
@@ -40,7 +43,8 @@ std::optional<Operand> formalOperand(Cursor& cursor) {
   return std::nullopt;
 }
 
-Result<mc7::Instruction> withOperand(Cursor& cursor, Operation operation, const Scope& scope, const Position& at) {
+Result<mc7::Instruction> withOperand(Cursor& cursor, Operation operation, const Scope& scope,
+                                     const Position& at) {
   Problems problems;
   std::uint32_t localTop = 0;
   Operand operand;
@@ -59,7 +63,8 @@ Result<mc7::Instruction> withOperand(Cursor& cursor, Operation operation, const 
       return problem;
     }
     operand = access->operand;
-    if (operand.kind == OperandKind::Constant) operand = fittedConstant(operation, operand, at, problems, Limits::OfCode);
+    if (operand.kind == OperandKind::Constant)
+      operand = fittedConstant(operation, operand, at, problems, Limits::OfCode);
     if (problems.hasErrors()) return problems.list().front();
   }
   if (operand.kind == OperandKind::StatusWord)
@@ -87,7 +92,8 @@ Result<mc7::Instruction> parseWith(std::string_view text, const Position& at, Mn
     return mc7::Instruction{*operation, {}};
   }
   auto result = withOperand(cursor, *operation, scope, at);
-  if (result && !cursor.atStatementEnd()) return makeProblem(ProblemCode::P0302, at, std::string(1, cursor.peek()));
+  if (result && !cursor.atStatementEnd())
+    return makeProblem(ProblemCode::P0302, at, std::string(1, cursor.peek()));
   return result;
 }
 

@@ -1,5 +1,5 @@
-// One instruction on its own, as `merker assemble --mc7` takes it: what the disassembler prints, with jump distances in
-// words and parameters of an FC by their index (#P0).
+// One instruction on its own, as `merker assemble --mc7` takes it: what the disassembler prints,
+// with jump distances in words and parameters of an FC by their index (#P0).
 #pragma once
 
 #include <string_view>

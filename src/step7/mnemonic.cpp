@@ -19,13 +19,17 @@ std::string readMnemonic(Cursor& cursor) {
   const char c = cursor.peek();
   if (isWordStart(c)) {
     std::string word = upper(cursor.word());
-    if (word == "RND" && (cursor.peek() == '+' || cursor.peek() == '-')) return word + cursor.take();
+    if (word == "RND" && (cursor.peek() == '+' || cursor.peek() == '-'))
+      return word + cursor.take();
     const std::size_t saved = cursor.pos();
     cursor.skipBlanks();
-    static constexpr std::string_view kBrackets[] = {"U", "UN", "O", "ON", "X", "XN", "A", "AN", "MCR"};
-    const bool bracket = std::find(std::begin(kBrackets), std::end(kBrackets), word) != std::end(kBrackets);
+    static constexpr std::string_view kBrackets[] = {"U",  "UN", "O",  "ON", "X",
+                                                     "XN", "A",  "AN", "MCR"};
+    const bool bracket =
+        std::find(std::begin(kBrackets), std::end(kBrackets), word) != std::end(kBrackets);
     if (bracket && cursor.peek() == '(') return word + cursor.take();
-    if (word == "NOP" && (cursor.peek() == '0' || cursor.peek() == '1')) return word + ' ' + cursor.take();
+    if (word == "NOP" && (cursor.peek() == '0' || cursor.peek() == '1'))
+      return word + ' ' + cursor.take();
     cursor.seek(saved);
     return word;
   }
@@ -46,7 +50,8 @@ std::string readMnemonic(Cursor& cursor) {
     cursor.seek(saved);
     return text;
   }
-  while (cursor.peek() == '=' || cursor.peek() == '<' || cursor.peek() == '>') text += cursor.take();
+  while (cursor.peek() == '=' || cursor.peek() == '<' || cursor.peek() == '>')
+    text += cursor.take();
   if (text.empty()) text = cursor.take();
   if (text != "=")
     if (const char letter = typeLetter(0)) {
@@ -61,11 +66,13 @@ bool worksWithoutOperand(Operation operation) {
   return operation == Operation::OR || mc7::encode({operation, {}}, code);
 }
 
-bool isJump(Operation operation) { return operation >= Operation::SPA && operation <= Operation::LOOP; }
+bool isJump(Operation operation) {
+  return operation >= Operation::SPA && operation <= Operation::LOOP;
+}
 
 // Some operations know a constant only in one notation: SLW 4, UW W#16#F0F0, + L#5, BLD 7.
-Operand fittedConstant(Operation operation, Operand operand, const Position& place, Problems& problems,
-                       Limits limits) {
+Operand fittedConstant(Operation operation, Operand operand, const Position& place,
+                       Problems& problems, Limits limits) {
   const unsigned width = bitWidth(operand.format);
   const auto count = [&](std::uint32_t highest) {
     if (limits == Limits::OfCode && operand.format == ConstantFormat::Integer)
@@ -77,12 +84,14 @@ Operand fittedConstant(Operation operation, Operand operand, const Position& pla
   switch (operation) {
     case Operation::SLW:
     case Operation::SRW:
-    case Operation::SSI: return count(15);
+    case Operation::SSI:
+      return count(15);
     case Operation::SLD:
     case Operation::SRD:
     case Operation::SSD:
     case Operation::RLD:
-    case Operation::RRD: return count(32);
+    case Operation::RRD:
+      return count(32);
     case Operation::INC:
     case Operation::DEC:
     case Operation::BLD:
@@ -108,10 +117,12 @@ Operand fittedConstant(Operation operation, Operand operand, const Position& pla
       return operand;
     case Operation::ADD_AR1:
     case Operation::ADD_AR2:
-      if (operand.format != ConstantFormat::Pointer || operand.value > (limits == Limits::OfLanguage ? 0x7FFFu : 0xFFFFu))
+      if (operand.format != ConstantFormat::Pointer ||
+          operand.value > (limits == Limits::OfLanguage ? 0x7FFFu : 0xFFFFu))
         problems.add(ProblemCode::P0322, place);
       return mc7::number(OperandKind::Pointer, operand.value & 0xFFFF);
-    default: return operand;
+    default:
+      return operand;
   }
 }
 
@@ -136,7 +147,8 @@ void voteOnOperand(Cursor& cursor, Votes& votes) {
   cursor.skipBlanks();
   std::string_view word = cursor.word();
   const std::size_t letters = word.find_first_of("0123456789");
-  if (letters != std::string_view::npos && word.find_first_not_of("0123456789", letters) == std::string_view::npos)
+  if (letters != std::string_view::npos &&
+      word.find_first_not_of("0123456789", letters) == std::string_view::npos)
     word = word.substr(0, letters);
   else if (cursor.skipBlanks(), !isDigit(cursor.peek()))
     return;

@@ -55,7 +55,8 @@ std::optional<Access> OperandParser::dispatch() {
     }
     return local(name, begin);
   }
-  if ((c == 'P' || c == 'p') && cursor_.peek(1) == '#' && cursor_.peek(2) == '#') return addressOf(cursor_.pos());
+  if ((c == 'P' || c == 'p') && cursor_.peek(1) == '#' && cursor_.peek(2) == '#')
+    return addressOf(cursor_.pos());
   if (atConstant()) return constantOperand();
   if (c == '[') return indirect(Area::None, Width::Bit, true);
   if (c == '<' || c == '>' || c == '=') {
@@ -88,16 +89,19 @@ bool OperandParser::atConstant() {
 
 namespace {
 
-// The characters that a constant may consist of, up to a separator. Blanks belong to it only where STEP 7 writes
-// them: C# 100, P#M 10.0, B#(1, 2), - 5.
+// The characters that a constant may consist of, up to a separator. Blanks belong to it only where
+// STEP 7 writes them: C# 100, P#M 10.0, B#(1, 2), - 5.
 void passConstant(Cursor& cursor) {
   if (cursor.peek() == '\'') {
     cursor.take();
     while (!cursor.atEnd() && cursor.peek() != '\n' && cursor.peek() != '\r') {
       const char c = cursor.take();
-      if (c == '$' && cursor.peek() != '\n') cursor.take();
-      else if (c == '\'' && cursor.peek() == '\'') cursor.take();
-      else if (c == '\'') break;
+      if (c == '$' && cursor.peek() != '\n')
+        cursor.take();
+      else if (c == '\'' && cursor.peek() == '\'')
+        cursor.take();
+      else if (c == '\'')
+        break;
     }
     return;
   }
@@ -158,7 +162,8 @@ std::optional<Access> OperandParser::quoted() {
 
 std::optional<Access> OperandParser::symbol(const std::string& name, std::size_t begin) {
   using Kind = source::SymbolAddress::Kind;
-  const source::Symbol* found = scope_.options->symbols ? scope_.options->symbols->find(name) : nullptr;
+  const source::Symbol* found =
+      scope_.options->symbols ? scope_.options->symbols->find(name) : nullptr;
   if (!found) return problem(ProblemCode::P0303, begin, name);
   const source::SymbolAddress& address = found->address;
   switch (address.kind) {
@@ -166,33 +171,42 @@ std::optional<Access> OperandParser::symbol(const std::string& name, std::size_t
       Access access = simple(mc7::memory(address.area, address.width, address.address));
       access.peripheralOutput = address.peripheralOutput;
       for (const Width width : {Width::Bit, Width::Byte, Width::Word, Width::DWord})
-        if (width == address.width && !checkRange({"", "", address.area, width}, address.address, begin))
+        if (width == address.width &&
+            !checkRange({"", "", address.area, width}, address.address, begin))
           return std::nullopt;
       return access;
     }
-    case Kind::Timer: return simple(mc7::number(OperandKind::Timer, address.number));
-    case Kind::Counter: return simple(mc7::number(OperandKind::Counter, address.number));
-    case Kind::VariableTable: return problem(ProblemCode::P0317, begin, name);
-    case Kind::Block: break;
+    case Kind::Timer:
+      return simple(mc7::number(OperandKind::Timer, address.number));
+    case Kind::Counter:
+      return simple(mc7::number(OperandKind::Counter, address.number));
+    case Kind::VariableTable:
+      return problem(ProblemCode::P0317, begin, name);
+    case Kind::Block:
+      break;
   }
-  if (address.block.kind == BlockKind::DB && cursor_.peek() == '.') return insideDataBlock(address.block, begin);
+  if (address.block.kind == BlockKind::DB && cursor_.peek() == '.')
+    return insideDataBlock(address.block, begin);
   Access access = simple(mc7::blockOperand(address.block.kind, address.block.number));
   access.kind = Access::Kind::BlockName;
   return access;
 }
 
 std::optional<Access> OperandParser::local(std::string_view name, std::size_t begin) {
-  const block::Variable* variable = scope_.block ? findMember(scope_.block->variables, name) : nullptr;
+  const block::Variable* variable =
+      scope_.block ? findMember(scope_.block->variables, name) : nullptr;
   if (variable) return localVariable(*variable, begin);
   return problem(ProblemCode::P0313, begin, std::string(name),
                  scope_.block ? toString(scope_.block->id) : std::string("the block"));
 }
 
-std::optional<Access> OperandParser::localVariable(const block::Variable& variable, std::size_t begin) {
+std::optional<Access> OperandParser::localVariable(const block::Variable& variable,
+                                                   std::size_t begin) {
   Access access;
   access.variable = &variable;
   Place place{variable.type, variable.address};
-  const bool function = scope_.block->id.kind == BlockKind::FC || scope_.block->id.kind == BlockKind::SFC;
+  const bool function =
+      scope_.block->id.kind == BlockKind::FC || scope_.block->id.kind == BlockKind::SFC;
   if (isParameterNumber(variable.type->code)) return numberParameter(variable, access);
   if (!followPath(cursor_, place, *scope_.file, problems_)) return std::nullopt;
   if (variable.section == block::Section::Temp) return placed(access, Area::Local, place, 0);
@@ -218,13 +232,14 @@ static std::uint32_t parameterIndex(const block::Block& block, const block::Vari
   return index;
 }
 
-std::optional<Access> OperandParser::parameterOfFunction(const block::Variable& variable, Access access,
-                                                         Place place) {
+std::optional<Access> OperandParser::parameterOfFunction(const block::Variable& variable,
+                                                         Access access, Place place) {
   access.type = place.type;
   if (isComposite(variable.type->code)) {
     access.kind = Access::Kind::Descriptor;
     access.descriptor = &variable;
-    access.operand = mc7::registerCrossing(widthOf(place.type->code), 1, place.address - variable.address);
+    access.operand =
+        mc7::registerCrossing(widthOf(place.type->code), 1, place.address - variable.address);
     return access;
   }
   access.operand = {.kind = OperandKind::Parameter,
@@ -233,17 +248,17 @@ std::optional<Access> OperandParser::parameterOfFunction(const block::Variable& 
   return access;
 }
 
-std::optional<Access> OperandParser::instanceVariable(const block::Variable& variable, Access access,
-                                                      Place place) {
+std::optional<Access> OperandParser::instanceVariable(const block::Variable& variable,
+                                                      Access access, Place place) {
   if (variable.section == block::Section::InOut && isComposite(variable.type->code)) {
     access.type = place.type;
     access.kind = Access::Kind::Descriptor;
     access.descriptor = &variable;
-    access.operand = mc7::registerCrossing(widthOf(place.type->code), 1, place.address - variable.address);
+    access.operand =
+        mc7::registerCrossing(widthOf(place.type->code), 1, place.address - variable.address);
     return access;
   }
-  if (place.address > 0xFFFF)
-    return problem(ProblemCode::P0504, begin_, place.address / 8);
+  if (place.address > 0xFFFF) return problem(ProblemCode::P0504, begin_, place.address / 8);
   return placed(access, Area::Instance, place, 2);
 }
 
@@ -254,8 +269,10 @@ std::optional<std::uint32_t> OperandParser::copyOf(const block::Variable& variab
   return std::nullopt;
 }
 
-// TIMER, COUNTER, BLOCK_*: an FC finds the number in its parameter list, an FB in a copy in its local data.
-std::optional<Access> OperandParser::numberParameter(const block::Variable& variable, Access access) {
+// TIMER, COUNTER, BLOCK_*: an FC finds the number in its parameter list, an FB in a copy in its
+// local data.
+std::optional<Access> OperandParser::numberParameter(const block::Variable& variable,
+                                                     Access access) {
   access.type = variable.type;
   const TypeCode code = variable.type->code;
   const bool timer = code == TypeCode::Timer, counter = code == TypeCode::Counter;
@@ -286,7 +303,8 @@ std::optional<Access> OperandParser::addressOf(std::size_t begin) {
   cursor_.skipBlanks();
   const std::size_t nameBegin = cursor_.pos();
   const std::string_view name = cursor_.word();
-  const block::Variable* variable = scope_.block ? findMember(scope_.block->variables, name) : nullptr;
+  const block::Variable* variable =
+      scope_.block ? findMember(scope_.block->variables, name) : nullptr;
   if (!variable)
     return problem(ProblemCode::P0313, nameBegin, std::string(name),
                    scope_.block ? toString(scope_.block->id) : std::string("the block"));
@@ -295,7 +313,8 @@ std::optional<Access> OperandParser::addressOf(std::size_t begin) {
   access.variable = variable;
   const bool function = scope_.block->id.kind == BlockKind::FC;
   if (function && variable->section != block::Section::Temp) {
-    access.operand = mc7::number(OperandKind::ParameterAddress, parameterIndex(*scope_.block, *variable));
+    access.operand =
+        mc7::number(OperandKind::ParameterAddress, parameterIndex(*scope_.block, *variable));
     return access;
   }
   Place place{variable->type, variable->address};
@@ -307,7 +326,8 @@ std::optional<Access> OperandParser::addressOf(std::size_t begin) {
   return access;
 }
 
-bool OperandParser::checkSetting(std::optional<Mnemonics> which, std::string_view word, std::size_t begin) {
+bool OperandParser::checkSetting(std::optional<Mnemonics> which, std::string_view word,
+                                 std::size_t begin) {
   if (scope_.anyMnemonics || !which || *which == scope_.mnemonics) return true;
   problem(scope_.mnemonics == Mnemonics::German ? ProblemCode::P0314 : ProblemCode::P0315, begin,
           std::string(word));
@@ -339,14 +359,17 @@ std::optional<Access> OperandParser::word() {
   std::optional<Mnemonics> which;
   if (const MemoryWord* row = findMemoryWord(head, which); row && numberFollows)
     return checkSetting(which, head, begin) ? memoryOperand(*row) : std::nullopt;
-  if (numberFollows && equalsIgnoreCase(head, "T")) return numbered(OperandKind::Timer, OperandKind::TimerIndirect);
+  if (numberFollows && equalsIgnoreCase(head, "T"))
+    return numbered(OperandKind::Timer, OperandKind::TimerIndirect);
   if (numberFollows && (equalsIgnoreCase(head, "Z") || equalsIgnoreCase(head, "C"))) {
     which = equalsIgnoreCase(head, "Z") ? Mnemonics::German : Mnemonics::International;
-    return checkSetting(which, head, begin) ? numbered(OperandKind::Counter, OperandKind::CounterIndirect)
-                                            : std::nullopt;
+    return checkSetting(which, head, begin)
+               ? numbered(OperandKind::Counter, OperandKind::CounterIndirect)
+               : std::nullopt;
   }
   if (numberFollows && equalsIgnoreCase(head, "DI")) return blockOperand(BlockKind::DB, true);
-  if (const auto kind = blockKindFromName(head); kind && numberFollows) return blockOperand(*kind, false);
+  if (const auto kind = blockKindFromName(head); kind && numberFollows)
+    return blockOperand(*kind, false);
   if (next() == '[') {
     const bool byte = equalsIgnoreCase(head, "B"), word16 = equalsIgnoreCase(head, "W");
     if (byte || word16 || equalsIgnoreCase(head, "D"))
@@ -356,18 +379,22 @@ std::optional<Access> OperandParser::word() {
   if (next() == '"' && (equalsIgnoreCase(head, "DI") || equalsIgnoreCase(head, "DB"))) {
     cursor_.skipBlanks();
     auto access = quoted();
-    const bool block = access && access->kind == Access::Kind::BlockName && access->operand.blockKind == BlockKind::DB;
+    const bool block = access && access->kind == Access::Kind::BlockName &&
+                       access->operand.blockKind == BlockKind::DB;
     if (block) access->operand.reg = equalsIgnoreCase(head, "DI") ? 1 : 0;
     if (access && !block) return problem(ProblemCode::P0304, begin, std::string(head));
     return access;
   }
   cursor_.seek(begin + whole.size());
   // A variable of the block may be written without #.
-  if (const block::Variable* variable = scope_.block ? findMember(scope_.block->variables, whole) : nullptr)
+  if (const block::Variable* variable =
+          scope_.block ? findMember(scope_.block->variables, whole) : nullptr)
     return localVariable(*variable, begin);
   if (equalsIgnoreCase(whole, "STW")) return simple(mc7::number(OperandKind::StatusWord, 0));
-  if (equalsIgnoreCase(whole, "AR2")) return simple({.kind = OperandKind::AddressRegister, .reg = 2});
-  if (equalsIgnoreCase(whole, "AR1")) return simple({.kind = OperandKind::AddressRegister, .reg = 1});
+  if (equalsIgnoreCase(whole, "AR2"))
+    return simple({.kind = OperandKind::AddressRegister, .reg = 2});
+  if (equalsIgnoreCase(whole, "AR1"))
+    return simple({.kind = OperandKind::AddressRegister, .reg = 1});
   if (const auto query = findStatusWord(whole, which)) {
     if (!checkSetting(which, whole, begin)) return std::nullopt;
     return simple(mc7::number(OperandKind::StatusBit, static_cast<std::uint32_t>(*query)));
@@ -384,7 +411,9 @@ std::optional<std::uint32_t> unsignedNumber(Cursor& cursor) {
   cursor.skipBlanks();
   if (!isDigit(cursor.peek())) return std::nullopt;
   std::uint64_t value = 0;
-  while (isDigit(cursor.peek())) value = std::min<std::uint64_t>(value * 10 + static_cast<unsigned>(cursor.take() - '0'), 1u << 24);
+  while (isDigit(cursor.peek()))
+    value =
+        std::min<std::uint64_t>(value * 10 + static_cast<unsigned>(cursor.take() - '0'), 1u << 24);
   return static_cast<std::uint32_t>(value);
 }
 
@@ -419,14 +448,27 @@ bool OperandParser::checkRange(const MemoryWord& row, BitAddress address, std::s
   std::uint32_t bytes = 65'536;
   std::string_view what = "data byte";
   switch (row.area) {
-    case Area::Input: bytes = model.imageBytes, what = "input byte"; break;
-    case Area::Output: bytes = model.imageBytes, what = "output byte"; break;
-    case Area::Flag: bytes = model.flagBytes, what = "flag byte"; break;
-    case Area::Peripheral: bytes = model.peripheralBytes, what = "periphery byte"; break;
-    case Area::Local: bytes = model.localBytes, what = "local data byte"; break;
+    case Area::Input:
+      bytes = model.imageBytes, what = "input byte";
+      break;
+    case Area::Output:
+      bytes = model.imageBytes, what = "output byte";
+      break;
+    case Area::Flag:
+      bytes = model.flagBytes, what = "flag byte";
+      break;
+    case Area::Peripheral:
+      bytes = model.peripheralBytes, what = "periphery byte";
+      break;
+    case Area::Local:
+      bytes = model.localBytes, what = "local data byte";
+      break;
     case Area::DataBlock:
-    case Area::Instance: bytes = model.dataBlockSize; break;
-    default: break;
+    case Area::Instance:
+      bytes = model.dataBlockSize;
+      break;
+    default:
+      break;
   }
   const std::uint32_t last = address / 8 + byteCount(row.width) - 1;
   if (last >= bytes) {
@@ -446,7 +488,8 @@ std::optional<Access> OperandParser::memoryOperand(const MemoryWord& row) {
     return result;
   }
   BitAddress address = 0;
-  if (!bitAddressAt(row.width, address, begin_) || !checkRange(row, address, begin_)) return std::nullopt;
+  if (!bitAddressAt(row.width, address, begin_) || !checkRange(row, address, begin_))
+    return std::nullopt;
   access.operand = mc7::memory(row.area, row.width, address);
   access.peripheralOutput = row.peripheralOutput;
   return access;
@@ -469,7 +512,8 @@ std::optional<Access> OperandParser::numbered(OperandKind direct, OperandKind in
   const bool timer = direct == OperandKind::Timer;
   const std::uint32_t count = timer ? scope_.model().timers : scope_.model().counters;
   if (value >= count)
-    return problem(ProblemCode::P0214, begin_, timer ? "timer" : "counter", value, count - 1, scope_.model().name);
+    return problem(ProblemCode::P0214, begin_, timer ? "timer" : "counter", value, count - 1,
+                   scope_.model().name);
   return simple(mc7::number(direct, value));
 }
 
@@ -489,7 +533,8 @@ std::optional<Access> OperandParser::blockOperand(BlockKind kind, bool instance)
   const bool closes = kind == BlockKind::DB && value == 0;
   if (value > 65'535 || (!closes && !scope_.model().allows(id)))
     return problem(ProblemCode::P0505, begin_, name(kind), value, scope_.model().name);
-  if (kind == BlockKind::DB && !instance && cursor_.peek() == '.') return insideDataBlock(id, begin_);
+  if (kind == BlockKind::DB && !instance && cursor_.peek() == '.')
+    return insideDataBlock(id, begin_);
   Access access = simple(mc7::blockOperand(kind, value, instance));
   access.kind = Access::Kind::BlockName;
   return access;
@@ -509,8 +554,10 @@ std::optional<Access> OperandParser::insideDataBlock(BlockId db, std::size_t beg
   if (row && rest && row->area == Area::DataBlock && head.size() == 3) {
     cursor_.seek(wordBegin + 3);
     auto access = memoryOperand(*row);
-    if (access && access->operand.kind == OperandKind::Memory) access->openDb = db.number;
-    else if (access) return problem(ProblemCode::P0318, begin);
+    if (access && access->operand.kind == OperandKind::Memory)
+      access->openDb = db.number;
+    else if (access)
+      return problem(ProblemCode::P0318, begin);
     return access;
   }
   const block::Block* block = scope_.findBlock(db);
@@ -530,7 +577,8 @@ std::optional<Access> OperandParser::insideDataBlock(BlockId db, std::size_t beg
   return result;
 }
 
-// [MD 10], [#pointer], ["symbol"]: the operand that holds the pointer or the number (S7-IND-03, -04).
+// [MD 10], [#pointer], ["symbol"]: the operand that holds the pointer or the number (S7-IND-03,
+// -04).
 bool OperandParser::memoryPointer(Width width, mc7::Operand& out) {
   const std::size_t open = cursor_.pos();
   cursor_.take();
@@ -586,7 +634,8 @@ std::optional<Access> OperandParser::registerIndirect(Area area, Width width, bo
   cursor_.skipBlanks();
   const std::size_t begin = cursor_.pos();
   while (!cursor_.atStatementEnd() && cursor_.peek() != ']') cursor_.take();
-  const auto offset = parseConstant(trim(cursor_.slice(begin, cursor_.pos())), at(begin, cursor_.pos()));
+  const auto offset =
+      parseConstant(trim(cursor_.slice(begin, cursor_.pos())), at(begin, cursor_.pos()));
   if (!cursor_.accept(']')) return problem(ProblemCode::P0301, cursor_.pos(), "]");
   // S7-IND-05: P#0.0 … P#4095.7; the code has room up to P#8191.7.
   if (!offset || offset->format != ConstantFormat::Pointer || offset->bits > scope_.highestOffset())

@@ -1,4 +1,5 @@
-// Reads one operand of an instruction and resolves it: absolute, symbolic, local, indirect, constant.
+// Reads one operand of an instruction and resolves it: absolute, symbolic, local, indirect,
+// constant.
 #pragma once
 
 #include <optional>
@@ -12,18 +13,19 @@
 
 namespace merker::step7 {
 
-// A source may write SLD 0 to SLD 32 and P#0.0 to P#4095.7; the code has room for more, and a disassembler shows it.
+// A source may write SLD 0 to SLD 32 and P#0.0 to P#4095.7; the code has room for more, and a
+// disassembler shows it.
 enum class Limits : std::uint8_t { OfLanguage, OfCode };
 
 // What an operand may refer to at its place.
 struct Scope {
   const source::SourceFile* file = nullptr;
   Mnemonics mnemonics = Mnemonics::German;
-  bool anyMnemonics = false;                // monitor and checks: E and I alike
+  bool anyMnemonics = false;  // monitor and checks: E and I alike
   const CompileOptions* options = nullptr;
-  Interfaces* interfaces = nullptr;         // null: only `program`
+  Interfaces* interfaces = nullptr;  // null: only `program`
   const block::Program* program = nullptr;
-  const block::Block* block = nullptr;      // whose local names are visible; null outside of blocks
+  const block::Block* block = nullptr;  // whose local names are visible; null outside of blocks
   Limits limits = Limits::OfLanguage;
   const CpuModel& model() const { return *options->model; }
   // [AR1,P#4095.7]; the code has room up to P#8191.7 (S7-IND-05).
@@ -42,9 +44,11 @@ class OperandParser {
   // A constant at the cursor, if one begins here.
   bool atConstant();
   std::optional<Access> constantOperand();
-  // Where a FB keeps the number of parameter `variable` while its code runs (words and descriptors that are copied
-  // to local data at the start of the block, because they cannot be addressed through AR2).
-  void setParameterCopies(const std::vector<std::pair<const block::Variable*, std::uint32_t>>* copies) {
+  // Where a FB keeps the number of parameter `variable` while its code runs (words and descriptors
+  // that are copied to local data at the start of the block, because they cannot be addressed
+  // through AR2).
+  void setParameterCopies(
+      const std::vector<std::pair<const block::Variable*, std::uint32_t>>* copies) {
     copies_ = copies;
   }
 
@@ -54,8 +58,10 @@ class OperandParser {
   std::optional<Access> symbol(const std::string& name, std::size_t begin);
   std::optional<Access> local(std::string_view name, std::size_t begin);
   std::optional<Access> localVariable(const block::Variable& variable, std::size_t begin);
-  std::optional<Access> parameterOfFunction(const block::Variable& variable, Access access, Place place);
-  std::optional<Access> instanceVariable(const block::Variable& variable, Access access, Place place);
+  std::optional<Access> parameterOfFunction(const block::Variable& variable, Access access,
+                                            Place place);
+  std::optional<Access> instanceVariable(const block::Variable& variable, Access access,
+                                         Place place);
   std::optional<Access> numberParameter(const block::Variable& variable, Access access);
   std::optional<Access> placed(Access access, Area area, const Place& place, int reg);
   std::optional<Access> addressOf(std::size_t begin);
@@ -65,7 +71,8 @@ class OperandParser {
   std::optional<Access> blockOperand(BlockKind kind, bool instance);
   std::optional<Access> insideDataBlock(BlockId db, std::size_t begin);
   std::optional<Access> indirect(Area area, Width width, bool crossing);
-  std::optional<Access> registerIndirect(Area area, Width width, bool crossing, std::string_view word);
+  std::optional<Access> registerIndirect(Area area, Width width, bool crossing,
+                                         std::string_view word);
   bool memoryPointer(Width width, mc7::Operand& out);
   bool bitAddressAt(Width width, BitAddress& out, std::size_t begin);
   bool checkRange(const MemoryWord& row, BitAddress address, std::size_t begin);

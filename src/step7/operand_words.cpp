@@ -43,10 +43,10 @@ struct StatusWordRow {
   mc7::StatusQuery query;
 };
 constexpr StatusWordRow kStatus[] = {
-    {"OS", "OS", mc7::StatusQuery::OS},       {"OV", "OV", mc7::StatusQuery::OV},
-    {">0", ">0", mc7::StatusQuery::Greater},  {"<0", "<0", mc7::StatusQuery::Less},
-    {"UO", "UO", mc7::StatusQuery::Unordered}, {"<>0", "<>0", mc7::StatusQuery::NotEqual},
-    {"==0", "==0", mc7::StatusQuery::Equal},  {">=0", ">=0", mc7::StatusQuery::GreaterEqual},
+    {"OS", "OS", mc7::StatusQuery::OS},          {"OV", "OV", mc7::StatusQuery::OV},
+    {">0", ">0", mc7::StatusQuery::Greater},     {"<0", "<0", mc7::StatusQuery::Less},
+    {"UO", "UO", mc7::StatusQuery::Unordered},   {"<>0", "<>0", mc7::StatusQuery::NotEqual},
+    {"==0", "==0", mc7::StatusQuery::Equal},     {">=0", ">=0", mc7::StatusQuery::GreaterEqual},
     {"<=0", "<=0", mc7::StatusQuery::LessEqual}, {"BIE", "BR", mc7::StatusQuery::BIE},
 };
 
@@ -67,7 +67,8 @@ const MemoryWord* findMemoryWord(std::string_view word, std::optional<Mnemonics>
   return nullptr;
 }
 
-std::optional<mc7::StatusQuery> findStatusWord(std::string_view word, std::optional<Mnemonics>& which) {
+std::optional<mc7::StatusQuery> findStatusWord(std::string_view word,
+                                               std::optional<Mnemonics>& which) {
   which.reset();
   for (const StatusWordRow& row : kStatus) {
     const bool german = equalsIgnoreCase(word, row.de);
@@ -80,8 +81,10 @@ std::optional<mc7::StatusQuery> findStatusWord(std::string_view word, std::optio
 
 std::optional<mc7::DataBlockQuery> findDataBlockQuery(std::string_view word) {
   using Query = mc7::DataBlockQuery;
-  static constexpr std::pair<std::string_view, Query> kRows[] = {
-      {"DBLG", Query::DbLength}, {"DILG", Query::DiLength}, {"DBNO", Query::DbNumber}, {"DINO", Query::DiNumber}};
+  static constexpr std::pair<std::string_view, Query> kRows[] = {{"DBLG", Query::DbLength},
+                                                                 {"DILG", Query::DiLength},
+                                                                 {"DBNO", Query::DbNumber},
+                                                                 {"DINO", Query::DiNumber}};
   for (const auto& [name, query] : kRows)
     if (equalsIgnoreCase(word, name)) return query;
   return std::nullopt;

@@ -16,9 +16,11 @@ struct MemoryWord {
   bool peripheralOutput = false;
 };
 
-// EB, DBX, PIW … in any case; nothing for other words. `which` is set when the word exists in one setting only.
+// EB, DBX, PIW … in any case; nothing for other words. `which` is set when the word exists in one
+// setting only.
 const MemoryWord* findMemoryWord(std::string_view word, std::optional<Mnemonics>& which);
-std::optional<mc7::StatusQuery> findStatusWord(std::string_view word, std::optional<Mnemonics>& which);
+std::optional<mc7::StatusQuery> findStatusWord(std::string_view word,
+                                               std::optional<Mnemonics>& which);
 std::optional<mc7::DataBlockQuery> findDataBlockQuery(std::string_view word);
 
 }  // namespace merker::step7

@@ -5,7 +5,8 @@
 
 namespace merker::step7 {
 
-const block::Variable* findMember(const std::vector<block::Variable>& members, std::string_view name) {
+const block::Variable* findMember(const std::vector<block::Variable>& members,
+                                  std::string_view name) {
   for (const block::Variable& member : members)
     if (equalsIgnoreCase(member.name, name)) return &member;
   return nullptr;
@@ -26,7 +27,8 @@ bool followIndex(Cursor& cursor, Place& place, const source::SourceFile& file, P
   do {
     const auto index = readInteger(cursor);
     if (!index || indices.size() >= array.dimensions.size()) {
-      problems.add(index ? ProblemCode::P0417 : ProblemCode::P0418, here(), array.dimensions.size());
+      problems.add(index ? ProblemCode::P0417 : ProblemCode::P0418, here(),
+                   array.dimensions.size());
       return false;
     }
     const block::Dimension& range = array.dimensions[indices.size()];
@@ -45,7 +47,8 @@ bool followIndex(Cursor& cursor, Place& place, const source::SourceFile& file, P
   return true;
 }
 
-bool followMember(Cursor& cursor, Place& place, const source::SourceFile& file, Problems& problems) {
+bool followMember(Cursor& cursor, Place& place, const source::SourceFile& file,
+                  Problems& problems) {
   cursor.take();
   cursor.skipBlanks();
   const std::size_t begin = cursor.pos();
@@ -59,8 +62,9 @@ bool followMember(Cursor& cursor, Place& place, const source::SourceFile& file, 
   }
   const block::Variable* member = findMember(place.type->members, name);
   if (!member) {
-    problems.add(ProblemCode::P0420, file.position(begin, std::max(cursor.pos(), begin + 1) - begin),
-                 std::string(name), block::toString(*place.type));
+    problems.add(ProblemCode::P0420,
+                 file.position(begin, std::max(cursor.pos(), begin + 1) - begin), std::string(name),
+                 block::toString(*place.type));
     return false;
   }
   place.address += member->address;
@@ -76,7 +80,8 @@ bool followPath(Cursor& cursor, Place& place, const source::SourceFile& file, Pr
     cursor.skipBlanks();
     if (cursor.peek() == '[') {
       if (!followIndex(cursor, place, file, problems)) return false;
-    } else if (cursor.peek() == '.' && (isWordStart(cursor.peek(1)) || cursor.peek(1) == '"' || cursor.peek(1) == ' ')) {
+    } else if (cursor.peek() == '.' &&
+               (isWordStart(cursor.peek(1)) || cursor.peek(1) == '"' || cursor.peek(1) == ' ')) {
       if (!followMember(cursor, place, file, problems)) return false;
     } else {
       cursor.seek(before);

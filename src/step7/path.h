@@ -17,6 +17,7 @@ struct Place {
 // Follows .member and [i] from `place` as long as they stand at the cursor. False after a problem.
 bool followPath(Cursor& cursor, Place& place, const source::SourceFile& file, Problems& problems);
 
-const block::Variable* findMember(const std::vector<block::Variable>& members, std::string_view name);
+const block::Variable* findMember(const std::vector<block::Variable>& members,
+                                  std::string_view name);
 
 }  // namespace merker::step7

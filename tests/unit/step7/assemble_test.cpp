@@ -1,4 +1,5 @@
-// Every row of the machine code table as text and back: what the disassembler prints, the assembler takes.
+// Every row of the machine code table as text and back: what the disassembler prints, the assembler
+// takes.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -28,11 +29,13 @@ TEST(Assemble, TextOfEveryRowComesBackAsTheSameInstruction) {
     EXPECT_FALSE(list.empty()) << row.pattern;
     for (const mc7::Operand& operand : list) {
       // A REAL that is no number has no notation.
-      if (operand.format == ConstantFormat::Real && operand.kind == mc7::OperandKind::Constant) continue;
+      if (operand.format == ConstantFormat::Real && operand.kind == mc7::OperandKind::Constant)
+        continue;
       for (const Mnemonics mnemonics : {Mnemonics::German, Mnemonics::International}) {
         const std::string text = mc7::text({row.operation, operand}, mnemonics);
         const auto parsed = parseInstruction(text, {"test", 1, 1, 1});
-        const bool german = mnemonics == Mnemonics::German || row.operation != mc7::Operation::TIMER_SV;
+        const bool german =
+            mnemonics == Mnemonics::German || row.operation != mc7::Operation::TIMER_SV;
         if (!parsed) {
           const bool shown = parsed.error().message.find("outside") != std::string::npos ||
                              parsed.error().message.find("no such") != std::string::npos ||
@@ -51,7 +54,8 @@ TEST(Assemble, TextOfEveryRowComesBackAsTheSameInstruction) {
 }
 
 TEST(Assemble, RefusesWhatIsNoInstruction) {
-  for (const char* text : {"", "XYZ", "U", "U MW 4", "L M 0.0", "T PEB 0 1", "SLW 16", "SPA", "U E 0.8"}) {
+  for (const char* text :
+       {"", "XYZ", "U", "U MW 4", "L M 0.0", "T PEB 0 1", "SLW 16", "SPA", "U E 0.8"}) {
     const auto parsed = parseInstruction(text, {"test", 1, 1, 1});
     std::vector<std::uint8_t> code;
     EXPECT_FALSE(parsed && mc7::encode(*parsed, code)) << text;

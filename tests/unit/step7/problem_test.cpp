@@ -9,18 +9,24 @@ namespace {
 using List = std::vector<std::string>;
 
 List inOb(std::string_view code) {
-  return compileText("ORGANIZATION_BLOCK OB 1\nBEGIN\n" + std::string(code) + "\nEND_ORGANIZATION_BLOCK\n").problems();
+  return compileText("ORGANIZATION_BLOCK OB 1\nBEGIN\n" + std::string(code) +
+                     "\nEND_ORGANIZATION_BLOCK\n")
+      .problems();
 }
 
 TEST(Problem, EachStatementReportsItsOwn) {
-  EXPECT_EQ(inOb("U E 0.8\nXYZ 5\nL MW 255\nT PEB 0\nL PAB 0\nLC MW 0\nU T 1.0\nSE T 256\nSPA weg\nL \"no\"\nSET;"),
-            (List{"3:3 P0213", "4:1 P0334", "5:3 P0214", "6:3 P0323", "7:3 P0324", "8:4 P0311", "9:3 P0215", "10:4 P0214", "11:5 P0330", "12:3 P0303"}));
+  EXPECT_EQ(inOb("U E 0.8\nXYZ 5\nL MW 255\nT PEB 0\nL PAB 0\nLC MW 0\nU T 1.0\nSE T 256\nSPA "
+                 "weg\nL \"no\"\nSET;"),
+            (List{"3:3 P0213", "4:1 P0334", "5:3 P0214", "6:3 P0323", "7:3 P0324", "8:4 P0311",
+                  "9:3 P0215", "10:4 P0214", "11:5 P0330", "12:3 P0303"}));
 }
 
 TEST(Problem, TheContractsExample) {
-  const Compiled compiled = compileText("ORGANIZATION_BLOCK OB 1\nBEGIN\n  L     MB 300;\nEND_ORGANIZATION_BLOCK\n");
+  const Compiled compiled =
+      compileText("ORGANIZATION_BLOCK OB 1\nBEGIN\n  L     MB 300;\nEND_ORGANIZATION_BLOCK\n");
   ASSERT_EQ(compiled.result.problems.size(), 1u);
-  EXPECT_EQ(compiled.result.problems.list()[0].message, "flag byte 300 is outside 0..255 of CPU 314C-2 PtP");
+  EXPECT_EQ(compiled.result.problems.list()[0].message,
+            "flag byte 300 is outside 0..255 of CPU 314C-2 PtP");
 }
 
 TEST(Problem, Brackets) {
@@ -30,20 +36,36 @@ TEST(Problem, Brackets) {
 }
 
 TEST(Problem, BlocksAndCalls) {
-  EXPECT_EQ(compileText("FUNCTION FC 1 : VOID\nBEGIN\nCALL FC 9\nUC FC 8\nCALL OB 1\nCALL FB 2\nEND_FUNCTION\n").problems(),
-            (List{"3:6 P0506", "4:4 P0508", "5:6 P0510", "6:6 P0506"}));
-  EXPECT_EQ(compileText("FUNCTION FC 200 : VOID\nBEGIN\nEND_FUNCTION\nDATA_BLOCK DB 0\nSTRUCT\na:INT;\nEND_STRUCT\nEND_DATA_BLOCK\nORGANIZATION_BLOCK OB 101\nEND_ORGANIZATION_BLOCK\n").problems(),
+  EXPECT_EQ(
+      compileText(
+          "FUNCTION FC 1 : VOID\nBEGIN\nCALL FC 9\nUC FC 8\nCALL OB 1\nCALL FB 2\nEND_FUNCTION\n")
+          .problems(),
+      (List{"3:6 P0506", "4:4 P0508", "5:6 P0510", "6:6 P0506"}));
+  EXPECT_EQ(compileText("FUNCTION FC 200 : VOID\nBEGIN\nEND_FUNCTION\nDATA_BLOCK DB "
+                        "0\nSTRUCT\na:INT;\nEND_STRUCT\nEND_DATA_BLOCK\nORGANIZATION_BLOCK OB "
+                        "101\nEND_ORGANIZATION_BLOCK\n")
+                .problems(),
             (List{"1:10 P0502", "4:12 P0502", "9:20 P0502"}));
-  EXPECT_EQ(compileText("FUNCTION FC 1 : VOID\nEND_FUNCTION\nFUNCTION FC 1 : VOID\nEND_FUNCTION\n").problems(), (List{"3:10 P0501"}));
+  EXPECT_EQ(compileText("FUNCTION FC 1 : VOID\nEND_FUNCTION\nFUNCTION FC 1 : VOID\nEND_FUNCTION\n")
+                .problems(),
+            (List{"3:10 P0501"}));
   EXPECT_EQ(compileText("FUNCTION FC 1 : VOID\nBEGIN\nSET\n").problems(), (List{"1:10 P0310"}));
-  EXPECT_EQ(compileText("FUNCTION FC 1 : VOID\nBEGIN\nSET\nFUNCTION FC 2 : VOID\nEND_FUNCTION\n").problems(), (List{"4:1 P0310"}));
+  EXPECT_EQ(compileText("FUNCTION FC 1 : VOID\nBEGIN\nSET\nFUNCTION FC 2 : VOID\nEND_FUNCTION\n")
+                .problems(),
+            (List{"4:1 P0310"}));
 }
 
 TEST(Problem, Parameters) {
-  const std::string fc = "FUNCTION FC 1 : VOID\nVAR_INPUT a : INT; END_VAR\nVAR_OUTPUT q : INT; END_VAR\nBEGIN\nT #a\nEND_FUNCTION\n";
+  const std::string fc =
+      "FUNCTION FC 1 : VOID\nVAR_INPUT a : INT; END_VAR\nVAR_OUTPUT q : INT; END_VAR\nBEGIN\nT "
+      "#a\nEND_FUNCTION\n";
   EXPECT_EQ(compileText(fc).problems(), (List{"5:3 P0325"}));  // S7-FC-06
-  const std::string good = "FUNCTION FC 1 : VOID\nVAR_INPUT a : INT; END_VAR\nVAR_OUTPUT q : INT; END_VAR\nEND_FUNCTION\nFUNCTION FC 2 : VOID\nBEGIN\n";
-  const auto call = [&](std::string_view text) { return compileText(good + std::string(text) + "\nEND_FUNCTION\n").problems(); };
+  const std::string good =
+      "FUNCTION FC 1 : VOID\nVAR_INPUT a : INT; END_VAR\nVAR_OUTPUT q : INT; "
+      "END_VAR\nEND_FUNCTION\nFUNCTION FC 2 : VOID\nBEGIN\n";
+  const auto call = [&](std::string_view text) {
+    return compileText(good + std::string(text) + "\nEND_FUNCTION\n").problems();
+  };
   EXPECT_EQ(call("CALL FC 1 (a := 1, q := MW 0)"), List{});
   EXPECT_EQ(call("CALL FC 1 (a := 70000, q := MW 0)"), (List{"7:17 P0202"}));
   EXPECT_EQ(call("CALL FC 1 (a := 1.5, q := MW 0)"), (List{"7:17 P0514"}));
@@ -56,10 +78,20 @@ TEST(Problem, Parameters) {
 }
 
 TEST(Problem, Declarations) {
-  EXPECT_EQ(compileText("FUNCTION FC 1 : VOID\nVAR\n a : INT;\nEND_VAR\nVAR_TEMP\n t : TIMER;\n x : INT := 5;\n x : INT;\n y : NIX;\n z : ARRAY [1..2] OF;\nEND_VAR\nEND_FUNCTION\n").problems(),
-            (List{"2:1 P0408", "6:6 P0426", "7:13 P0424", "8:2 P0422", "9:6 P0403", "10:21 P0403"}));
-  EXPECT_EQ(compileText("TYPE UDT 1\nSTRUCT\n a : UDT 2;\nEND_STRUCT\nEND_TYPE\nTYPE UDT 2\nSTRUCT\n a : UDT 1;\nEND_STRUCT\nEND_TYPE\n").problems().size(), 2u);
-  EXPECT_EQ(compileText("FUNCTION_BLOCK FB 1\nVAR_INPUT\n a : INT;\nBEGIN\nSET\nEND_FUNCTION_BLOCK\n").problems(), (List{"2:1 P0410"}));
+  EXPECT_EQ(
+      compileText("FUNCTION FC 1 : VOID\nVAR\n a : INT;\nEND_VAR\nVAR_TEMP\n t : TIMER;\n x : INT "
+                  ":= 5;\n x : INT;\n y : NIX;\n z : ARRAY [1..2] OF;\nEND_VAR\nEND_FUNCTION\n")
+          .problems(),
+      (List{"2:1 P0408", "6:6 P0426", "7:13 P0424", "8:2 P0422", "9:6 P0403", "10:21 P0403"}));
+  EXPECT_EQ(compileText("TYPE UDT 1\nSTRUCT\n a : UDT 2;\nEND_STRUCT\nEND_TYPE\nTYPE UDT "
+                        "2\nSTRUCT\n a : UDT 1;\nEND_STRUCT\nEND_TYPE\n")
+                .problems()
+                .size(),
+            2u);
+  EXPECT_EQ(
+      compileText("FUNCTION_BLOCK FB 1\nVAR_INPUT\n a : INT;\nBEGIN\nSET\nEND_FUNCTION_BLOCK\n")
+          .problems(),
+      (List{"2:1 P0410"}));
 }
 
 TEST(Problem, TextsThatAreNoProgram) {
@@ -70,7 +102,8 @@ TEST(Problem, TextsThatAreNoProgram) {
 
 // S7-INSTR-108, S7-INSTR-111
 TEST(Problem, LabelsAndEnds) {
-  EXPECT_EQ(inOb("SPA ab\nab: SET\nab: SET\nabcde: SET\nBE\nSET"), (List{"5:1 P0327", "6:1 P0332", "8:1 P0331"}));
+  EXPECT_EQ(inOb("SPA ab\nab: SET\nab: SET\nabcde: SET\nBE\nSET"),
+            (List{"5:1 P0327", "6:1 P0332", "8:1 P0331"}));
 }
 
 }  // namespace

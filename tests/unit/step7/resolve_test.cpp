@@ -9,7 +9,8 @@ namespace {
 class Resolve : public testing::Test {
  protected:
   Resolve()
-      : compiled_(compileText("DATA_BLOCK DB 1\nSTRUCT\n w : WORD; a : ARRAY [1..3] OF STRUCT r : REAL; END_STRUCT; END_STRUCT\nBEGIN\nEND_DATA_BLOCK\n")) {
+      : compiled_(compileText("DATA_BLOCK DB 1\nSTRUCT\n w : WORD; a : ARRAY [1..3] OF STRUCT r : "
+                              "REAL; END_STRUCT; END_STRUCT\nBEGIN\nEND_DATA_BLOCK\n")) {
     source::Symbol motor;
     motor.name = "Motor";
     motor.address.area = Area::Output;
@@ -17,7 +18,9 @@ class Resolve : public testing::Test {
     symbols_.add(motor);
     options_.symbols = &symbols_;
   }
-  Result<mc7::Reference> operator()(std::string_view text) { return resolve(text, compiled_.result.program, options_, {"-", 1, 1, 1}); }
+  Result<mc7::Reference> operator()(std::string_view text) {
+    return resolve(text, compiled_.result.program, options_, {"-", 1, 1, 1});
+  }
 
   Compiled compiled_;
   source::SymbolTable symbols_;
@@ -47,7 +50,8 @@ TEST_F(Resolve, DataBlocksAndSymbols) {
 }
 
 TEST_F(Resolve, RefusesWhatIsNotVisibleFromOutside) {
-  for (const char* text : {"", "L 1.0", "DBW 4", "DIW 2", "5", "MW [MD 2]", "DB1.a", "DB7.x", "\"unknown\"", "MW 10 x", "FC 1"})
+  for (const char* text : {"", "L 1.0", "DBW 4", "DIW 2", "5", "MW [MD 2]", "DB1.a", "DB7.x",
+                           "\"unknown\"", "MW 10 x", "FC 1"})
     EXPECT_FALSE((*this)(text)) << text;
 }
 

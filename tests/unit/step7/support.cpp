@@ -21,7 +21,8 @@ const block::Program& library() {
 
 }  // namespace
 
-Compiled compileText(std::string_view text, std::string_view model, bool checks, const source::SymbolTable* symbols) {
+Compiled compileText(std::string_view text, std::string_view model, bool checks,
+                     const source::SymbolTable* symbols) {
   CompileOptions options;
   options.model = findCpuModel(model);
   options.library = &library();
@@ -33,7 +34,8 @@ Compiled compileText(std::string_view text, std::string_view model, bool checks,
 std::vector<std::string> Compiled::problems() const {
   std::vector<std::string> list;
   for (const Problem& problem : result.problems.list())
-    list.push_back(fmt::format("{}:{} {}", problem.position.line, problem.position.column, problem.name()));
+    list.push_back(
+        fmt::format("{}:{} {}", problem.position.line, problem.position.column, problem.name()));
   return list;
 }
 
@@ -46,7 +48,8 @@ const block::Block& Compiled::block(BlockKind kind, int number) const {
 
 std::string Compiled::listing(BlockKind kind, int number) const {
   std::string text;
-  for (const mc7::Line& line : mc7::disassemble(block(kind, number).code, Mnemonics::German)) text += line.text + "\n";
+  for (const mc7::Line& line : mc7::disassemble(block(kind, number).code, Mnemonics::German))
+    text += line.text + "\n";
   return text;
 }
 

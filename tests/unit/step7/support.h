@@ -18,8 +18,8 @@ struct Compiled {
   std::string listing(BlockKind kind, int number) const;
 };
 
-Compiled compileText(std::string_view text, std::string_view model = "314C-2 PtP", bool checks = false,
-                     const source::SymbolTable* symbols = nullptr);
+Compiled compileText(std::string_view text, std::string_view model = "314C-2 PtP",
+                     bool checks = false, const source::SymbolTable* symbols = nullptr);
 // The statements as OB 1, its listing without the final BE.
 std::string statements(std::string_view code, std::string_view model = "generic");
 
