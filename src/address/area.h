@@ -1,4 +1,5 @@
-// Operand areas of an S7 CPU with the codes that pointers carry (STEP 7 layout, requirement S7-IND-02).
+// Operand areas of an S7 CPU with the codes that pointers carry (STEP 7 layout, requirement
+// S7-IND-02).
 #pragma once
 
 #include <cstdint>
@@ -28,7 +29,9 @@ enum class Mnemonics : std::uint8_t { German, International };
 
 // A bit address counts bits: byte * 8 + bit.
 using BitAddress = std::uint32_t;
-constexpr BitAddress bitAddress(std::uint32_t byte, std::uint32_t bit = 0) { return byte * 8 + bit; }
+constexpr BitAddress bitAddress(std::uint32_t byte, std::uint32_t bit = 0) {
+  return byte * 8 + bit;
+}
 
 // The 32-bit pointer word: area code in bits 31..24, bit address in bits 18..0.
 constexpr std::uint32_t pointer(Area area, BitAddress address) {

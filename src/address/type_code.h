@@ -1,4 +1,5 @@
-// Data types of STEP 7 with the codes of block interfaces and ANY pointers (S7-IND-13, MC7 section 8).
+// Data types of STEP 7 with the codes of block interfaces and ANY pointers (S7-IND-13, MC7 section
+// 8).
 #pragma once
 
 #include <cstdint>
@@ -41,7 +42,8 @@ enum class TypeCode : std::uint8_t {
 std::string_view name(TypeCode code);
 // Keyword to type, any case, short forms too (TOD, DT). Only types that are one word.
 std::optional<TypeCode> typeFromName(std::string_view keyword);
-// Bits of a value: 1 for BOOL, 8 … 32 for elementary types, 64 for DT; 0 for all that has no fixed width.
+// Bits of a value: 1 for BOOL, 8 … 32 for elementary types, 64 for DT; 0 for all that has no fixed
+// width.
 unsigned bitWidth(TypeCode code);
 constexpr bool isElementary(TypeCode code) {
   return code >= TypeCode::Bool && code <= TypeCode::S5Time;

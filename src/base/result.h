@@ -1,4 +1,5 @@
-// A value or the reason why there is none. Same names as C++23's std::expected, which GCC 12 has not.
+// A value or the reason why there is none. Same names as C++23's std::expected, which GCC 12 has
+// not.
 #pragma once
 
 #include <utility>

@@ -9,16 +9,18 @@ namespace merker {
 namespace {
 
 // S7-CPU-30; OB 86 needs a DP master.
-constexpr std::array<std::uint8_t, 14> kObs314Ptp{1,  10, 20, 35, 40,  80,  81,
+constexpr std::array<std::uint8_t, 14> kObs314Ptp{1,  10, 20, 35,  40,  80,  81,
                                                   82, 85, 87, 100, 121, 122, 0};
-constexpr std::array<std::uint8_t, 14> kObs314Dp{1,  10, 20, 35, 40, 80,  81,
+constexpr std::array<std::uint8_t, 14> kObs314Dp{1,  10, 20, 35, 40,  80,  81,
                                                  82, 85, 86, 87, 100, 121, 122};
 // The whole table of chapter 5.1 with OB 102 (S7-OPEN-42).
-constexpr std::array<std::uint8_t, 47> kObsAll{
-    1,  10, 11, 12, 13, 14, 15, 16, 17, 20, 21, 22, 23, 30, 31, 32,  33,  34,  35,  36,  37, 38, 40, 41,
-    42, 43, 44, 45, 46, 47, 50, 51, 60, 80, 81, 82, 83, 84, 85, 86, 87, 100, 101, 102, 121, 122, 0};
+constexpr std::array<std::uint8_t, 47> kObsAll{1,  10, 11, 12, 13, 14,  15,  16,  17,  20,  21, 22,
+                                               23, 30, 31, 32, 33, 34,  35,  36,  37,  38,  40, 41,
+                                               42, 43, 44, 45, 46, 47,  50,  51,  60,  80,  81, 82,
+                                               83, 84, 85, 86, 87, 100, 101, 102, 121, 122, 0};
 
-// Course 2.1 (S7-CPU-02..11); 500 us per cycle: docs/compatibility.md, "cycle time of the operating system".
+// Course 2.1 (S7-CPU-02..11); 500 us per cycle: docs/compatibility.md, "cycle time of the operating
+// system".
 constexpr CpuModel model314(std::string_view name, std::string_view keyword,
                             std::span<const std::uint8_t> obs) {
   return {.name = name,
@@ -115,14 +117,20 @@ bool CpuModel::hasOrganizationBlock(unsigned number) const {
 
 bool CpuModel::allows(BlockId id) const {
   switch (id.kind) {
-    case BlockKind::OB: return id.number != 0 && hasOrganizationBlock(id.number);
-    case BlockKind::DB: return id.number != 0 && id.number <= highestDb;
-    case BlockKind::FB: return id.number <= highestFb;
-    case BlockKind::FC: return id.number <= highestFc;
-    case BlockKind::SDB: return false;
+    case BlockKind::OB:
+      return id.number != 0 && hasOrganizationBlock(id.number);
+    case BlockKind::DB:
+      return id.number != 0 && id.number <= highestDb;
+    case BlockKind::FB:
+      return id.number <= highestFb;
+    case BlockKind::FC:
+      return id.number <= highestFc;
+    case BlockKind::SDB:
+      return false;
     case BlockKind::UDT:
     case BlockKind::SFC:
-    case BlockKind::SFB: return true;
+    case BlockKind::SFB:
+      return true;
   }
   return false;
 }

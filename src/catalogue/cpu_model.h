@@ -9,12 +9,14 @@
 
 namespace merker {
 
-// Classes of execution time that the course gives for a CPU (2.1): bit, word, fixed point, floating point.
+// Classes of execution time that the course gives for a CPU (2.1): bit, word, fixed point, floating
+// point.
 enum class TimeClass : std::uint8_t { None, Bit, Word, Fixed, Real };
 
 struct CpuModel {
-  std::string_view name;     // "CPU 314C-2 PtP"
-  std::string_view keyword;  // "314C-2 PtP", what --cpu takes (ignoring case, blanks and a leading CPU)
+  std::string_view name;  // "CPU 314C-2 PtP"
+  std::string_view
+      keyword;  // "314C-2 PtP", what --cpu takes (ignoring case, blanks and a leading CPU)
 
   // nanoseconds per instruction
   std::uint32_t bitTime, wordTime, fixedTime, realTime;
@@ -27,33 +29,39 @@ struct CpuModel {
   std::uint32_t timers, counters;
   // highest block numbers; -1 = none of the kind
   std::int32_t highestDb, highestFb, highestFc;
-  std::uint32_t nesting;         // blocks per priority class
-  std::uint32_t errorNesting;    // further blocks inside a synchronous error OB
+  std::uint32_t nesting;       // blocks per priority class
+  std::uint32_t errorNesting;  // further blocks inside a synchronous error OB
   std::uint32_t bracketDepth, mcrDepth;
-  std::uint32_t accumulators;    // 2 or 4
-  std::uint32_t cycleMonitoring; // ms, default
+  std::uint32_t accumulators;                                        // 2 or 4
+  std::uint32_t cycleMonitoring;                                     // ms, default
   std::uint32_t retentiveFlags, retentiveTimers, retentiveCounters;  // default counts from number 0
   bool hotRestart, coldRestart;
-  bool allPeripheral;            // every periphery byte answers, no module needed (generic)
+  bool allPeripheral;  // every periphery byte answers, no module needed (generic)
   std::span<const std::uint8_t> organizationBlocks;
 
   std::uint32_t time(TimeClass c) const {
     switch (c) {
-      case TimeClass::Bit: return bitTime;
-      case TimeClass::Word: return wordTime;
-      case TimeClass::Fixed: return fixedTime;
-      case TimeClass::Real: return realTime;
-      case TimeClass::None: return 0;
+      case TimeClass::Bit:
+        return bitTime;
+      case TimeClass::Word:
+        return wordTime;
+      case TimeClass::Fixed:
+        return fixedTime;
+      case TimeClass::Real:
+        return realTime;
+      case TimeClass::None:
+        return 0;
     }
     return 0;
   }
   bool hasOrganizationBlock(unsigned number) const;
-  // Whether a block of this number can exist; OBs by the list above. SFC and SFB: always (system decides).
+  // Whether a block of this number can exist; OBs by the list above. SFC and SFB: always (system
+  // decides).
   bool allows(BlockId id) const;
 };
 
 std::span<const CpuModel> cpuModels();
-const CpuModel& defaultCpuModel();                   // CPU 314C-2 PtP
-const CpuModel* findCpuModel(std::string_view name); // null if unknown
+const CpuModel& defaultCpuModel();                    // CPU 314C-2 PtP
+const CpuModel* findCpuModel(std::string_view name);  // null if unknown
 
 }  // namespace merker

@@ -33,7 +33,8 @@ class SourceFile {
 // Reads and decodes a text file. P0101 unreadable, P0102 binary, P0103 above 256 MB.
 Result<SourceFile> readSource(const std::string& path);
 
-// "file:line:column: error: message [P0214]", the line, a caret under the place. The line only if `file` is given.
+// "file:line:column: error: message [P0214]", the line, a caret under the place. The line only if
+// `file` is given.
 std::string format(const Problem& problem, const SourceFile* file);
 
 }  // namespace merker::source

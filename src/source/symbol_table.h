@@ -18,8 +18,14 @@ namespace merker::source {
 
 // What a symbol stands for.
 struct SymbolAddress {
-  enum class Kind : std::uint8_t { Memory, Timer, Counter, Block, VariableTable } kind = Kind::Memory;
-  Area area = Area::None;     // Memory: Input, Output, Flag, Peripheral
+  enum class Kind : std::uint8_t {
+    Memory,
+    Timer,
+    Counter,
+    Block,
+    VariableTable
+  } kind = Kind::Memory;
+  Area area = Area::None;  // Memory: Input, Output, Flag, Peripheral
   Width width = Width::Bit;
   BitAddress address = 0;
   bool peripheralOutput = false;  // Peripheral: PA instead of PE
@@ -29,11 +35,11 @@ struct SymbolAddress {
 };
 
 struct Symbol {
-  std::string name;     // at most 24 characters
+  std::string name;  // at most 24 characters
   SymbolAddress address;
-  TypeCode type = TypeCode::Bool;  // Memory; Timer and Counter for those; Void for blocks
-  std::optional<BlockId> blockType; // DB of type FB 3 / UDT 2 …
-  std::string comment;  // at most 80 characters
+  TypeCode type = TypeCode::Bool;    // Memory; Timer and Counter for those; Void for blocks
+  std::optional<BlockId> blockType;  // DB of type FB 3 / UDT 2 …
+  std::string comment;               // at most 80 characters
   Position position;
 };
 
@@ -52,19 +58,20 @@ class SymbolTable {
   std::map<SymbolAddress, std::size_t> byAddress_;
 };
 
-// "A 1.0", "MW10", "PEW 256", "T 1", "DB 5", "Q 1.0" … Operands that may not have a symbol (L, DBW, constants)
-// give a problem (S7-SYM-06, -15).
+// "A 1.0", "MW10", "PEW 256", "T 1", "DB 5", "Q 1.0" … Operands that may not have a symbol (L, DBW,
+// constants) give a problem (S7-SYM-06, -15).
 Result<SymbolAddress> parseSymbolAddress(std::string_view text, const Position& at);
 
-// Reads a symbol file into `table`; the format follows the extension (.sdf .asc .seq .dif) or, for .sym and .txt, is
-// the readable table of docs/formats/symbols.md. Problems: name longer than 24, comment longer than 80 characters,
-// name twice, operand not allowed, type that does not fit the operand's width (S7-SYM-16).
+// Reads a symbol file into `table`; the format follows the extension (.sdf .asc .seq .dif) or, for
+// .sym and .txt, is the readable table of docs/formats/symbols.md. Problems: name longer than 24,
+// comment longer than 80 characters, name twice, operand not allowed, type that does not fit the
+// operand's width (S7-SYM-16).
 void readSymbols(const SourceFile& file, SymbolTable& table, Problems& problems);
 // By the extension; a .txt is taken for one only where it is named as such.
 bool isSymbolFile(std::string_view path);
 
-// The bytes of a file in one of these formats (".sdf", ".asc", ".seq", ".dif", ".sym"): CP1252 and CR LF as STEP 7
-// writes its exports, UTF-8 and LF for .sym. Empty for any other extension.
+// The bytes of a file in one of these formats (".sdf", ".asc", ".seq", ".dif", ".sym"): CP1252 and
+// CR LF as STEP 7 writes its exports, UTF-8 and LF for .sym. Empty for any other extension.
 std::string writeSymbols(const SymbolTable& table, std::string_view extension, Mnemonics mnemonics);
 
 }  // namespace merker::source

@@ -49,8 +49,9 @@ std::string letters() {
 }
 
 SymbolAddress randomAddress(std::uint16_t i) {
-  static const std::vector<std::string> kOperands = {"E %.3", "AB %", "MW %", "MD %",  "PEW %", "PAD %", "T %",
-                                          "Z %",   "DB %", "FC %", "SFB %", "UDT %", "VAT %"};
+  static const std::vector<std::string> kOperands = {"E %.3", "AB %",  "MW %", "MD %", "PEW %",
+                                                     "PAD %", "T %",   "Z %",  "DB %", "FC %",
+                                                     "SFB %", "UDT %", "VAT %"};
   std::string text = *rc::gen::elementOf(kOperands);
   text.replace(text.find('%'), 1, std::to_string(i));
   return *parseSymbolAddress(text, {});
