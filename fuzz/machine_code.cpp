@@ -37,7 +37,7 @@ block::Program programOf(std::span<const std::uint8_t> code) {
   const std::size_t half = code.size() / 4 * 2;
   for (const BlockId id : {BlockId{BlockKind::OB, 1}, BlockId{BlockKind::FC, 1}})
     program[id] = blockOf(id, id.kind == BlockKind::OB ? code.subspan(half) : code.first(half));
-  for (const std::uint16_t number : {1, 2}) {
+  for (const std::uint16_t number : {std::uint16_t{1}, std::uint16_t{2}}) {
     block::Block data = blockOf({BlockKind::DB, number}, {});
     data.initialData.assign(32, 0);
     data.actualData.assign(32, 0);
