@@ -34,7 +34,7 @@ void Cpu::load(std::shared_ptr<const block::Program> program) {
   }
   clearStacks();
   clearSystemMemory(true);
-  machine_.dataBlocks.load(*program_, false);
+  machine_.dataBlocks.load(*program_);
 }
 
 bool Cpu::callSystem(BlockId block, std::span<const std::uint32_t> parameters) {

@@ -2,25 +2,25 @@
 
 namespace merker::cpu {
 
-void DataBlocks::loadOne(const block::Block& source, bool initial) {
+void DataBlocks::loadOne(const block::Block& source) {
   if (source.attributes.unlinked) return;  // S7-MEM-03: stays in load memory
   if (blocks_.size() <= source.id.number) blocks_.resize(source.id.number + 1u);
-  const bool useInitial = initial || source.actualData.empty();
-  blocks_[source.id.number] = {.loaded = true,
-                               .readOnly = source.attributes.readOnly,
-                               .retentive = !source.attributes.nonRetain,
-                               .data = useInitial ? source.initialData : source.actualData};
+  blocks_[source.id.number] = {
+      .loaded = true,
+      .readOnly = source.attributes.readOnly,
+      .retentive = !source.attributes.nonRetain,
+      .data = source.actualData.empty() ? source.initialData : source.actualData};
 }
 
-void DataBlocks::load(const block::Program& program, bool initial) {
+void DataBlocks::load(const block::Program& program) {
   blocks_.clear();
   for (const auto& [id, source] : program)
-    if (id.kind == BlockKind::DB) loadOne(source, initial);
+    if (id.kind == BlockKind::DB) loadOne(source);
 }
 
 void DataBlocks::loadNonRetentive(const block::Program& program) {
   for (const auto& [id, source] : program)
-    if (id.kind == BlockKind::DB && source.attributes.nonRetain) loadOne(source, false);
+    if (id.kind == BlockKind::DB && source.attributes.nonRetain) loadOne(source);
 }
 
 DataBlock* DataBlocks::find(std::uint32_t number) {

@@ -19,9 +19,8 @@ struct DataBlock {
 
 class DataBlocks {
  public:
-  // All blocks as load memory has them (S7-MEM-04): actual values, or with `initial` the declared
-  // start values.
-  void load(const block::Program& program, bool initial);
+  // All blocks as load memory has them (S7-MEM-04): the actual values that were downloaded.
+  void load(const block::Program& program);
   // Only those that a restart sets back (NON_RETAIN).
   void loadNonRetentive(const block::Program& program);
 
@@ -33,7 +32,7 @@ class DataBlocks {
   void remove(std::uint32_t number);
 
  private:
-  void loadOne(const block::Block& source, bool initial);
+  void loadOne(const block::Block& source);
   std::vector<DataBlock> blocks_;
 };
 

@@ -48,7 +48,7 @@ bool Cpu::restart(Restart how) {
     if (timer.started) timer.end = timer.end + stopped;
   clearSystemMemory(cold);
   if (cold)
-    machine_.dataBlocks.load(*program_, true);  // S7-STATE-06
+    machine_.dataBlocks.load(*program_);  // S7-STATE-06, S7-MEM-04
   else
     machine_.dataBlocks.loadNonRetentive(*program_);
   prepareInterrupts();
@@ -101,7 +101,7 @@ void Cpu::memoryReset() {
   report(static_cast<std::uint16_t>(Event::MemoryReset), std::string(text(Event::MemoryReset)));
   clearStacks();
   clearSystemMemory(true);
-  if (program_) machine_.dataBlocks.load(*program_, false);
+  if (program_) machine_.dataBlocks.load(*program_);
   stoppedByFault_ = false;
   report(static_cast<std::uint16_t>(Event::MemoryResetDone),
          std::string(text(Event::MemoryResetDone)));

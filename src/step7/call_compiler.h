@@ -20,6 +20,9 @@ class CallCompiler {
     Access to;
   };
 
+  // An operand that can be reached whatever data blocks are open.
+  static bool needsNoDataBlock(const Access& access);
+
   bool target();
   bool instanceTarget(const block::Variable& variable, std::size_t begin);
   bool instanceDataBlock(std::size_t begin);

@@ -40,27 +40,36 @@ bool CallParameters::atParameterLine() {
   return found;
 }
 
+// On to the next parameter: behind the comma, or to the end of the line or list.
+void CallParameters::skipParameter() {
+  Cursor& cursor = c_.cursor();
+  int depth = 0;
+  while (!cursor.atStatementEnd()) {
+    const char c = cursor.peek();
+    if (depth == 0 && (c == ',' || c == ')')) return;
+    depth += c == '(' || c == '[' ? 1 : c == ')' || c == ']' ? -1 : 0;
+    cursor.take();
+  }
+}
+
 bool CallParameters::body(bool bracketed) {
   Cursor& cursor = c_.cursor();
+  bool good = true;
   for (;;) {
     cursor.skipSpace();
     if (bracketed && cursor.peek() == ')') {
       cursor.take();
-      return true;
+      return good;
     }
     if (cursor.atEnd() || cursor.peek() == ';')
-      return bracketed ? problem(ProblemCode::P0301, cursor.pos(), cursor.pos() + 1, ")") : true;
+      return bracketed ? problem(ProblemCode::P0301, cursor.pos(), cursor.pos() + 1, ")") : good;
     if (!parameter()) {
-      // Go on behind the closing bracket, so that one wrong parameter gives one problem.
-      for (int depth = 1; bracketed && !cursor.atEnd() && depth > 0 && cursor.peek() != ';';) {
-        const char c = cursor.take();
-        depth += c == '(' ? 1 : c == ')' ? -1 : 0;
-      }
-      return false;
+      good = false;
+      skipParameter();
     }
     cursor.skipBlanks();
     cursor.accept(',');
-    if (!bracketed && !(cursor.atLineEnd() && atParameterLine())) return true;
+    if (!bracketed && !(cursor.atLineEnd() && atParameterLine())) return good;
   }
 }
 

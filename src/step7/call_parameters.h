@@ -46,6 +46,7 @@ class CallParameters {
 
  private:
   bool body(bool bracketed);
+  void skipParameter();
   bool parameter();
   bool actual(Actual& out);
   bool pointer(Actual& out);
