@@ -17,7 +17,8 @@ plant=examples/sorting-plant
 rows="E 0.0, E 0.1, E 0.2, A 1.0, A 1.1, A 1.2"
 
 printf '\n== The sorting plant: all its scenarios, in virtual time\n\n'
-"$merker" test "$plant"
+result=0
+"$merker" test "$plant" || result=$?
 
 # The program plays the boxes itself: one of each size, ten seconds apart. The run takes 31 s of virtual time.
 "$merker" run "$plant" --for 31s --set 'E 0.0=1, E 0.1=1, E 0.2=1, "Play".Show=1' \
@@ -38,3 +39,4 @@ done
 
 printf '\n== Counted by the program\n\n'
 cat build/plant.txt
+exit $result
