@@ -1,0 +1,58 @@
+#include "cpu/areas.h"
+
+#include <gtest/gtest.h>
+
+#include "cpu/error.h"
+#include "cpu/start_information.h"
+
+namespace merker::cpu {
+namespace {
+
+// S7-CPU-18, S7-OPND-11: what answers without a hardware configuration.
+TEST(Areas, PeripheryOfA314C) {
+  const Areas areas(defaultCpuModel());
+  EXPECT_TRUE(areas.answers(areas.inputPresent, 0, 4));
+  EXPECT_TRUE(areas.answers(areas.inputPresent, 124, 3));
+  EXPECT_TRUE(areas.answers(areas.inputPresent, 760, 2));
+  EXPECT_FALSE(areas.answers(areas.inputPresent, 762, 2));
+  EXPECT_TRUE(areas.answers(areas.outputPresent, 752, 4));
+  EXPECT_FALSE(areas.answers(areas.outputPresent, 756, 2));
+  EXPECT_FALSE(areas.answers(areas.inputPresent, 400, 2));
+  EXPECT_FALSE(areas.answers(areas.inputPresent, 127, 2));
+  EXPECT_FALSE(areas.answers(areas.inputPresent, 1023, 2));
+}
+
+TEST(Areas, TheGenericCpuAnswersEverywhere) {
+  const Areas areas(*findCpuModel("generic"));
+  EXPECT_TRUE(areas.answers(areas.inputPresent, 65'532, 4));
+  EXPECT_FALSE(areas.answers(areas.inputPresent, 65'533, 4));
+}
+
+// S7-BLK-07 … -15
+TEST(Priorities, FollowTheTable) {
+  const struct {
+    int ob, priority;
+  } rows[] = {{1, 1},   {10, 2},  {17, 2},   {20, 3},   {23, 6},  {30, 7},
+              {35, 12}, {38, 15}, {40, 16},  {47, 23},  {50, 24}, {60, 25},
+              {80, 26}, {87, 26}, {100, 27}, {102, 27}, {2, 0},   {121, 0}};
+  for (const auto& row : rows)
+    EXPECT_EQ(priorityOf(static_cast<std::uint8_t>(row.ob)), row.priority) << row.ob;
+}
+
+// S7-OBI-13, S7-OBI-15
+TEST(SyncErrors, HaveEventAndAccessByte) {
+  const SyncError length{
+      .code = ErrorCode::LengthRead, .area = Area::Flag, .width = Width::Word, .detail = 300};
+  EXPECT_EQ(length.event(), 0x2522);
+  EXPECT_EQ(length.accessByte(), 0x23);
+  EXPECT_EQ(describe(length), "area length error when reading: MW 300");
+  const SyncError access{.code = ErrorCode::PeripheralRead,
+                         .area = Area::Peripheral,
+                         .width = Width::Word,
+                         .detail = 400};
+  EXPECT_EQ(access.event(), 0x2942);
+  EXPECT_EQ(access.accessByte(), 0x20);
+}
+
+}  // namespace
+}  // namespace merker::cpu
