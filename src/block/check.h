@@ -1,4 +1,5 @@
-// What a self-checking source says with //= about the state after an instruction (command line contract).
+// What a self-checking source says with //= about the state after an instruction (command line
+// contract).
 #pragma once
 
 #include <cstdint>
@@ -10,18 +11,42 @@
 namespace merker::block {
 
 enum class CheckRegister : std::uint8_t {
-  VKE, STA, OR, OS, OV, A0, A1, BIE, ER,
-  AKKU1, AKKU2, AKKU3, AKKU4, AR1, AR2, STW, DBNO, DINO
+  VKE,
+  STA,
+  OR,
+  OS,
+  OV,
+  A0,
+  A1,
+  BIE,
+  ER,
+  AKKU1,
+  AKKU2,
+  AKKU3,
+  AKKU4,
+  AR1,
+  AR2,
+  STW,
+  DBNO,
+  DINO
 };
 
-enum class Relation : std::uint8_t { Equal, NotEqual, Less, LessEqual, Greater, GreaterEqual, About };
+enum class Relation : std::uint8_t {
+  Equal,
+  NotEqual,
+  Less,
+  LessEqual,
+  Greater,
+  GreaterEqual,
+  About
+};
 
 struct CheckValue {
   enum class Kind : std::uint8_t { Constant, Register, BitCode, ValueCode } kind = Kind::Constant;
   std::uint32_t constant = 0;
   CheckRegister reg = CheckRegister::VKE;
-  // MC7 that queries (BitCode: the result is VKE) or loads (ValueCode: the result is AKKU1) an operand; it runs on
-  // a copy of the registers, in the block and at the place of the check.
+  // MC7 that queries (BitCode: the result is VKE) or loads (ValueCode: the result is AKKU1) an
+  // operand; it runs on a copy of the registers, in the block and at the place of the check.
   std::vector<std::uint8_t> code;
   unsigned width = 32;  // bits
 };

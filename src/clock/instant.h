@@ -1,4 +1,5 @@
-// Virtual time: 64-bit nanoseconds since the station was switched on. Nothing here reads a wall clock.
+// Virtual time: 64-bit nanoseconds since the station was switched on. Nothing here reads a wall
+// clock.
 #pragma once
 
 #include <compare>

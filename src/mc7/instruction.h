@@ -1,5 +1,6 @@
-// The S7 instruction set, described once: operations.inc (mnemonics, status effect, time class, source) and
-// encodings.inc (bit patterns). Assembler, disassembler, interpreter, tests and documentation read these rows.
+// The S7 instruction set, described once: operations.inc (mnemonics, status effect, time class,
+// source) and encodings.inc (bit patterns). Assembler, disassembler, interpreter, tests and
+// documentation read these rows.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +23,8 @@ enum class Operation : std::uint8_t {
 
 struct OperationInfo {
   std::string_view id, de, en;
-  // Nine characters in the order BIE A1 A0 OV OS OR STA VKE /ER: - unchanged, 0 1 fixed, x by result.
+  // Nine characters in the order BIE A1 A0 OV OS OR STA VKE /ER: - unchanged, 0 1 fixed, x by
+  // result.
   std::string_view status;
   TimeClass time;
   std::string_view source;
@@ -30,8 +32,8 @@ struct OperationInfo {
 
 const OperationInfo& info(Operation operation);
 std::span<const OperationInfo> operations();
-// The operation of a mnemonic ("SPB", "JC"), upper case. Where German and international words differ in meaning
-// (SE, UD/AD …) the setting decides.
+// The operation of a mnemonic ("SPB", "JC"), upper case. Where German and international words
+// differ in meaning (SE, UD/AD …) the setting decides.
 std::optional<Operation> findOperation(std::string_view mnemonic, Mnemonics mnemonics);
 
 struct Instruction {
@@ -51,15 +53,17 @@ struct Decoded {
 // All encodings, in the order of preference: the short form first (MC7 section 10).
 std::span<const Encoding> encodings();
 
-// Appends the shortest code of the instruction. False if no row has this operation with this operand or the
-// operand does not fit a field; `out` is then unchanged.
+// Appends the shortest code of the instruction. False if no row has this operation with this
+// operand or the operand does not fit a field; `out` is then unchanged.
 [[nodiscard]] bool encode(const Instruction& instruction, std::vector<std::uint8_t>& out);
 // With this row and no other: the inverse of decode.
-[[nodiscard]] bool encode(const Encoding& row, const Operand& operand, std::vector<std::uint8_t>& out);
+[[nodiscard]] bool encode(const Encoding& row, const Operand& operand,
+                          std::vector<std::uint8_t>& out);
 // The instruction at the start of `code`; nothing if no row fits or it is cut off.
 std::optional<Decoded> decode(std::span<const std::uint8_t> code);
 
-// "U     E 0.0" in the given mnemonics. A jump shows its distance in words, a parameter of an FC its index.
+// "U     E 0.0" in the given mnemonics. A jump shows its distance in words, a parameter of an FC
+// its index.
 std::string text(const Instruction& instruction, Mnemonics mnemonics);
 
 }  // namespace merker::mc7

@@ -81,7 +81,8 @@ constexpr Operand ConstantTimeOfDay = constant(ConstantFormat::TimeOfDay, 0);
 constexpr Operand Offset{.kind = OperandKind::Pointer};
 constexpr Operand Register2{.kind = OperandKind::AddressRegister, .reg = 2};
 constexpr Operand Count{.kind = OperandKind::ShiftCount};
-constexpr Operand Shift = Count;  // of a double word: AWL allows 0..32, some codes have room for 255
+constexpr Operand Shift =
+    Count;  // of a double word: AWL allows 0..32, some codes have room for 255
 constexpr Operand Jump{.kind = OperandKind::Jump};
 constexpr Operand JumpList{.kind = OperandKind::JumpList};
 

@@ -1,4 +1,5 @@
-// A value that someone outside the program looks at: an operand, the data block it is in, and its type.
+// A value that someone outside the program looks at: an operand, the data block it is in, and its
+// type.
 #pragma once
 
 #include <cstdint>
@@ -10,9 +11,9 @@
 namespace merker::mc7 {
 
 struct Reference {
-  std::string text;        // as the user wrote it
-  Operand operand;         // Memory, Timer or Counter; area DataBlock together with `db`
-  std::int32_t db = -1;    // number of the data block, -1 outside of data blocks
+  std::string text;                // as the user wrote it
+  Operand operand;                 // Memory, Timer or Counter; area DataBlock together with `db`
+  std::int32_t db = -1;            // number of the data block, -1 outside of data blocks
   TypeCode type = TypeCode::Void;  // of a typed variable or symbol; Void for an absolute operand
 };
 
