@@ -99,10 +99,17 @@ TEST(AddressRegisters, AddingKeepsTheArea) {
 
 // S7-INSTR-45, S7-INSTR-46, S7-STW-01
 TEST(StatusWord, LoadAndTransfer) {
-  EXPECT_EQ(execute({Operation::LOAD_STW, {}}, {{}, 0x1FF}).accu[0], 0x1F2u);
-  EXPECT_EQ(execute({Operation::LOAD_STW, {}}, {{}, 0x1FF}, *findCpuModel("generic-4")).accu[0],
+  EXPECT_EQ(
+      execute({Operation::LOAD_STW, mc7::number(OperandKind::StatusWord, 0)}, {{}, 0x1FF}).accu[0],
+      0x1F2u);
+  EXPECT_EQ(execute({Operation::LOAD_STW, mc7::number(OperandKind::StatusWord, 0)}, {{}, 0x1FF},
+                    *findCpuModel("generic-4"))
+                .accu[0],
             0x1FFu);
-  EXPECT_EQ(execute({Operation::TRANSFER_STW, {}}, {{0xFFFFFEA5}, 0}).status.word(), 0x0A5);
+  EXPECT_EQ(
+      execute({Operation::TRANSFER_STW, mc7::number(OperandKind::StatusWord, 0)}, {{0xFFFFFEA5}, 0})
+          .status.word(),
+      0x0A5);
 }
 
 // S7-INSTR-47 … -50, S7-REG-04

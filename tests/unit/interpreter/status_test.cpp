@@ -18,6 +18,8 @@ Operand counter() { return mc7::number(OperandKind::Counter, 1); }
 // An operand that suits the operation; none where it needs none.
 Operand sample(Operation operation) {
   static const std::map<Operation, Operand> special = {
+      {Operation::LOAD_STW, mc7::number(OperandKind::StatusWord, 0)},
+      {Operation::TRANSFER_STW, mc7::number(OperandKind::StatusWord, 0)},
       {Operation::LOAD, flagWord(20)},
       {Operation::TRANSFER, flagWord(20)},
       {Operation::LOAD_BCD, timer()},

@@ -73,7 +73,7 @@ TEST(SymbolAddress, blocks) {
   EXPECT_EQ(parseSymbolAddress("VAT 1", {})->kind, Kind::VariableTable);
 }
 
-// S7-SYM-06, -15, S7-OPND-08
+// S7-SYM-06, S7-SYM-15, S7-OPND-08
 TEST(SymbolAddress, refusedOperands) {
   for (const std::string_view text :
        {"LW 2", "L 0.0", "LB 1", "DBX 0.0", "DBW 10", "DB100.DBW10", "DIX 0.0", "DID 4", "W#16#5",

@@ -55,7 +55,9 @@ bool Plc::force(std::string_view operand, std::uint32_t value) {
 }
 
 void Plc::cycles(std::uint64_t count) {
-  if (station_.mode() == Mode::Stop) EXPECT_TRUE(station_.warmRestart());
+  if (station_.mode() == Mode::Stop) {
+    EXPECT_TRUE(station_.warmRestart());
+  }
   station_.advanceCycles(count);
 }
 

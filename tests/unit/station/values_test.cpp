@@ -23,12 +23,13 @@ TEST(Values, AreReadAndWritten) {
 
 TEST(Values, OutsideGiveNothing) {
   Station station({});
-  mc7::Reference flag{.operand = mc7::memory(Area::Flag, Width::Word, bitAddress(255))};
+  mc7::Reference flag{.text = "", .operand = mc7::memory(Area::Flag, Width::Word, bitAddress(255))};
   EXPECT_FALSE(station.read(flag));
   EXPECT_FALSE(station.write(flag, 1));
-  mc7::Reference block{.operand = mc7::memory(Area::DataBlock, Width::Word, 0), .db = 5};
+  mc7::Reference block{
+      .text = "", .operand = mc7::memory(Area::DataBlock, Width::Word, 0), .db = 5};
   EXPECT_FALSE(station.read(block));
-  mc7::Reference timer{.operand = {.kind = mc7::OperandKind::Timer, .value = 300}};
+  mc7::Reference timer{.text = "", .operand = {.kind = mc7::OperandKind::Timer, .value = 300}};
   EXPECT_FALSE(station.read(timer));
 }
 
