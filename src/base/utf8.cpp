@@ -1,6 +1,7 @@
 #include "base/utf8.h"
 
 #include <cstdint>
+#include <cstring>
 
 namespace merker {
 namespace {
@@ -62,7 +63,20 @@ void appendCharacter(std::string& utf8, char32_t character) {
   }
 }
 
+// Eight bytes at a time: sources of many megabytes are almost always plain ASCII.
+bool isAscii(std::string_view text) {
+  std::uint64_t high = 0;
+  for (; text.size() >= sizeof high; text.remove_prefix(sizeof high)) {
+    std::uint64_t eight = 0;
+    std::memcpy(&eight, text.data(), sizeof eight);
+    high |= eight;
+  }
+  for (const char c : text) high |= static_cast<unsigned char>(c);
+  return (high & 0x8080808080808080) == 0;
+}
+
 bool isValidUtf8(std::string_view text) {
+  if (isAscii(text)) return true;
   for (std::size_t i = 0; i < text.size();) {
     if (static_cast<unsigned char>(text[i]) < 0x80) {
       ++i;

@@ -14,5 +14,6 @@ inline constexpr char32_t kReplacement = 0xFFFD;
 char32_t nextCharacter(std::string_view utf8, std::size_t& position);
 void appendCharacter(std::string& utf8, char32_t character);
 bool isValidUtf8(std::string_view text);
+bool isAscii(std::string_view text);
 
 }  // namespace merker

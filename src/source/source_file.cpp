@@ -8,11 +8,35 @@
 #include <fstream>
 #include <system_error>
 
+#include "base/utf8.h"
+
 namespace merker::source {
 namespace {
 
 constexpr std::uint64_t kMegabyte = 1024 * 1024;
 constexpr std::uint64_t kLargestFile = 256 * kMegabyte;
+
+constexpr std::size_t kChunk = 1024;
+constexpr std::size_t kLongestShown = 400;  // bytes of a line that is shown whole
+constexpr std::size_t kShownAround = 80;    // characters on each side of the place in a longer one
+
+bool isContinuation(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
+
+std::uint32_t countContinuations(std::string_view text) {
+  return static_cast<std::uint32_t>(std::count_if(text.begin(), text.end(), isContinuation));
+}
+
+std::vector<std::uint32_t> continuationTable(std::string_view text) {
+  std::vector<std::uint32_t> table;
+  if (isAscii(text)) return table;
+  std::uint32_t total = 0;
+  for (std::size_t i = 0; i < text.size(); i += kChunk) {
+    table.push_back(total);
+    total += countContinuations(text.substr(i, kChunk));
+  }
+  table.push_back(total);
+  return table;
+}
 
 const char* find(const char* from, const char* end, char c) {
   const void* const found = std::memchr(from, c, static_cast<std::size_t>(end - from));
@@ -71,8 +95,6 @@ std::string place(const Position& position) {
   return fmt::format("{}:{}:{}: ", position.file, position.line, position.column);
 }
 
-bool isContinuation(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
-
 // The line as it is shown: control characters would upset a terminal.
 std::string printable(std::string_view line) {
   std::string result(line);
@@ -81,25 +103,50 @@ std::string printable(std::string_view line) {
   return result;
 }
 
-// Tabs stay tabs, so the caret stands under its place whatever their width is.
-std::string caretLine(std::string_view line, const Position& position) {
-  std::string result;
-  std::uint32_t column = 1;
-  for (const char c : line) {
-    if (isContinuation(c)) continue;
-    if (column++ == position.column) break;
-    result += c == '\t' ? '\t' : ' ';
+std::string_view takeCharacters(std::string_view& text, std::size_t count) {
+  std::size_t bytes = 0;
+  while (bytes < text.size() && (count > 0 || isContinuation(text[bytes]))) {
+    if (!isContinuation(text[bytes])) --count;
+    ++bytes;
   }
+  const std::string_view result = text.substr(0, bytes);
+  text.remove_prefix(bytes);
+  return result;
+}
+
+struct Excerpt {
+  std::string text;
+  std::size_t column;  // of the place in it
+};
+
+// The line, or of a very long one the surroundings of the place.
+Excerpt excerpt(std::string_view line, std::size_t column) {
+  if (line.size() <= kLongestShown) return {printable(line), column};
+  const std::size_t skipped = column > kShownAround ? column - kShownAround : 0;
+  takeCharacters(line, skipped);
+  const std::string_view shown = takeCharacters(line, 2 * kShownAround);
+  const std::string before = skipped > 0 ? "..." : "";
+  return {before + printable(shown) + (line.empty() ? "" : "..."),
+          column - skipped + before.size()};
+}
+
+// Tabs stay tabs, so the caret stands under its place whatever their width is.
+std::string caretLine(std::string_view line, std::size_t column, std::size_t length) {
   const std::size_t width = characterCount(line);
-  const std::size_t room = width >= position.column ? width - position.column + 1 : 1;
-  const std::size_t length = std::clamp<std::size_t>(position.length, 1, room);
-  return result + '^' + std::string(length - 1, '~');
+  std::string result;
+  for (const char c : takeCharacters(line, column - 1))
+    if (!isContinuation(c)) result += c == '\t' ? '\t' : ' ';
+  const std::size_t room = width >= column ? width - column + 1 : 1;
+  return result + '^' + std::string(std::clamp<std::size_t>(length, 1, room) - 1, '~');
 }
 
 }  // namespace
 
 SourceFile::SourceFile(std::string name, std::string utf8)
-    : name_(std::move(name)), text_(std::move(utf8)), starts_(lineStarts(text_)) {}
+    : name_(std::move(name)),
+      text_(std::move(utf8)),
+      starts_(lineStarts(text_)),
+      continuations_(continuationTable(text_)) {}
 
 std::string_view SourceFile::line(std::uint32_t number) const {
   if (number == 0 || number > starts_.size()) return {};
@@ -108,16 +155,28 @@ std::string_view SourceFile::line(std::uint32_t number) const {
       std::string_view(text_).substr(starts_[number - 1], end - starts_[number - 1]));
 }
 
+// How many characters begin in [from, to).
+std::size_t SourceFile::characters(std::size_t from, std::size_t to) const {
+  if (continuations_.empty()) return to - from;
+  const auto before = [this](std::size_t offset) {
+    const std::size_t chunk = offset / kChunk;
+    const std::string_view rest = std::string_view(text_).substr(chunk * kChunk, offset % kChunk);
+    return offset - continuations_[chunk] - countContinuations(rest);
+  };
+  return before(to) - before(from);
+}
+
 Position SourceFile::position(std::size_t offset, std::size_t length) const {
   offset = std::min(offset, text_.size());
   const auto next = std::upper_bound(starts_.begin(), starts_.end(), offset);
   const auto number = static_cast<std::uint32_t>(next - starts_.begin());
-  const std::string_view content = line(number);
-  const std::size_t inLine = std::min(offset - starts_[number - 1], content.size());
+  const std::size_t start = starts_[number - 1];
+  const std::size_t end = start + line(number).size();
+  offset = std::min(offset, end);
   Position result{name_, number};
-  result.column = static_cast<std::uint32_t>(characterCount(content.substr(0, inLine)) + 1);
-  const std::size_t characters = characterCount(content.substr(inLine, length));
-  result.length = static_cast<std::uint32_t>(std::max<std::size_t>(characters, 1));
+  result.column = static_cast<std::uint32_t>(characters(start, offset) + 1);
+  const std::size_t width = characters(offset, offset + std::min(length, end - offset));
+  result.length = static_cast<std::uint32_t>(std::max<std::size_t>(width, 1));
   return result;
 }
 
@@ -137,9 +196,9 @@ std::string format(const Problem& problem, const SourceFile* file) {
   std::string result =
       fmt::format("{}{}: {} [{}]", place(at), severity, problem.message, problem.name());
   if (file == nullptr || at.line == 0 || at.line > file->lineCount()) return result;
-  const std::string_view line = file->line(at.line);
-  result += '\n' + printable(line);
-  if (at.column > 0) result += '\n' + caretLine(line, at);
+  const Excerpt shown = excerpt(file->line(at.line), at.column);
+  result += '\n' + shown.text;
+  if (at.column > 0) result += '\n' + caretLine(shown.text, shown.column, at.length);
   return result;
 }
 

@@ -27,7 +27,12 @@ class SourceFile {
  private:
   std::string name_;
   std::string text_;
+  std::size_t characters(std::size_t from, std::size_t to) const;
+
   std::vector<std::size_t> starts_;
+  // Continuation bytes of UTF-8 before each kilobyte of the text: columns of very long lines
+  // without counting from their start. Empty for a pure ASCII text.
+  std::vector<std::uint32_t> continuations_;
 };
 
 // Reads and decodes a text file. P0101 unreadable, P0102 binary, P0103 above 256 MB.

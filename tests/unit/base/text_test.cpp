@@ -80,6 +80,18 @@ TEST(Utf8, refusesOverlongAndTooLarge) {
   EXPECT_TRUE(isValidUtf8("\xF4\x8F\xBF\xBF"));
 }
 
+TEST(Utf8, asciiWithAnyLength) {
+  for (std::size_t length = 0; length < 20; ++length) {
+    std::string text(length, '\x7F');
+    EXPECT_TRUE(isAscii(text));
+    for (char& c : text) {
+      c = '\x80';
+      EXPECT_FALSE(isAscii(text));
+      c = 'a';
+    }
+  }
+}
+
 TEST(ToCp1252, oneBytePerCharacter) {
   EXPECT_EQ(toCp1252("Förderband 5 €"), "F\xF6rderband 5 \x80");
   EXPECT_EQ(toCp1252("Ω\uFFFD\u0085"), "???");

@@ -94,6 +94,26 @@ TEST(Format, characterColumnsAndEnds) {
             "a.awl:1:6: warning: m [P0104]\nä ü x\n     ^");
 }
 
+// A machine-written line of megabytes: only the surroundings are shown.
+TEST(Format, longLinesAreCut) {
+  const SourceFile file("a.awl", std::string(300, 'a') + "äX" + std::string(300, 'b'));
+  const std::string text = format(makeProblem(ProblemCode::P0104, file.position(302)), &file);
+  EXPECT_EQ(text, "a.awl:1:302: warning: the source contains no block [P0104]\n..." +
+                      std::string(78, 'a') + "äX" + std::string(80, 'b') + "...\n" +
+                      std::string(82, ' ') + '^');
+}
+
+TEST(SourceFile, columnsOfLongLines) {
+  std::string line;
+  for (int i = 0; i < 3000; ++i) line += "aäö";
+  const SourceFile file("a.awl", "ä\n" + line + "\n");
+  for (const std::size_t i : {0, 1, 3, 5, 1022, 1024, 2048, 14995}) {
+    const auto column = characterCount(line.substr(0, i)) + 1;
+    EXPECT_EQ(file.position(3 + i, 5).column, column) << i;
+  }
+  EXPECT_EQ(file.position(3, 15000).length, 9000u);
+}
+
 TEST(Format, placesWithoutLineOrColumn) {
   const SourceFile file("a.awl", "x");
   EXPECT_EQ(format({ProblemCode::P0101, {"a.awl"}, "m"}, &file), "a.awl: error: m [P0101]");
