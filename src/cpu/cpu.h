@@ -48,6 +48,8 @@ class Cpu {
   bool stoppedByFault() const { return stoppedByFault_; }
   const DiagnosticEvent& stopEvent() const { return stopEvent_; }
   const Diagnostics& diagnostics() const { return diagnostics_; }
+  // The instant that timers see: they stand still in STOP (S7-TMR-22).
+  Instant timerTime() const { return mode_ == Mode::Stop ? stoppedAt_ : machine_.clock; }
   std::uint64_t cycles() const { return cycles_; }
   // Ends of cycles, and changes to RUN.
   std::uint64_t checkpoints() const { return checkpoints_; }

@@ -5,6 +5,12 @@
 #include "cpu/cpu.h"
 
 namespace merker::cpu {
+namespace {
+
+// For OB 1 without cycle monitoring (runOb1): longer than any cycle may take.
+constexpr Duration kLongestRun = Duration::seconds(60);
+
+}  // namespace
 
 void Cpu::step(Instant limit) {
   if (mode_ == Mode::Stop) {
@@ -91,11 +97,13 @@ void Cpu::runOb1() {
   if (mode_ != Mode::Run || !machine_.levels.empty()) return;
   const StartInformation start = startInformation(0x11, scan_, priorityOf(1), 1, dateAndTime());
   if (!startLevel(1, priorityOf(1), start, false)) return;
+  const Instant latest = machine_.clock + kLongestRun;
   machine_.levelEnded = false;
   while (mode_ == Mode::Run && !(machine_.levelEnded && machine_.levels.size() == 1)) {
+    if (machine_.clock >= latest) return stopByFault(Event::StopTimeError, "OB 1 does not end");
     if (machine_.levelEnded) endLevel();  // of an error OB
     machine_.levelEnded = false;
-    machine_.horizon = Instant::never();
+    machine_.horizon = latest;
     engine_.run(machine_);
   }
   if (mode_ == Mode::Run) endLevel();

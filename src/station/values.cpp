@@ -70,7 +70,7 @@ std::optional<std::uint32_t> readValue(cpu::Cpu& cpu, const mc7::Reference& refe
   if (operand.kind == OperandKind::Timer) {
     if (operand.value >= m.timers.size()) return std::nullopt;
     const cpu::S5Timer& timer = m.timers[operand.value];
-    return bit ? timer.status(m.clock) : timer.s5time(m.clock);
+    return bit ? timer.status(cpu.timerTime()) : timer.s5time(cpu.timerTime());
   }
   if (operand.kind == OperandKind::Counter) {
     if (operand.value >= m.counters.size()) return std::nullopt;

@@ -70,10 +70,31 @@ bool isJump(Operation operation) {
   return operation >= Operation::SPA && operation <= Operation::LOOP;
 }
 
+// Notations of plain bits that fill a word or a double word (S7-INSTR-12 to 17).
+static bool isBitPattern(ConstantFormat format, unsigned width) {
+  switch (format) {
+    case ConstantFormat::Byte:
+    case ConstantFormat::Binary:
+    case ConstantFormat::Integer:
+    case ConstantFormat::Characters:
+    case ConstantFormat::Bytes:
+    case ConstantFormat::Word:
+    case ConstantFormat::Counter:
+      return width == 16;
+    case ConstantFormat::LongBinary:
+    case ConstantFormat::LongInteger:
+    case ConstantFormat::LongCharacters:
+    case ConstantFormat::LongBytes:
+    case ConstantFormat::DWord:
+      return width == 32;
+    default:
+      return false;
+  }
+}
+
 // Some operations know a constant only in one notation: SLW 4, UW W#16#F0F0, + L#5, BLD 7.
 Operand fittedConstant(Operation operation, Operand operand, const Position& place,
                        Problems& problems, Limits limits) {
-  const unsigned width = bitWidth(operand.format);
   const auto count = [&](std::uint32_t highest) {
     if (limits == Limits::OfCode && operand.format == ConstantFormat::Integer)
       return mc7::number(OperandKind::ShiftCount, operand.value);
@@ -100,16 +121,21 @@ Operand fittedConstant(Operation operation, Operand operand, const Position& pla
     case Operation::AND_W:
     case Operation::OR_W:
     case Operation::XOR_W:
-      if (width > 16) problems.add(ProblemCode::P0343, place, 16);
+      if (!isBitPattern(operand.format, 16)) problems.add(ProblemCode::P0343, place, 16);
       operand.format = ConstantFormat::Word;
       return operand;
     case Operation::AND_D:
     case Operation::OR_D:
     case Operation::XOR_D:
+      if (!isBitPattern(operand.format, 32)) problems.add(ProblemCode::P0343, place, 32);
       operand.format = ConstantFormat::DWord;
       return operand;
-    case Operation::ADD_CONSTANT:
-      operand.format = width > 16 ? ConstantFormat::LongInteger : ConstantFormat::Integer;
+    case Operation::ADD_CONSTANT:  // S7-INSTR-71
+      if (operand.format != ConstantFormat::Integer &&
+          operand.format != ConstantFormat::LongInteger)
+        problems.add(ProblemCode::P0348, place);
+      operand.format =
+          bitWidth(operand.format) > 16 ? ConstantFormat::LongInteger : ConstantFormat::Integer;
       return operand;
     case Operation::LAR1:
     case Operation::LAR2:  // a pointer that cannot exist shows as DW#16#

@@ -81,7 +81,7 @@ TEST(ColdRestart, SetsEverythingBack) {
   EXPECT_TRUE(plc->coldRestart());
   plc->advanceCycles(1);
   EXPECT_EQ(plc.read("MB 0"), 0u);
-  EXPECT_EQ(plc.read("DB1.DBW 0"), 3u);
+  EXPECT_EQ(plc.read("DB1.DBW 0"), 9u);  // as downloaded
   EXPECT_EQ(plc.read("MB 30"), 0x85u);
   EXPECT_EQ(plc.read("MB 31"), 4u);
 }

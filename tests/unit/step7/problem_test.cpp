@@ -21,6 +21,14 @@ TEST(Problem, EachStatementReportsItsOwn) {
                   "9:3 P0215", "10:4 P0214", "11:5 P0330", "12:3 P0303"}));
 }
 
+// S7-INSTR-12 to 17, S7-INSTR-71
+TEST(Problem, ConstantsOfOperations) {
+  EXPECT_EQ(inOb("+ 5.0\n+ T#1S\n+ W#16#5\n+ -5\n+ L#70000"),
+            (List{"3:3 P0348", "4:3 P0348", "5:3 P0348"}));
+  EXPECT_EQ(inOb("UD -1\nOD 1.0\nUD W#16#5\nUW DW#16#5\nUW S5T#1S\nUW 2#1\nXOD B#(1,2,3,4)"),
+            (List{"3:4 P0343", "4:4 P0343", "5:4 P0343", "6:4 P0343", "7:4 P0343"}));
+}
+
 TEST(Problem, TheContractsExample) {
   const Compiled compiled =
       compileText("ORGANIZATION_BLOCK OB 1\nBEGIN\n  L     MB 300;\nEND_ORGANIZATION_BLOCK\n");
