@@ -113,6 +113,17 @@ const source::SourceFile* Project::file(const std::string& wanted) const {
   return nullptr;
 }
 
+// Symbol files of a single source: those of its name, else the only one of its folder.
+static std::vector<std::string> symbolsBeside(const std::string& source) {
+  std::vector<std::string> same, all;
+  for (const Entry& entry : entries(folderOf(source))) {
+    if (!isSymbolExport(entry.name)) continue;
+    all.push_back(entry.name);
+    if (stemOf(entry.name) == stemOf(source)) same.push_back(entry.name);
+  }
+  return same.empty() && all.size() == 1 ? all : same;
+}
+
 Project loadSources(const std::string& path, const std::vector<std::string>& sources,
                     const std::string& cpu) {
   Project project;
@@ -121,12 +132,9 @@ Project loadSources(const std::string& path, const std::vector<std::string>& sou
   project.name = stemOf(path);
   project.startOfClock = defaultStartOfClock();
   chooseModel(project, cpu);
-  for (const std::string& source : sources) {
-    // no search below: the symbols of a single source stand beside it
-    for (const Entry& entry : entries(folderOf(source)))
-      if (isSymbolExport(entry.name) && stemOf(entry.name) == stemOf(source))
-        readSymbolFile(project, join(folderOf(source), entry.name));
-  }
+  for (const std::string& source : sources)
+    for (const std::string& name : symbolsBeside(source))
+      readSymbolFile(project, join(folderOf(source), name));
   for (const std::string& source : sources) readSource(project, source);
   return project;
 }

@@ -53,6 +53,8 @@ bool BlockCompiler::pass(std::uint32_t localBase) {
   builder_ = std::make_unique<CodeBuilder>();
   usedCopies_.clear();
   brackets_.clear();
+  labels_.clear();
+  jumps_.clear();
   relays_.clear();
   ended_ = reportedAfterEnd_ = any_ = false;
   allocated_ = allocatedTop_ = localBase;
@@ -139,9 +141,8 @@ void BlockCompiler::statement() {
 void BlockCompiler::labelDefinition(std::string_view word, std::size_t begin) {
   const Position position = at(begin, begin + word.size());
   if (characterCount(word) > 4) problems_.add(ProblemCode::P0332, position, std::string(word));
-  if (!brackets_.empty())
-    problems_.add(ProblemCode::P0333, position, std::string(word));  // S7-BRACKET-03
-  builder_->label(std::string(word), position, problems_);           // labels keep their case
+  labels_.push_back({std::string(word), bracket(), position});
+  builder_->label(std::string(word), position, problems_);  // labels keep their case
 }
 
 bool BlockCompiler::networkHeader(std::string_view word) {
@@ -217,6 +218,7 @@ void BlockCompiler::jump(Operation operation, std::size_t begin) {
     problems_.add(ProblemCode::P0335, at(begin, cursor_.pos()));
     return;
   }
+  jumps_.push_back({label, bracket(), {}});
   if (operation == Operation::SPL)
     builder_->jumpList(label, at(labelBegin, cursor_.pos()));
   else
@@ -229,8 +231,20 @@ void BlockCompiler::endOfNetwork() {
   brackets_.clear();
 }
 
+// A label inside brackets is harmless for a jump from the same bracket, as EN of a KOP box makes
+// it; a jump from outside enters the bracket in the middle (S7-BRACKET-03).
+void BlockCompiler::checkJumpsIntoBrackets() {
+  for (const Place& label : labels_)
+    for (const Place& jump : jumps_)
+      if (label.bracket != 0 && jump.label == label.label && jump.bracket != label.bracket) {
+        problems_.add(ProblemCode::P0333, label.position, label.label);
+        break;
+      }
+}
+
 void BlockCompiler::endOfBlock() {
   endOfNetwork();
+  checkJumpsIntoBrackets();
   for (const std::size_t open : relays_) problems_.add(ProblemCode::P0345, at(open, open + 1));
   if (!ended_) (void)emit(Operation::BE);
   builder_->resolveJumps(problems_);

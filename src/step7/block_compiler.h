@@ -74,8 +74,16 @@ class BlockCompiler {
   std::uint32_t allocatedTop_ = 0;  // highest byte ever allocated
   std::uint32_t copiesEnd_ = 0;
   std::vector<std::size_t> brackets_;  // positions of open U( … in this network
-  std::vector<std::size_t> relays_;    // of open MCR(
-  bool ended_ = false;                 // BE was the last statement
+  struct Place {
+    std::string label;
+    std::size_t bracket;  // position of the innermost open bracket, 0 outside of brackets
+    Position position;
+  };
+  std::size_t bracket() const { return brackets_.empty() ? 0 : brackets_.back(); }
+  void checkJumpsIntoBrackets();
+  std::vector<Place> labels_, jumps_;
+  std::vector<std::size_t> relays_;  // of open MCR(
+  bool ended_ = false;               // BE was the last statement
   bool reportedAfterEnd_ = false;
   bool any_ = false;  // an instruction was made: a check has something to refer to
 };

@@ -347,8 +347,7 @@ void BlockSplitter::code(const Frame& frame, BlockSource& source) {
       }
       statementStart = false;
     } else if (c == '\'') {
-      cursor_.take();
-      while (!cursor_.atEnd() && cursor_.peek() != '\n' && cursor_.take() != '\'') continue;
+      cursor_.passText();
       statementStart = false;
     } else if (c == '"') {
       cursor_.take();

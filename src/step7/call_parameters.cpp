@@ -57,6 +57,7 @@ bool CallParameters::body(bool bracketed) {
   bool good = true;
   for (;;) {
     cursor.skipSpace();
+    if (cursor.accept(',')) continue;
     if (bracketed && cursor.peek() == ')') {
       cursor.take();
       return good;
@@ -85,7 +86,7 @@ bool CallParameters::parameter() {
       formal && formal->section != Section::Static && formal->section != Section::Temp;
   if (name.empty() || !parameter)
     return problem(ProblemCode::P0511, begin, std::max(cursor.pos(), begin + 1), name,
-                   toString(target_.id));
+                   target_.name());
   cursor.skipSpace();
   if (!cursor.accept(':') || !cursor.accept('='))
     return problem(ProblemCode::P0301, cursor.pos(), cursor.pos() + 1, ":=");
@@ -272,6 +273,10 @@ bool CallParameters::checkForwarding(const block::Variable& formal, const Actual
     return forbidden();
   const bool ownFunction = c_.scope().block->id.kind == BlockKind::FC;
   const TypeCode code = own.type->code;
+  const bool onlyWritten = own.section == Section::Output || own.section == Section::Return;
+  if (ownFunction && onlyWritten && formal.section != Section::Output &&
+      formal.section != Section::Return)
+    return forbidden();
   if (ownFunction && target_.isFunction() && !isElementary(code)) {
     // One element of a composite parameter is an elementary value.
     const bool element = actual.access->kind == Access::Kind::Descriptor && actual.access->type &&
@@ -287,7 +292,7 @@ bool CallParameters::complete(std::size_t begin) {
   bool good = true;
   for (const block::Variable* formal : block::parameters(*target_.block))
     if (!actuals_.count(formal))  // S7-BLK-18
-      good = problem(ProblemCode::P0517, begin, begin + 1, formal->name, toString(target_.id));
+      good = problem(ProblemCode::P0517, begin, begin + 1, formal->name, target_.name());
   return good;
 }
 

@@ -15,6 +15,10 @@ struct CallTarget {
   const block::Block* block = nullptr;
   std::int32_t instanceDb = -1;               // CALL FB n, DB m
   const block::Variable* instance = nullptr;  // CALL #inst
+  // "FC 1 (AD_DT_TM)": a library function says who it is.
+  std::string name() const {
+    return block->symbol.empty() ? toString(id) : toString(id) + " (" + block->symbol + ")";
+  }
   bool isFunction() const { return id.kind == BlockKind::FC || id.kind == BlockKind::SFC; }
 };
 

@@ -44,6 +44,15 @@ void Cursor::skipLine() {
   while (pos_ < end_ && text_[pos_] != '\n' && text_[pos_] != '\r') ++pos_;
 }
 
+void Cursor::passText() {
+  take();
+  while (!atEnd() && peek() != '\n' && peek() != '\r') {
+    const char c = take();
+    if (c == '$' && peek() != '\n') take();
+    if (c == '\'') return;
+  }
+}
+
 bool Cursor::atLineEnd() {
   skipBlanks();
   const char c = peek();

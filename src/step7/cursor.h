@@ -38,6 +38,9 @@ class Cursor {
   // All white space and comments; //= comments are noted.
   void skipSpace();
   void skipLine();
+  // A text in single quotation marks, $ before a quotation mark inside; the cursor stands on the
+  // first one.
+  void passText();
   // At the end of a statement: end of text, end of line, ';' or a comment to the end of the line.
   bool atStatementEnd();
   // The next line's first word stays; true if only white space or a comment is left on this line.

@@ -163,9 +163,11 @@ void DeclarationParser::initialValue(VariableSyntax& variable) {
     variable.initialBegin = cursor_.pos();
     // An array's list may go on over several lines, up to the semicolon.
     while (!cursor_.atEnd() && cursor_.peek() != ';') {
-      const char c = cursor_.take();
+      const char c = cursor_.peek();
       if (c == '\'')
-        while (!cursor_.atEnd() && cursor_.peek() != '\n' && cursor_.take() != '\'') continue;
+        cursor_.passText();
+      else
+        cursor_.take();
       cursor_.skipBlanks();
       if (!cursor_.atLineEnd()) continue;
       const std::size_t lineEnd = cursor_.pos();
@@ -179,6 +181,9 @@ void DeclarationParser::initialValue(VariableSyntax& variable) {
       break;
     }
     variable.initialEnd = cursor_.pos();
+    if (variable.initialEnd == variable.initialBegin)
+      problems_.add(ProblemCode::P0412, at(cursor_.pos(), cursor_.pos() + 1), "nothing",
+                    "this variable");
   } else {
     cursor_.seek(before);
   }

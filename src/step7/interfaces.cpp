@@ -129,7 +129,7 @@ block::TypePtr Interfaces::structure(const BlockSource& source, const TypeSyntax
   checkDuplicates(source, syntax.members);
   std::vector<block::Variable> members;
   for (const VariableSyntax& member : syntax.members) members.push_back(variable(source, member));
-  if (members.empty())
+  if (members.empty() && !source.faulty)
     problems_.add(ProblemCode::P0425, at(source, syntax.begin, syntax.begin + 6));
   return block::structType(std::move(members));
 }
@@ -361,8 +361,10 @@ void Interfaces::assignments(BlockSource& source, const std::vector<block::Varia
     cursor.skipSpace();
     const std::size_t valueBegin = cursor.pos();
     while (!cursor.atStatementEnd()) {
-      if (cursor.take() != '\'') continue;
-      while (!cursor.atEnd() && cursor.peek() != '\n' && cursor.take() != '\'') continue;
+      if (cursor.peek() == '\'')
+        cursor.passText();
+      else
+        cursor.take();
     }
     if (block::isStoredAsPointer(*variable)) {  // a POINTER that the call sets
       problems_.add(ProblemCode::P0424, at(source, begin, cursor.pos()), std::string(name));

@@ -52,6 +52,10 @@ void BlockCompiler::structure(Operation operation, std::size_t begin) {
 void BlockCompiler::checkInstanceRegisters(Operation operation, const Access* access,
                                            std::size_t begin) {
   if (target_.id.kind != BlockKind::FB || target_.instanceBytes == 0) return;
+  // What comes back from a variable is the restoring itself.
+  if (access && (access->operand.kind == OperandKind::Memory ||
+                 access->operand.kind == OperandKind::BlockIndirect))
+    return;
   const bool opensInstance = operation == Operation::OPEN && access && access->operand.reg == 1;
   if (opensInstance || operation == Operation::LAR2 || operation == Operation::ADD_AR2 ||
       operation == Operation::TAR || operation == Operation::SWAP_DB)

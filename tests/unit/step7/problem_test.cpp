@@ -29,6 +29,27 @@ TEST(Problem, ConstantsOfOperations) {
             (List{"3:4 P0343", "4:4 P0343", "5:4 P0343", "6:4 P0343", "7:4 P0343"}));
 }
 
+// The label belongs to the bracket it is jumped to from: the EN of a KOP box.
+TEST(Problem, JumpInsideABracketIsNone) {
+  EXPECT_EQ(inOb("U(; U M 0.0; SPBNB _001; L 5; T MW 0; _001: U BIE; ); = M 2.0"), List{});
+}
+
+TEST(Problem, StringsWithQuotationMarks) {
+  const Compiled compiled = compileText(
+      "DATA_BLOCK DB 1\nSTRUCT\n s : STRING [6] := 'it$'s'; t : STRING [4];\nEND_STRUCT\nBEGIN\n t "
+      ":= 'a$'b';\nEND_DATA_BLOCK\n");
+  EXPECT_EQ(compiled.problems(), List{});
+  const std::vector<std::uint8_t> expected{6, 4, 'i', 't', '\'', 's', 0,
+                                           0, 4, 3,   'a', '\'', 'b', 0};
+  EXPECT_EQ(compiled.block(BlockKind::DB, 1).actualData, expected);
+}
+
+TEST(Problem, MissingStartValue) {
+  EXPECT_EQ(compileText("DATA_BLOCK DB 1\nSTRUCT\n a : INT := ;\nEND_STRUCT\nEND_DATA_BLOCK\n")
+                .problems(),
+            (List{"3:13 P0412"}));
+}
+
 TEST(Problem, TheContractsExample) {
   const Compiled compiled =
       compileText("ORGANIZATION_BLOCK OB 1\nBEGIN\n  L     MB 300;\nEND_ORGANIZATION_BLOCK\n");
@@ -82,6 +103,7 @@ TEST(Problem, Parameters) {
   EXPECT_EQ(call("CALL FC 1 (a := 1)"), (List{"7:10 P0517"}));
   EXPECT_EQ(call("CALL FC 1 (a := 1, b := 2, q := MW 0)"), (List{"7:20 P0511"}));
   EXPECT_EQ(call("CALL FC 1 (a := MW [MD 2], q := MW 0)"), (List{"7:17 P0515"}));
+  EXPECT_EQ(call("CALL FC 1 (a := 1\n, q := MW 0 )"), List{});
   EXPECT_EQ(call("UC FC 1"), (List{"7:4 P0509"}));  // S7-FC-02
 }
 
