@@ -28,7 +28,7 @@ int check(const Options& options) {
   int result = kGood;
   Problems problems;
   for (const std::string& path : options.paths) {
-    const Build checked = build(project::load(path, options.cpu), true);
+    const Build checked = build(project::load(path, options.cpu), false);
     printProblems(checked.problems, checked.files());
     problems.append(checked.problems);
     if (!options.json) summary(checked);

@@ -1,5 +1,7 @@
 #include "step7/cursor.h"
 
+#include <algorithm>
+
 #include "base/text.h"
 
 namespace merker::step7 {
@@ -24,7 +26,9 @@ void Cursor::skipBlanks() {
 void Cursor::passLineComment() {
   const std::size_t begin = pos_;
   skipLine();
-  if (begin + 2 < end_ && text_[begin + 2] == '=') checks_.push_back({begin + 3, pos_});
+  // A line of equals signs is a separator.
+  if (begin + 2 < end_ && text_[begin + 2] == '=' && text_[std::min(begin + 3, end_ - 1)] != '=')
+    checks_.push_back({begin + 3, pos_});
 }
 
 void Cursor::skipSpace() {

@@ -209,7 +209,22 @@ std::string DeclarationParser::endOfLineComment() {
   return std::string(trim(cursor_.slice(begin, cursor_.pos())));
 }
 
+// Deeper than STEP 7 nests (8); what is deeper still is refused before it fills the stack.
+constexpr int kDeepest = 32;
+
 std::optional<TypeSyntax> DeclarationParser::type() {
+  if (depth_ >= kDeepest) {
+    problems_.add(ProblemCode::P0202, at(cursor_.pos(), cursor_.pos() + 1), "the nesting of types",
+                  fmt::format("1..{}", kDeepest));
+    return std::nullopt;
+  }
+  ++depth_;
+  auto result = typeHere();
+  --depth_;
+  return result;
+}
+
+std::optional<TypeSyntax> DeclarationParser::typeHere() {
   cursor_.skipSpace();
   TypeSyntax syntax;
   syntax.begin = cursor_.pos();

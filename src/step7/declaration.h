@@ -58,6 +58,7 @@ class DeclarationParser {
   std::vector<std::pair<std::string, std::string>> attributes();
 
  private:
+  std::optional<TypeSyntax> typeHere();
   std::optional<TypeSyntax> array(TypeSyntax syntax);
   std::optional<TypeSyntax> structure(TypeSyntax syntax);
   std::optional<TypeSyntax> string(TypeSyntax syntax);
@@ -74,6 +75,7 @@ class DeclarationParser {
   Cursor& cursor_;
   const source::SourceFile& file_;
   Problems& problems_;
+  int depth_ = 0;
 };
 
 // Keyword of a block kind: OB, FB, FC, DB, UDT, SFB, SFC.

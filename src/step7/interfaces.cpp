@@ -57,6 +57,14 @@ const block::Block* Interfaces::resolve(BlockId id) {
     entry.faulty = true;
     return nullptr;
   }
+  constexpr int kDeepest = 32;
+  if (depth_ >= kDeepest) {
+    problems_.add(ProblemCode::P0202, at(source, source.name.begin, source.name.end),
+                  "the nesting of types", fmt::format("1..{}", kDeepest));
+    entry.faulty = true;
+    return nullptr;
+  }
+  ++depth_;
   entry.state = State::Busy;
   const std::size_t before = problems_.size();
   block::Block result;
@@ -69,6 +77,7 @@ const block::Block* Interfaces::resolve(BlockId id) {
   else
     resolveCode(source, result);
   entry.faulty = entry.faulty || problems_.size() != before;
+  --depth_;
   entry.state = State::Done;
   return &program_.emplace(id, std::move(result)).first->second;
 }

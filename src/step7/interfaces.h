@@ -56,6 +56,7 @@ class Interfaces {
   Problems& problems_;
   std::map<BlockId, Entry> entries_;
   block::Program program_;
+  int depth_ = 0;
   std::map<BlockId, block::TypePtr> instanceTypes_;
 };
 

@@ -63,6 +63,7 @@ Result<mc7::Instruction> withOperand(Cursor& cursor, Operation operation, const 
       return problem;
     }
     operand = access->operand;
+    if (access->openDb >= 0) return makeProblem(ProblemCode::P0318, at);  // two instructions
     if (operand.kind == OperandKind::Constant)
       operand = fittedConstant(operation, operand, at, problems, Limits::OfCode);
     if (problems.hasErrors()) return problems.list().front();
@@ -92,7 +93,8 @@ Result<mc7::Instruction> parseWith(std::string_view text, const Position& at, Mn
     return mc7::Instruction{*operation, {}};
   }
   auto result = withOperand(cursor, *operation, scope, at);
-  if (result && !cursor.atStatementEnd())
+  cursor.accept(';');
+  if (result && !cursor.atLineEnd())
     return makeProblem(ProblemCode::P0302, at, std::string(1, cursor.peek()));
   return result;
 }

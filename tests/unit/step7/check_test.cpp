@@ -56,6 +56,10 @@ TEST(Check, BadTermsAreProblems) {
             (std::vector<std::string>{"3:4 P0901", "4:14 P0902", "5:17 P0317"}));
 }
 
+TEST(Check, SeparatorsAreNoChecks) {
+  EXPECT_EQ(ob("//=========\nSET //== not one either").problems(), std::vector<std::string>{});
+}
+
 TEST(Check, ChangesNothingForOtherCommands) {
   const Compiled compiled =
       compileText("ORGANIZATION_BLOCK OB 1\nBEGIN\nSET //= rubbish\nEND_ORGANIZATION_BLOCK\n");

@@ -44,6 +44,15 @@ TEST(Problem, StringsWithQuotationMarks) {
   EXPECT_EQ(compiled.block(BlockKind::DB, 1).actualData, expected);
 }
 
+TEST(Problem, DeepNestingIsRefused) {
+  std::string nested = "DATA_BLOCK DB 1\n", udts;
+  for (int i = 0; i < 20'000; ++i) nested += "STRUCT a : ";
+  EXPECT_FALSE(compileText(nested).result.ok());
+  for (int i = 1; i < 5000; ++i)
+    udts += fmt::format("TYPE UDT {}\nSTRUCT\n a : UDT {};\nEND_STRUCT\nEND_TYPE\n", i, i + 1);
+  EXPECT_FALSE(compileText(udts).result.ok());
+}
+
 TEST(Problem, MissingStartValue) {
   EXPECT_EQ(compileText("DATA_BLOCK DB 1\nSTRUCT\n a : INT := ;\nEND_STRUCT\nEND_DATA_BLOCK\n")
                 .problems(),
