@@ -28,6 +28,7 @@ function(merker_warnings target)
   # The sanitizers of the debug build make GCC see things; the release build is the judge of warnings.
   if(PROJECT_IS_TOP_LEVEL AND NOT CMAKE_BUILD_TYPE STREQUAL "Debug")
     # GCC 12 sees uninitialised strings at -O3 where there are none; that one warning stays a warning.
-    target_compile_options(${target} PRIVATE -Werror -Wno-error=maybe-uninitialized)
+    target_compile_options(${target} PRIVATE -Werror
+                           $<$<CXX_COMPILER_ID:GNU>:-Wno-error=maybe-uninitialized>)
   endif()
 endfunction()
