@@ -18,7 +18,11 @@ class Plc {
   std::uint32_t read(std::string_view operand);
   void write(std::string_view operand, std::uint32_t value);
   bool force(std::string_view operand, std::uint32_t value);
-  void run(Duration time) { station_.advanceTo(station_.now() + time); }
+  // And on to the end of the cycle, where values are looked at.
+  void run(Duration time) {
+    station_.advanceTo(station_.now() + time);
+    station_.settle();
+  }
   void start() { station_.warmRestart(); }
   // Restarts and runs that many cycles.
   void cycles(std::uint64_t count);
