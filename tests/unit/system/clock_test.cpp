@@ -26,7 +26,7 @@ TEST(Clock, IsSetAndRead) {
   EXPECT_EQ(plc.read("MW 10"), 0u);
   EXPECT_EQ(plc.read("DB1.DBD 8"), 0x98123123u);
   EXPECT_EQ(plc.read("DB1.DBW 12"), 0x5959u);
-  plc.run(Duration::seconds(1));
+  plc.run(Duration::milliseconds(1010));
   EXPECT_EQ(plc.read("DB1.DBD 8"), 0x99010100u);
 }
 
