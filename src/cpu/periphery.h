@@ -1,0 +1,28 @@
+// The third seam of the CPU: the modules. What they show lies in Areas::inputs, what the CPU gives
+// them in Areas::outputs; through this the modules learn of writes and can act on their own time.
+#pragma once
+
+#include <cstdint>
+
+#include "clock/instant.h"
+
+namespace merker::cpu {
+
+class Cpu;
+
+class Periphery {
+ public:
+  virtual ~Periphery() = default;
+  // When a module acts by itself next; Instant::never() if none will. The CPU calls `advance` at
+  // the first instruction boundary at or after it, in every operating state.
+  virtual Instant next() const = 0;
+  // Brings Areas::inputs to `now` and hands events to Cpu::moduleEvent.
+  virtual void advance(Cpu& cpu, Instant now) = 0;
+  // The program (T PAx) or the process image wrote outputs.first .. first + count - 1.
+  virtual void written(Cpu& cpu, std::uint32_t first, std::uint32_t count) = 0;
+  // The CPU's line "output disable": on in STOP, STARTUP and HALT. Modules then put out 0 or their
+  // substitute values (S7-STATE-02, -11).
+  virtual void disableOutputs(Cpu& cpu, bool disabled) = 0;
+};
+
+}  // namespace merker::cpu
