@@ -13,6 +13,17 @@ namespace merker {
 // point.
 enum class TimeClass : std::uint8_t { None, Bit, Word, Fixed, Real };
 
+// Inputs, outputs and technological channels that a compact CPU brings in slot 2 (S7-CPU-15 to
+// -18).
+struct OnBoard {
+  std::uint8_t digitalInputs = 0, digitalOutputs = 0;
+  std::uint8_t analogInputs = 0, analogOutputs = 0;  // the fifth analog input is the one for Pt100
+  std::uint8_t counters = 0, positioning = 0;
+  // default start addresses of E and A, PEW and PAW, counting, positioning
+  std::uint16_t digital = 0, analog = 0, counting = 0, positions = 0;
+  bool operator==(const OnBoard&) const = default;
+};
+
 struct CpuModel {
   std::string_view name;  // "CPU 314C-2 PtP"
   std::string_view
@@ -37,6 +48,12 @@ struct CpuModel {
   std::uint32_t retentiveFlags, retentiveTimers, retentiveCounters;  // default counts from number 0
   bool hotRestart, coldRestart;
   bool allPeripheral;  // every periphery byte answers, no module needed (generic)
+  // hardware (S7-CPU-11 to -18)
+  std::uint32_t racks;                            // highest number + 1
+  std::uint32_t digitalChannels, analogChannels;  // with those on board (S7-OPEN-45)
+  std::uint32_t busCurrent;                       // mA that modules may take in rack 0 (S7-HW-14)
+  std::uint32_t loadMemory;                       // bytes: built in, or the largest memory card
+  OnBoard onBoard;
   std::span<const std::uint8_t> organizationBlocks;
 
   std::uint32_t time(TimeClass c) const {
