@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "block/retentive.h"
 #include "cpu/diagnostics.h"
 #include "cpu/engine.h"
 #include "cpu/error.h"
@@ -36,6 +37,12 @@ struct CycleTimes {  // ms, as OB 1 sees them (S7-OBI-02)
   }
 };
 
+// How much of M, T and Z outlives a restart, from number 0 (S7-CPU-28).
+struct RetentiveRanges {
+  std::uint32_t flags;  // bytes
+  std::size_t timers, counters;
+};
+
 class Cpu {
  public:
   Cpu(const CpuModel& model, Engine& engine, SystemServices& services, std::int64_t startOfClock);
@@ -60,6 +67,10 @@ class Cpu {
   void memoryReset();
   void powerOff();
   void powerOn();
+  // retentive memory (S7-MEM-02): as it is now, into `data`, whose events stay if none was added
+  void retentive(block::RetentiveData& data) const;
+  // For a CPU that was just loaded: it is then switched off and has this in its memory.
+  void restore(const block::RetentiveData& data);
 
   // time
   bool betweenCycles() const { return machine_.levels.empty(); }
@@ -117,6 +128,7 @@ class Cpu {
   bool runsOrWaits(std::uint8_t ob) const;
   void prepareInterrupts();
   // restart.cpp
+  RetentiveRanges retentiveRanges() const;  // retentive.cpp
   void clearStacks();
   void clearSystemMemory(bool all);
   void goToStop(DiagnosticEvent event, bool fault);

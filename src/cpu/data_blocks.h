@@ -26,6 +26,7 @@ class DataBlocks {
 
   DataBlock* find(std::uint32_t number);
   const DataBlock* find(std::uint32_t number) const;
+  const std::vector<DataBlock>& all() const { return blocks_; }  // by number; not all are loaded
   // What AUF puts into a register; number 0 or a missing block: nothing open.
   OpenBlock open(std::uint32_t number);
   void create(std::uint32_t number, std::uint32_t length);

@@ -17,17 +17,12 @@ void Cpu::clearStacks() {
 
 // Flags, timers, counters: all of them, or those beyond the retentive ranges (S7-STATE-09).
 void Cpu::clearSystemMemory(bool all) {
-  const CpuModel& model = *machine_.model;
+  const RetentiveRanges kept = all ? RetentiveRanges{0, 0, 0} : retentiveRanges();
   Areas& areas = machine_.areas;
-  const std::uint32_t flags = all ? 0 : std::min(model.retentiveFlags, areas.flagBytes);
-  const std::size_t timers =
-      all ? 0 : std::min<std::size_t>(model.retentiveTimers, machine_.timers.size());
-  const std::size_t counters =
-      all ? 0 : std::min<std::size_t>(model.retentiveCounters, machine_.counters.size());
-  std::fill(areas.image.begin() + areas.flagBase + flags, areas.image.end(), std::uint8_t{0});
-  std::fill(machine_.timers.begin() + static_cast<std::ptrdiff_t>(timers), machine_.timers.end(),
-            S5Timer{});
-  std::fill(machine_.counters.begin() + static_cast<std::ptrdiff_t>(counters),
+  std::fill(areas.image.begin() + areas.flagBase + kept.flags, areas.image.end(), std::uint8_t{0});
+  std::fill(machine_.timers.begin() + static_cast<std::ptrdiff_t>(kept.timers),
+            machine_.timers.end(), S5Timer{});
+  std::fill(machine_.counters.begin() + static_cast<std::ptrdiff_t>(kept.counters),
             machine_.counters.end(), S5Counter{});
   areas.clearImages();
 }

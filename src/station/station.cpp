@@ -96,6 +96,8 @@ bool Station::coldRestart() { return parts_->cpu.restart(cpu::Restart::ManualCol
 void Station::stop() { parts_->cpu.stop(cpu::Event::StopBySwitch); }
 void Station::powerOff() { parts_->cpu.powerOff(); }
 void Station::powerOn() { parts_->cpu.powerOn(); }
+void Station::retentive(block::RetentiveData& data) const { parts_->cpu.retentive(data); }
+void Station::restore(const block::RetentiveData& data) { parts_->cpu.restore(data); }
 
 Instant Station::now() const { return parts_->cpu.machine().clock; }
 std::uint64_t Station::cycles() const { return parts_->cpu.cycles(); }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "block/block.h"
+#include "block/retentive.h"
 #include "catalogue/cpu_model.h"
 #include "clock/instant.h"
 #include "mc7/reference.h"
@@ -63,6 +64,11 @@ class Station {
   void stop();         // mode switch to STOP
   void powerOff();
   void powerOn();
+  // Retentive memory (S7-MEM-02), as it is now; events that `data` has already are not copied
+  // again.
+  void retentive(block::RetentiveData& data) const;
+  // For a new station: it is then switched off and has this in its memory; powerOn() goes on.
+  void restore(const block::RetentiveData& data);
 
   // time; nothing moves outside these calls
   Instant now() const;
