@@ -42,8 +42,23 @@ bool Cpu::callSystem(BlockId block, std::span<const std::uint32_t> parameters) {
       {.cpu = *this, .machine = machine_, .block = block, .parameters = parameters});
 }
 
+bool Cpu::probe(BlockId block, Probe* probe) {
+  for (const auto& code : code_) {
+    if (code->source->id != block) continue;
+    engine_.probe(*code, probe);
+    return true;
+  }
+  return false;
+}
+
 void Cpu::force(std::uint32_t imageByte, std::uint8_t mask, std::uint8_t value) {
   forces_.push_back({imageByte, mask, value});
+}
+
+void Cpu::unforce(std::uint32_t imageByte, std::uint8_t mask) {
+  for (Force& force : forces_)
+    if (force.byte == imageByte) force.mask = static_cast<std::uint8_t>(force.mask & ~mask);
+  std::erase_if(forces_, [](const Force& force) { return force.mask == 0; });
 }
 
 }  // namespace merker::cpu

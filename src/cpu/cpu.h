@@ -43,6 +43,15 @@ struct RetentiveRanges {
   std::size_t timers, counters;
 };
 
+struct Force {
+  std::uint32_t byte;  // of areas.image
+  std::uint8_t mask, value;
+};
+
+// Where a variable table monitors and modifies: before OB 1 with fresh inputs, behind OB 1 before
+// the outputs go out, at the transition to STOP.
+enum class CyclePoint : std::uint8_t { Begin, End, Stop };
+
 class Cpu {
  public:
   Cpu(const CpuModel& model, Engine& engine, SystemServices& services, std::int64_t startOfClock);
@@ -82,11 +91,19 @@ class Cpu {
   // OB 1.
   void force(std::uint32_t imageByte, std::uint8_t mask, std::uint8_t value);
   void unforce() { forces_.clear(); }
+  void unforce(std::uint32_t imageByte, std::uint8_t mask);
+  const std::vector<Force>& forces() const { return forces_; }
 
   // for engines; machine.position tells where
   AfterError synchronousError(const SyncError& error);
   void stopByFault(Event why, std::string detail = {});
   bool callSystem(BlockId block, std::span<const std::uint32_t> parameters);
+
+  // for test functions
+  bool probe(BlockId block, Probe* probe);  // false: no such code block
+  void onCyclePoint(std::function<void(CyclePoint)> monitor) { monitor_ = std::move(monitor); }
+  // The next instruction of a running block, in bytes of its code.
+  std::uint32_t offset(const Frame& frame) const { return engine_.offset(frame); }
 
   // for system functions
   RealTimeClock& clock() { return clock_; }
@@ -98,11 +115,6 @@ class Cpu {
   }
 
  private:
-  struct Force {
-    std::uint32_t byte;
-    std::uint8_t mask, value;
-  };
-
   // cycle.cpp
   void idle(Instant limit);
   void runTop(Instant limit);
@@ -110,6 +122,7 @@ class Cpu {
   void endCycle();
   void enterRun();
   void applyForces();
+  void reached(CyclePoint point);
   // levels.cpp
   bool startLevel(std::uint8_t ob, std::uint8_t priority, const StartInformation& start,
                   bool errorOb);
@@ -147,6 +160,7 @@ class Cpu {
   Interrupts interrupts_;
   std::vector<Force> forces_;
   std::function<void()> observer_;
+  std::function<void(CyclePoint)> monitor_;
 
   Mode mode_ = Mode::Stop;
   bool stoppedByFault_ = false;

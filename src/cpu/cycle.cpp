@@ -68,6 +68,7 @@ void Cpu::startCycle() {
   applyForces();
   machine_.areas.writeOutputs();
   machine_.areas.readInputs();
+  reached(CyclePoint::Begin);
   applyForces();
 
   StartInformation start = startInformation(0x11, scan_, priorityOf(1), 1, dateAndTime());
@@ -82,8 +83,13 @@ void Cpu::endCycle() {
   ++cycles_;
   ++checkpoints_;
   nextCycle_ = machine_.clock + Duration{machine_.model->cycleTime};
+  reached(CyclePoint::End);
   applyForces();
   if (observer_) observer_();
+}
+
+void Cpu::reached(CyclePoint point) {
+  if (monitor_) monitor_(point);
 }
 
 void Cpu::applyForces() {

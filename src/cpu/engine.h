@@ -6,6 +6,7 @@
 #include <span>
 
 #include "cpu/machine.h"
+#include "cpu/probe.h"
 
 namespace merker::cpu {
 
@@ -19,6 +20,9 @@ class Engine {
   virtual void run(Machine& machine) = 0;
   // After a fault: the next instruction of the top block, as an offset in its code.
   virtual std::uint32_t offset(const Frame& frame) const = 0;
+  // From now on each instruction of this block goes past the probe; null: none. Not while `run`
+  // runs.
+  virtual void probe(Code& code, Probe* probe) = 0;
 };
 
 // A call of SFC n, SFB n or of a library FC that the CPU brings.

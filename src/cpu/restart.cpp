@@ -82,6 +82,7 @@ void Cpu::goToStop(DiagnosticEvent event, bool fault) {
   std::fill(machine_.areas.outputs.begin(), machine_.areas.outputs.end(),
             std::uint8_t{0});  // S7-STATE-02
   machine_.interrupt();
+  reached(CyclePoint::Stop);
 }
 
 void Cpu::stop(Event why) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "interpreter/probing.h"
 #include "interpreter/side.h"
 
 namespace merker::interpreter {
@@ -76,6 +77,10 @@ void Interpreter::run(cpu::Machine& m) {
   } while (m.clock < m.horizon);
   m.instructions += count;
   if (!m.levelEnded) m.top->resume = indexOf(m, op);
+}
+
+void Interpreter::probe(cpu::Code& code, cpu::Probe* probe) {
+  setProbe(static_cast<Translated&>(code), probe);
 }
 
 std::map<BlockId, std::map<std::uint32_t, std::uint64_t>> Interpreter::executed() const {

@@ -18,6 +18,7 @@ class Interpreter : public cpu::Engine {
 
   std::unique_ptr<cpu::Code> translate(const block::Block& block) override;
   void run(cpu::Machine& machine) override;
+  void probe(cpu::Code& code, cpu::Probe* probe) override;
   std::uint32_t offset(const cpu::Frame& frame) const override;
 
   // How often each counted instruction ran, by block and offset.

@@ -6,6 +6,10 @@
 
 #include "interpreter/op.h"
 
+namespace merker::cpu {
+class Probe;
+}
+
 namespace merker::interpreter {
 
 class Recorder;
@@ -25,6 +29,8 @@ struct Translated : cpu::Code {
   std::vector<Side> side;
   mutable std::vector<std::uint64_t> executed;  // by op; empty when nobody counts
   Recorder* recorder = nullptr;
+  cpu::Probe* probe = nullptr;    // probing.h
+  std::vector<Handler> unprobed;  // the handlers that a probe stands in front of
 };
 
 inline const Translated& codeOf(const cpu::Frame& frame) {

@@ -63,6 +63,9 @@ Station& Station::operator=(Station&& other) noexcept {
   return *this;
 }
 
+cpu::Cpu& Station::cpu() { return parts_->cpu; }
+const cpu::Cpu& Station::cpu() const { return parts_->cpu; }
+
 const CpuModel& Station::model() const { return *parts_->model; }
 const block::Program& Station::program() const { return *parts_->program; }
 

@@ -17,6 +17,10 @@
 #include "clock/instant.h"
 #include "mc7/reference.h"
 
+namespace merker::cpu {
+class Cpu;
+}
+
 namespace merker::station {
 
 enum class Mode : std::uint8_t { Stop, Startup, Run, Halt };
@@ -101,6 +105,10 @@ class Station {
   // With Options::coverage: how often each instruction ran, by block and byte offset of its code;
   // those that never ran may be missing.
   std::map<BlockId, std::map<std::uint32_t, std::uint64_t>> executed() const;
+
+  // The CPU itself, for the monitor: stacks, probes, forces.
+  cpu::Cpu& cpu();
+  const cpu::Cpu& cpu() const;
 
   // Called after each change of simulated time at a cycle checkpoint: traces look at values here.
   void onCycle(std::function<void(Station&)> observer);
