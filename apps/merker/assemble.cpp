@@ -14,7 +14,7 @@ namespace merker::app {
 namespace {
 
 struct Options {
-  std::string file;
+  std::string file, mnemonics;
   bool mc5 = false, mc7 = false;
 };
 
@@ -30,12 +30,30 @@ std::string_view withoutComment(std::string_view line) {
   return trim(line.substr(0, line.find("//")));
 }
 
-void assembleLine(const source::SourceFile& file, std::uint32_t number, Problems& problems) {
-  const std::string_view line = withoutComment(file.line(number));
+// "0000: C000          U     E 0.0" as `merker disassemble` writes it: the instruction.
+std::string_view withoutAddress(std::string_view line) {
+  constexpr std::string_view kHex = "0123456789ABCDEF";
+  const std::size_t colon = line.find_first_not_of(kHex);
+  if (colon < 4 || colon >= line.size() || line[colon] != ':') return line;
+  const std::string_view rest = trim(line.substr(colon + 1));
+  const std::size_t code = rest.find_first_not_of(kHex);
+  return code < 4 || code == rest.npos ? line : trim(rest.substr(code));
+}
+
+using Setting = std::optional<Mnemonics>;
+
+Setting setting(const Options& options) {
+  if (options.mnemonics.empty()) return std::nullopt;
+  return options.mnemonics == "en" ? Mnemonics::International : Mnemonics::German;
+}
+
+void assembleLine(const source::SourceFile& file, std::uint32_t number, Setting setting,
+                  Problems& problems) {
+  const std::string_view line = withoutAddress(withoutComment(file.line(number)));
   if (line.empty()) return;
   const auto offset = static_cast<std::size_t>(line.data() - file.text().data());
   const Position at = file.position(offset, line.size());
-  auto instruction = step7::parseInstruction(line, at);
+  auto instruction = step7::parseInstruction(line, at, setting);
   std::vector<std::uint8_t> code;
   if (!instruction)
     problems.add(instruction.error());
@@ -45,9 +63,10 @@ void assembleLine(const source::SourceFile& file, std::uint32_t number, Problems
     std::cout << words(code) << '\n';
 }
 
-int assembleText(const source::SourceFile& file) {
+int assembleText(const source::SourceFile& file, Setting setting) {
   Problems problems;
-  for (std::uint32_t line = 1; line <= file.lineCount(); ++line) assembleLine(file, line, problems);
+  for (std::uint32_t line = 1; line <= file.lineCount(); ++line)
+    assembleLine(file, line, setting, problems);
   std::cout << std::flush;
   printProblems(problems, [&](const std::string&) { return &file; });
   return problems.hasErrors() ? kProblems : kGood;
@@ -61,9 +80,10 @@ int assemble(const Options& options) {
     return kUsage;
   }
   if (options.file.empty() || options.file == "-")
-    return assembleText(source::SourceFile("standard input", readStandardInput()));
+    return assembleText(source::SourceFile("standard input", readStandardInput()),
+                        setting(options));
   const auto file = source::readSource(options.file);
-  if (file) return assembleText(file.value());
+  if (file) return assembleText(file.value(), setting(options));
   Problems problems;
   problems.add(file.error());
   printProblems(problems, [](const std::string&) { return nullptr; });
@@ -79,8 +99,13 @@ void addAssemble(CLI::App& program, int& result) {
   auto* mc7 = command->add_flag("--mc7", options->mc7, "machine code of STEP 7");
   command->add_flag("--mc5", options->mc5, "machine code of STEP 5")->excludes(mc7);
   command->add_option("FILE", options->file, "text file; without it, standard input");
+  command
+      ->add_option("--mnemonics", options->mnemonics,
+                   "de or en; without it, both are taken and SE is the German one")
+      ->check(CLI::IsMember({"de", "en"}));
   command->footer(
-      "Jumps are written with their distance in words: SPA 5.\n"
+      "Jumps are written with their distance in words: SPA 5. What disassemble writes is taken "
+      "too.\n"
       "Example:\n  echo 'U E 0.0' | merker assemble --mc7");
   command->callback([options, &result] { result = assemble(*options); });
 }

@@ -1,4 +1,6 @@
 // merker check PATH...
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -15,13 +17,18 @@ struct Options {
   bool json = false;
 };
 
+// "1 block", "2 blocks"
+std::string counted(std::size_t number, std::string_view what) {
+  return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
+}
+
 void summary(const Build& build) {
   std::size_t errors = 0;
   for (const Problem& problem : build.problems.list())
     errors += problem.severity() == Severity::Error;
   const std::size_t warnings = build.problems.size() - errors;
-  std::cout << build.project.path << ": " << build.program->size() << " blocks, " << errors
-            << " errors, " << warnings << " warnings\n";
+  std::cout << build.project.path << ": " << counted(build.program->size(), "block") << ", "
+            << counted(errors, "error") << ", " << counted(warnings, "warning") << '\n';
 }
 
 int check(const Options& options) {

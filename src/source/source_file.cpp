@@ -69,6 +69,17 @@ Problem unreadable(const std::string& path, const std::string& reason) {
   return makeProblem(ProblemCode::P0101, Position{path}, path, reason);
 }
 
+// What the file is by its name, for problems.
+std::string_view kindOf(const std::filesystem::path& path) {
+  static constexpr std::pair<std::string_view, std::string_view> kKinds[] = {
+      {".awl", "an AWL source"}, {".s5", "a STEP 5 listing"}, {".toml", "a project file"},
+      {".scn", "a scenario"},    {".sdf", "a symbol file"},   {".asc", "a symbol file"},
+      {".seq", "a symbol file"}, {".dif", "a symbol file"},   {".sym", "a symbol file"}};
+  for (const auto& [extension, kind] : kKinds)
+    if (equalsIgnoreCase(path.extension().string(), extension)) return kind;
+  return "a source";
+}
+
 Result<std::string> readBytes(const std::string& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
@@ -82,7 +93,8 @@ Result<std::string> readBytes(const std::string& path) {
   while (in.read(buffer.data(), static_cast<std::streamsize>(buffer.size())) || in.gcount() > 0) {
     bytes.append(buffer.data(), static_cast<std::size_t>(in.gcount()));
     if (bytes.size() > kLargestFile)
-      return makeProblem(ProblemCode::P0103, Position{path}, kLargestFile / kMegabyte);
+      return makeProblem(ProblemCode::P0103, Position{path}, kLargestFile / kMegabyte,
+                         kindOf(path));
   }
   if (in.bad()) return unreadable(path, "reading failed");
   return bytes;
@@ -184,7 +196,8 @@ Result<SourceFile> readSource(const std::string& path) {
   auto bytes = readBytes(path);
   if (!bytes) return bytes.error();
   const Encoding encoding = detectEncoding(*bytes);
-  if (encoding == Encoding::Binary) return makeProblem(ProblemCode::P0102, Position{path});
+  if (encoding == Encoding::Binary)
+    return makeProblem(ProblemCode::P0102, Position{path}, kindOf(path));
   // DOS editors end a text with Ctrl-Z.
   while (bytes->ends_with('\x1A')) bytes->pop_back();
   return SourceFile(path, toUtf8(*bytes, encoding));

@@ -115,6 +115,8 @@ std::vector<BlockSource> BlockSplitter::split() {
     reported = true;
     cursor_.skipLine();
   }
+  if (const auto open = cursor_.unclosedComment())
+    problems_.add(ProblemCode::P0350, at(*open, *open + 2));
   return std::move(blocks_);
 }
 
@@ -123,11 +125,9 @@ void BlockSplitter::block(const Frame& frame, std::size_t begin) {
   source.file = &file_;
   source.id.kind = frame.kinds[0];
   source.codeBegin = source.codeEnd = begin;
-  const std::size_t before = problems_.size();
   const bool named = blockName(frame, source);
   header(source);
   declarations(frame, source);
-  source.faulty = problems_.size() != before;
   code(frame, source);
   if (named) blocks_.push_back(std::move(source));
 }
@@ -145,6 +145,9 @@ bool BlockSplitter::blockName(const Frame& frame, BlockSource& source) {
     if (cursor_.accept(':')) {
       DeclarationParser parser(cursor_, file_, problems_);
       source.returnType = parser.type();
+    } else if (name) {  // S7-SRC-01
+      problems_.add(ProblemCode::P0351, at(name->begin, name->end),
+                    cursor_.slice(name->begin, name->end));
     }
   }
   if (!name || !name->id) return false;
@@ -293,7 +296,7 @@ void BlockSplitter::declarationSection(BlockSource& source, block::Section secti
   checkSectionOrder(source, section, begin);
   DeclarationParser parser(cursor_, file_, problems_);
   while (parser.variables(section, source.variables)) continue;
-  if (!cursor_.acceptWord("END_VAR"))
+  if (!cursor_.acceptWord("END_VAR") && !cursor_.unclosedComment())
     problems_.add(ProblemCode::P0410, at(begin, sectionEnd),
                   std::string(cursor_.slice(begin, sectionEnd)));
   cursor_.accept(';');
@@ -313,9 +316,8 @@ void BlockSplitter::dataDeclaration(BlockSource& source) {
   }
   DeclarationParser parser(cursor_, file_, problems_);
   source.dataType = parser.type();
-  if (!source.dataType) {
+  if (!source.dataType)
     while (!cursor_.atStatementEnd()) cursor_.take();
-  }
   cursor_.skipBlanks();
   cursor_.accept(';');
 }
@@ -341,7 +343,6 @@ void BlockSplitter::code(const Frame& frame, BlockSource& source) {
       if (next && (cursor_.atStatementEnd() || !upper(word).starts_with("END_"))) {
         problems_.add(ProblemCode::P0310, at(begin, cursor_.pos()), toString(source.id), frame.end);
         source.codeEnd = begin;
-        source.faulty = true;
         if (!upper(word).starts_with("END_")) cursor_.seek(begin);
         return;
       }
@@ -368,7 +369,7 @@ void BlockSplitter::code(const Frame& frame, BlockSource& source) {
     }
   }
   source.codeEnd = cursor_.pos();
-  source.faulty = true;
+  if (cursor_.unclosedComment()) return;
   problems_.add(ProblemCode::P0310, at(source.name.begin, source.name.end), toString(source.id),
                 frame.end);
 }

@@ -30,7 +30,7 @@ struct BlockSource {
   std::optional<TypeSyntax> dataType;      // DB, UDT: STRUCT …, UDT n, FB n
   std::size_t codeBegin = 0, codeEnd = 0;  // between BEGIN and END_…; for a DB the assignments
   Mnemonics mnemonics = Mnemonics::German;
-  bool faulty = false;  // an error in header or declarations: no code is made
+  bool duplicate = false;  // another block has the number: no code is made
 };
 
 // Splits a source into its blocks. Everything between BEGIN and END_… stays text.

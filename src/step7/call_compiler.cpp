@@ -103,6 +103,10 @@ bool CallCompiler::instanceDataBlock(std::size_t begin) {
     c_.problems().add(ProblemCode::P0520, place, toString(id), toString(target_.id));
     return false;
   }
+  if (c_.scope().interfaces->unknown(id)) {
+    c_.problems().add(ProblemCode::P0430, place, toString(id));
+    return false;
+  }
   if (db->instanceOf != target_.id.number ||
       db->instanceOfSystemBlock != (target_.id.kind == BlockKind::SFB)) {
     c_.problems().add(ProblemCode::P0521, place, toString(id), toString(target_.id));

@@ -95,7 +95,10 @@ bool CallParameters::parameter() {
   // "name :=" alone: not supplied.
   if (cursor.atStatementEnd() || cursor.peek() == ',' || cursor.peek() == ')') return true;
   Actual value;
-  if (!actual(value) || !check(*formal, value)) return false;
+  if (!actual(value)) return false;
+  if (formal->type->code == TypeCode::Void)
+    return problem(ProblemCode::P0430, begin, cursor.pos(), name);
+  if (!check(*formal, value)) return false;
   actuals_.emplace(formal, std::move(value));
   return true;
 }
@@ -222,7 +225,10 @@ bool CallParameters::checkElementary(const block::Variable& formal, Actual& actu
   const mc7::Operand& operand = access.operand;
   const bool direct = operand.kind == OperandKind::Memory || access.variable ||
                       access.kind == Access::Kind::Descriptor;
-  if (!direct) return problem(ProblemCode::P0515, actual.begin, actual.end);
+  if (!direct)
+    return problem(ProblemCode::P0515, actual.begin, actual.end,
+                   c_.cursor().slice(actual.begin, actual.end), formal.name,
+                   block::toString(*formal.type));
   if (operand.area == Area::Peripheral &&
       access.peripheralOutput != (formal.section != Section::Input))
     return problem(access.peripheralOutput ? ProblemCode::P0324 : ProblemCode::P0323, actual.begin,

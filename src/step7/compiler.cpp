@@ -8,6 +8,14 @@
 
 namespace merker::step7 {
 
+// What follows from a faulty declaration is told only if nothing else is.
+static Problems withoutConsequences(const Problems& problems) {
+  Problems causes;
+  for (const Problem& problem : problems.list())
+    if (problem.code != ProblemCode::P0430) causes.add(problem);
+  return causes.hasErrors() ? causes : problems;
+}
+
 Compilation compile(const std::vector<source::SourceFile>& sources, const CompileOptions& options) {
   Compilation result;
   std::vector<BlockSource> blocks;
@@ -27,10 +35,11 @@ Compilation compile(const std::vector<source::SourceFile>& sources, const Compil
   for (const BlockSource& source : blocks) {
     const bool code = source.id.kind != BlockKind::DB && source.id.kind != BlockKind::UDT;
     const auto target = interfaces.program().find(source.id);
-    if (!code || target == interfaces.program().end() || source.faulty) continue;
+    if (!code || target == interfaces.program().end() || source.duplicate) continue;
     BlockCompiler(source, target->second, interfaces, options, result.problems).compile();
   }
   result.program = std::move(interfaces.program());
+  result.problems = withoutConsequences(result.problems);
   result.problems.sort();
   return result;
 }
@@ -75,8 +84,9 @@ Result<mc7::Reference> resolve(std::string_view text, const block::Program& prog
   return reference;
 }
 
-Result<mc7::Instruction> parseInstruction(std::string_view text, const Position& at) {
-  return parseMachineInstruction(text, at);
+Result<mc7::Instruction> parseInstruction(std::string_view text, const Position& at,
+                                          std::optional<Mnemonics> setting) {
+  return parseMachineInstruction(text, at, setting);
 }
 
 }  // namespace merker::step7

@@ -37,7 +37,10 @@ Compilation compile(const std::vector<source::SourceFile>& sources, const Compil
 Result<mc7::Reference> resolve(std::string_view text, const block::Program& program,
                                const CompileOptions& options, const Position& at);
 
-// One instruction as `merker assemble --mc7` takes it; jumps with their distance in words.
-Result<mc7::Instruction> parseInstruction(std::string_view text, const Position& at);
+// One instruction as `merker assemble --mc7` takes it; jumps with their distance in words. Without
+// a setting both mnemonics, and a word that exists in both is German (SE). `at` is where the text
+// begins.
+Result<mc7::Instruction> parseInstruction(std::string_view text, const Position& at,
+                                          std::optional<Mnemonics> setting = std::nullopt);
 
 }  // namespace merker::step7

@@ -1,5 +1,6 @@
 // Constants as operands: where one begins and ends.
 #include "base/text.h"
+#include "step7/declaration.h"
 #include "step7/operand_parser.h"
 
 namespace merker::step7 {
@@ -69,9 +70,31 @@ void passConstant(Cursor& cursor) {
 
 }  // namespace
 
+namespace {
+
+// "BYTE 4" behind a pointer, which makes an area of it.
+bool passAreaLength(Cursor& cursor) {
+  const std::size_t start = cursor.pos();
+  cursor.skipBlanks();
+  if (typeFromName(cursor.word()) && readInteger(cursor)) return true;
+  cursor.seek(start);
+  return false;
+}
+
+bool isPointerIntoBlock(std::string_view text) {
+  return text.size() > 4 && equalsIgnoreCase(text.substr(0, 4), "P#DB") && isDigit(text[4]);
+}
+
+}  // namespace
+
 std::optional<Access> OperandParser::constantOperand() {
   const std::size_t begin = cursor_.pos();
   passConstant(cursor_);
+  const std::string_view pointer = cursor_.slice(begin, cursor_.pos());
+  const bool isPointer = pointer.size() > 1 && equalsIgnoreCase(pointer.substr(0, 2), "P#");
+  const bool area = isPointer && passAreaLength(cursor_);
+  if (area || isPointerIntoBlock(pointer))
+    return problem(ProblemCode::P0353, begin, std::string(cursor_.slice(begin, cursor_.pos())));
   const auto value = parseConstant(cursor_.slice(begin, cursor_.pos()), at(begin, cursor_.pos()));
   if (!value) {
     problems_.add(value.error());

@@ -9,7 +9,9 @@ namespace merker::step7 {
 bool Cursor::skipBlockComment() {
   if (peek() != '(' || peek(1) != '*') return false;
   const std::size_t close = text_.find("*)", pos_ + 2);
-  pos_ = close == std::string_view::npos || close + 2 > end_ ? end_ : close + 2;
+  const bool closed = close != std::string_view::npos && close + 2 <= end_;
+  if (!closed) unclosedComment_ = pos_;
+  pos_ = closed ? close + 2 : end_;
   return true;
 }
 

@@ -4,6 +4,7 @@
 
 #include <cctype>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -53,6 +54,8 @@ class Cursor {
   std::string_view word();
 
   std::vector<CheckComment>& checks() { return checks_; }
+  // Where a (* comment begins that has no end; all behind it belongs to it.
+  std::optional<std::size_t> unclosedComment() const { return unclosedComment_; }
 
  private:
   bool skipBlockComment();
@@ -61,6 +64,7 @@ class Cursor {
   std::string_view text_;
   std::size_t pos_, end_;
   std::vector<CheckComment> checks_;
+  std::optional<std::size_t> unclosedComment_;
 };
 
 inline bool isWordStart(char c) {

@@ -50,7 +50,8 @@ bool endsDeclarations(std::string_view word) {
                                                "FUNCTION",
                                                "FUNCTION_BLOCK",
                                                "ORGANIZATION_BLOCK",
-                                               "DATA_BLOCK"};
+                                               "DATA_BLOCK",
+                                               "NETWORK"};
   for (const std::string_view end : kEnds)
     if (equalsIgnoreCase(word, end)) return true;
   return false;
@@ -130,18 +131,18 @@ bool DeclarationParser::variables(block::Section section, std::vector<VariableSy
 bool DeclarationParser::variableTail(std::vector<VariableSyntax>& names,
                                      std::vector<VariableSyntax>& out) {
   cursor_.skipSpace();
-  if (!cursor_.accept(':')) {
+  std::optional<TypeSyntax> syntax;
+  if (cursor_.accept(':'))
+    syntax = type();
+  else
     problems_.add(ProblemCode::P0402, at(cursor_.pos(), cursor_.pos() + 1), names.back().name);
-    recover();
-    return true;
-  }
-  std::optional<TypeSyntax> syntax = type();
-  if (!syntax) {
-    recover();
-    return true;
-  }
   VariableSyntax pattern;
-  initialValue(pattern);
+  pattern.name = names.back().name;
+  if (!syntax)
+    syntax = unknownType();
+  else if (syntax->good)
+    initialValue(pattern);
+  if (syntax->good) endOfDeclaration(pattern, *syntax);
   const std::string comment = endOfLineComment();
   for (VariableSyntax& variable : names) {
     variable.type = *syntax;
@@ -187,18 +188,34 @@ void DeclarationParser::initialValue(VariableSyntax& variable) {
   } else {
     cursor_.seek(before);
   }
-  const std::size_t tail = cursor_.pos();
+}
+
+// The names stay declared, so that their uses are no further problems.
+TypeSyntax DeclarationParser::unknownType() {
+  TypeSyntax unknown;
+  unknown.good = false;
+  unknown.begin = unknown.end = cursor_.pos();
+  recover();
+  return unknown;
+}
+
+// The semicolon may be left out only behind END_STRUCT.
+void DeclarationParser::endOfDeclaration(const VariableSyntax& variable, const TypeSyntax& type) {
+  const std::size_t end = cursor_.pos();
   cursor_.skipSpace();
-  if (cursor_.peek() == ';') {
-    cursor_.take();
+  if (cursor_.accept(';')) return;
+  const bool anotherLine = (cursor_.seek(end), cursor_.atLineEnd());
+  const bool closes = (cursor_.seek(end), cursor_.skipSpace(), endsDeclarations(cursor_.word()));
+  cursor_.seek(end);
+  if (anotherLine || closes) {
+    if (type.kind != TypeSyntax::Kind::Struct)
+      problems_.add(ProblemCode::P0349, at(end - 1, end), variable.name);
     return;
   }
-  cursor_.seek(tail);
-  if (!cursor_.atLineEnd()) {
-    problems_.add(ProblemCode::P0302, at(cursor_.pos(), cursor_.pos() + 1),
-                  std::string(1, cursor_.peek()));
-    recover();
-  }
+  cursor_.skipBlanks();
+  problems_.add(ProblemCode::P0302, at(cursor_.pos(), cursor_.pos() + 1),
+                std::string(1, cursor_.peek()));
+  recover();
 }
 
 std::string DeclarationParser::endOfLineComment() {
@@ -307,6 +324,11 @@ std::optional<TypeSyntax> DeclarationParser::array(TypeSyntax syntax) {
   }
   auto element = type();
   if (!element) return std::nullopt;
+  if (element->kind == TypeSyntax::Kind::Array) {  // S7-TYPES-20
+    problems_.add(ProblemCode::P0431, at(element->begin, element->end));
+    return std::nullopt;
+  }
+  syntax.good = element->good;
   syntax.element = std::make_shared<TypeSyntax>(std::move(*element));
   syntax.end = cursor_.pos();
   return syntax;
@@ -316,8 +338,9 @@ std::optional<TypeSyntax> DeclarationParser::structure(TypeSyntax syntax) {
   syntax.kind = TypeSyntax::Kind::Struct;
   while (variables(block::Section::Static, syntax.members)) continue;
   if (!cursor_.acceptWord("END_STRUCT")) {
-    problems_.add(ProblemCode::P0406, at(syntax.begin, syntax.begin + 6));
-    return std::nullopt;
+    if (!cursor_.unclosedComment())
+      problems_.add(ProblemCode::P0406, at(syntax.begin, syntax.begin + 6));
+    syntax.good = false;
   }
   syntax.end = cursor_.pos();
   return syntax;

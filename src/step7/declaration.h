@@ -32,6 +32,7 @@ struct TypeSyntax {
   BlockId block;       // UDT 3, FB 10, SFB 4
   std::string symbol;  // "Motor data"
   std::size_t begin = 0, end = 0;
+  bool good = true;  // false: a problem is reported; without a code the type is unknown
 };
 
 struct VariableSyntax {
@@ -65,6 +66,8 @@ class DeclarationParser {
   bool dimension(TypeSyntax& syntax);
   bool variableTail(std::vector<VariableSyntax>& names, std::vector<VariableSyntax>& out);
   void initialValue(VariableSyntax& variable);
+  void endOfDeclaration(const VariableSyntax& variable, const TypeSyntax& type);
+  TypeSyntax unknownType();
   std::string endOfLineComment();
   bool variableName(VariableSyntax& variable);
   Position at(std::size_t begin, std::size_t end) const {

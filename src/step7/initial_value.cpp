@@ -50,6 +50,24 @@ bool acceptsBits(TypeCode type, unsigned width) {
   }
 }
 
+// L#5, W#16#5, DW#16#5 and B#(1,2) say how wide they are, whatever their value (S7-PAR-05).
+bool statesWidth(ConstantFormat format) {
+  switch (format) {
+    case ConstantFormat::LongInteger:
+    case ConstantFormat::Word:
+    case ConstantFormat::DWord:
+    case ConstantFormat::Bytes:
+    case ConstantFormat::LongBytes:
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool tooWide(ConstantFormat format, TypeCode type) {
+  return statesWidth(format) && bitWidth(format) > bitWidth(type);
+}
+
 unsigned significantBits(std::uint32_t bits) {
   unsigned width = 0;
   for (; bits; bits >>= 1) ++width;
@@ -59,6 +77,7 @@ unsigned significantBits(std::uint32_t bits) {
 }  // namespace
 
 std::optional<std::uint32_t> convertConstant(const Constant& constant, TypeCode type) {
+  if (tooWide(constant.format, type)) return std::nullopt;
   const auto when = [&](bool fits) {
     return fits ? std::optional<std::uint32_t>(constant.bits) : std::nullopt;
   };
@@ -226,6 +245,7 @@ class InitialReader {
     std::size_t begin = 0;
     const std::string_view text = valueText(begin);
     const Position place = here(begin, cursor_.pos());
+    if (type.code == TypeCode::Void) return true;  // unknown, which is reported
     if (type.code == TypeCode::String) return string(type, text, at, image, place);
     if (type.code == TypeCode::DateAndTime) return dateAndTime(text, at, image, place);
     if (isParameterNumber(type.code)) return parameterNumber(type, text, at, image, place);
@@ -233,18 +253,31 @@ class InitialReader {
       problems_.add(ProblemCode::P0414, place, block::toString(type));
       return false;
     }
-    const auto constant = parseConstant(text, place);
+    const auto constant = parseConstant(longNotation(type.code, text), place);
     if (!constant) {
       problems_.add(constant.error());
       return false;
     }
     const auto bits = convertConstant(*constant, type.code);
+    if (!bits && tooWide(constant->format, type.code)) {
+      problems_.add(ProblemCode::P0432, place, std::string(text), bitWidth(constant->format),
+                    block::toString(type), bitWidth(type.code));
+      return false;
+    }
     if (!bits) {
       problems_.add(ProblemCode::P0412, place, std::string(text), block::toString(type));
       return false;
     }
     storeElementary(image, at, type.code, *bits);
     return true;
+  }
+
+  // A declaration says the width: 100000 is a DINT there without L#.
+  static std::string longNotation(TypeCode type, std::string_view text) {
+    const bool wide = type == TypeCode::DInt || type == TypeCode::DWord;
+    const std::size_t digits = text.find_first_not_of("+-");
+    const bool number = digits < 2 && text.find_first_not_of("0123456789_", digits) == text.npos;
+    return (wide && number ? "L#" : "") + std::string(text);
   }
 
   bool string(const block::Type& type, std::string_view text, BitAddress at,

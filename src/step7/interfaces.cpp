@@ -15,14 +15,13 @@ Interfaces::Interfaces(std::vector<BlockSource>& sources, const CompileOptions& 
                        Problems& problems)
     : options_(options), problems_(problems) {
   for (BlockSource& source : sources) {
-    auto [entry, added] =
-        entries_.try_emplace(source.id, Entry{&source, State::Open, source.faulty});
+    auto [entry, added] = entries_.try_emplace(source.id, Entry{&source, State::Open});
     if (!added) {
       const Position first = at(*entry->second.source, entry->second.source->name.begin,
                                 entry->second.source->name.end);
       problems_.add(ProblemCode::P0501, at(source, source.name.begin, source.name.end),
                     toString(source.id), first.file, first.line);
-      source.faulty = true;
+      source.duplicate = true;
     }
     if (!options.model->allows(source.id))
       problems_.add(ProblemCode::P0502, at(source, source.name.begin, source.name.end),
@@ -34,9 +33,14 @@ void Interfaces::resolveAll() {
   for (auto& [id, entry] : entries_) resolve(id);
 }
 
-bool Interfaces::faulty(BlockId id) const {
+bool Interfaces::unknown(BlockId id) const {
   const auto entry = entries_.find(id);
-  return entry == entries_.end() || entry->second.faulty;
+  return entry != entries_.end() && entry->second.unknown;
+}
+
+bool Interfaces::busy(BlockId id) const {
+  const auto entry = entries_.find(id);
+  return entry != entries_.end() && entry->second.state == State::Busy;
 }
 
 const block::Block* Interfaces::find(BlockId id) {
@@ -52,31 +56,26 @@ const block::Block* Interfaces::resolve(BlockId id) {
   Entry& entry = found->second;
   if (entry.state == State::Done) return &program_.at(id);
   BlockSource& source = *entry.source;
-  if (entry.state == State::Busy) {
-    problems_.add(ProblemCode::P0421, at(source, source.name.begin, source.name.end), toString(id));
-    entry.faulty = true;
-    return nullptr;
-  }
+  if (entry.state == State::Busy) return nullptr;
   constexpr int kDeepest = 32;
   if (depth_ >= kDeepest) {
     problems_.add(ProblemCode::P0202, at(source, source.name.begin, source.name.end),
                   "the nesting of types", fmt::format("1..{}", kDeepest));
-    entry.faulty = true;
     return nullptr;
   }
   ++depth_;
   entry.state = State::Busy;
-  const std::size_t before = problems_.size();
   block::Block result;
   result.id = id;
   result.symbol = source.name.symbol;
   result.attributes = source.attributes;
   result.file = source.file->name();
-  if (id.kind == BlockKind::DB || id.kind == BlockKind::UDT)
+  const bool data = id.kind == BlockKind::DB || id.kind == BlockKind::UDT;
+  if (data)
     resolveData(source, result);
   else
     resolveCode(source, result);
-  entry.faulty = entry.faulty || problems_.size() != before;
+  entry.unknown = data && result.variables.empty();
   --depth_;
   entry.state = State::Done;
   return &program_.emplace(id, std::move(result)).first->second;
@@ -134,28 +133,43 @@ void Interfaces::checkNoInitials(const BlockSource& source, const TypeSyntax& ty
   if (type.element) checkNoInitials(source, *type.element);
 }
 
+// A type whose declaration has a problem: it takes no place, and its uses are no further problems.
+static block::TypePtr unknownType() { return block::elementaryType(TypeCode::Void); }
+
 block::TypePtr Interfaces::structure(const BlockSource& source, const TypeSyntax& syntax) {
   checkDuplicates(source, syntax.members);
   std::vector<block::Variable> members;
   for (const VariableSyntax& member : syntax.members) members.push_back(variable(source, member));
-  if (members.empty() && !source.faulty)
+  if (members.empty() && syntax.good)
     problems_.add(ProblemCode::P0425, at(source, syntax.begin, syntax.begin + 6));
   return block::structType(std::move(members));
+}
+
+// Where a parameter type is possible if not in this section, otherwise nothing (S7-TYPES-22). An FB
+// keeps its parameters in the instance and has no way to hand a pointer out.
+static std::string_view placesOf(TypeCode code, BlockKind kind, Section section) {
+  const bool function = kind == BlockKind::FC || kind == BlockKind::SFC;
+  const bool any = code == TypeCode::Any, pointer = code == TypeCode::Pointer;
+  if (isParameterNumber(code))
+    return section == Section::Input || section == Section::InOut ? "" : "a VAR_INPUT";
+  if ((!any && !pointer) || section == Section::Input || section == Section::InOut) return "";
+  if (any && section == Section::Temp) return "";
+  if (function && section != Section::Static && section != Section::Temp) return "";
+  return function ? "a parameter: VAR_INPUT, VAR_OUTPUT, VAR_IN_OUT"
+                  : "a VAR_INPUT or VAR_IN_OUT of a function or function block";
 }
 
 block::TypePtr Interfaces::type(const BlockSource& source, const TypeSyntax& syntax,
                                 Section section) {
   const Position place = at(source, syntax.begin, syntax.end);
+  if (!syntax.good && syntax.kind == TypeSyntax::Kind::Elementary) return unknownType();
   switch (syntax.kind) {
     case TypeSyntax::Kind::Elementary: {
-      const bool parameterType = isParameterNumber(syntax.code) || syntax.code == TypeCode::Pointer;
-      const bool parameter = section <= Section::InOut;
-      const bool any = syntax.code == TypeCode::Any && section == Section::Static;
-      if ((parameterType && !parameter) || any ||
-          (isParameterNumber(syntax.code) && section == Section::Output))
-        problems_.add(ProblemCode::P0426, place,
-                      block::toString(*block::elementaryType(syntax.code)));  // S7-TYPES-22
-      return block::elementaryType(syntax.code);
+      const block::TypePtr result = block::elementaryType(syntax.code);
+      const std::string_view where = placesOf(syntax.code, source.id.kind, section);
+      if (where.empty()) return result;
+      problems_.add(ProblemCode::P0426, place, block::toString(*result), where);
+      return unknownType();
     }
     case TypeSyntax::Kind::String:
       return block::stringType(syntax.length);
@@ -165,7 +179,7 @@ block::TypePtr Interfaces::type(const BlockSource& source, const TypeSyntax& syn
       for (const block::Dimension& dimension : syntax.dimensions) count *= dimension.count();
       if (count * std::max(1u, block::sizeInBits(*element)) / 8 > 65'536) {
         problems_.add(ProblemCode::P0427, place, count);
-        return block::elementaryType(TypeCode::Bool);
+        return unknownType();
       }
       return block::arrayType(syntax.dimensions, std::move(element));
     }
@@ -179,31 +193,35 @@ block::TypePtr Interfaces::type(const BlockSource& source, const TypeSyntax& syn
       if (symbol && symbol->address.kind == source::SymbolAddress::Kind::Block)
         return blockType(source, syntax, symbol->address.block, section);
       problems_.add(symbol ? ProblemCode::P0304 : ProblemCode::P0303, place, syntax.symbol);
-      return block::elementaryType(TypeCode::Bool);
+      return unknownType();
     }
   }
-  return block::elementaryType(TypeCode::Bool);
+  return unknownType();
 }
 
 block::TypePtr Interfaces::blockType(const BlockSource& source, const TypeSyntax& syntax,
                                      BlockId id, Section section) {
   const Position place = at(source, syntax.begin, syntax.end);
+  if (busy(id)) {
+    problems_.add(ProblemCode::P0421, place, toString(id));
+    return unknownType();
+  }
   if (id.kind == BlockKind::UDT) {
     const block::Block* udt = find(id);
     if (udt && !udt->variables.empty()) return udt->variables.front().type;
     if (!udt) problems_.add(ProblemCode::P0428, place, toString(id));
-    return block::elementaryType(TypeCode::Bool);
+    return unknownType();
   }
   // S7-PAR-10: instances only as static variables of an FB.
   const bool instance = (id.kind == BlockKind::FB || id.kind == BlockKind::SFB);
   if (!instance || section != Section::Static ||
       (source.id.kind != BlockKind::FB && source.id.kind != BlockKind::SFB)) {
     problems_.add(ProblemCode::P0429, place, toString(id));
-    return block::elementaryType(TypeCode::Bool);
+    return unknownType();
   }
   if (block::TypePtr result = instanceType(id)) return result;
   problems_.add(ProblemCode::P0428, place, toString(id));
-  return block::elementaryType(TypeCode::Bool);
+  return unknownType();
 }
 
 block::TypePtr Interfaces::instanceType(BlockId id) {
@@ -277,116 +295,6 @@ void Interfaces::layOutSections(BlockSource& source, block::Block& result) {
   if (instance && result.instanceBytes > options_.model->dataBlockSize)
     problems_.add(ProblemCode::P0503, at(source, source.name.begin, source.name.end),
                   toString(source.id), result.instanceBytes, options_.model->dataBlockSize);
-}
-
-void Interfaces::resolveData(BlockSource& source, block::Block& result) {
-  result.language = block::Language::Db;
-  if (!source.dataType) return;
-  const TypeSyntax& syntax = *source.dataType;
-  if (result.id.kind == BlockKind::UDT) {
-    auto named = std::make_shared<block::Type>(*type(source, syntax, Section::Static));
-    named->udt = result.id.number;
-    block::Variable whole;
-    whole.name = toString(result.id);
-    whole.type = std::move(named);
-    result.variables.push_back(std::move(whole));
-    return;
-  }
-  BlockId instance = syntax.block;
-  bool byBlock = syntax.kind == TypeSyntax::Kind::Block;
-  if (syntax.kind == TypeSyntax::Kind::Symbol && options_.symbols)
-    if (const source::Symbol* symbol = options_.symbols->find(syntax.symbol);
-        symbol && symbol->address.kind == source::SymbolAddress::Kind::Block) {
-      instance = symbol->address.block;
-      byBlock = true;
-    }
-  if (byBlock && instance.kind != BlockKind::UDT) {
-    const block::TypePtr type = instanceType(instance);
-    if (!type) {
-      problems_.add(ProblemCode::P0428, at(source, syntax.begin, syntax.end), toString(instance));
-      return;
-    }
-    result.instanceOf = instance.number;
-    result.instanceOfSystemBlock = instance.kind == BlockKind::SFB;
-    dataBlockOf(source, *type, result);
-  } else if (syntax.kind == TypeSyntax::Kind::Struct || byBlock ||
-             syntax.kind == TypeSyntax::Kind::Symbol) {
-    dataBlockOf(source, *type(source, syntax, Section::Static), result);
-  } else {
-    problems_.add(ProblemCode::P0411, at(source, syntax.begin, syntax.end), toString(result.id));
-  }
-}
-
-void Interfaces::dataBlockOf(BlockSource& source, const block::Type& type, block::Block& result) {
-  result.variables = type.members;
-  result.initialData.assign(block::sizeInBytes(type), 0);
-  for (const block::Variable& member : type.members)
-    block::writeInitial(member, member.address, result.initialData);
-  result.actualData = result.initialData;
-  if (result.actualData.size() > options_.model->dataBlockSize)  // S7-CPU-08
-    problems_.add(ProblemCode::P0503, at(source, source.name.begin, source.name.end),
-                  toString(source.id), result.actualData.size(), options_.model->dataBlockSize);
-  assignments(source, type.members, result);
-}
-
-// BEGIN name[1].x := value ; … : actual values (S7-SRC-08).
-void Interfaces::assignments(BlockSource& source, const std::vector<block::Variable>& variables,
-                             block::Block& result) {
-  Cursor cursor(source.file->text(), source.codeBegin, source.codeEnd);
-  for (;;) {
-    cursor.skipSpace();
-    if (cursor.atEnd()) return;
-    if (cursor.accept(';')) continue;
-    const std::size_t begin = cursor.pos();
-    const auto skip = [&] {
-      while (!cursor.atStatementEnd()) cursor.take();
-    };
-    cursor.accept('#');
-    const bool quoted = cursor.accept('"');
-    const std::size_t nameBegin = cursor.pos();
-    if (quoted)
-      while (!cursor.atStatementEnd() && cursor.peek() != '"') cursor.take();
-    const std::string_view name = quoted ? cursor.slice(nameBegin, cursor.pos()) : cursor.word();
-    if (quoted) cursor.accept('"');
-    const block::Variable* variable = findMember(variables, name);
-    if (!variable) {
-      if (name.empty()) cursor.take();
-      problems_.add(ProblemCode::P0420, at(source, begin, cursor.pos()), std::string(name),
-                    toString(result.id));
-      skip();
-      continue;
-    }
-    Place place{variable->type, variable->address};
-    if (!followPath(cursor, place, *source.file, problems_)) {
-      skip();
-      continue;
-    }
-    cursor.skipBlanks();
-    if (!cursor.accept(':') || !cursor.accept('=')) {
-      problems_.add(ProblemCode::P0301, at(source, cursor.pos(), cursor.pos() + 1), ":=");
-      skip();
-      continue;
-    }
-    cursor.skipSpace();
-    const std::size_t valueBegin = cursor.pos();
-    while (!cursor.atStatementEnd()) {
-      if (cursor.peek() == '\'')
-        cursor.passText();
-      else
-        cursor.take();
-    }
-    if (block::isStoredAsPointer(*variable)) {  // a POINTER that the call sets
-      problems_.add(ProblemCode::P0424, at(source, begin, cursor.pos()), std::string(name));
-      continue;
-    }
-    const auto bytes = readInitialValue(*place.type, *source.file, valueBegin, cursor.pos(),
-                                        source.mnemonics, problems_);
-    if (!bytes) continue;
-    if (place.type->code == TypeCode::Bool)
-      storeElementary(result.actualData, place.address, TypeCode::Bool, bytes->front() & 1u);
-    else
-      std::copy(bytes->begin(), bytes->end(), result.actualData.begin() + place.address / 8);
-  }
 }
 
 }  // namespace merker::step7

@@ -22,17 +22,19 @@ class Interfaces {
   block::Program& program() { return program_; }
   // The FB or SFB as a structure: what an instance of it looks like.
   block::TypePtr instanceType(BlockId id);
-  bool faulty(BlockId id) const;
+  // A DB or UDT whose structure could not be read: what it contains is not known.
+  bool unknown(BlockId id) const;
 
  private:
   enum class State : std::uint8_t { Open, Busy, Done };
   struct Entry {
     BlockSource* source = nullptr;
     State state = State::Open;
-    bool faulty = false;
+    bool unknown = false;
   };
 
   const block::Block* resolve(BlockId id);
+  bool busy(BlockId id) const;  // its declarations are being resolved: it contains itself
   void resolveCode(BlockSource& source, block::Block& result);
   void resolveData(BlockSource& source, block::Block& result);
   void layOutSections(BlockSource& source, block::Block& result);

@@ -1,5 +1,7 @@
 #include "step7/machine_instruction.h"
 
+#include <algorithm>
+
 #include "base/text.h"
 #include "step7/declaration.h"
 #include "step7/mnemonic.h"
@@ -43,72 +45,129 @@ std::optional<Operand> formalOperand(Cursor& cursor) {
   return std::nullopt;
 }
 
-Result<mc7::Instruction> withOperand(Cursor& cursor, Operation operation, const Scope& scope,
-                                     const Position& at) {
-  Problems problems;
-  std::uint32_t localTop = 0;
-  Operand operand;
-  if (isJump(operation)) {
-    const auto distance = readInteger(cursor);
-    if (!distance) return makeProblem(ProblemCode::P0346, at);
-    operand = mc7::number(operation == Operation::SPL ? OperandKind::JumpList : OperandKind::Jump,
-                          static_cast<std::uint32_t>(*distance));
-  } else if (const auto formal = formalOperand(cursor)) {
-    operand = *formal;
-  } else {
-    const auto access = OperandParser(cursor, scope, problems, localTop).parse();
-    if (!access) {
-      Problem problem = problems.list().front();
-      problem.position = at;
-      return problem;
-    }
-    operand = access->operand;
-    if (access->openDb >= 0) return makeProblem(ProblemCode::P0318, at);  // two instructions
-    if (operand.kind == OperandKind::Constant)
-      operand = fittedConstant(operation, operand, at, problems, Limits::OfCode);
-    if (problems.hasErrors()) return problems.list().front();
+// One line of text on its way to an instruction. Positions of problems are those in the line.
+class LineParser {
+ public:
+  LineParser(const source::SourceFile& line, std::optional<Mnemonics> setting, Mnemonics mnemonics)
+      : mnemonics_(mnemonics), cursor_(line.text(), 0, line.text().size()) {
+    options_.model = findCpuModel("generic-4");
+    scope_.file = &line;
+    scope_.mnemonics = mnemonics;
+    scope_.anyMnemonics = !setting;
+    scope_.limits = Limits::OfCode;
+    scope_.options = &options_;
   }
-  if (operand.kind == OperandKind::StatusWord)
-    operation = operation == Operation::LOAD ? Operation::LOAD_STW : Operation::TRANSFER_STW;
-  return mc7::Instruction{operation, operand};
-}
 
-Result<mc7::Instruction> parseWith(std::string_view text, const Position& at, Mnemonics mnemonics) {
-  const source::SourceFile file(at.file, std::string(text));
-  static constexpr std::string_view kModel = "generic-4";
-  CompileOptions options;
-  options.model = findCpuModel(kModel);
-  Scope scope;
-  scope.file = &file;
-  scope.anyMnemonics = true;
-  scope.limits = Limits::OfCode;
-  scope.options = &options;
-  Cursor cursor(file.text(), 0, file.text().size());
-  cursor.skipSpace();
-  const std::string name = readMnemonic(cursor);
-  auto operation = mc7::findOperation(name, mnemonics);
-  if (!operation) return makeProblem(ProblemCode::P0334, at, name);
-  if (cursor.atStatementEnd()) {
-    if (*operation == Operation::OR) operation = Operation::AND_BEFORE_OR;
-    return mc7::Instruction{*operation, {}};
+  Result<mc7::Instruction> parse() {
+    cursor_.skipSpace();
+    const std::size_t begin = cursor_.pos();
+    const std::string name = readMnemonic(cursor_);
+    const auto operation = mc7::findOperation(name, mnemonics_);
+    if (!operation) return unknown(name, begin);
+    word_ = cursor_.slice(begin, cursor_.pos());
+    mc7::Instruction instruction{*operation, {}};
+    cursor_.skipBlanks();
+    operandBegin_ = cursor_.pos();
+    if (!cursor_.atStatementEnd()) {
+      auto operand = this->operand(*operation);
+      if (!operand) return operand.error();
+      instruction.operand = *operand;
+    } else if (*operation == Operation::OR) {
+      instruction.operation = Operation::AND_BEFORE_OR;
+    }
+    return checked(status(instruction));
   }
-  auto result = withOperand(cursor, *operation, scope, at);
-  cursor.accept(';');
-  if (result && !cursor.atLineEnd())
-    return makeProblem(ProblemCode::P0302, at, std::string(1, cursor.peek()));
-  return result;
-}
+
+ private:
+  Position at(std::size_t begin, std::size_t end) const {
+    return scope_.file->position(begin, std::max(end, begin + 1) - begin);
+  }
+
+  Problem unknown(const std::string& name, std::size_t begin) const {
+    const Mnemonics other =
+        mnemonics_ == Mnemonics::German ? Mnemonics::International : Mnemonics::German;
+    const bool foreign = !scope_.anyMnemonics && mc7::findOperation(name, other);
+    return makeProblem(!foreign                          ? ProblemCode::P0334
+                       : mnemonics_ == Mnemonics::German ? ProblemCode::P0314
+                                                         : ProblemCode::P0315,
+                       at(begin, cursor_.pos()), name);
+  }
+
+  static mc7::Instruction status(mc7::Instruction instruction) {
+    if (instruction.operand.kind == OperandKind::StatusWord)
+      instruction.operation =
+          instruction.operation == Operation::LOAD ? Operation::LOAD_STW : Operation::TRANSFER_STW;
+    return instruction;
+  }
+
+  Result<Operand> distance(Operation operation) {
+    const auto words = readInteger(cursor_);
+    const bool list = operation == Operation::SPL;
+    const std::int64_t low = list ? 0 : -32768, high = list ? 65535 : 32767;
+    if (!words) {
+      while (!cursor_.atStatementEnd()) cursor_.take();
+      return makeProblem(ProblemCode::P0346, at(operandBegin_, cursor_.pos()));
+    }
+    if (*words < low || *words > high)
+      return makeProblem(ProblemCode::P0352, at(operandBegin_, cursor_.pos()), *words, word_, low,
+                         high);
+    return mc7::number(list ? OperandKind::JumpList : OperandKind::Jump,
+                       static_cast<std::uint32_t>(*words));
+  }
+
+  Result<Operand> operand(Operation operation) {
+    if (isJump(operation)) return distance(operation);
+    if (const auto formal = formalOperand(cursor_)) return *formal;
+    Problems problems;
+    std::uint32_t localTop = 0;
+    const auto access = OperandParser(cursor_, scope_, problems, localTop).parse();
+    if (!access) return problems.list().front();
+    const Position place = at(access->begin, access->end);
+    if (access->openDb >= 0) return makeProblem(ProblemCode::P0318, place);  // two instructions
+    Operand result = access->operand;
+    if (result.kind == OperandKind::Constant)
+      result = fittedConstant(operation, result, place, problems, Limits::OfCode);
+    if (problems.hasErrors()) return problems.list().front();
+    return result;
+  }
+
+  // Nothing follows, and there is a code for it.
+  Result<mc7::Instruction> checked(const mc7::Instruction& instruction) {
+    const std::size_t end = cursor_.pos();
+    cursor_.accept(';');
+    if (!cursor_.atLineEnd())
+      return makeProblem(ProblemCode::P0302, at(cursor_.pos(), cursor_.pos()),
+                         std::string(1, cursor_.peek()));
+    std::vector<std::uint8_t> code;
+    if (mc7::encode(instruction, code)) return instruction;
+    if (end == operandBegin_) return makeProblem(ProblemCode::P0316, at(end, end));
+    return makeProblem(ProblemCode::P0311, at(operandBegin_, end),
+                       std::string(trim(cursor_.slice(operandBegin_, end))), word_);
+  }
+
+  CompileOptions options_;
+  Scope scope_;
+  Mnemonics mnemonics_;
+  Cursor cursor_;
+  std::string_view word_;  // the mnemonic as written
+  std::size_t operandBegin_ = 0;
+};
 
 }  // namespace
 
-Result<mc7::Instruction> parseMachineInstruction(std::string_view text, const Position& at) {
-  auto german = parseWith(text, at, Mnemonics::German);
-  std::vector<std::uint8_t> code;
-  if (german && mc7::encode(*german, code)) return german;
-  auto international = parseWith(text, at, Mnemonics::International);
-  if (international && mc7::encode(*international, code)) return international;
-  if (!german) return german;
-  return makeProblem(ProblemCode::P0311, at, std::string(trim(text)), "an instruction");
+Result<mc7::Instruction> parseMachineInstruction(std::string_view text, const Position& at,
+                                                 std::optional<Mnemonics> setting) {
+  const source::SourceFile line(at.file, std::string(text));
+  auto result = LineParser(line, setting, setting.value_or(Mnemonics::German)).parse();
+  if (!result && !setting) {
+    auto other = LineParser(line, setting, Mnemonics::International).parse();
+    if (other || result.error().code == ProblemCode::P0334) result = std::move(other);
+  }
+  if (result) return result;
+  Problem problem = result.error();
+  problem.position.line = at.line;
+  problem.position.column += at.column - 1;
+  return problem;
 }
 
 }  // namespace merker::step7

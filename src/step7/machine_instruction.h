@@ -2,6 +2,7 @@
 // with jump distances in words and parameters of an FC by their index (#P0).
 #pragma once
 
+#include <optional>
 #include <string_view>
 
 #include "base/result.h"
@@ -9,6 +10,7 @@
 
 namespace merker::step7 {
 
-Result<mc7::Instruction> parseMachineInstruction(std::string_view text, const Position& at);
+Result<mc7::Instruction> parseMachineInstruction(std::string_view text, const Position& at,
+                                                 std::optional<Mnemonics> setting);
 
 }  // namespace merker::step7

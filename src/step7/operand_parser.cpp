@@ -356,7 +356,8 @@ std::optional<Access> OperandParser::insideDataBlock(BlockId db, std::size_t beg
     return problem(ProblemCode::P0506, begin, toString(db));
   }
   auto type = std::make_shared<block::Type>();
-  type->code = TypeCode::Struct;
+  type->code =
+      scope_.interfaces && scope_.interfaces->unknown(db) ? TypeCode::Void : TypeCode::Struct;
   type->members = block->variables;
   Place place{type, 0};
   cursor_.seek(dot);

@@ -77,6 +77,10 @@ bool followMember(Cursor& cursor, Place& place, const source::SourceFile& file,
 bool followPath(Cursor& cursor, Place& place, const source::SourceFile& file, Problems& problems) {
   for (;;) {
     const std::size_t before = cursor.pos();
+    if (place.type->code == TypeCode::Void) {
+      problems.add(ProblemCode::P0430, file.position(before), "a variable of unknown type");
+      return false;
+    }
     cursor.skipBlanks();
     if (cursor.peek() == '[') {
       if (!followIndex(cursor, place, file, problems)) return false;

@@ -6,6 +6,7 @@ class Check(Case):
         self.write("a.awl", PROGRAM)
         call = self.expect(GOOD, "check", "a.awl")
         self.assertEqual(call.err, "")
+        self.assertEqual(call.out, "a.awl: 1 block, 0 errors, 0 warnings\n")
 
     def test_problems_have_place_code_line_and_caret(self):
         self.write("a.awl", block("      U     M 300.0\n      =     A 0.0"))
@@ -45,7 +46,7 @@ class Check(Case):
         self.write("empty.awl", "")
         self.assertIn("empty.awl", self.expect(GOOD, "check", "empty.awl").err)
         self.write("bin.awl", bytes(range(256)) * 64)
-        self.assertIn("P0102", self.expect(PROBLEMS, "check", "bin.awl").err)
+        self.assertIn("an AWL source is a text", self.expect(PROBLEMS, "check", "bin.awl").err)
         self.write("old.s5", "SEGMENT 1\n")
         self.assertIn("P0707", self.expect(PROBLEMS, "check", "old.s5").err)
 
@@ -85,3 +86,13 @@ class Projects(Case):
         self.write("p/a.awl", PROGRAM)
         self.write("p/a.sym", "\"Start\" E 0.0 BOOL\n\"start\" E 0.1 BOOL\n")
         self.assertIn("p/a.sym:2:", self.expect(PROBLEMS, "check", "p").err)
+
+    def test_a_binary_file_is_called_what_it_is(self):
+        self.write("p/merker.toml", "")
+        self.write("p/a.awl", PROGRAM)
+        for name in ("a.sym", "a.sdf"):
+            self.write(f"p/{name}", bytes(range(256)))
+            self.assertIn("a symbol file is a text file", self.expect(PROBLEMS, "check", "p").err)
+            (self.folder / "p" / name).unlink()
+        self.write("p/merker.toml", bytes(range(256)))
+        self.assertIn("a project file is a text file", self.merker("check", "p").err)

@@ -53,6 +53,23 @@ class MachineCode(Case):
         for text in ("A     I 0.0", "SD    T 1", "JC    3", "CU    C 1"):
             self.assertIn(text, english)
 
+    def test_the_listing_of_disassemble_is_assembled_again(self):
+        code = "C000\n1C01\n2401\n3003 0005\n3807 1234 5678\n7500\n6500\n"  # among them SE of both settings
+        for mnemonics in ("de", "en"):
+            listing = self.expect(GOOD, "disassemble", "--mc7", "--mnemonics", mnemonics, text=code).out
+            back = self.expect(GOOD, "assemble", "--mc7", "--mnemonics", mnemonics, text=listing).out
+            self.assertEqual(back.split(), code.split(), listing)
+
+    def test_a_setting_takes_its_own_words_only(self):
+        self.assertIn("P0314", self.expect(PROBLEMS, "assemble", "--mc7", "--mnemonics", "de", text="A I 0.0\n").err)
+        self.assertIn("P0315", self.expect(PROBLEMS, "assemble", "--mc7", "--mnemonics", "en", text="U E 0.0\n").err)
+        self.expect(USAGE, "assemble", "--mc7", "--mnemonics", "fr")
+
+    def test_the_caret_stands_under_the_word(self):
+        err = self.expect(PROBLEMS, "assemble", "--mc7", text="U E 0.0\n  SPA  99999 // far\n").err
+        self.assertIn("standard input:2:8: error: 99999 words are too far; SPA takes -32768..32767 [P0352]", err)
+        self.assertIn("\n       ^~~~~\n", err)
+
     def test_illegal_words_and_the_rest_goes_on(self):
         lines = self.expect(GOOD, "disassemble", "--mc7", text="FF07 6500 C0").lines
         self.assertRegex(lines[0], r"^0000: FF07 +illegal$")

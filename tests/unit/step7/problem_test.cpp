@@ -124,13 +124,62 @@ TEST(Problem, Declarations) {
       (List{"2:1 P0408", "6:6 P0426", "7:13 P0424", "8:2 P0422", "9:6 P0403", "10:21 P0403"}));
   EXPECT_EQ(compileText("TYPE UDT 1\nSTRUCT\n a : UDT 2;\nEND_STRUCT\nEND_TYPE\nTYPE UDT "
                         "2\nSTRUCT\n a : UDT 1;\nEND_STRUCT\nEND_TYPE\n")
-                .problems()
-                .size(),
-            2u);
+                .problems(),
+            (List{"8:6 P0421"}));
   EXPECT_EQ(
       compileText("FUNCTION_BLOCK FB 1\nVAR_INPUT\n a : INT;\nBEGIN\nSET\nEND_FUNCTION_BLOCK\n")
           .problems(),
       (List{"2:1 P0410"}));
+}
+
+// An unknown type is one problem, and the code is checked all the same (S7-SRC-11).
+TEST(Problem, UnknownTypesHaveNoConsequences) {
+  EXPECT_EQ(
+      compileText(
+          "FUNCTION_BLOCK FB 1\nVAR_INPUT\na : NIX;\nb : UDT 9;\nc INT;\nEND_VAR\nVAR_TEMP\n"
+          "f : ARRAY [1..2] OF NIX;\nEND_VAR\nBEGIN\nL #a;\nL #b.x[3];\nT #c;\nL #f[1];\n"
+          "XYZ;\nEND_FUNCTION_BLOCK\n"
+          "DATA_BLOCK DB 1\nFB 1\nBEGIN\na := 5;\nEND_DATA_BLOCK\n"
+          "DATA_BLOCK DB 2\nUDT 9\nBEGIN\nx := 5;\nEND_DATA_BLOCK\n"
+          "ORGANIZATION_BLOCK OB 1\nBEGIN\nCALL FB 1, DB 1 (a := 5, b := MW 2);\nL DB1.a;\n"
+          "L DB2.x;\nEND_ORGANIZATION_BLOCK\n")
+          .problems(),
+      (List{"3:5 P0403", "4:5 P0428", "5:3 P0402", "8:21 P0403", "15:1 P0334", "23:1 P0428"}));
+}
+
+TEST(Problem, UnclosedDeclarationsHaveNoConsequences) {
+  EXPECT_EQ(
+      compileText("FUNCTION_BLOCK FB 1\nVAR\ns : STRUCT\na : INT;\nEND_VAR\nBEGIN\nL #s.a;\nXYZ;\n"
+                  "END_FUNCTION_BLOCK\nDATA_BLOCK DB 1\nSTRUCT\nx : INT;\nBEGIN\nx := 5;\n"
+                  "END_DATA_BLOCK\nTYPE UDT 1\nSTRUCT\nx : INT;\nEND_TYPE\n")
+          .problems(),
+      (List{"3:5 P0406", "8:1 P0334", "11:1 P0406", "17:1 P0406"}));
+  EXPECT_EQ(
+      compileText(
+          "FUNCTION FC 1 : VOID\nVAR_INPUT\na : INT;\nVAR_TEMP\nb : INT;\nNETWORK\nL #a;\nT #b;\n"
+          "XYZ;\nEND_FUNCTION\n")
+          .problems(),
+      (List{"2:1 P0410", "4:1 P0410", "9:1 P0334"}));
+}
+
+TEST(Problem, BlocksThatContainThemselves) {
+  EXPECT_EQ(compileText("FUNCTION_BLOCK FB 1\nVAR\ns : FB 1;\nEND_VAR\nBEGIN\nCALL #s;\n"
+                        "END_FUNCTION_BLOCK\nDATA_BLOCK DB 1\nFB 1\nBEGIN\nEND_DATA_BLOCK\n")
+                .problems(),
+            (List{"3:5 P0421"}));
+}
+
+TEST(Problem, AnUnclosedCommentIsTheOnlyProblem) {
+  EXPECT_EQ(inOb("L 1;\n (* from here\nL 2;\nXYZ;"), (List{"4:2 P0350"}));
+  EXPECT_EQ(
+      compileText("(* all of it\nORGANIZATION_BLOCK OB 1\nEND_ORGANIZATION_BLOCK\n").problems(),
+      (List{"1:1 P0350"}));
+  EXPECT_EQ(
+      compileText(
+          "ORGANIZATION_BLOCK OB 1\nVAR_TEMP\ns : STRUCT\na : INT; (* x\nEND_STRUCT;\nEND_VAR\n"
+          "BEGIN\nEND_ORGANIZATION_BLOCK\n")
+          .problems(),
+      (List{"4:10 P0350"}));
 }
 
 TEST(Problem, TextsThatAreNoProgram) {
