@@ -28,6 +28,9 @@ struct CpuModel {
   std::string_view name;  // "CPU 314C-2 PtP"
   std::string_view
       keyword;  // "314C-2 PtP", what --cpu takes (ignoring case, blanks and a leading CPU)
+  std::string_view orderNumber;             // "6ES7 314-6BF01-0AB0"; empty: nobody sells it
+  std::uint8_t firmware[3] = {};            // V2.0.0
+  std::span<const std::uint8_t> lacksSfcs;  // system functions that this CPU does not have
 
   // nanoseconds per instruction
   std::uint32_t bitTime, wordTime, fixedTime, realTime;
@@ -38,6 +41,7 @@ struct CpuModel {
   std::uint32_t workMemory, blockSize, dataBlockSize;
   std::uint32_t flagBytes, imageBytes, peripheralBytes, localBytes;
   std::uint32_t timers, counters;
+  std::uint32_t runtimeMeters;
   // highest block numbers; -1 = none of the kind
   std::int32_t highestDb, highestFb, highestFc;
   std::uint32_t nesting;       // blocks per priority class

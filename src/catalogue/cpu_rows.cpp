@@ -23,6 +23,9 @@ constexpr std::array<std::uint8_t, 46> kObsAll{1,  10, 11, 12, 13, 14,  15,  16,
                                                42, 43, 44, 45, 46, 47,  50,  51,  60,  80, 81, 82,
                                                83, 84, 85, 86, 87, 100, 101, 102, 121, 122};
 
+// Compressing, parts of the process image and synchronising clocks: CPU 318-2 and S7-400.
+constexpr std::array<std::uint8_t, 4> kNotOn31x{25, 26, 27, 48};
+
 // On-board inputs and outputs by type (technology manual, table "Übersicht technologische
 // Funktionen" and connector tables 5.2.2; S7-CPU-15 to -18).
 constexpr OnBoard kOnBoard312{
@@ -62,9 +65,12 @@ constexpr OnBoard kOnBoardIfm{.digitalInputs = 10, .digitalOutputs = 6, .digital
 // Course 2.1 (S7-CPU-02..14); 500 us per cycle: docs/compatibility.md, "cycle time of the operating
 // system".
 constexpr CpuModel model314(std::string_view name, std::string_view keyword,
-                            std::span<const std::uint8_t> obs) {
+                            std::string_view orderNumber, std::span<const std::uint8_t> obs) {
   return {.name = name,
           .keyword = keyword,
+          .orderNumber = orderNumber,
+          .firmware = {2, 0, 0},
+          .lacksSfcs = kNotOn31x,
           .bitTime = 100,
           .wordTime = 200,
           .fixedTime = 2'000,
@@ -79,6 +85,7 @@ constexpr CpuModel model314(std::string_view name, std::string_view keyword,
           .localBytes = 510,
           .timers = 256,
           .counters = 256,
+          .runtimeMeters = 1,
           .highestDb = 127,
           .highestFb = 127,
           .highestFc = 127,
@@ -105,8 +112,9 @@ constexpr CpuModel model314(std::string_view name, std::string_view keyword,
 
 // Device manual "CPU 31xC and CPU 31x", firmware V2.0 of 2004.
 constexpr CpuModel model313(std::string_view name, std::string_view keyword,
-                            std::span<const std::uint8_t> obs, const OnBoard& onBoard) {
-  CpuModel model = model314(name, keyword, obs);
+                            std::string_view orderNumber, std::span<const std::uint8_t> obs,
+                            const OnBoard& onBoard) {
+  CpuModel model = model314(name, keyword, orderNumber, obs);
   model.realTime = 3'000;
   model.workMemory = 32 * 1024;
   model.highestDb = 511;
@@ -119,7 +127,7 @@ constexpr CpuModel model313(std::string_view name, std::string_view keyword,
 }
 
 constexpr CpuModel model312C() {
-  CpuModel model = model313("CPU 312C", "312C", kObs31xC, kOnBoard312);
+  CpuModel model = model313("CPU 312C", "312C", "6ES7 312-5BD01-0AB0", kObs31xC, kOnBoard312);
   model.bitTime = 200;
   model.wordTime = 400;
   model.fixedTime = 5'000;
@@ -138,7 +146,9 @@ constexpr CpuModel model312C() {
 
 // Firmware V3.3, the one of the technology manual.
 constexpr CpuModel model314Pn() {
-  CpuModel model = model314("CPU 314C-2 PN/DP", "314C-2 PN/DP", kObs314Pn);
+  CpuModel model = model314("CPU 314C-2 PN/DP", "314C-2 PN/DP", "6ES7 314-6EH04-0AB0", kObs314Pn);
+  model.firmware[0] = 3;
+  model.firmware[1] = 3;
   model.bitTime = 60;
   model.wordTime = 120;
   model.fixedTime = 160;
@@ -158,7 +168,9 @@ constexpr CpuModel model314Pn() {
 
 // Course 3.3 (S7-CPU-21); device manual "CPU 312 IFM to CPU 318-2 DP".
 constexpr CpuModel model312Ifm() {
-  CpuModel model = model314("CPU 312 IFM", "312 IFM", kObs312Ifm);
+  CpuModel model = model314("CPU 312 IFM", "312 IFM", "6ES7 312-5AC02-0AB0", kObs312Ifm);
+  model.firmware[0] = 1;
+  model.runtimeMeters = 0;
   model.bitTime = 600;
   model.wordTime = 2'000;
   model.fixedTime = 3'000;
@@ -182,7 +194,10 @@ constexpr CpuModel model312Ifm() {
 
 // Course 3.3 (S7-CPU-22); the same manual.
 constexpr CpuModel model318() {
-  CpuModel model = model314("CPU 318-2", "318-2", kObs318);
+  CpuModel model = model314("CPU 318-2", "318-2", "6ES7 318-2AJ00-0AB0", kObs318);
+  model.firmware[0] = 3;
+  model.lacksSfcs = {};
+  model.runtimeMeters = 8;
   model.bitTime = model.wordTime = model.fixedTime = 100;
   model.realTime = 600;
   model.workMemory = 256 * 1024;
@@ -208,7 +223,9 @@ constexpr CpuModel model318() {
 // "An S7 CPU without a particular model's limits": the contract of the command line.
 constexpr CpuModel modelGeneric(std::string_view name, std::string_view keyword,
                                 std::uint32_t accumulators) {
-  CpuModel model = model314(name, keyword, kObsAll);
+  CpuModel model = model314(name, keyword, "", kObsAll);
+  model.lacksSfcs = {};
+  model.runtimeMeters = 8;
   model.bitTime = model.wordTime = model.fixedTime = model.realTime = 100;
   model.workMemory = 64u << 20;
   model.blockSize = model.dataBlockSize = 65'536;
@@ -228,12 +245,12 @@ constexpr CpuModel modelGeneric(std::string_view name, std::string_view keyword,
 }
 
 constexpr std::array kModels{
-    model314("CPU 314C-2 PtP", "314C-2 PtP", kObs31xC),
-    model314("CPU 314C-2 DP", "314C-2 DP", kObs31xCDp),
+    model314("CPU 314C-2 PtP", "314C-2 PtP", "6ES7 314-6BF01-0AB0", kObs31xC),
+    model314("CPU 314C-2 DP", "314C-2 DP", "6ES7 314-6CF01-0AB0", kObs31xCDp),
     model314Pn(),
-    model313("CPU 313C", "313C", kObs31xC, kOnBoard313),
-    model313("CPU 313C-2 PtP", "313C-2 PtP", kObs31xC, kOnBoard3132),
-    model313("CPU 313C-2 DP", "313C-2 DP", kObs31xCDp, kOnBoard3132),
+    model313("CPU 313C", "313C", "6ES7 313-5BE01-0AB0", kObs31xC, kOnBoard313),
+    model313("CPU 313C-2 PtP", "313C-2 PtP", "6ES7 313-6BE01-0AB0", kObs31xC, kOnBoard3132),
+    model313("CPU 313C-2 DP", "313C-2 DP", "6ES7 313-6CE01-0AB0", kObs31xCDp, kOnBoard3132),
     model312C(),
     model312Ifm(),
     model318(),

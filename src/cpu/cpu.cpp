@@ -4,6 +4,7 @@ namespace merker::cpu {
 
 Cpu::Cpu(const CpuModel& model, Engine& engine, SystemServices& services, std::int64_t startOfClock)
     : machine_(model), engine_(engine), services_(services), clock_(startOfClock) {
+  runtimeMeters_.resize(model.runtimeMeters);
   machine_.cpu = this;
   stopEvent_ = {.event = static_cast<std::uint16_t>(Event::PowerOn)};
 }

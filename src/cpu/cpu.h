@@ -18,6 +18,7 @@
 #include "cpu/interrupts.h"
 #include "cpu/machine.h"
 #include "cpu/real_time_clock.h"
+#include "cpu/runtime_meter.h"
 
 namespace merker::cpu {
 
@@ -108,6 +109,9 @@ class Cpu {
   // for system functions
   RealTimeClock& clock() { return clock_; }
   Interrupts& interrupts() { return interrupts_; }
+  std::vector<RuntimeMeter>& runtimeMeters() { return runtimeMeters_; }
+  // An entry of the user program or of a module; info: bytes 4..11 of the entry (S7-SFC-20).
+  void note(std::uint16_t event, std::string text, const std::array<std::uint8_t, 8>& info);
   const CycleTimes& cycleTimes() const { return cycleTimes_; }
   void retrigger();  // SFC 43
   bool hasOb(std::uint32_t number) const {
@@ -149,6 +153,7 @@ class Cpu {
   Place here() const;
   DateAndTime dateAndTime() const;
   void report(std::uint16_t event, std::string text, Place place = {});
+  void record(DiagnosticEvent event);  // stamps and stores it
 
   Machine machine_;
   Engine& engine_;
@@ -158,6 +163,7 @@ class Cpu {
   RealTimeClock clock_;
   Diagnostics diagnostics_;
   Interrupts interrupts_;
+  std::vector<RuntimeMeter> runtimeMeters_;
   std::vector<Force> forces_;
   std::function<void()> observer_;
   std::function<void(CyclePoint)> monitor_;

@@ -1,6 +1,7 @@
 // The diagnostic buffer: a ring of 100 events that survives memory reset (S7-DIAG-01, S7-STATE-10).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -22,6 +23,10 @@ struct DiagnosticEvent {
   Instant time{};
   std::string text{};
   Place place{};
+  // Bytes 2..11 of the entry (S7-DIAG-01): priority class and OB that ran, then what belongs to the
+  // event, as in start information.
+  std::array<std::uint8_t, 10> info{};
+  std::array<std::uint8_t, 8> stamp{};  // bytes 12..19: DATE_AND_TIME
 };
 
 class Diagnostics {

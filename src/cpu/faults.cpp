@@ -1,4 +1,6 @@
 // Synchronous errors and faults that end in STOP (S7-ERR-02 … -04, S7-DIAG-03).
+#include <algorithm>
+
 #include "cpu/cpu.h"
 
 namespace merker::cpu {
@@ -31,16 +33,35 @@ Place Cpu::here() const {
 
 DateAndTime Cpu::dateAndTime() const { return toDateAndTime(clock_.milliseconds(machine_.clock)); }
 
+void Cpu::record(DiagnosticEvent event) {
+  event.time = machine_.clock;
+  event.stamp = dateAndTime();
+  if (!machine_.levels.empty()) {
+    event.info[0] = priority();
+    event.info[1] = machine_.levels.back().ob;
+  }
+  diagnostics_.add(std::move(event));
+}
+
 void Cpu::report(std::uint16_t event, std::string text, Place place) {
-  diagnostics_.add(
-      {.event = event, .time = machine_.clock, .text = std::move(text), .place = place});
+  record({.event = event, .text = std::move(text), .place = place});
+}
+
+void Cpu::note(std::uint16_t event, std::string text, const std::array<std::uint8_t, 8>& info) {
+  DiagnosticEvent entry{.event = event, .text = std::move(text)};
+  std::copy(info.begin(), info.end(), entry.info.begin() + 2);
+  record(std::move(entry));
 }
 
 AfterError Cpu::synchronousError(const SyncError& error) {
   Machine& m = machine_;
   if (masked(m.levels.back().masks, error)) return AfterError::GoOn;
   const std::string kind = error.peripheral() ? "I/O access error: " : "programming error: ";
-  report(error.event(), kind + describe(error), here());
+  const StartInformation start =
+      errorInformation(error, priority(), m.top->code->source->id, m.position, dateAndTime());
+  DiagnosticEvent entry{.event = error.event(), .text = kind + describe(error), .place = here()};
+  std::copy_n(start.begin() + 4, 8, entry.info.begin() + 2);
+  record(std::move(entry));
   const std::uint8_t ob = error.peripheral() ? 122 : 121;
   if (!hasOb(ob)) {
     stopByFault(error.peripheral() ? Event::StopAccessError : Event::StopProgrammingError,
@@ -51,8 +72,6 @@ AfterError Cpu::synchronousError(const SyncError& error) {
     stopByFault(Event::StopErrorNesting, describe(error));
     return AfterError::Stopped;
   }
-  const StartInformation start =
-      errorInformation(error, priority(), m.top->code->source->id, m.position, dateAndTime());
   return startLevel(ob, priority(), start, true) ? AfterError::ErrorOb : AfterError::Stopped;
 }
 

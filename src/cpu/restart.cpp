@@ -74,7 +74,8 @@ bool Cpu::restart(Restart how) {
 void Cpu::goToStop(DiagnosticEvent event, bool fault) {
   event.time = machine_.clock;
   stopEvent_ = event;
-  diagnostics_.add(std::move(event));
+  record(std::move(event));
+  for (RuntimeMeter& meter : runtimeMeters_) meter.stop(machine_.clock);
   if (mode_ != Mode::Stop) stoppedAt_ = machine_.clock;
   mode_ = Mode::Stop;
   stoppedByFault_ = fault;
@@ -107,6 +108,7 @@ void Cpu::powerOff() {
   if (!powered_) return;
   runningAtPowerOff_ = mode_ != Mode::Stop;
   if (runningAtPowerOff_) stoppedAt_ = machine_.clock;
+  for (RuntimeMeter& meter : runtimeMeters_) meter.stop(machine_.clock);
   mode_ = Mode::Stop;
   powered_ = false;
   watchdog_ = Instant::never();

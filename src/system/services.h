@@ -6,6 +6,7 @@
 #include "block/block.h"
 #include "cpu/engine.h"
 #include "system/function.h"
+#include "system/modules.h"
 
 namespace merker::system {
 
@@ -13,6 +14,8 @@ class Services : public cpu::SystemServices {
  public:
   Services();
   bool call(const cpu::SystemCall& call) override;
+  // Whom the functions for modules ask; null: no modules.
+  void connect(Modules* modules) { modules_ = modules; }
 
  private:
   struct Entry {
@@ -21,6 +24,7 @@ class Services : public cpu::SystemServices {
   };
   const Entry* find(BlockId id) const;
 
+  Modules* modules_ = nullptr;
   Functions functions_;
   std::vector<Entry> fcs_, sfcs_, sfbs_;  // by number
 };
