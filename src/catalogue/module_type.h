@@ -1,4 +1,4 @@
-// Modules of the S7-300 as constant rows: what a rack can hold (S7-HW-05 to -11). All capabilities
+// Modules of the S7-300 as constant rows: what a rack can hold (S7-HW-05 to -10). All capabilities
 // stand here, none in code.
 #pragma once
 
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "catalogue/cpu_model.h"
+#include "catalogue/measuring_range.h"
 
 namespace merker {
 
@@ -24,18 +25,6 @@ enum class ModuleKind : std::uint8_t {
   Positioning     // sub-module 2.5
 };
 
-// Ranges an analog channel can be set to, as bits.
-enum RangeSet : std::uint16_t {
-  kVolts = 1,         // ±80mV … ±10V, 1..5V
-  kCurrents = 2,      // ±3.2mA … ±20mA, 0..20mA, 4..20mA
-  kResistances = 4,   // 150Ohm, 300Ohm, 600Ohm
-  kThermometers = 8,  // Pt100, Ni100
-  kThermocouples = 16,
-  kStandard = 32,   // ±10V, 0..10V, ±20mA, 0..20mA, 4..20mA: on board and analog outputs
-  kFiveVolts = 64,  // 1..5V of an analog output
-  kTenVolts = 128   // only 0..10V (SM 334; 8 bit)
-};
-
 struct ModuleType {
   std::string_view orderNumber;  // "6ES7 321-1BH02-0AA0"; empty for on-board sub-modules
   std::string_view name;         // "SM 321"
@@ -44,43 +33,55 @@ struct ModuleType {
   std::uint8_t digitalInputs = 0, digitalOutputs = 0, analogInputs = 0, analogOutputs = 0;
   std::uint8_t inputBytes = 0, outputBytes = 0;  // address space
   std::uint16_t busCurrent = 0;                  // mA taken from the backplane bus
-  std::string_view signal;                       // "DC 24 V", "AC 120 V"
+  std::string_view signal{};                     // "DC 24 V", "AC 120 V"
 
-  // digital
-  std::uint32_t inputDelay = 0;                // µs, default or fixed
-  std::span<const std::uint32_t> inputDelays;  // µs that can be set; empty: fixed
-  bool hardwareInterrupt = false;              // edges; analog: limits
-  std::uint8_t interruptGroup = 1;             // channels that share their setting of edges
+  // Channels with a hardware interrupt: edges of digital inputs, limits of analog ones.
+  std::uint32_t interruptChannels = 0;
+  std::uint8_t interruptGroup = 1;  // channels that share their setting of edges
   bool diagnosticInterrupt = false;
-  bool substituteValues = false;  // can keep its outputs or put out substitutes
+  bool substituteValues = false;  // can keep its outputs in STOP or put out substitutes
+  // digital inputs, µs
+  std::uint32_t inputDelay = 0;                  // default, or fixed
+  std::span<const std::uint32_t> inputDelays{};  // that can be set; empty: fixed
   // analog
-  std::uint8_t resolution = 15;                     // bits without sign
+  std::uint8_t resolution = 0;    // bits
+  bool signInResolution = false;  // one of them is the sign in ranges that have one
   std::uint16_t inputRanges = 0, outputRanges = 0;  // RangeSet
-  std::uint16_t conversionTime = 0;                 // µs a channel
-  std::uint16_t limitChannels = 0;                  // bit n: channel n has limits
+  std::uint16_t lastInputRanges = 0;                // of the last input, if not as the others
+  std::uint32_t conversionTime = 0;                 // µs a channel
   bool wireBreakCheck = false;
 
-  std::uint16_t suppliedCurrent = 0;  // mA, interface modules: into the bus of their rack
-
-  bool hasInputs() const { return inputBytes > 0; }
-  bool hasOutputs() const { return outputBytes > 0; }
-  bool analog() const { return kind != ModuleKind::Digital; }  // which default addresses it takes
-  bool signalModule() const;                                   // SM, FM, CP: slots 4 to 11
-  bool placeholder() const {
+  constexpr bool hasInputs() const { return inputBytes > 0; }
+  constexpr bool hasOutputs() const { return outputBytes > 0; }
+  constexpr bool analogAddresses() const {
+    return kind != ModuleKind::Digital;
+  }                                      // by default (S7-HW-20, -21)
+  constexpr bool signalModule() const {  // SM, FM, CP: slots 4 to 11 (S7-HW-12)
+    return kind != ModuleKind::PowerSupply && kind != ModuleKind::Interface;
+  }
+  constexpr bool placeholder() const {
     return kind == ModuleKind::Function || kind == ModuleKind::Communication;
+  }
+  // Ranges a channel can be set to.
+  std::uint16_t rangesOfInput(unsigned channel) const {
+    return channel + 1 == analogInputs && lastInputRanges != 0 ? lastInputRanges : inputRanges;
+  }
+  unsigned bits(const MeasuringRange& range) const {  // of the resolution, without sign
+    return signInResolution && range.low < 0 ? resolution - 1u : resolution;
   }
 };
 
+// What a hardware catalogue lists.
 std::span<const ModuleType> moduleTypes();
-// By order number or by name and text ("SM 321 DI16xDC24V"); ignores case, blanks and hyphens.
-// Several when only the beginning fits: all rows that begin so.
-std::vector<const ModuleType*> findModuleTypes(std::string_view name);
+// The sub-modules 2.2 to 2.5 of compact CPUs.
+std::span<const ModuleType> onBoardTypes();
 
-// The sub-modules 2.2 to 2.5 of a compact CPU; null where it has none. Constant rows, one set for
-// each kind of compact CPU.
+// By order number or by name and text ("SM 321 DI16xDC24V"); ignores case, blanks and hyphens.
+// Where none fits in full: all rows that begin so.
+std::vector<const ModuleType*> findModuleTypes(std::string_view name);
+// A sub-module of a compact CPU; null where it has none.
 const ModuleType* onBoardType(const CpuModel& model, unsigned subslot);
 
-// "SM 321 DI16xDC24V"
-std::string title(const ModuleType& type);
+std::string title(const ModuleType& type);  // "SM 321 DI16xDC24V"
 
 }  // namespace merker

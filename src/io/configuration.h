@@ -30,12 +30,6 @@ struct AnalogOutput {
   double substitute = 0;                  // in the range's unit
 };
 
-// Where a parameter stands in the file, for problems. `key` as in merker.toml: "input_delay".
-struct Place {
-  std::string key;
-  Position position;
-};
-
 struct Parameters {
   Duration inputDelay;
   std::uint32_t risingEdges = 0, fallingEdges = 0;  // hardware interrupt, a bit for each channel
@@ -57,11 +51,14 @@ struct Module {
       outputStart;              // logical addresses; none if it has no such
   std::optional<double> cable;  // m, interface modules
   Parameters parameters;
-  Position position;  // of the module in merker.toml; line 0: it stands there by itself
-  std::vector<Place> places;
+  // Where it stands in merker.toml: the table and, if they are there, its keys. Line 0 of
+  // `position`: the module is on board and not mentioned.
+  Position position, slotPosition, rackPosition, inputPosition, outputPosition, cablePosition;
 
-  Position at(std::string_view key) const;  // of a key, else of the module
-  std::string slotText() const;             // "4", "1/4", "2.2"
+  std::string slotText() const;  // "4", "1/4", "2.2"
+  std::string title() const;     // "SM 321 DI16xDC24V", "DI24/DO16 on board"
+  std::uint32_t inputEnd() const { return *inputStart + type->inputBytes - 1; }
+  std::uint32_t outputEnd() const { return *outputStart + type->outputBytes - 1; }
   bool onBoard() const { return subslot != 0; }
 };
 

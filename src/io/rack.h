@@ -13,6 +13,7 @@
 #include "clock/instant.h"
 #include "io/configuration.h"
 #include "io/fault.h"
+#include "io/unit.h"
 
 namespace merker::io {
 
@@ -26,10 +27,8 @@ struct Terminal {
   bool operator==(const Terminal&) const = default;
 };
 
-// Bytes of the periphery that changed.
-struct Change {
-  std::uint32_t first = 0;
-  std::vector<std::uint8_t> bytes;
+struct Bytes {
+  std::uint32_t first = 0, count = 0;
 };
 
 class Rack {
@@ -37,8 +36,8 @@ class Rack {
   explicit Rack(Configuration configuration);
 
   const Configuration& configuration() const { return configuration_; }
-
-  // The terminal of this module ("4", "Conveyor") and channel; none if there is no such.
+  // "4", "Conveyor", "2.2"; none if there is no such module, or no such channel.
+  std::optional<std::uint32_t> module(std::string_view name) const;
   std::optional<Terminal> terminal(std::string_view module, Side side, std::uint32_t channel) const;
 
   // Terminals: a level (24 V or 0 V) or an amount in V, mA, Ohm or degC by the channel's range.
@@ -47,41 +46,75 @@ class Rack {
   bool level(Terminal terminal) const;
   void setAmount(Terminal terminal, double amount, Instant now);
   double amount(Terminal terminal) const;
+  const MeasuringRange* range(Terminal terminal) const;  // null: digital or deactivated
 
   // What a module delivers from now on, past terminal and delay: `set E 124.0 = 1`
   // (docs/compatibility.md). Edges interrupt as ever. False if no input module lies there.
-  bool deliver(std::uint32_t byte, std::uint8_t mask, std::uint8_t value, Instant now);
+  bool deliver(std::uint32_t byte, std::uint8_t mask, std::uint8_t value);
 
   // A fault comes or goes; `channel` only for kinds that have one, none = all channels. False if
   // this module cannot have it.
-  bool fault(std::uint32_t module, FaultKind kind, std::optional<std::uint32_t> channel, bool there,
-             Instant now);
-  bool faulty(std::uint32_t module) const;  // any: its SF lamp
+  bool fault(std::uint32_t module, FaultKind kind, std::optional<std::uint32_t> channel,
+             bool there);
+  bool faulty(std::uint32_t module) const;   // any: its SF lamp
+  bool present(std::uint32_t module) const;  // plugged, and its rack supplied
 
   // time: nothing moves outside these calls
-  Instant next() const;  // when an input delay or a conversion ends next
+  Instant next() const { return next_; }  // when an input delay or a conversion ends
   void advance(Instant now);
 
   // towards the CPU
-  const std::vector<std::uint8_t>& inputs() const { return inputs_; }  // the bytes PE shows
-  bool inputPresent(std::uint32_t byte) const;  // a module that is there answers
-  bool outputPresent(std::uint32_t byte) const;
+  const std::vector<std::uint8_t>& inputs() const { return inputs_; }  // the bytes that PE shows
+  bool answersInput(std::uint32_t byte) const { return answers(inputOwner_, byte); }
+  bool answersOutput(std::uint32_t byte) const { return answers(outputOwner_, byte); }
   void written(std::uint32_t first, const std::uint8_t* bytes, std::uint32_t count);
   void disableOutputs(bool disabled);
-  // Counts changes of inputs() and of what is present: whoever copies them looks here first.
-  std::uint64_t revision() const { return revision_; }
+  // Inputs that changed since the last call, and whether a module came or went.
+  Bytes takeChanged();
+  bool takePresenceChanged();
   std::vector<ModuleEvent> takeEvents();  // those since the last call, in order
 
-  // Data records of the module at a logical address (S7-SFC-18: SFC 58, 59; S7-SFC 13, 51).
-  // 0 and 1: diagnostic data, read only. None if no module is there or it has no such record.
+  // The module at a logical address, null if none is there; its data records 0 and 1: diagnostic
+  // data (S7-SFC: 13, 51, 59).
   const Module* at(std::uint32_t address, bool output) const;
-  std::optional<std::vector<std::uint8_t>> record(const Module& module, std::uint8_t number) const;
+  std::vector<std::uint8_t> record0(const Module& module) const;
+  std::vector<std::uint8_t> record1(const Module& module) const;
 
  private:
-  struct Unit;
+  static constexpr std::uint16_t kNobody = 0xFFFF;
+
+  const Module& of(std::uint32_t index) const { return configuration_.modules[index]; }
+  std::uint32_t index(const Module& module) const;
+  bool answers(const std::vector<std::uint16_t>& owner, std::uint32_t byte) const;
+  void setInput(std::uint32_t byte, std::uint8_t value);
+  // digital.cpp
+  void take(std::uint32_t index, std::uint32_t levels);  // inputs pass the delay
+  void showBits(std::uint32_t index);
+  bool outputLevel(std::uint32_t index, std::uint32_t channel) const;
+  // analog.cpp
+  void convert(std::uint32_t index, std::uint32_t channel);
+  std::int16_t measure(std::uint32_t index, std::uint32_t channel) const;
+  void show(std::uint32_t index, std::uint32_t channel, std::int16_t shown);
+  void checkLimits(std::uint32_t index, std::uint32_t channel);
+  Duration conversionCycle(std::uint32_t index) const;
+  double outputAmount(std::uint32_t index, std::uint32_t channel) const;
+  // events.cpp
+  ModuleEvent event(std::uint32_t index, ModuleEvent::Kind kind) const;
+  void diagnose(std::uint32_t index);
+  void presence(std::uint32_t index, ModuleEvent::Kind kind);
+  void refresh(std::uint32_t index);  // after a fault came or went
+  void findNext();
+
   Configuration configuration_;
-  std::vector<std::uint8_t> inputs_, outputs_;
-  std::uint64_t revision_ = 0;
+  std::vector<Unit> units_;
+  std::vector<std::uint16_t> inputOwner_, outputOwner_;  // module by byte, kNobody
+  // Outputs as the CPU wrote them, and as they were when outputs were disabled.
+  std::vector<std::uint8_t> inputs_, outputs_, kept_;
+  bool outputsDisabled_ = true;
+  Instant next_ = Instant::never();
+  std::uint32_t changedFirst_ = UINT32_MAX, changedLast_ = 0;
+  bool presenceChanged_ = true;
+  std::vector<ModuleEvent> events_;
 };
 
 }  // namespace merker::io

@@ -1,0 +1,51 @@
+// From what merker.toml says to a complete, checked configuration.
+#include <algorithm>
+#include <tuple>
+
+#include "base/text.h"
+#include "io/addresses.h"
+#include "io/configuration.h"
+#include "io/mounting.h"
+
+namespace merker::io {
+namespace {
+
+void addOnBoard(std::vector<Module>& modules, const CpuModel& model) {
+  for (std::uint32_t subslot = 2; subslot <= 5; ++subslot) {
+    const ModuleType* type = onBoardType(model, subslot);
+    const bool mentioned = std::any_of(modules.begin(), modules.end(),
+                                       [&](const Module& m) { return m.subslot == subslot; });
+    if (type == nullptr || mentioned) continue;
+    Module module;
+    module.type = type;
+    module.slot = 2;
+    module.subslot = subslot;
+    module.parameters = Parameters::of(*type);
+    modules.push_back(std::move(module));
+  }
+}
+
+void checkNames(const std::vector<Module>& modules, Problems& problems) {
+  for (auto one = modules.begin(); one != modules.end(); ++one)
+    for (auto other = modules.begin(); other != one; ++other)
+      if (!one->name.empty() && equalsIgnoreCase(one->name, other->name))
+        problems.add(ProblemCode::P0742, one->position, one->name, "slot " + other->slotText());
+}
+
+}  // namespace
+
+Configuration configure(std::vector<Module> modules, const CpuModel& model, Problems& problems) {
+  std::erase_if(modules, [&](const Module& m) { return !checkPlace(m, model, problems); });
+  addOnBoard(modules, model);
+  std::stable_sort(modules.begin(), modules.end(), [](const Module& a, const Module& b) {
+    return std::tie(a.rack, a.slot, a.subslot) < std::tie(b.rack, b.slot, b.subslot);
+  });
+  Configuration configuration{std::move(modules), &model};
+  checkNames(configuration.modules, problems);
+  assignAddresses(configuration);
+  checkMounting(configuration, problems);
+  checkAddresses(configuration, problems);
+  return configuration;
+}
+
+}  // namespace merker::io

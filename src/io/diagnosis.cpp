@@ -1,0 +1,110 @@
+// Structure: manual "S7-300 Module data", appendix B; names as in the start information of OB 82.
+#include "io/diagnosis.h"
+
+#include <algorithm>
+
+namespace merker::io {
+namespace {
+
+// byte 0
+constexpr std::uint8_t kModuleDefect = 1, kInternal = 2, kExternal = 4, kChannel = 8,
+                       kExternalVoltage = 16;
+// byte 1: module class, and that channel information follows
+constexpr std::uint8_t kAnalogClass = 0x05, kFunctionClass = 0x08, kCommunicationClass = 0x0C,
+                       kDigitalClass = 0x0F, kChannelInformation = 0x10;
+// byte 3
+constexpr std::uint8_t kConverter = 0x10, kFuse = 0x20;
+
+std::uint8_t classOf(const ModuleType& type) {
+  switch (type.kind) {
+    case ModuleKind::Digital:
+      return kDigitalClass;
+    case ModuleKind::Analog:
+    case ModuleKind::Position:
+      return kAnalogClass;
+    case ModuleKind::Communication:
+      return kCommunicationClass;
+    default:
+      return kFunctionClass;
+  }
+}
+
+// byte 4: channel type, and how many channels of it
+struct ChannelType {
+  std::uint8_t code, count;
+};
+ChannelType channelType(const ModuleType& type) {
+  if (type.digitalInputs > 0) return {0x70, type.digitalInputs};
+  if (type.analogInputs > 0) return {0x71, type.analogInputs};
+  if (type.digitalOutputs > 0) return {0x72, type.digitalOutputs};
+  return {0x73, type.analogOutputs};
+}
+
+struct ChannelBit {
+  FaultKind kind;
+  std::uint8_t bit;
+};
+constexpr ChannelBit kChannelBits[] = {{FaultKind::ShortCircuit, 3},
+                                       {FaultKind::WireBreak, 4},
+                                       {FaultKind::Underflow, 6},
+                                       {FaultKind::Overflow, 7}};
+// Faults of the whole module that show on each channel, by channel type.
+struct CommonBit {
+  FaultKind kind;
+  std::uint8_t channelType, bit;
+};
+constexpr CommonBit kCommonBits[] = {{FaultKind::SensorSupply, 0x70, 6},
+                                     {FaultKind::Fuse, 0x72, 5},
+                                     {FaultKind::LoadVoltage, 0x72, 6},
+                                     {FaultKind::LoadVoltage, 0x73, 6}};
+
+std::uint8_t channelByte(const Unit& unit, std::uint32_t channel, std::uint8_t type) {
+  unsigned byte = 0;
+  for (const ChannelBit& row : kChannelBits)
+    if (unit.has(channel, row.kind)) byte |= 1u << row.bit;
+  for (const CommonBit& row : kCommonBits)
+    if (row.channelType == type && unit.has(row.kind)) byte |= 1u << row.bit;
+  return static_cast<std::uint8_t>(byte);
+}
+
+void appendChannels(std::vector<std::uint8_t>& record, const ModuleType& type, const Unit& unit) {
+  const ChannelType channels = channelType(type);
+  constexpr std::uint8_t kBitsPerChannel = 8;
+  for (const std::uint8_t byte : {channels.code, kBitsPerChannel, channels.count})
+    record.push_back(byte);
+  const std::size_t vector = record.size();
+  record.resize(vector + (channels.count + 7u) / 8);
+  for (std::uint32_t i = 0; i < channels.count; ++i) {
+    const std::uint8_t byte = channelByte(unit, i, channels.code);
+    if (byte != 0) {
+      record[vector + i / 8] = static_cast<std::uint8_t>(record[vector + i / 8] | 1u << (i % 8));
+      record[0] |= kModuleDefect | kExternal | kChannel;
+    }
+    record.push_back(byte);
+  }
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> diagnosis(const ModuleType& type, const Unit& unit) {
+  std::vector<std::uint8_t> record(kRecord0);
+  record[1] = classOf(type);
+  const bool channels = type.kind == ModuleKind::Digital || type.kind == ModuleKind::Analog;
+  if (channels) {
+    record[1] |= kChannelInformation;
+    appendChannels(record, type, unit);
+  }
+  if (unit.has(FaultKind::Defect)) {
+    record[0] |= kModuleDefect | kInternal;
+    if (type.kind == ModuleKind::Analog) record[3] |= kConverter;
+  }
+  if (unit.has(FaultKind::LoadVoltage)) record[0] |= kModuleDefect | kExternal | kExternalVoltage;
+  if (unit.has(FaultKind::SensorSupply)) record[0] |= kModuleDefect | kExternal;
+  if (unit.has(FaultKind::Fuse)) {
+    record[0] |= kModuleDefect | kExternal;
+    record[3] |= kFuse;
+  }
+  return record;
+}
+
+}  // namespace merker::io

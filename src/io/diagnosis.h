@@ -1,0 +1,16 @@
+// Diagnostic data of a module: data record 1, of which record 0 is the beginning (S7-OBI-09).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "io/configuration.h"
+#include "io/unit.h"
+
+namespace merker::io {
+
+inline constexpr std::size_t kRecord0 = 4;  // bytes
+
+std::vector<std::uint8_t> diagnosis(const ModuleType& type, const Unit& unit);
+
+}  // namespace merker::io

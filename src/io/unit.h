@@ -1,0 +1,46 @@
+// One module in operation: what lies at its terminals, what it delivers, what is wrong with it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "clock/instant.h"
+#include "io/fault.h"
+
+namespace merker::io {
+
+constexpr std::uint16_t bitOf(FaultKind kind) {
+  return static_cast<std::uint16_t>(1u << static_cast<unsigned>(kind));
+}
+
+struct Unit {
+  Unit() {
+    levelDue.fill(Instant::never());
+    amountDue.fill(Instant::never());
+  }
+
+  // digital inputs: terminals, what the input delay has let through, when it lets the rest through
+  std::uint32_t levels = 0, delivered = 0;
+  std::array<Instant, 32> levelDue;
+  // analog inputs: terminals, what the last conversion gave, when the next one ends
+  std::array<double, 8> amounts{};
+  std::array<std::int16_t, 8> shown{};
+  std::array<Instant, 8> amountDue;
+  std::uint32_t beyond = 0;  // bits as in POINT_ADDR: limits that are exceeded now
+
+  std::uint16_t moduleFaults = 0;                  // bitOf
+  std::array<std::uint16_t, 32> channelFaults{};   // that were put there
+  std::array<std::uint16_t, 32> measuredFaults{};  // that the module sees in its values
+  std::vector<std::uint8_t> diagnosis;             // data record 1, as last reported
+
+  bool has(FaultKind kind) const { return (moduleFaults & bitOf(kind)) != 0; }
+  std::uint16_t faultsOf(std::uint32_t channel) const {
+    return static_cast<std::uint16_t>(channelFaults[channel] | measuredFaults[channel]);
+  }
+  bool has(std::uint32_t channel, FaultKind kind) const {
+    return (faultsOf(channel) & bitOf(kind)) != 0;
+  }
+};
+
+}  // namespace merker::io

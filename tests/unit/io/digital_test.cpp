@@ -1,0 +1,122 @@
+#include <gtest/gtest.h>
+
+#include "make.h"
+
+namespace merker::io {
+namespace {
+
+Rack compact(std::uint32_t rising = 0, std::uint32_t falling = 0) {
+  Module module = onBoard(2);
+  module.parameters.risingEdges = rising;
+  module.parameters.fallingEdges = falling;
+  return Rack(good({module}));
+}
+
+Terminal input(const Rack& rack, std::uint32_t channel) {
+  return *rack.terminal("2.2", Side::DigitalInput, channel);
+}
+
+// S7-HWCFG-09: 3 ms input delay
+TEST(DigitalInput, delay) {
+  Rack rack = compact();
+  rack.setLevel(input(rack, 9), true, at(10));
+  EXPECT_EQ(rack.next(), at(13));
+  rack.advance(Instant{at(13).ns - 1});
+  EXPECT_EQ(rack.inputs()[125], 0);
+  rack.advance(at(13));
+  EXPECT_EQ(rack.inputs()[125], 2);
+  EXPECT_EQ(rack.next(), Instant::never());
+}
+
+TEST(DigitalInput, aShortPulseIsNotSeen) {
+  Rack rack = compact(1, 1);
+  rack.setLevel(input(rack, 0), true, at(0));
+  rack.setLevel(input(rack, 0), false, at(2));
+  EXPECT_EQ(rack.next(), Instant::never());
+  rack.advance(at(100));
+  EXPECT_TRUE(rack.takeEvents().empty());
+}
+
+// S7-OBI-06: edge on E 124.1
+TEST(DigitalInput, hardwareInterrupt) {
+  Rack rack = compact(2);
+  rack.setLevel(input(rack, 1), true, at(0));
+  rack.setLevel(input(rack, 2), true, at(0));
+  rack.advance(at(3));
+  const auto events = rack.takeEvents();
+  ASSERT_EQ(events.size(), 1u);
+  EXPECT_EQ(events[0].kind, ModuleEvent::Kind::HardwareInterrupt);
+  EXPECT_EQ(events[0].address, 124);
+  EXPECT_EQ(events[0].points, 2u);
+  EXPECT_FALSE(events[0].output);
+  rack.setLevel(input(rack, 1), false, at(10));
+  rack.advance(at(20));
+  EXPECT_TRUE(rack.takeEvents().empty());  // no interrupt for falling edges
+}
+
+TEST(DigitalInput, edgesAtTheSameInstantAreOneEvent) {
+  Rack rack = compact(1, 2);
+  rack.setLevel(input(rack, 1), true, at(0));
+  rack.advance(at(3));
+  rack.setLevel(input(rack, 0), true, at(10));
+  rack.setLevel(input(rack, 1), false, at(10));
+  rack.advance(at(50));
+  const auto events = rack.takeEvents();
+  ASSERT_EQ(events.size(), 1u);
+  EXPECT_EQ(events[0].points, 3u);
+}
+
+TEST(DigitalInput, deliveredValuesPassTheDelayAndInterrupt) {
+  Rack rack = compact(2);
+  EXPECT_TRUE(rack.deliver(124, 2, 2));
+  EXPECT_EQ(rack.inputs()[124], 2);
+  EXPECT_EQ(rack.takeEvents().size(), 1u);
+  EXPECT_TRUE(rack.level(input(rack, 1)));
+  EXPECT_FALSE(rack.deliver(0, 1, 1));  // no module
+}
+
+TEST(DigitalInput, changesAreHandedOnOnce) {
+  Rack rack = compact();
+  rack.takeChanged();
+  rack.deliver(126, 1, 1);
+  rack.deliver(124, 1, 1);
+  const Bytes bytes = rack.takeChanged();
+  EXPECT_EQ(bytes.first, 124u);
+  EXPECT_EQ(bytes.count, 3u);
+  EXPECT_EQ(rack.takeChanged().count, 0u);
+}
+
+Rack outputs(OnStop onStop) {
+  Module module = make(0, 4, "6ES7 322-8BF00-0AB0");
+  module.parameters.onStop = onStop;
+  module.parameters.substituteBits = 0x80;
+  return Rack(good({module}));
+}
+
+std::uint32_t levels(const Rack& rack) {
+  std::uint32_t bits = 0;
+  for (std::uint32_t c = 0; c < 8; ++c)
+    bits |= std::uint32_t{rack.level(*rack.terminal("4", Side::DigitalOutput, c))} << c;
+  return bits;
+}
+
+// S7-STATE-02, S7-STATE-11, S7-HWCFG-09
+TEST(DigitalOutput, disabled) {
+  const std::uint8_t byte = 0x0F, other = 0xF0;
+  for (const auto& [onStop, stopped] :
+       {std::pair{OnStop::Zero, 0u}, {OnStop::Keep, 0x0Fu}, {OnStop::Substitute, 0x80u}}) {
+    Rack rack = outputs(onStop);
+    rack.disableOutputs(false);
+    rack.written(0, &byte, 1);
+    EXPECT_EQ(levels(rack), 0x0Fu);
+    rack.disableOutputs(true);
+    EXPECT_EQ(levels(rack), stopped);
+    rack.written(0, &other, 1);  // T PAB in OB 100 is seen at the transition to RUN
+    EXPECT_EQ(levels(rack), stopped);
+    rack.disableOutputs(false);
+    EXPECT_EQ(levels(rack), 0xF0u);
+  }
+}
+
+}  // namespace
+}  // namespace merker::io
