@@ -52,6 +52,7 @@ Build build(project::Project project, bool checks) {
   step7::Compilation compilation = step7::compile(result.project.sources, compileOptions);
   result.problems.append(compilation.problems);
   result.program = std::make_shared<const block::Program>(std::move(compilation.program));
+  project::checkAddresses(result.project, *result.program, result.problems);
   return result;
 }
 

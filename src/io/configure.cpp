@@ -25,6 +25,19 @@ void addOnBoard(std::vector<Module>& modules, const CpuModel& model) {
   }
 }
 
+// One module a slot; further ones are left out.
+void dropTaken(std::vector<Module>& modules, Problems& problems) {
+  const auto taken = [&](const Module& one, const Module& other) {
+    const bool same = one.slotText() == other.slotText();
+    if (same)
+      problems.add(ProblemCode::P0725,
+                   other.slotPosition.line != 0 ? other.slotPosition : other.position,
+                   other.slotText(), one.title());
+    return same;
+  };
+  modules.erase(std::unique(modules.begin(), modules.end(), taken), modules.end());
+}
+
 void checkNames(const std::vector<Module>& modules, Problems& problems) {
   for (auto one = modules.begin(); one != modules.end(); ++one)
     for (auto other = modules.begin(); other != one; ++other)
@@ -40,6 +53,7 @@ Configuration configure(std::vector<Module> modules, const CpuModel& model, Prob
   std::stable_sort(modules.begin(), modules.end(), [](const Module& a, const Module& b) {
     return std::tie(a.rack, a.slot, a.subslot) < std::tie(b.rack, b.slot, b.subslot);
   });
+  dropTaken(modules, problems);
   Configuration configuration{std::move(modules), &model};
   checkNames(configuration.modules, problems);
   assignAddresses(configuration);

@@ -63,15 +63,6 @@ std::string racksOf(const CpuModel& model) {
   return model.racks == 1 ? "only rack 0" : fmt::format("racks 0 to {}", model.racks - 1);
 }
 
-void checkSlotsTaken(const Configuration& configuration, Problems& problems) {
-  const Module* last = nullptr;
-  for (const Module& module : configuration.modules) {
-    if (last != nullptr && last->slotText() == module.slotText())
-      problems.add(ProblemCode::P0725, slotPlace(module), module.slotText(), title(*last->type));
-    last = &module;
-  }
-}
-
 // S7-HW-33
 void checkGaps(const Configuration& configuration, Problems& problems) {
   std::map<std::uint32_t, std::uint32_t> expected;  // by rack: the slot that comes next
@@ -195,7 +186,6 @@ bool checkPlace(const Module& module, const CpuModel& model, Problems& problems)
 }
 
 void checkMounting(const Configuration& configuration, Problems& problems) {
-  checkSlotsTaken(configuration, problems);
   checkGaps(configuration, problems);
   checkInterfaces(configuration, problems);
   checkCables(configuration, problems);

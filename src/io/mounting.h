@@ -7,7 +7,7 @@ namespace merker::io {
 
 // Whether the module can stand where it stands, for itself (S7-HW-12, -17).
 bool checkPlace(const Module& module, const CpuModel& model, Problems& problems);
-// All modules together: slots taken twice, gaps, interface modules, current, channels.
+// All modules together: gaps, interface modules, current, channels.
 void checkMounting(const Configuration& configuration, Problems& problems);
 
 }  // namespace merker::io

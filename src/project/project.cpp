@@ -11,12 +11,22 @@ namespace {
 
 constexpr const char* kSettingsFile = "merker.toml";
 
-void chooseModel(Project& project, const std::string& cpu) {
-  if (cpu.empty()) return;
-  if (const CpuModel* model = findCpuModel(cpu))
-    project.model = model;
-  else
+// The model that `cpu` names; null if it is empty or, which is a problem, unknown.
+const CpuModel* chosenModel(Project& project, const std::string& cpu) {
+  const CpuModel* model = cpu.empty() ? nullptr : findCpuModel(cpu);
+  if (model == nullptr && !cpu.empty())
     project.problems.add(ProblemCode::P0705, Position{project.path}, cpu, modelNames());
+  return model;
+}
+
+void take(Project& project, const Settings& settings) {
+  if (!settings.name.empty()) project.name = settings.name;
+  project.model = settings.model;
+  project.startOfClock = settings.startOfClock;
+  project.parameters = settings.parameters;
+  project.hardware = settings.hardware;
+  project.addressCheck = settings.addressCheck;
+  project.vertical = settings.vertical;
 }
 
 const source::SourceFile* read(Project& project, const std::string& path,
@@ -75,12 +85,10 @@ std::vector<std::string> filter(const std::vector<std::string>& files, Predicate
 
 void loadFolder(Project& project, const std::string& cpu) {
   const auto* settingsFile = read(project, join(project.folder, kSettingsFile), project.otherFiles);
+  const CpuModel* model = chosenModel(project, cpu);
   const Settings settings =
-      settingsFile ? readSettings(*settingsFile, project.problems) : Settings{};
-  if (!settings.name.empty()) project.name = settings.name;
-  project.model = settings.model;
-  project.startOfClock = settings.startOfClock;
-  chooseModel(project, cpu);
+      settingsFile ? readSettings(*settingsFile, project.problems, model) : Settings{};
+  take(project, settings);
   const std::vector<std::string> files = listFiles(project.folder);
   const auto sources =
       settings.sources
@@ -131,7 +139,8 @@ Project loadSources(const std::string& path, const std::vector<std::string>& sou
   project.folder = folderOf(path);
   project.name = stemOf(path);
   project.startOfClock = defaultStartOfClock();
-  chooseModel(project, cpu);
+  if (const CpuModel* model = chosenModel(project, cpu)) project.model = model;
+  project.parameters = CpuParameters::of(*project.model);
   for (const std::string& source : sources)
     for (const std::string& name : symbolsBeside(source))
       readSymbolFile(project, join(folderOf(source), name));

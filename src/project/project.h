@@ -3,10 +3,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "catalogue/cpu_model.h"
+#include "catalogue/cpu_parameters.h"
+#include "io/configuration.h"
+#include "project/address_check.h"
 #include "source/source_file.h"
 #include "source/symbol_table.h"
 
@@ -18,6 +21,10 @@ struct Project {
   std::string name;
   const CpuModel* model = &defaultCpuModel();
   std::int64_t startOfClock = 0;  // milliseconds since 1990-01-01
+  CpuParameters parameters = CpuParameters::of(defaultCpuModel());
+  std::optional<io::Configuration> hardware;  // none: every address of the image answers
+  AddressCheck addressCheck = AddressCheck::Standard;
+  bool vertical = false;  // mounting of the racks (S7-HW-19)
   std::vector<source::SourceFile> sources;
   std::vector<source::SourceFile> otherFiles;  // merker.toml and symbol files: for showing problems
   source::SymbolTable symbols;

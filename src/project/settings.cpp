@@ -1,149 +1,44 @@
-#define TOML_EXCEPTIONS 0
 #include "project/settings.h"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
-
-#include <array>
 
 #include "address/constant.h"
 #include "base/bcd.h"
+#include "project/readers.h"
 
 namespace merker::project {
 namespace {
 
 constexpr std::int64_t kMillisecondsPerDay = 24 * 3600 * 1000;
+constexpr std::string_view kPatterns =
+    "a list of file names or patterns: [\"*.awl\", \"lib/**/*.awl\"]";
 
-class Reader {
- public:
-  Reader(const std::string& file, Settings& settings, Problems& problems)
-      : file_(file), settings_(settings), problems_(problems) {}
-  void read(const toml::table& root);
-
- private:
-  using Handler = void (Reader::*)(const toml::node&, const toml::source_region&);
-  struct Key {
-    std::string_view name;
-    Handler handler;
-  };
-  struct Section {
-    std::string_view name;
-    std::vector<Key> keys;
-  };
-  static const std::array<Section, 3>& sections();
-
-  Position at(const toml::source_region& region, std::size_t length = 1) const;
-  void readSection(const Section& section, const toml::table& table);
-  std::optional<std::string> text(const toml::node& node, const toml::source_region& at,
-                                  std::string_view key, std::string_view what);
-  std::optional<std::vector<Pattern>> patterns(const toml::node& node,
-                                               const toml::source_region& at, std::string_view key);
-
-  void name(const toml::node& node, const toml::source_region& at);
-  void sources(const toml::node& node, const toml::source_region& at);
-  void symbols(const toml::node& node, const toml::source_region& at);
-  void model(const toml::node& node, const toml::source_region& at);
-  void clock(const toml::node& node, const toml::source_region& at);
-
-  const std::string& file_;
-  Settings& settings_;
-  Problems& problems_;
-};
-
-const std::array<Reader::Section, 3>& Reader::sections() {
-  static const std::array<Section, 3> kSections = {
-      Section{"project", {{"name", &Reader::name}}},
-      Section{"program", {{"sources", &Reader::sources}, {"symbols", &Reader::symbols}}},
-      Section{"cpu", {{"model", &Reader::model}, {"clock", &Reader::clock}}}};
-  return kSections;
-}
-
-template <typename Rows>
-std::string names(const Rows& rows) {
-  std::string list;
-  for (const auto& row : rows) list += fmt::format("{}{}", list.empty() ? "" : ", ", row.name);
-  return list;
-}
-
-template <typename Rows>
-auto find(const Rows& rows, std::string_view name) -> decltype(&*rows.begin()) {
-  for (const auto& row : rows)
-    if (row.name == name) return &row;
-  return nullptr;
-}
-
-Position Reader::at(const toml::source_region& region, std::size_t length) const {
-  return {file_, region.begin.line, region.begin.column, static_cast<std::uint32_t>(length)};
-}
-
-void Reader::read(const toml::table& root) {
-  for (const auto& [key, node] : root) {
-    const Section* section = find(sections(), key.str());
-    const toml::source_region& place = key.source();
-    if (!section)
-      problems_.add(ProblemCode::P0703, at(place, key.str().size()), key.str(), file_,
-                    names(sections()));
-    else if (const toml::table* table = node.as_table())
-      readSection(*section, *table);
-    else
-      problems_.add(ProblemCode::P0704, at(place, key.str().size()), key.str(),
-                    "a table: [" + std::string(key.str()) + "]");
-  }
-}
-
-void Reader::readSection(const Section& section, const toml::table& table) {
-  for (const auto& [key, node] : table) {
-    if (const Key* known = find(section.keys, key.str()))
-      (this->*known->handler)(node, node.source());
-    else
-      problems_.add(ProblemCode::P0703, at(key.source(), key.str().size()), key.str(),
-                    fmt::format("[{}]", section.name), names(section.keys));
-  }
-}
-
-std::optional<std::string> Reader::text(const toml::node& node, const toml::source_region& place,
-                                        std::string_view key, std::string_view what) {
-  if (const auto* string = node.as_string()) return string->get();
-  problems_.add(ProblemCode::P0704, at(place), key, what);
-  return std::nullopt;
-}
-
-std::optional<std::vector<Pattern>> Reader::patterns(const toml::node& node,
-                                                     const toml::source_region& place,
-                                                     std::string_view key) {
-  constexpr std::string_view kWhat =
-      "a list of file names or patterns: [\"*.awl\", \"lib/**/*.awl\"]";
-  const toml::array* array = node.as_array();
-  if (!array) {
-    problems_.add(ProblemCode::P0704, at(place), key, kWhat);
-    return std::nullopt;
-  }
+std::optional<std::vector<Pattern>> patterns(const Table& table, std::string_view key) {
+  const auto texts = table.texts(key, kPatterns);
+  if (!texts) return std::nullopt;
   std::vector<Pattern> list;
-  for (const toml::node& element : *array)
-    if (auto pattern = text(element, element.source(), key, kWhat))
-      list.push_back({*pattern, at(element.source(), pattern->size() + 2)});
+  for (const Table::Text& text : *texts) list.push_back({text.text, text.position});
   return list;
 }
 
-void Reader::name(const toml::node& node, const toml::source_region& place) {
-  if (auto value = text(node, place, "name", "a text")) settings_.name = *value;
+void readProject(const Table& table, Settings& settings) {
+  table.allow({"name"});
+  if (auto name = table.text("name", "a text")) settings.name = *name;
 }
 
-void Reader::sources(const toml::node& node, const toml::source_region& place) {
-  settings_.sources = patterns(node, place, "sources");
+void readProgram(const Table& table, Settings& settings) {
+  table.allow({"sources", "symbols"});
+  settings.sources = patterns(table, "sources");
+  settings.symbols = patterns(table, "symbols");
 }
 
-void Reader::symbols(const toml::node& node, const toml::source_region& place) {
-  settings_.symbols = patterns(node, place, "symbols");
-}
-
-void Reader::model(const toml::node& node, const toml::source_region& place) {
-  const auto value = text(node, place, "model", "the name of a CPU");
-  if (!value) return;
-  if (const CpuModel* model = findCpuModel(*value))
-    settings_.model = model;
+void readModel(const Table& table, Settings& settings) {
+  const auto name = table.text("model", "the name of a CPU");
+  if (!name) return;
+  if (const CpuModel* model = findCpuModel(*name))
+    settings.model = model;
   else
-    problems_.add(ProblemCode::P0705, at(place, value->size() + 2), *value, modelNames());
+    table.problems().add(ProblemCode::P0705, table.at("model"), *name, modelNames());
 }
 
 // Two BCD digits of a DATE_AND_TIME, counted from its first byte.
@@ -162,17 +57,50 @@ std::int64_t millisecondsSince1990(std::uint64_t bcd) {
   return days.value_or(0) * kMillisecondsPerDay + seconds * 1000 + ms;
 }
 
-void Reader::clock(const toml::node& node, const toml::source_region& place) {
-  const auto value = text(node, place, "clock", "a text like \"DT#2005-03-01-08:00:00\"");
-  if (!value) return;
-  const auto bcd = parseDateAndTime(*value, at(place, value->size() + 2));
-  if (bcd)
-    settings_.startOfClock = millisecondsSince1990(bcd.value());
-  else
-    problems_.add(bcd.error());
+void readCpu(const Table& table, const CpuModel* model, Settings& settings) {
+  readModel(table, settings);
+  if (model != nullptr) settings.model = model;
+  settings.parameters = CpuParameters::of(*settings.model);
+  if (const auto clock = readDateAndTime(table, "clock")) settings.startOfClock = *clock;
+  readCpuParameters(table, *settings.model, settings.parameters);
+}
+
+// [hardware] and the modules. Modules with problems are left out.
+void readHardware(const Table& root, Settings& settings) {
+  const auto hardware = root.table("hardware");
+  if (hardware) {
+    hardware->allow({"check_addresses", "mounting"});
+    if (const auto check =
+            hardware->choice("check_addresses", {"standard", "off", "warning", "error"}))
+      settings.addressCheck = static_cast<AddressCheck>(*check);
+    if (const auto way = hardware->choice("mounting", {"horizontal", "vertical"}))
+      settings.vertical = *way == 1;
+  }
+  if (!root.has("hardware") && !root.has("module")) return;
+  std::vector<io::Module> modules;
+  for (const Table& table : root.tables("module"))
+    if (auto module = readModule(table, *settings.model)) modules.push_back(std::move(*module));
+  settings.hardware = io::configure(std::move(modules), *settings.model, root.problems());
+}
+
+void readAll(const Table& root, const CpuModel* model, Settings& settings) {
+  root.allow({"project", "program", "cpu", "hardware", "module"});
+  if (const auto table = root.table("project")) readProject(*table, settings);
+  if (const auto table = root.table("program")) readProgram(*table, settings);
+  if (const auto table = root.table("cpu")) readCpu(*table, model, settings);
+  readHardware(root, settings);
 }
 
 }  // namespace
+
+std::optional<std::int64_t> readDateAndTime(const Table& table, std::string_view key) {
+  const auto text = table.text(key, "a text like \"DT#2005-03-01-08:00:00\"");
+  if (!text) return std::nullopt;
+  const auto bcd = parseDateAndTime(*text, table.at(key));
+  if (bcd) return millisecondsSince1990(bcd.value());
+  table.problems().add(bcd.error());
+  return std::nullopt;
+}
 
 std::string modelNames() {
   std::string list;
@@ -185,9 +113,11 @@ std::int64_t defaultStartOfClock() {
   return daysSince1990(1994, 1, 1).value_or(0) * kMillisecondsPerDay;
 }
 
-Settings readSettings(const source::SourceFile& file, Problems& problems) {
+Settings readSettings(const source::SourceFile& file, Problems& problems, const CpuModel* model) {
   Settings settings;
   settings.startOfClock = defaultStartOfClock();
+  if (model != nullptr) settings.model = model;
+  settings.parameters = CpuParameters::of(*settings.model);
   const toml::parse_result result = toml::parse(file.text(), file.name());
   if (!result) {
     const toml::source_position& place = result.error().source().begin;
@@ -195,7 +125,7 @@ Settings readSettings(const source::SourceFile& file, Problems& problems) {
                  std::string(result.error().description()));
     return settings;
   }
-  Reader(file.name(), settings, problems).read(result.table());
+  readAll(Table(result.table(), "", Position{file.name(), 1, 1}, problems), model, settings);
   return settings;
 }
 

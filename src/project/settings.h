@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "catalogue/cpu_model.h"
+#include "catalogue/cpu_parameters.h"
+#include "io/configuration.h"
+#include "project/address_check.h"
 #include "source/source_file.h"
 
 namespace merker::project {
@@ -23,9 +25,17 @@ struct Settings {
   const CpuModel* model = &defaultCpuModel();
   std::int64_t startOfClock = 0;  // milliseconds since 1990-01-01
   std::optional<std::vector<Pattern>> sources, symbols;
+  CpuParameters parameters;
+  // Without [hardware] and [[module]] there is none: docs/compatibility.md, "Without a hardware
+  // configuration".
+  std::optional<io::Configuration> hardware;
+  AddressCheck addressCheck = AddressCheck::Standard;
+  bool vertical = false;  // mounting (S7-HW-19)
 };
 
-Settings readSettings(const source::SourceFile& file, Problems& problems);
+// `model`, unless null, replaces the CPU that the file names.
+Settings readSettings(const source::SourceFile& file, Problems& problems,
+                      const CpuModel* model = nullptr);
 
 // "314C-2 PtP, generic, …", for problems.
 std::string modelNames();

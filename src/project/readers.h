@@ -1,0 +1,23 @@
+// The parts of merker.toml, each read by its own file.
+#pragma once
+
+#include "project/settings.h"
+#include "project/table.h"
+
+namespace merker::project {
+
+// [cpu] without model and clock: CpuParameters (S7-HWCFG-08)
+void readCpuParameters(const Table& cpu, const CpuModel& model, CpuParameters& parameters);
+// A date and time as DT# in milliseconds since 1990-01-01.
+std::optional<std::int64_t> readDateAndTime(const Table& table, std::string_view key);
+
+// [[module]]; nothing if it is too wrong to have a place
+std::optional<io::Module> readModule(const Table& table, const CpuModel& model);
+// The module's parameters (S7-HWCFG-09)
+void readParameters(const Table& table, io::Module& module);
+// [[module.channel]]
+void readChannels(const Table& table, io::Module& module);
+// "±10V, 0..10V, …": the ranges of a RangeSet, for problems
+std::string rangeNames(std::uint16_t sets);
+
+}  // namespace merker::project
