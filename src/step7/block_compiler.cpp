@@ -209,11 +209,26 @@ void BlockCompiler::endOfStatement() {
   skipStatement();
 }
 
+// Passes the label and says where it begins. It may stand alone on the next line.
+std::size_t BlockCompiler::jumpLabel() {
+  cursor_.skipBlanks();
+  const std::size_t end = cursor_.pos();
+  if (cursor_.atLineEnd()) cursor_.skipSpace();
+  const std::size_t begin = cursor_.pos();
+  cursor_.word();
+  if (cursor_.atStatementEnd() || begin == end) {
+    cursor_.seek(begin);
+    cursor_.word();
+    return begin;
+  }
+  cursor_.seek(end);
+  return end;
+}
+
 void BlockCompiler::jump(Operation operation, std::size_t begin) {
   ended_ = false;
-  cursor_.skipBlanks();
-  const std::size_t labelBegin = cursor_.pos();
-  const std::string label(cursor_.word());
+  const std::size_t labelBegin = jumpLabel();
+  const std::string label(cursor_.slice(labelBegin, cursor_.pos()));
   if (label.empty()) {
     problems_.add(ProblemCode::P0335, at(begin, cursor_.pos()));
     return;

@@ -46,6 +46,7 @@ class BlockCompiler {
   bool networkHeader(std::string_view word);
   void instruction(const std::string& mnemonic, std::size_t begin);
   void operate(mc7::Operation operation, std::size_t begin, const std::string& mnemonic);
+  std::size_t jumpLabel();
   void jump(mc7::Operation operation, std::size_t begin);
   void addressRegister(mc7::Operation operation, const Access& access);
   void blockCall(mc7::Operation operation, const Access& access);
