@@ -1,0 +1,180 @@
+#include "sinumerik/processor.h"
+
+#include "mc5/encoding.h"
+#include "mc5/range.h"
+#include "sinumerik/handlers.h"
+
+namespace merker::sinumerik {
+namespace {
+
+using mc5::BlockType;
+
+// A parameter in BCD, as the fine coding shows it (S5-ERR-14).
+std::uint16_t bcdWord(std::uint32_t value) {
+  std::uint32_t result = 0;
+  for (unsigned shift = 0; shift < 16; shift += 4, value /= 10) result |= value % 10 << shift;
+  return static_cast<std::uint16_t>(result);
+}
+
+}  // namespace
+
+Processor::Processor(Machine& machine, const Environment& environment)
+    : machine_(machine), environment_(environment), cache_(machine.blocks.program().size()) {}
+
+bool Processor::begin(std::uint8_t ob) {
+  const Entry& entry = machine_.blocks.find({BlockType::Ob, ob});
+  if (!entry.present) return false;
+  Level level;
+  level.ob = ob;
+  level.frames.push_back({.block = {BlockType::Ob, ob},
+                          .start = entry.start,
+                          .next = entry.start,
+                          .parameters = 0,
+                          .data = {}});
+  machine_.levels.push_back(std::move(level));
+  return true;
+}
+
+// Decoded code is kept as long as its words are the same: TIR and TNW may write code.
+std::optional<mc5::Decoded> Processor::fetch(std::uint32_t word) {
+  const auto& memory = machine_.blocks.program();
+  if (word >= memory.size()) return std::nullopt;
+  const auto at = [&](std::uint32_t i) {
+    return word + i < memory.size() ? memory[word + i] : std::uint16_t{0};
+  };
+  Cached& cached = cache_[word];
+  const bool same = cached.encoding != nullptr && cached.first == at(0) && cached.second == at(1) &&
+                    cached.third == at(2);
+  if (!same) {
+    const auto decoded = mc5::decode(std::span(memory).subspan(word));
+    if (!decoded) return std::nullopt;
+    cached = {decoded->instruction,
+              decoded->encoding,
+              at(0),
+              at(1),
+              at(2),
+              static_cast<std::uint8_t>(decoded->words)};
+  }
+  return mc5::Decoded{cached.instruction, cached.encoding, cached.words};
+}
+
+std::optional<mc5::Decoded> Processor::fetchNext() {
+  Frame& frame = machine_.frame();
+  current_ = frame.next;  // a jump counts from itself, not from the B before it
+  auto decoded = fetch(frame.next);
+  if (decoded) frame.next += decoded->words;
+  return decoded;
+}
+
+Outcome Processor::step() {
+  Frame& frame = machine_.frame();
+  current_ = frame.next;
+  trapped_ = levelEnded_ = false;
+  depth_ = 0;
+  const auto& memory = machine_.blocks.program();
+  opcode_ = current_ < memory.size() ? memory[current_] : std::uint16_t{0};
+  const auto decoded = fetch(current_);
+  if (!decoded) {
+    fail(Alarm::IllegalCode, opcode_);
+    return Outcome::Trapped;
+  }
+  frame.next += decoded->words;
+  ++instructions_;
+  execute(*decoded);
+  if (trapped_) return Outcome::Trapped;
+  return levelEnded_ ? Outcome::LevelEnded : Outcome::Next;
+}
+
+bool Processor::execute(const mc5::Decoded& decoded) {
+  const mc5::Operand& operand = decoded.instruction.operand;
+  if (!mc5::inRange(decoded.instruction)) {
+    const bool cell =
+        operand.kind == mc5::OperandKind::Timer || operand.kind == mc5::OperandKind::Counter;
+    return fail(cell ? Alarm::TimerCounter : Alarm::IllegalParameter, opcode_, 0,
+                bcdWord(operand.value));
+  }
+  if (operand.kind == mc5::OperandKind::Timer &&
+      operand.value > environment_.lastTimer)  // S5-MD-02
+    return fail(Alarm::TimerCounter, opcode_, 0, bcdWord(operand.value));
+  const bool done = handler(decoded.instruction)(*this, decoded.instruction);
+  charge(*decoded.encoding, done);
+  return done;
+}
+
+void Processor::charge(const mc5::Encoding& encoding, bool done) {
+  const mc5::Times times = mc5::times(encoding, environment_.variant);
+  machine_.clock = machine_.clock + (done ? times.longest : times.shortest);
+}
+
+bool Processor::substitute(const mc5::Instruction& instruction) {
+  if (++depth_ > 2) return fail(Alarm::Substitution, opcode_);
+  for (const mc5::Encoding& row : mc5::encodings())
+    if (row.operation == instruction.operation &&
+        mc5::encodeOperand(row, instruction.operand).has_value())
+      return execute({instruction, &row, row.words});
+  return fail(Alarm::Substitution, opcode_);
+}
+
+bool Processor::fail(Alarm alarm, std::uint16_t word1, std::uint16_t word2, std::uint16_t word3) {
+  if (!trapped_) trap_ = {alarm, {word1, word2, word3}};
+  trapped_ = true;
+  return false;
+}
+
+void Processor::jump(std::int32_t words) {
+  machine_.frame().next = current_ + static_cast<std::uint32_t>(words);
+}
+
+std::optional<std::uint16_t> Processor::parameter(std::uint32_t index) const {
+  const Frame& frame = machine_.levels.back().frames.back();
+  const auto& memory = machine_.blocks.program();
+  const std::uint64_t word = std::uint64_t{frame.parameters} + index - 1;
+  if (frame.parameters == 0 || index == 0 || word >= memory.size()) return std::nullopt;
+  return memory[word];
+}
+
+// Behind the call of an FB stands a jump over its parameter list (S5-FB-06).
+bool Processor::call(mc5::BlockId block) {
+  auto& frames = machine_.level().frames;
+  if (block.type == BlockType::Fb && environment_.macros && environment_.macros->has(block.number))
+    return callMacro(block.number);
+  const Entry& entry = machine_.blocks.find(block);
+  if (!entry.present) return fail(Alarm::MissingBlock, opcode_, 0, bcdWord(block.number));
+  if (frames.size() >= kNesting) return fail(Alarm::BlockStack, opcode_);
+  const bool list = block.type == BlockType::Fb;
+  frames.push_back({.block = block,
+                    .start = entry.start,
+                    .next = entry.start,
+                    .parameters = list ? frames.back().next + 1 : 0,
+                    .data = frames.back().data});
+  displays().os = displays().orBit = displays().chain = false;  // OP-24
+  return true;
+}
+
+bool Processor::callMacro(std::uint16_t number) {
+  const auto& memory = machine_.blocks.program();
+  const std::uint32_t jumpWord = machine_.frame().next;
+  std::span<const std::uint16_t> list;
+  if (jumpWord + 1 < memory.size() && memory[jumpWord] >> 8 == 0x2D) {
+    const std::uint32_t count = (memory[jumpWord] & 0xFF) - 1u;
+    if (jumpWord + 1 + count <= memory.size())
+      list = std::span(memory).subspan(jumpWord + 1, count);
+  }
+  const auto trap = environment_.macros->call(number, machine_, list);
+  displays().orBit = displays().chain = false;
+  if (!trap) return true;
+  trap_ = *trap;
+  trapped_ = true;
+  return false;
+}
+
+void Processor::leave() {
+  auto& frames = machine_.level().frames;
+  frames.pop_back();
+  displays().os = displays().orBit = displays().chain = false;  // OP-24
+  if (!frames.empty()) return;
+  machine_.levels.pop_back();
+  levelEnded_ = true;
+}
+
+}  // namespace merker::sinumerik
