@@ -3,6 +3,7 @@
 // clock; `now` says what that clock showed, so that a reader knows how long each is ago or ahead.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -41,13 +42,23 @@ struct RetentiveEvent {
   bool placeKnown = false;
   BlockId block;
   std::uint32_t offset = 0;
+  std::array<std::uint8_t, 10> info{};  // bytes 2..11
+  std::array<std::uint8_t, 8> stamp{};  // DATE_AND_TIME
   bool operator==(const RetentiveEvent&) const = default;
+};
+
+// A run-time meter (S7-CPU-32): it counted this long until `since`, and goes on if it runs.
+struct RetentiveMeter {
+  std::int64_t counted = 0, since = 0;
+  bool running = false;
+  bool operator==(const RetentiveMeter&) const = default;
 };
 
 struct RetentiveData {
   std::int64_t now = 0;
   std::int64_t clock = 0;  // what the CPU's clock showed: milliseconds since 1990-01-01
   bool running = false;    // RUN or STARTUP, not STOP
+  std::vector<RetentiveMeter> meters;
   std::vector<std::uint8_t> flags;
   std::vector<RetentiveTimer> timers;
   std::vector<RetentiveCounter> counters;

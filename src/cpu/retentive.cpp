@@ -43,8 +43,28 @@ S5Counter toCounter(const RetentiveCounter& c) {
 }
 
 RetentiveEvent toRetentive(const DiagnosticEvent& event) {
-  return {event.event,       event.time.ns,     event.text,
-          event.place.known, event.place.block, event.place.offset};
+  return {.event = event.event,
+          .time = event.time.ns,
+          .text = event.text,
+          .placeKnown = event.place.known,
+          .block = event.place.block,
+          .offset = event.place.offset,
+          .info = event.info,
+          .stamp = event.stamp};
+}
+
+DiagnosticEvent toEvent(const RetentiveEvent& event, Duration shift) {
+  return {.event = event.event,
+          .time = Instant{event.time} + shift,
+          .text = event.text,
+          .place = {event.placeKnown, event.block, event.offset},
+          .info = event.info,
+          .stamp = event.stamp};
+}
+
+// Off after power off (S7-SFC-03), with what it had counted by then.
+RuntimeMeter toMeter(const block::RetentiveMeter& meter, const RetentiveData& data) {
+  return {.counted = meter.counted + (meter.running ? data.now - meter.since : 0)};
 }
 
 // Into the vectors that are there: nothing is allocated cycle after cycle.
@@ -85,6 +105,9 @@ void Cpu::retentive(RetentiveData& data) const {
   data.now = machine_.clock.ns;
   data.clock = clock_.milliseconds(machine_.clock);
   data.running = mode_ != Mode::Stop || (!powered_ && runningAtPowerOff_);
+  data.meters.clear();
+  for (const RuntimeMeter& meter : runtimeMeters_)
+    data.meters.push_back({meter.counted, meter.since.ns, meter.running});
   const std::uint8_t* flags = machine_.areas.image.data() + machine_.areas.flagBase;
   data.flags.assign(flags, flags + ranges.flags);
   data.timers.resize(ranges.timers);
@@ -109,6 +132,8 @@ void Cpu::restore(const RetentiveData& data) {
   powered_ = false;
   runningAtPowerOff_ = data.running;
   clock_.set(data.clock, machine_.clock);
+  for (std::size_t i = 0; i < std::min(runtimeMeters_.size(), data.meters.size()); ++i)
+    runtimeMeters_[i] = toMeter(data.meters[i], data);
   std::copy_n(data.flags.begin(), std::min<std::size_t>(ranges.flags, data.flags.size()),
               machine_.areas.image.begin() + machine_.areas.flagBase);
   for (std::size_t i = 0; i < std::min(ranges.timers, data.timers.size()); ++i)
@@ -116,11 +141,7 @@ void Cpu::restore(const RetentiveData& data) {
   for (std::size_t i = 0; i < std::min(ranges.counters, data.counters.size()); ++i)
     machine_.counters[i] = toCounter(data.counters[i]);
   for (const RetentiveDataBlock& block : data.dataBlocks) restoreBlock(block, machine_.dataBlocks);
-  for (const RetentiveEvent& event : data.events)
-    diagnostics_.add({.event = event.event,
-                      .time = Instant{event.time} + shift,
-                      .text = event.text,
-                      .place = {event.placeKnown, event.block, event.offset}});
+  for (const RetentiveEvent& event : data.events) diagnostics_.add(toEvent(event, shift));
 }
 
 }  // namespace merker::cpu

@@ -116,7 +116,23 @@ TEST(PowerFailure, DiagnosticBufferAndClock) {
   for (std::size_t i = 0; i < data.events.size(); ++i) {
     EXPECT_EQ(again.events[i].event, data.events[i].event);
     EXPECT_EQ(again.events[i].time - again.now, data.events[i].time - data.now);
+    EXPECT_EQ(again.events[i].stamp, data.events[i].stamp);
+    EXPECT_EQ(again.events[i].info, data.events[i].info);
   }
+}
+
+// S7-SFC-03: what it counted stays, and it stands still until SFC 3.
+TEST(PowerFailure, RunTimeMeter) {
+  const CpuModel model = withRetentiveTimers();
+  block::RetentiveData data = filled(model, false);
+  ASSERT_FALSE(data.meters.empty());
+  data.meters[0] = {.counted = 50, .since = data.now - 7, .running = true};
+  Plc plc(kProgram, model);
+  plc->restore(data);
+  block::RetentiveData again;
+  plc->retentive(again);
+  EXPECT_EQ(again.meters[0].counted, 57);
+  EXPECT_FALSE(again.meters[0].running);
 }
 
 // What was never written stays: data of another length belongs to another block.

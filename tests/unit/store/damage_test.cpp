@@ -1,0 +1,111 @@
+// Damaged and foreign cards: a problem, never a crash, and nothing written to them.
+#include <fstream>
+#include <iterator>
+#include <random>
+
+#include "card.h"
+#include "store/database.h"
+
+namespace merker::store::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class DamagedCard : public CardTest {
+ protected:
+  DamagedCard() {
+    auto card = MemoryCard::open(folder_);
+    EXPECT_TRUE(card->download(loadMemory()));
+    EXPECT_FALSE(card->save(retentiveData(7)));
+  }
+  std::string content() const {
+    std::ifstream in(file(), std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  }
+  void replace(const std::string& bytes) const {
+    fs::remove(file() + "-wal");
+    std::ofstream(file(), std::ios::binary) << bytes;
+  }
+  void execute(const char* sql) const { Database(file()).execute(sql); }
+  // Refused for this reason, and the file is as it was.
+  void expectRefusal(ProblemCode code) const {
+    const std::string before = content();
+    EXPECT_EQ(refusal(), code);
+    EXPECT_TRUE(content() == before);
+  }
+};
+
+TEST_F(DamagedCard, TextIsNoDatabase) {
+  replace("this is text and no database, long enough for a header: " + std::string(200, '.'));
+  expectRefusal(ProblemCode::P1002);
+  replace("short");
+  expectRefusal(ProblemCode::P1002);
+}
+
+TEST_F(DamagedCard, ADatabaseOfAnotherProgram) {
+  fs::remove_all(folder_);
+  fs::create_directories(folder_);
+  execute("CREATE TABLE recipe(name TEXT); INSERT INTO recipe VALUES ('bread');");
+  expectRefusal(ProblemCode::P1002);
+}
+
+TEST_F(DamagedCard, AnEmptyFileIsANewCard) {
+  replace("");
+  const auto card = MemoryCard::open(folder_);
+  ASSERT_TRUE(card);
+  EXPECT_TRUE(card->empty());
+}
+
+TEST_F(DamagedCard, ANewerFormat) {
+  execute("PRAGMA user_version = 2");
+  expectRefusal(ProblemCode::P1005);
+}
+
+TEST_F(DamagedCard, WhatThisModuleFinds) {
+  for (const char* sql :
+       {"UPDATE page SET bytes = x'00' WHERE kind = 'M'", "DELETE FROM page WHERE kind = 'DB'",
+        "DELETE FROM page WHERE number = 1 AND page = 1", "UPDATE area SET length = 5",
+        "UPDATE area SET number = -1 WHERE kind = 'M'",
+        "UPDATE area SET length = 1e12 WHERE kind = 'M'",
+        "UPDATE area SET kind = 'E' WHERE kind = 'M'", "UPDATE page SET page = 1 WHERE kind = 'M'",
+        "UPDATE block SET container = x'7070'", "UPDATE block SET checksum = 'x'",
+        "UPDATE block SET number = number + 1 WHERE kind = 12", "UPDATE setting SET value = 5",
+        "DROP TABLE page", "DROP TABLE block", "ALTER TABLE area RENAME COLUMN kind TO sort"}) {
+    SCOPED_TRACE(sql);
+    const std::string whole = content();
+    execute(sql);
+    expectRefusal(ProblemCode::P1003);
+    replace(whole);
+  }
+  EXPECT_TRUE(MemoryCard::open(folder_));
+}
+
+// Bytes changed at random, anywhere in the file, and files that are cut off: read or refused. What
+// is read is right.
+TEST_F(DamagedCard, AnyBytes) {
+  const std::string whole = content();
+  std::mt19937 random(314);
+  std::size_t refused = 0;
+  constexpr std::size_t kRounds = 400;
+  for (std::size_t round = 0; round < kRounds; ++round) {
+    std::string bytes = whole;
+    for (std::size_t changes = 1 + random() % 8; changes > 0; --changes)
+      bytes[random() % bytes.size()] = static_cast<char>(random());
+    if (round % 8 == 0) bytes.resize(random() % bytes.size());
+    replace(bytes);
+    auto card = MemoryCard::open(folder_);
+    if (!card) {
+      ++refused;
+      EXPECT_FALSE(card.error().message.empty());
+      EXPECT_TRUE(content() == bytes || bytes.empty()) << "round " << round;
+      continue;
+    }
+    EXPECT_EQ(card->retentive().value_or(withoutCount(retentiveData(7))),
+              withoutCount(retentiveData(7)));
+    EXPECT_FALSE(card->save(retentiveData(8)));
+  }
+  EXPECT_GT(refused, kRounds / 4);
+}
+
+}  // namespace
+}  // namespace merker::store::test
