@@ -14,6 +14,7 @@ void addCheck(CLI::App& program, int& result);
 void addRun(CLI::App& program, int& result);
 void addTest(CLI::App& program, int& result);
 void addList(CLI::App& program, int& result);
+void addHw(CLI::App& program, int& result);
 void addDisassemble(CLI::App& program, int& result);
 void addAssemble(CLI::App& program, int& result);
 void addBench(CLI::App& program, int& result);

@@ -32,6 +32,7 @@ int run(int argc, char** argv) {
   merker::app::addRun(program, result);
   merker::app::addTest(program, result);
   merker::app::addList(program, result);
+  merker::app::addHw(program, result);
   merker::app::addDisassemble(program, result);
   merker::app::addAssemble(program, result);
   merker::app::addBench(program, result);
