@@ -28,6 +28,9 @@ struct TimeOfDayParameter {
 // When OB 85 is called for errors while the process image is updated.
 enum class ImageErrors : std::uint8_t { None, EachCycle, ComingAndGoing };
 
+// What a CPU that was running does when power returns; Hot and Cold where the model has them.
+enum class PowerOnStart : std::uint8_t { Warm, Hot, Cold };
+
 struct CpuParameters {
   std::uint32_t cycleMonitoring = 150;       // ms, 1..6000 (S7-CPU-29)
   std::uint32_t minimumCycle = 0;            // ms; 0 = off
@@ -37,6 +40,7 @@ struct CpuParameters {
   std::vector<CyclicParameter> cyclic;  // only those that differ from the default
   std::vector<TimeOfDayParameter> timeOfDay;
   ImageErrors imageErrors = ImageErrors::None;
+  PowerOnStart afterPowerOn = PowerOnStart::Warm;
   bool startOnMismatch = true;  // start although the modules differ from the configuration
   std::uint8_t protection = 1;  // level 1..3 (S7-MEM-05)
   std::string password;

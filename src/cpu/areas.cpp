@@ -53,9 +53,16 @@ bool Areas::answers(const std::vector<bool>& present, std::uint32_t byte, unsign
   return true;
 }
 
+// A module that does not answer delivers 0; addresses of no module are free for the program.
 void Areas::readInputs() {
   const std::size_t count = std::min<std::size_t>(imageBytes, inputs.size());
-  std::copy_n(inputs.begin(), count, image.begin());
+  if (inputConfigured.empty()) {
+    std::copy_n(inputs.begin(), count, image.begin());
+    return;
+  }
+  for (std::size_t i = 0; i < count; ++i)
+    if (i < inputConfigured.size() && inputConfigured[i])
+      image[i] = inputPresent[i] ? inputs[i] : std::uint8_t{0};
 }
 
 void Areas::writeOutputs() {

@@ -30,6 +30,9 @@ struct Areas {
   // (S7-OPND-11).
   std::vector<std::uint8_t> inputs, outputs;
   std::vector<bool> inputPresent, outputPresent;
+  // Bytes that belong to a configured module, whether it answers or not; empty without a hardware
+  // configuration.
+  std::vector<bool> inputConfigured, outputConfigured;
 
   std::uint8_t* input(std::uint32_t byte) { return &image[byte]; }
   std::uint8_t* output(std::uint32_t byte) { return &image[outputBase + byte]; }
@@ -40,7 +43,7 @@ struct Areas {
   std::uint32_t base(Area area) const;
 
   bool answers(const std::vector<bool>& present, std::uint32_t byte, unsigned count) const;
-  void readInputs();    // terminals to input image
+  void readInputs();    // terminals to input image; bytes of no module stay as they are
   void writeOutputs();  // output image to terminals
   void clearImages();
 };

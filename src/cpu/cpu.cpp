@@ -1,41 +1,30 @@
 #include "cpu/cpu.h"
 
+#include <algorithm>
+
+#include "cpu/clock_memory.h"
+
 namespace merker::cpu {
 
 Cpu::Cpu(const CpuModel& model, Engine& engine, SystemServices& services, std::int64_t startOfClock)
-    : machine_(model), engine_(engine), services_(services), clock_(startOfClock) {
-  runtimeMeters_.resize(model.runtimeMeters);
+    : Cpu(model, engine, services, startOfClock, CpuParameters::of(model)) {}
+
+Cpu::Cpu(const CpuModel& model, Engine& engine, SystemServices& services, std::int64_t startOfClock,
+         CpuParameters parameters)
+    : machine_(model),
+      engine_(engine),
+      services_(services),
+      parameters_(std::move(parameters)),
+      clock_(startOfClock),
+      nextClockMemory_(parameters_.clockMemory ? nextClockMemory(Instant{}) : Instant::never()) {
   machine_.cpu = this;
+  runtimeMeters_.resize(model.runtimeMeters);
   stopEvent_ = {.event = static_cast<std::uint16_t>(Event::PowerOn)};
 }
 
-namespace {
-
-void enter(std::vector<const Code*>& table, std::uint32_t number, const Code* code) {
-  if (table.size() <= number) table.resize(number + 1);
-  table[number] = code;
-}
-
-}  // namespace
-
-void Cpu::load(std::shared_ptr<const block::Program> program) {
-  program_ = std::move(program);
-  code_.clear();
-  machine_.functions.clear();
-  machine_.functionBlocks.clear();
-  machine_.organizationBlocks.clear();
-  for (const auto& [id, source] : *program_) {
-    std::vector<const Code*>* table = id.kind == BlockKind::FC   ? &machine_.functions
-                                      : id.kind == BlockKind::FB ? &machine_.functionBlocks
-                                      : id.kind == BlockKind::OB ? &machine_.organizationBlocks
-                                                                 : nullptr;
-    if (table == nullptr) continue;
-    code_.push_back(engine_.translate(source));
-    enter(*table, id.number, code_.back().get());
-  }
-  clearStacks();
-  clearSystemMemory(true);
-  machine_.dataBlocks.load(*program_);
+void Cpu::connect(Periphery* periphery) {
+  periphery_ = periphery;
+  if (periphery_ != nullptr) periphery_->disableOutputs(*this, outputsDisabled_);
 }
 
 bool Cpu::callSystem(BlockId block, std::span<const std::uint32_t> parameters) {
@@ -44,12 +33,11 @@ bool Cpu::callSystem(BlockId block, std::span<const std::uint32_t> parameters) {
 }
 
 bool Cpu::probe(BlockId block, Probe* probe) {
-  for (const auto& code : code_) {
-    if (code->source->id != block) continue;
-    engine_.probe(*code, probe);
-    return true;
-  }
-  return false;
+  const auto newest = std::find_if(code_.rbegin(), code_.rend(),
+                                   [&](const auto& code) { return code->source->id == block; });
+  if (newest == code_.rend()) return false;
+  engine_.probe(**newest, probe);
+  return true;
 }
 
 void Cpu::force(std::uint32_t imageByte, std::uint8_t mask, std::uint8_t value) {

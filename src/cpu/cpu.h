@@ -11,32 +11,28 @@
 #include <vector>
 
 #include "block/retentive.h"
+#include "catalogue/cpu_parameters.h"
+#include "catalogue/module_event.h"
+#include "cpu/cycle_monitoring.h"
+#include "cpu/cycle_times.h"
 #include "cpu/diagnostics.h"
 #include "cpu/engine.h"
 #include "cpu/error.h"
 #include "cpu/event.h"
 #include "cpu/interrupts.h"
+#include "cpu/leds.h"
 #include "cpu/machine.h"
+#include "cpu/mode_switch.h"
+#include "cpu/operating_state.h"
+#include "cpu/periphery.h"
+#include "cpu/present_faults.h"
 #include "cpu/real_time_clock.h"
 #include "cpu/runtime_meter.h"
 
 namespace merker::cpu {
 
-enum class Mode : std::uint8_t { Stop, Startup, Run };
-enum class Restart : std::uint8_t { ManualWarm, AutomaticWarm, ManualCold };
 // What the running block does after a synchronous error.
 enum class AfterError : std::uint8_t { GoOn, ErrorOb, Stopped };
-
-struct CycleTimes {  // ms, as OB 1 sees them (S7-OBI-02)
-  std::int32_t previous = 0, shortest = 0, longest = 0;
-  bool any = false;
-  void add(Duration cycle) {
-    previous = static_cast<std::int32_t>(cycle.ns / 1'000'000);
-    shortest = any && shortest < previous ? shortest : previous;
-    longest = any && longest > previous ? longest : previous;
-    any = true;
-  }
-};
 
 // How much of M, T and Z outlives a restart, from number 0 (S7-CPU-28).
 struct RetentiveRanges {
@@ -56,31 +52,70 @@ enum class CyclePoint : std::uint8_t { Begin, End, Stop };
 class Cpu {
  public:
   Cpu(const CpuModel& model, Engine& engine, SystemServices& services, std::int64_t startOfClock);
+  Cpu(const CpuModel& model, Engine& engine, SystemServices& services, std::int64_t startOfClock,
+      CpuParameters parameters);
   // Fills load and work memory; the CPU is then as after memory reset.
   void load(std::shared_ptr<const block::Program> program);
+  // The same program with blocks changed, added or deleted: in RUN at the next cycle checkpoint,
+  // all of them at once (S7-CYCLE-05, S7-LIM-04). Unchanged blocks keep their values.
+  void download(std::shared_ptr<const block::Program> program);
+  // The modules; null: terminals are what stands in Areas::inputs and outputs.
+  void connect(Periphery* periphery);
+  Periphery* periphery() { return periphery_; }
 
   Machine& machine() { return machine_; }
   const Machine& machine() const { return machine_; }
+  const CpuParameters& parameters() const { return parameters_; }
+  const std::shared_ptr<const block::Program>& program() const { return program_; }
   Mode mode() const { return mode_; }
+  bool powered() const { return powered_; }
   bool stoppedByFault() const { return stoppedByFault_; }
   const DiagnosticEvent& stopEvent() const { return stopEvent_; }
   const Diagnostics& diagnostics() const { return diagnostics_; }
-  // The instant that timers see: they stand still in STOP (S7-TMR-22).
-  Instant timerTime() const { return mode_ == Mode::Stop ? stoppedAt_ : machine_.clock; }
+  // The instant that timers see: they stand still in STOP and HALT (S7-TMR-22).
+  Instant timerTime() const { return executes(mode_) ? machine_.clock : frozenAt_; }
+  // Time that has passed in STARTUP and RUN since the last warm or cold restart (SFC 64).
+  Duration systemTime() const { return timerTime() - systemStart_; }
   std::uint64_t cycles() const { return cycles_; }
   // Ends of cycles, and changes to RUN.
   std::uint64_t checkpoints() const { return checkpoints_; }
+  Leds leds() const;
 
   // operating states (S7-STATE)
   bool restart(Restart how);  // false: refused
   void stop(Event why);       // a wish: switch, programming device, SFC 46
-  void memoryReset();
+  void memoryReset(Event how = Event::MemoryReset);
   void powerOff();
-  void powerOn();
+  // Not buffered: everything that was in RAM is lost (battery empty, card taken out).
+  void powerOn(bool buffered = true);
+  void turnSwitch(SwitchPosition to);
+  void releaseSwitch();  // from STOP or MRES to RUN-P, without a start
+  const ModeSwitch& modeSwitch() const { return switch_; }
+  // STOP LED blinks; no start until memory reset.
+  void requestMemoryReset();
+  // Test operation (S7-STATE-07): HALT stops before the next instruction. False: not possible now.
+  bool halt();
+  bool resume();
+  // In HALT: one instruction, and HALT again.
+  bool singleStep();
   // retentive memory (S7-MEM-02): as it is now, into `data`, whose events stay if none was added
   void retentive(block::RetentiveData& data) const;
   // For a CPU that was just loaded: it is then switched off and has this in its memory.
   void restore(const block::RetentiveData& data);
+
+  // events from outside the program
+  void moduleEvent(const ModuleEvent& event);
+  // An asynchronous error (OB 80 to 87): entered, then its OB is asked for or the CPU stops
+  // (S7-ERR-01). `start` as its OB will see it.
+  void asynchronousError(const StartInformation& start, std::string_view detail = {});
+  void setBattery(bool low);  // OB 81
+  // Somebody outside exchanges data: the cycle gets longer by the communication load.
+  void communicate(bool active) { communicating_ = active; }
+  // Entries of the diagnostic buffer.
+  void report(Event event);
+  void report(std::uint16_t event, std::string text, Place place = {});
+  // Of the user program or of a module; info: bytes 4..11 of the entry (S7-SFC-20).
+  void note(std::uint16_t event, std::string text, const DiagnosticInformation& info);
 
   // time
   bool betweenCycles() const { return machine_.levels.empty(); }
@@ -99,6 +134,9 @@ class Cpu {
   AfterError synchronousError(const SyncError& error);
   void stopByFault(Event why, std::string detail = {});
   bool callSystem(BlockId block, std::span<const std::uint32_t> parameters);
+  // The program wrote outputs.first .. first + count - 1.
+  void outputsWritten(std::uint32_t first, std::uint32_t count);
+  bool outputsDisabled() const { return outputsDisabled_; }
 
   // for test functions
   bool probe(BlockId block, Probe* probe);  // false: no such code block
@@ -108,24 +146,34 @@ class Cpu {
 
   // for system functions
   RealTimeClock& clock() { return clock_; }
+  void setClock(std::int64_t milliseconds);  // time-of-day interrupts that are jumped over: OB 80
   Interrupts& interrupts() { return interrupts_; }
   std::vector<RuntimeMeter>& runtimeMeters() { return runtimeMeters_; }
-  // An entry of the user program or of a module; info: bytes 4..11 of the entry (S7-SFC-20).
-  void note(std::uint16_t event, std::string text, const std::array<std::uint8_t, 8>& info);
   const CycleTimes& cycleTimes() const { return cycleTimes_; }
   void retrigger();  // SFC 43
   bool hasOb(std::uint32_t number) const {
     return find(machine_.organizationBlocks, number) != nullptr;
   }
+  DateAndTime dateAndTime() const;
 
  private:
   // cycle.cpp
   void idle(Instant limit);
+  void rest(Instant limit);
   void runTop(Instant limit);
+  void runInstructions(Instant until);
   void startCycle();
   void endCycle();
   void enterRun();
+  Instant nextCycle() const;
+  Duration cycleMonitoring() const { return Duration::milliseconds(parameters_.cycleMonitoring); }
+  // image_update.cpp
+  void updateImages();
   void applyForces();
+  void imageErrors();
+  void compareImageErrors(std::vector<bool>& before, std::vector<bool> now, bool output);
+  void imageError(std::uint8_t faultId, bool coming, std::uint32_t byte);
+  void disableOutputs(bool disabled);
   void reached(CyclePoint point);
   // levels.cpp
   bool startLevel(std::uint8_t ob, std::uint8_t priority, const StartInformation& start,
@@ -136,48 +184,85 @@ class Cpu {
   // events.cpp
   Instant nextEvent() const;
   void takeEvents();
+  void takePeriphery();
+  void takeClockMemory();
   void takeCyclic();
   void takeDelayed();
   void takeTimeOfDay();
+  void skipTimeOfDay(std::uint8_t faultId);
   void cycleTimeExceeded();
-  void request(std::uint8_t ob, const StartInformation& start);
-  void timeError(std::uint8_t faultId, std::uint16_t info, std::uint8_t ob);
-  bool runsOrWaits(std::uint8_t ob) const;
   void prepareInterrupts();
+  void updateInterrupts();  // OBs have come or gone in RUN
+  // requests.cpp
+  void request(const StartInformation& start);
+  void queue(StartInformation start);
+  void timeError(std::uint8_t faultId, std::uint32_t info, const StartInformation& cause);
+  void obMissing(const StartInformation& start);
+  bool runsOrWaits(std::uint8_t ob) const;
+  // module_events.cpp
+  void hardwareInterrupt(const ModuleEvent& event);
+  void hardwareInterruptEnded(const StartInformation& start);
+  void storeHardwareInterrupt(const ModuleEvent& event, const StartInformation& start);
   // restart.cpp
+  bool startRefused(Restart how) const;
+  void beginWarm(bool cold);
+  void beginHot();
+  void beginStartup(Restart how);
+  StartInformation startupInformation(Restart how) const;
   RetentiveRanges retentiveRanges() const;  // retentive.cpp
   void clearStacks();
   void clearSystemMemory(bool all);
-  void goToStop(DiagnosticEvent event, bool fault);
+  void standStill();
+  void goToStop(Event why, std::string reason, Place place, bool fault);
+  // halt.cpp
+  void shiftTimers(Duration by);
+  void shiftProgramTime(Duration by);
+  // download.cpp
+  void translate(const block::Program* before);
+  void activateDownload();
+  // leds.cpp
+  Light stopLight() const;
   // faults.cpp
   Place here() const;
-  DateAndTime dateAndTime() const;
-  void report(std::uint16_t event, std::string text, Place place = {});
-  void record(DiagnosticEvent event);  // stamps and stores it
+  void report(const StartInformation& start, std::string text);
+  DiagnosticEvent makeEvent(std::uint16_t event, std::string text, Place place) const;
 
   Machine machine_;
   Engine& engine_;
   SystemServices& services_;
-  std::shared_ptr<const block::Program> program_;
+  Periphery* periphery_ = nullptr;
+  CpuParameters parameters_;
+  std::shared_ptr<const block::Program> program_, downloaded_;
   std::vector<std::unique_ptr<Code>> code_;
+  // Of earlier downloads: checks and coverage still point into them until the next load.
+  std::vector<std::shared_ptr<const block::Program>> oldPrograms_;
   RealTimeClock clock_;
   Diagnostics diagnostics_;
   Interrupts interrupts_;
+  PresentFaults faults_;
   std::vector<RuntimeMeter> runtimeMeters_;
   std::vector<Force> forces_;
+  std::vector<bool> inputFaulty_, outputFaulty_;  // bytes, at the last update of the images
   std::function<void()> observer_;
   std::function<void(CyclePoint)> monitor_;
 
-  Mode mode_ = Mode::Stop;
-  bool stoppedByFault_ = false;
-  bool powered_ = true, runningAtPowerOff_ = false;
+  Mode mode_ = Mode::Stop, beforeHalt_ = Mode::Run;
+  ModeSwitch switch_;
+  bool stoppedByFault_ = false, resetRequested_ = false;
+  bool powered_ = true, buffered_ = true, runningAtPowerOff_ = false;
+  bool outputsDisabled_ = true, communicating_ = false;
+  // The stacks are those of an interrupted program, which a hot restart may go on with.
+  bool resumable_ = false;
+  Restart lastRestart_ = Restart::ManualWarm;
+  std::size_t restOfCycle_ = 0;  // levels below the startup OB: what a hot restart goes on with
   DiagnosticEvent stopEvent_;
-  Instant stoppedAt_;
+  Instant frozenAt_;  // in STOP and HALT: when the program stood still
+  Instant systemStart_;
 
   std::uint64_t cycles_ = 0, checkpoints_ = 0;
   std::uint8_t scan_ = 1;  // OB1_SCAN_1 of the next cycle
-  Instant cycleStart_, nextCycle_, watchdog_ = Instant::never();
-  bool watchdogWarned_ = false;
+  Instant cycleStart_, nextCycle_, nextClockMemory_;
+  CycleMonitoring monitoring_;
   CycleTimes cycleTimes_;
 };
 

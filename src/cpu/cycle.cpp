@@ -13,37 +13,44 @@ constexpr Duration kLongestRun = Duration::seconds(60);
 }  // namespace
 
 void Cpu::step(Instant limit) {
-  if (mode_ == Mode::Stop) {
-    machine_.clock = std::max(machine_.clock, limit);
-    return;
-  }
-  if (machine_.levels.empty())
+  if (!executes(mode_)) return rest(limit);
+  if (mode_ == Mode::Startup && machine_.levels.size() == restOfCycle_)
+    enterRun();
+  else if (machine_.levels.empty())
     idle(limit);
   else
     runTop(limit);
-  if (mode_ == Mode::Run) takeEvents();
+  if (executes(mode_)) takeEvents();
+}
+
+// STOP and HALT: time goes on, the modules with it.
+void Cpu::rest(Instant limit) {
+  const Instant next = periphery_ == nullptr ? Instant::never() : periphery_->next();
+  machine_.clock = std::max(machine_.clock, std::min(limit, next));
+  takePeriphery();
 }
 
 void Cpu::idle(Instant limit) {
-  if (mode_ == Mode::Startup) return enterRun();
   if (machine_.clock >= nextCycle_) return startCycle();
   machine_.clock = std::max(machine_.clock, std::min({limit, nextCycle_, nextEvent()}));
 }
 
 void Cpu::runTop(Instant limit) {
-  Instant until = limit;
-  if (mode_ == Mode::Run) until = std::min(until, nextEvent());
-  if (Level& level = machine_.levels.back(); level.wait > 0) {  // SFC 47
-    const Instant end =
-        std::min(machine_.clock + Duration{level.wait}, std::max(until, machine_.clock));
-    level.wait -= (end - machine_.clock).ns;
-    machine_.clock = end;
-    return;
-  }
+  const Instant until = std::min(limit, nextEvent());
+  Level& level = machine_.levels.back();
+  if (level.wait == 0) return runInstructions(until);
+  const Instant end =  // SFC 47
+      std::min(machine_.clock + Duration{level.wait}, std::max(until, machine_.clock));
+  level.wait -= (end - machine_.clock).ns;
+  machine_.clock = end;
+}
+
+void Cpu::runInstructions(Instant until) {
   machine_.horizon = until;
   machine_.levelEnded = false;
   engine_.run(machine_);
   if (mode_ == Mode::Stop) return;
+  if (mode_ == Mode::Halt) frozenAt_ = machine_.clock;  // a probe gave its instruction's time back
   if (machine_.levelEnded)
     endLevel();
   else
@@ -53,23 +60,20 @@ void Cpu::runTop(Instant limit) {
 void Cpu::enterRun() {
   mode_ = Mode::Run;
   ++checkpoints_;
-  report(static_cast<std::uint16_t>(Event::StartupToRun), std::string(text(Event::StartupToRun)));
+  report(Event::StartupToRun);
+  disableOutputs(false);
   nextCycle_ = cycleStart_ = machine_.clock;
-  for (CyclicInterrupt& cyclic : interrupts_.cyclic)
-    cyclic.next = machine_.clock + Duration::milliseconds(cyclic.milliseconds);
+  if (!machine_.levels.empty()) monitoring_.begin(machine_.clock, cycleMonitoring());
+  if (isHot(lastRestart_)) return;
+  for (CyclicInterrupt& cyclic : interrupts_.cyclic) cyclic.begin(machine_.clock);
 }
 
 void Cpu::startCycle() {
-  const Duration monitoring = Duration::milliseconds(machine_.model->cycleMonitoring);
   if (scan_ == 3) cycleTimes_.add(machine_.clock - cycleStart_);
   cycleStart_ = machine_.clock;
-  watchdog_ = machine_.clock + monitoring;
-  watchdogWarned_ = false;
-  applyForces();
-  machine_.areas.writeOutputs();
-  machine_.areas.readInputs();
-  reached(CyclePoint::Begin);
-  applyForces();
+  monitoring_.begin(machine_.clock, cycleMonitoring());
+  updateImages();
+  if (mode_ != Mode::Run) return;  // an access error without OB 85
 
   StartInformation start = startInformation(0x11, scan_, priorityOf(1), 1, dateAndTime());
   setWord(start, 6, static_cast<std::uint32_t>(cycleTimes_.previous));
@@ -82,21 +86,23 @@ void Cpu::startCycle() {
 void Cpu::endCycle() {
   ++cycles_;
   ++checkpoints_;
-  nextCycle_ = machine_.clock + Duration{machine_.model->cycleTime};
+  nextCycle_ = nextCycle();
   reached(CyclePoint::End);
   applyForces();
+  activateDownload();
   if (observer_) observer_();
 }
 
-void Cpu::reached(CyclePoint point) {
-  if (monitor_) monitor_(point);
-}
-
-void Cpu::applyForces() {
-  for (const Force& force : forces_) {
-    std::uint8_t& byte = machine_.areas.image[force.byte];
-    byte = static_cast<std::uint8_t>((byte & ~force.mask) | (force.value & force.mask));
+// The operating system's share, communication, and not before the minimum cycle is over
+// (S7-HWCFG-08). With a communication load of p % the rest of the time has to do for the program:
+// t * 100 / (100 - p), see docs/compatibility.md, "communication load".
+Instant Cpu::nextCycle() const {
+  Instant next = machine_.clock + Duration{machine_.model->cycleTime};
+  if (communicating_) {
+    const std::int64_t load = std::min(parameters_.communicationLoad, 50u);
+    next = next + Duration{(next - cycleStart_).ns * load / (100 - load)};
   }
+  return std::max(next, cycleStart_ + Duration::milliseconds(parameters_.minimumCycle));
 }
 
 void Cpu::runOb1() {

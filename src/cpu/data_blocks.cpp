@@ -2,7 +2,7 @@
 
 namespace merker::cpu {
 
-void DataBlocks::loadOne(const block::Block& source) {
+void DataBlocks::load(const block::Block& source) {
   if (source.attributes.unlinked) return;  // S7-MEM-03: stays in load memory
   if (blocks_.size() <= source.id.number) blocks_.resize(source.id.number + 1u);
   blocks_[source.id.number] = {
@@ -15,12 +15,12 @@ void DataBlocks::loadOne(const block::Block& source) {
 void DataBlocks::load(const block::Program& program) {
   blocks_.clear();
   for (const auto& [id, source] : program)
-    if (id.kind == BlockKind::DB) loadOne(source);
+    if (id.kind == BlockKind::DB) load(source);
 }
 
 void DataBlocks::loadNonRetentive(const block::Program& program) {
   for (const auto& [id, source] : program)
-    if (id.kind == BlockKind::DB && source.attributes.nonRetain) loadOne(source);
+    if (id.kind == BlockKind::DB && source.attributes.nonRetain) load(source);
 }
 
 DataBlock* DataBlocks::find(std::uint32_t number) {

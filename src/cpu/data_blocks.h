@@ -21,6 +21,7 @@ class DataBlocks {
  public:
   // All blocks as load memory has them (S7-MEM-04): the actual values that were downloaded.
   void load(const block::Program& program);
+  void load(const block::Block& source);  // one of them
   // Only those that a restart sets back (NON_RETAIN).
   void loadNonRetentive(const block::Program& program);
 
@@ -33,7 +34,6 @@ class DataBlocks {
   void remove(std::uint32_t number);
 
  private:
-  void loadOne(const block::Block& source);
   std::vector<DataBlock> blocks_;
 };
 

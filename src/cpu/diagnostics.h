@@ -18,6 +18,11 @@ struct Place {
   std::uint32_t offset = 0;  // bytes of code
 };
 
+// Bytes 4..11 of an entry.
+using DiagnosticInformation = std::array<std::uint8_t, 8>;
+// As OB 121 has them: block type, 0, 0, 0, block number, byte in its code.
+DiagnosticInformation informationOf(const Place& place);
+
 struct DiagnosticEvent {
   std::uint16_t event = 0;
   Instant time{};

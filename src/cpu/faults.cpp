@@ -1,6 +1,8 @@
-// Synchronous errors and faults that end in STOP (S7-ERR-02 … -04, S7-DIAG-03).
+// Synchronous errors, faults that end in STOP, entries of the diagnostic buffer (S7-ERR-02 … -04,
+// S7-DIAG-01 … -03).
 #include <algorithm>
 
+#include "base/bytes.h"
 #include "cpu/cpu.h"
 
 namespace merker::cpu {
@@ -33,24 +35,38 @@ Place Cpu::here() const {
 
 DateAndTime Cpu::dateAndTime() const { return toDateAndTime(clock_.milliseconds(machine_.clock)); }
 
-void Cpu::record(DiagnosticEvent event) {
-  event.time = machine_.clock;
-  event.stamp = dateAndTime();
-  if (!machine_.levels.empty()) {
-    event.info[0] = priority();
-    event.info[1] = machine_.levels.back().ob;
-  }
-  diagnostics_.add(std::move(event));
+DiagnosticEvent Cpu::makeEvent(std::uint16_t event, std::string text, Place place) const {
+  DiagnosticEvent result{.event = event,
+                         .time = machine_.clock,
+                         .text = std::move(text),
+                         .place = place,
+                         .stamp = dateAndTime()};
+  const DiagnosticInformation info = informationOf(place);
+  result.info[0] = priority();
+  result.info[1] = machine_.levels.empty() ? std::uint8_t{0} : machine_.levels.back().ob;
+  std::copy(info.begin(), info.end(), result.info.begin() + 2);
+  return result;
 }
 
 void Cpu::report(std::uint16_t event, std::string text, Place place) {
-  record({.event = event, .text = std::move(text), .place = place});
+  diagnostics_.add(makeEvent(event, std::move(text), place));
 }
 
-void Cpu::note(std::uint16_t event, std::string text, const std::array<std::uint8_t, 8>& info) {
-  DiagnosticEvent entry{.event = event, .text = std::move(text)};
+void Cpu::note(std::uint16_t event, std::string text, const DiagnosticInformation& info) {
+  DiagnosticEvent entry = makeEvent(event, std::move(text), {});
   std::copy(info.begin(), info.end(), entry.info.begin() + 2);
-  record(std::move(entry));
+  diagnostics_.add(std::move(entry));
+}
+
+// An entry that says what the OB's start information says.
+void Cpu::report(const StartInformation& start, std::string text) {
+  DiagnosticEvent entry = makeEvent(loadWord(start.data()), std::move(text), here());
+  std::copy_n(start.begin() + 2, entry.info.size(), entry.info.begin());
+  diagnostics_.add(std::move(entry));
+}
+
+void Cpu::report(Event event) {
+  report(static_cast<std::uint16_t>(event), std::string(text(event)));
 }
 
 AfterError Cpu::synchronousError(const SyncError& error) {
@@ -59,9 +75,8 @@ AfterError Cpu::synchronousError(const SyncError& error) {
   const std::string kind = error.peripheral() ? "I/O access error: " : "programming error: ";
   const StartInformation start =
       errorInformation(error, priority(), m.top->code->source->id, m.position, dateAndTime());
-  DiagnosticEvent entry{.event = error.event(), .text = kind + describe(error), .place = here()};
-  std::copy_n(start.begin() + 4, 8, entry.info.begin() + 2);
-  record(std::move(entry));
+  report(start, kind + describe(error));
+  faults_.program = true;
   const std::uint8_t ob = error.peripheral() ? 122 : 121;
   if (!hasOb(ob)) {
     stopByFault(error.peripheral() ? Event::StopAccessError : Event::StopProgrammingError,
@@ -78,8 +93,7 @@ AfterError Cpu::synchronousError(const SyncError& error) {
 void Cpu::stopByFault(Event why, std::string detail) {
   std::string reason(text(why));
   if (!detail.empty()) reason += ": " + detail;
-  goToStop({.event = static_cast<std::uint16_t>(why), .text = std::move(reason), .place = here()},
-           true);
+  goToStop(why, std::move(reason), here(), true);
 }
 
 }  // namespace merker::cpu

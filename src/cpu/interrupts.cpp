@@ -48,6 +48,12 @@ std::int64_t monthsLater(std::int64_t start, int months, bool last) {
 
 }  // namespace
 
+void TimeOfDayInterrupt::moveOn(std::int64_t now) {
+  due = nextTimeOfDay(start, period, now);
+  active = due >= 0;
+  expired = !active;
+}
+
 DelayInterrupt* Interrupts::findDelay(std::uint32_t ob) {
   const auto at =
       std::find_if(delay.begin(), delay.end(), [&](const auto& d) { return d.ob == ob; });

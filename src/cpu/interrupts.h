@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "catalogue/module_event.h"
 #include "clock/instant.h"
 #include "cpu/start_information.h"
 
@@ -14,6 +15,8 @@ struct CyclicInterrupt {
   std::uint8_t ob = 35;
   std::int32_t milliseconds = 100;
   Instant next{};
+  std::int32_t phase = 0;  // ms behind the common beginning
+  void begin(Instant now) { next = now + Duration::milliseconds(milliseconds + phase); }
 };
 
 struct DelayInterrupt {
@@ -43,6 +46,8 @@ struct TimeOfDayInterrupt {
   Period period = Period::Once;
   std::int64_t start = 0;  // ms since 1990-01-01
   std::int64_t due = 0;
+  // To the next time after now; expired if there is none.
+  void moveOn(std::int64_t now);
 };
 
 struct Request {
@@ -56,6 +61,7 @@ struct Interrupts {
   std::vector<DelayInterrupt> delay;
   std::vector<TimeOfDayInterrupt> timeOfDay;
   std::vector<Request> waiting;      // in the order of their events
+  std::vector<ModuleEvent> stored;   // edges of modules whose OB 40 has not ended yet
   std::vector<std::uint8_t> locked;  // OB numbers that SFC 39 has locked
 
   DelayInterrupt* findDelay(std::uint32_t ob);

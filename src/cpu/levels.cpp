@@ -8,6 +8,7 @@ namespace merker::cpu {
 namespace {
 
 constexpr std::size_t kDeepestInterruption = 64;
+constexpr std::uint8_t kOnlyErrors = 28;  // class of asynchronous errors in STARTUP (S7-BLK-14)
 
 }  // namespace
 
@@ -59,6 +60,7 @@ void Cpu::endLevel() {
   m.brackets.resize(level.bracketBase);
   m.updateMcr();
   m.levelEnded = false;
+  if (level.ob == 40) hardwareInterruptEnded(level.start);
   if (level.ob == 1 && mode_ == Mode::Run) endCycle();
 }
 
@@ -74,6 +76,7 @@ void Cpu::startWaiting() {
       std::max_element(waiting.begin(), waiting.end(),
                        [](const Request& a, const Request& b) { return a.priority < b.priority; });
   if (highest->priority <= priority()) return;
+  if (mode_ == Mode::Startup && highest->priority < kOnlyErrors) return;  // S7-STATE-11
   const Request request = *highest;
   waiting.erase(highest);
   startLevel(request.ob, request.priority, request.start, false);

@@ -1,6 +1,7 @@
 #include "cpu/memory_access.h"
 
 #include "base/bytes.h"
+#include "cpu/cpu.h"
 
 namespace merker::cpu {
 namespace {
@@ -84,6 +85,7 @@ SyncError writePeripheral(Machine& m, Width width, BitAddress address, std::uint
   storeBytes(&m.areas.outputs[byte], width, value);
   for (std::uint32_t i = byte; i < byte + count && i < m.areas.imageBytes; ++i)
     *m.areas.output(i) = m.areas.outputs[i];
+  m.cpu->outputsWritten(byte, count);
   return {};
 }
 

@@ -1,9 +1,30 @@
-// Operating states and what each change keeps and clears (S7-STATE, S7-MEM-02, -04).
+// Restarts and STOP: what each change of state keeps and clears (S7-STATE-04 … -09, -11; S7-MEM-02,
+// -04).
 #include <algorithm>
 
 #include "cpu/cpu.h"
 
 namespace merker::cpu {
+namespace {
+
+// S7-OBI-12, S7-DIAG-02
+struct Row {
+  Restart how;
+  std::uint8_t ob, kind;  // kind: OB10x_STRTUP
+  Event event;
+};
+constexpr Row kRows[] = {{Restart::ManualWarm, 100, 0x81, Event::WarmRestartManual},
+                         {Restart::AutomaticWarm, 100, 0x82, Event::WarmRestartAutomatic},
+                         {Restart::ManualHot, 101, 0x83, Event::HotRestartManual},
+                         {Restart::AutomaticHot, 101, 0x84, Event::HotRestartAutomatic},
+                         {Restart::ManualCold, 102, 0x85, Event::ColdRestartManual},
+                         {Restart::AutomaticCold, 102, 0x86, Event::ColdRestartAutomatic}};
+
+const Row& rowOf(Restart how) { return kRows[static_cast<unsigned>(how)]; }
+
+bool isAutomatic(Restart how) { return (static_cast<unsigned>(how) & 1) != 0; }
+
+}  // namespace
 
 void Cpu::clearStacks() {
   machine_.levels.clear();
@@ -13,6 +34,7 @@ void Cpu::clearStacks() {
   machine_.mcrStack.clear();
   machine_.mcrActive = machine_.mcrOff = machine_.levelEnded = false;
   machine_.registers = {};
+  resumable_ = false;
 }
 
 // Flags, timers, counters: all of them, or those beyond the retentive ranges (S7-STATE-09).
@@ -25,104 +47,108 @@ void Cpu::clearSystemMemory(bool all) {
   std::fill(machine_.counters.begin() + static_cast<std::ptrdiff_t>(kept.counters),
             machine_.counters.end(), S5Counter{});
   areas.clearImages();
+  std::fill(areas.outputs.begin(), areas.outputs.end(), std::uint8_t{0});
+  outputsWritten(0, static_cast<std::uint32_t>(areas.outputs.size()));
+}
+
+// A start that does not exist on this model, or that nothing allows now, leaves no trace.
+bool Cpu::startRefused(Restart how) const {
+  const CpuModel& model = *machine_.model;
+  return !powered_ || resetRequested_ || !switch_.allowsRun() ||
+         (isCold(how) && !model.coldRestart) ||
+         (isHot(how) && (!model.hotRestart || (mode_ == Mode::Stop && !resumable_)));
 }
 
 bool Cpu::restart(Restart how) {
-  const bool cold = how == Restart::ManualCold;
-  if (!powered_ || (cold && !machine_.model->coldRestart)) return false;
+  if (startRefused(how)) return false;
   if (mode_ != Mode::Stop) stop(Event::StopByProgrammer);
+  activateDownload();
   if (!hasOb(1)) {  // S7-OPEN-39
-    goToStop({.event = static_cast<std::uint16_t>(Event::StopProgramSequence),
-              .text = "start refused: OB 1 is not loaded"},
-             true);
+    goToStop(Event::StopProgramSequence, "start refused: OB 1 is not loaded", {}, true);
     return false;
   }
+  if (isHot(how) && !resumable_) return false;
+  if (isHot(how))
+    beginHot();
+  else
+    beginWarm(isCold(how));
+  beginStartup(how);
+  return true;
+}
+
+void Cpu::beginWarm(bool cold) {
   clearStacks();
-  const Duration stopped = machine_.clock - stoppedAt_;
-  for (S5Timer& timer : machine_.timers)  // S7-TMR-22: timers stand still in STOP
-    if (timer.started) timer.end = timer.end + stopped;
+  shiftTimers(machine_.clock - frozenAt_);  // S7-TMR-22: they stood still in STOP
   clearSystemMemory(cold);
   if (cold)
     machine_.dataBlocks.load(*program_);  // S7-STATE-06, S7-MEM-04
   else
     machine_.dataBlocks.loadNonRetentive(*program_);
   prepareInterrupts();
-
-  const auto last = stopEvent_.event;
-  const Event request = cold                            ? Event::ColdRestartManual
-                        : how == Restart::AutomaticWarm ? Event::WarmRestartAutomatic
-                                                        : Event::WarmRestartManual;
-  report(static_cast<std::uint16_t>(request), std::string(text(request)));
-  report(static_cast<std::uint16_t>(Event::StopToStartup), std::string(text(Event::StopToStartup)));
-  mode_ = Mode::Startup;
-  stoppedByFault_ = false;
+  restOfCycle_ = 0;
   scan_ = cold ? 4 : 1;
   cycleTimes_ = {};
-  watchdog_ = Instant::never();  // S7-STATE-11: no cycle monitoring
-
-  // OB 102 for a cold restart, else OB 100 (S7-STATE-04, -06; S7-OBI-12)
-  const std::uint8_t ob = cold ? 102 : 100;
-  if (hasOb(ob)) {
-    const std::uint8_t kind = cold ? 0x85 : how == Restart::AutomaticWarm ? 0x82 : 0x81;
-    StartInformation start = startInformation(0x13, kind, priorityOf(ob), ob, dateAndTime());
-    setWord(start, 6, last);
-    startLevel(ob, priorityOf(ob), start, false);
-  }
-  return true;
+  systemStart_ = machine_.clock;
 }
 
-void Cpu::goToStop(DiagnosticEvent event, bool fault) {
-  event.time = machine_.clock;
-  stopEvent_ = event;
-  record(std::move(event));
+// S7-STATE-05: nothing is cleared; behind OB 101 the program goes on where it was interrupted.
+void Cpu::beginHot() {
+  shiftProgramTime(machine_.clock - frozenAt_);
+  std::erase_if(interrupts_.waiting, [](const Request& request) { return request.ob >= 80; });
+  restOfCycle_ = machine_.levels.size();
+  scan_ = 2;
+}
+
+void Cpu::beginStartup(Restart how) {
+  const Row& row = rowOf(how);
+  const StartInformation start = startupInformation(how);
+  report(row.event);
+  report(Event::StopToStartup);
+  mode_ = Mode::Startup;
+  lastRestart_ = how;
+  stoppedByFault_ = faults_.program = false;
+  monitoring_.off();  // S7-STATE-11: no cycle monitoring
+  if (hasOb(row.ob)) startLevel(row.ob, priorityOf(row.ob), start, false);
+}
+
+// Byte 6 the event of the last STOP; bytes 8..11 as the manual's table "STRT_INFO" has them: who
+// started, and which starts are possible.
+StartInformation Cpu::startupInformation(Restart how) const {
+  constexpr unsigned kSwitch = 0x03, kAfterPower = 0x10, kAfterPowerUnbuffered = 0x20;
+  constexpr unsigned kWarmPossible = 0x77, kHotPossible = 0xFF;
+  const Row& row = rowOf(how);
+  const unsigned power = buffered_ ? kAfterPower : kAfterPowerUnbuffered;
+  const unsigned who = isAutomatic(how) ? power : kSwitch;
+  StartInformation start = startInformation(0x13, row.kind, 27, row.ob, dateAndTime());
+  setWord(start, 6, stopEvent_.event);
+  setByte(start, 9, who);
+  setByte(start, 10, machine_.model->hotRestart ? kHotPossible : kWarmPossible);
+  setByte(start, 11, who);
+  return start;
+}
+
+void Cpu::standStill() {
+  monitoring_.off();
   for (RuntimeMeter& meter : runtimeMeters_) meter.stop(machine_.clock);
-  if (mode_ != Mode::Stop) stoppedAt_ = machine_.clock;
+  disableOutputs(true);  // S7-STATE-02
+}
+
+void Cpu::goToStop(Event why, std::string reason, Place place, bool fault) {
+  stopEvent_ = makeEvent(static_cast<std::uint16_t>(why), std::move(reason), place);
+  diagnostics_.add(stopEvent_);
+  if (executes(mode_)) frozenAt_ = machine_.clock;
+  if (mode_ != Mode::Stop) resumable_ = mode_ == Mode::Run && !fault;
   mode_ = Mode::Stop;
   stoppedByFault_ = fault;
-  watchdog_ = Instant::never();
-  std::fill(machine_.areas.outputs.begin(), machine_.areas.outputs.end(),
-            std::uint8_t{0});  // S7-STATE-02
+  standStill();
   machine_.interrupt();
   reached(CyclePoint::Stop);
 }
 
 void Cpu::stop(Event why) {
   if (mode_ == Mode::Stop) return;
-  goToStop({.event = static_cast<std::uint16_t>(why), .text = std::string(text(why)), .place = {}},
-           false);
-}
-
-// S7-STATE-10: the diagnostic buffer and the clock stay.
-void Cpu::memoryReset() {
-  stop(Event::StopByProgrammer);
-  report(static_cast<std::uint16_t>(Event::MemoryReset), std::string(text(Event::MemoryReset)));
-  clearStacks();
-  clearSystemMemory(true);
-  if (program_) machine_.dataBlocks.load(*program_);
-  stoppedByFault_ = false;
-  report(static_cast<std::uint16_t>(Event::MemoryResetDone),
-         std::string(text(Event::MemoryResetDone)));
-}
-
-void Cpu::powerOff() {
-  if (!powered_) return;
-  runningAtPowerOff_ = mode_ != Mode::Stop;
-  if (runningAtPowerOff_) stoppedAt_ = machine_.clock;
-  for (RuntimeMeter& meter : runtimeMeters_) meter.stop(machine_.clock);
-  mode_ = Mode::Stop;
-  powered_ = false;
-  watchdog_ = Instant::never();
-  std::fill(machine_.areas.outputs.begin(), machine_.areas.outputs.end(), std::uint8_t{0});
-}
-
-void Cpu::powerOn() {
-  if (powered_) return;
-  powered_ = true;
-  report(static_cast<std::uint16_t>(Event::PowerOn), std::string(text(Event::PowerOn)));
-  clearStacks();
-  clearSystemMemory(false);
-  if (program_) machine_.dataBlocks.loadNonRetentive(*program_);
-  if (runningAtPowerOff_) restart(Restart::AutomaticWarm);
+  if (mode_ == Mode::Halt) report(Event::HaltToStop);
+  goToStop(why, std::string(text(why)), {}, false);
 }
 
 }  // namespace merker::cpu

@@ -93,10 +93,9 @@ void restoreBlock(const RetentiveDataBlock& from, DataBlocks& blocks) {
 }  // namespace
 
 RetentiveRanges Cpu::retentiveRanges() const {
-  const CpuModel& model = *machine_.model;
-  return {std::min(model.retentiveFlags, machine_.areas.flagBytes),
-          std::min<std::size_t>(model.retentiveTimers, machine_.timers.size()),
-          std::min<std::size_t>(model.retentiveCounters, machine_.counters.size())};
+  return {std::min(parameters_.retentiveFlags, machine_.areas.flagBytes),
+          std::min<std::size_t>(parameters_.retentiveTimers, machine_.timers.size()),
+          std::min<std::size_t>(parameters_.retentiveCounters, machine_.counters.size())};
 }
 
 void Cpu::retentive(RetentiveData& data) const {
@@ -128,7 +127,7 @@ void Cpu::restore(const RetentiveData& data) {
   const RetentiveRanges ranges = retentiveRanges();
   const Duration shift{machine_.clock.ns - data.now};
   mode_ = Mode::Stop;
-  stoppedAt_ = machine_.clock;
+  frozenAt_ = machine_.clock;
   powered_ = false;
   runningAtPowerOff_ = data.running;
   clock_.set(data.clock, machine_.clock);

@@ -31,7 +31,8 @@ struct Station::Parts {
       : model(options.model),
         program(options.program ? options.program : std::make_shared<const block::Program>()),
         engine(*model),
-        cpu(*model, engine, services, options.startOfClock) {
+        cpu(*model, engine, services, options.startOfClock,
+            options.parameters.value_or(CpuParameters::of(*model))) {
     engine.countCoverage(options.coverage);
     cpu.load(program);
   }
@@ -43,6 +44,12 @@ struct Station::Parts {
   cpu::Cpu cpu;
   Station* self = nullptr;  // whom the observer gets to see; moves along
   std::function<void(Station&)> observer;
+
+  // The start itself is the wish, whatever the switch does by its position.
+  bool restart(cpu::Restart how) {
+    cpu.releaseSwitch();
+    return cpu.restart(how);
+  }
 
   std::vector<DiagnosticEntry> diagnostics;
   std::uint64_t diagnosticsSeen = 0;
@@ -77,6 +84,8 @@ Mode Station::mode() const {
       return Mode::Startup;
     case cpu::Mode::Run:
       return Mode::Run;
+    case cpu::Mode::Halt:
+      return Mode::Halt;
   }
   return Mode::Stop;
 }
@@ -93,12 +102,19 @@ std::string Station::stopReason() const {
                      event.event);
 }
 
+void Station::setSwitch(cpu::SwitchPosition position) { parts_->cpu.turnSwitch(position); }
+cpu::SwitchPosition Station::switchPosition() const { return parts_->cpu.modeSwitch().position(); }
+cpu::Leds Station::leds() const { return parts_->cpu.leds(); }
 void Station::memoryReset() { parts_->cpu.memoryReset(); }
-bool Station::warmRestart() { return parts_->cpu.restart(cpu::Restart::ManualWarm); }
-bool Station::coldRestart() { return parts_->cpu.restart(cpu::Restart::ManualCold); }
-void Station::stop() { parts_->cpu.stop(cpu::Event::StopBySwitch); }
+bool Station::warmRestart() { return parts_->restart(cpu::Restart::ManualWarm); }
+bool Station::hotRestart() { return parts_->restart(cpu::Restart::ManualHot); }
+bool Station::coldRestart() { return parts_->restart(cpu::Restart::ManualCold); }
+void Station::stop() { parts_->cpu.turnSwitch(cpu::SwitchPosition::Stop); }
+bool Station::halt() { return parts_->cpu.halt(); }
+bool Station::resume() { return parts_->cpu.resume(); }
 void Station::powerOff() { parts_->cpu.powerOff(); }
-void Station::powerOn() { parts_->cpu.powerOn(); }
+void Station::powerOn(bool buffered) { parts_->cpu.powerOn(buffered); }
+void Station::setBattery(bool low) { parts_->cpu.setBattery(low); }
 void Station::retentive(block::RetentiveData& data) const { parts_->cpu.retentive(data); }
 void Station::restore(const block::RetentiveData& data) { parts_->cpu.restore(data); }
 
@@ -109,7 +125,7 @@ std::uint64_t Station::instructions() const { return parts_->cpu.machine().instr
 void Station::settle() {
   cpu::Cpu& cpu = parts_->cpu;
   const Instant latest = cpu.machine().clock + kLongestCycle;
-  while (!cpu.betweenCycles() && cpu.mode() != cpu::Mode::Stop && cpu.machine().clock < latest)
+  while (!cpu.betweenCycles() && cpu::executes(cpu.mode()) && cpu.machine().clock < latest)
     cpu.step(latest);
 }
 
@@ -125,10 +141,12 @@ bool Station::advanceToCheckpoint(Instant limit) {
 }
 
 void Station::advanceCycles(std::uint64_t count) {
-  for (; count > 0 && mode() != Mode::Stop; --count) {
+  const cpu::Cpu& cpu = parts_->cpu;
+  for (; count > 0 && cpu::executes(cpu.mode()); --count) {
     const std::uint64_t before = cycles();
     const Instant latest = now() + kLongestCycle;
-    while (cycles() == before && mode() != Mode::Stop && now() < latest) parts_->cpu.step(latest);
+    while (cycles() == before && cpu::executes(cpu.mode()) && now() < latest)
+      parts_->cpu.step(latest);
     settle();
   }
 }
@@ -168,6 +186,29 @@ const std::vector<CheckResult>& Station::checkResults() const {
 
 std::map<BlockId, std::map<std::uint32_t, std::uint64_t>> Station::executed() const {
   return parts_->engine.executed();
+}
+
+bool Station::mayRead(std::string_view password) const {
+  const CpuParameters& parameters = parts_->cpu.parameters();
+  return parameters.protection < 3 || password == parameters.password;
+}
+
+bool Station::mayWrite(std::string_view password) const {
+  const CpuParameters& parameters = parts_->cpu.parameters();
+  return switchPosition() != cpu::SwitchPosition::Run &&
+         (parameters.protection < 2 || password == parameters.password);
+}
+
+std::string Station::download(std::shared_ptr<const block::Program> program,
+                              std::string_view password) {
+  if (switchPosition() == cpu::SwitchPosition::Run)
+    return "the mode switch stands at RUN; blocks are taken in RUN-P and STOP";
+  if (!mayWrite(password))
+    return fmt::format("the CPU is write-protected (protection level {}); the password is needed",
+                       parts_->cpu.parameters().protection);
+  parts_->program = program;
+  parts_->cpu.download(std::move(program));
+  return {};
 }
 
 void Station::onCycle(std::function<void(Station&)> observer) {

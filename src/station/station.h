@@ -14,7 +14,10 @@
 #include "block/block.h"
 #include "block/retentive.h"
 #include "catalogue/cpu_model.h"
+#include "catalogue/cpu_parameters.h"
 #include "clock/instant.h"
+#include "cpu/leds.h"
+#include "cpu/mode_switch.h"
 #include "mc7/reference.h"
 
 namespace merker::cpu {
@@ -34,6 +37,7 @@ struct DiagnosticEntry {
 
 struct Options {
   const CpuModel* model = &defaultCpuModel();
+  std::optional<CpuParameters> parameters{};  // without: the model's defaults
   std::shared_ptr<const block::Program> program;
   std::int64_t startOfClock =
       0;                  // milliseconds since 1990-01-01 that the CPU's clock shows at Instant 0
@@ -62,12 +66,21 @@ class Station {
   Mode mode() const;
   bool stoppedByFault() const;     // STOP for another reason than a wish (switch, SFC 46)
   std::string stopReason() const;  // as the diagnostic buffer names it; empty while not in STOP
+  // The mode switch (S7-CPU-31); from STOP to RUN or RUN-P it starts the CPU.
+  void setSwitch(cpu::SwitchPosition position);
+  cpu::SwitchPosition switchPosition() const;
+  cpu::Leds leds() const;
   void memoryReset();
+  // Restarts put a switch that stands at STOP to RUN-P.
   bool warmRestart();  // OB 100, then OB 1; false if refused (no OB 1 …)
+  bool hotRestart();   // OB 101, then on from where STOP came; false if the model has none
   bool coldRestart();  // false if the model has none
   void stop();         // mode switch to STOP
+  bool halt();         // test operation: in front of the next instruction
+  bool resume();       // leaves HALT
   void powerOff();
-  void powerOn();
+  void powerOn(bool buffered = true);  // false: battery empty or card out, RAM is lost
+  void setBattery(bool low);           // OB 81
   // Retentive memory (S7-MEM-02), as it is now; events that `data` has already are not copied
   // again.
   void retentive(block::RetentiveData& data) const;
@@ -105,6 +118,14 @@ class Station {
   // With Options::coverage: how often each instruction ran, by block and byte offset of its code;
   // those that never ran may be missing.
   std::map<BlockId, std::map<std::uint32_t, std::uint64_t>> executed() const;
+
+  // Blocks changed, added or deleted while the CPU works (S7-CYCLE-05): they count from the next
+  // cycle checkpoint on. The reason why not, as text; empty if it was accepted.
+  std::string download(std::shared_ptr<const block::Program> program,
+                       std::string_view password = {});
+  // Whether programming devices may read or write (S7-MEM-05, S7-SIM-11).
+  bool mayRead(std::string_view password = {}) const;
+  bool mayWrite(std::string_view password = {}) const;
 
   // The CPU itself, for the monitor: stacks, probes, forces.
   cpu::Cpu& cpu();

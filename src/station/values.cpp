@@ -78,6 +78,7 @@ std::optional<std::uint32_t> readValue(cpu::Cpu& cpu, const mc7::Reference& refe
     return bit ? counter.count > 0 : counter.bcd();
   }
   if (operand.kind != OperandKind::Memory) return std::nullopt;
+  if (operand.area == Area::Peripheral && cpu.outputsDisabled()) return 0;  // S7-STATE-02
   const std::uint8_t* bytes = place(bytesOf(m, reference, false), operand);
   if (bytes == nullptr) return std::nullopt;
   return get(bytes, operand);

@@ -1,4 +1,5 @@
 // SFC 79 SET, 80 RSET: a range of output bits (S7-SFC-24).
+#include "cpu/cpu.h"
 #include "system/arguments.h"
 
 namespace merker::system {
@@ -14,6 +15,7 @@ cpu::SyncError writeBit(cpu::Machine& m, Area area, BitAddress address, bool val
   const auto mask = static_cast<std::uint8_t>(1u << (address & 7));
   std::uint8_t& terminal = m.areas.outputs[byte];
   terminal = static_cast<std::uint8_t>(value ? terminal | mask : terminal & ~mask);
+  m.cpu->outputsWritten(byte, 1);
   return byte < m.areas.imageBytes ? cpu::write(m, Area::Output, Width::Bit, address, value)
                                    : cpu::SyncError{};
 }

@@ -12,8 +12,7 @@ void setClock(Arguments& a) {
   const auto milliseconds = cpu::fromDateAndTime(time.data);
   constexpr std::uint32_t kInvalid = 0x8080;
   if (!milliseconds) return a.status(kInvalid);
-  a.cpu().clock().set(*milliseconds, a.machine().clock);
-  a.machine().interrupt();  // time-of-day interrupts have moved
+  a.cpu().setClock(*milliseconds);
   a.status(0);
 }
 

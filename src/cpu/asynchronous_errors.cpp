@@ -1,0 +1,83 @@
+#include "cpu/asynchronous_errors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "base/bytes.h"
+
+namespace merker::cpu {
+namespace {
+
+struct ObRow {
+  std::uint8_t ob;
+  std::optional<Event> stop;
+};
+// S7-DIAG-03
+constexpr ObRow kObs[] = {{80, Event::StopTimeError},           {81, std::nullopt},
+                          {82, Event::StopDiagnosticInterrupt}, {83, Event::StopInsertRemove},
+                          {84, Event::StopCpuHardware},         {85, Event::StopProgramSequence},
+                          {86, Event::StopRackFailure},         {87, Event::StopCommunication}};
+
+struct FaultRow {
+  std::uint8_t fault;
+  std::string_view text;
+  bool address = false;  // a logical address stands in bytes 6 and 7
+};
+// FLT_ID of OB 81 to 87 (S7-OBI-08 … -11 and the manual's chapters on these OBs).
+constexpr FaultRow kFaults[] = {
+    {0x21, "battery exhausted"},
+    {0x22, "backup voltage missing"},
+    {0x23, "24 V supply failed"},
+    {0x31, "battery of an expansion rack exhausted"},
+    {0x32, "backup voltage of an expansion rack missing"},
+    {0x33, "24 V supply of an expansion rack failed"},
+    {0x42, "module fault", true},
+    {0x61, "module removed", true},
+    {0x63, "module of a wrong type inserted", true},
+    {0x64, "module with a fault inserted", true},
+    {0x65, "module inserted, error in its parameters", true},
+    {0x81, "interface error"},
+    {0x82, "memory error corrected by the operating system"},
+    {0xA1, "OB not loaded"},
+    {0xA2, "OB not loaded"},
+    {0xA3, "error while the operating system accesses a block"},
+    {0xB1, "I/O access error while updating the input image"},
+    {0xB2, "I/O access error while writing the output image"},
+    {0xB3, "I/O access error while updating the input image"},
+    {0xB4, "I/O access error while writing the output image"},
+    {0xC1, "rack failed", true},
+    {0xC4, "DP station failed", true},
+    {0xD2, "diagnostic entries cannot be sent"},
+    {0xE1, "wrong frame identification in global data communication"},
+};
+
+const FaultRow* faultRow(std::uint8_t fault) {
+  const auto at = std::find_if(std::begin(kFaults), std::end(kFaults),
+                               [&](const FaultRow& row) { return row.fault == fault; });
+  return at == std::end(kFaults) ? nullptr : at;
+}
+
+}  // namespace
+
+std::optional<Event> stopWithout(std::uint8_t ob) {
+  for (const ObRow& row : kObs)
+    if (row.ob == ob) return row.stop;
+  return std::nullopt;
+}
+
+bool comesFromModule(std::uint8_t ob) { return (ob >= 81 && ob <= 84) || ob == 86; }
+
+std::string describe(const StartInformation& start) {
+  if (start[3] == 80) return std::string(text(static_cast<Event>(loadWord(start.data()))));
+  const FaultRow* row = faultRow(start[1]);
+  std::string words(row == nullptr ? "asynchronous error" : row->text);
+  constexpr std::uint8_t kGoing = 0x38, kComing = 0x39;
+  if (start[0] == kGoing) words += ", going";
+  if (start[0] == kComing) words += ", coming";
+  if (row != nullptr && row->address) words += fmt::format(": address {}", loadWord(&start[6]));
+  return words;
+}
+
+}  // namespace merker::cpu

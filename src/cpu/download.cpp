@@ -1,0 +1,102 @@
+// Blocks into load and work memory: all at once in STOP, at a cycle checkpoint in RUN (S7-CYCLE-05,
+// S7-LIM-04, S7-MEM-04).
+#include "cpu/cpu.h"
+
+namespace merker::cpu {
+namespace {
+
+const block::Block* findBlock(const block::Program* program, BlockId id) {
+  if (program == nullptr) return nullptr;
+  const auto found = program->find(id);
+  return found == program->end() ? nullptr : &found->second;
+}
+
+bool sameCode(const block::Block& a, const block::Block& b) {
+  return a.code == b.code && a.localBytes == b.localBytes;
+}
+
+bool sameData(const block::Block& a, const block::Block& b) {
+  const block::Attributes &x = a.attributes, &y = b.attributes;
+  return a.actualData == b.actualData && a.initialData == b.initialData &&
+         x.readOnly == y.readOnly && x.unlinked == y.unlinked && x.nonRetain == y.nonRetain;
+}
+
+using Table = std::vector<const Code*>;
+
+Table* tableOf(Machine& m, BlockKind kind) {
+  switch (kind) {
+    case BlockKind::FC:
+      return &m.functions;
+    case BlockKind::FB:
+      return &m.functionBlocks;
+    case BlockKind::OB:
+      return &m.organizationBlocks;
+    default:
+      return nullptr;
+  }
+}
+
+void enter(Table& table, std::uint32_t number, const Code* code) {
+  if (table.size() <= number) table.resize(number + 1);
+  table[number] = code;
+}
+
+}  // namespace
+
+// A block whose code stays the same keeps its translation, so that checks and coverage go on.
+void Cpu::translate(const block::Program* before) {
+  Machine& m = machine_;
+  const Table functions = std::exchange(m.functions, {});
+  const Table functionBlocks = std::exchange(m.functionBlocks, {});
+  const Table organizationBlocks = std::exchange(m.organizationBlocks, {});
+  for (const auto& [id, source] : *program_) {
+    Table* table = tableOf(m, id.kind);
+    if (table == nullptr) continue;
+    const block::Block* old = findBlock(before, id);
+    if (old != nullptr && sameCode(*old, source)) {
+      const Table& kept = id.kind == BlockKind::FC   ? functions
+                          : id.kind == BlockKind::FB ? functionBlocks
+                                                     : organizationBlocks;
+      enter(*table, id.number, find(kept, id.number));
+    } else {
+      code_.push_back(engine_.translate(source));
+      enter(*table, id.number, code_.back().get());
+    }
+  }
+}
+
+void Cpu::load(std::shared_ptr<const block::Program> program) {
+  program_ = std::move(program);
+  downloaded_ = nullptr;
+  oldPrograms_.clear();
+  code_.clear();
+  translate(nullptr);
+  clearStacks();
+  clearSystemMemory(true);
+  machine_.dataBlocks.load(*program_);
+}
+
+void Cpu::download(std::shared_ptr<const block::Program> program) {
+  downloaded_ = std::move(program);
+  if (mode_ == Mode::Stop || machine_.levels.empty()) activateDownload();
+}
+
+void Cpu::activateDownload() {
+  if (!downloaded_) return;
+  const std::shared_ptr<const block::Program> before = std::exchange(program_, downloaded_);
+  downloaded_ = nullptr;
+  if (mode_ == Mode::Stop) clearStacks();  // the interrupted program cannot go on
+  translate(before.get());
+  for (const auto& [id, source] : *before)
+    if (id.kind == BlockKind::DB && !program_->contains(id)) machine_.dataBlocks.remove(id.number);
+  for (const auto& [id, source] : *program_) {
+    if (id.kind != BlockKind::DB) continue;
+    const block::Block* old = findBlock(before.get(), id);
+    if (old == nullptr || !sameData(*old, source)) machine_.dataBlocks.load(source);
+  }
+  machine_.reopenBlocks();
+  oldPrograms_.push_back(before);
+  if (mode_ != Mode::Stop) updateInterrupts();
+}
+
+}  // namespace merker::cpu
