@@ -37,6 +37,7 @@ station::Station Build::station(bool coverage) const {
   station::Options options;
   options.model = project.model;
   options.program = program;
+  options.parameters = project.parameters;
   options.startOfClock = project.startOfClock;
   options.coverage = coverage;
   return station::Station(std::move(options));
