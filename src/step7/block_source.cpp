@@ -1,5 +1,6 @@
 #include "step7/block_source.h"
 
+#include <algorithm>
 #include <array>
 
 #include "base/text.h"
@@ -211,8 +212,9 @@ bool BlockSplitter::headerLine(BlockSource& source) {
   block::Attributes& attributes = source.attributes;
   const auto text8 = [&](std::string& target) {
     target = headerValue();
-    if (characterCount(target) > 8)
-      problems_.add(ProblemCode::P0308, at(begin, cursor_.pos()), key);
+    if (characterCount(target) <= 8) return;
+    problems_.add(ProblemCode::P0308, at(begin, cursor_.pos()), key);
+    while (characterCount(target) > 8) target.pop_back();
   };
   const auto flag = [&](bool& target) {
     target = true;
@@ -320,6 +322,7 @@ void BlockSplitter::dataDeclaration(BlockSource& source) {
     while (!cursor_.atStatementEnd()) cursor_.take();
   cursor_.skipBlanks();
   cursor_.accept(';');
+  header(source);  // some write it behind the type
 }
 
 void BlockSplitter::code(const Frame& frame, BlockSource& source) {

@@ -3,6 +3,7 @@
 #include "base/text.h"
 #include "step7/declaration.h"
 #include "step7/initial_value.h"
+#include "step7/pointer_value.h"
 
 namespace merker::step7 {
 
@@ -13,15 +14,27 @@ std::optional<Actuals> CallParameters::read() {
   Cursor& cursor = c_.cursor();
   const std::size_t begin = cursor.pos();
   bool good = true;
-  cursor.skipBlanks();
-  if (cursor.peek() == '(') {
-    cursor.take();
-    good = body(true);
-  } else if (cursor.atLineEnd() && atParameterLine()) {
+  if (cursor.atLineEnd() && atParameterLine()) {
     good = body(false);
+  } else if (acceptBracket()) {
+    good = body(true);
   }
   if (!good || !complete(begin)) return std::nullopt;
   return std::move(actuals_);
+}
+
+// The bracket of the parameter list stands behind the block's name or on the next line; no
+// instruction begins with it.
+bool CallParameters::acceptBracket() {
+  Cursor& cursor = c_.cursor();
+  if (cursor.accept('(')) return true;
+  const std::size_t start = cursor.pos();
+  const std::size_t comments = cursor.checks().size();
+  cursor.skipSpace();
+  if (cursor.accept('(')) return true;
+  cursor.seek(start);
+  cursor.checks().resize(comments);
+  return false;
 }
 
 // Whether the next line that is not empty begins with "name :=".
@@ -119,63 +132,17 @@ bool CallParameters::actual(Actual& out) {
   return true;
 }
 
-// P#M10.0  P#DB10.DBX4.0 WORD 5 (S7-IND-11, S7-IND-12, S7-IND-15)
 bool CallParameters::pointer(Actual& out) {
-  Cursor& cursor = c_.cursor();
-  const std::size_t start = cursor.pos();
+  const auto value = readPointer(c_.cursor(), *c_.scope().file, c_.problems());
+  if (!value) return false;
   out.isPointer = true;
-  cursor.seek(start + 2);
-  cursor.skipBlanks();
-  std::string_view word = cursor.word();
-  std::string digits;
-  if (word.size() >= 2 && equalsIgnoreCase(word.substr(0, 2), "DB") &&
-      word.find_first_not_of("0123456789", 2) == std::string_view::npos) {
-    digits = word.substr(2);
-    if (digits.empty())
-      if (const auto number = readInteger(cursor)) digits = std::to_string(*number);
-  }
-  std::string text = "P#";
-  if (!digits.empty() && cursor.accept('.')) {
-    out.db = static_cast<std::uint16_t>(std::min(std::atol(digits.c_str()), 65535L));
-  } else {
-    cursor.seek(start + 2);
-  }
-  cursor.skipBlanks();
-  const std::size_t begin = cursor.pos();
-  cursor.word();
-  if (cursor.peek() != '.') {
-    cursor.skipBlanks();
-    while (isDigit(cursor.peek())) cursor.take();
-  }
-  if (cursor.peek() == '.')
-    for (cursor.take(); isDigit(cursor.peek());) cursor.take();
-  text += cursor.slice(begin, cursor.pos());
-  const auto value = parseConstant(text, c_.at(start, cursor.pos()));
-  if (!value) {
-    c_.problems().add(value.error());
-    return false;
-  }
-  out.pointer = value->bits;
+  out.nil = value->type == TypeCode::Void;  // P#P 0.0 VOID 0
+  out.db = value->db;
+  out.pointer = value->pointer;
   if (pointerArea(out.pointer) == Area::Local)  // the called block sees it as the caller's
     out.pointer = merker::pointer(Area::CallerLocal, pointerAddress(out.pointer));
-  return anyTail(out);
-}
-
-bool CallParameters::anyTail(Actual& out) {
-  Cursor& cursor = c_.cursor();
-  const std::size_t start = cursor.pos();
-  cursor.skipBlanks();
-  const std::size_t wordBegin = cursor.pos();
-  const auto type = typeFromName(cursor.word());
-  const auto count = type ? readInteger(cursor) : std::nullopt;
-  if (!count) {
-    cursor.seek(start);
-    if (!type) return true;
-    return problem(ProblemCode::P0316, wordBegin, wordBegin + 1);
-  }
-  if (*count < 0 || *count > 65535) return problem(ProblemCode::P0316, wordBegin, cursor.pos());
-  out.anyType = *type;
-  out.anyCount = static_cast<std::uint16_t>(*count);
+  out.anyType = value->type.value_or(TypeCode::Void);
+  out.anyCount = value->count;
   return true;
 }
 

@@ -54,7 +54,6 @@ class CallParameters {
   bool parameter();
   bool actual(Actual& out);
   bool pointer(Actual& out);
-  bool anyTail(Actual& out);
   bool check(const block::Variable& formal, Actual& actual);
   bool checkElementary(const block::Variable& formal, Actual& actual);
   bool checkConstant(const block::Variable& formal, Actual& actual);
@@ -62,6 +61,7 @@ class CallParameters {
   bool checkNumber(const block::Variable& formal, const Actual& actual);
   bool checkForwarding(const block::Variable& formal, const Actual& actual);
   bool complete(std::size_t begin);
+  bool acceptBracket();
   bool atParameterLine();
   bool problem(ProblemCode code, std::size_t begin, std::size_t end, const auto&... arguments) {
     c_.problems().add(code, c_.at(begin, end), arguments...);

@@ -6,6 +6,7 @@
 #include "base/bytes.h"
 #include "base/text.h"
 #include "step7/declaration.h"
+#include "step7/pointer_value.h"
 
 namespace merker::step7 {
 namespace {
@@ -248,6 +249,8 @@ class InitialReader {
     if (type.code == TypeCode::Void) return true;  // unknown, which is reported
     if (type.code == TypeCode::String) return string(type, text, at, image, place);
     if (type.code == TypeCode::DateAndTime) return dateAndTime(text, at, image, place);
+    if (type.code == TypeCode::Any || type.code == TypeCode::Pointer)
+      return descriptor(type, begin, at, image, place);
     if (isParameterNumber(type.code)) return parameterNumber(type, text, at, image, place);
     if (!isElementary(type.code)) {
       problems_.add(ProblemCode::P0414, place, block::toString(type));
@@ -336,6 +339,30 @@ class InitialReader {
     }
     storeDWord(&image[at / 8], static_cast<std::uint32_t>(*value >> 32));
     storeDWord(&image[at / 8 + 4], static_cast<std::uint32_t>(*value));
+    return true;
+  }
+
+  // STEP 7 writes P#P 0.0 VOID 0 for an ANY that no call has supplied.
+  bool descriptor(const block::Type& type, std::size_t begin, BitAddress at,
+                  std::vector<std::uint8_t>& image, const Position& place) {
+    const bool any = type.code == TypeCode::Any;
+    Cursor text(file_.text(), begin, cursor_.pos());
+    const bool written = text.peekWord("P") && text.peek(1) == '#';
+    const auto value = written ? readPointer(text, file_, problems_) : std::nullopt;
+    if (written && !value) return false;
+    if (!value || !text.atLineEnd() || value->type.has_value() != any) {
+      problems_.add(ProblemCode::P0412, place,
+                    std::string(trim(cursor_.slice(begin, cursor_.pos()))), block::toString(type));
+      return false;
+    }
+    std::uint8_t* to = &image[at / 8];
+    if (any) {
+      storeWord(to, 0x1000u | static_cast<std::uint32_t>(*value->type));
+      storeWord(to + 2, value->count);
+      to += 4;
+    }
+    storeWord(to, value->db);
+    storeDWord(to + 2, value->pointer);
     return true;
   }
 

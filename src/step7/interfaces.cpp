@@ -245,7 +245,10 @@ void Interfaces::resolveCode(BlockSource& source, block::Block& result) {
   checkDuplicates(source, source.variables);
   for (const VariableSyntax& syntax : source.variables)
     result.variables.push_back(variable(source, syntax));
-  if (source.returnType && source.returnType->code != TypeCode::Void) {
+  const bool returns =
+      source.returnType && (source.returnType->kind != TypeSyntax::Kind::Elementary ||
+                            source.returnType->code != TypeCode::Void);
+  if (returns) {
     result.returnType = type(source, *source.returnType, Section::Input);
     block::Variable value;
     value.name = "RET_VAL";
@@ -255,8 +258,6 @@ void Interfaces::resolveCode(BlockSource& source, block::Block& result) {
         std::find_if(result.variables.begin(), result.variables.end(),
                      [](const block::Variable& v) { return v.section == Section::Temp; });
     result.variables.insert(firstTemp, std::move(value));
-  } else if (source.returnType && source.returnType->kind != TypeSyntax::Kind::Elementary) {
-    result.returnType = type(source, *source.returnType, Section::Input);
   }
   layOutSections(source, result);
 }

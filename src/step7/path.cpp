@@ -14,7 +14,29 @@ const block::Variable* findMember(const std::vector<block::Variable>& members,
 
 namespace {
 
+// #text[3] is the third character of a STRING; two length bytes stand before the first.
+bool followCharacter(Cursor& cursor, Place& place, const source::SourceFile& file,
+                     Problems& problems) {
+  const std::size_t open = cursor.pos();
+  cursor.take();
+  const auto index = readInteger(cursor);
+  const bool closed = cursor.accept(']');
+  const auto here = file.position(open, std::max(cursor.pos(), open + 1) - open);
+  if (!index || !closed) {
+    problems.add(index ? ProblemCode::P0417 : ProblemCode::P0418, here, 1);
+    return false;
+  }
+  if (*index < 1 || *index > place.type->length) {
+    problems.add(ProblemCode::P0419, here, *index, 1, place.type->length);
+    return false;
+  }
+  place.address += bitAddress(static_cast<std::uint32_t>(*index) + 1);
+  place.type = block::elementaryType(TypeCode::Char);
+  return true;
+}
+
 bool followIndex(Cursor& cursor, Place& place, const source::SourceFile& file, Problems& problems) {
+  if (place.type->code == TypeCode::String) return followCharacter(cursor, place, file, problems);
   const std::size_t open = cursor.pos();
   cursor.take();
   const auto here = [&] { return file.position(open, std::max(cursor.pos(), open + 1) - open); };

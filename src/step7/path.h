@@ -1,4 +1,5 @@
-// Components of a variable: .member and [index, index] behind its name (S7-TYPES-20, -21).
+// Components of a variable: .member, [index, index] and the [index] of a character behind its name
+// (S7-TYPES-19, -20, -21).
 #pragma once
 
 #include <vector>
