@@ -36,6 +36,8 @@ simulator::Resolver Build::resolver() const {
 station::Station Build::station(bool coverage) const {
   station::Options options;
   options.model = project.model;
+  options.parameters = project.parameters;
+  options.hardware = project.hardware;
   options.program = program;
   options.parameters = project.parameters;
   options.startOfClock = project.startOfClock;

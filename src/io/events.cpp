@@ -13,6 +13,8 @@ ModuleEvent Rack::event(std::uint32_t index, ModuleEvent::Kind kind) const {
   event.address = static_cast<std::uint16_t>(module.inputStart    ? *module.inputStart
                                              : module.outputStart ? *module.outputStart
                                                                   : module.rack);
+  if (kind == ModuleEvent::Kind::RackFailed || kind == ModuleEvent::Kind::RackReturned)
+    event.points = 1u << module.rack;  // RACKS_FLTD (S7-OBI-11)
   return event;
 }
 

@@ -111,6 +111,27 @@ void Rack::disableOutputs(bool disabled) {
   outputsDisabled_ = disabled;
 }
 
+std::uint8_t Rack::putOut(std::uint32_t byte) const {
+  if (!answersOutput(byte)) return 0;
+  const std::uint32_t owner = outputOwner_[byte];
+  const Module& module = of(owner);
+  const std::uint32_t offset = byte - *module.outputStart;
+  if (module.type->digitalOutputs > 0) {
+    unsigned bits = 0;
+    for (std::uint32_t c = 8 * offset; c < 8 * offset + 8 && c < module.type->digitalOutputs; ++c)
+      bits |= unsigned{outputLevel(owner, c)} << (c % 8);
+    return static_cast<std::uint8_t>(bits);
+  }
+  if (!outputsDisabled_) return outputs_[byte];
+  if (module.parameters.onStop == OnStop::Zero) return 0;
+  if (module.parameters.onStop == OnStop::Keep) return kept_[byte];
+  const AnalogOutput& output = module.parameters.analogOutputs[offset / 2];
+  if (output.range == nullptr) return 0;
+  const auto word = static_cast<std::uint16_t>(
+      toShown(*output.range, output.substitute, module.type->bits(*output.range), false));
+  return static_cast<std::uint8_t>(offset % 2 == 0 ? word >> 8 : word);
+}
+
 bool Rack::deliver(std::uint32_t byte, std::uint8_t mask, std::uint8_t value) {
   if (!answersInput(byte)) return false;
   const std::uint32_t owner = inputOwner_[byte];

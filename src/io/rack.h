@@ -63,12 +63,19 @@ class Rack {
   Instant next() const { return next_; }  // when an input delay or a conversion ends
   void advance(Instant now);
 
+  // Whether there is something to tell the CPU: bytes, presence, events.
+  bool pending() const {
+    return changedFirst_ <= changedLast_ || presenceChanged_ || !events_.empty();
+  }
+
   // towards the CPU
   const std::vector<std::uint8_t>& inputs() const { return inputs_; }  // the bytes that PE shows
   bool answersInput(std::uint32_t byte) const { return answers(inputOwner_, byte); }
   bool answersOutput(std::uint32_t byte) const { return answers(outputOwner_, byte); }
   void written(std::uint32_t first, const std::uint8_t* bytes, std::uint32_t count);
   void disableOutputs(bool disabled);
+  // What a module puts out at this address, as the CPU would have to write it.
+  std::uint8_t putOut(std::uint32_t byte) const;
   // Inputs that changed since the last call, and whether a module came or went.
   Bytes takeChanged();
   bool takePresenceChanged();

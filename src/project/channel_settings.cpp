@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
-#include "project/amount.h"
+#include "io/amount.h"
 #include "project/readers.h"
 
 namespace merker::project {
@@ -40,8 +40,8 @@ bool readRange(const Channel& c, std::uint16_t possible, const MeasuringRange*& 
 }
 
 std::string within(const MeasuringRange& range) {
-  return fmt::format("from {} to {}", formatAmount(range.low, range.quantity),
-                     formatAmount(range.high, range.quantity));
+  return fmt::format("from {} to {}", io::formatAmount(range.low, range.quantity),
+                     io::formatAmount(range.high, range.quantity));
 }
 
 std::optional<double> readAmount(const Channel& c, std::string_view key,
@@ -52,11 +52,11 @@ std::optional<double> readAmount(const Channel& c, std::string_view key,
     c.table.problems().add(ProblemCode::P0744, c.table.placeOf(key), key, "a range other than off");
     return std::nullopt;
   }
-  const auto amount = parseAmount(*text, range->quantity);
+  const auto amount = io::parseAmount(*text, range->quantity);
   if (!amount)
     c.table.problems().add(ProblemCode::P0740, c.table.at(key), *text,
                            fmt::format("an amount in {}", unitOf(range->quantity)),
-                           formatAmount((range->low + range->high) / 2, range->quantity));
+                           io::formatAmount((range->low + range->high) / 2, range->quantity));
   else if (*amount < range->low || *amount > range->high)
     c.table.problems().add(ProblemCode::P0741, c.table.at(key), key, c.number, within(*range));
   else

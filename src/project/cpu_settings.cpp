@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "project/amount.h"
+#include "io/amount.h"
 #include "project/readers.h"
 
 namespace merker::project {

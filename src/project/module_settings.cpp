@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "project/amount.h"
+#include "io/amount.h"
 #include "project/readers.h"
 
 namespace merker::project {
@@ -116,7 +116,7 @@ void readCable(const Table& table, io::Module& module) {
   }
   const auto text = table.text("cable", "a length: \"5m\"");
   if (!text) return;
-  module.cable = parseMetres(*text);
+  module.cable = io::parseMetres(*text);
   module.cablePosition = table.at("cable");
   if (!module.cable) table.mustBe("cable", "a length: \"5m\"");
 }

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "project/amount.h"
+#include "io/amount.h"
 #include "project/readers.h"
 
 namespace merker::project {
@@ -21,7 +21,7 @@ void readDelay(const Table& table, io::Module& module) {
     return hasNo(table, "input_delay", module, "input delay that can be set");
   const auto text = table.text("input_delay", "a length of time: \"3ms\"");
   if (!text) return;
-  const auto length = parseLength(*text);
+  const auto length = io::parseLength(*text);
   std::string possible;
   for (const std::uint32_t delay : module.type->inputDelays) {
     const Duration known = Duration::microseconds(delay);
@@ -29,7 +29,7 @@ void readDelay(const Table& table, io::Module& module) {
       module.parameters.inputDelay = known;
       return;
     }
-    possible += (possible.empty() ? "" : ", ") + formatLength(known);
+    possible += (possible.empty() ? "" : ", ") + io::formatLength(known);
   }
   table.problems().add(ProblemCode::P0737, table.at("input_delay"),
                        fmt::format("input delay \"{}\"", *text), module.title(), possible);

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "base/text.h"
-#include "project/amount.h"
+#include "io/amount.h"
 
 namespace merker::project {
 namespace {
@@ -99,10 +99,10 @@ std::optional<Duration> Table::length(std::string_view key, Duration low, Durati
   const toml::node* value = table_.get(key);
   if (value == nullptr) return std::nullopt;
   const auto* string = value->as_string();
-  const auto length = string == nullptr ? std::nullopt : parseLength(string->get());
+  const auto length = string == nullptr ? std::nullopt : io::parseLength(string->get());
   if (length && *length >= low && *length <= high) return length;
-  mustBe(key, fmt::format("a length of time from \"{}\" to \"{}\"", formatLength(low),
-                          formatLength(high)));
+  mustBe(key, fmt::format("a length of time from \"{}\" to \"{}\"", io::formatLength(low),
+                          io::formatLength(high)));
   return std::nullopt;
 }
 

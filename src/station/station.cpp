@@ -4,6 +4,8 @@
 
 #include "cpu/cpu.h"
 #include "interpreter/interpreter.h"
+#include "station/modules.h"
+#include "station/periphery.h"
 #include "station/values.h"
 #include "system/services.h"
 
@@ -35,15 +37,25 @@ struct Station::Parts {
             options.parameters.value_or(CpuParameters::of(*model))) {
     engine.countCoverage(options.coverage);
     cpu.load(program);
+    if (options.hardware) plug(std::move(*options.hardware));
   }
 
   const CpuModel* model;
   std::shared_ptr<const block::Program> program;
   interpreter::Interpreter engine;
   system::Services services;
+  std::unique_ptr<Periphery> periphery;  // null without a hardware configuration
+  std::unique_ptr<Modules> modules;
   cpu::Cpu cpu;
   Station* self = nullptr;  // whom the observer gets to see; moves along
   std::function<void(Station&)> observer;
+
+  void plug(io::Configuration hardware) {
+    periphery = std::make_unique<Periphery>(std::move(hardware));
+    periphery->connect(cpu);
+    modules = std::make_unique<Modules>(periphery->rack());
+    services.connect(modules.get());
+  }
 
   // The start itself is the wish, whatever the switch does by its position.
   bool restart(cpu::Restart how) {
@@ -154,15 +166,20 @@ void Station::advanceCycles(std::uint64_t count) {
 void Station::runOb1() { parts_->cpu.runOb1(); }
 
 std::optional<std::uint32_t> Station::read(const mc7::Reference& reference) const {
-  return readValue(parts_->cpu, reference);
+  return readValue(parts_->cpu, parts_->periphery.get(), reference);
 }
 bool Station::write(const mc7::Reference& reference, std::uint32_t value) {
-  return writeValue(parts_->cpu, reference, value);
+  return writeValue(parts_->cpu, parts_->periphery.get(), reference, value);
 }
 bool Station::force(const mc7::Reference& reference, std::uint32_t value) {
   return forceValue(parts_->cpu, reference, value);
 }
 void Station::unforce() { parts_->cpu.unforce(); }
+
+io::Rack* Station::rack() { return parts_->periphery ? &parts_->periphery->rack() : nullptr; }
+const io::Rack* Station::rack() const {
+  return parts_->periphery ? &parts_->periphery->rack() : nullptr;
+}
 
 const std::vector<DiagnosticEntry>& Station::diagnostics() const {
   Parts& p = *parts_;

@@ -18,6 +18,7 @@
 #include "clock/instant.h"
 #include "cpu/leds.h"
 #include "cpu/mode_switch.h"
+#include "io/rack.h"
 #include "mc7/reference.h"
 
 namespace merker::cpu {
@@ -38,6 +39,8 @@ struct DiagnosticEntry {
 struct Options {
   const CpuModel* model = &defaultCpuModel();
   std::optional<CpuParameters> parameters{};  // without: the model's defaults
+  // Without it: docs/compatibility.md, "Without a hardware configuration".
+  std::optional<io::Configuration> hardware{};
   std::shared_ptr<const block::Program> program;
   std::int64_t startOfClock =
       0;                  // milliseconds since 1990-01-01 that the CPU's clock shows at Instant 0
@@ -112,6 +115,11 @@ class Station {
   bool write(const mc7::Reference& reference, std::uint32_t value);
   bool force(const mc7::Reference& reference, std::uint32_t value);
   void unforce();
+
+  // The modules and their terminals, with station.now() as the time; null without a hardware
+  // configuration. Changes reach the CPU at its next instruction boundary.
+  io::Rack* rack();
+  const io::Rack* rack() const;
 
   const std::vector<DiagnosticEntry>& diagnostics() const;
   const std::vector<CheckResult>& checkResults() const;

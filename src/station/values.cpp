@@ -60,10 +60,30 @@ void put(std::uint8_t* bytes, const Operand& operand, std::uint32_t value) {
   *bytes = static_cast<std::uint8_t>(value != 0 ? *bytes | mask : *bytes & ~mask);
 }
 
+// What the modules put out: with output disable their substitute values.
+std::optional<std::uint32_t> readOutputs(const io::Rack& rack, const Operand& operand) {
+  std::uint8_t bytes[4] = {};
+  for (std::uint32_t i = 0; i < byteCount(operand.width); ++i) {
+    const std::uint32_t byte = operand.value / 8 + i;
+    if (!rack.answersOutput(byte)) return std::nullopt;
+    bytes[i] = rack.putOut(byte);
+  }
+  return get(bytes, operand);
+}
+
+bool deliver(cpu::Cpu& cpu, Periphery& periphery, const Operand& operand, std::uint32_t value) {
+  std::uint8_t bytes[4] = {};
+  const bool bit = operand.width == Width::Bit;
+  const auto mask = static_cast<std::uint8_t>(bit ? 1u << (operand.value & 7) : 0xFFu);
+  put(bytes, operand, value);
+  return periphery.deliver(cpu, operand.value / 8, byteCount(operand.width), mask, bytes);
+}
+
 }  // namespace
 
 // T and Z as bits show their status, else what LC loads (S5TIME, BCD).
-std::optional<std::uint32_t> readValue(cpu::Cpu& cpu, const mc7::Reference& reference) {
+std::optional<std::uint32_t> readValue(cpu::Cpu& cpu, const Periphery* periphery,
+                                       const mc7::Reference& reference) {
   Machine& m = cpu.machine();
   const Operand& operand = reference.operand;
   const bool bit = operand.width == Width::Bit;
@@ -78,13 +98,16 @@ std::optional<std::uint32_t> readValue(cpu::Cpu& cpu, const mc7::Reference& refe
     return bit ? counter.count > 0 : counter.bcd();
   }
   if (operand.kind != OperandKind::Memory) return std::nullopt;
+  if (operand.area == Area::Peripheral && periphery != nullptr)
+    return readOutputs(periphery->rack(), operand);
   if (operand.area == Area::Peripheral && cpu.outputsDisabled()) return 0;  // S7-STATE-02
   const std::uint8_t* bytes = place(bytesOf(m, reference, false), operand);
   if (bytes == nullptr) return std::nullopt;
   return get(bytes, operand);
 }
 
-bool writeValue(cpu::Cpu& cpu, const mc7::Reference& reference, std::uint32_t value) {
+bool writeValue(cpu::Cpu& cpu, Periphery* periphery, const mc7::Reference& reference,
+                std::uint32_t value) {
   Machine& m = cpu.machine();
   const Operand& operand = reference.operand;
   if (operand.kind == OperandKind::Counter) {
@@ -94,6 +117,8 @@ bool writeValue(cpu::Cpu& cpu, const mc7::Reference& reference, std::uint32_t va
     return true;
   }
   if (operand.kind != OperandKind::Memory) return false;
+  if (periphery != nullptr && (operand.area == Area::Input || operand.area == Area::Peripheral))
+    return deliver(cpu, *periphery, operand, value);
   std::uint8_t* bytes = place(bytesOf(m, reference, true), operand);
   if (bytes == nullptr) return false;
   put(bytes, operand, value);

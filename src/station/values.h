@@ -6,12 +6,16 @@
 
 #include "cpu/cpu.h"
 #include "mc7/reference.h"
+#include "station/periphery.h"
 
 namespace merker::station {
 
-std::optional<std::uint32_t> readValue(cpu::Cpu& cpu, const mc7::Reference& reference);
-// Inputs: the terminal. Everything else at once.
-bool writeValue(cpu::Cpu& cpu, const mc7::Reference& reference, std::uint32_t value);
+// `periphery`: null without a hardware configuration.
+std::optional<std::uint32_t> readValue(cpu::Cpu& cpu, const Periphery* periphery,
+                                       const mc7::Reference& reference);
+// Inputs: what the module delivers. Everything else at once.
+bool writeValue(cpu::Cpu& cpu, Periphery* periphery, const mc7::Reference& reference,
+                std::uint32_t value);
 // E, A and M only.
 bool forceValue(cpu::Cpu& cpu, const mc7::Reference& reference, std::uint32_t value);
 

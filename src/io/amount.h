@@ -1,4 +1,4 @@
-// Lengths of time and electrical amounts as merker.toml writes them.
+// Lengths of time and electrical amounts as merker.toml and scenarios write them.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 #include "catalogue/measuring_range.h"
 #include "clock/instant.h"
 
-namespace merker::project {
+namespace merker::io {
 
 // "0.1ms", "150ms", "2s", "1m"; nothing if it is none.
 std::optional<Duration> parseLength(std::string_view text);
@@ -21,4 +21,4 @@ std::string formatAmount(double amount, Quantity quantity);  // "5.5V"
 // "7.5m"
 std::optional<double> parseMetres(std::string_view text);
 
-}  // namespace merker::project
+}  // namespace merker::io

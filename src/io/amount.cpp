@@ -1,4 +1,4 @@
-#include "project/amount.h"
+#include "io/amount.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 
 #include "base/text.h"
 
-namespace merker::project {
+namespace merker::io {
 namespace {
 
 struct Unit {
@@ -73,4 +73,4 @@ std::string formatAmount(double amount, Quantity quantity) {
 
 std::optional<double> parseMetres(std::string_view text) { return parse(text, kLengths); }
 
-}  // namespace merker::project
+}  // namespace merker::io

@@ -1,0 +1,63 @@
+#include "station/periphery.h"
+
+#include <algorithm>
+
+#include "cpu/cpu.h"
+
+namespace merker::station {
+
+void Periphery::connect(cpu::Cpu& cpu) {
+  cpu::Areas& areas = cpu.machine().areas;
+  const std::uint32_t bytes = rack_.configuration().model->peripheralBytes;
+  areas.inputConfigured.assign(bytes, false);
+  areas.outputConfigured.assign(bytes, false);
+  for (std::uint32_t byte = 0; byte < bytes; ++byte) {
+    areas.inputConfigured[byte] = rack_.at(byte, false) != nullptr;
+    areas.outputConfigured[byte] = rack_.at(byte, true) != nullptr;
+  }
+  showPresence(cpu);
+  rack_.takeChanged();
+  areas.inputs = rack_.inputs();
+  cpu.connect(this);
+}
+
+// What happens outside, between two calls of the CPU, is told at its next instruction boundary.
+Instant Periphery::next() const { return rack_.pending() ? Instant{} : rack_.next(); }
+
+void Periphery::advance(cpu::Cpu& cpu, Instant now) {
+  rack_.advance(now);
+  if (rack_.takePresenceChanged()) showPresence(cpu);
+  showInputs(cpu);
+  for (const ModuleEvent& event : rack_.takeEvents()) cpu.moduleEvent(event);
+}
+
+void Periphery::written(cpu::Cpu& cpu, std::uint32_t first, std::uint32_t count) {
+  rack_.written(first, &cpu.machine().areas.outputs[first], count);
+}
+
+void Periphery::disableOutputs(cpu::Cpu&, bool disabled) { rack_.disableOutputs(disabled); }
+
+bool Periphery::deliver(cpu::Cpu& cpu, std::uint32_t first, std::uint32_t count, std::uint8_t mask,
+                        const std::uint8_t* bytes) {
+  for (std::uint32_t i = 0; i < count; ++i)
+    if (!rack_.answersInput(first + i)) return false;
+  for (std::uint32_t i = 0; i < count; ++i) rack_.deliver(first + i, mask, bytes[i]);
+  showInputs(cpu);
+  return true;
+}
+
+void Periphery::showPresence(cpu::Cpu& cpu) {
+  cpu::Areas& areas = cpu.machine().areas;
+  for (std::uint32_t byte = 0; byte < areas.inputPresent.size(); ++byte) {
+    areas.inputPresent[byte] = rack_.answersInput(byte);
+    areas.outputPresent[byte] = rack_.answersOutput(byte);
+  }
+}
+
+void Periphery::showInputs(cpu::Cpu& cpu) {
+  const io::Bytes changed = rack_.takeChanged();
+  std::copy_n(rack_.inputs().begin() + changed.first, changed.count,
+              cpu.machine().areas.inputs.begin() + changed.first);
+}
+
+}  // namespace merker::station

@@ -1,0 +1,34 @@
+// The modules of a station, coupled to its CPU: terminals on one side, periphery bytes on the
+// other.
+#pragma once
+
+#include "cpu/periphery.h"
+#include "io/rack.h"
+
+namespace merker::station {
+
+class Periphery : public cpu::Periphery {
+ public:
+  explicit Periphery(io::Configuration configuration) : rack_(std::move(configuration)) {}
+
+  io::Rack& rack() { return rack_; }
+  const io::Rack& rack() const { return rack_; }
+  // Tells the CPU which bytes answer, and becomes its periphery. It must outlive the CPU.
+  void connect(cpu::Cpu& cpu);
+  // A module delivers this value from now on: `set E 124.0 = 1`. False if none lies there.
+  bool deliver(cpu::Cpu& cpu, std::uint32_t first, std::uint32_t count, std::uint8_t mask,
+               const std::uint8_t* bytes);
+
+  Instant next() const override;
+  void advance(cpu::Cpu& cpu, Instant now) override;
+  void written(cpu::Cpu& cpu, std::uint32_t first, std::uint32_t count) override;
+  void disableOutputs(cpu::Cpu& cpu, bool disabled) override;
+
+ private:
+  void showPresence(cpu::Cpu& cpu);
+  void showInputs(cpu::Cpu& cpu);
+
+  io::Rack rack_;
+};
+
+}  // namespace merker::station
