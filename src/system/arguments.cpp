@@ -91,7 +91,8 @@ AnyPointer Arguments::any(std::size_t i) {
   for (unsigned k = 0; k < 3; ++k)
     note(cpu::read(call_.machine, where.area, k == 2 ? Width::Word : Width::DWord,
                    where.address + 32 * k, words[k]));
-  return {.type = static_cast<TypeCode>(words[0] >> 16 & 0xFF),
+  return {.syntax = static_cast<std::uint8_t>(words[0] >> 24),
+          .type = static_cast<TypeCode>(words[0] >> 16 & 0xFF),
           .count = words[0] & 0xFFFF,
           .db = static_cast<std::uint16_t>(words[1] >> 16),
           .pointer = words[1] << 16 | words[2]};
@@ -138,10 +139,10 @@ void Arguments::status(std::uint32_t code) {
 }
 
 // Parameters count as CALL shows them: inputs, RET_VAL, outputs.
-void Arguments::parameterError(std::size_t i, ErrorCode code) {
+void Arguments::parameterError(std::size_t i, std::uint32_t code) {
   const bool input = function_.parameters[i].section == kIn;
   const auto number = static_cast<std::uint32_t>(i + (input ? 1 : 2));
-  status(0x8000 | number << 8 | static_cast<std::uint32_t>(code));
+  status(0x8000 | number << 8 | code);
 }
 
 std::uint32_t byteCount(const AnyPointer& any) {

@@ -14,6 +14,7 @@
 namespace merker::system {
 
 struct AnyPointer {
+  std::uint8_t syntax = 0x10;  // byte 0 of every ANY (S7-IND-12)
   TypeCode type = TypeCode::Void;
   std::uint32_t count = 0;
   std::uint16_t db = 0;
@@ -55,7 +56,10 @@ class Arguments {
   // RET_VAL of a function that reports errors with it; 8xyy makes BIE 0.
   void status(std::uint32_t code);
   // 8xyy for a parameter (S7-SFC-01).
-  void parameterError(std::size_t i, cpu::ErrorCode code);
+  void parameterError(std::size_t i, std::uint32_t code);
+  void parameterError(std::size_t i, cpu::ErrorCode code) {
+    parameterError(i, static_cast<std::uint32_t>(code));
+  }
   // For functions that return a value: BIE only.
   void fail() { good_ = false; }
   bool good() const { return good_; }

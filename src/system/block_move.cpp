@@ -14,8 +14,20 @@ struct Pair {
   bool ready = false;
 };
 
+// W#16#8x01: no ANY at all; W#16#8x22 and 8x23: bits that are no whole bytes (S7-SFC-01).
+bool wellFormed(Arguments& a, std::size_t i, const AnyPointer& any, cpu::ErrorCode length) {
+  constexpr std::uint32_t kSyntax = 0x01;
+  const bool bytes = any.type != TypeCode::Bool || any.count % 8 == 0;
+  if (any.syntax == AnyPointer{}.syntax && bytes) return true;
+  a.parameterError(i, bytes ? kSyntax : static_cast<std::uint32_t>(length));
+  return false;
+}
+
 Pair regions(Arguments& a, std::uint32_t sourceBytes, const AnyPointer& source,
              std::uint32_t destinationBytes, const AnyPointer& destination) {
+  if (!wellFormed(a, kSource, source, cpu::ErrorCode::LengthRead) ||
+      !wellFormed(a, kDestination, destination, cpu::ErrorCode::LengthWrite))
+    return {};
   Pair pair{a.region(source, sourceBytes, cpu::Access::Read), {}};
   if (!pair.source) {
     a.parameterError(kSource, pair.source.error);

@@ -1,6 +1,7 @@
 // FC 2 CONCAT, 4 DELETE, 11 FIND, 17 INSERT, 20 LEFT, 21 LEN, 26 MID, 31 REPLACE, 32 RIGHT
-// (S7-IEC-06), and comparisons (S7-IEC-05). Positions count from 1; an impossible position or
-// length makes BIE 0.
+// (S7-IEC-06), and comparisons (S7-IEC-05). Positions count from 1. What zero, negative and too
+// large numbers do stands with each function in Siemens' "System and Standard Functions", IEC
+// functions.
 #include <algorithm>
 #include <functional>
 
@@ -9,35 +10,26 @@
 namespace merker::system {
 namespace {
 
-// Number of characters; a negative one is an error.
-std::size_t count(Arguments& a, std::size_t i) {
-  const std::int32_t value = a.integer(i);
-  if (value < 0) a.fail();
-  return static_cast<std::size_t>(std::max(value, 0));
-}
-
-// Position from 1 as an index; 0 or less is an error and has none.
-struct Index {
+// L and P as numbers. A negative one is an error, and the result is the empty string.
+struct Numbers {
   bool valid = false;
-  std::size_t at = 0;
+  std::size_t length = 0, position = 0;
 };
-Index index(Arguments& a, std::size_t i, std::size_t length) {
-  const std::int32_t position = a.integer(i);
-  if (position >= 1 && static_cast<std::size_t>(position) <= length)
-    return {true, static_cast<std::size_t>(position) - 1};
+Numbers numbers(Arguments& a, std::size_t length, std::size_t position) {
+  const std::int32_t l = a.integer(length), p = a.integer(position);
+  if (l >= 0 && p >= 0) return {true, static_cast<std::size_t>(l), static_cast<std::size_t>(p)};
   a.fail();
   return {};
 }
 
 void concat(Arguments& a) { setText(a, 2, getText(a, 0) + getText(a, 1)); }
 
+// L = 0, P = 0 and P behind the end leave the string as it is; more than there is ends at its end.
 void erase(Arguments& a) {
   std::string text = getText(a, 0);
-  const std::size_t length = count(a, 1);
-  if (const Index from = index(a, 2, text.size()); from.valid) {
-    if (length > text.size() - from.at) a.fail();
-    text.erase(from.at, length);
-  }
+  const Numbers n = numbers(a, 1, 2);
+  if (!n.valid) text.clear();
+  if (n.position >= 1 && n.position <= text.size()) text.erase(n.position - 1, n.length);
   setText(a, 3, text);
 }
 
@@ -47,45 +39,44 @@ void find(Arguments& a) {
   a.set(2, at == std::string::npos ? 0 : static_cast<std::uint32_t>(at + 1));
 }
 
-// Behind position P; 0 is in front.
+// Behind position P; 0 is in front, behind the end means at the end.
 void insert(Arguments& a) {
   const std::string text = getText(a, 0), part = getText(a, 1);
-  const std::size_t position = count(a, 2);
-  if (position > text.size()) a.fail();
-  const std::size_t at = std::min(position, text.size());
-  setText(a, 3, text.substr(0, at) + part + text.substr(at));
+  const Numbers n = numbers(a, 2, 2);
+  const std::size_t at = std::min(n.position, text.size());
+  setText(a, 3, n.valid ? text.substr(0, at) + part + text.substr(at) : std::string());
 }
 
 void left(Arguments& a) {
   const std::string text = getText(a, 0);
-  const std::size_t length = count(a, 1);
-  setText(a, 2, text.substr(0, length));
+  setText(a, 2, text.substr(0, numbers(a, 1, 1).length));
 }
 
 void right(Arguments& a) {
   const std::string text = getText(a, 0);
-  const std::size_t length = std::min(count(a, 1), text.size());
+  const std::size_t length = std::min(numbers(a, 1, 1).length, text.size());
   setText(a, 2, text.substr(text.size() - length));
 }
 
 void length(Arguments& a) { a.set(1, static_cast<std::uint32_t>(getText(a, 0).size())); }
 
+// L = 0, P = 0 and P behind the end are errors; more than there is ends at the string's end.
 void middle(Arguments& a) {
   const std::string text = getText(a, 0);
-  const std::size_t characters = count(a, 1);
-  const Index from = index(a, 2, text.size());
-  if (from.valid && characters > text.size() - from.at) a.fail();
-  setText(a, 3, from.valid ? text.substr(from.at, characters) : std::string());
+  const Numbers n = numbers(a, 1, 2);
+  const bool inside = n.length >= 1 && n.position >= 1 && n.position <= text.size();
+  if (!inside) a.fail();
+  setText(a, 3, inside ? text.substr(n.position - 1, n.length) : std::string());
 }
 
+// L = 0 leaves the string as it is; P = 0 is P = 1; behind the end the other string is appended.
 void replace(Arguments& a) {
   const std::string text = getText(a, 0), part = getText(a, 1);
-  const std::size_t characters = count(a, 2);
-  const Index from = index(a, 3, text.size());
-  if (!from.valid) return setText(a, 4, text);
-  const std::size_t removed = std::min(characters, text.size() - from.at);
-  if (removed < characters) a.fail();
-  setText(a, 4, text.substr(0, from.at) + part + text.substr(from.at + removed));
+  const Numbers n = numbers(a, 2, 3);
+  if (!n.valid || n.length == 0) return setText(a, 4, n.valid ? text : std::string());
+  const std::size_t at = std::min(n.position == 0 ? 0 : n.position - 1, text.size());
+  const std::size_t behind = std::min(at + n.length, text.size());
+  setText(a, 4, text.substr(0, at) + part + text.substr(behind));
 }
 
 // By the characters' codes; of two that are equal so far the longer is greater.

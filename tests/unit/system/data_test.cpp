@@ -44,6 +44,23 @@ TEST(BlockMove, ReportsWhatIsWrong) {
   EXPECT_EQ(plc.read("MW 4"), 0x813Au);
 }
 
+// S7-SFC-01: no ANY, and bits that are no whole bytes.
+TEST(BlockMove, ReportsWhatIsNoAny) {
+  Plc plc = plcWith(
+      "L W#16#0102; T LW 20; L 4; T LW 22; L 0; T LW 24; L P#M50.0; T LD 26;"
+      "CALL SFC 20 (SRCBLK := #any, RET_VAL := MW 0, DSTBLK := P#M60.0 BYTE 4);"
+      "CALL SFC 21 (BVAL := P#M 60.0 BYTE 4, RET_VAL := MW 2, BLK := #any);"
+      "CALL SFC 20 (SRCBLK := P#M 50.0 BOOL 15, RET_VAL := MW 4, DSTBLK := P#M60.0 BYTE 4);"
+      "CALL SFC 20 (SRCBLK := P#M 50.0 BYTE 4, RET_VAL := MW 6, DSTBLK := P#M60.0 BOOL 9);"
+      "CALL SFC 20 (SRCBLK := P#M 50.0 BOOL 16, RET_VAL := MW 8, DSTBLK := P#M60.0 BOOL 16);");
+  plc.cycles(1);
+  EXPECT_EQ(plc.read("MW 0"), 0x8101u);
+  EXPECT_EQ(plc.read("MW 2"), 0x8301u);
+  EXPECT_EQ(plc.read("MW 4"), 0x8122u);
+  EXPECT_EQ(plc.read("MW 6"), 0x8323u);
+  EXPECT_EQ(plc.read("MW 8"), 0u);
+}
+
 // S7-IND-17: an ANY that the program builds itself.
 TEST(BlockMove, TakesAnAnyFromLocalData) {
   Plc plc = plcWith(
