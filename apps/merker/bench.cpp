@@ -68,6 +68,7 @@ int bench(const Options& options) {
   }
   Build built = build(project::load(options.path, options.cpu), false);
   requireOb1(built);
+  requireWorkMemory(built);
   if (!built.ok()) return report(built, options.json);
   printProblems(built.problems, built.files());
   Measurement result;

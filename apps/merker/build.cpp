@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "block/memory.h"
 #include "command.h"
 #include "system/library.h"
 
@@ -68,6 +69,14 @@ int report(const Build& build, bool json) {
 void requireOb1(Build& build) {
   if (build.ok() && !build.program->contains({BlockKind::OB, 1}))
     build.problems.add(ProblemCode::P0710, Position{build.project.path});
+}
+
+void requireWorkMemory(Build& build) {
+  const std::size_t needed = block::workMemory(*build.program);
+  const CpuModel& model = *build.project.model;
+  if (build.ok() && needed > model.workMemory)
+    build.problems.add(ProblemCode::P1010, Position{build.project.path}, needed, model.workMemory,
+                       model.name);
 }
 
 }  // namespace merker::app

@@ -29,5 +29,7 @@ Build build(project::Project project, bool checks);
 int report(const Build& build, bool json);
 // Adds the problem that a program without OB 1 cannot run (S7-OPEN-39).
 void requireOb1(Build& build);
+// Adds the problem that the program needs more work memory than the CPU has (S7-CPU-02).
+void requireWorkMemory(Build& build);
 
 }  // namespace merker::app

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "build.h"
+#include "card.h"
 #include "command.h"
 #include "input.h"
 #include "operands.h"
@@ -18,7 +19,7 @@ namespace merker::app {
 namespace {
 
 struct Options {
-  std::string path, cpu, time, trace, engine = "interpreter";
+  std::string path, card, cpu, time, trace, engine = "interpreter";
   std::int64_t cycles = 0;
   bool hasCycles = false, json = false;
   std::vector<std::string> set, print, watch;
@@ -115,26 +116,67 @@ void advance(const Options& options, station::Station& station, std::optional<Du
     runRealTime(station);
 }
 
-int runStation(const Options& options, const Build& build, const Operands& operands,
-               std::optional<Duration> time) {
-  station::Station station = build.station();
+int failed(const Problem& problem) {
+  Problems problems;
+  problems.add(problem);
+  printProblems(problems, [](const std::string&) { return nullptr; });
+  return kUnreadable;
+}
+
+// What happens at the end of each cycle: first it is kept on the card, then it is seen outside.
+class CycleEnd {
+ public:
+  CycleEnd(store::MemoryCard* card, std::ofstream& file) : file_(file) {
+    if (card != nullptr) keeper_.emplace(*card);
+  }
+  void watch(const std::vector<mc7::Reference>& operands, const station::Station& station) {
+    trace_.emplace(file_, operands, station);
+  }
+  void operator()(station::Station& station) {
+    if (keeper_ && !keeper_->save(station)) return station.stop();
+    if (!trace_) return;
+    trace_->sample(station);
+    if (keeper_) file_.flush();  // who reads along sees the cycle as soon as it is kept
+  }
+  const Problem* problem() const {
+    return keeper_ && keeper_->problem() ? &*keeper_->problem() : nullptr;
+  }
+
+ private:
+  std::ofstream& file_;
+  std::optional<CardKeeper> keeper_;
+  std::optional<simulator::Trace> trace_;
+};
+
+std::optional<Problem> start(const Build& build, store::MemoryCard* card,
+                             station::Station& station) {
+  if (card != nullptr) return switchOn(*card, build, station);
   station.memoryReset();
-  if (!station.warmRestart()) {
+  station.warmRestart();
+  return std::nullopt;
+}
+
+int runStation(const Options& options, const Build& build, const Operands& operands,
+               std::optional<Duration> time, store::MemoryCard* card) {
+  station::Station station = build.station();
+  if (const auto problem = start(build, card, station)) return failed(*problem);
+  if (station.mode() == station::Mode::Stop) {
     std::cerr << "merker run: the CPU does not start: " << station.stopReason() << '\n';
     return kFault;
   }
   if (!applySet(operands.set, station)) return kUsage;
   std::ofstream file;
-  std::optional<simulator::Trace> trace;
+  CycleEnd cycleEnd(card, file);
   if (!options.trace.empty()) {
     file.open(options.trace, std::ios::binary);
-    trace.emplace(file, operands.watch, station);
-    station.onCycle([&trace](station::Station& s) { trace->sample(s); });
+    cycleEnd.watch(operands.watch, station);
   }
+  if (card != nullptr || !options.trace.empty()) station.onCycle(std::ref(cycleEnd));
   if (!time && !options.hasCycles) holdSignals();
   advance(options, station, time);
   station.settle();
-  if (trace) trace->sample(station);
+  cycleEnd(station);
+  if (cycleEnd.problem() != nullptr) return failed(*cycleEnd.problem());
   const int result = finish(options, operands, station);
   file.close();
   if (!options.trace.empty() && !file) {
@@ -142,6 +184,40 @@ int runStation(const Options& options, const Build& build, const Operands& opera
     return kUnreadable;
   }
   return result;
+}
+
+int runBuild(const Options& options, Build& built, std::optional<Duration> time,
+             store::MemoryCard* card) {
+  Operands operands;
+  if (!readOptions(options, built, operands)) return kUsage;
+  return runStation(options, built, operands, time, card);
+}
+
+// False: the problems are told.
+bool ready(const Options& options, Build& built) {
+  requireOb1(built);
+  requireWorkMemory(built);
+  if (!built.ok()) report(built, options.json);
+  if (built.ok()) printProblems(built.problems, built.files());
+  return built.ok();
+}
+
+// A program that cannot run does not touch the card (S7-CPU-02: the old one stays).
+int runPath(const Options& options, std::optional<Duration> time) {
+  Build built = build(project::load(options.path, options.cpu), false);
+  if (!ready(options, built)) return built.exitCode();
+  if (options.card.empty()) return runBuild(options, built, time, nullptr);
+  auto card = store::MemoryCard::open(options.card);
+  if (!card) return failed(card.error());
+  return runBuild(options, built, time, &*card);
+}
+
+int runFromCard(const Options& options, std::optional<Duration> time) {
+  auto card = store::MemoryCard::open(options.card);
+  if (!card) return failed(card.error());
+  Build built = buildFromCard(*card, options.card, options.cpu);
+  if (!ready(options, built)) return built.exitCode();
+  return runBuild(options, built, time, &*card);
 }
 
 int run(const Options& options) {
@@ -156,13 +232,9 @@ int run(const Options& options) {
     return wrongUsage("--engine: this version has no jit yet; use interpreter");
   if (options.trace.empty() != options.watch.empty())
     return wrongUsage("--trace and --watch belong together");
-  Build built = build(project::load(options.path, options.cpu), false);
-  requireOb1(built);
-  if (!built.ok()) return report(built, options.json);
-  printProblems(built.problems, built.files());
-  Operands operands;
-  if (!readOptions(options, built, operands)) return kUsage;
-  return runStation(options, built, operands, time);
+  if (options.path.empty() && options.card.empty())
+    return wrongUsage("PATH is missing; only with --card the program may be the one on the card");
+  return options.path.empty() ? runFromCard(options, time) : runPath(options, time);
 }
 
 }  // namespace
@@ -171,7 +243,10 @@ void addRun(CLI::App& program, int& result) {
   auto* command =
       program.add_subcommand("run", "run a program in real time until Ctrl-C, or in virtual time");
   auto options = std::make_shared<Options>();
-  command->add_option("PATH", options->path, "project folder or source")->required();
+  command->add_option("PATH", options->path,
+                      "project folder or source; with --card it may be left out");
+  command->add_option("--card", options->card,
+                      "folder that is the CPU's memory card: program and retentive data");
   auto* time = command->add_option("--for", options->time,
                                    "run this long in virtual time: 250ms, 7.5s, 2m, T#10S");
   auto* cycles =
@@ -192,6 +267,8 @@ void addRun(CLI::App& program, int& result) {
   command->footer(
       "Examples:\n"
       "  merker run examples/sorting-plant\n"
+      "  merker run plant --card plant.card      (and on from there after a power failure)\n"
+      "  merker run --card plant.card --for 1s   (the program that is on the card)\n"
       "  merker run blink.awl --for 10s --print \"A 0.0, MW 10\"\n"
       "  merker run plant --for 1m --set \"E 0.0=1\" --trace plant.csv --watch \"E 0.0, A 1.0\"");
   command->callback([options, cycles, &result] {

@@ -35,6 +35,7 @@ void TestSession::run(const project::TestTarget& target) {
   if (target.scenarios.empty()) return;
   Build built = build(project, false);
   requireOb1(built);
+  requireWorkMemory(built);
   printProblems(built.problems, built.files());
   for (const std::string& file : target.scenarios) scenarios(file, built);
 }
@@ -42,6 +43,7 @@ void TestSession::run(const project::TestTarget& target) {
 void TestSession::selfChecks(const project::TestTarget& target, const project::Project& project) {
   Build built = build(project, true);
   requireOb1(built);
+  requireWorkMemory(built);
   // the scenarios' build prints the same problems
   if (target.scenarios.empty() || !built.ok()) printProblems(built.problems, built.files());
   if (!built.ok()) return notRun(target.path, "self-checks", built.problems);

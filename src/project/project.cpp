@@ -148,6 +148,22 @@ Project loadSources(const std::string& path, const std::vector<std::string>& sou
   return project;
 }
 
+Project loadConfiguration(const std::string& path, const std::string& text,
+                          const std::string& cpu) {
+  Project project;
+  project.path = project.folder = path;
+  project.name = baseName(path);
+  project.otherFiles.emplace_back(join(path, kSettingsFile), text);
+  take(project,
+       readSettings(project.otherFiles.back(), project.problems, chosenModel(project, cpu)));
+  return project;
+}
+
+std::string configurationText(const Project& project) {
+  const source::SourceFile* file = project.file(join(project.folder, kSettingsFile));
+  return file == nullptr ? std::string() : std::string(file->text());
+}
+
 Project load(const std::string& path, const std::string& cpu) {
   Project project;
   project.path = path;

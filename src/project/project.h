@@ -38,6 +38,11 @@ struct Project {
 // `cpu`, unless empty, replaces the model. Never throws; everything that is wrong is in `problems`.
 Project load(const std::string& path, const std::string& cpu);
 
+// A configuration without sources, as a memory card holds it: `text` is that of a merker.toml.
+Project loadConfiguration(const std::string& path, const std::string& text, const std::string& cpu);
+// The text of the project's merker.toml; empty without one.
+std::string configurationText(const Project& project);
+
 // Some sources as one program, with the symbol files of the same stems beside them.
 Project loadSources(const std::string& path, const std::vector<std::string>& sources,
                     const std::string& cpu);

@@ -1,0 +1,54 @@
+#include "card.h"
+
+#include "system/library.h"
+
+namespace merker::app {
+namespace {
+
+store::LoadMemory loadMemoryOf(const Build& build) {
+  return {std::string(build.project.model->keyword), project::configurationText(build.project),
+          *build.program};
+}
+
+}  // namespace
+
+Build buildFromCard(const store::MemoryCard& card, const std::string& folder,
+                    const std::string& cpu) {
+  const store::LoadMemory& load = card.loadMemory();
+  Build result;
+  result.project =
+      project::loadConfiguration(folder, load.configuration, cpu.empty() ? load.cpu : cpu);
+  result.library = std::make_shared<const block::Program>(system::library());
+  result.program = std::make_shared<const block::Program>(load.program);
+  result.problems = result.project.problems;
+  if (card.empty()) {
+    result.problems.add(ProblemCode::P1007, Position{folder});
+    result.project.unreadable = true;
+  }
+  return result;
+}
+
+std::optional<Problem> switchOn(store::MemoryCard& card, const Build& build,
+                                station::Station& station) {
+  const auto done = card.download(loadMemoryOf(build));
+  if (!done) return done.error();
+  if (card.retentive()) {
+    block::RetentiveData data = *card.retentive();
+    data.running = data.running && !done->changed();
+    station.restore(data);
+    station.powerOn();
+  } else {
+    station.memoryReset();
+  }
+  if (station.mode() == station::Mode::Stop) station.warmRestart();
+  return std::nullopt;
+}
+
+bool CardKeeper::save(const station::Station& station) {
+  if (problem_) return false;
+  station.retentive(data_);
+  problem_ = card_.save(data_);
+  return !problem_;
+}
+
+}  // namespace merker::app

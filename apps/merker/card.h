@@ -1,0 +1,34 @@
+// The memory card of `merker run --card`: where the program comes from or goes to, and where the
+// CPU finds and leaves what it keeps without power.
+#pragma once
+
+#include "build.h"
+#include "store/memory_card.h"
+
+namespace merker::app {
+
+// The program, CPU and configuration on the card, as if they were a project. P1007 if there is
+// none.
+Build buildFromCard(const store::MemoryCard& card, const std::string& folder,
+                    const std::string& cpu);
+
+// Puts the program on the card and switches the station on with what is kept there: after a power
+// failure in RUN an automatic warm restart, otherwise (STOP, a changed program) a manual one; a new
+// card begins with a memory reset.
+std::optional<Problem> switchOn(store::MemoryCard& card, const Build& build,
+                                station::Station& station);
+
+// Keeps the retentive memory on the card. Once a save fails nothing more is saved.
+class CardKeeper {
+ public:
+  explicit CardKeeper(store::MemoryCard& card) : card_(card) {}
+  bool save(const station::Station& station);  // false: it failed now or before
+  const std::optional<Problem>& problem() const { return problem_; }
+
+ private:
+  store::MemoryCard& card_;
+  block::RetentiveData data_;
+  std::optional<Problem> problem_;
+};
+
+}  // namespace merker::app
