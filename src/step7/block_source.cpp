@@ -141,8 +141,12 @@ bool BlockSplitter::blockName(const Frame& frame, BlockSource& source) {
                   merker::name(frame.kinds[0]));
     return false;
   }
+  cursor_.skipSpace();
+  if (frame.kinds[0] != BlockKind::FC && cursor_.peek() == ':') {  // only a FUNCTION has a type
+    problems_.add(ProblemCode::P0302, at(cursor_.pos(), cursor_.pos() + 1), ":");
+    cursor_.skipLine();
+  }
   if (frame.kinds[0] == BlockKind::FC) {
-    cursor_.skipSpace();
     if (cursor_.accept(':')) {
       DeclarationParser parser(cursor_, file_, problems_);
       source.returnType = parser.type();

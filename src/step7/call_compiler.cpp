@@ -20,8 +20,11 @@ bool CallCompiler::needsNoDataBlock(const Access& access) {
 }
 
 bool CallCompiler::compile(std::size_t begin) {
-  if (!target()) return false;
   CallParameters parameters(c_, target_);
+  if (!target()) {
+    parameters.skip();
+    return false;
+  }
   auto actuals = parameters.read();
   if (!actuals) return false;
   actuals_ = std::move(*actuals);

@@ -23,6 +23,22 @@ std::optional<Actuals> CallParameters::read() {
   return std::move(actuals_);
 }
 
+void CallParameters::skip() {
+  Cursor& cursor = c_.cursor();
+  while (!cursor.atStatementEnd() && cursor.peek() != '(') cursor.take();
+  if (!acceptBracket()) return;
+  for (int depth = 1; depth > 0;) {
+    cursor.skipSpace();
+    if (cursor.atEnd() || cursor.peek() == ';') return;
+    if (cursor.peek() == '\'') {
+      cursor.passText();
+      continue;
+    }
+    const char c = cursor.take();
+    depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+  }
+}
+
 // The bracket of the parameter list stands behind the block's name or on the next line; no
 // instruction begins with it.
 bool CallParameters::acceptBracket() {

@@ -47,6 +47,8 @@ class CallParameters {
   // Reads ( name := actual, … ) or, as the editor shows it, one name := actual a line. Empty
   // optional after a problem.
   std::optional<Actuals> read();
+  // Past the list of a block that is not known: the name is the problem, not its parameters.
+  void skip();
 
  private:
   bool body(bool bracketed);

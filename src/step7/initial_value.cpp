@@ -290,7 +290,12 @@ class InitialReader {
       problems_.add(ProblemCode::P0412, place, std::string(text), block::toString(type));
       return false;
     }
-    const std::string bytes = unescape(toCp1252(text.substr(1, text.size() - 2)));
+    const auto characters = parseCharacters(onlyEscapes(text), place);
+    if (!characters) {
+      problems_.add(characters.error());
+      return false;
+    }
+    const std::string& bytes = *characters;
     if (bytes.size() > type.length) {
       problems_.add(ProblemCode::P0415, place, bytes.size(), type.length);
       return false;
@@ -303,29 +308,14 @@ class InitialReader {
     return true;
   }
 
-  // $ marks control characters and hexadecimal codes in STEP 7 strings; '' is one quote.
-  static std::string unescape(const std::string& text) {
-    static constexpr std::string_view kLetters = "LNPRT", kCodes = "\n\n\f\r\t";
-    std::string out;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-      const char c = text[i];
-      if (c == '\'' && i + 1 < text.size() && text[i + 1] == '\'') ++i;
-      if (c != '$' || i + 1 >= text.size()) {
-        out += c;
-        continue;
-      }
-      const char next = text[++i];
-      const std::size_t letter =
-          kLetters.find(static_cast<char>(std::toupper(static_cast<unsigned char>(next))));
-      if (letter != std::string_view::npos) {
-        out += kCodes[letter];
-      } else if (std::isxdigit(static_cast<unsigned char>(next)) && i + 1 < text.size() &&
-                 std::isxdigit(static_cast<unsigned char>(text[i + 1]))) {
-        out += static_cast<char>(std::stoi(text.substr(i, 2), nullptr, 16));
-        ++i;
-      } else {
-        out += next;
-      }
+  // The notation of character constants; besides, a doubled quotation mark is one.
+  static std::string onlyEscapes(std::string_view quoted) {
+    std::string out(quoted.substr(0, 1));
+    for (std::size_t i = 1; i < quoted.size(); ++i) {
+      const bool escape = quoted[i] == '$' && i + 2 < quoted.size();
+      const bool twice = quoted[i] == '\'' && i + 2 < quoted.size() && quoted[i + 1] == '\'';
+      out += twice ? '$' : quoted[i];
+      if (escape || twice) out += quoted[++i];
     }
     return out;
   }
