@@ -1,0 +1,144 @@
+#include "step5/operand.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+#include "mc5/constant.h"
+#include "step5/constant_operand.h"
+
+namespace merker::step5 {
+namespace {
+
+using mc5::Area;
+using mc5::BlockType;
+using mc5::OperandKind;
+using mc5::Width;
+
+struct Word {
+  std::string_view name;
+  mc5::Operand operand;
+  bool bit;  // has a bit address
+};
+
+constexpr mc5::Operand memory(Area area, Width width) {
+  return {.kind = OperandKind::Memory, .area = area, .width = width};
+}
+constexpr mc5::Operand cell(OperandKind kind) { return {.kind = kind, .width = Width::Word}; }
+constexpr mc5::Operand block(BlockType type) { return {.kind = OperandKind::Block, .block = type}; }
+
+// PB is the periphery byte behind L and T, the program block behind SPA and SPB: the operation
+// decides (statement.cpp).
+constexpr std::array kWords{Word{"E", memory(Area::Input, Width::Bit), true},
+                            Word{"EB", memory(Area::Input, Width::Byte), false},
+                            Word{"EW", memory(Area::Input, Width::Word), false},
+                            Word{"ED", memory(Area::Input, Width::Double), false},
+                            Word{"A", memory(Area::Output, Width::Bit), true},
+                            Word{"AB", memory(Area::Output, Width::Byte), false},
+                            Word{"AW", memory(Area::Output, Width::Word), false},
+                            Word{"AD", memory(Area::Output, Width::Double), false},
+                            Word{"M", memory(Area::Flag, Width::Bit), true},
+                            Word{"MB", memory(Area::Flag, Width::Byte), false},
+                            Word{"MW", memory(Area::Flag, Width::Word), false},
+                            Word{"MD", memory(Area::Flag, Width::Double), false},
+                            Word{"D", memory(Area::Data, Width::Bit), true},
+                            Word{"DL", memory(Area::Data, Width::Left), false},
+                            Word{"DR", memory(Area::Data, Width::Right), false},
+                            Word{"DW", memory(Area::Data, Width::Word), false},
+                            Word{"DD", memory(Area::Data, Width::Double), false},
+                            Word{"PB", memory(Area::Peripheral, Width::Byte), false},
+                            Word{"PY", memory(Area::Peripheral, Width::Byte), false},
+                            Word{"PW", memory(Area::Peripheral, Width::Word), false},
+                            Word{"T", cell(OperandKind::Timer), false},
+                            Word{"Z", cell(OperandKind::Counter), false},
+                            Word{"OB", block(BlockType::Ob), false},
+                            Word{"SB", block(BlockType::Sb), false},
+                            Word{"FB", block(BlockType::Fb), false},
+                            Word{"DB", block(BlockType::Db), false}};
+
+std::string uppercase(std::string_view text) {
+  std::string result(text);
+  std::transform(result.begin(), result.end(), result.begin(), upper);
+  return result;
+}
+
+std::optional<std::uint32_t> number(Scanner& scanner) {
+  const std::string_view digits = scanner.take(isDigit);
+  std::uint32_t value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (digits.empty() || error != std::errc{} || end == digits.data()) return std::nullopt;
+  return value;
+}
+
+// "=EIN", "=M001"; a number stands for itself: "=+4" as distance, "=1" as index.
+std::optional<Operand> formal(Scanner& scanner, Failure& failure) {
+  Operand result;
+  scanner.skipBlanks();
+  result.offset = scanner.offset();
+  const bool sign = scanner.peek() == '+' || scanner.peek() == '-';
+  if (sign || isDigit(scanner.peek())) {
+    const bool negative = scanner.peek() == '-';
+    if (sign) scanner.skip();
+    const auto value = number(scanner);
+    if (!value) {
+      failure = {ProblemCode::P1005, result.offset, 1, "=", ""};
+      return std::nullopt;
+    }
+    result.value = {.kind = sign ? OperandKind::Jump : OperandKind::Formal,
+                    .value = negative ? 0 - *value : *value};
+    return result;
+  }
+  result.name = uppercase(scanner.take(isNameCharacter));
+  result.length = result.name.size();
+  if (result.name.empty()) failure = {ProblemCode::P1005, result.offset, 1, "=", ""};
+  return result.name.empty() ? std::nullopt : std::optional(result);
+}
+
+// Number and bit behind the word of an area.
+bool address(Scanner& scanner, const Word& word, Operand& result, Failure& failure) {
+  const auto value = number(scanner);
+  if (!value) {
+    failure = {ProblemCode::P1006, scanner.offset(), 1, std::string(word.name), ""};
+    return false;
+  }
+  result.value.value = *value;
+  const bool cellBit = word.operand.kind == OperandKind::Timer ||
+                       word.operand.kind == OperandKind::Counter;
+  if (scanner.peek() == '.' && isDigit(scanner.peek(1)) && (word.bit || cellBit)) {
+    scanner.skip();
+    result.value.bit = static_cast<std::uint8_t>(std::min<std::uint32_t>(*number(scanner), 255));
+    result.value.width = Width::Bit;
+    return true;
+  }
+  if (!word.bit) return true;
+  failure = {ProblemCode::P1007, scanner.offset(), 1, std::string(word.name), ""};
+  return false;
+}
+
+}  // namespace
+
+std::optional<Operand> parseOperand(Scanner& scanner, Failure& failure) {
+  if (scanner.accept('=')) return formal(scanner, failure);
+  Operand result;
+  result.offset = scanner.offset();
+  const std::size_t start = scanner.mark();
+  if (isDigit(scanner.peek())) {
+    result.value = {.kind = OperandKind::Count, .value = number(scanner).value_or(0xFFFFFFFF)};
+    result.length = scanner.since(start).size();
+    return result;
+  }
+  if (isConstant(scanner)) return parseConstant(scanner, failure);
+  const std::string word = uppercase(scanner.take(isLetter));
+  for (const Word& row : kWords) {
+    if (row.name != word) continue;
+    result.value = row.operand;
+    scanner.skipBlanks();
+    if (!address(scanner, row, result, failure)) return std::nullopt;
+    result.length = scanner.since(start).size();
+    return result;
+  }
+  failure = {ProblemCode::P1004, result.offset, std::max<std::size_t>(word.size(), 1), word, ""};
+  return std::nullopt;
+}
+
+}  // namespace merker::step5

@@ -1,0 +1,29 @@
+// Operands in a listing: E 10.3, EW20, D 5.15, T 17, KH 7F0A, KF +5, DB 10, =EIN, 16.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "base/result.h"
+#include "mc5/operand.h"
+#include "step5/scanner.h"
+
+namespace merker::step5 {
+
+struct Operand {
+  mc5::Operand value;
+  std::string name;  // of a formal operand or a jump label; `value` is then of kind None
+  std::size_t offset = 0, length = 0;  // in the file
+};
+
+// Reads the longest operand; what follows it stays in the scanner. Problems carry the place as
+// offset and length.
+struct Failure {
+  ProblemCode code;
+  std::size_t offset = 0, length = 1;
+  std::string what, expected;
+};
+
+std::optional<Operand> parseOperand(Scanner& scanner, Failure& failure);
+
+}  // namespace merker::step5
