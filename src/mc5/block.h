@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "block/check.h"
 #include "mc5/operand.h"
 
 namespace merker::mc5 {
@@ -51,6 +52,8 @@ struct Block {
   std::map<std::uint32_t, std::string> labels;  // by offset
   std::string file;
   std::vector<LineEntry> lines;
+  // Offsets count words; the code of operands is MC5, the high byte of a word first.
+  std::vector<block::Check> checks;
 };
 
 constexpr std::uint32_t kHeaderWords = 5;  // S5-BLK-08

@@ -13,7 +13,9 @@ using mc5::OperandKind;
 
 bool isHex(char c) { return std::isxdigit(static_cast<unsigned char>(c)) != 0; }
 
-std::string formatWord(const Scanner& scanner) { return {upper(scanner.peek()), upper(scanner.peek(1))}; }
+std::string formatWord(const Scanner& scanner) {
+  return {upper(scanner.peek()), upper(scanner.peek(1))};
+}
 
 // "K05 1234": the format byte in hexadecimal, for words that their format cannot show.
 bool isRaw(const Scanner& scanner) {
@@ -47,8 +49,10 @@ std::string numberText(Scanner& scanner, Format format) {
   const std::size_t mark = scanner.mark();
   scanner.skipBlanks();
   const auto second = scanner.take([&](char c) { return belongs(format, c); });
-  if (second.empty() || (format == Format::Binary && second.size() != 8)) scanner.back(mark);
-  else text += second;
+  if (second.empty() || (format == Format::Binary && second.size() != 8))
+    scanner.back(mark);
+  else
+    text += second;
   return text;
 }
 
@@ -67,10 +71,12 @@ Operand rawConstant(Scanner& scanner) {
   Operand result;
   result.offset = scanner.offset();
   scanner.skip();
-  const auto code = static_cast<std::uint8_t>(std::stoul(std::string(scanner.take(isHex)), nullptr, 16));
+  const auto code =
+      static_cast<std::uint8_t>(std::stoul(std::string(scanner.take(isHex)), nullptr, 16));
   scanner.skipBlanks();
   const std::string digits(scanner.take(isHex).substr(0, 4));
-  const auto value = digits.empty() ? 0u : static_cast<std::uint32_t>(std::stoul(digits, nullptr, 16));
+  const auto value =
+      digits.empty() ? 0u : static_cast<std::uint32_t>(std::stoul(digits, nullptr, 16));
   const auto format = mc5::formatOf(code);
   result.value = {.kind = OperandKind::Constant,
                   .format = format.value_or(Format::Other),
@@ -114,7 +120,7 @@ std::optional<Operand> parseConstant(Scanner& scanner, Failure& failure) {
   result.length = std::max<std::size_t>(scanner.since(start).size(), 2);
   result.value = {.kind = OperandKind::Constant, .format = row.format, .value = bits.value_or(0)};
   if (bits) return result;
-  failure = {ProblemCode::P1008, result.offset, result.length, std::string(row.word),
+  failure = {ProblemCode::P1108, result.offset, result.length, std::string(row.word),
              std::string(row.range)};
   return std::nullopt;
 }

@@ -81,7 +81,7 @@ std::optional<Operand> formal(Scanner& scanner, Failure& failure) {
     if (sign) scanner.skip();
     const auto value = number(scanner);
     if (!value) {
-      failure = {ProblemCode::P1005, result.offset, 1, "=", ""};
+      failure = {ProblemCode::P1105, result.offset, 1, "=", ""};
       return std::nullopt;
     }
     result.value = {.kind = sign ? OperandKind::Jump : OperandKind::Formal,
@@ -90,7 +90,7 @@ std::optional<Operand> formal(Scanner& scanner, Failure& failure) {
   }
   result.name = uppercase(scanner.take(isNameCharacter));
   result.length = result.name.size();
-  if (result.name.empty()) failure = {ProblemCode::P1005, result.offset, 1, "=", ""};
+  if (result.name.empty()) failure = {ProblemCode::P1105, result.offset, 1, "=", ""};
   return result.name.empty() ? std::nullopt : std::optional(result);
 }
 
@@ -98,12 +98,12 @@ std::optional<Operand> formal(Scanner& scanner, Failure& failure) {
 bool address(Scanner& scanner, const Word& word, Operand& result, Failure& failure) {
   const auto value = number(scanner);
   if (!value) {
-    failure = {ProblemCode::P1006, scanner.offset(), 1, std::string(word.name), ""};
+    failure = {ProblemCode::P1106, scanner.offset(), 1, std::string(word.name), ""};
     return false;
   }
   result.value.value = *value;
-  const bool cellBit = word.operand.kind == OperandKind::Timer ||
-                       word.operand.kind == OperandKind::Counter;
+  const bool cellBit =
+      word.operand.kind == OperandKind::Timer || word.operand.kind == OperandKind::Counter;
   if (scanner.peek() == '.' && isDigit(scanner.peek(1)) && (word.bit || cellBit)) {
     scanner.skip();
     result.value.bit = static_cast<std::uint8_t>(std::min<std::uint32_t>(*number(scanner), 255));
@@ -111,7 +111,7 @@ bool address(Scanner& scanner, const Word& word, Operand& result, Failure& failu
     return true;
   }
   if (!word.bit) return true;
-  failure = {ProblemCode::P1007, scanner.offset(), 1, std::string(word.name), ""};
+  failure = {ProblemCode::P1107, scanner.offset(), 1, std::string(word.name), ""};
   return false;
 }
 
@@ -137,7 +137,7 @@ std::optional<Operand> parseOperand(Scanner& scanner, Failure& failure) {
     result.length = scanner.since(start).size();
     return result;
   }
-  failure = {ProblemCode::P1004, result.offset, std::max<std::size_t>(word.size(), 1), word, ""};
+  failure = {ProblemCode::P1104, result.offset, std::max<std::size_t>(word.size(), 1), word, ""};
   return std::nullopt;
 }
 

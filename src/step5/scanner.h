@@ -16,7 +16,9 @@ class Scanner {
   char peek(std::size_t ahead = 0) const {
     return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0';
   }
-  void skip(std::size_t count = 1) { at_ = at_ + count < text_.size() ? at_ + count : text_.size(); }
+  void skip(std::size_t count = 1) {
+    at_ = at_ + count < text_.size() ? at_ + count : text_.size();
+  }
   // Returns how many blanks there were.
   std::size_t skipBlanks() {
     const std::size_t before = at_;
@@ -49,9 +51,7 @@ class Scanner {
 inline bool isLetter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 inline bool isDigit(char c) { return c >= '0' && c <= '9'; }
 inline bool isBlank(char c) { return c == ' ' || c == '\t'; }
-inline char upper(char c) {
-  return static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-}
+inline char upper(char c) { return static_cast<char>(std::toupper(static_cast<unsigned char>(c))); }
 // Names of formal operands and labels: EIN, P-NR, DZ/A.
 inline bool isNameCharacter(char c) {
   return isLetter(c) || isDigit(c) || c == '-' || c == '/' || c == '_';

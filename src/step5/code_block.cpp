@@ -1,0 +1,309 @@
+#include "step5/code_block.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "mc5/constant.h"
+#include "mc5/range.h"
+#include "step5/actual_operand.h"
+#include "step5/check_comment.h"
+#include "step5/code_builder.h"
+#include "step5/statement.h"
+
+namespace merker::step5 {
+namespace {
+
+using mc5::BlockType;
+using mc5::OperandKind;
+using mc5::Operation;
+
+constexpr std::string_view kCheck = "//=";
+constexpr std::uint32_t kSystemFlags = 25;  // MB 0 to MB 24 (S5-FLAG-12)
+
+std::string uppercase(std::string_view text) {
+  std::string result(text);
+  std::transform(result.begin(), result.end(), result.begin(), upper);
+  return result;
+}
+
+bool isComment(const Scanner& scanner) {
+  const char c = scanner.peek();
+  const bool mark = c == '!' && scanner.peek(1) != '=';  // !=F is an operation
+  const char next = upper(scanner.peek(1));
+  const bool star = c == '*' && next != 'F' && next != 'G';  // *F, *G
+  return scanner.atEnd() || mark || c == ';' || star || (c == '/' && scanner.peek(1) == '/');
+}
+
+// Behind a colon the printed listings continue comments: (WZ-Korrektur lesen), "NSBY" vom …
+bool continuesComment(const Scanner& scanner) {
+  return scanner.peek() == '(' || scanner.peek() == '"';
+}
+
+bool writesFlag(Operation operation) {
+  return operation == Operation::ASSIGN || operation == Operation::SET_BIT ||
+         operation == Operation::RESET_BIT || operation == Operation::TRANSFER ||
+         operation == Operation::SET_ALWAYS || operation == Operation::RESET_ALWAYS;
+}
+
+class CodeCompiler {
+ public:
+  CodeCompiler(const BlockSource& source, std::size_t firstLine, const FunctionBlocks& known,
+               bool checks, mc5::Block& block, Problems& problems)
+      : source_(source),
+        at_(firstLine),
+        known_(known),
+        checks_(checks),
+        block_(block),
+        problems_(problems),
+        builder_(source, block, problems),
+        words_(parameterWords(block.parameters)) {}
+
+  void compile() {
+    for (; at_ < source_.lines.size();) line(source_.lines[at_++]);
+    if (!ended_) add(ProblemCode::P1121, source_.offset, source_.length, toString(source_.id));
+    builder_.finish(source_.offset);
+  }
+
+ private:
+  template <typename... Arguments>
+  void add(ProblemCode code, std::size_t offset, std::size_t length,
+           const Arguments&... arguments) {
+    problems_.add(code, source_.file->position(offset, std::max<std::size_t>(length, 1)),
+                  arguments...);
+  }
+  void add(const Failure& failure) {
+    add(failure.code, failure.offset, failure.length, failure.what, failure.expected);
+  }
+
+  void line(const Line& line) {
+    Scanner scanner(line.text, line.offset);
+    scanner.skipBlanks();
+    if (network(scanner)) return;
+    if (!isComment(scanner)) {
+      label(scanner);
+      if (!isComment(scanner) && !continuesComment(scanner)) statement(scanner);
+    }
+    check(line);
+  }
+
+  // NETZWERK 2 title, SEGMENT 2; *** ends one.
+  bool network(Scanner scanner) {
+    const std::size_t offset = scanner.offset();
+    const std::string word = uppercase(scanner.take(isLetter));
+    if (word != "NETZWERK" && word != "SEGMENT") return false;
+    scanner.skipBlanks();
+    scanner.take([](char c) { return isDigit(c) || c == ':'; });
+    scanner.skipBlanks();
+    if (!ended_) builder_.network(std::string(scanner.rest()), offset);
+    return true;
+  }
+
+  // "GLCH: L DW 1" and ": L DW 1"; a statement may also stand without colon.
+  void label(Scanner& scanner) {
+    if (scanner.peek() == ':') return skipColon(scanner);
+    const std::size_t mark = scanner.mark(), offset = scanner.offset();
+    const std::string name = uppercase(scanner.take(isNameCharacter));
+    scanner.skipBlanks();
+    if (name.empty() || !isLetter(name.front()) || scanner.peek() != ':') return scanner.back(mark);
+    builder_.label(name, offset);
+    skipColon(scanner);
+  }
+
+  void statement(Scanner& scanner) {
+    Failure failure;
+    if (ended_) return add(ProblemCode::P1122, scanner.offset(), scanner.rest().size());
+    auto parsed = parseStatement(scanner, failure);
+    if (!parsed) return add(failure);
+    if (!commentFollows(scanner, failure)) return add(failure);
+    if (!allowed(*parsed)) return;
+    if (!parsed->name.empty() && !resolve(*parsed)) return;
+    inspect(*parsed);
+    emit(*parsed);
+  }
+
+  bool allowed(const Statement& s) {
+    const mc5::OperationInfo& row = mc5::info(s.instruction.operation);
+    const bool formal = s.instruction.operand.kind == OperandKind::Formal;
+    const bool only = row.level == mc5::Level::Supplementary || formal;
+    if (!only || source_.id.type == BlockType::Fb) return true;
+    add(ProblemCode::P1113, s.offset, row.name.size(), mc5::text(s.instruction));
+    return false;
+  }
+
+  // A formal operand becomes its word in the list; labels wait for the end of the block.
+  bool resolve(Statement& s) {
+    if (s.instruction.operand.kind != OperandKind::Formal) return true;
+    for (std::size_t i = 0; i < block_.parameters.size(); ++i)
+      if (block_.parameters[i].name == s.name) {
+        s.instruction.operand.value = words_[i];
+        return true;
+      }
+    add(ProblemCode::P1114, s.operandOffset, s.operandLength, s.name, source_.id.number);
+    return false;
+  }
+
+  // Limits of the PLC and what is possible but unwise.
+  void inspect(const Statement& s) {
+    const mc5::Operand& operand = s.instruction.operand;
+    const mc5::Range range = mc5::rangeOf(s.instruction);
+    if (operand.kind != OperandKind::Jump && !mc5::inRange(s.instruction)) {
+      const bool bit = operand.value >= range.lowest && operand.value <= range.highest;
+      add(ProblemCode::P1112, s.operandOffset, s.operandLength, bit ? "bit" : "number",
+          bit ? operand.bit : operand.value,
+          bit ? fmt::format("0..{}", range.highestBit)
+              : fmt::format("{}..{}", range.lowest, range.highest));
+    }
+    const bool flag = operand.kind == OperandKind::Memory && operand.area == mc5::Area::Flag;
+    if (flag && operand.value < kSystemFlags && writesFlag(s.instruction.operation))
+      add(ProblemCode::P1135, s.operandOffset, s.operandLength, operand.value);
+    const bool time = operand.kind == OperandKind::Constant && operand.format == mc5::Format::Time;
+    if (time && operand.value >> 12 == 0) add(ProblemCode::P1136, s.operandOffset, s.operandLength);
+  }
+
+  void emit(const Statement& s) {
+    const bool label = !s.name.empty() && s.instruction.operand.kind == OperandKind::Jump;
+    if (label)
+      builder_.jump(s.instruction, s.name, s.offset, s.operandOffset);
+    else
+      builder_.instruction(s.instruction, s.offset);
+    if (s.instruction.operation == Operation::END) ended_ = true;
+    const mc5::Operand& operand = s.instruction.operand;
+    if (operand.kind == OperandKind::Block && operand.block == BlockType::Fb) call(s);
+  }
+
+  // Behind SPA FB and SPB FB: a jump over the list, then a word for each parameter (S5-FB-06).
+  void call(const Statement& s) {
+    const auto found = known_.find(static_cast<std::uint16_t>(s.instruction.operand.value));
+    if (found == known_.end()) {
+      add(ProblemCode::P1123, s.operandOffset, s.operandLength, s.instruction.operand.value);
+      skipList();
+      return;
+    }
+    std::vector<std::uint16_t> words;
+    nameLine();
+    for (std::size_t i = 0; i < found->second->parameters.size(); ++i)
+      if (!parameter(s, *found->second, i, words)) break;
+    const mc5::Operand distance{.kind = OperandKind::Jump,
+                                .value = static_cast<std::uint32_t>(words.size() + 1)};
+    (void)mc5::encode({Operation::JUMP, distance}, block_.words);
+    for (const std::uint16_t word : words) builder_.word(word);
+  }
+
+  // The next line with contents, if it is "WORD : rest"; its scanner stands behind the colon.
+  std::optional<Scanner> listLine(std::string& word, std::size_t& offset) {
+    while (at_ < source_.lines.size()) {
+      Scanner scanner(source_.lines[at_].text, source_.lines[at_].offset);
+      scanner.skipBlanks();
+      if (!isComment(scanner)) {
+        offset = scanner.offset();
+        word = uppercase(scanner.take(isNameCharacter));
+        scanner.skipBlanks();
+        if (word.empty() || !scanner.accept(':')) return std::nullopt;
+        scanner.skipBlanks();
+        return scanner;
+      }
+      check(source_.lines[at_++]);
+    }
+    return std::nullopt;
+  }
+
+  void nameLine() {
+    std::string word;
+    std::size_t offset = 0;
+    if (listLine(word, offset) && word == "NAME") check(source_.lines[at_++]);
+  }
+
+  // Lines that look like a list of a block that is not known.
+  void skipList() {
+    nameLine();
+    std::string word;
+    std::size_t offset = 0;
+    for (auto scanner = listLine(word, offset); scanner; scanner = listLine(word, offset)) {
+      Failure failure;
+      if (!parseOperand(*scanner, failure)) return;
+      ++at_;
+    }
+  }
+
+  bool parameter(const Statement& s, const mc5::Block& fb, std::size_t index,
+                 std::vector<std::uint16_t>& words) {
+    const mc5::Parameter& wanted = fb.parameters[index];
+    std::string word;
+    std::size_t offset = 0;
+    auto scanner = listLine(word, offset);
+    if (!scanner || !isParameter(fb, word)) {
+      add(ProblemCode::P1125, s.operandOffset, s.operandLength, wanted.name, fb.id.number,
+          names(fb));
+      return false;
+    }
+    const Line& line = source_.lines[at_++];
+    if (word != wanted.name)
+      add(ProblemCode::P1124, offset, word.size(), fb.id.number, wanted.name,
+          fmt::format(", not {}", word));
+    actual(*scanner, wanted, words);
+    check(line);
+    return true;
+  }
+
+  void actual(Scanner& scanner, const mc5::Parameter& wanted, std::vector<std::uint16_t>& words) {
+    Failure failure;
+    const std::size_t offset = scanner.offset();
+    const std::size_t mark = scanner.mark();
+    const auto operand = parseOperand(scanner, failure);
+    if (!operand) {
+      if (scanner.atEnd() && scanner.mark() == mark)
+        failure = {ProblemCode::P1104, offset, 1, "", ""};
+      return add(failure);
+    }
+    const std::string text(scanner.since(mark));
+    if (!appendActual(wanted, *operand, words))
+      add(ProblemCode::P1126, offset, operand->length, text, wanted.name, typeText(wanted),
+          possibleOperands(wanted));
+    if (!commentFollows(scanner, failure)) add(failure);
+  }
+
+  static bool isParameter(const mc5::Block& fb, const std::string& word) {
+    return std::any_of(fb.parameters.begin(), fb.parameters.end(),
+                       [&](const mc5::Parameter& p) { return p.name == word; });
+  }
+
+  static std::string names(const mc5::Block& fb) {
+    std::string list;
+    for (const mc5::Parameter& p : fb.parameters)
+      list += (list.empty() ? "" : ", ") + fmt::format("{} ({})", p.name, typeText(p));
+    return list;
+  }
+
+  void check(const Line& line) {
+    const std::size_t start = line.text.find(kCheck);
+    if (!checks_ || start == std::string_view::npos) return;
+    const std::size_t offset = line.offset + start;
+    const auto last = builder_.last();
+    if (!last) return add(ProblemCode::P1143, offset, kCheck.size());
+    Scanner scanner(line.text.substr(start + kCheck.size()), offset + kCheck.size());
+    auto terms = parseChecks(scanner, block_, words_);
+    for (const Failure& failure : terms.failures) add(failure);
+    block_.checks.push_back(
+        {*last, source_.file->position(offset, kCheck.size()), std::move(terms.terms)});
+  }
+
+  const BlockSource& source_;
+  std::size_t at_;
+  const FunctionBlocks& known_;
+  bool checks_;
+  mc5::Block& block_;
+  Problems& problems_;
+  CodeBuilder builder_;
+  std::vector<std::uint32_t> words_;
+  bool ended_ = false;
+};
+
+}  // namespace
+
+void compileCode(const BlockSource& source, std::size_t firstLine, const FunctionBlocks& known,
+                 bool checks, mc5::Block& block, Problems& problems) {
+  CodeCompiler(source, firstLine, known, checks, block, problems).compile();
+}
+
+}  // namespace merker::step5

@@ -1,0 +1,126 @@
+#include "step5/compiler.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <list>
+
+#include "mc5/resident_blocks.h"
+#include "step5/block_source.h"
+#include "step5/code_block.h"
+#include "step5/data_block.h"
+#include "step5/declaration.h"
+#include "step5/statement.h"
+
+namespace merker::step5 {
+namespace {
+
+using mc5::BlockType;
+
+// DBs of the system (S5-DB-10, OP-01).
+constexpr std::array<std::uint16_t, 6> kSystemDbs{1, 36, 37, 39, 40, 71};
+
+struct Unit {
+  BlockSource source;
+  mc5::Block block;
+  std::size_t firstLine = 0;  // behind the declaration
+  Problems problems;
+};
+
+Unit begin(BlockSource source) {
+  Unit unit;
+  unit.source = std::move(source);
+  unit.block.id = unit.source.id;
+  unit.block.library = unit.source.library;
+  unit.block.file = unit.source.file->name();
+  if (unit.source.id.type != BlockType::Fb) return unit;
+  Declaration declaration = readDeclaration(unit.source, unit.problems);
+  unit.block.name = std::move(declaration.name);
+  unit.block.parameters = std::move(declaration.parameters);
+  unit.firstLine = declaration.lines;
+  return unit;
+}
+
+Position headOf(const Unit& unit) {
+  return unit.source.file->position(unit.source.offset, unit.source.length);
+}
+
+void checkNumber(Unit& unit) {
+  const mc5::BlockId id = unit.block.id;
+  if (id.type == BlockType::Fb && mc5::findResident(id.number) != nullptr)
+    unit.problems.add(ProblemCode::P1127, headOf(unit), id.number);
+  const bool system =
+      std::find(kSystemDbs.begin(), kSystemDbs.end(), id.number) != kSystemDbs.end();
+  if (id.type == BlockType::Db && system)
+    unit.problems.add(ProblemCode::P1134, headOf(unit), id.number);
+}
+
+// The first block of a number stays; the others are told where it is.
+void checkTwice(std::list<Unit>& units) {
+  std::map<mc5::BlockId, const Unit*> seen;
+  for (Unit& unit : units) {
+    const auto [found, fresh] = seen.emplace(unit.block.id, &unit);
+    if (fresh) continue;
+    const Position first = headOf(*found->second);
+    unit.problems.add(ProblemCode::P1120, headOf(unit), toString(unit.block.id),
+                      fmt::format("{}:{}", first.file, first.line));
+  }
+}
+
+FunctionBlocks callable(const std::list<Unit>& units) {
+  FunctionBlocks known;
+  for (const mc5::Block& block : mc5::residentBlocks()) known[block.id.number] = &block;
+  for (const Unit& unit : units)
+    if (unit.block.id.type == BlockType::Fb) known.emplace(unit.block.id.number, &unit.block);
+  return known;
+}
+
+void finish(Unit& unit, const FunctionBlocks& known, bool checks, Compilation& result) {
+  if (unit.block.id.type == BlockType::Db)
+    compileData(unit.source, unit.block, unit.problems);
+  else
+    compileCode(unit.source, unit.firstLine, known, checks, unit.block, unit.problems);
+  result.problems.append(unit.problems);
+  if (!unit.problems.hasErrors()) result.program.emplace(unit.block.id, unit.block);
+}
+
+}  // namespace
+
+Compilation compile(const std::vector<source::SourceFile>& sources, bool checks) {
+  Compilation result;
+  std::list<Unit> units;  // blocks are referred to while the list grows
+  for (const source::SourceFile& file : sources) {
+    const std::size_t before = units.size();
+    for (BlockSource& source : findBlocks(file, result.problems))
+      units.push_back(begin(std::move(source)));
+    if (units.size() == before && !result.problems.hasErrors())
+      result.problems.add(ProblemCode::P0104, Position{file.name()});
+  }
+  checkTwice(units);
+  for (Unit& unit : units) checkNumber(unit);
+  const FunctionBlocks known = callable(units);
+  for (Unit& unit : units) finish(unit, known, checks, result);
+  result.problems.sort();
+  return result;
+}
+
+Result<mc5::Instruction> parseInstruction(std::string_view text, const Position& at) {
+  Scanner scanner(text, 0);
+  scanner.skipBlanks();
+  skipColon(scanner);
+  Failure failure;
+  const auto problem = [&] {
+    Position place = at;
+    place.column += static_cast<std::uint32_t>(failure.offset);
+    place.length = static_cast<std::uint32_t>(failure.length);
+    return makeProblem(failure.code, place, failure.what, failure.expected);
+  };
+  const auto statement = parseStatement(scanner, failure);
+  if (!statement || !commentFollows(scanner, failure)) return problem();
+  if (statement->name.empty()) return statement->instruction;
+  failure = {ProblemCode::P1105, statement->operandOffset, statement->name.size(), "", ""};
+  return problem();
+}
+
+}  // namespace merker::step5

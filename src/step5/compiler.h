@@ -1,0 +1,33 @@
+// STEP 5 listings to MC5 blocks: the whole front end behind three functions.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "base/problem.h"
+#include "base/result.h"
+#include "mc5/block.h"
+#include "mc5/instruction.h"
+#include "source/source_file.h"
+
+namespace merker::step5 {
+
+struct Compilation {
+  mc5::Program program;
+  Problems problems;
+  bool ok() const { return !problems.hasErrors(); }
+};
+
+// Compiles all listings into one program. Blocks may stand in any order and in any file. All
+// problems are collected; a block with an error is left out of the program. `checks`: translate
+// //= comments.
+Compilation compile(const std::vector<source::SourceFile>& sources, bool checks);
+
+// One instruction as `merker assemble --mc5` takes it: jumps with their distance ("SPA =+4"),
+// formal operands with their index ("U =1"). `at` is where the text begins.
+Result<mc5::Instruction> parseInstruction(std::string_view text, const Position& at);
+
+// The program as a listing that compiles to the same words.
+std::string listing(const mc5::Program& program);
+
+}  // namespace merker::step5

@@ -1,0 +1,201 @@
+#include "step5/statement.h"
+
+#include <algorithm>
+#include <array>
+
+namespace merker::step5 {
+namespace {
+
+using mc5::OperandKind;
+using mc5::Operation;
+
+std::string uppercase(std::string_view text) {
+  std::string result(text);
+  std::transform(result.begin(), result.end(), result.begin(), upper);
+  return result;
+}
+
+// Operations that do not begin with a letter, and brackets; longer ones first.
+constexpr std::array<std::string_view, 27> kSigns{
+    "!=F", "!=D", "!=G", "><F", "><D", "><G", ">=F", ">=D", ">=G", "<=F", "<=D", "<=G", ">F", ">D",
+    ">G",  "<F",  "<D",  "<G",  "+F",  "+G",  "-F",  "-G",  "*F",  "*G",  ":F",  ":G",  ")"};
+
+bool startsWith(const Scanner& scanner, std::string_view sign) {
+  for (std::size_t i = 0; i < sign.size(); ++i)
+    if (upper(scanner.peek(i)) != sign[i]) return false;
+  return true;
+}
+
+std::string operationWord(Scanner& scanner) {
+  for (const std::string_view sign : kSigns)
+    if (startsWith(scanner, sign)) {
+      scanner.skip(sign.size());
+      return std::string(sign);
+    }
+  if (scanner.accept('=')) return "=";
+  std::string word = uppercase(scanner.take(isLetter));
+  if ((word == "U" || word == "O") && scanner.accept('(')) word += '(';
+  if (word == "XF" || word == "XG") word[0] = 'x';
+  return word;
+}
+
+bool isOperation(std::string_view word) {
+  return std::any_of(mc5::operations().begin(), mc5::operations().end(),
+                     [&](const mc5::OperationInfo& row) {
+                       return row.name == word || (row.other == word && !word.empty());
+                     });
+}
+
+bool isJumpWord(std::string_view word) {
+  constexpr std::array<std::string_view, 8> kJumps{"SPA", "SPB", "SPZ", "SPN",
+                                                   "SPP", "SPM", "SPO", "SPS"};
+  return std::find(kJumps.begin(), kJumps.end(), word) != kJumps.end();
+}
+
+// The first operation of this name whose table has the operand.
+std::optional<mc5::Instruction> fit(std::string_view word, const mc5::Operand& operand) {
+  std::vector<std::uint16_t> code;
+  for (std::size_t i = 0; i < mc5::operations().size(); ++i) {
+    const mc5::OperationInfo& row = mc5::operations()[i];
+    if (row.name != word && row.other != word) continue;
+    const mc5::Instruction instruction{static_cast<Operation>(i), operand};
+    if (mc5::encode(instruction, code)) return instruction;
+  }
+  return std::nullopt;
+}
+
+// Numbers too large for their field are told as such (P1112), so the operand is tried with 0.
+std::optional<mc5::Instruction> fitKind(std::string_view word, mc5::Operand operand) {
+  if (auto instruction = fit(word, operand)) return instruction;
+  const std::uint32_t value = operand.value;
+  const std::uint8_t bit = operand.bit;
+  operand.value = operand.bit = 0;
+  auto instruction = fit(word, operand);
+  if (!instruction) return std::nullopt;
+  instruction->operand.value = value;
+  instruction->operand.bit = bit;
+  return instruction;
+}
+
+// PB behind a block call is a program block.
+mc5::Operand adjusted(std::string_view word, mc5::Operand operand) {
+  const bool call = word == "SPA" || word == "SPB";
+  if (call && operand.kind == OperandKind::Memory && operand.area == mc5::Area::Peripheral)
+    return {.kind = OperandKind::Block, .block = mc5::BlockType::Pb, .value = operand.value};
+  return operand;
+}
+
+mc5::Operand placeholder(std::string_view word) {
+  if (isJumpWord(word)) return {.kind = OperandKind::Jump, .value = 1};
+  return {.kind = OperandKind::Formal, .value = 1};
+}
+
+std::string hint(std::string_view word) {
+  if (word == "D" || word == "I") return "; it takes a number 1 to 255";
+  if (word == "U" || word == "UN" || word == "O" || word == "ON")
+    return "; it takes E, A, M, D with bit, T or Z";
+  if (word == "L" || word == "T") return "; it takes bytes, words, double words";
+  return {};
+}
+
+bool noOperation(Scanner& scanner, std::string& word) {
+  if (word != "NOP") return false;
+  scanner.skipBlanks();
+  const char digit = scanner.peek();
+  if (digit != '0' && digit != '1') return false;
+  scanner.skip();
+  word += std::string(" ") + digit;
+  return true;
+}
+
+// O, BE, +F, TAK …; O can also have an operand.
+std::optional<Statement> withoutOperand(Scanner& scanner, const std::string& word,
+                                        std::size_t offset) {
+  const auto plain = fit(word, {});
+  if (!plain) return std::nullopt;
+  const std::size_t mark = scanner.mark();
+  if (fitKind(word, {.kind = OperandKind::Timer, .width = mc5::Width::Word})) {
+    scanner.skipBlanks();
+    Failure ignored;
+    const bool operand = parseOperand(scanner, ignored).has_value();
+    scanner.back(mark);
+    if (operand) return std::nullopt;
+  }
+  Statement result;
+  result.instruction = *plain;
+  result.offset = offset;
+  return result;
+}
+
+Failure doesNotFit(const std::string& word, const Operand& operand, std::string_view text) {
+  const std::size_t length = std::max<std::size_t>(operand.length, 1);
+  if (operand.value.kind == OperandKind::Block && operand.value.block == mc5::BlockType::Ob)
+    return {ProblemCode::P1139, operand.offset, length, "", ""};
+  return {ProblemCode::P1109, operand.offset, length, word, std::string(text)};
+}
+
+std::optional<Statement> withOperand(Scanner& scanner, const std::string& word, std::size_t offset,
+                                     Failure& failure) {
+  scanner.skipBlanks();
+  if (scanner.atEnd() || scanner.peek() == '!') {
+    failure = {ProblemCode::P1110, offset, word.size(), word, hint(word)};
+    return std::nullopt;
+  }
+  const std::size_t mark = scanner.mark();
+  const auto operand = parseOperand(scanner, failure);
+  if (!operand) return std::nullopt;
+  const auto instruction =
+      fitKind(word, operand->name.empty() ? adjusted(word, operand->value) : placeholder(word));
+  if (instruction)
+    return Statement{*instruction, operand->name, offset, operand->offset, operand->length};
+  failure = doesNotFit(word, *operand, scanner.since(mark));
+  return std::nullopt;
+}
+
+}  // namespace
+
+void skipColon(Scanner& scanner) {
+  if (scanner.peek() != ':') return;
+  const char next = upper(scanner.peek(1));
+  const std::size_t mark = scanner.mark();
+  if (next == 'F' || next == 'G') {
+    scanner.skip(2);
+    const bool separate = scanner.atEnd() || isBlank(scanner.peek());
+    scanner.skipBlanks();
+    const char operand = upper(scanner.peek());
+    const bool cell = (operand == 'T' || operand == 'Z') && next == 'F';
+    scanner.back(mark);
+    if (separate && !cell) return;
+  }
+  scanner.skip();
+  scanner.skipBlanks();
+}
+
+std::optional<Statement> parseStatement(Scanner& scanner, Failure& failure) {
+  const std::size_t offset = scanner.offset(), start = scanner.mark();
+  std::string word = operationWord(scanner);
+  noOperation(scanner, word);
+  if (!isOperation(word)) {
+    if (word.empty()) scanner.take([](char c) { return !isBlank(c); });
+    const auto text = scanner.since(start);
+    failure = {ProblemCode::P1103, offset, std::max<std::size_t>(text.size(), 1), std::string(text),
+               ""};
+    return std::nullopt;
+  }
+  if (auto plain = withoutOperand(scanner, word, offset)) return plain;
+  return withOperand(scanner, word, offset, failure);
+}
+
+bool commentFollows(Scanner& scanner, Failure& failure) {
+  const std::size_t blanks = scanner.skipBlanks();
+  const char c = scanner.peek();
+  if (scanner.atEnd() || c == '!' || c == ';' || c == '*') return true;
+  if (c == '/' && scanner.peek(1) == '/') return true;
+  if (c == '.' && (isBlank(scanner.peek(1)) || scanner.peek(1) == '\0')) return true;
+  if (blanks > 0 && !isDigit(c) && c != '.' && c != '=' && c != ',') return true;
+  const std::string text(scanner.rest().substr(0, 12));
+  failure = {ProblemCode::P1111, scanner.offset(), 1, text, ""};
+  return false;
+}
+
+}  // namespace merker::step5
