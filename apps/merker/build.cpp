@@ -40,7 +40,6 @@ station::Station Build::station(bool coverage) const {
   options.parameters = project.parameters;
   options.hardware = project.hardware;
   options.program = program;
-  options.parameters = project.parameters;
   options.startOfClock = project.startOfClock;
   options.coverage = coverage;
   return station::Station(std::move(options));

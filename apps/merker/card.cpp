@@ -5,9 +5,9 @@
 namespace merker::app {
 namespace {
 
-store::LoadMemory loadMemoryOf(const Build& build) {
+store::LoadMemory loadMemoryOf(const Build& build, const block::Program& program) {
   return {std::string(build.project.model->keyword), project::configurationText(build.project),
-          *build.program};
+          program};
 }
 
 }  // namespace
@@ -30,7 +30,7 @@ Build buildFromCard(const store::MemoryCard& card, const std::string& folder,
 
 std::optional<Problem> switchOn(store::MemoryCard& card, const Build& build,
                                 station::Station& station) {
-  const auto done = card.download(loadMemoryOf(build));
+  const auto done = card.download(loadMemoryOf(build, *build.program));
   if (!done) return done.error();
   if (card.retentive()) {
     block::RetentiveData data = *card.retentive();
@@ -42,6 +42,17 @@ std::optional<Problem> switchOn(store::MemoryCard& card, const Build& build,
   }
   if (station.mode() == station::Mode::Stop) station.warmRestart();
   return std::nullopt;
+}
+
+std::optional<Problem> copyRamToRom(store::MemoryCard& card, const Build& build,
+                                    station::Station& station) {
+  station.stop();
+  station.copyRamToRom(build.project.parameters.password);
+  const auto done = card.download(loadMemoryOf(build, station.program()));
+  if (!done) return done.error();
+  CardKeeper keeper(card);
+  keeper.save(station);
+  return keeper.problem();
 }
 
 bool CardKeeper::save(const station::Station& station) {

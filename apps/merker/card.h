@@ -18,6 +18,11 @@ Build buildFromCard(const store::MemoryCard& card, const std::string& folder,
 std::optional<Problem> switchOn(store::MemoryCard& card, const Build& build,
                                 station::Station& station);
 
+// Stops the CPU and writes the actual values of its data blocks into the blocks on the card
+// (S7-MEM-04).
+std::optional<Problem> copyRamToRom(store::MemoryCard& card, const Build& build,
+                                    station::Station& station);
+
 // Keeps the retentive memory on the card. Once a save fails nothing more is saved.
 class CardKeeper {
  public:

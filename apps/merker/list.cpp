@@ -9,13 +9,14 @@
 #include "build.h"
 #include "command.h"
 #include "mc7/disassembly.h"
+#include "memory_report.h"
 
 namespace merker::app {
 namespace {
 
 struct Options {
   std::string path, cpu, mnemonics = "de";
-  bool code = false, json = false;
+  bool code = false, memory = false, json = false;
 };
 
 struct Row {
@@ -81,13 +82,20 @@ nlohmann::json blockToJson(const block::Block& block, const Options& options) {
 void printJson(const Build& build, const Options& options) {
   nlohmann::json blocks = nlohmann::json::array();
   for (const auto& [id, block] : *build.program) blocks.push_back(blockToJson(block, options));
-  print({{"blocks", blocks}, {"problems", toJson(build.problems)}});
+  nlohmann::json document = {{"blocks", blocks}, {"problems", toJson(build.problems)}};
+  if (options.memory) document["memory"] = memoryToJson(build);
+  print(document);
 }
 
 int list(const Options& options) {
   const Build built = build(project::load(options.path, options.cpu), false);
   printProblems(built.problems, built.files());
-  options.json ? printJson(built, options) : printTable(built, options);
+  if (options.json)
+    printJson(built, options);
+  else if (options.memory)
+    printMemory(built);
+  else
+    printTable(built, options);
   return built.exitCode();
 }
 
@@ -99,6 +107,8 @@ void addList(CLI::App& program, int& result) {
   auto options = std::make_shared<Options>();
   command->add_option("PATH", options->path, "project folder or source")->required();
   command->add_flag("--code", options->code, "each block disassembled, with its machine code");
+  command->add_flag("--memory", options->memory,
+                    "load, work and system memory, and how much of the CPU is in use");
   command->add_option("--mnemonics", options->mnemonics, "de or en")
       ->check(CLI::IsMember({"de", "en"}));
   command->add_option("--cpu", options->cpu, "CPU model instead of the project's");

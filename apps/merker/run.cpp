@@ -21,7 +21,7 @@ namespace {
 struct Options {
   std::string path, card, cpu, time, trace, engine = "interpreter";
   std::int64_t cycles = 0;
-  bool hasCycles = false, json = false;
+  bool hasCycles = false, copyRamToRom = false, json = false;
   std::vector<std::string> set, print, watch;
 };
 
@@ -177,6 +177,8 @@ int runStation(const Options& options, const Build& build, const Operands& opera
   station.settle();
   cycleEnd(station);
   if (cycleEnd.problem() != nullptr) return failed(*cycleEnd.problem());
+  if (options.copyRamToRom)
+    if (const auto problem = copyRamToRom(*card, build, station)) return failed(*problem);
   const int result = finish(options, operands, station);
   file.close();
   if (!options.trace.empty() && !file) {
@@ -234,6 +236,8 @@ int run(const Options& options) {
     return wrongUsage("--trace and --watch belong together");
   if (options.path.empty() && options.card.empty())
     return wrongUsage("PATH is missing; only with --card the program may be the one on the card");
+  if (options.copyRamToRom && options.card.empty())
+    return wrongUsage("--copy-ram-to-rom needs --card");
   return options.path.empty() ? runFromCard(options, time) : runPath(options, time);
 }
 
@@ -247,6 +251,8 @@ void addRun(CLI::App& program, int& result) {
                       "project folder or source; with --card it may be left out");
   command->add_option("--card", options->card,
                       "folder that is the CPU's memory card: program and retentive data");
+  command->add_flag("--copy-ram-to-rom", options->copyRamToRom,
+                    "at the end, in STOP: actual values of data blocks become those of the card");
   auto* time = command->add_option("--for", options->time,
                                    "run this long in virtual time: 250ms, 7.5s, 2m, T#10S");
   auto* cycles =

@@ -58,6 +58,7 @@ class Runner {
   bool repeat(const Step& step);
   bool restarted(const Step& step, bool cold);
   bool memoryReset();
+  bool copyRamToRom(const Step& step);
   bool waitCycles(const Step& step);
   bool expect(const Step& step);
   bool during(const Step& step, Instant end);
@@ -114,6 +115,8 @@ bool Runner::perform(const Step& step) {
       return true;
     case StepKind::MemoryReset:
       return memoryReset();
+    case StepKind::CopyRamToRom:
+      return copyRamToRom(step);
     case StepKind::Unforce:
       station_.unforce();
       return true;
@@ -140,6 +143,11 @@ bool Runner::repeat(const Step& step) {
 bool Runner::restarted(const Step& step, bool cold) {
   if (restart(station_, cold)) return true;
   return fail(step.position, fmt::format("{}: the CPU refuses{}", step.text, because(station_)));
+}
+
+bool Runner::copyRamToRom(const Step& step) {
+  const std::string reason = station_.copyRamToRom();
+  return reason.empty() || fail(step.position, step.text + ": " + reason);
 }
 
 bool Runner::memoryReset() {

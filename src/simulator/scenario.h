@@ -42,6 +42,7 @@ enum class StepKind : std::uint8_t {
   PowerOff,
   PowerOn,
   MemoryReset,
+  CopyRamToRom,
   Force,
   Unforce,
   Repeat

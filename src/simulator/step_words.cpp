@@ -21,6 +21,7 @@ constexpr std::array kSteps = {
     StepWord{"power off", Rest::None, StepKind::PowerOff},
     StepWord{"power on", Rest::None, StepKind::PowerOn},
     StepWord{"memory reset", Rest::None, StepKind::MemoryReset},
+    StepWord{"copy RAM to ROM", Rest::None, StepKind::CopyRamToRom},
     StepWord{"force", Rest::Assignments, StepKind::Force},
     StepWord{"unforce", Rest::None, StepKind::Unforce},
     StepWord{"repeat", Rest::Count, StepKind::Repeat},

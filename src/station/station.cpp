@@ -228,6 +228,17 @@ std::string Station::download(std::shared_ptr<const block::Program> program,
   return {};
 }
 
+std::string Station::copyRamToRom(std::string_view password) {
+  if (mode() != Mode::Stop) return "values are copied to load memory in STOP only";
+  auto program = std::make_shared<block::Program>(*parts_->program);
+  for (auto& [id, block] : *program) {
+    if (id.kind != BlockKind::DB) continue;
+    const cpu::DataBlock* data = parts_->cpu.machine().dataBlocks.find(id.number);
+    if (data != nullptr && !data->madeByProgram) block.actualData = data->data;
+  }
+  return download(std::move(program), password);
+}
+
 void Station::onCycle(std::function<void(Station&)> observer) {
   parts_->observer = std::move(observer);
   Parts* parts = parts_.get();

@@ -127,6 +127,9 @@ class Station {
   // those that never ran may be missing.
   std::map<BlockId, std::map<std::uint32_t, std::uint64_t>> executed() const;
 
+  // "Copy RAM to ROM", in STOP: the actual values of data blocks become those of load memory
+  // (S7-MEM-04); program() then has them. The reason why not, as text.
+  std::string copyRamToRom(std::string_view password = {});
   // Blocks changed, added or deleted while the CPU works (S7-CYCLE-05): they count from the next
   // cycle checkpoint on. The reason why not, as text; empty if it was accepted.
   std::string download(std::shared_ptr<const block::Program> program,

@@ -85,6 +85,17 @@ class Card(Case):
         self.write("fits.awl", blocks.replace("DB 13\n", "DB 13\nUNLINKED\n").replace("DB 12\n", "DB 12\nUNLINKED\n") + block("NOP 0"))
         self.expect(GOOD, "run", "fits.awl", "--cycles", "1")  # S7-MEM-03: these two stay in load memory
 
+    # S7-MEM-04: the card has the values then, and a CPU that was never on brings them.
+    def test_copy_ram_to_rom(self):
+        self.run_card("a.awl", "--copy-ram-to-rom")
+        card = sqlite3.connect(self.folder / "card" / "card.sqlite")
+        card.execute("DELETE FROM page")
+        card.execute("DELETE FROM area")
+        card.commit()
+        card.close()
+        self.assertEqual(self.run_card(), (11, 0x81))
+        self.expect(USAGE, "run", "a.awl", "--copy-ram-to-rom", "--cycles", "1")
+
     def refused(self, number, *arguments):
         call = self.expect(UNREADABLE, "run", *arguments, "--cycles", "1")
         self.assertIn(f"[{number}]", call.err)
@@ -123,3 +134,33 @@ class Card(Case):
         self.write("p/a.awl", self.read("a.awl"))
         self.run_card("p")
         self.assertEqual(self.run_card(), (11, 0x82))
+
+
+class Memory(Case):
+    DATA = "DATA_BLOCK DB {0}\n{1}STRUCT\n a : ARRAY [1..{2}] OF BYTE;\nEND_STRUCT\nBEGIN\nEND_DATA_BLOCK\n"
+
+    def memory(self, text):
+        self.write("a.awl", text + block("SE T 1\nSE T 3\nZV Z 1"))
+        return self.expect(GOOD, "list", "a.awl", "--memory", "--json").json["memory"]
+
+    def resource(self, memory, name):
+        return next(r for r in memory["resources"] if r["name"] == name)
+
+    # S7-MEM-03
+    def test_what_is_not_linked_takes_no_work_memory(self):
+        linked = self.memory(self.DATA.format(1, "", 1000))
+        unlinked = self.memory(self.DATA.format(1, "UNLINKED\n", 1000))
+        self.assertEqual(linked["work_bytes"] - unlinked["work_bytes"], 1000)
+        self.assertEqual(linked["load_bytes"], unlinked["load_bytes"])
+        self.assertEqual(linked["system_bytes"]["flags"], 256)
+
+    # S7-CPU-23
+    def test_above_80_percent_there_is_no_reserve(self):
+        data = "".join(self.DATA.format(n, "", 13100) for n in (1, 2, 3))
+        memory = self.memory(data)
+        self.assertEqual((self.resource(memory, "timers")["used"], self.resource(memory, "counters")["used"]), (2, 1))
+        work = self.resource(memory, "work memory")
+        self.assertEqual((work["available"], work["percent"], work["no_reserve"]), (49152, 79, False))
+        work = self.resource(self.memory(data + self.DATA.format(4, "", 1000)), "work memory")
+        self.assertEqual((work["percent"], work["no_reserve"]), (82, True))
+        self.assertRegex(self.expect(GOOD, "list", "a.awl", "--memory").out, r"work memory .* 82 %: no expansion reserve")

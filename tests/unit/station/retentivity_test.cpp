@@ -78,6 +78,20 @@ TEST(Retentivity, PowerFailure) {
   EXPECT_TRUE(plc.hasEvent(0x1382));
 }
 
+// S7-MEM-04: values of load memory are replaced in STOP only; a memory reset then brings them.
+TEST(Retentivity, CopyRamToRom) {
+  Plc plc(kProgram);
+  plc.start();
+  fill(plc);
+  EXPECT_NE(plc->copyRamToRom(), "");
+  plc->memoryReset();
+  plc.write("DB1.DBW 0", 33);
+  EXPECT_EQ(plc->copyRamToRom(), "");
+  plc.write("DB1.DBW 0", 34);
+  plc->memoryReset();
+  EXPECT_EQ(plc.read("DB1.DBW 0"), 33u);
+}
+
 // S7-STATE-10
 TEST(Retentivity, MemoryReset) {
   Plc plc(kProgram);
