@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <bitset>
 #include <cstdint>
 #include <vector>
 
@@ -50,6 +51,7 @@ struct Machine {
   Machine(std::uint32_t programWords, std::uint32_t dataWords) : blocks(programWords, dataWords) {}
 
   Instant clock;
+  std::bitset<256> dataInEprom;  // data blocks that nobody can write, by number
   std::vector<Level> levels;  // at most two (S5-ERR-09); the last one runs
   BlockMemory blocks;
   std::array<std::uint8_t, kImageBytes> inputs{}, outputs{};

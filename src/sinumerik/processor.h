@@ -22,6 +22,18 @@ class Macros {
   // `parameters`: the words of the call's parameter list. The trap if the macro stops the PLC.
   virtual std::optional<Trap> call(std::uint16_t number, Machine& machine,
                                    std::span<const std::uint16_t> parameters) = 0;
+
+  // What the operating system tells them: the start-up (no jobs, empty flag stack), the STOP, and
+  // the beginning of each cycle, before OB 1.
+  virtual void restart(Machine& /*machine*/) {}
+  virtual void stops() {}
+  virtual void cycleBegins() {}
+  // Jobs go on beside the program: does all that is due up to `now`. The trap if one stops the PLC.
+  virtual std::optional<Trap> advance(Machine& /*machine*/, Instant /*now*/) {
+    return std::nullopt;
+  }
+  virtual Instant next() const { return Instant::never(); }  // when advance has something to do
+  virtual bool masterPlcRuns() const { return true; }        // else alarm 6163 (S5-FM-54)
 };
 
 // What machine data decide.
