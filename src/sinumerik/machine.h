@@ -52,7 +52,7 @@ struct Machine {
 
   Instant clock;
   std::bitset<256> dataInEprom;  // data blocks that nobody can write, by number
-  std::vector<Level> levels;  // at most two (S5-ERR-09); the last one runs
+  std::vector<Level> levels;     // at most two (S5-ERR-09); the last one runs
   BlockMemory blocks;
   std::array<std::uint8_t, kImageBytes> inputs{}, outputs{};
   std::array<std::uint8_t, kFlagBytes> flags{};
