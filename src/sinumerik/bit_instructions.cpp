@@ -60,9 +60,14 @@ bool andBeforeOr(Processor& p, const Instruction&) {
   return true;
 }
 
+// The manual gives no limit of nesting; this one only bounds the memory of an endless loop.
+constexpr std::size_t kBrackets = 64;
+
 template <bool IsOr>
 bool open(Processor& p, const Instruction&) {
   Displays& d = p.displays();
+  if (p.registers().brackets.size() >= kBrackets)
+    return p.fail(Alarm::IllegalParameter, p.opcode());
   const bool before = d.chain ? d.vke : !IsOr;
   p.registers().brackets.push_back({before, d.orBit && d.chain, IsOr});
   d.orBit = d.chain = false;

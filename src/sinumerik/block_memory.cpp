@@ -99,6 +99,18 @@ bool BlockMemory::erase(BlockId id) {
   return true;
 }
 
+void BlockMemory::restore(std::span<const std::uint16_t> program,
+                          std::span<const std::uint16_t> data) {
+  const auto copy = [](std::span<const std::uint16_t> from, std::vector<std::uint16_t>& to) {
+    const std::size_t words = std::min(from.size(), to.size());
+    std::fill(std::copy_n(from.begin(), words, to.begin()), to.end(), std::uint16_t{0});
+    return static_cast<std::uint32_t>(words);
+  };
+  programUsed_ = copy(program, program_);
+  dataUsed_ = copy(data, data_);
+  buildLists();
+}
+
 std::optional<BlockMemory::Damage> BlockMemory::buildLists() {
   for (auto& list : lists_) std::fill(list.begin(), list.end(), Entry{});
   ++version_;
@@ -118,13 +130,13 @@ std::optional<BlockMemory::Damage> BlockMemory::takeIn(std::uint8_t segment,
                                                        std::span<const std::uint16_t> memory,
                                                        std::uint32_t at) {
   if (memory[at] != kSynchronisation || at + kHeaderWords > memory.size())
-    return Damage{segment, at, true};
+    return Damage{segment, at, true, false};
   const auto type = blockType(static_cast<std::uint8_t>(memory[at + 1] >> 8));
   const std::uint16_t number = memory[at + 1] & 0xFF, length = memory[at + 4];
   const bool fits = length >= kHeaderWords && at + length <= memory.size();
   if (!type || !fits || number >= row(*type).numbers ||
       (*type == BlockType::Db) != (segment == kDataSegment))
-    return Damage{segment, at, false};
+    return Damage{segment, at, false, !fits};
   entry({*type, number}) = {true, at + kHeaderWords,
                             static_cast<std::uint32_t>(length - kHeaderWords)};
   return std::nullopt;

@@ -35,13 +35,17 @@ class BlockMemory {
   bool createData(std::uint16_t number, std::uint32_t words);
   bool erase(mc5::BlockId id);
 
+  // Both segments from their beginnings, as the battery kept them; the rest becomes 0.
+  void restore(std::span<const std::uint16_t> program, std::span<const std::uint16_t> data);
+
   const Entry& find(mc5::BlockId id) const;
   // Reads the headers again, as at start-up. The first header that is no header ends it; its place
   // and segment come back (alarms 6131, 6132, 6134, 6135).
   struct Damage {
     std::uint8_t segment = 0;
     std::uint32_t word = 0;
-    bool synchronisation = false;  // else: type, number or length
+    bool synchronisation = false;  // else: type or number, or
+    bool length = false;
   };
   std::optional<Damage> buildLists();
 

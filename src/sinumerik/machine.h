@@ -16,7 +16,8 @@
 namespace merker::sinumerik {
 
 constexpr std::size_t kImageBytes = 128, kFlagBytes = 256, kCells = 32;
-constexpr std::size_t kNesting = 12;  // blocks, the OB among them (S5-BLK-07)
+constexpr std::size_t kNesting = 12;        // blocks, the OB among them (S5-BLK-07)
+constexpr std::size_t kInterruptDepth = 2;  // levels (S5-ERR-09)
 
 // Input and output modules by byte address; a byte without module does not answer (6154).
 struct Periphery {
@@ -47,6 +48,13 @@ struct Level {
   Registers registers;
 };
 
+// What the block lists say of the segments (S5-MEM-06): their addresses, and whether offsets of
+// code count bytes (ACOP) or words (COP); those of data always count bytes.
+struct Layout {
+  std::uint16_t program = 0x1400, data = 0x1280;
+  bool byteOffsets = true;
+};
+
 struct Machine {
   Machine(std::uint32_t programWords, std::uint32_t dataWords) : blocks(programWords, dataWords) {}
 
@@ -59,6 +67,7 @@ struct Machine {
   std::array<Timer, kCells> timers;
   std::array<Counter, kCells> counters;
   Periphery periphery;
+  Layout layout;
 
   Level& level() { return levels.back(); }
   Frame& frame() { return levels.back().frames.back(); }

@@ -75,6 +75,7 @@ Outcome Processor::step() {
   opcode_ = current_ < memory.size() ? memory[current_] : std::uint16_t{0};
   const auto decoded = fetch(current_);
   if (!decoded) {
+    frame.next = current_ + 1;  // the step counter points behind what was read (S5-ERR-T2)
     fail(Alarm::IllegalCode, opcode_);
     return Outcome::Trapped;
   }

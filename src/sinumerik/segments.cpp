@@ -31,12 +31,14 @@ std::uint16_t swapped(std::uint32_t word) {
   return static_cast<std::uint16_t>((word & 0xFF) << 8 | (word >> 8 & 0xFF));
 }
 
-// An entry: byte offset and segment address of the ACOP, high and low byte exchanged (S5-MEM-06).
-std::uint8_t listByte(const Entry& entry, BlockType type, std::uint32_t offset) {
-  const std::uint16_t address = type == BlockType::Db ? 0x1280 : 0x1400;
+// An entry: offset and segment address, high and low byte exchanged (S5-MEM-06).
+std::uint8_t listByte(const Layout& layout, const Entry& entry, BlockType type,
+                      std::uint32_t offset) {
+  const bool isData = type == BlockType::Db;
+  const std::uint32_t start = isData || layout.byteOffsets ? entry.start * 2 : entry.start;
   const std::uint16_t word = !entry.present   ? std::uint16_t{0}
-                             : offset % 4 < 2 ? swapped(entry.start * 2)
-                                              : swapped(address);
+                             : offset % 4 < 2 ? swapped(start)
+                                              : swapped(isData ? layout.data : layout.program);
   return byteOf(word, offset);
 }
 
@@ -52,7 +54,7 @@ std::optional<std::uint8_t> systemByte(const Machine& m, std::uint32_t offset) {
     const auto entries = m.blocks.list(list.type);
     const std::uint32_t index = (offset - list.start) / 4;
     if (offset >= list.start && index < entries.size())
-      return listByte(entries[index], list.type, offset);
+      return listByte(m.layout, entries[index], list.type, offset);
   }
   if (offset >= kEnd) return std::nullopt;
   return std::uint8_t{0};
