@@ -4,6 +4,7 @@
 
 #include "block/memory.h"
 #include "command.h"
+#include "existence.h"
 #include "system/library.h"
 
 namespace merker::app {
@@ -29,8 +30,12 @@ FileLookup Build::files() const {
 }
 
 simulator::Resolver Build::resolver() const {
-  return [this](std::string_view text, const Position& at) {
-    return step7::resolve(text, *program, options(*this), at);
+  const auto existence = std::make_shared<const Existence>(station());
+  return [this, existence](std::string_view text, const Position& at) {
+    Result<mc7::Reference> reference = step7::resolve(text, *program, options(*this), at);
+    if (!reference) return reference;
+    const auto problem = existence->problem(reference.value(), at);
+    return problem ? Result<mc7::Reference>(*problem) : reference;
   };
 }
 

@@ -19,7 +19,7 @@ struct Build {
   bool ok() const { return !problems.hasErrors(); }
   int exitCode() const;  // of the problems
   FileLookup files() const;
-  // Operands of this program. The Build must outlive it.
+  // Operands of this program that exist in its CPU. The Build must outlive it.
   simulator::Resolver resolver() const;
   station::Station station(bool coverage = false) const;
 };

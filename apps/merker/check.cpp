@@ -7,6 +7,7 @@
 
 #include "build.h"
 #include "command.h"
+#include "cpu_option.h"
 
 namespace merker::app {
 namespace {
@@ -52,7 +53,7 @@ void addCheck(CLI::App& program, int& result) {
       program.add_subcommand("check", "compile and link, print all problems, run nothing");
   auto options = std::make_shared<Options>();
   command->add_option("PATH", options->paths, "project folders or sources")->required();
-  command->add_option("--cpu", options->cpu, "CPU model instead of the project's");
+  addCpu(*command, options->cpu);
   command->add_flag("--json", options->json, "problems as JSON on standard output, too");
   command->footer(
       "Examples:\n  merker check examples/sorting-plant\n  merker check --cpu generic a.awl b.awl");

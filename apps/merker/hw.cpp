@@ -7,6 +7,7 @@
 
 #include "build.h"
 #include "command.h"
+#include "cpu_option.h"
 #include "hw_drawing.h"
 #include "project/usage.h"
 
@@ -153,7 +154,7 @@ void addHw(CLI::App& program, int& result) {
   auto options = std::make_shared<Options>();
   auto* path = command->add_option("PATH", options->path, "project folder or source");
   auto* list = command->add_flag("--catalogue", options->catalogue, "all modules a rack can hold");
-  command->add_option("--cpu", options->cpu, "CPU model instead of the project's");
+  addCpu(*command, options->cpu);
   command->add_flag("--json", options->json, "as one JSON object");
   path->excludes(list);
   command->footer("Examples:\n  merker hw examples/03-hardware\n  merker hw --catalogue");

@@ -8,6 +8,7 @@
 #include "block/container.h"
 #include "build.h"
 #include "command.h"
+#include "cpu_option.h"
 #include "mc7/disassembly.h"
 #include "memory_report.h"
 
@@ -111,7 +112,7 @@ void addList(CLI::App& program, int& result) {
                     "load, work and system memory, and how much of the CPU is in use");
   command->add_option("--mnemonics", options->mnemonics, "de or en")
       ->check(CLI::IsMember({"de", "en"}));
-  command->add_option("--cpu", options->cpu, "CPU model instead of the project's");
+  addCpu(*command, options->cpu);
   command->add_flag("--json", options->json, "as one JSON object");
   command->footer(
       "Columns: load = length of the block in load memory, work = machine code or actual values,\n"

@@ -18,6 +18,32 @@ int parse(CLI::App& program, int argc, char** argv, const int& result) {
   }
 }
 
+// "check, run, …".
+std::string commands(const CLI::App& program) {
+  std::string list;
+  for (const CLI::App* command : program.get_subcommands({}))
+    list += (list.empty() ? "" : ", ") + command->get_name();
+  return list;
+}
+
+// CLI11 would call it an argument that was not expected.
+bool isUnknownCommand(const CLI::App& program, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return false;
+  for (const CLI::App* command : program.get_subcommands({}))
+    if (command->check_name(argv[1])) return false;
+  std::cerr << "merker: unknown command '" << argv[1]
+            << "'; the commands are: " << commands(program) << '\n';
+  return true;
+}
+
+// A full disk or a closed pipe is noticed here at the latest.
+int written(int result) {
+  std::cout.flush();
+  if (std::cout) return result;
+  std::cerr << "merker: cannot write to standard output\n";
+  return merker::app::kUnreadable;
+}
+
 int run(int argc, char** argv) {
   CLI::App program{"Merker: an open PLC in software that runs STEP 7 programs", "merker"};
   program.set_version_flag("--version", std::string("merker ") + MERKER_VERSION);
@@ -36,7 +62,8 @@ int run(int argc, char** argv) {
   merker::app::addDisassemble(program, result);
   merker::app::addAssemble(program, result);
   merker::app::addBench(program, result);
-  return parse(program, argc, argv, result);
+  if (isUnknownCommand(program, argc, argv)) return merker::app::kUsage;
+  return written(parse(program, argc, argv, result));
 }
 
 }  // namespace

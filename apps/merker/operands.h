@@ -11,11 +11,12 @@
 namespace merker::app {
 
 // `texts` are the values of all uses of `option`; problems name the option in place of a file and
-// are printed at once. Timers and counters come back with their value as LC loads it.
-bool readOperands(const std::string& option, const std::vector<std::string>& texts,
-                  const simulator::Resolver& resolver, std::vector<mc7::Reference>& operands);
-bool readAssignments(const std::string& option, const std::vector<std::string>& texts,
-                     const simulator::Resolver& resolver,
-                     std::vector<simulator::Assignment>& assignments);
+// are printed at once. The exit code. Timers and counters come back with their value as LC loads
+// it.
+int readOperands(const std::string& option, const std::vector<std::string>& texts,
+                 const simulator::Resolver& resolver, std::vector<mc7::Reference>& operands);
+int readAssignments(const std::string& option, const std::vector<std::string>& texts,
+                    const simulator::Resolver& resolver,
+                    std::vector<simulator::Assignment>& assignments);
 
 }  // namespace merker::app

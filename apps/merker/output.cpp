@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "simulator/display.h"
+#include "simulator/long_value.h"
 
 namespace merker::app {
 
@@ -51,9 +52,15 @@ nlohmann::json toJson(Problems problems) {
   return list;
 }
 
-nlohmann::json toJson(const mc7::Reference& reference, std::uint32_t bits) {
+nlohmann::json toJson(const mc7::Reference& reference, const station::Station& station) {
+  if (simulator::isLong(reference)) {
+    const auto content = simulator::readLong(reference, station);
+    return content ? nlohmann::json(simulator::plainLong(reference.type, *content)) : nullptr;
+  }
+  const auto bits = station.read(reference);
+  if (!bits) return nullptr;
   return std::visit([](auto value) { return nlohmann::json(value); },
-                    simulator::numericValue(reference, bits));
+                    simulator::numericValue(reference, *bits));
 }
 
 void print(const nlohmann::json& document) {

@@ -7,6 +7,7 @@
 
 #include "mc7/reference.h"
 #include "source/source_file.h"
+#include "station/station.h"
 
 namespace merker::app {
 
@@ -16,7 +17,9 @@ using FileLookup = std::function<const source::SourceFile*(const std::string& na
 void printProblems(Problems problems, const FileLookup& files);
 // A list of objects with file, line, column, length, severity, code and message.
 nlohmann::json toJson(Problems problems);
-nlohmann::json toJson(const mc7::Reference& reference, std::uint32_t bits);
+// The value now: a number, a truth value, or a text for DATE_AND_TIME and STRING; null if the
+// operand does not exist.
+nlohmann::json toJson(const mc7::Reference& reference, const station::Station& station);
 // The document on standard output, indented; text that is no UTF-8 does not stop it.
 void print(const nlohmann::json& document);
 

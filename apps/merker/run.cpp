@@ -1,5 +1,7 @@
 // merker run PATH [--for TIME | --cycles N]
 #include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -7,6 +9,8 @@
 #include "build.h"
 #include "card.h"
 #include "command.h"
+#include "cpu_option.h"
+#include "existence.h"
 #include "input.h"
 #include "operands.h"
 #include "progress.h"
@@ -20,7 +24,7 @@ namespace {
 
 struct Options {
   std::string path, card, cpu, time, trace, engine = "interpreter";
-  std::int64_t cycles = 0;
+  std::uint64_t cycles = 0;
   bool hasCycles = false, copyRamToRom = false, json = false;
   std::vector<std::string> set, print, watch;
 };
@@ -33,6 +37,17 @@ struct Operands {
 int wrongUsage(const std::string& text) {
   std::cerr << "merker run: " << text << '\n';
   return kUsage;
+}
+
+std::string checkCycles(const std::string& text) {
+  const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+  if (digits && text.size() <= 10 && std::stoull(text) <= 1'000'000'000) return {};
+  return "'" + text + "' is no number of cycles; write a whole number from 0 to 1000000000";
+}
+
+int cannotWrite(const std::string& file) {
+  std::cerr << "merker run: cannot write " << file << ": " << std::strerror(errno) << '\n';
+  return kUnreadable;
 }
 
 // Before the first cycle: after the restart, which clears what is not retentive (S7-STATE-09).
@@ -60,7 +75,10 @@ void runCycles(station::Station& station, std::uint64_t count) {
   constexpr std::uint64_t kPortion = 1000;
   for (std::uint64_t done = 0; done < count && station.mode() != station::Mode::Stop;
        done += kPortion) {
-    station.advanceCycles(std::min(kPortion, count - done));
+    const std::uint64_t portion = std::min(kPortion, count - done),
+                        end = station.cycles() + portion;
+    station.advanceCycles(portion);
+    if (station.cycles() < end) return;
     progress.show(static_cast<double>(done) / static_cast<double>(count));
   }
 }
@@ -71,11 +89,8 @@ std::string_view name(station::Mode mode) {
 }
 
 void printText(const Operands& operands, const station::Station& station) {
-  for (const mc7::Reference& operand : operands.print) {
-    const auto bits = station.read(operand);
-    std::cout << operand.text << " = " << (bits ? simulator::formatOperand(operand, *bits) : "?")
-              << '\n';
-  }
+  for (const mc7::Reference& operand : operands.print)
+    std::cout << operand.text << " = " << simulator::show(operand, station).value_or("?") << '\n';
 }
 
 void printJson(const Operands& operands, const station::Station& station) {
@@ -85,33 +100,52 @@ void printJson(const Operands& operands, const station::Station& station) {
                                      {"cycles", station.cycles()},
                                      {"instructions", station.instructions()}};
   if (station.mode() == station::Mode::Stop) document["stop_reason"] = station.stopReason();
-  for (const mc7::Reference& operand : operands.print) {
-    const auto bits = station.read(operand);
-    document[operand.text] = bits ? toJson(operand, *bits) : nlohmann::json();
-  }
+  for (const mc7::Reference& operand : operands.print)
+    document[operand.text] = toJson(operand, station);
   std::cout << document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+}
+
+// Data blocks that the program was to make (SFC 22) and did not.
+bool allExist(const std::vector<mc7::Reference>& operands, const station::Station& station) {
+  bool all = true;
+  for (const mc7::Reference& operand : operands) {
+    if (exists(operand, station)) continue;
+    std::cerr << "merker run: --print: " << operand.text
+              << " does not exist: " << whyMissing(operand, station) << '\n';
+    all = false;
+  }
+  return all;
+}
+
+// Cycle monitoring does not watch the startup (S7-STATE-11), so that the real CPU would hang, too.
+bool cyclesMissing(const Options& options, const station::Station& station) {
+  if (station.mode() == station::Mode::Startup)
+    std::cerr << "merker run: the CPU is still in STARTUP: its startup OB has not ended after "
+              << simulator::formatTime(station.now()) << '\n';
+  return options.hasCycles && station.mode() != station::Mode::Stop &&
+         station.cycles() < options.cycles;
 }
 
 int finish(const Options& options, const Operands& operands, const station::Station& station) {
   options.json ? printJson(operands, station) : printText(operands, station);
-  if (!station.stoppedByFault()) return kGood;
+  const bool all = allExist(operands.print, station);
+  if (!station.stoppedByFault()) return cyclesMissing(options, station) || !all ? kProblems : kGood;
   std::cerr << "merker run: the CPU went to STOP: " << station.stopReason() << '\n';
   return kFault;
 }
 
-bool readOptions(const Options& options, const Build& build, Operands& operands) {
+int readOptions(const Options& options, const Build& build, Operands& operands) {
   const auto resolver = build.resolver();
-  const bool set = readAssignments("--set", options.set, resolver, operands.set);
-  const bool print = readOperands("--print", options.print, resolver, operands.print);
-  const bool watch = readOperands("--watch", options.watch, resolver, operands.watch);
-  return set && print && watch;
+  return std::max({readAssignments("--set", options.set, resolver, operands.set),
+                   readOperands("--print", options.print, resolver, operands.print),
+                   readOperands("--watch", options.watch, resolver, operands.watch)});
 }
 
 void advance(const Options& options, station::Station& station, std::optional<Duration> time) {
   if (time)
     runFor(station, *time);
   else if (options.hasCycles)
-    runCycles(station, static_cast<std::uint64_t>(options.cycles));
+    runCycles(station, options.cycles);
   else
     runRealTime(station);
 }
@@ -169,6 +203,7 @@ int runStation(const Options& options, const Build& build, const Operands& opera
   CycleEnd cycleEnd(card, file);
   if (!options.trace.empty()) {
     file.open(options.trace, std::ios::binary);
+    if (!file) return cannotWrite(options.trace);
     cycleEnd.watch(operands.watch, station);
   }
   if (card != nullptr || !options.trace.empty()) station.onCycle(std::ref(cycleEnd));
@@ -181,17 +216,13 @@ int runStation(const Options& options, const Build& build, const Operands& opera
     if (const auto problem = copyRamToRom(*card, build, station)) return failed(*problem);
   const int result = finish(options, operands, station);
   file.close();
-  if (!options.trace.empty() && !file) {
-    std::cerr << "merker run: cannot write " << options.trace << '\n';
-    return kUnreadable;
-  }
-  return result;
+  return options.trace.empty() || file ? result : cannotWrite(options.trace);
 }
 
 int runBuild(const Options& options, Build& built, std::optional<Duration> time,
              store::MemoryCard* card) {
   Operands operands;
-  if (!readOptions(options, built, operands)) return kUsage;
+  if (const int bad = readOptions(options, built, operands); bad != kGood) return bad;
   return runStation(options, built, operands, time, card);
 }
 
@@ -257,8 +288,8 @@ void addRun(CLI::App& program, int& result) {
                                    "run this long in virtual time: 250ms, 7.5s, 2m, T#10S");
   auto* cycles =
       command->add_option("--cycles", options->cycles, "run this many cycles in virtual time");
-  cycles->excludes(time)->check(CLI::NonNegativeNumber);
-  command->add_option("--cpu", options->cpu, "CPU model instead of the project's");
+  cycles->excludes(time)->check(checkCycles);
+  addCpu(*command, options->cpu);
   command->add_option("--engine", options->engine, "interpreter or jit")
       ->check(CLI::IsMember({"interpreter", "jit"}));
   command->add_option("--set", options->set, "before the start: \"E 0.0=1, MW 10=W#16#0005\"")

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "command.h"
+#include "cpu_option.h"
 #include "input.h"
 #include "simulator/junit.h"
 #include "test_session.h"
@@ -50,25 +51,38 @@ bool writeFile(const std::string& path, Write write) {
   return writeText(path, out.str());
 }
 
+// False if the path does not exist.
+bool testPath(const std::string& path, TestSession& session) {
+  bool missing = false, found = false;
+  const std::vector<project::TestTarget> targets = project::findTests(path, missing);
+  for (const project::TestTarget& target : targets) found |= session.run(target);
+  if (!found)
+    for (const project::TestTarget& target : targets) session.compile(target);
+  if (missing) std::cerr << "merker test: " << path << " does not exist\n";
+  return !missing;
+}
+
+void nothingTested(const Options& options) {
+  std::cerr << "merker test: nothing was tested: ";
+  if (options.filter.empty())
+    std::cerr << "no scenario (*.scn) and no //= check was found\n";
+  else
+    std::cerr << "no name of a scenario or file contains '" << options.filter << "' (--filter)\n";
+}
+
 int test(const Options& options) {
   TestSession session({options.cpu, options.filter, !options.coverage.empty(), options.json});
   bool unreadable = false;
-  for (const std::string& path : options.paths) {
-    bool missing = false;
-    for (const project::TestTarget& target : project::findTests(path, missing)) session.run(target);
-    if (missing) std::cerr << "merker test: " << path << " does not exist\n";
-    unreadable |= missing;
-  }
-  if (session.results().empty() && !unreadable)
-    std::cerr << "merker test: no scenario and no //= check "
-              << (options.filter.empty() ? "was found" : "fits the filter") << '\n';
+  for (const std::string& path : options.paths) unreadable |= !testPath(path, session);
+  const bool nothing = session.results().empty();
+  if (nothing && !unreadable && !session.unreadable()) nothingTested(options);
   unreadable |= !writeFile(
       options.junit, [&](std::ostream& out) { simulator::writeJunit(session.results(), out); });
   unreadable |=
       !writeFile(options.coverage, [&](std::ostream& out) { session.coverage().write(out); });
   summary(session, options.json);
   if (unreadable || session.unreadable()) return kUnreadable;
-  return session.failed() > 0 ? kProblems : kGood;
+  return session.failed() > 0 || nothing || session.broken() ? kProblems : kGood;
 }
 
 }  // namespace
@@ -83,7 +97,7 @@ void addTest(CLI::App& program, int& result) {
   command->add_option("--junit", options->junit, "write the results as JUnit XML");
   command->add_option("--coverage", options->coverage,
                       "write which source lines ran (lcov format)");
-  command->add_option("--cpu", options->cpu, "CPU model instead of the project's");
+  addCpu(*command, options->cpu);
   command->add_flag("--json", options->json, "the results as one JSON object");
   command->footer(
       "Examples:\n"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <limits>
 
 #include "base/text.h"
 #include "simulator/junit.h"
@@ -22,22 +23,37 @@ bool checksItself(const project::Project& project) {
       [](const source::SourceFile& file) { return simulator::hasChecks(file.text()); });
 }
 
+constexpr std::uint32_t kNoLine = std::numeric_limits<std::uint32_t>::max();
+
+// Those of one scenario.
+Problems between(Problems all, std::uint32_t first, std::uint32_t end) {
+  all.sort();
+  Problems own;
+  for (const Problem& problem : all.list())
+    if (problem.position.line >= first && problem.position.line < end) own.add(problem);
+  return own;
+}
+
 }  // namespace
 
-void TestSession::run(const project::TestTarget& target) {
-  if (target.scenarios.empty() && !target.selfChecks) return;
+bool TestSession::run(const project::TestTarget& target) {
   const project::Project project = loadTarget(target, options_.cpu);
   unreadable_ |= project.unreadable;
   const bool checks = target.selfChecks && checksItself(project);
-  if (project.unreadable && !checks && target.scenarios.empty())
-    printProblems(project.problems, [&](const std::string& name) { return project.file(name); });
   if (checks && chosen(target.path, "self-checks")) selfChecks(target, project);
-  if (target.scenarios.empty()) return;
+  if (target.scenarios.empty()) return checks;
   Build built = build(project, false);
   requireOb1(built);
   requireWorkMemory(built);
   printProblems(built.problems, built.files());
   for (const std::string& file : target.scenarios) scenarios(file, built);
+  return true;
+}
+
+void TestSession::compile(const project::TestTarget& target) {
+  const Build built = build(loadTarget(target, options_.cpu), false);
+  printProblems(built.problems, built.files());
+  broken_ |= !built.ok();
 }
 
 void TestSession::selfChecks(const project::TestTarget& target, const project::Project& project) {
@@ -64,25 +80,26 @@ void TestSession::scenarios(const std::string& path, const Build& build) {
   const FileLookup files = [&](const std::string&) { return &file.value(); };
   Problems problems;
   std::vector<simulator::Scenario> list = simulator::parseScenarios(file.value(), problems);
+  if (build.ok()) {
+    const auto resolver = build.resolver();
+    for (simulator::Scenario& one : list) simulator::resolve(one, resolver, problems);
+  }
   printProblems(problems, files);
   if (list.empty() && problems.hasErrors()) notRun(path, "scenarios", problems);
-  for (simulator::Scenario& one : list) {
-    if (!chosen(path, one.name)) continue;
-    if (problems.hasErrors())
-      notRun(path, one.name, problems);
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (!chosen(path, list[i].name)) continue;
+    const Problems own = between(problems, list[i].position.line,
+                                 i + 1 < list.size() ? list[i + 1].position.line : kNoLine);
+    if (own.hasErrors())
+      notRun(path, list[i].name, own);
     else if (!build.ok())
-      notRun(path, one.name, build.problems);
+      notRun(path, list[i].name, build.problems);
     else
-      scenario(one, build, files);
+      scenario(list[i], build);
   }
 }
 
-void TestSession::scenario(simulator::Scenario& scenario, const Build& build,
-                           const FileLookup& files) {
-  Problems problems;
-  simulator::resolve(scenario, build.resolver(), problems);
-  printProblems(problems, files);
-  if (problems.hasErrors()) return notRun(scenario.position.file, scenario.name, problems);
+void TestSession::scenario(const simulator::Scenario& scenario, const Build& build) {
   station::Station station = build.station(options_.coverage);
   add(simulator::runScenario(scenario, station));
   if (options_.coverage) coverage_.add(station);

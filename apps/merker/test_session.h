@@ -21,17 +21,21 @@ class TestSession {
   };
   explicit TestSession(Options options) : options_(std::move(options)) {}
 
-  void run(const project::TestTarget& target);
+  // False if the target holds no test.
+  bool run(const project::TestTarget& target);
+  // Prints what is wrong with a target that holds none.
+  void compile(const project::TestTarget& target);
 
   const std::vector<simulator::TestResult>& results() const { return results_; }
   const simulator::Coverage& coverage() const { return coverage_; }
   bool unreadable() const { return unreadable_; }
+  bool broken() const { return broken_; }  // problems where nothing was to be tested
   std::size_t failed() const;
 
  private:
   void selfChecks(const project::TestTarget& target, const project::Project& project);
   void scenarios(const std::string& file, const Build& build);
-  void scenario(simulator::Scenario& scenario, const Build& build, const FileLookup& files);
+  void scenario(const simulator::Scenario& scenario, const Build& build);
   void notRun(const std::string& file, const std::string& name, const Problems& problems);
   void add(simulator::TestResult result);
   bool chosen(const std::string& file, const std::string& name) const;
@@ -39,7 +43,7 @@ class TestSession {
   Options options_;
   std::vector<simulator::TestResult> results_;
   simulator::Coverage coverage_;
-  bool unreadable_ = false;
+  bool unreadable_ = false, broken_ = false;
 };
 
 }  // namespace merker::app

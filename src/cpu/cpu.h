@@ -121,7 +121,9 @@ class Cpu {
   bool betweenCycles() const { return machine_.levels.empty(); }
   void step(
       Instant limit);  // the next piece of work, not beyond limit unless an instruction crosses it
-  void runOb1();       // once, without the rest of the cycle
+  // Once, without the rest of the cycle; false if it did not end within `most`: the next call goes
+  // on with it.
+  bool runOb1(Duration most);
   void onCheckpoint(std::function<void()> observer) { observer_ = std::move(observer); }
   // Bits of E, A, M that keep their value (mask and value over areas.image); applied around each
   // OB 1.

@@ -5,13 +5,6 @@
 #include "cpu/cpu.h"
 
 namespace merker::cpu {
-namespace {
-
-// For OB 1 without cycle monitoring (runOb1): longer than any cycle may take.
-constexpr Duration kLongestRun = Duration::seconds(60);
-
-}  // namespace
-
 void Cpu::step(Instant limit) {
   if (!executes(mode_)) return rest(limit);
   if (mode_ == Mode::Startup && machine_.levels.size() == restOfCycle_)
@@ -105,20 +98,23 @@ Instant Cpu::nextCycle() const {
   return std::max(next, cycleStart_ + Duration::milliseconds(parameters_.minimumCycle));
 }
 
-void Cpu::runOb1() {
-  if (mode_ != Mode::Run || !machine_.levels.empty()) return;
-  const StartInformation start = startInformation(0x11, scan_, priorityOf(1), 1, dateAndTime());
-  if (!startLevel(1, priorityOf(1), start, false)) return;
-  const Instant latest = machine_.clock + kLongestRun;
-  machine_.levelEnded = false;
+bool Cpu::runOb1(Duration most) {
+  if (mode_ != Mode::Run) return false;
+  if (machine_.levels.empty()) {
+    const StartInformation start = startInformation(0x11, scan_, priorityOf(1), 1, dateAndTime());
+    if (!startLevel(1, priorityOf(1), start, false)) return false;
+    machine_.levelEnded = false;
+  }
+  const Instant latest = machine_.clock + most;
   while (mode_ == Mode::Run && !(machine_.levelEnded && machine_.levels.size() == 1)) {
-    if (machine_.clock >= latest) return stopByFault(Event::StopTimeError, "OB 1 does not end");
+    if (machine_.clock >= latest) return false;
     if (machine_.levelEnded) endLevel();  // of an error OB
     machine_.levelEnded = false;
     machine_.horizon = latest;
     engine_.run(machine_);
   }
   if (mode_ == Mode::Run) endLevel();
+  return mode_ == Mode::Run;
 }
 
 }  // namespace merker::cpu

@@ -85,7 +85,7 @@ void Recorder::evaluateOne(cpu::Machine& m, std::uint32_t number, bool away) {
     if (sight.failures.size() >= kFailuresKept) continue;
     const std::string seen =
         left && right ? "is " + shown(*left, term) : "the operand cannot be read here";
-    sight.failures.push_back(term.text + ": " + seen);
+    sight.failures.push_back({m.clock, term.text + ": " + seen});
   }
 }
 

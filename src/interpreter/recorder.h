@@ -7,13 +7,19 @@
 #include <vector>
 
 #include "block/check.h"
+#include "clock/instant.h"
 #include "interpreter/translate.h"
 
 namespace merker::interpreter {
 
+struct CheckFailure {
+  Instant time;  // when the term was judged
+  std::string text;
+};
+
 struct CheckSight {
   std::uint64_t reached = 0;
-  std::vector<std::string> failures;  // the first few
+  std::vector<CheckFailure> failures;  // the first few
 };
 
 // A jump or block end leads away from its line or on to the next one. Behind LOOP or SPB a check

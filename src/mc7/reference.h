@@ -15,6 +15,8 @@ struct Reference {
   Operand operand;                 // Memory, Timer or Counter; area DataBlock together with `db`
   std::int32_t db = -1;            // number of the data block, -1 outside of data blocks
   TypeCode type = TypeCode::Void;  // of a typed variable or symbol; Void for an absolute operand
+  bool outputSide = false;         // of the periphery: PA, else PE
+  std::uint32_t bytes = 0;  // of a DATE_AND_TIME or STRING, which no `operand.width` holds; else 0
 };
 
 }  // namespace merker::mc7

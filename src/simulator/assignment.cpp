@@ -3,6 +3,7 @@
 
 #include "base/bcd.h"
 #include "simulator/comparison.h"
+#include "simulator/long_value.h"
 #include "simulator/scenario.h"
 
 namespace merker::simulator {
@@ -16,17 +17,29 @@ std::uint32_t coded(const Assignment& assignment, std::uint32_t bits) {
   return counter && number && bits <= 999 ? toBcd(bits, 3) : bits;
 }
 
+std::string refused(const Term& operand, bool force) {
+  return fmt::format("{} cannot be {}", operand.text, force ? "forced" : "set");
+}
+
+std::string applyLong(const Assignment& assignment, bool force, station::Station& station) {
+  const auto content = longValue(assignment.value, station);
+  if (!content) return fmt::format("{} does not exist", assignment.value.text);
+  const bool done = !force && writeLong(assignment.operand.reference, *content, station);
+  return done ? std::string() : refused(assignment.operand, force);
+}
+
 }  // namespace
 
 std::string apply(const Assignment& assignment, bool force, station::Station& station) {
   const auto& [operand, term] = assignment;
+  if (isLong(operand.reference)) return applyLong(assignment, force, station);
   const Reader read = [&](const mc7::Reference& reference) { return station.read(reference); };
   const auto bits = value(term, operand, read);
   if (!bits) return fmt::format("{} does not exist", term.text);
   const std::uint32_t value = coded(assignment, *bits);
   if (force ? station.force(operand.reference, value) : station.write(operand.reference, value))
     return {};
-  return fmt::format("{} cannot be {}", operand.text, force ? "forced" : "set");
+  return refused(operand, force);
 }
 
 }  // namespace merker::simulator

@@ -8,6 +8,7 @@
 
 #include "base/bcd.h"
 #include "simulator/display.h"
+#include "simulator/relation.h"
 
 namespace merker::simulator {
 namespace {
@@ -61,27 +62,6 @@ bool about(std::uint32_t left, std::uint32_t right) {
   const double a = real(left), b = real(right);
   if (a == b) return true;
   return std::abs(a - b) <= kTolerance * std::max(std::abs(a), std::abs(b));
-}
-
-template <typename T>
-bool relates(T a, Relation relation, T b) {
-  switch (relation) {
-    case Relation::Equal:
-      return a == b;
-    case Relation::NotEqual:
-      return a != b;
-    case Relation::Less:
-      return a < b;
-    case Relation::LessEqual:
-      return a <= b;
-    case Relation::Greater:
-      return a > b;
-    case Relation::GreaterEqual:
-      return a >= b;
-    case Relation::About:
-      return false;
-  }
-  return false;
 }
 
 bool isOrder(Relation relation) {

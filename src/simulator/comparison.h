@@ -6,6 +6,7 @@
 #include <string>
 
 #include "block/check.h"
+#include "simulator/relation.h"
 #include "simulator/term.h"
 
 namespace merker::simulator {
@@ -21,7 +22,5 @@ std::string actualValue(const Term& left, const Term& right, const Reader& read)
 // compared with: a timer gives its status bit beside 0, 1 and TRUE, its coded value beside S5T#,
 // else its number (L T 1).
 std::optional<std::uint32_t> value(const Term& term, const Term& other, const Reader& read);
-
-std::string_view text(block::Relation relation);
 
 }  // namespace merker::simulator

@@ -4,7 +4,7 @@
 
 #include "address/constant.h"
 #include "base/bcd.h"
-#include "simulator/term.h"
+#include "simulator/long_value.h"
 
 namespace merker::simulator {
 namespace {
@@ -42,6 +42,15 @@ std::string formatOperand(const mc7::Reference& reference, std::uint32_t bits) {
   if (type == TypeCode::Counter) return formatConstant({ConstantFormat::Counter, bits});
   if (isElementary(type)) return formatValue(type, bits);
   return formatConstant({plainFormat(reference.operand.width), bits});
+}
+
+std::optional<std::string> show(const mc7::Reference& reference, const station::Station& station) {
+  if (isLong(reference)) {
+    const auto content = readLong(reference, station);
+    return content ? std::optional(formatLong(reference.type, *content)) : std::nullopt;
+  }
+  const auto bits = station.read(reference);
+  return bits ? std::optional(formatOperand(reference, *bits)) : std::nullopt;
 }
 
 std::variant<bool, std::int64_t, double> numericValue(const mc7::Reference& reference,

@@ -2,16 +2,22 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 
 #include "mc7/reference.h"
+#include "station/station.h"
 
 namespace merker::simulator {
 
 // Bits as 0 and 1, bytes, words and double words as B#16#, W#16#, DW#16#, typed variables in their
 // type's own notation, timers (as LC loads them) as S5T#, counters as C#.
 std::string formatOperand(const mc7::Reference& reference, std::uint32_t bits);
+
+// What the operand holds now, in the same notation, and DATE_AND_TIME and STRING in theirs; nothing
+// if it does not exist.
+std::optional<std::string> show(const mc7::Reference& reference, const station::Station& station);
 
 // The same as a number or truth value: INT and DINT with sign, REAL, TIME, S5TIME and timers in
 // milliseconds, TOD in milliseconds, DATE in days since 1990-01-01, counters as their count; all

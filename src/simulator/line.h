@@ -18,7 +18,10 @@ std::size_t findOutside(std::string_view text, Match match) {
     const char c = text[i];
     if (quote == 0 && depth == 0 && match(text.substr(i))) return i;
     if (quote != 0) {
-      if (c == quote) quote = 0;
+      if (c == '$' && quote == '\'')
+        ++i;  // $' is a character of the text
+      else if (c == quote)
+        quote = 0;
     } else if (c == '"' || c == '\'') {
       quote = c;
     } else if (c == '(' || c == '[') {

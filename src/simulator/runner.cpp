@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "simulator/comparison.h"
 #include "simulator/duration.h"
+#include "simulator/long_value.h"
 
 namespace merker::simulator {
 namespace {
@@ -57,7 +58,8 @@ class Runner {
   bool set(const Step& step);
   bool repeat(const Step& step);
   bool restarted(const Step& step, bool cold);
-  bool memoryReset();
+  bool powered(const Step& step);
+  bool memoryReset(const Step& step);
   bool copyRamToRom(const Step& step);
   bool waitCycles(const Step& step);
   bool expect(const Step& step);
@@ -114,7 +116,7 @@ bool Runner::perform(const Step& step) {
       station_.powerOn();
       return true;
     case StepKind::MemoryReset:
-      return memoryReset();
+      return memoryReset(step);
     case StepKind::CopyRamToRom:
       return copyRamToRom(step);
     case StepKind::Unforce:
@@ -141,6 +143,10 @@ bool Runner::repeat(const Step& step) {
 }
 
 bool Runner::restarted(const Step& step, bool cold) {
+  if (!powered(step)) return false;
+  if (cold && !station_.model().coldRestart)
+    return fail(step.position, fmt::format("{}: the CPU refuses: {} has no cold restart", step.text,
+                                           station_.model().name));
   if (restart(station_, cold)) return true;
   return fail(step.position, fmt::format("{}: the CPU refuses{}", step.text, because(station_)));
 }
@@ -150,7 +156,14 @@ bool Runner::copyRamToRom(const Step& step) {
   return reason.empty() || fail(step.position, step.text + ": " + reason);
 }
 
-bool Runner::memoryReset() {
+bool Runner::powered(const Step& step) {
+  return station_.powered() ||
+         fail(step.position,
+              fmt::format("{}: the CPU is switched off; 'power on' comes first", step.text));
+}
+
+bool Runner::memoryReset(const Step& step) {
+  if (!powered(step)) return false;
   if (station_.mode() != Mode::Stop) station_.stop();
   station_.memoryReset();
   return true;
@@ -176,6 +189,7 @@ bool Runner::holds(const Expectation& e) {
   switch (e.what) {
     case Expectation::What::Values:
       station_.settle();
+      if (isLong(e.left)) return longHolds(e.left, e.relation, e.right, station_);
       return simulator::holds(e.left, e.relation, e.right, read_);
     case Expectation::What::Mode:
       return (station_.mode() == e.mode) == (e.relation == block::Relation::Equal);
@@ -196,7 +210,9 @@ std::string Runner::actual(const Expectation& e) const {
   const bool stopped = station_.mode() == Mode::Stop;
   switch (e.what) {
     case Expectation::What::Values:
-      return fmt::format("{} is {}", e.left.text, actualValue(e.left, e.right, read_)) +
+      return fmt::format("{} is {}", e.left.text,
+                         isLong(e.left) ? actualLong(e.left, e.right, station_)
+                                        : actualValue(e.left, e.right, read_)) +
              (stopped ? fmt::format(" (the CPU is in STOP{})", because(station_)) : "");
     case Expectation::What::Mode:
       return fmt::format("mode is {}{}", name(station_.mode()), because(station_));

@@ -76,7 +76,7 @@ void resolve(Scenario& scenario, const Resolver& resolver, Problems& problems);
 // views into `file`.
 std::vector<Assignment> parseAssignments(const source::SourceFile& file, std::string_view text,
                                          Problems& problems);
-std::optional<Problem> resolve(Assignment& assignment, const Resolver& resolver);
+void resolve(Assignment& assignment, const Resolver& resolver, Problems& problems);
 // Writes or forces the value; the reason if that is not possible, else empty.
 std::string apply(const Assignment& assignment, bool force, station::Station& station);
 

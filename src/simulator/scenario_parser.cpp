@@ -25,8 +25,8 @@ struct RelationText {
 constexpr std::array kRelations = {
     RelationText{"<>", Relation::NotEqual},     RelationText{"<=", Relation::LessEqual},
     RelationText{">=", Relation::GreaterEqual}, RelationText{"~=", Relation::About},
-    RelationText{"=", Relation::Equal},         RelationText{"<", Relation::Less},
-    RelationText{">", Relation::Greater}};
+    RelationText{"==", Relation::Equal},        RelationText{"=", Relation::Equal},
+    RelationText{"<", Relation::Less},          RelationText{">", Relation::Greater}};
 
 const RelationText* relationAt(std::string_view text) {
   for (const RelationText& row : kRelations)
@@ -111,8 +111,16 @@ void Parser::line(std::string_view text) {
   std::string_view rest = text;
   if (const StepWord* word = needsPlant(text) ? nullptr : takeStepWord(rest))
     return step(*word, text, rest);
-  const std::string_view first = takeWord(rest);
-  fail(needsPlant(text) ? ProblemCode::P0951 : ProblemCode::P0950, first, first, stepWords());
+  std::string_view first = takeWord(rest);
+  if (!needsPlant(text)) {
+    fail(ProblemCode::P0950, first, first, stepWords());
+    return;
+  }
+  if (equalsIgnoreCase(first, "expect")) {  // expect plant
+    const std::string_view second = takeWord(rest);
+    first = text.substr(0, static_cast<std::size_t>(second.data() + second.size() - text.data()));
+  }
+  fail(ProblemCode::P0951, first, first, stepWords());
 }
 
 void Parser::step(const StepWord& word, std::string_view whole, std::string_view rest) {

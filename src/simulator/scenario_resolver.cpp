@@ -11,16 +11,19 @@ bool fits(const Constant& constant, const mc7::Reference& reference) {
   return width >= 32 || adapt(constant, reference.type).bits >> width == 0;
 }
 
+// Characters of a STRING; eight bytes of a DATE_AND_TIME always fit.
+std::size_t longest(const mc7::Reference& reference) {
+  return reference.type == TypeCode::String ? reference.bytes - 2 : reference.bytes;
+}
+
 void resolveValues(Expectation& e, const Resolver& resolver, Problems& problems) {
   if (e.what != Expectation::What::Values) return;
-  if (auto problem = resolveTerm(e.left, resolver)) problems.add(*problem);
-  if (auto problem = resolveTerm(e.right, resolver)) problems.add(*problem);
+  resolvePair(e.left, e.right, resolver, problems);
 }
 
 void resolveSteps(std::vector<Step>& steps, const Resolver& resolver, Problems& problems) {
   for (Step& step : steps) {
-    for (Assignment& assignment : step.assignments)
-      if (auto problem = resolve(assignment, resolver)) problems.add(*problem);
+    for (Assignment& assignment : step.assignments) resolve(assignment, resolver, problems);
     if (step.kind == StepKind::Expect) resolveValues(step.expectation, resolver, problems);
     resolveSteps(step.body, resolver, problems);
   }
@@ -28,13 +31,19 @@ void resolveSteps(std::vector<Step>& steps, const Resolver& resolver, Problems& 
 
 }  // namespace
 
-std::optional<Problem> resolve(Assignment& assignment, const Resolver& resolver) {
+void resolve(Assignment& assignment, const Resolver& resolver, Problems& problems) {
   auto& [operand, value] = assignment;
-  if (auto problem = resolveOperand(operand, resolver)) return problem;
-  if (auto problem = resolveTerm(value, resolver)) return problem;
-  if (!value.constant || fits(*value.constant, operand.reference)) return std::nullopt;
-  return makeProblem(ProblemCode::P0955, value.position, value.text, operand.text,
-                     bitWidth(operand.reference));
+  const std::size_t before = problems.size();
+  resolvePair(operand, value, resolver, problems);
+  if (problems.size() > before) return;
+  if (operand.constant)
+    problems.add(ProblemCode::P0904, operand.position, operand.text);
+  else if (value.content && value.content->size() > longest(operand.reference))
+    problems.add(ProblemCode::P0961, value.position, value.text, value.content->size(),
+                 operand.text, longest(operand.reference));
+  else if (value.constant && !fits(*value.constant, operand.reference))
+    problems.add(ProblemCode::P0955, value.position, value.text, operand.text,
+                 bitWidth(operand.reference));
 }
 
 void resolve(Scenario& scenario, const Resolver& resolver, Problems& problems) {

@@ -21,8 +21,8 @@ void collect(const station::Station& station, TestResult& result) {
   for (const auto& check : station.checkResults()) {
     lines.insert(check.check->position);
     if (check.reached > 0) reached.insert(check.check->position);
-    for (const std::string& failure : check.failures)
-      result.failures.push_back({check.check->position, station.now(), "expected " + failure});
+    for (const station::CheckFailure& failure : check.failures)
+      result.failures.push_back({check.check->position, failure.time, "expected " + failure.text});
   }
   for (const Position& line : lines)
     if (!reached.contains(line))

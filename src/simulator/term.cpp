@@ -3,6 +3,7 @@
 #include <bit>
 
 #include "base/text.h"
+#include "simulator/long_value.h"
 
 namespace merker::simulator {
 namespace {
@@ -14,6 +15,19 @@ bool looksLikeConstant(std::string_view text) {
   const char first = text.front();
   if ((first >= '0' && first <= '9') || first == '-' || first == '+' || first == '\'') return true;
   return first != '"' && first != '#' && text.substr(0, text.find('"')).find('#') < text.size();
+}
+
+std::optional<Problem> resolveBeside(Term& term, const mc7::Reference& partner,
+                                     const Resolver& resolver) {
+  if (!looksLikeConstant(term.text) && !parseConstant(term.text, term.position)) {
+    if (auto problem = resolveOperand(term, resolver)) return problem;
+    if (term.reference.type == partner.type) return std::nullopt;
+    return otherNotation(partner, term.position);
+  }
+  auto content = parseLong(term.text, partner, term.position);
+  if (!content) return content.error();
+  term.content = std::move(content.value());
+  return std::nullopt;
 }
 
 }  // namespace
@@ -34,6 +48,21 @@ std::optional<Problem> resolveTerm(Term& term, const Resolver& resolver) {
   }
   if (looksLikeConstant(term.text)) return constant.error();
   return resolveOperand(term, resolver);
+}
+
+void resolvePair(Term& left, Term& right, const Resolver& resolver, Problems& problems) {
+  Term& first = looksLikeConstant(left.text) ? right : left;
+  Term& second = &first == &left ? right : left;
+  const auto problem = resolveTerm(first, resolver);
+  // Without the one the notation of the other is open.
+  if (problem && looksLikeConstant(second.text)) return problems.add(*problem);
+  const auto other = isLong(first.reference) ? resolveBeside(second, first.reference, resolver)
+                                             : resolveTerm(second, resolver);
+  if (problem) problems.add(*problem);
+  if (other)
+    problems.add(*other);
+  else if (!problem && isLong(second.reference) && !isLong(first))
+    problems.add(otherNotation(second.reference, first.position));
 }
 
 unsigned bitWidth(const mc7::Reference& reference) {

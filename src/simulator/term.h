@@ -18,7 +18,8 @@ struct Term {
   std::string text;  // as written
   Position position;
   std::optional<Constant> constant;
-  mc7::Reference reference;  // unless it is a constant
+  mc7::Reference reference;            // unless it is a constant
+  std::optional<std::string> content;  // a constant of a DATE_AND_TIME or STRING (long_value.h)
 };
 
 // What an operand's text stands for in the program at hand.
@@ -29,6 +30,9 @@ using Reader = std::function<std::optional<std::uint32_t>(const mc7::Reference&)
 // Fills `constant` or `reference` from `text`. The problem if it is neither.
 std::optional<Problem> resolveTerm(Term& term, const Resolver& resolver);
 std::optional<Problem> resolveOperand(Term& term, const Resolver& resolver);
+// Both sides of a comparison or assignment: beside a DATE_AND_TIME or STRING a constant is one of
+// its type.
+void resolvePair(Term& left, Term& right, const Resolver& resolver, Problems& problems);
 
 // Bits of an operand: 1, 8, 16 or 32; 16 for timers and counters.
 unsigned bitWidth(const mc7::Reference& reference);

@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <cstring>
 #include <ostream>
 
 #include "simulator/display.h"
 #include "simulator/duration.h"
+#include "simulator/long_value.h"
 
 namespace merker::simulator {
 namespace {
@@ -24,7 +26,21 @@ std::string field(const std::string& text) {
   return quoted + "\"";
 }
 
-std::string shown(const mc7::Reference& reference, std::uint32_t bits) {
+// Cheap to compare; a text is made of it only when it has changed.
+std::optional<std::string> content(const mc7::Reference& reference,
+                                   const station::Station& station) {
+  if (isLong(reference)) return readLong(reference, station);
+  const auto bits = station.read(reference);
+  if (!bits) return std::nullopt;
+  std::string raw(sizeof *bits, '\0');
+  std::memcpy(raw.data(), &*bits, sizeof *bits);
+  return raw;
+}
+
+std::string shown(const mc7::Reference& reference, const std::string& content) {
+  if (isLong(reference)) return formatLong(reference.type, content);
+  std::uint32_t bits = 0;
+  std::memcpy(&bits, content.data(), sizeof bits);
   if (reference.operand.kind == mc7::OperandKind::Timer) return bits != 0 ? "1" : "0";
   return formatOperand(reference, bits);
 }
@@ -36,18 +52,18 @@ Trace::Trace(std::ostream& out, std::vector<mc7::Reference> watched,
     : out_(out) {
   for (mc7::Reference& reference : watched) {
     watched_.push_back(prepared(std::move(reference)));
-    last_.push_back(station.read(watched_.back()));
+    last_.push_back(content(watched_.back(), station));
   }
 }
 
 void Trace::sample(const station::Station& station) {
   for (std::size_t i = 0; i < watched_.size(); ++i) {
-    const auto bits = station.read(watched_[i]);
-    if (!bits || bits == last_[i]) continue;
-    last_[i] = bits;
+    const auto now = content(watched_[i], station);
+    if (!now || now == last_[i]) continue;
+    last_[i] = now;
     // 7 decimals: 100 ns, the shortest instruction of the CPU 314C-2
     out_ << fmt::format("{},{},{}\n", formatSeconds(station.now().ns, 7), field(watched_[i].text),
-                        field(shown(watched_[i], *bits)));
+                        field(shown(watched_[i], *now)));
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <iosfwd>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "station/station.h"
@@ -19,7 +20,7 @@ class Trace {
  private:
   std::ostream& out_;
   std::vector<mc7::Reference> watched_;
-  std::vector<std::optional<std::uint32_t>> last_;
+  std::vector<std::optional<std::string>> last_;  // bits or content, not shown
 };
 
 }  // namespace merker::simulator

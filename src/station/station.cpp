@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "cpu/cpu.h"
 #include "interpreter/interpreter.h"
 #include "station/modules.h"
@@ -121,6 +123,7 @@ void Station::memoryReset() { parts_->cpu.memoryReset(); }
 bool Station::warmRestart() { return parts_->restart(cpu::Restart::ManualWarm); }
 bool Station::hotRestart() { return parts_->restart(cpu::Restart::ManualHot); }
 bool Station::coldRestart() { return parts_->restart(cpu::Restart::ManualCold); }
+bool Station::powered() const { return parts_->cpu.powered(); }
 void Station::stop() { parts_->cpu.turnSwitch(cpu::SwitchPosition::Stop); }
 bool Station::halt() { return parts_->cpu.halt(); }
 bool Station::resume() { return parts_->cpu.resume(); }
@@ -159,11 +162,12 @@ void Station::advanceCycles(std::uint64_t count) {
     const Instant latest = now() + kLongestCycle;
     while (cycles() == before && cpu::executes(cpu.mode()) && now() < latest)
       parts_->cpu.step(latest);
+    if (cycles() == before) return;  // STOP, or a startup OB that does not end
     settle();
   }
 }
 
-void Station::runOb1() { parts_->cpu.runOb1(); }
+bool Station::runOb1(Duration most) { return parts_->cpu.runOb1(most); }
 
 std::optional<std::uint32_t> Station::read(const mc7::Reference& reference) const {
   return readValue(parts_->cpu, parts_->periphery.get(), reference);
@@ -175,6 +179,18 @@ bool Station::force(const mc7::Reference& reference, std::uint32_t value) {
   return forceValue(parts_->cpu, reference, value);
 }
 void Station::unforce() { parts_->cpu.unforce(); }
+
+std::optional<std::vector<std::uint8_t>> Station::readBytes(const mc7::Reference& reference) const {
+  const auto bytes = bytesAt(parts_->cpu, reference);
+  if (bytes.empty()) return std::nullopt;
+  return std::vector<std::uint8_t>(bytes.begin(), bytes.end());
+}
+bool Station::writeBytes(const mc7::Reference& reference, std::span<const std::uint8_t> bytes) {
+  const auto place = bytesAt(parts_->cpu, reference);
+  if (place.empty() || place.size() != bytes.size()) return false;
+  std::copy(bytes.begin(), bytes.end(), place.begin());
+  return true;
+}
 
 io::Rack* Station::rack() { return parts_->periphery ? &parts_->periphery->rack() : nullptr; }
 const io::Rack* Station::rack() const {
@@ -196,8 +212,13 @@ const std::vector<DiagnosticEntry>& Station::diagnostics() const {
 const std::vector<CheckResult>& Station::checkResults() const {
   Parts& p = *parts_;
   p.checks.clear();
-  for (const interpreter::CheckRecord& record : p.engine.checkRecords())
-    p.checks.push_back({record.check, record.judged().reached, record.judged().failures});
+  for (const interpreter::CheckRecord& record : p.engine.checkRecords()) {
+    CheckResult& result = p.checks.emplace_back();
+    result.check = record.check;
+    result.reached = record.judged().reached;
+    for (const interpreter::CheckFailure& failure : record.judged().failures)
+      result.failures.push_back({failure.time, failure.text});
+  }
   return p.checks;
 }
 

@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -49,10 +50,14 @@ struct Options {
 
 // What a check (//=) saw. `reached` counts how often it was evaluated; behind a jump the passes
 // that went on to the next instruction count, if there were any.
+struct CheckFailure {
+  Instant time;      // when the term was judged
+  std::string text;  // "AKKU1 = W#16#8000: is W#16#7FFF"
+};
 struct CheckResult {
   const block::Check* check = nullptr;
   std::uint64_t reached = 0;
-  std::vector<std::string> failures;  // first few: "AKKU1 = W#16#8000: is W#16#7FFF"
+  std::vector<CheckFailure> failures;  // the first few
 };
 
 class Station {
@@ -78,9 +83,10 @@ class Station {
   bool warmRestart();  // OB 100, then OB 1; false if refused (no OB 1 …)
   bool hotRestart();   // OB 101, then on from where STOP came; false if the model has none
   bool coldRestart();  // false if the model has none
-  void stop();         // mode switch to STOP
-  bool halt();         // test operation: in front of the next instruction
-  bool resume();       // leaves HALT
+  bool powered() const;
+  void stop();    // mode switch to STOP
+  bool halt();    // test operation: in front of the next instruction
+  bool resume();  // leaves HALT
   void powerOff();
   void powerOn(bool buffered = true);  // false: battery empty or card out, RAM is lost
   void setBattery(bool low);           // OB 81
@@ -98,23 +104,29 @@ class Station {
   void advanceTo(Instant t);
   // On to the end of the cycle that runs now: there values are looked at from outside.
   void settle();
+  // Fewer if the CPU goes to STOP or a cycle does not come within 60 s.
   void advanceCycles(std::uint64_t count);
   // Runs to the next cycle checkpoint, at most to `limit`; true if it came to a checkpoint. The
   // change from STARTUP to RUN, before the first cycle, counts as one. In STOP time moves to
   // `limit` (false). Scenarios look at values after each cycle with it.
   bool advanceToCheckpoint(Instant limit);
-  // Runs OB 1 once, back to back, without the operating system's share of the cycle: for
-  // measurements.
-  void runOb1();
+  // Runs OB 1 once, back to back, without the operating system's share of the cycle and without
+  // cycle monitoring: for measurements. False if it did not end within `most`; the next call goes
+  // on with it then.
+  bool runOb1(Duration most = Duration::seconds(60));
 
   // values (bits as 0/1). Reading an input shows its process image; `write` to an input sets its
-  // terminal, from where the image takes it at the next cycle; other areas are written at once. A
-  // force holds until unforced. Timer and counter: Width::Bit is the status bit, any other width
-  // the coded value as LC loads it (S5TIME, BCD).
+  // terminal, from where the image takes it at the next cycle; other areas are written at once.
+  // PE is the input terminals, PA the output side. A force acts at once and holds until unforced.
+  // Timer and counter: Width::Bit is the status bit, any other width the coded value as LC loads it
+  // (S5TIME, BCD).
   std::optional<std::uint32_t> read(const mc7::Reference& reference) const;
   bool write(const mc7::Reference& reference, std::uint32_t value);
   bool force(const mc7::Reference& reference, std::uint32_t value);
   void unforce();
+  // The bytes of a DATE_AND_TIME or STRING (Reference::bytes), as they lie in memory.
+  std::optional<std::vector<std::uint8_t>> readBytes(const mc7::Reference& reference) const;
+  bool writeBytes(const mc7::Reference& reference, std::span<const std::uint8_t> bytes);
 
   // The modules and their terminals, with station.now() as the time; null without a hardware
   // configuration. Changes reach the CPU at its next instruction boundary.

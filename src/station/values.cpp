@@ -30,6 +30,16 @@ Bytes imageOf(Machine& m, Area area) {
   return {m.image + m.areas.base(area), m.areas.length(area)};
 }
 
+// PE: the input terminals. PA: what the output side holds. Both only where something answers
+// (S7-OPND-11).
+Bytes periphery(Machine& m, const mc7::Reference& reference) {
+  const Operand& operand = reference.operand;
+  cpu::Areas& areas = m.areas;
+  const auto& present = reference.outputSide ? areas.outputPresent : areas.inputPresent;
+  if (!areas.answers(present, operand.value / 8, byteCount(operand.width))) return {};
+  return all(reference.outputSide ? areas.outputs : areas.inputs);
+}
+
 Bytes bytesOf(Machine& m, const mc7::Reference& reference, bool write) {
   switch (reference.operand.area) {
     case Area::Input:
@@ -38,7 +48,7 @@ Bytes bytesOf(Machine& m, const mc7::Reference& reference, bool write) {
     case Area::Flag:
       return imageOf(m, reference.operand.area);
     case Area::Peripheral:
-      return all(write ? m.areas.inputs : m.areas.outputs);
+      return periphery(m, reference);
     case Area::DataBlock: {
       cpu::DataBlock* block =
           reference.db < 0 ? nullptr : m.dataBlocks.find(static_cast<std::uint32_t>(reference.db));
@@ -79,6 +89,28 @@ bool deliver(cpu::Cpu& cpu, Periphery& periphery, const Operand& operand, std::u
   return periphery.deliver(cpu, operand.value / 8, byteCount(operand.width), mask, bytes);
 }
 
+// What goes to the output side lies in the output image as well (S7-OPND-10), and goes to a module.
+void outputFollows(cpu::Cpu& cpu, const Operand& operand) {
+  cpu::Areas& areas = cpu.machine().areas;
+  const std::uint32_t first = operand.value / 8, count = byteCount(operand.width);
+  for (std::uint32_t i = first; i < first + count && i < areas.imageBytes; ++i)
+    *areas.output(i) = areas.outputs[i];
+  cpu.outputsWritten(first, count);
+}
+
+// A forced output leaves at once.
+void forceNow(cpu::Cpu& cpu, std::uint32_t imageByte, std::uint8_t mask, std::uint8_t value) {
+  cpu::Areas& areas = cpu.machine().areas;
+  const auto merge = [&](std::uint8_t& byte) {
+    byte = static_cast<std::uint8_t>((byte & ~mask) | (value & mask));
+  };
+  merge(areas.image[imageByte]);
+  if (imageByte < areas.outputBase || imageByte >= areas.flagBase) return;
+  const std::uint32_t byte = imageByte - areas.outputBase;
+  merge(areas.outputs[byte]);
+  cpu.outputsWritten(byte, 1);
+}
+
 }  // namespace
 
 // T and Z as bits show their status, else what LC loads (S5TIME, BCD).
@@ -98,11 +130,10 @@ std::optional<std::uint32_t> readValue(cpu::Cpu& cpu, const Periphery* periphery
     return bit ? counter.count > 0 : counter.bcd();
   }
   if (operand.kind != OperandKind::Memory) return std::nullopt;
-  if (operand.area == Area::Peripheral && periphery != nullptr)
-    return readOutputs(periphery->rack(), operand);
-  if (operand.area == Area::Peripheral && cpu.outputsDisabled()) return 0;  // S7-STATE-02
+  if (reference.outputSide && periphery != nullptr) return readOutputs(periphery->rack(), operand);
   const std::uint8_t* bytes = place(bytesOf(m, reference, false), operand);
   if (bytes == nullptr) return std::nullopt;
+  if (reference.outputSide && cpu.outputsDisabled()) return 0;  // S7-STATE-02
   return get(bytes, operand);
 }
 
@@ -117,12 +148,23 @@ bool writeValue(cpu::Cpu& cpu, Periphery* periphery, const mc7::Reference& refer
     return true;
   }
   if (operand.kind != OperandKind::Memory) return false;
-  if (periphery != nullptr && (operand.area == Area::Input || operand.area == Area::Peripheral))
+  const bool terminal = operand.area == Area::Input || operand.area == Area::Peripheral;
+  if (periphery != nullptr && terminal && !reference.outputSide)
     return deliver(cpu, *periphery, operand, value);
   std::uint8_t* bytes = place(bytesOf(m, reference, true), operand);
   if (bytes == nullptr) return false;
   put(bytes, operand, value);
+  if (reference.outputSide) outputFollows(cpu, operand);
   return true;
+}
+
+std::span<std::uint8_t> bytesAt(cpu::Cpu& cpu, const mc7::Reference& reference) {
+  const Operand& operand = reference.operand;
+  if (operand.kind != OperandKind::Memory) return {};
+  const Bytes area = bytesOf(cpu.machine(), reference, true);
+  const std::uint32_t first = operand.value / 8;
+  if (first > area.length || reference.bytes > area.length - first) return {};
+  return {area.data + first, reference.bytes};
 }
 
 bool forceValue(cpu::Cpu& cpu, const mc7::Reference& reference, std::uint32_t value) {
@@ -139,8 +181,10 @@ bool forceValue(cpu::Cpu& cpu, const mc7::Reference& reference, std::uint32_t va
   else
     cpu::storeBytes(values, operand.width, value);
   const auto first = static_cast<std::uint32_t>(bytes - m.image);
-  for (std::uint32_t i = 0; i < byteCount(operand.width); ++i)
+  for (std::uint32_t i = 0; i < byteCount(operand.width); ++i) {
     cpu.force(first + i, mask, values[i]);
+    forceNow(cpu, first + i, mask, values[i]);
+  }
   return true;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "cpu/cpu.h"
 #include "mc7/reference.h"
@@ -13,6 +14,8 @@ namespace merker::station {
 // `periphery`: null without a hardware configuration.
 std::optional<std::uint32_t> readValue(cpu::Cpu& cpu, const Periphery* periphery,
                                        const mc7::Reference& reference);
+// All bytes of a DATE_AND_TIME or STRING; empty if they do not exist.
+std::span<std::uint8_t> bytesAt(cpu::Cpu& cpu, const mc7::Reference& reference);
 // Inputs: what the module delivers. Everything else at once.
 bool writeValue(cpu::Cpu& cpu, Periphery* periphery, const mc7::Reference& reference,
                 std::uint32_t value);

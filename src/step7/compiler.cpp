@@ -68,14 +68,18 @@ Result<mc7::Reference> resolve(std::string_view text, const block::Program& prog
                       (operand.area != Area::DataBlock || access->openDb >= 0);
   const bool number =
       operand.kind == mc7::OperandKind::Timer || operand.kind == mc7::OperandKind::Counter;
-  const bool composite = access->type && !isElementary(access->type->code);
+  const TypeCode type = access->type ? access->type->code : TypeCode::Void;
+  const bool isLong = memory && (type == TypeCode::DateAndTime || type == TypeCode::String);
+  const bool composite = access->type && !isElementary(type) && !isLong;
   if (!cursor.atEnd() || (!memory && !number) || composite)
     return makeProblem(ProblemCode::P0904, at, std::string(text));
   mc7::Reference reference;
   reference.text = trim(text);
   reference.operand = operand;
   reference.db = access->openDb;
-  if (access->type) reference.type = access->type->code;
+  reference.type = type;
+  reference.outputSide = access->peripheralOutput;
+  if (isLong) reference.bytes = block::sizeInBytes(*access->type);
   if (const source::Symbol* symbol =
           options.symbols && reference.text.starts_with('"')
               ? options.symbols->find(reference.text.substr(1, reference.text.size() - 2))

@@ -40,7 +40,7 @@ class Check(Case):
         self.write("a.awl", block("      U     M 300.0\n      =     M 300.1"))
         self.expect(PROBLEMS, "check", "a.awl")
         self.expect(GOOD, "check", "--cpu", "generic", "a.awl")
-        self.assertIn("P0705", self.expect(PROBLEMS, "check", "--cpu", "317", "a.awl").err)
+        self.assertIn("317", self.expect(USAGE, "check", "--cpu", "317", "a.awl").err)
 
     def test_nothing_and_garbage(self):
         self.write("empty.awl", "")

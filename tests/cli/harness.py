@@ -38,6 +38,8 @@ STRUCT
   pause : TIME := T#5S;
   list : ARRAY [1..3] OF WORD := W#16#1, W#16#2, W#16#3;
   on : BOOL := TRUE;
+  start : DATE_AND_TIME := DT#1998-04-14-17:53:17.333;
+  text : STRING [8] := 'ab$'c';
 END_STRUCT
 BEGIN
 END_DATA_BLOCK

@@ -106,3 +106,10 @@ class Bench(Case):
     def test_a_fault(self):
         self.write("a.awl", block("      L     W#16#FFFF\n      BTI"))
         self.assertIn("STOP", self.expect(FAULT, "bench", "a.awl", "--for", "50ms").err)
+
+    def test_an_endless_ob_1_ends_after_its_time(self):
+        self.write("loop.awl", block("here: SPA   here"))
+        call = self.expect(GOOD, "bench", "loop.awl", "--for", "50ms", "--json", timeout=20)
+        self.assertGreater(call.json["instructions_per_second"], 0)
+        self.assertEqual(call.json["cycles_per_second"], 0)
+        self.assertIn("OB 1 has not ended", call.err)

@@ -20,6 +20,39 @@ class Run(Case):
             "DB1.list[2] = W#16#0002", "DB1.on = 1"])
         self.assertEqual(call.err, "")
 
+    def test_dates_and_texts_in_their_own_notation(self):
+        call = self.expect(GOOD, "run", "a.awl", "--cycles", "1", "--print", "DB1.start, DB1.text")
+        self.assertEqual(call.lines, ["DB1.start = DT#1998-04-14-17:53:17.333", "DB1.text = 'ab$'c'"])
+        setting = "DB1.start = DT#2005-03-01-08:00:00, DB1.text = 'grün, 5'"
+        call = self.expect(GOOD, "run", "a.awl", "--cycles", "1", "--set", setting, "--print", "DB1.start, DB1.text")
+        self.assertEqual(call.lines, ["DB1.start = DT#2005-03-01-08:00:00.000", "DB1.text = 'grün, 5'"])
+        values = self.expect(GOOD, "run", "a.awl", "--cycles", "1", "--json", "--print", "DB1.start, DB1.text").json
+        self.assertEqual((values["DB1.start"], values["DB1.text"]), ("DT#1998-04-14-17:53:17.333", "ab'c"))
+        for wrong in ("DB1.text = 5", "DB1.text = '123456789'", "DB1.start = 'a'", "DB1.start = DT#1998-02-30-00:00:00"):
+            self.expect(USAGE, "run", "a.awl", "--cycles", "1", "--set", wrong)
+
+    def test_the_periphery_has_two_sides(self):
+        self.write("p.awl", block("      L     PEB 2\n      T     PAB 3"))
+        call = self.expect(GOOD, "run", "p.awl", "--cycles", "3", "--set", "EB 2 = 5", "--print", "PEB 2, PAB 2, PEB 3, PAB 3")
+        self.assertEqual(call.lines, ["PEB 2 = B#16#05", "PAB 2 = B#16#00", "PEB 3 = B#16#00", "PAB 3 = B#16#05"])
+
+    def test_what_does_not_exist_is_said_before_the_run(self):
+        for option, text, why in (("--print", "MW 10, DB9.DBW 0", "there is no DB 9"), ("--print", "DB1.DBW 100", "DB 1 has 36 bytes"),
+                                  ("--print", "PEW 300", "no module"), ("--set", "DB9.DBW 0 = 1", "there is no DB 9")):
+            call = self.expect(PROBLEMS, "run", "a.awl", "--cycles", "1", option, text)
+            self.assertRegex(call.err, r"(?m)^" + option + r":1:\d+: error: .* does not exist: " + why + r".* \[P0962\]$")
+            self.assertEqual(call.out, "")
+
+    def test_data_blocks_of_the_program_may_come_later(self):
+        create = ("      CALL  SFC 22 (LOW_LIMIT := W#16#9, UP_LIMIT := W#16#9, COUNT := W#16#4, RET_VAL := MW 40, DB_NUMBER := MW 42)\n"
+                  "      CALL  SFC 46")
+        self.write("c.awl", block(create))
+        call = self.expect(GOOD, "run", "c.awl", "--for", "1s", "--print", "DB9.DBW 0, MW 42")
+        self.assertEqual(call.lines, ["DB9.DBW 0 = W#16#0000", "MW 42 = W#16#0009"])
+        call = self.expect(PROBLEMS, "run", "c.awl", "--for", "1s", "--print", "DB8.DBW 0, MW 42")
+        self.assertEqual(call.lines, ["DB8.DBW 0 = ?", "MW 42 = W#16#0009"])
+        self.assertIn("--print: DB8.DBW 0 does not exist: there is no DB 8", call.err)
+
     def test_timers_show_their_time(self):
         call = self.expect(GOOD, "run", "a.awl", "--for", "500ms", "--set", "E 0.0 = 1", "--print", "T 1, A 0.1")
         self.assertRegex(call.lines[0], r"^T 1 = S5T#1S(4|5)\d0MS$")
@@ -70,6 +103,11 @@ class Run(Case):
     def test_an_endless_loop_is_a_fault(self):
         self.write("loop.awl", block("here: SPA   here"))
         self.assertIn("STOP", self.expect(FAULT, "run", "loop.awl", "--for", "1s").err)
+
+    def test_a_startup_without_end_is_said(self):
+        self.write("loop.awl", block("      NOP   0") + block("here: SPA   here", 100))
+        self.assertIn("STARTUP", self.expect(PROBLEMS, "run", "loop.awl", "--cycles", "100000").err)
+        self.assertIn("STARTUP", self.expect(GOOD, "run", "loop.awl", "--for", "1s").err)
 
     def test_a_program_without_ob_1(self):
         self.write("fc.awl", "FUNCTION FC 1 : VOID\nBEGIN\nNETWORK\n      NOP   0\nEND_FUNCTION\n")

@@ -54,7 +54,39 @@ class Test(Case):
         self.write("a.awl", PROGRAM)
         self.write("a.scn", "scenario \"good one\"\n  wait 1s\nscenario \"bad one\"\n  expect A 0.0 = 1\n")
         self.assertEqual(self.last(self.expect(GOOD, "test", "a.awl", "--filter", "Good")), "1 passed, 0 failed")
-        self.assertEqual(self.last(self.expect(GOOD, "test", "a.awl", "--filter", "nothing")), "0 passed, 0 failed")
+        call = self.expect(PROBLEMS, "test", "a.awl", "--filter", "nothing")
+        self.assertEqual(self.last(call), "0 passed, 0 failed")
+        self.assertIn("'nothing' (--filter)", call.err)
+
+    def test_nothing_to_test_is_no_success(self):
+        self.write("plain.awl", PROGRAM)
+        self.write("t/plain.awl", PROGRAM)
+        self.write("p/merker.toml", "")
+        (self.folder / "empty").mkdir()
+        for path in ("plain.awl", "t", "empty"):
+            self.assertIn("no scenario", self.expect(PROBLEMS, "test", path).err)
+        self.assertIn("P0708", self.expect(PROBLEMS, "test", "p").err)
+
+    def test_a_broken_source_without_tests_is_told(self):
+        self.write("a.awl", CHECKED)
+        self.write("bad.awl", block("      FLY"))
+        self.assertIn("bad.awl:4:", self.expect(PROBLEMS, "test", "bad.awl").err)
+        self.assertIn("bad.awl:4:", self.expect(PROBLEMS, "test", "a.awl", "bad.awl").err)
+
+    def test_all_problems_of_a_file_in_one_pass_and_the_good_scenarios_run(self):
+        self.write("a.awl", PROGRAM)
+        self.write("a.scn", "scenario \"bad\"\n  sett E 0.0 = 1\n  expect XY 5 = 1\n  expect MB 1 = 2 for ever\n"
+                            "scenario \"good\"\n  wait 1s\nscenario \"missing\"\n  expect DB7.DBW 0 = 1\n")
+        call = self.expect(PROBLEMS, "test", "a.scn")
+        for place in ("2:3", "3:10", "4:23", "8:10"):
+            self.assertIn(f"a.scn:{place}: error:", call.err)
+        self.assertEqual([line.split()[0] for line in call.lines if "a.scn: " in line], ["FAILED", "ok", "FAILED"])
+        self.assertIn("a.scn:8: ", call.out)
+        self.assertIn("there is no DB 7", call.out)
+
+    def test_a_failing_check_has_the_time_of_its_judgement(self):
+        self.write("a.awl", block("      L     5   //= AKKU1 = 6"))
+        self.assertRegex(self.expect(PROBLEMS, "test", "a.awl").out, r"a\.awl:4: at 0\.0\d* s")
 
     def test_problems_of_a_scenario(self):
         self.write("a.awl", PROGRAM)

@@ -25,6 +25,10 @@ inline Result<mc7::Reference> resolveFake(std::string_view text, const Position&
       {"int", flag(Width::Word, 10, TypeCode::Int)},
       {"dint", flag(Width::DWord, 4, TypeCode::DInt)},
       {"real", flag(Width::DWord, 4, TypeCode::Real)},
+      {"string",
+       {"string", mc7::memory(Area::DataBlock, Width::Byte, 0), 1, TypeCode::String, false, 7}},
+      {"dt",
+       {"dt", mc7::memory(Area::DataBlock, Width::Byte, 0), 1, TypeCode::DateAndTime, false, 8}},
       {"time", flag(Width::DWord, 4, TypeCode::Time)}};
   const auto found = known.find(text);
   if (found == known.end()) return makeProblem(ProblemCode::P0952, at, "an operand");
@@ -32,7 +36,7 @@ inline Result<mc7::Reference> resolveFake(std::string_view text, const Position&
 }
 
 inline Term term(std::string text) {
-  Term result{std::move(text), {}, {}, {}};
+  Term result{std::move(text), {}, {}, {}, {}};
   resolveTerm(result, resolveFake);
   return result;
 }

@@ -83,6 +83,7 @@ TEST(ScenarioParser, RelationsAndOperands) {
       {"expect MD 4 ~= 1.5", block::Relation::About, "MD 4", "1.5"},
       {"expect \"a = b\" <= 5", block::Relation::LessEqual, "\"a = b\"", "5"},
       {"expect DB1.a[1, 2] >= -3", block::Relation::GreaterEqual, "DB1.a[1, 2]", "-3"},
+      {"expect MB 1 == 2", block::Relation::Equal, "MB 1", "2"},
       {"expect MB 1<2", block::Relation::Less, "MB 1", "2"},
       {"expect MB 1 > MB 2", block::Relation::Greater, "MB 1", "MB 2"}};
   for (const Row& row : rows) {
@@ -147,6 +148,20 @@ TEST(ScenarioParser, StepsOfOtherPartsSayWhichExist) {
     EXPECT_EQ(p.problems.list()[0].code, ProblemCode::P0951);
     EXPECT_NE(p.problems.list()[0].message.find("expect"), std::string::npos);
   }
+}
+
+TEST(ScenarioParser, AStepOfOtherPartsIsNamedInFull) {
+  const Parsed p = parse("expect  plant oven.hot = 1\n");
+  EXPECT_EQ(p.problem(), "1:1 P0951");
+  EXPECT_TRUE(p.problems.list()[0].message.starts_with("the step 'expect  plant' needs"))
+      << p.problems.list()[0].message;
+}
+
+TEST(ScenarioParser, AnApostropheInsideAText) {
+  const Parsed p = parse("set DB1.a = 'it$'s, or = not', MB 1 = 2\n");
+  EXPECT_TRUE(p.problems.empty());
+  ASSERT_EQ(p.steps()[0].assignments.size(), 2u);
+  EXPECT_EQ(p.steps()[0].assignments[0].value.text, "'it$'s, or = not'");
 }
 
 TEST(ScenarioParser, AllProblemsInOnePass) {

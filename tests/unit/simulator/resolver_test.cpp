@@ -42,5 +42,28 @@ TEST(ScenarioResolver, ValuesMustFit) {
   }
 }
 
+TEST(ScenarioResolver, DatesAndTextsTakeTheirOwnNotation) {
+  EXPECT_TRUE(problemsOf("set string = 'abcde', dt = DT#1994-01-01-00:00:00\n"
+                         "expect 'abc' = string\nexpect string = string\n")
+                  .empty());
+  struct Row {
+    const char* text;
+    ProblemCode code;
+  };
+  for (const Row& row :
+       {Row{"set string = 5", ProblemCode::P0960},
+        Row{"set string = DT#1994-01-01-00:00:00", ProblemCode::P0960},
+        Row{"expect dt = 'abc'", ProblemCode::P0960}, Row{"expect dt = TRUE", ProblemCode::P0960},
+        Row{"expect dt = string", ProblemCode::P0960},
+        Row{"expect MW 10 = string", ProblemCode::P0960},
+        Row{"expect string = 'ab", ProblemCode::P0209},
+        Row{"set string = 'abcdef'", ProblemCode::P0961},
+        Row{"set 5 = MW 10", ProblemCode::P0904}}) {
+    const Problems problems = problemsOf(row.text);
+    ASSERT_EQ(problems.size(), 1u) << row.text;
+    EXPECT_EQ(problems.list()[0].code, row.code) << row.text;
+  }
+}
+
 }  // namespace
 }  // namespace merker::simulator

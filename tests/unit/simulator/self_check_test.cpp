@@ -38,6 +38,13 @@ TEST(SelfCheck, AFailedTermNamesLineAndValues) {
       << result.failures[0].message;
 }
 
+TEST(SelfCheck, AFailureHasTheTimeOfItsJudgement) {
+  const TestResult result = run("L 5 //= AKKU1 = 6\n");
+  ASSERT_FALSE(result.failures.empty());
+  EXPECT_GE(result.end, Instant{10'000'000'000});
+  EXPECT_LT(result.failures[0].time, Instant{100'000'000});
+}
+
 TEST(SelfCheck, ALineThatIsNeverReachedFails) {
   const TestResult result = run(std::string("SPA over\nL 5 //= AKKU1 = 5\nover: NOP 0\n") + kStop);
   ASSERT_EQ(result.failures.size(), 1u);

@@ -37,6 +37,22 @@ std::string traced(const Machine& machine) {
   return out.str();
 }
 
+TEST(Trace, TextsInTheirNotation) {
+  const Machine machine(
+      "DATA_BLOCK DB 1\nSTRUCT\n s : STRING [4] := 'ab';\nEND_STRUCT;\nBEGIN\nEND_DATA_BLOCK\n"
+      "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\nL B#16#78; T DB1.DBB 2;\nEND_ORGANIZATION_BLOCK\n");
+  std::ostringstream out;
+  station::Station station = machine.station();
+  Trace trace(out, {machine.reference("DB1.s")}, station);
+  startFresh(station);
+  station.advanceCycles(2);
+  trace.sample(station);
+  trace.sample(station);
+  const std::string text = out.str();
+  EXPECT_TRUE(text.ends_with(",DB1.s,'xb'\n")) << text;
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1);
+}
+
 TEST(Trace, OneLinePerChange) {
   const Machine machine(kProgram);
   std::istringstream lines(traced(machine));

@@ -76,8 +76,8 @@ TEST(Checks, PassAndFail) {
   EXPECT_EQ(results[0].reached, 2u);
   EXPECT_TRUE(results[0].failures.empty());
   ASSERT_FALSE(results[1].failures.empty());
-  EXPECT_EQ(results[1].failures[0], "AKKU1 = W#16#7FFF: is W#16#8000");
-  EXPECT_EQ(results[2].failures[0], "OV = 0: is 1");
+  EXPECT_EQ(results[1].failures[0].text, "AKKU1 = W#16#7FFF: is W#16#8000");
+  EXPECT_EQ(results[2].failures[0].text, "OV = 0: is 1");
 }
 
 // After a call: when the called block has returned; snippets look at operands and change nothing.
@@ -96,9 +96,9 @@ TEST(Checks, AfterCallAndWithOperands) {
   for (const CheckResult& result : results) {
     EXPECT_EQ(result.reached, 2u);
     if (result.check->offset == 8)
-      EXPECT_NE(result.failures.at(0).find("cannot be read"), std::string::npos);
+      EXPECT_NE(result.failures.at(0).text.find("cannot be read"), std::string::npos);
     else
-      EXPECT_TRUE(result.failures.empty()) << result.failures[0];
+      EXPECT_TRUE(result.failures.empty()) << result.failures[0].text;
   }
 }
 
@@ -132,7 +132,7 @@ TEST(Checks, FromComments) {
   ASSERT_EQ(plc->checkResults().size(), 2u);
   for (const CheckResult& result : plc->checkResults()) {
     EXPECT_EQ(result.reached, 2u);
-    EXPECT_TRUE(result.failures.empty()) << result.failures[0];
+    EXPECT_TRUE(result.failures.empty()) << result.failures[0].text;
   }
 }
 

@@ -181,6 +181,29 @@ TEST(RunOb1, RunsOb1AndNothingElse) {
   EXPECT_EQ((plc->now() - before).ns, 10 * (200 + 2000 + 200 + 200));
 }
 
+TEST(RunOb1, GoesOnWhereItsTimeWasUp) {
+  Plc endless("loop: L MW 10; + 1; T MW 10; SPA loop;");
+  endless.start();
+  endless->advanceToCheckpoint(endless->now() + Duration::seconds(1));
+  EXPECT_FALSE(endless->runOb1(Duration::milliseconds(1)));
+  const auto first = endless.read("MW 10");
+  EXPECT_GT(first, 0u);
+  EXPECT_FALSE(endless->runOb1(Duration::milliseconds(1)));
+  EXPECT_GT(endless.read("MW 10"), first);
+  EXPECT_EQ(endless->mode(), Mode::Run);
+}
+
+// S7-STATE-11: nothing ends a startup OB; a wish for cycles must.
+TEST(Cycles, DoNotComeBehindAStartupThatDoesNotEnd) {
+  Plc plc(
+      "ORGANIZATION_BLOCK OB 1\nBEGIN\nEND_ORGANIZATION_BLOCK\n"
+      "ORGANIZATION_BLOCK OB 100\nBEGIN\nloop: SPA loop;\nEND_ORGANIZATION_BLOCK\n");
+  plc.cycles(1000);
+  EXPECT_EQ(plc->cycles(), 0u);
+  EXPECT_EQ(plc->mode(), Mode::Startup);
+  EXPECT_LT(plc->now(), Instant{} + Duration::seconds(200));
+}
+
 TEST(Checkpoint, EndsEachStep) {
   Plc plc("L MW 10; + 1; T MW 10;");
   plc.start();

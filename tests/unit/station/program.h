@@ -29,8 +29,9 @@ class Plc {
   unsigned lastEvent() const;
   bool hasEvent(unsigned event) const;
 
- private:
   mc7::Reference reference(std::string_view operand) const;
+
+ private:
   std::shared_ptr<const block::Program> program_;
   const CpuModel* model_;
   Station station_;

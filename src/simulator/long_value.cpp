@@ -1,0 +1,114 @@
+#include "simulator/long_value.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/text.h"
+#include "simulator/relation.h"
+
+namespace merker::simulator {
+namespace {
+
+constexpr std::size_t kHeader = 2;        // of a STRING: longest and present length (S7-TYPES-19)
+constexpr unsigned char kCentury = 0x90;  // BCD years from 90 on are those of 1900 (S7-TYPES-18)
+
+std::uint64_t number(const std::string& dateAndTime) {
+  std::uint64_t bcd = 0;
+  for (const char c : dateAndTime) bcd = bcd << 8 | static_cast<unsigned char>(c);
+  return bcd;
+}
+
+std::string bytes(std::uint64_t bcd) {
+  std::string text(8, '\0');
+  for (std::size_t i = 0; i < 8; ++i) text[i] = static_cast<char>(bcd >> (56 - 8 * i));
+  return text;
+}
+
+// What orders two values of the type.
+std::string key(TypeCode type, std::string content) {
+  if (type != TypeCode::DateAndTime || content.size() != 8) return content;
+  content[7] = static_cast<char>(content[7] & 0xF0);  // without the weekday
+  return (static_cast<unsigned char>(content[0]) >= kCentury ? '0' : '1') + content;
+}
+
+TypeCode typeOf(const Term& left, const Term& right) {
+  return left.content ? right.reference.type : left.reference.type;
+}
+
+bool isLikeConstant(TypeCode type, std::string_view text) {
+  if (type == TypeCode::String) return text.starts_with('\'');
+  const std::string word = upper(text.substr(0, text.find('#')));
+  return word == "DT" || word == "DATE_AND_TIME";
+}
+
+}  // namespace
+
+std::optional<std::string> readLong(const mc7::Reference& reference,
+                                    const station::Station& station) {
+  const auto read = station.readBytes(reference);
+  if (!read) return std::nullopt;
+  const std::string all(read->begin(), read->end());
+  if (reference.type != TypeCode::String) return all;
+  return all.substr(kHeader, (*read)[1]);
+}
+
+std::optional<std::string> longValue(const Term& term, const station::Station& station) {
+  return term.content ? term.content : readLong(term.reference, station);
+}
+
+bool writeLong(const mc7::Reference& reference, const std::string& content,
+               station::Station& station) {
+  auto all = station.readBytes(reference);
+  if (!all) return false;
+  const bool string = reference.type == TypeCode::String;
+  const std::size_t first = string ? kHeader : 0;
+  if (content.size() > all->size() - first) return false;
+  if (string) {
+    (*all)[0] = static_cast<std::uint8_t>(all->size() - kHeader);
+    (*all)[1] = static_cast<std::uint8_t>(content.size());
+  }
+  std::copy(content.begin(), content.end(), all->begin() + static_cast<std::ptrdiff_t>(first));
+  return station.writeBytes(reference, *all);
+}
+
+std::string formatLong(TypeCode type, const std::string& content) {
+  return type == TypeCode::String ? formatCharacters(content) : formatDateAndTime(number(content));
+}
+
+std::string plainLong(TypeCode type, const std::string& content) {
+  return type == TypeCode::String ? toUtf8(content, Encoding::Cp1252) : formatLong(type, content);
+}
+
+Problem otherNotation(const mc7::Reference& reference, const Position& at) {
+  const bool string = reference.type == TypeCode::String;
+  return makeProblem(ProblemCode::P0960, at, reference.text, name(reference.type),
+                     string ? "'text'" : "DT#1994-01-01-00:00:00.000");
+}
+
+Result<std::string> parseLong(std::string_view text, const mc7::Reference& reference,
+                              const Position& at) {
+  if (!isLikeConstant(reference.type, text)) return otherNotation(reference, at);
+  if (reference.type == TypeCode::String) return parseCharacters(text, at);
+  const auto bcd = parseDateAndTime(text, at);
+  if (!bcd) return bcd.error();
+  return bytes(bcd.value());
+}
+
+bool longHolds(const Term& left, block::Relation relation, const Term& right,
+               const station::Station& station) {
+  const auto a = longValue(left, station), b = longValue(right, station);
+  const TypeCode type = typeOf(left, right);
+  return a && b && relates(key(type, *a), relation, key(type, *b));
+}
+
+std::string actualLong(const Term& left, const Term& right, const station::Station& station) {
+  const auto a = longValue(left, station), b = longValue(right, station);
+  if (!a || !b) return fmt::format("not there: {} does not exist", (a ? right : left).text);
+  const TypeCode type = typeOf(left, right);
+  const std::string text = formatLong(type, *a);
+  if (right.content) return text;
+  return fmt::format("{}, {} is {}", text, right.text, formatLong(type, *b));
+}
+
+}  // namespace merker::simulator

@@ -1,0 +1,39 @@
+// Values that no double word holds: DATE_AND_TIME and STRING. Their content is a text of bytes: the
+// eight of a DATE_AND_TIME, the characters of a STRING in CP1252.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "simulator/term.h"
+#include "station/station.h"
+
+namespace merker::simulator {
+
+inline bool isLong(const mc7::Reference& reference) { return reference.bytes > 0; }
+inline bool isLong(const Term& term) { return term.content || isLong(term.reference); }
+
+// The content now; nothing if the operand does not exist.
+std::optional<std::string> readLong(const mc7::Reference& reference,
+                                    const station::Station& station);
+std::optional<std::string> longValue(const Term& term, const station::Station& station);
+// False if the operand does not exist. A STRING must not be longer than declared.
+bool writeLong(const mc7::Reference& reference, const std::string& content,
+               station::Station& station);
+
+// DT#1994-01-01-00:00:00.000 or 'text'.
+std::string formatLong(TypeCode type, const std::string& content);
+// The same without quotation marks, in UTF-8: for JSON.
+std::string plainLong(TypeCode type, const std::string& content);
+// A constant for an operand of this type; P0960 if it is written like one of another type.
+Result<std::string> parseLong(std::string_view text, const mc7::Reference& reference,
+                              const Position& at);
+Problem otherNotation(const mc7::Reference& reference, const Position& at);
+
+// By instant (the weekday does not count), or by characters.
+bool longHolds(const Term& left, block::Relation relation, const Term& right,
+               const station::Station& station);
+// For a message: the left side's value, and the right side's if it is an operand.
+std::string actualLong(const Term& left, const Term& right, const station::Station& station);
+
+}  // namespace merker::simulator

@@ -1,0 +1,34 @@
+// The relations of checks and expectations, for any values that have an order.
+#pragma once
+
+#include <string_view>
+
+#include "block/check.h"
+
+namespace merker::simulator {
+
+// ~= is for REAL alone and never holds here.
+template <typename T>
+bool relates(const T& a, block::Relation relation, const T& b) {
+  switch (relation) {
+    case block::Relation::Equal:
+      return a == b;
+    case block::Relation::NotEqual:
+      return a != b;
+    case block::Relation::Less:
+      return a < b;
+    case block::Relation::LessEqual:
+      return a <= b;
+    case block::Relation::Greater:
+      return a > b;
+    case block::Relation::GreaterEqual:
+      return a >= b;
+    case block::Relation::About:
+      return false;
+  }
+  return false;
+}
+
+std::string_view text(block::Relation relation);
+
+}  // namespace merker::simulator
