@@ -82,7 +82,9 @@ void TestSession::scenarios(const std::string& path, const Build& build) {
   std::vector<simulator::Scenario> list = simulator::parseScenarios(file.value(), problems);
   if (build.ok()) {
     const auto resolver = build.resolver();
-    for (simulator::Scenario& one : list) simulator::resolve(one, resolver, problems);
+    const auto& hardware = build.project.hardware;
+    for (simulator::Scenario& one : list)
+      simulator::resolve(one, resolver, problems, hardware ? &*hardware : nullptr);
   }
   printProblems(problems, files);
   if (list.empty() && problems.hasErrors()) notRun(path, "scenarios", problems);

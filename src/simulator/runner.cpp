@@ -56,6 +56,7 @@ class Runner {
   bool fail(const Position& position, std::string message);
   bool perform(const Step& step);
   bool set(const Step& step);
+  bool setTerminals(const Step& step);
   bool repeat(const Step& step);
   bool restarted(const Step& step, bool cold);
   bool powered(const Step& step);
@@ -124,6 +125,11 @@ bool Runner::perform(const Step& step) {
       return true;
     case StepKind::Repeat:
       return repeat(step);
+    case StepKind::Fault:
+      apply(step.fault, *station_.rack());
+      return true;
+    case StepKind::Terminal:
+      return setTerminals(step);
   }
   return true;
 }
@@ -132,6 +138,14 @@ bool Runner::set(const Step& step) {
   for (const Assignment& assignment : step.assignments) {
     const std::string reason = apply(assignment, step.kind == StepKind::Force, station_);
     if (!reason.empty()) return fail(assignment.operand.position, reason);
+  }
+  return true;
+}
+
+bool Runner::setTerminals(const Step& step) {
+  for (const TerminalValue& terminal : step.terminals) {
+    const std::string reason = simulator::set(terminal, *station_.rack(), station_.now());
+    if (!reason.empty()) return fail(terminal.position, reason);
   }
   return true;
 }
@@ -195,6 +209,9 @@ bool Runner::holds(const Expectation& e) {
       return (station_.mode() == e.mode) == (e.relation == block::Relation::Equal);
     case Expectation::What::Diagnostics:
       return inDiagnostics(e.words);
+    case Expectation::What::Terminal:
+      station_.settle();
+      return simulator::holds(e.terminal, e.relation, *station_.rack());
   }
   return false;
 }
@@ -218,6 +235,9 @@ std::string Runner::actual(const Expectation& e) const {
       return fmt::format("mode is {}{}", name(station_.mode()), because(station_));
     case Expectation::What::Diagnostics:
       return newestEntry();
+    case Expectation::What::Terminal:
+      return fmt::format("{} is {}", e.terminal.text,
+                         simulator::actualValue(e.terminal, *station_.rack()));
   }
   return {};
 }
@@ -230,7 +250,9 @@ bool Runner::miss(const Step& step) {
 }
 
 bool Runner::expect(const Step& step) {
-  if (step.expectation.what != Expectation::What::Values) speaksOfState_ = true;
+  if (step.expectation.what == Expectation::What::Mode ||
+      step.expectation.what == Expectation::What::Diagnostics)
+    speaksOfState_ = true;
   const Instant end = station_.now() + step.expectation.duration;
   if (step.expectation.when == Expectation::When::During) return during(step, end);
   if (step.expectation.when == Expectation::When::Within) return within(step, end);

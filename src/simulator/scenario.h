@@ -11,6 +11,7 @@
 #include "block/check.h"
 #include "clock/instant.h"
 #include "simulator/term.h"
+#include "simulator/terminal_steps.h"
 #include "source/source_file.h"
 #include "station/station.h"
 
@@ -21,10 +22,11 @@ struct Assignment {
 };
 
 struct Expectation {
-  enum class What : std::uint8_t { Values, Mode, Diagnostics } what = What::Values;
+  enum class What : std::uint8_t { Values, Mode, Diagnostics, Terminal } what = What::Values;
   Term left, right;  // Values
   block::Relation relation = block::Relation::Equal;
   station::Mode mode = station::Mode::Run;  // Mode: = or <>
+  TerminalValue terminal;                   // Terminal: relation to its value
   std::string words;                        // Diagnostics: what an entry contains
   enum class When : std::uint8_t { Now, During, Within } when = When::Now;
   Duration duration;  // During, Within
@@ -45,6 +47,8 @@ enum class StepKind : std::uint8_t {
   CopyRamToRom,
   Force,
   Unforce,
+  Fault,
+  Terminal,
   Repeat
 };
 
@@ -56,7 +60,9 @@ struct Step {
   Duration duration;                    // Wait
   std::uint64_t count = 0;              // WaitCycles, Repeat
   Expectation expectation;
-  std::vector<Step> body;  // Repeat
+  FaultStep fault;                       // Fault
+  std::vector<TerminalValue> terminals;  // Terminal
+  std::vector<Step> body;                // Repeat
 };
 
 struct Scenario {
@@ -69,8 +75,10 @@ struct Scenario {
 // file. Lines with problems are left out.
 std::vector<Scenario> parseScenarios(const source::SourceFile& file, Problems& problems);
 
-// Binds all operands to the program and checks that values fit.
-void resolve(Scenario& scenario, const Resolver& resolver, Problems& problems);
+// Binds all operands to the program, and terminals and faults to the modules, and checks that
+// values fit. `hardware`: null without a hardware configuration.
+void resolve(Scenario& scenario, const Resolver& resolver, Problems& problems,
+             const io::Configuration* hardware = nullptr);
 
 // "set E 0.0 = 1, MW 10 = 5" without the word set: also what `merker run --set` takes. Texts are
 // views into `file`.

@@ -65,6 +65,7 @@ class Parser {
   void closeScenario();
 
   bool wait(Step& step, std::string_view rest);
+  bool terminals(std::vector<TerminalValue>& list, std::string_view rest);
   bool count(std::uint64_t& number, std::string_view text);
   bool expectation(Expectation& e, std::string_view rest);
   bool timing(Expectation& e, std::string_view& rest);
@@ -149,6 +150,11 @@ bool Parser::content(Step& step, StepWord::Rest kind, std::string_view rest) {
       return expectation(step.expectation, rest);
     case StepWord::Rest::Count:
       return count(step.count, rest);
+    case StepWord::Rest::Fault:
+      return parseFault(
+          rest, step.fault, [this](std::string_view text) { return at(text); }, problems_);
+    case StepWord::Rest::Terminals:
+      return terminals(step.terminals, rest);
     default:
       return rest.empty() || fail(ProblemCode::P0959, rest, rest, step.text);
   }
@@ -193,6 +199,20 @@ bool Parser::wait(Step& step, std::string_view rest) {
   return true;
 }
 
+bool Parser::terminals(std::vector<TerminalValue>& list, std::string_view rest) {
+  const auto place = [this](std::string_view text) { return at(text); };
+  for (std::string_view part : splitList(rest)) {
+    const auto sign = findOutside(part, [](std::string_view tail) { return tail[0] == '='; });
+    if (sign == std::string_view::npos) return fail(ProblemCode::P0952, part, "MODULE.DI0 = VALUE");
+    TerminalValue value;
+    if (!parseTerminal(trim(part.substr(0, sign)), trim(part.substr(sign + 1)), value, place,
+                       problems_))
+      return false;
+    list.push_back(std::move(value));
+  }
+  return true;
+}
+
 bool Parser::count(std::uint64_t& number, std::string_view text) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error == std::errc() && end == text.data() + text.size() && number <= 1'000'000'000)
@@ -234,6 +254,12 @@ bool Parser::expectation(Expectation& e, std::string_view rest) {
   const std::string_view left = trim(rest.substr(0, place));
   const std::string_view right = trim(rest.substr(place + relation->text.size()));
   if (equalsIgnoreCase(left, "mode")) return mode(e, rest, right);
+  std::string_view terminal = left;
+  if (equalsIgnoreCase(takeWord(terminal), "terminal")) {
+    e.what = Expectation::What::Terminal;
+    return parseTerminal(
+        terminal, right, e.terminal, [this](std::string_view text) { return at(text); }, problems_);
+  }
   return term(e.left, left, rest, "an operand") && term(e.right, right, rest, "a value");
 }
 

@@ -21,11 +21,16 @@ void resolveValues(Expectation& e, const Resolver& resolver, Problems& problems)
   resolvePair(e.left, e.right, resolver, problems);
 }
 
-void resolveSteps(std::vector<Step>& steps, const Resolver& resolver, Problems& problems) {
+void resolveSteps(std::vector<Step>& steps, const Resolver& resolver,
+                  const io::Configuration* hardware, Problems& problems) {
   for (Step& step : steps) {
+    if (step.kind == StepKind::Fault) resolve(step.fault, hardware, problems);
+    for (TerminalValue& terminal : step.terminals) resolve(terminal, hardware, problems);
+    if (step.kind == StepKind::Expect && step.expectation.what == Expectation::What::Terminal)
+      resolve(step.expectation.terminal, hardware, problems);
     for (Assignment& assignment : step.assignments) resolve(assignment, resolver, problems);
     if (step.kind == StepKind::Expect) resolveValues(step.expectation, resolver, problems);
-    resolveSteps(step.body, resolver, problems);
+    resolveSteps(step.body, resolver, hardware, problems);
   }
 }
 
@@ -46,8 +51,9 @@ void resolve(Assignment& assignment, const Resolver& resolver, Problems& problem
                  bitWidth(operand.reference));
 }
 
-void resolve(Scenario& scenario, const Resolver& resolver, Problems& problems) {
-  resolveSteps(scenario.steps, resolver, problems);
+void resolve(Scenario& scenario, const Resolver& resolver, Problems& problems,
+             const io::Configuration* hardware) {
+  resolveSteps(scenario.steps, resolver, hardware, problems);
 }
 
 }  // namespace merker::simulator

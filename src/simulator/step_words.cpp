@@ -24,12 +24,14 @@ constexpr std::array kSteps = {
     StepWord{"copy RAM to ROM", Rest::None, StepKind::CopyRamToRom},
     StepWord{"force", Rest::Assignments, StepKind::Force},
     StepWord{"unforce", Rest::None, StepKind::Unforce},
+    StepWord{"fault", Rest::Fault, StepKind::Fault},
+    StepWord{"terminal", Rest::Terminals, StepKind::Terminal},
     StepWord{"repeat", Rest::Count, StepKind::Repeat},
     StepWord{"end", Rest::End, StepKind::Repeat},
     StepWord{"scenario", Rest::Scenario, StepKind::Wait},
 };
 
-constexpr std::array<std::string_view, 4> kPlantSteps = {"pulses", "encoder", "plant", "fault"};
+constexpr std::array<std::string_view, 3> kPlantSteps = {"pulses", "encoder", "plant"};
 
 // Takes the words of `wanted` off `line` if it begins with them.
 bool takeWords(std::string_view& line, std::string_view wanted) {

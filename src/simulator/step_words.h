@@ -16,6 +16,8 @@ struct StepWord {
     Wait,
     Expectation,
     Count,
+    Fault,
+    Terminals,
     End,
     Scenario
   } rest;

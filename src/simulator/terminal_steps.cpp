@@ -1,0 +1,246 @@
+#include "simulator/terminal_steps.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "base/text.h"
+#include "io/amount.h"
+#include "simulator/line.h"
+
+namespace merker::simulator {
+namespace {
+
+struct SideName {
+  std::string_view letters;
+  io::Side side;
+};
+constexpr std::array kSides = {
+    SideName{"DI", io::Side::DigitalInput}, SideName{"DO", io::Side::DigitalOutput},
+    SideName{"AI", io::Side::AnalogInput}, SideName{"AO", io::Side::AnalogOutput}};
+
+bool isDigital(io::Side side) {
+  return side == io::Side::DigitalInput || side == io::Side::DigitalOutput;
+}
+
+std::optional<std::uint32_t> number(std::string_view text) {
+  std::uint32_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || text.empty()) return std::nullopt;
+  return value;
+}
+
+// A name in quotation marks or up to the next blank.
+std::string_view takeName(std::string_view& text) {
+  if (!text.starts_with('"')) return takeWord(text);
+  const auto end = text.find('"', 1);
+  if (end == std::string_view::npos) return takeWord(text);
+  const std::string_view name = text.substr(1, end - 1);
+  text = trim(text.substr(end + 1));
+  return name;
+}
+
+// Takes `word` off the end.
+bool takeLast(std::string_view& text, std::string_view word) {
+  const auto blank = text.find_last_of(" \t");
+  const std::string_view last = blank == std::string_view::npos ? text : text.substr(blank + 1);
+  if (!equalsIgnoreCase(last, word)) return false;
+  text = trim(text.substr(0, text.size() - last.size()));
+  return true;
+}
+
+// Takes "channel 3" off the end; false if the number is wrong.
+bool takeChannel(std::string_view& text, std::optional<std::uint32_t>& channel) {
+  const auto place = upper(text).rfind("CHANNEL");
+  if (place == std::string::npos) return true;
+  channel = number(trim(text.substr(place + std::string_view("channel").size())));
+  text = trim(text.substr(0, place));
+  return channel.has_value();
+}
+
+std::string moduleNames(const io::Configuration& hardware) {
+  std::string list;
+  for (const io::Module& module : hardware.modules)
+    list += fmt::format("{}{}{}", list.empty() ? "" : ", ", module.slotText(),
+                        module.name.empty() ? "" : fmt::format(" \"{}\"", module.name));
+  return list;
+}
+
+const io::Module* find(const std::string& name, const Position& position,
+                       const io::Configuration* hardware, Problems& problems) {
+  if (hardware == nullptr) {
+    problems.add(ProblemCode::P0983, position);
+    return nullptr;
+  }
+  const io::Module* module = hardware->find(name);
+  if (module == nullptr) problems.add(ProblemCode::P0981, position, name, moduleNames(*hardware));
+  return module;
+}
+
+std::uint32_t channelsOf(const ModuleType& type, io::Side side) {
+  const std::array<std::uint32_t, 4> counts{type.digitalInputs, type.digitalOutputs,
+                                            type.analogInputs, type.analogOutputs};
+  return counts[static_cast<std::size_t>(side)];
+}
+
+std::uint32_t allChannels(const ModuleType& type) {
+  std::uint32_t most = 0;
+  for (const SideName& row : kSides) most = std::max(most, channelsOf(type, row.side));
+  return most;
+}
+
+const MeasuringRange* rangeOf(const io::Module& module, const TerminalValue& terminal) {
+  if (terminal.side == io::Side::AnalogInput)
+    return module.parameters.analogInputs[terminal.channel].range;
+  return module.parameters.analogOutputs[terminal.channel].range;
+}
+
+std::optional<double> levelOf(std::string_view text) {
+  if (text == "1" || equalsIgnoreCase(text, "true")) return 1;
+  if (text == "0" || equalsIgnoreCase(text, "false")) return 0;
+  return std::nullopt;
+}
+
+double present(const TerminalValue& value, const io::Rack& rack) {
+  const auto terminal = rack.terminal(value.module, value.side, value.channel);
+  if (!terminal) return 0;
+  return isDigital(value.side) ? double(rack.level(*terminal)) : rack.amount(*terminal);
+}
+
+// Half the difference below which two values count as equal.
+double tolerance(const TerminalValue& value, const io::Rack& rack) {
+  const auto terminal = rack.terminal(value.module, value.side, value.channel);
+  const MeasuringRange* range = terminal ? rack.range(*terminal) : nullptr;
+  return range == nullptr ? 0.5 : (range->high - range->low) / 1000;
+}
+
+}  // namespace
+
+bool parseFault(std::string_view text, FaultStep& step, const PositionOf& at, Problems& problems) {
+  std::string_view words = text;
+  const std::string_view name = takeName(words);
+  step.module = name;
+  step.position = at(name.empty() ? text : name);
+  step.there = !takeLast(words, "off");
+  if (!takeChannel(words, step.channel)) {
+    problems.add(ProblemCode::P0952, at(text), "channel NUMBER");
+    return false;
+  }
+  const io::FaultName* fault = io::findFault(words);
+  if (fault == nullptr) {
+    problems.add(ProblemCode::P0980, at(words.empty() ? text : words), words, io::faultNames());
+    return false;
+  }
+  step.kind = fault->kind;
+  return true;
+}
+
+bool parseTerminal(std::string_view terminal, std::string_view value, TerminalValue& result,
+                   const PositionOf& at, Problems& problems) {
+  const auto point = terminal.rfind('.');
+  std::string_view name = point == std::string_view::npos ? "" : terminal.substr(0, point);
+  const std::string_view channel =
+      point == std::string_view::npos ? terminal : terminal.substr(point + 1);
+  if (name.size() >= 2 && name.front() == '"' && name.back() == '"')
+    name = name.substr(1, name.size() - 2);
+  result.text = terminal;
+  result.position = at(terminal);
+  result.module = name;
+  result.value = value;
+  result.valuePosition = at(value.empty() ? terminal : value);
+  for (const SideName& row : kSides) {
+    if (name.empty() || !equalsIgnoreCase(channel.substr(0, 2), row.letters)) continue;
+    const auto wanted = number(channel.substr(2));
+    if (!wanted) break;
+    result.side = row.side;
+    result.channel = *wanted;
+    return true;
+  }
+  problems.add(ProblemCode::P0952, at(terminal), "a terminal: MODULE.DI0, MODULE.AO1");
+  return false;
+}
+
+void resolve(const FaultStep& step, const io::Configuration* hardware, Problems& problems) {
+  const io::Module* module = find(step.module, step.position, hardware, problems);
+  if (module == nullptr) return;
+  const io::FaultName& fault = io::nameOf(step.kind);
+  if (!io::possible(*module->type, step.kind))
+    problems.add(ProblemCode::P0982, step.position, module->title(), fault.words);
+  else if (step.channel && (!fault.channel || *step.channel >= allChannels(*module->type)))
+    problems.add(ProblemCode::P0984, step.position, module->title(),
+                 fault.channel ? fmt::format("channel {}", *step.channel)
+                               : fmt::format("fault '{}' of a single channel", fault.words));
+}
+
+void resolve(TerminalValue& terminal, const io::Configuration* hardware, Problems& problems) {
+  const io::Module* module = find(terminal.module, terminal.position, hardware, problems);
+  if (module == nullptr) return;
+  if (terminal.channel >= channelsOf(*module->type, terminal.side)) {
+    problems.add(ProblemCode::P0984, terminal.position, module->title(),
+                 "terminal " + terminal.text.substr(terminal.text.rfind('.') + 1));
+    return;
+  }
+  const MeasuringRange* range = isDigital(terminal.side) ? nullptr : rangeOf(*module, terminal);
+  if (!isDigital(terminal.side) && range == nullptr) {
+    problems.add(ProblemCode::P0984, terminal.position, terminal.text, "range: it is off");
+    return;
+  }
+  const auto amount =
+      range == nullptr ? levelOf(terminal.value) : io::parseAmount(terminal.value, range->quantity);
+  if (!amount)
+    problems.add(ProblemCode::P0985, terminal.valuePosition, terminal.value,
+                 range == nullptr ? std::string("a digital one is 0 or 1")
+                                  : fmt::format("{} is measured in {}, for example {}",
+                                                terminal.text, unitOf(range->quantity),
+                                                io::formatAmount(range->high, range->quantity)));
+  terminal.amount = amount.value_or(0);
+}
+
+void apply(const FaultStep& step, io::Rack& rack) {
+  if (const auto module = rack.module(step.module))
+    rack.fault(*module, step.kind, step.channel, step.there);
+}
+
+std::string set(const TerminalValue& value, io::Rack& rack, Instant now) {
+  const auto terminal = rack.terminal(value.module, value.side, value.channel);
+  if (!terminal || value.side == io::Side::DigitalOutput || value.side == io::Side::AnalogOutput)
+    return fmt::format("{} is an output; only inputs can be set", value.text);
+  if (isDigital(value.side))
+    rack.setLevel(*terminal, value.amount != 0, now);
+  else
+    rack.setAmount(*terminal, value.amount, now);
+  return {};
+}
+
+bool holds(const TerminalValue& value, block::Relation relation, const io::Rack& rack) {
+  const double is = present(value, rack);
+  const bool equal = std::abs(is - value.amount) <= tolerance(value, rack);
+  switch (relation) {
+    case block::Relation::Equal:
+    case block::Relation::About:
+      return equal;
+    case block::Relation::NotEqual:
+      return !equal;
+    case block::Relation::Less:
+      return is < value.amount;
+    case block::Relation::LessEqual:
+      return is <= value.amount;
+    case block::Relation::Greater:
+      return is > value.amount;
+    case block::Relation::GreaterEqual:
+      return is >= value.amount;
+  }
+  return false;
+}
+
+std::string actualValue(const TerminalValue& value, const io::Rack& rack) {
+  const auto terminal = rack.terminal(value.module, value.side, value.channel);
+  const MeasuringRange* range = terminal ? rack.range(*terminal) : nullptr;
+  const double is = present(value, rack);
+  return range == nullptr ? fmt::format("{}", is != 0 ? 1 : 0)
+                          : io::formatAmount(is, range->quantity);
+}
+
+}  // namespace merker::simulator
