@@ -2,7 +2,7 @@ from harness import *
 
 
 class Usage(Case):
-    COMMANDS = ("check", "run", "test", "list", "disassemble", "assemble", "bench")
+    COMMANDS = ("check", "run", "test", "list", "hw", "disassemble", "assemble", "bench")
 
     def test_help_of_every_command_has_an_example(self):
         overview = self.expect(GOOD, "--help").out

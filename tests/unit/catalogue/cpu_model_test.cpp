@@ -7,6 +7,7 @@ namespace {
 
 const CpuModel& model(std::string_view name) { return *findCpuModel(name); }
 
+// S7-CPU-01
 TEST(CpuModel, foundByKeywordOrName) {
   EXPECT_EQ(findCpuModel("314C-2 PtP"), &defaultCpuModel());
   EXPECT_EQ(findCpuModel("cpu314c-2ptp"), &defaultCpuModel());
@@ -64,6 +65,37 @@ TEST(CpuModel, organizationBlocks) {
   EXPECT_FALSE(defaultCpuModel().hasOrganizationBlock(86));
   EXPECT_TRUE(model("314C-2 DP").hasOrganizationBlock(86));
   EXPECT_TRUE(model("generic").allows({BlockKind::OB, 102}));
+}
+
+// S7-CPU-21: Z 32 and T 64 are too many
+TEST(CpuModel, limitsOfThe312Ifm) {
+  const CpuModel& cpu = model("312 IFM");
+  EXPECT_EQ(cpu.workMemory, 6u * 1024);
+  EXPECT_EQ(cpu.loadMemory, 20u * 1024);
+  EXPECT_EQ(cpu.counters, 32u);
+  EXPECT_EQ(cpu.timers, 64u);
+  EXPECT_EQ(cpu.time(TimeClass::Bit), 600u);
+  EXPECT_EQ(cpu.time(TimeClass::Real), 60'000u);
+  EXPECT_EQ(cpu.analogChannels, 64u);
+}
+
+// S7-CPU-22
+TEST(CpuModel, limitsOfThe318) {
+  const CpuModel& cpu = model("318-2");
+  EXPECT_EQ(cpu.workMemory, 256u * 1024);
+  EXPECT_EQ(cpu.counters, 512u);
+  EXPECT_EQ(cpu.timers, 512u);
+  EXPECT_EQ(cpu.time(TimeClass::Real), 600u);
+  EXPECT_EQ(cpu.digitalChannels, 65'536u);
+  EXPECT_EQ(cpu.analogChannels, 4096u);
+  EXPECT_TRUE(cpu.coldRestart);
+}
+
+// S7-CPU-11 to -14 of the 314C
+TEST(CpuModel, hardwareOfThe314C) {
+  EXPECT_EQ(defaultCpuModel().digitalChannels, 1016u);
+  EXPECT_EQ(defaultCpuModel().analogChannels, 253u);
+  EXPECT_EQ(defaultCpuModel().racks, 4u);
 }
 
 }  // namespace

@@ -69,7 +69,7 @@ TEST(ModuleType, orderNumbersAndTitlesAreUnique) {
   }
 }
 
-// S7-CPU-15, -16, -17
+// S7-CPU-15, S7-CPU-16, S7-CPU-17
 TEST(ModuleType, onBoardOfThe314C) {
   const CpuModel& cpu = defaultCpuModel();
   EXPECT_EQ(onBoardType(cpu, 2)->text, "DI24/DO16");
