@@ -216,6 +216,7 @@ class Cpu {
   void clearSystemMemory(bool all);
   void standStill();
   void goToStop(Event why, std::string reason, Place place, bool fault);
+  void change(Mode to);
   // halt.cpp
   void shiftTimers(Duration by);
   void shiftProgramTime(Duration by);

@@ -51,7 +51,7 @@ void Cpu::runInstructions(Instant until) {
 }
 
 void Cpu::enterRun() {
-  mode_ = Mode::Run;
+  change(Mode::Run);
   ++checkpoints_;
   report(Event::StartupToRun);
   disableOutputs(false);

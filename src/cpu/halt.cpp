@@ -27,7 +27,7 @@ bool Cpu::halt() {
   report(static_cast<std::uint16_t>(Event::HaltReached), std::string(text(Event::HaltReached)),
          here());
   beforeHalt_ = mode_;
-  mode_ = Mode::Halt;
+  change(Mode::Halt);
   frozenAt_ = machine_.clock;
   disableOutputs(true);
   machine_.interrupt();
@@ -38,7 +38,7 @@ bool Cpu::resume() {
   if (mode_ != Mode::Halt) return false;
   shiftProgramTime(machine_.clock - frozenAt_);
   report(Event::HaltLeft);
-  mode_ = beforeHalt_;
+  change(beforeHalt_);
   if (mode_ != Mode::Run) return true;
   disableOutputs(false);
   skipTimeOfDay(0x06);  // S7-OBI-07

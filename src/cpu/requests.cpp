@@ -42,7 +42,8 @@ void Cpu::queue(StartInformation start) {
   const auto same = std::count_if(waiting.begin(), waiting.end(),
                                   [&](const Request& r) { return r.priority == priority; });
   constexpr std::uint8_t kOverflow = 0x07;
-  if (same >= kRequestsPerClass) return timeError(kOverflow, loadWord(&start[6]), start);
+  if (same >= kRequestsPerClass && ob != 80)
+    return timeError(kOverflow, loadWord(&start[6]), start);
   waiting.push_back({.ob = ob, .priority = priority, .start = start});
   machine_.interrupt();
 }

@@ -1,6 +1,7 @@
 // Restarts and STOP: what each change of state keeps and clears (S7-STATE-04 … -09, -11; S7-MEM-02,
 // -04).
 #include <algorithm>
+#include <cassert>
 
 #include "cpu/cpu.h"
 
@@ -104,7 +105,7 @@ void Cpu::beginStartup(Restart how) {
   const StartInformation start = startupInformation(how);
   report(row.event);
   report(Event::StopToStartup);
-  mode_ = Mode::Startup;
+  change(Mode::Startup);
   lastRestart_ = how;
   stoppedByFault_ = faults_.program = false;
   monitoring_.off();  // S7-STATE-11: no cycle monitoring
@@ -127,6 +128,12 @@ StartInformation Cpu::startupInformation(Restart how) const {
   return start;
 }
 
+// S7-STATE-08
+void Cpu::change(Mode to) {
+  assert(isTransition(mode_, to));
+  mode_ = to;
+}
+
 void Cpu::standStill() {
   monitoring_.off();
   for (RuntimeMeter& meter : runtimeMeters_) meter.stop(machine_.clock);
@@ -137,8 +144,10 @@ void Cpu::goToStop(Event why, std::string reason, Place place, bool fault) {
   stopEvent_ = makeEvent(static_cast<std::uint16_t>(why), std::move(reason), place);
   diagnostics_.add(stopEvent_);
   if (executes(mode_)) frozenAt_ = machine_.clock;
-  if (mode_ != Mode::Stop) resumable_ = mode_ == Mode::Run && !fault;
-  mode_ = Mode::Stop;
+  if (mode_ != Mode::Stop) {
+    resumable_ = mode_ == Mode::Run && !fault;
+    change(Mode::Stop);
+  }
   stoppedByFault_ = fault;
   standStill();
   machine_.interrupt();

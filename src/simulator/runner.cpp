@@ -60,6 +60,7 @@ class Runner {
   bool repeat(const Step& step);
   bool restarted(const Step& step, bool cold);
   bool powered(const Step& step);
+  bool refused(const Step& step);
   bool memoryReset(const Step& step);
   bool copyRamToRom(const Step& step);
   bool waitCycles(const Step& step);
@@ -110,6 +111,21 @@ bool Runner::perform(const Step& step) {
       return restarted(step, true);
     case StepKind::WarmRestart:
       return restarted(step, false);
+    case StepKind::HotRestart:
+      return station_.hotRestart() || refused(step);
+    case StepKind::Switch:
+      station_.setSwitch(step.switchPosition);
+      return true;
+    case StepKind::Trigger:
+      cpu::trigger(station_.cpu(), step.trigger);
+      return true;
+    case StepKind::PowerOnUnbuffered:
+      station_.powerOn(false);
+      return true;
+    case StepKind::BatteryLow:
+    case StepKind::BatteryGood:
+      station_.setBattery(step.kind == StepKind::BatteryLow);
+      return true;
     case StepKind::PowerOff:
       station_.powerOff();
       return true;
@@ -161,7 +177,10 @@ bool Runner::restarted(const Step& step, bool cold) {
   if (cold && !station_.model().coldRestart)
     return fail(step.position, fmt::format("{}: the CPU refuses: {} has no cold restart", step.text,
                                            station_.model().name));
-  if (restart(station_, cold)) return true;
+  return restart(station_, cold) || refused(step);
+}
+
+bool Runner::refused(const Step& step) {
   return fail(step.position, fmt::format("{}: the CPU refuses{}", step.text, because(station_)));
 }
 
@@ -212,6 +231,8 @@ bool Runner::holds(const Expectation& e) {
     case Expectation::What::Terminal:
       station_.settle();
       return simulator::holds(e.terminal, e.relation, *station_.rack());
+    case Expectation::What::Led:
+      return (station_.leds().*e.led == e.light) == (e.relation == block::Relation::Equal);
   }
   return false;
 }
@@ -238,6 +259,8 @@ std::string Runner::actual(const Expectation& e) const {
     case Expectation::What::Terminal:
       return fmt::format("{} is {}", e.terminal.text,
                          simulator::actualValue(e.terminal, *station_.rack()));
+    case Expectation::What::Led:
+      return fmt::format("it is {}", simulator::name(station_.leds().*e.led));
   }
   return {};
 }

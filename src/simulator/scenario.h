@@ -10,6 +10,7 @@
 
 #include "block/check.h"
 #include "clock/instant.h"
+#include "simulator/device_steps.h"
 #include "simulator/term.h"
 #include "simulator/terminal_steps.h"
 #include "source/source_file.h"
@@ -22,12 +23,14 @@ struct Assignment {
 };
 
 struct Expectation {
-  enum class What : std::uint8_t { Values, Mode, Diagnostics, Terminal } what = What::Values;
+  enum class What : std::uint8_t { Values, Mode, Diagnostics, Terminal, Led } what = What::Values;
   Term left, right;  // Values
   block::Relation relation = block::Relation::Equal;
   station::Mode mode = station::Mode::Run;  // Mode: = or <>
   TerminalValue terminal;                   // Terminal: relation to its value
   std::string words;                        // Diagnostics: what an entry contains
+  LedMember led = nullptr;                  // Led: which, = or <> which light
+  cpu::Light light = cpu::Light::On;
   enum class When : std::uint8_t { Now, During, Within } when = When::Now;
   Duration duration;  // During, Within
 };
@@ -41,8 +44,14 @@ enum class StepKind : std::uint8_t {
   Stop,
   ColdRestart,
   WarmRestart,
+  HotRestart,
   PowerOff,
   PowerOn,
+  PowerOnUnbuffered,
+  BatteryLow,
+  BatteryGood,
+  Switch,
+  Trigger,
   MemoryReset,
   CopyRamToRom,
   Force,
@@ -62,7 +71,9 @@ struct Step {
   Expectation expectation;
   FaultStep fault;                       // Fault
   std::vector<TerminalValue> terminals;  // Terminal
-  std::vector<Step> body;                // Repeat
+  cpu::SwitchPosition switchPosition = cpu::SwitchPosition::RunP;  // Switch
+  cpu::Trigger trigger{};                                          // Trigger
+  std::vector<Step> body;                                          // Repeat
 };
 
 struct Scenario {

@@ -66,10 +66,13 @@ class Parser {
 
   bool wait(Step& step, std::string_view rest);
   bool terminals(std::vector<TerminalValue>& list, std::string_view rest);
+  bool switchTo(Step& step, std::string_view rest);
+  bool trigger(Step& step, std::string_view rest);
   bool count(std::uint64_t& number, std::string_view text);
   bool expectation(Expectation& e, std::string_view rest);
   bool timing(Expectation& e, std::string_view& rest);
   bool mode(Expectation& e, std::string_view rest, std::string_view value);
+  bool led(Expectation& e, std::string_view rest, std::string_view which, std::string_view light);
   bool diagnostics(Expectation& e, std::string_view rest);
   bool assignment(std::vector<Assignment>& list, std::string_view text);
   bool term(Term& term, std::string_view text, std::string_view where, std::string_view what);
@@ -155,6 +158,10 @@ bool Parser::content(Step& step, StepWord::Rest kind, std::string_view rest) {
           rest, step.fault, [this](std::string_view text) { return at(text); }, problems_);
     case StepWord::Rest::Terminals:
       return terminals(step.terminals, rest);
+    case StepWord::Rest::Switch:
+      return switchTo(step, rest);
+    case StepWord::Rest::Trigger:
+      return trigger(step, rest);
     default:
       return rest.empty() || fail(ProblemCode::P0959, rest, rest, step.text);
   }
@@ -221,6 +228,19 @@ bool Parser::count(std::uint64_t& number, std::string_view text) {
   return fail(ProblemCode::P0952, text, "a whole number from 0 to 1000000000");
 }
 
+bool Parser::switchTo(Step& step, std::string_view rest) {
+  const auto position = parseSwitch(rest);
+  if (!position) return fail(ProblemCode::P0952, rest, "RUN-P, RUN, STOP or MRES");
+  step.switchPosition = *position;
+  return true;
+}
+
+bool Parser::trigger(Step& step, std::string_view rest) {
+  const ParsedTrigger parsed = parseTrigger(rest);
+  step.trigger = parsed.trigger;
+  return parsed.expected.empty() || fail(ProblemCode::P0952, parsed.wrong, parsed.expected);
+}
+
 // Takes "for 5s" or "within 5s" off the end.
 bool Parser::timing(Expectation& e, std::string_view& rest) {
   const auto place = findOutside(rest, [](std::string_view tail) {
@@ -260,6 +280,8 @@ bool Parser::expectation(Expectation& e, std::string_view rest) {
     return parseTerminal(
         terminal, right, e.terminal, [this](std::string_view text) { return at(text); }, problems_);
   }
+  std::string_view which = left;
+  if (equalsIgnoreCase(takeWord(which), "LED")) return led(e, rest, which, right);
   return term(e.left, left, rest, "an operand") && term(e.right, right, rest, "a value");
 }
 
@@ -273,6 +295,23 @@ bool Parser::mode(Expectation& e, std::string_view rest, std::string_view value)
     return true;
   }
   return fail(ProblemCode::P0954, value.empty() ? rest : value, value);
+}
+
+bool Parser::led(Expectation& e, std::string_view rest, std::string_view which,
+                 std::string_view light) {
+  e.what = Expectation::What::Led;
+  e.led = parseLed(which);
+  const auto wanted = parseLight(light);
+  if (e.relation != Relation::Equal && e.relation != Relation::NotEqual)
+    return fail(ProblemCode::P0952, rest, "LED NAME = or LED NAME <>");
+  if (e.led == nullptr)
+    return fail(ProblemCode::P0952, which.empty() ? rest : which,
+                "SF, BF, BATF, DC5V, FRCE, RUN or STOP");
+  if (!wanted)
+    return fail(ProblemCode::P0952, light.empty() ? rest : light,
+                "off, on, slow (0.5 Hz) or fast (2 Hz)");
+  e.light = *wanted;
+  return true;
 }
 
 bool Parser::diagnostics(Expectation& e, std::string_view rest) {

@@ -18,6 +18,8 @@ struct StepWord {
     Count,
     Fault,
     Terminals,
+    Switch,
+    Trigger,
     End,
     Scenario
   } rest;

@@ -53,6 +53,28 @@ TEST(ScenarioParser, TheExampleOfTheContract) {
   EXPECT_EQ(p.steps()[6].expectation.what, Expectation::What::Mode);
 }
 
+// S7-SIM-13, S7-CPU-31
+TEST(ScenarioParser, StepsOfTheDevice) {
+  const Parsed p = parse(
+      "switch mres\ntrigger OB 82 going address W#16#100 data DW#16#05000000\n"
+      "trigger OB 85 fault B#16#B1\ntrigger OB 40 points 2#101\nexpect LED stop = slow\n"
+      "power on unbuffered\npower on\nbattery low\nhot restart\n");
+  EXPECT_TRUE(p.problems.empty());
+  ASSERT_EQ(p.steps().size(), 9u);
+  EXPECT_EQ(p.steps()[0].switchPosition, cpu::SwitchPosition::Mres);
+  const cpu::Trigger& fault = p.steps()[1].trigger;
+  EXPECT_EQ(fault.ob, 82);
+  EXPECT_TRUE(fault.going);
+  EXPECT_EQ(fault.address, 256);
+  EXPECT_EQ(fault.data, 0x05000000u);
+  EXPECT_EQ(p.steps()[2].trigger.fault, 0xB1);
+  EXPECT_EQ(p.steps()[3].trigger.points, 5u);
+  EXPECT_EQ(p.steps()[4].expectation.led, &cpu::Leds::stop);
+  EXPECT_EQ(p.steps()[4].expectation.light, cpu::Light::Slow);
+  EXPECT_EQ(p.steps()[5].kind, StepKind::PowerOnUnbuffered);
+  EXPECT_EQ(p.steps()[6].kind, StepKind::PowerOn);
+}
+
 TEST(ScenarioParser, SeveralScenariosInAFile) {
   const Parsed p = parse("wait 1s\nscenario \"a\"\nrun\nscenario \"b\"\nstop\n");
   ASSERT_EQ(p.scenarios.size(), 3u);
@@ -124,6 +146,13 @@ TEST(ScenarioParser, ProblemsNameTheirPlace) {
   EXPECT_EQ(parse("run\n  sett E 0.0 = 1\n").problem(), "2:3 P0950");
   EXPECT_EQ(parse("wait 5\n").problem(), "1:6 P0953");
   EXPECT_EQ(parse("wait\n").problem(), "1:1 P0953");
+  EXPECT_EQ(parse("switch ON\n").problem(), "1:8 P0952");
+  EXPECT_EQ(parse("trigger OB 35\n").problem(), "1:9 P0952");
+  EXPECT_EQ(parse("trigger OB 82 adress 4\n").problem(), "1:15 P0952");
+  EXPECT_EQ(parse("trigger OB 82 address 70000\n").problem(), "1:23 P0952");
+  EXPECT_EQ(parse("expect LED POWER = on\n").problem(), "1:12 P0952");
+  EXPECT_EQ(parse("expect LED RUN = red\n").problem(), "1:18 P0952");
+  EXPECT_EQ(parse("expect LED RUN < on\n").problem(), "1:8 P0952");
   EXPECT_EQ(parse("wait x cycles\n").problem(), "1:6 P0952");
   EXPECT_EQ(parse("expect A 0.0\n").problem(), "1:8 P0952");
   EXPECT_EQ(parse("expect A 0.0 = \n").problem(), "1:8 P0952");

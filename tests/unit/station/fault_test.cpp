@@ -5,12 +5,6 @@
 namespace merker::station::test {
 namespace {
 
-std::string ob(int number, std::string_view body) {
-  return "ORGANIZATION_BLOCK OB " + std::to_string(number) +
-         "\nVAR_TEMP\n info : ARRAY [1..20] OF BYTE;\nEND_VAR\nBEGIN\n" + std::string(body) +
-         "\nEND_ORGANIZATION_BLOCK\n";
-}
-
 // S7-DIAG-01, S7-TMR-04: the reason names block and line.
 TEST(Faults, NameTheirPlace) {
   Plc plc("NOP 0;\nSET;\nL W#16#0ABC;\nSE T 1;\n");

@@ -5,12 +5,6 @@
 namespace merker::station::test {
 namespace {
 
-std::string ob(int number, std::string_view body) {
-  return "ORGANIZATION_BLOCK OB " + std::to_string(number) +
-         "\nVAR_TEMP\n info : ARRAY [1..20] OF BYTE;\n x : INT;\nEND_VAR\nBEGIN\n" +
-         std::string(body) + "\nEND_ORGANIZATION_BLOCK\n";
-}
-
 // S7-BLK-05, S7-BLK-10, S7-OBI-05: every 100 ms, priority 12.
 TEST(CyclicInterrupt, ComesEvery100Milliseconds) {
   Plc plc(ob(35, "L MW 0; + 1; T MW 0; L LD 0; T MD 4; L LW 10; T MW 8;") + ob(1, ""));

@@ -27,10 +27,18 @@ std::shared_ptr<const block::Program> compileAwl(std::string_view awl, const Cpu
   return std::make_shared<const block::Program>(std::move(result.program));
 }
 
-Plc::Plc(std::string_view awl, const CpuModel& model)
+std::string ob(int number, std::string_view body) {
+  return "ORGANIZATION_BLOCK OB " + std::to_string(number) +
+         "\nVAR_TEMP\n info : ARRAY [1..20] OF BYTE;\n x : INT;\nEND_VAR\nBEGIN\n" +
+         std::string(body) + "\nEND_ORGANIZATION_BLOCK\n";
+}
+
+Plc::Plc(std::string_view awl, const CpuModel& model) : Plc(awl, model, CpuParameters::of(model)) {}
+
+Plc::Plc(std::string_view awl, const CpuModel& model, CpuParameters parameters)
     : program_(compileAwl(awl, model)),
       model_(&model),
-      station_({.model = &model, .program = program_}) {}
+      station_({.model = &model, .parameters = std::move(parameters), .program = program_}) {}
 
 mc7::Reference Plc::reference(std::string_view operand) const {
   step7::CompileOptions options;
@@ -65,10 +73,12 @@ unsigned Plc::lastEvent() const {
   return station_.diagnostics().empty() ? 0u : station_.diagnostics().back().event;
 }
 
-bool Plc::hasEvent(unsigned event) const {
+bool Plc::hasEvent(unsigned event) const { return countEvents(event) > 0; }
+
+std::size_t Plc::countEvents(unsigned event) const {
   const auto& all = station_.diagnostics();
-  return std::any_of(all.begin(), all.end(),
-                     [&](const DiagnosticEntry& e) { return e.event == event; });
+  return static_cast<std::size_t>(std::count_if(
+      all.begin(), all.end(), [&](const DiagnosticEntry& e) { return e.event == event; }));
 }
 
 }  // namespace merker::station::test

@@ -12,6 +12,7 @@ class Plc {
  public:
   // Without "ORGANIZATION_BLOCK" the text is the body of OB 1.
   explicit Plc(std::string_view awl, const CpuModel& model = defaultCpuModel());
+  Plc(std::string_view awl, const CpuModel& model, CpuParameters parameters);
 
   Station& operator*() { return station_; }
   Station* operator->() { return &station_; }
@@ -28,6 +29,7 @@ class Plc {
   void cycles(std::uint64_t count);
   unsigned lastEvent() const;
   bool hasEvent(unsigned event) const;
+  std::size_t countEvents(unsigned event) const;
 
   mc7::Reference reference(std::string_view operand) const;
 
@@ -36,6 +38,9 @@ class Plc {
   const CpuModel* model_;
   Station station_;
 };
+
+// An OB whose own variables begin behind its start information.
+std::string ob(int number, std::string_view body);
 
 std::shared_ptr<const block::Program> compileAwl(std::string_view awl, const CpuModel& model);
 

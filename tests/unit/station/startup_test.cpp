@@ -5,12 +5,6 @@
 namespace merker::station::test {
 namespace {
 
-std::string ob(int number, std::string_view body) {
-  return "ORGANIZATION_BLOCK OB " + std::to_string(number) +
-         "\nVAR_TEMP\n info : ARRAY [1..20] OF BYTE;\nEND_VAR\nBEGIN\n" + std::string(body) +
-         "\nEND_ORGANIZATION_BLOCK\n";
-}
-
 // S7-STATE-03, S7-STATE-04, S7-BLK-15
 TEST(Startup, Ob100RunsOnceBeforeOb1) {
   Plc plc(ob(100, "L 7; T MW 50; L MW 52; + 1; T MW 52;") + ob(1, "L MW 50; T MW 54;"));

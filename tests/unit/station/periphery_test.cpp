@@ -1,0 +1,66 @@
+// The seam to the modules: when the CPU looks at them, and what it tells them.
+#include <gtest/gtest.h>
+
+#include "cpu/cpu.h"
+#include "program.h"
+
+namespace merker::station::test {
+namespace {
+
+// A module that shows a growing number in EB 0 each 10 ms and notes what it is told.
+struct Counter : cpu::Periphery {
+  Instant due{Instant{} + Duration::milliseconds(10)};
+  std::vector<std::uint8_t> outputs;
+  std::vector<bool> disabled;
+  std::uint32_t lastFirst = 0, lastCount = 0;
+
+  Instant next() const override { return due; }
+  void advance(cpu::Cpu& cpu, Instant now) override {
+    EXPECT_GE(now, due);
+    late = std::max(late, now - due);
+    due = due + Duration::milliseconds(10);
+    ++cpu.machine().areas.inputs[0];
+  }
+  void written(cpu::Cpu& cpu, std::uint32_t first, std::uint32_t count) override {
+    lastFirst = first;
+    lastCount = count;
+    outputs.push_back(cpu.machine().areas.outputs[4]);
+  }
+  void disableOutputs(cpu::Cpu&, bool on) override { disabled.push_back(on); }
+  Duration late{};
+};
+
+// In every operating state, at the first instruction boundary.
+TEST(Periphery, ActsInVirtualTime) {
+  Plc plc(ob(1, "M001: L PEB 0; L 3; <I; SPB M001; CALL SFC 64 (RET_VAL := MD 20);"));
+  Counter module;
+  plc->cpu().connect(&module);
+  plc.cycles(1);
+  EXPECT_EQ(plc.read("MD 20"), 30u);
+  EXPECT_LT(module.late, Duration::microseconds(50));
+  plc->stop();
+  plc.run(Duration::milliseconds(100));
+  EXPECT_GE(plc->cpu().machine().areas.inputs[0], 12);
+  plc->cpu().connect(nullptr);
+}
+
+// S7-STATE-02, S7-STATE-11, S7-STATE-07: output disable in STOP, STARTUP and HALT.
+TEST(Periphery, IsToldOfOutputs) {
+  Plc plc(ob(1, "L 7; T AB 4; L 9; T PAB 4;"));
+  Counter module;
+  plc->cpu().connect(&module);
+  EXPECT_EQ(module.disabled, std::vector<bool>{true});
+  plc.cycles(1);
+  EXPECT_EQ(module.disabled, (std::vector<bool>{true, false}));
+  EXPECT_EQ(module.outputs.back(), 9);
+  EXPECT_EQ(module.lastFirst, 4u);
+  EXPECT_EQ(module.lastCount, 1u);
+  plc->halt();
+  plc->resume();
+  plc->stop();
+  EXPECT_EQ(module.disabled, (std::vector<bool>{true, false, true, false, true}));
+  plc->cpu().connect(nullptr);
+}
+
+}  // namespace
+}  // namespace merker::station::test
