@@ -53,7 +53,7 @@ station::Station Build::station(bool coverage) const {
 Build build(project::Project project, bool checks) {
   Build result;
   result.project = std::move(project);
-  result.library = std::make_shared<const block::Program>(system::library());
+  result.library = std::make_shared<const block::Program>(system::library(*result.project.model));
   result.problems = result.project.problems;
   step7::CompileOptions compileOptions = options(result);
   compileOptions.checks = checks;

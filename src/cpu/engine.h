@@ -38,6 +38,8 @@ class SystemServices {
   virtual ~SystemServices() = default;
   // False: the CPU has no such block.
   virtual bool call(const SystemCall& call) = 0;
+  // Warm and cold restart: what goes on over several calls is over.
+  virtual void restart() {}
 };
 
 }  // namespace merker::cpu

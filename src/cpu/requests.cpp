@@ -73,7 +73,7 @@ void Cpu::asynchronousError(const StartInformation& start, std::string_view deta
   if (!detail.empty()) words.append(": ").append(detail);
   report(start, words);
   if (!comesFromModule(ob)) faults_.program = true;
-  if (mode_ == Mode::Stop) return;
+  if (mode_ == Mode::Stop || interrupts_.isLocked(ob)) return;  // SFC 39: entered only
   if (hasOb(ob)) {
     if (ob != 80 || !runsOrWaits(ob))
       queue(start);  // one OB 80 at a time; the entry tells the rest

@@ -86,6 +86,7 @@ void Cpu::beginWarm(bool cold) {
   else
     machine_.dataBlocks.loadNonRetentive(*program_);
   prepareInterrupts();
+  services_.restart();
   restOfCycle_ = 0;
   scan_ = cold ? 4 : 1;
   cycleTimes_ = {};

@@ -35,6 +35,7 @@ struct Station::Parts {
       : model(options.model),
         program(options.program ? options.program : std::make_shared<const block::Program>()),
         engine(*model),
+        services(*model),
         cpu(*model, engine, services, options.startOfClock,
             options.parameters.value_or(CpuParameters::of(*model))) {
     engine.countCoverage(options.coverage);

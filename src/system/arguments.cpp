@@ -129,7 +129,7 @@ Region Arguments::region(const AnyPointer& where, std::uint32_t bytes, Access ac
 std::optional<std::size_t> Arguments::returnParameter() const {
   const auto& list = function_.parameters;
   for (std::size_t i = 0; i < list.size(); ++i)
-    if (list[i].section == kReturn) return i;
+    if (list[i].section == block::Section::Return) return i;
   return std::nullopt;
 }
 
@@ -140,7 +140,7 @@ void Arguments::status(std::uint32_t code) {
 
 // Parameters count as CALL shows them: inputs, RET_VAL, outputs.
 void Arguments::parameterError(std::size_t i, std::uint32_t code) {
-  const bool input = function_.parameters[i].section == kIn;
+  const bool input = function_.parameters[i].section == block::Section::Input;
   const auto number = static_cast<std::uint32_t>(i + (input ? 1 : 2));
   status(0x8000 | number << 8 | code);
 }

@@ -10,6 +10,8 @@
 #include "cpu/cpu.h"
 #include "cpu/memory_access.h"
 #include "system/function.h"
+#include "system/jobs.h"
+#include "system/modules.h"
 
 namespace merker::system {
 
@@ -29,14 +31,22 @@ struct Region {
   explicit operator bool() const { return error == cpu::ErrorCode::None; }
 };
 
+// What calls share besides the CPU.
+struct Context {
+  Modules* modules = nullptr;  // null: none
+  Jobs jobs;
+};
+
 class Arguments {
  public:
   Arguments(const cpu::SystemCall& call, const Function& function,
-            const std::vector<BitAddress>& places)
-      : call_(call), function_(function), places_(places) {}
+            const std::vector<BitAddress>& places, Context& context)
+      : call_(call), function_(function), places_(places), context_(context) {}
 
   cpu::Cpu& cpu() { return call_.cpu; }
   cpu::Machine& machine() { return call_.machine; }
+  Modules* modules() { return context_.modules; }
+  Jobs& jobs() { return context_.jobs; }
 
   // Elementary values by the number of the parameter in its row.
   std::uint32_t value(std::size_t i);
@@ -76,6 +86,7 @@ class Arguments {
   const cpu::SystemCall& call_;
   const Function& function_;
   const std::vector<BitAddress>& places_;
+  Context& context_;
   bool good_ = true;
 };
 

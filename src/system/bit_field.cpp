@@ -36,12 +36,7 @@ void writeRange(Arguments& a) {
 
 }  // namespace
 
-Functions bitFieldFunctions() {
-  using enum TypeCode;
-  const std::vector<Parameter> range{
-      {"N", kIn, Int}, {"SA", kIn, Pointer}, {"RET_VAL", kReturn, Int}};
-  return {{BlockKind::SFC, 79, "SET", range, writeRange<true>},
-          {BlockKind::SFC, 80, "RSET", range, writeRange<false>}};
-}
+void setBits(Arguments& a) { writeRange<true>(a); }
+void resetBits(Arguments& a) { writeRange<false>(a); }
 
 }  // namespace merker::system

@@ -42,8 +42,10 @@ Pair regions(Arguments& a, std::uint32_t sourceBytes, const AnyPointer& source,
   return pair;
 }
 
+}  // namespace
+
 // As many bytes as both have.
-void move(Arguments& a) {
+void moveBlock(Arguments& a) {
   const AnyPointer source = a.any(kSource), destination = a.any(kDestination);
   const std::uint32_t bytes = std::min(byteCount(source), byteCount(destination));
   const Pair pair = regions(a, bytes, source, bytes, destination);
@@ -53,15 +55,15 @@ void move(Arguments& a) {
 }
 
 // 512 bytes at most, because nothing interrupts it.
-void moveUninterrupted(Arguments& a) {
+void moveBlockUninterrupted(Arguments& a) {
   constexpr std::uint32_t kLongest = 512, kTooLong = 0x8091;
   const std::uint32_t bytes = std::min(byteCount(a.any(kSource)), byteCount(a.any(kDestination)));
   if (bytes > kLongest) return a.status(kTooLong);
-  move(a);
+  moveBlock(a);
 }
 
 // The pattern again and again; the last copy is cut off.
-void fill(Arguments& a) {
+void fillBlock(Arguments& a) {
   const AnyPointer source = a.any(kSource), destination = a.any(kDestination);
   const std::uint32_t length = byteCount(source), bytes = byteCount(destination);
   const Pair pair = regions(a, length, source, bytes, destination);
@@ -70,21 +72,6 @@ void fill(Arguments& a) {
   for (std::uint32_t i = 0; i < bytes && length != 0; ++i)
     pair.destination.data[i] = pattern[i % length];
   a.status(0);
-}
-
-}  // namespace
-
-Functions blockMoveFunctions() {
-  using enum TypeCode;
-  const std::vector<Parameter> moves{
-      {"SRCBLK", kIn, Any}, {"DSTBLK", kOut, Any}, {"RET_VAL", kReturn, Int}};
-  return {{BlockKind::SFC, 20, "BLKMOV", moves, move},
-          {BlockKind::SFC,
-           21,
-           "FILL",
-           {{"BVAL", kIn, Any}, {"BLK", kOut, Any}, {"RET_VAL", kReturn, Int}},
-           fill},
-          {BlockKind::SFC, 81, "UBLKMOV", moves, moveUninterrupted}};
 }
 
 }  // namespace merker::system

@@ -1,17 +1,28 @@
 // SFC 0 SET_CLK, 1 READ_CLK, 64 TIME_TCK (S7-SFC-02, -22).
 #include <algorithm>
+#include <array>
 
 #include "system/arguments.h"
 
 namespace merker::system {
 namespace {
 
+// The date alone, with midnight as its time.
+bool validDate(const std::uint8_t* dateAndTime) {
+  std::array<std::uint8_t, 8> midnight{};
+  std::copy_n(dateAndTime, 3, midnight.begin());
+  midnight[7] = dateAndTime[7] & 0x0F;  // day of the week
+  return cpu::fromDateAndTime(midnight.data()).has_value();
+}
+
+}  // namespace
+
 void setClock(Arguments& a) {
   const Region time = a.composite(0, 8, cpu::Access::Read);
   if (!time) return a.parameterError(0, time.error);
   const auto milliseconds = cpu::fromDateAndTime(time.data);
-  constexpr std::uint32_t kInvalid = 0x8080;
-  if (!milliseconds) return a.status(kInvalid);
+  constexpr std::uint32_t kWrongDate = 0x8080, kWrongTime = 0x8081;
+  if (!milliseconds) return a.status(validDate(time.data) ? kWrongTime : kWrongDate);
   a.cpu().setClock(*milliseconds);
   a.status(0);
 }
@@ -24,26 +35,9 @@ void readClock(Arguments& a) {
   a.status(0);
 }
 
-// 0 … 2147483647 ms, then from 0 again.
+// 0 … 2147483647 ms since the last warm or cold restart, then from 0 again; stands still in STOP.
 void timeTick(Arguments& a) {
-  a.set(0, static_cast<std::uint32_t>(a.machine().clock.ns / 1'000'000 & 0x7FFFFFFF));
-}
-
-}  // namespace
-
-Functions clockFunctions() {
-  using enum TypeCode;
-  return {{BlockKind::SFC,
-           0,
-           "SET_CLK",
-           {{"PDT", kIn, DateAndTime}, {"RET_VAL", kReturn, Int}},
-           setClock},
-          {BlockKind::SFC,
-           1,
-           "READ_CLK",
-           {{"CDT", kOut, DateAndTime}, {"RET_VAL", kReturn, Int}},
-           readClock},
-          {BlockKind::SFC, 64, "TIME_TCK", {{"RET_VAL", kReturn, Time}}, timeTick}};
+  a.set(0, static_cast<std::uint32_t>(a.cpu().systemTime().ns / 1'000'000 & 0x7FFFFFFF));
 }
 
 }  // namespace merker::system

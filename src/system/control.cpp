@@ -3,12 +3,10 @@
 #include "system/arguments.h"
 
 namespace merker::system {
-namespace {
-
-void retrigger(Arguments& a) { a.cpu().retrigger(); }
+void retriggerCycle(Arguments& a) { a.cpu().retrigger(); }
 
 // AKKU1 of the block that the error interrupted; only in OB 121 and OB 122.
-void replace(Arguments& a) {
+void replaceValue(Arguments& a) {
   constexpr std::uint32_t kNotInErrorOb = 0x8080;
   cpu::Level& level = a.machine().levels.back();
   if (!level.errorOb) return a.status(kNotInErrorOb);
@@ -16,10 +14,10 @@ void replace(Arguments& a) {
   a.status(0);
 }
 
-void stop(Arguments& a) { a.cpu().stop(cpu::Event::StopCommand); }
+void stopCpu(Arguments& a) { a.cpu().stop(cpu::Event::StopCommand); }
 
 // Microseconds; higher classes interrupt it.
-void wait(Arguments& a) {
+void waitFor(Arguments& a) {
   const std::int32_t time = a.integer(0);
   if (time <= 0) return;
   a.machine().levels.back().wait = Duration::microseconds(time).ns;
@@ -27,7 +25,7 @@ void wait(Arguments& a) {
 }
 
 // EV_CLASS EV_NUM PRIORITY NUM TYP2_3 TYP1 ZI1 ZI2_3: the first twelve bytes of start information.
-void startInfo(Arguments& a) {
+void readStartInformation(Arguments& a) {
   const std::vector<cpu::Level>& levels = a.machine().levels;
   const cpu::Level* sources[] = {&levels.back(), &levels.front()};
   for (std::size_t i = 0; i < 2; ++i) {
@@ -37,22 +35,6 @@ void startInfo(Arguments& a) {
     std::copy_n(sources[i]->start.begin(), 12, target.data);
   }
   a.status(0);
-}
-
-}  // namespace
-
-Functions controlFunctions() {
-  using enum TypeCode;
-  return {
-      {BlockKind::SFC,
-       6,
-       "RD_SINFO",
-       {{"TOP_SI", kOut, Any}, {"START_UP_SI", kOut, Any}, {"RET_VAL", kReturn, Int}},
-       startInfo},
-      {BlockKind::SFC, 43, "RE_TRIGR", {}, retrigger},
-      {BlockKind::SFC, 44, "REPL_VAL", {{"VAL", kIn, DWord}, {"RET_VAL", kReturn, Int}}, replace},
-      {BlockKind::SFC, 46, "STP", {}, stop},
-      {BlockKind::SFC, 47, "WAIT", {{"WT", kIn, Int}}, wait}};
 }
 
 }  // namespace merker::system

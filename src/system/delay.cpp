@@ -11,8 +11,10 @@ cpu::DelayInterrupt* interruptOf(Arguments& a) {
   return ob < 0 ? nullptr : a.cpu().interrupts().findDelay(static_cast<std::uint32_t>(ob));
 }
 
+}  // namespace
+
 // 1 … 60000 ms; a running delay begins anew.
-void start(Arguments& a) {
+void startDelay(Arguments& a) {
   cpu::DelayInterrupt* interrupt = interruptOf(a);
   if (interrupt == nullptr) return a.status(kWrongOb);
   const std::int32_t time = a.longInteger(1);
@@ -26,7 +28,7 @@ void start(Arguments& a) {
   a.status(0);
 }
 
-void cancel(Arguments& a) {
+void cancelDelay(Arguments& a) {
   cpu::DelayInterrupt* interrupt = interruptOf(a);
   if (interrupt == nullptr) return a.status(kWrongOb);
   if (!interrupt->active) return a.status(kNotStarted);
@@ -34,34 +36,16 @@ void cancel(Arguments& a) {
   a.status(0);
 }
 
-// STATUS: bit 1 locked, 2 running, 4 OB loaded (only such OBs are known here).
-void query(Arguments& a) {
+// STATUS: bit 1 locked, 2 running, 4 OB loaded.
+void queryDelay(Arguments& a) {
   const cpu::DelayInterrupt* interrupt = interruptOf(a);
   if (interrupt == nullptr) {
     a.set(1, 0);
     return a.status(kWrongOb);
   }
   const bool locked = a.cpu().interrupts().isLocked(interrupt->ob);
-  a.set(1, locked * 2u | interrupt->active * 4u | 16u);
+  a.set(1, locked * 2u | interrupt->active * 4u | a.cpu().hasOb(interrupt->ob) * 16u);
   a.status(0);
-}
-
-}  // namespace
-
-Functions delayFunctions() {
-  using enum TypeCode;
-  return {
-      {BlockKind::SFC,
-       32,
-       "SRT_DINT",
-       {{"OB_NR", kIn, Int}, {"DTIME", kIn, Time}, {"SIGN", kIn, Word}, {"RET_VAL", kReturn, Int}},
-       start},
-      {BlockKind::SFC, 33, "CAN_DINT", {{"OB_NR", kIn, Int}, {"RET_VAL", kReturn, Int}}, cancel},
-      {BlockKind::SFC,
-       34,
-       "QRY_DINT",
-       {{"OB_NR", kIn, Int}, {"STATUS", kOut, Word}, {"RET_VAL", kReturn, Int}},
-       query}};
 }
 
 }  // namespace merker::system

@@ -1,15 +1,16 @@
 // A row of the table of system functions: number, name, parameters, function. The interface that
-// the compiler sees and the function that runs come from the same row.
+// the compiler sees and the function that runs come from the same row of functions.inc or
+// library.inc.
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <string_view>
 #include <vector>
 
 #include "address/block_id.h"
 #include "address/type_code.h"
 #include "block/type.h"
+#include "catalogue/cpu_model.h"
 
 namespace merker::system {
 
@@ -19,7 +20,6 @@ struct Parameter {
   std::string_view name;
   block::Section section = block::Section::Input;
   TypeCode type = TypeCode::Word;
-  std::uint16_t length = 254;  // STRING
 };
 
 struct Function {
@@ -30,33 +30,19 @@ struct Function {
   void (*run)(Arguments&) = nullptr;
 };
 
-// Short names for the tables.
-constexpr auto kIn = block::Section::Input;
-constexpr auto kOut = block::Section::Output;
-constexpr auto kReturn = block::Section::Return;
-constexpr auto kStat = block::Section::Static;
+// All rows that a model has.
+std::vector<Function> allFunctions(const CpuModel& model);
 
-using Functions = std::vector<Function>;
-Functions clockFunctions();
-Functions blockMoveFunctions();
-Functions dataBlockFunctions();
-Functions timeOfDayFunctions();
-Functions delayFunctions();
-Functions maskFunctions();
-Functions lockFunctions();
-Functions controlFunctions();
-Functions bitFieldFunctions();
-Functions iecCounters();
-Functions iecTimers();
-Functions dateTimeFunctions();
-Functions dateTimeComparisons();
-Functions stringFunctions();
-Functions stringComparisons();
-Functions stringConversions();
-Functions selectFunctions();
-Functions scaleFunctions();
-
-// All rows.
-Functions allFunctions();
+// What the rows run.
+#define FUNCTION(kind, number, name, function, requirement, parameters) void function(Arguments&);
+#define CODE(kind, number, code, text)
+#define CODES(kind, number, group)
+#define GROUP_CODE(group, code, text)
+#include "system/functions.inc"
+#include "system/library.inc"
+#undef FUNCTION
+#undef CODE
+#undef CODES
+#undef GROUP_CODE
 
 }  // namespace merker::system

@@ -15,7 +15,9 @@ void store(Arguments& a, std::size_t i, std::int32_t count) {
   a.set(i, static_cast<std::uint16_t>(count));
 }
 
-void up(Arguments& a) {
+}  // namespace
+
+void countUp(Arguments& a) {
   enum { CU, R, PV, Q, CV, CUO };
   std::int32_t count = a.integer(CV);
   if (rising(a, CU, CUO) && count < INT16_MAX) ++count;
@@ -24,7 +26,7 @@ void up(Arguments& a) {
   a.set(Q, count >= a.integer(PV));
 }
 
-void down(Arguments& a) {
+void countDown(Arguments& a) {
   enum { CD, LOAD, PV, Q, CV, CDO };
   std::int32_t count = a.integer(CV);
   if (rising(a, CD, CDO) && count > INT16_MIN) --count;
@@ -34,7 +36,7 @@ void down(Arguments& a) {
 }
 
 // Both edges at once change nothing; R goes before LOAD.
-void upDown(Arguments& a) {
+void countUpDown(Arguments& a) {
   enum { CU, CD, R, LOAD, PV, QU, QD, CV, CUO, CDO };
   std::int32_t count = a.integer(CV);
   const bool rises = rising(a, CU, CUO), falls = rising(a, CD, CDO);
@@ -47,46 +49,6 @@ void upDown(Arguments& a) {
   store(a, CV, count);
   a.set(QU, count >= a.integer(PV));
   a.set(QD, count <= 0);
-}
-
-}  // namespace
-
-Functions iecCounters() {
-  using enum TypeCode;
-  return {{BlockKind::SFB,
-           0,
-           "CTU",
-           {{"CU", kIn, Bool},
-            {"R", kIn, Bool},
-            {"PV", kIn, Int},
-            {"Q", kOut, Bool},
-            {"CV", kOut, Int},
-            {"CUO", kStat, Bool}},
-           up},
-          {BlockKind::SFB,
-           1,
-           "CTD",
-           {{"CD", kIn, Bool},
-            {"LOAD", kIn, Bool},
-            {"PV", kIn, Int},
-            {"Q", kOut, Bool},
-            {"CV", kOut, Int},
-            {"CDO", kStat, Bool}},
-           down},
-          {BlockKind::SFB,
-           2,
-           "CTUD",
-           {{"CU", kIn, Bool},
-            {"CD", kIn, Bool},
-            {"R", kIn, Bool},
-            {"LOAD", kIn, Bool},
-            {"PV", kIn, Int},
-            {"QU", kOut, Bool},
-            {"QD", kOut, Bool},
-            {"CV", kOut, Int},
-            {"CUO", kStat, Bool},
-            {"CDO", kStat, Bool}},
-           upDown}};
 }
 
 }  // namespace merker::system

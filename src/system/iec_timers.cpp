@@ -32,8 +32,10 @@ void show(Arguments& a, bool q, std::int32_t time) {
 
 bool expired(Arguments& a, std::int32_t time) { return time >= std::max(a.longInteger(PT), 0); }
 
+}  // namespace
+
 // Edges during the pulse have no effect.
-void pulse(Arguments& a) {
+void timePulse(Arguments& a) {
   const bool in = a.flag(IN);
   if (a.value(STATE) == Idle) {
     if (!in) return show(a, false, 0);
@@ -48,7 +50,7 @@ void pulse(Arguments& a) {
   show(a, !over, time);
 }
 
-void onDelay(Arguments& a) {
+void timeOnDelay(Arguments& a) {
   if (!a.flag(IN)) {
     a.set(STATE, Idle);
     return show(a, false, 0);
@@ -59,7 +61,7 @@ void onDelay(Arguments& a) {
   show(a, expired(a, time), time);
 }
 
-void offDelay(Arguments& a) {
+void timeOffDelay(Arguments& a) {
   if (a.flag(IN)) {
     a.set(STATE, Done);  // armed
     return show(a, true, 0);
@@ -70,20 +72,6 @@ void offDelay(Arguments& a) {
   const bool over = expired(a, time);
   if (over) a.set(STATE, Idle);
   show(a, !over, time);
-}
-
-std::vector<Parameter> timerParameters() {
-  using enum TypeCode;
-  return {{"IN", kIn, Bool},      {"PT", kIn, Time},      {"Q", kOut, Bool},     {"ET", kOut, Time},
-          {"STATE", kStat, Byte}, {"STIME", kStat, Time}, {"ATIME", kStat, Time}};
-}
-
-}  // namespace
-
-Functions iecTimers() {
-  return {{BlockKind::SFB, 3, "TP", timerParameters(), pulse},
-          {BlockKind::SFB, 4, "TON", timerParameters(), onDelay},
-          {BlockKind::SFB, 5, "TOF", timerParameters(), offDelay}};
 }
 
 }  // namespace merker::system

@@ -5,8 +5,10 @@
 namespace merker::system {
 namespace {
 
+constexpr std::uint16_t kLongestString = 254;
+
 block::TypePtr typeOf(const Parameter& parameter) {
-  if (parameter.type == TypeCode::String) return block::stringType(parameter.length);
+  if (parameter.type == TypeCode::String) return block::stringType(kLongestString);
   return block::elementaryType(parameter.type);
 }
 
@@ -20,7 +22,7 @@ block::Block blockOf(const Function& function) {
     variable.name = std::string(parameter.name);
     variable.section = parameter.section;
     variable.type = typeOf(parameter);
-    if (parameter.section == kReturn) result.returnType = variable.type;
+    if (parameter.section == block::Section::Return) result.returnType = variable.type;
     result.variables.push_back(std::move(variable));
   }
   const BitAddress end = block::layOut(result.variables, 0, true);
@@ -30,22 +32,9 @@ block::Block blockOf(const Function& function) {
 
 }  // namespace
 
-Functions allFunctions() {
-  constexpr Functions (*kFamilies[])() = {
-      clockFunctions,      blockMoveFunctions, dataBlockFunctions, timeOfDayFunctions,
-      delayFunctions,      maskFunctions,      lockFunctions,      controlFunctions,
-      bitFieldFunctions,   iecCounters,        iecTimers,          dateTimeFunctions,
-      dateTimeComparisons, stringFunctions,    stringComparisons,  stringConversions,
-      selectFunctions,     scaleFunctions};
-  Functions all;
-  for (const auto family : kFamilies)
-    for (Function& function : family()) all.push_back(std::move(function));
-  return all;
-}
-
-block::Program library() {
+block::Program library(const CpuModel& model) {
   block::Program program;
-  for (const Function& function : allFunctions()) {
+  for (const Function& function : allFunctions(model)) {
     block::Block block = blockOf(function);
     program.emplace(block.id, std::move(block));
   }

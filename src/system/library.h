@@ -2,10 +2,11 @@
 #pragma once
 
 #include "block/block.h"
+#include "catalogue/cpu_model.h"
 
 namespace merker::system {
 
-// SFC, SFB and the library FCs (IEC and TI-S7 converting blocks) of an S7-300.
-block::Program library();
+// SFC, SFB and the library FCs (IEC and TI-S7 converting blocks) of a model.
+block::Program library(const CpuModel& model);
 
 }  // namespace merker::system

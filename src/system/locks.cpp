@@ -27,17 +27,19 @@ Selection selection(Arguments& a) {
   return {first, static_cast<std::uint8_t>(first + 9)};
 }
 
-void lock(Arguments& a) {
+}  // namespace
+
+void disableInterrupts(Arguments& a) {
   const Selection which = selection(a);
   if (which.error != 0) return a.status(which.error);
   cpu::Interrupts& interrupts = a.cpu().interrupts();
   for (unsigned ob = which.first; ob <= which.last; ++ob)
-    if (ob < 80 && !interrupts.isLocked(static_cast<std::uint8_t>(ob)))
+    if (!interrupts.isLocked(static_cast<std::uint8_t>(ob)))
       interrupts.locked.push_back(static_cast<std::uint8_t>(ob));
   a.status(0);
 }
 
-void unlock(Arguments& a) {
+void enableInterrupts(Arguments& a) {
   const Selection which = selection(a);
   if (which.error != 0) return a.status(which.error);
   std::erase_if(a.cpu().interrupts().locked,
@@ -46,25 +48,13 @@ void unlock(Arguments& a) {
 }
 
 // RET_VAL of both: how often the delay has been asked for.
-void delay(Arguments& a) { a.status(++a.machine().levels.back().delayed); }
+void delayInterrupts(Arguments& a) { a.status(++a.machine().levels.back().delayed); }
 
-void release(Arguments& a) {
+void releaseInterrupts(Arguments& a) {
   std::uint32_t& delayed = a.machine().levels.back().delayed;
   if (delayed == 0) return a.status(kNotDelayed);
   a.status(--delayed);
   a.machine().interrupt();  // what waits may begin
-}
-
-}  // namespace
-
-Functions lockFunctions() {
-  using enum TypeCode;
-  const std::vector<Parameter> modes{
-      {"MODE", kIn, Byte}, {"OB_NR", kIn, Int}, {"RET_VAL", kReturn, Int}};
-  return {{BlockKind::SFC, 39, "DIS_IRT", modes, lock},
-          {BlockKind::SFC, 40, "EN_IRT", modes, unlock},
-          {BlockKind::SFC, 41, "DIS_AIRT", {{"RET_VAL", kReturn, Int}}, delay},
-          {BlockKind::SFC, 42, "EN_AIRT", {{"RET_VAL", kReturn, Int}}, release}};
 }
 
 }  // namespace merker::system

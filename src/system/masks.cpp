@@ -9,7 +9,9 @@ constexpr std::uint32_t kAlready = 0x0001;  // part of it was masked (unmasked) 
 
 cpu::ErrorMasks& masksOf(Arguments& a) { return a.machine().levels.back().masks; }
 
-void mask(Arguments& a) {
+}  // namespace
+
+void maskErrors(Arguments& a) {
   cpu::ErrorMasks& masks = masksOf(a);
   const std::uint32_t program = a.value(0), access = a.value(1);
   const bool already = (masks.programMask & program) != 0 || (masks.accessMask & access) != 0;
@@ -20,7 +22,7 @@ void mask(Arguments& a) {
   a.status(already ? kAlready : 0);
 }
 
-void unmask(Arguments& a) {
+void unmaskErrors(Arguments& a) {
   cpu::ErrorMasks& masks = masksOf(a);
   const std::uint32_t program = a.value(0), access = a.value(1);
   const bool already = (~masks.programMask & program) != 0 || (~masks.accessMask & access) != 0;
@@ -43,39 +45,6 @@ void readErrors(Arguments& a) {
   masks.programSeen &= ~program;
   masks.accessSeen &= ~access;
   a.status(unmasked ? kAlready : 0);
-}
-
-}  // namespace
-
-Functions maskFunctions() {
-  using enum TypeCode;
-  return {{BlockKind::SFC,
-           36,
-           "MSK_FLT",
-           {{"PRGFLT_SET_MASK", kIn, DWord},
-            {"ACCFLT_SET_MASK", kIn, DWord},
-            {"PRGFLT_MASKED", kOut, DWord},
-            {"ACCFLT_MASKED", kOut, DWord},
-            {"RET_VAL", kReturn, Int}},
-           mask},
-          {BlockKind::SFC,
-           37,
-           "DMSK_FLT",
-           {{"PRGFLT_RESET_MASK", kIn, DWord},
-            {"ACCFLT_RESET_MASK", kIn, DWord},
-            {"PRGFLT_MASKED", kOut, DWord},
-            {"ACCFLT_MASKED", kOut, DWord},
-            {"RET_VAL", kReturn, Int}},
-           unmask},
-          {BlockKind::SFC,
-           38,
-           "READ_ERR",
-           {{"PRGFLT_QUERY", kIn, DWord},
-            {"ACCFLT_QUERY", kIn, DWord},
-            {"PRGFLT_CLR", kOut, DWord},
-            {"ACCFLT_CLR", kOut, DWord},
-            {"RET_VAL", kReturn, Int}},
-           readErrors}};
 }
 
 }  // namespace merker::system

@@ -23,7 +23,9 @@ void finish(Arguments& a, bool inside) {
   if (!inside) a.fail();
 }
 
-void scale(Arguments& a) {
+}  // namespace
+
+void scaleValue(Arguments& a) {
   enum { IN, HI_LIM, LO_LIM, BIPOLAR, OUT };
   const auto in = static_cast<float>(a.integer(IN));
   const float k1 = low(a, BIPOLAR), k2 = kHigh, high = real(a, HI_LIM), bottom = real(a, LO_LIM);
@@ -32,7 +34,7 @@ void scale(Arguments& a) {
   finish(a, limited == in);
 }
 
-void unscale(Arguments& a) {
+void unscaleValue(Arguments& a) {
   enum { IN, HI_LIM, LO_LIM, BIPOLAR, OUT };
   const float in = real(a, IN), high = real(a, HI_LIM), bottom = real(a, LO_LIM);
   const float k1 = low(a, BIPOLAR), k2 = kHigh;
@@ -41,32 +43,6 @@ void unscale(Arguments& a) {
   const float out = span == 0.0f ? k1 : (limited - bottom) / span * (k2 - k1) + k1;
   a.set(OUT, static_cast<std::uint16_t>(std::lround(std::isfinite(out) ? out : k1)));
   finish(a, limited == in && span != 0.0f);
-}
-
-}  // namespace
-
-Functions scaleFunctions() {
-  using enum TypeCode;
-  return {{BlockKind::FC,
-           105,
-           "SCALE",
-           {{"IN", kIn, Int},
-            {"HI_LIM", kIn, Real},
-            {"LO_LIM", kIn, Real},
-            {"BIPOLAR", kIn, Bool},
-            {"OUT", kOut, Real},
-            {"RET_VAL", kReturn, Word}},
-           scale},
-          {BlockKind::FC,
-           106,
-           "UNSCALE",
-           {{"IN", kIn, Real},
-            {"HI_LIM", kIn, Real},
-            {"LO_LIM", kIn, Real},
-            {"BIPOLAR", kIn, Bool},
-            {"OUT", kOut, Int},
-            {"RET_VAL", kReturn, Word}},
-           unscale}};
 }
 
 }  // namespace merker::system

@@ -52,12 +52,6 @@ bool sameType(const Value& a, const Value& b, const Value& c) {
          a.where.type == c.where.type;
 }
 
-void limit(Arguments& a) {
-  const Value low = get(a, 0), in = get(a, 1), high = get(a, 2);
-  if (!sameType(low, in, high) || low.number > high.number) return a.fail();
-  put(a, in.number < low.number ? low.where : in.number > high.number ? high.where : in.where, 3);
-}
-
 template <bool Greatest>
 void extreme(Arguments& a) {
   const Value values[] = {get(a, 0), get(a, 1), get(a, 2)};
@@ -81,26 +75,22 @@ bool copyBit(Arguments& a, const AnyPointer& from, const AnyPointer& to) {
   return true;
 }
 
-void select(Arguments& a) {
+}  // namespace
+
+void limitValue(Arguments& a) {
+  const Value low = get(a, 0), in = get(a, 1), high = get(a, 2);
+  if (!sameType(low, in, high) || low.number > high.number) return a.fail();
+  put(a, in.number < low.number ? low.where : in.number > high.number ? high.where : in.where, 3);
+}
+
+void selectValue(Arguments& a) {
   const AnyPointer zero = a.any(1), one = a.any(2);
   if (zero.type != one.type) return a.fail();
   const AnyPointer& chosen = a.flag(0) ? one : zero;
   if (!copyBit(a, chosen, a.any(3))) put(a, chosen, 3);
 }
 
-}  // namespace
-
-Functions selectFunctions() {
-  const auto any = [](std::string_view name) { return Parameter{name, kIn, TypeCode::Any}; };
-  const Parameter result{"RET_VAL", kReturn, TypeCode::Any};
-  return {{BlockKind::FC, 22, "LIMIT", {any("MN"), any("IN"), any("MX"), result}, limit},
-          {BlockKind::FC, 25, "MAX", {any("IN1"), any("IN2"), any("IN3"), result}, extreme<true>},
-          {BlockKind::FC, 27, "MIN", {any("IN1"), any("IN2"), any("IN3"), result}, extreme<false>},
-          {BlockKind::FC,
-           36,
-           "SEL",
-           {{"G", kIn, TypeCode::Bool}, any("IN0"), any("IN1"), result},
-           select}};
-}
+void greatestValue(Arguments& a) { extreme<true>(a); }
+void smallestValue(Arguments& a) { extreme<false>(a); }
 
 }  // namespace merker::system

@@ -1,12 +1,11 @@
 #include "system/services.h"
 
-#include "system/arguments.h"
 #include "system/library.h"
 
 namespace merker::system {
 
-Services::Services() : functions_(allFunctions()) {
-  const block::Program blocks = library();
+Services::Services(const CpuModel& model) : functions_(allFunctions(model)) {
+  const block::Program blocks = library(model);
   for (const Function& function : functions_) {
     auto& table = function.kind == BlockKind::FC    ? fcs_
                   : function.kind == BlockKind::SFC ? sfcs_
@@ -29,7 +28,9 @@ const Services::Entry* Services::find(BlockId id) const {
 bool Services::call(const cpu::SystemCall& call) {
   const Entry* entry = find(call.block);
   if (entry == nullptr) return false;
-  Arguments arguments(call, *entry->function, entry->places);
+  // UC FC n means a block of the program: library functions are called with parameters
+  if (call.block.kind == BlockKind::FC && call.parameters.empty()) return false;
+  Arguments arguments(call, *entry->function, entry->places, context_);
   entry->function->run(arguments);
   call.machine.registers.status.br = arguments.good();
   return true;

@@ -5,17 +5,17 @@
 
 #include "block/block.h"
 #include "cpu/engine.h"
-#include "system/function.h"
-#include "system/modules.h"
+#include "system/arguments.h"
 
 namespace merker::system {
 
 class Services : public cpu::SystemServices {
  public:
-  Services();
+  explicit Services(const CpuModel& model);
   bool call(const cpu::SystemCall& call) override;
+  void restart() override { context_.jobs.clear(); }
   // Whom the functions for modules ask; null: no modules.
-  void connect(Modules* modules) { modules_ = modules; }
+  void connect(Modules* modules) { context_.modules = modules; }
 
  private:
   struct Entry {
@@ -24,8 +24,8 @@ class Services : public cpu::SystemServices {
   };
   const Entry* find(BlockId id) const;
 
-  Modules* modules_ = nullptr;
-  Functions functions_;
+  Context context_;
+  std::vector<Function> functions_;
   std::vector<Entry> fcs_, sfcs_, sfbs_;  // by number
 };
 

@@ -10,19 +10,6 @@
 namespace merker::system {
 namespace {
 
-void fromInt(Arguments& a) { setText(a, 1, fmt::format("{:+d}", a.integer(0))); }
-void fromDint(Arguments& a) { setText(a, 1, fmt::format("{:+d}", a.longInteger(0))); }
-
-// ±v.nnnnnnnE±xx, always 14 characters.
-void fromReal(Arguments& a) {
-  const float value = std::bit_cast<float>(a.value(0));
-  if (!std::isfinite(value)) {
-    a.fail();
-    return setText(a, 1, {});
-  }
-  setText(a, 1, fmt::format("{:+.7E}", static_cast<double>(value)));
-}
-
 // A sign of + is allowed, blanks in front too.
 std::string_view digits(const std::string& text) {
   const std::size_t first = text.find_first_not_of(' ');
@@ -45,10 +32,25 @@ void toNumber(Arguments& a, std::uint32_t mask) {
   a.set(1, static_cast<std::uint32_t>(value) & mask);
 }
 
-void toInt(Arguments& a) { toNumber<std::int16_t>(a, 0xFFFF); }
-void toDint(Arguments& a) { toNumber<std::int32_t>(a, 0xFFFFFFFF); }
+}  // namespace
 
-void toReal(Arguments& a) {
+void intToText(Arguments& a) { setText(a, 1, fmt::format("{:+d}", a.integer(0))); }
+void dintToText(Arguments& a) { setText(a, 1, fmt::format("{:+d}", a.longInteger(0))); }
+
+// ±v.nnnnnnnE±xx, always 14 characters.
+void realToText(Arguments& a) {
+  const float value = std::bit_cast<float>(a.value(0));
+  if (!std::isfinite(value)) {
+    a.fail();
+    return setText(a, 1, {});
+  }
+  setText(a, 1, fmt::format("{:+.7E}", static_cast<double>(value)));
+}
+
+void textToInt(Arguments& a) { toNumber<std::int16_t>(a, 0xFFFF); }
+void textToDint(Arguments& a) { toNumber<std::int32_t>(a, 0xFFFFFFFF); }
+
+void textToReal(Arguments& a) {
   const std::string text = getText(a, 0);
   const std::string_view rest = digits(text);
   float value = 0;
@@ -57,19 +59,6 @@ void toReal(Arguments& a) {
       error == std::errc() && end == rest.data() + rest.size() && std::isfinite(value);
   if (!good) a.fail();
   a.set(1, std::bit_cast<std::uint32_t>(good ? value : 0.0f));
-}
-
-}  // namespace
-
-Functions stringConversions() {
-  using enum TypeCode;
-  const Parameter text{"RET_VAL", kReturn, String};
-  return {{BlockKind::FC, 5, "DI_STRNG", {{"I", kIn, DInt}, text}, fromDint},
-          {BlockKind::FC, 16, "I_STRNG", {{"I", kIn, Int}, text}, fromInt},
-          {BlockKind::FC, 30, "R_STRNG", {{"IN", kIn, Real}, text}, fromReal},
-          {BlockKind::FC, 37, "STRNG_DI", {{"S", kIn, String}, {"RET_VAL", kReturn, DInt}}, toDint},
-          {BlockKind::FC, 38, "STRNG_I", {{"S", kIn, String}, {"RET_VAL", kReturn, Int}}, toInt},
-          {BlockKind::FC, 39, "STRNG_R", {{"S", kIn, String}, {"RET_VAL", kReturn, Real}}, toReal}};
 }
 
 }  // namespace merker::system

@@ -22,63 +22,6 @@ Numbers numbers(Arguments& a, std::size_t length, std::size_t position) {
   return {};
 }
 
-void concat(Arguments& a) { setText(a, 2, getText(a, 0) + getText(a, 1)); }
-
-// L = 0, P = 0 and P behind the end leave the string as it is; more than there is ends at its end.
-void erase(Arguments& a) {
-  std::string text = getText(a, 0);
-  const Numbers n = numbers(a, 1, 2);
-  if (!n.valid) text.clear();
-  if (n.position >= 1 && n.position <= text.size()) text.erase(n.position - 1, n.length);
-  setText(a, 3, text);
-}
-
-void find(Arguments& a) {
-  const std::string text = getText(a, 0), part = getText(a, 1);
-  const std::size_t at = part.empty() ? std::string::npos : text.find(part);
-  a.set(2, at == std::string::npos ? 0 : static_cast<std::uint32_t>(at + 1));
-}
-
-// Behind position P; 0 is in front, behind the end means at the end.
-void insert(Arguments& a) {
-  const std::string text = getText(a, 0), part = getText(a, 1);
-  const Numbers n = numbers(a, 2, 2);
-  const std::size_t at = std::min(n.position, text.size());
-  setText(a, 3, n.valid ? text.substr(0, at) + part + text.substr(at) : std::string());
-}
-
-void left(Arguments& a) {
-  const std::string text = getText(a, 0);
-  setText(a, 2, text.substr(0, numbers(a, 1, 1).length));
-}
-
-void right(Arguments& a) {
-  const std::string text = getText(a, 0);
-  const std::size_t length = std::min(numbers(a, 1, 1).length, text.size());
-  setText(a, 2, text.substr(text.size() - length));
-}
-
-void length(Arguments& a) { a.set(1, static_cast<std::uint32_t>(getText(a, 0).size())); }
-
-// L = 0, P = 0 and P behind the end are errors; more than there is ends at the string's end.
-void middle(Arguments& a) {
-  const std::string text = getText(a, 0);
-  const Numbers n = numbers(a, 1, 2);
-  const bool inside = n.length >= 1 && n.position >= 1 && n.position <= text.size();
-  if (!inside) a.fail();
-  setText(a, 3, inside ? text.substr(n.position - 1, n.length) : std::string());
-}
-
-// L = 0 leaves the string as it is; P = 0 is P = 1; behind the end the other string is appended.
-void replace(Arguments& a) {
-  const std::string text = getText(a, 0), part = getText(a, 1);
-  const Numbers n = numbers(a, 2, 3);
-  if (!n.valid || n.length == 0) return setText(a, 4, n.valid ? text : std::string());
-  const std::size_t at = std::min(n.position == 0 ? 0 : n.position - 1, text.size());
-  const std::size_t behind = std::min(at + n.length, text.size());
-  setText(a, 4, text.substr(0, at) + part + text.substr(behind));
-}
-
 // By the characters' codes; of two that are equal so far the longer is greater.
 template <typename Relation>
 void compare(Arguments& a) {
@@ -87,51 +30,68 @@ void compare(Arguments& a) {
 
 }  // namespace
 
-Functions stringFunctions() {
-  using enum TypeCode;
-  const Parameter result{"RET_VAL", kReturn, String};
-  return {
-      {BlockKind::FC, 2, "CONCAT", {{"IN1", kIn, String}, {"IN2", kIn, String}, result}, concat},
-      {BlockKind::FC,
-       4,
-       "DELETE",
-       {{"IN", kIn, String}, {"L", kIn, Int}, {"P", kIn, Int}, result},
-       erase},
-      {BlockKind::FC,
-       11,
-       "FIND",
-       {{"IN1", kIn, String}, {"IN2", kIn, String}, {"RET_VAL", kReturn, Int}},
-       find},
-      {BlockKind::FC,
-       17,
-       "INSERT",
-       {{"IN1", kIn, String}, {"IN2", kIn, String}, {"P", kIn, Int}, result},
-       insert},
-      {BlockKind::FC, 20, "LEFT", {{"IN", kIn, String}, {"L", kIn, Int}, result}, left},
-      {BlockKind::FC, 21, "LEN", {{"S", kIn, String}, {"RET_VAL", kReturn, Int}}, length},
-      {BlockKind::FC,
-       26,
-       "MID",
-       {{"IN", kIn, String}, {"L", kIn, Int}, {"P", kIn, Int}, result},
-       middle},
-      {BlockKind::FC,
-       31,
-       "REPLACE",
-       {{"IN1", kIn, String}, {"IN2", kIn, String}, {"L", kIn, Int}, {"P", kIn, Int}, result},
-       replace},
-      {BlockKind::FC, 32, "RIGHT", {{"IN", kIn, String}, {"L", kIn, Int}, result}, right}};
+void concatenate(Arguments& a) { setText(a, 2, getText(a, 0) + getText(a, 1)); }
+
+// L = 0, P = 0 and P behind the end leave the string as it is; more than there is ends at its end.
+void deleteText(Arguments& a) {
+  std::string text = getText(a, 0);
+  const Numbers n = numbers(a, 1, 2);
+  if (!n.valid) text.clear();
+  if (n.position >= 1 && n.position <= text.size()) text.erase(n.position - 1, n.length);
+  setText(a, 3, text);
 }
 
-Functions stringComparisons() {
-  using enum TypeCode;
-  const std::vector<Parameter> two{
-      {"S1", kIn, String}, {"S2", kIn, String}, {"RET_VAL", kReturn, Bool}};
-  return {{BlockKind::FC, 10, "EQ_STRNG", two, compare<std::equal_to<int>>},
-          {BlockKind::FC, 13, "GE_STRNG", two, compare<std::greater_equal<int>>},
-          {BlockKind::FC, 15, "GT_STRNG", two, compare<std::greater<int>>},
-          {BlockKind::FC, 19, "LE_STRNG", two, compare<std::less_equal<int>>},
-          {BlockKind::FC, 24, "LT_STRNG", two, compare<std::less<int>>},
-          {BlockKind::FC, 29, "NE_STRNG", two, compare<std::not_equal_to<int>>}};
+void findText(Arguments& a) {
+  const std::string text = getText(a, 0), part = getText(a, 1);
+  const std::size_t at = part.empty() ? std::string::npos : text.find(part);
+  a.set(2, at == std::string::npos ? 0 : static_cast<std::uint32_t>(at + 1));
 }
+
+// Behind position P; 0 is in front, behind the end means at the end.
+void insertText(Arguments& a) {
+  const std::string text = getText(a, 0), part = getText(a, 1);
+  const Numbers n = numbers(a, 2, 2);
+  const std::size_t at = std::min(n.position, text.size());
+  setText(a, 3, n.valid ? text.substr(0, at) + part + text.substr(at) : std::string());
+}
+
+void leftOfText(Arguments& a) {
+  const std::string text = getText(a, 0);
+  setText(a, 2, text.substr(0, numbers(a, 1, 1).length));
+}
+
+void rightOfText(Arguments& a) {
+  const std::string text = getText(a, 0);
+  const std::size_t length = std::min(numbers(a, 1, 1).length, text.size());
+  setText(a, 2, text.substr(text.size() - length));
+}
+
+void lengthOfText(Arguments& a) { a.set(1, static_cast<std::uint32_t>(getText(a, 0).size())); }
+
+// L = 0, P = 0 and P behind the end are errors; more than there is ends at the string's end.
+void middleOfText(Arguments& a) {
+  const std::string text = getText(a, 0);
+  const Numbers n = numbers(a, 1, 2);
+  const bool inside = n.length >= 1 && n.position >= 1 && n.position <= text.size();
+  if (!inside) a.fail();
+  setText(a, 3, inside ? text.substr(n.position - 1, n.length) : std::string());
+}
+
+// L = 0 leaves the string as it is; P = 0 is P = 1; behind the end the other string is appended.
+void replaceText(Arguments& a) {
+  const std::string text = getText(a, 0), part = getText(a, 1);
+  const Numbers n = numbers(a, 2, 3);
+  if (!n.valid || n.length == 0) return setText(a, 4, n.valid ? text : std::string());
+  const std::size_t at = std::min(n.position == 0 ? 0 : n.position - 1, text.size());
+  const std::size_t behind = std::min(at + n.length, text.size());
+  setText(a, 4, text.substr(0, at) + part + text.substr(behind));
+}
+
+void textEqual(Arguments& a) { compare<std::equal_to<int>>(a); }
+void textGreaterEqual(Arguments& a) { compare<std::greater_equal<int>>(a); }
+void textGreater(Arguments& a) { compare<std::greater<int>>(a); }
+void textLessEqual(Arguments& a) { compare<std::less_equal<int>>(a); }
+void textLess(Arguments& a) { compare<std::less<int>>(a); }
+void textNotEqual(Arguments& a) { compare<std::not_equal_to<int>>(a); }
 
 }  // namespace merker::system

@@ -12,8 +12,10 @@ cpu::TimeOfDayInterrupt* interruptOf(Arguments& a) {
   return ob < 0 ? nullptr : a.cpu().interrupts().findTimeOfDay(static_cast<std::uint32_t>(ob));
 }
 
+}  // namespace
+
 // Seconds and milliseconds of the start do not count.
-void set(Arguments& a) {
+void setTimeOfDay(Arguments& a) {
   cpu::TimeOfDayInterrupt* interrupt = interruptOf(a);
   if (interrupt == nullptr) return a.status(kWrongOb);
   const Region time = a.composite(1, 8, cpu::Access::Read);
@@ -30,7 +32,7 @@ void set(Arguments& a) {
   a.status(0);
 }
 
-void cancel(Arguments& a) {
+void cancelTimeOfDay(Arguments& a) {
   cpu::TimeOfDayInterrupt* interrupt = interruptOf(a);
   if (interrupt == nullptr) return a.status(kWrongOb);
   if (!interrupt->active && !interrupt->set) return a.status(kNotSet);
@@ -38,7 +40,7 @@ void cancel(Arguments& a) {
   a.status(0);
 }
 
-void activate(Arguments& a) {
+void activateTimeOfDay(Arguments& a) {
   cpu::TimeOfDayInterrupt* interrupt = interruptOf(a);
   if (interrupt == nullptr) return a.status(kWrongOb);
   if (!interrupt->set) return a.status(kNotSet);
@@ -51,38 +53,16 @@ void activate(Arguments& a) {
   a.status(0);
 }
 
-// STATUS: bit 1 locked, 2 activated, 4 OB loaded (only such OBs are known here).
-void query(Arguments& a) {
+// STATUS: bit 1 locked, 2 activated, 4 OB loaded.
+void queryTimeOfDay(Arguments& a) {
   const cpu::TimeOfDayInterrupt* interrupt = interruptOf(a);
   if (interrupt == nullptr) {
     a.set(1, 0);
     return a.status(kWrongOb);
   }
   const bool locked = a.cpu().interrupts().isLocked(interrupt->ob);
-  a.set(1, locked * 2u | interrupt->active * 4u | 16u);
+  a.set(1, locked * 2u | interrupt->active * 4u | a.cpu().hasOb(interrupt->ob) * 16u);
   a.status(0);
-}
-
-}  // namespace
-
-Functions timeOfDayFunctions() {
-  using enum TypeCode;
-  const std::vector<Parameter> number{{"OB_NR", kIn, Int}, {"RET_VAL", kReturn, Int}};
-  return {{BlockKind::SFC,
-           28,
-           "SET_TINT",
-           {{"OB_NR", kIn, Int},
-            {"SDT", kIn, DateAndTime},
-            {"PERIOD", kIn, Word},
-            {"RET_VAL", kReturn, Int}},
-           set},
-          {BlockKind::SFC, 29, "CAN_TINT", number, cancel},
-          {BlockKind::SFC, 30, "ACT_TINT", number, activate},
-          {BlockKind::SFC,
-           31,
-           "QRY_TINT",
-           {{"OB_NR", kIn, Int}, {"STATUS", kOut, Word}, {"RET_VAL", kReturn, Int}},
-           query}};
 }
 
 }  // namespace merker::system

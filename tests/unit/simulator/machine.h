@@ -54,7 +54,7 @@ class Machine {
   }
 
  private:
-  block::Program library_ = system::library();
+  block::Program library_ = system::library(defaultCpuModel());
   step7::CompileOptions options_;
   std::vector<source::SourceFile> sources_;
   std::shared_ptr<const block::Program> program_;

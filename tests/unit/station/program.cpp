@@ -15,7 +15,7 @@ std::shared_ptr<const block::Program> compileAwl(std::string_view awl, const Cpu
           ? std::string(awl)
           : "ORGANIZATION_BLOCK OB 1\nVAR_TEMP\n info : ARRAY [1..20] OF BYTE;\nEND_VAR\nBEGIN\n" +
                 std::string(awl) + "\nEND_ORGANIZATION_BLOCK\n";
-  const block::Program library = system::library();
+  const block::Program library = system::library(model);
   step7::CompileOptions options;
   options.model = &model;
   options.library = &library;

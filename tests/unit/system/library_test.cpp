@@ -13,7 +13,7 @@ std::string parameterNames(const block::Program& program, BlockId id) {
 }
 
 TEST(Library, HasTheBlocksOfTheTable) {
-  const block::Program program = library();
+  const block::Program program = library(defaultCpuModel());
   for (const int sfc : {0,  1,  6,  20, 21, 22, 23, 24, 28, 29, 30, 31, 32, 33, 34,
                         36, 37, 38, 39, 40, 41, 42, 43, 44, 46, 47, 64, 79, 80, 81})
     EXPECT_TRUE(program.contains({BlockKind::SFC, static_cast<std::uint16_t>(sfc)})) << sfc;
@@ -27,7 +27,7 @@ TEST(Library, HasTheBlocksOfTheTable) {
 
 // IN, OUT, IN_OUT, RETURN.
 TEST(Library, ListsParametersInOrder) {
-  const block::Program program = library();
+  const block::Program program = library(defaultCpuModel());
   EXPECT_EQ(parameterNames(program, {BlockKind::SFC, 20}), "SRCBLK DSTBLK RET_VAL ");
   EXPECT_EQ(parameterNames(program, {BlockKind::FC, 105}), "IN HI_LIM LO_LIM BIPOLAR OUT RET_VAL ");
   EXPECT_EQ(parameterNames(program, {BlockKind::SFC, 46}), "");
@@ -35,7 +35,7 @@ TEST(Library, ListsParametersInOrder) {
 
 // The instances as the real blocks lay them out.
 TEST(Library, InstancesHaveTheirLength) {
-  const block::Program program = library();
+  const block::Program program = library(defaultCpuModel());
   EXPECT_EQ(program.at({BlockKind::SFB, 0}).instanceBytes, 10u);
   EXPECT_EQ(program.at({BlockKind::SFB, 4}).instanceBytes, 22u);
 }

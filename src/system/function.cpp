@@ -1,0 +1,78 @@
+#include "system/function.h"
+
+#include <algorithm>
+
+namespace merker::system {
+namespace {
+
+struct Row {
+  BlockKind kind;
+  std::uint16_t number;
+  std::string_view name;
+  void (*run)(Arguments&);
+  std::string_view parameters;
+};
+
+constexpr Row kRows[] = {
+#define FUNCTION(kind, number, name, function, requirement, parameters) \
+  {BlockKind::kind, number, name, function, parameters},
+#define CODE(kind, number, code, text)
+#define CODES(kind, number, group)
+#define GROUP_CODE(group, code, text)
+#include "system/functions.inc"
+#include "system/library.inc"
+#undef FUNCTION
+#undef CODE
+#undef CODES
+#undef GROUP_CODE
+};
+
+// The text up to `end`, taken off.
+std::string_view take(std::string_view& text, std::string_view end) {
+  const std::size_t at = text.find(end);
+  const std::string_view part = text.substr(0, at);
+  text.remove_prefix(at == std::string_view::npos ? text.size() : at + end.size());
+  return part;
+}
+
+block::Section section(std::string_view word) {
+  using enum block::Section;
+  struct Word {
+    std::string_view word;
+    block::Section section;
+  };
+  constexpr Word kWords[] = {
+      {"in", Input}, {"out", Output}, {"inout", InOut}, {"return", Return}, {"stat", Static}};
+  const auto* found = std::find_if(std::begin(kWords), std::end(kWords),
+                                   [&](const Word& w) { return w.word == word; });
+  return found->section;
+}
+
+std::vector<Parameter> parametersOf(std::string_view text) {
+  std::vector<Parameter> list;
+  while (!text.empty()) {
+    std::string_view one = take(text, "; ");
+    const block::Section where = section(take(one, " "));
+    const std::string_view name = take(one, " ");
+    list.push_back({name, where, typeFromName(one).value_or(TypeCode::Void)});
+  }
+  return list;
+}
+
+bool lacks(const CpuModel& model, const Row& row) {
+  const auto& list = model.lacksSfcs;
+  return row.kind == BlockKind::SFC &&
+         std::find(list.begin(), list.end(), row.number) != list.end();
+}
+
+}  // namespace
+
+std::vector<Function> allFunctions(const CpuModel& model) {
+  std::vector<Function> all;
+  for (const Row& row : kRows)
+    if (!lacks(model, row))
+      all.push_back({row.kind, row.number, row.name, parametersOf(row.parameters), row.run});
+  return all;
+}
+
+}  // namespace merker::system

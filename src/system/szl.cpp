@@ -1,0 +1,107 @@
+// SFC 51 RDSYSST (S7-SFC-19) and the table of the lists.
+#include "system/szl.h"
+
+#include <algorithm>
+
+#include "base/bytes.h"
+#include "system/arguments.h"
+
+namespace merker::system {
+namespace {
+
+enum class Part : std::uint8_t { All, One };
+
+struct Row {
+  std::uint16_t number;
+  std::uint16_t recordLength;
+  Part part;  // One: the record (or group of records) that INDEX names
+  void (*fill)(const SzlSource&, std::uint32_t index, SzlList&);
+};
+
+constexpr Row kRows[] = {
+    {0x0011, 28, Part::All, szlIdentification},
+    {0x0111, 28, Part::One, szlIdentification},
+    {0x0012, 2, Part::All, szlCharacteristics},
+    {0x0112, 2, Part::One, szlCharacteristics},
+    {0x0013, 36, Part::All, szlMemory},
+    {0x0113, 36, Part::One, szlMemory},
+    {0x0014, 8, Part::All, szlAreas},
+    {0x0114, 8, Part::One, szlAreas},
+    {0x0015, 10, Part::All, szlBlockTypes},
+    {0x0115, 10, Part::One, szlBlockTypes},
+    {0x0019, 4, Part::All, szlLeds},
+    {0x0119, 4, Part::One, szlLeds},
+    {0x0024, 20, Part::All, szlAllModes},
+    {0x0124, 20, Part::All, szlLastMode},
+    {0x0424, 20, Part::All, szlLastMode},
+    {0x0524, 20, Part::One, szlOneMode},
+    {0x0132, 40, Part::One, szlCommunication},
+    {0x0074, 4, Part::All, szlLeds},
+    {0x0174, 4, Part::One, szlLeds},
+    {0x00A0, 20, Part::All, szlDiagnostics},
+    {0x01A0, 20, Part::One, szlLatestDiagnostics},
+    {0x00B1, 4, Part::One, szlRecord0},
+    {0x00B2, 0, Part::One, szlRecord1BySlot},
+    {0x00B3, 0, Part::One, szlRecord1ByAddress},
+};
+
+constexpr std::uint32_t kExtract = 0x0F00;
+
+// The numbers of all lists (16#0000).
+void listOfLists(SzlList& list) {
+  list.recordLength = 2;
+  list.word(0x0000);
+  for (const Row& row : kRows) list.word(row.number);
+}
+
+void fillList(const SzlSource& source, std::uint32_t number, std::uint32_t index, SzlList& list) {
+  if (number == 0) return listOfLists(list);
+  const Row* row = std::find_if(std::begin(kRows), std::end(kRows),
+                                [&](const Row& r) { return r.number == number; });
+  if (row == std::end(kRows)) {
+    list.error = kSzlUnknown;
+    return;
+  }
+  list.recordLength = row->recordLength;
+  // a whole list does not look at INDEX: 0 takes every record
+  row->fill(source, row->part == Part::All ? 0 : index, list);
+  if (list.error == 0 && list.data.empty() && row->part == Part::One) list.error = kSzlIndex;
+}
+
+}  // namespace
+
+SzlList readSzl(const SzlSource& source, std::uint32_t number, std::uint32_t index) {
+  SzlList list;
+  const bool headOnly = (number & kExtract) == kExtract;
+  fillList(source, headOnly ? number & ~kExtract : number, index, list);
+  if (list.recordLength != 0)
+    list.records = static_cast<std::uint16_t>(list.data.size() / list.recordLength);
+  if (list.error != 0 || headOnly) list.data.clear();
+  return list;
+}
+
+// Everything is at hand: BUSY is never 1.
+void readSystemStatus(Arguments& a) {
+  enum { REQ, SZL_ID, INDEX, BUSY, SZL_HEADER, DR };
+  constexpr std::uint32_t kPart = 0x0081, kTooShort = 0x8081;
+  a.set(BUSY, 0);
+  if (!a.flag(REQ)) return a.status(kNoJob);
+  const SzlList list = readSzl({a.cpu(), a.modules()}, a.value(SZL_ID), a.value(INDEX));
+  if (list.error != 0) return a.status(list.error);
+  const Region header = a.region(a.any(SZL_HEADER), 4, cpu::Access::Write);
+  if (!header) return a.parameterError(SZL_HEADER, header.error);
+  const AnyPointer where = a.any(DR);
+  const bool data = !list.data.empty();
+  const std::uint32_t room = data ? byteCount(where) / list.recordLength : list.records;
+  const std::uint32_t fitting = std::min<std::uint32_t>(room, list.records);
+  if (data && fitting == 0) return a.status(kTooShort);
+  const std::uint32_t bytes = data ? fitting * list.recordLength : 0;
+  const Region target = a.region(where, bytes, cpu::Access::Write);
+  if (data && !target) return a.parameterError(DR, target.error);
+  storeWord(header.data, list.recordLength);
+  storeWord(header.data + 2, fitting);
+  if (data) std::copy_n(list.data.begin(), bytes, target.data);
+  a.status(fitting < list.records ? kPart : 0);
+}
+
+}  // namespace merker::system

@@ -1,0 +1,52 @@
+// The system status list (SZL): what SFC 51 reads, and later the protocol (S7-DIAG-05). A list is
+// one or more records of equal length.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "cpu/cpu.h"
+#include "system/modules.h"
+
+namespace merker::system {
+
+// What a list is made of.
+struct SzlSource {
+  cpu::Cpu& cpu;
+  Modules* modules = nullptr;
+};
+
+struct SzlList {
+  std::uint32_t error = 0;         // RET_VAL of SFC 51
+  std::uint16_t recordLength = 0;  // bytes
+  std::uint16_t records = 0;
+  std::vector<std::uint8_t> data;
+
+  void byte(std::uint32_t value) { data.push_back(static_cast<std::uint8_t>(value)); }
+  void word(std::uint32_t value) { byte(value >> 8), byte(value); }
+  void dword(std::uint32_t value) { word(value >> 16), word(value); }
+};
+
+constexpr std::uint32_t kSzlUnknown = 0x8082, kSzlIndex = 0x8083;
+
+// Bits 11..8 of the number say which extract of the list is meant; 16#0Fxy: only its size.
+SzlList readSzl(const SzlSource& source, std::uint32_t number, std::uint32_t index);
+
+// The lists: each adds its records.
+void szlIdentification(const SzlSource&, std::uint32_t index, SzlList&);     // 16#xy11
+void szlCharacteristics(const SzlSource&, std::uint32_t index, SzlList&);    // 16#xy12
+void szlMemory(const SzlSource&, std::uint32_t index, SzlList&);             // 16#xy13
+void szlAreas(const SzlSource&, std::uint32_t index, SzlList&);              // 16#xy14
+void szlBlockTypes(const SzlSource&, std::uint32_t index, SzlList&);         // 16#xy15
+void szlLeds(const SzlSource&, std::uint32_t index, SzlList&);               // 16#xy19, 16#xy74
+void szlAllModes(const SzlSource&, std::uint32_t index, SzlList&);           // 16#0024
+void szlLastMode(const SzlSource&, std::uint32_t index, SzlList&);           // 16#0124, 16#0424
+void szlOneMode(const SzlSource&, std::uint32_t index, SzlList&);            // 16#0524
+void szlCommunication(const SzlSource&, std::uint32_t index, SzlList&);      // 16#0132
+void szlDiagnostics(const SzlSource&, std::uint32_t index, SzlList&);        // 16#00A0
+void szlLatestDiagnostics(const SzlSource&, std::uint32_t index, SzlList&);  // 16#01A0
+void szlRecord0(const SzlSource&, std::uint32_t index, SzlList&);            // 16#00B1
+void szlRecord1BySlot(const SzlSource&, std::uint32_t index, SzlList&);      // 16#00B2
+void szlRecord1ByAddress(const SzlSource&, std::uint32_t index, SzlList&);   // 16#00B3
+
+}  // namespace merker::system
