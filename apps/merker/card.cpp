@@ -18,7 +18,7 @@ Build buildFromCard(const store::MemoryCard& card, const std::string& folder,
   Build result;
   result.project =
       project::loadConfiguration(folder, load.configuration, cpu.empty() ? load.cpu : cpu);
-  result.library = std::make_shared<const block::Program>(system::library());
+  result.library = std::make_shared<const block::Program>(system::library(*result.project.model));
   result.program = std::make_shared<const block::Program>(load.program);
   result.problems = result.project.problems;
   if (card.empty()) {
