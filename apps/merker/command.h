@@ -17,6 +17,9 @@ void addList(CLI::App& program, int& result);
 void addHw(CLI::App& program, int& result);
 void addDisassemble(CLI::App& program, int& result);
 void addAssemble(CLI::App& program, int& result);
+void addDebug(CLI::App& program, int& result);
+void addDiag(CLI::App& program, int& result);
+void addXref(CLI::App& program, int& result);
 void addBench(CLI::App& program, int& result);
 
 }  // namespace merker::app

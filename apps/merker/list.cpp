@@ -5,12 +5,12 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "block/container.h"
 #include "build.h"
 #include "command.h"
 #include "cpu_option.h"
 #include "mc7/disassembly.h"
 #include "memory_report.h"
+#include "monitor/block_list.h"
 
 namespace merker::app {
 namespace {
@@ -20,40 +20,21 @@ struct Options {
   bool code = false, memory = false, json = false;
 };
 
-struct Row {
-  std::string block, symbol;
-  std::size_t load = 0, work = 0;  // bytes: container; code, or actual values of a data block
-  std::uint32_t local = 0;
-  std::string version;
-  std::uint16_t checksum = 0;
-};
-
-Row row(const block::Block& block) {
-  const auto& attributes = block.attributes;
-  return {toString(block.id),
-          block.symbol.empty() ? attributes.name : block.symbol,
-          block::writeContainer(block).size(),
-          block.code.empty() ? block.actualData.size() : block.code.size(),
-          block.localBytes,
-          fmt::format("{}.{}", attributes.version >> 4, attributes.version & 0xF),
-          block::checksum(block)};
-}
-
 std::vector<mc7::Line> lines(const block::Block& block, const Options& options) {
   return mc7::disassemble(block.code,
                           options.mnemonics == "en" ? Mnemonics::International : Mnemonics::German);
 }
 
-void printRow(const Row& r) {
-  std::cout << fmt::format("{:<10} {:<24} {:>6} {:>6} {:>6}  {:<7}  {:04X}\n", r.block, r.symbol,
-                           r.load, r.work, r.local, r.version, r.checksum);
+void printRow(const monitor::BlockRow& r) {
+  std::cout << fmt::format("{:<10} {:<24} {:>6} {:>6} {:>6}  {:<7}  {:04X}\n", toString(r.id),
+                           r.symbol, r.load, r.work, r.local, r.version, r.checksum);
 }
 
 void printTable(const Build& build, const Options& options) {
   std::cout << fmt::format("{:<10} {:<24} {:>6} {:>6} {:>6}  {:<7}  {}\n", "block", "name", "load",
                            "work", "local", "version", "checksum");
   for (const auto& [id, block] : *build.program) {
-    printRow(row(block));
+    printRow(monitor::blockRow(block));
     if (!options.code) continue;
     for (const mc7::Line& line : lines(block, options))
       std::cout << "  " << mc7::toString(line) << '\n';
@@ -67,10 +48,10 @@ std::string hex(std::span<const std::uint8_t> bytes) {
 }
 
 nlohmann::json blockToJson(const block::Block& block, const Options& options) {
-  const Row r = row(block);
-  nlohmann::json document = {{"block", r.block},       {"name", r.symbol},
-                             {"load_bytes", r.load},   {"work_bytes", r.work},
-                             {"local_bytes", r.local}, {"version", r.version},
+  const monitor::BlockRow r = monitor::blockRow(block);
+  nlohmann::json document = {{"block", toString(r.id)}, {"name", r.symbol},
+                             {"load_bytes", r.load},    {"work_bytes", r.work},
+                             {"local_bytes", r.local},  {"version", r.version},
                              {"checksum", r.checksum}};
   if (!options.code) return document;
   document["code"] = nlohmann::json::array();

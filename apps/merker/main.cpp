@@ -57,6 +57,9 @@ int run(int argc, char** argv) {
   merker::app::addCheck(program, result);
   merker::app::addRun(program, result);
   merker::app::addTest(program, result);
+  merker::app::addDebug(program, result);
+  merker::app::addDiag(program, result);
+  merker::app::addXref(program, result);
   merker::app::addList(program, result);
   merker::app::addHw(program, result);
   merker::app::addDisassemble(program, result);

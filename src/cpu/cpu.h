@@ -149,6 +149,7 @@ class Cpu {
   // for system functions
   RealTimeClock& clock() { return clock_; }
   void setClock(std::int64_t milliseconds);  // time-of-day interrupts that are jumped over: OB 80
+  const RealTimeClock& clock() const { return clock_; }
   Interrupts& interrupts() { return interrupts_; }
   std::vector<RuntimeMeter>& runtimeMeters() { return runtimeMeters_; }
   const CycleTimes& cycleTimes() const { return cycleTimes_; }

@@ -1,0 +1,86 @@
+// merker debug PATH: a prompt over a running program.
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <iostream>
+
+#include "build.h"
+#include "command.h"
+#include "debug_session.h"
+#include "line_editor.h"
+
+namespace merker::app {
+namespace {
+
+volatile std::sig_atomic_t pressed = 0;  // Ctrl-C; a signal handler reaches nothing else
+
+// While it lives, Ctrl-C stands the program still instead of ending Merker.
+class InterruptKey {
+ public:
+  InterruptKey() {
+    pressed = 0;
+    struct sigaction action = {};
+    action.sa_handler = [](int) { pressed = 1; };
+    sigaction(SIGINT, &action, &before_);
+  }
+  ~InterruptKey() { sigaction(SIGINT, &before_, nullptr); }
+  InterruptKey(const InterruptKey&) = delete;
+  InterruptKey& operator=(const InterruptKey&) = delete;
+
+ private:
+  struct sigaction before_ = {};
+};
+
+struct Options {
+  std::string path, cpu;
+  std::vector<std::string> commands;
+};
+
+bool executeOne(DebugSession& session, const std::string& line) {
+  const InterruptKey key;
+  return session.execute(line);
+}
+
+int prompt(const Options& options, const Build& built) {
+  DebugSession session(built, std::cout, [] { return pressed != 0; });
+  LineEditor editor(DebugSession::words());
+  if (editor.onTerminal()) session.greet();
+  bool going = true;
+  for (const std::string& command : options.commands) going = going && executeOne(session, command);
+  while (going) {
+    const auto line = editor.read("(merker) ");
+    if (!line && editor.onTerminal()) std::cout << '\n';
+    going = line && executeOne(session, *line);
+  }
+  return session.failed() && !editor.onTerminal() ? kProblems : kGood;
+}
+
+int debug(const Options& options) {
+  Build built = build(project::load(options.path, options.cpu), false);
+  requireOb1(built);
+  if (!built.ok()) return report(built, false);
+  printProblems(built.problems, built.files());
+  return prompt(options, built);
+}
+
+}  // namespace
+
+void addDebug(CLI::App& program, int& result) {
+  auto* command = program.add_subcommand(
+      "debug", "breakpoints, single step, program status: a prompt over the running program");
+  auto options = std::make_shared<Options>();
+  command->add_option("PATH", options->path, "project folder or source")->required();
+  command->add_option("--cpu", options->cpu, "CPU model instead of the project's");
+  command->add_option("-x,--execute", options->commands, "a command to begin with; several times")
+      ->allow_extra_args(false);
+  command->footer(
+      "Time is virtual: it passes only while a command runs the program.\n"
+      "Commands come from the terminal or, one a line, from a pipe; then a command that could not\n"
+      "be carried out makes the exit code 1. `help` lists them, docs/debug.md describes them.\n"
+      "Examples:\n"
+      "  merker debug examples/sorting-plant\n"
+      "  merker debug blink.awl -x \"break OB 1\" -x run\n"
+      "  printf 'break FC 1:12\\nrun\\nwhere\\n' | merker debug plant");
+  command->callback([options, &result] { result = debug(*options); });
+}
+
+}  // namespace merker::app

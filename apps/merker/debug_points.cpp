@@ -1,0 +1,128 @@
+// Commands of `merker debug`: breakpoints and program status.
+#include <fmt/format.h>
+
+#include <charconv>
+#include <ostream>
+
+#include "base/text.h"
+#include "debug_session.h"
+#include "simulator/line.h"
+
+namespace merker::app {
+namespace {
+
+std::optional<unsigned> number(std::string_view text) {
+  unsigned value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (text.empty() || error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+// A block's name takes one word ("FC1", a symbol) or two ("FC 1").
+std::string takeBlock(std::string_view& rest) {
+  std::string text(simulator::takeWord(rest));
+  if (text.starts_with('"'))
+    while (!rest.empty() && (text.size() < 2 || !text.ends_with('"')))
+      text.append(" ").append(simulator::takeWord(rest));
+  else if (text.find_first_of("0123456789") == std::string::npos)
+    text.append(" ").append(simulator::takeWord(rest));
+  return text;
+}
+
+}  // namespace
+
+void DebugSession::breakAt(std::string_view arguments) {
+  monitor::Debugger& debugger = monitor_.debugger();
+  if (arguments.empty()) {
+    for (const monitor::Breakpoint& one : debugger.breakpoints())
+      out_ << fmt::format("{:>3}  {:<40} network {}, {} hits{}\n", one.number,
+                          monitor::toString(one.place), one.place.network, one.hits,
+                          one.enabled ? "" : ", disabled");
+    if (debugger.breakpoints().empty()) out_ << "no breakpoints\n";
+    return;
+  }
+  const auto place = monitor::findLocation(arguments, here());
+  if (!place) return error(place.error());
+  const monitor::Breakpoint& point = debugger.setBreakpoint(*place);
+  out_ << fmt::format("breakpoint {} at {}, network {}\n", point.number,
+                      monitor::toString(point.place), point.place.network);
+  printSource(point.place, 0);
+}
+
+void DebugSession::deletePoint(std::string_view arguments) {
+  if (equalsIgnoreCase(arguments, "all")) return monitor_.debugger().removeBreakpoints();
+  const auto which = number(arguments);
+  if (!which || !monitor_.debugger().removeBreakpoint(*which))
+    error(fmt::format("there is no breakpoint '{}'; 'break' lists them", arguments));
+}
+
+void DebugSession::switchPoint(std::string_view arguments, bool on) {
+  const auto which = number(arguments);
+  if (!which || !monitor_.debugger().enableBreakpoint(*which, on))
+    error(fmt::format("there is no breakpoint '{}'; 'break' lists them", arguments));
+}
+
+void DebugSession::status(std::string_view arguments) {
+  std::string_view rest = arguments;
+  const std::string_view word = simulator::takeWord(rest);
+  if (equalsIgnoreCase(word, "on")) {
+    if (showStatusOf(rest))
+      out_ << fmt::format("program status of {} is on\n",
+                          toString(monitor_.debugger().status()->block().id));
+  } else if (equalsIgnoreCase(word, "off")) {
+    monitor_.debugger().hideStatus();
+    out_ << "program status is off\n";
+  } else if (word.empty() || equalsIgnoreCase(word, "all")) {
+    printStatus(!word.empty());
+  } else {
+    error("status is on [BLOCK] [from BLOCK] [db N] [di N], off, all, or nothing behind it");
+  }
+}
+
+// The block, or the one where the program stands, and under which circumstances it is called.
+bool DebugSession::showStatusOf(std::string_view rest) {
+  std::optional<BlockId> block;
+  monitor::CallEnvironment environment;
+  while (!rest.empty()) {
+    std::string_view behind = rest;
+    const std::string_view word = simulator::takeWord(behind);
+    const bool from = equalsIgnoreCase(word, "from"), db = equalsIgnoreCase(word, "db");
+    if ((db || equalsIgnoreCase(word, "di")) && block) {
+      const auto value = number(simulator::takeWord(behind));
+      if (!value || *value > 0xFFFF) return error("a number of a data block is expected"), false;
+      (db ? environment.db : environment.di) = static_cast<std::uint16_t>(*value);
+      rest = behind;
+      continue;
+    }
+    if (from) rest = behind;
+    const auto id = monitor::findBlock(takeBlock(rest), here());
+    if (!id) return error(id.error()), false;
+    from ? environment.caller = *id : block = *id;
+  }
+  const auto place = monitor_.debugger().position();
+  if (!block) block = place ? place->block : BlockId{BlockKind::OB, 1};
+  if (monitor_.debugger().showStatus(*block, environment)) return true;
+  return error(makeProblem(ProblemCode::P1207, Position{}, toString(*block))), false;
+}
+
+void DebugSession::printStatus(bool everything) {
+  const monitor::ProgramStatus* status = monitor_.debugger().status();
+  if (status == nullptr) return error("program status is off; 'status on FC 1' switches it on");
+  out_ << fmt::format("{}, call {}\n", toString(status->block().id), status->calls());
+  out_ << " line  VKE STA AKKU1   "
+       << (everything ? " AKKU2    AR1      AR2      STW  DB    DI  " : "") << " source\n";
+  for (const monitor::StatusRow& row : status->rows()) {
+    const cpu::Registers& r = row.after;
+    std::string text(everything ? 62 : 18, ' ');
+    if (row.reached) {
+      text = fmt::format("  {:d}   {:d}  {:08X} ", r.status.rlo, r.status.sta, r.accu[0]);
+      if (everything)
+        text += fmt::format("{:08X} {:08X} {:08X} {:04X} {:<5} {:<5}", r.accu[1], r.ar1, r.ar2,
+                            r.status.word(), r.db.number, r.di.number);
+    }
+    out_ << fmt::format("{:>5} {}  {}\n", row.statement.line, text,
+                        sourceLine(status->block().file, row.statement.line));
+  }
+}
+
+}  // namespace merker::app

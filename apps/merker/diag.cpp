@@ -1,0 +1,93 @@
+// merker diag PATH [--for TIME]: run, then show what a programming device shows of the CPU.
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "build.h"
+#include "command.h"
+#include "monitor_text.h"
+#include "operands.h"
+#include "simulator/duration.h"
+#include "simulator/runner.h"
+
+namespace merker::app {
+namespace {
+
+struct Options {
+  std::string path, cpu, time = "10s";
+  bool json = false;
+  std::vector<std::string> set;
+};
+
+void printText(monitor::Monitor& monitor, bool fourAccumulators) {
+  std::cout << informationText(monitor.information());
+  std::cout << "\nDiagnostic buffer, newest first\n"
+            << diagnosticsText(monitor.diagnostics(), SIZE_MAX);
+  const monitor::Stacks stacks = monitor.stacks();
+  if (stacks.empty()) return;
+  std::cout << "\nB stack\n"
+            << blockStackText(stacks) << "\nI stack\n"
+            << interruptStackText(stacks, fourAccumulators) << "\nL stack\n"
+            << localStackText(stacks);
+}
+
+void printJson(monitor::Monitor& monitor) {
+  nlohmann::ordered_json document = {{"module", toJson(monitor.information())},
+                                     {"diagnostics", toJson(monitor.diagnostics())},
+                                     {"stacks", toJson(monitor.stacks())}};
+  std::cout << document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+}
+
+int show(const Options& options, const Build& built, Duration time) {
+  std::vector<simulator::Assignment> assignments;
+  if (!readAssignments("--set", options.set, built.resolver(), assignments)) return kUsage;
+  station::Station station = built.station();
+  monitor::Monitor monitor(station, built.project.symbols, built.resolver());
+  simulator::startFresh(station);  // a start that is refused stands in the diagnostic buffer
+  for (const simulator::Assignment& one : assignments) {
+    const std::string reason = simulator::apply(one, false, station);
+    if (reason.empty()) continue;
+    std::cerr << "merker diag: --set: " << reason << '\n';
+    return kUsage;
+  }
+  station.advanceTo(station.now() + time);
+  station.settle();
+  options.json ? printJson(monitor) : printText(monitor, station.model().accumulators == 4);
+  return station.stoppedByFault() ? kFault : kGood;
+}
+
+int diag(const Options& options) {
+  const auto time = simulator::parseDuration(options.time);
+  if (!time) {
+    std::cerr << "merker diag: --for: '" << options.time
+              << "' is no length of time; write 250ms, 7.5s, 2m or T#1S\n";
+    return kUsage;
+  }
+  const Build built = build(project::load(options.path, options.cpu), false);
+  if (!built.ok()) return report(built, options.json);
+  printProblems(built.problems, built.files());
+  return show(options, built, *time);
+}
+
+}  // namespace
+
+void addDiag(CLI::App& program, int& result) {
+  auto* command = program.add_subcommand(
+      "diag", "run in virtual time, then show state, diagnostic buffer and stacks of the CPU");
+  auto options = std::make_shared<Options>();
+  command->add_option("PATH", options->path, "project folder or source")->required();
+  command->add_option("--for", options->time, "run this long: 250ms, 7.5s, 2m (default 10s)");
+  command->add_option("--set", options->set, "before the start: \"E 0.0=1, MW 10=W#16#0005\"")
+      ->allow_extra_args(false);
+  command->add_option("--cpu", options->cpu, "CPU model instead of the project's");
+  command->add_flag("--json", options->json, "as one JSON object");
+  command->footer(
+      "The B stack shows the blocks that ran when the CPU stopped, the I stack the registers of\n"
+      "each priority class, the L stack local data.\n"
+      "Examples:\n"
+      "  merker diag examples/sorting-plant\n"
+      "  merker diag faulty.awl --for 1s --set \"E 0.7=1\" --json");
+  command->callback([options, &result] { result = diag(*options); });
+}
+
+}  // namespace merker::app

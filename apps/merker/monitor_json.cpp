@@ -1,0 +1,88 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "monitor_text.h"
+
+namespace merker::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string event(std::uint16_t number) { return fmt::format("16#{:04X}", number); }
+
+Json registers(const cpu::Registers& r) {
+  const cpu::StatusWord& s = r.status;
+  return {{"akku1", r.accu[0]}, {"akku2", r.accu[1]}, {"akku3", r.accu[2]}, {"akku4", r.accu[3]},
+          {"ar1", r.ar1},       {"ar2", r.ar2},       {"stw", s.word()},    {"vke", s.rlo},
+          {"sta", s.sta},       {"db", r.db.number},  {"di", r.di.number}};
+}
+
+Json interrupt(const monitor::InterruptStackEntry& entry) {
+  return {{"ob", entry.ob},
+          {"priority", entry.priority},
+          {"error_ob", entry.errorOb},
+          {"place", toJson(entry.place)},
+          {"registers", registers(entry.registers)},
+          {"brackets", entry.brackets.size()},
+          {"mcr", entry.mcr.size()}};
+}
+
+}  // namespace
+
+Json toJson(const monitor::SourcePlace& place) {
+  return {{"block", toString(place.block)},
+          {"offset", place.offset},
+          {"file", place.file},
+          {"line", place.line},
+          {"network", place.network}};
+}
+
+Json toJson(const monitor::Stacks& stacks) {
+  Json result = {
+      {"blocks", Json::array()}, {"interrupts", Json::array()}, {"locals", Json::array()}};
+  for (const monitor::BlockStackEntry& entry : stacks.blocks)
+    result["blocks"].push_back(
+        {{"place", toJson(entry.place)}, {"db", entry.db}, {"di", entry.di}});
+  for (const monitor::InterruptStackEntry& entry : stacks.interrupts)
+    result["interrupts"].push_back(interrupt(entry));
+  for (const monitor::LocalStackEntry& entry : stacks.locals)
+    result["locals"].push_back({{"block", toString(entry.block)}, {"bytes", entry.bytes}});
+  return result;
+}
+
+Json toJson(const std::vector<monitor::DiagnosticLine>& lines) {
+  Json list = Json::array();
+  for (const monitor::DiagnosticLine& line : lines) {
+    Json row = {{"number", line.number},
+                {"clock", monitor::clockText(line.clock)},
+                {"seconds", static_cast<double>(line.time.ns) / 1e9},
+                {"event", event(line.event)},
+                {"text", line.text}};
+    if (!line.help.empty()) row["help"] = line.help;
+    if (line.place) row["place"] = toJson(*line.place);
+    list.push_back(std::move(row));
+  }
+  return list;
+}
+
+Json toJson(const monitor::ModuleInformation& info) {
+  return {{"model", info.model},
+          {"mode", monitor::name(info.mode)},
+          {"fault", info.fault},
+          {"stop_reason", info.stopReason},
+          {"seconds", static_cast<double>(info.time.ns) / 1e9},
+          {"clock", info.clock},
+          {"cycles", info.cycles},
+          {"instructions", info.instructions},
+          {"cycle_ms",
+           {{"last", info.lastCycle},
+            {"shortest", info.shortestCycle},
+            {"longest", info.longestCycle}}},
+          {"blocks", info.blocks},
+          {"load_memory", info.loadMemory},
+          {"work_memory", {{"used", info.workMemoryUsed}, {"size", info.workMemory}}},
+          {"local_data", info.localData}};
+}
+
+}  // namespace merker::app

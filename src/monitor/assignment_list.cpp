@@ -1,0 +1,44 @@
+#include "monitor/assignment_list.h"
+
+#include <map>
+#include <set>
+
+namespace merker::monitor {
+namespace {
+
+using Bytes = std::map<std::pair<Area, std::uint32_t>, AssignmentByte>;
+
+void add(Bytes& bytes, const mc7::Operand& operand) {
+  for (std::uint32_t i = 0; i < byteCount(operand.width); ++i) {
+    const std::uint32_t number = operand.value / 8 + i;
+    AssignmentByte& byte = bytes[{operand.area, number}];
+    byte.area = operand.area;
+    byte.byte = number;
+    if (operand.width == Width::Bit) byte.bits[operand.value & 7] = true;
+    byte.byByte |= operand.width == Width::Byte;
+    byte.byWord |= operand.width == Width::Word;
+    byte.byDWord |= operand.width == Width::DWord;
+  }
+}
+
+}  // namespace
+
+AssignmentList assignmentList(const std::vector<CrossReference>& list) {
+  Bytes bytes;
+  std::set<std::uint32_t> timers, counters;
+  for (const CrossReference& row : list) {
+    const mc7::Operand& key = row.key;
+    if (key.kind == mc7::OperandKind::Timer) timers.insert(key.value);
+    if (key.kind == mc7::OperandKind::Counter) counters.insert(key.value);
+    const bool image =
+        key.area == Area::Input || key.area == Area::Output || key.area == Area::Flag;
+    if (key.kind == mc7::OperandKind::Memory && image) add(bytes, key);
+  }
+  AssignmentList result;
+  for (const auto& [place, byte] : bytes) result.bytes.push_back(byte);
+  result.timers.assign(timers.begin(), timers.end());
+  result.counters.assign(counters.begin(), counters.end());
+  return result;
+}
+
+}  // namespace merker::monitor

@@ -1,0 +1,96 @@
+// Breakpoints, single step and program status over the probes of the CPU (S7-STATE-07). At a
+// breakpoint the CPU goes to HALT before the instruction; nothing costs time where nobody looks.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "monitor/program_status.h"
+#include "station/station.h"
+
+namespace merker::monitor {
+
+struct Breakpoint {
+  unsigned number = 0;  // 1, 2 … in the order they were set
+  SourcePlace place;
+  bool enabled = true;
+  std::uint64_t hits = 0;
+};
+
+enum class StepKind : std::uint8_t {
+  Into,         // the next statement, also in a block that it calls
+  Over,         // the next statement of this block, or of its caller
+  Out,          // the next statement after this block has ended
+  Instruction,  // the next machine instruction
+};
+
+// Why time stands.
+struct Pause {
+  enum class Why : std::uint8_t { Limit, Breakpoint, Step, Stop, Interrupted } why = Why::Limit;
+  unsigned breakpoint = 0;  // its number
+};
+
+class Debugger {
+ public:
+  explicit Debugger(station::Station& station);
+  ~Debugger();
+  Debugger(const Debugger&) = delete;
+  Debugger& operator=(const Debugger&) = delete;
+
+  // The same place twice is one breakpoint.
+  const Breakpoint& setBreakpoint(const SourcePlace& place);
+  bool removeBreakpoint(unsigned number);
+  bool enableBreakpoint(unsigned number, bool enabled);
+  void removeBreakpoints();
+  const std::vector<Breakpoint>& breakpoints() const { return breakpoints_; }
+
+  // Out of HALT and on, until a breakpoint, STOP, or the limit. `interrupted` is asked now and
+  // then.
+  Pause run(Instant limit, const std::function<bool()>& interrupted = {});
+  Pause step(StepKind kind, Instant limit, const std::function<bool()>& interrupted = {});
+  // The same, at most to the next end of a cycle or change to RUN.
+  Pause runToCheckpoint(Instant limit);
+  // Where the program stands in HALT, or stood at STOP; nothing between two cycles.
+  std::optional<SourcePlace> position() const;
+
+  // Program status of one block at a time. False: no such block, or it has no code.
+  bool showStatus(BlockId block, CallEnvironment environment = {});
+  void hideStatus();
+  const ProgramStatus* status() const { return status_ ? &*status_ : nullptr; }
+
+ private:
+  class Sight;
+  struct Step {
+    StepKind kind;
+    std::size_t frames, levels;  // when it began
+  };
+  struct At {
+    const cpu::Code* code;
+    std::uint32_t offset;
+    std::size_t frames;
+    bool operator==(const At&) const = default;
+  };
+  void goOn();
+  bool executing() const;
+  Pause advance(Instant limit, const std::function<bool()>& interrupted);
+  Pause reason() const;
+  bool before(cpu::Machine& machine, std::uint32_t offset);
+  void after(cpu::Machine& machine, const cpu::Code& code, std::uint32_t offset);
+  bool stepEnds(const cpu::Machine& machine, std::uint32_t offset) const;
+  Breakpoint* breakpointAt(BlockId block, std::uint32_t offset);
+  void place();  // probes where they are needed
+
+  station::Station& station_;
+  std::unique_ptr<Sight> sight_;
+  std::vector<Breakpoint> breakpoints_;
+  unsigned nextNumber_ = 1;
+  std::optional<ProgramStatus> status_;
+  std::optional<Step> step_;
+  std::optional<At>
+      leaveFrom_;  // the instruction that HALT stands before: executed when it goes on
+  Pause pause_;
+};
+
+}  // namespace merker::monitor

@@ -1,0 +1,26 @@
+#include "monitor/diagnostic_list.h"
+
+#include "cpu/cpu.h"
+
+namespace merker::monitor {
+
+std::vector<DiagnosticLine> diagnosticList(const station::Station& station) {
+  const cpu::Cpu& cpu = station.cpu();
+  std::vector<DiagnosticLine> list;
+  const auto& events = cpu.diagnostics().events();
+  for (auto event = events.rbegin(); event != events.rend(); ++event) {
+    DiagnosticLine line;
+    line.number = static_cast<unsigned>(list.size()) + 1;
+    line.time = event->time;
+    line.clock = cpu.clock().milliseconds(event->time);
+    line.event = event->event;
+    line.text = event->text;
+    line.help = diagnosticHelp(event->event);
+    if (event->place.known)
+      line.place = sourcePlace(station.program(), event->place.block, event->place.offset);
+    list.push_back(std::move(line));
+  }
+  return list;
+}
+
+}  // namespace merker::monitor

@@ -1,0 +1,29 @@
+// The diagnostic buffer as a person reads it (S7-DIAG-01): newest first, with what it means and
+// which line "open block" opens.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "monitor/code_map.h"
+#include "station/station.h"
+
+namespace merker::monitor {
+
+struct DiagnosticLine {
+  unsigned number = 1;  // 1 = newest
+  Instant time;
+  std::int64_t clock = 0;  // ms since 1990-01-01, as the CPU's clock shows it
+  std::uint16_t event = 0;
+  std::string text;
+  std::string help;  // what the event means and what to do; empty if nothing needs doing
+  std::optional<SourcePlace> place;
+};
+
+std::vector<DiagnosticLine> diagnosticList(const station::Station& station);
+
+// Cause and remedy of an event number; empty for events that are no faults.
+std::string_view diagnosticHelp(std::uint16_t event);
+
+}  // namespace merker::monitor

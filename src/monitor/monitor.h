@@ -1,0 +1,70 @@
+// The one interface to a running CPU for everybody outside: command line, workbench, server. Values
+// by operand or symbol, forces, variable tables, breakpoints, stacks, diagnosis.
+#pragma once
+
+#include <list>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "monitor/debugger.h"
+#include "monitor/diagnostic_list.h"
+#include "monitor/display_format.h"
+#include "monitor/frame_variables.h"
+#include "monitor/location.h"
+#include "monitor/module_information.h"
+#include "monitor/stacks.h"
+#include "monitor/variable_table.h"
+
+namespace merker::monitor {
+
+struct Forced {
+  mc7::Reference operand;
+  std::uint32_t value = 0;
+};
+
+class Monitor {
+ public:
+  // Station, symbols and whatever the resolver stands on outlive the monitor; the station stays
+  // where it is. One monitor per station.
+  Monitor(station::Station& station, const source::SymbolTable& symbols,
+          simulator::Resolver resolver);
+  ~Monitor();
+  Monitor(const Monitor&) = delete;
+  Monitor& operator=(const Monitor&) = delete;
+
+  station::Station& station() { return station_; }
+  Debugger& debugger() { return debugger_; }
+  LocationContext locations(std::string currentFile) const;
+
+  // values, by text (S7-SIM-12)
+  Result<mc7::Reference> operand(std::string_view text) const;
+  Result<std::string> read(std::string_view operand, DisplayFormat format) const;
+  std::optional<Problem> write(std::string_view operand, std::string_view value,
+                               DisplayFormat format = DisplayFormat::Automatic);
+  // forces, until they are taken away; the same operand again replaces its value
+  std::optional<Problem> force(std::string_view operand, std::string_view value);
+  std::optional<Problem> unforce(std::string_view operand);
+  void unforceAll();
+  const std::vector<Forced>& forces() const { return forces_; }
+  // The table stays with the monitor.
+  VariableTable& addTable();
+  void removeTable(const VariableTable& table);
+
+  // looks at the CPU
+  Stacks stacks() const;
+  std::vector<DiagnosticLine> diagnostics() const { return diagnosticList(station_); }
+  ModuleInformation information() const { return moduleInformation(station_); }
+  std::vector<FrameVariable> variables(std::size_t depth) const;
+
+ private:
+  station::Station& station_;
+  const source::SymbolTable& symbols_;
+  simulator::Resolver resolver_;
+  Debugger debugger_;
+  std::list<VariableTable> tables_;
+  std::vector<Forced> forces_;
+};
+
+}  // namespace merker::monitor

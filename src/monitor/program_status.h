@@ -1,0 +1,60 @@
+// Program status of one block (S7-EDIT-21): the registers after each statement, as the last call of
+// the block left them. Statements that this call did not reach show nothing.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "cpu/machine.h"
+#include "monitor/code_map.h"
+
+namespace merker::monitor {
+
+// Which calls are looked at; what is not given does not matter (call environment of STEP 7).
+struct CallEnvironment {
+  std::optional<BlockId> caller;
+  std::optional<std::uint16_t> db, di;  // open when the block begins
+};
+
+struct StatusRow {
+  Statement statement;
+  bool reached = false;
+  std::uint32_t passes = 0;  // how often in this call: loops
+  cpu::Registers after;
+};
+
+class ProgramStatus {
+ public:
+  explicit ProgramStatus(const block::Block& block, CallEnvironment environment = {});
+
+  const block::Block& block() const { return *block_; }
+  std::uint64_t calls() const { return calls_; }  // seen so far
+  // In the order of the code.
+  std::vector<StatusRow> rows() const;
+  // The row of the statement at `offset`, if the last call reached it.
+  const StatusRow* at(std::uint32_t offset) const;
+
+  // From the probe of this block: an instruction is next, it is executed now, it is done.
+  void arrived(const cpu::Machine& machine);
+  void before(const cpu::Machine& machine, std::uint32_t offset);
+  void after(const cpu::Machine& machine, std::uint32_t offset);
+
+ private:
+  struct Open {  // an instruction that opened a block and has not come back
+    std::size_t frames;
+    std::uint32_t offset;
+  };
+  bool wanted(const cpu::Machine& machine) const;
+  void record(const cpu::Machine& machine, std::uint32_t offset);
+
+  const block::Block* block_;
+  CallEnvironment environment_;
+  bool recording_ = false;
+  std::uint64_t calls_ = 0;
+  std::size_t running_ = 0;  // depth of the call that is under way, 0 = none
+  std::vector<Open> open_;
+  std::map<std::uint32_t, StatusRow> rows_;  // by the beginning of the statement
+};
+
+}  // namespace merker::monitor

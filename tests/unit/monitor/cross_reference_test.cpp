@@ -1,0 +1,94 @@
+#include <gtest/gtest.h>
+
+#include "monitor/assignment_list.h"
+#include "monitor/block_list.h"
+#include "plc.h"
+
+namespace merker::monitor::test {
+namespace {
+
+const char* const kUses =
+    "DATA_BLOCK DB 1\nSTRUCT\n a : WORD;\n b : WORD;\nEND_STRUCT\nBEGIN\nEND_DATA_BLOCK\n"  // 1..7
+    "FUNCTION FC 1 : VOID\nVAR_INPUT\n in : INT;\nEND_VAR\nVAR_OUTPUT\n out : INT;\nEND_VAR\n"
+    "VAR_IN_OUT\n both : BOOL;\nEND_VAR\nBEGIN\nNETWORK\n NOP 0;\nEND_FUNCTION\n"  // 8..21
+    "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n"                                    // 22..24
+    " U E 0.0;\n FP M 1.0;\n S A 0.1;\nNETWORK\n"                                  // 25..28
+    " L MW 10;\n T DB1.DBW 2;\n SE T 5;\n ZV Z 3;\n"                               // 29..32
+    " L MW [MD 20];\n CALL FC 1 (in := MW 30, out := MW 32, both := M 40.0);\n"    // 33..34
+    " CALL SFC 64 (RET_VAL := MD 50);\nEND_ORGANIZATION_BLOCK\n";
+
+struct Uses : ::testing::Test {
+  Plc plc{kUses, "\"Start\" E 0.0 BOOL\n\"Spare\" E 7.7 BOOL\n\"Adder\" FC 1\n\"Main\" OB 1\n"};
+  block::Program library = system::library();
+  std::vector<CrossReference> list =
+      crossReferences(plc.program(), plc.symbols(), {.library = &library});
+  std::string text(const std::vector<CrossReference>& rows) const {
+    std::string result;
+    for (const CrossReference& row : rows)
+      result += row.operand + " " + std::string(monitor::name(row.use)) + " " +
+                std::to_string(row.place.line) + "; ";
+    return result;
+  }
+  std::string of(const std::string& filter) {
+    const auto part = filtered(list, filter, plc.resolver());
+    return part ? text(*part) : std::string(part.error().name());
+  }
+};
+
+// S7-EDIT-22: every use with its place, read or write, in STEP 7's order.
+TEST_F(Uses, AreListed) {
+  EXPECT_EQ(text(list),
+            "E 0.0 R 25; A 0.1 W 27; M 1.0 RW 26; MW 10 R 29; MD 20 R 33; MW 30 R 34; MW 32 W 34; "
+            "M 40.0 RW 34; MD 50 W 35; T 5 W 31; Z 3 W 32; DB1.DBW 2 W 30; DB 1 - 30; FC 1 - 34; "
+            "SFC 64 - 35; ");
+  EXPECT_EQ(list[0].symbol, "Start");
+  EXPECT_EQ(list[0].instruction, "U     E 0.0");
+  EXPECT_EQ(list[3].place.network, 2u);
+  EXPECT_EQ(list[3].statement, 1u);
+  EXPECT_EQ(list[1].statement, 3u);
+}
+
+// S7-EDIT-22: by operand; accesses that overlap belong to it.
+TEST_F(Uses, CanBeFiltered) {
+  EXPECT_EQ(of("MB 11"), "MW 10 R 29; ");
+  EXPECT_EQ(of("M 33.7, \"Start\""), "E 0.0 R 25; MW 32 W 34; ");
+  EXPECT_EQ(of("DB 1"), "DB1.DBW 2 W 30; DB 1 - 30; ");
+  EXPECT_EQ(of("DB1.DBB 3"), "DB1.DBW 2 W 30; ");
+  EXPECT_EQ(of("T"), "T 5 W 31; ");
+  EXPECT_EQ(of("c 3"), "Z 3 W 32; ");
+  EXPECT_EQ(of("SFC"), "SFC 64 - 35; ");
+  EXPECT_EQ(of("MB 200"), "");
+  EXPECT_EQ(of("nonsense"), "P0317");
+}
+
+TEST_F(Uses, ShowWhatIsUnused) {
+  const auto unused = unusedSymbols(list, plc.symbols());
+  ASSERT_EQ(unused.size(), 1u);
+  EXPECT_EQ(unused[0].name, "Spare");
+  EXPECT_EQ(operandsWithoutSymbol(list).front(), "A 0.1");
+}
+
+// S7-EDIT-22: the assignment list.
+TEST_F(Uses, MakeTheAssignmentList) {
+  const AssignmentList assignment = assignmentList(list);
+  EXPECT_EQ(assignment.timers, std::vector<std::uint32_t>{5});
+  EXPECT_EQ(assignment.counters, std::vector<std::uint32_t>{3});
+  ASSERT_GE(assignment.bytes.size(), 5u);
+  EXPECT_EQ(assignment.bytes[0].area, Area::Input);
+  EXPECT_TRUE(assignment.bytes[0].bits[0]);
+  EXPECT_FALSE(assignment.bytes[0].bits[1]);
+  EXPECT_EQ(assignment.bytes[3].byte, 10u);
+  EXPECT_TRUE(assignment.bytes[3].byWord);
+  EXPECT_EQ(assignment.bytes[4].byte, 11u);
+  EXPECT_FALSE(assignment.bytes[4].byByte);
+}
+
+TEST_F(Uses, BlocksAreListed) {
+  const auto blocks = blockList(plc.program());
+  ASSERT_EQ(blocks.size(), 3u);
+  EXPECT_EQ(blocks[2].id.number, 1);
+  EXPECT_GT(blocks[0].load, blocks[0].work);
+}
+
+}  // namespace
+}  // namespace merker::monitor::test

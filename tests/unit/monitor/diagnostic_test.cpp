@@ -1,0 +1,52 @@
+#include <gtest/gtest.h>
+
+#include "plc.h"
+
+namespace merker::monitor::test {
+namespace {
+
+// S7-DIAG-01: newest first, plain text, and the line that "open block" opens.
+TEST(DiagnosticList, LeadsToTheFaultyLine) {
+  Plc plc(kProgram);
+  plc.start();
+  EXPECT_EQ(name(plc->write("M 0.0", "1")), "good");
+  plc.run();
+  const auto lines = plc->diagnostics();
+  ASSERT_GE(lines.size(), 4u);
+  EXPECT_EQ(lines[0].number, 1u);
+  EXPECT_EQ(lines[0].event, 0x4562);
+  EXPECT_EQ(lines[1].event, 0x253A);
+  EXPECT_NE(lines[1].text.find("DB 99"), std::string::npos);
+  ASSERT_TRUE(lines[1].place.has_value());
+  EXPECT_EQ(lines[1].place->file, "plant.awl");
+  EXPECT_EQ(lines[1].place->line, 26u);
+  EXPECT_FALSE(lines[1].help.empty());
+  EXPECT_FALSE(lines.back().place.has_value());
+}
+
+// S7-DIAG-03: every reason for STOP through a fault has its help.
+TEST(DiagnosticList, HelpsWithEveryReasonForStop) {
+  for (const unsigned event :
+       {0x4562, 0x4563, 0x4568, 0x456A, 0x456B, 0x456C, 0x456D, 0x456E, 0x456F, 0x4570, 0x4571,
+        0x4572, 0x4573, 0x4574, 0x4575, 0x4576, 0x4578, 0x457A})
+    EXPECT_FALSE(diagnosticHelp(static_cast<std::uint16_t>(event)).empty()) << std::hex << event;
+  EXPECT_TRUE(diagnosticHelp(0x4302).empty());
+}
+
+TEST(ModuleInformation, ShowsTheState) {
+  Plc plc(kProgram);
+  EXPECT_EQ(plc->information().mode, station::Mode::Stop);
+  plc.start();
+  plc.station().advanceCycles(3);
+  const ModuleInformation info = plc->information();
+  EXPECT_EQ(info.model, "CPU 314C-2 PtP");
+  EXPECT_EQ(info.mode, station::Mode::Run);
+  EXPECT_EQ(info.cycles, 3u);
+  EXPECT_EQ(info.blocks, 2u);
+  EXPECT_GT(info.workMemoryUsed, 0u);
+  EXPECT_EQ(clockText(0), "1990-01-01 00:00:00.000");
+  EXPECT_EQ(clockText(((59ll * 86400) + 3661) * 1000 + 7), "1990-03-01 01:01:01.007");
+}
+
+}  // namespace
+}  // namespace merker::monitor::test

@@ -1,0 +1,124 @@
+#include <gtest/gtest.h>
+
+#include "plc.h"
+
+namespace merker::monitor::test {
+namespace {
+
+using cpu::CyclePoint;
+
+// MW 2 takes MW 0 within the cycle; MW 0 becomes 7 at its end.
+const char* const kCopy =
+    "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n L MW 0;\n T MW 2;\n L 7;\n T MW 0;\n U E 0.0;\n"
+    " = M 9.0;\n = A 0.0;\n U E 0.7;\n SPBN good;\n CALL SFC 46;\ngood: NOP 0;\n"
+    "END_ORGANIZATION_BLOCK\n";
+
+// S7-SIM-12: values at the beginning of the cycle are those before the program.
+TEST(VariableTable, MonitorsAtItsTrigger) {
+  Plc plc(kCopy);
+  VariableTable& begin = plc->addTable();
+  VariableTable& end = plc->addTable();
+  for (VariableTable* table : {&begin, &end}) EXPECT_EQ(name(table->add("MW 0")), "good");
+  begin.monitor(Trigger{CyclePoint::Begin, false});
+  end.monitor(Trigger{CyclePoint::End, false});
+  EXPECT_EQ(begin.text(0), "?");
+  plc.start();
+  plc.station().advanceCycles(1);
+  EXPECT_EQ(begin.text(0), "W#16#0000");
+  EXPECT_EQ(end.text(0), "W#16#0007");
+}
+
+TEST(VariableTable, ModifiesAtItsTrigger) {
+  Plc plc(kCopy);
+  VariableTable& table = plc->addTable();
+  EXPECT_EQ(name(table.add("MW 0", DisplayFormat::Dec)), "good");
+  EXPECT_EQ(name(table.setModify(0, "33")), "good");
+  plc.start();
+  table.modify(Trigger{CyclePoint::Begin, true});
+  plc.station().advanceCycles(1);
+  EXPECT_EQ(plc.read("MW 2", DisplayFormat::Dec), "33");
+  EXPECT_FALSE(table.modifying());  // once
+  plc.station().advanceCycles(1);
+  EXPECT_EQ(plc.read("MW 2", DisplayFormat::Dec), "7");
+  table.modify(Trigger{CyclePoint::End, false});
+  plc.station().advanceCycles(3);
+  EXPECT_EQ(plc.read("MW 0", DisplayFormat::Dec), "33");
+}
+
+// An input that is modified at the beginning of the cycle is seen by this cycle.
+TEST(VariableTable, ModifiesInputsBeforeTheProgram) {
+  Plc plc(kCopy);
+  VariableTable& table = plc->addTable();
+  EXPECT_EQ(name(table.add("E 0.0")), "good");
+  EXPECT_EQ(name(table.setModify(0, "TRUE")), "good");
+  plc.start();
+  table.modify(Trigger{CyclePoint::Begin, false});
+  plc.station().advanceCycles(1);
+  EXPECT_EQ(plc.read("M 9.0"), "1");
+  table.modify({});
+  plc.station().advanceCycles(1);
+  EXPECT_EQ(plc.read("M 9.0"), "0");  // the terminal never was 1
+}
+
+TEST(VariableTable, ActsAtTheTransitionToStop) {
+  Plc plc(kCopy);
+  VariableTable& table = plc->addTable();
+  EXPECT_EQ(name(table.add("MW 50", DisplayFormat::Hex)), "good");
+  EXPECT_EQ(name(table.setModify(0, "AFFE")), "good");
+  plc.start();
+  table.modify(Trigger{CyclePoint::Stop, false});
+  table.monitor(Trigger{CyclePoint::Stop, true});
+  plc.station().advanceCycles(2);
+  EXPECT_EQ(table.text(0), "?");
+  plc.station().stop();
+  EXPECT_EQ(plc.read("MW 50"), "W#16#AFFE");
+  EXPECT_EQ(table.text(0), "W#16#AFFE");
+}
+
+TEST(VariableTable, ActsAtOnce) {
+  Plc plc(kCopy);
+  VariableTable& table = plc->addTable();
+  EXPECT_EQ(name(table.add("MW 60")), "good");
+  EXPECT_EQ(name(table.setModify(0, "12")), "good");
+  table.modifyNow();
+  table.monitorNow();
+  EXPECT_EQ(table.text(0), "W#16#000C");
+  EXPECT_EQ(name(table.setFormat(0, DisplayFormat::Dec)), "good");
+  EXPECT_EQ(table.text(0), "12");  // the format changes, the value stays
+  plc->removeTable(table);
+}
+
+TEST(VariableTable, RefusesWhatDoesNotFit) {
+  Plc plc(kCopy);
+  VariableTable& table = plc->addTable();
+  EXPECT_EQ(name(table.add("MW 0", DisplayFormat::Real)), "P1209");
+  EXPECT_EQ(name(table.add("QWERTZ")), "P0317");
+  EXPECT_TRUE(table.rows().empty());
+  EXPECT_EQ(name(table.add("MB 0")), "good");
+  EXPECT_EQ(name(table.setModify(0, "256")), "P0955");
+  EXPECT_EQ(name(table.setModify(0, "")), "good");
+  EXPECT_FALSE(table.rows()[0].modify);
+}
+
+// S7-SIM-12, S7-CPU-31: a force holds against the program and the terminals.
+TEST(Force, HoldsUntilItIsTakenAway) {
+  Plc plc(kCopy);
+  plc.start();
+  EXPECT_EQ(name(plc->force("E 0.0", "1")), "good");
+  EXPECT_EQ(name(plc->force("A 0.0", "0")), "good");
+  plc.station().advanceCycles(2);
+  EXPECT_EQ(plc.read("M 9.0"), "1");
+  EXPECT_EQ(plc.read("A 0.0"), "0");
+  EXPECT_EQ(plc->forces().size(), 2u);
+  EXPECT_EQ(name(plc->unforce("A 0.0")), "good");
+  plc.station().advanceCycles(2);
+  EXPECT_EQ(plc.read("A 0.0"), "1");
+  EXPECT_EQ(name(plc->unforce("A 0.0")), "P1214");
+  plc->unforceAll();
+  plc.station().advanceCycles(2);
+  EXPECT_EQ(plc.read("M 9.0"), "0");
+  EXPECT_EQ(name(plc->force("T 1", "0")), "P1211");
+}
+
+}  // namespace
+}  // namespace merker::monitor::test
