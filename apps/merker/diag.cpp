@@ -40,7 +40,8 @@ void printJson(monitor::Monitor& monitor) {
 
 int show(const Options& options, const Build& built, Duration time) {
   std::vector<simulator::Assignment> assignments;
-  if (!readAssignments("--set", options.set, built.resolver(), assignments)) return kUsage;
+  const int wrong = readAssignments("--set", options.set, built.resolver(), assignments);
+  if (wrong != kGood) return wrong;
   station::Station station = built.station();
   monitor::Monitor monitor(station, built.project.symbols, built.resolver());
   simulator::startFresh(station);  // a start that is refused stands in the diagnostic buffer

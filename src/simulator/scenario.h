@@ -69,8 +69,8 @@ struct Step {
   Duration duration;                    // Wait
   std::uint64_t count = 0;              // WaitCycles, Repeat
   Expectation expectation;
-  FaultStep fault;                       // Fault
-  std::vector<TerminalValue> terminals;  // Terminal
+  FaultStep fault;                                                 // Fault
+  std::vector<TerminalValue> terminals;                            // Terminal
   cpu::SwitchPosition switchPosition = cpu::SwitchPosition::RunP;  // Switch
   cpu::Trigger trigger{};                                          // Trigger
   std::vector<Step> body;                                          // Repeat

@@ -19,7 +19,7 @@ const char* const kUses =
 
 struct Uses : ::testing::Test {
   Plc plc{kUses, "\"Start\" E 0.0 BOOL\n\"Spare\" E 7.7 BOOL\n\"Adder\" FC 1\n\"Main\" OB 1\n"};
-  block::Program library = system::library();
+  block::Program library = system::library(defaultCpuModel());
   std::vector<CrossReference> list =
       crossReferences(plc.program(), plc.symbols(), {.library = &library});
   std::string text(const std::vector<CrossReference>& rows) const {

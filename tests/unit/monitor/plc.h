@@ -72,7 +72,7 @@ class Plc {
   }
 
  private:
-  block::Program library_ = system::library();
+  block::Program library_ = system::library(defaultCpuModel());
   source::SymbolTable symbols_;
   step7::CompileOptions options_;
   std::shared_ptr<const block::Program> program_;

@@ -1,0 +1,241 @@
+import os
+import pty
+import re
+import select
+import subprocess
+import time
+
+from harness import *
+
+# Line 5 begins FC 1, line 11 OB 1; E 0.7 leads to a fault in line 15.
+SOURCE = """FUNCTION FC 1 : INT
+VAR_INPUT in : INT; END_VAR
+BEGIN
+NETWORK
+      L     #in
+      L     7
+      +I
+      T     #RET_VAL
+END_FUNCTION
+ORGANIZATION_BLOCK OB 1
+BEGIN
+NETWORK
+      CALL  FC 1 (in := MW 10, RET_VAL := MW 12)
+      U     E 0.7
+      SPBN  good
+      AUF   DB 99
+good: NOP   0
+END_ORGANIZATION_BLOCK
+"""
+
+
+class Debug(Case):
+    def setUp(self):
+        super().setUp()
+        self.write("a.awl", SOURCE)
+
+    def debug(self, *commands, code=GOOD):
+        return self.expect(code, "debug", "a.awl", text="".join(line + "\n" for line in commands)).out
+
+    def test_a_breakpoint_is_halt_with_registers(self):
+        """S7-STATE-07"""
+        out = self.debug("set MW 10 = 5", "break FC1:7", "run", "registers", "where")
+        self.assertIn("breakpoint 1 at FC 1 byte", out)
+        self.assertIn("HALT at breakpoint 1", out)
+        self.assertIn("AKKU1 DW#16#00000007 (7)  AKKU2 DW#16#00000005 (5)", out)
+        self.assertRegex(out, r"0  FC 1 byte \d+ \(a.awl:7\)")
+        self.assertRegex(out, r"1  OB 1 byte \d+ \(a.awl:13\)")
+
+    def test_places(self):
+        for place in ("FC1:7", "FC 1:7", "a.awl:7", "7"):
+            self.assertIn("(a.awl:7)", self.debug("break " + place), place)
+        self.assertIn("(a.awl:13)", self.debug("break OB 1 network 1"))
+
+    def test_steps(self):
+        out = self.debug("b 13", "run", "delete 1", "s", "s", "next", "out")
+        at = re.findall(r"^=>.\s+(\d+) ", out, re.MULTILINE)
+        self.assertEqual(at, ["13", "5", "6", "7", "14"])
+
+    def test_program_status(self):
+        """S7-EDIT-21"""
+        out = self.debug("set MW 10 = 5", "status on FC 1", "c 100ms", "status", "status all", "status off")
+        self.assertRegex(out, r"\n +7 +\d +\d +0000000C +\+I")
+        self.assertIn("AR1", out)
+        self.assertIn("error: program status is off", self.debug("status", code=PROBLEMS))
+
+    def test_cycle_and_until(self):
+        """S7-SIM-13"""
+        out = self.debug("cycle 3", "info", "until 2s")
+        self.assertIn("cycles 3 ", out)
+        self.assertRegex(out, r"RUN, 2\.\d+ s")
+
+    def test_values(self):
+        """S7-SIM-12"""
+        out = self.debug("set MW 10 = 00FF HEX, E 1.0 = 1", "print MW 10, MW 10 DEC, MW 10 BIN", "watch MW 12 DEC", "cycle 2",
+                         "force E 1.1 = 1", "force", "cycle 2", "p E 1.1, E 1.0", "unforce", "force")
+        self.assertIn("MW 10 = W#16#00FF\nMW 10 = 255\nMW 10 = 2#0000_0000_1111_1111\n", out)
+        self.assertIn("1: MW 12 = 262", out)
+        self.assertIn("E 1.1 = 1\n", out)
+        self.assertTrue(out.endswith("no forces\n"))
+
+    def test_a_fault(self):
+        """S7-DIAG-01, S7-DIAG-04"""
+        out = self.debug("set E 0.7 = 1", "run", "where", "stack", "diag 2")
+        self.assertIn("STOP: ", out)
+        self.assertRegex(out, r"=>.\s+16 +AUF +DB 99")
+        self.assertIn("I stack\nOB 1, priority 1", out)
+        self.assertRegex(out, r"1  \d{4}-\d\d-\d\d .* 16#4562")
+        self.assertRegex(out, r"2  \d{4}-\d\d-\d\d .* 16#253A")
+
+    def test_mistakes_are_told(self):
+        for line, word in (("fly", "P1215"), ("break FC 9", "P1206"), ("break nonsense", "P1201"), ("print QQ", "P0"),
+                           ("set MW 10", "OPERAND = VALUE"), ("print MW 10 REAL", "P1209"), ("until soon", "P0953"),
+                           ("delete 5", "no breakpoint"), ("cycle x", "no number of cycles"), ("status maybe", "status is on"),
+                           ("unforce E 0.0", "P1214"), ("restart hot", "warm or cold"), ("help me", "P1215")):
+            out = self.debug(line, code=PROBLEMS)
+            self.assertIn("error: ", out, line)
+            self.assertIn(word, out, line)
+
+    def test_every_command_is_in_the_document(self):
+        page = (pathlib.Path(__file__).parents[2] / "docs" / "debug.md").read_text(encoding="utf-8")
+        for line in self.debug("help").splitlines():
+            if line[:1].strip():
+                self.assertIn("`" + line.split()[0], page)
+
+    def test_commands_of_the_command_line(self):
+        out = self.expect(GOOD, "debug", "a.awl", "-x", "cycle 1", "-x", "print MW 12").out
+        self.assertTrue(out.endswith("MW 12 = W#16#0007\n"))
+
+    def test_problems_of_the_source(self):
+        self.write("bad.awl", block("      FLY"))
+        self.expect(PROBLEMS, "debug", "bad.awl")
+        self.expect(UNREADABLE, "debug", "none.awl")
+
+
+class Terminal(Case):
+    """The same through a terminal: prompt, editing, Ctrl-C."""
+
+    def setUp(self):
+        super().setUp()
+        self.write("a.awl", SOURCE)
+        master, slave = pty.openpty()
+        self.terminal, self.shown = master, ""
+        self.process = subprocess.Popen([os.environ["MERKER"], "debug", "a.awl"], cwd=self.folder, stdin=slave, stdout=slave,
+                                        stderr=slave, start_new_session=True, env=dict(os.environ, TERM="xterm"),
+                                        preexec_fn=lambda: self.control(slave))
+        os.close(slave)
+        self.addCleanup(os.close, master)
+        self.addCleanup(self.process.wait)
+        self.addCleanup(self.process.kill)
+
+    @staticmethod
+    def control(slave):
+        import fcntl
+        import termios
+        fcntl.ioctl(slave, termios.TIOCSCTTY, 0)
+
+    def until(self, text, longest=30):
+        """What the terminal shows up to and with this text."""
+        end = time.monotonic() + longest
+        while text not in self.shown:
+            self.assertLess(time.monotonic(), end, f"{text!r} does not come: {self.shown!r}")
+            if select.select([self.terminal], [], [], 0.2)[0]:
+                self.shown += os.read(self.terminal, 4096).decode(errors="replace")
+        seen, found, self.shown = self.shown.partition(text)
+        return seen + found
+
+    def type(self, text):
+        os.write(self.terminal, text.encode())
+
+    def test_prompt_and_editing(self):
+        self.assertIn("in STOP", self.until("(merker) "))
+        self.type("set MW 10 = 6\x7f5\n")  # backspace: 5
+        self.type("cycle 1\n")
+        self.until("RUN")
+        self.type("print MW 12 DEC\n")
+        self.until("MW 12 = 12")
+        self.type("\x1b[A\n")  # arrow up: the same line again
+        self.until("MW 12 = 12")
+        self.type("wat\tMW 10\n")  # completion
+        self.until("1: MW 10 = ")
+        self.type("quit\n")
+        self.assertEqual(self.process.wait(30), GOOD)
+
+    def test_ctrl_c_stands_the_program_still(self):
+        self.until("(merker) ")
+        self.type("continue 100000m\n")
+        time.sleep(0.5)
+        self.type("\x03")
+        self.until("HALT")
+        self.until("(merker) ")
+        self.type("where\n")
+        self.until("OB 1 byte")
+        self.type("\x04")  # end of input
+        self.assertEqual(self.process.wait(30), GOOD)
+
+
+class Diag(Case):
+    def setUp(self):
+        super().setUp()
+        self.write("a.awl", SOURCE)
+
+    def test_shows_state_buffer_and_stacks(self):
+        """S7-DIAG-01, S7-DIAG-04"""
+        call = self.expect(FAULT, "diag", "a.awl", "--for", "1s", "--set", "E 0.7 = 1")
+        for text in ("STOP", "Diagnostic buffer, newest first\n  1  ", "16#4562", "16#253A", "(a.awl:16)", "B stack", "I stack",
+                     "L stack", "Load OB 121"):
+            self.assertIn(text, call.out)
+
+    def test_json(self):
+        document = self.expect(FAULT, "diag", "a.awl", "--for", "1s", "--set", "E 0.7 = 1", "--json").json
+        self.assertEqual(document["module"]["mode"], "STOP")
+        self.assertEqual(document["diagnostics"][0]["event"], "16#4562")
+        self.assertEqual(document["diagnostics"][1]["place"]["line"], 16)
+        self.assertEqual(document["stacks"]["blocks"][0]["place"]["block"], "OB 1")
+        self.assertEqual(document["stacks"]["interrupts"][0]["ob"], 1)
+
+    def test_a_healthy_program(self):
+        call = self.expect(GOOD, "diag", "a.awl", "--for", "1s")
+        self.assertIn("RUN", call.out)
+        self.assertNotIn("B stack", call.out)
+        self.expect(USAGE, "diag", "a.awl", "--for", "long")
+        self.expect(USAGE, "diag", "a.awl", "--set", "QQ = 1")
+
+    def test_a_program_without_ob_1(self):
+        self.write("fc.awl", SOURCE.split("ORGANIZATION_BLOCK")[0])
+        call = self.expect(FAULT, "diag", "fc.awl")
+        self.assertIn("OB 1", call.out)
+
+
+class Xref(Case):
+    """S7-EDIT-22"""
+
+    def setUp(self):
+        super().setUp()
+        self.write("a.awl", SOURCE)
+        self.write("a.sym", "\"Fault\" E 0.7 BOOL\n\"Spare\" E 7.0 BOOL\n")
+
+    def test_lists_every_use(self):
+        out = self.expect(GOOD, "xref", "a.awl").out
+        self.assertRegex(out, r"E 0\.7 +Fault +R +OB 1 +1 +2 +U +E 0\.7 +a\.awl:14")
+        self.assertRegex(out, r"MW 12 +W +OB 1")
+        self.assertRegex(out, r"FC 1 +- +OB 1")
+
+    def test_filter_and_json(self):
+        rows = self.expect(GOOD, "xref", "a.awl", "--operand", "MB 11", "--json").json["references"]
+        self.assertEqual([row["operand"] for row in rows], ["MW 10"])
+        self.assertEqual(rows[0]["place"], {"block": "OB 1", "offset": rows[0]["place"]["offset"], "file": "a.awl", "line": 13,
+                                            "network": 1})
+        self.expect(USAGE, "xref", "a.awl", "--operand", "QQ")
+
+    def test_assignment_and_unused(self):
+        out = self.expect(GOOD, "xref", "a.awl", "--assignment").out
+        self.assertIn("EB 0      X . . . . . . .", out)
+        self.assertRegex(out, r"MB 11 +\. \. \. \. \. \. \. \.  +\. \| \.")
+        document = self.expect(GOOD, "xref", "a.awl", "--unused", "--json").json
+        self.assertEqual(document["unused_symbols"], ["Spare"])
+        self.assertIn("MW 10", document["operands_without_symbol"])
+
+    def test_international_mnemonics(self):
+        out = self.expect(GOOD, "xref", "a.awl", "--mnemonics", "en").out
+        self.assertRegex(out, r"I 0\.7 .* A +I 0\.7")
