@@ -2,6 +2,7 @@ import os
 import pty
 import re
 import select
+import signal
 import subprocess
 import time
 
@@ -150,26 +151,33 @@ class Terminal(Case):
     def test_prompt_and_editing(self):
         self.assertIn("in STOP", self.until("(merker) "))
         self.type("set MW 10 = 6\x7f5\n")  # backspace: 5
+        self.until("(merker) ")
         self.type("cycle 1\n")
         self.until("RUN")
+        self.until("(merker) ")
         self.type("print MW 12 DEC\n")
         self.until("MW 12 = 12")
+        self.until("(merker) ")
         self.type("\x1b[A\n")  # arrow up: the same line again
         self.until("MW 12 = 12")
+        self.until("(merker) ")
         self.type("wat\tMW 10\n")  # completion
         self.until("1: MW 10 = ")
+        self.until("(merker) ")
         self.type("quit\n")
         self.assertEqual(self.process.wait(30), GOOD)
 
     def test_ctrl_c_stands_the_program_still(self):
         self.until("(merker) ")
         self.type("continue 100000m\n")
-        time.sleep(0.5)
+        self.until("100000m\r\n")
+        self.untilCaught(self.process, signal.SIGINT)
         self.type("\x03")
         self.until("HALT")
         self.until("(merker) ")
         self.type("where\n")
         self.until("OB 1 byte")
+        self.until("(merker) ")
         self.type("\x04")  # end of input
         self.assertEqual(self.process.wait(30), GOOD)
 

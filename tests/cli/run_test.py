@@ -162,7 +162,8 @@ class RealTime(Case):
     def test_ctrl_c_ends_it_and_prints(self):
         for number in (signal.SIGINT, signal.SIGTERM):
             process = self.start("--set", "E 0.0 = 1", "--json", "--print", "A 0.0")
-            time.sleep(0.6)
+            self.untilCaught(process, number)
+            time.sleep(0.2)
             values = json.loads(self.end(process, number))
             self.assertIs(values["A 0.0"], True)
             self.assertGreater(values["seconds"], 0.05)
