@@ -28,7 +28,7 @@ void OperatingSystem::sample() {
 }
 
 void OperatingSystem::ipoClock() {
-  times_.alarmWindow = {};
+  if (!alarmLevelRuns()) times_.alarmWindow = {};  // else one run goes on
   alarmTimeReported_ = false;
   flags_.ipoClock(betweenCycles());
   for (const unsigned byte : kFastOutputs)

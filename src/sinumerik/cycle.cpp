@@ -9,7 +9,7 @@ namespace merker::sinumerik {
 namespace {
 
 constexpr std::uint8_t kCyclicOb = 1;
-constexpr std::uint16_t kReading = 0x000E;  // xxx2 of 6154 and 6158
+constexpr std::uint16_t kReading = 0x000E, kWriting = 0x000A;  // xxx2 of 6154 and 6158
 
 std::uint16_t microseconds(Duration time) { return static_cast<std::uint16_t>(time.ns / 1000); }
 
@@ -29,7 +29,6 @@ void OperatingSystem::beginCycle() {
   watchdog_ = cycleStart_ + Duration::milliseconds(active_.word(5));
   showDiagnosis(cycleTime);
   times_.cycle = {};
-  cyclicTimeReported_ = false;
   lookAround();
   if (mode_ != Mode::Run) return;
   readInputs();
@@ -45,7 +44,7 @@ void OperatingSystem::readInputs() {
   mount(around_.modules, machine_.periphery);
   if (const Module* module = missingModule(around_)) {
     const auto byte = static_cast<std::uint16_t>(toBcd(module->first, 4));
-    return raise({Alarm::NoAnswerTransfer, {0, kReading, byte}});
+    return raise({Alarm::NoAnswerTransfer, {0, module->output ? kWriting : kReading, byte}});
   }
   machine_.inputs = machine_.periphery.inputs;
   forcedInputs.apply(machine_.inputs);

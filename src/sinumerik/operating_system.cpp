@@ -103,28 +103,25 @@ void OperatingSystem::execute() {
   if (outcome == Outcome::Trapped) return raise(processor_.trap());
   if (processor_.stpSeen() && !stpBefore)
     stpPicture_ = takePicture(machine_, controlRegister(around_.batteryGood));
-  charge(ob, machine_.clock - before);
+  if (ob != kStartUpOb) times_.charge(ob == kAlarmOb, machine_.clock - before);
   if (outcome == Outcome::LevelEnded && mode_ != Mode::Stop) levelEnded(ob);
 }
 
-// Load limits (S5-SCHED-05, -10); start-up has none.
-void OperatingSystem::charge(std::uint8_t ob, Duration time) {
-  if (ob == kStartUpOb) return;
-  times_.charge(ob == kAlarmOb, time);
+// Load limits (S5-SCHED-05, -10), judged when a level ends: a loop without end is a matter of the
+// watchdog, and an OB 2 that is requested again one of the processing delay.
+void OperatingSystem::judgeRunTime(std::uint8_t ob) {
   const std::int64_t cyclicLimit = schedule_.raster().call.ns * active_.word(1) / 100;
-  if (ob == kCyclicOb && !active_.bit(data_bit::kChopping) && !cyclicTimeReported_ &&
-      times_.cycle.cyclic.ns > cyclicLimit) {
-    cyclicTimeReported_ = true;
+  if (ob == kCyclicOb && !active_.bit(data_bit::kChopping) && times_.cycle.cyclic.ns > cyclicLimit)
     raise({Alarm::CyclicRunTime, {}});
-  }
-  if (ob == kAlarmOb && !alarmTimeReported_ &&
-      times_.alarmWindow > Duration::microseconds(active_.word(3))) {
-    alarmTimeReported_ = true;
-    raise({Alarm::AlarmRunTime, {}});
-  }
+  const bool exceeded = times_.alarmWindow > Duration::microseconds(active_.word(3));
+  if (ob != kAlarmOb || !exceeded || alarmTimeReported_) return;
+  alarmTimeReported_ = true;
+  raise({Alarm::AlarmRunTime, {}});
 }
 
 void OperatingSystem::levelEnded(std::uint8_t ob) {
+  judgeRunTime(ob);
+  if (mode_ == Mode::Stop) return;
   if (ob == kCyclicOb) return endCycle();
   if (ob == kAlarmOb) return endAlarmLevel();
   if (processor_.stpSeen()) return raise({Alarm::Stp, {}});

@@ -106,7 +106,7 @@ class OperatingSystem {
   void serveMacros();
   void runStep(Instant limit);
   void execute();
-  void charge(std::uint8_t ob, Duration time);
+  void judgeRunTime(std::uint8_t ob);
   void levelEnded(std::uint8_t ob);
   bool executable() const;
   bool alarmLevelRuns() const;
@@ -138,7 +138,7 @@ class OperatingSystem {
   bool warmInterrupted_ = false;  // power failed in OB 20 of a warm restart (S5-OB-03)
   bool memoryLost_ = false, runBeforePowerOff_ = false;
   bool cycleActive_ = false, requested_ = false;
-  bool cyclicTimeReported_ = false, alarmTimeReported_ = false;
+  bool alarmTimeReported_ = false;
   Edges waitingEdges_;
   std::vector<bool> conditions_;  // of the surroundings, as last seen
   Instant cycleStart_, watchdog_ = Instant::never();

@@ -76,7 +76,7 @@ Outcome Processor::step() {
   const auto decoded = fetch(current_);
   if (!decoded) {
     frame.next = current_ + 1;  // the step counter points behind what was read (S5-ERR-T2)
-    fail(Alarm::IllegalCode, opcode_);
+    fail(current_ < memory.size() ? Alarm::IllegalCode : Alarm::NoAnswerProgram, opcode_);
     return Outcome::Trapped;
   }
   frame.next += decoded->words;
@@ -111,14 +111,19 @@ bool Processor::substitute(const mc5::Instruction& instruction) {
   if (++depth_ > 2) return fail(Alarm::Substitution, opcode_);
   for (const mc5::Encoding& row : mc5::encodings())
     if (row.operation == instruction.operation &&
-        mc5::encodeOperand(row, instruction.operand).has_value())
+        mc5::encodeOperand(row, instruction.operand).has_value()) {
+      std::vector<std::uint16_t> code;
+      if (mc5::encode(row, instruction.operand, code)) substituted_ = code.front();
       return execute({instruction, &row, row.words});
+    }
   return fail(Alarm::Substitution, opcode_);
 }
 
 bool Processor::fail(Alarm alarm, std::uint16_t word1, std::uint16_t word2, std::uint16_t word3) {
   if (!trapped_) trap_ = {alarm, {word1, word2, word3}};
   trapped_ = true;
+  if (depth_ > 0 && trap_.alarm == Alarm::NoAnswerPeriphery)  // S5-ERR-13
+    trap_ = {Alarm::NoAnswerSubstitution, {word1, substituted_, word3}};
   return false;
 }
 

@@ -107,7 +107,7 @@ class Processor {
   std::vector<Cached> cache_;  // by word of segment 5
   Trap trap_;
   bool trapped_ = false, stp_ = false, levelEnded_ = false;
-  std::uint16_t opcode_ = 0;
+  std::uint16_t opcode_ = 0, substituted_ = 0;
   std::uint32_t current_ = 0;  // word of the running instruction
   unsigned depth_ = 0;         // of substitutions
   std::uint64_t instructions_ = 0;

@@ -4,16 +4,12 @@
 #include <cstdint>
 #include <optional>
 
-#include "mc5/operand.h"
+#include "mc5/variable.h"
 #include "sinumerik/operating_system.h"
 
 namespace merker::sinumerik {
 
-// An operand in memory, a timer or a counter; of data with the number of its block.
-struct Variable {
-  mc5::Operand operand;
-  std::uint16_t dataBlock = 0;
-};
+using mc5::Variable;
 
 // E, A, M, D; T and Z: width Bit is the output, any other the value as LC loads it; P: what the
 // output modules give out, nothing while the PLC is not in RUN. Nothing if there is no such

@@ -1,0 +1,48 @@
+#include "step5/variable.h"
+
+#include "step5/operand.h"
+
+namespace merker::step5 {
+namespace {
+
+using mc5::OperandKind;
+
+constexpr std::uint32_t kLastBlock = 255;
+
+std::optional<mc5::Operand> operandAt(Scanner& scanner) {
+  Failure failure;
+  const auto operand = parseOperand(scanner, failure);
+  if (!operand || !operand->name.empty()) return std::nullopt;
+  return operand->value;
+}
+
+bool isDataBlock(const mc5::Operand& operand) {
+  return operand.kind == OperandKind::Block && operand.block == mc5::BlockType::Db &&
+         operand.value <= kLastBlock;
+}
+
+bool hasValue(const mc5::Operand& operand) {
+  return operand.kind == OperandKind::Memory || operand.kind == OperandKind::Timer ||
+         operand.kind == OperandKind::Counter;
+}
+
+}  // namespace
+
+std::optional<mc5::Variable> parseVariable(std::string_view text) {
+  Scanner scanner(text, 0);
+  mc5::Variable variable;
+  scanner.skipBlanks();
+  auto operand = operandAt(scanner);
+  const bool inBlock = operand && isDataBlock(*operand) && scanner.accept('.');
+  if (inBlock) {
+    variable.dataBlock = static_cast<std::uint16_t>(operand->value);
+    operand = operandAt(scanner);
+  }
+  scanner.skipBlanks();
+  if (!operand || !scanner.atEnd() || !hasValue(*operand)) return std::nullopt;
+  if ((operand->area == mc5::Area::Data) != inBlock) return std::nullopt;
+  variable.operand = *operand;
+  return variable;
+}
+
+}  // namespace merker::step5

@@ -1,0 +1,38 @@
+// Operands by name, as the command line takes them.
+#include "step5/variable.h"
+
+#include <gtest/gtest.h>
+
+namespace merker::step5 {
+namespace {
+
+using mc5::Area;
+using mc5::OperandKind;
+using mc5::Width;
+
+TEST(Variable, OperandsWithAValue) {
+  const auto data = parseVariable("DB10.DW5");
+  ASSERT_TRUE(data.has_value());
+  EXPECT_EQ(data->dataBlock, 10);
+  EXPECT_EQ(data->operand.value, 5u);
+  EXPECT_EQ(data->operand.width, Width::Word);
+  const auto bit = parseVariable(" DB 255.D 5.15 ");
+  ASSERT_TRUE(bit.has_value());
+  EXPECT_EQ(bit->dataBlock, 255);
+  EXPECT_EQ(bit->operand.bit, 15);
+  const auto input = parseVariable("E 12.7");
+  ASSERT_TRUE(input.has_value());
+  EXPECT_EQ(input->operand.area, Area::Input);
+  EXPECT_EQ(parseVariable("MW 10")->operand.width, Width::Word);
+  EXPECT_EQ(parseVariable("T 5")->operand.kind, OperandKind::Timer);
+  EXPECT_EQ(parseVariable("z31")->operand.kind, OperandKind::Counter);
+}
+
+TEST(Variable, OthersAreRefused) {
+  for (const char* text : {"", "DW 5", "DB 10", "DB10.MW 5", "DB256.DW 0", "KH 12", "PB", "MW 10 x",
+                           "=EIN", "E 1", "OB 1"})
+    EXPECT_FALSE(parseVariable(text).has_value()) << text;
+}
+
+}  // namespace
+}  // namespace merker::step5
