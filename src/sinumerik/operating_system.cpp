@@ -18,6 +18,11 @@ MachineData machineDataOf(const Options& options) {
   return options.machineData.value_or(MachineData::standard(withAlarmLevel));
 }
 
+// A STOP that the program or the programmer wanted.
+bool isWish(Alarm alarm) {
+  return alarm == Alarm::ProgrammerStop || alarm == Alarm::Stp || alarm == Alarm::Sts;
+}
+
 Options completed(Options options) {
   if (options.variant == mc5::Variant::Cop) options.software = Software::Sw1;
   options.machineData = machineDataOf(options);
@@ -40,7 +45,8 @@ OperatingSystem::OperatingSystem(const Options& options)
       around_(options_.surroundings),
       machine_(machineFor(options_)),
       processor_(machine_, environment_),
-      flags_(machine_) {
+      flags_(machine_),
+      recorder_(options_.program, options_.coverage) {
   machine_.dataInEprom = options_.dataInEprom;
   environment_.macros = options_.macros;
   environment_.variant = options_.variant;
@@ -99,7 +105,9 @@ void OperatingSystem::execute() {
   const std::uint8_t ob = machine_.level().ob;
   const Instant before = machine_.clock;
   const bool stpBefore = processor_.stpSeen();
+  if (recorder_.active()) recorder_.beforeStep(machine_);
   const Outcome outcome = processor_.step();
+  if (recorder_.active()) recorder_.afterStep(processor_, outcome);
   if (outcome == Outcome::Trapped) return raise(processor_.trap());
   if (processor_.stpSeen() && !stpBefore)
     stpPicture_ = takePicture(machine_, controlRegister(around_.batteryGood));
@@ -185,7 +193,7 @@ void OperatingSystem::noteStop(const Trap& trap) {
   const std::string text = describe(trap.alarm);
   alarms_.add(kPlcStop, "3 PLC-Stop", machine_.clock, true);
   alarms_.add(number(trap.alarm), text, machine_.clock, true);
-  stoppedByFault_ = trap.alarm != Alarm::ProgrammerStop;
+  stoppedByFault_ = !isWish(trap.alarm);
   stopReason_ = text + place();
   alarms_.note(number(trap.alarm), "STOP: " + stopReason_, machine_.clock);
   halt();
@@ -195,6 +203,7 @@ void OperatingSystem::halt() {
   mode_ = Mode::Stop;
   machine_.levels.clear();
   cycleActive_ = false;
+  recorder_.forgetCalls();
   if (options_.macros != nullptr) options_.macros->stops();
   runChanges();
 }

@@ -12,6 +12,7 @@
 #include "sinumerik/forces.h"
 #include "sinumerik/interrupt_stack.h"
 #include "sinumerik/options.h"
+#include "sinumerik/recorder.h"
 #include "sinumerik/run_times.h"
 #include "sinumerik/schedule.h"
 #include "sinumerik/start_checks.h"
@@ -75,6 +76,7 @@ class OperatingSystem {
   const std::string& stopReason() const { return stopReason_; }
   bool stoppedByFault() const { return stoppedByFault_; }
   const Schedule& schedule() const { return schedule_; }
+  const Recorder& recorder() const { return recorder_; }
   const RunTimes& runTimes() const { return times_; }
   const TimeBases& timeBases() const { return environment_.timeBases; }
   std::uint8_t segmentSwitch = 5;  // S5-MEM-03
@@ -127,6 +129,7 @@ class OperatingSystem {
   Environment environment_;
   Processor processor_;
   TransferFlags flags_;
+  Recorder recorder_;
   AlarmInput alarmInput_;
   AlarmList alarms_;
   Checksums sums_;

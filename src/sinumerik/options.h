@@ -38,6 +38,7 @@ struct Options {
   std::optional<DecodingDb> decodingDb{};
   ControlPanel controlPanel{};
   Surroundings surroundings{};
+  bool coverage = false;     // count how often each instruction runs
   Macros* macros = nullptr;  // resident function macros; must outlive the PLC
 };
 

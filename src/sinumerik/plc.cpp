@@ -9,19 +9,18 @@ constexpr Duration kLongestCycle = Duration::seconds(10);
 }  // namespace
 
 struct Plc::Parts {
-  explicit Parts(Options options) : program(options.program), os(options) {}
+  explicit Parts(const Options& options) : os(options) {}
 
-  mc5::Program program;
   OperatingSystem os;
   std::vector<std::string> refused;
   Plc* self = nullptr;  // whom the observer gets to see; moves along
   std::function<void(Plc&)> observer;
 };
 
-Plc::Plc(Options options) : parts_(std::make_unique<Parts>(std::move(options))) {
+Plc::Plc(const Options& options) : parts_(std::make_unique<Parts>(options)) {
   parts_->self = this;
   Programmer loader(parts_->os);
-  for (const auto& [id, block] : parts_->program)
+  for (const auto& [id, block] : program())
     if (std::string text = loader.load(block); !text.empty())
       parts_->refused.push_back(toString(id) + ": " + text);
 }
@@ -33,7 +32,7 @@ Plc& Plc::operator=(Plc&& other) noexcept {
   return *this;
 }
 
-const mc5::Program& Plc::program() const { return parts_->program; }
+const mc5::Program& Plc::program() const { return parts_->os.options().program; }
 const std::vector<std::string>& Plc::refused() const { return parts_->refused; }
 
 Mode Plc::mode() const { return parts_->os.mode(); }
@@ -113,6 +112,9 @@ void Plc::unforce() {
   parts_->os.forcedOutputs.clear();
   parts_->os.forcedFlags.clear();
 }
+
+std::vector<CheckResult> Plc::checkResults() const { return parts_->os.recorder().results(); }
+const Executed& Plc::executed() const { return parts_->os.recorder().executed(); }
 
 const std::vector<DiagnosticEntry>& Plc::diagnostics() const {
   return parts_->os.alarms().history();

@@ -20,7 +20,7 @@ struct Retained {
 class Plc {
  public:
   // Blocks of the program that the PLC does not take are named by refused().
-  explicit Plc(Options options);
+  explicit Plc(const Options& options);
   ~Plc();
   Plc(Plc&&) noexcept;
   Plc& operator=(Plc&&) noexcept;
@@ -30,7 +30,7 @@ class Plc {
 
   // operating states
   Mode mode() const;
-  bool stoppedByFault() const;
+  bool stoppedByFault() const;     // STOP for another reason than STP, STS or the programmer
   std::string stopReason() const;  // empty while not in STOP
   bool coldStart();                // Neustart; false: an error stopped it
   bool warmStart();                // Wiederanlauf; false also if only a cold start is possible
@@ -59,6 +59,10 @@ class Plc {
   bool write(const Variable& variable, std::uint32_t value);
   bool force(const Variable& variable, std::uint32_t value);
   void unforce();
+
+  std::vector<CheckResult> checkResults() const;
+  // With Options::coverage; instructions that never ran are missing.
+  const Executed& executed() const;
 
   // What happened, newest last, and what the screen shows.
   const std::vector<DiagnosticEntry>& diagnostics() const;

@@ -60,7 +60,7 @@ std::optional<mc5::Decoded> Processor::fetch(std::uint32_t word) {
 
 std::optional<mc5::Decoded> Processor::fetchNext() {
   Frame& frame = machine_.frame();
-  current_ = frame.next;  // a jump counts from itself, not from the B before it
+  run_.current = frame.next;  // a jump counts from itself, not from the B before it
   auto decoded = fetch(frame.next);
   if (decoded) frame.next += decoded->words;
   return decoded;
@@ -68,22 +68,22 @@ std::optional<mc5::Decoded> Processor::fetchNext() {
 
 Outcome Processor::step() {
   Frame& frame = machine_.frame();
-  current_ = frame.next;
-  trapped_ = levelEnded_ = false;
-  depth_ = 0;
+  run_.current = frame.next;
+  run_.trapped = run_.levelEnded = false;
+  run_.depth = 0;
   const auto& memory = machine_.blocks.program();
-  opcode_ = current_ < memory.size() ? memory[current_] : std::uint16_t{0};
-  const auto decoded = fetch(current_);
+  run_.opcode = run_.current < memory.size() ? memory[run_.current] : std::uint16_t{0};
+  const auto decoded = fetch(run_.current);
   if (!decoded) {
-    frame.next = current_ + 1;  // the step counter points behind what was read (S5-ERR-T2)
-    fail(current_ < memory.size() ? Alarm::IllegalCode : Alarm::NoAnswerProgram, opcode_);
+    frame.next = run_.current + 1;  // the step counter points behind what was read (S5-ERR-T2)
+    fail(run_.current < memory.size() ? Alarm::IllegalCode : Alarm::NoAnswerProgram, run_.opcode);
     return Outcome::Trapped;
   }
   frame.next += decoded->words;
   ++instructions_;
   execute(*decoded);
-  if (trapped_) return Outcome::Trapped;
-  return levelEnded_ ? Outcome::LevelEnded : Outcome::Next;
+  if (run_.trapped) return Outcome::Trapped;
+  return run_.levelEnded ? Outcome::LevelEnded : Outcome::Next;
 }
 
 bool Processor::execute(const mc5::Decoded& decoded) {
@@ -91,12 +91,12 @@ bool Processor::execute(const mc5::Decoded& decoded) {
   if (!mc5::inRange(decoded.instruction)) {
     const bool cell =
         operand.kind == mc5::OperandKind::Timer || operand.kind == mc5::OperandKind::Counter;
-    return fail(cell ? Alarm::TimerCounter : Alarm::IllegalParameter, opcode_, 0,
+    return fail(cell ? Alarm::TimerCounter : Alarm::IllegalParameter, run_.opcode, 0,
                 bcdWord(operand.value));
   }
   if (operand.kind == mc5::OperandKind::Timer &&
       operand.value > environment_.lastTimer)  // S5-MD-02
-    return fail(Alarm::TimerCounter, opcode_, 0, bcdWord(operand.value));
+    return fail(Alarm::TimerCounter, run_.opcode, 0, bcdWord(operand.value));
   const bool done = handler(decoded.instruction)(*this, decoded.instruction);
   charge(*decoded.encoding, done);
   return done;
@@ -108,27 +108,27 @@ void Processor::charge(const mc5::Encoding& encoding, bool done) {
 }
 
 bool Processor::substitute(const mc5::Instruction& instruction) {
-  if (++depth_ > 2) return fail(Alarm::Substitution, opcode_);
+  if (++run_.depth > 2) return fail(Alarm::Substitution, run_.opcode);
   for (const mc5::Encoding& row : mc5::encodings())
     if (row.operation == instruction.operation &&
         mc5::encodeOperand(row, instruction.operand).has_value()) {
       std::vector<std::uint16_t> code;
-      if (mc5::encode(row, instruction.operand, code)) substituted_ = code.front();
+      if (mc5::encode(row, instruction.operand, code)) run_.substituted = code.front();
       return execute({instruction, &row, row.words});
     }
-  return fail(Alarm::Substitution, opcode_);
+  return fail(Alarm::Substitution, run_.opcode);
 }
 
 bool Processor::fail(Alarm alarm, std::uint16_t word1, std::uint16_t word2, std::uint16_t word3) {
-  if (!trapped_) trap_ = {alarm, {word1, word2, word3}};
-  trapped_ = true;
-  if (depth_ > 0 && trap_.alarm == Alarm::NoAnswerPeriphery)  // S5-ERR-13
-    trap_ = {Alarm::NoAnswerSubstitution, {word1, substituted_, word3}};
+  if (!run_.trapped) run_.trap = {alarm, {word1, word2, word3}};
+  run_.trapped = true;
+  if (run_.depth > 0 && run_.trap.alarm == Alarm::NoAnswerPeriphery)  // S5-ERR-13
+    run_.trap = {Alarm::NoAnswerSubstitution, {word1, run_.substituted, word3}};
   return false;
 }
 
 void Processor::jump(std::int32_t words) {
-  machine_.frame().next = current_ + static_cast<std::uint32_t>(words);
+  machine_.frame().next = run_.current + static_cast<std::uint32_t>(words);
 }
 
 std::optional<std::uint16_t> Processor::parameter(std::uint32_t index) const {
@@ -145,8 +145,8 @@ bool Processor::call(mc5::BlockId block) {
   if (block.type == BlockType::Fb && environment_.macros && environment_.macros->has(block.number))
     return callMacro(block.number);
   const Entry& entry = machine_.blocks.find(block);
-  if (!entry.present) return fail(Alarm::MissingBlock, opcode_, 0, bcdWord(block.number));
-  if (frames.size() >= kNesting) return fail(Alarm::BlockStack, opcode_);
+  if (!entry.present) return fail(Alarm::MissingBlock, run_.opcode, 0, bcdWord(block.number));
+  if (frames.size() >= kNesting) return fail(Alarm::BlockStack, run_.opcode);
   const bool list = block.type == BlockType::Fb;
   frames.push_back({.block = block,
                     .start = entry.start,
@@ -169,8 +169,8 @@ bool Processor::callMacro(std::uint16_t number) {
   const auto trap = environment_.macros->call(number, machine_, list);
   displays().orBit = displays().chain = false;
   if (!trap) return true;
-  trap_ = *trap;
-  trapped_ = true;
+  run_.trap = *trap;
+  run_.trapped = true;
   return false;
 }
 
@@ -179,8 +179,37 @@ void Processor::leave() {
   frames.pop_back();
   displays().os = displays().orBit = displays().chain = false;  // OP-24
   if (!frames.empty()) return;
+  ended_ = std::move(machine_.levels.back());
   machine_.levels.pop_back();
-  levelEnded_ = true;
+  run_.levelEnded = true;
+}
+
+bool Processor::executeAll(std::span<const std::uint16_t> code) {
+  while (!code.empty() && !run_.trapped) {
+    const auto decoded = mc5::decode(code);
+    if (!decoded) return false;
+    run_.depth = 0;
+    execute(*decoded);
+    code = code.subspan(decoded->words);
+  }
+  return !run_.trapped;
+}
+
+std::optional<Registers> Processor::probe(std::span<const std::uint16_t> code, bool firstScan) {
+  const Registers registers = machine_.registers();
+  const Frame frame = machine_.frame();
+  const Instant clock = machine_.clock;
+  const Running running = run_;
+  if (firstScan) displays().chain = displays().orBit = false;
+  run_ = {};
+  const bool readable = executeAll(code);
+  std::optional<Registers> seen;
+  if (readable) seen = machine_.registers();
+  machine_.registers() = registers;
+  machine_.frame() = frame;
+  machine_.clock = clock;
+  run_ = running;
+  return seen;
 }
 
 }  // namespace merker::sinumerik

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "mc5/instruction.h"
@@ -65,10 +66,16 @@ class Processor {
   // One instruction; B and what it processes count as one (S5-PROC-09).
   Outcome step();
 
-  const Trap& trap() const { return trap_; }
+  const Trap& trap() const { return run_.trap; }
   bool stpSeen() const { return stp_; }  // STP: the cycle is finished first (OP-38)
   void clearStp() { stp_ = false; }
   std::uint64_t instructions() const { return instructions_; }
+  // Word of the instruction that ran last; behind B the one that was processed.
+  std::uint32_t lastWord() const { return run_.current; }
+  const Level& endedLevel() const { return ended_; }  // after LevelEnded: as its BE left it
+  // What the registers would be after this code (loads and queries only); the machine, its time
+  // and the running instruction stay as they are. Nothing if a trap came.
+  std::optional<Registers> probe(std::span<const std::uint16_t> code, bool firstScan);
 
   // for handlers
   Machine& machine() { return machine_; }
@@ -77,8 +84,8 @@ class Processor {
   Displays& displays() { return machine_.displays(); }
   bool vke() { return machine_.displays().vke; }
   bool fail(Alarm alarm, std::uint16_t word1 = 0, std::uint16_t word2 = 0, std::uint16_t word3 = 0);
-  std::uint16_t opcode() const { return opcode_; }  // first word of the running instruction
-  void jump(std::int32_t words);                    // from the running instruction
+  std::uint16_t opcode() const { return run_.opcode; }  // first word of the running instruction
+  void jump(std::int32_t words);                        // from the running instruction
   bool call(mc5::BlockId block);
   void leave();
   void requestStop() { stp_ = true; }
@@ -97,19 +104,27 @@ class Processor {
     std::uint8_t words = 0;
   };
 
+  // The running instruction.
+  struct Running {
+    Trap trap;
+    bool trapped = false, levelEnded = false;
+    std::uint16_t opcode = 0, substituted = 0;
+    std::uint32_t current = 0;  // its word
+    unsigned depth = 0;         // of substitutions
+  };
+
   std::optional<mc5::Decoded> fetch(std::uint32_t word);
   bool execute(const mc5::Decoded& decoded);
   void charge(const mc5::Encoding& encoding, bool done);
   bool callMacro(std::uint16_t number);
+  bool executeAll(std::span<const std::uint16_t> code);
 
   Machine& machine_;
   const Environment& environment_;
   std::vector<Cached> cache_;  // by word of segment 5
-  Trap trap_;
-  bool trapped_ = false, stp_ = false, levelEnded_ = false;
-  std::uint16_t opcode_ = 0, substituted_ = 0;
-  std::uint32_t current_ = 0;  // word of the running instruction
-  unsigned depth_ = 0;         // of substitutions
+  Running run_;
+  Level ended_;
+  bool stp_ = false;
   std::uint64_t instructions_ = 0;
 };
 

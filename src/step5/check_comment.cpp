@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 
 #include "address/constant.h"
 #include "mc5/instruction.h"
 #include "mc5/range.h"
+#include "mc5/s5_float.h"
 #include "step5/constant_operand.h"
 
 namespace merker::step5 {
@@ -144,6 +146,10 @@ class Parser {
     if (typed || number)
       if (const auto parsed = merker::parseConstant(word, Position{})) {
         Side side = constant(parsed.value().bits);
+        if (parsed.value().format == ConstantFormat::Real) {  // the number, in the format of KG
+          side.value.constant = mc5::fromDouble(std::bit_cast<float>(parsed.value().bits)).bits;
+          side.format = mc5::Format::Float;
+        }
         // A negative number is one of 16 bits, like KF.
         if (word[0] == '-') side.format = mc5::Format::Fixed;
         return side;

@@ -1,0 +1,26 @@
+// What the checks of a program (//=) saw.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "block/check.h"
+#include "clock/instant.h"
+
+namespace merker::sinumerik {
+
+struct CheckFailure {
+  Instant time;      // when the term was judged
+  std::string text;  // "AKKU1 = KH 8000: is KH 7FFF"
+};
+
+// `reached` counts how often it was evaluated; behind a jump the passes that went on to the next
+// instruction count, if there were any.
+struct CheckResult {
+  const block::Check* check = nullptr;
+  std::uint64_t reached = 0;
+  std::vector<CheckFailure> failures;  // the first few
+};
+
+}  // namespace merker::sinumerik
