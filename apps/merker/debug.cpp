@@ -13,11 +13,11 @@ namespace {
 
 volatile std::sig_atomic_t pressed = 0;  // Ctrl-C; a signal handler reaches nothing else
 
-// While it lives, Ctrl-C stands the program still instead of ending Merker.
+// While it lives, Ctrl-C stands the program still, and drops the line at the prompt, instead of
+// ending Merker.
 class InterruptKey {
  public:
   InterruptKey() {
-    pressed = 0;
     struct sigaction action = {};
     action.sa_handler = [](int) { pressed = 1; };
     sigaction(SIGINT, &action, &before_);
@@ -35,21 +35,25 @@ struct Options {
   std::vector<std::string> commands;
 };
 
-bool executeOne(DebugSession& session, const std::string& line) {
-  const InterruptKey key;
-  return session.execute(line);
+// The next line; an empty one if Ctrl-C dropped it, none at the end of the input.
+std::optional<std::string> nextLine(LineEditor& editor) {
+  pressed = 0;
+  auto line = editor.read("(merker) ");
+  if (!line && editor.onTerminal()) std::cout << '\n';
+  if (!line && pressed != 0) return "";
+  return line;
 }
 
 int prompt(const Options& options, const Build& built) {
+  const InterruptKey key;
   DebugSession session(built, std::cout, [] { return pressed != 0; });
   LineEditor editor(DebugSession::words());
   if (editor.onTerminal()) session.greet();
   bool going = true;
-  for (const std::string& command : options.commands) going = going && executeOne(session, command);
+  for (const std::string& command : options.commands) going = going && session.execute(command);
   while (going) {
-    const auto line = editor.read("(merker) ");
-    if (!line && editor.onTerminal()) std::cout << '\n';
-    going = line && executeOne(session, *line);
+    const auto line = nextLine(editor);
+    going = line && session.execute(*line);
   }
   return session.failed() && !editor.onTerminal() ? kProblems : kGood;
 }

@@ -4,7 +4,6 @@ import os
 import pathlib
 import subprocess
 import tempfile
-import time
 import unittest
 
 GOOD, PROBLEMS, USAGE, FAULT, UNREADABLE = 0, 1, 2, 3, 4
@@ -91,12 +90,3 @@ class Case(unittest.TestCase):
         call = self.merker(*arguments, **options)
         self.assertEqual(call.code, code, f"{arguments}\n{call.out}\n{call.err}")
         return call
-
-    def untilCaught(self, process, number):
-        """Waits until the program has set up how it answers this signal (SigCgt of /proc)."""
-        for _ in range(300):
-            for line in pathlib.Path(f"/proc/{process.pid}/status").read_text().splitlines():
-                if line.startswith("SigCgt:") and int(line.split()[1], 16) >> (number - 1) & 1:
-                    return
-            time.sleep(0.1)
-        self.fail(f"the program never answers signal {number}")
