@@ -28,7 +28,7 @@ void holdSignals() {
   sigprocmask(SIG_BLOCK, &signals, nullptr);
 }
 
-void runRealTime(station::Station& station) {
+void runRealTime(controller::Controller& station) {
   const sigset_t signals = endSignals();
   const auto start = Clock::now();
   const Instant origin = station.now();
@@ -42,7 +42,7 @@ void runRealTime(station::Station& station) {
     const Instant target =
         std::min(origin + elapsed(), station.now() + Duration::milliseconds(100));
     if (target > station.now()) station.advanceTo(target);
-    if (station.mode() == station::Mode::Stop) return;
+    if (station.mode() == controller::Mode::Stop) return;
   }
 }
 

@@ -1,7 +1,7 @@
 // Virtual time tied to the wall clock.
 #pragma once
 
-#include "station/station.h"
+#include "controller/controller.h"
 
 namespace merker::app {
 
@@ -10,6 +10,6 @@ namespace merker::app {
 void holdSignals();
 // Lets the station run as fast as time passes, until one of these signals comes or the CPU is in
 // STOP.
-void runRealTime(station::Station& station);
+void runRealTime(controller::Controller& station);
 
 }  // namespace merker::app

@@ -73,7 +73,7 @@ void runFor(station::Station& station, Duration time) {
 void runCycles(station::Station& station, std::uint64_t count) {
   Progress progress("running");
   constexpr std::uint64_t kPortion = 1000;
-  for (std::uint64_t done = 0; done < count && station.mode() != station::Mode::Stop;
+  for (std::uint64_t done = 0; done < count && station.mode() != controller::Mode::Stop;
        done += kPortion) {
     const std::uint64_t portion = std::min(kPortion, count - done),
                         end = station.cycles() + portion;
@@ -83,7 +83,7 @@ void runCycles(station::Station& station, std::uint64_t count) {
   }
 }
 
-std::string_view name(station::Mode mode) {
+std::string_view name(controller::Mode mode) {
   constexpr std::string_view kNames[] = {"STOP", "STARTUP", "RUN", "HALT"};
   return kNames[static_cast<std::size_t>(mode)];
 }
@@ -99,7 +99,7 @@ void printJson(const Operands& operands, const station::Station& station) {
                                      {"seconds", static_cast<double>(station.now().ns) / 1e9},
                                      {"cycles", station.cycles()},
                                      {"instructions", station.instructions()}};
-  if (station.mode() == station::Mode::Stop) document["stop_reason"] = station.stopReason();
+  if (station.mode() == controller::Mode::Stop) document["stop_reason"] = station.stopReason();
   for (const mc7::Reference& operand : operands.print)
     document[operand.text] = toJson(operand, station);
   std::cout << document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
@@ -119,10 +119,10 @@ bool allExist(const std::vector<mc7::Reference>& operands, const station::Statio
 
 // Cycle monitoring does not watch the startup (S7-STATE-11), so that the real CPU would hang, too.
 bool cyclesMissing(const Options& options, const station::Station& station) {
-  if (station.mode() == station::Mode::Startup)
+  if (station.mode() == controller::Mode::Startup)
     std::cerr << "merker run: the CPU is still in STARTUP: its startup OB has not ended after "
               << simulator::formatTime(station.now()) << '\n';
-  return options.hasCycles && station.mode() != station::Mode::Stop &&
+  return options.hasCycles && station.mode() != controller::Mode::Stop &&
          station.cycles() < options.cycles;
 }
 
@@ -166,10 +166,11 @@ class CycleEnd {
   void watch(const std::vector<mc7::Reference>& operands, const station::Station& station) {
     trace_.emplace(file_, operands, station);
   }
-  void operator()(station::Station& station) {
-    if (keeper_ && !keeper_->save(station)) return station.stop();
+  void operator()(controller::Controller& plc) {
+    // only a station has a card
+    if (keeper_ && !keeper_->save(dynamic_cast<station::Station&>(plc))) return plc.stop();
     if (!trace_) return;
-    trace_->sample(station);
+    trace_->sample(plc);
     if (keeper_) file_.flush();  // who reads along sees the cycle as soon as it is kept
   }
   const Problem* problem() const {
@@ -194,7 +195,7 @@ int runStation(const Options& options, const Build& build, const Operands& opera
                std::optional<Duration> time, store::MemoryCard* card) {
   station::Station station = build.station();
   if (const auto problem = start(build, card, station)) return failed(*problem);
-  if (station.mode() == station::Mode::Stop) {
+  if (station.mode() == controller::Mode::Stop) {
     std::cerr << "merker run: the CPU does not start: " << station.stopReason() << '\n';
     return kFault;
   }

@@ -21,24 +21,23 @@ std::string refused(const Term& operand, bool force) {
   return fmt::format("{} cannot be {}", operand.text, force ? "forced" : "set");
 }
 
-std::string applyLong(const Assignment& assignment, bool force, station::Station& station) {
-  const auto content = longValue(assignment.value, station);
+std::string applyLong(const Assignment& assignment, bool force, controller::Controller& plc) {
+  const auto content = longValue(assignment.value, plc);
   if (!content) return fmt::format("{} does not exist", assignment.value.text);
-  const bool done = !force && writeLong(assignment.operand.reference, *content, station);
+  const bool done = !force && writeLong(assignment.operand.reference, *content, plc);
   return done ? std::string() : refused(assignment.operand, force);
 }
 
 }  // namespace
 
-std::string apply(const Assignment& assignment, bool force, station::Station& station) {
+std::string apply(const Assignment& assignment, bool force, controller::Controller& plc) {
   const auto& [operand, term] = assignment;
-  if (isLong(operand.reference)) return applyLong(assignment, force, station);
-  const Reader read = [&](const mc7::Reference& reference) { return station.read(reference); };
+  if (isLong(operand.reference)) return applyLong(assignment, force, plc);
+  const Reader read = [&](const mc7::Reference& reference) { return plc.read(reference); };
   const auto bits = value(term, operand, read);
   if (!bits) return fmt::format("{} does not exist", term.text);
   const std::uint32_t value = coded(assignment, *bits);
-  if (force ? station.force(operand.reference, value) : station.write(operand.reference, value))
-    return {};
+  if (force ? plc.force(operand.reference, value) : plc.write(operand.reference, value)) return {};
   return refused(operand, force);
 }
 

@@ -7,26 +7,9 @@
 
 namespace merker::simulator {
 
-void Coverage::add(const station::Station& station) {
-  const auto executed = station.executed();
-  for (const auto& [id, block] : station.program()) {
-    if (block.code.empty() || block.file.empty()) continue;
-    const auto counts = executed.find(id);
-    addBlock(block, counts == executed.end() ? decltype(counts->second){} : counts->second);
-  }
-}
-
-void Coverage::addBlock(const block::Block& block,
-                        const std::map<std::uint32_t, std::uint64_t>& counts) {
-  std::map<std::uint32_t, std::uint64_t> best;
-  for (const block::LineEntry& entry : block.lines)
-    if (entry.line != 0) best[entry.line];
-  for (const auto& [offset, count] : counts) {
-    const auto line = best.find(block.line(offset));
-    if (line != best.end()) line->second = std::max(line->second, count);
-  }
-  auto& file = lines_[block.file];
-  for (const auto& [line, count] : best) file[line] += count;
+void Coverage::add(const controller::Controller& plc) {
+  for (const auto& [file, lines] : plc.executedLines())
+    for (const auto& [line, count] : lines) lines_[file][line] += count;
 }
 
 void Coverage::write(std::ostream& out) const {

@@ -2,25 +2,20 @@
 // which editors and CI servers show (docs/formats/scenario.md).
 #pragma once
 
-#include <cstdint>
 #include <iosfwd>
-#include <map>
-#include <string>
 
-#include "station/station.h"
+#include "controller/controller.h"
 
 namespace merker::simulator {
 
 class Coverage {
  public:
-  // Adds what ran on the station since it was built (Options::coverage).
-  void add(const station::Station& station);
+  // Adds what ran since the PLC was built.
+  void add(const controller::Controller& plc);
   void write(std::ostream& out) const;
 
  private:
-  void addBlock(const block::Block& block, const std::map<std::uint32_t, std::uint64_t>& counts);
-  // File, line, how often it ran: the most executed instruction of the line counts.
-  std::map<std::string, std::map<std::uint32_t, std::uint64_t>> lines_;
+  controller::ExecutedLines lines_;
 };
 
 }  // namespace merker::simulator

@@ -44,12 +44,13 @@ std::string formatOperand(const mc7::Reference& reference, std::uint32_t bits) {
   return formatConstant({plainFormat(reference.operand.width), bits});
 }
 
-std::optional<std::string> show(const mc7::Reference& reference, const station::Station& station) {
+std::optional<std::string> show(const mc7::Reference& reference,
+                                const controller::Controller& plc) {
   if (isLong(reference)) {
-    const auto content = readLong(reference, station);
+    const auto content = readLong(reference, plc);
     return content ? std::optional(formatLong(reference.type, *content)) : std::nullopt;
   }
-  const auto bits = station.read(reference);
+  const auto bits = plc.read(reference);
   return bits ? std::optional(formatOperand(reference, *bits)) : std::nullopt;
 }
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <variant>
 
+#include "controller/controller.h"
 #include "mc7/reference.h"
-#include "station/station.h"
 
 namespace merker::simulator {
 
@@ -17,7 +17,7 @@ std::string formatOperand(const mc7::Reference& reference, std::uint32_t bits);
 
 // What the operand holds now, in the same notation, and DATE_AND_TIME and STRING in theirs; nothing
 // if it does not exist.
-std::optional<std::string> show(const mc7::Reference& reference, const station::Station& station);
+std::optional<std::string> show(const mc7::Reference& reference, const controller::Controller& plc);
 
 // The same as a number or truth value: INT and DINT with sign, REAL, TIME, S5TIME and timers in
 // milliseconds, TOD in milliseconds, DATE in days since 1990-01-01, counters as their count; all

@@ -45,21 +45,21 @@ bool isLikeConstant(TypeCode type, std::string_view text) {
 }  // namespace
 
 std::optional<std::string> readLong(const mc7::Reference& reference,
-                                    const station::Station& station) {
-  const auto read = station.readBytes(reference);
+                                    const controller::Controller& plc) {
+  const auto read = plc.readBytes(reference);
   if (!read) return std::nullopt;
   const std::string all(read->begin(), read->end());
   if (reference.type != TypeCode::String) return all;
   return all.substr(kHeader, (*read)[1]);
 }
 
-std::optional<std::string> longValue(const Term& term, const station::Station& station) {
-  return term.content ? term.content : readLong(term.reference, station);
+std::optional<std::string> longValue(const Term& term, const controller::Controller& plc) {
+  return term.content ? term.content : readLong(term.reference, plc);
 }
 
 bool writeLong(const mc7::Reference& reference, const std::string& content,
-               station::Station& station) {
-  auto all = station.readBytes(reference);
+               controller::Controller& plc) {
+  auto all = plc.readBytes(reference);
   if (!all) return false;
   const bool string = reference.type == TypeCode::String;
   const std::size_t first = string ? kHeader : 0;
@@ -69,7 +69,7 @@ bool writeLong(const mc7::Reference& reference, const std::string& content,
     (*all)[1] = static_cast<std::uint8_t>(content.size());
   }
   std::copy(content.begin(), content.end(), all->begin() + static_cast<std::ptrdiff_t>(first));
-  return station.writeBytes(reference, *all);
+  return plc.writeBytes(reference, *all);
 }
 
 std::string formatLong(TypeCode type, const std::string& content) {
@@ -96,14 +96,14 @@ Result<std::string> parseLong(std::string_view text, const mc7::Reference& refer
 }
 
 bool longHolds(const Term& left, block::Relation relation, const Term& right,
-               const station::Station& station) {
-  const auto a = longValue(left, station), b = longValue(right, station);
+               const controller::Controller& plc) {
+  const auto a = longValue(left, plc), b = longValue(right, plc);
   const TypeCode type = typeOf(left, right);
   return a && b && relates(key(type, *a), relation, key(type, *b));
 }
 
-std::string actualLong(const Term& left, const Term& right, const station::Station& station) {
-  const auto a = longValue(left, station), b = longValue(right, station);
+std::string actualLong(const Term& left, const Term& right, const controller::Controller& plc) {
+  const auto a = longValue(left, plc), b = longValue(right, plc);
   if (!a || !b) return fmt::format("not there: {} does not exist", (a ? right : left).text);
   const TypeCode type = typeOf(left, right);
   const std::string text = formatLong(type, *a);

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "controller/controller.h"
 #include "simulator/term.h"
-#include "station/station.h"
 
 namespace merker::simulator {
 
@@ -15,11 +15,11 @@ inline bool isLong(const Term& term) { return term.content || isLong(term.refere
 
 // The content now; nothing if the operand does not exist.
 std::optional<std::string> readLong(const mc7::Reference& reference,
-                                    const station::Station& station);
-std::optional<std::string> longValue(const Term& term, const station::Station& station);
+                                    const controller::Controller& plc);
+std::optional<std::string> longValue(const Term& term, const controller::Controller& plc);
 // False if the operand does not exist. A STRING must not be longer than declared.
 bool writeLong(const mc7::Reference& reference, const std::string& content,
-               station::Station& station);
+               controller::Controller& plc);
 
 // DT#1994-01-01-00:00:00.000 or 'text'.
 std::string formatLong(TypeCode type, const std::string& content);
@@ -32,8 +32,8 @@ Problem otherNotation(const mc7::Reference& reference, const Position& at);
 
 // By instant (the weekday does not count), or by characters.
 bool longHolds(const Term& left, block::Relation relation, const Term& right,
-               const station::Station& station);
+               const controller::Controller& plc);
 // For a message: the left side's value, and the right side's if it is an operand.
-std::string actualLong(const Term& left, const Term& right, const station::Station& station);
+std::string actualLong(const Term& left, const Term& right, const controller::Controller& plc);
 
 }  // namespace merker::simulator

@@ -3,51 +3,35 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "base/text.h"
-#include "simulator/comparison.h"
-#include "simulator/duration.h"
-#include "simulator/long_value.h"
+#include "cpu/trigger.h"
+#include "simulator/expectations.h"
+#include "station/station.h"
 
 namespace merker::simulator {
 namespace {
 
-using station::Mode;
+using controller::Controller;
+using controller::Mode;
 using station::Station;
 
 // A startup OB that never ends is ended by nothing on the real CPU (S7-STATE-11); a test must end.
 constexpr Duration kLongestStartup = Duration::seconds(60);
 
-std::string_view name(Mode mode) {
-  constexpr std::array<std::string_view, 4> kNames = {"STOP", "STARTUP", "RUN", "HALT"};
-  return kNames[static_cast<std::size_t>(mode)];
-}
-
-bool containsIgnoreCase(std::string_view text, std::string_view part) {
-  return upper(text).find(upper(part)) != std::string::npos;
-}
-
-std::string because(const Station& station) {
-  return station.mode() == Mode::Stop ? ": " + station.stopReason() : std::string();
-}
-
 // Restart of either kind, and the startup OBs up to RUN.
-bool restart(Station& station, bool cold) {
-  if (station.mode() != Mode::Stop) station.stop();
-  if (!(cold ? station.coldRestart() : station.warmRestart())) return false;
-  const Instant limit = station.now() + kLongestStartup;
-  while (station.mode() == Mode::Startup && station.now() < limit)
-    advanceToNextLook(station, limit);
+bool restart(Controller& plc, bool cold) {
+  if (plc.mode() != Mode::Stop) plc.stop();
+  if (!(cold ? plc.coldRestart() : plc.warmRestart())) return false;
+  const Instant limit = plc.now() + kLongestStartup;
+  while (plc.mode() == Mode::Startup && plc.now() < limit) advanceToNextLook(plc, limit);
   return true;
 }
 
 class Runner {
  public:
-  Runner(Station& station, TestResult& result)
-      : station_(station),
-        result_(result),
-        read_([&station](const mc7::Reference& reference) { return station.read(reference); }) {}
+  Runner(Controller& plc, TestResult& result)
+      : plc_(plc), device_(dynamic_cast<Station*>(&plc)), result_(result) {}
 
   bool run(const std::vector<Step>& steps);
   void endState(const Scenario& scenario);
@@ -55,12 +39,14 @@ class Runner {
  private:
   bool fail(const Position& position, std::string message);
   bool perform(const Step& step);
+  bool performOnDevice(const Step& step);
   bool set(const Step& step);
   bool setTerminals(const Step& step);
   bool repeat(const Step& step);
   bool restarted(const Step& step, bool cold);
   bool powered(const Step& step);
   bool refused(const Step& step);
+  bool noDevice(const Step& step);
   bool memoryReset(const Step& step);
   bool copyRamToRom(const Step& step);
   bool waitCycles(const Step& step);
@@ -68,19 +54,15 @@ class Runner {
   bool during(const Step& step, Instant end);
   bool within(const Step& step, Instant end);
   bool miss(const Step& step);
-  bool holds(const Expectation& e);
-  bool inDiagnostics(const std::string& words) const;
-  std::string actual(const Expectation& e) const;
-  std::string newestEntry() const;
 
-  Station& station_;
+  Controller& plc_;
+  Station* device_;  // null: no SIMATIC S7
   TestResult& result_;
-  Reader read_;
   bool speaksOfState_ = false;
 };
 
 bool Runner::fail(const Position& position, std::string message) {
-  result_.failures.push_back({position, station_.now(), std::move(message)});
+  result_.failures.push_back({position, plc_.now(), std::move(message)});
   return false;
 }
 
@@ -96,63 +78,76 @@ bool Runner::perform(const Step& step) {
     case StepKind::Force:
       return set(step);
     case StepKind::Wait:
-      station_.advanceTo(station_.now() + step.duration);
+      plc_.advanceTo(plc_.now() + step.duration);
       return true;
     case StepKind::WaitCycles:
       return waitCycles(step);
     case StepKind::Expect:
       return expect(step);
     case StepKind::Run:
-      return station_.mode() == Mode::Run || restarted(step, false);
+      return plc_.mode() == Mode::Run || restarted(step, false);
     case StepKind::Stop:
-      station_.stop();
+      plc_.stop();
       return true;
     case StepKind::ColdRestart:
       return restarted(step, true);
     case StepKind::WarmRestart:
       return restarted(step, false);
-    case StepKind::HotRestart:
-      return station_.hotRestart() || refused(step);
-    case StepKind::Switch:
-      station_.setSwitch(step.switchPosition);
-      return true;
-    case StepKind::Trigger:
-      cpu::trigger(station_.cpu(), step.trigger);
-      return true;
-    case StepKind::PowerOnUnbuffered:
-      station_.powerOn(false);
-      return true;
-    case StepKind::BatteryLow:
-    case StepKind::BatteryGood:
-      station_.setBattery(step.kind == StepKind::BatteryLow);
-      return true;
     case StepKind::PowerOff:
-      station_.powerOff();
+      plc_.powerOff();
       return true;
     case StepKind::PowerOn:
-      station_.powerOn();
+    case StepKind::PowerOnUnbuffered:
+      plc_.powerOn(step.kind == StepKind::PowerOn);
       return true;
     case StepKind::MemoryReset:
       return memoryReset(step);
-    case StepKind::CopyRamToRom:
-      return copyRamToRom(step);
     case StepKind::Unforce:
-      station_.unforce();
+      plc_.unforce();
       return true;
     case StepKind::Repeat:
       return repeat(step);
+    default:
+      return device_ != nullptr ? performOnDevice(step) : noDevice(step);
+  }
+}
+
+// What only a SIMATIC S7 station has.
+bool Runner::performOnDevice(const Step& step) {
+  switch (step.kind) {
+    case StepKind::HotRestart:
+      return device_->hotRestart() || refused(step);
+    case StepKind::Switch:
+      device_->setSwitch(step.switchPosition);
+      return true;
+    case StepKind::Trigger:
+      cpu::trigger(device_->cpu(), step.trigger);
+      return true;
+    case StepKind::BatteryLow:
+    case StepKind::BatteryGood:
+      device_->setBattery(step.kind == StepKind::BatteryLow);
+      return true;
+    case StepKind::CopyRamToRom:
+      return copyRamToRom(step);
     case StepKind::Fault:
-      apply(step.fault, *station_.rack());
+      apply(step.fault, *device_->rack());
       return true;
     case StepKind::Terminal:
       return setTerminals(step);
+    default:
+      return true;
   }
-  return true;
+}
+
+bool Runner::noDevice(const Step& step) {
+  return fail(step.position,
+              fmt::format("{}: {} has nothing of this kind; it is a step for SIMATIC S7", step.text,
+                          plc_.modelName()));
 }
 
 bool Runner::set(const Step& step) {
   for (const Assignment& assignment : step.assignments) {
-    const std::string reason = apply(assignment, step.kind == StepKind::Force, station_);
+    const std::string reason = apply(assignment, step.kind == StepKind::Force, plc_);
     if (!reason.empty()) return fail(assignment.operand.position, reason);
   }
   return true;
@@ -160,7 +155,7 @@ bool Runner::set(const Step& step) {
 
 bool Runner::setTerminals(const Step& step) {
   for (const TerminalValue& terminal : step.terminals) {
-    const std::string reason = simulator::set(terminal, *station_.rack(), station_.now());
+    const std::string reason = simulator::set(terminal, *device_->rack(), plc_.now());
     if (!reason.empty()) return fail(terminal.position, reason);
   }
   return true;
@@ -174,166 +169,113 @@ bool Runner::repeat(const Step& step) {
 
 bool Runner::restarted(const Step& step, bool cold) {
   if (!powered(step)) return false;
-  if (cold && !station_.model().coldRestart)
+  if (cold && !plc_.hasColdRestart())
     return fail(step.position, fmt::format("{}: the CPU refuses: {} has no cold restart", step.text,
-                                           station_.model().name));
-  return restart(station_, cold) || refused(step);
+                                           plc_.modelName()));
+  return restart(plc_, cold) || refused(step);
 }
 
 bool Runner::refused(const Step& step) {
-  return fail(step.position, fmt::format("{}: the CPU refuses{}", step.text, because(station_)));
+  return fail(step.position, fmt::format("{}: the CPU refuses{}", step.text, because(plc_)));
 }
 
 bool Runner::copyRamToRom(const Step& step) {
-  const std::string reason = station_.copyRamToRom();
+  const std::string reason = device_->copyRamToRom();
   return reason.empty() || fail(step.position, step.text + ": " + reason);
 }
 
 bool Runner::powered(const Step& step) {
-  return station_.powered() ||
+  return plc_.powered() ||
          fail(step.position,
               fmt::format("{}: the CPU is switched off; 'power on' comes first", step.text));
 }
 
 bool Runner::memoryReset(const Step& step) {
   if (!powered(step)) return false;
-  if (station_.mode() != Mode::Stop) station_.stop();
-  station_.memoryReset();
+  if (plc_.mode() != Mode::Stop) plc_.stop();
+  plc_.memoryReset();
   return true;
 }
 
 bool Runner::waitCycles(const Step& step) {
-  const std::uint64_t end = station_.cycles() + step.count;
-  station_.advanceCycles(step.count);
-  if (station_.cycles() >= end) return true;
-  return fail(step.position, fmt::format("{}: the CPU is in {}{}", step.text, name(station_.mode()),
-                                         because(station_)));
-}
-
-bool Runner::inDiagnostics(const std::string& words) const {
-  for (const auto& entry : station_.diagnostics())
-    if (containsIgnoreCase(fmt::format("16#{:04X} {}", entry.event, entry.text), words))
-      return true;
-  return false;
-}
-
-// Values are those at the end of a cycle: in the middle of one they may be on their way.
-bool Runner::holds(const Expectation& e) {
-  switch (e.what) {
-    case Expectation::What::Values:
-      station_.settle();
-      if (isLong(e.left)) return longHolds(e.left, e.relation, e.right, station_);
-      return simulator::holds(e.left, e.relation, e.right, read_);
-    case Expectation::What::Mode:
-      return (station_.mode() == e.mode) == (e.relation == block::Relation::Equal);
-    case Expectation::What::Diagnostics:
-      return inDiagnostics(e.words);
-    case Expectation::What::Terminal:
-      station_.settle();
-      return simulator::holds(e.terminal, e.relation, *station_.rack());
-    case Expectation::What::Led:
-      return (station_.leds().*e.led == e.light) == (e.relation == block::Relation::Equal);
-  }
-  return false;
-}
-
-std::string Runner::newestEntry() const {
-  if (station_.diagnostics().empty()) return "the diagnostic buffer is empty";
-  const auto& last = station_.diagnostics().back();
-  return fmt::format("the newest entry is 16#{:04X} {}", last.event, last.text);
-}
-
-// What is there instead.
-std::string Runner::actual(const Expectation& e) const {
-  const bool stopped = station_.mode() == Mode::Stop;
-  switch (e.what) {
-    case Expectation::What::Values:
-      return fmt::format("{} is {}", e.left.text,
-                         isLong(e.left) ? actualLong(e.left, e.right, station_)
-                                        : actualValue(e.left, e.right, read_)) +
-             (stopped ? fmt::format(" (the CPU is in STOP{})", because(station_)) : "");
-    case Expectation::What::Mode:
-      return fmt::format("mode is {}{}", name(station_.mode()), because(station_));
-    case Expectation::What::Diagnostics:
-      return newestEntry();
-    case Expectation::What::Terminal:
-      return fmt::format("{} is {}", e.terminal.text,
-                         simulator::actualValue(e.terminal, *station_.rack()));
-    case Expectation::What::Led:
-      return fmt::format("it is {}", simulator::name(station_.leds().*e.led));
-  }
-  return {};
+  const std::uint64_t end = plc_.cycles() + step.count;
+  plc_.advanceCycles(step.count);
+  if (plc_.cycles() >= end) return true;
+  return fail(step.position, fmt::format("{}: the CPU is in {}{}", step.text, modeName(plc_.mode()),
+                                         because(plc_)));
 }
 
 // "expected A 1.2 = 1 within 300ms, A 1.2 is 0".
 bool Runner::miss(const Step& step) {
   const std::string_view words =
       std::string_view(step.text).substr(std::string_view("expect").size());
-  return fail(step.position, fmt::format("expected {}, {}", trim(words), actual(step.expectation)));
+  return fail(step.position,
+              fmt::format("expected {}, {}", trim(words), actual(step.expectation, plc_)));
 }
 
 bool Runner::expect(const Step& step) {
+  if (device_ == nullptr && needsDevice(step.expectation)) return noDevice(step);
   if (step.expectation.what == Expectation::What::Mode ||
       step.expectation.what == Expectation::What::Diagnostics)
     speaksOfState_ = true;
-  const Instant end = station_.now() + step.expectation.duration;
+  const Instant end = plc_.now() + step.expectation.duration;
   if (step.expectation.when == Expectation::When::During) return during(step, end);
   if (step.expectation.when == Expectation::When::Within) return within(step, end);
-  return holds(step.expectation) || miss(step);
+  return holds(step.expectation, plc_) || miss(step);
 }
 
 // Now, at every cycle boundary, and at the end.
 bool Runner::during(const Step& step, Instant end) {
   for (;;) {
-    if (!holds(step.expectation)) return miss(step);
-    if (station_.now() >= end) return true;
-    advanceToNextLook(station_, end);
+    if (!holds(step.expectation, plc_)) return miss(step);
+    if (plc_.now() >= end) return true;
+    advanceToNextLook(plc_, end);
   }
 }
 
 // Ends at the first cycle boundary at which it holds.
 bool Runner::within(const Step& step, Instant end) {
   for (;;) {
-    if (holds(step.expectation)) return true;
-    if (station_.now() >= end) return miss(step);
-    advanceToNextLook(station_, end);
+    if (holds(step.expectation, plc_)) return true;
+    if (plc_.now() >= end) return miss(step);
+    advanceToNextLook(plc_, end);
   }
 }
 
 void Runner::endState(const Scenario& scenario) {
-  if (!station_.stoppedByFault() || speaksOfState_) return;
+  if (!plc_.stoppedByFault() || speaksOfState_) return;
   const Position& position =
       scenario.steps.empty() ? scenario.position : scenario.steps.back().position;
-  fail(position, "expected no fault, the CPU went to STOP: " + station_.stopReason());
+  fail(position, "expected no fault, the CPU went to STOP: " + plc_.stopReason());
 }
 
 }  // namespace
 
 // A STOP inside a call lets time run to the end of that call, so calls are short; in STOP nothing
 // happens any more.
-void advanceToNextLook(Station& station, Instant end) {
+void advanceToNextLook(Controller& plc, Instant end) {
   constexpr Duration kSlice = Duration::milliseconds(1);
-  const bool stopped = station.mode() == Mode::Stop;
-  station.advanceToCheckpoint(stopped ? end : std::min(end, station.now() + kSlice));
+  const bool stopped = plc.mode() == Mode::Stop;
+  plc.advanceToCheckpoint(stopped ? end : std::min(end, plc.now() + kSlice));
 }
 
-std::string startFresh(Station& station) {
-  if (station.mode() != Mode::Stop) station.stop();
-  station.memoryReset();
-  if (!restart(station, false)) return "the CPU does not start" + because(station);
-  if (station.mode() == Mode::Run) return {};
-  return fmt::format("the CPU does not reach RUN{}", because(station));
+std::string startFresh(Controller& plc) {
+  if (plc.mode() != Mode::Stop) plc.stop();
+  plc.memoryReset();
+  if (!restart(plc, false)) return "the CPU does not start" + because(plc);
+  if (plc.mode() == Mode::Run) return {};
+  return fmt::format("the CPU does not reach RUN{}", because(plc));
 }
 
-TestResult runScenario(const Scenario& scenario, Station& station) {
+TestResult runScenario(const Scenario& scenario, Controller& plc) {
   TestResult result{scenario.position.file, scenario.name, {}, {}};
-  Runner runner(station, result);
-  const std::string reason = startFresh(station);
+  Runner runner(plc, result);
+  const std::string reason = startFresh(plc);
   // A fault in the startup OB is a state that a scenario may expect; a refused start is not.
-  const bool refused = !reason.empty() && !station.stoppedByFault();
-  if (refused) result.failures.push_back({scenario.position, station.now(), reason});
+  const bool refused = !reason.empty() && !plc.stoppedByFault();
+  if (refused) result.failures.push_back({scenario.position, plc.now(), reason});
   if (!refused && runner.run(scenario.steps)) runner.endState(scenario);
-  result.end = station.now();
+  result.end = plc.now();
   return result;
 }
 

@@ -9,13 +9,13 @@
 namespace merker::simulator {
 
 // Memory reset and warm restart up to mode RUN. The reason if the CPU does not get there.
-std::string startFresh(station::Station& station);
+std::string startFresh(controller::Controller& plc);
 
 // To the next cycle boundary or state change, at most to `end`.
-void advanceToNextLook(station::Station& station, Instant end);
+void advanceToNextLook(controller::Controller& plc, Instant end);
 
 // `scenario` is resolved against the station's program. Ends at the first failure. A STOP through a
 // fault that the scenario does not speak of (expect mode, expect diagnostics) is a failure too.
-TestResult runScenario(const Scenario& scenario, station::Station& station);
+TestResult runScenario(const Scenario& scenario, controller::Controller& plc);
 
 }  // namespace merker::simulator

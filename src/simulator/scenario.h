@@ -10,11 +10,11 @@
 
 #include "block/check.h"
 #include "clock/instant.h"
+#include "controller/controller.h"
 #include "simulator/device_steps.h"
 #include "simulator/term.h"
 #include "simulator/terminal_steps.h"
 #include "source/source_file.h"
-#include "station/station.h"
 
 namespace merker::simulator {
 
@@ -26,10 +26,10 @@ struct Expectation {
   enum class What : std::uint8_t { Values, Mode, Diagnostics, Terminal, Led } what = What::Values;
   Term left, right;  // Values
   block::Relation relation = block::Relation::Equal;
-  station::Mode mode = station::Mode::Run;  // Mode: = or <>
-  TerminalValue terminal;                   // Terminal: relation to its value
-  std::string words;                        // Diagnostics: what an entry contains
-  LedMember led = nullptr;                  // Led: which, = or <> which light
+  controller::Mode mode = controller::Mode::Run;  // Mode: = or <>
+  TerminalValue terminal;                         // Terminal: relation to its value
+  std::string words;                              // Diagnostics: what an entry contains
+  LedMember led = nullptr;                        // Led: which, = or <> which light
   cpu::Light light = cpu::Light::On;
   enum class When : std::uint8_t { Now, During, Within } when = When::Now;
   Duration duration;  // During, Within
@@ -97,6 +97,6 @@ std::vector<Assignment> parseAssignments(const source::SourceFile& file, std::st
                                          Problems& problems);
 void resolve(Assignment& assignment, const Resolver& resolver, Problems& problems);
 // Writes or forces the value; the reason if that is not possible, else empty.
-std::string apply(const Assignment& assignment, bool force, station::Station& station);
+std::string apply(const Assignment& assignment, bool force, controller::Controller& plc);
 
 }  // namespace merker::simulator

@@ -36,11 +36,11 @@ const RelationText* relationAt(std::string_view text) {
 
 struct ModeName {
   std::string_view name;
-  station::Mode mode;
+  controller::Mode mode;
 };
 constexpr std::array kModes = {
-    ModeName{"RUN", station::Mode::Run}, ModeName{"STOP", station::Mode::Stop},
-    ModeName{"STARTUP", station::Mode::Startup}, ModeName{"HALT", station::Mode::Halt}};
+    ModeName{"RUN", controller::Mode::Run}, ModeName{"STOP", controller::Mode::Stop},
+    ModeName{"STARTUP", controller::Mode::Startup}, ModeName{"HALT", controller::Mode::Halt}};
 
 class Parser {
  public:

@@ -16,39 +16,38 @@ struct ByLine {
   }
 };
 
-void collect(const station::Station& station, TestResult& result) {
+void collect(const controller::Controller& plc, TestResult& result) {
   std::set<Position, ByLine> lines, reached;
-  for (const auto& check : station.checkResults()) {
+  for (const auto& check : plc.checkResults()) {
     lines.insert(check.check->position);
     if (check.reached > 0) reached.insert(check.check->position);
-    for (const station::CheckFailure& failure : check.failures)
+    for (const controller::CheckFailure& failure : check.failures)
       result.failures.push_back({check.check->position, failure.time, "expected " + failure.text});
   }
   for (const Position& line : lines)
     if (!reached.contains(line))
-      result.failures.push_back({line, station.now(), "the check was never reached"});
+      result.failures.push_back({line, plc.now(), "the check was never reached"});
 }
 
 }  // namespace
 
 bool hasChecks(std::string_view source) { return source.find("//=") != std::string_view::npos; }
 
-TestResult runSelfChecks(const std::string& file, station::Station& station) {
+TestResult runSelfChecks(const std::string& file, controller::Controller& plc) {
   TestResult result{file, "self-checks", {}, {}};
-  const std::string reason = startFresh(station);
+  const std::string reason = startFresh(plc);
   // OB 100 may contain all there is and stop the CPU: only a refusal or a fault fails.
-  if (!reason.empty() && station.stopReason().empty()) {
-    result.failures.push_back({Position{file}, station.now(), reason});
+  if (!reason.empty() && plc.stopReason().empty()) {
+    result.failures.push_back({Position{file}, plc.now(), reason});
     return result;
   }
-  const Instant end = station.now() + kLongest;
-  while (station.now() < end && station.mode() != station::Mode::Stop)
-    advanceToNextLook(station, end);
-  result.end = station.now();
-  if (station.stoppedByFault())
+  const Instant end = plc.now() + kLongest;
+  while (plc.now() < end && plc.mode() != controller::Mode::Stop) advanceToNextLook(plc, end);
+  result.end = plc.now();
+  if (plc.stoppedByFault())
     result.failures.push_back(
-        {Position{file}, station.now(), "the CPU went to STOP: " + station.stopReason()});
-  collect(station, result);
+        {Position{file}, plc.now(), "the CPU went to STOP: " + plc.stopReason()});
+  collect(plc, result);
   return result;
 }
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "controller/controller.h"
 #include "simulator/test_result.h"
-#include "station/station.h"
 
 namespace merker::simulator {
 
@@ -14,6 +14,6 @@ bool hasChecks(std::string_view source);
 
 // Runs until the CPU stops itself or 10 s of virtual time have passed. Passed: no term failed,
 // every //= line was reached at least once, no STOP through a fault.
-TestResult runSelfChecks(const std::string& file, station::Station& station);
+TestResult runSelfChecks(const std::string& file, controller::Controller& plc);
 
 }  // namespace merker::simulator

@@ -28,9 +28,9 @@ std::string field(const std::string& text) {
 
 // Cheap to compare; a text is made of it only when it has changed.
 std::optional<std::string> content(const mc7::Reference& reference,
-                                   const station::Station& station) {
-  if (isLong(reference)) return readLong(reference, station);
-  const auto bits = station.read(reference);
+                                   const controller::Controller& plc) {
+  if (isLong(reference)) return readLong(reference, plc);
+  const auto bits = plc.read(reference);
   if (!bits) return std::nullopt;
   std::string raw(sizeof *bits, '\0');
   std::memcpy(raw.data(), &*bits, sizeof *bits);
@@ -48,21 +48,21 @@ std::string shown(const mc7::Reference& reference, const std::string& content) {
 }  // namespace
 
 Trace::Trace(std::ostream& out, std::vector<mc7::Reference> watched,
-             const station::Station& station)
+             const controller::Controller& plc)
     : out_(out) {
   for (mc7::Reference& reference : watched) {
     watched_.push_back(prepared(std::move(reference)));
-    last_.push_back(content(watched_.back(), station));
+    last_.push_back(content(watched_.back(), plc));
   }
 }
 
-void Trace::sample(const station::Station& station) {
+void Trace::sample(const controller::Controller& plc) {
   for (std::size_t i = 0; i < watched_.size(); ++i) {
-    const auto now = content(watched_[i], station);
+    const auto now = content(watched_[i], plc);
     if (!now || now == last_[i]) continue;
     last_[i] = now;
     // 7 decimals: 100 ns, the shortest instruction of the CPU 314C-2
-    out_ << fmt::format("{},{},{}\n", formatSeconds(station.now().ns, 7), field(watched_[i].text),
+    out_ << fmt::format("{},{},{}\n", formatSeconds(plc.now().ns, 7), field(watched_[i].text),
                         field(shown(watched_[i], *now)));
   }
 }

@@ -7,15 +7,15 @@
 #include <string>
 #include <vector>
 
-#include "station/station.h"
+#include "controller/controller.h"
 
 namespace merker::simulator {
 
 class Trace {
  public:
   // The values now are what the first changes are compared with.
-  Trace(std::ostream& out, std::vector<mc7::Reference> watched, const station::Station& station);
-  void sample(const station::Station& station);
+  Trace(std::ostream& out, std::vector<mc7::Reference> watched, const controller::Controller& plc);
+  void sample(const controller::Controller& plc);
 
  private:
   std::ostream& out_;

@@ -6,6 +6,7 @@
 
 #include "cpu/cpu.h"
 #include "interpreter/interpreter.h"
+#include "station/line_counts.h"
 #include "station/modules.h"
 #include "station/periphery.h"
 #include "station/values.h"
@@ -51,7 +52,7 @@ struct Station::Parts {
   std::unique_ptr<Modules> modules;
   cpu::Cpu cpu;
   Station* self = nullptr;  // whom the observer gets to see; moves along
-  std::function<void(Station&)> observer;
+  std::function<void(controller::Controller&)> observer;
 
   void plug(io::Configuration hardware) {
     periphery = std::make_unique<Periphery>(std::move(hardware));
@@ -227,6 +228,22 @@ std::map<BlockId, std::map<std::uint32_t, std::uint64_t>> Station::executed() co
   return parts_->engine.executed();
 }
 
+std::string Station::modelName() const { return std::string(model().name); }
+bool Station::hasColdRestart() const { return model().coldRestart; }
+
+controller::ExecutedLines Station::executedLines() const {
+  return lineCounts(program(), executed());
+}
+
+std::string Station::whyMissing(const mc7::Reference& reference) const {
+  const bool data = reference.operand.kind == mc7::OperandKind::Memory &&
+                    reference.operand.area == Area::DataBlock;
+  if (!data) return "no module answers at this address";
+  const auto found = program().find({BlockKind::DB, static_cast<std::uint16_t>(reference.db)});
+  if (found == program().end()) return fmt::format("there is no DB {}", reference.db);
+  return fmt::format("DB {} has {} bytes", reference.db, found->second.actualData.size());
+}
+
 bool Station::mayRead(std::string_view password) const {
   const CpuParameters& parameters = parts_->cpu.parameters();
   return parameters.protection < 3 || password == parameters.password;
@@ -261,7 +278,7 @@ std::string Station::copyRamToRom(std::string_view password) {
   return download(std::move(program), password);
 }
 
-void Station::onCycle(std::function<void(Station&)> observer) {
+void Station::onCycle(std::function<void(controller::Controller&)> observer) {
   parts_->observer = std::move(observer);
   Parts* parts = parts_.get();
   parts->cpu.onCheckpoint([parts] {

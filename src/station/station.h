@@ -17,6 +17,7 @@
 #include "catalogue/cpu_model.h"
 #include "catalogue/cpu_parameters.h"
 #include "clock/instant.h"
+#include "controller/controller.h"
 #include "cpu/leds.h"
 #include "cpu/mode_switch.h"
 #include "io/rack.h"
@@ -28,14 +29,10 @@ class Cpu;
 
 namespace merker::station {
 
-enum class Mode : std::uint8_t { Stop, Startup, Run, Halt };
-
-// One entry of the diagnostic buffer (S7-DIAG-01, -02), newest last here.
-struct DiagnosticEntry {
-  std::uint16_t event = 0;  // 16#2521, 16#4562 …
-  Instant time;
-  std::string text;  // "programming error: BCD conversion error", with block and position if known
-};
+using controller::CheckFailure;
+using controller::CheckResult;
+using controller::DiagnosticEntry;
+using controller::Mode;
 
 struct Options {
   const CpuModel* model = &defaultCpuModel();
@@ -48,48 +45,41 @@ struct Options {
   bool coverage = false;  // count how often each instruction runs
 };
 
-// What a check (//=) saw. `reached` counts how often it was evaluated; behind a jump the passes
-// that went on to the next instruction count, if there were any.
-struct CheckFailure {
-  Instant time;      // when the term was judged
-  std::string text;  // "AKKU1 = W#16#8000: is W#16#7FFF"
-};
-struct CheckResult {
-  const block::Check* check = nullptr;
-  std::uint64_t reached = 0;
-  std::vector<CheckFailure> failures;  // the first few
-};
-
-class Station {
+class Station : public controller::Controller {
  public:
   explicit Station(Options options);
-  ~Station();
+  ~Station() override;
   Station(Station&&) noexcept;
   Station& operator=(Station&&) noexcept;
 
   const CpuModel& model() const;
+  std::string modelName() const override;
+  bool hasColdRestart() const override;
+  std::string whyMissing(const mc7::Reference& reference) const override;
+  controller::ExecutedLines executedLines() const override;
   const block::Program& program() const;
 
   // operating states (S7-STATE)
-  Mode mode() const;
-  bool stoppedByFault() const;     // STOP for another reason than a wish (switch, SFC 46)
-  std::string stopReason() const;  // as the diagnostic buffer names it; empty while not in STOP
+  Mode mode() const override;
+  bool stoppedByFault() const override;  // STOP for another reason than a wish (switch, SFC 46)
+  std::string stopReason()
+      const override;  // as the diagnostic buffer names it; empty while not in STOP
   // The mode switch (S7-CPU-31); from STOP to RUN or RUN-P it starts the CPU.
   void setSwitch(cpu::SwitchPosition position);
   cpu::SwitchPosition switchPosition() const;
   cpu::Leds leds() const;
-  void memoryReset();
+  void memoryReset() override;
   // Restarts put a switch that stands at STOP to RUN-P.
-  bool warmRestart();  // OB 100, then OB 1; false if refused (no OB 1 …)
-  bool hotRestart();   // OB 101, then on from where STOP came; false if the model has none
-  bool coldRestart();  // false if the model has none
-  bool powered() const;
-  void stop();    // mode switch to STOP
-  bool halt();    // test operation: in front of the next instruction
-  bool resume();  // leaves HALT
-  void powerOff();
-  void powerOn(bool buffered = true);  // false: battery empty or card out, RAM is lost
-  void setBattery(bool low);           // OB 81
+  bool warmRestart() override;  // OB 100, then OB 1; false if refused (no OB 1 …)
+  bool hotRestart();            // OB 101, then on from where STOP came; false if the model has none
+  bool coldRestart() override;  // false if the model has none
+  bool powered() const override;
+  void stop() override;  // mode switch to STOP
+  bool halt();           // test operation: in front of the next instruction
+  bool resume();         // leaves HALT
+  void powerOff() override;
+  void powerOn(bool buffered = true) override;  // false: battery empty or card out, RAM is lost
+  void setBattery(bool low);                    // OB 81
   // Retentive memory (S7-MEM-02), as it is now; events that `data` has already are not copied
   // again.
   void retentive(block::RetentiveData& data) const;
@@ -97,19 +87,19 @@ class Station {
   void restore(const block::RetentiveData& data);
 
   // time; nothing moves outside these calls
-  Instant now() const;
-  std::uint64_t cycles() const;
-  std::uint64_t instructions() const;
+  Instant now() const override;
+  std::uint64_t cycles() const override;
+  std::uint64_t instructions() const override;
   // Runs up to t exactly, also into the middle of a cycle; in STOP only time moves.
-  void advanceTo(Instant t);
+  void advanceTo(Instant t) override;
   // On to the end of the cycle that runs now: there values are looked at from outside.
-  void settle();
+  void settle() override;
   // Fewer if the CPU goes to STOP or a cycle does not come within 60 s.
-  void advanceCycles(std::uint64_t count);
+  void advanceCycles(std::uint64_t count) override;
   // Runs to the next cycle checkpoint, at most to `limit`; true if it came to a checkpoint. The
   // change from STARTUP to RUN, before the first cycle, counts as one. In STOP time moves to
   // `limit` (false). Scenarios look at values after each cycle with it.
-  bool advanceToCheckpoint(Instant limit);
+  bool advanceToCheckpoint(Instant limit) override;
   // Runs OB 1 once, back to back, without the operating system's share of the cycle and without
   // cycle monitoring: for measurements. False if it did not end within `most`; the next call goes
   // on with it then.
@@ -120,21 +110,22 @@ class Station {
   // PE is the input terminals, PA the output side. A force acts at once and holds until unforced.
   // Timer and counter: Width::Bit is the status bit, any other width the coded value as LC loads it
   // (S5TIME, BCD).
-  std::optional<std::uint32_t> read(const mc7::Reference& reference) const;
-  bool write(const mc7::Reference& reference, std::uint32_t value);
-  bool force(const mc7::Reference& reference, std::uint32_t value);
-  void unforce();
+  std::optional<std::uint32_t> read(const mc7::Reference& reference) const override;
+  bool write(const mc7::Reference& reference, std::uint32_t value) override;
+  bool force(const mc7::Reference& reference, std::uint32_t value) override;
+  void unforce() override;
   // The bytes of a DATE_AND_TIME or STRING (Reference::bytes), as they lie in memory.
-  std::optional<std::vector<std::uint8_t>> readBytes(const mc7::Reference& reference) const;
-  bool writeBytes(const mc7::Reference& reference, std::span<const std::uint8_t> bytes);
+  std::optional<std::vector<std::uint8_t>> readBytes(
+      const mc7::Reference& reference) const override;
+  bool writeBytes(const mc7::Reference& reference, std::span<const std::uint8_t> bytes) override;
 
   // The modules and their terminals, with station.now() as the time; null without a hardware
   // configuration. Changes reach the CPU at its next instruction boundary.
   io::Rack* rack();
   const io::Rack* rack() const;
 
-  const std::vector<DiagnosticEntry>& diagnostics() const;
-  const std::vector<CheckResult>& checkResults() const;
+  const std::vector<DiagnosticEntry>& diagnostics() const override;
+  const std::vector<CheckResult>& checkResults() const override;
   // With Options::coverage: how often each instruction ran, by block and byte offset of its code;
   // those that never ran may be missing.
   std::map<BlockId, std::map<std::uint32_t, std::uint64_t>> executed() const;
@@ -155,7 +146,7 @@ class Station {
   const cpu::Cpu& cpu() const;
 
   // Called after each change of simulated time at a cycle checkpoint: traces look at values here.
-  void onCycle(std::function<void(Station&)> observer);
+  void onCycle(std::function<void(controller::Controller&)> observer) override;
 
  private:
   struct Parts;

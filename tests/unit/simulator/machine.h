@@ -8,6 +8,7 @@
 
 #include "simulator/runner.h"
 #include "simulator/self_check.h"
+#include "station/station.h"
 #include "step7/compiler.h"
 #include "system/library.h"
 

@@ -129,7 +129,7 @@ TEST(ScenarioParser, DiagnosticsAndModes) {
   EXPECT_TRUE(p.problems.empty());
   EXPECT_EQ(p.steps()[0].expectation.words, "BCD # error");
   EXPECT_EQ(p.steps()[0].expectation.when, Expectation::When::Within);
-  EXPECT_EQ(p.steps()[1].expectation.mode, station::Mode::Stop);
+  EXPECT_EQ(p.steps()[1].expectation.mode, controller::Mode::Stop);
   EXPECT_EQ(p.steps()[1].expectation.relation, block::Relation::NotEqual);
 }
 

@@ -30,7 +30,7 @@ std::string traced(const Machine& machine) {
   Trace trace(out,
               {machine.reference("E 0.0"), machine.reference("A 0.0"), machine.reference("MW 10")},
               station);
-  station.onCycle([&](station::Station& s) { trace.sample(s); });
+  station.onCycle([&](controller::Controller& s) { trace.sample(s); });
   station.advanceTo({10'000'000});
   station.write(machine.reference("E 0.0"), 1);
   station.advanceTo({20'000'000});

@@ -241,7 +241,7 @@ TEST(Stations, CanBeMoved) {
   plc.start();
   Station moved = std::move(*plc);
   int seen = 0;
-  moved.onCycle([&](Station& station) { seen += &station == &moved; });
+  moved.onCycle([&](controller::Controller& station) { seen += &station == &moved; });
   moved.advanceCycles(3);
   EXPECT_EQ(seen, 3);
 }

@@ -1,0 +1,22 @@
+// Whether an expectation of a scenario holds, and what is there instead.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "controller/controller.h"
+#include "simulator/scenario.h"
+
+namespace merker::simulator {
+
+std::string_view modeName(controller::Mode mode);  // "RUN"
+// ": reason" in STOP, else nothing: what stands behind "the CPU does not start".
+std::string because(const controller::Controller& plc);
+
+// LEDs and terminals exist on a SIMATIC S7 station only.
+bool needsDevice(const Expectation& e);
+bool holds(const Expectation& e, controller::Controller& plc);
+// "A 1.2 is 0", "mode is STOP: …"
+std::string actual(const Expectation& e, const controller::Controller& plc);
+
+}  // namespace merker::simulator
