@@ -1,6 +1,7 @@
 #include "nc/data_block_macros.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "nc/plc_memory.h"
 
@@ -95,11 +96,8 @@ Error transferBlock(Machine& m, Parameters p) {
   const Transfer t = transferOf(m, p);
   if (const Error error = check(m, t)) return error;
   const auto source = dataBlock(m, t.source).subspan(t.from, t.count);
-  const auto target = dataBlock(m, t.target).subspan(t.to, t.count);
-  if (target.data() > source.data())  // of one block, perhaps overlapping
-    std::copy_backward(source.begin(), source.end(), target.end());
-  else
-    std::copy(source.begin(), source.end(), target.begin());
+  const std::vector<std::uint16_t> words(source.begin(), source.end());  // blocks may overlap
+  std::copy(words.begin(), words.end(), dataBlock(m, t.target).begin() + t.to);
   return std::nullopt;
 }
 
