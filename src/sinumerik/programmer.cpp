@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "mc5/resident_blocks.h"
 #include "sinumerik/memory_size.h"
 #include "sinumerik/segments.h"
 
@@ -131,6 +132,10 @@ std::string Programmer::erase(BlockId id) {
 }
 
 std::optional<mc5::Block> Programmer::read(BlockId id) const {
+  if (resident(id)) {  // name and parameters, no code (S5-FB-19)
+    const mc5::Block* macro = mc5::findResident(id.number);
+    return macro != nullptr ? std::optional(*macro) : std::nullopt;
+  }
   const BlockMemory& blocks = os_.machine().blocks;
   const Entry& entry = blocks.find(id);
   if (!entry.present) return std::nullopt;

@@ -80,8 +80,8 @@ void Recorder::count(const Place& place, std::uint32_t word) {
 
 void Recorder::afterStep(Processor& p, Outcome outcome) {
   if (coverage_) count(now_, now_.word);
-  const bool processed = p.lastWord() != now_.word;  // behind B
-  if (coverage_ && processed) count(now_, p.lastWord());
+  now_.last = p.lastWord();
+  if (coverage_ && now_.last != now_.word) count(now_, now_.last);
   if (outcome == Outcome::Trapped) return;
   Machine& m = p.machine();
   const bool ended = outcome == Outcome::LevelEnded;
@@ -93,9 +93,8 @@ void Recorder::afterStep(Processor& p, Outcome outcome) {
   if (depth > now_.depth) {
     calls_.push_back(now_);
   } else {
-    const bool away = depth < now_.depth || leadsAway(m, p.lastWord());
-    evaluate(p, now_.word, away);
-    if (processed) evaluate(p, p.lastWord(), away);
+    const bool away = depth < now_.depth || leadsAway(m, now_.last);
+    evaluate(p, now_, away);
     if (depth < now_.depth) returned(p);
   }
   if (ended) m.levels.pop_back();
@@ -107,11 +106,16 @@ void Recorder::returned(Processor& p) {
   while (!calls_.empty() && calls_.back().level == level && calls_.back().depth + 1 >= depth) {
     const Place call = calls_.back();
     calls_.pop_back();
-    if (call.depth + 1 == depth) evaluate(p, call.word, false);
+    if (call.depth + 1 == depth) evaluate(p, call, false);
   }
 }
 
-void Recorder::evaluate(Processor& p, std::uint32_t word, bool away) {
+void Recorder::evaluate(Processor& p, const Place& place, bool away) {
+  evaluateAt(p, place.word, away);
+  if (place.last != place.word) evaluateAt(p, place.last, away);
+}
+
+void Recorder::evaluateAt(Processor& p, std::uint32_t word, bool away) {
   const auto [first, last] = byWord_.equal_range(word);
   for (auto it = first; it != last; ++it) evaluateOne(p, records_[it->second], away);
 }

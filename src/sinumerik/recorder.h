@@ -42,13 +42,15 @@ class Recorder {
   struct Place {
     std::size_t level = 0, depth = 0;
     mc5::BlockId block;
-    std::uint32_t start = 0, word = 0, next = 0;
+    std::uint32_t start = 0, word = 0;
+    std::uint32_t last = 0;  // behind B: the instruction that was processed
   };
 
   void attach(const BlockMemory& blocks);
   void attachTo(const mc5::Block& block, const BlockMemory& blocks);
   void count(const Place& place, std::uint32_t word);
-  void evaluate(Processor& processor, std::uint32_t word, bool away);
+  void evaluate(Processor& processor, const Place& place, bool away);
+  void evaluateAt(Processor& processor, std::uint32_t word, bool away);
   void evaluateOne(Processor& processor, Record& record, bool away);
   void returned(Processor& processor);
 

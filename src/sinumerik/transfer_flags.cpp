@@ -31,6 +31,12 @@ void TransferFlags::start(bool cold) {
   m_.flags[3] = cold ? 0x07 : 0x00;
   m_.flags[6] = m_.flags[12] = m_.flags[16] = 0;
   blink_ = false;
+  level_ = 0;
+}
+
+void TransferFlags::resumeLevel(std::uint8_t ob) {
+  level_ = ob;
+  m_.flags[1] = ob;
 }
 
 void TransferFlags::startUpOver() {
@@ -42,7 +48,8 @@ void TransferFlags::enterLevel(std::uint8_t ob, const Surroundings& around) {
   const NcSide& nc = around.nc;
   m_.flags[0] = 0x02;  // M 0.0 = 0, M 0.1 = 1
   showBlink();
-  m_.flags[1] = ob;
+  if (ob != level_) m_.flags[1] = ob;
+  level_ = ob;
   m_.flags[7] = 0;
   m_.flags[17] = nc.reloading;
   setWord(m_, 19, nc.blocks1);

@@ -17,10 +17,10 @@ class TransferFlags {
   // not yet run completely since the cold start.
   void start(bool cold);
   void enterLevel(std::uint8_t ob, const Surroundings& around);
-  void resumeLevel(std::uint8_t ob) { m_.flags[1] = ob; }  // an interrupted one goes on
-  void levelComplete(std::uint8_t ob);                     // its first pass is over
-  void ipoClock(bool idle);  // the blink clock; shown at once if no level runs
-  void startUpOver();        // the blink clock begins
+  void resumeLevel(std::uint8_t ob);    // an interrupted one goes on
+  void levelComplete(std::uint8_t ob);  // its first pass is over
+  void ipoClock(bool idle);             // the blink clock; shown at once if no level runs
+  void startUpOver();                   // the blink clock begins
   void showEdges(Edges edges);
   void delayed();  // M 6.2
   void fault();    // M 8.0
@@ -32,6 +32,9 @@ class TransferFlags {
   Machine& m_;
   bool blink_ = false;
   int ipoClocks_ = 0;
+  // MB 1 is written when another level begins: the manual's binary divider (9.3.2) has an edge flag
+  // in it.
+  std::uint8_t level_ = 0;
 };
 
 }  // namespace merker::sinumerik

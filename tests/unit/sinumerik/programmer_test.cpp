@@ -57,7 +57,7 @@ TEST(Programmer, SystemBlocks) {
   }
 }
 
-// S5-DB-11, S5-PG-02, S5-BLK-01: what is in EPROM stays as it is.
+// S5-DB-11, S5-PG-02, S5-BLK-01, S5-FB-19: what is in EPROM stays as it is.
 TEST(Programmer, ResidentBlocksAreProtected) {
   NoMacros macros;
   ListingBench b(kOb1);
@@ -69,6 +69,10 @@ TEST(Programmer, ResidentBlocksAreProtected) {
   EXPECT_NE(pg.erase({BlockType::Fb, 61}), "");
   EXPECT_EQ(pg.load(block(BlockType::Fb, 61, 3)).substr(0, 27), "Baustein bereits im EPROM (");
   EXPECT_TRUE(b.plc().machine().blocks.find({BlockType::Db, 1}).present);
+  const auto macro = pg.read({BlockType::Fb, 11});
+  ASSERT_TRUE(macro.has_value());
+  EXPECT_EQ(macro->name, "EINR-DB");
+  EXPECT_TRUE(macro->words.empty());
 }
 
 // S5-PG-01, S5-BLK-03: transfer, reading back and deleting, between two cycles.
