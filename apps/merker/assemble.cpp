@@ -8,6 +8,7 @@
 #include "command.h"
 #include "input.h"
 #include "output.h"
+#include "step5/compiler.h"
 #include "step7/compiler.h"
 
 namespace merker::app {
@@ -47,43 +48,57 @@ Setting setting(const Options& options) {
   return options.mnemonics == "en" ? Mnemonics::International : Mnemonics::German;
 }
 
-void assembleLine(const source::SourceFile& file, std::uint32_t number, Setting setting,
+// The words of one instruction, or its problem.
+Result<std::string> mc7Words(std::string_view line, const Position& at, Setting setting) {
+  auto instruction = step7::parseInstruction(line, at, setting);
+  if (!instruction) return instruction.error();
+  std::vector<std::uint8_t> code;
+  if (!mc7::encode(instruction.value(), code)) return makeProblem(ProblemCode::P0691, at, line);
+  return words(code);
+}
+
+Result<std::string> mc5Words(std::string_view line, const Position& at) {
+  const auto instruction = step5::parseInstruction(line, at);
+  if (!instruction) return instruction.error();
+  std::vector<std::uint16_t> code;
+  if (!mc5::encode(instruction.value(), code)) return makeProblem(ProblemCode::P0691, at, line);
+  std::string text;
+  for (const std::uint16_t word : code)
+    text += fmt::format("{}{:04X}", text.empty() ? "" : " ", word);
+  return text;
+}
+
+void assembleLine(const source::SourceFile& file, std::uint32_t number, const Options& options,
                   Problems& problems) {
   const std::string_view line = withoutAddress(withoutComment(file.line(number)));
   if (line.empty()) return;
   const auto offset = static_cast<std::size_t>(line.data() - file.text().data());
   const Position at = file.position(offset, line.size());
-  auto instruction = step7::parseInstruction(line, at, setting);
-  std::vector<std::uint8_t> code;
-  if (!instruction)
-    problems.add(instruction.error());
-  else if (!mc7::encode(instruction.value(), code))
-    problems.add(ProblemCode::P0691, at, line);
+  const auto code = options.mc5 ? mc5Words(line, at) : mc7Words(line, at, setting(options));
+  if (code)
+    std::cout << code.value() << '\n';
   else
-    std::cout << words(code) << '\n';
+    problems.add(code.error());
 }
 
-int assembleText(const source::SourceFile& file, Setting setting) {
+int assembleText(const source::SourceFile& file, const Options& options) {
   Problems problems;
   for (std::uint32_t line = 1; line <= file.lineCount(); ++line)
-    assembleLine(file, line, setting, problems);
+    assembleLine(file, line, options, problems);
   std::cout << std::flush;
   printProblems(problems, [&](const std::string&) { return &file; });
   return problems.hasErrors() ? kProblems : kGood;
 }
 
 int assemble(const Options& options) {
-  if (options.mc5 || !options.mc7) {
-    std::cerr << "merker assemble: "
-              << (options.mc5 ? "machine code of STEP 5 (--mc5) comes in a later version\n"
-                              : "which machine code? Use --mc7\n");
+  if (!options.mc5 && !options.mc7) {
+    std::cerr << "merker assemble: which machine code? Use --mc5 or --mc7\n";
     return kUsage;
   }
   if (options.file.empty() || options.file == "-")
-    return assembleText(source::SourceFile("standard input", readStandardInput()),
-                        setting(options));
+    return assembleText(source::SourceFile("standard input", readStandardInput()), options);
   const auto file = source::readSource(options.file);
-  if (file) return assembleText(file.value(), setting(options));
+  if (file) return assembleText(file.value(), options);
   Problems problems;
   problems.add(file.error());
   printProblems(problems, [](const std::string&) { return nullptr; });
@@ -106,7 +121,8 @@ void addAssemble(CLI::App& program, int& result) {
   command->footer(
       "Jumps are written with their distance in words: SPA 5. What disassemble writes is taken "
       "too.\n"
-      "Example:\n  echo 'U E 0.0' | merker assemble --mc7");
+      "Examples:\n  echo 'U E 0.0' | merker assemble --mc7\n"
+      "  echo 'P D 205.10' | merker assemble --mc5");
   command->callback([options, &result] { result = assemble(*options); });
 }
 

@@ -69,6 +69,7 @@ int bench(const Options& options) {
     return kUsage;
   }
   Build built = build(project::load(options.path, options.cpu), false);
+  if (built.isListing() && built.ok()) return refuseListing("bench");
   requireOb1(built);
   requireWorkMemory(built);
   if (!built.ok()) return report(built, options.json);

@@ -1,10 +1,14 @@
 #include "build.h"
 
+#include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "block/memory.h"
+#include "cnc/reference.h"
 #include "command.h"
 #include "existence.h"
+#include "step5/compiler.h"
+#include "step5/variable.h"
 #include "system/library.h"
 
 namespace merker::app {
@@ -29,7 +33,17 @@ FileLookup Build::files() const {
   return [this](const std::string& name) { return project.file(name); };
 }
 
+// Whether there is such a data block shows when it is looked at: programs make some (E DB).
+simulator::Resolver listingResolver() {
+  const auto operands = [](std::string_view text, const Position& at) -> Result<mc7::Reference> {
+    if (const auto variable = step5::parseVariable(text)) return cnc::toReference(text, *variable);
+    return makeProblem(ProblemCode::P1104, at, text);
+  };
+  return {operands, cnc::parseConstant};
+}
+
 simulator::Resolver Build::resolver() const {
+  if (isListing()) return listingResolver();
   const auto existence = std::make_shared<const Existence>(station());
   return [this, existence](std::string_view text, const Position& at) {
     Result<mc7::Reference> reference = step7::resolve(text, *program, options(*this), at);
@@ -50,7 +64,31 @@ station::Station Build::station(bool coverage) const {
   return station::Station(std::move(options));
 }
 
+std::unique_ptr<controller::Controller> Build::controller(bool coverage) const {
+  if (!isListing()) return std::make_unique<station::Station>(station(coverage));
+  cnc::Options options = *project.control;
+  options.plc.program = listings;
+  options.plc.coverage = coverage;
+  return std::make_unique<cnc::Cnc>(std::move(options));
+}
+
+namespace {
+
+Build buildListings(project::Project project, bool checks) {
+  Build result;
+  result.project = std::move(project);
+  result.library = result.program = std::make_shared<const block::Program>();
+  result.problems = result.project.problems;
+  step5::Compilation compilation = step5::compile(result.project.sources, checks);
+  result.problems.append(compilation.problems);
+  result.listings = std::move(compilation.program);
+  return result;
+}
+
+}  // namespace
+
 Build build(project::Project project, bool checks) {
+  if (project.control) return buildListings(std::move(project), checks);
   Build result;
   result.project = std::move(project);
   result.library = std::make_shared<const block::Program>(system::library(*result.project.model));
@@ -64,6 +102,13 @@ Build build(project::Project project, bool checks) {
   return result;
 }
 
+int refuseListing(std::string_view command) {
+  std::cerr << "merker " << command
+            << ": this command knows SIMATIC S7 programs only; for a SINUMERIK "
+            << "there are check, run, test, list and diag\n";
+  return kUsage;
+}
+
 int report(const Build& build, bool json) {
   printProblems(build.problems, build.files());
   if (json) print({{"problems", toJson(build.problems)}});
@@ -71,7 +116,7 @@ int report(const Build& build, bool json) {
 }
 
 void requireOb1(Build& build) {
-  if (build.ok() && !build.program->contains({BlockKind::OB, 1}))
+  if (build.ok() && !build.isListing() && !build.program->contains({BlockKind::OB, 1}))
     build.problems.add(ProblemCode::P0710, Position{build.project.path});
 }
 

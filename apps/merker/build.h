@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "mc5/block.h"
 #include "output.h"
 #include "project/project.h"
 #include "simulator/term.h"
@@ -15,18 +16,24 @@ struct Build {
   project::Project project;
   std::shared_ptr<const block::Program> library;  // what the CPU brings
   Problems problems;                              // of loading and compiling
-  std::shared_ptr<const block::Program> program;
+  std::shared_ptr<const block::Program> program;  // of a SIMATIC S7, else empty
+  mc5::Program listings;                          // of a SINUMERIK
+  bool isListing() const { return project.control.has_value(); }
+  std::size_t blocks() const { return isListing() ? listings.size() : program->size(); }
   bool ok() const { return !problems.hasErrors(); }
   int exitCode() const;  // of the problems
   FileLookup files() const;
   // Operands of this program that exist in its CPU. The Build must outlive it.
   simulator::Resolver resolver() const;
-  station::Station station(bool coverage = false) const;
+  station::Station station(bool coverage = false) const;  // a SIMATIC S7 only
+  std::unique_ptr<controller::Controller> controller(bool coverage = false) const;
 };
 
 Build build(project::Project project, bool checks);
 // Prints the problems; with `json` also as an object on standard output. The exit code.
 int report(const Build& build, bool json);
+// Tells that the command knows SIMATIC S7 programs only. The exit code.
+int refuseListing(std::string_view command);
 // Adds the problem that a program without OB 1 cannot run (S7-OPEN-39).
 void requireOb1(Build& build);
 // Adds the problem that the program needs more work memory than the CPU has (S7-CPU-02).

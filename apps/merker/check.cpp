@@ -28,7 +28,7 @@ void summary(const Build& build) {
   for (const Problem& problem : build.problems.list())
     errors += problem.severity() == Severity::Error;
   const std::size_t warnings = build.problems.size() - errors;
-  std::cout << build.project.path << ": " << counted(build.program->size(), "block") << ", "
+  std::cout << build.project.path << ": " << counted(build.blocks(), "block") << ", "
             << counted(errors, "error") << ", " << counted(warnings, "warning") << '\n';
 }
 

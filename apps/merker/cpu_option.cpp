@@ -2,14 +2,13 @@
 
 #include <CLI/CLI.hpp>
 
-#include "catalogue/cpu_model.h"
 #include "project/settings.h"
 
 namespace merker::app {
 namespace {
 
 std::string check(const std::string& name) {
-  if (findCpuModel(name) != nullptr) return {};
+  if (project::findModel(name)) return {};
   return "there is no CPU model '" + name + "'; the models are: " + project::modelNames();
 }
 

@@ -60,6 +60,7 @@ int prompt(const Options& options, const Build& built) {
 
 int debug(const Options& options) {
   Build built = build(project::load(options.path, options.cpu), false);
+  if (built.isListing() && built.ok()) return refuseListing("debug");
   requireOb1(built);
   if (!built.ok()) return report(built, false);
   printProblems(built.problems, built.files());

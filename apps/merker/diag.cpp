@@ -5,6 +5,7 @@
 
 #include "build.h"
 #include "command.h"
+#include "listing_diagnosis.h"
 #include "monitor_text.h"
 #include "operands.h"
 #include "simulator/duration.h"
@@ -38,21 +39,38 @@ void printJson(monitor::Monitor& monitor) {
   std::cout << document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
 }
 
-int show(const Options& options, const Build& built, Duration time) {
+// Starts, sets and runs. A start that is refused stands in the diagnostic buffer.
+int runFor(const Options& options, const Build& built, Duration time, controller::Controller& plc) {
   std::vector<simulator::Assignment> assignments;
   const int wrong = readAssignments("--set", options.set, built.resolver(), assignments);
   if (wrong != kGood) return wrong;
-  station::Station station = built.station();
-  monitor::Monitor monitor(station, built.project.symbols, built.resolver());
-  simulator::startFresh(station);  // a start that is refused stands in the diagnostic buffer
+  simulator::startFresh(plc);
   for (const simulator::Assignment& one : assignments) {
-    const std::string reason = simulator::apply(one, false, station);
+    const std::string reason = simulator::apply(one, false, plc);
     if (reason.empty()) continue;
     std::cerr << "merker diag: --set: " << reason << '\n';
     return kUsage;
   }
-  station.advanceTo(station.now() + time);
-  station.settle();
+  plc.advanceTo(plc.now() + time);
+  plc.settle();
+  return kGood;
+}
+
+int showControl(const Options& options, const Build& built, Duration time) {
+  const auto plc = built.controller();
+  if (const int wrong = runFor(options, built, time, *plc); wrong != kGood) return wrong;
+  auto& control = dynamic_cast<cnc::Cnc&>(*plc);
+  if (options.json)
+    std::cout << diagnosisToJson(control).dump(2) << '\n';
+  else
+    printDiagnosis(control);
+  return control.stoppedByFault() ? kFault : kGood;
+}
+
+int show(const Options& options, const Build& built, Duration time) {
+  station::Station station = built.station();
+  monitor::Monitor monitor(station, built.project.symbols, built.resolver());
+  if (const int wrong = runFor(options, built, time, station); wrong != kGood) return wrong;
   options.json ? printJson(monitor) : printText(monitor, station.model().accumulators == 4);
   return station.stoppedByFault() ? kFault : kGood;
 }
@@ -67,7 +85,7 @@ int diag(const Options& options) {
   const Build built = build(project::load(options.path, options.cpu), false);
   if (!built.ok()) return report(built, options.json);
   printProblems(built.problems, built.files());
-  return show(options, built, *time);
+  return built.isListing() ? showControl(options, built, *time) : show(options, built, *time);
 }
 
 }  // namespace

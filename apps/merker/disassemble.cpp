@@ -5,6 +5,7 @@
 
 #include "command.h"
 #include "input.h"
+#include "mc5/disassembly.h"
 #include "mc7/disassembly.h"
 #include "output.h"
 
@@ -47,7 +48,19 @@ Bytes parseHex(const source::SourceFile& file, Problems& problems) {
   return bytes;
 }
 
+void showMc5(const Bytes& bytes) {
+  std::vector<std::uint16_t> words;
+  for (std::size_t i = 0; i < bytes.size(); i += 2)
+    words.push_back(
+        static_cast<std::uint16_t>(bytes[i] << 8 | (i + 1 < bytes.size() ? bytes[i + 1] : 0)));
+  for (const mc5::Line& line : mc5::disassemble(words)) std::cout << mc5::toString(line) << '\n';
+}
+
 int show(const Bytes& bytes, const Options& options) {
+  if (options.mc5) {
+    showMc5(bytes);
+    return kGood;
+  }
   const auto mnemonics = options.mnemonics == "en" ? Mnemonics::International : Mnemonics::German;
   for (const mc7::Line& line : mc7::disassemble(bytes, mnemonics))
     std::cout << mc7::toString(line) << '\n';
@@ -72,10 +85,8 @@ int disassembleInput(const Options& options) {
 }
 
 int disassemble(const Options& options) {
-  if (options.mc5 || !options.mc7) {
-    std::cerr << "merker disassemble: "
-              << (options.mc5 ? "machine code of STEP 5 (--mc5) comes in a later version\n"
-                              : "which machine code? Use --mc7\n");
+  if (!options.mc5 && !options.mc7) {
+    std::cerr << "merker disassemble: which machine code? Use --mc5 or --mc7\n";
     return kUsage;
   }
   return options.file.empty() || options.file == "-" ? disassembleInput(options)

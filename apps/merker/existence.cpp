@@ -39,16 +39,9 @@ bool callsCreate(const block::Block& block) {
 
 }  // namespace
 
-bool exists(const mc7::Reference& reference, const station::Station& station) {
-  return simulator::isLong(reference) ? station.readBytes(reference).has_value()
-                                      : station.read(reference).has_value();
-}
-
-std::string whyMissing(const mc7::Reference& reference, const station::Station& station) {
-  if (!inDataBlock(reference)) return "no module answers at this address";
-  const block::Block* block = dataBlock(reference, station.program());
-  if (block == nullptr) return fmt::format("there is no DB {}", reference.db);
-  return fmt::format("DB {} has {} bytes", reference.db, block->actualData.size());
+bool exists(const mc7::Reference& reference, const controller::Controller& plc) {
+  return simulator::isLong(reference) ? plc.readBytes(reference).has_value()
+                                      : plc.read(reference).has_value();
 }
 
 std::optional<Problem> Existence::problem(const mc7::Reference& reference,
@@ -56,7 +49,7 @@ std::optional<Problem> Existence::problem(const mc7::Reference& reference,
   if (exists(reference, station_)) return std::nullopt;
   const bool mayCome = inDataBlock(reference) && !dataBlock(reference, station_.program());
   if (mayCome && makesDataBlocks()) return std::nullopt;
-  return makeProblem(ProblemCode::P0962, at, reference.text, whyMissing(reference, station_));
+  return makeProblem(ProblemCode::P0962, at, reference.text, station_.whyMissing(reference));
 }
 
 bool Existence::makesDataBlocks() const {

@@ -24,8 +24,5 @@ class Existence {
 };
 
 // Whether it can be read now.
-bool exists(const mc7::Reference& reference, const station::Station& station);
-// "the program has no DB 5", "DB 1 has 4 bytes", "no module answers there".
-std::string whyMissing(const mc7::Reference& reference, const station::Station& station);
-
+bool exists(const mc7::Reference& reference, const controller::Controller& plc);
 }  // namespace merker::app

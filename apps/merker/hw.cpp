@@ -140,6 +140,7 @@ int catalogue() {
 int hardware(const Options& options) {
   if (options.catalogue) return catalogue();
   const Build built = build(project::load(options.path, options.cpu), false);
+  if (built.isListing() && built.ok()) return refuseListing("hw");
   printProblems(built.problems, built.files());
   if (built.project.unreadable) return built.exitCode();
   options.json ? printJson(built) : printText(built);

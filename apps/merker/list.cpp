@@ -8,6 +8,7 @@
 #include "build.h"
 #include "command.h"
 #include "cpu_option.h"
+#include "listing_blocks.h"
 #include "mc7/disassembly.h"
 #include "memory_report.h"
 #include "monitor/block_list.h"
@@ -17,7 +18,7 @@ namespace {
 
 struct Options {
   std::string path, cpu, mnemonics = "de";
-  bool code = false, memory = false, json = false;
+  bool code = false, memory = false, listing = false, json = false;
 };
 
 std::vector<mc7::Line> lines(const block::Block& block, const Options& options) {
@@ -69,9 +70,16 @@ void printJson(const Build& build, const Options& options) {
   print(document);
 }
 
+int listListings(const Build& built, const Options& options) {
+  const ListingOptions chosen{options.code, options.listing};
+  options.json ? print(listingsToJson(built, chosen)) : printListings(built, chosen);
+  return built.exitCode();
+}
+
 int list(const Options& options) {
   const Build built = build(project::load(options.path, options.cpu), false);
   printProblems(built.problems, built.files());
+  if (built.isListing()) return listListings(built, options);
   if (options.json)
     printJson(built, options);
   else if (options.memory)
@@ -91,13 +99,16 @@ void addList(CLI::App& program, int& result) {
   command->add_flag("--code", options->code, "each block disassembled, with its machine code");
   command->add_flag("--memory", options->memory,
                     "load, work and system memory, and how much of the CPU is in use");
+  command->add_flag("--listing", options->listing,
+                    "STEP 5: the program as a listing that compiles to the same machine code");
   command->add_option("--mnemonics", options->mnemonics, "de or en")
       ->check(CLI::IsMember({"de", "en"}));
   addCpu(*command, options->cpu);
   command->add_flag("--json", options->json, "as one JSON object");
   command->footer(
       "Columns: load = length of the block in load memory, work = machine code or actual values,\n"
-      "local = local data.\n"
+      "local = local data;\n"
+      "STEP 5: words = length of the block with its header.\n"
       "Examples:\n  merker list examples/sorting-plant\n  merker list blink.awl --code --mnemonics "
       "en");
   command->callback([options, &result] { result = list(*options); });

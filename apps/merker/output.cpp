@@ -52,12 +52,12 @@ nlohmann::json toJson(Problems problems) {
   return list;
 }
 
-nlohmann::json toJson(const mc7::Reference& reference, const station::Station& station) {
+nlohmann::json toJson(const mc7::Reference& reference, const controller::Controller& plc) {
   if (simulator::isLong(reference)) {
-    const auto content = simulator::readLong(reference, station);
+    const auto content = simulator::readLong(reference, plc);
     return content ? nlohmann::json(simulator::plainLong(reference.type, *content)) : nullptr;
   }
-  const auto bits = station.read(reference);
+  const auto bits = plc.read(reference);
   if (!bits) return nullptr;
   return std::visit([](auto value) { return nlohmann::json(value); },
                     simulator::numericValue(reference, *bits));

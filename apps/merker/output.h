@@ -5,9 +5,9 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "controller/controller.h"
 #include "mc7/reference.h"
 #include "source/source_file.h"
-#include "station/station.h"
 
 namespace merker::app {
 
@@ -19,7 +19,7 @@ void printProblems(Problems problems, const FileLookup& files);
 nlohmann::json toJson(Problems problems);
 // The value now: a number, a truth value, or a text for DATE_AND_TIME and STRING; null if the
 // operand does not exist.
-nlohmann::json toJson(const mc7::Reference& reference, const station::Station& station);
+nlohmann::json toJson(const mc7::Reference& reference, const controller::Controller& plc);
 // The document on standard output, indented; text that is no UTF-8 does not stop it.
 void print(const nlohmann::json& document);
 

@@ -51,9 +51,9 @@ int cannotWrite(const std::string& file) {
 }
 
 // Before the first cycle: after the restart, which clears what is not retentive (S7-STATE-09).
-bool applySet(const std::vector<simulator::Assignment>& assignments, station::Station& station) {
+bool applySet(const std::vector<simulator::Assignment>& assignments, controller::Controller& plc) {
   for (const simulator::Assignment& assignment : assignments) {
-    const std::string reason = simulator::apply(assignment, false, station);
+    const std::string reason = simulator::apply(assignment, false, plc);
     if (reason.empty()) continue;
     std::cerr << "merker run: --set: " << reason << '\n';
     return false;
@@ -61,24 +61,23 @@ bool applySet(const std::vector<simulator::Assignment>& assignments, station::St
   return true;
 }
 
-void runFor(station::Station& station, Duration time) {
+void runFor(controller::Controller& plc, Duration time) {
   Progress progress("running");
-  const Instant start = station.now(), end = start + time;
-  while (station.now() < end) {
-    station.advanceTo(std::min(end, station.now() + Duration::milliseconds(100)));
-    progress.show(static_cast<double>((station.now() - start).ns) / static_cast<double>(time.ns));
+  const Instant start = plc.now(), end = start + time;
+  while (plc.now() < end) {
+    plc.advanceTo(std::min(end, plc.now() + Duration::milliseconds(100)));
+    progress.show(static_cast<double>((plc.now() - start).ns) / static_cast<double>(time.ns));
   }
 }
 
-void runCycles(station::Station& station, std::uint64_t count) {
+void runCycles(controller::Controller& plc, std::uint64_t count) {
   Progress progress("running");
   constexpr std::uint64_t kPortion = 1000;
-  for (std::uint64_t done = 0; done < count && station.mode() != controller::Mode::Stop;
+  for (std::uint64_t done = 0; done < count && plc.mode() != controller::Mode::Stop;
        done += kPortion) {
-    const std::uint64_t portion = std::min(kPortion, count - done),
-                        end = station.cycles() + portion;
-    station.advanceCycles(portion);
-    if (station.cycles() < end) return;
+    const std::uint64_t portion = std::min(kPortion, count - done), end = plc.cycles() + portion;
+    plc.advanceCycles(portion);
+    if (plc.cycles() < end) return;
     progress.show(static_cast<double>(done) / static_cast<double>(count));
   }
 }
@@ -88,49 +87,48 @@ std::string_view name(controller::Mode mode) {
   return kNames[static_cast<std::size_t>(mode)];
 }
 
-void printText(const Operands& operands, const station::Station& station) {
+void printText(const Operands& operands, const controller::Controller& plc) {
   for (const mc7::Reference& operand : operands.print)
-    std::cout << operand.text << " = " << simulator::show(operand, station).value_or("?") << '\n';
+    std::cout << operand.text << " = " << simulator::show(operand, plc).value_or("?") << '\n';
 }
 
-void printJson(const Operands& operands, const station::Station& station) {
-  nlohmann::ordered_json document = {{"mode", name(station.mode())},
-                                     {"fault", station.stoppedByFault()},
-                                     {"seconds", static_cast<double>(station.now().ns) / 1e9},
-                                     {"cycles", station.cycles()},
-                                     {"instructions", station.instructions()}};
-  if (station.mode() == controller::Mode::Stop) document["stop_reason"] = station.stopReason();
+void printJson(const Operands& operands, const controller::Controller& plc) {
+  nlohmann::ordered_json document = {{"mode", name(plc.mode())},
+                                     {"fault", plc.stoppedByFault()},
+                                     {"seconds", static_cast<double>(plc.now().ns) / 1e9},
+                                     {"cycles", plc.cycles()},
+                                     {"instructions", plc.instructions()}};
+  if (plc.mode() == controller::Mode::Stop) document["stop_reason"] = plc.stopReason();
   for (const mc7::Reference& operand : operands.print)
-    document[operand.text] = toJson(operand, station);
+    document[operand.text] = toJson(operand, plc);
   std::cout << document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
 }
 
 // Data blocks that the program was to make (SFC 22) and did not.
-bool allExist(const std::vector<mc7::Reference>& operands, const station::Station& station) {
+bool allExist(const std::vector<mc7::Reference>& operands, const controller::Controller& plc) {
   bool all = true;
   for (const mc7::Reference& operand : operands) {
-    if (exists(operand, station)) continue;
+    if (exists(operand, plc)) continue;
     std::cerr << "merker run: --print: " << operand.text
-              << " does not exist: " << whyMissing(operand, station) << '\n';
+              << " does not exist: " << plc.whyMissing(operand) << '\n';
     all = false;
   }
   return all;
 }
 
 // Cycle monitoring does not watch the startup (S7-STATE-11), so that the real CPU would hang, too.
-bool cyclesMissing(const Options& options, const station::Station& station) {
-  if (station.mode() == controller::Mode::Startup)
+bool cyclesMissing(const Options& options, const controller::Controller& plc) {
+  if (plc.mode() == controller::Mode::Startup)
     std::cerr << "merker run: the CPU is still in STARTUP: its startup OB has not ended after "
-              << simulator::formatTime(station.now()) << '\n';
-  return options.hasCycles && station.mode() != controller::Mode::Stop &&
-         station.cycles() < options.cycles;
+              << simulator::formatTime(plc.now()) << '\n';
+  return options.hasCycles && plc.mode() != controller::Mode::Stop && plc.cycles() < options.cycles;
 }
 
-int finish(const Options& options, const Operands& operands, const station::Station& station) {
-  options.json ? printJson(operands, station) : printText(operands, station);
-  const bool all = allExist(operands.print, station);
-  if (!station.stoppedByFault()) return cyclesMissing(options, station) || !all ? kProblems : kGood;
-  std::cerr << "merker run: the CPU went to STOP: " << station.stopReason() << '\n';
+int finish(const Options& options, const Operands& operands, const controller::Controller& plc) {
+  options.json ? printJson(operands, plc) : printText(operands, plc);
+  const bool all = allExist(operands.print, plc);
+  if (!plc.stoppedByFault()) return cyclesMissing(options, plc) || !all ? kProblems : kGood;
+  std::cerr << "merker run: the CPU went to STOP: " << plc.stopReason() << '\n';
   return kFault;
 }
 
@@ -141,13 +139,13 @@ int readOptions(const Options& options, const Build& build, Operands& operands) 
                    readOperands("--watch", options.watch, resolver, operands.watch)});
 }
 
-void advance(const Options& options, station::Station& station, std::optional<Duration> time) {
+void advance(const Options& options, controller::Controller& plc, std::optional<Duration> time) {
   if (time)
-    runFor(station, *time);
+    runFor(plc, *time);
   else if (options.hasCycles)
-    runCycles(station, options.cycles);
+    runCycles(plc, options.cycles);
   else
-    runRealTime(station);
+    runRealTime(plc);
 }
 
 int failed(const Problem& problem) {
@@ -157,18 +155,22 @@ int failed(const Problem& problem) {
   return kUnreadable;
 }
 
+// Only a station has a card.
+station::Station& stationOf(controller::Controller& plc) {
+  return dynamic_cast<station::Station&>(plc);
+}
+
 // What happens at the end of each cycle: first it is kept on the card, then it is seen outside.
 class CycleEnd {
  public:
   CycleEnd(store::MemoryCard* card, std::ofstream& file) : file_(file) {
     if (card != nullptr) keeper_.emplace(*card);
   }
-  void watch(const std::vector<mc7::Reference>& operands, const station::Station& station) {
-    trace_.emplace(file_, operands, station);
+  void watch(const std::vector<mc7::Reference>& operands, const controller::Controller& plc) {
+    trace_.emplace(file_, operands, plc);
   }
   void operator()(controller::Controller& plc) {
-    // only a station has a card
-    if (keeper_ && !keeper_->save(dynamic_cast<station::Station&>(plc))) return plc.stop();
+    if (keeper_ && !keeper_->save(stationOf(plc))) return plc.stop();
     if (!trace_) return;
     trace_->sample(plc);
     if (keeper_) file_.flush();  // who reads along sees the cycle as soon as it is kept
@@ -184,38 +186,39 @@ class CycleEnd {
 };
 
 std::optional<Problem> start(const Build& build, store::MemoryCard* card,
-                             station::Station& station) {
-  if (card != nullptr) return switchOn(*card, build, station);
-  station.memoryReset();
-  station.warmRestart();
+                             controller::Controller& plc) {
+  if (card != nullptr) return switchOn(*card, build, stationOf(plc));
+  plc.memoryReset();
+  plc.start();
   return std::nullopt;
 }
 
-int runStation(const Options& options, const Build& build, const Operands& operands,
-               std::optional<Duration> time, store::MemoryCard* card) {
-  station::Station station = build.station();
-  if (const auto problem = start(build, card, station)) return failed(*problem);
-  if (station.mode() == controller::Mode::Stop) {
-    std::cerr << "merker run: the CPU does not start: " << station.stopReason() << '\n';
+int runPlc(const Options& options, const Build& build, const Operands& operands,
+           std::optional<Duration> time, store::MemoryCard* card) {
+  const auto owner = build.controller();
+  controller::Controller& plc = *owner;
+  if (const auto problem = start(build, card, plc)) return failed(*problem);
+  if (plc.mode() == controller::Mode::Stop) {
+    std::cerr << "merker run: the CPU does not start: " << plc.stopReason() << '\n';
     return kFault;
   }
-  if (!applySet(operands.set, station)) return kUsage;
+  if (!applySet(operands.set, plc)) return kUsage;
   std::ofstream file;
   CycleEnd cycleEnd(card, file);
   if (!options.trace.empty()) {
     file.open(options.trace, std::ios::binary);
     if (!file) return cannotWrite(options.trace);
-    cycleEnd.watch(operands.watch, station);
+    cycleEnd.watch(operands.watch, plc);
   }
-  if (card != nullptr || !options.trace.empty()) station.onCycle(std::ref(cycleEnd));
+  if (card != nullptr || !options.trace.empty()) plc.onCycle(std::ref(cycleEnd));
   if (!time && !options.hasCycles) holdSignals();
-  advance(options, station, time);
-  station.settle();
-  cycleEnd(station);
+  advance(options, plc, time);
+  plc.settle();
+  cycleEnd(plc);
   if (cycleEnd.problem() != nullptr) return failed(*cycleEnd.problem());
   if (options.copyRamToRom)
-    if (const auto problem = copyRamToRom(*card, build, station)) return failed(*problem);
-  const int result = finish(options, operands, station);
+    if (const auto problem = copyRamToRom(*card, build, stationOf(plc))) return failed(*problem);
+  const int result = finish(options, operands, plc);
   file.close();
   return options.trace.empty() || file ? result : cannotWrite(options.trace);
 }
@@ -224,7 +227,7 @@ int runBuild(const Options& options, Build& built, std::optional<Duration> time,
              store::MemoryCard* card) {
   Operands operands;
   if (const int bad = readOptions(options, built, operands); bad != kGood) return bad;
-  return runStation(options, built, operands, time, card);
+  return runPlc(options, built, operands, time, card);
 }
 
 // False: the problems are told.
@@ -241,6 +244,7 @@ int runPath(const Options& options, std::optional<Duration> time) {
   Build built = build(project::load(options.path, options.cpu), false);
   if (!ready(options, built)) return built.exitCode();
   if (options.card.empty()) return runBuild(options, built, time, nullptr);
+  if (built.isListing()) return wrongUsage("--card: a SINUMERIK has no memory card");
   auto card = store::MemoryCard::open(options.card);
   if (!card) return failed(card.error());
   return runBuild(options, built, time, &*card);

@@ -63,9 +63,9 @@ void TestSession::selfChecks(const project::TestTarget& target, const project::P
   // the scenarios' build prints the same problems
   if (target.scenarios.empty() || !built.ok()) printProblems(built.problems, built.files());
   if (!built.ok()) return notRun(target.path, "self-checks", built.problems);
-  station::Station station = built.station(options_.coverage);
-  add(simulator::runSelfChecks(target.path, station));
-  if (options_.coverage) coverage_.add(station);
+  const auto plc = built.controller(options_.coverage);
+  add(simulator::runSelfChecks(target.path, *plc));
+  if (options_.coverage) coverage_.add(*plc);
 }
 
 void TestSession::scenarios(const std::string& path, const Build& build) {
@@ -102,9 +102,9 @@ void TestSession::scenarios(const std::string& path, const Build& build) {
 }
 
 void TestSession::scenario(const simulator::Scenario& scenario, const Build& build) {
-  station::Station station = build.station(options_.coverage);
-  add(simulator::runScenario(scenario, station));
-  if (options_.coverage) coverage_.add(station);
+  const auto plc = build.controller(options_.coverage);
+  add(simulator::runScenario(scenario, *plc));
+  if (options_.coverage) coverage_.add(*plc);
 }
 
 // A test that could not run has failed, with the first error as the reason.

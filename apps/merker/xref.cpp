@@ -140,6 +140,7 @@ int show(const Options& options, const Build& built) {
 
 int xref(const Options& options) {
   const Build built = build(project::load(options.path, options.cpu), false);
+  if (built.isListing() && built.ok()) return refuseListing("xref");
   if (!built.ok()) return report(built, options.json);
   printProblems(built.problems, built.files());
   return show(options, built);

@@ -28,6 +28,7 @@ class Controller {
   virtual std::string stopReason() const = 0;  // empty while not in STOP
   virtual bool powered() const = 0;
   virtual bool hasColdRestart() const = 0;
+  virtual bool start() = 0;        // as the mode switch or the programmer starts it
   virtual bool warmRestart() = 0;  // false if refused
   virtual bool coldRestart() = 0;
   virtual void stop() = 0;

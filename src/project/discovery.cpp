@@ -35,10 +35,10 @@ TestTarget projectTarget(const std::string& folder) {
   return target;
 }
 
-std::vector<std::string> sourcesIn(const std::string& folder) {
+std::vector<std::string> sourcesIn(const std::string& folder, std::string_view extension) {
   std::vector<std::string> sources;
   for (const Entry& entry : entries(folder))
-    if (!entry.folder && hasExtension(entry.name, ".awl"))
+    if (!entry.folder && hasExtension(entry.name, extension))
       sources.push_back(join(folder, entry.name));
   return sources;
 }
@@ -46,9 +46,11 @@ std::vector<std::string> sourcesIn(const std::string& folder) {
 // The program that a loose scenario runs with.
 TestTarget looseTarget(const std::string& scenario) {
   const std::string folder = folderOf(scenario);
-  const auto sources = sourcesIn(folder);
-  for (const std::string& source : sources)
-    if (stemOf(source) == stemOf(scenario)) return {source, {}, {scenario}, false};
+  for (const char* extension : {".awl", ".s5"})
+    for (const std::string& source : sourcesIn(folder, extension))
+      if (stemOf(source) == stemOf(scenario)) return {source, {}, {scenario}, false};
+  auto sources = sourcesIn(folder, ".awl");
+  if (sources.empty()) sources = sourcesIn(folder, ".s5");
   return {folder, sources, {scenario}, false};
 }
 
@@ -68,7 +70,9 @@ void addFolder(std::vector<TestTarget>& targets, const std::string& folder) {
     return;
   }
   std::vector<TestTarget> here;
-  for (const std::string& source : sourcesIn(folder)) here.push_back({source, {}, {}, true});
+  for (const char* extension : {".awl", ".s5"})
+    for (const std::string& source : sourcesIn(folder, extension))
+      here.push_back({source, {}, {}, true});
   for (const Entry& entry : entries(folder))
     if (!entry.folder && hasExtension(entry.name, ".scn")) addLoose(here, join(folder, entry.name));
   targets.insert(targets.end(), here.begin(), here.end());

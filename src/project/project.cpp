@@ -11,23 +11,26 @@ namespace {
 
 constexpr const char* kSettingsFile = "merker.toml";
 
-// The model that `cpu` names; null if it is empty or, which is a problem, unknown.
-const CpuModel* chosenModel(Project& project, const std::string& cpu) {
-  const CpuModel* model = cpu.empty() ? nullptr : findCpuModel(cpu);
-  if (model == nullptr && !cpu.empty())
-    project.problems.add(ProblemCode::P0705, Position{project.path}, cpu, modelNames());
+// The model that `cpu` names; none if it is empty or, which is a problem, unknown.
+std::optional<Model> chosenModel(Project& project, const std::string& cpu) {
+  if (cpu.empty()) return std::nullopt;
+  const auto model = findModel(cpu);
+  if (!model) project.problems.add(ProblemCode::P0705, Position{project.path}, cpu, modelNames());
   return model;
 }
 
 void take(Project& project, const Settings& settings) {
   if (!settings.name.empty()) project.name = settings.name;
   project.model = settings.model;
+  project.control = settings.control;
   project.startOfClock = settings.startOfClock;
   project.parameters = settings.parameters;
   project.hardware = settings.hardware;
   project.addressCheck = settings.addressCheck;
   project.vertical = settings.vertical;
 }
+
+bool isListing(const std::string& path) { return hasExtension(path, ".s5"); }
 
 const source::SourceFile* read(Project& project, const std::string& path,
                                std::vector<source::SourceFile>& list) {
@@ -41,9 +44,13 @@ const source::SourceFile* read(Project& project, const std::string& path,
   return nullptr;
 }
 
+// Listings are for a SINUMERIK, AWL sources for a SIMATIC S7.
 void readSource(Project& project, const std::string& path) {
-  if (hasExtension(path, ".s5"))
-    project.problems.add(ProblemCode::P0707, Position{path});
+  if (isListing(path) && !project.control)
+    project.problems.add(ProblemCode::P0707, Position{path}, project.model->name,
+                         sinumerikModelNames());
+  else if (!isListing(path) && project.control)
+    project.problems.add(ProblemCode::P0711, Position{path}, project.control->model->name);
   else
     read(project, path, project.sources);
 }
@@ -85,20 +92,23 @@ std::vector<std::string> filter(const std::vector<std::string>& files, Predicate
 
 void loadFolder(Project& project, const std::string& cpu) {
   const auto* settingsFile = read(project, join(project.folder, kSettingsFile), project.otherFiles);
-  const CpuModel* model = chosenModel(project, cpu);
+  const auto model = chosenModel(project, cpu);
   const Settings settings =
       settingsFile ? readSettings(*settingsFile, project.problems, model) : Settings{};
   take(project, settings);
   const std::vector<std::string> files = listFiles(project.folder);
-  const auto sources =
-      settings.sources
-          ? choose(project, files, *settings.sources)
-          : filter(files, [](const std::string& f) { return hasExtension(f, ".awl"); });
+  const auto sources = settings.sources
+                           ? choose(project, files, *settings.sources)
+                           : filter(files, [&project](const std::string& f) {
+                               return project.control ? isListing(f) : hasExtension(f, ".awl");
+                             });
   const auto symbols =
       settings.symbols ? choose(project, files, *settings.symbols) : filter(files, isSymbolExport);
   for (const std::string& file : symbols) readSymbolFile(project, join(project.folder, file));
   for (const std::string& file : sources) readSource(project, join(project.folder, file));
-  if (sources.empty()) project.problems.add(ProblemCode::P0708, Position{project.path});
+  if (sources.empty())
+    project.problems.add(ProblemCode::P0708, Position{project.path},
+                         project.control ? "*.s5" : "*.awl");
 }
 
 void fail(Project& project, ProblemCode code) {
@@ -139,7 +149,10 @@ Project loadSources(const std::string& path, const std::vector<std::string>& sou
   project.folder = folderOf(path);
   project.name = stemOf(path);
   project.startOfClock = defaultStartOfClock();
-  if (const CpuModel* model = chosenModel(project, cpu)) project.model = model;
+  const auto model = chosenModel(project, cpu);
+  if (model && model->simatic) project.model = model->simatic;
+  if (model && model->sinumerik) project.control.emplace().model = model->sinumerik;
+  if (!model && std::all_of(sources.begin(), sources.end(), isListing)) project.control.emplace();
   project.parameters = CpuParameters::of(*project.model);
   for (const std::string& source : sources)
     for (const std::string& name : symbolsBeside(source))

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "catalogue/cpu_parameters.h"
+#include "cnc/cnc.h"
 #include "io/configuration.h"
 #include "project/address_check.h"
 #include "source/source_file.h"
@@ -20,6 +21,8 @@ struct Project {
   std::string folder;  // where its files are
   std::string name;
   const CpuModel* model = &defaultCpuModel();
+  // The PLC is that of a SINUMERIK: what follows up to `vertical` means nothing then.
+  std::optional<cnc::Options> control;
   std::int64_t startOfClock = 0;  // milliseconds since 1990-01-01
   CpuParameters parameters = CpuParameters::of(defaultCpuModel());
   std::optional<io::Configuration> hardware;  // none: every address of the image answers

@@ -11,6 +11,9 @@ void readCpuParameters(const Table& cpu, const CpuModel& model, CpuParameters& p
 // A date and time as DT# in milliseconds since 1990-01-01.
 std::optional<std::int64_t> readDateAndTime(const Table& table, std::string_view key);
 
+// What only a SINUMERIK has: [machine_data], [plc], [alarm_texts], [nc] (S5-MD, S5-ERR-04, OP-55)
+void readControl(const Table& root, cnc::Options& options);
+
 // [[module]]; nothing if it is too wrong to have a place
 std::optional<io::Module> readModule(const Table& table, const CpuModel& model);
 // The module's parameters (S7-HWCFG-09)

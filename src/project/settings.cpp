@@ -32,13 +32,14 @@ void readProgram(const Table& table, Settings& settings) {
   settings.symbols = patterns(table, "symbols");
 }
 
-void readModel(const Table& table, Settings& settings) {
-  const auto name = table.text("model", "the name of a CPU");
-  if (!name) return;
-  if (const CpuModel* model = findCpuModel(*name))
-    settings.model = model;
-  else
-    table.problems().add(ProblemCode::P0705, table.at("model"), *name, modelNames());
+// Of [cpu]; nothing if it names none, or one that does not exist.
+std::optional<Model> readModel(const Table& root) {
+  const auto cpu = root.table("cpu");
+  const auto name = cpu ? cpu->text("model", "the name of a CPU") : std::nullopt;
+  if (!name) return std::nullopt;
+  const auto model = findModel(*name);
+  if (!model) cpu->problems().add(ProblemCode::P0705, cpu->at("model"), *name, modelNames());
+  return model;
 }
 
 // Two BCD digits of a DATE_AND_TIME, counted from its first byte.
@@ -57,9 +58,7 @@ std::int64_t millisecondsSince1990(std::uint64_t bcd) {
   return days.value_or(0) * kMillisecondsPerDay + seconds * 1000 + ms;
 }
 
-void readCpu(const Table& table, const CpuModel* model, Settings& settings) {
-  readModel(table, settings);
-  if (model != nullptr) settings.model = model;
+void readCpu(const Table& table, Settings& settings) {
   settings.parameters = CpuParameters::of(*settings.model);
   if (const auto clock = readDateAndTime(table, "clock")) settings.startOfClock = *clock;
   readCpuParameters(table, *settings.model, settings.parameters);
@@ -83,12 +82,25 @@ void readHardware(const Table& root, Settings& settings) {
   settings.hardware = io::configure(std::move(modules), *settings.model, root.problems());
 }
 
-void readAll(const Table& root, const CpuModel* model, Settings& settings) {
+void choose(Settings& settings, const Model& model) {
+  if (model.simatic != nullptr) settings.model = model.simatic;
+  if (model.sinumerik != nullptr) settings.control.emplace().model = model.sinumerik;
+}
+
+void readStation(const Table& root, Settings& settings) {
   root.allow({"project", "program", "cpu", "hardware", "module"});
+  if (const auto table = root.table("cpu")) readCpu(*table, settings);
+  readHardware(root, settings);
+}
+
+void readAll(const Table& root, std::optional<Model> model, Settings& settings) {
+  const auto named = readModel(root);
+  if (!model) model = named;
+  if (model) choose(settings, *model);
+  settings.parameters = CpuParameters::of(*settings.model);
   if (const auto table = root.table("project")) readProject(*table, settings);
   if (const auto table = root.table("program")) readProgram(*table, settings);
-  if (const auto table = root.table("cpu")) readCpu(*table, model, settings);
-  readHardware(root, settings);
+  settings.control ? readControl(root, *settings.control) : readStation(root, settings);
 }
 
 }  // namespace
@@ -106,17 +118,24 @@ std::string modelNames() {
   std::string list;
   for (const CpuModel& model : cpuModels())
     list += fmt::format("{}{}", list.empty() ? "" : ", ", model.keyword);
-  return list;
+  return list + ", " + sinumerikModelNames();
+}
+
+std::optional<Model> findModel(std::string_view name) {
+  if (const CpuModel* model = findCpuModel(name)) return Model{model, nullptr};
+  if (const SinumerikModel* model = findSinumerikModel(name)) return Model{nullptr, model};
+  return std::nullopt;
 }
 
 std::int64_t defaultStartOfClock() {
   return daysSince1990(1994, 1, 1).value_or(0) * kMillisecondsPerDay;
 }
 
-Settings readSettings(const source::SourceFile& file, Problems& problems, const CpuModel* model) {
+Settings readSettings(const source::SourceFile& file, Problems& problems,
+                      std::optional<Model> model) {
   Settings settings;
   settings.startOfClock = defaultStartOfClock();
-  if (model != nullptr) settings.model = model;
+  if (model) choose(settings, *model);
   settings.parameters = CpuParameters::of(*settings.model);
   const toml::parse_result result = toml::parse(file.text(), file.name());
   if (!result) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "catalogue/cpu_parameters.h"
+#include "cnc/cnc.h"
 #include "io/configuration.h"
 #include "project/address_check.h"
 #include "source/source_file.h"
@@ -20,10 +21,18 @@ struct Pattern {
   Position position;
 };
 
+// A PLC of either family; exactly one is not null.
+struct Model {
+  const CpuModel* simatic = nullptr;
+  const SinumerikModel* sinumerik = nullptr;
+};
+std::optional<Model> findModel(std::string_view name);
+
 struct Settings {
   std::string name;
   const CpuModel* model = &defaultCpuModel();
-  std::int64_t startOfClock = 0;  // milliseconds since 1990-01-01
+  std::optional<cnc::Options> control;  // the PLC is that of a SINUMERIK; `model` means nothing
+  std::int64_t startOfClock = 0;        // milliseconds since 1990-01-01
   std::optional<std::vector<Pattern>> sources, symbols;
   CpuParameters parameters;
   // Without [hardware] and [[module]] there is none: docs/compatibility.md, "Without a hardware
@@ -33,9 +42,9 @@ struct Settings {
   bool vertical = false;  // mounting (S7-HW-19)
 };
 
-// `model`, unless null, replaces the CPU that the file names.
+// `model` replaces the CPU that the file names.
 Settings readSettings(const source::SourceFile& file, Problems& problems,
-                      const CpuModel* model = nullptr);
+                      std::optional<Model> model = std::nullopt);
 
 // "314C-2 PtP, generic, …", for problems.
 std::string modelNames();

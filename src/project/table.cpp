@@ -83,16 +83,21 @@ std::optional<bool> Table::flag(std::string_view key) const {
   return std::nullopt;
 }
 
-std::optional<std::uint32_t> Table::number(std::string_view key, std::int64_t low,
+std::optional<std::int64_t> Table::integer(std::string_view key, std::int64_t low,
                                            std::int64_t high, std::string_view unit) const {
   const toml::node* value = table_.get(key);
   if (value == nullptr) return std::nullopt;
   const auto* integer = value->as_integer();
-  if (integer != nullptr && integer->get() >= low && integer->get() <= high)
-    return static_cast<std::uint32_t>(integer->get());
+  if (integer != nullptr && integer->get() >= low && integer->get() <= high) return integer->get();
   mustBe(key,
          fmt::format("a whole number from {} to {}{}{}", low, high, unit.empty() ? "" : " ", unit));
   return std::nullopt;
+}
+
+std::optional<std::uint32_t> Table::number(std::string_view key, std::int64_t low,
+                                           std::int64_t high, std::string_view unit) const {
+  const auto value = integer(key, low, high, unit);
+  return value ? std::optional(static_cast<std::uint32_t>(*value)) : std::nullopt;
 }
 
 std::optional<Duration> Table::length(std::string_view key, Duration low, Duration high) const {

@@ -38,6 +38,8 @@ class Table {
   // Nothing if the key is missing, or wrong, which then is a problem.
   std::optional<std::string> text(std::string_view key, std::string_view what) const;
   std::optional<bool> flag(std::string_view key) const;
+  std::optional<std::int64_t> integer(std::string_view key, std::int64_t low, std::int64_t high,
+                                      std::string_view unit = {}) const;
   std::optional<std::uint32_t> number(std::string_view key, std::int64_t low, std::int64_t high,
                                       std::string_view unit = {}) const;
   std::optional<Duration> length(std::string_view key, Duration low, Duration high) const;

@@ -20,9 +20,11 @@ using station::Station;
 constexpr Duration kLongestStartup = Duration::seconds(60);
 
 // Restart of either kind, and the startup OBs up to RUN.
-bool restart(Controller& plc, bool cold) {
+using Start = bool (Controller::*)();
+
+bool restart(Controller& plc, Start how) {
   if (plc.mode() != Mode::Stop) plc.stop();
-  if (!(cold ? plc.coldRestart() : plc.warmRestart())) return false;
+  if (!(plc.*how)()) return false;
   const Instant limit = plc.now() + kLongestStartup;
   while (plc.mode() == Mode::Startup && plc.now() < limit) advanceToNextLook(plc, limit);
   return true;
@@ -43,7 +45,7 @@ class Runner {
   bool set(const Step& step);
   bool setTerminals(const Step& step);
   bool repeat(const Step& step);
-  bool restarted(const Step& step, bool cold);
+  bool restarted(const Step& step, Start how);
   bool powered(const Step& step);
   bool refused(const Step& step);
   bool noDevice(const Step& step);
@@ -85,14 +87,14 @@ bool Runner::perform(const Step& step) {
     case StepKind::Expect:
       return expect(step);
     case StepKind::Run:
-      return plc_.mode() == Mode::Run || restarted(step, false);
+      return plc_.mode() == Mode::Run || restarted(step, &Controller::start);
     case StepKind::Stop:
       plc_.stop();
       return true;
     case StepKind::ColdRestart:
-      return restarted(step, true);
+      return restarted(step, &Controller::coldRestart);
     case StepKind::WarmRestart:
-      return restarted(step, false);
+      return restarted(step, &Controller::warmRestart);
     case StepKind::PowerOff:
       plc_.powerOff();
       return true;
@@ -167,12 +169,12 @@ bool Runner::repeat(const Step& step) {
   return true;
 }
 
-bool Runner::restarted(const Step& step, bool cold) {
+bool Runner::restarted(const Step& step, Start how) {
   if (!powered(step)) return false;
-  if (cold && !plc_.hasColdRestart())
+  if (how == &Controller::coldRestart && !plc_.hasColdRestart())
     return fail(step.position, fmt::format("{}: the CPU refuses: {} has no cold restart", step.text,
                                            plc_.modelName()));
-  return restart(plc_, cold) || refused(step);
+  return restart(plc_, how) || refused(step);
 }
 
 bool Runner::refused(const Step& step) {
@@ -262,7 +264,7 @@ void advanceToNextLook(Controller& plc, Instant end) {
 std::string startFresh(Controller& plc) {
   if (plc.mode() != Mode::Stop) plc.stop();
   plc.memoryReset();
-  if (!restart(plc, false)) return "the CPU does not start" + because(plc);
+  if (!restart(plc, &Controller::start)) return "the CPU does not start" + because(plc);
   if (plc.mode() == Mode::Run) return {};
   return fmt::format("the CPU does not reach RUN{}", because(plc));
 }

@@ -41,6 +41,7 @@ std::optional<Problem> resolveOperand(Term& term, const Resolver& resolver) {
 }
 
 std::optional<Problem> resolveTerm(Term& term, const Resolver& resolver) {
+  if (resolver.constants && (term.constant = resolver.constants(term.text))) return std::nullopt;
   auto constant = parseConstant(term.text, term.position);
   if (constant) {
     term.constant = constant.value();

@@ -22,8 +22,22 @@ struct Term {
   std::optional<std::string> content;  // a constant of a DATE_AND_TIME or STRING (long_value.h)
 };
 
-// What an operand's text stands for in the program at hand.
-using Resolver = std::function<Result<mc7::Reference>(std::string_view text, const Position& at)>;
+// What an operand's text stands for in the program at hand, and the constants of its language
+// beside those of STEP 7.
+struct Resolver {
+  using Operands = std::function<Result<mc7::Reference>(std::string_view text, const Position& at)>;
+  using Constants = std::function<std::optional<Constant>(std::string_view text)>;
+  template <typename F>
+  requires std::is_constructible_v<Operands, F> Resolver(
+      F resolveOperands, Constants more = {})  // NOLINT: a plain function will do
+      : operands(std::move(resolveOperands)), constants(std::move(more)) {}
+
+  Result<mc7::Reference> operator()(std::string_view text, const Position& at) const {
+    return operands(text, at);
+  }
+  Operands operands;
+  Constants constants;
+};
 // The present value of an operand; nothing if it does not exist.
 using Reader = std::function<std::optional<std::uint32_t>(const mc7::Reference&)>;
 

@@ -71,6 +71,7 @@ class Station : public controller::Controller {
   void memoryReset() override;
   // Restarts put a switch that stands at STOP to RUN-P.
   bool warmRestart() override;  // OB 100, then OB 1; false if refused (no OB 1 …)
+  bool start() override { return warmRestart(); }
   bool hotRestart();            // OB 101, then on from where STOP came; false if the model has none
   bool coldRestart() override;  // false if the model has none
   bool powered() const override;

@@ -1,5 +1,6 @@
 #include "step5/variable.h"
 
+#include "step5/constant_operand.h"
 #include "step5/operand.h"
 
 namespace merker::step5 {
@@ -27,6 +28,17 @@ bool hasValue(const mc5::Operand& operand) {
 }
 
 }  // namespace
+
+std::optional<mc5::Operand> parseConstant(std::string_view text) {
+  Scanner scanner(text, 0);
+  scanner.skipBlanks();
+  if (!isConstant(scanner)) return std::nullopt;
+  Failure failure;
+  const auto constant = parseConstant(scanner, failure);
+  scanner.skipBlanks();
+  if (!constant || !scanner.atEnd()) return std::nullopt;
+  return constant->value;
+}
 
 std::optional<mc5::Variable> parseVariable(std::string_view text) {
   Scanner scanner(text, 0);

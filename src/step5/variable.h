@@ -8,6 +8,9 @@
 
 namespace merker::step5 {
 
+// A constant: KH 7F0A, KF +5, KM …, KT 010.2. Nothing if the text is none.
+std::optional<mc5::Operand> parseConstant(std::string_view text);
+
 // Nothing if the text is no operand with a value. Limits of the PLC are not looked at.
 std::optional<mc5::Variable> parseVariable(std::string_view text);
 

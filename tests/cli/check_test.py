@@ -47,8 +47,8 @@ class Check(Case):
         self.assertIn("empty.awl", self.expect(GOOD, "check", "empty.awl").err)
         self.write("bin.awl", bytes(range(256)) * 64)
         self.assertIn("an AWL source is a text", self.expect(PROBLEMS, "check", "bin.awl").err)
-        self.write("old.s5", "SEGMENT 1\n")
-        self.assertIn("P0707", self.expect(PROBLEMS, "check", "old.s5").err)
+        self.write("old.s5", "U E 0.0\n")
+        self.assertIn("P1101", self.expect(PROBLEMS, "check", "old.s5").err)
 
     def test_a_hundred_megabytes(self):
         self.write("big.awl", b"      FLY   1 2 3\n" * 100)  # the same words, once as a check of the small case

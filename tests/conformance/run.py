@@ -62,9 +62,9 @@ def cases():
     for path in sorted(HERE.rglob("*")):
         if path.suffix == ".scn":
             yield path, test
-        elif path.suffix == ".awl" and "rejected" in path.parts:
+        elif path.suffix in (".awl", ".s5") and "rejected" in path.parts:
             yield path, check
-        elif path.suffix == ".awl" and "//=" in path.read_text(encoding="utf-8"):
+        elif path.suffix in (".awl", ".s5") and "//=" in path.read_text(encoding="utf-8"):
             yield path, test
 
 def main():

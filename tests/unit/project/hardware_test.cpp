@@ -7,8 +7,9 @@ namespace {
 
 Settings read(std::string text, const CpuModel* model = nullptr) {
   Problems problems;
+  const std::optional<Model> chosen = model ? std::optional(Model{model, nullptr}) : std::nullopt;
   Settings settings =
-      readSettings(source::SourceFile("merker.toml", std::move(text)), problems, model);
+      readSettings(source::SourceFile("merker.toml", std::move(text)), problems, chosen);
   for (const Problem& problem : problems.list()) ADD_FAILURE() << problem.message;
   return settings;
 }

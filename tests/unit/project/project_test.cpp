@@ -74,7 +74,8 @@ TEST(Project, WhatCannotBeRead) {
 
 TEST(Project, OtherProblems) {
   const Folder folder;
-  EXPECT_EQ(onlyProblem(load(folder.write("old.s5"), "")), ProblemCode::P0707);
+  EXPECT_EQ(onlyProblem(load(folder.write("old.s5"), "314C-2 PtP")), ProblemCode::P0707);
+  EXPECT_TRUE(load(folder.write("old.s5"), "").control.has_value());
   EXPECT_EQ(onlyProblem(load(folder.write("a.awl"), "S7-9000")), ProblemCode::P0705);
   EXPECT_EQ(onlyProblem(load(folder.write("b.awl", std::string("\0\1\2\3", 4)), "")),
             ProblemCode::P0102);

@@ -25,7 +25,7 @@ std::string problemOf(std::string text, bool withHardware = true) {
   const io::Configuration configuration = hardware();
   Problems problems;
   for (Scenario& scenario : parseScenarios(file, problems))
-    resolve(scenario, {}, problems, withHardware ? &configuration : nullptr);
+    resolve(scenario, Resolver::Operands{}, problems, withHardware ? &configuration : nullptr);
   if (problems.empty()) return "";
   const Problem& problem = problems.list().front();
   return std::to_string(problem.position.line) + ":" + std::to_string(problem.position.column) +

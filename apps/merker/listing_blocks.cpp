@@ -1,0 +1,73 @@
+#include "listing_blocks.h"
+
+#include <fmt/format.h>
+
+#include <iostream>
+
+#include "mc5/disassembly.h"
+#include "sinumerik/interrupt_stack.h"
+#include "step5/compiler.h"
+
+namespace merker::app {
+namespace {
+
+std::size_t words(const mc5::Block& block) { return block.words.size() + mc5::kHeaderWords; }
+
+bool isData(const mc5::Block& block) { return block.id.type == mc5::BlockType::Db; }
+
+std::string hex(std::span<const std::uint16_t> code) {
+  std::string text;
+  for (const std::uint16_t word : code)
+    text += fmt::format("{}{:04X}", text.empty() ? "" : " ", word);
+  return text;
+}
+
+void printCode(const mc5::Block& block) {
+  if (isData(block))
+    for (std::size_t i = 0; i < block.words.size(); ++i)
+      std::cout << fmt::format("  {:04X}: {:04X}\n", i, block.words[i]);
+  else
+    for (const mc5::Line& line : mc5::disassemble(block.words))
+      std::cout << "  " << mc5::toString(line) << '\n';
+}
+
+nlohmann::json codeToJson(const mc5::Block& block) {
+  nlohmann::json lines = nlohmann::json::array();
+  for (const mc5::Line& line : mc5::disassemble(block.words))
+    lines.push_back({{"offset", line.offset}, {"words", hex(line.words)}, {"text", line.text}});
+  return lines;
+}
+
+}  // namespace
+
+// Lengths as the block directory of the programmer shows them: with the header (S5-BLK-08).
+void printListings(const Build& build, const ListingOptions& options) {
+  if (options.text) {
+    std::cout << step5::listing(build.listings);
+    return;
+  }
+  std::cout << fmt::format("{:<10} {:<10} {:>6} {:>6}\n", "block", "name", "BIB", "words");
+  for (const auto& [id, block] : build.listings) {
+    std::cout << fmt::format("{:<10} {:<10} {:>6} {:>6}\n", sinumerik::toString(id), block.name,
+                             block.library == 0 ? "" : std::to_string(block.library), words(block));
+    if (options.code) printCode(block);
+  }
+}
+
+nlohmann::json listingsToJson(const Build& build, const ListingOptions& options) {
+  nlohmann::json blocks = nlohmann::json::array();
+  for (const auto& [id, block] : build.listings) {
+    nlohmann::json entry = {{"block", sinumerik::toString(id)},
+                            {"name", block.name},
+                            {"library", block.library},
+                            {"words", words(block)}};
+    if (options.code)
+      entry["code"] = isData(block) ? nlohmann::json(hex(block.words)) : codeToJson(block);
+    blocks.push_back(std::move(entry));
+  }
+  nlohmann::json document = {{"blocks", blocks}, {"problems", toJson(build.problems)}};
+  if (options.text) document["listing"] = step5::listing(build.listings);
+  return document;
+}
+
+}  // namespace merker::app

@@ -1,0 +1,73 @@
+#include "listing_diagnosis.h"
+
+#include <fmt/format.h>
+
+#include <iostream>
+
+#include "simulator/duration.h"
+#include "simulator/expectations.h"
+
+namespace merker::app {
+namespace {
+
+std::string state(const cnc::Cnc& control) {
+  std::string text = fmt::format("{}: {} after {}, {} cycles", control.modelName(),
+                                 simulator::modeName(control.mode()),
+                                 simulator::formatTime(control.now()), control.cycles());
+  if (control.mode() == controller::Mode::Stop) text += "\nSTOP: " + control.stopReason();
+  return text;
+}
+
+void printAlarms(const cnc::Cnc& control) {
+  std::cout << "\nAlarms and messages\n";
+  for (const sinumerik::PendingAlarm& alarm : control.plc().alarms())
+    std::cout << fmt::format("  {:>4}  {:>12}  {}\n", alarm.number,
+                             simulator::formatTime(alarm.time), alarm.text);
+}
+
+void printHistory(const cnc::Cnc& control) {
+  std::cout << "\nHistory, newest first\n";
+  const auto& list = control.diagnostics();
+  for (auto entry = list.rbegin(); entry != list.rend(); ++entry)
+    std::cout << fmt::format("  {:>12}  {}\n", simulator::formatTime(entry->time), entry->text);
+}
+
+}  // namespace
+
+// The control bits, the interrupt stack and the block stack as the programmer shows them after a
+// STOP (S5-ERR-06 … -10).
+void printDiagnosis(cnc::Cnc& control) {
+  std::cout << state(control) << '\n';
+  printAlarms(control);
+  printHistory(control);
+  const auto picture = control.plc().programmer().stopPicture();
+  if (!picture) return;
+  std::cout << "\nControl bits\n"
+            << control.plc().programmer().controlBitText() << '\n'
+            << toString(picture->interrupt) << '\n'
+            << toString(picture->blocks);
+}
+
+nlohmann::ordered_json diagnosisToJson(cnc::Cnc& control) {
+  nlohmann::ordered_json document = {{"model", control.modelName()},
+                                     {"mode", simulator::modeName(control.mode())},
+                                     {"seconds", static_cast<double>(control.now().ns) / 1e9},
+                                     {"cycles", control.cycles()},
+                                     {"stop_reason", control.stopReason()}};
+  for (const sinumerik::PendingAlarm& alarm : control.plc().alarms())
+    document["alarms"].push_back({{"number", alarm.number},
+                                  {"seconds", static_cast<double>(alarm.time.ns) / 1e9},
+                                  {"text", alarm.text}});
+  for (const controller::DiagnosticEntry& entry : control.diagnostics())
+    document["diagnostics"].push_back({{"event", entry.event},
+                                       {"seconds", static_cast<double>(entry.time.ns) / 1e9},
+                                       {"text", entry.text}});
+  const auto picture = control.plc().programmer().stopPicture();
+  if (!picture) return document;
+  document["control_bits"] = control.plc().programmer().controlBitText();
+  document["interrupt_stack"] = toString(picture->interrupt);
+  document["block_stack"] = toString(picture->blocks);
+  return document;
+}
+
+}  // namespace merker::app

@@ -1,0 +1,201 @@
+#include "cnc/cnc.h"
+
+#include <algorithm>
+
+#include "cnc/reference.h"
+
+namespace merker::cnc {
+
+using controller::Mode;
+
+namespace {
+
+void put(sinumerik::MachineData& data, MachineDatum datum) {
+  if (datum.number == 155) {
+    data.samplingCode = static_cast<std::uint8_t>(datum.value);
+    return;
+  }
+  if (data.setWord(datum.number, datum.value)) return;
+  for (unsigned bit = 0; bit < 8; ++bit) data.setBit({datum.number, bit}, datum.value >> bit & 1);
+}
+
+sinumerik::Options plcOptions(const Options& options, nc::FunctionMacros& macros) {
+  sinumerik::Options plc = options.plc;
+  plc.macros = &macros;
+  plc.variant = options.model->acop ? mc5::Variant::Acop : mc5::Variant::Cop;
+  if (options.machineData.empty()) return plc;
+  const bool alarmLevel = plc.program.contains({mc5::BlockType::Ob, 2});
+  plc.machineData = sinumerik::MachineData::standard(alarmLevel);
+  for (const MachineDatum& datum : options.machineData) put(*plc.machineData, datum);
+  return plc;
+}
+
+}  // namespace
+
+struct Cnc::Parts {
+  explicit Parts(Options given) : options(std::move(given)) { build(); }
+
+  // The PLC points to the macros: they are made first and go last.
+  void build() {
+    plc.reset();
+    macros = std::make_unique<nc::FunctionMacros>(options.macros);
+    macros->control() = options.control;
+    plc = std::make_unique<sinumerik::Plc>(plcOptions(options, *macros));
+  }
+
+  Options options;
+  std::unique_ptr<nc::FunctionMacros> macros;
+  std::unique_ptr<sinumerik::Plc> plc;
+  Duration before{};  // what passed before the last memory reset
+  std::uint64_t cyclesBefore = 0, instructionsBefore = 0;
+  controller::ExecutedLines linesBefore;
+  std::function<void(controller::Controller&)> observer;
+  std::vector<controller::DiagnosticEntry> diagnostics;
+  std::vector<controller::CheckResult> checks;
+};
+
+namespace {
+
+std::uint32_t lineAt(const mc5::Block& block, std::uint32_t offset) {
+  std::uint32_t line = 0;
+  for (const mc5::LineEntry& entry : block.lines)
+    if (entry.offset <= offset) line = entry.line;
+  return line;
+}
+
+void addLines(const mc5::Block& block, const std::map<std::uint32_t, std::uint64_t>& counts,
+              std::map<std::uint32_t, std::uint64_t>& file) {
+  std::map<std::uint32_t, std::uint64_t> best;
+  for (const mc5::LineEntry& entry : block.lines)
+    if (entry.line != 0) best[entry.line];
+  for (const auto& [offset, count] : counts) {
+    const auto line = best.find(lineAt(block, offset));
+    if (line != best.end()) line->second = std::max(line->second, count);
+  }
+  for (const auto& [line, count] : best) file[line] += count;
+}
+
+}  // namespace
+
+Cnc::Cnc(Options options) : parts_(std::make_unique<Parts>(std::move(options))) {}
+Cnc::~Cnc() = default;
+
+sinumerik::Plc& Cnc::plc() { return *parts_->plc; }
+const sinumerik::Plc& Cnc::plc() const { return *parts_->plc; }
+nc::Control& Cnc::control() { return parts_->macros->control(); }
+
+std::string Cnc::modelName() const { return std::string(parts_->options.model->name); }
+
+Mode Cnc::mode() const {
+  switch (plc().mode()) {
+    case sinumerik::Mode::Startup:
+      return Mode::Startup;
+    case sinumerik::Mode::Run:
+      return Mode::Run;
+    default:
+      return Mode::Stop;
+  }
+}
+
+bool Cnc::stoppedByFault() const { return plc().stoppedByFault(); }
+std::string Cnc::stopReason() const { return plc().stopReason(); }
+bool Cnc::powered() const { return plc().mode() != sinumerik::Mode::Off; }
+bool Cnc::start() { return plc().coldStart(); }
+bool Cnc::warmRestart() { return plc().warmStart(); }
+bool Cnc::coldRestart() { return plc().coldStart(); }
+void Cnc::stop() { plc().stop(); }
+void Cnc::powerOff() { plc().powerOff(); }
+void Cnc::powerOn(bool buffered) { plc().powerOn(buffered); }
+
+void Cnc::memoryReset() {
+  Parts& p = *parts_;
+  p.before = Duration{now().ns};
+  p.cyclesBefore = cycles();
+  p.instructionsBefore = instructions();
+  p.linesBefore = executedLines();
+  p.build();
+  if (p.observer) onCycle(p.observer);
+}
+
+Instant Cnc::now() const { return plc().now() + parts_->before; }
+std::uint64_t Cnc::cycles() const { return parts_->cyclesBefore + plc().cycles(); }
+std::uint64_t Cnc::instructions() const {
+  return parts_->instructionsBefore + plc().instructions();
+}
+void Cnc::advanceTo(Instant t) { plc().advanceTo(Instant{t.ns - parts_->before.ns}); }
+void Cnc::settle() { plc().settle(); }
+void Cnc::advanceCycles(std::uint64_t count) { plc().advanceCycles(count); }
+bool Cnc::advanceToCheckpoint(Instant limit) {
+  return plc().advanceToCheckpoint(Instant{limit.ns - parts_->before.ns});
+}
+
+void Cnc::onCycle(std::function<void(controller::Controller&)> observer) {
+  parts_->observer = std::move(observer);
+  plc().onCycle([this](sinumerik::Plc&) {
+    if (parts_->observer) parts_->observer(*this);
+  });
+}
+
+std::optional<std::uint32_t> Cnc::read(const mc7::Reference& reference) const {
+  const auto variable = toVariable(reference);
+  return variable ? plc().read(*variable) : std::nullopt;
+}
+
+bool Cnc::write(const mc7::Reference& reference, std::uint32_t value) {
+  const auto variable = toVariable(reference);
+  return variable && plc().write(*variable, value);
+}
+
+bool Cnc::force(const mc7::Reference& reference, std::uint32_t value) {
+  const auto variable = toVariable(reference);
+  return variable && plc().force(*variable, value);
+}
+
+void Cnc::unforce() { plc().unforce(); }
+
+std::string Cnc::whyMissing(const mc7::Reference& reference) const {
+  if (reference.operand.kind != mc7::OperandKind::Memory ||
+      reference.operand.area != Area::DataBlock)
+    return "it is outside of what this PLC has";
+  const auto& entry =
+      plc().machine().blocks.find({mc5::BlockType::Db, static_cast<std::uint16_t>(reference.db)});
+  if (!entry.present) return "there is no DB " + std::to_string(reference.db);
+  return "DB " + std::to_string(reference.db) + " has " + std::to_string(entry.length) + " words";
+}
+
+const std::vector<controller::DiagnosticEntry>& Cnc::diagnostics() const {
+  Parts& p = *parts_;
+  p.diagnostics.clear();
+  for (const sinumerik::DiagnosticEntry& entry : plc().diagnostics())
+    p.diagnostics.push_back(
+        {static_cast<std::uint16_t>(entry.number), entry.time + p.before, entry.text});
+  return p.diagnostics;
+}
+
+const std::vector<controller::CheckResult>& Cnc::checkResults() const {
+  Parts& p = *parts_;
+  p.checks.clear();
+  for (const sinumerik::CheckResult& result : plc().checkResults()) {
+    controller::CheckResult& copy = p.checks.emplace_back();
+    copy.check = result.check;
+    copy.reached = result.reached;
+    for (const sinumerik::CheckFailure& failure : result.failures)
+      copy.failures.push_back({failure.time + p.before, failure.text});
+  }
+  return p.checks;
+}
+
+controller::ExecutedLines Cnc::executedLines() const {
+  controller::ExecutedLines lines = parts_->linesBefore;
+  const sinumerik::Executed& executed = plc().executed();
+  for (const auto& [id, block] : plc().program()) {
+    if (id.type == mc5::BlockType::Db || block.file.empty()) continue;
+    const auto counts = executed.find(id);
+    addLines(block,
+             counts == executed.end() ? std::map<std::uint32_t, std::uint64_t>{} : counts->second,
+             lines[block.file]);
+  }
+  return lines;
+}
+
+}  // namespace merker::cnc

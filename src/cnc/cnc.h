@@ -1,0 +1,79 @@
+// One SINUMERIK 810/820 GA3: PLC, function macros and the NC data behind them. A value of virtual
+// time built by arguments; any number of them live in one process.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "catalogue/sinumerik_model.h"
+#include "controller/controller.h"
+#include "nc/function_macros.h"
+#include "sinumerik/plc.h"
+
+namespace merker::cnc {
+
+struct MachineDatum {
+  unsigned number = 0;  // word 0 … 9, 155, 1000 … 1007, byte 2000 … 2010
+  std::uint16_t value = 0;
+};
+
+struct Options {
+  const SinumerikModel* model = &defaultSinumerikModel();
+  sinumerik::Options plc{};  // its `macros` are those of this control
+  // What differs from the standard machine data.
+  std::vector<MachineDatum> machineData{};
+  nc::MacroOptions macros{};
+  nc::Control control{};  // data of the NC at the start
+};
+
+class Cnc final : public controller::Controller {
+ public:
+  explicit Cnc(Options options);
+  ~Cnc() override;
+  Cnc(const Cnc&) = delete;
+  Cnc& operator=(const Cnc&) = delete;
+
+  sinumerik::Plc& plc();
+  const sinumerik::Plc& plc() const;
+  nc::Control& control();
+
+  std::string modelName() const override;
+  controller::Mode mode() const override;
+  bool stoppedByFault() const override;
+  std::string stopReason() const override;
+  bool powered() const override;
+  bool hasColdRestart() const override { return true; }
+  bool start() override;        // AG-Start of the programmer: Neustart
+  bool warmRestart() override;  // Wiederanlauf; refused where MD 2003 bit 3 does not allow it
+  bool coldRestart() override;  // Neustart
+  void stop() override;
+  void powerOff() override;
+  void powerOn(bool buffered) override;
+  // Urlöschen and loading of the program: everything as it was built, only time goes on.
+  void memoryReset() override;
+
+  Instant now() const override;
+  std::uint64_t cycles() const override;
+  std::uint64_t instructions() const override;
+  void advanceTo(Instant t) override;
+  void settle() override;
+  void advanceCycles(std::uint64_t count) override;
+  bool advanceToCheckpoint(Instant limit) override;
+  void onCycle(std::function<void(controller::Controller&)> observer) override;
+
+  std::optional<std::uint32_t> read(const mc7::Reference& reference) const override;
+  bool write(const mc7::Reference& reference, std::uint32_t value) override;
+  bool force(const mc7::Reference& reference, std::uint32_t value) override;
+  void unforce() override;
+  std::string whyMissing(const mc7::Reference& reference) const override;
+
+  const std::vector<controller::DiagnosticEntry>& diagnostics() const override;
+  const std::vector<controller::CheckResult>& checkResults() const override;
+  controller::ExecutedLines executedLines() const override;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace merker::cnc

@@ -1,0 +1,122 @@
+// merker.toml of a SINUMERIK: [machine_data], [plc], [alarm_texts], [nc].
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "project/readers.h"
+#include "step5/variable.h"
+
+namespace merker::project {
+namespace {
+
+std::optional<unsigned> asNumber(std::string_view key) {
+  unsigned number = 0;
+  const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), number);
+  return error == std::errc() && end == key.data() + key.size() ? std::optional(number)
+                                                                : std::nullopt;
+}
+
+struct Range {
+  unsigned first, last;
+  std::int64_t lowest, highest;  // of the value
+};
+
+void unknown(const Table& table, const std::string& key, std::string_view possible) {
+  table.problems().add(ProblemCode::P0703, table.placeOf(key), key, table.title(), possible);
+}
+
+// Calls `take(number, value)` for each key of the table that lies in one of the ranges.
+template <std::size_t N, typename Take>
+void eachNumber(const Table& table, const Range (&ranges)[N], std::string_view possible,
+                Take take) {
+  for (const std::string& key : table.keys()) {
+    const auto number = asNumber(key);
+    const Range* range = std::find_if(std::begin(ranges), std::end(ranges), [&](const Range& r) {
+      return number && *number >= r.first && *number <= r.last;
+    });
+    if (range == std::end(ranges))
+      unknown(table, key, possible);
+    else if (const auto value = table.integer(key, range->lowest, range->highest))
+      take(*number, *value);
+  }
+}
+
+// S5-MD: limits of single words are the PLC's own, it stops with 6116 … 6123.
+constexpr Range kMachineData[] = {
+    {0, 9, 0, 0xFFFF}, {155, 155, 0, 0xFF}, {1000, 1007, 0, 0xFFFF}, {2000, 2010, 0, 0xFF}};
+
+void readMachineData(const Table& table, cnc::Options& options) {
+  eachNumber(table, kMachineData, "0 to 9, 155, 1000 to 1007, 2000 to 2010",
+             [&](unsigned number, std::int64_t value) {
+               options.machineData.push_back({number, static_cast<std::uint16_t>(value)});
+             });
+}
+
+// "MB 100" or "DB 20.DW 0": where 64 alarm bits begin (OP-55).
+std::optional<sinumerik::BitField> readField(const Table& table, std::string_view key) {
+  constexpr std::string_view kForm = "the first of 8 bytes: \"MB 100\" or \"DB 20.DW 0\"";
+  const auto text = table.text(key, kForm);
+  if (!text) return std::nullopt;
+  const auto variable = step5::parseVariable(*text);
+  const bool flags = variable && variable->operand.area == mc5::Area::Flag &&
+                     variable->operand.width == mc5::Width::Byte;
+  const bool data = variable && variable->operand.area == mc5::Area::Data &&
+                    variable->operand.width == mc5::Width::Word;
+  if (flags || data) return sinumerik::BitField{variable->dataBlock, variable->operand.value};
+  table.mustBe(key, kForm);
+  return std::nullopt;
+}
+
+void readPlc(const Table& table, cnc::Options& options) {
+  table.allow({"software", "memory_extension", "eprom_data_blocks", "alarms", "messages"});
+  if (const auto software = table.number("software", 1, 2))
+    options.plc.software = *software == 1 ? sinumerik::Software::Sw1 : sinumerik::Software::Sw2;
+  if (const auto extension = table.flag("memory_extension"))
+    options.plc.memoryExtension = *extension;
+  for (const Table::Number& db : table.numbers("eprom_data_blocks", "numbers of data blocks"))
+    if (db.value < options.plc.dataInEprom.size()) options.plc.dataInEprom.set(db.value);
+  options.plc.userAlarms.alarms = readField(table, "alarms");
+  options.plc.userAlarms.messages = readField(table, "messages");
+}
+
+void readAlarmTexts(const Table& table, cnc::Options& options) {
+  for (const std::string& key : table.keys()) {
+    const auto number = asNumber(key);
+    const bool known =
+        number && ((*number >= 6000 && *number <= 6063) || (*number >= 7000 && *number <= 7063));
+    if (!known)
+      unknown(table, key, "6000 to 6063, 7000 to 7063");
+    else if (const auto text = table.text(key, "the text of the alarm"))
+      options.plc.userAlarms.texts[*number] = *text;
+  }
+}
+
+constexpr Range kWords[] = {{0, nc::kDataWords - 1, INT32_MIN, INT32_MAX}};
+
+void readNc(const Table& table, cnc::Options& options) {
+  table.allow({"input_system", "machine_data", "setting_data"});
+  if (const auto system = table.choice("input_system", {"metric", "inch"}))
+    options.control.inputSystem = *system == 0 ? nc::InputSystem::Metric : nc::InputSystem::Inch;
+  const auto words = [&](std::string_view key, std::vector<std::int32_t>& list) {
+    if (const auto sub = table.table(key))
+      eachNumber(*sub, kWords, "0 to 4999", [&](unsigned number, std::int64_t value) {
+        list.at(number) = static_cast<std::int32_t>(value);
+      });
+  };
+  words("machine_data", options.control.machineData);
+  words("setting_data", options.control.settingData);
+}
+
+}  // namespace
+
+void readControl(const Table& root, cnc::Options& options) {
+  root.allow({"project", "program", "cpu", "machine_data", "plc", "alarm_texts", "nc"});
+  if (const auto table = root.table("cpu")) table->allow({"model"});
+  if (const auto table = root.table("machine_data")) readMachineData(*table, options);
+  if (const auto table = root.table("plc")) readPlc(*table, options);
+  if (const auto table = root.table("alarm_texts")) readAlarmTexts(*table, options);
+  if (const auto table = root.table("nc")) readNc(*table, options);
+}
+
+}  // namespace merker::project

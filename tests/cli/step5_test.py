@@ -1,0 +1,101 @@
+import pathlib
+
+from harness import *
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+LISTING = """OB 1
+      U     E 0.0
+      =     A 0.0
+      L     MW 102
+      L     KF +1
+      +F
+      T     MW 102
+      U     E 0.7
+      SPB   PB 5
+      BE
+PB 5
+      SPA   PB 9
+      BE
+DB 10
+   0 : KH = 1F00
+   1 : KF = +5
+"""
+
+TOML = """[cpu]
+model = "SINUMERIK 820 GA3"
+[machine_data]
+2 = 2
+[plc]
+alarms = "MB 100"
+[alarm_texts]
+6003 = "Coolant missing"
+"""
+
+
+class Step5(Case):
+    def setUp(self):
+        super().setUp()
+        self.write("a.s5", LISTING)
+
+    def test_runs(self):
+        """S5-OPC-07: a single listing runs on an 810 GA3."""
+        out = self.expect(GOOD, "run", "a.s5", "--for", "590ms", "--set", "E 0.0 = 1, DB10.DW 1 = KF -2",
+                          "--print", "A 0.0, MW 102, DB10.DW 0, DB10.DL 0, DB10.D 0.8, DB10.DW 1").out
+        self.assertEqual(out.splitlines(), ["A 0.0 = 1", "MW 102 = W#16#000A", "DB10.DW 0 = W#16#1F00", "DB10.DL 0 = B#16#1F",
+                                            "DB10.D 0.8 = 1", "DB10.DW 1 = W#16#FFFE"])
+
+    def test_a_fault_is_an_alarm(self):
+        """S5-ERR-07"""
+        call = self.expect(FAULT, "run", "a.s5", "--for", "1s", "--set", "E 0.7 = 1")
+        self.assertIn("6105", call.err)
+
+    def test_diag(self):
+        """S5-ERR-06, S5-ERR-08, S5-ERR-10"""
+        out = self.expect(FAULT, "diag", "a.s5", "--for", "1s", "--set", "E 0.7 = 1").out
+        for words in ("6105", "PB 5", "OB 1", "SAZ", "Neustart"):
+            self.assertIn(words, out)
+        document = self.expect(FAULT, "diag", "a.s5", "--for", "1s", "--set", "E 0.7 = 1", "--json").json
+        self.assertIn(6105, [alarm["number"] for alarm in document["alarms"]])
+
+    def test_list_and_back(self):
+        """S5-OPC-01"""
+        out = self.expect(GOOD, "list", "a.s5", "--code").out
+        self.assertIn("0000: C000             U     E 0.0", out)
+        self.write("b.s5", self.expect(GOOD, "list", "a.s5", "--listing").out)
+        again = self.expect(GOOD, "list", "b.s5", "--code").out
+        self.assertEqual(out, again)
+        self.assertEqual(self.expect(GOOD, "list", "a.s5", "--json").json["blocks"][0]["block"], "OB 1")
+
+    def test_machine_code(self):
+        self.assertEqual(self.expect(GOOD, "assemble", "--mc5", text="P D 205.10\n").out, "7046 CACD\n")
+        self.assertIn("P     D 205.10", self.expect(GOOD, "disassemble", "--mc5", text="7046 CACD").out)
+        self.assertIn("illegal", self.expect(GOOD, "disassemble", "--mc5", text="7007").out)
+
+    def test_project(self):
+        """S5-MD-01, S5-ERR-04: machine data, alarms and their texts stand in merker.toml."""
+        self.write("merker.toml", TOML)
+        self.assertIn("Coolant missing", self.expect(GOOD, "diag", ".", "--for", "1s", "--set", "M 100.3 = 1").out)
+        cycles = self.expect(GOOD, "run", ".", "--for", "800ms", "--json").json["cycles"]
+        self.assertEqual(cycles, 20)  # MD 2 = 2: every 40 ms
+        for wrong, place in (("3000 = 1", "3:1"), ("2 = 70000", "3:5"), ("155 = \"x\"", "3:7")):
+            self.write("merker.toml", f"[cpu]\nmodel = \"SINUMERIK 820 GA3\"\n{wrong}\n".replace(
+                "GA3\"\n", "GA3\"\n[machine_data]\n"))
+            call = self.expect(PROBLEMS, "check", ".")
+            self.assertIn(f"merker.toml:{int(place[0]) + 1}:{place[2:]}", call.err)
+
+    def test_families_do_not_mix(self):
+        self.assertIn("P0707", self.expect(PROBLEMS, "check", "a.s5", "--cpu", "314C-2 PtP").err)
+        self.write("a.awl", PROGRAM)
+        self.assertIn("P0711", self.expect(PROBLEMS, "check", "a.awl", "--cpu", "SINUMERIK 810 GA3").err)
+        self.assertIn("SIMATIC S7", self.expect(USAGE, "xref", "a.s5").err)
+
+    def test_scenarios(self):
+        self.write("a.scn", "scenario \"follows\"\n  set E 0.0 = 1\n  wait 2 cycles\n  expect A 0.0 = 1\n"
+                            "  expect MW 102 > KH 0001\n  power off\n  power on\n  expect mode = RUN within 1s\n"
+                            "scenario \"stops\"\n  set E 0.7 = 1\n  expect mode = STOP within 1s\n"
+                            "  expect diagnostics contains \"6105\"\n"
+                            "scenario \"no LED\"\n  expect LED SF = on\n")
+        call = self.expect(PROBLEMS, "test", "a.s5")
+        self.assertIn("2 passed, 1 failed", call.out)
+        self.assertIn("it is a step for SIMATIC S7", call.out)
