@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """usage: listings.py MERKER PAGE...
 
-The listings of a page are true. A fence ```awl NAME or ```scn NAME is a file; a fence ```console shows commands
+The listings of a page are true. A fence ```awl NAME, ```s5 NAME or ```scn NAME is a file; a fence ```console shows commands
 after "$ " and, below each, exactly what it prints. All of a page runs in one empty folder, from top to bottom.
 In the expected output a line "..." stands for any lines. Only commands of merker and `echo $?` run.
 """
