@@ -1,49 +1,13 @@
-// merker.toml of a SINUMERIK: [machine_data], [plc], [alarm_texts], [nc].
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <charconv>
-
+// merker.toml of a SINUMERIK: [machine_data], [plc], [alarm_texts].
+#include "project/numbered_keys.h"
 #include "project/readers.h"
 #include "step5/variable.h"
 
 namespace merker::project {
 namespace {
 
-std::optional<unsigned> asNumber(std::string_view key) {
-  unsigned number = 0;
-  const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), number);
-  return error == std::errc() && end == key.data() + key.size() ? std::optional(number)
-                                                                : std::nullopt;
-}
-
-struct Range {
-  unsigned first, last;
-  std::int64_t lowest, highest;  // of the value
-};
-
-void unknown(const Table& table, const std::string& key, std::string_view possible) {
-  table.problems().add(ProblemCode::P0703, table.placeOf(key), key, table.title(), possible);
-}
-
-// Calls `take(number, value)` for each key of the table that lies in one of the ranges.
-template <std::size_t N, typename Take>
-void eachNumber(const Table& table, const Range (&ranges)[N], std::string_view possible,
-                Take take) {
-  for (const std::string& key : table.keys()) {
-    const auto number = asNumber(key);
-    const Range* range = std::find_if(std::begin(ranges), std::end(ranges), [&](const Range& r) {
-      return number && *number >= r.first && *number <= r.last;
-    });
-    if (range == std::end(ranges))
-      unknown(table, key, possible);
-    else if (const auto value = table.integer(key, range->lowest, range->highest))
-      take(*number, *value);
-  }
-}
-
 // S5-MD: limits of single words are the PLC's own, it stops with 6116 … 6123.
-constexpr Range kMachineData[] = {
+constexpr KeyRange kMachineData[] = {
     {0, 9, 0, 0xFFFF}, {155, 155, 0, 0xFF}, {1000, 1007, 0, 0xFFFF}, {2000, 2010, 0, 0xFF}};
 
 void readMachineData(const Table& table, cnc::Options& options) {
@@ -82,30 +46,14 @@ void readPlc(const Table& table, cnc::Options& options) {
 
 void readAlarmTexts(const Table& table, cnc::Options& options) {
   for (const std::string& key : table.keys()) {
-    const auto number = asNumber(key);
+    const auto number = keyNumber(key);
     const bool known =
         number && ((*number >= 6000 && *number <= 6063) || (*number >= 7000 && *number <= 7063));
     if (!known)
-      unknown(table, key, "6000 to 6063, 7000 to 7063");
+      unknownKey(table, key, "6000 to 6063, 7000 to 7063");
     else if (const auto text = table.text(key, "the text of the alarm"))
       options.plc.userAlarms.texts[*number] = *text;
   }
-}
-
-constexpr Range kWords[] = {{0, nc::kDataWords - 1, INT32_MIN, INT32_MAX}};
-
-void readNc(const Table& table, cnc::Options& options) {
-  table.allow({"input_system", "machine_data", "setting_data"});
-  if (const auto system = table.choice("input_system", {"metric", "inch"}))
-    options.control.inputSystem = *system == 0 ? nc::InputSystem::Metric : nc::InputSystem::Inch;
-  const auto words = [&](std::string_view key, std::vector<std::int32_t>& list) {
-    if (const auto sub = table.table(key))
-      eachNumber(*sub, kWords, "0 to 4999", [&](unsigned number, std::int64_t value) {
-        list.at(number) = static_cast<std::int32_t>(value);
-      });
-  };
-  words("machine_data", options.control.machineData);
-  words("setting_data", options.control.settingData);
 }
 
 }  // namespace
@@ -116,7 +64,7 @@ void readControl(const Table& root, cnc::Options& options) {
   if (const auto table = root.table("machine_data")) readMachineData(*table, options);
   if (const auto table = root.table("plc")) readPlc(*table, options);
   if (const auto table = root.table("alarm_texts")) readAlarmTexts(*table, options);
-  if (const auto table = root.table("nc")) readNc(*table, options);
+  if (const auto table = root.table("nc")) readNc(*table, options.control);
 }
 
 }  // namespace merker::project

@@ -13,6 +13,8 @@ std::optional<std::int64_t> readDateAndTime(const Table& table, std::string_view
 
 // What only a SINUMERIK has: [machine_data], [plc], [alarm_texts], [nc] (S5-MD, S5-ERR-04, OP-55)
 void readControl(const Table& root, cnc::Options& options);
+// [nc]: what the NC side holds at the start
+void readNc(const Table& nc, nc::Control& control);
 
 // [[module]]; nothing if it is too wrong to have a place
 std::optional<io::Module> readModule(const Table& table, const CpuModel& model);
