@@ -158,6 +158,7 @@ class Cpu {
     return find(machine_.organizationBlocks, number) != nullptr;
   }
   DateAndTime dateAndTime() const;
+  const StartInformation& lastStart() const { return lastStart_; }  // SFC 6
 
  private:
   // cycle.cpp
@@ -228,6 +229,7 @@ class Cpu {
   Light stopLight() const;
   // faults.cpp
   Place here() const;
+  Place next() const;
   void report(const StartInformation& start, std::string text);
   DiagnosticEvent makeEvent(std::uint16_t event, std::string text, Place place) const;
 
@@ -258,7 +260,8 @@ class Cpu {
   // The stacks are those of an interrupted program, which a hot restart may go on with.
   bool resumable_ = false;
   Restart lastRestart_ = Restart::ManualWarm;
-  std::size_t restOfCycle_ = 0;  // levels below the startup OB: what a hot restart goes on with
+  StartInformation lastStart_{};  // of the last startup, with or without its OB
+  std::size_t restOfCycle_ = 0;   // levels below the startup OB: what a hot restart goes on with
   DiagnosticEvent stopEvent_;
   Instant frozenAt_;  // in STOP and HALT: when the program stood still
   Instant systemStart_;

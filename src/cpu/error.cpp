@@ -39,6 +39,9 @@ constexpr Row kRows[] = {
 std::string memoryName(const SyncError& error) {
   constexpr std::string_view kAreas[] = {"P", "E", "A", "M", "DB", "DI", "L", "V"};
   constexpr std::string_view kWidths[] = {"X", "B", "W", "D"};
+  if (error.peripheral())
+    return fmt::format("P{}{} {}", error.code == ErrorCode::PeripheralRead ? "E" : "A",
+                       kWidths[static_cast<unsigned>(error.width)], error.detail);
   return fmt::format("{}{} {}", kAreas[static_cast<unsigned>(error.area) & 7],
                      kWidths[static_cast<unsigned>(error.width)], error.detail);
 }

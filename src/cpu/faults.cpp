@@ -72,7 +72,7 @@ void Cpu::report(Event event) {
 AfterError Cpu::synchronousError(const SyncError& error) {
   Machine& m = machine_;
   if (masked(m.levels.back().masks, error)) return AfterError::GoOn;
-  const std::string kind = error.peripheral() ? "I/O access error: " : "programming error: ";
+  const std::string kind = error.peripheral() ? "" : "programming error: ";
   const StartInformation start =
       errorInformation(error, priority(), m.top->code->source->id, m.position, dateAndTime());
   report(start, kind + describe(error));

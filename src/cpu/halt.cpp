@@ -22,10 +22,17 @@ void Cpu::shiftProgramTime(Duration by) {
   for (DelayInterrupt& delay : interrupts_.delay) delay.due = delay.due + by;
 }
 
+// The instruction that HALT stands before: it has not been executed yet.
+Place Cpu::next() const {
+  Place place = here();
+  if (place.known) place.offset = engine_.offset(*machine_.top);
+  return place;
+}
+
 bool Cpu::halt() {
   if (!executes(mode_)) return false;
   report(static_cast<std::uint16_t>(Event::HaltReached), std::string(text(Event::HaltReached)),
-         here());
+         next());
   beforeHalt_ = mode_;
   change(Mode::Halt);
   frozenAt_ = machine_.clock;

@@ -103,14 +103,14 @@ void Cpu::beginHot() {
 
 void Cpu::beginStartup(Restart how) {
   const Row& row = rowOf(how);
-  const StartInformation start = startupInformation(how);
+  lastStart_ = startupInformation(how);
   report(row.event);
   report(Event::StopToStartup);
   change(Mode::Startup);
   lastRestart_ = how;
   stoppedByFault_ = faults_.program = false;
   monitoring_.off();  // S7-STATE-11: no cycle monitoring
-  if (hasOb(row.ob)) startLevel(row.ob, priorityOf(row.ob), start, false);
+  if (hasOb(row.ob)) startLevel(row.ob, priorityOf(row.ob), lastStart_, false);
 }
 
 // Byte 6 the event of the last STOP; bytes 8..11 as the manual's table "STRT_INFO" has them: who

@@ -5,6 +5,7 @@ namespace {
 
 const Op* runProbed(cpu::Machine& m, const Op* op) {
   const Translated& code = codeOf(*m.top);
+  m.top->resume = indexOf(m, op);  // where HALT would stand
   if (code.probe->before(m, op->offset)) {
     m.clock.ns -= op->cost;  // charged already, and counted when the loop ends
     --m.instructions;

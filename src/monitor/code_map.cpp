@@ -23,6 +23,11 @@ bool beginsStatement(const block::Block& block, std::uint32_t offset) {
   return statement.line != 0 && statement.begin == offset;
 }
 
+bool endsBlock(const block::Block& block, std::uint32_t offset) {
+  constexpr std::size_t kLength = 2;  // bytes of BE
+  return offset + kLength == block.code.size() && !beginsStatement(block, offset);
+}
+
 std::uint32_t networkAt(const block::Block& block, std::uint32_t offset) {
   const auto behind =
       std::upper_bound(block.networks.begin(), block.networks.end(), offset,

@@ -21,6 +21,8 @@ struct Statement {
 Statement statementAt(const block::Block& block, std::uint32_t offset);
 // Whether a statement begins at this instruction; in a block without lines every instruction does.
 bool beginsStatement(const block::Block& block, std::uint32_t offset);
+// Whether the instruction is the BE that the compiler adds behind the last statement.
+bool endsBlock(const block::Block& block, std::uint32_t offset);
 // 1, 2 …; 0 if the block has no networks.
 std::uint32_t networkAt(const block::Block& block, std::uint32_t offset);
 

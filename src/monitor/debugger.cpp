@@ -115,7 +115,8 @@ void Debugger::after(cpu::Machine& m, const cpu::Code& code, std::uint32_t offse
 bool Debugger::stepEnds(const cpu::Machine& m, std::uint32_t offset) const {
   if (step_->kind == StepKind::Instruction) return true;
   if (m.levels.size() > step_->levels && !m.levels.back().errorOb) return false;
-  if (!beginsStatement(*m.top->code->source, offset)) return false;
+  const block::Block& block = *m.top->code->source;
+  if (!beginsStatement(block, offset) && !endsBlock(block, offset)) return false;
   if (step_->kind == StepKind::Over) return m.frames.size() <= step_->frames;
   if (step_->kind == StepKind::Out) return m.frames.size() < step_->frames;
   return true;

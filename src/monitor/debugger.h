@@ -20,6 +20,7 @@ struct Breakpoint {
 };
 
 enum class StepKind : std::uint8_t {
+  // The end of a block counts as a statement: what the last one left can be looked at there.
   Into,         // the next statement, also in a block that it calls
   Over,         // the next statement of this block, or of its caller
   Out,          // the next statement after this block has ended

@@ -12,7 +12,7 @@ std::vector<DiagnosticLine> diagnosticList(const station::Station& station) {
     DiagnosticLine line;
     line.number = static_cast<unsigned>(list.size()) + 1;
     line.time = event->time;
-    line.clock = cpu.clock().milliseconds(event->time);
+    line.clock = cpu::fromDateAndTime(event->stamp.data()).value_or(0);
     line.event = event->event;
     line.text = event->text;
     line.help = diagnosticHelp(event->event);

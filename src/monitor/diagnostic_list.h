@@ -14,7 +14,7 @@ namespace merker::monitor {
 struct DiagnosticLine {
   unsigned number = 1;  // 1 = newest
   Instant time;
-  std::int64_t clock = 0;  // ms since 1990-01-01, as the CPU's clock shows it
+  std::int64_t clock = 0;  // ms since 1990-01-01, as the CPU's clock showed it then
   std::uint16_t event = 0;
   std::string text;
   std::string help;  // what the event means and what to do; empty if nothing needs doing

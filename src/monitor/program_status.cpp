@@ -36,7 +36,7 @@ bool ProgramStatus::wanted(const cpu::Machine& m) const {
 void ProgramStatus::arrived(const cpu::Machine& m) {
   while (!open_.empty() && open_.back().frames > m.frames.size()) open_.pop_back();
   if (open_.empty() || open_.back().frames != m.frames.size()) return;
-  record(m, open_.back().offset);  // the block that it called has come back
+  record(m.registers, open_.back().offset);  // the block that it called has come back
   open_.pop_back();
 }
 
@@ -48,20 +48,25 @@ void ProgramStatus::before(const cpu::Machine& m, std::uint32_t offset) {
       if (recording_) row.reached = false, row.passes = 0;
   }
   running_ = m.frames.size();
-  if (recording_) open_.push_back({m.frames.size(), offset});
+  if (recording_) open_.push_back({m.frames.size(), offset, m.registers});
 }
 
+// The BE that the compiler adds belongs to no statement, though the last one reaches up to it.
 void ProgramStatus::after(const cpu::Machine& m, std::uint32_t offset) {
-  if (!open_.empty()) open_.pop_back();
-  if (recording_) record(m, offset);
-  if (m.levelEnded || m.frames.size() < running_ || m.cpu->mode() == cpu::Mode::Stop) running_ = 0;
+  const bool ended = m.levelEnded || m.frames.size() < running_;
+  const bool known = !open_.empty();
+  const cpu::Registers found = known ? open_.back().found : m.registers;
+  if (known) open_.pop_back();
+  if (recording_ && !ended) record(m.registers, offset);
+  if (recording_ && ended && beginsStatement(*block_, offset)) record(found, offset);
+  if (ended || m.cpu->mode() == cpu::Mode::Stop) running_ = 0;
 }
 
-void ProgramStatus::record(const cpu::Machine& m, std::uint32_t offset) {
+void ProgramStatus::record(const cpu::Registers& registers, std::uint32_t offset) {
   StatusRow& row = rows_[statementAt(*block_, offset).begin];
   row.reached = true;
   if (row.statement.begin == offset) ++row.passes;
-  row.after = m.registers;
+  row.after = registers;
 }
 
 }  // namespace merker::monitor

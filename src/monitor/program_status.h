@@ -1,5 +1,6 @@
 // Program status of one block (S7-EDIT-21): the registers after each statement, as the last call of
-// the block left them. Statements that this call did not reach show nothing.
+// the block left them. Statements that this call did not reach show nothing. The end of a block
+// gives its caller registers back (S7-INSTR-108); a statement that ends it shows what it found.
 #pragma once
 
 #include <map>
@@ -44,9 +45,10 @@ class ProgramStatus {
   struct Open {  // an instruction that opened a block and has not come back
     std::size_t frames;
     std::uint32_t offset;
+    cpu::Registers found;
   };
   bool wanted(const cpu::Machine& machine) const;
-  void record(const cpu::Machine& machine, std::uint32_t offset);
+  void record(const cpu::Registers& registers, std::uint32_t offset);
 
   const block::Block* block_;
   CallEnvironment environment_;

@@ -126,6 +126,12 @@ Region Arguments::region(const AnyPointer& where, std::uint32_t bytes, Access ac
   return {.data = block.data + byte, .length = bytes};
 }
 
+Region Arguments::structure(std::size_t i, std::uint32_t bytes) {
+  const AnyPointer where = any(i);
+  if (byteCount(where) < bytes) return {.error = ErrorCode::LengthWrite};
+  return region(where, bytes, Access::Write);
+}
+
 std::optional<std::size_t> Arguments::returnParameter() const {
   const auto& list = function_.parameters;
   for (std::size_t i = 0; i < list.size(); ++i)

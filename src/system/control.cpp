@@ -24,15 +24,15 @@ void waitFor(Arguments& a) {
   a.machine().interrupt();
 }
 
-// EV_CLASS EV_NUM PRIORITY NUM TYP2_3 TYP1 ZI1 ZI2_3: the first twelve bytes of start information.
+// Of the OB that runs, and of the startup before; EV_CLASS EV_NUM PRIORITY NUM TYP2_3 TYP1 ZI1
+// ZI2_3: the first twelve bytes of start information.
 void readStartInformation(Arguments& a) {
-  const std::vector<cpu::Level>& levels = a.machine().levels;
-  const cpu::Level* sources[] = {&levels.back(), &levels.front()};
+  constexpr std::uint32_t kBytes = 12;
+  const cpu::StartInformation* sources[] = {&a.machine().levels.back().start, &a.cpu().lastStart()};
   for (std::size_t i = 0; i < 2; ++i) {
-    const AnyPointer where = a.any(i);
-    const Region target = a.region(where, 12, cpu::Access::Write);
+    const Region target = a.structure(i, kBytes);
     if (!target) return a.parameterError(i, target.error);
-    std::copy_n(sources[i]->start.begin(), 12, target.data);
+    std::copy_n(sources[i]->begin(), kBytes, target.data);
   }
   a.status(0);
 }

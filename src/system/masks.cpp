@@ -7,13 +7,19 @@ namespace {
 
 constexpr std::uint32_t kAlready = 0x0001;  // part of it was masked (unmasked) before
 
+// Bit n of the program filter is event 16#252n, bit 16 + n is 16#253n; of the access filter bit n
+// is 16#294n (S7-DIAG-02). Bits without an event mean nothing.
+constexpr std::uint32_t kProgramErrors = 0xF43F03FE, kAccessErrors = 0x0000000C;
+
 cpu::ErrorMasks& masksOf(Arguments& a) { return a.machine().levels.back().masks; }
+std::uint32_t programBits(Arguments& a) { return a.value(0) & kProgramErrors; }
+std::uint32_t accessBits(Arguments& a) { return a.value(1) & kAccessErrors; }
 
 }  // namespace
 
 void maskErrors(Arguments& a) {
   cpu::ErrorMasks& masks = masksOf(a);
-  const std::uint32_t program = a.value(0), access = a.value(1);
+  const std::uint32_t program = programBits(a), access = accessBits(a);
   const bool already = (masks.programMask & program) != 0 || (masks.accessMask & access) != 0;
   masks.programMask |= program;
   masks.accessMask |= access;
@@ -24,7 +30,7 @@ void maskErrors(Arguments& a) {
 
 void unmaskErrors(Arguments& a) {
   cpu::ErrorMasks& masks = masksOf(a);
-  const std::uint32_t program = a.value(0), access = a.value(1);
+  const std::uint32_t program = programBits(a), access = accessBits(a);
   const bool already = (~masks.programMask & program) != 0 || (~masks.accessMask & access) != 0;
   masks.programMask &= ~program;
   masks.accessMask &= ~access;
@@ -38,7 +44,7 @@ void unmaskErrors(Arguments& a) {
 // What has happened of the errors asked for; it is then forgotten.
 void readErrors(Arguments& a) {
   cpu::ErrorMasks& masks = masksOf(a);
-  const std::uint32_t program = a.value(0), access = a.value(1);
+  const std::uint32_t program = programBits(a), access = accessBits(a);
   const bool unmasked = (~masks.programMask & program) != 0 || (~masks.accessMask & access) != 0;
   a.set(2, masks.programSeen & program);
   a.set(3, masks.accessSeen & access);

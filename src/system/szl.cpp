@@ -88,7 +88,7 @@ void readSystemStatus(Arguments& a) {
   if (!a.flag(REQ)) return a.status(kNoJob);
   const SzlList list = readSzl({a.cpu(), a.modules()}, a.value(SZL_ID), a.value(INDEX));
   if (list.error != 0) return a.status(list.error);
-  const Region header = a.region(a.any(SZL_HEADER), 4, cpu::Access::Write);
+  const Region header = a.structure(SZL_HEADER, 4);
   if (!header) return a.parameterError(SZL_HEADER, header.error);
   const AnyPointer where = a.any(DR);
   const bool data = !list.data.empty();

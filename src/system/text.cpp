@@ -27,4 +27,10 @@ void setText(Arguments& a, std::size_t i, const std::string& text) {
   std::copy_n(text.begin(), length, all.data + 2);
 }
 
+void setWholeText(Arguments& a, std::size_t i, const std::string& text) {
+  const Region head = a.composite(i, 2, cpu::Access::Write);
+  if (head && text.size() > head.data[0]) return a.fail();
+  setText(a, i, text);
+}
+
 }  // namespace merker::system

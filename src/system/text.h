@@ -11,5 +11,7 @@ namespace merker::system {
 std::string getText(Arguments& a, std::size_t i);
 // Cut off where it does not fit; BIE 0 then.
 void setText(Arguments& a, std::size_t i, const std::string& text);
+// Whole or not at all: where it does not fit the STRING stays as it is, BIE 0.
+void setWholeText(Arguments& a, std::size_t i, const std::string& text);
 
 }  // namespace merker::system

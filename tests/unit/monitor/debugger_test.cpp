@@ -22,6 +22,19 @@ TEST(Breakpoint, LeadsToHalt) {
   EXPECT_EQ(plc.read("MW 12", DisplayFormat::Dec), "0");
 }
 
+// S7-STATE-07, S7-DIAG-01: the entry 16#4305 names the place of the HALT.
+TEST(Breakpoint, IsThePlaceOfTheEntry) {
+  Plc plc(kProgram);
+  plc.breakAt("FC 1:12");
+  plc.start();
+  plc.run();
+  const auto entry = plc->diagnostics().front();
+  EXPECT_EQ(entry.event, 0x4305);
+  ASSERT_TRUE(entry.place.has_value());
+  EXPECT_EQ(*entry.place, *plc.debugger().position());
+  EXPECT_EQ(entry.place->line, 12u);
+}
+
 // S7-STATE-07: one stop per pass; the instruction is executed once.
 TEST(Breakpoint, GoesOnAndComesAgain) {
   Plc plc(kProgram);
@@ -81,6 +94,22 @@ TEST(Breakpoint, ChangesNothing) {
   EXPECT_EQ(watched.station().instructions(), plain.station().instructions());
   EXPECT_EQ(watched.read("MW 20"), plain.read("MW 20"));
   EXPECT_EQ(watched.station().now(), plain.station().now());
+}
+
+// S7-EDIT-21, S7-EDIT-22: what the last statement did can be looked at before its block is left.
+TEST(Step, StopsAtTheEndOfABlock) {
+  Plc plc(kProgram);
+  plc.breakAt("FC 1:15");
+  plc.start();
+  EXPECT_EQ(name(plc->write("MW 10", "37")), "good");
+  plc.run();
+  plc.step();
+  const auto place = plc.debugger().position();
+  ASSERT_TRUE(place.has_value());
+  EXPECT_TRUE(endsBlock(plc.program().at(place->block), place->offset));
+  EXPECT_EQ(plc.read("MW 12", DisplayFormat::Dec), "42");
+  plc.step();
+  EXPECT_EQ(plc.where(), "OB 1:24");
 }
 
 // S7-EDIT-22

@@ -24,6 +24,21 @@ TEST(DiagnosticList, LeadsToTheFaultyLine) {
   EXPECT_FALSE(lines.back().place.has_value());
 }
 
+// S7-DIAG-01: an entry keeps the DATE_AND_TIME of its event, also when the clock is set later.
+TEST(DiagnosticList, KeepsTheTimeOfTheEvent) {
+  Plc plc(kProgram);
+  plc.start();
+  plc.station().advanceCycles(2);
+  const auto before = plc->diagnostics();
+  ASSERT_FALSE(before.empty());
+  plc.station().cpu().setClock(1'000'000'000'000);
+  const auto after = plc->diagnostics();
+  ASSERT_EQ(after.size(), before.size());
+  for (std::size_t i = 0; i < after.size(); ++i) EXPECT_EQ(after[i].clock, before[i].clock);
+  plc.station().stop();
+  EXPECT_EQ(plc->diagnostics()[0].clock / 1000, 1'000'000'000);
+}
+
 // S7-DIAG-03: every reason for STOP through a fault has its help.
 TEST(DiagnosticList, HelpsWithEveryReasonForStop) {
   for (const unsigned event :

@@ -117,5 +117,33 @@ TEST(Status, WorksTogetherWithBreakpoints) {
   EXPECT_EQ(plc.debugger().status(), nullptr);
 }
 
+// S7-EDIT-21, S7-INSTR-108: the last statement shows its own result, not what BE makes of it.
+TEST(Status, OfTheLastStatementIsItsOwn) {
+  Plc plc("FUNCTION FC 1 : VOID\nBEGIN\nNETWORK\n L 32767;\n L 1;\n +I;\nEND_FUNCTION\n" +
+          ob1(" UC FC 1;\n U M 0.0;\n = A 0.0;\n"));
+  plc.debugger().showStatus({BlockKind::FC, 1});
+  plc.start();
+  plc.station().advanceCycles(1);
+  EXPECT_EQ(plc.debugger().status()->rows()[2].after.status.word() & 0xFE, 0x74);  // A0 OV OS STA
+  plc.debugger().showStatus({BlockKind::OB, 1});
+  plc.station().advanceCycles(1);
+  EXPECT_FALSE(plc.debugger().status()->rows()[2].after.status.sta);
+}
+
+// S7-EDIT-21: a statement that ends the block shows what it found.
+TEST(Status, OfTheEndOfABlock) {
+  Plc plc("FUNCTION FC 1 : VOID\nBEGIN\nNETWORK\n U M 0.0;\n BEB;\n L 1;\n BEA;\nEND_FUNCTION\n" +
+          ob1(" UC FC 1;\n NOP 0;\n"));
+  plc.debugger().showStatus({BlockKind::FC, 1});
+  plc.start();
+  EXPECT_EQ(name(plc->write("M 0.0", "1")), "good");
+  plc.station().advanceCycles(1);
+  EXPECT_EQ(rlo(*plc.debugger().status()), "11--");
+  EXPECT_EQ(name(plc->write("M 0.0", "0")), "good");
+  plc.station().advanceCycles(1);
+  EXPECT_EQ(rlo(*plc.debugger().status()).size(), 4u);
+  EXPECT_TRUE(plc.debugger().status()->rows()[3].reached);
+}
+
 }  // namespace
 }  // namespace merker::monitor::test

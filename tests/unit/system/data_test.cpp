@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "program.h"
@@ -133,6 +134,20 @@ TEST(StartInfo, NamesTheRunningOb) {
   plc.start();
   plc.run(Duration::milliseconds(110));
   EXPECT_EQ(plc.read("MB 13"), 35u);
+}
+
+// S7-SFC-05: START_UP_SI is the startup before, in OB 1 and in OB 121 alike.
+TEST(StartInfo, KeepsThatOfTheStartup) {
+  constexpr std::string_view kCall =
+      "CALL SFC 6 (RET_VAL := MW 0, TOP_SI := P#M{}.0 BYTE 12, START_UP_SI := P#M{}.0 BYTE 12);";
+  Plc plc(ob(100, " NOP 0;") + ob(121, fmt::format(kCall, 10, 30)) +
+          ob(1, fmt::format(kCall, 50, 70) + "AUF DB 99;"));
+  plc.cycles(1);
+  ASSERT_EQ(plc->mode(), Mode::Run) << plc->stopReason();
+  EXPECT_EQ(plc.read("MB 13"), 121u);
+  EXPECT_EQ(plc.read("MB 53"), 1u);
+  EXPECT_EQ(plc.read("MD 30"), 0x13811B64u);
+  EXPECT_EQ(plc.read("MD 70"), 0x13811B64u);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ constexpr std::string_view kStrings =
     "DATA_BLOCK DB 1\nSTRUCT\n a : STRING [10] := 'ABCDE';\n b : STRING [10] := 'xy';\n r : STRING "
     "[20];\n s : STRING [3];\n"
     " n : STRING [10] := '+123';\n x : STRING [20] := "
-    "'-1.5E+02';\nEND_STRUCT;\nBEGIN\nEND_DATA_BLOCK\n";
+    "'-1.5000000E+02';\nEND_STRUCT;\nBEGIN\nEND_DATA_BLOCK\n";
 constexpr std::uint32_t kResult = 24, kShort = 46;  // bytes of r and s
 
 Plc plcWith(std::string_view body) {
