@@ -1,21 +1,25 @@
 // Commands of `merker debug`: breakpoints and program status.
 #include <fmt/format.h>
 
-#include <charconv>
 #include <ostream>
 
 #include "base/text.h"
+#include "debug_number.h"
 #include "debug_session.h"
 #include "simulator/line.h"
 
 namespace merker::app {
 namespace {
 
-std::optional<unsigned> number(std::string_view text) {
-  unsigned value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (text.empty() || error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return value;
+// The first `count` characters, which take one or more bytes of UTF-8 each.
+std::string_view takeCharacters(std::string_view text, std::size_t count) {
+  std::size_t bytes = 0;
+  const auto continues = [&] { return (static_cast<unsigned char>(text[bytes]) & 0xC0) == 0x80; };
+  for (; count > 0 && bytes < text.size(); --count) {
+    ++bytes;
+    while (bytes < text.size() && continues()) ++bytes;
+  }
+  return text.substr(0, bytes);
 }
 
 // A block's name takes one word ("FC1", a symbol) or two ("FC 1").
@@ -57,6 +61,7 @@ void DebugSession::deletePoint(std::string_view arguments) {
 }
 
 void DebugSession::switchPoint(std::string_view arguments, bool on) {
+  if (equalsIgnoreCase(arguments, "all")) return monitor_.debugger().enableBreakpoints(on);
   const auto which = number(arguments);
   if (!which || !monitor_.debugger().enableBreakpoint(*which, on))
     error(fmt::format("there is no breakpoint '{}'; 'break' lists them", arguments));
@@ -105,13 +110,35 @@ bool DebugSession::showStatusOf(std::string_view rest) {
   return error(makeProblem(ProblemCode::P1207, Position{}, toString(*block))), false;
 }
 
+// The line; where it holds several statements, the part of this one.
+std::string DebugSession::statementText(const std::string& file,
+                                        const std::vector<monitor::StatusRow>& rows,
+                                        std::size_t row) const {
+  const auto same = [&](std::size_t other) {
+    return other < rows.size() && rows[other].statement.line == rows[row].statement.line;
+  };
+  std::string_view line = sourceLine(file, rows[row].statement.line);
+  const std::size_t begin = rows[row].statement.column;
+  if (begin == 0 || (!same(row - 1) && !same(row + 1))) return std::string(line);
+  if (same(row + 1)) line = takeCharacters(line, rows[row + 1].statement.column - 1);
+  const std::string_view before = same(row - 1) ? takeCharacters(line, begin - 1) : "";
+  return std::string(before.size(), ' ') + std::string(line.substr(before.size()));
+}
+
 void DebugSession::printStatus(bool everything) {
   const monitor::ProgramStatus* status = monitor_.debugger().status();
   if (status == nullptr) return error("program status is off; 'status on FC 1' switches it on");
-  out_ << fmt::format("{}, call {}\n", toString(status->block().id), status->calls());
+  const std::string block = toString(status->block().id);
+  if (status->calls() == 0) {
+    out_ << fmt::format("{} has not been called since its program status is on\n", block);
+    return;
+  }
+  out_ << fmt::format("{}, call {}\n", block, status->calls());
   out_ << " line  VKE STA AKKU1   "
        << (everything ? " AKKU2    AR1      AR2      STW  DB    DI  " : "") << " source\n";
-  for (const monitor::StatusRow& row : status->rows()) {
+  const std::vector<monitor::StatusRow> rows = status->rows();
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const monitor::StatusRow& row = rows[i];
     const cpu::Registers& r = row.after;
     std::string text(everything ? 62 : 18, ' ');
     if (row.reached) {
@@ -121,7 +148,7 @@ void DebugSession::printStatus(bool everything) {
                             r.status.word(), r.db.number, r.di.number);
     }
     out_ << fmt::format("{:>5} {}  {}\n", row.statement.line, text,
-                        sourceLine(status->block().file, row.statement.line));
+                        statementText(status->block().file, rows, i));
   }
 }
 

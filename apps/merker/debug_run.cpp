@@ -5,6 +5,7 @@
 
 #include "base/text.h"
 #include "cpu/cpu.h"
+#include "debug_number.h"
 #include "debug_session.h"
 #include "monitor_text.h"
 #include "simulator/duration.h"
@@ -18,27 +19,32 @@ constexpr Duration kLongestRun = Duration::seconds(60);
 
 }  // namespace
 
-// From STOP the program has to be started first.
-bool DebugSession::started() {
+// Nothing goes on from STOP: a restart would clear what somebody may be looking at.
+bool DebugSession::going() {
   if (station_.mode() != station::Mode::Stop) return true;
-  if (station_.warmRestart()) return true;
-  error("the CPU does not start: " + station_.stopReason());
+  error("the CPU is in STOP; `run` or `restart` starts it");
   return false;
 }
 
+std::optional<Duration> DebugSession::longestRun(std::string_view arguments) {
+  if (arguments.empty()) return kLongestRun;
+  const auto time = simulator::parseDuration(arguments);
+  if (!time) error(makeProblem(ProblemCode::P0953, Position{}, std::string(arguments)));
+  return time;
+}
+
+void DebugSession::goOnFor(Duration longest) {
+  report(monitor_.debugger().run(station_.now() + longest, interrupted_));
+}
+
 void DebugSession::run(std::string_view arguments) {
-  if (station_.mode() != station::Mode::Stop) station_.stop();
-  goOn(arguments);
+  const auto longest = longestRun(arguments);
+  if (longest && start(false)) goOnFor(*longest);
 }
 
 void DebugSession::goOn(std::string_view arguments) {
-  Duration longest = kLongestRun;
-  if (!arguments.empty()) {
-    const auto time = simulator::parseDuration(arguments);
-    if (!time) return error(makeProblem(ProblemCode::P0953, Position{}, std::string(arguments)));
-    longest = *time;
-  }
-  if (started()) report(monitor_.debugger().run(station_.now() + longest, interrupted_));
+  const auto longest = longestRun(arguments);
+  if (longest && going()) goOnFor(*longest);
 }
 
 void DebugSession::until(std::string_view arguments) {
@@ -47,19 +53,14 @@ void DebugSession::until(std::string_view arguments) {
   const Instant end = Instant{} + *time;
   if (end <= station_.now())
     return error(fmt::format("it is {} already", simulator::formatTime(station_.now())));
-  if (started()) report(monitor_.debugger().run(end, interrupted_));
+  if (going()) report(monitor_.debugger().run(end, interrupted_));
 }
 
 void DebugSession::cycle(std::string_view arguments) {
-  std::uint64_t count = 1;
-  if (!arguments.empty()) {
-    const std::string text(arguments);
-    char* end = nullptr;
-    count = std::strtoull(text.c_str(), &end, 10);
-    if (*end != 0 || count == 0) return error("'" + text + "' is no number of cycles");
-  }
-  if (!started()) return;
-  const std::uint64_t last = station_.cycles() + count;
+  const auto count = arguments.empty() ? 1 : number(arguments);
+  if (!count || *count == 0) return error(fmt::format("'{}' is no number of cycles", arguments));
+  if (!going()) return;
+  const std::uint64_t last = station_.cycles() + *count;
   const Instant limit = station_.now() + kLongestRun;
   monitor::Pause pause;
   const auto there = [&] { return station_.cycles() >= last || (interrupted_ && interrupted_()); };
@@ -70,7 +71,7 @@ void DebugSession::cycle(std::string_view arguments) {
 }
 
 void DebugSession::stepBy(monitor::StepKind kind) {
-  if (!started()) return;
+  if (!going()) return;
   report(monitor_.debugger().step(kind, station_.now() + kLongestRun, interrupted_));
 }
 
@@ -78,16 +79,23 @@ void DebugSession::restart(std::string_view arguments) {
   const bool cold = equalsIgnoreCase(arguments, "cold");
   if (!cold && !arguments.empty() && !equalsIgnoreCase(arguments, "warm"))
     return error("restart is warm or cold");
-  if (station_.mode() != station::Mode::Stop) station_.stop();
-  if (!(cold ? station_.coldRestart() : station_.warmRestart()))
-    return error(cold && !station_.model().coldRestart
-                     ? std::string(station_.model().name) + " has no cold restart"
-                     : "the CPU does not start: " + station_.stopReason());
-  out_ << monitor::name(station_.mode()) << '\n';
+  if (start(cold)) out_ << monitor::name(station_.mode()) << '\n';
+}
+
+// As a programming device does it (16#4304), not the mode switch.
+void DebugSession::stopCpu() { station_.cpu().stop(cpu::Event::StopByProgrammer); }
+
+bool DebugSession::start(bool cold) {
+  stopCpu();
+  if (cold ? station_.coldRestart() : station_.warmRestart()) return true;
+  error(cold && !station_.model().coldRestart
+            ? std::string(station_.model().name) + " has no cold restart"
+            : "the CPU does not start: " + station_.stopReason());
+  return false;
 }
 
 void DebugSession::stop(std::string_view) {
-  station_.stop();
+  stopCpu();
   out_ << "STOP\n";
 }
 
@@ -108,6 +116,9 @@ void DebugSession::report(const monitor::Pause& pause) {
     listedTo_ = 0;
     if (!stopped)
       out_ << fmt::format("{}, network {}\n", monitor::toString(*place), place->network);
+    const auto block = station_.program().find(place->block);
+    if (block != station_.program().end() && monitor::endsBlock(block->second, place->offset))
+      out_ << fmt::format("at the end of {}, behind\n", toString(place->block));
     printSource(*place, 0);
   }
   const monitor::ProgramStatus* shown = monitor_.debugger().status();

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -49,7 +50,11 @@ class DebugSession {
   void restart(std::string_view arguments);
   void stop(std::string_view);
   void stepBy(monitor::StepKind kind);
-  bool started();
+  bool going();
+  bool start(bool cold);
+  void stopCpu();
+  std::optional<Duration> longestRun(std::string_view arguments);
+  void goOnFor(Duration longest);
   void report(const monitor::Pause& pause);
   // debug_points.cpp
   void breakAt(std::string_view arguments);
@@ -60,6 +65,8 @@ class DebugSession {
   void status(std::string_view arguments);
   bool showStatusOf(std::string_view arguments);
   void printStatus(bool everything);
+  std::string statementText(const std::string& file, const std::vector<monitor::StatusRow>& rows,
+                            std::size_t row) const;
   // debug_show.cpp
   void where(std::string_view);
   void registers(std::string_view);
@@ -81,8 +88,7 @@ class DebugSession {
   void unwatch(std::string_view arguments);
   void printOne(std::string_view text);
   void printWatches();
-  using Setter = std::function<std::optional<Problem>(std::string_view, std::string_view)>;
-  void assign(std::string_view arguments, const Setter& setter);
+  std::optional<std::vector<monitor::Wish>> wishes(std::string_view arguments);
 
   monitor::LocationContext here() const;
 

@@ -5,6 +5,7 @@
 #include <ostream>
 
 #include "cpu/cpu.h"
+#include "debug_number.h"
 #include "debug_session.h"
 #include "monitor/block_list.h"
 #include "monitor/cross_reference.h"
@@ -14,7 +15,7 @@ namespace merker::app {
 namespace {
 
 constexpr std::uint32_t kListed = 5;  // lines before and behind
-constexpr std::size_t kDiagnostics = 10;
+constexpr std::uint32_t kDiagnostics = 10;
 
 }  // namespace
 
@@ -33,11 +34,10 @@ void DebugSession::registers(std::string_view) {
 }
 
 void DebugSession::locals(std::string_view arguments) {
-  const std::string text(arguments);
-  char* end = nullptr;
-  const std::size_t depth = std::strtoull(text.c_str(), &end, 10);
-  if (*end != 0) return error("'" + text + "' is no depth; `where` numbers the blocks from 0");
-  const auto variables = monitor_.variables(depth);
+  const auto depth = arguments.empty() ? 0 : number(arguments);
+  if (!depth)
+    return error(fmt::format("'{}' is no depth; `where` numbers the blocks from 0", arguments));
+  const auto variables = monitor_.variables(*depth);
   if (variables.empty()) out_ << "no declared variables here\n";
   for (const monitor::FrameVariable& one : variables)
     out_ << fmt::format("{:<7} #{:<20} {:<12} {}\n", one.section, one.name, one.type,
@@ -94,11 +94,9 @@ void DebugSession::list(std::string_view arguments) {
 }
 
 void DebugSession::diagnostics(std::string_view arguments) {
-  const std::string text(arguments);
-  char* end = nullptr;
-  const std::size_t count = std::strtoull(text.c_str(), &end, 10);
-  if (*end != 0) return error("'" + text + "' is no number of entries");
-  out_ << diagnosticsText(monitor_.diagnostics(), text.empty() ? kDiagnostics : count);
+  const auto count = arguments.empty() ? kDiagnostics : number(arguments);
+  if (!count) return error(fmt::format("'{}' is no number of entries", arguments));
+  out_ << diagnosticsText(monitor_.diagnostics(), *count);
 }
 
 void DebugSession::information(std::string_view) {
@@ -113,7 +111,7 @@ void DebugSession::blocks(std::string_view) {
 void DebugSession::references(std::string_view arguments) {
   const auto all = monitor::crossReferences(*build_.program, build_.project.symbols,
                                             {.library = build_.library.get()});
-  const auto part = monitor::filtered(all, arguments, build_.resolver());
+  const auto part = monitor::filtered(all, arguments, monitor_.resolver());
   if (!part) return error(part.error());
   if (part->empty()) out_ << "no instruction uses it\n";
   for (const monitor::CrossReference& row : *part)

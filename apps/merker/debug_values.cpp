@@ -4,6 +4,7 @@
 #include <ostream>
 
 #include "base/text.h"
+#include "debug_number.h"
 #include "debug_session.h"
 #include "simulator/line.h"
 
@@ -22,16 +23,7 @@ monitor::DisplayFormat takeFormat(std::string_view& text) {
 
 }  // namespace
 
-// #name: of the running block.
 void DebugSession::printOne(std::string_view text) {
-  if (text.starts_with('#')) {
-    for (const monitor::FrameVariable& one : monitor_.variables(0))
-      if (equalsIgnoreCase(one.name, text.substr(1))) {
-        out_ << fmt::format("{} = {}\n", text, one.value.value_or("-"));
-        return;
-      }
-    return error(fmt::format("the running block has no variable '{}'; 'locals' lists them", text));
-  }
   const monitor::DisplayFormat format = takeFormat(text);
   const auto value = monitor_.read(text, format);
   if (!value) return error(value.error());
@@ -43,22 +35,27 @@ void DebugSession::print(std::string_view arguments) {
   for (const std::string_view part : simulator::splitList(arguments)) printOne(part);
 }
 
-void DebugSession::assign(std::string_view arguments, const Setter& setter) {
+// "MW 10 = 5, ...": what is wrong with one of them stops all.
+std::optional<std::vector<monitor::Wish>> DebugSession::wishes(std::string_view arguments) {
+  std::vector<monitor::Wish> list;
   for (const std::string_view part : simulator::splitList(arguments)) {
     const std::size_t sign =
         simulator::findOutside(part, [](std::string_view rest) { return rest.front() == '='; });
-    if (sign == std::string_view::npos)
-      return error(fmt::format("'{}' is not OPERAND = VALUE", part));
-    if (const auto problem = setter(trim(part.substr(0, sign)), trim(part.substr(sign + 1))))
-      return error(*problem);
+    if (sign == std::string_view::npos) {
+      error(fmt::format("'{}' is not OPERAND = VALUE", part));
+      return std::nullopt;
+    }
+    std::string_view value = trim(part.substr(sign + 1));
+    const monitor::DisplayFormat format = takeFormat(value);
+    list.push_back({trim(part.substr(0, sign)), value, format});
   }
+  return list;
 }
 
 void DebugSession::set(std::string_view arguments) {
-  assign(arguments, [this](std::string_view operand, std::string_view value) {
-    monitor::DisplayFormat format = takeFormat(value);
-    return monitor_.write(operand, value, format);
-  });
+  const auto list = wishes(arguments);
+  if (!list) return;
+  if (const auto problem = monitor_.write(*list)) error(*problem);
 }
 
 void DebugSession::force(std::string_view arguments) {
@@ -69,22 +66,25 @@ void DebugSession::force(std::string_view arguments) {
     if (monitor_.forces().empty()) out_ << "no forces\n";
     return;
   }
-  assign(arguments, [this](std::string_view operand, std::string_view value) {
-    return monitor_.force(operand, value);
-  });
+  const auto list = wishes(arguments);
+  if (!list) return;
+  if (const auto problem = monitor_.force(*list)) error(*problem);
 }
 
 void DebugSession::unforce(std::string_view arguments) {
   if (arguments.empty() || equalsIgnoreCase(arguments, "all")) return monitor_.unforceAll();
-  for (const std::string_view part : simulator::splitList(arguments))
-    if (const auto problem = monitor_.unforce(part)) return error(*problem);
+  if (const auto problem = monitor_.unforce(simulator::splitList(arguments))) error(*problem);
 }
 
 void DebugSession::watch(std::string_view arguments) {
+  const std::size_t before = watches_.rows().size();
   if (!arguments.empty())
     for (std::string_view part : simulator::splitList(arguments)) {
       const monitor::DisplayFormat format = takeFormat(part);
-      if (const auto problem = watches_.add(part, format)) return error(*problem);
+      if (const auto problem = watches_.add(part, format)) {
+        watches_.shorten(before);
+        return error(*problem);
+      }
     }
   if (watches_.rows().empty()) out_ << "nothing is watched; watch MW 10 HEX, A 0.0\n";
   printWatches();
@@ -92,13 +92,12 @@ void DebugSession::watch(std::string_view arguments) {
 
 void DebugSession::unwatch(std::string_view arguments) {
   const bool all = equalsIgnoreCase(arguments, "all");
-  const std::string text(arguments);
-  char* end = nullptr;
-  const std::size_t number = all ? 1 : std::strtoull(text.c_str(), &end, 10);
-  if (!all && (*end != 0 || number == 0 || number > watches_.rows().size()))
-    return error("'" + text + "' is not watched; 'watch' lists what is, with numbers");
-  while (all && !watches_.rows().empty()) watches_.remove(0);
-  if (!all) watches_.remove(number - 1);
+  if (all) return watches_.shorten(0);
+  const auto which = number(arguments);
+  if (!which || *which == 0 || *which > watches_.rows().size())
+    return error(
+        fmt::format("'{}' is not watched; 'watch' lists what is, with numbers", arguments));
+  watches_.remove(*which - 1);
 }
 
 void DebugSession::printWatches() {

@@ -125,7 +125,7 @@ class Cpu {
   // on with it.
   bool runOb1(Duration most);
   void onCheckpoint(std::function<void()> observer) { observer_ = std::move(observer); }
-  // Bits of E, A, M that keep their value (mask and value over areas.image); applied around each
+  // Bits of E and A that keep their value (mask and value over areas.image); applied around each
   // OB 1.
   void force(std::uint32_t imageByte, std::uint8_t mask, std::uint8_t value);
   void unforce() { forces_.clear(); }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace merker::cpu {
 namespace {
 
@@ -41,7 +43,7 @@ std::string memoryName(const SyncError& error) {
   constexpr std::string_view kWidths[] = {"X", "B", "W", "D"};
   if (error.peripheral())
     return fmt::format("P{}{} {}", error.code == ErrorCode::PeripheralRead ? "E" : "A",
-                       kWidths[static_cast<unsigned>(error.width)], error.detail);
+                       kWidths[std::max(1u, static_cast<unsigned>(error.width))], error.detail);
   return fmt::format("{}{} {}", kAreas[static_cast<unsigned>(error.area) & 7],
                      kWidths[static_cast<unsigned>(error.width)], error.detail);
 }

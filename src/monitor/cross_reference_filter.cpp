@@ -80,6 +80,8 @@ Result<std::vector<CrossReference>> filtered(const std::vector<CrossReference>& 
       const auto reference = resolver(part, Position{"", 0, 0, 0});
       if (!reference) return reference.error();
       accept = overlapping(*reference);
+      if (part.starts_with('#') && std::ranges::none_of(list, *accept))
+        return makeProblem(ProblemCode::P1218, Position{"", 0, 0, 0}, std::string(part));
     }
     accepts.push_back(std::move(*accept));
   }

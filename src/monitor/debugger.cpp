@@ -73,6 +73,11 @@ bool Debugger::enableBreakpoint(unsigned number, bool enabled) {
   return found;
 }
 
+void Debugger::enableBreakpoints(bool enabled) {
+  for (Breakpoint& one : breakpoints_) one.enabled = enabled;
+  place();
+}
+
 void Debugger::removeBreakpoints() {
   breakpoints_.clear();
   place();

@@ -44,6 +44,7 @@ class Debugger {
   const Breakpoint& setBreakpoint(const SourcePlace& place);
   bool removeBreakpoint(unsigned number);
   bool enableBreakpoint(unsigned number, bool enabled);
+  void enableBreakpoints(bool enabled);  // all of them
   void removeBreakpoints();
   const std::vector<Breakpoint>& breakpoints() const { return breakpoints_; }
 

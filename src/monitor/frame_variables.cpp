@@ -2,18 +2,24 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <span>
+
 #include "address/constant.h"
+#include "base/bytes.h"
 #include "cpu/memory_access.h"
 #include "monitor/stacks.h"
+#include "simulator/long_value.h"
 
 namespace merker::monitor {
 namespace {
 
-constexpr std::size_t kMostRows = 256;
-
 struct Bytes {
   const std::uint8_t* data = nullptr;
   std::size_t length = 0;
+  // As an operand names them; None: it cannot.
+  Area area = Area::None;
+  std::int32_t db = -1;
 };
 
 // Where a variable lies: bytes and the bit address in them.
@@ -22,17 +28,61 @@ struct Home {
   BitAddress address = 0;
 };
 
-std::optional<std::uint32_t> read(const Home& home, unsigned bits) {
+constexpr std::uint32_t kStringHeader = 2;  // S7-TYPES-19
+
+// The bytes of a variable; empty if they are not there.
+std::span<const std::uint8_t> bytesAt(const Home& home, std::size_t count) {
   const std::size_t byte = home.address / 8;
-  if (home.bytes.data == nullptr || bits == 0 || bits > 32) return std::nullopt;
-  if (byte + (bits + 7) / 8 > home.bytes.length) return std::nullopt;
-  if (bits == 1) return home.bytes.data[byte] >> (home.address & 7) & 1;
-  const Width width = bits == 32 ? Width::DWord : bits == 16 ? Width::Word : Width::Byte;
-  return cpu::loadBytes(home.bytes.data + byte, width);
+  if (home.bytes.data == nullptr || byte + count > home.bytes.length) return {};
+  return {home.bytes.data + byte, count};
 }
 
-Bytes of(const cpu::OpenBlock& open) { return {open.data, open.length}; }
-Bytes localOf(const cpu::Frame& frame) { return {frame.local, frame.localLength}; }
+Width widthOf(unsigned bits) {
+  return bits == 1 ? Width::Bit : bits == 8 ? Width::Byte : bits == 16 ? Width::Word : Width::DWord;
+}
+
+bool isLong(TypeCode code) { return code == TypeCode::String || code == TypeCode::DateAndTime; }
+
+// A STRING that was handed over may be shorter than the parameter is declared.
+std::uint32_t sizeAt(const Home& home, const block::Type& type) {
+  const std::uint32_t declared = block::sizeInBytes(type);
+  const auto header = bytesAt(home, kStringHeader);
+  if (type.code != TypeCode::String || header.empty()) return declared;
+  return std::min<std::uint32_t>(declared, header[0] + kStringHeader);
+}
+
+std::optional<std::string> valueAt(const Home& home, const block::Type& type) {
+  const auto bytes = bytesAt(home, sizeAt(home, type));
+  if (bytes.empty()) return std::nullopt;
+  if (type.code == TypeCode::Bool)
+    return formatValue(type.code, bytes[0] >> (home.address & 7) & 1u);
+  if (isElementary(type.code))
+    return formatValue(type.code, cpu::loadBytes(bytes.data(), widthOf(bitWidth(type.code))));
+  if (!isLong(type.code)) return std::nullopt;
+  const bool string = type.code == TypeCode::String;
+  const std::string all(bytes.begin(), bytes.end());
+  return simulator::formatLong(type.code, string ? all.substr(kStringHeader, bytes[1]) : all);
+}
+
+std::optional<mc7::Reference> operandAt(const Home& home, const block::Type& type,
+                                        const std::string& name) {
+  const bool wide = isLong(type.code);
+  if (home.bytes.area == Area::None || (!wide && !isElementary(type.code))) return std::nullopt;
+  const Width width = wide ? Width::Byte : widthOf(bitWidth(type.code));
+  return mc7::Reference{.text = "#" + name,
+                        .operand = mc7::memory(home.bytes.area, width, home.address),
+                        .db = home.bytes.db,
+                        .type = type.code,
+                        .bytes = wide ? sizeAt(home, type) : 0};
+}
+
+Bytes of(const cpu::OpenBlock& open) {
+  return {open.data, open.length, open.number == 0 ? Area::None : Area::DataBlock, open.number};
+}
+// `area`: L of the running block, V of its caller; None for all others.
+Bytes localOf(const cpu::Frame& frame, Area area) {
+  return {frame.local, frame.localLength, area, -1};
+}
 
 std::string sectionName(block::Section section) {
   constexpr std::string_view kNames[] = {"", "IN", "OUT", "IN_OUT", "STAT", "TEMP", "RETURN"};
@@ -41,19 +91,24 @@ std::string sectionName(block::Section section) {
 
 class Reader {
  public:
-  Reader(const cpu::Machine& m, std::size_t frame)
-      : m_(m), index_(frame), frame_(m.frames[frame]), open_(openBlocks(m, frame)) {}
+  Reader(const cpu::Machine& m, std::size_t frame, std::size_t most)
+      : m_(m),
+        most_(most),
+        index_(frame),
+        running_(frame + 1 == m.frames.size()),
+        frame_(m.frames[frame]),
+        open_(openBlocks(m, frame)) {}
 
   std::vector<FrameVariable> all() {
     const block::Block& block = *frame_.code->source;
     const bool function = block.id.kind == BlockKind::FC;
     const std::vector<const block::Variable*> list = block::parameters(block);
-    for (std::size_t i = 0; function && i < list.size(); ++i) add(*list[i], parameter(i));
+    for (std::size_t i = 0; function && i < list.size(); ++i) addParameter(*list[i], parameter(i));
     for (const block::Variable& variable : block.variables) {
       if (variable.section == block::Section::Temp)
-        add(variable, {localOf(frame_), variable.address});
+        add(variable, {localOf(frame_, running_ ? Area::Local : Area::None), variable.address});
       else if (!function)
-        add(variable, {of(open_.di), pointerAddress(open_.ar2) + variable.address});
+        addInstance(variable, {of(open_.di), pointerAddress(open_.ar2) + variable.address});
     }
     return std::move(rows_);
   }
@@ -70,36 +125,59 @@ class Reader {
       case Area::Input:
       case Area::Output:
       case Area::Flag:
-        return {m_.image + m_.areas.base(area), m_.areas.length(area)};
+        return {m_.image + m_.areas.base(area), m_.areas.length(area), area, -1};
       case Area::DataBlock:
         return of(open_.db);
       case Area::Instance:
         return of(open_.di);
       case Area::CallerLocal:
-        return frame_.first || index_ < 2 ? Bytes{} : localOf(m_.frames[index_ - 1]);
+        if (frame_.first || index_ < 2) return {};
+        return localOf(m_.frames[index_ - 1], running_ ? Area::CallerLocal : Area::None);
       default:
         return {};
     }
   }
 
+  // What a POINTER names: number of a data block and area pointer (S7-IND-11).
+  Home target(const Home& pointer) const {
+    constexpr std::size_t kPointer = 6;
+    const auto bytes = bytesAt(pointer, kPointer);
+    if (bytes.empty()) return {};
+    const std::uint32_t db = loadWord(bytes.data()), where = loadDWord(&bytes[2]);
+    if (db == 0) return {bytesOf(pointerArea(where)), pointerAddress(where)};
+    const std::vector<cpu::DataBlock>& blocks = m_.dataBlocks.all();
+    if (db >= blocks.size() || !blocks[db].loaded) return {};
+    const std::vector<std::uint8_t>& data = blocks[db].data;
+    return {{data.data(), data.size(), Area::DataBlock, static_cast<std::int32_t>(db)},
+            pointerAddress(where)};
+  }
+
+  // Parameters that are handed over as a number or an ANY have no value here.
+  void addParameter(const block::Variable& variable, Home home) {
+    if (!variable.type) return;
+    const TypeCode code = variable.type->code;
+    const bool number =
+        isParameterNumber(code) || code == TypeCode::Any || code == TypeCode::Pointer;
+    add(variable, number ? Home{} : isElementary(code) ? home : target(home));
+  }
+  void addInstance(const block::Variable& variable, Home home) {
+    add(variable, block::isStoredAsPointer(variable) ? target(home) : home);
+  }
   void add(const block::Variable& variable, Home home) {
     if (variable.type) addType(variable.name, sectionName(variable.section), *variable.type, home);
   }
   void addType(const std::string& name, const std::string& section, const block::Type& type,
                Home home) {
-    if (rows_.size() >= kMostRows) return;
+    if (rows_.size() >= most_) return;
     if (type.code == TypeCode::Array) return addArray(name, section, type, home);
-    if (type.code == TypeCode::Struct) return addMembers(name, section, type, home);
-    FrameVariable row{name, section, block::toString(type), std::nullopt};
-    if (isElementary(type.code))
-      if (const auto bits = read(home, bitWidth(type.code)))
-        row.value = formatValue(type.code, *bits);
-    rows_.push_back(std::move(row));
+    if (!type.members.empty()) return addMembers(name, section, type, home);
+    rows_.push_back(
+        {name, section, block::toString(type), valueAt(home, type), operandAt(home, type, name)});
   }
   void addArray(const std::string& name, const std::string& section, const block::Type& type,
                 Home home) {
     const std::vector<BitAddress> places = block::elementOffsets(type);
-    for (std::size_t i = 0; i < places.size() && rows_.size() < kMostRows; ++i)
+    for (std::size_t i = 0; i < places.size() && rows_.size() < most_; ++i)
       addType(name + indexText(type, i), section, *type.element,
               {home.bytes, home.address + places[i]});
   }
@@ -122,7 +200,8 @@ class Reader {
   }
 
   const cpu::Machine& m_;
-  std::size_t index_;
+  std::size_t most_, index_;
+  bool running_;
   const cpu::Frame& frame_;
   OpenBlocks open_;
   std::vector<FrameVariable> rows_;
@@ -130,10 +209,11 @@ class Reader {
 
 }  // namespace
 
-std::vector<FrameVariable> frameVariables(const cpu::Cpu& cpu, std::size_t depth) {
+std::vector<FrameVariable> frameVariables(const cpu::Cpu& cpu, std::size_t depth,
+                                          std::size_t most) {
   const cpu::Machine& m = cpu.machine();
   if (depth + 1 >= m.frames.size()) return {};
-  return Reader(m, m.frames.size() - 1 - depth).all();
+  return Reader(m, m.frames.size() - 1 - depth, most).all();
 }
 
 }  // namespace merker::monitor

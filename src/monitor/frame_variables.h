@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cpu/cpu.h"
+#include "mc7/reference.h"
 
 namespace merker::monitor {
 
@@ -14,11 +15,16 @@ struct FrameVariable {
   std::string name;     // "pause", "list[2]", "motor.on"
   std::string section;  // IN, OUT, IN_OUT, RETURN, STAT, TEMP
   std::string type;
-  std::optional<std::string> value;  // nothing: not elementary, or its place cannot be reached
+  // Nothing: a parameter that is no value (ANY, BLOCK_FC …), or its place cannot be reached.
+  std::optional<std::string> value;
+  // The same from outside, named "#pause", as long as the block stands; local data only of the
+  // running block.
+  std::optional<mc7::Reference> operand;
 };
 
 // Of the block `depth` steps below the running one (0 = the running block); composite variables
-// element by element, at most 256 rows. Empty if no such block runs.
-std::vector<FrameVariable> frameVariables(const cpu::Cpu& cpu, std::size_t depth);
+// and instances element by element, at most `most` rows. Empty if no such block runs.
+std::vector<FrameVariable> frameVariables(const cpu::Cpu& cpu, std::size_t depth,
+                                          std::size_t most = 256);
 
 }  // namespace merker::monitor

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/text.h"
+#include "mc7/disassembly.h"
 
 namespace merker::monitor {
 namespace {
@@ -81,6 +82,14 @@ Result<SourcePlace> network(const block::Block& block, std::uint32_t wanted) {
   return sourcePlace(block, statementAt(block, block.networks[wanted - 1].offset).begin);
 }
 
+// A byte inside an instruction, or in the list behind a call, stands for the instruction.
+std::uint32_t instructionAt(const block::Block& block, std::uint32_t byte) {
+  std::uint32_t at = 0;
+  for (const mc7::Line& line : mc7::disassemble(block.code, Mnemonics::German))
+    if (line.kind == mc7::LineKind::Instruction && line.offset <= byte) at = line.offset;
+  return at;
+}
+
 // "network 2", "nw 2", "byte 6" behind a block.
 Result<SourcePlace> inside(const block::Block& block, std::string_view rest) {
   if (rest.empty()) {
@@ -93,7 +102,7 @@ Result<SourcePlace> inside(const block::Block& block, std::string_view rest) {
   if (value && (equalsIgnoreCase(word, "network") || equalsIgnoreCase(word, "nw")))
     return network(block, *value);
   if (value && equalsIgnoreCase(word, "byte") && *value < block.code.size())
-    return sourcePlace(block, *value);
+    return sourcePlace(block, instructionAt(block, *value));
   return makeProblem(ProblemCode::P1201, nowhere(), std::string(rest));
 }
 

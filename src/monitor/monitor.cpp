@@ -1,5 +1,8 @@
 #include "monitor/monitor.h"
 
+#include <algorithm>
+
+#include "base/text.h"
 #include "cpu/cpu.h"
 
 namespace merker::monitor {
@@ -11,11 +14,33 @@ bool samePlace(const mc7::Reference& a, const mc7::Reference& b) {
   return a.operand == b.operand && a.db == b.db;
 }
 
+std::uint32_t bitsOf(const mc7::Reference& reference) {
+  return reference.bytes > 0 ? 8 * reference.bytes : simulator::bitWidth(reference);
+}
+
+// S7-300: E and A of the process image.
+bool canForce(const mc7::Reference& reference) {
+  const mc7::Operand& operand = reference.operand;
+  return operand.kind == mc7::OperandKind::Memory &&
+         (operand.area == Area::Input || operand.area == Area::Output);
+}
+
+bool overlap(const mc7::Reference& a, const mc7::Reference& b) {
+  return a.operand.kind == b.operand.kind && a.operand.area == b.operand.area && a.db == b.db &&
+         a.operand.value < b.operand.value + bitsOf(b) &&
+         b.operand.value < a.operand.value + bitsOf(a);
+}
+
 }  // namespace
 
 Monitor::Monitor(station::Station& station, const source::SymbolTable& symbols,
                  simulator::Resolver resolver)
-    : station_(station), symbols_(symbols), resolver_(std::move(resolver)), debugger_(station) {
+    : station_(station),
+      symbols_(symbols),
+      resolver_([this, global = std::move(resolver)](std::string_view text, const Position& at) {
+        return text.starts_with('#') ? local(text, at) : global(text, at);
+      }),
+      debugger_(station) {
   station_.cpu().onCyclePoint([this](cpu::CyclePoint point) {
     for (VariableTable& table : tables_) table.reached(point);
   });
@@ -34,48 +59,84 @@ Result<mc7::Reference> Monitor::operand(std::string_view text) const {
   return reference;
 }
 
+Result<mc7::Reference> Monitor::local(std::string_view text, const Position& at) const {
+  for (const FrameVariable& one : frameVariables(station_.cpu(), 0, SIZE_MAX))
+    if (one.operand && equalsIgnoreCase(one.operand->text, text)) return *one.operand;
+  return makeProblem(ProblemCode::P1216, at, std::string(text));
+}
+
 Result<std::string> Monitor::read(std::string_view text, DisplayFormat format) const {
   const auto reference = operand(text);
   if (!reference) return reference.error();
-  const unsigned bits = simulator::bitWidth(*reference);
-  if (!fits(format, bits))
-    return makeProblem(ProblemCode::P1209, nowhere(), std::string(text), name(format),
-                       bitsText(format));
-  const auto value = station_.read(*reference);
+  if (auto problem = checkFormat(*reference, format)) return *problem;
+  const auto value = monitor::read(station_, *reference);
   if (!value) return makeProblem(ProblemCode::P1213, nowhere(), std::string(text));
   return show(*reference, *value, format);
 }
 
-std::optional<Problem> Monitor::write(std::string_view text, std::string_view value,
-                                      DisplayFormat format) {
-  const auto reference = operand(text);
-  if (!reference) return reference.error();
-  const auto bits = parseValue(*reference, value, format);
-  if (!bits) return bits.error();
-  if (station_.write(*reference, *bits)) return std::nullopt;
-  return makeProblem(ProblemCode::P1212, nowhere(), std::string(text));
+// A forced output stays as it is; a forced input can be set at its terminal, where it waits.
+bool Monitor::isForced(const mc7::Reference& reference) const {
+  return reference.operand.area == Area::Output &&
+         std::ranges::any_of(forces_,
+                             [&](const Forced& one) { return overlap(one.operand, reference); });
 }
 
-std::optional<Problem> Monitor::force(std::string_view text, std::string_view value) {
-  const auto reference = operand(text);
-  if (!reference) return reference.error();
-  const auto bits = parseValue(*reference, value, DisplayFormat::Automatic);
-  if (!bits) return bits.error();
-  if (!station_.force(*reference, *bits))
-    return makeProblem(ProblemCode::P1211, nowhere(), std::string(text));
-  std::erase_if(forces_, [&](const Forced& one) { return samePlace(one.operand, *reference); });
-  forces_.push_back({*reference, *bits});
+std::optional<Problem> Monitor::write(const std::vector<Wish>& wishes) {
+  std::vector<std::pair<mc7::Reference, Value>> good;
+  for (const Wish& wish : wishes) {
+    auto reference = operand(wish.operand);
+    if (!reference) return reference.error();
+    auto value = parse(*reference, wish.value, wish.format);
+    if (!value) return value.error();
+    if (isForced(*reference))
+      return makeProblem(ProblemCode::P1217, nowhere(), std::string(wish.operand));
+    if (!canWrite(station_, *reference))
+      return makeProblem(ProblemCode::P1212, nowhere(), std::string(wish.operand));
+    good.emplace_back(std::move(*reference), std::move(value.value()));
+  }
+  for (const auto& [reference, value] : good)
+    if (!monitor::write(station_, reference, value))
+      return makeProblem(ProblemCode::P1212, nowhere(), reference.text);
   return std::nullopt;
 }
 
-std::optional<Problem> Monitor::unforce(std::string_view text) {
-  const auto reference = operand(text);
-  if (!reference) return reference.error();
-  const auto removed =
-      std::erase_if(forces_, [&](const Forced& one) { return samePlace(one.operand, *reference); });
-  if (removed == 0) return makeProblem(ProblemCode::P1214, nowhere(), std::string(text));
-  station_.unforce();  // what overlaps it stays
+// What overlaps something that went away stays.
+void Monitor::forceAgain() {
+  station_.unforce();
   for (const Forced& one : forces_) station_.force(one.operand, one.value);
+}
+
+std::optional<Problem> Monitor::force(const std::vector<Wish>& wishes) {
+  std::vector<Forced> good;
+  for (const Wish& wish : wishes) {
+    auto reference = operand(wish.operand);
+    if (!reference) return reference.error();
+    const auto value = parse(*reference, wish.value, wish.format);
+    if (!canForce(*reference) || !station_.read(*reference))
+      return makeProblem(ProblemCode::P1211, nowhere(), std::string(wish.operand));
+    if (!value) return value.error();
+    good.push_back({std::move(*reference), value->bits});
+  }
+  for (Forced& one : good) {
+    if (!station_.force(one.operand, one.value))
+      return makeProblem(ProblemCode::P1211, nowhere(), one.operand.text);
+    std::erase_if(forces_, [&](const Forced& old) { return samePlace(old.operand, one.operand); });
+    forces_.push_back(std::move(one));
+  }
+  return std::nullopt;
+}
+
+std::optional<Problem> Monitor::unforce(const std::vector<std::string_view>& operands) {
+  std::vector<Forced> left = forces_;
+  for (const std::string_view text : operands) {
+    const auto reference = operand(text);
+    if (!reference) return reference.error();
+    const auto removed =
+        std::erase_if(left, [&](const Forced& one) { return samePlace(one.operand, *reference); });
+    if (removed == 0) return makeProblem(ProblemCode::P1214, nowhere(), std::string(text));
+  }
+  forces_ = std::move(left);
+  forceAgain();
   return std::nullopt;
 }
 

@@ -24,6 +24,12 @@ struct Forced {
   std::uint32_t value = 0;
 };
 
+// What somebody wants an operand to be: "MW 10", "00FF", HEX.
+struct Wish {
+  std::string_view operand, value;
+  DisplayFormat format = DisplayFormat::Automatic;
+};
+
 class Monitor {
  public:
   // Station, symbols and whatever the resolver stands on outlive the monitor; the station stays
@@ -38,14 +44,23 @@ class Monitor {
   Debugger& debugger() { return debugger_; }
   LocationContext locations(std::string currentFile) const;
 
-  // values, by text (S7-SIM-12)
+  // values, by text (S7-SIM-12); #name is a variable of the block that runs or stands
   Result<mc7::Reference> operand(std::string_view text) const;
+  const simulator::Resolver& resolver() const { return resolver_; }
   Result<std::string> read(std::string_view operand, DisplayFormat format) const;
   std::optional<Problem> write(std::string_view operand, std::string_view value,
-                               DisplayFormat format = DisplayFormat::Automatic);
+                               DisplayFormat format = DisplayFormat::Automatic) {
+    return write({{operand, value, format}});
+  }
+  // All of them, or none if one cannot be carried out.
+  std::optional<Problem> write(const std::vector<Wish>& wishes);
   // forces, until they are taken away; the same operand again replaces its value
-  std::optional<Problem> force(std::string_view operand, std::string_view value);
-  std::optional<Problem> unforce(std::string_view operand);
+  std::optional<Problem> force(std::string_view operand, std::string_view value) {
+    return force({{operand, value}});
+  }
+  std::optional<Problem> force(const std::vector<Wish>& wishes);
+  std::optional<Problem> unforce(std::string_view operand) { return unforce(std::vector{operand}); }
+  std::optional<Problem> unforce(const std::vector<std::string_view>& operands);
   void unforceAll();
   const std::vector<Forced>& forces() const { return forces_; }
   // The table stays with the monitor.
@@ -59,6 +74,10 @@ class Monitor {
   std::vector<FrameVariable> variables(std::size_t depth) const;
 
  private:
+  Result<mc7::Reference> local(std::string_view text, const Position& at) const;
+  bool isForced(const mc7::Reference& reference) const;
+  void forceAgain();
+
   station::Station& station_;
   const source::SymbolTable& symbols_;
   simulator::Resolver resolver_;

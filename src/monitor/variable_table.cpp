@@ -18,9 +18,10 @@ void modifyInCycle(station::Station& station, const VariableRow& row) {
   const mc7::Operand& operand = row.operand.operand;
   const bool input = operand.kind == mc7::OperandKind::Memory && operand.area == Area::Input;
   if (input)
-    cpu::write(station.cpu().machine(), Area::Input, operand.width, operand.value, *row.modify);
+    cpu::write(station.cpu().machine(), Area::Input, operand.width, operand.value,
+               row.modify->bits);
   else
-    station.write(row.operand, *row.modify);
+    write(station, row.operand, *row.modify);
 }
 
 }  // namespace
@@ -37,22 +38,17 @@ std::optional<Problem> VariableTable::add(std::string_view operand, DisplayForma
 }
 
 std::optional<Problem> VariableTable::setFormat(std::size_t row, DisplayFormat format) {
-  const unsigned bits = simulator::bitWidth(rows_[row].operand);
-  const bool status =
-      format == DisplayFormat::Bool && rows_[row].operand.operand.kind != mc7::OperandKind::Memory;
-  if (!fits(format, bits) && !status)
-    return makeProblem(ProblemCode::P1209, nowhere(), rows_[row].operand.text, name(format),
-                       bitsText(format));
-  rows_[row].format = format;
-  return std::nullopt;
+  auto problem = checkFormat(rows_[row].operand, format);
+  if (!problem) rows_[row].format = format;
+  return problem;
 }
 
 std::optional<Problem> VariableTable::setModify(std::size_t row, std::string_view value) {
   rows_[row].modify.reset();
   if (value.empty()) return std::nullopt;
-  const auto bits = parseValue(rows_[row].operand, value, rows_[row].format);
-  if (!bits) return bits.error();
-  rows_[row].modify = *bits;
+  auto parsed = parse(rows_[row].operand, value, rows_[row].format);
+  if (!parsed) return parsed.error();
+  rows_[row].modify = std::move(parsed.value());
   return std::nullopt;
 }
 
@@ -62,12 +58,16 @@ std::string VariableTable::text(std::size_t row) const {
 }
 
 void VariableTable::monitorNow() {
-  for (VariableRow& row : rows_) row.status = station_.read(row.operand);
+  for (VariableRow& row : rows_) {
+    const bool local = row.operand.text.starts_with('#');
+    const auto now = local ? resolver_(row.operand.text, nowhere()) : row.operand;
+    row.status = now ? read(station_, *now) : std::nullopt;
+  }
 }
 
 void VariableTable::modifyNow() {
   for (const VariableRow& row : rows_)
-    if (row.modify) station_.write(row.operand, *row.modify);
+    if (row.modify) write(station_, row.operand, *row.modify);
 }
 
 void VariableTable::reached(cpu::CyclePoint point) {

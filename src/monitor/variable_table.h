@@ -7,17 +7,16 @@
 #include <vector>
 
 #include "cpu/cpu.h"
-#include "monitor/display_format.h"
+#include "monitor/value.h"
 #include "simulator/term.h"
-#include "station/station.h"
 
 namespace merker::monitor {
 
 struct VariableRow {
   mc7::Reference operand;
   DisplayFormat format = DisplayFormat::Automatic;
-  std::optional<std::uint32_t> status;  // as the monitor trigger saw it last
-  std::optional<std::uint32_t> modify;  // what the modify trigger writes
+  std::optional<Value> status;  // as the monitor trigger saw it last
+  std::optional<Value> modify;  // what the modify trigger writes
 };
 
 struct Trigger {
@@ -30,13 +29,18 @@ class VariableTable {
   VariableTable(station::Station& station, simulator::Resolver resolver)
       : station_(station), resolver_(std::move(resolver)) {}
 
-  // The problem if there is no such operand or the format does not fit it.
+  // The problem if there is no such operand or the format does not fit it. A variable of a block
+  // (#name) is that of the block which runs when it is looked at.
   std::optional<Problem> add(std::string_view operand,
                              DisplayFormat format = DisplayFormat::Automatic);
   std::optional<Problem> setFormat(std::size_t row, DisplayFormat format);
   // An empty text takes the modify value away.
   std::optional<Problem> setModify(std::size_t row, std::string_view value);
   void remove(std::size_t row) { rows_.erase(rows_.begin() + static_cast<std::ptrdiff_t>(row)); }
+  // Rows from this one on.
+  void shorten(std::size_t rows) {
+    rows_.erase(rows_.begin() + static_cast<std::ptrdiff_t>(rows), rows_.end());
+  }
   const std::vector<VariableRow>& rows() const { return rows_; }
   // The status in the row's format; "?" before the first look or if the operand does not exist.
   std::string text(std::size_t row) const;

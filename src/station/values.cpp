@@ -40,6 +40,11 @@ Bytes periphery(Machine& m, const mc7::Reference& reference) {
   return all(reference.outputSide ? areas.outputs : areas.inputs);
 }
 
+Bytes localOf(const cpu::Frame* frame) {
+  return frame == nullptr ? Bytes{} : Bytes{frame->local, frame->localLength};
+}
+
+// L: of the block that runs, or stands in HALT; V: of the one that called it.
 Bytes bytesOf(Machine& m, const mc7::Reference& reference, bool write) {
   switch (reference.operand.area) {
     case Area::Input:
@@ -54,6 +59,10 @@ Bytes bytesOf(Machine& m, const mc7::Reference& reference, bool write) {
           reference.db < 0 ? nullptr : m.dataBlocks.find(static_cast<std::uint32_t>(reference.db));
       return block == nullptr ? Bytes{} : all(block->data);
     }
+    case Area::Local:
+      return localOf(m.top);
+    case Area::CallerLocal:
+      return localOf(m.caller());
     default:
       return {};
   }
@@ -170,7 +179,8 @@ std::span<std::uint8_t> bytesAt(cpu::Cpu& cpu, const mc7::Reference& reference) 
 bool forceValue(cpu::Cpu& cpu, const mc7::Reference& reference, std::uint32_t value) {
   Machine& m = cpu.machine();
   const Operand& operand = reference.operand;
-  if (operand.kind != OperandKind::Memory) return false;
+  const bool image = operand.area == Area::Input || operand.area == Area::Output;
+  if (operand.kind != OperandKind::Memory || !image) return false;
   std::uint8_t* bytes = place(imageOf(m, operand.area), operand);
   if (bytes == nullptr || m.areas.length(operand.area) == 0) return false;
   std::uint8_t values[4] = {};

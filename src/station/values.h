@@ -19,7 +19,7 @@ std::span<std::uint8_t> bytesAt(cpu::Cpu& cpu, const mc7::Reference& reference);
 // Inputs: what the module delivers. Everything else at once.
 bool writeValue(cpu::Cpu& cpu, Periphery* periphery, const mc7::Reference& reference,
                 std::uint32_t value);
-// E, A and M only.
+// E and A only, as an S7-300 does: they are held around the program, not at each access.
 bool forceValue(cpu::Cpu& cpu, const mc7::Reference& reference, std::uint32_t value);
 
 }  // namespace merker::station

@@ -29,6 +29,44 @@ END_ORGANIZATION_BLOCK
 """
 
 
+# DB 1 holds a STRING and a DT; FB 1 a multiple instance; FC 2 takes both by reference.
+DATA = """DATA_BLOCK DB 1
+STRUCT
+  s : STRING [5] := 'abc';
+  d : DT := DT#1999-01-02-03:04:05.678;
+END_STRUCT
+BEGIN
+END_DATA_BLOCK
+FUNCTION_BLOCK FB 1
+VAR_INPUT q : BOOL; END_VAR
+VAR
+  t1 : SFB 4;
+  n : STRING [4] := 'xy';
+END_VAR
+VAR_TEMP x : INT; END_VAR
+BEGIN
+NETWORK
+      L     #x
+      CALL  #t1 (IN := #q, PT := T#5S)
+END_FUNCTION_BLOCK
+FUNCTION FC 2 : VOID
+VAR_INPUT d : DT; b : STRING; k : INT; END_VAR
+BEGIN
+NETWORK
+      L     #k
+END_FUNCTION
+DATA_BLOCK DB 10 FB 1
+BEGIN
+END_DATA_BLOCK
+ORGANIZATION_BLOCK OB 1
+BEGIN
+NETWORK
+      CALL  FB 1, DB 10 (q := M 0.0)
+      CALL  FC 2 (d := DB1.d, b := DB1.s, k := MW 20)
+END_ORGANIZATION_BLOCK
+"""
+
+
 class Debug(Case):
     def setUp(self):
         super().setUp()
@@ -58,20 +96,20 @@ class Debug(Case):
 
     def test_program_status(self):
         """S7-EDIT-21"""
-        out = self.debug("set MW 10 = 5", "status on FC 1", "c 100ms", "status", "status all", "status off")
+        out = self.debug("set MW 10 = 5", "status on FC 1", "run 100ms", "status", "status all", "status off")
         self.assertRegex(out, r"\n +7 +\d +\d +0000000C +\+I")
         self.assertIn("AR1", out)
         self.assertIn("error: program status is off", self.debug("status", code=PROBLEMS))
 
     def test_cycle_and_until(self):
         """S7-SIM-13"""
-        out = self.debug("cycle 3", "info", "until 2s")
+        out = self.debug("restart", "cycle 3", "info", "until 2s")
         self.assertIn("cycles 3 ", out)
         self.assertRegex(out, r"RUN, 2\.\d+ s")
 
     def test_values(self):
         """S7-SIM-12"""
-        out = self.debug("set MW 10 = 00FF HEX, E 1.0 = 1", "print MW 10, MW 10 DEC, MW 10 BIN", "watch MW 12 DEC", "cycle 2",
+        out = self.debug("set MW 10 = 00FF HEX, E 1.0 = 1", "print MW 10, MW 10 DEC, MW 10 BIN", "watch MW 12 DEC", "restart", "set E 1.0 = 1", "cycle 2",
                          "force E 1.1 = 1", "force", "cycle 2", "p E 1.1, E 1.0", "unforce", "force")
         self.assertIn("MW 10 = W#16#00FF\nMW 10 = 255\nMW 10 = 2#0000_0000_1111_1111\n", out)
         self.assertIn("1: MW 12 = 262", out)
@@ -87,10 +125,85 @@ class Debug(Case):
         self.assertRegex(out, r"1  \d{4}-\d\d-\d\d .* 16#4562")
         self.assertRegex(out, r"2  \d{4}-\d\d-\d\d .* 16#253A")
 
+    def test_strings_and_dates(self):
+        """S7-SIM-12, S7-TYPES-18, S7-TYPES-19"""
+        self.write("a.awl", DATA)
+        out = self.debug("set DB1.s = 'xyz', DB1.d = DT#2001-02-03-04:05:06.700", "print DB1.s, DB1.d, DB1.DBB 0", "watch DB1.s")
+        self.assertIn("DB1.s = 'xyz'\nDB1.d = DT#2001-02-03-04:05:06.700\nDB1.DBB 0 = B#16#05\n", out)
+        self.assertIn("1: DB1.s = 'xyz'", out)
+        for wrong, number in (("set DB1.s = 'toolong'", "P0961"), ("set DB1.s = 5", "P0960"), ("print DB1.d HEX", "P1209")):
+            self.assertIn(number, self.debug(wrong, code=PROBLEMS))
+
+    def test_variables_of_the_running_block(self):
+        """S7-SIM-12, S7-PAR-10"""
+        self.write("a.awl", DATA)
+        out = self.debug("break FB 1", "run", "locals", "set #x = 12, #n = 'hi', #q = 1", "print #x, #n, #q, DB10.n, #t1.ET",
+                         "watch #x", "break FC 2", "continue", "locals", "set #k = 55", "print MW 20")
+        self.assertRegex(out, r"STAT +#t1\.PT +TIME +T#0MS\n")
+        self.assertIn("#x = 12\n#n = 'hi'\n#q = 1\nDB10.n = 'hi'\n#t1.ET = T#0MS\n", out)
+        self.assertIn("1: #x = 12\n", out)
+        self.assertRegex(out, r"IN +#d +DATE_AND_TIME +DT#1999-01-02-03:04:05.678\nIN +#b +STRING \[254\] +'abc'\n")
+        self.assertIn("1: #x = ?\n", out)
+        self.assertTrue(out.endswith("MW 20 = W#16#0037\n"))
+        self.assertIn("P1216", self.debug("set #x = 1", code=PROBLEMS))
+        self.assertIn("P1218", self.debug("break FB 1", "run", "xref #x", code=PROBLEMS))
+
+    def test_all_or_nothing(self):
+        """S7-SIM-12"""
+        out = self.debug("set MW 10 = 5, DB99.DBW 0 = 1", "print MW 10", "force E 0.0 = 1, M 0.0 = 1", "force",
+                         "watch MW 10, DB99.DBW 0", "watch", "force E 0.0 = 1, A 0.0 = 1", "unforce E 0.0, A 0.1", "force", code=PROBLEMS)
+        self.assertIn("MW 10 = W#16#0000\n", out)
+        self.assertIn("P1211", out)
+        self.assertIn("no forces\n", out)
+        self.assertIn("nothing is watched", out)
+        self.assertTrue(out.endswith("E 0.0 = 1\nA 0.0 = 1\n"))
+
+    def test_a_forced_output_is_not_set(self):
+        """S7-SIM-12, S7-CPU-31"""
+        for line in ("set A 0.0 = 0", "set AW 0 = 0", "set MW 10 = 1, AB 0 = 0"):
+            out = self.debug("force A 0.0 = 1", line, "print A 0.0, MW 10", code=PROBLEMS)
+            self.assertIn("P1217", out, line)
+            self.assertTrue(out.endswith("A 0.0 = 1\nMW 10 = W#16#0000\n"), line)
+        self.debug("force A 0.0 = 1, E 0.0 = 1", "set A 0.1 = 1, E 0.0 = 0")
+
+    def test_nothing_goes_on_from_stop(self):
+        """S7-STATE-08"""
+        for line in ("continue", "step", "next", "out", "stepi", "cycle", "until 5s"):
+            out = self.debug("run 1s", "stop", line, "info", code=PROBLEMS)
+            self.assertIn("error: the CPU is in STOP; `run` or `restart` starts it", out)
+            self.assertIn("CPU 314C-2 PtP  STOP", out)
+
+    def test_stop_is_that_of_a_programming_device(self):
+        """S7-DIAG-02"""
+        self.assertRegex(self.debug("run 1s", "stop", "diag 1"), r"16#4304  STOP by programming device")
+        self.assertNotIn("16#4303", self.debug("run 1s", "run 1s", "diag 20"))
+
+    def test_status_shows_each_statement(self):
+        """S7-EDIT-21"""
+        self.write("a.awl", block("      U E 0.0; = A 0.0; L 1;\n      L     2;"))
+        out = self.debug("status on OB 1", "status", "run 100ms", "status")
+        self.assertIn("OB 1 has not been called", out)
+        self.assertRegex(out, r"[0-9A-F]{8} +U E 0\.0; *\n.*[0-9A-F]{8} += A 0\.0; *\n.*[0-9A-F]{8} +L 1;\n.*[0-9A-F]{8} +L     2;\n")
+
+    def test_the_end_of_a_block(self):
+        """S7-EDIT-22"""
+        self.assertIn("at the end of FC 1", self.debug("break 8", "run", "step"))
+
+    def test_all_breakpoints(self):
+        out = self.debug("break 5", "break 13", "disable all", "break", "run 100ms", "enable all", "continue")
+        self.assertEqual(out.count(", disabled"), 2)
+        self.assertIn("HALT at breakpoint 2", out)
+
+    def test_an_access_error_is_told_once(self):
+        """S7-DIAG-02"""
+        self.write("a.awl", block("      L PEW 400"))
+        self.assertRegex(self.debug("run", "diag 2"), r"  2  .*16#2942  I/O access error when reading: PEW 400\n")
+
     def test_mistakes_are_told(self):
         for line, word in (("fly", "P1215"), ("break FC 9", "P1206"), ("break nonsense", "P1201"), ("print QQ", "P0"),
                            ("set MW 10", "OPERAND = VALUE"), ("print MW 10 REAL", "P1209"), ("until soon", "P0953"),
-                           ("delete 5", "no breakpoint"), ("cycle x", "no number of cycles"), ("status maybe", "status is on"),
+                           ("delete 5", "no breakpoint"), ("cycle x", "no number of cycles"), ("cycle -1", "no number"),
+                           ("cycle 99999999999999999999", "no number"), ("diag -1", "no number"), ("locals -1", "no depth"), ("status maybe", "status is on"),
                            ("unforce E 0.0", "P1214"), ("restart hot", "warm or cold"), ("help me", "P1215")):
             out = self.debug(line, code=PROBLEMS)
             self.assertIn("error: ", out, line)
@@ -103,7 +216,7 @@ class Debug(Case):
                 self.assertIn("`" + line.split()[0], page)
 
     def test_commands_of_the_command_line(self):
-        out = self.expect(GOOD, "debug", "a.awl", "-x", "cycle 1", "-x", "print MW 12").out
+        out = self.expect(GOOD, "debug", "a.awl", "-x", "restart", "-x", "cycle 1", "-x", "print MW 12").out
         self.assertTrue(out.endswith("MW 12 = W#16#0007\n"))
 
     def test_problems_of_the_source(self):
@@ -167,6 +280,8 @@ class Terminal(Case):
         self.assertIn("in STOP", self.prompt())
         self.type("set MW 10 = 6\x7f5\n")  # backspace: 5
         self.prompt()
+        self.type("restart\n")
+        self.prompt()
         self.type("cycle 1\n")
         self.until("RUN")
         self.prompt()
@@ -192,7 +307,7 @@ class Terminal(Case):
 
     def test_ctrl_c_stands_the_program_still(self):
         self.prompt()
-        self.type("continue 100000m\n")
+        self.type("run 100000m\n")
         self.until("100000m")
         time.sleep(0.5)
         self.interrupt("HALT")

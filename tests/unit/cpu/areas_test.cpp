@@ -52,6 +52,10 @@ TEST(SyncErrors, HaveEventAndAccessByte) {
                          .detail = 400};
   EXPECT_EQ(access.event(), 0x2942);
   EXPECT_EQ(access.accessByte(), 0x20);
+  EXPECT_EQ(describe(access), "I/O access error when reading: PEW 400");
+  SyncError writing = access;
+  writing.code = ErrorCode::PeripheralWrite;
+  EXPECT_EQ(describe(writing), "I/O access error when writing: PAW 400");
 }
 
 }  // namespace

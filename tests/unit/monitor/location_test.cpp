@@ -50,5 +50,25 @@ TEST_F(Location, KnowsStatements) {
   EXPECT_EQ(toString(place), "FC 1 byte 4 (plant.awl:11)");
 }
 
+// S7-STATE-07: HALT comes before an instruction; a byte inside one, or in the list behind a call,
+// means it.
+TEST(Breakpoint, StandsBeforeAnInstruction) {
+  Plc plc(kProgram);
+  const auto call = plc.place("23");
+  std::string code = toString(call.block) + " byte ";
+  EXPECT_EQ(plc.place(code + std::to_string(call.offset)).offset, call.offset);
+  EXPECT_EQ(plc.place(code + std::to_string(call.offset + 1)).offset, call.offset);
+  const auto next = plc.place("24");
+  EXPECT_LT(plc.place(code + std::to_string(next.offset - 1)).offset, next.offset);
+  for (std::uint32_t byte = 0; byte < plc.program().at(call.block).code.size(); ++byte) {
+    Plc other(kProgram);
+    other.breakAt(code + std::to_string(byte));
+    other.start();
+    other->write("M 0.0",
+                 byte >= plc.place("26").offset && byte < plc.place("27").offset ? "1" : "0");
+    EXPECT_EQ(other.run().why, Pause::Why::Breakpoint) << byte;
+  }
+}
+
 }  // namespace
 }  // namespace merker::monitor::test

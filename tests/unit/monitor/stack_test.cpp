@@ -106,5 +106,29 @@ TEST(FrameVariables, FollowParametersOfAnFc) {
   EXPECT_EQ(variables[1].value, "35");
 }
 
+// S7-PAR-10, S7-PAR-03: members of multiple instances, composite IN_OUT parameters, local data of
+// the caller; from outside they are the operands they lie in.
+TEST(FrameVariables, AreOperands) {
+  Plc plc(
+      "FUNCTION_BLOCK FB 1\nVAR_IN_OUT\n pair : ARRAY [1..2] OF INT;\nEND_VAR\nVAR\n t1 : SFB 4;\n"
+      "END_VAR\nVAR_TEMP\n x : INT;\nEND_VAR\nBEGIN\nNETWORK\n CALL #t1 (PT := T#5S);\n NOP 0;\n"
+      "END_FUNCTION_BLOCK\n"
+      "DATA_BLOCK DB 5 FB 1\nBEGIN\nEND_DATA_BLOCK\n"
+      "DATA_BLOCK DB 6\nSTRUCT\n w : WORD;\n p : ARRAY [1..2] OF INT := 3, 4;\nEND_STRUCT\nBEGIN\n"
+      "END_DATA_BLOCK\n"
+      "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n CALL FB 1, DB 5 (pair := DB6.p);\n"
+      "END_ORGANIZATION_BLOCK\n");
+  plc.breakAt("FB 1:14");
+  plc.start();
+  plc.run();
+  EXPECT_EQ(plc.read("#t1.PT"), "T#5S");
+  EXPECT_EQ(plc.read("#pair[2]"), "4");
+  EXPECT_EQ(name(plc->write({{"#pair[2]", "7"}, {"#x", "-1"}, {"#t1.PT", "T#6S"}})), "good");
+  EXPECT_EQ(plc.read("DB6.p[2]"), "7");
+  EXPECT_EQ(plc.read("#x"), "-1");
+  EXPECT_EQ(plc.read("DB5.t1.PT"), "T#6S");
+  EXPECT_EQ(plc.read("#y"), "P1216");
+}
+
 }  // namespace
 }  // namespace merker::monitor::test

@@ -120,5 +120,35 @@ TEST(Force, HoldsUntilItIsTakenAway) {
   EXPECT_EQ(name(plc->force("T 1", "0")), "P1211");
 }
 
+// S7-SIM-12: DATE_AND_TIME and STRING are shown and modified whole.
+TEST(VariableTable, HoldsStringsAndDates) {
+  Plc plc(
+      "DATA_BLOCK DB 1\nSTRUCT\n s : STRING [5] := 'abc';\n d : DT;\nEND_STRUCT\nBEGIN\n"
+      "END_DATA_BLOCK\n" +
+      std::string(kCopy));
+  VariableTable& table = plc->addTable();
+  EXPECT_EQ(name(table.add("DB1.s")), "good");
+  EXPECT_EQ(name(table.add("DB1.d", DisplayFormat::Hex)), "P1209");
+  EXPECT_EQ(name(table.setModify(0, "'toolong'")), "P0961");
+  EXPECT_EQ(name(table.setModify(0, "'xy'")), "good");
+  table.modifyNow();
+  table.monitorNow();
+  EXPECT_EQ(table.text(0), "'xy'");
+  EXPECT_EQ(plc.read("DB1.DBW 0"), "W#16#0502");
+}
+
+// S7-SIM-12: one wish that cannot be carried out stops all of them.
+TEST(Monitor, WritesAllOrNothing) {
+  Plc plc(kCopy);
+  EXPECT_EQ(name(plc->write({{"MW 10", "5"}, {"T 1", "S5T#1S"}})), "P1212");
+  EXPECT_EQ(name(plc->write({{"MW 10", "5"}, {"MB 12", "256"}})), "P0955");
+  EXPECT_EQ(plc.read("MW 10", DisplayFormat::Dec), "0");
+  EXPECT_EQ(name(plc->force({{"E 0.0", "1"}, {"M 0.0", "1"}})), "P1211");
+  EXPECT_TRUE(plc->forces().empty());
+  EXPECT_EQ(plc.read("E 0.0"), "0");
+  EXPECT_EQ(name(plc->write({{"MW 10", "5"}, {"MB 12", "255"}})), "good");
+  EXPECT_EQ(plc.read("MW 10", DisplayFormat::Dec), "5");
+}
+
 }  // namespace
 }  // namespace merker::monitor::test

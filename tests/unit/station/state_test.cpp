@@ -90,7 +90,7 @@ TEST(Leds, ShowTheState) {
   EXPECT_EQ(plc->leds().stop, Light::On);
   plc.cycles(2);
   EXPECT_EQ(plc->leds(), (cpu::Leds{.dc5v = Light::On, .run = Light::On}));
-  EXPECT_TRUE(plc.force("M 1.0", 1));
+  EXPECT_TRUE(plc.force("E 1.0", 1));
   EXPECT_EQ(plc->leds().frce, Light::On);
   plc->unforce();
   EXPECT_EQ(plc->leds().frce, Light::Off);
