@@ -6,7 +6,8 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 ID = re.compile(r"\b(?:S5|S7|POS|CNT|PID|PTP)-[A-Z0-9]+-[0-9]+\b")
 ROW = re.compile(r"\|\s*\**([A-Z0-9]+-[A-Z0-9]+-[0-9]+)\**\s*\|(.*)")
 
-# The areas of STEP 7 of which every number is either shown by a test or named in docs/compatibility.md.
+# The areas of STEP 7 of which every number is either shown by a test or named in docs/compatibility.md. Of STEP 5 it is
+# every area.
 SETTLED = ("OPND ADDR BIT BRACKET SETRESET TYPES LOAD FC FB CNT TMR REG STW CYCLE SYM BLK INSTR "
            "IND PAR SRC MNE").split()
 
@@ -16,6 +17,11 @@ NOT_TESTS = ("tests/architecture", "tests/documents")
 
 def area(number):
     return number.rsplit("-", 1)[0]
+
+
+def is_due(number):
+    family, name, _ = number.split("-")
+    return family == "S5" or (family == "S7" and name in SETTLED)
 
 
 def defined(root=ROOT):

@@ -260,7 +260,17 @@ class CodeCompiler {
     if (!appendActual(wanted, *operand, words))
       add(ProblemCode::P1126, offset, operand->length, text, wanted.name, typeText(wanted),
           possibleOperands(wanted));
+    else if (wanted.kind == mc5::ParameterKind::Block)
+      withoutParameters(*operand, wanted);
     if (!commentFollows(scanner, failure)) add(failure);
+  }
+
+  // B =X calls without a list (S5-FB-14).
+  void withoutParameters(const Operand& operand, const mc5::Parameter& wanted) {
+    if (operand.value.block != BlockType::Fb) return;
+    const auto fb = known_.find(static_cast<std::uint16_t>(operand.value.value));
+    if (fb != known_.end() && !fb->second->parameters.empty())
+      add(ProblemCode::P1141, operand.offset, operand.length, fb->first, wanted.name);
   }
 
   static bool isParameter(const mc5::Block& fb, const std::string& word) {

@@ -10,7 +10,7 @@ std::optional<std::uint32_t> bits(std::string_view word, std::string_view text) 
   return constantBits(findConstantFormat(word)->format, text);
 }
 
-// S5-NUM-02, -05, -07, -08, -10, -11, S5-LOAD-02
+// S5-NUM-02, S5-NUM-05, S5-NUM-07, S5-NUM-08, S5-NUM-10, S5-NUM-11, S5-LOAD-02
 TEST(Constant, NotationsOfTheManual) {
   EXPECT_EQ(bits("KF", "-1"), 0xFFFFu);
   EXPECT_EQ(bits("KF", "+32767"), 0x7FFFu);

@@ -1,4 +1,4 @@
-// Blocks in segments 5 and 6 (S5-BLK-08, -09, -21, S5-DB-03, -16).
+// Blocks in segments 5 and 6 (S5-BLK-08, S5-BLK-09, S5-BLK-21, S5-DB-03, S5-DB-16).
 #include "sinumerik/block_memory.h"
 
 #include <gtest/gtest.h>

@@ -36,7 +36,7 @@ struct Sum {
 
 class Arithmetic : public testing::TestWithParam<Sum> {};
 
-// S5-STAT-05, -06, -07, S5-ARITH-02 … -05, S5-NUM-11
+// S5-STAT-05, S5-STAT-06, S5-STAT-07, S5-ARITH-02 … S5-ARITH-05, S5-NUM-11
 TEST_P(Arithmetic, ResultAndDisplays) {
   const Sum& row = GetParam();
   Bench b;
@@ -59,7 +59,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Sum{0xFFF9, 2, 0x6000, 0xFFFFFFFD, 0, 1, 0}, Sum{1, 0, 0x6000, 0, 1, 1, 1},
                     Sum{0x8000, 0xFFFF, 0x6000, 0x8000, 0, 1, 1}));
 
-// S5-CMP-01, -02, -03: signed words, VKE and ANZ.
+// S5-CMP-01, S5-CMP-02, S5-CMP-03: signed words, VKE and ANZ.
 TEST(Processor, ComparisonOfWords) {
   Bench b;
   b.run({0x3004, 0xFFFF, 0x3004, 0x0001, 0x2140, 0x9805});  // -1 < 1
@@ -69,7 +69,7 @@ TEST(Processor, ComparisonOfWords) {
   EXPECT_FALSE(b.flag(5, 0));
 }
 
-// S5-SHIFT-01 … -04
+// S5-SHIFT-01 … S5-SHIFT-04
 TEST(Processor, Shifting) {
   Bench b;
   b.run({0x3040, 0x14AF, 0x6104});
@@ -87,7 +87,7 @@ TEST(Processor, Shifting) {
   EXPECT_EQ(b.last.akku1, 0x8001u);
 }
 
-// S5-CONV-01 … -07
+// S5-CONV-01 … S5-CONV-07
 TEST(Processor, Conversions) {
   Bench b;
   const auto akku = [&](std::initializer_list<unsigned> code) {
@@ -110,7 +110,8 @@ TEST(Processor, Conversions) {
   EXPECT_TRUE(b.last.displays.ov);
 }
 
-// S5-BLK-13, -16, -17, S5-CALL-02, S5-JUMP-01: VKE goes into the block, conditions leave 1.
+// S5-BLK-13, S5-BLK-16, S5-BLK-17, S5-CALL-02, S5-JUMP-01: VKE goes into the block, conditions
+// leave 1.
 TEST(Processor, CallsAndConditions) {
   Bench b;
   b.block(BlockType::Pb, 1, {0x980A, 0x6500});
@@ -154,7 +155,7 @@ TEST(Processor, TheThirteenthBlockIsTooDeep) {
   EXPECT_EQ(b.machine.level().frames.size(), kNesting);
 }
 
-// S5-DB-06, -07, -08: the caller's data block comes back, the called block inherits it.
+// S5-DB-06, S5-DB-07, S5-DB-08: the caller's data block comes back, the called block inherits it.
 TEST(Processor, OpenDataBlockBelongsToItsBlock) {
   Bench b;
   b.block(BlockType::Db, 10, {0x1111});

@@ -20,7 +20,7 @@ BEZ  : HANS  E/A/D/B/T/Z: A   BI/BY/W/D: BI
      : BE
 )";
 
-// S5-FB-03, -06, -08, -09, -10, -16: the manual's FB 203.
+// S5-FB-03, S5-FB-06, S5-FB-08, S5-FB-09, S5-FB-10, S5-FB-16: the manual's FB 203.
 TEST(Compiler, CallWithParameterList) {
   const auto c = compileText(std::string(R"(OB1
 : SPA FB203
@@ -37,7 +37,7 @@ HANS : A 18.4
   EXPECT_EQ(c.program.at({BlockType::Fb, 203}).name, "BEISPIEL");
 }
 
-// S5-FM-01, -03, -24: resident macros bring their declaration.
+// S5-FM-01, S5-FM-03, S5-FM-24: resident macros bring their declaration.
 TEST(Compiler, CallOfAMacro) {
   const auto c = compileText(R"(OB 20
   SPA FB 11
@@ -50,7 +50,7 @@ DWNR : KF +9
   EXPECT_EQ(words(c, BlockType::Ob, 20), (Words{0x3D0B, 0x2D03, 0x6403, 0x0009, 0x6500}));
 }
 
-// S5-JUMP-01, -03, -05: the manual's compare example with three labels.
+// S5-JUMP-01, S5-JUMP-03, S5-JUMP-05: the manual's compare example with three labels.
 TEST(Compiler, LabelsAndDistances) {
   const auto c = compileText(R"(FB 1
 NAME : VERGL
@@ -69,7 +69,7 @@ GRSS : BE
             (Words{0x3243, 0x326B, 0x2180, 0xFA03, 0x2503, 0x1503, 0x6501, 0x6501, 0x6500}));
 }
 
-// S5-MISC-04, -06: networks are separated by BLD 255.
+// S5-MISC-04, S5-MISC-06: networks are separated by BLD 255.
 TEST(Compiler, Networks) {
   const auto c = compileText("PB 1\nNETZWERK 1 a\n:U E0.0\n:= A0.0\nNETZWERK 2 b\n:BE\n");
   ASSERT_TRUE(c.ok());
@@ -79,7 +79,7 @@ TEST(Compiler, Networks) {
   EXPECT_EQ(networks[1].title, "b");
 }
 
-// S5-DB-02, -03, -04
+// S5-DB-02, S5-DB-03, S5-DB-04
 TEST(Compiler, DataWords) {
   const auto c = compileText(R"(DB 10
    0: KH = 1F00;

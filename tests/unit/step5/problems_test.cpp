@@ -4,7 +4,8 @@
 namespace merker::step5 {
 namespace {
 
-// S5-BLK-03, -04, -05, -11, -12, S5-DB-05, S5-JUMP-03, S5-BIT-10, S5-SHIFT-05
+// S5-BLK-03, S5-BLK-04, S5-BLK-05, S5-BLK-11, S5-BLK-12, S5-DB-05, S5-JUMP-03, S5-BIT-10,
+// S5-SHIFT-05
 TEST(Problems, OfStatements) {
   EXPECT_EQ(problemsOf("OB 1\n: SLW 4\n: BE\n"), "P1113@2:3");
   EXPECT_EQ(problemsOf("PB 1\n: SRD 4\n: L DW 256\n: U E 128.0\n: U E 0.8\n: BE\n"),
@@ -32,7 +33,7 @@ TEST(Problems, AJumpReaches127Words) {
 
 constexpr const char* kFb = "FB 5\nNAME : TEST\nBEZ : EIN E BI\nBEZ : WERT D KF\n: BE\n";
 
-// S5-FB-04, -05, -08, -09, -10, -11, -13, -20
+// S5-FB-04, S5-FB-05, S5-FB-08, S5-FB-09, S5-FB-10, S5-FB-11, S5-FB-13, S5-FB-20
 TEST(Problems, OfCallsAndDeclarations) {
   const std::string fb = kFb;
   EXPECT_EQ(problemsOf(fb + "OB 1\n: SPA FB 5\nEIN : E 0.0\nWERT : KF 5\n: BE\n"), "");
@@ -45,10 +46,32 @@ TEST(Problems, OfCallsAndDeclarations) {
   EXPECT_EQ(problemsOf("FB 60\n: BE\n"), "P1127@1:1");
   EXPECT_EQ(problemsOf("FB 1\nBEZ : ABCDE E BI\nBEZ : X Q\nBEZ : Y E KF\n: BE\n"),
             "P1119@2:7 P1128@3:9 P1129@4:11");
+  EXPECT_EQ(problemsOf("FB 1\nBEZ : 1ABC E BI\nBEZ : ABCD E BI\n: BE\n"), "P1119@2:7");
   EXPECT_EQ(problemsOf("FB 1\nBEZ : X E BI\nBEZ : X E BI\n: U =Y\n: BE\n"), "P1140@3:7 P1114@4:6");
 }
 
-// S5-DB-01, -02
+// S5-FB-14: B =X has no parameter list, so the block behind it must not need one.
+TEST(Problems, ABlockAsParameterHasNoParameters) {
+  const std::string callee = "FB 4\nNAME : LEER\n: BE\nPB 7\n: BE\n";
+  const std::string caller = "FB 6\nNAME : RUFT\nBEZ : BST B\n: B =BST\n: BE\n";
+  const auto call = [&](const char* block) {
+    return problemsOf("OB 1\n: SPA FB 6\nBST : " + std::string(block) + "\n: BE\n" + kFb + callee +
+                      caller);
+  };
+  EXPECT_EQ(call("FB 4"), "");
+  EXPECT_EQ(call("PB 7"), "");
+  EXPECT_EQ(call("FB 5"), "P1141@3:7");
+  EXPECT_EQ(call("FB 61"), "P1141@3:7");
+}
+
+// S5-FLAG-12: what the system writes is for reading; MB 25 is the first free byte.
+TEST(Problems, WritingFlagsOfTheSystemIsAWarning) {
+  EXPECT_EQ(problemsOf("PB 1\n: = M 24.7\n: S M 25.0\n: U M 0.1\n: T MB 0\n: L MW 12\n: BE\n"),
+            "P1135@2:5 P1135@5:5");
+  EXPECT_FALSE(compileText("PB 1\n: = M 24.7\n: BE\n").problems.hasErrors());
+}
+
+// S5-DB-01, S5-DB-02
 TEST(Problems, OfData) {
   EXPECT_EQ(problemsOf("DB 10\n0: KH 0\n2: KH 0\n"), "P1132@3:1");
   EXPECT_EQ(problemsOf("DB 10\n0: XY 0\n"), "P1131@2:1");

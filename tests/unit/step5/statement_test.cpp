@@ -16,7 +16,7 @@ Words code(std::string_view text) {
   return words;
 }
 
-// S5-STMT-01, -02, -04, S5-LOAD-01, -02
+// S5-STMT-01, S5-STMT-02, S5-STMT-04, S5-LOAD-01, S5-LOAD-02
 TEST(Statement, SpellingsOfTheManual) {
   EXPECT_EQ(code("U E 4.1"), Words{0xC104});
   EXPECT_EQ(code(": U      E 10.0"), Words{0xC00A});
@@ -88,6 +88,45 @@ TEST(Statement, EveryRowComesBack) {
       ASSERT_TRUE(mc5::encode(instruction, expected));
       EXPECT_EQ(code(mc5::text(instruction)), expected) << mc5::text(instruction);
     }
+}
+
+// S5-CMP-06: the names of the table of codes are taken, the signs are written.
+TEST(Statement, ShortFormsOfComparisons) {
+  struct Pair {
+    const char *name, *sign;
+    std::uint16_t word;
+  };
+  constexpr Pair kPairs[] = {
+      {"GRF", ">F", 0x2120},  {"KLF", "<F", 0x2140},  {"UGLF", "><F", 0x2160},
+      {"GLF", "!=F", 0x2180}, {"GGF", ">=F", 0x21A0}, {"KGF", "<=F", 0x21C0},
+      {"GRD", ">D", 0x3920},  {"KGD", "<=D", 0x39C0}, {"GGG", ">=G", 0x31A0},
+      {"KGG", "<=G", 0x31C0}, {"ADDF", "+F", 0x7900}, {"DIVG", ":G", 0x6003}};
+  for (const Pair& pair : kPairs) {
+    EXPECT_EQ(code(pair.name), Words{pair.word}) << pair.name;
+    EXPECT_EQ(code(pair.sign), Words{pair.word}) << pair.sign;
+    const Words words{pair.word};
+    EXPECT_EQ(mc5::text(mc5::decode(words)->instruction), pair.sign);
+  }
+}
+
+// S5-SUBST-07: the 20 instructions with a formal operand, here the second one.
+TEST(Statement, FormalOperands) {
+  constexpr std::pair<const char*, std::uint16_t> kCodes[] = {
+      {"S =2", 0x1702},   {"RB =2", 0x3702},  {"= =2", 0x1F02},   {"U =2", 0x0702},
+      {"O =2", 0x0F02},   {"UN =2", 0x2702},  {"ON =2", 0x2F02},  {"L =2", 0x4602},
+      {"T =2", 0x6602},   {"LC =2", 0x0E02},  {"LW =2", 0x3F02},  {"LD =2", 0x5602},
+      {"SI =2", 0x3602},  {"SE =2", 0x2602},  {"FR =2", 0x0602},  {"RD =2", 0x3E02},
+      {"SVZ =2", 0x1E02}, {"SSV =2", 0x2E02}, {"SAR =2", 0x1602}, {"B =2", 0x7602}};
+  static_assert(std::size(kCodes) == 20);
+  for (const auto& [text, word] : kCodes) EXPECT_EQ(code(text), Words{word}) << text;
+  EXPECT_EQ(code("SV =2"), Words{});
+}
+
+// S5-LOAD-12: the periphery Q of other PLCs.
+TEST(Statement, ThereIsNoPeripheryQ) {
+  EXPECT_EQ(code("L PB 1"), Words{0x7201});
+  EXPECT_EQ(code("L QB 1"), Words{});
+  EXPECT_EQ(code("T QW 1"), Words{});
 }
 
 }  // namespace
