@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -30,14 +31,16 @@ std::string_view letter(Area area, Mnemonics mnemonics) {
 }
 
 void printReferences(const std::vector<CrossReference>& list) {
-  std::cout << fmt::format("{:<14} {:<24} {:<3} {:<8} {:>3} {:>4}  {:<20} {}\n", "operand",
+  std::size_t width = 14;
+  for (const CrossReference& row : list) width = std::max(width, row.operand.size());
+  std::cout << fmt::format("{:<{}} {:<24} {:<3} {:<8} {:>3} {:>4}  {:<20} {}\n", "operand", width,
                            "symbol", "use", "block", "NW", "inst", "instruction", "line");
   std::string last;
   for (const CrossReference& row : list) {
     const bool again = row.operand == last;
     last = row.operand;
-    std::cout << fmt::format("{:<14} {:<24} {:<3} {:<8} {:>3} {:>4}  {:<20} {}:{}\n",
-                             again ? "" : row.operand, again ? "" : row.symbol,
+    std::cout << fmt::format("{:<{}} {:<24} {:<3} {:<8} {:>3} {:>4}  {:<20} {}:{}\n",
+                             again ? "" : row.operand, width, again ? "" : row.symbol,
                              monitor::name(row.use), toString(row.place.block), row.place.network,
                              row.statement, row.instruction, row.place.file, row.place.line);
   }

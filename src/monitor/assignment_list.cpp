@@ -8,8 +8,13 @@ namespace {
 
 using Bytes = std::map<std::pair<Area, std::uint32_t>, AssignmentByte>;
 
-void add(Bytes& bytes, const mc7::Operand& operand) {
-  for (std::uint32_t i = 0; i < byteCount(operand.width); ++i) {
+// A range (ANY, composite parameter) counts byte by byte.
+void add(Bytes& bytes, const CrossReference& row) {
+  const mc7::Operand& operand = row.key;
+  const std::uint32_t first = operand.value / 8;
+  const std::uint32_t last = (operand.value + row.bits + 7) / 8;
+  const std::uint32_t count = row.bits != 0 ? last - first : byteCount(operand.width);
+  for (std::uint32_t i = 0; i < count; ++i) {
     const std::uint32_t number = operand.value / 8 + i;
     AssignmentByte& byte = bytes[{operand.area, number}];
     byte.area = operand.area;
@@ -32,7 +37,7 @@ AssignmentList assignmentList(const std::vector<CrossReference>& list) {
     if (key.kind == mc7::OperandKind::Counter) counters.insert(key.value);
     const bool image =
         key.area == Area::Input || key.area == Area::Output || key.area == Area::Flag;
-    if (key.kind == mc7::OperandKind::Memory && image) add(bytes, key);
+    if (key.kind == mc7::OperandKind::Memory && image) add(bytes, row);
   }
   AssignmentList result;
   for (const auto& [place, byte] : bytes) result.bytes.push_back(byte);

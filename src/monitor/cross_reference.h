@@ -17,14 +17,15 @@ enum class Use : std::uint8_t { Read, Write, ReadWrite, Call };
 std::string_view name(Use use);  // "R", "W", "RW", "-"
 
 struct CrossReference {
-  std::string operand;  // "E 0.0", "DB1.DBW 4", "T 1", "FC 3"
-  std::string symbol;   // its symbolic name, if any
-  mc7::Operand key;     // area, width, address: the order of the list
-  std::int32_t db = -1;
+  std::string operand;     // "E 0.0", "DB1.DBW 4", "T 1", "FC 3"
+  std::string symbol;      // its symbolic name, if any
+  mc7::Operand key;        // area, width, address: the order of the list
+  std::int32_t db = -1;    // of data; -1: which block is open there is not known
+  std::uint32_t bits = 0;  // of a range (ANY, composite parameter); 0: what the operand's width has
   Use use = Use::Read;
   SourcePlace place;
   std::uint32_t statement = 0;  // instruction of its network, from 1
-  std::string instruction;      // "U     E 0.0"
+  std::string instruction;      // "U     E 0.0", "CALL  FB 1, DB 10"
 };
 
 struct CrossReferenceOptions {

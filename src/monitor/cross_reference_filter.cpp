@@ -1,4 +1,6 @@
 // Parts of a cross reference list: by operand, symbols nobody uses, operands without symbol.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <functional>
 #include <set>
@@ -54,14 +56,44 @@ std::optional<Accept> blockOf(std::string_view text) {
 std::uint32_t bits(const mc7::Operand& operand) {
   return operand.width == Width::Bit ? 1 : 8 * byteCount(operand.width);
 }
+std::uint32_t bits(const CrossReference& r) { return r.bits != 0 ? r.bits : bits(r.key); }
+
+// "DBW 4", "DIX 2.1": of any data block.
+std::optional<Accept> dataOf(std::string_view text) {
+  const std::string word = upper(text.substr(0, 2));
+  if ((word != "DB" && word != "DI") || text.size() < 4) return std::nullopt;
+  constexpr std::string_view kWidths = "XBWD";
+  const std::size_t width = kWidths.find(upper(text.substr(2, 1)));
+  const auto address =
+      width == std::string_view::npos
+          ? Result<source::SymbolAddress>(makeProblem(ProblemCode::P0317, Position{}, ""))
+          : source::parseSymbolAddress(
+                fmt::format("M{}{}", width == 0 ? "" : std::string(text.substr(2, 1)),
+                            text.substr(3)),
+                Position{});
+  if (!address || address->kind != source::SymbolAddress::Kind::Memory) return std::nullopt;
+  const mc7::Operand wanted = mc7::memory(Area::Flag, address->width, address->address);
+  return [wanted](const CrossReference& r) {
+    return r.key.kind == OperandKind::Memory &&
+           (r.key.area == Area::DataBlock || r.key.area == Area::Instance) &&
+           r.key.value < wanted.value + bits(wanted) && wanted.value < r.key.value + bits(r);
+  };
+}
 
 Accept overlapping(const mc7::Reference& wanted) {
   return [operand = wanted.operand, db = wanted.db](const CrossReference& r) {
     if (r.key.kind != operand.kind) return false;
     if (operand.kind != OperandKind::Memory) return r.key.value == operand.value;
     return r.key.area == operand.area && r.db == db &&
-           r.key.value < operand.value + bits(operand) && operand.value < r.key.value + bits(r.key);
+           r.key.value < operand.value + bits(operand) && operand.value < r.key.value + bits(r);
   };
+}
+
+// Data and ranges never have a symbol of their own.
+bool hasSymbols(const CrossReference& r) {
+  const bool data = r.key.area == Area::DataBlock || r.key.area == Area::Instance;
+  return r.key.kind != OperandKind::Block && r.bits == 0 &&
+         !(r.key.kind == OperandKind::Memory && data);
 }
 
 }  // namespace
@@ -76,6 +108,7 @@ Result<std::vector<CrossReference>> filtered(const std::vector<CrossReference>& 
     begin = end + 1;
     std::optional<Accept> accept = wholeArea(part);
     if (!accept) accept = blockOf(part);
+    if (!accept) accept = dataOf(part);
     if (!accept) {
       const auto reference = resolver(part, Position{"", 0, 0, 0});
       if (!reference) return reference.error();
@@ -108,8 +141,7 @@ std::vector<source::Symbol> unusedSymbols(const std::vector<CrossReference>& lis
 std::vector<std::string> operandsWithoutSymbol(const std::vector<CrossReference>& list) {
   std::vector<std::string> result;
   for (const CrossReference& row : list)
-    if (row.symbol.empty() && row.db < 0 && row.key.kind != OperandKind::Block &&
-        (result.empty() || result.back() != row.operand))
+    if (row.symbol.empty() && hasSymbols(row) && (result.empty() || result.back() != row.operand))
       result.push_back(row.operand);
   return result;
 }

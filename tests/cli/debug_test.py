@@ -189,6 +189,13 @@ class Debug(Case):
         """S7-EDIT-22"""
         self.assertIn("at the end of FC 1", self.debug("break 8", "run", "step"))
 
+    def test_cross_reference(self):
+        """S7-EDIT-22"""
+        out = self.debug("x DB 99", "x DBW 0", "x MW 10")
+        self.assertRegex(out, r"DB 99 +- +AUF +DB 99")
+        self.assertIn("no instruction uses it\n", out)
+        self.assertRegex(out, r"MW 10 +R +CALL  FC 1")
+
     def test_all_breakpoints(self):
         out = self.debug("break 5", "break 13", "disable all", "break", "run 100ms", "enable all", "continue")
         self.assertEqual(out.count(", disabled"), 2)

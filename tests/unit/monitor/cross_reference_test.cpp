@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "monitor/assignment_list.h"
 #include "monitor/block_list.h"
 #include "plc.h"
@@ -88,6 +90,78 @@ TEST_F(Uses, BlocksAreListed) {
   ASSERT_EQ(blocks.size(), 3u);
   EXPECT_EQ(blocks[2].id.number, 1);
   EXPECT_GT(blocks[0].load, blocks[0].work);
+}
+
+// DB 1: s at 0, d at 6; FB 1 with its instance DB 10.
+const char* const
+    kCalls =
+        "DATA_BLOCK DB 1\nSTRUCT\n s : STRING [4];\n d : DT;\n w : WORD;\nEND_STRUCT\nBEGIN\n"
+        "END_DATA_BLOCK\n"                                                                      // 8
+        "DATA_BLOCK DB 3\nSTRUCT\n a : WORD;\n b : WORD;\nEND_STRUCT\nBEGIN\nEND_DATA_BLOCK\n"  // 15
+        "FUNCTION_BLOCK FB 1\nVAR_INPUT\n q : BOOL;\n a : ANY;\n t : TIMER;\nEND_VAR\nVAR_IN_OUT\n"
+        " io : INT;\n s : STRING;\nEND_VAR\nBEGIN\nNETWORK\n NOP 0;\nEND_FUNCTION_BLOCK\n"  // 29
+        "FUNCTION FC 1 : VOID\nVAR_INPUT\n b : BLOCK_DB;\nEND_VAR\nBEGIN\nNETWORK\n L DBW 2;\n"
+        "END_FUNCTION\n"                                  // 37
+        "DATA_BLOCK DB 10 FB 1\nBEGIN\nEND_DATA_BLOCK\n"  // 40
+        "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n"       // 43
+        " CALL FB 1, DB 10 (q := M 0.0, a := P#M 30.0 BYTE 4, t := T 5, io := MW 50, s := DB1.s);\n"
+        " CALL FC 1 (b := DB 3);\n UC FC 2;\n"                                                 // 46
+        " CALL SFC 20 (SRCBLK := P#M 20.0 BYTE 4, RET_VAL := MW 10, DSTBLK := DB1.d);\n"       // 47
+        " CALL SFC 1 (RET_VAL := MW 10, CDT := DB1.d);\n"                                      // 48
+        " AUF DB 3;\n L DBW 0;\n AUF DI 10;\n U DIX 0.0;\n U E 0.0;\n SPB far;\n AUF DB 1;\n"  // 55
+        "far: T DBW 2;\nEND_ORGANIZATION_BLOCK\nFUNCTION FC 2 : "
+        "VOID\nBEGIN\nNETWORK\nEND_FUNCTION\n";  // 56
+
+struct Calls : ::testing::Test {
+  Plc plc{kCalls};
+  block::Program library = system::library(defaultCpuModel());
+  std::vector<CrossReference> list =
+      crossReferences(plc.program(), plc.symbols(), {.library = &library});
+  std::string of(const std::string& filter) {
+    const auto part = filtered(list, filter, plc.resolver());
+    if (!part) return std::string(part.error().name());
+    std::string result;
+    for (const CrossReference& row : *part)
+      result += row.operand + " " + std::string(monitor::name(row.use)) + " " +
+                std::to_string(row.place.line) + "; ";
+    return result;
+  }
+};
+
+// S7-EDIT-22: data without its block, where the code says which one is open and where it does not.
+TEST_F(Calls, DataOfTheOpenBlock) {
+  EXPECT_EQ(of("DBW 0"), "P#DB1.DBX 0.0 BYTE 6 RW 44; DB3.DBW 0 R 50; DB10.DBX 0.0 R 52; ");
+  EXPECT_EQ(of("DB3.DBW 0"), "DB3.DBW 0 R 50; ");
+  EXPECT_EQ(of("dbb 3").substr(0, 25), "DBW 2 W 56; DBW 2 R 36; P");
+  EXPECT_EQ(of("DIX 0.0"), of("DBX 0.0"));
+  EXPECT_EQ(of("DBQ 0"), "P0317");
+}
+
+// S7-EDIT-22: ANY, blocks, timers and composite operands as actual parameters.
+TEST_F(Calls, ActualParameters) {
+  EXPECT_EQ(of("MB 21"), "P#M 20.0 BYTE 4 R 47; ");
+  EXPECT_EQ(of("MB 24"), "");
+  EXPECT_EQ(of("MB 33"), "P#M 30.0 BYTE 4 R 44; ");
+  EXPECT_EQ(of("T 5"), "T 5 R 44; ");
+  EXPECT_EQ(of("DB 3"), "DB3.DBW 0 R 50; DB 3 - 45; DB 3 - 49; ");
+  EXPECT_EQ(of("DB1.d"), of("DB1.DBB 7"));
+  EXPECT_EQ(of("DB1.DBB 7"), "P#DB1.DBX 6.0 DATE_AND_TIME 1 W 47; P#DB1.DBX 6.0 BYTE 8 W 48; ");
+  const auto bytes = assignmentList(list).bytes;
+  EXPECT_TRUE(std::ranges::any_of(bytes, [](const AssignmentByte& one) {
+    return one.area == Area::Flag && one.byte == 23 && one.byByte;
+  }));
+}
+
+// S7-EDIT-22: a CALL is one statement of the source.
+TEST_F(Calls, AreShownAsCalls) {
+  EXPECT_EQ(of("MW 50"), "MW 50 RW 44; ");
+  std::string text;
+  for (const CrossReference& row : list)
+    if (row.key.kind == mc7::OperandKind::Block && row.place.line <= 46)
+      text += row.operand + ": " + row.instruction + "; ";
+  EXPECT_EQ(text,
+            "DB 3: CALL  FC 1; DB 10: CALL  FB 1, DB 10; "
+            "FC 1: CALL  FC 1; FC 2: UC    FC 2; FB 1: CALL  FB 1, DB 10; ");
 }
 
 }  // namespace
