@@ -43,6 +43,13 @@ struct Cnc::Parts {
     plc = std::make_unique<sinumerik::Plc>(plcOptions(options, *macros));
   }
 
+  void showAlarms() {
+    const nc::Control& control = macros->control();
+    sinumerik::NcSide& nc = plc->surroundings().nc;
+    nc.alarm = !control.alarms.empty();
+    nc.machiningStop = nc.alarm && control.machiningStop;
+  }
+
   Options options;
   std::unique_ptr<nc::FunctionMacros> macros;
   std::unique_ptr<sinumerik::Plc> plc;
@@ -77,7 +84,7 @@ void addLines(const mc5::Block& block, const std::map<std::uint32_t, std::uint64
 
 }  // namespace
 
-Cnc::Cnc(Options options) : parts_(std::make_unique<Parts>(std::move(options))) {}
+Cnc::Cnc(Options options) : parts_(std::make_unique<Parts>(std::move(options))) { watch(); }
 Cnc::~Cnc() = default;
 
 sinumerik::Plc& Cnc::plc() { return *parts_->plc; }
@@ -114,7 +121,7 @@ void Cnc::memoryReset() {
   p.instructionsBefore = instructions();
   p.linesBefore = executedLines();
   p.build();
-  if (p.observer) onCycle(p.observer);
+  watch();
 }
 
 Instant Cnc::now() const { return plc().now() + parts_->before; }
@@ -131,7 +138,14 @@ bool Cnc::advanceToCheckpoint(Instant limit) {
 
 void Cnc::onCycle(std::function<void(controller::Controller&)> observer) {
   parts_->observer = std::move(observer);
+}
+
+// At the end of each cycle the PLC learns of the NC's alarms; the next one begins with M 24.0 and
+// M 24.3 (S5-FLAG-11).
+void Cnc::watch() {
+  parts_->showAlarms();
   plc().onCycle([this](sinumerik::Plc&) {
+    parts_->showAlarms();
     if (parts_->observer) parts_->observer(*this);
   });
 }

@@ -73,6 +73,7 @@ class Cnc final : public controller::Controller {
 
  private:
   struct Parts;
+  void watch();
   std::unique_ptr<Parts> parts_;
 };
 

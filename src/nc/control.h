@@ -64,6 +64,7 @@ struct Control {
   std::array<std::int32_t, kSpindles> spindleSpeed{};  // actual, per minute
   std::array<Channel, kChannels> channels{};
   std::vector<std::uint16_t> alarms;  // pending, in the order they came
+  bool machiningStop = false;         // while an alarm is pending, machining stands still (NC-BB2)
 
   // An alarm that is pending already is not raised again.
   void raise(std::uint16_t alarm);

@@ -102,9 +102,12 @@ void readWords(const Table& nc, std::string_view key, std::vector<std::int32_t>&
 
 void readNc(const Table& table, Control& control) {
   table.allow({"input_system", "machine_data", "setting_data", "position", "following_error",
-               "feed", "spindle_speed", "tool", "parameters"});
+               "feed", "spindle_speed", "tool", "parameters", "alarms", "machining_stop"});
   if (const auto system = table.choice("input_system", {"metric", "inch"}))
     control.inputSystem = *system == 0 ? nc::InputSystem::Metric : nc::InputSystem::Inch;
+  for (const Table::Number& alarm : table.numbers("alarms", "numbers of NC alarms"))
+    control.raise(static_cast<std::uint16_t>(std::min<std::uint32_t>(alarm.value, 0xFFFF)));
+  if (const auto stop = table.flag("machining_stop")) control.machiningStop = *stop;
   readWords(table, "machine_data", control.machineData);
   readWords(table, "setting_data", control.settingData);
   readAxes(table, control);

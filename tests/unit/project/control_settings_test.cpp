@@ -30,6 +30,8 @@ Read read(const std::string& tables) {
 TEST(ControlSettings, DataOfTheNc) {
   const Read r = read(R"([nc]
 input_system = "inch"
+alarms = [3016, 2041]
+machining_stop = true
 [nc.machine_data]
 4999 = -1
 [nc.position]
@@ -51,6 +53,8 @@ input_system = "inch"
   ASSERT_TRUE(r.settings.control);
   const nc::Control& control = r.settings.control->control;
   EXPECT_EQ(control.inputSystem, nc::InputSystem::Inch);
+  EXPECT_EQ(control.alarms, (std::vector<std::uint16_t>{3016, 2041}));
+  EXPECT_TRUE(control.machiningStop);
   EXPECT_EQ(control.machineData[4999], -1);
   EXPECT_EQ(control.axes[4].position, -12345);
   EXPECT_EQ(control.axes[0].followingError, 70000);
