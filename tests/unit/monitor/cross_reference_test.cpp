@@ -93,24 +93,23 @@ TEST_F(Uses, BlocksAreListed) {
 }
 
 // DB 1: s at 0, d at 6; FB 1 with its instance DB 10.
-const char* const
-    kCalls =
-        "DATA_BLOCK DB 1\nSTRUCT\n s : STRING [4];\n d : DT;\n w : WORD;\nEND_STRUCT\nBEGIN\n"
-        "END_DATA_BLOCK\n"                                                                      // 8
-        "DATA_BLOCK DB 3\nSTRUCT\n a : WORD;\n b : WORD;\nEND_STRUCT\nBEGIN\nEND_DATA_BLOCK\n"  // 15
-        "FUNCTION_BLOCK FB 1\nVAR_INPUT\n q : BOOL;\n a : ANY;\n t : TIMER;\nEND_VAR\nVAR_IN_OUT\n"
-        " io : INT;\n s : STRING;\nEND_VAR\nBEGIN\nNETWORK\n NOP 0;\nEND_FUNCTION_BLOCK\n"  // 29
-        "FUNCTION FC 1 : VOID\nVAR_INPUT\n b : BLOCK_DB;\nEND_VAR\nBEGIN\nNETWORK\n L DBW 2;\n"
-        "END_FUNCTION\n"                                  // 37
-        "DATA_BLOCK DB 10 FB 1\nBEGIN\nEND_DATA_BLOCK\n"  // 40
-        "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n"       // 43
-        " CALL FB 1, DB 10 (q := M 0.0, a := P#M 30.0 BYTE 4, t := T 5, io := MW 50, s := DB1.s);\n"
-        " CALL FC 1 (b := DB 3);\n UC FC 2;\n"                                                 // 46
-        " CALL SFC 20 (SRCBLK := P#M 20.0 BYTE 4, RET_VAL := MW 10, DSTBLK := DB1.d);\n"       // 47
-        " CALL SFC 1 (RET_VAL := MW 10, CDT := DB1.d);\n"                                      // 48
-        " AUF DB 3;\n L DBW 0;\n AUF DI 10;\n U DIX 0.0;\n U E 0.0;\n SPB far;\n AUF DB 1;\n"  // 55
-        "far: T DBW 2;\nEND_ORGANIZATION_BLOCK\nFUNCTION FC 2 : "
-        "VOID\nBEGIN\nNETWORK\nEND_FUNCTION\n";  // 56
+const char* const kCalls =
+    "DATA_BLOCK DB 1\nSTRUCT\n s : STRING [4];\n d : DT;\n w : WORD;\nEND_STRUCT\nBEGIN\n"
+    "END_DATA_BLOCK\n"                                                                      // 8
+    "DATA_BLOCK DB 3\nSTRUCT\n a : WORD;\n b : WORD;\nEND_STRUCT\nBEGIN\nEND_DATA_BLOCK\n"  // 15
+    "FUNCTION_BLOCK FB 1\nVAR_INPUT\n q : BOOL;\n a : ANY;\n t : TIMER;\nEND_VAR\nVAR_IN_OUT\n"
+    " io : INT;\n s : STRING;\nEND_VAR\nBEGIN\nNETWORK\n NOP 0;\nEND_FUNCTION_BLOCK\n"  // 29
+    "FUNCTION FC 1 : VOID\nVAR_INPUT\n b : BLOCK_DB;\nEND_VAR\nBEGIN\nNETWORK\n L DBW 2;\n"
+    "END_FUNCTION\n"                                  // 37
+    "DATA_BLOCK DB 10 FB 1\nBEGIN\nEND_DATA_BLOCK\n"  // 40
+    "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n"       // 43
+    " CALL FB 1, DB 10 (q := M 0.0, a := P#M 30.0 BYTE 4, t := T 5, io := MW 50, s := DB1.s);\n"
+    " CALL FC 1 (b := DB 3);\n UC FC 2;\n"                                                 // 46
+    " CALL SFC 20 (SRCBLK := P#M 20.0 BYTE 4, RET_VAL := MW 10, DSTBLK := DB1.d);\n"       // 47
+    " CALL SFC 1 (RET_VAL := MW 10, CDT := DB1.d);\n"                                      // 48
+    " AUF DB 3;\n L DBW 0;\n AUF DI 10;\n U DIX 0.0;\n U E 0.0;\n SPB far;\n AUF DB 1;\n"  // 55
+    "far: T DBW 2;\nEND_ORGANIZATION_BLOCK\nFUNCTION FC 2 : "
+    "VOID\nBEGIN\nNETWORK\nEND_FUNCTION\n";  // 56
 
 struct Calls : ::testing::Test {
   Plc plc{kCalls};
