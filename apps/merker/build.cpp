@@ -120,6 +120,11 @@ void requireOb1(Build& build) {
     build.problems.add(ProblemCode::P0710, Position{build.project.path});
 }
 
+void noteMissingOb1(Build& build) {
+  if (build.ok() && !build.isListing() && !build.program->contains({BlockKind::OB, 1}))
+    build.problems.add(ProblemCode::P0712, Position{build.project.path});
+}
+
 void requireWorkMemory(Build& build) {
   const std::size_t needed = block::workMemory(*build.program);
   const CpuModel& model = *build.project.model;

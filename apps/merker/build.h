@@ -36,6 +36,8 @@ int report(const Build& build, bool json);
 int refuseListing(std::string_view command);
 // Adds the problem that a program without OB 1 cannot run (S7-OPEN-39).
 void requireOb1(Build& build);
+// The same as a warning: blocks without OB 1 may be a library.
+void noteMissingOb1(Build& build);
 // Adds the problem that the program needs more work memory than the CPU has (S7-CPU-02).
 void requireWorkMemory(Build& build);
 

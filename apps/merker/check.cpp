@@ -36,7 +36,8 @@ int check(const Options& options) {
   int result = kGood;
   Problems problems;
   for (const std::string& path : options.paths) {
-    const Build checked = build(project::load(path, options.cpu), false);
+    Build checked = build(project::load(path, options.cpu), false);
+    noteMissingOb1(checked);
     printProblems(checked.problems, checked.files());
     problems.append(checked.problems);
     if (!options.json) summary(checked);

@@ -65,12 +65,35 @@ nlohmann::json toJson(const io::Module& module) {
           {"placeholder", type.placeholder()}};
 }
 
+// The CPU stands in slot 2 of rack 0, whatever it has on board.
+nlohmann::json toJson(const CpuModel& model) {
+  return {{"slot", "2"},         {"rack", 0},
+          {"type", model.name},  {"order_number", model.orderNumber},
+          {"name", ""},          {"inputs", nullptr},
+          {"outputs", nullptr},  {"bus_current_mA", 0},
+          {"placeholder", false}};
+}
+
+nlohmann::json modulesOf(const io::Configuration& hardware, std::uint32_t rack) {
+  nlohmann::json modules = nlohmann::json::array();
+  bool cpu = rack != 0;
+  const auto addCpu = [&] {
+    if (!cpu) modules.push_back(toJson(*hardware.model));
+    cpu = true;
+  };
+  for (const io::Module& module : hardware.modules) {
+    if (module.rack != rack) continue;
+    if (module.slot >= 2) addCpu();
+    modules.push_back(toJson(module));
+  }
+  addCpu();
+  return modules;
+}
+
 nlohmann::json racks(const io::Configuration& hardware) {
   nlohmann::json list = nlohmann::json::array();
   for (std::uint32_t rack = 0; rack < hardware.model->racks; ++rack) {
-    nlohmann::json modules = nlohmann::json::array();
-    for (const io::Module& module : hardware.modules)
-      if (module.rack == rack) modules.push_back(toJson(module));
+    nlohmann::json modules = modulesOf(hardware, rack);
     if (modules.empty() && rack > 0) continue;
     const io::Current current = io::current(hardware, rack);
     list.push_back({{"rack", rack},

@@ -74,6 +74,12 @@ constexpr ModuleType settable(ModuleType type, std::span<const std::uint32_t> de
   return type;
 }
 
+// Measuring method and range are set for two channels at a time.
+constexpr ModuleType paired(ModuleType type) {
+  type.rangeGroup = 2;
+  return type;
+}
+
 constexpr ModuleType position() {
   ModuleType type = other("6ES7 338-4BC01-0AB0", "SM 338", "POS-INPUT 3xSSI", Kind::Position, 160);
   type.outputBytes = 0;  // S7-HW-07
@@ -120,25 +126,25 @@ constexpr std::array kModules{
     digital("6ES7 323-1BH01-0AA0", "SM 323", "DI8/DO8xDC24V/0.5A", 8, 8, 40, kDc, kDirect),
     digital("6ES7 323-1BL00-0AA0", "SM 323", "DI16/DO16xDC24V/0.5A", 16, 16, 80, kDc, kDirect),
 
-    diagnosing(
+    paired(diagnosing(
         analog("6ES7 331-7KF02-0AB0", "SM 331", "AI8x12bit", 8, 0, 50, 12, false,
                kVolts | kCurrents | kResistances | kThermometers | kThermocouples, 0, 22'000),
-        0x05),
-    diagnosing(
+        0x05)),
+    paired(diagnosing(
         analog("6ES7 331-7KB02-0AB0", "SM 331", "AI2x12bit", 2, 0, 50, 12, false,
                kVolts | kCurrents | kResistances | kThermometers | kThermocouples, 0, 22'000),
-        0x01),
+        0x01)),
     analog("6ES7 331-1KF01-0AB0", "SM 331", "AI8x13bit", 8, 0, 90, 12, false, kAllAnalog, 0,
            66'000),
-    diagnosing(analog("6ES7 331-7NF00-0AB0", "SM 331", "AI8x16bit", 8, 0, 130, 15, false,
-                      kVolts | kCurrents, 0, 23'000),
-               0x05),
-    diagnosing(analog("6ES7 331-7PF01-0AB0", "SM 331", "AI8xRTD", 8, 0, 100, 15, false,
-                      kResistances | kThermometers, 0, 50'000),
-               0xFF),
-    diagnosing(analog("6ES7 331-7PF11-0AB0", "SM 331", "AI8xTC", 8, 0, 100, 15, false,
-                      kThermocouples, 0, 50'000),
-               0xFF),
+    paired(diagnosing(analog("6ES7 331-7NF00-0AB0", "SM 331", "AI8x16bit", 8, 0, 130, 15, false,
+                             kVolts | kCurrents, 0, 23'000),
+                      0x05)),
+    paired(diagnosing(analog("6ES7 331-7PF01-0AB0", "SM 331", "AI8xRTD", 8, 0, 100, 15, false,
+                             kResistances | kThermometers, 0, 50'000),
+                      0xFF)),
+    paired(diagnosing(analog("6ES7 331-7PF11-0AB0", "SM 331", "AI8xTC", 8, 0, 100, 15, false,
+                             kThermocouples, 0, 50'000),
+                      0xFF)),
 
     diagnosing(analog("6ES7 332-5HB01-0AB0", "SM 332", "AO2x12bit", 0, 2, 60, 12, true, 0,
                       kStandard | kFiveVolts, 800)),

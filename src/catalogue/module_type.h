@@ -48,6 +48,7 @@ struct ModuleType {
   bool signInResolution = false;  // one of them is the sign in ranges that have one
   std::uint16_t inputRanges = 0, outputRanges = 0;  // RangeSet
   std::uint16_t lastInputRanges = 0;                // of the last input, if not as the others
+  std::uint8_t rangeGroup = 1;                      // inputs that share their measuring range
   std::uint32_t conversionTime = 0;                 // µs a channel
   bool wireBreakCheck = false;
 

@@ -105,7 +105,9 @@ Mode Cnc::mode() const {
 }
 
 bool Cnc::stoppedByFault() const { return plc().stoppedByFault(); }
-std::string Cnc::stopReason() const { return plc().stopReason(); }
+std::string Cnc::stopReason() const {
+  return powered() ? plc().stopReason() : "the control is switched off";
+}
 bool Cnc::powered() const { return plc().mode() != sinumerik::Mode::Off; }
 bool Cnc::start() { return plc().coldStart(); }
 bool Cnc::warmRestart() { return plc().warmStart(); }

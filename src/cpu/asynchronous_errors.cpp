@@ -23,8 +23,13 @@ constexpr ObRow kObs[] = {{80, Event::StopTimeError},           {81, std::nullop
 struct FaultRow {
   std::uint8_t fault;
   std::string_view text;
-  bool address = false;  // a logical address stands in bytes 6 and 7
+  enum class Detail : std::uint8_t {
+    None,
+    Address,  // logical address in bytes 6 and 7
+    Racks     // a bit for each rack in bytes 8 to 11
+  } detail = Detail::None;
 };
+using Detail = FaultRow::Detail;
 // FLT_ID of OB 81 to 87 (S7-OBI-08 … -11 and the manual's chapters on these OBs).
 constexpr FaultRow kFaults[] = {
     {0x21, "battery exhausted"},
@@ -33,11 +38,11 @@ constexpr FaultRow kFaults[] = {
     {0x31, "battery of an expansion rack exhausted"},
     {0x32, "backup voltage of an expansion rack missing"},
     {0x33, "24 V supply of an expansion rack failed"},
-    {0x42, "module fault", true},
-    {0x61, "module removed", true},
-    {0x63, "module of a wrong type inserted", true},
-    {0x64, "module with a fault inserted", true},
-    {0x65, "module inserted, error in its parameters", true},
+    {0x42, "module fault", Detail::Address},
+    {0x61, "module removed", Detail::Address},
+    {0x63, "module of a wrong type inserted", Detail::Address},
+    {0x64, "module with a fault inserted", Detail::Address},
+    {0x65, "module inserted, error in its parameters", Detail::Address},
     {0x81, "interface error"},
     {0x82, "memory error corrected by the operating system"},
     {0xA1, "OB not loaded"},
@@ -47,8 +52,8 @@ constexpr FaultRow kFaults[] = {
     {0xB2, "I/O access error while writing the output image"},
     {0xB3, "I/O access error while updating the input image"},
     {0xB4, "I/O access error while writing the output image"},
-    {0xC1, "rack failed", true},
-    {0xC4, "DP station failed", true},
+    {0xC1, "rack failed", Detail::Racks},
+    {0xC4, "DP station failed", Detail::Address},
     {0xD2, "diagnostic entries cannot be sent"},
     {0xE1, "wrong frame identification in global data communication"},
 };
@@ -57,6 +62,16 @@ const FaultRow* faultRow(std::uint8_t fault) {
   const auto at = std::find_if(std::begin(kFaults), std::end(kFaults),
                                [&](const FaultRow& row) { return row.fault == fault; });
   return at == std::end(kFaults) ? nullptr : at;
+}
+
+std::string detailOf(const FaultRow& row, const StartInformation& start) {
+  if (row.detail == Detail::Address) return fmt::format(": address {}", loadWord(&start[6]));
+  std::string racks;
+  const std::uint32_t bits = row.detail == Detail::Racks ? loadDWord(&start[8]) : 0;
+  for (unsigned rack = 0; rack < 32; ++rack)
+    if ((bits >> rack & 1) != 0)
+      racks += fmt::format("{}{}", racks.empty() ? ": rack " : ", ", rack);
+  return racks;
 }
 
 }  // namespace
@@ -76,8 +91,7 @@ std::string describe(const StartInformation& start) {
   constexpr std::uint8_t kGoing = 0x38, kComing = 0x39;
   if (start[0] == kGoing) words += ", going";
   if (start[0] == kComing) words += ", coming";
-  if (row != nullptr && row->address) words += fmt::format(": address {}", loadWord(&start[6]));
-  return words;
+  return row == nullptr ? words : words + detailOf(*row, start);
 }
 
 }  // namespace merker::cpu

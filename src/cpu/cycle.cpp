@@ -16,9 +16,10 @@ void Cpu::step(Instant limit) {
   if (executes(mode_)) takeEvents();
 }
 
-// STOP and HALT: time goes on, the modules with it.
+// STOP and HALT: time goes on, the modules with it while there is power.
 void Cpu::rest(Instant limit) {
-  const Instant next = periphery_ == nullptr ? Instant::never() : periphery_->next();
+  const bool acting = periphery_ != nullptr && powered_;
+  const Instant next = acting ? periphery_->next() : Instant::never();
   machine_.clock = std::max(machine_.clock, std::min(limit, next));
   takePeriphery();
 }
@@ -55,6 +56,7 @@ void Cpu::enterRun() {
   ++checkpoints_;
   report(Event::StartupToRun);
   disableOutputs(false);
+  if (periphery_ != nullptr) periphery_->started(*this);
   nextCycle_ = cycleStart_ = machine_.clock;
   if (!machine_.levels.empty()) monitoring_.begin(machine_.clock, cycleMonitoring());
   if (isHot(lastRestart_)) return;

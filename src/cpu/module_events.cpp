@@ -42,14 +42,15 @@ bool sameModule(const StartInformation& start, const ModuleEvent& event) {
 void Cpu::moduleEvent(const ModuleEvent& event) {
   if (event.kind == Kind::HardwareInterrupt) return hardwareInterrupt(event);
   const Row& row = rowOf(event.kind);
-  const PresentFaults::Module module{row.came, event.address, event.output};
+  const PresentFaults::Module module{row.came, event.address, event.output,
+                                     row.ob == 86 ? event.points : 0};
   row.eventClass == 0x39 ? faults_.come(module) : faults_.go(module);
   StartInformation start =
       startInformation(row.eventClass, row.faultId, priorityOf(row.ob), row.ob, dateAndTime());
   if (row.ob != 86) setByte(start, 5, direction(event));
   setWord(start, 6, event.address);
   if (row.ob == 82) std::copy(event.data.begin(), event.data.end(), start.begin() + 8);
-  if (row.ob == 86) setDWord(start, 8, event.points);  // RACKS_FLTD
+  if (row.ob == 86) setDWord(start, 8, event.points);  // RACKS_FLTD: bit n is rack n
   asynchronousError(start);
 }
 

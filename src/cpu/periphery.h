@@ -23,6 +23,11 @@ class Periphery {
   // The CPU's line "output disable": on in STOP, STARTUP and HALT. Modules then put out 0 or their
   // substitute values (S7-STATE-02, -11).
   virtual void disableOutputs(Cpu& cpu, bool disabled) = 0;
+  // Power goes or returns (S7-STATE-05).
+  virtual void supply(Cpu&, bool) {}
+  // The CPU has gone to RUN, with parameters that its start has set: modules report what is wrong
+  // with them (S7-ERR-05).
+  virtual void started(Cpu&) {}
 };
 
 }  // namespace merker::cpu

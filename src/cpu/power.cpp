@@ -9,6 +9,7 @@ void Cpu::memoryReset(Event how) {
   report(how);
   clearStacks();
   clearSystemMemory(true);
+  unforce();
   activateDownload();
   if (program_) machine_.dataBlocks.load(*program_);
   stoppedByFault_ = resetRequested_ = resumable_ = false;
@@ -30,16 +31,19 @@ void Cpu::powerOff() {
   mode_ = Mode::Stop;
   powered_ = false;
   standStill();
+  if (periphery_ != nullptr) periphery_->supply(*this, false);
 }
 
 void Cpu::powerOn(bool buffered) {
   if (powered_) return;
   powered_ = true;
   buffered_ = buffered;
+  if (periphery_ != nullptr) periphery_->supply(*this, true);
   if (buffered)
     report(Event::PowerOn);
   else
     memoryReset(Event::MemoryResetAutomatic);
+  takePeriphery();  // what happened meanwhile, as in STOP
   if (!runningAtPowerOff_ || !switch_.allowsRun()) {
     clearStacks();
     clearSystemMemory(false);

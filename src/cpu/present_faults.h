@@ -14,6 +14,7 @@ struct PresentFaults {
     ModuleEvent::Kind kind = ModuleEvent::Kind::DiagnosticComing;
     std::uint16_t address = 0;
     bool output = false;
+    std::uint32_t racks = 0;  // of a rack failure, a bit for each
     bool operator==(const Module&) const = default;
   };
   std::vector<Module> modules;  // kinds that come: diagnostic, removed, rack failed

@@ -13,17 +13,17 @@ struct Row {
   Restart how;
   std::uint8_t ob, kind;  // kind: OB10x_STRTUP
   Event event;
+  std::uint8_t info, unbuffered;  // bits 23..16 of STRT_INFO; after power on without buffer
 };
-constexpr Row kRows[] = {{Restart::ManualWarm, 100, 0x81, Event::WarmRestartManual},
-                         {Restart::AutomaticWarm, 100, 0x82, Event::WarmRestartAutomatic},
-                         {Restart::ManualHot, 101, 0x83, Event::HotRestartManual},
-                         {Restart::AutomaticHot, 101, 0x84, Event::HotRestartAutomatic},
-                         {Restart::ManualCold, 102, 0x85, Event::ColdRestartManual},
-                         {Restart::AutomaticCold, 102, 0x86, Event::ColdRestartAutomatic}};
+constexpr Row kRows[] = {
+    {Restart::ManualWarm, 100, 0x81, Event::WarmRestartManual, 0x03, 0x03},
+    {Restart::AutomaticWarm, 100, 0x82, Event::WarmRestartAutomatic, 0x10, 0x20},
+    {Restart::ManualHot, 101, 0x83, Event::HotRestartManual, 0x0B, 0x0B},
+    {Restart::AutomaticHot, 101, 0x84, Event::HotRestartAutomatic, 0xA0, 0xA0},
+    {Restart::ManualCold, 102, 0x85, Event::ColdRestartManual, 0x07, 0x07},
+    {Restart::AutomaticCold, 102, 0x86, Event::ColdRestartAutomatic, 0x11, 0x21}};
 
 const Row& rowOf(Restart how) { return kRows[static_cast<unsigned>(how)]; }
-
-bool isAutomatic(Restart how) { return (static_cast<unsigned>(how) & 1) != 0; }
 
 }  // namespace
 
@@ -113,14 +113,12 @@ void Cpu::beginStartup(Restart how) {
   if (hasOb(row.ob)) startLevel(row.ob, priorityOf(row.ob), lastStart_, false);
 }
 
-// Byte 6 the event of the last STOP; bytes 8..11 as the manual's table "STRT_INFO" has them: who
-// started, and which starts are possible.
+// Byte 6 the event of the last STOP; bytes 8..11 as the manual's table "STRT_INFO" has them (System
+// Software for S7-300/400, startup OBs): which start, by whom, and which starts are possible.
 StartInformation Cpu::startupInformation(Restart how) const {
-  constexpr unsigned kSwitch = 0x03, kAfterPower = 0x10, kAfterPowerUnbuffered = 0x20;
   constexpr unsigned kWarmPossible = 0x77, kHotPossible = 0xFF;
   const Row& row = rowOf(how);
-  const unsigned power = buffered_ ? kAfterPower : kAfterPowerUnbuffered;
-  const unsigned who = isAutomatic(how) ? power : kSwitch;
+  const unsigned who = buffered_ ? row.info : row.unbuffered;
   StartInformation start = startInformation(0x13, row.kind, 27, row.ob, dateAndTime());
   setWord(start, 6, stopEvent_.event);
   setByte(start, 9, who);

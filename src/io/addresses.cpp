@@ -64,11 +64,18 @@ void checkOverlap(const Stretch& a, const Stretch& b, std::string_view area, Pro
                two.first, two.last, who(*two.module));
 }
 
+// Analog values are words, and words of a module lie at even addresses.
+void checkEven(const Stretch& stretch, Problems& problems) {
+  if (stretch.module->type->kind == ModuleKind::Analog && stretch.first % 2 != 0)
+    problems.add(ProblemCode::P0750, place(stretch), stretch.first, who(*stretch.module));
+}
+
 void check(const Configuration& configuration, bool outputs, Problems& problems) {
   const std::string_view area = outputs ? "output bytes" : "input bytes";
   const std::uint32_t bytes = configuration.model->peripheralBytes;
   const auto list = stretches(configuration, outputs);
   for (auto one = list.begin(); one != list.end(); ++one) {
+    checkEven(*one, problems);
     if (one->last >= bytes)
       problems.add(ProblemCode::P0734, place(*one), area, one->first, one->last, who(*one->module),
                    bytes - 1, configuration.model->name);

@@ -91,10 +91,7 @@ void Rack::checkLimits(std::uint32_t index, std::uint32_t channel) {
   if (input.lowerLimit && unit.shown[channel] < limit(input.lowerLimit)) beyond |= lower;
   const std::uint32_t fresh = beyond & ~unit.beyond;
   unit.beyond = beyond;
-  if (fresh == 0 || !present(index)) return;
-  ModuleEvent interrupt = event(index, ModuleEvent::Kind::HardwareInterrupt);
-  interrupt.points = fresh;
-  events_.push_back(interrupt);
+  interrupt(index, fresh);
 }
 
 double Rack::outputAmount(std::uint32_t index, std::uint32_t channel) const {
@@ -102,7 +99,7 @@ double Rack::outputAmount(std::uint32_t index, std::uint32_t channel) const {
   const Unit& unit = units_[index];
   const AnalogOutput& output = module.parameters.analogOutputs[channel];
   const bool dead = unit.has(FaultKind::LoadVoltage) || unit.has(FaultKind::Defect);
-  if (output.range == nullptr || dead || !present(index)) return 0;
+  if (output.range == nullptr || !supplied_ || dead || !present(index)) return 0;
   if (unit.has(channel, FaultKind::ShortCircuit) || unit.has(channel, FaultKind::WireBreak))
     return 0;
   const OnStop onStop = module.parameters.onStop;

@@ -29,10 +29,7 @@ void Rack::take(std::uint32_t index, std::uint32_t levels) {
   const std::uint32_t falling = ~levels & unit.delivered & parameters.fallingEdges;
   unit.delivered = levels;
   showBits(index);
-  if ((rising | falling) == 0 || !present(index)) return;
-  ModuleEvent interrupt = event(index, ModuleEvent::Kind::HardwareInterrupt);
-  interrupt.points = rising | falling;  // S7-OBI-06
-  events_.push_back(interrupt);
+  interrupt(index, rising | falling);
 }
 
 // A module without supply or with an inner fault shows 0.
@@ -53,7 +50,7 @@ bool Rack::outputLevel(std::uint32_t index, std::uint32_t channel) const {
   const Unit& unit = units_[index];
   constexpr std::uint16_t kDead =
       bitOf(FaultKind::LoadVoltage) | bitOf(FaultKind::Fuse) | bitOf(FaultKind::Defect);
-  if ((unit.moduleFaults & kDead) != 0 || !present(index)) return false;
+  if (!supplied_ || (unit.moduleFaults & kDead) != 0 || !present(index)) return false;
   if (unit.has(channel, FaultKind::ShortCircuit) || unit.has(channel, FaultKind::WireBreak))
     return false;
   const OnStop onStop = module.parameters.onStop;

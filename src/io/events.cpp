@@ -12,10 +12,23 @@ ModuleEvent Rack::event(std::uint32_t index, ModuleEvent::Kind kind) const {
   event.output = !module.inputStart && module.outputStart;
   event.address = static_cast<std::uint16_t>(module.inputStart    ? *module.inputStart
                                              : module.outputStart ? *module.outputStart
-                                                                  : module.rack);
+                                                                  : 0);
   if (kind == ModuleEvent::Kind::RackFailed || kind == ModuleEvent::Kind::RackReturned)
     event.points = 1u << module.rack;  // RACKS_FLTD (S7-OBI-11)
   return event;
+}
+
+// S7-OBI-06. Channels that change at one instant are one interrupt, until the CPU has taken it.
+void Rack::interrupt(std::uint32_t index, std::uint32_t points) {
+  if (points == 0 || !present(index)) return;
+  ModuleEvent fresh = event(index, ModuleEvent::Kind::HardwareInterrupt);
+  fresh.points = points;
+  const auto same = std::find_if(events_.begin(), events_.end(), [&](const ModuleEvent& other) {
+    return other.kind == fresh.kind && other.address == fresh.address &&
+           other.output == fresh.output && (other.points & points) == 0;
+  });
+  if (same == events_.end()) return events_.push_back(fresh);
+  same->points |= points;
 }
 
 // Coming while any fault is there, going when the last one has gone (S7-ERR-05).
@@ -24,6 +37,16 @@ void Rack::diagnose(std::uint32_t index) {
   std::vector<std::uint8_t> now = diagnosis(*of(index).type, unit);
   if (now == unit.diagnosis) return;
   unit.diagnosis = std::move(now);
+  reportDiagnosis(index);
+}
+
+void Rack::reportFaults() {
+  for (std::uint32_t i = 0; i < units_.size(); ++i)
+    if ((units_[i].diagnosis[0] & 1) != 0) reportDiagnosis(i);
+}
+
+void Rack::reportDiagnosis(std::uint32_t index) {
+  const Unit& unit = units_[index];
   if (!of(index).parameters.diagnosticInterrupt || !present(index)) return;
   const bool coming = (unit.diagnosis[0] & 1) != 0;
   ModuleEvent interrupt = event(

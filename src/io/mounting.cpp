@@ -77,6 +77,27 @@ void checkGaps(const Configuration& configuration, Problems& problems) {
   }
 }
 
+// Interface modules pass on from rack to rack, so that no rack is left out.
+void checkRackGaps(const Configuration& configuration, Problems& problems) {
+  std::uint32_t next = 0;
+  for (const Module& module : configuration.modules) {
+    if (module.rack > std::max(next, 1u))
+      problems.add(ProblemCode::P0749, rackPlace(module), std::max(next, 1u));
+    next = module.rack + 1;
+  }
+}
+
+// Behind an IM 365 there is no communication bus (manual "CPU 31xC and CPU 31x: Installation",
+// interface modules): FM and CP cannot be reached there.
+void checkCommunicationBus(const Configuration& configuration, Problems& problems) {
+  for (const Module& module : configuration.modules) {
+    const Module* im = module.rack == 0 ? nullptr : interfaceOf(configuration, module.rack);
+    if (im != nullptr && isInterface(*im, "IM 365") && module.type->placeholder())
+      problems.add(ProblemCode::P0728, rackPlace(module), title(*module.type), module.rack,
+                   "behind an IM 365 there is no communication bus, only SM work there");
+  }
+}
+
 // S7-HW-15: each rack of several has its IM, and the IMs belong together.
 void checkInterface(const Configuration& configuration, std::uint32_t rack, Problems& problems) {
   const bool pair = interfaceOf(configuration, 0) != nullptr &&
@@ -187,7 +208,9 @@ bool checkPlace(const Module& module, const CpuModel& model, Problems& problems)
 
 void checkMounting(const Configuration& configuration, Problems& problems) {
   checkGaps(configuration, problems);
+  checkRackGaps(configuration, problems);
   checkInterfaces(configuration, problems);
+  checkCommunicationBus(configuration, problems);
   checkCables(configuration, problems);
   checkCurrent(configuration, problems);
   checkChannels(configuration, problems);

@@ -111,8 +111,14 @@ void Rack::disableOutputs(bool disabled) {
   outputsDisabled_ = disabled;
 }
 
+// What an output kept is gone with the supply (S7-STATE-02).
+void Rack::supply(bool on) {
+  supplied_ = on;
+  if (!on) std::fill(kept_.begin(), kept_.end(), std::uint8_t{0});
+}
+
 std::uint8_t Rack::putOut(std::uint32_t byte) const {
-  if (!answersOutput(byte)) return 0;
+  if (!supplied_ || !answersOutput(byte)) return 0;
   const std::uint32_t owner = outputOwner_[byte];
   const Module& module = of(owner);
   const std::uint32_t offset = byte - *module.outputStart;

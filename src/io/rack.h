@@ -74,6 +74,10 @@ class Rack {
   bool answersOutput(std::uint32_t byte) const { return answers(outputOwner_, byte); }
   void written(std::uint32_t first, const std::uint8_t* bytes, std::uint32_t count);
   void disableOutputs(bool disabled);
+  // The supply of the station: without it no module puts out anything, whatever its parameters say.
+  void supply(bool on);
+  // The start has given the modules their parameters: faults that are there are reported (again).
+  void reportFaults();
   // What a module puts out at this address, as the CPU would have to write it.
   std::uint8_t putOut(std::uint32_t byte) const;
   // Inputs that changed since the last call, and whether a module came or went.
@@ -107,6 +111,8 @@ class Rack {
   double outputAmount(std::uint32_t index, std::uint32_t channel) const;
   // events.cpp
   ModuleEvent event(std::uint32_t index, ModuleEvent::Kind kind) const;
+  void interrupt(std::uint32_t index, std::uint32_t points);
+  void reportDiagnosis(std::uint32_t index);
   void diagnose(std::uint32_t index);
   void presence(std::uint32_t index, ModuleEvent::Kind kind);
   void refresh(std::uint32_t index);  // after a fault came or went
@@ -117,7 +123,7 @@ class Rack {
   std::vector<std::uint16_t> inputOwner_, outputOwner_;  // module by byte, kNobody
   // Outputs as the CPU wrote them, and as they were when outputs were disabled.
   std::vector<std::uint8_t> inputs_, outputs_, kept_;
-  bool outputsDisabled_ = true;
+  bool outputsDisabled_ = true, supplied_ = true;
   Instant next_ = Instant::never();
   std::uint32_t changedFirst_ = UINT32_MAX, changedLast_ = 0;
   bool presenceChanged_ = true;

@@ -1,6 +1,8 @@
 // [[module.channel]] of merker.toml: analog channels (S7-HWCFG-09).
 #include <fmt/format.h>
 
+#include <array>
+
 #include "base/text.h"
 #include "io/amount.h"
 #include "project/readers.h"
@@ -125,8 +127,29 @@ std::optional<unsigned> readNumber(const Table& table, std::string_view key,
 
 }  // namespace
 
+namespace {
+
+// Where channels were given a range, by input.
+using RangePositions = std::array<Position, 8>;
+
+// S7-HWCFG-09: parameter data record of the module: one byte a group (manual "S7-300 Module data").
+void checkRangeGroups(const io::Module& module, const RangePositions& set, Problems& problems) {
+  const unsigned step = module.type->rangeGroup;
+  if (step != 2) return;
+  const auto& inputs = module.parameters.analogInputs;
+  for (unsigned c = 0; c + 1 < module.type->analogInputs; c += step) {
+    const MeasuringRange *one = inputs[c].range, *other = inputs[c + 1].range;
+    if (one == nullptr || other == nullptr || one == other) continue;
+    const Position& later = set[c + 1].line > set[c].line ? set[c + 1] : set[c];
+    problems.add(ProblemCode::P0751, later, c, c + 1, module.title());
+  }
+}
+
+}  // namespace
+
 void readChannels(const Table& table, io::Module& module) {
   std::uint32_t inputs = 0, outputs = 0;
+  RangePositions ranges;
   for (const Table& channel : table.tables("channel")) {
     const bool output = channel.has("output");
     if (output == channel.has("input")) {
@@ -139,8 +162,10 @@ void readChannels(const Table& table, io::Module& module) {
     } else if (const auto number =
                    readNumber(channel, "input", module, module.type->analogInputs, inputs)) {
       readInput(channel, module, *number);
+      if (channel.has("range")) ranges[*number] = channel.at("range");
     }
   }
+  checkRangeGroups(module, ranges, table.problems());
 }
 
 }  // namespace merker::project

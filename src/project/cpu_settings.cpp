@@ -10,12 +10,6 @@
 namespace merker::project {
 namespace {
 
-constexpr Duration kMillisecond = Duration::milliseconds(1);
-
-std::uint32_t inMilliseconds(Duration length) {
-  return static_cast<std::uint32_t>(length.ns / kMillisecond.ns);
-}
-
 // PERIOD of SFC 28, in the order of the words below (S7-OBI-03).
 constexpr std::uint16_t kPeriods[] = {0x0000, 0x0201, 0x0401, 0x1001,
                                       0x1201, 0x1401, 0x1801, 0x2001};
@@ -33,12 +27,11 @@ bool isTimeOfDay(unsigned ob) { return ob >= 10 && ob <= 17; }
 bool isCyclic(unsigned ob) { return ob >= 30 && ob <= 38; }
 
 void readTimes(const Table& table, CpuParameters& parameters) {
-  const auto monitoring =
-      table.length("cycle_monitoring", kMillisecond, Duration::milliseconds(6000));
-  if (monitoring) parameters.cycleMonitoring = inMilliseconds(*monitoring);
-  const auto minimum = table.length("minimum_cycle", Duration{}, Duration::milliseconds(6000));
+  const auto monitoring = table.milliseconds("cycle_monitoring", 1, 6000);
+  if (monitoring) parameters.cycleMonitoring = *monitoring;
+  const auto minimum = table.milliseconds("minimum_cycle", 0, 6000);
   if (!minimum) return;
-  parameters.minimumCycle = inMilliseconds(*minimum);
+  parameters.minimumCycle = *minimum;
   if (parameters.minimumCycle >= parameters.cycleMonitoring)
     table.mustBe("minimum_cycle", fmt::format("shorter than cycle_monitoring, which is {} ms",
                                               parameters.cycleMonitoring));
@@ -70,18 +63,19 @@ void readProtection(const Table& table, CpuParameters& parameters) {
                          "a password: password = \"...\"");
 }
 
+// The start information gives the interval as INT in ms (S7-OBI-05).
 void readCyclic(const Table& table, unsigned ob, CpuParameters& parameters) {
   table.allow({"interval", "phase"});
   CyclicParameter cyclic{.ob = static_cast<std::uint8_t>(ob)};
-  const Duration longest = Duration::seconds(60);
-  const auto interval = table.length("interval", kMillisecond, longest);
+  constexpr std::uint32_t kLongest = 60'000;
+  const auto interval = table.milliseconds("interval", 1, kLongest);
   if (!table.has("interval"))
     table.problems().add(ProblemCode::P0744, table.place(), table.title(),
                          "an interval: interval = \"50ms\"");
   if (!interval) return;
-  cyclic.interval = static_cast<std::int32_t>(inMilliseconds(*interval));
-  if (const auto phase = table.length("phase", Duration{}, longest)) {
-    cyclic.phase = static_cast<std::int32_t>(inMilliseconds(*phase));
+  cyclic.interval = static_cast<std::int32_t>(*interval);
+  if (const auto phase = table.milliseconds("phase", 0, kLongest)) {
+    cyclic.phase = static_cast<std::int32_t>(*phase);
     if (*phase >= *interval) table.mustBe("phase", "shorter than the interval");
   }
   parameters.cyclic.push_back(cyclic);

@@ -42,8 +42,10 @@ Position Table::placeOf(std::string_view key) const {
 }
 
 std::string Table::titleOf(std::string_view key) const {
-  if (title_.empty()) return fmt::format("[{}]", key);
-  return fmt::format("[{}.{}]", std::string_view(title_).substr(1, title_.size() - 2), key);
+  std::string_view outer = title_;  // "[cpu]", "[[module]]"
+  outer.remove_prefix(std::min(outer.find_first_not_of('['), outer.size()));
+  outer = outer.substr(0, outer.find(']'));
+  return outer.empty() ? fmt::format("[{}]", key) : fmt::format("[{}.{}]", outer, key);
 }
 
 void Table::mustBe(std::string_view key, std::string_view what) const {
@@ -108,6 +110,16 @@ std::optional<Duration> Table::length(std::string_view key, Duration low, Durati
   if (length && *length >= low && *length <= high) return length;
   mustBe(key, fmt::format("a length of time from \"{}\" to \"{}\"", io::formatLength(low),
                           io::formatLength(high)));
+  return std::nullopt;
+}
+
+std::optional<std::uint32_t> Table::milliseconds(std::string_view key, std::uint32_t low,
+                                                 std::uint32_t high) const {
+  constexpr std::int64_t kMillisecond = Duration::milliseconds(1).ns;
+  const auto time = length(key, Duration::milliseconds(low), Duration::milliseconds(high));
+  if (!time) return std::nullopt;
+  if (time->ns % kMillisecond == 0) return static_cast<std::uint32_t>(time->ns / kMillisecond);
+  mustBe(key, "a whole number of milliseconds");
   return std::nullopt;
 }
 

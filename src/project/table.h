@@ -43,6 +43,9 @@ class Table {
   std::optional<std::uint32_t> number(std::string_view key, std::int64_t low, std::int64_t high,
                                       std::string_view unit = {}) const;
   std::optional<Duration> length(std::string_view key, Duration low, Duration high) const;
+  // The same in whole milliseconds.
+  std::optional<std::uint32_t> milliseconds(std::string_view key, std::uint32_t low,
+                                            std::uint32_t high) const;
   // The position of the word in `words`.
   std::optional<std::size_t> choice(std::string_view key,
                                     std::initializer_list<std::string_view> words) const;

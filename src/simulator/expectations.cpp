@@ -45,7 +45,8 @@ std::string_view modeName(Mode mode) {
 }
 
 std::string because(const Controller& plc) {
-  return plc.mode() == Mode::Stop ? ": " + plc.stopReason() : std::string();
+  const std::string reason = plc.stopReason();
+  return reason.empty() ? reason : ": " + reason;
 }
 
 bool needsDevice(const Expectation& e) {

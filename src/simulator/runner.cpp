@@ -30,6 +30,15 @@ bool restart(Controller& plc, Start how) {
   return true;
 }
 
+// Memory reset and start. Why no scenario can begin: the start is refused, or its OB does not end.
+// One that ends in STOP, by SFC 46 or a fault, is no refusal (S7-STATE-08).
+std::string refusal(Controller& plc) {
+  if (plc.mode() != Mode::Stop) plc.stop();
+  plc.memoryReset();
+  if (!restart(plc, &Controller::start)) return "the CPU does not start" + because(plc);
+  return plc.mode() == Mode::Startup ? "the CPU does not reach RUN" : std::string();
+}
+
 class Runner {
  public:
   Runner(Controller& plc, TestResult& result)
@@ -47,7 +56,9 @@ class Runner {
   bool repeat(const Step& step);
   bool restarted(const Step& step, Start how);
   bool powered(const Step& step);
+  bool hotRestart(const Step& step);
   bool refused(const Step& step);
+  bool hasNone(const Step& step, std::string_view what);
   bool noDevice(const Step& step);
   bool memoryReset(const Step& step);
   bool copyRamToRom(const Step& step);
@@ -105,6 +116,7 @@ bool Runner::perform(const Step& step) {
     case StepKind::MemoryReset:
       return memoryReset(step);
     case StepKind::Unforce:
+      if (!powered(step)) return false;
       plc_.unforce();
       return true;
     case StepKind::Repeat:
@@ -118,11 +130,12 @@ bool Runner::perform(const Step& step) {
 bool Runner::performOnDevice(const Step& step) {
   switch (step.kind) {
     case StepKind::HotRestart:
-      return device_->hotRestart() || refused(step);
+      return hotRestart(step);
     case StepKind::Switch:
       device_->setSwitch(step.switchPosition);
       return true;
     case StepKind::Trigger:
+      if (!powered(step)) return false;
       cpu::trigger(device_->cpu(), step.trigger);
       return true;
     case StepKind::BatteryLow:
@@ -147,8 +160,18 @@ bool Runner::noDevice(const Step& step) {
                           plc_.modelName()));
 }
 
+// What lies at a terminal does not need the CPU; its memory and its forces do.
+bool needsPower(const Step& step, const Assignment& assignment) {
+  const mc7::Reference& reference = assignment.operand.reference;
+  const Area area = reference.operand.area;
+  const bool terminal = reference.operand.kind == mc7::OperandKind::Memory &&
+                        (area == Area::Input || area == Area::Peripheral) && !reference.outputSide;
+  return step.kind == StepKind::Force || !terminal;
+}
+
 bool Runner::set(const Step& step) {
   for (const Assignment& assignment : step.assignments) {
+    if (needsPower(step, assignment) && !powered(step)) return false;
     const std::string reason = apply(assignment, step.kind == StepKind::Force, plc_);
     if (!reason.empty()) return fail(assignment.operand.position, reason);
   }
@@ -172,9 +195,22 @@ bool Runner::repeat(const Step& step) {
 bool Runner::restarted(const Step& step, Start how) {
   if (!powered(step)) return false;
   if (how == &Controller::coldRestart && !plc_.hasColdRestart())
-    return fail(step.position, fmt::format("{}: the CPU refuses: {} has no cold restart", step.text,
-                                           plc_.modelName()));
+    return hasNone(step, "cold restart");
   return restart(plc_, how) || refused(step);
+}
+
+bool Runner::hotRestart(const Step& step) {
+  if (!powered(step)) return false;
+  if (!device_->model().hotRestart) return hasNone(step, "hot restart");
+  return device_->hotRestart() ||
+         fail(step.position,
+              fmt::format("{}: the CPU refuses: there is no interrupted program to go on with{}",
+                          step.text, because(plc_)));
+}
+
+bool Runner::hasNone(const Step& step, std::string_view what) {
+  return fail(step.position,
+              fmt::format("{}: the CPU refuses: {} has no {}", step.text, plc_.modelName(), what));
 }
 
 bool Runner::refused(const Step& step) {
@@ -182,6 +218,7 @@ bool Runner::refused(const Step& step) {
 }
 
 bool Runner::copyRamToRom(const Step& step) {
+  if (!powered(step)) return false;
   const std::string reason = device_->copyRamToRom();
   return reason.empty() || fail(step.position, step.text + ": " + reason);
 }
@@ -262,18 +299,16 @@ void advanceToNextLook(Controller& plc, Instant end) {
 }
 
 std::string startFresh(Controller& plc) {
-  if (plc.mode() != Mode::Stop) plc.stop();
-  plc.memoryReset();
-  if (!restart(plc, &Controller::start)) return "the CPU does not start" + because(plc);
-  if (plc.mode() == Mode::Run) return {};
-  return fmt::format("the CPU does not reach RUN{}", because(plc));
+  const std::string reason = refusal(plc);
+  if (!reason.empty() || plc.mode() == Mode::Run) return reason;
+  return "the CPU does not reach RUN" + because(plc);
 }
 
 TestResult runScenario(const Scenario& scenario, Controller& plc) {
   TestResult result{scenario.position.file, scenario.name, {}, {}};
   Runner runner(plc, result);
-  const std::string reason = startFresh(plc);
-  // A fault in the startup OB is a state that a scenario may expect; a refused start is not.
+  const std::string reason = refusal(plc);
+  // A fault that ends the start is a state that a scenario may expect; a refused start is not.
   const bool refused = !reason.empty() && !plc.stoppedByFault();
   if (refused) result.failures.push_back({scenario.position, plc.now(), reason});
   if (!refused && runner.run(scenario.steps)) runner.endState(scenario);

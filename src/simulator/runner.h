@@ -8,7 +8,7 @@
 
 namespace merker::simulator {
 
-// Memory reset and warm restart up to mode RUN. The reason if the CPU does not get there.
+// Memory reset and start up to mode RUN. The reason if the CPU does not get there.
 std::string startFresh(controller::Controller& plc);
 
 // To the next cycle boundary or state change, at most to `end`.

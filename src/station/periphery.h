@@ -23,6 +23,8 @@ class Periphery : public cpu::Periphery {
   void advance(cpu::Cpu& cpu, Instant now) override;
   void written(cpu::Cpu& cpu, std::uint32_t first, std::uint32_t count) override;
   void disableOutputs(cpu::Cpu& cpu, bool disabled) override;
+  void supply(cpu::Cpu&, bool on) override { rack_.supply(on); }
+  void started(cpu::Cpu&) override { rack_.reportFaults(); }
 
  private:
   void showPresence(cpu::Cpu& cpu);

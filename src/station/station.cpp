@@ -112,6 +112,7 @@ bool Station::stoppedByFault() const {
 
 std::string Station::stopReason() const {
   if (mode() != Mode::Stop) return {};
+  if (!powered()) return "the CPU is switched off";
   const cpu::DiagnosticEvent& event = parts_->cpu.stopEvent();
   if (event.text.empty()) return {};
   return fmt::format("{}{} [16#{:04X}]", event.text, placeText(event.place, program()),

@@ -42,6 +42,13 @@ class Check(Case):
         self.expect(GOOD, "check", "--cpu", "generic", "a.awl")
         self.assertIn("317", self.expect(USAGE, "check", "--cpu", "317", "a.awl").err)
 
+    # S7-OPEN-39: no error, since blocks without OB 1 may be a library
+    def test_a_program_without_ob_1(self):
+        self.write("a.awl", PROGRAM.replace("OB 1", "OB 100"))
+        call = self.expect(GOOD, "check", "a.awl")
+        self.assertIn("a.awl: warning: the program has no OB 1", call.err)
+        self.assertIn("0 errors, 1 warning\n", call.out)
+
     def test_nothing_and_garbage(self):
         self.write("empty.awl", "")
         self.assertIn("empty.awl", self.expect(GOOD, "check", "empty.awl").err)

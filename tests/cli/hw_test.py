@@ -35,6 +35,17 @@ class Hardware(Case):
         self.assertEqual(module["order_number"], "6ES7 321-1BH02-0AA0")
         self.assertTrue(document["configured"])
 
+    # S7-HW-12: the CPU stands in slot 2, with and without something on board
+    def test_the_cpu_is_a_module(self):
+        for cpu, order in (("314C-2 PtP", "6ES7 314-6BF01-0AB0"), ("318-2", "6ES7 318-2AJ00-0AB0"), ("generic", "")):
+            with self.subTest(cpu):
+                power = "[[module]]\nslot = 1\ntype = \"PS 307 5A\"\n"
+                document = self.expect(GOOD, "hw", self.project(power + MODULES), "--json", "--cpu", cpu).json
+                modules = document["racks"][0]["modules"]
+                self.assertEqual([m["slot"] for m in modules if "." not in m["slot"]], ["1", "2", "4", "5"])
+                self.assertEqual(modules[1]["type"], document["cpu"])
+                self.assertEqual(modules[1]["order_number"], order)
+
     # S7-HW-19
     def test_mounting(self):
         self.assertIn("0 to 60 °C", self.expect(GOOD, "hw", self.project("[hardware]\n")).out)

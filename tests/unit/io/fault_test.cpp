@@ -83,7 +83,48 @@ TEST(Fault, rackWithoutPower) {
   EXPECT_TRUE(rack.answersInput(0));
   const ModuleEvent event = rack.takeEvents().at(0);
   EXPECT_EQ(event.kind, Kind::RackFailed);
-  EXPECT_EQ(event.address, 1);  // the rack
+  EXPECT_EQ(event.address, 0);    // an IM has none
+  EXPECT_EQ(event.points, 0x2u);  // S7-OBI-11: bit 1, rack 1
+}
+
+// S7-ERR-05: the start sets parameters, and modules that have them say what is wrong.
+TEST(Fault, presentFaultsAreReportedAfterTheStart) {
+  Rack rack(good({diagnosing(0, 4, "6ES7 321-7BH01-0AB0"), make(0, 5, "6ES7 331-7KF02-0AB0")}));
+  rack.reportFaults();
+  EXPECT_TRUE(rack.takeEvents().empty());
+  rack.fault(*rack.module("4"), FaultKind::LoadVoltage, {}, true);
+  rack.fault(*rack.module("5"), FaultKind::LoadVoltage, {}, true);  // without diagnostic interrupt
+  EXPECT_EQ(rack.takeEvents().size(), 1u);
+  rack.reportFaults();
+  const auto events = rack.takeEvents();
+  ASSERT_EQ(events.size(), 1u);
+  EXPECT_EQ(events[0].kind, Kind::DiagnosticComing);
+  EXPECT_EQ(events[0].data, (std::array<std::uint8_t, 4>{0x15, 0x1F, 0, 0}));
+}
+
+// S7-STATE-02: without its supply a module keeps and substitutes nothing.
+TEST(Fault, withoutSupplyNothingIsPutOut) {
+  for (const OnStop onStop : {OnStop::Keep, OnStop::Substitute}) {
+    Module digital = make(0, 4, "6ES7 322-8BF00-0AB0"), analog = make(0, 5, "6ES7 332-5HD01-0AB0");
+    digital.parameters.onStop = analog.parameters.onStop = onStop;
+    digital.parameters.substituteBits = 1;
+    analog.parameters.analogOutputs[0].substitute = 5;
+    Rack rack(good({digital, analog}));
+    const std::uint8_t word[] = {0x36, 0x00};
+    rack.disableOutputs(false);
+    rack.written(0, word, 2);
+    rack.written(272, word, 2);
+    rack.disableOutputs(true);
+    EXPECT_NE(rack.putOut(0), 0);
+    EXPECT_NE(rack.putOut(272), 0);
+    rack.supply(false);
+    EXPECT_EQ(rack.putOut(0), 0);
+    EXPECT_EQ(rack.putOut(272), 0);
+    EXPECT_FALSE(rack.level(*rack.terminal("4", Side::DigitalOutput, 0)));
+    EXPECT_EQ(rack.amount(*rack.terminal("5", Side::AnalogOutput, 0)), 0);
+    rack.supply(true);
+    EXPECT_EQ(rack.putOut(0), onStop == OnStop::Keep ? 0 : 1);
+  }
 }
 
 // Not every module can have every fault.

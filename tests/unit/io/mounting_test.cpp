@@ -82,14 +82,34 @@ TEST(Mounting, severalRacksNeedInterfaceModules) {
   good({make(0, 3, "IM 360"), make(1, 3, "IM 361"), io});
 }
 
+// S7-HW-10: an IM 365 feeds signal modules; FM and CP need the communication bus.
+TEST(Mounting, onlySignalModulesBehindAnIm365) {
+  for (const char* type : {"FM 350-1 counter", "6GK7 342-5DA03-0XE0"}) {
+    EXPECT_EQ(problemsOf({make(0, 3, "IM 365"), make(1, 3, "IM 365"), make(1, 4, type)}),
+              Codes{"P0728"});
+    good({make(0, 3, "IM 360"), make(1, 3, "IM 361"), make(1, 4, type)});
+    good({make(0, 3, "IM 365"), make(0, 4, type), make(1, 3, "IM 365"), make(1, 4, "SM 338")});
+  }
+}
+
+// S7-HW-17, S7-HW-33
+TEST(Mounting, gapsBetweenRacks) {
+  EXPECT_EQ(problemsOf({make(0, 3, "IM 360"), make(1, 3, "IM 361"), make(3, 3, "IM 361"),
+                        make(3, 4, "SM 338")}),
+            Codes{"P0749"});
+  EXPECT_EQ(problemsOf({make(0, 3, "IM 360"), make(2, 3, "IM 361")}), Codes{"P0749"});
+}
+
 // S7-HW-16
 TEST(Mounting, cable) {
   Module im = make(1, 3, "IM 361");
   im.cablePosition = {"merker.toml", 5, 1};
   im.cable = 10;
   good({make(0, 3, "IM 360"), im});
-  im.cable = 11;
-  EXPECT_EQ(problemsOf({make(0, 3, "IM 360"), im}), Codes{"P0730"});
+  for (const double wrong : {11., 0., -3.}) {
+    im.cable = wrong;
+    EXPECT_EQ(problemsOf({make(0, 3, "IM 360"), im}), Codes{"P0730"});
+  }
 }
 
 // S7-CPU-14, S7-HW-17

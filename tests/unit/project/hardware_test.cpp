@@ -86,6 +86,9 @@ wire_break = true
 upper_limit = "18mA"
 lower_limit = "6mA"
 [[module.channel]]
+input = 1
+range = "4..20mA"
+[[module.channel]]
 input = 7
 range = "off"
 [[module]]
@@ -115,7 +118,7 @@ substitute = [0, 7]
   EXPECT_EQ(inputs.analogInputs[0].range->name, "4..20mA");
   EXPECT_TRUE(inputs.analogInputs[0].wireBreakCheck);
   EXPECT_EQ(inputs.analogInputs[0].upperLimit, 18);
-  EXPECT_EQ(inputs.analogInputs[1].range->name, "±5V");
+  EXPECT_EQ(inputs.analogInputs[2].range->name, "±5V");
   EXPECT_EQ(inputs.analogInputs[7].range, nullptr);
   const io::Parameters& outputs = hardware.find("5")->parameters;
   EXPECT_EQ(outputs.onStop, io::OnStop::Substitute);

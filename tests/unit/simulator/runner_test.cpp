@@ -125,9 +125,33 @@ TEST(Runner, ThePeripheryShowsItsOwnSide) {
 
 TEST(Runner, WithoutPowerNothingStarts) {
   const Machine machine(kProgram);
-  for (const char* step : {"run", "warm restart", "cold restart", "memory reset"})
+  for (const char* step :
+       {"run", "warm restart", "cold restart", "hot restart", "memory reset", "copy RAM to ROM",
+        "unforce", "trigger OB 40", "set MW 0 = 5", "set E 0.0 = 1, Z 1 = 5", "force E 0.0 = 1"})
     EXPECT_EQ(failure(machine.run(std::string("power off\n") + step + "\n")),
               std::string("2: ") + step + ": the CPU is switched off; 'power on' comes first");
+}
+
+// S7-STATE-09: what lies at a terminal needs no CPU; its memory does.
+TEST(Runner, WithoutPowerTerminalsCanBeSet) {
+  const Machine machine(kProgram);
+  EXPECT_EQ(failure(machine.run("power off\nset E 0.0 = 1, PEB 1 = 5\nwait 1s\npower on\n"
+                                "wait 2 cycles\nexpect A 0.0 = 1\nexpect EB 1 = 5\n")),
+            "0 failures");
+}
+
+TEST(Runner, WithoutPowerTheReasonIsThePower) {
+  const Machine machine(kProgram);
+  EXPECT_EQ(failure(machine.run("power off\nexpect mode = RUN\n")),
+            "2: expected mode = RUN, mode is STOP: the CPU is switched off");
+  EXPECT_EQ(failure(machine.run("power off\nwait 3 cycles\n")),
+            "2: wait 3 cycles: the CPU is in STOP: the CPU is switched off");
+}
+
+TEST(Runner, TheModel314HasNoHotRestart) {  // S7-STATE-05, S7-OPEN-43
+  const Machine machine(kProgram);
+  EXPECT_EQ(failure(machine.run("stop\nhot restart\n")),
+            "2: hot restart: the CPU refuses: CPU 314C-2 PtP has no hot restart");
 }
 
 constexpr const char* kLongValues =
@@ -190,6 +214,25 @@ TEST(Runner, AFaultInTheStartupIsSomethingToExpect) {
   EXPECT_EQ(failure(result), "0 failures");
   EXPECT_LT(result.end, Instant{10'000'000});
   EXPECT_TRUE(failure(machine.run("wait 1s\n")).starts_with("1: expected no fault, "));
+}
+
+// S7-STATE-08: STARTUP to STOP is a transition like any other.
+TEST(Runner, AStopCommandInTheStartupIsSomethingToExpect) {
+  const Machine machine(
+      "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\nEND_ORGANIZATION_BLOCK\n"
+      "ORGANIZATION_BLOCK OB 100\nBEGIN\nNETWORK\nL 7\nT MW 0\nCALL SFC 46\n"
+      "END_ORGANIZATION_BLOCK\n");
+  EXPECT_EQ(failure(machine.run("wait 1s\nexpect mode = STOP\nexpect MW 0 = 7\n"
+                                "expect diagnostics contains \"16#457F\"\n")),
+            "0 failures");
+}
+
+TEST(Runner, AStartupThatNeverEndsIsNothingToExpect) {
+  const Machine machine(
+      "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\nEND_ORGANIZATION_BLOCK\n"
+      "ORGANIZATION_BLOCK OB 100\nBEGIN\nNETWORK\nm: CALL SFC 47 (WT := 30000)\nSPA m\n"
+      "END_ORGANIZATION_BLOCK\n");
+  EXPECT_EQ(failure(machine.run("expect mode = STARTUP\n")), "1: the CPU does not reach RUN");
 }
 
 TEST(Runner, DiagnosticsShowTheNewestEntryWhereTheyMiss) {

@@ -246,5 +246,19 @@ TEST(Diagnostics, EntriesAreStartInformation) {
   EXPECT_EQ(entry.stamp, plc->cpu().dateAndTime());
 }
 
+// S7-OBI-11: the entry names the racks; each rack comes and goes for itself.
+TEST(AsynchronousErrors, RacksByTheirNumber) {
+  Plc plc(ob(86, "NOP 0;") + ob(1, ""), generic());
+  plc.cycles(1);
+  cpu::trigger(plc->cpu(), {.ob = 86, .points = 2});
+  EXPECT_EQ(plc->diagnostics().back().text, "rack failed, coming: rack 1");
+  cpu::trigger(plc->cpu(), {.ob = 86, .points = 8});
+  cpu::trigger(plc->cpu(), {.ob = 86, .going = true, .points = 2});
+  EXPECT_EQ(plc->diagnostics().back().text, "rack failed, going: rack 1");
+  EXPECT_EQ(plc->leds().bf, cpu::Light::On);
+  cpu::trigger(plc->cpu(), {.ob = 86, .going = true, .points = 8});
+  EXPECT_EQ(plc->leds().bf, cpu::Light::Off);
+}
+
 }  // namespace
 }  // namespace merker::station::test

@@ -24,6 +24,30 @@ TEST(Startup, StartInformationOfOb100) {
   EXPECT_EQ(plc.read("MW 6"), 0x4303u);
 }
 
+// S7-OBI-12: bits 23..16 of STRT_INFO name the start.
+TEST(Startup, StartInformationNamesTheStart) {
+  Plc plc(ob(100, "L LD 8; T MD 10;") + ob(101, "L LD 8; T MD 10;") + ob(102, "L LD 8; T MD 10;") +
+              ob(1, ""),
+          *findCpuModel("generic"));
+  plc.cycles(1);
+  EXPECT_EQ(plc.read("MD 10"), 0x0003FF03u);
+  plc->stop();
+  EXPECT_TRUE(plc->hotRestart());
+  plc->advanceCycles(1);
+  EXPECT_EQ(plc.read("MD 10"), 0x000BFF0Bu);
+  EXPECT_TRUE(plc->coldRestart());
+  plc->advanceCycles(1);
+  EXPECT_EQ(plc.read("MD 10"), 0x0007FF07u);
+  plc->powerOff();
+  plc->powerOn();
+  plc->advanceCycles(1);
+  EXPECT_EQ(plc.read("MD 10"), 0x0010FF10u);
+  plc->powerOff();
+  plc->powerOn(false);
+  plc->advanceCycles(1);
+  EXPECT_EQ(plc.read("MD 10"), 0x0020FF20u);
+}
+
 // S7-STATE-11: direct access works, its outputs come with RUN; no cycle monitoring, no interrupts.
 TEST(Startup, HasNoMonitoringAndNoInterrupts) {
   Plc plc(
@@ -53,6 +77,19 @@ TEST(Startup, WritesItsEvents) {
   for (const DiagnosticEntry& entry : plc->diagnostics()) events.push_back(entry.event);
   EXPECT_EQ(events, (std::vector<unsigned>{0x1381, 0x4301, 0x4302, 0x4303}));
   EXPECT_FALSE(plc->stoppedByFault());
+}
+
+// S7-STATE-10: memory reset ends force jobs.
+TEST(MemoryReset, EndsForces) {
+  Plc plc(ob(1, "U E 0.0; = A 4.0;"));
+  plc.cycles(1);
+  EXPECT_TRUE(plc.force("E 0.0", 1));
+  EXPECT_EQ(plc->leds().frce, cpu::Light::On);
+  plc->stop();
+  plc->memoryReset();
+  EXPECT_EQ(plc->leds().frce, cpu::Light::Off);
+  plc.cycles(2);
+  EXPECT_EQ(plc.read("A 4.0"), 0u);
 }
 
 // S7-STATE-06, S7-OPEN-43: the 314C has no cold restart.
