@@ -2,7 +2,7 @@
 # network and takes no time.
 
 BUILD_PACKAGES="g++ cmake ninja-build python3 libfmt-dev libcli11-dev nlohmann-json3-dev libtomlplusplus-dev libsqlite3-dev libedit-dev
-  libgtest-dev librapidcheck-dev"
+  libasmjit-dev libgtest-dev librapidcheck-dev"
 CHECK_PACKAGES="clang-format"
 FUZZ_PACKAGES="clang libclang-rt-14-dev"
 

@@ -8,6 +8,7 @@
 #include "build.h"
 #include "command.h"
 #include "cpu_option.h"
+#include "engine_option.h"
 #include "simulator/duration.h"
 #include "simulator/runner.h"
 
@@ -61,11 +62,8 @@ void show(const Measurement& m, bool json) {
 
 int bench(const Options& options) {
   const auto time = simulator::parseDuration(options.time);
-  if (!time || options.engine == "jit") {
-    std::cerr << "merker bench: "
-              << (time ? "--engine: this version has no jit yet; use interpreter"
-                       : "--for: '" + options.time + "' is no length of time")
-              << '\n';
+  if (!time) {
+    std::cerr << "merker bench: --for: '" << options.time << "' is no length of time\n";
     return kUsage;
   }
   Build built = build(project::load(options.path, options.cpu), false);
@@ -77,6 +75,10 @@ int bench(const Options& options) {
   Measurement result;
   const auto start = Clock::now();
   station::Station station = built.station();
+  if (const auto problem = useEngine(options.engine, station)) {
+    std::cerr << "merker bench: " << *problem << '\n';
+    return kUsage;
+  }
   result.translationSeconds = secondsSince(start);
   const std::string reason = simulator::startFresh(station);
   if (reason.empty()) {
@@ -98,8 +100,7 @@ void addBench(CLI::App& program, int& result) {
   auto options = std::make_shared<Options>();
   command->add_option("PATH", options->path, "project folder or source")->required();
   command->add_option("--for", options->time, "real time to measure: 250ms, 1s");
-  command->add_option("--engine", options->engine, "interpreter or jit")
-      ->check(CLI::IsMember({"interpreter", "jit"}));
+  addEngine(*command, options->engine);
   addCpu(*command, options->cpu);
   command->add_flag("--json", options->json, "as one JSON object");
   command->footer("Example:\n  merker bench examples/sorting-plant --for 2s --json");

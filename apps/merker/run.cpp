@@ -10,6 +10,7 @@
 #include "card.h"
 #include "command.h"
 #include "cpu_option.h"
+#include "engine_option.h"
 #include "existence.h"
 #include "input.h"
 #include "operands.h"
@@ -197,6 +198,8 @@ int runPlc(const Options& options, const Build& build, const Operands& operands,
            std::optional<Duration> time, store::MemoryCard* card) {
   const auto owner = build.controller();
   controller::Controller& plc = *owner;
+  if (!build.isListing())
+    if (const auto problem = useEngine(options.engine, stationOf(plc))) return wrongUsage(*problem);
   if (const auto problem = start(build, card, plc)) return failed(*problem);
   if (plc.mode() == controller::Mode::Stop) {
     std::cerr << "merker run: the CPU does not start: " << plc.stopReason() << '\n';
@@ -266,8 +269,6 @@ int run(const Options& options) {
       return wrongUsage("--for: '" + options.time +
                         "' is no length of time; write 250ms, 7.5s, 2m or T#1S");
   }
-  if (options.engine == "jit")
-    return wrongUsage("--engine: this version has no jit yet; use interpreter");
   if (options.trace.empty() != options.watch.empty())
     return wrongUsage("--trace and --watch belong together");
   if (options.path.empty() && options.card.empty())
@@ -295,8 +296,7 @@ void addRun(CLI::App& program, int& result) {
       command->add_option("--cycles", options->cycles, "run this many cycles in virtual time");
   cycles->excludes(time)->check(checkCycles);
   addCpu(*command, options->cpu);
-  command->add_option("--engine", options->engine, "interpreter or jit")
-      ->check(CLI::IsMember({"interpreter", "jit"}));
+  addEngine(*command, options->engine);
   command->add_option("--set", options->set, "before the start: \"E 0.0=1, MW 10=W#16#0005\"")
       ->allow_extra_args(false);
   command->add_option("--print", options->print, "at the end: \"MW 10, A 0.0, DB1.DBD 4\"")

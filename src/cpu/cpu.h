@@ -67,6 +67,7 @@ class Cpu {
   const Machine& machine() const { return machine_; }
   const CpuParameters& parameters() const { return parameters_; }
   const std::shared_ptr<const block::Program>& program() const { return program_; }
+  const std::vector<std::unique_ptr<Code>>& code() const { return code_; }
   Mode mode() const { return mode_; }
   bool powered() const { return powered_; }
   bool stoppedByFault() const { return stoppedByFault_; }

@@ -1,5 +1,7 @@
 #include "interpreter/probing.h"
 
+#include "interpreter/compiled.h"
+
 namespace merker::interpreter {
 namespace {
 
@@ -24,12 +26,15 @@ void setProbe(Translated& code, cpu::Probe* probe) {
   code.probe = probe;
   const bool probed = !code.unprobed.empty();
   if ((probe != nullptr) == probed) return;
+  if (!probed) detachCompiled(code);
   if (!probed) code.unprobed.resize(code.instructionCount);
   for (std::uint32_t i = 0; i < code.instructionCount; ++i) {
     if (!probed) code.unprobed[i] = code.ops[i].run;
     code.ops[i].run = probed ? code.unprobed[i] : runProbed;
   }
-  if (probed) code.unprobed.clear();
+  if (!probed) return;
+  code.unprobed.clear();
+  attachCompiled(code);
 }
 
 }  // namespace merker::interpreter

@@ -3,16 +3,14 @@
 #include <algorithm>
 
 #include "address/constant.h"
-#include "base/bytes.h"
 #include "interpreter/fault.h"
+#include "mc7/listing.h"
 
 namespace merker::interpreter {
 namespace {
 
 using mc7::OperandKind;
 using mc7::Operation;
-
-constexpr std::uint32_t kJump = 0x700B;
 
 struct KindForm {
   OperandKind kind;
@@ -43,20 +41,6 @@ Form generalForm(OperandKind kind) {
   return Form::Other;
 }
 
-bool isCall(const Op& op) { return op.operation == Operation::UC || op.operation == Operation::CC; }
-bool hasList(const Op& op) {
-  return isCall(op) && (op.blockKind == BlockKind::FC || op.blockKind == BlockKind::SFC);
-}
-
-// Entries of the parameter list at `at` (MC7 section 7.2); 0 if there is none.
-std::uint32_t listEntries(std::span<const std::uint8_t> code, std::size_t at, const Op& call) {
-  if (at + 4 > code.size() || loadWord(&code[at]) != kJump) return 0;
-  const std::uint32_t words = loadWord(&code[at + 2]);
-  const bool direct = call.kind == OperandKind::Block;
-  if (!direct || words < 4 || words % 2 != 0 || at + words * 2u > code.size()) return 0;
-  return (words - 2) / 2;
-}
-
 Op plain(Handler handler, std::uint32_t offset) {
   Op op;
   op.run = handler;
@@ -64,12 +48,10 @@ Op plain(Handler handler, std::uint32_t offset) {
   return op;
 }
 
+bool isCall(const Op& op) { return op.operation == Operation::UC || op.operation == Operation::CC; }
 bool isJump(const Op& op) { return op.kind == OperandKind::Jump; }
 
-std::int32_t distance(const OpByWord& opAt, std::int64_t offset, std::size_t from,
-                      std::size_t unknown) {
-  const bool inside = offset >= 0 && offset / 2 < static_cast<std::int64_t>(opAt.size());
-  const std::int32_t found = inside ? opAt[static_cast<std::size_t>(offset / 2)] : -1;
+std::int32_t distance(std::int32_t found, std::size_t from, std::size_t unknown) {
   const std::size_t to = found < 0 ? unknown : static_cast<std::size_t>(found);
   return static_cast<std::int32_t>(static_cast<std::int64_t>(to) - static_cast<std::int64_t>(from));
 }
@@ -85,16 +67,21 @@ bool listComplete(const std::vector<Op>& ops, std::size_t at, std::uint32_t inst
   return true;
 }
 
-void resolveJumps(Translated& out, const OpByWord& opAt) {
+// SPL jumps over its list.
+std::int32_t behindList(const mc7::Listing& listing, const Op& op) {
+  const std::size_t word = op.offset / 2 + 2 * (op.count + 1u);
+  return word < listing.placeAt.size() ? listing.placeAt[word] : -1;
+}
+
+void resolveJumps(Translated& out, const mc7::Listing& listing) {
   const std::size_t unknown = out.instructionCount + 1;
   for (std::size_t i = 0; i < out.instructionCount; ++i) {
     Op& op = out.ops[i];
     if (isJump(op)) {
-      const std::int64_t words = static_cast<std::int32_t>(op.value);
-      op.target = distance(opAt, op.offset + words * 2, i, unknown);
+      op.target = distance(listing.target(listing.places[i]), i, unknown);
     } else if (op.kind == OperandKind::JumpList) {
       if (!listComplete(out.ops, i, out.instructionCount)) op.run = unknownCode;
-      op.target = distance(opAt, op.offset + 4 * (op.count + 1), i, unknown);
+      op.target = distance(behindList(listing, op), i, unknown);
     }
   }
 }
@@ -144,41 +131,25 @@ Op Translator::makeOp(const mc7::Instruction& instruction, std::uint32_t offset)
 }
 
 OpByWord Translator::translate(std::span<const std::uint8_t> code, Translated& out) const {
-  OpByWord opAt(code.size() / 2 + 1, -1);
-  std::size_t at = 0, skipUntil = 0;  // behind the JU over a parameter list
-  while (at + 1 < code.size()) {
-    const auto offset = static_cast<std::uint32_t>(at);
-    opAt[at / 2] = static_cast<std::int32_t>(out.ops.size());
-    const auto decoded = mc7::decode(code.subspan(at));
-    if (!decoded) {
-      out.ops.push_back(plain(unknownCode, offset));
-      at += 2;
+  mc7::Listing listing = mc7::list(code);
+  out.ops.reserve(listing.places.size() + 2);
+  for (const mc7::Place& place : listing.places) {
+    if (!place.known) {
+      out.ops.push_back(plain(unknownCode, place.offset));
       continue;
     }
-    Op op = makeOp(decoded->instruction, offset);
-    at += decoded->length;
-    if (skipUntil > at) {
-      at = skipUntil;
-      skipUntil = 0;
-    }
-    if (hasList(op)) {
-      const std::uint32_t entries = listEntries(code, at, op);
-      op.target = static_cast<std::int32_t>(out.parameters.size());
-      op.count = static_cast<std::uint16_t>(entries);
-      for (std::uint32_t i = 0; i < entries; ++i)
-        out.parameters.push_back(loadDWord(&code[at + 4 + 4 * i]));
-      skipUntil = entries == 0 ? 0 : at + 4 + 4 * entries;
-    }
-    out.ops.push_back(op);
+    Op& op = out.ops.emplace_back(makeOp(place.instruction, place.offset));
+    if (!isCall(op)) continue;
+    op.target = static_cast<std::int32_t>(place.firstParameter);
+    op.count = place.parameters;
   }
   out.instructionCount = static_cast<std::uint32_t>(out.ops.size());
-  if (opAt.back() < 0 && code.size() % 2 == 0)
-    opAt.back() = static_cast<std::int32_t>(out.ops.size());
   const auto end = static_cast<std::uint32_t>(code.size());
   out.ops.push_back(plain(endOfCode, end));
   out.ops.push_back(plain(unknownCode, end));
-  resolveJumps(out, opAt);
-  return opAt;
+  resolveJumps(out, listing);
+  out.parameters = std::move(listing.parameters);
+  return std::move(listing.placeAt);
 }
 
 std::uint32_t localUse(const Translated& code) {

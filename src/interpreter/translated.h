@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "interpreter/op.h"
@@ -13,6 +14,7 @@ class Probe;
 namespace merker::interpreter {
 
 class Recorder;
+class Compiled;
 
 // What else happens at an instruction: checks (//=) and counting for coverage. Only blocks that
 // have one of them carry such a list, as long as `ops`.
@@ -29,8 +31,10 @@ struct Translated : cpu::Code {
   std::vector<Side> side;
   mutable std::vector<std::uint64_t> executed;  // by op; empty when nobody counts
   Recorder* recorder = nullptr;
-  cpu::Probe* probe = nullptr;    // probing.h
-  std::vector<Handler> unprobed;  // the handlers that a probe stands in front of
+  cpu::Probe* probe = nullptr;               // probing.h
+  std::shared_ptr<const Compiled> compiled;  // compiled.h
+  std::vector<Handler> uncompiled;           // the handlers that compiled code stands in front of
+  std::vector<Handler> unprobed;             // the handlers that a probe stands in front of
 };
 
 inline const Translated& codeOf(const cpu::Frame& frame) {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "cpu/cpu.h"
-#include "interpreter/interpreter.h"
+#include "station/engines.h"
 #include "station/line_counts.h"
 #include "station/modules.h"
 #include "station/periphery.h"
@@ -35,7 +35,7 @@ struct Station::Parts {
   explicit Parts(Options options)
       : model(options.model),
         program(options.program ? options.program : std::make_shared<const block::Program>()),
-        engine(*model),
+        engine(*model, options.engine == Engine::Compiled),
         services(*model),
         cpu(*model, engine, services, options.startOfClock,
             options.parameters.value_or(CpuParameters::of(*model))) {
@@ -46,7 +46,7 @@ struct Station::Parts {
 
   const CpuModel* model;
   std::shared_ptr<const block::Program> program;
-  interpreter::Interpreter engine;
+  Engines engine;
   system::Services services;
   std::unique_ptr<Periphery> periphery;  // null without a hardware configuration
   std::unique_ptr<Modules> modules;
@@ -91,6 +91,17 @@ const cpu::Cpu& Station::cpu() const { return parts_->cpu; }
 
 const CpuModel& Station::model() const { return *parts_->model; }
 const block::Program& Station::program() const { return *parts_->program; }
+
+bool Station::setEngine(Engine engine) {
+  const bool compiled = engine == Engine::Compiled;
+  if (compiled && !Engines::canCompile()) return false;
+  parts_->engine.compile(compiled, parts_->cpu);
+  return true;
+}
+Engine Station::engine() const {
+  return parts_->engine.compiles() ? Engine::Compiled : Engine::Interpreter;
+}
+std::size_t Station::compiledBytes() const { return parts_->engine.compiledBytes(parts_->cpu); }
 
 Mode Station::mode() const {
   switch (parts_->cpu.mode()) {

@@ -34,6 +34,10 @@ using controller::CheckResult;
 using controller::DiagnosticEntry;
 using controller::Mode;
 
+// Interpreter: the reference. Compiled: machine code of the host where there is a compiler for it,
+// with the same results.
+enum class Engine : std::uint8_t { Interpreter, Compiled };
+
 struct Options {
   const CpuModel* model = &defaultCpuModel();
   std::optional<CpuParameters> parameters{};  // without: the model's defaults
@@ -43,6 +47,7 @@ struct Options {
   std::int64_t startOfClock =
       0;                  // milliseconds since 1990-01-01 that the CPU's clock shows at Instant 0
   bool coverage = false;  // count how often each instruction runs
+  Engine engine = Engine::Interpreter;
 };
 
 class Station : public controller::Controller {
@@ -58,6 +63,12 @@ class Station : public controller::Controller {
   std::string whyMissing(const mc7::Reference& reference) const override;
   controller::ExecutedLines executedLines() const override;
   const block::Program& program() const;
+
+  // At any time between two calls of this object: the program goes on where it stands. False: there
+  // is no compiler for this processor.
+  bool setEngine(Engine engine);
+  Engine engine() const;
+  std::size_t compiledBytes() const;  // machine code of the host
 
   // operating states (S7-STATE)
   Mode mode() const override;

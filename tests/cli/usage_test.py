@@ -53,8 +53,6 @@ class Usage(Case):
         self.write("a.awl", PROGRAM)
         self.assertIn("--mc5", self.expect(USAGE, "disassemble").err)
         self.assertIn("--mc5", self.expect(USAGE, "assemble").err)
-        self.assertIn("jit", self.expect(USAGE, "run", "a.awl", "--for", "1s", "--engine", "jit").err)
-        self.assertIn("jit", self.expect(USAGE, "bench", "a.awl", "--engine", "jit").err)
 
     def test_what_cannot_be_read(self):
         self.write("x.exe", b"MZ")

@@ -1,0 +1,20 @@
+// --engine of the commands that run a program.
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace CLI {
+class App;
+}
+namespace merker::station {
+class Station;
+}
+
+namespace merker::app {
+
+void addEngine(CLI::App& command, std::string& engine);
+// Why not, as text.
+std::optional<std::string> useEngine(const std::string& engine, station::Station& station);
+
+}  // namespace merker::app

@@ -1,0 +1,206 @@
+#include "icode/builder.h"
+
+#include <utility>
+
+namespace merker::icode {
+namespace {
+
+Opcode loading(unsigned bytes) {
+  return bytes == 4 ? Opcode::Load32 : bytes == 2 ? Opcode::Load16 : Opcode::Load8;
+}
+Opcode storing(unsigned bytes) {
+  return bytes == 4 ? Opcode::Store32 : bytes == 2 ? Opcode::Store16 : Opcode::Store8;
+}
+
+// Data and instance block can be the same block.
+bool mayBeSame(Space a, Space b) {
+  return a == b || (a == Space::Data && b == Space::Instance) ||
+         (a == Space::Instance && b == Space::Data);
+}
+
+// Bytes of these spaces are written when the region is left; nobody looks before.
+bool waits(Space space) { return isImage(space) || space == Space::Local; }
+
+}  // namespace
+
+void Builder::begin(std::uint32_t place, std::uint64_t cost) {
+  executed_ = region_.instructions++;
+  costSoFar_ += cost_;
+  aheadBefore_ = std::exchange(region_.ahead, costSoFar_);
+  place_ = place;
+  cost_ = cost;
+}
+
+void Builder::cancel() {
+  --region_.instructions;
+  region_.ahead = aheadBefore_;
+  executed_ = region_.instructions;
+  cost_ = 0;
+}
+
+Value Builder::append(Op op) {
+  region_.ops.push_back(op);
+  return static_cast<Value>(region_.ops.size() - 1);
+}
+
+Value Builder::constant(std::uint32_t number) {
+  return append({.code = Opcode::Constant, .number = number});
+}
+
+std::optional<std::uint32_t> Builder::number(Value value) const {
+  const Op& op = region_.ops[value];
+  if (op.code != Opcode::Constant) return std::nullopt;
+  return op.number;
+}
+
+Value Builder::get(Item item) {
+  Held& held = items_[index(item)];
+  if (held.value == kNoValue) held.value = append({.code = Opcode::Get, .item = item});
+  return held.value;
+}
+
+Value Builder::make(Opcode code, Value a, Value b, std::uint32_t number) {
+  return append({.code = code, .a = a, .b = b, .number = number});
+}
+Value Builder::make3(Opcode code, Value a, Value b, Value c) {
+  return append({.code = code, .a = a, .b = b, .c = c});
+}
+
+Value Builder::andBit(Value a, Value b) {
+  if (number(a)) std::swap(a, b);
+  if (const auto n = number(b)) return (*n & 1) != 0 ? a : b;
+  return make(Opcode::AndBit, a, b);
+}
+
+Value Builder::orBit(Value a, Value b) {
+  if (number(a)) std::swap(a, b);
+  if (const auto n = number(b)) return (*n & 1) != 0 ? b : a;
+  return make(Opcode::OrBit, a, b);
+}
+
+Value Builder::xorBit(Value a, Value b) {
+  if (number(a)) std::swap(a, b);
+  if (const auto n = number(b)) return (*n & 1) != 0 ? notBit(a) : a;
+  return make(Opcode::XorBit, a, b);
+}
+
+Value Builder::notBit(Value a) {
+  if (const auto n = number(a)) return constant(~*n & 1);
+  if (region_.ops[a].code == Opcode::NotBit) return region_.ops[a].a;
+  return make(Opcode::NotBit, a);
+}
+
+Value Builder::base(Space space) {
+  Value& known = bases_[static_cast<std::size_t>(space)];
+  if (known == kNoValue) known = append({.code = Opcode::Base, .space = space});
+  return known;
+}
+
+Value Builder::of(Opcode code, Space space) { return append({.code = code, .space = space}); }
+
+void Builder::storeNow(const Byte& byte) {
+  append({.code = storing(byte.bytes),
+          .space = byte.space,
+          .a = base(byte.space),
+          .b = byte.value,
+          .place = byte.place});
+}
+
+void Builder::writeBack(Space space, std::uint32_t place, unsigned bytes) {
+  for (std::size_t i = 0; i < bytes_.size(); ++i) {
+    Byte& byte = bytes_[i];
+    if (byte.space != space || !byte.dirty || byte.place >= place + bytes ||
+        place >= byte.place + byte.bytes)
+      continue;
+    byte.dirty = false;
+    storeNow(byte);
+  }
+}
+
+void Builder::forget(Space space, std::uint32_t place, unsigned bytes) {
+  std::erase_if(bytes_, [&](const Byte& byte) {
+    if (byte.space != space) return mayBeSame(byte.space, space);
+    return byte.place < place + bytes && place < byte.place + byte.bytes;
+  });
+}
+
+Value Builder::load(Space space, std::uint32_t place, unsigned bytes) {
+  for (const Byte& byte : bytes_)
+    if (byte.space == space && byte.place == place && byte.bytes == bytes) return byte.value;
+  writeBack(space, place, bytes);
+  const Value value =
+      append({.code = loading(bytes), .space = space, .a = base(space), .place = place});
+  bytes_.push_back({space, place, bytes, value, false});
+  return value;
+}
+
+void Builder::store(Space space, std::uint32_t place, unsigned bytes, Value value) {
+  forget(space, place, bytes);
+  const bool later = bytes == 1 && waits(space);
+  bytes_.push_back({space, place, bytes, value, later});
+  if (!later) storeNow(bytes_.back());
+  // A load gives the byte or word, not what else the register has.
+  if (bytes != 4 && !later) bytes_.pop_back();
+}
+
+void Builder::writeBackAll(Space space) {
+  for (std::size_t i = 0; i < bytes_.size(); ++i)
+    if (bytes_[i].dirty && mayBeSame(bytes_[i].space, space)) {
+      bytes_[i].dirty = false;
+      storeNow(bytes_[i]);
+    }
+}
+
+void Builder::forgetAll(Space space) {
+  std::erase_if(bytes_, [&](const Byte& byte) { return mayBeSame(byte.space, space); });
+}
+
+Value Builder::loadAt(Space space, Value offset, unsigned bytes) {
+  writeBackAll(space);
+  const Value address = make(Opcode::Index, base(space), offset);
+  return append({.code = loading(bytes), .space = space, .a = address});
+}
+
+void Builder::storeAt(Space space, Value offset, unsigned bytes, Value value) {
+  writeBackAll(space);
+  forgetAll(space);
+  const Value address = make(Opcode::Index, base(space), offset);
+  append({.code = storing(bytes), .space = space, .a = address, .b = value});
+}
+
+std::uint32_t Builder::exit(std::uint32_t to, bool inFront) {
+  Exit out;
+  out.to = to;
+  out.instructions = inFront ? executed_ : region_.instructions;
+  out.cost = inFront ? costSoFar_ : costSoFar_ + cost_;
+  out.firstState = static_cast<std::uint32_t>(region_.states.size());
+  for (unsigned i = 0; i < kItems; ++i)
+    if (items_[i].dirty) region_.states.push_back({static_cast<Item>(i), items_[i].value});
+  out.states = static_cast<std::uint32_t>(region_.states.size()) - out.firstState;
+  out.firstByte = static_cast<std::uint32_t>(region_.bytes.size());
+  for (const Byte& byte : bytes_)
+    if (byte.dirty) region_.bytes.push_back({byte.space, byte.place, byte.value});
+  out.bytes = static_cast<std::uint32_t>(region_.bytes.size()) - out.firstByte;
+  region_.exits.push_back(out);
+  return static_cast<std::uint32_t>(region_.exits.size() - 1);
+}
+
+Value Builder::timerStatus(std::uint32_t number) {
+  return append({.code = Opcode::TimerStatus,
+                 .number = number,
+                 .place = static_cast<std::uint32_t>(costSoFar_ + cost_)});
+}
+
+void Builder::guard(Value bit) {
+  if (isNumber(bit, 1)) return;
+  append({.code = Opcode::Guard, .a = bit, .number = exit(place_, true)});
+}
+
+void Builder::branch(Value bit, bool wanted, std::uint32_t to) {
+  const Opcode code = wanted ? Opcode::BranchIf : Opcode::BranchUnless;
+  append({.code = code, .a = bit, .number = exit(to)});
+}
+
+void Builder::leave(std::uint32_t to) { append({.code = Opcode::Leave, .number = exit(to)}); }
+
+}  // namespace merker::icode

@@ -1,0 +1,91 @@
+// Writes a region instruction by instruction. What registers, status bits and bytes of memory hold
+// at this point is known as values here, so that a second read finds the value of the first, a
+// value nobody reads is never written, and constants are computed at once.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "icode/region.h"
+
+namespace merker::icode {
+
+class Builder {
+ public:
+  explicit Builder(Region& region) : region_(region) {}
+
+  // What always holds at the entry of the region.
+  void know(Item item, bool value) { items_[index(item)] = {constant(value), false}; }
+  // The machine instruction that follows.
+  void begin(std::uint32_t place, std::uint64_t cost);
+  // It is not translated after all; it has set nothing.
+  void cancel();
+
+  Value constant(std::uint32_t number);
+  std::optional<std::uint32_t> number(Value value) const;
+  bool isNumber(Value value, std::uint32_t wanted) const { return number(value) == wanted; }
+
+  Value get(Item item);
+  void set(Item item, Value value) { items_[index(item)] = {value, true}; }
+  void set(Item item, bool value) { set(item, constant(value)); }
+
+  Value make(Opcode code, Value a = kNoValue, Value b = kNoValue, std::uint32_t number = 0);
+  Value make3(Opcode code, Value a, Value b, Value c);
+  Value withNumber(Opcode code, Value a, std::uint32_t number) {
+    return make(code, a, kNoValue, number);
+  }
+  Value andBit(Value a, Value b);
+  Value orBit(Value a, Value b);
+  Value xorBit(Value a, Value b);
+  Value notBit(Value a);
+
+  // Direct places: 1, 2 or 4 bytes.
+  Value load(Space space, std::uint32_t place, unsigned bytes);
+  void store(Space space, std::uint32_t place, unsigned bytes, Value value);
+  // Places only known when it runs, in bytes.
+  Value loadAt(Space space, Value offset, unsigned bytes);
+  void storeAt(Space space, Value offset, unsigned bytes, Value value);
+  Value of(Opcode code, Space space);  // Limit, WriteLimit
+
+  // As long as this instruction has set nothing: without bit 0 it is left to the interpreter.
+  void guard(Value bit);
+  // After all that the instruction sets.
+  void branch(Value bit, bool wanted, std::uint32_t to);
+  void leave(std::uint32_t to);
+
+  // At the end of this instruction.
+  Value timerStatus(std::uint32_t number);
+
+ private:
+  struct Held {
+    Value value = kNoValue;
+    bool dirty = false;
+  };
+  struct Byte {
+    Space space;
+    std::uint32_t place;
+    unsigned bytes;
+    Value value;
+    bool dirty;
+  };
+  static std::size_t index(Item item) { return static_cast<std::size_t>(item); }
+  Value append(Op op);
+  Value base(Space space);
+  void forget(Space space, std::uint32_t place, unsigned bytes);
+  void writeBack(Space space, std::uint32_t place, unsigned bytes);
+  void writeBackAll(Space space);
+  void forgetAll(Space space);
+  void storeNow(const Byte& byte);
+  // In front of this instruction, or after all that were begun.
+  std::uint32_t exit(std::uint32_t to, bool inFront = false);
+
+  Region& region_;
+  std::array<Held, kItems> items_;
+  std::array<Value, 6> bases_{kNoValue, kNoValue, kNoValue, kNoValue, kNoValue, kNoValue};
+  std::vector<Byte> bytes_;
+  std::uint32_t place_ = 0, executed_ = 0;  // in front of this instruction
+  std::uint64_t cost_ = 0, costSoFar_ = 0, aheadBefore_ = 0;
+};
+
+}  // namespace merker::icode

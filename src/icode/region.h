@@ -1,0 +1,113 @@
+// The intermediate code. A region is a piece of a block with one entry and no way back into it:
+// values are defined once, status bits and condition codes among them, and nothing is written to
+// the registers of the CPU before an exit, which says what stands where by then.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace merker::icode {
+
+enum class Opcode : std::uint8_t {
+#define ICODE(id, text, result, arguments, effect) id,
+#include "icode/icode.inc"
+#undef ICODE
+};
+
+enum class Result : std::uint8_t { Nothing, Bit, Word, Address };
+enum class Effect : std::uint8_t { Pure, Reads, Acts };
+
+struct OpcodeInfo {
+  std::string_view text;
+  Result result;
+  std::uint8_t arguments;
+  Effect effect;
+};
+const OpcodeInfo& info(Opcode opcode);
+
+// Registers and status bits.
+enum class Item : std::uint8_t {
+  Accu1,
+  Accu2,
+  Accu3,
+  Accu4,
+  Ar1,
+  Ar2,
+  Er,
+  Rlo,
+  Sta,
+  Or,
+  Os,
+  Ov,
+  Cc0,
+  Cc1,
+  Br
+};
+constexpr unsigned kItems = 15;
+constexpr bool isBit(Item item) { return item >= Item::Er; }
+
+enum class Space : std::uint8_t { Input, Output, Flag, Data, Instance, Local };
+constexpr bool isImage(Space space) { return space <= Space::Flag; }
+
+using Value = std::uint32_t;  // number of the operation that makes it
+constexpr Value kNoValue = UINT32_MAX;
+
+struct Op {
+  Opcode code = Opcode::Constant;
+  Space space = Space::Input;
+  Item item = Item::Accu1;
+  bool needed = true;  // false: nobody reads it (optimiser)
+  Value a = kNoValue, b = kNoValue, c = kNoValue;
+  std::uint32_t number = 0;  // constant, bit, shift, number of a timer; ways out: which exit
+  std::uint32_t place = 0;   // byte of the space
+};
+
+struct StateWrite {
+  Item item;
+  Value value;
+};
+// A byte of the process image or flags that so far is only a value.
+struct ByteWrite {
+  Space space;
+  std::uint32_t place;
+  Value value;
+};
+
+struct Exit {
+  std::uint32_t to = 0;            // instruction of the block with which it goes on
+  std::uint32_t instructions = 0;  // executed so far
+  std::uint64_t cost = 0;          // ns, of these
+  std::uint32_t firstState = 0, states = 0;
+  std::uint32_t firstByte = 0, bytes = 0;
+};
+
+// What must hold at the entry; otherwise the interpreter goes through the region.
+struct Needs {
+  std::uint32_t dataRead = 0, dataWritten = 0;  // bytes of the open data block
+  std::uint32_t instanceRead = 0, instanceWritten = 0;
+  std::uint32_t local = 0;
+  bool relayOn = false;     // master control relay
+  bool noBrackets = false;  // none open, in no level
+};
+
+struct Region {
+  std::uint32_t first = 0;         // instruction of the block with which it begins
+  std::uint32_t instructions = 0;  // on the straight way
+  // ns of all instructions but the last: the clock must not reach the horizon before that one.
+  std::uint64_t ahead = 0;
+  Needs needs;
+  std::vector<Op> ops;
+  std::vector<Exit> exits;
+  std::vector<StateWrite> states;
+  std::vector<ByteWrite> bytes;
+};
+
+// Drops what nobody reads: dead flags, dead accumulators.
+void optimise(Region& region);
+// What is wrong with the region; empty if nothing is.
+std::string verify(const Region& region);
+std::string print(const Region& region);
+
+}  // namespace merker::icode

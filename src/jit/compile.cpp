@@ -1,0 +1,86 @@
+#include <deque>
+
+#include "jit/region_code.h"
+
+namespace merker::jit {
+namespace {
+
+constexpr host::Gp kSaved[] = {host::rbx, host::rbp, host::r12, host::r13, host::r14, host::r15};
+
+// rdi machine, rsi where to begin, rdx timers, rcx counters
+void writeEnter(host::Assembler& code) {
+  for (const host::Gp& reg : kSaved) code.push(reg);
+  code.sub(host::rsp, kFrame);
+  code.mov(kMachine, host::rdi);
+  code.mov(host::qword_ptr(host::rsp, kTimers), host::rdx);
+  code.mov(host::qword_ptr(host::rsp, kCounters), host::rcx);
+  code.mov(kImage, host::qword_ptr(kMachine, offset::kImage));
+  code.mov(kClock, host::qword_ptr(kMachine, offset::kClock));
+  code.mov(kCount, host::qword_ptr(kMachine, offset::kInstructions));
+  code.jmp(host::rsi);
+}
+
+// eax: instruction to go on with
+void writeEpilogue(host::Assembler& code, const Instructions& answers) {
+  code.mov(host::qword_ptr(kMachine, offset::kClock), kClock);
+  code.mov(host::qword_ptr(kMachine, offset::kInstructions), kCount);
+  code.imul(host::rax, host::rax, static_cast<int>(answers.stride));
+  code.mov(host::rcx, reinterpret_cast<std::uintptr_t>(answers.first));
+  code.add(host::rax, host::rcx);
+  code.add(host::rsp, kFrame);
+  for (std::size_t i = std::size(kSaved); i-- > 0;) code.pop(kSaved[i]);
+  code.ret();
+}
+
+// The straight ways of all regions one behind the other, then what is rarely taken. False: a region
+// did not fit.
+bool writeRegions(Unit& unit, std::span<const icode::Region> regions) {
+  for (const icode::Region& region : regions) unit.regions[region.first] = unit.code.newLabel();
+  std::deque<RegionCode> written;
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    const std::uint32_t next = i + 1 < regions.size() ? regions[i + 1].first : UINT32_MAX;
+    if (!written.emplace_back(unit, regions[i]).write(next)) return false;
+  }
+  for (RegionCode& region : written) region.writeWaysOut();
+  return true;
+}
+
+std::unique_ptr<NativeCode> load(asmjit::CodeHolder& code, const asmjit::Label& enter,
+                                 const Unit& unit) {
+  if (code.flatten() != asmjit::kErrorOk) return nullptr;
+  if (code.resolveUnresolvedLinks() != asmjit::kErrorOk) return nullptr;
+  const std::size_t size = code.codeSize();
+  CodeMemory memory(size);
+  if (memory.data() == nullptr) return nullptr;
+  if (code.relocateToBase(reinterpret_cast<std::uintptr_t>(memory.data())) != asmjit::kErrorOk ||
+      code.copyFlattenedData(memory.data(), size) != asmjit::kErrorOk || !memory.makeExecutable())
+    return nullptr;
+  std::vector<std::uint32_t> entries(unit.regions.size());
+  for (std::size_t i = 0; i < entries.size(); ++i)
+    if (unit.regions[i].isValid())
+      entries[i] = static_cast<std::uint32_t>(code.labelOffset(unit.regions[i]));
+  return std::make_unique<NativeCode>(std::move(memory), size, code.labelOffset(enter),
+                                      std::move(entries));
+}
+
+}  // namespace
+
+std::unique_ptr<NativeCode> compile(std::span<const icode::Region> regions,
+                                    std::size_t instructions, const Instructions& answers,
+                                    const CpuModel& model, const Options& options) {
+  if (regions.empty()) return nullptr;
+  asmjit::CodeHolder holder;
+  holder.init(asmjit::Environment::host());
+  host::Assembler code(&holder);
+  Unit unit{code, model, options, code.newLabel()};
+  unit.regions.resize(instructions);
+  const asmjit::Label enter = code.newLabel();
+  code.bind(enter);
+  writeEnter(code);
+  code.bind(unit.epilogue);
+  writeEpilogue(code, answers);
+  if (!writeRegions(unit, regions)) return nullptr;
+  return load(holder, enter, unit);
+}
+
+}  // namespace merker::jit

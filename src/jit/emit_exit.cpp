@@ -1,0 +1,122 @@
+// Ways out of a region, and what they leave behind.
+#include "jit/region_code.h"
+
+namespace merker::jit {
+
+using host::CondCode;
+using icode::Exit;
+using icode::Op;
+
+std::vector<Spot> RegionCode::spotsOfStates(const Exit& exit) const {
+  std::vector<Spot> spots(exit.states);
+  for (std::uint32_t i = 0; i < exit.states; ++i)
+    spots[i] = places_.spot(region_.states[exit.firstState + i].value);
+  return spots;
+}
+
+std::vector<Spot> RegionCode::spotsOfBytes(const Exit& exit) const {
+  std::vector<Spot> spots(exit.bytes);
+  for (std::uint32_t i = 0; i < exit.bytes; ++i)
+    spots[i] = places_.spot(region_.bytes[exit.firstByte + i].value);
+  return spots;
+}
+
+void RegionCode::wayOut(const Op& op, CondCode condition) {
+  if (places_.isConstant(op.a)) code_.mov(host::eax, places_.constant(op.a));
+  const host::Gp bit = places_.in(op.a, host::eax);
+  code_.test(bit.r8(), 1);
+  const asmjit::Label label = code_.newLabel();
+  code_.j(condition, label);
+  const Exit& exit = region_.exits[op.number];
+  waysOut_.push_back({label, op.number, spotsOfStates(exit), spotsOfBytes(exit)});
+}
+
+void RegionCode::Guard(const Op& op) { wayOut(op, CondCode::kZ); }
+void RegionCode::BranchIf(const Op& op) { wayOut(op, CondCode::kNZ); }
+void RegionCode::BranchUnless(const Op& op) { wayOut(op, CondCode::kZ); }
+
+void RegionCode::Leave(const Op& op) {
+  const Exit& exit = region_.exits[op.number];
+  writeState(exit, spotsOfStates(exit), spotsOfBytes(exit));
+  charge(exit);
+  goTo(exit.to, next_);
+}
+
+void RegionCode::charge(const Exit& exit) {
+  if (exit.cost != 0) code_.add(kClock, static_cast<std::int32_t>(exit.cost));
+  if (exit.instructions != 0) code_.add(kCount, exit.instructions);
+}
+
+void RegionCode::goTo(std::uint32_t instruction, std::uint32_t next) {
+  const bool compiled = instruction < unit_.regions.size() && unit_.regions[instruction].isValid();
+  if (compiled && instruction == next) return;
+  if (compiled) {
+    code_.jmp(unit_.regions[instruction]);
+    return;
+  }
+  code_.mov(host::eax, instruction);
+  code_.jmp(unit_.epilogue);
+}
+
+void RegionCode::writeState(const Exit& exit, const std::vector<Spot>& states,
+                            const std::vector<Spot>& bytes) {
+  for (std::uint32_t i = 0; i < exit.bytes; ++i)
+    writeByte(region_.bytes[exit.firstByte + i], bytes[i]);
+  for (std::uint32_t i = 0; i < exit.states; ++i)
+    writeItem(region_.states[exit.firstState + i], states[i]);
+}
+
+void RegionCode::writeItem(const icode::StateWrite& write, const Spot& spot) {
+  const bool bit = icode::isBit(write.item);
+  const host::Mem to(kMachine, offsetOf(write.item), bit ? 1u : 4u);
+  if (spot.kind == Spot::Kind::Constant) {
+    code_.mov(to, bit ? spot.number & 1 : spot.number);
+    return;
+  }
+  host::Gp from = spot.kind == Spot::Kind::Register ? kPlaces[spot.number].r32() : host::eax;
+  if (spot.kind == Spot::Kind::Slot) code_.mov(from, slot(spot.number));
+  if (bit && !isClean(write.value)) {
+    if (from.id() != host::eax.id()) code_.mov(host::eax, from);
+    code_.and_(host::eax, 1);
+    from = host::eax;
+  }
+  code_.mov(to, bit ? from.r8() : from);
+}
+
+void RegionCode::writeByte(const icode::ByteWrite& write, const Spot& spot) {
+  host::Mem to(kImage, static_cast<int>(imageOffset(write.space) + write.place), 1);
+  if (write.space == icode::Space::Local) {
+    code_.mov(host::rcx, host::qword_ptr(kMachine, offset::kTop));
+    code_.mov(host::rcx, host::qword_ptr(host::rcx, offsetof(cpu::Frame, local)));
+    to = host::byte_ptr(host::rcx, static_cast<int>(write.place));
+  }
+  if (spot.kind == Spot::Kind::Constant) {
+    code_.mov(to, spot.number & 0xFF);
+    return;
+  }
+  const host::Gp from = spot.kind == Spot::Kind::Register ? kPlaces[spot.number].r32() : host::eax;
+  if (spot.kind == Spot::Kind::Slot) code_.mov(from, slot(spot.number));
+  code_.mov(to, from.r8());
+}
+
+void RegionCode::writeWaysOut() {
+  for (const WayOut& way : waysOut_) {
+    code_.bind(way.label);
+    const Exit& exit = region_.exits[way.exit];
+    writeState(exit, way.states, way.bytes);
+    charge(exit);
+    // A guard leaves its own instruction to the interpreter, even where a region begins with it.
+    const bool guard = exit.instructions == 0 && exit.to == region_.first;
+    if (guard) {
+      code_.mov(host::eax, exit.to);
+      code_.jmp(unit_.epilogue);
+    } else {
+      goTo(exit.to, UINT32_MAX);
+    }
+  }
+  code_.bind(tooNear_);
+  code_.mov(host::eax, region_.first);
+  code_.jmp(unit_.epilogue);
+}
+
+}  // namespace merker::jit

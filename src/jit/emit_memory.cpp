@@ -1,0 +1,159 @@
+// Registers, status bits and memory.
+#include "jit/region_code.h"
+
+namespace merker::jit {
+
+using icode::Op;
+using icode::Opcode;
+using icode::Space;
+
+void RegionCode::Constant(const Op&) {}
+
+void RegionCode::Get(const Op& op) {
+  const host::Gp to = places_.out();
+  const int at = offsetOf(op.item);
+  if (icode::isBit(op.item))
+    code_.movzx(to, host::byte_ptr(kMachine, at));
+  else
+    code_.mov(to, host::dword_ptr(kMachine, at));
+}
+
+// The image has a register of its own; Base of it only names it.
+void RegionCode::Base(const Op& op) {
+  if (icode::isImage(op.space)) return;
+  const host::Gp to = places_.out().r64();
+  if (op.space == Space::Local) {
+    code_.mov(to, host::qword_ptr(kMachine, offset::kTop));
+    code_.mov(to, host::qword_ptr(to, offsetof(cpu::Frame, local)));
+    return;
+  }
+  code_.mov(to, host::qword_ptr(kMachine, openBlock(op.space) +
+                                              static_cast<int>(offsetof(cpu::OpenBlock, data))));
+}
+
+host::Mem RegionCode::place(const Op& op, unsigned bytes) {
+  const Op& address = region_.ops[op.a];
+  if (address.code == Opcode::Base && icode::isImage(op.space))
+    return {kImage, static_cast<int>(imageOffset(op.space) + op.place), bytes};
+  return {places_.in64(op.a, host::rcx), static_cast<int>(op.place), bytes};
+}
+
+void RegionCode::Load8(const Op& op) {
+  const host::Mem from = place(op, 1);
+  code_.movzx(places_.out(), from);
+}
+
+// S7 memory has the high byte first.
+void RegionCode::Load16(const Op& op) {
+  const host::Mem from = place(op, 2);
+  const host::Gp to = places_.out();
+  code_.movzx(to, from);
+  code_.rol(to.r16(), 8);
+}
+void RegionCode::Load32(const Op& op) {
+  const host::Mem from = place(op, 4);
+  const host::Gp to = places_.out();
+  code_.mov(to, from);
+  code_.bswap(to);
+}
+
+void RegionCode::Store8(const Op& op) {
+  const host::Mem to = place(op, 1);
+  if (places_.isConstant(op.b))
+    code_.mov(to, places_.constant(op.b) & 0xFF);
+  else
+    code_.mov(to, places_.in(op.b, host::eax).r8());
+}
+void RegionCode::Store16(const Op& op) {
+  const host::Mem to = place(op, 2);
+  const host::Gp from = places_.in(op.b, host::eax);
+  if (from.id() != host::eax.id()) code_.mov(host::eax, from);
+  code_.rol(host::ax, 8);
+  code_.mov(to, host::ax);
+}
+void RegionCode::Store32(const Op& op) {
+  const host::Mem to = place(op, 4);
+  const host::Gp from = places_.in(op.b, host::eax);
+  if (from.id() != host::eax.id()) code_.mov(host::eax, from);
+  code_.bswap(host::eax);
+  code_.mov(to, host::eax);
+}
+
+void RegionCode::Index(const Op& op) {
+  const host::Gp by = places_.in64(op.b, host::rax);
+  const Op& base = region_.ops[op.a];
+  if (base.code == Opcode::Base && icode::isImage(base.space)) {
+    const host::Gp to = places_.out().r64();
+    code_.lea(to, host::ptr(kImage, by, 0, static_cast<int>(imageOffset(base.space))));
+    return;
+  }
+  const host::Gp from = places_.in64(op.a, host::rcx);
+  const host::Gp to = places_.out().r64();
+  code_.lea(to, host::ptr(from, by));
+}
+
+void RegionCode::Limit(const Op& op) {
+  const host::Gp to = places_.out();
+  if (op.space == Space::Local) {
+    code_.mov(host::rax, host::qword_ptr(kMachine, offset::kTop));
+    code_.mov(to, host::dword_ptr(host::rax, offsetof(cpu::Frame, localLength)));
+    return;
+  }
+  code_.mov(to, host::dword_ptr(kMachine, openBlock(op.space) +
+                                              static_cast<int>(offsetof(cpu::OpenBlock, length))));
+}
+
+void RegionCode::WriteLimit(const Op& op) {
+  if (op.space == Space::Local) return Limit(op);
+  code_.mov(places_.out(),
+            host::dword_ptr(kMachine, openBlock(op.space) +
+                                          static_cast<int>(offsetof(cpu::OpenBlock, writable))));
+}
+
+// L DBLG, DILG, DBNO, DINO
+void RegionCode::BlockInfo(const Op& op) {
+  const int block = (op.number & 1) != 0 ? offset::kDi : offset::kDb;
+  const host::Gp to = places_.out();
+  if (op.number < 2)
+    code_.mov(
+        to, host::dword_ptr(kMachine, block + static_cast<int>(offsetof(cpu::OpenBlock, length))));
+  else
+    code_.movzx(
+        to, host::word_ptr(kMachine, block + static_cast<int>(offsetof(cpu::OpenBlock, number))));
+}
+
+// S7-TMR: started and not yet over, the delays started and over; SA also while its start is 1.
+void RegionCode::TimerStatus(const Op& op) {
+  using cpu::S5Timer;
+  const int timer = static_cast<int>(op.number * sizeof(S5Timer));
+  const auto field = [&](std::size_t at) {
+    return host::byte_ptr(host::rcx, timer + static_cast<int>(at));
+  };
+  const host::Gp to = places_.out();
+  code_.mov(host::rcx, host::qword_ptr(host::rsp, kTimers));
+  code_.lea(host::rax, host::ptr(kClock, static_cast<int>(op.place)));
+  code_.cmp(host::rax,
+            host::qword_ptr(host::rcx, timer + static_cast<int>(offsetof(S5Timer, end))));
+  code_.setl(host::al);
+  code_.movzx(host::edx, field(offsetof(S5Timer, kind)));
+  code_.mov(to, host::edx);
+  code_.sub(host::edx, static_cast<int>(S5Timer::Kind::OnDelay));
+  code_.cmp(host::edx, 2);
+  code_.setb(host::dl);
+  code_.xor_(host::al, host::dl);
+  code_.and_(host::al, field(offsetof(S5Timer, started)));
+  code_.cmp(to, static_cast<int>(S5Timer::Kind::OffDelay));
+  code_.sete(host::dl);
+  code_.and_(host::dl, field(offsetof(S5Timer, held)));
+  code_.or_(host::al, host::dl);
+  code_.movzx(to, host::al);
+}
+
+void RegionCode::CounterValue(const Op& op) {
+  const host::Gp to = places_.out();
+  code_.mov(host::rcx, host::qword_ptr(host::rsp, kCounters));
+  code_.movzx(to, host::word_ptr(host::rcx, static_cast<int>(op.number * sizeof(cpu::S5Counter) +
+                                                             offsetof(cpu::S5Counter, count))));
+}
+
+}  // namespace merker::jit

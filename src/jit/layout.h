@@ -1,0 +1,68 @@
+// Where compiled code finds things in the machine, and which host register holds what.
+#pragma once
+
+#include <asmjit/x86.h>
+
+#include <cstddef>
+
+#include "cpu/machine.h"
+#include "icode/region.h"
+
+namespace merker::jit {
+
+namespace host = asmjit::x86;
+
+inline const host::Gp kMachine = host::rbx, kImage = host::rbp, kClock = host::r12,
+                      kCount = host::r13;
+// Values live in these; rax, rcx and rdx are free for every emitter.
+inline const host::Gp kPlaces[] = {host::rsi, host::rdi, host::r8,  host::r9,
+                                   host::r10, host::r11, host::r14, host::r15};
+constexpr unsigned kPlaceCount = 8;
+
+// The stack frame: values that found no register, then what the caller handed over.
+constexpr int kSlots = 120;
+constexpr int kTimers = 8 * kSlots, kCounters = kTimers + 8, kFrame = kCounters + 8;
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Winvalid-offsetof"
+namespace offset {
+constexpr int kClock = offsetof(cpu::Machine, clock);
+constexpr int kHorizon = offsetof(cpu::Machine, horizon);
+constexpr int kImage = offsetof(cpu::Machine, image);
+constexpr int kTop = offsetof(cpu::Machine, top);
+constexpr int kRelayOff = offsetof(cpu::Machine, mcrOff);
+constexpr int kInstructions = offsetof(cpu::Machine, instructions);
+constexpr int kBrackets = offsetof(cpu::Machine, brackets);
+constexpr int kRegisters = offsetof(cpu::Machine, registers);
+constexpr int kDb = kRegisters + offsetof(cpu::Registers, db);
+constexpr int kDi = kRegisters + offsetof(cpu::Registers, di);
+constexpr int kStatus = kRegisters + offsetof(cpu::Registers, status);
+}  // namespace offset
+
+constexpr int offsetOf(icode::Item item) {
+  using cpu::StatusWord;
+  constexpr int kAccu = offset::kRegisters + offsetof(cpu::Registers, accu);
+  constexpr int kOffsets[] = {kAccu,
+                              kAccu + 4,
+                              kAccu + 8,
+                              kAccu + 12,
+                              offset::kRegisters + static_cast<int>(offsetof(cpu::Registers, ar1)),
+                              offset::kRegisters + static_cast<int>(offsetof(cpu::Registers, ar2)),
+                              offset::kStatus + static_cast<int>(offsetof(StatusWord, er)),
+                              offset::kStatus + static_cast<int>(offsetof(StatusWord, rlo)),
+                              offset::kStatus + static_cast<int>(offsetof(StatusWord, sta)),
+                              offset::kStatus + static_cast<int>(offsetof(StatusWord, orBit)),
+                              offset::kStatus + static_cast<int>(offsetof(StatusWord, os)),
+                              offset::kStatus + static_cast<int>(offsetof(StatusWord, ov)),
+                              offset::kStatus + static_cast<int>(offsetof(StatusWord, cc0)),
+                              offset::kStatus + static_cast<int>(offsetof(StatusWord, cc1)),
+                              offset::kStatus + static_cast<int>(offsetof(StatusWord, br))};
+  return kOffsets[static_cast<std::size_t>(item)];
+}
+#pragma GCC diagnostic pop
+
+inline int openBlock(icode::Space space) {
+  return space == icode::Space::Instance ? offset::kDi : offset::kDb;
+}
+
+}  // namespace merker::jit

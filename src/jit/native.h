@@ -1,0 +1,75 @@
+// Compiled code of one block.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "catalogue/cpu_model.h"
+#include "cpu/machine.h"
+#include "icode/region.h"
+
+namespace merker::jit {
+
+// What compiled code answers instead of a bare number: the address of instruction `n` in the list
+// of whoever calls it.
+struct Instructions {
+  const void* first = nullptr;
+  std::size_t stride = 0;
+};
+
+struct Options {
+  // For tests of the tests: the code of this operation gives a wrong result.
+  std::optional<icode::Opcode> broken{};
+};
+
+// Pages that are written first and executable afterwards, never both.
+class CodeMemory {
+ public:
+  CodeMemory() = default;
+  explicit CodeMemory(std::size_t size);
+  ~CodeMemory();
+  CodeMemory(CodeMemory&& other) noexcept;
+  CodeMemory& operator=(CodeMemory&& other) noexcept;
+
+  void* data() const { return data_; }
+  bool makeExecutable();
+
+ private:
+  void* data_ = nullptr;
+  std::size_t size_ = 0;
+};
+
+class NativeCode {
+ public:
+  NativeCode(CodeMemory memory, std::size_t size, std::size_t enter,
+             std::vector<std::uint32_t> entries)
+      : memory_(std::move(memory)), size_(size), enter_(enter), entries_(std::move(entries)) {}
+
+  bool begins(std::size_t instruction) const { return entries_[instruction] != 0; }
+  // From an instruction that begins a region on: returns in front of the instruction that is to be
+  // done next. That is the same one if the horizon is too near or the region needs what is not
+  // there. Clock and count of instructions are exact.
+  const void* run(cpu::Machine& m, std::size_t instruction) const;
+  std::size_t size() const { return size_; }  // bytes of machine code
+
+ private:
+  const std::uint8_t* at(std::size_t offset) const {
+    return static_cast<const std::uint8_t*>(memory_.data()) + offset;
+  }
+  CodeMemory memory_;
+  std::size_t size_, enter_;
+  std::vector<std::uint32_t> entries_;  // by instruction: offset in the code, 0 = none
+};
+
+// Whether there is a compiler for this processor.
+bool available();
+// Null if there is none, or nothing to compile.
+std::unique_ptr<NativeCode> compile(std::span<const icode::Region> regions,
+                                    std::size_t instructions, const Instructions& answers,
+                                    const CpuModel& model, const Options& options = {});
+
+}  // namespace merker::jit

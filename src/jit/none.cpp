@@ -1,0 +1,20 @@
+// Processors other than x86-64: the interpreter serves alone.
+#include "jit/native.h"
+
+namespace merker::jit {
+
+CodeMemory::CodeMemory(std::size_t) {}
+CodeMemory::~CodeMemory() = default;
+CodeMemory::CodeMemory(CodeMemory&&) noexcept = default;
+CodeMemory& CodeMemory::operator=(CodeMemory&&) noexcept = default;
+bool CodeMemory::makeExecutable() { return false; }
+
+const void* NativeCode::run(cpu::Machine&, std::size_t) const { return nullptr; }
+
+bool available() { return false; }
+std::unique_ptr<NativeCode> compile(std::span<const icode::Region>, std::size_t,
+                                    const Instructions&, const CpuModel&, const Options&) {
+  return nullptr;
+}
+
+}  // namespace merker::jit

@@ -1,0 +1,121 @@
+#include "jit/places.h"
+
+namespace merker::jit {
+
+using icode::kNoValue;
+using icode::Value;
+
+host::Mem slot(std::uint32_t number, std::uint32_t size) {
+  return host::Mem(host::rsp, static_cast<int>(8 * number), size);
+}
+
+Places::Places(host::Assembler& code, const icode::Region& region)
+    : code_(code), region_(region), spots_(region.ops.size()), lastUse_(region.ops.size()) {
+  owner_.fill(kNoValue);
+  for (std::uint32_t i = kSlots; i-- > 0;) freeSlots_.push_back(i);
+  planUses(region);
+}
+
+void Places::planUses(const icode::Region& region) {
+  for (std::uint32_t i = 0; i < region.ops.size(); ++i) {
+    const icode::Op& op = region.ops[i];
+    if (op.code == icode::Opcode::Constant) spots_[i] = {Spot::Kind::Constant, op.number};
+    if (!op.needed) continue;
+    use(op.a, i), use(op.b, i), use(op.c, i);
+    if (op.code < icode::Opcode::Guard) continue;
+    const icode::Exit& exit = region.exits[op.number];
+    for (std::uint32_t k = 0; k < exit.states; ++k)
+      use(region.states[exit.firstState + k].value, i);
+    for (std::uint32_t k = 0; k < exit.bytes; ++k) use(region.bytes[exit.firstByte + k].value, i);
+  }
+}
+
+void Places::releaseDying() {
+  for (Value& owner : owner_) {
+    if (owner == kNoValue || owner == current_ || lastUse_[owner] > current_) continue;
+    spots_[owner].kind = Spot::Kind::None;
+    owner = kNoValue;
+  }
+}
+
+bool Places::isArgument(Value value) const {
+  const icode::Op& op = region_.ops[current_];
+  return value == op.a || value == op.b || value == op.c || value == current_;
+}
+
+// The value that is needed last goes to the stack frame. Values never change, so one that was there
+// before need not be written again; it has no register then.
+unsigned Places::makeRoom() {
+  unsigned best = kPlaceCount;
+  for (unsigned i = 0; i < kPlaceCount; ++i) {
+    if (isArgument(owner_[i])) continue;
+    if (best == kPlaceCount || lastUse_[owner_[i]] > lastUse_[owner_[best]]) best = i;
+  }
+  if (freeSlots_.empty()) {
+    failed_ = true;
+    freeSlots_.push_back(0);
+  }
+  const std::uint32_t number = freeSlots_.back();
+  freeSlots_.pop_back();
+  code_.mov(slot(number, 8), kPlaces[best].r64());
+  spots_[owner_[best]] = {Spot::Kind::Slot, number};
+  return best;
+}
+
+unsigned Places::freePlace() {
+  for (unsigned i = 0; i < kPlaceCount; ++i)
+    if (owner_[i] == kNoValue) return i;
+  return makeRoom();
+}
+
+host::Gp Places::in64(Value value, const host::Gp& scratch) {
+  const Spot at = spots_[value];
+  switch (at.kind) {
+    case Spot::Kind::Register:
+      return kPlaces[at.number].r64();
+    case Spot::Kind::Slot:
+      code_.mov(scratch.r64(), slot(at.number, 8));
+      return scratch.r64();
+    default:
+      code_.mov(scratch.r32(), at.number);
+      return scratch.r64();
+  }
+}
+
+host::Gp Places::in(Value value, const host::Gp& scratch) { return in64(value, scratch).r32(); }
+
+host::Gp Places::out() {
+  const unsigned place = freePlace();
+  owner_[place] = current_;
+  spots_[current_] = {Spot::Kind::Register, place};
+  return kPlaces[place].r32();
+}
+
+host::Gp Places::outFrom(Value value) {
+  const Spot at = spots_[value];
+  if (at.kind == Spot::Kind::Register && lastUse_[value] <= current_) {
+    owner_[at.number] = current_;
+    spots_[current_] = at;
+    return kPlaces[at.number].r32();
+  }
+  const host::Gp reg = out();
+  const host::Gp from = in(value, reg);
+  if (from.id() != reg.id()) code_.mov(reg, from);
+  return reg;
+}
+
+void Places::apply(std::uint32_t instruction, const host::Gp& reg, Value value) {
+  const Spot at = spots_[value];
+  switch (at.kind) {
+    case Spot::Kind::Register:
+      code_.emit(instruction, reg, kPlaces[at.number].r32());
+      break;
+    case Spot::Kind::Slot:
+      code_.emit(instruction, reg, slot(at.number));
+      break;
+    default:
+      code_.emit(instruction, reg, asmjit::imm(static_cast<std::int32_t>(at.number)));
+  }
+}
+
+}  // namespace merker::jit

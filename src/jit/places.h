@@ -1,0 +1,62 @@
+// The register plan of one region: each value in a host register, in a slot of the stack frame, or,
+// as a constant, nowhere. The value needed last makes room.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "jit/layout.h"
+
+namespace merker::jit {
+
+struct Spot {
+  enum class Kind : std::uint8_t { None, Register, Slot, Constant };
+  Kind kind = Kind::None;
+  std::uint32_t number = 0;  // index in kPlaces, slot, or the constant
+};
+
+class Places {
+ public:
+  Places(host::Assembler& code, const icode::Region& region);
+
+  // The operation whose code is written now.
+  void begin(icode::Value value) { current_ = value; }
+  // What nobody needs after the current operation is free.
+  void releaseDying();
+
+  Spot spot(icode::Value value) const { return spots_[value]; }
+  bool isConstant(icode::Value value) const { return spots_[value].kind == Spot::Kind::Constant; }
+  std::uint32_t constant(icode::Value value) const { return spots_[value].number; }
+  // A register that holds the value; `scratch` if it has none of its own.
+  host::Gp in(icode::Value value, const host::Gp& scratch);
+  host::Gp in64(icode::Value value, const host::Gp& scratch);
+  // A register for the result of the current operation.
+  host::Gp out();
+  // The same, with the value already in it: its own register if this is its last use.
+  host::Gp outFrom(icode::Value value);
+  // instruction register, value
+  void apply(std::uint32_t instruction, const host::Gp& reg, icode::Value value);
+  bool failed() const { return failed_; }
+
+ private:
+  void planUses(const icode::Region& region);
+  void use(icode::Value value, std::uint32_t at) {
+    if (value != icode::kNoValue) lastUse_[value] = at;
+  }
+  unsigned freePlace();
+  unsigned makeRoom();
+  bool isArgument(icode::Value value) const;
+
+  host::Assembler& code_;
+  const icode::Region& region_;
+  std::vector<Spot> spots_;
+  std::vector<std::uint32_t> lastUse_;
+  std::array<icode::Value, kPlaceCount> owner_;
+  std::vector<std::uint32_t> freeSlots_;
+  icode::Value current_ = 0;
+  bool failed_ = false;
+};
+
+host::Mem slot(std::uint32_t number, std::uint32_t size = 4);
+
+}  // namespace merker::jit

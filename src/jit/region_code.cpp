@@ -1,0 +1,113 @@
+#include "jit/region_code.h"
+
+#include "cpu/areas.h"
+
+namespace merker::jit {
+
+using host::CondCode;
+using icode::Op;
+using icode::Opcode;
+
+RegionCode::RegionCode(Unit& unit, const icode::Region& region)
+    : unit_(unit),
+      code_(unit.code),
+      region_(region),
+      places_(unit.code, region),
+      clean_(region.ops.size()),
+      tooNear_(unit.code.newLabel()) {}
+
+RegionCode::Emit RegionCode::emitter(Opcode code) {
+  static constexpr Emit kEmitters[] = {
+#define ICODE(id, text, result, arguments, effect) &RegionCode::id,
+#include "icode/icode.inc"
+#undef ICODE
+  };
+  return kEmitters[static_cast<std::size_t>(code)];
+}
+
+bool RegionCode::write(std::uint32_t next) {
+  next_ = next;
+  entry();
+  for (current_ = 0; current_ < region_.ops.size(); ++current_) {
+    const Op& op = region_.ops[current_];
+    noteClean(current_);
+    if (!op.needed || op.code == Opcode::Constant) continue;
+    places_.begin(current_);
+    (this->*emitter(op.code))(op);
+    places_.releaseDying();
+    if (unit_.options.broken == op.code && places_.spot(current_).kind == Spot::Kind::Register)
+      code_.xor_(kPlaces[places_.spot(current_).number].r32(), 1);
+  }
+  return !places_.failed();
+}
+
+// Bits that come as 0 or 1 need no mask when they are written.
+void RegionCode::noteClean(icode::Value value) {
+  const Op& op = region_.ops[value];
+  switch (op.code) {
+    case Opcode::Constant:
+      clean_[value] = op.number <= 1;
+      break;
+    case Opcode::Get:
+      clean_[value] = icode::isBit(op.item);
+      break;
+    case Opcode::AndBit:
+      clean_[value] = clean_[op.a] || clean_[op.b];
+      break;
+    case Opcode::OrBit:
+    case Opcode::XorBit:
+      clean_[value] = clean_[op.a] && clean_[op.b];
+      break;
+    case Opcode::NotBit:
+      clean_[value] = clean_[op.a];
+      break;
+    default:
+      clean_[value] = icode::info(op.code).result == icode::Result::Bit &&
+                      op.code != Opcode::BitOf && op.code != Opcode::BitAt;
+  }
+}
+
+void RegionCode::need(const host::Mem& limit, std::uint32_t bytes) {
+  if (bytes == 0) return;
+  code_.cmp(limit, bytes);
+  code_.jb(tooNear_);
+}
+
+// Only if the clock stays below the horizon until the last instruction, and the region finds what
+// it needs.
+void RegionCode::entry() {
+  code_.bind(unit_.regions[region_.first]);
+  code_.lea(host::rax, host::ptr(kClock, static_cast<int>(region_.ahead)));
+  code_.cmp(host::rax, host::qword_ptr(kMachine, offset::kHorizon));
+  code_.jge(tooNear_);
+  const icode::Needs& needs = region_.needs;
+  const auto field = [](int block, std::size_t at) {
+    return host::dword_ptr(kMachine, block + static_cast<int>(at));
+  };
+  need(field(offset::kDb, offsetof(cpu::OpenBlock, length)), needs.dataRead);
+  need(field(offset::kDb, offsetof(cpu::OpenBlock, writable)), needs.dataWritten);
+  need(field(offset::kDi, offsetof(cpu::OpenBlock, length)), needs.instanceRead);
+  need(field(offset::kDi, offsetof(cpu::OpenBlock, writable)), needs.instanceWritten);
+  if (needs.local != 0) {
+    code_.mov(host::rax, host::qword_ptr(kMachine, offset::kTop));
+    need(host::dword_ptr(host::rax, offsetof(cpu::Frame, localLength)), needs.local);
+  }
+  if (needs.relayOn) {
+    code_.cmp(host::byte_ptr(kMachine, offset::kRelayOff), 0);
+    code_.jne(tooNear_);
+  }
+  if (needs.noBrackets) {  // begin and end of the vector are the same
+    code_.mov(host::rax, host::qword_ptr(kMachine, offset::kBrackets));
+    code_.cmp(host::rax, host::qword_ptr(kMachine, offset::kBrackets + 8));
+    code_.jne(tooNear_);
+  }
+}
+
+std::uint32_t RegionCode::imageOffset(icode::Space space) const {
+  const Area area = space == icode::Space::Input    ? Area::Input
+                    : space == icode::Space::Output ? Area::Output
+                                                    : Area::Flag;
+  return cpu::imageBase(unit_.model, area);
+}
+
+}  // namespace merker::jit

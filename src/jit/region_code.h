@@ -1,0 +1,82 @@
+// Writes the machine code of one region: one function per operation of the intermediate code, named
+// as the operation.
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <vector>
+
+#include "catalogue/cpu_model.h"
+#include "jit/native.h"
+#include "jit/places.h"
+
+namespace merker::jit {
+
+// What the regions of a block share.
+struct Unit {
+  host::Assembler& code;
+  const CpuModel& model;
+  const Options& options;
+  asmjit::Label epilogue;                // with the instruction to go on with in eax
+  std::vector<asmjit::Label> regions{};  // by instruction; not valid where none begins
+};
+
+class RegionCode {
+ public:
+  RegionCode(Unit& unit, const icode::Region& region);
+  // The straight way; `next` is the region whose code will stand directly behind. False: the region
+  // is too large for the stack frame.
+  bool write(std::uint32_t next);
+  // The ways that are rarely taken; after the straight ways of all regions.
+  void writeWaysOut();
+
+ private:
+  struct WayOut {
+    asmjit::Label label;
+    std::uint32_t exit;
+    std::vector<Spot> states, bytes;
+  };
+  using Emit = void (RegionCode::*)(const icode::Op&);
+  static Emit emitter(icode::Opcode code);
+#define ICODE(id, text, result, arguments, effect) void id(const icode::Op& op);
+#include "icode/icode.inc"
+#undef ICODE
+
+  void entry();
+  void need(const host::Mem& limit, std::uint32_t bytes);
+  host::Mem place(const icode::Op& op, unsigned bytes);
+  void binary(const icode::Op& op, std::uint32_t instruction);
+  void unary(const icode::Op& op, std::uint32_t instruction);
+  void shift(const icode::Op& op, std::uint32_t instruction);
+  void flag(asmjit::x86::CondCode condition);
+  void compare(const icode::Op& op, asmjit::x86::CondCode condition);
+  void overflows(const icode::Op& op, std::uint32_t instruction);
+  void divide(const icode::Op& op);
+  void real(const icode::Op& op, std::uint32_t instruction);
+  // The bit, alone in its register, as 0 or 1.
+  host::Gp clean(icode::Value bit, const host::Gp& scratch);
+  void wayOut(const icode::Op& op, asmjit::x86::CondCode condition);
+  void writeState(const icode::Exit& exit, const std::vector<Spot>& states,
+                  const std::vector<Spot>& bytes);
+  void writeItem(const icode::StateWrite& write, const Spot& spot);
+  void writeByte(const icode::ByteWrite& write, const Spot& spot);
+  void charge(const icode::Exit& exit);
+  void goTo(std::uint32_t instruction, std::uint32_t next);
+  std::vector<Spot> spotsOfStates(const icode::Exit& exit) const;
+  std::vector<Spot> spotsOfBytes(const icode::Exit& exit) const;
+  bool isClean(icode::Value bit) const { return clean_[bit]; }
+  void noteClean(icode::Value value);
+  std::uint32_t imageOffset(icode::Space space) const;
+
+  Unit& unit_;
+  host::Assembler& code_;
+  const icode::Region& region_;
+  Places places_;
+  std::vector<bool> clean_;
+  std::vector<WayOut> waysOut_;
+  asmjit::Label tooNear_;
+  icode::Value current_ = 0;
+  std::uint32_t next_ = 0;
+};
+
+}  // namespace merker::jit

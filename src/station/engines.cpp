@@ -1,0 +1,65 @@
+#include "station/engines.h"
+
+#include "icode/region.h"
+#include "interpreter/compiled.h"
+#include "mc7/listing.h"
+#include "translate/translate.h"
+
+namespace merker::station {
+namespace {
+
+using interpreter::Op;
+using interpreter::Translated;
+
+class Native : public interpreter::Compiled {
+ public:
+  explicit Native(std::unique_ptr<jit::NativeCode> code) : code_(std::move(code)) {}
+  bool begins(std::size_t instruction) const override { return code_->begins(instruction); }
+  const Op* run(cpu::Machine& m, std::size_t instruction) const override {
+    return static_cast<const Op*>(code_->run(m, instruction));
+  }
+  std::size_t size() const { return code_->size(); }
+
+ private:
+  std::unique_ptr<jit::NativeCode> code_;
+};
+
+}  // namespace
+
+// Blocks with checks or coverage look at each instruction: they stay with the interpreter.
+void Engines::compile(Translated& code) const {
+  if (!code.side.empty()) return;
+  const mc7::Listing listing = mc7::list(code.source->code);
+  std::vector<icode::Region> regions = translate::translate(listing, model_);
+  for (icode::Region& region : regions) icode::optimise(region);
+  auto native =
+      jit::compile(regions, listing.places.size(), {code.ops.data(), sizeof(Op)}, model_, options_);
+  if (native != nullptr) setCompiled(code, std::make_shared<Native>(std::move(native)));
+}
+
+std::unique_ptr<cpu::Code> Engines::translate(const block::Block& block) {
+  auto code = Interpreter::translate(block);
+  if (compiles_) compile(static_cast<Translated&>(*code));
+  return code;
+}
+
+void Engines::compile(bool on, cpu::Cpu& cpu) {
+  compiles_ = on && canCompile();
+  for (const auto& code : cpu.code()) {
+    auto& translated = static_cast<Translated&>(*code);
+    if (!compiles_)
+      setCompiled(translated, nullptr);
+    else if (translated.compiled == nullptr)
+      compile(translated);
+  }
+}
+
+std::size_t Engines::compiledBytes(const cpu::Cpu& cpu) {
+  std::size_t bytes = 0;
+  for (const auto& code : cpu.code())
+    if (const auto& compiled = static_cast<const Translated&>(*code).compiled)
+      bytes += static_cast<const Native&>(*compiled).size();
+  return bytes;
+}
+
+}  // namespace merker::station

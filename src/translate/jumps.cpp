@@ -1,0 +1,136 @@
+// Jumps inside a block (S7-INSTR-112 … -126, -128).
+#include "translate/lowering.h"
+
+namespace merker::translate {
+namespace {
+
+using icode::Item;
+using icode::Opcode;
+using icode::Value;
+using mc7::Operation;
+
+// Nothing: the jump leads nowhere, which is the interpreter's business.
+std::optional<std::uint32_t> target(Lowering& l) {
+  const std::int32_t to = l.listing.target(l.listing.places[l.place]);
+  const bool inside = to >= 0 && static_cast<std::size_t>(to) < l.listing.places.size();
+  return inside ? std::optional(static_cast<std::uint32_t>(to)) : std::nullopt;
+}
+
+bool always(Lowering& l) {
+  const auto to = target(l);
+  if (!to) return false;
+  l.to.leave(*to);
+  l.ended = true;
+  return true;
+}
+
+template <bool Wanted, bool SaveToBr>
+bool onRlo(Lowering& l) {
+  const auto to = target(l);
+  if (!to) return false;
+  icode::Builder& b = l.to;
+  const Value rlo = b.get(Item::Rlo);
+  if constexpr (SaveToBr) b.set(Item::Br, rlo);
+  b.set(Item::Rlo, true);
+  b.set(Item::Sta, true);
+  b.set(Item::Or, false);
+  b.set(Item::Er, false);
+  b.branch(rlo, Wanted, *to);
+  return true;
+}
+
+template <bool Wanted>
+bool onBr(Lowering& l) {
+  const auto to = target(l);
+  if (!to) return false;
+  icode::Builder& b = l.to;
+  b.set(Item::Sta, true);
+  b.set(Item::Or, false);
+  b.set(Item::Er, false);
+  b.branch(b.get(Item::Br), Wanted, *to);
+  return true;
+}
+
+bool onOverflow(Lowering& l) {
+  const auto to = target(l);
+  if (to) l.to.branch(l.to.get(Item::Ov), true, *to);
+  return to.has_value();
+}
+
+bool onStoredOverflow(Lowering& l) {
+  const auto to = target(l);
+  if (!to) return false;
+  const Value stored = l.to.get(Item::Os);
+  l.to.set(Item::Os, false);
+  l.to.branch(stored, true, *to);
+  return true;
+}
+
+enum class When : std::uint8_t { Zero, Minus, Plus, Unordered, NotZero, MinusOrZero, PlusOrZero };
+
+template <When W>
+bool onConditions(Lowering& l) {
+  const auto to = target(l);
+  if (!to) return false;
+  icode::Builder& b = l.to;
+  const Value plus = b.get(Item::Cc1), minus = b.get(Item::Cc0);
+  switch (W) {
+    case When::Zero:
+      b.branch(b.orBit(plus, minus), false, *to);
+      break;
+    case When::Minus:
+      b.branch(b.andBit(minus, b.notBit(plus)), true, *to);
+      break;
+    case When::Plus:
+      b.branch(b.andBit(plus, b.notBit(minus)), true, *to);
+      break;
+    case When::Unordered:
+      b.branch(b.andBit(plus, minus), true, *to);
+      break;
+    case When::NotZero:
+      b.branch(b.xorBit(plus, minus), true, *to);
+      break;
+    case When::MinusOrZero:
+      b.branch(plus, false, *to);
+      break;
+    case When::PlusOrZero:
+      b.branch(minus, false, *to);
+      break;
+  }
+  return true;
+}
+
+bool loop(Lowering& l) {
+  const auto to = target(l);
+  if (!to) return false;
+  icode::Builder& b = l.to;
+  const Value before = b.get(Item::Accu1);
+  const Value after = b.make(Opcode::Sub, before, b.constant(1));
+  b.set(Item::Accu1, b.make(Opcode::LowFrom, before, after));
+  b.branch(b.make(Opcode::NotEqual, b.make(Opcode::Zext16, after), b.constant(0)), true, *to);
+  return true;
+}
+
+constexpr Row kRows[] = {{Operation::SPA, always},
+                         {Operation::SPB, onRlo<true, false>},
+                         {Operation::SPBN, onRlo<false, false>},
+                         {Operation::SPBB, onRlo<true, true>},
+                         {Operation::SPBNB, onRlo<false, true>},
+                         {Operation::SPBI, onBr<true>},
+                         {Operation::SPBIN, onBr<false>},
+                         {Operation::SPO, onOverflow},
+                         {Operation::SPS, onStoredOverflow},
+                         {Operation::SPU, onConditions<When::Unordered>},
+                         {Operation::SPZ, onConditions<When::Zero>},
+                         {Operation::SPP, onConditions<When::Plus>},
+                         {Operation::SPM, onConditions<When::Minus>},
+                         {Operation::SPN, onConditions<When::NotZero>},
+                         {Operation::SPMZ, onConditions<When::MinusOrZero>},
+                         {Operation::SPPZ, onConditions<When::PlusOrZero>},
+                         {Operation::LOOP, loop}};
+
+}  // namespace
+
+std::span<const Row> jumpRows() { return kRows; }
+
+}  // namespace merker::translate

@@ -1,0 +1,17 @@
+// The machine code of a block as regions of intermediate code.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "catalogue/cpu_model.h"
+#include "icode/region.h"
+#include "mc7/listing.h"
+
+namespace merker::translate {
+
+// In the order of the code. Instructions that belong to no region have no translation; regions end
+// in front of them. Every jump target that can be translated begins a region.
+std::vector<icode::Region> translate(const mc7::Listing& listing, const CpuModel& model);
+
+}  // namespace merker::translate

@@ -1,0 +1,43 @@
+// A program and everything that happens to it, for both engines.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "address/block_id.h"
+#include "icode/region.h"
+
+namespace merker::differential {
+
+struct Case {
+  std::string model = "314C-2 PtP";
+  std::uint32_t seed = 0;  // of registers, memory, interrupts and the instants at which both stop
+  std::map<BlockId, std::vector<std::uint8_t>> blocks;
+};
+
+// As lines of text: "model …", "seed …", "OB 1 = 68 1D …".
+std::string toText(const Case& c);
+std::optional<Case> fromText(const std::string& text);
+std::string listing(const Case& c);
+
+struct Engine {
+  bool compiled = true;
+  std::optional<icode::Opcode> broken{};  // this emitter gives wrong code
+};
+
+// The whole state of the CPU at each stop, one text each.
+std::vector<std::string> run(const Case& c, const Engine& engine);
+// What is different, with both states; empty if nothing is.
+std::string difference(const Case& c, std::optional<icode::Opcode> broken = {});
+// The same difference with as few instructions as possible.
+Case shrink(Case c, std::optional<icode::Opcode> broken = {});
+
+// A random program of all kinds of instructions.
+Case randomCase(std::uint32_t seed);
+// One row of encodings.inc with a random operand and state.
+Case rowCase(std::size_t row, std::uint32_t seed);
+
+}  // namespace merker::differential

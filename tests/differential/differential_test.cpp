@@ -1,0 +1,92 @@
+// Interpreter against compiled code: every row of the instruction tables, random programs with
+// interrupts, and each difference that was ever found. MERKER_DIFFERENTIAL=<first seed>:<count>
+// runs other random programs.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "case.h"
+#include "jit/native.h"
+#include "mc7/encoding.h"
+
+namespace merker::differential {
+namespace {
+
+constexpr std::uint32_t kPerRow = 12, kPrograms = 20'000;
+
+std::string report(const Case& c) {
+  const Case small = shrink(c);
+  return toText(small) + listing(small) + difference(small);
+}
+
+struct Seeds {
+  std::uint32_t first = 1, count = kPrograms;
+};
+Seeds seeds() {
+  Seeds s;
+  if (const char* text = std::getenv("MERKER_DIFFERENTIAL")) {
+    char colon = 0;
+    std::istringstream(text) >> s.first >> colon >> s.count;
+  }
+  return s;
+}
+
+class Differential : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!jit::available()) GTEST_SKIP() << "no compiler for this processor";
+  }
+};
+
+TEST_F(Differential, EveryRow) {
+  int found = 0;
+  for (std::size_t row = 0; row < mc7::encodings().size(); ++row)
+    for (std::uint32_t i = 0; i < kPerRow; ++i) {
+      const Case c = rowCase(row, static_cast<std::uint32_t>(row) * 1000 + i);
+      if (difference(c).empty()) continue;
+      ADD_FAILURE() << report(c);
+      if (++found == 3) return;
+      break;
+    }
+}
+
+TEST_F(Differential, RandomPrograms) {
+  const Seeds s = seeds();
+  int found = 0;
+  for (std::uint32_t i = 0; i < s.count; ++i) {
+    const Case c = randomCase(s.first + i);
+    if (difference(c).empty()) continue;
+    ADD_FAILURE() << "seed " << s.first + i << '\n' << report(c);
+    if (++found == 3) return;
+  }
+}
+
+TEST_F(Differential, CasesFoundBefore) {
+  const std::filesystem::path folder = MERKER_SOURCE_DIR "/tests/differential/cases";
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() != ".case") continue;
+    std::stringstream text;
+    text << std::ifstream(entry.path()).rdbuf();
+    const auto c = fromText(text.str());
+    ASSERT_TRUE(c) << entry.path();
+    EXPECT_EQ(difference(*c), "") << entry.path() << '\n' << listing(*c);
+  }
+}
+
+// The proof of the proof: any emitter that gives wrong code is found within these programs.
+TEST_F(Differential, BrokenEmittersAreFound) {
+  using icode::Opcode;
+  for (const Opcode opcode : {Opcode::Load8, Opcode::AndBit, Opcode::Insert, Opcode::Add,
+                              Opcode::LowFrom, Opcode::Less, Opcode::Shl, Opcode::MulReal}) {
+    bool caught = false;
+    for (std::uint32_t seed = 1; seed < 3000 && !caught; ++seed)
+      caught = !difference(randomCase(seed), opcode).empty();
+    EXPECT_TRUE(caught) << icode::info(opcode).text;
+  }
+}
+
+}  // namespace
+}  // namespace merker::differential

@@ -1,0 +1,195 @@
+#include <random>
+
+#include "case.h"
+#include "mc7/encoding.h"
+#include "mc7/listing.h"
+
+namespace merker::differential {
+namespace {
+
+using mc7::Operand;
+using mc7::OperandKind;
+using mc7::Operation;
+
+class Generator {
+ public:
+  explicit Generator(std::uint32_t seed) : random_(seed) {}
+
+  std::uint32_t below(std::uint32_t n) { return static_cast<std::uint32_t>(random_() % n); }
+  bool oneIn(std::uint32_t n) { return below(n) == 0; }
+
+  std::vector<std::uint8_t> code(std::uint32_t instructions) {
+    std::vector<std::uint8_t> code;
+    if (!oneIn(4)) append(openBlock(false), code);
+    if (!oneIn(4)) append(openBlock(true), code);
+    while (instructions > 0)
+      if (append(row(), code)) --instructions;
+    code.insert(code.end(), {0x65, 0x00});  // BE
+    fixJumps(code);
+    return code;
+  }
+
+  bool append(std::size_t row, std::vector<std::uint8_t>& code) {
+    const mc7::Encoding& encoding = mc7::encodings()[row];
+    if (encoding.operation == Operation::BE || encoding.operation == Operation::BEA) return false;
+    for (int attempt = 0; attempt < 8; ++attempt)
+      if (mc7::encode(encoding, operand(encoding.operand), code)) return true;
+    return false;
+  }
+
+ private:
+  bool append(const mc7::Instruction& i, std::vector<std::uint8_t>& code) {
+    return mc7::encode(i, code);
+  }
+  mc7::Instruction openBlock(bool instance) {
+    return {Operation::OPEN, mc7::blockOperand(BlockKind::DB, 1 + below(3), instance)};
+  }
+  // Every row now and then, what programs are made of more often.
+  std::size_t row() {
+    const auto rows = mc7::encodings();
+    for (;;) {
+      const std::size_t i = below(static_cast<std::uint32_t>(rows.size()));
+      const Operation o = rows[i].operation;
+      const bool calls = o == Operation::UC || o == Operation::CC || o == Operation::SPL ||
+                         o == Operation::BEB || o == Operation::BEA;
+      const bool stops = o == Operation::MCR_OPEN || o == Operation::MCR_CLOSE ||
+                         o == Operation::CLOSE || o == Operation::BTI || o == Operation::BTD ||
+                         o == Operation::ENT || o == Operation::LEAVE;
+      const OperandKind kind = rows[i].operand.kind;
+      const bool parameter = kind >= OperandKind::BlockIndirect || kind == OperandKind::Parameter ||
+                             kind == OperandKind::TimerParameter ||
+                             kind == OperandKind::CounterParameter;
+      if ((calls || stops || parameter) && !oneIn(12)) continue;
+      return i;
+    }
+  }
+
+  Area area(Area given) {
+    constexpr Area kAreas[] = {Area::Flag,      Area::Flag,     Area::Input, Area::Output,
+                               Area::DataBlock, Area::Instance, Area::Local, Area::Peripheral};
+    return given != Area::None ? given : kAreas[below(oneIn(4) ? 8 : 7)];
+  }
+  Area pointerArea() {
+    constexpr Area kAreas[] = {Area::Flag, Area::DataBlock, Area::Instance, Area::Local};
+    return kAreas[below(4)];
+  }
+  std::uint32_t address(Width width) {
+    const std::uint32_t byte = oneIn(12) ? below(300) : below(24);
+    return bitAddress(byte, width == Width::Bit ? below(8) : 0);
+  }
+  std::uint32_t number() {
+    constexpr std::uint32_t kValues[] = {0,          1,          2,          0xFFFF,     0x7FFF,
+                                         0x8000,     0x8001,     0xFFFFFFFF, 0x7FFFFFFF, 0x80000000,
+                                         0x3F800000, 0xBF000000, 0x7F800000, 0x7FC00000, 0x00000001,
+                                         0x00800000, 0x4B000001, 0xC0490FDB, 0x999,      100};
+    if (oneIn(3)) return static_cast<std::uint32_t>(random_());
+    return oneIn(3) ? below(256) : kValues[below(std::size(kValues))];
+  }
+
+  Operand operand(Operand o) {
+    constexpr std::uint32_t kQueries[] = {0, 1, 2, 4, 5, 6, 8, 10, 12, 14};
+    switch (o.kind) {
+      case OperandKind::Memory:
+        o.area = area(o.area);
+        o.value = address(o.width);
+        break;
+      case OperandKind::MemoryIndirect:
+        o.area = area(o.area);
+        o.pointerArea = pointerArea();
+        o.value = 2 * below(10);
+        break;
+      case OperandKind::RegisterIndirect:
+        o.area = area(o.area);
+        [[fallthrough]];
+      case OperandKind::RegisterCrossing:
+        o.reg = static_cast<std::uint8_t>(1 + below(2));
+        o.value = oneIn(3) ? below(200) : 8 * below(16);
+        break;
+      case OperandKind::TimerIndirect:
+      case OperandKind::CounterIndirect:
+      case OperandKind::BlockIndirect:
+        o.pointerArea = pointerArea();
+        o.value = 2 * below(10);
+        break;
+      case OperandKind::StatusBit:
+        o.value = kQueries[below(std::size(kQueries))];
+        break;
+      case OperandKind::Constant:
+        o.value = number();
+        if (bitWidth(o.format) == 16) o.value &= 0xFFFF;
+        if (bitWidth(o.format) == 8) o.value &= 0xFF;
+        break;
+      case OperandKind::Block:
+        o.value = 1 + below(3);
+        break;
+      case OperandKind::ShiftCount:
+        o.value = oneIn(4) ? below(256) : below(34);
+        break;
+      case OperandKind::Jump:
+        o.value = 2;
+        break;
+      case OperandKind::StatusWord:
+      case OperandKind::None:
+      case OperandKind::AddressRegister:
+      case OperandKind::DataBlockInfo:
+        break;
+      default:
+        o.value = below(4);
+    }
+    return o;
+  }
+
+  // Jumps lead to instructions, forwards more often than backwards.
+  void fixJumps(std::vector<std::uint8_t>& code) {
+    const mc7::Listing listing = mc7::list(code);
+    const auto& places = listing.places;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      mc7::Instruction jump = places[i].instruction;
+      if (!places[i].known || jump.operand.kind != OperandKind::Jump) continue;
+      const std::size_t first = oneIn(3) ? 0 : i + 1;
+      const std::size_t to = first + below(static_cast<std::uint32_t>(places.size() - first));
+      const auto words = (static_cast<int>(places[std::min(to, places.size() - 1)].offset) -
+                          static_cast<int>(places[i].offset)) /
+                         2;
+      jump.operand.value = static_cast<std::uint32_t>(words);
+      std::vector<std::uint8_t> bytes;
+      const auto decoded = mc7::decode(std::span(code).subspan(places[i].offset));
+      if (mc7::encode(*decoded->encoding, jump.operand, bytes))
+        std::copy(bytes.begin(), bytes.end(), code.begin() + places[i].offset);
+    }
+  }
+
+  std::mt19937 random_;
+};
+
+}  // namespace
+
+Case randomCase(std::uint32_t seed) {
+  Generator generator(seed);
+  Case c;
+  c.seed = seed;
+  if (generator.oneIn(8)) c.model = "generic";
+  c.blocks[{BlockKind::OB, 1}] = generator.code(4 + generator.below(60));
+  c.blocks[{BlockKind::FC, 1}] = generator.code(1 + generator.below(20));
+  c.blocks[{BlockKind::FB, 2}] = generator.code(1 + generator.below(12));
+  for (const std::uint16_t ob : std::initializer_list<std::uint16_t>{35, 40, 121, 122})
+    if (!generator.oneIn(3)) c.blocks[{BlockKind::OB, ob}] = generator.code(generator.below(8));
+  return c;
+}
+
+Case rowCase(std::size_t row, std::uint32_t seed) {
+  Generator generator(seed);
+  Case c;
+  c.seed = seed;
+  if (generator.oneIn(4)) c.model = "generic";
+  std::vector<std::uint8_t>& code = c.blocks[{BlockKind::OB, 1}];
+  (void)mc7::encode({Operation::OPEN, mc7::blockOperand(BlockKind::DB, 1)}, code);
+  (void)mc7::encode({Operation::OPEN, mc7::blockOperand(BlockKind::DB, 2, true)}, code);
+  generator.append(row, code);
+  generator.append(row, code);
+  code.insert(code.end(), {0x65, 0x00});
+  c.blocks[{BlockKind::OB, 121}] = c.blocks[{BlockKind::OB, 122}] = {0x65, 0x00};
+  return c;
+}
+
+}  // namespace merker::differential

@@ -1,0 +1,100 @@
+// What becomes of instructions in the intermediate code.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "translate/translate.h"
+
+namespace merker::translate {
+namespace {
+
+using icode::Opcode;
+using mc7::Operand;
+using mc7::OperandKind;
+using mc7::Operation;
+
+std::vector<icode::Region> regionsOf(const std::vector<mc7::Instruction>& instructions) {
+  std::vector<std::uint8_t> code;
+  for (const mc7::Instruction& i : instructions) EXPECT_TRUE(mc7::encode(i, code));
+  auto regions = translate(mc7::list(code), defaultCpuModel());
+  for (icode::Region& region : regions) {
+    EXPECT_EQ(icode::verify(region), "") << icode::print(region);
+    icode::optimise(region);
+  }
+  return regions;
+}
+
+std::size_t count(const icode::Region& region, Opcode code) {
+  return static_cast<std::size_t>(
+      std::count_if(region.ops.begin(), region.ops.end(),
+                    [&](auto& op) { return op.needed && op.code == code; }));
+}
+
+Operand bit(Area area, std::uint32_t byte, std::uint32_t bit) {
+  return mc7::memory(area, Width::Bit, bitAddress(byte, bit));
+}
+Operand word(std::uint32_t byte) { return mc7::memory(Area::Flag, Width::Word, bitAddress(byte)); }
+const mc7::Instruction kAddInt{Operation::ADD_I, {}}, kEnd{Operation::BE, {}};
+
+TEST(Region, AByteIsLoadedOnceAndWrittenOnce) {
+  const auto regions = regionsOf({{Operation::AND, bit(Area::Input, 4, 0)},
+                                  {Operation::AND, bit(Area::Input, 4, 1)},
+                                  {Operation::ASSIGN, bit(Area::Output, 4, 0)},
+                                  {Operation::AND, bit(Area::Input, 4, 2)},
+                                  {Operation::ASSIGN, bit(Area::Output, 4, 1)},
+                                  kEnd});
+  ASSERT_EQ(regions.size(), 1u);
+  EXPECT_EQ(count(regions[0], Opcode::Load8), 2u);
+  EXPECT_EQ(count(regions[0], Opcode::Store8), 0u);
+  EXPECT_EQ(regions[0].exits.back().bytes, 1u);
+}
+
+TEST(Region, FirstChecksAreKnown) {
+  const auto regions = regionsOf({{Operation::SET, {}},
+                                  {Operation::AND, bit(Area::Input, 4, 1)},
+                                  {Operation::ASSIGN, bit(Area::Output, 4, 0)},
+                                  kEnd});
+  EXPECT_EQ(count(regions[0], Opcode::Get), 0u);
+  EXPECT_EQ(count(regions[0], Opcode::AndBit), 0u);
+}
+
+TEST(Region, FlagsNobodyReadsVanish) {
+  const auto one = regionsOf({kAddInt, kEnd}), three = regionsOf({kAddInt, kAddInt, kAddInt, kEnd});
+  EXPECT_EQ(count(one[0], Opcode::Less), 2u);
+  EXPECT_EQ(count(three[0], Opcode::Less), 2u);
+}
+
+TEST(Region, EndsInFrontOfWhatHasNoTranslation) {
+  const auto regions = regionsOf(
+      {{Operation::LOAD, word(10)}, {Operation::SIN, {}}, {Operation::TRANSFER, word(12)}, kEnd});
+  ASSERT_EQ(regions.size(), 2u);
+  EXPECT_EQ(regions[0].exits.back().to, 1u);
+  EXPECT_EQ(regions[1].first, 2u);
+}
+
+TEST(Region, ClockOfEachExit) {
+  const auto regions = regionsOf({{Operation::LOAD, word(10)}, kAddInt, kEnd});
+  const CpuModel& model = defaultCpuModel();
+  EXPECT_EQ(regions[0].ahead, model.wordTime);
+  EXPECT_EQ(regions[0].exits.back().cost, model.wordTime + model.fixedTime);
+  EXPECT_EQ(regions[0].exits.back().instructions, 2u);
+}
+
+TEST(Region, AnyBytesGiveValidRegions) {
+  std::mt19937 random(7);
+  for (int i = 0; i < 3000; ++i) {
+    std::vector<std::uint8_t> code(random() % 200);
+    for (std::uint8_t& byte : code)
+      byte = static_cast<std::uint8_t>(random() % 3 == 0 ? 0 : random());
+    std::uint32_t end = 0;
+    for (const icode::Region& region : translate(mc7::list(code), defaultCpuModel())) {
+      ASSERT_EQ(icode::verify(region), "") << icode::print(region);
+      ASSERT_GE(region.first, end);
+      end = region.first + region.instructions;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace merker::translate
