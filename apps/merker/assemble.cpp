@@ -36,9 +36,24 @@ std::string_view withoutAddress(std::string_view line) {
   constexpr std::string_view kHex = "0123456789ABCDEF";
   const std::size_t colon = line.find_first_not_of(kHex);
   if (colon < 4 || colon >= line.size() || line[colon] != ':') return line;
-  const std::string_view rest = trim(line.substr(colon + 1));
-  const std::size_t code = rest.find_first_not_of(kHex);
-  return code < 4 || code == rest.npos ? line : trim(rest.substr(code));
+  std::string_view rest = trim(line.substr(colon + 1));
+  bool code = false;  // no mnemonic has four hexadecimal digits
+  for (std::size_t end = rest.find_first_not_of(kHex);
+       end >= 4 && end != rest.npos && rest[end] == ' '; end = rest.find_first_not_of(kHex)) {
+    rest = trim(rest.substr(end));
+    code = true;
+  }
+  return code ? rest : line;
+}
+
+// "0000: 7007             illegal": the words of the line, whatever they are.
+std::optional<std::string> illegalWords(std::string_view line) {
+  constexpr std::string_view kIllegal = "illegal";
+  if (!line.ends_with(kIllegal)) return std::nullopt;
+  line.remove_suffix(kIllegal.size());
+  const std::string_view code = trim(line.substr(std::min(line.find(':') + 1, line.size())));
+  const bool hex = code.find_first_not_of("0123456789ABCDEF ") == code.npos && code.size() >= 2;
+  return hex ? std::optional(std::string(code)) : std::nullopt;
 }
 
 using Setting = std::optional<Mnemonics>;
@@ -70,7 +85,12 @@ Result<std::string> mc5Words(std::string_view line, const Position& at) {
 
 void assembleLine(const source::SourceFile& file, std::uint32_t number, const Options& options,
                   Problems& problems) {
-  const std::string_view line = withoutAddress(withoutComment(file.line(number)));
+  const std::string_view whole = withoutComment(file.line(number));
+  if (const auto code = illegalWords(whole)) {
+    std::cout << *code << '\n';
+    return;
+  }
+  const std::string_view line = withoutAddress(whole);
   if (line.empty()) return;
   const auto offset = static_cast<std::size_t>(line.data() - file.text().data());
   const Position at = file.position(offset, line.size());

@@ -1,9 +1,13 @@
 #include "build.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "block/memory.h"
+#include "cnc/memory.h"
 #include "cnc/reference.h"
 #include "command.h"
 #include "existence.h"
@@ -64,15 +68,67 @@ station::Station Build::station(bool coverage) const {
   return station::Station(std::move(options));
 }
 
-std::unique_ptr<controller::Controller> Build::controller(bool coverage) const {
-  if (!isListing()) return std::make_unique<station::Station>(station(coverage));
+cnc::Options Build::controlOptions() const {
   cnc::Options options = *project.control;
   options.plc.program = listings;
+  return options;
+}
+
+std::unique_ptr<controller::Controller> Build::controller(bool coverage) const {
+  if (!isListing()) return std::make_unique<station::Station>(station(coverage));
+  cnc::Options options = controlOptions();
   options.plc.coverage = coverage;
   return std::make_unique<cnc::Cnc>(std::move(options));
 }
 
 namespace {
+
+Position beginning(const mc5::Block& block) {
+  return block.lines.empty()
+             ? Position{block.file}
+             : Position{block.file, block.lines.front().line, block.lines.front().column};
+}
+
+// Blocks that find no room are missing when the program runs (S5-SCHED-13, S5-DB-16).
+void requireRoom(Build& build) {
+  if (!build.ok()) return;
+  for (const cnc::NoRoom& row : cnc::memoryUse(build.controlOptions()).missing) {
+    const bool data = row.block.type == mc5::BlockType::Db;
+    build.problems.add(ProblemCode::P1144, beginning(build.listings.at(row.block)),
+                       sinumerik::toString(row.block), row.words, row.segment.size,
+                       data ? "user data" : "user program", row.segment.size - row.segment.used);
+  }
+}
+
+// FB 11 makes data blocks when the program runs.
+bool makesDataBlocks(const mc5::Program& program) {
+  return std::any_of(program.begin(), program.end(), [](const auto& entry) {
+    const auto& words = entry.second.words;
+    return std::any_of(words.begin(), words.end(), [](std::uint16_t word) {
+      return word == 0x3D0B || word == 0x1D0B;  // SPA FB 11, SPB FB 11
+    });
+  });
+}
+
+// The bits of user alarms and messages that merker.toml names are words of the program (OP-55).
+void requireBits(Build& build, std::string_view name, const Position& at,
+                 const std::optional<sinumerik::BitField>& field) {
+  constexpr std::size_t kWords = 4;  // 64 bits
+  if (!field || field->db == 0) return;
+  const auto block = build.listings.find({mc5::BlockType::Db, field->db});
+  const bool there =
+      block != build.listings.end() && field->first + kWords <= block->second.words.size();
+  if (!there)
+    build.problems.add(ProblemCode::P1153, at, name,
+                       fmt::format("DB {}.DW {} (64 bits in 4 words)", field->db, field->first));
+}
+
+void requireBits(Build& build) {
+  const cnc::Options& options = *build.project.control;
+  if (!build.ok() || makesDataBlocks(build.listings)) return;
+  requireBits(build, "alarms", options.alarmsNamed, options.plc.userAlarms.alarms);
+  requireBits(build, "messages", options.messagesNamed, options.plc.userAlarms.messages);
+}
 
 Build buildListings(project::Project project, bool checks) {
   Build result;
@@ -82,6 +138,8 @@ Build buildListings(project::Project project, bool checks) {
   step5::Compilation compilation = step5::compile(result.project.sources, checks);
   result.problems.append(compilation.problems);
   result.listings = std::move(compilation.program);
+  requireRoom(result);
+  requireBits(result);
   return result;
 }
 

@@ -26,6 +26,7 @@ struct Build {
   // Operands of this program that exist in its CPU. The Build must outlive it.
   simulator::Resolver resolver() const;
   station::Station station(bool coverage = false) const;  // a SIMATIC S7 only
+  cnc::Options controlOptions() const;                    // a SINUMERIK only
   std::unique_ptr<controller::Controller> controller(bool coverage = false) const;
 };
 

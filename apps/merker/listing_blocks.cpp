@@ -4,12 +4,15 @@
 
 #include <iostream>
 
+#include "cnc/memory.h"
 #include "mc5/disassembly.h"
 #include "sinumerik/interrupt_stack.h"
 #include "step5/compiler.h"
 
 namespace merker::app {
 namespace {
+
+constexpr unsigned kProgramSegment = 5, kDataSegment = 6;
 
 std::size_t words(const mc5::Block& block) { return block.words.size() + mc5::kHeaderWords; }
 
@@ -29,6 +32,15 @@ void printCode(const mc5::Block& block) {
   else
     for (const mc5::Line& line : mc5::disassemble(block.words))
       std::cout << "  " << mc5::toString(line) << '\n';
+}
+
+void printUse(unsigned segment, std::string_view what, const cnc::SegmentUse& use) {
+  std::cout << fmt::format("segment {} ({}): {} of {} words used, {} free\n", segment, what,
+                           use.used, use.size, use.size - use.used);
+}
+
+nlohmann::json useToJson(unsigned segment, const cnc::SegmentUse& use) {
+  return {{"segment", segment}, {"used", use.used}, {"words", use.size}};
 }
 
 nlohmann::json codeToJson(const mc5::Block& block) {
@@ -52,6 +64,9 @@ void printListings(const Build& build, const ListingOptions& options) {
                              block.library == 0 ? "" : std::to_string(block.library), words(block));
     if (options.code) printCode(block);
   }
+  const cnc::MemoryUse use = cnc::memoryUse(build.controlOptions());
+  printUse(kProgramSegment, "user program", use.program);
+  printUse(kDataSegment, "user data", use.data);
 }
 
 nlohmann::json listingsToJson(const Build& build, const ListingOptions& options) {
@@ -65,7 +80,11 @@ nlohmann::json listingsToJson(const Build& build, const ListingOptions& options)
       entry["code"] = isData(block) ? nlohmann::json(hex(block.words)) : codeToJson(block);
     blocks.push_back(std::move(entry));
   }
-  nlohmann::json document = {{"blocks", blocks}, {"problems", toJson(build.problems)}};
+  const cnc::MemoryUse use = cnc::memoryUse(build.controlOptions());
+  nlohmann::json document = {
+      {"blocks", blocks},
+      {"memory", {useToJson(kProgramSegment, use.program), useToJson(kDataSegment, use.data)}},
+      {"problems", toJson(build.problems)}};
   if (options.text) document["listing"] = step5::listing(build.listings);
   return document;
 }

@@ -2,35 +2,12 @@
 
 #include <algorithm>
 
+#include "cnc/plc_options.h"
 #include "cnc/reference.h"
 
 namespace merker::cnc {
 
 using controller::Mode;
-
-namespace {
-
-void put(sinumerik::MachineData& data, MachineDatum datum) {
-  if (datum.number == 155) {
-    data.samplingCode = static_cast<std::uint8_t>(datum.value);
-    return;
-  }
-  if (data.setWord(datum.number, datum.value)) return;
-  for (unsigned bit = 0; bit < 8; ++bit) data.setBit({datum.number, bit}, datum.value >> bit & 1);
-}
-
-sinumerik::Options plcOptions(const Options& options, nc::FunctionMacros& macros) {
-  sinumerik::Options plc = options.plc;
-  plc.macros = &macros;
-  plc.variant = options.model->acop ? mc5::Variant::Acop : mc5::Variant::Cop;
-  if (options.machineData.empty()) return plc;
-  const bool alarmLevel = plc.program.contains({mc5::BlockType::Ob, 2});
-  plc.machineData = sinumerik::MachineData::standard(alarmLevel);
-  for (const MachineDatum& datum : options.machineData) put(*plc.machineData, datum);
-  return plc;
-}
-
-}  // namespace
 
 struct Cnc::Parts {
   explicit Parts(Options given) : options(std::move(given)) { build(); }
@@ -40,7 +17,16 @@ struct Cnc::Parts {
     plc.reset();
     macros = std::make_unique<nc::FunctionMacros>(options.macros);
     macros->control() = options.control;
-    plc = std::make_unique<sinumerik::Plc>(plcOptions(options, *macros));
+    sinumerik::Options plcPart = plcOptions(options);
+    plcPart.macros = macros.get();
+    plc = std::make_unique<sinumerik::Plc>(plcPart);
+    macros->control().machineData[kSamplingDatum] = plc->machineData().samplingCode;
+  }
+
+  // MD 155 is one datum: what the program wrote with FB 62 holds from the next start on.
+  void takeSamplingCode() {
+    const std::int32_t code = macros->control().machineData[kSamplingDatum];
+    plc->machineData().samplingCode = static_cast<std::uint8_t>(std::clamp(code, 0, 255));
   }
 
   void showAlarms() {
@@ -109,12 +95,21 @@ std::string Cnc::stopReason() const {
   return powered() ? plc().stopReason() : "the control is switched off";
 }
 bool Cnc::powered() const { return plc().mode() != sinumerik::Mode::Off; }
-bool Cnc::start() { return plc().coldStart(); }
-bool Cnc::warmRestart() { return plc().warmStart(); }
-bool Cnc::coldRestart() { return plc().coldStart(); }
+bool Cnc::start() { return coldRestart(); }
+bool Cnc::warmRestart() {
+  parts_->takeSamplingCode();
+  return plc().warmStart();
+}
+bool Cnc::coldRestart() {
+  parts_->takeSamplingCode();
+  return plc().coldStart();
+}
 void Cnc::stop() { plc().stop(); }
 void Cnc::powerOff() { plc().powerOff(); }
-void Cnc::powerOn(bool buffered) { plc().powerOn(buffered); }
+void Cnc::powerOn(bool buffered) {
+  parts_->takeSamplingCode();
+  plc().powerOn(buffered);
+}
 
 void Cnc::memoryReset() {
   Parts& p = *parts_;

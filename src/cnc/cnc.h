@@ -12,6 +12,9 @@
 
 namespace merker::cnc {
 
+// Sampling time: a machine datum of the NC that the PLC reads, too (7.3).
+constexpr unsigned kSamplingDatum = 155;
+
 struct MachineDatum {
   unsigned number = 0;  // word 0 … 9, 155, 1000 … 1007, byte 2000 … 2010
   std::uint16_t value = 0;
@@ -24,6 +27,8 @@ struct Options {
   std::vector<MachineDatum> machineData{};
   nc::MacroOptions macros{};
   nc::Control control{};  // data of the NC at the start
+  // Where the project names the bits of the user alarms and messages, for problems.
+  Position alarmsNamed{}, messagesNamed{};
 };
 
 class Cnc final : public controller::Controller {

@@ -1,5 +1,7 @@
 #include "cnc/reference.h"
 
+#include <charconv>
+
 #include "step5/variable.h"
 
 namespace merker::cnc {
@@ -84,6 +86,16 @@ ConstantFormat formatOf(mc5::Format format) {
   }
 }
 
+// Whole numbers beyond 16 bits need no L# here: data double words of STEP 5 have no type.
+std::optional<Constant> longInteger(std::string_view text) {
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool whole = error == std::errc() && end == text.data() + text.size();
+  if (!whole || (value >= INT16_MIN && value <= INT16_MAX)) return std::nullopt;
+  if (value < INT32_MIN || value > UINT32_MAX) return std::nullopt;
+  return Constant{ConstantFormat::LongInteger, static_cast<std::uint32_t>(value)};
+}
+
 mc7::Operand cell(const mc5::Operand& operand) {
   mc7::Operand result;
   result.kind =
@@ -129,7 +141,7 @@ mc7::Reference toReference(std::string_view text, const mc5::Variable& variable)
 
 std::optional<Constant> parseConstant(std::string_view text) {
   const auto operand = step5::parseConstant(text);
-  if (!operand) return std::nullopt;
+  if (!operand) return longInteger(text);
   return Constant{formatOf(operand->format), operand->value};
 }
 

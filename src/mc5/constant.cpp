@@ -1,5 +1,6 @@
 #include "mc5/constant.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -16,11 +17,17 @@ constexpr std::array kFormats{
     ConstantFormat{Format::Counter, "KZ", 0x01, "0..999"},
     ConstantFormat{Format::Time, "KT", 0x02, "0.0..999.3, value and base 0 to 3"},
     ConstantFormat{Format::Fixed, "KF", 0x04, "-32768..+32767"},
-    ConstantFormat{Format::Characters, "KC", 0x10, "one or two characters"},
+    ConstantFormat{Format::Characters, "KC", 0x10,
+                   "one or two ASCII characters, AB or 'AB'; quotes for blanks"},
     ConstantFormat{Format::Bytes, "KY", 0x20, "two numbers 0..255 with a comma: KY 1,2"},
     ConstantFormat{Format::Binary, "KM", 0x80, "16 binary digits"},
-    ConstantFormat{Format::Float, "KG", 0x00, "sign, up to 7 digits, sign, exponent: +1234567+02"},
+    ConstantFormat{Format::Float, "KG", 0x00,
+                   "sign, up to 7 digits, sign, exponent: +1234567+02; up to +1701412+39"},
     ConstantFormat{Format::SignedByte, "BF", 0x00, "-127..+127"}};
+
+// The largest number as the manual prints it, rounded to seven digits (9.3.3): it stands for the
+// largest number there is.
+constexpr double kPrintedLimit = 0.1701412e39;
 
 // A whole number with an optional sign, all of the text.
 std::optional<std::int64_t> integer(std::string_view text, int base = 10) {
@@ -74,7 +81,9 @@ std::optional<std::uint32_t> bytePair(std::string_view text) {
 
 // Two characters, the first in the high byte; one is filled up with a blank.
 std::optional<std::uint32_t> characters(std::string_view text) {
-  if (text.size() > 2) return std::nullopt;
+  const bool ascii =
+      std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c < 0x7F; });
+  if (text.size() > 2 || !ascii) return std::nullopt;
   const auto at = [&](std::size_t i) {
     return i < text.size() ? static_cast<std::uint8_t>(text[i]) : std::uint8_t{' '};
   };
@@ -107,7 +116,9 @@ std::optional<std::uint32_t> floating(std::string_view text) {
       static_cast<double>(*mantissa) *
       std::pow(10.0, static_cast<double>(*exponent) - static_cast<double>(fraction.size()));
   const FloatResult result = fromDouble(value);
-  if (result.range != FloatRange::Fits) return std::nullopt;
+  const bool limit = std::abs(value) <= kPrintedLimit;
+  if (result.range != FloatRange::Fits && !(result.range == FloatRange::Overflow && limit))
+    return std::nullopt;
   return result.bits;
 }
 

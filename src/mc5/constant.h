@@ -21,7 +21,7 @@ struct ConstantFormat {
 const ConstantFormat& info(Format format);  // not Format::Other
 const ConstantFormat* findConstantFormat(std::string_view word);
 
-// "KF -5". Bits that the format cannot show print as format byte and hexadecimal number, "K04 …",
+// "KF -5". Bits that the format cannot show print as format byte and hexadecimal number, "K#04 …",
 // which reads back as the same bits.
 std::string constantText(const Operand& constant);
 

@@ -69,11 +69,11 @@ bool printable(const Operand& constant, const std::string& text) {
 
 std::string constantText(const Operand& constant) {
   const Format format = constant.format;
-  if (format == Format::Other) return fmt::format("K{:02X} {:04X}", constant.bit, constant.value);
+  if (format == Format::Other) return fmt::format("K#{:02X} {:04X}", constant.bit, constant.value);
   const std::string text = inFormat(format, constant.value);
   if (printable(constant, text)) return fmt::format("{} {}", info(format).word, text);
   if (format == Format::Float) return fmt::format("KG #{:08X}", constant.value);
-  return fmt::format("K{:02X} {:04X}", info(format).formatByte, constant.value);
+  return fmt::format("K#{:02X} {:04X}", info(format).formatByte, constant.value);
 }
 
 }  // namespace merker::mc5

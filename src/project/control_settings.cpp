@@ -1,4 +1,6 @@
 // merker.toml of a SINUMERIK: [machine_data], [plc], [alarm_texts].
+#include <fmt/format.h>
+
 #include "project/numbered_keys.h"
 #include "project/readers.h"
 #include "step5/variable.h"
@@ -17,6 +19,8 @@ void readMachineData(const Table& table, cnc::Options& options) {
              });
 }
 
+constexpr std::uint32_t kLastFlagByte = 255;
+
 // "MB 100" or "DB 20.DW 0": where 64 alarm bits begin (OP-55).
 std::optional<sinumerik::BitField> readField(const Table& table, std::string_view key) {
   constexpr std::string_view kForm = "the first of 8 bytes: \"MB 100\" or \"DB 20.DW 0\"";
@@ -27,8 +31,9 @@ std::optional<sinumerik::BitField> readField(const Table& table, std::string_vie
                      variable->operand.width == mc5::Width::Byte;
   const bool data = variable && variable->operand.area == mc5::Area::Data &&
                     variable->operand.width == mc5::Width::Word;
-  if (flags || data) return sinumerik::BitField{variable->dataBlock, variable->operand.value};
-  table.mustBe(key, kForm);
+  const bool room = flags && variable->operand.value <= kLastFlagByte - 7;
+  if (room || data) return sinumerik::BitField{variable->dataBlock, variable->operand.value};
+  table.mustBe(key, flags ? "MB 0 to MB 248: there are 64 bits in 8 bytes" : kForm);
   return std::nullopt;
 }
 
@@ -39,9 +44,15 @@ void readPlc(const Table& table, cnc::Options& options) {
   if (const auto extension = table.flag("memory_extension"))
     options.plc.memoryExtension = *extension;
   for (const Table::Number& db : table.numbers("eprom_data_blocks", "numbers of data blocks"))
-    if (db.value < options.plc.dataInEprom.size()) options.plc.dataInEprom.set(db.value);
+    if (db.value > 0 && db.value < options.plc.dataInEprom.size())
+      options.plc.dataInEprom.set(db.value);
+    else
+      table.problems().add(ProblemCode::P1102, db.position, fmt::format("DB {}", db.value),
+                           "DB 1..255");
   options.plc.userAlarms.alarms = readField(table, "alarms");
   options.plc.userAlarms.messages = readField(table, "messages");
+  options.alarmsNamed = table.placeOf("alarms");
+  options.messagesNamed = table.placeOf("messages");
 }
 
 void readAlarmTexts(const Table& table, cnc::Options& options) {

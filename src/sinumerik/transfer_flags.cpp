@@ -41,7 +41,7 @@ void TransferFlags::resumeLevel(std::uint8_t ob) {
 
 void TransferFlags::startUpOver() {
   blink_ = false;
-  ipoClocks_ = 0;
+  ipoClocks_ = -1;  // the one that begins the raster ends none
 }
 
 void TransferFlags::enterLevel(std::uint8_t ob, const Surroundings& around) {

@@ -31,7 +31,7 @@ class TransferFlags {
 
   Machine& m_;
   bool blink_ = false;
-  int ipoClocks_ = 0;
+  int ipoClocks_ = 0;  // that have passed since the last change
   // MB 1 is written when another level begins: the manual's binary divider (9.3.2) has an edge flag
   // in it.
   std::uint8_t level_ = 0;

@@ -84,6 +84,14 @@ bool appendActual(const Parameter& parameter, const Operand& actual,
   return instruction && mc5::inRange(*instruction) && mc5::encode(*instruction, words);
 }
 
+bool outOfRange(const Parameter& parameter, const Operand& actual, mc5::Range& range) {
+  if (!actual.name.empty() || parameter.kind == ParameterKind::Data) return false;
+  const auto instruction = carrier(parameter, adjusted(parameter, actual.value));
+  if (!instruction || mc5::inRange(*instruction)) return false;
+  range = mc5::rangeOf(*instruction);
+  return true;
+}
+
 std::string_view possibleOperands(const Parameter& parameter) {
   switch (parameter.kind) {
     case ParameterKind::Timer:

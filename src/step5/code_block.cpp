@@ -9,7 +9,11 @@
 #include "step5/actual_operand.h"
 #include "step5/check_comment.h"
 #include "step5/code_builder.h"
+#include "step5/formal_use.h"
+#include "step5/line_end.h"
+#include "step5/line_start.h"
 #include "step5/statement.h"
+#include "step5/statement_check.h"
 
 namespace merker::step5 {
 namespace {
@@ -19,7 +23,6 @@ using mc5::OperandKind;
 using mc5::Operation;
 
 constexpr std::string_view kCheck = "//=";
-constexpr std::uint32_t kSystemFlags = 25;  // MB 0 to MB 24 (S5-FLAG-12)
 
 std::string uppercase(std::string_view text) {
   std::string result(text);
@@ -27,29 +30,10 @@ std::string uppercase(std::string_view text) {
   return result;
 }
 
-bool isComment(const Scanner& scanner) {
-  const char c = scanner.peek();
-  const bool mark = c == '!' && scanner.peek(1) != '=';  // !=F is an operation
-  const char next = upper(scanner.peek(1));
-  const bool star = c == '*' && next != 'F' && next != 'G';  // *F, *G
-  return scanner.atEnd() || mark || c == ';' || star || (c == '/' && scanner.peek(1) == '/');
-}
-
-// Behind a colon the printed listings continue comments: (WZ-Korrektur lesen), "NSBY" vom …
-bool continuesComment(const Scanner& scanner) {
-  return scanner.peek() == '(' || scanner.peek() == '"';
-}
-
-bool writesFlag(Operation operation) {
-  return operation == Operation::ASSIGN || operation == Operation::SET_BIT ||
-         operation == Operation::RESET_BIT || operation == Operation::TRANSFER ||
-         operation == Operation::SET_ALWAYS || operation == Operation::RESET_ALWAYS;
-}
-
 class CodeCompiler {
  public:
-  CodeCompiler(const BlockSource& source, std::size_t firstLine, const FunctionBlocks& known,
-               bool checks, mc5::Block& block, Problems& problems)
+  CodeCompiler(const BlockSource& source, std::size_t firstLine, const Callable& known, bool checks,
+               mc5::Block& block, Problems& problems)
       : source_(source),
         at_(firstLine),
         known_(known),
@@ -57,12 +41,13 @@ class CodeCompiler {
         block_(block),
         problems_(problems),
         builder_(source, block, problems),
+        check_(source, known.blocks, problems),
         words_(parameterWords(block.parameters)) {}
 
   void compile() {
     for (; at_ < source_.lines.size();) line(source_.lines[at_++]);
     if (!ended_) add(ProblemCode::P1121, source_.offset, source_.length, toString(source_.id));
-    builder_.finish(source_.offset);
+    builder_.finish();
   }
 
  private:
@@ -79,35 +64,46 @@ class CodeCompiler {
   void line(const Line& line) {
     Scanner scanner(line.text, line.offset);
     scanner.skipBlanks();
+    if (isNetworkEnd(line.text)) return builder_.endNetwork();
     if (network(scanner)) return;
     if (!isComment(scanner)) {
-      label(scanner);
-      if (!isComment(scanner) && !continuesComment(scanner)) statement(scanner);
+      const std::size_t blanks = label(scanner);
+      if (!isComment(scanner) && !continuesComment(scanner, blanks)) statement(scanner);
     }
     check(line);
   }
 
   // NETZWERK 2 title, SEGMENT 2; *** ends one.
   bool network(Scanner scanner) {
-    const std::size_t offset = scanner.offset();
     const std::string word = uppercase(scanner.take(isLetter));
     if (word != "NETZWERK" && word != "SEGMENT") return false;
     scanner.skipBlanks();
     scanner.take([](char c) { return isDigit(c) || c == ':'; });
     scanner.skipBlanks();
-    if (!ended_) builder_.network(std::string(scanner.rest()), offset);
+    if (!ended_) builder_.network(std::string(scanner.rest()));
     return true;
   }
 
-  // "GLCH: L DW 1" and ": L DW 1"; a statement may also stand without colon.
-  void label(Scanner& scanner) {
-    if (scanner.peek() == ':') return skipColon(scanner);
+  // "GLCH: L DW 1" and ": L DW 1"; a statement may also stand without colon. Gives the columns
+  // between the colon and what follows.
+  std::size_t label(Scanner& scanner) {
+    skipAddress(scanner);
+    if (scanner.peek() == ':') return colon(scanner);
     const std::size_t mark = scanner.mark(), offset = scanner.offset();
     const std::string name = uppercase(scanner.take(isNameCharacter));
     scanner.skipBlanks();
-    if (name.empty() || !isLetter(name.front()) || scanner.peek() != ':') return scanner.back(mark);
+    if (name.empty() || !isLetter(name.front()) || scanner.peek() != ':') {
+      scanner.back(mark);
+      return 0;
+    }
     builder_.label(name, offset);
+    return colon(scanner);
+  }
+
+  static std::size_t colon(Scanner& scanner) {
+    const std::size_t mark = scanner.mark();
     skipColon(scanner);
+    return scanner.mark() - mark;
   }
 
   void statement(Scanner& scanner) {
@@ -116,19 +112,11 @@ class CodeCompiler {
     auto parsed = parseStatement(scanner, failure);
     if (!parsed) return add(failure);
     if (!commentFollows(scanner, failure)) return add(failure);
-    if (!allowed(*parsed)) return;
+    if (parsed->warning) add(*parsed->warning);
+    if (!check_.allowed(*parsed)) return;
     if (!parsed->name.empty() && !resolve(*parsed)) return;
-    inspect(*parsed);
+    check_.inspect(*parsed);
     emit(*parsed);
-  }
-
-  bool allowed(const Statement& s) {
-    const mc5::OperationInfo& row = mc5::info(s.instruction.operation);
-    const bool formal = s.instruction.operand.kind == OperandKind::Formal;
-    const bool only = row.level == mc5::Level::Supplementary || formal;
-    if (!only || source_.id.type == BlockType::Fb) return true;
-    add(ProblemCode::P1113, s.offset, row.name.size(), mc5::text(s.instruction));
-    return false;
   }
 
   // A formal operand becomes its word in the list; labels wait for the end of the block.
@@ -137,28 +125,18 @@ class CodeCompiler {
     for (std::size_t i = 0; i < block_.parameters.size(); ++i)
       if (block_.parameters[i].name == s.name) {
         s.instruction.operand.value = words_[i];
-        return true;
+        return fits(s, block_.parameters[i]);
       }
     add(ProblemCode::P1114, s.operandOffset, s.operandLength, s.name, source_.id.number);
     return false;
   }
 
-  // Limits of the PLC and what is possible but unwise.
-  void inspect(const Statement& s) {
-    const mc5::Operand& operand = s.instruction.operand;
-    const mc5::Range range = mc5::rangeOf(s.instruction);
-    if (operand.kind != OperandKind::Jump && !mc5::inRange(s.instruction)) {
-      const bool bit = operand.value >= range.lowest && operand.value <= range.highest;
-      add(ProblemCode::P1112, s.operandOffset, s.operandLength, bit ? "bit" : "number",
-          bit ? operand.bit : operand.value,
-          bit ? fmt::format("0..{}", range.highestBit)
-              : fmt::format("{}..{}", range.lowest, range.highest));
-    }
-    const bool flag = operand.kind == OperandKind::Memory && operand.area == mc5::Area::Flag;
-    if (flag && operand.value < kSystemFlags && writesFlag(s.instruction.operation))
-      add(ProblemCode::P1135, s.operandOffset, s.operandLength, operand.value);
-    const bool time = operand.kind == OperandKind::Constant && operand.format == mc5::Format::Time;
-    if (time && operand.value >> 12 == 0) add(ProblemCode::P1136, s.operandOffset, s.operandLength);
+  bool fits(const Statement& s, const mc5::Parameter& parameter) {
+    const auto kinds = kindsInstead(s.instruction.operation, parameter);
+    if (!kinds.empty())
+      add(ProblemCode::P1145, s.operandOffset, s.operandLength,
+          mc5::info(s.instruction.operation).name, s.name, typeText(parameter), kinds);
+    return kinds.empty();
   }
 
   void emit(const Statement& s) {
@@ -174,16 +152,20 @@ class CodeCompiler {
 
   // Behind SPA FB and SPB FB: a jump over the list, then a word for each parameter (S5-FB-06).
   void call(const Statement& s) {
-    const auto found = known_.find(static_cast<std::uint16_t>(s.instruction.operand.value));
-    if (found == known_.end()) {
-      add(ProblemCode::P1123, s.operandOffset, s.operandLength, s.instruction.operand.value);
+    const auto& blocks = known_.functionBlocks;
+    const auto found = blocks.find(static_cast<std::uint16_t>(s.instruction.operand.value));
+    if (found == blocks.end() || found->second == nullptr) {
+      if (found == blocks.end())
+        add(ProblemCode::P1123, s.operandOffset, s.operandLength, s.instruction.operand.value);
       skipList();
       return;
     }
     std::vector<std::uint16_t> words;
-    nameLine();
-    for (std::size_t i = 0; i < found->second->parameters.size(); ++i)
-      if (!parameter(s, *found->second, i, words)) break;
+    nameLine(found->second);
+    std::size_t read = 0;
+    for (; read < found->second->parameters.size(); ++read)
+      if (!parameter(s, *found->second, read, words)) break;
+    if (read == found->second->parameters.size()) surplus(*found->second);
     const mc5::Operand distance{.kind = OperandKind::Jump,
                                 .value = static_cast<std::uint32_t>(words.size() + 1)};
     (void)mc5::encode({Operation::JUMP, distance}, block_.words);
@@ -196,6 +178,7 @@ class CodeCompiler {
       Scanner scanner(source_.lines[at_].text, source_.lines[at_].offset);
       scanner.skipBlanks();
       if (!isComment(scanner)) {
+        skipAddress(scanner);
         offset = scanner.offset();
         word = uppercase(scanner.take(isNameCharacter));
         scanner.skipBlanks();
@@ -208,15 +191,53 @@ class CodeCompiler {
     return std::nullopt;
   }
 
-  void nameLine() {
+  // "NAME : TEST"; a programmer prints the name of the block that it found.
+  void nameLine(const mc5::Block* fb) {
     std::string word;
     std::size_t offset = 0;
-    if (listLine(word, offset) && word == "NAME") check(source_.lines[at_++]);
+    auto scanner = listLine(word, offset);
+    if (!scanner || word != "NAME") return;
+    check(source_.lines[at_++]);
+    const std::size_t start = scanner->offset();
+    const std::string name(scanner->take([](char c) { return c != '!' && c != ';' && c != '/'; }));
+    if (fb == nullptr || letters(name).empty() || isNameOf(*fb, letters(name))) return;
+    add(ProblemCode::P1150, start, name.find_last_not_of(' ') + 1, fb->id.number, fb->name,
+        name.substr(0, name.find_last_not_of(' ') + 1));
+  }
+
+  // An FB without a name matches all.
+  bool isNameOf(const mc5::Block& fb, const std::string& name) const {
+    const auto line = known_.names.find(fb.id.number);
+    const bool declared = line != known_.names.end() && letters(line->second) == name;
+    return fb.name.empty() || name == letters(fb.name) || declared;
+  }
+
+  // "NCD  LESE" is the NCD-LESE of the printed listings.
+  static std::string letters(const std::string& name) {
+    std::string result;
+    for (const char c : name)
+      if (isLetter(c) || isDigit(c)) result += upper(c);
+    return result;
+  }
+
+  // Lines "A2 : E 0.1" behind the last parameter are neither labels nor statements.
+  void surplus(const mc5::Block& fb) {
+    std::string word;
+    std::size_t offset = 0;
+    for (auto scanner = listLine(word, offset); scanner; scanner = listLine(word, offset)) {
+      Scanner statement = *scanner;
+      Failure ignored;
+      const bool isOperand = beginsOperand(*scanner) && parseOperand(*scanner, ignored);
+      if (!isOperand || parseStatement(statement, ignored)) return;
+      const std::string list = fb.parameters.empty() ? "it has none" : "it has: " + names(fb);
+      add(ProblemCode::P1146, offset, word.size(), fb.id.number, word, list);
+      ++at_;
+    }
   }
 
   // Lines that look like a list of a block that is not known.
   void skipList() {
-    nameLine();
+    nameLine(nullptr);
     std::string word;
     std::size_t offset = 0;
     for (auto scanner = listLine(word, offset); scanner; scanner = listLine(word, offset)) {
@@ -257,7 +278,11 @@ class CodeCompiler {
       return add(failure);
     }
     const std::string text(scanner.since(mark));
-    if (!appendActual(wanted, *operand, words))
+    mc5::Range range;
+    check_.constant(operand->value, offset, operand->length);
+    if (outOfRange(wanted, *operand, range))
+      check_.outside(operand->value, range, offset, operand->length);
+    else if (!appendActual(wanted, *operand, words))
       add(ProblemCode::P1126, offset, operand->length, text, wanted.name, typeText(wanted),
           possibleOperands(wanted));
     else if (wanted.kind == mc5::ParameterKind::Block)
@@ -268,8 +293,9 @@ class CodeCompiler {
   // B =X calls without a list (S5-FB-14).
   void withoutParameters(const Operand& operand, const mc5::Parameter& wanted) {
     if (operand.value.block != BlockType::Fb) return;
-    const auto fb = known_.find(static_cast<std::uint16_t>(operand.value.value));
-    if (fb != known_.end() && !fb->second->parameters.empty())
+    const auto fb = known_.functionBlocks.find(static_cast<std::uint16_t>(operand.value.value));
+    const bool known = fb != known_.functionBlocks.end() && fb->second != nullptr;
+    if (known && !fb->second->parameters.empty())
       add(ProblemCode::P1141, operand.offset, operand.length, fb->first, wanted.name);
   }
 
@@ -300,18 +326,19 @@ class CodeCompiler {
 
   const BlockSource& source_;
   std::size_t at_;
-  const FunctionBlocks& known_;
+  const Callable& known_;
   bool checks_;
   mc5::Block& block_;
   Problems& problems_;
   CodeBuilder builder_;
+  StatementCheck check_;
   std::vector<std::uint32_t> words_;
   bool ended_ = false;
 };
 
 }  // namespace
 
-void compileCode(const BlockSource& source, std::size_t firstLine, const FunctionBlocks& known,
+void compileCode(const BlockSource& source, std::size_t firstLine, const Callable& known,
                  bool checks, mc5::Block& block, Problems& problems) {
   CodeCompiler(source, firstLine, known, checks, block, problems).compile();
 }

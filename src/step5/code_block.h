@@ -2,6 +2,8 @@
 #pragma once
 
 #include <map>
+#include <set>
+#include <string>
 
 #include "mc5/block.h"
 #include "step5/block_source.h"
@@ -9,11 +11,16 @@
 
 namespace merker::step5 {
 
-// Declarations of all FBs that can be called, by number.
-using FunctionBlocks = std::map<std::uint16_t, const mc5::Block*>;
+// What calls find in the program and among the resident macros.
+struct Callable {
+  // Declarations of the FBs by number; null: the declaration has errors, told where it stands.
+  std::map<std::uint16_t, const mc5::Block*> functionBlocks;
+  std::map<std::uint16_t, std::string> names;  // what NAME says in an FB, beside its head
+  std::set<mc5::BlockId> blocks;
+};
 
 // `block` has its head and declaration; words, lines, networks, labels and checks come here.
-void compileCode(const BlockSource& source, std::size_t firstLine, const FunctionBlocks& known,
+void compileCode(const BlockSource& source, std::size_t firstLine, const Callable& known,
                  bool checks, mc5::Block& block, Problems& problems);
 
 }  // namespace merker::step5

@@ -10,6 +10,10 @@ using mc5::Operation;
 constexpr std::int64_t kFarthest = 127;  // words (S5-JUMP-03)
 constexpr std::uint32_t kNetworkEnd = 255;
 
+bool isNetworkEnd(const mc5::Instruction& instruction) {
+  return instruction.operation == Operation::BLD && instruction.operand.value == kNetworkEnd;
+}
+
 }  // namespace
 
 CodeBuilder::CodeBuilder(const BlockSource& source, mc5::Block& block, Problems& problems)
@@ -20,35 +24,43 @@ Position CodeBuilder::at(std::size_t offset, std::size_t length) const {
 }
 
 void CodeBuilder::instruction(const mc5::Instruction& instruction, std::size_t offset) {
+  beforeCode();
   last_ = next();
   const Position place = at(offset, 1);
   block_.lines.push_back({next(), place.line, place.column});
   if (!mc5::encode(instruction, block_.words)) block_.words.push_back(0);  // reported already
   bracket(instruction, offset);
+  if (!isNetworkEnd(instruction)) return;
+  begin("");
+  separated_ = true;
 }
 
 void CodeBuilder::bracket(const mc5::Instruction& instruction, std::size_t offset) {
   const Operation operation = instruction.operation;
-  if (operation == Operation::AND_OPEN || operation == Operation::OR_OPEN) ++brackets_;
+  if (operation == Operation::AND_OPEN || operation == Operation::OR_OPEN)
+    brackets_.push_back(offset);
   if (operation != Operation::CLOSE) return;
-  if (--brackets_ >= 0) return;
-  problems_.add(ProblemCode::P1137, at(offset, 1));
-  brackets_ = 0;
+  if (brackets_.empty())
+    problems_.add(ProblemCode::P1137, at(offset, 1));
+  else
+    brackets_.pop_back();
 }
 
-void CodeBuilder::closeBrackets(std::size_t offset) {
-  if (brackets_ > 0) problems_.add(ProblemCode::P1138, at(offset, 1));
-  brackets_ = 0;
+void CodeBuilder::closeBrackets() {
+  for (const std::size_t offset : brackets_) problems_.add(ProblemCode::P1138, at(offset, 2));
+  brackets_.clear();
 }
 
 void CodeBuilder::jump(const mc5::Instruction& instruction, const std::string& label,
                        std::size_t offset, std::size_t labelOffset) {
+  beforeCode();
   jumps_.push_back({instruction, label, next(), network_, labelOffset});
   this->instruction(instruction, offset);
 }
 
 void CodeBuilder::label(const std::string& name, std::size_t offset) {
   constexpr std::size_t kCharacters = 4;
+  beforeCode();
   if (name.size() > kCharacters)
     problems_.add(ProblemCode::P1119, at(offset, name.size()), name, name.size(), kCharacters, "");
   const bool twice = std::any_of(labels_.begin(), labels_.end(),
@@ -58,15 +70,31 @@ void CodeBuilder::label(const std::string& name, std::size_t offset) {
   block_.labels[next()] = name;
 }
 
-// BLD 255 stands between two networks (S5-MISC-04).
-void CodeBuilder::network(const std::string& title, std::size_t offset) {
-  closeBrackets(offset);
-  if (!block_.words.empty()) {
+void CodeBuilder::begin(const std::string& title) {
+  closeBrackets();
+  if (!block_.words.empty()) ++network_;
+  block_.networks.push_back({next(), title});
+}
+
+// BLD 255 stands between two networks (S5-MISC-04); where the source has it, it is the one.
+void CodeBuilder::network(const std::string& title) {
+  ends_ = false;
+  if (separated_) {
+    block_.networks.back().title = title;
+    separated_ = false;
+    return;
+  }
+  if (!block_.words.empty())
     (void)mc5::encode({Operation::BLD, {.kind = mc5::OperandKind::Count, .value = kNetworkEnd}},
                       block_.words);
-    ++network_;
-  }
-  block_.networks.push_back({next(), title});
+  begin(title);
+}
+
+void CodeBuilder::endNetwork() { ends_ = !block_.words.empty() && !separated_; }
+
+void CodeBuilder::beforeCode() {
+  if (ends_) network("");
+  separated_ = false;
 }
 
 void CodeBuilder::fillIn(const Jump& jump) {
@@ -85,8 +113,8 @@ void CodeBuilder::fillIn(const Jump& jump) {
     std::copy(code.begin(), code.end(), block_.words.begin() + jump.word);
 }
 
-void CodeBuilder::finish(std::size_t offset) {
-  closeBrackets(offset);
+void CodeBuilder::finish() {
+  closeBrackets();
   for (const Jump& jump : jumps_) fillIn(jump);
 }
 

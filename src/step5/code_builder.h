@@ -22,10 +22,12 @@ class CodeBuilder {
   void jump(const mc5::Instruction& instruction, const std::string& label, std::size_t offset,
             std::size_t labelOffset);
   void label(const std::string& name, std::size_t offset);
-  void network(const std::string& title, std::size_t offset);
-  void bracket(const mc5::Instruction& instruction, std::size_t offset);
+  // NETZWERK and SEGMENT.
+  void network(const std::string& title);
+  // ***: the next statement begins a network if no NETZWERK stands before it.
+  void endNetwork();
   // Fills in the distances and looks at what is still open.
-  void finish(std::size_t offset);
+  void finish();
 
   std::uint32_t next() const { return static_cast<std::uint32_t>(block_.words.size()); }
   // Word of the last instruction of the source; nothing before the first.
@@ -44,8 +46,11 @@ class CodeBuilder {
     std::size_t network = 0, offset = 0;
   };
 
+  void bracket(const mc5::Instruction& instruction, std::size_t offset);
   void fillIn(const Jump& jump);
-  void closeBrackets(std::size_t offset);
+  void closeBrackets();
+  void begin(const std::string& title);
+  void beforeCode();
   Position at(std::size_t offset, std::size_t length) const;
 
   const BlockSource& source_;
@@ -54,7 +59,9 @@ class CodeBuilder {
   std::vector<Label> labels_;
   std::vector<Jump> jumps_;
   std::size_t network_ = 0;
-  int brackets_ = 0;
+  bool ends_ = false;                  // behind ***
+  bool separated_ = false;             // behind a BLD 255 of the source
+  std::vector<std::size_t> brackets_;  // where the open ones stand in the file
   std::optional<std::uint32_t> last_;
 };
 

@@ -11,6 +11,7 @@
 #include "step5/code_block.h"
 #include "step5/data_block.h"
 #include "step5/declaration.h"
+#include "step5/line_end.h"
 #include "step5/statement.h"
 
 namespace merker::step5 {
@@ -25,6 +26,7 @@ struct Unit {
   BlockSource source;
   mc5::Block block;
   std::size_t firstLine = 0;  // behind the declaration
+  std::string nameLine;
   Problems problems;
 };
 
@@ -39,6 +41,7 @@ Unit begin(BlockSource source) {
   unit.block.name = std::move(declaration.name);
   unit.block.parameters = std::move(declaration.parameters);
   unit.firstLine = declaration.lines;
+  unit.nameLine = std::move(declaration.nameLine);
   return unit;
 }
 
@@ -68,15 +71,21 @@ void checkTwice(std::list<Unit>& units) {
   }
 }
 
-FunctionBlocks callable(const std::list<Unit>& units) {
-  FunctionBlocks known;
-  for (const mc5::Block& block : mc5::residentBlocks()) known[block.id.number] = &block;
-  for (const Unit& unit : units)
-    if (unit.block.id.type == BlockType::Fb) known.emplace(unit.block.id.number, &unit.block);
+Callable callable(const std::list<Unit>& units) {
+  Callable known;
+  for (const mc5::Block& block : mc5::residentBlocks())
+    known.functionBlocks[block.id.number] = &block;
+  for (const Unit& unit : units) {
+    known.blocks.insert(unit.block.id);
+    if (unit.block.id.type != BlockType::Fb) continue;
+    known.names.emplace(unit.block.id.number, unit.nameLine);
+    known.functionBlocks.emplace(unit.block.id.number,
+                                 unit.problems.hasErrors() ? nullptr : &unit.block);
+  }
   return known;
 }
 
-void finish(Unit& unit, const FunctionBlocks& known, bool checks, Compilation& result) {
+void finish(Unit& unit, const Callable& known, bool checks, Compilation& result) {
   if (unit.block.id.type == BlockType::Db)
     compileData(unit.source, unit.block, unit.problems);
   else
@@ -97,15 +106,33 @@ Compilation compile(const std::vector<source::SourceFile>& sources, bool checks)
     if (units.size() == before && !result.problems.hasErrors())
       result.problems.add(ProblemCode::P0104, Position{file.name()});
   }
+  const Callable known = callable(units);  // before other problems than those of declarations
   checkTwice(units);
   for (Unit& unit : units) checkNumber(unit);
-  const FunctionBlocks known = callable(units);
   for (Unit& unit : units) finish(unit, known, checks, result);
   result.problems.sort();
   return result;
 }
 
-Result<mc5::Instruction> parseInstruction(std::string_view text, const Position& at) {
+namespace {
+
+// "SPA 5", "SPB -5": the distance without its sign of equality.
+std::string withSign(std::string_view text) {
+  std::string result(text);
+  const std::size_t word = text.find_first_not_of(" \t:");
+  const std::size_t blank = text.find_first_of(" \t", word);
+  const std::size_t number = text.find_first_not_of(" \t", blank);
+  if (blank == text.npos || number == text.npos || upper(text[word]) != 'S') return result;
+  const bool sign = text[number] == '-' || text[number] == '+';
+  if (blank - word != 3 || upper(text[word + 1]) != 'P') return result;
+  if (!sign && !isDigit(text[number])) return result;
+  return result.insert(number, sign ? "=" : "=+");
+}
+
+}  // namespace
+
+Result<mc5::Instruction> parseInstruction(std::string_view given, const Position& at) {
+  const std::string text = withSign(given);
   Scanner scanner(text, 0);
   scanner.skipBlanks();
   skipColon(scanner);

@@ -11,22 +11,21 @@ namespace {
 using mc5::Format;
 using mc5::OperandKind;
 
-bool isHex(char c) { return std::isxdigit(static_cast<unsigned char>(c)) != 0; }
-
 std::string formatWord(const Scanner& scanner) {
   return {upper(scanner.peek()), upper(scanner.peek(1))};
 }
 
-// "K05 1234": the format byte in hexadecimal, for words that their format cannot show.
+// "K#05 1234": the format byte in hexadecimal, for words that their format cannot show. The sign
+// keeps K#B0 apart from KB 0.
 bool isRaw(const Scanner& scanner) {
-  return upper(scanner.peek()) == 'K' && isHex(scanner.peek(1)) && isHex(scanner.peek(2)) &&
-         scanner.peek(3) == ' ' && !mc5::findConstantFormat(formatWord(scanner));
+  return upper(scanner.peek()) == 'K' && scanner.peek(1) == '#' && isHexDigit(scanner.peek(2)) &&
+         isHexDigit(scanner.peek(3)) && scanner.peek(4) == ' ';
 }
 
 bool belongs(Format format, char c) {
   switch (format) {
     case Format::Hex:
-      return isHex(c);
+      return isHexDigit(c);
     case Format::Binary:
       return isDigit(c);
     case Format::Time:
@@ -56,25 +55,45 @@ std::string numberText(Scanner& scanner, Format format) {
   return text;
 }
 
-// Two characters; what follows them is a comment. KC alone is two blanks.
-std::string characters(Scanner& scanner) {
+// 'AB': whatever stands between the quotes, also blanks and "!".
+std::optional<std::string> quoted(Scanner& scanner) {
+  scanner.skip();
+  std::string text(scanner.take([](char c) { return c != '\''; }));
+  return scanner.accept('\'') ? std::optional(text) : std::nullopt;
+}
+
+// AB: up to a blank or the mark of a comment; the second character may be such a mark ("A!").
+std::string unquoted(Scanner& scanner) {
+  const auto isMark = [](char c) { return c == '!' || c == ';'; };
   std::string text;
-  while (text.size() < 2 && !scanner.atEnd() && !isBlank(scanner.peek()) && scanner.peek() != '!' &&
-         scanner.peek() != ';') {
+  while (!scanner.atEnd() && !isBlank(scanner.peek()) &&
+         (text.size() == 1 || !isMark(scanner.peek()))) {
     text += scanner.peek();
     scanner.skip();
   }
   return text;
 }
 
+// The characters behind KC; KC alone is two blanks. Behind more than one blank unquoted text might
+// be a character or a comment: it needs quotes.
+std::optional<std::string> characters(Scanner& scanner, std::size_t blanks) {
+  if (scanner.peek() == '\'') return quoted(scanner);
+  const bool nothing = scanner.atEnd() || scanner.peek() == '!' || scanner.peek() == ';';
+  if (blanks > 1 && !nothing) {
+    unquoted(scanner);
+    return std::nullopt;
+  }
+  return unquoted(scanner);
+}
+
 Operand rawConstant(Scanner& scanner) {
   Operand result;
   result.offset = scanner.offset();
-  scanner.skip();
+  scanner.skip(2);
   const auto code =
-      static_cast<std::uint8_t>(std::stoul(std::string(scanner.take(isHex)), nullptr, 16));
+      static_cast<std::uint8_t>(std::stoul(std::string(scanner.take(isHexDigit)), nullptr, 16));
   scanner.skipBlanks();
-  const std::string digits(scanner.take(isHex).substr(0, 4));
+  const std::string digits(scanner.take(isHexDigit).substr(0, 4));
   const auto value =
       digits.empty() ? 0u : static_cast<std::uint32_t>(std::stoul(digits, nullptr, 16));
   const auto format = mc5::formatOf(code);
@@ -88,9 +107,16 @@ Operand rawConstant(Scanner& scanner) {
 // KG #80000000: bits that seven decimal digits cannot tell.
 std::optional<std::uint32_t> floatBits(Scanner& scanner) {
   if (!scanner.accept('#')) return std::nullopt;
-  const std::string digits(scanner.take(isHex));
+  const std::string digits(scanner.take(isHexDigit));
   if (digits.size() != 8) return std::nullopt;
   return static_cast<std::uint32_t>(std::stoul(digits, nullptr, 16));
+}
+
+std::optional<std::uint32_t> value(Scanner& scanner, Format format, std::size_t blanks) {
+  if (format == Format::Float && scanner.peek() == '#') return floatBits(scanner);
+  if (format != Format::Characters) return mc5::constantBits(format, numberText(scanner, format));
+  const auto text = characters(scanner, blanks);
+  return text ? mc5::constantBits(format, *text) : std::nullopt;
 }
 
 }  // namespace
@@ -99,24 +125,16 @@ bool isConstant(const Scanner& scanner) {
   return isRaw(scanner) || mc5::findConstantFormat(formatWord(scanner)) != nullptr;
 }
 
-std::optional<Operand> parseConstant(Scanner& scanner, Failure& failure) {
+std::optional<Operand> parseConstant(Scanner& scanner, Failure& failure, bool equals) {
   if (isRaw(scanner)) return rawConstant(scanner);
   Operand result;
   result.offset = scanner.offset();
   const std::size_t start = scanner.mark();
   const mc5::ConstantFormat& row = *mc5::findConstantFormat(formatWord(scanner));
   scanner.skip(2);
-  const std::size_t blanks = scanner.skipBlanks();
-  const bool empty = row.format == Format::Characters && blanks != 1 && blanks != 0;
-  std::optional<std::uint32_t> bits;
-  std::string text;
-  if (row.format == Format::Float && scanner.peek() == '#') {
-    bits = floatBits(scanner);
-  } else {
-    text = row.format == Format::Characters ? (empty ? std::string() : characters(scanner))
-                                            : numberText(scanner, row.format);
-    bits = mc5::constantBits(row.format, text);
-  }
+  std::size_t blanks = scanner.skipBlanks();
+  if (equals && scanner.accept('=')) blanks = scanner.skipBlanks();
+  const auto bits = value(scanner, row.format, blanks);
   result.length = std::max<std::size_t>(scanner.since(start).size(), 2);
   result.value = {.kind = OperandKind::Constant, .format = row.format, .value = bits.value_or(0)};
   if (bits) return result;

@@ -10,6 +10,7 @@ namespace merker::step5 {
 // Whether a constant stands here: the word of a format (KH, BF …), also with its value right
 // behind it.
 bool isConstant(const Scanner& scanner);
-std::optional<Operand> parseConstant(Scanner& scanner, Failure& failure);
+// `equals`: "KH = 1F00", as data words are written, is taken too.
+std::optional<Operand> parseConstant(Scanner& scanner, Failure& failure, bool equals = false);
 
 }  // namespace merker::step5

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <charconv>
 
+#include "mc5/constant.h"
 #include "step5/constant_operand.h"
+#include "step5/line_end.h"
 
 namespace merker::step5 {
 namespace {
@@ -35,7 +37,10 @@ class DataCompiler {
     scanner.skipBlanks();
     if (isComment(scanner) || endsBlock(scanner)) return;
     number(scanner);
-    if (!value(scanner)) problems_.add(ProblemCode::P1131, at(line.offset, line.text.size()));
+    const std::size_t offset = scanner.offset();
+    if (value(scanner)) return;
+    problems_.add(ProblemCode::P1131, at(line.offset, line.text.size()));
+    append(faulty(), offset);
   }
 
   // A printed listing may close the block with BE.
@@ -70,20 +75,21 @@ class DataCompiler {
     if (!isConstant(scanner)) return false;
     // "KH = 1F00": the listing writes an equals sign, a statement none.
     const std::size_t offset = scanner.offset();
-    std::string text(scanner.rest());
-    const std::size_t equals = text.find('=');
-    if (equals != std::string::npos && equals < 5) text[equals] = ' ';
-    if (text.rfind("  ", 2) == 2) text.erase(2, text.find_first_not_of(' ', 2) - 3);
-    Scanner constant(text, offset);
+    const bool pair = upper(scanner.peek(1)) == 'G';
     Failure failure;
-    const auto operand = parseConstant(constant, failure);
-    if (!operand) {
+    auto operand = parseConstant(scanner, failure, true);
+    if (!operand || !commentFollows(scanner, failure))
       problems_.add(failure.code, at(failure.offset, failure.length), failure.what,
                     failure.expected);
-      return true;
-    }
-    append(*operand, offset);
+    append(operand ? *operand : faulty(pair), offset);
     return true;
+  }
+
+  // Takes the place of a faulty word, so that the next one has its number.
+  static Operand faulty(bool pair = false) {
+    Operand operand;
+    operand.value.format = pair ? Format::Float : Format::Hex;
+    return operand;
   }
 
   void append(const Operand& operand, std::size_t offset) {
@@ -100,27 +106,37 @@ class DataCompiler {
 
   // KS: a text, two characters a word, filled up with a blank.
   bool characters(Scanner& scanner) {
+    const std::size_t offset = scanner.offset();
     scanner.skip(2);
     scanner.skipBlanks();
     scanner.accept('=');
     scanner.skipBlanks();
-    std::string text(scanner.rest());
-    if (text.starts_with('\'')) {
-      const std::size_t end = text.find('\'', 1);
-      if (end == std::string::npos) return false;
-      text = text.substr(1, end - 1);
-    } else {
-      text = text.substr(0, text.find_first_of(";!"));
-      while (!text.empty() && isBlank(text.back())) text.pop_back();
-    }
-    if (text.size() % 2 != 0) text += ' ';
-    for (std::size_t i = 0; i < text.size(); i += 2) {
-      const auto high = static_cast<std::uint8_t>(text[i]);
-      const auto low = static_cast<std::uint8_t>(text[i + 1]);
-      block_.words.push_back(static_cast<std::uint16_t>(high << 8 | low));
-      block_.formats.push_back(Format::Characters);
-    }
+    auto text = scanner.peek() == '\'' ? quoted(scanner) : unquoted(scanner);
+    if (!text) return false;
+    if (std::any_of(text->begin(), text->end(), [](char c) { return c < ' ' || c > '~'; }))
+      problems_.add(ProblemCode::P1108, at(offset, 2), "KS", "ASCII characters, TEXT or 'TEXT'");
+    if (text->size() % 2 != 0) *text += ' ';
+    for (std::size_t i = 0; i < text->size(); i += 2) pair(text->substr(i, 2), offset);
     return true;
+  }
+
+  static std::optional<std::string> quoted(Scanner& scanner) {
+    scanner.skip();
+    std::string text(scanner.take([](char c) { return c != '\''; }));
+    return scanner.accept('\'') ? std::optional(text) : std::nullopt;
+  }
+
+  static std::optional<std::string> unquoted(Scanner& scanner) {
+    std::string text(scanner.take([](char c) { return c != ';' && c != '!'; }));
+    while (!text.empty() && isBlank(text.back())) text.pop_back();
+    return text;
+  }
+
+  void pair(const std::string& text, std::size_t offset) {
+    Operand operand;
+    operand.value.format = Format::Characters;
+    operand.value.value = mc5::constantBits(Format::Characters, text).value_or(0);
+    append(operand, offset);
   }
 
   Position at(std::size_t offset, std::size_t length) const {

@@ -76,6 +76,7 @@ class Reader {
     std::string text(scanner.take([](char c) { return c != '!' && c != ';'; }));
     while (!text.empty() && isBlank(text.back())) text.pop_back();
     if (text.size() > kBlockNameCharacters) tooLong(text, offset, kBlockNameCharacters);
+    result_.nameLine = text;
     if (source_.name.empty()) result_.name = text;
   }
 
@@ -90,10 +91,9 @@ class Reader {
     parameter.name = uppercase(scanner.take(isNameCharacter));
     if (parameter.name.size() > kNameCharacters) tooLong(parameter.name, offset, kNameCharacters);
     if (parameter.name.empty() || !isLetter(parameter.name.front()))
-      problems_.add(ProblemCode::P1119, at(offset, 1), parameter.name, parameter.name.size(),
-                    kNameCharacters, "; the first one is a letter");
+      problems_.add(ProblemCode::P1147, at(offset, parameter.name.size()), parameter.name);
     if (!kind(scanner, parameter)) return;
-    if (hasType(parameter.kind) && !type(scanner, parameter)) return;
+    if (hasType(parameter.kind) ? !type(scanner, parameter) : !noType(scanner, parameter)) return;
     keep(std::move(parameter), offset);
   }
 
@@ -139,6 +139,17 @@ class Reader {
     problems_.add(ProblemCode::P1129, at(offset, word.size()), word,
                   kKindLetters[static_cast<std::size_t>(parameter.kind)],
                   data ? kDataTypes : "BI BY W D");
+    return false;
+  }
+
+  // Kinds B, T and Z have none (S5-FB-12); free text may follow.
+  bool noType(Scanner& scanner, const Parameter& parameter) {
+    std::size_t offset = 0;
+    Parameter ignored;
+    const std::string word = answer(scanner, offset);
+    if (!addressType(word, ignored) && !dataType(word, ignored)) return true;
+    problems_.add(ProblemCode::P1148, at(offset, word.size()),
+                  kKindLetters[static_cast<std::size_t>(parameter.kind)], word);
     return false;
   }
 

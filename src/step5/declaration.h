@@ -9,7 +9,8 @@
 namespace merker::step5 {
 
 struct Declaration {
-  std::string name;
+  std::string name;      // of the head of the block, without one that of the line NAME
+  std::string nameLine;  // what NAME says
   std::vector<mc5::Parameter> parameters;
   std::size_t lines = 0;  // how many lines of the block it takes
 };

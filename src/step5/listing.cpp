@@ -104,7 +104,7 @@ class Printer {
 
   // BLD 255 in front of a network is written by NETZWERK.
   bool endsNetwork(std::uint32_t at) const {
-    if (block_.words[at] != 0x10FF) return false;
+    if (at == 0 || block_.words[at] != 0x10FF) return false;
     for (const mc5::Network& network : block_.networks)
       if (network.offset == at + 1) return true;
     return false;

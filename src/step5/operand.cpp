@@ -70,11 +70,21 @@ std::optional<std::uint32_t> number(Scanner& scanner) {
   return value;
 }
 
+// "=1AB"
+std::optional<Operand> noName(Scanner& scanner, std::size_t start, std::size_t offset,
+                              Failure& failure) {
+  scanner.take(isNameCharacter);
+  const std::string text(scanner.since(start));
+  failure = {ProblemCode::P1147, offset, text.size(), text, ""};
+  return std::nullopt;
+}
+
 // "=EIN", "=M001"; a number stands for itself: "=+4" as distance, "=1" as index.
 std::optional<Operand> formal(Scanner& scanner, Failure& failure) {
   Operand result;
   scanner.skipBlanks();
   result.offset = scanner.offset();
+  const std::size_t start = scanner.mark();
   const bool sign = scanner.peek() == '+' || scanner.peek() == '-';
   if (sign || isDigit(scanner.peek())) {
     const bool negative = scanner.peek() == '-';
@@ -84,6 +94,7 @@ std::optional<Operand> formal(Scanner& scanner, Failure& failure) {
       failure = {ProblemCode::P1105, result.offset, 1, "=", ""};
       return std::nullopt;
     }
+    if (isNameCharacter(scanner.peek())) return noName(scanner, start, result.offset, failure);
     result.value = {.kind = sign ? OperandKind::Jump : OperandKind::Formal,
                     .value = negative ? 0 - *value : *value};
     return result;
@@ -116,6 +127,17 @@ bool address(Scanner& scanner, const Word& word, Operand& result, Failure& failu
 }
 
 }  // namespace
+
+bool beginsOperand(Scanner scanner) {
+  if (scanner.peek() == '=') return true;
+  if (isConstant(scanner)) return !isLetter(scanner.peek(2));
+  const std::string_view word = scanner.take(isLetter);
+  const std::string capital = uppercase(word);
+  const bool known = std::any_of(kWords.begin(), kWords.end(),
+                                 [&](const Word& row) { return row.name == capital; });
+  scanner.skipBlanks();
+  return known && (capital == word || isDigit(scanner.peek()));
+}
 
 std::optional<Operand> parseOperand(Scanner& scanner, Failure& failure) {
   if (scanner.accept('=')) return formal(scanner, failure);

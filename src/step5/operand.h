@@ -24,6 +24,9 @@ struct Failure {
   std::string what, expected;
 };
 
+// Whether the word of an operand stands here: in capital letters (E, MW, KF), or with its number
+// behind it. Other words are free text.
+bool beginsOperand(Scanner scanner);
 std::optional<Operand> parseOperand(Scanner& scanner, Failure& failure);
 
 }  // namespace merker::step5

@@ -48,6 +48,8 @@ class Scanner {
   std::size_t offset_, at_ = 0;
 };
 
+inline bool isHexDigit(char c) { return std::isxdigit(static_cast<unsigned char>(c)) != 0; }
+
 inline bool isLetter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 inline bool isDigit(char c) { return c >= '0' && c <= '9'; }
 inline bool isBlank(char c) { return c == ' ' || c == '\t'; }

@@ -3,48 +3,13 @@
 #include <algorithm>
 #include <array>
 
+#include "step5/operation_word.h"
+
 namespace merker::step5 {
 namespace {
 
 using mc5::OperandKind;
 using mc5::Operation;
-
-std::string uppercase(std::string_view text) {
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(), upper);
-  return result;
-}
-
-// Operations that do not begin with a letter, and brackets; longer ones first.
-constexpr std::array<std::string_view, 27> kSigns{
-    "!=F", "!=D", "!=G", "><F", "><D", "><G", ">=F", ">=D", ">=G", "<=F", "<=D", "<=G", ">F", ">D",
-    ">G",  "<F",  "<D",  "<G",  "+F",  "+G",  "-F",  "-G",  "*F",  "*G",  ":F",  ":G",  ")"};
-
-bool startsWith(const Scanner& scanner, std::string_view sign) {
-  for (std::size_t i = 0; i < sign.size(); ++i)
-    if (upper(scanner.peek(i)) != sign[i]) return false;
-  return true;
-}
-
-std::string operationWord(Scanner& scanner) {
-  for (const std::string_view sign : kSigns)
-    if (startsWith(scanner, sign)) {
-      scanner.skip(sign.size());
-      return std::string(sign);
-    }
-  if (scanner.accept('=')) return "=";
-  std::string word = uppercase(scanner.take(isLetter));
-  if ((word == "U" || word == "O") && scanner.accept('(')) word += '(';
-  if (word == "XF" || word == "XG") word[0] = 'x';
-  return word;
-}
-
-bool isOperation(std::string_view word) {
-  return std::any_of(mc5::operations().begin(), mc5::operations().end(),
-                     [&](const mc5::OperationInfo& row) {
-                       return row.name == word || (row.other == word && !word.empty());
-                     });
-}
 
 bool isJumpWord(std::string_view word) {
   constexpr std::array<std::string_view, 8> kJumps{"SPA", "SPB", "SPZ", "SPN",
@@ -98,29 +63,17 @@ std::string hint(std::string_view word) {
   return {};
 }
 
-bool noOperation(Scanner& scanner, std::string& word) {
-  if (word != "NOP") return false;
-  scanner.skipBlanks();
-  const char digit = scanner.peek();
-  if (digit != '0' && digit != '1') return false;
-  scanner.skip();
-  word += std::string(" ") + digit;
-  return true;
-}
-
 // O, BE, +F, TAK …; O can also have an operand.
 std::optional<Statement> withoutOperand(Scanner& scanner, const std::string& word,
                                         std::size_t offset) {
   const auto plain = fit(word, {});
   if (!plain) return std::nullopt;
   const std::size_t mark = scanner.mark();
-  if (fitKind(word, {.kind = OperandKind::Timer, .width = mc5::Width::Word})) {
-    scanner.skipBlanks();
-    Failure ignored;
-    const bool operand = parseOperand(scanner, ignored).has_value();
-    scanner.back(mark);
-    if (operand) return std::nullopt;
-  }
+  scanner.skipBlanks();
+  const bool both = fitKind(word, {.kind = OperandKind::Timer, .width = mc5::Width::Word}) &&
+                    beginsOperand(scanner);
+  scanner.back(mark);
+  if (both) return std::nullopt;
   Statement result;
   result.instruction = *plain;
   result.offset = offset;
@@ -147,7 +100,7 @@ std::optional<Statement> withOperand(Scanner& scanner, const std::string& word, 
   const auto instruction =
       fitKind(word, operand->name.empty() ? adjusted(word, operand->value) : placeholder(word));
   if (instruction)
-    return Statement{*instruction, operand->name, offset, operand->offset, operand->length};
+    return Statement{*instruction, operand->name, offset, operand->offset, operand->length, {}};
   failure = doesNotFit(word, *operand, scanner.since(mark));
   return std::nullopt;
 }
@@ -173,8 +126,8 @@ void skipColon(Scanner& scanner) {
 
 std::optional<Statement> parseStatement(Scanner& scanner, Failure& failure) {
   const std::size_t offset = scanner.offset(), start = scanner.mark();
-  std::string word = operationWord(scanner);
-  noOperation(scanner, word);
+  std::optional<Failure> warning;
+  const std::string word = operationWord(scanner, warning);
   if (!isOperation(word)) {
     if (word.empty()) scanner.take([](char c) { return !isBlank(c); });
     const auto text = scanner.since(start);
@@ -182,20 +135,9 @@ std::optional<Statement> parseStatement(Scanner& scanner, Failure& failure) {
                ""};
     return std::nullopt;
   }
-  if (auto plain = withoutOperand(scanner, word, offset)) return plain;
-  return withOperand(scanner, word, offset, failure);
-}
-
-bool commentFollows(Scanner& scanner, Failure& failure) {
-  const std::size_t blanks = scanner.skipBlanks();
-  const char c = scanner.peek();
-  if (scanner.atEnd() || c == '!' || c == ';' || c == '*') return true;
-  if (c == '/' && scanner.peek(1) == '/') return true;
-  if (c == '.' && (isBlank(scanner.peek(1)) || scanner.peek(1) == '\0')) return true;
-  if (blanks > 0 && !isDigit(c) && c != '.' && c != '=' && c != ',') return true;
-  const std::string text(scanner.rest().substr(0, 12));
-  failure = {ProblemCode::P1111, scanner.offset(), 1, text, ""};
-  return false;
+  auto plain = withoutOperand(scanner, word, offset);
+  if (plain) plain->warning = warning;
+  return plain ? plain : withOperand(scanner, word, offset, failure);
 }
 
 }  // namespace merker::step5

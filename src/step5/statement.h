@@ -14,6 +14,7 @@ struct Statement {
   std::string name;        // label of a jump or formal operand: `instruction` waits for its number
   std::size_t offset = 0;  // of the operation in the file
   std::size_t operandOffset = 0, operandLength = 0;
+  std::optional<Failure> warning;
 };
 
 // Skips the colon in front of a statement. ":F" and ":G" are divisions, ":F T 5" is F T 5.
@@ -21,9 +22,5 @@ void skipColon(Scanner& scanner);
 
 // Reads a statement; the rest of the line, a comment or nothing, stays in the scanner.
 std::optional<Statement> parseStatement(Scanner& scanner, Failure& failure);
-
-// Whether what follows a statement may follow it: nothing or a comment. A comment begins with "!",
-// ";" or "//"; free text counts as one where the printed listings do it, behind a blank.
-bool commentFollows(Scanner& scanner, Failure& failure);
 
 }  // namespace merker::step5

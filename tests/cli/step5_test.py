@@ -72,6 +72,54 @@ class Step5(Case):
         self.assertIn("P     D 205.10", self.expect(GOOD, "disassemble", "--mc5", text="7046 CACD").out)
         self.assertIn("illegal", self.expect(GOOD, "disassemble", "--mc5", text="7007").out)
 
+    def test_disassembly_comes_back(self):
+        """S5-OPC-01: whatever words there are, assembling their disassembly gives them again."""
+        words = "30B0 ABCD 30C1 ABCD 30F5 BEEF 7007 3010 4142 3001 FFFF C000 6500"
+        text = self.expect(GOOD, "disassemble", "--mc5", text=words).out
+        self.assertEqual(self.expect(GOOD, "assemble", "--mc5", text=text).out.split(), words.split())
+        self.assertEqual(self.expect(GOOD, "assemble", "--mc5", text="SPA 5\nSPB -5\n").out, "2D05\nFAFB\n")
+        text = self.expect(GOOD, "disassemble", "--mc7", text="FF07 C000 65").out
+        self.assertEqual(self.expect(GOOD, "assemble", "--mc7", text=text).out.split(), ["FF07", "C000", "65"])
+
+    def test_memory_full(self):
+        """S5-SCHED-13, S5-DB-16, S5-MEM-08: what finds no room is a problem, not a block that is missing."""
+        data = "".join(f"DB {n}\n" + " KH 0\n" * 1019 for n in (10, 11, 12))
+        self.write("a.s5", "OB 1\n : BE\n" + data)
+        self.assertIn("segment 6 (user data): 3072 of 3072 words used, 0 free", self.expect(GOOD, "list", "a.s5").out)
+        self.assertEqual(self.expect(GOOD, "list", "a.s5", "--json").json["memory"][0],
+                         {"segment": 5, "used": 6, "words": 8192})
+        self.write("a.s5", "OB 1\n : BE\n" + data + "DB 13\n KH 0\n")
+        for command in (("check",), ("run", "--for", "1s"), ("test",)):
+            call = self.expect(PROBLEMS, command[0], "a.s5", *command[1:])
+            self.assertIn("P1144", call.err)
+            self.assertIn("memory full: DB 13 takes 6 words", call.err)
+        block = "".join(f"PB {n}\n" + " : NOP 0\n" * 4000 + " : BE\n" for n in (1, 2))
+        self.write("a.s5", "OB 1\n : BE\n" + block)
+        self.expect(GOOD, "check", "a.s5")
+        self.assertIn("PB 2", self.expect(PROBLEMS, "check", "a.s5", "--cpu", "SINUMERIK 810 GA3 COP").err)
+
+    def test_fine_error_coding(self):
+        """S5-ERR-11, S5-ERR-12, S5-MEM-05: the pseudo addresses of the programmer."""
+        arguments = ("diag", "a.s5", "--for", "1s", "--set", "E 0.7 = 1")
+        out = self.expect(FAULT, *arguments).out
+        for line in ("F000 0069  FEHLCODE", "F001 6105  alarm", "F004 0009  xxx3", "F00E "):
+            self.assertIn(line, out)
+        self.assertIn("Block stack (BSTACK)", out)
+        rows = self.expect(FAULT, *arguments, "--json").json["fine_error_code"]
+        self.assertEqual((rows["F001"], rows["F004"], len(rows)), ("6105", "0009", 11))
+        self.assertNotEqual(rows["F00C"], rows["F011"])
+
+    def test_places_of_alarm_bits(self):
+        """OP-55, S5-DB-08: what merker.toml names must be there."""
+        for line, words in (("alarms = \"MB 250\"", "MB 248"), ("alarms = \"DB10.DW 0\"", "P1153"),
+                            ("messages = \"DB 9.DW 0\"", "P1153"), ("eprom_data_blocks = [300]", "DB 300 is outside")):
+            self.write("merker.toml", f"[cpu]\nmodel = \"SINUMERIK 820 GA3\"\n[plc]\n{line}\n")
+            call = self.expect(PROBLEMS, "check", ".")
+            self.assertIn("merker.toml:4:", call.err)
+            self.assertIn(words, call.err)
+        self.write("merker.toml", "[cpu]\nmodel = \"SINUMERIK 820 GA3\"\n[plc]\nalarms = \"MB 248\"\n")
+        self.expect(GOOD, "check", ".")
+
     def test_project(self):
         """S5-MD-01, S5-ERR-04: machine data, alarms and their texts stand in merker.toml."""
         self.write("merker.toml", TOML)

@@ -1,79 +1,66 @@
-// PLC and NC in one control.
+// A control put together: what PLC, NC and project have in common.
 #include "cnc/cnc.h"
 
 #include <gtest/gtest.h>
 
+#include "catalogue/sinumerik_model.h"
+#include "cnc/memory.h"
 #include "cnc/reference.h"
-#include "step5/compiler.h"
-#include "step5/variable.h"
 
 namespace merker::cnc {
 namespace {
 
-Options program(const std::string& listing) {
-  std::vector<source::SourceFile> files;
-  files.emplace_back("t.s5", listing);
-  auto compiled = step5::compile(files, false);
-  EXPECT_TRUE(compiled.ok());
+mc5::Block block(mc5::BlockType type, std::uint16_t number, std::size_t words) {
+  mc5::Block result;
+  result.id = {type, number};
+  result.words.assign(words, 0);
+  if (type != mc5::BlockType::Db) result.words.back() = 0x6500;  // BE
+  return result;
+}
+
+// S5-FM-42 (MDN), S5-MD-08: datum 155 of the NC is the one that the PLC reads.
+TEST(Cnc, SamplingTimeIsOneDatum) {
   Options options;
-  options.plc.program = std::move(compiled.program);
-  return options;
+  options.machineData = {{kSamplingDatum, 3}};
+  Cnc control(std::move(options));
+  EXPECT_EQ(control.control().machineData[kSamplingDatum], 3);
+  EXPECT_EQ(Cnc(Options{}).control().machineData[kSamplingDatum], 2);
+  control.control().machineData[kSamplingDatum] = 0;  // as FB 62 writes it
+  EXPECT_EQ(control.plc().machineData().samplingCode, 3);
+  control.start();
+  EXPECT_EQ(control.plc().machineData().samplingCode, 0);
 }
 
-std::uint32_t value(const Cnc& control, std::string_view operand) {
-  return control.read(toReference(operand, *step5::parseVariable(operand))).value_or(0xDEAD);
+// S5-SCHED-13, S5-DB-16, S5-MEM-08: 16 kB of program, 12 with COP, 6 kB of data.
+TEST(Cnc, RoomForBlocks) {
+  Options options;
+  const auto load = [&](const mc5::Block& b) { options.plc.program[b.id] = b; };
+  load(block(mc5::BlockType::Pb, 1, 8192 - 2 * 5 - 3));
+  load(block(mc5::BlockType::Pb, 2, 3));
+  load(block(mc5::BlockType::Db, 10, 1024));
+  load(block(mc5::BlockType::Db, 11, 2048 - 2 * 5));
+  EXPECT_TRUE(memoryUse(options).missing.empty());
+  EXPECT_EQ(memoryUse(options).program.used, 8192u);
+  EXPECT_EQ(memoryUse(options).data.used, 3072u);
+  load(block(mc5::BlockType::Db, 12, 1));
+  const MemoryUse use = memoryUse(options);
+  ASSERT_EQ(use.missing.size(), 1u);
+  EXPECT_EQ(use.missing[0].block, (mc5::BlockId{mc5::BlockType::Db, 12}));
+  EXPECT_EQ(use.missing[0].words, 6u);
+  Cnc control(options);
+  EXPECT_EQ(control.plc().refused().size(), 1u);  // what the PLC really does
+  options.model = findSinumerikModel("SINUMERIK 810 GA3 COP");
+  EXPECT_EQ(memoryUse(options).program.size, 6144u);
+  EXPECT_EQ(memoryUse(options).missing.size(), 2u);
 }
 
-// S5-FLAG-11
-TEST(Cnc, AlarmsOfTheNcReachMb24) {
-  Cnc control(program("OB 1\n BE\n"));
-  control.start();
-  control.advanceCycles(2);
-  EXPECT_EQ(value(control, "MB 24"), 0x04u);
-  control.control().raise(2041);
-  control.advanceCycles(2);
-  EXPECT_EQ(value(control, "MB 24"), 0x05u);
-  control.control().machiningStop = true;
-  control.advanceCycles(2);
-  EXPECT_EQ(value(control, "MB 24"), 0x0Du);
-  control.control().alarms.clear();
-  control.advanceCycles(2);
-  EXPECT_EQ(value(control, "MB 24"), 0x04u);
-}
-
-// S5-FM-35: a value that the NC refuses is NC alarm 3016, which the program sees.
-TEST(Cnc, AWrongValueIsAnAlarmOfTheNc) {
-  Cnc control(
-      program("OB 1\n SPA FB 62\nNAME : NCD-SCHR\nSCHR : M 100.0\nNSBY : DL 0\nANZ : KF +1\n"
-              "DTY1 : KC RP\nDTY2 : KC NC\nDTY3 : KC\nWER1 : KF +1\nWER2 : KF +600\nWER3 : KF +0\n"
-              "ZFPN : KC F0\nQUEL : KY 0,160\n U M 24.0\n = M 101.0\n BE\n"));
-  control.start();
-  control.advanceCycles(2);
-  EXPECT_EQ(value(control, "M 101.0"), 0u);
-  control.write(toReference("M 100.0", *step5::parseVariable("M 100.0")), 1);
-  control.advanceCycles(4);
-  EXPECT_EQ(control.control().alarms, (std::vector<std::uint16_t>{3016}));
-  EXPECT_EQ(value(control, "M 101.0"), 1u);
-  EXPECT_EQ(control.mode(), controller::Mode::Run);
-  control.memoryReset();  // everything as it was built
-  control.start();
-  control.advanceCycles(3);
-  EXPECT_EQ(value(control, "M 24.0"), 0u);
-}
-
-// The observer outlives a memory reset.
-TEST(Cnc, ObserverSeesEachCycle) {
-  Cnc control(program("OB 1\n BE\n"));
-  int seen = 0;
-  control.onCycle([&](controller::Controller&) { ++seen; });
-  control.start();
-  control.advanceCycles(3);
-  const int before = seen;
-  EXPECT_GE(before, 3);
-  control.memoryReset();
-  control.start();
-  control.advanceCycles(3);
-  EXPECT_GE(seen, before + 3);
+// Numbers of 32 bits need no type: data double words have none.
+TEST(Cnc, LongIntegers) {
+  EXPECT_EQ(parseConstant("123450")->bits, 123450u);
+  EXPECT_EQ(parseConstant("-123450")->bits, static_cast<std::uint32_t>(-123450));
+  EXPECT_FALSE(parseConstant("12").has_value());  // of 16 bits, as everywhere
+  EXPECT_FALSE(parseConstant("4294967296").has_value());
+  EXPECT_EQ(parseConstant("KF -5")->bits, 0xFFFBu);
 }
 
 }  // namespace

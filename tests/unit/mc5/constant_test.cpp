@@ -53,8 +53,8 @@ TEST(Constant, TextLosesNothing) {
       const std::string word = text.substr(0, 2);
       const auto* row = findConstantFormat(word);
       if (row == nullptr) {
-        EXPECT_EQ(std::stoul(text.substr(4), nullptr, 16), value) << text;
-        EXPECT_EQ(std::stoul(text.substr(1, 2), nullptr, 16), info(format).formatByte) << text;
+        EXPECT_EQ(std::stoul(text.substr(5), nullptr, 16), value) << text;
+        EXPECT_EQ(std::stoul(text.substr(2, 2), nullptr, 16), info(format).formatByte) << text;
       } else {
         EXPECT_EQ(constantBits(format, text.substr(text.size() > 3 ? 3 : 2)), value) << text;
       }

@@ -37,7 +37,7 @@ INSTANTIATE_TEST_SUITE_P(
         Row{{0x3010, 0x4631}, "L     KC F1"}, Row{{0x3020, 0x0102}, "L     KY 1,2"},
         Row{{0x3080, 0x3E5B}, "L     KM 00111110 01011011"},
         Row{{0x3800, 0x0140, 0x0000}, "L     KG +1000000+01"},
-        Row{{0x3005, 0x1234}, "L     K05 1234"}, Row{{0x3001, 0x00FF}, "L     K01 00FF"},
+        Row{{0x3005, 0x1234}, "L     K#05 1234"}, Row{{0x3001, 0x00FF}, "L     K#01 00FF"},
         Row{{0x2402}, "SE    T 2"}, Row{{0x3C1F}, "R     T 31"}, Row{{0x5C05}, "S     Z 5"},
         Row{{0x6C28}, "ZV    Z 40"}, Row{{0x0401}, "FR    T 1"}, Row{{0x31A0}, ">=G"},
         Row{{0x31C0}, "<=G"}, Row{{0x2180}, "!=F"}, Row{{0x3960}, "><D"}, Row{{0x6004}, "xF"},

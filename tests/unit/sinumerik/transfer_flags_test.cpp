@@ -53,6 +53,8 @@ TEST(TransferFlags, BlinkClock) {
       before = b.value("M 0.7");
     }
     ASSERT_GE(changes.size(), 4u);
+    EXPECT_GE(changes[0], half);
+    EXPECT_LE(changes[0], half + 0.002);
     for (std::size_t i = 1; i < changes.size(); ++i)
       EXPECT_NEAR(changes[i] - changes[i - 1], half, 0.002);
   }

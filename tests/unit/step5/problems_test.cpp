@@ -15,7 +15,7 @@ TEST(Problems, OfStatements) {
   EXPECT_EQ(problemsOf("FB 1\n: SPA =WEG\n: BE\n"), "P1115@2:8");
   EXPECT_EQ(problemsOf("FB 1\nA1 : NOP 0\nA1 : BE\n"), "P1116@3:1");
   EXPECT_EQ(problemsOf("FB 1\nNETZWERK 1\n: SPA =ZIEL\nNETZWERK 2\nZIEL : BE\n"), "P1118@3:8");
-  EXPECT_EQ(problemsOf("PB 1\n: U(\n: O E 0.0\n: BE\n"), "P1138@1:1");
+  EXPECT_EQ(problemsOf("PB 1\n: U(\n: O E 0.0\n: BE\n"), "P1138@2:3");
   EXPECT_EQ(problemsOf("PB 1\n: )\n: BE\n"), "P1137@2:3");
   EXPECT_EQ(problemsOf("OB 64\n: BE\n"), "P1102@1:1");
   EXPECT_EQ(problemsOf("DB 0\n KH 0\n"), "P1102@1:1");
@@ -46,7 +46,7 @@ TEST(Problems, OfCallsAndDeclarations) {
   EXPECT_EQ(problemsOf("FB 60\n: BE\n"), "P1127@1:1");
   EXPECT_EQ(problemsOf("FB 1\nBEZ : ABCDE E BI\nBEZ : X Q\nBEZ : Y E KF\n: BE\n"),
             "P1119@2:7 P1128@3:9 P1129@4:11");
-  EXPECT_EQ(problemsOf("FB 1\nBEZ : 1ABC E BI\nBEZ : ABCD E BI\n: BE\n"), "P1119@2:7");
+  EXPECT_EQ(problemsOf("FB 1\nBEZ : 1ABC E BI\nBEZ : ABCD E BI\n: BE\n"), "P1147@2:7");
   EXPECT_EQ(problemsOf("FB 1\nBEZ : X E BI\nBEZ : X E BI\n: U =Y\n: BE\n"), "P1140@3:7 P1114@4:6");
 }
 
