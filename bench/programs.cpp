@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <iostream>
 
+#include "bit_operations.h"
 #include "step7/compiler.h"
 
 namespace merker::bench {
@@ -94,6 +95,22 @@ std::string callingSource(int calls) {
          "BEGIN\nNETWORK\n      L     #a\n      L     #b\n      +I\n      T     "
          "#c\nEND_FUNCTION\n" +
          organizationBlock(code);
+}
+
+std::string bitSource() {
+  std::string code;
+  for (unsigned i = 0; i < kBitGroups; ++i) {
+    const BitGroup g = bitGroup(i);
+    code += fmt::format(" U E {}.{}\n UN M {}.{}\n O E {}.{}\n = A {}.{}\n", g.input.byte,
+                        g.input.bit, g.flag.byte, g.flag.bit, g.orInput.byte, g.orInput.bit,
+                        g.output.byte, g.output.bit);
+  }
+  return organizationBlock(code);
+}
+
+std::string loopSource(const std::string& body) {
+  return organizationBlock("      L     1000\nnext: T     MW 100\n" + body +
+                           "      L     MW 100\n      LOOP  next\n");
 }
 
 std::shared_ptr<const block::Program> compiled(const std::string& source) {

@@ -3,6 +3,9 @@
 
 #include <benchmark/benchmark.h>
 
+#include <map>
+#include <string>
+
 namespace merker::bench {
 
 // Prints one line per measurement, with the required value beside it where there is one.
@@ -14,6 +17,8 @@ class RequirementReporter : public benchmark::BenchmarkReporter {
 
  private:
   void report(const Run& run);
+  void reportSize(double bytes);
+  std::map<std::string, double> reached_;  // per second, by benchmark
   bool allMet_ = true;
 };
 

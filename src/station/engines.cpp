@@ -13,8 +13,9 @@ using interpreter::Translated;
 
 class Native : public interpreter::Compiled {
  public:
-  explicit Native(std::unique_ptr<jit::NativeCode> code) : code_(std::move(code)) {}
-  bool begins(std::size_t instruction) const override { return code_->begins(instruction); }
+  Native(std::unique_ptr<jit::NativeCode> code, std::vector<bool> entries)
+      : code_(std::move(code)), entries_(std::move(entries)) {}
+  bool begins(std::size_t instruction) const override { return entries_[instruction]; }
   const Op* run(cpu::Machine& m, std::size_t instruction) const override {
     return static_cast<const Op*>(code_->run(m, instruction));
   }
@@ -22,7 +23,16 @@ class Native : public interpreter::Compiled {
 
  private:
   std::unique_ptr<jit::NativeCode> code_;
+  std::vector<bool> entries_;
 };
+
+std::vector<bool> entriesOf(std::span<const icode::Region> regions, std::size_t instructions,
+                            std::uint32_t shortest) {
+  std::vector<bool> entries(instructions);
+  for (const icode::Region& region : regions)
+    entries[region.first] = region.instructions >= shortest;
+  return entries;
+}
 
 }  // namespace
 
@@ -32,9 +42,11 @@ void Engines::compile(Translated& code) const {
   const mc7::Listing listing = mc7::list(code.source->code);
   std::vector<icode::Region> regions = translate::translate(listing, model_);
   for (icode::Region& region : regions) icode::optimise(region);
-  auto native =
-      jit::compile(regions, listing.places.size(), {code.ops.data(), sizeof(Op)}, model_, options_);
-  if (native != nullptr) setCompiled(code, std::make_shared<Native>(std::move(native)));
+  auto native = jit::compile(regions, listing.places.size(), {code.ops.data(), sizeof(Op)}, model_,
+                             options_.jit);
+  if (native == nullptr) return;
+  auto entries = entriesOf(regions, code.instructionCount, options_.shortestEntry);
+  setCompiled(code, std::make_shared<Native>(std::move(native), std::move(entries)));
 }
 
 std::unique_ptr<cpu::Code> Engines::translate(const block::Block& block) {

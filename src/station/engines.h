@@ -8,9 +8,16 @@
 
 namespace merker::station {
 
+struct CompilerOptions {
+  jit::Options jit{};
+  // Into a region of fewer instructions the way is longer than through the interpreter; other
+  // regions still lead on into it.
+  std::uint32_t shortestEntry = 3;
+};
+
 class Engines : public interpreter::Interpreter {
  public:
-  Engines(const CpuModel& model, bool compiles, jit::Options options = {})
+  Engines(const CpuModel& model, bool compiles, CompilerOptions options = {})
       : Interpreter(model), model_(model), compiles_(compiles && canCompile()), options_(options) {}
 
   static bool canCompile() { return jit::available(); }
@@ -25,7 +32,7 @@ class Engines : public interpreter::Interpreter {
 
   const CpuModel& model_;
   bool compiles_;
-  jit::Options options_;
+  CompilerOptions options_;
 };
 
 }  // namespace merker::station

@@ -131,7 +131,8 @@ std::vector<std::string> run(const Case& c, const Engine& engine) {
   constexpr int kStops = 12;
   const CpuModel& model = *findCpuModel(c.model);
   NoServices services;
-  station::Engines engines(model, engine.compiled, {.broken = engine.broken});
+  station::Engines engines(model, engine.compiled,
+                           {.jit = {.broken = engine.broken}, .shortestEntry = 1});
   CpuParameters parameters = CpuParameters::of(model);
   parameters.cyclic.push_back({.ob = 35, .interval = 1});
   cpu::Cpu cpu(model, engines, services, 0, parameters);
