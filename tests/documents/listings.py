@@ -26,7 +26,7 @@ def commands(text):
 
 
 def matches(expected, printed):
-    pattern = "\n".join(r"(?:.*\n?)*?" if line == "..." else re.escape(line) for line in expected)
+    pattern = "\n".join(r"(?:[^\n]*\n)*?[^\n]*" if line == "..." else re.escape(line) for line in expected)
     return re.fullmatch(pattern, printed.rstrip("\n")) is not None
 
 
