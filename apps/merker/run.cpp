@@ -198,6 +198,8 @@ int runPlc(const Options& options, const Build& build, const Operands& operands,
            std::optional<Duration> time, store::MemoryCard* card) {
   const auto owner = build.controller();
   controller::Controller& plc = *owner;
+  if (build.isListing() && options.engine != "interpreter")
+    return wrongUsage("--engine: STEP 5 listings run with the interpreter only");
   if (!build.isListing())
     if (const auto problem = useEngine(options.engine, stationOf(plc))) return wrongUsage(*problem);
   if (const auto problem = start(build, card, plc)) return failed(*problem);

@@ -1,9 +1,8 @@
 #include "cnc/cnc.h"
 
-#include <algorithm>
-
 #include "cnc/plc_options.h"
 #include "cnc/reference.h"
+#include "controller/line_counts.h"
 
 namespace merker::cnc {
 
@@ -54,18 +53,6 @@ std::uint32_t lineAt(const mc5::Block& block, std::uint32_t offset) {
   for (const mc5::LineEntry& entry : block.lines)
     if (entry.offset <= offset) line = entry.line;
   return line;
-}
-
-void addLines(const mc5::Block& block, const std::map<std::uint32_t, std::uint64_t>& counts,
-              std::map<std::uint32_t, std::uint64_t>& file) {
-  std::map<std::uint32_t, std::uint64_t> best;
-  for (const mc5::LineEntry& entry : block.lines)
-    if (entry.line != 0) best[entry.line];
-  for (const auto& [offset, count] : counts) {
-    const auto line = best.find(lineAt(block, offset));
-    if (line != best.end()) line->second = std::max(line->second, count);
-  }
-  for (const auto& [line, count] : best) file[line] += count;
 }
 
 }  // namespace
@@ -185,26 +172,23 @@ const std::vector<controller::DiagnosticEntry>& Cnc::diagnostics() const {
 
 const std::vector<controller::CheckResult>& Cnc::checkResults() const {
   Parts& p = *parts_;
-  p.checks.clear();
-  for (const sinumerik::CheckResult& result : plc().checkResults()) {
-    controller::CheckResult& copy = p.checks.emplace_back();
-    copy.check = result.check;
-    copy.reached = result.reached;
-    for (const sinumerik::CheckFailure& failure : result.failures)
-      copy.failures.push_back({failure.time + p.before, failure.text});
-  }
+  p.checks = plc().checkResults();
+  for (controller::CheckResult& result : p.checks)
+    for (controller::CheckFailure& failure : result.failures)
+      failure.time = failure.time + p.before;
   return p.checks;
 }
 
 controller::ExecutedLines Cnc::executedLines() const {
+  static const controller::Counts kNone;
   controller::ExecutedLines lines = parts_->linesBefore;
   const sinumerik::Executed& executed = plc().executed();
   for (const auto& [id, block] : plc().program()) {
     if (id.type == mc5::BlockType::Db || block.file.empty()) continue;
     const auto counts = executed.find(id);
-    addLines(block,
-             counts == executed.end() ? std::map<std::uint32_t, std::uint64_t>{} : counts->second,
-             lines[block.file]);
+    const auto at = [&code = block](std::uint32_t offset) { return lineAt(code, offset); };
+    controller::addLineCounts(block.lines, at, counts == executed.end() ? kNone : counts->second,
+                              lines[block.file]);
   }
   return lines;
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "block/check.h"
+#include "block/check_result.h"
 #include "clock/instant.h"
 
 namespace merker::controller {
@@ -20,16 +20,7 @@ struct DiagnosticEntry {
   std::string text;  // "programming error: BCD conversion error", with block and position if known
 };
 
-// What a check (//=) saw. `reached` counts how often it was evaluated; behind a jump the passes
-// that went on to the next instruction count, if there were any.
-struct CheckFailure {
-  Instant time;      // when the term was judged
-  std::string text;  // "AKKU1 = W#16#8000: is W#16#7FFF"
-};
-struct CheckResult {
-  const block::Check* check = nullptr;
-  std::uint64_t reached = 0;
-  std::vector<CheckFailure> failures;  // the first few
-};
+using block::CheckFailure;
+using block::CheckResult;
 
 }  // namespace merker::controller

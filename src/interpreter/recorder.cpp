@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <bit>
-#include <cmath>
 #include <optional>
 
+#include "block/relation.h"
 #include "interpreter/check_value.h"
 
 namespace merker::interpreter {
@@ -14,32 +14,7 @@ namespace {
 using block::CheckValue;
 using block::Relation;
 
-bool about(std::uint32_t a, std::uint32_t b) {
-  const auto x = static_cast<double>(std::bit_cast<float>(a));
-  const auto y = static_cast<double>(std::bit_cast<float>(b));
-  constexpr double kTolerance = 1e-6;
-  return std::fabs(x - y) <= kTolerance * std::fmax(std::fabs(x), std::fabs(y));
-}
-
-bool holds(std::uint32_t a, Relation relation, std::uint32_t b) {
-  switch (relation) {
-    case Relation::Equal:
-      return a == b;
-    case Relation::NotEqual:
-      return a != b;
-    case Relation::Less:
-      return a < b;
-    case Relation::LessEqual:
-      return a <= b;
-    case Relation::Greater:
-      return a > b;
-    case Relation::GreaterEqual:
-      return a >= b;
-    case Relation::About:
-      return about(a, b);
-  }
-  return false;
-}
+double realOf(std::uint32_t bits) { return double{std::bit_cast<float>(bits)}; }
 
 // In the width of the expectation, if it fits.
 std::string shown(std::uint32_t value, const block::CheckTerm& term) {
@@ -81,7 +56,7 @@ void Recorder::evaluateOne(cpu::Machine& m, std::uint32_t number, bool away) {
     const block::CheckTerm& term = record.check->terms[i];
     const auto left = valueOf(m, term.left, terms_[number][i].left);
     const auto right = valueOf(m, term.right, terms_[number][i].right);
-    if (left && right && holds(*left, term.relation, *right)) continue;
+    if (left && right && block::holds(*left, term.relation, *right, realOf)) continue;
     if (sight.failures.size() >= kFailuresKept) continue;
     const std::string seen =
         left && right ? "is " + shown(*left, term) : "the operand cannot be read here";

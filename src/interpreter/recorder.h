@@ -6,16 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "block/check.h"
-#include "clock/instant.h"
+#include "block/check_result.h"
 #include "interpreter/translate.h"
 
 namespace merker::interpreter {
 
-struct CheckFailure {
-  Instant time;  // when the term was judged
-  std::string text;
-};
+using block::CheckFailure;
 
 struct CheckSight {
   std::uint64_t reached = 0;

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
+#include "block/relation.h"
 #include "mc5/s5_float.h"
 
 namespace merker::sinumerik {
@@ -68,32 +68,6 @@ std::optional<std::uint32_t> valueOf(Processor& p, const CheckValue& value) {
   return bit ? std::uint32_t{seen->displays.vke} : seen->akku1;
 }
 
-bool about(std::uint32_t a, std::uint32_t b) {
-  constexpr double kTolerance = 1e-6;
-  const double x = mc5::toDouble(a), y = mc5::toDouble(b);
-  return std::fabs(x - y) <= kTolerance * std::fmax(std::fabs(x), std::fabs(y));
-}
-
-bool holds(std::uint32_t a, Relation relation, std::uint32_t b) {
-  switch (relation) {
-    case Relation::Equal:
-      return a == b;
-    case Relation::NotEqual:
-      return a != b;
-    case Relation::Less:
-      return a < b;
-    case Relation::LessEqual:
-      return a <= b;
-    case Relation::Greater:
-      return a > b;
-    case Relation::GreaterEqual:
-      return a >= b;
-    case Relation::About:
-      return about(a, b);
-  }
-  return false;
-}
-
 std::string shown(std::uint32_t value, const CheckTerm& term) {
   if (term.relation == Relation::About) return fmt::format("{:e}", mc5::toDouble(value));
   if (std::min(term.left.width, term.right.width) <= 1 && value <= 1)
@@ -107,7 +81,7 @@ std::string shown(std::uint32_t value, const CheckTerm& term) {
 std::optional<std::string> judge(Processor& p, const CheckTerm& term) {
   const auto left = valueOf(p, term.left), right = valueOf(p, term.right);
   if (!left || !right) return "the operand cannot be read here";
-  if (holds(*left, term.relation, *right)) return std::nullopt;
+  if (block::holds(*left, term.relation, *right, mc5::toDouble)) return std::nullopt;
   return "is " + shown(*left, term);
 }
 

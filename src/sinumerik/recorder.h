@@ -5,11 +5,14 @@
 #include <map>
 #include <vector>
 
+#include "block/check_result.h"
 #include "mc5/block.h"
-#include "sinumerik/check_result.h"
 #include "sinumerik/processor.h"
 
 namespace merker::sinumerik {
+
+using block::CheckFailure;
+using block::CheckResult;
 
 // How often each instruction ran: by block and word of its code.
 using Executed = std::map<mc5::BlockId, std::map<std::uint32_t, std::uint64_t>>;

@@ -1,35 +1,19 @@
 #include "station/line_counts.h"
 
-#include <algorithm>
+#include "controller/line_counts.h"
 
 namespace merker::station {
-namespace {
-
-using Counts = std::map<std::uint32_t, std::uint64_t>;
-
-Counts ofBlock(const block::Block& block, const Counts& counts) {
-  Counts best;
-  for (const block::LineEntry& entry : block.lines)
-    if (entry.line != 0) best[entry.line];
-  for (const auto& [offset, count] : counts) {
-    const auto line = best.find(block.line(offset));
-    if (line != best.end()) line->second = std::max(line->second, count);
-  }
-  return best;
-}
-
-}  // namespace
 
 controller::ExecutedLines lineCounts(const block::Program& program,
                                      const ExecutedInstructions& executed) {
+  static const controller::Counts kNone;
   controller::ExecutedLines lines;
   for (const auto& [id, block] : program) {
     if (block.code.empty() || block.file.empty()) continue;
     const auto counts = executed.find(id);
-    auto& file = lines[block.file];
-    for (const auto& [line, count] :
-         ofBlock(block, counts == executed.end() ? Counts{} : counts->second))
-      file[line] += count;
+    const auto lineAt = [&code = block](std::uint32_t offset) { return code.line(offset); };
+    controller::addLineCounts(block.lines, lineAt,
+                              counts == executed.end() ? kNone : counts->second, lines[block.file]);
   }
   return lines;
 }

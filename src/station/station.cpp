@@ -227,11 +227,8 @@ const std::vector<CheckResult>& Station::checkResults() const {
   Parts& p = *parts_;
   p.checks.clear();
   for (const interpreter::CheckRecord& record : p.engine.checkRecords()) {
-    CheckResult& result = p.checks.emplace_back();
-    result.check = record.check;
-    result.reached = record.judged().reached;
-    for (const interpreter::CheckFailure& failure : record.judged().failures)
-      result.failures.push_back({failure.time, failure.text});
+    const interpreter::CheckSight& seen = record.judged();
+    p.checks.push_back({record.check, seen.reached, seen.failures});
   }
   return p.checks;
 }

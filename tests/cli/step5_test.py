@@ -137,6 +137,7 @@ class Step5(Case):
         self.write("a.awl", PROGRAM)
         self.assertIn("P0711", self.expect(PROBLEMS, "check", "a.awl", "--cpu", "SINUMERIK 810 GA3").err)
         self.assertIn("SIMATIC S7", self.expect(USAGE, "xref", "a.s5").err)
+        self.assertIn("interpreter", self.expect(USAGE, "run", "a.s5", "--for", "1s", "--engine", "jit").err)
 
     def test_scenarios(self):
         self.write("a.scn", "scenario \"follows\"\n  set E 0.0 = 1\n  wait 2 cycles\n  expect A 0.0 = 1\n"

@@ -8,19 +8,19 @@
 #include "block/check.h"
 #include "clock/instant.h"
 
-namespace merker::sinumerik {
+namespace merker::block {
 
 struct CheckFailure {
   Instant time;      // when the term was judged
-  std::string text;  // "AKKU1 = KH 8000: is KH 7FFF"
+  std::string text;  // "AKKU1 = W#16#8000: is W#16#7FFF"
 };
 
 // `reached` counts how often it was evaluated; behind a jump the passes that went on to the next
 // instruction count, if there were any.
 struct CheckResult {
-  const block::Check* check = nullptr;
+  const Check* check = nullptr;
   std::uint64_t reached = 0;
   std::vector<CheckFailure> failures;  // the first few
 };
 
-}  // namespace merker::sinumerik
+}  // namespace merker::block
