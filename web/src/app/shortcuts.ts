@@ -1,0 +1,46 @@
+import { connection } from '../connection';
+import type { app } from '../i18n/texts/app';
+import { attempt } from '../state/messages.svelte';
+import { plc } from '../state/plc.svelte';
+
+export type Action = { kind: 'help' } | { kind: 'view'; number: number } | { kind: 'run'; run: () => void };
+
+interface Key {
+  keys: string;
+  text: keyof typeof app;
+}
+
+/** What the help dialog lists. */
+export const keys: Key[] = [
+  { keys: 'F1', text: 'keyHelp' },
+  { keys: 'Alt 1…9', text: 'keyView' },
+  { keys: 'Alt R', text: 'keyRun' },
+  { keys: 'Alt S', text: 'keyStop' },
+  { keys: 'Alt P', text: 'keyPause' },
+  { keys: 'Alt N', text: 'keyStep' },
+  { keys: 'Esc', text: 'keyEscape' },
+];
+
+const runs: Record<string, () => void> = {
+  KeyR: () => void attempt(connection.ask('cpu.switch', { position: 'RUN-P' })),
+  KeyS: () => void attempt(connection.ask('cpu.switch', { position: 'STOP' })),
+  KeyP: togglePause,
+  KeyN: () => void attempt(connection.ask('time.step', { cycles: 1 })),
+};
+
+export function togglePause(): void {
+  const mode = plc.pace.mode === 'pause' ? 'real' : 'pause';
+  void attempt(connection.ask('time.pace', { mode, factor: plc.pace.factor }));
+}
+
+/** What a key does on the whole page; undefined leaves it to the element that has the focus. */
+export function shortcut(
+  event: Pick<KeyboardEvent, 'key' | 'code' | 'altKey' | 'ctrlKey' | 'metaKey'>,
+): Action | undefined {
+  if (event.key === 'F1') return { kind: 'help' };
+  if (!event.altKey || event.ctrlKey || event.metaKey) return undefined;
+  const digit = /^Digit([1-9])$/.exec(event.code);
+  if (digit) return { kind: 'view', number: Number(digit[1]) - 1 };
+  const run = runs[event.code];
+  return run && { kind: 'run', run };
+}

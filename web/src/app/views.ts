@@ -1,0 +1,102 @@
+import type { Component } from 'svelte';
+import Diagnosis from '../diagnosis/Diagnosis.svelte';
+import Program from '../editor/Program.svelte';
+import Hardware from '../hardware/Hardware.svelte';
+import type { Text } from '../i18n';
+import InputsOutputs from '../io/InputsOutputs.svelte';
+import Process from '../process/Process.svelte';
+import Projects from '../projects/Projects.svelte';
+import Symbols from '../symbols/Symbols.svelte';
+import Trends from '../trends/Trends.svelte';
+import Variables from '../variables/Variables.svelte';
+
+export interface View {
+  /** Its name in the address line. */
+  id: string;
+  title: Text;
+  component: Component;
+  /** What F1 says about it. */
+  help: Text;
+}
+
+/** The views in the order of the work: define a project, hardware, symbols, program, test, look for causes. */
+export const views: View[] = [
+  {
+    id: 'projects',
+    title: ['Projekt', 'Project'],
+    component: Projects,
+    help: [
+      'Beispiele öffnen, ein neues Projekt anlegen, Bausteine laden, vergleichen und zurückholen.',
+      'Open examples, create a project, load, compare and upload blocks.',
+    ],
+  },
+  {
+    id: 'hardware',
+    title: ['Hardware', 'Hardware'],
+    component: Hardware,
+    help: [
+      'Der Aufbau als Bild: Baugruppen, Adressen, Klemmen, Eigenschaften; Störungen werden hier gesteckt.',
+      'The rack as a picture: modules, addresses, terminals, properties; faults are made here.',
+    ],
+  },
+  {
+    id: 'symbols',
+    title: ['Symbole', 'Symbols'],
+    component: Symbols,
+    help: [
+      'Die Symboltabelle: Symbol, Operand, Datentyp, Kommentar; jedes Symbol nur einmal.',
+      'The symbol table: symbol, operand, data type, comment; each symbol only once.',
+    ],
+  },
+  {
+    id: 'program',
+    title: ['Programm', 'Program'],
+    component: Program,
+    help: [
+      'Bausteine in AWL schreiben, prüfen, laden; Programmstatus und Haltepunkte.',
+      'Write, check and load blocks in STL; program status and breakpoints.',
+    ],
+  },
+  {
+    id: 'io',
+    title: ['E/A', 'I/O'],
+    component: InputsOutputs,
+    help: [
+      'Kacheln für Ein- und Ausgänge, Merker, Zeiten, Zähler und Datenwörter. Ein Klick auf ein Bit schaltet es.',
+      'Tiles for inputs, outputs, flags, timers, counters and data words. A click on a bit toggles it.',
+    ],
+  },
+  {
+    id: 'variables',
+    title: ['Variablen', 'Variables'],
+    component: Variables,
+    help: [
+      'Die Variablentabelle: beobachten, steuern, forcen. Ein rotes F steht bei geforcten Operanden.',
+      'The variable table: monitor, modify, force. A red F stands beside forced operands.',
+    ],
+  },
+  {
+    id: 'process',
+    title: ['Anlage', 'Process'],
+    component: Process,
+    help: [
+      'Das Modell der Anlage, das die SPS steuert; Störungen per Klick.',
+      'The model of the plant that the PLC controls; faults by click.',
+    ],
+  },
+  {
+    id: 'trends',
+    title: ['Kurven', 'Trends'],
+    component: Trends,
+    help: ['Variablen über der Zeit, anhalten, vergrößern, exportieren.', 'Variables over time, pause, zoom, export.'],
+  },
+  {
+    id: 'diagnosis',
+    title: ['Diagnose', 'Diagnosis'],
+    component: Diagnosis,
+    help: [
+      'Diagnosepuffer, Stacks und Baugruppenzustand; „Baustein öffnen“ führt zur Ursache.',
+      'Diagnostic buffer, stacks and module information; “open block” leads to the cause.',
+    ],
+  },
+];

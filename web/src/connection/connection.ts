@@ -1,0 +1,161 @@
+import { ConnectionLost, Refused, type Fields, type Problem } from './protocol';
+
+export type Phase = 'connecting' | 'open' | 'lost';
+type Handler = (message: Fields) => void;
+
+interface Waiting {
+  resolve(result: unknown): void;
+  reject(reason: Error): void;
+}
+
+/** What the server is to send as long as the page wants it: asked again after each reconnect. */
+export interface Kept {
+  update(fields: Fields): void;
+  drop(): void;
+}
+
+interface KeptRequest {
+  method: string;
+  fields: Fields;
+  onResult: ((result: any) => void) | undefined;
+  onProblems: ((problems: Problem[]) => void) | undefined;
+}
+
+/** The part of a WebSocket that the connection uses; tests bring their own. */
+export interface Socket {
+  onopen: (() => void) | null;
+  onmessage: ((event: { data: unknown }) => void) | null;
+  onclose: (() => void) | null;
+  send(text: string): void;
+  close(): void;
+}
+
+const FIRST_RETRY_MS = 250;
+const LONGEST_RETRY_MS = 4000;
+
+/** Questions with promised answers, events, and a connection that comes back by itself. */
+export class Connection {
+  phase: Phase = 'connecting';
+  onPhase: (phase: Phase) => void = () => {};
+
+  private socket: Socket | null = null;
+  private nextId = 1;
+  private readonly waiting = new Map<number, Waiting>();
+  private readonly handlers = new Map<string, Set<Handler>>();
+  private readonly kept = new Set<KeptRequest>();
+  private retryMs = FIRST_RETRY_MS;
+  private timer: ReturnType<typeof setTimeout> | undefined;
+  private closed = false;
+
+  constructor(private readonly open: () => Socket) {}
+
+  start(): void {
+    const socket = this.open();
+    this.socket = socket;
+    socket.onopen = () => this.opened();
+    socket.onmessage = (event) => this.received(String(event.data));
+    socket.onclose = () => this.lost();
+  }
+
+  /** Tries again at once, for an impatient user. */
+  retry(): void {
+    if (this.phase !== 'lost') return;
+    clearTimeout(this.timer);
+    this.retryMs = FIRST_RETRY_MS;
+    this.start();
+  }
+
+  close(): void {
+    this.closed = true;
+    clearTimeout(this.timer);
+    this.socket?.close();
+  }
+
+  /** Asks and promises the result; rejects with Refused (problems of the server) or ConnectionLost. */
+  ask<T = unknown>(method: string, fields: Fields = {}): Promise<T> {
+    const socket = this.socket;
+    if (this.phase !== 'open' || !socket) return Promise.reject(new ConnectionLost());
+    const id = this.nextId++;
+    return new Promise<T>((resolve, reject) => {
+      this.waiting.set(id, { resolve: resolve as (result: unknown) => void, reject });
+      socket.send(JSON.stringify({ ...fields, id, do: method }));
+    });
+  }
+
+  /** Calls the handler at each event of this name; the result ends that. */
+  on(event: string, handler: Handler): () => void {
+    const handlers = this.handlers.get(event) ?? new Set();
+    this.handlers.set(event, handlers.add(handler));
+    return () => handlers.delete(handler);
+  }
+
+  /** A subscription: sent now and after each reconnect until it is dropped. */
+  keep(
+    method: string,
+    fields: Fields,
+    onResult?: (result: any) => void,
+    dropMethod?: string,
+    dropFields: Fields = {},
+    onProblems?: (problems: Problem[]) => void,
+  ): Kept {
+    const request: KeptRequest = { method, fields, onResult, onProblems };
+    this.kept.add(request);
+    this.send(request);
+    return {
+      update: (changed) => {
+        request.fields = changed;
+        this.send(request);
+      },
+      drop: () => {
+        this.kept.delete(request);
+        if (dropMethod) this.ask(dropMethod, dropFields).catch(() => {});
+      },
+    };
+  }
+
+  private send(request: KeptRequest): void {
+    this.ask(request.method, request.fields).then(
+      (result) => this.kept.has(request) && request.onResult?.(result),
+      (error: Error) => error instanceof Refused && request.onProblems?.(error.problems),
+    );
+  }
+
+  private opened(): void {
+    this.retryMs = FIRST_RETRY_MS;
+    this.show('open');
+    for (const request of this.kept) this.send(request);
+  }
+
+  private lost(): void {
+    this.socket = null;
+    const waiting = [...this.waiting.values()];
+    this.waiting.clear();
+    this.show('lost');
+    for (const one of waiting) one.reject(new ConnectionLost());
+    if (this.closed) return;
+    this.timer = setTimeout(() => this.start(), this.retryMs);
+    this.retryMs = Math.min(this.retryMs * 2, LONGEST_RETRY_MS);
+  }
+
+  private received(text: string): void {
+    const message = JSON.parse(text) as Fields;
+    if (typeof message.event === 'string') {
+      for (const handler of this.handlers.get(message.event) ?? []) handler(message);
+    } else {
+      this.answered(message);
+    }
+  }
+
+  private answered(message: Fields): void {
+    const waiting = this.waiting.get(Number(message.id));
+    this.waiting.delete(Number(message.id));
+    // `program.check` has problems inside its result; only an answer without result is a refusal.
+    if ('result' in message) waiting?.resolve(message.result);
+    else waiting?.reject(new Refused((message.problems as Problem[] | undefined) ?? []));
+  }
+
+  private show(phase: Phase): void {
+    this.phase = phase;
+    this.onPhase(phase);
+  }
+}

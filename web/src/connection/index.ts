@@ -1,0 +1,17 @@
+import { Connection, type Socket } from './connection';
+
+export { Connection, type Kept, type Phase } from './connection';
+export { ConnectionLost, Refused, type Fields, type Problem } from './protocol';
+
+/** The WebSocket beside the page; a token in the page's address goes along. */
+export function socketAddress(page: string): string {
+  const address = new URL('ws', page);
+  address.protocol = address.protocol === 'https:' ? 'wss:' : 'ws:';
+  const token = new URL(page).searchParams.get('token');
+  address.search = token ? `?token=${encodeURIComponent(token)}` : '';
+  address.hash = '';
+  return address.href;
+}
+
+/** The one connection of this page. */
+export const connection = new Connection(() => new WebSocket(socketAddress(location.href)) as unknown as Socket);

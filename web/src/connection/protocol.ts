@@ -1,0 +1,31 @@
+// The messages of the workbench: docs/formats/workbench.md describes each. Times are nanoseconds of virtual time.
+
+export interface Problem {
+  code: string;
+  severity: 'error' | 'warning' | 'note';
+  file: string;
+  line: number;
+  column: number;
+  text: string;
+  hint?: string;
+  row?: number;
+  field?: string;
+}
+
+export type Fields = Record<string, unknown>;
+
+/** An answer of the server that names problems instead of a result. */
+export class Refused extends Error {
+  constructor(readonly problems: Problem[]) {
+    super(problems.map((problem) => problem.text).join('\n'));
+    this.name = 'Refused';
+  }
+}
+
+/** The connection was lost before the answer came. */
+export class ConnectionLost extends Error {
+  constructor() {
+    super('connection lost');
+    this.name = 'ConnectionLost';
+  }
+}

@@ -1,0 +1,15 @@
+import { language } from './language.svelte';
+
+export { language, type Language } from './language.svelte';
+
+/** German and English of one text. `{name}` stands for a value. */
+export type Text = readonly [german: string, english: string];
+export type Texts = Record<string, Text>;
+
+/** The function that a view takes its words from: t('key', {name: value}). Follows the language switch. */
+export function translator<T extends Texts>(texts: T) {
+  return (key: keyof T & string, values: Record<string, string | number> = {}): string => {
+    const text = texts[key]![language.value === 'de' ? 0 : 1];
+    return text.replace(/\{(\w+)\}/g, (whole, name: string) => String(values[name] ?? whole));
+  };
+}

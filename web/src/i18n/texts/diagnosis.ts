@@ -1,0 +1,5 @@
+import type { Texts } from '..';
+
+export const diagnosis = {
+  title: ['Diagnose', 'Diagnosis'],
+} satisfies Texts;

@@ -1,0 +1,5 @@
+import type { Texts } from '..';
+
+export const hardware = {
+  title: ['Hardware', 'Hardware'],
+} satisfies Texts;

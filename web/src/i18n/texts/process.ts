@@ -1,0 +1,5 @@
+import type { Texts } from '..';
+
+export const process = {
+  title: ['Anlage', 'Process'],
+} satisfies Texts;

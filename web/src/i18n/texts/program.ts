@@ -1,0 +1,5 @@
+import type { Texts } from '..';
+
+export const program = {
+  title: ['Programm', 'Program'],
+} satisfies Texts;

@@ -1,0 +1,5 @@
+import type { Texts } from '..';
+
+export const projects = {
+  title: ['Projekt', 'Project'],
+} satisfies Texts;

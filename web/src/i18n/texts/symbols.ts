@@ -1,0 +1,5 @@
+import type { Texts } from '..';
+
+export const symbols = {
+  title: ['Symbole', 'Symbols'],
+} satisfies Texts;

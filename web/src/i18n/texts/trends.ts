@@ -1,0 +1,5 @@
+import type { Texts } from '..';
+
+export const trends = {
+  title: ['Kurven', 'Trends'],
+} satisfies Texts;

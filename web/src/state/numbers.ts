@@ -1,0 +1,13 @@
+/** Virtual time as h:mm:ss.mmm, from nanoseconds. */
+export function duration(ns: number): string {
+  const ms = Math.floor(ns / 1e6);
+  const two = (value: number) => String(value).padStart(2, '0');
+  const seconds = Math.floor(ms / 1000);
+  const clock = `${Math.floor(seconds / 3600)}:${two(Math.floor(seconds / 60) % 60)}:${two(seconds % 60)}`;
+  return `${clock}.${String(ms % 1000).padStart(3, '0')}`;
+}
+
+/** Milliseconds of a cycle with as many digits as carry meaning. */
+export function milliseconds(ms: number): string {
+  return ms < 10 ? ms.toFixed(2) : ms < 100 ? ms.toFixed(1) : ms.toFixed(0);
+}

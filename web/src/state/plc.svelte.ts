@@ -1,0 +1,60 @@
+import { connection, type Fields, type Phase } from '../connection';
+
+export type Mode = 'RUN' | 'STOP' | 'STARTUP' | 'HALT';
+export type SwitchPosition = 'RUN-P' | 'RUN' | 'STOP' | 'MRES';
+export type Led = 'off' | 'on' | 'slow' | 'fast';
+export const LEDS = ['SF', 'BF', 'DC5V', 'FRCE', 'RUN', 'STOP'] as const;
+export type LedName = (typeof LEDS)[number];
+
+export interface Project {
+  name: string;
+  folder: string;
+  family: 'S7' | 'S5';
+  model: string;
+  example: boolean;
+  changed: string[];
+}
+
+/** What the server pushes to everybody. Reading a field in a component makes the component follow it. */
+export class Plc {
+  project = $state<Project | null>(null);
+  mode = $state<Mode>('STOP');
+  powered = $state(true);
+  switch = $state<SwitchPosition>('STOP');
+  leds = $state<Record<LedName, Led>>({ SF: 'off', BF: 'off', DC5V: 'off', FRCE: 'off', RUN: 'off', STOP: 'off' });
+  stopReason = $state('');
+  time = $state(0);
+  clock = $state('');
+  cycles = $state(0);
+  cycle = $state({ last: 0, min: 0, max: 0 });
+  pace = $state<{ mode: 'real' | 'fast' | 'pause'; factor: number }>({ mode: 'real', factor: 1 });
+  reached = $state(1);
+  engine = $state<'interpreter' | 'jit'>('interpreter');
+  forces = $state<{ operand: string; value: string }[]>([]);
+  breakpoint = $state<{ file: string; line: number; block: string; why: string } | null>(null);
+  diagnostics = $state(0);
+  program = $state(0);
+  files = $state(0);
+
+  /** False until the first state came, and while the connection is lost: everything shown is old then. */
+  live = $state(false);
+  phase = $state<Phase>('connecting');
+
+  /** Takes over the fields that changed. */
+  receive(message: Fields): void {
+    for (const [name, value] of Object.entries(message)) {
+      if (name !== 'event' && name in this) (this as unknown as Fields)[name] = value;
+    }
+    this.live = true;
+  }
+}
+
+export const plc = new Plc();
+
+export function followPlc(): void {
+  connection.on('state', (message) => plc.receive(message));
+  connection.onPhase = (phase) => {
+    plc.phase = phase;
+    if (phase !== 'open') plc.live = false;
+  };
+}

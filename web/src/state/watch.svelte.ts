@@ -1,0 +1,78 @@
+import { connection, type Fields, type Kept, type Problem } from '../connection';
+
+export interface WatchItem {
+  operand: string;
+  format?: string;
+}
+
+export interface Watched {
+  operand: string;
+  symbol: string;
+  comment: string;
+  type: string;
+  bits: number;
+  format: string;
+  problem?: Problem;
+  /** As the server prints it in the item's format; "?" while unknown. */
+  text: string;
+  /** The value as a number: unsigned bits, REAL as a number; null while unknown. */
+  raw: number | null;
+}
+
+const lists = new Map<number, WatchList>();
+let nextList = 1;
+connection.on('values', (message) => lists.get(Number(message.list))?.receive(message));
+
+/** Values of operands that the server keeps up to date. `set` may be called at any time; `drop` when the view goes. */
+export class WatchList {
+  /** One entry per item, in the order of the items. */
+  items = $state<Watched[]>([]);
+  private readonly list = nextList++;
+  private kept: Kept | null = null;
+
+  constructor(private readonly everyMs = 33) {
+    lists.set(this.list, this);
+  }
+
+  set(items: WatchItem[]): void {
+    const wanted = items.map(({ operand, format }) => ({ operand, format: format ?? 'AUTO' }));
+    this.items = wanted.map(
+      (item, index): Watched =>
+        this.items[index]?.operand === item.operand ? { ...this.items[index], format: item.format } : unknown(item),
+    );
+    const fields = { list: this.list, items: wanted, everyMs: this.everyMs };
+    if (this.kept) this.kept.update(fields);
+    else
+      this.kept = connection.keep('watch.set', fields, (result) => this.described(result), 'watch.drop', {
+        list: this.list,
+      });
+  }
+
+  drop(): void {
+    this.kept?.drop();
+    this.kept = null;
+    lists.delete(this.list);
+  }
+
+  receive(message: Fields): void {
+    for (const [index, text, raw] of message.values as [number, string, number | null][]) {
+      const item = this.items[index];
+      if (!item) continue;
+      item.text = text;
+      item.raw = raw;
+    }
+  }
+
+  private described(result: { items: Partial<Watched>[] }): void {
+    result.items.forEach((described, index) => {
+      const item = this.items[index];
+      if (!item) return;
+      const { operand: _, ...rest } = described;
+      Object.assign(item, { problem: undefined }, rest);
+    });
+  }
+}
+
+function unknown(item: { operand: string; format: string }): Watched {
+  return { ...item, symbol: '', comment: '', type: '', bits: 0, text: '?', raw: null };
+}
