@@ -22,7 +22,8 @@ struct Instructions {
 };
 
 struct Options {
-  // For tests of the tests: the code of this operation gives a wrong result.
+  // For tests of the tests: the code of this operation gives a wrong result, or is missing if it
+  // has none.
   std::optional<icode::Opcode> broken{};
 };
 

@@ -33,12 +33,19 @@ bool RegionCode::write(std::uint32_t next) {
     noteClean(current_);
     if (!op.needed || op.code == Opcode::Constant) continue;
     places_.begin(current_);
-    (this->*emitter(op.code))(op);
+    const bool broken = unit_.options.broken == op.code;
+    if (!broken || icode::info(op.code).result != icode::Result::Nothing)
+      (this->*emitter(op.code))(op);
     places_.releaseDying();
-    if (unit_.options.broken == op.code && places_.spot(current_).kind == Spot::Kind::Register)
-      code_.xor_(kPlaces[places_.spot(current_).number].r32(), 1);
+    if (broken) spoil(places_.spot(current_));
   }
   return !places_.failed();
+}
+
+// The lowest bit is wrong.
+void RegionCode::spoil(const Spot& spot) {
+  if (spot.kind == Spot::Kind::Register) code_.xor_(kPlaces[spot.number], 1);
+  if (spot.kind == Spot::Kind::Slot) code_.xor_(slot(spot.number), 1);
 }
 
 // Bits that come as 0 or 1 need no mask when they are written.

@@ -43,6 +43,7 @@ class RegionCode {
 #undef ICODE
 
   void entry();
+  void spoil(const Spot& spot);  // Options::broken
   void need(const host::Mem& limit, std::uint32_t bytes);
   host::Mem place(const icode::Op& op, unsigned bytes);
   void binary(const icode::Op& op, std::uint32_t instruction);

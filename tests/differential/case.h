@@ -23,14 +23,8 @@ std::string toText(const Case& c);
 std::optional<Case> fromText(const std::string& text);
 std::string listing(const Case& c);
 
-struct Engine {
-  bool compiled = true;
-  std::optional<icode::Opcode> broken{};  // this emitter gives wrong code
-};
-
-// The whole state of the CPU at each stop, one text each.
-std::vector<std::string> run(const Case& c, const Engine& engine);
-// What is different, with both states; empty if nothing is.
+// Runs the case on both engines, which stop a dozen times to be compared. What is different at the
+// first stop where something is; empty if nothing is. `broken`: this emitter gives wrong code.
 std::string difference(const Case& c, std::optional<icode::Opcode> broken = {});
 // The same difference with as few instructions as possible.
 Case shrink(Case c, std::optional<icode::Opcode> broken = {});

@@ -168,7 +168,7 @@ Case randomCase(std::uint32_t seed) {
   Generator generator(seed);
   Case c;
   c.seed = seed;
-  if (generator.oneIn(8)) c.model = "generic";
+  if (generator.oneIn(8)) c.model = generator.oneIn(32) ? "generic" : "small generic";
   c.blocks[{BlockKind::OB, 1}] = generator.code(4 + generator.below(60));
   c.blocks[{BlockKind::FC, 1}] = generator.code(1 + generator.below(20));
   c.blocks[{BlockKind::FB, 2}] = generator.code(1 + generator.below(12));
@@ -181,7 +181,7 @@ Case rowCase(std::size_t row, std::uint32_t seed) {
   Generator generator(seed);
   Case c;
   c.seed = seed;
-  if (generator.oneIn(4)) c.model = "generic";
+  if (generator.oneIn(4)) c.model = "small generic";
   std::vector<std::uint8_t>& code = c.blocks[{BlockKind::OB, 1}];
   (void)mc7::encode({Operation::OPEN, mc7::blockOperand(BlockKind::DB, 1)}, code);
   (void)mc7::encode({Operation::OPEN, mc7::blockOperand(BlockKind::DB, 2, true)}, code);

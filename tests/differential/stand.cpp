@@ -1,0 +1,43 @@
+#include "stand.h"
+
+#include <map>
+
+namespace merker::differential {
+namespace {
+
+// Clearing 64 KiB of each area and as many timers would take longer than the programs.
+CpuModel smallGeneric() {
+  CpuModel model = *findCpuModel("generic");
+  model.flagBytes = model.imageBytes = 512;
+  model.peripheralBytes = 1024;
+  model.localBytes = 4096;
+  model.timers = model.counters = 64;
+  return model;
+}
+
+}  // namespace
+
+const CpuModel* findModel(const std::string& name) {
+  static const CpuModel kSmallGeneric = smallGeneric();
+  return name == "small generic" ? &kSmallGeneric : findCpuModel(name);
+}
+
+Stand::Stand(const Engine& engine)
+    : model_(*findModel(engine.model)),
+      engines_(model_, engine.compiled, {.jit = {.broken = engine.broken}, .shortestEntry = 1}),
+      services_(model_) {}
+
+cpu::Cpu& Stand::load(std::shared_ptr<const block::Program> program,
+                      const CpuParameters& parameters) {
+  services_.restart();
+  cpu_.emplace(model_, engines_, services_, 0, parameters);
+  cpu_->load(std::move(program));
+  return *cpu_;
+}
+
+Stand& stand(const Engine& engine) {
+  static std::map<Engine, Stand> stands;
+  return stands.try_emplace(engine, engine).first->second;
+}
+
+}  // namespace merker::differential

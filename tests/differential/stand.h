@@ -1,0 +1,41 @@
+// A CPU with one engine, used again for one program after the other.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "block/block.h"
+#include "icode/region.h"
+#include "station/engines.h"
+#include "system/services.h"
+
+namespace merker::differential {
+
+struct Engine {
+  std::string model;
+  bool compiled = true;
+  std::optional<icode::Opcode> broken{};  // this emitter gives wrong code
+  auto operator<=>(const Engine&) const = default;
+};
+
+// Models of the catalogue, and "small generic": what random programs reach of the generic CPU.
+const CpuModel* findModel(const std::string& name);
+
+class Stand {
+ public:
+  explicit Stand(const Engine& engine);
+  // A new CPU with this program, in STOP; the one before is gone.
+  cpu::Cpu& load(std::shared_ptr<const block::Program> program, const CpuParameters& parameters);
+
+ private:
+  const CpuModel& model_;
+  station::Engines engines_;
+  system::Services services_;
+  std::optional<cpu::Cpu> cpu_;
+};
+
+// Always the same one of an engine.
+Stand& stand(const Engine& engine);
+
+}  // namespace merker::differential
