@@ -1,0 +1,106 @@
+// What may stand at the cursor (S7-EDIT-17): instructions at the beginning of a statement, then symbols, local variables,
+// blocks or labels, as the instruction takes them.
+import type { Completion, CompletionContext, CompletionResult, CompletionSource } from '@codemirror/autocomplete';
+import type { Catalogue } from './catalogue';
+import { initialState, tokenizeLine, type LexerState, type Token } from './lexer';
+import { mnemonicsOf, type Mnemonics } from './mnemonics';
+import { blockAt, outline, type BlockOutline } from './outline';
+
+const calls = /^(CALL|UC|CC|AUF|OPN)$/;
+const jumps = /^(SP[A-Z]+|J[A-Z]+|LOOP)$/;
+
+export interface Place {
+  tokens: Token[]; // of the line, up to the cursor
+  section: LexerState['section'];
+  parameters: boolean;
+}
+
+/** The lexer's view of the cursor: what stands before it in the line, and where that line is. */
+export function placeOf(text: string, offset: number): Place {
+  const lines = text.slice(0, offset).split('\n');
+  const state = initialState();
+  const tokens = lines.map((line) => tokenizeLine(line, state)).at(-1) ?? [];
+  return { tokens: sinceSemicolon(tokens), section: state.section, parameters: state.parameters };
+}
+
+function sinceSemicolon(tokens: Token[]): Token[] {
+  return tokens.slice(tokens.map((token) => token.text).lastIndexOf(';') + 1);
+}
+
+const symbolOptions = (catalogue: Catalogue): Completion[] =>
+  catalogue.symbols.map((symbol) => ({
+    label: `"${symbol.name}"`,
+    detail: `${symbol.operand}  ${symbol.type}`,
+    info: symbol.comment || undefined,
+    type: 'symbol',
+  }));
+
+const localOptions = (block: BlockOutline | undefined): Completion[] =>
+  (block?.declarations ?? [])
+    .filter((row) => row.depth === 0)
+    .map((row) => ({
+      label: `#${row.name}`,
+      detail: `${row.declaration}  ${row.type}`,
+      info: row.comment || undefined,
+      type: 'local',
+    }));
+
+const blockOptions = (catalogue: Catalogue): Completion[] =>
+  catalogue.blocks.map((block) => ({ label: block.id, detail: block.symbol || block.title, type: 'block' }));
+
+const labelOptions = (block: BlockOutline | undefined): Completion[] =>
+  (block?.labels ?? []).map((label) => ({ label, type: 'label' }));
+
+const instructionOptions = (catalogue: Catalogue, mnemonics: Mnemonics): Completion[] =>
+  catalogue.mnemonics[mnemonics].map(([word, operands, meaning]) => ({
+    label: word,
+    detail: operands,
+    info: meaning,
+    type: 'instruction',
+  }));
+
+const keywords = [
+  'NETWORK',
+  'TITLE =',
+  'BEGIN',
+  'VAR_INPUT',
+  'VAR_OUTPUT',
+  'VAR_IN_OUT',
+  'VAR',
+  'VAR_TEMP',
+  'END_VAR',
+  'ORGANIZATION_BLOCK',
+  'FUNCTION',
+  'FUNCTION_BLOCK',
+  'DATA_BLOCK',
+  'END_ORGANIZATION_BLOCK',
+  'END_FUNCTION',
+  'END_FUNCTION_BLOCK',
+  'END_DATA_BLOCK',
+].map((label): Completion => ({ label, type: 'keyword' }));
+
+/** All that fits at `offset` of `text`; `word` is what has been typed of it. */
+export function optionsAt(text: string, offset: number, word: string, catalogue: Catalogue): Completion[] {
+  const place = placeOf(text, offset - word.length);
+  const block = blockAt(outline(text), text.slice(0, offset).split('\n').length);
+  if (place.section !== 'code') return keywords;
+  const first = place.tokens.find((token) => token.kind === 'instruction')?.text.toUpperCase() ?? '';
+  if (!first && !place.parameters)
+    return [...instructionOptions(catalogue, mnemonicsOf(text)), ...keywords.slice(0, 2)];
+  if (jumps.test(first)) return labelOptions(block);
+  const operands = [...localOptions(block), ...symbolOptions(catalogue)];
+  return calls.test(first) ? [...blockOptions(catalogue), ...operands] : operands;
+}
+
+/** The word before the cursor: a symbol with its blanks, a local variable, an instruction. */
+export const typedWord = /(?:"[^"\n]*|#[\w.]*|[A-Za-z_][\w]*|[=<>+*/-]+[A-Z]?)$/;
+
+export function completionSource(catalogue: () => Catalogue): CompletionSource {
+  return (context: CompletionContext): CompletionResult | null => {
+    const word = context.matchBefore(typedWord)?.text ?? '';
+    const inCode = /^["#]/.test(word) || word.length > 0;
+    if (!inCode && !context.explicit) return null;
+    const options = optionsAt(context.state.doc.toString(), context.pos, word, catalogue());
+    return { from: context.pos - word.length, options, validFor: /^"[^"\n]*"?$|^#[\w.]*$|^[\w=<>+*/-]*$/ };
+  };
+}

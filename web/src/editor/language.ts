@@ -1,0 +1,61 @@
+// AWL for CodeMirror: the lexer of this folder as a stream language, and its colours.
+import {
+  HighlightStyle,
+  LanguageSupport,
+  StreamLanguage,
+  syntaxHighlighting,
+  type StringStream,
+} from '@codemirror/language';
+import { tags, type Tag } from '@lezer/highlight';
+import { initialState, next, startLine, type LexerState, type TokenKind } from './lexer';
+
+const tagOf: Record<Exclude<TokenKind, 'space'>, Tag> = {
+  comment: tags.comment,
+  keyword: tags.keyword,
+  text: tags.docString,
+  instruction: tags.operatorKeyword,
+  label: tags.labelName,
+  operand: tags.atom,
+  symbol: tags.variableName,
+  local: tags.local(tags.variableName),
+  number: tags.number,
+  string: tags.string,
+  type: tags.typeName,
+  name: tags.propertyName,
+  punctuation: tags.punctuation,
+};
+
+function token(stream: StringStream, state: LexerState): string | null {
+  if (stream.sol()) startLine(state);
+  const { length, kind } = next(stream.string.slice(stream.pos), state);
+  stream.pos += Math.max(1, length);
+  return kind === 'space' ? null : kind;
+}
+
+export const awl = StreamLanguage.define<LexerState>({
+  name: 'awl',
+  startState: initialState,
+  copyState: (state) => ({ ...state }),
+  token,
+  tokenTable: tagOf,
+  languageData: {
+    commentTokens: { line: '//', block: { open: '(*', close: '*)' } },
+    closeBrackets: { brackets: ['"', "'"] },
+  },
+});
+
+// Instructions carry the weight, what they act on the colour; the rest steps back.
+const colours = HighlightStyle.define([
+  { tag: tags.comment, color: 'var(--code-comment)', fontStyle: 'italic' },
+  { tag: tags.keyword, color: 'var(--code-keyword)' },
+  { tag: tags.docString, color: 'var(--code-title)', fontWeight: '600' },
+  { tag: tags.operatorKeyword, color: 'var(--code-instruction)', fontWeight: '600' },
+  { tag: tags.labelName, color: 'var(--code-label)', fontWeight: '600' },
+  { tag: tags.atom, color: 'var(--code-operand)' },
+  { tag: [tags.variableName, tags.local(tags.variableName)], color: 'var(--code-symbol)' },
+  { tag: [tags.number, tags.string], color: 'var(--code-number)' },
+  { tag: tags.typeName, color: 'var(--code-keyword)' },
+  { tag: tags.punctuation, color: 'var(--code-comment)' },
+]);
+
+export const awlSupport = (): LanguageSupport => new LanguageSupport(awl, [syntaxHighlighting(colours)]);

@@ -1,0 +1,110 @@
+// Program status beside the text (S7-EDIT-21): what the CPU had after each statement, as columns at the right edge.
+import { Facet, StateEffect, StateField, type Extension } from '@codemirror/state';
+import { EditorView, gutter, GutterMarker, showPanel, type Panel } from '@codemirror/view';
+
+export interface StatusColumn {
+  id: string;
+  title: string;
+  width: number; // characters
+}
+
+/** In the order of the rows of a status event, behind the line number. */
+export const statusColumns: readonly StatusColumn[] = [
+  { id: 'vke', title: 'VKE', width: 4 },
+  { id: 'sta', title: 'STA', width: 4 },
+  { id: 'or', title: 'OR', width: 3 },
+  { id: 'akku1', title: 'AKKU 1', width: 12 },
+  { id: 'akku2', title: 'AKKU 2', width: 12 },
+  { id: 'ar1', title: 'AR1', width: 11 },
+  { id: 'ar2', title: 'AR2', width: 11 },
+  { id: 'stw', title: 'STW', width: 11 },
+  { id: 'db', title: 'DB', width: 6 },
+  { id: 'di', title: 'DI', width: 6 },
+];
+export const standardColumns = ['vke', 'sta', 'akku1'];
+
+export type StatusRow = [line: number, ...values: (string | number)[]];
+type StatusLines = ReadonlyMap<number, readonly string[]>;
+
+/** null: no status is shown; an empty list: shown, but the block does not run. */
+export const setStatus = StateEffect.define<readonly StatusRow[] | null>();
+
+export const statusField = StateField.define<StatusLines | null>({
+  create: () => null,
+  update: (value, transaction) => {
+    for (const effect of transaction.effects)
+      if (effect.is(setStatus))
+        value = effect.value && new Map(effect.value.map(([line, ...values]) => [line, values.map(String)]));
+    return value;
+  },
+});
+
+export const shownColumns = Facet.define<readonly string[], readonly string[]>({
+  combine: (values) => values[0] ?? standardColumns,
+});
+
+class StatusMarker extends GutterMarker {
+  constructor(readonly cells: readonly { text: string; column: StatusColumn }[]) {
+    super();
+  }
+  override eq(other: StatusMarker): boolean {
+    return (
+      this.cells.length === other.cells.length &&
+      this.cells.every(
+        (cell, index) => cell.text === other.cells[index]!.text && cell.column === other.cells[index]!.column,
+      )
+    );
+  }
+  override toDOM(): HTMLElement {
+    return row(this.cells);
+  }
+}
+
+function row(cells: readonly { text: string; column: StatusColumn }[]): HTMLElement {
+  const element = document.createElement('div');
+  element.className = 'cm-status-row';
+  for (const { text, column } of cells) {
+    const cell = element.appendChild(document.createElement('span'));
+    cell.className = `cm-status-cell cm-status-${column.id}${text === '1' ? ' cm-status-one' : ''}`;
+    cell.style.width = `${column.width}ch`;
+    cell.textContent = text;
+  }
+  return element;
+}
+
+const chosen = (columns: readonly string[]): { column: StatusColumn; index: number }[] =>
+  statusColumns.map((column, index) => ({ column, index })).filter(({ column }) => columns.includes(column.id));
+
+const columnsOf = (view: EditorView) => chosen(view.state.facet(shownColumns));
+
+const statusGutter = gutter({
+  class: 'cm-status-gutter',
+  side: 'after',
+  lineMarker: (view, block) => {
+    const values = view.state.field(statusField)?.get(view.state.doc.lineAt(block.from).number);
+    return values
+      ? new StatusMarker(columnsOf(view).map(({ column, index }) => ({ text: values[index] ?? '', column })))
+      : null;
+  },
+  lineMarkerChange: (update) =>
+    update.startState.field(statusField) !== update.state.field(statusField) ||
+    update.startState.facet(shownColumns) !== update.state.facet(shownColumns),
+  initialSpacer: (view) => new StatusMarker(columnsOf(view).map(({ column }) => ({ text: '', column }))),
+});
+
+// The heads of the columns, in line with them whatever the scroll bar takes.
+function header(view: EditorView): Panel {
+  const dom = document.createElement('div');
+  dom.className = 'cm-status-head';
+  dom.appendChild(row(columnsOf(view).map(({ column }) => ({ text: column.title, column }))));
+  const place = (): void => {
+    dom.style.paddingRight = `${view.scrollDOM.offsetWidth - view.scrollDOM.clientWidth}px`;
+  };
+  return { dom, top: true, mount: place, update: (update) => update.geometryChanged && place() };
+}
+
+export const statusDisplay = (columns: readonly string[]): Extension => [
+  shownColumns.of(columns),
+  statusGutter,
+  showPanel.of(header),
+];
