@@ -80,6 +80,13 @@ constexpr ModuleType paired(ModuleType type) {
   return type;
 }
 
+// Nothing can be written to it; SFB 47 to 49 work on its channels (technology manual 5.4, 5.8.3).
+constexpr ModuleType counting() {
+  ModuleType type = other("", "", "Count", Kind::Counting, 0);
+  type.diagnosticInterrupt = true;
+  return type;
+}
+
 constexpr ModuleType position() {
   ModuleType type = other("6ES7 338-4BC01-0AB0", "SM 338", "POS-INPUT 3xSSI", Kind::Position, 160);
   type.outputBytes = 0;  // S7-HW-07
@@ -180,7 +187,7 @@ constexpr std::array kOnBoard{
     settable(digital("", "", "DI16/DO16", 16, 16, 0, kDc, kDirect), kDelaysOnBoard, 0xFFFF, 1),
     settable(digital("", "", "DI10/DO6", 10, 6, 0, kDc, kDirect), kDelaysOnBoard, 0x3FF, 1),
     compactAnalog(),
-    other("", "", "Count", Kind::Counting, 0),
+    counting(),
     other("", "", "Position", Kind::Positioning, 0)};
 
 }  // namespace

@@ -106,6 +106,9 @@ class Cpu {
 
   // events from outside the program
   void moduleEvent(const ModuleEvent& event);
+  void aboutToReadInputs() {
+    if (periphery_ != nullptr) periphery_->reading(*this);
+  }
   // An asynchronous error (OB 80 to 87): entered, then its OB is asked for or the CPU stops
   // (S7-ERR-01). `start` as its OB will see it.
   void asynchronousError(const StartInformation& start, std::string_view detail = {});
@@ -206,6 +209,7 @@ class Cpu {
   bool runsOrWaits(std::uint8_t ob) const;
   // module_events.cpp
   void hardwareInterrupt(const ModuleEvent& event);
+  void acknowledge(std::uint32_t address);
   void hardwareInterruptEnded(const StartInformation& start);
   void storeHardwareInterrupt(const ModuleEvent& event, const StartInformation& start);
   // restart.cpp

@@ -22,6 +22,7 @@ void Cpu::updateImages() {
   applyForces();
   areas.writeOutputs();
   outputsWritten(0, areas.imageBytes);
+  aboutToReadInputs();
   areas.readInputs();
   imageErrors();
   reached(CyclePoint::Begin);

@@ -18,6 +18,13 @@ class Periphery {
   virtual Instant next() const = 0;
   // Brings Areas::inputs to `now` and hands events to Cpu::moduleEvent.
   virtual void advance(Cpu& cpu, Instant now) = 0;
+  // Areas::inputs are about to be read, by the process image or the program (L PEx): what modules
+  // work out only when asked.
+  virtual void reading(Cpu& /*cpu*/) {}
+  // OB 40 of the module at this address has ended, or does not come.
+  virtual void acknowledged(Cpu& /*cpu*/, std::uint32_t /*address*/) {}
+  // The operating state is another one now.
+  virtual void modeChanged(Cpu& /*cpu*/) {}
   // The program (T PAx) or the process image wrote outputs.first .. first + count - 1.
   virtual void written(Cpu& cpu, std::uint32_t first, std::uint32_t count) = 0;
   // The CPU's line "output disable": on in STOP, STARTUP and HALT. Modules then put out 0 or their

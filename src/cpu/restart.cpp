@@ -131,6 +131,7 @@ StartInformation Cpu::startupInformation(Restart how) const {
 void Cpu::change(Mode to) {
   assert(isTransition(mode_, to));
   mode_ = to;
+  if (periphery_ != nullptr) periphery_->modeChanged(*this);
 }
 
 void Cpu::standStill() {

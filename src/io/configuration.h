@@ -13,6 +13,7 @@
 #include "catalogue/measuring_range.h"
 #include "catalogue/module_type.h"
 #include "clock/instant.h"
+#include "io/count_channel.h"
 
 namespace merker::io {
 
@@ -38,6 +39,8 @@ struct Parameters {
   std::uint32_t substituteBits = 0;  // digital outputs
   std::array<AnalogInput, 8> analogInputs;
   std::array<AnalogOutput, 8> analogOutputs;
+  bool hardwareInterrupt = false;  // sub-module 2.4: interrupt selection "process" (CNT-PARAM-02)
+  std::array<CountChannel, 4> counters;
 
   static Parameters of(const ModuleType& type);  // as HW Konfig places the module
 };

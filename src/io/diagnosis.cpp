@@ -8,12 +8,12 @@ namespace {
 
 // byte 0
 constexpr std::uint8_t kModuleDefect = 1, kInternal = 2, kExternal = 4, kChannel = 8,
-                       kExternalVoltage = 16;
+                       kExternalVoltage = 16, kParameters = 128;
 // byte 1: module class, and that channel information follows
 constexpr std::uint8_t kAnalogClass = 0x05, kFunctionClass = 0x08, kCommunicationClass = 0x0C,
                        kDigitalClass = 0x0F, kChannelInformation = 0x10;
 // byte 3
-constexpr std::uint8_t kConverter = 0x10, kFuse = 0x20;
+constexpr std::uint8_t kConverter = 0x10, kFuse = 0x20, kInterruptLost = 0x40;
 
 std::uint8_t classOf(const ModuleType& type) {
   switch (type.kind) {
@@ -103,6 +103,12 @@ std::vector<std::uint8_t> diagnosis(const ModuleType& type, const Unit& unit) {
   if (unit.has(FaultKind::Fuse)) {
     record[0] |= kModuleDefect | kExternal;
     record[3] |= kFuse;
+  }
+  // technology manual 5.8.3 (CNT-DIAG-03, -04)
+  if (unit.has(FaultKind::ParameterError)) record[0] |= kModuleDefect | kParameters;
+  if (unit.has(FaultKind::InterruptLost)) {
+    record[0] |= kModuleDefect;
+    record[3] |= kInterruptLost;
   }
   return record;
 }

@@ -6,9 +6,23 @@ namespace merker::io {
 // A level that lasts for the input delay passes; one that returns before is not seen
 // (S7-HWCFG-09).
 void Rack::setLevel(Terminal terminal, bool level, Instant now) {
+  if (terminal.side != Side::DigitalInput) return;
+  detach(terminal, now);
+  if (this->level(terminal) == level) return;
+  noteEdge(terminal, level, now, nullptr);
+  change(terminal, level, now);
+}
+
+void Rack::noteEdge(Terminal terminal, bool level, Instant now,
+                    std::shared_ptr<const signal::Signal> signal) {
+  if ((units_[terminal.module].watched >> terminal.channel & 1) != 0)
+    edges_.push_back({terminal, level, now, std::move(signal)});
+}
+
+void Rack::change(Terminal terminal, bool level, Instant now) {
   Unit& unit = units_[terminal.module];
   const std::uint32_t bit = 1u << terminal.channel;
-  if (terminal.side != Side::DigitalInput || ((unit.levels & bit) != 0) == level) return;
+  if (((unit.levels & bit) != 0) == level) return;
   unit.levels ^= bit;
   const bool same = ((unit.delivered & bit) != 0) == level;
   unit.levelDue[terminal.channel] =
@@ -57,6 +71,8 @@ bool Rack::outputLevel(std::uint32_t index, std::uint32_t channel) const {
   if (outputsDisabled_ && onStop == OnStop::Zero) return false;  // S7-STATE-02
   if (outputsDisabled_ && onStop == OnStop::Substitute)
     return (module.parameters.substituteBits >> channel & 1) != 0;
+  if ((unit.driven >> channel & 1) != 0)  // CNT-PIN-13
+    return !outputsDisabled_ && (unit.drivenLevels >> channel & 1) != 0;
   const auto& bytes = outputsDisabled_ ? kept_ : outputs_;
   return (bytes[*module.outputStart + channel / 8] >> (channel % 8) & 1) != 0;
 }

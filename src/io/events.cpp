@@ -101,6 +101,8 @@ void Rack::findNext() {
     next_ = std::min(next_, *std::min_element(unit.levelDue.begin(), unit.levelDue.end()));
     next_ = std::min(next_, *std::min_element(unit.amountDue.begin(), unit.amountDue.end()));
   }
+  if (signals_ == 0) return;
+  for (std::uint32_t i = 0; i < units_.size(); ++i) next_ = std::min(next_, nextChange(i));
 }
 
 // In the order of time; what falls together is one event of its module.
@@ -115,6 +117,7 @@ void Rack::advance(Instant now) {
         unit.levelDue[c] = Instant::never();
         passing |= 1u << c;
       }
+      follow(i, at);
       if (passing != 0) take(i, (unit.delivered & ~passing) | (unit.levels & passing));
       bool converted = false;
       for (std::uint32_t c = 0; c < unit.amountDue.size(); ++c) {

@@ -16,7 +16,9 @@ constexpr std::array kFaults{FaultName{"wire break", FaultKind::WireBreak, true}
                              FaultName{"fuse", FaultKind::Fuse, false},
                              FaultName{"defect", FaultKind::Defect, false},
                              FaultName{"removed", FaultKind::Removed, false},
-                             FaultName{"power", FaultKind::RackPower, false}};
+                             FaultName{"power", FaultKind::RackPower, false},
+                             FaultName{"parameter error", FaultKind::ParameterError, false},
+                             FaultName{"interrupt lost", FaultKind::InterruptLost, false}};
 
 }  // namespace
 
@@ -60,6 +62,9 @@ bool possible(const ModuleType& type, FaultKind kind) {
       return plugged;
     case FaultKind::RackPower:
       return type.kind == ModuleKind::Interface;
+    case FaultKind::ParameterError:
+    case FaultKind::InterruptLost:
+      return type.kind == ModuleKind::Counting;
   }
   return false;
 }

@@ -15,12 +15,14 @@ enum class FaultKind : std::uint8_t {
   ShortCircuit,  // outputs to M
   Overflow,      // analog inputs, by the value
   Underflow,
-  LoadVoltage,   // L+ is missing: inputs show 0 or 32767, outputs put out nothing
-  SensorSupply,  // of a digital input module
-  Fuse,          // of a digital output module
-  Defect,        // the module itself: inner fault
-  Removed,       // pulled out of the rack
-  RackPower      // an IM without supply: its rack fails
+  LoadVoltage,     // L+ is missing: inputs show 0 or 32767, outputs put out nothing
+  SensorSupply,    // of a digital input module
+  Fuse,            // of a digital output module
+  Defect,          // the module itself: inner fault
+  Removed,         // pulled out of the rack
+  RackPower,       // an IM without supply: its rack fails
+  ParameterError,  // of the sub-module 2.4: it does not work with its parameters
+  InterruptLost    // of the sub-module 2.4: a hardware interrupt came again too early
 };
 
 struct FaultName {

@@ -138,7 +138,12 @@ std::uint8_t Rack::putOut(std::uint32_t byte) const {
   return static_cast<std::uint8_t>(offset % 2 == 0 ? word >> 8 : word);
 }
 
-bool Rack::deliver(std::uint32_t byte, std::uint8_t mask, std::uint8_t value) {
+// Nothing can be written to the sub-module 2.4 (CNT-PIO-04).
+bool Rack::answersOutput(std::uint32_t byte) const {
+  return answers(outputOwner_, byte) && of(outputOwner_[byte]).type->kind != ModuleKind::Counting;
+}
+
+bool Rack::deliver(std::uint32_t byte, std::uint8_t mask, std::uint8_t value, Instant now) {
   if (!answersInput(byte)) return false;
   const std::uint32_t owner = inputOwner_[byte];
   const Module& module = of(owner);
@@ -149,9 +154,12 @@ bool Rack::deliver(std::uint32_t byte, std::uint8_t mask, std::uint8_t value) {
   Unit& unit = units_[owner];
   const std::uint32_t shift = 8 * (byte - *module.inputStart);
   const std::uint32_t bits = std::uint32_t{mask} << shift;
-  unit.levels = (unit.levels & ~bits) | (std::uint32_t{value} << shift & bits);
-  for (std::uint32_t c = 0; c < module.type->digitalInputs; ++c)
-    if ((bits >> c & 1) != 0) unit.levelDue[c] = Instant::never();
+  const std::uint32_t levels = std::uint32_t{value} << shift;
+  for (std::uint32_t c = 0; c < module.type->digitalInputs; ++c) {
+    if ((bits >> c & 1) == 0) continue;
+    setLevel({owner, Side::DigitalInput, c}, (levels >> c & 1) != 0, now);
+    unit.levelDue[c] = Instant::never();
+  }
   take(owner, (unit.delivered & ~bits) | (unit.levels & bits));
   findNext();
   return true;

@@ -4,9 +4,11 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "catalogue/module_event.h"
@@ -27,6 +29,15 @@ struct Terminal {
   bool operator==(const Terminal&) const = default;
 };
 
+// What changed at a terminal that is watched: its level, and the signal that lies there from then
+// on, if any.
+struct Edge {
+  Terminal terminal;
+  bool level = false;
+  Instant at;
+  std::shared_ptr<const signal::Signal> signal;
+};
+
 struct Bytes {
   std::uint32_t first = 0, count = 0;
 };
@@ -44,20 +55,34 @@ class Rack {
   // Plants set inputs and read outputs; both can be read.
   void setLevel(Terminal terminal, bool level, Instant now);
   bool level(Terminal terminal) const;
+  // A signal that changes by itself; a level that is set later takes its place.
+  void attach(Terminal terminal, std::shared_ptr<const signal::Signal> signal, Instant now);
+  bool hasSignals() const { return signals_ > 0; }
+  // Brings inputs with such signals to `now`: their edges are not followed unless they interrupt.
+  void settle(Instant now);
   void setAmount(Terminal terminal, double amount, Instant now);
   double amount(Terminal terminal) const;
   const MeasuringRange* range(Terminal terminal) const;  // null: digital or deactivated
 
   // What a module delivers from now on, past terminal and delay: `set E 124.0 = 1`
   // (docs/compatibility.md). Edges interrupt as ever. False if no input module lies there.
-  bool deliver(std::uint32_t byte, std::uint8_t mask, std::uint8_t value);
+  bool deliver(std::uint32_t byte, std::uint8_t mask, std::uint8_t value, Instant now);
 
   // A fault comes or goes; `channel` only for kinds that have one, none = all channels. False if
   // this module cannot have it.
   bool fault(std::uint32_t module, FaultKind kind, std::optional<std::uint32_t> channel,
              bool there);
-  bool faulty(std::uint32_t module) const;   // any: its SF lamp
+  bool faulty(std::uint32_t module) const;  // any: its SF lamp
+  bool has(std::uint32_t module, FaultKind kind) const { return units_[module].has(kind); }
   bool present(std::uint32_t module) const;  // plugged, and its rack supplied
+
+  // For channels of `technology`, beside the input delay and the output bytes: fast inputs, outputs
+  // that a channel drives, four bytes of input data each, hardware interrupts.
+  void watch(Terminal input);
+  std::vector<Edge> takeEdges() { return std::exchange(edges_, {}); }
+  void drive(Terminal output, bool level);
+  void show(std::uint32_t module, std::uint32_t channel, std::uint32_t data);
+  void interrupt(std::uint32_t module, std::uint32_t points);
 
   // time: nothing moves outside these calls
   Instant next() const { return next_; }  // when an input delay or a conversion ends
@@ -65,13 +90,13 @@ class Rack {
 
   // Whether there is something to tell the CPU: bytes, presence, events.
   bool pending() const {
-    return changedFirst_ <= changedLast_ || presenceChanged_ || !events_.empty();
+    return changedFirst_ <= changedLast_ || presenceChanged_ || !events_.empty() || !edges_.empty();
   }
 
   // towards the CPU
   const std::vector<std::uint8_t>& inputs() const { return inputs_; }  // the bytes that PE shows
   bool answersInput(std::uint32_t byte) const { return answers(inputOwner_, byte); }
-  bool answersOutput(std::uint32_t byte) const { return answers(outputOwner_, byte); }
+  bool answersOutput(std::uint32_t byte) const;
   void written(std::uint32_t first, const std::uint8_t* bytes, std::uint32_t count);
   void disableOutputs(bool disabled);
   // The supply of the station: without it no module puts out anything, whatever its parameters say.
@@ -101,6 +126,14 @@ class Rack {
   // digital.cpp
   void take(std::uint32_t index, std::uint32_t levels);  // inputs pass the delay
   void showBits(std::uint32_t index);
+  void change(Terminal terminal, bool level, Instant now);
+  void noteEdge(Terminal terminal, bool level, Instant now,
+                std::shared_ptr<const signal::Signal> signal);
+  // signals.cpp
+  void detach(Terminal terminal, Instant now);
+  bool follows(std::uint32_t index, std::uint32_t channel) const;
+  void follow(std::uint32_t index, Instant now);
+  Instant nextChange(std::uint32_t index) const;
   bool outputLevel(std::uint32_t index, std::uint32_t channel) const;
   // analog.cpp
   void convert(std::uint32_t index, std::uint32_t channel);
@@ -128,6 +161,8 @@ class Rack {
   std::uint32_t changedFirst_ = UINT32_MAX, changedLast_ = 0;
   bool presenceChanged_ = true;
   std::vector<ModuleEvent> events_;
+  std::vector<Edge> edges_;
+  std::size_t signals_ = 0;
 };
 
 }  // namespace merker::io

@@ -3,10 +3,13 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
+#include <memory>
 #include <vector>
 
 #include "clock/instant.h"
 #include "io/fault.h"
+#include "signal/signal.h"
 
 namespace merker::io {
 
@@ -23,6 +26,14 @@ struct Unit {
   // digital inputs: terminals, what the input delay has let through, when it lets the rest through
   std::uint32_t levels = 0, delivered = 0;
   std::array<Instant, 32> levelDue;
+  // Signals that are known in advance, by channel; `seen`: until when they have been looked at.
+  struct Attached {
+    std::shared_ptr<const signal::Signal> signal;
+    Instant since, seen;
+  };
+  std::map<std::uint32_t, Attached> signals;
+  std::uint32_t watched = 0;                   // whose edges `technology` wants
+  std::uint32_t driven = 0, drivenLevels = 0;  // digital outputs that it drives
   // analog inputs: terminals, what the last conversion gave, when the next one ends
   std::array<double, 8> amounts{};
   std::array<std::int16_t, 8> shown{};

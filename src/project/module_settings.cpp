@@ -126,7 +126,7 @@ void readCable(const Table& table, io::Module& module) {
 std::optional<io::Module> readModule(const Table& table, const CpuModel& model) {
   table.allow({"slot", "rack", "type", "name", "input", "output", "cable", "input_delay",
                "rising_edge", "falling_edge", "diagnostics", "range", "on_stop", "substitute",
-               "channel"});
+               "channel", "interrupts"});
   io::Module module;
   module.position = table.place();
   if (!readPlace(table, model, module)) return std::nullopt;
@@ -141,6 +141,8 @@ std::optional<io::Module> readModule(const Table& table, const CpuModel& model) 
   readCable(table, module);
   module.parameters = io::Parameters::of(*module.type);
   readParameters(table, module);
+  readInterruptSelection(table, module);
+  if (module.type->kind == ModuleKind::Counting) readCounters(table, model, module);
   return module;
 }
 

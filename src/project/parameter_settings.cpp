@@ -133,7 +133,7 @@ void readParameters(const Table& table, io::Module& module) {
   readDiagnostics(table, module);
   readRange(table, module);
   readOnStop(table, module);
-  readChannels(table, module);
+  if (module.type->kind != ModuleKind::Counting) readChannels(table, module);
 }
 
 }  // namespace merker::project

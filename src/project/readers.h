@@ -22,6 +22,9 @@ std::optional<io::Module> readModule(const Table& table, const CpuModel& model);
 void readParameters(const Table& table, io::Module& module);
 // [[module.channel]]
 void readChannels(const Table& table, io::Module& module);
+// interrupts, [[module.channel]] of the sub-module 2.4
+void readInterruptSelection(const Table& table, io::Module& module);
+void readCounters(const Table& table, const CpuModel& model, io::Module& module);
 // "±10V, 0..10V, …": the ranges of a RangeSet, for problems
 std::string rangeNames(std::uint16_t sets);
 

@@ -71,6 +71,7 @@ class Runner {
   Controller& plc_;
   Station* device_;  // null: no SIMATIC S7
   TestResult& result_;
+  Axes axes_;
   bool speaksOfState_ = false;
 };
 
@@ -146,6 +147,9 @@ bool Runner::performOnDevice(const Step& step) {
       return copyRamToRom(step);
     case StepKind::Fault:
       apply(step.fault, *device_->rack());
+      return true;
+    case StepKind::Signal:
+      simulator::apply(step.signal, axes_, *device_->rack(), plc_.now());
       return true;
     case StepKind::Terminal:
       return setTerminals(step);

@@ -12,6 +12,7 @@
 #include "clock/instant.h"
 #include "controller/controller.h"
 #include "simulator/device_steps.h"
+#include "simulator/signal_steps.h"
 #include "simulator/term.h"
 #include "simulator/terminal_steps.h"
 #include "source/source_file.h"
@@ -58,6 +59,7 @@ enum class StepKind : std::uint8_t {
   Unforce,
   Fault,
   Terminal,
+  Signal,
   Repeat
 };
 
@@ -70,6 +72,7 @@ struct Step {
   std::uint64_t count = 0;              // WaitCycles, Repeat
   Expectation expectation;
   FaultStep fault;                                                 // Fault
+  SignalStep signal;                                               // Signal
   std::vector<TerminalValue> terminals;                            // Terminal
   cpu::SwitchPosition switchPosition = cpu::SwitchPosition::RunP;  // Switch
   cpu::Trigger trigger{};                                          // Trigger

@@ -156,6 +156,11 @@ bool Parser::content(Step& step, StepWord::Rest kind, std::string_view rest) {
     case StepWord::Rest::Fault:
       return parseFault(
           rest, step.fault, [this](std::string_view text) { return at(text); }, problems_);
+    case StepWord::Rest::Pulses:
+    case StepWord::Rest::Encoder:
+      return parseSignal(
+          rest, kind == StepWord::Rest::Encoder, step.signal,
+          [this](std::string_view text) { return at(text); }, problems_);
     case StepWord::Rest::Terminals:
       return terminals(step.terminals, rest);
     case StepWord::Rest::Switch:

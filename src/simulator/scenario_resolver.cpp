@@ -25,6 +25,7 @@ void resolveSteps(std::vector<Step>& steps, const Resolver& resolver,
                   const io::Configuration* hardware, Problems& problems) {
   for (Step& step : steps) {
     if (step.kind == StepKind::Fault) resolve(step.fault, hardware, problems);
+    resolve(step.signal, hardware, problems);
     for (TerminalValue& terminal : step.terminals) resolve(terminal, hardware, problems);
     if (step.kind == StepKind::Expect && step.expectation.what == Expectation::What::Terminal)
       resolve(step.expectation.terminal, hardware, problems);

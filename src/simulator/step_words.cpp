@@ -32,12 +32,14 @@ constexpr std::array kSteps = {
     StepWord{"unforce", Rest::None, StepKind::Unforce},
     StepWord{"fault", Rest::Fault, StepKind::Fault},
     StepWord{"terminal", Rest::Terminals, StepKind::Terminal},
+    StepWord{"pulses", Rest::Pulses, StepKind::Signal},
+    StepWord{"encoder", Rest::Encoder, StepKind::Signal},
     StepWord{"repeat", Rest::Count, StepKind::Repeat},
     StepWord{"end", Rest::End, StepKind::Repeat},
     StepWord{"scenario", Rest::Scenario, StepKind::Wait},
 };
 
-constexpr std::array<std::string_view, 3> kPlantSteps = {"pulses", "encoder", "plant"};
+constexpr std::array<std::string_view, 1> kPlantSteps = {"plant"};
 
 // Takes the words of `wanted` off `line` if it begins with them.
 bool takeWords(std::string_view& line, std::string_view wanted) {

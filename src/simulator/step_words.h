@@ -18,6 +18,8 @@ struct StepWord {
     Count,
     Fault,
     Terminals,
+    Pulses,
+    Encoder,
     Switch,
     Trigger,
     End,

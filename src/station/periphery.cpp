@@ -22,13 +22,35 @@ void Periphery::connect(cpu::Cpu& cpu) {
 }
 
 // What happens outside, between two calls of the CPU, is told at its next instruction boundary.
-Instant Periphery::next() const { return rack_.pending() ? Instant{} : rack_.next(); }
+Instant Periphery::next() const {
+  return rack_.pending() ? Instant{} : std::min(rack_.next(), counting_.next());
+}
 
 void Periphery::advance(cpu::Cpu& cpu, Instant now) {
   rack_.advance(now);
+  counting_.advance(now);
   if (rack_.takePresenceChanged()) showPresence(cpu);
   showInputs(cpu);
   for (const ModuleEvent& event : rack_.takeEvents()) cpu.moduleEvent(event);
+}
+
+void Periphery::refresh(Instant now) {
+  rack_.settle(now);
+  counting_.advance(now);
+}
+
+void Periphery::reading(cpu::Cpu& cpu) {
+  refresh(cpu.machine().clock);
+  showInputs(cpu);
+  if (rack_.pending()) cpu.machine().interrupt();
+}
+
+void Periphery::acknowledged(cpu::Cpu&, std::uint32_t address) { counting_.acknowledged(address); }
+
+// CNT-GATE-10, -11
+void Periphery::modeChanged(cpu::Cpu& cpu) {
+  if (cpu.mode() == cpu::Mode::Startup) counting_.start(cpu.machine().clock);
+  if (cpu.mode() == cpu::Mode::Stop) counting_.stop();
 }
 
 void Periphery::written(cpu::Cpu& cpu, std::uint32_t first, std::uint32_t count) {
@@ -41,7 +63,8 @@ bool Periphery::deliver(cpu::Cpu& cpu, std::uint32_t first, std::uint32_t count,
                         const std::uint8_t* bytes) {
   for (std::uint32_t i = 0; i < count; ++i)
     if (!rack_.answersInput(first + i)) return false;
-  for (std::uint32_t i = 0; i < count; ++i) rack_.deliver(first + i, mask, bytes[i]);
+  for (std::uint32_t i = 0; i < count; ++i)
+    rack_.deliver(first + i, mask, bytes[i], cpu.machine().clock);
   showInputs(cpu);
   return true;
 }

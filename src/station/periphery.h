@@ -4,15 +4,22 @@
 
 #include "cpu/periphery.h"
 #include "io/rack.h"
+#include "technology/counting.h"
 
 namespace merker::station {
 
 class Periphery : public cpu::Periphery {
  public:
-  explicit Periphery(io::Configuration configuration) : rack_(std::move(configuration)) {}
+  explicit Periphery(io::Configuration configuration)
+      : rack_(std::move(configuration)), counting_(rack_) {}
+  Periphery(const Periphery&) = delete;  // `counting_` knows `rack_`
+  Periphery& operator=(const Periphery&) = delete;
 
   io::Rack& rack() { return rack_; }
   const io::Rack& rack() const { return rack_; }
+  technology::Counting& counting() { return counting_; }
+  // What is worked out only when asked, as it is at `now`.
+  void refresh(Instant now);
   // Tells the CPU which bytes answer, and becomes its periphery. It must outlive the CPU.
   void connect(cpu::Cpu& cpu);
   // A module delivers this value from now on: `set E 124.0 = 1`. False if none lies there.
@@ -21,6 +28,9 @@ class Periphery : public cpu::Periphery {
 
   Instant next() const override;
   void advance(cpu::Cpu& cpu, Instant now) override;
+  void reading(cpu::Cpu& cpu) override;
+  void acknowledged(cpu::Cpu& cpu, std::uint32_t address) override;
+  void modeChanged(cpu::Cpu& cpu) override;
   void written(cpu::Cpu& cpu, std::uint32_t first, std::uint32_t count) override;
   void disableOutputs(cpu::Cpu& cpu, bool disabled) override;
   void supply(cpu::Cpu&, bool on) override { rack_.supply(on); }
@@ -31,6 +41,7 @@ class Periphery : public cpu::Periphery {
   void showInputs(cpu::Cpu& cpu);
 
   io::Rack rack_;
+  technology::Counting counting_;
 };
 
 }  // namespace merker::station

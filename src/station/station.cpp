@@ -58,7 +58,7 @@ struct Station::Parts {
     periphery = std::make_unique<Periphery>(std::move(hardware));
     periphery->connect(cpu);
     modules = std::make_unique<Modules>(periphery->rack());
-    services.connect(modules.get());
+    services.connect(modules.get(), &periphery->counting());
   }
 
   // The start itself is the wish, whatever the switch does by its position.
@@ -206,7 +206,11 @@ bool Station::writeBytes(const mc7::Reference& reference, std::span<const std::u
   return true;
 }
 
-io::Rack* Station::rack() { return parts_->periphery ? &parts_->periphery->rack() : nullptr; }
+io::Rack* Station::rack() {
+  if (!parts_->periphery) return nullptr;
+  parts_->periphery->refresh(now());
+  return &parts_->periphery->rack();
+}
 const io::Rack* Station::rack() const {
   return parts_->periphery ? &parts_->periphery->rack() : nullptr;
 }

@@ -71,6 +71,13 @@ Arguments::Where Arguments::placeOf(std::size_t i) const {
   return {inCaller(pointerArea(pointer)), pointerAddress(pointer)};
 }
 
+bool Arguments::has(std::size_t i) {
+  const Where where = placeOf(i);
+  std::uint32_t ignored = 0;
+  return !cpu::read(call_.machine, where.area, widthOf(function_.parameters[i].type), where.address,
+                    ignored);
+}
+
 std::uint32_t Arguments::value(std::size_t i) {
   const Where where = placeOf(i);
   std::uint32_t result = 0;

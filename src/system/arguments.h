@@ -12,6 +12,7 @@
 #include "system/function.h"
 #include "system/jobs.h"
 #include "system/modules.h"
+#include "technology/counting.h"
 
 namespace merker::system {
 
@@ -33,7 +34,8 @@ struct Region {
 
 // What calls share besides the CPU.
 struct Context {
-  Modules* modules = nullptr;  // null: none
+  Modules* modules = nullptr;                // null: none
+  technology::Counting* counting = nullptr;  // null: none
   Jobs jobs;
 };
 
@@ -46,7 +48,10 @@ class Arguments {
   cpu::Cpu& cpu() { return call_.cpu; }
   cpu::Machine& machine() { return call_.machine; }
   Modules* modules() { return context_.modules; }
+  technology::Counting* counting() { return context_.counting; }
   Jobs& jobs() { return context_.jobs; }
+  // SFB: whether the instance is long enough for this parameter.
+  bool has(std::size_t i);
 
   // Elementary values by the number of the parameter in its row.
   std::uint32_t value(std::size_t i);

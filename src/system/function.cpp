@@ -1,6 +1,7 @@
 #include "system/function.h"
 
 #include <algorithm>
+#include <charconv>
 
 namespace merker::system {
 namespace {
@@ -48,13 +49,24 @@ block::Section section(std::string_view word) {
   return found->section;
 }
 
+// "16#300", "1"; nothing: 0
+std::uint32_t initialValue(std::string_view text) {
+  constexpr std::string_view kHex = "16#";
+  const bool hex = text.starts_with(kHex);
+  if (hex) text.remove_prefix(kHex.size());
+  std::uint32_t value = 0;
+  std::from_chars(text.data(), text.data() + text.size(), value, hex ? 16 : 10);
+  return value;
+}
+
 std::vector<Parameter> parametersOf(std::string_view text) {
   std::vector<Parameter> list;
   while (!text.empty()) {
     std::string_view one = take(text, "; ");
     const block::Section where = section(take(one, " "));
     const std::string_view name = take(one, " ");
-    list.push_back({name, where, typeFromName(one).value_or(TypeCode::Void)});
+    const std::string_view type = take(one, " := ");
+    list.push_back({name, where, typeFromName(type).value_or(TypeCode::Void), initialValue(one)});
   }
   return list;
 }

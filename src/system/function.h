@@ -20,6 +20,7 @@ struct Parameter {
   std::string_view name;
   block::Section section = block::Section::Input;
   TypeCode type = TypeCode::Word;
+  std::uint32_t initial = 0;  // start value in an instance data block
 };
 
 struct Function {

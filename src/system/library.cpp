@@ -12,6 +12,14 @@ block::TypePtr typeOf(const Parameter& parameter) {
   return block::elementaryType(parameter.type);
 }
 
+// As it lies in a data block.
+void setInitial(block::Variable& variable, std::uint32_t value) {
+  const std::uint32_t bytes = (bitWidth(variable.type->code) + 7) / 8;
+  for (std::uint32_t i = bytes; i-- > 0;)
+    variable.initial.push_back(static_cast<std::uint8_t>(value >> (8 * i)));
+  variable.hasInitial = true;
+}
+
 block::Block blockOf(const Function& function) {
   block::Block result;
   result.id = {function.kind, function.number};
@@ -22,6 +30,7 @@ block::Block blockOf(const Function& function) {
     variable.name = std::string(parameter.name);
     variable.section = parameter.section;
     variable.type = typeOf(parameter);
+    if (parameter.initial != 0) setInitial(variable, parameter.initial);
     if (parameter.section == block::Section::Return) result.returnType = variable.type;
     result.variables.push_back(std::move(variable));
   }

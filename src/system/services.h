@@ -15,7 +15,10 @@ class Services : public cpu::SystemServices {
   bool call(const cpu::SystemCall& call) override;
   void restart() override { context_.jobs.clear(); }
   // Whom the functions for modules ask; null: no modules.
-  void connect(Modules* modules) { context_.modules = modules; }
+  void connect(Modules* modules, technology::Counting* counting) {
+    context_.modules = modules;
+    context_.counting = counting;
+  }
 
  private:
   struct Entry {

@@ -68,18 +68,18 @@ TEST(DigitalInput, edgesAtTheSameInstantAreOneEvent) {
 
 TEST(DigitalInput, deliveredValuesPassTheDelayAndInterrupt) {
   Rack rack = compact(2);
-  EXPECT_TRUE(rack.deliver(124, 2, 2));
+  EXPECT_TRUE(rack.deliver(124, 2, 2, {}));
   EXPECT_EQ(rack.inputs()[124], 2);
   EXPECT_EQ(rack.takeEvents().size(), 1u);
   EXPECT_TRUE(rack.level(input(rack, 1)));
-  EXPECT_FALSE(rack.deliver(0, 1, 1));  // no module
+  EXPECT_FALSE(rack.deliver(0, 1, 1, {}));  // no module
 }
 
 TEST(DigitalInput, changesAreHandedOnOnce) {
   Rack rack = compact();
   rack.takeChanged();
-  rack.deliver(126, 1, 1);
-  rack.deliver(124, 1, 1);
+  rack.deliver(126, 1, 1, {});
+  rack.deliver(124, 1, 1, {});
   const Bytes bytes = rack.takeChanged();
   EXPECT_EQ(bytes.first, 124u);
   EXPECT_EQ(bytes.count, 3u);

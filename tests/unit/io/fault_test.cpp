@@ -18,7 +18,7 @@ Module diagnosing(std::uint32_t rack, std::uint32_t slot, std::string_view type)
 TEST(Fault, loadVoltageOfAnInputModule) {
   Rack rack(good({diagnosing(0, 4, "6ES7 321-7BH01-0AB0")}));
   const std::uint32_t module = *rack.module("4");
-  rack.deliver(0, 0xFF, 0xFF);
+  rack.deliver(0, 0xFF, 0xFF, {});
   EXPECT_TRUE(rack.fault(module, FaultKind::LoadVoltage, {}, true));
   EXPECT_EQ(rack.inputs()[0], 0);
   EXPECT_TRUE(rack.faulty(module));

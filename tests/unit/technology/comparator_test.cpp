@@ -1,0 +1,147 @@
+// Comparator and hysteresis (technology manual 5.5.10, 5.5.11).
+#include <gtest/gtest.h>
+
+#include "machine.h"
+
+namespace merker::technology {
+namespace {
+
+using io::CountChannel;
+using io::CountDirection;
+using io::CountMode;
+
+// CNT-HYST-07
+TEST(Hysteresis, AlsoActsOnZero) {
+  Machine m(mode(CountMode::Endless));
+  m.gate(true);
+  m.counter.job(8, 3);
+  m.counter.job(1, -5);
+  m.pulses("UUU");
+  std::string events;
+  for (const char c : std::string_view("UUUDDUUUUDDD")) {  // -1 0 1 0 -1 0 1 2 3 2 1 0
+    m.counter.resetStatus();
+    m.pulses(std::string_view(&c, 1));
+    events += m.counter.zero() ? '1' : '0';
+  }
+  EXPECT_EQ(events, "010000000001");
+}
+
+// CNT-HYST-09, CNT-HYST-10
+TEST(Hysteresis, ChangedWhileActive) {
+  CountChannel p = mode(CountMode::Endless);
+  p.output = io::CountOutput::AtLeast;
+  p.comparison = 5;
+  p.hysteresis = 3;
+  Machine m(p);
+  m.gate(true);
+  m.counter.control(true, true, false, m.now);
+  m.pulses("UUUUUD");
+  EXPECT_TRUE(m.counter.output());
+  m.counter.job(8, 5);
+  m.pulses("D");
+  EXPECT_TRUE(m.counter.output());
+  m.pulses("D");
+  EXPECT_FALSE(m.counter.output());
+  m.pulses("UUUDDDD");
+  EXPECT_TRUE(m.counter.output());
+  m.pulses("D");
+  EXPECT_FALSE(m.counter.output());
+  m.pulses("UUUUUD");
+  m.counter.job(4, 10);
+  EXPECT_FALSE(m.counter.output());
+}
+
+// CNT-CMP-02, CNT-CMP-03, CNT-CMP-04, CNT-CMP-05, CNT-CMP-06
+TEST(Comparison, OutputAndStatusBit) {
+  CountChannel p = mode(CountMode::Endless);
+  p.output = io::CountOutput::AtLeast;
+  p.comparison = 5;
+  Machine m(p);
+  m.counter.control(true, true, false, m.now);
+  m.pulses("UUUU");
+  EXPECT_FALSE(m.counter.output());
+  m.pulses("UU");
+  EXPECT_TRUE(m.counter.output());
+  m.counter.resetStatus();
+  EXPECT_TRUE(m.counter.comparator().reached());
+  m.pulses("DD");
+  EXPECT_TRUE(m.counter.comparator().reached());
+  m.counter.resetStatus();
+  EXPECT_FALSE(m.counter.comparator().reached());
+  m.counter.control(true, false, true, m.now);
+  EXPECT_TRUE(m.counter.comparator().reached());
+  EXPECT_FALSE(m.counter.output());
+  Machine none(mode(CountMode::Endless));
+  none.counter.control(true, true, true, none.now);
+  EXPECT_FALSE(none.counter.output() || none.counter.ownsOutput());
+}
+
+// CNT-CMP-07, CNT-CMP-08
+TEST(Comparison, SetByTheProgram) {
+  CountChannel p = mode(CountMode::Endless);
+  p.output = io::CountOutput::AtLeast;
+  p.comparison = 5;
+  Machine m(p);
+  m.counter.control(true, true, false, m.now);
+  m.pulses("UUUUUU");
+  m.counter.control(true, true, true, m.now);
+  m.counter.control(true, true, false, m.now);
+  EXPECT_FALSE(m.counter.output());
+  m.pulses("U");
+  EXPECT_TRUE(m.counter.output());
+  Machine set(p);
+  set.counter.control(true, true, true, set.now);
+  set.pulses("UUUUUUDDD");
+  EXPECT_TRUE(set.counter.output());
+  set.counter.control(true, true, false, set.now);
+  EXPECT_FALSE(set.counter.output());
+}
+
+// CNT-CMP-09, CNT-CMP-10, CNT-CMP-12, CNT-CMP-13, CNT-CMP-15
+TEST(Comparison, PulseOfALength) {
+  CountChannel p = mode(CountMode::Periodic, CountDirection::Forward, 10);
+  p.output = io::CountOutput::Pulse;
+  p.comparison = 5;
+  p.pulseDuration = 100;
+  Machine m(p);
+  m.counter.control(true, true, false, m.now);
+  m.pulses("UUUUU");
+  EXPECT_TRUE(m.counter.output());
+  EXPECT_EQ(m.counter.due(), m.now + Duration::milliseconds(100));
+  const Instant end = m.counter.due();
+  m.counter.job(0x10, 20);
+  m.pulses("DUUD");
+  EXPECT_EQ(m.counter.due(), end);
+  m.counter.resetStatus();
+  EXPECT_TRUE(m.counter.comparator().reached());
+  m.counter.expire(end);
+  EXPECT_FALSE(m.counter.output());
+  m.counter.resetStatus();
+  EXPECT_FALSE(m.counter.comparator().reached());
+  m.pulses("UD");  // 6, then 5 from above: not in the main direction
+  EXPECT_FALSE(m.counter.output());
+  m.pulses("DU");
+  EXPECT_EQ(m.counter.due(), m.now + Duration::milliseconds(20));
+}
+
+// CNT-CMP-11, CNT-CMP-14
+TEST(Comparison, PulseWithoutALengthAndBySetting) {
+  CountChannel p = mode(CountMode::Endless);
+  p.output = io::CountOutput::Pulse;
+  p.comparison = 5;
+  Machine m(p);
+  m.counter.control(true, true, true, m.now);
+  EXPECT_FALSE(m.counter.output());
+  m.counter.control(true, true, false, m.now);
+  m.pulses("UUUUU");
+  EXPECT_TRUE(m.counter.output());
+  m.pulses("U");
+  EXPECT_FALSE(m.counter.output());
+  m.counter.job(0x10, 50);
+  m.counter.control(true, true, true, m.now);
+  EXPECT_TRUE(m.counter.output());
+  EXPECT_EQ(m.counter.due(), m.now + Duration::milliseconds(50));
+}
+
+}  // namespace
+}  // namespace merker::technology
