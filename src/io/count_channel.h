@@ -18,12 +18,11 @@ enum class LimitOutput : std::uint8_t { None, Outside, Below, Above };
 enum CountCause : std::uint8_t {
   kGateOpened = 1,
   kGateClosed = 2,
-  kOverflow = 4,  // counting; kUnderflow shares its bit there
+  kCountLimit = 4,  // counting: overflow or underflow
   kComparator = 8,
   kLimit = 4,  // frequency: above or below
   kMeasured = 8,
-  kCountEdge = 16,
-  kUnderflow = 32
+  kCountEdge = 16
 };
 
 struct CountChannel {

@@ -144,7 +144,6 @@ class Rack {
   double outputAmount(std::uint32_t index, std::uint32_t channel) const;
   // events.cpp
   ModuleEvent event(std::uint32_t index, ModuleEvent::Kind kind) const;
-  void interrupt(std::uint32_t index, std::uint32_t points);
   void reportDiagnosis(std::uint32_t index);
   void diagnose(std::uint32_t index);
   void presence(std::uint32_t index, ModuleEvent::Kind kind);

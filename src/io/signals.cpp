@@ -104,11 +104,4 @@ void Rack::show(std::uint32_t module, std::uint32_t channel, std::uint32_t data)
     setInput(*of(module).inputStart + 4 * channel + i, bytes[i]);
 }
 
-void Rack::interrupt(std::uint32_t module, std::uint32_t points) {
-  if (!present(module)) return;
-  ModuleEvent interrupt = event(module, ModuleEvent::Kind::HardwareInterrupt);
-  interrupt.points = points;
-  events_.push_back(interrupt);
-}
-
 }  // namespace merker::io

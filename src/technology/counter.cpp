@@ -151,7 +151,7 @@ void Counter::limit(int direction, std::int32_t next, bool closes, std::int32_t 
   count_ = next;
   for (Place* place : {&zero_, &overflow_, &underflow_}) place->moved(count_);
   if (closes) gate_.closed = true;
-  raise(told && (direction > 0 ? p_.onOverflow : p_.onUnderflow), io::kOverflow);
+  raise(told && (direction > 0 ? p_.onOverflow : p_.onUnderflow), io::kCountLimit);
   zeroReached();
 }
 

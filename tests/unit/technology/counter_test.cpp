@@ -191,11 +191,11 @@ TEST(Periodic, BackwardInterruptsAtEachJump) {
   Machine m(p);
   m.gate(true);
   EXPECT_EQ(m.pulses("DDDDDD"), (Counts{3, 2, 1, 4, 3, 2}));
-  EXPECT_EQ(m.counter.takeCauses(), io::kOverflow);
+  EXPECT_EQ(m.counter.takeCauses(), io::kCountLimit);
   m.pulses("D");
   EXPECT_EQ(m.counter.takeCauses(), 0);
   m.pulses("D");
-  EXPECT_EQ(m.counter.takeCauses(), io::kOverflow);
+  EXPECT_EQ(m.counter.takeCauses(), io::kCountLimit);
 }
 
 // CNT-GATE-01, CNT-GATE-02, CNT-GATE-03, CNT-GATE-06, CNT-GATE-07, CNT-PRAL-07
