@@ -62,6 +62,7 @@ station::Station Build::station(bool coverage) const {
   options.model = project.model;
   options.parameters = project.parameters;
   options.hardware = project.hardware;
+  options.plants = project.plants;
   options.program = program;
   options.startOfClock = project.startOfClock;
   options.coverage = coverage;

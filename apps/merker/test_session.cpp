@@ -84,7 +84,8 @@ void TestSession::scenarios(const std::string& path, const Build& build) {
     const auto resolver = build.resolver();
     const auto& hardware = build.project.hardware;
     for (simulator::Scenario& one : list)
-      simulator::resolve(one, resolver, problems, hardware ? &*hardware : nullptr);
+      simulator::resolve(one, resolver, problems, hardware ? &*hardware : nullptr,
+                         &build.project.plants);
   }
   printProblems(problems, files);
   if (list.empty() && problems.hasErrors()) notRun(path, "scenarios", problems);

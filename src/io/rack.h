@@ -15,19 +15,10 @@
 #include "clock/instant.h"
 #include "io/configuration.h"
 #include "io/fault.h"
+#include "io/terminal.h"
 #include "io/unit.h"
 
 namespace merker::io {
-
-// A signal connection: channel of a module, counted from 0 separately for digital inputs, digital
-// outputs, analog inputs and analog outputs.
-enum class Side : std::uint8_t { DigitalInput, DigitalOutput, AnalogInput, AnalogOutput };
-struct Terminal {
-  std::uint32_t module = 0;  // index in Configuration::modules
-  Side side = Side::DigitalInput;
-  std::uint32_t channel = 0;
-  bool operator==(const Terminal&) const = default;
-};
 
 // What changed at a terminal that is watched: its level, and the signal that lies there from then
 // on, if any.

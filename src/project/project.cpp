@@ -26,6 +26,7 @@ void take(Project& project, const Settings& settings) {
   project.startOfClock = settings.startOfClock;
   project.parameters = settings.parameters;
   project.hardware = settings.hardware;
+  project.plants = settings.plants;
   project.addressCheck = settings.addressCheck;
   project.vertical = settings.vertical;
 }

@@ -10,6 +10,7 @@
 #include "catalogue/cpu_parameters.h"
 #include "cnc/cnc.h"
 #include "io/configuration.h"
+#include "plant/configuration.h"
 #include "project/address_check.h"
 #include "source/source_file.h"
 #include "source/symbol_table.h"
@@ -26,6 +27,7 @@ struct Project {
   std::int64_t startOfClock = 0;  // milliseconds since 1990-01-01
   CpuParameters parameters = CpuParameters::of(defaultCpuModel());
   std::optional<io::Configuration> hardware;  // none: every address of the image answers
+  plant::Configuration plants;
   AddressCheck addressCheck = AddressCheck::Standard;
   bool vertical = false;  // mounting of the racks (S7-HW-19)
   std::vector<source::SourceFile> sources;

@@ -18,6 +18,8 @@ void readNc(const Table& nc, nc::Control& control);
 
 // [[module]]; nothing if it is too wrong to have a place
 std::optional<io::Module> readModule(const Table& table, const CpuModel& model);
+// [[plant]] and its wires to the modules
+plant::Configuration readPlants(const Table& root, const std::optional<io::Configuration>& modules);
 // The module's parameters (S7-HWCFG-09)
 void readParameters(const Table& table, io::Module& module);
 // [[module.channel]]

@@ -88,9 +88,10 @@ void choose(Settings& settings, const Model& model) {
 }
 
 void readStation(const Table& root, Settings& settings) {
-  root.allow({"project", "program", "cpu", "hardware", "module"});
+  root.allow({"project", "program", "cpu", "hardware", "module", "plant"});
   if (const auto table = root.table("cpu")) readCpu(*table, settings);
   readHardware(root, settings);
+  settings.plants = readPlants(root, settings.hardware);
 }
 
 void readAll(const Table& root, std::optional<Model> model, Settings& settings) {

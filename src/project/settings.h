@@ -10,6 +10,7 @@
 #include "catalogue/cpu_parameters.h"
 #include "cnc/cnc.h"
 #include "io/configuration.h"
+#include "plant/configuration.h"
 #include "project/address_check.h"
 #include "source/source_file.h"
 
@@ -38,6 +39,7 @@ struct Settings {
   // Without [hardware] and [[module]] there is none: docs/compatibility.md, "Without a hardware
   // configuration".
   std::optional<io::Configuration> hardware;
+  plant::Configuration plants;
   AddressCheck addressCheck = AddressCheck::Standard;
   bool vertical = false;  // mounting (S7-HW-19)
 };

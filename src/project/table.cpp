@@ -10,7 +10,8 @@
 namespace merker::project {
 namespace {
 
-std::string list(std::initializer_list<std::string_view> words, std::string_view quote = "") {
+template <typename Words>
+std::string list(const Words& words, std::string_view quote = "") {
   std::string text;
   for (const std::string_view word : words)
     text += fmt::format("{}{}{}{}", text.empty() ? "" : ", ", quote, word, quote);
@@ -52,7 +53,7 @@ void Table::mustBe(std::string_view key, std::string_view what) const {
   problems_.add(ProblemCode::P0704, at(key), key, what);
 }
 
-void Table::allow(std::initializer_list<std::string_view> known) const {
+void Table::allow(const std::vector<std::string_view>& known) const {
   for (const auto& [key, value] : table_)
     if (std::find(known.begin(), known.end(), key.str()) == known.end())
       problems_.add(ProblemCode::P0703, position(key.source(), key.str().size()), key.str(),
@@ -100,6 +101,15 @@ std::optional<std::uint32_t> Table::number(std::string_view key, std::int64_t lo
                                            std::int64_t high, std::string_view unit) const {
   const auto value = integer(key, low, high, unit);
   return value ? std::optional(static_cast<std::uint32_t>(*value)) : std::nullopt;
+}
+
+std::optional<double> Table::real(std::string_view key, double low, double high) const {
+  const toml::node* value = table_.get(key);
+  if (value == nullptr) return std::nullopt;
+  const auto number = value->is_number() ? value->value<double>() : std::nullopt;
+  if (number && *number >= low && *number <= high) return number;
+  mustBe(key, fmt::format("a number from {:g} to {:g}", low, high));
+  return std::nullopt;
 }
 
 std::optional<Duration> Table::length(std::string_view key, Duration low, Duration high) const {

@@ -26,7 +26,7 @@ class Table {
       : table_(table), title_(std::move(title)), place_(std::move(place)), problems_(problems) {}
 
   // A problem for each key that is not among these.
-  void allow(std::initializer_list<std::string_view> keys) const;
+  void allow(const std::vector<std::string_view>& keys) const;
   bool has(std::string_view key) const { return table_.contains(key); }
   const Position& place() const { return place_; }
   Position at(std::string_view key) const;  // of a value; of the table if the key is missing
@@ -42,6 +42,7 @@ class Table {
                                       std::string_view unit = {}) const;
   std::optional<std::uint32_t> number(std::string_view key, std::int64_t low, std::int64_t high,
                                       std::string_view unit = {}) const;
+  std::optional<double> real(std::string_view key, double low, double high) const;
   std::optional<Duration> length(std::string_view key, Duration low, Duration high) const;
   // The same in whole milliseconds.
   std::optional<std::uint32_t> milliseconds(std::string_view key, std::uint32_t low,

@@ -50,7 +50,8 @@ std::string because(const Controller& plc) {
 }
 
 bool needsDevice(const Expectation& e) {
-  return e.what == Expectation::What::Led || e.what == Expectation::What::Terminal;
+  return e.what == Expectation::What::Led || e.what == Expectation::What::Terminal ||
+         e.what == Expectation::What::Plant;
 }
 
 // Values are those at the end of a cycle: in the middle of one they may be on their way.
@@ -68,6 +69,8 @@ bool holds(const Expectation& e, Controller& plc) {
     case Expectation::What::Terminal:
       plc.settle();
       return simulator::holds(e.terminal, e.relation, *device->rack());
+    case Expectation::What::Plant:
+      return simulator::holds(e.plant, e.relation, *device->plants());
     case Expectation::What::Led:
       return (device->leds().*e.led == e.light) == (e.relation == block::Relation::Equal);
   }
@@ -91,6 +94,9 @@ std::string actual(const Expectation& e, const Controller& plc) {
     case Expectation::What::Terminal:
       return fmt::format("{} is {}", e.terminal.text,
                          simulator::actualValue(e.terminal, *device->rack()));
+    case Expectation::What::Plant:
+      return fmt::format("{} is {}", e.plant.text,
+                         simulator::actualValue(e.plant, *device->plants()));
     case Expectation::What::Led:
       return fmt::format("it is {}", simulator::name(device->leds().*e.led));
   }

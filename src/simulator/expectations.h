@@ -13,7 +13,7 @@ std::string_view modeName(controller::Mode mode);  // "RUN"
 // ": reason" in STOP, else nothing: what stands behind "the CPU does not start".
 std::string because(const controller::Controller& plc);
 
-// LEDs and terminals exist on a SIMATIC S7 station only.
+// LEDs, terminals and plants exist on a SIMATIC S7 station only.
 bool needsDevice(const Expectation& e);
 bool holds(const Expectation& e, controller::Controller& plc);
 // "A 1.2 is 0", "mode is STOP: …"

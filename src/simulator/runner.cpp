@@ -153,6 +153,10 @@ bool Runner::performOnDevice(const Step& step) {
       return true;
     case StepKind::Terminal:
       return setTerminals(step);
+    case StepKind::Plant:
+      for (const PlantValue& value : step.plants)
+        simulator::set(value, *device_->plants(), *device_->rack(), plc_.now());
+      return true;
     default:
       return true;
   }

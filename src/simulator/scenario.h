@@ -12,6 +12,7 @@
 #include "clock/instant.h"
 #include "controller/controller.h"
 #include "simulator/device_steps.h"
+#include "simulator/plant_steps.h"
 #include "simulator/signal_steps.h"
 #include "simulator/term.h"
 #include "simulator/terminal_steps.h"
@@ -24,11 +25,19 @@ struct Assignment {
 };
 
 struct Expectation {
-  enum class What : std::uint8_t { Values, Mode, Diagnostics, Terminal, Led } what = What::Values;
+  enum class What : std::uint8_t {
+    Values,
+    Mode,
+    Diagnostics,
+    Terminal,
+    Led,
+    Plant
+  } what = What::Values;
   Term left, right;  // Values
   block::Relation relation = block::Relation::Equal;
   controller::Mode mode = controller::Mode::Run;  // Mode: = or <>
   TerminalValue terminal;                         // Terminal: relation to its value
+  PlantValue plant;                               // Plant: the same
   std::string words;                              // Diagnostics: what an entry contains
   LedMember led = nullptr;                        // Led: which, = or <> which light
   cpu::Light light = cpu::Light::On;
@@ -60,6 +69,7 @@ enum class StepKind : std::uint8_t {
   Fault,
   Terminal,
   Signal,
+  Plant,
   Repeat
 };
 
@@ -74,6 +84,7 @@ struct Step {
   FaultStep fault;                                                 // Fault
   SignalStep signal;                                               // Signal
   std::vector<TerminalValue> terminals;                            // Terminal
+  std::vector<PlantValue> plants;                                  // Plant
   cpu::SwitchPosition switchPosition = cpu::SwitchPosition::RunP;  // Switch
   cpu::Trigger trigger{};                                          // Trigger
   std::vector<Step> body;                                          // Repeat
@@ -89,10 +100,11 @@ struct Scenario {
 // file. Lines with problems are left out.
 std::vector<Scenario> parseScenarios(const source::SourceFile& file, Problems& problems);
 
-// Binds all operands to the program, and terminals and faults to the modules, and checks that
-// values fit. `hardware`: null without a hardware configuration.
+// Binds all operands to the program, terminals and faults to the modules, signals to the plants,
+// and checks that values fit. `hardware`: null without a hardware configuration.
 void resolve(Scenario& scenario, const Resolver& resolver, Problems& problems,
-             const io::Configuration* hardware = nullptr);
+             const io::Configuration* hardware = nullptr,
+             const plant::Configuration* plants = nullptr);
 
 // "set E 0.0 = 1, MW 10 = 5" without the word set: also what `merker run --set` takes. Texts are
 // views into `file`.

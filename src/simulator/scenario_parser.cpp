@@ -66,6 +66,7 @@ class Parser {
 
   bool wait(Step& step, std::string_view rest);
   bool terminals(std::vector<TerminalValue>& list, std::string_view rest);
+  bool plants(std::vector<PlantValue>& list, std::string_view rest);
   bool switchTo(Step& step, std::string_view rest);
   bool trigger(Step& step, std::string_view rest);
   bool count(std::uint64_t& number, std::string_view text);
@@ -113,14 +114,14 @@ void Parser::line(std::string_view text) {
   if (text.empty()) return;
   line_ = text;
   std::string_view rest = text;
-  if (const StepWord* word = needsPlant(text) ? nullptr : takeStepWord(rest))
+  if (const StepWord* word = expectsSignal(text) ? nullptr : takeStepWord(rest))
     return step(*word, text, rest);
   std::string_view first = takeWord(rest);
-  if (!needsPlant(text)) {
+  if (!expectsSignal(text)) {
     fail(ProblemCode::P0950, first, first, stepWords());
     return;
   }
-  if (equalsIgnoreCase(first, "expect")) {  // expect plant
+  if (equalsIgnoreCase(first, "expect")) {  // expect encoder
     const std::string_view second = takeWord(rest);
     first = text.substr(0, static_cast<std::size_t>(second.data() + second.size() - text.data()));
   }
@@ -163,6 +164,8 @@ bool Parser::content(Step& step, StepWord::Rest kind, std::string_view rest) {
           [this](std::string_view text) { return at(text); }, problems_);
     case StepWord::Rest::Terminals:
       return terminals(step.terminals, rest);
+    case StepWord::Rest::Plants:
+      return plants(step.plants, rest);
     case StepWord::Rest::Switch:
       return switchTo(step, rest);
     case StepWord::Rest::Trigger:
@@ -221,6 +224,21 @@ bool Parser::terminals(std::vector<TerminalValue>& list, std::string_view rest) 
                        problems_))
       return false;
     list.push_back(std::move(value));
+  }
+  return true;
+}
+
+bool Parser::plants(std::vector<PlantValue>& list, std::string_view rest) {
+  const auto place = [this](std::string_view text) { return at(text); };
+  for (std::string_view part : splitList(rest)) {
+    const auto sign = part.find('=');
+    if (sign == std::string_view::npos)
+      return fail(ProblemCode::P0952, part, "PLANT.SIGNAL = VALUE");
+    PlantValue& value = list.emplace_back();
+    value.isSet = true;
+    if (!parsePlant(trim(part.substr(0, sign)), trim(part.substr(sign + 1)), value, place,
+                    problems_))
+      return false;
   }
   return true;
 }
@@ -284,6 +302,12 @@ bool Parser::expectation(Expectation& e, std::string_view rest) {
     e.what = Expectation::What::Terminal;
     return parseTerminal(
         terminal, right, e.terminal, [this](std::string_view text) { return at(text); }, problems_);
+  }
+  std::string_view signal = left;
+  if (equalsIgnoreCase(takeWord(signal), "plant")) {
+    e.what = Expectation::What::Plant;
+    return parsePlant(
+        signal, right, e.plant, [this](std::string_view text) { return at(text); }, problems_);
   }
   std::string_view which = left;
   if (equalsIgnoreCase(takeWord(which), "LED")) return led(e, rest, which, right);

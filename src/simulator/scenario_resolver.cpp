@@ -22,8 +22,12 @@ void resolveValues(Expectation& e, const Resolver& resolver, Problems& problems)
 }
 
 void resolveSteps(std::vector<Step>& steps, const Resolver& resolver,
-                  const io::Configuration* hardware, Problems& problems) {
+                  const io::Configuration* hardware, const plant::Configuration* plants,
+                  Problems& problems) {
   for (Step& step : steps) {
+    for (PlantValue& value : step.plants) resolve(value, plants, problems);
+    if (step.kind == StepKind::Expect && step.expectation.what == Expectation::What::Plant)
+      resolve(step.expectation.plant, plants, problems);
     if (step.kind == StepKind::Fault) resolve(step.fault, hardware, problems);
     resolve(step.signal, hardware, problems);
     for (TerminalValue& terminal : step.terminals) resolve(terminal, hardware, problems);
@@ -31,7 +35,7 @@ void resolveSteps(std::vector<Step>& steps, const Resolver& resolver,
       resolve(step.expectation.terminal, hardware, problems);
     for (Assignment& assignment : step.assignments) resolve(assignment, resolver, problems);
     if (step.kind == StepKind::Expect) resolveValues(step.expectation, resolver, problems);
-    resolveSteps(step.body, resolver, hardware, problems);
+    resolveSteps(step.body, resolver, hardware, plants, problems);
   }
 }
 
@@ -53,8 +57,8 @@ void resolve(Assignment& assignment, const Resolver& resolver, Problems& problem
 }
 
 void resolve(Scenario& scenario, const Resolver& resolver, Problems& problems,
-             const io::Configuration* hardware) {
-  resolveSteps(scenario.steps, resolver, hardware, problems);
+             const io::Configuration* hardware, const plant::Configuration* plants) {
+  resolveSteps(scenario.steps, resolver, hardware, plants, problems);
 }
 
 }  // namespace merker::simulator

@@ -34,12 +34,12 @@ constexpr std::array kSteps = {
     StepWord{"terminal", Rest::Terminals, StepKind::Terminal},
     StepWord{"pulses", Rest::Pulses, StepKind::Signal},
     StepWord{"encoder", Rest::Encoder, StepKind::Signal},
+    StepWord{"plant", Rest::Plants, StepKind::Plant},
     StepWord{"repeat", Rest::Count, StepKind::Repeat},
     StepWord{"end", Rest::End, StepKind::Repeat},
     StepWord{"scenario", Rest::Scenario, StepKind::Wait},
 };
 
-constexpr std::array<std::string_view, 1> kPlantSteps = {"plant"};
 
 // Takes the words of `wanted` off `line` if it begins with them.
 bool takeWords(std::string_view& line, std::string_view wanted) {
@@ -60,12 +60,10 @@ const StepWord* takeStepWord(std::string_view& line) {
   return nullptr;
 }
 
-bool needsPlant(std::string_view line) {
-  std::string_view word = takeWord(line);
-  if (equalsIgnoreCase(word, "expect")) word = takeWord(line);
-  for (std::string_view plant : kPlantSteps)
-    if (equalsIgnoreCase(word, plant)) return true;
-  return false;
+bool expectsSignal(std::string_view line) {
+  if (!equalsIgnoreCase(takeWord(line), "expect")) return false;
+  const std::string_view word = takeWord(line);
+  return equalsIgnoreCase(word, "pulses") || equalsIgnoreCase(word, "encoder");
 }
 
 std::string stepWords() {

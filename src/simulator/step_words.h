@@ -20,6 +20,7 @@ struct StepWord {
     Terminals,
     Pulses,
     Encoder,
+    Plants,
     Switch,
     Trigger,
     End,
@@ -30,8 +31,8 @@ struct StepWord {
 
 // The step that `line` begins with; the words are taken off. Null if there is none.
 const StepWord* takeStepWord(std::string_view& line);
-// Whether the line begins with a step that needs simulated signals or plants.
-bool needsPlant(std::string_view line);
+// Whether the line begins with a step that needs simulated signals.
+bool expectsSignal(std::string_view line);
 // "set, wait, …", for problems.
 std::string stepWords();
 

@@ -13,18 +13,6 @@
 namespace merker::simulator {
 namespace {
 
-struct SideName {
-  std::string_view letters;
-  io::Side side;
-};
-constexpr std::array kSides = {
-    SideName{"DI", io::Side::DigitalInput}, SideName{"DO", io::Side::DigitalOutput},
-    SideName{"AI", io::Side::AnalogInput}, SideName{"AO", io::Side::AnalogOutput}};
-
-bool isDigital(io::Side side) {
-  return side == io::Side::DigitalInput || side == io::Side::DigitalOutput;
-}
-
 std::optional<std::uint32_t> number(std::string_view text) {
   std::uint32_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -86,9 +74,8 @@ std::uint32_t channelsOf(const ModuleType& type, io::Side side) {
 }
 
 std::uint32_t allChannels(const ModuleType& type) {
-  std::uint32_t most = 0;
-  for (const SideName& row : kSides) most = std::max(most, channelsOf(type, row.side));
-  return most;
+  return std::max({std::uint32_t{type.digitalInputs}, std::uint32_t{type.digitalOutputs},
+                   std::uint32_t{type.analogInputs}, std::uint32_t{type.analogOutputs}});
 }
 
 const MeasuringRange* rangeOf(const io::Module& module, const TerminalValue& terminal) {
@@ -139,27 +126,19 @@ bool parseFault(std::string_view text, FaultStep& step, const PositionOf& at, Pr
 
 bool parseTerminal(std::string_view terminal, std::string_view value, TerminalValue& result,
                    const PositionOf& at, Problems& problems) {
-  const auto point = terminal.rfind('.');
-  std::string_view name = point == std::string_view::npos ? "" : terminal.substr(0, point);
-  const std::string_view channel =
-      point == std::string_view::npos ? terminal : terminal.substr(point + 1);
-  if (name.size() >= 2 && name.front() == '"' && name.back() == '"')
-    name = name.substr(1, name.size() - 2);
+  const auto name = io::parseTerminal(terminal);
   result.text = terminal;
   result.position = at(terminal);
-  result.module = name;
   result.value = value;
   result.valuePosition = at(value.empty() ? terminal : value);
-  for (const SideName& row : kSides) {
-    if (name.empty() || !equalsIgnoreCase(channel.substr(0, 2), row.letters)) continue;
-    const auto wanted = number(channel.substr(2));
-    if (!wanted) break;
-    result.side = row.side;
-    result.channel = *wanted;
-    return true;
+  if (!name) {
+    problems.add(ProblemCode::P0952, at(terminal), "a terminal: MODULE.DI0, MODULE.AO1");
+    return false;
   }
-  problems.add(ProblemCode::P0952, at(terminal), "a terminal: MODULE.DI0, MODULE.AO1");
-  return false;
+  result.module = name->module;
+  result.side = name->side;
+  result.channel = name->channel;
+  return true;
 }
 
 void resolve(const FaultStep& step, const io::Configuration* hardware, Problems& problems) {

@@ -23,10 +23,15 @@ void Periphery::connect(cpu::Cpu& cpu) {
 
 // What happens outside, between two calls of the CPU, is told at its next instruction boundary.
 Instant Periphery::next() const {
-  return rack_.pending() ? Instant{} : std::min(rack_.next(), counting_.next());
+  return rack_.pending() ? Instant{} : std::min({rack_.next(), counting_.next(), plants_.next()});
 }
 
 void Periphery::advance(cpu::Cpu& cpu, Instant now) {
+  while (plants_.next() <= now) {  // in the order of time
+    const Instant at = plants_.next();
+    rack_.advance(at);
+    plants_.advance(rack_, at);
+  }
   rack_.advance(now);
   counting_.advance(now);
   if (rack_.takePresenceChanged()) showPresence(cpu);

@@ -1,17 +1,18 @@
 // The modules of a station, coupled to its CPU: terminals on one side, periphery bytes on the
-// other.
+// other. Beside them the plants that are wired to the terminals.
 #pragma once
 
 #include "cpu/periphery.h"
 #include "io/rack.h"
+#include "plant/plants.h"
 #include "technology/counting.h"
 
 namespace merker::station {
 
 class Periphery : public cpu::Periphery {
  public:
-  explicit Periphery(io::Configuration configuration)
-      : rack_(std::move(configuration)), counting_(rack_) {}
+  Periphery(io::Configuration configuration, plant::Configuration plants)
+      : rack_(std::move(configuration)), counting_(rack_), plants_(std::move(plants)) {}
   Periphery(const Periphery&) = delete;  // `counting_` knows `rack_`
   Periphery& operator=(const Periphery&) = delete;
 
@@ -20,6 +21,8 @@ class Periphery : public cpu::Periphery {
   technology::Counting& counting() { return counting_; }
   // What is worked out only when asked, as it is at `now`.
   void refresh(Instant now);
+  plant::Plants& plants() { return plants_; }
+  const plant::Plants& plants() const { return plants_; }
   // Tells the CPU which bytes answer, and becomes its periphery. It must outlive the CPU.
   void connect(cpu::Cpu& cpu);
   // A module delivers this value from now on: `set E 124.0 = 1`. False if none lies there.
@@ -42,6 +45,7 @@ class Periphery : public cpu::Periphery {
 
   io::Rack rack_;
   technology::Counting counting_;
+  plant::Plants plants_;
 };
 
 }  // namespace merker::station

@@ -41,7 +41,7 @@ struct Station::Parts {
             options.parameters.value_or(CpuParameters::of(*model))) {
     engine.countCoverage(options.coverage);
     cpu.load(program);
-    if (options.hardware) plug(std::move(*options.hardware));
+    if (options.hardware) plug(std::move(*options.hardware), std::move(options.plants));
   }
 
   const CpuModel* model;
@@ -54,8 +54,8 @@ struct Station::Parts {
   Station* self = nullptr;  // whom the observer gets to see; moves along
   std::function<void(controller::Controller&)> observer;
 
-  void plug(io::Configuration hardware) {
-    periphery = std::make_unique<Periphery>(std::move(hardware));
+  void plug(io::Configuration hardware, plant::Configuration plants) {
+    periphery = std::make_unique<Periphery>(std::move(hardware), std::move(plants));
     periphery->connect(cpu);
     modules = std::make_unique<Modules>(periphery->rack());
     services.connect(modules.get(), &periphery->counting());
@@ -213,6 +213,13 @@ io::Rack* Station::rack() {
 }
 const io::Rack* Station::rack() const {
   return parts_->periphery ? &parts_->periphery->rack() : nullptr;
+}
+
+plant::Plants* Station::plants() {
+  return parts_->periphery ? &parts_->periphery->plants() : nullptr;
+}
+const plant::Plants* Station::plants() const {
+  return parts_->periphery ? &parts_->periphery->plants() : nullptr;
 }
 
 const std::vector<DiagnosticEntry>& Station::diagnostics() const {

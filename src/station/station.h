@@ -22,6 +22,7 @@
 #include "cpu/mode_switch.h"
 #include "io/rack.h"
 #include "mc7/reference.h"
+#include "plant/plants.h"
 
 namespace merker::cpu {
 class Cpu;
@@ -43,6 +44,7 @@ struct Options {
   std::optional<CpuParameters> parameters{};  // without: the model's defaults
   // Without it: docs/compatibility.md, "Without a hardware configuration".
   std::optional<io::Configuration> hardware{};
+  plant::Configuration plants{};  // only with a hardware configuration
   std::shared_ptr<const block::Program> program;
   std::int64_t startOfClock =
       0;                  // milliseconds since 1990-01-01 that the CPU's clock shows at Instant 0
@@ -135,6 +137,9 @@ class Station : public controller::Controller {
   // configuration. Changes reach the CPU at its next instruction boundary.
   io::Rack* rack();
   const io::Rack* rack() const;
+  // The plants wired to them, moved by the station's time; null without a hardware configuration.
+  plant::Plants* plants();
+  const plant::Plants* plants() const;
 
   const std::vector<DiagnosticEntry>& diagnostics() const override;
   const std::vector<CheckResult>& checkResults() const override;

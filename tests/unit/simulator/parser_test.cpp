@@ -170,7 +170,7 @@ TEST(ScenarioParser, ProblemsNameTheirPlace) {
 }
 
 TEST(ScenarioParser, StepsOfOtherPartsSayWhichExist) {
-  for (const char* text : {"plant oven.heat = 1", "expect plant oven.hot = 1"}) {
+  for (const char* text : {"expect pulses 1 = 5", "expect encoder 1 = 5"}) {
     const Parsed p = parse(text);
     ASSERT_EQ(p.problems.size(), 1u) << text;
     EXPECT_EQ(p.problems.list()[0].code, ProblemCode::P0951);
@@ -179,9 +179,9 @@ TEST(ScenarioParser, StepsOfOtherPartsSayWhichExist) {
 }
 
 TEST(ScenarioParser, AStepOfOtherPartsIsNamedInFull) {
-  const Parsed p = parse("expect  plant oven.hot = 1\n");
+  const Parsed p = parse("expect  encoder oven.hot = 1\n");
   EXPECT_EQ(p.problem(), "1:1 P0951");
-  EXPECT_TRUE(p.problems.list()[0].message.starts_with("the step 'expect  plant' needs"))
+  EXPECT_TRUE(p.problems.list()[0].message.starts_with("the step 'expect  encoder' needs"))
       << p.problems.list()[0].message;
 }
 

@@ -1,0 +1,48 @@
+// Which plants stand beside a station and what their signals are wired to. Made from merker.toml by
+// `project`, put into operation by `Plants`.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "io/rack.h"
+#include "plant/kind.h"
+
+namespace merker::plant {
+
+// A signal of a plant by position: Configuration::plants and Kind::signals.
+struct SignalPlace {
+  std::uint32_t plant = 0, signal = 0;
+};
+
+// The other end of a wire: a terminal, or for inputs the signal of another plant.
+struct Wire {
+  std::uint32_t signal = 0;  // of the plant that has the wire
+  std::variant<io::Terminal, SignalPlace> end;
+  std::string text;  // as written: "4.AO0"
+  // Of an analog terminal: the amount is offset + scale * value, in the range's unit.
+  double scale = 1, offset = 0;
+};
+
+struct PlantSettings {
+  std::string name;
+  const Kind* kind = nullptr;
+  Duration step;
+  std::vector<double> parameters;  // in the order of the kind's row
+  std::vector<Wire> wires;
+
+  const Wire* wireOf(std::uint32_t signal) const;  // null: nothing drives it
+};
+
+// In the order of merker.toml: a plant that feeds another one stands above it.
+struct Configuration {
+  std::vector<PlantSettings> plants;
+  std::optional<std::uint32_t> find(std::string_view name) const;  // ignoring case
+  std::string names() const;                                       // for problems
+};
+
+}  // namespace merker::plant

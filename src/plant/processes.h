@@ -1,0 +1,11 @@
+// The kinds of plants there are, each in a file of its own.
+#pragma once
+
+#include "plant/kind.h"
+
+namespace merker::plant {
+
+extern const Kind kFirstOrder;
+extern const Kind kBouncingSwitch;
+
+}  // namespace merker::plant
