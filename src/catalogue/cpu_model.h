@@ -31,6 +31,7 @@ struct CpuModel {
   std::string_view orderNumber;             // "6ES7 314-6BF01-0AB0"; empty: nobody sells it
   std::uint8_t firmware[3] = {};            // V2.0.0
   std::span<const std::uint8_t> lacksSfcs;  // system functions that this CPU does not have
+  std::span<const std::uint8_t> lacksSfbs;
 
   // nanoseconds per instruction
   std::uint32_t bitTime, wordTime, fixedTime, realTime;

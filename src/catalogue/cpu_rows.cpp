@@ -26,6 +26,11 @@ constexpr std::array<std::uint8_t, 46> kObsAll{1,  10, 11, 12, 13, 14,  15,  16,
 // Compressing, parts of the process image and synchronising clocks: CPU 318-2 and S7-400.
 constexpr std::array<std::uint8_t, 4> kNotOn31x{25, 26, 27, 48};
 
+// Closed-loop control: CPU 313C, 313C-2 and 314C-2; counting also CPU 312C (technology manual 1,
+// table "Übersicht technologische Funktionen"; PID-USE-01).
+constexpr std::array<std::uint8_t, 3> kNoControl{41, 42, 43};
+constexpr std::array<std::uint8_t, 6> kNoTechnology{41, 42, 43, 47, 48, 49};
+
 // On-board inputs and outputs by type (technology manual, table "Übersicht technologische
 // Funktionen" and connector tables 5.2.2; S7-CPU-15 to -18).
 constexpr OnBoard kOnBoard312{
@@ -71,6 +76,7 @@ constexpr CpuModel model314(std::string_view name, std::string_view keyword,
           .orderNumber = orderNumber,
           .firmware = {2, 0, 0},
           .lacksSfcs = kNotOn31x,
+          .lacksSfbs = {},
           .bitTime = 100,
           .wordTime = 200,
           .fixedTime = 2'000,
@@ -128,6 +134,7 @@ constexpr CpuModel model313(std::string_view name, std::string_view keyword,
 
 constexpr CpuModel model312C() {
   CpuModel model = model313("CPU 312C", "312C", "6ES7 312-5BD01-0AB0", kObs31xC, kOnBoard312);
+  model.lacksSfbs = kNoControl;
   model.bitTime = 200;
   model.wordTime = 400;
   model.fixedTime = 5'000;
@@ -170,6 +177,7 @@ constexpr CpuModel model314Pn() {
 constexpr CpuModel model312Ifm() {
   CpuModel model = model314("CPU 312 IFM", "312 IFM", "6ES7 312-5AC02-0AB0", kObs312Ifm);
   model.firmware[0] = 1;
+  model.lacksSfbs = kNoTechnology;
   model.runtimeMeters = 0;
   model.bitTime = 600;
   model.wordTime = 2'000;
@@ -197,6 +205,7 @@ constexpr CpuModel model318() {
   CpuModel model = model314("CPU 318-2", "318-2", "6ES7 318-2AJ00-0AB0", kObs318);
   model.firmware[0] = 3;
   model.lacksSfcs = {};
+  model.lacksSfbs = kNoTechnology;
   model.runtimeMeters = 8;
   model.bitTime = model.wordTime = model.fixedTime = 100;
   model.realTime = 600;

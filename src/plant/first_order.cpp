@@ -1,14 +1,15 @@
 // A process with one lag and dead time: x' = a x + (1 - a) K u with a = exp(-dt / T), exact for an
-// input that stays during a step (PID-SIM-03). PV = x + OFFSET.
+// input that stays during a step (PID-SIM-03). PV = x + OFFSET + noise.
 #include <cmath>
-#include <deque>
+#include <random>
 
+#include "plant/delay.h"
 #include "plant/processes.h"
 
 namespace merker::plant {
 namespace {
 
-enum { GAIN, TIME_CONSTANT, DEAD_TIME, START };
+enum { GAIN, TIME_CONSTANT, DEAD_TIME, START, NOISE, SEED };
 enum { LMN, DISTURBANCE, OFFSET, PV };
 
 constexpr double kWeek = 7 * 24 * 3600.0;
@@ -18,10 +19,12 @@ constexpr Parameter kParameters[] = {
     {"time_constant", Parameter::Form::Time, 20, 0.001, kWeek},
     {"dead_time", Parameter::Form::Time, 0, 0, 3600},
     {"start", Parameter::Form::Number, 0, -1e6, 1e6},
+    {"noise", Parameter::Form::Number, 0, 0, 1e6},
+    {"seed", Parameter::Form::Number, 1, 0, 4294967295},
 };
 constexpr Signal kSignals[] = {
     {"LMN", Signal::Side::Input},
-    {"DISTURBANCE", Signal::Side::Input},  // added to LMN
+    {"DISTURBANCE", Signal::Side::Input},
     {"OFFSET", Signal::Side::Input},
     {"PV", Signal::Side::Output},
 };
@@ -31,35 +34,30 @@ class FirstOrder : public Process {
   explicit FirstOrder(std::span<const double> parameters)
       : gain_(parameters[GAIN]),
         lag_(parameters[TIME_CONSTANT]),
-        deadTime_{static_cast<std::int64_t>(std::llround(parameters[DEAD_TIME] * 1e9))},
-        state_(parameters[START]) {}
+        noise_(parameters[NOISE]),
+        delay_(parameters[DEAD_TIME]),
+        state_(parameters[START]),
+        random_(static_cast<std::uint32_t>(parameters[SEED])) {}
 
   void begin(std::span<double> values) override { values[PV] = state_ + values[OFFSET]; }
 
   void advance(Instant from, Instant to, std::span<double> values) override {
-    const double seconds = static_cast<double>((to - from).ns) / 1e9;
-    const double input = delayed(from, values[LMN] + values[DISTURBANCE]);
-    state_ += (1 - std::exp(-seconds / lag_)) * (gain_ * input - state_);
-    values[PV] = state_ + values[OFFSET];
+    const double input = delay_(from, values[LMN] + values[DISTURBANCE]);
+    state_ += (1 - std::exp(-seconds(from, to) / lag_)) * (gain_ * input - state_);
+    values[PV] = state_ + values[OFFSET] + noise();
   }
 
  private:
-  struct Sample {
-    Instant from;
-    double input;
-  };
-  // The input as it was a dead time ago; nothing before the beginning.
-  double delayed(Instant now, double input) {
-    if (deadTime_.ns == 0) return input;
-    samples_.push_back({now, input});
-    while (samples_.size() > 1 && samples_[1].from + deadTime_ <= now) samples_.pop_front();
-    return samples_.front().from + deadTime_ <= now ? samples_.front().input : 0;
+  // Evenly between -noise and +noise, the same for the same seed everywhere.
+  double noise() {
+    if (noise_ == 0) return 0;
+    return noise_ * (static_cast<double>(random_()) / 2147483647.5 - 1);
   }
 
-  double gain_, lag_;
-  Duration deadTime_;
+  double gain_, lag_, noise_;
+  Delay delay_;
   double state_;
-  std::deque<Sample> samples_;
+  std::mt19937 random_;
 };
 
 std::unique_ptr<Process> make(std::span<const double> parameters) {

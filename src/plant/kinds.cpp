@@ -8,7 +8,8 @@
 namespace merker::plant {
 namespace {
 
-constexpr std::array<const Kind*, 2> kKinds{&kFirstOrder, &kBouncingSwitch};
+constexpr std::array<const Kind*, 6> kKinds{&kFirstOrder, &kTemperature, &kValve,
+                                            &kTank,       &kGenerator,   &kBouncingSwitch};
 
 template <typename Rows, typename Name>
 std::string list(const Rows& rows, Name name) {

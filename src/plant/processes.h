@@ -5,7 +5,6 @@
 
 namespace merker::plant {
 
-extern const Kind kFirstOrder;
-extern const Kind kBouncingSwitch;
+extern const Kind kBouncingSwitch, kFirstOrder, kGenerator, kTank, kTemperature, kValve;
 
 }  // namespace merker::plant

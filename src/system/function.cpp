@@ -1,6 +1,7 @@
 #include "system/function.h"
 
 #include <algorithm>
+#include <bit>
 #include <charconv>
 
 namespace merker::system {
@@ -49,8 +50,13 @@ block::Section section(std::string_view word) {
   return found->section;
 }
 
-// "16#300", "1"; nothing: 0
+// "16#300", "20000" (a TIME in ms), "2.0" (a REAL); nothing: 0
 std::uint32_t initialValue(std::string_view text) {
+  if (text.find('.') != std::string_view::npos) {
+    float real = 0;
+    std::from_chars(text.data(), text.data() + text.size(), real);
+    return std::bit_cast<std::uint32_t>(real);
+  }
   constexpr std::string_view kHex = "16#";
   const bool hex = text.starts_with(kHex);
   if (hex) text.remove_prefix(kHex.size());
@@ -72,9 +78,9 @@ std::vector<Parameter> parametersOf(std::string_view text) {
 }
 
 bool lacks(const CpuModel& model, const Row& row) {
-  const auto& list = model.lacksSfcs;
-  return row.kind == BlockKind::SFC &&
-         std::find(list.begin(), list.end(), row.number) != list.end();
+  if (row.kind == BlockKind::FC) return false;
+  const auto& list = row.kind == BlockKind::SFC ? model.lacksSfcs : model.lacksSfbs;
+  return std::find(list.begin(), list.end(), row.number) != list.end();
 }
 
 }  // namespace

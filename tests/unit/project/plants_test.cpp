@@ -39,7 +39,7 @@ constexpr Wrong kWrong[] = {
     {"wireToUnknownSignal", BOARD OVEN SECOND "wire.LMN = \"Oven.X\"\n", "8:12 P0762", "Oven"},
     {"scaleBetweenPlants", BOARD OVEN SECOND "wire.LMN = { to = \"Oven.PV\", low = 1 }\n",
      "8:6 P0744", "analog terminal"},
-    {"sameEnds", BOARD OVEN "wire.PV = { to = \"2.3.AI0\", low = 1, high = 1 }\n", "5:46 P0704",
+    {"sameEnds", BOARD OVEN "wire.PV = { to = \"2.3.AI0\", low = 1, high = 1 }\n", "5:45 P0704",
      "different"},
 };
 
@@ -70,7 +70,7 @@ plant::PlantSettings plantOf(std::string text) {
 TEST(Plants, readsParametersAndWires) {
   const plant::PlantSettings oven =
       plantOf("gain = 3\ntime_constant = \"1m\"\nstep = \"100ms\"\nwire.LMN = \"2.3.AO1\"\n");
-  EXPECT_EQ(oven.parameters, (std::vector<double>{3, 60, 0, 0}));
+  EXPECT_EQ(oven.parameters, (std::vector<double>{3, 60, 0, 0, 0, 1}));
   EXPECT_EQ(oven.step, Duration::milliseconds(100));
   ASSERT_EQ(oven.wires.size(), 1u);
   EXPECT_EQ(std::get<io::Terminal>(oven.wires[0].end),

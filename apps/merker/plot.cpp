@@ -1,0 +1,123 @@
+// merker plot TRACE.csv -o FILE.svg
+#include "simulator/plot.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iostream>
+
+#include "base/text.h"
+#include "command.h"
+#include "output.h"
+#include "simulator/duration.h"
+#include "simulator/line.h"
+
+namespace merker::app {
+namespace {
+
+using simulator::Curve;
+
+struct Options {
+  std::string trace, output, title, from, to;
+  std::vector<std::string> rows;
+};
+
+std::string listOf(const std::vector<Curve>& curves) {
+  std::string list;
+  for (const Curve& curve : curves) list += (list.empty() ? "" : ", ") + curve.operand;
+  return list;
+}
+
+// "DB41.PV = temperature, DB41.SP_INT"
+std::vector<simulator::PlotRow> chosenRows(const Options& options, const std::vector<Curve>& curves,
+                                           Problems& problems) {
+  std::vector<simulator::PlotRow> rows;
+  for (const std::string& text : options.rows) {
+    simulator::PlotRow& row = rows.emplace_back();
+    for (const std::string_view part : simulator::splitList(text)) {
+      const auto sign = part.find('=');
+      const std::string_view operand = trim(part.substr(0, sign));
+      const auto found = std::find_if(curves.begin(), curves.end(), [&](const Curve& curve) {
+        return equalsIgnoreCase(curve.operand, operand);
+      });
+      if (found == curves.end())
+        problems.add(ProblemCode::P0991, Position{options.trace}, operand, listOf(curves));
+      else
+        row.push_back({*found, sign == std::string_view::npos
+                                   ? found->operand
+                                   : std::string(trim(part.substr(sign + 1)))});
+    }
+  }
+  return rows;
+}
+
+// Seconds; `standard` if the option is not there. False if it is no length of time.
+bool readTime(const std::string& option, const std::string& text, double standard,
+              double& seconds) {
+  seconds = standard;
+  if (text.empty()) return true;
+  const auto duration = simulator::parseDuration(text);
+  if (duration) seconds = static_cast<double>(duration->ns) / 1e9;
+  if (!duration)
+    std::cerr << "merker plot: " << option << ": '" << text
+              << "' is no length of time; write 5s, 2m\n";
+  return duration.has_value();
+}
+
+int write(const std::string& path, const std::string& text) {
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  file.close();
+  if (file) return kGood;
+  std::cerr << "merker plot: cannot write " << path << ": " << std::strerror(errno) << '\n';
+  return kUnreadable;
+}
+
+int plot(const Options& options) {
+  Problems problems;
+  const auto file = source::readSource(options.trace);
+  if (!file) {
+    problems.add(file.error());
+    printProblems(problems, [](const std::string&) { return nullptr; });
+    return kUnreadable;
+  }
+  const auto curves = simulator::readCurves(file.value(), problems);
+  simulator::Plot plot{options.title, chosenRows(options, curves, problems), 0, 0};
+  if (plot.rows.empty()) plot.rows = simulator::rowsOf(curves);
+  printProblems(problems, [&](const std::string&) { return &file.value(); });
+  if (problems.hasErrors()) return kProblems;
+  if (!readTime("--from", options.from, 0, plot.from) ||
+      !readTime("--to", options.to, simulator::endOf(curves), plot.to))
+    return kUsage;
+  if (plot.from < plot.to) return write(options.output, drawSvg(plot));
+  std::cerr << "merker plot: --from must be before --to and before the end of the trace\n";
+  return kUsage;
+}
+
+}  // namespace
+
+void addPlot(CLI::App& program, int& result) {
+  auto* command = program.add_subcommand("plot", "a trace as a picture: curves over time, in SVG");
+  auto options = std::make_shared<Options>();
+  command->add_option("TRACE", options->trace, "what `merker run --trace` wrote")->required();
+  command->add_option("-o,--output", options->output, "the picture: FILE.svg")->required();
+  command
+      ->add_option("--row", options->rows,
+                   "curves over one axis, each with a name if you like: \"DB41.PV = temperature\"; "
+                   "once for each row")
+      ->allow_extra_args(false);
+  command->add_option("--title", options->title, "stands above the picture");
+  command->add_option("--from", options->from, "only from this instant on: 5s");
+  command->add_option("--to", options->to, "only up to this instant: 2m");
+  command->footer(
+      "Without --row each operand has a row.\n"
+      "Examples:\n"
+      "  merker plot plant.csv -o plant.svg\n"
+      "  merker plot oven.csv -o oven.svg --row \"DB41.SP_INT = setpoint, DB41.PV = temperature\" "
+      "--row \"A 124.0 = heating\"");
+  command->callback([options, &result] { result = plot(*options); });
+}
+
+}  // namespace merker::app

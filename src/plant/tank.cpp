@@ -1,0 +1,67 @@
+// A tank with an inflow and an outflow, each steadily by a valve in % or on and off (PID-SIM-06).
+// A full tank runs over, an empty one gives nothing.
+#include <algorithm>
+
+#include "plant/delay.h"
+#include "plant/processes.h"
+
+namespace merker::plant {
+namespace {
+
+enum { CAPACITY, INFLOW_RATE, OUTFLOW_RATE, START };
+enum { INFLOW, OUTFLOW, FILL, DRAIN, LEVEL, FULL, EMPTY };
+
+constexpr double kWhole = 100;  // %
+
+constexpr Parameter kParameters[] = {
+    {"capacity", Parameter::Form::Number, 100, 1e-6, 1e9},  // litres
+    {"inflow_rate", Parameter::Form::Number, 1, 0, 1e9},    // litres per second at 100 %
+    {"outflow_rate", Parameter::Form::Number, 1, 0, 1e9},
+    {"start", Parameter::Form::Number, 0, 0, kWhole},
+};
+constexpr Signal kSignals[] = {
+    {"INFLOW", Signal::Side::Input},       {"OUTFLOW", Signal::Side::Input},
+    {"FILL", Signal::Side::Input, true},   {"DRAIN", Signal::Side::Input, true},
+    {"LEVEL", Signal::Side::Output},       {"FULL", Signal::Side::Output, true},
+    {"EMPTY", Signal::Side::Output, true},
+};
+
+// A valve does not open further than it can.
+double opening(double percent, double on) { return std::clamp(percent / kWhole + on, 0.0, 1.0); }
+
+class Tank : public Process {
+ public:
+  explicit Tank(std::span<const double> parameters)
+      : in_(parameters[INFLOW_RATE] / parameters[CAPACITY] * kWhole),
+        out_(parameters[OUTFLOW_RATE] / parameters[CAPACITY] * kWhole),
+        level_(parameters[START]) {}
+
+  void begin(std::span<double> values) override { show(values); }
+
+  void advance(Instant from, Instant to, std::span<double> values) override {
+    const double flow = in_ * opening(values[INFLOW], values[FILL]) -
+                        out_ * opening(values[OUTFLOW], values[DRAIN]);
+    level_ = std::clamp(level_ + flow * seconds(from, to), 0.0, kWhole);
+    show(values);
+  }
+
+ private:
+  void show(std::span<double> values) const {
+    values[LEVEL] = level_;
+    values[FULL] = level_ >= kWhole;
+    values[EMPTY] = level_ <= 0;
+  }
+
+  double in_, out_;  // % of the capacity per second
+  double level_;
+};
+
+std::unique_ptr<Process> make(std::span<const double> parameters) {
+  return std::make_unique<Tank>(parameters);
+}
+
+}  // namespace
+
+const Kind kTank{"tank", Duration::milliseconds(1), kParameters, kSignals, make};
+
+}  // namespace merker::plant

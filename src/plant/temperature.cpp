@@ -1,0 +1,69 @@
+// A process that is heated and cooled: two lags in series and dead time, with a gain of its own for
+// each direction (PID-SIM-04). PV = AMBIENT + what heating and cooling make of it.
+#include <cmath>
+
+#include "plant/delay.h"
+#include "plant/processes.h"
+
+namespace merker::plant {
+namespace {
+
+enum { HEATING_GAIN, COOLING_GAIN, FIRST_TIME_CONSTANT, SECOND_TIME_CONSTANT, DEAD_TIME };
+enum { LMN, HEAT, COOL, DISTURBANCE, AMBIENT, PV };
+
+constexpr double kDay = 24 * 3600.0;
+constexpr double kRoom = 20;  // degC
+
+constexpr Parameter kParameters[] = {
+    {"heating_gain", Parameter::Form::Number, 3, 0, 1e6},  // degC per %
+    {"cooling_gain", Parameter::Form::Number, 1.5, 0, 1e6},
+    {"first_time_constant", Parameter::Form::Time, 60, 0.001, kDay},
+    {"second_time_constant", Parameter::Form::Time, 10, 0.001, kDay},
+    {"dead_time", Parameter::Form::Time, 0, 0, 3600},
+};
+// LMN in %, below 0 it cools; HEAT and COOL are +100 % and -100 %.
+constexpr Signal kSignals[] = {
+    {"LMN", Signal::Side::Input},
+    {"HEAT", Signal::Side::Input, true},
+    {"COOL", Signal::Side::Input, true},
+    {"DISTURBANCE", Signal::Side::Input},
+    {"AMBIENT", Signal::Side::Input, false, kRoom},
+    {"PV", Signal::Side::Output, false, kRoom, 0, 400},
+};
+
+class Temperature : public Process {
+ public:
+  explicit Temperature(std::span<const double> parameters)
+      : heating_(parameters[HEATING_GAIN]),
+        cooling_(parameters[COOLING_GAIN]),
+        first_(parameters[FIRST_TIME_CONSTANT]),
+        second_(parameters[SECOND_TIME_CONSTANT]),
+        delay_(parameters[DEAD_TIME]) {}
+
+  void begin(std::span<double> values) override { values[PV] = values[AMBIENT]; }
+
+  void advance(Instant from, Instant to, std::span<double> values) override {
+    const double wanted = values[LMN] + 100 * (values[HEAT] - values[COOL]) + values[DISTURBANCE];
+    const double u = delay_(from, wanted);
+    const double time = seconds(from, to);
+    const double target = (u >= 0 ? heating_ : cooling_) * u;
+    heater_ += (1 - std::exp(-time / first_)) * (target - heater_);
+    above_ += (1 - std::exp(-time / second_)) * (heater_ - above_);
+    values[PV] = values[AMBIENT] + above_;
+  }
+
+ private:
+  double heating_, cooling_, first_, second_;
+  Delay delay_;
+  double heater_ = 0, above_ = 0;
+};
+
+std::unique_ptr<Process> make(std::span<const double> parameters) {
+  return std::make_unique<Temperature>(parameters);
+}
+
+}  // namespace
+
+const Kind kTemperature{"temperature", Duration::milliseconds(1), kParameters, kSignals, make};
+
+}  // namespace merker::plant
