@@ -7,12 +7,13 @@
 namespace merker::plant {
 namespace {
 
-enum { BOUNCES, BOUNCE_TIME };
+enum { BOUNCES, BOUNCE_TIME, NORMALLY_CLOSED };
 enum { PRESSED, CONTACT };
 
 constexpr Parameter kParameters[] = {
     {"bounces", Parameter::Form::Number, 5, 0, 1000},
     {"bounce_time", Parameter::Form::Time, 0.005, 0.000001, 10},
+    {"normally_closed", Parameter::Form::Number, 0, 0, 1},
 };
 constexpr Signal kSignals[] = {
     {"PRESSED", Signal::Side::Input, true},
@@ -23,20 +24,21 @@ class BouncingSwitch : public Process {
  public:
   explicit BouncingSwitch(std::span<const double> parameters)
       : edges_(2 * static_cast<std::int64_t>(parameters[BOUNCES])),
-        time_(std::llround(parameters[BOUNCE_TIME] * 1e9)) {}
+        time_(std::llround(parameters[BOUNCE_TIME] * 1e9)),
+        closed_(parameters[NORMALLY_CLOSED] != 0) {}
 
-  void begin(std::span<double> values) override { values[CONTACT] = values[PRESSED]; }
+  void begin(std::span<double> values) override { show(values, values[PRESSED]); }
 
   void advance(Instant, Instant to, std::span<double> values) override {
     if (values[PRESSED] != pressed_) {
       pressed_ = values[PRESSED];
       began_ = to;
       edge_ = 0;
-      values[CONTACT] = pressed_;
+      show(values, pressed_);
     }
     while (next() <= to) {
       ++edge_;
-      values[CONTACT] = edge_ % 2 == 0 ? pressed_ : 1 - pressed_;
+      show(values, edge_ % 2 == 0 ? pressed_ : 1 - pressed_);
     }
   }
 
@@ -47,7 +49,13 @@ class BouncingSwitch : public Process {
   }
 
  private:
+  // A normally closed contact opens when it is pressed (S7-HW-32).
+  void show(std::span<double> values, double pressed) const {
+    values[CONTACT] = closed_ ? 1 - pressed : pressed;
+  }
+
   std::int64_t edges_, time_;
+  bool closed_;
   double pressed_ = 0;
   Instant began_;
   std::int64_t edge_ = INT64_MAX;

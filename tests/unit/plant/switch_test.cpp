@@ -21,6 +21,13 @@ TEST(BouncingSwitch, bouncesAndRests) {
   EXPECT_EQ(bench.value("CONTACT"), 0);
 }
 
+TEST(BouncingSwitch, normallyClosed) {  // S7-HW-32
+  Bench bench(make("Emergency", "bouncing switch", {{"bounces", 0}, {"normally_closed", 1}}));
+  EXPECT_EQ(bench.value("CONTACT"), 1);
+  bench.set("PRESSED", 1);
+  EXPECT_EQ(bench.value("CONTACT"), 0);
+}
+
 // Let go while it still bounces: the bouncing begins anew.
 TEST(BouncingSwitch, changesWhileBouncing) {
   Bench bench(make("Button", "bouncing switch", {{"bounces", 1}, {"bounce_time", 0.004}}));

@@ -13,7 +13,7 @@ plant::Configuration plants() {
   for (const plant::Parameter& parameter : oven.kind->parameters)
     oven.parameters.push_back(parameter.standard);
   oven.wires.push_back({0, io::Terminal{}, "2.3.AO0", 1, 0});
-  plant::PlantSettings button{"Button", plant::findKind("bouncing switch"), {}, {5, 0.005}, {}};
+  plant::PlantSettings button{"Button", plant::findKind("bouncing switch"), {}, {5, 0.005, 0}, {}};
   return {{oven, button}};
 }
 

@@ -25,6 +25,17 @@ TEST(Library, HasTheBlocksOfTheTable) {
   }
 }
 
+// PID-USE-01
+TEST(Library, ClosedLoopControlIsOnCompactCpus) {
+  for (const char* name :
+       {"313C", "313C-2 PtP", "313C-2 DP", "314C-2 PtP", "314C-2 DP", "314C-2 PN/DP", "generic"})
+    for (const std::uint16_t sfb : {41, 42, 43})
+      EXPECT_TRUE(library(*findCpuModel(name)).contains({BlockKind::SFB, sfb})) << name << sfb;
+  for (const char* name : {"312C", "312 IFM", "318-2"})
+    for (const std::uint16_t sfb : {41, 42, 43})
+      EXPECT_FALSE(library(*findCpuModel(name)).contains({BlockKind::SFB, sfb})) << name << sfb;
+}
+
 // IN, OUT, IN_OUT, RETURN.
 TEST(Library, ListsParametersInOrder) {
   const block::Program program = library(defaultCpuModel());
