@@ -40,7 +40,6 @@ constexpr std::array kSteps = {
     StepWord{"scenario", Rest::Scenario, StepKind::Wait},
 };
 
-
 // Takes the words of `wanted` off `line` if it begins with them.
 bool takeWords(std::string_view& line, std::string_view wanted) {
   std::string_view rest = line;

@@ -90,7 +90,7 @@ class Test(Case):
 
     def test_problems_of_a_scenario(self):
         self.write("a.awl", PROGRAM)
-        self.write("a.scn", "  sett E 0.0 = 1\n  expect XY 5 = 1\n  encoder 1 = 1\n")
+        self.write("a.scn", "  sett E 0.0 = 1\n  expect XY 5 = 1\n  expect encoder 1 = 1\n")
         call = self.expect(PROBLEMS, "test", "a.scn")
         self.assertRegex(call.err, r"(?m)^a\.scn:1:3: error: .*\[P0950\]$")
         self.assertRegex(call.err, r"(?m)^a\.scn:3:3: error: .*\[P0951\]$")

@@ -178,13 +178,6 @@ TEST(ScenarioParser, StepsOfOtherPartsSayWhichExist) {
   }
 }
 
-TEST(ScenarioParser, AStepOfOtherPartsIsNamedInFull) {
-  const Parsed p = parse("expect  encoder oven.hot = 1\n");
-  EXPECT_EQ(p.problem(), "1:1 P0951");
-  EXPECT_TRUE(p.problems.list()[0].message.starts_with("the step 'expect  encoder' needs"))
-      << p.problems.list()[0].message;
-}
-
 TEST(ScenarioParser, AnApostropheInsideAText) {
   const Parsed p = parse("set DB1.a = 'it$'s, or = not', MB 1 = 2\n");
   EXPECT_TRUE(p.problems.empty());
