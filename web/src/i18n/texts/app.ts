@@ -3,7 +3,6 @@ import type { Texts } from '..';
 export const app = {
   noProject: ['kein Projekt', 'no project'],
   views: ['Ansichten', 'Views'],
-  language: ['Sprache: Deutsch', 'Language: English'],
   languageOther: ['Switch to English', 'Auf Deutsch umschalten'],
   theme: ['Farben: {theme}', 'Colours: {theme}'],
   themeAuto: ['wie das System', 'as the system'],
