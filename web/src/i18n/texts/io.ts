@@ -1,5 +1,26 @@
 import type { Texts } from '..';
 
 export const io = {
-  title: ['Eingänge und Ausgänge', 'Inputs and outputs'],
+  title: ['Ein- und Ausgänge', 'Inputs and outputs'],
+  add: ['Hinzufügen', 'Add'],
+  addLabel: ['Kachel für Operand', 'Tile for operand'],
+  addExample: ['EB 0, MW 10, T 1, Z 1, DB1.DBW 0', 'IB 0, MW 10, T 1, C 1, DB1.DBW 0'],
+  addWrong: [
+    '„{text}“ ist kein Operand für eine Kachel. Möglich sind EB, AB, MB, PEB (auch W, D), T, Z, DBn.DBW.',
+    '“{text}” is no operand for a tile. Possible are IB, QB, MB, PIB (also W, D), T, C, DBn.DBW.',
+  ],
+  addTwice: ['{operand} ist schon da.', '{operand} is already there.'],
+  remove: ['{operand} entfernen', 'Remove {operand}'],
+  toggle: ['{operand} {symbol}: {value}, umschalten', '{operand} {symbol}: {value}, toggle'],
+  forced: ['geforct', 'forced'],
+  format: ['Format von {operand}', 'Format of {operand}'],
+  value: ['Wert für {operand}', 'Value for {operand}'],
+  slider: ['Schieber für {operand}', 'Slider for {operand}'],
+  write: ['Schreiben', 'Write'],
+  reset: ['Rücksetzen', 'Reset'],
+  empty: [
+    'Noch keine Kachel. Oben einen Operanden eingeben, zum Beispiel EB 0.',
+    'No tile yet. Enter an operand above, for example IB 0.',
+  ],
+  defaults: ['Kacheln aus den Symbolen', 'Tiles from the symbols'],
 } satisfies Texts;
