@@ -1,5 +1,6 @@
 import { expect, test } from 'vitest';
-import { bitsOf, formatsOf, parseTile, rangeOf, sliderValue, tilesOfSymbols } from './tiles';
+import { formatsOf } from '../state/formats';
+import { bitsOf, parseTile, rangeOf, sliderValue, tilesOfSymbols } from './tiles';
 
 test.each([
   ['eb0', 'EB 0', 'channels', 8],
@@ -29,6 +30,8 @@ test('formats fit the width (S7-SIM-12)', () => {
   expect(formatsOf(16)).not.toContain('REAL');
   expect(formatsOf(32)).toContain('REAL');
   expect(formatsOf(8)).not.toContain('S5TIME');
+  expect(formatsOf(1)).toEqual(['AUTO', 'BOOL', 'BIN', 'HEX', 'UDEC']);
+  expect(formatsOf(0).length).toBe(15);
 });
 
 test('the slider of DEC is signed', () => {

@@ -10,14 +10,6 @@ export interface Tile {
 }
 
 const WIDTH = { B: 8, W: 16, D: 32 } as const;
-export const FORMATS = ['BIN', 'HEX', 'DEC', 'UDEC', 'BCD', 'S5TIME', 'REAL', 'CHAR', 'TIME', 'POINTER'] as const;
-const BITS_OF_FORMAT: Record<string, number> = { S5TIME: 16, REAL: 32, TIME: 32, POINTER: 32 };
-
-/** The formats that fit a width. */
-export function formatsOf(bits: number): string[] {
-  return FORMATS.filter((format) => (BITS_OF_FORMAT[format] ?? bits) === bits);
-}
-
 /** "eb0" is the tile EB 0; undefined is no operand that a tile can show. */
 export function parseTile(text: string): Tile | undefined {
   const typed = text.trim().toUpperCase().replace(/\s+/g, ' ');

@@ -26,7 +26,8 @@ export class Plc {
   time = $state(0);
   clock = $state('');
   cycles = $state(0);
-  cycle = $state({ last: 0, min: 0, max: 0 });
+  /** In milliseconds; null where the PLC measures none. */
+  cycle = $state<{ last: number; min: number; max: number } | null>(null);
   pace = $state<{ mode: 'real' | 'fast' | 'pause'; factor: number }>({ mode: 'real', factor: 1 });
   reached = $state(1);
   engine = $state<'interpreter' | 'jit'>('interpreter');
@@ -39,6 +40,11 @@ export class Plc {
   /** False until the first state came, and while the connection is lost: everything shown is old then. */
   live = $state(false);
   phase = $state<Phase>('connecting');
+
+  /** Whether an operand is forced, by its text or its address. */
+  isForced(...names: string[]): boolean {
+    return this.forces.some((force) => names.includes(force.operand));
+  }
 
   /** Takes over the fields that changed. */
   receive(message: Fields): void {

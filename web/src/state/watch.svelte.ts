@@ -6,7 +6,10 @@ export interface WatchItem {
 }
 
 export interface Watched {
+  /** As the item named it. */
   operand: string;
+  /** As the server calls it: "A 1.0" for "Motor". */
+  address: string;
   symbol: string;
   comment: string;
   type: string;
@@ -67,12 +70,12 @@ export class WatchList {
     result.items.forEach((described, index) => {
       const item = this.items[index];
       if (!item) return;
-      const { operand: _, ...rest } = described;
-      Object.assign(item, { problem: undefined }, rest);
+      const { operand, ...rest } = described;
+      Object.assign(item, { problem: undefined, address: operand ?? '' }, rest);
     });
   }
 }
 
 function unknown(item: { operand: string; format: string }): Watched {
-  return { ...item, symbol: '', comment: '', type: '', bits: 0, text: '?', raw: null };
+  return { ...item, address: '', symbol: '', comment: '', type: '', bits: 0, text: '?', raw: null };
 }

@@ -1,0 +1,84 @@
+import { untrack } from 'svelte';
+import { connection, type Fields } from '../connection';
+import { kept } from '../state/kept.svelte';
+import { attempt } from '../state/messages.svelte';
+import { plc } from '../state/plc.svelte';
+import { parseTable, printTable, type Row } from './table';
+
+interface Draft {
+  path: string;
+  rows: Row[];
+}
+
+const drafts = kept<Record<string, Draft>>('variables', {});
+const emptyRow = (): Row => ({ operand: '', format: 'AUTO', modify: '' });
+
+/** The table that is being edited; this browser keeps it per project until it is saved as a file of the project. */
+export class Table {
+  path = $state('');
+  rows = $state<Row[]>([]);
+  files = $state<string[]>([]);
+  private project = '';
+
+  /** Shows what this browser kept of the project. */
+  follow(project: string): void {
+    if (project === this.project) return;
+    this.project = project;
+    const draft = untrack(() => drafts.value[project]);
+    this.path = draft?.path ?? '';
+    this.rows = draft?.rows ?? [];
+    this.complete();
+  }
+
+  /** The last row is always empty: to type the next operand into. */
+  complete(): void {
+    if (this.rows[this.rows.length - 1]?.operand !== '') this.rows.push(emptyRow());
+  }
+
+  keep(): void {
+    if (!this.project) return;
+    const draft = { path: this.path, rows: $state.snapshot(this.rows) };
+    drafts.value = { ...untrack(() => drafts.value), [this.project]: draft };
+  }
+
+  async list(): Promise<void> {
+    const answer = await connection.ask<{ files: { path: string; kind: string }[] }>('files.list').catch(() => null);
+    if (answer) this.files = answer.files.map((file) => file.path).filter((path) => /\.vat$/i.test(path));
+  }
+
+  fresh(): void {
+    this.path = '';
+    this.rows = [emptyRow()];
+  }
+
+  remove(row: Row): void {
+    this.rows = this.rows.filter((one) => one !== row);
+    this.complete();
+  }
+
+  async open(path: string): Promise<void> {
+    const file = await attempt(connection.ask<{ text: string }>('files.read', { path }));
+    if (!file) return;
+    this.path = path;
+    this.rows = parseTable(file.text);
+    this.complete();
+  }
+
+  /** True if the file holds the table now. */
+  async save(path: string): Promise<boolean> {
+    const text = printTable(this.rows);
+    const there = this.files.includes(path);
+    const old = there ? await attempt(connection.ask<Fields>('files.read', { path })) : undefined;
+    if (there && !old) return false;
+    if (!there && (await attempt(connection.ask('files.create', { path }))) === undefined) return false;
+    const revision = old?.revision ?? (await attempt(connection.ask<Fields>('files.read', { path })))?.revision;
+    if ((await attempt(connection.ask('files.write', { path, text, revision }))) === undefined) return false;
+    this.path = path;
+    return true;
+  }
+}
+
+export const table = new Table();
+
+/** Whether this is the project's table of the moment. */
+export const projectOf = () => plc.project?.folder ?? '';
