@@ -6,6 +6,7 @@
 #include "case.h"
 #include "comparison.h"
 #include "cpu/trigger.h"
+#include "source.h"
 #include "stand.h"
 
 namespace merker::differential {
@@ -44,6 +45,7 @@ std::shared_ptr<const block::Program> program(const Case& c) {
     block.localBytes = 40;
     add(std::move(block));
   }
+  if (c.seed % 4 == 0) result->insert(systemCalls().begin(), systemCalls().end());
   return result;
 }
 

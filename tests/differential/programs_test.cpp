@@ -1,0 +1,85 @@
+// The conformance programs and examples, each on both engines: calls with parameters, system
+// functions, error OBs as people write them.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <random>
+
+#include "comparison.h"
+#include "jit/native.h"
+#include "source.h"
+#include "stand.h"
+
+namespace merker::differential {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> sources() {
+  std::vector<std::string> paths;
+  for (const char* folder : {"/tests/conformance", "/examples"})
+    for (const auto& entry :
+         fs::recursive_directory_iterator(MERKER_SOURCE_DIR + std::string(folder)))
+      if (entry.path().extension() == ".awl" &&
+          entry.path().string().find("rejected") == std::string::npos)
+        paths.push_back(entry.path().string());
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+std::string modelOf(const std::string& path) {
+  return path.find("_generic4") != std::string::npos ? "generic-4" : "314C-2 PtP";
+}
+
+void advance(cpu::Cpu& cpu, Instant until, std::uint32_t inputs) {
+  for (unsigned byte = 0; byte < 4; ++byte)
+    cpu.machine().areas.inputs[byte] = static_cast<std::uint8_t>(inputs >> 8 * byte);
+  while (cpu.machine().clock < until && executes(cpu.mode())) cpu.step(until);
+}
+
+// Between the stops up to 1 ms at first, later up to 1 s: timers, IEC timers, delays.
+std::string difference(const std::shared_ptr<const block::Program>& program,
+                       const std::string& model) {
+  constexpr int kStops = 60, kFar = 50;
+  const CpuParameters parameters = CpuParameters::of(*findModel(model));
+  cpu::Cpu& interpreted = stand({.model = model, .compiled = false}).load(program, parameters);
+  cpu::Cpu& compiled = stand({.model = model}).load(program, parameters);
+  for (cpu::Cpu* cpu : {&interpreted, &compiled}) cpu->restart(cpu::Restart::ManualWarm);
+  std::mt19937 random(1);
+  for (int i = 0; i < kStops; ++i) {
+    const auto most = Duration::milliseconds(i < kFar ? 1 : 1000);
+    const Instant until =
+        interpreted.machine().clock +
+        Duration{static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(most.ns))};
+    const auto inputs = static_cast<std::uint32_t>(random());
+    advance(interpreted, until, inputs);
+    advance(compiled, until, inputs);
+    const std::string found = compare(interpreted, compiled);
+    if (!found.empty()) return fmt::format("stop {}:\n{}", i, found);
+    if (!executes(interpreted.mode())) break;
+  }
+  return {};
+}
+
+TEST(DifferentialPrograms, ConformanceAndExamples) {
+  if (!jit::available()) GTEST_SKIP() << "no compiler for this processor";
+  int compared = 0;
+  for (const std::string& path : sources()) {
+    const std::string model = modelOf(path);
+    auto program = std::make_shared<block::Program>(compiled(path, *findModel(model)));
+    if (!program->contains({BlockKind::OB, 1})) continue;  // needs its project's other files
+    EXPECT_EQ(difference(program, model), "") << path;
+    ++compared;
+  }
+  EXPECT_GT(compared, 100);
+  std::cout << compared << " programs\n";
+}
+
+// They would not be called if they did not compile.
+TEST(DifferentialPrograms, SystemCallsAreThere) {
+  EXPECT_TRUE(systemCalls().contains({BlockKind::FC, 2}));
+  EXPECT_TRUE(systemCalls().contains({BlockKind::FC, 3}));
+}
+
+}  // namespace
+}  // namespace merker::differential
