@@ -162,6 +162,10 @@ class Generator {
   std::mt19937 random_;
 };
 
+void callSystem(std::vector<std::uint8_t>& code) {
+  code.insert(code.begin(), {0x3D, 0x02, 0x3D, 0x03});  // UC FC 2, UC FC 3
+}
+
 }  // namespace
 
 Case randomCase(std::uint32_t seed) {
@@ -170,6 +174,7 @@ Case randomCase(std::uint32_t seed) {
   c.seed = seed;
   if (generator.oneIn(8)) c.model = generator.oneIn(32) ? "generic" : "small generic";
   c.blocks[{BlockKind::OB, 1}] = generator.code(4 + generator.below(60));
+  if (c.withSystemCalls()) callSystem(c.blocks[{BlockKind::OB, 1}]);
   c.blocks[{BlockKind::FC, 1}] = generator.code(1 + generator.below(20));
   c.blocks[{BlockKind::FB, 2}] = generator.code(1 + generator.below(12));
   for (const std::uint16_t ob : std::initializer_list<std::uint16_t>{35, 40, 121, 122})

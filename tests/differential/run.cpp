@@ -45,7 +45,7 @@ std::shared_ptr<const block::Program> program(const Case& c) {
     block.localBytes = 40;
     add(std::move(block));
   }
-  if (c.seed % 4 == 0) result->insert(systemCalls().begin(), systemCalls().end());
+  if (c.withSystemCalls()) result->insert(systemCalls().begin(), systemCalls().end());
   return result;
 }
 
