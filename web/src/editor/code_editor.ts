@@ -1,0 +1,193 @@
+// The editor of one text: CodeMirror with everything AWL needs, in a shadow root.
+import {
+  autocompletion,
+  closeBrackets,
+  closeBracketsKeymap,
+  completionKeymap,
+  startCompletion,
+} from '@codemirror/autocomplete';
+import { defaultKeymap, history, historyKeymap, indentWithTab } from '@codemirror/commands';
+import { bracketMatching, indentUnit } from '@codemirror/language';
+import { setDiagnostics } from '@codemirror/lint';
+import { gotoLine, highlightSelectionMatches, search, searchKeymap } from '@codemirror/search';
+import { Annotation, Compartment, EditorState, type Extension } from '@codemirror/state';
+import {
+  drawSelection,
+  EditorView,
+  highlightActiveLine,
+  highlightActiveLineGutter,
+  keymap,
+  lineNumbers,
+  type KeyBinding,
+} from '@codemirror/view';
+import type { Problem } from '../connection';
+import { breakpointGutter, setBreakpoints, setHaltLine } from './breakpoints';
+import type { Catalogue } from './catalogue';
+import { codeTheme } from './code_theme';
+import { completionSource } from './completion';
+import { initialState, tokenizeLine } from './lexer';
+import { awlSupport } from './language';
+import { diagnostics } from './problems';
+import { setStatus, statusDisplay, statusField, type StatusRow } from './status_columns';
+import { displaySetting, symbolicDisplay, type DisplaySetting } from './symbolic';
+
+export interface EditorHooks {
+  label: string;
+  catalogue: () => Catalogue;
+  edited: (text: string) => void;
+  moved: (line: number) => void;
+  breakpoints: (lines: number[]) => void;
+  keys: KeyBinding[];
+}
+
+const operandKinds = new Set(['operand', 'symbol', 'local', 'name']);
+const fromOutside = Annotation.define<boolean>();
+
+export class CodeEditor {
+  readonly view: EditorView;
+  private readonly display = new Compartment();
+  private readonly status = new Compartment();
+  private readonly writable = new Compartment();
+
+  constructor(
+    host: HTMLElement,
+    private readonly hooks: EditorHooks,
+  ) {
+    const root = host.shadowRoot ?? host.attachShadow({ mode: 'open' });
+    this.view = new EditorView({ parent: root as unknown as Element, root, state: this.stateOf('', false) });
+  }
+
+  /** Another text: its own history, its own place. */
+  open(text: string, readOnly: boolean): void {
+    this.view.setState(this.stateOf(text, readOnly));
+  }
+
+  keptState(): EditorState {
+    return this.view.state;
+  }
+
+  restore(state: EditorState): void {
+    this.view.setState(state);
+  }
+
+  /** Changes the text where it differs, as one step that can be undone; the cursor stays at its word. */
+  replace(text: string): void {
+    const old = this.view.state.doc.toString();
+    if (old === text) return;
+    const shorter = Math.min(old.length, text.length);
+    let start = 0;
+    while (start < shorter && old[start] === text[start]) start++;
+    let end = 0;
+    while (end < shorter - start && old[old.length - 1 - end] === text[text.length - 1 - end]) end++;
+    this.view.dispatch({
+      changes: { from: start, to: old.length - end, insert: text.slice(start, text.length - end) },
+      annotations: fromOutside.of(true),
+    });
+  }
+
+  goTo(line: number, column = 1): void {
+    const { doc } = this.view.state;
+    const at = doc.line(Math.min(Math.max(line, 1), doc.lines));
+    const anchor = Math.min(at.from + Math.max(column - 1, 0), at.to);
+    this.view.dispatch({ selection: { anchor }, effects: EditorView.scrollIntoView(anchor, { y: 'center' }) });
+  }
+
+  line(): number {
+    return this.view.state.doc.lineAt(this.view.state.selection.main.head).number;
+  }
+
+  /** The operand, symbol or block at a place, as it is written. */
+  wordAt(position: number): string {
+    const line = this.view.state.doc.lineAt(position);
+    const before = this.view.state.sliceDoc(0, line.from);
+    const state = initialState();
+    for (const text of before.split('\n').slice(0, -1)) tokenizeLine(text, state);
+    const column = position - line.from;
+    const words = tokenizeLine(line.text, state).filter((token) => token.from <= column && column <= token.to);
+    return words.find((token) => operandKinds.has(token.kind))?.text ?? '';
+  }
+
+  /** Puts a word in place of the selection. */
+  insert(text: string): void {
+    this.view.dispatch(this.view.state.replaceSelection(text));
+    this.view.focus();
+  }
+
+  complete(): void {
+    this.view.focus();
+    startCompletion(this.view);
+  }
+
+  showProblems(problems: readonly Problem[]): void {
+    this.view.dispatch(setDiagnostics(this.view.state, diagnostics(this.view.state.doc, problems)));
+  }
+
+  showDisplay(setting: DisplaySetting): void {
+    this.view.dispatch({ effects: this.display.reconfigure(displaySetting.of(setting)) });
+  }
+
+  showColumns(columns: readonly string[] | null): void {
+    this.view.dispatch({ effects: this.status.reconfigure(columns ? statusDisplay(columns) : []) });
+  }
+
+  showStatus(rows: readonly StatusRow[] | null): void {
+    this.view.dispatch({ effects: setStatus.of(rows) });
+  }
+
+  showBreakpoints(lines: readonly number[]): void {
+    this.view.dispatch({ effects: setBreakpoints.of(lines) });
+  }
+
+  showHalt(line: number | null): void {
+    this.view.dispatch({ effects: setHaltLine.of(line) });
+  }
+
+  destroy(): void {
+    this.view.destroy();
+  }
+
+  private stateOf(doc: string, readOnly: boolean): EditorState {
+    return EditorState.create({ doc, extensions: this.extensions(readOnly) });
+  }
+
+  private extensions(readOnly: boolean): Extension {
+    return [
+      breakpointGutter(this.hooks.breakpoints),
+      lineNumbers(),
+      highlightActiveLineGutter(),
+      highlightActiveLine(),
+      history(),
+      drawSelection(),
+      bracketMatching(),
+      closeBrackets(),
+      indentUnit.of('      '),
+      search({ top: false }),
+      highlightSelectionMatches(),
+      autocompletion({ override: [completionSource(this.hooks.catalogue)], icons: false }),
+      awlSupport(),
+      this.display.of([]),
+      symbolicDisplay,
+      statusField,
+      this.status.of([]),
+      this.writable.of(EditorState.readOnly.of(readOnly)),
+      EditorView.contentAttributes.of({ 'aria-label': this.hooks.label, spellcheck: 'false' }),
+      keymap.of([
+        ...this.hooks.keys,
+        { key: 'Mod-g', run: gotoLine, preventDefault: true },
+        ...closeBracketsKeymap,
+        ...completionKeymap,
+        ...searchKeymap,
+        ...historyKeymap,
+        ...defaultKeymap,
+        indentWithTab,
+      ]),
+      codeTheme,
+      EditorView.updateListener.of((update) => {
+        const own = update.transactions.some((transaction) => transaction.annotation(fromOutside));
+        if (update.docChanged && !own) this.hooks.edited(update.state.doc.toString());
+        if (update.selectionSet || update.docChanged)
+          this.hooks.moved(update.state.doc.lineAt(update.state.selection.main.head).number);
+      }),
+    ];
+  }
+}

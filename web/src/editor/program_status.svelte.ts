@@ -1,0 +1,50 @@
+// The live program status of one block (S7-EDIT-21), asked for as long as somebody looks at it.
+import { connection, type Kept } from '../connection';
+import type { StatusRow } from './status_columns';
+
+interface StatusEvent {
+  block: string;
+  file: string;
+  rows: StatusRow[] | null;
+}
+
+export class ProgramStatus {
+  rows = $state.raw<readonly StatusRow[] | null>(null);
+  running = $state(true);
+  private kept: Kept | null = null;
+  private place = '';
+  private readonly end: () => void;
+
+  constructor() {
+    this.end = connection.on('status', (message) => this.receive(message as unknown as StatusEvent));
+  }
+
+  show(file: string, line: number): void {
+    const place = `${file}:${line}`;
+    if (this.kept && place === this.place) return;
+    this.place = place;
+    this.rows = null;
+    this.running = true;
+    if (this.kept) this.kept.update({ file, line });
+    else this.kept = connection.keep('status.show', { file, line }, undefined, 'status.hide');
+  }
+
+  hide(): void {
+    this.kept?.drop();
+    this.kept = null;
+    this.place = '';
+    this.rows = null;
+    this.running = true;
+  }
+
+  destroy(): void {
+    this.hide();
+    this.end();
+  }
+
+  private receive(event: StatusEvent): void {
+    if (!this.kept) return;
+    this.running = event.rows !== null;
+    this.rows = event.rows;
+  }
+}

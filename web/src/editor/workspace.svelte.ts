@@ -1,0 +1,213 @@
+// The project as the program view sees it: files, open texts, blocks of both sides, problems. It outlives a change of view.
+import { SvelteMap } from 'svelte/reactivity';
+import { connection, Refused, type Problem } from '../connection';
+import { attempt, messages } from '../state/messages.svelte';
+import { plc } from '../state/plc.svelte';
+import { emptyCatalogue, SymbolIndex, type Catalogue } from './catalogue';
+import { OpenDocument, type Stored } from './document.svelte';
+import { Drafts } from './drafts';
+
+export interface FileRow {
+  path: string;
+  size: number;
+  kind: 'source' | 'symbols' | 'hardware' | 'table' | 'scenario' | 'other';
+}
+
+export interface BlockRow {
+  id: string;
+  symbol: string;
+  title: string;
+  language: string;
+  load: number;
+  work: number;
+  file: string;
+  line: number;
+  calls: string[];
+  version: string;
+  checksum: string;
+}
+
+/** Where the compiler puts the variables of a block (S7-EDIT-02). */
+export interface Interface {
+  block: string;
+  file: string;
+  line: number;
+  variables: { name: string; section: string; address: string }[];
+}
+
+interface Checked {
+  problems: Problem[];
+  interfaces?: Interface[];
+}
+
+export type Side = 'offline' | 'online';
+export type Difference = 'same' | 'different' | 'onlyOffline' | 'onlyOnline';
+
+export interface Compared {
+  id: string;
+  state: Difference;
+  where: string;
+}
+
+const CHECK_AFTER_MS = 300;
+
+class Workspace {
+  files = $state.raw<FileRow[]>([]);
+  blocks = $state.raw<Record<Side, BlockRow[]>>({ offline: [], online: [] });
+  compared = $state.raw<Compared[]>([]);
+  catalogue = $state.raw<Catalogue>(emptyCatalogue());
+  problems = $state.raw<Problem[]>([]);
+  interfaces = $state.raw<Interface[]>([]);
+  checked = $state(false);
+  documents = new SvelteMap<string, OpenDocument>();
+  current = $state<OpenDocument | null>(null);
+  symbols = $derived(new SymbolIndex(this.catalogue.symbols));
+
+  private folder = '';
+  private drafts = new Drafts(localStorage, '');
+  private timer: ReturnType<typeof setTimeout> | undefined;
+
+  /** Another project: its texts, and what was typed in it before. */
+  enter(folder: string): void {
+    if (folder === this.folder) return;
+    this.folder = folder;
+    this.drafts = new Drafts(localStorage, folder);
+    this.documents.clear();
+    this.current = null;
+    this.problems = [];
+    this.checked = false;
+  }
+
+  /** After a change of files, by any browser or on the disk. */
+  async refreshFiles(): Promise<void> {
+    const answer = await attempt(connection.ask<{ files: FileRow[] }>('files.list'));
+    if (answer) this.files = answer.files;
+    for (const document of this.documents.values()) if (!document.readonly) await this.reread(document);
+    const catalogue = await attempt(connection.ask<Catalogue>('program.completion'));
+    if (catalogue) this.catalogue = catalogue;
+    this.checkSoon();
+  }
+
+  async refreshBlocks(): Promise<void> {
+    const ask = async (side: Side): Promise<BlockRow[]> =>
+      (await quiet(connection.ask<{ blocks: BlockRow[] }>('program.blocks', { side })))?.blocks ?? [];
+    this.blocks = { offline: await ask('offline'), online: await ask('online') };
+    this.compared = (await quiet(connection.ask<{ blocks: Compared[] }>('program.compare')))?.blocks ?? [];
+  }
+
+  async open(path: string): Promise<OpenDocument | undefined> {
+    let document = this.documents.get(path);
+    if (!document) {
+      const stored = await attempt(connection.ask<Stored>('files.read', { path }));
+      if (!stored) return undefined;
+      document = this.documents.get(path) ?? new OpenDocument(path, stored, this.drafts);
+      this.documents.set(path, document);
+    }
+    this.current = document;
+    this.checkSoon();
+    return document;
+  }
+
+  /** A block of the CPU as AWL, to read only. */
+  async openOnline(block: string, mnemonics: string): Promise<void> {
+    const answer = await attempt(
+      connection.ask<{ text: string }>('program.listing', { block, side: 'online', mnemonics }),
+    );
+    if (!answer) return;
+    const document = new OpenDocument(`CPU: ${block}`, { text: answer.text, revision: 0 }, this.drafts, true);
+    this.documents.set(document.path, document);
+    this.current = document;
+  }
+
+  close(path: string): void {
+    this.documents.delete(path);
+    if (this.current?.path === path) this.current = [...this.documents.values()].at(-1) ?? null;
+  }
+
+  edit(document: OpenDocument, text: string): void {
+    document.edit(text);
+    this.checkSoon();
+  }
+
+  /** False if it could not be saved; the text stays as it is. */
+  async save(document: OpenDocument): Promise<boolean> {
+    if (document.readonly || document.conflict) return false;
+    if (!document.dirty) return true;
+    const { path, text, revision } = document;
+    try {
+      const answer = await connection.ask<{ revision: number }>('files.write', { path, text, revision });
+      document.saved(text, answer.revision);
+      return true;
+    } catch (error) {
+      if (error instanceof Refused) await this.refused(document, error);
+      return false;
+    }
+  }
+
+  /** Saves everything and loads it, or single blocks, into the CPU. */
+  async load(blocks?: string[]): Promise<boolean> {
+    for (const document of this.documents.values())
+      if (!(await this.save(document)) && !document.readonly) return false;
+    return (await attempt(connection.ask('program.load', blocks ? { blocks } : {}))) !== undefined;
+  }
+
+  /** By name in upper case; empty while the block has errors. */
+  addressesOf(path: string, line: number): Map<string, string> {
+    const found = this.interfaces.find((one) => one.file === path && one.line === line);
+    return new Map(found?.variables.map((variable) => [variable.name.toUpperCase(), variable.address]));
+  }
+
+  checkSoon(): void {
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => void this.check(), CHECK_AFTER_MS);
+  }
+
+  private async check(): Promise<void> {
+    const changed = [...this.documents.values()].filter((document) => document.dirty && !document.readonly);
+    const files = changed.map(({ path, text }) => ({ path, text }));
+    const answer = await quiet(connection.ask<Checked>('program.check', { files }));
+    if (!answer) return;
+    if (answer.interfaces) this.interfaces = answer.interfaces;
+    this.problems = answer.problems;
+    this.checked = true;
+    for (const document of this.documents.values())
+      document.problems = answer.problems.filter((problem) => problem.file === document.path);
+  }
+
+  private async reread(document: OpenDocument): Promise<void> {
+    const stored = await quiet(connection.ask<Stored>('files.read', { path: document.path }));
+    if (stored) document.arrived(stored);
+  }
+
+  // Another browser was faster: its text is shown beside ours. Anything else is told as the server says it.
+  private async refused(document: OpenDocument, error: Refused): Promise<void> {
+    await this.reread(document);
+    if (!document.conflict) messages.problems(error.problems);
+  }
+}
+
+/** For what repeats by itself: a refusal is no message for the user. */
+async function quiet<T>(answer: Promise<T>): Promise<T | undefined> {
+  try {
+    return await answer;
+  } catch {
+    return undefined;
+  }
+}
+
+export const workspace = new Workspace();
+
+/** Follows the server as long as the calling component lives. */
+export function followWorkspace(): void {
+  $effect(() => {
+    if (plc.live && plc.project) workspace.enter(plc.project.folder);
+  });
+  $effect(() => {
+    void plc.files;
+    if (plc.live && plc.project) void workspace.refreshFiles();
+  });
+  $effect(() => {
+    void [plc.files, plc.program];
+    if (plc.live && plc.project) void workspace.refreshBlocks();
+  });
+}
