@@ -1,0 +1,31 @@
+import { expect, test } from 'vitest';
+import { addresses, housings, lamps, type Slot } from './rack';
+
+const slot = (place: string, operands: string[], more: Partial<Slot> = {}): Slot => ({
+  slot: place,
+  order: '',
+  name: '',
+  kind: '',
+  terminals: operands.map((operand) => ({ text: '', operand, symbol: '' })),
+  properties: [],
+  faults: [],
+  ...more,
+});
+
+test('the submodules of a compact CPU sit in its housing', () => {
+  const list = housings({ rack: 0, slots: ['1', '2', '2.2', '2.3', '4'].map((place) => slot(place, [])) });
+  expect(list.map((one) => [one.main.slot, one.parts.length])).toEqual([
+    ['1', 0],
+    ['2', 2],
+    ['4', 0],
+  ]);
+});
+
+test('addresses come from the terminals, or from the ranges where there are none', () => {
+  expect(addresses(slot('2.2', ['E 124.0', 'E 124.1', 'E 126.7', 'A 124.0']))).toEqual(['E 124.0…126.7', 'A 124.0']);
+  expect(addresses(slot('2.4', [], { inputs: { first: 768, bytes: 16 } }))).toEqual(['PE 768…783']);
+});
+
+test('only digital terminals have a lamp', () => {
+  expect(lamps(slot('4', ['E 0.0', 'PEW 752'])).length).toBe(1);
+});
