@@ -14,6 +14,8 @@ class Station;
 namespace merker::app {
 
 void addEngine(CLI::App& command, std::string& engine);
+// Why this computer does not have it, as text.
+std::optional<std::string> whyMissing(const std::string& engine);
 // Why not, as text.
 std::optional<std::string> useEngine(const std::string& engine, station::Station& station);
 

@@ -6,6 +6,7 @@
 
 #include "command.h"
 #include "cpu_option.h"
+#include "engine_option.h"
 #include "input.h"
 #include "simulator/junit.h"
 #include "test_session.h"
@@ -15,7 +16,7 @@ namespace {
 
 struct Options {
   std::vector<std::string> paths;
-  std::string cpu, filter, junit, coverage;
+  std::string cpu, filter, junit, coverage, engine = "interpreter";
   bool json = false;
 };
 
@@ -71,7 +72,12 @@ void nothingTested(const Options& options) {
 }
 
 int test(const Options& options) {
-  TestSession session({options.cpu, options.filter, !options.coverage.empty(), options.json});
+  if (const auto problem = whyMissing(options.engine)) {
+    std::cerr << "merker test: " << *problem << '\n';
+    return kUsage;
+  }
+  TestSession session(
+      {options.cpu, options.filter, options.engine, !options.coverage.empty(), options.json});
   bool unreadable = false;
   for (const std::string& path : options.paths) unreadable |= !testPath(path, session);
   const bool nothing = session.results().empty();
@@ -98,6 +104,7 @@ void addTest(CLI::App& program, int& result) {
   command->add_option("--coverage", options->coverage,
                       "write which source lines ran (lcov format)");
   addCpu(*command, options->cpu);
+  addEngine(*command, options->engine);
   command->add_flag("--json", options->json, "the results as one JSON object");
   command->footer(
       "Examples:\n"

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/text.h"
+#include "engine_option.h"
 #include "simulator/junit.h"
 #include "simulator/runner.h"
 #include "simulator/self_check.h"
@@ -63,7 +64,7 @@ void TestSession::selfChecks(const project::TestTarget& target, const project::P
   // the scenarios' build prints the same problems
   if (target.scenarios.empty() || !built.ok()) printProblems(built.problems, built.files());
   if (!built.ok()) return notRun(target.path, "self-checks", built.problems);
-  const auto plc = built.controller(options_.coverage);
+  const auto plc = controller(built);
   add(simulator::runSelfChecks(target.path, *plc));
   if (options_.coverage) coverage_.add(*plc);
 }
@@ -102,8 +103,14 @@ void TestSession::scenarios(const std::string& path, const Build& build) {
   }
 }
 
+std::unique_ptr<controller::Controller> TestSession::controller(const Build& build) const {
+  auto plc = build.controller(options_.coverage);
+  if (!build.isListing()) (void)useEngine(options_.engine, static_cast<station::Station&>(*plc));
+  return plc;
+}
+
 void TestSession::scenario(const simulator::Scenario& scenario, const Build& build) {
-  const auto plc = build.controller(options_.coverage);
+  const auto plc = controller(build);
   add(simulator::runScenario(scenario, *plc));
   if (options_.coverage) coverage_.add(*plc);
 }

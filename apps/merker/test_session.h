@@ -1,6 +1,7 @@
 // What `merker test` does with the programs, scenarios and self-checks that were found.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ class TestSession {
  public:
   struct Options {
     std::string cpu, filter;
+    std::string engine = "interpreter";  // listings have no other
     bool coverage = false;
     bool quiet = false;  // no line per test
   };
@@ -33,6 +35,7 @@ class TestSession {
   std::size_t failed() const;
 
  private:
+  std::unique_ptr<controller::Controller> controller(const Build& build) const;
   void selfChecks(const project::TestTarget& target, const project::Project& project);
   void scenarios(const std::string& file, const Build& build);
   void scenario(const simulator::Scenario& scenario, const Build& build);

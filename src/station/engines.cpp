@@ -34,18 +34,27 @@ std::vector<bool> entriesOf(std::span<const icode::Region> regions, std::size_t 
   return entries;
 }
 
+// Instructions behind which somebody looks.
+std::vector<bool> checked(const Translated& code) {
+  std::vector<bool> result(code.side.size());
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] = code.side[i].checks != 0;
+  return result;
+}
+
 }  // namespace
 
-// Blocks with checks or coverage look at each instruction: they stay with the interpreter.
+// Blocks with coverage count each instruction: they stay with the interpreter.
 void Engines::compile(Translated& code) const {
-  if (!code.side.empty()) return;
+  if (!code.executed.empty()) return;
   const mc7::Listing listing = mc7::list(code.source->code);
-  std::vector<icode::Region> regions = translate::translate(listing, model_);
+  std::vector<icode::Region> regions = translate::translate(listing, model_, checked(code));
   for (icode::Region& region : regions) icode::optimise(region);
   auto native = jit::compile(regions, listing.places.size(), {code.ops.data(), sizeof(Op)}, model_,
                              options_.jit);
   if (native == nullptr) return;
-  auto entries = entriesOf(regions, code.instructionCount, options_.shortestEntry);
+  // Between checks regions are short; there agreement counts, not speed.
+  const std::uint32_t shortest = code.side.empty() ? options_.shortestEntry : 1;
+  auto entries = entriesOf(regions, code.instructionCount, shortest);
   setCompiled(code, std::make_shared<Native>(std::move(native), std::move(entries)));
 }
 

@@ -28,8 +28,8 @@ bool isOpening(Operation o) { return o >= Operation::AND_OPEN && o <= Operation:
 
 class Blockwise {
  public:
-  Blockwise(const mc7::Listing& listing, const CpuModel& model)
-      : listing_(listing), model_(model), isEntry_(listing.places.size() + 1) {}
+  Blockwise(const mc7::Listing& listing, const CpuModel& model, const std::vector<bool>& apart)
+      : listing_(listing), model_(model), apart_(apart), isEntry_(listing.places.size() + 1) {}
 
   std::vector<icode::Region> run() {
     markEntries();
@@ -62,6 +62,7 @@ class Blockwise {
 
   bool mayFollow(const icode::Region& region, std::uint32_t at, bool inBrackets) const {
     if (at >= listing_.places.size() || !listing_.places[at].known) return false;
+    if (at < apart_.size() && apart_[at]) return false;
     if (region.instructions == 0 || inBrackets) return true;
     return isEntry_[at] == 0 && region.instructions < kLongestRegion;
   }
@@ -104,14 +105,16 @@ class Blockwise {
 
   const mc7::Listing& listing_;
   const CpuModel& model_;
+  const std::vector<bool>& apart_;
   std::vector<std::uint8_t> isEntry_;
   std::vector<icode::Region> regions_;
 };
 
 }  // namespace
 
-std::vector<icode::Region> translate(const mc7::Listing& listing, const CpuModel& model) {
-  return Blockwise(listing, model).run();
+std::vector<icode::Region> translate(const mc7::Listing& listing, const CpuModel& model,
+                                     const std::vector<bool>& apart) {
+  return Blockwise(listing, model, apart).run();
 }
 
 }  // namespace merker::translate

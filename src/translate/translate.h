@@ -11,7 +11,9 @@
 namespace merker::translate {
 
 // In the order of the code. Instructions that belong to no region have no translation; regions end
-// in front of them. Every jump target that can be translated begins a region.
-std::vector<icode::Region> translate(const mc7::Listing& listing, const CpuModel& model);
+// in front of them. Every jump target that can be translated begins a region. `apart`: by
+// instruction, those that stay with the interpreter; empty: none.
+std::vector<icode::Region> translate(const mc7::Listing& listing, const CpuModel& model,
+                                     const std::vector<bool>& apart = {});
 
 }  // namespace merker::translate

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Runs the conformance programs: self-checking sources, scenarios and sources that must be rejected.
 
-usage: run.py MERKER [--filter TEXT] [--verbose]
+usage: run.py MERKER [--engine jit] [--filter TEXT] [--verbose]
 """
 import argparse
 import json
@@ -23,10 +23,10 @@ def call(merker, *arguments):
         return None, "", f"no end within {TIMEOUT} s"
     return done.returncode, done.stdout, done.stderr
 
-def test(merker, path):
+def test(merker, path, engine):
     """Problems of a self-checking program or a scenario; none if it passed."""
     cpu = ["--cpu", "generic-4"] if "_generic4" in path.stem else []
-    code, out, err = call(merker, "test", *cpu, str(path))
+    code, out, err = call(merker, "test", *cpu, "--engine", engine, str(path))
     if code == 0 and not re.search(r"\b0 passed", out):
         return []
     return [f"exit code {code}", *(out + err).strip().splitlines()]
@@ -42,7 +42,7 @@ def reported(text):
     problems = data["problems"] if isinstance(data, dict) else data
     return {(p["line"], p["severity"]): p["message"] for p in problems}
 
-def check(merker, path):
+def check(merker, path, _engine):
     """Problems of a source that must be rejected: what is missing and what is too much."""
     code, out, err = call(merker, "check", "--json", str(path))
     try:
@@ -67,18 +67,23 @@ def cases():
         elif path.suffix in (".awl", ".s5") and "//=" in path.read_text(encoding="utf-8"):
             yield path, test
 
+def on_both(path, judge):
+    """Whether another engine can make a difference: what runs, and no listing."""
+    return judge is test and path.suffix != ".s5" and not path.with_suffix(".s5").exists()
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("merker", help="the program under test")
+    parser.add_argument("--engine", choices=["interpreter", "jit"], default="interpreter")
     parser.add_argument("--filter", default="", help="only files whose path contains this")
     parser.add_argument("--verbose", action="store_true", help="print every line of a failure")
     arguments = parser.parse_args()
     passed = failed = 0
     for path, judge in cases():
         name = path.relative_to(HERE).as_posix()
-        if arguments.filter not in name:
+        if arguments.filter not in name or (arguments.engine == "jit" and not on_both(path, judge)):
             continue
-        failures = judge(arguments.merker, path)
+        failures = judge(arguments.merker, path, arguments.engine)
         if not failures:
             passed += 1
             continue
