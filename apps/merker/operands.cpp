@@ -20,29 +20,59 @@ int printed(const Problems& problems, const source::SourceFile& file) {
   return result;
 }
 
-}  // namespace
-
-int readOperands(const std::string& option, const std::vector<std::string>& texts,
-                 const simulator::Resolver& resolver, std::vector<mc7::Reference>& operands) {
+// Calls `read` with each part of the lists, its position and where its problems go.
+template <typename Read>
+int readLists(const std::string& option, const std::vector<std::string>& texts, Read read) {
   int result = kGood;
   for (const std::string& text : texts) {
     const source::SourceFile file(option, text);
     Problems problems;
-    for (std::string_view part : simulator::splitList(file.text())) {
+    for (const std::string_view part : simulator::splitList(file.text())) {
       const auto offset =
           part.empty() ? 0 : static_cast<std::size_t>(part.data() - file.text().data());
-      simulator::Term term{std::string(part), file.position(offset, part.size()), {}, {}, {}};
-      if (part.empty())
-        problems.add(ProblemCode::P0952, term.position, "an operand");
-      else if (auto problem = simulator::resolveOperand(term, resolver))
-        problems.add(*problem);
-      else if (term.reference.operand.kind != mc7::OperandKind::Memory)
-        term.reference.operand.width = Width::Word;
-      operands.push_back(term.reference);
+      read(part, file.position(offset, part.size()), problems);
     }
     result = std::max(result, printed(problems, file));
   }
   return result;
+}
+
+void readOperand(std::string_view part, const Position& position,
+                 const simulator::Resolver& resolver, std::vector<mc7::Reference>& operands,
+                 Problems& problems) {
+  simulator::Term term{std::string(part), position, {}, {}, {}};
+  if (part.empty())
+    problems.add(ProblemCode::P0952, term.position, "an operand");
+  else if (auto problem = simulator::resolveOperand(term, resolver))
+    problems.add(*problem);
+  else if (term.reference.operand.kind != mc7::OperandKind::Memory)
+    term.reference.operand.width = Width::Word;
+  operands.push_back(term.reference);
+}
+
+}  // namespace
+
+int readOperands(const std::string& option, const std::vector<std::string>& texts,
+                 const simulator::Resolver& resolver, std::vector<mc7::Reference>& operands) {
+  return readLists(option, texts, [&](auto part, const Position& position, Problems& problems) {
+    readOperand(part, position, resolver, operands, problems);
+  });
+}
+
+int readWatched(const std::string& option, const std::vector<std::string>& texts,
+                const simulator::Resolver& resolver, const plant::Configuration& plants,
+                simulator::Watched& watched) {
+  constexpr std::string_view kPlant = "plant ";
+  return readLists(option, texts, [&](auto part, const Position& position, Problems& problems) {
+    if (!equalsIgnoreCase(part.substr(0, kPlant.size()), kPlant))
+      return readOperand(part, position, resolver, watched.operands, problems);
+    simulator::PlantValue signal;
+    const auto at = [&](std::string_view) { return position; };
+    const std::string_view name = trim(part.substr(kPlant.size()));
+    if (!simulator::parsePlant(name, "0", signal, at, problems)) return;
+    simulator::resolve(signal, &plants, problems);
+    watched.plants.push_back(std::move(signal));
+  });
 }
 
 int readAssignments(const std::string& option, const std::vector<std::string>& texts,

@@ -7,6 +7,7 @@
 #include "base/problem.h"
 #include "mc7/reference.h"
 #include "simulator/scenario.h"
+#include "simulator/trace.h"
 
 namespace merker::app {
 
@@ -15,6 +16,10 @@ namespace merker::app {
 // it.
 int readOperands(const std::string& option, const std::vector<std::string>& texts,
                  const simulator::Resolver& resolver, std::vector<mc7::Reference>& operands);
+// Operands, and signals of plants: "A 0.0, plant Oven.PV".
+int readWatched(const std::string& option, const std::vector<std::string>& texts,
+                const simulator::Resolver& resolver, const plant::Configuration& plants,
+                simulator::Watched& watched);
 int readAssignments(const std::string& option, const std::vector<std::string>& texts,
                     const simulator::Resolver& resolver,
                     std::vector<simulator::Assignment>& assignments);

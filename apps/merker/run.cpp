@@ -32,7 +32,8 @@ struct Options {
 
 struct Operands {
   std::vector<simulator::Assignment> set;
-  std::vector<mc7::Reference> print, watch;
+  std::vector<mc7::Reference> print;
+  simulator::Watched watch;
 };
 
 int wrongUsage(const std::string& text) {
@@ -135,9 +136,10 @@ int finish(const Options& options, const Operands& operands, const controller::C
 
 int readOptions(const Options& options, const Build& build, Operands& operands) {
   const auto resolver = build.resolver();
-  return std::max({readAssignments("--set", options.set, resolver, operands.set),
-                   readOperands("--print", options.print, resolver, operands.print),
-                   readOperands("--watch", options.watch, resolver, operands.watch)});
+  return std::max(
+      {readAssignments("--set", options.set, resolver, operands.set),
+       readOperands("--print", options.print, resolver, operands.print),
+       readWatched("--watch", options.watch, resolver, build.project.plants, operands.watch)});
 }
 
 void advance(const Options& options, controller::Controller& plc, std::optional<Duration> time) {
@@ -167,8 +169,9 @@ class CycleEnd {
   CycleEnd(store::MemoryCard* card, std::ofstream& file) : file_(file) {
     if (card != nullptr) keeper_.emplace(*card);
   }
-  void watch(const std::vector<mc7::Reference>& operands, const controller::Controller& plc) {
-    trace_.emplace(file_, operands, plc);
+  void watch(const simulator::Watched& watched, const controller::Controller& plc) {
+    const auto* station = dynamic_cast<const station::Station*>(&plc);
+    trace_.emplace(file_, watched, plc, station == nullptr ? nullptr : station->plants());
   }
   void operator()(controller::Controller& plc) {
     if (keeper_ && !keeper_->save(stationOf(plc))) return plc.stop();
@@ -303,7 +306,9 @@ void addRun(CLI::App& program, int& result) {
       ->allow_extra_args(false);
   command->add_option("--print", options->print, "at the end: \"MW 10, A 0.0, DB1.DBD 4\"")
       ->allow_extra_args(false);
-  command->add_option("--watch", options->watch, "operands to record: \"E 0.0, A 1.0\"")
+  command
+      ->add_option("--watch", options->watch,
+                   "operands and signals of plants to record: \"E 0.0, plant Oven.PV\"")
       ->allow_extra_args(false);
   command->add_option("--trace", options->trace,
                       "file for --watch: time, operand, value of each change");

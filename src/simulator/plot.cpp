@@ -144,8 +144,9 @@ std::string legend(const PlotRow& row, double y) {
   std::string text;
   double x = kLeft;
   for (std::size_t i = 0; i < row.size(); ++i) {
-    text += fmt::format("<text x=\"{:.0f}\" y=\"{:.1f}\" fill=\"{}\" class=\"name\">{}</text>\n", x,
-                        y, kColours[i % kColours.size()], escaped(row[i].label));
+    text += fmt::format(
+        "<text x=\"{:.0f}\" y=\"{:.1f}\" style=\"fill:{};font-weight:bold\">{}</text>\n", x, y,
+        kColours[i % kColours.size()], escaped(row[i].label));
     x += 24 + 7.5 * static_cast<double>(row[i].label.size());
   }
   return text;
@@ -175,7 +176,7 @@ std::string timeAxis(const Plot& plot, double bottom) {
 }
 
 constexpr std::string_view kStyle =
-    "<style>text{font:12px sans-serif;fill:#333}.name{font-weight:bold;fill:inherit}"
+    "<style>text{font:12px sans-serif;fill:#333}"
     ".title{font-size:15px;font-weight:bold}.grid{stroke:#ddd;fill:none}"
     ".axis{stroke:#333;fill:none}.curve{fill:none;stroke-width:1.5}</style>\n";
 

@@ -45,25 +45,44 @@ std::string shown(const mc7::Reference& reference, const std::string& content) {
   return formatOperand(reference, bits);
 }
 
+// Four digits, so that a curve is told in some hundred changes.
+std::string signalOf(const PlantValue& signal, const plant::Plants& plants) {
+  return fmt::format("{:.4g}", plants.value(signal.place));
+}
+
 }  // namespace
 
-Trace::Trace(std::ostream& out, std::vector<mc7::Reference> watched,
-             const controller::Controller& plc)
-    : out_(out) {
-  for (mc7::Reference& reference : watched) {
-    watched_.push_back(prepared(std::move(reference)));
-    last_.push_back(content(watched_.back(), plc));
+Trace::Trace(std::ostream& out, Watched watched, const controller::Controller& plc,
+             const plant::Plants* plants)
+    : out_(out), watched_(std::move(watched)), plants_(plants) {
+  for (mc7::Reference& reference : watched_.operands) {
+    reference = prepared(std::move(reference));
+    last_.push_back(content(reference, plc));
+  }
+  for (const PlantValue& signal : watched_.plants) {
+    lastSignals_.push_back(signalOf(signal, *plants_));
+    write(plc.now(), "plant " + signal.text, lastSignals_.back());
   }
 }
 
+// 7 decimals: 100 ns, the shortest instruction of the CPU 314C-2
+void Trace::write(Instant now, const std::string& name, const std::string& value) {
+  out_ << fmt::format("{},{},{}\n", formatSeconds(now.ns, 7), field(name), field(value));
+}
+
 void Trace::sample(const controller::Controller& plc) {
-  for (std::size_t i = 0; i < watched_.size(); ++i) {
-    const auto now = content(watched_[i], plc);
+  for (std::size_t i = 0; i < watched_.operands.size(); ++i) {
+    const mc7::Reference& operand = watched_.operands[i];
+    const auto now = content(operand, plc);
     if (!now || now == last_[i]) continue;
     last_[i] = now;
-    // 7 decimals: 100 ns, the shortest instruction of the CPU 314C-2
-    out_ << fmt::format("{},{},{}\n", formatSeconds(plc.now().ns, 7), field(watched_[i].text),
-                        field(shown(watched_[i], *now)));
+    write(plc.now(), operand.text, shown(operand, *now));
+  }
+  for (std::size_t i = 0; i < watched_.plants.size(); ++i) {
+    std::string now = signalOf(watched_.plants[i], *plants_);
+    if (now == lastSignals_[i]) continue;
+    lastSignals_[i] = std::move(now);
+    write(plc.now(), "plant " + watched_.plants[i].text, lastSignals_[i]);
   }
 }
 

@@ -27,9 +27,10 @@ std::string traced(const Machine& machine) {
   std::ostringstream out;
   station::Station station = machine.station();
   startFresh(station);
-  Trace trace(out,
-              {machine.reference("E 0.0"), machine.reference("A 0.0"), machine.reference("MW 10")},
-              station);
+  Trace trace(
+      out,
+      {{machine.reference("E 0.0"), machine.reference("A 0.0"), machine.reference("MW 10")}, {}},
+      station);
   station.onCycle([&](controller::Controller& s) { trace.sample(s); });
   station.advanceTo({10'000'000});
   station.write(machine.reference("E 0.0"), 1);
@@ -43,7 +44,7 @@ TEST(Trace, TextsInTheirNotation) {
       "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\nL B#16#78; T DB1.DBB 2;\nEND_ORGANIZATION_BLOCK\n");
   std::ostringstream out;
   station::Station station = machine.station();
-  Trace trace(out, {machine.reference("DB1.s")}, station);
+  Trace trace(out, {{machine.reference("DB1.s")}, {}}, station);
   startFresh(station);
   station.advanceCycles(2);
   trace.sample(station);
