@@ -15,6 +15,8 @@ namespace merker::cpu {
 struct Code {
   const block::Block* source = nullptr;
   std::uint32_t localBytes = 0;
+  // Compiled code: where the host goes on for each instruction; null while there is none.
+  const void* const* native = nullptr;
   virtual ~Code() = default;
 };
 

@@ -96,7 +96,12 @@ Value Builder::base(Space space) {
   return known;
 }
 
-Value Builder::of(Opcode code, Space space) { return append({.code = code, .space = space}); }
+Value Builder::limit(Space space, bool write) {
+  Value& known = limits_[2 * static_cast<std::size_t>(space) + (write ? 1 : 0)];
+  if (known == kNoValue)
+    known = append({.code = write ? Opcode::WriteLimit : Opcode::Limit, .space = space});
+  return known;
+}
 
 void Builder::storeNow(const Byte& byte) {
   append({.code = storing(byte.bytes),
@@ -166,6 +171,63 @@ void Builder::storeAt(Space space, Value offset, unsigned bytes, Value value) {
   forgetAll(space);
   const Value address = make(Opcode::Index, base(space), offset);
   append({.code = storing(bytes), .space = space, .a = address, .b = value});
+}
+
+Value Builder::locate(Value area, Value bitAddress, Access access) {
+  return append({.code = Opcode::Locate,
+                 .a = area,
+                 .b = bitAddress,
+                 .number = exit(place_, true),
+                 .place = access.packed()});
+}
+
+// Such an address can be anywhere.
+Value Builder::loadFrom(Value address, unsigned bytes) {
+  for (const Space space : {Space::Input, Space::Output, Space::Flag, Space::Local})
+    writeBackAll(space);
+  return append({.code = loading(bytes), .a = address});
+}
+
+void Builder::storeTo(Value address, unsigned bytes, Value value) {
+  for (const Space space : {Space::Input, Space::Output, Space::Flag, Space::Local})
+    writeBackAll(space);
+  bytes_.clear();
+  append({.code = storing(bytes), .a = address, .b = value});
+}
+
+void Builder::act(Opcode code, Value a, std::uint32_t number, std::uint32_t place) {
+  append({.code = code, .a = a, .number = number, .place = place});
+}
+
+void Builder::reopen(Space space) {
+  const auto i = static_cast<std::size_t>(space);
+  reopened_[i] = true;
+  bases_[i] = limits_[2 * i] = limits_[2 * i + 1] = kNoValue;
+  std::erase_if(bytes_, [space](const Byte& byte) { return byte.space == space; });
+}
+
+void Builder::open(Space space, Value number) {
+  act(Opcode::CanOpen, number, exit(place_, true));
+  append({.code = Opcode::Open, .space = space, .a = number});
+  reopen(space);
+}
+
+void Builder::swapBlocks() {
+  append({.code = Opcode::SwapBlocks});
+  reopen(Space::Data);
+  reopen(Space::Instance);
+}
+
+void Builder::call(Value number, const CallSite& site, std::uint32_t front) {
+  region_.calls.push_back(site);
+  const auto which = static_cast<std::uint32_t>(region_.calls.size() - 1);
+  act(Opcode::CanCall, number, front, which);
+  act(Opcode::Call, number, exit(site.resume), which);
+}
+
+void Builder::giveBack(std::uint32_t front) {
+  act(Opcode::CanReturn, kNoValue, front);
+  act(Opcode::Return, kNoValue, exit(place_));
 }
 
 std::uint32_t Builder::exit(std::uint32_t to, bool inFront) {

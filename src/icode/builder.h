@@ -13,7 +13,7 @@ namespace merker::icode {
 
 class Builder {
  public:
-  explicit Builder(Region& region) : region_(region) {}
+  explicit Builder(Region& region) : region_(region) { limits_.fill(kNoValue); }
 
   // What always holds at the entry of the region.
   void know(Item item, bool value) { items_[index(item)] = {constant(value), false}; }
@@ -46,13 +46,27 @@ class Builder {
   // Places only known when it runs, in bytes.
   Value loadAt(Space space, Value offset, unsigned bytes);
   void storeAt(Space space, Value offset, unsigned bytes, Value value);
-  Value of(Opcode code, Space space);  // Limit, WriteLimit
+  // In bytes, of an area only known when it runs; guards the access.
+  Value locate(Value area, Value bitAddress, Access access);
+  Value loadFrom(Value address, unsigned bytes);
+  void storeTo(Value address, unsigned bytes, Value value);
+  Value limit(Space space, bool write);  // bytes of the space
+
+  // Data blocks: from now on another one may be open.
+  void open(Space space, Value number);
+  void swapBlocks();
+  bool isReopened(Space space) const { return reopened_[static_cast<std::size_t>(space)]; }
 
   // As long as this instruction has set nothing: without bit 0 it is left to the interpreter.
   void guard(Value bit);
   // After all that the instruction sets.
   void branch(Value bit, bool wanted, std::uint32_t to);
   void leave(std::uint32_t to);
+  // The state in front of this instruction, for a guard that follows behind what it sets.
+  std::uint32_t front() { return exit(place_, true); }
+  // The end of the region, unless the interpreter must do it.
+  void call(Value number, const CallSite& site, std::uint32_t front);
+  void giveBack(std::uint32_t front);
 
   // At the end of this instruction.
   Value timerStatus(std::uint32_t number);
@@ -80,7 +94,12 @@ class Builder {
   // In front of this instruction, or after all that were begun.
   std::uint32_t exit(std::uint32_t to, bool inFront = false);
 
+  void act(Opcode code, Value a, std::uint32_t number, std::uint32_t place = 0);
+  void reopen(Space space);
+
   Region& region_;
+  std::array<bool, kSpaces> reopened_{};
+  std::array<Value, 2 * kSpaces> limits_;
   std::array<Held, kItems> items_;
   std::array<Value, 6> bases_{kNoValue, kNoValue, kNoValue, kNoValue, kNoValue, kNoValue};
   std::vector<Byte> bytes_;

@@ -49,6 +49,7 @@ constexpr unsigned kItems = 15;
 constexpr bool isBit(Item item) { return item >= Item::Er; }
 
 enum class Space : std::uint8_t { Input, Output, Flag, Data, Instance, Local };
+constexpr unsigned kSpaces = 6;
 constexpr bool isImage(Space space) { return space <= Space::Flag; }
 
 using Value = std::uint32_t;  // number of the operation that makes it
@@ -62,6 +63,15 @@ struct Op {
   Value a = kNoValue, b = kNoValue, c = kNoValue;
   std::uint32_t number = 0;  // constant, bit, shift, number of a timer; ways out: which exit
   std::uint32_t place = 0;   // byte of the space
+};
+
+// `place` of Locate.
+struct Access {
+  unsigned bytes = 1;
+  bool whole = false;  // only at bit 0
+  bool write = false;
+  std::uint32_t packed() const { return bytes | (whole ? 8u : 0u) | (write ? 16u : 0u); }
+  static Access of(std::uint32_t p) { return {p & 7, (p & 8) != 0, (p & 16) != 0}; }
 };
 
 struct StateWrite {
@@ -83,13 +93,22 @@ struct Exit {
   std::uint32_t firstByte = 0, bytes = 0;
 };
 
+// UC or CC with what stands behind it.
+struct CallSite {
+  bool functionBlock = false;
+  std::uint32_t offset = 0;  // of the instruction in its block, bytes
+  std::uint32_t resume = 0;  // instruction behind it
+  std::uint32_t firstParameter = 0, parameters = 0;
+};
+
 // What must hold at the entry; otherwise the interpreter goes through the region.
 struct Needs {
   std::uint32_t dataRead = 0, dataWritten = 0;  // bytes of the open data block
   std::uint32_t instanceRead = 0, instanceWritten = 0;
   std::uint32_t local = 0;
-  bool relayOn = false;     // master control relay
-  bool noBrackets = false;  // none open, in no level
+  std::uint32_t parameters = 0;  // entries of the list behind the call
+  bool relayOn = false;          // master control relay
+  bool noBrackets = false;       // none open, in no level
 };
 
 struct Region {
@@ -102,6 +121,7 @@ struct Region {
   std::vector<Exit> exits;
   std::vector<StateWrite> states;
   std::vector<ByteWrite> bytes;
+  std::vector<CallSite> calls;
 };
 
 // Drops what nobody reads: dead flags, dead accumulators.

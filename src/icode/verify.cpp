@@ -14,6 +14,10 @@ std::string wrongArgument(const Region& region, std::size_t at, Value argument, 
   return {};
 }
 
+bool isEnd(Opcode code) {
+  return code == Opcode::Leave || code == Opcode::Call || code == Opcode::Return;
+}
+
 std::string wrongExit(const Region& region, std::size_t at) {
   const std::uint32_t number = region.ops[at].number;
   if (number >= region.exits.size()) return fmt::format("{}: no exit {}", at, number);
@@ -33,7 +37,7 @@ std::string wrongExit(const Region& region, std::size_t at) {
 }  // namespace
 
 std::string verify(const Region& region) {
-  if (region.ops.empty() || region.ops.back().code != Opcode::Leave) return "the end has no leave";
+  if (region.ops.empty() || !isEnd(region.ops.back().code)) return "the end has no leave";
   for (std::size_t i = 0; i < region.ops.size(); ++i) {
     const Op& op = region.ops[i];
     const unsigned count = info(op.code).arguments;

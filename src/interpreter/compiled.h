@@ -13,8 +13,10 @@ class Compiled {
  public:
   virtual ~Compiled() = default;
   virtual bool begins(std::size_t instruction) const = 0;
-  // Clock and count of instructions as if each had been executed alone; the op to go on with. Both
-  // unchanged if the compiled code could do nothing here.
+  // By instruction, for compiled code of other blocks that comes or goes back here.
+  virtual const void* const* entries() const = 0;
+  // Clock and count of instructions as if each had been executed alone; the op to go on with, in
+  // the block that is then the top one. Both unchanged if the compiled code could do nothing here.
   virtual const Op* run(cpu::Machine& m, std::size_t instruction) const = 0;
 };
 

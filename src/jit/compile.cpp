@@ -55,10 +55,12 @@ std::unique_ptr<NativeCode> load(asmjit::CodeHolder& code, const asmjit::Label& 
   if (code.relocateToBase(reinterpret_cast<std::uintptr_t>(memory.data())) != asmjit::kErrorOk ||
       code.copyFlattenedData(memory.data(), size) != asmjit::kErrorOk || !memory.makeExecutable())
     return nullptr;
-  std::vector<std::uint32_t> entries(unit.regions.size());
-  for (std::size_t i = 0; i < entries.size(); ++i)
-    if (unit.regions[i].isValid())
-      entries[i] = static_cast<std::uint32_t>(code.labelOffset(unit.regions[i]));
+  std::vector<const void*> entries(unit.regions.size() + 1);
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const bool begins = i < unit.regions.size() && unit.regions[i].isValid();
+    entries[i] = static_cast<const std::uint8_t*>(memory.data()) +
+                 code.labelOffset(begins ? unit.regions[i] : unit.epilogue);
+  }
   return std::make_unique<NativeCode>(std::move(memory), size, code.labelOffset(enter),
                                       std::move(entries));
 }
@@ -72,13 +74,17 @@ std::unique_ptr<NativeCode> compile(std::span<const icode::Region> regions,
   asmjit::CodeHolder holder;
   holder.init(asmjit::Environment::host());
   host::Assembler code(&holder);
-  Unit unit{code, model, options, code.newLabel()};
+  Unit unit{code, model, options, answers, code.newLabel(), code.newLabel(), code.newLabel()};
   unit.regions.resize(instructions);
   const asmjit::Label enter = code.newLabel();
   code.bind(enter);
   writeEnter(code);
   code.bind(unit.epilogue);
   writeEpilogue(code, answers);
+  code.bind(unit.enterBlock);
+  writeEnterBlock(code);
+  code.bind(unit.leaveBlock);
+  writeLeaveBlock(code);
   if (!writeRegions(unit, regions)) return nullptr;
   return load(holder, enter, unit);
 }

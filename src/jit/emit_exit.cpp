@@ -25,10 +25,14 @@ void RegionCode::wayOut(const Op& op, CondCode condition) {
   if (places_.isConstant(op.a)) code_.mov(host::eax, places_.constant(op.a));
   const host::Gp bit = places_.in(op.a, host::eax);
   code_.test(bit.r8(), 1);
+  code_.j(condition, wayOut(op));
+}
+
+asmjit::Label RegionCode::wayOut(const Op& op) {
   const asmjit::Label label = code_.newLabel();
-  code_.j(condition, label);
   const Exit& exit = region_.exits[op.number];
   waysOut_.push_back({label, op.number, spotsOfStates(exit), spotsOfBytes(exit)});
+  return label;
 }
 
 void RegionCode::Guard(const Op& op) { wayOut(op, CondCode::kZ); }

@@ -34,10 +34,23 @@ constexpr int kRelayOff = offsetof(cpu::Machine, mcrOff);
 constexpr int kInstructions = offsetof(cpu::Machine, instructions);
 constexpr int kBrackets = offsetof(cpu::Machine, brackets);
 constexpr int kRegisters = offsetof(cpu::Machine, registers);
+constexpr int kRelayActive = offsetof(cpu::Machine, mcrActive);
+constexpr int kRelays = offsetof(cpu::Machine, mcrStack);
+constexpr int kFrames = offsetof(cpu::Machine, frames);
+constexpr int kLevels = offsetof(cpu::Machine, levels);
+constexpr int kFunctions = offsetof(cpu::Machine, functions);
+constexpr int kFunctionBlocks = offsetof(cpu::Machine, functionBlocks);
+constexpr int kDataBlocks = offsetof(cpu::Machine, dataBlocks);  // its only member is the vector
+constexpr int kPosition = offsetof(cpu::Machine, position);
+constexpr int kAr2 = kRegisters + offsetof(cpu::Registers, ar2);
 constexpr int kDb = kRegisters + offsetof(cpu::Registers, db);
 constexpr int kDi = kRegisters + offsetof(cpu::Registers, di);
 constexpr int kStatus = kRegisters + offsetof(cpu::Registers, status);
+// A vector: begin, end of what is in it, end of its memory.
+constexpr int kEnd = 8, kCapacity = 16;
 }  // namespace offset
+static_assert(sizeof(cpu::DataBlocks) == sizeof(std::vector<cpu::DataBlock>));
+static_assert(sizeof(cpu::OpenBlock) == 24 && sizeof(cpu::Bracket) == 4);
 
 constexpr int offsetOf(icode::Item item) {
   using cpu::StatusWord;

@@ -29,7 +29,7 @@ bool CodeMemory::makeExecutable() {
 const void* NativeCode::run(cpu::Machine& m, std::size_t instruction) const {
   using Enter = const void* (*)(cpu::Machine*, const void*, const void*, const void*);
   const auto enter = reinterpret_cast<Enter>(reinterpret_cast<std::uintptr_t>(at(enter_)));
-  return enter(&m, at(entries_[instruction]), m.timers.data(), m.counters.data());
+  return enter(&m, entries_[instruction], m.timers.data(), m.counters.data());
 }
 
 bool available() { return true; }

@@ -19,6 +19,7 @@ namespace merker::jit {
 struct Instructions {
   const void* first = nullptr;
   std::size_t stride = 0;
+  const std::uint32_t* parameters = nullptr;  // of its calls, one list behind the other
 };
 
 struct Options {
@@ -47,10 +48,11 @@ class CodeMemory {
 class NativeCode {
  public:
   NativeCode(CodeMemory memory, std::size_t size, std::size_t enter,
-             std::vector<std::uint32_t> entries)
+             std::vector<const void*> entries)
       : memory_(std::move(memory)), size_(size), enter_(enter), entries_(std::move(entries)) {}
 
-  bool begins(std::size_t instruction) const { return entries_[instruction] != 0; }
+  // Where other blocks enter, by instruction: a region, or the way back to the interpreter.
+  const void* const* entries() const { return entries_.data(); }
   // From an instruction that begins a region on: returns in front of the instruction that is to be
   // done next. That is the same one if the horizon is too near or the region needs what is not
   // there. Clock and count of instructions are exact.
@@ -63,7 +65,7 @@ class NativeCode {
   }
   CodeMemory memory_;
   std::size_t size_, enter_;
-  std::vector<std::uint32_t> entries_;  // by instruction: offset in the code, 0 = none
+  std::vector<const void*> entries_;
 };
 
 // Whether there is a compiler for this processor.

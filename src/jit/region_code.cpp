@@ -95,9 +95,10 @@ void RegionCode::entry() {
   need(field(offset::kDb, offsetof(cpu::OpenBlock, writable)), needs.dataWritten);
   need(field(offset::kDi, offsetof(cpu::OpenBlock, length)), needs.instanceRead);
   need(field(offset::kDi, offsetof(cpu::OpenBlock, writable)), needs.instanceWritten);
-  if (needs.local != 0) {
+  if (needs.local != 0 || needs.parameters != 0) {
     code_.mov(host::rax, host::qword_ptr(kMachine, offset::kTop));
     need(host::dword_ptr(host::rax, offsetof(cpu::Frame, localLength)), needs.local);
+    need(host::dword_ptr(host::rax, offsetof(cpu::Frame, parameterCount)), needs.parameters);
   }
   if (needs.relayOn) {
     code_.cmp(host::byte_ptr(kMachine, offset::kRelayOff), 0);

@@ -17,9 +17,15 @@ struct Unit {
   host::Assembler& code;
   const CpuModel& model;
   const Options& options;
+  const Instructions& answers;
   asmjit::Label epilogue;                // with the instruction to go on with in eax
+  asmjit::Label enterBlock, leaveBlock;  // emit_calls.cpp
   std::vector<asmjit::Label> regions{};  // by instruction; not valid where none begins
 };
+
+// What calls and returns of a block have in common.
+void writeEnterBlock(host::Assembler& code);
+void writeLeaveBlock(host::Assembler& code);
 
 class RegionCode {
  public:
@@ -57,6 +63,11 @@ class RegionCode {
   // The bit, alone in its register, as 0 or 1.
   host::Gp clean(icode::Value bit, const host::Gp& scratch);
   void wayOut(const icode::Op& op, asmjit::x86::CondCode condition);
+  // For guards with several conditions: where to jump if one does not hold. Registers and slots
+  // stay as they are until the last of these jumps.
+  asmjit::Label wayOut(const icode::Op& op);
+  void locateIn(Area area, bool write, const host::Gp& to, const asmjit::Label& out);
+  void loadBlock(const icode::Op& op);
   void writeState(const icode::Exit& exit, const std::vector<Spot>& states,
                   const std::vector<Spot>& bytes);
   void writeItem(const icode::StateWrite& write, const Spot& spot);

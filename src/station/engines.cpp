@@ -19,6 +19,7 @@ class Native : public interpreter::Compiled {
   const Op* run(cpu::Machine& m, std::size_t instruction) const override {
     return static_cast<const Op*>(code_->run(m, instruction));
   }
+  const void* const* entries() const override { return code_->entries(); }
   std::size_t size() const { return code_->size(); }
 
  private:
@@ -49,8 +50,9 @@ void Engines::compile(Translated& code) const {
   const mc7::Listing listing = mc7::list(code.source->code);
   std::vector<icode::Region> regions = translate::translate(listing, model_, checked(code));
   for (icode::Region& region : regions) icode::optimise(region);
-  auto native = jit::compile(regions, listing.places.size(), {code.ops.data(), sizeof(Op)}, model_,
-                             options_.jit);
+  auto native =
+      jit::compile(regions, listing.places.size(),
+                   {code.ops.data(), sizeof(Op), code.parameters.data()}, model_, options_.jit);
   if (native == nullptr) return;
   // Between checks regions are short; there agreement counts, not speed.
   const std::uint32_t shortest = code.side.empty() ? options_.shortestEntry : 1;

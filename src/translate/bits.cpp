@@ -120,15 +120,20 @@ bool assign(Lowering& l) {
 
 template <bool Set>
 bool setOrReset(Lowering& l) {
-  if (l.operand().kind != OperandKind::Memory) return false;
   const auto place = bitPlace(l, true);
   if (!place) return false;
+  icode::Builder& b = l.to;
   l.needs.relayOn = true;
-  const Value rlo = l.to.get(Item::Rlo);
-  const Value byte = loadByte(l, *place);
-  storeByte(l, *place,
-            l.to.make(Set ? Opcode::SetWhere : Opcode::ClearWhere, byte, rlo, place->direct));
-  l.to.set(Item::Sta, rlo);
+  const Value rlo = b.get(Item::Rlo), byte = loadByte(l, *place);
+  if (place->bit == icode::kNoValue) {
+    constexpr Opcode kWhere = Set ? Opcode::SetWhere : Opcode::ClearWhere;
+    storeByte(l, *place, b.make(kWhere, byte, rlo, place->direct));
+  } else {
+    const Value before = bitIn(l, *place, byte);
+    const Value after = Set ? b.orBit(before, rlo) : b.andBit(before, b.notBit(rlo));
+    storeByte(l, *place, withBit(l, *place, byte, after));
+  }
+  b.set(Item::Sta, rlo);
   endChain(l);
   return true;
 }
@@ -221,12 +226,17 @@ constexpr Row kRows[] = {{Operation::AND, query<Logic::And, false>},
 bool isOpening(Operation o) { return o >= Operation::AND_OPEN && o <= Operation::XOR_NOT_OPEN; }
 
 // Reads without any condition, or changes status bits only.
-bool cannotFail(const mc7::Place& place) {
+bool cannotFail(const mc7::Place& place, const icode::Builder& builder) {
   const Operation o = place.instruction.operation;
   const OperandKind kind = place.instruction.operand.kind;
   if (o == Operation::AND_BEFORE_OR || o == Operation::NOT || o == Operation::CLOSE) return true;
-  return place.known && o <= Operation::XOR_NOT &&
-         (kind == OperandKind::Memory || kind == OperandKind::StatusBit);
+  if (!place.known || o > Operation::XOR_NOT) return false;
+  if (kind == OperandKind::Memory) {
+    const Area area = place.instruction.operand.area;
+    return !(area == Area::DataBlock && builder.isReopened(icode::Space::Data)) &&
+           !(area == Area::Instance && builder.isReopened(icode::Space::Instance));
+  }
+  return kind == OperandKind::StatusBit;
 }
 
 }  // namespace
@@ -256,7 +266,7 @@ std::optional<Value> readBit(Lowering& l) {
 }
 
 bool bracketIsWhole(const mc7::Listing& listing, std::span<const std::uint8_t> isEntry,
-                    std::uint32_t place) {
+                    std::uint32_t place, const icode::Builder& builder) {
   constexpr std::uint32_t kLongest = 64, kDeepest = 6;
   std::uint32_t depth = 1;
   for (std::uint32_t i = place + 1; i < listing.places.size() && i < place + kLongest; ++i) {
@@ -266,7 +276,7 @@ bool bracketIsWhole(const mc7::Listing& listing, std::span<const std::uint8_t> i
       if (++depth > kDeepest) return false;
       continue;
     }
-    if (!cannotFail(listing.places[i])) return false;
+    if (!cannotFail(listing.places[i], builder)) return false;
     if (o == Operation::CLOSE && --depth == 0) return true;
   }
   return false;

@@ -16,9 +16,15 @@ std::optional<std::uint32_t> target(Lowering& l) {
   return inside ? std::optional(static_cast<std::uint32_t>(to)) : std::nullopt;
 }
 
+// CALL ends with a jump to the next instruction, and jumps over its list of parameters.
+void branch(Lowering& l, Value bit, bool wanted, std::uint32_t to) {
+  if (to != l.place + 1) l.to.branch(bit, wanted, to);
+}
+
 bool always(Lowering& l) {
   const auto to = target(l);
   if (!to) return false;
+  if (*to == l.place + 1) return true;
   l.to.leave(*to);
   l.ended = true;
   return true;
@@ -35,7 +41,7 @@ bool onRlo(Lowering& l) {
   b.set(Item::Sta, true);
   b.set(Item::Or, false);
   b.set(Item::Er, false);
-  b.branch(rlo, Wanted, *to);
+  branch(l, rlo, Wanted, *to);
   return true;
 }
 
@@ -47,13 +53,13 @@ bool onBr(Lowering& l) {
   b.set(Item::Sta, true);
   b.set(Item::Or, false);
   b.set(Item::Er, false);
-  b.branch(b.get(Item::Br), Wanted, *to);
+  branch(l, b.get(Item::Br), Wanted, *to);
   return true;
 }
 
 bool onOverflow(Lowering& l) {
   const auto to = target(l);
-  if (to) l.to.branch(l.to.get(Item::Ov), true, *to);
+  if (to) branch(l, l.to.get(Item::Ov), true, *to);
   return to.has_value();
 }
 
@@ -76,25 +82,25 @@ bool onConditions(Lowering& l) {
   const Value plus = b.get(Item::Cc1), minus = b.get(Item::Cc0);
   switch (W) {
     case When::Zero:
-      b.branch(b.orBit(plus, minus), false, *to);
+      branch(l, b.orBit(plus, minus), false, *to);
       break;
     case When::Minus:
-      b.branch(b.andBit(minus, b.notBit(plus)), true, *to);
+      branch(l, b.andBit(minus, b.notBit(plus)), true, *to);
       break;
     case When::Plus:
-      b.branch(b.andBit(plus, b.notBit(minus)), true, *to);
+      branch(l, b.andBit(plus, b.notBit(minus)), true, *to);
       break;
     case When::Unordered:
-      b.branch(b.andBit(plus, minus), true, *to);
+      branch(l, b.andBit(plus, minus), true, *to);
       break;
     case When::NotZero:
-      b.branch(b.xorBit(plus, minus), true, *to);
+      branch(l, b.xorBit(plus, minus), true, *to);
       break;
     case When::MinusOrZero:
-      b.branch(plus, false, *to);
+      branch(l, plus, false, *to);
       break;
     case When::PlusOrZero:
-      b.branch(minus, false, *to);
+      branch(l, minus, false, *to);
       break;
   }
   return true;
@@ -107,7 +113,7 @@ bool loop(Lowering& l) {
   const Value before = b.get(Item::Accu1);
   const Value after = b.make(Opcode::Sub, before, b.constant(1));
   b.set(Item::Accu1, b.make(Opcode::LowFrom, before, after));
-  b.branch(b.make(Opcode::NotEqual, b.make(Opcode::Zext16, after), b.constant(0)), true, *to);
+  branch(l, b.make(Opcode::NotEqual, b.make(Opcode::Zext16, after), b.constant(0)), true, *to);
   return true;
 }
 

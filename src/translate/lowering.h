@@ -37,18 +37,22 @@ std::span<const Row> numberRows();
 std::span<const Row> shiftRows();
 std::span<const Row> realRows();
 std::span<const Row> jumpRows();
+std::span<const Row> callRows();
 
 // Operands. Nothing: this operand is not translated.
 std::optional<icode::Value> readBit(Lowering& l);
 std::optional<icode::Value> readOperand(Lowering& l, Width width);
 bool writeOperand(Lowering& l, Width width, icode::Value value);
+// Timer, counter or block: in a word of memory, or handed over as parameter.
+std::optional<icode::Value> numberOperand(Lowering& l);
 // A bit in memory as the byte around it.
 struct BitPlace {
   icode::Space space = icode::Space::Input;
-  std::uint32_t place = 0;                // direct
-  icode::Value offset = icode::kNoValue;  // otherwise: the byte …
-  icode::Value bit = icode::kNoValue;     // … and the bit as values
-  std::uint32_t direct = 0;               // bit
+  std::uint32_t place = 0;                 // direct
+  icode::Value offset = icode::kNoValue;   // otherwise: the byte in its space …
+  icode::Value address = icode::kNoValue;  // … or anywhere
+  icode::Value bit = icode::kNoValue;
+  std::uint32_t direct = 0;  // bit
 };
 std::optional<BitPlace> bitPlace(Lowering& l, bool write);
 icode::Value loadByte(Lowering& l, const BitPlace& place);
@@ -59,6 +63,6 @@ icode::Value bitIn(Lowering& l, const BitPlace& place, icode::Value byte);
 
 // Whether U( at this place has its ) in the same region, and nothing between that can fail.
 bool bracketIsWhole(const mc7::Listing& listing, std::span<const std::uint8_t> isEntry,
-                    std::uint32_t place);
+                    std::uint32_t place, const icode::Builder& builder);
 
 }  // namespace merker::translate

@@ -53,24 +53,35 @@ bool reach(Lowering& l, Space space, std::uint32_t end, bool write) {
   }
 }
 
+// Opened in this region: its length is only known when it runs.
+bool reachable(Lowering& l, Space space, std::uint32_t end, bool write) {
+  if (!l.to.isReopened(space)) return reach(l, space, end, write);
+  icode::Builder& b = l.to;
+  b.guard(b.make(Opcode::BelowEqual, b.constant(end), b.limit(space, write)));
+  return true;
+}
+
 // Bit address of an operand that is only known when it runs.
 struct Dynamic {
   Space space;
   Value address;
 };
 
+Value registerOf(Lowering& l) {
+  return l.to.get(l.operand().reg == 2 ? icode::Item::Ar2 : icode::Item::Ar1);
+}
+
 std::optional<Dynamic> dynamic(Lowering& l) {
   const Operand& o = l.operand();
   const auto space = spaceOf(o.area);
   if (!space) return std::nullopt;
   if (o.kind == OperandKind::RegisterIndirect) {
-    const Value ar = l.to.get(o.reg == 2 ? icode::Item::Ar2 : icode::Item::Ar1);
-    const Value low = l.to.make(Opcode::And, ar, l.to.constant(0xFFFFFF));
+    const Value low = l.to.make(Opcode::And, registerOf(l), l.to.constant(0xFFFFFF));
     return Dynamic{*space, l.to.make(Opcode::Add, low, l.to.constant(o.value))};
   }
   if (o.kind != OperandKind::MemoryIndirect) return std::nullopt;
   const auto from = spaceOf(o.pointerArea);
-  if (!from || !reach(l, *from, o.value + 4, false)) return std::nullopt;
+  if (!from || !reachable(l, *from, o.value + 4, false)) return std::nullopt;
   const Value pointer = l.to.load(*from, o.value, 4);
   return Dynamic{*space, l.to.make(Opcode::And, pointer, l.to.constant(0x7FFFF))};
 }
@@ -82,11 +93,36 @@ Value guarded(Lowering& l, const Dynamic& d, unsigned bytes, bool whole, bool wr
     b.guard(b.make(Opcode::Equal, b.make(Opcode::And, d.address, b.constant(7)), b.constant(0)));
   const Value byte = b.withNumber(Opcode::Shr, d.address, 3);
   const Value end = b.make(Opcode::Add, byte, b.constant(bytes));
-  const Value limit = icode::isImage(d.space)
-                          ? b.constant(imageLength(l.model, d.space))
-                          : b.of(write ? Opcode::WriteLimit : Opcode::Limit, d.space);
+  const Value limit =
+      icode::isImage(d.space) ? b.constant(imageLength(l.model, d.space)) : b.limit(d.space, write);
   b.guard(b.make(Opcode::BelowEqual, end, limit));
   return byte;
+}
+
+// The pointer in the list behind the call.
+Value parameter(Lowering& l) {
+  l.needs.parameters = std::max(l.needs.parameters, l.operand().value + 1);
+  return l.to.withNumber(Opcode::Parameter, icode::kNoValue, l.operand().value);
+}
+
+bool isCrossing(const Operand& o) {
+  return o.kind == OperandKind::Parameter || o.kind == OperandKind::RegisterCrossing;
+}
+
+// The area stands in a pointer: of a parameter, or in an address register.
+struct Crossing {
+  Value pointer, bitAddress;
+};
+Crossing crossing(Lowering& l) {
+  icode::Builder& b = l.to;
+  const Operand& o = l.operand();
+  if (o.kind == OperandKind::Parameter) {
+    const Value pointer = parameter(l);
+    return {pointer, b.make(Opcode::And, pointer, b.constant(0x7FFFF))};
+  }
+  const Value ar = registerOf(l);
+  const Value low = b.make(Opcode::And, ar, b.constant(0xFFFFFF));
+  return {ar, o.value == 0 ? low : b.make(Opcode::Add, low, b.constant(o.value))};
 }
 
 bool isIndirect(const Operand& o) {
@@ -106,8 +142,13 @@ std::optional<Value> readOperand(Lowering& l, Width width) {
   const unsigned bytes = byteCount(width);
   if (isDirect(o, width)) {
     const Space space = *spaceOf(o.area);
-    if (!reach(l, space, o.value / 8 + bytes, false)) return std::nullopt;
+    if (!reachable(l, space, o.value / 8 + bytes, false)) return std::nullopt;
     return l.to.load(space, o.value / 8, bytes);
+  }
+  if (isCrossing(o)) {
+    const Crossing c = crossing(l);
+    return l.to.loadFrom(l.to.locate(c.pointer, c.bitAddress, {.bytes = bytes, .whole = true}),
+                         bytes);
   }
   if (!isIndirect(o)) return std::nullopt;
   const auto place = dynamic(l);
@@ -121,8 +162,15 @@ bool writeOperand(Lowering& l, Width width, Value value) {
   if (bytes == 1) value = l.to.make(Opcode::Zext8, value);
   if (isDirect(o, width)) {
     const Space space = *spaceOf(o.area);
-    if (!reach(l, space, o.value / 8 + bytes, true)) return false;
+    if (!reachable(l, space, o.value / 8 + bytes, true)) return false;
     l.to.store(space, o.value / 8, bytes, value);
+    return true;
+  }
+  if (isCrossing(o)) {
+    const Crossing c = crossing(l);
+    l.to.storeTo(
+        l.to.locate(c.pointer, c.bitAddress, {.bytes = bytes, .whole = true, .write = true}), bytes,
+        value);
     return true;
   }
   if (!isIndirect(o)) return false;
@@ -136,8 +184,13 @@ std::optional<BitPlace> bitPlace(Lowering& l, bool write) {
   const Operand& o = l.operand();
   if (isDirect(o, Width::Bit)) {
     const Space space = *spaceOf(o.area);
-    if (!reach(l, space, o.value / 8 + 1, write)) return std::nullopt;
+    if (!reachable(l, space, o.value / 8 + 1, write)) return std::nullopt;
     return BitPlace{.space = space, .place = o.value / 8, .direct = o.value & 7};
+  }
+  if (isCrossing(o)) {
+    const Crossing c = crossing(l);
+    return BitPlace{.address = l.to.locate(c.pointer, c.bitAddress, {.write = write}),
+                    .bit = l.to.make(Opcode::And, c.bitAddress, l.to.constant(7))};
   }
   if (!isIndirect(o)) return std::nullopt;
   const auto place = dynamic(l);
@@ -148,13 +201,35 @@ std::optional<BitPlace> bitPlace(Lowering& l, bool write) {
                   .bit = l.to.make(Opcode::And, place->address, l.to.constant(7))};
 }
 
+std::optional<Value> numberOperand(Lowering& l) {
+  const Operand& o = l.operand();
+  switch (o.kind) {
+    case OperandKind::TimerIndirect:
+    case OperandKind::CounterIndirect:
+    case OperandKind::BlockIndirect: {
+      const auto space = spaceOf(o.pointerArea);
+      if (!space || !reachable(l, *space, o.value + 2, false)) return std::nullopt;
+      return l.to.load(*space, o.value, 2);
+    }
+    case OperandKind::TimerParameter:
+    case OperandKind::CounterParameter:
+    case OperandKind::BlockParameter:
+      return l.to.withNumber(Opcode::Shr, parameter(l), 16);
+    default:
+      return std::nullopt;
+  }
+}
+
 Value loadByte(Lowering& l, const BitPlace& place) {
+  if (place.address != icode::kNoValue) return l.to.loadFrom(place.address, 1);
   return place.offset == icode::kNoValue ? l.to.load(place.space, place.place, 1)
                                          : l.to.loadAt(place.space, place.offset, 1);
 }
 
 void storeByte(Lowering& l, const BitPlace& place, Value byte) {
-  if (place.offset == icode::kNoValue)
+  if (place.address != icode::kNoValue)
+    l.to.storeTo(place.address, 1, byte);
+  else if (place.offset == icode::kNoValue)
     l.to.store(place.space, place.place, 1, byte);
   else
     l.to.storeAt(place.space, place.offset, 1, byte);

@@ -19,7 +19,8 @@ using Table = std::array<Lower, kOperations>;
 
 Table makeTable() {
   Table table{};
-  for (const auto rows : {bitRows(), moveRows(), numberRows(), shiftRows(), realRows(), jumpRows()})
+  for (const auto rows :
+       {bitRows(), moveRows(), numberRows(), shiftRows(), realRows(), jumpRows(), callRows()})
     for (const Row& row : rows) table[static_cast<std::size_t>(row.operation)] = row.lower;
   return table;
 }
@@ -39,11 +40,13 @@ class Blockwise {
   }
 
  private:
+  // A jump to the next instruction, as CALL ends with, makes no entry.
   void markEntries() {
-    for (const mc7::Place& place : listing_.places) {
+    for (std::uint32_t at = 0; at < listing_.places.size(); ++at) {
+      const mc7::Place& place = listing_.places[at];
       if (!place.known || place.instruction.operand.kind != mc7::OperandKind::Jump) continue;
-      const std::int32_t to = listing_.target(place);
-      if (to >= 0) isEntry_[static_cast<std::size_t>(to)] = 1;
+      const auto to = static_cast<std::uint32_t>(listing_.target(place));
+      if (to < isEntry_.size() && to != at + 1) isEntry_[to] = 1;
     }
   }
 
@@ -81,7 +84,8 @@ class Blockwise {
       const Operation operation = place.instruction.operation;
       const Lower lower = table()[static_cast<std::size_t>(operation)];
       if (lower == nullptr) break;
-      if (isOpening(operation) && brackets.empty() && !bracketIsWhole(listing_, isEntry_, at))
+      if (isOpening(operation) && brackets.empty() &&
+          !bracketIsWhole(listing_, isEntry_, at, builder))
         break;
       builder.begin(at, model_.time(mc7::info(operation).time));
       Lowering lowering{builder, region.needs, model_, listing_, at, brackets};

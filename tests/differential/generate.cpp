@@ -18,7 +18,11 @@ class Generator {
   std::uint32_t below(std::uint32_t n) { return static_cast<std::uint32_t>(random_() % n); }
   bool oneIn(std::uint32_t n) { return below(n) == 0; }
 
-  std::vector<std::uint8_t> code(std::uint32_t instructions) {
+  // What the block mostly is made of, besides everything else: calls, or formal parameters.
+  enum class Mostly : std::uint8_t { Plain, Calls, Parameters };
+
+  std::vector<std::uint8_t> code(std::uint32_t instructions, Mostly mostly = Mostly::Plain) {
+    mostly_ = mostly;
     std::vector<std::uint8_t> code;
     if (!oneIn(4)) append(openBlock(false), code);
     if (!oneIn(4)) append(openBlock(true), code);
@@ -33,11 +37,35 @@ class Generator {
     const mc7::Encoding& encoding = mc7::encodings()[row];
     if (encoding.operation == Operation::BE || encoding.operation == Operation::BEA) return false;
     for (int attempt = 0; attempt < 8; ++attempt)
-      if (mc7::encode(encoding, operand(encoding.operand), code)) return true;
+      if (mc7::encode(encoding, operand(encoding.operand), code)) {
+        if (encoding.operation == Operation::UC || encoding.operation == Operation::CC)
+          appendList(encoding.operand, code);
+        return true;
+      }
     return false;
   }
 
  private:
+  // Parameters of an FC: a jump over pointers (MC7 section 7.2).
+  void appendList(const Operand& o, std::vector<std::uint8_t>& code) {
+    if (o.kind != OperandKind::Block || o.blockKind != BlockKind::FC || oneIn(4)) return;
+    const std::uint32_t entries = 1 + below(6);
+    code.insert(code.end(), {0x70, 0x0B, 0x00, static_cast<std::uint8_t>(2 + 2 * entries)});
+    for (std::uint32_t i = 0; i < entries; ++i) {
+      const std::uint32_t pointer = parameter();
+      for (int shift = 24; shift >= 0; shift -= 8)
+        code.push_back(static_cast<std::uint8_t>(pointer >> shift));
+    }
+  }
+  // A pointer to anything, or the number of a timer, counter or block.
+  std::uint32_t parameter() {
+    if (oneIn(4)) return below(6) << 16;
+    if (oneIn(12)) return static_cast<std::uint32_t>(random_());
+    constexpr Area kAreas[] = {Area::Input,    Area::Output, Area::Flag,        Area::DataBlock,
+                               Area::Instance, Area::Local,  Area::CallerLocal, Area::CallerLocal};
+    return pointer(oneIn(16) ? Area::Peripheral : kAreas[below(8)],
+                   8 * below(oneIn(8) ? 80 : 24) + (oneIn(3) ? below(8) : 0));
+  }
   bool append(const mc7::Instruction& i, std::vector<std::uint8_t>& code) {
     return mc7::encode(i, code);
   }
@@ -59,7 +87,10 @@ class Generator {
       const bool parameter = kind >= OperandKind::BlockIndirect || kind == OperandKind::Parameter ||
                              kind == OperandKind::TimerParameter ||
                              kind == OperandKind::CounterParameter;
-      if ((calls || stops || parameter) && !oneIn(12)) continue;
+      const bool wanted = (mostly_ == Mostly::Calls && o == Operation::UC) ||
+                          (mostly_ == Mostly::Parameters && parameter);
+      if ((calls || stops || parameter) && !oneIn(wanted ? 2 : 12)) continue;
+      if (mostly_ == Mostly::Parameters && !parameter && oneIn(2)) continue;
       return i;
     }
   }
@@ -146,6 +177,7 @@ class Generator {
     for (std::size_t i = 0; i < places.size(); ++i) {
       mc7::Instruction jump = places[i].instruction;
       if (!places[i].known || jump.operand.kind != OperandKind::Jump) continue;
+      if (i > 0 && places[i - 1].parameters != 0) continue;
       const std::size_t first = oneIn(3) ? 0 : i + 1;
       const std::size_t to = first + below(static_cast<std::uint32_t>(places.size() - first));
       const auto words = (static_cast<int>(places[std::min(to, places.size() - 1)].offset) -
@@ -159,6 +191,7 @@ class Generator {
     }
   }
 
+  Mostly mostly_ = Mostly::Plain;
   std::mt19937 random_;
 };
 
@@ -173,9 +206,12 @@ Case randomCase(std::uint32_t seed) {
   Case c;
   c.seed = seed;
   if (generator.oneIn(8)) c.model = generator.oneIn(32) ? "generic" : "small generic";
-  c.blocks[{BlockKind::OB, 1}] = generator.code(4 + generator.below(60));
+  using Mostly = Generator::Mostly;
+  c.blocks[{BlockKind::OB, 1}] =
+      generator.code(4 + generator.below(60), generator.oneIn(2) ? Mostly::Calls : Mostly::Plain);
   if (c.withSystemCalls()) callSystem(c.blocks[{BlockKind::OB, 1}]);
-  c.blocks[{BlockKind::FC, 1}] = generator.code(1 + generator.below(20));
+  c.blocks[{BlockKind::FC, 1}] = generator.code(
+      1 + generator.below(20), generator.oneIn(4) ? Mostly::Plain : Mostly::Parameters);
   c.blocks[{BlockKind::FB, 2}] = generator.code(1 + generator.below(12));
   for (const std::uint16_t ob : std::initializer_list<std::uint16_t>{35, 40, 121, 122})
     if (!generator.oneIn(3)) c.blocks[{BlockKind::OB, ob}] = generator.code(generator.below(8));

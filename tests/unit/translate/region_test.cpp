@@ -76,9 +76,28 @@ TEST(Region, EndsInFrontOfWhatHasNoTranslation) {
 TEST(Region, ClockOfEachExit) {
   const auto regions = regionsOf({{Operation::LOAD, word(10)}, kAddInt, kEnd});
   const CpuModel& model = defaultCpuModel();
-  EXPECT_EQ(regions[0].ahead, model.wordTime);
-  EXPECT_EQ(regions[0].exits.back().cost, model.wordTime + model.fixedTime);
-  EXPECT_EQ(regions[0].exits.back().instructions, 2u);
+  const auto ahead = model.wordTime + model.fixedTime;
+  EXPECT_EQ(regions[0].ahead, ahead);
+  EXPECT_EQ(regions[0].exits.back().cost, ahead + model.time(mc7::info(Operation::BE).time));
+  EXPECT_EQ(regions[0].exits.back().instructions, 3u);
+}
+
+TEST(Region, ACallEndsIt) {
+  const mc7::Instruction call{Operation::UC, mc7::blockOperand(BlockKind::FC, 7)};
+  const auto regions = regionsOf({{Operation::LOAD, word(10)}, call, kAddInt, kEnd});
+  ASSERT_EQ(regions.size(), 2u);
+  EXPECT_EQ(regions[0].ops.back().code, Opcode::Call);
+  EXPECT_EQ(regions[0].calls.back().resume, 2u);
+  EXPECT_EQ(regions[1].first, 2u);
+  EXPECT_EQ(regions[1].ops.back().code, Opcode::Return);
+}
+
+// CALL ends with one.
+TEST(Region, AJumpToTheNextInstructionIsNoWayOut) {
+  Operand next{.kind = OperandKind::Jump, .value = 2};
+  const auto regions = regionsOf({{Operation::SPBI, next}, kAddInt, kEnd});
+  ASSERT_EQ(regions.size(), 1u);
+  EXPECT_EQ(count(regions[0], Opcode::BranchIf), 0u);
 }
 
 TEST(Region, AnyBytesGiveValidRegions) {

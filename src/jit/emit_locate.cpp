@@ -1,0 +1,72 @@
+// Operands whose area is only known when the instruction runs: parameters of an FC and
+// area-crossing address registers (S7-IND-06, S7-PAR-01).
+#include "jit/region_code.h"
+
+namespace merker::jit {
+
+using icode::Op;
+
+namespace {
+
+constexpr int at(std::size_t field) { return static_cast<int>(field); }
+
+}  // namespace
+
+// edx: byte, ecx: end of the access
+void RegionCode::Locate(const Op& op) {
+  const icode::Access access = icode::Access::of(op.place);
+  const host::Gp to = places_.out().r64();
+  const asmjit::Label out = wayOut(op), done = code_.newLabel();
+  const host::Gp address = places_.in(op.b, host::edx), pointer = places_.in(op.a, host::eax);
+  if (address.id() != host::edx.id()) code_.mov(host::edx, address);
+  if (pointer.id() != host::eax.id()) code_.mov(host::eax, pointer);
+  if (access.whole) {
+    code_.test(host::dl, 7);
+    code_.jne(out);
+  }
+  code_.shr(host::edx, 3);
+  code_.shr(host::eax, 24);
+  code_.lea(host::ecx, host::ptr(host::rdx, static_cast<int>(access.bytes)));
+  for (const Area area : {Area::Flag, Area::CallerLocal, Area::DataBlock, Area::Local,
+                          Area::Instance, Area::Input, Area::Output}) {
+    const asmjit::Label next = code_.newLabel();
+    code_.cmp(host::eax, static_cast<int>(area));
+    code_.jne(next);
+    locateIn(area, access.write, to, out);
+    code_.jmp(done);
+    code_.bind(next);
+  }
+  code_.jmp(out);
+  code_.bind(done);
+}
+
+void RegionCode::locateIn(Area area, bool write, const host::Gp& to, const asmjit::Label& out) {
+  const bool local = area == Area::Local || area == Area::CallerLocal;
+  if (const std::uint32_t length = cpu::imageLength(unit_.model, area); length != 0) {
+    code_.cmp(host::ecx, length);
+    code_.ja(out);
+    code_.lea(to,
+              host::ptr(kImage, host::rdx, 0, static_cast<int>(cpu::imageBase(unit_.model, area))));
+  } else if (local) {
+    const int frame = area == Area::CallerLocal ? -at(sizeof(cpu::Frame)) : 0;
+    code_.mov(host::rax, host::qword_ptr(kMachine, offset::kTop));
+    if (area == Area::CallerLocal) {
+      code_.cmp(host::byte_ptr(host::rax, at(offsetof(cpu::Frame, first))), 0);
+      code_.jne(out);
+    }
+    code_.cmp(host::ecx, host::dword_ptr(host::rax, frame + at(offsetof(cpu::Frame, localLength))));
+    code_.ja(out);
+    code_.mov(to, host::qword_ptr(host::rax, frame + at(offsetof(cpu::Frame, local))));
+    code_.add(to, host::rdx);
+  } else {
+    const int block = area == Area::Instance ? offset::kDi : offset::kDb;
+    const std::size_t limit =
+        write ? offsetof(cpu::OpenBlock, writable) : offsetof(cpu::OpenBlock, length);
+    code_.cmp(host::ecx, host::dword_ptr(kMachine, block + at(limit)));
+    code_.ja(out);
+    code_.mov(to, host::qword_ptr(kMachine, block + at(offsetof(cpu::OpenBlock, data))));
+    code_.add(to, host::rdx);
+  }
+}
+
+}  // namespace merker::jit
