@@ -1,0 +1,88 @@
+// The CPU panel and the frame: S7-SIM-09, S7-SIM-11, S7-SIM-13, S7-MGR-14, S7-MGR-16.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { expect, open, serve, turn, until } from './harness.mjs';
+
+const server = await serve();
+const page = await open(server);
+const led = (name) => page.locator(`[data-led="${name}"]`).getAttribute('data-state');
+const cycles = async () => Number(await page.locator('[data-value="cycles"]').innerText());
+const button = (name) => page.getByRole('button', { name, exact: true });
+
+test('RUN: its LED is on and the cycle counter increases (S7-SIM-09, S7-SIM-11)', async () => {
+  await turn(page, 'RUN-P');
+  await expect(() => led('RUN'), 'on');
+  await expect(() => led('STOP'), 'off');
+  await expect(() => led('DC5V'), 'on');
+  const before = await cycles();
+  await until(async () => (await cycles()) > before, 'more cycles');
+});
+
+test('STOP: its LED is on and the cycle counter stands (S7-SIM-11)', async () => {
+  await turn(page, 'STOP');
+  await expect(() => led('STOP'), 'on');
+  await expect(() => led('RUN'), 'off');
+  await turn(page, 'RUN-P');
+});
+
+test('a paused CPU makes exactly one cycle at a time (S7-SIM-13)', async () => {
+  await button('Pause').click();
+  await until(() => button('Ein Zyklus').isEnabled(), 'the step button');
+  const before = await cycles();
+  for (let step = 1; step <= 3; ++step) {
+    await button('Ein Zyklus').click();
+    await expect(cycles, before + step);
+  }
+  await button('Echtzeit').click();
+  await until(async () => (await cycles()) > before + 10, 'cycles in real time');
+});
+
+test('power off: dark; power on: as before', async () => {
+  await button('Netz').click();
+  await expect(() => led('DC5V'), 'off');
+  await button('Netz').click();
+  await expect(() => led('DC5V'), 'on');
+  await expect(() => led('RUN'), 'on');
+});
+
+test('an event without its OB stops the CPU, and the panel says why (S7-SIM-13)', async () => {
+  await button('Mehr …').click();
+  await page.getByRole('button', { name: /^OB 82/ }).click();
+  await page.keyboard.press('Escape');
+  await expect(() => led('STOP'), 'on');
+  await expect(() => led('SF'), 'on');
+  assert.match(await page.locator('aside').innerText(), /82/);
+  await turn(page, 'STOP');
+  await turn(page, 'RUN-P');
+});
+
+test('memory reset is asked for first; cancelling keeps the program', async () => {
+  await page.getByRole('radio', { name: 'MRES' }).click();
+  await page.getByRole('dialog').getByRole('button', { name: 'Abbrechen' }).click();
+  await expect(() => led('RUN'), 'on');
+});
+
+test('F1 explains the view and lists the keys (S7-MGR-14)', async () => {
+  await page.keyboard.press('F1');
+  const text = await page.getByRole('dialog').innerText();
+  assert.match(text, /Diese Ansicht: E\/A/);
+  assert.match(text, /Alt/);
+  await page.keyboard.press('Escape');
+  assert.equal(await page.getByRole('dialog').count(), 0);
+});
+
+test('keys lead to views and switch the CPU', async () => {
+  await page.keyboard.press('Alt+Digit2');
+  await page.locator('nav a[href="#/hardware"][aria-current]').waitFor();
+  await page.keyboard.press('Alt+KeyS');
+  await expect(() => led('STOP'), 'on');
+  await page.keyboard.press('Alt+KeyR');
+  await expect(() => led('RUN'), 'on');
+});
+
+test('the language switch changes every word and is kept', async () => {
+  await page.getByRole('button', { name: 'Switch to English' }).click();
+  await page.getByRole('button', { name: 'Real', exact: true }).waitFor();
+  assert.equal(await page.locator('html').getAttribute('lang'), 'en');
+  assert.equal(await page.evaluate(() => localStorage.getItem('merker.language')), '"en"');
+});

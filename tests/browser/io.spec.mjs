@@ -1,0 +1,70 @@
+// Tiles: S7-SIM-03, S7-SIM-10, S7-SIM-12, S7-VIS-09.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { bit, expect, open, serve, turn, until } from './harness.mjs';
+
+const server = await serve();
+const page = await open(server);
+const value = (operand) => page.locator(`input[data-operand="${operand}"]`).inputValue();
+async function add(operand) {
+  await page.locator('#tile-operand').fill(operand);
+  await page.locator('#tile-operand').press('Enter');
+}
+
+test('the first tiles are those of the symbols, with their names (S7-SIM-03)', async () => {
+  await page.getByRole('article', { name: 'EB 0' }).waitFor();
+  await page.getByRole('article', { name: 'AB 1' }).waitFor();
+  await until(async () => /Light barrier small/.test(await page.getByRole('article', { name: 'EB 0' }).innerText()), 'symbols');
+});
+
+test('a click on an input toggles it and the program reacts (S7-SIM-10, S7-VIS-09)', async () => {
+  await turn(page, 'RUN-P');
+  const key = page.locator('button[data-operand="E 0.2"]');
+  const before = await bit(page, 'E 0.2');
+  await key.click();
+  await expect(() => bit(page, 'E 0.2'), before === '1' ? '0' : '1');
+  await key.click();
+  await expect(() => bit(page, 'E 0.2'), before);
+});
+
+test('tiles are added and removed, and the browser keeps them (S7-SIM-03)', async () => {
+  await add('mw 10');
+  await page.getByRole('article', { name: 'MW 10' }).waitFor();
+  await page.reload();
+  await page.getByRole('article', { name: 'MW 10' }).waitFor();
+  await add('T 9');
+  await page.getByRole('button', { name: 'T 9 entfernen' }).click();
+  assert.equal(await page.getByRole('article', { name: 'T 9' }).count(), 0);
+});
+
+test('what is no operand is refused with what would be right', async () => {
+  await add('E 0.0');
+  assert.match(await page.locator('#tile-wrong').innerText(), /EB, AB, MB/);
+  await page.locator('#tile-operand').fill('');
+});
+
+test('another format shows the same value (S7-SIM-12)', async () => {
+  await page.locator('input[data-operand="MW 10"]').fill('16#00FF');
+  await page.keyboard.press('Enter');
+  await expect(async () => (await value('MW 10')).includes('00FF'), true);
+  const format = page.getByLabel('Format von MW 10');
+  await format.selectOption('DEC');
+  await expect(() => value('MW 10'), '255');
+  await format.selectOption('BIN');
+  await expect(async () => /1111_?1111$/.test(await value('MW 10')), true);
+  await format.selectOption('HEX');
+  await expect(async () => (await value('MW 10')).includes('00FF'), true);
+});
+
+test('a wrong value is a problem in words, the old one stays', async () => {
+  await page.locator('input[data-operand="MW 10"]').fill('16#12345');
+  await page.keyboard.press('Enter');
+  await page.locator('.message.problem').waitFor();
+  await page.keyboard.press('Escape');
+  await expect(async () => (await value('MW 10')).includes('00FF'), true);
+});
+
+test('the slider writes', async () => {
+  await page.getByLabel('Schieber für MW 10').press('ArrowRight');
+  await expect(async () => (await value('MW 10')).includes('0100'), true);
+});

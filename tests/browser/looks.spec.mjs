@@ -1,0 +1,27 @@
+// Each view in both themes, both languages and both sizes: no serious accessibility problem, nothing sticks out.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { accessible } from './axe.mjs';
+import { open, picture, serve, visit } from './harness.mjs';
+
+const views = ['projects', 'hardware', 'symbols', 'program', 'io', 'variables', 'process', 'trends', 'diagnosis'];
+const looks = [
+  { theme: 'light', language: 'de', width: 1280, height: 800 },
+  { theme: 'dark', language: 'en', width: 1024, height: 768 },
+];
+const server = await serve();
+
+for (const look of looks) {
+  const page = await open(server, 'io', look);
+  for (const view of views) {
+    test(`${view}, ${look.theme}, ${look.language}, ${look.width} x ${look.height}`, async () => {
+      await visit(page, server, view);
+      await page.locator('main h1').waitFor();
+      await page.locator(`nav a[href="#/${view}"][aria-current]`).waitFor();
+      await accessible(page, view);
+      const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+      assert.ok(wide <= look.width, `${wide} px wide`);
+      await picture(page, `${view}-${look.theme}`);
+    });
+  }
+}

@@ -1,0 +1,58 @@
+// The variable table: monitor, modify, force, files (S7-MGR-16).
+import assert from 'node:assert/strict';
+import { existsSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { expect, open, serve, turn, until } from './harness.mjs';
+
+const server = await serve();
+const page = await open(server, 'variables');
+const row = (operand) => page.locator(`tr[data-operand='${operand}']`);
+const status = (operand) => row(operand).locator('.value').innerText();
+async function type(operand) {
+  await page.locator('tbody tr').last().locator('input').first().fill(operand);
+  await page.keyboard.press('Tab');
+}
+
+test('operands by address and by symbol show their status', async () => {
+  await turn(page, 'RUN-P');
+  await type('MW 20');
+  await type('"Light barrier small"');
+  await until(async () => (await status('MW 20')).includes('0'), 'a value');
+  await until(async () => /^(0|1|TRUE|FALSE)$/i.test(await status('"Light barrier small"')), 'a bit');
+});
+
+test('modify writes all modify values at once', async () => {
+  await row('MW 20').locator('.modify input').fill('W#16#1234');
+  await page.getByRole('button', { name: 'Steuern', exact: true }).click();
+  await expect(async () => (await status('MW 20')).includes('1234'), true);
+});
+
+test('forcing shows a red F, the FRCE LED and the force list; releasing ends all three', async () => {
+  await row('"Light barrier small"').locator('.modify input').fill('1');
+  await row('"Light barrier small"').getByRole('button', { name: /forcen$/ }).click();
+  await row('"Light barrier small"').locator('.mark b').waitFor();
+  await expect(() => page.locator('[data-led="FRCE"]').getAttribute('data-state'), 'on');
+  await page.getByRole('button', { name: 'Alle aufheben' }).click();
+  await expect(() => page.locator('[data-led="FRCE"]').getAttribute('data-state'), 'off');
+  assert.equal(await row('"Light barrier small"').locator('.mark b').count(), 0);
+});
+
+test('an operand that does not exist is told in its row', async () => {
+  await type('EW 99999');
+  await row('EW 99999').locator('.problem').waitFor();
+  await row('EW 99999').getByRole('button', { name: /löschen$/ }).click();
+});
+
+test('a table is saved as a file of the project and opened again', async () => {
+  await page.getByRole('button', { name: 'Speichern unter …' }).click();
+  await page.locator('#table-name').fill('belt');
+  await page.keyboard.press('Enter');
+  await page.locator('.message.done').waitFor();
+  assert.ok(existsSync(join(server.project, 'belt.vat')));
+  assert.match(readFileSync(join(server.project, 'belt.vat'), 'utf-8'), /^MW 20 ; AUTO ; W#16#1234$/m);
+  await page.getByRole('button', { name: 'Neu', exact: true }).click();
+  assert.equal(await page.locator('tbody tr').count(), 1);
+  await page.locator('#variable-table').selectOption('belt.vat');
+  await expect(async () => (await status('MW 20')).includes('1234'), true);
+});
