@@ -7,6 +7,7 @@
 
 #include "bit_operations.h"
 #include "step7/compiler.h"
+#include "system/library.h"
 
 namespace merker::bench {
 namespace {
@@ -35,6 +36,26 @@ constexpr std::string_view kCalculation = R"(      L     MW {0}
       L     L#5
       +D
       T     MD {1}
+)";
+
+// Three in, two out.
+constexpr std::string_view kFiveParameters = R"(VAR_INPUT
+  a : INT ;
+  b : INT ;
+  c : BOOL ;
+END_VAR
+VAR_OUTPUT
+  d : INT ;
+  e : BOOL ;
+END_VAR
+BEGIN
+NETWORK
+      L     #a
+      L     #b
+      +I
+      T     #d
+      U     #c
+      =     #e
 )";
 
 std::string body(int lines) {
@@ -86,16 +107,20 @@ std::string mixedSource() {
   return organizationBlock(code);
 }
 
-std::string callingSource(int calls) {
+std::string callingSource(int calls, Callee callee) {
+  const bool fb = callee == Callee::FunctionBlock;
+  const std::string block = fb ? "FUNCTION_BLOCK FB 1\n" : "FUNCTION FC 1 : VOID\n";
+  const std::string end =
+      fb ? "END_FUNCTION_BLOCK\nDATA_BLOCK DB 1 FB 1\nBEGIN\nEND_DATA_BLOCK\n" : "END_FUNCTION\n";
   std::string code;
   for (int i = 0; i < calls; ++i)
-    code += "      CALL  FC 1 ( a := MW 10, b := MW 12, c := MW 14 )\n";
-  return "FUNCTION FC 1 : VOID\nVAR_INPUT\n  a : INT ;\n  b : INT ;\nEND_VAR\nVAR_OUTPUT\n  c : "
-         "INT ;\nEND_VAR\n"
-         "BEGIN\nNETWORK\n      L     #a\n      L     #b\n      +I\n      T     "
-         "#c\nEND_FUNCTION\n" +
-         organizationBlock(code);
+    code += fmt::format(
+        "      CALL  {} ( a := MW 10, b := MW 12, c := M 2.0, d := MW 14, e := M 2.1 )\n",
+        fb ? "FB 1 , DB 1" : "FC 1");
+  return block + std::string(kFiveParameters) + end + organizationBlock(code);
 }
+
+std::string controlSource(int instructions) { return organizationBlock(body(instructions)); }
 
 std::string bitSource() {
   std::string code;
@@ -113,11 +138,13 @@ std::string loopSource(const std::string& body) {
                            "      L     MW 100\n      LOOP  next\n");
 }
 
-std::shared_ptr<const block::Program> compiled(const std::string& source) {
+std::shared_ptr<const block::Program> compiled(const std::string& source, const char* model) {
   std::vector<source::SourceFile> sources;
   sources.emplace_back("bench.awl", source);
   step7::CompileOptions options;
-  options.model = findCpuModel("generic");
+  options.model = findCpuModel(model);
+  const block::Program library = system::library(*options.model);
+  options.library = &library;
   step7::Compilation compilation = step7::compile(sources, options);
   if (!compilation.ok()) {
     std::cerr << source::format(compilation.problems.list().front(), &sources.front()) << '\n';

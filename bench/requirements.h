@@ -1,25 +1,39 @@
 // What the measurements must reach on a present-day PC.
 #pragma once
 
-#include <benchmark/benchmark.h>
-
-#include <map>
-#include <string>
+#include <string_view>
 
 namespace merker::bench {
 
-// Prints one line per measurement, with the required value beside it where there is one.
-class RequirementReporter : public benchmark::BenchmarkReporter {
- public:
-  bool ReportContext(const Context& context) override;
-  void ReportRuns(const std::vector<Run>& runs) override;
-  bool allMet() const { return allMet_; }
-
- private:
-  void report(const Run& run);
-  void reportSize(double bytes);
-  std::map<std::string, double> reached_;  // per second, by benchmark
-  bool allMet_ = true;
+enum class Unit {
+  Seconds,   // per iteration
+  Rate,      // items a second
+  RealTime,  // virtual nanoseconds a second, shown as times real time
+  Bytes,     // counter "bytes"
 };
+enum class Limit { None, AtMost, AtLeast };
+
+// One measurement.
+struct Single {
+  std::string_view benchmark, label;
+  Unit unit;
+  Limit limit;
+  double value;
+};
+// The same with both engines: "Reals" and "RealsCompiled". Compiled must reach `compiled` and the
+// share of the limit in C++ (BitLogicLimit), and `kTimes` what the interpreter reached.
+struct Pair {
+  std::string_view benchmark, label;
+  Unit unit;
+  double interpreted;  // at least
+  double compiled;     // at least
+  double share = 0;
+  double times = 10;
+};
+
+const Single* findSingle(std::string_view benchmark);
+// Also by the name of the compiled one.
+const Pair* findPair(std::string_view benchmark);
+inline bool isCompiled(std::string_view benchmark) { return benchmark.ends_with("Compiled"); }
 
 }  // namespace merker::bench

@@ -68,38 +68,21 @@ BOTH_ENGINES(Indirect, loopSource(kIndirect));
 BOTH_ENGINES(Timers, loopSource(kTimers));
 #undef BOTH_ENGINES
 
-void calls(benchmark::State& state, Engine engine) {
-  constexpr int kCalls = 1000;
-  station::Station station = stationWith(callingSource(kCalls), engine);
+void calls(benchmark::State& state, Callee callee, Engine engine) {
+  constexpr int kCalls = 500;
+  station::Station station = stationWith(callingSource(kCalls, callee), engine);
   for (auto _ : state) station.runOb1();
   state.SetItemsProcessed(state.iterations() * kCalls);
   if (station.mode() != station::Mode::Run) state.SkipWithError(station.stopReason().c_str());
 }
-void FcCalls(benchmark::State& s) { calls(s, Engine::Interpreter); }
+void FcCalls(benchmark::State& s) { calls(s, Callee::Function, Engine::Interpreter); }
 BENCHMARK(FcCalls);
-void FcCallsCompiled(benchmark::State& s) { calls(s, Engine::Compiled); }
+void FcCallsCompiled(benchmark::State& s) { calls(s, Callee::Function, Engine::Compiled); }
 BENCHMARK(FcCallsCompiled);
-
-// 100,000 lines, compiled to blocks before, into machine code of the host.
-void Translate100000Lines(benchmark::State& state) {
-  station::Options options;
-  options.model = findCpuModel("generic");
-  options.program = compiled(largeSource(100'000));
-  station::Station station(std::move(options));
-  for (auto _ : state) {
-    station.setEngine(Engine::Compiled);
-    station.setEngine(Engine::Interpreter);
-  }
-}
-BENCHMARK(Translate100000Lines)->Unit(benchmark::kMillisecond);
-
-// A cycle with everything the operating system does between two runs of OB 1.
-void Cycles(benchmark::State& state) {
-  station::Station station = stationWith(callingSource(1));
-  for (auto _ : state) station.advanceCycles(1);
-  state.SetItemsProcessed(state.iterations());
-}
-BENCHMARK(Cycles);
+void FbCalls(benchmark::State& s) { calls(s, Callee::FunctionBlock, Engine::Interpreter); }
+BENCHMARK(FbCalls);
+void FbCallsCompiled(benchmark::State& s) { calls(s, Callee::FunctionBlock, Engine::Compiled); }
+BENCHMARK(FbCallsCompiled);
 
 }  // namespace
 }  // namespace merker::bench

@@ -1,0 +1,82 @@
+// One CPU 314C with an ordinary program and nothing to do, and a thousand of them in one process:
+// how much faster than real time, and how much memory.
+#include <benchmark/benchmark.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <thread>
+
+#include "programs.h"
+#include "station/station.h"
+
+namespace merker::bench {
+namespace {
+
+using station::Engine;
+using station::Station;
+
+constexpr int kInstructions = 1000;
+
+Station started(const std::shared_ptr<const block::Program>& program, Engine engine) {
+  station::Options options;
+  options.program = program;
+  options.engine = engine;
+  Station station(std::move(options));
+  if (!station.warmRestart()) std::abort();
+  return station;
+}
+
+void idle(benchmark::State& state, Engine engine) {
+  constexpr Duration kStep = Duration::milliseconds(100);
+  Station station = started(compiled(controlSource(kInstructions), "314C-2 PtP"), engine);
+  const Instant begin = station.now();
+  for (auto _ : state) station.advanceTo(station.now() + kStep);
+  state.SetItemsProcessed((station.now() - begin).ns);
+}
+void IdleCpu(benchmark::State& s) { idle(s, Engine::Interpreter); }
+BENCHMARK(IdleCpu)->UseRealTime();
+void IdleCpuCompiled(benchmark::State& s) { idle(s, Engine::Compiled); }
+BENCHMARK(IdleCpuCompiled)->UseRealTime();
+
+// A cycle with everything the operating system does between two runs of OB 1.
+void Cycles(benchmark::State& state) {
+  station::Station station =
+      started(compiled(callingSource(1, Callee::Function)), Engine::Interpreter);
+  for (auto _ : state) station.advanceCycles(1);
+  state.SetItemsProcessed(state.iterations());
+}
+BENCHMARK(Cycles);
+
+double residentBytes() {
+  std::uint64_t total = 0, resident = 0;
+  std::ifstream("/proc/self/statm") >> total >> resident;
+  return static_cast<double>(resident) * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+void advance(std::vector<Station>& stations, std::size_t first, std::size_t end, Duration by) {
+  constexpr Duration kSlice = Duration::milliseconds(100);
+  for (Duration gone{}; gone < by; gone = gone + kSlice)
+    for (std::size_t i = first; i < end; ++i) stations[i].advanceTo(stations[i].now() + kSlice);
+}
+
+// Two threads, half of the CPUs each; all of them together one virtual second.
+void ThousandCpus(benchmark::State& state) {
+  constexpr std::size_t kCpus = 1000;
+  constexpr Duration kTime = Duration::seconds(1);
+  const auto program = compiled(controlSource(kInstructions), "314C-2 PtP");
+  const double before = residentBytes();
+  std::vector<Station> stations;
+  for (std::size_t i = 0; i < kCpus; ++i) stations.push_back(started(program, Engine::Compiled));
+  for (auto _ : state) {
+    std::thread half([&] { advance(stations, 0, kCpus / 2, kTime); });
+    advance(stations, kCpus / 2, kCpus, kTime);
+    half.join();
+  }
+  state.SetItemsProcessed(state.iterations() * kTime.ns);
+  state.counters["bytes"] = residentBytes() - before;
+}
+BENCHMARK(ThousandCpus)->UseRealTime()->Iterations(3);
+
+}  // namespace
+}  // namespace merker::bench

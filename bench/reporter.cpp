@@ -1,0 +1,131 @@
+#include "reporter.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iostream>
+
+namespace merker::bench {
+namespace {
+
+using Run = benchmark::BenchmarkReporter::Run;
+
+double counter(const Run& run, const char* name) {
+  const auto found = run.counters.find(name);
+  return found == run.counters.end() ? 0 : static_cast<double>(found->second);
+}
+
+double measuredBy(const Run& run, Unit unit) {
+  switch (unit) {
+    case Unit::Seconds:
+      return run.real_accumulated_time / static_cast<double>(run.iterations);
+    case Unit::Rate:
+      return counter(run, "items_per_second");
+    case Unit::RealTime:
+      return counter(run, "items_per_second") / 1e9;
+    case Unit::Bytes:
+      return counter(run, "bytes");
+  }
+  return 0;
+}
+
+std::string text(double value, Unit unit) {
+  switch (unit) {
+    case Unit::Seconds:
+      return fmt::format("{:.1f} ms", value * 1e3);
+    case Unit::Rate:
+      return fmt::format("{:.2f} million/s", value / 1e6);
+    case Unit::RealTime:
+      return fmt::format("{:.1f} x real time", value);
+    case Unit::Bytes:
+      return value < 1e6 ? fmt::format("{:.1f} bytes", value)
+                         : fmt::format("{:.0f} MB", value / 1e6);
+  }
+  return {};
+}
+
+std::string text(double value, Unit unit, Limit limit) {
+  if (limit == Limit::None) return {};
+  return (limit == Limit::AtMost ? "at most " : "at least ") + text(value, unit);
+}
+
+bool meets(double value, Limit limit, double required) {
+  return limit == Limit::None || (limit == Limit::AtMost ? value <= required : value >= required);
+}
+
+}  // namespace
+
+void Reporter::ReportRuns(const std::vector<Run>& runs) {
+  for (const Run& run : runs)
+    if (run.run_type == Run::RT_Iteration) report(run);
+}
+
+void Reporter::report(const Run& run) {
+  const std::string full = run.benchmark_name(), name = full.substr(0, full.find('/'));
+  const Single* const one = findSingle(name);
+  const Pair* const two = findPair(name);
+  if (run.error_occurred || (one == nullptr && two == nullptr)) {
+    std::cout << fmt::format("{:<40}{}\n", name, run.error_message);
+    allMet_ = false;
+    return;
+  }
+  reached_[name] = measuredBy(run, one != nullptr ? one->unit : two->unit);
+  if (one != nullptr) single(*one, reached_[name]);
+  if (two != nullptr && isCompiled(name))
+    pair(*two, reached_[std::string(two->benchmark)], reached_[name]);
+  further(name, run);
+}
+
+// Of the same run, but a figure of its own: at the end, so that it does not stand in another table.
+void Reporter::further(const std::string& name, const Run& run) {
+  if (name == "BitLogicCompiled")
+    later("CodeOfABitInstruction", counter(run, "bytes_per_instruction"));
+  if (name == "ThousandCpus") later("MemoryOfThousandCpus", counter(run, "bytes"));
+}
+
+void Reporter::later(const char* name, double measured) {
+  later_.emplace_back(findSingle(name), measured);
+}
+
+void Reporter::Finalize() {
+  for (const auto& [row, measured] : later_) single(*row, measured);
+}
+
+void Reporter::single(const Single& row, double measured) {
+  header(fmt::format("{:<40}{:>20}{:>30}\n", "", "measured", "required"));
+  std::cout << fmt::format("{:<40}{:>20}{:>30}{}\n", row.label, text(measured, row.unit),
+                           text(row.value, row.unit, row.limit),
+                           verdict(meets(measured, row.limit, row.value)))
+            << std::flush;
+}
+
+void Reporter::pair(const Pair& row, double interpreted, double compiled) {
+  constexpr const char* kLine = "{:<40}{:<14}{:>12}{:>12}{:>12}{:>8}{:>10}{}\n";
+  header(fmt::format(fmt::runtime(kLine), "", "", "interpreter", "compiled", "required", "times",
+                     "required", ""));
+  const double wanted = std::max(row.compiled, row.share * reached_["BitLogicLimit"]);
+  const double times = interpreted > 0 ? compiled / interpreted : 0;
+  const double scale = row.unit == Unit::Rate ? 1e6 : 1;
+  const auto number = [](double value) {
+    return value > 0 ? fmt::format("{:.1f}", value) : std::string();
+  };
+  const bool met = compiled >= wanted && times >= row.times && interpreted >= row.interpreted;
+  std::cout << fmt::format(fmt::runtime(kLine), row.label,
+                           row.unit == Unit::Rate ? "million/s" : "x real time",
+                           number(interpreted / scale), number(compiled / scale),
+                           number(wanted / scale), number(times), number(row.times), verdict(met))
+            << std::flush;
+}
+
+void Reporter::header(const std::string& text) {
+  if (text == header_) return;
+  std::cout << (header_.empty() ? "" : "\n") << text;
+  header_ = text;
+}
+
+std::string Reporter::verdict(bool met) {
+  allMet_ = allMet_ && met;
+  return met ? "" : "  MISSED";
+}
+
+}  // namespace merker::bench

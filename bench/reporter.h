@@ -1,0 +1,38 @@
+// Two tables: what is measured once, and what runs with both engines; the required value beside
+// each figure.
+#pragma once
+
+#include <benchmark/benchmark.h>
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "requirements.h"
+
+namespace merker::bench {
+
+class Reporter : public benchmark::BenchmarkReporter {
+ public:
+  bool ReportContext(const Context& /*context*/) override { return true; }
+  void ReportRuns(const std::vector<Run>& runs) override;
+  void Finalize() override;
+  bool allMet() const { return allMet_; }
+
+ private:
+  void report(const Run& run);
+  void single(const Single& row, double measured);
+  void pair(const Pair& row, double interpreted, double compiled);
+  void further(const std::string& name, const Run& run);
+  void later(const char* name, double measured);
+  void header(const std::string& text);
+  std::string verdict(bool met);
+
+  std::map<std::string, double> reached_;  // by benchmark
+  std::vector<std::pair<const Single*, double>> later_;
+  std::string header_;
+  bool allMet_ = true;
+};
+
+}  // namespace merker::bench
