@@ -16,6 +16,12 @@ const { chromium } = createRequire(tool('index.js'))('playwright-core');
 const merker = resolve(process.env.MERKER ?? join(root, 'build/release/merker'));
 const PATIENCE = 10_000;
 
+/** What has to be done when all tests of the file are over, newest first. */
+const endings = [];
+after(async () => {
+  for (const end of endings.reverse()) await end();
+});
+
 const ARGUMENTS = ['--headless', '--no-sandbox', '--disable-gpu', '--disable-background-networking']
   .concat(['--disable-component-update', '--disable-sync', '--disable-extensions', '--no-first-run'])
   // A page that does not come from the server itself may not talk to this machine otherwise.
@@ -24,7 +30,7 @@ const ARGUMENTS = ['--headless', '--no-sandbox', '--disable-gpu', '--disable-bac
 /** A folder of its own below the system's, gone at the end. */
 export function scratch() {
   const folder = mkdtempSync(join(tmpdir(), 'merker-browser-'));
-  after(() => rmSync(folder, { recursive: true, force: true }));
+  endings.push(() => rmSync(folder, { recursive: true, force: true }));
   return folder;
 }
 
@@ -45,7 +51,8 @@ export async function launch(project, workspace, port = 0) {
   child.stderr.on('data', collect);
   const ended = new Promise((done) => child.on('exit', done));
   const close = async () => (child.kill(), await ended);
-  after(close);
+  endings.push(close);
+  process.on('exit', () => child.kill('SIGKILL'));
   const address = await until(() => /https?:\/\/\S+/.exec(said)?.[0] ?? (child.exitCode !== null && fail(said)),
     () => `an address in the output of the server, which said: ${said}`);
   return { address, project, workspace, close, port: Number(new URL(address).port) };
@@ -59,7 +66,7 @@ let browser;
 async function running() {
   if (!browser) {
     browser = chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ARGUMENTS });
-    after(async () => (await browser).close());
+    endings.push(async () => (await browser).close());
   }
   return browser;
 }
@@ -85,8 +92,8 @@ export async function open(server, view = 'io', { language = 'de', theme = 'ligh
   if (process.env.MERKER_PAGE) await page.route(`http://${host}/**`, pageFrom(resolve(process.env.MERKER_PAGE)));
   await visit(page, server, view);
   await page.locator('[data-phase="open"]').waitFor();
-  after(() => assert.deepEqual(complaints, [], 'the page complained'));
-  after(() => context.close());
+  endings.push(() => assert.deepEqual(complaints, [], 'the page complained'));
+  endings.push(() => context.close());
   return page;
 }
 

@@ -11,7 +11,6 @@ export const io = {
   ],
   addTwice: ['{operand} ist schon da.', '{operand} is already there.'],
   remove: ['{operand} entfernen', 'Remove {operand}'],
-  toggle: ['{operand} {symbol}: {value}, umschalten', '{operand} {symbol}: {value}, toggle'],
   forced: ['geforct', 'forced'],
   format: ['Format von {operand}', 'Format of {operand}'],
   value: ['Wert für {operand}', 'Value for {operand}'],
