@@ -170,7 +170,7 @@ export class CodeEditor {
       statusField,
       this.status.of([]),
       this.writable.of(EditorState.readOnly.of(readOnly)),
-      EditorView.contentAttributes.of({ 'aria-label': this.hooks.label, spellcheck: 'false' }),
+      EditorView.contentAttributes.of({ 'aria-label': this.hooks.label, spellcheck: 'false', tabindex: '0' }),
       keymap.of([
         ...this.hooks.keys,
         { key: 'Mod-g', run: gotoLine, preventDefault: true },

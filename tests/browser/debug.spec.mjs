@@ -1,0 +1,71 @@
+// Program status beside the text, breakpoints and single step (S7-EDIT-21, -22).
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { content, statusOf, toLine } from './editor.mjs';
+import { expect, open, picture, serve, turn, until } from './harness.mjs';
+
+const server = await serve('sorting-plant');
+const page = await open(server, 'program?file=sorting.awl');
+const source = () => content(page).evaluate((element) => (element.cmTile ?? element.cmView).view.state.doc.toString());
+const lineOf = async (words) => (await source()).split('\n').findIndex((line) => line.includes(words)) + 1;
+const block = (id) => page.getByRole('treeitem').filter({ has: page.locator('.id', { hasText: new RegExp(`^${id}$`) }) }).first();
+
+test('status: VKE, STA and AKKU 1 behind each statement (S7-EDIT-21)', async () => {
+  await turn(page, 'RUN-P');
+  await block('FB 1').click();
+  await page.getByRole('switch', { name: 'Status' }).click();
+  const line = await lineOf('UN    #BeamSmall;');
+  await toLine(page, line);
+  await until(async () => /^[01]$/.test((await statusOf(page, line))[0]), 'a VKE');
+  const [vke, sta, akku] = await statusOf(page, line);
+  assert.match(sta, /^[01]$/);
+  assert.notEqual(vke, sta, 'UN negates');
+  assert.match(akku, /\S/);
+  await picture(page, 'program-status');
+});
+
+test('more columns on demand (S7-EDIT-21)', async () => {
+  await page.getByText('Spalten', { exact: true }).click();
+  await page.getByRole('checkbox', { name: 'STW' }).check();
+  const line = await lineOf('UN    #BeamSmall;');
+  await until(async () => (await statusOf(page, line)).length === 4, 'a fourth column');
+  await page.getByText('Spalten', { exact: true }).click();
+});
+
+test('a changed text has no status until it is loaded', async () => {
+  await toLine(page, 1);
+  await page.keyboard.insertText('// new\n');
+  await page.getByText(/Die CPU hat einen anderen Stand/).waitFor();
+  await page.keyboard.press('Control+z');
+  await expect(() => page.getByText(/Die CPU hat einen anderen Stand/).count(), 0);
+});
+
+test('a breakpoint stops the CPU there: HALT, its line is marked (S7-EDIT-22)', async () => {
+  const line = await lineOf('UN    #BeamMiddle;');
+  await toLine(page, line);
+  await page.keyboard.press('F9');
+  await page.locator('[data-mode="HALT"]').waitFor();
+  await page.getByText(`HALT in FB 1, Zeile ${line}`).waitFor();
+  assert.match(await page.locator('.code .cm-halt-line').innerText(), /BeamMiddle/);
+  await picture(page, 'program-halt');
+});
+
+test('step over goes to the next statement, go on to the breakpoint (S7-EDIT-22)', async () => {
+  const line = await lineOf('UN    #BeamMiddle;');
+  await page.keyboard.press('F10');
+  await page.getByText(`HALT in FB 1, Zeile ${line + 1}`).waitFor();
+  await page.keyboard.press('F8');
+  await page.getByText(`HALT in FB 1, Zeile ${line}`).waitFor();
+});
+
+test('another browser sees the HALT too', async () => {
+  const other = await open(server, 'program', { language: 'en' });
+  await other.getByText(/^HALT in FB 1, line/).waitFor();
+});
+
+test('a click beside the line clears the breakpoint, the program goes on', async () => {
+  await page.locator('.code .cm-point-mark').first().click();
+  await expect(() => page.locator('.code .cm-point-mark').count(), 0);
+  await page.getByRole('button', { name: /^Fortsetzen/ }).click();
+  await page.locator('[data-mode="RUN"]').waitFor();
+});

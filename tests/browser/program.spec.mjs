@@ -1,0 +1,156 @@
+// The program view: blocks, editor, problems while typing, declarations, load, compare (S7-EDIT, S7-MGR-08..10, -15).
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { content, problems, replaceAll, text, toLine } from './editor.mjs';
+import { expect, open, picture, serve, turn, until } from './harness.mjs';
+
+const server = await serve('sorting-plant');
+const file = join(server.project, 'sorting.awl');
+const page = await open(server, 'program?file=sorting.awl');
+const block = (id) => page.getByRole('treeitem').filter({ has: page.locator('.id', { hasText: new RegExp(`^${id}$`) }) }).first();
+const button = (name) => page.getByRole('button', { name, exact: true });
+const saved = () => readFileSync(file, 'utf-8');
+const message = (words) => page.locator('.message').filter({ hasText: words }).waitFor();
+async function dismiss() {
+  for (const one of await page.getByRole('button', { name: 'Meldung schließen' }).all()) await one.click();
+}
+
+test('the tree holds all blocks with what they call (S7-MGR-08)', async () => {
+  await block('OB 1').waitFor();
+  await block('OB 1').focus();
+  const before = await page.getByRole('treeitem').count();
+  await page.keyboard.press('ArrowRight');
+  await until(async () => (await page.getByRole('treeitem').count()) > before, 'the calls of OB 1');
+  assert.match(await block('FB 2').innerText(), /Slider/);
+  assert.match(await block('FB 2').getAttribute('title'), /\d+ B/);
+});
+
+test('a block opens where it begins (S7-MGR-10)', async () => {
+  await block('FB 2').click();
+  await until(async () => (await page.locator('.work .head').innerText()).includes('"Slider"'), 'the block of the line');
+  assert.equal(await text(page), saved());
+});
+
+test('the declaration table shows address, declaration, name, type, initial value, comment (S7-EDIT-01, -02)', async () => {
+  await block('FB 1').click();
+  const row = page.locator('.frame tr').filter({ has: page.getByLabel('Name Filter', { exact: true }) });
+  await expect(() => row.locator('td').nth(0).innerText(), '2.0');
+  assert.equal(await row.locator('td').nth(1).innerText(), 'in');
+  assert.equal(await page.getByLabel('Typ Filter', { exact: true }).inputValue(), 'S5TIME');
+  assert.equal(await page.getByLabel('Anfangswert Filter', { exact: true }).inputValue(), 'S5T#50MS');
+  await picture(page, 'program-declarations');
+});
+
+test('a wrong line is marked while it is being typed, with code, sentence and hint (S7-EDIT-06)', async () => {
+  await toLine(page, 47);
+  await page.keyboard.insertText('      U     E 0.8;\n');
+  await until(async () => /P\d{4}.*0\.8|bit/i.test(await problems(page).first().innerText()), 'a problem');
+  assert.match(await problems(page).first().innerText(), /sorting\.awl:47/);
+  await page.locator('.code .cm-lintRange-error').first().waitFor();
+  await picture(page, 'program-problem');
+  await page.keyboard.press('Control+z');
+  await expect(() => problems(page).count(), 0);
+});
+
+test('symbols are completed, in quotation marks (S7-EDIT-17)', async () => {
+  await toLine(page, 47);
+  await page.keyboard.type('      U "light barrier m');
+  await page.locator('.code .cm-tooltip-autocomplete li').filter({ hasText: '"Light barrier middle"' }).waitFor();
+  await page.keyboard.press('Enter');
+  await until(async () => (await text(page)).includes('U "Light barrier middle"'), 'the symbol');
+  await button('Speichern').waitFor();
+  await until(async () => {
+    await page.keyboard.press('Control+z');
+    return (await text(page)) === saved();
+  }, 'the old text');
+});
+
+test('the right-click menu lists all symbols and inserts one (S7-EDIT-17)', async () => {
+  await toLine(page, 47);
+  await page.keyboard.press('Control+j');
+  await page.getByRole('menuitem', { name: 'Symbol einfügen' }).click();
+  await expect(() => page.getByRole('option').count(), 24);
+  await page.getByRole('searchbox', { name: 'Filter' }).fill('slider small');
+  await page.getByRole('option', { name: /^Slider small/ }).click();
+  await until(async () => (await text(page)).includes('"Slider small"UN') || (await text(page)).includes('"Slider small"'), 'the symbol');
+  await page.keyboard.press('Control+z');
+  await until(async () => (await text(page)) === saved(), 'the old text');
+});
+
+test('symbolic and absolute display change what is shown, not what is written (S7-EDIT-18)', async () => {
+  await block('OB 1').click();
+  await page.getByLabel('Anzeige').selectOption('absolute');
+  await page.locator('.code .cm-shown-operand').filter({ hasText: /^[EA] \d\.\d$/ }).first().waitFor();
+  assert.equal(await text(page), saved());
+  await page.getByLabel('Anzeige').selectOption('written');
+  await expect(() => page.locator('.code .cm-shown-operand').count(), 0);
+});
+
+test('the mnemonics are switched as one step that can be undone (S7-EDIT-24)', async () => {
+  await page.getByLabel('Mnemonik').selectOption('international');
+  await until(async () => /^\s+AN\s+#BeamSmall;/m.test(await text(page)), 'international mnemonics');
+  await expect(() => problems(page).count(), 0);
+  await content(page).focus();
+  await page.keyboard.press('Control+z');
+  await until(async () => (await text(page)) === saved(), 'the old text');
+});
+
+test('in RUN loading is refused with the words of the CPU, in RUN-P it is done (S7-SIM-11, S7-EDIT-07)', async () => {
+  await turn(page, 'RUN');
+  await toLine(page, 1);
+  await page.keyboard.insertText('// changed\n');
+  await page.keyboard.press('Control+s');
+  await until(() => saved().startsWith('// changed\n'), 'the saved file');
+  await page.getByText('≠ CPU').waitFor();
+  await dismiss();
+  await button('Laden').click();
+  await message(/RUN/);
+  await dismiss();
+  await turn(page, 'RUN-P');
+  await button('Laden').click();
+  await message('Programm geladen.');
+  await expect(() => page.getByText('≠ CPU').count(), 0);
+  await dismiss();
+});
+
+test('compare shows what differs between project and CPU, side by side (S7-MGR-15)', async () => {
+  await replaceAll(page, saved().replace('SA    #FilterTime', 'SE    #FilterTime'));
+  await page.keyboard.press('Control+s');
+  await until(async () => (await block('FB 1').innerText()).includes('≠'), 'the mark of a difference');
+  await block('FB 1').click();
+  await page.getByRole('toolbar', { name: 'FB 1' }).getByRole('button', { name: 'Vergleich' }).click();
+  await page.locator('#program-panel .cm-changedLine').first().waitFor();
+  await picture(page, 'program-compare');
+});
+
+test('one block is loaded alone (S7-EDIT-07)', async () => {
+  await page.getByRole('button', { name: 'Baustein laden' }).click();
+  await message('Programm geladen.');
+  await until(async () => (await block('FB 1').innerText()).includes('='), 'the same again');
+  await dismiss();
+});
+
+test('where an operand is used (S7-EDIT-22)', async () => {
+  await page.getByRole('tab', { name: 'Querverweise' }).click();
+  await page.getByLabel('Operand oder Symbol').fill('A 1.0');
+  const rows = page.locator('#program-panel tbody tr');
+  await until(async () => /A 1\.0/.test((await rows.first().innerText().catch(() => '')) ?? ''), 'a row');
+  await rows.first().getByRole('button').click();
+  await until(async () => (await content(page).locator('.cm-activeLine').innerText()).includes('Slider small'), 'its place');
+});
+
+test('online: the blocks of the CPU, their text, upload and delete (S7-MGR-15)', async () => {
+  await page.getByRole('tab', { name: 'Online' }).click();
+  await block('FC 1').click();
+  await page.getByText('Nur lesen: aus der CPU').waitFor();
+  await until(async () => /FUNCTION/.test(await text(page)), 'the listing');
+  await button('Laden in PG').click();
+  await message(/Aus der CPU geholt: .*FC\s?1/i);
+  await dismiss();
+  await turn(page, 'STOP');
+  await button('In der CPU löschen').click();
+  await page.getByRole('dialog').getByRole('button', { name: 'In der CPU löschen' }).click();
+  await expect(() => block('FC 1').count(), 0);
+});

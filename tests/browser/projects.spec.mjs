@@ -1,0 +1,65 @@
+// Projects: tree, examples, wizard, folders, compare, load, upload (S7-MGR-01..03, -08, -11, -15).
+import assert from 'node:assert/strict';
+import { existsSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { expect, open, picture, serve, turn, until } from './harness.mjs';
+
+const server = await serve('sorting-plant');
+const page = await open(server, 'projects');
+const name = () => page.locator('.root > strong').innerText();
+
+test('the project is a tree of station, CPU, program, and each entry opens its tool (S7-MGR-03)', async () => {
+  await expect(name, 'Sorting plant');
+  const tree = await page.locator('.root').innerText();
+  for (const entry of ['MPI(1)', 'SIMATIC 300(1)', 'Hardware', 'CPU 314C-2 PtP', 'S7-Programm(1)', 'Quellen', 'Bausteine', 'Symbole'])
+    assert.ok(tree.includes(entry), entry);
+  await page.locator('.root').getByRole('link', { name: 'Symbole' }).click();
+  await page.getByRole('heading', { name: 'Symbole' }).waitFor();
+  await page.goBack();
+});
+
+test('project and CPU are compared block by block (S7-MGR-15)', async () => {
+  await page.getByText('Projekt und CPU sind gleich.').waitFor();
+  await picture(page, 'projects');
+});
+
+test('an example is opened as a copy', async () => {
+  const before = server.project;
+  await page.getByRole('searchbox').fill('traffic');
+  await page.getByRole('button', { name: /^Öffnen: / }).first().click();
+  await until(async () => (await name()) !== 'Sorting plant', 'another project');
+  assert.ok(existsSync(join(before, 'merker.toml')));
+});
+
+test('the wizard makes a project with CPU, OB 1 and language (S7-MGR-01)', async () => {
+  await page.getByRole('button', { name: 'Neues Projekt …' }).click();
+  await page.getByLabel('Projektname').fill('Manfred');
+  await page.getByLabel('CPU-Typ').selectOption('314C-2 PtP');
+  await page.getByLabel('Darstellung').selectOption('german');
+  await picture(page, 'projects-wizard');
+  await page.getByRole('button', { name: 'Anlegen' }).click();
+  await page.getByRole('treeitem').filter({ hasText: 'OB 1' }).waitFor();
+  await page.goto(page.url().replace(/#.*/, '#/projects'));
+  await expect(name, 'Manfred');
+});
+
+test('a folder below the workspace is opened again, others are refused', async () => {
+  await page.getByRole('button', { name: 'Ordner öffnen …' }).click();
+  await page.locator('#folder').fill('/etc');
+  await page.getByRole('dialog').getByRole('button', { name: 'Öffnen', exact: true }).click();
+  await page.locator('.message').first().waitFor();
+  await page.locator('#folder').fill(server.project);
+  await page.getByRole('dialog').getByRole('button', { name: 'Öffnen', exact: true }).click();
+  await expect(name, 'Sorting plant');
+});
+
+test('blocks are uploaded from the CPU as sources (S7-MGR-15)', async () => {
+  await turn(page, 'RUN-P');
+  await page.getByRole('checkbox', { name: 'FC 1 auswählen' }).check();
+  await page.getByRole('button', { name: 'Aus der CPU holen' }).click();
+  await page.locator('.message').filter({ hasText: 'Aus der CPU geholt' }).waitFor();
+  const uploaded = join(server.project, 'online/FC1.awl');
+  await until(() => existsSync(uploaded), uploaded);
+  assert.match(readFileSync(uploaded, 'utf-8'), /FUNCTION FC 1/);
+});

@@ -1,0 +1,83 @@
+// The symbol table with the rules of the course (S7-SYM, S7-MGR-11).
+import assert from 'node:assert/strict';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { expect, open, picture, scratch, serve, until } from './harness.mjs';
+
+const server = await serve('09-symbols');
+const file = join(server.project, 'symbols.sym');
+const saved = () => readFileSync(file, 'utf-8');
+const page = await open(server, 'symbols');
+const rows = page.locator('tbody tr');
+const cell = (name, row) => page.getByLabel(`${name} ${row}`, { exact: true });
+const save = page.getByRole('button', { name: 'Speichern', exact: true });
+const problems = page.locator('.state li');
+
+test('the table has symbol, operand, type and comment (S7-SYM-01, -02)', async () => {
+  await expect(() => rows.count(), 8);
+  assert.equal(await cell('Symbol', 3).inputValue(), 'Motor');
+  assert.equal(await cell('Operand', 3).inputValue(), 'A 1.0');
+  assert.equal(await cell('Datentyp', 3).inputValue(), 'BOOL');
+  await picture(page, 'symbols');
+});
+
+test('a new symbol is saved and known to the program (S7-SYM-04)', async () => {
+  await page.getByRole('button', { name: '+ Zeile' }).click();
+  await page.keyboard.type('Lamp');
+  await cell('Operand', 9).fill('A 1.1');
+  await cell('Datentyp', 9).fill('BOOL');
+  await cell('Kommentar', 9).fill('on the door');
+  await until(() => save.isEnabled(), 'a table without problems');
+  await page.keyboard.press('Control+s');
+  await until(() => /"Lamp"\s+A\s*1\.1\s+BOOL\s+\/\/ on the door/.test(saved()), 'the saved symbol');
+});
+
+const wrong = [
+  ['a symbol twice (S7-SYM-03)', 'Symbol', 'Motor'],
+  ['a symbol of 25 characters (S7-SYM-01)', 'Symbol', 'x'.repeat(25)],
+  ['a comment of 81 characters (S7-SYM-01)', 'Kommentar', 'x'.repeat(81)],
+  ['a data word (S7-SYM-06)', 'Operand', 'DB100.DBW10'],
+  ['local data (S7-SYM-15)', 'Operand', 'LW 2'],
+  ['a type that does not fit (S7-SYM-16)', 'Datentyp', 'REAL'],
+];
+for (const [what, column, value] of wrong)
+  test(`${what}: the row is marked, nothing is saved, nothing is lost`, async () => {
+    const before = saved();
+    const old = await cell(column, 9).inputValue();
+    await cell(column, 9).fill(value);
+    await until(async () => /P\d{4}/.test((await problems.first().innerText().catch(() => '')) ?? ''), 'a problem');
+    await expect(() => rows.nth(8).evaluate((row) => row.classList.contains('wrong')), true);
+    assert.equal(await save.isEnabled(), false);
+    await page.keyboard.press('Control+s');
+    assert.equal(await cell(column, 9).inputValue(), value);
+    if (column === 'Symbol' && value === 'Motor') await picture(page, 'symbols-twice');
+    await page.reload();
+    await expect(() => cell(column, 9).inputValue(), value, 'after a reload');
+    assert.equal(saved(), before);
+    await cell(column, 9).fill(old);
+    await expect(() => problems.count(), 0);
+  });
+
+test('sort by a column and filter (S7-SYM-17)', async () => {
+  await page.getByRole('button', { name: 'Operand', exact: false }).first().click();
+  await expect(() => rows.first().getByLabel(/^Operand/).inputValue(), 'A 1.0');
+  await page.getByRole('searchbox', { name: 'Filter' }).fill('minute');
+  await expect(() => rows.count(), 2);
+  await page.getByRole('searchbox', { name: 'Filter' }).fill('');
+  await expect(() => rows.count(), 9);
+});
+
+test('export and import keep the table (S7-SYM-17)', async () => {
+  const download = page.waitForEvent('download');
+  await page.getByLabel('Exportieren').selectOption('sdf');
+  const exported = join(scratch(), 'symbols.sdf');
+  await (await download).saveAs(exported);
+  const text = readFileSync(exported, 'utf-8');
+  assert.match(text, /^"Motor\s+","A\s+1\.0\s+","BOOL\s+","/m);
+  const one = join(scratch(), 'one.sdf');
+  writeFileSync(one, text.split('\n').find((line) => line.startsWith('"Motor ')).replace('Motor ', 'Horn  ').replace(/1\.0/, '1.5') + '\n');
+  await page.locator('input[type=file]').setInputFiles(one);
+  await expect(() => rows.count(), 10);
+  assert.equal(await cell('Symbol', 10).inputValue(), 'Horn');
+});
