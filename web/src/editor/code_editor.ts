@@ -27,6 +27,7 @@ import { codeTheme } from './code_theme';
 import { completionSource } from './completion';
 import { initialState, tokenizeLine } from './lexer';
 import { awlSupport } from './language';
+import { phrases } from './phrases';
 import { diagnostics } from './problems';
 import { setStatus, statusDisplay, statusField, type StatusRow } from './status_columns';
 import { displaySetting, symbolicDisplay, type DisplaySetting } from './symbolic';
@@ -182,6 +183,7 @@ export class CodeEditor {
         indentWithTab,
       ]),
       codeTheme,
+      phrases(),
       EditorView.updateListener.of((update) => {
         const own = update.transactions.some((transaction) => transaction.annotation(fromOutside));
         if (update.docChanged && !own) this.hooks.edited(update.state.doc.toString());

@@ -44,6 +44,13 @@ export const codeTheme = EditorView.theme({
     fontWeight: '700',
   },
 
+  '.cm-collapsedLines': {
+    background: 'var(--plate) !important',
+    color: 'var(--ink-soft) !important',
+    paddingLeft: '1ch',
+  },
+  '.cm-collapsedLines:before, .cm-collapsedLines:after': { content: '"⋯" !important' },
+
   '.cm-panels': { backgroundColor: 'var(--plate)', color: 'var(--ink)' },
   '.cm-panels-bottom': { borderTop: '1px solid var(--line-strong)' },
   '.cm-panel input, .cm-panel button': { fontFamily: 'var(--sans)', fontSize: 'var(--text)' },
