@@ -8,7 +8,7 @@ INCLUDE = re.compile(r'^\s*#\s*include\s+"([a-z0-9_]+)/')
 MODULE_ROW = re.compile(r"^\|\s*\[`(\w+)`\]\([^)]*\)\s*\|[^|]*\|([^|]*)\|")
 MARK = re.compile(r"\b(?:TO" r"DO|FIX" r"ME|X" r"XX)\b")
 WORKPLACE = re.compile(r"/(?:home|root|work|farm|Users)/|\b[A-Z]:\\Users\\")
-CODE = (".cpp", ".h")
+CODE = (".cpp", ".h", ".ts", ".svelte", ".css", ".mjs")
 LONGEST = 400
 
 
@@ -72,14 +72,14 @@ def module_readmes(root):
 
 
 def short_files(root):
-    for path in code_files(root, "src", "apps", "tests", "fuzz", "bench"):
+    for path in code_files(root, "src", "apps", "tests", "fuzz", "bench", "web/src"):
         lines = path.read_text(encoding="utf-8", errors="replace").count("\n")
         if lines > LONGEST:
             yield f"{path.relative_to(root)}: {lines} lines, at most {LONGEST}"
 
 
 def finished(root):
-    for path in code_files(root, "src", "apps", "tests", "fuzz", "bench"):
+    for path in code_files(root, "src", "apps", "tests", "fuzz", "bench", "web/src"):
         for number, line in enumerate(path.read_text(encoding="utf-8", errors="replace").splitlines(), 1):
             if MARK.search(line):
                 yield f"{path.relative_to(root)}:{number}: unfinished by its own words"

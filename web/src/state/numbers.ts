@@ -7,7 +7,8 @@ export function duration(ns: number): string {
   return `${clock}.${String(ms % 1000).padStart(3, '0')}`;
 }
 
-/** Milliseconds of a cycle with as many digits as carry meaning. */
+/** A cycle time: the CPU measures whole milliseconds, so 0 is less than one. */
 export function milliseconds(ms: number): string {
-  return ms < 10 ? ms.toFixed(2) : ms < 100 ? ms.toFixed(1) : ms.toFixed(0);
+  if (ms === 0) return '< 1 ms';
+  return `${Number.isInteger(ms) ? ms : ms.toFixed(2)} ms`;
 }

@@ -21,5 +21,5 @@ export const io = {
     'Noch keine Kachel. Oben einen Operanden eingeben, zum Beispiel EB 0.',
     'No tile yet. Enter an operand above, for example IB 0.',
   ],
-  defaults: ['Kacheln aus den Symbolen', 'Tiles from the symbols'],
+  defaults: ['Aus den Symbolen', 'From the symbols'],
 } satisfies Texts;
