@@ -26,7 +26,15 @@ export class ProgramStatus {
     this.rows = null;
     this.running = true;
     if (this.kept) this.kept.update({ file, line });
-    else this.kept = connection.keep('status.show', { file, line }, undefined, 'status.hide');
+    else
+      this.kept = connection.keep(
+        'status.show',
+        { file, line },
+        undefined,
+        'status.hide',
+        {},
+        () => (this.running = false),
+      );
   }
 
   hide(): void {

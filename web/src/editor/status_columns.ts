@@ -13,13 +13,13 @@ export const statusColumns: readonly StatusColumn[] = [
   { id: 'vke', title: 'VKE', width: 4 },
   { id: 'sta', title: 'STA', width: 4 },
   { id: 'or', title: 'OR', width: 3 },
-  { id: 'akku1', title: 'AKKU 1', width: 12 },
-  { id: 'akku2', title: 'AKKU 2', width: 12 },
-  { id: 'ar1', title: 'AR1', width: 11 },
-  { id: 'ar2', title: 'AR2', width: 11 },
-  { id: 'stw', title: 'STW', width: 11 },
-  { id: 'db', title: 'DB', width: 6 },
-  { id: 'di', title: 'DI', width: 6 },
+  { id: 'akku1', title: 'AKKU 1', width: 9 },
+  { id: 'akku2', title: 'AKKU 2', width: 9 },
+  { id: 'ar1', title: 'AR1', width: 10 },
+  { id: 'ar2', title: 'AR2', width: 10 },
+  { id: 'stw', title: 'STW', width: 5 },
+  { id: 'db', title: 'DB', width: 5 },
+  { id: 'di', title: 'DI', width: 5 },
 ];
 export const standardColumns = ['vke', 'sta', 'akku1'];
 

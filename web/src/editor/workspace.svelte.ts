@@ -83,7 +83,7 @@ class Workspace {
     const answer = await attempt(connection.ask<{ files: FileRow[] }>('files.list'));
     if (answer) this.files = answer.files;
     for (const document of this.documents.values()) if (!document.readonly) await this.reread(document);
-    const catalogue = await attempt(connection.ask<Catalogue>('program.completion'));
+    const catalogue = await quiet(connection.ask<Catalogue>('program.completion'));
     if (catalogue) this.catalogue = catalogue;
     this.checkSoon();
   }

@@ -25,6 +25,10 @@ class SymbolTable {
   get dirty(): boolean {
     return this.document?.dirty ?? false;
   }
+  /** Warnings do not keep a table from being saved. */
+  get wrong(): boolean {
+    return this.problems.some((problem) => problem.severity === 'error');
+  }
   get conflict(): boolean {
     return this.document?.conflict != null;
   }
@@ -88,11 +92,20 @@ class SymbolTable {
 
   /** Rows of a file of STEP 7 become rows here; saved like typed ones. */
   async import(format: string, text: string): Promise<number | null> {
-    const answer = await attempt(connection.ask<{ rows: SymbolRow[] }>('symbols.import', { format, text }));
+    const answer = await attempt(
+      connection.ask<{ rows: SymbolRow[]; problems: Problem[] }>('symbols.import', { format, text }),
+    );
     if (!answer) return null;
+    messages.problems(answer.problems);
     this.rows = [...meaningful(this.rows), ...answer.rows];
     this.changed();
     return answer.rows.length;
+  }
+
+  /** The table as it is shown, as a file of STEP 7. */
+  async export(format: string): Promise<string | undefined> {
+    const rows = $state.snapshot(meaningful(this.rows));
+    return (await attempt(connection.ask<{ text: string }>('symbols.export', { format, rows })))?.text;
   }
 
   problemsOf(row: number, field: Field): Problem[] {
