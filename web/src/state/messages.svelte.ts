@@ -12,6 +12,8 @@ export interface Message {
 }
 
 const SHOWN = 5;
+/** How long good news stays; a problem stays until somebody closes it. */
+const DONE_MS = 6000;
 
 /** What the page has to tell: newest last. The shell shows it at the lower edge. */
 class Messages {
@@ -27,7 +29,8 @@ class Messages {
   }
 
   done(text: string): void {
-    this.add({ kind: 'done', text, hint: '', code: '', file: '', line: 0, column: 0 });
+    const id = this.add({ kind: 'done', text, hint: '', code: '', file: '', line: 0, column: 0 });
+    setTimeout(() => this.dismiss(id), DONE_MS);
   }
 
   dismiss(id: number): void {
@@ -38,9 +41,10 @@ class Messages {
     this.list = [];
   }
 
-  private add(message: Omit<Message, 'id'>): void {
+  private add(message: Omit<Message, 'id'>): number {
     const rest = this.list.filter((old) => old.text !== message.text || old.file !== message.file);
-    this.list = [...rest, { ...message, id: this.nextId++ }].slice(-SHOWN);
+    this.list = [...rest, { ...message, id: this.nextId }].slice(-SHOWN);
+    return this.nextId++;
   }
 }
 
