@@ -19,6 +19,14 @@ export const keys: Key[] = [
   { keys: 'Alt P', text: 'keyPause' },
   { keys: 'Alt N', text: 'keyStep' },
   { keys: 'Esc', text: 'keyEscape' },
+  { keys: 'Ctrl S', text: 'keySave' },
+  { keys: 'Ctrl L', text: 'keyLoad' },
+  { keys: 'Ctrl J', text: 'keySymbol' },
+  { keys: 'F9', text: 'keyBreakpoint' },
+  { keys: 'F8', text: 'keyGo' },
+  { keys: 'F10', text: 'keyOver' },
+  { keys: 'F11', text: 'keyInto' },
+  { keys: 'F12', text: 'keyGoTo' },
 ];
 
 const runs: Record<string, () => void> = {

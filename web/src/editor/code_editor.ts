@@ -27,12 +27,13 @@ import { codeTheme } from './code_theme';
 import { completionSource } from './completion';
 import { initialState, tokenizeLine } from './lexer';
 import { awlSupport } from './language';
+import { operandHover, type HoverHooks } from './hover';
 import { phrases } from './phrases';
 import { diagnostics } from './problems';
 import { setStatus, statusDisplay, statusField, type StatusRow } from './status_columns';
 import { displaySetting, symbolicDisplay, type DisplaySetting } from './symbolic';
 
-export interface EditorHooks {
+export interface EditorHooks extends HoverHooks {
   label: string;
   catalogue: () => Catalogue;
   edited: (text: string) => void;
@@ -168,6 +169,7 @@ export class CodeEditor {
       awlSupport(),
       this.display.of([]),
       symbolicDisplay,
+      operandHover(this.hooks),
       statusField,
       this.status.of([]),
       this.writable.of(EditorState.readOnly.of(readOnly)),

@@ -91,6 +91,7 @@ export const codeTheme = EditorView.theme({
     maxWidth: '480px',
     whiteSpace: 'normal',
   },
+  '.cm-operand-tooltip': { padding: 'var(--s1) var(--s3)', fontFamily: 'var(--mono)', whiteSpace: 'pre-wrap' },
   '.cm-problem-code': { color: 'var(--ink-soft)', fontFamily: 'var(--mono)', fontSize: 'var(--text-small)' },
   '.cm-problem-hint': { color: 'var(--ink-soft)', display: 'block' },
 });

@@ -82,7 +82,10 @@ class Workspace {
   async refreshFiles(): Promise<void> {
     const answer = await attempt(connection.ask<{ files: FileRow[] }>('files.list'));
     if (answer) this.files = answer.files;
-    for (const document of this.documents.values()) if (!document.readonly) await this.reread(document);
+    for (const document of [...this.documents.values()])
+      if (document.readonly) continue;
+      else if (this.exists(document.path)) await this.reread(document);
+      else if (!document.dirty) this.close(document.path);
     const catalogue = await quiet(connection.ask<Catalogue>('program.completion'));
     if (catalogue) this.catalogue = catalogue;
     this.checkSoon();
@@ -119,6 +122,16 @@ class Workspace {
     this.current = document;
   }
 
+  async delete(path: string): Promise<void> {
+    if ((await attempt(connection.ask('files.delete', { path }))) === undefined) return;
+    this.drafts.remove(path);
+    this.close(path);
+  }
+
+  private exists(path: string): boolean {
+    return this.files.some((file) => file.path === path);
+  }
+
   close(path: string): void {
     this.documents.delete(path);
     if (this.current?.path === path) this.current = [...this.documents.values()].at(-1) ?? null;
@@ -135,7 +148,9 @@ class Workspace {
     if (!document.dirty) return true;
     const { path, text, revision } = document;
     try {
-      const answer = await connection.ask<{ revision: number }>('files.write', { path, text, revision });
+      // A file that was deleted meanwhile comes back with what was typed.
+      const method = this.exists(path) ? 'files.write' : 'files.create';
+      const answer = await connection.ask<{ revision: number }>(method, { path, text, revision });
       document.saved(text, answer.revision);
       return true;
     } catch (error) {
@@ -149,6 +164,17 @@ class Workspace {
     for (const document of this.documents.values())
       if (!(await this.save(document)) && !document.readonly) return false;
     return (await attempt(connection.ask('program.load', blocks ? { blocks } : {}))) !== undefined;
+  }
+
+  /** What the CPU has in an operand. */
+  async value(operand: string): Promise<string | undefined> {
+    const answer = await quiet(
+      connection.ask<{ items: { text: string; problem?: Problem }[] }>('variables.read', {
+        items: [{ operand, format: 'AUTO' }],
+      }),
+    );
+    const item = answer?.items[0];
+    return item?.problem ? undefined : item?.text;
   }
 
   /** By name in upper case; empty while the block has errors. */
