@@ -6,8 +6,8 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 ID = re.compile(r"\b(?:S5|S7|POS|CNT|PID|PTP)-[A-Z0-9]+-[0-9]+\b")
 ROW = re.compile(r"\|\s*\**([A-Z0-9]+-[A-Z0-9]+-[0-9]+)\**\s*\|(.*)")
 
-# The areas of STEP 7 of which every number is either shown by a test or named in docs/compatibility.md. Of STEP 5 it is
-# every area.
+# The areas of STEP 7 of which every number is either shown by a test or named in docs/compatibility.md. Of STEP 5, counting
+# and closed-loop control it is every area.
 SETTLED = ("OPND ADDR BIT BRACKET SETRESET TYPES LOAD FC FB CNT TMR REG STW CYCLE SYM BLK INSTR "
            "IND PAR SRC MNE").split()
 
@@ -21,7 +21,7 @@ def area(number):
 
 def is_due(number):
     family, name, _ = number.split("-")
-    return family == "S5" or (family == "S7" and name in SETTLED)
+    return family in ("S5", "CNT", "PID") or (family == "S7" and name in SETTLED)
 
 
 def defined(root=ROOT):

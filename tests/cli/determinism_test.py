@@ -23,3 +23,15 @@ class Determinism(Case):
         for project, (arguments, expected) in CASES.items():
             with self.subTest(project):
                 self.assertEqual({self.trace(project, arguments) for _ in range(RUNS)}, {expected})
+
+    # CNT-SIM-01, CNT-SIM-03, PID-SIM-01, PID-SIM-02: plants and channels in virtual time, with both engines.
+    def test_plants_and_channels_move_the_same_on_every_run(self):
+        for project, watched in (("temperature-control", "DB41.LMN, DB41.PV, A 124.0, plant Furnace.PV"),
+                                 ("cascade-control", "DB41.LMN, A 124.0, A 124.1, plant Heater.PV, plant Valve.POSITION"),
+                                 ("pwm-heater", "MW 10, plant Plate.HEAT, plant Plate.PV")):
+            arguments = ["--set", "E 125.0 = 1, MW 10 = 300", "--watch", watched]
+            with self.subTest(project):
+                traces = {self.trace(f"examples/technology/{project}", [*arguments, "--engine", engine])
+                          for engine in ("interpreter", "jit", "interpreter", "jit")}
+                self.assertEqual(len(traces), 1)
+                self.assertGreater(len(self.read("trace.csv").splitlines()), 20)

@@ -51,6 +51,12 @@ TEST(CountingSettings, DefaultsOfCounting) {
   EXPECT_EQ(c.output, io::CountOutput::None);
   EXPECT_FALSE(c.hardwareGate || c.inverted || c.interruptGate || c.showPeriod || c.microseconds);
   EXPECT_EQ(c.hysteresis, 0);
+  EXPECT_EQ(c.comparison, 0);
+  EXPECT_EQ(c.pulseDuration, 0);
+  EXPECT_EQ(c.direction, io::CountDirection::None);
+  EXPECT_EQ(good("mode = \"once\"\nmain_direction = \"forward\"\n").endValue, 2'147'483'647);
+  EXPECT_FALSE(c.onGateOpened || c.onGateClosed || c.onComparator || c.onOverflow ||
+               c.onUnderflow || c.onCountEdge);
   EXPECT_EQ(good("").mode, io::CountMode::None);
 }
 
@@ -61,12 +67,18 @@ TEST(CountingSettings, DefaultsOfFrequencyAndPulseWidth) {
   EXPECT_EQ(f.highLimit, 60'000'000);
   EXPECT_FALSE(f.averaged);
   EXPECT_EQ(f.limitOutput, io::LimitOutput::None);
+  EXPECT_EQ(f.maxFrequency, 60u);
+  EXPECT_EQ(f.lowLimit, 0);
+  EXPECT_EQ(f.evaluation, io::Evaluation::PulseDirection);
+  EXPECT_FALSE(f.hardwareGate || f.inverted || f.onGateOpened || f.onGateClosed || f.onMeasured ||
+               f.onLowLimit || f.onHighLimit);
   // CNT-PARAM-29, CNT-PARAM-30, CNT-PARAM-31, CNT-PARAM-32, CNT-PARAM-34
   const io::CountChannel p = good("mode = \"pwm\"\n");
   EXPECT_EQ(p.period, 20'000);
   EXPECT_EQ(p.minimumPulse, 2);
   EXPECT_EQ(p.onDelay, 0);
-  EXPECT_FALSE(p.analogFormat || p.milliseconds);
+  EXPECT_EQ(p.maxFrequency, 60u);
+  EXPECT_FALSE(p.analogFormat || p.milliseconds || p.hardwareGate || p.onGateOpened);
 }
 
 // CNT-PARAM-06, CNT-OP-12
@@ -74,14 +86,60 @@ TEST(CountingSettings, BackwardProposesOne) {
   EXPECT_EQ(good("mode = \"once\"\nmain_direction = \"backward\"\n").comparison, 1);
 }
 
-// CNT-PARAM-02, CNT-PARAM-18, CNT-PARAM-28
+// CNT-PARAM-02, CNT-PARAM-18, CNT-PARAM-28, CNT-PARAM-35
 TEST(CountingSettings, InterruptsAreNamed) {
-  const io::CountChannel c =
-      good("mode = \"endless\"\ninterrupts = [\"overflow\", \"comparator\"]\n");
-  EXPECT_TRUE(c.onOverflow && c.onComparator);
-  EXPECT_FALSE(c.onUnderflow || c.onCountEdge);
-  EXPECT_TRUE(good("mode = \"frequency\"\ninterrupts = [\"end of measurement\"]\n").onMeasured);
+  using io::CountChannel;
+  struct Row {
+    std::string_view mode, cause;
+    bool CountChannel::*flag;
+  };
+  const Row rows[] = {{"endless", "gate opened", &CountChannel::onGateOpened},
+                      {"endless", "gate closed", &CountChannel::onGateClosed},
+                      {"endless", "comparator", &CountChannel::onComparator},
+                      {"endless", "overflow", &CountChannel::onOverflow},
+                      {"endless", "underflow", &CountChannel::onUnderflow},
+                      {"endless", "count edge", &CountChannel::onCountEdge},
+                      {"frequency", "gate opened", &CountChannel::onGateOpened},
+                      {"frequency", "gate closed", &CountChannel::onGateClosed},
+                      {"frequency", "end of measurement", &CountChannel::onMeasured},
+                      {"frequency", "low limit", &CountChannel::onLowLimit},
+                      {"frequency", "high limit", &CountChannel::onHighLimit},
+                      {"pwm", "gate opened", &CountChannel::onGateOpened}};
+  for (const Row& row : rows) {
+    const CountChannel c = good(fmt::format(
+        "mode = \"{}\"\nmax_frequency = \"1kHz\"\ninterrupts = [\"{}\"]\n", row.mode, row.cause));
+    int set = 0;
+    for (const Row& other : rows) set += other.mode == row.mode && c.*other.flag ? 1 : 0;
+    EXPECT_TRUE(c.*row.flag) << row.cause;
+    EXPECT_EQ(set, 1) << row.cause;
+  }
   EXPECT_FALSE(read("mode = \"endless\"\n").parameters.hardwareInterrupt);
+  EXPECT_FALSE(read("mode = \"endless\"\n").parameters.diagnosticInterrupt);
+}
+
+// The least and the greatest value of each parameter. CNT-PARAM-04, CNT-PARAM-06, CNT-PARAM-07,
+// CNT-PARAM-15, CNT-PARAM-17, CNT-PARAM-20, CNT-PARAM-21, CNT-PARAM-22, CNT-PARAM-31,
+// CNT-PARAM-32, CNT-PARAM-33
+TEST(CountingSettings, BordersAreAccepted) {
+  for (const std::string_view text :
+       {"mode = \"once\"\nmain_direction = \"forward\"\nend_value = 2\ncomparison_value = 1\n",
+        "mode = \"once\"\nmain_direction = \"forward\"\nend_value = 100\ncomparison_value = 99\n",
+        "mode = \"periodic\"\nmain_direction = \"forward\"\ncomparison_value = -2147483648\n",
+        "mode = \"once\"\nmain_direction = \"backward\"\nstart_value = "
+        "2147483647\ncomparison_value = "
+        "2147483647\n",
+        "mode = \"endless\"\ncomparison_value = -2147483648\n",
+        "mode = \"endless\"\ncomparison_value = 2147483647\nhysteresis = 255\npulse_duration = "
+        "\"510ms\"\n",
+        "mode = \"endless\"\nmax_frequency = \"1kHz\"\ninput_data = \"period\"\ntime_base = "
+        "\"1us\"\n",
+        "mode = \"frequency\"\nintegration_time = \"10ms\"\nlow_limit = 59999999\n",
+        "mode = \"frequency\"\nintegration_time = \"10s\"\nlow_limit = 0\nhigh_limit = 1\n",
+        "mode = \"pwm\"\nperiod = 4\non_delay = 65535\n",
+        "mode = \"pwm\"\nperiod = 65535\nminimum_pulse = 32767\n",
+        "mode = \"pwm\"\nperiod = 100\nminimum_pulse = 50\n",
+        "mode = \"pwm\"\ntime_base = \"1ms\"\nperiod = 1\nminimum_pulse = 0\n"})
+    good(text);
 }
 
 struct Wrong {
@@ -113,7 +171,43 @@ TEST(CountingSettings, WrongOnesSayWhereAndWhatWouldBeRight) {
       {"mode = \"pwm\"\nperiod = 3\n", "8:10 P0704", "4"},
       {"mode = \"pwm\"\nperiod = 100\nminimum_pulse = 51\n", "9:17 P0704", "50"},
       {"mode = \"pwm\"\ninterrupts = [\"gate closed\"]\n", "8:15 P0737", "gate opened"},
-      {"mode = \"pwm\"\nhysteresis = 1\n", "8:1 P0703", "on_delay"}};
+      {"mode = \"pwm\"\nhysteresis = 1\n", "8:1 P0703", "on_delay"},
+      // the rest of the masks, one parameter after the other
+      {"mode = \"counting\"\n", "7:8 P0704", "periodic"},
+      {"mode = \"once\"\nmain_direction = \"up\"\n", "8:18 P0704", "backward"},
+      {"mode = \"once\"\nmain_direction = \"backward\"\nstart_value = 1\n", "9:15 P0704", "2"},
+      {"mode = \"once\"\nmain_direction = \"forward\"\nend_value = 2147483648\n", "9:13 P0704",
+       "2147483647"},
+      {"mode = \"once\"\nmain_direction = \"forward\"\nstart_value = 5\n", "9:1 P0744", "backward"},
+      {"mode = \"endless\"\ngate = \"stop\"\n", "8:8 P0704", "cancel"},
+      {"mode = \"endless\"\ncomparison_value = 2147483648\n", "8:20 P0704", "2147483647"},
+      {"mode = \"endless\"\nhysteresis = -1\n", "8:14 P0704", "0"},
+      {"mode = \"endless\"\nlatch_frequency = \"11kHz\"\n", "8:19 P0737", "10kHz"},
+      {"mode = \"endless\"\nevaluation = \"triple\"\n", "8:14 P0704", "quadruple"},
+      {"mode = \"endless\"\nhardware_gate = 1\n", "8:17 P0704", "true"},
+      {"mode = \"endless\"\ninverted = \"yes\"\n", "8:12 P0704", "true"},
+      {"mode = \"endless\"\noutput = \"=\"\n", "8:10 P0704", ">="},
+      {"mode = \"endless\"\npulse_duration = \"512ms\"\n", "8:18 P0704", "510ms"},
+      {"mode = \"endless\"\ninput_data = \"speed\"\n", "8:14 P0704", "period"},
+      {"mode = \"endless\"\ntime_base = \"1ms\"\n", "8:13 P0704", "125ns"},
+      {"mode = \"frequency\"\nintegration_time = \"10001ms\"\n", "8:20 P0704", "10s"},
+      {"mode = \"frequency\"\nintegration_time = \"10.5ms\"\n", "8:20 P0704", "whole"},
+      {"mode = \"frequency\"\nlow_limit = -1\n", "8:13 P0704", "0"},
+      {"mode = \"frequency\"\nhigh_limit = 0\n", "8:14 P0704", "1"},
+      {"mode = \"frequency\"\nmax_frequency = \"3kHz\"\n", "8:17 P0737", "2kHz"},
+      {"mode = \"frequency\"\nvalue = \"mean\"\n", "8:9 P0704", "averaged"},
+      {"mode = \"frequency\"\noutput = \">=\"\n", "8:10 P0704", "outside"},
+      {"mode = \"frequency\"\ninterrupts = [\"overflow\"]\n", "8:15 P0737", "high limit"},
+      {"mode = \"frequency\"\nhardware_gate = \"on\"\n", "8:17 P0704", "true"},
+      {"mode = \"frequency\"\ninverted = 0\n", "8:12 P0704", "true"},
+      {"mode = \"pwm\"\nformat = \"percent\"\n", "8:10 P0704", "per mille"},
+      {"mode = \"pwm\"\ntime_base = \"10ms\"\n", "8:13 P0704", "0.1ms"},
+      {"mode = \"pwm\"\non_delay = 65536\n", "8:12 P0704", "65535"},
+      {"mode = \"pwm\"\nperiod = 65536\n", "8:10 P0704", "65535"},
+      {"mode = \"pwm\"\ntime_base = \"1ms\"\nperiod = 0\n", "9:10 P0704", "1"},
+      {"mode = \"pwm\"\nminimum_pulse = 1\n", "8:17 P0704", "2"},
+      {"mode = \"pwm\"\nmax_frequency = \"100kHz\"\n", "8:17 P0737", "60kHz"},
+      {"mode = \"pwm\"\nhardware_gate = 2\n", "8:17 P0704", "true"}};
   for (const Wrong& row : rows) {
     const Read result = read(row.text);
     EXPECT_EQ(result.problem, row.problem) << row.text << result.words;

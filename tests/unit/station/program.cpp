@@ -40,6 +40,11 @@ Plc::Plc(std::string_view awl, const CpuModel& model, CpuParameters parameters)
       model_(&model),
       station_({.model = &model, .parameters = std::move(parameters), .program = program_}) {}
 
+Plc::Plc(std::string_view awl, const CpuModel& model, io::Configuration hardware)
+    : program_(compileAwl(awl, model)),
+      model_(&model),
+      station_({.model = &model, .hardware = std::move(hardware), .program = program_}) {}
+
 mc7::Reference Plc::reference(std::string_view operand) const {
   step7::CompileOptions options;
   options.model = model_;

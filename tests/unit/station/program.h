@@ -13,6 +13,7 @@ class Plc {
   // Without "ORGANIZATION_BLOCK" the text is the body of OB 1.
   explicit Plc(std::string_view awl, const CpuModel& model = defaultCpuModel());
   Plc(std::string_view awl, const CpuModel& model, CpuParameters parameters);
+  Plc(std::string_view awl, const CpuModel& model, io::Configuration hardware);
 
   Station& operator*() { return station_; }
   Station* operator->() { return &station_; }

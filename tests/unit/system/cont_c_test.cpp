@@ -18,7 +18,7 @@ struct Row {
 
 constexpr std::uint32_t bits(float value) { return std::bit_cast<std::uint32_t>(value); }
 
-// PID-CONC-01 to PID-CONC-25
+// Table of the manual.
 constexpr Row kTable[] = {{"COM_RST", "DBX 0.0", 0},
                           {"MAN_ON", "DBX 0.1", 1},
                           {"PVPER_ON", "DBX 0.2", 0},
@@ -86,6 +86,10 @@ void expectNear(const std::vector<float>& is, const std::vector<float>& should) 
     EXPECT_NEAR(is[i], should[i], 2e-5) << "call " << i + 1;
 }
 
+// PID-CONC-01, PID-CONC-02, PID-CONC-03, PID-CONC-04, PID-CONC-05, PID-CONC-06, PID-CONC-07,
+// PID-CONC-08, PID-CONC-09, PID-CONC-10, PID-CONC-11, PID-CONC-12, PID-CONC-13, PID-CONC-14,
+// PID-CONC-15, PID-CONC-16, PID-CONC-17, PID-CONC-18, PID-CONC-19, PID-CONC-20, PID-CONC-21,
+// PID-CONC-22, PID-CONC-23, PID-CONC-24, PID-CONC-25
 TEST(ContC, instanceDataBlock) {
   Loop loop(41);
   for (const Row& row : kTable) {

@@ -19,7 +19,7 @@ struct Row {
 
 constexpr std::uint32_t bits(float value) { return std::bit_cast<std::uint32_t>(value); }
 
-// PID-CONS-01 to PID-CONS-07
+// Table of the manual.
 constexpr Row kTable[] = {{"COM_RST", "DBX 0.0", 0},     {"LMNR_HS", "DBX 0.1", 0},
                           {"LMNR_LS", "DBX 0.2", 0},     {"LMNS_ON", "DBX 0.3", 1},
                           {"LMNUP", "DBX 0.4", 0},       {"LMNDN", "DBX 0.5", 0},
@@ -56,6 +56,7 @@ std::string outputs(Loop& loop, int count) {
 
 std::string repeat(char c, std::size_t count) { return std::string(count, c); }
 
+// PID-CONS-01, PID-CONS-02, PID-CONS-03, PID-CONS-04, PID-CONS-05, PID-CONS-06, PID-CONS-07
 TEST(ContS, instanceDataBlock) {
   Loop loop(42);
   for (const Row& row : kTable) {

@@ -17,7 +17,7 @@ struct Row {
 
 constexpr std::uint32_t bits(float value) { return std::bit_cast<std::uint32_t>(value); }
 
-// PID-PULS-01 to PID-PULS-05
+// Table of the manual.
 constexpr Row kTable[] = {{"INV", "DBD 0", 0},         {"PER_TM", "DBD 4", 1000},
                           {"P_B_TM", "DBD 8", 50},     {"RATIOFAC", "DBD 12", bits(1)},
                           {"STEP3_ON", "DBX 16.0", 1}, {"ST2BI_ON", "DBX 16.1", 0},
@@ -65,6 +65,7 @@ std::string period(const Mode43& mode, double value) {
   return p > 0 ? std::to_string(p) + " P" : n > 0 ? std::to_string(n) + " N" : "0";
 }
 
+// PID-PULS-01, PID-PULS-02, PID-PULS-03, PID-PULS-04, PID-PULS-05
 TEST(PulseGenerator, instanceDataBlock) {
   Loop loop(43);
   for (const Row& row : kTable) {
@@ -168,7 +169,7 @@ std::string changedBefore(int call, bool synchronise = true) {
   return before + outputs(loop, 24 - call + 1);
 }
 
-// PID-PULS-20 to PID-PULS-23
+// PID-PULS-20, PID-PULS-21, PID-PULS-22, PID-PULS-23
 TEST(PulseGenerator, synchronisation) {
   EXPECT_EQ(changedBefore(5), "PPP..PPPPPP....PPPPPP...");
   EXPECT_EQ(changedBefore(9), "PPP.......PPPPPP....PPPP");

@@ -26,6 +26,47 @@ TEST(Hysteresis, AlsoActsOnZero) {
   EXPECT_EQ(events, "010000000001");
 }
 
+// CNT-HYST-07: across the limit as well.
+TEST(Hysteresis, AlsoActsOnTheLimits) {
+  CountChannel p = mode(CountMode::Endless);
+  p.hysteresis = 3;
+  p.onOverflow = p.onUnderflow = true;
+  Machine m(p);
+  m.gate(true);
+  m.counter.job(1, 2'147'483'646);
+  std::string events;
+  for (const char c : std::string_view("UUDUUUUDDDDDDUUUUUU")) {
+    m.counter.resetStatus();
+    m.pulses(std::string_view(&c, 1));
+    events += m.counter.overflow() ? 'o' : m.counter.underflow() ? 'u' : '.';
+    EXPECT_EQ(m.counter.takeCauses() != 0, events.back() != '.');
+  }
+  EXPECT_EQ(events, ".ou.......u....o...");
+}
+
+// CNT-CMP-17, CNT-OP-10: what is compared when; a written value starts no pulse.
+TEST(Comparison, AtTheStartAndAfterJobs) {
+  CountChannel p = mode(CountMode::Endless);
+  p.output = io::CountOutput::AtLeast;
+  Machine m(p);
+  EXPECT_TRUE(m.counter.comparator().reached());
+  m.counter.control(true, true, false, m.now);
+  EXPECT_TRUE(m.counter.output());
+  m.counter.job(4, 5);
+  EXPECT_FALSE(m.counter.output());
+  m.counter.job(1, 6);
+  EXPECT_TRUE(m.counter.output());
+  p.output = io::CountOutput::Pulse;
+  p.comparison = 7;
+  p.pulseDuration = 10;
+  Machine pulse(p);
+  pulse.counter.control(true, true, false, pulse.now);
+  pulse.counter.job(1, 7);
+  EXPECT_FALSE(pulse.counter.output());
+  pulse.pulses("UD");
+  EXPECT_TRUE(pulse.counter.output());
+}
+
 // CNT-HYST-09, CNT-HYST-10
 TEST(Hysteresis, ChangedWhileActive) {
   CountChannel p = mode(CountMode::Endless);
@@ -71,6 +112,10 @@ TEST(Comparison, OutputAndStatusBit) {
   m.counter.control(true, false, true, m.now);
   EXPECT_TRUE(m.counter.comparator().reached());
   EXPECT_FALSE(m.counter.output());
+  m.counter.control(true, false, false, m.now);
+  m.pulses("UUU");  // 7: CTRL_DO is missing
+  EXPECT_FALSE(m.counter.output());
+  EXPECT_TRUE(m.counter.comparator().reached());
   Machine none(mode(CountMode::Endless));
   none.counter.control(true, true, true, none.now);
   EXPECT_FALSE(none.counter.output() || none.counter.ownsOutput());

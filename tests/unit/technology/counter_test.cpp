@@ -170,7 +170,7 @@ TEST(Periodic, WithoutMainDirection) {
   EXPECT_TRUE(m.counter.overflow() && m.counter.underflow());
 }
 
-// CNT-PERI-02, CNT-PERI-06, CNT-PERI-07, CNT-PERI-08
+// CNT-PERI-02, CNT-PERI-06, CNT-PERI-08
 TEST(Periodic, Forward) {
   Machine m(mode(CountMode::Periodic, CountDirection::Forward, 5));
   m.counter.job(2, 2);
@@ -198,7 +198,7 @@ TEST(Periodic, BackwardInterruptsAtEachJump) {
   EXPECT_EQ(m.counter.takeCauses(), io::kCountLimit);
 }
 
-// CNT-GATE-01, CNT-GATE-02, CNT-GATE-03, CNT-GATE-06, CNT-GATE-07, CNT-PRAL-07
+// CNT-GATE-02, CNT-GATE-06, CNT-GATE-07, CNT-PRAL-07
 TEST(Gates, SoftwareAndHardware) {
   for (const bool interrupt : {false, true}) {
     CountChannel p = mode(CountMode::Endless);

@@ -67,11 +67,15 @@ TEST(FrequencyMeasurement, PermissibleErrors) {
                       {10'000, 60'000'000, 10'000},
                       {1000, 2500, 1},
                       {1000, 10'000'000, 2000},
+                      {1000, 30'000'000, 5000},
+                      {1000, 60'000'000, 10'000},
                       {100, 25'000, 2},
+                      {100, 10'000'000, 2000},
                       {100, 30'000'000, 5000},
                       {100, 60'000'000, 10'000},
                       {10, 250'000, 100},
                       {10, 10'000'000, 6000},
+                      {10, 30'000'000, 10'000},
                       {10, 60'000'000, 20'000}};
   for (const Row& row : rows) {
     Frequency f = started(parameters(row.window));
@@ -135,6 +139,66 @@ TEST(FrequencyMeasurement, GateAndCount) {
   f.control(true, false, false, Instant{200'000'000});
   EXPECT_EQ(f.value(), -1);
   EXPECT_EQ(f.count(), 0);
+}
+
+// CNT-FREQ-12: both gates open it, either closes it; CNT-FREQ-10: both directions count.
+TEST(FrequencyMeasurement, HardwareGate) {
+  io::CountChannel p = parameters(100);
+  p.hardwareGate = true;
+  Frequency f(p, kHighest);
+  f.start(false, {});
+  f.control(true, false, false, {});
+  EXPECT_FALSE(f.gateOpen());
+  f.gateEdge(true, Instant{10'000'000});
+  EXPECT_EQ(f.due(), Instant{110'000'000});
+  f.pulse(1, Instant{20'000'000});
+  f.pulse(1, Instant{40'000'000});
+  f.pulse(-1, Instant{60'000'000});
+  EXPECT_TRUE(f.down());
+  f.expire(f.due());
+  EXPECT_EQ(f.value(), 50'000);
+  EXPECT_EQ(f.count(), 1);
+  f.gateEdge(false, Instant{150'000'000});
+  EXPECT_EQ(f.due(), Instant::never());
+  EXPECT_EQ(f.value(), 50'000);
+  f.gateEdge(true, Instant{200'000'000});
+  EXPECT_EQ(f.value(), -1);
+  EXPECT_EQ(f.count(), 0);
+}
+
+// CNT-FREQ-13: strictly outside; MAN_DO and SET_DO go before.
+TEST(FrequencyMeasurement, OutputsByTheLimits) {
+  struct Row {
+    io::LimitOutput output;
+    bool low, between, high;
+  };
+  for (const Row& row : {Row{io::LimitOutput::Outside, true, false, true},
+                         Row{io::LimitOutput::Below, true, false, false},
+                         Row{io::LimitOutput::Above, false, false, true},
+                         Row{io::LimitOutput::None, false, false, false}}) {
+    const auto outputAt = [&](std::int64_t period) {
+      io::CountChannel p = parameters(1000);
+      p.lowLimit = 4000;
+      p.highLimit = 5000;
+      p.limitOutput = row.output;
+      Frequency f = started(p);
+      f.pulse(1, Instant{1});
+      f.pulse(1, Instant{1 + period});
+      f.expire(f.due());
+      return f.output();
+    };
+    EXPECT_EQ(outputAt(251'000'000), row.low);
+    EXPECT_EQ(outputAt(250'000'000), row.between);  // 4000 mHz
+    EXPECT_EQ(outputAt(200'000'000), row.between);  // 5000 mHz
+    EXPECT_EQ(outputAt(199'000'000), row.high);
+  }
+  io::CountChannel p = parameters(1000);
+  p.limitOutput = io::LimitOutput::Above;
+  Frequency f = started(p);
+  f.control(true, true, true, {});
+  EXPECT_TRUE(f.output());
+  f.control(true, false, true, {});
+  EXPECT_FALSE(f.output());
 }
 
 // CNT-FREQ-13, CNT-FREQ-14, CNT-FREQ-16, CNT-PRAL-10, CNT-IF48-06

@@ -67,10 +67,14 @@ TEST(FrequencyJobs, Ranges) {
   EXPECT_EQ(f.job(0x81, 0).value, 0);
   EXPECT_EQ(f.job(0x82, 0).value, 1000);
   EXPECT_EQ(f.job(0x84, 0).value, 100);
-  EXPECT_EQ(f.job(8, 0).error, 0x02FF);
+  for (std::uint32_t id = 0; id <= 0xFF; ++id) {
+    const bool known =
+        id == 0 || id == 1 || id == 2 || id == 4 || id == 0x81 || id == 0x82 || id == 0x84;
+    EXPECT_EQ(Frequency(p, 60'000'000).job(id, 0).error == 0x02FF, !known) << id;
+  }
 }
 
-// CNT-ERR-04, CNT-JOB-13, CNT-JOB-14, CNT-PWM-14
+// CNT-ERR-04, CNT-JOB-13, CNT-JOB-14, CNT-PWM-14, CNT-PWM-15
 TEST(PulseJobs, Ranges) {
   io::CountChannel p;
   p.minimumPulse = 50;
@@ -85,7 +89,17 @@ TEST(PulseJobs, Ranges) {
   EXPECT_EQ(pwm.job(0x83, 0, {}).value, 50);
   EXPECT_EQ(pwm.job(0x84, 0, {}).value, 50);
   EXPECT_EQ(pwm.job(0x81, 0, {}).value, 100);
-  EXPECT_EQ(pwm.job(3, 0, {}).error, 0x04FF);
+  for (std::uint32_t id = 0; id <= 0xFF; ++id) {
+    const bool known = id <= 4 ? id != 3 : id >= 0x81 && id <= 0x84;
+    EXPECT_EQ(PulseWidth(p).job(id, 0, {}).error == 0x04FF, !known) << id;
+  }
+  p.milliseconds = true;
+  p.minimumPulse = 0;
+  PulseWidth slow(p);
+  EXPECT_EQ(slow.job(1, 0, {}).error, 0x0411);
+  EXPECT_EQ(slow.job(1, 1, {}).error, 0);
+  EXPECT_EQ(slow.job(4, -1, {}).error, 0x0431);
+  EXPECT_EQ(slow.job(4, 1, {}).error, 0x0432);  // more than half of the period
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // Channels, pins and frequencies of the CPU models (technology manual 5.2.2, 5.3.3).
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include "catalogue/counting.h"
 
 namespace merker {
@@ -18,6 +20,13 @@ TEST(CountingPins, ChannelsAndFrequencies) {
   EXPECT_EQ(of("313C-2 PtP").frequencies.front(), 30u);
   EXPECT_EQ(of("314C-2 PN/DP").frequencies.front(), 60u);
   EXPECT_EQ(countingType(*findCpuModel("318-2")), nullptr);
+  const std::vector<std::uint32_t> all{60, 30, 10, 5, 2, 1};
+  const auto listed = [](std::string_view name) {
+    return std::vector<std::uint32_t>(of(name).frequencies.begin(), of(name).frequencies.end());
+  };
+  EXPECT_EQ(listed("314C-2 DP"), all);
+  EXPECT_EQ(listed("313C"), std::vector<std::uint32_t>(all.begin() + 1, all.end()));
+  EXPECT_EQ(listed("312C"), std::vector<std::uint32_t>(all.begin() + 2, all.end()));
 }
 
 void expectPins(const CountingPins& pins, std::initializer_list<unsigned> channels,
@@ -29,14 +38,14 @@ void expectPins(const CountingPins& pins, std::initializer_list<unsigned> channe
   for (const unsigned number : numbers) EXPECT_EQ(all[i++].pin, number);
 }
 
-// CNT-PIN-01, CNT-PIN-02, CNT-PIN-03
+// CNT-PIN-02, CNT-PIN-03
 TEST(CountingPins, Cpu312) {
   EXPECT_EQ(of("312C").connector, "X1");
   expectPins(of("312C").channels[0], {0, 1, 2, 6, 0}, {2, 3, 4, 8, 14});
   expectPins(of("312C").channels[1], {3, 4, 5, 7, 1}, {5, 6, 7, 9, 15});
 }
 
-// CNT-PIN-04, CNT-PIN-05, CNT-PIN-06, CNT-PIN-07, CNT-PIN-08
+// CNT-PIN-05, CNT-PIN-06, CNT-PIN-07, CNT-PIN-08
 TEST(CountingPins, Cpu313AndTheFirstThreeOf314) {
   EXPECT_EQ(of("313C").connector, "X2");
   EXPECT_EQ(of("313C-2 DP").connector, "X1");

@@ -125,7 +125,7 @@ TEST(PulseWidthModulation, ManualKeepsThePhase) {
   EXPECT_EQ(pwm.due(), at(70));
 }
 
-// CNT-PWM-10, CNT-PWM-15
+// CNT-PWM-10
 TEST(PulseWidthModulation, ANewValueWhileItRuns) {
   struct Row {
     std::int64_t when;
