@@ -1,7 +1,7 @@
 // Starts the real program, opens its page, and looks until something is so.
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
-import { cpSync, existsSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { basename, extname, join, resolve } from 'node:path';
@@ -141,5 +141,6 @@ export async function picture(page, name) {
   if (!process.env.MERKER_SCREENSHOTS) return;
   await page.mouse.move(0, 0);
   await page.evaluate(() => document.activeElement?.blur());
+  mkdirSync(join(root, 'docs/images/workbench'), { recursive: true });
   await page.screenshot({ path: join(root, 'docs/images/workbench', `${name}.png`) });
 }

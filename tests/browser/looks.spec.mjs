@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { accessible } from './axe.mjs';
-import { open, picture, serve, visit } from './harness.mjs';
+import { open, serve, visit } from './harness.mjs';
 
 const views = ['projects', 'hardware', 'symbols', 'program', 'io', 'variables', 'process', 'trends', 'diagnosis'];
 // Every pair of theme, language and size.
@@ -26,7 +26,6 @@ for (const look of looks) {
       const navigation = page.locator('header nav');
       assert.ok(await navigation.evaluate((nav) => nav.scrollWidth <= nav.clientWidth), 'a view is out of sight');
       assert.ok(wide <= look.width, `${wide} px wide`);
-      if (look.width === 1280) await picture(page, `${view}-${look.theme}`);
     });
   }
 }

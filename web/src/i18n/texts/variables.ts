@@ -15,7 +15,7 @@ export const variables = {
   modify: ['Steuern', 'Modify'],
   modifyHint: ['Alle Steuerwerte auf einmal schreiben', 'Write all modify values at once'],
   operand: ['Operand', 'Operand'],
-  symbol: ['Symbol', 'Symbol'],
+  symbol: ['Symbol/Adresse', 'Symbol/address'],
   format: ['Format', 'Format'],
   status: ['Statuswert', 'Status value'],
   modifyValue: ['Steuerwert', 'Modify value'],

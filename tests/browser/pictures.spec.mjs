@@ -1,0 +1,60 @@
+// The pictures of docs/workbench.md, of the sorting plant at work: only when MERKER_SCREENSHOTS asks for them.
+import { test } from 'node:test';
+import { open, picture, serve, turn, until, visit } from './harness.mjs';
+
+const wanted = Boolean(process.env.MERKER_SCREENSHOTS);
+
+/** Operands typed into the variable table, with the format and the modify value of each. */
+async function fillTable(page, rows) {
+  for (const [operand, format, modify] of rows) {
+    const row = page.locator('tbody tr').last();
+    await row.locator('input').first().fill(operand);
+    await page.keyboard.press('Tab');
+    const filled = page.locator(`tr[data-operand='${operand}']`);
+    await until(async () => (await filled.locator('.value').innerText()).trim() !== '', operand);
+    if (format) await filled.locator('select').selectOption(format);
+    if (modify) await filled.locator('.modify input').fill(modify);
+  }
+}
+
+/** The program plays the three light barriers by itself. */
+async function play(page) {
+  await turn(page, 'RUN-P');
+  await visit(page, page.server, 'variables');
+  await fillTable(page, [
+    ['"Play".Show', '', '1'],
+    ['"Light barrier small"', '', ''],
+    ['"Slider small"', '', ''],
+    ['"Slider middle"', '', ''],
+    ['"Travel time small"', '', ''],
+    ['"Plant data".Small', 'DEC', ''],
+    ['"Slider large"', '', '0'],
+  ]);
+  await page.getByRole('button', { name: 'Modify "Play".Show to 1' }).click();
+}
+
+test('pictures of the variable table, the tiles, the rack, the diagnostic buffer', { skip: !wanted }, async () => {
+  const server = await serve();
+  const page = await open(server, 'io', { language: 'en' });
+  page.server = server;
+  await play(page);
+  const forced = page.locator("tr[data-operand='\"Slider large\"']");
+  await forced.getByRole('button', { name: /^Force/ }).click();
+  await forced.locator('.mark b').waitFor();
+  await picture(page, 'variables');
+  for (const view of ['hardware', 'io', 'diagnosis']) {
+    await visit(page, server, view);
+    await page.waitForTimeout(2000);
+    await picture(page, view);
+  }
+});
+
+test('pictures of the dark theme', { skip: !wanted }, async () => {
+  const server = await serve();
+  const page = await open(server, 'io', { language: 'en', theme: 'dark' });
+  page.server = server;
+  await play(page);
+  await visit(page, server, 'io');
+  await page.waitForTimeout(1500);
+  await picture(page, 'io-dark');
+});
