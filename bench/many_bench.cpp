@@ -35,9 +35,9 @@ void idle(benchmark::State& state, Engine engine) {
   state.SetItemsProcessed((station.now() - begin).ns);
 }
 void IdleCpu(benchmark::State& s) { idle(s, Engine::Interpreter); }
-BENCHMARK(IdleCpu)->UseRealTime();
+BENCHMARK(IdleCpu);
 void IdleCpuCompiled(benchmark::State& s) { idle(s, Engine::Compiled); }
-BENCHMARK(IdleCpuCompiled)->UseRealTime();
+BENCHMARK(IdleCpuCompiled);
 
 // A cycle with everything the operating system does between two runs of OB 1.
 void Cycles(benchmark::State& state) {

@@ -62,9 +62,9 @@ void plant(benchmark::State& state, station::Engine engine) {
   state.SetItemsProcessed(passed);
 }
 void SortingPlant(benchmark::State& s) { plant(s, station::Engine::Interpreter); }
-BENCHMARK(SortingPlant)->UseRealTime();
+BENCHMARK(SortingPlant);
 void SortingPlantCompiled(benchmark::State& s) { plant(s, station::Engine::Compiled); }
-BENCHMARK(SortingPlantCompiled)->UseRealTime();
+BENCHMARK(SortingPlantCompiled);
 
 }  // namespace
 }  // namespace merker::bench

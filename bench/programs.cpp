@@ -38,6 +38,19 @@ constexpr std::string_view kCalculation = R"(      L     MW {0}
       T     MD {1}
 )";
 
+// Ten lines that come to the same result as long as nothing changes.
+constexpr std::string_view kScaling = R"(      L     MW {0}
+      L     27
+      *I
+      L     MW {1}
+      +I
+      T     MW {2}
+      L     MD {0}
+      L     L#5
+      +D
+      T     MD {3}
+)";
+
 // Three in, two out.
 constexpr std::string_view kFiveParameters = R"(VAR_INPUT
   a : INT ;
@@ -120,7 +133,16 @@ std::string callingSource(int calls, Callee callee) {
   return block + std::string(kFiveParameters) + end + organizationBlock(code);
 }
 
-std::string controlSource(int instructions) { return organizationBlock(body(instructions)); }
+std::string controlSource(int instructions) {
+  std::string code;
+  for (int i = 0; i < instructions / 20; ++i) {
+    const int byte = i % 100, setpoint = 100 + 2 * (i % 50);
+    code += fmt::format(fmt::runtime(kMotor), byte, setpoint, i);
+    code +=
+        fmt::format(fmt::runtime(kScaling), byte, setpoint, 200 + 2 * (i % 20), 240 + 4 * (i % 4));
+  }
+  return organizationBlock(code);
+}
 
 std::string bitSource() {
   std::string code;

@@ -21,6 +21,13 @@ class Test(Case):
         self.assertIn("AKKU1 = W#16#7FFF", call.out)
         self.assertIn("8000", call.out)
 
+    def test_both_engines_judge_alike(self):
+        for program in (CHECKED, CHECKED.replace("W#16#8000", "W#16#7FFF")):
+            self.write("a.awl", program)
+            interpreted, compiled = (self.merker("test", "a.awl", "--engine", e) for e in ("interpreter", "jit"))
+            self.assertEqual(interpreted.out, compiled.out)
+            self.assertEqual(interpreted.code, compiled.code)
+
     def test_every_check_must_be_reached(self):
         self.write("a.awl", block("      SPA   over\n      L     5   //= AKKU1 = 5\nover: CALL  SFC 46"))
         call = self.expect(PROBLEMS, "test", "a.awl")

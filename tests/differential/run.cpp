@@ -97,9 +97,11 @@ Duration pause(Random& random) {
 
 std::string difference(const Case& c, std::optional<icode::Opcode> broken) {
   constexpr int kStops = 12;
+  constexpr std::uint32_t kSwitches = 40;  // one at so many stops
   const auto blocks = program(c);
   cpu::Cpu& interpreted = started(stand({.model = c.model, .compiled = false}), c, blocks);
-  cpu::Cpu& compiled = started(stand({.model = c.model, .broken = broken}), c, blocks);
+  Stand& second = stand({.model = c.model, .broken = broken});
+  cpu::Cpu& compiled = started(second, c, blocks);
   Random random(c.seed);
   std::uint64_t seen = 0;
   for (int i = 0; i < kStops && executes(interpreted.mode()); ++i) {
@@ -109,6 +111,7 @@ std::string difference(const Case& c, std::optional<icode::Opcode> broken) {
     const std::string found = compare(interpreted, compiled, seen);
     if (!found.empty()) return fmt::format("stop {}:\n{}", i, found);
     seen = interpreted.diagnostics().added();
+    if (below(random, kSwitches) == 0) second.switchEngine();
     if (below(random, 3) != 0 || !executes(interpreted.mode())) continue;
     for (cpu::Cpu* cpu : {&interpreted, &compiled}) cpu::trigger(*cpu, {.ob = 40});
   }

@@ -23,7 +23,8 @@ const CpuModel* findModel(const std::string& name) {
 }
 
 Stand::Stand(const Engine& engine)
-    : model_(*findModel(engine.model)),
+    : compiles_(engine.compiled),
+      model_(*findModel(engine.model)),
       engines_(model_, engine.compiled, {.jit = {.broken = engine.broken}, .shortestEntry = 1}),
       services_(model_) {}
 
@@ -31,6 +32,7 @@ cpu::Cpu& Stand::load(std::shared_ptr<const block::Program> program,
                       const CpuParameters& parameters) {
   services_.restart();
   cpu_.emplace(model_, engines_, services_, 0, parameters);
+  engines_.compile(compiles_, *cpu_);
   cpu_->load(std::move(program));
   return *cpu_;
 }

@@ -27,8 +27,11 @@ class Stand {
   explicit Stand(const Engine& engine);
   // A new CPU with this program, in STOP; the one before is gone.
   cpu::Cpu& load(std::shared_ptr<const block::Program> program, const CpuParameters& parameters);
+  // The program stands somewhere: it goes on with the other engine.
+  void switchEngine() { engines_.compile(!engines_.compiles(), *cpu_); }
 
  private:
+  const bool compiles_;
   const CpuModel& model_;
   station::Engines engines_;
   system::Services services_;
