@@ -15,13 +15,15 @@ export interface Project {
   changed: string[];
 }
 
+const DARK: Record<LedName, Led> = { SF: 'off', BF: 'off', DC5V: 'off', FRCE: 'off', RUN: 'off', STOP: 'off' };
+
 /** What the server pushes to everybody. Reading a field in a component makes the component follow it. */
 export class Plc {
   project = $state<Project | null>(null);
   mode = $state<Mode>('STOP');
   powered = $state(true);
   switch = $state<SwitchPosition>('STOP');
-  leds = $state<Record<LedName, Led>>({ SF: 'off', BF: 'off', DC5V: 'off', FRCE: 'off', RUN: 'off', STOP: 'off' });
+  leds = $state<Record<LedName, Led>>({ ...DARK });
   stopReason = $state('');
   time = $state(0);
   clock = $state('');
@@ -48,10 +50,20 @@ export class Plc {
 
   /** Takes over the fields that changed. */
   receive(message: Fields): void {
+    if (message.project === null) this.close();
     for (const [name, value] of Object.entries(message)) {
       if (name !== 'event' && name in this) (this as unknown as Fields)[name] = value;
     }
     this.live = true;
+  }
+
+  /** Without a project there is no CPU. */
+  private close(): void {
+    this.mode = 'STOP';
+    this.leds = { ...DARK };
+    this.stopReason = '';
+    this.cycle = this.breakpoint = null;
+    this.forces = [];
   }
 }
 

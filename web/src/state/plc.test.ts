@@ -1,0 +1,24 @@
+import { expect, test } from 'vitest';
+import { Plc } from './plc.svelte';
+
+test('only the fields that came change', () => {
+  const plc = new Plc();
+  plc.receive({ event: 'state', mode: 'RUN', cycles: 7 });
+  plc.receive({ event: 'state', cycles: 8, unknown: 1 });
+  expect([plc.mode, plc.cycles, plc.live]).toEqual(['RUN', 8, true]);
+  expect('unknown' in plc).toBe(false);
+});
+
+test('a closed project leaves a dark CPU', () => {
+  const plc = new Plc();
+  plc.receive({ leds: { ...plc.leds, RUN: 'on' }, mode: 'RUN', forces: [{ operand: 'A 1.0', value: '1' }] });
+  plc.receive({ project: null });
+  expect([plc.mode, plc.leds.RUN, plc.forces.length]).toEqual(['STOP', 'off', 0]);
+});
+
+test('a forced operand is found by each of its names', () => {
+  const plc = new Plc();
+  plc.receive({ forces: [{ operand: '"Slider"', value: '1' }] });
+  expect(plc.isForced('A 1.2', '"Slider"')).toBe(true);
+  expect(plc.isForced('A 1.2')).toBe(false);
+});
