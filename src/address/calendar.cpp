@@ -1,35 +1,34 @@
 // Days, weekdays and the S5TIME word.
+#include <chrono>
+
 #include "address/constant.h"
 #include "base/bcd.h"
 
 namespace merker {
 namespace {
 
-bool isLeapYear(int year) { return (year % 4 == 0 && year % 100 != 0) || year % 400 == 0; }
+using std::chrono::sys_days;
+using std::chrono::year_month_day;
 
-int daysOfMonth(int year, int month) {
-  constexpr int kDays[] = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
-  return kDays[month - 1] + (month == 2 && isLeapYear(year) ? 1 : 0);
-}
-
-int daysOfYear(int year) { return isLeapYear(year) ? 366 : 365; }
+constexpr sys_days kFirst{
+    year_month_day{std::chrono::year{1990}, std::chrono::January, std::chrono::day{1}}};
 
 }  // namespace
 
 std::optional<std::uint16_t> daysSince1990(int year, int month, int day) {
-  if (year < 1990 || year > 2168 || month < 1 || month > 12) return std::nullopt;
-  if (day < 1 || day > daysOfMonth(year, month)) return std::nullopt;
-  int days = day - 1;
-  for (int y = 1990; y < year; ++y) days += daysOfYear(y);
-  for (int m = 1; m < month; ++m) days += daysOfMonth(year, m);
-  return static_cast<std::uint16_t>(days);
+  if (year < 1990 || year > 2168 || month < 1 || day < 1) return std::nullopt;
+  const year_month_day date{std::chrono::year{year},
+                            std::chrono::month{static_cast<unsigned>(month)},
+                            std::chrono::day{static_cast<unsigned>(day)}};
+  if (month > 12 || day > 31 || !date.ok()) return std::nullopt;
+  return static_cast<std::uint16_t>((sys_days{date} - kFirst).count());
 }
 
 void dateFromDays(std::uint16_t days, int& year, int& month, int& day) {
-  int rest = days;
-  for (year = 1990; rest >= daysOfYear(year); ++year) rest -= daysOfYear(year);
-  for (month = 1; rest >= daysOfMonth(year, month); ++month) rest -= daysOfMonth(year, month);
-  day = rest + 1;
+  const year_month_day date{kFirst + std::chrono::days{days}};
+  year = static_cast<int>(date.year());
+  month = static_cast<int>(static_cast<unsigned>(date.month()));
+  day = static_cast<int>(static_cast<unsigned>(date.day()));
 }
 
 // 1990-01-01 was a Monday.
