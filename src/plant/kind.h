@@ -28,6 +28,7 @@ struct Signal {
   double rest = 0;  // of an input that nothing drives
   // Values at the rated ends of an analog range, unless the wiring says otherwise.
   double low = 0, high = 100;
+  std::string_view unit = "";
 };
 
 // How a plant moves. `values` are those of all signals, in the order of its kind's row.

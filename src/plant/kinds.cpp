@@ -8,8 +8,9 @@
 namespace merker::plant {
 namespace {
 
-constexpr std::array<const Kind*, 6> kKinds{&kFirstOrder, &kTemperature, &kValve,
-                                            &kTank,       &kGenerator,   &kBouncingSwitch};
+constexpr std::array kKinds{&kFirstOrder, &kTemperature,    &kValve,        &kTank,
+                            &kGenerator,  &kBouncingSwitch, &kSortingPlant, &kVessel,
+                            &kGarageDoor, &kTrafficLight,   &kLift};
 
 template <typename Rows, typename Name>
 std::string list(const Rows& rows, Name name) {

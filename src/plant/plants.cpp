@@ -7,19 +7,30 @@ namespace merker::plant {
 Instant Plants::Unit::next() const { return fresh ? at : std::min(nextStep, process->next()); }
 
 Plants::Plants(Configuration configuration) : configuration_(std::move(configuration)) {
-  for (const PlantSettings& settings : configuration_.plants) {
-    Unit& unit = units_.emplace_back();
-    unit.process = settings.kind->make(settings.parameters);
-    for (const Signal& signal : settings.kind->signals) unit.values.push_back(signal.rest);
-    if (settings.step.ns > 0) unit.nextStep = Instant{} + settings.step;
-    unit.process->begin(unit.values);
-  }
+  units_.resize(configuration_.plants.size());
+  for (std::size_t i = 0; i < units_.size(); ++i) start(i, Instant{});
   findNext();
+}
+
+void Plants::start(std::size_t index, Instant now) {
+  const PlantSettings& settings = configuration_.plants[index];
+  Unit& unit = units_[index];
+  unit = {};
+  unit.process = settings.kind->make(settings.parameters);
+  for (const Signal& signal : settings.kind->signals) unit.values.push_back(signal.rest);
+  unit.shown.resize(settings.wires.size());
+  unit.at = now;
+  if (settings.step.ns > 0) unit.nextStep = now + settings.step;
+  unit.process->begin(unit.values);
 }
 
 void Plants::findNext() {
   next_ = Instant::never();
   for (const Unit& unit : units_) next_ = std::min(next_, unit.next());
+}
+
+void Plants::show(io::Rack& rack, Instant at) {
+  for (std::size_t i = 0; i < units_.size(); ++i) showOutputs(i, rack, at);
 }
 
 // In the order of time; at one instant in the order of merker.toml, so that a plant sees what those
@@ -62,14 +73,21 @@ void Plants::readInputs(std::size_t index, const io::Rack& rack) {
     value = isDigital(terminal.side) ? double(rack.level(terminal))
                                      : (rack.amount(terminal) - wire.offset) / wire.scale;
   }
+  for (const Stuck& stuck : units_[index].stuck)
+    if (settings.kind->signals[stuck.signal].side == Signal::Side::Input)
+      units_[index].values[stuck.signal] = stuck.value;
 }
 
-void Plants::showOutputs(std::size_t index, io::Rack& rack, Instant now) const {
+// Only what has changed, so that what somebody else lays at a terminal stays there until then.
+void Plants::showOutputs(std::size_t index, io::Rack& rack, Instant now) {
   const PlantSettings& settings = configuration_.plants[index];
-  for (const Wire& wire : settings.wires) {
+  for (std::size_t i = 0; i < settings.wires.size(); ++i) {
+    const Wire& wire = settings.wires[i];
     if (settings.kind->signals[wire.signal].side != Signal::Side::Output) continue;
+    const double value = this->value({static_cast<std::uint32_t>(index), wire.signal});
+    if (units_[index].shown[i] == value) continue;
+    units_[index].shown[i] = value;
     const auto& terminal = std::get<io::Terminal>(wire.end);
-    const double value = units_[index].values[wire.signal];
     if (isDigital(terminal.side))
       rack.setLevel(terminal, value != 0, now);
     else
@@ -77,9 +95,21 @@ void Plants::showOutputs(std::size_t index, io::Rack& rack, Instant now) const {
   }
 }
 
+double Plants::value(SignalPlace place) const {
+  const Unit& unit = units_[place.plant];
+  const Stuck* stuck = unit.stuckAt(place.signal);
+  return stuck == nullptr ? unit.values[place.signal] : stuck->value;
+}
+
 void Plants::set(io::Rack& rack, SignalPlace place, double value, Instant now) {
+  Unit& unit = units_[place.plant];
   go(place.plant, rack, now);  // up to now with the value before
-  units_[place.plant].values[place.signal] = value;
+  unit.values[place.signal] = value;
+  for (Stuck& stuck : unit.stuck) {
+    if (stuck.signal != place.signal) continue;
+    stuck.told = value;
+    unit.values[place.signal] = stuck.value;
+  }
   go(place.plant, rack, now);
   findNext();
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "io/rack.h"
@@ -15,26 +16,48 @@ class Plants {
  public:
   explicit Plants(Configuration configuration);
 
+  // What sensors show before time begins.
+  void show(io::Rack& rack, Instant at);
+
   const Configuration& configuration() const { return configuration_; }
   Instant next() const { return next_; }  // of the first plant that moves
   void advance(io::Rack& rack, Instant now);
 
   // A scenario sets an input; the plant sees it at once.
   void set(io::Rack& rack, SignalPlace place, double value, Instant now);
-  double value(SignalPlace place) const { return units_[place.plant].values[place.signal]; }
+  // As it is seen from outside: of a stuck sensor what it is stuck at.
+  double value(SignalPlace place) const;
+
+  // A stuck sensor shows `value`, whatever the process does; a stuck actuator acts as if it had
+  // `value`, whatever it is told. Without a value: the one it has now.
+  void stick(io::Rack& rack, SignalPlace place, std::optional<double> value, Instant now);
+  void release(io::Rack& rack, SignalPlace place, Instant now);
+  std::optional<double> stuck(SignalPlace place) const;
+
+  // As at the beginning: its process, its inputs, without faults.
+  void reset(io::Rack& rack, std::uint32_t plant, Instant now);
 
  private:
+  struct Stuck {
+    std::uint32_t signal;
+    double value;
+    double told;  // to an input meanwhile
+  };
   struct Unit {
     std::unique_ptr<Process> process;
-    std::vector<double> values;
+    std::vector<double> values;  // as the process has them
+    std::vector<Stuck> stuck;
+    std::vector<std::optional<double>> shown;  // by wires, outputs: terminals are set by changes
     Instant at, nextStep = Instant::never();
     bool fresh = true;  // its outputs have not been shown yet
     Instant next() const;
+    const Stuck* stuckAt(std::uint32_t signal) const;
   };
+  void start(std::size_t index, Instant now);
   void move(std::size_t index, io::Rack& rack, Instant to);
   void go(std::size_t index, io::Rack& rack, Instant to);
   void readInputs(std::size_t index, const io::Rack& rack);
-  void showOutputs(std::size_t index, io::Rack& rack, Instant now) const;
+  void showOutputs(std::size_t index, io::Rack& rack, Instant now);
   void findNext();
 
   Configuration configuration_;

@@ -5,6 +5,7 @@
 
 namespace merker::plant {
 
-extern const Kind kBouncingSwitch, kFirstOrder, kGenerator, kTank, kTemperature, kValve;
+extern const Kind kBouncingSwitch, kFirstOrder, kGarageDoor, kGenerator, kLift, kSortingPlant,
+    kTank, kTemperature, kTrafficLight, kValve, kVessel;
 
 }  // namespace merker::plant

@@ -20,9 +20,12 @@ constexpr Parameter kParameters[] = {
     {"start", Parameter::Form::Number, 0, 0, kWhole},
 };
 constexpr Signal kSignals[] = {
-    {"INFLOW", Signal::Side::Input},       {"OUTFLOW", Signal::Side::Input},
-    {"FILL", Signal::Side::Input, true},   {"DRAIN", Signal::Side::Input, true},
-    {"LEVEL", Signal::Side::Output},       {"FULL", Signal::Side::Output, true},
+    {"INFLOW", Signal::Side::Input, false, 0, 0, kWhole, "%"},
+    {"OUTFLOW", Signal::Side::Input, false, 0, 0, kWhole, "%"},
+    {"FILL", Signal::Side::Input, true},
+    {"DRAIN", Signal::Side::Input, true},
+    {"LEVEL", Signal::Side::Output, false, 0, 0, kWhole, "%"},
+    {"FULL", Signal::Side::Output, true},
     {"EMPTY", Signal::Side::Output, true},
 };
 

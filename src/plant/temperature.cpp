@@ -23,12 +23,12 @@ constexpr Parameter kParameters[] = {
 };
 // LMN in %, below 0 it cools; HEAT and COOL are +100 % and -100 %.
 constexpr Signal kSignals[] = {
-    {"LMN", Signal::Side::Input},
+    {"LMN", Signal::Side::Input, false, 0, 0, 100, "%"},
     {"HEAT", Signal::Side::Input, true},
     {"COOL", Signal::Side::Input, true},
-    {"DISTURBANCE", Signal::Side::Input},
-    {"AMBIENT", Signal::Side::Input, false, kRoom},
-    {"PV", Signal::Side::Output, false, kRoom, 0, 400},
+    {"DISTURBANCE", Signal::Side::Input, false, 0, 0, 100, "%"},
+    {"AMBIENT", Signal::Side::Input, false, kRoom, 0, 100, "degC"},
+    {"PV", Signal::Side::Output, false, kRoom, 0, 400, "degC"},
 };
 
 class Temperature : public Process {

@@ -19,9 +19,12 @@ constexpr Parameter kParameters[] = {
     {"start", Parameter::Form::Number, 0, 0, kWhole},
 };
 constexpr Signal kSignals[] = {
-    {"UP", Signal::Side::Input, true},       {"DOWN", Signal::Side::Input, true},
-    {"STUCK", Signal::Side::Input, true},    {"POSITION", Signal::Side::Output},
-    {"LMNR_HS", Signal::Side::Output, true}, {"LMNR_LS", Signal::Side::Output, true},
+    {"UP", Signal::Side::Input, true},
+    {"DOWN", Signal::Side::Input, true},
+    {"STUCK", Signal::Side::Input, true},
+    {"POSITION", Signal::Side::Output, false, 0, 0, kWhole, "%"},
+    {"LMNR_HS", Signal::Side::Output, true},
+    {"LMNR_LS", Signal::Side::Output, true},
     {"BOTH", Signal::Side::Output, true},
 };
 

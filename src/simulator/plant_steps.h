@@ -1,6 +1,8 @@
-// Steps that drive plants: plant Oven.AMBIENT = 20, expect plant Oven.PV > 140.
+// Steps that drive plants: plant Oven.AMBIENT = 20, plant Oven.PV stuck 80, plant Oven reset,
+// expect plant Oven.PV > 140.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -11,21 +13,26 @@
 namespace merker::simulator {
 
 struct PlantValue {
+  enum class Does : std::uint8_t { Look, Set, Stick, StickAsItIs, Release, Reset };
+  Does does = Does::Look;
   std::string text;  // as written: "Oven.PV"
   Position position;
   std::string value;
   Position valuePosition;
-  bool isSet = false;        // else looked at
   plant::SignalPlace place;  // after resolving, like `number`
   double number = 0;
 };
 
+// Of `expect`.
 bool parsePlant(std::string_view signal, std::string_view value, PlantValue& result,
                 const PositionOf& at, Problems& problems);
+// One part of a step: "Oven.AMBIENT = 20".
+bool parsePlantStep(std::string_view part, PlantValue& result, const PositionOf& at,
+                    Problems& problems);
 // Whether there is such a plant and signal; null or empty without plants.
 void resolve(PlantValue& value, const plant::Configuration* plants, Problems& problems);
 
-void set(const PlantValue& value, plant::Plants& plants, io::Rack& rack, Instant now);
+void apply(const PlantValue& value, plant::Plants& plants, io::Rack& rack, Instant now);
 // ~= within a relative tolerance of 1e-6.
 bool holds(const PlantValue& value, block::Relation relation, const plant::Plants& plants);
 std::string actualValue(const PlantValue& value, const plant::Plants& plants);

@@ -155,7 +155,7 @@ bool Runner::performOnDevice(const Step& step) {
       return setTerminals(step);
     case StepKind::Plant:
       for (const PlantValue& value : step.plants)
-        simulator::set(value, *device_->plants(), *device_->rack(), plc_.now());
+        simulator::apply(value, *device_->plants(), *device_->rack(), plc_.now());
       return true;
     default:
       return true;

@@ -230,16 +230,8 @@ bool Parser::terminals(std::vector<TerminalValue>& list, std::string_view rest) 
 
 bool Parser::plants(std::vector<PlantValue>& list, std::string_view rest) {
   const auto place = [this](std::string_view text) { return at(text); };
-  for (std::string_view part : splitList(rest)) {
-    const auto sign = part.find('=');
-    if (sign == std::string_view::npos)
-      return fail(ProblemCode::P0952, part, "PLANT.SIGNAL = VALUE");
-    PlantValue& value = list.emplace_back();
-    value.isSet = true;
-    if (!parsePlant(trim(part.substr(0, sign)), trim(part.substr(sign + 1)), value, place,
-                    problems_))
-      return false;
-  }
+  for (std::string_view part : splitList(rest))
+    if (!parsePlantStep(part, list.emplace_back(), place, problems_)) return false;
   return true;
 }
 

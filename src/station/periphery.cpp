@@ -16,6 +16,9 @@ void Periphery::connect(cpu::Cpu& cpu) {
     areas.outputConfigured[byte] = rack_.at(byte, true) != nullptr;
   }
   showPresence(cpu);
+  // Sensors have had their supply long enough for any input delay when the CPU begins.
+  plants_.show(rack_, Instant{} - Duration::seconds(1));
+  rack_.advance(Instant{});
   rack_.takeChanged();
   areas.inputs = rack_.inputs();
   cpu.connect(this);

@@ -45,6 +45,17 @@ TEST(PlantSteps, namesAndValues) {
   EXPECT_EQ(problemOf("plant Oven.OFFSET = 1\n", false), "1:7 P0987");
 }
 
+TEST(PlantSteps, faultsAndReset) {
+  EXPECT_EQ(problemOf("plant Oven.PV stuck 80, Oven.LMN stuck, oven.pv free, Button reset\n"), "");
+  EXPECT_EQ(problemOf("plant Button.CONTACT stuck 0.5\n"), "1:28 P0989");
+  EXPECT_EQ(problemOf("plant Oven.PV stuck warm\n"), "1:21 P0989");
+  EXPECT_EQ(problemOf("plant Oven stuck 1\n"), "1:7 P0952");
+  EXPECT_EQ(problemOf("plant Oven.PV reset\n"), "1:7 P0952");
+  EXPECT_EQ(problemOf("plant Oven.PV free 1\n"), "1:7 P0952");
+  EXPECT_EQ(problemOf("plant Oven.PV burns\n"), "1:7 P0952");
+  EXPECT_EQ(problemOf("plant Stove reset\n"), "1:7 P0986");
+}
+
 TEST(PlantSteps, comparesNumbers) {
   plant::Plants running(plants());
   Problems none;
@@ -52,7 +63,8 @@ TEST(PlantSteps, comparesNumbers) {
   PlantValue value;
   value.place = {0, 2};  // OFFSET
   value.number = 20;
-  set(value, running, rack, Instant{});
+  value.does = PlantValue::Does::Set;
+  apply(value, running, rack, Instant{});
   EXPECT_EQ(running.value({0, 3}), 20);  // PV
   value.place = {0, 3};
   EXPECT_TRUE(holds(value, block::Relation::Equal, running));

@@ -1,0 +1,100 @@
+#include "plant/belt.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace merker::plant {
+namespace {
+
+constexpr double kHit = 0.03;     // m that a box may stand beside the middle of the slider
+constexpr double kPlate = 0.04;   // half the width of a slider
+constexpr double kHalfOut = 0.5;  // of the stroke: the slider is at the box
+
+double middle(const Box& box) { return box.front - Belt::kLength / 2; }
+
+bool onBelt(const Box& box) { return box.size != BoxSize::None && box.slider < 0; }
+
+}  // namespace
+
+bool Belt::put(BoxSize size) {
+  Box* free = nullptr;
+  for (Box& box : boxes_) {
+    if (onBelt(box) && box.front < kStart + kLength) return false;
+    if (box.size == BoxSize::None) free = &box;
+  }
+  if (free != nullptr) *free = {size, kStart};
+  return free != nullptr;
+}
+
+void Belt::move(double seconds, double metresPerSecond, const std::array<bool, kSliders>& out) {
+  for (std::size_t i = 0; i < kSliders; ++i)
+    if (moveSlider(i, out[i], seconds)) push(i);
+  std::array<Box*, kBoxes> order{};
+  std::transform(boxes_.begin(), boxes_.end(), order.begin(), [](Box& box) { return &box; });
+  std::sort(order.begin(), order.end(), [](Box* a, Box* b) { return a->front > b->front; });
+  for (Box* box : order) {
+    if (box->slider >= 0) slide(*box, seconds);
+    if (onBelt(*box)) carry(*box, seconds * metresPerSecond);
+    if (onBelt(*box) && box->front > kEnd) lose(*box);
+  }
+}
+
+// Whether it has just come to the boxes.
+bool Belt::moveSlider(std::size_t slider, bool out, double seconds) {
+  const double way = seconds / kStrokeTime * (out ? 1 : -1);
+  const double before = strokes_[slider];
+  strokes_[slider] = std::clamp(before + way, 0.0, 1.0);
+  return before < kHalfOut && strokes_[slider] >= kHalfOut;
+}
+
+// A box right in front of the slider goes into the bin, one at its edge falls off the belt.
+void Belt::push(std::size_t slider) {
+  for (Box& box : boxes_) {
+    if (!onBelt(box)) continue;
+    const double beside = std::abs(middle(box) - kPlaces[slider]);
+    if (beside <= kHit)
+      box.slider = static_cast<int>(slider);
+    else if (beside < kPlate + kLength / 2)
+      lose(box);
+  }
+}
+
+void Belt::slide(Box& box, double seconds) {
+  box.pushed = std::max(box.pushed, kHalfOut) + seconds / kStrokeTime;
+  if (box.pushed >= 1) deliver(box);
+}
+
+void Belt::carry(Box& box, double way) const {
+  box.front = std::max(box.front, std::min(box.front + way, obstacle(box)));
+}
+
+// Where the next box or the next slider that is out begins.
+double Belt::obstacle(const Box& box) const {
+  double nearest = kEnd + kLength;
+  for (const Box& other : boxes_)
+    if (onBelt(other) && other.front > box.front)
+      nearest = std::min(nearest, other.front - kLength);
+  for (std::size_t i = 0; i < kSliders; ++i)
+    if (strokes_[i] >= kHalfOut && box.front <= kPlaces[i] - kPlate)
+      nearest = std::min(nearest, kPlaces[i] - kPlate);
+  return nearest;
+}
+
+bool Belt::interrupted(BoxSize from) const {
+  return std::any_of(boxes_.begin(), boxes_.end(), [from](const Box& box) {
+    return onBelt(box) && box.size >= from && box.front > 0 && box.front < kLength;
+  });
+}
+
+void Belt::deliver(Box& box) {
+  ++counts_.bins[static_cast<std::size_t>(box.slider)];
+  ++(static_cast<int>(box.size) == box.slider + 1 ? counts_.good : counts_.wrong);
+  box = {};
+}
+
+void Belt::lose(Box& box) {
+  ++counts_.wrong;
+  box = {};
+}
+
+}  // namespace merker::plant

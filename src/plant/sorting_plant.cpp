@@ -1,0 +1,163 @@
+// The sorting plant of the course: boxes of three sizes, three light barriers, three sliders
+// (S7-VIS-07 to S7-VIS-16). Boxes are put on the belt by hand (NEW_...) or by themselves (AUTO):
+// each three of them have one of each size, in an order that follows from the seed.
+#include <random>
+
+#include "plant/belt.h"
+#include "plant/delay.h"
+#include "plant/processes.h"
+
+namespace merker::plant {
+namespace {
+
+using Side = Signal::Side;
+
+enum { SPEED, INTERVAL, AUTOMATIC, SEED };
+enum {
+  SLIDER_SMALL,
+  BELT = SLIDER_SMALL + Belt::kSliders,
+  BELT_SPEED,
+  AUTO,
+  NEW_SMALL,
+  BARRIER_SMALL = NEW_SMALL + Belt::kSliders,
+  GOOD = BARRIER_SMALL + Belt::kSliders,
+  WRONG,
+  BIN_SMALL,
+  STROKE_SMALL = BIN_SMALL + Belt::kSliders,
+  BOXES = STROKE_SMALL + Belt::kSliders  // three signals each
+};
+
+constexpr Parameter kParameters[] = {
+    {"speed", Parameter::Form::Number, 0.1, 0.001, 1},  // m/s at 100 %
+    {"interval", Parameter::Form::Time, 10, 1, 3600},   // between two boxes of AUTO
+    {"automatic", Parameter::Form::Number, 0, 0, 1},    // AUTO at the start
+    {"seed", Parameter::Form::Number, 1, 0, 4294967295},
+};
+constexpr Signal kSignals[] = {
+    {"SLIDER_SMALL", Side::Input, true},
+    {"SLIDER_MIDDLE", Side::Input, true},
+    {"SLIDER_LARGE", Side::Input, true},
+    {"BELT", Side::Input, true, 1},
+    {"SPEED", Side::Input, false, 100, 0, 200, "%"},
+    {"AUTO", Side::Input, true},
+    {"NEW_SMALL", Side::Input, true},
+    {"NEW_MIDDLE", Side::Input, true},
+    {"NEW_LARGE", Side::Input, true},
+    {"BARRIER_SMALL", Side::Output, true},  // 0: interrupted (S7-VIS-10)
+    {"BARRIER_MIDDLE", Side::Output, true},
+    {"BARRIER_LARGE", Side::Output, true},
+    {"GOOD", Side::Output},
+    {"WRONG", Side::Output},
+    {"BIN_SMALL", Side::Output},
+    {"BIN_MIDDLE", Side::Output},
+    {"BIN_LARGE", Side::Output},
+    {"STROKE_SMALL", Side::Output, false, 0, 0, 1},  // where the sliders are: 0 in, 1 out
+    {"STROKE_MIDDLE", Side::Output, false, 0, 0, 1},
+    {"STROKE_LARGE", Side::Output, false, 0, 0, 1},
+    // Of each box its size (0: there is none, 1 to 3), where its front is, how far it is pushed.
+    {"BOX1", Side::Output, false, 0, 0, 3},
+    {"FRONT1", Side::Output, false, 0, 0, 1, "m"},
+    {"PUSHED1", Side::Output, false, 0, 0, 1},
+    {"BOX2", Side::Output, false, 0, 0, 3},
+    {"FRONT2", Side::Output, false, 0, 0, 1, "m"},
+    {"PUSHED2", Side::Output, false, 0, 0, 1},
+    {"BOX3", Side::Output, false, 0, 0, 3},
+    {"FRONT3", Side::Output, false, 0, 0, 1, "m"},
+    {"PUSHED3", Side::Output, false, 0, 0, 1},
+    {"BOX4", Side::Output, false, 0, 0, 3},
+    {"FRONT4", Side::Output, false, 0, 0, 1, "m"},
+    {"PUSHED4", Side::Output, false, 0, 0, 1},
+    {"BOX5", Side::Output, false, 0, 0, 3},
+    {"FRONT5", Side::Output, false, 0, 0, 1, "m"},
+    {"PUSHED5", Side::Output, false, 0, 0, 1},
+    {"BOX6", Side::Output, false, 0, 0, 3},
+    {"FRONT6", Side::Output, false, 0, 0, 1, "m"},
+    {"PUSHED6", Side::Output, false, 0, 0, 1},
+};
+static_assert(std::size(kSignals) == BOXES + 3 * Belt::kBoxes);
+
+constexpr double kFirst = 1;  // s until the first box of AUTO
+constexpr std::array kSizes{BoxSize::Small, BoxSize::Middle, BoxSize::Large};
+
+class SortingPlant : public Process {
+ public:
+  explicit SortingPlant(std::span<const double> parameters)
+      : speed_(parameters[SPEED]),
+        interval_(parameters[INTERVAL]),
+        automatic_(parameters[AUTOMATIC]),
+        waited_(interval_ - kFirst),
+        random_(static_cast<std::uint32_t>(parameters[SEED])) {}
+
+  void begin(std::span<double> values) override {
+    values[AUTO] = automatic_;
+    show(values);
+  }
+
+  void advance(Instant from, Instant to, std::span<double> values) override {
+    const double time = seconds(from, to);
+    putByHand(values);
+    waited_ += time;
+    if (values[AUTO] != 0 && waited_ >= interval_) putNext();
+    std::array<bool, Belt::kSliders> out{};
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = values[SLIDER_SMALL + i] != 0;
+    belt_.move(time, values[BELT] * values[BELT_SPEED] / 100 * speed_, out);
+    show(values);
+  }
+
+ private:
+  void putByHand(std::span<const double> values) {
+    for (std::size_t i = 0; i < kSizes.size(); ++i) {
+      const bool wanted = values[NEW_SMALL + i] != 0;
+      if (wanted && !wanted_[i]) belt_.put(kSizes[i]);
+      wanted_[i] = wanted;
+    }
+  }
+
+  void putNext() {
+    if (next_ == 0) shuffle();
+    if (!belt_.put(order_[next_])) return;
+    next_ = (next_ + 1) % order_.size();
+    waited_ = 0;
+  }
+
+  // With the generator's numbers as they are, so that a seed means the same everywhere.
+  void shuffle() {
+    for (std::size_t i = order_.size() - 1; i > 0; --i)
+      std::swap(order_[i], order_[random_() % (i + 1)]);
+  }
+
+  void show(std::span<double> values) const {
+    const Belt::Counts& counts = belt_.counts();
+    values[GOOD] = counts.good;
+    values[WRONG] = counts.wrong;
+    for (std::size_t i = 0; i < Belt::kSliders; ++i) {
+      values[BARRIER_SMALL + i] = !belt_.interrupted(kSizes[i]);
+      values[BIN_SMALL + i] = counts.bins[i];
+      values[STROKE_SMALL + i] = belt_.stroke(i);
+    }
+    double* value = &values[BOXES];
+    for (const Box& box : belt_.boxes()) {
+      *value++ = static_cast<double>(box.size);
+      *value++ = box.front;
+      *value++ = box.pushed;
+    }
+  }
+
+  double speed_, interval_, automatic_;
+  double waited_;  // s since the last box of AUTO
+  std::mt19937 random_;
+  Belt belt_;
+  std::array<BoxSize, 3> order_ = kSizes;
+  std::size_t next_ = 0;
+  std::array<bool, 3> wanted_{};
+};
+
+std::unique_ptr<Process> make(std::span<const double> parameters) {
+  return std::make_unique<SortingPlant>(parameters);
+}
+
+}  // namespace
+
+const Kind kSortingPlant{"sorting plant", Duration::milliseconds(1), kParameters, kSignals, make};
+
+}  // namespace merker::plant
