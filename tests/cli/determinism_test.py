@@ -9,7 +9,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 RUNS = 20
 CASES = {
     "examples/sorting-plant": (["--watch", "E 0.0, E 0.1, E 0.2, A 1.0, A 1.1, A 1.2, T 1, T 10, T 20"],
-                               "04f86636be0f4474bf80729dff8482708020d0b410f1bdabcd29960144553572"),
+                               "bf387a2660f45126a481d4e3bc03d5b706a6043e01630d12ed29a051857d41ea"),
     "tests/scenario/interrupts": (["--watch", "M 200.0, M 200.5, MW 20, MW 40"], "da56a9b6eec36c8d99aa5ee75b09f69ce95e77c51efdecc015749159a05d2bd5"),
 }
 
