@@ -21,5 +21,6 @@ export const io = {
     'Noch keine Kachel. Oben einen Operanden eingeben, zum Beispiel EB 0.',
     'No tile yet. Enter an operand above, for example IB 0.',
   ],
+  registers: ['Register', 'Registers'],
   defaults: ['Aus den Symbolen', 'From the symbols'],
 } satisfies Texts;
