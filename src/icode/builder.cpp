@@ -1,5 +1,6 @@
 #include "icode/builder.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace merker::icode {
@@ -38,7 +39,24 @@ void Builder::cancel() {
   cost_ = 0;
 }
 
+namespace {
+
+std::size_t slotOf(const Op& op) {
+  std::size_t hash = static_cast<std::size_t>(op.code);
+  for (const std::uint32_t part : {op.a, op.b, op.c, op.number})
+    hash = (hash ^ part) * 0x9E37'79B1u;
+  return hash >> 12 & 0xFF;
+}
+
+}  // namespace
+
+// The same pure operation twice is one value.
 Value Builder::append(Op op) {
+  if (info(op.code).effect == Effect::Pure) {
+    Value& made = made_[slotOf(op)];
+    if (made != kNoValue && region_.ops[made] == op) return made;
+    made = static_cast<Value>(region_.ops.size());
+  }
   region_.ops.push_back(op);
   return static_cast<Value>(region_.ops.size() - 1);
 }
@@ -160,17 +178,17 @@ void Builder::forgetAll(Space space) {
   std::erase_if(bytes_, [&](const Byte& byte) { return mayBeSame(byte.space, space); });
 }
 
-Value Builder::loadAt(Space space, Value offset, unsigned bytes) {
+Value Builder::loadAt(Space space, Value offset, std::uint32_t place, unsigned bytes) {
   writeBackAll(space);
   const Value address = make(Opcode::Index, base(space), offset);
-  return append({.code = loading(bytes), .space = space, .a = address});
+  return append({.code = loading(bytes), .space = space, .a = address, .place = place});
 }
 
-void Builder::storeAt(Space space, Value offset, unsigned bytes, Value value) {
+void Builder::storeAt(Space space, Value offset, std::uint32_t place, unsigned bytes, Value value) {
   writeBackAll(space);
   forgetAll(space);
   const Value address = make(Opcode::Index, base(space), offset);
-  append({.code = storing(bytes), .space = space, .a = address, .b = value});
+  append({.code = storing(bytes), .space = space, .a = address, .b = value, .place = place});
 }
 
 Value Builder::locate(Value area, Value bitAddress, Access access) {
@@ -247,14 +265,28 @@ std::uint32_t Builder::exit(std::uint32_t to, bool inFront) {
   return static_cast<std::uint32_t>(region_.exits.size() - 1);
 }
 
-Value Builder::timerStatus(std::uint32_t number) {
-  return append({.code = Opcode::TimerStatus,
+Value Builder::atTheEnd(Opcode code, std::uint32_t number) {
+  return append(
+      {.code = code, .number = number, .place = static_cast<std::uint32_t>(costSoFar_ + cost_)});
+}
+
+Value Builder::field(Field field, std::uint32_t number) {
+  return append({.code = isWord(field) ? Opcode::FieldWord : Opcode::FieldByte,
                  .number = number,
-                 .place = static_cast<std::uint32_t>(costSoFar_ + cost_)});
+                 .place = static_cast<std::uint32_t>(field)});
+}
+
+void Builder::setField(Field field, std::uint32_t number, Value value) {
+  append({.code = isWord(field) ? Opcode::SetFieldWord : Opcode::SetFieldByte,
+          .a = icode::isNumber(field) ? value : make(Opcode::ToWord, value),
+          .number = number,
+          .place = static_cast<std::uint32_t>(field)});
 }
 
 void Builder::guard(Value bit) {
-  if (isNumber(bit, 1)) return;
+  if (isNumber(bit, 1) || std::find(guarded_.begin(), guarded_.end(), bit) != guarded_.end())
+    return;
+  guarded_.push_back(bit);
   append({.code = Opcode::Guard, .a = bit, .number = exit(place_, true)});
 }
 

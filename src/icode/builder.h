@@ -13,7 +13,10 @@ namespace merker::icode {
 
 class Builder {
  public:
-  explicit Builder(Region& region) : region_(region) { limits_.fill(kNoValue); }
+  explicit Builder(Region& region) : region_(region) {
+    limits_.fill(kNoValue);
+    made_.fill(kNoValue);
+  }
 
   // What always holds at the entry of the region.
   void know(Item item, bool value) { items_[index(item)] = {constant(value), false}; }
@@ -44,8 +47,8 @@ class Builder {
   Value load(Space space, std::uint32_t place, unsigned bytes);
   void store(Space space, std::uint32_t place, unsigned bytes, Value value);
   // Places only known when it runs, in bytes.
-  Value loadAt(Space space, Value offset, unsigned bytes);
-  void storeAt(Space space, Value offset, unsigned bytes, Value value);
+  Value loadAt(Space space, Value offset, std::uint32_t place, unsigned bytes);
+  void storeAt(Space space, Value offset, std::uint32_t place, unsigned bytes, Value value);
   // In bytes, of an area only known when it runs; guards the access.
   Value locate(Value area, Value bitAddress, Access access);
   Value loadFrom(Value address, unsigned bytes);
@@ -69,7 +72,11 @@ class Builder {
   void giveBack(std::uint32_t front);
 
   // At the end of this instruction.
-  Value timerStatus(std::uint32_t number);
+  Value timerStatus(std::uint32_t number) { return atTheEnd(Opcode::TimerStatus, number); }
+  Value timerUnits(std::uint32_t number) { return atTheEnd(Opcode::TimerUnits, number); }
+  // Of timers and counters.
+  Value field(Field field, std::uint32_t number);
+  void setField(Field field, std::uint32_t number, Value value);
 
  private:
   struct Held {
@@ -85,6 +92,7 @@ class Builder {
   };
   static std::size_t index(Item item) { return static_cast<std::size_t>(item); }
   Value append(Op op);
+  Value atTheEnd(Opcode code, std::uint32_t number);
   Value base(Space space);
   void forget(Space space, std::uint32_t place, unsigned bytes);
   void writeBack(Space space, std::uint32_t place, unsigned bytes);
@@ -100,6 +108,9 @@ class Builder {
   Region& region_;
   std::array<bool, kSpaces> reopened_{};
   std::array<Value, 2 * kSpaces> limits_;
+  // Pure operations made a moment ago, by a hash of what they are.
+  std::array<Value, 256> made_;
+  std::vector<Value> guarded_;  // bits that are 1 from here on
   std::array<Held, kItems> items_;
   std::array<Value, 6> bases_{kNoValue, kNoValue, kNoValue, kNoValue, kNoValue, kNoValue};
   std::vector<Byte> bytes_;

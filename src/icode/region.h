@@ -52,6 +52,27 @@ enum class Space : std::uint8_t { Input, Output, Flag, Data, Instance, Local };
 constexpr unsigned kSpaces = 6;
 constexpr bool isImage(Space space) { return space <= Space::Flag; }
 
+// Of a timer or counter.
+enum class Field : std::uint8_t {
+  TimerKind,
+  TimerStartEdge,
+  TimerEnableEdge,
+  TimerStarted,
+  TimerHeld,
+  TimerBase,
+  TimerFrozen,
+  CounterCount,
+  CounterSetEdge,
+  CounterUpEdge,
+  CounterDownEdge,
+  CounterEnableEdge
+};
+constexpr bool isTimer(Field field) { return field < Field::CounterCount; }
+constexpr bool isWord(Field field) {
+  return field == Field::TimerFrozen || field == Field::CounterCount;
+}
+constexpr bool isNumber(Field field) { return isWord(field) || field == Field::TimerBase; }
+
 using Value = std::uint32_t;  // number of the operation that makes it
 constexpr Value kNoValue = UINT32_MAX;
 
@@ -63,6 +84,7 @@ struct Op {
   Value a = kNoValue, b = kNoValue, c = kNoValue;
   std::uint32_t number = 0;  // constant, bit, shift, number of a timer; ways out: which exit
   std::uint32_t place = 0;   // byte of the space
+  bool operator==(const Op&) const = default;
 };
 
 // `place` of Locate.

@@ -77,7 +77,30 @@ void RegionCode::ToWord(const Op& op) {
   if (!isClean(op.a)) code_.and_(to, 1);
 }
 
+// A comparison directly in front of the only jump that needs it stays in the flags.
+bool RegionCode::isForJump() const {
+  icode::Value next = current_ + 1;
+  const auto isSilent = [&](const Op& op) {
+    return !op.needed || op.code == icode::Opcode::Constant;
+  };
+  while (isSilent(region_.ops[next])) ++next;
+  const Op& op = region_.ops[next];
+  if (op.code < icode::Opcode::Guard || op.code > icode::Opcode::BranchUnless || op.a != current_ ||
+      !places_.isOnlyFor(next) || unit_.options.broken == region_.ops[current_].code)
+    return false;
+  const icode::Exit& exit = region_.exits[op.number];
+  for (std::uint32_t i = 0; i < exit.states; ++i)
+    if (region_.states[exit.firstState + i].value == current_) return false;
+  for (std::uint32_t i = 0; i < exit.bytes; ++i)
+    if (region_.bytes[exit.firstByte + i].value == current_) return false;
+  return true;
+}
+
 void RegionCode::flag(CondCode condition) {
+  if (isForJump()) {
+    fused_ = condition;
+    return;
+  }
   code_.set(condition, host::al);
   places_.releaseDying();
   code_.movzx(places_.out(), host::al);

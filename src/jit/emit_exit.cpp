@@ -22,6 +22,12 @@ std::vector<Spot> RegionCode::spotsOfBytes(const Exit& exit) const {
 }
 
 void RegionCode::wayOut(const Op& op, CondCode condition) {
+  if (fused_) {
+    const CondCode holds = *fused_;
+    fused_.reset();
+    code_.j(condition == CondCode::kNZ ? holds : host::negateCond(holds), wayOut(op));
+    return;
+  }
   if (places_.isConstant(op.a)) code_.mov(host::eax, places_.constant(op.a));
   const host::Gp bit = places_.in(op.a, host::eax);
   code_.test(bit.r8(), 1);

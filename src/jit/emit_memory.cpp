@@ -122,38 +122,4 @@ void RegionCode::BlockInfo(const Op& op) {
         to, host::word_ptr(kMachine, block + static_cast<int>(offsetof(cpu::OpenBlock, number))));
 }
 
-// S7-TMR: started and not yet over, the delays started and over; SA also while its start is 1.
-void RegionCode::TimerStatus(const Op& op) {
-  using cpu::S5Timer;
-  const int timer = static_cast<int>(op.number * sizeof(S5Timer));
-  const auto field = [&](std::size_t at) {
-    return host::byte_ptr(host::rcx, timer + static_cast<int>(at));
-  };
-  const host::Gp to = places_.out();
-  code_.mov(host::rcx, host::qword_ptr(host::rsp, kTimers));
-  code_.lea(host::rax, host::ptr(kClock, static_cast<int>(op.place)));
-  code_.cmp(host::rax,
-            host::qword_ptr(host::rcx, timer + static_cast<int>(offsetof(S5Timer, end))));
-  code_.setl(host::al);
-  code_.movzx(host::edx, field(offsetof(S5Timer, kind)));
-  code_.mov(to, host::edx);
-  code_.sub(host::edx, static_cast<int>(S5Timer::Kind::OnDelay));
-  code_.cmp(host::edx, 2);
-  code_.setb(host::dl);
-  code_.xor_(host::al, host::dl);
-  code_.and_(host::al, field(offsetof(S5Timer, started)));
-  code_.cmp(to, static_cast<int>(S5Timer::Kind::OffDelay));
-  code_.sete(host::dl);
-  code_.and_(host::dl, field(offsetof(S5Timer, held)));
-  code_.or_(host::al, host::dl);
-  code_.movzx(to, host::al);
-}
-
-void RegionCode::CounterValue(const Op& op) {
-  const host::Gp to = places_.out();
-  code_.mov(host::rcx, host::qword_ptr(host::rsp, kCounters));
-  code_.movzx(to, host::word_ptr(host::rcx, static_cast<int>(op.number * sizeof(cpu::S5Counter) +
-                                                             offsetof(cpu::S5Counter, count))));
-}
-
 }  // namespace merker::jit

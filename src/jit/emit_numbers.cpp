@@ -29,6 +29,15 @@ void RegionCode::Shl(const Op& op) { shift(op, Id::kIdShl); }
 void RegionCode::Shr(const Op& op) { shift(op, Id::kIdShr); }
 void RegionCode::Sar(const Op& op) { shift(op, Id::kIdSar); }
 void RegionCode::Rotl(const Op& op) { shift(op, Id::kIdRol); }
+void RegionCode::shiftBy(const Op& op, std::uint32_t instruction) {
+  const host::Gp by = places_.in(op.b, host::ecx);
+  if (by.id() != host::ecx.id()) code_.mov(host::ecx, by);
+  code_.emit(instruction, places_.outFrom(op.a), host::cl);
+}
+void RegionCode::ShlBy(const Op& op) { shiftBy(op, Id::kIdShl); }
+void RegionCode::ShrBy(const Op& op) { shiftBy(op, Id::kIdShr); }
+void RegionCode::SarBy(const Op& op) { shiftBy(op, Id::kIdSar); }
+void RegionCode::RotlBy(const Op& op) { shiftBy(op, Id::kIdRol); }
 void RegionCode::SwapBytes(const Op& op) { unary(op, Id::kIdBswap); }
 
 void RegionCode::Mul(const Op& op) {
@@ -121,11 +130,11 @@ void RegionCode::LessReal(const Op& op) {
   code_.ucomiss(host::xmm1, host::xmm0);
   flag(CondCode::kA);
 }
-void RegionCode::Unordered(const Op& op) {
+void RegionCode::Ordered(const Op& op) {
   code_.movd(host::xmm0, places_.in(op.a, host::eax));
   code_.movd(host::xmm1, places_.in(op.b, host::eax));
   code_.ucomiss(host::xmm0, host::xmm1);
-  flag(CondCode::kP);
+  flag(CondCode::kNP);
 }
 
 // Without the sign: 0, or an exponent of 1 to 254.
@@ -142,6 +151,12 @@ void RegionCode::Ordinary(const Op& op) {
   code_.movzx(places_.out(), host::al);
 }
 
+void RegionCode::RootReal(const Op& op) {
+  code_.movd(host::xmm0, places_.in(op.a, host::eax));
+  code_.sqrtss(host::xmm0, host::xmm0);
+  places_.releaseDying();
+  code_.movd(places_.out(), host::xmm0);
+}
 void RegionCode::RealOf(const Op& op) {
   code_.xorps(host::xmm0, host::xmm0);
   code_.cvtsi2ss(host::xmm0, places_.in(op.a, host::eax));

@@ -27,6 +27,8 @@ class Places {
   Spot spot(icode::Value value) const { return spots_[value]; }
   bool isConstant(icode::Value value) const { return spots_[value].kind == Spot::Kind::Constant; }
   std::uint32_t constant(icode::Value value) const { return spots_[value].number; }
+  // Nobody but the next operation that is written needs the current one.
+  bool isOnlyFor(icode::Value user) const { return lastUse_[current_] == user; }
   // A register that holds the value; `scratch` if it has none of its own.
   host::Gp in(icode::Value value, const host::Gp& scratch);
   host::Gp in64(icode::Value value, const host::Gp& scratch);

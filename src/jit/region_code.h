@@ -56,6 +56,7 @@ class RegionCode {
   void unary(const icode::Op& op, std::uint32_t instruction);
   void shift(const icode::Op& op, std::uint32_t instruction);
   void flag(asmjit::x86::CondCode condition);
+  bool isForJump() const;
   void compare(const icode::Op& op, asmjit::x86::CondCode condition);
   void overflows(const icode::Op& op, std::uint32_t instruction);
   void divide(const icode::Op& op);
@@ -67,6 +68,8 @@ class RegionCode {
   // stay as they are until the last of these jumps.
   asmjit::Label wayOut(const icode::Op& op);
   void locateIn(Area area, bool write, const host::Gp& to, const asmjit::Label& out);
+  host::Mem field(const icode::Op& op, std::uint32_t bytes);
+  void shiftBy(const icode::Op& op, std::uint32_t instruction);
   void loadBlock(const icode::Op& op);
   void writeState(const icode::Exit& exit, const std::vector<Spot>& states,
                   const std::vector<Spot>& bytes);
@@ -87,6 +90,7 @@ class RegionCode {
   std::vector<bool> clean_;
   std::vector<WayOut> waysOut_;
   asmjit::Label tooNear_;
+  std::optional<asmjit::x86::CondCode> fused_{};  // the bit that comes next stands in the flags
   icode::Value current_ = 0;
   std::uint32_t next_ = 0;
 };

@@ -120,6 +120,8 @@ bool assign(Lowering& l) {
 
 template <bool Set>
 bool setOrReset(Lowering& l) {
+  if (l.operand().kind == OperandKind::Counter || l.operand().kind == OperandKind::Timer)
+    return Set ? setCounter(l) : resetTimerOrCounter(l);
   const auto place = bitPlace(l, true);
   if (!place) return false;
   icode::Builder& b = l.to;
@@ -225,18 +227,30 @@ constexpr Row kRows[] = {{Operation::AND, query<Logic::And, false>},
 
 bool isOpening(Operation o) { return o >= Operation::AND_OPEN && o <= Operation::XOR_NOT_OPEN; }
 
-// Reads without any condition, or changes status bits only.
-bool cannotFail(const mc7::Place& place, const icode::Builder& builder) {
-  const Operation o = place.instruction.operation;
-  const OperandKind kind = place.instruction.operand.kind;
-  if (o == Operation::AND_BEFORE_OR || o == Operation::NOT || o == Operation::CLOSE) return true;
-  if (!place.known || o > Operation::XOR_NOT) return false;
-  if (kind == OperandKind::Memory) {
-    const Area area = place.instruction.operand.area;
-    return !(area == Area::DataBlock && builder.isReopened(icode::Space::Data)) &&
-           !(area == Area::Instance && builder.isReopened(icode::Space::Instance));
-  }
-  return kind == OperandKind::StatusBit;
+bool isQuery(Operation o) { return o <= Operation::XOR_NOT; }
+
+// Changes status bits only.
+bool cannotFail(Operation o) {
+  return o == Operation::AND_BEFORE_OR || o == Operation::NOT || o == Operation::CLOSE;
+}
+
+bool prepareQuery(Lowering& outer, std::uint32_t place) {
+  const mc7::Place& inner = outer.listing.places[place];
+  if (!inner.known || !isQuery(inner.instruction.operation)) return false;
+  const OperandKind kind = inner.instruction.operand.kind;
+  const std::uint32_t number = inner.instruction.operand.value;
+  if (kind == OperandKind::StatusBit) return true;
+  if (kind == OperandKind::Timer) return number < outer.model.timers;
+  if (kind == OperandKind::Counter) return number < outer.model.counters;
+  if (kind != OperandKind::Memory && kind != OperandKind::MemoryIndirect &&
+      kind != OperandKind::RegisterIndirect && kind != OperandKind::RegisterCrossing &&
+      kind != OperandKind::Parameter)
+    return false;
+  Lowering l{outer.to, outer.needs,    outer.model,   outer.listing,
+             place,    outer.brackets, outer.reached, outer.ahead};
+  const auto found = bitPlace(l, false);
+  if (found) outer.ahead.emplace(place, *found);
+  return found.has_value();
 }
 
 }  // namespace
@@ -254,9 +268,7 @@ std::optional<Value> readBit(Lowering& l) {
       return b.timerStatus(o.value);
     case OperandKind::Counter:
       if (o.value >= l.model.counters) return std::nullopt;
-      return b.make(Opcode::NotEqual,
-                    b.make(Opcode::CounterValue, icode::kNoValue, icode::kNoValue, o.value),
-                    b.constant(0));
+      return b.make(Opcode::NotEqual, b.field(icode::Field::CounterCount, o.value), b.constant(0));
     default:
       break;
   }
@@ -265,18 +277,18 @@ std::optional<Value> readBit(Lowering& l) {
   return bitIn(l, *place, loadByte(l, *place));
 }
 
-bool bracketIsWhole(const mc7::Listing& listing, std::span<const std::uint8_t> isEntry,
-                    std::uint32_t place, const icode::Builder& builder) {
+bool prepareBracket(Lowering& l, std::span<const std::uint8_t> isEntry) {
   constexpr std::uint32_t kLongest = 64, kDeepest = 6;
   std::uint32_t depth = 1;
-  for (std::uint32_t i = place + 1; i < listing.places.size() && i < place + kLongest; ++i) {
+  const auto& places = l.listing.places;
+  for (std::uint32_t i = l.place + 1; i < places.size() && i < l.place + kLongest; ++i) {
     if (isEntry[i] != 0) return false;
-    const Operation o = listing.places[i].instruction.operation;
+    const Operation o = places[i].instruction.operation;
     if (isOpening(o)) {
       if (++depth > kDeepest) return false;
       continue;
     }
-    if (!cannotFail(listing.places[i], builder)) return false;
+    if (!cannotFail(o) && !prepareQuery(l, i)) return false;
     if (o == Operation::CLOSE && --depth == 0) return true;
   }
   return false;

@@ -1,6 +1,7 @@
 // Machine instructions to intermediate code: one function per instruction, by table.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <span>
 
@@ -10,6 +11,21 @@
 
 namespace merker::translate {
 
+// An operand in memory as the byte where it begins; of a bit: the byte around it.
+struct BitPlace {
+  icode::Space space = icode::Space::Input;
+  std::uint32_t place = 0;                 // direct …
+  icode::Value offset = icode::kNoValue;   // … behind so many bytes
+  icode::Value address = icode::kNoValue;  // anywhere
+  icode::Value bit = icode::kNoValue;
+  std::uint32_t direct = 0;  // bit
+};
+// So many bytes behind this byte lie below the limit.
+struct Reach {
+  icode::Value byte, limit;
+  std::uint32_t end;
+};
+
 // The instruction that is being translated, and what a function may use for it.
 struct Lowering {
   icode::Builder& to;
@@ -18,6 +34,8 @@ struct Lowering {
   const mc7::Listing& listing;
   std::uint32_t place;
   std::vector<std::array<icode::Value, 3>>& brackets;  // RLO, OR, /ER in front of each
+  std::vector<Reach>& reached;                         // in this region
+  std::map<std::uint32_t, BitPlace>& ahead;  // operands in brackets, guarded in front of them
   bool ended = false;  // the way on leads elsewhere: nothing may follow in this region
 
   const mc7::Instruction& instruction() const { return listing.places[place].instruction; }
@@ -38,31 +56,45 @@ std::span<const Row> shiftRows();
 std::span<const Row> realRows();
 std::span<const Row> jumpRows();
 std::span<const Row> callRows();
+std::span<const Row> timerRows();
+std::span<const Row> bcdRows();
+
+// Instructions of timers and counters that share their mnemonic with others.
+bool loadTimerOrCounter(Lowering& l);
+bool resetTimerOrCounter(Lowering& l);
+bool setCounter(Lowering& l);
+
+// Binary coded decimal.
+icode::Value toBcd(Lowering& l, icode::Value number, unsigned digits);
+icode::Value fromBcd(Lowering& l, icode::Value bcd, unsigned digits);
+icode::Value isBcd(Lowering& l, icode::Value bcd);  // bit; at most 7 digits, 0 above them
 
 // Operands. Nothing: this operand is not translated.
 std::optional<icode::Value> readBit(Lowering& l);
 std::optional<icode::Value> readOperand(Lowering& l, Width width);
 bool writeOperand(Lowering& l, Width width, icode::Value value);
+// Every other way to an operand than a direct one (indirect.cpp).
+std::optional<BitPlace> indirectPlace(Lowering& l, const icode::Access& access);
+icode::Value parameterPointer(Lowering& l);
+std::optional<icode::Space> spaceOf(Area area);
+std::uint32_t imageLength(const CpuModel& model, icode::Space space);
+// Notes what the region needs, or guards; false if the operand lies outside for certain.
+bool reachable(Lowering& l, icode::Space space, std::uint32_t end, bool write);
 // Timer, counter or block: in a word of memory, or handed over as parameter.
 std::optional<icode::Value> numberOperand(Lowering& l);
-// A bit in memory as the byte around it.
-struct BitPlace {
-  icode::Space space = icode::Space::Input;
-  std::uint32_t place = 0;                 // direct
-  icode::Value offset = icode::kNoValue;   // otherwise: the byte in its space …
-  icode::Value address = icode::kNoValue;  // … or anywhere
-  icode::Value bit = icode::kNoValue;
-  std::uint32_t direct = 0;  // bit
-};
 std::optional<BitPlace> bitPlace(Lowering& l, bool write);
-icode::Value loadByte(Lowering& l, const BitPlace& place);
-void storeByte(Lowering& l, const BitPlace& place, icode::Value byte);
+icode::Value loadBytes(Lowering& l, const BitPlace& place, unsigned bytes);
+void storeBytes(Lowering& l, const BitPlace& place, unsigned bytes, icode::Value value);
+inline icode::Value loadByte(Lowering& l, const BitPlace& place) { return loadBytes(l, place, 1); }
+inline void storeByte(Lowering& l, const BitPlace& place, icode::Value byte) {
+  storeBytes(l, place, 1, byte);
+}
 // The byte with the bit as told.
 icode::Value withBit(Lowering& l, const BitPlace& place, icode::Value byte, icode::Value bit);
 icode::Value bitIn(Lowering& l, const BitPlace& place, icode::Value byte);
 
-// Whether U( at this place has its ) in the same region, and nothing between that can fail.
-bool bracketIsWhole(const mc7::Listing& listing, std::span<const std::uint8_t> isEntry,
-                    std::uint32_t place, const icode::Builder& builder);
+// Whether U( at this place has its ) in the same region. Whatever between them can fail is guarded
+// now: inside brackets there is no way out.
+bool prepareBracket(Lowering& l, std::span<const std::uint8_t> isEntry);
 
 }  // namespace merker::translate

@@ -25,10 +25,7 @@ bool load(Lowering& l) {
     push(l, l.to.make(Opcode::BlockInfo, icode::kNoValue, icode::kNoValue, o.value));
     return true;
   }
-  if (o.kind == OperandKind::Counter && o.value < l.model.counters) {
-    push(l, l.to.make(Opcode::CounterValue, icode::kNoValue, icode::kNoValue, o.value));
-    return true;
-  }
+  if (o.kind == OperandKind::Counter || o.kind == OperandKind::Timer) return loadTimerOrCounter(l);
   if (o.width == Width::Bit) return false;
   const auto value = readOperand(l, o.width);
   if (value) push(l, *value);
@@ -39,6 +36,32 @@ bool transfer(Lowering& l) {
   const Width width = l.operand().width;
   if (width == Width::Bit || !writeOperand(l, width, l.to.get(Item::Accu1))) return false;
   l.needs.relayOn = true;
+  return true;
+}
+
+// Bit by bit, /ER lowest.
+constexpr Item kStatusWord[] = {Item::Er, Item::Rlo, Item::Sta, Item::Or, Item::Os,
+                                Item::Ov, Item::Cc0, Item::Cc1, Item::Br};
+
+// S7-INSTR-45: an S7-300 shows /ER, STA and OR as 0.
+bool loadStatus(Lowering& l) {
+  constexpr std::uint32_t kHidden = 0b0'0000'1101;
+  icode::Builder& b = l.to;
+  Value word = b.constant(0);
+  for (std::uint32_t i = 0; i < std::size(kStatusWord); ++i) {
+    if (l.model.accumulators != 4 && (kHidden >> i & 1) != 0) continue;
+    const Value bit = b.make(Opcode::ToWord, b.get(kStatusWord[i]));
+    word = b.make(Opcode::Or, word, b.withNumber(Opcode::Shl, bit, i));
+  }
+  push(l, word);
+  return true;
+}
+
+bool transferStatus(Lowering& l) {
+  icode::Builder& b = l.to;
+  const Value accu = b.get(Item::Accu1);
+  for (std::uint32_t i = 0; i < std::size(kStatusWord); ++i)
+    b.set(kStatusWord[i], b.withNumber(Opcode::BitOf, accu, i));
   return true;
 }
 
@@ -163,6 +186,8 @@ bool nothing(Lowering&) { return true; }
 
 constexpr Row kRows[] = {{Operation::LOAD, load},
                          {Operation::TRANSFER, transfer},
+                         {Operation::LOAD_STW, loadStatus},
+                         {Operation::TRANSFER_STW, transferStatus},
                          {Operation::LAR1, loadAddress<Item::Ar1>},
                          {Operation::LAR2, loadAddress<Item::Ar2>},
                          {Operation::TAR1, storeAddress<Item::Ar1>},

@@ -42,7 +42,7 @@ template <Relation R>
 bool compare(Lowering& l) {
   icode::Builder& b = l.to;
   const Value x = b.get(Item::Accu2), y = b.get(Item::Accu1);
-  b.guard(b.notBit(b.make(Opcode::Unordered, x, y)));
+  b.guard(b.make(Opcode::Ordered, x, y));
   const Value less = b.make(Opcode::LessReal, x, y), greater = b.make(Opcode::LessReal, y, x);
   b.set(Item::Cc0, less);
   b.set(Item::Cc1, greater);
@@ -62,15 +62,38 @@ bool fromDint(Lowering& l) {
   return true;
 }
 
+bool square(Lowering& l) {
+  const Value x = l.to.get(Item::Accu1);
+  setReal(l, l.to.make(Opcode::MulReal, x, x));
+  return true;
+}
+
+bool root(Lowering& l) {
+  setReal(l, l.to.make(Opcode::RootReal, l.to.get(Item::Accu1)));
+  return true;
+}
+
 // Inside ±2^30 no rounding can leave DINT.
-template <Opcode Function>
+enum class To : std::uint8_t { Nearest, Zero, Below, Above };
+
+Value rounded(icode::Builder& b, Value number, To to) {
+  if (to == To::Nearest) return b.make(Opcode::Round, number);
+  const Value cut = b.make(Opcode::Truncate, number);
+  if (to == To::Zero) return cut;
+  const Value back = b.make(Opcode::RealOf, cut);
+  if (to == To::Below)
+    return b.make(Opcode::Sub, cut, b.make(Opcode::ToWord, b.make(Opcode::LessReal, number, back)));
+  return b.make(Opcode::Add, cut, b.make(Opcode::ToWord, b.make(Opcode::LessReal, back, number)));
+}
+
+template <To Where>
 bool toDint(Lowering& l) {
   constexpr std::uint32_t kMagnitude = 0x7FFF'FFFF, kLimit = 0x4E80'0000;  // 2^30
   icode::Builder& b = l.to;
   const Value number = b.get(Item::Accu1);
   b.guard(b.make(Opcode::Below, b.make(Opcode::And, number, b.constant(kMagnitude)),
                  b.constant(kLimit)));
-  b.set(Item::Accu1, b.make(Function, number));
+  b.set(Item::Accu1, rounded(b, number, Where));
   setOverflow(l, b.constant(0));
   return true;
 }
@@ -88,8 +111,12 @@ constexpr Row kRows[] = {{Operation::ADD_R, binary<Opcode::AddReal>},
                          {Operation::GT_R, compare<Relation::Greater>},
                          {Operation::GE_R, compare<Relation::GreaterEqual>},
                          {Operation::DTR, fromDint},
-                         {Operation::RND, toDint<Opcode::Round>},
-                         {Operation::TRUNC, toDint<Opcode::Truncate>}};
+                         {Operation::RND, toDint<To::Nearest>},
+                         {Operation::RND_MINUS, toDint<To::Below>},
+                         {Operation::RND_PLUS, toDint<To::Above>},
+                         {Operation::TRUNC, toDint<To::Zero>},
+                         {Operation::SQR, square},
+                         {Operation::SQRT, root}};
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// Shifts and rotations with the count in the instruction (S7-INSTR-75 … -84). A count in AKKU2 is
+// Shifts and rotations (S7-INSTR-75 … -84). A count in AKKU2 of 0, or beyond the bits there are, is
 // left to the interpreter.
 #include "translate/lowering.h"
 
@@ -26,9 +26,51 @@ Value bit(Lowering& l, Value word, std::uint32_t n) {
   return l.to.withNumber(Opcode::BitOf, word, n);
 }
 
+bool isByAccu(const Lowering& l) { return l.operand().kind == mc7::OperandKind::None; }
+
+// 1 to the highest; as long as nothing is set.
+Value countInAccu(Lowering& l, std::uint32_t highest) {
+  icode::Builder& b = l.to;
+  const Value count = b.make(Opcode::And, b.get(Item::Accu2), b.constant(0xFF));
+  const Value below = b.make(Opcode::Sub, count, b.constant(1));
+  b.guard(b.make(Opcode::Below, below, b.constant(highest)));
+  return count;
+}
+
+template <unsigned Bits>
+bool leftByAccu(Lowering& l) {
+  icode::Builder& b = l.to;
+  const Value count = countInAccu(l, Bits - 1), before = b.get(Item::Accu1);
+  setShifted(l, b.make(Opcode::BitAt, before, b.make(Opcode::Sub, b.constant(Bits), count)));
+  setResult(l, Bits, b.make(Opcode::ShlBy, before, count));
+  return true;
+}
+
+template <unsigned Bits, bool Signed>
+bool rightByAccu(Lowering& l) {
+  icode::Builder& b = l.to;
+  const Value count = countInAccu(l, Bits - 1), accu = b.get(Item::Accu1);
+  const Value before = Bits == 32 ? accu : b.make(Signed ? Opcode::Sext16 : Opcode::Zext16, accu);
+  setShifted(l, b.make(Opcode::BitAt, before, b.make(Opcode::Sub, count, b.constant(1))));
+  setResult(l, Bits, b.make(Signed ? Opcode::SarBy : Opcode::ShrBy, before, count));
+  return true;
+}
+
+template <bool Left>
+bool rotateByAccu(Lowering& l) {
+  icode::Builder& b = l.to;
+  const Value count = countInAccu(l, 0xFF);
+  const Value turn = Left ? count : b.make(Opcode::Sub, b.constant(32), count);
+  const Value by = b.make(Opcode::And, turn, b.constant(31));
+  const Value result = b.make(Opcode::RotlBy, b.get(Item::Accu1), by);
+  b.set(Item::Accu1, result);
+  setShifted(l, bit(l, result, Left ? 0 : 31));
+  return true;
+}
+
 template <unsigned Bits>
 bool left(Lowering& l) {
-  if (l.operand().kind == mc7::OperandKind::None) return false;
+  if (isByAccu(l)) return leftByAccu<Bits>(l);
   const std::uint32_t count = l.operand().value;
   if (count == 0) return true;
   const Value before = l.to.get(Item::Accu1), zero = l.to.constant(0);
@@ -39,7 +81,7 @@ bool left(Lowering& l) {
 
 template <unsigned Bits>
 bool right(Lowering& l) {
-  if (l.operand().kind == mc7::OperandKind::None) return false;
+  if (isByAccu(l)) return rightByAccu<Bits, false>(l);
   const std::uint32_t count = l.operand().value;
   if (count == 0) return true;
   const Value accu = l.to.get(Item::Accu1), zero = l.to.constant(0);
@@ -51,7 +93,7 @@ bool right(Lowering& l) {
 
 template <unsigned Bits>
 bool rightSigned(Lowering& l) {
-  if (l.operand().kind == mc7::OperandKind::None) return false;
+  if (isByAccu(l)) return rightByAccu<Bits, true>(l);
   const std::uint32_t count = std::min<std::uint32_t>(l.operand().value, Bits);
   if (count == 0) return true;
   const Value accu = l.to.get(Item::Accu1);
@@ -63,7 +105,7 @@ bool rightSigned(Lowering& l) {
 
 template <bool Left>
 bool rotate(Lowering& l) {
-  if (l.operand().kind == mc7::OperandKind::None) return false;
+  if (isByAccu(l)) return rotateByAccu<Left>(l);
   if (l.operand().value == 0) return true;
   const std::uint32_t turn = l.operand().value % 32;
   const Value result =

@@ -19,8 +19,8 @@ using Table = std::array<Lower, kOperations>;
 
 Table makeTable() {
   Table table{};
-  for (const auto rows :
-       {bitRows(), moveRows(), numberRows(), shiftRows(), realRows(), jumpRows(), callRows()})
+  for (const auto rows : {bitRows(), moveRows(), numberRows(), shiftRows(), realRows(), jumpRows(),
+                          callRows(), timerRows(), bcdRows()})
     for (const Row& row : rows) table[static_cast<std::size_t>(row.operation)] = row.lower;
   return table;
 }
@@ -77,6 +77,8 @@ class Blockwise {
     icode::Builder builder(region);
     knowFromBefore(builder, first);
     std::vector<std::array<icode::Value, 3>> brackets;
+    std::vector<Reach> reached;
+    std::map<std::uint32_t, BitPlace> ahead;
     std::uint32_t at = first;
     bool ended = false;
     while (!ended && mayFollow(region, at, !brackets.empty())) {
@@ -84,12 +86,10 @@ class Blockwise {
       const Operation operation = place.instruction.operation;
       const Lower lower = table()[static_cast<std::size_t>(operation)];
       if (lower == nullptr) break;
-      if (isOpening(operation) && brackets.empty() &&
-          !bracketIsWhole(listing_, isEntry_, at, builder))
-        break;
       builder.begin(at, model_.time(mc7::info(operation).time));
-      Lowering lowering{builder, region.needs, model_, listing_, at, brackets};
-      if (!lower(lowering)) {
+      Lowering lowering{builder, region.needs, model_, listing_, at, brackets, reached, ahead};
+      const bool outermost = isOpening(operation) && brackets.empty();
+      if ((outermost && !prepareBracket(lowering, isEntry_)) || !lower(lowering)) {
         builder.cancel();
         break;
       }

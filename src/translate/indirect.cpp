@@ -1,0 +1,152 @@
+// Operands whose place is only known when they are executed: through a pointer in memory, an
+// address register or a formal parameter (S7-IND-03 … -07, S7-PAR-01). Guards keep the access
+// inside.
+#include <algorithm>
+
+#include "translate/lowering.h"
+
+namespace merker::translate {
+namespace {
+
+using icode::Access;
+using icode::Opcode;
+using icode::Space;
+using icode::Value;
+using mc7::Operand;
+using mc7::OperandKind;
+using mc7::Operation;
+
+// Bit address: what is only known later, and what stands in the instruction.
+struct Dynamic {
+  Space space;
+  Value low;
+  std::uint32_t offset = 0;
+};
+
+Value registerOf(Lowering& l) {
+  return l.to.get(l.operand().reg == 2 ? icode::Item::Ar2 : icode::Item::Ar1);
+}
+Value lowOf(Lowering& l, Value ar) { return l.to.make(Opcode::And, ar, l.to.constant(0xFFFFFF)); }
+
+std::optional<Dynamic> dynamic(Lowering& l) {
+  const Operand& o = l.operand();
+  const auto space = spaceOf(o.area);
+  if (!space) return std::nullopt;
+  if (o.kind == OperandKind::RegisterIndirect)
+    return Dynamic{*space, lowOf(l, registerOf(l)), o.value};
+  if (o.kind != OperandKind::MemoryIndirect) return std::nullopt;
+  const auto from = spaceOf(o.pointerArea);
+  if (!from || !reachable(l, *from, o.value + 4, false)) return std::nullopt;
+  const Value pointer = l.to.load(*from, o.value, 4);
+  return Dynamic{*space, l.to.make(Opcode::And, pointer, l.to.constant(0x7FFFF))};
+}
+
+// What the instructions from here on need of the same register and area, so that one guard does for
+// all of them.
+struct Wanted {
+  std::uint32_t end = 0;  // bytes behind the register
+  bool whole = false;
+};
+
+bool endsLookout(const mc7::Place& place) {
+  const Operation o = place.instruction.operation;
+  const OperandKind kind = place.instruction.operand.kind;
+  return !place.known || kind == OperandKind::Jump || kind == OperandKind::JumpList ||
+         o == Operation::LAR1 || o == Operation::LAR2 || o == Operation::TAR ||
+         o == Operation::TAR1 || o == Operation::ADD_AR1 || o == Operation::ADD_AR2 ||
+         o == Operation::OPEN || o == Operation::SWAP_DB || o == Operation::UC ||
+         o == Operation::CC || o == Operation::BE || o == Operation::BEA;
+}
+
+bool writes(Operation o) {
+  return o == Operation::TRANSFER || o == Operation::ASSIGN || o == Operation::SET_BIT ||
+         o == Operation::RESET_BIT || o == Operation::EDGE_POSITIVE ||
+         o == Operation::EDGE_NEGATIVE;
+}
+
+Wanted lookout(const Lowering& l, bool write) {
+  constexpr std::uint32_t kFar = 32;
+  const Operand& here = l.operand();
+  Wanted wanted;
+  const auto count = static_cast<std::uint32_t>(l.listing.places.size());
+  for (std::uint32_t i = l.place; i < std::min(count, l.place + kFar); ++i) {
+    const mc7::Place& place = l.listing.places[i];
+    if (endsLookout(place)) break;
+    const Operand& o = place.instruction.operand;
+    if (o.kind != here.kind || o.reg != here.reg || o.area != here.area) continue;
+    if (o.width != Width::Bit) wanted.whole = true;
+    if (!write || writes(place.instruction.operation))
+      wanted.end = std::max(wanted.end, o.value / 8 + byteCount(o.width));
+  }
+  return wanted;
+}
+
+void guardEnd(Lowering& l, Space space, Value byte, std::uint32_t end, bool write) {
+  icode::Builder& b = l.to;
+  const Value limit =
+      icode::isImage(space) ? b.constant(imageLength(l.model, space)) : b.limit(space, write);
+  for (const Reach& known : l.reached)
+    if (known.byte == byte && known.limit == limit && known.end >= end) return;
+  const Value last = end == 0 ? byte : b.make(Opcode::Add, byte, b.constant(end));
+  b.guard(b.make(Opcode::BelowEqual, last, limit));
+  l.reached.push_back({byte, limit, end});
+}
+
+// A register at a whole byte, and an offset of whole bytes or, for a bit, of anything.
+BitPlace aligned(Lowering& l, const Dynamic& d, const Access& access, std::uint32_t end) {
+  icode::Builder& b = l.to;
+  b.guard(b.make(Opcode::Equal, b.make(Opcode::And, d.low, b.constant(7)), b.constant(0)));
+  const Value byte = b.withNumber(Opcode::Shr, d.low, 3);
+  guardEnd(l, d.space, byte, std::max(end, d.offset / 8 + access.bytes), access.write);
+  return {.space = d.space, .place = d.offset / 8, .offset = byte, .direct = d.offset & 7};
+}
+
+BitPlace anywhere(Lowering& l, const Dynamic& d, const Access& access) {
+  icode::Builder& b = l.to;
+  const Value address = b.make(Opcode::Add, d.low, b.constant(d.offset));
+  const Value bit = b.make(Opcode::And, address, b.constant(7));
+  if (access.whole) b.guard(b.make(Opcode::Equal, bit, b.constant(0)));
+  const Value byte = b.withNumber(Opcode::Shr, address, 3);
+  guardEnd(l, d.space, byte, access.bytes, access.write);
+  return {.space = d.space, .offset = byte, .bit = bit};
+}
+
+// The area stands in a pointer: of a parameter, or in an address register.
+std::optional<BitPlace> crossing(Lowering& l, const Access& access) {
+  icode::Builder& b = l.to;
+  const Operand& o = l.operand();
+  Value pointer = icode::kNoValue, address = icode::kNoValue;
+  if (o.kind == OperandKind::Parameter) {
+    pointer = parameterPointer(l);
+    address = b.make(Opcode::And, pointer, b.constant(0x7FFFF));
+  } else {
+    pointer = registerOf(l);
+    address = lowOf(l, pointer);
+    if (o.value != 0) address = b.make(Opcode::Add, address, b.constant(o.value));
+  }
+  return BitPlace{
+      .address = b.locate(pointer, address, access),
+      .bit = access.whole ? icode::kNoValue : b.make(Opcode::And, address, b.constant(7))};
+}
+
+}  // namespace
+
+Value parameterPointer(Lowering& l) {
+  l.needs.parameters = std::max(l.needs.parameters, l.operand().value + 1);
+  return l.to.withNumber(Opcode::Parameter, icode::kNoValue, l.operand().value);
+}
+
+std::optional<BitPlace> indirectPlace(Lowering& l, const Access& access) {
+  const OperandKind kind = l.operand().kind;
+  if (kind == OperandKind::Parameter || kind == OperandKind::RegisterCrossing)
+    return crossing(l, access);
+  const auto d = dynamic(l);
+  if (!d) return std::nullopt;
+  const bool constant = !access.whole || d->offset % 8 == 0;
+  if (kind == OperandKind::MemoryIndirect)
+    return access.whole ? aligned(l, *d, access, 0) : anywhere(l, *d, access);
+  const Wanted wanted = lookout(l, access.write);
+  return constant && wanted.whole ? aligned(l, *d, access, wanted.end) : anywhere(l, *d, access);
+}
+
+}  // namespace merker::translate
