@@ -5,6 +5,8 @@ const slot = (place: string, operands: string[], more: Partial<Slot> = {}): Slot
   slot: place,
   order: '',
   name: '',
+  type: '',
+  present: true,
   kind: '',
   terminals: operands.map((operand) => ({ text: '', operand, symbol: '' })),
   properties: [],

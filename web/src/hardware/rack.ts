@@ -18,10 +18,14 @@ export interface Fault {
 }
 
 export interface Slot {
-  slot: string | number;
+  slot: string;
   order: string;
+  /** The name in the project, otherwise the type. */
   name: string;
+  type: string;
   kind: string;
+  /** False: pulled. */
+  present: boolean;
   inputs?: Range | null;
   outputs?: Range | null;
   terminals: Terminal[];
@@ -41,7 +45,7 @@ export interface Housing {
   parts: Slot[];
 }
 
-const plug = (slot: Slot) => String(slot.slot).split('.')[0]!;
+const plug = (slot: Slot) => slot.slot.split('.')[0]!;
 
 export function housings(rack: Rack): Housing[] {
   const found = new Map<string, Housing>();

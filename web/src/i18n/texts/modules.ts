@@ -1,0 +1,30 @@
+import type { Texts } from '..';
+
+/** Properties and faults of modules, by the words of the server. */
+export const modules = {
+  type: ['Typ', 'Type'],
+  'order number': ['Bestellnummer', 'Order number'],
+  slot: ['Steckplatz', 'Slot'],
+  signal: ['Signal', 'Signal'],
+  'bus current': ['Strom aus dem Rückwandbus', 'Backplane bus current'],
+  'input delay': ['Eingangsverzögerung', 'Input delay'],
+  resolution: ['Auflösung', 'Resolution'],
+  'hardware interrupt': ['Prozessalarm', 'Hardware interrupt'],
+  'diagnostic interrupt': ['Diagnosealarm', 'Diagnostic interrupt'],
+  'work memory': ['Arbeitsspeicher', 'Work memory'],
+  timers: ['Zeiten', 'Timers'],
+  counters: ['Zähler', 'Counters'],
+  flags: ['Merker', 'Flags'],
+  removed: ['gezogen', 'removed'],
+  'load voltage': ['Lastspannung fehlt', 'load voltage missing'],
+  'wire break': ['Drahtbruch', 'wire break'],
+  'short circuit': ['Kurzschluss', 'short circuit'],
+  'sensor supply': ['Geberversorgung fehlt', 'sensor supply missing'],
+  fuse: ['Sicherung defekt', 'fuse blown'],
+  overflow: ['Überlauf', 'overflow'],
+  underflow: ['Unterlauf', 'underflow'],
+  'interrupt lost': ['Prozessalarm verloren', 'hardware interrupt lost'],
+  power: ['Versorgung des Baugruppenträgers fehlt', 'power of the rack missing'],
+  defect: ['Baugruppe defekt', 'module defective'],
+  'parameter error': ['Parametrierfehler', 'parameter error'],
+} satisfies Texts;
