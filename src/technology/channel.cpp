@@ -1,6 +1,7 @@
 #include "technology/channel.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "technology/counter.h"
 #include "technology/encoder_input.h"
@@ -29,6 +30,15 @@ std::unique_ptr<Function> functionOf(const io::CountChannel& parameters, std::ui
     default:
       return std::make_unique<Counter>(parameters);
   }
+}
+
+// Edges are rounded to nanoseconds each. Where a level lasts as long as the filter, one period
+// passes and the next one may not.
+bool onTheEdgeOfTheFilter(const Input& input, const signal::Period& period) {
+  const std::int64_t width = (input.change() - input.since()).ns;
+  const std::int64_t pause = period.numerator / period.denominator - width;
+  const auto near = [&](std::int64_t length) { return std::abs(length - input.filter().ns) <= 2; };
+  return near(width) || near(pause);
 }
 
 }  // namespace
@@ -117,6 +127,7 @@ signal::Rhythm Channel::rhythm() const {
   const Input &a = inputs_[TrackA], &b = inputs_[TrackB];
   if (a.signal() == nullptr) return {};
   signal::Rhythm rhythm = a.signal()->rhythm(a.since());
+  if (rhythm && onTheEdgeOfTheFilter(a, rhythm.period)) return {};
   if (b.change() == Instant::never() && b.settled()) return rhythm;
   if (b.signal() == nullptr) return {};
   const signal::Rhythm other = b.signal()->rhythm(b.since());

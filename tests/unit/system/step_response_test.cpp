@@ -44,7 +44,7 @@ Loop controller() {
   return loop;
 }
 
-// To 1e-6 of the value. One PV for both controllers: the error of the process is not theirs.
+// To 1e-6 of the range. Each controller has a process of its own, so errors would grow.
 TEST(StepResponse, agreesWithTheDifferenceEquation) {
   Loop loop = controller();
   PiController reference;
