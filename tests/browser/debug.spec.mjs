@@ -25,11 +25,11 @@ test('status: VKE, STA and AKKU 1 behind each statement (S7-EDIT-21)', async () 
 });
 
 test('more columns on demand (S7-EDIT-21)', async () => {
-  await page.getByText('Spalten', { exact: true }).click();
+  await page.locator('summary', { hasText: 'Spalten' }).click();
   await page.getByRole('checkbox', { name: 'STW' }).check();
   const line = await lineOf('UN    #BeamSmall;');
   await until(async () => (await statusOf(page, line)).length === 4, 'a fourth column');
-  await page.getByText('Spalten', { exact: true }).click();
+  await page.locator('summary', { hasText: 'Spalten' }).click();
 });
 
 test('a changed text has no status until it is loaded', async () => {

@@ -77,7 +77,6 @@ export function breakpointGutter(changed: (lines: number[]) => void): Extension 
         view.state.doc.lineAt(block.from).number === view.state.field(haltField) ? here : null,
       lineMarkerChange: (update) => update.startState.field(haltField) !== update.state.field(haltField),
       markers: (view) => view.state.field(breakpointField),
-      initialSpacer: () => point,
       domEventHandlers: {
         mousedown: (view, block) => toggle(view, view.state.doc.lineAt(block.from).number),
       },

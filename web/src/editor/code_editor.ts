@@ -166,7 +166,7 @@ export class CodeEditor {
       search({ top: false }),
       highlightSelectionMatches(),
       autocompletion({ override: [completionSource(this.hooks.catalogue)], icons: false }),
-      awlSupport(),
+      awlSupport(readOnly),
       this.display.of([]),
       symbolicDisplay,
       operandHover(this.hooks),

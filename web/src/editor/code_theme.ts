@@ -17,11 +17,11 @@ export const codeTheme = EditorView.theme({
   '.cm-matchingBracket': { backgroundColor: 'var(--accent-soft)', outline: '1px solid var(--accent)' },
   '.cm-shown-operand': { color: 'var(--code-operand)', borderBottom: '1px dotted var(--line-strong)' },
 
-  '.cm-breakpoint-gutter': { width: '24px', cursor: 'pointer' },
-  '.cm-breakpoint-gutter .cm-gutterElement': { textAlign: 'center' },
+  '.cm-breakpoint-gutter': { width: '32px', cursor: 'pointer' },
+  '.cm-breakpoint-gutter .cm-gutterElement': { position: 'relative', paddingLeft: '4px' },
   '.cm-breakpoint-gutter .cm-gutterElement:hover': { backgroundColor: 'var(--sunken)' },
   '.cm-point-mark': { color: 'var(--danger)' },
-  '.cm-halt-mark': { color: 'var(--warning)' },
+  '.cm-halt-mark': { position: 'absolute', left: '16px', color: 'var(--warning)' },
   '.cm-halt-line': {
     backgroundColor: 'var(--warning-soft)',
     boxShadow: 'inset 0 1px var(--warning), inset 0 -1px var(--warning)',

@@ -1,6 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { SymbolIndex, type Catalogue } from './catalogue';
-import { optionsAt, typedWord } from './completion';
+import { CompletionContext, type CompletionResult } from '@codemirror/autocomplete';
+import { EditorState } from '@codemirror/state';
+import { completionSource, optionsAt, typedWord } from './completion';
 
 const catalogue: Catalogue = {
   symbols: [{ name: 'Motor left', operand: 'A 1.0', type: 'BOOL', comment: 'belt' }],
@@ -29,6 +31,23 @@ describe('completion (S7-EDIT-17)', () => {
     expect(labels('      CALL ')).toContain('FC 5');
     expect(labels('      SPA ')).toEqual(['M001']);
   });
+});
+
+describe('the list comes by itself', () => {
+  const shown = (code: string): boolean => {
+    const text = `FUNCTION FC 1 : VOID\nBEGIN\nNETWORK\n${code}`;
+    const context = new CompletionContext(EditorState.create({ doc: text }), text.length, false);
+    return ((completionSource(() => catalogue)(context) as CompletionResult | null)?.options.length ?? 0) > 0;
+  };
+  it.each([
+    ['      U "', true],
+    ['      U #', true],
+    ['      U Mot', true],
+    ['      U', false],
+    ['      U A', false],
+    ['      U A 1.0', false],
+    ['      ', false],
+  ])('%s: %s', (code, expected) => expect(shown(code)).toBe(expected));
 });
 
 describe('symbols of operands', () => {

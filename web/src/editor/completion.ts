@@ -95,12 +95,21 @@ export function optionsAt(text: string, offset: number, word: string, catalogue:
 /** The word before the cursor: a symbol with its blanks, a local variable, an instruction. */
 export const typedWord = /(?:"[^"\n]*|#[\w.]*|[A-Za-z_][\w]*|[=<>+*/-]+[A-Z]?)$/;
 
+// Without being asked for, nothing may come between a finished word and the Enter key: no list for an instruction that is
+// complete, none for the first letters of an absolute operand.
+function wanted(word: string, options: readonly Completion[]): boolean {
+  if (/^["#]/.test(word)) return true;
+  const kinds = new Set(options.map((option) => option.type));
+  if (kinds.has('instruction')) return word !== '' && !options.some((option) => option.label === word.toUpperCase());
+  return word.length >= 3;
+}
+
 export function completionSource(catalogue: () => Catalogue): CompletionSource {
   return (context: CompletionContext): CompletionResult | null => {
     const word = context.matchBefore(typedWord)?.text ?? '';
-    const inCode = /^["#]/.test(word) || word.length > 0;
-    if (!inCode && !context.explicit) return null;
+    if (word === '' && !context.explicit) return null;
     const options = optionsAt(context.state.doc.toString(), context.pos, word, catalogue());
-    return { from: context.pos - word.length, options, validFor: /^"[^"\n]*"?$|^#[\w.]*$|^[\w=<>+*/-]*$/ };
+    if (!context.explicit && !wanted(word, options)) return null;
+    return { from: context.pos - word.length, options, validFor: /^"[^"\n]*"?$|^#[\w.]*$/ };
   };
 }

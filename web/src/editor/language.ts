@@ -7,7 +7,7 @@ import {
   type StringStream,
 } from '@codemirror/language';
 import { tags, type Tag } from '@lezer/highlight';
-import { initialState, next, startLine, type LexerState, type TokenKind } from './lexer';
+import { initialState, next, startLine, type LexerState, type Section, type TokenKind } from './lexer';
 
 const tagOf: Record<Exclude<TokenKind, 'space'>, Tag> = {
   comment: tags.comment,
@@ -32,17 +32,18 @@ function token(stream: StringStream, state: LexerState): string | null {
   return kind === 'space' ? null : kind;
 }
 
-export const awl = StreamLanguage.define<LexerState>({
-  name: 'awl',
-  startState: initialState,
-  copyState: (state) => ({ ...state }),
-  token,
-  tokenTable: tagOf,
-  languageData: {
-    commentTokens: { line: '//', block: { open: '(*', close: '*)' } },
-    closeBrackets: { brackets: ['"', "'"] },
-  },
-});
+const define = (section: Section): StreamLanguage<LexerState> =>
+  StreamLanguage.define<LexerState>({
+    name: 'awl',
+    startState: () => ({ ...initialState(), section }),
+    copyState: (state) => ({ ...state }),
+    token,
+    tokenTable: tagOf,
+    languageData: {
+      commentTokens: { line: '//', block: { open: '(*', close: '*)' } },
+      closeBrackets: { brackets: ['"', "'"] },
+    },
+  });
 
 // Instructions carry the weight, what they act on the colour; the rest steps back.
 const colours = HighlightStyle.define([
@@ -58,4 +59,9 @@ const colours = HighlightStyle.define([
   { tag: tags.punctuation, color: 'var(--code-comment)' },
 ]);
 
-export const awlSupport = (): LanguageSupport => new LanguageSupport(awl, [syntaxHighlighting(colours)]);
+const source = define('head');
+// What the CPU lists of a block: instructions only.
+const listing = define('code');
+
+export const awlSupport = (ofCpu = false): LanguageSupport =>
+  new LanguageSupport(ofCpu ? listing : source, [syntaxHighlighting(colours)]);
