@@ -90,6 +90,13 @@ test('a lost connection rejects what waits, comes back and subscribes again', as
   expect(latest().sent).toEqual([{ id: 5, do: 'watch.set', list: 1, items: ['b'] }]);
 });
 
+test('what is kept is asked again when the project or the program is another one', () => {
+  const connection = connected();
+  connection.keep('watch.set', { list: 1 });
+  connection.renew();
+  expect(latest().sent.map((message) => message.do)).toEqual(['watch.set', 'watch.set']);
+});
+
 test('each failed try waits longer, up to a limit; the user may try at once', () => {
   const connection = connected();
   for (const wait of [250, 500, 1000, 2000, 4000, 4000]) {

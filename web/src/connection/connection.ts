@@ -113,6 +113,11 @@ export class Connection {
     };
   }
 
+  /** Sends what is kept once more: another project or program gives other answers. */
+  renew(): void {
+    for (const request of this.kept) this.send(request);
+  }
+
   private send(request: KeptRequest): void {
     this.ask(request.method, request.fields).then(
       (result) => this.kept.has(request) && request.onResult?.(result),
@@ -123,7 +128,7 @@ export class Connection {
   private opened(): void {
     this.retryMs = FIRST_RETRY_MS;
     this.show('open');
-    for (const request of this.kept) this.send(request);
+    this.renew();
   }
 
   private lost(): void {

@@ -70,7 +70,13 @@ export class Plc {
 export const plc = new Plc();
 
 export function followPlc(): void {
-  connection.on('state', (message) => plc.receive(message));
+  let known: string | undefined;
+  connection.on('state', (message) => {
+    plc.receive(message);
+    const now = `${plc.project?.folder} ${plc.program}`;
+    if (known !== undefined && known !== now) connection.renew();
+    known = now;
+  });
   connection.onPhase = (phase) => {
     plc.phase = phase;
     if (phase !== 'open') plc.live = false;
