@@ -17,6 +17,8 @@ constexpr std::array kSingles{
     Single{"BitLogicLimit", "bit operations, written in C++", Unit::Rate, Limit::None, 0},
     Single{"CountedEncoder", "counts of a 60 kHz encoder, quadruple", Unit::Rate, Limit::AtLeast,
            24e6},
+    Single{"CountedEncoders", "counts of four such encoders together", Unit::Rate, Limit::AtLeast,
+           24e6},
     Single{"Cycles", "cycles with process image", Unit::Rate, Limit::None, 0},
     Single{"ThousandCpus", "1,000 CPUs on two threads, each", Unit::RealTime, Limit::AtLeast, 1},
     Single{"MemoryOfThousandCpus", "memory of 1,000 CPUs", Unit::Bytes, Limit::AtMost, 2e9},

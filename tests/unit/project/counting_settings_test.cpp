@@ -142,6 +142,25 @@ TEST(CountingSettings, BordersAreAccepted) {
     good(text);
 }
 
+// CNT-PARAM-02
+TEST(CountingSettings, InterruptSelection) {
+  const auto selection = [](std::string_view slot, std::string_view word) {
+    Problems problems;
+    const auto text = fmt::format("[[module]]\nslot = \"{}\"\ninterrupts = \"{}\"\n", slot, word);
+    const Settings settings = readSettings(source::SourceFile("merker.toml", text), problems);
+    if (!problems.empty())
+      return fmt::format("{} {}", problems.list()[0].position.line, problems.list()[0].name());
+    const io::Parameters& p = settings.hardware->find(slot)->parameters;
+    return fmt::format("{}{}", p.diagnosticInterrupt ? "D" : "", p.hardwareInterrupt ? "P" : "");
+  };
+  EXPECT_EQ(selection("2.4", "none"), "");
+  EXPECT_EQ(selection("2.4", "diagnostics"), "D");
+  EXPECT_EQ(selection("2.4", "process"), "P");
+  EXPECT_EQ(selection("2.4", "diagnostics and process"), "DP");
+  EXPECT_EQ(selection("2.4", "all"), "3 P0704");
+  EXPECT_EQ(selection("2.2", "process"), "3 P0735");
+}
+
 struct Wrong {
   std::string_view text, problem, words;
 };
