@@ -1,4 +1,5 @@
-// Backwards over a region: what no acting operation and no exit reads is not needed.
+// Backwards over a region: what no acting operation and no exit reads is not needed. Comparisons
+// whose bit only exits read, condition codes above all, are left to these.
 #include "icode/region.h"
 
 namespace merker::icode {
@@ -12,11 +13,24 @@ class Marker {
     for (Op& op : region_.ops) op.needed = info(op.code).effect == Effect::Acts;
     for (std::size_t i = region_.ops.size(); i-- > 0;)
       if (region_.ops[i].needed) markArguments(region_.ops[i]);
+    markLate();
   }
 
  private:
   void mark(Value value) {
     if (value != kNoValue) region_.ops[value].needed = true;
+  }
+  static bool canBeLate(Opcode code) {
+    return (code >= Opcode::Equal && code <= Opcode::BelowEqual) || code == Opcode::LessReal;
+  }
+  void markLate() {
+    for (Op& op : region_.ops) op.late = op.needed && canBeLate(op.code);
+    for (const Op& op : region_.ops) {
+      if (!op.needed) continue;
+      for (const Value value : {op.a, op.b, op.c})
+        if (value != kNoValue) region_.ops[value].late = false;
+    }
+    for (const ByteWrite& write : region_.bytes) region_.ops[write.value].late = false;
   }
   void markArguments(const Op& op) {
     mark(op.a), mark(op.b), mark(op.c);

@@ -81,6 +81,7 @@ struct Op {
   Space space = Space::Input;
   Item item = Item::Accu1;
   bool needed = true;  // false: nobody reads it (optimiser)
+  bool late = false;   // a comparison that only exits read: computed there (optimiser)
   Value a = kNoValue, b = kNoValue, c = kNoValue;
   std::uint32_t number = 0;  // constant, bit, shift, number of a timer; ways out: which exit
   std::uint32_t place = 0;   // byte of the space

@@ -81,7 +81,7 @@ void RegionCode::ToWord(const Op& op) {
 bool RegionCode::isForJump() const {
   icode::Value next = current_ + 1;
   const auto isSilent = [&](const Op& op) {
-    return !op.needed || op.code == icode::Opcode::Constant;
+    return !op.needed || op.late || op.code == icode::Opcode::Constant;
   };
   while (isSilent(region_.ops[next])) ++next;
   const Op& op = region_.ops[next];

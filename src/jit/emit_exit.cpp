@@ -7,10 +7,37 @@ using host::CondCode;
 using icode::Exit;
 using icode::Op;
 
-std::vector<Spot> RegionCode::spotsOfStates(const Exit& exit) const {
-  std::vector<Spot> spots(exit.states);
-  for (std::uint32_t i = 0; i < exit.states; ++i)
-    spots[i] = places_.spot(region_.states[exit.firstState + i].value);
+namespace {
+
+CondCode conditionOf(icode::Opcode code) {
+  switch (code) {
+    case icode::Opcode::Equal:
+      return CondCode::kE;
+    case icode::Opcode::NotEqual:
+      return CondCode::kNE;
+    case icode::Opcode::Less:
+      return CondCode::kL;
+    case icode::Opcode::LessEqual:
+      return CondCode::kLE;
+    case icode::Opcode::Below:
+      return CondCode::kB;
+    case icode::Opcode::BelowEqual:
+      return CondCode::kBE;
+    default:
+      return CondCode::kA;
+  }
+}
+
+}  // namespace
+
+std::vector<RegionCode::StateSpot> RegionCode::spotsOfStates(const Exit& exit) const {
+  std::vector<StateSpot> spots(exit.states);
+  for (std::uint32_t i = 0; i < exit.states; ++i) {
+    const icode::Value value = region_.states[exit.firstState + i].value;
+    const Op& op = region_.ops[value];
+    spots[i].value = places_.spot(value);
+    if (op.late) spots[i] = {{}, places_.spot(op.a), places_.spot(op.b)};
+  }
   return spots;
 }
 
@@ -25,7 +52,9 @@ void RegionCode::wayOut(const Op& op, CondCode condition) {
   if (fused_) {
     const CondCode holds = *fused_;
     fused_.reset();
+    const asmjit::Label zero = zero_;
     code_.j(condition == CondCode::kNZ ? holds : host::negateCond(holds), wayOut(op));
+    if (zero.isValid()) code_.bind(zero);
     return;
   }
   if (places_.isConstant(op.a)) code_.mov(host::eax, places_.constant(op.a));
@@ -37,7 +66,8 @@ void RegionCode::wayOut(const Op& op, CondCode condition) {
 asmjit::Label RegionCode::wayOut(const Op& op) {
   const asmjit::Label label = code_.newLabel();
   const Exit& exit = region_.exits[op.number];
-  waysOut_.push_back({label, op.number, spotsOfStates(exit), spotsOfBytes(exit)});
+  waysOut_.push_back({label, op.number, spotsOfStates(exit), spotsOfBytes(exit), zero_});
+  zero_ = {};
   return label;
 }
 
@@ -68,12 +98,43 @@ void RegionCode::goTo(std::uint32_t instruction, std::uint32_t next) {
   code_.jmp(unit_.epilogue);
 }
 
-void RegionCode::writeState(const Exit& exit, const std::vector<Spot>& states,
+host::Gp RegionCode::fetch(const Spot& spot, const host::Gp& scratch) {
+  if (spot.kind == Spot::Kind::Register) return kPlaces[spot.number].r32();
+  if (spot.kind == Spot::Kind::Slot)
+    code_.mov(scratch, slot(spot.number));
+  else
+    code_.mov(scratch, spot.number);
+  return scratch;
+}
+
+void RegionCode::writeLate(const icode::StateWrite& write, const StateSpot& spot) {
+  const Op& op = region_.ops[write.value];
+  const host::Gp a = fetch(spot.a, host::eax);
+  CondCode condition = conditionOf(op.code);
+  if (op.code == icode::Opcode::LessReal) {  // as b > a: then a number that is none gives 0
+    code_.movd(host::xmm0, a);
+    code_.movd(host::xmm1, fetch(spot.b, host::eax));
+    code_.ucomiss(host::xmm1, host::xmm0);
+  } else if (spot.b.kind == Spot::Kind::Constant) {
+    code_.cmp(a, static_cast<std::int32_t>(spot.b.number));
+  } else {
+    code_.cmp(a, fetch(spot.b, host::ecx));
+  }
+  if (unit_.options.broken == op.code) condition = host::negateCond(condition);
+  code_.set(condition, host::byte_ptr(kMachine, offsetOf(write.item)));
+}
+
+void RegionCode::writeState(const Exit& exit, const std::vector<StateSpot>& states,
                             const std::vector<Spot>& bytes) {
   for (std::uint32_t i = 0; i < exit.bytes; ++i)
     writeByte(region_.bytes[exit.firstByte + i], bytes[i]);
-  for (std::uint32_t i = 0; i < exit.states; ++i)
-    writeItem(region_.states[exit.firstState + i], states[i]);
+  for (std::uint32_t i = 0; i < exit.states; ++i) {
+    const icode::StateWrite& write = region_.states[exit.firstState + i];
+    if (region_.ops[write.value].late)
+      writeLate(write, states[i]);
+    else
+      writeItem(write, states[i].value);
+  }
 }
 
 void RegionCode::writeItem(const icode::StateWrite& write, const Spot& spot) {
@@ -112,6 +173,10 @@ void RegionCode::writeByte(const icode::ByteWrite& write, const Spot& spot) {
 void RegionCode::writeWaysOut() {
   for (const WayOut& way : waysOut_) {
     code_.bind(way.label);
+    if (way.zero.isValid()) {
+      code_.test(host::eax, host::eax);
+      code_.je(way.zero);
+    }
     const Exit& exit = region_.exits[way.exit];
     writeState(exit, way.states, way.bytes);
     charge(exit);

@@ -143,6 +143,11 @@ void RegionCode::Ordinary(const Op& op) {
   code_.lea(host::eax, host::ptr(from.r64(), from.r64()));
   code_.lea(host::ecx, host::ptr(host::rax, -0x0100'0000));
   code_.cmp(host::ecx, static_cast<std::int32_t>(0xFE00'0000));
+  if (isForJump()) {  // 0 fails this, and is let through where it failed
+    zero_ = code_.newLabel();
+    fused_ = CondCode::kB;
+    return;
+  }
   code_.setb(host::cl);
   code_.test(host::eax, host::eax);
   code_.sete(host::al);

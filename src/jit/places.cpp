@@ -16,12 +16,20 @@ Places::Places(host::Assembler& code, const icode::Region& region)
   planUses(region);
 }
 
+// A late operation needs its arguments where it is read.
+void Places::use(Value value, std::uint32_t at) {
+  if (value == kNoValue) return;
+  lastUse_[value] = at;
+  const icode::Op& op = region_.ops[value];
+  if (op.late) lastUse_[op.a] = lastUse_[op.b] = at;
+}
+
 void Places::planUses(const icode::Region& region) {
   for (std::uint32_t i = 0; i < region.ops.size(); ++i) {
     const icode::Op& op = region.ops[i];
     if (op.code == icode::Opcode::Constant) spots_[i] = {Spot::Kind::Constant, op.number};
     if (!op.needed) continue;
-    use(op.a, i), use(op.b, i), use(op.c, i);
+    if (!op.late) use(op.a, i), use(op.b, i), use(op.c, i);
     if (op.code < icode::Opcode::Guard) continue;
     const icode::Exit& exit = region.exits[op.number];
     for (std::uint32_t k = 0; k < exit.states; ++k)

@@ -42,9 +42,7 @@ class Places {
 
  private:
   void planUses(const icode::Region& region);
-  void use(icode::Value value, std::uint32_t at) {
-    if (value != icode::kNoValue) lastUse_[value] = at;
-  }
+  void use(icode::Value value, std::uint32_t at);
   unsigned freePlace();
   unsigned makeRoom();
   bool isArgument(icode::Value value) const;

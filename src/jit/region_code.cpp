@@ -31,7 +31,7 @@ bool RegionCode::write(std::uint32_t next) {
   for (current_ = 0; current_ < region_.ops.size(); ++current_) {
     const Op& op = region_.ops[current_];
     noteClean(current_);
-    if (!op.needed || op.code == Opcode::Constant) continue;
+    if (!op.needed || op.late || op.code == Opcode::Constant) continue;
     places_.begin(current_);
     const bool broken = unit_.options.broken == op.code;
     if (!broken || icode::info(op.code).result != icode::Result::Nothing)

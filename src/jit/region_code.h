@@ -37,10 +37,16 @@ class RegionCode {
   void writeWaysOut();
 
  private:
+  struct StateSpot {
+    Spot value;
+    Spot a{}, b{};  // of a late comparison
+  };
   struct WayOut {
     asmjit::Label label;
     std::uint32_t exit;
-    std::vector<Spot> states, bytes;
+    std::vector<StateSpot> states;
+    std::vector<Spot> bytes;
+    asmjit::Label zero{};  // where 0 in eax goes on after all (Ordinary)
   };
   using Emit = void (RegionCode::*)(const icode::Op&);
   static Emit emitter(icode::Opcode code);
@@ -71,13 +77,15 @@ class RegionCode {
   host::Mem field(const icode::Op& op, std::uint32_t bytes);
   void shiftBy(const icode::Op& op, std::uint32_t instruction);
   void loadBlock(const icode::Op& op);
-  void writeState(const icode::Exit& exit, const std::vector<Spot>& states,
+  void writeState(const icode::Exit& exit, const std::vector<StateSpot>& states,
                   const std::vector<Spot>& bytes);
   void writeItem(const icode::StateWrite& write, const Spot& spot);
+  void writeLate(const icode::StateWrite& write, const StateSpot& spot);
+  host::Gp fetch(const Spot& spot, const host::Gp& scratch);
   void writeByte(const icode::ByteWrite& write, const Spot& spot);
   void charge(const icode::Exit& exit);
   void goTo(std::uint32_t instruction, std::uint32_t next);
-  std::vector<Spot> spotsOfStates(const icode::Exit& exit) const;
+  std::vector<StateSpot> spotsOfStates(const icode::Exit& exit) const;
   std::vector<Spot> spotsOfBytes(const icode::Exit& exit) const;
   bool isClean(icode::Value bit) const { return clean_[bit]; }
   void noteClean(icode::Value value);
@@ -90,6 +98,7 @@ class RegionCode {
   std::vector<bool> clean_;
   std::vector<WayOut> waysOut_;
   asmjit::Label tooNear_;
+  asmjit::Label zero_{};                          // of the way out that is written next
   std::optional<asmjit::x86::CondCode> fused_{};  // the bit that comes next stands in the flags
   icode::Value current_ = 0;
   std::uint32_t next_ = 0;

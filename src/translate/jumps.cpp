@@ -106,6 +106,39 @@ bool onConditions(Lowering& l) {
   return true;
 }
 
+// The list of SPL: as many SPA as it says, one behind the other. Nothing: it is not whole.
+std::optional<std::uint32_t> behindList(const Lowering& l) {
+  const auto& places = l.listing.places;
+  const mc7::Place& here = places[l.place];
+  const std::uint32_t entries = here.instruction.operand.value;
+  for (std::uint32_t i = 1; i <= entries; ++i) {
+    if (l.place + i >= places.size()) return std::nullopt;
+    const mc7::Place& entry = places[l.place + i];
+    if (!entry.known || entry.instruction.operation != Operation::SPA ||
+        entry.offset != here.offset + 4 * i)
+      return std::nullopt;
+  }
+  const std::uint32_t behind = l.place + 1 + entries;
+  return behind < places.size() && places[behind].offset == here.offset + 4 * (entries + 1)
+             ? std::optional(behind)
+             : std::nullopt;
+}
+
+// S7-INSTR-127: by AKKU1-LL into the list, or behind it. A long list is left to the interpreter.
+bool distribute(Lowering& l) {
+  constexpr std::uint32_t kMost = 16;
+  const auto behind = behindList(l);
+  const std::uint32_t entries = l.operand().value;
+  if (!behind || entries > kMost) return false;
+  icode::Builder& b = l.to;
+  const Value number = b.make(Opcode::Zext8, b.get(Item::Accu1));
+  for (std::uint32_t i = 0; i < entries; ++i)
+    b.branch(b.make(Opcode::Equal, number, b.constant(i)), true, l.place + 1 + i);
+  b.leave(*behind);
+  l.ended = true;
+  return true;
+}
+
 bool loop(Lowering& l) {
   const auto to = target(l);
   if (!to) return false;
@@ -133,6 +166,7 @@ constexpr Row kRows[] = {{Operation::SPA, always},
                          {Operation::SPN, onConditions<When::NotZero>},
                          {Operation::SPMZ, onConditions<When::MinusOrZero>},
                          {Operation::SPPZ, onConditions<When::PlusOrZero>},
+                         {Operation::SPL, distribute},
                          {Operation::LOOP, loop}};
 
 }  // namespace

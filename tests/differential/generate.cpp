@@ -36,16 +36,21 @@ class Generator {
   bool append(std::size_t row, std::vector<std::uint8_t>& code) {
     const mc7::Encoding& encoding = mc7::encodings()[row];
     if (encoding.operation == Operation::BE || encoding.operation == Operation::BEA) return false;
-    for (int attempt = 0; attempt < 8; ++attempt)
-      if (mc7::encode(encoding, operand(encoding.operand), code)) {
+    for (int attempt = 0; attempt < 8; ++attempt) {
+      const Operand o = operand(encoding.operand);
+      if (mc7::encode(encoding, o, code)) {
+        if (encoding.operation == Operation::SPL && !oneIn(8))
+          for (std::uint32_t i = 0; i < o.value; ++i) append({Operation::SPA, kJump}, code);
         if (encoding.operation == Operation::UC || encoding.operation == Operation::CC)
           appendList(encoding.operand, code);
         return true;
       }
+    }
     return false;
   }
 
  private:
+  static constexpr Operand kJump{.kind = OperandKind::Jump, .value = 2};
   // Parameters of an FC: a jump over pointers (MC7 section 7.2).
   void appendList(const Operand& o, std::vector<std::uint8_t>& code) {
     if (o.kind != OperandKind::Block || o.blockKind != BlockKind::FC || oneIn(4)) return;
@@ -78,8 +83,8 @@ class Generator {
     for (;;) {
       const std::size_t i = below(static_cast<std::uint32_t>(rows.size()));
       const Operation o = rows[i].operation;
-      const bool calls = o == Operation::UC || o == Operation::CC || o == Operation::SPL ||
-                         o == Operation::BEB || o == Operation::BEA;
+      const bool calls =
+          o == Operation::UC || o == Operation::CC || o == Operation::BEB || o == Operation::BEA;
       const bool stops = o == Operation::MCR_OPEN || o == Operation::MCR_CLOSE ||
                          o == Operation::CLOSE || o == Operation::BTI || o == Operation::BTD ||
                          o == Operation::ENT || o == Operation::LEAVE;
