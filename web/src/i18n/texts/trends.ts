@@ -2,4 +2,26 @@ import type { Texts } from '..';
 
 export const trends = {
   title: ['Kurven', 'Trends'],
+  chart: [
+    'Kurven über der Zeit: + und − vergrößern und verkleinern, Pfeile verschieben',
+    'Curves over time: + and − zoom, arrows move',
+  ],
+  curves: ['Aufgezeichnete Kurven', 'Recorded curves'],
+  operand: ['Operand, Symbol oder Wert einer Anlage', 'Operand, symbol or value of a plant'],
+  example: ['MW 10, "Symbol", plant.…', 'MW 10, "symbol", plant.…'],
+  add: ['Dazu', 'Add'],
+  remove: ['{name} nicht mehr aufzeichnen', 'Stop recording {name}'],
+  none: [
+    'Noch keine Kurven: rechts einen Operanden oder einen Wert der Anlage eingeben.',
+    'No curves yet: enter an operand or a value of the plant on the right.',
+  ],
+  span: ['Zeitraum', 'Span'],
+  rate: ['Abtastung', 'Sampling'],
+  everyCycle: ['jeder Zyklus', 'every cycle'],
+  pause: ['Anhalten', 'Pause'],
+  clear: ['Leeren', 'Clear'],
+  hint: [
+    'Ziehen vergrößert einen Ausschnitt, Doppelklick zeigt wieder alles. CSV und PNG enthalten, was zu sehen ist.',
+    'Drag to zoom into a part, double-click to follow again. CSV and PNG contain what is in sight.',
+  ],
 } satisfies Texts;

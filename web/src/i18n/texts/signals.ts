@@ -1,0 +1,95 @@
+import type { Text, Texts } from '..';
+
+const floors = (german: string, english: string, name: (floor: number) => string): Record<string, Text> =>
+  Object.fromEntries([1, 2, 3].map((floor) => [name(floor), [`${german} ${floor}`, `${english} ${floor}`] as const]));
+
+// What the signals of each kind of plant are.
+
+export const sortingPlantSignals = {
+  SLIDER_SMALL: ['Schieber klein', 'Slider small'],
+  SLIDER_MIDDLE: ['Schieber mittel', 'Slider middle'],
+  SLIDER_LARGE: ['Schieber groß', 'Slider large'],
+  BARRIER_SMALL: ['Lichtschranke klein', 'Light barrier small'],
+  BARRIER_MIDDLE: ['Lichtschranke mittel', 'Light barrier middle'],
+  BARRIER_LARGE: ['Lichtschranke groß', 'Light barrier large'],
+  BELT: ['Band läuft', 'Belt runs'],
+  SPEED: ['Geschwindigkeit', 'Speed'],
+  AUTO: ['Kästen kommen von selbst', 'Boxes come by themselves'],
+  NEW_SMALL: ['Klein', 'Small'],
+  NEW_MIDDLE: ['Mittel', 'Middle'],
+  NEW_LARGE: ['Groß', 'Large'],
+  GOOD: ['Richtig sortiert', 'Sorted right'],
+  WRONG: ['Falsch sortiert', 'Sorted wrong'],
+  BIN_SMALL: ['Fach klein', 'Bin small'],
+  BIN_MIDDLE: ['Fach mittel', 'Bin middle'],
+  BIN_LARGE: ['Fach groß', 'Bin large'],
+} satisfies Texts;
+
+export const vesselSignals = {
+  INLET: ['Einlassventil', 'Inlet valve'],
+  OUTLET: ['Auslassventil', 'Outlet valve'],
+  LAMP: ['Lampe Entleeren', 'Lamp emptying'],
+  HAND_FILL: ['Von Hand füllen', 'Fill by hand'],
+  START: ['Start', 'Start'],
+  STOP: ['Stopp', 'Stop'],
+  LEVEL: ['Füllstand', 'Level'],
+  MIN: ['Sensor unten', 'Lower sensor'],
+  MAX: ['Sensor oben', 'Upper sensor'],
+  START_CONTACT: ['Taster Start (Schließer)', 'Button start (normally open)'],
+  STOP_CONTACT: ['Taster Stopp (Öffner)', 'Button stop (normally closed)'],
+} satisfies Texts;
+
+export const garageDoorSignals = {
+  UP: ['Motor auf', 'Motor up'],
+  DOWN: ['Motor zu', 'Motor down'],
+  LAMP: ['Warnlampe', 'Warning lamp'],
+  BUTTON: ['Tor', 'Door'],
+  OBSTACLE: ['Jemand steht unter dem Tor', 'Somebody stands under the door'],
+  POSITION: ['Stellung', 'Position'],
+  OPEN: ['Endschalter offen', 'End switch open'],
+  CLOSED: ['Endschalter geschlossen', 'End switch closed'],
+  BARRIER: ['Lichtschranke', 'Light barrier'],
+  CONTACT: ['Taster', 'Button'],
+  BOTH: ['Beide Richtungen zugleich', 'Both directions at once'],
+  HITS: ['Jemanden getroffen', 'Hit somebody'],
+} satisfies Texts;
+
+export const trafficLightSignals = {
+  CARS_RED: ['Autos rot', 'Cars red'],
+  CARS_AMBER: ['Autos gelb', 'Cars amber'],
+  CARS_GREEN: ['Autos grün', 'Cars green'],
+  WALK_RED: ['Fußgänger rot', 'Pedestrians red'],
+  WALK_GREEN: ['Fußgänger grün', 'Pedestrians green'],
+  WAIT: ['Bitte warten', 'Please wait'],
+  LEFT: ['Links', 'Left'],
+  RIGHT: ['Rechts', 'Right'],
+  LEFT_CONTACT: ['Taster links', 'Button left'],
+  RIGHT_CONTACT: ['Taster rechts', 'Button right'],
+  DANGER: ['Alle zugleich gehen gelassen', 'Let all go at once'],
+} satisfies Texts;
+
+export const liftSignals = {
+  UP: ['Motor auf', 'Motor up'],
+  DOWN: ['Motor ab', 'Motor down'],
+  DOOR: ['Tür öffnen', 'Open door'],
+  HEIGHT: ['Höhe', 'Height'],
+  DOORWAY: ['Türöffnung', 'Doorway'],
+  DOOR_OPEN: ['Tür offen', 'Door open'],
+  DOOR_CLOSED: ['Tür geschlossen', 'Door closed'],
+  FAULTS: ['Gefährliche Bewegungen', 'Dangerous movements'],
+  ...floors('Lampe', 'Lamp', (floor) => `LAMP${floor}`),
+  ...floors('Ruf', 'Call', (floor) => `CALL${floor}`),
+  ...floors('Fahrt nach', 'Go to', (floor) => `GO${floor}`),
+  ...floors('Etagensensor', 'Floor sensor', (floor) => `FLOOR${floor}`),
+  ...floors('Ruftaster', 'Call button', (floor) => `CALL${floor}_CONTACT`),
+  ...floors('Kabinentaster', 'Car button', (floor) => `GO${floor}_CONTACT`),
+} satisfies Texts;
+
+export const temperatureSignals = {
+  LMN: ['Stellwert', 'Manipulated value'],
+  HEAT: ['Heizung', 'Heating'],
+  COOL: ['Kühlung', 'Cooling'],
+  DISTURBANCE: ['Störung', 'Disturbance'],
+  AMBIENT: ['Raumtemperatur', 'Room temperature'],
+  PV: ['Temperatur', 'Temperature'],
+} satisfies Texts;

@@ -1,0 +1,182 @@
+// What the page knows of each kind of plant: where its signals stand in the drawing, what a person operates, what is counted.
+import type { Component } from 'svelte';
+import { language, type Text } from '../i18n';
+import * as signals from '../i18n/texts/signals';
+import GarageDoor from './drawings/GarageDoor.svelte';
+import Lift from './drawings/Lift.svelte';
+import SortingPlant from './drawings/SortingPlant.svelte';
+import Temperature from './drawings/Temperature.svelte';
+import TrafficLight from './drawings/TrafficLight.svelte';
+import Vessel from './drawings/Vessel.svelte';
+
+/** In units of the drawing, which is 960 wide. */
+export interface Place {
+  signal: string;
+  x: number;
+  y: number;
+}
+
+export interface Kind {
+  title: Text;
+  height: number;
+  drawing: Component<{ values: Record<string, number> }>;
+  /** Sensors and actuators in the drawing. */
+  tags: Place[];
+  /** Buttons in the drawing that are 1 while they are pressed. */
+  pushes: Place[];
+  /** Below the drawing. */
+  toggles: string[];
+  ranges: string[];
+  /** How well it goes, and what must not happen. */
+  good: string[];
+  bad: string[];
+}
+
+const SIGNALS: Record<string, Record<string, Text>> = {
+  'sorting plant': signals.sortingPlantSignals,
+  vessel: signals.vesselSignals,
+  'garage door': signals.garageDoorSignals,
+  'traffic light': signals.trafficLightSignals,
+  lift: signals.liftSignals,
+  temperature: signals.temperatureSignals,
+};
+
+const nothing = { pushes: [], toggles: [], ranges: [], good: [], bad: [] };
+
+const KINDS: Record<string, Kind> = {
+  'sorting plant': {
+    ...nothing,
+    title: ['Sortieranlage für Raaco-Kästen', 'Sorting plant for boxes'],
+    height: 420,
+    drawing: SortingPlant,
+    tags: [
+      { signal: 'BARRIER_LARGE', x: 150, y: 62 },
+      { signal: 'BARRIER_MIDDLE', x: 150, y: 102 },
+      { signal: 'BARRIER_SMALL', x: 150, y: 142 },
+      { signal: 'SLIDER_SMALL', x: 508, y: 42 },
+      { signal: 'SLIDER_MIDDLE', x: 633, y: 42 },
+      { signal: 'SLIDER_LARGE', x: 758, y: 42 },
+    ],
+    pushes: [
+      { signal: 'NEW_SMALL', x: 66, y: 370 },
+      { signal: 'NEW_MIDDLE', x: 166, y: 370 },
+      { signal: 'NEW_LARGE', x: 266, y: 370 },
+    ],
+    toggles: ['AUTO', 'BELT'],
+    ranges: ['SPEED'],
+    good: ['GOOD'],
+    bad: ['WRONG'],
+  },
+  vessel: {
+    ...nothing,
+    title: ['Behälter', 'Vessel'],
+    height: 420,
+    drawing: Vessel,
+    tags: [
+      { signal: 'INLET', x: 262, y: 52 },
+      { signal: 'MAX', x: 672, y: 104 },
+      { signal: 'MIN', x: 672, y: 300 },
+      { signal: 'OUTLET', x: 700, y: 372 },
+      { signal: 'LAMP', x: 868, y: 82 },
+      { signal: 'START_CONTACT', x: 868, y: 172 },
+      { signal: 'STOP_CONTACT', x: 868, y: 262 },
+    ],
+    pushes: [
+      { signal: 'START', x: 868, y: 212 },
+      { signal: 'STOP', x: 868, y: 302 },
+    ],
+    toggles: ['HAND_FILL'],
+  },
+  'garage door': {
+    ...nothing,
+    title: ['Garagentor', 'Garage door'],
+    height: 420,
+    drawing: GarageDoor,
+    tags: [
+      { signal: 'OPEN', x: 742, y: 92 },
+      { signal: 'CLOSED', x: 742, y: 352 },
+      { signal: 'BARRIER', x: 218, y: 322 },
+      { signal: 'UP', x: 420, y: 32 },
+      { signal: 'DOWN', x: 540, y: 32 },
+      { signal: 'LAMP', x: 218, y: 92 },
+      { signal: 'CONTACT', x: 868, y: 182 },
+    ],
+    pushes: [{ signal: 'BUTTON', x: 868, y: 232 }],
+    toggles: ['OBSTACLE'],
+    bad: ['HITS', 'BOTH'],
+  },
+  'traffic light': {
+    ...nothing,
+    title: ['Fußgängerampel', 'Pedestrian crossing'],
+    height: 420,
+    drawing: TrafficLight,
+    tags: [
+      { signal: 'CARS_RED', x: 228, y: 82 },
+      { signal: 'CARS_AMBER', x: 228, y: 152 },
+      { signal: 'CARS_GREEN', x: 228, y: 222 },
+      { signal: 'WALK_RED', x: 732, y: 117 },
+      { signal: 'WALK_GREEN', x: 732, y: 187 },
+      { signal: 'WAIT', x: 480, y: 62 },
+      { signal: 'LEFT_CONTACT', x: 100, y: 322 },
+      { signal: 'RIGHT_CONTACT', x: 860, y: 322 },
+    ],
+    pushes: [
+      { signal: 'LEFT', x: 100, y: 370 },
+      { signal: 'RIGHT', x: 860, y: 370 },
+    ],
+    bad: ['DANGER'],
+  },
+  lift: {
+    ...nothing,
+    title: ['Aufzug mit drei Etagen', 'Lift with three floors'],
+    height: 520,
+    drawing: Lift,
+    tags: [
+      ...[1, 2, 3].flatMap((floor) => [
+        { signal: `FLOOR${floor}`, x: 660, y: 560 - 160 * floor },
+        { signal: `CALL${floor}_CONTACT`, x: 200, y: 545 - 160 * floor },
+        { signal: `LAMP${floor}`, x: 200, y: 583 - 160 * floor },
+        { signal: `GO${floor}_CONTACT`, x: 900, y: 430 - 80 * floor },
+      ]),
+      { signal: 'DOOR', x: 790, y: 420 },
+      { signal: 'DOOR_OPEN', x: 790, y: 460 },
+      { signal: 'DOOR_CLOSED', x: 790, y: 500 },
+      { signal: 'UP', x: 420, y: 22 },
+      { signal: 'DOWN', x: 540, y: 22 },
+    ],
+    pushes: [1, 2, 3].flatMap((floor) => [
+      { signal: `CALL${floor}`, x: 90, y: 560 - 160 * floor },
+      { signal: `GO${floor}`, x: 800, y: 430 - 80 * floor },
+    ]),
+    bad: ['FAULTS'],
+  },
+  temperature: {
+    ...nothing,
+    title: ['Ofen mit Heizung und Kühlung', 'Furnace with heating and cooling'],
+    height: 420,
+    drawing: Temperature,
+    tags: [
+      { signal: 'HEAT', x: 150, y: 302 },
+      { signal: 'COOL', x: 150, y: 122 },
+      { signal: 'PV', x: 470, y: 62 },
+    ],
+    ranges: ['LMN', 'DISTURBANCE', 'AMBIENT'],
+  },
+};
+
+export interface KindView extends Omit<Kind, 'title'> {
+  title: string;
+}
+
+/** Null: there is no drawing of this kind, its signals are a table. */
+export function kindView(kind: string): (Omit<KindView, 'drawing'> & { drawing: Kind['drawing'] | null }) | null {
+  const known = KINDS[kind];
+  const side = language.value === 'de' ? 0 : 1;
+  if (known) return { ...known, title: known.title[side] };
+  return { ...nothing, title: kind, height: 0, drawing: null, tags: [] };
+}
+
+/** What a signal is, in words; its own name where there are none. */
+export function signalName(kind: string, signal: string): string {
+  return SIGNALS[kind]?.[signal]?.[language.value === 'de' ? 0 : 1] ?? signal;
+}

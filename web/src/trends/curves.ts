@@ -1,0 +1,71 @@
+/** One curve as the server describes it. */
+export interface Curve {
+  /** As the user named it: "MW 10", "\"Motor\"", "plant.Belt.SPEED". */
+  operand: string;
+  /** As the PLC calls it. */
+  address: string;
+  symbol: string;
+  unit: string;
+  /** 1: a bit, drawn in a lane of its own. */
+  bits: number;
+  problem?: { text: string };
+}
+
+/** Columns: seconds of virtual time, then one per curve. */
+export type Columns = [time: number[], ...values: (number | null)[][]];
+
+/** What is kept in the browser: two hours at ten samples a second. */
+export const MOST_ROWS = 72_000;
+
+/** Rows `[timeMs, v0, v1, …]` behind what there is; from the beginning when time went back. */
+export function append(columns: Columns, rows: (number | null)[][]): Columns {
+  const first = rows[0]?.[0];
+  const last = columns[0][columns[0].length - 1];
+  const back = first != null && last !== undefined && first / 1000 < last;
+  const next = columns.map((column) => (back ? [] : column.slice(-MOST_ROWS))) as Columns;
+  for (const row of rows) {
+    next[0].push(Number(row[0]) / 1000);
+    for (let i = 1; i < next.length; ++i) next[i]!.push((row[i] ?? null) as never);
+  }
+  return next;
+}
+
+/** Bits lie in lanes below each other, the first on top: a lane is 1 high, the bit three quarters of it. */
+export function laned(columns: Columns, curves: Curve[]): Columns {
+  const bits = curves.filter((curve) => curve.bits === 1).length;
+  let lane = bits;
+  const values = columns.slice(1).map((column, index) => {
+    if (curves[index]?.bits !== 1) return column;
+    const floor = --lane + 0.125;
+    return column.map((value) => (value === null ? null : floor + (value ? 0.75 : 0)));
+  });
+  return [columns[0], ...values] as Columns;
+}
+
+/** Curves of one unit share an axis. */
+export const scaleOf = (curve: Curve) => (curve.bits === 1 ? 'bits' : `unit ${curve.unit}`);
+
+/** The part of the chart's height that the lanes of bits take. */
+export function laneShare(curves: Curve[]): number {
+  const bits = curves.filter((curve) => curve.bits === 1).length;
+  if (bits === 0) return 0;
+  return bits === curves.length ? 1 : Math.min(0.5, 0.08 * bits + 0.06);
+}
+
+/** The text of a CSV file: the rows of a stretch of time, as RFC 4180 wants them. */
+export function csv(columns: Columns, curves: Curve[], from: number, to: number): string {
+  const quoted = (text: string) => (/[",\n]/.test(text) ? `"${text.replace(/"/g, '""')}"` : text);
+  const lines = [['time', ...curves.map((curve) => curve.symbol || curve.operand)].map(quoted).join(',')];
+  columns[0].forEach((time, row) => {
+    if (time < from || time > to) return;
+    lines.push([time.toFixed(3), ...columns.slice(1).map((column) => column[row] ?? '')].join(','));
+  });
+  return `${lines.join('\r\n')}\r\n`;
+}
+
+/** As short as it is exact enough to read. */
+export function shownValue(curve: Curve, value: number | null | undefined): string {
+  if (value === null || value === undefined) return '–';
+  const text = Number.isInteger(value) ? String(value) : value.toPrecision(5);
+  return curve.unit ? `${text} ${curve.unit === 'degC' ? '°C' : curve.unit}` : text;
+}
