@@ -131,6 +131,21 @@ std::optional<BitPlace> crossing(Lowering& l, const Access& access) {
 
 }  // namespace
 
+std::uint32_t lookout(const Lowering& l, Space space, bool write) {
+  constexpr std::uint32_t kFar = 32;
+  std::uint32_t end = 0;
+  const auto count = static_cast<std::uint32_t>(l.listing.places.size());
+  for (std::uint32_t i = l.place + 1; i < std::min(count, l.place + kFar); ++i) {
+    const mc7::Place& place = l.listing.places[i];
+    if (endsLookout(place)) break;
+    const Operand& o = place.instruction.operand;
+    if (o.kind != OperandKind::Memory || spaceOf(o.area) != space) continue;
+    if (!write || writes(place.instruction.operation))
+      end = std::max(end, o.value / 8 + byteCount(o.width));
+  }
+  return end;
+}
+
 Value parameterPointer(Lowering& l) {
   l.needs.parameters = std::max(l.needs.parameters, l.operand().value + 1);
   return l.to.withNumber(Opcode::Parameter, icode::kNoValue, l.operand().value);

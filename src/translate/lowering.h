@@ -78,6 +78,8 @@ std::optional<BitPlace> indirectPlace(Lowering& l, const icode::Access& access);
 icode::Value parameterPointer(Lowering& l);
 std::optional<icode::Space> spaceOf(Area area);
 std::uint32_t imageLength(const CpuModel& model, icode::Space space);
+// How many bytes of the space the next instructions reach directly.
+std::uint32_t lookout(const Lowering& l, icode::Space space, bool write);
 // Notes what the region needs, or guards; false if the operand lies outside for certain.
 bool reachable(Lowering& l, icode::Space space, std::uint32_t end, bool write);
 // Timer, counter or block: in a word of memory, or handed over as parameter.

@@ -56,11 +56,17 @@ bool reach(Lowering& l, Space space, std::uint32_t end, bool write) {
 
 }  // namespace
 
-// Opened in this region: its length is only known when it runs.
+// Opened in this region: its length is only known when it runs. One guard does for what the next
+// instructions need of it.
 bool reachable(Lowering& l, Space space, std::uint32_t end, bool write) {
   if (!l.to.isReopened(space)) return reach(l, space, end, write);
   icode::Builder& b = l.to;
-  b.guard(b.make(Opcode::BelowEqual, b.constant(end), b.limit(space, write)));
+  const Value limit = b.limit(space, write);
+  for (const Reach& known : l.reached)
+    if (known.byte == icode::kNoValue && known.limit == limit && known.end >= end) return true;
+  const std::uint32_t last = std::max(end, lookout(l, space, write));
+  b.guard(b.make(Opcode::BelowEqual, b.constant(last), limit));
+  l.reached.push_back({icode::kNoValue, limit, last});
   return true;
 }
 

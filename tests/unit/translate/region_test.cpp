@@ -100,6 +100,43 @@ TEST(Region, AJumpToTheNextInstructionIsNoWayOut) {
   EXPECT_EQ(count(regions[0], Opcode::BranchIf), 0u);
 }
 
+TEST(Region, OneGuardForAllReadsAndOneForAllWritesBehindOpen) {
+  const auto data = [](std::uint32_t byte) {
+    return mc7::memory(Area::DataBlock, Width::Word, bitAddress(byte));
+  };
+  const auto regions = regionsOf({{Operation::OPEN, mc7::blockOperand(BlockKind::DB, 5)},
+                                  {Operation::LOAD, data(0)},
+                                  {Operation::LOAD, data(2)},
+                                  {Operation::TRANSFER, data(4)},
+                                  {Operation::TRANSFER, data(6)},
+                                  kEnd});
+  ASSERT_EQ(regions.size(), 1u);
+  EXPECT_EQ(count(regions[0], Opcode::Guard), 2u);
+}
+
+TEST(Region, OneRegisterIsCheckedOnce) {
+  const auto indirect = [](std::uint32_t byte) {
+    return Operand{.kind = OperandKind::RegisterIndirect,
+                   .area = Area::Flag,
+                   .width = Width::Word,
+                   .reg = 1,
+                   .value = bitAddress(byte)};
+  };
+  const auto regions =
+      regionsOf({{Operation::LOAD, indirect(0)}, {Operation::LOAD, indirect(8)}, kAddInt, kEnd});
+  ASSERT_EQ(regions.size(), 1u);
+  EXPECT_EQ(count(regions[0], Opcode::Guard), 2u);  // whole byte, and inside
+}
+
+// Four ways out need them; only these compute them.
+TEST(Region, ConditionCodesAreLeftToTheWaysOut) {
+  const auto regions = regionsOf({{Operation::ADD_R, {}}, {Operation::ADD_R, {}}, kEnd});
+  const auto late = std::count_if(regions[0].ops.begin(), regions[0].ops.end(),
+                                  [](const icode::Op& op) { return op.late; });
+  EXPECT_EQ(late, static_cast<std::ptrdiff_t>(count(regions[0], Opcode::LessReal)));
+  EXPECT_EQ(late, 4);
+}
+
 TEST(Region, AnyBytesGiveValidRegions) {
   std::mt19937 random(7);
   for (int i = 0; i < 3000; ++i) {
