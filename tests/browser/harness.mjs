@@ -14,7 +14,7 @@ const modules = ['web/node_modules', 'build/web/node_modules'].map((at) => join(
 export const tool = (path) => join(modules, path);
 const { chromium } = createRequire(tool('index.js'))('playwright-core');
 const merker = resolve(process.env.MERKER ?? join(root, 'build/release/merker'));
-const PATIENCE = 10_000;
+const PATIENCE = 20_000;
 
 /** What has to be done when all tests of the file are over, newest first. */
 const endings = [];
@@ -78,7 +78,7 @@ export async function open(server, view = 'io', { language = 'de', theme = 'ligh
   page.setDefaultTimeout(PATIENCE);
   const complaints = [];
   page.complaints = complaints;
-  page.on('pageerror', (error) => complaints.push(error.message));
+  page.on('pageerror', (error) => complaints.push(error.stack ?? error.message));
   page.on('console', (message) => message.type() === 'error' && complaints.push(message.text()));
   const host = new URL(server.address).host;
   page.on('request', (request) => {
