@@ -29,6 +29,7 @@ test('more columns on demand (S7-EDIT-21)', async () => {
   await page.getByRole('checkbox', { name: 'STW' }).check();
   const line = await lineOf('UN    #BeamSmall;');
   await until(async () => (await statusOf(page, line)).length === 4, 'a fourth column');
+  assert.match(await page.locator('.code .cm-status-head').innerText(), /STW/);
   await page.locator('summary', { hasText: 'Spalten' }).click();
 });
 
@@ -58,9 +59,10 @@ test('step over goes to the next statement, go on to the breakpoint (S7-EDIT-22)
   await page.getByText(`HALT in FB 1, Zeile ${line}`).waitFor();
 });
 
-test('another browser sees the HALT too', async () => {
+test('another browser sees the HALT and the breakpoint too', async () => {
   const other = await open(server, 'program', { language: 'en' });
   await other.getByText(/^HALT in FB 1, line/).waitFor();
+  await other.locator('.code .cm-point-mark').waitFor();
 });
 
 test('a click beside the line clears the breakpoint, the program goes on', async () => {

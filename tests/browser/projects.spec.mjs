@@ -39,7 +39,7 @@ test('the wizard makes a project with CPU, OB 1 and language (S7-MGR-01)', async
   await page.getByLabel('Darstellung').selectOption('german');
   await picture(page, 'projects-wizard');
   await page.getByRole('button', { name: 'Anlegen' }).click();
-  await page.getByRole('treeitem').filter({ hasText: 'OB 1' }).waitFor();
+  await page.locator('.path', { hasText: 'main.awl' }).first().waitFor();
   await page.goto(page.url().replace(/#.*/, '#/projects'));
   await expect(name, 'Manfred');
 });
@@ -61,5 +61,5 @@ test('blocks are uploaded from the CPU as sources (S7-MGR-15)', async () => {
   await page.locator('.message').filter({ hasText: 'Aus der CPU geholt' }).waitFor();
   const uploaded = join(server.project, 'online/FC1.awl');
   await until(() => existsSync(uploaded), uploaded);
-  assert.match(readFileSync(uploaded, 'utf-8'), /FUNCTION FC 1/);
+  assert.match(readFileSync(uploaded, 'utf-8'), /^FUNCTION "Count boxes"/m);
 });

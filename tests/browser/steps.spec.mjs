@@ -20,7 +20,6 @@ async function newBlock(id, source) {
 
 test('the six work steps of chapter 4.1.6', async (course) => {
   await course.test('1. define the project (S7-SIM-04)', async () => {
-    await turn(page, 'STOP');
     await page.getByRole('button', { name: 'Neues Projekt …' }).click();
     await page.getByLabel('Projektname').fill('Manfred');
     await page.getByRole('button', { name: 'Anlegen' }).click();
@@ -63,9 +62,15 @@ END_ORGANIZATION_BLOCK
   });
 
   await course.test('4. start and configure the simulator (S7-SIM-07, S7-SIM-03)', async () => {
+    await turn(page, 'STOP');
     await page.locator('[data-led="STOP"][data-state="on"]').waitFor();
     await visit(page, server, 'io');
-    await page.locator('button[data-operand="E 0.0"]').waitFor();
+    for (const operand of ['EB 0', 'AB 1']) {
+      await page.locator('#tile-operand').fill(operand);
+      await page.locator('#tile-operand').press('Enter');
+    }
+    await page.locator('button[data-operand="E 0.0"]').first().waitFor();
+    await page.locator('button[data-operand="A 1.0"]').first().waitFor();
   });
 
   await course.test('5. transfer the blocks to the target system (S7-SIM-08)', async () => {
@@ -82,7 +87,7 @@ END_ORGANIZATION_BLOCK
     await until(async () => (await cycles()) > before, 'more cycles');
 
     await visit(page, server, 'io');
-    const press = (operand) => page.locator(`button[data-operand="${operand}"]`).click();
+    const press = (operand) => page.locator(`button[data-operand="${operand}"]`).first().click();
     await expect(() => bit(page, 'A 1.0'), '0');
     await press('E 0.0');
     await expect(() => bit(page, 'A 1.0'), '1', 'motor on');

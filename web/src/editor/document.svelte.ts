@@ -10,7 +10,6 @@ export interface Stored {
 export class OpenDocument {
   text = $state('');
   problems = $state<Problem[]>([]);
-  breakpoints = $state<number[]>([]);
   /** The server's newer text, while this browser has changes of its own. */
   conflict = $state<Stored | null>(null);
   private stored = $state<Stored>({ text: '', revision: 0 });

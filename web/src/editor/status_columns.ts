@@ -96,11 +96,21 @@ const statusGutter = gutter({
 function header(view: EditorView): Panel {
   const dom = document.createElement('div');
   dom.className = 'cm-status-head';
-  dom.appendChild(row(columnsOf(view).map(({ column }) => ({ text: column.title, column }))));
+  const show = (): void =>
+    dom.replaceChildren(row(columnsOf(view).map(({ column }) => ({ text: column.title, column }))));
   const place = (): void => {
     dom.style.paddingRight = `${view.scrollDOM.offsetWidth - view.scrollDOM.clientWidth}px`;
   };
-  return { dom, top: true, mount: place, update: (update) => update.geometryChanged && place() };
+  show();
+  return {
+    dom,
+    top: true,
+    mount: place,
+    update: (update) => {
+      if (update.startState.facet(shownColumns) !== update.state.facet(shownColumns)) show();
+      if (update.geometryChanged) place();
+    },
+  };
 }
 
 export const statusDisplay = (columns: readonly string[]): Extension => [

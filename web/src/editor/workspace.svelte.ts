@@ -74,6 +74,10 @@ class Workspace {
     this.drafts = new Drafts(localStorage, folder);
     this.documents.clear();
     this.current = null;
+    this.files = [];
+    this.blocks = { offline: [], online: [] };
+    this.compared = [];
+    this.interfaces = [];
     this.problems = [];
     this.checked = false;
   }

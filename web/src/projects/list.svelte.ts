@@ -22,6 +22,9 @@ interface Listed {
   folder: string;
 }
 
+/** The words of a text in Markdown. */
+export const plain = (text: string): string => text.replace(/\[([^\]]*)\]\([^)]*\)/g, '$1').replace(/[`*]/g, '');
+
 class ProjectList {
   examples = $state.raw<Example[]>([]);
   templates = $state.raw<Template[]>([]);

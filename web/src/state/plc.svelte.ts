@@ -35,6 +35,7 @@ export class Plc {
   engine = $state<'interpreter' | 'jit'>('interpreter');
   forces = $state<{ operand: string; value: string }[]>([]);
   breakpoint = $state<{ file: string; line: number; block: string; why: string } | null>(null);
+  breakpoints = $state.raw<Record<string, number[]>>({});
   diagnostics = $state(0);
   program = $state(0);
   files = $state(0);
