@@ -1,7 +1,6 @@
 // What the page knows of each kind of plant: where its signals stand in the drawing, what a person operates, what is counted.
 import type { Component } from 'svelte';
 import { language, type Text } from '../i18n';
-import * as signals from '../i18n/texts/signals';
 import GarageDoor from './drawings/GarageDoor.svelte';
 import Lift from './drawings/Lift.svelte';
 import SortingPlant from './drawings/SortingPlant.svelte';
@@ -32,15 +31,6 @@ export interface Kind {
   bad: string[];
 }
 
-const SIGNALS: Record<string, Record<string, Text>> = {
-  'sorting plant': signals.sortingPlantSignals,
-  vessel: signals.vesselSignals,
-  'garage door': signals.garageDoorSignals,
-  'traffic light': signals.trafficLightSignals,
-  lift: signals.liftSignals,
-  temperature: signals.temperatureSignals,
-};
-
 const nothing = { pushes: [], toggles: [], ranges: [], good: [], bad: [] };
 
 const KINDS: Record<string, Kind> = {
@@ -50,9 +40,9 @@ const KINDS: Record<string, Kind> = {
     height: 420,
     drawing: SortingPlant,
     tags: [
-      { signal: 'BARRIER_LARGE', x: 150, y: 62 },
-      { signal: 'BARRIER_MIDDLE', x: 150, y: 102 },
-      { signal: 'BARRIER_SMALL', x: 150, y: 142 },
+      { signal: 'BARRIER_LARGE', x: 372, y: 62 },
+      { signal: 'BARRIER_MIDDLE', x: 372, y: 102 },
+      { signal: 'BARRIER_SMALL', x: 372, y: 142 },
       { signal: 'SLIDER_SMALL', x: 508, y: 42 },
       { signal: 'SLIDER_MIDDLE', x: 633, y: 42 },
       { signal: 'SLIDER_LARGE', x: 758, y: 42 },
@@ -73,16 +63,16 @@ const KINDS: Record<string, Kind> = {
     height: 420,
     drawing: Vessel,
     tags: [
-      { signal: 'INLET', x: 262, y: 52 },
+      { signal: 'INLET', x: 262, y: 88 },
       { signal: 'MAX', x: 672, y: 104 },
       { signal: 'MIN', x: 672, y: 300 },
-      { signal: 'OUTLET', x: 700, y: 372 },
-      { signal: 'LAMP', x: 868, y: 82 },
-      { signal: 'START_CONTACT', x: 868, y: 172 },
+      { signal: 'OUTLET', x: 580, y: 402 },
+      { signal: 'LAMP', x: 868, y: 106 },
+      { signal: 'START_CONTACT', x: 868, y: 166 },
       { signal: 'STOP_CONTACT', x: 868, y: 262 },
     ],
     pushes: [
-      { signal: 'START', x: 868, y: 212 },
+      { signal: 'START', x: 868, y: 206 },
       { signal: 'STOP', x: 868, y: 302 },
     ],
     toggles: ['HAND_FILL'],
@@ -138,15 +128,15 @@ const KINDS: Record<string, Kind> = {
         { signal: `LAMP${floor}`, x: 200, y: 583 - 160 * floor },
         { signal: `GO${floor}_CONTACT`, x: 900, y: 430 - 80 * floor },
       ]),
-      { signal: 'DOOR', x: 790, y: 420 },
-      { signal: 'DOOR_OPEN', x: 790, y: 460 },
-      { signal: 'DOOR_CLOSED', x: 790, y: 500 },
+      { signal: 'DOOR', x: 776, y: 420 },
+      { signal: 'DOOR_OPEN', x: 776, y: 459 },
+      { signal: 'DOOR_CLOSED', x: 776, y: 498 },
       { signal: 'UP', x: 420, y: 22 },
       { signal: 'DOWN', x: 540, y: 22 },
     ],
     pushes: [1, 2, 3].flatMap((floor) => [
       { signal: `CALL${floor}`, x: 90, y: 560 - 160 * floor },
-      { signal: `GO${floor}`, x: 800, y: 430 - 80 * floor },
+      { signal: `GO${floor}`, x: 790, y: 430 - 80 * floor },
     ]),
     bad: ['FAULTS'],
   },
@@ -174,9 +164,4 @@ export function kindView(kind: string): (Omit<KindView, 'drawing'> & { drawing: 
   const side = language.value === 'de' ? 0 : 1;
   if (known) return { ...known, title: known.title[side] };
   return { ...nothing, title: kind, height: 0, drawing: null, tags: [] };
-}
-
-/** What a signal is, in words; its own name where there are none. */
-export function signalName(kind: string, signal: string): string {
-  return SIGNALS[kind]?.[signal]?.[language.value === 'de' ? 0 : 1] ?? signal;
 }

@@ -25,24 +25,38 @@ function numbers(share: number): uPlot.Scale.Range {
   return (_, low, high) => {
     const lowest = low ?? 0;
     const highest = high ?? 1;
-    const span = highest - lowest || Math.abs(highest) || 1;
-    const bottom = lowest - span * 0.05;
-    const top = highest + span * 0.05;
+    const pad = highest > lowest ? (highest - lowest) * 0.05 : Math.abs(highest) * 0.1 || 1;
+    const bottom = lowest - pad;
+    const top = highest + pad;
     return [bottom - ((top - bottom) * share) / (1 - share), top];
   };
 }
 
-function laneAxis(curves: Curve[], right: boolean): uPlot.Axis {
+/** Beside the lanes there are no numbers. */
+function numberTexts(share: number, unit: string): uPlot.Axis.Values {
+  return (plot, splits) => {
+    const { min = 0, max = 1 } = plot.scales[unit] ?? {};
+    const digits = Math.max(0, Math.min(6, 1 - Math.floor(Math.log10((max! - min!) / 5 || 1))));
+    return splits.map((value) => (value < min! + share * (max! - min!) ? '' : String(Number(value.toFixed(digits)))));
+  };
+}
+
+/** The names of the bits stand in their lanes, and a line above these. */
+function nameLanes(curves: Curve[]): (plot: uPlot) => void {
   const names = curves.filter((curve) => curve.bits === 1).map((curve) => curve.symbol || curve.address);
-  return {
-    ...axisLook(),
-    scale: 'bits',
-    side: right ? 1 : 3,
-    size: 150,
-    splits: () => names.map((_, lane) => names.length - lane - 0.5),
-    values: () => names.map((name) => (name.length > 18 ? `${name.slice(0, 17)}…` : name)),
-    grid: { show: false },
-    ticks: { show: false },
+  return (plot) => {
+    const { ctx, bbox } = plot;
+    ctx.save();
+    ctx.font = `${12 * devicePixelRatio}px "Liberation Mono", "DejaVu Sans Mono", monospace`;
+    ctx.textBaseline = 'bottom';
+    names.forEach((name, lane) => {
+      const y = plot.valToPos(names.length - lane - 1 + 0.125, 'bits', true);
+      ctx.fillStyle = colour('--line-strong');
+      ctx.fillRect(bbox.left, Math.round(y), bbox.width, 1);
+      ctx.fillStyle = colour('--ink-soft');
+      ctx.fillText(name, bbox.left + 6 * devicePixelRatio, y - 2 * devicePixelRatio);
+    });
+    ctx.restore();
   };
 }
 
@@ -60,19 +74,20 @@ export function chartOptions(curves: Curve[], width: number, height: number): uP
       scale: unit,
       side: index % 2 ? 1 : 3,
       size: 60,
+      values: numberTexts(share, unit),
       label: unit === 'unit ' ? undefined : unit.slice(5).replace('degC', '°C'),
       labelFont: FONT,
       labelSize: 18,
       grid: index ? { show: false } : axisLook().grid,
     }),
   );
-  if (bits) axes.push(laneAxis(curves, units.length > 0));
   return {
     width,
     height,
     scales,
     axes,
     legend: { show: false },
+    hooks: bits ? { drawAxes: [nameLanes(curves)] } : {},
     cursor: { drag: { x: true, y: false, setScale: false }, points: { size: 7 } },
     series: [{}, ...curves.map((curve, index) => series(curve, index))],
   };

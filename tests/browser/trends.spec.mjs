@@ -1,0 +1,80 @@
+// Curves over virtual time: record, values, pause, zoom, export.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { test } from 'node:test';
+import { expect, open, picture, serve, turn, until } from './harness.mjs';
+
+const server = await serve();
+const page = await open(server, 'trends', { language: 'en' });
+const frame = page.locator('[data-rows]');
+const fact = async (name) => Number(await frame.getAttribute(`data-${name}`));
+const value = (curve) => page.locator(`li[data-curve='${curve}'] output`).innerText();
+async function add(operand) {
+  await page.getByRole('combobox', { name: /Operand/ }).fill(operand);
+  await page.keyboard.press('Enter');
+  await page.locator(`li[data-curve='${operand}']`).waitFor();
+}
+
+test('variables and values of the plant are recorded', async () => {
+  await turn(page, 'RUN-P');
+  for (const operand of ['"Light barrier small"', '"Slider small"', 'plant.Belt.STROKE_SMALL', 'plant.Belt.SPEED']) await add(operand);
+  await until(async () => (await fact('rows')) > 20, 'samples');
+  await expect(() => value('plant.Belt.SPEED'), '100 %');
+  await until(async () => /^[01]$/.test(await value('"Slider small"')), 'a bit');
+  assert.equal(await page.locator('.u-over').count(), 1);
+});
+
+test('what does not exist is told at its curve', async () => {
+  await add('MW 99999');
+  await page.locator("li[data-curve='MW 99999'] .problem").waitFor();
+  await page.getByRole('button', { name: 'Stop recording MW 99999' }).click();
+  await expect(() => page.locator('li[data-curve]').count(), 4);
+});
+
+test('a paused chart stands still while recording goes on', async () => {
+  await until(async () => (await fact('last')) > 10, 'ten seconds');
+  await page.locator('main').getByRole('button', { name: 'Pause' }).click();
+  const last = await fact('last');
+  const cycles = async () => Number(await page.locator('[data-value="cycles"]').innerText());
+  const before = await cycles();
+  await until(async () => (await cycles()) > before + 200, 'the CPU goes on');
+  assert.equal(await fact('last'), last);
+  await page.locator('main').getByRole('button', { name: 'Pause' }).click();
+  await until(async () => (await fact('last')) > last + 0.3, 'the samples of the pause');
+  await picture(page, 'trends-light');
+});
+
+test('dragging zooms, a double click follows again', async () => {
+  const box = await page.locator('.u-over').boundingBox();
+  const at = (part) => [box.x + box.width * part, box.y + box.height / 2];
+  await page.mouse.move(...at(0.1));
+  await page.mouse.down();
+  await page.mouse.move(...at(0.2), { steps: 4 });
+  await page.mouse.up();
+  await until(async () => (await fact('to')) - (await fact('from')) < 10, 'a zoomed range');
+  const row = await value('plant.Belt.SPEED');
+  assert.match(row, /%$/);
+  await page.mouse.dblclick(...at(0.5));
+  await until(async () => (await fact('to')) - (await fact('from')) > 20, 'the whole span');
+});
+
+test('CSV has what is in sight, PNG is a picture', async () => {
+  await page.locator('main').getByRole('button', { name: 'Pause' }).click();
+  const [table] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'CSV' }).click()]);
+  assert.equal(table.suggestedFilename(), 'Sorting-plant.csv');
+  const lines = readFileSync(await table.path(), 'utf-8').trim().split('\r\n');
+  assert.equal(lines[0], 'time,Light barrier small,Slider small,plant.Belt.STROKE_SMALL,plant.Belt.SPEED');
+  assert.ok(lines.length > 20, `${lines.length} lines`);
+  assert.match(lines.at(-1), /^\d+\.\d{3},[01],[01],[\d.]+,100$/);
+  const [image] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'PNG' }).click()]);
+  const bytes = readFileSync(await image.path());
+  assert.equal(bytes.subarray(1, 4).toString(), 'PNG');
+  assert.ok(bytes.readUInt32BE(16) > 400, 'its width');
+  await page.locator('main').getByRole('button', { name: 'Pause' }).click();
+});
+
+test('the choice of curves outlives a reload', async () => {
+  await page.reload();
+  await expect(() => page.locator('li[data-curve]').count(), 4);
+  await until(async () => (await fact('rows')) > 5, 'samples again');
+});

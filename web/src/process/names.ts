@@ -1,0 +1,16 @@
+import { language, type Text } from '../i18n';
+import * as signals from '../i18n/texts/signals';
+
+const SIGNALS: Record<string, Record<string, Text>> = {
+  'sorting plant': signals.sortingPlantSignals,
+  vessel: signals.vesselSignals,
+  'garage door': signals.garageDoorSignals,
+  'traffic light': signals.trafficLightSignals,
+  lift: signals.liftSignals,
+  temperature: signals.temperatureSignals,
+};
+
+/** What a signal is, in words; its own name where there are none. */
+export function signalName(kind: string, signal: string): string {
+  return SIGNALS[kind]?.[signal]?.[language.value === 'de' ? 0 : 1] ?? signal;
+}
