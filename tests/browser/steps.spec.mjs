@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { problems, replaceAll, toLine } from './editor.mjs';
-import { bit, expect, open, picture, serve, turn, until, visit } from './harness.mjs';
+import { bit, expect, open, serve, turn, until, visit } from './harness.mjs';
 
 const server = await serve('06-first-program');
 const page = await open(server, 'projects');
@@ -94,7 +94,6 @@ END_ORGANIZATION_BLOCK
     await press('E 0.0');
     await expect(() => bit(page, 'E 0.0'), '0');
     assert.equal(await bit(page, 'A 1.0'), '1', 'the motor holds itself');
-    await picture(page, 'steps');
     await press('E 0.1');
     await expect(() => bit(page, 'A 1.0'), '0', 'motor off');
   });

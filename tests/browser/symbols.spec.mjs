@@ -19,7 +19,6 @@ test('the table has symbol, operand, type and comment (S7-SYM-01, -02)', async (
   assert.equal(await cell('Symbol', 3).inputValue(), 'Motor');
   assert.equal(await cell('Operand', 3).inputValue(), 'A 1.0');
   assert.equal(await cell('Datentyp', 3).inputValue(), 'BOOL');
-  await picture(page, 'symbols');
 });
 
 test('a new symbol is saved and known to the program (S7-SYM-04)', async () => {
