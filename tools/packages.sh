@@ -2,7 +2,9 @@
 # network and takes no time.
 
 BUILD_PACKAGES="g++ cmake ninja-build python3 libfmt-dev libcli11-dev nlohmann-json3-dev libtomlplusplus-dev libsqlite3-dev libedit-dev
-  libasmjit-dev libgtest-dev librapidcheck-dev"
+  libasmjit-dev libboost1.81-dev libssl-dev libgtest-dev librapidcheck-dev"
+# The page of the workbench; only where there is no Node.js from somewhere else.
+command -v node >/dev/null && command -v npm >/dev/null || BUILD_PACKAGES="$BUILD_PACKAGES nodejs npm"
 CHECK_PACKAGES="clang-format"
 FUZZ_PACKAGES="clang libclang-rt-14-dev"
 

@@ -1,45 +1,21 @@
-// A project, loaded and compiled.
+// A project as the commands compile and report it.
 #pragma once
 
-#include <memory>
-
-#include "mc5/block.h"
+#include "compilation/build.h"
 #include "output.h"
-#include "project/project.h"
-#include "simulator/term.h"
-#include "station/station.h"
-#include "step7/compiler.h"
 
 namespace merker::app {
 
-struct Build {
-  project::Project project;
-  std::shared_ptr<const block::Program> library;  // what the CPU brings
-  Problems problems;                              // of loading and compiling
-  std::shared_ptr<const block::Program> program;  // of a SIMATIC S7, else empty
-  mc5::Program listings;                          // of a SINUMERIK
-  bool isListing() const { return project.control.has_value(); }
-  std::size_t blocks() const { return isListing() ? listings.size() : program->size(); }
-  bool ok() const { return !problems.hasErrors(); }
-  int exitCode() const;  // of the problems
-  FileLookup files() const;
-  // Operands of this program that exist in its CPU. The Build must outlive it.
-  simulator::Resolver resolver() const;
-  station::Station station(bool coverage = false) const;  // a SIMATIC S7 only
-  cnc::Options controlOptions() const;                    // a SINUMERIK only
-  std::unique_ptr<controller::Controller> controller(bool coverage = false) const;
-};
+using compilation::Build;
+using compilation::build;
+using compilation::noteMissingOb1;
+using compilation::requireOb1;
+using compilation::requireWorkMemory;
 
-Build build(project::Project project, bool checks);
+int exitCode(const Build& build);  // of the problems
 // Prints the problems; with `json` also as an object on standard output. The exit code.
 int report(const Build& build, bool json);
 // Tells that the command knows SIMATIC S7 programs only. The exit code.
 int refuseListing(std::string_view command);
-// Adds the problem that a program without OB 1 cannot run (S7-OPEN-39).
-void requireOb1(Build& build);
-// The same as a warning: blocks without OB 1 may be a library.
-void noteMissingOb1(Build& build);
-// Adds the problem that the program needs more work memory than the CPU has (S7-CPU-02).
-void requireWorkMemory(Build& build);
 
 }  // namespace merker::app

@@ -41,7 +41,7 @@ int check(const Options& options) {
     printProblems(checked.problems, checked.files());
     problems.append(checked.problems);
     if (!options.json) summary(checked);
-    result = std::max(result, checked.exitCode());
+    result = std::max(result, exitCode(checked));
   }
   if (options.json) print({{"problems", toJson(problems)}});
   return result;

@@ -165,9 +165,9 @@ int hardware(const Options& options) {
   const Build built = build(project::load(options.path, options.cpu), false);
   if (built.isListing() && built.ok()) return refuseListing("hw");
   printProblems(built.problems, built.files());
-  if (built.project.unreadable) return built.exitCode();
+  if (built.project.unreadable) return exitCode(built);
   options.json ? printJson(built) : printText(built);
-  return built.exitCode();
+  return exitCode(built);
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ void printJson(const Build& build, const Options& options) {
 int listListings(const Build& built, const Options& options) {
   const ListingOptions chosen{options.code, options.listing};
   options.json ? print(listingsToJson(built, chosen)) : printListings(built, chosen);
-  return built.exitCode();
+  return exitCode(built);
 }
 
 int list(const Options& options) {
@@ -86,7 +86,7 @@ int list(const Options& options) {
     printMemory(built);
   else
     printTable(built, options);
-  return built.exitCode();
+  return exitCode(built);
 }
 
 }  // namespace

@@ -5,13 +5,14 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "compilation/build.h"
 #include "controller/controller.h"
 #include "mc7/reference.h"
 #include "source/source_file.h"
 
 namespace merker::app {
 
-using FileLookup = std::function<const source::SourceFile*(const std::string& name)>;
+using compilation::FileLookup;
 
 // All problems on standard error, in the order of their places.
 void printProblems(Problems problems, const FileLookup& files);

@@ -28,6 +28,12 @@ void holdSignals() {
   sigprocmask(SIG_BLOCK, &signals, nullptr);
 }
 
+bool endAsked() {
+  const sigset_t signals = endSignals();
+  constexpr timespec kNow = {0, 0};
+  return sigtimedwait(&signals, nullptr, &kNow) >= 0;
+}
+
 void runRealTime(controller::Controller& station) {
   const sigset_t signals = endSignals();
   const auto start = Clock::now();

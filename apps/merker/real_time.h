@@ -8,6 +8,8 @@ namespace merker::app {
 // Keeps Ctrl-C and the request to end (SIGINT, SIGTERM) back until runRealTime asks for them. Call
 // before it.
 void holdSignals();
+// Whether one of these signals has come.
+bool endAsked();
 // Lets the station run as fast as time passes, until one of these signals comes or the CPU is in
 // STOP.
 void runRealTime(controller::Controller& station);

@@ -9,13 +9,14 @@
 #include "build.h"
 #include "card.h"
 #include "command.h"
+#include "compilation/existence.h"
 #include "cpu_option.h"
 #include "engine_option.h"
-#include "existence.h"
 #include "input.h"
 #include "operands.h"
 #include "progress.h"
 #include "real_time.h"
+#include "serve.h"
 #include "simulator/display.h"
 #include "simulator/duration.h"
 #include "simulator/trace.h"
@@ -26,8 +27,9 @@ namespace {
 struct Options {
   std::string path, card, cpu, time, trace, engine = "interpreter";
   std::uint64_t cycles = 0;
-  bool hasCycles = false, copyRamToRom = false, json = false;
+  bool hasCycles = false, copyRamToRom = false, json = false, noWorkbench = false;
   std::vector<std::string> set, print, watch;
+  ServeOptions serve;
 };
 
 struct Operands {
@@ -110,7 +112,7 @@ void printJson(const Operands& operands, const controller::Controller& plc) {
 bool allExist(const std::vector<mc7::Reference>& operands, const controller::Controller& plc) {
   bool all = true;
   for (const mc7::Reference& operand : operands) {
-    if (exists(operand, plc)) continue;
+    if (compilation::exists(operand, plc)) continue;
     std::cerr << "merker run: --print: " << operand.text
               << " does not exist: " << plc.whyMissing(operand) << '\n';
     all = false;
@@ -179,6 +181,7 @@ class CycleEnd {
     trace_->sample(plc);
     if (keeper_) file_.flush();  // who reads along sees the cycle as soon as it is kept
   }
+  bool needed() const { return keeper_ || trace_; }
   const Problem* problem() const {
     return keeper_ && keeper_->problem() ? &*keeper_->problem() : nullptr;
   }
@@ -197,9 +200,42 @@ std::optional<Problem> start(const Build& build, store::MemoryCard* card,
   return std::nullopt;
 }
 
+// What stands at the end of a run, whoever moved time.
+int conclude(const Options& options, const Build& build, const Operands& operands,
+             store::MemoryCard* card, CycleEnd& cycleEnd, controller::Controller& plc) {
+  plc.settle();
+  cycleEnd(plc);
+  if (cycleEnd.problem() != nullptr) return failed(*cycleEnd.problem());
+  if (options.copyRamToRom)
+    if (const auto problem = copyRamToRom(*card, build, stationOf(plc))) return failed(*problem);
+  return finish(options, operands, plc);
+}
+
+// The workbench has the PLC until Ctrl-C. Nothing is left to say of it if another one is open then.
+int runServed(const Options& options, const Build& build, const Operands& operands,
+              store::MemoryCard* card, CycleEnd& cycleEnd,
+              std::unique_ptr<controller::Controller> owner) {
+  controller::Controller* plc = owner.get();
+  workbench::Workbench workbench;
+  workbench.show(std::make_unique<workbench::Plc>(build, std::move(owner)));
+  if (cycleEnd.needed()) workbench.plc()->onCycle(std::ref(cycleEnd));
+  if (!serve("merker run", options.serve, workbench, options.json)) return kUnreadable;
+  if (workbench.plc() == nullptr || &workbench.plc()->controller() != plc) return kGood;
+  return conclude(options, build, operands, card, cycleEnd, *plc);
+}
+
+int runAlone(const Options& options, const Build& build, const Operands& operands,
+             std::optional<Duration> time, store::MemoryCard* card, CycleEnd& cycleEnd,
+             controller::Controller& plc) {
+  if (cycleEnd.needed()) plc.onCycle(std::ref(cycleEnd));
+  if (!time && !options.hasCycles) holdSignals();
+  advance(options, plc, time);
+  return conclude(options, build, operands, card, cycleEnd, plc);
+}
+
 int runPlc(const Options& options, const Build& build, const Operands& operands,
            std::optional<Duration> time, store::MemoryCard* card) {
-  const auto owner = build.controller();
+  auto owner = build.controller();
   controller::Controller& plc = *owner;
   if (build.isListing() && options.engine != "interpreter")
     return wrongUsage("--engine: STEP 5 listings run with the interpreter only");
@@ -218,15 +254,9 @@ int runPlc(const Options& options, const Build& build, const Operands& operands,
     if (!file) return cannotWrite(options.trace);
     cycleEnd.watch(operands.watch, plc);
   }
-  if (card != nullptr || !options.trace.empty()) plc.onCycle(std::ref(cycleEnd));
-  if (!time && !options.hasCycles) holdSignals();
-  advance(options, plc, time);
-  plc.settle();
-  cycleEnd(plc);
-  if (cycleEnd.problem() != nullptr) return failed(*cycleEnd.problem());
-  if (options.copyRamToRom)
-    if (const auto problem = copyRamToRom(*card, build, stationOf(plc))) return failed(*problem);
-  const int result = finish(options, operands, plc);
+  const bool alone = time || options.hasCycles || options.noWorkbench;
+  const int result = alone ? runAlone(options, build, operands, time, card, cycleEnd, plc)
+                           : runServed(options, build, operands, card, cycleEnd, std::move(owner));
   file.close();
   return options.trace.empty() || file ? result : cannotWrite(options.trace);
 }
@@ -250,7 +280,7 @@ bool ready(const Options& options, Build& built) {
 // A program that cannot run does not touch the card (S7-CPU-02: the old one stays).
 int runPath(const Options& options, std::optional<Duration> time) {
   Build built = build(project::load(options.path, options.cpu), false);
-  if (!ready(options, built)) return built.exitCode();
+  if (!ready(options, built)) return exitCode(built);
   if (options.card.empty()) return runBuild(options, built, time, nullptr);
   if (built.isListing()) return wrongUsage("--card: a SINUMERIK has no memory card");
   auto card = store::MemoryCard::open(options.card);
@@ -262,7 +292,7 @@ int runFromCard(const Options& options, std::optional<Duration> time) {
   auto card = store::MemoryCard::open(options.card);
   if (!card) return failed(card.error());
   Build built = buildFromCard(*card, options.card, options.cpu);
-  if (!ready(options, built)) return built.exitCode();
+  if (!ready(options, built)) return exitCode(built);
   return runBuild(options, built, time, &*card);
 }
 
@@ -313,6 +343,9 @@ void addRun(CLI::App& program, int& result) {
   command->add_option("--trace", options->trace,
                       "file for --watch: time, operand, value of each change");
   command->add_flag("--json", options->json, "the values at the end as one JSON object");
+  command->add_flag("--no-workbench", options->noWorkbench,
+                    "in real time without the workbench; ends when the CPU goes to STOP");
+  addServe(*command, options->serve);
   command->footer(
       "Examples:\n"
       "  merker run examples/sorting-plant\n"

@@ -138,7 +138,7 @@ int show(const Options& options, const Build& built) {
   } else {
     options.json ? print({{"references", json(list)}}) : printReferences(list);
   }
-  return built.exitCode();
+  return exitCode(built);
 }
 
 int xref(const Options& options) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "mc7/operand_text.h"
+#include "monitor/symbol_name.h"
 
 namespace merker::monitor {
 namespace {
@@ -27,27 +28,6 @@ Use useOf(Operation operation) {
 
 bool isCall(Operation operation) {
   return operation == Operation::UC || operation == Operation::CC;
-}
-
-std::optional<source::SymbolAddress> symbolAddress(const Operand& key, bool output) {
-  using Kind = source::SymbolAddress::Kind;
-  source::SymbolAddress address;
-  address.kind = key.kind == OperandKind::Timer     ? Kind::Timer
-                 : key.kind == OperandKind::Counter ? Kind::Counter
-                 : key.kind == OperandKind::Block   ? Kind::Block
-                                                    : Kind::Memory;
-  if (address.kind == Kind::Memory) {
-    if (key.area == Area::DataBlock) return std::nullopt;
-    address.area = key.area;
-    address.width = key.width;
-    address.address = key.value;
-    address.peripheralOutput = key.area == Area::Peripheral && output;
-  } else if (address.kind == Kind::Block) {
-    address.block = {key.blockKind, static_cast<std::uint16_t>(key.value)};
-  } else {
-    address.number = static_cast<std::uint16_t>(key.value);
-  }
-  return address;
 }
 
 }  // namespace
@@ -130,9 +110,8 @@ void CrossReferenceWalk::add(Operand key, std::int32_t db, Use use, const mc7::I
   if (key.kind == OperandKind::Block)
     row.operand = toString(BlockId{key.blockKind, static_cast<std::uint16_t>(key.value)});
   if (db >= 0) row.operand = fmt::format("DB{}.{}", db, row.operand);
-  if (const auto address = symbolAddress(key, output))
-    if (const source::Symbol* symbol = around_.symbols.findAddress(*address))
-      row.symbol = symbol->name;
+  if (const source::Symbol* symbol = findSymbol(key, output, around_.symbols))
+    row.symbol = symbol->name;
   add(std::move(row), use, one);
 }
 

@@ -29,18 +29,18 @@ Result<Value> parseContent(const mc7::Reference& reference, std::string_view tex
 
 }  // namespace
 
-std::optional<Value> read(const station::Station& station, const mc7::Reference& reference) {
+std::optional<Value> read(const controller::Controller& plc, const mc7::Reference& reference) {
   if (!isLong(reference)) {
-    const auto bits = station.read(reference);
+    const auto bits = plc.read(reference);
     return bits ? std::optional(Value{*bits, {}}) : std::nullopt;
   }
-  auto content = simulator::readLong(reference, station);
+  auto content = simulator::readLong(reference, plc);
   return content ? std::optional(Value{0, std::move(*content)}) : std::nullopt;
 }
 
-bool write(station::Station& station, const mc7::Reference& reference, const Value& value) {
-  if (isLong(reference)) return simulator::writeLong(reference, value.content, station);
-  return station.write(reference, value.bits);
+bool write(controller::Controller& plc, const mc7::Reference& reference, const Value& value) {
+  if (isLong(reference)) return simulator::writeLong(reference, value.content, plc);
+  return plc.write(reference, value.bits);
 }
 
 bool canWrite(station::Station& station, const mc7::Reference& reference) {

@@ -18,8 +18,8 @@ struct Value {
 };
 
 // Nothing, or false, if there is no such operand.
-std::optional<Value> read(const station::Station& station, const mc7::Reference& reference);
-bool write(station::Station& station, const mc7::Reference& reference, const Value& value);
+std::optional<Value> read(const controller::Controller& plc, const mc7::Reference& reference);
+bool write(controller::Controller& plc, const mc7::Reference& reference, const Value& value);
 // Whether `write` would do it. Nothing is changed.
 bool canWrite(station::Station& station, const mc7::Reference& reference);
 

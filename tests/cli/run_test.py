@@ -149,7 +149,7 @@ class RealTime(Case):
         self.write("a.awl", PROGRAM)
         # Signals that come before the program is ready for them stay pending.
         held = lambda: signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT, signal.SIGTERM})
-        return subprocess.Popen([os.environ["MERKER"], "run", "a.awl", *arguments], cwd=self.folder, text=True,
+        return subprocess.Popen([os.environ["MERKER"], "run", "a.awl", "--no-workbench", *arguments], cwd=self.folder, text=True,
                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE, preexec_fn=held)
 
     def end(self, process, number):

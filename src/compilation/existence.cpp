@@ -1,4 +1,4 @@
-#include "existence.h"
+#include "compilation/existence.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include "mc7/instruction.h"
 #include "simulator/long_value.h"
 
-namespace merker::app {
+namespace merker::compilation {
 namespace {
 
 bool inDataBlock(const mc7::Reference& reference) {
@@ -58,4 +58,4 @@ bool Existence::makesDataBlocks() const {
                      [](const auto& entry) { return callsCreate(entry.second); });
 }
 
-}  // namespace merker::app
+}  // namespace merker::compilation

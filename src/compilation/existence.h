@@ -8,7 +8,7 @@
 #include "mc7/reference.h"
 #include "station/station.h"
 
-namespace merker::app {
+namespace merker::compilation {
 
 class Existence {
  public:
@@ -25,4 +25,4 @@ class Existence {
 
 // Whether it can be read now.
 bool exists(const mc7::Reference& reference, const controller::Controller& plc);
-}  // namespace merker::app
+}  // namespace merker::compilation

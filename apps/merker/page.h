@@ -1,0 +1,12 @@
+// The page of the workbench, embedded in the program (tools/embed).
+#pragma once
+
+#include <span>
+
+#include "hmi/asset.h"
+
+namespace merker::app {
+
+std::span<const hmi::Asset> page();
+
+}  // namespace merker::app

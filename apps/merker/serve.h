@@ -1,0 +1,27 @@
+// The workbench behind a server: options of the command line, start, and the time until Ctrl-C.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "hmi/server.h"
+#include "workbench/workbench.h"
+
+namespace CLI {
+class App;
+}
+
+namespace merker::app {
+
+struct ServeOptions {
+  std::uint16_t port = 8080;
+  std::string listen = "127.0.0.1", token, certificate, key, workspace, examples;
+};
+
+void addServe(CLI::App& command, ServeOptions& options);
+// Serves until Ctrl-C. False: it could not listen; that is told. `quiet`: standard output is for
+// something else.
+bool serve(const std::string& command, const ServeOptions& options, workbench::Workbench& workbench,
+           bool quiet);
+
+}  // namespace merker::app

@@ -1,0 +1,181 @@
+#include "compilation/build.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "block/memory.h"
+#include "cnc/memory.h"
+#include "cnc/reference.h"
+#include "compilation/existence.h"
+#include "step5/compiler.h"
+#include "step5/variable.h"
+#include "system/library.h"
+
+namespace merker::compilation {
+namespace {
+
+step7::CompileOptions options(const Build& build) {
+  step7::CompileOptions options;
+  options.model = build.project.model;
+  options.library = build.library.get();
+  options.symbols = &build.project.symbols;
+  return options;
+}
+
+}  // namespace
+
+FileLookup Build::files() const {
+  return [this](const std::string& name) { return project.file(name); };
+}
+
+// Whether there is such a data block shows when it is looked at: programs make some (E DB).
+simulator::Resolver listingResolver() {
+  const auto operands = [](std::string_view text, const Position& at) -> Result<mc7::Reference> {
+    if (const auto variable = step5::parseVariable(text)) return cnc::toReference(text, *variable);
+    return makeProblem(ProblemCode::P1104, at, text);
+  };
+  return {operands, cnc::parseConstant};
+}
+
+simulator::Resolver Build::operands() const {
+  if (isListing()) return listingResolver();
+  return [this](std::string_view text, const Position& at) {
+    return step7::resolve(text, *program, options(*this), at);
+  };
+}
+
+simulator::Resolver Build::resolver() const {
+  if (isListing()) return listingResolver();
+  const auto existence = std::make_shared<const Existence>(station());
+  return [existence, all = operands()](std::string_view text, const Position& at) {
+    Result<mc7::Reference> reference = all(text, at);
+    if (!reference) return reference;
+    const auto problem = existence->problem(reference.value(), at);
+    return problem ? Result<mc7::Reference>(*problem) : reference;
+  };
+}
+
+station::Station Build::station(bool coverage) const {
+  station::Options options;
+  options.model = project.model;
+  options.parameters = project.parameters;
+  options.hardware = project.hardware;
+  options.plants = project.plants;
+  options.program = program;
+  options.startOfClock = project.startOfClock;
+  options.coverage = coverage;
+  return station::Station(std::move(options));
+}
+
+cnc::Options Build::controlOptions() const {
+  cnc::Options options = *project.control;
+  options.plc.program = listings;
+  return options;
+}
+
+std::unique_ptr<controller::Controller> Build::controller(bool coverage) const {
+  if (!isListing()) return std::make_unique<station::Station>(station(coverage));
+  cnc::Options options = controlOptions();
+  options.plc.coverage = coverage;
+  return std::make_unique<cnc::Cnc>(std::move(options));
+}
+
+namespace {
+
+Position beginning(const mc5::Block& block) {
+  return block.lines.empty()
+             ? Position{block.file}
+             : Position{block.file, block.lines.front().line, block.lines.front().column};
+}
+
+// Blocks that find no room are missing when the program runs (S5-SCHED-13, S5-DB-16).
+void requireRoom(Build& build) {
+  if (!build.ok()) return;
+  for (const cnc::NoRoom& row : cnc::memoryUse(build.controlOptions()).missing) {
+    const bool data = row.block.type == mc5::BlockType::Db;
+    build.problems.add(ProblemCode::P1144, beginning(build.listings.at(row.block)),
+                       sinumerik::toString(row.block), row.words, row.segment.size,
+                       data ? "user data" : "user program", row.segment.size - row.segment.used);
+  }
+}
+
+// FB 11 makes data blocks when the program runs.
+bool makesDataBlocks(const mc5::Program& program) {
+  return std::any_of(program.begin(), program.end(), [](const auto& entry) {
+    const auto& words = entry.second.words;
+    return std::any_of(words.begin(), words.end(), [](std::uint16_t word) {
+      return word == 0x3D0B || word == 0x1D0B;  // SPA FB 11, SPB FB 11
+    });
+  });
+}
+
+// The bits of user alarms and messages that merker.toml names are words of the program (OP-55).
+void requireBits(Build& build, std::string_view name, const Position& at,
+                 const std::optional<sinumerik::BitField>& field) {
+  constexpr std::size_t kWords = 4;  // 64 bits
+  if (!field || field->db == 0) return;
+  const auto block = build.listings.find({mc5::BlockType::Db, field->db});
+  const bool there =
+      block != build.listings.end() && field->first + kWords <= block->second.words.size();
+  if (!there)
+    build.problems.add(ProblemCode::P1153, at, name,
+                       fmt::format("DB {}.DW {} (64 bits in 4 words)", field->db, field->first));
+}
+
+void requireBits(Build& build) {
+  const cnc::Options& options = *build.project.control;
+  if (!build.ok() || makesDataBlocks(build.listings)) return;
+  requireBits(build, "alarms", options.alarmsNamed, options.plc.userAlarms.alarms);
+  requireBits(build, "messages", options.messagesNamed, options.plc.userAlarms.messages);
+}
+
+Build buildListings(project::Project project, bool checks) {
+  Build result;
+  result.project = std::move(project);
+  result.library = result.program = std::make_shared<const block::Program>();
+  result.problems = result.project.problems;
+  step5::Compilation compilation = step5::compile(result.project.sources, checks);
+  result.problems.append(compilation.problems);
+  result.listings = std::move(compilation.program);
+  requireRoom(result);
+  requireBits(result);
+  return result;
+}
+
+}  // namespace
+
+Build build(project::Project project, bool checks) {
+  if (project.control) return buildListings(std::move(project), checks);
+  Build result;
+  result.project = std::move(project);
+  result.library = std::make_shared<const block::Program>(system::library(*result.project.model));
+  result.problems = result.project.problems;
+  step7::CompileOptions compileOptions = options(result);
+  compileOptions.checks = checks;
+  step7::Compilation compilation = step7::compile(result.project.sources, compileOptions);
+  result.problems.append(compilation.problems);
+  result.program = std::make_shared<const block::Program>(std::move(compilation.program));
+  project::checkAddresses(result.project, *result.program, result.problems);
+  return result;
+}
+
+void requireOb1(Build& build) {
+  if (build.ok() && !build.isListing() && !build.program->contains({BlockKind::OB, 1}))
+    build.problems.add(ProblemCode::P0710, Position{build.project.path});
+}
+
+void noteMissingOb1(Build& build) {
+  if (build.ok() && !build.isListing() && !build.program->contains({BlockKind::OB, 1}))
+    build.problems.add(ProblemCode::P0712, Position{build.project.path});
+}
+
+void requireWorkMemory(Build& build) {
+  const std::size_t needed = block::workMemory(*build.program);
+  const CpuModel& model = *build.project.model;
+  if (build.ok() && needed > model.workMemory)
+    build.problems.add(ProblemCode::P1010, Position{build.project.path}, needed, model.workMemory,
+                       model.name);
+}
+
+}  // namespace merker::compilation

@@ -1,0 +1,15 @@
+// A file of the page, as it is embedded in the program.
+#pragma once
+
+#include <string_view>
+
+namespace merker::hmi {
+
+struct Asset {
+  std::string_view path;  // "/index.html"
+  std::string_view type;  // "text/html; charset=utf-8"
+  std::string_view tag;   // ETag without quotation marks
+  std::string_view bytes;
+};
+
+}  // namespace merker::hmi

@@ -1,0 +1,33 @@
+#include "hmi/browsers.h"
+
+namespace merker::hmi {
+
+BrowserId Browsers::add(const std::shared_ptr<Connection>& connection) {
+  const std::lock_guard lock(mutex_);
+  if (open_.size() >= most_) return 0;
+  open_[++last_] = connection;
+  return last_;
+}
+
+void Browsers::remove(BrowserId id) {
+  const std::lock_guard lock(mutex_);
+  open_.erase(id);
+}
+
+std::shared_ptr<Connection> Browsers::find(BrowserId id) const {
+  const std::lock_guard lock(mutex_);
+  const auto found = open_.find(id);
+  return found == open_.end() ? nullptr : found->second.lock();
+}
+
+void Browsers::closeAll() {
+  std::map<BrowserId, std::weak_ptr<Connection>> all;
+  {
+    const std::lock_guard lock(mutex_);
+    all = open_;
+  }
+  for (const auto& [id, connection] : all)
+    if (const auto alive = connection.lock()) alive->close();
+}
+
+}  // namespace merker::hmi

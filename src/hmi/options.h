@@ -1,0 +1,31 @@
+// Where the server listens, what it needs for that, and its limits.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "hmi/asset.h"
+
+namespace merker::hmi {
+
+struct Limits {
+  std::size_t message = 4 << 20;   // bytes of one message
+  std::size_t browsers = 64;       // open WebSockets
+  std::size_t connections = 256;   // open sockets, WebSockets among them
+  std::uint32_t header = 8 << 10;  // bytes of an HTTP header
+  std::size_t waiting = 64 << 20;  // bytes that wait for a browser; beyond that it is given up
+  unsigned seconds = 20;           // for an HTTP request to come, and between two of them
+};
+
+struct Options {
+  std::string address = "127.0.0.1";
+  std::uint16_t port = 8080;     // 0: any free one
+  std::string token;             // empty: none is asked for
+  std::string certificate, key;  // PEM files; empty: no TLS
+  std::span<const Asset> assets;
+  Limits limits{};
+};
+
+}  // namespace merker::hmi

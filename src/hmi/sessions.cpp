@@ -1,0 +1,33 @@
+#include "hmi/sessions.h"
+
+#include <boost/beast/ssl.hpp>
+
+#include "hmi/http_session.h"
+
+namespace merker::hmi {
+namespace {
+
+using Plain = beast::tcp_stream;
+using Secure = beast::ssl_stream<beast::tcp_stream>;
+
+void handshake(const std::shared_ptr<HttpSession<Secure>>& session) {
+  session->limitTime();
+  session->stream().async_handshake(boost::asio::ssl::stream_base::server,
+                                    [session](beast::error_code error) {
+                                      if (!error) session->read();
+                                    });
+}
+
+}  // namespace
+
+void serve(boost::asio::ip::tcp::socket socket, Surroundings& around) {
+  if (around.connections >= around.options.limits.connections) return;  // closed at once
+  beast::error_code ignored;
+  socket.set_option(boost::asio::ip::tcp::no_delay(true), ignored);
+  if (around.tls == nullptr)
+    return std::make_shared<HttpSession<Plain>>(Plain(std::move(socket)), around)->read();
+  handshake(
+      std::make_shared<HttpSession<Secure>>(Secure(Plain(std::move(socket)), *around.tls), around));
+}
+
+}  // namespace merker::hmi

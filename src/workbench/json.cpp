@@ -1,0 +1,53 @@
+#include "workbench/json.h"
+
+namespace merker::workbench {
+namespace {
+
+// What begins like a source may be one word of many megabytes.
+constexpr std::size_t kLongestText = 400;
+
+std::string shortened(const std::string& text) {
+  if (text.size() <= kLongestText) return text;
+  std::size_t end = kLongestText;
+  while (end > 0 && (text[end] & 0xC0) == 0x80) --end;  // not inside a character
+  return text.substr(0, end) + " …";
+}
+
+std::string_view inside(std::string_view path, std::string_view folder) {
+  if (folder.empty() || !path.starts_with(folder)) return path;
+  path.remove_prefix(folder.size());
+  return path.substr(std::min(path.find_first_not_of('/'), path.size()));
+}
+
+}  // namespace
+
+std::string dump(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+Json toJson(const Problem& problem, std::string_view folder) {
+  const Position& at = problem.position;
+  return {{"code", problem.name()},
+          {"severity", problem.severity() == Severity::Error ? "error" : "warning"},
+          {"file", inside(at.file, folder)},
+          {"line", at.line},
+          {"column", at.column},
+          {"length", at.length},
+          {"text", shortened(problem.message)}};
+}
+
+Json toJson(const Problems& problems, std::string_view folder) {
+  Json list = Json::array();
+  for (const Problem& problem : problems.list()) list.push_back(toJson(problem, folder));
+  return list;
+}
+
+Problems one(Problem problem) {
+  Problems problems;
+  problems.add(std::move(problem));
+  return problems;
+}
+
+Position nowhere() { return Position{"", 0, 0, 0}; }
+
+}  // namespace merker::workbench

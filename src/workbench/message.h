@@ -1,0 +1,16 @@
+// One message of a browser: a JSON object, not nested deeper than the protocol allows.
+#pragma once
+
+#include <string_view>
+
+#include "workbench/json.h"
+
+namespace merker::workbench {
+
+constexpr std::size_t kDeepest = 32;
+
+Result<Json> parseMessage(std::string_view text);
+// 0: there is none.
+std::int64_t requestId(const Json& request);
+
+}  // namespace merker::workbench

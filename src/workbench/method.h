@@ -1,0 +1,37 @@
+// The requests of the protocol (docs/workbench-protocol.md), one row each, one file per group.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "workbench/fields.h"
+#include "workbench/shared.h"
+
+namespace merker::workbench {
+
+struct Call {
+  Shared& shared;
+  Browser& browser;
+  const Fields& fields;
+
+  Plc& plc() const { return *shared.plc; }
+  station::Station& station() const { return *shared.plc->station(); }
+  monitor::Monitor& monitor() const { return *shared.plc->monitor(); }
+};
+
+enum class Needs : std::uint8_t { Nothing, Plc, S7 };
+
+struct Method {
+  std::string_view name;
+  Needs needs;
+  Answer (*run)(const Call& call);
+};
+
+std::span<const Method> plcMethods();
+std::span<const Method> variableMethods();
+
+// {} or the problem.
+Answer done(const std::optional<Problem>& problem = {});
+Answer empty();
+
+}  // namespace merker::workbench

@@ -1,0 +1,115 @@
+#include "workbench/plc.h"
+
+#include "simulator/long_value.h"
+#include "workbench/json.h"
+
+namespace merker::workbench {
+namespace {
+
+std::unique_ptr<controller::Controller> made(const compilation::Build& build) {
+  if (build.ok()) {
+    auto plc = build.controller();
+    plc->memoryReset();
+    plc->start();
+    return plc;
+  }
+  compilation::Build empty = build;
+  empty.program = std::make_shared<const block::Program>();
+  empty.listings.clear();
+  return empty.controller();
+}
+
+}  // namespace
+
+Plc::Plc(compilation::Build build, std::unique_ptr<controller::Controller> controller)
+    : build_(std::move(build)),
+      operands_(build_.operands()),
+      controller_(controller ? std::move(controller) : made(build_)),
+      station_(dynamic_cast<station::Station*>(controller_.get())) {
+  if (station_ == nullptr) return;
+  monitor_ = std::make_unique<monitor::Monitor>(
+      *station_, build_.project.symbols,
+      simulator::Resolver(
+          [this](std::string_view text, const Position& at) { return operands_(text, at); },
+          operands_.constants));
+}
+
+Plc::~Plc() = default;
+
+Result<mc7::Reference> Plc::operand(std::string_view text) const {
+  if (monitor_) return monitor_->operand(text);
+  auto reference = operands_(text, nowhere());
+  if (reference && reference->operand.kind != mc7::OperandKind::Memory)
+    reference->operand.width = Width::Word;
+  return reference;
+}
+
+std::optional<monitor::Value> Plc::read(const mc7::Reference& reference) const {
+  return monitor::read(*controller_, reference);
+}
+
+// A SINUMERIK: what was written before one that cannot be written stays.
+std::optional<Problem> Plc::control(const std::vector<monitor::Wish>& wishes, bool force) {
+  std::vector<std::pair<mc7::Reference, std::uint32_t>> good;
+  for (const monitor::Wish& wish : wishes) {
+    auto reference = operand(wish.operand);
+    if (!reference) return reference.error();
+    const auto value = monitor::parse(*reference, wish.value, wish.format);
+    if (!value) return value.error();
+    if (!controller_->read(*reference))
+      return makeProblem(ProblemCode::P1213, nowhere(), std::string(wish.operand));
+    good.emplace_back(std::move(*reference), value->bits);
+  }
+  for (const auto& [reference, value] : good) {
+    if (force ? controller_->force(reference, value) : controller_->write(reference, value))
+      continue;
+    return makeProblem(force ? ProblemCode::P1211 : ProblemCode::P1212, nowhere(), reference.text);
+  }
+  for (const auto& [reference, value] : good)
+    if (force) forces_.push_back({reference, value});
+  return std::nullopt;
+}
+
+std::optional<Problem> Plc::write(const std::vector<monitor::Wish>& wishes) {
+  return monitor_ ? monitor_->write(wishes) : control(wishes, false);
+}
+
+std::optional<Problem> Plc::force(const std::vector<monitor::Wish>& wishes) {
+  return monitor_ ? monitor_->force(wishes) : control(wishes, true);
+}
+
+std::optional<Problem> Plc::unforce(const std::vector<std::string_view>& operands) {
+  if (monitor_) return monitor_->unforce(operands);
+  std::vector<monitor::Forced> left = forces_;
+  for (const std::string_view text : operands)
+    if (std::erase_if(left, [&](const auto& one) { return one.operand.text == text; }) == 0)
+      return makeProblem(ProblemCode::P1214, nowhere(), std::string(text));
+  controller_->unforce();
+  forces_ = std::move(left);
+  for (const monitor::Forced& one : forces_) controller_->force(one.operand, one.value);
+  return std::nullopt;
+}
+
+void Plc::unforceAll() {
+  if (monitor_) return monitor_->unforceAll();
+  forces_.clear();
+  controller_->unforce();
+}
+
+const std::vector<monitor::Forced>& Plc::forces() const {
+  return monitor_ ? monitor_->forces() : forces_;
+}
+
+void Plc::onCycle(Observer observer) {
+  observers_.push_back(std::move(observer));
+  controller_->onCycle([this](controller::Controller& plc) {
+    for (const Observer& one : observers_) one(plc);
+  });
+}
+
+void Plc::replace(compilation::Build build) {
+  build_ = std::move(build);
+  operands_ = build_.operands();
+}
+
+}  // namespace merker::workbench

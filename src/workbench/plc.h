@@ -1,0 +1,62 @@
+// The PLC that everybody looks at, with the project it came from. A SIMATIC S7 has a monitor; of a
+// SINUMERIK there is what any controller offers.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "compilation/build.h"
+#include "monitor/monitor.h"
+
+namespace merker::workbench {
+
+class Plc {
+ public:
+  using Observer = std::function<void(controller::Controller&)>;
+
+  // A program with errors is not loaded: the CPU is there and empty. `controller`: one that was
+  // made from this build already.
+  explicit Plc(compilation::Build build, std::unique_ptr<controller::Controller> controller = {});
+  ~Plc();
+  Plc(const Plc&) = delete;
+  Plc& operator=(const Plc&) = delete;
+
+  const compilation::Build& build() const { return build_; }
+  controller::Controller& controller() { return *controller_; }
+  const controller::Controller& controller() const { return *controller_; }
+  station::Station* station() { return station_; }  // null: a SINUMERIK
+  const station::Station* station() const { return station_; }
+  monitor::Monitor* monitor() { return monitor_.get(); }  // null: a SINUMERIK
+  const monitor::Monitor* monitor() const { return monitor_.get(); }
+  bool isS7() const { return station_ != nullptr; }
+
+  // Values by their text; timers and counters as LC loads them.
+  Result<mc7::Reference> operand(std::string_view text) const;
+  std::optional<monitor::Value> read(const mc7::Reference& reference) const;
+  // All of them, or none.
+  std::optional<Problem> write(const std::vector<monitor::Wish>& wishes);
+  std::optional<Problem> force(const std::vector<monitor::Wish>& wishes);
+  std::optional<Problem> unforce(const std::vector<std::string_view>& operands);
+  void unforceAll();
+  const std::vector<monitor::Forced>& forces() const;
+
+  // At each cycle checkpoint, in the order in which they came.
+  void onCycle(Observer observer);
+  // Another program from the same project; the CPU has it already.
+  void replace(compilation::Build build);
+
+ private:
+  std::optional<Problem> control(const std::vector<monitor::Wish>& wishes, bool force);
+
+  compilation::Build build_;
+  simulator::Resolver operands_;
+  std::unique_ptr<controller::Controller> controller_;
+  station::Station* station_ = nullptr;
+  std::unique_ptr<monitor::Monitor> monitor_;
+  std::vector<Observer> observers_;
+  std::vector<monitor::Forced> forces_;  // of a SINUMERIK
+};
+
+}  // namespace merker::workbench

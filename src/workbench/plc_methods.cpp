@@ -1,0 +1,130 @@
+// Mode switch, power, start and stop, events by hand, pace of time.
+#include "cpu/cpu.h"
+#include "cpu/trigger.h"
+#include "workbench/method.h"
+
+namespace merker::workbench {
+namespace {
+
+using cpu::SwitchPosition;
+
+Answer notStarted(const controller::Controller& plc) {
+  const std::string reason = plc.stopReason();
+  return refused(ProblemCode::P1308, "the CPU does not start",
+                 reason.empty() ? std::string("it is not possible now") : reason);
+}
+
+// A SINUMERIK has no such switch: RUN and STOP are keys of the programmer.
+Answer turnControl(controller::Controller& plc, std::size_t position) {
+  constexpr std::size_t kStop = 2, kReset = 3;
+  if (position < kStop) return plc.start() ? empty() : notStarted(plc);
+  plc.stop();
+  if (position == kReset) plc.memoryReset();
+  return empty();
+}
+
+Answer turnSwitch(const Call& call) {
+  const std::size_t position = call.fields.choice("position", {"RUN-P", "RUN", "STOP", "MRES"});
+  if (!call.fields.good()) return call.fields.problems();
+  if (!call.plc().isS7()) return turnControl(call.plc().controller(), position);
+  const auto to = static_cast<SwitchPosition>(position);
+  const bool reset = to == SwitchPosition::Mres;
+  call.station().setSwitch(reset ? SwitchPosition::Stop : to);
+  if (reset) call.station().memoryReset();
+  return empty();
+}
+
+Answer power(const Call& call) {
+  const bool on = call.fields.flag("on"), battery = call.fields.flag("battery", true);
+  if (!call.fields.good()) return call.fields.problems();
+  controller::Controller& plc = call.plc().controller();
+  if (on == plc.powered()) return empty();
+  on ? plc.powerOn(battery) : plc.powerOff();
+  return empty();
+}
+
+// As a programming device does it (16#4304), not the mode switch.
+void stopPlc(Plc& plc) {
+  if (plc.isS7())
+    plc.station()->cpu().stop(cpu::Event::StopByProgrammer);
+  else
+    plc.controller().stop();
+}
+
+Answer start(const Call& call) {
+  const bool cold = call.fields.choice("kind", {"warm", "cold"}, 0) == 1;
+  if (!call.fields.good()) return call.fields.problems();
+  controller::Controller& plc = call.plc().controller();
+  if (cold && !plc.hasColdRestart())
+    return refused(ProblemCode::P1307, plc.modelName(), "cold restart");
+  stopPlc(call.plc());
+  return (cold ? plc.coldRestart() : plc.start()) ? empty() : notStarted(plc);
+}
+
+Answer stop(const Call& call) {
+  stopPlc(call.plc());
+  return empty();
+}
+
+Answer reset(const Call& call) {
+  if (call.plc().controller().mode() != controller::Mode::Stop)
+    return refused(ProblemCode::P1308, "memory reset", "possible in STOP only");
+  call.plc().controller().memoryReset();
+  return empty();
+}
+
+Answer trigger(const Call& call) {
+  const auto ob = call.fields.integer("ob", 1, 255);
+  cpu::Trigger event;
+  event.address = static_cast<std::uint16_t>(call.fields.integer("address", 0, 65535, 0));
+  event.going = call.fields.flag("going", false);
+  if (!call.fields.good()) return call.fields.problems();
+  if (!cpu::canTrigger(static_cast<std::uint32_t>(ob)))
+    return refused(ProblemCode::P1308, fmt::format("OB {}", ob),
+                   "there is no event for it that could be made by hand");
+  event.ob = static_cast<std::uint8_t>(ob);
+  cpu::trigger(call.station().cpu(), event);
+  return empty();
+}
+
+Answer engine(const Call& call) {
+  const std::size_t wanted = call.fields.choice("engine", {"interpreter", "jit"});
+  if (!call.fields.good()) return call.fields.problems();
+  if (call.station().mode() != controller::Mode::Stop)
+    return refused(ProblemCode::P1308, "the engine", "it can be changed in STOP only");
+  if (!call.station().setEngine(wanted == 1 ? station::Engine::Compiled
+                                            : station::Engine::Interpreter))
+    return refused(ProblemCode::P1307, "this processor", "jit; use interpreter");
+  return empty();
+}
+
+Answer pace(const Call& call) {
+  const auto mode = static_cast<PaceMode>(call.fields.choice("mode", {"real", "fast", "pause"}));
+  const double factor = call.fields.number("factor", 0.1, 100, call.shared.pacer.pace().factor);
+  if (!call.fields.good()) return call.fields.problems();
+  call.shared.pacer.set({mode, factor});
+  return empty();
+}
+
+Answer step(const Call& call) {
+  const auto cycles = call.fields.integer("cycles", 1, 1'000'000, 1);
+  if (!call.fields.good()) return call.fields.problems();
+  if (call.shared.pacer.pace().mode != PaceMode::Pause)
+    return refused(ProblemCode::P1308, "single cycles", "possible while time is paused");
+  call.shared.pacer.step(static_cast<std::uint64_t>(cycles));
+  return empty();
+}
+
+constexpr Method kMethods[] = {
+    {"cpu.switch", Needs::Plc, turnSwitch}, {"cpu.power", Needs::Plc, power},
+    {"cpu.start", Needs::Plc, start},       {"cpu.stop", Needs::Plc, stop},
+    {"cpu.reset", Needs::Plc, reset},       {"cpu.trigger", Needs::S7, trigger},
+    {"cpu.engine", Needs::S7, engine},      {"time.pace", Needs::Nothing, pace},
+    {"time.step", Needs::Plc, step},
+};
+
+}  // namespace
+
+std::span<const Method> plcMethods() { return kMethods; }
+
+}  // namespace merker::workbench

@@ -1,0 +1,121 @@
+#include <array>
+
+#include "workbench/shared.h"
+
+namespace merker::workbench {
+namespace {
+
+constexpr std::string_view kModes[] = {"STOP", "STARTUP", "RUN", "HALT"};
+constexpr std::string_view kSwitch[] = {"RUN-P", "RUN", "STOP", "MRES"};
+constexpr std::string_view kLights[] = {"off", "on", "slow", "fast"};
+constexpr std::string_view kPaces[] = {"real", "fast", "pause"};
+
+template <typename E>
+std::string_view word(const auto& names, E value) {
+  return names[static_cast<std::size_t>(value)];
+}
+
+Json leds(const cpu::Leds& leds) {
+  const auto text = [](cpu::Light light) { return word(kLights, light); };
+  return {{"SF", text(leds.sf)},     {"BF", text(leds.bf)},   {"DC5V", text(leds.dc5v)},
+          {"FRCE", text(leds.frce)}, {"RUN", text(leds.run)}, {"STOP", text(leds.stop)}};
+}
+
+// A SINUMERIK shows its PLC's state on the screen; here it looks like the others.
+cpu::Leds ledsOf(const Plc& plc) {
+  if (plc.isS7()) return plc.station()->leds();
+  const auto light = [](bool on) { return on ? cpu::Light::On : cpu::Light::Off; };
+  const controller::Controller& c = plc.controller();
+  cpu::Leds leds;
+  leds.sf = light(c.stoppedByFault());
+  leds.dc5v = light(c.powered());
+  leds.frce = light(!plc.forces().empty());
+  leds.run = light(c.powered() && c.mode() != controller::Mode::Stop);
+  leds.stop = light(c.powered() && c.mode() == controller::Mode::Stop);
+  return leds;
+}
+
+Json forces(const Plc& plc) {
+  Json list = Json::array();
+  for (const monitor::Forced& one : plc.forces())
+    list.push_back(
+        {{"operand", one.operand.text},
+         {"value", monitor::show(one.operand, one.value, monitor::DisplayFormat::Automatic)}});
+  return list;
+}
+
+Json breakpoint(Plc& plc) {
+  if (!plc.isS7() || plc.controller().mode() != controller::Mode::Halt) return nullptr;
+  const auto place = plc.monitor()->debugger().position();
+  if (!place) return nullptr;
+  Json at = {{"file", place->file}, {"line", place->line}, {"block", toString(place->block)}};
+  at["why"] = "HALT at " + monitor::toString(*place);
+  return at;
+}
+
+// What only a SIMATIC S7 has.
+void addStation(Json& json, const Plc& plc) {
+  const station::Station& station = *plc.station();
+  const cpu::CycleTimes& cycle = station.cpu().cycleTimes();
+  json["switch"] = word(kSwitch, station.switchPosition());
+  json["clock"] = monitor::clockText(station.cpu().clock().milliseconds(station.now()));
+  json["cycle"] = {{"last", cycle.previous}, {"min", cycle.shortest}, {"max", cycle.longest}};
+  json["engine"] = station.engine() == station::Engine::Compiled ? "jit" : "interpreter";
+  json["diagnostics"] = station.cpu().diagnostics().added();
+}
+
+void addControl(Json& json, const Plc& plc) {
+  const controller::Controller& c = plc.controller();
+  json["switch"] = c.mode() == controller::Mode::Stop ? "STOP" : "RUN";
+  json["clock"] = "";
+  json["cycle"] = nullptr;
+  json["engine"] = "interpreter";
+  json["diagnostics"] = c.diagnostics().size();
+}
+
+Json project(const Shared& shared) {
+  const project::Project& project = shared.plc->build().project;
+  return {{"name", project.name},
+          {"folder", project.folder},
+          {"family", shared.plc->isS7() ? "S7" : "S5"},
+          {"model", shared.plc->controller().modelName()},
+          {"example", shared.example},
+          {"changed", Json::array()}};
+}
+
+}  // namespace
+
+Json state(Shared& shared) {
+  const Pace& pace = shared.pacer.pace();
+  Json json = {{"event", "state"},
+               {"project", nullptr},
+               {"pace", {{"mode", word(kPaces, pace.mode)}, {"factor", pace.factor}}},
+               {"reached", shared.pacer.reached()},
+               {"program", shared.programRevision},
+               {"files", shared.filesRevision}};
+  if (!shared.plc) return json;
+  Plc& plc = *shared.plc;
+  const controller::Controller& c = plc.controller();
+  json["project"] = project(shared);
+  json["mode"] = word(kModes, c.mode());
+  json["powered"] = c.powered();
+  json["leds"] = leds(ledsOf(plc));
+  json["stopReason"] = c.stopReason();
+  json["time"] = c.now().ns;
+  json["cycles"] = c.cycles();
+  json["forces"] = forces(plc);
+  json["breakpoint"] = breakpoint(plc);
+  plc.isS7() ? addStation(json, plc) : addControl(json, plc);
+  return json;
+}
+
+Json difference(const Json& before, const Json& now) {
+  Json changed = Json::object();
+  for (const auto& [key, value] : now.items()) {
+    const auto old = before.find(key);
+    if (old == before.end() || *old != value) changed[key] = value;
+  }
+  return changed;
+}
+
+}  // namespace merker::workbench

@@ -1,0 +1,109 @@
+// Values: watch lists, reading once, modifying, forcing (S7-SIM-12).
+#include "workbench/method.h"
+
+namespace merker::workbench {
+namespace {
+
+using monitor::DisplayFormat;
+
+DisplayFormat format(const Fields& item) {
+  const auto format = monitor::parseFormat(item.text("format", "AUTO"));
+  if (format) return *format;
+  item.add(format.error());
+  return DisplayFormat::Automatic;
+}
+
+std::vector<WatchItem> items(const Call& call) {
+  std::vector<WatchItem> list;
+  for (const Fields& item : call.fields.objects("items", kItems))
+    list.push_back({item.text("operand"), format(item)});
+  return list;
+}
+
+Answer watch(const Call& call) {
+  const auto number = call.fields.integer("list", 0, INT32_MAX);
+  const auto every = call.fields.integer("everyMs", 0, 60'000, 33);
+  auto wanted = items(call);
+  if (!call.fields.good()) return call.fields.problems();
+  auto& lists = call.browser.lists;
+  if (!lists.contains(number) && lists.size() >= kLists)
+    return refused(ProblemCode::P1314, kLists, "lists");
+  const auto [place, isNew] = lists.insert_or_assign(number, WatchList(std::move(wanted), every));
+  return Json{{"items", place->second.describe(call.plc())}};
+}
+
+Answer drop(const Call& call) {
+  const auto number = call.fields.integer("list", 0, INT32_MAX);
+  if (!call.fields.good()) return call.fields.problems();
+  call.browser.lists.erase(number);
+  return empty();
+}
+
+Json unknown(const Problem& problem) {
+  return {{"text", "?"}, {"raw", nullptr}, {"problem", toJson(problem)}};
+}
+
+Json readOne(const Plc& plc, const WatchItem& item) {
+  const auto reference = plc.operand(item.operand);
+  if (!reference) return unknown(reference.error());
+  if (const auto problem = monitor::checkFormat(*reference, item.format)) return unknown(*problem);
+  const auto value = plc.read(*reference);
+  if (!value) return unknown(makeProblem(ProblemCode::P1213, nowhere(), item.operand));
+  return {{"text", monitor::show(*reference, *value, item.format)},
+          {"raw", rawValue(*reference, *value, item.format)}};
+}
+
+Answer read(const Call& call) {
+  const auto wanted = items(call);
+  if (!call.fields.good()) return call.fields.problems();
+  Json list = Json::array();
+  for (const WatchItem& item : wanted) list.push_back(readOne(call.plc(), item));
+  return Json{{"items", std::move(list)}};
+}
+
+// The texts that wishes look at live here.
+struct Texts {
+  std::string operand, value;
+  DisplayFormat format;
+};
+
+std::vector<Texts> texts(const Call& call) {
+  std::vector<Texts> list;
+  for (const Fields& item : call.fields.objects("items", kItems))
+    list.push_back({item.text("operand"), item.text("value"), format(item)});
+  return list;
+}
+
+using Change = std::optional<Problem> (Plc::*)(const std::vector<monitor::Wish>&);
+
+Answer change(const Call& call, Change how) {
+  const auto wanted = texts(call);
+  if (!call.fields.good()) return call.fields.problems();
+  std::vector<monitor::Wish> wishes;
+  for (const Texts& one : wanted) wishes.push_back({one.operand, one.value, one.format});
+  return done((call.plc().*how)(wishes));
+}
+
+Answer write(const Call& call) { return change(call, &Plc::write); }
+Answer force(const Call& call) { return change(call, &Plc::force); }
+
+Answer unforce(const Call& call) {
+  if (!call.fields.has("items")) return call.plc().unforceAll(), empty();
+  std::vector<std::string> names;
+  for (const Fields& item : call.fields.objects("items", kItems))
+    names.push_back(item.text("operand"));
+  if (!call.fields.good()) return call.fields.problems();
+  return done(call.plc().unforce({names.begin(), names.end()}));
+}
+
+constexpr Method kMethods[] = {
+    {"watch.set", Needs::Plc, watch},       {"watch.drop", Needs::Nothing, drop},
+    {"variables.read", Needs::Plc, read},   {"variables.write", Needs::Plc, write},
+    {"variables.force", Needs::Plc, force}, {"variables.unforce", Needs::Plc, unforce},
+};
+
+}  // namespace
+
+std::span<const Method> variableMethods() { return kMethods; }
+
+}  // namespace merker::workbench

@@ -1,0 +1,45 @@
+// The workbench without its transport: requests of browsers in, answers and events out. Time moves
+// only in advance(); everything happens in one thread.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "workbench/shared.h"
+
+namespace merker::workbench {
+
+class Workbench {
+ public:
+  using BrowserId = std::uint64_t;
+
+  Workbench() = default;
+  // The PLC that everybody sees from now on.
+  void show(std::unique_ptr<Plc> plc, bool example = false);
+  Plc* plc() { return shared_.plc.get(); }
+
+  void opened(BrowserId browser) { browsers_[browser]; }
+  void closed(BrowserId browser) { browsers_.erase(browser); }
+
+  // The answer to one message. Whatever it contains, there is one.
+  std::string handle(BrowserId browser, std::string_view message);
+  // Begins a frame: what all browsers see in the same moment. `nowMs`: time on the wall.
+  void beginFrame(std::int64_t nowMs);
+  // What this browser has not seen yet, as texts to send.
+  std::vector<std::string> events(BrowserId browser);
+
+  // One slice of virtual time. True: there is more to do at once.
+  bool advance(const Pacer::WallClock& wall, Duration longest);
+
+ private:
+  Answer run(Browser& browser, const Json& request);
+
+  Shared shared_;
+  std::map<BrowserId, Browser> browsers_;
+  Json state_;
+  std::int64_t nowMs_ = 0;
+};
+
+}  // namespace merker::workbench

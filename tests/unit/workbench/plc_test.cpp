@@ -1,0 +1,127 @@
+#include "bench.h"
+
+namespace merker::workbench::test {
+namespace {
+
+// S7-SIM-11
+TEST(PlcMethods, TheSwitchStartsStopsAndResets) {
+  Bench bench;
+  EXPECT_EQ(bench.state()["mode"], "RUN");
+  EXPECT_EQ(bench.state()["switch"], "RUN-P");
+  bench.call("cpu.switch", {{"position", "STOP"}});
+  Json state = bench.state();
+  EXPECT_EQ(state["mode"], "STOP");
+  EXPECT_EQ(state["leds"]["STOP"], "on");
+  EXPECT_EQ(state["leds"]["RUN"], "off");
+  EXPECT_NE(state["stopReason"], "");
+  bench.call("cpu.switch", {{"position", "RUN"}});
+  bench.run(Duration::milliseconds(10));
+  EXPECT_EQ(bench.state()["mode"], "RUN");
+  bench.call("variables.write", {{"items", {{{"operand", "MW 40"}, {"value", "7"}}}}});
+  bench.call("cpu.switch", {{"position", "MRES"}});
+  EXPECT_EQ(bench.state()["switch"], "STOP");
+  EXPECT_EQ(bench.call("variables.read", {{"items", {{{"operand", "MW 40"}}}}})["items"][0]["raw"],
+            0);
+}
+
+TEST(PlcMethods, StopAndStartOfTheProgrammer) {
+  Bench bench;
+  bench.run(Duration::milliseconds(50));
+  EXPECT_EQ(bench.problem("cpu.reset"), "P1308");
+  bench.call("cpu.stop");
+  EXPECT_EQ(bench.state()["mode"], "STOP");
+  EXPECT_EQ(bench.workbench.plc()->controller().diagnostics().back().event, 0x4304);
+  bench.call("cpu.reset");
+  bench.call("cpu.start", {{"kind", "warm"}});
+  bench.run(Duration::milliseconds(50));
+  EXPECT_EQ(bench.state()["mode"], "RUN");
+  EXPECT_EQ(bench.problem("cpu.start", {{"kind", "cold"}}), "P1307");  // none on a 314C
+}
+
+TEST(PlcMethods, PowerGoesAndComes) {
+  Bench bench;
+  bench.call("cpu.power", {{"on", false}});
+  Json state = bench.state();
+  EXPECT_EQ(state["powered"], false);
+  EXPECT_EQ(state["leds"]["DC5V"], "off");
+  bench.call("cpu.power", {{"on", true}});
+  bench.run(Duration::milliseconds(50));
+  EXPECT_EQ(bench.state()["mode"], "RUN");
+}
+
+// S7-SIM-13: without its OB the event stops the CPU.
+TEST(PlcMethods, EventsByHand) {
+  Bench bench;
+  bench.run(Duration::milliseconds(50));
+  EXPECT_EQ(bench.problem("cpu.trigger", {{"ob", 1}}), "P1308");
+  bench.call("cpu.trigger", {{"ob", 80}});
+  bench.run(Duration::milliseconds(50));
+  const Json state = bench.state();
+  EXPECT_EQ(state["mode"], "STOP");
+  EXPECT_NE(state["stopReason"].get<std::string>().find("16#4568"), std::string::npos);
+}
+
+TEST(PlcMethods, TheEngineChangesInStopOnly) {
+  Bench bench;
+  EXPECT_EQ(bench.problem("cpu.engine", {{"engine", "jit"}}), "P1308");
+  bench.call("cpu.stop");
+  bench.call("cpu.engine", {{"engine", "jit"}});
+  EXPECT_EQ(bench.state()["engine"], "jit");
+}
+
+TEST(State, OnlyWhatChangedIsTold) {
+  Bench bench;
+  const Json first = bench.event("state");
+  EXPECT_EQ(first["project"]["name"], "Test");
+  EXPECT_EQ(first["project"]["family"], "S7");
+  EXPECT_TRUE(bench.events().empty());
+  bench.run(Duration::milliseconds(20));
+  const Json second = bench.event("state");
+  EXPECT_TRUE(second.contains("time"));
+  EXPECT_TRUE(second.contains("cycles"));
+  EXPECT_FALSE(second.contains("project"));
+  EXPECT_FALSE(second.contains("mode"));
+}
+
+TEST(State, EachBrowserHasItsOwnView) {
+  Bench bench;
+  EXPECT_FALSE(bench.event("state").is_null());
+  bench.workbench.opened(2);
+  EXPECT_EQ(bench.event("state", 2)["mode"], "RUN");
+  EXPECT_TRUE(bench.event("state", 1).is_null());
+}
+
+TEST(State, AFaultTellsItsReason) {
+  Bench bench;
+  bench.call("variables.write", {{"items", {{{"operand", "E 0.7"}, {"value", "1"}}}}});
+  bench.run(Duration::milliseconds(50));
+  const Json state = bench.state();
+  EXPECT_EQ(state["mode"], "STOP");
+  EXPECT_EQ(state["leds"]["SF"], "on");
+}
+
+TEST(Sinumerik, HasPanelAndVariables) {
+  Folder folder;
+  folder.write("main.s5",
+               "OB 1\n      U     E 0.0\n      =     A 0.0\n      L     KF +7\n"
+               "      T     MW 40\n      BE\n");
+  Workbench workbench;
+  workbench.show(
+      std::make_unique<Plc>(compilation::build(project::load(folder.path("main.s5"), {}), false)));
+  const auto ask = [&](const std::string& text) { return Json::parse(workbench.handle(1, text)); };
+  controller::Controller& plc = workbench.plc()->controller();
+  plc.advanceTo(plc.now() + Duration::seconds(1));
+  workbench.beginFrame(0);
+  const Json state = Json::parse(workbench.events(1).front());
+  EXPECT_EQ(state["project"]["family"], "S5");
+  EXPECT_EQ(state["mode"], "RUN");
+  const Json read = ask(R"({"id": 1, "do": "variables.read", "items": [{"operand": "MW 40"}]})");
+  EXPECT_EQ(read["result"]["items"][0]["raw"], 7);
+  const Json refused = ask(R"({"id": 2, "do": "cpu.engine", "engine": "jit"})");
+  EXPECT_EQ(refused["problems"][0]["code"], "P1307");
+  EXPECT_TRUE(ask(R"({"id": 3, "do": "cpu.switch", "position": "STOP"})").contains("result"));
+  EXPECT_EQ(plc.mode(), controller::Mode::Stop);
+}
+
+}  // namespace
+}  // namespace merker::workbench::test

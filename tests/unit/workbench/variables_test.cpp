@@ -1,0 +1,116 @@
+#include "bench.h"
+
+namespace merker::workbench::test {
+namespace {
+
+Json item(const std::string& operand, const std::string& format = "AUTO") {
+  return {{"operand", operand}, {"format", format}};
+}
+Json wish(const std::string& operand, const std::string& value) {
+  return {{"operand", operand}, {"value", value}};
+}
+Json items(std::initializer_list<Json> list) { return {{"items", Json(list)}}; }
+
+// S7-SIM-12
+TEST(Variables, AreReadInTheirFormats) {
+  Bench bench;
+  const Json list = bench.call(
+      "variables.read", items({item("DB1.count", "HEX"), item("DB1.level"), item("DB9.DBW 0"),
+                               item("?"), item("MB 0", "REAL")}))["items"];
+  EXPECT_EQ(list[0]["text"], "W#16#0005");
+  EXPECT_EQ(list[0]["raw"], 5);
+  EXPECT_EQ(list[1]["raw"], 1.5);
+  EXPECT_EQ(list[2]["text"], "?");
+  EXPECT_EQ(list[3]["problem"]["code"], "P0316");
+  EXPECT_EQ(list[4]["problem"]["code"], "P1209");
+}
+
+TEST(Variables, AreWrittenAllOrNone) {
+  Bench bench;
+  EXPECT_EQ(bench.problem("variables.write", items({wish("MW 40", "7"), wish("MW 42", "x")})),
+            "P0201");
+  EXPECT_EQ(bench.call("variables.read", items({item("MW 40")}))["items"][0]["raw"], 0);
+  bench.call("variables.write", items({wish("MW 40", "7"), wish("\"Start\"", "1")}));
+  bench.run(Duration::milliseconds(20));
+  const Json read = bench.call("variables.read", items({item("MW 40"), item("\"Motor\"")}));
+  EXPECT_EQ(read["items"][0]["raw"], 7);
+  EXPECT_EQ(read["items"][1]["raw"], 1);
+}
+
+TEST(Variables, AreForcedAndReleased) {
+  Bench bench;
+  bench.call("variables.force", items({wish("A 0.0", "1"), wish("E 0.5", "1")}));
+  bench.run(Duration::milliseconds(20));
+  Json state = bench.state();
+  EXPECT_EQ(state["forces"].size(), 2u);
+  EXPECT_EQ(state["forces"][0]["operand"], "A 0.0");
+  EXPECT_EQ(state["leds"]["FRCE"], "on");
+  EXPECT_EQ(bench.problem("variables.force", items({wish("M 0.0", "1")})), "P1211");
+  bench.call("variables.unforce", items({{{"operand", "A 0.0"}}}));
+  EXPECT_EQ(bench.state()["forces"].size(), 1u);
+  bench.call("variables.unforce");
+  EXPECT_EQ(bench.state()["forces"].size(), 0u);
+}
+
+TEST(Watch, TellsWhatOperandsAre) {
+  Bench bench;
+  const Json list = bench.call(
+      "watch.set",
+      {{"list", 1},
+       {"items",
+        {item("\"Start\""), item("MW 20"), item("DB1.level"), item("T 1"), item("x")}}})["items"];
+  EXPECT_EQ(list[0]["operand"], "E 0.0");
+  EXPECT_EQ(list[0]["symbol"], "Start");
+  EXPECT_EQ(list[0]["comment"], "the button");
+  EXPECT_EQ(list[0]["type"], "BOOL");
+  EXPECT_EQ(list[1]["symbol"], "Counted");
+  EXPECT_EQ(list[1]["type"], "INT");
+  EXPECT_EQ(list[1]["bits"], 16);
+  EXPECT_EQ(list[2]["operand"], "DB1.DBD 2");
+  EXPECT_EQ(list[2]["type"], "REAL");
+  EXPECT_EQ(list[3]["operand"], "T 1");
+  EXPECT_TRUE(list[4].contains("problem"));
+}
+
+TEST(Watch, TellsChangesOnly) {
+  Bench bench;
+  bench.call("watch.set", {{"list", 7}, {"items", {item("MW 20"), item("MW 40"), item("x")}}});
+  Json event = bench.event("values");
+  EXPECT_EQ(event["list"], 7);
+  EXPECT_EQ(event["values"].size(), 3u);
+  EXPECT_EQ(event["values"][2], Json::array({2, "?", nullptr}));
+  EXPECT_TRUE(bench.event("values").is_null());
+  bench.run(Duration::milliseconds(20));
+  event = bench.event("values");
+  ASSERT_EQ(event["values"].size(), 1u);
+  EXPECT_EQ(event["values"][0][0], 0);
+  EXPECT_GT(event["values"][0][2], 0);
+  bench.call("watch.drop", {{"list", 7}});
+  bench.run(Duration::milliseconds(20));
+  EXPECT_TRUE(bench.event("values").is_null());
+}
+
+TEST(Watch, ComesAsOftenAsWanted) {
+  Bench bench;
+  bench.call("watch.set", {{"list", 1}, {"items", {item("MW 20")}}, {"everyMs", 1000}});
+  int seen = 0;
+  for (int frame = 0; frame < 91; ++frame) {  // 3 s
+    bench.run(Duration::milliseconds(5));
+    seen += bench.event("values").is_null() ? 0 : 1;
+  }
+  EXPECT_EQ(seen, 3);
+}
+
+TEST(Watch, ListsHaveLimits) {
+  Bench bench;
+  for (std::size_t i = 0; i < kLists; ++i)
+    bench.call("watch.set", {{"list", i}, {"items", Json::array()}});
+  bench.call("watch.set", {{"list", 0}, {"items", Json::array()}});  // again
+  EXPECT_EQ(bench.problem("watch.set", {{"list", 1000}, {"items", Json::array()}}), "P1314");
+  Json many = Json::array();
+  for (std::size_t i = 0; i <= kItems; ++i) many.push_back(item("M 0.0"));
+  EXPECT_EQ(bench.problem("watch.set", {{"list", 0}, {"items", many}}), "P1305");
+}
+
+}  // namespace
+}  // namespace merker::workbench::test

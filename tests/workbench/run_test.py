@@ -1,0 +1,80 @@
+import json
+import os
+import subprocess
+import unittest
+import urllib.request
+
+from served import Served
+
+
+class Run(Served):
+    def test_the_page_is_there(self):
+        with urllib.request.urlopen(f"http://127.0.0.1:{self.port}/") as page:
+            self.assertIn("text/html", page.headers["Content-Type"])
+            self.assertIn(b"<title>Merker", page.read())
+
+    def test_a_browser_sees_the_plc_and_changes_it(self):
+        browser = self.browser()
+        browser.until(lambda b: b.state.get("mode") == "RUN" and b.state["cycles"] > 3)
+        self.assertEqual(browser.state["project"]["name"], "Plant")
+        browser.call("watch.set", list=1, items=[{"operand": "A 0.0"}])
+        browser.until(lambda b: b.events and b.events[-1]["values"] == [[0, "0", 0]])
+        browser.call("variables.write", items=[{"operand": "E 0.0", "value": "1"}])
+        browser.until(lambda b: b.events[-1]["values"] == [[0, "1", 1]])
+
+    def test_two_browsers_see_the_same_state(self):
+        one, two = self.browser(), self.browser()
+        two.until(lambda b: b.state.get("mode") == "RUN")
+        one.call("cpu.switch", position="STOP")
+        two.until(lambda b: b.state["mode"] == "STOP" and b.state["switch"] == "STOP")
+        two.call("time.pace", mode="pause")
+        one.until(lambda b: b.state["pace"]["mode"] == "pause")
+
+    def test_the_server_stays_when_the_cpu_stops(self):
+        browser = self.browser()
+        browser.call("variables.write", items=[{"operand": "E 0.7", "value": "1"}])
+        browser.until(lambda b: b.state.get("mode") == "STOP")
+        self.assertIn("BCD", browser.state["stopReason"])
+        browser.call("variables.write", items=[{"operand": "E 0.7", "value": "0"}])
+        browser.call("cpu.start", kind="warm")
+        browser.until(lambda b: b.state["mode"] == "RUN")
+        self.assertEqual(self.end(), 0)
+
+    def test_a_connection_may_end_at_any_time(self):
+        for _ in range(20):
+            self.browser().close()
+        self.browser().until(lambda b: b.state.get("mode") == "RUN")
+
+
+class Values(Served):
+    arguments = ("--set", "E 0.0 = 1", "--print", "A 0.0", "--json")
+
+    def start(self):  # the address stands beside the values, not among them
+        self.process = subprocess.Popen([os.environ["MERKER"], "run", "plant", "--port", "0", *self.arguments],
+                                        cwd=self.folder, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        self.addCleanup(self.end)
+        self.port = int(self.process.stderr.readline().split(":")[3].split("/")[0])
+
+    def test_values_at_the_end_are_printed(self):
+        self.browser().until(lambda b: b.state.get("cycles", 0) > 3)
+        self.assertEqual(self.end(), 0)
+        self.assertIs(json.loads(self.out)["A 0.0"], True)
+
+
+class Port(Served):
+    def test_a_port_in_use_is_told(self):
+        call = subprocess.run([os.environ["MERKER"], "run", "plant", "--port", str(self.port)], cwd=self.folder,
+                              capture_output=True, text=True, timeout=20, check=False)
+        self.assertEqual(call.returncode, 4)
+        self.assertIn("is in use by another program; choose another one with --port", call.stderr)
+
+    def test_other_computers_need_token_and_certificate(self):
+        for more in ((), ("--token", "x")):
+            call = subprocess.run([os.environ["MERKER"], "run", "plant", "--port", "0", "--listen", "0.0.0.0", *more],
+                                  cwd=self.folder, capture_output=True, text=True, timeout=20, check=False)
+            self.assertEqual(call.returncode, 4)
+            self.assertIn("that needs --token, --certificate and --key", call.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
