@@ -41,7 +41,7 @@ void Debugger::place() {
     const bool stops = std::any_of(
         breakpoints_.begin(), breakpoints_.end(),
         [&, key = id](const Breakpoint& one) { return one.enabled && one.place.block == key; });
-    const bool wanted = step_ || stops || (status_ && status_->block().id == id);
+    const bool wanted = step_ || stops || statusOf(id) != nullptr;
     station_.cpu().probe(id, wanted ? sight_.get() : nullptr);
   }
 }
@@ -91,8 +91,8 @@ Breakpoint* Debugger::breakpointAt(BlockId block, std::uint32_t offset) {
 
 bool Debugger::before(cpu::Machine& m, std::uint32_t offset) {
   const BlockId id = m.top->code->source->id;
-  const bool shown = status_ && status_->block().id == id;
-  if (shown) status_->arrived(m);
+  ProgramStatus* const shown = statusOf(id);
+  if (shown != nullptr) shown->arrived(m);
   const At here{m.top->code, offset, m.frames.size()};
   const bool leaving = leaveFrom_ == here;
   if (leaving) leaveFrom_.reset();
@@ -106,12 +106,12 @@ bool Debugger::before(cpu::Machine& m, std::uint32_t offset) {
     pause_.breakpoint = stop != nullptr ? stop->number : 0;
     return true;
   }
-  if (shown) status_->before(m, offset);
+  if (shown != nullptr) shown->before(m, offset);
   return false;
 }
 
 void Debugger::after(cpu::Machine& m, const cpu::Code& code, std::uint32_t offset) {
-  if (status_ && status_->block().id == code.source->id) status_->after(m, offset);
+  if (ProgramStatus* shown = statusOf(code.source->id)) shown->after(m, offset);
   // The OB has ended: what runs next is as good as the caller.
   if (step_ && m.levelEnded && m.levels.size() <= step_->levels) step_->kind = StepKind::Into;
 }
@@ -194,16 +194,35 @@ std::optional<SourcePlace> Debugger::position() const {
   return sourcePlace(*m.top->code->source, offset);
 }
 
+ProgramStatus* Debugger::statusOf(BlockId block) {
+  for (ProgramStatus& one : statuses_)
+    if (one.block().id == block) return &one;
+  return nullptr;
+}
+
+const ProgramStatus* Debugger::status(BlockId block) const {
+  for (const ProgramStatus& one : statuses_)
+    if (one.block().id == block) return &one;
+  return nullptr;
+}
+
 bool Debugger::showStatus(BlockId block, CallEnvironment environment) {
   const auto found = station_.program().find(block);
   if (found == station_.program().end() || found->second.code.empty()) return false;
-  status_.emplace(found->second, environment);
+  statuses_.clear();
+  return addStatus(block, environment);
+}
+
+bool Debugger::addStatus(BlockId block, CallEnvironment environment) {
+  const auto found = station_.program().find(block);
+  if (found == station_.program().end() || found->second.code.empty()) return false;
+  if (statusOf(block) == nullptr) statuses_.emplace_back(found->second, environment);
   place();
   return true;
 }
 
 void Debugger::hideStatus() {
-  status_.reset();
+  statuses_.clear();
   place();
 }
 

@@ -57,10 +57,14 @@ class Debugger {
   // Where the program stands in HALT, or stood at STOP; nothing between two cycles.
   std::optional<SourcePlace> position() const;
 
-  // Program status of one block at a time. False: no such block, or it has no code.
+  // Program status of this block alone. False: no such block, or it has no code.
   bool showStatus(BlockId block, CallEnvironment environment = {});
+  // And of this one: everybody who looks on has a block of his own.
+  bool addStatus(BlockId block, CallEnvironment environment = {});
   void hideStatus();
-  const ProgramStatus* status() const { return status_ ? &*status_ : nullptr; }
+  // Of the block that was shown first; null if none is.
+  const ProgramStatus* status() const { return statuses_.empty() ? nullptr : &statuses_.front(); }
+  const ProgramStatus* status(BlockId block) const;
 
  private:
   class Sight;
@@ -82,13 +86,14 @@ class Debugger {
   void after(cpu::Machine& machine, const cpu::Code& code, std::uint32_t offset);
   bool stepEnds(const cpu::Machine& machine, std::uint32_t offset) const;
   Breakpoint* breakpointAt(BlockId block, std::uint32_t offset);
+  ProgramStatus* statusOf(BlockId block);
   void place();  // probes where they are needed
 
   station::Station& station_;
   std::unique_ptr<Sight> sight_;
   std::vector<Breakpoint> breakpoints_;
   unsigned nextNumber_ = 1;
-  std::optional<ProgramStatus> status_;
+  std::vector<ProgramStatus> statuses_;  // of different blocks
   std::optional<Step> step_;
   std::optional<At>
       leaveFrom_;  // the instruction that HALT stands before: executed when it goes on

@@ -35,7 +35,10 @@ bool isListing(const std::string& path) { return hasExtension(path, ".s5"); }
 
 const source::SourceFile* read(Project& project, const std::string& path,
                                std::vector<source::SourceFile>& list) {
-  auto file = source::readSource(path);
+  const auto typed = project.unsaved.find(path);
+  auto file = typed == project.unsaved.end()
+                  ? source::readSource(path)
+                  : Result<source::SourceFile>(source::SourceFile(path, typed->second));
   if (file) {
     list.push_back(std::move(file.value()));
     return &list.back();
@@ -143,9 +146,8 @@ static std::vector<std::string> symbolsBeside(const std::string& source) {
   return same.empty() && all.size() == 1 ? all : same;
 }
 
-Project loadSources(const std::string& path, const std::vector<std::string>& sources,
-                    const std::string& cpu) {
-  Project project;
+static Project loadSources(Project project, const std::string& path,
+                           const std::vector<std::string>& sources, const std::string& cpu) {
   project.path = path;
   project.folder = folderOf(path);
   project.name = stemOf(path);
@@ -160,6 +162,11 @@ Project loadSources(const std::string& path, const std::vector<std::string>& sou
       readSymbolFile(project, join(folderOf(source), name));
   for (const std::string& source : sources) readSource(project, source);
   return project;
+}
+
+Project loadSources(const std::string& path, const std::vector<std::string>& sources,
+                    const std::string& cpu) {
+  return loadSources(Project{}, path, sources, cpu);
 }
 
 Project loadConfiguration(const std::string& path, const std::string& text,
@@ -178,9 +185,10 @@ std::string configurationText(const Project& project) {
   return file == nullptr ? std::string() : std::string(file->text());
 }
 
-Project load(const std::string& path, const std::string& cpu) {
+Project load(const std::string& path, const std::string& cpu, const Unsaved& unsaved) {
   Project project;
   project.path = path;
+  project.unsaved = unsaved;
   if (isFile(path) && std::filesystem::path(path).filename() == kSettingsFile) {
     project.folder = folderOf(path);
   } else if (isFolder(path)) {
@@ -193,7 +201,7 @@ Project load(const std::string& path, const std::string& cpu) {
     fail(project, ProblemCode::P0709);
     return project;
   } else {
-    return loadSources(path, {path}, cpu);
+    return loadSources(std::move(project), path, {path}, cpu);
   }
   project.name = baseName(project.folder);
   loadFolder(project, cpu);

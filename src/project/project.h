@@ -2,6 +2,7 @@
 // a single source.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -34,14 +35,18 @@ struct Project {
   std::vector<source::SourceFile> otherFiles;  // merker.toml and symbol files: for showing problems
   source::SymbolTable symbols;
   Problems problems;
+  std::map<std::string, std::string> unsaved;  // what an editor has in place of files
   bool unreadable = false;  // a file or the project itself could not be read
 
   // The file of this name, for the line under a problem; null if it was not read.
   const source::SourceFile* file(const std::string& name) const;
 };
 
+// Texts of files by their paths, in place of what stands on the disk.
+using Unsaved = std::map<std::string, std::string>;
+
 // `cpu`, unless empty, replaces the model. Never throws; everything that is wrong is in `problems`.
-Project load(const std::string& path, const std::string& cpu);
+Project load(const std::string& path, const std::string& cpu, const Unsaved& unsaved = {});
 
 // A configuration without sources, as a memory card holds it: `text` is that of a merker.toml.
 Project loadConfiguration(const std::string& path, const std::string& text, const std::string& cpu);

@@ -1,4 +1,4 @@
-// What readers and writers of symbol files share. Internal to this module.
+// What readers and writers of symbol files share, and editors of them.
 #pragma once
 
 #include <cstdint>

@@ -13,32 +13,34 @@ std::string shortened(const std::string& text) {
   return text.substr(0, end) + " …";
 }
 
-std::string_view inside(std::string_view path, std::string_view folder) {
-  if (folder.empty() || !path.starts_with(folder)) return path;
-  path.remove_prefix(folder.size());
-  return path.substr(std::min(path.find_first_not_of('/'), path.size()));
-}
-
 }  // namespace
+
+Answer::Answer(const Problems& problems) : good_(false), json_(toJson(problems)) {}
+
+Answer Answer::refused(Json list) {
+  Answer answer(std::move(list));
+  answer.good_ = false;
+  return answer;
+}
 
 std::string dump(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-Json toJson(const Problem& problem, std::string_view folder) {
+Json toJson(const Problem& problem) {
   const Position& at = problem.position;
   return {{"code", problem.name()},
           {"severity", problem.severity() == Severity::Error ? "error" : "warning"},
-          {"file", inside(at.file, folder)},
+          {"file", at.file},
           {"line", at.line},
           {"column", at.column},
           {"length", at.length},
           {"text", shortened(problem.message)}};
 }
 
-Json toJson(const Problems& problems, std::string_view folder) {
+Json toJson(const Problems& problems) {
   Json list = Json::array();
-  for (const Problem& problem : problems.list()) list.push_back(toJson(problem, folder));
+  for (const Problem& problem : problems.list()) list.push_back(toJson(problem));
   return list;
 }
 

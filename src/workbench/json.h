@@ -9,14 +9,29 @@
 namespace merker::workbench {
 
 using Json = nlohmann::json;
-// What a request is answered with.
-using Answer = Result<Json, Problems>;
+
+// What a request is answered with: a result, or problems.
+class Answer {
+ public:
+  Answer(Json result) : good_(true), json_(std::move(result)) {}
+  Answer(const Problems& problems);
+  // A list of problems with more fields than others have.
+  static Answer refused(Json list);
+
+  explicit operator bool() const { return good_; }
+  const Json& json() const { return json_; }
+  Json& json() { return json_; }
+
+ private:
+  bool good_;
+  Json json_;
+};
 
 // As text; bytes that are no UTF-8 are replaced.
 std::string dump(const Json& json);
-// {"code", "severity", "file", "line", "column", "text"}; `folder` in front of paths is cut off.
-Json toJson(const Problem& problem, std::string_view folder = {});
-Json toJson(const Problems& problems, std::string_view folder = {});
+// {"code", "severity", "file", "line", "column", "length", "text"}
+Json toJson(const Problem& problem);
+Json toJson(const Problems& problems);
 
 Problems one(Problem problem);
 Position nowhere();

@@ -11,6 +11,7 @@ namespace merker::workbench {
 
 struct Call {
   Shared& shared;
+  std::uint64_t id;  // of the browser
   Browser& browser;
   const Fields& fields;
 
@@ -29,6 +30,10 @@ struct Method {
 
 std::span<const Method> plcMethods();
 std::span<const Method> variableMethods();
+std::span<const Method> fileMethods();
+std::span<const Method> programMethods();
+std::span<const Method> debugMethods();
+std::span<const Method> symbolMethods();
 
 // {} or the problem.
 Answer done(const std::optional<Problem>& problem = {});

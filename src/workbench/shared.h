@@ -4,26 +4,52 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
+#include <set>
 #include <string>
 
+#include "workbench/file_watch.h"
+#include "workbench/offline.h"
 #include "workbench/pace.h"
 #include "workbench/plc.h"
+#include "workbench/project_folder.h"
+#include "workbench/status_view.h"
 #include "workbench/watch_list.h"
 
 namespace merker::workbench {
 
 constexpr std::size_t kLists = 64, kItems = 1000;  // of each browser, of each list
 
+// Lines with breakpoints by file, relative to the project folder.
+using BreakpointLines = std::map<std::string, std::set<std::uint32_t>>;
+
 struct Shared {
   std::unique_ptr<Plc> plc;  // null: no project is open
   bool example = false;      // it is a copy of one
   Pacer pacer;
   std::uint64_t programRevision = 1, filesRevision = 1;
+  ProjectFolder folder;
+  FileWatch files;
+  BreakpointLines breakpoints;
+  std::map<std::uint64_t, BlockId> wantedStatus;  // by browser
+  bool probesWait = false;  // breakpoints and program status are not those that are wanted
+
+  void show(std::unique_ptr<Plc> fresh, bool isExample);
+  void lookAtFiles();
+  const Offline& offline();
+  // The CPU has this program now, or will have it at its next checkpoint.
+  void loaded(compilation::Build build);
+  // As soon as the CPU works with the program that it was given last.
+  void placeProbes();
+
+ private:
+  std::optional<Offline> offline_;
 };
 
 struct Browser {
   Json state = Json::object();  // what it knows of it
   std::map<std::int64_t, WatchList> lists;
+  std::optional<StatusView> status;
 };
 
 // All of the event "state".

@@ -44,11 +44,12 @@ Json forces(const Plc& plc) {
   return list;
 }
 
-Json breakpoint(Plc& plc) {
+Json breakpoint(Shared& shared) {
+  Plc& plc = *shared.plc;
   if (!plc.isS7() || plc.controller().mode() != controller::Mode::Halt) return nullptr;
   const auto place = plc.monitor()->debugger().position();
   if (!place) return nullptr;
-  Json at = {{"file", place->file}, {"line", place->line}, {"block", toString(place->block)}};
+  Json at = {{"file", shared.folder.relative(place->file)}, {"line", place->line}, {"block", toString(place->block)}};
   at["why"] = "HALT at " + monitor::toString(*place);
   return at;
 }
@@ -76,11 +77,11 @@ void addControl(Json& json, const Plc& plc) {
 Json project(const Shared& shared) {
   const project::Project& project = shared.plc->build().project;
   return {{"name", project.name},
-          {"folder", project.folder},
+          {"folder", project.path},
           {"family", shared.plc->isS7() ? "S7" : "S5"},
           {"model", shared.plc->controller().modelName()},
           {"example", shared.example},
-          {"changed", Json::array()}};
+          {"changed", shared.files.changed()}};
 }
 
 }  // namespace
@@ -104,7 +105,7 @@ Json state(Shared& shared) {
   json["time"] = c.now().ns;
   json["cycles"] = c.cycles();
   json["forces"] = forces(plc);
-  json["breakpoint"] = breakpoint(plc);
+  json["breakpoint"] = breakpoint(shared);
   plc.isS7() ? addStation(json, plc) : addControl(json, plc);
   return json;
 }

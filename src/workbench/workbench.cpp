@@ -9,7 +9,8 @@ namespace merker::workbench {
 namespace {
 
 const Method* findMethod(std::string_view name) {
-  for (const auto group : {plcMethods(), variableMethods()}) {
+  for (const auto group : {plcMethods(), variableMethods(), fileMethods(), programMethods(),
+                           debugMethods(), symbolMethods()}) {
     const auto found = std::ranges::find(group, name, &Method::name);
     if (found != group.end()) return &*found;
   }
@@ -31,14 +32,17 @@ Answer done(const std::optional<Problem>& problem) {
 }
 
 void Workbench::show(std::unique_ptr<Plc> plc, bool example) {
-  shared_.plc = std::move(plc);
-  shared_.example = example;
-  shared_.pacer.restart();
-  ++shared_.programRevision;
-  ++shared_.filesRevision;
+  shared_.show(std::move(plc), example);
 }
 
-Answer Workbench::run(Browser& browser, const Json& request) {
+void Workbench::closed(BrowserId browser) {
+  browsers_.erase(browser);
+  shared_.wantedStatus.erase(browser);
+  shared_.probesWait = true;
+}
+
+Answer Workbench::run(BrowserId id, const Json& request) {
+  Browser& browser = browsers_[id];
   Problems problems;
   const Fields fields(request, problems);
   const std::string name = fields.text("do");
@@ -46,7 +50,7 @@ Answer Workbench::run(Browser& browser, const Json& request) {
   const Method* method = findMethod(name);
   if (method == nullptr) return refused(ProblemCode::P1304, name.substr(0, 100));
   if (auto why = missing(method->needs, shared_.plc.get(), name)) return *why;
-  return method->run({shared_, browser, fields});
+  return method->run({shared_, id, browser, fields});
 }
 
 std::string Workbench::handle(BrowserId browser, std::string_view message) {
@@ -54,14 +58,18 @@ std::string Workbench::handle(BrowserId browser, std::string_view message) {
   if (!request) return dump({{"id", 0}, {"problems", toJson(one(request.error()))}});
   const std::int64_t id = requestId(*request);
   if (id == 0) return dump({{"id", 0}, {"problems", toJson(refused(ProblemCode::P1303))}});
-  const Answer answer = run(browsers_[browser], *request);
-  if (answer) return dump({{"id", id}, {"result", *answer}});
-  const std::string folder = shared_.plc ? shared_.plc->build().project.folder : std::string();
-  return dump({{"id", id}, {"problems", toJson(answer.error(), folder)}});
+  Answer answer = run(browser, *request);
+  if (answer) return dump({{"id", id}, {"result", std::move(answer.json())}});
+  for (Json& problem : answer.json())
+    problem["file"] = shared_.folder.relative(problem["file"].get_ref<const std::string&>());
+  return dump({{"id", id}, {"problems", std::move(answer.json())}});
 }
 
 void Workbench::beginFrame(std::int64_t nowMs) {
   nowMs_ = nowMs;
+  constexpr std::int64_t kBetweenLooks = 1000;
+  if (nowMs >= nextLook_) nextLook_ = nowMs + kBetweenLooks, shared_.lookAtFiles();
+  shared_.placeProbes();
   state_ = state(shared_);
 }
 
@@ -75,6 +83,10 @@ std::vector<std::string> Workbench::events(BrowserId id) {
     texts.push_back(dump(changed));
   }
   if (!shared_.plc) return texts;
+  if (browser.status && shared_.plc->isS7()) {
+    Json rows = browser.status->changes(*shared_.plc->monitor(), shared_.folder, nowMs_);
+    if (!rows.is_null()) texts.push_back(dump(rows));
+  }
   for (auto& [number, list] : browser.lists) {
     Json values = list.changes(*shared_.plc, shared_.programRevision, nowMs_);
     if (values.empty()) continue;

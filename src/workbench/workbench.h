@@ -21,7 +21,7 @@ class Workbench {
   Plc* plc() { return shared_.plc.get(); }
 
   void opened(BrowserId browser) { browsers_[browser]; }
-  void closed(BrowserId browser) { browsers_.erase(browser); }
+  void closed(BrowserId browser);
 
   // The answer to one message. Whatever it contains, there is one.
   std::string handle(BrowserId browser, std::string_view message);
@@ -34,12 +34,12 @@ class Workbench {
   bool advance(const Pacer::WallClock& wall, Duration longest);
 
  private:
-  Answer run(Browser& browser, const Json& request);
+  Answer run(BrowserId id, const Json& request);
 
   Shared shared_;
   std::map<BrowserId, Browser> browsers_;
   Json state_;
-  std::int64_t nowMs_ = 0;
+  std::int64_t nowMs_ = 0, nextLook_ = 0;
 };
 
 }  // namespace merker::workbench

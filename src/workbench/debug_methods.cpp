@@ -1,0 +1,86 @@
+// Program status, breakpoints, single steps (S7-STATE-07, S7-EDIT-21).
+#include "workbench/method.h"
+
+namespace merker::workbench {
+namespace {
+
+constexpr std::size_t kMostLines = 1000;
+// A step that has not ended by then is one into a program that does not come by.
+constexpr Duration kLongestStep = Duration::seconds(1);
+
+Result<BlockId> blockOf(const Call& call) {
+  if (call.fields.has("block"))
+    return monitor::findBlock(call.fields.text("block"), call.monitor().locations({}));
+  const std::string file = call.fields.text("file");
+  const auto line = call.fields.integer("line", 1, INT32_MAX);
+  const auto place = monitor::findLocation(
+      std::to_string(line), call.monitor().locations(call.shared.folder.full(file)));
+  if (!place) return place.error();
+  return place->block;
+}
+
+Answer show(const Call& call) {
+  const auto block = blockOf(call);
+  if (!call.fields.good()) return call.fields.problems();
+  if (!block) return one(block.error());
+  if (call.station().program().at(*block).code.empty())
+    return refused(ProblemCode::P1207, toString(*block));
+  call.browser.status.emplace(*block);
+  call.shared.wantedStatus[call.id] = *block;
+  call.shared.probesWait = true;
+  return Json{{"block", toString(*block)}};
+}
+
+Answer hide(const Call& call) {
+  call.browser.status.reset();
+  call.shared.wantedStatus.erase(call.id);
+  call.shared.probesWait = true;
+  return empty();
+}
+
+Answer setBreakpoints(const Call& call) {
+  const std::string file = call.fields.text("file");
+  const auto wanted = call.fields.integers("lines", 1, INT32_MAX, kMostLines);
+  if (!call.fields.good()) return call.fields.problems();
+  std::set<std::uint32_t> lines;
+  const monitor::LocationContext here = call.monitor().locations(call.shared.folder.full(file));
+  for (const std::int64_t line : wanted) {
+    const auto place = monitor::findLocation(std::to_string(line), here);
+    if (place) lines.insert(place->line);
+  }
+  call.shared.breakpoints[file] = lines;
+  if (lines.empty()) call.shared.breakpoints.erase(file);
+  call.shared.probesWait = true;
+  call.shared.placeProbes();
+  return Json{{"lines", lines}};
+}
+
+Answer go(const Call& call) {
+  call.monitor().debugger().run(call.station().now());
+  return empty();
+}
+
+Answer step(const Call& call) {
+  using monitor::StepKind;
+  constexpr StepKind kKinds[] = {StepKind::Into, StepKind::Over, StepKind::Out};
+  const std::size_t kind = call.fields.choice("kind", {"into", "over", "out"}, 0);
+  if (!call.fields.good()) return call.fields.problems();
+  if (call.station().mode() == controller::Mode::Stop)
+    return refused(ProblemCode::P1308, "single steps", "the CPU is in STOP");
+  call.monitor().debugger().step(kKinds[kind], call.station().now() + kLongestStep);
+  return empty();
+}
+
+constexpr Method kMethods[] = {
+    {"status.show", Needs::S7, show},
+    {"status.hide", Needs::Nothing, hide},
+    {"breakpoints.set", Needs::S7, setBreakpoints},
+    {"debug.go", Needs::S7, go},
+    {"debug.step", Needs::S7, step},
+};
+
+}  // namespace
+
+std::span<const Method> debugMethods() { return kMethods; }
+
+}  // namespace merker::workbench

@@ -1,0 +1,47 @@
+#include "workbench/file_watch.h"
+
+#include "project/files.h"
+
+namespace merker::workbench {
+namespace {
+
+struct Row {
+  std::string_view ending, kind;
+};
+constexpr Row kRows[] = {{".awl", "source"},     {".s5", "source"},      {".sym", "symbols"},
+                         {".sdf", "symbols"},    {".asc", "symbols"},    {".seq", "symbols"},
+                         {".dif", "symbols"},    {"merker.toml", "hardware"},
+                         {".vat", "table"},      {".scn", "scenario"}};
+
+bool isLoaded(std::string_view path) {
+  const std::string_view kind = kindOfFile(path);
+  return kind == "source" || kind == "symbols" || kind == "hardware";
+}
+
+}  // namespace
+
+std::string_view kindOfFile(std::string_view path) {
+  for (const Row& row : kRows)
+    if (path == row.ending || project::hasExtension(path, row.ending)) return row.kind;
+  return "other";
+}
+
+bool FileWatch::look(const ProjectFolder& folder) {
+  auto now = folder.list();
+  if (now == seen_) return false;
+  seen_ = std::move(now);
+  return true;
+}
+
+std::vector<std::string> FileWatch::changed() const {
+  std::vector<std::string> list;
+  for (const auto& [path, stamp] : seen_) {
+    const auto old = loaded_.find(path);
+    if (isLoaded(path) && (old == loaded_.end() || !(old->second == stamp))) list.push_back(path);
+  }
+  for (const auto& [path, stamp] : loaded_)
+    if (isLoaded(path) && !seen_.contains(path)) list.push_back(path);
+  return list;
+}
+
+}  // namespace merker::workbench

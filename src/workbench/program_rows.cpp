@@ -1,0 +1,118 @@
+#include "workbench/program_rows.h"
+
+#include <set>
+
+#include "block/container.h"
+#include "mc7/disassembly.h"
+#include "mc7/listing.h"
+#include "monitor/block_list.h"
+
+namespace merker::workbench {
+namespace {
+
+bool isCall(mc7::Operation operation) {
+  return operation == mc7::Operation::UC || operation == mc7::Operation::CC;
+}
+
+Json callsOf(const block::Block& block) {
+  std::set<BlockId> called;
+  for (const mc7::Place& place : mc7::list(block.code).places) {
+    const mc7::Operand& operand = place.instruction.operand;
+    if (place.known && isCall(place.instruction.operation) &&
+        operand.kind == mc7::OperandKind::Block)
+      called.insert({operand.blockKind, static_cast<std::uint16_t>(operand.value)});
+  }
+  Json list = Json::array();
+  for (const BlockId id : called) list.push_back(toString(id));
+  return list;
+}
+
+std::string_view languageOf(const block::Block& block) {
+  if (block.id.kind == BlockKind::DB) return "DB";
+  return block.id.kind == BlockKind::UDT ? "UDT" : "AWL";
+}
+
+// The first thing that differs, as a person would look for it; empty if nothing does.
+std::string difference(const block::Block& a, const block::Block& b) {
+  if (a.code != b.code) {
+    const auto at = std::ranges::mismatch(a.code, b.code);
+    const auto byte = static_cast<std::uint32_t>(at.in1 - a.code.begin());
+    return fmt::format("code from byte {} (line {})", byte, a.line(byte));
+  }
+  if (a.localBytes != b.localBytes) return "local data";
+  if (a.actualData != b.actualData || a.initialData != b.initialData) return "values";
+  return block::writeContainer(a) == block::writeContainer(b) ? "" : "interface or properties";
+}
+
+std::string dataText(const block::Block& block) {
+  std::string text;
+  for (std::size_t i = 0; i < block.actualData.size(); ++i) {
+    if (i % 16 == 0) text += fmt::format("{}DBB {:<5}", i == 0 ? "" : "\n", i);
+    text += fmt::format(" {:02X}", block.actualData[i]);
+  }
+  return text + "\n";
+}
+
+}  // namespace
+
+Json blockRows(const block::Program& program, const std::map<BlockId, BlockSource>& sources,
+               const ProjectFolder& folder) {
+  Json list = Json::array();
+  for (const auto& [id, block] : program) {
+    const monitor::BlockRow row = monitor::blockRow(block);
+    const auto source = sources.find(id);
+    const bool known = source != sources.end();
+    list.push_back({{"id", toString(id)},
+                    {"symbol", row.symbol},
+                    {"title", block.attributes.title},
+                    {"language", languageOf(block)},
+                    {"load", row.load},
+                    {"work", row.work},
+                    {"file", folder.relative(known ? source->second.file : block.file)},
+                    {"line", known ? source->second.line : 0},
+                    {"calls", callsOf(block)},
+                    {"version", row.version},
+                    {"checksum", fmt::format("{:04X}", row.checksum)}});
+  }
+  return list;
+}
+
+Json comparison(const block::Program& offline, const block::Program& online) {
+  Json list = Json::array();
+  for (const auto& [id, block] : offline) {
+    const auto other = online.find(id);
+    const bool there = other != online.end();
+    const std::string where = there ? difference(block, other->second) : "";
+    list.push_back({{"id", toString(id)},
+                    {"state", !there ? "onlyOffline" : where.empty() ? "same" : "different"},
+                    {"where", where}});
+  }
+  for (const auto& [id, block] : online)
+    if (!offline.contains(id))
+      list.push_back({{"id", toString(id)}, {"state", "onlyOnline"}, {"where", ""}});
+  return list;
+}
+
+Json referenceRows(const std::vector<monitor::CrossReference>& list, const ProjectFolder& folder) {
+  Json rows = Json::array();
+  for (const monitor::CrossReference& row : list)
+    rows.push_back({{"operand", row.operand},
+                    {"symbol", row.symbol},
+                    {"block", toString(row.place.block)},
+                    {"file", folder.relative(row.place.file)},
+                    {"line", row.place.line},
+                    {"network", row.place.network},
+                    {"instruction", row.instruction},
+                    {"access", row.use == monitor::Use::Call ? "CALL" : monitor::name(row.use)}});
+  return rows;
+}
+
+std::string listing(const block::Block& block, Mnemonics mnemonics) {
+  if (block.code.empty()) return dataText(block);
+  std::string text;
+  for (const mc7::Line& line : mc7::disassemble(block.code, mnemonics))
+    text += mc7::toString(line) + "\n";
+  return text;
+}
+
+}  // namespace merker::workbench

@@ -1,0 +1,21 @@
+// Blocks, comparison, cross reference as rows of answers.
+#pragma once
+
+#include "monitor/cross_reference.h"
+#include "workbench/json.h"
+#include "workbench/offline.h"
+#include "workbench/project_folder.h"
+
+namespace merker::workbench {
+
+// `sources`: where the blocks stand.
+Json blockRows(const block::Program& program, const std::map<BlockId, BlockSource>& sources,
+               const ProjectFolder& folder);
+Json comparison(const block::Program& offline, const block::Program& online);
+Json referenceRows(const std::vector<monitor::CrossReference>& list, const ProjectFolder& folder);
+// What an editor can complete: symbols, blocks, instructions.
+Json completion(const compilation::Build& build);
+// Machine code as instructions; of a data block its values.
+std::string listing(const block::Block& block, Mnemonics mnemonics);
+
+}  // namespace merker::workbench

@@ -1,0 +1,205 @@
+#include "workbench/project_folder.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include "project/files.h"
+#include "base/text.h"
+#include "workbench/descriptor.h"
+#include "workbench/json.h"
+
+namespace merker::workbench {
+namespace {
+
+constexpr std::size_t kMostFiles = 5000, kLongestPath = 400;
+constexpr int kFolder = O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC;
+constexpr std::string_view kTemporary = ".merker-saving";
+
+Problem noFile(const std::string& path) {
+  return makeProblem(ProblemCode::P1310, nowhere(), path);
+}
+Problem notWritten(const std::string& path) {
+  return makeProblem(ProblemCode::P1313, nowhere(), path, std::strerror(errno));
+}
+
+bool isName(std::string_view name) {
+  return !name.empty() && name.front() != '.' && std::ranges::none_of(name, [](char c) {
+    return static_cast<unsigned char>(c) < 0x20 || c == 0x7F || c == '\\' || c == ':';
+  });
+}
+
+// The folder that the file lies in, and the file's name.
+struct Place {
+  Descriptor folder;
+  std::string name;
+};
+
+Place open(const std::string& root, std::string_view path, bool make) {
+  Descriptor folder(::open(root.empty() ? "." : root.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  std::size_t slash = 0;
+  while (folder && (slash = path.find('/')) != std::string_view::npos) {
+    const std::string name(path.substr(0, slash));
+    if (make) ::mkdirat(folder.number(), name.c_str(), 0777);
+    folder = Descriptor(::openat(folder.number(), name.c_str(), kFolder));
+    path.remove_prefix(slash + 1);
+  }
+  return {std::move(folder), std::string(path)};
+}
+
+std::optional<Stamp> stampOf(const Place& place) {
+  struct stat state {};
+  if (!place.folder ||
+      ::fstatat(place.folder.number(), place.name.c_str(), &state, AT_SYMLINK_NOFOLLOW) != 0 ||
+      !S_ISREG(state.st_mode))
+    return std::nullopt;
+  return Stamp{state.st_mtim.tv_sec * 1'000'000'000 + state.st_mtim.tv_nsec,
+               static_cast<std::uint64_t>(state.st_size)};
+}
+
+std::optional<std::string> bytesOf(const Place& place) {
+  constexpr std::uint64_t kLargest = 64 << 20;
+  const auto stamp = stampOf(place);
+  if (!stamp || stamp->size > kLargest) return std::nullopt;
+  const Descriptor file(
+      ::openat(place.folder.number(), place.name.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC));
+  std::string bytes(file ? stamp->size : 0, '\0');
+  std::size_t done = 0;
+  while (file && done < bytes.size()) {
+    const ssize_t got = ::read(file.number(), bytes.data() + done, bytes.size() - done);
+    if (got <= 0) break;
+    done += static_cast<std::size_t>(got);
+  }
+  bytes.resize(done);
+  return file ? std::optional(std::move(bytes)) : std::nullopt;
+}
+
+bool writeAll(int file, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t done = ::write(file, bytes.data(), bytes.size());
+    if (done < 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(done));
+  }
+  return ::fsync(file) == 0;
+}
+
+// Into a file beside it that then takes its place: after a power failure there is the old text or
+// the new one. RENAME_NOREPLACE: only if there is none yet.
+bool put(const Place& place, std::string_view bytes, unsigned how) {
+  const std::string temporary = std::string(kTemporary) + "-" + place.name;
+  const int folder = place.folder.number();
+  ::unlinkat(folder, temporary.c_str(), 0);
+  bool good = false;
+  {
+    const Descriptor file(::openat(folder, temporary.c_str(),
+                                   O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
+    good = file && writeAll(file.number(), bytes);
+  }
+  good = good && ::renameat2(folder, temporary.c_str(), folder, place.name.c_str(), how) == 0;
+  const int error = errno;
+  if (!good) ::unlinkat(folder, temporary.c_str(), 0);
+  errno = error;
+  return good;
+}
+
+}  // namespace
+
+// FNV-1a; its upper 53 bits.
+std::int64_t revisionOf(std::string_view bytes) {
+  std::uint64_t hash = 0xCBF29CE484222325;
+  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3;
+  return static_cast<std::int64_t>(hash >> 11);
+}
+
+bool ProjectFolder::isPath(std::string_view path) {
+  if (path.empty() || path.size() > kLongestPath) return false;
+  while (true) {
+    const std::size_t slash = path.find('/');
+    if (!isName(path.substr(0, slash))) return false;
+    if (slash == std::string_view::npos) return true;
+    path.remove_prefix(slash + 1);
+  }
+}
+
+std::optional<Problem> ProjectFolder::check(const std::string& path) const {
+  if (!isPath(path)) return makeProblem(ProblemCode::P1309, nowhere(), path);
+  if (!only_.empty() && !only_.contains(path)) return noFile(path);
+  return std::nullopt;
+}
+
+std::string ProjectFolder::relative(std::string_view path) const {
+  const std::string prefix = project::join(folder_, "");
+  if (!prefix.empty() && path.starts_with(prefix)) path.remove_prefix(prefix.size());
+  return std::string(path);
+}
+
+std::string ProjectFolder::full(std::string_view path) const {
+  return project::join(folder_, std::string(path));
+}
+
+std::map<std::string, Stamp> ProjectFolder::list() const {
+  std::map<std::string, Stamp> files;
+  const auto names = only_.empty() ? project::listFiles(folder_.empty() ? "." : folder_)
+                                   : std::vector<std::string>(only_.begin(), only_.end());
+  for (const std::string& name : names) {
+    if (files.size() >= kMostFiles) break;
+    const auto stamp = isPath(name) ? stampOf(open(folder_, name, false)) : std::nullopt;
+    if (stamp) files[name] = *stamp;
+  }
+  return files;
+}
+
+Result<ProjectFolder::Content> ProjectFolder::read(const std::string& path) const {
+  if (auto problem = check(path)) return *problem;
+  const auto bytes = bytesOf(open(folder_, path, false));
+  if (!bytes) return noFile(path);
+  const Encoding encoding = detectEncoding(*bytes);
+  if (encoding == Encoding::Binary)
+    return makeProblem(ProblemCode::P0102, Position{path}, "a file of a project");
+  return Content{toUtf8(*bytes, encoding), revisionOf(*bytes)};
+}
+
+std::optional<Problem> ProjectFolder::write(const std::string& path, std::string_view bytes,
+                                            std::optional<std::int64_t> revision) const {
+  if (auto problem = check(path)) return problem;
+  const Place place = open(folder_, path, false);
+  const auto before = bytesOf(place);
+  if (!before) return noFile(path);
+  if (revision && revisionOf(*before) != *revision)
+    return makeProblem(ProblemCode::P1311, nowhere(), path);
+  return put(place, bytes, 0) ? std::nullopt : std::optional(notWritten(path));
+}
+
+std::optional<Problem> ProjectFolder::create(const std::string& path,
+                                             std::string_view bytes) const {
+  if (auto problem = check(path)) return problem;
+  const Place place = open(folder_, path, true);
+  if (place.folder && put(place, bytes, RENAME_NOREPLACE)) return std::nullopt;
+  return errno == EEXIST ? makeProblem(ProblemCode::P1312, nowhere(), path) : notWritten(path);
+}
+
+std::optional<Problem> ProjectFolder::remove(const std::string& path) const {
+  if (auto problem = check(path)) return problem;
+  const Place place = open(folder_, path, false);
+  if (!stampOf(place)) return noFile(path);
+  const bool done = ::unlinkat(place.folder.number(), place.name.c_str(), 0) == 0;
+  return done ? std::nullopt : std::optional(notWritten(path));
+}
+
+std::optional<Problem> ProjectFolder::rename(const std::string& from, const std::string& to) const {
+  for (const std::string& path : {from, to})
+    if (auto problem = check(path)) return problem;
+  const Place old = open(folder_, from, false);
+  if (!stampOf(old)) return noFile(from);
+  const Place fresh = open(folder_, to, true);
+  if (fresh.folder && ::renameat2(old.folder.number(), old.name.c_str(), fresh.folder.number(),
+                                  fresh.name.c_str(), RENAME_NOREPLACE) == 0)
+    return std::nullopt;
+  return errno == EEXIST ? makeProblem(ProblemCode::P1312, nowhere(), to) : notWritten(to);
+}
+
+}  // namespace merker::workbench

@@ -1,0 +1,65 @@
+// The files of a project as browsers may reach them: by paths relative to its folder, never out of
+// it. Each folder on the way is opened by itself and never through a link, so that nothing that
+// changes on the disk meanwhile leads elsewhere either.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+
+namespace merker::workbench {
+
+// When a file was changed, as far as one can see without reading it.
+struct Stamp {
+  std::int64_t changed = 0;  // ns
+  std::uint64_t size = 0;
+  bool operator==(const Stamp&) const = default;
+};
+
+// A number for a text: the same text, the same number. Exact in JSON.
+std::int64_t revisionOf(std::string_view bytes);
+
+class ProjectFolder {
+ public:
+  struct Content {
+    std::string text;
+    std::int64_t revision = 0;
+  };
+
+  ProjectFolder() = default;
+  // `only`: these files and no others, of a program that has no folder of its own.
+  explicit ProjectFolder(std::string folder, std::set<std::string> only = {})
+      : folder_(std::move(folder)), only_(std::move(only)) {}
+
+  const std::string& folder() const { return folder_; }
+  // "merker.toml" from "plant/merker.toml", and back.
+  std::string relative(std::string_view path) const;
+  std::string full(std::string_view path) const;
+
+  // At most 5000, sorted.
+  std::map<std::string, Stamp> list() const;
+  Result<Content> read(const std::string& path) const;
+  // Whole or not at all. `revision`: of the text it came from; P1311 if that is not there any more.
+  std::optional<Problem> write(const std::string& path, std::string_view bytes,
+                               std::optional<std::int64_t> revision) const;
+  // P1312 if it is there already. Folders on the way are made.
+  std::optional<Problem> create(const std::string& path, std::string_view bytes) const;
+  std::optional<Problem> remove(const std::string& path) const;
+  std::optional<Problem> rename(const std::string& from, const std::string& to) const;
+
+  // Whether it may be the path of a file in a project.
+  static bool isPath(std::string_view path);
+
+ private:
+  std::optional<Problem> check(const std::string& path) const;
+
+  std::string folder_;
+  std::set<std::string> only_;
+};
+
+}  // namespace merker::workbench

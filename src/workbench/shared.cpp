@@ -1,0 +1,82 @@
+#include "workbench/shared.h"
+
+#include "project/files.h"
+
+namespace merker::workbench {
+namespace {
+
+// A program that is a single file has no folder of its own: only what was read belongs to it.
+ProjectFolder folderOf(const project::Project& project) {
+  if (project::isFolder(project.path) || project.path.ends_with("merker.toml"))
+    return ProjectFolder(project.folder);
+  const ProjectFolder all(project.folder);
+  std::set<std::string> only;
+  for (const auto* list : {&project.sources, &project.otherFiles})
+    for (const source::SourceFile& file : *list) only.insert(all.relative(file.name()));
+  return ProjectFolder(project.folder, std::move(only));
+}
+
+}  // namespace
+
+void Shared::show(std::unique_ptr<Plc> fresh, bool isExample) {
+  plc = std::move(fresh);
+  example = isExample;
+  pacer.restart();
+  breakpoints.clear();
+  wantedStatus.clear();
+  offline_.reset();
+  ++programRevision;
+  ++filesRevision;
+  files = {};
+  folder = plc ? folderOf(plc->build().project) : ProjectFolder();
+  if (plc) files.look(folder);
+  files.loaded();
+}
+
+void Shared::lookAtFiles() {
+  if (plc && files.look(folder)) ++filesRevision;
+}
+
+const Offline& Shared::offline() {
+  lookAtFiles();
+  if (offline_ && offline_->files == filesRevision) return *offline_;
+  Offline fresh{compileProject(plc->build().project.path), {}, filesRevision};
+  fresh.sources = blockSources(fresh.build.project.sources, fresh.build.project.symbols);
+  return offline_.emplace(std::move(fresh));
+}
+
+void Shared::loaded(compilation::Build build) {
+  plc->replace(std::move(build));
+  ++programRevision;
+  probesWait = true;
+}
+
+namespace {
+
+// Symbols mean what they mean in the program that was loaded.
+void placeBreakpoints(monitor::Monitor& monitor, const ProjectFolder& folder,
+                      const BreakpointLines& wanted) {
+  monitor::Debugger& debugger = monitor.debugger();
+  debugger.removeBreakpoints();
+  for (const auto& [file, lines] : wanted)
+    for (const std::uint32_t line : lines) {
+      const auto place =
+          monitor::findLocation(std::to_string(line), monitor.locations(folder.full(file)));
+      if (place) debugger.setBreakpoint(*place);
+    }
+}
+
+}  // namespace
+
+void Shared::placeProbes() {
+  if (!probesWait || !plc || !plc->isS7()) return;
+  const station::Station& station = *plc->station();
+  if (station.cpu().program().get() != &station.program()) return;
+  probesWait = false;
+  monitor::Debugger& debugger = plc->monitor()->debugger();
+  debugger.hideStatus();
+  for (const auto& [browser, block] : wantedStatus) debugger.addStatus(block);
+  placeBreakpoints(*plc->monitor(), folder, breakpoints);
+}
+
+}  // namespace merker::workbench

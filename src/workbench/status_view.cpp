@@ -1,0 +1,58 @@
+#include "workbench/status_view.h"
+
+namespace merker::workbench {
+namespace {
+
+// A block that was not called for so long counts as not running.
+constexpr std::int64_t kQuiet = 500;
+
+std::string number(const cpu::OpenBlock& block) {
+  return block.number == 0 ? "-" : std::to_string(block.number);
+}
+
+// [line, vke, sta, or, akku1, akku2, ar1, ar2, stw, db, di]
+Json rowOf(const monitor::StatusRow& row) {
+  const cpu::Registers& r = row.after;
+  const cpu::StatusWord& s = r.status;
+  const auto bit = [](bool value) { return value ? "1" : "0"; };
+  return {row.statement.line,
+          bit(s.rlo),
+          bit(s.sta),
+          bit(s.orBit),
+          fmt::format("{:08X}", r.accu[0]),
+          fmt::format("{:08X}", r.accu[1]),
+          formatConstant({ConstantFormat::Pointer, r.ar1}),
+          formatConstant({ConstantFormat::Pointer, r.ar2}),
+          fmt::format("{:04X}", s.word()),
+          number(r.db),
+          number(r.di)};
+}
+
+Json rowsOf(const monitor::ProgramStatus& status) {
+  Json rows = Json::array();
+  for (const monitor::StatusRow& row : status.rows())
+    if (row.reached) rows.push_back(rowOf(row));
+  return rows;
+}
+
+}  // namespace
+
+Json StatusView::changes(monitor::Monitor& monitor, const ProjectFolder& folder,
+                         std::int64_t nowMs) {
+  const monitor::ProgramStatus* status = monitor.debugger().status(block_);
+  if (status == nullptr) return nullptr;
+  const bool stands = monitor.station().mode() == controller::Mode::Halt;
+  if (status->calls() != calls_ || stands) calls_ = status->calls(), since_ = nowMs;
+  const bool quiet = calls_ == 0 || nowMs - since_ > kQuiet;
+  Json rows = quiet ? Json(nullptr) : rowsOf(*status);
+  if (told_ && rows == rows_) return nullptr;
+  told_ = true;
+  rows_ = rows;
+  return {{"event", "status"},
+          {"block", toString(block_)},
+          {"file", folder.relative(status->block().file)},
+          {"calls", calls_},
+          {"rows", std::move(rows)}};
+}
+
+}  // namespace merker::workbench

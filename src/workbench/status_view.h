@@ -1,0 +1,26 @@
+// Program status as one browser sees it (S7-EDIT-21).
+#pragma once
+
+#include "monitor/monitor.h"
+#include "workbench/json.h"
+#include "workbench/project_folder.h"
+
+namespace merker::workbench {
+
+class StatusView {
+ public:
+  explicit StatusView(BlockId block) : block_(block) {}
+
+  BlockId block() const { return block_; }
+  // The event "status"; null if there is nothing new.
+  Json changes(monitor::Monitor& monitor, const ProjectFolder& folder, std::int64_t nowMs);
+
+ private:
+  BlockId block_;
+  std::uint64_t calls_ = 0;
+  std::int64_t since_ = 0;  // when it was called last, on the wall
+  Json rows_;               // as told last
+  bool told_ = false;
+};
+
+}  // namespace merker::workbench

@@ -1,0 +1,116 @@
+#include "bench.h"
+
+namespace merker::workbench::test {
+namespace {
+
+constexpr const char* kSource =
+    "FUNCTION FC 1 : VOID\n"  // 1
+    "BEGIN\n"
+    "NETWORK\n"
+    "      L     5;\n"  // 4
+    "      T     MW 100;\n"
+    "END_FUNCTION\n"
+    "ORGANIZATION_BLOCK OB 1\n"
+    "BEGIN\n"
+    "NETWORK\n"
+    "      U     E 0.0;\n"  // 10
+    "      SPBN  end;\n"
+    "      CALL  FC 1;\n"
+    "end:  NOP   0;\n"
+    "END_ORGANIZATION_BLOCK\n";
+
+class Debugging : public ::testing::Test {
+ protected:
+  void input(const char* value) {
+    bench.call("variables.write", {{"items", {{{"operand", "E 0.0"}, {"value", value}}}}});
+    bench.run(Duration::milliseconds(20));
+  }
+  Json place() { return bench.state()["breakpoint"]; }
+  // Frames bring probes to where they are wanted.
+  Json status(Workbench::BrowserId who = 1) {
+    bench.events(who);
+    bench.run(Duration::milliseconds(20));
+    return bench.event("status", who);
+  }
+  Bench bench{kSource};
+};
+
+// S7-EDIT-21
+TEST_F(Debugging, StatusShowsTheLinesThatWereReached) {
+  bench.call("status.show", {{"file", "main.awl"}, {"line", 10}});
+  Json event = status();
+  EXPECT_EQ(event["block"], "OB 1");
+  EXPECT_EQ(event["file"], "main.awl");
+  ASSERT_EQ(event["rows"].size(), 3u);
+  EXPECT_EQ(event["rows"][0][0], 10);
+  EXPECT_EQ(event["rows"][0][1], "0");  // VKE
+  input("1");
+  event = bench.event("status");
+  ASSERT_EQ(event["rows"].size(), 4u);
+  EXPECT_EQ(event["rows"][0][1], "1");
+  EXPECT_TRUE(bench.event("status").is_null());  // nothing new
+}
+
+TEST_F(Debugging, ABlockThatDoesNotRunHasNoRows) {
+  bench.call("status.show", {{"block", "FC 1"}});
+  EXPECT_EQ(status()["rows"], nullptr);
+  input("1");
+  EXPECT_EQ(bench.event("status")["rows"].size(), 2u);
+  EXPECT_EQ(bench.problem("status.show", {{"block", "FC 7"}}), "P1206");
+}
+
+TEST_F(Debugging, EachBrowserLooksAtItsOwnBlock) {
+  bench.workbench.opened(2);
+  input("1");
+  bench.call("status.show", {{"block", "FC 1"}}, 1);
+  bench.call("status.show", {{"block", "OB 1"}}, 2);
+  EXPECT_EQ(status(1)["block"], "FC 1");
+  EXPECT_EQ(status(2)["block"], "OB 1");
+  bench.call("status.hide", Json::object(), 1);
+  EXPECT_TRUE(status(1).is_null());
+  bench.workbench.closed(1);
+  bench.workbench.opened(1);
+}
+
+// S7-STATE-07
+TEST_F(Debugging, BreakpointsStopAndStepsGoOn) {
+  const Json set = bench.call("breakpoints.set", {{"file", "main.awl"}, {"lines", {3, 500}}});
+  EXPECT_EQ(set["lines"], Json::array({4}));  // the statement behind
+  EXPECT_EQ(place(), nullptr);
+  input("1");
+  EXPECT_EQ(bench.state()["mode"], "HALT");
+  EXPECT_EQ(place()["line"], 4);
+  EXPECT_EQ(place()["file"], "main.awl");
+  EXPECT_EQ(place()["block"], "FC 1");
+  bench.call("debug.step", {{"kind", "over"}});
+  EXPECT_EQ(place()["line"], 5);
+  bench.call("debug.step", {{"kind", "out"}});
+  EXPECT_EQ(place()["block"], "OB 1");
+  bench.call("debug.go");
+  bench.run(Duration::milliseconds(20));
+  EXPECT_EQ(place()["line"], 4);  // again
+  bench.call("breakpoints.set", {{"file", "main.awl"}, {"lines", Json::array()}});
+  bench.call("debug.go");
+  bench.run(Duration::milliseconds(20));
+  EXPECT_EQ(bench.state()["mode"], "RUN");
+}
+
+TEST_F(Debugging, BreakpointsStayThroughALoad) {
+  bench.call("breakpoints.set", {{"file", "main.awl"}, {"lines", {4}}});
+  std::string text = kSource;
+  text.replace(text.find("L     5"), 7, "L     6");
+  bench.folder.write("main.awl", text);
+  bench.call("program.load");
+  bench.run(Duration::milliseconds(20));
+  bench.events();
+  input("1");
+  EXPECT_EQ(place()["line"], 4);
+}
+
+TEST_F(Debugging, NothingStepsInStop) {
+  bench.call("cpu.stop");
+  EXPECT_EQ(bench.problem("debug.step"), "P1308");
+}
+
+}  // namespace
+}  // namespace merker::workbench::test

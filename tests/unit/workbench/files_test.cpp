@@ -1,0 +1,118 @@
+#include <filesystem>
+
+#include "bench.h"
+
+namespace merker::workbench::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(Files, AreListedReadAndWritten) {
+  Bench bench;
+  std::map<std::string, std::string> kinds;
+  for (const Json& file : bench.call("files.list")["files"]) kinds[file["path"]] = file["kind"];
+  const std::map<std::string, std::string> expected = {
+      {"main.awl", "source"}, {"main.sym", "symbols"}, {"merker.toml", "hardware"}};
+  EXPECT_EQ(kinds, expected);
+
+  const Json read = bench.call("files.read", {{"path", "main.awl"}});
+  EXPECT_EQ(read["text"], kProgram);
+  const Json written = bench.call(
+      "files.write", {{"path", "main.awl"}, {"text", "// ä\n"}, {"revision", read["revision"]}});
+  EXPECT_EQ(bench.folder.read("main.awl"), "// ä\n");
+  EXPECT_NE(written["revision"], read["revision"]);
+  EXPECT_EQ(bench.call("files.read", {{"path", "main.awl"}})["revision"], written["revision"]);
+}
+
+TEST(Files, WhatSomebodyElseSavedIsNotLost) {
+  Bench bench;
+  const Json read = bench.call("files.read", {{"path", "main.awl"}});
+  bench.folder.write("main.awl", "// by another editor\n");
+  EXPECT_EQ(bench.problem("files.write", {{"path", "main.awl"},
+                                          {"text", "mine"},
+                                          {"revision", read["revision"]}}),
+            "P1311");
+  EXPECT_EQ(bench.folder.read("main.awl"), "// by another editor\n");
+}
+
+TEST(Files, AreMadeRenamedAndDeleted) {
+  Bench bench;
+  bench.call("files.create", {{"path", "lib/deep/new.awl"}});
+  EXPECT_TRUE(fs::exists(bench.folder.path("lib/deep/new.awl")));
+  EXPECT_EQ(bench.problem("files.create", {{"path", "main.awl"}}), "P1312");
+  EXPECT_EQ(bench.problem("files.rename", {{"path", "lib/deep/new.awl"}, {"to", "main.awl"}}),
+            "P1312");
+  bench.call("files.rename", {{"path", "lib/deep/new.awl"}, {"to", "other.awl"}});
+  EXPECT_TRUE(fs::exists(bench.folder.path("other.awl")));
+  bench.call("files.delete", {{"path", "other.awl"}});
+  EXPECT_FALSE(fs::exists(bench.folder.path("other.awl")));
+  EXPECT_EQ(bench.problem("files.delete", {{"path", "other.awl"}}), "P1310");
+  EXPECT_EQ(bench.problem("files.read", {{"path", "none.awl"}}), "P1310");
+}
+
+TEST(Files, NoPathLeadsOut) {
+  Bench bench;
+  bench.folder.write("../" + fs::path(bench.folder.path()).filename().string() + "-secret",
+                     "secret");
+  const std::string nul("main.awl\0.sym", 13);
+  for (const std::string& path :
+       {std::string(), std::string("/etc/passwd"), std::string("../x"), std::string("a/../../x"),
+        std::string("."), std::string(".."), std::string("a//b"), std::string("a/"),
+        std::string(".hidden"), std::string("a/.git/config"), std::string("a\\..\\b"),
+        std::string("C:x"), std::string("a\nb"), std::string(500, 'a'), nul}) {
+    for (const char* method : {"files.read", "files.delete", "files.create"})
+      EXPECT_EQ(bench.problem(method, {{"path", path}}), "P1309") << method << ' ' << path;
+    EXPECT_EQ(bench.problem("files.write", {{"path", path}, {"text", ""}, {"revision", 0}}),
+              "P1309");
+    EXPECT_EQ(bench.problem("files.rename", {{"path", "main.awl"}, {"to", path}}), "P1309");
+    EXPECT_EQ(bench.problem("files.rename", {{"path", path}, {"to", "x.awl"}}), "P1309");
+  }
+  fs::remove(bench.folder.path() + "-secret");
+}
+
+TEST(Files, LinksAreNotFollowed) {
+  Bench bench;
+  Folder outside;
+  outside.write("secret.awl", "secret");
+  fs::create_symlink(outside.path("secret.awl"), bench.folder.path("link.awl"));
+  fs::create_directory_symlink(outside.path(), bench.folder.path("way"));
+  EXPECT_EQ(bench.problem("files.read", {{"path", "link.awl"}}), "P1310");
+  EXPECT_EQ(bench.problem("files.read", {{"path", "way/secret.awl"}}), "P1310");
+  EXPECT_EQ(bench.problem("files.write", {{"path", "link.awl"}, {"text", ""}, {"revision", 0}}),
+            "P1310");
+  EXPECT_EQ(bench.problem("files.create", {{"path", "way/new.awl"}}), "P1313");
+  EXPECT_EQ(bench.problem("files.rename", {{"path", "main.awl"}, {"to", "way/x.awl"}}), "P1313");
+  EXPECT_EQ(bench.problem("files.delete", {{"path", "way/secret.awl"}}), "P1310");
+  EXPECT_EQ(outside.read("secret.awl"), "secret");
+}
+
+TEST(Files, OfASingleSourceAreItsOwn) {
+  Folder folder;
+  folder.write("main.awl", kProgram);
+  folder.write("private.txt", "x");
+  Workbench workbench;
+  workbench.show(std::make_unique<Plc>(
+      compilation::build(project::load(folder.path("main.awl"), {}), false)));
+  const auto ask = [&](const std::string& text) { return workbench.handle(1, text); };
+  EXPECT_EQ(ask(R"({"id": 1, "do": "files.list"})").find("private"), std::string::npos);
+  EXPECT_NE(ask(R"({"id": 1, "do": "files.read", "path": "private.txt"})").find("P1310"),
+            std::string::npos);
+  EXPECT_NE(ask(R"({"id": 1, "do": "files.create", "path": "new.txt"})").find("P1310"),
+            std::string::npos);
+  EXPECT_NE(ask(R"({"id": 1, "do": "files.read", "path": "main.awl"})").find("result"),
+            std::string::npos);
+}
+
+TEST(Files, ChangesByOthersAreSeen) {
+  Bench bench;
+  const Json before = bench.state();
+  EXPECT_EQ(before["project"]["changed"], Json::array());
+  bench.folder.write("more.awl", "// new\n");
+  for (int frame = 0; frame < 40; ++frame) bench.events();  // more than a second
+  const Json after = bench.state();
+  EXPECT_GT(after["files"], before["files"]);
+  EXPECT_EQ(after["project"]["changed"], Json::array({"more.awl"}));
+}
+
+}  // namespace
+}  // namespace merker::workbench::test

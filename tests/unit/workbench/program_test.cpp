@@ -1,0 +1,175 @@
+#include "bench.h"
+
+namespace merker::workbench::test {
+namespace {
+
+// MW 100 gets what FC 1 says.
+std::string program(int value, const std::string& more = {}) {
+  return "FUNCTION FC 1 : VOID\nTITLE = A number\nBEGIN\nNETWORK\n      L     " +
+         std::to_string(value) +
+         ";\n      T     MW 100;\nEND_FUNCTION\n" + more +
+         "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n      CALL  FC 1;\nEND_ORGANIZATION_BLOCK\n";
+}
+
+std::int64_t number(Bench& bench, const std::string& operand = "MW 100") {
+  return bench.call("variables.read", {{"items", {{{"operand", operand}}}}})["items"][0]["raw"];
+}
+
+void save(Bench& bench, const std::string& text) { bench.folder.write("main.awl", text); }
+
+std::map<std::string, std::string> states(Bench& bench) {
+  std::map<std::string, std::string> result;
+  for (const Json& row : bench.call("program.compare")["blocks"])
+    result[row["id"]] = row["state"];
+  return result;
+}
+
+TEST(Program, IsCheckedWithWhatIsNotSavedYet) {
+  Bench bench;
+  Json good = bench.call("program.check");
+  EXPECT_EQ(good["problems"].size(), 0u);
+  EXPECT_EQ(good["blocks"], 2);
+  const Json file = {{"path", "main.awl"}, {"text", "ORGANIZATION_BLOCK OB 1\nBEGIN\n L MW 300;\n"
+                                                    "END_ORGANIZATION_BLOCK\n"}};
+  const Json bad = bench.call("program.check", {{"files", {file}}});
+  EXPECT_EQ(bad["problems"][0]["code"], "P0214");
+  EXPECT_EQ(bad["problems"][0]["file"], "main.awl");
+  EXPECT_EQ(bad["problems"][0]["line"], 3);
+  EXPECT_EQ(bench.folder.read("main.awl"), kProgram);
+  const Json settings = {{"path", "merker.toml"}, {"text", "[cpu]\nmodle = 1\n"}};
+  EXPECT_EQ(bench.call("program.check", {{"files", {settings}}})["problems"][0]["file"],
+            "merker.toml");
+}
+
+// S7-CYCLE-05, S7-SIM-11
+TEST(Program, IsLoadedWhileTheCpuRuns) {
+  Bench bench(program(1));
+  EXPECT_EQ(number(bench), 1);
+  save(bench, program(2));
+  bench.call("program.load");
+  bench.run(Duration::milliseconds(20));
+  EXPECT_EQ(number(bench), 2);
+  EXPECT_EQ(bench.state()["mode"], "RUN");
+  save(bench, program(3));
+  bench.call("cpu.switch", {{"position", "RUN"}});
+  EXPECT_EQ(bench.problem("program.load"), "P1308");
+  bench.call("cpu.switch", {{"position", "STOP"}});
+  bench.call("program.load");
+  bench.call("cpu.switch", {{"position", "RUN-P"}});
+  bench.run(Duration::milliseconds(20));
+  EXPECT_EQ(number(bench), 3);
+}
+
+TEST(Program, WithErrorsStaysOutOfTheCpu) {
+  Bench bench(program(1));
+  save(bench, "FUNCTION FC 1 : VOID\nBEGIN\n L MW 300;\nEND_FUNCTION\n");
+  const Json answer = bench.ask("program.load");
+  EXPECT_EQ(answer["problems"][0]["file"], "main.awl");
+  bench.run(Duration::milliseconds(20));
+  EXPECT_EQ(number(bench), 1);
+}
+
+TEST(Program, IsLoadedBlockByBlock) {
+  Bench bench(program(1));
+  save(bench, program(2, "FUNCTION FC 2 : VOID\nBEGIN\nEND_FUNCTION\n"));
+  EXPECT_EQ(states(bench),
+            (std::map<std::string, std::string>{
+                {"FC 1", "different"}, {"FC 2", "onlyOffline"}, {"OB 1", "same"}}));
+  bench.call("program.load", {{"blocks", {"FC 2"}}});
+  EXPECT_EQ(states(bench),
+            (std::map<std::string, std::string>{
+                {"FC 1", "different"}, {"FC 2", "same"}, {"OB 1", "same"}}));
+  EXPECT_EQ(bench.problem("program.load", {{"blocks", {"FC 9"}}}), "P1206");
+  bench.call("program.delete", {{"blocks", {"FC 2"}}});
+  EXPECT_EQ(states(bench)["FC 2"], "onlyOffline");
+}
+
+TEST(Program, AnotherHardwareIsLoadedInStop) {
+  Bench bench(program(1));
+  bench.folder.write("merker.toml", "[cpu]\nmodel = \"315-2 DP\"\n");
+  bench.folder.write("merker.toml", "[cpu]\nmodel = \"313C\"\n");
+  EXPECT_EQ(bench.problem("program.load"), "P1308");
+  bench.call("cpu.stop");
+  bench.call("program.load");
+  EXPECT_EQ(bench.state()["project"]["model"], "CPU 313C");
+}
+
+TEST(Program, BlocksAreListed) {
+  Bench bench(program(1));
+  for (const char* side : {"offline", "online"}) {
+    const Json list = bench.call("program.blocks", {{"side", side}})["blocks"];
+    ASSERT_EQ(list.size(), 2u);
+    const Json& ob = list[0];
+    EXPECT_EQ(ob["id"], "OB 1");
+    EXPECT_EQ(ob["calls"], Json::array({"FC 1"}));
+    EXPECT_EQ(ob["file"], "main.awl");
+    EXPECT_EQ(ob["line"], 8);
+    EXPECT_EQ(list[1]["title"], "A number");
+    EXPECT_GT(list[1]["load"], list[1]["work"]);
+  }
+}
+
+TEST(Program, BlocksOfTheCpuBecomeSources) {
+  Bench bench(program(1));
+  save(bench, program(2));
+  const Json files = bench.call("program.upload", {{"blocks", {"FC 1"}}})["files"];
+  EXPECT_EQ(files, Json::array({"online/FC1.awl"}));
+  EXPECT_NE(bench.folder.read("online/FC1.awl").find("L     1;"), std::string::npos);
+  EXPECT_EQ(bench.problem("program.upload", {{"blocks", {"FC 1"}}}), "P1312");
+}
+
+TEST(Program, ShowsItsMachineCode) {
+  Bench bench(program(7));
+  const auto listing = [&](const char* mnemonics) {
+    return bench.call("program.listing", {{"block", "FC 1"}, {"mnemonics", mnemonics}})["text"]
+        .get<std::string>();
+  };
+  EXPECT_NE(listing("german").find("L     7"), std::string::npos);
+  EXPECT_NE(listing("international").find("T     MW 100"), std::string::npos);
+  EXPECT_EQ(bench.problem("program.listing", {{"block", "FC 9"}}), "P1206");
+}
+
+TEST(Program, KnowsWhatCanBeCompleted) {
+  Bench bench;
+  const Json words = bench.call("program.completion");
+  EXPECT_EQ(words["symbols"][0]["name"], "Start");
+  EXPECT_EQ(words["symbols"][0]["operand"], "E 0.0");
+  EXPECT_EQ(words["symbols"][2]["type"], "INT");
+  const auto has = [&](const char* mnemonics, const char* word) {
+    for (const Json& row : words["mnemonics"][mnemonics])
+      if (row[0] == word) return true;
+    return false;
+  };
+  EXPECT_TRUE(has("german", "U"));
+  EXPECT_FALSE(has("international", "U"));
+  EXPECT_TRUE(has("international", "A"));
+}
+
+TEST(Program, KnowsWhereOperandsAreUsed) {
+  Bench bench(program(1));
+  const Json rows = bench.call("program.references", {{"operand", "MW 100"}})["rows"];
+  ASSERT_EQ(rows.size(), 1u);
+  EXPECT_EQ(rows[0]["block"], "FC 1");
+  EXPECT_EQ(rows[0]["access"], "W");
+  EXPECT_EQ(rows[0]["line"], 6);
+  EXPECT_GT(bench.call("program.references")["rows"].size(), 1u);
+}
+
+TEST(Watch, FollowsItsSymbolsThroughALoad) {
+  const auto source = [](const char* first) {
+    return std::string("DATA_BLOCK DB 5\nSTRUCT\n") + first +
+           " x : INT := 77;\nEND_STRUCT\nBEGIN\nEND_DATA_BLOCK\n" + program(1);
+  };
+  Bench bench(source(""));
+  bench.call("watch.set", {{"list", 1}, {"items", {{{"operand", "DB5.x"}}}}});
+  EXPECT_EQ(bench.event("values")["values"][0][2], 77);
+  save(bench, source(" before : INT := 5;\n"));
+  bench.call("program.load");
+  bench.run(Duration::milliseconds(20));
+  bench.events();
+  EXPECT_EQ(number(bench, "DB5.x"), 77);
+  EXPECT_EQ(number(bench, "DB5.DBW 0"), 5);
+}
+
+}  // namespace
+}  // namespace merker::workbench::test

@@ -1,0 +1,69 @@
+#include "bench.h"
+
+namespace merker::workbench::test {
+namespace {
+
+Json row(const std::string& symbol, const std::string& operand, const std::string& type,
+         const std::string& comment = {}) {
+  return {{"symbol", symbol}, {"operand", operand}, {"type", type}, {"comment", comment}};
+}
+
+TEST(Symbols, AreReadAndWritten) {
+  Bench bench;
+  Json read = bench.call("symbols.read");
+  EXPECT_EQ(read["path"], "main.sym");
+  ASSERT_EQ(read["rows"].size(), 3u);
+  EXPECT_EQ(read["rows"][0], row("Start", "E 0.0", "BOOL", "the button"));
+  Json rows = read["rows"];
+  rows.push_back(row("Störung", "M 1.0", "BOOL", "über"));
+  bench.call("symbols.write", {{"rows", rows}, {"revision", read["revision"]}});
+  EXPECT_EQ(bench.call("symbols.read")["rows"], rows);
+  EXPECT_EQ(bench.problem("symbols.write", {{"rows", rows}, {"revision", read["revision"]}}),
+            "P1311");
+}
+
+// S7-SYM-03: nothing is saved while a row is wrong; S7-SYM-16 says what is wrong.
+TEST(Symbols, AreCheckedRowByRow) {
+  Bench bench;
+  const Json rows = {row("Motor", "A 0.0", "BOOL"), row("motor", "A 0.1", "BOOL"),
+                     row("Far", "MW 9999999", "INT"), row("Level", "MW 2", "BOOL"),
+                     row(std::string(25, 'x'), "M 5.0", "BOOL"),
+                     row("Long", "M 5.1", "BOOL", std::string(81, 'c'))};
+  std::map<std::int64_t, std::string> wrong;
+  for (const Json& one : bench.call("symbols.check", {{"rows", rows}})["problems"])
+    wrong[one["row"]] = one["field"];
+  EXPECT_EQ(wrong[1], "symbol");
+  EXPECT_EQ(wrong[2], "operand");
+  EXPECT_EQ(wrong[3], "type");
+  EXPECT_EQ(wrong[4], "symbol");
+  EXPECT_EQ(wrong[5], "comment");
+  EXPECT_FALSE(wrong.contains(0));
+  const std::string before = bench.folder.read("main.sym");
+  const Json revision = bench.call("symbols.read")["revision"];
+  const Json answer = bench.ask("symbols.write", {{"rows", rows}, {"revision", revision}});
+  EXPECT_EQ(answer["problems"][0]["row"], 1);
+  EXPECT_EQ(bench.folder.read("main.sym"), before);
+}
+
+TEST(Symbols, LineBreaksMakeNoRows) {
+  Bench bench;
+  const Json checked = bench.call(
+      "symbols.check", {{"rows", {row("A\n\"B\" M 0.0", "M 0.1", "BOOL"), row("C", "M 0.2", "BOOL")}}});
+  for (const Json& one : checked["problems"]) EXPECT_EQ(one["row"], 0);
+}
+
+TEST(Symbols, GoOutAndComeBackInTheFormatsOfStep7) {
+  Bench bench;
+  const Json rows = bench.call("symbols.read")["rows"];
+  for (const char* format : {"asc", "sdf", "dif", "seq"}) {
+    const Json text = bench.call("symbols.export", {{"format", format}})["text"];
+    const Json back = bench.call("symbols.import", {{"format", format}, {"text", text}})["rows"];
+    ASSERT_EQ(back.size(), rows.size()) << format;
+    EXPECT_EQ(back[2]["symbol"], "Counted");
+    EXPECT_EQ(back[2]["operand"], "MW 20");
+  }
+  EXPECT_EQ(bench.problem("symbols.export", {{"format", "xls"}}), "P1305");
+}
+
+}  // namespace
+}  // namespace merker::workbench::test
