@@ -22,5 +22,6 @@ void addDiag(CLI::App& program, int& result);
 void addXref(CLI::App& program, int& result);
 void addPlot(CLI::App& program, int& result);
 void addBench(CLI::App& program, int& result);
+void addWorkbench(CLI::App& program, int& result);
 
 }  // namespace merker::app

@@ -56,6 +56,7 @@ int run(int argc, char** argv) {
   int result = merker::app::kGood;
   merker::app::addCheck(program, result);
   merker::app::addRun(program, result);
+  merker::app::addWorkbench(program, result);
   merker::app::addTest(program, result);
   merker::app::addDebug(program, result);
   merker::app::addDiag(program, result);

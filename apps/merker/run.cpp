@@ -219,7 +219,9 @@ int runServed(const Options& options, const Build& build, const Operands& operan
   workbench::Workbench workbench;
   workbench.show(std::make_unique<workbench::Plc>(build, std::move(owner)));
   if (cycleEnd.needed()) workbench.plc()->onCycle(std::ref(cycleEnd));
-  if (!serve("merker run", options.serve, workbench, options.json)) return kUnreadable;
+  ServeOptions serving = options.serve;
+  serving.project = options.path;
+  if (!serve("merker run", serving, workbench, options.json)) return kUnreadable;
   if (workbench.plc() == nullptr || &workbench.plc()->controller() != plc) return kGood;
   return conclude(options, build, operands, card, cycleEnd, *plc);
 }

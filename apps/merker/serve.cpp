@@ -1,6 +1,8 @@
 #include "serve.h"
 
 #include <CLI/CLI.hpp>
+#include <cstdlib>
+#include <filesystem>
 #include <iostream>
 
 #include "desk.h"
@@ -18,9 +20,33 @@ void addServe(CLI::App& command, ServeOptions& options) {
   auto* certificate = command.add_option("--certificate", options.certificate,
                                          "certificate chain (PEM): the workbench is served by TLS");
   command.add_option("--key", options.key, "its private key (PEM)")->needs(certificate);
+  command.add_option(
+      "--workspace", options.workspace,
+      "folder for projects that the workbench makes and opens (merker in your home)");
+  command.add_option("--examples", options.examples, "folder of the examples");
 }
 
 namespace {
+
+namespace fs = std::filesystem;
+
+std::string workspaceFolder(const ServeOptions& options) {
+  if (!options.workspace.empty()) return options.workspace;
+  const char* home = std::getenv("HOME");
+  return (fs::path(home == nullptr ? "." : home) / "merker").string();
+}
+
+// Beside the program: in the clone it was built in, or where it was installed.
+std::string examplesFolder(const ServeOptions& options) {
+  if (!options.examples.empty()) return options.examples;
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
+  for (const char* way : {"../../examples", "../share/merker/examples"}) {
+    const fs::path folder = program / way;
+    if (fs::is_regular_file(folder / "README.md", error)) return fs::canonical(folder).string();
+  }
+  return {};
+}
 
 hmi::Options toOptions(const ServeOptions& given) {
   hmi::Options options;
@@ -38,6 +64,7 @@ hmi::Options toOptions(const ServeOptions& given) {
 bool serve(const std::string& command, const ServeOptions& options, workbench::Workbench& workbench,
            bool quiet) {
   holdSignals();
+  workbench.use({workspaceFolder(options), examplesFolder(options), options.project});
   Desk desk(workbench);
   std::string reason;
   const auto server = hmi::Server::start(toOptions(options), desk, reason);

@@ -16,6 +16,7 @@ namespace merker::app {
 struct ServeOptions {
   std::uint16_t port = 8080;
   std::string listen = "127.0.0.1", token, certificate, key, workspace, examples;
+  std::string project;  // of the command line
 };
 
 void addServe(CLI::App& command, ServeOptions& options);

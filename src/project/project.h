@@ -36,7 +36,7 @@ struct Project {
   source::SymbolTable symbols;
   Problems problems;
   std::map<std::string, std::string> unsaved;  // what an editor has in place of files
-  bool unreadable = false;  // a file or the project itself could not be read
+  bool unreadable = false;                     // a file or the project itself could not be read
 
   // The file of this name, for the line under a problem; null if it was not read.
   const source::SourceFile* file(const std::string& name) const;

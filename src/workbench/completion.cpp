@@ -13,15 +13,30 @@ namespace {
 struct OperandRow {
   std::string_view operandClass, word;
 };
-constexpr OperandRow kOperands[] = {
-    {"FlagBit", "bit"},       {"FlagByte", "byte"},     {"FlagWord", "word"},
-    {"FlagDWord", "double word"}, {"Bit", "bit"},       {"Byte", "byte"},
-    {"Word", "word"},         {"DWord", "double word"}, {"Timer", "timer"},
-    {"Counter", "counter"},   {"Constant", "constant"}, {"Status", "status"},
-    {"Jump", "label"},        {"Count", "number"},      {"Shift", "number"},
-    {"Offset", "pointer"},    {"Register", "AR2"},      {"Db", "DB"},
-    {"Di", "DI"},             {"Fb", "FB"},             {"Fc", "FC"},
-    {"Sfc", "SFC"},           {"Sfb", "SFB"},           {"ParameterAddress", "parameter"}};
+constexpr OperandRow kOperands[] = {{"FlagBit", "bit"},
+                                    {"FlagByte", "byte"},
+                                    {"FlagWord", "word"},
+                                    {"FlagDWord", "double word"},
+                                    {"Bit", "bit"},
+                                    {"Byte", "byte"},
+                                    {"Word", "word"},
+                                    {"DWord", "double word"},
+                                    {"Timer", "timer"},
+                                    {"Counter", "counter"},
+                                    {"Constant", "constant"},
+                                    {"Status", "status"},
+                                    {"Jump", "label"},
+                                    {"Count", "number"},
+                                    {"Shift", "number"},
+                                    {"Offset", "pointer"},
+                                    {"Register", "AR2"},
+                                    {"Db", "DB"},
+                                    {"Di", "DI"},
+                                    {"Fb", "FB"},
+                                    {"Fc", "FC"},
+                                    {"Sfc", "SFC"},
+                                    {"Sfb", "SFB"},
+                                    {"ParameterAddress", "parameter"}};
 
 std::string_view wordOf(std::string_view operandClass) {
   for (const OperandRow& row : kOperands)

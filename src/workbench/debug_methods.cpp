@@ -13,8 +13,8 @@ Result<BlockId> blockOf(const Call& call) {
     return monitor::findBlock(call.fields.text("block"), call.monitor().locations({}));
   const std::string file = call.fields.text("file");
   const auto line = call.fields.integer("line", 1, INT32_MAX);
-  const auto place = monitor::findLocation(
-      std::to_string(line), call.monitor().locations(call.shared.folder.full(file)));
+  const auto place = monitor::findLocation(std::to_string(line),
+                                           call.monitor().locations(call.shared.folder.full(file)));
   if (!place) return place.error();
   return place->block;
 }

@@ -34,6 +34,11 @@ std::span<const Method> fileMethods();
 std::span<const Method> programMethods();
 std::span<const Method> debugMethods();
 std::span<const Method> symbolMethods();
+std::span<const Method> hardwareMethods();
+std::span<const Method> diagnosisMethods();
+std::span<const Method> processMethods();
+std::span<const Method> projectMethods();
+std::span<const Method> trendMethods();
 
 // {} or the problem.
 Answer done(const std::optional<Problem>& problem = {});

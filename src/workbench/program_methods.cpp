@@ -63,7 +63,8 @@ bool sameConfiguration(const compilation::Build& a, const compilation::Build& b)
 
 Answer loadConfiguration(const Call& call, const compilation::Build& build) {
   if (call.plc().controller().mode() != controller::Mode::Stop)
-    return refusedLoad("merker.toml has changed; the hardware configuration is loaded in STOP only");
+    return refusedLoad(
+        "merker.toml has changed; the hardware configuration is loaded in STOP only");
   const bool example = call.shared.example;
   auto plc = std::make_unique<Plc>(build);
   plc->controller().stop();
@@ -160,10 +161,10 @@ Answer references(const Call& call) {
 }
 
 constexpr Method kMethods[] = {
-    {"program.check", Needs::Plc, check},           {"program.load", Needs::S7, load},
-    {"program.blocks", Needs::S7, blocks},          {"program.compare", Needs::S7, compare},
-    {"program.upload", Needs::S7, upload},          {"program.delete", Needs::S7, remove},
-    {"program.listing", Needs::S7, showListing},    {"program.completion", Needs::S7, complete},
+    {"program.check", Needs::Plc, check},          {"program.load", Needs::S7, load},
+    {"program.blocks", Needs::S7, blocks},         {"program.compare", Needs::S7, compare},
+    {"program.upload", Needs::S7, upload},         {"program.delete", Needs::S7, remove},
+    {"program.listing", Needs::S7, showListing},   {"program.completion", Needs::S7, complete},
     {"program.references", Needs::S7, references},
 };
 

@@ -84,7 +84,9 @@ Json comparison(const block::Program& offline, const block::Program& online) {
     const bool there = other != online.end();
     const std::string where = there ? difference(block, other->second) : "";
     list.push_back({{"id", toString(id)},
-                    {"state", !there ? "onlyOffline" : where.empty() ? "same" : "different"},
+                    {"state", !there          ? "onlyOffline"
+                              : where.empty() ? "same"
+                                              : "different"},
                     {"where", where}});
   }
   for (const auto& [id, block] : online)

@@ -8,8 +8,8 @@
 #include <cstdio>
 #include <cstring>
 
-#include "project/files.h"
 #include "base/text.h"
+#include "project/files.h"
 #include "workbench/descriptor.h"
 #include "workbench/json.h"
 
@@ -20,9 +20,7 @@ constexpr std::size_t kMostFiles = 5000, kLongestPath = 400;
 constexpr int kFolder = O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC;
 constexpr std::string_view kTemporary = ".merker-saving";
 
-Problem noFile(const std::string& path) {
-  return makeProblem(ProblemCode::P1310, nowhere(), path);
-}
+Problem noFile(const std::string& path) { return makeProblem(ProblemCode::P1310, nowhere(), path); }
 Problem notWritten(const std::string& path) {
   return makeProblem(ProblemCode::P1313, nowhere(), path, std::strerror(errno));
 }

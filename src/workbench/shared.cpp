@@ -31,6 +31,14 @@ void Shared::show(std::unique_ptr<Plc> fresh, bool isExample) {
   folder = plc ? folderOf(plc->build().project) : ProjectFolder();
   if (plc) files.look(folder);
   files.loaded();
+  if (plc && onCycle) plc->onCycle([this](controller::Controller&) { onCycle(); });
+}
+
+void Shared::remember(const std::string& opened) {
+  constexpr std::size_t kMost = 20;
+  std::erase(recent, opened);
+  recent.insert(recent.begin(), opened);
+  if (recent.size() > kMost) recent.pop_back();
 }
 
 void Shared::lookAtFiles() {

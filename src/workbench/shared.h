@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "workbench/file_watch.h"
 #include "workbench/offline.h"
@@ -14,7 +16,9 @@
 #include "workbench/plc.h"
 #include "workbench/project_folder.h"
 #include "workbench/status_view.h"
+#include "workbench/trend.h"
 #include "workbench/watch_list.h"
+#include "workbench/workspace.h"
 
 namespace merker::workbench {
 
@@ -28,6 +32,9 @@ struct Shared {
   bool example = false;      // it is a copy of one
   Pacer pacer;
   std::uint64_t programRevision = 1, filesRevision = 1;
+  Workspace workspace;
+  std::vector<std::string> recent;  // folders, newest first
+  std::function<void()> onCycle;    // at each end of a cycle, of whatever PLC is there
   ProjectFolder folder;
   FileWatch files;
   BreakpointLines breakpoints;
@@ -35,6 +42,7 @@ struct Shared {
   bool probesWait = false;  // breakpoints and program status are not those that are wanted
 
   void show(std::unique_ptr<Plc> fresh, bool isExample);
+  void remember(const std::string& opened);
   void lookAtFiles();
   const Offline& offline();
   // The CPU has this program now, or will have it at its next checkpoint.
@@ -49,7 +57,10 @@ struct Shared {
 struct Browser {
   Json state = Json::object();  // what it knows of it
   std::map<std::int64_t, WatchList> lists;
+  std::map<std::int64_t, Trend> trends;
   std::optional<StatusView> status;
+  bool process = false;
+  Json processValues;  // as told last
 };
 
 // All of the event "state".

@@ -49,7 +49,9 @@ Json breakpoint(Shared& shared) {
   if (!plc.isS7() || plc.controller().mode() != controller::Mode::Halt) return nullptr;
   const auto place = plc.monitor()->debugger().position();
   if (!place) return nullptr;
-  Json at = {{"file", shared.folder.relative(place->file)}, {"line", place->line}, {"block", toString(place->block)}};
+  Json at = {{"file", shared.folder.relative(place->file)},
+             {"line", place->line},
+             {"block", toString(place->block)}};
   at["why"] = "HALT at " + monitor::toString(*place);
   return at;
 }

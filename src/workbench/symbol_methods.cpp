@@ -43,8 +43,8 @@ Answer read(const Call& call) {
 std::vector<SymbolRow> rows(const Call& call) {
   std::vector<SymbolRow> list;
   for (const Fields& row : call.fields.objects("rows", kMostRows))
-    list.push_back({row.text("symbol"), row.text("operand"), row.text("type", ""),
-                    row.text("comment", "")});
+    list.push_back(
+        {row.text("symbol"), row.text("operand"), row.text("type", ""), row.text("comment", "")});
   return list;
 }
 
@@ -99,8 +99,8 @@ Answer exportAs(const Call& call) {
 }
 
 constexpr Method kMethods[] = {
-    {"symbols.read", Needs::S7, read},     {"symbols.check", Needs::S7, check},
-    {"symbols.write", Needs::S7, write},   {"symbols.import", Needs::S7, import},
+    {"symbols.read", Needs::S7, read},       {"symbols.check", Needs::S7, check},
+    {"symbols.write", Needs::S7, write},     {"symbols.import", Needs::S7, import},
     {"symbols.export", Needs::S7, exportAs},
 };
 

@@ -65,9 +65,8 @@ Json toJson(const SymbolRow& row) {
 }
 
 bool CheckedRows::good() const {
-  return std::ranges::none_of(problems, [](const RowProblem& one) {
-    return one.problem.severity() == Severity::Error;
-  });
+  return std::ranges::none_of(
+      problems, [](const RowProblem& one) { return one.problem.severity() == Severity::Error; });
 }
 
 CheckedRows checkRows(const std::vector<SymbolRow>& rows) {

@@ -4,13 +4,15 @@
 
 #include "workbench/message.h"
 #include "workbench/method.h"
+#include "workbench/process_rows.h"
 
 namespace merker::workbench {
 namespace {
 
 const Method* findMethod(std::string_view name) {
   for (const auto group : {plcMethods(), variableMethods(), fileMethods(), programMethods(),
-                           debugMethods(), symbolMethods()}) {
+                           debugMethods(), symbolMethods(), hardwareMethods(), diagnosisMethods(),
+                           processMethods(), projectMethods(), trendMethods()}) {
     const auto found = std::ranges::find(group, name, &Method::name);
     if (found != group.end()) return &*found;
   }
@@ -29,6 +31,15 @@ std::optional<Problems> missing(Needs needs, const Plc* plc, std::string_view me
 Answer empty() { return Json(Json::object()); }
 Answer done(const std::optional<Problem>& problem) {
   return problem ? Answer(one(*problem)) : empty();
+}
+
+Workbench::Workbench() {
+  shared_.onCycle = [this] { sampleTrends(); };
+}
+
+void Workbench::sampleTrends() {
+  for (auto& [id, browser] : browsers_)
+    for (auto& [number, trend] : browser.trends) trend.sample(*shared_.plc);
 }
 
 void Workbench::show(std::unique_ptr<Plc> plc, bool example) {
@@ -87,6 +98,12 @@ std::vector<std::string> Workbench::events(BrowserId id) {
     Json rows = browser.status->changes(*shared_.plc->monitor(), shared_.folder, nowMs_);
     if (!rows.is_null()) texts.push_back(dump(rows));
   }
+  addLists(browser, texts);
+  addProcess(browser, texts);
+  return texts;
+}
+
+void Workbench::addLists(Browser& browser, std::vector<std::string>& texts) {
   for (auto& [number, list] : browser.lists) {
     Json values = list.changes(*shared_.plc, shared_.programRevision, nowMs_);
     if (values.empty()) continue;
@@ -95,7 +112,22 @@ std::vector<std::string> Workbench::events(BrowserId id) {
                           {"time", shared_.plc->controller().now().ns},
                           {"values", std::move(values)}}));
   }
-  return texts;
+  for (auto& [number, trend] : browser.trends) {
+    Json rows = trend.takeRows(*shared_.plc, shared_.programRevision);
+    if (!rows.empty())
+      texts.push_back(dump({{"event", "samples"}, {"list", number}, {"rows", std::move(rows)}}));
+  }
+}
+
+void Workbench::addProcess(Browser& browser, std::vector<std::string>& texts) {
+  if (!browser.process || !shared_.plc->isS7()) return;
+  const plant::Plants* plants = shared_.plc->station()->plants();
+  Json values = plants == nullptr ? Json::object() : plantValues(*plants);
+  if (values == browser.processValues) return;
+  browser.processValues = values;
+  texts.push_back(dump({{"event", "process"},
+                        {"time", shared_.plc->controller().now().ns},
+                        {"plants", std::move(values)}}));
 }
 
 bool Workbench::advance(const Pacer::WallClock& wall, Duration longest) {

@@ -15,7 +15,10 @@ class Workbench {
  public:
   using BrowserId = std::uint64_t;
 
-  Workbench() = default;
+  Workbench();
+  Workbench(const Workbench&) = delete;
+  Workbench& operator=(const Workbench&) = delete;
+  void use(Workspace workspace) { shared_.workspace = std::move(workspace); }
   // The PLC that everybody sees from now on.
   void show(std::unique_ptr<Plc> plc, bool example = false);
   Plc* plc() { return shared_.plc.get(); }
@@ -35,6 +38,9 @@ class Workbench {
 
  private:
   Answer run(BrowserId id, const Json& request);
+  void sampleTrends();
+  void addLists(Browser& browser, std::vector<std::string>& texts);
+  void addProcess(Browser& browser, std::vector<std::string>& texts);
 
   Shared shared_;
   std::map<BrowserId, Browser> browsers_;

@@ -28,9 +28,8 @@ TEST(Files, WhatSomebodyElseSavedIsNotLost) {
   Bench bench;
   const Json read = bench.call("files.read", {{"path", "main.awl"}});
   bench.folder.write("main.awl", "// by another editor\n");
-  EXPECT_EQ(bench.problem("files.write", {{"path", "main.awl"},
-                                          {"text", "mine"},
-                                          {"revision", read["revision"]}}),
+  EXPECT_EQ(bench.problem("files.write",
+                          {{"path", "main.awl"}, {"text", "mine"}, {"revision", read["revision"]}}),
             "P1311");
   EXPECT_EQ(bench.folder.read("main.awl"), "// by another editor\n");
 }
@@ -91,8 +90,8 @@ TEST(Files, OfASingleSourceAreItsOwn) {
   folder.write("main.awl", kProgram);
   folder.write("private.txt", "x");
   Workbench workbench;
-  workbench.show(std::make_unique<Plc>(
-      compilation::build(project::load(folder.path("main.awl"), {}), false)));
+  workbench.show(
+      std::make_unique<Plc>(compilation::build(project::load(folder.path("main.awl"), {}), false)));
   const auto ask = [&](const std::string& text) { return workbench.handle(1, text); };
   EXPECT_EQ(ask(R"({"id": 1, "do": "files.list"})").find("private"), std::string::npos);
   EXPECT_NE(ask(R"({"id": 1, "do": "files.read", "path": "private.txt"})").find("P1310"),

@@ -6,8 +6,7 @@ namespace {
 // MW 100 gets what FC 1 says.
 std::string program(int value, const std::string& more = {}) {
   return "FUNCTION FC 1 : VOID\nTITLE = A number\nBEGIN\nNETWORK\n      L     " +
-         std::to_string(value) +
-         ";\n      T     MW 100;\nEND_FUNCTION\n" + more +
+         std::to_string(value) + ";\n      T     MW 100;\nEND_FUNCTION\n" + more +
          "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n      CALL  FC 1;\nEND_ORGANIZATION_BLOCK\n";
 }
 
@@ -19,8 +18,7 @@ void save(Bench& bench, const std::string& text) { bench.folder.write("main.awl"
 
 std::map<std::string, std::string> states(Bench& bench) {
   std::map<std::string, std::string> result;
-  for (const Json& row : bench.call("program.compare")["blocks"])
-    result[row["id"]] = row["state"];
+  for (const Json& row : bench.call("program.compare")["blocks"]) result[row["id"]] = row["state"];
   return result;
 }
 
@@ -29,8 +27,10 @@ TEST(Program, IsCheckedWithWhatIsNotSavedYet) {
   Json good = bench.call("program.check");
   EXPECT_EQ(good["problems"].size(), 0u);
   EXPECT_EQ(good["blocks"], 2);
-  const Json file = {{"path", "main.awl"}, {"text", "ORGANIZATION_BLOCK OB 1\nBEGIN\n L MW 300;\n"
-                                                    "END_ORGANIZATION_BLOCK\n"}};
+  const Json file = {{"path", "main.awl"},
+                     {"text",
+                      "ORGANIZATION_BLOCK OB 1\nBEGIN\n L MW 300;\n"
+                      "END_ORGANIZATION_BLOCK\n"}};
   const Json bad = bench.call("program.check", {{"files", {file}}});
   EXPECT_EQ(bad["problems"][0]["code"], "P0214");
   EXPECT_EQ(bad["problems"][0]["file"], "main.awl");
@@ -72,13 +72,11 @@ TEST(Program, WithErrorsStaysOutOfTheCpu) {
 TEST(Program, IsLoadedBlockByBlock) {
   Bench bench(program(1));
   save(bench, program(2, "FUNCTION FC 2 : VOID\nBEGIN\nEND_FUNCTION\n"));
-  EXPECT_EQ(states(bench),
-            (std::map<std::string, std::string>{
-                {"FC 1", "different"}, {"FC 2", "onlyOffline"}, {"OB 1", "same"}}));
+  EXPECT_EQ(states(bench), (std::map<std::string, std::string>{
+                               {"FC 1", "different"}, {"FC 2", "onlyOffline"}, {"OB 1", "same"}}));
   bench.call("program.load", {{"blocks", {"FC 2"}}});
-  EXPECT_EQ(states(bench),
-            (std::map<std::string, std::string>{
-                {"FC 1", "different"}, {"FC 2", "same"}, {"OB 1", "same"}}));
+  EXPECT_EQ(states(bench), (std::map<std::string, std::string>{
+                               {"FC 1", "different"}, {"FC 2", "same"}, {"OB 1", "same"}}));
   EXPECT_EQ(bench.problem("program.load", {{"blocks", {"FC 9"}}}), "P1206");
   bench.call("program.delete", {{"blocks", {"FC 2"}}});
   EXPECT_EQ(states(bench)["FC 2"], "onlyOffline");

@@ -25,8 +25,10 @@ TEST(Symbols, AreReadAndWritten) {
 // S7-SYM-03: nothing is saved while a row is wrong; S7-SYM-16 says what is wrong.
 TEST(Symbols, AreCheckedRowByRow) {
   Bench bench;
-  const Json rows = {row("Motor", "A 0.0", "BOOL"), row("motor", "A 0.1", "BOOL"),
-                     row("Far", "MW 9999999", "INT"), row("Level", "MW 2", "BOOL"),
+  const Json rows = {row("Motor", "A 0.0", "BOOL"),
+                     row("motor", "A 0.1", "BOOL"),
+                     row("Far", "MW 9999999", "INT"),
+                     row("Level", "MW 2", "BOOL"),
                      row(std::string(25, 'x'), "M 5.0", "BOOL"),
                      row("Long", "M 5.1", "BOOL", std::string(81, 'c'))};
   std::map<std::int64_t, std::string> wrong;
@@ -47,8 +49,9 @@ TEST(Symbols, AreCheckedRowByRow) {
 
 TEST(Symbols, LineBreaksMakeNoRows) {
   Bench bench;
-  const Json checked = bench.call(
-      "symbols.check", {{"rows", {row("A\n\"B\" M 0.0", "M 0.1", "BOOL"), row("C", "M 0.2", "BOOL")}}});
+  const Json checked =
+      bench.call("symbols.check",
+                 {{"rows", {row("A\n\"B\" M 0.0", "M 0.1", "BOOL"), row("C", "M 0.2", "BOOL")}}});
   for (const Json& one : checked["problems"]) EXPECT_EQ(one["row"], 0);
 }
 

@@ -1,0 +1,133 @@
+// Diagnostic buffer, stacks, module information (S7-DIAG-01, S7-DIAG-04).
+#include <algorithm>
+
+#include "workbench/method.h"
+
+namespace merker::workbench {
+namespace {
+
+std::string eventText(std::uint16_t event) { return fmt::format("16#{:04X}", event); }
+
+// block, file, line, network of a place.
+void addPlace(Json& json, const monitor::SourcePlace& place, const ProjectFolder& folder) {
+  json["block"] = toString(place.block);
+  json["offset"] = place.offset;
+  if (place.line == 0) return;
+  json["file"] = folder.relative(place.file);
+  json["line"] = place.line;
+  json["network"] = place.network;
+}
+
+Json entryOf(const monitor::DiagnosticLine& line, const ProjectFolder& folder) {
+  Json entry = {{"number", line.number}, {"event", eventText(line.event)},
+                {"time", line.time.ns},  {"clock", monitor::clockText(line.clock)},
+                {"text", line.text},     {"help", line.help}};
+  if (line.place) addPlace(entry, *line.place, folder);
+  return entry;
+}
+
+// Alarms of a SINUMERIK: their number, newest first.
+Json alarms(const controller::Controller& plc) {
+  Json list = Json::array();
+  const auto& all = plc.diagnostics();
+  for (auto entry = all.rbegin(); entry != all.rend(); ++entry)
+    list.push_back({{"number", list.size() + 1},
+                    {"event", std::to_string(entry->event)},
+                    {"time", entry->time.ns},
+                    {"clock", ""},
+                    {"text", entry->text},
+                    {"help", ""}});
+  return list;
+}
+
+Answer buffer(const Call& call) {
+  if (!call.plc().isS7()) return Json{{"entries", alarms(call.plc().controller())}};
+  Json list = Json::array();
+  for (const monitor::DiagnosticLine& line : call.monitor().diagnostics())
+    list.push_back(entryOf(line, call.shared.folder));
+  return Json{{"entries", std::move(list)}};
+}
+
+Json registersOf(const cpu::Registers& r) {
+  const auto block = [](const cpu::OpenBlock& one) {
+    return one.number == 0 ? std::string("-") : fmt::format("DB {}", one.number);
+  };
+  return {{"AKKU1", fmt::format("{:08X}", r.accu[0])},
+          {"AKKU2", fmt::format("{:08X}", r.accu[1])},
+          {"AR1", formatConstant({ConstantFormat::Pointer, r.ar1})},
+          {"AR2", formatConstant({ConstantFormat::Pointer, r.ar2})},
+          {"STW", fmt::format("{:04X}", r.status.word())},
+          {"DB", block(r.db)},
+          {"DI", block(r.di)}};
+}
+
+std::string bytesText(const std::vector<std::uint8_t>& bytes) {
+  std::string text;
+  for (const std::uint8_t byte : bytes)
+    text += fmt::format("{}{:02X}", text.empty() ? "" : " ", byte);
+  return text;
+}
+
+Answer stacks(const Call& call) {
+  const monitor::Stacks all = call.monitor().stacks();
+  const auto openText = [](std::uint16_t number) {
+    return number == 0 ? std::string("-") : fmt::format("DB {}", number);
+  };
+  Json blocks = Json::array(), interrupts = Json::array(), locals = Json::array();
+  for (const monitor::BlockStackEntry& entry : all.blocks) {
+    Json row = {{"db", openText(entry.db)}, {"di", openText(entry.di)}};
+    addPlace(row, entry.place, call.shared.folder);
+    blocks.push_back(std::move(row));
+  }
+  for (const monitor::InterruptStackEntry& entry : all.interrupts) {
+    Json row = {{"ob", entry.ob},
+                {"priority", entry.priority},
+                {"registers", registersOf(entry.registers)}};
+    addPlace(row, entry.place, call.shared.folder);
+    interrupts.push_back(std::move(row));
+  }
+  for (const monitor::LocalStackEntry& entry : all.locals)
+    locals.push_back({{"block", toString(entry.block)}, {"bytes", bytesText(entry.bytes)}});
+  return Json{{"blocks", std::move(blocks)},
+              {"interrupts", std::move(interrupts)},
+              {"locals", std::move(locals)}};
+}
+
+Answer information(const Call& call) {
+  const monitor::ModuleInformation info = call.monitor().information();
+  return Json{{"model", info.model},
+              {"mode", monitor::name(info.mode)},
+              {"stopReason", info.stopReason},
+              {"clock", info.clock},
+              {"memory",
+               {{"loadMemory", info.loadMemory},
+                {"workMemory", info.workMemory},
+                {"workMemoryUsed", info.workMemoryUsed},
+                {"localData", info.localData},
+                {"blocks", info.blocks}}},
+              {"cycle",
+               {{"cycles", info.cycles},
+                {"instructions", info.instructions},
+                {"lastMs", info.lastCycle},
+                {"shortestMs", info.shortestCycle},
+                {"longestMs", info.longestCycle},
+                {"monitoringMs", call.station().cpu().parameters().cycleMonitoring}}},
+              {"limits",
+               {{"inputs", info.inputs},
+                {"outputs", info.outputs},
+                {"flags", info.flags},
+                {"timers", info.timers},
+                {"counters", info.counters}}}};
+}
+
+constexpr Method kMethods[] = {
+    {"diagnosis.buffer", Needs::Plc, buffer},
+    {"diagnosis.stacks", Needs::S7, stacks},
+    {"diagnosis.information", Needs::S7, information},
+};
+
+}  // namespace
+
+std::span<const Method> diagnosisMethods() { return kMethods; }
+
+}  // namespace merker::workbench

@@ -1,0 +1,55 @@
+// The racks, and faults of their modules (what scenarios do with `fault`).
+#include "workbench/hardware_rows.h"
+#include "workbench/method.h"
+
+namespace merker::workbench {
+namespace {
+
+Answer read(const Call& call) {
+  const project::Project& project = call.plc().build().project;
+  const io::Rack* rack = std::as_const(call.station()).rack();
+  Problems none;
+  const io::Configuration configuration =
+      rack != nullptr ? rack->configuration() : io::configure({}, *project.model, none);
+  return Json{{"racks", hardwareRows(configuration, rack, project.symbols)}};
+}
+
+std::optional<std::uint32_t> moduleAt(const io::Rack& rack, std::int64_t number,
+                                      const std::string& slot) {
+  const auto& modules = rack.configuration().modules;
+  for (std::size_t i = 0; i < modules.size(); ++i)
+    if (modules[i].rack == number && modules[i].slotText() == slot)
+      return static_cast<std::uint32_t>(i);
+  return std::nullopt;
+}
+
+Answer fault(const Call& call) {
+  const std::int64_t number = call.fields.integer("rack", 0, 3);
+  const std::string slot = call.fields.text("slot"), name = call.fields.text("fault");
+  const bool on = call.fields.flag("on");
+  if (!call.fields.good()) return call.fields.problems();
+  io::Rack* rack = call.station().rack();
+  if (rack == nullptr)
+    return refused(ProblemCode::P1307, "this project", "hardware configuration in merker.toml");
+  const auto module = moduleAt(*rack, number, slot);
+  if (!module)
+    return refused(ProblemCode::P1316, "module", slot, fmt::format(" in rack {}", number));
+  const io::FaultName* kind = io::findFault(name);
+  if (kind == nullptr)
+    return refused(ProblemCode::P1316, "fault", name, "; there are: " + io::faultNames());
+  if (!rack->fault(*module, kind->kind, std::nullopt, on))
+    return refused(ProblemCode::P1307, rack->configuration().modules[*module].title(),
+                   "fault '" + name + "'");
+  return empty();
+}
+
+constexpr Method kMethods[] = {
+    {"hardware.read", Needs::S7, read},
+    {"hardware.fault", Needs::S7, fault},
+};
+
+}  // namespace
+
+std::span<const Method> hardwareMethods() { return kMethods; }
+
+}  // namespace merker::workbench

@@ -1,0 +1,157 @@
+#include "workbench/hardware_rows.h"
+
+#include "io/amount.h"
+#include "monitor/symbol_name.h"
+
+namespace merker::workbench {
+namespace {
+
+constexpr io::FaultKind kFaults[] = {
+    io::FaultKind::Removed,      io::FaultKind::LoadVoltage,  io::FaultKind::WireBreak,
+    io::FaultKind::ShortCircuit, io::FaultKind::SensorSupply, io::FaultKind::Fuse,
+    io::FaultKind::RackPower,    io::FaultKind::Defect,       io::FaultKind::ParameterError};
+
+std::string_view kindOf(ModuleKind kind) {
+  constexpr std::string_view kNames[] = {"power supply",  "interface", "digital",
+                                         "analog",        "position",  "function",
+                                         "communication", "counting",  "positioning"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+Json rangeOf(std::optional<std::uint32_t> first, unsigned bytes) {
+  if (!first || bytes == 0) return nullptr;
+  return {{"first", *first}, {"bytes", bytes}};
+}
+
+// One side of a module's terminals: DI3 is E 0.3, AI1 is PEW 258.
+struct Side {
+  std::string_view text, bit, word;
+  Area area;
+  bool output;
+};
+constexpr Side kInputs{"I", "E", "PEW", Area::Input, false};
+constexpr Side kOutputs{"O", "A", "PAW", Area::Output, true};
+
+void addTerminals(Json& list, const Side& side, std::uint32_t start, unsigned digital,
+                  unsigned analog, const source::SymbolTable& symbols) {
+  const auto add = [&](std::string text, std::string operand, const mc7::Operand& key) {
+    const source::Symbol* symbol = monitor::findSymbol(key, side.output, symbols);
+    list.push_back({{"text", std::move(text)},
+                    {"operand", std::move(operand)},
+                    {"symbol", symbol == nullptr ? "" : symbol->name}});
+  };
+  for (unsigned i = 0; i < digital; ++i)
+    add(fmt::format("D{}{}", side.text, i), fmt::format("{} {}.{}", side.bit, start + i / 8, i % 8),
+        mc7::memory(side.area, Width::Bit, 8 * start + i));
+  for (unsigned i = 0; i < analog; ++i)
+    add(fmt::format("A{}{}", side.text, i), fmt::format("{} {}", side.word, start + 2 * i),
+        mc7::memory(Area::Peripheral, Width::Word, 8 * (start + 2 * i)));
+}
+
+Json terminalsOf(const io::Module& module, const source::SymbolTable& symbols) {
+  Json list = Json::array();
+  const ModuleType& type = *module.type;
+  if (module.inputStart)
+    addTerminals(list, kInputs, *module.inputStart, type.digitalInputs, type.analogInputs, symbols);
+  if (module.outputStart)
+    addTerminals(list, kOutputs, *module.outputStart, type.digitalOutputs, type.analogOutputs,
+                 symbols);
+  return list;
+}
+
+Json propertiesOf(const io::Module& module) {
+  const ModuleType& type = *module.type;
+  const io::Parameters& parameters = module.parameters;
+  Json list = Json::array();
+  const auto add = [&](const char* name, const std::string& value) {
+    if (!value.empty()) list.push_back({name, value});
+  };
+  add("type", module.title());
+  add("order number", std::string(type.orderNumber));
+  add("slot", module.slotText());
+  add("signal", std::string(type.signal));
+  if (type.busCurrent != 0) add("bus current", fmt::format("{} mA", type.busCurrent));
+  if (type.digitalInputs != 0) add("input delay", io::formatLength(parameters.inputDelay));
+  if (type.resolution != 0) add("resolution", fmt::format("{} bits", type.resolution));
+  if (type.interruptChannels != 0)
+    add("hardware interrupt", fmt::format("rising {:#x}, falling {:#x}", parameters.risingEdges,
+                                          parameters.fallingEdges));
+  if (type.diagnosticInterrupt)
+    add("diagnostic interrupt", parameters.diagnosticInterrupt ? "on" : "off");
+  return list;
+}
+
+Json faultsOf(const io::Module& module, const io::Rack* rack) {
+  Json list = Json::array();
+  const auto index = rack == nullptr ? std::nullopt : rack->module(module.slotText());
+  if (!index) return list;
+  for (const io::FaultKind kind : kFaults) {
+    if (!io::possible(*module.type, kind)) continue;
+    const std::string_view words = io::nameOf(kind).words;
+    list.push_back({{"name", words}, {"title", words}, {"on", rack->has(*index, kind)}});
+  }
+  return list;
+}
+
+Json moduleRow(const io::Module& module, const io::Rack* rack, const source::SymbolTable& symbols) {
+  const ModuleType& type = *module.type;
+  const auto index = rack == nullptr ? std::nullopt : rack->module(module.slotText());
+  Json row = {{"slot", module.slotText()},
+              {"order", type.orderNumber},
+              {"name", module.name.empty() ? module.title() : module.name},
+              {"type", module.title()},
+              {"kind", kindOf(type.kind)},
+              {"inputs", rangeOf(module.inputStart, type.inputBytes)},
+              {"outputs", rangeOf(module.outputStart, type.outputBytes)},
+              {"terminals", terminalsOf(module, symbols)},
+              {"properties", propertiesOf(module)},
+              {"faults", faultsOf(module, rack)},
+              {"present", !index || rack->present(*index)}};
+  if (type.diagnosticInterrupt && index)
+    row["leds"] = {{"SF", rack->faulty(*index) ? "on" : "off"}};
+  return row;
+}
+
+// The CPU stands in slot 2 of rack 0, whatever it has on board.
+Json cpuRow(const CpuModel& model) {
+  return {{"slot", "2"},
+          {"order", model.orderNumber},
+          {"name", model.name},
+          {"type", model.name},
+          {"kind", "cpu"},
+          {"inputs", nullptr},
+          {"outputs", nullptr},
+          {"terminals", Json::array()},
+          {"properties",
+           {{"work memory", fmt::format("{} bytes", model.workMemory)},
+            {"timers", std::to_string(model.timers)},
+            {"counters", std::to_string(model.counters)},
+            {"flags", fmt::format("{} bytes", model.flagBytes)}}},
+          {"faults", Json::array()},
+          {"present", true}};
+}
+
+}  // namespace
+
+Json hardwareRows(const io::Configuration& configuration, const io::Rack* rack,
+                  const source::SymbolTable& symbols) {
+  Json racks = Json::array();
+  for (std::uint32_t number = 0; number < configuration.model->racks; ++number) {
+    Json slots = Json::array();
+    bool cpu = number != 0;
+    const auto addCpu = [&] {
+      if (!cpu) slots.push_back(cpuRow(*configuration.model));
+      cpu = true;
+    };
+    for (const io::Module& module : configuration.modules) {
+      if (module.rack != number) continue;
+      if (module.slot >= 2) addCpu();
+      slots.push_back(moduleRow(module, rack, symbols));
+    }
+    addCpu();
+    if (!slots.empty()) racks.push_back({{"rack", number}, {"slots", std::move(slots)}});
+  }
+  return racks;
+}
+
+}  // namespace merker::workbench

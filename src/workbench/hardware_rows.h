@@ -1,0 +1,14 @@
+// The racks as rows of an answer.
+#pragma once
+
+#include "io/rack.h"
+#include "source/symbol_table.h"
+#include "workbench/json.h"
+
+namespace merker::workbench {
+
+// `rack`: the modules in operation; null: without a hardware configuration none can have a fault.
+Json hardwareRows(const io::Configuration& configuration, const io::Rack* rack,
+                  const source::SymbolTable& symbols);
+
+}  // namespace merker::workbench

@@ -1,0 +1,94 @@
+#include "workbench/trend.h"
+
+#include <cmath>
+#include <limits>
+
+#include "simulator/display.h"
+#include "simulator/long_value.h"
+#include "workbench/operand_name.h"
+
+namespace merker::workbench {
+namespace {
+
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+// Some seconds of the fastest cycles for a browser that does not read meanwhile.
+constexpr std::size_t kMostRows = 20000;
+
+// plant.Oven.PV
+std::optional<plant::SignalPlace> signalOf(std::string_view name, const Plc& plc) {
+  constexpr std::string_view kPrefix = "plant.";
+  const plant::Plants* plants = plc.isS7() ? plc.station()->plants() : nullptr;
+  if (!name.starts_with(kPrefix) || plants == nullptr) return std::nullopt;
+  name.remove_prefix(kPrefix.size());
+  const std::size_t point = name.find('.');
+  if (point == std::string_view::npos) return std::nullopt;
+  const auto found = plants->configuration().find(name.substr(0, point));
+  if (!found) return std::nullopt;
+  const auto signal = plants->configuration().plants[*found].kind->signal(name.substr(point + 1));
+  return signal ? std::optional(plant::SignalPlace{*found, *signal}) : std::nullopt;
+}
+
+}  // namespace
+
+Json Trend::describe(const std::string& name, Source& source, const Plc& plc) const {
+  source = std::monostate{};
+  if (const auto signal = signalOf(name, plc)) {
+    source = *signal;
+    return {{"operand", name}, {"symbol", ""}};
+  }
+  auto reference = plc.operand(name);
+  if (!reference)
+    return {{"operand", name}, {"symbol", ""}, {"problem", toJson(reference.error())}};
+  const OperandName named = operandName(*reference, plc.build().project.symbols);
+  Json json = {{"operand", named.operand}, {"symbol", named.symbol}, {"type", named.type}};
+  if (simulator::isLong(*reference))
+    json["problem"] =
+        toJson(makeProblem(ProblemCode::P1209, nowhere(), name, "a curve", "1 to 32"));
+  else
+    source = std::move(*reference);
+  return json;
+}
+
+Json Trend::describe(const Plc& plc) {
+  Json list = Json::array();
+  sources_.resize(names_.size());
+  for (std::size_t i = 0; i < names_.size(); ++i)
+    list.push_back(describe(names_[i], sources_[i], plc));
+  return list;
+}
+
+double Trend::value(const Source& source, const Plc& plc) {
+  if (const auto* signal = std::get_if<plant::SignalPlace>(&source))
+    return plc.station()->plants()->value(*signal);
+  const auto* reference = std::get_if<mc7::Reference>(&source);
+  const auto bits = reference == nullptr ? std::nullopt : plc.controller().read(*reference);
+  if (!bits) return kNothing;
+  return std::visit([](auto number) { return static_cast<double>(number); },
+                    simulator::numericValue(*reference, *bits));
+}
+
+void Trend::sample(const Plc& plc) {
+  const Instant now = plc.controller().now();
+  if (now < next_ && now + every_ >= next_) return;  // unless time began anew
+  next_ = now + every_;
+  Row row{now, {}};
+  for (const Source& source : sources_) row.values.push_back(value(source, plc));
+  rows_.push_back(std::move(row));
+  if (rows_.size() > kMostRows) rows_.pop_front();
+}
+
+Json Trend::takeRows(const Plc& plc, std::uint64_t program) {
+  if (program_ != 0 && program_ != program) describe(plc);
+  program_ = program;
+  Json list = Json::array();
+  for (const Row& row : rows_) {
+    Json json = {static_cast<double>(row.time.ns) / 1e6};
+    for (const double value : row.values)
+      json.push_back(std::isfinite(value) ? Json(value) : Json(nullptr));
+    list.push_back(std::move(json));
+  }
+  rows_.clear();
+  return list;
+}
+
+}  // namespace merker::workbench

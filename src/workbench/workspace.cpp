@@ -1,0 +1,155 @@
+#include "workbench/workspace.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "base/text.h"
+#include "project/files.h"
+#include "project/settings.h"
+#include "workbench/json.h"
+#include "workbench/project_folder.h"
+
+namespace merker::workbench {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kSettings = "merker.toml";
+constexpr Template kTemplates[] = {{"empty", "OB 1"}, {"errors", "OB 1, OB 100, error OBs"}};
+constexpr std::uint32_t kErrorBlocks[] = {100, 80, 82, 85, 86, 87, 121, 122};
+
+bool isProject(const fs::path& folder) {
+  std::error_code error;
+  return fs::is_regular_file(folder / kSettings, error);
+}
+
+// The first heading of the README and the text below it.
+void describe(const fs::path& folder, Example& example) {
+  std::ifstream file(folder / "README.md");
+  std::string line;
+  while (std::getline(file, line)) {
+    const std::string_view text = trim(line);
+    if (text.starts_with("# ") && example.title.empty())
+      example.title = text.substr(2);
+    else if (!text.empty() && !example.title.empty())
+      example.description += (example.description.empty() ? "" : " ") + std::string(text);
+    else if (!example.description.empty())
+      return;
+  }
+}
+
+void collect(const fs::path& root, const std::string& below, std::vector<Example>& list) {
+  for (const project::Entry& entry : project::entries((root / below).string())) {
+    if (!entry.folder) continue;
+    const std::string id = below.empty() ? entry.name : below + "/" + entry.name;
+    if (!isProject(root / id)) {
+      collect(root, id, list);
+      continue;
+    }
+    Example example{id, {}, {}};
+    describe(root / id, example);
+    if (example.title.empty()) example.title = entry.name;
+    list.push_back(std::move(example));
+  }
+}
+
+bool isProjectName(std::string_view name) {
+  const auto good = [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == ' ' ||
+           c == '-' || c == '_';
+  };
+  return !name.empty() && name.size() <= 64 && trim(name) == name &&
+         std::ranges::all_of(name, good);
+}
+
+bool isBelow(const fs::path& path, const fs::path& folder) {
+  const auto [end, unused] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
+  return !folder.empty() && end == folder.end();
+}
+
+fs::path canonical(const std::string& path) {
+  std::error_code error;
+  return path.empty() ? fs::path() : fs::weakly_canonical(path, error);
+}
+
+// A comment in the words of the mnemonics: an empty network says of neither which it is.
+std::string blockText(std::uint32_t ob, Mnemonics mnemonics) {
+  return fmt::format(
+      "ORGANIZATION_BLOCK OB {}\nBEGIN\nNETWORK\nTITLE = {}\n\nEND_ORGANIZATION_BLOCK\n\n", ob,
+      mnemonics == Mnemonics::German ? "Netzwerk 1" : "Network 1");
+}
+
+std::string sourceText(const NewProject& wanted) {
+  std::string text = blockText(1, wanted.mnemonics);
+  if (wanted.ob != 1) text += blockText(wanted.ob, wanted.mnemonics);
+  if (wanted.form == "errors")
+    for (const std::uint32_t ob : kErrorBlocks)
+      if (ob != wanted.ob) text += blockText(ob, wanted.mnemonics);
+  return text;
+}
+
+std::string settingsText(const NewProject& wanted) {
+  return fmt::format("[project]\nname = \"{}\"\n\n[cpu]\nmodel = \"{}\"\n", wanted.name,
+                     wanted.model);
+}
+
+Problem notMade(const std::string& path, const std::error_code& error) {
+  return makeProblem(ProblemCode::P1313, nowhere(), path, error.message());
+}
+
+}  // namespace
+
+std::vector<Example> Workspace::examples() const {
+  std::vector<Example> list;
+  if (!examples_.empty()) collect(examples_, "", list);
+  return list;
+}
+
+std::span<const Template> Workspace::templates() { return kTemplates; }
+
+Result<std::string> Workspace::copyExample(const std::string& id) const {
+  const auto all = examples();
+  if (std::ranges::find(all, id, &Example::id) == all.end())
+    return makeProblem(ProblemCode::P1316, nowhere(), "example", id, "");
+  std::string name = id;
+  std::ranges::replace(name, '/', '-');
+  const fs::path to = fs::path(folder_) / name;
+  if (isProject(to)) return to.string();
+  std::error_code error;
+  fs::create_directories(to, error);
+  if (!error) fs::copy(fs::path(examples_) / id, to, fs::copy_options::recursive, error);
+  if (error) return notMade(to.string(), error);
+  return to.string();
+}
+
+Result<std::string> Workspace::folderToOpen(const std::string& folder) const {
+  const bool bad = folder.empty() || folder.find('\0') != std::string::npos;
+  const fs::path path = canonical((fs::path(folder_) / folder).string());
+  const bool allowed = path == canonical(given_) || isBelow(path, canonical(folder_));
+  if (bad || !allowed) return makeProblem(ProblemCode::P1318, nowhere(), folder, folder_);
+  // The name that was given, so that places in it are named as ever.
+  return path == canonical(given_) ? given_ : path.string();
+}
+
+Result<std::string> Workspace::make(const NewProject& wanted) const {
+  if (!isProjectName(wanted.name)) return makeProblem(ProblemCode::P1317, nowhere(), wanted.name);
+  if (!project::findModel(wanted.model) || !project::findModel(wanted.model)->simatic)
+    return makeProblem(ProblemCode::P0705, nowhere(), wanted.model, project::modelNames());
+  if (std::ranges::find(kTemplates, wanted.form, &Template::id) == std::end(kTemplates))
+    return makeProblem(ProblemCode::P1316, nowhere(), "template", wanted.form, "");
+  const fs::path folder = fs::path(folder_) / wanted.name;
+  std::error_code error;
+  fs::create_directories(folder_, error);
+  if (!fs::create_directory(folder, error))
+    return error ? notMade(folder.string(), error)
+                 : makeProblem(ProblemCode::P1312, nowhere(), wanted.name);
+  const ProjectFolder files(folder.string());
+  for (const auto& [name, text] : {std::pair{std::string(kSettings), settingsText(wanted)},
+                                   std::pair{std::string("main.awl"), sourceText(wanted)},
+                                   std::pair{std::string("symbols.sym"), std::string()}})
+    if (auto problem = files.create(name, text)) return *problem;
+  return folder.string();
+}
+
+}  // namespace merker::workbench

@@ -1,0 +1,50 @@
+#include "bench.h"
+
+namespace merker::workbench::test {
+namespace {
+
+void fault(Bench& bench) {
+  bench.call("variables.write", {{"items", {{{"operand", "E 0.7"}, {"value", "1"}}}}});
+  bench.run(Duration::milliseconds(20));
+}
+
+// S7-DIAG-01, S7-DIAG-02
+TEST(Diagnosis, TheBufferLeadsToTheLine) {
+  Bench bench;
+  const Json before = bench.state()["diagnostics"];
+  fault(bench);
+  EXPECT_GT(bench.state()["diagnostics"], before);
+  const Json entries = bench.call("diagnosis.buffer")["entries"];
+  EXPECT_EQ(entries[0]["number"], 1);
+  EXPECT_EQ(entries[0]["event"], "16#4562");
+  const Json& cause = entries[1];
+  EXPECT_EQ(cause["event"], "16#2521");
+  EXPECT_NE(cause["help"], "");
+  EXPECT_EQ(cause["file"], "main.awl");
+  EXPECT_EQ(cause["block"], "OB 1");
+  EXPECT_EQ(cause["line"], 23);
+}
+
+// S7-DIAG-04
+TEST(Diagnosis, StacksShowWhereItStopped) {
+  Bench bench;
+  EXPECT_EQ(bench.call("diagnosis.stacks")["blocks"].size(), 0u);
+  fault(bench);
+  const Json stacks = bench.call("diagnosis.stacks");
+  EXPECT_EQ(stacks["blocks"][0]["block"], "OB 1");
+  EXPECT_EQ(stacks["blocks"][0]["line"], 23);
+  EXPECT_EQ(stacks["interrupts"][0]["registers"]["AKKU1"], "0000FFFF");
+  EXPECT_EQ(stacks["locals"][0]["block"], "OB 1");
+}
+
+TEST(Diagnosis, InformationIsThatOfTheCpu) {
+  Bench bench;
+  const Json info = bench.call("diagnosis.information");
+  EXPECT_EQ(info["model"], "CPU 314C-2 PtP");
+  EXPECT_EQ(info["mode"], "RUN");
+  EXPECT_GT(info["memory"]["workMemoryUsed"], 0);
+  EXPECT_EQ(info["cycle"]["monitoringMs"], 150);
+}
+
+}  // namespace
+}  // namespace merker::workbench::test

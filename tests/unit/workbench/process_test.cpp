@@ -1,0 +1,66 @@
+#include "bench.h"
+
+namespace merker::workbench::test {
+namespace {
+
+constexpr const char* kSettings = R"(
+[[module]]
+type = "SM 334 AI4/AO2"
+slot = 4
+name = "Analog"
+
+[[plant]]
+name = "Oven"
+kind = "first order"
+time_constant = "1s"
+wire = { PV = "Analog.AI0" }
+)";
+
+Json valueOf(const Json& plant, const std::string& name) {
+  for (const Json& value : plant["values"])
+    if (value["name"] == name) return value;
+  return nullptr;
+}
+
+TEST(Process, WithoutPlantsThereIsNothing) {
+  Bench bench;
+  EXPECT_EQ(bench.call("process.list")["plants"], Json::array());
+  bench.call("process.watch", {{"on", true}});
+  EXPECT_EQ(bench.event("process")["plants"], Json::object());
+  EXPECT_EQ(bench.problem("process.set", {{"plant", "Oven"}, {"value", "LMN"}, {"to", 1}}),
+            "P0987");
+}
+
+TEST(Process, InputsAreSetAndOutputsMove) {
+  Bench bench(kProgram, kSettings);
+  const Json oven = bench.call("process.list")["plants"][0];
+  EXPECT_EQ(oven["name"], "Oven");
+  EXPECT_EQ(oven["kind"], "first order");
+  EXPECT_EQ(valueOf(oven, "LMN")["writable"], true);
+  EXPECT_EQ(valueOf(oven, "PV")["writable"], false);
+  bench.call("process.watch", {{"on", true}});
+  EXPECT_EQ(bench.event("process")["plants"]["Oven"]["PV"], 0);
+  bench.call("process.set", {{"plant", "Oven"}, {"value", "LMN"}, {"to", 80}});
+  bench.run(Duration::seconds(10));
+  const Json event = bench.event("process");
+  EXPECT_NEAR(event["plants"]["Oven"]["PV"].get<double>(), 80, 1);
+  EXPECT_EQ(bench.problem("process.set", {{"plant", "Oven"}, {"value", "PV"}, {"to", 1}}), "P0988");
+  EXPECT_EQ(bench.problem("process.set", {{"plant", "Door"}, {"value", "PV"}, {"to", 1}}), "P0986");
+  bench.call("process.watch", {{"on", false}});
+  bench.run(Duration::seconds(1));
+  EXPECT_TRUE(bench.event("process").is_null());
+}
+
+TEST(Process, CurvesShowPlantsToo) {
+  Bench bench(kProgram, kSettings);
+  const Json items = {{{"operand", "plant.Oven.PV"}}};
+  bench.call("trend.set", {{"list", 1}, {"items", items}, {"everyMs", 100}});
+  bench.call("process.set", {{"plant", "Oven"}, {"value", "LMN"}, {"to", 80}});
+  bench.run(Duration::seconds(5));
+  const Json rows = bench.event("samples")["rows"];
+  EXPECT_LT(rows[0][1], 20);
+  EXPECT_GT(rows.back()[1], 70);
+}
+
+}  // namespace
+}  // namespace merker::workbench::test

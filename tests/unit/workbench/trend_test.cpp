@@ -1,0 +1,62 @@
+#include "bench.h"
+
+namespace merker::workbench::test {
+namespace {
+
+Json items(std::initializer_list<const char*> names) {
+  Json list = Json::array();
+  for (const char* name : names) list.push_back({{"operand", name}});
+  return list;
+}
+
+TEST(Trend, HasARowForEachCycle) {
+  Bench bench;
+  const Json set = bench.call("trend.set", {{"list", 1}, {"items", items({"MW 20", "\"Start\""})}});
+  EXPECT_EQ(set["items"][0]["symbol"], "Counted");
+  EXPECT_EQ(set["items"][1]["operand"], "E 0.0");
+  const auto before = bench.workbench.plc()->controller().cycles();
+  bench.run(Duration::milliseconds(20));
+  const auto cycles = bench.workbench.plc()->controller().cycles() - before;
+  const Json event = bench.event("samples");
+  EXPECT_EQ(event["list"], 1);
+  ASSERT_EQ(event["rows"].size(), cycles);
+  const Json &first = event["rows"][0], &second = event["rows"][1];
+  EXPECT_LT(first[0], second[0]);                                  // ms
+  EXPECT_EQ(second[1].get<double>() - first[1].get<double>(), 1);  // counts cycles
+  EXPECT_TRUE(bench.event("samples").is_null());
+}
+
+TEST(Trend, TakesOneRowInSoManyMilliseconds) {
+  Bench bench;
+  bench.call("trend.set", {{"list", 1}, {"items", items({"MW 20"})}, {"everyMs", 100}});
+  bench.run(Duration::seconds(1));
+  EXPECT_NEAR(static_cast<double>(bench.event("samples")["rows"].size()), 10, 1);
+}
+
+TEST(Trend, ShowsWhatIsNotThereAsNothing) {
+  Bench bench;
+  const Json set =
+      bench.call("trend.set", {{"list", 1}, {"items", items({"?", "DB1.level", "plant.a.b"})}});
+  EXPECT_TRUE(set["items"][0].contains("problem"));
+  EXPECT_TRUE(set["items"][2].contains("problem"));
+  bench.run(Duration::milliseconds(5));
+  const Json row = bench.event("samples")["rows"][0];
+  EXPECT_EQ(row[1], nullptr);
+  EXPECT_EQ(row[2], 1.5);
+}
+
+TEST(Trend, KeepsTheNewestRowsForASlowBrowser) {
+  Bench bench;
+  bench.call("trend.set", {{"list", 1}, {"items", items({"MW 20"})}});
+  bench.run(Duration::seconds(20));
+  const Json rows = bench.event("samples")["rows"];
+  EXPECT_EQ(rows.size(), 20000u);
+  const double now = static_cast<double>(bench.workbench.plc()->controller().now().ns) / 1e6;
+  EXPECT_NEAR(rows.back()[0].get<double>(), now, 5);
+  bench.call("trend.drop", {{"list", 1}});
+  bench.run(Duration::milliseconds(20));
+  EXPECT_TRUE(bench.event("samples").is_null());
+}
+
+}  // namespace
+}  // namespace merker::workbench::test

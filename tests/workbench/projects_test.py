@@ -1,0 +1,84 @@
+import os
+import pathlib
+import unittest
+
+from served import Served
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+
+class Projects(Served):
+    command = "workbench"
+
+    def target(self):
+        return []
+
+    def prepare(self):
+        super().prepare()
+        self.workspace = self.folder / "work"
+        self.arguments = ("--workspace", str(self.workspace), "--examples", str(ROOT / "examples"))
+
+    def test_without_a_path_it_begins_with_the_list(self):
+        browser = self.browser()
+        browser.until(lambda b: "project" in b.state)
+        self.assertIsNone(browser.state["project"])
+        self.assertEqual(browser.problems("cpu.stop"), ["P1315"])
+        listed = browser.call("projects.list")
+        titles = {row["id"]: row["title"] for row in listed["examples"]}
+        self.assertEqual(titles["sorting-plant"], "The sorting plant")
+        self.assertIn("314C-2 PtP", listed["models"])
+
+    def test_an_example_is_a_copy(self):
+        browser = self.browser()
+        browser.call("projects.open", example="sorting-plant")
+        browser.until(lambda b: b.state.get("mode") == "RUN" and b.state["project"]["example"])
+        files = {row["path"] for row in browser.call("files.list")["files"]}
+        self.assertIn("merker.toml", files)
+        self.assertTrue((self.workspace / "sorting-plant" / "merker.toml").is_file())
+        browser.call("projects.close")
+        browser.until(lambda b: b.state["project"] is None)
+        browser.call("projects.open", folder="sorting-plant")
+        browser.until(lambda b: b.state["project"] is not None)
+
+    def test_the_wizard_makes_a_project_that_runs(self):
+        browser = self.browser()
+        browser.call("projects.new", name="First one", model="313C", template="errors", mnemonics="international", ob="OB 35")
+        browser.until(lambda b: b.state.get("mode") == "RUN")
+        self.assertEqual(browser.state["project"]["model"], "CPU 313C")
+        blocks = {row["id"] for row in browser.call("program.blocks", side="online")["blocks"]}
+        self.assertLessEqual({"OB 1", "OB 35", "OB 100", "OB 121"}, blocks)
+        self.assertEqual(browser.problems("projects.new", name="First one", model="313C"), ["P1312"])
+        for name in ("", "../x", "a/b", ".x", "x" * 65, " x"):
+            self.assertEqual(browser.problems("projects.new", name=name, model="313C"), ["P1317"], name)
+        self.assertEqual(browser.problems("projects.new", name="x", model="999"), ["P0705"])
+
+    def test_no_folder_outside_is_opened(self):
+        browser = self.browser()
+        for folder in ("/etc", "..", "../plant", str(self.project), str(ROOT / "examples" / "sorting-plant"), "\0", ""):
+            self.assertEqual(browser.problems("projects.open", folder=folder), ["P1318"], folder)
+        self.workspace.mkdir(exist_ok=True)
+        os.symlink(self.project, self.workspace / "way")
+        self.assertEqual(browser.problems("projects.open", folder="way"), ["P1318"])
+        self.assertEqual(browser.problems("projects.open", example="../../plant"), ["P1316"])
+        self.assertEqual(browser.problems("projects.open", folder="none"), ["P0101"])
+
+
+class Given(Served):
+    command = "workbench"
+
+    def test_a_project_with_errors_is_opened_and_mended(self):
+        browser = self.browser()
+        browser.until(lambda b: b.state.get("mode") == "RUN")
+        read = browser.call("files.read", path="main.awl")
+        broken = browser.call("files.write", path="main.awl", text="FUNCTION FC 1\n", revision=read["revision"])
+        self.assertEqual(browser.ask("program.load")["problems"][0]["file"], "main.awl")
+        browser.call("projects.open", folder=browser.state["project"]["folder"])
+        browser.until(lambda b: b.state["mode"] == "STOP")
+        browser.call("files.write", path="main.awl", text=read["text"], revision=broken["revision"])
+        browser.call("program.load")
+        browser.call("cpu.start", kind="warm")
+        browser.until(lambda b: b.state["mode"] == "RUN")
+
+
+if __name__ == "__main__":
+    unittest.main()
