@@ -24,30 +24,58 @@ Answer set(const Call& call) {
   const double to = call.fields.number("to", -1e12, 1e12);
   if (!call.fields.good()) return call.fields.problems();
   plant::Plants* plants = call.station().plants();
-  const std::string signal = plant + "." + value, number = fmt::format("{}", to);
+  const std::string signal = fmt::format("{}.{}", plant, value), number = fmt::format("{}", to);
   simulator::PlantValue wanted;
-  wanted.isSet = true;
+  wanted.does = simulator::PlantValue::Does::Set;
   Problems problems;
   const auto at = [](std::string_view) { return nowhere(); };
   if (simulator::parsePlant(signal, number, wanted, at, problems))
     simulator::resolve(wanted, plants == nullptr ? nullptr : &plants->configuration(), problems);
   if (problems.hasErrors()) return problems;
-  simulator::set(wanted, *plants, *call.station().rack(), call.station().now());
+  simulator::apply(wanted, *plants, *call.station().rack(), call.station().now());
   return empty();
 }
 
+// A plant by its name, and a signal of it.
+Result<std::uint32_t> plantNamed(const Call& call, const std::string& name) {
+  const plant::Plants* plants = std::as_const(call.station()).plants();
+  if (plants == nullptr || plants->configuration().plants.empty())
+    return makeProblem(ProblemCode::P0987, nowhere());
+  const auto found = plants->configuration().find(name);
+  if (found) return *found;
+  return makeProblem(ProblemCode::P0986, nowhere(), name, plants->configuration().names());
+}
+
 Answer fault(const Call& call) {
-  const std::string plant = call.fields.text("plant"), name = call.fields.text("fault");
-  call.fields.flag("on");
+  const std::string name = call.fields.text("plant"), signal = call.fields.text("fault");
+  const bool on = call.fields.flag("on");
   if (!call.fields.good()) return call.fields.problems();
-  return refused(ProblemCode::P1307, plant, "fault '" + name + "'");
+  const auto plant = plantNamed(call, name);
+  if (!plant) return one(plant.error());
+  plant::Plants& plants = *call.station().plants();
+  const plant::Kind& kind = *plants.configuration().plants[*plant].kind;
+  const auto found = kind.signal(signal);
+  if (!found) return refused(ProblemCode::P0762, kind.name, signal, plant::signalNames(kind));
+  io::Rack& rack = *call.station().rack();
+  const plant::SignalPlace place{*plant, *found};
+  on ? plants.stick(rack, place, std::nullopt, call.station().now())
+     : plants.release(rack, place, call.station().now());
+  return empty();
+}
+
+Answer reset(const Call& call) {
+  const std::string name = call.fields.text("plant");
+  if (!call.fields.good()) return call.fields.problems();
+  const auto plant = plantNamed(call, name);
+  if (!plant) return one(plant.error());
+  call.station().plants()->reset(*call.station().rack(), *plant, call.station().now());
+  return empty();
 }
 
 constexpr Method kMethods[] = {
-    {"process.list", Needs::S7, list},
-    {"process.watch", Needs::S7, watch},
-    {"process.set", Needs::S7, set},
-    {"process.fault", Needs::S7, fault},
+    {"process.list", Needs::S7, list},   {"process.watch", Needs::S7, watch},
+    {"process.set", Needs::S7, set},     {"process.fault", Needs::S7, fault},
+    {"process.reset", Needs::S7, reset},
 };
 
 }  // namespace

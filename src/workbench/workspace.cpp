@@ -33,7 +33,7 @@ void describe(const fs::path& folder, Example& example) {
     if (text.starts_with("# ") && example.title.empty())
       example.title = text.substr(2);
     else if (!text.empty() && !example.title.empty())
-      example.description += (example.description.empty() ? "" : " ") + std::string(text);
+      example.description += fmt::format("{}{}", example.description.empty() ? "" : " ", text);
     else if (!example.description.empty())
       return;
   }
@@ -42,7 +42,7 @@ void describe(const fs::path& folder, Example& example) {
 void collect(const fs::path& root, const std::string& below, std::vector<Example>& list) {
   for (const project::Entry& entry : project::entries((root / below).string())) {
     if (!entry.folder) continue;
-    const std::string id = below.empty() ? entry.name : below + "/" + entry.name;
+    const std::string id = below.empty() ? entry.name : fmt::format("{}/{}", below, entry.name);
     if (!isProject(root / id)) {
       collect(root, id, list);
       continue;
@@ -80,12 +80,14 @@ std::string blockText(std::uint32_t ob, Mnemonics mnemonics) {
       mnemonics == Mnemonics::German ? "Netzwerk 1" : "Network 1");
 }
 
-std::string sourceText(const NewProject& wanted) {
+// Error OBs as far as the CPU has them.
+std::string sourceText(const NewProject& wanted, const CpuModel& model) {
   std::string text = blockText(1, wanted.mnemonics);
   if (wanted.ob != 1) text += blockText(wanted.ob, wanted.mnemonics);
   if (wanted.form == "errors")
     for (const std::uint32_t ob : kErrorBlocks)
-      if (ob != wanted.ob) text += blockText(ob, wanted.mnemonics);
+      if (ob != wanted.ob && model.hasOrganizationBlock(ob))
+        text += blockText(ob, wanted.mnemonics);
   return text;
 }
 
@@ -125,7 +127,8 @@ Result<std::string> Workspace::copyExample(const std::string& id) const {
 
 Result<std::string> Workspace::folderToOpen(const std::string& folder) const {
   const bool bad = folder.empty() || folder.find('\0') != std::string::npos;
-  const fs::path path = canonical((fs::path(folder_) / folder).string());
+  const fs::path path =
+      canonical(folder == given_ ? given_ : (fs::path(folder_) / folder).string());
   const bool allowed = path == canonical(given_) || isBelow(path, canonical(folder_));
   if (bad || !allowed) return makeProblem(ProblemCode::P1318, nowhere(), folder, folder_);
   // The name that was given, so that places in it are named as ever.
@@ -134,8 +137,11 @@ Result<std::string> Workspace::folderToOpen(const std::string& folder) const {
 
 Result<std::string> Workspace::make(const NewProject& wanted) const {
   if (!isProjectName(wanted.name)) return makeProblem(ProblemCode::P1317, nowhere(), wanted.name);
-  if (!project::findModel(wanted.model) || !project::findModel(wanted.model)->simatic)
+  const CpuModel* model = findCpuModel(wanted.model);
+  if (model == nullptr)
     return makeProblem(ProblemCode::P0705, nowhere(), wanted.model, project::modelNames());
+  if (!model->hasOrganizationBlock(wanted.ob))
+    return makeProblem(ProblemCode::P0502, nowhere(), fmt::format("OB {}", wanted.ob), model->name);
   if (std::ranges::find(kTemplates, wanted.form, &Template::id) == std::end(kTemplates))
     return makeProblem(ProblemCode::P1316, nowhere(), "template", wanted.form, "");
   const fs::path folder = fs::path(folder_) / wanted.name;
@@ -146,7 +152,7 @@ Result<std::string> Workspace::make(const NewProject& wanted) const {
                  : makeProblem(ProblemCode::P1312, nowhere(), wanted.name);
   const ProjectFolder files(folder.string());
   for (const auto& [name, text] : {std::pair{std::string(kSettings), settingsText(wanted)},
-                                   std::pair{std::string("main.awl"), sourceText(wanted)},
+                                   std::pair{std::string("main.awl"), sourceText(wanted, *model)},
                                    std::pair{std::string("symbols.sym"), std::string()}})
     if (auto problem = files.create(name, text)) return *problem;
   return folder.string();

@@ -24,7 +24,7 @@ class Refused(Exception):
 class WebSocket:
     def __init__(self, port, path="/ws", headers=None, context=None, timeout=20):
         raw = socket.create_connection(("127.0.0.1", port), timeout)
-        self.socket = context.wrap_socket(raw) if context else raw
+        self.socket = context.wrap_socket(raw, server_hostname="127.0.0.1") if context else raw
         self.buffer = b""
         self.headers = {"Host": f"127.0.0.1:{port}", "Connection": "Upgrade", "Upgrade": "websocket",
                         "Sec-WebSocket-Key": base64.b64encode(os.urandom(16)).decode(), "Sec-WebSocket-Version": "13"}

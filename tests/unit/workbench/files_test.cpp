@@ -10,7 +10,8 @@ namespace fs = std::filesystem;
 TEST(Files, AreListedReadAndWritten) {
   Bench bench;
   std::map<std::string, std::string> kinds;
-  for (const Json& file : bench.call("files.list")["files"]) kinds[file["path"]] = file["kind"];
+  const Json list = bench.call("files.list");
+  for (const Json& file : list["files"]) kinds[file["path"]] = file["kind"];
   const std::map<std::string, std::string> expected = {
       {"main.awl", "source"}, {"main.sym", "symbols"}, {"merker.toml", "hardware"}};
   EXPECT_EQ(kinds, expected);

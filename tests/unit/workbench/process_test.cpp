@@ -51,6 +51,29 @@ TEST(Process, InputsAreSetAndOutputsMove) {
   EXPECT_TRUE(bench.event("process").is_null());
 }
 
+TEST(Process, SensorsStickAndPlantsBeginAgain) {
+  Bench bench(kProgram, kSettings);
+  bench.call("process.set", {{"plant", "Oven"}, {"value", "LMN"}, {"to", 80}});
+  bench.run(Duration::seconds(10));
+  bench.call("process.fault", {{"plant", "Oven"}, {"fault", "PV"}, {"on", true}});
+  bench.call("process.set", {{"plant", "Oven"}, {"value", "LMN"}, {"to", 0}});
+  bench.run(Duration::seconds(10));
+  Json oven = bench.call("process.list")["plants"][0];
+  EXPECT_EQ(oven["faults"][0]["name"], "PV");
+  EXPECT_EQ(oven["faults"][0]["on"], true);
+  EXPECT_NEAR(valueOf(oven, "PV")["value"].get<double>(), 80, 1);
+  bench.call("process.fault", {{"plant", "Oven"}, {"fault", "PV"}, {"on", false}});
+  EXPECT_NEAR(valueOf(bench.call("process.list")["plants"][0], "PV")["value"].get<double>(), 0, 1);
+  bench.call("process.set", {{"plant", "Oven"}, {"value", "LMN"}, {"to", 80}});
+  bench.run(Duration::seconds(10));
+  bench.call("process.reset", {{"plant", "Oven"}});
+  oven = bench.call("process.list")["plants"][0];
+  EXPECT_NEAR(valueOf(oven, "PV")["value"].get<double>(), 0, 1);
+  EXPECT_EQ(bench.problem("process.fault", {{"plant", "Oven"}, {"fault", "XX"}, {"on", true}}),
+            "P0762");
+  EXPECT_EQ(bench.problem("process.reset", {{"plant", "Door"}}), "P0986");
+}
+
 TEST(Process, CurvesShowPlantsToo) {
   Bench bench(kProgram, kSettings);
   const Json items = {{{"operand", "plant.Oven.PV"}}};

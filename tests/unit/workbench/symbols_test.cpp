@@ -32,8 +32,8 @@ TEST(Symbols, AreCheckedRowByRow) {
                      row(std::string(25, 'x'), "M 5.0", "BOOL"),
                      row("Long", "M 5.1", "BOOL", std::string(81, 'c'))};
   std::map<std::int64_t, std::string> wrong;
-  for (const Json& one : bench.call("symbols.check", {{"rows", rows}})["problems"])
-    wrong[one["row"]] = one["field"];
+  const Json checked = bench.call("symbols.check", {{"rows", rows}});
+  for (const Json& one : checked["problems"]) wrong[one["row"]] = one["field"];
   EXPECT_EQ(wrong[1], "symbol");
   EXPECT_EQ(wrong[2], "operand");
   EXPECT_EQ(wrong[3], "type");
