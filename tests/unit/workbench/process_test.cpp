@@ -5,7 +5,7 @@ namespace {
 
 constexpr const char* kSettings = R"(
 [[module]]
-type = "SM 334 AI4/AO2"
+type = "6ES7 331-7KF02-0AB0"
 slot = 4
 name = "Analog"
 
@@ -59,7 +59,7 @@ TEST(Process, SensorsStickAndPlantsBeginAgain) {
   bench.call("process.set", {{"plant", "Oven"}, {"value", "LMN"}, {"to", 0}});
   bench.run(Duration::seconds(10));
   Json oven = bench.call("process.list")["plants"][0];
-  EXPECT_EQ(oven["faults"][0]["name"], "PV");
+  EXPECT_EQ(oven["faults"][0]["name"], "PV") << oven.dump();
   EXPECT_EQ(oven["faults"][0]["on"], true);
   EXPECT_NEAR(valueOf(oven, "PV")["value"].get<double>(), 80, 1);
   bench.call("process.fault", {{"plant", "Oven"}, {"fault", "PV"}, {"on", false}});
@@ -76,7 +76,7 @@ TEST(Process, SensorsStickAndPlantsBeginAgain) {
 
 TEST(Process, CurvesShowPlantsToo) {
   Bench bench(kProgram, kSettings);
-  const Json items = {{{"operand", "plant.Oven.PV"}}};
+  const Json items = Json::array({Json{{"operand", "plant.Oven.PV"}}});
   bench.call("trend.set", {{"list", 1}, {"items", items}, {"everyMs", 100}});
   bench.call("process.set", {{"plant", "Oven"}, {"value", "LMN"}, {"to", 80}});
   bench.run(Duration::seconds(5));

@@ -18,7 +18,8 @@ void save(Bench& bench, const std::string& text) { bench.folder.write("main.awl"
 
 std::map<std::string, std::string> states(Bench& bench) {
   std::map<std::string, std::string> result;
-  for (const Json& row : bench.call("program.compare")["blocks"]) result[row["id"]] = row["state"];
+  const Json answer = bench.call("program.compare");
+  for (const Json& row : answer["blocks"]) result[row["id"]] = row["state"];
   return result;
 }
 
