@@ -49,7 +49,11 @@ Answer check(const Call& call) {
   Json list = toJson(problems);
   for (Json& problem : list)
     problem["file"] = call.shared.folder.relative(problem["file"].get_ref<const std::string&>());
-  return Json{{"problems", std::move(list)}, {"blocks", build.blocks()}};
+  Json result = {{"problems", std::move(list)}, {"blocks", build.blocks()}};
+  if (!build.program) return result;
+  const auto sources = blockSources(build.project.sources, build.project.symbols);
+  result["interfaces"] = interfaceRows(*build.program, sources, call.shared.folder);
+  return result;
 }
 
 Answer refusedLoad(const std::string& reason) {

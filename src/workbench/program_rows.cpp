@@ -77,6 +77,25 @@ Json blockRows(const block::Program& program, const std::map<BlockId, BlockSourc
   return list;
 }
 
+Json interfaceRows(const block::Program& program, const std::map<BlockId, BlockSource>& sources,
+                   const ProjectFolder& folder) {
+  Json list = Json::array();
+  for (const auto& [id, source] : sources) {
+    const auto block = program.find(id);
+    if (block == program.end() || block->second.variables.empty()) continue;
+    Json variables = Json::array();
+    for (const block::Variable& variable : block->second.variables)
+      variables.push_back(
+          {{"name", variable.name},
+           {"address", fmt::format("{}.{}", variable.address / 8, variable.address % 8)}});
+    list.push_back({{"block", toString(id)},
+                    {"file", folder.relative(source.file)},
+                    {"line", source.line},
+                    {"variables", std::move(variables)}});
+  }
+  return list;
+}
+
 Json comparison(const block::Program& offline, const block::Program& online) {
   Json list = Json::array();
   for (const auto& [id, block] : offline) {

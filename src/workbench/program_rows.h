@@ -11,6 +11,9 @@ namespace merker::workbench {
 // `sources`: where the blocks stand.
 Json blockRows(const block::Program& program, const std::map<BlockId, BlockSource>& sources,
                const ProjectFolder& folder);
+// Where the compiler has put the variables of each block (S7-EDIT-02).
+Json interfaceRows(const block::Program& program, const std::map<BlockId, BlockSource>& sources,
+                   const ProjectFolder& folder);
 Json comparison(const block::Program& offline, const block::Program& online);
 Json referenceRows(const std::vector<monitor::CrossReference>& list, const ProjectFolder& folder);
 // What an editor can complete: symbols, blocks, instructions.

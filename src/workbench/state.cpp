@@ -108,6 +108,7 @@ Json state(Shared& shared) {
   json["cycles"] = c.cycles();
   json["forces"] = forces(plc);
   json["breakpoint"] = breakpoint(shared);
+  json["breakpoints"] = shared.breakpoints;
   plc.isS7() ? addStation(json, plc) : addControl(json, plc);
   return json;
 }

@@ -81,6 +81,7 @@ TEST_F(Debugging, EachBrowserLooksAtItsOwnBlock) {
 TEST_F(Debugging, BreakpointsStopAndStepsGoOn) {
   const Json set = bench.call("breakpoints.set", {{"file", "main.awl"}, {"lines", {3, 500}}});
   EXPECT_EQ(set["lines"], Json::array({4}));  // the statement behind
+  EXPECT_EQ(bench.state()["breakpoints"], Json({{"main.awl", {4}}}));
   EXPECT_EQ(place(), nullptr);
   input("1");
   EXPECT_EQ(bench.state()["mode"], "HALT");

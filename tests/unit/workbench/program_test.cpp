@@ -42,6 +42,22 @@ TEST(Program, IsCheckedWithWhatIsNotSavedYet) {
             "merker.toml");
 }
 
+// S7-EDIT-02
+TEST(Program, SaysWhereItsVariablesAre) {
+  Bench bench;
+  const Json file = {{"path", "main.awl"},
+                     {"text",
+                      "FUNCTION_BLOCK FB 1\nVAR_INPUT\n  Ready : BYTE;\n  Count : WORD;\nEND_VAR\n"
+                      "BEGIN\nEND_FUNCTION_BLOCK\n"}};
+  const Json rows = bench.call("program.check", {{"files", {file}}})["interfaces"];
+  ASSERT_EQ(rows.size(), 1u);
+  EXPECT_EQ(rows[0]["block"], "FB 1");
+  EXPECT_EQ(rows[0]["file"], "main.awl");
+  EXPECT_EQ(rows[0]["line"], 1);
+  EXPECT_EQ(rows[0]["variables"][0], Json({{"name", "Ready"}, {"address", "0.0"}}));
+  EXPECT_EQ(rows[0]["variables"][1], Json({{"name", "Count"}, {"address", "2.0"}}));
+}
+
 // S7-CYCLE-05, S7-SIM-11
 TEST(Program, IsLoadedWhileTheCpuRuns) {
   Bench bench(program(1));
