@@ -7,8 +7,7 @@ namespace merker::workbench {
 namespace {
 
 Answer list(const Call& call) {
-  const plant::Plants* plants = std::as_const(call.station()).plants();
-  return Json{{"plants", plants == nullptr ? Json::array() : plantRows(*plants)}};
+  return Json{{"plants", plantRows(call.station(), call.plc().build().project.symbols)}};
 }
 
 Answer watch(const Call& call) {
@@ -46,9 +45,12 @@ Result<std::uint32_t> plantNamed(const Call& call, const std::string& name) {
   return makeProblem(ProblemCode::P0986, nowhere(), name, plants->configuration().names());
 }
 
+// Its fault is that a signal is stuck: at `to`, or at the value it has now.
 Answer fault(const Call& call) {
   const std::string name = call.fields.text("plant"), signal = call.fields.text("fault");
   const bool on = call.fields.flag("on");
+  std::optional<double> to;
+  if (call.fields.has("to")) to = call.fields.number("to", -1e12, 1e12);
   if (!call.fields.good()) return call.fields.problems();
   const auto plant = plantNamed(call, name);
   if (!plant) return one(plant.error());
@@ -56,9 +58,11 @@ Answer fault(const Call& call) {
   const plant::Kind& kind = *plants.configuration().plants[*plant].kind;
   const auto found = kind.signal(signal);
   if (!found) return refused(ProblemCode::P0762, kind.name, signal, plant::signalNames(kind));
+  if (to && kind.signals[*found].binary && *to != 0 && *to != 1)
+    return refused(ProblemCode::P0989, fmt::format("{}", *to), signal, "it is 0 or 1");
   io::Rack& rack = *call.station().rack();
   const plant::SignalPlace place{*plant, *found};
-  on ? plants.stick(rack, place, std::nullopt, call.station().now())
+  on ? plants.stick(rack, place, to, call.station().now())
      : plants.release(rack, place, call.station().now());
   return empty();
 }

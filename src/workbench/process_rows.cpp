@@ -1,45 +1,80 @@
 #include "workbench/process_rows.h"
 
+#include "workbench/terminal_operand.h"
+
 namespace merker::workbench {
 namespace {
 
 using plant::Signal;
 
-bool isWritable(const plant::PlantSettings& settings, std::uint32_t signal) {
-  return settings.kind->signals[signal].side == Signal::Side::Input &&
-         settings.wireOf(signal) == nullptr;
+struct Rows {
+  const station::Station& station;
+  const source::SymbolTable& symbols;
+  const plant::Plants& plants;
+  const plant::PlantSettings& settings;
+  std::uint32_t plant;
+
+  const Signal& signal(std::uint32_t number) const { return settings.kind->signals[number]; }
+  bool isInput(std::uint32_t number) const { return signal(number).side == Signal::Side::Input; }
+  Json value(std::uint32_t number) const;
+  Json fault(std::uint32_t number) const;
+};
+
+Json numberOrNull(std::optional<double> value) { return value ? Json(*value) : Json(nullptr); }
+
+// Terminals are looked at by their operands; wires between plants have none.
+TerminalOperand operandOf(const Rows& rows, const plant::Wire* wire) {
+  if (wire == nullptr) return {};
+  const auto* terminal = std::get_if<io::Terminal>(&wire->end);
+  if (terminal == nullptr) return {};
+  return terminalOperand(rows.station.rack()->configuration(), *terminal, rows.symbols);
 }
 
-// What is wired can be stuck: a sensor shows, an actuator does the same from then on.
-Json stuckRow(const plant::Plants& plants, plant::SignalPlace place, const Signal& signal) {
+Json Rows::value(std::uint32_t number) const {
+  const Signal& signal = this->signal(number);
+  const plant::Wire* wire = settings.wireOf(number);
+  const TerminalOperand operand = operandOf(*this, wire);
   return {{"name", signal.name},
-          {"title", fmt::format("{} stuck", signal.name)},
-          {"on", plants.stuck(place).has_value()}};
+          {"unit", signal.unit},
+          {"value", plants.value({plant, number})},
+          {"binary", signal.binary},
+          {"input", isInput(number)},
+          {"writable", isInput(number) && wire == nullptr},
+          {"min", signal.binary ? 0 : signal.low},
+          {"max", signal.binary ? 1 : signal.high},
+          {"operand", operand.operand},
+          {"symbol", operand.symbol},
+          {"stuck", numberOrNull(plants.stuck({plant, number}))}};
+}
+
+Json Rows::fault(std::uint32_t number) const {
+  return {{"name", signal(number).name},
+          {"title", fmt::format("{} stuck", signal(number).name)},
+          {"on", plants.stuck({plant, number}).has_value()}};
+}
+
+Json rowOf(const Rows& rows) {
+  Json values = Json::array(), faults = Json::array();
+  for (std::uint32_t i = 0; i < rows.settings.kind->signals.size(); ++i) {
+    values.push_back(rows.value(i));
+    if (rows.settings.wireOf(i) != nullptr) faults.push_back(rows.fault(i));
+  }
+  return {{"name", rows.settings.name},
+          {"kind", rows.settings.kind->name},
+          {"title", rows.settings.name},
+          {"values", std::move(values)},
+          {"faults", std::move(faults)}};
 }
 
 }  // namespace
 
-Json plantRows(const plant::Plants& plants) {
+Json plantRows(const station::Station& station, const source::SymbolTable& symbols) {
   Json list = Json::array();
-  const auto& all = plants.configuration().plants;
-  for (std::uint32_t i = 0; i < all.size(); ++i) {
-    Json values = Json::array(), faults = Json::array();
-    for (std::uint32_t s = 0; s < all[i].kind->signals.size(); ++s) {
-      const Signal& signal = all[i].kind->signals[s];
-      values.push_back({{"name", signal.name},
-                        {"unit", signal.unit},
-                        {"value", plants.value({i, s})},
-                        {"writable", isWritable(all[i], s)},
-                        {"min", signal.binary ? 0 : signal.low},
-                        {"max", signal.binary ? 1 : signal.high}});
-      if (all[i].wireOf(s) != nullptr) faults.push_back(stuckRow(plants, {i, s}, signal));
-    }
-    list.push_back({{"name", all[i].name},
-                    {"kind", all[i].kind->name},
-                    {"title", all[i].name},
-                    {"values", std::move(values)},
-                    {"faults", std::move(faults)}});
-  }
+  const plant::Plants* plants = station.plants();
+  if (plants == nullptr) return list;
+  const auto& all = plants->configuration().plants;
+  for (std::uint32_t i = 0; i < all.size(); ++i)
+    list.push_back(rowOf({station, symbols, *plants, all[i], i}));
   return list;
 }
 
@@ -51,6 +86,16 @@ Json plantValues(const plant::Plants& plants) {
     for (std::uint32_t s = 0; s < all[i].kind->signals.size(); ++s)
       values[std::string(all[i].kind->signals[s].name)] = plants.value({i, s});
   }
+  return result;
+}
+
+Json plantFaults(const plant::Plants& plants) {
+  Json result = Json::object();
+  const auto& all = plants.configuration().plants;
+  for (std::uint32_t i = 0; i < all.size(); ++i)
+    for (std::uint32_t s = 0; s < all[i].kind->signals.size(); ++s)
+      if (const auto value = plants.stuck({i, s}))
+        result[all[i].name][std::string(all[i].kind->signals[s].name)] = *value;
   return result;
 }
 

@@ -34,13 +34,19 @@ Json Trend::describe(const std::string& name, Source& source, const Plc& plc) co
   source = std::monostate{};
   if (const auto signal = signalOf(name, plc)) {
     source = *signal;
-    return {{"operand", name}, {"symbol", ""}};
+    const plant::PlantSettings& settings =
+        plc.station()->plants()->configuration().plants[signal->plant];
+    const plant::Signal& what = settings.kind->signals[signal->signal];
+    return {{"operand", name}, {"symbol", ""}, {"unit", what.unit}, {"bits", what.binary ? 1 : 0}};
   }
   auto reference = plc.operand(name);
   if (!reference)
     return {{"operand", name}, {"symbol", ""}, {"problem", toJson(reference.error())}};
   const OperandName named = operandName(*reference, plc.build().project.symbols);
-  Json json = {{"operand", named.operand}, {"symbol", named.symbol}, {"type", named.type}};
+  Json json = {{"operand", named.operand},
+               {"symbol", named.symbol},
+               {"type", named.type},
+               {"bits", named.bits}};
   if (simulator::isLong(*reference))
     json["problem"] =
         toJson(makeProblem(ProblemCode::P1209, nowhere(), name, "a curve", "1 to 32"));

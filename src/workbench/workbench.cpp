@@ -122,12 +122,13 @@ void Workbench::addLists(Browser& browser, std::vector<std::string>& texts) {
 void Workbench::addProcess(Browser& browser, std::vector<std::string>& texts) {
   if (!browser.process || !shared_.plc->isS7()) return;
   const plant::Plants* plants = shared_.plc->station()->plants();
-  Json values = plants == nullptr ? Json::object() : plantValues(*plants);
-  if (values == browser.processValues) return;
-  browser.processValues = values;
-  texts.push_back(dump({{"event", "process"},
-                        {"time", shared_.plc->controller().now().ns},
-                        {"plants", std::move(values)}}));
+  Json event = {{"event", "process"},
+                {"plants", plants == nullptr ? Json::object() : plantValues(*plants)},
+                {"stuck", plants == nullptr ? Json::object() : plantFaults(*plants)}};
+  if (event == browser.processValues) return;
+  browser.processValues = event;
+  event["time"] = shared_.plc->controller().now().ns;
+  texts.push_back(dump(event));
 }
 
 bool Workbench::advance(const Pacer::WallClock& wall, Duration longest) {

@@ -38,6 +38,8 @@ TEST(Process, InputsAreSetAndOutputsMove) {
   EXPECT_EQ(oven["kind"], "first order");
   EXPECT_EQ(valueOf(oven, "LMN")["writable"], true);
   EXPECT_EQ(valueOf(oven, "PV")["writable"], false);
+  EXPECT_EQ(valueOf(oven, "PV")["operand"], "PEW 256");
+  EXPECT_EQ(valueOf(oven, "LMN")["operand"], "");
   bench.call("process.watch", {{"on", true}});
   EXPECT_EQ(bench.event("process")["plants"]["Oven"]["PV"], 0);
   bench.call("process.set", {{"plant", "Oven"}, {"value", "LMN"}, {"to", 80}});
@@ -59,8 +61,14 @@ TEST(Process, SensorsStickAndPlantsBeginAgain) {
   bench.call("process.set", {{"plant", "Oven"}, {"value", "LMN"}, {"to", 0}});
   bench.run(Duration::seconds(10));
   Json oven = bench.call("process.list")["plants"][0];
-  EXPECT_EQ(oven["faults"][0]["name"], "PV") << oven.dump();
+  EXPECT_EQ(oven["faults"][0]["name"], "PV");
   EXPECT_EQ(oven["faults"][0]["on"], true);
+  bench.call("process.watch", {{"on", true}});
+  EXPECT_NEAR(bench.event("process")["stuck"]["Oven"]["PV"].get<double>(), 80, 1);
+  bench.call("process.fault", {{"plant", "Oven"}, {"fault", "PV"}, {"on", true}, {"to", 12}});
+  EXPECT_EQ(valueOf(bench.call("process.list")["plants"][0], "PV")["stuck"], 12);
+  bench.call("process.fault", {{"plant", "Oven"}, {"fault", "PV"}, {"on", true}, {"to", 80}});
+  oven = bench.call("process.list")["plants"][0];
   EXPECT_NEAR(valueOf(oven, "PV")["value"].get<double>(), 80, 1);
   bench.call("process.fault", {{"plant", "Oven"}, {"fault", "PV"}, {"on", false}});
   EXPECT_NEAR(valueOf(bench.call("process.list")["plants"][0], "PV")["value"].get<double>(), 0, 1);
