@@ -17,23 +17,22 @@ async function fillTable(page, rows) {
   }
 }
 
-/** The program plays the three light barriers by itself. */
+/** The plant brings boxes by itself. */
 async function play(page) {
   await turn(page, 'RUN-P');
   await visit(page, page.server, 'variables');
   await fillTable(page, [
-    ['"Play".Show', '', '1'],
     ['"Light barrier small"', '', ''],
     ['"Slider small"', '', ''],
     ['"Slider middle"', '', ''],
     ['"Travel time small"', '', ''],
     ['"Plant data".Small', 'DEC', ''],
     ['"Slider large"', '', '0'],
+    ['EB 0', 'BIN', ''],
   ]);
-  await page.getByRole('button', { name: 'Modify "Play".Show to 1' }).click();
 }
 
-test('pictures of the variable table, the tiles, the rack, the diagnostic buffer', { skip: !wanted }, async () => {
+test('pictures of the views', { skip: !wanted }, async () => {
   const server = await serve();
   const page = await open(server, 'io', { language: 'en' });
   page.server = server;
@@ -42,10 +41,10 @@ test('pictures of the variable table, the tiles, the rack, the diagnostic buffer
   await forced.getByRole('button', { name: /^Force/ }).click();
   await forced.locator('.mark b').waitFor();
   await picture(page, 'variables');
-  for (const view of ['hardware', 'io', 'diagnosis']) {
+  for (const view of ['projects', 'hardware', 'symbols', 'io', 'process', 'trends', 'diagnosis']) {
     await visit(page, server, view);
     await page.waitForTimeout(2000);
-    await picture(page, view);
+    await picture(page, view === 'projects' ? 'project' : view);
   }
 });
 
@@ -57,4 +56,8 @@ test('pictures of the dark theme', { skip: !wanted }, async () => {
   await visit(page, server, 'io');
   await page.waitForTimeout(1500);
   await picture(page, 'io-dark');
+  await visit(page, server, 'program?file=sorting.awl&line=42');
+  await page.getByRole('switch', { name: 'Status' }).click();
+  await page.waitForTimeout(1500);
+  await picture(page, 'program');
 });
