@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 
@@ -75,7 +76,20 @@ int write(const std::string& path, const std::string& text) {
   return kUnreadable;
 }
 
+// The picture is SVG, and never takes the place of the trace.
+bool isPicture(const Options& options) {
+  std::error_code unknown;
+  const std::filesystem::path output = options.output;
+  const bool same = std::filesystem::equivalent(output, options.trace, unknown);
+  if (!same && equalsIgnoreCase(output.extension().string(), ".svg")) return true;
+  std::cerr << "merker plot: " << options.output
+            << (same ? " is the trace itself" : " is no name of an SVG picture")
+            << "; write -o FILE.svg\n";
+  return false;
+}
+
 int plot(const Options& options) {
+  if (!isPicture(options)) return kUsage;
   Problems problems;
   const auto file = source::readSource(options.trace);
   if (!file) {

@@ -88,7 +88,10 @@ void check(const Configuration& configuration, bool outputs, Problems& problems)
 
 void assignAddresses(Configuration& configuration) {
   for (Module& module : configuration.modules) {
-    const std::uint32_t start = defaultStart(module, *configuration.model);
+    std::uint32_t start = defaultStart(module, *configuration.model);
+    // CNT-PIO-07: the counters have one address for both directions, unless two are given.
+    if (module.type->kind == ModuleKind::Counting)
+      start = module.inputStart.value_or(module.outputStart.value_or(start));
     if (module.type->hasInputs() && !module.inputStart) module.inputStart = start;
     if (module.type->hasOutputs() && !module.outputStart) module.outputStart = start;
   }

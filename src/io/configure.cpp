@@ -43,6 +43,11 @@ void checkNames(const std::vector<Module>& modules, Problems& problems) {
     for (auto other = modules.begin(); other != one; ++other)
       if (!one->name.empty() && equalsIgnoreCase(one->name, other->name))
         problems.add(ProblemCode::P0742, one->position, one->name, "slot " + other->slotText());
+  // A module is addressed by its name or its slot.
+  for (const Module& one : modules)
+    for (const Module& other : modules)
+      if (&one != &other && one.name == other.slotText())
+        problems.add(ProblemCode::P0742, one.position, one.name, "slot " + other.slotText());
 }
 
 }  // namespace

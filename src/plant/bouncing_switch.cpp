@@ -11,9 +11,9 @@ enum { BOUNCES, BOUNCE_TIME, NORMALLY_CLOSED };
 enum { PRESSED, CONTACT };
 
 constexpr Parameter kParameters[] = {
-    {"bounces", Parameter::Form::Number, 5, 0, 1000},
+    {"bounces", Parameter::Form::Whole, 5, 0, 1000},
     {"bounce_time", Parameter::Form::Time, 0.005, 0.000001, 10},
-    {"normally_closed", Parameter::Form::Number, 0, 0, 1},
+    {"normally_closed", Parameter::Form::Flag, 0, 0, 1},
 };
 constexpr Signal kSignals[] = {
     {"PRESSED", Signal::Side::Input, true},

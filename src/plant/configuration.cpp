@@ -22,4 +22,20 @@ std::string Configuration::names() const {
   return list;
 }
 
+std::string PlantSettings::driverOf(const io::Terminal& terminal) const {
+  for (const Wire& wire : wires) {
+    const auto* end = std::get_if<io::Terminal>(&wire.end);
+    const Signal& signal = kind->signals[wire.signal];
+    if (end != nullptr && *end == terminal && signal.side == Signal::Side::Output)
+      return name + '.' + std::string(signal.name);
+  }
+  return {};
+}
+
+std::string Configuration::driverOf(const io::Terminal& terminal) const {
+  for (const PlantSettings& plant : plants)
+    if (std::string driver = plant.driverOf(terminal); !driver.empty()) return driver;
+  return {};
+}
+
 }  // namespace merker::plant

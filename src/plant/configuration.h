@@ -36,6 +36,8 @@ struct PlantSettings {
   std::vector<Wire> wires;
 
   const Wire* wireOf(std::uint32_t signal) const;  // null: nothing drives it
+  // "Valve.LMNR_HS", the output that drives an input terminal; empty: none.
+  std::string driverOf(const io::Terminal& terminal) const;
 };
 
 // In the order of merker.toml: a plant that feeds another one stands above it.
@@ -43,6 +45,7 @@ struct Configuration {
   std::vector<PlantSettings> plants;
   std::optional<std::uint32_t> find(std::string_view name) const;  // ignoring case
   std::string names() const;                                       // for problems
+  std::string driverOf(const io::Terminal& terminal) const;
 };
 
 }  // namespace merker::plant

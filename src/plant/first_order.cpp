@@ -20,7 +20,7 @@ constexpr Parameter kParameters[] = {
     {"dead_time", Parameter::Form::Time, 0, 0, 3600},
     {"start", Parameter::Form::Number, 0, -1e6, 1e6},
     {"noise", Parameter::Form::Number, 0, 0, 1e6},
-    {"seed", Parameter::Form::Number, 1, 0, 4294967295},
+    {"seed", Parameter::Form::Whole, 1, 0, 4294967295},
 };
 constexpr Signal kSignals[] = {
     {"LMN", Signal::Side::Input},

@@ -12,9 +12,10 @@
 
 namespace merker::plant {
 
-// A key of [[plant]]: a number, or a length of time, which then is in seconds.
+// A key of [[plant]]: a number, a whole number, true or false (1, 0), or a length of time, which
+// then is in seconds.
 struct Parameter {
-  enum class Form : std::uint8_t { Number, Time };
+  enum class Form : std::uint8_t { Number, Time, Whole, Flag };
   std::string_view key;  // "time_constant"
   Form form = Form::Number;
   double standard = 0, low = 0, high = 0;

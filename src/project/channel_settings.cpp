@@ -154,7 +154,9 @@ void readChannels(const Table& table, io::Module& module) {
     const bool output = channel.has("output");
     if (output == channel.has("input")) {
       channel.problems().add(ProblemCode::P0744, channel.place(), channel.title(),
-                             "either input = NUMBER or output = NUMBER");
+                             channel.has("number") ? "slot = \"2.4\": counters have a 'number'; "
+                                                     "analog channels an 'input' or 'output'"
+                                                   : "either input = NUMBER or output = NUMBER");
     } else if (output) {
       if (const auto number =
               readNumber(channel, "output", module, module.type->analogOutputs, outputs))

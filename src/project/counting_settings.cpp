@@ -121,6 +121,18 @@ void readOutput(Reader& r) {
   if (c.pulseDuration % 2 != 0) r.table.mustBe("pulse_duration", "an even number of milliseconds");
 }
 
+// Interrupts that nothing can cause.
+void checkCauses(Reader& r) {
+  const CountChannel& c = r.channel;
+  const auto never = [&](bool selected, std::string_view cause, std::string_view why) {
+    if (selected)
+      r.table.problems().add(ProblemCode::P0766, r.table.placeOf("interrupts"), cause, why);
+  };
+  never(c.onGateOpened && !c.hardwareGate, "gate opened", "hardware_gate is not true");
+  never(c.onGateClosed && !c.hardwareGate, "gate closed", "hardware_gate is not true");
+  never(c.onComparator && c.output == io::CountOutput::None, "comparator", "output is \"none\"");
+}
+
 // CNT-PARAM-16, -17, -19
 void readMeasuring(Reader& r) {
   CountChannel& c = r.channel;
@@ -152,6 +164,7 @@ void readCounting(Reader& r) {
                 {"overflow", &c.onOverflow},
                 {"underflow", &c.onUnderflow},
                 {"count edge", &c.onCountEdge}});
+  checkCauses(r);
   readMeasuring(r);
 }
 
@@ -250,6 +263,8 @@ void readCounters(const Table& table, const CpuModel& model, io::Module& module)
     seen |= 1u << *number;
     Reader reader{channel, *type, model, module.parameters.counters[*number]};
     readCounter(reader);
+    if (channel.has("interrupts") && !module.parameters.hardwareInterrupt)
+      channel.problems().add(ProblemCode::P0768, channel.placeOf("interrupts"));
   }
 }
 

@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <set>
 
+#include "base/text.h"
 #include "io/rack.h"
 #include "project/readers.h"
 
@@ -22,6 +24,8 @@ class Reader {
   explicit Reader(const std::optional<io::Configuration>& modules) {
     if (modules) rack_.emplace(*modules);
   }
+  // All names, in capital letters, to tell which of them stand below.
+  void expect(std::set<std::string> names) { below_ = std::move(names); }
   void read(const Table& table);
   plant::Configuration take() { return std::move(plants_); }
 
@@ -34,9 +38,12 @@ class Reader {
   bool findTerminal(const Table& table, std::string_view key, const Signal& signal,
                     const io::TerminalName& name, plant::Wire& wire) const;
   void scale(const Table* ends, const Signal& signal, plant::Wire& wire) const;
+  bool isFree(const Table& table, std::string_view key, const PlantSettings& plant,
+              const plant::Wire& wire) const;
 
   std::optional<io::Rack> rack_;
   plant::Configuration plants_;
+  std::set<std::string> below_;
 };
 
 const Kind* readKind(const Table& table) {
@@ -55,8 +62,16 @@ const Kind* readKind(const Table& table) {
 Duration inTime(double seconds) { return {std::llround(seconds * 1e9)}; }
 
 double readParameter(const Table& table, const plant::Parameter& parameter) {
-  if (parameter.form == plant::Parameter::Form::Number)
+  using Form = plant::Parameter::Form;
+  if (parameter.form == Form::Number)
     return table.real(parameter.key, parameter.low, parameter.high).value_or(parameter.standard);
+  if (parameter.form == Form::Flag)
+    return table.flag(parameter.key).value_or(parameter.standard != 0) ? 1 : 0;
+  if (parameter.form == Form::Whole)
+    return static_cast<double>(table
+                                   .integer(parameter.key, std::llround(parameter.low),
+                                            std::llround(parameter.high))
+                                   .value_or(std::llround(parameter.standard)));
   const auto length = table.length(parameter.key, inTime(parameter.low), inTime(parameter.high));
   return length ? static_cast<double>(length->ns) / 1e9 : parameter.standard;
 }
@@ -123,13 +138,26 @@ void Reader::readWire(const Table& wires, const std::string& key, PlantSettings&
     const Table ends = *wires.table(key);
     ends.allow({"to", "low", "high"});
     if (!ends.has("to")) return ends.mustBe("to", kWireWords);
-    if (!find(ends, "to", signal, wire)) return;
+    if (!find(ends, "to", signal, wire) || !isFree(ends, "to", plant, wire)) return;
     scale(&ends, signal, wire);
   } else {
-    if (!find(wires, key, signal, wire)) return;
+    if (!find(wires, key, signal, wire) || !isFree(wires, key, plant, wire)) return;
     scale(nullptr, signal, wire);
   }
   plant.wires.push_back(std::move(wire));
+}
+
+// Two outputs at one input terminal would fight.
+bool Reader::isFree(const Table& table, std::string_view key, const PlantSettings& plant,
+                    const plant::Wire& wire) const {
+  const auto* terminal = std::get_if<io::Terminal>(&wire.end);
+  if (terminal == nullptr || plant.kind->signals[wire.signal].side == Signal::Side::Input)
+    return true;
+  std::string driver = plants_.driverOf(*terminal);
+  if (driver.empty()) driver = plant.driverOf(*terminal);
+  if (driver.empty()) return true;
+  table.problems().add(ProblemCode::P0765, table.at(key), wire.text, driver);
+  return false;
 }
 
 std::string titleOf(const Signal& signal) {
@@ -154,9 +182,17 @@ bool Reader::find(const Table& table, std::string_view key, const Signal& signal
     else if (signal.side == Signal::Side::Output)
       table.problems().add(ProblemCode::P0764, table.at(key), titleOf(signal), *text,
                            "wires between plants stand at the one whose input it is");
+    else if (signal.binary != kind.signals[*number].binary)
+      table.problems().add(ProblemCode::P0764, table.at(key), titleOf(signal), *text,
+                           signal.binary ? "that is a number" : "that is a bit");
     else
       wire.end = plant::SignalPlace{*other, *number};
-    return number && signal.side == Signal::Side::Input;
+    return number && signal.side == Signal::Side::Input &&
+           signal.binary == kind.signals[*number].binary;
+  }
+  if (below_.contains(upper(std::string_view(*text).substr(0, point)))) {
+    table.problems().add(ProblemCode::P0767, table.at(key), text->substr(0, point));
+    return false;
   }
   const auto name = io::parseTerminal(*text);
   if (name) return findTerminal(table, key, signal, *name, wire);
@@ -223,6 +259,11 @@ void Reader::scale(const Table* ends, const Signal& signal, plant::Wire& wire) c
 plant::Configuration readPlants(const Table& root,
                                 const std::optional<io::Configuration>& modules) {
   Reader reader(modules);
+  std::set<std::string> names;
+  for (const Table& table : root.tables("plant"))
+    if (const toml::node* name = table.node("name"); name != nullptr && name->is_string())
+      names.insert(upper(name->as_string()->get()));
+  reader.expect(std::move(names));
   for (const Table& table : root.tables("plant")) reader.read(table);
   return reader.take();
 }

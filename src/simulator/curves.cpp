@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <charconv>
+#include <cmath>
 #include <map>
 #include <optional>
 
@@ -71,15 +72,18 @@ std::optional<double> numberOf(const std::string& text) {
 std::vector<Curve> readCurves(const source::SourceFile& file, Problems& problems) {
   std::vector<Curve> curves;
   std::map<std::string, std::size_t> places;
+  double latest = 0;
   for (std::uint32_t number = 1; number <= file.lineCount(); ++number) {
     std::string_view line = trim(file.line(number));
     if (line.empty()) continue;
     const auto seconds = decimal(takeField(line));
     const std::string operand = takeField(line), value = takeField(line);
-    if (!seconds || operand.empty() || value.empty()) {
+    const bool inOrder = seconds && std::isfinite(*seconds) && *seconds >= latest;
+    if (!inOrder || operand.empty() || value.empty()) {
       problems.add(ProblemCode::P0990, Position{file.name(), number, 1});
       return curves;
     }
+    latest = *seconds;
     const auto is = numberOf(value);
     if (!is) continue;
     const auto [place, fresh] = places.emplace(operand, curves.size());

@@ -15,17 +15,19 @@ namespace {
 using plant::Signal;
 using Does = PlantValue::Does;
 
+constexpr double kMost = 1e9;  // as the parameters of plants
+
 const Signal& signalOf(const plant::Configuration& plants, plant::SignalPlace place) {
   return plants.plants[place.plant].kind->signals[place.signal];
 }
 
 std::optional<double> number(std::string_view text, bool binary) {
-  if (equalsIgnoreCase(text, "true")) return 1;
-  if (equalsIgnoreCase(text, "false")) return 0;
+  if (binary && equalsIgnoreCase(text, "true")) return 1;
+  if (binary && equalsIgnoreCase(text, "false")) return 0;
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value) ||
-      (binary && value != 0 && value != 1))
+      std::abs(value) > kMost || (binary && value != 0 && value != 1))
     return std::nullopt;
   return value;
 }
@@ -69,7 +71,7 @@ void resolveNumber(PlantValue& value, bool binary, Problems& problems) {
   const auto wanted = number(value.value, binary);
   if (!wanted)
     problems.add(ProblemCode::P0989, value.valuePosition, value.value, value.text,
-                 binary ? "it is 0 or 1" : "it is a number: 12.5");
+                 binary ? "it is 0 or 1" : "it is a number up to 1e9: 12.5");
   value.number = wanted.value_or(0);
 }
 
@@ -152,9 +154,14 @@ void apply(const PlantValue& value, plant::Plants& plants, io::Rack& rack, Insta
 }
 
 bool holds(const PlantValue& value, block::Relation relation, const plant::Plants& plants) {
+  using block::Relation;
   const double is = plants.value(value.place);
-  if (relation != block::Relation::About) return relates(is, relation, value.number);
-  return std::abs(is - value.number) <= 1e-6 * std::max(std::abs(is), std::abs(value.number));
+  // Equal is what looks equal in a message (seven digits).
+  const bool equal =
+      std::abs(is - value.number) <= 1e-6 * std::max(std::abs(is), std::abs(value.number));
+  if (relation == Relation::Equal || relation == Relation::About) return equal;
+  if (relation == Relation::NotEqual) return !equal;
+  return relates(is, relation, value.number);
 }
 
 std::string actualValue(const PlantValue& value, const plant::Plants& plants) {

@@ -21,6 +21,17 @@ void resolveValues(Expectation& e, const Resolver& resolver, Problems& problems)
   resolvePair(e.left, e.right, resolver, problems);
 }
 
+// A terminal that a plant drives takes nothing else.
+void checkDriver(const TerminalValue& terminal, const io::Configuration* hardware,
+                 const plant::Configuration* plants, Problems& problems) {
+  const io::Module* module = hardware == nullptr ? nullptr : hardware->find(terminal.module);
+  if (module == nullptr || plants == nullptr) return;
+  const auto index = static_cast<std::uint32_t>(module - hardware->modules.data());
+  const std::string driver = plants->driverOf({index, terminal.side, terminal.channel});
+  if (!driver.empty())
+    problems.add(ProblemCode::P0988, terminal.position, terminal.text, "it is wired to " + driver);
+}
+
 void resolveSteps(std::vector<Step>& steps, const Resolver& resolver,
                   const io::Configuration* hardware, const plant::Configuration* plants,
                   Problems& problems) {
@@ -31,6 +42,9 @@ void resolveSteps(std::vector<Step>& steps, const Resolver& resolver,
     if (step.kind == StepKind::Fault) resolve(step.fault, hardware, problems);
     resolve(step.signal, hardware, problems);
     for (TerminalValue& terminal : step.terminals) resolve(terminal, hardware, problems);
+    for (const auto* terminals : {&step.signal.terminals, &step.terminals})
+      for (const TerminalValue& terminal : *terminals)
+        checkDriver(terminal, hardware, plants, problems);
     if (step.kind == StepKind::Expect && step.expectation.what == Expectation::What::Terminal)
       resolve(step.expectation.terminal, hardware, problems);
     for (Assignment& assignment : step.assignments) resolve(assignment, resolver, problems);

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <memory>
+#include <set>
 
 #include "base/text.h"
 #include "io/amount.h"
@@ -135,6 +136,8 @@ bool parseSignal(std::string_view text, bool encoder, SignalStep& step, const Po
     if (terminal.side != io::Side::DigitalInput) return fail(name, "a digital input: MODULE.DI0");
     terminal.value.assign(1, '0');
   }
+  if (encoder && step.terminals[0].text == step.terminals[1].text)
+    return fail(step.terminals[1].text, "track B on another terminal than track A");
   std::string_view options = rest;
   const std::string_view first = takeWord(options);
   if (equalsIgnoreCase(first, "off")) {
@@ -148,10 +151,17 @@ bool parseSignal(std::string_view text, bool encoder, SignalStep& step, const Po
     return fail(first, encoder ? "a frequency up to 100kHz, as 60kHz or -1kHz (backward), or off"
                                : "a frequency up to 100kHz, as 1kHz, high 8us low 8us, or off");
   }
+  std::set<std::string> seen;
   while (!rest.empty()) {
     const std::string_view before = rest;
     if (!readOption(rest, step)) return fail(before, encoder ? kEncoderKeys : kKeys);
+    std::string_view word = before;
+    if (!seen.insert(upper(takeWord(word))).second) return fail(before, "each of them once");
   }
+  if (seen.contains("COUNT") && seen.contains("QUARTERS"))
+    return fail(text, "count or quarters, not both");
+  if (step.high != 0 && (step.millihertz != 0 || seen.contains("DUTY")))
+    return fail(text, "either a frequency with its duty, or high and low");
   if (!encoder && step.millihertz == 0 && (step.high == 0 || step.low == 0))
     return fail(text, "high 8us low 8us: both");
   if (!encoder && step.jitter > signal::mostJitter(pulsesOf(step, {})) && step.jitter > 0)

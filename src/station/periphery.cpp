@@ -29,13 +29,17 @@ Instant Periphery::next() const {
   return rack_.pending() ? Instant{} : std::min({rack_.next(), counting_.next(), plants_.next()});
 }
 
-void Periphery::advance(cpu::Cpu& cpu, Instant now) {
+void Periphery::goOn(Instant now) {
   while (plants_.next() <= now) {  // in the order of time
     const Instant at = plants_.next();
     rack_.advance(at);
     plants_.advance(rack_, at);
   }
   rack_.advance(now);
+}
+
+void Periphery::advance(cpu::Cpu& cpu, Instant now) {
+  goOn(now);
   counting_.advance(now);
   if (rack_.takePresenceChanged()) showPresence(cpu);
   showInputs(cpu);

@@ -29,6 +29,9 @@ class Periphery : public cpu::Periphery {
   bool deliver(cpu::Cpu& cpu, std::uint32_t first, std::uint32_t count, std::uint8_t mask,
                const std::uint8_t* bytes);
 
+  // The world goes on while the CPU is switched off.
+  void goOn(Instant now);
+
   Instant next() const override;
   void advance(cpu::Cpu& cpu, Instant now) override;
   void reading(cpu::Cpu& cpu) override;

@@ -160,12 +160,14 @@ void Station::settle() {
 
 void Station::advanceTo(Instant t) {
   while (now() < t) parts_->cpu.step(t);
+  if (!powered() && parts_->periphery) parts_->periphery->goOn(now());
 }
 
 bool Station::advanceToCheckpoint(Instant limit) {
   cpu::Cpu& cpu = parts_->cpu;
   const std::uint64_t before = cpu.checkpoints();
   while (now() < limit && cpu.checkpoints() == before) cpu.step(limit);
+  if (!powered() && parts_->periphery) parts_->periphery->goOn(now());
   return cpu.checkpoints() != before;
 }
 

@@ -220,8 +220,16 @@ block::TypePtr Interfaces::blockType(const BlockSource& source, const TypeSyntax
     return unknownType();
   }
   if (block::TypePtr result = instanceType(id)) return result;
-  problems_.add(ProblemCode::P0428, place, toString(id));
+  missing(place, id);
   return unknownType();
+}
+
+void Interfaces::missing(const Position& place, BlockId id) {
+  if (id.kind == BlockKind::SFB)
+    problems_.add(ProblemCode::P0433, place, fmt::format("CPU {}", options_.model->name),
+                  toString(id));
+  else
+    problems_.add(ProblemCode::P0428, place, toString(id));
 }
 
 block::TypePtr Interfaces::instanceType(BlockId id) {

@@ -34,6 +34,8 @@ class Interfaces {
   };
 
   const block::Block* resolve(BlockId id);
+  // Neither in the sources nor in the CPU.
+  void missing(const Position& place, BlockId id);
   bool busy(BlockId id) const;  // its declarations are being resolved: it contains itself
   void resolveCode(BlockSource& source, block::Block& result);
   void resolveData(BlockSource& source, block::Block& result);
