@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "clock/instant.h"
+#include "signal/signal.h"
 
 namespace merker::plant {
 
@@ -43,6 +44,9 @@ class Process {
   virtual void advance(Instant from, Instant to, std::span<double> values) = 0;
   // When outputs change by themselves, besides the steps of the plant.
   virtual Instant next() const { return Instant::never(); }
+  // A fast binary output as a function of time, the same object until it takes another course;
+  // null: the value as it is.
+  virtual std::shared_ptr<const signal::Signal> course(std::uint32_t) const { return nullptr; }
 };
 
 struct Kind {

@@ -10,7 +10,8 @@ namespace {
 
 constexpr std::array kKinds{&kFirstOrder, &kTemperature,    &kValve,        &kTank,
                             &kGenerator,  &kBouncingSwitch, &kSortingPlant, &kVessel,
-                            &kGarageDoor, &kTrafficLight,   &kLift};
+                            &kGarageDoor, &kTrafficLight,   &kLift,         &kPulseTrain,
+                            &kEncoder};
 
 template <typename Rows, typename Name>
 std::string list(const Rows& rows, Name name) {

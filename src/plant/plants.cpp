@@ -19,6 +19,7 @@ void Plants::start(std::size_t index, Instant now) {
   unit.process = settings.kind->make(settings.parameters);
   for (const Signal& signal : settings.kind->signals) unit.values.push_back(signal.rest);
   unit.shown.resize(settings.wires.size());
+  unit.courses.resize(settings.wires.size());
   unit.at = now;
   if (settings.step.ns > 0) unit.nextStep = now + settings.step;
   unit.process->begin(unit.values);
@@ -81,18 +82,31 @@ void Plants::readInputs(std::size_t index, const io::Rack& rack) {
 // Only what has changed, so that what somebody else lays at a terminal stays there until then.
 void Plants::showOutputs(std::size_t index, io::Rack& rack, Instant now) {
   const PlantSettings& settings = configuration_.plants[index];
-  for (std::size_t i = 0; i < settings.wires.size(); ++i) {
-    const Wire& wire = settings.wires[i];
-    if (settings.kind->signals[wire.signal].side != Signal::Side::Output) continue;
-    const double value = this->value({static_cast<std::uint32_t>(index), wire.signal});
-    if (units_[index].shown[i] == value) continue;
-    units_[index].shown[i] = value;
-    const auto& terminal = std::get<io::Terminal>(wire.end);
-    if (isDigital(terminal.side))
-      rack.setLevel(terminal, value != 0, now);
-    else
-      rack.setAmount(terminal, wire.offset + wire.scale * value, now);
+  for (std::size_t i = 0; i < settings.wires.size(); ++i)
+    if (settings.kind->signals[settings.wires[i].signal].side == Signal::Side::Output)
+      showOutput(index, i, rack, now);
+}
+
+void Plants::showOutput(std::size_t index, std::size_t number, io::Rack& rack, Instant now) {
+  Unit& unit = units_[index];
+  const Wire& wire = configuration_.plants[index].wires[number];
+  const auto& terminal = std::get<io::Terminal>(wire.end);
+  auto course = unit.stuckAt(wire.signal) ? nullptr : unit.process->course(wire.signal);
+  if (course != nullptr) {
+    if (unit.courses[number] == course) return;
+    rack.attach(terminal, course, now);
+    unit.courses[number] = std::move(course);
+    unit.shown[number].reset();
+    return;
   }
+  unit.courses[number] = nullptr;
+  const double value = this->value({static_cast<std::uint32_t>(index), wire.signal});
+  if (unit.shown[number] == value) return;
+  unit.shown[number] = value;
+  if (isDigital(terminal.side))
+    rack.setLevel(terminal, value != 0, now);
+  else
+    rack.setAmount(terminal, wire.offset + wire.scale * value, now);
 }
 
 double Plants::value(SignalPlace place) const {

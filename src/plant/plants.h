@@ -47,7 +47,9 @@ class Plants {
     std::unique_ptr<Process> process;
     std::vector<double> values;  // as the process has them
     std::vector<Stuck> stuck;
-    std::vector<std::optional<double>> shown;  // by wires, outputs: terminals are set by changes
+    // By wires, outputs: terminals are set by changes.
+    std::vector<std::optional<double>> shown;
+    std::vector<std::shared_ptr<const signal::Signal>> courses;
     Instant at, nextStep = Instant::never();
     bool fresh = true;  // its outputs have not been shown yet
     Instant next() const;
@@ -58,6 +60,7 @@ class Plants {
   void go(std::size_t index, io::Rack& rack, Instant to);
   void readInputs(std::size_t index, const io::Rack& rack);
   void showOutputs(std::size_t index, io::Rack& rack, Instant now);
+  void showOutput(std::size_t index, std::size_t wire, io::Rack& rack, Instant now);
   void findNext();
 
   Configuration configuration_;

@@ -21,7 +21,7 @@ void resolveValues(Expectation& e, const Resolver& resolver, Problems& problems)
   resolvePair(e.left, e.right, resolver, problems);
 }
 
-// A terminal that a plant drives takes nothing else.
+// A train of pulses would end with the next change of a plant that drives its terminal.
 void checkDriver(const TerminalValue& terminal, const io::Configuration* hardware,
                  const plant::Configuration* plants, Problems& problems) {
   const io::Module* module = hardware == nullptr ? nullptr : hardware->find(terminal.module);
@@ -42,9 +42,8 @@ void resolveSteps(std::vector<Step>& steps, const Resolver& resolver,
     if (step.kind == StepKind::Fault) resolve(step.fault, hardware, problems);
     resolve(step.signal, hardware, problems);
     for (TerminalValue& terminal : step.terminals) resolve(terminal, hardware, problems);
-    for (const auto* terminals : {&step.signal.terminals, &step.terminals})
-      for (const TerminalValue& terminal : *terminals)
-        checkDriver(terminal, hardware, plants, problems);
+    for (const TerminalValue& terminal : step.signal.terminals)
+      checkDriver(terminal, hardware, plants, problems);
     if (step.kind == StepKind::Expect && step.expectation.what == Expectation::What::Terminal)
       resolve(step.expectation.terminal, hardware, problems);
     for (Assignment& assignment : step.assignments) resolve(assignment, resolver, problems);

@@ -75,6 +75,13 @@ class Plot(Case):
         self.assertIn("--from must be before --to", self.expect(USAGE, "plot", "t.csv", "-o", "t.svg", "--from", "9s").err)
         self.expect(UNREADABLE, "plot", "none.csv", "-o", "t.svg")
         self.expect(UNREADABLE, "plot", "t.csv", "-o", "none/t.svg")
+        trace = self.read("t.csv")
+        for output in ("t.csv", "t.png"):
+            self.assertIn("-o FILE.svg", self.expect(USAGE, "plot", "t.csv", "-o", output).err)
+        self.assertEqual(self.read("t.csv"), trace)
+        for times in ("nan,A 0.0,1\n", "2.0,A 0.0,1\n1.0,A 0.0,0\n"):
+            self.write("back.csv", times)
+            self.assertIn("[P0990]", self.expect(PROBLEMS, "plot", "back.csv", "-o", "t.svg").err)
         self.write("bad.csv", "1.0,A 0.0,1\nhello\n")
         self.assertRegex(self.expect(PROBLEMS, "plot", "bad.csv", "-o", "t.svg").err, r"bad\.csv:2:1: error: .*\[P0990\]")
         for watched, code in (("plant Stove.PV", "P0986"), ("plant Oven.XY", "P0762"), ("plant Oven", "P0952")):

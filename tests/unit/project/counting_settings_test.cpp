@@ -15,11 +15,13 @@ struct Read {
   io::Parameters parameters;
 };
 
-Read read(std::string_view channel, std::string_view model = "314C-2 PtP") {
+Read read(std::string_view channel, std::string_view model = "314C-2 PtP",
+          std::string_view selection = "process") {
   // The channel's keys begin in line 7.
   const std::string text = fmt::format(
-      "[cpu]\nmodel = \"{}\"\n[[module]]\nslot = \"2.4\"\n[[module.channel]]\nnumber = 0\n{}",
-      model, channel);
+      "cpu.model = \"{}\"\n[[module]]\nslot = \"2.4\"\ninterrupts = \"{}\"\n"
+      "[[module.channel]]\nnumber = 0\n{}",
+      model, selection, channel);
   Problems problems;
   const Settings settings = readSettings(source::SourceFile("merker.toml", text), problems);
   Read result;
@@ -107,14 +109,30 @@ TEST(CountingSettings, InterruptsAreNamed) {
                       {"pwm", "gate opened", &CountChannel::onGateOpened}};
   for (const Row& row : rows) {
     const CountChannel c = good(fmt::format(
-        "mode = \"{}\"\nmax_frequency = \"1kHz\"\ninterrupts = [\"{}\"]\n", row.mode, row.cause));
+        "mode = \"{}\"\nmax_frequency = \"1kHz\"\nhardware_gate = true\n{}interrupts = [\"{}\"]\n",
+        row.mode, row.mode == "endless" ? "output = \">=\"\n" : "", row.cause));
     int set = 0;
     for (const Row& other : rows) set += other.mode == row.mode && c.*other.flag ? 1 : 0;
     EXPECT_TRUE(c.*row.flag) << row.cause;
     EXPECT_EQ(set, 1) << row.cause;
   }
-  EXPECT_FALSE(read("mode = \"endless\"\n").parameters.hardwareInterrupt);
-  EXPECT_FALSE(read("mode = \"endless\"\n").parameters.diagnosticInterrupt);
+  const io::Parameters none = read("mode = \"endless\"\n", "314C-2 PtP", "none").parameters;
+  EXPECT_FALSE(none.hardwareInterrupt);
+  EXPECT_FALSE(none.diagnosticInterrupt);
+}
+
+// What is selected and can never come is a warning.
+TEST(CountingSettings, InterruptsThatNeverCome) {
+  const auto words = [](std::string_view channel, std::string_view selection = "process") {
+    const Read result = read(channel, "314C-2 PtP", selection);
+    return result.problem + ' ' + result.words;
+  };
+  EXPECT_NE(words("mode = \"endless\"\ninterrupts = [\"gate opened\"]\n").find("hardware_gate"),
+            std::string::npos);
+  EXPECT_NE(words("mode = \"endless\"\ninterrupts = [\"comparator\"]\n").find("output"),
+            std::string::npos);
+  EXPECT_TRUE(words("mode = \"endless\"\ninterrupts = [\"overflow\"]\n", "diagnostics")
+                  .starts_with("8:1 P0768"));
 }
 
 // The least and the greatest value of each parameter. CNT-PARAM-04, CNT-PARAM-06, CNT-PARAM-07,

@@ -39,6 +39,13 @@ constexpr Wrong kWrong[] = {
     {"wireToUnknownSignal", BOARD OVEN SECOND "wire.LMN = \"Oven.X\"\n", "8:12 P0762", "Oven"},
     {"scaleBetweenPlants", BOARD OVEN SECOND "wire.LMN = { to = \"Oven.PV\", low = 1 }\n",
      "8:6 P0744", "analog terminal"},
+    {"terminalTwice", BOARD OVEN "wire.PV = \"2.3.AI0\"\n" SECOND "wire.PV = \"2.3.AI0\"\n",
+     "9:11 P0765", "Oven.PV"},
+    {"standsBelow", BOARD OVEN "wire.LMN = \"B.PV\"\n" SECOND, "5:12 P0767", "below"},
+    {"bitForANumber",
+     BOARD "[[plant]]\nname = \"V\"\nkind = \"valve\"\n" SECOND "wire.LMN = \"V.LMNR_HS\"\n",
+     "8:12 P0764", "that is a bit"},
+    {"seedWithAPoint", OVEN "seed = 1.5\n", "4:8 P0704", "whole"},
     {"sameEnds", BOARD OVEN "wire.PV = { to = \"2.3.AI0\", low = 1, high = 1 }\n", "5:45 P0704",
      "different"},
 };

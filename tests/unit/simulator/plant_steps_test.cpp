@@ -33,6 +33,8 @@ std::string problemOf(std::string text, bool withPlants = true) {
 TEST(PlantSteps, namesAndValues) {
   EXPECT_EQ(problemOf("plant oven.disturbance = -2.5, Button.PRESSED = TRUE\n"), "");
   EXPECT_EQ(problemOf("expect plant Oven.PV > 20 within 3s\n"), "");
+  EXPECT_EQ(problemOf("plant Oven.DISTURBANCE = 1e308\n"), "1:26 P0989");
+  EXPECT_EQ(problemOf("plant Oven.DISTURBANCE = TRUE\n"), "1:26 P0989");
   EXPECT_EQ(problemOf("plant Oven = 1\n"), "1:7 P0952");
   EXPECT_EQ(problemOf("plant Oven.OFFSET\n"), "1:7 P0952");
   EXPECT_EQ(problemOf("plant Oven.OFFSET = warm\n"), "1:21 P0989");
