@@ -1,6 +1,9 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds Merker, and shows the sorting plant: its tests, and what its inputs and outputs do over
-# time when a small, a middle and a large box come along.
+# Installs what is missing, builds Merker, and shows the sorting plant: its tests, what its inputs and outputs do over time
+# when a small, a middle and a large box come along, and then the workbench with the plant in motion, until Ctrl-C.
+#
+#   ./run.sh                   all of it; options go to the workbench: ./run.sh --port 8090
+#   ./run.sh --no-workbench    ends after the curves
 set -eu
 cd "$(dirname "${BASH_SOURCE[0]}")"
 . tools/packages.sh
@@ -39,4 +42,7 @@ done
 
 printf '\n== Counted by the program\n\n'
 cat build/plant.txt
-exit $result
+[ "$result" -eq 0 ] && [ "${1:-}" != --no-workbench ] || exit "$result"
+
+printf '\n== The workbench: open the address below, choose "Process"\n\n'
+exec "$merker" run "$plant" "$@"

@@ -46,8 +46,7 @@ class PulseTrain : public Process {
   }
 
   void advance(Instant, Instant to, std::span<double> values) override {
-    const double frequency =
-        values[FREQUENCY] < kLeast ? 0 : std::min(values[FREQUENCY], kHighest);
+    const double frequency = values[FREQUENCY] < kLeast ? 0 : std::min(values[FREQUENCY], kHighest);
     const double duty = std::clamp(values[DUTY], 0.1, 99.9);
     if (frequency != frequency_ || duty != duty_) {
       phase_ = phaseAt(to);

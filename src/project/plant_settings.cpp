@@ -68,10 +68,9 @@ double readParameter(const Table& table, const plant::Parameter& parameter) {
   if (parameter.form == Form::Flag)
     return table.flag(parameter.key).value_or(parameter.standard != 0) ? 1 : 0;
   if (parameter.form == Form::Whole)
-    return static_cast<double>(table
-                                   .integer(parameter.key, std::llround(parameter.low),
-                                            std::llround(parameter.high))
-                                   .value_or(std::llround(parameter.standard)));
+    return static_cast<double>(
+        table.integer(parameter.key, std::llround(parameter.low), std::llround(parameter.high))
+            .value_or(std::llround(parameter.standard)));
   const auto length = table.length(parameter.key, inTime(parameter.low), inTime(parameter.high));
   return length ? static_cast<double>(length->ns) / 1e9 : parameter.standard;
 }
