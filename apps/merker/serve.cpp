@@ -41,7 +41,7 @@ std::string examplesFolder(const ServeOptions& options) {
   if (!options.examples.empty()) return options.examples;
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
-  for (const char* way : {"../../examples", "../share/merker/examples"}) {
+  for (const char* way : {"../../examples", "examples", "../share/merker/examples"}) {
     const fs::path folder = program / way;
     if (fs::is_regular_file(folder / "README.md", error)) return fs::canonical(folder).string();
   }

@@ -28,6 +28,13 @@ void S5Timer::stop(Instant now) {
   started = false;
 }
 
+bool S5Timer::modify(std::uint16_t s5, Instant now) {
+  if ((s5 & 0xFFFu) != 0) return run(s5, now);
+  started = held = false;
+  frozen = 0;
+  return true;
+}
+
 bool S5Timer::start(Kind how, bool rlo, std::uint16_t s5, Instant now) {
   const bool rising = rlo && !startEdge;
   startEdge = rlo;

@@ -27,6 +27,10 @@ struct S5Timer {
   void enable(bool rlo);  // FR
   void reset(bool rlo);   // R
 
+  // As a programming device modifies it: the rest of its time from now on; 0 resets it. False: no
+  // BCD number.
+  bool modify(std::uint16_t s5time, Instant now);
+
   bool status(Instant now) const;           // U T
   std::uint16_t units(Instant now) const;   // L T: 0 … 999, no base
   std::uint16_t s5time(Instant now) const;  // LC T: BCD with the base in bits 13..12

@@ -65,6 +65,10 @@ class Rack {
              bool there);
   bool faulty(std::uint32_t module) const;  // any: its SF lamp
   bool has(std::uint32_t module, FaultKind kind) const { return units_[module].has(kind); }
+  // Of the module, or of any channel.
+  bool hasAnywhere(std::uint32_t module, FaultKind kind) const {
+    return units_[module].hasAnywhere(kind);
+  }
   bool present(std::uint32_t module) const;  // plugged, and its rack supplied
 
   // For channels of `technology`, beside the input delay and the output bytes: fast inputs, outputs

@@ -1,6 +1,7 @@
 // One module in operation: what lies at its terminals, what it delivers, what is wrong with it.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <map>
@@ -46,6 +47,10 @@ struct Unit {
   std::vector<std::uint8_t> diagnosis;             // data record 1, as last reported
 
   bool has(FaultKind kind) const { return (moduleFaults & bitOf(kind)) != 0; }
+  bool hasAnywhere(FaultKind kind) const {
+    return has(kind) || std::any_of(channelFaults.begin(), channelFaults.end(),
+                                    [&](auto faults) { return (faults & bitOf(kind)) != 0; });
+  }
   std::uint16_t faultsOf(std::uint32_t channel) const {
     return static_cast<std::uint16_t>(channelFaults[channel] | measuredFaults[channel]);
   }

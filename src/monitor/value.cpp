@@ -45,7 +45,6 @@ bool write(controller::Controller& plc, const mc7::Reference& reference, const V
 
 bool canWrite(station::Station& station, const mc7::Reference& reference) {
   const mc7::Operand& operand = reference.operand;
-  if (operand.kind == mc7::OperandKind::Timer) return false;
   const bool terminal = operand.kind == mc7::OperandKind::Memory && !reference.outputSide &&
                         (operand.area == Area::Input || operand.area == Area::Peripheral);
   if (!terminal || station.rack() == nullptr) return read(station, reference).has_value();

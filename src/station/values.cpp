@@ -150,6 +150,9 @@ bool writeValue(cpu::Cpu& cpu, Periphery* periphery, const mc7::Reference& refer
                 std::uint32_t value) {
   Machine& m = cpu.machine();
   const Operand& operand = reference.operand;
+  if (operand.kind == OperandKind::Timer)
+    return operand.value < m.timers.size() && operand.width != Width::Bit && value <= 0x3999 &&
+           m.timers[operand.value].modify(static_cast<std::uint16_t>(value), cpu.timerTime());
   if (operand.kind == OperandKind::Counter) {
     const auto count = fromBcd(value, 3);
     if (operand.value >= m.counters.size() || value > 0x999 || !count) return false;

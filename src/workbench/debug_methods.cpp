@@ -75,8 +75,8 @@ constexpr Method kMethods[] = {
     {"status.show", Needs::S7, show},
     {"status.hide", Needs::Nothing, hide},
     {"breakpoints.set", Needs::S7, setBreakpoints},
-    {"debug.go", Needs::S7, go},
-    {"debug.step", Needs::S7, step},
+    {"debug.go", Needs::S7On, go},
+    {"debug.step", Needs::S7On, step},
 };
 
 }  // namespace

@@ -88,7 +88,7 @@ Json faultsOf(const io::Module& module, const io::Rack* rack) {
   for (const io::FaultKind kind : kFaults) {
     if (!io::possible(*module.type, kind)) continue;
     const std::string_view words = io::nameOf(kind).words;
-    list.push_back({{"name", words}, {"title", words}, {"on", rack->has(*index, kind)}});
+    list.push_back({{"name", words}, {"title", words}, {"on", rack->hasAnywhere(*index, kind)}});
   }
   return list;
 }

@@ -20,7 +20,8 @@ struct Call {
   monitor::Monitor& monitor() const { return *shared.plc->monitor(); }
 };
 
-enum class Needs : std::uint8_t { Nothing, Plc, S7 };
+// On: what reaches the PLC only while it is switched on.
+enum class Needs : std::uint8_t { Nothing, Plc, PlcOn, S7, S7On };
 
 struct Method {
   std::string_view name;

@@ -29,6 +29,8 @@ Answer turnSwitch(const Call& call) {
   if (!call.plc().isS7()) return turnControl(call.plc().controller(), position);
   const auto to = static_cast<SwitchPosition>(position);
   const bool reset = to == SwitchPosition::Mres;
+  if (reset && !call.station().powered())
+    return refused(ProblemCode::P1308, "MRES", "the CPU is switched off");
   call.station().setSwitch(reset ? SwitchPosition::Stop : to);
   if (reset) call.station().memoryReset();
   return empty();
@@ -117,8 +119,8 @@ Answer step(const Call& call) {
 
 constexpr Method kMethods[] = {
     {"cpu.switch", Needs::Plc, turnSwitch}, {"cpu.power", Needs::Plc, power},
-    {"cpu.start", Needs::Plc, start},       {"cpu.stop", Needs::Plc, stop},
-    {"cpu.reset", Needs::Plc, reset},       {"cpu.trigger", Needs::S7, trigger},
+    {"cpu.start", Needs::PlcOn, start},     {"cpu.stop", Needs::PlcOn, stop},
+    {"cpu.reset", Needs::PlcOn, reset},     {"cpu.trigger", Needs::S7On, trigger},
     {"cpu.engine", Needs::S7, engine},      {"time.pace", Needs::Nothing, pace},
     {"time.step", Needs::Plc, step},
 };

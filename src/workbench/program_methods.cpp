@@ -165,9 +165,9 @@ Answer references(const Call& call) {
 }
 
 constexpr Method kMethods[] = {
-    {"program.check", Needs::Plc, check},          {"program.load", Needs::S7, load},
+    {"program.check", Needs::Plc, check},          {"program.load", Needs::S7On, load},
     {"program.blocks", Needs::S7, blocks},         {"program.compare", Needs::S7, compare},
-    {"program.upload", Needs::S7, upload},         {"program.delete", Needs::S7, remove},
+    {"program.upload", Needs::S7, upload},         {"program.delete", Needs::S7On, remove},
     {"program.listing", Needs::S7, showListing},   {"program.completion", Needs::S7, complete},
     {"program.references", Needs::S7, references},
 };

@@ -97,9 +97,9 @@ Answer unforce(const Call& call) {
 }
 
 constexpr Method kMethods[] = {
-    {"watch.set", Needs::Plc, watch},       {"watch.drop", Needs::Nothing, drop},
-    {"variables.read", Needs::Plc, read},   {"variables.write", Needs::Plc, write},
-    {"variables.force", Needs::Plc, force}, {"variables.unforce", Needs::Plc, unforce},
+    {"watch.set", Needs::Plc, watch},         {"watch.drop", Needs::Nothing, drop},
+    {"variables.read", Needs::Plc, read},     {"variables.write", Needs::PlcOn, write},
+    {"variables.force", Needs::PlcOn, force}, {"variables.unforce", Needs::PlcOn, unforce},
 };
 
 }  // namespace

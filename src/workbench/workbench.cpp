@@ -22,7 +22,10 @@ const Method* findMethod(std::string_view name) {
 std::optional<Problems> missing(Needs needs, const Plc* plc, std::string_view method) {
   if (needs == Needs::Nothing) return std::nullopt;
   if (plc == nullptr) return refused(ProblemCode::P1315);
-  if (needs == Needs::Plc || plc->isS7()) return std::nullopt;
+  const bool on = needs == Needs::PlcOn || needs == Needs::S7On;
+  if (on && !plc->controller().powered())
+    return refused(ProblemCode::P1308, plc->controller().modelName(), "it is switched off");
+  if (needs == Needs::Plc || needs == Needs::PlcOn || plc->isS7()) return std::nullopt;
   return refused(ProblemCode::P1307, plc->controller().modelName(), method);
 }
 

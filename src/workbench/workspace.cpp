@@ -24,19 +24,37 @@ bool isProject(const fs::path& folder) {
   return fs::is_regular_file(folder / kSettings, error);
 }
 
-// The first heading of the README and the text below it.
+// Text without its marks: `code`, [link](target).
+std::string plain(std::string_view text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == ']' && i + 1 < text.size() && text[i + 1] == '(')
+      i = std::min(text.find(')', i), text.size());
+    else if (text[i] != '`' && text[i] != '[')
+      result += text[i];
+  }
+  if (result.ends_with(':')) result.back() = '.';
+  return result;
+}
+
+// The first heading of the README and the first sentences below it; no tables, no listings.
 void describe(const fs::path& folder, Example& example) {
   std::ifstream file(folder / "README.md");
-  std::string line;
+  std::string line, paragraph;
+  bool listing = false;
   while (std::getline(file, line)) {
     const std::string_view text = trim(line);
+    const bool fence = text.starts_with("```");
+    if (fence) listing = !listing;
+    const bool prose = !listing && !fence && !text.empty() && text.front() != '|';
     if (text.starts_with("# ") && example.title.empty())
-      example.title = text.substr(2);
-    else if (!text.empty() && !example.title.empty())
-      example.description += fmt::format("{}{}", example.description.empty() ? "" : " ", text);
-    else if (!example.description.empty())
-      return;
+      example.title = plain(text.substr(2));
+    else if (prose)
+      paragraph += fmt::format("{}{}", paragraph.empty() ? "" : " ", text);
+    else if (!paragraph.empty())
+      break;
   }
+  example.description = plain(paragraph);
 }
 
 void collect(const fs::path& root, const std::string& below, std::vector<Example>& list) {

@@ -21,6 +21,19 @@ struct Diagram {
 };
 
 // S7-TMR-10, S7-TMR-11, S7-INSTR-26
+// S7-SIM-03, S7-SIM-13: a programming device gives a timer another rest, or resets it.
+TEST(S5Timer, IsModified) {
+  S5Timer timer{};
+  timer.start(Kind::OnDelay, true, 0x2007, Instant{});  // 7 s
+  EXPECT_TRUE(timer.modify(0x2003, Instant{} + Duration::seconds(1)));
+  EXPECT_FALSE(timer.status(Instant{} + Duration::milliseconds(3999)));
+  EXPECT_TRUE(timer.status(Instant{} + Duration::seconds(4)));
+  EXPECT_FALSE(timer.modify(0x200A, Instant{} + Duration::seconds(4)));
+  EXPECT_TRUE(timer.modify(0, Instant{} + Duration::seconds(4)));
+  EXPECT_FALSE(timer.status(Instant{} + Duration::seconds(4)));
+  EXPECT_EQ(timer.units(Instant{} + Duration::seconds(4)), 0);
+}
+
 TEST(S5Timer, PulseLastsTheTimeOrTheStart) {
   Diagram longStart{Kind::Pulse};
   longStart.start(0, true);

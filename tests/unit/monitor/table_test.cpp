@@ -140,7 +140,8 @@ TEST(VariableTable, HoldsStringsAndDates) {
 // S7-SIM-12: one wish that cannot be carried out stops all of them.
 TEST(Monitor, WritesAllOrNothing) {
   Plc plc(kCopy);
-  EXPECT_EQ(name(plc->write({{"MW 10", "5"}, {"T 1", "S5T#1S"}})), "P1212");
+  EXPECT_EQ(name(plc->write("T 1", "S5T#1S")), "good");  // S7-SIM-03
+  EXPECT_EQ(plc.read("T 1"), "S5T#1S");
   EXPECT_EQ(name(plc->write({{"MW 10", "5"}, {"MB 12", "256"}})), "P0955");
   EXPECT_EQ(plc.read("MW 10", DisplayFormat::Dec), "0");
   EXPECT_EQ(name(plc->force({{"E 0.0", "1"}, {"M 0.0", "1"}})), "P1211");

@@ -5,7 +5,7 @@ import type { SwitchPosition } from '../state/plc.svelte';
 export const turnSwitch = (position: SwitchPosition) => void attempt(connection.ask('cpu.switch', { position }));
 export const power = (on: boolean, battery = true) => void attempt(connection.ask('cpu.power', { on, battery }));
 export const start = (kind: 'warm' | 'cold') => void attempt(connection.ask('cpu.start', { kind }));
-export const trigger = (ob: number) => void attempt(connection.ask('cpu.trigger', { ob }));
+export const trigger = (ob: number, going = false) => void attempt(connection.ask('cpu.trigger', { ob, going }));
 export const engine = (name: string) => void attempt(connection.ask('cpu.engine', { engine: name }));
 export const pace = (mode: string, factor: number) => void attempt(connection.ask('time.pace', { mode, factor }));
 export const step = (cycles = 1) => void attempt(connection.ask('time.step', { cycles }));

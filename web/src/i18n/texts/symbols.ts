@@ -13,6 +13,7 @@ export const symbols = {
   saved: ['Symboltabelle gespeichert.', 'Symbol table saved.'],
   unsaved: ['nicht gespeichert', 'not saved'],
   wrong: ['Nicht speicherbar: {count} Fehler', 'Cannot be saved: {count} problems'],
+  onlyWarnings: ['Kann gespeichert werden; zu beachten:', 'Can be saved; note:'],
   wrongOne: ['Nicht speicherbar: 1 Fehler', 'Cannot be saved: 1 problem'],
   add: ['Zeile', 'Row'],
   remove: ['Zeile {row} löschen', 'Delete row {row}'],
