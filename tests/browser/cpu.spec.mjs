@@ -52,8 +52,13 @@ test('an event without its OB stops the CPU, and the panel says why (S7-SIM-13)'
   await expect(() => led('STOP'), 'on');
   await expect(() => led('SF'), 'on');
   assert.match(await page.locator('aside').innerText(), /82/);
+  await button('Mehr …').click();
+  await page.getByRole('button', { name: 'geht: OB 82' }).click();
+  await page.keyboard.press('Escape');
   await turn(page, 'STOP');
   await turn(page, 'RUN-P');
+  await expect(() => led('RUN'), 'on');
+  await expect(() => led('SF'), 'off');
 });
 
 test('memory reset is asked for first; cancelling keeps the program', async () => {

@@ -71,7 +71,8 @@ TEST(PlantSteps, comparesNumbers) {
   value.place = {0, 3};
   EXPECT_TRUE(holds(value, block::Relation::Equal, running));
   value.number = 20.00001;
-  EXPECT_FALSE(holds(value, block::Relation::Equal, running));
+  EXPECT_TRUE(holds(value, block::Relation::Equal, running));  // to seven digits
+  EXPECT_FALSE(holds(value, block::Relation::NotEqual, running));
   EXPECT_TRUE(holds(value, block::Relation::About, running));
   EXPECT_TRUE(holds(value, block::Relation::Less, running));
   EXPECT_EQ(actualValue(value, running), "20");

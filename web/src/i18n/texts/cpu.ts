@@ -54,7 +54,7 @@ export const cpu = {
   powerOff: ['Netz aus', 'Power off'],
   powerOffEmpty: ['Netz aus ohne Pufferung', 'Power off without backup'],
   trigger: ['Ereignis von Hand', 'Event by hand'],
-  going: ['Ereignis geht', 'event goes'],
+  going: ['geht:', 'goes:'],
   triggerHint: [
     'Fehlt der OB zu einem Fehlerereignis, geht die CPU in STOP.',
     'If the OB of an error event is missing, the CPU goes to STOP.',
