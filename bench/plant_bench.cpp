@@ -29,6 +29,7 @@ struct Plant {
     o.model = project.model;
     o.parameters = project.parameters;
     o.hardware = project.hardware;
+    o.plants = project.plants;
     o.program = program;
     o.engine = engine;
     return station::Station(std::move(o));
@@ -40,7 +41,8 @@ struct Plant {
     const auto resolver = [this](std::string_view text, const Position& at) {
       return step7::resolve(text, *program, options, at);
     };
-    simulator::resolve(list.front(), resolver, problems);
+    simulator::resolve(list.front(), resolver, problems,
+                       project.hardware ? &*project.hardware : nullptr, &project.plants);
     for (const Problem& problem : problems.list()) std::cerr << problem.message << '\n';
     return list.front();
   }
