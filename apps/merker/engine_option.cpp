@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cnc/cnc.h"
 #include "station/engines.h"
 #include "station/station.h"
 
@@ -19,9 +20,13 @@ std::optional<std::string> whyMissing(const std::string& engine) {
   return "--engine: there is no jit for this processor; use interpreter";
 }
 
-std::optional<std::string> useEngine(const std::string& engine, station::Station& station) {
+std::optional<std::string> useEngine(const std::string& engine, controller::Controller& plc) {
   if (auto problem = whyMissing(engine)) return problem;
-  station.setEngine(engine == "jit" ? station::Engine::Compiled : station::Engine::Interpreter);
+  const bool jit = engine == "jit";
+  if (auto* control = dynamic_cast<cnc::Cnc*>(&plc))
+    control->setCompiled(jit);
+  else if (auto* station = dynamic_cast<station::Station*>(&plc))
+    station->setEngine(jit ? station::Engine::Compiled : station::Engine::Interpreter);
   return std::nullopt;
 }
 

@@ -7,8 +7,8 @@
 namespace CLI {
 class App;
 }
-namespace merker::station {
-class Station;
+namespace merker::controller {
+class Controller;
 }
 
 namespace merker::app {
@@ -17,6 +17,6 @@ void addEngine(CLI::App& command, std::string& engine);
 // Why this computer does not have it, as text.
 std::optional<std::string> whyMissing(const std::string& engine);
 // Why not, as text.
-std::optional<std::string> useEngine(const std::string& engine, station::Station& station);
+std::optional<std::string> useEngine(const std::string& engine, controller::Controller& plc);
 
 }  // namespace merker::app

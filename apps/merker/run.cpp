@@ -239,10 +239,7 @@ int runPlc(const Options& options, const Build& build, const Operands& operands,
            std::optional<Duration> time, store::MemoryCard* card) {
   auto owner = build.controller();
   controller::Controller& plc = *owner;
-  if (build.isListing() && options.engine != "interpreter")
-    return wrongUsage("--engine: STEP 5 listings run with the interpreter only");
-  if (!build.isListing())
-    if (const auto problem = useEngine(options.engine, stationOf(plc))) return wrongUsage(*problem);
+  if (const auto problem = useEngine(options.engine, plc)) return wrongUsage(*problem);
   if (const auto problem = start(build, card, plc)) return failed(*problem);
   if (plc.mode() == controller::Mode::Stop) {
     std::cerr << "merker run: the CPU does not start: " << plc.stopReason() << '\n';

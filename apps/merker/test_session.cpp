@@ -105,7 +105,7 @@ void TestSession::scenarios(const std::string& path, const Build& build) {
 
 std::unique_ptr<controller::Controller> TestSession::controller(const Build& build) const {
   auto plc = build.controller(options_.coverage);
-  if (!build.isListing()) (void)useEngine(options_.engine, static_cast<station::Station&>(*plc));
+  (void)useEngine(options_.engine, *plc);
   return plc;
 }
 

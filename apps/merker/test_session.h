@@ -17,7 +17,7 @@ class TestSession {
  public:
   struct Options {
     std::string cpu, filter;
-    std::string engine = "interpreter";  // listings have no other
+    std::string engine = "interpreter";
     bool coverage = false;
     bool quiet = false;  // no line per test
   };

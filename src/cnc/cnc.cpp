@@ -1,5 +1,6 @@
 #include "cnc/cnc.h"
 
+#include "cnc/compiled_code.h"
 #include "cnc/plc_options.h"
 #include "cnc/reference.h"
 #include "controller/line_counts.h"
@@ -11,13 +12,16 @@ using controller::Mode;
 struct Cnc::Parts {
   explicit Parts(Options given) : options(std::move(given)) { build(); }
 
-  // The PLC points to the macros: they are made first and go last.
+  // The PLC points to macros and engine: they are made first and go last.
   void build() {
     plc.reset();
     macros = std::make_unique<nc::FunctionMacros>(options.macros);
     macros->control() = options.control;
     sinumerik::Options plcPart = plcOptions(options);
     plcPart.macros = macros.get();
+    engine = std::make_unique<CompiledCode>();
+    engine->on = options.compiled && canCompile();
+    plcPart.engine = engine.get();
     plc = std::make_unique<sinumerik::Plc>(plcPart);
     macros->control().machineData[kSamplingDatum] = plc->machineData().samplingCode;
   }
@@ -37,6 +41,7 @@ struct Cnc::Parts {
 
   Options options;
   std::unique_ptr<nc::FunctionMacros> macros;
+  std::unique_ptr<CompiledCode> engine;
   std::unique_ptr<sinumerik::Plc> plc;
   Duration before{};  // what passed before the last memory reset
   std::uint64_t cyclesBefore = 0, instructionsBefore = 0;
@@ -63,6 +68,12 @@ Cnc::~Cnc() = default;
 sinumerik::Plc& Cnc::plc() { return *parts_->plc; }
 const sinumerik::Plc& Cnc::plc() const { return *parts_->plc; }
 nc::Control& Cnc::control() { return parts_->macros->control(); }
+
+bool Cnc::canCompile() { return jit::available(); }
+void Cnc::setCompiled(bool on) {
+  parts_->options.compiled = on;
+  parts_->engine->on = on && canCompile();
+}
 
 std::string Cnc::modelName() const { return std::string(parts_->options.model->name); }
 

@@ -27,6 +27,7 @@ struct Options {
   std::vector<MachineDatum> machineData{};
   nc::MacroOptions macros{};
   nc::Control control{};  // data of the NC at the start
+  bool compiled = false;  // run as machine code of this computer what can be
   // Where the project names the bits of the user alarms and messages, for problems.
   Position alarmsNamed{}, messagesNamed{};
 };
@@ -41,6 +42,9 @@ class Cnc final : public controller::Controller {
   sinumerik::Plc& plc();
   const sinumerik::Plc& plc() const;
   nc::Control& control();
+  // Machine code of this computer instead of the processor alone; the results are the same.
+  void setCompiled(bool on);
+  static bool canCompile();
 
   std::string modelName() const override;
   controller::Mode mode() const override;

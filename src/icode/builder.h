@@ -22,6 +22,8 @@ class Builder {
   void know(Item item, bool value) { items_[index(item)] = {constant(value), false}; }
   // The machine instruction that follows.
   void begin(std::uint32_t place, std::uint64_t cost);
+  // From here on it costs this instead.
+  void cost(std::uint64_t ns) { cost_ = ns; }
   // It is not translated after all; it has set nothing.
   void cancel();
 

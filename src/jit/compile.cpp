@@ -8,22 +8,22 @@ namespace {
 constexpr host::Gp kSaved[] = {host::rbx, host::rbp, host::r12, host::r13, host::r14, host::r15};
 
 // rdi machine, rsi where to begin, rdx timers, rcx counters
-void writeEnter(host::Assembler& code) {
+void writeEnter(host::Assembler& code, const Layout& layout) {
   for (const host::Gp& reg : kSaved) code.push(reg);
   code.sub(host::rsp, kFrame);
   code.mov(kMachine, host::rdi);
   code.mov(host::qword_ptr(host::rsp, kTimers), host::rdx);
   code.mov(host::qword_ptr(host::rsp, kCounters), host::rcx);
-  code.mov(kImage, host::qword_ptr(kMachine, offset::kImage));
-  code.mov(kClock, host::qword_ptr(kMachine, offset::kClock));
-  code.mov(kCount, host::qword_ptr(kMachine, offset::kInstructions));
+  code.mov(kImage, host::qword_ptr(kMachine, layout.image));
+  code.mov(kClock, host::qword_ptr(kMachine, layout.clock));
+  code.mov(kCount, host::qword_ptr(kMachine, layout.instructions));
   code.jmp(host::rsi);
 }
 
 // eax: instruction to go on with
-void writeEpilogue(host::Assembler& code, const Instructions& answers) {
-  code.mov(host::qword_ptr(kMachine, offset::kClock), kClock);
-  code.mov(host::qword_ptr(kMachine, offset::kInstructions), kCount);
+void writeEpilogue(host::Assembler& code, const Layout& layout, const Instructions& answers) {
+  code.mov(host::qword_ptr(kMachine, layout.clock), kClock);
+  code.mov(host::qword_ptr(kMachine, layout.instructions), kCount);
   code.imul(host::rax, host::rax, static_cast<int>(answers.stride));
   code.mov(host::rcx, reinterpret_cast<std::uintptr_t>(answers.first));
   code.add(host::rax, host::rcx);
@@ -65,28 +65,44 @@ std::unique_ptr<NativeCode> load(asmjit::CodeHolder& code, const asmjit::Label& 
                                       std::move(entries));
 }
 
+// `model`: of a cpu::Machine, whose blocks call each other.
+std::unique_ptr<NativeCode> write(std::span<const icode::Region> regions, std::size_t instructions,
+                                  const Instructions& answers, const Layout& layout,
+                                  const CpuModel* model, const Options& options) {
+  if (regions.empty()) return nullptr;
+  asmjit::CodeHolder holder;
+  holder.init(asmjit::Environment::host());
+  host::Assembler code(&holder);
+  Unit unit{code,    layout,          model,           options,
+            answers, code.newLabel(), code.newLabel(), code.newLabel()};
+  unit.regions.resize(instructions);
+  const asmjit::Label enter = code.newLabel();
+  code.bind(enter);
+  writeEnter(code, layout);
+  code.bind(unit.epilogue);
+  writeEpilogue(code, layout, answers);
+  if (model != nullptr) {
+    code.bind(unit.enterBlock);
+    writeEnterBlock(code);
+    code.bind(unit.leaveBlock);
+    writeLeaveBlock(code);
+  }
+  if (!writeRegions(unit, regions)) return nullptr;
+  return load(holder, enter, unit);
+}
+
 }  // namespace
 
 std::unique_ptr<NativeCode> compile(std::span<const icode::Region> regions,
                                     std::size_t instructions, const Instructions& answers,
                                     const CpuModel& model, const Options& options) {
-  if (regions.empty()) return nullptr;
-  asmjit::CodeHolder holder;
-  holder.init(asmjit::Environment::host());
-  host::Assembler code(&holder);
-  Unit unit{code, model, options, answers, code.newLabel(), code.newLabel(), code.newLabel()};
-  unit.regions.resize(instructions);
-  const asmjit::Label enter = code.newLabel();
-  code.bind(enter);
-  writeEnter(code);
-  code.bind(unit.epilogue);
-  writeEpilogue(code, answers);
-  code.bind(unit.enterBlock);
-  writeEnterBlock(code);
-  code.bind(unit.leaveBlock);
-  writeLeaveBlock(code);
-  if (!writeRegions(unit, regions)) return nullptr;
-  return load(holder, enter, unit);
+  return write(regions, instructions, answers, layoutOf(model), &model, options);
+}
+
+std::unique_ptr<NativeCode> compile(std::span<const icode::Region> regions,
+                                    std::size_t instructions, const Instructions& answers,
+                                    const Layout& layout, const Options& options) {
+  return write(regions, instructions, answers, layout, nullptr, options);
 }
 
 }  // namespace merker::jit

@@ -32,11 +32,11 @@ void RegionCode::CanOpen(const Op& op) {
   const asmjit::Label out = wayOut(op);
   if (places_.isConstant(op.a)) {
     const std::uint32_t number = places_.constant(op.a);
-    if (number == 0 || static_cast<std::int64_t>(number) > unit_.model.highestDb) code_.jmp(out);
+    if (number == 0 || static_cast<std::int64_t>(number) > unit_.model->highestDb) code_.jmp(out);
   } else {
     const host::Gp number = places_.in(op.a, host::eax);
     code_.lea(host::edx, host::ptr(number.r64(), -1));
-    code_.cmp(host::edx, static_cast<std::int32_t>(unit_.model.highestDb));
+    code_.cmp(host::edx, static_cast<std::int32_t>(unit_.model->highestDb));
     code_.jae(out);
   }
   loadBlock(op);
@@ -48,7 +48,7 @@ void RegionCode::CanOpen(const Op& op) {
 
 // Eight bytes at a time, as calls read them again.
 void RegionCode::Open(const Op& op) {
-  const int block = openBlock(op.space);
+  const int block = op.space == icode::Space::Instance ? offset::kDi : offset::kDb;
   const int data = at(offsetof(cpu::DataBlock, data));
   loadBlock(op);
   code_.mov(host::rcx, host::qword_ptr(host::rax, data));

@@ -130,10 +130,10 @@ void RegionCode::CanCall(const Op& op) {
   localLength(code_, host::edx, host::rax);
   code_.mov(host::rcx, machine(offset::kTop));
   code_.add(host::edx, host::dword_ptr(host::rcx, kLocalEnd));
-  code_.cmp(host::edx, unit_.model.localBytes);
+  code_.cmp(host::edx, unit_.model->localBytes);
   code_.ja(out);
   code_.mov(host::rcx, machine(offset::kLevels + offset::kEnd));
-  code_.cmp(host::dword_ptr(host::rcx, kLevelFrames - kLevelSize), unit_.model.nesting);
+  code_.cmp(host::dword_ptr(host::rcx, kLevelFrames - kLevelSize), unit_.model->nesting);
   code_.ja(out);
   code_.cmp(host::byte_ptr(host::rcx, kErrorOb - kLevelSize), 0);  // other depth
   code_.jne(out);

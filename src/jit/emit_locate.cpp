@@ -42,11 +42,11 @@ void RegionCode::Locate(const Op& op) {
 
 void RegionCode::locateIn(Area area, bool write, const host::Gp& to, const asmjit::Label& out) {
   const bool local = area == Area::Local || area == Area::CallerLocal;
-  if (const std::uint32_t length = cpu::imageLength(unit_.model, area); length != 0) {
+  if (const std::uint32_t length = cpu::imageLength(*unit_.model, area); length != 0) {
     code_.cmp(host::ecx, length);
     code_.ja(out);
-    code_.lea(to,
-              host::ptr(kImage, host::rdx, 0, static_cast<int>(cpu::imageBase(unit_.model, area))));
+    code_.lea(
+        to, host::ptr(kImage, host::rdx, 0, static_cast<int>(cpu::imageBase(*unit_.model, area))));
   } else if (local) {
     const int frame = area == Area::CallerLocal ? -at(sizeof(cpu::Frame)) : 0;
     code_.mov(host::rax, host::qword_ptr(kMachine, offset::kTop));

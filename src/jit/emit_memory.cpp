@@ -27,8 +27,7 @@ void RegionCode::Base(const Op& op) {
     code_.mov(to, host::qword_ptr(to, offsetof(cpu::Frame, local)));
     return;
   }
-  code_.mov(to, host::qword_ptr(kMachine, openBlock(op.space) +
-                                              static_cast<int>(offsetof(cpu::OpenBlock, data))));
+  code_.mov(to, host::qword_ptr(kMachine, openBlock(op.space).data));
 }
 
 host::Mem RegionCode::place(const Op& op, unsigned bytes) {
@@ -99,15 +98,12 @@ void RegionCode::Limit(const Op& op) {
     code_.mov(to, host::dword_ptr(host::rax, offsetof(cpu::Frame, localLength)));
     return;
   }
-  code_.mov(to, host::dword_ptr(kMachine, openBlock(op.space) +
-                                              static_cast<int>(offsetof(cpu::OpenBlock, length))));
+  code_.mov(to, host::dword_ptr(kMachine, openBlock(op.space).length));
 }
 
 void RegionCode::WriteLimit(const Op& op) {
   if (op.space == Space::Local) return Limit(op);
-  code_.mov(places_.out(),
-            host::dword_ptr(kMachine, openBlock(op.space) +
-                                          static_cast<int>(offsetof(cpu::OpenBlock, writable))));
+  code_.mov(places_.out(), host::dword_ptr(kMachine, openBlock(op.space).writable));
 }
 
 // L DBLG, DILG, DBNO, DINO

@@ -52,30 +52,6 @@ constexpr int kEnd = 8, kCapacity = 16;
 static_assert(sizeof(cpu::DataBlocks) == sizeof(std::vector<cpu::DataBlock>));
 static_assert(sizeof(cpu::OpenBlock) == 24 && sizeof(cpu::Bracket) == 4);
 
-constexpr int offsetOf(icode::Item item) {
-  using cpu::StatusWord;
-  constexpr int kAccu = offset::kRegisters + offsetof(cpu::Registers, accu);
-  constexpr int kOffsets[] = {kAccu,
-                              kAccu + 4,
-                              kAccu + 8,
-                              kAccu + 12,
-                              offset::kRegisters + static_cast<int>(offsetof(cpu::Registers, ar1)),
-                              offset::kRegisters + static_cast<int>(offsetof(cpu::Registers, ar2)),
-                              offset::kStatus + static_cast<int>(offsetof(StatusWord, er)),
-                              offset::kStatus + static_cast<int>(offsetof(StatusWord, rlo)),
-                              offset::kStatus + static_cast<int>(offsetof(StatusWord, sta)),
-                              offset::kStatus + static_cast<int>(offsetof(StatusWord, orBit)),
-                              offset::kStatus + static_cast<int>(offsetof(StatusWord, os)),
-                              offset::kStatus + static_cast<int>(offsetof(StatusWord, ov)),
-                              offset::kStatus + static_cast<int>(offsetof(StatusWord, cc0)),
-                              offset::kStatus + static_cast<int>(offsetof(StatusWord, cc1)),
-                              offset::kStatus + static_cast<int>(offsetof(StatusWord, br))};
-  return kOffsets[static_cast<std::size_t>(item)];
-}
 #pragma GCC diagnostic pop
-
-inline int openBlock(icode::Space space) {
-  return space == icode::Space::Instance ? offset::kDi : offset::kDb;
-}
 
 }  // namespace merker::jit

@@ -26,10 +26,22 @@ bool CodeMemory::makeExecutable() {
   return asmjit::VirtMem::protect(data_, size_, MemoryFlags::kAccessRX) == asmjit::kErrorOk;
 }
 
+namespace {
+
+using Enter = const void* (*)(void* state, const void* entry, const void* timers,
+                              const void* counters);
+
+Enter entrance(const void* code) {
+  return reinterpret_cast<Enter>(reinterpret_cast<std::uintptr_t>(code));
+}
+
+}  // namespace
+
 const void* NativeCode::run(cpu::Machine& m, std::size_t instruction) const {
-  using Enter = const void* (*)(cpu::Machine*, const void*, const void*, const void*);
-  const auto enter = reinterpret_cast<Enter>(reinterpret_cast<std::uintptr_t>(at(enter_)));
-  return enter(&m, entries_[instruction], m.timers.data(), m.counters.data());
+  return entrance(at(enter_))(&m, entries_[instruction], m.timers.data(), m.counters.data());
+}
+const void* NativeCode::run(void* state, std::size_t instruction) const {
+  return entrance(at(enter_))(state, entries_[instruction], nullptr, nullptr);
 }
 
 bool available() { return true; }

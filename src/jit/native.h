@@ -1,6 +1,7 @@
 // Compiled code of one block.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -21,6 +22,18 @@ struct Instructions {
   std::size_t stride = 0;
   const std::uint32_t* parameters = nullptr;  // of its calls, one list behind the other
 };
+
+// Where compiled code finds things in the state that it is given; bytes from its beginning.
+struct Layout {
+  struct Open {
+    int data = 0, length = 0, writable = 0;  // where its bytes begin, how many
+  };
+  int clock = 0, horizon = 0, image = 0, instructions = 0;
+  std::array<int, icode::kItems> items{};
+  std::array<std::uint32_t, 3> images{};  // inputs, outputs, flags: bytes behind `image`
+  Open data, instance;
+};
+Layout layoutOf(const CpuModel& model);  // of cpu::Machine
 
 struct Options {
   // For tests of the tests: the code of this operation gives a wrong result, or is missing if it
@@ -57,6 +70,8 @@ class NativeCode {
   // done next. That is the same one if the horizon is too near or the region needs what is not
   // there. Clock and count of instructions are exact.
   const void* run(cpu::Machine& m, std::size_t instruction) const;
+  // The same on a state of another layout.
+  const void* run(void* state, std::size_t instruction) const;
   std::size_t size() const { return size_; }  // bytes of machine code
 
  private:
@@ -74,5 +89,10 @@ bool available();
 std::unique_ptr<NativeCode> compile(std::span<const icode::Region> regions,
                                     std::size_t instructions, const Instructions& answers,
                                     const CpuModel& model, const Options& options = {});
+// For a state that is no cpu::Machine: registers, status bits, images and data blocks as `layout`
+// says; regions with operations on more than that are not for it.
+std::unique_ptr<NativeCode> compile(std::span<const icode::Region> regions,
+                                    std::size_t instructions, const Instructions& answers,
+                                    const Layout& layout, const Options& options = {});
 
 }  // namespace merker::jit

@@ -10,10 +10,15 @@ CodeMemory& CodeMemory::operator=(CodeMemory&&) noexcept = default;
 bool CodeMemory::makeExecutable() { return false; }
 
 const void* NativeCode::run(cpu::Machine&, std::size_t) const { return nullptr; }
+const void* NativeCode::run(void*, std::size_t) const { return nullptr; }
 
 bool available() { return false; }
 std::unique_ptr<NativeCode> compile(std::span<const icode::Region>, std::size_t,
                                     const Instructions&, const CpuModel&, const Options&) {
+  return nullptr;
+}
+std::unique_ptr<NativeCode> compile(std::span<const icode::Region>, std::size_t,
+                                    const Instructions&, const Layout&, const Options&) {
   return nullptr;
 }
 

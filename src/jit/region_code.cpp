@@ -1,7 +1,5 @@
 #include "jit/region_code.h"
 
-#include "cpu/areas.h"
-
 namespace merker::jit {
 
 using host::CondCode;
@@ -85,16 +83,14 @@ void RegionCode::need(const host::Mem& limit, std::uint32_t bytes) {
 void RegionCode::entry() {
   code_.bind(unit_.regions[region_.first]);
   code_.lea(host::rax, host::ptr(kClock, static_cast<int>(region_.ahead)));
-  code_.cmp(host::rax, host::qword_ptr(kMachine, offset::kHorizon));
+  code_.cmp(host::rax, host::qword_ptr(kMachine, unit_.layout.horizon));
   code_.jge(tooNear_);
   const icode::Needs& needs = region_.needs;
-  const auto field = [](int block, std::size_t at) {
-    return host::dword_ptr(kMachine, block + static_cast<int>(at));
-  };
-  need(field(offset::kDb, offsetof(cpu::OpenBlock, length)), needs.dataRead);
-  need(field(offset::kDb, offsetof(cpu::OpenBlock, writable)), needs.dataWritten);
-  need(field(offset::kDi, offsetof(cpu::OpenBlock, length)), needs.instanceRead);
-  need(field(offset::kDi, offsetof(cpu::OpenBlock, writable)), needs.instanceWritten);
+  const auto field = [](int at) { return host::dword_ptr(kMachine, at); };
+  need(field(unit_.layout.data.length), needs.dataRead);
+  need(field(unit_.layout.data.writable), needs.dataWritten);
+  need(field(unit_.layout.instance.length), needs.instanceRead);
+  need(field(unit_.layout.instance.writable), needs.instanceWritten);
   if (needs.local != 0 || needs.parameters != 0) {
     code_.mov(host::rax, host::qword_ptr(kMachine, offset::kTop));
     need(host::dword_ptr(host::rax, offsetof(cpu::Frame, localLength)), needs.local);
@@ -109,13 +105,6 @@ void RegionCode::entry() {
     code_.cmp(host::rax, host::qword_ptr(kMachine, offset::kBrackets + 8));
     code_.jne(tooNear_);
   }
-}
-
-std::uint32_t RegionCode::imageOffset(icode::Space space) const {
-  const Area area = space == icode::Space::Input    ? Area::Input
-                    : space == icode::Space::Output ? Area::Output
-                                                    : Area::Flag;
-  return cpu::imageBase(unit_.model, area);
 }
 
 }  // namespace merker::jit

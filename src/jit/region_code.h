@@ -15,7 +15,8 @@ namespace merker::jit {
 // What the regions of a block share.
 struct Unit {
   host::Assembler& code;
-  const CpuModel& model;
+  const Layout& layout;
+  const CpuModel* model;  // null: the state is no cpu::Machine
   const Options& options;
   const Instructions& answers;
   asmjit::Label epilogue;                // with the instruction to go on with in eax
@@ -89,7 +90,15 @@ class RegionCode {
   std::vector<Spot> spotsOfBytes(const icode::Exit& exit) const;
   bool isClean(icode::Value bit) const { return clean_[bit]; }
   void noteClean(icode::Value value);
-  std::uint32_t imageOffset(icode::Space space) const;
+  std::uint32_t imageOffset(icode::Space space) const {
+    return unit_.layout.images[static_cast<std::size_t>(space)];
+  }
+  int offsetOf(icode::Item item) const {
+    return unit_.layout.items[static_cast<std::size_t>(item)];
+  }
+  const Layout::Open& openBlock(icode::Space space) const {
+    return space == icode::Space::Instance ? unit_.layout.instance : unit_.layout.data;
+  }
 
   Unit& unit_;
   host::Assembler& code_;

@@ -67,6 +67,7 @@ bool BlockMemory::append(BlockId id, std::uint32_t library, std::span<const std:
   entry(id) = {true, used + kHeaderWords, static_cast<std::uint32_t>(words.size())};
   used += static_cast<std::uint32_t>(length);
   ++version_;
+  if (!isData) codeChanged();
   return true;
 }
 
@@ -111,9 +112,15 @@ void BlockMemory::restore(std::span<const std::uint16_t> program,
   buildLists();
 }
 
+void BlockMemory::patch(std::uint32_t word, std::uint16_t value) {
+  patched_ = patched_ || program_[word] != value;
+  program_[word] = value;
+}
+
 std::optional<BlockMemory::Damage> BlockMemory::buildLists() {
   for (auto& list : lists_) std::fill(list.begin(), list.end(), Entry{});
   ++version_;
+  codeChanged();
   if (auto damage = scan(kProgramSegment, program_, programUsed_)) return damage;
   return scan(kDataSegment, data_, dataUsed_);
 }

@@ -57,6 +57,10 @@ class BlockMemory {
   std::uint32_t dataUsed() const { return dataUsed_; }
   // Changes with each block that comes or goes: caches of decoded code look at it.
   std::uint64_t version() const { return version_; }
+  std::uint64_t codeVersion() const { return codeVersion_; }  // of segment 5 only
+  // A program writes into segment 5. Patched until blocks come, go or are listed again.
+  void patch(std::uint32_t word, std::uint16_t value);
+  bool patched() const { return patched_; }
 
   std::span<const Entry> list(mc5::BlockType type) const;
 
@@ -71,7 +75,13 @@ class BlockMemory {
   std::vector<std::uint16_t> program_, data_;
   std::uint32_t programUsed_ = 0, dataUsed_ = 0;
   std::array<std::vector<Entry>, 5> lists_;  // by BlockType
-  std::uint64_t version_ = 0;
+  void codeChanged() {
+    ++codeVersion_;
+    patched_ = false;
+  }
+
+  std::uint64_t version_ = 0, codeVersion_ = 0;
+  bool patched_ = false;
 };
 
 }  // namespace merker::sinumerik

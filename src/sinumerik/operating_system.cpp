@@ -55,7 +55,7 @@ OperatingSystem::OperatingSystem(const Options& options)
 void OperatingSystem::step(Instant limit) {
   if (macrosAreDue()) return serveMacros();
   if (mode_ == Mode::Run) return runStep(limit);
-  if (mode_ == Mode::Startup) return execute();
+  if (mode_ == Mode::Startup) return execute(limit);
   machine_.clock = std::max(machine_.clock, limit);
 }
 
@@ -83,7 +83,7 @@ void OperatingSystem::runStep(Instant limit) {
     times_.third = {};
     return schedule_.thirdBegun();
   }
-  if (executable()) return execute();
+  if (executable()) return execute(limit);
   if (betweenCycles() && requested_) return beginCycle();
   const Instant overdue = watchdog_ + Duration{1};
   const Instant job = options_.macros != nullptr ? options_.macros->next() : Instant::never();
@@ -98,10 +98,14 @@ bool OperatingSystem::alarmLevelRuns() const {
 bool OperatingSystem::executable() const {
   if (machine_.levels.empty()) return false;
   if (alarmLevelRuns() || !active_.bit(data_bit::kChopping)) return true;
-  return times_.third.ns < schedule_.raster().call.ns / 3 * active_.word(1) / 100;
+  return times_.third < shareOfThird();
+}
+Duration OperatingSystem::shareOfThird() const {
+  return {schedule_.raster().call.ns / 3 * active_.word(1) / 100};
 }
 
-void OperatingSystem::execute() {
+void OperatingSystem::execute(Instant limit) {
+  if (runCompiled(limit)) return;
   const std::uint8_t ob = machine_.level().ob;
   const Instant before = machine_.clock;
   const bool stpBefore = processor_.stpSeen();

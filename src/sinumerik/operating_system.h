@@ -9,6 +9,7 @@
 
 #include "sinumerik/alarm_input.h"
 #include "sinumerik/alarm_list.h"
+#include "sinumerik/engine.h"
 #include "sinumerik/forces.h"
 #include "sinumerik/interrupt_stack.h"
 #include "sinumerik/options.h"
@@ -107,10 +108,14 @@ class OperatingSystem {
   bool macrosAreDue() const;
   void serveMacros();
   void runStep(Instant limit);
-  void execute();
+  void execute(Instant limit);
   void judgeRunTime(std::uint8_t ob);
   void levelEnded(std::uint8_t ob);
   bool executable() const;
+  Duration shareOfThird() const;
+  // compiled.cpp
+  Instant horizon(Instant limit) const;
+  bool runCompiled(Instant limit);
   bool alarmLevelRuns() const;
   bool stops(Reaction reaction) const;
   void noteStop(const Trap& trap);
@@ -146,6 +151,7 @@ class OperatingSystem {
   std::vector<bool> conditions_;  // of the surroundings, as last seen
   Instant cycleStart_, watchdog_ = Instant::never();
   std::uint64_t cycles_ = 0, checkpoints_ = 0;
+  std::uint64_t compiledVersion_ = ~std::uint64_t{0};  // of the code that the engine has
 
   FineCode fineCode_;
   StopPicture picture_;

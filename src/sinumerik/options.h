@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "mc5/block.h"
+#include "sinumerik/engine.h"
 #include "sinumerik/machine_data.h"
 #include "sinumerik/processor.h"
 #include "sinumerik/raster.h"
@@ -40,6 +41,7 @@ struct Options {
   Surroundings surroundings{};
   bool coverage = false;     // count how often each instruction runs
   Macros* macros = nullptr;  // resident function macros; must outlive the PLC
+  Engine* engine = nullptr;  // machine code of this computer; must outlive the PLC
 };
 
 }  // namespace merker::sinumerik

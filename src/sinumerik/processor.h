@@ -70,6 +70,7 @@ class Processor {
   bool stpSeen() const { return stp_; }  // STP: the cycle is finished first (OP-38)
   void clearStp() { stp_ = false; }
   std::uint64_t instructions() const { return instructions_; }
+  void count(std::uint64_t instructions) { instructions_ += instructions; }  // done elsewhere
   // Word of the instruction that ran last; behind B the one that was processed.
   std::uint32_t lastWord() const { return run_.current; }
   const Level& endedLevel() const { return ended_; }  // after LevelEnded: as its BE left it

@@ -67,6 +67,13 @@ void Recorder::attachTo(const mc5::Block& block, const BlockMemory& blocks) {
       byWord_.emplace(entry.start + instructionOf(block.words, records_[i].check->offset), i);
 }
 
+std::vector<bool> Recorder::watched(const BlockMemory& blocks) {
+  if (version_ != blocks.version()) attach(blocks);
+  std::vector<bool> words(blocks.program().size());
+  for (const auto& [word, record] : byWord_) words[word] = true;
+  return words;
+}
+
 void Recorder::beforeStep(const Machine& m) {
   if (version_ != m.blocks.version()) attach(m.blocks);
   const Level& level = m.levels.back();

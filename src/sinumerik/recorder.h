@@ -25,6 +25,8 @@ class Recorder {
   bool active() const { return coverage_ || !records_.empty(); }
   void beforeStep(const Machine& machine);
   void afterStep(Processor& processor, Outcome outcome);
+  // Instructions with checks, by word of segment 5.
+  std::vector<bool> watched(const BlockMemory& blocks);
   void forgetCalls() { calls_.clear(); }  // the levels are gone
 
   std::vector<CheckResult> results() const;

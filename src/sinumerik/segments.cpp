@@ -95,9 +95,15 @@ std::optional<std::uint8_t> readByte(const Machine& m, std::uint32_t segment,
 bool writeByte(Machine& m, std::uint32_t segment, std::uint32_t offset, std::uint8_t value) {
   if (segment == 1) return writeSystemByte(m, offset, value);
   if (segment != kProgram && segment != kData) return true;
-  auto& memory = segment == kProgram ? m.blocks.program() : m.blocks.data();
-  if (offset / 2 >= memory.size()) return false;
-  memory[offset / 2] = withByte(memory[offset / 2], offset, value);
+  const bool code = segment == kProgram;
+  auto& memory = code ? m.blocks.program() : m.blocks.data();
+  const std::uint32_t word = offset / 2;
+  if (word >= memory.size()) return false;
+  const std::uint16_t changed = withByte(memory[word], offset, value);
+  if (code)
+    m.blocks.patch(word, changed);
+  else
+    memory[word] = changed;
   return true;
 }
 

@@ -108,6 +108,7 @@ void OperatingSystem::takeMachineData() {
   environment_.timeBases = raster.timeBases;
   environment_.systemCommands = active_.systemCommands();
   environment_.lastTimer = active_.word(6);
+  compiledVersion_ = ~std::uint64_t{0};
   times_ = {};
 }
 

@@ -137,7 +137,14 @@ class Step5(Case):
         self.write("a.awl", PROGRAM)
         self.assertIn("P0711", self.expect(PROBLEMS, "check", "a.awl", "--cpu", "SINUMERIK 810 GA3").err)
         self.assertIn("SIMATIC S7", self.expect(USAGE, "xref", "a.s5").err)
-        self.assertIn("interpreter", self.expect(USAGE, "run", "a.s5", "--for", "1s", "--engine", "jit").err)
+
+    def test_both_engines_give_the_same(self):
+        for engine in ("interpreter", "jit"):
+            self.expect(GOOD, "run", "a.s5", "--for", "1s", "--set", "E 0.0 = 1", "--engine", engine,
+                        "--watch", "A 0.0, MW 102", "--trace", f"{engine}.csv")
+        self.assertEqual(self.read("interpreter.csv"), self.read("jit.csv"))
+        for example in ("09-basic-operations", "tool-changer"):
+            self.expect(GOOD, "test", str(ROOT / "examples/step5" / example), "--engine", "jit")
 
     def test_scenarios(self):
         self.write("a.scn", "scenario \"follows\"\n  set E 0.0 = 1\n  wait 2 cycles\n  expect A 0.0 = 1\n"

@@ -1,0 +1,57 @@
+// Machine instructions to intermediate code: one function per operation, by table.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "icode/builder.h"
+#include "translate5/translate.h"
+
+namespace merker::translate5 {
+
+// What U( and O( save until ).
+struct Bracket {
+  icode::Value vke, orBit;
+  bool isOr;
+};
+
+// The instruction that is being translated, and what a function may use for it.
+struct Lowering {
+  icode::Builder& to;
+  icode::Needs& needs;
+  const Target& target;
+  const mc5::Decoded& decoded;
+  std::uint32_t place, length;  // words: of the instruction, of the block
+  std::vector<Bracket>& brackets;
+  bool ended = false;  // the way on leads elsewhere: nothing may follow in this region
+
+  const mc5::Operand& operand() const { return decoded.instruction.operand; }
+  mc5::Times times() const { return mc5::times(*decoded.encoding, target.variant); }
+  bool mayLeave() const { return brackets.empty(); }  // inside brackets there is no way out
+};
+
+// False: not translated; the builder has not been touched.
+using Lower = bool (*)(Lowering&);
+struct Row {
+  mc5::Operation operation;
+  Lower lower;
+};
+
+std::span<const Row> bitRows();
+std::span<const Row> moveRows();
+std::span<const Row> numberRows();
+std::span<const Row> jumpRows();
+
+// Operands in memory, nothing if this one is not translated. A place is the byte with the bit.
+struct BytePlace {
+  icode::Space space;
+  std::uint32_t byte;
+  std::uint32_t bit;
+};
+std::optional<BytePlace> bitPlace(Lowering& l, bool write);
+std::optional<icode::Value> readBit(Lowering& l);
+std::optional<icode::Value> readOperand(Lowering& l);
+bool writeOperand(Lowering& l, icode::Value value);
+
+}  // namespace merker::translate5

@@ -1,0 +1,28 @@
+// The machine code of a STEP 5 block as regions of intermediate code.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "icode/region.h"
+#include "mc5/instruction.h"
+
+namespace merker::translate5 {
+
+// The processor that the code is for.
+struct Target {
+  mc5::Variant variant = mc5::Variant::Acop;
+  std::uint32_t lastTimer = 15;
+  // Words of timers and counters, the low byte first, in Space::Instance: timer n at
+  // n * timerBytes, counter n at counters + n * counterBytes.
+  std::uint32_t timerBytes = 2, counters = 0, counterBytes = 2;
+};
+
+// Data words are in Space::Data, their low byte first. Registers: VKE is Rlo, ERAB is Er, ANZ1 and
+// ANZ0 are Cc1 and Cc0. Instructions are numbered by their word in the block. `apart`: by word,
+// those that stay with the processor; empty: none.
+std::vector<icode::Region> translate(std::span<const std::uint16_t> code, const Target& target,
+                                     const std::vector<bool>& apart = {});
+
+}  // namespace merker::translate5

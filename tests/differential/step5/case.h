@@ -1,0 +1,35 @@
+// A STEP 5 program and everything that happens to it, for both engines.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "icode/region.h"
+#include "mc5/block.h"
+#include "mc5/instruction.h"
+
+namespace merker::differential5 {
+
+struct Case {
+  std::uint32_t seed = 0;  // of machine data, memory, terminals and the instants of comparison
+  mc5::Program program;
+};
+
+// A random program of all kinds of instructions.
+Case randomCase(std::uint32_t seed);
+// One row of encodings.inc with random operands, between random loads and a look at what it left.
+Case rowCase(std::size_t row, std::uint32_t seed);
+// TIR writes another instruction into the code behind it.
+Case writingCase(std::uint32_t seed);
+std::string listing(const Case& c);
+
+struct Outcome {
+  std::string difference;  // at the first stop where something differs; empty if nothing does
+  std::uint64_t instructions = 0, compiled = 0;
+};
+// Runs the case on two PLCs, one for each engine, which stop a dozen times to be compared.
+// `broken`: this emitter gives wrong code.
+Outcome run(const Case& c, std::optional<icode::Opcode> broken = {});
+
+}  // namespace merker::differential5

@@ -1,0 +1,140 @@
+#include <fmt/format.h>
+
+#include <random>
+
+#include "case.h"
+#include "cnc/compiled_code.h"
+#include "sinumerik/plc.h"
+
+namespace merker::differential5 {
+namespace {
+
+using sinumerik::Machine;
+using sinumerik::Plc;
+
+constexpr int kStops = 12;
+constexpr unsigned kTerminals = 8;  // bytes of inputs that change
+
+sinumerik::Options optionsOf(const Case& c, std::mt19937& random) {
+  sinumerik::Options options;
+  options.program = c.program;
+  if (random() % 4 == 0) options.variant = mc5::Variant::Cop;
+  options.machineData =
+      sinumerik::MachineData::standard(c.program.contains({mc5::BlockType::Ob, 2}));
+  if (random() % 8 == 0) options.machineData->setBit(sinumerik::data_bit::kChopping, true);
+  const bool system = random() % 2 == 0;  // LIR, TIR, TNB, TNW, whichever bit allows them
+  for (const unsigned bit : {4u, 5u}) options.machineData->setBit({2003, bit}, system);
+  return options;
+}
+
+// Everything in the order in which it is compared, as lines of text.
+class Picture {
+ public:
+  explicit Picture(const Plc& plc) {
+    const auto& os = plc.operatingSystem();
+    add("clock", plc.now().ns);
+    add("instructions", plc.instructions());
+    add("cycles", plc.cycles());
+    add("mode", static_cast<int>(plc.mode()));
+    lines_.push_back("reason " + plc.stopReason());
+    const sinumerik::RunTimes& times = os.runTimes();
+    for (const Duration time : {times.cycle.cyclic, times.cycle.alarm, times.alarmWindow,
+                                times.third, times.raster, times.lastRaster})
+      add("run time", time.ns);
+    for (const auto word : os.fineCode().words) add("fine code", word);
+    for (const auto& entry : plc.diagnostics())
+      lines_.push_back(std::to_string(entry.time.ns) + ' ' + entry.text);
+    machine(plc.machine());
+  }
+
+  std::string difference(const Picture& other) const {
+    for (std::size_t i = 0; i < std::min(lines_.size(), other.lines_.size()); ++i)
+      if (lines_[i] != other.lines_[i])
+        return fmt::format("{}: '{}', compiled '{}'\n", i, lines_[i], other.lines_[i]);
+    return lines_.size() == other.lines_.size() ? "" : "one has more to show\n";
+  }
+
+ private:
+  template <typename Number>
+  void add(std::string_view what, Number number) {
+    lines_.push_back(fmt::format("{} {}", what, number));
+  }
+  template <typename Numbers>
+  void all(std::string_view what, const Numbers& numbers) {
+    std::string text(what);
+    for (const auto number : numbers) text += fmt::format(" {:02X}", number);
+    lines_.push_back(text);
+  }
+
+  void level(const sinumerik::Level& l) {
+    add("OB", l.ob);
+    for (const sinumerik::Frame& f : l.frames)
+      lines_.push_back(fmt::format("block {} {} at {} next {} list {} DB {} {} {} {}",
+                                   static_cast<int>(f.block.type), f.block.number, f.start, f.next,
+                                   f.parameters, f.data.open, f.data.number, f.data.start,
+                                   f.data.length));
+    const sinumerik::Registers& r = l.registers;
+    lines_.push_back(
+        fmt::format("akku {:08X} {:08X} displays {:08b}", r.akku1, r.akku2, r.displays.byte()));
+    for (const sinumerik::Bracket& b : r.brackets)
+      lines_.push_back(fmt::format("bracket {} {} {}", b.vke, b.orBit, b.isOr));
+  }
+
+  void machine(const Machine& m) {
+    for (const sinumerik::Level& one : m.levels) level(one);
+    all("inputs", m.inputs);
+    all("outputs", m.outputs);
+    all("flags", m.flags);
+    all("terminals", m.periphery.outputs);
+    for (const auto& timer : m.timers) add("timer", timer.word());
+    for (const auto& counter : m.counters) add("counter", counter.word());
+    const auto& data = m.blocks.data();
+    all("data", std::span(data).first(std::min<std::size_t>(data.size(), 400)));
+    all("code", std::span(m.blocks.program()).first(m.blocks.programUsed()));
+  }
+
+  std::vector<std::string> lines_;
+};
+
+// Mostly a little behind the next sampling, where cycles and alarm levels begin.
+Instant nextStop(const Plc& plc, std::mt19937& random) {
+  const auto within = Duration{static_cast<std::int64_t>(random() % 300'000)};
+  if (random() % 4 == 0) return plc.now() + within;
+  if (random() % 4 == 0) return plc.now() + Duration::milliseconds(random() % 30) + within;
+  return std::max(plc.now(), plc.operatingSystem().schedule().nextSample()) + within;
+}
+
+}  // namespace
+
+Outcome run(const Case& c, std::optional<icode::Opcode> broken) {
+  std::mt19937 random(c.seed);
+  sinumerik::Options options = optionsOf(c, random);
+  Plc reference(options);
+  cnc::CompiledCode engine({.jit = {.broken = broken}, .shortestEntry = 1});
+  options.engine = &engine;
+  engine.on = true;
+  Plc compiled(options);
+  for (Plc* plc : {&reference, &compiled}) plc->coldStart();
+  Outcome outcome;
+  for (int stop = 0; stop < kStops && outcome.difference.empty(); ++stop) {
+    const Instant until = nextStop(reference, random);
+    for (Plc* plc : {&reference, &compiled}) plc->advanceTo(until);
+    outcome.difference = Picture(reference).difference(Picture(compiled));
+    if (reference.mode() == sinumerik::Mode::Stop) break;
+    for (int i = 0; i < 3; ++i) {
+      const std::uint32_t byte = random() % kTerminals, value = random() & 0xFF;
+      const mc5::Variable input{{.kind = mc5::OperandKind::Memory,
+                                 .area = mc5::Area::Input,
+                                 .width = mc5::Width::Byte,
+                                 .value = byte},
+                                0};
+      for (Plc* plc : {&reference, &compiled}) plc->write(input, value);
+    }
+    engine.on = random() % 8 != 0;
+  }
+  outcome.instructions = reference.instructions();
+  outcome.compiled = engine.instructions();
+  return outcome;
+}
+
+}  // namespace merker::differential5

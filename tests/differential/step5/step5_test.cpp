@@ -1,0 +1,112 @@
+// STEP 5: the processor against compiled code. Every row of the instruction tables, random programs
+// with alarm levels, and the proof that a broken emitter is found.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <iostream>
+#include <sstream>
+
+#include "case.h"
+#include "jit/native.h"
+#include "mc5/encoding.h"
+
+namespace merker::differential5 {
+namespace {
+
+using icode::Opcode;
+
+constexpr std::uint32_t kPerRow = 20, kPrograms = 6'000, kSearched = 1'000;
+
+struct Seeds {
+  std::uint32_t first = 1, count = kPrograms;
+};
+// MERKER_DIFFERENTIAL=<first seed>:<count> runs other random programs.
+Seeds seeds() {
+  Seeds s;
+  char colon = 0;
+  if (const char* text = std::getenv("MERKER_DIFFERENTIAL"))
+    std::istringstream(text) >> s.first >> colon >> s.count;
+  return s;
+}
+
+class Step5Differential : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!jit::available()) GTEST_SKIP() << "no compiler for this processor";
+  }
+};
+
+TEST_F(Step5Differential, EveryRow) {
+  int found = 0;
+  for (std::size_t row = 0; row < mc5::encodings().size(); ++row)
+    for (std::uint32_t i = 0; i < kPerRow; ++i) {
+      const Case c = rowCase(row, static_cast<std::uint32_t>(row) * 1000 + i);
+      const Outcome outcome = run(c);
+      if (outcome.difference.empty()) continue;
+      ADD_FAILURE() << mc5::encodings()[row].pattern << '\n' << outcome.difference << listing(c);
+      if (++found == 3) return;
+      break;
+    }
+}
+
+// S5-SYS-02: what was written is executed, not what was compiled.
+TEST_F(Step5Differential, CodeThatWritesCode) {
+  for (std::uint32_t seed = 1; seed <= 30; ++seed)
+    EXPECT_EQ(run(writingCase(seed)).difference, "") << seed;
+}
+
+TEST_F(Step5Differential, RandomPrograms) {
+  const Seeds s = seeds();
+  std::uint64_t instructions = 0, compiled = 0;
+  for (std::uint32_t i = 0; i < s.count; ++i) {
+    const Case c = randomCase(s.first + i);
+    const Outcome outcome = run(c);
+    instructions += outcome.instructions;
+    compiled += outcome.compiled;
+    ASSERT_EQ(outcome.difference, "") << "seed " << c.seed << '\n' << listing(c);
+  }
+  std::cout << compiled << " of " << instructions << " instructions ran compiled\n";
+  EXPECT_GT(compiled * 5, instructions);
+}
+
+// What compiled STEP 5 uses of the intermediate code; but for SwapBytes, of which the lowest bit,
+// the one that is broken, is cut off.
+constexpr Opcode kUsed[] = {
+    Opcode::Get,       Opcode::Base,       Opcode::Load8,   Opcode::Load16,   Opcode::Load32,
+    Opcode::Store8,    Opcode::Store16,    Opcode::Store32, Opcode::BitOf,    Opcode::Insert,
+    Opcode::SetWhere,  Opcode::ClearWhere, Opcode::AndBit,  Opcode::OrBit,    Opcode::XorBit,
+    Opcode::NotBit,    Opcode::ToWord,     Opcode::Equal,   Opcode::NotEqual, Opcode::Less,
+    Opcode::LessEqual, Opcode::Below,      Opcode::Add,     Opcode::Sub,      Opcode::Mul,
+    Opcode::And,       Opcode::Or,         Opcode::Xor,     Opcode::Div,      Opcode::Mod,
+    Opcode::Neg,       Opcode::Not,        Opcode::Shl,     Opcode::Shr,      Opcode::Sar,
+    Opcode::Sext16,    Opcode::Zext16,     Opcode::Zext8,   Opcode::LowFrom,  Opcode::ByteFrom,
+    Opcode::Guard,     Opcode::BranchIf,   Opcode::Leave};
+constexpr int kNothingFound = 0, kFound = 1;
+
+[[noreturn]] void search(Opcode broken) {
+  for (std::uint32_t i = 0; i < kPerRow; ++i)
+    for (std::size_t row = 0; row < mc5::encodings().size(); ++row)
+      if (!run(rowCase(row, i), broken).difference.empty()) _exit(kFound);
+  for (std::uint32_t seed = 1; seed <= kSearched; ++seed)
+    if (!run(randomCase(seed), broken).difference.empty()) _exit(kFound);
+  _exit(kNothingFound);
+}
+
+bool foundOrKilled(int status) {
+  return WIFSIGNALED(status) || (WIFEXITED(status) && WEXITSTATUS(status) == kFound);
+}
+
+class Step5Emitter : public testing::TestWithParam<Opcode> {};
+
+TEST_P(Step5Emitter, IsFoundIfBroken) {
+  if (!jit::available()) GTEST_SKIP() << "no compiler for this processor";
+  EXPECT_EXIT(search(GetParam()), foundOrKilled, "") << icode::info(GetParam()).text;
+}
+
+INSTANTIATE_TEST_SUITE_P(Mutation, Step5Emitter, testing::ValuesIn(kUsed), [](const auto& test) {
+  return std::string(icode::info(test.param).text);
+});
+
+}  // namespace
+}  // namespace merker::differential5
