@@ -2,10 +2,12 @@
 // only.
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <functional>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "build.h"
+#include "cnc/cnc.h"
 #include "command.h"
 #include "cpu_option.h"
 #include "engine_option.h"
@@ -30,20 +32,30 @@ double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+// OB 1 once, at most for this virtual time.
+std::function<bool(Duration)> ob1Of(controller::Controller& plc) {
+  if (auto* control = dynamic_cast<cnc::Cnc*>(&plc))
+    return [control](Duration most) { return control->plc().runOb1(most); };
+  return [&station = dynamic_cast<station::Station&>(plc)](Duration most) {
+    return station.runOb1(most);
+  };
+}
+
 // Looks at the clock once per portion only: the look must not cost more than a short OB 1.
-void measure(station::Station& station, double seconds, Measurement& result) {
+void measure(controller::Controller& plc, double seconds, Measurement& result) {
   constexpr int kPortion = 64;
   // A program that does not end its OB 1 comes back after this virtual time, too.
   constexpr Duration kLongest = Duration::milliseconds(1);
-  const std::uint64_t before = station.instructions();
+  const auto runOb1 = ob1Of(plc);
+  const std::uint64_t before = plc.instructions();
   const auto start = Clock::now();
   std::uint64_t cycles = 0;
   double elapsed = 0;
   do {
-    for (int i = 0; i < kPortion; ++i) cycles += station.runOb1(kLongest) ? 1 : 0;
+    for (int i = 0; i < kPortion; ++i) cycles += runOb1(kLongest) ? 1 : 0;
     elapsed = secondsSince(start);
-  } while (elapsed < seconds && station.mode() == station::Mode::Run);
-  result.instructionsPerSecond = static_cast<double>(station.instructions() - before) / elapsed;
+  } while (elapsed < seconds && plc.mode() == controller::Mode::Run);
+  result.instructionsPerSecond = static_cast<double>(plc.instructions() - before) / elapsed;
   result.cyclesPerSecond = static_cast<double>(cycles) / elapsed;
 }
 
@@ -60,6 +72,43 @@ void show(const Measurement& m, bool json) {
             << "translation_seconds     " << m.translationSeconds << '\n';
 }
 
+// Machine code where it is wanted, and how long making it took. A SINUMERIK makes it before its
+// first instruction; here at once.
+std::optional<std::string> translate(const std::string& engine, controller::Controller& plc,
+                                     Measurement& result) {
+  const auto start = Clock::now();
+  auto problem = useEngine(engine, plc);
+  if (auto* control = dynamic_cast<cnc::Cnc*>(&plc); control != nullptr && engine == "jit")
+    control->plc().translate();
+  result.translationSeconds = secondsSince(start);
+  return problem;
+}
+
+int stopped(const std::string& why) {
+  std::cerr << "merker bench: " << why << '\n';
+  return kFault;
+}
+
+int bench(const Options& options, controller::Controller& plc, double seconds) {
+  Measurement result;
+  if (const auto problem = translate(options.engine, plc, result)) {
+    std::cerr << "merker bench: " << *problem << '\n';
+    return kUsage;
+  }
+  if (const std::string reason = simulator::startFresh(plc); !reason.empty())
+    return stopped(reason);
+  measure(plc, seconds, result);
+  show(result, options.json);
+  if (result.cyclesPerSecond == 0 && !plc.stoppedByFault())
+    std::cerr << "merker bench: OB 1 has not ended once in this time\n";
+  return plc.stoppedByFault() ? stopped("the CPU went to STOP: " + plc.stopReason()) : kGood;
+}
+
+// A control works without OB 1, too; there is nothing to measure then.
+bool lacksOb1(const Build& built) {
+  return built.isListing() && !built.listings.contains({mc5::BlockType::Ob, 1});
+}
+
 int bench(const Options& options) {
   const auto time = simulator::parseDuration(options.time);
   if (!time) {
@@ -67,30 +116,15 @@ int bench(const Options& options) {
     return kUsage;
   }
   Build built = build(project::load(options.path, options.cpu), false);
-  if (built.isListing() && built.ok()) return refuseListing("bench");
   requireOb1(built);
   requireWorkMemory(built);
   if (!built.ok()) return report(built, options.json);
   printProblems(built.problems, built.files());
-  Measurement result;
-  const auto start = Clock::now();
-  station::Station station = built.station();
-  if (const auto problem = useEngine(options.engine, station)) {
-    std::cerr << "merker bench: " << *problem << '\n';
-    return kUsage;
+  if (lacksOb1(built)) {
+    std::cerr << "merker bench: " << options.path << ": the program has no OB 1 to measure\n";
+    return kProblems;
   }
-  result.translationSeconds = secondsSince(start);
-  const std::string reason = simulator::startFresh(station);
-  if (reason.empty()) {
-    measure(station, static_cast<double>(time->ns) / 1e9, result);
-    show(result, options.json);
-    if (result.cyclesPerSecond == 0 && !station.stoppedByFault())
-      std::cerr << "merker bench: OB 1 has not ended once in this time\n";
-  }
-  if (reason.empty() && !station.stoppedByFault()) return kGood;
-  std::cerr << "merker bench: "
-            << (reason.empty() ? "the CPU went to STOP: " + station.stopReason() : reason) << '\n';
-  return kFault;
+  return bench(options, *built.controller(), static_cast<double>(time->ns) / 1e9);
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ int exitCode(const Build& build) {
 int refuseListing(std::string_view command) {
   std::cerr << "merker " << command
             << ": this command knows SIMATIC S7 programs only; for a SINUMERIK "
-            << "there are check, run, test, list and diag\n";
+            << "there are check, run, test, list, diag and bench\n";
   return kUsage;
 }
 

@@ -21,18 +21,21 @@ Instant OperatingSystem::horizon(Instant limit) const {
   return std::min(limit, machine_.clock + (shareOfThird() - times_.third));
 }
 
+void OperatingSystem::translate() {
+  if (options_.engine == nullptr || compiledVersion_ == machine_.blocks.codeVersion()) return;
+  compiledVersion_ = machine_.blocks.codeVersion();
+  options_.engine->compile(machine_, environment_, recorder_.watched(machine_.blocks));
+}
+
 // Code that writes code is the processor's, and so is every instruction that coverage counts.
-bool OperatingSystem::runCompiled(Instant limit) {
+bool OperatingSystem::runCompiled(Instant horizon) {
   Engine* const engine = options_.engine;
   if (engine == nullptr || !engine->on || options_.coverage || machine_.blocks.patched())
     return false;
-  if (compiledVersion_ != machine_.blocks.codeVersion()) {
-    compiledVersion_ = machine_.blocks.codeVersion();
-    engine->compile(machine_, environment_, recorder_.watched(machine_.blocks));
-  }
+  translate();
   const std::uint8_t ob = machine_.level().ob;
   const Instant before = machine_.clock;
-  const std::uint64_t count = engine->run(machine_, horizon(limit));
+  const std::uint64_t count = engine->run(machine_, horizon);
   if (count == 0) return false;
   processor_.count(count);
   if (ob != kStartUpOb) times_.charge(ob == kAlarmOb, machine_.clock - before);

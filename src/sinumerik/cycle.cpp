@@ -73,6 +73,24 @@ void OperatingSystem::endCycle() {
   runChanges();
 }
 
+bool OperatingSystem::runAlone(Instant latest) {
+  if (mode_ != Mode::Run || (machine_.levels.empty() && !processor_.begin(kCyclicOb))) return false;
+  while (mode_ == Mode::Run && !machine_.levels.empty()) {
+    if (machine_.clock >= latest) return false;
+    if (!runCompiled(latest) && processor_.step() == Outcome::Trapped) raise(processor_.trap());
+  }
+  if (mode_ == Mode::Run && processor_.stpSeen()) raise({Alarm::Stp, {}});
+  return mode_ == Mode::Run;
+}
+
+bool OperatingSystem::runOb1(Duration most) {
+  const bool ended = runAlone(machine_.clock + most);
+  if (mode_ != Mode::Run) return false;
+  schedule_.begin(machine_.clock, schedule_.raster());  // nothing is overdue
+  watchdog_ = machine_.clock + Duration::milliseconds(active_.word(5));
+  return ended;
+}
+
 // The values of the cycle that has just ended, if D 9.15 asks for them.
 void OperatingSystem::showDiagnosis(Duration cycleTime) {
   if (!active_.bit(data_bit::kDiagnosis)) return;

@@ -105,7 +105,7 @@ Duration OperatingSystem::shareOfThird() const {
 }
 
 void OperatingSystem::execute(Instant limit) {
-  if (runCompiled(limit)) return;
+  if (runCompiled(horizon(limit))) return;
   const std::uint8_t ob = machine_.level().ob;
   const Instant before = machine_.clock;
   const bool stpBefore = processor_.stpSeen();

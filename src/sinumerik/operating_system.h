@@ -54,6 +54,11 @@ class OperatingSystem {
   std::uint64_t checkpoints() const { return checkpoints_; }
   std::uint64_t instructions() const { return processor_.instructions(); }
   void onCheckpoint(std::function<void()> observer) { observer_ = std::move(observer); }
+  // For measurements: OB 1 once, back to back, without images, sampling and monitoring of times.
+  // False if it did not end within `most`; the next call goes on with it then.
+  bool runOb1(Duration most);
+  // Machine code of this computer now, not only when it is needed.
+  void translate();
   // Done now or, while the program runs, between two cycles: blocks move then.
   void betweenCycles(std::function<void()> change);
 
@@ -95,6 +100,7 @@ class OperatingSystem {
   // cycle.cpp
   void beginCycle();
   void endCycle();
+  bool runAlone(Instant latest);
   void readInputs();
   void writeOutputs();
   void showDiagnosis(Duration cycleTime);
@@ -115,7 +121,7 @@ class OperatingSystem {
   Duration shareOfThird() const;
   // compiled.cpp
   Instant horizon(Instant limit) const;
-  bool runCompiled(Instant limit);
+  bool runCompiled(Instant horizon);
   bool alarmLevelRuns() const;
   bool stops(Reaction reaction) const;
   void noteStop(const Trap& trap);

@@ -90,6 +90,9 @@ bool Plc::advanceToCheckpoint(Instant limit) {
   return os.checkpoints() != before;
 }
 
+bool Plc::runOb1(Duration most) { return parts_->os.runOb1(most); }
+void Plc::translate() { parts_->os.translate(); }
+
 void Plc::onCycle(std::function<void(Plc&)> observer) {
   parts_->observer = std::move(observer);
   Parts* parts = parts_.get();

@@ -53,6 +53,9 @@ class Plc {
   // To the next end of a cycle or of the start-up, at most to `limit`; true if it came there.
   bool advanceToCheckpoint(Instant limit);
   void onCycle(std::function<void(Plc&)> observer);
+  // For measurements: OB 1 alone, and machine code of this computer now (operating_system.h).
+  bool runOb1(Duration most);
+  void translate();
 
   // values, see variable.h
   std::optional<std::uint32_t> read(const Variable& variable) const;
