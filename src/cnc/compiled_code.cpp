@@ -1,22 +1,15 @@
 #include "cnc/compiled_code.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <type_traits>
 
 #include "translate5/translate.h"
 
 namespace merker::cnc {
-namespace {
 
 using mc5::BlockType;
 using sinumerik::Machine;
-
-// Their words are what they begin with.
-static_assert(std::is_standard_layout_v<sinumerik::Timer> &&
-              std::is_standard_layout_v<sinumerik::Counter>);
-
-// More brackets than that are near the limit of the processor.
-constexpr std::size_t kOpenBrackets = 32;
 
 // What compiled code works on: the registers of the running level and where the rest stands.
 struct Seat {
@@ -29,7 +22,15 @@ struct Seat {
   std::uint32_t readable = 0, writable = 0;  // bytes
   void* cells = nullptr;
 };
-static_assert(std::is_standard_layout_v<Seat>);
+
+namespace {
+
+// Their words are what they begin with.
+static_assert(std::is_standard_layout_v<sinumerik::Timer> &&
+              std::is_standard_layout_v<sinumerik::Counter>);
+
+// More brackets than that are near the limit of the processor.
+constexpr std::size_t kOpenBrackets = 32;
 
 std::uint32_t bytesBetween(const void* from, const void* to) {
   return static_cast<std::uint32_t>(static_cast<const std::byte*>(to) -
@@ -68,6 +69,8 @@ translate5::Target targetOf(const Machine& m, const sinumerik::Environment& envi
 void takeData(Seat& seat, Machine& m) {
   const sinumerik::OpenData& open = m.frame().data;
   auto& memory = m.blocks.data();
+  seat.data = nullptr;
+  seat.readable = seat.writable = 0;
   if (!open.open || std::uint64_t{open.start} + open.length > memory.size()) return;
   seat.data = memory.data() + open.start;
   seat.readable = static_cast<std::uint32_t>(2 * (memory.size() - open.start));
@@ -76,13 +79,25 @@ void takeData(Seat& seat, Machine& m) {
 
 }  // namespace
 
+// Who looks at instructions (`apart`) sees each call and its return.
 void CompiledCode::compile(Machine& machine, const sinumerik::Environment& environment,
                            const std::vector<bool>& apart) {
   blocks_.clear();
   entries_.assign(machine.blocks.program().size(), {});
+  const bool seen = std::find(apart.begin(), apart.end(), true) != apart.end();
   for (const BlockType type : {BlockType::Ob, BlockType::Pb, BlockType::Sb, BlockType::Fb})
-    for (const sinumerik::Entry& block : machine.blocks.list(type))
-      if (block.present) compileBlock(machine, block, environment, apart);
+    for (const sinumerik::Entry& block : machine.blocks.list(type)) {
+      if (!block.present) continue;
+      compileBlock(machine, block, environment, apart);
+      if (!seen) linkBlock(machine, block, environment);
+    }
+}
+
+void CompiledCode::linkBlock(const Machine& machine, const sinumerik::Entry& block,
+                             const sinumerik::Environment& environment) {
+  const auto words = std::span(machine.blocks.program()).subspan(block.start, block.length);
+  for (std::uint32_t at = 0; at < words.size(); ++at)
+    entries_[block.start + at].link = linkAt(words.subspan(at), environment);
 }
 
 void CompiledCode::compileBlock(Machine& machine, const sinumerik::Entry& block,
@@ -99,16 +114,33 @@ void CompiledCode::compileBlock(Machine& machine, const sinumerik::Entry& block,
   if (code == nullptr) return;
   for (const icode::Region& region : regions)
     if (region.instructions >= options_.shortestEntry)
-      entries_[block.start + region.first] = {code.get(), block.start};
+      entries_[block.start + region.first] = {code.get(), block.start, {}};
   blocks_.push_back(std::move(code));
 }
 
-std::uint64_t CompiledCode::run(Machine& m, Instant horizon) {
+// False: the processor is next. Of code and link the code comes first: it knows whether a condition
+// is met.
+bool CompiledCode::goOn(Seat& seat, Machine& m) const {
   sinumerik::Frame& frame = m.frame();
+  if (frame.next >= entries_.size()) return false;
+  const Entry& entry = entries_[frame.next];
+  const std::uint64_t before = seat.instructions;
+  if (entry.code != nullptr) {
+    const void* const answer = entry.code->run(&seat, frame.next - entry.start);
+    frame.next = entry.start + static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(answer));
+    if (seat.instructions != before) return true;
+  }
+  if (!entry.link || seat.clock >= seat.horizon || !follow(*entry.link, m, seat.displays))
+    return false;
+  seat.clock = seat.clock + entry.link->time;
+  ++seat.instructions;
+  takeData(seat, m);
+  return true;
+}
+
+std::uint64_t CompiledCode::run(Machine& m, Instant horizon) {
   sinumerik::Registers& registers = m.registers();
-  if (frame.next >= entries_.size() || registers.brackets.size() > kOpenBrackets) return 0;
-  const Entry entry = entries_[frame.next];
-  if (entry.code == nullptr) return 0;
+  if (registers.brackets.size() > kOpenBrackets) return 0;
   Seat seat{.clock = m.clock,
             .horizon = horizon,
             .images = &m.inputs,
@@ -117,9 +149,9 @@ std::uint64_t CompiledCode::run(Machine& m, Instant horizon) {
             .displays = registers.displays,
             .cells = &m.timers};
   takeData(seat, m);
-  const void* const answer = entry.code->run(&seat, frame.next - entry.start);
+  while (goOn(seat, m)) {
+  }
   if (seat.instructions == 0) return 0;
-  frame.next = entry.start + static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(answer));
   m.clock = seat.clock;
   registers.akku1 = seat.akku1;
   registers.akku2 = seat.akku2;

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "cnc/block_links.h"
 #include "jit/native.h"
 #include "sinumerik/engine.h"
 
@@ -16,6 +17,8 @@ struct CompilerOptions {
   std::uint32_t shortestEntry = 3;
 };
 
+struct Seat;
+
 class CompiledCode : public sinumerik::Engine {
  public:
   explicit CompiledCode(CompilerOptions options = {}) : options_(options) {}
@@ -27,13 +30,17 @@ class CompiledCode : public sinumerik::Engine {
   std::uint64_t instructions() const { return instructions_; }
 
  private:
-  // A word of segment 5 where a region begins.
+  // A word of segment 5 where a region begins, or a way into another block, or both.
   struct Entry {
     const jit::NativeCode* code = nullptr;
     std::uint32_t start = 0;  // of the block
+    std::optional<Link> link{};
   };
+  void linkBlock(const sinumerik::Machine& machine, const sinumerik::Entry& block,
+                 const sinumerik::Environment& environment);
   void compileBlock(sinumerik::Machine& machine, const sinumerik::Entry& block,
                     const sinumerik::Environment& environment, const std::vector<bool>& apart);
+  bool goOn(Seat& seat, sinumerik::Machine& machine) const;
 
   CompilerOptions options_;
   std::vector<std::unique_ptr<jit::NativeCode>> blocks_;

@@ -99,6 +99,7 @@ bool assign(Lowering& l) {
 bool sameTime(const Lowering& l) { return l.times().shortest == l.times().longest; }
 
 bool setBit(Lowering& l) {
+  if (l.operand().kind == mc5::OperandKind::Counter) return setCell(l);
   const auto place = sameTime(l) ? bitPlace(l, true) : std::nullopt;
   if (!place) return false;
   const Value vke = l.to.get(Item::Rlo), before = *readBit(l);
@@ -108,6 +109,7 @@ bool setBit(Lowering& l) {
 }
 
 bool resetBit(Lowering& l) {
+  if (isCell(l.operand())) return resetCell(l);
   const auto place = sameTime(l) ? bitPlace(l, true) : std::nullopt;
   if (!place) return false;
   const Value vke = l.to.get(Item::Rlo), before = *readBit(l);

@@ -42,6 +42,7 @@ std::span<const Row> bitRows();
 std::span<const Row> moveRows();
 std::span<const Row> numberRows();
 std::span<const Row> jumpRows();
+std::span<const Row> cellRows();
 
 // Operands in memory, nothing if this one is not translated. A place is the byte with the bit.
 struct BytePlace {
@@ -53,5 +54,11 @@ std::optional<BytePlace> bitPlace(Lowering& l, bool write);
 std::optional<icode::Value> readBit(Lowering& l);
 std::optional<icode::Value> readOperand(Lowering& l);
 bool writeOperand(Lowering& l, icode::Value value);
+
+// Timers and counters: byte of their word in Space::Instance; S Z, R T and R Z.
+bool isCell(const mc5::Operand& operand);
+std::uint32_t cellPlace(const Lowering& l);
+bool setCell(Lowering& l);
+bool resetCell(Lowering& l);
 
 }  // namespace merker::translate5

@@ -14,16 +14,6 @@ using mc5::Width;
 
 constexpr std::uint32_t kOutputBit = 14, kCellValue = 0x3FF;  // OP-33
 
-bool isCell(const Operand& operand) {
-  return operand.kind == OperandKind::Timer || operand.kind == OperandKind::Counter;
-}
-
-std::uint32_t cellPlace(const Lowering& l) {
-  const Operand& operand = l.operand();
-  if (operand.kind == OperandKind::Timer) return operand.value * l.target.timerBytes;
-  return l.target.counters + operand.value * l.target.counterBytes;
-}
-
 std::optional<Space> imageOf(Area area) {
   switch (area) {
     case Area::Input:
@@ -87,6 +77,16 @@ Value readCell(Lowering& l) {
 }
 
 }  // namespace
+
+bool isCell(const Operand& operand) {
+  return operand.kind == OperandKind::Timer || operand.kind == OperandKind::Counter;
+}
+
+std::uint32_t cellPlace(const Lowering& l) {
+  const Operand& operand = l.operand();
+  if (operand.kind == OperandKind::Timer) return operand.value * l.target.timerBytes;
+  return l.target.counters + operand.value * l.target.counterBytes;
+}
 
 std::optional<BytePlace> bitPlace(Lowering& l, bool write) {
   const Operand& operand = l.operand();

@@ -22,7 +22,7 @@ using Table = std::array<Lower, 256>;
 
 Table makeTable() {
   Table table{};
-  for (const auto rows : {bitRows(), moveRows(), numberRows(), jumpRows()})
+  for (const auto rows : {bitRows(), moveRows(), numberRows(), jumpRows(), cellRows()})
     for (const Row& row : rows) table[static_cast<std::size_t>(row.operation)] = row.lower;
   return table;
 }
