@@ -7,21 +7,15 @@
 #include "cnc/block_links.h"
 #include "jit/native.h"
 #include "sinumerik/engine.h"
+#include "translate5/translate.h"
 
 namespace merker::cnc {
-
-struct CompilerOptions {
-  jit::Options jit{};
-  // Into a region of fewer instructions the way is longer than through the processor; other regions
-  // still lead on into it.
-  std::uint32_t shortestEntry = 3;
-};
 
 struct Seat;
 
 class CompiledCode : public sinumerik::Engine {
  public:
-  explicit CompiledCode(CompilerOptions options = {}) : options_(options) {}
+  explicit CompiledCode(jit::Options options = {}) : options_(options) {}
 
   void compile(sinumerik::Machine& machine, const sinumerik::Environment& environment,
                const std::vector<bool>& apart) override;
@@ -36,15 +30,26 @@ class CompiledCode : public sinumerik::Engine {
     std::uint32_t start = 0;  // of the block
     std::optional<Link> link{};
   };
-  void linkBlock(const sinumerik::Machine& machine, const sinumerik::Entry& block,
-                 const sinumerik::Environment& environment);
+  // A function block for one of its calls.
+  struct Variant {
+    std::uint32_t start = 0;  // of the block
+    std::vector<Entry> entries;
+  };
   void compileBlock(sinumerik::Machine& machine, const sinumerik::Entry& block,
+                    const sinumerik::Environment& environment, const std::vector<bool>& apart,
+                    const translate5::Substitutes& substitutes, std::span<Entry> entries);
+  void compileCalls(sinumerik::Machine& machine, const sinumerik::Entry& block,
                     const sinumerik::Environment& environment, const std::vector<bool>& apart);
+  void compileCall(sinumerik::Machine& machine, mc5::BlockId block, std::uint32_t parameters,
+                   const sinumerik::Environment& environment, const std::vector<bool>& apart);
+  const Entry& entryAt(const sinumerik::Frame& frame) const;
   bool goOn(Seat& seat, sinumerik::Machine& machine) const;
 
-  CompilerOptions options_;
+  jit::Options options_;
   std::vector<std::unique_ptr<jit::NativeCode>> blocks_;
   std::vector<Entry> entries_;
+  std::vector<Variant> variants_;
+  std::vector<std::uint32_t> variantOf_;  // by the word of the parameter list, from 1 on; 0: none
   std::uint64_t instructions_ = 0;
 };
 

@@ -1,7 +1,11 @@
 // Instructions with a formal operand: the word of the parameter list is the code of an instruction
 // whose operand they take (S5-FB-15 … -17, S5-SUBST).
+#include "sinumerik/formal_operands.h"
+
+#include <algorithm>
 #include <array>
 
+#include "mc5/encoding.h"
 #include "sinumerik/handlers.h"
 
 namespace merker::sinumerik {
@@ -75,32 +79,39 @@ bool loadRaw(Processor& p, const Instruction& i, std::uint16_t word) {
   return true;
 }
 
-// B =X opens a data block or calls a block.
-bool processBlock(Processor& p, const Instruction& actual, std::uint16_t word) {
-  const bool block = actual.operation == Operation::OPEN || actual.operation == Operation::CALL;
-  return block ? p.substitute(actual) : mismatch(p, word);
-}
-
-bool processRow(Processor& p, const Row& row, const Instruction& actual, std::uint16_t word) {
-  if (!fits(row.wants, actual)) return mismatch(p, word);
-  const bool counter = actual.operand.kind == OperandKind::Counter;
-  return p.substitute({counter ? row.withCounter : row.becomes, actual.operand});
-}
-
 }  // namespace
+
+// B =X opens a data block or calls a block.
+std::optional<Instruction> actualInstruction(const Instruction& formal, std::uint16_t word) {
+  const std::uint16_t code[] = {word};
+  const auto actual = mc5::decode(code);
+  if (!actual) return std::nullopt;
+  const Instruction& i = actual->instruction;
+  if (formal.operation == Operation::SUBSTITUTE) {
+    const bool block = i.operation == Operation::OPEN || i.operation == Operation::CALL;
+    return block ? std::optional(i) : std::nullopt;
+  }
+  const auto row = std::ranges::find(kRows, formal.operation, &Row::formal);
+  if (row == kRows.end() || !fits(row->wants, i)) return std::nullopt;
+  const bool counter = i.operand.kind == OperandKind::Counter;
+  return Instruction{counter ? row->withCounter : row->becomes, i.operand};
+}
+
+const mc5::Encoding* rowOf(const Instruction& instruction) {
+  for (const mc5::Encoding& row : mc5::encodings())
+    if (row.operation == instruction.operation &&
+        mc5::encodeOperand(row, instruction.operand).has_value())
+      return &row;
+  return nullptr;
+}
 
 bool substituteFormal(Processor& p, const Instruction& i) {
   const auto word = p.parameter(i.operand.value);
   if (!word) return mismatch(p, 0);
   if (i.operation == Operation::LOAD_WORD || i.operation == Operation::LOAD_DOUBLE)
     return loadRaw(p, i, *word);
-  const std::uint16_t code[] = {*word};
-  const auto actual = mc5::decode(code);
-  if (!actual) return mismatch(p, *word);
-  if (i.operation == Operation::SUBSTITUTE) return processBlock(p, actual->instruction, *word);
-  for (const Row& row : kRows)
-    if (row.formal == i.operation) return processRow(p, row, actual->instruction, *word);
-  return mismatch(p, *word);
+  const auto actual = actualInstruction(i, *word);
+  return actual ? p.substitute(*actual) : mismatch(p, *word);
 }
 
 }  // namespace merker::sinumerik

@@ -2,6 +2,7 @@
 
 #include "mc5/encoding.h"
 #include "mc5/range.h"
+#include "sinumerik/formal_operands.h"
 #include "sinumerik/handlers.h"
 
 namespace merker::sinumerik {
@@ -109,14 +110,11 @@ void Processor::charge(const mc5::Encoding& encoding, bool done) {
 
 bool Processor::substitute(const mc5::Instruction& instruction) {
   if (++run_.depth > 2) return fail(Alarm::Substitution, run_.opcode);
-  for (const mc5::Encoding& row : mc5::encodings())
-    if (row.operation == instruction.operation &&
-        mc5::encodeOperand(row, instruction.operand).has_value()) {
-      std::vector<std::uint16_t> code;
-      if (mc5::encode(row, instruction.operand, code)) run_.substituted = code.front();
-      return execute({instruction, &row, row.words});
-    }
-  return fail(Alarm::Substitution, run_.opcode);
+  const mc5::Encoding* const row = rowOf(instruction);
+  std::vector<std::uint16_t> code;
+  if (row == nullptr) return fail(Alarm::Substitution, run_.opcode);
+  if (mc5::encode(*row, instruction.operand, code)) run_.substituted = code.front();
+  return execute({instruction, row, row->words});
 }
 
 bool Processor::fail(Alarm alarm, std::uint16_t word1, std::uint16_t word2, std::uint16_t word3) {

@@ -24,10 +24,14 @@ struct Lowering {
   const mc5::Decoded& decoded;
   std::uint32_t place, length;  // words: of the instruction, of the block
   std::vector<Bracket>& brackets;
+  mc5::Times extra;    // of the formal operand
   bool ended = false;  // the way on leads elsewhere: nothing may follow in this region
 
   const mc5::Operand& operand() const { return decoded.instruction.operand; }
-  mc5::Times times() const { return mc5::times(*decoded.encoding, target.variant); }
+  mc5::Times times() const {
+    const mc5::Times own = mc5::times(*decoded.encoding, target.variant);
+    return {own.shortest + extra.shortest, own.longest + extra.longest};
+  }
   bool mayLeave() const { return brackets.empty(); }  // inside brackets there is no way out
 };
 

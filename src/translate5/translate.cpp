@@ -37,8 +37,8 @@ bool isOpening(Operation o) { return o == Operation::AND_OPEN || o == Operation:
 // The instructions of a block by their words.
 class Listing {
  public:
-  Listing(std::span<const std::uint16_t> code, const Target& target)
-      : code_(code), target_(target), isEntry_(code.size() + 1) {
+  Listing(std::span<const std::uint16_t> code, const Target& target, const Substitutes& substitutes)
+      : code_(code), target_(target), substitutes_(substitutes), isEntry_(code.size() + 1) {
     for (std::uint32_t at = 0; at < code.size();) at = take(at);
   }
 
@@ -48,12 +48,18 @@ class Listing {
     const auto found = instructions_.find(word);
     return found == instructions_.end() ? nullptr : &found->second;
   }
+  mc5::Times extra(std::uint32_t word) const {
+    const auto found = substitutes_.find(word);
+    return found == substitutes_.end() ? mc5::Times{} : found->second.extra;
+  }
   bool isEntry(std::uint32_t word) const { return isEntry_[word]; }
 
  private:
   std::uint32_t take(std::uint32_t at) {
-    const auto decoded = mc5::decode(code_.subspan(at));
+    auto decoded = mc5::decode(code_.subspan(at));
     if (!decoded) return at + 1;
+    if (const auto found = substitutes_.find(at); found != substitutes_.end())
+      decoded = found->second.decoded;
     const mc5::Operand& operand = decoded->instruction.operand;
     const std::uint32_t next = at + decoded->words;
     const bool timer = operand.kind == OperandKind::Timer;
@@ -87,6 +93,7 @@ class Listing {
 
   std::span<const std::uint16_t> code_;
   const Target& target_;
+  const Substitutes& substitutes_;
   std::map<std::uint32_t, Decoded> instructions_;
   std::vector<bool> isEntry_;
 };
@@ -94,8 +101,8 @@ class Listing {
 class Blockwise {
  public:
   Blockwise(std::span<const std::uint16_t> code, const Target& target,
-            const std::vector<bool>& apart)
-      : listing_(code, target), target_(target), apart_(apart) {}
+            const std::vector<bool>& apart, const Substitutes& substitutes)
+      : listing_(code, target, substitutes), target_(target), apart_(apart) {}
 
   std::vector<icode::Region> run() {
     for (std::uint32_t at = 0; at < listing_.length();) at = region(at);
@@ -121,8 +128,8 @@ class Blockwise {
     const Decoded& decoded = *listing_.at(at);
     const Lower lower = lowering(decoded);
     if (lower == nullptr || draft.brackets.size() >= kDeepest) return false;
-    Lowering l{draft.builder,     draft.region.needs, target_, decoded, at,
-               listing_.length(), draft.brackets};
+    Lowering l{draft.builder,     draft.region.needs, target_,           decoded, at,
+               listing_.length(), draft.brackets,     listing_.extra(at)};
     draft.builder.begin(at, static_cast<std::uint64_t>(l.times().longest.ns));
     const bool done = lower(l);
     if (!done) draft.builder.cancel();
@@ -164,8 +171,9 @@ class Blockwise {
 }  // namespace
 
 std::vector<icode::Region> translate(std::span<const std::uint16_t> code, const Target& target,
-                                     const std::vector<bool>& apart) {
-  return Blockwise(code, target, apart).run();
+                                     const std::vector<bool>& apart,
+                                     const Substitutes& substitutes) {
+  return Blockwise(code, target, apart, substitutes).run();
 }
 
 }  // namespace merker::translate5

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -19,10 +20,18 @@ struct Target {
   std::uint32_t timerBytes = 2, counters = 0, counterBytes = 2;
 };
 
+// What stands for an instruction with a formal operand; its own time comes on top.
+struct Substitute {
+  mc5::Decoded decoded;
+  mc5::Times extra;
+};
+using Substitutes = std::map<std::uint32_t, Substitute>;  // by word
+
 // Data words are in Space::Data, their low byte first. Registers: VKE is Rlo, ERAB is Er, ANZ1 and
 // ANZ0 are Cc1 and Cc0. Instructions are numbered by their word in the block. `apart`: by word,
 // those that stay with the processor; empty: none.
 std::vector<icode::Region> translate(std::span<const std::uint16_t> code, const Target& target,
-                                     const std::vector<bool>& apart = {});
+                                     const std::vector<bool>& apart = {},
+                                     const Substitutes& substitutes = {});
 
 }  // namespace merker::translate5

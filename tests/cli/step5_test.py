@@ -163,7 +163,7 @@ class Step5(Case):
             self.assertAlmostEqual(values["instructions_per_second"] / values["cycles_per_second"], 9, delta=0.5)
         self.write("stops.s5", "OB 1\n : SPA PB 9\n : BE\n")
         self.assertIn("6105", self.expect(FAULT, "bench", "stops.s5", "--for", "50ms").err)
-        self.write("loop.s5", "OB 1\n : L MW 0\nM001 : SPA =M001\n : BE\n")
+        self.write("loop.s5", "OB 1\n : SPA FB 20\nNAME : LOOP\n : BE\nFB 20\nNAME : LOOP\nM001 : SPA =M001\n : BE\n")
         self.assertIn("has not ended", self.expect(GOOD, "bench", "loop.s5", "--for", "50ms", timeout=20).err)
         self.write("none.s5", "PB 1\n : BE\n")
         self.assertIn("no OB 1", self.expect(PROBLEMS, "bench", "none.s5").err)

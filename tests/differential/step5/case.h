@@ -22,6 +22,8 @@ Case randomCase(std::uint32_t seed);
 Case rowCase(std::size_t row, std::uint32_t seed);
 // TIR writes another instruction into the code behind it.
 Case writingCase(std::uint32_t seed);
+// Calls, block ends, A DB and formal operands, which all run compiled.
+Case callingCase(std::uint32_t seed);
 std::string listing(const Case& c);
 
 struct Outcome {

@@ -20,7 +20,7 @@ struct Random : std::mt19937 {
 };
 using Words = std::vector<std::uint16_t>;
 
-constexpr std::uint16_t kBlockEnd = 0x6500, kTransferMd = 0x1B00 + 40;
+constexpr std::uint16_t kBlockEnd = 0x6500, kTransferMd = 0x1B00 + 40, kIncrement = 0x1100;
 constexpr std::uint32_t kWords[] = {0, 1, 5, 6};  // operands meet each other again and again
 
 bool oneIn(Random& random, unsigned n) { return random() % n == 0; }
@@ -76,13 +76,41 @@ void append(const Encoding& row, Random& random, Words& code) {
   throw std::logic_error("no operand found for " + std::string(row.pattern));
 }
 
+const Encoding& anyRow(Random& random) {
+  return mc5::encodings()[random() % mc5::encodings().size()];
+}
+
+// Behind the call of an FB, over a jump: operands for its formal ones, as codes of one word.
+void appendParameters(Random& random, Words& code) {
+  code.push_back(0x2D03);
+  for (int i = 0; i < 2;) {
+    const Encoding& row = anyRow(random);
+    const bool names = row.operation == Operation::AND || row.operation == Operation::LOAD ||
+                       (row.operation == Operation::OPEN && oneIn(random, 4));
+    if (row.words != 1 || row.operand.kind == OperandKind::Formal || !names) continue;
+    append(row, random, code);
+    ++i;
+  }
+}
+
 void appendAny(Random& random, Words& code) {
   for (;;) {
-    const auto rows = mc5::encodings();
-    const Encoding& row = rows[random() % rows.size()];
+    const Encoding& row = anyRow(random);
     if (isRare(row.operation) && !oneIn(random, 40)) continue;
     if (row.operand.kind == OperandKind::Formal && !oneIn(random, 20)) continue;
-    return append(row, random, code);
+    append(row, random, code);
+    if (row.operand.kind == OperandKind::Block && row.operand.block == BlockType::Fb &&
+        !oneIn(random, 4))
+      appendParameters(random, code);
+    return;
+  }
+}
+
+// In an FB with instructions that take formal operands.
+void appendFormal(Random& random, Words& code) {
+  for (;;) {
+    const Encoding& row = anyRow(random);
+    if (row.operand.kind == OperandKind::Formal) return append(row, random, code);
   }
 }
 
@@ -121,10 +149,23 @@ Words randomCode(Random& random, std::size_t instructions) {
   return code;
 }
 
+// One of two has formal operands.
+Words functionBlock(Random& random) {
+  Words code = randomCode(random, random() % 12);
+  code.pop_back();
+  for (unsigned n = oneIn(random, 2) ? random() % 5 : 0; n-- > 0;) {
+    appendFormal(random, code);
+    if (oneIn(random, 2)) appendAny(random, code);
+  }
+  const Words rest = randomCode(random, random() % 12);
+  code.insert(code.end(), rest.begin(), rest.end());
+  return code;
+}
+
 // Accumulator, VKE and what jumps see of the displays, each kept in flags.
 void appendLook(unsigned number, Words& code) {
   const auto md = static_cast<std::uint16_t>(kTransferMd + 8 * number);
-  constexpr std::uint16_t kPlus = 0x1502, kMinus = 0x2502, kOverflow = 0x0D02, kIncrement = 0x1100;
+  constexpr std::uint16_t kPlus = 0x1502, kMinus = 0x2502, kOverflow = 0x0D02;
   code.insert(code.end(), {md, static_cast<std::uint16_t>(0x9800 | (80 + number)), kPlus,
                            kIncrement + 1, kMinus, kIncrement + 2, kOverflow, kIncrement + 4,
                            0x600C, 0x0003, kIncrement + 8, static_cast<std::uint16_t>(md + 4)});
@@ -170,7 +211,7 @@ Case randomCase(std::uint32_t seed) {
   for (std::uint16_t number = 0; number < 3; ++number) {
     add(c, BlockType::Pb, number, randomCode(random, random() % 12));
     add(c, BlockType::Sb, number, randomCode(random, random() % 12));
-    add(c, BlockType::Fb, number, randomCode(random, random() % 25));
+    add(c, BlockType::Fb, number, functionBlock(random));
   }
   addData(c, random);
   return c;
@@ -196,13 +237,29 @@ Case rowCase(std::size_t row, std::uint32_t seed) {
 }
 
 Case writingCase(std::uint32_t seed) {
-  constexpr std::uint16_t kIncrement = 0x1100, kTir = 0x4800, kProgramSegment = 5;
+  constexpr std::uint16_t kTir = 0x4800, kProgramSegment = 5;
   constexpr std::uint16_t kFirst = mc5::kHeaderWords, kPatched = 6;  // OB 1 lies at the beginning
   Case c;
   c.seed = seed;
   add(c, BlockType::Ob, 1,
       {0x3040, kIncrement + 2, 0x3800, kProgramSegment, 2 * (kFirst + kPatched), kTir,
        kIncrement + 1, kTransferMd, kIncrement + 1, kIncrement + 1, kTransferMd + 4, kBlockEnd});
+  return c;
+}
+
+Case callingCase(std::uint32_t seed) {
+  constexpr std::uint16_t kCall = 0x3D00, kOverList = 0x2D03, kOpen = 0x2000 + 20;
+  constexpr std::uint16_t kBit = 0x8100 + 30, kWord = 0x1200 + 30;  // U M 30.1, L MW 30
+  Case c;
+  c.seed = seed;
+  Random random(seed);
+  Words code;
+  for (int i = 0; i < 20; ++i)
+    code.insert(code.end(), {kOpen, kCall, kOverList, kBit, kWord, kIncrement + 1});
+  code.push_back(kBlockEnd);
+  add(c, BlockType::Ob, 1, code);
+  add(c, BlockType::Fb, 0, {0x0701, 0x9A00 + 30, 0x4602, kTransferMd, kBlockEnd});  // U =1, L =2
+  addData(c, random);
   return c;
 }
 

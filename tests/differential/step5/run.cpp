@@ -110,7 +110,7 @@ Outcome run(const Case& c, std::optional<icode::Opcode> broken) {
   std::mt19937 random(c.seed);
   sinumerik::Options options = optionsOf(c, random);
   Plc reference(options);
-  cnc::CompiledCode engine({.jit = {.broken = broken}, .shortestEntry = 1});
+  cnc::CompiledCode engine({.broken = broken});
   options.engine = &engine;
   engine.on = true;
   Plc compiled(options);

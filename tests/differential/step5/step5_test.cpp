@@ -16,7 +16,12 @@ namespace {
 
 using icode::Opcode;
 
-constexpr std::uint32_t kPerRow = 20, kPrograms = 6'000, kSearched = 1'000;
+constexpr std::uint32_t kSearched = 1'000;
+#ifdef NDEBUG
+constexpr std::uint32_t kPerRow = 12, kPrograms = 6'000;
+#else  // with sanitizers each takes ten times as long
+constexpr std::uint32_t kPerRow = 4, kPrograms = 600;
+#endif
 
 struct Seeds {
   std::uint32_t first = 1, count = kPrograms;
@@ -56,6 +61,18 @@ TEST_F(Step5Differential, CodeThatWritesCode) {
     EXPECT_EQ(run(writingCase(seed)).difference, "") << seed;
 }
 
+// From block to block without the processor: but for the end of OB 1 and what the engine was off.
+TEST_F(Step5Differential, CallsStayCompiled) {
+  std::uint64_t instructions = 0, compiled = 0;
+  for (std::uint32_t seed = 1; seed <= 30; ++seed) {
+    const Outcome outcome = run(callingCase(seed));
+    EXPECT_EQ(outcome.difference, "") << seed;
+    instructions += outcome.instructions;
+    compiled += outcome.compiled;
+  }
+  EXPECT_GT(compiled * 100, instructions * 80) << compiled << " of " << instructions;
+}
+
 TEST_F(Step5Differential, RandomPrograms) {
   const Seeds s = seeds();
   std::uint64_t instructions = 0, compiled = 0;
@@ -67,7 +84,7 @@ TEST_F(Step5Differential, RandomPrograms) {
     ASSERT_EQ(outcome.difference, "") << "seed " << c.seed << '\n' << listing(c);
   }
   std::cout << compiled << " of " << instructions << " instructions ran compiled\n";
-  EXPECT_GT(compiled * 5, instructions);
+  EXPECT_GT(compiled * 5, instructions * 3);
 }
 
 // What compiled STEP 5 uses of the intermediate code; but for SwapBytes, of which the lowest bit,
