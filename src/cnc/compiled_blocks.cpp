@@ -35,6 +35,7 @@ void CompiledCode::compile(Machine& machine, const sinumerik::Environment& envir
   const std::size_t words = machine.blocks.program().size();
   blocks_.clear();
   variants_.clear();
+  links_.clear();
   entries_.assign(words, {});
   variantOf_.assign(words, 0);
   for (const BlockType type : {BlockType::Ob, BlockType::Pb, BlockType::Sb, BlockType::Fb})
@@ -60,7 +61,7 @@ void CompiledCode::compileBlock(Machine& machine, const sinumerik::Entry& block,
   const jit::Instructions answers{nullptr, 1, nullptr};
   auto code = jit::compile(regions, words.size(), answers, layoutOf(machine), options_);
   if (code == nullptr) return;
-  for (const icode::Region& region : regions) entries[region.first] = {code.get(), block.start, {}};
+  for (const icode::Region& region : regions) entries[region.first] = {code.get(), block.start};
   blocks_.push_back(std::move(code));
 }
 
@@ -74,7 +75,10 @@ void CompiledCode::compileCalls(Machine& machine, const sinumerik::Entry& block,
     const auto link = linkAt(words.subspan(at), environment);
     if (!link) continue;
     const std::uint32_t word = block.start + at;
-    if (!seen) entries_[word].link = link;
+    if (!seen) {
+      links_.push_back(*link);
+      entries_[word].link = static_cast<std::uint32_t>(links_.size());
+    }
     const bool calls =
         link->operation == mc5::Operation::CALL || link->operation == mc5::Operation::CALL_IF;
     if (calls && link->block.type == BlockType::Fb)  // the list stands behind a jump over it

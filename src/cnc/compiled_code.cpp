@@ -35,9 +35,11 @@ bool CompiledCode::goOn(Seat& seat, Machine& m) const {
     frame.next = entry.start + static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(answer));
     if (seat.instructions != before) return true;
   }
-  const std::optional<Link>& link = entries_[frame.next].link;
-  if (!link || seat.clock >= seat.horizon || !follow(*link, m, seat.displays)) return false;
-  seat.clock = seat.clock + link->time;
+  const std::uint32_t number = entries_[frame.next].link;
+  if (number == 0 || seat.clock >= seat.horizon) return false;
+  const Link& link = links_[number - 1];
+  if (!follow(link, m, seat.displays)) return false;
+  seat.clock = seat.clock + link.time;
   ++seat.instructions;
   takeData(seat, m);
   return true;

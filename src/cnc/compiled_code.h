@@ -28,7 +28,7 @@ class CompiledCode : public sinumerik::Engine {
   struct Entry {
     const jit::NativeCode* code = nullptr;
     std::uint32_t start = 0;  // of the block
-    std::optional<Link> link{};
+    std::uint32_t link = 0;   // from 1 on; 0: none
   };
   // A function block for one of its calls.
   struct Variant {
@@ -47,7 +47,8 @@ class CompiledCode : public sinumerik::Engine {
 
   jit::Options options_;
   std::vector<std::unique_ptr<jit::NativeCode>> blocks_;
-  std::vector<Entry> entries_;
+  std::vector<Entry> entries_;  // small: what runs stays in the cache
+  std::vector<Link> links_;
   std::vector<Variant> variants_;
   std::vector<std::uint32_t> variantOf_;  // by the word of the parameter list, from 1 on; 0: none
   std::uint64_t instructions_ = 0;

@@ -16,6 +16,7 @@ using mc5::Operation;
 constexpr std::uint32_t kUp = 13, kDown = 12, kStart = 11, kEnable = 10;
 
 bool quiet(Lowering& l) {
+  l.leaves = true;
   l.to.cost(static_cast<std::uint64_t>(l.times().shortest.ns));
   l.to.set(Item::Or, false);
   l.to.set(Item::Er, false);

@@ -58,6 +58,7 @@ bool conditional(Lowering& l) {
 // leads another way.
 bool notTaken(Lowering& l) {
   if (!l.mayLeave()) return false;
+  l.leaves = true;  // the block that is called comes back behind it
   l.to.guard(l.to.notBit(l.to.get(Item::Rlo)));
   l.to.cost(static_cast<std::uint64_t>(l.times().shortest.ns));
   l.to.set(Item::Rlo, true);

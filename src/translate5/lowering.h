@@ -24,8 +24,9 @@ struct Lowering {
   const mc5::Decoded& decoded;
   std::uint32_t place, length;  // words: of the instruction, of the block
   std::vector<Bracket>& brackets;
-  mc5::Times extra;    // of the formal operand
-  bool ended = false;  // the way on leads elsewhere: nothing may follow in this region
+  mc5::Times extra;     // of the formal operand
+  bool ended = false;   // the way on leads elsewhere: nothing may follow in this region
+  bool leaves = false;  // often left to the processor: behind it the next region must begin
 
   const mc5::Operand& operand() const { return decoded.instruction.operand; }
   mc5::Times times() const {

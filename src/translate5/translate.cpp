@@ -115,7 +115,7 @@ class Blockwise {
     icode::Region region;
     icode::Builder builder{region};
     std::vector<Bracket> brackets;
-    bool ended = false;
+    bool ended = false, full = false;
   };
 
   bool mayFollow(const Draft& draft, std::uint32_t at) const {
@@ -134,6 +134,7 @@ class Blockwise {
     const bool done = lower(l);
     if (!done) draft.builder.cancel();
     draft.ended = l.ended;
+    draft.full = l.leaves;
     return done;
   }
 
@@ -150,7 +151,7 @@ class Blockwise {
   // Returns where the next region may begin.
   std::uint32_t region(std::uint32_t at) {
     Draft draft(at);
-    while (!draft.ended && mayFollow(draft, at)) {
+    while (!draft.ended && !draft.full && mayFollow(draft, at)) {
       const Decoded& decoded = *listing_.at(at);
       const bool outermost = isOpening(decoded.instruction.operation) && draft.brackets.empty();
       if ((outermost && !closes(at)) || !add(draft, at)) break;
