@@ -113,6 +113,7 @@ void readOrganizationBlocks(const Table& table, const CpuModel& model, CpuParame
 void readCpuParameters(const Table& table, const CpuModel& model, CpuParameters& parameters) {
   table.allow({"model",
                "clock",
+               "mpi_address",
                "cycle_monitoring",
                "minimum_cycle",
                "communication_load",

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view kSlotWords = "a slot: 4, or \"2.2\" on board of the CPU";
 
-// 4, 2.2 or "2.2". The range is checked with the mounting rules.
+// The range is checked with the mounting rules.
 bool readSlot(const Table& table, io::Module& module) {
   const toml::node* node = table.node("slot");
   if (node == nullptr) {
@@ -19,14 +19,7 @@ bool readSlot(const Table& table, io::Module& module) {
     return false;
   }
   module.slotPosition = table.at("slot");
-  std::string text;
-  if (const auto* integer = node->as_integer()) {
-    text = fmt::format("{}", integer->get());
-  } else if (const auto* number = node->as_floating_point()) {
-    text = fmt::format("{:.1f}", number->get());
-  } else if (const auto* string = node->as_string()) {
-    text = string->get();
-  }
+  const std::string text = slotText(*node);
   const auto point = text.find('.');
   const auto digits = [](std::string_view part) {
     return !part.empty() && part.size() <= 3 &&
@@ -122,6 +115,13 @@ void readCable(const Table& table, io::Module& module) {
 }
 
 }  // namespace
+
+std::string slotText(const toml::node& node) {
+  if (const auto* integer = node.as_integer()) return fmt::format("{}", integer->get());
+  if (const auto* number = node.as_floating_point()) return fmt::format("{:.1f}", number->get());
+  const auto* text = node.as_string();
+  return text == nullptr ? std::string() : text->get();
+}
 
 std::optional<io::Module> readModule(const Table& table, const CpuModel& model) {
   table.allow({"slot", "rack", "type", "name", "input", "output", "cable", "input_delay",

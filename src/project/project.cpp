@@ -29,6 +29,7 @@ void take(Project& project, const Settings& settings) {
   project.plants = settings.plants;
   project.addressCheck = settings.addressCheck;
   project.vertical = settings.vertical;
+  project.mpiAddress = settings.mpiAddress;
 }
 
 bool isListing(const std::string& path) { return hasExtension(path, ".s5"); }

@@ -30,7 +30,8 @@ struct Project {
   std::optional<io::Configuration> hardware;  // none: every address of the image answers
   plant::Configuration plants;
   AddressCheck addressCheck = AddressCheck::Standard;
-  bool vertical = false;  // mounting of the racks (S7-HW-19)
+  bool vertical = false;         // mounting of the racks (S7-HW-19)
+  std::uint32_t mpiAddress = 2;  // as settings.h has it
   std::vector<source::SourceFile> sources;
   std::vector<source::SourceFile> otherFiles;  // merker.toml and symbol files: for showing problems
   source::SymbolTable symbols;

@@ -16,6 +16,8 @@ void readControl(const Table& root, cnc::Options& options);
 // [nc]: what the NC side holds at the start
 void readNc(const Table& nc, nc::Control& control);
 
+// 4, 2.2 or "2.2" as text; empty if it is nothing like it.
+std::string slotText(const toml::node& node);
 // [[module]]; nothing if it is too wrong to have a place
 std::optional<io::Module> readModule(const Table& table, const CpuModel& model);
 // [[plant]] and its wires to the modules

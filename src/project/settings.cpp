@@ -61,6 +61,8 @@ std::int64_t millisecondsSince1990(std::uint64_t bcd) {
 void readCpu(const Table& table, Settings& settings) {
   settings.parameters = CpuParameters::of(*settings.model);
   if (const auto clock = readDateAndTime(table, "clock")) settings.startOfClock = *clock;
+  settings.mpiAddress =
+      table.number("mpi_address", kCpuMpiAddress, kHighestMpiAddress).value_or(settings.mpiAddress);
   readCpuParameters(table, *settings.model, settings.parameters);
 }
 

@@ -29,6 +29,9 @@ struct Model {
 };
 std::optional<Model> findModel(std::string_view name);
 
+// S7-NET-03: what a new CPU has; 0 is the programming device, 1 an operator panel.
+constexpr std::uint32_t kCpuMpiAddress = 2, kHighestMpiAddress = 126;
+
 struct Settings {
   std::string name;
   const CpuModel* model = &defaultCpuModel();
@@ -42,6 +45,7 @@ struct Settings {
   plant::Configuration plants;
   AddressCheck addressCheck = AddressCheck::Standard;
   bool vertical = false;  // mounting (S7-HW-19)
+  std::uint32_t mpiAddress = kCpuMpiAddress;
 };
 
 // `model` replaces the CPU that the file names.

@@ -62,6 +62,18 @@ double Fields::number(std::string_view key, double low, double high,
   return otherwise.value_or(low);
 }
 
+std::string Fields::literal(std::string_view key) const {
+  constexpr std::size_t kLongest = 4096;
+  const auto simple = [](const Json& value) { return value.is_primitive() && !value.is_null(); };
+  const Json* value = find(key);
+  const bool good = value != nullptr &&
+                    (simple(*value) || (value->is_array() && std::ranges::all_of(*value, simple)));
+  const std::string text = good ? dump(*value) : std::string();
+  if (!good || text.size() > kLongest)
+    wrong(key, "a text, a number, true, false or a list of these");
+  return text;
+}
+
 std::size_t Fields::choice(std::string_view key, std::initializer_list<std::string_view> words,
                            std::optional<std::size_t> otherwise) const {
   const Json* value = find(key);

@@ -29,6 +29,8 @@ class Fields {
                        std::optional<std::int64_t> otherwise = {}) const;
   double number(std::string_view key, double low, double high,
                 std::optional<double> otherwise = {}) const;
+  // A text, a number, true, false or a list of these, as TOML has it.
+  std::string literal(std::string_view key) const;
   // The position of the word.
   std::size_t choice(std::string_view key, std::initializer_list<std::string_view> words,
                      std::optional<std::size_t> otherwise = {}) const;

@@ -1,4 +1,5 @@
 // The files of the project folder.
+#include "project/settings_edit.h"
 #include "workbench/method.h"
 
 namespace merker::workbench {
@@ -41,16 +42,32 @@ Answer create(const Call& call) {
   return afterwards(call, call.shared.folder.create(path, text), {{"revision", revisionOf(text)}});
 }
 
+// merker.toml lists files by name: what it says follows them.
+std::optional<Problem> keepSettings(const Call& call, const std::string& path,
+                                    const std::string& to) {
+  constexpr const char* kSettings = "merker.toml";
+  const auto settings = call.shared.folder.read(kSettings);
+  if (!settings || path == kSettings) return std::nullopt;
+  project::SettingsEdit edit(kSettings, settings->text);
+  to.empty() ? edit.removeFile(path) : edit.renameFile(path, to);
+  if (edit.text() == settings->text) return std::nullopt;
+  return call.shared.folder.write(kSettings, edit.text(), settings->revision);
+}
+
 Answer remove(const Call& call) {
   const std::string path = call.fields.text("path");
   if (!call.fields.good()) return call.fields.problems();
-  return afterwards(call, call.shared.folder.remove(path));
+  auto problem = call.shared.folder.remove(path);
+  if (!problem) problem = keepSettings(call, path, {});
+  return afterwards(call, std::move(problem));
 }
 
 Answer rename(const Call& call) {
   const std::string path = call.fields.text("path"), to = call.fields.text("to");
   if (!call.fields.good()) return call.fields.problems();
-  return afterwards(call, call.shared.folder.rename(path, to));
+  auto problem = call.shared.folder.rename(path, to);
+  if (!problem) problem = keepSettings(call, path, to);
+  return afterwards(call, std::move(problem));
 }
 
 constexpr Method kMethods[] = {

@@ -1,4 +1,5 @@
 // The racks, and faults of their modules (what scenarios do with `fault`).
+#include "workbench/hardware_plan.h"
 #include "workbench/hardware_rows.h"
 #include "workbench/method.h"
 
@@ -43,9 +44,43 @@ Answer fault(const Call& call) {
   return empty();
 }
 
+// Of a text that does not come to be there is no place to go to.
+Problems withoutPlace(const Problems& problems) {
+  Problems list;
+  for (Problem problem : problems.list()) {
+    problem.position = nowhere();
+    list.add(std::move(problem));
+  }
+  return list;
+}
+
+// merker.toml as it would be with the changes. Without changes: what the text says.
+Answer edit(const Call& call) {
+  constexpr std::size_t kMostChanges = 100;
+  project::SettingsEdit edit("merker.toml", call.fields.text("text"));
+  const auto changes = call.fields.has("changes") ? call.fields.objects("changes", kMostChanges)
+                                                  : std::vector<Fields>();
+  if (!call.fields.good()) return call.fields.problems();
+  if (edit.problem()) return one(*edit.problem());
+  for (const Fields& change : changes) {
+    const project::SettingsEdit before = edit;
+    applyChange(edit, change);
+    if (!call.fields.good()) return call.fields.problems();
+    const Problems against = reasonsAgainst(before, edit, change);
+    if (against.hasErrors()) return withoutPlace(against);
+  }
+  Json result = planRows(edit, call.shared.offline().build.project.symbols);
+  result["text"] = edit.text();
+  return result;
+}
+
+Answer catalogue(const Call&) { return catalogueRows(); }
+
 constexpr Method kMethods[] = {
     {"hardware.read", Needs::S7, read},
     {"hardware.fault", Needs::S7, fault},
+    {"hardware.edit", Needs::S7, edit},
+    {"hardware.catalogue", Needs::S7, catalogue},
 };
 
 }  // namespace

@@ -58,6 +58,8 @@ Answer make(const Call& call) {
   wanted.form = call.fields.text("template", "empty");
   wanted.mnemonics =
       static_cast<Mnemonics>(call.fields.choice("mnemonics", {"german", "international"}, 0));
+  // S7-NET-03: 0 is the programming device, 1 an operator panel.
+  wanted.mpiAddress = static_cast<std::uint32_t>(call.fields.integer("mpiAddress", 2, 126, 2));
   const std::string ob = call.fields.text("ob", "OB 1");
   if (!call.fields.good()) return call.fields.problems();
   const auto number = obNumber(ob);

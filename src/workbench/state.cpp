@@ -80,6 +80,7 @@ Json project(const Shared& shared) {
   const project::Project& project = shared.plc->build().project;
   return {{"name", project.name},
           {"folder", project.path},
+          {"mpiAddress", project.mpiAddress},
           {"family", shared.plc->isS7() ? "S7" : "S5"},
           {"model", shared.plc->controller().modelName()},
           {"example", shared.example},

@@ -110,8 +110,8 @@ std::string sourceText(const NewProject& wanted, const CpuModel& model) {
 }
 
 std::string settingsText(const NewProject& wanted) {
-  return fmt::format("[project]\nname = \"{}\"\n\n[cpu]\nmodel = \"{}\"\n", wanted.name,
-                     wanted.model);
+  return fmt::format("[project]\nname = \"{}\"\n\n[cpu]\nmodel = \"{}\"\nmpi_address = {}\n",
+                     wanted.name, wanted.model, wanted.mpiAddress);
 }
 
 Problem notMade(const std::string& path, const std::error_code& error) {

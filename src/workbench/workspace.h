@@ -24,7 +24,7 @@ struct Template {
 struct NewProject {
   std::string name, model, form;  // form: of a template
   Mnemonics mnemonics = Mnemonics::German;
-  std::uint32_t ob = 1;
+  std::uint32_t ob = 1, mpiAddress = 2;
 };
 
 class Workspace {

@@ -33,6 +33,14 @@ TEST(Settings, AllKeysAreOptional) {
             1461LL * 24 * 3600 * 1000);  // 1994-01-01: four years, one of them a leap year
 }
 
+// S7-MGR-01, S7-NET-03: a new CPU has 2; 0 and 1 belong to others.
+TEST(Settings, TheMpiAddress) {
+  EXPECT_EQ(read("").settings.mpiAddress, 2u);
+  EXPECT_EQ(read("[cpu]\nmpi_address = 126").settings.mpiAddress, 126u);
+  EXPECT_EQ(read("[cpu]\nmpi_address = 1").problem(), "2:15 P0704");
+  EXPECT_EQ(read("[cpu]\nmpi_address = 127").problem(), "2:15 P0704");
+}
+
 TEST(Settings, EveryKey) {
   const Read r = read(R"([project]
 name = "Plant"

@@ -114,5 +114,15 @@ TEST(Files, ChangesByOthersAreSeen) {
   EXPECT_EQ(after["project"]["changed"], Json::array({"more.awl"}));
 }
 
+TEST(Files, AProgramListKeepsTheNamesOfItsFiles) {
+  Bench bench(kProgram, "[program]\nsources = [\"main.awl\"]  # in this order\n");
+  bench.call("files.rename", {{"path", "main.awl"}, {"to", "lib/first.awl"}});
+  EXPECT_NE(bench.folder.read("merker.toml").find("[\"lib/first.awl\"]  # in this order"),
+            std::string::npos);
+  EXPECT_EQ(bench.call("program.check")["problems"], Json::array());
+  bench.call("files.delete", {{"path", "lib/first.awl"}});
+  EXPECT_NE(bench.folder.read("merker.toml").find("sources = []"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace merker::workbench::test

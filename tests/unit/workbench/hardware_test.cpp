@@ -71,5 +71,92 @@ TEST(Hardware, FaultsComeAndGo) {
   EXPECT_EQ(bench.problem("hardware.fault", wrong), "P1307");
 }
 
+constexpr const char* kPlan = R"([project]
+name = "Test"
+
+# the panel
+[[module]]
+slot = 4  # beside the CPU
+type = "SM 321 DI16xDC24V"
+)";
+
+Json change(const char* what, const char* place, Json more = Json::object()) {
+  more.update({{"change", what}, {"rack", 0}, {"slot", place}});
+  return {{"text", kPlan}, {"changes", {std::move(more)}}};
+}
+
+Json placed(const Json& plan, const std::string& place) {
+  for (const Json& one : plan["racks"][0]["slots"])
+    if (one["slot"] == place) return one;
+  return nullptr;
+}
+
+// S7-HWCFG-01, S7-HWCFG-02, S7-HWCFG-03
+TEST(HardwareEdit, AModuleIsPlacedAddressedAndMoved) {
+  Bench bench;
+  Json plan = bench.call("hardware.edit", change("place", "5", {{"type", "6ES7 322-1BH01-0AA0"}}));
+  EXPECT_EQ(placed(plan, "5")["outputs"], (Json{{"first", 4}, {"bytes", 2}}));
+  EXPECT_EQ(plan["problems"], Json::array());
+  const Json to = {{"change", "set"}, {"rack", 0}, {"slot", "5"}, {"key", "output"}, {"value", 20}};
+  plan = bench.call("hardware.edit", {{"text", plan["text"]}, {"changes", {to}}});
+  EXPECT_EQ(placed(plan, "5")["outputs"]["first"], 20);
+  const Json away = {
+      {"change", "move"}, {"rack", 0}, {"slot", "4"}, {"toRack", 0}, {"toSlot", "6"}};
+  plan = bench.call("hardware.edit", {{"text", plan["text"]}, {"changes", {away}}});
+  EXPECT_EQ(placed(plan, "6")["inputs"]["first"], 8);  // the address of its new slot
+  EXPECT_EQ(plan["problems"][0]["code"], "P0732");     // slot 4 is empty now
+  EXPECT_NE(plan["text"].get<std::string>().find("slot = 6  # beside the CPU"), std::string::npos);
+  EXPECT_EQ(bench.folder.read("merker.toml"),
+            "[project]\nname = \"Test\"\n");  // nothing is written
+}
+
+// S7-HWCFG-07: slot and cause
+TEST(HardwareEdit, WhatCannotStandThereIsRefused) {
+  Bench bench;
+  const auto refused = [&](const char* place, const char* type) {
+    return bench.problem("hardware.edit", change("place", place, {{"type", type}}));
+  };
+  EXPECT_EQ(refused("4", "6ES7 322-1BH01-0AA0"), "P0725");
+  EXPECT_EQ(refused("3", "6ES7 322-1BH01-0AA0"), "P0726");
+  EXPECT_EQ(refused("12", "6ES7 322-1BH01-0AA0"), "P0723");
+  EXPECT_EQ(refused("5", "6ES7 999"), "P0720");
+  const auto set = [&](const char* key, Json value) {
+    return bench.problem("hardware.edit", change("set", "4", {{"key", key}, {"value", value}}));
+  };
+  EXPECT_EQ(set("input", 124), "P0733");
+  EXPECT_EQ(set("input", 5000), "P0734");
+  EXPECT_EQ(set("output", 4), "P0735");
+  EXPECT_EQ(set("x = 1\ny", 4), "P1305");
+  EXPECT_EQ(set("name", Json::object()), "P1305");
+  EXPECT_EQ(bench.problem("hardware.edit", {{"text", "a = = 1"}}), "P0702");
+  const Json odd =
+      bench.call("hardware.edit", change("place", "3", {{"type", "6ES7 360-3AA01-0AA0"}}));
+  EXPECT_EQ(placed(odd, "3")["type"], "IM 360 sender");
+}
+
+// S7-HWCFG-08, S7-HWCFG-09
+TEST(HardwareEdit, ParametersAreRowsAndKeys) {
+  Bench bench;
+  const Json plan = bench.call("hardware.edit", {{"text", kPlan}});
+  EXPECT_EQ(placed(plan, "4")["parameters"][1],
+            (Json{{"key", "input"}, {"kind", "address"}, {"value", 0}, {"given", false}}));
+  EXPECT_EQ(placed(plan, "2.3")["channels"].size(), 7U);
+  const Json set = {
+      {"change", "set"}, {"table", "cpu.OB35"}, {"key", "interval"}, {"value", "50ms"}};
+  const Json after = bench.call("hardware.edit", {{"text", kPlan}, {"changes", {set}}});
+  EXPECT_EQ(after["cpu"][1]["parameters"][0]["value"], "50ms");
+  const Json channel = {{"change", "set"}, {"rack", 0},      {"slot", "2.3"},    {"side", "input"},
+                        {"number", 1},     {"key", "range"}, {"value", "0..10V"}};
+  const Json ranged = bench.call("hardware.edit", {{"text", kPlan}, {"changes", {channel}}});
+  EXPECT_EQ(placed(ranged, "2.3")["channels"][1]["parameters"][0]["value"], "0..10V");
+}
+
+TEST(HardwareEdit, TheCatalogueSaysWhereModulesStand) {
+  Bench bench;
+  const Json types = bench.call("hardware.catalogue")["types"];
+  EXPECT_EQ(types[0]["slots"], (Json{1, 1}));
+  EXPECT_GT(types.size(), 30U);
+}
+
 }  // namespace
 }  // namespace merker::workbench::test

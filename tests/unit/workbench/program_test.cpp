@@ -133,6 +133,28 @@ TEST(Program, BlocksOfTheCpuBecomeSources) {
   EXPECT_EQ(bench.problem("program.upload", {{"blocks", {"FC 1"}}}), "P1312");
 }
 
+// S7-EDIT-04, S7-EDIT-05, S7-EDIT-19, S7-EDIT-23: titles and comments of block and networks come
+// back from the CPU, and the source that comes back is the same block.
+TEST(Program, ABlockBecomesASourceAndTheSameBlock) {
+  const std::string block =
+      "FUNCTION FC 1 : VOID\nTITLE = A block\n//What it is for\nVERSION : 0.1\nBEGIN\nNETWORK\n"
+      "TITLE = First network\n//What happens there\n      L     1;  //a value\n      T     MW "
+      "100;\n"
+      "NETWORK\nTITLE = Second network\n      L     2;\n      T     MW 102;\nEND_FUNCTION\n";
+  const std::string rest =
+      "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n      CALL  FC 1;\nEND_ORGANIZATION_BLOCK\n";
+  Bench bench(block + rest);
+  bench.call("program.upload", {{"blocks", {"FC 1"}}});
+  const std::string source = bench.folder.read("online/FC1.awl");
+  for (const char* text : {"TITLE = A block", "//What it is for", "TITLE = First network",
+                           "//What happens there", "//a value", "TITLE = Second network"})
+    EXPECT_NE(source.find(text), std::string::npos) << text;
+  save(bench, rest);
+  EXPECT_EQ(states(bench)["FC 1"], "same");
+  const Json rows = bench.call("program.references", {{"operand", "MW 102"}})["rows"];
+  EXPECT_EQ(rows[0]["network"], 2);
+}
+
 TEST(Program, ShowsItsMachineCode) {
   Bench bench(program(7));
   const auto listing = [&](const char* mnemonics) {

@@ -1,0 +1,328 @@
+#include "project/settings_edit.h"
+
+#include <algorithm>
+
+#include "base/text.h"
+#include "project/files.h"
+#include "project/readers.h"
+#include "project/settings_text.h"
+
+namespace merker::project {
+namespace {
+
+// One look at the text: its tables, and in which lines their headers stand.
+class View {
+ public:
+  explicit View(const std::string& text) : text_(text), parsed_(toml::parse(text)) {
+    if (parsed_) collect(parsed_.table());
+    std::sort(headers_.begin(), headers_.end());
+  }
+
+  bool good() const { return static_cast<bool>(parsed_); }
+  const toml::parse_error& error() const { return parsed_.error(); }
+  const toml::table& root() const { return parsed_.table(); }
+  SettingsText& text() { return text_; }
+
+  static std::uint32_t lineOf(const toml::table& table) { return table.source().begin.line; }
+  bool hasHeader(const toml::table& table) const {
+    return std::binary_search(headers_.begin(), headers_.end(), lineOf(table));
+  }
+  // The header behind this line, or the line behind the last one.
+  std::uint32_t nextHeader(std::uint32_t line) const {
+    const auto next = std::upper_bound(headers_.begin(), headers_.end(), line);
+    return next == headers_.end() ? text_.lines() + 1 : *next;
+  }
+  // The last line of what stands directly in the table.
+  std::uint32_t lastLine(std::uint32_t header) const {
+    std::uint32_t line = nextHeader(header) - 1;
+    while (line > header && (text_.isBlank(line) || text_.isComment(line))) --line;
+    return line;
+  }
+  // Behind the table and those below it.
+  std::uint32_t behind(const toml::table& table) const {
+    std::uint32_t line = lineOf(table);
+    for (const auto& [key, value] : table)
+      if (const auto* list = value.as_array())
+        for (const toml::node& one : *list)
+          if (one.is_table() && hasHeader(*one.as_table()))
+            line = std::max(line, lineOf(*one.as_table()));
+    return withComment(nextHeader(line));
+  }
+  // The first line of the comment right above a header.
+  std::uint32_t withComment(std::uint32_t header) const {
+    while (header > 1 && header <= text_.lines() && text_.isComment(header - 1)) --header;
+    return header;
+  }
+
+ private:
+  void collect(const toml::table& table) {
+    for (const auto& [key, value] : table) {
+      if (const auto* one = value.as_table()) note(*one);
+      if (const auto* list = value.as_array())
+        for (const toml::node& item : *list)
+          if (const auto* one = item.as_table()) note(*one);
+    }
+  }
+  void note(const toml::table& table) {
+    if (!table.is_inline() && trim(text_.line(lineOf(table))).starts_with('['))
+      headers_.push_back(lineOf(table));
+    collect(table);
+  }
+
+  SettingsText text_;
+  toml::parse_result parsed_;
+  std::vector<std::uint32_t> headers_;
+};
+
+const toml::array* listOf(const toml::table& table, std::string_view key) {
+  const toml::node* node = table.get(key);
+  return node == nullptr ? nullptr : node->as_array();
+}
+
+ModulePlace placeOf(const toml::table& table) {
+  const toml::node* slot = table.get("slot");
+  const toml::node* rack = table.get("rack");
+  const std::int64_t number = rack == nullptr ? 0 : rack->value<std::int64_t>().value_or(-1);
+  return {static_cast<std::uint32_t>(number), slot == nullptr ? "" : slotText(*slot)};
+}
+
+const toml::table* moduleAt(const View& view, const ModulePlace& place) {
+  const toml::array* modules = listOf(view.root(), "module");
+  if (modules == nullptr) return nullptr;
+  for (const toml::node& node : *modules)
+    if (const auto* table = node.as_table(); table != nullptr && placeOf(*table) == place)
+      return table;
+  return nullptr;
+}
+
+std::string slotValue(const std::string& slot) {
+  return slot.find('.') == std::string::npos ? slot : "\"" + slot + "\"";
+}
+
+// A key of a table that stands under this header; `table` may be null where the header is new.
+void setKey(View& view, const toml::table& table, std::string_view key,
+            const SettingsEdit::Value& value) {
+  const toml::node* old = table.get(key);
+  if (old == nullptr) {
+    if (value)
+      view.text().insert(view.lastLine(View::lineOf(table)) + 1,
+                         {fmt::format("{} = {}", key, *value)});
+    return;
+  }
+  const toml::source_region& region = old->source();
+  if (value)
+    view.text().replace(region.begin.line, region.begin.column, region.end.line, region.end.column,
+                        *value);
+  else
+    view.text().erase(region.begin.line, region.end.line + 1);
+}
+
+// Before the plants, which come last in most files.
+std::uint32_t endOfModules(const View& view) {
+  if (const auto* modules = listOf(view.root(), "module"); modules && !modules->empty())
+    return view.behind(*modules->back().as_table());
+  const toml::array* plants = listOf(view.root(), "plant");
+  return plants == nullptr || plants->empty()
+             ? view.nextHeader(UINT32_MAX)
+             : view.withComment(View::lineOf(*plants->front().as_table()));
+}
+
+// A table of its own, with a blank line on both sides.
+void insertTable(SettingsText& text, std::uint32_t before, std::vector<std::string> lines) {
+  if (before > 1 && !text.isBlank(before - 1)) lines.insert(lines.begin(), "");
+  if (before <= text.lines() && !text.isBlank(before)) lines.emplace_back();
+  text.insert(before, lines);
+}
+
+const toml::table* channelOf(const toml::table& module, std::string_view side,
+                             std::uint32_t number) {
+  const toml::array* channels = listOf(module, "channel");
+  if (channels == nullptr) return nullptr;
+  for (const toml::node& node : *channels) {
+    const auto* table = node.as_table();
+    const toml::node* key = table == nullptr ? nullptr : table->get(side);
+    if (key != nullptr && key->value<std::int64_t>() == number) return table;
+  }
+  return nullptr;
+}
+
+const toml::table* tableOf(const View& view, std::string_view path) {
+  const toml::table* table = &view.root();
+  while (table != nullptr && !path.empty()) {
+    const auto point = path.find('.');
+    const toml::node* node = table->get(path.substr(0, point));
+    table = node == nullptr ? nullptr : node->as_table();
+    path.remove_prefix(point == std::string_view::npos ? path.size() : point + 1);
+  }
+  return table;
+}
+
+constexpr std::string_view kFileLists[] = {"sources", "symbols"};
+
+const toml::array* fileList(const View& view, std::string_view key) {
+  const toml::table* program = tableOf(view, "program");
+  return program == nullptr ? nullptr : listOf(*program, key);
+}
+
+std::string quoted(std::string_view path) { return fmt::format("\"{}\"", path); }
+
+// The entry that names exactly this file.
+const toml::node* entryOf(const toml::array& list, std::string_view path) {
+  for (const toml::node& node : list)
+    if (const auto* text = node.as_string(); text != nullptr && text->get() == path) return &node;
+  return nullptr;
+}
+
+bool finds(const toml::array& list, std::string_view path) {
+  return std::any_of(list.begin(), list.end(), [&](const toml::node& node) {
+    return node.is_string() && matches(node.as_string()->get(), path);
+  });
+}
+
+void renameIn(View& view, const toml::array& list, std::string_view from, std::string_view to) {
+  if (const toml::node* entry = entryOf(list, from)) {
+    const toml::source_region& place = entry->source();
+    view.text().replace(place.begin.line, place.begin.column, place.end.line, place.end.column,
+                        quoted(to));
+  } else if (finds(list, from) && !finds(list, to)) {
+    const toml::source_position& end = list.back().source().end;
+    view.text().replace(end.line, end.column, end.line, end.column, ", " + quoted(to));
+  }
+}
+
+std::string listWithout(const toml::array& list, std::string_view path) {
+  std::string text;
+  for (const toml::node& node : list)
+    if (const auto* entry = node.as_string(); entry != nullptr && entry->get() != path)
+      text += (text.empty() ? "" : ", ") + quoted(entry->get());
+  return "[" + text + "]";
+}
+
+bool writtenAsTables(const View& view) {
+  const toml::node* modules = view.root().get("module");
+  if (modules == nullptr) return true;
+  const auto* list = modules->as_array();
+  return list != nullptr && std::all_of(list->begin(), list->end(), [&](const toml::node& one) {
+           return one.is_table() && view.hasHeader(*one.as_table());
+         });
+}
+
+}  // namespace
+
+SettingsEdit::SettingsEdit(std::string file, std::string text) : file_(std::move(file)) {
+  take(std::move(text));
+}
+
+void SettingsEdit::take(std::string text) {
+  text_ = std::move(text);
+  const View view(text_);
+  problem_.reset();
+  if (!view.good()) {
+    const toml::source_position& place = view.error().source().begin;
+    problem_ = makeProblem(ProblemCode::P0702, Position{file_, place.line, place.column},
+                           std::string(view.error().description()));
+  } else if (!writtenAsTables(view)) {
+    problem_ = makeProblem(ProblemCode::P1308, Position{file_}, file_,
+                           "only modules that are written as [[module]] can be changed here");
+  }
+}
+
+bool SettingsEdit::has(const ModulePlace& place) const {
+  const View view(text_);
+  return view.good() && project::moduleAt(view, place) != nullptr;
+}
+
+void SettingsEdit::add(const ModulePlace& place, std::string_view type) {
+  View view(text_);
+  std::vector<std::string> lines = {"[[module]]"};
+  if (place.rack != 0) lines.push_back(fmt::format("rack = {}", place.rack));
+  lines.push_back(fmt::format("slot = {}", slotValue(place.slot)));
+  if (!type.empty()) lines.push_back(fmt::format("type = \"{}\"", type));
+  insertTable(view.text(), endOfModules(view), std::move(lines));
+  take(view.text().text());
+}
+
+void SettingsEdit::remove(const ModulePlace& place) {
+  View view(text_);
+  const toml::table* module = project::moduleAt(view, place);
+  if (module == nullptr) return;
+  const std::uint32_t behind = view.behind(*module);
+  view.text().erase(view.withComment(View::lineOf(*module)), behind);
+  take(view.text().text());
+}
+
+void SettingsEdit::move(const ModulePlace& place, const ModulePlace& to) {
+  if (to.rack != place.rack) set(place, "rack", to.rack == 0 ? Value() : std::to_string(to.rack));
+  set({to.rack, place.slot}, "slot", slotValue(to.slot));
+}
+
+void SettingsEdit::set(const ModulePlace& place, std::string_view key, const Value& value) {
+  View view(text_);
+  const toml::table* module = project::moduleAt(view, place);
+  if (module == nullptr) return;
+  setKey(view, *module, key, value);
+  take(view.text().text());
+}
+
+void SettingsEdit::setChannel(const ModulePlace& place, std::string_view side, std::uint32_t number,
+                              std::string_view key, const Value& value) {
+  View view(text_);
+  const toml::table* module = project::moduleAt(view, place);
+  if (module == nullptr) return;
+  if (const toml::table* channel = channelOf(*module, side, number))
+    setKey(view, *channel, key, value);
+  else if (value)
+    insertTable(view.text(), view.behind(*module),
+                {"[[module.channel]]", fmt::format("{} = {}", side, number),
+                 fmt::format("{} = {}", key, *value)});
+  take(view.text().text());
+}
+
+void SettingsEdit::setIn(std::string_view name, std::string_view key, const Value& value) {
+  View view(text_);
+  const toml::table* table = tableOf(view, name);
+  if (table != nullptr && view.hasHeader(*table)) {
+    setKey(view, *table, key, value);
+  } else if (value) {
+    const toml::table* outer = tableOf(view, name.substr(0, name.find('.')));
+    const std::uint32_t before = outer != nullptr && view.hasHeader(*outer)
+                                     ? view.lastLine(View::lineOf(*outer)) + 1
+                                     : endOfModules(view);
+    insertTable(view.text(), before,
+                {fmt::format("[{}]", name), fmt::format("{} = {}", key, *value)});
+  }
+  take(view.text().text());
+}
+
+void SettingsEdit::renameFile(std::string_view from, std::string_view to) {
+  for (const std::string_view key : kFileLists) {
+    View view(text_);
+    const toml::array* list = view.good() ? fileList(view, key) : nullptr;
+    if (list == nullptr || list->empty()) continue;
+    renameIn(view, *list, from, to);
+    take(view.text().text());
+  }
+}
+
+void SettingsEdit::removeFile(std::string_view path) {
+  for (const std::string_view key : kFileLists) {
+    const View view(text_);
+    const toml::array* list = view.good() ? fileList(view, key) : nullptr;
+    if (list != nullptr && entryOf(*list, path) != nullptr)
+      setIn("program", key, listWithout(*list, path));
+  }
+}
+
+std::optional<ModulePlace> SettingsEdit::moduleAt(std::uint32_t line) const {
+  const View view(text_);
+  const toml::array* modules = view.good() ? listOf(view.root(), "module") : nullptr;
+  if (modules == nullptr) return std::nullopt;
+  for (const toml::node& node : *modules) {
+    const auto* table = node.as_table();
+    if (table != nullptr && line >= View::lineOf(*table) && line < view.behind(*table))
+      return placeOf(*table);
+  }
+  return std::nullopt;
+}
+
+}  // namespace merker::project

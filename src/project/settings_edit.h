@@ -1,0 +1,59 @@
+// Changes of a merker.toml as the hardware view makes them (S7-HWCFG-01 to -03, -08, -09). Only
+// what is changed is written anew: comments, order and blanks of the user's file stay.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "base/problem.h"
+
+namespace merker::project {
+
+struct ModulePlace {
+  std::uint32_t rack = 0;
+  std::string slot;  // "4", "2.2"
+  bool operator==(const ModulePlace&) const = default;
+};
+
+class SettingsEdit {
+ public:
+  // Value of a key as TOML, `"4..20mA"`; none: the key is taken out.
+  using Value = std::optional<std::string>;
+
+  SettingsEdit(std::string file, std::string text);
+
+  const std::string& text() const { return text_; }
+  // P0702 where the text is no TOML, P1308 where modules are not written as [[module]]: nothing can
+  // be changed then.
+  const std::optional<Problem>& problem() const { return problem_; }
+
+  bool has(const ModulePlace& place) const;
+  // `type` is empty on board of the CPU.
+  void add(const ModulePlace& place, std::string_view type);
+  // With the comment right above it.
+  void remove(const ModulePlace& place);
+  void move(const ModulePlace& place, const ModulePlace& to);
+  void set(const ModulePlace& place, std::string_view key, const Value& value);
+  // A [[module.channel]] that `side` ("input", "output", "number") and its number name.
+  void setChannel(const ModulePlace& place, std::string_view side, std::uint32_t number,
+                  std::string_view key, const Value& value);
+  // Of a table with a name: "cpu", "cpu.OB35".
+  void setIn(std::string_view table, std::string_view key, const Value& value);
+
+  // Files that [program] lists by name: another name, or none. A file that a pattern found and that
+  // none would find under its new name is added.
+  void renameFile(std::string_view from, std::string_view to);
+  void removeFile(std::string_view path);
+
+  // The module that this line belongs to.
+  std::optional<ModulePlace> moduleAt(std::uint32_t line) const;
+
+ private:
+  void take(std::string text);
+
+  std::string file_, text_;
+  std::optional<Problem> problem_;
+};
+
+}  // namespace merker::project
