@@ -1,10 +1,30 @@
 // Diagnostic buffer with help and the way to the block, stacks, module information (S7-MGR-16).
 import assert from 'node:assert/strict';
+import { mkdirSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { test } from 'node:test';
-import { open, serve, turn, until } from './harness.mjs';
+import { launch, open, serve, turn, until, visit } from './harness.mjs';
+
+/** FC 1 stops the CPU in line 8: BTI of what is no BCD number. */
+const FAULTY = `FUNCTION FC 1 : VOID
+VAR_TEMP
+  local : WORD;
+END_VAR
+BEGIN
+NETWORK
+      L     W#16#1234; T #local; L W#16#FFFF;
+      BTI   ;
+END_FUNCTION
+ORGANIZATION_BLOCK OB 1
+BEGIN
+NETWORK
+      CALL  FC 1;
+END_ORGANIZATION_BLOCK
+`;
 
 const server = await serve();
 const page = await open(server, 'diagnosis');
+let fault;
 const entries = page.getByRole('table').locator('tbody tr');
 
 test('each change of the operating state is an entry, newest first', async () => {
@@ -23,4 +43,33 @@ test('module information shows the CPU and its memory', async () => {
 test('in RUN nothing is interrupted', async () => {
   await page.getByRole('tab', { name: 'Stacks' }).click();
   await until(async () => /Kein Baustein/.test(await page.getByRole('tabpanel').innerText()), 'no stack');
+});
+
+test('after a fault: "open block" leads to its line (S7-MGR-16)', async () => {
+  const folder = join(server.workspace, 'faulty');
+  mkdirSync(folder);
+  writeFileSync(join(folder, 'merker.toml'), '[project]\nname = "Faulty"\n');
+  writeFileSync(join(folder, 'main.awl'), FAULTY);
+  const faulty = await launch(folder, server.workspace);
+  fault = await open(faulty, 'diagnosis');
+  await fault.locator('[data-mode="STOP"]').waitFor();
+  await fault.getByRole('table').locator('tbody tr').filter({ hasText: /16#252/ }).first().click();
+  await fault.getByRole('button', { name: 'Baustein öffnen' }).click();
+  await fault.locator('.code .cm-content').waitFor();
+  assert.match(fault.url(), /file=main\.awl&line=8/);
+  await until(async () => (await fault.locator('.code .cm-activeLine').innerText()).includes('BTI'), 'the line');
+});
+
+test('B stack, I stack and L stack show where it was (S7-MGR-16)', async () => {
+  await visit(fault, { address: fault.url().replace(/#.*/, '') }, 'diagnosis');
+  await fault.getByRole('tab', { name: 'Stacks' }).click();
+  const blocks = fault.getByRole('table').nth(0).locator('tbody tr');
+  await until(async () => /FC 1/.test(await blocks.first().innerText()), 'FC 1 in the B stack');
+  assert.match(await blocks.nth(1).innerText(), /OB 1/);
+  const interrupts = fault.getByRole('table').nth(1).locator('tbody tr');
+  assert.match(await interrupts.first().innerText(), /FFFF/i);
+  const locals = fault.getByRole('table').nth(2).locator('tbody tr');
+  assert.match(await locals.first().innerText(), /12 34/);
+  await blocks.first().getByRole('link').click();
+  await until(() => /line=8/.test(fault.url()), 'the line');
 });

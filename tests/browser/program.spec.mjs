@@ -44,6 +44,26 @@ test('the declaration table shows address, declaration, name, type, initial valu
   assert.equal(await page.getByLabel('Anfangswert Filter', { exact: true }).inputValue(), 'S5T#50MS');
 });
 
+test('a new data block is shared, an instance or of a type (S7-MGR-12)', async () => {
+  await page.getByRole('button', { name: 'Neuer Baustein' }).click();
+  await page.getByLabel(/^Baustein, z/).fill('DB 99');
+  await page.getByLabel(/^Instanz von/).fill('FC 1');
+  await page.getByRole('button', { name: 'Anlegen' }).click();
+  await page.getByRole('alert').getByText('UDT 2').waitFor();
+  await page.getByLabel(/^Instanz von/).fill('fb1');
+  await page.getByRole('button', { name: 'Anlegen' }).click();
+  await until(async () => (await text(page)).startsWith('DATA_BLOCK DB 99 FB 1'), 'the instance');
+  await page.getByRole('button', { name: 'Datei löschen' }).click();
+  await page.getByRole('dialog').getByRole('button', { name: 'Datei löschen' }).click();
+  await until(async () => !(await text(page)).includes('DB 99'), 'the file gone');
+});
+
+test('networks are shown with their titles and gone to (S7-EDIT-05)', async () => {
+  await block('FB 1').click();
+  const networks = page.getByLabel('Netzwerke', { exact: true });
+  await until(async () => /Netzwerk 1: \S/.test(await networks.locator('option').nth(1).innerText()), 'a title');
+});
+
 test('a wrong line is marked while it is being typed, with code, sentence and hint (S7-EDIT-06)', async () => {
   await toLine(page, 47);
   await page.keyboard.insertText('      U     E 0.8;\n');

@@ -1,4 +1,4 @@
-// Projects: tree, examples, wizard, folders, compare, load, upload (S7-MGR-01..03, -08, -11, -15).
+// Projects: tree, examples, wizard, folders, compare, load, upload (S7-MGR-01 to S7-MGR-11, S7-MGR-15).
 import assert from 'node:assert/strict';
 import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -19,6 +19,24 @@ test('the project is a tree of station, CPU, program, and each entry opens its t
   await page.goBack();
 });
 
+test('Hardware opens the configuration of this station (S7-MGR-05)', async () => {
+  await page.locator('.root').getByRole('link', { name: 'Hardware' }).click();
+  await page.getByRole('tab', { name: 'Konfigurieren', selected: true }).waitFor();
+  await page.getByRole('button', { name: /^Steckplatz 2: CPU 314C-2 PtP/ }).waitFor();
+  await page.goBack();
+});
+
+test('insert a block, symbols, editor, transfer, simulator: each from here (S7-MGR-09)', async () => {
+  await page.getByRole('button', { name: 'In die CPU laden' }).waitFor();
+  await page.locator('.root').getByRole('link', { name: 'Symbole' }).waitFor();
+  await page.locator('.root').getByRole('link', { name: 'Quellen' }).click();
+  await page.locator('.code .cm-content').waitFor();
+  await page.getByRole('button', { name: 'Neuer Baustein' }).waitFor();
+  await page.locator('header nav').getByRole('link', { name: 'E/A' }).click();
+  await page.locator('#tile-operand').waitFor();
+  await page.goto(page.url().replace(/#.*/, '#/projects'));
+});
+
 test('project and CPU are compared block by block (S7-MGR-15)', async () => {
   await page.getByText('Projekt und CPU sind gleich.').waitFor();
   await picture(page, 'projects');
@@ -32,16 +50,34 @@ test('an example is opened as a copy', async () => {
   assert.ok(existsSync(join(before, 'merker.toml')));
 });
 
-test('the wizard makes a project with CPU, OB 1 and language (S7-MGR-01)', async () => {
+test('the wizard makes a project with CPU, MPI address, OB 1 and representation (S7-MGR-01)', async () => {
   await page.getByRole('button', { name: 'Neues Projekt …' }).click();
   await page.getByLabel('Projektname').fill('Manfred');
   await page.getByLabel('CPU-Typ').selectOption('314C-2 PtP');
+  assert.equal(await page.getByLabel('MPI-Adresse').inputValue(), '2');
+  await page.getByLabel('MPI-Adresse').fill('5');
+  assert.equal(await page.getByLabel('Einsprung-OB').inputValue(), 'OB 1');
+  // KOP and FUP are named as what is not there yet.
+  await page.getByLabel('Darstellung').locator('option:disabled', { hasText: 'KOP' }).waitFor({ state: 'attached' });
   await page.getByLabel('Darstellung').selectOption('german');
   await picture(page, 'projects-wizard');
   await page.getByRole('button', { name: 'Anlegen' }).click();
   await page.locator('.path', { hasText: 'main.awl' }).first().waitFor();
   await page.goto(page.url().replace(/#.*/, '#/projects'));
   await expect(name, 'Manfred');
+  const made = (file) => readFileSync(join(server.workspace, 'merker', 'Manfred', file), 'utf-8');
+  assert.match(made('merker.toml'), /model = "314C-2 PtP"\nmpi_address = 5/);
+  assert.match(made('main.awl'), /^ORGANIZATION_BLOCK OB 1$/m);
+});
+
+test('MPI(1) shows who is on it (S7-MGR-04)', async () => {
+  await page.getByRole('button', { name: 'MPI(1), Adresse 5' }).click();
+  const rows = page.getByRole('dialog').getByRole('table').locator('tbody tr');
+  await expect(() => rows.count(), 2);
+  assert.match(await rows.nth(0).innerText(), /PG.*\s0$/s);
+  assert.match(await rows.nth(1).innerText(), /CPU 314C-2 PtP\s+5$/);
+  await picture(page, 'projects-mpi');
+  await page.keyboard.press('Escape');
 });
 
 test('a folder below the workspace is opened again, others are refused', async () => {

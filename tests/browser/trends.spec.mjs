@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
+import { accessible } from './axe.mjs';
 import { expect, open, picture, serve, turn, until } from './harness.mjs';
 
 const server = await serve();
@@ -22,6 +23,7 @@ test('variables and values of the plant are recorded', async () => {
   await expect(() => value('plant.Belt.SPEED'), '100 %');
   await until(async () => /^[01]$/.test(await value('"Slider small"')), 'a bit');
   assert.equal(await page.locator('.u-over').count(), 1);
+  await accessible(page, 'trends with curves');
 });
 
 test('what does not exist is told at its curve', async () => {

@@ -13,6 +13,13 @@ export function blockId(text: string): string | null {
   return kind ? `${kind.toUpperCase()} ${Number(number)}` : null;
 }
 
+/** What a data block can be made of: "fb1", "UDT 2", a symbol in quotation marks; null if it is nothing like it. */
+export function typeName(text: string): string | null {
+  const [, kind, number] = /^\s*(FB|SFB|UDT)\s*(\d{1,5})\s*$/i.exec(text) ?? [];
+  if (kind) return `${kind.toUpperCase()} ${Number(number)}`;
+  return /^\s*"[^"]+"\s*$/.test(text) ? text.trim() : null;
+}
+
 const code = (head: string, end: string, sections = ''): string => `${head}
 TITLE =
 VERSION : 0.1

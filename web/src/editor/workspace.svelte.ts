@@ -63,9 +63,14 @@ class Workspace {
   current = $state<OpenDocument | null>(null);
   symbols = $derived(new SymbolIndex(this.catalogue.symbols));
 
-  private folder = '';
+  private folder = $state('');
   private drafts = new Drafts(localStorage, '');
   private timer: ReturnType<typeof setTimeout> | undefined;
+
+  /** Whether what is here is of that project. */
+  isOf(folder: string | undefined): boolean {
+    return this.folder === folder;
+  }
 
   /** Another project: its texts, and what was typed in it before. */
   enter(folder: string): void {
@@ -103,16 +108,21 @@ class Workspace {
   }
 
   async open(path: string): Promise<OpenDocument | undefined> {
-    let document = this.documents.get(path);
-    if (!document) {
-      const stored = await attempt(connection.ask<Stored>('files.read', { path }));
-      if (!stored) return undefined;
-      document = this.documents.get(path) ?? new OpenDocument(path, stored, this.drafts);
-      this.documents.set(path, document);
-    }
-    this.current = document;
+    const document = await this.fetch(path);
+    if (document) this.current = document;
     this.checkSoon();
     return document;
+  }
+
+  /** The text with what was typed, without showing it. */
+  async fetch(path: string): Promise<OpenDocument | undefined> {
+    const document = this.documents.get(path);
+    if (document) return document;
+    const stored = await attempt(connection.ask<Stored>('files.read', { path }));
+    if (!stored) return undefined;
+    const fresh = this.documents.get(path) ?? new OpenDocument(path, stored, this.drafts);
+    this.documents.set(path, fresh);
+    return this.documents.get(path);
   }
 
   /** A block of the CPU as AWL, to read only. */
@@ -130,6 +140,19 @@ class Workspace {
     if ((await attempt(connection.ask('files.delete', { path }))) === undefined) return;
     this.drafts.remove(path);
     this.close(path);
+  }
+
+  /** With what was typed in it; references of merker.toml are the server's. */
+  async rename(path: string, to: string): Promise<boolean> {
+    const document = this.documents.get(path);
+    if (document && !(await this.save(document))) return false;
+    const answer = await attempt(connection.ask('files.rename', { path, to }));
+    if (answer === undefined) return false;
+    const shown = this.current?.path === path;
+    this.drafts.remove(path);
+    this.close(path);
+    if (shown) await this.open(to);
+    return true;
   }
 
   private exists(path: string): boolean {
@@ -167,7 +190,19 @@ class Workspace {
   async load(blocks?: string[]): Promise<boolean> {
     for (const document of this.documents.values())
       if (!(await this.save(document)) && !document.readonly) return false;
+    if (plc.isStep5) return this.reopen();
     return (await attempt(connection.ask('program.load', blocks ? { blocks } : {}))) !== undefined;
+  }
+
+  // A SINUMERIK takes no blocks one by one: the project is opened again, unless it has errors.
+  private async reopen(): Promise<boolean> {
+    const answer = await attempt(connection.ask<Checked>('program.check'));
+    const errors = answer?.problems.filter((problem) => problem.severity === 'error');
+    if (!errors) return false;
+    if (errors.length > 0) messages.problems(errors);
+    return (
+      errors.length === 0 && (await attempt(connection.ask('projects.open', { folder: this.folder }))) !== undefined
+    );
   }
 
   /** What the CPU has in an operand. */
@@ -238,6 +273,6 @@ export function followWorkspace(): void {
   });
   $effect(() => {
     void [plc.files, plc.program];
-    if (plc.live && plc.project) void workspace.refreshBlocks();
+    if (plc.live && plc.project && !plc.isStep5) void workspace.refreshBlocks();
   });
 }

@@ -10,6 +10,7 @@ export interface Project {
   name: string;
   folder: string;
   family: 'S7' | 'S5';
+  mpiAddress: number;
   model: string;
   example: boolean;
   changed: string[];
@@ -43,6 +44,11 @@ export class Plc {
   /** False until the first state came, and while the connection is lost: everything shown is old then. */
   live = $state(false);
   phase = $state<Phase>('connecting');
+
+  /** Of a SINUMERIK there is less: no symbols, no rack, no blocks one by one. */
+  get isStep5(): boolean {
+    return this.project?.family === 'S5';
+  }
 
   /** Whether an operand is forced, by its text or its address. */
   isForced(...names: string[]): boolean {

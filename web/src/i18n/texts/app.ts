@@ -36,6 +36,9 @@ export const app = {
   keyOver: ['im HALT: eine Anweisung', 'in HALT: step over'],
   keyInto: ['im HALT: in den Baustein, mit ⇧ hinaus', 'in HALT: step into, with ⇧ out'],
   keyGoTo: ['Gehe zur Definition', 'Go to definition'],
-  keyEscape: ['Dialog schließen', 'Close dialog'],
+  keyEscape: [
+    'Dialog schließen; im Programmtext führt Tab danach hinaus',
+    'Close a dialog; in the program text Tab then leaves it',
+  ],
   skip: ['Zum Inhalt springen', 'Skip to content'],
 } satisfies Texts;

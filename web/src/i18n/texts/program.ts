@@ -23,10 +23,22 @@ export const program = {
     'A block is OB, FB, FC or DB with a number.',
   ],
   blockThere: ['{block} gibt es schon.', '{block} exists already.'],
-  instanceOf: ['Instanz von (FB, leer: globaler DB)', 'Instance of (FB, empty: shared DB)'],
+  instanceOf: [
+    'Instanz von FB, oder vom Typ UDT (leer: globaler DB)',
+    'Instance of an FB, or of type UDT (empty: shared DB)',
+  ],
+  instanceWrong: [
+    'FB 1, SFB 4, UDT 2 oder ein Symbol in Anführungszeichen',
+    'FB 1, SFB 4, UDT 2 or a symbol in quotation marks',
+  ],
   fileName: ['Dateiname', 'File name'],
   create: ['Anlegen', 'Create'],
   cancel: ['Abbrechen', 'Cancel'],
+  renameFile: ['Datei umbenennen', 'Rename file'],
+  renameHelp: [
+    'Ordner gehören zum Namen: lib/antrieb.awl. Steht die Datei in merker.toml, ändert sich dort der Name mit.',
+    'Folders are part of the name: lib/drive.awl. A name that merker.toml lists changes there as well.',
+  ],
   deleteFile: ['Datei löschen', 'Delete file'],
   deleteFileAsk: ['{file} wirklich löschen?', 'Really delete {file}?'],
   save: ['Speichern', 'Save'],

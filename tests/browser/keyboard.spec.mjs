@@ -1,0 +1,80 @@
+// The whole page by keyboard alone: no pointer is used here.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { bit, expect, open, serve, until } from './harness.mjs';
+
+const server = await serve('06-first-program');
+const page = await open(server, 'projects');
+const here = () => page.evaluate(() => document.activeElement?.getAttribute('aria-label') || document.activeElement?.innerText || document.activeElement?.id || '');
+const view = () => page.evaluate(() => location.hash.replace(/^#\/?([a-z]*).*/, '$1'));
+
+/** Tab until the focus is on what is wanted. */
+async function tabTo(wanted, most = 150) {
+  const seen = [];
+  for (let count = 0; count < most; count++) {
+    // In the text Tab indents; Esc before it leaves.
+    if (await page.evaluate(() => Boolean(document.activeElement?.shadowRoot ?? document.activeElement?.closest('.cm-editor'))))
+      await page.keyboard.press('Escape');
+    await page.keyboard.press('Tab');
+    const now = (await here()).trim();
+    seen.push(now);
+    if (wanted.test(now)) return;
+  }
+  assert.fail(`never reached ${wanted}; there were ${[...new Set(seen)].join(' | ')}`);
+}
+
+test('each view is reached by Tab and Enter', async () => {
+  for (const [name, id] of [['Hardware', 'hardware'], ['Symbole', 'symbols'], ['Programm', 'program'], ['E/A', 'io'], ['Variablen', 'variables'], ['Anlage', 'process'], ['Kurven', 'trends'], ['Diagnose', 'diagnosis'], ['Projekt', 'projects']]) {
+    await tabTo(new RegExp(`^${name}$`));
+    await page.keyboard.press('Enter');
+    await expect(view, id);
+    await page.locator('main h1').first().waitFor();
+  }
+});
+
+test('what has the focus is seen', async () => {
+  await page.keyboard.press('Tab');
+  const outline = await page.evaluate(() => getComputedStyle(document.activeElement).outlineStyle);
+  assert.notEqual(outline, 'none');
+});
+
+test('a module is configured without a pointer (S7-HWCFG-01)', async () => {
+  await page.reload();
+  await tabTo(/^Hardware$/);
+  await page.keyboard.press('Enter');
+  await tabTo(/^Im Betrieb$/);
+  await page.keyboard.press('ArrowRight');
+  await page.locator('tr[data-slot="4"]').waitFor();
+  await tabTo(/Katalog filtern/);
+  await page.keyboard.type('321-1BH02');
+  await tabTo(/SM 321 DI16xDC24V/);
+  await page.keyboard.press('Enter');
+  await tabTo(/^Steckplatz 4: frei$/);
+  await page.keyboard.press('Enter');
+  await page.getByRole('button', { name: 'Steckplatz 4: SM 321 DI16xDC24V' }).waitFor();
+  await tabTo(/^Rückgängig$/);
+  await page.keyboard.press('Enter');
+  await page.getByRole('button', { name: 'Steckplatz 4: frei' }).waitFor();
+});
+
+test('an input is switched, a dialog opened and left, without a pointer', async () => {
+  await tabTo(/^E\/A$/);
+  await page.keyboard.press('Enter');
+  await page.locator('button[data-operand="E 0.0"]').first().waitFor();
+  const focused = () => page.evaluate(() => document.activeElement?.getAttribute('data-operand'));
+  for (let count = 0; count < 150 && (await focused()) !== 'E 0.0'; count++) await page.keyboard.press('Tab');
+  assert.equal(await focused(), 'E 0.0');
+  await page.keyboard.press('Space');
+  await expect(() => bit(page, 'E 0.0'), '1');
+  await page.keyboard.press('F1');
+  await page.getByRole('dialog').waitFor();
+  await page.keyboard.press('Escape');
+  await expect(() => page.getByRole('dialog').count(), 0);
+});
+
+test('the mode selector follows the arrow keys', async () => {
+  await tabTo(/^(RUN-P|RUN|STOP)$/);
+  for (let count = 0; count < 4 && !/STOP/.test(await here()); count++) await page.keyboard.press('ArrowDown');
+  if (/STOP/.test(await here())) await page.keyboard.press('Enter');
+  await until(() => page.locator('[data-mode="STOP"]').count(), 'STOP');
+});

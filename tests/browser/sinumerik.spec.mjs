@@ -1,0 +1,60 @@
+// A STEP 5 project of a SINUMERIK 810: every view says what there is of it, and nothing breaks.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { accessible } from './axe.mjs';
+import { content, problems, replaceAll, text } from './editor.mjs';
+import { expect, open, picture, serve, turn, until, visit } from './harness.mjs';
+
+const server = await serve('step5/tool-changer');
+const page = await open(server, 'projects');
+const views = ['projects', 'hardware', 'symbols', 'program', 'io', 'variables', 'process', 'trends', 'diagnosis'];
+
+test('the tree is that of a SINUMERIK', async () => {
+  const tree = page.locator('.root');
+  await tree.getByText('SINUMERIK 810').waitFor();
+  assert.ok(!(await tree.innerText()).includes('MPI'));
+  await tree.getByText('S5-Programm').waitFor();
+});
+
+for (const view of views) {
+  test(`${view} opens without a complaint`, async () => {
+    await visit(page, server, view);
+    await page.locator('main h1').first().waitFor();
+    await accessible(page, view);
+    assert.equal(await page.locator('.message.problem').count(), 0);
+    await picture(page, `sinumerik-${view}`);
+  });
+}
+
+test('a changed listing is loaded: the PLC begins again with it', async () => {
+  await visit(page, server, 'program?file=main.s5');
+  await until(async () => (await content(page).innerText()).includes('OB 1'), 'the listing');
+  const before = await text(page);
+  await replaceAll(page, before.replace(/OB 1\b/, 'OB 99'));
+  await until(async () => (await problems(page).count()) > 0, 'a problem');
+  await page.getByRole('button', { name: 'Laden', exact: true }).click();
+  await page.locator('.message').first().waitFor();
+  await replaceAll(page, before);
+  await expect(() => problems(page).count(), 0);
+  await page.getByRole('button', { name: 'Laden', exact: true }).click();
+  await page.locator('.message.done').first().waitFor();
+  await page.locator('[data-mode="RUN"]').waitFor();
+});
+
+test('the listing is there to read', async () => {
+  await visit(page, server, 'program');
+  await page.locator('.files .path', { hasText: '.s5' }).first().click();
+  await until(async () => (await content(page).innerText()).length > 100, 'a listing');
+});
+
+test('the PLC runs, stops, and its variables are seen', async () => {
+  await visit(page, server, 'io');
+  await page.locator('#tile-operand').fill('MB 20');
+  await page.locator('#tile-operand').press('Enter');
+  await page.locator('button[data-operand="M 20.0"]').first().waitFor();
+  await turn(page, 'STOP');
+  await turn(page, 'RUN');
+  const cycles = async () => Number(await page.locator('[data-value="cycles"]').innerText());
+  const before = await cycles();
+  await until(async () => (await cycles()) > before, 'more cycles');
+});

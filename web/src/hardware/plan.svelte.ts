@@ -1,0 +1,157 @@
+// The hardware as it would be after the next download: merker.toml as an open text, and what the server makes of it.
+import { connection, type Problem } from '../connection';
+import type { OpenDocument } from '../editor/document.svelte';
+import { workspace } from '../editor/workspace.svelte';
+import { attempt } from '../state/messages.svelte';
+import { plc } from '../state/plc.svelte';
+import type { Rack, Slot } from './rack';
+
+export const SETTINGS = 'merker.toml';
+export const FIRST_SLOT = 1;
+export const LAST_SLOT = 11;
+
+export interface Parameter {
+  key: string;
+  kind: 'text' | 'address' | 'number' | 'choice' | 'flag' | 'bits' | 'amount' | 'length';
+  value: string | number | boolean | number[] | null;
+  /** Of an address: the file names it. */
+  given?: boolean;
+  choices?: string[];
+  count?: number;
+  /** Channels that share an edge. */
+  group?: number;
+  min?: number;
+  max?: number;
+  hint?: string;
+}
+
+export interface Channel {
+  side: 'input' | 'output';
+  number: number;
+  parameters: Parameter[];
+}
+
+export interface PlannedSlot extends Slot {
+  parameters?: Parameter[];
+  channels?: Channel[];
+}
+
+export interface PlannedRack extends Rack {
+  slots: PlannedSlot[];
+}
+
+export interface SlotProblem extends Problem {
+  rack?: number;
+  slot?: string;
+}
+
+export interface ModuleType {
+  order: string;
+  name: string;
+  text: string;
+  kind: string;
+  slots: [number, number];
+  inputBytes: number;
+  outputBytes: number;
+  current: number;
+}
+
+interface Planned {
+  text: string;
+  racks: PlannedRack[];
+  cpu: { table: string; parameters: Parameter[] }[];
+  configured: boolean;
+  current: { rack: number; taken: number; possible: number }[];
+  problems: SlotProblem[];
+}
+
+export interface Place {
+  rack: number;
+  slot: string;
+}
+
+export type Change =
+  | ({ change: 'place'; type: string } & Place)
+  | ({ change: 'remove' } & Place)
+  | ({ change: 'move'; toRack: number; toSlot: string } & Place)
+  | ({ change: 'set'; key: string; value: Parameter['value']; side?: string; number?: number } & Place)
+  | { change: 'set'; table: string; key: string; value: Parameter['value'] };
+
+/** The slot in its rack: rows of other racks are named "1/4". */
+export const slotOf = (slot: Slot): string => slot.slot.replace(/^\d+\//, '');
+
+class Plan {
+  document = $state<OpenDocument | null>(null);
+  planned = $state.raw<Planned | null>(null);
+  types = $state.raw<ModuleType[]>([]);
+  missing = $state(false);
+  past = $state.raw<string[]>([]);
+  private looked = '';
+
+  async open(): Promise<void> {
+    this.document = null;
+    this.planned = null;
+    this.past = [];
+    this.looked = '';
+    const files = await attempt(connection.ask<{ files: { path: string }[] }>('files.list'));
+    this.missing = files !== undefined && !files.files.some((file) => file.path === SETTINGS);
+    if (!files || this.missing) return;
+    this.document = (await workspace.fetch(SETTINGS)) ?? null;
+    const listed = await attempt(connection.ask<{ types: ModuleType[] }>('hardware.catalogue'));
+    if (listed) this.types = listed.types;
+  }
+
+  /** The text changed, here or elsewhere. */
+  async look(text: string): Promise<void> {
+    if (this.looked === text && this.planned) return;
+    this.looked = text;
+    const answer = await attempt(connection.ask<Planned>('hardware.edit', { text }));
+    if (answer && this.document?.text === text) this.planned = answer;
+  }
+
+  /** False if the server refuses it; then nothing has changed. */
+  async change(...changes: Change[]): Promise<boolean> {
+    const document = this.document;
+    if (!document) return false;
+    const before = document.text;
+    const answer = await attempt(connection.ask<Planned>('hardware.edit', { text: before, changes }));
+    if (!answer || document.text !== before) return false;
+    this.looked = answer.text;
+    this.planned = answer;
+    if (answer.text === before) return true;
+    this.past = [...this.past, before];
+    workspace.edit(document, answer.text);
+    return true;
+  }
+
+  undo(): void {
+    const text = this.past.at(-1);
+    if (text === undefined || !this.document) return;
+    this.past = this.past.slice(0, -1);
+    workspace.edit(this.document, text);
+  }
+
+  at(place: Place): PlannedSlot | undefined {
+    return this.planned?.racks
+      .find((rack) => rack.rack === place.rack)
+      ?.slots.find((slot) => slotOf(slot) === place.slot);
+  }
+
+  async save(): Promise<boolean> {
+    return this.document !== null && (await workspace.save(this.document));
+  }
+
+  /** Number of errors in the whole project as it is stored; undefined if it could not be asked. */
+  async compile(): Promise<number | undefined> {
+    if (!(await this.save())) return undefined;
+    const answer = await attempt(connection.ask<{ problems: Problem[] }>('program.check'));
+    return answer?.problems.filter((problem) => problem.severity === 'error').length;
+  }
+
+  async load(): Promise<boolean> {
+    if (plc.mode !== 'STOP' && (await attempt(connection.ask('cpu.stop'))) === undefined) return false;
+    return workspace.load();
+  }
+}
+
+export const plan = new Plan();
