@@ -77,6 +77,7 @@ class Hardware(Case):
         self.assertIn("slot = 4\n       ^", call.err)
 
     # S7-OPEN-32: three settings
+    # S7-MGR-06: an address is accepted if a module is behind it
     def test_addresses_without_module(self):
         program = "      U     E 8.0\n      =     A 4.0\n      L     PEW 300\n      T     MW 0"
         for setting, code, words in (("standard", PROBLEMS, ("warning: E 8.0", "error: PEW 300")),
