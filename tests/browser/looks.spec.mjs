@@ -4,7 +4,7 @@ import { test } from 'node:test';
 import { accessible } from './axe.mjs';
 import { open, serve, visit } from './harness.mjs';
 
-const views = ['projects', 'hardware', 'symbols', 'program', 'io', 'variables', 'process', 'trends', 'diagnosis'];
+const views = ['projects', 'hardware', 'hardware?mode=plan', 'symbols', 'program', 'io', 'variables', 'process', 'trends', 'diagnosis'];
 // Every pair of theme, language and size.
 const looks = [
   { theme: 'light', language: 'en', width: 1280, height: 800 },
@@ -20,7 +20,7 @@ for (const look of looks) {
     test(`${view}, ${look.theme}, ${look.language}, ${look.width} x ${look.height}`, async () => {
       await visit(page, server, view);
       await page.locator('main h1').waitFor();
-      await page.locator(`nav a[href="#/${view}"][aria-current]`).waitFor();
+      await page.locator(`nav a[href="#/${view.split('?')[0]}"][aria-current]`).waitFor();
       await accessible(page, view);
       const wide = await page.evaluate(() => document.documentElement.scrollWidth);
       const navigation = page.locator('header nav');
