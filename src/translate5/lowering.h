@@ -24,8 +24,10 @@ struct Lowering {
   const mc5::Decoded& decoded;
   std::uint32_t place, length;  // words: of the instruction, of the block
   std::vector<Bracket>& brackets;
-  mc5::Times extra;     // of the formal operand
+  const mc5::Decoded* next = nullptr;  // the instruction behind this one
+  mc5::Times extra;                    // of the formal operand
   bool ended = false;   // the way on leads elsewhere: nothing may follow in this region
+  unsigned words = 0;   // of what was translated, if it is more than this instruction
   bool leaves = false;  // often left to the processor: behind it the next region must begin
 
   const mc5::Operand& operand() const { return decoded.instruction.operand; }
@@ -48,6 +50,7 @@ std::span<const Row> moveRows();
 std::span<const Row> numberRows();
 std::span<const Row> jumpRows();
 std::span<const Row> cellRows();
+std::span<const Row> processingRows();
 
 // Operands in memory, nothing if this one is not translated. A place is the byte with the bit.
 struct BytePlace {
@@ -59,6 +62,9 @@ std::optional<BytePlace> bitPlace(Lowering& l, bool write);
 std::optional<icode::Value> readBit(Lowering& l);
 std::optional<icode::Value> readOperand(Lowering& l);
 bool writeOperand(Lowering& l, icode::Value value);
+// A data word by a number that is known when it runs; the other way is the processor's.
+icode::Value readDataAt(Lowering& l, icode::Value word);
+void writeDataAt(Lowering& l, icode::Value word, icode::Value value);
 
 // Timers and counters: byte of their word in Space::Instance; S Z, R T and R Z.
 bool isCell(const mc5::Operand& operand);

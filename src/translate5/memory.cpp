@@ -101,6 +101,25 @@ std::optional<BytePlace> bitPlace(Lowering& l, bool write) {
   return BytePlace{*space, operand.value, operand.bit};
 }
 
+namespace {
+
+// The byte of the data word; guards that it is there. Limits are whole words.
+Value dataPlace(Lowering& l, Value word, bool write) {
+  const Value place = l.to.withNumber(Opcode::Shl, word, 1);
+  l.to.guard(l.to.make(Opcode::Below, place, l.to.limit(Space::Data, write)));
+  return place;
+}
+
+}  // namespace
+
+Value readDataAt(Lowering& l, Value word) {
+  return turned(l, l.to.loadAt(Space::Data, dataPlace(l, word, false), 0, 2));
+}
+
+void writeDataAt(Lowering& l, Value word, Value value) {
+  l.to.storeAt(Space::Data, dataPlace(l, word, true), 0, 2, turned(l, value));
+}
+
 // Of timers and counters the output, or a bit of their word (P T 5.3).
 std::optional<Value> readBit(Lowering& l) {
   const Operand& operand = l.operand();

@@ -22,7 +22,8 @@ using Table = std::array<Lower, 256>;
 
 Table makeTable() {
   Table table{};
-  for (const auto rows : {bitRows(), moveRows(), numberRows(), jumpRows(), cellRows()})
+  for (const auto rows :
+       {bitRows(), moveRows(), numberRows(), jumpRows(), cellRows(), processingRows()})
     for (const Row& row : rows) table[static_cast<std::size_t>(row.operation)] = row.lower;
   return table;
 }
@@ -48,6 +49,7 @@ class Listing {
     const auto found = instructions_.find(word);
     return found == instructions_.end() ? nullptr : &found->second;
   }
+  bool isSubstitute(std::uint32_t word) const { return substitutes_.contains(word); }
   mc5::Times extra(std::uint32_t word) const {
     const auto found = substitutes_.find(word);
     return found == substitutes_.end() ? mc5::Times{} : found->second.extra;
@@ -116,6 +118,7 @@ class Blockwise {
     icode::Builder builder{region};
     std::vector<Bracket> brackets;
     bool ended = false, full = false;
+    unsigned words = 0;  // of what was added last
   };
 
   bool mayFollow(const Draft& draft, std::uint32_t at) const {
@@ -124,17 +127,31 @@ class Blockwise {
     return !listing_.isEntry(at) && draft.region.instructions < kLongestRegion;
   }
 
+  // What B would process, unless somebody looks at it.
+  const Decoded* processed(std::uint32_t at) const {
+    const bool seen = at < apart_.size() && apart_[at];
+    return seen || listing_.isSubstitute(at) ? nullptr : listing_.at(at);
+  }
+
   bool add(Draft& draft, std::uint32_t at) const {
     const Decoded& decoded = *listing_.at(at);
     const Lower lower = lowering(decoded);
     if (lower == nullptr || draft.brackets.size() >= kDeepest) return false;
-    Lowering l{draft.builder,     draft.region.needs, target_,           decoded, at,
-               listing_.length(), draft.brackets,     listing_.extra(at)};
+    Lowering l{draft.builder,
+               draft.region.needs,
+               target_,
+               decoded,
+               at,
+               listing_.length(),
+               draft.brackets,
+               processed(at + decoded.words),
+               listing_.extra(at)};
     draft.builder.begin(at, static_cast<std::uint64_t>(l.times().longest.ns));
     const bool done = lower(l);
     if (!done) draft.builder.cancel();
     draft.ended = l.ended;
     draft.full = l.leaves;
+    draft.words = l.words == 0 ? decoded.words : l.words;
     return done;
   }
 
@@ -143,7 +160,7 @@ class Blockwise {
     Draft draft(at);
     do {
       if (!mayFollow(draft, at) || !add(draft, at)) return false;
-      at += listing_.at(at)->words;
+      at += draft.words;
     } while (!draft.brackets.empty());
     return true;
   }
@@ -155,7 +172,7 @@ class Blockwise {
       const Decoded& decoded = *listing_.at(at);
       const bool outermost = isOpening(decoded.instruction.operation) && draft.brackets.empty();
       if ((outermost && !closes(at)) || !add(draft, at)) break;
-      at += decoded.words;
+      at += draft.words;
     }
     if (draft.region.instructions == 0) return at + 1;
     if (!draft.ended) draft.builder.leave(at);

@@ -138,9 +138,22 @@ void appendLoads(Random& random, Words& code) {
   }
 }
 
+// B MW or B DW with a number that mostly lies in the data block, and what it processes.
+void appendProcessing(Random& random, Words& code) {
+  const bool isData = oneIn(random, 3);
+  const auto place = static_cast<std::uint16_t>(isData ? random() % 4 : 30 + 2 * (random() % 3));
+  const auto transfer = static_cast<std::uint16_t>((isData ? 0x3300 : 0x1300) | place);
+  if (!oneIn(random, 3))
+    code.insert(code.end(), {0x3040, static_cast<std::uint16_t>(random() % 12), transfer});
+  code.push_back(static_cast<std::uint16_t>((isData ? 0x6E00 : 0x4E00) | place));
+  if (oneIn(random, 4)) return appendAny(random, code);
+  code.push_back(static_cast<std::uint16_t>((oneIn(random, 2) ? 0x3200 : 0x3300) | random() % 4));
+}
+
 Words randomCode(Random& random, std::size_t instructions) {
   Words code;
   while (instructions-- > 0) {
+    if (oneIn(random, 15)) appendProcessing(random, code);
     oneIn(random, 10) ? appendBrackets(random, code) : appendAny(random, code);
     if (oneIn(random, 6)) code.push_back(static_cast<std::uint16_t>(kTransferMd + random() % 40));
     if (oneIn(random, 12)) appendLoads(random, code);

@@ -88,7 +88,7 @@ TEST_F(Step5Differential, RandomPrograms) {
 }
 
 // What compiled STEP 5 uses of the intermediate code; but for SwapBytes, of which the lowest bit,
-// the one that is broken, is cut off.
+// the one that is broken, is cut off, and Limit: no number of a word leads to the end of segment 6.
 constexpr Opcode kUsed[] = {
     Opcode::Get,       Opcode::Base,       Opcode::Load8,   Opcode::Load16,   Opcode::Load32,
     Opcode::Store8,    Opcode::Store16,    Opcode::Store32, Opcode::BitOf,    Opcode::Insert,
@@ -98,7 +98,7 @@ constexpr Opcode kUsed[] = {
     Opcode::And,       Opcode::Or,         Opcode::Xor,     Opcode::Div,      Opcode::Mod,
     Opcode::Neg,       Opcode::Not,        Opcode::Shl,     Opcode::Shr,      Opcode::Sar,
     Opcode::Sext16,    Opcode::Zext16,     Opcode::Zext8,   Opcode::LowFrom,  Opcode::ByteFrom,
-    Opcode::Guard,     Opcode::BranchIf,   Opcode::Leave};
+    Opcode::Guard,     Opcode::BranchIf,   Opcode::Leave,   Opcode::Index,    Opcode::WriteLimit};
 constexpr int kNothingFound = 0, kFound = 1;
 
 [[noreturn]] void search(Opcode broken) {
