@@ -230,6 +230,7 @@ class Cpu {
   // download.cpp
   void translate(const block::Program* before);
   void activateDownload();
+  void dropOldCode();
   // leds.cpp
   Light stopLight() const;
   // faults.cpp
@@ -245,7 +246,7 @@ class Cpu {
   CpuParameters parameters_;
   std::shared_ptr<const block::Program> program_, downloaded_;
   std::vector<std::unique_ptr<Code>> code_;
-  // Of earlier downloads: checks and coverage still point into them until the next load.
+  // Of earlier downloads, if results still point into them (Engine::keepsOldCode).
   std::vector<std::shared_ptr<const block::Program>> oldPrograms_;
   RealTimeClock clock_;
   Diagnostics diagnostics_;

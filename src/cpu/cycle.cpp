@@ -69,6 +69,8 @@ void Cpu::startCycle() {
   monitoring_.begin(machine_.clock, cycleMonitoring());
   updateImages();
   if (mode_ != Mode::Run) return;  // an access error without OB 85
+  if (!hasOb(1))
+    return stopByFault(Event::StopProgramSequence, "OB 1 is not loaded");  // S7-OPEN-39
 
   StartInformation start = startInformation(0x11, scan_, priorityOf(1), 1, dateAndTime());
   setWord(start, 6, static_cast<std::uint32_t>(cycleTimes_.previous));
@@ -102,6 +104,7 @@ Instant Cpu::nextCycle() const {
 
 bool Cpu::runOb1(Duration most) {
   if (mode_ != Mode::Run) return false;
+  if (!hasOb(1)) return false;
   if (machine_.levels.empty()) {
     const StartInformation start = startInformation(0x11, scan_, priorityOf(1), 1, dateAndTime());
     if (!startLevel(1, priorityOf(1), start, false)) return false;

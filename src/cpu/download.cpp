@@ -95,8 +95,19 @@ void Cpu::activateDownload() {
     if (old == nullptr || !sameData(*old, source)) machine_.dataBlocks.load(source);
   }
   machine_.reopenBlocks();
-  oldPrograms_.push_back(before);
+  if (engine_.keepsOldCode() || machine_.frames.size() > 1)
+    oldPrograms_.push_back(before);
+  else
+    dropOldCode();
   if (mode_ != Mode::Stop) updateInterrupts();
+}
+
+// No block runs: what is in no table is gone for good, the rest belongs to the program of now.
+void Cpu::dropOldCode() {
+  const auto loaded = [this](BlockId id) { return find(*tableOf(machine_, id.kind), id.number); };
+  std::erase_if(code_, [&](const auto& code) { return loaded(code->source->id) != code.get(); });
+  for (const auto& code : code_) code->source = &program_->at(code->source->id);
+  oldPrograms_.clear();
 }
 
 }  // namespace merker::cpu

@@ -23,6 +23,8 @@ class Engine {
   // From now on each instruction of this block goes past the probe; null: none. Not while `run`
   // runs.
   virtual void probe(Code& code, Probe* probe) = 0;
+  // Whether results point into code and blocks that nobody runs any more: checks, coverage.
+  virtual bool keepsOldCode() const { return false; }
 };
 
 // A call of SFC n, SFB n or of a library FC that the CPU brings.

@@ -79,6 +79,7 @@ void Cpu::startWaiting() {
   if (mode_ == Mode::Startup && highest->priority < kOnlyErrors) return;  // S7-STATE-11
   const Request request = *highest;
   waiting.erase(highest);
+  if (!hasOb(request.ob)) return obMissing(request.start);  // deleted while it waited
   startLevel(request.ob, request.priority, request.start, false);
 }
 

@@ -20,6 +20,7 @@ class Interpreter : public cpu::Engine {
   void run(cpu::Machine& machine) override;
   void probe(cpu::Code& code, cpu::Probe* probe) override;
   std::uint32_t offset(const cpu::Frame& frame) const override;
+  bool keepsOldCode() const override { return coverage_ || !recorder_.records().empty(); }
 
   // How often each counted instruction ran, by block and offset.
   std::map<BlockId, std::map<std::uint32_t, std::uint64_t>> executed() const;

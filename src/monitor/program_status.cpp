@@ -5,7 +5,7 @@
 namespace merker::monitor {
 
 ProgramStatus::ProgramStatus(const block::Block& block, CallEnvironment environment)
-    : block_(&block), environment_(environment) {
+    : block_(block), environment_(environment) {
   for (const block::LineEntry& entry : block.lines) {
     const Statement statement = statementAt(block, entry.offset);
     rows_[statement.begin].statement = statement;
@@ -20,7 +20,7 @@ std::vector<StatusRow> ProgramStatus::rows() const {
 }
 
 const StatusRow* ProgramStatus::at(std::uint32_t offset) const {
-  const auto found = rows_.find(statementAt(*block_, offset).begin);
+  const auto found = rows_.find(statementAt(block_, offset).begin);
   return found == rows_.end() || !found->second.reached ? nullptr : &found->second;
 }
 
@@ -58,12 +58,12 @@ void ProgramStatus::after(const cpu::Machine& m, std::uint32_t offset) {
   const cpu::Registers found = known ? open_.back().found : m.registers;
   if (known) open_.pop_back();
   if (recording_ && !ended) record(m.registers, offset);
-  if (recording_ && ended && beginsStatement(*block_, offset)) record(found, offset);
+  if (recording_ && ended && beginsStatement(block_, offset)) record(found, offset);
   if (ended || m.cpu->mode() == cpu::Mode::Stop) running_ = 0;
 }
 
 void ProgramStatus::record(const cpu::Registers& registers, std::uint32_t offset) {
-  StatusRow& row = rows_[statementAt(*block_, offset).begin];
+  StatusRow& row = rows_[statementAt(block_, offset).begin];
   row.reached = true;
   if (row.statement.begin == offset) ++row.passes;
   row.after = registers;

@@ -29,7 +29,7 @@ class ProgramStatus {
  public:
   explicit ProgramStatus(const block::Block& block, CallEnvironment environment = {});
 
-  const block::Block& block() const { return *block_; }
+  const block::Block& block() const { return block_; }
   std::uint64_t calls() const { return calls_; }  // seen so far
   // In the order of the code.
   std::vector<StatusRow> rows() const;
@@ -50,7 +50,7 @@ class ProgramStatus {
   bool wanted(const cpu::Machine& machine) const;
   void record(const cpu::Registers& registers, std::uint32_t offset);
 
-  const block::Block* block_;
+  block::Block block_;  // a copy: a download may take the original away
   CallEnvironment environment_;
   bool recording_ = false;
   std::uint64_t calls_ = 0;

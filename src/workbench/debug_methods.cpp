@@ -28,6 +28,7 @@ Answer show(const Call& call) {
   call.browser.status.emplace(*block);
   call.shared.wantedStatus[call.id] = *block;
   call.shared.probesWait = true;
+  call.shared.placeProbes();  // a cycle may be asked for next
   return Json{{"block", toString(*block)}};
 }
 

@@ -19,7 +19,9 @@ ProjectFolder folderOf(const project::Project& project) {
 }  // namespace
 
 void Shared::show(std::unique_ptr<Plc> fresh, bool isExample) {
+  if (plc && plc->isS7()) engine_ = plc->station()->engine();
   plc = std::move(fresh);
+  if (plc && plc->isS7() && engine_) plc->station()->setEngine(*engine_);
   example = isExample;
   pacer.restart();
   breakpoints.clear();
@@ -61,6 +63,20 @@ void Shared::loaded(compilation::Build build) {
 
 namespace {
 
+bool isWanted(const monitor::Breakpoint& one, const ProjectFolder& folder,
+              const BreakpointLines& wanted) {
+  const auto lines = wanted.find(folder.relative(one.place.file));
+  return lines != wanted.end() && lines->second.contains(one.place.line);
+}
+
+// Until a download is in force only what nobody wants any more is taken away.
+void removeBreakpoints(monitor::Debugger& debugger, const ProjectFolder& folder,
+                       const BreakpointLines& wanted) {
+  const std::vector<monitor::Breakpoint> all = debugger.breakpoints();
+  for (const monitor::Breakpoint& one : all)
+    if (!isWanted(one, folder, wanted)) debugger.removeBreakpoint(one.number);
+}
+
 // Symbols mean what they mean in the program that was loaded.
 void placeBreakpoints(monitor::Monitor& monitor, const ProjectFolder& folder,
                       const BreakpointLines& wanted) {
@@ -79,7 +95,8 @@ void placeBreakpoints(monitor::Monitor& monitor, const ProjectFolder& folder,
 void Shared::placeProbes() {
   if (!probesWait || !plc || !plc->isS7()) return;
   const station::Station& station = *plc->station();
-  if (station.cpu().program().get() != &station.program()) return;
+  if (station.cpu().program().get() != &station.program())
+    return removeBreakpoints(plc->monitor()->debugger(), folder, breakpoints);
   probesWait = false;
   monitor::Debugger& debugger = plc->monitor()->debugger();
   debugger.hideStatus();

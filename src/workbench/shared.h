@@ -52,6 +52,7 @@ struct Shared {
 
  private:
   std::optional<Offline> offline_;
+  std::optional<station::Engine> engine_;  // that was chosen last: the next PLC has it too
 };
 
 struct Browser {

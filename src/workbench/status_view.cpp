@@ -41,7 +41,9 @@ Json StatusView::changes(monitor::Monitor& monitor, const ProjectFolder& folder,
                          std::int64_t nowMs) {
   const monitor::ProgramStatus* status = monitor.debugger().status(block_);
   if (status == nullptr) return nullptr;
-  const bool stands = monitor.station().mode() == controller::Mode::Halt;
+  const Instant now = monitor.station().now();
+  const bool stands = monitor.station().mode() == controller::Mode::Halt || now == at_;
+  at_ = now;
   if (status->calls() != calls_ || stands) calls_ = status->calls(), since_ = nowMs;
   const bool quiet = calls_ == 0 || nowMs - since_ > kQuiet;
   Json rows = quiet ? Json(nullptr) : rowsOf(*status);

@@ -19,6 +19,7 @@ class StatusView {
   BlockId block_;
   std::uint64_t calls_ = 0;
   std::int64_t since_ = 0;  // when it was called last, on the wall
+  Instant at_{};            // time of the CPU when it was looked at last
   Json rows_;               // as told last
   bool told_ = false;
 };

@@ -113,6 +113,27 @@ TEST_F(Debugging, BreakpointsStayThroughALoad) {
   EXPECT_EQ(place()["line"], 4);
 }
 
+TEST_F(Debugging, ABreakpointTakenAwayWhileALoadWaitsIsGone) {
+  bench.call("breakpoints.set", {{"file", "main.awl"}, {"lines", {4}}});
+  input("1");
+  ASSERT_EQ(bench.state()["mode"], "HALT");
+  bench.call("program.load");  // from the next checkpoint on
+  bench.call("breakpoints.set", {{"file", "main.awl"}, {"lines", Json::array()}});
+  bench.call("debug.go");
+  bench.run(Duration::milliseconds(20));
+  EXPECT_EQ(bench.state()["mode"], "RUN");
+}
+
+// "One cycle" while time stands: its values stay in sight.
+TEST_F(Debugging, StatusOfOneCycleStays) {
+  bench.call("time.pace", {{"mode", "pause"}});
+  bench.call("status.show", {{"block", "OB 1"}});
+  bench.call("time.step", {{"cycles", 2}});
+  bench.run(Duration::milliseconds(20));
+  EXPECT_EQ(bench.event("status")["rows"].size(), 3u);
+  for (int frame = 0; frame < 30; ++frame) EXPECT_TRUE(bench.event("status").is_null());
+}
+
 TEST_F(Debugging, NothingStepsInStop) {
   bench.call("cpu.stop");
   EXPECT_EQ(bench.problem("debug.step"), "P1308");

@@ -69,6 +69,17 @@ TEST(PlcMethods, TheEngineChangesInStopOnly) {
   EXPECT_EQ(bench.state()["engine"], "jit");
 }
 
+// Another configuration is another station.
+TEST(PlcMethods, TheEngineStaysWithTheNextPlc) {
+  Bench bench;
+  bench.call("cpu.stop");
+  bench.call("cpu.engine", {{"engine", "jit"}});
+  bench.folder.write("merker.toml",
+                     "[project]\nname = \"Test\"\n[cpu]\ncycle_monitoring = \"200ms\"\n");
+  bench.call("program.load");
+  EXPECT_EQ(bench.state()["engine"], "jit");
+}
+
 TEST(State, OnlyWhatChangedIsTold) {
   Bench bench;
   const Json first = bench.event("state");
