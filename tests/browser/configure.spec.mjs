@@ -23,6 +23,7 @@ test('a project without hardware (S7-MGR-02)', async () => {
   await visit(page, server, 'hardware');
   await page.getByRole('tab', { name: 'Konfigurieren' }).click();
   await page.getByText('Noch kein Aufbau').waitFor();
+  assert.equal(await page.locator('.message').filter({ hasText: 'P1310' }).count(), 0, 'a file of the project before');
 });
 
 test('a module is dragged from the catalogue to a slot and has its address (S7-HWCFG-01, S7-HWCFG-02)', async () => {

@@ -140,7 +140,10 @@ export async function turn(page, position) {
 export async function picture(page, name) {
   if (!process.env.MERKER_SCREENSHOTS) return;
   await page.mouse.move(0, 0);
-  await page.evaluate(() => document.activeElement?.blur());
+  await page.evaluate(() => {
+    document.activeElement?.blur();
+    for (const message of document.querySelectorAll('.message')) message.style.display = 'none';
+  });
   mkdirSync(join(root, 'docs/images/workbench'), { recursive: true });
   await page.screenshot({ path: join(root, 'docs/images/workbench', `${name}.png`) });
 }

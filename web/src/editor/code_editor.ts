@@ -26,7 +26,7 @@ import type { Catalogue } from './catalogue';
 import { codeTheme } from './code_theme';
 import { completionSource } from './completion';
 import { initialState, tokenizeLine } from './lexer';
-import { awlSupport } from './language';
+import { supportFor } from './language';
 import { operandHover, type HoverHooks } from './hover';
 import { phrases } from './phrases';
 import { diagnostics } from './problems';
@@ -56,12 +56,12 @@ export class CodeEditor {
     private readonly hooks: EditorHooks,
   ) {
     const root = host.shadowRoot ?? host.attachShadow({ mode: 'open' });
-    this.view = new EditorView({ parent: root as unknown as Element, root, state: this.stateOf('', false) });
+    this.view = new EditorView({ parent: root as unknown as Element, root, state: this.stateOf('', '', false) });
   }
 
   /** Another text: its own history, its own place. */
-  open(text: string, readOnly: boolean): void {
-    this.view.setState(this.stateOf(text, readOnly));
+  open(text: string, path: string, readOnly: boolean): void {
+    this.view.setState(this.stateOf(text, path, readOnly));
   }
 
   keptState(): EditorState {
@@ -148,11 +148,11 @@ export class CodeEditor {
     this.view.destroy();
   }
 
-  private stateOf(doc: string, readOnly: boolean): EditorState {
-    return EditorState.create({ doc, extensions: this.extensions(readOnly) });
+  private stateOf(doc: string, path: string, readOnly: boolean): EditorState {
+    return EditorState.create({ doc, extensions: this.extensions(path, readOnly) });
   }
 
-  private extensions(readOnly: boolean): Extension {
+  private extensions(path: string, readOnly: boolean): Extension {
     return [
       breakpointGutter(this.hooks.breakpoints),
       lineNumbers(),
@@ -166,7 +166,7 @@ export class CodeEditor {
       search({ top: false }),
       highlightSelectionMatches(),
       autocompletion({ override: [completionSource(this.hooks.catalogue)], icons: false }),
-      awlSupport(readOnly),
+      supportFor(path, readOnly),
       this.display.of([]),
       symbolicDisplay,
       operandHover(this.hooks),

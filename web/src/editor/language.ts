@@ -7,6 +7,7 @@ import {
   type StringStream,
 } from '@codemirror/language';
 import { tags, type Tag } from '@lezer/highlight';
+import { listingStart, nextOfListing, type ListingState } from './listing_lexer';
 import { initialState, next, startLine, type LexerState, type Section, type TokenKind } from './lexer';
 
 const tagOf: Record<Exclude<TokenKind, 'space'>, Tag> = {
@@ -31,6 +32,22 @@ function token(stream: StringStream, state: LexerState): string | null {
   stream.pos += Math.max(1, length);
   return kind === 'space' ? null : kind;
 }
+
+function listingToken(stream: StringStream, state: ListingState): string | null {
+  if (stream.sol()) Object.assign(state, listingStart());
+  const { length, kind } = nextOfListing(stream.string.slice(stream.pos), state);
+  stream.pos += Math.max(1, length);
+  return kind === 'space' ? null : kind;
+}
+
+const step5 = StreamLanguage.define<ListingState>({
+  name: 'step5',
+  startState: listingStart,
+  copyState: (state) => ({ ...state }),
+  token: listingToken,
+  tokenTable: tagOf,
+  languageData: { commentTokens: { line: '//' } },
+});
 
 const define = (section: Section): StreamLanguage<LexerState> =>
   StreamLanguage.define<LexerState>({
@@ -65,3 +82,9 @@ const listing = define('code');
 
 export const awlSupport = (ofCpu = false): LanguageSupport =>
   new LanguageSupport(ofCpu ? listing : source, [syntaxHighlighting(colours)]);
+
+const listingSupport = (): LanguageSupport => new LanguageSupport(step5, [syntaxHighlighting(colours)]);
+
+/** By the name of the file: STEP 5 listings, AWL. `ofCpu`: what the CPU lists of a block. */
+export const supportFor = (path: string, ofCpu: boolean): LanguageSupport =>
+  path.toLowerCase().endsWith('.s5') ? listingSupport() : awlSupport(ofCpu);

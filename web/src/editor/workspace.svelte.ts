@@ -51,6 +51,9 @@ export interface Compared {
 
 const CHECK_AFTER_MS = 300;
 
+/** What becomes of a refusal: a message, or nothing. */
+type Asking = <T>(answer: Promise<T>) => Promise<T | undefined>;
+
 class Workspace {
   files = $state.raw<FileRow[]>([]);
   blocks = $state.raw<Record<Side, BlockRow[]>>({ offline: [], online: [] });
@@ -107,18 +110,18 @@ class Workspace {
     this.compared = (await quiet(connection.ask<{ blocks: Compared[] }>('program.compare')))?.blocks ?? [];
   }
 
-  async open(path: string): Promise<OpenDocument | undefined> {
-    const document = await this.fetch(path);
+  async open(path: string, ask: Asking = attempt): Promise<OpenDocument | undefined> {
+    const document = await this.fetch(path, ask);
     if (document) this.current = document;
     this.checkSoon();
     return document;
   }
 
   /** The text with what was typed, without showing it. */
-  async fetch(path: string): Promise<OpenDocument | undefined> {
+  async fetch(path: string, ask: Asking = attempt): Promise<OpenDocument | undefined> {
     const document = this.documents.get(path);
     if (document) return document;
-    const stored = await attempt(connection.ask<Stored>('files.read', { path }));
+    const stored = await ask(connection.ask<Stored>('files.read', { path }));
     if (!stored) return undefined;
     const fresh = this.documents.get(path) ?? new OpenDocument(path, stored, this.drafts);
     this.documents.set(path, fresh);
@@ -252,7 +255,7 @@ class Workspace {
 }
 
 /** For what repeats by itself: a refusal is no message for the user. */
-async function quiet<T>(answer: Promise<T>): Promise<T | undefined> {
+export async function quiet<T>(answer: Promise<T>): Promise<T | undefined> {
   try {
     return await answer;
   } catch {
