@@ -1,5 +1,5 @@
-// HTTP requests as bytes: whatever comes, the answer is one, only the server's own names get a file,
-// and what was asked cannot end the header of the answer.
+// HTTP requests as bytes: whatever comes, the answer is one, only the server's own names get a
+// file, and what was asked cannot end the header of the answer.
 #include <boost/beast/http.hpp>
 #include <sstream>
 
@@ -41,8 +41,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!parser.is_header_done()) return 0;
   check(parser.get(), hmi::Guard(true, false, ""));
   check(parser.get(), hmi::Guard(false, true, "secret"));
-  static_cast<void>(hmi::Guard(false, true, "secret").token(
-      {parser.get().target().data(), parser.get().target().size()}));
+  static_cast<void>(hmi::Guard(false, true, "secret")
+                        .token({parser.get().target().data(), parser.get().target().size()}));
   static_cast<void>(hmi::asksForWebSocket(parser.get()));
   return 0;
 }
