@@ -24,7 +24,7 @@ enum class ProblemCode : std::uint16_t {
 struct ProblemInfo {
   std::string_view name;  // "P0214"
   Severity severity;
-  std::string_view text;  // fmt pattern
+  std::string_view text;  // fmt pattern; its places are {} or {0}, never with a format
 };
 const ProblemInfo& info(ProblemCode code);
 
@@ -41,13 +41,16 @@ struct Problem {
   ProblemCode code;
   Position position;
   std::string message;
+  std::vector<std::string> arguments = {};  // what stands in the places of the text, for other languages
   Severity severity() const { return info(code).severity; }
   std::string_view name() const { return info(code).name; }
 };
 
+Problem composeProblem(ProblemCode code, Position position, std::vector<std::string> arguments);
+
 template <typename... Arguments>
 Problem makeProblem(ProblemCode code, Position position, const Arguments&... arguments) {
-  return {code, std::move(position), fmt::format(fmt::runtime(info(code).text), arguments...)};
+  return composeProblem(code, std::move(position), {fmt::format("{}", arguments)...});
 }
 
 class Problems {

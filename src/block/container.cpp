@@ -209,7 +209,8 @@ Result<Block> readContainer(std::span<const std::uint8_t> bytes, const Position&
   readSegmentTable(parts->segments, block);
   const unsigned stored = loadWord(&parts->trailer[ChecksumAt]), computed = checksum(block);
   if (stored != computed)
-    return makeProblem(ProblemCode::P0603, at, toString(block.id), stored, computed);
+    return makeProblem(ProblemCode::P0603, at, toString(block.id), fmt::format("{:04X}", stored),
+                       fmt::format("{:04X}", computed));
   return block;
 }
 

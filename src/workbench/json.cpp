@@ -29,13 +29,16 @@ std::string dump(const Json& json) {
 
 Json toJson(const Problem& problem) {
   const Position& at = problem.position;
+  Json arguments = Json::array();
+  for (const std::string& argument : problem.arguments) arguments.push_back(shortened(argument));
   return {{"code", problem.name()},
           {"severity", problem.severity() == Severity::Error ? "error" : "warning"},
           {"file", at.file},
           {"line", at.line},
           {"column", at.column},
           {"length", at.length},
-          {"text", shortened(problem.message)}};
+          {"text", shortened(problem.message)},
+          {"arguments", std::move(arguments)}};
 }
 
 Json toJson(const Problems& problems) {

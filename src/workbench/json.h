@@ -29,7 +29,7 @@ class Answer {
 
 // As text; bytes that are no UTF-8 are replaced.
 std::string dump(const Json& json);
-// {"code", "severity", "file", "line", "column", "length", "text"}
+// {"code", "severity", "file", "line", "column", "length", "text", "arguments"}
 Json toJson(const Problem& problem);
 Json toJson(const Problems& problems);
 

@@ -19,6 +19,15 @@ TEST(Problems, knowsErrorsFromWarnings) {
   EXPECT_EQ(problems.list()[1].name(), "P0101");
 }
 
+// Other languages put the same arguments into their own text.
+TEST(Problems, keepsItsArguments) {
+  const Problem problem = makeProblem(ProblemCode::P0352, {}, 40000, "SPA", -32768, 32767);
+  EXPECT_EQ(problem.arguments, (std::vector<std::string>{"40000", "SPA", "-32768", "32767"}));
+  EXPECT_EQ(problem.message, "40000 words are too far; SPA takes -32768..32767");
+  const Problem twice = makeProblem(ProblemCode::P1107, {}, "E");
+  EXPECT_EQ(twice.message, "E needs byte and bit: E 0.0");
+}
+
 TEST(Problems, sortedAsAReaderMendsThem) {
   Problems problems;
   const auto add = [&](const char* file, std::uint32_t line, std::uint32_t column) {

@@ -7,6 +7,8 @@ export interface Problem {
   line: number;
   column: number;
   text: string;
+  /** What stands in the places of the text, for other languages. */
+  arguments?: string[];
   hint?: string;
   row?: number;
   field?: string;

@@ -1,6 +1,7 @@
 // What may stand at the cursor (S7-EDIT-17): instructions at the beginning of a statement, then symbols, local variables,
 // blocks or labels, as the instruction takes them.
 import type { Completion, CompletionContext, CompletionResult, CompletionSource } from '@codemirror/autocomplete';
+import { said } from '../i18n';
 import type { Catalogue } from './catalogue';
 import { initialState, tokenizeLine, type LexerState, type Token } from './lexer';
 import { mnemonicsOf, type Mnemonics } from './mnemonics';
@@ -54,8 +55,8 @@ const labelOptions = (block: BlockOutline | undefined): Completion[] =>
 const instructionOptions = (catalogue: Catalogue, mnemonics: Mnemonics): Completion[] =>
   catalogue.mnemonics[mnemonics].map(([word, operands, meaning]) => ({
     label: word,
-    detail: operands,
-    info: meaning,
+    detail: operands.split(', ').map(said).join(', '),
+    info: said(meaning),
     type: 'instruction',
   }));
 

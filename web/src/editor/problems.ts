@@ -2,13 +2,14 @@
 import type { Diagnostic } from '@codemirror/lint';
 import type { Text } from '@codemirror/state';
 import type { Problem } from '../connection';
+import { told } from '../i18n';
 
 function render(problem: Problem): Node {
   const element = document.createElement('div');
   const code = element.appendChild(document.createElement('span'));
   code.className = 'cm-problem-code';
   code.textContent = `${problem.code} `;
-  element.append(problem.text);
+  element.append(told(problem));
   if (problem.hint) {
     const hint = element.appendChild(document.createElement('span'));
     hint.className = 'cm-problem-hint';
@@ -32,7 +33,7 @@ export function diagnostics(doc: Text, problems: readonly Problem[]): Diagnostic
     .map((problem) => ({
       ...rangeOf(doc, problem.line, problem.column),
       severity: problem.severity === 'note' ? 'info' : problem.severity,
-      message: `${problem.code} ${problem.text} ${problem.hint ?? ''}`.trim(),
+      message: `${problem.code} ${told(problem)} ${problem.hint ?? ''}`.trim(),
       renderMessage: () => render(problem),
     }));
 }

@@ -1,6 +1,7 @@
 import { language } from './language.svelte';
 
 export { language, type Language } from './language.svelte';
+export { described, said, told } from './said';
 
 /** German and English of one text. `{name}` stands for a value. */
 export type Text = readonly [german: string, english: string];

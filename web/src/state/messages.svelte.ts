@@ -4,6 +4,7 @@ export interface Message {
   id: number;
   kind: 'problem' | 'done';
   text: string;
+  arguments?: string[];
   hint: string;
   code: string;
   file: string;

@@ -1,3 +1,5 @@
+import type { Problem } from '../connection';
+
 /** One curve as the server describes it. */
 export interface Curve {
   /** As the user named it: "MW 10", "\"Motor\"", "plant.Belt.SPEED". */
@@ -8,7 +10,7 @@ export interface Curve {
   unit: string;
   /** 1: a bit, drawn in a lane of its own. */
   bits: number;
-  problem?: { text: string };
+  problem?: Problem;
 }
 
 /** Columns: seconds of virtual time, then one per curve. */

@@ -1,0 +1,151 @@
+/** German title and description of each example, by its folder. The English ones stand in its README. */
+export const examples: Record<string, readonly [title: string, description: string]> = {
+  '03-hardware': [
+    'Hardware (Kapitel 2.2, 3.4, 3.5, 4.1.2)',
+    'Eine Abfüllstation auf zwei Baugruppenträgern: welche Baugruppe wo steckt, steht in merker.toml.',
+  ],
+  '06-first-program': [
+    'Erstes Programm (Kapitel 6.2, 6.3)',
+    'Ein Netzwerk mit vier Anweisungen: die Lampe A 3.0 leuchtet, wenn beide Schalter E 0.0 und E 0.1 ein sind oder wenn A 1.0 ein ist.',
+  ],
+  '08-addressing': [
+    'Adressierung (Kapitel 5.4, 7, 8, 11)',
+    'Bits, Bytes, Worte und Doppelworte sind Sichten auf denselben Speicher. Das Byte mit der niedrigeren Nummer ist das höherwertige; ein Wort mit ungerader Nummer überlappt beide Nachbarn.',
+  ],
+  '09-symbols': [
+    'Symbole (Kapitel 4.1.4, 9)',
+    'Programme lesen sich mit Namen leichter als mit Adressen. Die Symboltabelle gibt Eingängen, Ausgängen, Merkern, Zeiten und Bausteinen Namen; im Programm stehen sie in Anführungszeichen.',
+  ],
+  '10-logic': [
+    'Binäre Verknüpfungen (Kapitel 10.1 bis 10.9)',
+    'Jeder Abschnitt des Kapitels ist eine Funktion. Das Eingangsbyte EB 1 wählt, welche läuft, denn alle schreiben wie im Kurs dieselbe Lampe A 0.0.',
+  ],
+  '10-set-reset': [
+    'Setzen und Rücksetzen (Kapitel 10.10)',
+    'Zwei Speicher mit denselben Tastern. Sie unterscheiden sich nur, wenn beide gedrückt sind: Vorrang Setzen und Vorrang Rücksetzen.',
+  ],
+  '12-load-transfer': [
+    'Laden und Transferieren (Kapitel 11, 12)',
+    'L bringt einen Wert in AKKU 1; was dort stand, kommt nach AKKU 2. T schreibt AKKU 1 in ein Byte, Wort oder Doppelwort. Beides wirkt in jedem Zyklus, unabhängig vom VKE.',
+  ],
+  '13-function': [
+    'Eine Funktion und ihre Parameter (Kapitel 13.4)',
+    'OB 1 ruft FC 1 mit drei Parametern auf, einem von jeder Art: Eingang, Ausgang, Durchgang.',
+  ],
+  '14-function-block': [
+    'Ein Funktionsbaustein und seine Instanz (Kapitel 14.4)',
+    'FB 1 vergleicht zwei Werte, merkt sich das Ergebnis in einer statischen Variablen und gibt 8 (größer oder gleich) oder 15 (kleiner) aus. Seine Variablen liegen im Instanz-Datenbaustein DB 1.',
+  ],
+  '15-counters': [
+    'Zähler (Kapitel 15)',
+    'Ein Zähler Z zählt steigende Flanken von 0 bis 999. Das Eingangsbyte EB 2 wählt den Abschnitt, denn alle verwenden Z 1.',
+  ],
+  '16-timers': [
+    'Zeiten (Kapitel 16)',
+    'Die fünf Arten von S7-Zeiten, jede mit E 0.0 als Start und 5 s. EB 2 wählt den Abschnitt, denn alle verwenden T 1 und A 0.0.',
+  ],
+  '18-startup': [
+    'Anlauf und Betriebszustände (Kapitel 18)',
+    'OB 100 schreibt im Anlauf 7 nach MW 50; OB 1 kopiert den Wert in seinem ersten Zyklus nach MW 52. Den ersten Zyklus erkennt er an der Startinformation OB1_SCAN_1.',
+  ],
+  'error-handling': [
+    'Fehlerbehandlung',
+    'Eine Presse, deren Programm nach manchen Fehlern weiterläuft und nach anderen in STOP geht: das hängt davon ab, welche Fehler-OBs geladen sind.',
+  ],
+  'garage-door': [
+    'Garagentor',
+    'Ein Taster für alles: auf, halt, zu, halt, auf. Zwei Endschalter halten den Motor an, eine Lichtschranke kehrt das schließende Tor um, eine Lampe blinkt während der Fahrt.',
+  ],
+  lift: [
+    'Aufzug mit drei Etagen',
+    'Ruftaster auf jeder Etage und in der Kabine, ein Sensor je Etage, eine Tür. Der Aufzug fährt in seiner Richtung weiter, solange dort jemand wartet, hält unterwegs und kehrt dann um.',
+  ],
+  'ring-buffer': [
+    'Ringpuffer: Zeiger und indirekte Adressierung',
+    'Ein Datenbaustein merkt sich die letzten Werte in der Reihenfolge, in der sie kamen. Vier Funktionen arbeiten damit, jede zeigt eine Art der indirekten Adressierung.',
+  ],
+  'sorting-plant': [
+    'Sortieranlage',
+    'Im Wareneingang kommen Kleinteile in Kästen dreier Größen auf ein Band. Die Anlage sortiert sie: drei Lichtschranken sehen, wie hoch ein Kasten ist, drei Schieber schieben jede Größe an ihren Platz.',
+  ],
+  'sorting-plant-plain': [
+    'Sortieranlage, einfach',
+    'Dieselbe Sortieranlage, so geschrieben, wie man anfängt: ein Organisationsbaustein, Merker und Zeiten, sonst nichts. 70 Anweisungen, von oben nach unten leicht zu verfolgen.',
+  ],
+  'star-delta': [
+    'Stern-Dreieck-Anlauf',
+    'Ein großer Motor läuft im Stern mit einem Drittel des Stroms an und schaltet nach fünf Sekunden auf Dreieck um. Ein Funktionsbaustein in internationaler Mnemonik: ein zweiter Motor ist ein zweiter Aufruf.',
+  ],
+  'step5/05-organization-blocks': [
+    'STEP 5: Organisationsbausteine (Kapitel 5)',
+    'Anlauf, Zyklus und Alarmebene. Ein Projekt, weil merker.toml ein Maschinendatum setzt: das Eingangsbyte 3 ist das Alarmbyte.',
+  ],
+  'step5/06-nc-data': [
+    'STEP 5: Daten der NC (Kapitel 6.3)',
+    'Die residenten Makros, die Daten der NC lesen und schreiben. Was die NC am Anfang enthält, steht in merker.toml.',
+  ],
+  'step5/09-formal-operands': [
+    'STEP 5: Formaloperanden (Kapitel 9.4.1 bis 9.4.6)',
+    'FB 203 bis FB 206 mit ihren Aufrufen, wie sie in den Tabellen des Handbuchs stehen, und die kurzen Beispiele FB 201 und FB 202. Der Kommentar hinter einer Anweisung sagt, was ausgeführt wird.',
+  ],
+  'step5/09-memory-access': [
+    'STEP 5: Speicherzugriff (Kapitel 9.4.13)',
+    'Die beiden Beispiele des Handbuchs: LIR liest ein Wort des Anwenderdatensegments (6), TIR schreibt eines. Sie laufen, weil merker.toml MD 2003 Bit 4 setzt; sonst geht die PLC mit Alarm 6115 in STOP.',
+  ],
+  'step5/tool-changer': [
+    'STEP 5: Werkzeugwechsler',
+    'Ein Kettenmagazin mit acht Plätzen an einer Fräsmaschine mit SINUMERIK 810.',
+  ],
+  'technology/blending-control': [
+    'Mischungsregelung',
+    'Drei Komponenten in festen Anteilen an einer Gesamtmenge, für jede ein Regelkreis (CONT_C, SFB 41). Die Anteile müssen zusammen 1 ergeben; sonst ist M 0.0 = 1 und alles schließt.',
+  ],
+  'technology/cascade-control': [
+    'Kaskadenregelung',
+    'Eine Heizung hinter einem Ventil mit zwei Reglern: der Temperaturregler (CONT_C, SFB 41) gibt vor, wie das Ventil stehen soll, der Stellungsregler (CONT_S, SFB 42 mit TI = 0) fährt es dorthin.',
+  ],
+  'technology/comparator': [
+    'Vergleicher mit Hysterese',
+    'Ein Inkrementalgeber (250 Striche, vierfache Auswertung) gibt die Stellung einer Achse an Kanal 0; dessen Digitalausgang ist ab Stellung 1000 gleich 1. Mit der Hysterese 20 schaltet er erst um, wenn der Zählwert den Bereich 981 bis 1019 verlassen hat.',
+  ],
+  'technology/fan-frequency': [
+    'Frequenz eines Lüfters',
+    'Kanal 1 misst alle 200 ms die Impulse eines Lüfters, zwei je Umdrehung (SFB 48). Außerhalb von 40 Hz bis 60 Hz ist sein Digitalausgang 1, und die erste Messung außerhalb löst einen Prozessalarm aus. MD 10 ist die Frequenz in mHz, MD 14 die Drehzahl.',
+  ],
+  'technology/light-barrier': [
+    'Teile zählen mit einer Lichtschranke',
+    'Kanal 0 des integrierten Zählers (SFB 47) zählt die Teile auf einem Band: periodisch, Hauptzählrichtung vorwärts, Endwert 9. Mit dem neunten Teil meldet er Überlauf als Prozessalarm, und OB 40 zählt die vollen Kartons.',
+  ],
+  'technology/pwm-heater': [
+    'Heizung mit Pulsweitenmodulation',
+    'Kanal 2 macht aus einer Leistung in Promille (MW 10) Impulse seines Digitalausgangs (SFB 49): Periode 1 s, Impulse und Pausen mindestens 20 ms. Der Ausgang heizt eine Platte, die so träge ist, dass sie nur die Leistung sieht.',
+  ],
+  'technology/ratio-control': [
+    'Verhältnisregelung',
+    'Zwei Durchflüsse in festem Verhältnis, zwei Regelkreise (CONT_C, SFB 41). Der Sollwert des zweiten ist der Istwert des ersten mal einem Faktor: das Verhältnis bleibt, auch wenn der erste Durchfluss sich ändert.',
+  ],
+  'technology/temperature-control': [
+    'Temperaturregelung',
+    'Ein Ofen, der geheizt und gekühlt wird. CONT_C (SFB 41) bildet aus Sollwert und Temperatur einen Stellwert von -100 % bis 100 %, PULSEGEN (SFB 43) macht daraus Impulse zweier Ausgänge. OB 35 kommt alle 20 ms.',
+  ],
+  'technology/valve-control': [
+    'Ventilregelung',
+    'Ein Ventil mit Motor, das nur „auf“ und „zu“ kennt. CONT_S (SFB 42) regelt den Prozess dahinter ohne Stellungsrückmeldung: er zählt, wie lange der Motor gelaufen ist. Impuls und Pause dauern mindestens 500 ms.',
+  ],
+  'traffic-light': [
+    'Fußgängerampel',
+    'Ein Überweg mit einem Taster auf jeder Seite, als Schrittkette in internationaler Mnemonik: A für U, SD für SE, JC für SPB, JL für SPL, Eingänge I, Ausgänge Q.',
+  ],
+  'two-hand-control': [
+    'Zweihandschaltung',
+    'Eine Presse darf nur fahren, während beide Hände auf den Tastern liegen. Beide müssen innerhalb einer halben Sekunde gedrückt werden; lässt eine Hand los, steht die Presse, und vor dem nächsten Hub müssen beide losgelassen haben.',
+  ],
+  'unit-tests': [
+    'Tests für SPS-Funktionen',
+    'Eine Bibliothek von Funktionen und eine zweite Datei, die jede davon prüft: ohne Hardware, mit einem Befehl.',
+  ],
+  'vessel-emptying': [
+    'Behälter entleeren',
+    'Ein Behälter mit zwei Füllstandssensoren und einem Ventil im Auslauf. Start öffnet das Ventil; es schließt, wenn der untere Sensor trocken fällt oder jemand Stopp drückt. Die klassische erste Übung mit Selbsthaltung und Öffner.',
+  ],
+};

@@ -1,0 +1,115 @@
+// Everything that the program says has its German: who adds a code, an event or a phrase learns it here.
+import { describe, expect, test } from 'vitest';
+import { examples } from './examples';
+import { phrase, problemText, tables } from './phrases';
+import { modules as words } from './texts/modules';
+import { unchanged } from './unchanged';
+import { literals, problemTexts, projectsBelow, read, sourcesOf } from './sources';
+
+const problems = problemTexts();
+const codes = Object.keys(problems);
+
+/** Which arguments a text has places for. */
+function places(text: string): number[] {
+  let next = 0;
+  const found = [...text.matchAll(/\{(\d*)~?\}/g)].map((one) => (one[1] === '' ? next++ : Number(one[1])));
+  return [...new Set(found)].sort((a, b) => a - b);
+}
+
+describe('problems', () => {
+  test('there are some', () => expect(codes.length).toBeGreaterThan(300));
+  test.each(codes)('%s has its German with the same places', (code) => {
+    expect(tables.problems).toHaveProperty(code);
+    expect(places(tables.problems[code]!)).toEqual(places(problems[code]!));
+  });
+  test('there is no German of a code that is gone', () =>
+    expect(Object.keys(tables.problems).filter((code) => !(code in problems))).toEqual([]));
+});
+
+test.each(Object.entries(tables.phrases))('"%s" has as many places in German', (english, german) => {
+  expect(german).not.toBe('');
+  expect(places(german)).toEqual(places(english));
+});
+
+// Tables whose every text a person reads.
+const told = [
+  'src/cpu/event.cpp',
+  'src/cpu/error.cpp',
+  'src/cpu/asynchronous_errors.cpp',
+  'src/monitor/diagnostic_help.cpp',
+];
+const english = (text: string) => /[a-z]{2,}/.test(text) && / /.test(text.trim());
+test.each(told)('%s is told in German', (path) => {
+  const texts = literals(path).filter((text) => english(text) && !text.includes('{') && !/^[:,]/.test(text));
+  expect(texts.length).toBeGreaterThan(15);
+  expect(texts.filter((text) => phrase(text) === text)).toEqual([]);
+});
+
+test('the alarms of a SINUMERIK are told in German', () => {
+  const rows = [...read('src/sinumerik/alarms.inc').matchAll(/^ALARM\((\d+), \w+, "([^"]*)", "([^"]*)"/gm)];
+  expect(rows.length).toBeGreaterThan(50);
+  const texts = rows.map((row) => [`${row[1]} ${row[2]} (${row[3]})`, `${row[1]} ${row[2]}`] as const);
+  for (const [text, german] of texts) expect(phrase(text)).toBe(german);
+});
+
+test('each instruction is explained in German', () => {
+  const ids = [...read('src/mc7/operations.inc').matchAll(/^OPERATION\((\w+)/gm)].map((one) => one[1]!);
+  expect(ids.length).toBeGreaterThan(150);
+  const texts = ids.map((id) => id.replaceAll('_', ' ').toLowerCase());
+  expect(texts.filter((text) => !(text in tables.phrases))).toEqual([]);
+});
+
+test('each example has its German', () =>
+  expect(Object.keys(examples).sort()).toEqual(projectsBelow('examples').sort()));
+
+// Modules whose phrases reach the page, and what of them does not.
+const modules = [
+  'address',
+  'block',
+  'catalogue',
+  'compilation',
+  'cpu',
+  'io',
+  'project',
+  'source',
+  'station',
+  'step5',
+  'step7',
+  'workbench',
+];
+const known = [...Object.keys(tables.phrases), ...Object.values(problems), ...Object.keys(words)];
+// What stays as it is: values that a user writes in merker.toml, texts of programs and files, parts that are joined.
+const asItIs = new Set<string>(unchanged);
+const covered = (text: string) => {
+  const bare = text.trim();
+  return asItIs.has(bare) || known.some((one) => one.includes(bare)) || phrase(text) !== text;
+};
+test.each(modules)('the phrases of src/%s have their German', (module) => {
+  const texts = sourcesOf(module).flatMap(literals);
+  expect(texts.filter((text) => english(text) && !covered(text))).toEqual([]);
+});
+
+describe('a problem', () => {
+  test('keeps what stood in it', () =>
+    expect(problemText('P0214', ['flag byte', '301', '255', 'CPU 314C-2 PtP'], '')).toBe(
+      'Merkerbyte 301 liegt außerhalb von 0..255 der CPU 314C-2 PtP',
+    ));
+  test('keeps names that are words of the program', () =>
+    expect(problemText('P0422', ['counter'], '')).toBe('„counter“ ist zweimal vereinbart'));
+  test('is told in English where the program is newer than the page', () => {
+    expect(problemText('P9999', ['1'], 'something new')).toBe('something new');
+    expect(problemText('P0214', undefined, 'as it was')).toBe('as it was');
+  });
+});
+
+test.each([
+  ['programming error: data block not loaded: DB 7', 'Programmierfehler: Datenbaustein nicht geladen: DB 7'],
+  ['module fault, coming: address 256', 'Baugruppe gestört, kommend: Adresse 256'],
+  [
+    'STOP by programming error (OB 121 not loaded): data block not loaded: DB 7, FC 1 byte 6 (main.awl:12) [16#4562]',
+    'STOP durch Programmierfehler (OB 121 nicht geladen): Datenbaustein nicht geladen: DB 7, FC 1 Byte 6 (main.awl:12) [16#4562]',
+  ],
+  ['STOP: unknown operation code: FFFF', 'STOP: unbekannter Operationscode: FFFF'],
+  ['a whole number from 1 to 5', 'eine ganze Zahl von 1 bis 5'],
+  ['MW 10', 'MW 10'],
+])('%s', (text, german) => expect(phrase(text)).toBe(german));
