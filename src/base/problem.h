@@ -41,7 +41,7 @@ struct Problem {
   ProblemCode code;
   Position position;
   std::string message;
-  std::vector<std::string> arguments = {};  // what stands in the places of the text, for other languages
+  std::vector<std::string> arguments = {};  // in the places of the text, for other languages
   Severity severity() const { return info(code).severity; }
   std::string_view name() const { return info(code).name; }
 };

@@ -97,7 +97,7 @@ Answer information(const Call& call) {
   const monitor::ModuleInformation info = call.monitor().information();
   return Json{{"model", info.model},
               {"mode", monitor::name(info.mode)},
-              {"stopReason", info.stopReason},
+              {"stopReason", call.shared.folder.withoutFolder(info.stopReason)},
               {"clock", info.clock},
               {"memory",
                {{"loadMemory", info.loadMemory},

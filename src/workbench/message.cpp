@@ -35,4 +35,11 @@ std::int64_t requestId(const Json& request) {
   return number <= kExact ? static_cast<std::int64_t>(number) : 0;
 }
 
+void relate(Json& problem, const ProjectFolder& folder) {
+  const auto shorten = [&](Json& text) { text = folder.withoutFolder(text.get<std::string>()); };
+  shorten(problem["file"]);
+  shorten(problem["text"]);
+  for (Json& argument : problem["arguments"]) shorten(argument);
+}
+
 }  // namespace merker::workbench

@@ -1,4 +1,5 @@
 // The program: compile, compare, load into the CPU, look at its blocks.
+#include "workbench/message.h"
 #include "workbench/method.h"
 #include "workbench/program_rows.h"
 
@@ -47,8 +48,7 @@ Answer check(const Call& call) {
   Problems problems = build.problems;
   problems.sort();
   Json list = toJson(problems);
-  for (Json& problem : list)
-    problem["file"] = call.shared.folder.relative(problem["file"].get_ref<const std::string&>());
+  for (Json& problem : list) relate(problem, call.shared.folder);
   Json result = {{"problems", std::move(list)}, {"blocks", build.blocks()}};
   if (!build.program) return result;
   const auto sources = blockSources(build.project.sources, build.project.symbols);

@@ -135,6 +135,13 @@ std::string ProjectFolder::relative(std::string_view path) const {
   return std::string(path);
 }
 
+std::string ProjectFolder::withoutFolder(std::string text) const {
+  const std::string prefix = project::join(folder_, "");
+  for (std::size_t at = 0; !prefix.empty() && (at = text.find(prefix, at)) != std::string::npos;)
+    text.erase(at, prefix.size());
+  return text;
+}
+
 std::string ProjectFolder::full(std::string_view path) const {
   return project::join(folder_, std::string(path));
 }

@@ -40,6 +40,8 @@ class ProjectFolder {
   // "merker.toml" from "plant/merker.toml", and back.
   std::string relative(std::string_view path) const;
   std::string full(std::string_view path) const;
+  // A text that names files of the folder, with these names relative to it.
+  std::string withoutFolder(std::string text) const;
 
   // At most 5000, sorted.
   std::map<std::string, Stamp> list() const;

@@ -104,7 +104,7 @@ Json state(Shared& shared) {
   json["mode"] = word(kModes, c.mode());
   json["powered"] = c.powered();
   json["leds"] = leds(ledsOf(plc));
-  json["stopReason"] = c.stopReason();
+  json["stopReason"] = shared.folder.withoutFolder(c.stopReason());
   json["time"] = c.now().ns;
   json["cycles"] = c.cycles();
   json["forces"] = forces(plc);

@@ -74,8 +74,7 @@ std::string Workbench::handle(BrowserId browser, std::string_view message) {
   if (id == 0) return dump({{"id", 0}, {"problems", toJson(refused(ProblemCode::P1303))}});
   Answer answer = run(browser, *request);
   if (answer) return dump({{"id", id}, {"result", std::move(answer.json())}});
-  for (Json& problem : answer.json())
-    problem["file"] = shared_.folder.relative(problem["file"].get_ref<const std::string&>());
+  for (Json& problem : answer.json()) relate(problem, shared_.folder);
   return dump({{"id", id}, {"problems", std::move(answer.json())}});
 }
 

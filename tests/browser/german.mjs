@@ -1,5 +1,5 @@
 // A project in German, and what of a page is English.
-import { copyFileSync, mkdirSync, readdirSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { root } from './harness.mjs';
 
@@ -65,15 +65,15 @@ export function germanProject(folder) {
   return project;
 }
 
-/** Adds sources full of errors: those that the conformance tests refuse. */
-export function addErrors(project) {
+/** The sources that the conformance tests refuse: [name, text]. */
+export function refusedSources() {
   const folder = join(root, 'tests/conformance/rejected');
-  const sources = readdirSync(folder, { recursive: true }).filter((name) => name.endsWith('.awl'));
-  for (const name of sources) copyFileSync(join(folder, name), join(project, name.replaceAll('/', '_')));
+  const names = readdirSync(folder, { recursive: true }).filter((name) => name.endsWith('.awl'));
+  return names.sort().map((name) => [name.replaceAll('/', '_'), readFileSync(join(folder, name), 'latin1')]);
 }
 
 // Words of English sentences that no German text has, no name of an instruction, option or file.
-const WORDS = /\b(?:[Tt]h(?:e|is|ese|ere)|is|are|not|and|or|of|with|by|has|have|needs|must|cannot|can|from|for|which|expected|missing|exceeded|loaded|error|block|value|outside|possible|between|memory|restart|stuck|module|wire|unknown|at most|[Ii]t)\b/;
+const WORDS = /\ba [A-Z]|\b(?:[Tt]h(?:e|is|ese|ere)|is|are|not|and|or|of|with|by|has|have|needs|must|cannot|can|from|for|which|expected|missing|exceeded|loaded|error|block|value|outside|possible|between|memory|restart|stuck|module|wire|unknown|at most|[Ii]t)\b/;
 
 /** The English that a reader of the page meets: texts and names of what stands in `scope`, without sources and names of files. */
 export async function english(page, scope = 'body') {

@@ -23,6 +23,8 @@ TEST(Diagnosis, TheBufferLeadsToTheLine) {
   EXPECT_EQ(cause["file"], "main.awl");
   EXPECT_EQ(cause["block"], "OB 1");
   EXPECT_EQ(cause["line"], 23);
+  const std::string reason = bench.state()["stopReason"];
+  EXPECT_NE(reason.find("(main.awl:23)"), std::string::npos) << reason;
 }
 
 // S7-DIAG-04

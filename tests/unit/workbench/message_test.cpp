@@ -40,6 +40,21 @@ TEST(Message, NestingHasALimit) {
   EXPECT_TRUE(parseMessage("{\"x\": \"\\\"" + std::string(100, '{') + "\"}"));
 }
 
+// What a page needs to tell a problem in another language, with files as the project names them.
+TEST(Message, ProblemsKeepTheirArgumentsAndNoFolder) {
+  const ProjectFolder folder("/tmp/press");
+  const auto told = [&](const Problem& problem) {
+    Json json = toJson(problem);
+    relate(json, folder);
+    return json;
+  };
+  const Json twice = told(makeProblem(ProblemCode::P0501, Position{"/tmp/press/a.awl", 7, 1, 1},
+                                      "FC 5", "/tmp/press/lib/b.awl", 34));
+  EXPECT_EQ(twice["file"], "a.awl");
+  EXPECT_EQ(twice["text"], "FC 5 exists already (lib/b.awl:34)");
+  EXPECT_EQ(twice["arguments"], (Json{"FC 5", "lib/b.awl", "34"}));
+}
+
 TEST(Fields, WrongOnesAreNamed) {
   Bench bench;
   EXPECT_EQ(bench.problem("cpu.switch"), "P1306");

@@ -1,5 +1,6 @@
 // Everything that the program says has its German: who adds a code, an event or a phrase learns it here.
 import { describe, expect, test } from 'vitest';
+import { SIGNALS } from '../process/names';
 import { examples } from './examples';
 import { phrase, problemText, tables } from './phrases';
 import { modules as words } from './texts/modules';
@@ -38,7 +39,7 @@ const told = [
   'src/cpu/asynchronous_errors.cpp',
   'src/monitor/diagnostic_help.cpp',
 ];
-const english = (text: string) => /[a-z]{2,}/.test(text) && / /.test(text.trim());
+const english = (text: string) => /[a-z]{2,} |^an? | [a-z]{2,}/.test(text.trim());
 test.each(told)('%s is told in German', (path) => {
   const texts = literals(path).filter((text) => english(text) && !text.includes('{') && !/^[:,]/.test(text));
   expect(texts.length).toBeGreaterThan(15);
@@ -57,6 +58,20 @@ test('each instruction is explained in German', () => {
   expect(ids.length).toBeGreaterThan(150);
   const texts = ids.map((id) => id.replaceAll('_', ' ').toLowerCase());
   expect(texts.filter((text) => !(text in tables.phrases))).toEqual([]);
+});
+
+// What the drawings show by themselves has no name: the stroke of a slider, the boxes on the belt.
+const drawn = /^(?:STROKE_|BOX\d|FRONT\d|PUSHED\d)/;
+const plants = sourcesOf('plant')
+  .map((path) => read(path))
+  .flatMap((code) => {
+    const kind = /^const Kind k\w+\{"([^"]+)"/m.exec(code)?.[1];
+    const signals = [...code.matchAll(/\{"([A-Z][A-Z0-9_]*)", (?:Signal::)?Side::/g)].map((one) => one[1]!);
+    return kind ? [[kind, signals.filter((name) => !drawn.test(name))] as const] : [];
+  });
+test.each(plants)('the plant "%s" has names for its signals', (kind, signals) => {
+  expect(signals.length).toBeGreaterThan(1);
+  expect(signals.filter((name) => !SIGNALS[kind]?.[name])).toEqual([]);
 });
 
 test('each example has its German', () =>

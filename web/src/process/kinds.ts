@@ -1,6 +1,7 @@
 // What the page knows of each kind of plant: where its signals stand in the drawing, what a person operates, what is counted.
 import type { Component } from 'svelte';
-import { language, type Text } from '../i18n';
+import { language, type Text, type Texts } from '../i18n';
+import { kinds } from '../i18n/texts/parts';
 import GarageDoor from './drawings/GarageDoor.svelte';
 import Lift from './drawings/Lift.svelte';
 import SortingPlant from './drawings/SortingPlant.svelte';
@@ -163,5 +164,6 @@ export function kindView(kind: string): (Omit<KindView, 'drawing'> & { drawing: 
   const known = KINDS[kind];
   const side = language.value === 'de' ? 0 : 1;
   if (known) return { ...known, title: known.title[side] };
-  return { ...nothing, title: kind, height: 0, drawing: null, tags: [] };
+  const part: Text | undefined = (kinds as Texts)[kind];
+  return { ...nothing, title: part?.[side] ?? kind, height: 0, drawing: null, tags: [] };
 }

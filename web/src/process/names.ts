@@ -1,13 +1,21 @@
 import { language, type Text } from '../i18n';
+import * as parts from '../i18n/texts/parts';
 import * as signals from '../i18n/texts/signals';
 
-const SIGNALS: Record<string, Record<string, Text>> = {
+export const SIGNALS: Record<string, Record<string, Text>> = {
   'sorting plant': signals.sortingPlantSignals,
   vessel: signals.vesselSignals,
   'garage door': signals.garageDoorSignals,
   'traffic light': signals.trafficLightSignals,
   lift: signals.liftSignals,
   temperature: signals.temperatureSignals,
+  'bouncing switch': parts.bouncingSwitchSignals,
+  encoder: parts.encoderSignals,
+  'first order': parts.firstOrderSignals,
+  generator: parts.generatorSignals,
+  'pulse train': parts.pulseTrainSignals,
+  tank: parts.tankSignals,
+  valve: parts.valveSignals,
 };
 
 /** What a signal is, in words; its own name where there are none. */
