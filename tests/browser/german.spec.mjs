@@ -53,6 +53,13 @@ test('hardware: properties and faults of each module', async () => {
   }
 });
 
+test('hardware: the configuration with its catalogue and parameters', async () => {
+  await see('hardware');
+  await page.getByRole('tab', { name: 'Konfigurieren' }).click();
+  await page.getByRole('heading', { name: 'Katalog' }).waitFor();
+  await german();
+});
+
 test('operands that do not exist', async () => {
   await see('variables');
   for (const operand of ['EW 99999', 'Unsinn', 'M 1.9']) {
