@@ -40,7 +40,7 @@ test('the keyboard places one as well, and slots that do not fit say why (S7-HWC
   await page.keyboard.press('Enter');
   await slot(3).getByRole('button').focus();
   await page.keyboard.press('Enter');
-  await message('slots 4 to 11').waitFor();
+  await message('Steckplätzen 4 bis 11').waitFor();
   assert.match(await inSlot(3), /frei/);
   await page.keyboard.press('Escape');
   await catalogue(/DO16xDC24V/).focus();
@@ -62,7 +62,7 @@ test('addresses change freely, what is not possible goes back (S7-HWCFG-03)', as
   const start = page.getByLabel('Anfangsadresse E');
   await start.fill('124');
   await start.press('Enter');
-  await message('overlap').waitFor();
+  await message('überschneiden').waitFor();
   await expect(() => start.inputValue(), '');
   await start.fill('10');
   await start.press('Enter');
