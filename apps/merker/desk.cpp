@@ -37,6 +37,11 @@ void Desk::wait() {
                     [this] { return !waiting_.empty(); });
 }
 
+// An empty text: the answer comes later.
+void Desk::answer(hmi::Server& server, hmi::BrowserId browser, std::string text) {
+  if (!text.empty()) server.send(browser, std::move(text));
+}
+
 void Desk::handle(const Message& message, hmi::Server& server) {
   switch (message.kind) {
     case Kind::Opened:
@@ -46,7 +51,7 @@ void Desk::handle(const Message& message, hmi::Server& server) {
       browsers_.erase(message.browser);
       return workbench_.closed(message.browser);
     case Kind::Received:
-      return server.send(message.browser, workbench_.handle(message.browser, message.text));
+      return answer(server, message.browser, workbench_.handle(message.browser, message.text));
   }
 }
 
@@ -65,6 +70,8 @@ void Desk::run(hmi::Server& server, const std::function<bool()>& ended) {
   while (!ended()) {
     for (const Message& message : take()) handle(message, server);
     const bool more = workbench_.advance(wallClock, kSlice);
+    for (auto& [browser, text] : workbench_.laterAnswers())
+      answer(server, browser, std::move(text));
     frame(server, wallClock());
     if (!more) wait();
   }

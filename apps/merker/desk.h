@@ -8,6 +8,7 @@
 #include <mutex>
 #include <set>
 
+#include "compile_thread.h"
 #include "hmi/server.h"
 #include "workbench/workbench.h"
 
@@ -15,7 +16,9 @@ namespace merker::app {
 
 class Desk : public hmi::Handler {
  public:
-  explicit Desk(workbench::Workbench& workbench) : workbench_(workbench) {}
+  explicit Desk(workbench::Workbench& workbench) : workbench_(workbench) {
+    workbench.compileBy([this](workbench::Work work) { compiler_.push(std::move(work)); });
+  }
 
   // Until `ended`, which is asked every few milliseconds.
   void run(hmi::Server& server, const std::function<bool()>& ended);
@@ -36,11 +39,13 @@ class Desk : public hmi::Handler {
   };
   void push(Message message);
   std::deque<Message> take();
+  static void answer(hmi::Server& server, hmi::BrowserId browser, std::string text);
   void handle(const Message& message, hmi::Server& server);
   void frame(hmi::Server& server, std::int64_t now);
   void wait();
 
   workbench::Workbench& workbench_;
+  CompileThread compiler_;
   std::set<hmi::BrowserId> browsers_;
   std::int64_t nextFrame_ = 0;
   std::mutex mutex_;

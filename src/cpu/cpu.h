@@ -14,7 +14,6 @@
 #include "catalogue/cpu_parameters.h"
 #include "catalogue/module_event.h"
 #include "cpu/cycle_monitoring.h"
-#include "cpu/cycle_times.h"
 #include "cpu/diagnostics.h"
 #include "cpu/engine.h"
 #include "cpu/error.h"
@@ -28,11 +27,16 @@
 #include "cpu/present_faults.h"
 #include "cpu/real_time_clock.h"
 #include "cpu/runtime_meter.h"
+#include "cpu/snapshot.h"
 
 namespace merker::cpu {
 
 // What the running block does after a synchronous error.
 enum class AfterError : std::uint8_t { GoOn, ErrorOb, Stopped };
+
+// An entry of the diagnostic buffer, outside and back.
+block::RetentiveEvent toRetentive(const DiagnosticEvent& event);
+DiagnosticEvent toEvent(const block::RetentiveEvent& event, Duration shift);
 
 // How much of M, T and Z outlives a restart, from number 0 (S7-CPU-28).
 struct RetentiveRanges {
@@ -103,6 +107,14 @@ class Cpu {
   void retentive(block::RetentiveData& data) const;
   // For a CPU that was just loaded: it is then switched off and has this in its memory.
   void restore(const block::RetentiveData& data);
+  // In STOP, or in RUN between two cycles: all of it, and back into a CPU of the same model and
+  // configuration, at once and whatever that does now.
+  Snapshot snapshot() const;
+  void take(const Snapshot& from, std::shared_ptr<const block::Program> program);
+
+  // Timers by hand, of a simulator (S7-SIM-13): S5 timers keep the time that they show.
+  void holdTimers(bool held) { timersHeld_ = held; }
+  bool timersHeld() const { return timersHeld_; }
 
   // events from outside the program
   void moduleEvent(const ModuleEvent& event);
@@ -166,6 +178,7 @@ class Cpu {
 
  private:
   // cycle.cpp
+  void move(Instant limit);
   void idle(Instant limit);
   void rest(Instant limit);
   void runTop(Instant limit);
@@ -218,7 +231,14 @@ class Cpu {
   void beginHot();
   void beginStartup(Restart how);
   StartInformation startupInformation(Restart how) const;
-  RetentiveRanges retentiveRanges() const;  // retentive.cpp
+  // retentive.cpp
+  RetentiveRanges retentiveRanges() const;
+  void keep(block::RetentiveData& data, const RetentiveRanges& ranges, bool allBlocks) const;
+  void takeBack(const block::RetentiveData& data, const RetentiveRanges& ranges, bool allBlocks);
+  // snapshot.cpp
+  RetentiveRanges wholeMemory() const;
+  void takeMeters(const block::RetentiveData& data, Duration shift);
+  void takeTimes(const Snapshot& from, Duration shift);
   void clearStacks();
   void clearSystemMemory(bool all);
   void standStill();
@@ -260,7 +280,7 @@ class Cpu {
 
   Mode mode_ = Mode::Stop, beforeHalt_ = Mode::Run;
   ModeSwitch switch_;
-  bool stoppedByFault_ = false, resetRequested_ = false;
+  bool stoppedByFault_ = false, resetRequested_ = false, timersHeld_ = false;
   bool powered_ = true, buffered_ = true, runningAtPowerOff_ = false;
   bool outputsDisabled_ = true, communicating_ = false;
   // The stacks are those of an interrupted program, which a hot restart may go on with.

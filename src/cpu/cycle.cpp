@@ -5,7 +5,22 @@
 #include "cpu/cpu.h"
 
 namespace merker::cpu {
+namespace {
+
+// Less than the shortest unit of a timer, 10 ms, whatever instruction ends it.
+constexpr Duration kHeld = Duration::milliseconds(5);
+
+}  // namespace
+
+// Held timers are set anew before a unit of their time is over, so that they never show another.
 void Cpu::step(Instant limit) {
+  if (!timersHeld_) return move(limit);
+  move(std::min(limit, machine_.clock + kHeld));
+  if (!executes(mode_)) return;
+  for (S5Timer& timer : machine_.timers) timer.hold(machine_.clock);
+}
+
+void Cpu::move(Instant limit) {
   if (!executes(mode_)) return rest(limit);
   if (mode_ == Mode::Startup && machine_.levels.size() == restOfCycle_)
     enterRun();

@@ -39,6 +39,7 @@ class Diagnostics {
   static constexpr std::size_t kCapacity = 100;
   // The oldest entry makes room.
   void add(DiagnosticEvent event);
+  void clear() { events_.clear(); }                                       // entries count on
   const std::vector<DiagnosticEvent>& events() const { return events_; }  // newest last
   std::uint64_t added() const { return added_; }
 

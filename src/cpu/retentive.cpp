@@ -42,6 +42,36 @@ S5Counter toCounter(const RetentiveCounter& c) {
   return {c.count, c.setEdge, c.upEdge, c.downEdge, c.enableEdge};
 }
 
+// Off after power off (S7-SFC-03), with what it had counted by then.
+RuntimeMeter toMeter(const block::RetentiveMeter& meter, const RetentiveData& data) {
+  return {.counted = meter.counted + (meter.running ? data.now - meter.since : 0)};
+}
+
+// Into the vectors that are there: nothing is allocated cycle after cycle.
+void copyBlocks(const std::vector<DataBlock>& from, bool all, std::vector<RetentiveDataBlock>& to) {
+  std::size_t count = 0;
+  for (std::size_t number = 0; number < from.size(); ++number) {
+    const DataBlock& block = from[number];
+    if (!block.loaded || !(all || block.retentive)) continue;
+    if (to.size() == count) to.emplace_back();
+    RetentiveDataBlock& copy = to[count++];
+    copy.number = static_cast<std::uint16_t>(number);
+    copy.madeByProgram = block.madeByProgram;
+    copy.bytes = block.data;
+  }
+  to.resize(count);
+}
+
+void restoreBlock(const RetentiveDataBlock& from, bool all, DataBlocks& blocks) {
+  if (from.madeByProgram && blocks.find(from.number) == nullptr)
+    blocks.create(from.number, static_cast<std::uint32_t>(from.bytes.size()));
+  DataBlock* block = blocks.find(from.number);
+  if (block != nullptr && (all || block->retentive) && block->data.size() == from.bytes.size())
+    block->data = from.bytes;
+}
+
+}  // namespace
+
 RetentiveEvent toRetentive(const DiagnosticEvent& event) {
   return {.event = event.event,
           .time = event.time.ns,
@@ -62,44 +92,15 @@ DiagnosticEvent toEvent(const RetentiveEvent& event, Duration shift) {
           .stamp = event.stamp};
 }
 
-// Off after power off (S7-SFC-03), with what it had counted by then.
-RuntimeMeter toMeter(const block::RetentiveMeter& meter, const RetentiveData& data) {
-  return {.counted = meter.counted + (meter.running ? data.now - meter.since : 0)};
-}
-
-// Into the vectors that are there: nothing is allocated cycle after cycle.
-void copyBlocks(const std::vector<DataBlock>& from, std::vector<RetentiveDataBlock>& to) {
-  std::size_t count = 0;
-  for (std::size_t number = 0; number < from.size(); ++number) {
-    const DataBlock& block = from[number];
-    if (!block.loaded || !block.retentive) continue;
-    if (to.size() == count) to.emplace_back();
-    RetentiveDataBlock& copy = to[count++];
-    copy.number = static_cast<std::uint16_t>(number);
-    copy.madeByProgram = block.madeByProgram;
-    copy.bytes = block.data;
-  }
-  to.resize(count);
-}
-
-void restoreBlock(const RetentiveDataBlock& from, DataBlocks& blocks) {
-  if (from.madeByProgram && blocks.find(from.number) == nullptr)
-    blocks.create(from.number, static_cast<std::uint32_t>(from.bytes.size()));
-  DataBlock* block = blocks.find(from.number);
-  if (block != nullptr && block->retentive && block->data.size() == from.bytes.size())
-    block->data = from.bytes;
-}
-
-}  // namespace
-
 RetentiveRanges Cpu::retentiveRanges() const {
   return {std::min(parameters_.retentiveFlags, machine_.areas.flagBytes),
           std::min<std::size_t>(parameters_.retentiveTimers, machine_.timers.size()),
           std::min<std::size_t>(parameters_.retentiveCounters, machine_.counters.size())};
 }
 
-void Cpu::retentive(RetentiveData& data) const {
-  const RetentiveRanges ranges = retentiveRanges();
+void Cpu::retentive(RetentiveData& data) const { keep(data, retentiveRanges(), false); }
+
+void Cpu::keep(RetentiveData& data, const RetentiveRanges& ranges, bool allBlocks) const {
   const Duration standing = machine_.clock - timerTime();  // timers stand still in STOP
   data.now = machine_.clock.ns;
   data.clock = clock_.milliseconds(machine_.clock);
@@ -115,7 +116,7 @@ void Cpu::retentive(RetentiveData& data) const {
   data.counters.resize(ranges.counters);
   for (std::size_t i = 0; i < ranges.counters; ++i)
     data.counters[i] = toRetentive(machine_.counters[i]);
-  copyBlocks(machine_.dataBlocks.all(), data.dataBlocks);
+  copyBlocks(machine_.dataBlocks.all(), allBlocks, data.dataBlocks);
   if (data.eventsAdded == diagnostics_.added()) return;
   data.eventsAdded = diagnostics_.added();
   data.events.clear();
@@ -124,12 +125,15 @@ void Cpu::retentive(RetentiveData& data) const {
 }
 
 void Cpu::restore(const RetentiveData& data) {
-  const RetentiveRanges ranges = retentiveRanges();
-  const Duration shift{machine_.clock.ns - data.now};
   mode_ = Mode::Stop;
   frozenAt_ = machine_.clock;
   powered_ = false;
   runningAtPowerOff_ = data.running;
+  takeBack(data, retentiveRanges(), false);
+}
+
+void Cpu::takeBack(const RetentiveData& data, const RetentiveRanges& ranges, bool allBlocks) {
+  const Duration shift{machine_.clock.ns - data.now};
   clock_.set(data.clock, machine_.clock);
   for (std::size_t i = 0; i < std::min(runtimeMeters_.size(), data.meters.size()); ++i)
     runtimeMeters_[i] = toMeter(data.meters[i], data);
@@ -139,7 +143,8 @@ void Cpu::restore(const RetentiveData& data) {
     machine_.timers[i] = toTimer(data.timers[i], shift);
   for (std::size_t i = 0; i < std::min(ranges.counters, data.counters.size()); ++i)
     machine_.counters[i] = toCounter(data.counters[i]);
-  for (const RetentiveDataBlock& block : data.dataBlocks) restoreBlock(block, machine_.dataBlocks);
+  for (const RetentiveDataBlock& block : data.dataBlocks)
+    restoreBlock(block, allBlocks, machine_.dataBlocks);
   for (const RetentiveEvent& event : data.events) diagnostics_.add(toEvent(event, shift));
 }
 

@@ -35,6 +35,10 @@ bool S5Timer::modify(std::uint16_t s5, Instant now) {
   return true;
 }
 
+void S5Timer::hold(Instant now) {
+  if (started && !expired(now)) end = now + unit(base) * units(now);
+}
+
 bool S5Timer::start(Kind how, bool rlo, std::uint16_t s5, Instant now) {
   const bool rising = rlo && !startEdge;
   startEdge = rlo;

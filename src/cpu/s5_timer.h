@@ -31,6 +31,9 @@ struct S5Timer {
   // BCD number.
   bool modify(std::uint16_t s5time, Instant now);
 
+  // A time that runs begins anew with the units that are left of it.
+  void hold(Instant now);
+
   bool status(Instant now) const;           // U T
   std::uint16_t units(Instant now) const;   // L T: 0 … 999, no base
   std::uint16_t s5time(Instant now) const;  // LC T: BCD with the base in bits 13..12

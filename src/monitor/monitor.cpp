@@ -43,6 +43,7 @@ Monitor::Monitor(station::Station& station, const source::SymbolTable& symbols,
       debugger_(station) {
   station_.cpu().onCyclePoint([this](cpu::CyclePoint point) {
     for (VariableTable& table : tables_) table.reached(point);
+    if (observer_) observer_(point);
   });
 }
 
@@ -81,6 +82,13 @@ bool Monitor::isForced(const mc7::Reference& reference) const {
                              [&](const Forced& one) { return overlap(one.operand, reference); });
 }
 
+std::optional<Problem> Monitor::checkWrite(const mc7::Reference& reference) const {
+  if (isForced(reference)) return makeProblem(ProblemCode::P1217, nowhere(), reference.text);
+  if (!canWrite(station_, reference))
+    return makeProblem(ProblemCode::P1212, nowhere(), reference.text);
+  return std::nullopt;
+}
+
 std::optional<Problem> Monitor::write(const std::vector<Wish>& wishes) {
   std::vector<std::pair<mc7::Reference, Value>> good;
   for (const Wish& wish : wishes) {
@@ -88,10 +96,7 @@ std::optional<Problem> Monitor::write(const std::vector<Wish>& wishes) {
     if (!reference) return reference.error();
     auto value = parse(*reference, wish.value, wish.format);
     if (!value) return value.error();
-    if (isForced(*reference))
-      return makeProblem(ProblemCode::P1217, nowhere(), std::string(wish.operand));
-    if (!canWrite(station_, *reference))
-      return makeProblem(ProblemCode::P1212, nowhere(), std::string(wish.operand));
+    if (auto problem = checkWrite(*reference)) return problem;
     good.emplace_back(std::move(*reference), std::move(value.value()));
   }
   for (const auto& [reference, value] : good)

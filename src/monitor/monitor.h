@@ -2,6 +2,7 @@
 // by operand or symbol, forces, variable tables, breakpoints, stacks, diagnosis.
 #pragma once
 
+#include <functional>
 #include <list>
 #include <memory>
 #include <optional>
@@ -66,6 +67,10 @@ class Monitor {
   // The table stays with the monitor.
   VariableTable& addTable();
   void removeTable(const VariableTable& table);
+  // Whoever else looks and modifies at these points.
+  void onPoint(std::function<void(cpu::CyclePoint)> observer) { observer_ = std::move(observer); }
+  // Refused are what does not exist, what takes no value, and outputs that are forced.
+  std::optional<Problem> checkWrite(const mc7::Reference& reference) const;
 
   // looks at the CPU
   Stacks stacks() const;
@@ -84,6 +89,7 @@ class Monitor {
   Debugger debugger_;
   std::list<VariableTable> tables_;
   std::vector<Forced> forces_;
+  std::function<void(cpu::CyclePoint)> observer_;
 };
 
 }  // namespace merker::monitor

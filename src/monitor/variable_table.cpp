@@ -13,18 +13,16 @@ bool comesBy(std::optional<Trigger>& trigger, cpu::CyclePoint point) {
   return true;
 }
 
-// Inputs: their process image, which this cycle works with; the terminals stay.
-void modifyInCycle(station::Station& station, const VariableRow& row) {
-  const mc7::Operand& operand = row.operand.operand;
+}  // namespace
+
+void modifyInCycle(station::Station& station, const mc7::Reference& reference, const Value& value) {
+  const mc7::Operand& operand = reference.operand;
   const bool input = operand.kind == mc7::OperandKind::Memory && operand.area == Area::Input;
   if (input)
-    cpu::write(station.cpu().machine(), Area::Input, operand.width, operand.value,
-               row.modify->bits);
+    cpu::write(station.cpu().machine(), Area::Input, operand.width, operand.value, value.bits);
   else
-    write(station, row.operand, *row.modify);
+    write(station, reference, value);
 }
-
-}  // namespace
 
 std::optional<Problem> VariableTable::add(std::string_view operand, DisplayFormat format) {
   auto reference = resolver_(operand, nowhere());
@@ -73,7 +71,7 @@ void VariableTable::modifyNow() {
 void VariableTable::reached(cpu::CyclePoint point) {
   if (comesBy(modify_, point))
     for (const VariableRow& row : rows_)
-      if (row.modify) modifyInCycle(station_, row);
+      if (row.modify) modifyInCycle(station_, row.operand, *row.modify);
   if (comesBy(monitor_, point)) monitorNow();
 }
 

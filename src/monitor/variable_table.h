@@ -12,6 +12,9 @@
 
 namespace merker::monitor {
 
+// In the cycle. Inputs: their process image, which this cycle works with; the terminals stay.
+void modifyInCycle(station::Station& station, const mc7::Reference& reference, const Value& value);
+
 struct VariableRow {
   mc7::Reference operand;
   DisplayFormat format = DisplayFormat::Automatic;

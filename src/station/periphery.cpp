@@ -81,6 +81,29 @@ bool Periphery::deliver(cpu::Cpu& cpu, std::uint32_t first, std::uint32_t count,
   return true;
 }
 
+// Inputs at this byte that lie at an output of a plant.
+std::uint8_t Periphery::drivenBits(std::uint32_t byte) const {
+  unsigned bits = 0;
+  for (const plant::PlantSettings& plant : plants_.configuration().plants)
+    for (const plant::Wire& wire : plant.wires) {
+      const auto* terminal = std::get_if<io::Terminal>(&wire.end);
+      if (terminal == nullptr || isOutput(terminal->side)) continue;
+      const bool digital = isDigital(terminal->side);
+      const std::uint32_t start = *rack_.configuration().modules[terminal->module].inputStart;
+      const std::uint32_t first = start + (digital ? terminal->channel / 8 : 2 * terminal->channel);
+      if (digital && first == byte) bits |= 1u << (terminal->channel & 7);
+      if (!digital && (first == byte || first + 1 == byte)) bits = 0xFF;
+    }
+  return static_cast<std::uint8_t>(bits);
+}
+
+void Periphery::deliverAll(cpu::Cpu& cpu, const std::vector<std::uint8_t>& bytes) {
+  for (std::uint32_t i = 0; i < bytes.size(); ++i) {
+    const auto mask = static_cast<std::uint8_t>(~drivenBits(i));
+    if (mask != 0 && rack_.answersInput(i)) deliver(cpu, i, 1, mask, &bytes[i]);
+  }
+}
+
 void Periphery::showPresence(cpu::Cpu& cpu) {
   cpu::Areas& areas = cpu.machine().areas;
   for (std::uint32_t byte = 0; byte < areas.inputPresent.size(); ++byte) {

@@ -29,6 +29,9 @@ class Periphery : public cpu::Periphery {
   bool deliver(cpu::Cpu& cpu, std::uint32_t first, std::uint32_t count, std::uint8_t mask,
                const std::uint8_t* bytes);
 
+  // All inputs, but for the terminals that a plant drives.
+  void deliverAll(cpu::Cpu& cpu, const std::vector<std::uint8_t>& bytes);
+
   // The world goes on while the CPU is switched off.
   void goOn(Instant now);
 
@@ -43,6 +46,7 @@ class Periphery : public cpu::Periphery {
   void started(cpu::Cpu&) override { rack_.reportFaults(); }
 
  private:
+  std::uint8_t drivenBits(std::uint32_t byte) const;
   void showPresence(cpu::Cpu& cpu);
   void showInputs(cpu::Cpu& cpu);
 

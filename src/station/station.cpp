@@ -147,6 +147,12 @@ void Station::setBattery(bool low) { parts_->cpu.setBattery(low); }
 void Station::retentive(block::RetentiveData& data) const { parts_->cpu.retentive(data); }
 void Station::restore(const block::RetentiveData& data) { parts_->cpu.restore(data); }
 
+void Station::take(const cpu::Snapshot& from, std::shared_ptr<const block::Program> program) {
+  parts_->program = program;
+  parts_->cpu.take(from, std::move(program));
+  if (parts_->periphery) parts_->periphery->deliverAll(parts_->cpu, from.inputs);
+}
+
 Instant Station::now() const { return parts_->cpu.machine().clock; }
 std::uint64_t Station::cycles() const { return parts_->cpu.cycles(); }
 std::uint64_t Station::instructions() const { return parts_->cpu.machine().instructions; }

@@ -26,7 +26,8 @@
 
 namespace merker::cpu {
 class Cpu;
-}
+struct Snapshot;
+}  // namespace merker::cpu
 
 namespace merker::station {
 
@@ -99,6 +100,9 @@ class Station : public controller::Controller {
   void retentive(block::RetentiveData& data) const;
   // For a new station: it is then switched off and has this in its memory; powerOn() goes on.
   void restore(const block::RetentiveData& data);
+  // The CPU as it was when this was taken (cpu::Cpu::snapshot), of a station with the same model
+  // and configuration. Plants are no part of it: what they drive stays as they drive it.
+  void take(const cpu::Snapshot& from, std::shared_ptr<const block::Program> program);
 
   // time; nothing moves outside these calls
   Instant now() const override;

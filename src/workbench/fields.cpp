@@ -95,6 +95,14 @@ const Json* Fields::list(std::string_view key, std::size_t most, std::string_vie
   return nullptr;
 }
 
+Fields Fields::object(std::string_view key) const {
+  static const Json kNone = Json::object();
+  const Json* value = find(key);
+  const bool good = value != nullptr && value->is_object();
+  if (!good) wrong(key, "an object");
+  return {good ? *value : kNone, problems_, path(key) + "."};
+}
+
 std::vector<Fields> Fields::objects(std::string_view key, std::size_t most) const {
   std::vector<Fields> result;
   const Json* value = list(key, most, "objects");

@@ -34,6 +34,7 @@ class Fields {
   // The position of the word.
   std::size_t choice(std::string_view key, std::initializer_list<std::string_view> words,
                      std::optional<std::size_t> otherwise = {}) const;
+  Fields object(std::string_view key) const;
   // At most `most` of them.
   std::vector<Fields> objects(std::string_view key, std::size_t most) const;
   std::vector<std::string> texts(std::string_view key, std::size_t most) const;

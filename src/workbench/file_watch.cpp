@@ -8,10 +8,10 @@ namespace {
 struct Row {
   std::string_view ending, kind;
 };
-constexpr Row kRows[] = {{".awl", "source"},  {".s5", "source"},           {".sym", "symbols"},
-                         {".sdf", "symbols"}, {".asc", "symbols"},         {".seq", "symbols"},
-                         {".dif", "symbols"}, {"merker.toml", "hardware"}, {".vat", "table"},
-                         {".scn", "scenario"}};
+constexpr Row kRows[] = {{".awl", "source"},   {".s5", "source"},           {".sym", "symbols"},
+                         {".sdf", "symbols"},  {".asc", "symbols"},         {".seq", "symbols"},
+                         {".dif", "symbols"},  {"merker.toml", "hardware"}, {".vat", "table"},
+                         {".scn", "scenario"}, {".state", "state"},         {".rec", "recording"}};
 
 bool isLoaded(std::string_view path) {
   const std::string_view kind = kindOfFile(path);

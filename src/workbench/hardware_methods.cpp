@@ -78,8 +78,8 @@ Answer catalogue(const Call&) { return catalogueRows(); }
 
 constexpr Method kMethods[] = {
     {"hardware.read", Needs::S7, read},
-    {"hardware.fault", Needs::S7, fault},
-    {"hardware.edit", Needs::S7, edit},
+    {"hardware.fault", Needs::S7, fault, Kind::Action},
+    {"hardware.edit", Needs::S7, edit, Kind::Compiled},
     {"hardware.catalogue", Needs::S7, catalogue},
 };
 

@@ -23,6 +23,12 @@ Answer Answer::refused(Json list) {
   return answer;
 }
 
+Answer Answer::later(std::shared_ptr<Later> later) {
+  Answer answer{Json(nullptr)};
+  answer.later_ = std::move(later);
+  return answer;
+}
+
 std::string dump(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

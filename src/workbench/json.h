@@ -1,6 +1,7 @@
 // Values of the protocol.
 #pragma once
 
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "base/problem.h"
@@ -10,7 +11,9 @@ namespace merker::workbench {
 
 using Json = nlohmann::json;
 
-// What a request is answered with: a result, or problems.
+struct Later;
+
+// What a request is answered with: a result, or problems; or later, when something is compiled.
 class Answer {
  public:
   Answer(Json result) : good_(true), json_(std::move(result)) {}
@@ -18,13 +21,17 @@ class Answer {
   // A list of problems with more fields than others have.
   static Answer refused(Json list);
 
+  static Answer later(std::shared_ptr<Later> later);
+
   explicit operator bool() const { return good_; }
+  const std::shared_ptr<Later>& waits() const { return later_; }
   const Json& json() const { return json_; }
   Json& json() { return json_; }
 
  private:
   bool good_;
   Json json_;
+  std::shared_ptr<Later> later_;
 };
 
 // As text; bytes that are no UTF-8 are replaced.

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "workbench/fields.h"
+#include "workbench/later.h"
 #include "workbench/shared.h"
 
 namespace merker::workbench {
@@ -23,11 +24,24 @@ struct Call {
 // On: what reaches the PLC only while it is switched on.
 enum class Needs : std::uint8_t { Nothing, Plc, PlcOn, S7, S7On };
 
+// Action: something that a user does to the PLC; it is recorded. Compiled: it looks at the program
+// as it stands on the disk, compiled.
+enum class Kind : std::uint8_t { Plain, Action, Compiled };
+
+// Compiles the project at this path, then goes on: Answer::later.
+Answer compiled(const Call& call, const std::string& project,
+                std::map<std::string, std::string> unsaved,
+                std::function<Answer(const Call&, Offline&)> then);
+
 struct Method {
   std::string_view name;
   Needs needs;
   Answer (*run)(const Call& call);
+  Kind kind = Kind::Plain;
 };
+
+// Null: there is none.
+const Method* findMethod(std::string_view name);
 
 std::span<const Method> plcMethods();
 std::span<const Method> variableMethods();
@@ -40,6 +54,10 @@ std::span<const Method> diagnosisMethods();
 std::span<const Method> processMethods();
 std::span<const Method> projectMethods();
 std::span<const Method> trendMethods();
+std::span<const Method> modifyMethods();
+std::span<const Method> timerMethods();
+std::span<const Method> snapshotMethods();
+std::span<const Method> recordingMethods();
 
 // {} or the problem.
 Answer done(const std::optional<Problem>& problem = {});

@@ -16,6 +16,12 @@ struct Pace {
   bool operator==(const Pace&) const = default;
 };
 
+// Something that is due at an instant of virtual time.
+struct Schedule {
+  std::function<Instant()> next = [] { return Instant::never(); };
+  std::function<void()> run = [] {};
+};
+
 class Pacer {
  public:
   // Nanoseconds of a clock on the wall that never goes back.
@@ -31,12 +37,14 @@ class Pacer {
   void restart() { running_ = false, steps_ = 0; }
 
   // One slice of at most `longest` on the wall. True: there is more to do at once.
-  bool advance(controller::Controller& plc, const WallClock& wall, Duration longest);
+  bool advance(controller::Controller& plc, const WallClock& wall, Duration longest,
+               const Schedule& schedule = {});
 
  private:
   void begin(const controller::Controller& plc, std::int64_t now);
   void measure(const controller::Controller& plc, std::int64_t now);
-  bool stepCycles(controller::Controller& plc, const WallClock& wall, std::int64_t end);
+  bool stepCycles(controller::Controller& plc, const WallClock& wall, std::int64_t end,
+                  const Schedule& schedule);
 
   Pace pace_;
   std::uint64_t steps_ = 0;

@@ -118,10 +118,14 @@ Answer step(const Call& call) {
 }
 
 constexpr Method kMethods[] = {
-    {"cpu.switch", Needs::Plc, turnSwitch}, {"cpu.power", Needs::Plc, power},
-    {"cpu.start", Needs::PlcOn, start},     {"cpu.stop", Needs::PlcOn, stop},
-    {"cpu.reset", Needs::PlcOn, reset},     {"cpu.trigger", Needs::S7On, trigger},
-    {"cpu.engine", Needs::S7, engine},      {"time.pace", Needs::Nothing, pace},
+    {"cpu.switch", Needs::Plc, turnSwitch, Kind::Action},
+    {"cpu.power", Needs::Plc, power, Kind::Action},
+    {"cpu.start", Needs::PlcOn, start, Kind::Action},
+    {"cpu.stop", Needs::PlcOn, stop, Kind::Action},
+    {"cpu.reset", Needs::PlcOn, reset, Kind::Action},
+    {"cpu.trigger", Needs::S7On, trigger, Kind::Action},
+    {"cpu.engine", Needs::S7, engine},
+    {"time.pace", Needs::Nothing, pace},
     {"time.step", Needs::Plc, step},
 };
 

@@ -18,6 +18,17 @@ Answer watch(const Call& call) {
   return empty();
 }
 
+// What the plant can take there, as process.list says it.
+void checkRange(const simulator::PlantValue& wanted, const plant::Configuration& plants,
+                Problems& problems) {
+  const plant::Kind& kind = *plants.plants[wanted.place.plant].kind;
+  const plant::Signal& signal = kind.signals[wanted.place.signal];
+  if (signal.binary || (wanted.number >= signal.low && wanted.number <= signal.high)) return;
+  problems.add(ProblemCode::P0989, wanted.valuePosition, wanted.value, wanted.text,
+               fmt::format("it is a number from {} to {}{}{}", signal.low, signal.high,
+                           signal.unit.empty() ? "" : " ", signal.unit));
+}
+
 Answer set(const Call& call) {
   const std::string plant = call.fields.text("plant"), value = call.fields.text("value");
   const double to = call.fields.number("to", -1e12, 1e12);
@@ -30,6 +41,7 @@ Answer set(const Call& call) {
   const auto at = [](std::string_view) { return nowhere(); };
   if (simulator::parsePlant(signal, number, wanted, at, problems))
     simulator::resolve(wanted, plants == nullptr ? nullptr : &plants->configuration(), problems);
+  if (!problems.hasErrors()) checkRange(wanted, plants->configuration(), problems);
   if (problems.hasErrors()) return problems;
   simulator::apply(wanted, *plants, *call.station().rack(), call.station().now());
   return empty();
@@ -77,9 +89,11 @@ Answer reset(const Call& call) {
 }
 
 constexpr Method kMethods[] = {
-    {"process.list", Needs::S7, list},   {"process.watch", Needs::S7, watch},
-    {"process.set", Needs::S7, set},     {"process.fault", Needs::S7, fault},
-    {"process.reset", Needs::S7, reset},
+    {"process.list", Needs::S7, list},
+    {"process.watch", Needs::S7, watch},
+    {"process.set", Needs::S7, set, Kind::Action},
+    {"process.fault", Needs::S7, fault, Kind::Action},
+    {"process.reset", Needs::S7, reset, Kind::Action},
 };
 
 }  // namespace

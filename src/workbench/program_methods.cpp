@@ -36,6 +36,18 @@ bool online(const Call& call, std::size_t otherwise = 0) {
   return call.fields.choice("side", {"offline", "online"}, otherwise) == 1;
 }
 
+Answer checked(const Call& call, Offline& offline) {
+  const compilation::Build& build = offline.build;
+  Problems problems = build.problems;
+  problems.sort();
+  Json list = toJson(problems);
+  for (Json& problem : list) relate(problem, call.shared.folder);
+  Json result = {{"problems", std::move(list)}, {"blocks", build.blocks()}};
+  if (!build.program) return result;
+  result["interfaces"] = interfaceRows(*build.program, offline.sources, call.shared.folder);
+  return result;
+}
+
 Answer check(const Call& call) {
   std::map<std::string, std::string> unsaved;
   if (call.fields.has("files"))
@@ -44,16 +56,7 @@ Answer check(const Call& call) {
       unsaved[call.shared.folder.full(path)] = file.text("text");
     }
   if (!call.fields.good()) return call.fields.problems();
-  const auto build = compileProject(call.plc().build().project.path, unsaved);
-  Problems problems = build.problems;
-  problems.sort();
-  Json list = toJson(problems);
-  for (Json& problem : list) relate(problem, call.shared.folder);
-  Json result = {{"problems", std::move(list)}, {"blocks", build.blocks()}};
-  if (!build.program) return result;
-  const auto sources = blockSources(build.project.sources, build.project.symbols);
-  result["interfaces"] = interfaceRows(*build.program, sources, call.shared.folder);
-  return result;
+  return compiled(call, call.plc().build().project.path, std::move(unsaved), checked);
 }
 
 Answer refusedLoad(const std::string& reason) {
@@ -165,11 +168,15 @@ Answer references(const Call& call) {
 }
 
 constexpr Method kMethods[] = {
-    {"program.check", Needs::Plc, check},          {"program.load", Needs::S7On, load},
-    {"program.blocks", Needs::S7, blocks},         {"program.compare", Needs::S7, compare},
-    {"program.upload", Needs::S7, upload},         {"program.delete", Needs::S7On, remove},
-    {"program.listing", Needs::S7, showListing},   {"program.completion", Needs::S7, complete},
-    {"program.references", Needs::S7, references},
+    {"program.check", Needs::Plc, check},
+    {"program.load", Needs::S7On, load, Kind::Compiled},
+    {"program.blocks", Needs::S7, blocks, Kind::Compiled},
+    {"program.compare", Needs::S7, compare, Kind::Compiled},
+    {"program.upload", Needs::S7, upload},
+    {"program.delete", Needs::S7On, remove},
+    {"program.listing", Needs::S7, showListing, Kind::Compiled},
+    {"program.completion", Needs::S7, complete, Kind::Compiled},
+    {"program.references", Needs::S7, references, Kind::Compiled},
 };
 
 }  // namespace

@@ -23,11 +23,12 @@ Answer list(const Call& call) {
 }
 
 Answer openFolder(const Call& call, const std::string& folder, bool example) {
-  compilation::Build build = compileProject(folder);
-  if (build.project.unreadable) return build.problems;
-  call.shared.show(std::make_unique<Plc>(std::move(build)), example);
-  call.shared.remember(folder);
-  return empty();
+  return compiled(call, folder, {}, [folder, example](const Call& now, Offline& offline) -> Answer {
+    if (offline.build.project.unreadable) return offline.build.problems;
+    now.shared.show(std::make_unique<Plc>(std::move(offline.build)), example);
+    now.shared.remember(folder);
+    return empty();
+  });
 }
 
 Answer open(const Call& call) {

@@ -27,6 +27,10 @@ void Shared::show(std::unique_ptr<Plc> fresh, bool isExample) {
   breakpoints.clear();
   wantedStatus.clear();
   offline_.reset();
+  offlineJob_ = nullptr;
+  recorder.stop();
+  player.stop();
+  ++shown;
   ++programRevision;
   ++filesRevision;
   files = {};
@@ -34,6 +38,7 @@ void Shared::show(std::unique_ptr<Plc> fresh, bool isExample) {
   if (plc) files.look(folder);
   files.loaded();
   if (plc && onCycle) plc->onCycle([this](controller::Controller&) { onCycle(); });
+  if (plc && onPoint && plc->isS7()) plc->monitor()->onPoint(onPoint);
 }
 
 void Shared::remember(const std::string& opened) {
@@ -47,12 +52,21 @@ void Shared::lookAtFiles() {
   if (plc && files.look(folder)) ++filesRevision;
 }
 
-const Offline& Shared::offline() {
+// One job does for all who ask meanwhile.
+Job Shared::offlineJob() {
   lookAtFiles();
-  if (offline_ && offline_->files == filesRevision) return *offline_;
-  Offline fresh{compileProject(plc->build().project.path), {}, filesRevision};
-  fresh.sources = blockSources(fresh.build.project.sources, fresh.build.project.symbols);
-  return offline_.emplace(std::move(fresh));
+  if (offline_ && offline_->files == filesRevision) return nullptr;
+  if (offlineJob_ && offlineJob_->files() == filesRevision) return offlineJob_;
+  offlineJob_ = std::make_shared<CompileJob>(plc->build().project.path,
+                                             std::map<std::string, std::string>(), filesRevision);
+  work([job = offlineJob_] { job->run(); });
+  return offlineJob_;
+}
+
+void Shared::take(const Job& job) {
+  const bool newer = !offline_ || offline_->files < job->files();
+  if (newer) offline_.emplace(std::move(job->result()));
+  if (offlineJob_ == job) offlineJob_ = nullptr;
 }
 
 void Shared::loaded(compilation::Build build) {

@@ -10,11 +10,13 @@
 #include <string>
 #include <vector>
 
+#include "workbench/compile_job.h"
 #include "workbench/file_watch.h"
-#include "workbench/offline.h"
+#include "workbench/modify_list.h"
 #include "workbench/pace.h"
 #include "workbench/plc.h"
 #include "workbench/project_folder.h"
+#include "workbench/recording.h"
 #include "workbench/status_view.h"
 #include "workbench/trend.h"
 #include "workbench/watch_list.h"
@@ -35,6 +37,11 @@ struct Shared {
   Workspace workspace;
   std::vector<std::string> recent;  // folders, newest first
   std::function<void()> onCycle;    // at each end of a cycle, of whatever PLC is there
+  std::function<void(cpu::CyclePoint)> onPoint;
+  Worker work = [](const Work& one) { one(); };
+  std::uint64_t shown = 0;  // counts the PLCs
+  Recorder recorder;
+  Player player;
   ProjectFolder folder;
   FileWatch files;
   BreakpointLines breakpoints;
@@ -44,7 +51,11 @@ struct Shared {
   void show(std::unique_ptr<Plc> fresh, bool isExample);
   void remember(const std::string& opened);
   void lookAtFiles();
-  const Offline& offline();
+  // Null: the program on the disk is compiled.
+  Job offlineJob();
+  void take(const Job& job);  // that is done
+  // As it was compiled last.
+  const Offline& offline() const { return *offline_; }
   // The CPU has this program now, or will have it at its next checkpoint.
   void loaded(compilation::Build build);
   // As soon as the CPU works with the program that it was given last.
@@ -53,12 +64,14 @@ struct Shared {
  private:
   std::optional<Offline> offline_;
   std::optional<station::Engine> engine_;  // that was chosen last: the next PLC has it too
+  Job offlineJob_;
 };
 
 struct Browser {
   Json state = Json::object();  // what it knows of it
   std::map<std::int64_t, WatchList> lists;
   std::map<std::int64_t, Trend> trends;
+  std::map<std::int64_t, ModifyList> modifies;
   std::optional<StatusView> status;
   bool process = false;
   Json processValues;  // as told last

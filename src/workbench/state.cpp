@@ -65,6 +65,7 @@ void addStation(Json& json, const Plc& plc) {
   json["cycle"] = {{"last", cycle.previous}, {"min", cycle.shortest}, {"max", cycle.longest}};
   json["engine"] = station.engine() == station::Engine::Compiled ? "jit" : "interpreter";
   json["diagnostics"] = station.cpu().diagnostics().added();
+  json["timersByHand"] = station.cpu().timersHeld();
 }
 
 void addControl(Json& json, const Plc& plc) {
@@ -74,6 +75,12 @@ void addControl(Json& json, const Plc& plc) {
   json["cycle"] = nullptr;
   json["engine"] = "interpreter";
   json["diagnostics"] = c.diagnostics().size();
+  json["timersByHand"] = false;
+}
+
+Json recording(const Recorder& recorder) {
+  if (!recorder.on()) return nullptr;
+  return {{"since", recorder.begin().ns}, {"actions", recorder.actions().size()}};
 }
 
 Json project(const Shared& shared) {
@@ -110,6 +117,8 @@ Json state(Shared& shared) {
   json["forces"] = forces(plc);
   json["breakpoint"] = breakpoint(shared);
   json["breakpoints"] = shared.breakpoints;
+  json["recording"] = recording(shared.recorder);
+  json["playback"] = shared.player.describe();
   plc.isS7() ? addStation(json, plc) : addControl(json, plc);
   return json;
 }

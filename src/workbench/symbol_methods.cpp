@@ -99,9 +99,9 @@ Answer exportAs(const Call& call) {
 }
 
 constexpr Method kMethods[] = {
-    {"symbols.read", Needs::S7, read},       {"symbols.check", Needs::S7, check},
-    {"symbols.write", Needs::S7, write},     {"symbols.import", Needs::S7, import},
-    {"symbols.export", Needs::S7, exportAs},
+    {"symbols.read", Needs::S7, read, Kind::Compiled},       {"symbols.check", Needs::S7, check},
+    {"symbols.write", Needs::S7, write, Kind::Compiled},     {"symbols.import", Needs::S7, import},
+    {"symbols.export", Needs::S7, exportAs, Kind::Compiled},
 };
 
 }  // namespace

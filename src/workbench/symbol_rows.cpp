@@ -40,6 +40,16 @@ Line lineOf(const SymbolRow& row) {
   return line;
 }
 
+// What a line of a file cannot say any more: a name that ends it, or a field that is not there.
+std::optional<RowProblem> missing(const SymbolRow& row, std::size_t number) {
+  const Position at{"", static_cast<std::uint32_t>(number + 1), 0, 0};
+  if (row.symbol.find('"') != std::string::npos)
+    return RowProblem{number, "symbol", makeProblem(ProblemCode::P0809, at, row.symbol)};
+  if (!trim(row.symbol).empty() && trim(row.operand).empty())
+    return RowProblem{number, "operand", makeProblem(ProblemCode::P0812, at, row.symbol)};
+  return std::nullopt;
+}
+
 constexpr std::string_view kFields[] = {"symbol", "operand", "type", "comment"};
 
 std::string_view fieldAt(const Line& line, std::uint32_t column) {
@@ -70,13 +80,15 @@ bool CheckedRows::good() const {
 }
 
 CheckedRows checkRows(const std::vector<SymbolRow>& rows) {
+  CheckedRows result;
   std::string text;
   std::vector<Line> lines;
   for (const SymbolRow& row : rows) {
-    lines.push_back(lineOf(row));
+    const auto problem = missing(row, lines.size());
+    if (problem) result.problems.push_back(*problem);
+    lines.push_back(problem ? Line() : lineOf(row));
     text += lines.back().text + "\n";
   }
-  CheckedRows result;
   Problems problems;
   source::readSymbols(source::SourceFile("symbols.sym", text), result.table, problems);
   for (const Problem& problem : problems.list()) {

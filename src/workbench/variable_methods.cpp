@@ -1,34 +1,29 @@
 // Values: watch lists, reading once, modifying, forcing (S7-SIM-12).
 #include "workbench/method.h"
+#include "workbench/trigger_field.h"
+#include "workbench/wishes.h"
 
 namespace merker::workbench {
 namespace {
 
-using monitor::DisplayFormat;
-
-DisplayFormat format(const Fields& item) {
-  const auto format = monitor::parseFormat(item.text("format", "AUTO"));
-  if (format) return *format;
-  item.add(format.error());
-  return DisplayFormat::Automatic;
-}
-
 std::vector<WatchItem> items(const Call& call) {
   std::vector<WatchItem> list;
   for (const Fields& item : call.fields.objects("items", kItems))
-    list.push_back({item.text("operand"), format(item)});
+    list.push_back({item.text("operand"), formatOf(item)});
   return list;
 }
 
 Answer watch(const Call& call) {
   const auto number = call.fields.integer("list", 0, INT32_MAX);
   const auto every = call.fields.integer("everyMs", 0, 60'000, 33);
+  const auto trigger = call.plc().isS7() ? triggerOf(call.fields) : std::nullopt;
   auto wanted = items(call);
   if (!call.fields.good()) return call.fields.problems();
   auto& lists = call.browser.lists;
   if (!lists.contains(number) && lists.size() >= kLists)
     return refused(ProblemCode::P1314, kLists, "lists");
-  const auto [place, isNew] = lists.insert_or_assign(number, WatchList(std::move(wanted), every));
+  const auto [place, isNew] =
+      lists.insert_or_assign(number, WatchList(std::move(wanted), every, trigger));
   return Json{{"items", place->second.describe(call.plc())}};
 }
 
@@ -61,27 +56,12 @@ Answer read(const Call& call) {
   return Json{{"items", std::move(list)}};
 }
 
-// The texts that wishes look at live here.
-struct Texts {
-  std::string operand, value;
-  DisplayFormat format;
-};
-
-std::vector<Texts> texts(const Call& call) {
-  std::vector<Texts> list;
-  for (const Fields& item : call.fields.objects("items", kItems))
-    list.push_back({item.text("operand"), item.text("value"), format(item)});
-  return list;
-}
-
 using Change = std::optional<Problem> (Plc::*)(const std::vector<monitor::Wish>&);
 
 Answer change(const Call& call, Change how) {
-  const auto wanted = texts(call);
+  const Wishes wishes(call.fields);
   if (!call.fields.good()) return call.fields.problems();
-  std::vector<monitor::Wish> wishes;
-  for (const Texts& one : wanted) wishes.push_back({one.operand, one.value, one.format});
-  return done((call.plc().*how)(wishes));
+  return done((call.plc().*how)(wishes.list()));
 }
 
 Answer write(const Call& call) { return change(call, &Plc::write); }
@@ -97,9 +77,12 @@ Answer unforce(const Call& call) {
 }
 
 constexpr Method kMethods[] = {
-    {"watch.set", Needs::Plc, watch},         {"watch.drop", Needs::Nothing, drop},
-    {"variables.read", Needs::Plc, read},     {"variables.write", Needs::PlcOn, write},
-    {"variables.force", Needs::PlcOn, force}, {"variables.unforce", Needs::PlcOn, unforce},
+    {"watch.set", Needs::Plc, watch},
+    {"watch.drop", Needs::Nothing, drop},
+    {"variables.read", Needs::Plc, read},
+    {"variables.write", Needs::PlcOn, write, Kind::Action},
+    {"variables.force", Needs::PlcOn, force, Kind::Action},
+    {"variables.unforce", Needs::PlcOn, unforce, Kind::Action},
 };
 
 }  // namespace

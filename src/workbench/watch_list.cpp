@@ -16,8 +16,17 @@ Json rawValue(const mc7::Reference& reference, const monitor::Value& value,
   return std::isfinite(real) ? Json(real) : Json(nullptr);
 }
 
-WatchList::WatchList(std::vector<WatchItem> items, std::int64_t everyMs) : everyMs_(everyMs) {
-  for (WatchItem& item : items) rows_.push_back({std::move(item), {}, {}, false});
+WatchList::WatchList(std::vector<WatchItem> items, std::int64_t everyMs,
+                     std::optional<monitor::Trigger> trigger)
+    : trigger_(trigger), everyMs_(everyMs) {
+  for (WatchItem& item : items) rows_.push_back({std::move(item), {}, {}, {}, false});
+}
+
+void WatchList::reached(const Plc& plc, cpu::CyclePoint point) {
+  if (!trigger_ || trigger_->point != point || done_) return;
+  for (Row& row : rows_) row.seen = read(row, plc);
+  came_ = true;
+  done_ = trigger_->once;
 }
 
 Json WatchList::describe(Row& row, const Plc& plc) {
@@ -66,11 +75,11 @@ std::optional<monitor::Value> WatchList::read(const Row& row, const Plc& plc) {
 Json WatchList::changes(const Plc& plc, std::uint64_t program, std::int64_t nowMs) {
   Json list = Json::array();
   bind(plc, program);
-  if (nowMs < next_) return list;
+  if (nowMs < next_ || (trigger_ && !came_)) return list;
   next_ = nowMs + everyMs_;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     Row& row = rows_[i];
-    auto value = read(row, plc);
+    auto value = trigger_ ? row.seen : read(row, plc);
     if (row.told && value == row.last) continue;
     row.told = true;
     row.last = std::move(value);

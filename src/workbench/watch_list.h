@@ -18,18 +18,24 @@ struct WatchItem {
 
 class WatchList {
  public:
-  WatchList(std::vector<WatchItem> items, std::int64_t everyMs);
+  // `trigger`: values are those of that point of the cycle; without: of the moment of telling.
+  WatchList(std::vector<WatchItem> items, std::int64_t everyMs,
+            std::optional<monitor::Trigger> trigger = {});
 
   // Binds the operands to the program that the CPU has now. What each is, or its problem.
   Json describe(const Plc& plc);
   // [[index, text, raw], …] of what changed; empty if nothing did. `nowMs` is time on the wall.
   Json changes(const Plc& plc, std::uint64_t program, std::int64_t nowMs);
+  // The CPU has come to this point.
+  void reached(const Plc& plc, cpu::CyclePoint point);
+  // A trigger that counts once has come.
+  bool done() const { return done_; }
 
  private:
   struct Row {
     WatchItem item;
     std::optional<mc7::Reference> reference;
-    std::optional<monitor::Value> last;
+    std::optional<monitor::Value> last, seen;  // told, at the trigger point
     bool told = false;
   };
   Json describe(Row& row, const Plc& plc);
@@ -37,6 +43,8 @@ class WatchList {
   static std::optional<monitor::Value> read(const Row& row, const Plc& plc);
 
   std::vector<Row> rows_;
+  std::optional<monitor::Trigger> trigger_;
+  bool came_ = false, done_ = false;
   std::int64_t everyMs_, next_ = 0;
   std::uint64_t program_ = 0;
 };

@@ -2,34 +2,21 @@
 
 #include <algorithm>
 
-#include "workbench/message.h"
 #include "workbench/method.h"
 #include "workbench/process_rows.h"
 
 namespace merker::workbench {
-namespace {
 
 const Method* findMethod(std::string_view name) {
-  for (const auto group : {plcMethods(), variableMethods(), fileMethods(), programMethods(),
-                           debugMethods(), symbolMethods(), hardwareMethods(), diagnosisMethods(),
-                           processMethods(), projectMethods(), trendMethods()}) {
+  for (const auto group :
+       {plcMethods(), variableMethods(), fileMethods(), programMethods(), debugMethods(),
+        symbolMethods(), hardwareMethods(), diagnosisMethods(), processMethods(), projectMethods(),
+        trendMethods(), modifyMethods(), timerMethods(), snapshotMethods(), recordingMethods()}) {
     const auto found = std::ranges::find(group, name, &Method::name);
     if (found != group.end()) return &*found;
   }
   return nullptr;
 }
-
-std::optional<Problems> missing(Needs needs, const Plc* plc, std::string_view method) {
-  if (needs == Needs::Nothing) return std::nullopt;
-  if (plc == nullptr) return refused(ProblemCode::P1315);
-  const bool on = needs == Needs::PlcOn || needs == Needs::S7On;
-  if (on && !plc->controller().powered())
-    return refused(ProblemCode::P1308, plc->controller().modelName(), "it is switched off");
-  if (needs == Needs::Plc || needs == Needs::PlcOn || plc->isS7()) return std::nullopt;
-  return refused(ProblemCode::P1307, plc->controller().modelName(), method);
-}
-
-}  // namespace
 
 Answer empty() { return Json(Json::object()); }
 Answer done(const std::optional<Problem>& problem) {
@@ -38,6 +25,15 @@ Answer done(const std::optional<Problem>& problem) {
 
 Workbench::Workbench() {
   shared_.onCycle = [this] { sampleTrends(); };
+  shared_.onPoint = [this](cpu::CyclePoint point) { reached(point); };
+}
+
+// What is modified at this point is seen at it.
+void Workbench::reached(cpu::CyclePoint point) {
+  for (auto& [id, browser] : browsers_)
+    for (auto& [number, list] : browser.modifies) list.reached(*shared_.plc->monitor(), point);
+  for (auto& [id, browser] : browsers_)
+    for (auto& [number, list] : browser.lists) list.reached(*shared_.plc, point);
 }
 
 void Workbench::sampleTrends() {
@@ -53,29 +49,6 @@ void Workbench::closed(BrowserId browser) {
   browsers_.erase(browser);
   shared_.wantedStatus.erase(browser);
   shared_.probesWait = true;
-}
-
-Answer Workbench::run(BrowserId id, const Json& request) {
-  Browser& browser = browsers_[id];
-  Problems problems;
-  const Fields fields(request, problems);
-  const std::string name = fields.text("do");
-  if (!fields.good()) return problems;
-  const Method* method = findMethod(name);
-  if (method == nullptr) return refused(ProblemCode::P1304, name.substr(0, 100));
-  if (auto why = missing(method->needs, shared_.plc.get(), name)) return *why;
-  return method->run({shared_, id, browser, fields});
-}
-
-std::string Workbench::handle(BrowserId browser, std::string_view message) {
-  const auto request = parseMessage(message);
-  if (!request) return dump({{"id", 0}, {"problems", toJson(one(request.error()))}});
-  const std::int64_t id = requestId(*request);
-  if (id == 0) return dump({{"id", 0}, {"problems", toJson(refused(ProblemCode::P1303))}});
-  Answer answer = run(browser, *request);
-  if (answer) return dump({{"id", id}, {"result", std::move(answer.json())}});
-  for (Json& problem : answer.json()) relate(problem, shared_.folder);
-  return dump({{"id", id}, {"problems", std::move(answer.json())}});
 }
 
 void Workbench::beginFrame(std::int64_t nowMs) {
@@ -109,11 +82,15 @@ void Workbench::addLists(Browser& browser, std::vector<std::string>& texts) {
   for (auto& [number, list] : browser.lists) {
     Json values = list.changes(*shared_.plc, shared_.programRevision, nowMs_);
     if (values.empty()) continue;
-    texts.push_back(dump({{"event", "values"},
-                          {"list", number},
-                          {"time", shared_.plc->controller().now().ns},
-                          {"values", std::move(values)}}));
+    Json event = {{"event", "values"},
+                  {"list", number},
+                  {"time", shared_.plc->controller().now().ns},
+                  {"values", std::move(values)}};
+    if (list.done()) event["done"] = true;
+    texts.push_back(dump(event));
   }
+  for (auto& [number, list] : browser.modifies)
+    if (list.takeDone()) texts.push_back(dump({{"event", "modified"}, {"list", number}}));
   for (auto& [number, trend] : browser.trends) {
     Json rows = trend.takeRows(*shared_.plc, shared_.programRevision);
     if (!rows.empty())
@@ -134,7 +111,9 @@ void Workbench::addProcess(Browser& browser, std::vector<std::string>& texts) {
 }
 
 bool Workbench::advance(const Pacer::WallClock& wall, Duration longest) {
-  return shared_.plc && shared_.pacer.advance(shared_.plc->controller(), wall, longest);
+  if (!shared_.plc) return false;
+  const Schedule schedule{[this] { return shared_.player.next(); }, [this] { play(); }};
+  return shared_.pacer.advance(shared_.plc->controller(), wall, longest, schedule);
 }
 
 }  // namespace merker::workbench

@@ -18,7 +18,7 @@ async function newBlock(id, source) {
   await page.locator('.message.done').filter({ hasText: 'gespeichert' }).first().waitFor();
 }
 
-test('the six work steps of chapter 4.1.6', async (course) => {
+test('the six work steps of chapter 4.1.6, without a connected PLC (S7-SIM-01)', async (course) => {
   await course.test('1. define the project (S7-SIM-04)', async () => {
     await page.getByRole('button', { name: 'Neues Projekt …' }).click();
     await page.getByLabel('Projektname').fill('Manfred');

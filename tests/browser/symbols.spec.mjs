@@ -36,16 +36,18 @@ const wrong = [
   ['a symbol twice (S7-SYM-03)', 'Symbol', 'Motor'],
   ['a symbol of 25 characters (S7-SYM-01)', 'Symbol', 'x'.repeat(25)],
   ['a comment of 81 characters (S7-SYM-01)', 'Kommentar', 'x'.repeat(81)],
+  ['a name with a quotation mark', 'Symbol', 'Mo"tor', /P0809/],
+  ['a name without its operand', 'Operand', '', /P0812/],
   ['a data word (S7-SYM-06)', 'Operand', 'DB100.DBW10'],
   ['local data (S7-SYM-15)', 'Operand', 'LW 2'],
   ['a type that does not fit (S7-SYM-16)', 'Datentyp', 'REAL'],
 ];
-for (const [what, column, value] of wrong)
+for (const [what, column, value, code = /P\d{4}/] of wrong)
   test(`${what}: the row is marked, nothing is saved, nothing is lost`, async () => {
     const before = saved();
     const old = await cell(column, 9).inputValue();
     await cell(column, 9).fill(value);
-    await until(async () => /P\d{4}/.test((await problems.first().innerText().catch(() => '')) ?? ''), 'a problem');
+    await until(async () => code.test((await problems.first().innerText().catch(() => '')) ?? ''), 'a problem');
     await expect(() => rows.nth(8).evaluate((row) => row.classList.contains('wrong')), true);
     assert.equal(await save.isEnabled(), false);
     await page.keyboard.press('Control+s');

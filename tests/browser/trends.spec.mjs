@@ -26,11 +26,17 @@ test('variables and values of the plant are recorded', async () => {
   await accessible(page, 'trends with curves');
 });
 
-test('what does not exist is told at its curve', async () => {
-  await add('MW 99999');
-  await page.locator("li[data-curve='MW 99999'] .problem").waitFor();
-  await page.getByRole('button', { name: 'Stop recording MW 99999' }).click();
-  await expect(() => page.locator('li[data-curve]').count(), 4);
+test('what is no operand is refused where it is typed', async () => {
+  const box = page.getByRole('combobox', { name: /Operand/ });
+  for (const nonsense of ['xx 3', 'Furnace.PV', 'MW 99999']) {
+    await box.fill(nonsense);
+    await page.keyboard.press('Enter');
+    await until(async () => (await page.locator('form .problem').innerText()).length > 5, 'the problem');
+    assert.equal(await box.inputValue(), nonsense);
+    assert.equal(await page.locator('li[data-curve]').count(), 4);
+  }
+  await box.fill('');
+  await expect(() => page.locator('form .problem').innerText(), '');
 });
 
 test('a paused chart stands still while recording goes on', async () => {
@@ -49,9 +55,9 @@ test('a paused chart stands still while recording goes on', async () => {
 test('dragging zooms, a double click follows again', async () => {
   const box = await page.locator('.u-over').boundingBox();
   const at = (part) => [box.x + box.width * part, box.y + box.height / 2];
-  await page.mouse.move(...at(0.1));
+  await page.mouse.move(...at(0.24));
   await page.mouse.down();
-  await page.mouse.move(...at(0.2), { steps: 4 });
+  await page.mouse.move(...at(0.32), { steps: 4 });
   await page.mouse.up();
   await until(async () => (await fact('to')) - (await fact('from')) < 10, 'a zoomed range');
   const row = await value('plant.Belt.SPEED');

@@ -38,6 +38,32 @@ test('forcing shows a red F, the FRCE LED and the force list; releasing ends all
   assert.equal(await row('"Light barrier small"').locator('.mark b').count(), 0);
 });
 
+test('monitored and modified at a trigger point (S7-MGR-16)', async () => {
+  const dialog = page.getByRole('dialog');
+  const trigger = async (what, point, once = false) => {
+    await page.getByRole('button', { name: 'Trigger …' }).click();
+    const part = dialog.getByRole('group', { name: what });
+    await part.getByLabel('Triggerpunkt').selectOption(point);
+    if (point !== 'now') await part.getByLabel('nur einmal').setChecked(once);
+    await dialog.locator('footer').getByRole('button', { name: 'Schließen' }).click();
+  };
+  await trigger('Beobachten', 'stop');
+  await trigger('Steuern', 'stop', true);
+  await row('MW 20').locator('.modify input').fill('W#16#4711');
+  await page.getByRole('button', { name: 'Steuern', exact: true }).click();
+  await page.locator('[data-modifying="stop"]').waitFor();
+  assert.doesNotMatch(await status('MW 20'), /4711/);
+  await turn(page, 'STOP');
+  await expect(async () => (await status('MW 20')).includes('4711'), true);
+  await expect(() => page.locator('[data-modifying]').count(), 0);
+  await turn(page, 'RUN-P');
+  await trigger('Beobachten', 'now');
+  await trigger('Steuern', 'now');
+  await row('MW 20').locator('.modify input').fill('W#16#1234');
+  await page.getByRole('button', { name: 'Steuern', exact: true }).click();
+  await expect(async () => (await status('MW 20')).includes('1234'), true);
+});
+
 test('an operand that does not exist is told in its row', async () => {
   await type('EW 99999');
   await row('EW 99999').locator('.problem').waitFor();

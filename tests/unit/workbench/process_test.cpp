@@ -53,6 +53,52 @@ TEST(Process, InputsAreSetAndOutputsMove) {
   EXPECT_TRUE(bench.event("process").is_null());
 }
 
+TEST(Process, AValueBeyondItsRangeIsRefused) {
+  Bench bench(kProgram, kSettings);
+  const auto set = [&](double to) {
+    return bench.ask("process.set", {{"plant", "Oven"}, {"value", "LMN"}, {"to", to}});
+  };
+  EXPECT_TRUE(set(100).contains("result"));
+  const Json refused = set(100.5);
+  EXPECT_EQ(refused["problems"][0]["code"], "P0989");
+  EXPECT_NE(refused["problems"][0]["text"].get<std::string>().find("from 0 to 100"),
+            std::string::npos);
+  EXPECT_TRUE(set(-1).contains("problems"));
+  EXPECT_EQ(valueOf(bench.call("process.list")["plants"][0], "LMN")["value"], 100);
+}
+
+// S7-VIS-03: an actuator that the program switches is back as a sensor within 50 ms and a cycle.
+TEST(Process, AnActuatorComesBackAsASensorInTime) {
+  Bench bench(kProgram, R"(
+[[module]]
+type = "6ES7 321-1BH02-0AA0"
+slot = 4
+name = "In"
+
+[[module]]
+type = "6ES7 322-1BH01-0AA0"
+slot = 5
+name = "Out"
+
+[[plant]]
+name = "Relay"
+kind = "bouncing switch"
+bounces = 0
+step = "10ms"
+wire = { PRESSED = "Out.DO8", CONTACT = "In.DI9" }
+)");
+  const auto value = [&](const char* operand) -> std::string {
+    return bench.call("variables.read", {{"items", {{{"operand", operand}}}}})["items"][0]["text"];
+  };
+  ASSERT_EQ(value("E 1.1"), "0");
+  bench.call("variables.write", {{"items", {{{"operand", "A 5.0"}, {"value", "1"}}}}});
+  controller::Controller& plc = bench.workbench.plc()->controller();
+  const Instant switched = plc.now();
+  while (value("E 1.1") == "0" && plc.now() < switched + Duration::seconds(1)) plc.advanceCycles(1);
+  EXPECT_EQ(value("E 1.1"), "1");
+  EXPECT_LE((plc.now() - switched).ns, Duration::milliseconds(51).ns);
+}
+
 TEST(Process, SensorsStickAndPlantsBeginAgain) {
   Bench bench(kProgram, kSettings);
   bench.call("process.set", {{"plant", "Oven"}, {"value", "LMN"}, {"to", 80}});

@@ -47,6 +47,22 @@ TEST(Symbols, AreCheckedRowByRow) {
   EXPECT_EQ(bench.folder.read("main.sym"), before);
 }
 
+// What is wrong is said of the field that it is about.
+TEST(Symbols, ARowWithoutItsOperandOrWithAQuotationMarkIsToldAsThat) {
+  Bench bench;
+  const Json rows = {row("Motor", "A 0.0", "BOOL"), row("Pump", " ", "BOOL"),
+                     row("Val\"ve", "A 0.1", "BOOL"), row("Far", "MW 9999999", "INT")};
+  const Json problems = bench.call("symbols.check", {{"rows", rows}})["problems"];
+  ASSERT_EQ(problems.size(), 3u) << problems;
+  EXPECT_EQ(problems[0]["row"], 1);
+  EXPECT_EQ(problems[0]["field"], "operand");
+  EXPECT_EQ(problems[0]["code"], "P0812");
+  EXPECT_EQ(problems[1]["row"], 2);
+  EXPECT_EQ(problems[1]["field"], "symbol");
+  EXPECT_EQ(problems[1]["code"], "P0809");
+  EXPECT_EQ(problems[2]["row"], 3);
+}
+
 TEST(Symbols, LineBreaksMakeNoRows) {
   Bench bench;
   const Json checked =

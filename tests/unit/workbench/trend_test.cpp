@@ -45,6 +45,17 @@ TEST(Trend, ShowsWhatIsNotThereAsNothing) {
   EXPECT_EQ(row[2], 1.5);
 }
 
+TEST(Trend, IsCheckedBeforeItIsAdded) {
+  Bench bench;
+  const Json checked =
+      bench.call("trend.check", {{"items", items({"xx 3", "Furnace.PV", "MW 20"})}})["items"];
+  EXPECT_FALSE(checked[0]["problem"]["text"].get<std::string>().empty());
+  EXPECT_FALSE(checked[1]["problem"]["text"].get<std::string>().empty());
+  EXPECT_FALSE(checked[2].contains("problem"));
+  bench.run(Duration::milliseconds(5));
+  EXPECT_TRUE(bench.event("samples").is_null());
+}
+
 TEST(Trend, KeepsTheNewestRowsForASlowBrowser) {
   Bench bench;
   bench.call("trend.set", {{"list", 1}, {"items", items({"MW 20"})}});

@@ -1,4 +1,4 @@
-import { connection, type Fields, type Phase } from '../connection';
+import { connection, type Fields, type Phase, type Problem } from '../connection';
 
 export type Mode = 'RUN' | 'STOP' | 'STARTUP' | 'HALT';
 export type SwitchPosition = 'RUN-P' | 'RUN' | 'STOP' | 'MRES';
@@ -14,6 +14,14 @@ export interface Project {
   model: string;
   example: boolean;
   changed: string[];
+}
+
+export interface Playback {
+  path: string;
+  actions: number;
+  done: number;
+  state: 'playing' | 'paused' | 'ended' | 'failed';
+  problem?: Problem;
 }
 
 const DARK: Record<LedName, Led> = { SF: 'off', BF: 'off', DC5V: 'off', FRCE: 'off', RUN: 'off', STOP: 'off' };
@@ -38,6 +46,9 @@ export class Plc {
   breakpoint = $state<{ file: string; line: number; block: string; why: string } | null>(null);
   breakpoints = $state.raw<Record<string, number[]>>({});
   diagnostics = $state(0);
+  timersByHand = $state(false);
+  recording = $state<{ since: number; actions: number } | null>(null);
+  playback = $state.raw<Playback | null>(null);
   program = $state(0);
   files = $state(0);
 
@@ -71,6 +82,8 @@ export class Plc {
     this.stopReason = '';
     this.cycle = this.breakpoint = null;
     this.forces = [];
+    this.timersByHand = false;
+    this.recording = this.playback = null;
   }
 }
 

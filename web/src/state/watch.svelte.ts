@@ -1,5 +1,11 @@
 import { connection, type Fields, type Kept, type Problem } from '../connection';
 
+/** Where in the cycle values are looked at; "now": whenever there is something to tell. */
+export interface WatchTrigger {
+  point: string;
+  once: boolean;
+}
+
 export interface WatchItem {
   operand: string;
   format?: string;
@@ -37,13 +43,13 @@ export class WatchList {
     lists.set(this.list, this);
   }
 
-  set(items: WatchItem[]): void {
+  set(items: WatchItem[], { point, once }: WatchTrigger = { point: 'now', once: false }): void {
     const wanted = items.map(({ operand, format }) => ({ operand, format: format ?? 'AUTO' }));
     this.items = wanted.map(
       (item, index): Watched =>
         this.items[index]?.operand === item.operand ? { ...this.items[index], format: item.format } : unknown(item),
     );
-    const fields = { list: this.list, items: wanted, everyMs: this.everyMs };
+    const fields = { list: this.list, items: wanted, everyMs: this.everyMs, point, once };
     if (this.kept) this.kept.update(fields);
     else
       this.kept = connection.keep('watch.set', fields, (result) => this.described(result), 'watch.drop', {

@@ -25,6 +25,13 @@ class Recorder {
     this.show((choice?.operands ?? []).map(unknown));
   }
 
+  /** Undefined, or why one of them is no curve; then none is added. */
+  async refused(operands: string[]): Promise<Curve['problem']> {
+    const items = operands.filter(Boolean).map((operand) => ({ operand }));
+    const answer = await connection.ask<{ items: Partial<Curve>[] }>('trend.check', { items });
+    return answer.items.find((item) => item.problem)?.problem;
+  }
+
   add(operands: string[]): void {
     const there = new Set(this.curves.map((curve) => curve.operand));
     const fresh = operands.filter((operand) => operand && !there.has(operand));

@@ -9,11 +9,12 @@ export interface Row {
 
 const HEAD = '// operand ; format ; modify value';
 
-export function printTable(rows: Row[]): string {
+/** `triggers`: a line about them, or none. */
+export function printTable(rows: Row[], triggers = ''): string {
   const lines = rows
     .filter((row) => row.operand.trim())
     .map((row) => [row.operand, row.format, row.modify].join(' ; ').replace(/[ ;]+$/, ''));
-  return [HEAD, ...lines, ''].join('\n');
+  return [HEAD, ...(triggers ? [triggers] : []), ...lines, ''].join('\n');
 }
 
 /** Lines that begin with // and empty ones are skipped. A semicolon in quotation marks belongs to the operand. */

@@ -4,10 +4,13 @@ import { kept } from '../state/kept.svelte';
 import { attempt } from '../state/messages.svelte';
 import { plc } from '../state/plc.svelte';
 import { parseTable, printTable, type Row } from './table';
+import { atOnce, parseTriggers, printTriggers, type Trigger } from './triggers';
 
 interface Draft {
   path: string;
   rows: Row[];
+  monitor?: Trigger;
+  modify?: Trigger;
 }
 
 const drafts = kept<Record<string, Draft>>('variables', {});
@@ -18,6 +21,8 @@ export class Table {
   path = $state('');
   rows = $state<Row[]>([]);
   files = $state<string[]>([]);
+  monitor = $state.raw<Trigger>(atOnce);
+  modify = $state.raw<Trigger>(atOnce);
   private project = '';
 
   /** Shows what this browser kept of the project. */
@@ -27,6 +32,8 @@ export class Table {
     const draft = untrack(() => drafts.value[project]);
     this.path = draft?.path ?? '';
     this.rows = draft?.rows ?? [];
+    this.monitor = draft?.monitor ?? atOnce;
+    this.modify = draft?.modify ?? atOnce;
     this.complete();
   }
 
@@ -37,7 +44,8 @@ export class Table {
 
   keep(): void {
     if (!this.project) return;
-    const draft = { path: this.path, rows: $state.snapshot(this.rows) };
+    const { path, monitor, modify } = this;
+    const draft = { path, rows: $state.snapshot(this.rows), monitor, modify };
     drafts.value = { ...untrack(() => drafts.value), [this.project]: draft };
   }
 
@@ -49,6 +57,7 @@ export class Table {
   fresh(): void {
     this.path = '';
     this.rows = [emptyRow()];
+    this.monitor = this.modify = atOnce;
   }
 
   remove(row: Row): void {
@@ -61,12 +70,13 @@ export class Table {
     if (!file) return;
     this.path = path;
     this.rows = parseTable(file.text);
+    Object.assign(this, parseTriggers(file.text));
     this.complete();
   }
 
   /** True if the file holds the table now. */
   async save(path: string): Promise<boolean> {
-    const text = printTable(this.rows);
+    const text = printTable(this.rows, printTriggers(this.monitor, this.modify));
     const there = this.files.includes(path);
     const old = there ? await attempt(connection.ask<Fields>('files.read', { path })) : undefined;
     if (there && !old) return false;

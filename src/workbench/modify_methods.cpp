@@ -1,0 +1,51 @@
+// Modifying at a trigger point.
+#include "workbench/method.h"
+#include "workbench/trigger_field.h"
+#include "workbench/wishes.h"
+
+namespace merker::workbench {
+
+std::optional<monitor::Trigger> triggerOf(const Fields& fields) {
+  constexpr cpu::CyclePoint kPoints[] = {cpu::CyclePoint::Begin, cpu::CyclePoint::End,
+                                         cpu::CyclePoint::Stop};
+  constexpr std::size_t kNow = 3;
+  const std::size_t point = fields.choice("point", {"begin", "end", "stop", "now"}, kNow);
+  const bool once = fields.flag("once", false);
+  if (point == kNow) return std::nullopt;
+  return monitor::Trigger{kPoints[point], once};
+}
+
+namespace {
+
+Answer set(const Call& call) {
+  const auto number = call.fields.integer("list", 0, INT32_MAX);
+  const auto trigger = triggerOf(call.fields);
+  const Wishes wishes(call.fields);
+  if (!call.fields.good()) return call.fields.problems();
+  if (!trigger) return refused(ProblemCode::P1306, "point", "begin, end, stop");
+  auto& lists = call.browser.modifies;
+  if (!lists.contains(number) && lists.size() >= kLists)
+    return refused(ProblemCode::P1314, kLists, "lists");
+  auto list = ModifyList::of(call.monitor(), wishes.list(), *trigger);
+  if (!list) return one(list.error());
+  lists.insert_or_assign(number, std::move(list.value()));
+  return empty();
+}
+
+Answer drop(const Call& call) {
+  const auto number = call.fields.integer("list", 0, INT32_MAX);
+  if (!call.fields.good()) return call.fields.problems();
+  call.browser.modifies.erase(number);
+  return empty();
+}
+
+constexpr Method kMethods[] = {
+    {"modify.set", Needs::S7On, set},
+    {"modify.drop", Needs::Nothing, drop},
+};
+
+}  // namespace
+
+std::span<const Method> modifyMethods() { return kMethods; }
+
+}  // namespace merker::workbench

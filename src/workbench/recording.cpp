@@ -1,0 +1,115 @@
+#include "workbench/recording.h"
+
+#include "workbench/message.h"
+#include "workbench/method.h"
+
+namespace merker::workbench {
+namespace {
+
+constexpr const char* kExample =
+    R"({"at":1500000000,"do":"variables.write","items":[{"operand":"E 0.0","value":"1"}]})";
+
+Problem wrong(const std::string& path, std::uint32_t line, const std::string& why) {
+  return makeProblem(ProblemCode::P1321, Position{path, line, 1, 0},
+                     fmt::format("{}; it is written like {}", why, kExample));
+}
+
+constexpr std::int64_t kLatest = 1'000'000'000'000'000;  // ns, 11 days
+
+// Why not; empty if it is an action that does not go back in time.
+std::string whyNot(const Json& line, Duration before) {
+  const auto at = line.find("at"), what = line.find("do");
+  if (at == line.end() || !at->is_number_integer() || *at < 0 || *at > kLatest)
+    return fmt::format("'at' is a whole number of nanoseconds, at most {}", kLatest);
+  if (at->get<std::int64_t>() < before.ns) return "its time lies before that of the line above";
+  if (what == line.end() || !what->is_string()) return "'do' is missing";
+  if (!isAction(what->get_ref<const std::string&>()))
+    return fmt::format("'{}' is nothing that is recorded",
+                       what->get_ref<const std::string&>().substr(0, 100));
+  return {};
+}
+
+}  // namespace
+
+bool isAction(const std::string& name) {
+  const Method* method = findMethod(name);
+  return method != nullptr && method->kind == Kind::Action;
+}
+
+std::string recordingText(const std::vector<Action>& actions) {
+  std::string text;
+  for (const Action& action : actions) {
+    Json line = action.request;
+    line.erase("id");
+    line["at"] = action.at.ns;
+    text += dump(line) + "\n";
+  }
+  return text;
+}
+
+Result<std::vector<Action>, Problems> parseRecording(const std::string& path,
+                                                     std::string_view text) {
+  std::vector<Action> actions;
+  Problems problems;
+  Duration before;
+  for (std::uint32_t number = 1; !text.empty(); ++number) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    text.remove_prefix(std::min(text.size(), line.size() + 1));
+    if (line.empty()) continue;
+    auto request = parseMessage(line);
+    const std::string why = request ? whyNot(*request, before) : "it is no JSON object";
+    if (!why.empty() || actions.size() >= Recorder::kMost) {
+      problems.add(wrong(path, number, why.empty() ? "there are too many" : why));
+      break;
+    }
+    before = Duration{(*request)["at"].get<std::int64_t>()};
+    actions.push_back({before, std::move(*request)});
+  }
+  if (problems.hasErrors()) return problems;
+  return actions;
+}
+
+void Recorder::note(const Json& request, Instant now) {
+  if (on_ && actions_.size() < kMost) actions_.push_back({now - begin_, request});
+}
+
+void Player::start(std::string path, std::vector<Action> actions, Instant now) {
+  stop();
+  path_ = std::move(path);
+  actions_ = std::move(actions);
+  begin_ = now;
+  state_ = actions_.empty() ? State::Ended : State::Playing;
+}
+
+void Player::pause(bool paused, Instant now) {
+  if (paused && state_ == State::Playing) {
+    state_ = State::Paused;
+    pausedAt_ = now;
+  } else if (!paused && state_ == State::Paused) {
+    state_ = State::Playing;
+    begin_ = begin_ + (now - pausedAt_);
+  }
+}
+
+Instant Player::next() const {
+  return state_ == State::Playing ? begin_ + actions_[done_].at : Instant::never();
+}
+
+const Json& Player::take() {
+  const Json& request = actions_[done_++].request;
+  if (done_ == actions_.size()) state_ = State::Ended;
+  return request;
+}
+
+Json Player::describe() const {
+  constexpr std::string_view kStates[] = {"none", "playing", "paused", "ended", "failed"};
+  if (state_ == State::None) return nullptr;
+  Json json = {{"path", path_},
+               {"actions", actions_.size()},
+               {"done", done_},
+               {"state", kStates[static_cast<std::size_t>(state_)]}};
+  if (!problem_.is_null()) json["problem"] = problem_;
+  return json;
+}
+
+}  // namespace merker::workbench

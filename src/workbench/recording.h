@@ -1,0 +1,75 @@
+// Actions of users with their times, recorded and played back in virtual time (S7-SIM-13;
+// docs/formats/recording.md).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "clock/instant.h"
+#include "workbench/json.h"
+
+namespace merker::workbench {
+
+struct Action {
+  Duration at;  // since the beginning
+  Json request;
+};
+
+// One line for each; P1321 for one that is none.
+std::string recordingText(const std::vector<Action>& actions);
+Result<std::vector<Action>, Problems> parseRecording(const std::string& path,
+                                                     std::string_view text);
+
+// Whether it is a request that is recorded (Kind::Action).
+bool isAction(const std::string& method);
+
+class Recorder {
+ public:
+  static constexpr std::size_t kMost = 100'000;
+
+  void start(Instant now) { begin_ = now, actions_.clear(), on_ = true; }
+  void stop() { on_ = false; }
+  // Something that a browser did; `request` with all its fields.
+  void note(const Json& request, Instant now);
+  bool on() const { return on_; }
+  Instant begin() const { return begin_; }
+  const std::vector<Action>& actions() const { return actions_; }
+
+ private:
+  bool on_ = false;
+  Instant begin_;
+  std::vector<Action> actions_;
+};
+
+class Player {
+ public:
+  enum class State : std::uint8_t { None, Playing, Paused, Ended, Failed };
+
+  void start(std::string path, std::vector<Action> actions, Instant now);
+  void stop() { *this = {}; }
+  // The recording waits while the CPU goes on.
+  void pause(bool paused, Instant now);
+  // Ends it; what an action was refused with.
+  void fail(Json problem) { state_ = State::Failed, problem_ = std::move(problem); }
+
+  // When the next action is due.
+  Instant next() const;
+  // That action, and on to the one behind it.
+  const Json& take();
+
+  State state() const { return state_; }
+  // {path, actions, done, state, problem?}
+  Json describe() const;
+
+ private:
+  State state_ = State::None;
+  std::string path_;
+  std::vector<Action> actions_;
+  std::size_t done_ = 0;
+  Instant begin_, pausedAt_;
+  Json problem_;
+};
+
+}  // namespace merker::workbench

@@ -1,0 +1,88 @@
+// The whole CPU into a file of the project, and back (S7-SIM-13).
+#include "cpu/cpu.h"
+#include "workbench/method.h"
+#include "workbench/project_file.h"
+#include "workbench/snapshot_text.h"
+
+namespace merker::workbench {
+
+std::vector<std::string> hardwareOf(const station::Station& station) {
+  std::vector<std::string> lines;
+  if (station.rack() == nullptr) return lines;
+  for (const io::Module& module : station.rack()->configuration().modules)
+    lines.push_back(fmt::format("{} {} E {} A {}", module.slotText(), module.title(),
+                                module.inputStart ? std::to_string(*module.inputStart) : "-",
+                                module.outputStart ? std::to_string(*module.outputStart) : "-"));
+  return lines;
+}
+
+namespace {
+
+constexpr std::string_view kEnding = ".state";
+
+std::string keyword(const Call& call) { return std::string(call.station().model().keyword); }
+
+// At the end of the cycle, where nothing is half done.
+Answer save(const Call& call) {
+  const std::string path = pathOf(call.fields, kEnding);
+  const bool replace = call.fields.flag("replace", false);
+  if (!call.fields.good()) return call.fields.problems();
+  call.station().settle();
+  if (call.station().mode() == controller::Mode::Halt || !call.station().cpu().betweenCycles())
+    return refused(ProblemCode::P1308, "the state",
+                   "the program stands inside a block; let it go on, or stop the CPU");
+  SavedCpu saved{keyword(call),
+                 hardwareOf(call.station()),
+                 std::make_shared<const block::Program>(call.station().program()),
+                 call.station().cpu().snapshot(),
+                 {}};
+  for (const monitor::Forced& one : call.plc().forces())
+    saved.forces.push_back({one.operand.text, monitor::show(one.operand, one.value,
+                                                            monitor::DisplayFormat::Automatic)});
+  return done(putFile(call.shared, path, snapshotText(saved), replace));
+}
+
+// Why the CPU here is another one; empty if it is alike.
+std::string difference(const Call& call, const SavedCpu& saved) {
+  if (saved.model != keyword(call)) return fmt::format("CPU {}", saved.model);
+  const auto here = hardwareOf(call.station());
+  if (saved.hardware == here) return {};
+  for (std::size_t i = 0; i < std::max(here.size(), saved.hardware.size()); ++i)
+    if (i >= here.size() || i >= saved.hardware.size() || here[i] != saved.hardware[i])
+      return fmt::format("with the module {}",
+                         i < saved.hardware.size() ? saved.hardware[i] : "that is missing there");
+  return {};
+}
+
+void forceAgain(const Call& call, const SavedCpu& saved) {
+  call.monitor().unforceAll();
+  for (const SavedForce& one : saved.forces) call.monitor().force(one.operand, one.value);
+}
+
+Answer load(const Call& call) {
+  const std::string path = pathOf(call.fields, kEnding);
+  if (!call.fields.good()) return call.fields.problems();
+  const auto content = call.shared.folder.read(path);
+  if (!content) return one(content.error());
+  const auto saved = parseSnapshot(path, content->text,
+                                   {&call.station().program(), call.plc().build().program.get()});
+  if (!saved) return one(saved.error());
+  if (const std::string other = difference(call, *saved); !other.empty())
+    return refused(ProblemCode::P1319, other, keyword(call));
+  call.station().take(saved->snapshot, saved->program);
+  forceAgain(call, *saved);
+  ++call.shared.programRevision;
+  call.shared.probesWait = true;
+  return empty();
+}
+
+constexpr Method kMethods[] = {
+    {"cpu.save", Needs::S7On, save},
+    {"cpu.load", Needs::S7On, load, Kind::Action},
+};
+
+}  // namespace
+
+std::span<const Method> snapshotMethods() { return kMethods; }
+
+}  // namespace merker::workbench

@@ -1,0 +1,135 @@
+#include "block/container.h"
+#include "workbench/hex.h"
+#include "workbench/snapshot_text.h"
+
+namespace merker::workbench {
+namespace {
+
+// A UDT exists in the project only.
+Json blocks(const block::Program& program) {
+  Json list = Json::array();
+  for (const auto& [id, block] : program) {
+    const auto container = block::writeContainer(block);
+    if (container.empty()) continue;
+    list.push_back({{"block", toString(id)},
+                    {"readOnly", block.attributes.readOnly},
+                    {"container", toHex(container)}});
+  }
+  return list;
+}
+
+Json timer(const block::RetentiveTimer& t) {
+  return {{"kind", t.kind},
+          {"startEdge", t.startEdge},
+          {"enableEdge", t.enableEdge},
+          {"started", t.started},
+          {"held", t.held},
+          {"base", t.base},
+          {"frozen", t.frozen},
+          {"end", t.end}};
+}
+
+Json counter(const block::RetentiveCounter& c) {
+  return {{"count", c.count},
+          {"setEdge", c.setEdge},
+          {"upEdge", c.upEdge},
+          {"downEdge", c.downEdge},
+          {"enableEdge", c.enableEdge}};
+}
+
+Json event(const block::RetentiveEvent& e) {
+  Json json = {{"event", e.event},
+               {"time", e.time},
+               {"text", e.text},
+               {"info", toHex(e.info)},
+               {"stamp", toHex(e.stamp)}};
+  if (!e.placeKnown) return json;
+  json["block"] = {static_cast<unsigned>(e.block.kind), e.block.number};
+  json["offset"] = e.offset;
+  return json;
+}
+
+template <typename T, typename Show>
+Json listOf(const std::vector<T>& values, Show show) {
+  Json list = Json::array();
+  for (const T& value : values) list.push_back(show(value));
+  return list;
+}
+
+Json memory(const block::RetentiveData& data) {
+  const auto meter = [](const block::RetentiveMeter& m) -> Json {
+    return {{"counted", m.counted}, {"since", m.since}, {"running", m.running}};
+  };
+  const auto block = [](const block::RetentiveDataBlock& b) -> Json {
+    return {{"number", b.number}, {"made", b.madeByProgram}, {"bytes", toHex(b.bytes)}};
+  };
+  return {{"now", data.now},
+          {"clock", data.clock},
+          {"flags", toHex(data.flags)},
+          {"timers", listOf(data.timers, timer)},
+          {"counters", listOf(data.counters, counter)},
+          {"meters", listOf(data.meters, meter)},
+          {"dataBlocks", listOf(data.dataBlocks, block)},
+          {"events", listOf(data.events, event)}};
+}
+
+Json interrupts(const cpu::Interrupts& all) {
+  const auto cyclic = [](const cpu::CyclicInterrupt& one) -> Json {
+    const bool never = one.next == Instant::never();
+    return {{"ob", one.ob}, {"next", never ? Json(nullptr) : Json(one.next.ns)}};
+  };
+  const auto delay = [](const cpu::DelayInterrupt& one) -> Json {
+    return {{"ob", one.ob},     {"active", one.active},   {"finished", one.finished},
+            {"sign", one.sign}, {"ms", one.milliseconds}, {"due", one.due.ns}};
+  };
+  const auto time = [](const cpu::TimeOfDayInterrupt& one) -> Json {
+    return {{"ob", one.ob},
+            {"set", one.set},
+            {"active", one.active},
+            {"expired", one.expired},
+            {"start", one.start},
+            {"due", one.due},
+            {"period", static_cast<unsigned>(one.period)}};
+  };
+  return {{"cyclic", listOf(all.cyclic, cyclic)},
+          {"delay", listOf(all.delay, delay)},
+          {"timeOfDay", listOf(all.timeOfDay, time)},
+          {"locked", all.locked}};
+}
+
+}  // namespace
+
+std::string snapshotText(const SavedCpu& saved) {
+  constexpr std::string_view kPositions[] = {"RUN-P", "RUN", "STOP", "MRES"};
+  const cpu::Snapshot& s = saved.snapshot;
+  const auto force = [](const SavedForce& one) -> Json {
+    return {{"operand", one.operand}, {"value", one.value}};
+  };
+  const Json json = {{"merkerCpuState", 1},
+                     {"cpu", saved.model},
+                     {"hardware", saved.hardware},
+                     {"blocks", blocks(*saved.program)},
+                     {"memory", memory(s.memory)},
+                     {"images", toHex(s.images)},
+                     {"inputs", toHex(s.inputs)},
+                     {"outputs", toHex(s.outputs)},
+                     {"run", s.run},
+                     {"switch", kPositions[static_cast<std::size_t>(s.position)]},
+                     {"fault", s.stoppedByFault},
+                     {"timersByHand", s.timersHeld},
+                     {"stop", listOf(s.stopEvent, event)},
+                     {"interrupts", interrupts(s.interrupts)},
+                     {"systemTime", s.systemTime},
+                     {"scan", s.scan},
+                     {"cycle",
+                      {{"previous", s.cycleTimes.previous},
+                       {"shortest", s.cycleTimes.shortest},
+                       {"longest", s.cycleTimes.longest},
+                       {"any", s.cycleTimes.any},
+                       {"began", s.cycleBegan},
+                       {"next", s.nextCycle}}},
+                     {"forces", listOf(saved.forces, force)}};
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace merker::workbench

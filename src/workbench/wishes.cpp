@@ -1,0 +1,25 @@
+#include "workbench/wishes.h"
+
+#include "workbench/shared.h"
+
+namespace merker::workbench {
+
+monitor::DisplayFormat formatOf(const Fields& item) {
+  const auto format = monitor::parseFormat(item.text("format", "AUTO"));
+  if (format) return *format;
+  item.add(format.error());
+  return monitor::DisplayFormat::Automatic;
+}
+
+Wishes::Wishes(const Fields& fields) {
+  for (const Fields& item : fields.objects("items", kItems))
+    texts_.push_back({item.text("operand"), item.text("value"), formatOf(item)});
+}
+
+std::vector<monitor::Wish> Wishes::list() const {
+  std::vector<monitor::Wish> list;
+  for (const Texts& one : texts_) list.push_back({one.operand, one.value, one.format});
+  return list;
+}
+
+}  // namespace merker::workbench

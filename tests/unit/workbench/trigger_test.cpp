@@ -1,0 +1,107 @@
+// Trigger points of the variable table: begin and end of the cycle, transition to STOP; once or
+// every time (S7-MGR-16).
+#include "bench.h"
+
+namespace merker::workbench::test {
+namespace {
+
+// M 0.0 is 1 in the middle of the cycle only; MW 2 is what MW 4 was at the begin.
+constexpr const char* kCycle = R"(ORGANIZATION_BLOCK OB 1
+BEGIN
+NETWORK
+      L     MW 4;
+      T     MW 2;
+      L     MW 4;
+      +     1;
+      T     MW 4;
+END_ORGANIZATION_BLOCK
+)";
+
+Json watch(const std::string& point, bool once) {
+  return {{"list", 1},
+          {"items",
+           {{{"operand", "MW 2"}, {"format", "DEC"}}, {{"operand", "MW 4"}, {"format", "DEC"}}}},
+          {"point", point},
+          {"once", once}};
+}
+
+int number(const Json& event, std::size_t index) {
+  for (const Json& value : event["values"])
+    if (value[0] == index) return value[2];
+  return -1;
+}
+
+TEST(Trigger, MonitorsAtTheBeginAndAtTheEndOfTheCycle) {
+  Bench bench(kCycle);
+  bench.call("watch.set", watch("end", false));
+  bench.run(Duration::milliseconds(20));
+  Json event = bench.event("values");
+  EXPECT_EQ(number(event, 0) + 1, number(event, 1));  // OB 1 has counted
+  bench.call("watch.set", watch("begin", false));
+  bench.run(Duration::milliseconds(20));
+  event = bench.event("values");
+  EXPECT_EQ(number(event, 0) + 1, number(event, 1));
+  EXPECT_FALSE(event.contains("done"));
+}
+
+TEST(Trigger, OnceIsThatOneTime) {
+  Bench bench(kCycle);
+  bench.call("watch.set", watch("end", true));
+  EXPECT_TRUE(bench.event("values").is_null());
+  bench.run(Duration::milliseconds(20));
+  const Json event = bench.event("values");
+  EXPECT_EQ(event["done"], true);
+  bench.run(Duration::milliseconds(20));
+  EXPECT_TRUE(bench.event("values").is_null());
+}
+
+TEST(Trigger, TheTransitionToStopShowsAndSetsTheLastValues) {
+  Bench bench(kCycle);
+  bench.call("watch.set", watch("stop", false));
+  bench.call("modify.set", {{"list", 1},
+                            {"items", {{{"operand", "MW 4"}, {"value", "7"}, {"format", "DEC"}}}},
+                            {"point", "stop"},
+                            {"once", true}});
+  bench.run(Duration::milliseconds(20));
+  EXPECT_TRUE(bench.event("values").is_null());
+  EXPECT_TRUE(bench.event("modified").is_null());
+  bench.call("cpu.stop");
+  const std::vector<Json> events = bench.events();
+  const auto found = [&](const char* name) -> Json {
+    for (const Json& one : events)
+      if (one["event"] == name) return one;
+    return nullptr;
+  };
+  EXPECT_EQ(number(found("values"), 1), 7);
+  EXPECT_EQ(found("modified")["list"], 1);
+}
+
+// At the begin of each cycle MW 4 is 100: OB 1 sees nothing else.
+TEST(Trigger, ModifiesAtTheBeginOfEachCycle) {
+  Bench bench(kCycle);
+  const Json hundred = {{"list", 1},
+                        {"items", {{{"operand", "MW 4"}, {"value", "100"}, {"format", "DEC"}}}},
+                        {"point", "begin"}};
+  bench.call("modify.set", hundred);
+  bench.call("watch.set", watch("end", false));
+  bench.run(Duration::milliseconds(50));
+  Json event = bench.event("values");
+  EXPECT_EQ(number(event, 0), 100);
+  EXPECT_EQ(number(event, 1), 101);
+  bench.call("watch.set", watch("begin", false));
+  bench.run(Duration::milliseconds(50));
+  EXPECT_EQ(number(bench.event("values"), 1), 100);
+  bench.call("watch.set", watch("end", false));
+  bench.call("modify.drop", {{"list", 1}});
+  bench.run(Duration::milliseconds(50));
+  event = bench.event("values");
+  EXPECT_GT(number(event, 1), 110);
+  EXPECT_EQ(bench.problem("modify.set", {{"list", 1},
+                                         {"items", {{{"operand", "XX 3"}, {"value", "1"}}}},
+                                         {"point", "begin"}}),
+            bench.problem("variables.write", {{"items", {{{"operand", "XX 3"}, {"value", "1"}}}}}));
+  EXPECT_EQ(bench.problem("modify.set", {{"list", 1}, {"items", Json::array()}}), "P1306");
+}
+
+}  // namespace
+}  // namespace merker::workbench::test
