@@ -50,11 +50,11 @@ std::unique_ptr<NativeCode> load(asmjit::CodeHolder& code, const asmjit::Label& 
   if (code.flatten() != asmjit::kErrorOk) return nullptr;
   if (code.resolveUnresolvedLinks() != asmjit::kErrorOk) return nullptr;
   const std::size_t size = code.codeSize();
-  CodeMemory memory(size);
+  CodeMemory::Piece memory = unit.options.memory->place(size, [&](void* at) {
+    return code.relocateToBase(reinterpret_cast<std::uintptr_t>(at)) == asmjit::kErrorOk &&
+           code.copyFlattenedData(at, size) == asmjit::kErrorOk;
+  });
   if (memory.data() == nullptr) return nullptr;
-  if (code.relocateToBase(reinterpret_cast<std::uintptr_t>(memory.data())) != asmjit::kErrorOk ||
-      code.copyFlattenedData(memory.data(), size) != asmjit::kErrorOk || !memory.makeExecutable())
-    return nullptr;
   std::vector<const void*> entries(unit.regions.size() + 1);
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const bool begins = i < unit.regions.size() && unit.regions[i].isValid();

@@ -12,6 +12,7 @@
 #include "catalogue/cpu_model.h"
 #include "cpu/machine.h"
 #include "icode/region.h"
+#include "jit/code_memory.h"
 
 namespace merker::jit {
 
@@ -39,28 +40,13 @@ struct Options {
   // For tests of the tests: the code of this operation gives a wrong result, or is missing if it
   // has none.
   std::optional<icode::Opcode> broken{};
-};
-
-// Pages that are written first and executable afterwards, never both.
-class CodeMemory {
- public:
-  CodeMemory() = default;
-  explicit CodeMemory(std::size_t size);
-  ~CodeMemory();
-  CodeMemory(CodeMemory&& other) noexcept;
-  CodeMemory& operator=(CodeMemory&& other) noexcept;
-
-  void* data() const { return data_; }
-  bool makeExecutable();
-
- private:
-  void* data_ = nullptr;
-  std::size_t size_ = 0;
+  // All blocks of a PLC share it.
+  std::shared_ptr<CodeMemory> memory = std::make_shared<CodeMemory>();
 };
 
 class NativeCode {
  public:
-  NativeCode(CodeMemory memory, std::size_t size, std::size_t enter,
+  NativeCode(CodeMemory::Piece memory, std::size_t size, std::size_t enter,
              std::vector<const void*> entries)
       : memory_(std::move(memory)), size_(size), enter_(enter), entries_(std::move(entries)) {}
 
@@ -78,7 +64,7 @@ class NativeCode {
   const std::uint8_t* at(std::size_t offset) const {
     return static_cast<const std::uint8_t*>(memory_.data()) + offset;
   }
-  CodeMemory memory_;
+  CodeMemory::Piece memory_;
   std::size_t size_, enter_;
   std::vector<const void*> entries_;
 };

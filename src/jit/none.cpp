@@ -3,11 +3,7 @@
 
 namespace merker::jit {
 
-CodeMemory::CodeMemory(std::size_t) {}
-CodeMemory::~CodeMemory() = default;
-CodeMemory::CodeMemory(CodeMemory&&) noexcept = default;
-CodeMemory& CodeMemory::operator=(CodeMemory&&) noexcept = default;
-bool CodeMemory::makeExecutable() { return false; }
+CodeMemory::Piece CodeMemory::place(std::size_t, const std::function<bool(void*)>&) { return {}; }
 
 const void* NativeCode::run(cpu::Machine&, std::size_t) const { return nullptr; }
 const void* NativeCode::run(void*, std::size_t) const { return nullptr; }

@@ -35,6 +35,36 @@ TEST(Pages, NeverWritableAndExecutable) {
   EXPECT_GT(executable, 0);
 }
 
+std::uintptr_t place(const NativeCode& code) {
+  return reinterpret_cast<std::uintptr_t>(code.entries()[0]);
+}
+
+// A thousand small blocks on a page each would be slower than the interpreter.
+TEST(Pages, BlocksLieSideBySideAndGiveTheirRoomBack) {
+  if (!available()) GTEST_SKIP() << "no compiler for this processor";
+  const icode::Region region = twoBits();
+  const Options options;
+  const auto one = [&] {
+    return compile(std::span(&region, 1), 2, {nullptr, 1}, defaultCpuModel(), options);
+  };
+  std::vector<std::unique_ptr<NativeCode>> blocks;
+  for (int i = 0; i < 20; ++i) blocks.push_back(one());
+  const std::uintptr_t first = place(*blocks[0]);
+  for (std::size_t i = 1; i < blocks.size(); ++i) {
+    const std::uintptr_t apart = place(*blocks[i]) - place(*blocks[i - 1]);
+    EXPECT_GE(apart, blocks[i]->size());
+    EXPECT_LT(apart, blocks[i]->size() + 64);
+  }
+  blocks.clear();
+  EXPECT_EQ(place(*one()), first);
+  for (int i = 0; i < 1'000; ++i) blocks.push_back(one());  // more than one lot of pages
+  cpu::Machine m(defaultCpuModel());
+  for (const auto& block : blocks) {
+    m.horizon = m.clock + Duration{1'000};
+    EXPECT_EQ(block->run(m, 0), reinterpret_cast<const void*>(1));
+  }
+}
+
 TEST(Native, LeavesClockCountAndStateBehind) {
   if (!available()) GTEST_SKIP() << "no compiler for this processor";
   const icode::Region region = twoBits();
