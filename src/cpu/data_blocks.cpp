@@ -4,12 +4,21 @@ namespace merker::cpu {
 
 void DataBlocks::load(const block::Block& source) {
   if (source.attributes.unlinked) return;  // S7-MEM-03: stays in load memory
-  if (blocks_.size() <= source.id.number) blocks_.resize(source.id.number + 1u);
-  blocks_[source.id.number] = {
-      .loaded = true,
-      .readOnly = source.attributes.readOnly,
-      .retentive = !source.attributes.nonRetain,
-      .data = source.actualData.empty() ? source.initialData : source.actualData};
+  put(source.id.number,
+      {.loaded = true,
+       .readOnly = source.attributes.readOnly,
+       .retentive = !source.attributes.nonRetain,
+       .data = source.actualData.empty() ? source.initialData : source.actualData});
+}
+
+void DataBlocks::put(std::uint32_t number, DataBlock block) {
+  if (blocks_.size() <= number) blocks_.resize(number + 1);
+  DataBlock& placed = blocks_[number] = std::move(block);
+  const auto length = static_cast<std::uint32_t>(placed.data.size());
+  placed.open = {.data = placed.data.data(),
+                 .length = length,
+                 .writable = placed.readOnly ? 0 : length,
+                 .number = static_cast<std::uint16_t>(number)};
 }
 
 void DataBlocks::load(const block::Program& program) {
@@ -31,20 +40,12 @@ const DataBlock* DataBlocks::find(std::uint32_t number) const {
   return number < blocks_.size() && blocks_[number].loaded ? &blocks_[number] : nullptr;
 }
 
-OpenBlock DataBlocks::open(std::uint32_t number) {
-  DataBlock* found = find(number);
-  if (found == nullptr) return {};
-  const auto length = static_cast<std::uint32_t>(found->data.size());
-  return {.data = found->data.data(),
-          .length = length,
-          .writable = found->readOnly ? 0 : length,
-          .number = static_cast<std::uint16_t>(number)};
+OpenBlock DataBlocks::open(std::uint32_t number) const {
+  return number < blocks_.size() ? blocks_[number].open : OpenBlock{};
 }
 
 void DataBlocks::create(std::uint32_t number, std::uint32_t length) {
-  if (blocks_.size() <= number) blocks_.resize(number + 1);
-  blocks_[number] = {
-      .loaded = true, .madeByProgram = true, .data = std::vector<std::uint8_t>(length)};
+  put(number, {.loaded = true, .madeByProgram = true, .data = std::vector<std::uint8_t>(length)});
 }
 
 void DataBlocks::remove(std::uint32_t number) {

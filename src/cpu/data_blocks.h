@@ -15,6 +15,7 @@ struct DataBlock {
   bool retentive = true;
   bool madeByProgram = false;  // CREAT_DB: not in load memory
   std::vector<std::uint8_t> data{};
+  OpenBlock open{};  // what AUF puts into a register; number 0: not loaded
 };
 
 class DataBlocks {
@@ -28,12 +29,13 @@ class DataBlocks {
   DataBlock* find(std::uint32_t number);
   const DataBlock* find(std::uint32_t number) const;
   const std::vector<DataBlock>& all() const { return blocks_; }  // by number; not all are loaded
-  // What AUF puts into a register; number 0 or a missing block: nothing open.
-  OpenBlock open(std::uint32_t number);
+  // Number 0 or a missing block: nothing open.
+  OpenBlock open(std::uint32_t number) const;
   void create(std::uint32_t number, std::uint32_t length);
   void remove(std::uint32_t number);
 
  private:
+  void put(std::uint32_t number, DataBlock block);
   std::vector<DataBlock> blocks_;
 };
 

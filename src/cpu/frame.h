@@ -14,7 +14,7 @@ namespace merker::cpu {
 // What an engine made of a block. Each engine derives its own form; the CPU only keeps it.
 struct Code {
   const block::Block* source = nullptr;
-  std::uint32_t localBytes = 0;
+  std::uint32_t localBytes = 0;  // even
   // Compiled code: where the host goes on for each instruction; null while there is none.
   const void* const* native = nullptr;
   virtual ~Code() = default;

@@ -54,6 +54,7 @@ void Cpu::endLevel() {
   m.frames.resize(m.frames.size() - level.frames);
   m.top = &m.frames.back();
   m.levels.pop_back();
+  m.updateCallLimit();
   m.registers = level.interrupted;
   m.mcrActive = level.mcrActive;
   m.mcrStack.resize(level.mcrBase);

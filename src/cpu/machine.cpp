@@ -1,5 +1,7 @@
 #include "cpu/machine.h"
 
+#include <algorithm>
+
 #include "cpu/cpu.h"
 #include "cpu/event.h"
 
@@ -19,6 +21,13 @@ Machine::Machine(const CpuModel& cpuModel)
   mcrStack.reserve(64);
 }
 
+void Machine::updateCallLimit() {
+  callLimit = nullptr;
+  if (levels.empty() || levels.back().errorOb) return;
+  const std::size_t below = frames.size() - levels.back().frames;
+  callLimit = frames.data() + std::min(below + model->nesting, frames.capacity() - 1);
+}
+
 bool Machine::enter(const Code* code) {
   Level& level = levels.back();
   const std::uint32_t limit = level.errorOb ? model->errorNesting : model->nesting;
@@ -27,7 +36,7 @@ bool Machine::enter(const Code* code) {
     return false;
   }
   const std::uint32_t begin = level.frames == 0 ? level.localBase : top->localEnd;
-  const std::uint32_t end = begin + (code->localBytes + 1) / 2 * 2;
+  const std::uint32_t end = begin + code->localBytes;
   if (end > model->localBytes) {  // S7-CPU-25
     cpu->stopByFault(Event::StopLocalData);
     return false;
@@ -45,6 +54,7 @@ bool Machine::enter(const Code* code) {
                     .bracketDepth = static_cast<std::uint16_t>(brackets.size())});
   top = &frames.back();
   ++level.frames;
+  updateCallLimit();
   mcrActive = mcrOff = false;  // a called block begins without MCR
   return true;
 }

@@ -47,6 +47,9 @@ struct Machine {
   }
 
   std::vector<Frame> frames;
+  // A block in a frame below this one may call another: neither the nesting depth nor the memory of
+  // `frames` ends there. Null while a synchronous error OB runs, which has a depth of its own.
+  const Frame* callLimit = nullptr;
   std::vector<Level> levels;
   std::vector<std::vector<std::uint8_t>> localStacks;
 
@@ -64,6 +67,7 @@ struct Machine {
   // Puts a block on the stack. False: nesting depth or local data exhausted, the CPU has gone to
   // STOP.
   bool enter(const Code* code);
+  void updateCallLimit();  // after a change of levels
   // Takes the top block off and gives the caller its registers back.
   void leave();
   void interrupt() {

@@ -31,6 +31,7 @@ void Cpu::clearStacks() {
   machine_.levels.clear();
   machine_.frames.resize(1);
   machine_.top = &machine_.frames.back();
+  machine_.updateCallLimit();
   machine_.brackets.clear();
   machine_.mcrStack.clear();
   machine_.mcrActive = machine_.mcrOff = machine_.levelEnded = false;

@@ -67,7 +67,7 @@ void restoreBlock(const RetentiveDataBlock& from, bool all, DataBlocks& blocks) 
     blocks.create(from.number, static_cast<std::uint32_t>(from.bytes.size()));
   DataBlock* block = blocks.find(from.number);
   if (block != nullptr && (all || block->retentive) && block->data.size() == from.bytes.size())
-    block->data = from.bytes;
+    std::copy(from.bytes.begin(), from.bytes.end(), block->data.begin());  // where it is
 }
 
 }  // namespace

@@ -7,11 +7,12 @@
 namespace merker::cpu {
 
 struct StatusWord {
+  // These four are set together by calls and ends of blocks.
   bool er = false;     // bit 0: a chain has begun; 0 = the next logic operation is a first check
-  bool rlo = false;    // bit 1
   bool sta = false;    // bit 2
   bool orBit = false;  // bit 3: AND result kept before O
   bool os = false;     // bit 4: stored overflow
+  bool rlo = false;    // bit 1
   bool ov = false;     // bit 5
   bool cc0 = false;    // bit 6
   bool cc1 = false;    // bit 7
@@ -24,10 +25,10 @@ struct StatusWord {
   }
   static StatusWord fromWord(std::uint32_t w) {
     return {.er = (w & 0x001) != 0,
-            .rlo = (w & 0x002) != 0,
             .sta = (w & 0x004) != 0,
             .orBit = (w & 0x008) != 0,
             .os = (w & 0x010) != 0,
+            .rlo = (w & 0x002) != 0,
             .ov = (w & 0x020) != 0,
             .cc0 = (w & 0x040) != 0,
             .cc1 = (w & 0x080) != 0,

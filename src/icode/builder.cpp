@@ -108,6 +108,12 @@ Value Builder::notBit(Value a) {
   return make(Opcode::NotBit, a);
 }
 
+Space Builder::held(Space space) const {
+  if (!swapped_) return space;
+  if (space == Space::Data) return Space::Instance;
+  return space == Space::Instance ? Space::Data : space;
+}
+
 Value Builder::base(Space space) {
   Value& known = bases_[static_cast<std::size_t>(space)];
   if (known == kNoValue) known = append({.code = Opcode::Base, .space = space});
@@ -115,6 +121,8 @@ Value Builder::base(Space space) {
 }
 
 Value Builder::limit(Space space, bool write) {
+  space = held(space);
+  if (space == Space::Local) write = false;  // all of them may be written
   Value& known = limits_[2 * static_cast<std::size_t>(space) + (write ? 1 : 0)];
   if (known == kNoValue)
     known = append({.code = write ? Opcode::WriteLimit : Opcode::Limit, .space = space});
@@ -148,6 +156,7 @@ void Builder::forget(Space space, std::uint32_t place, unsigned bytes) {
 }
 
 Value Builder::load(Space space, std::uint32_t place, unsigned bytes) {
+  space = held(space);
   for (const Byte& byte : bytes_)
     if (byte.space == space && byte.place == place && byte.bytes == bytes) return byte.value;
   writeBack(space, place, bytes);
@@ -158,6 +167,7 @@ Value Builder::load(Space space, std::uint32_t place, unsigned bytes) {
 }
 
 void Builder::store(Space space, std::uint32_t place, unsigned bytes, Value value) {
+  space = held(space);
   forget(space, place, bytes);
   const bool later = bytes == 1 && waits(space);
   bytes_.push_back({space, place, bytes, value, later});
@@ -179,12 +189,14 @@ void Builder::forgetAll(Space space) {
 }
 
 Value Builder::loadAt(Space space, Value offset, std::uint32_t place, unsigned bytes) {
+  space = held(space);
   writeBackAll(space);
   const Value address = make(Opcode::Index, base(space), offset);
   return append({.code = loading(bytes), .space = space, .a = address, .place = place});
 }
 
 void Builder::storeAt(Space space, Value offset, std::uint32_t place, unsigned bytes, Value value) {
+  space = held(space);
   writeBackAll(space);
   forgetAll(space);
   const Value address = make(Opcode::Index, base(space), offset);
@@ -192,6 +204,7 @@ void Builder::storeAt(Space space, Value offset, std::uint32_t place, unsigned b
 }
 
 Value Builder::locate(Value area, Value bitAddress, Access access) {
+  settle();
   return append({.code = Opcode::Locate,
                  .a = area,
                  .b = bitAddress,
@@ -224,16 +237,42 @@ void Builder::reopen(Space space) {
   std::erase_if(bytes_, [space](const Byte& byte) { return byte.space == space; });
 }
 
-void Builder::open(Space space, Value number) {
-  act(Opcode::CanOpen, number, exit(place_, true));
-  append({.code = Opcode::Open, .space = space, .a = number});
+// While the registers are still to be exchanged, one copy does for that: what this one held is
+// gone.
+void Builder::open(Space space, Value number, Opening wanted) {
+  wanted.moves = swapped_;
+  append({.code = Opcode::Open,
+          .space = space,
+          .a = number,
+          .number = exit(place_, true),
+          .place = wanted.packed()});
+  if (std::exchange(swapped_, false)) exchangeKnown();
   reopen(space);
 }
 
-void Builder::swapBlocks() {
+// What is known of the blocks is known of them in their new registers; what the region needs at its
+// entry it needs of the old ones.
+void Builder::exchangeKnown() {
+  const auto data = static_cast<std::size_t>(Space::Data),
+             instance = static_cast<std::size_t>(Space::Instance);
+  std::swap(bases_[data], bases_[instance]);
+  reopened_[data] = reopened_[instance] = true;
+  for (const std::size_t write : {0, 1})
+    std::swap(limits_[2 * data + write], limits_[2 * instance + write]);
+  for (Byte& byte : bytes_)
+    if (byte.space == Space::Data || byte.space == Space::Instance)
+      byte.space = byte.space == Space::Data ? Space::Instance : Space::Data;
+}
+
+void Builder::settle() {
+  if (!std::exchange(swapped_, false)) return;
   append({.code = Opcode::SwapBlocks});
-  reopen(Space::Data);
-  reopen(Space::Instance);
+  exchangeKnown();
+}
+
+// `number` as DataBlockQuery.
+Value Builder::blockInfo(std::uint32_t number) {
+  return withNumber(Opcode::BlockInfo, kNoValue, swapped_ ? number ^ 1 : number);
 }
 
 void Builder::call(Value number, const CallSite& site, std::uint32_t front) {
@@ -245,6 +284,7 @@ void Builder::call(Value number, const CallSite& site, std::uint32_t front) {
 
 void Builder::giveBack(std::uint32_t front) {
   act(Opcode::CanReturn, kNoValue, front);
+  swapped_ = false;  // BE gives both registers back
   act(Opcode::Return, kNoValue, exit(place_));
 }
 
@@ -253,6 +293,7 @@ std::uint32_t Builder::exit(std::uint32_t to, bool inFront) {
   out.to = to;
   out.instructions = inFront ? executed_ : region_.instructions;
   out.cost = inFront ? costSoFar_ : costSoFar_ + cost_;
+  out.swapped = swapped_;
   out.firstState = static_cast<std::uint32_t>(region_.states.size());
   for (unsigned i = 0; i < kItems; ++i)
     if (items_[i].dirty) region_.states.push_back({static_cast<Item>(i), items_[i].value});
@@ -283,9 +324,12 @@ void Builder::setField(Field field, std::uint32_t number, Value value) {
           .place = static_cast<std::uint32_t>(field)});
 }
 
+bool Builder::isGuarded(Value bit) const {
+  return std::find(guarded_.begin(), guarded_.end(), bit) != guarded_.end();
+}
+
 void Builder::guard(Value bit) {
-  if (isNumber(bit, 1) || std::find(guarded_.begin(), guarded_.end(), bit) != guarded_.end())
-    return;
+  if (isNumber(bit, 1) || isGuarded(bit)) return;
   guarded_.push_back(bit);
   append({.code = Opcode::Guard, .a = bit, .number = exit(place_, true)});
 }

@@ -57,13 +57,17 @@ class Builder {
   void storeTo(Value address, unsigned bytes, Value value);
   Value limit(Space space, bool write);  // bytes of the space
 
-  // Data blocks: from now on another one may be open.
-  void open(Space space, Value number);
-  void swapBlocks();
-  bool isReopened(Space space) const { return reopened_[static_cast<std::size_t>(space)]; }
+  // Data blocks: from now on another one is open.
+  void open(Space space, Value number, Opening wanted);
+  // The registers are exchanged when someone looks at them; until then each is found in the other.
+  void swapBlocks() { swapped_ = !swapped_; }
+  Space held(Space space) const;
+  bool isReopened(Space space) const { return reopened_[static_cast<std::size_t>(held(space))]; }
+  Value blockInfo(std::uint32_t number);
 
   // As long as this instruction has set nothing: without bit 0 it is left to the interpreter.
   void guard(Value bit);
+  bool isGuarded(Value bit) const;
   // After all that the instruction sets.
   void branch(Value bit, bool wanted, std::uint32_t to);
   void leave(std::uint32_t to);
@@ -96,6 +100,8 @@ class Builder {
   Value append(Op op);
   Value atTheEnd(Opcode code, std::uint32_t number);
   Value base(Space space);
+  void settle();
+  void exchangeKnown();
   void forget(Space space, std::uint32_t place, unsigned bytes);
   void writeBack(Space space, std::uint32_t place, unsigned bytes);
   void writeBackAll(Space space);
@@ -108,7 +114,8 @@ class Builder {
   void reopen(Space space);
 
   Region& region_;
-  std::array<bool, kSpaces> reopened_{};
+  bool swapped_ = false;
+  std::array<bool, kSpaces> reopened_{};  // these by the register that holds the block
   std::array<Value, 2 * kSpaces> limits_;
   // Pure operations made a moment ago, by a hash of what they are.
   std::array<Value, 256> made_;

@@ -16,6 +16,7 @@ std::string_view name(Space space) { return kSpaceNames[static_cast<std::size_t>
 std::string exitText(const Region& region, const Exit& exit) {
   std::string text =
       fmt::format(" -> {} after {} instructions, {} ns:", exit.to, exit.instructions, exit.cost);
+  if (exit.swapped) text += " TDB";
   for (std::uint32_t i = 0; i < exit.bytes; ++i) {
     const ByteWrite& write = region.bytes[exit.firstByte + i];
     text += fmt::format(" {}B{}=%{}", name(write.space), write.place, write.value);

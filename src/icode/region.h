@@ -97,6 +97,16 @@ struct Access {
   static Access of(std::uint32_t p) { return {p & 7, (p & 8) != 0, (p & 16) != 0}; }
 };
 
+// `place` of Open: what the block must have, and whether the other register first takes over what
+// this one holds.
+struct Opening {
+  std::uint32_t bytes = 0;
+  bool write = false;
+  bool moves = false;
+  std::uint32_t packed() const { return bytes << 2 | (write ? 1u : 0u) | (moves ? 2u : 0u); }
+  static Opening of(std::uint32_t p) { return {p >> 2, (p & 1) != 0, (p & 2) != 0}; }
+};
+
 struct StateWrite {
   Item item;
   Value value;
@@ -114,6 +124,7 @@ struct Exit {
   std::uint64_t cost = 0;          // ns, of these
   std::uint32_t firstState = 0, states = 0;
   std::uint32_t firstByte = 0, bytes = 0;
+  bool swapped = false;  // DB and DI register are still to be exchanged
 };
 
 // UC or CC with what stands behind it.

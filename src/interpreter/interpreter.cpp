@@ -26,6 +26,7 @@ std::unique_ptr<cpu::Code> Interpreter::translate(const block::Block& block) {
   code->localBytes = std::max(block.localBytes, localUse(*code));
   if (block.id.kind == BlockKind::OB)
     code->localBytes = std::max(code->localBytes, kStartInformation);
+  code->localBytes = (code->localBytes + 1) / 2 * 2;
   if (coverage_ || !block.checks.empty()) attachSide(block, *code, opAt);
   return code;
 }

@@ -73,20 +73,14 @@ std::unique_ptr<NativeCode> write(std::span<const icode::Region> regions, std::s
   asmjit::CodeHolder holder;
   holder.init(asmjit::Environment::host());
   host::Assembler code(&holder);
-  Unit unit{code,    layout,          model,           options,
-            answers, code.newLabel(), code.newLabel(), code.newLabel()};
+  Unit unit{code, layout, model, options, answers, code.newLabel()};
   unit.regions.resize(instructions);
   const asmjit::Label enter = code.newLabel();
   code.bind(enter);
   writeEnter(code, layout);
   code.bind(unit.epilogue);
   writeEpilogue(code, layout, answers);
-  if (model != nullptr) {
-    code.bind(unit.enterBlock);
-    writeEnterBlock(code);
-    code.bind(unit.leaveBlock);
-    writeLeaveBlock(code);
-  }
+  if (model != nullptr) writeBlockChanges(unit);
   if (!writeRegions(unit, regions)) return nullptr;
   return load(holder, enter, unit);
 }

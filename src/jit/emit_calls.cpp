@@ -21,6 +21,7 @@ constexpr int kCode = FIELD(Frame, code), kResume = FIELD(Frame, resume),
               kNative = FIELD(Code, native), kLocalBytes = FIELD(Code, localBytes),
               kLevelFrames = FIELD(Level, frames), kErrorOb = FIELD(Level, errorOb);
 static_assert(FIELD(Frame, di) == kKeptDb + 24 && offset::kDi == offset::kDb + 24);
+static_assert(kFirst == kResume + 4 && kLocal == kResume + 8);
 #undef FIELD
 #pragma GCC diagnostic pop
 
@@ -29,47 +30,68 @@ host::Mem machine(int at) { return host::qword_ptr(kMachine, at); }
 // DB and DI register, which lie one behind the other.
 void copyBlocks(host::Assembler& code, const host::Gp& to, int toAt, const host::Gp& from,
                 int fromAt) {
-  for (int word = 0; word < 48; word += 8) {
-    code.mov(host::rax, host::qword_ptr(from, fromAt + word));
-    code.mov(host::qword_ptr(to, toAt + word), host::rax);
-  }
+  for (const int block : {0, 24}) copyBlock(code, to, toAt + block, from, fromAt + block);
 }
 
 // ax: entries of the vector
 void depth(host::Assembler& code, int vector, unsigned shift) {
   code.mov(host::rax, machine(vector + offset::kEnd));
   code.sub(host::rax, machine(vector));
-  if (shift != 0) code.shr(host::rax, shift);
-}
-
-// Bytes of local data as pairs.
-void localLength(host::Assembler& code, const host::Gp& to, const host::Gp& block) {
-  code.mov(to, host::dword_ptr(block, kLocalBytes));
-  code.inc(to);
-  code.and_(to, -2);
+  if (shift != 0) code.shr(host::eax, shift);
 }
 
 constexpr unsigned kBracketShift = 2;
 
-}  // namespace
+// edx: number of a block; then its code in rdx, or the carry flag if the interpreter must do it:
+// the block has no compiled code, or nesting depth, local data or the memory for frames end.
+void writeCanCall(host::Assembler& code, const CpuModel& model, int table) {
+  const asmjit::Label no = code.newLabel();
+  code.mov(host::rax, machine(table));
+  code.mov(host::rcx, machine(table + offset::kEnd));
+  code.lea(host::rdx, host::ptr(host::rax, host::rdx, 3));
+  code.cmp(host::rdx, host::rcx);
+  code.jae(no);
+  code.mov(host::rdx, host::qword_ptr(host::rdx));
+  code.test(host::rdx, host::rdx);
+  code.je(no);
+  code.cmp(host::qword_ptr(host::rdx, kNative), 0);
+  code.je(no);
+  code.mov(host::rcx, machine(offset::kTop));
+  code.cmp(host::rcx, machine(offset::kCallLimit));
+  code.jae(no);
+  code.mov(host::eax, host::dword_ptr(host::rdx, kLocalBytes));
+  code.add(host::eax, host::dword_ptr(host::rcx, kLocalEnd));
+  code.cmp(host::eax, model.localBytes);
+  code.ja(no);
+  code.clc();
+  code.ret();
+  code.bind(no);
+  code.stc();
+  code.ret();
+}
 
-// rdx: code of the block, rcx: frame of the caller, rsi and edi: parameter list and its length.
+// rdx: code of the block, esi: instruction behind the call, edi: offset of the call, r8 and r9d:
+// parameter list and its length. Reached by a call of the host, whose return address goes at once:
+// the host only remembers it as the place where the ret of leaveBlock will lead.
 void writeEnterBlock(host::Assembler& code) {
-  const host::Gp frame = host::r8;
-  code.lea(frame, host::ptr(host::rcx, kFrameSize));
-  localLength(code, host::r9d, host::rdx);
-  code.mov(host::r10d, host::dword_ptr(host::rcx, kLocalLength));
-  code.add(host::r10, host::qword_ptr(host::rcx, kLocal));
-  code.mov(host::r11d, host::dword_ptr(host::rcx, kLocalEnd));
-  code.add(host::r11d, host::r9d);
+  const host::Gp caller = host::rcx, frame = host::r10;
+  code.add(host::rsp, 8);
+  code.mov(caller, machine(offset::kTop));
+  code.mov(host::dword_ptr(kMachine, offset::kPosition), host::edi);
+  code.mov(host::dword_ptr(caller, kResume), host::esi);
+  code.lea(frame, host::ptr(caller, kFrameSize));
+  code.mov(host::esi, host::dword_ptr(host::rdx, kLocalBytes));
+  code.mov(host::eax, host::dword_ptr(caller, kLocalLength));
+  code.add(host::rax, host::qword_ptr(caller, kLocal));
+  code.mov(host::edi, host::dword_ptr(caller, kLocalEnd));
+  code.add(host::edi, host::esi);
   code.mov(host::qword_ptr(frame, kCode), host::rdx);
-  code.mov(host::dword_ptr(frame, kResume), 0);
-  code.mov(host::byte_ptr(frame, kFirst), 0);
-  code.mov(host::qword_ptr(frame, kLocal), host::r10);
-  code.mov(host::dword_ptr(frame, kLocalLength), host::r9d);
-  code.mov(host::dword_ptr(frame, kLocalEnd), host::r11d);
-  code.mov(host::qword_ptr(frame, kParameters), host::rsi);
-  code.mov(host::dword_ptr(frame, kParameterCount), host::edi);
+  code.mov(host::qword_ptr(frame, kResume), 0);  // and kFirst
+  code.mov(host::qword_ptr(frame, kLocal), host::rax);
+  code.mov(host::dword_ptr(frame, kLocalLength), host::esi);
+  code.mov(host::dword_ptr(frame, kLocalEnd), host::edi);
+  code.mov(host::qword_ptr(frame, kParameters), host::r8);
+  code.mov(host::dword_ptr(frame, kParameterCount), host::r9d);
   copyBlocks(code, frame, kKeptDb, kMachine, offset::kDb);
   code.mov(host::eax, host::dword_ptr(kMachine, offset::kAr2));
   code.mov(host::dword_ptr(frame, kKeptAr2), host::eax);
@@ -92,71 +114,68 @@ void writeEnterBlock(host::Assembler& code) {
 }
 
 void writeLeaveBlock(host::Assembler& code) {
-  code.mov(host::rcx, machine(offset::kTop));
-  copyBlocks(code, kMachine, offset::kDb, host::rcx, kKeptDb);
-  code.mov(host::eax, host::dword_ptr(host::rcx, kKeptAr2));
+  const host::Gp frame = host::r10;
+  code.mov(frame, machine(offset::kTop));
+  copyBlocks(code, kMachine, offset::kDb, frame, kKeptDb);
+  code.mov(host::eax, host::dword_ptr(frame, kKeptAr2));
   code.mov(host::dword_ptr(kMachine, offset::kAr2), host::eax);
   code.mov(host::byte_ptr(kMachine, offset::kRelayActive), 0);
   code.mov(host::byte_ptr(kMachine, offset::kRelayOff), 0);
-  code.mov(machine(offset::kFrames + offset::kEnd), host::rcx);
-  code.sub(host::rcx, kFrameSize);
-  code.mov(machine(offset::kTop), host::rcx);
+  code.mov(machine(offset::kFrames + offset::kEnd), frame);
+  code.sub(frame, kFrameSize);
+  code.mov(machine(offset::kTop), frame);
   code.mov(host::rax, machine(offset::kLevels + offset::kEnd));
   code.dec(host::dword_ptr(host::rax, kLevelFrames - kLevelSize));
-  code.mov(host::rdx, host::qword_ptr(host::rcx, kCode));
+  code.mov(host::rdx, host::qword_ptr(frame, kCode));
   code.mov(host::rdx, host::qword_ptr(host::rdx, kNative));
-  code.mov(host::eax, host::dword_ptr(host::rcx, kResume));
-  code.jmp(host::qword_ptr(host::rdx, host::rax, 3));
+  code.mov(host::eax, host::dword_ptr(frame, kResume));
+  code.push(host::qword_ptr(host::rdx, host::rax, 3));
+  code.ret();
 }
 
-// The block has compiled code, and neither nesting depth nor local data nor the memory for frames
-// comes to its end.
+}  // namespace
+
+void writeBlockChanges(const Unit& unit) {
+  host::Assembler& code = unit.code;
+  code.bind(unit.enterWithout);
+  code.xor_(host::r8d, host::r8d);
+  code.xor_(host::r9d, host::r9d);
+  code.bind(unit.enterBlock);
+  writeEnterBlock(code);
+  code.bind(unit.leaveBlock);
+  writeLeaveBlock(code);
+  code.bind(unit.canCallFunction);
+  writeCanCall(code, *unit.model, offset::kFunctions);
+  code.bind(unit.canCallFunctionBlock);
+  writeCanCall(code, *unit.model, offset::kFunctionBlocks);
+}
+
 void RegionCode::CanCall(const Op& op) {
-  const asmjit::Label out = wayOut(op);
-  const int table =
-      region_.calls[op.place].functionBlock ? offset::kFunctionBlocks : offset::kFunctions;
-  const host::Gp number = places_.in64(op.a, host::rdx);
-  code_.mov(host::rax, machine(table));
-  code_.mov(host::rcx, machine(table + offset::kEnd));
-  code_.sub(host::rcx, host::rax);
-  code_.shr(host::rcx, 3);
-  code_.cmp(number, host::rcx);
-  code_.jae(out);
-  code_.mov(host::rax, host::qword_ptr(host::rax, number, 3));
-  code_.test(host::rax, host::rax);
-  code_.je(out);
-  code_.cmp(host::qword_ptr(host::rax, kNative), 0);
-  code_.je(out);
-  localLength(code_, host::edx, host::rax);
-  code_.mov(host::rcx, machine(offset::kTop));
-  code_.add(host::edx, host::dword_ptr(host::rcx, kLocalEnd));
-  code_.cmp(host::edx, unit_.model->localBytes);
-  code_.ja(out);
-  code_.mov(host::rcx, machine(offset::kLevels + offset::kEnd));
-  code_.cmp(host::dword_ptr(host::rcx, kLevelFrames - kLevelSize), unit_.model->nesting);
-  code_.ja(out);
-  code_.cmp(host::byte_ptr(host::rcx, kErrorOb - kLevelSize), 0);  // other depth
-  code_.jne(out);
-  code_.mov(host::rcx, machine(offset::kFrames + offset::kEnd));
-  code_.cmp(host::rcx, machine(offset::kFrames + offset::kCapacity));
-  code_.je(out);
+  if (places_.isConstant(op.a))
+    code_.mov(host::edx, places_.constant(op.a));
+  else
+    code_.mov(host::edx, places_.in(op.a, host::edx));
+  code_.call(region_.calls[op.place].functionBlock ? unit_.canCallFunctionBlock
+                                                   : unit_.canCallFunction);
+  code_.jc(wayOut(op));
 }
 
+// Behind CanCall: rdx.
 void RegionCode::Call(const Op& op) {
   const icode::CallSite& site = region_.calls[op.place];
   const icode::Exit& exit = region_.exits[op.number];
-  const host::Gp number = places_.in64(op.a, host::rdx);
-  code_.mov(host::rcx, machine(site.functionBlock ? offset::kFunctionBlocks : offset::kFunctions));
-  code_.mov(host::rdx, host::qword_ptr(host::rcx, number, 3));
   writeState(exit, spotsOfStates(exit), spotsOfBytes(exit));
   charge(exit);
-  code_.mov(host::dword_ptr(kMachine, offset::kPosition), site.offset);
-  code_.mov(host::rcx, machine(offset::kTop));
-  code_.mov(host::dword_ptr(host::rcx, kResume), site.resume);
-  code_.mov(host::rsi,
+  code_.mov(host::esi, site.resume);
+  code_.mov(host::edi, site.offset);
+  if (site.parameters == 0) {
+    code_.call(unit_.enterWithout);
+    return;
+  }
+  code_.mov(host::r8,
             reinterpret_cast<std::uintptr_t>(unit_.answers.parameters + site.firstParameter));
-  code_.mov(host::edi, site.parameters);
-  code_.jmp(unit_.enterBlock);
+  code_.mov(host::r9d, site.parameters);
+  code_.call(unit_.enterBlock);
 }
 
 // Not the end of an OB, the caller has compiled code, and master control relay and brackets are as

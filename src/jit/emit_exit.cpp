@@ -1,4 +1,7 @@
 // Ways out of a region, and what they leave behind.
+#include <algorithm>
+#include <array>
+
 #include "jit/region_code.h"
 
 namespace merker::jit {
@@ -27,6 +30,35 @@ CondCode conditionOf(icode::Opcode code) {
       return CondCode::kA;
   }
 }
+
+// Status bits that are known: neighbours are written in one go.
+class StatusConstants {
+ public:
+  void note(int offset, std::uint32_t bit) { bits_[count_++] = {offset, bit}; }
+  void write(host::Assembler& code) {
+    std::sort(bits_.begin(), bits_.begin() + count_);
+    for (unsigned at = 0, bytes = 0; at < count_; at += bytes) {
+      bytes = atOnce(at);
+      std::uint32_t together = 0;
+      for (unsigned i = 0; i < bytes; ++i) together |= bits_[at + i].second << 8 * i;
+      code.mov(host::Mem(kMachine, bits_[at].first, bytes), together);
+    }
+  }
+
+ private:
+  unsigned atOnce(unsigned at) const {
+    for (const unsigned bytes : {4u, 2u}) {
+      unsigned i = 1;
+      while (i < bytes && at + i < count_ &&
+             bits_[at + i].first == bits_[at].first + static_cast<int>(i))
+        ++i;
+      if (i == bytes) return bytes;
+    }
+    return 1;
+  }
+  std::array<std::pair<int, std::uint32_t>, icode::kItems> bits_{};  // where it lies, its value
+  unsigned count_ = 0;
+};
 
 }  // namespace
 
@@ -126,22 +158,28 @@ void RegionCode::writeLate(const icode::StateWrite& write, const StateSpot& spot
 
 void RegionCode::writeState(const Exit& exit, const std::vector<StateSpot>& states,
                             const std::vector<Spot>& bytes) {
+  if (exit.swapped && unit_.options.broken != icode::Opcode::SwapBlocks) swapBlocks(code_);
   for (std::uint32_t i = 0; i < exit.bytes; ++i)
     writeByte(region_.bytes[exit.firstByte + i], bytes[i]);
+  StatusConstants constants;
   for (std::uint32_t i = 0; i < exit.states; ++i) {
     const icode::StateWrite& write = region_.states[exit.firstState + i];
-    if (region_.ops[write.value].late)
+    const Spot& spot = states[i].value;
+    if (icode::isBit(write.item) && spot.kind == Spot::Kind::Constant)
+      constants.note(offsetOf(write.item), spot.number & 1);
+    else if (region_.ops[write.value].late)
       writeLate(write, states[i]);
     else
-      writeItem(write, states[i].value);
+      writeItem(write, spot);
   }
+  constants.write(code_);
 }
 
 void RegionCode::writeItem(const icode::StateWrite& write, const Spot& spot) {
   const bool bit = icode::isBit(write.item);
   const host::Mem to(kMachine, offsetOf(write.item), bit ? 1u : 4u);
   if (spot.kind == Spot::Kind::Constant) {
-    code_.mov(to, bit ? spot.number & 1 : spot.number);
+    code_.mov(to, spot.number);
     return;
   }
   host::Gp from = spot.kind == Spot::Kind::Register ? kPlaces[spot.number].r32() : host::eax;

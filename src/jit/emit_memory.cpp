@@ -102,7 +102,6 @@ void RegionCode::Limit(const Op& op) {
 }
 
 void RegionCode::WriteLimit(const Op& op) {
-  if (op.space == Space::Local) return Limit(op);
   code_.mov(places_.out(), host::dword_ptr(kMachine, openBlock(op.space).writable));
 }
 

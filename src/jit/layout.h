@@ -19,8 +19,9 @@ inline const host::Gp kPlaces[] = {host::rsi, host::rdi, host::r8,  host::r9,
                                    host::r10, host::r11, host::r14, host::r15};
 constexpr unsigned kPlaceCount = 8;
 
-// The stack frame: values that found no register, then what the caller handed over.
-constexpr int kSlots = 120;
+// The stack frame: values that found no register, then what the caller handed over. Enough for a
+// bracket of 64 operands of which each needs three values.
+constexpr int kSlots = 248;
 constexpr int kTimers = 8 * kSlots, kCounters = kTimers + 8, kFrame = kCounters + 8;
 
 #pragma GCC diagnostic push
@@ -36,6 +37,7 @@ constexpr int kBrackets = offsetof(cpu::Machine, brackets);
 constexpr int kRegisters = offsetof(cpu::Machine, registers);
 constexpr int kRelayActive = offsetof(cpu::Machine, mcrActive);
 constexpr int kRelays = offsetof(cpu::Machine, mcrStack);
+constexpr int kCallLimit = offsetof(cpu::Machine, callLimit);
 constexpr int kFrames = offsetof(cpu::Machine, frames);
 constexpr int kLevels = offsetof(cpu::Machine, levels);
 constexpr int kFunctions = offsetof(cpu::Machine, functions);

@@ -40,6 +40,7 @@ struct Options {
   // For tests of the tests: the code of this operation gives a wrong result, or is missing if it
   // has none.
   std::optional<icode::Opcode> broken{};
+  std::uint32_t slots = UINT32_MAX;  // and no more for values that find no register
   // All blocks of a PLC share it.
   std::shared_ptr<CodeMemory> memory = std::make_shared<CodeMemory>();
 };
@@ -71,7 +72,7 @@ class NativeCode {
 
 // Whether there is a compiler for this processor.
 bool available();
-// Null if there is none, or nothing to compile.
+// Null if there is none, nothing to compile, or a region has too many values at a time.
 std::unique_ptr<NativeCode> compile(std::span<const icode::Region> regions,
                                     std::size_t instructions, const Instructions& answers,
                                     const CpuModel& model, const Options& options = {});

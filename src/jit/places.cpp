@@ -1,5 +1,7 @@
 #include "jit/places.h"
 
+#include <algorithm>
+
 namespace merker::jit {
 
 using icode::kNoValue;
@@ -9,10 +11,13 @@ host::Mem slot(std::uint32_t number, std::uint32_t size) {
   return host::Mem(host::rsp, static_cast<int>(8 * number), size);
 }
 
-Places::Places(host::Assembler& code, const icode::Region& region)
-    : code_(code), region_(region), spots_(region.ops.size()), lastUse_(region.ops.size()) {
+Places::Places(host::Assembler& code, const icode::Region& region, std::uint32_t slots)
+    : code_(code),
+      region_(region),
+      spots_(region.ops.size()),
+      lastUse_(region.ops.size()),
+      slotOwner_(std::min<std::size_t>(slots, kSlots), kNoValue) {
   owner_.fill(kNoValue);
-  for (std::uint32_t i = kSlots; i-- > 0;) freeSlots_.push_back(i);
   planUses(region);
 }
 
@@ -51,6 +56,15 @@ bool Places::isArgument(Value value) const {
   return value == op.a || value == op.b || value == op.c || value == current_;
 }
 
+// Nobody reads it any more, the current operation neither.
+std::uint32_t Places::freeSlot() {
+  for (std::uint32_t i = 0; i < slotOwner_.size(); ++i)
+    if (slotOwner_[i] == kNoValue || lastUse_[slotOwner_[i]] < current_) return i;
+  failed_ = true;
+  slotOwner_.push_back(kNoValue);
+  return 0;
+}
+
 // The value that is needed last goes to the stack frame. Values never change, so one that was there
 // before need not be written again; it has no register then.
 unsigned Places::makeRoom() {
@@ -59,12 +73,8 @@ unsigned Places::makeRoom() {
     if (isArgument(owner_[i])) continue;
     if (best == kPlaceCount || lastUse_[owner_[i]] > lastUse_[owner_[best]]) best = i;
   }
-  if (freeSlots_.empty()) {
-    failed_ = true;
-    freeSlots_.push_back(0);
-  }
-  const std::uint32_t number = freeSlots_.back();
-  freeSlots_.pop_back();
+  const std::uint32_t number = freeSlot();
+  slotOwner_[number] = owner_[best];
   code_.mov(slot(number, 8), kPlaces[best].r64());
   spots_[owner_[best]] = {Spot::Kind::Slot, number};
   return best;

@@ -17,7 +17,7 @@ struct Spot {
 
 class Places {
  public:
-  Places(host::Assembler& code, const icode::Region& region);
+  Places(host::Assembler& code, const icode::Region& region, std::uint32_t slots);
 
   // The operation whose code is written now.
   void begin(icode::Value value) { current_ = value; }
@@ -45,6 +45,7 @@ class Places {
   void use(icode::Value value, std::uint32_t at);
   unsigned freePlace();
   unsigned makeRoom();
+  std::uint32_t freeSlot();
   bool isArgument(icode::Value value) const;
 
   host::Assembler& code_;
@@ -52,7 +53,7 @@ class Places {
   std::vector<Spot> spots_;
   std::vector<std::uint32_t> lastUse_;
   std::array<icode::Value, kPlaceCount> owner_;
-  std::vector<std::uint32_t> freeSlots_;
+  std::vector<icode::Value> slotOwner_;  // whose last use may be over
   icode::Value current_ = 0;
   bool failed_ = false;
 };

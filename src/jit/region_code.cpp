@@ -10,7 +10,7 @@ RegionCode::RegionCode(Unit& unit, const icode::Region& region)
     : unit_(unit),
       code_(unit.code),
       region_(region),
-      places_(unit.code, region),
+      places_(unit.code, region, unit.options.slots),
       clean_(region.ops.size()),
       tooNear_(unit.code.newLabel()) {}
 

@@ -19,14 +19,21 @@ struct Unit {
   const CpuModel* model;  // null: the state is no cpu::Machine
   const Options& options;
   const Instructions& answers;
-  asmjit::Label epilogue;                // with the instruction to go on with in eax
-  asmjit::Label enterBlock, leaveBlock;  // emit_calls.cpp
+  asmjit::Label epilogue;  // with the instruction to go on with in eax
+  // emit_calls.cpp
+  asmjit::Label enterBlock = code.newLabel(), enterWithout = code.newLabel(),
+                leaveBlock = code.newLabel(), canCallFunction = code.newLabel(),
+                canCallFunctionBlock = code.newLabel();
   std::vector<asmjit::Label> regions{};  // by instruction; not valid where none begins
 };
 
+// Of a data block register; xmm0 and rcx are lost.
+void copyBlock(host::Assembler& code, const host::Gp& to, int toAt, const host::Gp& from,
+               int fromAt);
+void swapBlocks(host::Assembler& code);  // rax, too
+
 // What calls and returns of a block have in common.
-void writeEnterBlock(host::Assembler& code);
-void writeLeaveBlock(host::Assembler& code);
+void writeBlockChanges(const Unit& unit);
 
 class RegionCode {
  public:
@@ -77,7 +84,7 @@ class RegionCode {
   void locateIn(Area area, bool write, const host::Gp& to, const asmjit::Label& out);
   host::Mem field(const icode::Op& op, std::uint32_t bytes);
   void shiftBy(const icode::Op& op, std::uint32_t instruction);
-  void loadBlock(const icode::Op& op);
+  void loadBlock(const icode::Op& op, const asmjit::Label& out);
   void writeState(const icode::Exit& exit, const std::vector<StateSpot>& states,
                   const std::vector<Spot>& bytes);
   void writeItem(const icode::StateWrite& write, const Spot& spot);

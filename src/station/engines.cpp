@@ -48,11 +48,17 @@ std::vector<bool> checked(const Translated& code) {
 void Engines::compile(Translated& code) const {
   if (!code.executed.empty()) return;
   const mc7::Listing listing = mc7::list(code.source->code);
-  std::vector<icode::Region> regions = translate::translate(listing, model_, checked(code));
-  for (icode::Region& region : regions) icode::optimise(region);
-  auto native =
-      jit::compile(regions, listing.places.size(),
-                   {code.ops.data(), sizeof(Op), code.parameters.data()}, model_, options_.jit);
+  const jit::Instructions answers{code.ops.data(), sizeof(Op), code.parameters.data()};
+  std::vector<icode::Region> regions;
+  std::unique_ptr<jit::NativeCode> native;
+  // Too many values at a time become fewer in shorter regions.
+  for (std::uint32_t longest = translate::kLongestRegion; longest > 0 && native == nullptr;
+       longest /= 4) {
+    regions = translate::translate(listing, model_, checked(code), longest);
+    if (regions.empty()) return;
+    for (icode::Region& region : regions) icode::optimise(region);
+    native = jit::compile(regions, listing.places.size(), answers, model_, options_.jit);
+  }
   if (native == nullptr) return;
   // Between checks regions are short; there agreement counts, not speed.
   const std::uint32_t shortest = code.side.empty() ? options_.shortestEntry : 1;

@@ -83,7 +83,11 @@ bool endIf(Lowering& l) {
 bool open(Lowering& l) {
   const auto number = blockNumber(l);
   if (!number) return false;
-  l.to.open(l.operand().reg == 1 ? Space::Instance : Space::Data, *number);
+  const Space space = l.operand().reg == 1 ? Space::Instance : Space::Data;
+  const Wanted wanted = lookout(l, space);
+  l.to.open(space, *number, {.bytes = wanted.end, .write = wanted.write});
+  if (wanted.end != 0)
+    l.reached.push_back({icode::kNoValue, l.to.limit(space, wanted.write), wanted.end});
   return true;
 }
 

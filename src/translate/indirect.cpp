@@ -41,13 +41,6 @@ std::optional<Dynamic> dynamic(Lowering& l) {
   return Dynamic{*space, l.to.make(Opcode::And, pointer, l.to.constant(0x7FFFF))};
 }
 
-// What the instructions from here on need of the same register and area, so that one guard does for
-// all of them.
-struct Wanted {
-  std::uint32_t end = 0;  // bytes behind the register
-  bool whole = false;
-};
-
 bool endsLookout(const mc7::Place& place) {
   const Operation o = place.instruction.operation;
   const OperandKind kind = place.instruction.operand.kind;
@@ -64,40 +57,63 @@ bool writes(Operation o) {
          o == Operation::EDGE_NEGATIVE;
 }
 
-Wanted lookout(const Lowering& l, bool write) {
+// Those among the next instructions that `isMeant` means, until one leads elsewhere or changes an
+// address register.
+template <typename IsMeant, typename Do>
+void lookAhead(const Lowering& l, std::uint32_t from, IsMeant isMeant, Do act) {
   constexpr std::uint32_t kFar = 32;
-  const Operand& here = l.operand();
-  Wanted wanted;
   const auto count = static_cast<std::uint32_t>(l.listing.places.size());
-  for (std::uint32_t i = l.place; i < std::min(count, l.place + kFar); ++i) {
+  for (std::uint32_t i = from; i < std::min(count, l.place + kFar); ++i) {
     const mc7::Place& place = l.listing.places[i];
-    if (endsLookout(place)) break;
-    const Operand& o = place.instruction.operand;
-    if (o.kind != here.kind || o.reg != here.reg || o.area != here.area) continue;
-    if (o.width != Width::Bit) wanted.whole = true;
-    if (!write || writes(place.instruction.operation))
-      wanted.end = std::max(wanted.end, o.value / 8 + byteCount(o.width));
+    if (endsLookout(place)) return;
+    if (isMeant(place.instruction.operand)) act(place.instruction);
   }
+}
+
+void include(Wanted& wanted, const mc7::Instruction& i) {
+  wanted.end = std::max(wanted.end, i.operand.value / 8 + byteCount(i.operand.width));
+  wanted.write |= writes(i.operation);
+}
+
+// What the instructions from here on need of the same register and area, so that one guard does for
+// all of them.
+struct WantedOfRegister : Wanted {
+  bool whole = false;
+};
+WantedOfRegister lookout(const Lowering& l) {
+  const Operand& here = l.operand();
+  WantedOfRegister wanted;
+  const auto same = [&](const Operand& o) {
+    return o.kind == here.kind && o.reg == here.reg && o.area == here.area;
+  };
+  lookAhead(l, l.place, same, [&](const mc7::Instruction& i) {
+    include(wanted, i);
+    wanted.whole |= i.operand.width != Width::Bit;
+  });
   return wanted;
 }
 
 void guardEnd(Lowering& l, Space space, Value byte, std::uint32_t end, bool write) {
   icode::Builder& b = l.to;
-  const Value limit =
-      icode::isImage(space) ? b.constant(imageLength(l.model, space)) : b.limit(space, write);
-  for (const Reach& known : l.reached)
-    if (known.byte == byte && known.limit == limit && known.end >= end) return;
+  const Value limit = limitOf(l, space, write);
   const Value last = end == 0 ? byte : b.make(Opcode::Add, byte, b.constant(end));
   b.guard(b.make(Opcode::BelowEqual, last, limit));
   l.reached.push_back({byte, limit, end});
 }
 
-// A register at a whole byte, and an offset of whole bytes or, for a bit, of anything.
-BitPlace aligned(Lowering& l, const Dynamic& d, const Access& access, std::uint32_t end) {
+Value isWhole(Lowering& l, Value address) {
   icode::Builder& b = l.to;
-  b.guard(b.make(Opcode::Equal, b.make(Opcode::And, d.low, b.constant(7)), b.constant(0)));
+  return b.make(Opcode::Equal, b.make(Opcode::And, address, b.constant(7)), b.constant(0));
+}
+
+// A register at a whole byte, and an offset of whole bytes or, for a bit, of anything.
+BitPlace aligned(Lowering& l, const Dynamic& d, const Access& access, const Wanted& wanted) {
+  icode::Builder& b = l.to;
+  b.guard(isWhole(l, d.low));
   const Value byte = b.withNumber(Opcode::Shr, d.low, 3);
-  guardEnd(l, d.space, byte, std::max(end, d.offset / 8 + access.bytes), access.write);
+  const std::uint32_t end = d.offset / 8 + access.bytes;
+  if (!isReached(l, d.space, byte, end, access.write))
+    guardEnd(l, d.space, byte, std::max(end, wanted.end), access.write || wanted.write);
   return {.space = d.space, .place = d.offset / 8, .offset = byte, .direct = d.offset & 7};
 }
 
@@ -107,7 +123,8 @@ BitPlace anywhere(Lowering& l, const Dynamic& d, const Access& access) {
   const Value bit = b.make(Opcode::And, address, b.constant(7));
   if (access.whole) b.guard(b.make(Opcode::Equal, bit, b.constant(0)));
   const Value byte = b.withNumber(Opcode::Shr, address, 3);
-  guardEnd(l, d.space, byte, access.bytes, access.write);
+  if (!isReached(l, d.space, byte, access.bytes, access.write))
+    guardEnd(l, d.space, byte, access.bytes, access.write);
   return {.space = d.space, .offset = byte, .bit = bit};
 }
 
@@ -131,19 +148,13 @@ std::optional<BitPlace> crossing(Lowering& l, const Access& access) {
 
 }  // namespace
 
-std::uint32_t lookout(const Lowering& l, Space space, bool write) {
-  constexpr std::uint32_t kFar = 32;
-  std::uint32_t end = 0;
-  const auto count = static_cast<std::uint32_t>(l.listing.places.size());
-  for (std::uint32_t i = l.place + 1; i < std::min(count, l.place + kFar); ++i) {
-    const mc7::Place& place = l.listing.places[i];
-    if (endsLookout(place)) break;
-    const Operand& o = place.instruction.operand;
-    if (o.kind != OperandKind::Memory || spaceOf(o.area) != space) continue;
-    if (!write || writes(place.instruction.operation))
-      end = std::max(end, o.value / 8 + byteCount(o.width));
-  }
-  return end;
+Wanted lookout(const Lowering& l, Space space) {
+  Wanted wanted;
+  const auto direct = [space](const Operand& o) {
+    return o.kind == OperandKind::Memory && spaceOf(o.area) == space;
+  };
+  lookAhead(l, l.place + 1, direct, [&](const mc7::Instruction& i) { include(wanted, i); });
+  return wanted;
 }
 
 Value parameterPointer(Lowering& l) {
@@ -159,9 +170,10 @@ std::optional<BitPlace> indirectPlace(Lowering& l, const Access& access) {
   if (!d) return std::nullopt;
   const bool constant = !access.whole || d->offset % 8 == 0;
   if (kind == OperandKind::MemoryIndirect)
-    return access.whole ? aligned(l, *d, access, 0) : anywhere(l, *d, access);
-  const Wanted wanted = lookout(l, access.write);
-  return constant && wanted.whole ? aligned(l, *d, access, wanted.end) : anywhere(l, *d, access);
+    return access.whole ? aligned(l, *d, access, {}) : anywhere(l, *d, access);
+  const WantedOfRegister wanted = lookout(l);
+  const bool whole = wanted.whole || l.to.isGuarded(isWhole(l, d->low));
+  return constant && whole ? aligned(l, *d, access, wanted) : anywhere(l, *d, access);
 }
 
 }  // namespace merker::translate

@@ -78,8 +78,17 @@ std::optional<BitPlace> indirectPlace(Lowering& l, const icode::Access& access);
 icode::Value parameterPointer(Lowering& l);
 std::optional<icode::Space> spaceOf(Area area);
 std::uint32_t imageLength(const CpuModel& model, icode::Space space);
-// How many bytes of the space the next instructions reach directly.
-std::uint32_t lookout(const Lowering& l, icode::Space space, bool write);
+// How many bytes of the space the next instructions reach directly, and whether they write.
+struct Wanted {
+  std::uint32_t end = 0;
+  bool write = false;
+};
+Wanted lookout(const Lowering& l, icode::Space space);
+// Bytes of the space that may be read, or written.
+icode::Value limitOf(Lowering& l, icode::Space space, bool write);
+// Whether a guard in this region, or AUF, has seen to it that so many bytes behind this one are
+// there; kNoValue: from the beginning of the space.
+bool isReached(Lowering& l, icode::Space space, icode::Value byte, std::uint32_t end, bool write);
 // Notes what the region needs, or guards; false if the operand lies outside for certain.
 bool reachable(Lowering& l, icode::Space space, std::uint32_t end, bool write);
 // Timer, counter or block: in a word of memory, or handed over as parameter.

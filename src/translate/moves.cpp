@@ -22,7 +22,7 @@ bool load(Lowering& l) {
     return true;
   }
   if (o.kind == OperandKind::DataBlockInfo) {
-    push(l, l.to.make(Opcode::BlockInfo, icode::kNoValue, icode::kNoValue, o.value));
+    push(l, l.to.blockInfo(o.value));
     return true;
   }
   if (o.kind == OperandKind::Counter || o.kind == OperandKind::Timer) return loadTimerOrCounter(l);

@@ -39,7 +39,7 @@ namespace {
 // Notes what the region needs; false if the operand lies outside for certain.
 bool reach(Lowering& l, Space space, std::uint32_t end, bool write) {
   const auto atLeast = [end](std::uint32_t& limit) { limit = std::max(limit, end); };
-  switch (space) {
+  switch (l.to.held(space)) {
     case Space::Data:
       atLeast(write ? l.needs.dataWritten : l.needs.dataRead);
       return true;
@@ -56,15 +56,29 @@ bool reach(Lowering& l, Space space, std::uint32_t end, bool write) {
 
 }  // namespace
 
+Value limitOf(Lowering& l, Space space, bool write) {
+  return icode::isImage(space) ? l.to.constant(imageLength(l.model, space))
+                               : l.to.limit(space, write);
+}
+
+// What may be written may be read.
+bool isReached(Lowering& l, Space space, Value byte, std::uint32_t end, bool write) {
+  const Value limit = limitOf(l, space, write), writable = limitOf(l, space, true);
+  return std::any_of(l.reached.begin(), l.reached.end(), [&](const Reach& known) {
+    return known.byte == byte && known.end >= end &&
+           (known.limit == limit || known.limit == writable);
+  });
+}
+
 // Opened in this region: its length is only known when it runs. One guard does for what the next
 // instructions need of it.
 bool reachable(Lowering& l, Space space, std::uint32_t end, bool write) {
   if (!l.to.isReopened(space)) return reach(l, space, end, write);
+  if (isReached(l, space, icode::kNoValue, end, write)) return true;
   icode::Builder& b = l.to;
-  const Value limit = b.limit(space, write);
-  for (const Reach& known : l.reached)
-    if (known.byte == icode::kNoValue && known.limit == limit && known.end >= end) return true;
-  const std::uint32_t last = std::max(end, lookout(l, space, write));
+  const Wanted next = lookout(l, space);
+  const Value limit = b.limit(space, write || next.write);
+  const std::uint32_t last = std::max(end, next.end);
   b.guard(b.make(Opcode::BelowEqual, b.constant(last), limit));
   l.reached.push_back({icode::kNoValue, limit, last});
   return true;

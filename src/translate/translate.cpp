@@ -10,9 +10,6 @@ namespace {
 using icode::Item;
 using mc7::Operation;
 
-// A region in which the clock cannot reach the horizon is executed in one go; shorter ones lose
-// less when an event is near.
-constexpr std::uint32_t kLongestRegion = 128;
 constexpr std::size_t kOperations = 256;
 
 using Table = std::array<Lower, kOperations>;
@@ -29,8 +26,13 @@ bool isOpening(Operation o) { return o >= Operation::AND_OPEN && o <= Operation:
 
 class Blockwise {
  public:
-  Blockwise(const mc7::Listing& listing, const CpuModel& model, const std::vector<bool>& apart)
-      : listing_(listing), model_(model), apart_(apart), isEntry_(listing.places.size() + 1) {}
+  Blockwise(const mc7::Listing& listing, const CpuModel& model, const std::vector<bool>& apart,
+            std::uint32_t longest)
+      : listing_(listing),
+        model_(model),
+        apart_(apart),
+        longest_(longest),
+        isEntry_(listing.places.size() + 1) {}
 
   std::vector<icode::Region> run() {
     markEntries();
@@ -67,7 +69,7 @@ class Blockwise {
     if (at >= listing_.places.size() || !listing_.places[at].known) return false;
     if (at < apart_.size() && apart_[at]) return false;
     if (region.instructions == 0 || inBrackets) return true;
-    return isEntry_[at] == 0 && region.instructions < kLongestRegion;
+    return isEntry_[at] == 0 && region.instructions < longest_;
   }
 
   // Returns where the next region may begin.
@@ -110,6 +112,7 @@ class Blockwise {
   const mc7::Listing& listing_;
   const CpuModel& model_;
   const std::vector<bool>& apart_;
+  const std::uint32_t longest_;
   std::vector<std::uint8_t> isEntry_;
   std::vector<icode::Region> regions_;
 };
@@ -117,8 +120,8 @@ class Blockwise {
 }  // namespace
 
 std::vector<icode::Region> translate(const mc7::Listing& listing, const CpuModel& model,
-                                     const std::vector<bool>& apart) {
-  return Blockwise(listing, model, apart).run();
+                                     const std::vector<bool>& apart, std::uint32_t longest) {
+  return Blockwise(listing, model, apart, longest).run();
 }
 
 }  // namespace merker::translate

@@ -26,8 +26,10 @@ std::optional<Case> fromText(const std::string& text);
 std::string listing(const Case& c);
 
 // Runs the case on both engines, which stop a dozen times to be compared. What is different at the
-// first stop where something is; empty if nothing is. `broken`: this emitter gives wrong code.
-std::string difference(const Case& c, std::optional<icode::Opcode> broken = {});
+// first stop where something is; empty if nothing is. `broken`: this emitter gives wrong code;
+// `slots`: so many values at most find room besides the registers of the host.
+std::string difference(const Case& c, std::optional<icode::Opcode> broken = {},
+                       std::uint32_t slots = UINT32_MAX);
 // The same difference with as few instructions as possible.
 Case shrink(Case c, std::optional<icode::Opcode> broken = {});
 

@@ -73,6 +73,13 @@ TEST_F(Differential, RandomPrograms) {
   }
 }
 
+// So few that most blocks only compile with short regions.
+TEST_F(Differential, FewSlots) {
+  constexpr std::uint32_t kCases = 3'000, kSlots = 2;
+  for (std::uint32_t seed = 1; seed <= kCases; ++seed)
+    ASSERT_EQ(difference(randomCase(seed), {}, kSlots), "") << "seed " << seed;
+}
+
 TEST_F(Differential, CasesFoundBefore) {
   const std::filesystem::path folder = MERKER_SOURCE_DIR "/tests/differential/cases";
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {

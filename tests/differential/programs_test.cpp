@@ -5,8 +5,10 @@
 #include <filesystem>
 #include <random>
 
+#include "case.h"
 #include "comparison.h"
 #include "jit/native.h"
+#include "mc7/encoding.h"
 #include "source.h"
 #include "stand.h"
 
@@ -73,6 +75,37 @@ TEST(DifferentialPrograms, ConformanceAndExamples) {
   }
   EXPECT_GT(compared, 100);
   std::cout << compared << " programs\n";
+}
+
+// 120 bytes of which each is read, changed and only written at the end.
+block::Block manyValues() {
+  block::Block block{.id = {BlockKind::OB, 1}};
+  for (std::uint32_t byte = 0; byte < 120; ++byte)
+    (void)mc7::encode({mc7::Operation::SET_BIT,
+                       mc7::memory(Area::Flag, Width::Bit, bitAddress(100 + byte, byte % 8))},
+                      block.code);
+  block.code.insert(block.code.end(), {0x65, 0x00});  // BE
+  return block;
+}
+
+std::size_t compiledBytes(std::uint32_t slots) {
+  auto program = std::make_shared<block::Program>();
+  program->emplace(manyValues().id, manyValues());
+  return station::Engines::compiledBytes(
+      stand({.model = "314C-2 PtP", .slots = slots}).load(program, {}));
+}
+
+// No block goes back to the interpreter because it has too many values at a time; its regions
+// become shorter.
+TEST(DifferentialPrograms, ManyValuesAtATimeAreCompiled) {
+  if (!jit::available()) GTEST_SKIP() << "no compiler for this processor";
+  const std::size_t atOnce = compiledBytes(UINT32_MAX);
+  EXPECT_GT(atOnce, 0u);
+  EXPECT_GT(compiledBytes(4), atOnce / 2);
+  Case c;
+  c.blocks[{BlockKind::OB, 1}] = manyValues().code;
+  for (const std::uint32_t slots : {4u, UINT32_MAX})
+    EXPECT_EQ(differential::difference(c, {}, slots), "");
 }
 
 // They would not be called if they did not compile.

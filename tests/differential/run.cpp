@@ -95,12 +95,12 @@ Duration pause(Random& random) {
 
 }  // namespace
 
-std::string difference(const Case& c, std::optional<icode::Opcode> broken) {
+std::string difference(const Case& c, std::optional<icode::Opcode> broken, std::uint32_t slots) {
   constexpr int kStops = 12;
   constexpr std::uint32_t kSwitches = 40;  // one at so many stops
   const auto blocks = program(c);
   cpu::Cpu& interpreted = started(stand({.model = c.model, .compiled = false}), c, blocks);
-  Stand& second = stand({.model = c.model, .broken = broken});
+  Stand& second = stand({.model = c.model, .broken = broken, .slots = slots});
   cpu::Cpu& compiled = started(second, c, blocks);
   Random random(c.seed);
   std::uint64_t seen = 0;

@@ -25,7 +25,8 @@ const CpuModel* findModel(const std::string& name) {
 Stand::Stand(const Engine& engine)
     : compiles_(engine.compiled),
       model_(*findModel(engine.model)),
-      engines_(model_, engine.compiled, {.jit = {.broken = engine.broken}, .shortestEntry = 1}),
+      engines_(model_, engine.compiled,
+               {.jit = {.broken = engine.broken, .slots = engine.slots}, .shortestEntry = 1}),
       services_(model_) {}
 
 cpu::Cpu& Stand::load(std::shared_ptr<const block::Program> program,

@@ -16,6 +16,7 @@ struct Engine {
   std::string model;
   bool compiled = true;
   std::optional<icode::Opcode> broken{};  // this emitter gives wrong code
+  std::uint32_t slots = UINT32_MAX;       // for values that find no register
   auto operator<=>(const Engine&) const = default;
 };
 

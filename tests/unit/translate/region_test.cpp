@@ -100,7 +100,7 @@ TEST(Region, AJumpToTheNextInstructionIsNoWayOut) {
   EXPECT_EQ(count(regions[0], Opcode::BranchIf), 0u);
 }
 
-TEST(Region, OneGuardForAllReadsAndOneForAllWritesBehindOpen) {
+TEST(Region, OpenChecksForAllReadsAndWritesBehindIt) {
   const auto data = [](std::uint32_t byte) {
     return mc7::memory(Area::DataBlock, Width::Word, bitAddress(byte));
   };
@@ -111,7 +111,12 @@ TEST(Region, OneGuardForAllReadsAndOneForAllWritesBehindOpen) {
                                   {Operation::TRANSFER, data(6)},
                                   kEnd});
   ASSERT_EQ(regions.size(), 1u);
-  EXPECT_EQ(count(regions[0], Opcode::Guard), 2u);
+  EXPECT_EQ(count(regions[0], Opcode::Guard), 0u);
+  const auto open = std::find_if(regions[0].ops.begin(), regions[0].ops.end(),
+                                 [](const icode::Op& op) { return op.code == Opcode::Open; });
+  ASSERT_NE(open, regions[0].ops.end());
+  EXPECT_EQ(icode::Opening::of(open->place).bytes, 8u);
+  EXPECT_TRUE(icode::Opening::of(open->place).write);
 }
 
 TEST(Region, OneRegisterIsCheckedOnce) {
@@ -150,6 +155,37 @@ TEST(Region, AnyBytesGiveValidRegions) {
       end = region.first + region.instructions;
     }
   }
+}
+
+mc7::Instruction openBlock(std::uint32_t number, bool instance) {
+  return {Operation::OPEN, mc7::blockOperand(BlockKind::DB, number, instance)};
+}
+const mc7::Instruction kExchange{Operation::SWAP_DB, {}};
+
+// As two calls of an FB one behind the other leave them.
+TEST(Region, TwoExchangesOfTheDataBlockRegistersAreNone) {
+  const auto regions = regionsOf({kExchange, kExchange, openBlock(1, true), kEnd});
+  EXPECT_EQ(count(regions[0], Opcode::SwapBlocks), 0u);
+  for (const icode::Exit& exit : regions[0].exits) EXPECT_FALSE(exit.swapped);
+}
+
+TEST(Region, AnExchangeWaitsForTheWayOut) {
+  const auto regions = regionsOf(
+      {kExchange, {Operation::LOAD, mc7::memory(Area::DataBlock, Width::Word, bitAddress(8))}});
+  EXPECT_EQ(regions[0].needs.instanceRead, 10u);
+  EXPECT_EQ(regions[0].needs.dataRead, 0u);
+  EXPECT_TRUE(regions[0].exits.back().swapped);
+}
+
+// The block that was open as instance is the data block now: nobody looked at its length yet.
+TEST(Region, ABlockThatMovedIsCheckedWhereItIs) {
+  const auto regions =
+      regionsOf({kExchange,
+                 openBlock(1, true),
+                 {Operation::LOAD, mc7::memory(Area::DataBlock, Width::Word, bitAddress(8))},
+                 kEnd});
+  EXPECT_EQ(count(regions[0], Opcode::Limit), 1u);
+  EXPECT_EQ(count(regions[0], Opcode::Guard), 1u);
 }
 
 }  // namespace
