@@ -1,5 +1,7 @@
 // merker bench PATH --for TIME: how fast OB 1 runs on this machine. Wall clock, for measurements
 // only.
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <functional>
@@ -26,6 +28,8 @@ struct Options {
 
 struct Measurement {
   double instructionsPerSecond = 0, cyclesPerSecond = 0, translationSeconds = 0;
+  double seconds = 0;  // measured
+  std::uint64_t cycles = 0;
 };
 
 double secondsSince(Clock::time_point start) {
@@ -49,14 +53,12 @@ void measure(controller::Controller& plc, double seconds, Measurement& result) {
   const auto runOb1 = ob1Of(plc);
   const std::uint64_t before = plc.instructions();
   const auto start = Clock::now();
-  std::uint64_t cycles = 0;
-  double elapsed = 0;
   do {
-    for (int i = 0; i < kPortion; ++i) cycles += runOb1(kLongest) ? 1 : 0;
-    elapsed = secondsSince(start);
-  } while (elapsed < seconds && plc.mode() == controller::Mode::Run);
-  result.instructionsPerSecond = static_cast<double>(plc.instructions() - before) / elapsed;
-  result.cyclesPerSecond = static_cast<double>(cycles) / elapsed;
+    for (int i = 0; i < kPortion; ++i) result.cycles += runOb1(kLongest) ? 1 : 0;
+    result.seconds = secondsSince(start);
+  } while (result.seconds < seconds && plc.mode() == controller::Mode::Run);
+  result.instructionsPerSecond = static_cast<double>(plc.instructions() - before) / result.seconds;
+  result.cyclesPerSecond = static_cast<double>(result.cycles) / result.seconds;
 }
 
 void show(const Measurement& m, bool json) {
@@ -89,6 +91,19 @@ int stopped(const std::string& why) {
   return kFault;
 }
 
+// What the figures do not say.
+void note(const Measurement& m, const Options& options, const controller::Controller& plc) {
+  const auto* station = dynamic_cast<const station::Station*>(&plc);
+  if (options.engine == "jit" && station != nullptr && station->compiledBytes() == 0)
+    std::cerr << "merker bench: this system allows no machine code: the interpreter ran\n";
+  if (plc.mode() != controller::Mode::Run && !plc.stoppedByFault())
+    std::cerr << fmt::format(
+        "merker bench: the program stopped the CPU after {} cycles, {:.3g} s: {}\n", m.cycles,
+        m.seconds, plc.stopReason());
+  else if (m.cycles == 0 && !plc.stoppedByFault())
+    std::cerr << "merker bench: OB 1 has not ended once in this time\n";
+}
+
 int bench(const Options& options, controller::Controller& plc, double seconds) {
   Measurement result;
   if (const auto problem = translate(options.engine, plc, result)) {
@@ -99,8 +114,7 @@ int bench(const Options& options, controller::Controller& plc, double seconds) {
     return stopped(reason);
   measure(plc, seconds, result);
   show(result, options.json);
-  if (result.cyclesPerSecond == 0 && !plc.stoppedByFault())
-    std::cerr << "merker bench: OB 1 has not ended once in this time\n";
+  note(result, options, plc);
   return plc.stoppedByFault() ? stopped("the CPU went to STOP: " + plc.stopReason()) : kGood;
 }
 

@@ -107,6 +107,11 @@ class Bench(Case):
         self.write("a.awl", block("      L     W#16#FFFF\n      BTI"))
         self.assertIn("STOP", self.expect(FAULT, "bench", "a.awl", "--for", "50ms").err)
 
+    def test_a_program_that_stops_the_cpu(self):
+        self.write("stp.awl", block("      L     MW 10\n      +     1\n      T     MW 10\n      L     100\n      ==I\n"
+                                    "      SPBN  end\n      STP\nend:  NOP   0"))
+        self.assertIn("the program stopped the CPU after 99 cycles", self.expect(GOOD, "bench", "stp.awl", "--for", "5s").err)
+
     def test_an_endless_ob_1_ends_after_its_time(self):
         self.write("loop.awl", block("here: SPA   here"))
         call = self.expect(GOOD, "bench", "loop.awl", "--for", "50ms", "--json", timeout=20)

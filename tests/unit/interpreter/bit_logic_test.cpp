@@ -13,7 +13,7 @@ cpu::StatusWord query(Operation operation, Bits b) {
   Rig rig({{operation, flag(10, 3)}});
   rig.start();
   *rig.machine().areas.flag(10) = b.op ? 0x08 : 0x00;
-  rig.status() = {.er = b.er, .rlo = b.rlo, .orBit = b.orBit};
+  rig.status() = {.er = b.er, .orBit = b.orBit, .rlo = b.rlo};
   rig.step();
   return rig.status();
 }
