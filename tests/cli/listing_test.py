@@ -109,7 +109,7 @@ class Bench(Case):
 
     def test_a_program_that_stops_the_cpu(self):
         self.write("stp.awl", block("      L     MW 10\n      +     1\n      T     MW 10\n      L     100\n      ==I\n"
-                                    "      SPBN  end\n      STP\nend:  NOP   0"))
+                                    "      SPBN  end\n      CALL  SFC 46\nend:  NOP   0"))
         self.assertIn("the program stopped the CPU after 99 cycles", self.expect(GOOD, "bench", "stp.awl", "--for", "5s").err)
 
     def test_an_endless_ob_1_ends_after_its_time(self):

@@ -3,11 +3,11 @@ import unittest
 
 from served import Served
 
-LINES = 100_000
+LINES = 200_000
 
 
 class BigSource(Served):
-    """The PLC goes on while a source of 100,000 lines is compiled."""
+    """The PLC goes on while a source of 200,000 lines is compiled."""
 
     def prepare(self):
         super().prepare()
@@ -31,8 +31,8 @@ class BigSource(Served):
                 break
             seen.add(message.get("cycles", before))
         self.assertIn("result", message)
-        # Without a thread of its own there would be one frame at most in between.
-        self.assertGreater(len(seen - {before}), 3)
+        # Without a thread of its own there would be one frame at most in between; how many there are is up to the machine.
+        self.assertGreater(len(seen - {before}), 1)
         self.assertGreater(max(seen), before + 10)
 
     def test_another_browser_is_served_meanwhile(self):
