@@ -34,7 +34,7 @@ constexpr std::array kPairs{
     Pair{"FcCalls", "calls of an FC with five parameters", Unit::Rate, 3e6, 50e6},
     Pair{"FbCalls", "calls of an FB with five parameters", Unit::Rate, 0, 50e6},
     Pair{"Step5", "STEP 5: 20 PB with data blocks", Unit::Rate, 0, 0},
-    Pair{"IdleCpu", "an idle 314C, 1,000 instructions", Unit::RealTime, 0, 2000, 0, 0},
+    Pair{"IdleCpu", "an idle 314C, 1,000 instructions", Unit::RealTime, 0, 2000},
     Pair{"SortingPlant", "the sorting plant with its scenario", Unit::RealTime, 0, 0},
 };
 
