@@ -193,11 +193,12 @@ void RegionCode::writeItem(const icode::StateWrite& write, const Spot& spot) {
 }
 
 void RegionCode::writeByte(const icode::ByteWrite& write, const Spot& spot) {
-  host::Mem to(kImage, static_cast<int>(imageOffset(write.space) + write.place), 1);
-  if (write.space == icode::Space::Local) {
+  const bool local = write.space == icode::Space::Local;
+  const std::uint32_t place = local ? write.place : imageOffset(write.space) + write.place;
+  const host::Mem to(local ? host::rcx : kImage, static_cast<int>(place), 1);
+  if (local) {
     code_.mov(host::rcx, host::qword_ptr(kMachine, offset::kTop));
     code_.mov(host::rcx, host::qword_ptr(host::rcx, offsetof(cpu::Frame, local)));
-    to = host::byte_ptr(host::rcx, static_cast<int>(write.place));
   }
   if (spot.kind == Spot::Kind::Constant) {
     code_.mov(to, spot.number & 0xFF);
