@@ -86,7 +86,7 @@ bool writeAll(int file, std::string_view bytes) {
 }
 
 // Into a file beside it that then takes its place: after a power failure there is the old text or
-// the new one. RENAME_NOREPLACE: only if there is none yet.
+// the new one, and the new one once this has answered. RENAME_NOREPLACE: only if there is none yet.
 bool put(const Place& place, std::string_view bytes, unsigned how) {
   const std::string temporary = std::string(kTemporary) + "-" + place.name;
   const int folder = place.folder.number();
@@ -97,7 +97,8 @@ bool put(const Place& place, std::string_view bytes, unsigned how) {
                                    O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
     good = file && writeAll(file.number(), bytes);
   }
-  good = good && ::renameat2(folder, temporary.c_str(), folder, place.name.c_str(), how) == 0;
+  good = good && ::renameat2(folder, temporary.c_str(), folder, place.name.c_str(), how) == 0 &&
+         (::fsync(folder) == 0 || errno == EINVAL);  // a file system that syncs no folders
   const int error = errno;
   if (!good) ::unlinkat(folder, temporary.c_str(), 0);
   errno = error;

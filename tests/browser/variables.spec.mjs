@@ -74,8 +74,7 @@ test('a table is saved as a file of the project and opened again', async () => {
   await page.getByRole('button', { name: 'Speichern unter …' }).click();
   await page.locator('#table-name').fill('belt');
   await page.keyboard.press('Enter');
-  await page.locator('.message.done').waitFor();
-  assert.ok(existsSync(join(server.project, 'belt.vat')));
+  await until(() => existsSync(join(server.project, 'belt.vat')), 'the file');
   assert.match(readFileSync(join(server.project, 'belt.vat'), 'utf-8'), /^MW 20 ; AUTO ; W#16#1234$/m);
   await page.getByRole('button', { name: 'Neu', exact: true }).click();
   assert.equal(await page.locator('tbody tr').count(), 1);

@@ -80,9 +80,11 @@ export class Table {
     const there = this.files.includes(path);
     const old = there ? await attempt(connection.ask<Fields>('files.read', { path })) : undefined;
     if (there && !old) return false;
-    if (!there && (await attempt(connection.ask('files.create', { path }))) === undefined) return false;
-    const revision = old?.revision ?? (await attempt(connection.ask<Fields>('files.read', { path })))?.revision;
-    if ((await attempt(connection.ask('files.write', { path, text, revision }))) === undefined) return false;
+    // A new file appears with its text at once: nobody sees, and no kill leaves, an empty table.
+    const answer = old
+      ? connection.ask('files.write', { path, text, revision: old.revision })
+      : connection.ask('files.create', { path, text });
+    if ((await attempt(answer)) === undefined) return false;
     this.path = path;
     return true;
   }
