@@ -4,7 +4,6 @@
 
 #include "cnc/compiled_code.h"
 #include "cnc/formal_calls.h"
-#include "cnc/seat.h"
 
 namespace merker::cnc {
 namespace {
@@ -28,77 +27,91 @@ std::span<const std::uint16_t> wordsOf(const Machine& m, const sinumerik::Entry&
   return std::span(m.blocks.program()).subspan(block.start, block.length);
 }
 
+std::vector<sinumerik::Entry> codeBlocks(const Machine& m) {
+  std::vector<sinumerik::Entry> blocks;
+  for (const BlockType type : {BlockType::Ob, BlockType::Pb, BlockType::Sb, BlockType::Fb})
+    for (const sinumerik::Entry& block : m.blocks.list(type))
+      if (block.present) blocks.push_back(block);
+  return blocks;
+}
+
 }  // namespace
 
-void CompiledCode::compile(Machine& machine, const sinumerik::Environment& environment,
-                           const std::vector<bool>& apart) {
+void CompiledCode::clear(const Machine& machine) {
   const std::size_t words = machine.blocks.program().size();
   blocks_.clear();
   variants_.clear();
-  links_.clear();
+  sites_.clear();
   entries_.assign(words, {});
   variantOf_.assign(words, 0);
-  for (const BlockType type : {BlockType::Ob, BlockType::Pb, BlockType::Sb, BlockType::Fb})
-    for (const sinumerik::Entry& block : machine.blocks.list(type)) {
-      if (!block.present) continue;
-      compileBlock(machine, block, environment, apart, {},
-                   std::span(entries_).subspan(block.start, block.length));
-      compileCalls(machine, block, environment, apart);
-    }
+  dataVersion_ = ~std::uint64_t{0};
 }
 
-void CompiledCode::compileBlock(Machine& machine, const sinumerik::Entry& block,
-                                const sinumerik::Environment& environment,
-                                const std::vector<bool>& apart,
+// Who looks at instructions (`apart`) sees each call and its return.
+void CompiledCode::compile(Machine& machine, const sinumerik::Environment& environment,
+                           const std::vector<bool>& apart) {
+  clear(machine);
+  const bool seen = std::find(apart.begin(), apart.end(), true) != apart.end();
+  Plan plan{machine, environment, apart, !seen};
+  const auto blocks = codeBlocks(machine);
+  for (const sinumerik::Entry& block : blocks)
+    plan.sites.emplace(block.start, sites_.add(machine.blocks, block, environment));
+  for (const sinumerik::Entry& block : blocks)
+    compileBlock(plan, block, {}, std::span(entries_).subspan(block.start, block.length));
+  for (const Call& call : sites_.calls())
+    if (call.block.type == BlockType::Fb) compileCall(plan, call);
+  nothing_ = write(plan, {}, 0);
+  if (nothing_ != nullptr) linkCalls();
+}
+
+// The answer is the word of the block with which it goes on.
+std::unique_ptr<jit::NativeCode> CompiledCode::write(const Plan& plan,
+                                                     std::span<const icode::Region> regions,
+                                                     std::size_t words) const {
+  const jit::Instructions answers{nullptr, 1, nullptr};
+  return jit::compile(regions, words, answers, layoutOf(plan.machine), options_);
+}
+
+void CompiledCode::compileBlock(const Plan& plan, const sinumerik::Entry& block,
                                 const translate5::Substitutes& substitutes,
                                 std::span<Entry> entries) {
-  const auto words = wordsOf(machine, block);
-  const std::vector<bool> own(apart.begin() + block.start,
-                              apart.begin() + block.start + block.length);
-  auto regions = translate5::translate(words, targetOf(machine, environment), own, substitutes);
+  const auto words = wordsOf(plan.machine, block);
+  const auto first = plan.apart.begin() + block.start;
+  const std::vector<bool> own(first, first + block.length);
+  auto regions =
+      translate5::translate(words, targetOf(plan.machine, plan.environment), own, substitutes,
+                            plan.linked ? &plan.sites.at(block.start) : nullptr);
   for (icode::Region& region : regions) icode::optimise(region);
-  // The answer is the word of the block with which it goes on.
-  const jit::Instructions answers{nullptr, 1, nullptr};
-  auto code = jit::compile(regions, words.size(), answers, layoutOf(machine), options_);
+  auto code = write(plan, regions, words.size());
   if (code == nullptr) return;
   for (const icode::Region& region : regions) entries[region.first] = {code.get(), block.start};
   blocks_.push_back(std::move(code));
 }
 
-// The ways out of a block. Who looks at instructions (`apart`) sees each call and its return.
-void CompiledCode::compileCalls(Machine& machine, const sinumerik::Entry& block,
-                                const sinumerik::Environment& environment,
-                                const std::vector<bool>& apart) {
-  const bool seen = std::find(apart.begin(), apart.end(), true) != apart.end();
-  const auto words = wordsOf(machine, block);
-  for (std::uint32_t at = 0; at < words.size(); ++at) {
-    const auto link = linkAt(words.subspan(at), environment);
-    if (!link) continue;
-    const std::uint32_t word = block.start + at;
-    if (!seen) {
-      links_.push_back(*link);
-      entries_[word].link = static_cast<std::uint32_t>(links_.size());
-    }
-    const bool calls =
-        link->operation == mc5::Operation::CALL || link->operation == mc5::Operation::CALL_IF;
-    if (calls && link->block.type == BlockType::Fb)  // the list stands behind a jump over it
-      compileCall(machine, link->block, word + link->words + 1, environment, apart);
-  }
-}
-
-void CompiledCode::compileCall(Machine& machine, mc5::BlockId id, std::uint32_t parameters,
-                               const sinumerik::Environment& environment,
-                               const std::vector<bool>& apart) {
-  const sinumerik::Entry& block = machine.blocks.find(id);
-  const std::span<const std::uint16_t> memory = machine.blocks.program();
-  if (!block.present || parameters >= memory.size()) return;
-  const auto known =
-      substitutes(wordsOf(machine, block), memory.subspan(parameters), environment.variant);
+void CompiledCode::compileCall(const Plan& plan, const Call& call) {
+  const std::span<const std::uint16_t> memory = plan.machine.blocks.program();
+  if (call.parameters >= memory.size()) return;
+  const sinumerik::Entry& block = plan.machine.blocks.find(call.block);
+  const auto known = substitutes(wordsOf(plan.machine, block), memory.subspan(call.parameters),
+                                 plan.environment.variant);
   if (known.empty()) return;
   Variant& variant = variants_.emplace_back(Variant{block.start, {}});
   variant.entries.resize(block.length);
-  compileBlock(machine, block, environment, apart, known, variant.entries);
-  variantOf_[parameters] = static_cast<std::uint32_t>(variants_.size());
+  compileBlock(plan, block, known, variant.entries);
+  variantOf_[call.parameters] = static_cast<std::uint32_t>(variants_.size());
+}
+
+void CompiledCode::linkCalls() {
+  for (std::size_t i = 0; i < sites_.calls().size(); ++i) {
+    const Call& call = sites_.calls()[i];
+    const Entry& entry = entryAt({.block = call.block,
+                                  .start = call.start,
+                                  .next = call.start,
+                                  .parameters = call.parameters,
+                                  .data = {}});
+    const jit::NativeCode& code = entry.code == nullptr ? *nothing_ : *entry.code;
+    sites_.site(i).target = code.entrance();
+  }
 }
 
 }  // namespace merker::cnc

@@ -1,10 +1,9 @@
 #include "cnc/compiled_code.h"
 
-#include "cnc/seat.h"
-
 namespace merker::cnc {
 namespace {
 
+using mc5::BlockType;
 using sinumerik::Machine;
 
 // More brackets than that are near the limit of the processor.
@@ -14,6 +13,8 @@ constexpr std::size_t kOpenBrackets = 32;
 
 // As the running call sees the block, or as all of them do.
 const CompiledCode::Entry& CompiledCode::entryAt(const sinumerik::Frame& frame) const {
+  static const Entry kNone;
+  if (frame.next >= entries_.size()) return kNone;
   const std::uint32_t number =
       frame.parameters < variantOf_.size() ? variantOf_[frame.parameters] : 0;
   if (number == 0) return entries_[frame.next];
@@ -23,48 +24,88 @@ const CompiledCode::Entry& CompiledCode::entryAt(const sinumerik::Frame& frame) 
   return inside ? variant.entries[at] : entries_[frame.next];
 }
 
-// False: the processor is next. Of code and link the code comes first: it knows whether a condition
-// is met.
-bool CompiledCode::goOn(Seat& seat, Machine& m) const {
-  sinumerik::Frame& frame = m.frame();
-  if (frame.next >= entries_.size()) return false;
-  const Entry& entry = entryAt(frame);
-  const std::uint64_t before = seat.instructions;
-  if (entry.code != nullptr) {
-    const void* const answer = entry.code->run(&seat, frame.next - entry.start);
-    frame.next = entry.start + static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(answer));
-    if (seat.instructions != before) return true;
+void CompiledCode::listDataBlocks(Machine& m) {
+  if (dataVersion_ == m.blocks.version()) return;
+  dataVersion_ = m.blocks.version();
+  dataBlocks_.clear();
+  std::uint16_t number = 0;
+  for (const sinumerik::Entry& entry : m.blocks.list(BlockType::Db))
+    dataBlocks_.push_back(openBlock(m, {entry.present, number++, entry.start, entry.length}));
+}
+
+void CompiledCode::takeIn(Machine& m, Instant horizon) {
+  listDataBlocks(m);
+  const sinumerik::Registers& registers = m.registers();
+  seat_.clock = m.clock;
+  seat_.horizon = horizon;
+  seat_.instructions = 0;
+  seat_.images = &m.inputs;
+  seat_.akku1 = registers.akku1;
+  seat_.akku2 = registers.akku2;
+  seat_.displays = registers.displays;
+  seat_.cells = &m.timers;
+  seat_.sites = sites_.sites();
+  seat_.dataBlocks = dataBlocks_.data();
+  takeStack(m);
+}
+
+void CompiledCode::takeStack(Machine& m) {
+  const auto& frames = m.level().frames;
+  seat_.first = seat_.frames.data();
+  seat_.last = seat_.first + (seat_.frames.size() - 1);
+  seat_.top = seat_.first + (frames.size() - 1);
+  seat_.open = openBlock(m, frames.back().data);
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const Entry& entry = entryAt(frames[i]);
+    const std::uint32_t word = frames[i].next - entry.start;
+    starts_[i] = entry.start;
+    if (i + 1 == frames.size()) break;
+    seat_.found[i].resume = word;
+    seat_.frames[i].open = openBlock(m, frames[i].data);
+    seat_.frames[i + 1].site = &seat_.found[i];
+    seat_.frames[i + 1].back =
+        entry.code == nullptr ? nothing_->entries()[0] : entry.code->entries()[word];
   }
-  const std::uint32_t number = entries_[frame.next].link;
-  if (number == 0 || seat.clock >= seat.horizon) return false;
-  const Link& link = links_[number - 1];
-  if (!follow(link, m, seat.displays)) return false;
-  seat.clock = seat.clock + link.time;
-  ++seat.instructions;
-  takeData(seat, m);
-  return true;
+}
+
+void CompiledCode::giveBack(Machine& m, std::uint32_t word) const {
+  sinumerik::Registers& registers = m.registers();
+  m.clock = seat_.clock;
+  registers.akku1 = seat_.akku1;
+  registers.akku2 = seat_.akku2;
+  registers.displays = seat_.displays;
+  giveStack(m.level().frames);
+  const std::size_t running = m.level().frames.size() - 1;
+  const bool called = running > 0 && sites_.find(seat_.top->site) != nullptr;
+  m.frame().next = word + (called ? m.frame().start : starts_[running]);
+}
+
+// Blocks that still wait for what they called before stand there as they did.
+void CompiledCode::giveStack(std::vector<sinumerik::Frame>& frames) const {
+  frames.resize(static_cast<std::size_t>(seat_.top - seat_.first) + 1);
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const jit::Frame& frame = seat_.frames[i];
+    frames[i].data = openData(i + 1 == frames.size() ? seat_.open : frame.open);
+    const Call* const call = i == 0 ? nullptr : sites_.find(frame.site);
+    if (call == nullptr) continue;
+    frames[i - 1].next = call->next;
+    frames[i].block = call->block;
+    frames[i].start = call->start;
+    frames[i].parameters = call->parameters;
+  }
 }
 
 std::uint64_t CompiledCode::run(Machine& m, Instant horizon) {
-  sinumerik::Registers& registers = m.registers();
-  if (registers.brackets.size() > kOpenBrackets) return 0;
-  Seat seat{.clock = m.clock,
-            .horizon = horizon,
-            .images = &m.inputs,
-            .akku1 = registers.akku1,
-            .akku2 = registers.akku2,
-            .displays = registers.displays,
-            .cells = &m.timers};
-  takeData(seat, m);
-  while (goOn(seat, m)) {
-  }
-  if (seat.instructions == 0) return 0;
-  m.clock = seat.clock;
-  registers.akku1 = seat.akku1;
-  registers.akku2 = seat.akku2;
-  registers.displays = seat.displays;
-  instructions_ += seat.instructions;
-  return seat.instructions;
+  if (nothing_ == nullptr || m.registers().brackets.size() > kOpenBrackets) return 0;
+  const sinumerik::Frame& frame = m.frame();
+  const Entry entry = entryAt(frame);
+  if (entry.code == nullptr) return 0;
+  takeIn(m, horizon);
+  const void* const answer = entry.code->run(&seat_, frame.next - entry.start);
+  if (seat_.instructions == 0) return 0;
+  giveBack(m, static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(answer)));
+  instructions_ += seat_.instructions;
+  return seat_.instructions;
 }
 
 }  // namespace merker::cnc

@@ -14,8 +14,15 @@ std::uint32_t bytesBetween(const void* from, const void* to) {
                                     static_cast<const std::byte*>(from));
 }
 
+namespace {
+
+enum Note : std::size_t { Open, Number, Start, Length };  // sinumerik::OpenData
+
+}  // namespace
+
 #define DISPLAY(bit) static_cast<int>(offsetof(Seat, displays) + offsetof(sinumerik::Displays, bit))
 #define FIELD(name) static_cast<int>(offsetof(Seat, name))
+#define OPEN(name) static_cast<int>(offsetof(Seat, open) + offsetof(jit::OpenBlock, name))
 
 jit::Layout layoutOf(const Machine& m) {
   const int none = FIELD(unused);
@@ -27,23 +34,34 @@ jit::Layout layoutOf(const Machine& m) {
                     DISPLAY(vke), DISPLAY(status), DISPLAY(orBit), DISPLAY(os), DISPLAY(ov),
                     DISPLAY(anz0), DISPLAY(anz1), none},
           .images = {0, bytesBetween(&m.inputs, &m.outputs), bytesBetween(&m.inputs, &m.flags)},
-          .data = {FIELD(data), FIELD(readable), FIELD(writable)},
-          .instance = {FIELD(cells), none, none}};
+          .data = {OPEN(data), OPEN(readable), OPEN(writable)},
+          .instance = {FIELD(cells), none, none},
+          .blocks = jit::Layout::Blocks{.open = FIELD(open),
+                                        .top = FIELD(top),
+                                        .first = FIELD(first),
+                                        .last = FIELD(last),
+                                        .sites = FIELD(sites),
+                                        .dataBlocks = FIELD(dataBlocks)}};
 }
 
 #undef DISPLAY
 #undef FIELD
+#undef OPEN
 
 // Data beyond the block can be read to the end of the segment (S5-DB-15), not written (OP-04).
-void takeData(Seat& seat, Machine& m) {
-  const sinumerik::OpenData& open = m.frame().data;
+jit::OpenBlock openBlock(Machine& m, const sinumerik::OpenData& data) {
+  jit::OpenBlock open{.note = {data.open ? 1u : 0u, data.number, data.start, data.length}};
   auto& memory = m.blocks.data();
-  seat.data = nullptr;
-  seat.readable = seat.writable = 0;
-  if (!open.open || std::uint64_t{open.start} + open.length > memory.size()) return;
-  seat.data = memory.data() + open.start;
-  seat.readable = static_cast<std::uint32_t>(2 * (memory.size() - open.start));
-  seat.writable = 2 * open.length;
+  if (!data.open || std::uint64_t{data.start} + data.length > memory.size()) return open;
+  open.data = memory.data() + data.start;
+  open.readable = static_cast<std::uint32_t>(2 * (memory.size() - data.start));
+  open.writable = 2 * data.length;
+  return open;
+}
+
+sinumerik::OpenData openData(const jit::OpenBlock& open) {
+  const auto& note = open.note;
+  return {note[Open] != 0, static_cast<std::uint16_t>(note[Number]), note[Start], note[Length]};
 }
 
 }  // namespace merker::cnc

@@ -31,6 +31,15 @@ class Builder {
   std::optional<std::uint32_t> number(Value value) const;
   bool isNumber(Value value, std::uint32_t wanted) const { return number(value) == wanted; }
 
+  // Registers and status bits as they are here, for an exit at which some of them differ.
+  struct Held {
+    Value value = kNoValue;
+    bool dirty = false;
+  };
+  using Registers = std::array<Held, kItems>;
+  const Registers& registers() const { return items_; }
+  void restore(const Registers& registers) { items_ = registers; }
+
   Value get(Item item);
   void set(Item item, Value value) { items_[index(item)] = {value, true}; }
   void set(Item item, bool value) { set(item, constant(value)); }
@@ -71,6 +80,11 @@ class Builder {
   // After all that the instruction sets.
   void branch(Value bit, bool wanted, std::uint32_t to);
   void leave(std::uint32_t to);
+  // The same into another block by the call of that number, and out of this one; without a
+  // condition the region ends there.
+  void callFrom(std::uint32_t site, std::uint32_t to, std::uint32_t front,
+                Value condition = kNoValue);
+  void returnFrom(std::uint32_t front, Value condition = kNoValue);
   // The state in front of this instruction, for a guard that follows behind what it sets.
   std::uint32_t front() { return exit(place_, true); }
   // The end of the region, unless the interpreter must do it.
@@ -85,10 +99,6 @@ class Builder {
   void setField(Field field, std::uint32_t number, Value value);
 
  private:
-  struct Held {
-    Value value = kNoValue;
-    bool dirty = false;
-  };
   struct Byte {
     Space space;
     std::uint32_t place;
@@ -109,6 +119,7 @@ class Builder {
   void storeNow(const Byte& byte);
   // In front of this instruction, or after all that were begun.
   std::uint32_t exit(std::uint32_t to, bool inFront = false);
+  void leaveBy(std::uint32_t exit, Value condition);
 
   void act(Opcode code, Value a, std::uint32_t number, std::uint32_t place = 0);
   void reopen(Space space);
@@ -120,7 +131,7 @@ class Builder {
   // Pure operations made a moment ago, by a hash of what they are.
   std::array<Value, 256> made_;
   std::vector<Value> guarded_;  // bits that are 1 from here on
-  std::array<Held, kItems> items_;
+  Registers items_;
   std::array<Value, 6> bases_{kNoValue, kNoValue, kNoValue, kNoValue, kNoValue, kNoValue};
   std::vector<Byte> bytes_;
   std::uint32_t place_ = 0, executed_ = 0;  // in front of this instruction

@@ -34,10 +34,12 @@ class Marker {
   }
   void markArguments(const Op& op) {
     mark(op.a), mark(op.b), mark(op.c);
-    if (op.code < Opcode::Guard) return;
-    const Exit& exit = region_.exits[op.number];
-    for (std::uint32_t i = 0; i < exit.states; ++i) mark(region_.states[exit.firstState + i].value);
-    for (std::uint32_t i = 0; i < exit.bytes; ++i) mark(region_.bytes[exit.firstByte + i].value);
+    for (const std::uint32_t number : ExitsOf(region_, op)) {
+      const Exit& exit = region_.exits[number];
+      for (std::uint32_t i = 0; i < exit.states; ++i)
+        mark(region_.states[exit.firstState + i].value);
+      for (std::uint32_t i = 0; i < exit.bytes; ++i) mark(region_.bytes[exit.firstByte + i].value);
+    }
   }
   Region& region_;
 };

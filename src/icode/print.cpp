@@ -17,6 +17,8 @@ std::string exitText(const Region& region, const Exit& exit) {
   std::string text =
       fmt::format(" -> {} after {} instructions, {} ns:", exit.to, exit.instructions, exit.cost);
   if (exit.swapped) text += " TDB";
+  if (exit.way == Way::Call) text += fmt::format(" call {}", exit.site);
+  if (exit.way == Way::Return) text += " return";
   for (std::uint32_t i = 0; i < exit.bytes; ++i) {
     const ByteWrite& write = region.bytes[exit.firstByte + i];
     text += fmt::format(" {}B{}=%{}", name(write.space), write.place, write.value);

@@ -3,6 +3,7 @@
 // the registers of the CPU before an exit, which says what stands where by then.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -118,6 +119,9 @@ struct ByteWrite {
   Value value;
 };
 
+// Where an exit leads: on in the block, into another one, which comes back to `to`, or out of it.
+enum class Way : std::uint8_t { On, Call, Return };
+
 struct Exit {
   std::uint32_t to = 0;            // instruction of the block with which it goes on
   std::uint32_t instructions = 0;  // executed so far
@@ -125,6 +129,9 @@ struct Exit {
   std::uint32_t firstState = 0, states = 0;
   std::uint32_t firstByte = 0, bytes = 0;
   bool swapped = false;  // DB and DI register are still to be exchanged
+  Way way = Way::On;
+  std::uint32_t site = 0;   // of the call
+  std::uint32_t front = 0;  // exit instead of it, if the block stack does not allow that way
 };
 
 // UC or CC with what stands behind it.
@@ -156,6 +163,24 @@ struct Region {
   std::vector<StateWrite> states;
   std::vector<ByteWrite> bytes;
   std::vector<CallSite> calls;
+};
+
+// What `op` may leave the region by; nothing if it is no way out.
+class ExitsOf {
+ public:
+  ExitsOf(const Region& region, const Op& op) {
+    if (op.code < Opcode::Guard) return;
+    exits_[count_++] = op.number;
+    if (op.number >= region.exits.size()) return;
+    const Exit& exit = region.exits[op.number];
+    if (exit.way != Way::On) exits_[count_++] = exit.front;
+  }
+  const std::uint32_t* begin() const { return exits_.data(); }
+  const std::uint32_t* end() const { return exits_.data() + count_; }
+
+ private:
+  std::array<std::uint32_t, 2> exits_{};
+  std::size_t count_ = 0;
 };
 
 // Drops what nobody reads: dead flags, dead accumulators.

@@ -18,8 +18,7 @@ bool isEnd(Opcode code) {
   return code == Opcode::Leave || code == Opcode::Call || code == Opcode::Return;
 }
 
-std::string wrongExit(const Region& region, std::size_t at) {
-  const std::uint32_t number = region.ops[at].number;
+std::string wrongExit(const Region& region, std::size_t at, std::uint32_t number) {
   if (number >= region.exits.size()) return fmt::format("{}: no exit {}", at, number);
   const Exit& exit = region.exits[number];
   if (exit.firstState + exit.states > region.states.size() ||
@@ -46,9 +45,10 @@ std::string verify(const Region& region) {
       std::string wrong = wrongArgument(region, i, arguments[k], k < count);
       if (!wrong.empty()) return wrong;
     }
-    if (op.code < Opcode::Guard) continue;
-    std::string wrong = wrongExit(region, i);
-    if (!wrong.empty()) return wrong;
+    for (const std::uint32_t number : ExitsOf(region, op)) {
+      std::string wrong = wrongExit(region, i, number);
+      if (!wrong.empty()) return wrong;
+    }
   }
   return {};
 }

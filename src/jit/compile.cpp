@@ -35,7 +35,6 @@ void writeEpilogue(host::Assembler& code, const Layout& layout, const Instructio
 // The straight ways of all regions one behind the other, then what is rarely taken. False: a region
 // did not fit.
 bool writeRegions(Unit& unit, std::span<const icode::Region> regions) {
-  for (const icode::Region& region : regions) unit.regions[region.first] = unit.code.newLabel();
   std::deque<RegionCode> written;
   for (std::size_t i = 0; i < regions.size(); ++i) {
     const std::uint32_t next = i + 1 < regions.size() ? regions[i + 1].first : UINT32_MAX;
@@ -62,14 +61,14 @@ std::unique_ptr<NativeCode> load(asmjit::CodeHolder& code, const asmjit::Label& 
                  code.labelOffset(begins ? unit.regions[i] : unit.epilogue);
   }
   return std::make_unique<NativeCode>(std::move(memory), size, code.labelOffset(enter),
-                                      std::move(entries));
+                                      code.labelOffset(unit.entrance), std::move(entries));
 }
 
 // `model`: of a cpu::Machine, whose blocks call each other.
 std::unique_ptr<NativeCode> write(std::span<const icode::Region> regions, std::size_t instructions,
                                   const Instructions& answers, const Layout& layout,
                                   const CpuModel* model, const Options& options) {
-  if (regions.empty()) return nullptr;
+  if (regions.empty() && instructions != 0) return nullptr;
   asmjit::CodeHolder holder;
   holder.init(asmjit::Environment::host());
   host::Assembler code(&holder);
@@ -81,6 +80,9 @@ std::unique_ptr<NativeCode> write(std::span<const icode::Region> regions, std::s
   code.bind(unit.epilogue);
   writeEpilogue(code, layout, answers);
   if (model != nullptr) writeBlockChanges(unit);
+  for (const icode::Region& region : regions) unit.regions[region.first] = code.newLabel();
+  code.bind(unit.entrance);
+  if (layout.blocks) writeEntrance(unit);
   if (!writeRegions(unit, regions)) return nullptr;
   return load(holder, enter, unit);
 }

@@ -77,6 +77,14 @@ void RegionCode::ToWord(const Op& op) {
   if (!isClean(op.a)) code_.and_(to, 1);
 }
 
+bool RegionCode::isRead(const icode::Exit& exit, icode::Value value) const {
+  for (std::uint32_t i = 0; i < exit.states; ++i)
+    if (region_.states[exit.firstState + i].value == value) return true;
+  for (std::uint32_t i = 0; i < exit.bytes; ++i)
+    if (region_.bytes[exit.firstByte + i].value == value) return true;
+  return false;
+}
+
 // A comparison directly in front of the only jump that needs it stays in the flags.
 bool RegionCode::isForJump() const {
   icode::Value next = current_ + 1;
@@ -88,11 +96,8 @@ bool RegionCode::isForJump() const {
   if (op.code < icode::Opcode::Guard || op.code > icode::Opcode::BranchUnless || op.a != current_ ||
       !places_.isOnlyFor(next) || unit_.options.broken == region_.ops[current_].code)
     return false;
-  const icode::Exit& exit = region_.exits[op.number];
-  for (std::uint32_t i = 0; i < exit.states; ++i)
-    if (region_.states[exit.firstState + i].value == current_) return false;
-  for (std::uint32_t i = 0; i < exit.bytes; ++i)
-    if (region_.bytes[exit.firstByte + i].value == current_) return false;
+  for (const std::uint32_t number : icode::ExitsOf(region_, op))
+    if (isRead(region_.exits[number], current_)) return false;
   return true;
 }
 

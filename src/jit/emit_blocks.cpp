@@ -54,6 +54,7 @@ void RegionCode::loadBlock(const Op& op, const asmjit::Label& out) {
 
 // A missing block has length 0 and number 0.
 void RegionCode::Open(const Op& op) {
+  if (unit_.layout.blocks) return openLinked(op);
   const auto wanted = icode::Opening::of(op.place);
   const int block = op.space == icode::Space::Instance ? offset::kDi : offset::kDb;
   const asmjit::Label out = wayOut(op);

@@ -98,7 +98,8 @@ void RegionCode::wayOut(const Op& op, CondCode condition) {
 asmjit::Label RegionCode::wayOut(const Op& op) {
   const asmjit::Label label = code_.newLabel();
   const Exit& exit = region_.exits[op.number];
-  waysOut_.push_back({label, op.number, spotsOfStates(exit), spotsOfBytes(exit), zero_});
+  const asmjit::Label front = frontOf(exit);
+  waysOut_.push_back({label, op.number, spotsOfStates(exit), spotsOfBytes(exit), zero_, front});
   zero_ = {};
   return label;
 }
@@ -109,9 +110,10 @@ void RegionCode::BranchUnless(const Op& op) { wayOut(op, CondCode::kZ); }
 
 void RegionCode::Leave(const Op& op) {
   const Exit& exit = region_.exits[op.number];
+  checkStack(exit, frontOf(exit));
   writeState(exit, spotsOfStates(exit), spotsOfBytes(exit));
   charge(exit);
-  goTo(exit.to, next_);
+  goOn(exit, next_);
 }
 
 void RegionCode::charge(const Exit& exit) {
@@ -217,6 +219,7 @@ void RegionCode::writeWaysOut() {
       code_.je(way.zero);
     }
     const Exit& exit = region_.exits[way.exit];
+    checkStack(exit, way.front);
     writeState(exit, way.states, way.bytes);
     charge(exit);
     // A guard leaves its own instruction to the interpreter, even where a region begins with it.
@@ -225,7 +228,7 @@ void RegionCode::writeWaysOut() {
       code_.mov(host::eax, exit.to);
       code_.jmp(unit_.epilogue);
     } else {
-      goTo(exit.to, UINT32_MAX);
+      goOn(exit, UINT32_MAX);
     }
   }
   code_.bind(tooNear_);

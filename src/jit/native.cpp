@@ -7,17 +7,17 @@ namespace {
 using Enter = const void* (*)(void* state, const void* entry, const void* timers,
                               const void* counters);
 
-Enter entrance(const void* code) {
+Enter asFunction(const void* code) {
   return reinterpret_cast<Enter>(reinterpret_cast<std::uintptr_t>(code));
 }
 
 }  // namespace
 
 const void* NativeCode::run(cpu::Machine& m, std::size_t instruction) const {
-  return entrance(at(enter_))(&m, entries_[instruction], m.timers.data(), m.counters.data());
+  return asFunction(at(enter_))(&m, entries_[instruction], m.timers.data(), m.counters.data());
 }
 const void* NativeCode::run(void* state, std::size_t instruction) const {
-  return entrance(at(enter_))(state, entries_[instruction], nullptr, nullptr);
+  return asFunction(at(enter_))(state, entries_[instruction], nullptr, nullptr);
 }
 
 bool available() { return true; }

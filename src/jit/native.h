@@ -12,6 +12,7 @@
 #include "catalogue/cpu_model.h"
 #include "cpu/machine.h"
 #include "icode/region.h"
+#include "jit/blocks.h"
 #include "jit/code_memory.h"
 
 namespace merker::jit {
@@ -33,6 +34,15 @@ struct Layout {
   std::array<int, icode::kItems> items{};
   std::array<std::uint32_t, 3> images{};  // inputs, outputs, flags: bytes behind `image`
   Open data, instance;
+  // Blocks that call each other (blocks.h).
+  struct Blocks {
+    int open = 0;             // OpenBlock; `data` above names what is in it
+    int top = 0;              // address of the Frame that runs
+    int first = 0, last = 0;  // of the outermost, and of the innermost that there may be
+    int sites = 0;            // address of the Sites, by number
+    int dataBlocks = 0;       // address of OpenBlocks, by number
+  };
+  std::optional<Blocks> blocks{};
 };
 Layout layoutOf(const CpuModel& model);  // of cpu::Machine
 
@@ -47,12 +57,19 @@ struct Options {
 
 class NativeCode {
  public:
-  NativeCode(CodeMemory::Piece memory, std::size_t size, std::size_t enter,
+  NativeCode(CodeMemory::Piece memory, std::size_t size, std::size_t enter, std::size_t entrance,
              std::vector<const void*> entries)
-      : memory_(std::move(memory)), size_(size), enter_(enter), entries_(std::move(entries)) {}
+      : memory_(std::move(memory)),
+        size_(size),
+        enter_(enter),
+        entrance_(entrance),
+        entries_(std::move(entries)) {}
 
-  // Where other blocks enter, by instruction: a region, or the way back to the interpreter.
+  // Where other blocks enter, by instruction: a region, or the way back to the interpreter, which
+  // stands behind the last instruction, too.
   const void* const* entries() const { return entries_.data(); }
+  // Where calls enter it that come from a Site.
+  const void* entrance() const { return at(entrance_); }
   // From an instruction that begins a region on: returns in front of the instruction that is to be
   // done next. That is the same one if the horizon is too near or the region needs what is not
   // there. Clock and count of instructions are exact.
@@ -66,7 +83,7 @@ class NativeCode {
     return static_cast<const std::uint8_t*>(memory_.data()) + offset;
   }
   CodeMemory::Piece memory_;
-  std::size_t size_, enter_;
+  std::size_t size_, enter_, entrance_;
   std::vector<const void*> entries_;
 };
 
@@ -77,7 +94,8 @@ std::unique_ptr<NativeCode> compile(std::span<const icode::Region> regions,
                                     std::size_t instructions, const Instructions& answers,
                                     const CpuModel& model, const Options& options = {});
 // For a state that is no cpu::Machine: registers, status bits, images and data blocks as `layout`
-// says; regions with operations on more than that are not for it.
+// says; regions with operations on more than that are not for it. With no instructions at all: the
+// ways in and out of a block that has no compiled code.
 std::unique_ptr<NativeCode> compile(std::span<const icode::Region> regions,
                                     std::size_t instructions, const Instructions& answers,
                                     const Layout& layout, const Options& options = {});

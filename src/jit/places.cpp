@@ -35,11 +35,12 @@ void Places::planUses(const icode::Region& region) {
     if (op.code == icode::Opcode::Constant) spots_[i] = {Spot::Kind::Constant, op.number};
     if (!op.needed) continue;
     if (!op.late) use(op.a, i), use(op.b, i), use(op.c, i);
-    if (op.code < icode::Opcode::Guard) continue;
-    const icode::Exit& exit = region.exits[op.number];
-    for (std::uint32_t k = 0; k < exit.states; ++k)
-      use(region.states[exit.firstState + k].value, i);
-    for (std::uint32_t k = 0; k < exit.bytes; ++k) use(region.bytes[exit.firstByte + k].value, i);
+    for (const std::uint32_t number : icode::ExitsOf(region, op)) {
+      const icode::Exit& exit = region.exits[number];
+      for (std::uint32_t k = 0; k < exit.states; ++k)
+        use(region.states[exit.firstState + k].value, i);
+      for (std::uint32_t k = 0; k < exit.bytes; ++k) use(region.bytes[exit.firstByte + k].value, i);
+    }
   }
 }
 

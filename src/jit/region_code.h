@@ -24,7 +24,8 @@ struct Unit {
   asmjit::Label enterBlock = code.newLabel(), enterWithout = code.newLabel(),
                 leaveBlock = code.newLabel(), canCallFunction = code.newLabel(),
                 canCallFunctionBlock = code.newLabel();
-  std::vector<asmjit::Label> regions{};  // by instruction; not valid where none begins
+  asmjit::Label entrance = code.newLabel();  // emit_links.cpp
+  std::vector<asmjit::Label> regions{};      // by instruction; not valid where none begins
 };
 
 // Of a data block register; xmm0 and rcx are lost.
@@ -34,6 +35,9 @@ void swapBlocks(host::Assembler& code);  // rax, too
 
 // What calls and returns of a block have in common.
 void writeBlockChanges(const Unit& unit);
+
+// How a call comes into a block (blocks.h): rax: its Site.
+void writeEntrance(const Unit& unit);
 
 class RegionCode {
  public:
@@ -54,7 +58,8 @@ class RegionCode {
     std::uint32_t exit;
     std::vector<StateSpot> states;
     std::vector<Spot> bytes;
-    asmjit::Label zero{};  // where 0 in eax goes on after all (Ordinary)
+    asmjit::Label zero{};   // where 0 in eax goes on after all (Ordinary)
+    asmjit::Label front{};  // way out instead of it, if the block stack does not allow it
   };
   using Emit = void (RegionCode::*)(const icode::Op&);
   static Emit emitter(icode::Opcode code);
@@ -93,6 +98,11 @@ class RegionCode {
   void writeByte(const icode::ByteWrite& write, const Spot& spot);
   void charge(const icode::Exit& exit);
   void goTo(std::uint32_t instruction, std::uint32_t next);
+  asmjit::Label frontOf(const icode::Exit& exit);
+  void checkStack(const icode::Exit& exit, const asmjit::Label& front);
+  void goOn(const icode::Exit& exit, std::uint32_t next);
+  void openLinked(const icode::Op& op);
+  bool isRead(const icode::Exit& exit, icode::Value value) const;
   std::vector<StateSpot> spotsOfStates(const icode::Exit& exit) const;
   std::vector<Spot> spotsOfBytes(const icode::Exit& exit) const;
   bool isClean(icode::Value bit) const { return clean_[bit]; }

@@ -1,5 +1,4 @@
-// Jumps (9.4.11), calls and block ends that are not taken (9.3.6). The instruction at a label
-// begins a new chain (S5-JUMP-07).
+// Jumps (9.4.11). The instruction at a label begins a new chain (S5-JUMP-07).
 #include "translate5/lowering.h"
 
 namespace merker::translate5 {
@@ -54,18 +53,6 @@ bool conditional(Lowering& l) {
   return to && jumpWhen(l, Condition(l), *to);
 }
 
-// SPB PB, BEB: a condition that is not met leaves VKE = 1 (S5-BLK-16, OP-50). Into another block
-// leads another way.
-bool notTaken(Lowering& l) {
-  if (!l.mayLeave()) return false;
-  l.leaves = true;  // the block that is called comes back behind it
-  l.to.guard(l.to.notBit(l.to.get(Item::Rlo)));
-  l.to.cost(static_cast<std::uint64_t>(l.times().shortest.ns));
-  l.to.set(Item::Rlo, true);
-  endChain(l);
-  return true;
-}
-
 Value anz(Lowering& l, bool high) { return l.to.get(high ? Item::Cc1 : Item::Cc0); }
 Value zero(Lowering& l) { return l.to.notBit(l.to.orBit(anz(l, true), anz(l, false))); }
 Value notZero(Lowering& l) { return l.to.xorBit(anz(l, true), anz(l, false)); }
@@ -80,8 +67,6 @@ Value stored(Lowering& l) {
 
 constexpr Row kRows[] = {{Operation::JUMP, always},
                          {Operation::JUMP_IF, ifVke},
-                         {Operation::CALL_IF, notTaken},
-                         {Operation::END_IF, notTaken},
                          {Operation::JUMP_ZERO, conditional<zero>},
                          {Operation::JUMP_NOT_ZERO, conditional<notZero>},
                          {Operation::JUMP_PLUS, conditional<plus>},

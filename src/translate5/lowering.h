@@ -26,6 +26,7 @@ struct Lowering {
   std::vector<Bracket>& brackets;
   const mc5::Decoded* next = nullptr;  // the instruction behind this one
   mc5::Times extra;                    // of the formal operand
+  const Sites* sites = nullptr;
   bool ended = false;   // the way on leads elsewhere: nothing may follow in this region
   unsigned words = 0;   // of what was translated, if it is more than this instruction
   bool leaves = false;  // often left to the processor: behind it the next region must begin
@@ -34,6 +35,12 @@ struct Lowering {
   mc5::Times times() const {
     const mc5::Times own = mc5::times(*decoded.encoding, target.variant);
     return {own.shortest + extra.shortest, own.longest + extra.longest};
+  }
+  // Of the call, if it leads into another block here.
+  std::optional<std::uint32_t> site() const {
+    if (sites == nullptr || !mayLeave()) return std::nullopt;
+    const auto found = sites->find(place);
+    return found == sites->end() ? std::nullopt : std::optional(found->second);
   }
   bool mayLeave() const { return brackets.empty(); }  // inside brackets there is no way out
 };
@@ -50,6 +57,7 @@ std::span<const Row> moveRows();
 std::span<const Row> numberRows();
 std::span<const Row> jumpRows();
 std::span<const Row> cellRows();
+std::span<const Row> linkRows();
 std::span<const Row> processingRows();
 
 // Operands in memory, nothing if this one is not translated. A place is the byte with the bit.

@@ -23,7 +23,7 @@ using Table = std::array<Lower, 256>;
 Table makeTable() {
   Table table{};
   for (const auto rows :
-       {bitRows(), moveRows(), numberRows(), jumpRows(), cellRows(), processingRows()})
+       {bitRows(), moveRows(), numberRows(), jumpRows(), cellRows(), linkRows(), processingRows()})
     for (const Row& row : rows) table[static_cast<std::size_t>(row.operation)] = row.lower;
   return table;
 }
@@ -103,8 +103,8 @@ class Listing {
 class Blockwise {
  public:
   Blockwise(std::span<const std::uint16_t> code, const Target& target,
-            const std::vector<bool>& apart, const Substitutes& substitutes)
-      : listing_(code, target, substitutes), target_(target), apart_(apart) {}
+            const std::vector<bool>& apart, const Substitutes& substitutes, const Sites* sites)
+      : listing_(code, target, substitutes), target_(target), apart_(apart), sites_(sites) {}
 
   std::vector<icode::Region> run() {
     for (std::uint32_t at = 0; at < listing_.length();) at = region(at);
@@ -145,7 +145,8 @@ class Blockwise {
                listing_.length(),
                draft.brackets,
                processed(at + decoded.words),
-               listing_.extra(at)};
+               listing_.extra(at),
+               sites_};
     draft.builder.begin(at, static_cast<std::uint64_t>(l.times().longest.ns));
     const bool done = lower(l);
     if (!done) draft.builder.cancel();
@@ -183,15 +184,16 @@ class Blockwise {
   Listing listing_;
   const Target& target_;
   const std::vector<bool>& apart_;
+  const Sites* sites_;
   std::vector<icode::Region> regions_;
 };
 
 }  // namespace
 
 std::vector<icode::Region> translate(std::span<const std::uint16_t> code, const Target& target,
-                                     const std::vector<bool>& apart,
-                                     const Substitutes& substitutes) {
-  return Blockwise(code, target, apart, substitutes).run();
+                                     const std::vector<bool>& apart, const Substitutes& substitutes,
+                                     const Sites* sites) {
+  return Blockwise(code, target, apart, substitutes, sites).run();
 }
 
 }  // namespace merker::translate5

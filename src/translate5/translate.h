@@ -27,11 +27,17 @@ struct Substitute {
 };
 using Substitutes = std::map<std::uint32_t, Substitute>;  // by word
 
+// Calls that lead into other blocks without the processor: number of the site (jit/blocks.h) by the
+// word of the call.
+using Sites = std::map<std::uint32_t, std::uint32_t>;
+
 // Data words are in Space::Data, their low byte first. Registers: VKE is Rlo, ERAB is Er, ANZ1 and
 // ANZ0 are Cc1 and Cc0. Instructions are numbered by their word in the block. `apart`: by word,
-// those that stay with the processor; empty: none.
+// those that stay with the processor; empty: none. Without `sites` no
+// way leads out of the block: calls, block ends, A DB are the processor's.
 std::vector<icode::Region> translate(std::span<const std::uint16_t> code, const Target& target,
                                      const std::vector<bool>& apart = {},
-                                     const Substitutes& substitutes = {});
+                                     const Substitutes& substitutes = {},
+                                     const Sites* sites = nullptr);
 
 }  // namespace merker::translate5

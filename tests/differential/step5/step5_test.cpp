@@ -89,16 +89,18 @@ TEST_F(Step5Differential, RandomPrograms) {
 
 // What compiled STEP 5 uses of the intermediate code; but for SwapBytes, of which the lowest bit,
 // the one that is broken, is cut off, and Limit: no number of a word leads to the end of segment 6.
+// CanCall and CanReturn are the looks at the block stack in front of an exit that calls or returns.
 constexpr Opcode kUsed[] = {
-    Opcode::Get,       Opcode::Base,       Opcode::Load8,   Opcode::Load16,   Opcode::Load32,
-    Opcode::Store8,    Opcode::Store16,    Opcode::Store32, Opcode::BitOf,    Opcode::Insert,
-    Opcode::SetWhere,  Opcode::ClearWhere, Opcode::AndBit,  Opcode::OrBit,    Opcode::XorBit,
-    Opcode::NotBit,    Opcode::ToWord,     Opcode::Equal,   Opcode::NotEqual, Opcode::Less,
-    Opcode::LessEqual, Opcode::Below,      Opcode::Add,     Opcode::Sub,      Opcode::Mul,
-    Opcode::And,       Opcode::Or,         Opcode::Xor,     Opcode::Div,      Opcode::Mod,
-    Opcode::Neg,       Opcode::Not,        Opcode::Shl,     Opcode::Shr,      Opcode::Sar,
-    Opcode::Sext16,    Opcode::Zext16,     Opcode::Zext8,   Opcode::LowFrom,  Opcode::ByteFrom,
-    Opcode::Guard,     Opcode::BranchIf,   Opcode::Leave,   Opcode::Index,    Opcode::WriteLimit};
+    Opcode::Get,       Opcode::Base,       Opcode::Load8,    Opcode::Load16,   Opcode::Load32,
+    Opcode::Store8,    Opcode::Store16,    Opcode::Store32,  Opcode::BitOf,    Opcode::Insert,
+    Opcode::SetWhere,  Opcode::ClearWhere, Opcode::AndBit,   Opcode::OrBit,    Opcode::XorBit,
+    Opcode::NotBit,    Opcode::ToWord,     Opcode::Equal,    Opcode::NotEqual, Opcode::Less,
+    Opcode::LessEqual, Opcode::Below,      Opcode::Add,      Opcode::Sub,      Opcode::Mul,
+    Opcode::And,       Opcode::Or,         Opcode::Xor,      Opcode::Div,      Opcode::Mod,
+    Opcode::Neg,       Opcode::Not,        Opcode::Shl,      Opcode::Shr,      Opcode::Sar,
+    Opcode::Sext16,    Opcode::Zext16,     Opcode::Zext8,    Opcode::LowFrom,  Opcode::ByteFrom,
+    Opcode::Guard,     Opcode::BranchIf,   Opcode::Leave,    Opcode::Index,    Opcode::WriteLimit,
+    Opcode::Open,      Opcode::CanCall,    Opcode::CanReturn};
 constexpr int kNothingFound = 0, kFound = 1;
 
 [[noreturn]] void search(Opcode broken) {
