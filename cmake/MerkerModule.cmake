@@ -1,8 +1,9 @@
 # One module of src/ is one static library; its headers are included as "<module>/<file>.h".
-#   merker_module(<name> SOURCES <files...> USES <modules or packages...>)
+#   merker_module(<name> SOURCES <files...> USES <modules or packages...> [APART <files...>] [SINGLE])
+# APART and SINGLE: see merker_together.
 # The include rule (which module may see which) is checked by tests/architecture, not here.
 function(merker_module name)
-  cmake_parse_arguments(M "" "" "SOURCES;USES" ${ARGN})
+  cmake_parse_arguments(M "SINGLE" "" "SOURCES;USES;APART" ${ARGN})
   if(M_SOURCES)
     add_library(merker_${name} STATIC ${M_SOURCES})
     set(scope PUBLIC)
@@ -20,7 +21,20 @@ function(merker_module name)
   endforeach()
   if(M_SOURCES)
     merker_warnings(merker_${name})
+    if(M_SINGLE)
+      set_target_properties(merker_${name} PROPERTIES UNITY_BUILD OFF)
+    elseif(CMAKE_UNITY_BUILD)
+      merker_together(merker_${name} ${M_APART})
+    endif()
   endif()
+endfunction()
+
+# Ten files in one go compile in the time of two: merker_together(<target> <files that stand apart...>), because a helper
+# in them has the name of a helper in another file of the target; SINGLE modules have too many of these. The release
+# build compiles each file of src/ by itself, so that each includes what it needs.
+function(merker_together target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 10)
+  set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
 function(merker_warnings target)

@@ -14,7 +14,7 @@
 namespace merker::app {
 namespace {
 
-struct Options {
+struct AssembleOptions {
   std::string file, mnemonics;
   bool mc5 = false, mc7 = false;
 };
@@ -58,7 +58,7 @@ std::optional<std::string> illegalWords(std::string_view line) {
 
 using Setting = std::optional<Mnemonics>;
 
-Setting setting(const Options& options) {
+Setting setting(const AssembleOptions& options) {
   if (options.mnemonics.empty()) return std::nullopt;
   return options.mnemonics == "en" ? Mnemonics::International : Mnemonics::German;
 }
@@ -83,8 +83,8 @@ Result<std::string> mc5Words(std::string_view line, const Position& at) {
   return text;
 }
 
-void assembleLine(const source::SourceFile& file, std::uint32_t number, const Options& options,
-                  Problems& problems) {
+void assembleLine(const source::SourceFile& file, std::uint32_t number,
+                  const AssembleOptions& options, Problems& problems) {
   const std::string_view whole = withoutComment(file.line(number));
   if (const auto code = illegalWords(whole)) {
     std::cout << *code << '\n';
@@ -101,7 +101,7 @@ void assembleLine(const source::SourceFile& file, std::uint32_t number, const Op
     problems.add(code.error());
 }
 
-int assembleText(const source::SourceFile& file, const Options& options) {
+int assembleText(const source::SourceFile& file, const AssembleOptions& options) {
   Problems problems;
   for (std::uint32_t line = 1; line <= file.lineCount(); ++line)
     assembleLine(file, line, options, problems);
@@ -110,7 +110,7 @@ int assembleText(const source::SourceFile& file, const Options& options) {
   return problems.hasErrors() ? kProblems : kGood;
 }
 
-int assemble(const Options& options) {
+int assemble(const AssembleOptions& options) {
   if (!options.mc5 && !options.mc7) {
     std::cerr << "merker assemble: which machine code? Use --mc5 or --mc7\n";
     return kUsage;
@@ -130,7 +130,7 @@ int assemble(const Options& options) {
 void addAssemble(CLI::App& program, int& result) {
   auto* command = program.add_subcommand(
       "assemble", "instructions, one a line, to machine code in hexadecimal words");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<AssembleOptions>();
   auto* mc7 = command->add_flag("--mc7", options->mc7, "machine code of STEP 7");
   command->add_flag("--mc5", options->mc5, "machine code of STEP 5")->excludes(mc7);
   command->add_option("FILE", options->file, "text file; without it, standard input");

@@ -21,7 +21,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-struct Options {
+struct BenchOptions {
   std::string path, cpu, time = "1s", engine = "interpreter";
   bool json = false;
 };
@@ -92,7 +92,7 @@ int stopped(const std::string& why) {
 }
 
 // What the figures do not say.
-void note(const Measurement& m, const Options& options, const controller::Controller& plc) {
+void note(const Measurement& m, const BenchOptions& options, const controller::Controller& plc) {
   const auto* station = dynamic_cast<const station::Station*>(&plc);
   if (options.engine == "jit" && station != nullptr && station->compiledBytes() == 0)
     std::cerr << "merker bench: this system allows no machine code: the interpreter ran\n";
@@ -104,7 +104,7 @@ void note(const Measurement& m, const Options& options, const controller::Contro
     std::cerr << "merker bench: OB 1 has not ended once in this time\n";
 }
 
-int bench(const Options& options, controller::Controller& plc, double seconds) {
+int bench(const BenchOptions& options, controller::Controller& plc, double seconds) {
   Measurement result;
   if (const auto problem = translate(options.engine, plc, result)) {
     std::cerr << "merker bench: " << *problem << '\n';
@@ -123,7 +123,7 @@ bool lacksOb1(const Build& built) {
   return built.isListing() && !built.listings.contains({mc5::BlockType::Ob, 1});
 }
 
-int bench(const Options& options) {
+int bench(const BenchOptions& options) {
   const auto time = simulator::parseDuration(options.time);
   if (!time) {
     std::cerr << "merker bench: --for: '" << options.time << "' is no length of time\n";
@@ -145,7 +145,7 @@ int bench(const Options& options) {
 
 void addBench(CLI::App& program, int& result) {
   auto* command = program.add_subcommand("bench", "run OB 1 back to back and measure the speed");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<BenchOptions>();
   command->add_option("PATH", options->path, "project folder or source")->required();
   command->add_option("--for", options->time, "real time to measure: 250ms, 1s");
   addEngine(*command, options->engine);

@@ -12,7 +12,7 @@
 namespace merker::app {
 namespace {
 
-struct Options {
+struct CheckOptions {
   std::vector<std::string> paths;
   std::string cpu;
   bool json = false;
@@ -32,7 +32,7 @@ void summary(const Build& build) {
             << counted(errors, "error") << ", " << counted(warnings, "warning") << '\n';
 }
 
-int check(const Options& options) {
+int check(const CheckOptions& options) {
   int result = kGood;
   Problems problems;
   for (const std::string& path : options.paths) {
@@ -52,7 +52,7 @@ int check(const Options& options) {
 void addCheck(CLI::App& program, int& result) {
   auto* command =
       program.add_subcommand("check", "compile and link, print all problems, run nothing");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CheckOptions>();
   command->add_option("PATH", options->paths, "project folders or sources")->required();
   addCpu(*command, options->cpu);
   command->add_flag("--json", options->json, "problems as JSON on standard output, too");

@@ -30,7 +30,7 @@ class InterruptKey {
   struct sigaction before_ = {};
 };
 
-struct Options {
+struct DebugOptions {
   std::string path, cpu;
   std::vector<std::string> commands;
 };
@@ -44,7 +44,7 @@ std::optional<std::string> nextLine(LineEditor& editor) {
   return line;
 }
 
-int prompt(const Options& options, const Build& built) {
+int prompt(const DebugOptions& options, const Build& built) {
   const InterruptKey key;
   DebugSession session(built, std::cout, [] { return pressed != 0; });
   LineEditor editor(DebugSession::words());
@@ -58,7 +58,7 @@ int prompt(const Options& options, const Build& built) {
   return session.failed() && !editor.onTerminal() ? kProblems : kGood;
 }
 
-int debug(const Options& options) {
+int debug(const DebugOptions& options) {
   Build built = build(project::load(options.path, options.cpu), false);
   if (built.isListing() && built.ok()) return refuseListing("debug");
   requireOb1(built);
@@ -72,7 +72,7 @@ int debug(const Options& options) {
 void addDebug(CLI::App& program, int& result) {
   auto* command = program.add_subcommand(
       "debug", "breakpoints, single step, program status: a prompt over the running program");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<DebugOptions>();
   command->add_option("PATH", options->path, "project folder or source")->required();
   command->add_option("--cpu", options->cpu, "CPU model instead of the project's");
   command->add_option("-x,--execute", options->commands, "a command to begin with; several times")

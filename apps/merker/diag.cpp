@@ -14,7 +14,7 @@
 namespace merker::app {
 namespace {
 
-struct Options {
+struct DiagOptions {
   std::string path, cpu, time = "10s";
   bool json = false;
   std::vector<std::string> set;
@@ -40,7 +40,8 @@ void printJson(monitor::Monitor& monitor) {
 }
 
 // Starts, sets and runs. A start that is refused stands in the diagnostic buffer.
-int runFor(const Options& options, const Build& built, Duration time, controller::Controller& plc) {
+int runFor(const DiagOptions& options, const Build& built, Duration time,
+           controller::Controller& plc) {
   std::vector<simulator::Assignment> assignments;
   const int wrong = readAssignments("--set", options.set, built.resolver(), assignments);
   if (wrong != kGood) return wrong;
@@ -56,7 +57,7 @@ int runFor(const Options& options, const Build& built, Duration time, controller
   return kGood;
 }
 
-int showControl(const Options& options, const Build& built, Duration time) {
+int showControl(const DiagOptions& options, const Build& built, Duration time) {
   const auto plc = built.controller();
   if (const int wrong = runFor(options, built, time, *plc); wrong != kGood) return wrong;
   auto& control = dynamic_cast<cnc::Cnc&>(*plc);
@@ -67,7 +68,7 @@ int showControl(const Options& options, const Build& built, Duration time) {
   return control.stoppedByFault() ? kFault : kGood;
 }
 
-int show(const Options& options, const Build& built, Duration time) {
+int show(const DiagOptions& options, const Build& built, Duration time) {
   station::Station station = built.station();
   monitor::Monitor monitor(station, built.project.symbols, built.resolver());
   if (const int wrong = runFor(options, built, time, station); wrong != kGood) return wrong;
@@ -75,7 +76,7 @@ int show(const Options& options, const Build& built, Duration time) {
   return station.stoppedByFault() ? kFault : kGood;
 }
 
-int diag(const Options& options) {
+int diag(const DiagOptions& options) {
   const auto time = simulator::parseDuration(options.time);
   if (!time) {
     std::cerr << "merker diag: --for: '" << options.time
@@ -93,7 +94,7 @@ int diag(const Options& options) {
 void addDiag(CLI::App& program, int& result) {
   auto* command = program.add_subcommand(
       "diag", "run in virtual time, then show state, diagnostic buffer and stacks of the CPU");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<DiagOptions>();
   command->add_option("PATH", options->path, "project folder or source")->required();
   command->add_option("--for", options->time, "run this long: 250ms, 7.5s, 2m (default 10s)");
   command->add_option("--set", options->set, "before the start: \"E 0.0=1, MW 10=W#16#0005\"")

@@ -12,7 +12,7 @@
 namespace merker::app {
 namespace {
 
-struct Options {
+struct DisassembleOptions {
   std::string file, mnemonics = "de";
   bool mc5 = false, mc7 = false;
 };
@@ -56,7 +56,7 @@ void showMc5(const Bytes& bytes) {
   for (const mc5::Line& line : mc5::disassemble(words)) std::cout << mc5::toString(line) << '\n';
 }
 
-int show(const Bytes& bytes, const Options& options) {
+int show(const Bytes& bytes, const DisassembleOptions& options) {
   if (options.mc5) {
     showMc5(bytes);
     return kGood;
@@ -67,7 +67,7 @@ int show(const Bytes& bytes, const Options& options) {
   return kGood;
 }
 
-int disassembleFile(const Options& options) {
+int disassembleFile(const DisassembleOptions& options) {
   const auto content = readBytes(options.file);
   if (content) return show(Bytes(content.value().begin(), content.value().end()), options);
   Problems problems;
@@ -76,7 +76,7 @@ int disassembleFile(const Options& options) {
   return kUnreadable;
 }
 
-int disassembleInput(const Options& options) {
+int disassembleInput(const DisassembleOptions& options) {
   const source::SourceFile file("standard input", readStandardInput());
   Problems problems;
   const Bytes bytes = parseHex(file, problems);
@@ -84,7 +84,7 @@ int disassembleInput(const Options& options) {
   return problems.empty() ? show(bytes, options) : kProblems;
 }
 
-int disassemble(const Options& options) {
+int disassemble(const DisassembleOptions& options) {
   if (!options.mc5 && !options.mc7) {
     std::cerr << "merker disassemble: which machine code? Use --mc5 or --mc7\n";
     return kUsage;
@@ -97,7 +97,7 @@ int disassemble(const Options& options) {
 
 void addDisassemble(CLI::App& program, int& result) {
   auto* command = program.add_subcommand("disassemble", "machine code to instructions, one a line");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<DisassembleOptions>();
   auto* mc7 = command->add_flag("--mc7", options->mc7, "machine code of STEP 7");
   command->add_flag("--mc5", options->mc5, "machine code of STEP 5")->excludes(mc7);
   command->add_option("FILE", options->file,

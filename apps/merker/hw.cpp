@@ -14,7 +14,7 @@
 namespace merker::app {
 namespace {
 
-struct Options {
+struct HwOptions {
   std::string path, cpu;
   bool json = false, catalogue = false;
 };
@@ -160,7 +160,7 @@ int catalogue() {
   return kGood;
 }
 
-int hardware(const Options& options) {
+int hardware(const HwOptions& options) {
   if (options.catalogue) return catalogue();
   const Build built = build(project::load(options.path, options.cpu), false);
   if (built.isListing() && built.ok()) return refuseListing("hw");
@@ -175,7 +175,7 @@ int hardware(const Options& options) {
 void addHw(CLI::App& program, int& result) {
   auto* command = program.add_subcommand(
       "hw", "the racks as a drawing: modules, addresses, current, utilisation");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<HwOptions>();
   auto* path = command->add_option("PATH", options->path, "project folder or source");
   auto* list = command->add_flag("--catalogue", options->catalogue, "all modules a rack can hold");
   addCpu(*command, options->cpu);

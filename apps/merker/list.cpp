@@ -16,12 +16,12 @@
 namespace merker::app {
 namespace {
 
-struct Options {
+struct ListOptions {
   std::string path, cpu, mnemonics = "de";
   bool code = false, memory = false, listing = false, json = false;
 };
 
-std::vector<mc7::Line> lines(const block::Block& block, const Options& options) {
+std::vector<mc7::Line> lines(const block::Block& block, const ListOptions& options) {
   return mc7::disassemble(block.code,
                           options.mnemonics == "en" ? Mnemonics::International : Mnemonics::German);
 }
@@ -31,7 +31,7 @@ void printRow(const monitor::BlockRow& r) {
                            r.symbol, r.load, r.work, r.local, r.version, r.checksum);
 }
 
-void printTable(const Build& build, const Options& options) {
+void printTable(const Build& build, const ListOptions& options) {
   std::cout << fmt::format("{:<10} {:<24} {:>6} {:>6} {:>6}  {:<7}  {}\n", "block", "name", "load",
                            "work", "local", "version", "checksum");
   for (const auto& [id, block] : *build.program) {
@@ -48,7 +48,7 @@ std::string hex(std::span<const std::uint8_t> bytes) {
   return text;
 }
 
-nlohmann::json blockToJson(const block::Block& block, const Options& options) {
+nlohmann::json blockToJson(const block::Block& block, const ListOptions& options) {
   const monitor::BlockRow r = monitor::blockRow(block);
   nlohmann::json document = {{"block", toString(r.id)}, {"name", r.symbol},
                              {"load_bytes", r.load},    {"work_bytes", r.work},
@@ -62,7 +62,7 @@ nlohmann::json blockToJson(const block::Block& block, const Options& options) {
   return document;
 }
 
-void printJson(const Build& build, const Options& options) {
+void printJson(const Build& build, const ListOptions& options) {
   nlohmann::json blocks = nlohmann::json::array();
   for (const auto& [id, block] : *build.program) blocks.push_back(blockToJson(block, options));
   nlohmann::json document = {{"blocks", blocks}, {"problems", toJson(build.problems)}};
@@ -70,13 +70,13 @@ void printJson(const Build& build, const Options& options) {
   print(document);
 }
 
-int listListings(const Build& built, const Options& options) {
+int listListings(const Build& built, const ListOptions& options) {
   const ListingOptions chosen{options.code, options.listing};
   options.json ? print(listingsToJson(built, chosen)) : printListings(built, chosen);
   return exitCode(built);
 }
 
-int list(const Options& options) {
+int list(const ListOptions& options) {
   const Build built = build(project::load(options.path, options.cpu), false);
   printProblems(built.problems, built.files());
   if (built.isListing()) return listListings(built, options);
@@ -94,7 +94,7 @@ int list(const Options& options) {
 void addList(CLI::App& program, int& result) {
   auto* command =
       program.add_subcommand("list", "blocks with name, lengths in bytes, version and checksum");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ListOptions>();
   command->add_option("PATH", options->path, "project folder or source")->required();
   command->add_flag("--code", options->code, "each block disassembled, with its machine code");
   command->add_flag("--memory", options->memory,

@@ -20,7 +20,7 @@ namespace {
 
 using simulator::Curve;
 
-struct Options {
+struct PlotOptions {
   std::string trace, output, title, from, to;
   std::vector<std::string> rows;
 };
@@ -32,8 +32,8 @@ std::string listOf(const std::vector<Curve>& curves) {
 }
 
 // "DB41.PV = temperature, DB41.SP_INT"
-std::vector<simulator::PlotRow> chosenRows(const Options& options, const std::vector<Curve>& curves,
-                                           Problems& problems) {
+std::vector<simulator::PlotRow> chosenRows(const PlotOptions& options,
+                                           const std::vector<Curve>& curves, Problems& problems) {
   std::vector<simulator::PlotRow> rows;
   for (const std::string& text : options.rows) {
     simulator::PlotRow& row = rows.emplace_back();
@@ -77,7 +77,7 @@ int write(const std::string& path, const std::string& text) {
 }
 
 // The picture is SVG, and never takes the place of the trace.
-bool isPicture(const Options& options) {
+bool isPicture(const PlotOptions& options) {
   std::error_code unknown;
   const std::filesystem::path output = options.output;
   const bool same = std::filesystem::equivalent(output, options.trace, unknown);
@@ -88,7 +88,7 @@ bool isPicture(const Options& options) {
   return false;
 }
 
-int plot(const Options& options) {
+int plot(const PlotOptions& options) {
   if (!isPicture(options)) return kUsage;
   Problems problems;
   const auto file = source::readSource(options.trace);
@@ -114,7 +114,7 @@ int plot(const Options& options) {
 
 void addPlot(CLI::App& program, int& result) {
   auto* command = program.add_subcommand("plot", "a trace as a picture: curves over time, in SVG");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<PlotOptions>();
   command->add_option("TRACE", options->trace, "what `merker run --trace` wrote")->required();
   command->add_option("-o,--output", options->output, "the picture: FILE.svg")->required();
   command

@@ -24,7 +24,7 @@
 namespace merker::app {
 namespace {
 
-struct Options {
+struct RunOptions {
   std::string path, card, cpu, time, trace, engine = "interpreter";
   std::uint64_t cycles = 0;
   bool hasCycles = false, copyRamToRom = false, json = false, noWorkbench = false;
@@ -121,14 +121,14 @@ bool allExist(const std::vector<mc7::Reference>& operands, const controller::Con
 }
 
 // Cycle monitoring does not watch the startup (S7-STATE-11), so that the real CPU would hang, too.
-bool cyclesMissing(const Options& options, const controller::Controller& plc) {
+bool cyclesMissing(const RunOptions& options, const controller::Controller& plc) {
   if (plc.mode() == controller::Mode::Startup)
     std::cerr << "merker run: the CPU is still in STARTUP: its startup OB has not ended after "
               << simulator::formatTime(plc.now()) << '\n';
   return options.hasCycles && plc.mode() != controller::Mode::Stop && plc.cycles() < options.cycles;
 }
 
-int finish(const Options& options, const Operands& operands, const controller::Controller& plc) {
+int finish(const RunOptions& options, const Operands& operands, const controller::Controller& plc) {
   options.json ? printJson(operands, plc) : printText(operands, plc);
   const bool all = allExist(operands.print, plc);
   if (!plc.stoppedByFault()) return cyclesMissing(options, plc) || !all ? kProblems : kGood;
@@ -136,7 +136,7 @@ int finish(const Options& options, const Operands& operands, const controller::C
   return kFault;
 }
 
-int readOptions(const Options& options, const Build& build, Operands& operands) {
+int readOptions(const RunOptions& options, const Build& build, Operands& operands) {
   const auto resolver = build.resolver();
   return std::max(
       {readAssignments("--set", options.set, resolver, operands.set),
@@ -144,7 +144,7 @@ int readOptions(const Options& options, const Build& build, Operands& operands) 
        readWatched("--watch", options.watch, resolver, build.project.plants, operands.watch)});
 }
 
-void advance(const Options& options, controller::Controller& plc, std::optional<Duration> time) {
+void advance(const RunOptions& options, controller::Controller& plc, std::optional<Duration> time) {
   if (time)
     runFor(plc, *time);
   else if (options.hasCycles)
@@ -201,7 +201,7 @@ std::optional<Problem> start(const Build& build, store::MemoryCard* card,
 }
 
 // What stands at the end of a run, whoever moved time.
-int conclude(const Options& options, const Build& build, const Operands& operands,
+int conclude(const RunOptions& options, const Build& build, const Operands& operands,
              store::MemoryCard* card, CycleEnd& cycleEnd, controller::Controller& plc) {
   plc.settle();
   cycleEnd(plc);
@@ -212,7 +212,7 @@ int conclude(const Options& options, const Build& build, const Operands& operand
 }
 
 // The workbench has the PLC until Ctrl-C. Nothing is left to say of it if another one is open then.
-int runServed(const Options& options, const Build& build, const Operands& operands,
+int runServed(const RunOptions& options, const Build& build, const Operands& operands,
               store::MemoryCard* card, CycleEnd& cycleEnd,
               std::unique_ptr<controller::Controller> owner) {
   controller::Controller* plc = owner.get();
@@ -226,7 +226,7 @@ int runServed(const Options& options, const Build& build, const Operands& operan
   return conclude(options, build, operands, card, cycleEnd, *plc);
 }
 
-int runAlone(const Options& options, const Build& build, const Operands& operands,
+int runAlone(const RunOptions& options, const Build& build, const Operands& operands,
              std::optional<Duration> time, store::MemoryCard* card, CycleEnd& cycleEnd,
              controller::Controller& plc) {
   if (cycleEnd.needed()) plc.onCycle(std::ref(cycleEnd));
@@ -235,7 +235,7 @@ int runAlone(const Options& options, const Build& build, const Operands& operand
   return conclude(options, build, operands, card, cycleEnd, plc);
 }
 
-int runPlc(const Options& options, const Build& build, const Operands& operands,
+int runPlc(const RunOptions& options, const Build& build, const Operands& operands,
            std::optional<Duration> time, store::MemoryCard* card) {
   auto owner = build.controller();
   controller::Controller& plc = *owner;
@@ -260,7 +260,7 @@ int runPlc(const Options& options, const Build& build, const Operands& operands,
   return options.trace.empty() || file ? result : cannotWrite(options.trace);
 }
 
-int runBuild(const Options& options, Build& built, std::optional<Duration> time,
+int runBuild(const RunOptions& options, Build& built, std::optional<Duration> time,
              store::MemoryCard* card) {
   Operands operands;
   if (const int bad = readOptions(options, built, operands); bad != kGood) return bad;
@@ -268,7 +268,7 @@ int runBuild(const Options& options, Build& built, std::optional<Duration> time,
 }
 
 // False: the problems are told.
-bool ready(const Options& options, Build& built) {
+bool ready(const RunOptions& options, Build& built) {
   requireOb1(built);
   requireWorkMemory(built);
   if (!built.ok()) report(built, options.json);
@@ -277,7 +277,7 @@ bool ready(const Options& options, Build& built) {
 }
 
 // A program that cannot run does not touch the card (S7-CPU-02: the old one stays).
-int runPath(const Options& options, std::optional<Duration> time) {
+int runPath(const RunOptions& options, std::optional<Duration> time) {
   Build built = build(project::load(options.path, options.cpu), false);
   if (!ready(options, built)) return exitCode(built);
   if (options.card.empty()) return runBuild(options, built, time, nullptr);
@@ -287,7 +287,7 @@ int runPath(const Options& options, std::optional<Duration> time) {
   return runBuild(options, built, time, &*card);
 }
 
-int runFromCard(const Options& options, std::optional<Duration> time) {
+int runFromCard(const RunOptions& options, std::optional<Duration> time) {
   auto card = store::MemoryCard::open(options.card);
   if (!card) return failed(card.error());
   Build built = buildFromCard(*card, options.card, options.cpu);
@@ -295,7 +295,7 @@ int runFromCard(const Options& options, std::optional<Duration> time) {
   return runBuild(options, built, time, &*card);
 }
 
-int run(const Options& options) {
+int run(const RunOptions& options) {
   std::optional<Duration> time;
   if (!options.time.empty()) {
     time = simulator::parseDuration(options.time);
@@ -317,7 +317,7 @@ int run(const Options& options) {
 void addRun(CLI::App& program, int& result) {
   auto* command =
       program.add_subcommand("run", "run a program in real time until Ctrl-C, or in virtual time");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RunOptions>();
   command->add_option("PATH", options->path,
                       "project folder or source; with --card it may be left out");
   command->add_option("--card", options->card,

@@ -14,7 +14,7 @@
 namespace merker::app {
 namespace {
 
-struct Options {
+struct TestOptions {
   std::vector<std::string> paths;
   std::string cpu, filter, junit, coverage, engine = "interpreter";
   bool json = false;
@@ -63,7 +63,7 @@ bool testPath(const std::string& path, TestSession& session) {
   return !missing;
 }
 
-void nothingTested(const Options& options) {
+void nothingTested(const TestOptions& options) {
   std::cerr << "merker test: nothing was tested: ";
   if (options.filter.empty())
     std::cerr << "no scenario (*.scn) and no //= check was found\n";
@@ -71,7 +71,7 @@ void nothingTested(const Options& options) {
     std::cerr << "no name of a scenario or file contains '" << options.filter << "' (--filter)\n";
 }
 
-int test(const Options& options) {
+int test(const TestOptions& options) {
   if (const auto problem = whyMissing(options.engine)) {
     std::cerr << "merker test: " << *problem << '\n';
     return kUsage;
@@ -96,7 +96,7 @@ int test(const Options& options) {
 void addTest(CLI::App& program, int& result) {
   auto* command =
       program.add_subcommand("test", "run scenarios (*.scn) and self-checking programs (//=)");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<TestOptions>();
   command->add_option("PATH", options->paths, "projects, folders, sources, scenarios")->required();
   command->add_option("--filter", options->filter,
                       "only tests whose name or file contains this text");

@@ -15,7 +15,7 @@
 namespace merker::app {
 namespace {
 
-struct Options {
+struct XrefOptions {
   std::string path, cpu, operand, mnemonics = "de";
   bool assignment = false, unused = false, json = false;
 };
@@ -116,7 +116,7 @@ void print(const nlohmann::ordered_json& document) {
   std::cout << document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
 }
 
-int show(const Options& options, const Build& built) {
+int show(const XrefOptions& options, const Build& built) {
   const Mnemonics mnemonics =
       options.mnemonics == "en" ? Mnemonics::International : Mnemonics::German;
   const source::SymbolTable& symbols = built.project.symbols;
@@ -141,7 +141,7 @@ int show(const Options& options, const Build& built) {
   return exitCode(built);
 }
 
-int xref(const Options& options) {
+int xref(const XrefOptions& options) {
   const Build built = build(project::load(options.path, options.cpu), false);
   if (built.isListing() && built.ok()) return refuseListing("xref");
   if (!built.ok()) return report(built, options.json);
@@ -154,7 +154,7 @@ int xref(const Options& options) {
 void addXref(CLI::App& program, int& result) {
   auto* command = program.add_subcommand(
       "xref", "cross reference: where each operand is read, written or called");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<XrefOptions>();
   command->add_option("PATH", options->path, "project folder or source")->required();
   command->add_option(
       "--operand", options->operand,
