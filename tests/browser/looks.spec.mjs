@@ -1,8 +1,10 @@
-// Each view in both themes, both languages and both sizes: no serious accessibility problem, nothing sticks out.
+// Each view in both themes, both languages and both sizes: no serious accessibility problem, nothing sticks out or lies on something else, in no view and
+// in no plant's picture, also on a tablet held upright.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { accessible } from './axe.mjs';
-import { open, serve, visit } from './harness.mjs';
+import { open, serve, until, visit } from './harness.mjs';
+import { crowding } from './layout.mjs';
 
 const views = ['projects', 'hardware', 'hardware?mode=plan', 'symbols', 'program', 'io', 'variables', 'process', 'trends', 'diagnosis'];
 // Every pair of theme, language and size.
@@ -29,3 +31,30 @@ for (const look of looks) {
     });
   }
 }
+
+const sizes = [[1280, 800], [1180, 820], [820, 1180]];
+const plants = ['vessel-emptying', 'garage-door', 'lift', 'traffic-light', 'technology/temperature-control'];
+
+/** Nothing is crowded, as soon as the view has what it shows. */
+async function roomy(page) {
+  let found;
+  await until(async () => (found = await crowding(page)).length === 0, () => `room: ${found.join('\n')}`);
+}
+
+for (const plant of [null, ...plants])
+  for (const language of ['de', 'en'])
+    test(`${plant ?? 'sorting-plant'}: room for everything, ${language}`, async () => {
+      const of = plant ? await serve(plant) : server;
+      const page = await open(of, 'io', { language });
+      for (const view of plant ? ['process'] : views) {
+        await visit(page, of, view);
+        await page.locator(`nav a[href="#/${view.split('?')[0]}"][aria-current]`).waitFor();
+        if (view === 'process') await page.locator('[data-signal]').first().waitFor();
+        for (const [width, height] of sizes) {
+          await page.setViewportSize({ width, height });
+          await roomy(page);
+        }
+      }
+      await page.context().close();
+      if (plant) await of.close();
+    });

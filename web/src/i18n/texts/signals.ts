@@ -65,7 +65,7 @@ export const trafficLightSignals = {
   RIGHT: ['Rechts', 'Right'],
   LEFT_CONTACT: ['Taster links', 'Button left'],
   RIGHT_CONTACT: ['Taster rechts', 'Button right'],
-  DANGER: ['Alle zugleich gehen gelassen', 'Let all go at once'],
+  DANGER: ['Autos und Fußgänger zugleich grün', 'Cars and pedestrians green at once'],
 } satisfies Texts;
 
 export const liftSignals = {
