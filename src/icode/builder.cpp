@@ -78,6 +78,7 @@ Value Builder::get(Item item) {
 }
 
 Value Builder::make(Opcode code, Value a, Value b, std::uint32_t number) {
+  if (code == Opcode::BitOf && this->number(a)) return constant(*this->number(a) >> number & 1);
   return append({.code = code, .a = a, .b = b, .number = number});
 }
 Value Builder::make3(Opcode code, Value a, Value b, Value c) {

@@ -67,7 +67,7 @@ std::vector<RegionCode::StateSpot> RegionCode::spotsOfStates(const Exit& exit) c
   for (std::uint32_t i = 0; i < exit.states; ++i) {
     const icode::Value value = region_.states[exit.firstState + i].value;
     const Op& op = region_.ops[value];
-    spots[i].value = places_.spot(value);
+    spots[i].value = places_.spot(places_.root(value));
     if (op.late) spots[i] = {{}, places_.spot(op.a), places_.spot(op.b)};
   }
   return spots;
@@ -89,9 +89,12 @@ void RegionCode::wayOut(const Op& op, CondCode condition) {
     if (zero.isValid()) code_.bind(zero);
     return;
   }
-  if (places_.isConstant(op.a)) code_.mov(host::eax, places_.constant(op.a));
-  const host::Gp bit = places_.in(op.a, host::eax);
-  code_.test(bit.r8(), 1);
+  const Bit b = bit(op.a);
+  const host::Gp reg = places_.in(b.root, host::eax);
+  if (b.position < 8)
+    code_.test(reg.r8(), 1u << b.position);
+  else
+    code_.test(reg, static_cast<std::int32_t>(1u << b.position));
   code_.j(condition, wayOut(op));
 }
 
@@ -178,20 +181,25 @@ void RegionCode::writeState(const Exit& exit, const std::vector<StateSpot>& stat
 }
 
 void RegionCode::writeItem(const icode::StateWrite& write, const Spot& spot) {
-  const bool bit = icode::isBit(write.item);
-  const host::Mem to(kMachine, offsetOf(write.item), bit ? 1u : 4u);
+  const bool isBit = icode::isBit(write.item);
+  const host::Mem to(kMachine, offsetOf(write.item), isBit ? 1u : 4u);
   if (spot.kind == Spot::Kind::Constant) {
     code_.mov(to, spot.number);
     return;
   }
   host::Gp from = spot.kind == Spot::Kind::Register ? kPlaces[spot.number].r32() : host::eax;
   if (spot.kind == Spot::Kind::Slot) code_.mov(from, slot(spot.number));
-  if (bit && !isClean(write.value)) {
-    if (from.id() != host::eax.id()) code_.mov(host::eax, from);
-    code_.and_(host::eax, 1);
+  if (!isBit) {
+    code_.mov(to, from);
+    return;
+  }
+  const Bit b = bit(write.value);
+  if (!b.isolated || b.position != 0) {
+    turn(host::eax, from, b.position, 0);
+    if (!b.isolated) code_.and_(host::eax, 1);
     from = host::eax;
   }
-  code_.mov(to, bit ? from.r8() : from);
+  code_.mov(to, from.r8());
 }
 
 void RegionCode::writeByte(const icode::ByteWrite& write, const Spot& spot) {

@@ -21,12 +21,13 @@ Places::Places(host::Assembler& code, const icode::Region& region, std::uint32_t
   planUses(region);
 }
 
-// A late operation needs its arguments where it is read.
+// A late operation needs its arguments where it is read, a bit the word in which it stands.
 void Places::use(Value value, std::uint32_t at) {
   if (value == kNoValue) return;
   lastUse_[value] = at;
   const icode::Op& op = region_.ops[value];
   if (op.late) lastUse_[op.a] = lastUse_[op.b] = at;
+  if (op.code == icode::Opcode::BitOf) lastUse_[op.a] = at;
 }
 
 void Places::planUses(const icode::Region& region) {
@@ -34,7 +35,7 @@ void Places::planUses(const icode::Region& region) {
     const icode::Op& op = region.ops[i];
     if (op.code == icode::Opcode::Constant) spots_[i] = {Spot::Kind::Constant, op.number};
     if (!op.needed) continue;
-    if (!op.late) use(op.a, i), use(op.b, i), use(op.c, i);
+    if (!op.late && op.code != icode::Opcode::BitOf) use(op.a, i), use(op.b, i), use(op.c, i);
     for (const std::uint32_t number : icode::ExitsOf(region, op)) {
       const icode::Exit& exit = region.exits[number];
       for (std::uint32_t k = 0; k < exit.states; ++k)
@@ -54,7 +55,7 @@ void Places::releaseDying() {
 
 bool Places::isArgument(Value value) const {
   const icode::Op& op = region_.ops[current_];
-  return value == op.a || value == op.b || value == op.c || value == current_;
+  return value == root(op.a) || value == root(op.b) || value == root(op.c) || value == current_;
 }
 
 // Nobody reads it any more, the current operation neither.

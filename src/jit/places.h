@@ -24,6 +24,16 @@ class Places {
   // What nobody needs after the current operation is free.
   void releaseDying();
 
+  // BitOf has no place of its own: it is where the word is.
+  icode::Value root(icode::Value value) const {
+    const bool inWord = value != icode::kNoValue && region_.ops[value].code == icode::Opcode::BitOf;
+    return inWord ? region_.ops[value].a : value;
+  }
+  // In a register that nobody needs after the current operation.
+  bool dies(icode::Value value) const {
+    return spots_[value].kind == Spot::Kind::Register && lastUse_[value] <= current_;
+  }
+
   Spot spot(icode::Value value) const { return spots_[value]; }
   bool isConstant(icode::Value value) const { return spots_[value].kind == Spot::Kind::Constant; }
   std::uint32_t constant(icode::Value value) const { return spots_[value].number; }

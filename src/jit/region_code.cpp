@@ -11,7 +11,8 @@ RegionCode::RegionCode(Unit& unit, const icode::Region& region)
       code_(unit.code),
       region_(region),
       places_(unit.code, region, unit.options.slots),
-      clean_(region.ops.size()),
+      isolated_(region.ops.size()),
+      position_(region.ops.size()),
       tooNear_(unit.code.newLabel()) {}
 
 RegionCode::Emit RegionCode::emitter(Opcode code) {
@@ -28,47 +29,47 @@ bool RegionCode::write(std::uint32_t next) {
   entry();
   for (current_ = 0; current_ < region_.ops.size(); ++current_) {
     const Op& op = region_.ops[current_];
-    noteClean(current_);
-    if (!op.needed || op.late || op.code == Opcode::Constant) continue;
+    noteIsolated(current_);
+    if (!op.needed || op.late || op.code == Opcode::Constant || op.code == Opcode::BitOf) continue;
     places_.begin(current_);
     const bool broken = unit_.options.broken == op.code;
     if (!broken || icode::info(op.code).result != icode::Result::Nothing)
       (this->*emitter(op.code))(op);
     places_.releaseDying();
-    if (broken) spoil(places_.spot(current_));
+    if (broken) spoil(places_.spot(current_), 1u << position_[current_]);
   }
   return !places_.failed();
 }
 
-// The lowest bit is wrong.
-void RegionCode::spoil(const Spot& spot) {
-  if (spot.kind == Spot::Kind::Register) code_.xor_(kPlaces[spot.number], 1);
-  if (spot.kind == Spot::Kind::Slot) code_.xor_(slot(spot.number), 1);
+// The lowest bit is wrong, or the one that counts.
+void RegionCode::spoil(const Spot& spot, std::uint32_t bit) {
+  if (spot.kind == Spot::Kind::Register) code_.xor_(kPlaces[spot.number], bit);
+  if (spot.kind == Spot::Kind::Slot) code_.xor_(slot(spot.number), bit);
 }
 
-// Bits that come as 0 or 1 need no mask when they are written.
-void RegionCode::noteClean(icode::Value value) {
+// Bits alone in their register need no mask when they are written.
+void RegionCode::noteIsolated(icode::Value value) {
   const Op& op = region_.ops[value];
   switch (op.code) {
     case Opcode::Constant:
-      clean_[value] = op.number <= 1;
+      isolated_[value] = op.number <= 1;
       break;
     case Opcode::Get:
-      clean_[value] = icode::isBit(op.item);
+      isolated_[value] = icode::isBit(op.item);
       break;
     case Opcode::AndBit:
-      clean_[value] = clean_[op.a] || clean_[op.b];
+      isolated_[value] = isolated_[op.a] || isolated_[op.b];
       break;
     case Opcode::OrBit:
     case Opcode::XorBit:
-      clean_[value] = clean_[op.a] && clean_[op.b];
+      isolated_[value] = isolated_[op.a] && isolated_[op.b];
       break;
     case Opcode::NotBit:
-      clean_[value] = clean_[op.a];
+      isolated_[value] = isolated_[op.a];
       break;
     default:
-      clean_[value] = icode::info(op.code).result == icode::Result::Bit &&
-                      op.code != Opcode::BitOf && op.code != Opcode::BitAt;
+      isolated_[value] = icode::info(op.code).result == icode::Result::Bit &&
+                         op.code != Opcode::BitOf && op.code != Opcode::BitAt;
   }
 }
 

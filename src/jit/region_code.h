@@ -68,7 +68,7 @@ class RegionCode {
 #undef ICODE
 
   void entry();
-  void spoil(const Spot& spot);  // Options::broken
+  void spoil(const Spot& spot, std::uint32_t bit);  // Options::broken
   void need(const host::Mem& limit, std::uint32_t bytes);
   host::Mem place(const icode::Op& op, unsigned bytes);
   void binary(const icode::Op& op, std::uint32_t instruction);
@@ -80,8 +80,18 @@ class RegionCode {
   void overflows(const icode::Op& op, std::uint32_t instruction);
   void divide(const icode::Op& op);
   void real(const icode::Op& op, std::uint32_t instruction);
-  // The bit, alone in its register, as 0 or 1.
-  host::Gp clean(icode::Value bit, const host::Gp& scratch);
+  // Where a bit stands.
+  struct Bit {
+    icode::Value root;  // in the register of this value
+    unsigned position;
+    bool isolated;  // all other bits of it are 0
+  };
+  Bit bit(icode::Value value) const;
+  void turn(const host::Gp& to, const host::Gp& from, unsigned at, unsigned wanted);
+  // `isOther`: the operation needs that register for something else, too.
+  host::Gp moved(const Bit& bit, unsigned wanted, const host::Gp& scratch, bool isOther);
+  host::Gp alone(icode::Value value, unsigned wanted, icode::Value other);
+  void bits(const icode::Op& op, std::uint32_t instruction);
   void wayOut(const icode::Op& op, asmjit::x86::CondCode condition);
   // For guards with several conditions: where to jump if one does not hold. Registers and slots
   // stay as they are until the last of these jumps.
@@ -105,8 +115,7 @@ class RegionCode {
   bool isRead(const icode::Exit& exit, icode::Value value) const;
   std::vector<StateSpot> spotsOfStates(const icode::Exit& exit) const;
   std::vector<Spot> spotsOfBytes(const icode::Exit& exit) const;
-  bool isClean(icode::Value bit) const { return clean_[bit]; }
-  void noteClean(icode::Value value);
+  void noteIsolated(icode::Value value);
   std::uint32_t imageOffset(icode::Space space) const {
     return unit_.layout.images[static_cast<std::size_t>(space)];
   }
@@ -121,7 +130,8 @@ class RegionCode {
   host::Assembler& code_;
   const icode::Region& region_;
   Places places_;
-  std::vector<bool> clean_;
+  std::vector<bool> isolated_;
+  std::vector<std::uint8_t> position_;  // of a bit in its register
   std::vector<WayOut> waysOut_;
   asmjit::Label tooNear_;
   asmjit::Label zero_{};                          // of the way out that is written next
