@@ -68,7 +68,7 @@ void RegionCode::Insert(const Op& op) {
     code_.or_(to, reg);
     return;
   }
-  places_.apply(host::Inst::kIdXor, reg, op.a);
+  places_.apply(host::Inst::kIdXor, reg, op.a, op.number < 8);
   code_.and_(reg, static_cast<std::int32_t>(mask));
   code_.xor_(places_.outFrom(op.a), reg);
 }
@@ -104,14 +104,14 @@ void RegionCode::bits(const Op& op, std::uint32_t instruction) {
   if (!places_.dies(a.root)) std::swap(a, b);
   position_[current_] = static_cast<std::uint8_t>(a.position);
   if (a.position == b.position) {
-    places_.apply(instruction, places_.outFrom(a.root), b.root);
+    places_.apply(instruction, places_.outFrom(a.root), b.root, a.position < 8);
   } else if (places_.dies(a.root)) {
     const host::Gp other = moved(b, a.position, host::eax, b.root == a.root);
     code_.emit(instruction, places_.outFrom(a.root), other);
   } else {
     const host::Gp to = places_.out();
     turn(to, places_.in(b.root, to), b.position, a.position);
-    places_.apply(instruction, to, a.root);
+    places_.apply(instruction, to, a.root, a.position < 8);
   }
 }
 

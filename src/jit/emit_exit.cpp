@@ -121,7 +121,8 @@ void RegionCode::Leave(const Op& op) {
 
 void RegionCode::charge(const Exit& exit) {
   if (exit.cost != 0) code_.add(kClock, static_cast<std::int32_t>(exit.cost));
-  if (exit.instructions != 0) code_.add(kCount, exit.instructions);
+  if (exit.instructions != 0)
+    code_.add(host::qword_ptr(kMachine, unit_.layout.instructions), exit.instructions);
 }
 
 void RegionCode::goTo(std::uint32_t instruction, std::uint32_t next) {
@@ -136,12 +137,7 @@ void RegionCode::goTo(std::uint32_t instruction, std::uint32_t next) {
 }
 
 host::Gp RegionCode::fetch(const Spot& spot, const host::Gp& scratch) {
-  if (spot.kind == Spot::Kind::Register) return kPlaces[spot.number].r32();
-  if (spot.kind == Spot::Kind::Slot)
-    code_.mov(scratch, slot(spot.number));
-  else
-    code_.mov(scratch, spot.number);
-  return scratch;
+  return places_.fetch(spot, scratch);
 }
 
 void RegionCode::writeLate(const icode::StateWrite& write, const StateSpot& spot) {
@@ -161,11 +157,10 @@ void RegionCode::writeLate(const icode::StateWrite& write, const StateSpot& spot
   code_.set(condition, host::byte_ptr(kMachine, offsetOf(write.item)));
 }
 
+// Bytes come last: registers may still stand in one that is written here.
 void RegionCode::writeState(const Exit& exit, const std::vector<StateSpot>& states,
                             const std::vector<Spot>& bytes) {
   if (exit.swapped && unit_.options.broken != icode::Opcode::SwapBlocks) swapBlocks(code_);
-  for (std::uint32_t i = 0; i < exit.bytes; ++i)
-    writeByte(region_.bytes[exit.firstByte + i], bytes[i]);
   StatusConstants constants;
   for (std::uint32_t i = 0; i < exit.states; ++i) {
     const icode::StateWrite& write = region_.states[exit.firstState + i];
@@ -178,6 +173,8 @@ void RegionCode::writeState(const Exit& exit, const std::vector<StateSpot>& stat
       writeItem(write, spot);
   }
   constants.write(code_);
+  for (std::uint32_t i = 0; i < exit.bytes; ++i)
+    writeByte(region_.bytes[exit.firstByte + i], bytes[i]);
 }
 
 void RegionCode::writeItem(const icode::StateWrite& write, const Spot& spot) {
@@ -187,8 +184,7 @@ void RegionCode::writeItem(const icode::StateWrite& write, const Spot& spot) {
     code_.mov(to, spot.number);
     return;
   }
-  host::Gp from = spot.kind == Spot::Kind::Register ? kPlaces[spot.number].r32() : host::eax;
-  if (spot.kind == Spot::Kind::Slot) code_.mov(from, slot(spot.number));
+  host::Gp from = fetch(spot, host::eax);
   if (!isBit) {
     code_.mov(to, from);
     return;
@@ -204,8 +200,9 @@ void RegionCode::writeItem(const icode::StateWrite& write, const Spot& spot) {
 
 void RegionCode::writeByte(const icode::ByteWrite& write, const Spot& spot) {
   const bool local = write.space == icode::Space::Local;
-  const std::uint32_t place = local ? write.place : imageOffset(write.space) + write.place;
-  const host::Mem to(local ? host::rcx : kImage, static_cast<int>(place), 1);
+  if (places_.isAt(spot, write.space, write.place)) return;
+  const host::Mem to = local ? host::byte_ptr(host::rcx, static_cast<int>(write.place))
+                             : inImage(write.space, write.place, 1);
   if (local) {
     code_.mov(host::rcx, host::qword_ptr(kMachine, offset::kTop));
     code_.mov(host::rcx, host::qword_ptr(host::rcx, offsetof(cpu::Frame, local)));
@@ -214,9 +211,7 @@ void RegionCode::writeByte(const icode::ByteWrite& write, const Spot& spot) {
     code_.mov(to, spot.number & 0xFF);
     return;
   }
-  const host::Gp from = spot.kind == Spot::Kind::Register ? kPlaces[spot.number].r32() : host::eax;
-  if (spot.kind == Spot::Kind::Slot) code_.mov(from, slot(spot.number));
-  code_.mov(to, from.r8());
+  code_.mov(to, fetch(spot, host::eax).r8());
 }
 
 void RegionCode::writeWaysOut() {

@@ -10,6 +10,10 @@ namespace {
 
 constexpr int at(std::size_t field) { return static_cast<int>(field); }
 
+const host::Gp& imageOf(Area area) {
+  return kImages[area == Area::Input ? 0 : area == Area::Output ? 1 : 2];
+}
+
 }  // namespace
 
 // edx: byte, ecx: end of the access
@@ -45,8 +49,7 @@ void RegionCode::locateIn(Area area, bool write, const host::Gp& to, const asmji
   if (const std::uint32_t length = cpu::imageLength(*unit_.model, area); length != 0) {
     code_.cmp(host::ecx, length);
     code_.ja(out);
-    code_.lea(
-        to, host::ptr(kImage, host::rdx, 0, static_cast<int>(cpu::imageBase(*unit_.model, area))));
+    code_.lea(to, host::ptr(imageOf(area), host::rdx, 0, -kBias));
   } else if (local) {
     const int frame = area == Area::CallerLocal ? -at(sizeof(cpu::Frame)) : 0;
     code_.mov(host::rax, host::qword_ptr(kMachine, offset::kTop));

@@ -33,7 +33,7 @@ void RegionCode::Base(const Op& op) {
 host::Mem RegionCode::place(const Op& op, unsigned bytes) {
   const Op& address = region_.ops[op.a];
   if (address.code == Opcode::Base && icode::isImage(op.space))
-    return {kImage, static_cast<int>(imageOffset(op.space) + op.place), bytes};
+    return inImage(op.space, op.place, bytes);
   return {places_.in64(op.a, host::rcx), static_cast<int>(op.place), bytes};
 }
 
@@ -83,7 +83,7 @@ void RegionCode::Index(const Op& op) {
   const Op& base = region_.ops[op.a];
   if (base.code == Opcode::Base && icode::isImage(base.space)) {
     const host::Gp to = places_.out().r64();
-    code_.lea(to, host::ptr(kImage, by, 0, static_cast<int>(imageOffset(base.space))));
+    code_.lea(to, host::ptr(kImages[static_cast<std::size_t>(base.space)], by, 0, -kBias));
     return;
   }
   const host::Gp from = places_.in64(op.a, host::rcx);

@@ -7,6 +7,12 @@ namespace merker::jit {
 using icode::kNoValue;
 using icode::Value;
 
+namespace {
+
+constexpr std::uint32_t kLong = 12;  // operations
+
+}  // namespace
+
 host::Mem slot(std::uint32_t number, std::uint32_t size) {
   return host::Mem(host::rsp, static_cast<int>(8 * number), size);
 }
@@ -75,34 +81,57 @@ unsigned Places::makeRoom() {
     if (isArgument(owner_[i])) continue;
     if (best == kPlaceCount || lastUse_[owner_[i]] > lastUse_[owner_[best]]) best = i;
   }
-  const std::uint32_t number = freeSlot();
-  slotOwner_[number] = owner_[best];
-  code_.mov(slot(number, 8), kPlaces[best].r64());
-  spots_[owner_[best]] = {Spot::Kind::Slot, number};
+  putAway(owner_[best], kPlaces[best]);
   return best;
 }
 
+void Places::putAway(Value value, const host::Gp& reg) {
+  const auto isOver = [this](Value other) { return lastUse_[other] < current_; };
+  if (!homes_) homes_.emplace(region_);
+  if (const auto home = homes_->take(value, current_, isOver)) {
+    if (home->changed) code_.mov(inImage(home->space, home->byte, 1), reg.r8());
+    spots_[value] = {Spot::Kind::Image, Homes::key(home->space, home->byte)};
+    return;
+  }
+  const std::uint32_t number = freeSlot();
+  slotOwner_[number] = value;
+  code_.mov(slot(number, 8), reg.r64());
+  spots_[value] = {Spot::Kind::Slot, number};
+}
+
 unsigned Places::freePlace() {
-  for (unsigned i = 0; i < kPlaceCount; ++i)
-    if (owner_[i] == kNoValue) return i;
+  const bool forLong = lastUse_[current_] > current_ + kLong;
+  for (unsigned i = 0; i < kPlaceCount; ++i) {
+    const unsigned place = forLong ? kPlaceCount - 1 - i : i;
+    if (owner_[place] == kNoValue) return place;
+  }
   return makeRoom();
+}
+
+host::Gp Places::fetch(const Spot& at, const host::Gp& scratch) {
+  switch (at.kind) {
+    case Spot::Kind::Register:
+      return kPlaces[at.number].r32();
+    case Spot::Kind::Slot:
+      code_.mov(scratch.r32(), slot(at.number));
+      break;
+    case Spot::Kind::Image:
+      code_.movzx(scratch.r32(), Homes::memory(at.number));
+      break;
+    default:
+      code_.mov(scratch.r32(), at.number);
+  }
+  return scratch.r32();
 }
 
 host::Gp Places::in64(Value value, const host::Gp& scratch) {
   const Spot at = spots_[value];
-  switch (at.kind) {
-    case Spot::Kind::Register:
-      return kPlaces[at.number].r64();
-    case Spot::Kind::Slot:
-      code_.mov(scratch.r64(), slot(at.number, 8));
-      return scratch.r64();
-    default:
-      code_.mov(scratch.r32(), at.number);
-      return scratch.r64();
-  }
+  if (at.kind != Spot::Kind::Slot) return fetch(at, scratch).r64();
+  code_.mov(scratch.r64(), slot(at.number, 8));
+  return scratch.r64();
 }
 
-host::Gp Places::in(Value value, const host::Gp& scratch) { return in64(value, scratch).r32(); }
+host::Gp Places::in(Value value, const host::Gp& scratch) { return fetch(spots_[value], scratch); }
 
 host::Gp Places::out() {
   const unsigned place = freePlace();
@@ -124,7 +153,7 @@ host::Gp Places::outFrom(Value value) {
   return reg;
 }
 
-void Places::apply(std::uint32_t instruction, const host::Gp& reg, Value value) {
+void Places::apply(std::uint32_t instruction, const host::Gp& reg, Value value, bool low) {
   const Spot at = spots_[value];
   switch (at.kind) {
     case Spot::Kind::Register:
@@ -132,6 +161,12 @@ void Places::apply(std::uint32_t instruction, const host::Gp& reg, Value value) 
       break;
     case Spot::Kind::Slot:
       code_.emit(instruction, reg, slot(at.number));
+      break;
+    case Spot::Kind::Image:
+      if (low)
+        code_.emit(instruction, reg.r8(), Homes::memory(at.number));
+      else
+        code_.emit(instruction, reg, fetch(at, host::edx).r32());
       break;
     default:
       code_.emit(instruction, reg, asmjit::imm(static_cast<std::int32_t>(at.number)));

@@ -1,18 +1,20 @@
-// The register plan of one region: each value in a host register, in a slot of the stack frame, or,
-// as a constant, nowhere. The value needed last makes room.
+// The register plan of one region: each value in a host register, in a slot of the stack frame, in
+// the byte of an image that it is anyway, or, as a constant, nowhere. The value needed last makes
+// room.
 #pragma once
 
 #include <array>
 #include <vector>
 
+#include "jit/homes.h"
 #include "jit/layout.h"
 
 namespace merker::jit {
 
 struct Spot {
-  enum class Kind : std::uint8_t { None, Register, Slot, Constant };
+  enum class Kind : std::uint8_t { None, Register, Slot, Image, Constant };
   Kind kind = Kind::None;
-  std::uint32_t number = 0;  // index in kPlaces, slot, or the constant
+  std::uint32_t number = 0;  // index in kPlaces, slot, place in an image (homes.h), or the constant
 };
 
 class Places {
@@ -42,18 +44,25 @@ class Places {
   // A register that holds the value; `scratch` if it has none of its own.
   host::Gp in(icode::Value value, const host::Gp& scratch);
   host::Gp in64(icode::Value value, const host::Gp& scratch);
+  // The same of what was noted earlier.
+  host::Gp fetch(const Spot& spot, const host::Gp& scratch);
+  // The byte there is this value.
+  bool isAt(const Spot& spot, icode::Space space, std::uint32_t byte) const {
+    return spot.kind == Spot::Kind::Image && spot.number == Homes::key(space, byte);
+  }
   // A register for the result of the current operation.
   host::Gp out();
   // The same, with the value already in it: its own register if this is its last use.
   host::Gp outFrom(icode::Value value);
-  // instruction register, value
-  void apply(std::uint32_t instruction, const host::Gp& reg, icode::Value value);
+  // instruction register, value; edx is lost. With `low` only the lowest byte of the result counts.
+  void apply(std::uint32_t instruction, const host::Gp& reg, icode::Value value, bool low = false);
   bool failed() const { return failed_; }
 
  private:
   void planUses(const icode::Region& region);
   void use(icode::Value value, std::uint32_t at);
   unsigned freePlace();
+  void putAway(icode::Value value, const host::Gp& reg);
   unsigned makeRoom();
   std::uint32_t freeSlot();
   bool isArgument(icode::Value value) const;
@@ -62,6 +71,7 @@ class Places {
   const icode::Region& region_;
   std::vector<Spot> spots_;
   std::vector<std::uint32_t> lastUse_;
+  std::optional<Homes> homes_;  // of the first value that finds no register on
   std::array<icode::Value, kPlaceCount> owner_;
   std::vector<icode::Value> slotOwner_;  // whose last use may be over
   icode::Value current_ = 0;

@@ -116,9 +116,6 @@ class RegionCode {
   std::vector<StateSpot> spotsOfStates(const icode::Exit& exit) const;
   std::vector<Spot> spotsOfBytes(const icode::Exit& exit) const;
   void noteIsolated(icode::Value value);
-  std::uint32_t imageOffset(icode::Space space) const {
-    return unit_.layout.images[static_cast<std::size_t>(space)];
-  }
   int offsetOf(icode::Item item) const {
     return unit_.layout.items[static_cast<std::size_t>(item)];
   }
