@@ -168,7 +168,8 @@ station::Station& stationOf(controller::Controller& plc) {
 // What happens at the end of each cycle: first it is kept on the card, then it is seen outside.
 class CycleEnd {
  public:
-  CycleEnd(store::MemoryCard* card, std::ofstream& file) : file_(file) {
+  CycleEnd(store::MemoryCard* card, std::ofstream& file, bool realTime)
+      : file_(file), realTime_(realTime) {
     if (card != nullptr) keeper_.emplace(*card);
   }
   void watch(const simulator::Watched& watched, const controller::Controller& plc) {
@@ -179,7 +180,8 @@ class CycleEnd {
     if (keeper_ && !keeper_->save(stationOf(plc))) return plc.stop();
     if (!trace_) return;
     trace_->sample(plc);
-    if (keeper_) file_.flush();  // who reads along sees the cycle as soon as it is kept
+    if (keeper_ || realTime_)
+      file_.flush();  // who reads along sees the cycle as soon as it is kept
   }
   bool needed() const { return keeper_ || trace_; }
   const Problem* problem() const {
@@ -188,6 +190,7 @@ class CycleEnd {
 
  private:
   std::ofstream& file_;
+  bool realTime_;
   std::optional<CardKeeper> keeper_;
   std::optional<simulator::Trace> trace_;
 };
@@ -247,7 +250,7 @@ int runPlc(const RunOptions& options, const Build& build, const Operands& operan
   }
   if (!applySet(operands.set, plc)) return kUsage;
   std::ofstream file;
-  CycleEnd cycleEnd(card, file);
+  CycleEnd cycleEnd(card, file, !time && !options.hasCycles);
   if (!options.trace.empty()) {
     file.open(options.trace, std::ios::binary);
     if (!file) return cannotWrite(options.trace);

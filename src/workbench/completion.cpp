@@ -56,21 +56,14 @@ std::string operandsOf(mc7::Operation operation) {
   return text;
 }
 
-// AND_NOT: "and not".
-std::string meaningOf(std::string_view id) {
-  std::string text(id);
-  for (char& c : text) c = c == '_' ? ' ' : static_cast<char>(c | 0x20);
-  return text;
-}
-
 Json instructions(Mnemonics mnemonics) {
   Json list = Json::array();
   for (std::size_t i = 0; i < mc7::operations().size(); ++i) {
     const mc7::OperationInfo& row = mc7::operations()[i];
     const std::string_view word = mnemonics == Mnemonics::German ? row.de : row.en;
-    list.push_back({word, operandsOf(static_cast<mc7::Operation>(i)), meaningOf(row.id)});
+    list.push_back({word, operandsOf(static_cast<mc7::Operation>(i)), row.id});
   }
-  list.push_back({"CALL", "FB, FC, SFB, SFC", "call with parameters"});
+  list.push_back({"CALL", "FB, FC, SFB, SFC", "CALL"});
   return list;
 }
 

@@ -5,9 +5,11 @@ import { bit, expect, launch, open, serve } from './harness.mjs';
 test('what one browser does the other one sees', async () => {
   const server = await serve();
   const [one, two] = [await open(server), await open(server, 'io', { language: 'en', theme: 'dark' })];
-  await one.locator('button[data-operand="E 0.1"]').click();
-  await expect(() => bit(one, 'E 0.1'), '1');
-  await expect(() => bit(two, 'E 0.1'), '1');
+  // An input that nothing is wired to.
+  await expect(() => bit(one, 'E 0.7'), '0');
+  await one.locator('button[data-operand="E 0.7"]').click();
+  await expect(() => bit(one, 'E 0.7'), '1');
+  await expect(() => bit(two, 'E 0.7'), '1');
   await two.getByRole('radio', { name: 'STOP' }).click();
   await one.locator('[data-mode="STOP"]').waitFor();
 });
@@ -19,7 +21,8 @@ test('a server that went away is shown; when it is back the page goes on by itse
   await page.locator('[data-phase="lost"]').waitFor();
   await launch(server.project, server.workspace, server.port);
   await page.locator('[data-phase="open"]').waitFor();
-  await page.locator('button[data-operand="E 0.0"]').click();
-  await expect(() => bit(page, 'E 0.0'), '1');
+  await expect(() => bit(page, 'E 0.7'), '0');
+  await page.locator('button[data-operand="E 0.7"]').click();
+  await expect(() => bit(page, 'E 0.7'), '1');
   page.complaints.length = 0; // the browser itself logs each failed try
 });

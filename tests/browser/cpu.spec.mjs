@@ -1,7 +1,7 @@
 // The CPU panel and the frame: S7-SIM-09, S7-SIM-11, S7-SIM-13, S7-MGR-14, S7-MGR-16.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { expect, open, serve, turn, until } from './harness.mjs';
+import { expect, leave, open, serve, turn, until } from './harness.mjs';
 
 const server = await serve();
 const page = await open(server);
@@ -48,13 +48,13 @@ test('power off: dark; power on: as before', async () => {
 test('an event without its OB stops the CPU, and the panel says why (S7-SIM-13)', async () => {
   await button('Mehr …').click();
   await page.getByRole('button', { name: /^OB 82/ }).click();
-  await page.keyboard.press('Escape');
+  await leave(page);
   await expect(() => led('STOP'), 'on');
   await expect(() => led('SF'), 'on');
-  assert.match(await page.locator('aside').innerText(), /82/);
+  await until(async () => /82/.test(await page.locator('aside').innerText()), 'the reason');
   await button('Mehr …').click();
   await page.getByRole('button', { name: 'geht: OB 82' }).click();
-  await page.keyboard.press('Escape');
+  await leave(page);
   await turn(page, 'STOP');
   await turn(page, 'RUN-P');
   await expect(() => led('RUN'), 'on');
@@ -72,8 +72,7 @@ test('F1 explains the view and lists the keys (S7-MGR-14)', async () => {
   const text = await page.getByRole('dialog').innerText();
   assert.match(text, /Diese Ansicht: E\/A/);
   assert.match(text, /Alt/);
-  await page.keyboard.press('Escape');
-  assert.equal(await page.getByRole('dialog').count(), 0);
+  await leave(page);
 });
 
 test('keys lead to views and switch the CPU', async () => {
@@ -88,6 +87,6 @@ test('keys lead to views and switch the CPU', async () => {
 test('the language switch changes every word and is kept', async () => {
   await page.getByRole('button', { name: 'Switch to English' }).click();
   await page.getByRole('button', { name: 'Real', exact: true }).waitFor();
-  assert.equal(await page.locator('html').getAttribute('lang'), 'en');
-  assert.equal(await page.evaluate(() => localStorage.getItem('merker.language')), '"en"');
+  await expect(() => page.locator('html').getAttribute('lang'), 'en');
+  await expect(() => page.evaluate(() => localStorage.getItem('merker.language')), '"en"');
 });

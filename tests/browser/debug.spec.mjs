@@ -16,9 +16,10 @@ test('status: VKE, STA and AKKU 1 behind each statement (S7-EDIT-21)', async () 
   await page.getByRole('switch', { name: 'Status' }).click();
   const line = await lineOf('UN    #BeamSmall;');
   await toLine(page, line);
-  await until(async () => /^[01]$/.test((await statusOf(page, line))[0]), 'a VKE');
-  const [vke, sta, akku] = await statusOf(page, line);
-  assert.match(sta, /^[01]$/);
+  const [vke, sta, akku] = await until(async () => {
+    const row = await statusOf(page, line);
+    return row.slice(0, 2).every((bit) => /^[01]$/.test(bit)) && row;
+  }, 'VKE and STA');
   assert.notEqual(vke, sta, 'UN negates');
   assert.match(akku, /\S/);
   await picture(page, 'program-status');
@@ -29,7 +30,7 @@ test('more columns on demand (S7-EDIT-21)', async () => {
   await page.getByRole('checkbox', { name: 'STW' }).check();
   const line = await lineOf('UN    #BeamSmall;');
   await until(async () => (await statusOf(page, line)).length === 4, 'a fourth column');
-  assert.match(await page.locator('.code .cm-status-head').innerText(), /STW/);
+  await until(async () => /STW/.test(await page.locator('.code .cm-status-head').innerText()), 'its heading');
   await page.locator('summary', { hasText: 'Spalten' }).click();
 });
 
@@ -47,7 +48,7 @@ test('a breakpoint stops the CPU there: HALT, its line is marked (S7-EDIT-22)', 
   await page.keyboard.press('F9');
   await page.locator('[data-mode="HALT"]').waitFor();
   await page.getByText(`HALT in FB 1, Zeile ${line}`).waitFor();
-  assert.match(await page.locator('.code .cm-halt-line').innerText(), /BeamMiddle/);
+  await until(async () => /BeamMiddle/.test(await page.locator('.code .cm-halt-line').innerText()), 'the line');
   await picture(page, 'program-halt');
 });
 

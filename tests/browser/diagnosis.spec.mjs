@@ -1,5 +1,4 @@
 // Diagnostic buffer with help and the way to the block, stacks, module information (S7-MGR-16).
-import assert from 'node:assert/strict';
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
@@ -25,24 +24,24 @@ END_ORGANIZATION_BLOCK
 const server = await serve();
 const page = await open(server, 'diagnosis');
 let fault;
+const has = (locator, words) => until(async () => words.test(await locator.innerText()), words);
 const entries = page.getByRole('table').locator('tbody tr');
 
 test('each change of the operating state is an entry, newest first', async () => {
   await turn(page, 'STOP');
-  await until(async () => /STOP/.test(await entries.first().innerText()), 'STOP on top');
+  await has(entries.first(), /STOP/);
   await turn(page, 'RUN-P');
-  await until(async () => /RUN/.test(await entries.first().innerText()), 'RUN on top');
-  assert.match(await entries.first().innerText(), /16#[0-9A-F]{4}/);
+  await has(entries.first(), /16#[0-9A-F]{4}[^]*RUN/);
 });
 
 test('module information shows the CPU and its memory', async () => {
   await page.getByRole('tab', { name: 'Baugruppenzustand' }).click();
-  await until(async () => /314C-2 PtP/.test(await page.getByRole('tabpanel').innerText()), 'the model');
+  await has(page.getByRole('tabpanel'), /314C-2 PtP/);
 });
 
 test('in RUN nothing is interrupted', async () => {
   await page.getByRole('tab', { name: 'Stacks' }).click();
-  await until(async () => /Kein Baustein/.test(await page.getByRole('tabpanel').innerText()), 'no stack');
+  await has(page.getByRole('tabpanel'), /Kein Baustein/);
 });
 
 test('after a fault: "open block" leads to its line (S7-MGR-16)', async () => {
@@ -56,7 +55,7 @@ test('after a fault: "open block" leads to its line (S7-MGR-16)', async () => {
   await fault.getByRole('table').locator('tbody tr').filter({ hasText: /16#252/ }).first().click();
   await fault.getByRole('button', { name: 'Baustein öffnen' }).click();
   await fault.locator('.code .cm-content').waitFor();
-  assert.match(fault.url(), /file=main\.awl&line=8/);
+  await until(() => /file=main\.awl&line=8/.test(fault.url()), 'the line in the address');
   await until(async () => (await fault.locator('.code .cm-activeLine').innerText()).includes('BTI'), 'the line');
 });
 
@@ -64,12 +63,12 @@ test('B stack, I stack and L stack show where it was (S7-MGR-16)', async () => {
   await visit(fault, { address: fault.url().replace(/#.*/, '') }, 'diagnosis');
   await fault.getByRole('tab', { name: 'Stacks' }).click();
   const blocks = fault.getByRole('table').nth(0).locator('tbody tr');
-  await until(async () => /FC 1/.test(await blocks.first().innerText()), 'FC 1 in the B stack');
-  assert.match(await blocks.nth(1).innerText(), /OB 1/);
+  await has(blocks.first(), /FC 1/);
+  await has(blocks.nth(1), /OB 1/);
   const interrupts = fault.getByRole('table').nth(1).locator('tbody tr');
-  assert.match(await interrupts.first().innerText(), /FFFF/i);
+  await has(interrupts.first(), /FFFF/i);
   const locals = fault.getByRole('table').nth(2).locator('tbody tr');
-  assert.match(await locals.first().innerText(), /12 34/);
+  await has(locals.first(), /12 34/);
   await blocks.first().getByRole('link').click();
   await until(() => /line=8/.test(fault.url()), 'the line');
 });

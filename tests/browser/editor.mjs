@@ -28,10 +28,12 @@ export const problems = (page) => page.locator('#program-panel li');
 
 /** What the status columns show beside a line: one text per column. */
 export async function statusOf(page, line) {
-  const top = (locator) => locator.evaluateAll((elements) => elements.map((element) => [element.getBoundingClientRect().top, element.innerText]));
-  const numbers = await top(page.locator('.code .cm-lineNumbers .cm-gutterElement'));
-  const rows = await top(page.locator('.code .cm-status-gutter .cm-gutterElement'));
-  const at = numbers.find(([, number]) => number === String(line))?.[0];
-  const row = rows.find(([place]) => at !== undefined && Math.abs(place - at) < 4)?.[1] ?? '';
-  return row.split('\n').map((cell) => cell.trim());
+  // Both gutters in one look: between two the text may scroll.
+  const row = await page.locator('.code .cm-gutters').first().evaluate((gutters, line) => {
+    const cells = (gutter) => [...gutters.parentElement.querySelectorAll(`${gutter} .cm-gutterElement`)];
+    const top = (cell) => cell.getBoundingClientRect().top;
+    const at = cells('.cm-lineNumbers').find((cell) => cell.innerText === String(line));
+    return at && cells('.cm-status-gutter').find((cell) => Math.abs(top(cell) - top(at)) < 4)?.innerText;
+  }, line);
+  return (row ?? '').split('\n').map((cell) => cell.trim());
 }

@@ -28,8 +28,8 @@ test('projects: examples, wizard, refusals', async () => {
   await until(async () => (await page.locator('.examples li').count()) > 30, 'the examples');
   await german();
   await page.getByRole('button', { name: 'Neues Projekt …' }).click();
-  const options = await page.locator('#wizard-template option').allInnerTexts();
-  assert.ok(options.includes('OB 1, OB 100, Fehler-OBs'), options.join());
+  const options = () => page.locator('#wizard-template option').allInnerTexts();
+  await until(async () => (await options()).includes('OB 1, OB 100, Fehler-OBs'), 'the templates');
   await page.getByLabel('Projektname').fill('../x');
   await page.getByRole('button', { name: 'Anlegen' }).click();
   await page.locator('.message.problem').filter({ hasText: 'P1317' }).waitFor();
@@ -91,7 +91,8 @@ test('a CPU in STOP: reason, buffer with its help, stacks, information', async (
   await page.locator("tr[data-operand='M 20.0'] .modify input").fill('1');
   await page.getByRole('button', { name: 'Steuern', exact: true }).click();
   await page.locator('[data-mode="STOP"]').waitFor();
-  assert.match(await reason.innerText(), /^STOP durch Programmierfehler .*Datenbaustein nicht geladen: DB 99/);
+  const why = /^STOP durch Programmierfehler .*Datenbaustein nicht geladen: DB 99/;
+  await until(async () => why.test(await reason.innerText()), 'the reason');
   await see('diagnosis');
   const entries = page.getByRole('table').locator('tbody button');
   await until(async () => (await entries.count()) > 3, 'entries');

@@ -8,8 +8,7 @@ const page = await open(server, 'hardware');
 
 test('the rack shows its modules with their addresses', async () => {
   const module = page.getByRole('button', { name: /SM 321/ }).first();
-  await module.waitFor();
-  assert.match(await module.innerText(), /E 0\.0/);
+  await until(async () => /E 0\.0/.test(await module.innerText()), 'the address');
 });
 
 test('a chosen module shows terminals and properties', async () => {

@@ -14,12 +14,21 @@ const modules = ['web/node_modules', 'build/web/node_modules'].map((at) => join(
 export const tool = (path) => join(modules, path);
 const { chromium } = createRequire(tool('index.js'))('playwright-core');
 const merker = resolve(process.env.MERKER ?? join(root, 'build/release/merker'));
-const PATIENCE = 20_000;
+// A busy machine is slow; who waits for a state loses nothing by patience.
+const PATIENCE = 60_000;
 
-/** What has to be done when all tests of the file are over, newest first. */
-const endings = [];
+/** What has to be done when all tests of the file are over: pages go before what they talk to, each newest first. */
+const endings = { page: [], judgement: [], program: [], folder: [] };
 after(async () => {
-  for (const end of endings.reverse()) await end();
+  const failures = [];
+  for (const end of Object.values(endings).flatMap((some) => some.reverse())) {
+    try {
+      await end();
+    } catch (failure) {
+      failures.push(failure);
+    }
+  }
+  if (failures.length) throw failures[0];
 });
 
 const ARGUMENTS = ['--headless', '--no-sandbox', '--disable-gpu', '--disable-background-networking']
@@ -30,7 +39,7 @@ const ARGUMENTS = ['--headless', '--no-sandbox', '--disable-gpu', '--disable-bac
 /** A folder of its own below the system's, gone at the end. */
 export function scratch() {
   const folder = mkdtempSync(join(tmpdir(), 'merker-browser-'));
-  endings.push(() => rmSync(folder, { recursive: true, force: true }));
+  endings.folder.push(() => rmSync(folder, { recursive: true, force: true }));
   return folder;
 }
 
@@ -51,7 +60,7 @@ export async function launch(project, workspace, port = 0) {
   child.stderr.on('data', collect);
   const ended = new Promise((done) => child.on('exit', done));
   const close = async () => (child.kill(), await ended);
-  endings.push(close);
+  endings.program.push(close);
   process.on('exit', () => child.kill('SIGKILL'));
   const address = await until(() => /https?:\/\/\S+/.exec(said)?.[0] ?? (child.exitCode !== null && fail(said)),
     () => `an address in the output of the server, which said: ${said}`);
@@ -66,7 +75,7 @@ let browser;
 async function running() {
   if (!browser) {
     browser = chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ARGUMENTS });
-    endings.push(async () => (await browser).close());
+    endings.program.push(async () => (await browser).close());
   }
   return browser;
 }
@@ -75,6 +84,7 @@ async function running() {
 export async function open(server, view = 'io', { language = 'de', theme = 'light', width = 1280, height = 800 } = {}) {
   const context = await (await running()).newContext({ viewport: { width, height }, acceptDownloads: true });
   const page = await context.newPage();
+  await slowed(context, page);
   page.setDefaultTimeout(PATIENCE);
   const complaints = [];
   page.complaints = complaints;
@@ -92,9 +102,15 @@ export async function open(server, view = 'io', { language = 'de', theme = 'ligh
   if (process.env.MERKER_PAGE) await page.route(`http://${host}/**`, pageFrom(resolve(process.env.MERKER_PAGE)));
   await visit(page, server, view);
   await page.locator('[data-phase="open"]').waitFor();
-  endings.push(() => assert.deepEqual(complaints, [], 'the page complained'));
-  endings.push(() => context.close());
+  endings.judgement.push(() => assert.deepEqual(complaints, [], 'the page complained'));
+  endings.page.push(() => context.close());
   return page;
+}
+
+/** MERKER_SLOW=4: the page has a quarter of the processor, as on a busy machine. */
+async function slowed(context, page) {
+  const rate = Number(process.env.MERKER_SLOW ?? 1);
+  if (rate > 1) await (await context.newCDPSession(page)).send('Emulation.setCPUThrottlingRate', { rate });
 }
 
 export const visit = (page, server, view) => page.goto(`${server.address.replace(/\/$/, '')}/#/${view}`);
@@ -124,6 +140,31 @@ export async function until(look, what = 'this') {
 export async function expect(look, value, what = '') {
   let last;
   await until(async () => (last = await look()) === value, () => `${what} ${JSON.stringify(value)}, last seen ${JSON.stringify(last)}`);
+}
+
+/** The first message with these words. */
+export const message = (page, words) => page.locator('.message').filter({ hasText: words }).first().waitFor();
+
+/** Closes all messages, so that the next one is new. Good news goes by itself, sometimes while it is being closed. */
+export async function quiet(page) {
+  const close = page.locator('.message').getByRole('button', { name: /^(Meldung schließen|Dismiss message)$/ });
+  await until(async () => (await close.count()) === 0 || (await close.first().click({ timeout: 500 }).catch(() => {}), false), 'no message');
+}
+
+/** Esc, until the dialog is closed. */
+export async function leave(page) {
+  await page.keyboard.press('Escape');
+  await expect(() => page.getByRole('dialog').count(), 0, 'open dialogs');
+}
+
+/** Watches an attribute from now on; the result tells each value it has had, however short. */
+export async function history(locator, attribute) {
+  const handle = await locator.elementHandle();
+  await handle.evaluate((element, attribute) => {
+    element.had = [element.getAttribute(attribute)];
+    new MutationObserver(() => element.had.push(element.getAttribute(attribute))).observe(element, { attributeFilter: [attribute] });
+  }, attribute);
+  return () => handle.evaluate((element) => element.had);
 }
 
 /** What one bit key of the I/O view shows: "0", "1" or "?". */

@@ -1,14 +1,13 @@
 // Tiles: S7-SIM-03, S7-SIM-10, S7-SIM-12, S7-VIS-09.
-import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { bit, expect, open, serve, turn, until } from './harness.mjs';
 
 const server = await serve();
 const page = await open(server);
 const value = (operand) => page.locator(`input[data-operand="${operand}"]`).inputValue();
-async function add(operand) {
-  await page.locator('#tile-operand').fill(operand);
-  await page.locator('#tile-operand').press('Enter');
+async function add(operand, on = page) {
+  await on.locator('#tile-operand').fill(operand);
+  await on.locator('#tile-operand').press('Enter');
 }
 
 test('the first tiles are those of the symbols, with their names (S7-SIM-03)', async () => {
@@ -18,13 +17,18 @@ test('the first tiles are those of the symbols, with their names (S7-SIM-03)', a
 });
 
 test('a click on an input toggles it and the program reacts (S7-SIM-10, S7-VIS-09)', async () => {
-  await turn(page, 'RUN-P');
-  const key = page.locator('button[data-operand="E 0.2"]');
-  const before = await bit(page, 'E 0.2');
-  await key.click();
-  await expect(() => bit(page, 'E 0.2'), before === '1' ? '0' : '1');
-  await key.click();
-  await expect(() => bit(page, 'E 0.2'), before);
+  const lamp = await open(await serve('06-first-program'));
+  await turn(lamp, 'RUN-P');
+  const press = (operand) => lamp.locator(`button[data-operand="${operand}"]`).click();
+  await add('EB 0', lamp);
+  await add('AB 3', lamp);
+  for (const operand of ['E 0.0', 'E 0.1', 'A 3.0']) await expect(() => bit(lamp, operand), '0');
+  await press('E 0.0');
+  await expect(() => bit(lamp, 'E 0.0'), '1');
+  await press('E 0.1');
+  await expect(() => bit(lamp, 'A 3.0'), '1');
+  await press('E 0.0');
+  await expect(() => bit(lamp, 'A 3.0'), '0');
 });
 
 test('tiles are added and removed, and the browser keeps them (S7-SIM-03)', async () => {
@@ -34,12 +38,12 @@ test('tiles are added and removed, and the browser keeps them (S7-SIM-03)', asyn
   await page.getByRole('article', { name: 'MW 10' }).waitFor();
   await add('T 9');
   await page.getByRole('button', { name: 'T 9 entfernen' }).click();
-  assert.equal(await page.getByRole('article', { name: 'T 9' }).count(), 0);
+  await expect(() => page.getByRole('article', { name: 'T 9' }).count(), 0);
 });
 
 test('what is no operand is refused with what would be right', async () => {
   await add('E 0.0');
-  assert.match(await page.locator('#tile-wrong').innerText(), /EB, AB, MB/);
+  await until(async () => /EB, AB, MB/.test(await page.locator('#tile-wrong').innerText()), 'what would be right');
   await page.locator('#tile-operand').fill('');
 });
 

@@ -1,7 +1,7 @@
 // The whole page by keyboard alone: no pointer is used here.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { bit, expect, open, serve, until } from './harness.mjs';
+import { bit, expect, leave, open, serve, until } from './harness.mjs';
 
 const server = await serve('06-first-program');
 const page = await open(server, 'projects');
@@ -68,8 +68,7 @@ test('an input is switched, a dialog opened and left, without a pointer', async 
   await expect(() => bit(page, 'E 0.0'), '1');
   await page.keyboard.press('F1');
   await page.getByRole('dialog').waitFor();
-  await page.keyboard.press('Escape');
-  await expect(() => page.getByRole('dialog').count(), 0);
+  await leave(page);
 });
 
 test('the mode selector follows the arrow keys', async () => {

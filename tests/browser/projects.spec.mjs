@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { expect, open, picture, serve, turn, until } from './harness.mjs';
+import { expect, leave, message, open, picture, quiet, serve, turn, until } from './harness.mjs';
 
 const server = await serve('sorting-plant');
 const page = await open(server, 'projects');
@@ -11,9 +11,8 @@ const name = () => page.locator('.root > strong').innerText();
 
 test('the project is a tree of station, CPU, program, and each entry opens its tool (S7-MGR-03)', async () => {
   await expect(name, 'Sorting plant');
-  const tree = await page.locator('.root').innerText();
   for (const entry of ['MPI(1)', 'SIMATIC 300(1)', 'Hardware', 'CPU 314C-2 PtP', 'S7-Programm(1)', 'Quellen', 'Bausteine', 'Symbole'])
-    assert.ok(tree.includes(entry), entry);
+    await until(async () => (await page.locator('.root').innerText()).includes(entry), entry);
   await page.locator('.root').getByRole('link', { name: 'Symbole' }).click();
   await page.getByRole('heading', { name: 'Symbole' }).waitFor();
   await page.goBack();
@@ -54,9 +53,9 @@ test('the wizard makes a project with CPU, MPI address, OB 1 and representation 
   await page.getByRole('button', { name: 'Neues Projekt …' }).click();
   await page.getByLabel('Projektname').fill('Manfred');
   await page.getByLabel('CPU-Typ').selectOption('314C-2 PtP');
-  assert.equal(await page.getByLabel('MPI-Adresse').inputValue(), '2');
+  await expect(() => page.getByLabel('MPI-Adresse').inputValue(), '2');
   await page.getByLabel('MPI-Adresse').fill('5');
-  assert.equal(await page.getByLabel('Einsprung-OB').inputValue(), 'OB 1');
+  await expect(() => page.getByLabel('Einsprung-OB').inputValue(), 'OB 1');
   // KOP and FUP are named as what is not there yet.
   await page.getByLabel('Darstellung').locator('option:disabled', { hasText: 'KOP' }).waitFor({ state: 'attached' });
   await page.getByLabel('Darstellung').selectOption('german');
@@ -74,17 +73,18 @@ test('MPI(1) shows who is on it (S7-MGR-04)', async () => {
   await page.getByRole('button', { name: 'MPI(1), Adresse 5' }).click();
   const rows = page.getByRole('dialog').getByRole('table').locator('tbody tr');
   await expect(() => rows.count(), 2);
-  assert.match(await rows.nth(0).innerText(), /PG.*\s0$/s);
-  assert.match(await rows.nth(1).innerText(), /CPU 314C-2 PtP\s+5$/);
+  await until(async () => /PG.*\s0$/s.test(await rows.nth(0).innerText()), 'the PG');
+  await until(async () => /CPU 314C-2 PtP\s+5$/.test(await rows.nth(1).innerText()), 'the CPU');
   await picture(page, 'projects-mpi');
-  await page.keyboard.press('Escape');
+  await leave(page);
 });
 
 test('a folder below the workspace is opened again, others are refused', async () => {
+  await quiet(page);
   await page.getByRole('button', { name: 'Ordner öffnen …' }).click();
   await page.locator('#folder').fill('/etc');
   await page.getByRole('dialog').getByRole('button', { name: 'Öffnen', exact: true }).click();
-  await page.locator('.message').first().waitFor();
+  await message(page, 'P1318');
   await page.locator('#folder').fill(server.project);
   await page.getByRole('dialog').getByRole('button', { name: 'Öffnen', exact: true }).click();
   await expect(name, 'Sorting plant');
@@ -94,8 +94,7 @@ test('blocks are uploaded from the CPU as sources (S7-MGR-15)', async () => {
   await turn(page, 'RUN-P');
   await page.getByRole('checkbox', { name: 'FC 1 auswählen' }).check();
   await page.getByRole('button', { name: 'Aus der CPU holen' }).click();
-  await page.locator('.message').filter({ hasText: 'Aus der CPU geholt' }).waitFor();
+  await message(page, 'Aus der CPU geholt');
   const uploaded = join(server.project, 'online/FC1.awl');
-  await until(() => existsSync(uploaded), uploaded);
-  assert.match(readFileSync(uploaded, 'utf-8'), /^FUNCTION "Count boxes"/m);
+  await until(() => existsSync(uploaded) && /^FUNCTION "Count boxes"/m.test(readFileSync(uploaded, 'utf-8')), uploaded);
 });

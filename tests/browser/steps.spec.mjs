@@ -1,5 +1,6 @@
 // The six work steps of the course, chapter 4.1.6: what a student does from the project to the running program.
-import assert from 'node:assert/strict';
+import { readdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { test } from 'node:test';
 import { problems, replaceAll, toLine } from './editor.mjs';
 import { bit, expect, open, serve, turn, until, visit } from './harness.mjs';
@@ -7,6 +8,14 @@ import { bit, expect, open, serve, turn, until, visit } from './harness.mjs';
 const server = await serve('06-first-program');
 const page = await open(server, 'projects');
 const block = (id) => page.getByRole('treeitem').filter({ hasText: id });
+/** Ctrl+S, and one file of the project has this text. */
+async function save(source) {
+  await page.keyboard.press('Control+s');
+  const folder = join(server.workspace, 'merker', 'Manfred');
+  const files = () => readdirSync(folder).filter((name) => name.endsWith('.awl'));
+  await until(() => files().some((name) => readFileSync(join(folder, name), 'utf-8') === source), 'the saved file');
+  await expect(() => page.getByText('nicht gespeichert').count(), 0);
+}
 async function newBlock(id, source) {
   await page.getByRole('button', { name: 'Neuer Baustein' }).click();
   await page.getByLabel(/^Baustein, z/).fill(id);
@@ -14,8 +23,7 @@ async function newBlock(id, source) {
   await page.locator('.work .head').filter({ hasText: id }).waitFor();
   await replaceAll(page, source);
   await expect(() => problems(page).count(), 0, 'problems');
-  await page.keyboard.press('Control+s');
-  await page.locator('.message.done').filter({ hasText: 'gespeichert' }).first().waitFor();
+  await save(source);
 }
 
 test('the six work steps of chapter 4.1.6, without a connected PLC (S7-SIM-01)', async (course) => {
@@ -47,7 +55,7 @@ END_FUNCTION
   await course.test('3. OB 1 with the entry of the program (S7-SIM-06)', async () => {
     await block('OB 1').first().click();
     await page.locator('.work .head').filter({ hasText: 'OB 1' }).waitFor();
-    await replaceAll(page, `ORGANIZATION_BLOCK OB 1
+    const entry = `ORGANIZATION_BLOCK OB 1
 TITLE = Entry of the program
 VERSION : 0.1
 BEGIN
@@ -55,10 +63,10 @@ NETWORK
 TITLE = Motor
       CALL  FC 1;
 END_ORGANIZATION_BLOCK
-`);
+`;
+    await replaceAll(page, entry);
     await expect(() => problems(page).count(), 0, 'problems');
-    await page.keyboard.press('Control+s');
-    await until(async () => (await page.getByText('nicht gespeichert').count()) === 0, 'saved');
+    await save(entry);
   });
 
   await course.test('4. start and configure the simulator (S7-SIM-07, S7-SIM-03)', async () => {
@@ -90,10 +98,11 @@ END_ORGANIZATION_BLOCK
     const press = (operand) => page.locator(`button[data-operand="${operand}"]`).first().click();
     await expect(() => bit(page, 'A 1.0'), '0');
     await press('E 0.0');
+    await expect(() => bit(page, 'E 0.0'), '1');
     await expect(() => bit(page, 'A 1.0'), '1', 'motor on');
     await press('E 0.0');
     await expect(() => bit(page, 'E 0.0'), '0');
-    assert.equal(await bit(page, 'A 1.0'), '1', 'the motor holds itself');
+    await expect(() => bit(page, 'A 1.0'), '1', 'the motor holds itself');
     await press('E 0.1');
     await expect(() => bit(page, 'A 1.0'), '0', 'motor off');
   });

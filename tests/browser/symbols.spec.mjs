@@ -16,13 +16,14 @@ const problems = page.locator('.state li');
 
 test('the table has symbol, operand, type and comment (S7-SYM-01, -02)', async () => {
   await expect(() => rows.count(), 8);
-  assert.equal(await cell('Symbol', 3).inputValue(), 'Motor');
-  assert.equal(await cell('Operand', 3).inputValue(), 'A 1.0');
-  assert.equal(await cell('Datentyp', 3).inputValue(), 'BOOL');
+  await expect(() => cell('Symbol', 3).inputValue(), 'Motor');
+  await expect(() => cell('Operand', 3).inputValue(), 'A 1.0');
+  await expect(() => cell('Datentyp', 3).inputValue(), 'BOOL');
 });
 
 test('a new symbol is saved and known to the program (S7-SYM-04)', async () => {
   await page.getByRole('button', { name: '+ Zeile' }).click();
+  await expect(() => cell('Symbol', 9).evaluate((one) => one === document.activeElement), true, 'the focus');
   await page.keyboard.type('Lamp');
   await cell('Operand', 9).fill('A 1.1');
   await cell('Datentyp', 9).fill('BOOL');
@@ -49,7 +50,7 @@ for (const [what, column, value, code = /P\d{4}/] of wrong)
     await cell(column, 9).fill(value);
     await until(async () => code.test((await problems.first().innerText().catch(() => '')) ?? ''), 'a problem');
     await expect(() => rows.nth(8).evaluate((row) => row.classList.contains('wrong')), true);
-    assert.equal(await save.isEnabled(), false);
+    await expect(() => save.isEnabled(), false);
     await page.keyboard.press('Control+s');
     assert.equal(await cell(column, 9).inputValue(), value);
     if (column === 'Symbol' && value === 'Motor') await picture(page, 'symbols-twice');
@@ -80,5 +81,5 @@ test('export and import keep the table (S7-SYM-17)', async () => {
   writeFileSync(one, text.split('\n').find((line) => line.startsWith('"Motor ')).replace('Motor ', 'Horn  ').replace(/1\.0/, '1.5') + '\n');
   await page.locator('input[type=file]').setInputFiles(one);
   await expect(() => rows.count(), 10);
-  assert.equal(await cell('Symbol', 10).inputValue(), 'Horn');
+  await expect(() => cell('Symbol', 10).inputValue(), 'Horn');
 });

@@ -4,7 +4,7 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { text, toLine } from './editor.mjs';
-import { open, picture, serve, until } from './harness.mjs';
+import { expect, open, picture, serve, until } from './harness.mjs';
 
 const server = await serve('06-first-program');
 const file = join(server.project, 'first.awl');
@@ -41,6 +41,7 @@ test('both texts are kept when two browsers change the same file', async () => {
   await page.locator('#program-panel .cm-changedLine').first().waitFor();
   await picture(page, 'program-conflict');
   await page.getByRole('button', { name: 'Meinen Text behalten' }).click();
+  await expect(() => page.getByText(/wurde anderswo geändert/).count(), 0);
   await has(page, '// not saved');
   assert.ok(saved().includes('// from the other'));
 });

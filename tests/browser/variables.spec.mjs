@@ -35,7 +35,7 @@ test('forcing shows a red F, the FRCE LED and the force list; releasing ends all
   await expect(() => page.locator('[data-led="FRCE"]').getAttribute('data-state'), 'on');
   await page.getByRole('button', { name: 'Alle aufheben' }).click();
   await expect(() => page.locator('[data-led="FRCE"]').getAttribute('data-state'), 'off');
-  assert.equal(await row('"Light barrier small"').locator('.mark b').count(), 0);
+  await expect(() => row('"Light barrier small"').locator('.mark b').count(), 0);
 });
 
 test('monitored and modified at a trigger point (S7-MGR-16)', async () => {
@@ -74,10 +74,11 @@ test('a table is saved as a file of the project and opened again', async () => {
   await page.getByRole('button', { name: 'Speichern unter …' }).click();
   await page.locator('#table-name').fill('belt');
   await page.keyboard.press('Enter');
-  await until(() => existsSync(join(server.project, 'belt.vat')), 'the file');
-  assert.match(readFileSync(join(server.project, 'belt.vat'), 'utf-8'), /^MW 20 ; AUTO ; W#16#1234$/m);
+  const table = join(server.project, 'belt.vat');
+  await until(() => existsSync(table) && /^MW 20 ; AUTO ; W#16#1234$/m.test(readFileSync(table, 'utf-8')), table);
+  await expect(() => page.locator('#variable-table').inputValue(), 'belt.vat');
   await page.getByRole('button', { name: 'Neu', exact: true }).click();
-  assert.equal(await page.locator('tbody tr').count(), 1);
+  await expect(() => page.locator('tbody tr').count(), 1);
   await page.locator('#variable-table').selectOption('belt.vat');
   await expect(async () => (await status('MW 20')).includes('1234'), true);
 });

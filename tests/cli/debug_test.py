@@ -3,6 +3,7 @@ import pty
 import re
 import select
 import subprocess
+import termios
 import time
 
 from harness import *
@@ -251,7 +252,6 @@ class Terminal(Case):
     @staticmethod
     def control(slave):
         import fcntl
-        import termios
         fcntl.ioctl(slave, termios.TIOCSCTTY, 0)
 
     def until(self, text, longest=30):
@@ -267,8 +267,15 @@ class Terminal(Case):
     def prompt(self):
         """The library shows the prompt a moment before it reads keys; what is typed in between can be lost."""
         seen = self.until("(merker) ")
-        time.sleep(0.3)
+        self.lines(False)
         return seen
+
+    def lines(self, wanted, longest=30):
+        """Until the terminal gives the program whole lines (while a command works) or each key (while it waits for one)."""
+        end = time.monotonic() + longest
+        while bool(termios.tcgetattr(self.terminal)[3] & termios.ICANON) != wanted:
+            self.assertLess(time.monotonic(), end, "the terminal does not change its mode")
+            time.sleep(0.01)
 
     def interrupt(self, text):
         """Ctrl-C, again while nothing happens, until the terminal shows this text."""
@@ -316,7 +323,7 @@ class Terminal(Case):
         self.prompt()
         self.type("run 100000m\n")
         self.until("100000m")
-        time.sleep(0.5)
+        self.lines(True)
         self.interrupt("HALT")
         self.prompt()
         self.type("where\n")

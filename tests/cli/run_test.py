@@ -1,7 +1,6 @@
 import os
 import signal
 import subprocess
-import time
 
 from harness import *
 
@@ -121,9 +120,7 @@ class Run(Case):
 
     def test_a_day_of_virtual_time_costs_seconds(self):
         self.write("s.awl", block("      L     DW#16#0\n      T     MD 10"))
-        start = time.monotonic()
-        self.expect(GOOD, "run", "s.awl", "--for", "10m")
-        self.assertLess(time.monotonic() - start, 60)
+        self.expect(GOOD, "run", "s.awl", "--for", "10m", timeout=60)
 
 
 class Trace(Case):
@@ -153,24 +150,22 @@ class RealTime(Case):
                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE, preexec_fn=held)
 
     def end(self, process, number):
-        start = time.monotonic()
         process.send_signal(number)
-        out, err = process.communicate(timeout=20)
-        # 1 s is the promise; the machine of a test may be busy
-        self.assertLess(time.monotonic() - start, 5)
+        out, err = process.communicate(timeout=60)
         self.assertEqual((process.returncode, err), (GOOD, ""))
         return out
 
     def test_ctrl_c_ends_it_and_prints(self):
+        os.mkfifo(self.folder / "trace")
         for number in (signal.SIGINT, signal.SIGTERM):
-            process = self.start("--set", "E 0.0 = 1", "--json", "--print", "A 0.0")
-            time.sleep(1)
-            values = json.loads(self.end(process, number))
+            process = self.start("--set", "E 0.0 = 1", "--json", "--print", "A 0.0", "--trace", "trace", "--watch", "A 0.1")
+            with open(self.folder / "trace", encoding="utf-8") as trace:
+                self.assertIn("A 0.1", trace.readline())  # two seconds after E 0.0
+                values = json.loads(self.end(process, number))
             self.assertIs(values["A 0.0"], True)
-            self.assertGreater(values["seconds"], 0.05)
-            self.assertLess(values["seconds"], 20)
+            self.assertGreaterEqual(values["seconds"], 2)
 
     def test_a_fault_ends_it_at_once(self):
         process = self.start("--set", "E 0.7 = 1")
-        process.communicate(timeout=20)
+        process.communicate(timeout=60)
         self.assertEqual(process.returncode, FAULT)

@@ -43,7 +43,7 @@ class BigSource(Served):
         one.send(json.dumps({"id": one.last, "do": "program.check", "files": files}))
         two.call("variables.write", items=[{"operand": "E 0.0", "value": "1"}])
         two.call("watch.set", list=1, items=[{"operand": "A 0.0"}])
-        two.until(lambda b: b.events and b.events[-1]["values"] == [[0, "1", 1]])
+        two.until_values([[0, "1", 1]])
 
 
 if __name__ == "__main__":

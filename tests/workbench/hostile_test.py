@@ -18,7 +18,7 @@ class Hostile(Served):
         cycles = browser.state["cycles"]
         browser.until(lambda b: b.state["cycles"] > cycles)
 
-    def raw(self, data, timeout=20):
+    def raw(self, data, timeout=60):
         """The answer to these bytes, until the server closes."""
         with socket.create_connection(("127.0.0.1", self.port), timeout) as connection:
             answer = b""
@@ -73,7 +73,7 @@ class Http(Hostile):
         self.alive()
 
     def test_many_connections_do_no_harm(self):
-        held = [socket.create_connection(("127.0.0.1", self.port), 20) for _ in range(300)]
+        held = [socket.create_connection(("127.0.0.1", self.port), 60) for _ in range(300)]
         for one in held:
             one.close()
         self.alive()

@@ -18,9 +18,9 @@ class Run(Served):
         browser.until(lambda b: b.state.get("mode") == "RUN" and b.state["cycles"] > 3)
         self.assertEqual(browser.state["project"]["name"], "Plant")
         browser.call("watch.set", list=1, items=[{"operand": "A 0.0"}])
-        browser.until(lambda b: b.events and b.events[-1]["values"] == [[0, "0", 0]])
+        browser.until_values([[0, "0", 0]])
         browser.call("variables.write", items=[{"operand": "E 0.0", "value": "1"}])
-        browser.until(lambda b: b.events[-1]["values"] == [[0, "1", 1]])
+        browser.until_values([[0, "1", 1]])
 
     def test_two_browsers_see_the_same_state(self):
         one, two = self.browser(), self.browser()
@@ -64,14 +64,14 @@ class Values(Served):
 class Port(Served):
     def test_a_port_in_use_is_told(self):
         call = subprocess.run([os.environ["MERKER"], "run", "plant", "--port", str(self.port)], cwd=self.folder,
-                              capture_output=True, text=True, timeout=20, check=False)
+                              capture_output=True, text=True, timeout=60, check=False)
         self.assertEqual(call.returncode, 4)
         self.assertIn("is in use by another program; choose another one with --port", call.stderr)
 
     def test_other_computers_need_token_and_certificate(self):
         for more in ((), ("--token", "x")):
             call = subprocess.run([os.environ["MERKER"], "run", "plant", "--port", "0", "--listen", "0.0.0.0", *more],
-                                  cwd=self.folder, capture_output=True, text=True, timeout=20, check=False)
+                                  cwd=self.folder, capture_output=True, text=True, timeout=60, check=False)
             self.assertEqual(call.returncode, 4)
             self.assertIn("that needs --token, --certificate and --key", call.stderr)
 

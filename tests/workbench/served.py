@@ -52,7 +52,7 @@ class Served(unittest.TestCase):
         line = self.process.stdout.readline()
         found = re.search(r"(https?)://[^:/]+:(\d+)/", line)
         if not found:
-            self.fail(line + self.process.communicate(timeout=20)[1])
+            self.fail(line + self.process.communicate(timeout=60)[1])
         self.port = int(found.group(2))
 
     def target(self):
@@ -63,7 +63,7 @@ class Served(unittest.TestCase):
         if self.process.poll() is None:
             self.process.send_signal(signal.SIGINT)
         try:
-            self.out, self.err = self.process.communicate(timeout=20)
+            self.out, self.err = self.process.communicate(timeout=60)
         except ValueError:  # ended already
             pass
         return self.process.returncode

@@ -25,7 +25,7 @@ class Tls(Served):
             self.assertEqual(page.status, 200)
             self.assertIn("wss://127.0.0.1", page.headers["Content-Security-Policy"])
         with self.assertRaises((urllib.error.URLError, ConnectionError, OSError)):
-            urllib.request.urlopen(f"http://127.0.0.1:{self.port}/", timeout=10)
+            urllib.request.urlopen(f"http://127.0.0.1:{self.port}/", timeout=60)
 
     def test_the_socket_wants_the_token(self):
         for path in ("/ws", "/ws?token=", "/ws?token=Secret", "/ws?token=secret1"):
@@ -37,7 +37,7 @@ class Tls(Served):
 
     def test_files_that_are_no_certificate_are_told(self):
         call = subprocess.run([os.environ["MERKER"], "run", "plant", "--port", "0", "--certificate", "plant/main.awl", "--key",
-                               "plant/main.awl"], cwd=self.folder, capture_output=True, text=True, timeout=20, check=False)
+                               "plant/main.awl"], cwd=self.folder, capture_output=True, text=True, timeout=60, check=False)
         self.assertEqual(call.returncode, 4)
         self.assertIn("plant/main.awl cannot be used", call.stderr)
 

@@ -22,7 +22,7 @@ class Refused(Exception):
 
 
 class WebSocket:
-    def __init__(self, port, path="/ws", headers=None, context=None, timeout=20):
+    def __init__(self, port, path="/ws", headers=None, context=None, timeout=60):
         raw = socket.create_connection(("127.0.0.1", port), timeout)
         self.socket = context.wrap_socket(raw, server_hostname="127.0.0.1") if context else raw
         self.buffer = b""
@@ -139,10 +139,15 @@ class Browser(WebSocket):
         assert "problems" in answer, (do, answer)
         return [problem["code"] for problem in answer["problems"]]
 
-    def until(self, condition, seconds=20):
+    def until(self, condition, seconds=60):
         """Takes events until the condition holds for the state and the events seen so far."""
         end = time.monotonic() + seconds
         while not condition(self):
             assert time.monotonic() < end, (self.state, self.events[-3:])
             self._keep(json.loads(self.receive()))
         return self
+
+    def until_values(self, values):
+        """Until the last values of a watch list are these; events of other kinds may come in between."""
+        seen = lambda: [event["values"] for event in self.events if "values" in event]
+        return self.until(lambda _: seen()[-1:] == [values])

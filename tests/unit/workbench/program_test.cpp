@@ -172,14 +172,14 @@ TEST(Program, KnowsWhatCanBeCompleted) {
   EXPECT_EQ(words["symbols"][0]["name"], "Start");
   EXPECT_EQ(words["symbols"][0]["operand"], "E 0.0");
   EXPECT_EQ(words["symbols"][2]["type"], "INT");
-  const auto has = [&](const char* mnemonics, const char* word) {
+  const auto operation = [&](const char* mnemonics, const char* word) {
     for (const Json& row : words["mnemonics"][mnemonics])
-      if (row[0] == word) return true;
-    return false;
+      if (row[0] == word) return row[2].get<std::string>();
+    return std::string();
   };
-  EXPECT_TRUE(has("german", "U"));
-  EXPECT_FALSE(has("international", "U"));
-  EXPECT_TRUE(has("international", "A"));
+  EXPECT_EQ(operation("german", "U"), "AND");
+  EXPECT_EQ(operation("international", "U"), "");
+  EXPECT_EQ(operation("international", "A"), "AND");
 }
 
 TEST(Program, KnowsWhereOperandsAreUsed) {

@@ -14,7 +14,7 @@ export interface BlockEntry {
   title: string;
 }
 
-export type MnemonicRow = readonly [word: string, operands: string, meaning: string];
+export type MnemonicRow = readonly [word: string, operands: string, id: string];
 
 export interface Catalogue {
   symbols: SymbolEntry[];

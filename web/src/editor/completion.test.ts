@@ -7,7 +7,13 @@ import { completionSource, optionsAt, typedWord } from './completion';
 const catalogue: Catalogue = {
   symbols: [{ name: 'Motor left', operand: 'A 1.0', type: 'BOOL', comment: 'belt' }],
   blocks: [{ id: 'FC 5', symbol: 'Running time', title: '' }],
-  mnemonics: { german: [['U', 'bit', 'AND']], international: [['A', 'bit', 'AND']] },
+  mnemonics: {
+    german: [
+      ['U', 'bit', 'AND'],
+      ['<I', '', 'LT_I'],
+    ],
+    international: [['A', 'bit', 'AND']],
+  },
 };
 
 function labels(code: string): string[] {
@@ -17,6 +23,10 @@ function labels(code: string): string[] {
 }
 
 describe('completion (S7-EDIT-17)', () => {
+  it('says what an instruction does', () => {
+    const option = optionsAt('BEGIN\n      <', 13, '<', catalogue).find(({ label }) => label === '<I');
+    expect(option?.info).toBe('compare for less than, integer (16 bits)');
+  });
   it('offers instructions where a statement begins', () => {
     expect(labels('      ')).toContain('U');
     expect(labels('U E 0.1; ')).toContain('U');

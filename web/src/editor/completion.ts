@@ -1,12 +1,14 @@
 // What may stand at the cursor (S7-EDIT-17): instructions at the beginning of a statement, then symbols, local variables,
 // blocks or labels, as the instruction takes them.
 import type { Completion, CompletionContext, CompletionResult, CompletionSource } from '@codemirror/autocomplete';
-import { said } from '../i18n';
+import { said, translator } from '../i18n';
+import { instructions } from '../i18n/texts/instructions';
 import type { Catalogue } from './catalogue';
 import { initialState, tokenizeLine, type LexerState, type Token } from './lexer';
 import { mnemonicsOf, type Mnemonics } from './mnemonics';
 import { blockAt, outline, type BlockOutline } from './outline';
 
+const meaning = translator(instructions);
 const calls = /^(CALL|UC|CC|AUF|OPN)$/;
 const jumps = /^(SP[A-Z]+|J[A-Z]+|LOOP)$/;
 
@@ -53,10 +55,10 @@ const labelOptions = (block: BlockOutline | undefined): Completion[] =>
   (block?.labels ?? []).map((label) => ({ label, type: 'label' }));
 
 const instructionOptions = (catalogue: Catalogue, mnemonics: Mnemonics): Completion[] =>
-  catalogue.mnemonics[mnemonics].map(([word, operands, meaning]) => ({
+  catalogue.mnemonics[mnemonics].map(([word, operands, id]) => ({
     label: word,
     detail: operands.split(', ').map(said).join(', '),
-    info: said(meaning),
+    info: id in instructions ? meaning(id as keyof typeof instructions) : undefined,
     type: 'instruction',
   }));
 

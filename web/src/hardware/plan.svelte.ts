@@ -87,6 +87,7 @@ class Plan {
   missing = $state(false);
   past = $state.raw<string[]>([]);
   private looked = '';
+  private before: Promise<unknown> = Promise.resolve();
 
   async open(): Promise<void> {
     this.document = null;
@@ -109,8 +110,14 @@ class Plan {
     if (answer && this.document?.text === text) this.planned = answer;
   }
 
-  /** False if the server refuses it; then nothing has changed. */
-  async change(...changes: Change[]): Promise<boolean> {
+  /** False if the server refuses it; then nothing has changed. One after the other: each begins with what came before. */
+  change(...changes: Change[]): Promise<boolean> {
+    const done = this.before.then(() => this.apply(changes));
+    this.before = done.catch(() => {});
+    return done;
+  }
+
+  private async apply(changes: Change[]): Promise<boolean> {
     const document = this.document;
     if (!document) return false;
     const before = document.text;
