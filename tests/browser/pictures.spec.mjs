@@ -48,6 +48,32 @@ test('pictures of the views', { skip: !wanted }, async () => {
   }
 });
 
+test('picture of three boxes on the belt', { skip: !wanted }, async () => {
+  const page = await open(await serve(), 'process');
+  await turn(page, 'RUN-P');
+  await page.getByRole('switch', { name: 'Kästen kommen von selbst' }).click();
+  await page.getByRole('button', { name: 'Zurück zum Anfang' }).click();
+  await page.getByRole('switch', { name: 'Kästen kommen von selbst' }).click();
+  for (const box of ['NEW_LARGE', 'NEW_MIDDLE', 'NEW_SMALL']) {
+    await page.locator(`button[data-push="${box}"]`).click({ delay: 200 });
+    await page.waitForTimeout(1500);
+  }
+  await picture(page, 'process-light');
+});
+
+test('picture of the simulator dialog', { skip: !wanted }, async () => {
+  const page = await open(await serve(), 'io', { language: 'en' });
+  await turn(page, 'RUN-P');
+  const dialog = page.getByRole('dialog');
+  await page.getByRole('button', { name: 'Simulator …' }).click();
+  await dialog.getByLabel('Name of the state').fill('three boxes');
+  await dialog.getByRole('button', { name: 'Save', exact: true }).click();
+  await until(async () => (await dialog.getByLabel('Saved state').innerText()).includes('three boxes'), 'the saved state');
+  await dialog.getByRole('button', { name: 'Record', exact: true }).click();
+  await dialog.getByText('0 actions recorded').waitFor();
+  await picture(page, 'simulator');
+});
+
 test('pictures of the dark theme', { skip: !wanted }, async () => {
   const server = await serve();
   const page = await open(server, 'io', { language: 'en', theme: 'dark' });
