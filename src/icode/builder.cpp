@@ -77,8 +77,16 @@ Value Builder::get(Item item) {
   return held.value;
 }
 
+// What comes out of numbers that are known.
+std::optional<std::uint32_t> Builder::folded(Opcode code, Value a, Value b,
+                                             std::uint32_t number) const {
+  const auto left = a == kNoValue ? std::nullopt : this->number(a);
+  const auto right = b == kNoValue ? std::optional(number) : this->number(b);
+  return left && right ? fold(code, *left, *right) : std::nullopt;
+}
+
 Value Builder::make(Opcode code, Value a, Value b, std::uint32_t number) {
-  if (code == Opcode::BitOf && this->number(a)) return constant(*this->number(a) >> number & 1);
+  if (const auto known = folded(code, a, b, number)) return constant(*known);
   return append({.code = code, .a = a, .b = b, .number = number});
 }
 Value Builder::make3(Opcode code, Value a, Value b, Value c) {

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -182,6 +183,10 @@ class ExitsOf {
   std::array<std::uint32_t, 2> exits_{};
   std::size_t count_ = 0;
 };
+
+// The result of a pure operation on numbers; `b` is the second one, or `number` of the operation.
+// Nothing if it is not computed before it runs.
+std::optional<std::uint32_t> fold(Opcode code, std::uint32_t a, std::uint32_t b);
 
 // Drops what nobody reads: dead flags, dead accumulators.
 void optimise(Region& region);

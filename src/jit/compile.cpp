@@ -18,12 +18,14 @@ void writeEnter(host::Assembler& code, const Layout& layout) {
   for (std::size_t i = 0; i < layout.images.size(); ++i)
     code.lea(kImages[i], host::ptr(host::rax, static_cast<int>(layout.images[i]) + kBias));
   code.mov(kClock, host::qword_ptr(kMachine, layout.clock));
+  code.mov(kCount, host::qword_ptr(kMachine, layout.instructions));
   code.jmp(host::rsi);
 }
 
 // eax: instruction to go on with
 void writeEpilogue(host::Assembler& code, const Layout& layout, const Instructions& answers) {
   code.mov(host::qword_ptr(kMachine, layout.clock), kClock);
+  code.mov(host::qword_ptr(kMachine, layout.instructions), kCount);
   code.imul(host::rax, host::rax, static_cast<int>(answers.stride));
   code.mov(host::rcx, reinterpret_cast<std::uintptr_t>(answers.first));
   code.add(host::rax, host::rcx);

@@ -176,7 +176,11 @@ void RegionCode::flag(CondCode condition) {
 }
 
 void RegionCode::compare(const Op& op, CondCode condition) {
-  places_.apply(host::Inst::kIdCmp, places_.in(op.a, host::eax), op.b);
+  const host::Gp a = places_.in(op.a, host::eax);
+  if (places_.isConstant(op.b) && places_.constant(op.b) == 0)
+    code_.test(a, a);  // the same flags as cmp with 0
+  else
+    places_.apply(host::Inst::kIdCmp, a, op.b);
   flag(condition);
 }
 

@@ -121,8 +121,7 @@ void RegionCode::Leave(const Op& op) {
 
 void RegionCode::charge(const Exit& exit) {
   if (exit.cost != 0) code_.add(kClock, static_cast<std::int32_t>(exit.cost));
-  if (exit.instructions != 0)
-    code_.add(host::qword_ptr(kMachine, unit_.layout.instructions), exit.instructions);
+  if (exit.instructions != 0) code_.add(kCount, exit.instructions);
 }
 
 void RegionCode::goTo(std::uint32_t instruction, std::uint32_t next) {

@@ -1,5 +1,7 @@
 // Operands whose area is only known when the instruction runs: parameters of an FC and
 // area-crossing address registers (S7-IND-06, S7-PAR-01).
+#include <algorithm>
+
 #include "jit/region_code.h"
 
 namespace merker::jit {
@@ -7,6 +9,10 @@ namespace merker::jit {
 using icode::Op;
 
 namespace {
+
+// The most frequent first.
+constexpr Area kAreas[] = {Area::Flag,     Area::CallerLocal, Area::DataBlock, Area::Local,
+                           Area::Instance, Area::Input,       Area::Output};
 
 constexpr int at(std::size_t field) { return static_cast<int>(field); }
 
@@ -16,27 +22,61 @@ const host::Gp& imageOf(Area area) {
 
 }  // namespace
 
-// edx: byte, ecx: end of the access
 void RegionCode::Locate(const Op& op) {
   const icode::Access access = icode::Access::of(op.place);
   const host::Gp to = places_.out().r64();
-  const asmjit::Label out = wayOut(op), done = code_.newLabel();
-  const host::Gp address = places_.in(op.b, host::edx), pointer = places_.in(op.a, host::eax);
+  const asmjit::Label out = wayOut(op);
+  if (!places_.isConstant(op.a)) {
+    locateByte(op, out);
+    const host::Gp pointer = places_.in(op.a, host::eax);
+    if (pointer.id() != host::eax.id()) code_.mov(host::eax, pointer);
+    code_.shr(host::eax, 24);
+    locateAnywhere(access.write, to, out);
+    return;
+  }
+  const auto area = static_cast<Area>(places_.constant(op.a) >> 24);
+  if (std::find(std::begin(kAreas), std::end(kAreas), area) == std::end(kAreas)) {
+    code_.jmp(out);
+    return;
+  }
+  if (isInImage(op, area)) {
+    code_.lea(to, host::ptr(imageOf(area), static_cast<int>(places_.constant(op.b) >> 3) - kBias));
+    return;
+  }
+  locateByte(op, out);
+  locateIn(area, access.write, to, out);
+}
+
+// Known now, without a look when it runs.
+bool RegionCode::isInImage(const Op& op, Area area) const {
+  if (!places_.isConstant(op.b)) return false;
+  const icode::Access access = icode::Access::of(op.place);
+  const std::uint32_t bit = places_.constant(op.b);
+  return !(access.whole && (bit & 7) != 0) &&
+         std::uint64_t{bit >> 3} + access.bytes <= cpu::imageLength(*unit_.model, area);
+}
+
+// edx: byte, ecx: end of the access
+void RegionCode::locateByte(const Op& op, const asmjit::Label& out) {
+  const icode::Access access = icode::Access::of(op.place);
+  const host::Gp address = places_.in(op.b, host::edx);
   if (address.id() != host::edx.id()) code_.mov(host::edx, address);
-  if (pointer.id() != host::eax.id()) code_.mov(host::eax, pointer);
   if (access.whole) {
     code_.test(host::dl, 7);
     code_.jne(out);
   }
   code_.shr(host::edx, 3);
-  code_.shr(host::eax, 24);
   code_.lea(host::ecx, host::ptr(host::rdx, static_cast<int>(access.bytes)));
-  for (const Area area : {Area::Flag, Area::CallerLocal, Area::DataBlock, Area::Local,
-                          Area::Instance, Area::Input, Area::Output}) {
+}
+
+// eax: area
+void RegionCode::locateAnywhere(bool write, const host::Gp& to, const asmjit::Label& out) {
+  const asmjit::Label done = code_.newLabel();
+  for (const Area area : kAreas) {
     const asmjit::Label next = code_.newLabel();
     code_.cmp(host::eax, static_cast<int>(area));
     code_.jne(next);
-    locateIn(area, access.write, to, out);
+    locateIn(area, write, to, out);
     code_.jmp(done);
     code_.bind(next);
   }

@@ -7,6 +7,15 @@ using icode::Op;
 using icode::Opcode;
 using icode::Space;
 
+namespace {
+
+bool hasMovbe() {
+  static const bool kHas = asmjit::CpuInfo::host().features().x86().hasMOVBE();
+  return kHas;
+}
+
+}  // namespace
+
 void RegionCode::Constant(const Op&) {}
 
 void RegionCode::Get(const Op& op) {
@@ -52,6 +61,10 @@ void RegionCode::Load16(const Op& op) {
 void RegionCode::Load32(const Op& op) {
   const host::Mem from = place(op, 4);
   const host::Gp to = places_.out();
+  if (hasMovbe()) {
+    code_.movbe(to, from);
+    return;
+  }
   code_.mov(to, from);
   code_.bswap(to);
 }
@@ -66,6 +79,10 @@ void RegionCode::Store8(const Op& op) {
 void RegionCode::Store16(const Op& op) {
   const host::Mem to = place(op, 2);
   const host::Gp from = places_.in(op.b, host::eax);
+  if (hasMovbe()) {
+    code_.movbe(to, from.r16());
+    return;
+  }
   if (from.id() != host::eax.id()) code_.mov(host::eax, from);
   code_.rol(host::ax, 8);
   code_.mov(to, host::ax);
@@ -73,6 +90,10 @@ void RegionCode::Store16(const Op& op) {
 void RegionCode::Store32(const Op& op) {
   const host::Mem to = place(op, 4);
   const host::Gp from = places_.in(op.b, host::eax);
+  if (hasMovbe()) {
+    code_.movbe(to, from);
+    return;
+  }
   if (from.id() != host::eax.id()) code_.mov(host::eax, from);
   code_.bswap(host::eax);
   code_.mov(to, host::eax);

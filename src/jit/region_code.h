@@ -96,6 +96,9 @@ class RegionCode {
   // For guards with several conditions: where to jump if one does not hold. Registers and slots
   // stay as they are until the last of these jumps.
   asmjit::Label wayOut(const icode::Op& op);
+  bool isInImage(const icode::Op& op, Area area) const;
+  void locateByte(const icode::Op& op, const asmjit::Label& out);
+  void locateAnywhere(bool write, const host::Gp& to, const asmjit::Label& out);
   void locateIn(Area area, bool write, const host::Gp& to, const asmjit::Label& out);
   host::Mem field(const icode::Op& op, std::uint32_t bytes);
   void shiftBy(const icode::Op& op, std::uint32_t instruction);
