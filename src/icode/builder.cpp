@@ -77,6 +77,19 @@ Value Builder::get(Item item) {
   return held.value;
 }
 
+// A value with the same low half that took less to make.
+Value Builder::lowHalf(Value value) const {
+  for (;;) {
+    const Op& op = region_.ops[value];
+    if (op.code == Opcode::LowFrom)
+      value = op.b;
+    else if (op.code == Opcode::Sext16 || op.code == Opcode::Zext16)
+      value = op.a;
+    else
+      return value;
+  }
+}
+
 // What comes out of numbers that are known.
 std::optional<std::uint32_t> Builder::folded(Opcode code, Value a, Value b,
                                              std::uint32_t number) const {
@@ -87,6 +100,9 @@ std::optional<std::uint32_t> Builder::folded(Opcode code, Value a, Value b,
 
 Value Builder::make(Opcode code, Value a, Value b, std::uint32_t number) {
   if (const auto known = folded(code, a, b, number)) return constant(*known);
+  if (code == Opcode::Sext16 || code == Opcode::Zext16) a = lowHalf(a);
+  if (code == Opcode::LowFrom) b = lowHalf(b);
+  if (code == Opcode::LowFrom && region_.ops[a].code == Opcode::LowFrom) a = region_.ops[a].a;
   return append({.code = code, .a = a, .b = b, .number = number});
 }
 Value Builder::make3(Opcode code, Value a, Value b, Value c) {
@@ -178,6 +194,7 @@ Value Builder::load(Space space, std::uint32_t place, unsigned bytes) {
 void Builder::store(Space space, std::uint32_t place, unsigned bytes, Value value) {
   space = held(space);
   forget(space, place, bytes);
+  if (bytes == 2) value = lowHalf(value);
   const bool later = bytes == 1 && waits(space);
   bytes_.push_back({space, place, bytes, value, later});
   if (!later) storeNow(bytes_.back());

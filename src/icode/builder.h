@@ -108,6 +108,7 @@ class Builder {
   };
   static std::size_t index(Item item) { return static_cast<std::size_t>(item); }
   std::optional<std::uint32_t> folded(Opcode code, Value a, Value b, std::uint32_t number) const;
+  Value lowHalf(Value value) const;
   Value append(Op op);
   Value atTheEnd(Opcode code, std::uint32_t number);
   Value base(Space space);

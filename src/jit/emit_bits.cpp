@@ -151,10 +151,6 @@ bool RegionCode::isRead(const icode::Exit& exit, icode::Value value) const {
 // A comparison directly in front of the only jump that needs it stays in the flags.
 bool RegionCode::isForJump() const {
   icode::Value next = current_ + 1;
-  const auto isSilent = [&](const Op& op) {
-    return !op.needed || op.late || op.code == icode::Opcode::Constant ||
-           op.code == icode::Opcode::BitOf;
-  };
   while (isSilent(region_.ops[next])) ++next;
   const Op& op = region_.ops[next];
   if (op.code < icode::Opcode::Guard || op.code > icode::Opcode::BranchUnless || op.a != current_ ||

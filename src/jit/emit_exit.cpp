@@ -141,18 +141,30 @@ host::Gp RegionCode::fetch(const Spot& spot, const host::Gp& scratch) {
 
 void RegionCode::writeLate(const icode::StateWrite& write, const StateSpot& spot) {
   const Op& op = region_.ops[write.value];
-  const host::Gp a = fetch(spot.a, host::eax);
   CondCode condition = conditionOf(op.code);
-  if (op.code == icode::Opcode::LessReal) {  // as b > a: then a number that is none gives 0
-    code_.movd(host::xmm0, a);
-    code_.movd(host::xmm1, fetch(spot.b, host::eax));
-    code_.ucomiss(host::xmm1, host::xmm0);
-  } else if (spot.b.kind == Spot::Kind::Constant) {
-    code_.cmp(a, static_cast<std::int32_t>(spot.b.number));
-  } else {
-    code_.cmp(a, fetch(spot.b, host::ecx));
-  }
-  if (unit_.options.broken == op.code) condition = host::negateCond(condition);
+  const bool real = op.code == icode::Opcode::LessReal;
+  if (!real && spot.a.kind == Spot::Kind::Constant && spot.b.kind != Spot::Kind::Constant)
+    return writeCompared(write, spot.b, spot.a, host::reverseCond(condition));
+  if (!real) return writeCompared(write, spot.a, spot.b, condition);
+  code_.movd(host::xmm0, fetch(spot.a, host::eax));  // as b > a: no number gives 0
+  code_.movd(host::xmm1, fetch(spot.b, host::eax));
+  code_.ucomiss(host::xmm1, host::xmm0);
+  writeCondition(write, condition);
+}
+
+void RegionCode::writeCompared(const icode::StateWrite& write, const Spot& a, const Spot& b,
+                               CondCode condition) {
+  const host::Gp left = fetch(a, host::eax);
+  if (b.kind == Spot::Kind::Constant)
+    code_.cmp(left, static_cast<std::int32_t>(b.number));
+  else
+    code_.cmp(left, fetch(b, host::ecx));
+  writeCondition(write, condition);
+}
+
+void RegionCode::writeCondition(const icode::StateWrite& write, CondCode condition) {
+  if (unit_.options.broken == region_.ops[write.value].code)
+    condition = host::negateCond(condition);
   code_.set(condition, host::byte_ptr(kMachine, offsetOf(write.item)));
 }
 

@@ -41,6 +41,12 @@ void RegionCode::RotlBy(const Op& op) { shiftBy(op, Id::kIdRol); }
 void RegionCode::SwapBytes(const Op& op) { unary(op, Id::kIdBswap); }
 
 void RegionCode::Mul(const Op& op) {
+  if (places_.isConstant(op.b)) {
+    const host::Gp from = places_.in(op.a, host::eax);
+    places_.releaseDying();
+    code_.imul(places_.out(), from, static_cast<std::int32_t>(places_.constant(op.b)));
+    return;
+  }
   const host::Gp by = places_.in(op.b, host::eax);
   const host::Gp to = places_.outFrom(op.a);
   code_.imul(to, op.a == op.b ? to : by);
@@ -101,8 +107,22 @@ void RegionCode::overflows(const Op& op, std::uint32_t instruction) {
   places_.apply(instruction, host::eax, op.b);
   flag(CondCode::kO);
 }
-void RegionCode::AddOverflows(const Op& op) { overflows(op, Id::kIdAdd); }
-void RegionCode::SubOverflows(const Op& op) { overflows(op, Id::kIdSub); }
+// The sum itself may just have been computed: the flags tell.
+bool RegionCode::isBehind(icode::Opcode code, const Op& op) const {
+  icode::Value before = current_;
+  while (before > 0 && isSilent(region_.ops[before - 1])) --before;
+  if (before == 0) return false;
+  const Op& sum = region_.ops[before - 1];
+  return sum.code == code && sum.a == op.a && sum.b == op.b && unit_.options.broken != code;
+}
+void RegionCode::AddOverflows(const Op& op) {
+  if (isBehind(icode::Opcode::Add, op)) return flag(CondCode::kO);
+  overflows(op, Id::kIdAdd);
+}
+void RegionCode::SubOverflows(const Op& op) {
+  if (isBehind(icode::Opcode::Sub, op)) return flag(CondCode::kO);
+  overflows(op, Id::kIdSub);
+}
 void RegionCode::MulOverflows(const Op& op) {
   const host::Gp by = places_.in(op.b, host::ecx);
   const host::Gp from = places_.in(op.a, host::eax);

@@ -76,6 +76,12 @@ class RegionCode {
   void shift(const icode::Op& op, std::uint32_t instruction);
   void flag(asmjit::x86::CondCode condition);
   bool isForJump() const;
+  bool isBehind(icode::Opcode code, const icode::Op& op) const;
+  // No code is written for it.
+  static bool isSilent(const icode::Op& op) {
+    return !op.needed || op.late || op.code == icode::Opcode::Constant ||
+           op.code == icode::Opcode::BitOf;
+  }
   void compare(const icode::Op& op, asmjit::x86::CondCode condition);
   void overflows(const icode::Op& op, std::uint32_t instruction);
   void divide(const icode::Op& op);
@@ -106,6 +112,9 @@ class RegionCode {
   void writeState(const icode::Exit& exit, const std::vector<StateSpot>& states,
                   const std::vector<Spot>& bytes);
   void writeItem(const icode::StateWrite& write, const Spot& spot);
+  void writeCompared(const icode::StateWrite& write, const Spot& a, const Spot& b,
+                     asmjit::x86::CondCode condition);
+  void writeCondition(const icode::StateWrite& write, asmjit::x86::CondCode condition);
   void writeLate(const icode::StateWrite& write, const StateSpot& spot);
   host::Gp fetch(const Spot& spot, const host::Gp& scratch);
   void writeByte(const icode::ByteWrite& write, const Spot& spot);
