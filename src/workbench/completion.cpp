@@ -67,6 +67,14 @@ Json instructions(Mnemonics mnemonics) {
   return list;
 }
 
+// The numbers that blocks can have: of OBs all there are, of the others the first and the last.
+Json numbers(const CpuModel& model) {
+  return {{"OB", model.organizationBlocks},
+          {"FB", {0, model.highestFb}},
+          {"FC", {0, model.highestFc}},
+          {"DB", {1, model.highestDb}}};
+}
+
 }  // namespace
 
 Json completion(const compilation::Build& build) {
@@ -85,7 +93,10 @@ Json completion(const compilation::Build& build) {
       blocks.push_back({{"id", toString(id)},
                         {"symbol", block.symbol.empty() ? block.attributes.name : block.symbol},
                         {"title", block.attributes.title}});
-  return {{"symbols", std::move(symbols)}, {"blocks", std::move(blocks)}, {"mnemonics", words}};
+  return {{"symbols", std::move(symbols)},
+          {"blocks", std::move(blocks)},
+          {"mnemonics", words},
+          {"numbers", numbers(*build.project.model)}};
 }
 
 }  // namespace merker::workbench

@@ -33,6 +33,10 @@ bool FileWatch::look(const ProjectFolder& folder) {
   return true;
 }
 
+void FileWatch::nothingLoaded() {
+  std::erase_if(loaded_, [](const auto& file) { return kindOfFile(file.first) != "hardware"; });
+}
+
 std::vector<std::string> FileWatch::changed() const {
   std::vector<std::string> list;
   for (const auto& [path, stamp] : seen_) {

@@ -15,6 +15,8 @@ class FileWatch {
   bool look(const ProjectFolder& folder);
   // The CPU has now what stands there.
   void loaded() { loaded_ = seen_; }
+  // The CPU is there, with its hardware, but without a program.
+  void nothingLoaded();
   const std::map<std::string, Stamp>& files() const { return seen_; }
   // Sources, symbols and settings that are newer than what the CPU holds.
   std::vector<std::string> changed() const;

@@ -13,13 +13,16 @@ std::unique_ptr<controller::Controller> made(const compilation::Build& build) {
     plc->start();
     return plc;
   }
-  compilation::Build empty = build;
-  empty.program = std::make_shared<const block::Program>();
-  empty.listings.clear();
-  return empty.controller();
+  return withoutProgram(build);
 }
 
 }  // namespace
+
+std::unique_ptr<controller::Controller> withoutProgram(compilation::Build build) {
+  build.program = std::make_shared<const block::Program>();
+  build.listings.clear();
+  return build.controller();
+}
 
 Plc::Plc(compilation::Build build, std::unique_ptr<controller::Controller> controller)
     : build_(std::move(build)),

@@ -12,6 +12,9 @@
 
 namespace merker::workbench {
 
+// The PLC of this configuration with nothing in it.
+std::unique_ptr<controller::Controller> withoutProgram(compilation::Build build);
+
 class Plc {
  public:
   using Observer = std::function<void(controller::Controller&)>;

@@ -22,10 +22,22 @@ Answer list(const Call& call) {
               {"folder", workspace.folder()}};
 }
 
-Answer openFolder(const Call& call, const std::string& folder, bool example) {
-  return compiled(call, folder, {}, [folder, example](const Call& now, Offline& offline) -> Answer {
+enum class Origin { Own, Example, New };
+
+// A new project comes with a CPU out of the box: empty, its switch at STOP; to load and RUN are the
+// steps of a person (S7-SIM-08, -09).
+std::unique_ptr<Plc> plcOf(compilation::Build build, Origin origin) {
+  if (origin != Origin::New) return std::make_unique<Plc>(std::move(build));
+  auto controller = withoutProgram(build);
+  controller->stop();
+  return std::make_unique<Plc>(std::move(build), std::move(controller));
+}
+
+Answer openFolder(const Call& call, const std::string& folder, Origin origin) {
+  return compiled(call, folder, {}, [folder, origin](const Call& now, Offline& offline) -> Answer {
     if (offline.build.project.unreadable) return offline.build.problems;
-    now.shared.show(std::make_unique<Plc>(std::move(offline.build)), example);
+    now.shared.show(plcOf(std::move(offline.build), origin), origin == Origin::Example);
+    if (origin == Origin::New) now.shared.files.nothingLoaded();
     now.shared.remember(folder);
     return empty();
   });
@@ -38,7 +50,7 @@ Answer open(const Call& call) {
   const auto folder =
       example ? call.shared.workspace.copyExample(name) : call.shared.workspace.folderToOpen(name);
   if (!folder) return one(folder.error());
-  return openFolder(call, *folder, example);
+  return openFolder(call, *folder, example ? Origin::Example : Origin::Own);
 }
 
 // "OB 1", "ob35".
@@ -68,11 +80,14 @@ Answer make(const Call& call) {
   wanted.ob = *number;
   const auto folder = call.shared.workspace.make(wanted);
   if (!folder) return one(folder.error());
-  return openFolder(call, *folder, false);
+  return openFolder(call, *folder, Origin::New);
 }
 
 // Everything is on the disk already: files.write puts it there at once.
 Answer save(const Call&) { return empty(); }
+
+// A browser asks whether anybody is still there.
+Answer ping(const Call&) { return empty(); }
 
 Answer close(const Call& call) {
   call.shared.show(nullptr, false);
@@ -82,7 +97,7 @@ Answer close(const Call& call) {
 constexpr Method kMethods[] = {
     {"projects.list", Needs::Nothing, list},   {"projects.open", Needs::Nothing, open},
     {"projects.new", Needs::Nothing, make},    {"projects.save", Needs::Nothing, save},
-    {"projects.close", Needs::Nothing, close},
+    {"projects.close", Needs::Nothing, close}, {"ping", Needs::Nothing, ping},
 };
 
 }  // namespace

@@ -91,6 +91,7 @@ Json project(const Shared& shared) {
           {"family", shared.plc->isS7() ? "S7" : "S5"},
           {"model", shared.plc->controller().modelName()},
           {"example", shared.example},
+          {"empty", shared.plc->isS7() && shared.plc->station()->program().empty()},
           {"changed", shared.files.changed()}};
 }
 

@@ -26,3 +26,16 @@ test('a server that went away is shown; when it is back the page goes on by itse
   await expect(() => bit(page, 'E 0.7'), '1');
   page.complaints.length = 0; // the browser itself logs each failed try
 });
+
+test('a server that says nothing any more is shown as lost, not as if all were well', async () => {
+  const server = await serve();
+  const page = await open(server);
+  server.freeze(true);
+  try {
+    await page.locator('[data-phase="lost"]').waitFor();
+  } finally {
+    server.freeze(false);
+  }
+  await page.locator('[data-phase="open"]').waitFor();
+  page.complaints.length = 0;
+});

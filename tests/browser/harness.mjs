@@ -64,7 +64,9 @@ export async function launch(project, workspace, port = 0) {
   process.on('exit', () => child.kill('SIGKILL'));
   const address = await until(() => /https?:\/\/\S+/.exec(said)?.[0] ?? (child.exitCode !== null && fail(said)),
     () => `an address in the output of the server, which said: ${said}`);
-  return { address, project, workspace, close, port: Number(new URL(address).port) };
+  // A network that goes away: the server is there and says nothing.
+  const freeze = (on) => child.kill(on ? 'SIGSTOP' : 'SIGCONT');
+  return { address, project, workspace, close, freeze, port: Number(new URL(address).port) };
 }
 
 function fail(said) {

@@ -1,10 +1,10 @@
 // The program view: blocks, editor, problems while typing, declarations, load, compare (S7-EDIT, S7-MGR-08..10, -15).
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
+import { existsSync, readFileSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { content, problems, replaceAll, text, toLine } from './editor.mjs';
-import { expect, message, open, picture, quiet, serve, turn, until } from './harness.mjs';
+import { expect, message, open, picture, quiet, serve, turn, until, visit } from './harness.mjs';
 
 const server = await serve('sorting-plant');
 const file = join(server.project, 'sorting.awl');
@@ -38,6 +38,52 @@ test('the declaration table shows address, declaration, name, type, initial valu
   await expect(() => row.locator('td').nth(1).innerText(), 'in');
   await expect(() => page.getByLabel('Typ Filter', { exact: true }).inputValue(), 'S5TIME');
   await expect(() => page.getByLabel('Anfangswert Filter', { exact: true }).inputValue(), 'S5T#50MS');
+});
+
+test('a block that this CPU cannot have is refused in the dialog, and no file is written', async () => {
+  await page.getByRole('button', { name: 'Neuer Baustein' }).click();
+  for (const [name, others] of [['FC 99999', 'FC 0 … 127'], ['DB 0', 'DB 1 … 127'], ['OB 2', 'OB 1, 10,'], ['XY 1', 'UDT']]) {
+    await page.getByLabel(/^Baustein, z/).fill(name);
+    await page.getByRole('button', { name: 'Anlegen' }).click();
+    await page.getByRole('alert').getByText(others).waitFor();
+  }
+  await page.keyboard.press('Escape');
+  for (const file of ['fc99999.awl', 'db0.awl', 'ob2.awl']) assert.ok(!existsSync(join(server.project, file)), file);
+});
+
+test('the new block is the one selected in the tree; a data type and a table of variables begin as one', async () => {
+  const create = async (name) => {
+    await page.getByRole('button', { name: 'Neuer Baustein' }).click();
+    await page.getByLabel(/^Baustein, z/).fill(name);
+    await page.getByRole('button', { name: 'Anlegen' }).click();
+  };
+  const dispose = async (path) => {
+    await expect(() => page.locator('.bar .path').innerText(), path);
+    await page.getByRole('button', { name: 'Datei löschen' }).click();
+    await page.getByRole('dialog').getByRole('button', { name: 'Datei löschen' }).click();
+    await until(() => !existsSync(join(server.project, path)), `${path} gone`);
+  };
+  await create('FC 77');
+  await page.locator('[role="treeitem"][aria-selected="true"]').filter({ hasText: 'FC 77' }).waitFor();
+  assert.equal(await page.locator('[role="treeitem"][aria-selected="true"]').count(), 1);
+  await dispose('fc77.awl');
+  await create('udt 7');
+  await until(async () => (await text(page)).startsWith('TYPE UDT 7\nSTRUCT'), 'the data type');
+  await expect(() => problems(page).count(), 0, 'problems');
+  await dispose('udt7.awl');
+  await create('VAT 1');
+  await page.locator('#variable-table').waitFor();
+  await expect(() => page.locator('#variable-table').inputValue(), 'vat1.vat');
+  rmSync(join(server.project, 'vat1.vat'));
+  await visit(page, server, 'program');
+  await block('OB 1').first().waitFor();
+});
+
+test('the definition of the project is neither renamed nor deleted here', async () => {
+  await page.locator('.files').getByText('merker.toml').click();
+  await expect(() => page.locator('.bar .path').innerText(), 'merker.toml');
+  assert.equal(await page.getByRole('button', { name: 'Datei löschen' }).count(), 0);
+  assert.equal(await page.getByRole('button', { name: 'Datei umbenennen' }).count(), 0);
 });
 
 test('a new data block is shared, an instance or of a type (S7-MGR-12)', async () => {

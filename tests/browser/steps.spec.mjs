@@ -32,6 +32,9 @@ test('the six work steps of chapter 4.1.6, without a connected PLC (S7-SIM-01)',
     await page.getByLabel('Projektname').fill('Manfred');
     await page.getByRole('button', { name: 'Anlegen' }).click();
     await block('OB 1').first().waitFor();
+    // A new CPU is empty and in STOP, as that of a simulator: steps 5 and 6 are still to be done, and it says so.
+    await page.locator('[data-mode="STOP"]').waitFor();
+    await page.locator('[data-hint="empty"]').getByText('Programm laden').waitFor();
   });
 
   await course.test('2. define blocks and program them with the editor (S7-SIM-05)', async () => {
@@ -85,6 +88,7 @@ END_ORGANIZATION_BLOCK
     await visit(page, server, 'projects');
     await page.getByRole('button', { name: 'In die CPU laden' }).click();
     await page.getByText('Projekt und CPU sind gleich.').waitFor();
+    await page.locator('[data-hint="empty"]').waitFor({ state: 'detached' });
   });
 
   await course.test('6. CPU to RUN: its LED is on, the cycle counter increases, the program works (S7-SIM-09, -10)', async () => {

@@ -4,7 +4,7 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { text, toLine } from './editor.mjs';
-import { expect, open, picture, serve, until } from './harness.mjs';
+import { expect, open, picture, serve, until, visit } from './harness.mjs';
 
 const server = await serve('06-first-program');
 const file = join(server.project, 'first.awl');
@@ -54,4 +54,19 @@ test('the other text is taken, and undo brings ours back', async () => {
   await page.locator('.code .cm-content').focus();
   await page.keyboard.press('Control+z');
   await has(page, '// not saved');
+});
+
+test('two tabs of one browser: what the one saves costs the other nothing', async () => {
+  const own = await serve('06-first-program');
+  const first = await open(own, 'program?file=first.awl');
+  const second = await first.context().newPage();
+  await visit(second, own, 'program?file=first.awl');
+  await second.locator('.code .cm-content').waitFor();
+  await type(first, '// of the first tab');
+  await type(second, '// of the second tab');
+  await second.keyboard.press('Control+s');
+  await first.getByText(/wurde anderswo geändert/).waitFor();
+  await first.reload();
+  await has(first, '// of the first tab');
+  await first.getByText(/wurde anderswo geändert/).waitFor();
 });

@@ -40,10 +40,20 @@ class Projects(Served):
         browser.call("projects.open", folder="sorting-plant")
         browser.until(lambda b: b.state["project"] is not None)
 
-    def test_the_wizard_makes_a_project_that_runs(self):
+    def test_the_wizard_makes_a_project_whose_cpu_waits_for_its_program(self):
+        """S7-MGR-01; S7-SIM-08, -09: a new CPU is empty and in STOP until somebody loads and turns its switch."""
         browser = self.browser()
         browser.call("projects.new", name="First one", model="313C", template="errors", mnemonics="international", ob="OB 35")
-        browser.until(lambda b: b.state.get("mode") == "RUN")
+        browser.until(lambda b: (b.state.get("project") or {}).get("name") == "First one")
+        self.assertEqual((browser.state["mode"], browser.state["switch"]), ("STOP", "STOP"))
+        self.assertTrue(browser.state["project"]["empty"])
+        self.assertEqual(browser.state["project"]["changed"], ["main.awl", "symbols.sym"])
+        self.assertEqual(browser.call("program.blocks", side="online")["blocks"], [])
+        browser.call("program.load")
+        browser.until(lambda b: not b.state["project"]["empty"] and not b.state["project"]["changed"])
+        self.assertEqual(browser.state["mode"], "STOP")
+        browser.call("cpu.switch", position="RUN-P")
+        browser.until(lambda b: b.state["mode"] == "RUN")
         self.assertEqual(browser.state["project"]["model"], "CPU 313C")
         blocks = {row["id"] for row in browser.call("program.blocks", side="online")["blocks"]}
         self.assertLessEqual({"OB 1", "OB 35", "OB 100", "OB 121"}, blocks)

@@ -113,6 +113,34 @@ test('each failed try waits longer, up to a limit; the user may try at once', ()
   expect(sockets.length).toBe(before + 1);
 });
 
+test('silence is asked about; a server that does not answer is lost, one that answers is not', () => {
+  const connection = connected();
+  const phases: string[] = [];
+  connection.onPhase = (phase) => phases.push(phase);
+  for (let tick = 0; tick < 10; tick++) {
+    vi.advanceTimersByTime(2000);
+    expect(latest().sent.at(-1)).toMatchObject({ do: 'ping' });
+    latest().says({ id: latest().sent.at(-1)!.id, result: {} });
+  }
+  expect(phases).toEqual([]);
+  vi.advanceTimersByTime(8000);
+  expect(phases).toEqual(['lost']);
+  const before = sockets.length;
+  vi.advanceTimersByTime(250);
+  expect(sockets.length).toBe(before + 1);
+  connection.close();
+});
+
+test('a connection that never opens is tried again', () => {
+  const connection = connected();
+  latest().close();
+  vi.advanceTimersByTime(250);
+  const before = sockets.length;
+  vi.advanceTimersByTime(8000 + 500);
+  expect(sockets.length).toBe(before + 1);
+  connection.close();
+});
+
 test('the socket stands beside the page and takes its token along', () => {
   expect(socketAddress('http://127.0.0.1:8314/#/io')).toBe('ws://127.0.0.1:8314/ws');
   expect(socketAddress('https://host/plc/?token=a%2Bb#/io')).toBe('wss://host/plc/ws?token=a%2Bb');

@@ -32,6 +32,9 @@ export interface Socket {
 
 const FIRST_RETRY_MS = 250;
 const LONGEST_RETRY_MS = 4000;
+/** A network that went away says nothing: after one quiet tick the page asks, after four it takes the connection for lost. */
+const TICK_MS = 2000;
+const MOST_QUIET_TICKS = 4;
 
 /** Questions with promised answers, events, and a connection that comes back by itself. */
 export class Connection {
@@ -46,6 +49,8 @@ export class Connection {
   private retryMs = FIRST_RETRY_MS;
   private timer: ReturnType<typeof setTimeout> | undefined;
   private closed = false;
+  private clock: ReturnType<typeof setInterval> | undefined;
+  private quiet = 0;
 
   constructor(private readonly open: () => Socket) {}
 
@@ -55,6 +60,23 @@ export class Connection {
     socket.onopen = () => this.opened();
     socket.onmessage = (event) => this.received(String(event.data));
     socket.onclose = () => this.lost();
+    this.quiet = 0;
+    clearInterval(this.clock);
+    this.clock = setInterval(() => this.listen(), TICK_MS);
+  }
+
+  // Ticks, not times, are counted: a page that slept hears first what came meanwhile.
+  private listen(): void {
+    this.quiet++;
+    if (this.quiet === 1) this.ask('ping').catch(() => {});
+    if (this.quiet >= MOST_QUIET_TICKS) this.giveUp();
+  }
+
+  private giveUp(): void {
+    const socket = this.socket;
+    if (socket) socket.onopen = socket.onmessage = socket.onclose = null;
+    socket?.close();
+    this.lost();
   }
 
   /** Tries again at once, for an impatient user. */
@@ -68,6 +90,7 @@ export class Connection {
   close(): void {
     this.closed = true;
     clearTimeout(this.timer);
+    clearInterval(this.clock);
     this.socket?.close();
   }
 
@@ -133,6 +156,7 @@ export class Connection {
 
   private lost(): void {
     this.socket = null;
+    clearInterval(this.clock);
     const waiting = [...this.waiting.values()];
     this.waiting.clear();
     this.show('lost');
@@ -143,6 +167,7 @@ export class Connection {
   }
 
   private received(text: string): void {
+    this.quiet = 0;
     const message = JSON.parse(text) as Fields;
     if (typeof message.event === 'string') {
       for (const handler of this.handlers.get(message.event) ?? []) handler(message);

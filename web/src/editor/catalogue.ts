@@ -20,12 +20,22 @@ export interface Catalogue {
   symbols: SymbolEntry[];
   blocks: BlockEntry[];
   mnemonics: Record<Mnemonics, MnemonicRow[]>;
+  /** Which numbers blocks of this CPU can have: the OBs it has, of the others the first and the last; null until it is known. */
+  numbers: BlockNumbers | null;
+}
+
+export interface BlockNumbers {
+  OB: number[];
+  FB: [number, number];
+  FC: [number, number];
+  DB: [number, number];
 }
 
 export const emptyCatalogue = (): Catalogue => ({
   symbols: [],
   blocks: [],
   mnemonics: { german: [], international: [] },
+  numbers: null,
 });
 
 /** Symbols by operand and by name, each found however it is written. */

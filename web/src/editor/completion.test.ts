@@ -5,6 +5,7 @@ import { EditorState } from '@codemirror/state';
 import { completionSource, optionsAt, typedWord } from './completion';
 
 const catalogue: Catalogue = {
+  numbers: null,
   symbols: [{ name: 'Motor left', operand: 'A 1.0', type: 'BOOL', comment: 'belt' }],
   blocks: [{ id: 'FC 5', symbol: 'Running time', title: '' }],
   mnemonics: {

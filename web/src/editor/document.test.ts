@@ -60,3 +60,27 @@ test('another project of the same file names has its own drafts', () => {
   opened().edit('mine');
   expect(new Drafts(storage, 'other').read('a.awl')).toBeNull();
 });
+
+test('each tab keeps what was typed in it, whatever another one types or saves', () => {
+  const tab = (): Drafts => {
+    const own = new Map<string, string>();
+    const mine = {
+      getItem: (key: string) => own.get(key) ?? null,
+      setItem: (key: string, value: string) => void own.set(key, value),
+      removeItem: (key: string) => void own.delete(key),
+    };
+    return new Drafts(storage, 'plant', mine);
+  };
+  const here = tab();
+  const there = tab();
+  const stored = { text: 'U E 0.0', revision: 1 };
+  new OpenDocument('a.awl', stored, here).edit('U E 0.1');
+  const other = new OpenDocument('a.awl', stored, there);
+  other.edit('U E 0.2');
+  expect(new OpenDocument('a.awl', stored, here).text).toBe('U E 0.1');
+  other.saved('U E 0.2', 2);
+  const again = new OpenDocument('a.awl', { text: 'U E 0.2', revision: 2 }, here);
+  expect(again.text).toBe('U E 0.1');
+  expect(again.conflict?.text).toBe('U E 0.2');
+  expect(kept.size).toBe(0);
+});

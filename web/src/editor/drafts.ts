@@ -1,4 +1,5 @@
 // What was typed and not yet saved, kept by the browser over a reload. A text that gave way to another one is kept too.
+// Each tab has its own; what the browser keeps for the next start is the last one that was typed in any of them.
 
 export interface Draft {
   text: string;
@@ -15,11 +16,15 @@ export class Drafts {
   constructor(
     private readonly storage: Storage,
     private readonly folder: string,
+    private readonly tab: Storage = storage,
   ) {}
 
   read(path: string): Draft | null {
     try {
-      return JSON.parse(this.storage.getItem(this.key(path)) ?? 'null') as Draft | null;
+      const own = this.tab.getItem(this.key(path));
+      const found = own ?? this.storage.getItem(this.key(path));
+      if (found !== null && own === null) this.tab.setItem(this.key(path), found);
+      return JSON.parse(found ?? 'null') as Draft | null;
     } catch {
       return null;
     }
@@ -28,7 +33,9 @@ export class Drafts {
   /** False if the browser keeps nothing: the caller tells the user. */
   write(path: string, draft: Draft): boolean {
     try {
-      this.storage.setItem(this.key(path), JSON.stringify(draft));
+      const text = JSON.stringify(draft);
+      this.tab.setItem(this.key(path), text);
+      this.storage.setItem(this.key(path), text);
       return true;
     } catch {
       return false;
@@ -37,7 +44,10 @@ export class Drafts {
 
   remove(path: string): void {
     try {
-      this.storage.removeItem(this.key(path));
+      const key = this.key(path);
+      // What another tab has typed since is not ours to forget.
+      if (this.storage.getItem(key) === this.tab.getItem(key)) this.storage.removeItem(key);
+      this.tab.removeItem(key);
     } catch {
       // nothing was kept then
     }

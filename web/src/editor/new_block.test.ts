@@ -1,11 +1,14 @@
 import { expect, test } from 'vitest';
-import { blockId, blockText, typeName } from './new_block';
+import type { BlockNumbers } from './catalogue';
+import { blockId, blockText, fileOf, otherNumbers, typeName } from './new_block';
 import { outline } from './outline';
 
 test.each([
   ['fc1', 'FC 1'],
   [' OB  100 ', 'OB 100'],
   ['DB 007', 'DB 7'],
+  ['udt 3', 'UDT 3'],
+  ['vat1', 'VAT 1'],
   ['FX 1', null],
   ['FC', null],
 ])('%s is %s', (text, id) => expect(blockId(text)).toBe(id));
@@ -23,3 +26,26 @@ test.each([
 
 test('a data block may be the instance of a function block (S7-MGR-12)', () =>
   expect(blockText('DB 4', 'FB 2')).toContain('DATA_BLOCK DB 4 FB 2\n'));
+
+test('a data type has a structure', () =>
+  expect(blockText('UDT 1')).toMatch(/^TYPE UDT 1\nSTRUCT\n[^]*END_STRUCT ;\nEND_TYPE\n$/));
+
+test.each([
+  ['FC 1', 'fc1.awl'],
+  ['UDT 2', 'udt2.awl'],
+  ['VAT 1', 'vat1.vat'],
+])('%s stands in %s', (id, path) => expect(fileOf(id)).toBe(path));
+
+const numbers: BlockNumbers = { OB: [1, 35], FB: [0, 9], FC: [0, 9], DB: [1, 9] };
+test.each([
+  ['OB 1', null],
+  ['OB 2', '1, 35'],
+  ['FC 0', null],
+  ['FC 10', '0 … 9'],
+  ['DB 0', '1 … 9'],
+  ['UDT 10', null],
+  ['UDT 70000', '0 … 65535'],
+  ['SFB 60', null],
+  ['"Box"', null],
+  ['', null],
+])('instead of %s: %s', (id, others) => expect(otherNumbers(id, numbers)).toBe(others));

@@ -1,16 +1,33 @@
 // The text a new block begins with.
+import type { BlockNumbers } from './catalogue';
 
 const keywords: Record<string, string> = {
   OB: 'ORGANIZATION_BLOCK',
   FB: 'FUNCTION_BLOCK',
   FC: 'FUNCTION',
   DB: 'DATA_BLOCK',
+  UDT: 'TYPE',
 };
 
 /** "fc1" becomes "FC 1"; null if it is no block that can be written. */
 export function blockId(text: string): string | null {
-  const [, kind, number] = /^\s*(OB|FB|FC|DB)\s*(\d{1,5})\s*$/i.exec(text) ?? [];
+  const [, kind, number] = /^\s*(OB|FB|FC|DB|UDT|VAT)\s*(\d{1,5})\s*$/i.exec(text) ?? [];
   return kind ? `${kind.toUpperCase()} ${Number(number)}` : null;
+}
+
+export const isTable = (id: string): boolean => id.startsWith('VAT');
+export const fileOf = (id: string): string => `${id.replace(' ', '').toLowerCase()}.${isTable(id) ? 'vat' : 'awl'}`;
+
+/** Types and tables of variables do not go into the CPU: any number a source can write. */
+const KEPT: [number, number] = [0, 65535];
+
+/** Which numbers there are, if this is not one of them: "0 … 2047", "1, 10, 35". */
+export function otherNumbers(id: string, of: BlockNumbers | null): string | null {
+  const [, kind, number] = /^(OB|FB|FC|DB|UDT|VAT) (\d+)$/.exec(id) ?? [];
+  if (!of || !kind) return null;
+  if (kind === 'OB') return of.OB.includes(Number(number)) ? null : of.OB.join(', ');
+  const [first, last] = of[kind as 'FB' | 'FC' | 'DB'] ?? KEPT;
+  return Number(number) >= first && Number(number) <= last ? null : `${first} … ${last}`;
 }
 
 /** What a data block can be made of: "fb1", "UDT 2", a symbol in quotation marks; null if it is nothing like it. */
@@ -19,6 +36,8 @@ export function typeName(text: string): string | null {
   if (kind) return `${kind.toUpperCase()} ${Number(number)}`;
   return /^\s*"[^"]+"\s*$/.test(text) ? text.trim() : null;
 }
+
+const structure = 'STRUCT\n  Value : INT ;\nEND_STRUCT ;\n';
 
 const code = (head: string, end: string, sections = ''): string => `${head}
 TITLE =
@@ -31,12 +50,13 @@ ${end}
 `;
 
 export function blockText(id: string, instanceOf = ''): string {
-  const kind = id.slice(0, 2);
+  const [kind = ''] = id.split(' ');
   const keyword = keywords[kind]!;
+  if (kind === 'UDT') return `TYPE ${id}\n${structure}END_TYPE\n`;
   if (kind === 'DB')
     return instanceOf
       ? `DATA_BLOCK ${id} ${instanceOf}\nBEGIN\nEND_DATA_BLOCK\n`
-      : `DATA_BLOCK ${id}\nSTRUCT\n  Value : INT ;\nEND_STRUCT ;\nBEGIN\nEND_DATA_BLOCK\n`;
+      : `DATA_BLOCK ${id}\n${structure}BEGIN\nEND_DATA_BLOCK\n`;
   const sections = kind === 'FB' ? 'VAR_INPUT\nEND_VAR\n' : '';
   return code(kind === 'FC' ? `${keyword} ${id} : VOID` : `${keyword} ${id}`, `END_${keyword}`, sections);
 }

@@ -67,7 +67,7 @@ class Workspace {
   symbols = $derived(new SymbolIndex(this.catalogue.symbols));
 
   private folder = $state('');
-  private drafts = new Drafts(localStorage, '');
+  private drafts = new Drafts(localStorage, '', sessionStorage);
   private timer: ReturnType<typeof setTimeout> | undefined;
 
   /** Whether what is here is of that project. */
@@ -79,7 +79,7 @@ class Workspace {
   enter(folder: string): void {
     if (folder === this.folder) return;
     this.folder = folder;
-    this.drafts = new Drafts(localStorage, folder);
+    this.drafts = new Drafts(localStorage, folder, sessionStorage);
     this.documents.clear();
     this.current = null;
     this.files = [];

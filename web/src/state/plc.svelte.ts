@@ -13,6 +13,8 @@ export interface Project {
   mpiAddress: number;
   model: string;
   example: boolean;
+  /** No block is in the CPU. */
+  empty: boolean;
   changed: string[];
 }
 

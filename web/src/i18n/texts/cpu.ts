@@ -26,6 +26,11 @@ export const cpu = {
   modeSTARTUP: ['ANLAUF', 'STARTUP'],
   modeHALT: ['HALT', 'HOLD'],
   modeOff: ['stromlos', 'no power'],
+  emptyCpu: [
+    'Die CPU ist leer: Programm laden, dann Schalter auf RUN-P.',
+    'The CPU is empty: load the program, then switch to RUN-P.',
+  ],
+  toProgram: ['Zum Programm', 'To the program'],
   haltAt: ['Haltepunkt: {place}', 'Breakpoint: {place}'],
   forces: ['{count} geforct', '{count} forced'],
   forceTitle: ['Zur Variablentabelle', 'To the variable table'],

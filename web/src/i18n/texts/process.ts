@@ -8,6 +8,11 @@ export const process = {
     'Zu diesem Projekt gehört keine Anlage. Die Beispiele „Sortieranlage“, „Aufzug“ und andere haben eine.',
     'This project has no plant. The examples “Sorting plant”, “Lift” and others have one.',
   ],
+  noProject: [
+    'Es ist kein Projekt offen. Ein Beispiel oder ein eigenes Projekt öffnen:',
+    'No project is open. Open an example or a project of your own:',
+  ],
+  toProjects: ['Zu den Projekten', 'To the projects'],
   reset: ['Zurück zum Anfang', 'Back to the start'],
   place: ['Kasten auflegen', 'Put a box'],
   signals: ['Signale', 'Signals'],

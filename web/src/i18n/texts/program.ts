@@ -17,10 +17,14 @@ export const program = {
   onlyOnline: ['nur in der CPU', 'only in the CPU'],
   newFile: ['Neue Datei', 'New file'],
   newBlock: ['Neuer Baustein', 'New block'],
-  blockName: ['Baustein, z. B. FC 1', 'Block, e.g. FC 1'],
+  blockName: ['Baustein, z. B. FC 1, UDT 1, VAT 1', 'Block, e.g. FC 1, UDT 1, VAT 1'],
   blockNameWrong: [
-    'Ein Baustein heißt OB, FB, FC oder DB mit einer Nummer.',
-    'A block is OB, FB, FC or DB with a number.',
+    'Ein Baustein heißt OB, FB, FC oder DB mit einer Nummer, ein Datentyp UDT, eine Variablentabelle VAT.',
+    'A block is OB, FB, FC or DB with a number, a data type UDT, a variable table VAT.',
+  ],
+  blockNumberWrong: [
+    '{block} ist nicht möglich. Möglich sind: {kind} {numbers}.',
+    '{block} is not possible. Possible are: {kind} {numbers}.',
   ],
   blockThere: ['{block} gibt es schon.', '{block} exists already.'],
   instanceOf: [

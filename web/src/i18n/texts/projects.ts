@@ -53,7 +53,10 @@ export const projects = {
   template: ['Vorlage', 'Template'],
   create: ['Anlegen', 'Create'],
   cancel: ['Abbrechen', 'Cancel'],
-  created: ['Projekt {name} angelegt.', 'Project {name} created.'],
+  created: [
+    'Projekt {name} angelegt. Die CPU steht in STOP und ist leer: Bausteine schreiben, laden, dann RUN-P.',
+    'Project {name} created. The CPU is in STOP and empty: write blocks, load them, then RUN-P.',
+  ],
   below: ['Ordner unter {folder}', 'Folder below {folder}'],
   compare: ['Projekt und CPU', 'Project and CPU'],
   allSame: ['Projekt und CPU sind gleich.', 'Project and CPU are the same.'],
