@@ -1,6 +1,6 @@
 // Tiles: S7-SIM-03, S7-SIM-10, S7-SIM-12, S7-VIS-09.
 import { test } from 'node:test';
-import { bit, expect, open, serve, turn, until } from './harness.mjs';
+import { bit, expect, open, serve, turn, until, visit } from './harness.mjs';
 
 const server = await serve();
 const page = await open(server);
@@ -39,6 +39,25 @@ test('tiles are added and removed, and the browser keeps them (S7-SIM-03)', asyn
   await add('T 9');
   await page.getByRole('button', { name: 'T 9 entfernen' }).click();
   await expect(() => page.getByRole('article', { name: 'T 9' }).count(), 0);
+});
+
+test('a tile that is added before the symbols are known stays', async () => {
+  const server = await serve('09-symbols');
+  const fresh = await open(server, 'hardware');
+  await fresh.evaluate(() => {
+    const { send } = WebSocket.prototype;
+    const held = (window.held = []);
+    WebSocket.prototype.send = function (text) {
+      if (text.includes('symbols.read')) held.push(() => send.call(this, text));
+      else send.call(this, text);
+    };
+  });
+  await visit(fresh, server, 'io');
+  await add('MW 90', fresh);
+  await fresh.getByRole('article', { name: 'MW 90' }).waitFor();
+  await fresh.evaluate(() => window.held.forEach((answer) => answer()));
+  await fresh.getByRole('article', { name: 'AB 1' }).waitFor();
+  await expect(() => fresh.getByRole('article', { name: 'MW 90' }).count(), 1);
 });
 
 test('what is no operand is refused with what would be right', async () => {

@@ -254,7 +254,7 @@ class Terminal(Case):
         import fcntl
         fcntl.ioctl(slave, termios.TIOCSCTTY, 0)
 
-    def until(self, text, longest=30):
+    def until(self, text, longest=60):
         """What the terminal shows up to and with this text."""
         end = time.monotonic() + longest
         while text not in self.shown:
@@ -270,7 +270,7 @@ class Terminal(Case):
         self.lines(False)
         return seen
 
-    def lines(self, wanted, longest=30):
+    def lines(self, wanted, longest=60):
         """Until the terminal gives the program whole lines (while a command works) or each key (while it waits for one)."""
         end = time.monotonic() + longest
         while bool(termios.tcgetattr(self.terminal)[3] & termios.ICANON) != wanted:
@@ -309,7 +309,7 @@ class Terminal(Case):
         self.until("1: MW 10 = ")
         self.prompt()
         self.type("quit\n")
-        self.assertEqual(self.process.wait(30), GOOD)
+        self.assertEqual(self.process.wait(60), GOOD)
 
     def test_ctrl_c_drops_the_line(self):
         self.prompt()
@@ -330,7 +330,7 @@ class Terminal(Case):
         self.until("OB 1 byte")
         self.prompt()
         self.type("\x04")  # end of input
-        self.assertEqual(self.process.wait(30), GOOD)
+        self.assertEqual(self.process.wait(60), GOOD)
 
 
 class Diag(Case):

@@ -81,7 +81,7 @@ class Case(unittest.TestCase):
     def read(self, name):
         return (self.folder / name).read_text(encoding="utf-8")
 
-    def merker(self, *arguments, text=None, timeout=60):
+    def merker(self, *arguments, text=None, timeout=300):
         return Call(subprocess.run([os.environ["MERKER"], *arguments], cwd=self.folder, input=text or "",
                                    capture_output=True, encoding="utf-8", errors="replace", timeout=timeout, check=False))
 

@@ -114,7 +114,7 @@ class Bench(Case):
 
     def test_an_endless_ob_1_ends_after_its_time(self):
         self.write("loop.awl", block("here: SPA   here"))
-        call = self.expect(GOOD, "bench", "loop.awl", "--for", "50ms", "--json", timeout=20)
+        call = self.expect(GOOD, "bench", "loop.awl", "--for", "50ms", "--json", timeout=60)
         self.assertGreater(call.json["instructions_per_second"], 0)
         self.assertEqual(call.json["cycles_per_second"], 0)
         self.assertIn("OB 1 has not ended", call.err)

@@ -120,7 +120,7 @@ class Run(Case):
 
     def test_a_day_of_virtual_time_costs_seconds(self):
         self.write("s.awl", block("      L     DW#16#0\n      T     MD 10"))
-        self.expect(GOOD, "run", "s.awl", "--for", "10m", timeout=60)
+        self.expect(GOOD, "run", "s.awl", "--for", "10m")
 
 
 class Trace(Case):

@@ -164,6 +164,6 @@ class Step5(Case):
         self.write("stops.s5", "OB 1\n : SPA PB 9\n : BE\n")
         self.assertIn("6105", self.expect(FAULT, "bench", "stops.s5", "--for", "50ms").err)
         self.write("loop.s5", "OB 1\n : SPA FB 20\nNAME : LOOP\n : BE\nFB 20\nNAME : LOOP\nM001 : SPA =M001\n : BE\n")
-        self.assertIn("has not ended", self.expect(GOOD, "bench", "loop.s5", "--for", "50ms", timeout=20).err)
+        self.assertIn("has not ended", self.expect(GOOD, "bench", "loop.s5", "--for", "50ms", timeout=60).err)
         self.write("none.s5", "PB 1\n : BE\n")
         self.assertIn("no OB 1", self.expect(PROBLEMS, "bench", "none.s5").err)
