@@ -90,3 +90,21 @@ test('the language switch changes every word and is kept', async () => {
   await expect(() => page.locator('html').getAttribute('lang'), 'en');
   await expect(() => page.evaluate(() => localStorage.getItem('merker.language')), '"en"');
 });
+
+test('what was refused is gone when it has been done, or when another view opens', async () => {
+  const own = await serve();
+  const page = await open(own, 'program?file=sorting.awl');
+  const refusal = page.locator('.message.problem');
+  await turn(page, 'RUN');
+  await page.locator('.bar').getByRole('button', { name: 'Laden', exact: true }).click();
+  await refusal.first().waitFor();
+  await turn(page, 'RUN-P');
+  await page.locator('.bar').getByRole('button', { name: 'Laden', exact: true }).click();
+  await page.locator('.message.done').first().waitFor();
+  await expect(() => refusal.count(), 0, 'refusals');
+  await turn(page, 'RUN');
+  await page.locator('.bar').getByRole('button', { name: 'Laden', exact: true }).click();
+  await refusal.first().waitFor();
+  await page.locator('header nav').getByRole('link', { name: 'E/A' }).click();
+  await expect(() => refusal.count(), 0, 'refusals');
+});

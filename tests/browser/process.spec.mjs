@@ -128,3 +128,19 @@ for (const [example, look] of Object.entries(plants)) {
     await accessible(page, example);
   });
 }
+
+test('without a project the view says what to do, and no supply is shown as on', async () => {
+  const empty = await serve();
+  const page = await open(empty, 'process');
+  await page.locator('[data-signal]').first().waitFor();
+  await page.evaluate(
+    () =>
+      new Promise((done) => {
+        const socket = new WebSocket(new URL('ws', location.href).href.replace(/^http/, 'ws').replace(/#.*/, ''));
+        socket.onopen = () => socket.send(JSON.stringify({ id: 1, do: 'projects.close' }));
+        socket.onmessage = ({ data }) => JSON.parse(data).id === 1 && (socket.close(), done(0));
+      }),
+  );
+  await page.getByText('Es ist kein Projekt offen').waitFor();
+  await expect(() => page.getByRole('button', { name: 'Netz', includeHidden: true }).getAttribute('aria-pressed'), 'false');
+});

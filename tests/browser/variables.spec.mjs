@@ -82,3 +82,20 @@ test('a table is saved as a file of the project and opened again', async () => {
   await page.locator('#variable-table').selectOption('belt.vat');
   await expect(async () => (await status('MW 20')).includes('1234'), true);
 });
+
+test('only what can be forced offers it; operands are not cut', async () => {
+  const fresh = await open(server, 'variables');
+  const line = (operand) => fresh.locator(`tr[data-operand='${operand}']`);
+  for (const operand of ['E 0.0', 'MW 20', '"Light barrier small"', 'DB99.DBW 0']) {
+    await fresh.locator('tbody tr').last().locator('input').first().fill(operand);
+    await fresh.keyboard.press('Tab');
+  }
+  await line('E 0.0').getByRole('button', { name: /forcen$/ }).waitFor();
+  await line('"Light barrier small"').getByRole('button', { name: /forcen$/ }).waitFor();
+  for (const operand of ['MW 20', 'DB99.DBW 0']) {
+    await line(operand).locator('.quiet').waitFor();
+    assert.equal(await line(operand).getByRole('button', { name: /forcen$/ }).count(), 0, operand);
+  }
+  const field = line('"Light barrier small"').locator('.operand input');
+  await until(() => field.evaluate((one) => one.scrollWidth <= one.clientWidth), 'the whole operand');
+});

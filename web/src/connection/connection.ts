@@ -4,6 +4,7 @@ export type Phase = 'connecting' | 'open' | 'lost';
 type Handler = (message: Fields) => void;
 
 interface Waiting {
+  method: string;
   resolve(result: unknown): void;
   reject(reason: Error): void;
 }
@@ -40,6 +41,8 @@ const MOST_QUIET_TICKS = 4;
 export class Connection {
   phase: Phase = 'connecting';
   onPhase: (phase: Phase) => void = () => {};
+  /** Something that was asked for has been done. */
+  onDone: (method: string) => void = () => {};
 
   private socket: Socket | null = null;
   private nextId = 1;
@@ -100,7 +103,7 @@ export class Connection {
     if (this.phase !== 'open' || !socket) return Promise.reject(new ConnectionLost());
     const id = this.nextId++;
     return new Promise<T>((resolve, reject) => {
-      this.waiting.set(id, { resolve: resolve as (result: unknown) => void, reject });
+      this.waiting.set(id, { method, resolve: resolve as (result: unknown) => void, reject });
       socket.send(JSON.stringify({ ...fields, id, do: method }));
     });
   }
@@ -180,8 +183,10 @@ export class Connection {
     const waiting = this.waiting.get(Number(message.id));
     this.waiting.delete(Number(message.id));
     // `program.check` has problems inside its result; only an answer without result is a refusal.
-    if ('result' in message) waiting?.resolve(message.result);
-    else waiting?.reject(new Refused((message.problems as Problem[] | undefined) ?? []));
+    if ('result' in message) {
+      if (waiting) this.onDone(waiting.method);
+      waiting?.resolve(message.result);
+    } else waiting?.reject(new Refused((message.problems as Problem[] | undefined) ?? [], waiting?.method));
   }
 
   private show(phase: Phase): void {

@@ -18,7 +18,11 @@ export type Fields = Record<string, unknown>;
 
 /** An answer of the server that names problems instead of a result. */
 export class Refused extends Error {
-  constructor(readonly problems: Problem[]) {
+  constructor(
+    readonly problems: Problem[],
+    /** What was asked for. */
+    readonly method = '',
+  ) {
     super(problems.map((problem) => problem.text).join('\n'));
     this.name = 'Refused';
   }

@@ -19,3 +19,14 @@ test('plain values stand first, objects become sections', () => {
     },
   ]);
 });
+
+test('the order is that of a person, not of the alphabet; a cycle below a millisecond is not nothing', () => {
+  const [cycle] = sections({ cycle: { cycles: 7, lastMs: 0, longestMs: 2, monitoringMs: 150, shortestMs: 0 } });
+  expect(cycle!.facts.map((fact) => `${fact.name} ${fact.value}`)).toEqual([
+    'lastMs < 1',
+    'shortestMs < 1',
+    'longestMs 2',
+    'monitoringMs 150',
+    'cycles 7',
+  ]);
+});

@@ -6,12 +6,19 @@ export interface Section {
   facts: Fact[];
 }
 
+/** In the order in which a person looks; JSON has none. What is not named here comes last. */
+const ORDER = ['model', 'mode', 'stopReason', 'clock', 'memory', 'cycle', 'limits']
+  .concat(['loadMemory', 'workMemory', 'workMemoryUsed', 'localData', 'blocks'])
+  .concat(['lastMs', 'shortestMs', 'longestMs', 'monitoringMs', 'cycles', 'instructions'])
+  .concat(['inputs', 'outputs', 'flags', 'timers', 'counters']);
+const rank = (key: string) => (ORDER.includes(key) ? ORDER.indexOf(key) : ORDER.length);
+
 export function sections(answer: Record<string, unknown>, name = ''): Section[] {
   const own: Section = { name, facts: [] };
   const below: Section[] = [];
-  for (const [key, value] of Object.entries(answer)) {
+  for (const [key, value] of Object.entries(answer).sort(([a], [b]) => rank(a) - rank(b))) {
     if (isObject(value)) below.push(...sections(value, key));
-    else own.facts.push({ name: key, value: print(value) });
+    else own.facts.push({ name: key, value: key.endsWith('Ms') && value === 0 ? '< 1' : print(value) });
   }
   return [...(own.facts.length ? [own] : []), ...below];
 }

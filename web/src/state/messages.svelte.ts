@@ -1,4 +1,4 @@
-import { ConnectionLost, Refused, type Problem } from '../connection';
+import { connection, ConnectionLost, Refused, type Problem } from '../connection';
 
 export interface Message {
   id: number;
@@ -10,10 +10,12 @@ export interface Message {
   file: string;
   line: number;
   column: number;
+  /** What was refused. */
+  method: string;
 }
 
 const SHOWN = 5;
-/** How long good news stays; a problem stays until somebody closes it. */
+/** How long good news stays; a problem stays until the same thing succeeds, another view opens or somebody closes it. */
 const DONE_MS = 6000;
 
 /** What the page has to tell: newest last. The shell shows it at the lower edge. */
@@ -21,16 +23,16 @@ class Messages {
   list = $state<Message[]>([]);
   private nextId = 1;
 
-  problem(problem: Partial<Problem> & { text: string }): void {
-    this.add({ kind: 'problem', hint: '', code: '', file: '', line: 0, column: 0, ...problem });
+  problem(problem: Partial<Problem> & { text: string }, method = ''): void {
+    this.add({ kind: 'problem', hint: '', code: '', file: '', line: 0, column: 0, method, ...problem });
   }
 
-  problems(problems: Problem[]): void {
-    for (const problem of problems.slice(0, SHOWN)) this.problem(problem);
+  problems(problems: Problem[], method = ''): void {
+    for (const problem of problems.slice(0, SHOWN)) this.problem(problem, method);
   }
 
   done(text: string): void {
-    const id = this.add({ kind: 'done', text, hint: '', code: '', file: '', line: 0, column: 0 });
+    const id = this.add({ kind: 'done', text, hint: '', code: '', file: '', line: 0, column: 0, method: '' });
     setTimeout(() => this.dismiss(id), DONE_MS);
   }
 
@@ -38,8 +40,15 @@ class Messages {
     this.list = this.list.filter((message) => message.id !== id);
   }
 
-  clear(): void {
-    this.list = [];
+  /** What was refused before has been done now. */
+  solved(method: string): void {
+    if (this.list.some((one) => one.method === method && one.kind === 'problem'))
+      this.list = this.list.filter((one) => one.method !== method || one.kind === 'done');
+  }
+
+  /** Another view: what the last one was refused is no news there. */
+  leave(): void {
+    this.list = this.list.filter((one) => one.kind === 'done');
   }
 
   private add(message: Omit<Message, 'id'>): number {
@@ -50,13 +59,14 @@ class Messages {
 }
 
 export const messages = new Messages();
+connection.onDone = (method) => messages.solved(method);
 
 /** Waits for an answer of the server and shows its problems to the user; undefined if it was refused. */
 export async function attempt<T>(answer: Promise<T>): Promise<T | undefined> {
   try {
     return await answer;
   } catch (error) {
-    if (error instanceof Refused) messages.problems(error.problems);
+    if (error instanceof Refused) messages.problems(error.problems, error.method);
     else if (!(error instanceof ConnectionLost)) throw error;
     return undefined;
   }
