@@ -224,7 +224,7 @@ int runServed(const RunOptions& options, const Build& build, const Operands& ope
   if (cycleEnd.needed()) workbench.plc()->onCycle(std::ref(cycleEnd));
   ServeOptions serving = options.serve;
   serving.project = options.path;
-  if (!serve("merker run", serving, workbench, options.json)) return kUnreadable;
+  if (const int code = serve("merker run", serving, workbench, options.json)) return code;
   if (workbench.plc() == nullptr || &workbench.plc()->controller() != plc) return kGood;
   return conclude(options, build, operands, card, cycleEnd, *plc);
 }

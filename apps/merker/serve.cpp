@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "command.h"
 #include "desk.h"
 #include "page.h"
 #include "real_time.h"
@@ -16,7 +17,8 @@ void addServe(CLI::App& command, ServeOptions& options) {
   command.add_option("--listen", options.listen,
                      "address of the workbench (127.0.0.1); any other computer needs --token, "
                      "--certificate and --key");
-  command.add_option("--token", options.token, "what the page's address must end with: ?token=...");
+  command.add_option("--token", options.token,
+                     "what the page's address must end with: ?token=...; 16 characters or more");
   auto* certificate = command.add_option("--certificate", options.certificate,
                                          "certificate chain (PEM): the workbench is served by TLS");
   command.add_option("--key", options.key, "its private key (PEM)")->needs(certificate);
@@ -59,24 +61,29 @@ hmi::Options toOptions(const ServeOptions& given) {
   return options;
 }
 
+int refused(const std::string& command, const std::string& reason, ExitCode code) {
+  std::cerr << command << ": " << reason << '\n';
+  return code;
+}
+
 }  // namespace
 
-bool serve(const std::string& command, const ServeOptions& options, workbench::Workbench& workbench,
-           bool quiet) {
+int serve(const std::string& command, const ServeOptions& options, workbench::Workbench& workbench,
+          bool quiet) {
+  const hmi::Options wanted = toOptions(options);
+  std::string reason = hmi::wrongOptions(wanted);
+  if (!reason.empty()) return refused(command, reason, kUsage);
+
   holdSignals();
   workbench.use({workspaceFolder(options), examplesFolder(options), options.project});
   Desk desk(workbench);
-  std::string reason;
-  const auto server = hmi::Server::start(toOptions(options), desk, reason);
-  if (!server) {
-    std::cerr << command << ": " << reason << '\n';
-    return false;
-  }
+  const auto server = hmi::Server::start(wanted, desk, reason);
+  if (!server) return refused(command, reason, kUnreadable);
   (quiet ? std::cerr : std::cout) << "workbench: " << server->url() << '/'
                                   << (options.token.empty() ? "" : "?token=" + options.token)
                                   << "  (Ctrl-C ends it)" << std::endl;
   desk.run(*server, endAsked);
-  return true;
+  return kGood;
 }
 
 }  // namespace merker::app

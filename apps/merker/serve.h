@@ -20,9 +20,9 @@ struct ServeOptions {
 };
 
 void addServe(CLI::App& command, ServeOptions& options);
-// Serves until Ctrl-C. False: it could not listen; that is told. `quiet`: standard output is for
-// something else.
-bool serve(const std::string& command, const ServeOptions& options, workbench::Workbench& workbench,
-           bool quiet);
+// Serves until Ctrl-C: the exit code, 2 or 4 if it could not listen; that is told. `quiet`:
+// standard output is for something else.
+int serve(const std::string& command, const ServeOptions& options, workbench::Workbench& workbench,
+          bool quiet);
 
 }  // namespace merker::app

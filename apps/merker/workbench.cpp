@@ -18,7 +18,7 @@ int run(const ServeOptions& options) {
     if (built.project.unreadable) return kUnreadable;
     workbench.show(std::make_unique<workbench::Plc>(std::move(built)));
   }
-  return serve("merker workbench", options, workbench, false) ? kGood : kUnreadable;
+  return serve("merker workbench", options, workbench, false);
 }
 
 }  // namespace

@@ -28,6 +28,11 @@ void Cpu::powerOff() {
   runningAtPowerOff_ = executes(mode_);
   if (runningAtPowerOff_) frozenAt_ = machine_.clock;
   resumable_ = runningAtPowerOff_;
+  if (mode_ == Mode::Halt) {
+    stopEvent_ = makeEvent(static_cast<std::uint16_t>(Event::HaltToStop),
+                           std::string(text(Event::HaltToStop)), {});
+    diagnostics_.add(stopEvent_);
+  }
   mode_ = Mode::Stop;
   powered_ = false;
   standStill();

@@ -52,9 +52,13 @@ bool Guard::token(std::string_view target) const {
   return token_.empty() || difference == 0;
 }
 
+std::string numeric(std::string_view address) {
+  return std::string(address == "localhost" ? "127.0.0.1" : address);
+}
+
 bool isLocalAddress(std::string_view address) {
   boost::system::error_code error;
-  const auto parsed = boost::asio::ip::make_address(std::string(address), error);
+  const auto parsed = boost::asio::ip::make_address(numeric(address), error);
   return !error && parsed.is_loopback();
 }
 

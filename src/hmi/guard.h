@@ -27,7 +27,9 @@ class Guard {
   std::string token_;
 };
 
-// Loopback addresses: 127.x.x.x and ::1.
+// "localhost" by its number, anything else as it is.
+std::string numeric(std::string_view address);
+// Loopback addresses: 127.x.x.x, ::1 and localhost.
 bool isLocalAddress(std::string_view address);
 
 }  // namespace merker::hmi

@@ -20,12 +20,16 @@ struct Limits {
 };
 
 struct Options {
-  std::string address = "127.0.0.1";
-  std::uint16_t port = 8080;     // 0: any free one
-  std::string token;             // empty: none is asked for
-  std::string certificate, key;  // PEM files; empty: no TLS
+  std::string address = "127.0.0.1";  // or "localhost", which is the same
+  std::uint16_t port = 8080;          // 0: any free one
+  std::string token;                  // empty: none is asked for
+  std::string certificate, key;       // PEM files; empty: no TLS
   std::span<const Asset> assets;
   Limits limits{};
 };
+
+// What is wrong with them; empty if nothing is. Beyond this machine token and TLS are needed; a
+// token has 16 characters or more that an address can carry as they are.
+std::string wrongOptions(const Options& options);
 
 }  // namespace merker::hmi

@@ -48,7 +48,7 @@ std::string whyNotListening(const Options& options, const boost::system::error_c
 
 bool Server::Parts::listen(std::string& reason) {
   boost::system::error_code error;
-  const auto address = net::ip::make_address(options.address, error);
+  const auto address = net::ip::make_address(numeric(options.address), error);
   if (error) {
     reason = fmt::format("'{}' is no address; write 127.0.0.1, 0.0.0.0 or ::1", options.address);
     return false;
@@ -72,13 +72,8 @@ void Server::Parts::accept() {
 
 std::unique_ptr<Server> Server::start(const Options& options, Handler& handler,
                                       std::string& reason) {
+  if (!(reason = wrongOptions(options)).empty()) return nullptr;
   const bool secure = !options.certificate.empty() && !options.key.empty();
-  if (!isLocalAddress(options.address) && (!secure || options.token.empty())) {
-    reason = fmt::format(
-        "{} is reachable from other computers: that needs --token, --certificate and --key",
-        options.address);
-    return nullptr;
-  }
   std::unique_ptr<net::ssl::context> tls;
   if (secure && !(tls = makeTls(options.certificate, options.key, reason))) return nullptr;
   auto parts = std::make_unique<Parts>(options, handler, std::move(tls));

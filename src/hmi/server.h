@@ -11,7 +11,7 @@ namespace merker::hmi {
 
 class Server {
  public:
-  // Null, and the reason, if it cannot listen. Beyond this machine it asks for token and TLS.
+  // Null, and the reason, if it cannot listen.
   static std::unique_ptr<Server> start(const Options& options, Handler& handler,
                                        std::string& reason);
   ~Server();  // all connections are closed, the handler is not called again

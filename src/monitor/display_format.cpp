@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-
 #include "address/constant.h"
 #include "base/bcd.h"
 #include "base/text.h"
@@ -74,6 +72,14 @@ std::string s5Time(std::uint32_t bits) {
   return formatConstant({ConstantFormat::S5Time, encodeS5Time(*milliseconds).value_or(0)});
 }
 
+// A counter's word is its count in BCD: as a number it is the count (S7-CNT).
+std::string number(const mc7::Reference& reference, std::uint32_t bits, DisplayFormat format) {
+  const unsigned width = simulator::bitWidth(reference);
+  if (reference.operand.kind == mc7::OperandKind::Counter) return bcd(bits, width);
+  if (format == Unsigned) return std::to_string(bits);
+  return std::to_string(withSign(bits, width));
+}
+
 std::optional<ConstantFormat> constantFormat(DisplayFormat format) {
   switch (format) {
     case Real:
@@ -91,72 +97,6 @@ std::optional<ConstantFormat> constantFormat(DisplayFormat format) {
     default:
       return std::nullopt;
   }
-}
-
-std::optional<std::uint32_t> digits(std::string_view text, int base) {
-  std::uint32_t value = 0;
-  std::string plain;
-  for (const char c : text)
-    if (c != '_') plain += c;
-  const auto [end, error] = std::from_chars(plain.data(), plain.data() + plain.size(), value, base);
-  if (plain.empty() || error != std::errc{} || end != plain.data() + plain.size())
-    return std::nullopt;
-  return value;
-}
-
-// BCD digits with a sign in the highest one.
-std::optional<std::uint32_t> bcdDigits(std::string_view text, unsigned width) {
-  const bool minus = text.starts_with('-');
-  const auto number = digits(minus ? text.substr(1) : text, 10);
-  const unsigned places = width / 4 - (width == 8 ? 0 : 1);
-  std::uint32_t limit = 1;
-  for (unsigned i = 0; i < places; ++i) limit *= 10;
-  if (!number || *number >= limit || (minus && width == 8)) return std::nullopt;
-  return toBcd(*number, places) | (minus ? 0xFu << (width - 4) : 0);
-}
-
-std::optional<std::uint32_t> signedDigits(std::string_view text, unsigned width) {
-  const bool minus = text.starts_with('-');
-  const auto number = digits(minus ? text.substr(1) : text, 10);
-  const std::uint64_t limit = std::uint64_t{1} << (width - 1);
-  if (!number || *number > (minus ? limit : limit - 1)) return std::nullopt;
-  const std::uint32_t bits = minus ? 0u - *number : *number;
-  return width == 32 ? bits : bits & ((1u << width) - 1);
-}
-
-bool isDigits(DisplayFormat format) {
-  return format == Hex || format == Bin || format == Bcd || format == Unsigned || format == Dec;
-}
-
-// Digits without prefix mean what the format says.
-std::optional<std::uint32_t> plainDigits(std::string_view text, DisplayFormat format,
-                                         unsigned width) {
-  if (format == Hex) return digits(text, 16);
-  if (format == Bin) return digits(text, 2);
-  if (format == Bcd) return bcdDigits(text, width);
-  if (format == Counter && text.size() <= 3) return bcdDigits(text, 16);
-  if (format == Unsigned) return digits(text, 10);
-  if (format == Dec) return signedDigits(text, width);
-  return std::nullopt;
-}
-
-bool isTimer(const mc7::Reference& r) { return r.operand.kind == mc7::OperandKind::Timer; }
-bool isCounter(const mc7::Reference& r) { return r.operand.kind == mc7::OperandKind::Counter; }
-
-TypeCode typeFor(const mc7::Reference& reference, DisplayFormat format, unsigned width) {
-  if (format == Real) return TypeCode::Real;
-  if (format == Automatic && reference.type != TypeCode::Void) return reference.type;
-  return width == 32 ? TypeCode::DInt : TypeCode::Void;
-}
-
-bool tooWide(const Constant& constant, unsigned width) {
-  if (width == 32) return false;
-  const bool integer = constant.format == ConstantFormat::Integer;
-  if (integer && width == 8) {
-    const auto number = static_cast<std::int16_t>(constant.bits);
-    return number < -128 || number > 255;
-  }
-  return constant.bits >> width != 0;
 }
 
 }  // namespace
@@ -195,7 +135,8 @@ std::string show(const mc7::Reference& reference, std::uint32_t bits, DisplayFor
     case Hex:
       return hex(bits, width);
     case Dec:
-      return std::to_string(withSign(bits, width));
+    case Unsigned:
+      return number(reference, bits, format);
     case S5Time:
       return s5Time(bits);
     case Bcd:
@@ -205,34 +146,6 @@ std::string show(const mc7::Reference& reference, std::uint32_t bits, DisplayFor
     default:
       return std::to_string(bits);
   }
-}
-
-Result<std::uint32_t> parseValue(const mc7::Reference& reference, std::string_view text,
-                                 DisplayFormat format) {
-  text = trim(text);
-  const Position at{"", 0, 0, 0};
-  const unsigned width = simulator::bitWidth(reference);
-  const auto fitting = [&](std::uint32_t bits) -> Result<std::uint32_t> {
-    if (width < 32 && bits >> width != 0)
-      return makeProblem(ProblemCode::P0955, at, std::string(text), reference.text, width);
-    return bits;
-  };
-  const bool number = !isTimer(reference) && !isCounter(reference);
-  if (isCounter(reference))  // a plain number is the count
-    if (const auto bits = bcdDigits(text, 16)) return fitting(*bits);
-  if (const auto bits = number ? plainDigits(text, format, width) : std::nullopt)
-    return fitting(*bits);
-  const bool bare = text.find_first_of("#'") == std::string_view::npos;
-  if (number && bare && isDigits(format) && width > 1)
-    return makeProblem(ProblemCode::P1210, at, std::string(text), name(format));
-  auto constant = parseConstant(text, at);
-  if (!constant && format != Automatic)
-    return makeProblem(ProblemCode::P1210, at, std::string(text), name(format));
-  if (!constant) return constant.error();
-  const Constant adapted = simulator::adapt(*constant, typeFor(reference, format, width));
-  if (tooWide(adapted, width))
-    return makeProblem(ProblemCode::P0955, at, std::string(text), reference.text, width);
-  return width == 32 ? adapted.bits : adapted.bits & ((1u << width) - 1);
 }
 
 }  // namespace merker::monitor

@@ -10,25 +10,11 @@ namespace {
 
 Position nowhere() { return Position{"", 0, 0, 0}; }
 
-bool samePlace(const mc7::Reference& a, const mc7::Reference& b) {
-  return a.operand == b.operand && a.db == b.db;
-}
-
-std::uint32_t bitsOf(const mc7::Reference& reference) {
-  return reference.bytes > 0 ? 8 * reference.bytes : simulator::bitWidth(reference);
-}
-
 // S7-300: E and A of the process image.
 bool canForce(const mc7::Reference& reference) {
   const mc7::Operand& operand = reference.operand;
   return operand.kind == mc7::OperandKind::Memory &&
          (operand.area == Area::Input || operand.area == Area::Output);
-}
-
-bool overlap(const mc7::Reference& a, const mc7::Reference& b) {
-  return a.operand.kind == b.operand.kind && a.operand.area == b.operand.area && a.db == b.db &&
-         a.operand.value < b.operand.value + bitsOf(b) &&
-         b.operand.value < a.operand.value + bitsOf(a);
 }
 
 }  // namespace
@@ -78,15 +64,21 @@ Result<std::string> Monitor::read(std::string_view text, DisplayFormat format) c
 // A forced output stays as it is; a forced input can be set at its terminal, where it waits.
 bool Monitor::isForced(const mc7::Reference& reference) const {
   return reference.operand.area == Area::Output &&
-         std::ranges::any_of(forces_,
+         std::ranges::any_of(forces(),
                              [&](const Forced& one) { return overlap(one.operand, reference); });
+}
+
+// A memory reset frees everything; who reset the CPU does not come by here.
+const std::vector<Forced>& Monitor::forces() const {
+  if (station_.cpu().forces().empty()) forces_.clear();
+  return forces_;
 }
 
 std::optional<Problem> Monitor::checkWrite(const mc7::Reference& reference) const {
   if (isForced(reference)) return makeProblem(ProblemCode::P1217, nowhere(), reference.text);
-  if (!canWrite(station_, reference))
-    return makeProblem(ProblemCode::P1212, nowhere(), reference.text);
-  return std::nullopt;
+  if (canWrite(station_, reference)) return std::nullopt;
+  const bool there = monitor::read(station_, reference).has_value();
+  return makeProblem(there ? ProblemCode::P1212 : ProblemCode::P1213, nowhere(), reference.text);
 }
 
 std::optional<Problem> Monitor::write(const std::vector<Wish>& wishes) {
@@ -105,7 +97,6 @@ std::optional<Problem> Monitor::write(const std::vector<Wish>& wishes) {
   return std::nullopt;
 }
 
-// What overlaps something that went away stays.
 void Monitor::forceAgain() {
   station_.unforce();
   for (const Forced& one : forces_) station_.force(one.operand, one.value);
@@ -120,6 +111,8 @@ std::optional<Problem> Monitor::force(const std::vector<Wish>& wishes) {
     if (!canForce(*reference) || !station_.read(*reference))
       return makeProblem(ProblemCode::P1211, nowhere(), std::string(wish.operand));
     if (!value) return value.error();
+    for (const auto* list : {&forces(), std::as_const(&good)})
+      if (auto problem = checkForce(*list, *reference)) return problem;
     good.push_back({std::move(*reference), value->bits});
   }
   for (Forced& one : good) {
@@ -132,7 +125,7 @@ std::optional<Problem> Monitor::force(const std::vector<Wish>& wishes) {
 }
 
 std::optional<Problem> Monitor::unforce(const std::vector<std::string_view>& operands) {
-  std::vector<Forced> left = forces_;
+  std::vector<Forced> left = forces();
   for (const std::string_view text : operands) {
     const auto reference = operand(text);
     if (!reference) return reference.error();

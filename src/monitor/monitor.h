@@ -12,6 +12,7 @@
 #include "monitor/debugger.h"
 #include "monitor/diagnostic_list.h"
 #include "monitor/display_format.h"
+#include "monitor/forced.h"
 #include "monitor/frame_variables.h"
 #include "monitor/location.h"
 #include "monitor/module_information.h"
@@ -19,11 +20,6 @@
 #include "monitor/variable_table.h"
 
 namespace merker::monitor {
-
-struct Forced {
-  mc7::Reference operand;
-  std::uint32_t value = 0;
-};
 
 // What somebody wants an operand to be: "MW 10", "00FF", HEX.
 struct Wish {
@@ -63,7 +59,7 @@ class Monitor {
   std::optional<Problem> unforce(std::string_view operand) { return unforce(std::vector{operand}); }
   std::optional<Problem> unforce(const std::vector<std::string_view>& operands);
   void unforceAll();
-  const std::vector<Forced>& forces() const { return forces_; }
+  const std::vector<Forced>& forces() const;
   // The table stays with the monitor.
   VariableTable& addTable();
   void removeTable(const VariableTable& table);
@@ -88,7 +84,7 @@ class Monitor {
   simulator::Resolver resolver_;
   Debugger debugger_;
   std::list<VariableTable> tables_;
-  std::vector<Forced> forces_;
+  mutable std::vector<Forced> forces_;  // as last seen: the CPU holds them
   std::function<void(cpu::CyclePoint)> observer_;
 };
 

@@ -10,6 +10,8 @@ namespace merker::project {
 namespace {
 
 constexpr const char* kSettingsFile = "merker.toml";
+// Where the workbench puts blocks that it fetches from the CPU and that the project has already.
+constexpr std::string_view kUploads = "online/";
 
 // The model that `cpu` names; none if it is empty or, which is a problem, unknown.
 std::optional<Model> chosenModel(Project& project, const std::string& cpu) {
@@ -105,7 +107,8 @@ void loadFolder(Project& project, const std::string& cpu) {
   const auto sources = settings.sources
                            ? choose(project, files, *settings.sources)
                            : filter(files, [&project](const std::string& f) {
-                               return project.control ? isListing(f) : hasExtension(f, ".awl");
+                               if (project.control) return isListing(f);
+                               return hasExtension(f, ".awl") && !f.starts_with(kUploads);
                              });
   const auto symbols =
       settings.symbols ? choose(project, files, *settings.symbols) : filter(files, isSymbolExport);

@@ -42,12 +42,18 @@ Answer create(const Call& call) {
   return afterwards(call, call.shared.folder.create(path, text), {{"revision", revisionOf(text)}});
 }
 
+constexpr const char* kSettings = "merker.toml";
+
+std::optional<Problem> checkMovable(const std::string& path) {
+  return path == kSettings ? std::optional(makeProblem(ProblemCode::P1322, nowhere(), path))
+                           : std::nullopt;
+}
+
 // merker.toml lists files by name: what it says follows them.
 std::optional<Problem> keepSettings(const Call& call, const std::string& path,
                                     const std::string& to) {
-  constexpr const char* kSettings = "merker.toml";
   const auto settings = call.shared.folder.read(kSettings);
-  if (!settings || path == kSettings) return std::nullopt;
+  if (!settings) return std::nullopt;
   project::SettingsEdit edit(kSettings, settings->text);
   to.empty() ? edit.removeFile(path) : edit.renameFile(path, to);
   if (edit.text() == settings->text) return std::nullopt;
@@ -57,7 +63,8 @@ std::optional<Problem> keepSettings(const Call& call, const std::string& path,
 Answer remove(const Call& call) {
   const std::string path = call.fields.text("path");
   if (!call.fields.good()) return call.fields.problems();
-  auto problem = call.shared.folder.remove(path);
+  auto problem = checkMovable(path);
+  if (!problem) problem = call.shared.folder.remove(path);
   if (!problem) problem = keepSettings(call, path, {});
   return afterwards(call, std::move(problem));
 }
@@ -65,7 +72,8 @@ Answer remove(const Call& call) {
 Answer rename(const Call& call) {
   const std::string path = call.fields.text("path"), to = call.fields.text("to");
   if (!call.fields.good()) return call.fields.problems();
-  auto problem = call.shared.folder.rename(path, to);
+  auto problem = checkMovable(path);
+  if (!problem) problem = call.shared.folder.rename(path, to);
   if (!problem) problem = keepSettings(call, path, to);
   return afterwards(call, std::move(problem));
 }

@@ -61,6 +61,8 @@ std::optional<Problem> Plc::control(const std::vector<monitor::Wish>& wishes, bo
     if (!value) return value.error();
     if (!controller_->read(*reference))
       return makeProblem(ProblemCode::P1213, nowhere(), std::string(wish.operand));
+    if (auto problem = force ? monitor::checkForce(forces_, *reference) : std::nullopt)
+      return problem;
     good.emplace_back(std::move(*reference), value->bits);
   }
   for (const auto& [reference, value] : good) {
@@ -68,8 +70,11 @@ std::optional<Problem> Plc::control(const std::vector<monitor::Wish>& wishes, bo
       continue;
     return makeProblem(force ? ProblemCode::P1211 : ProblemCode::P1212, nowhere(), reference.text);
   }
-  for (const auto& [reference, value] : good)
-    if (force) forces_.push_back({reference, value});
+  for (const auto& [reference, value] : good) {
+    if (!force) continue;
+    std::erase_if(forces_, [&](const auto& old) { return samePlace(old.operand, reference); });
+    forces_.push_back({reference, value});
+  }
   return std::nullopt;
 }
 

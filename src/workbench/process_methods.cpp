@@ -19,14 +19,14 @@ Answer watch(const Call& call) {
 }
 
 // What the plant can take there, as process.list says it.
-void checkRange(const simulator::PlantValue& wanted, const plant::Configuration& plants,
-                Problems& problems) {
-  const plant::Kind& kind = *plants.plants[wanted.place.plant].kind;
-  const plant::Signal& signal = kind.signals[wanted.place.signal];
-  if (signal.binary || (wanted.number >= signal.low && wanted.number <= signal.high)) return;
-  problems.add(ProblemCode::P0989, wanted.valuePosition, wanted.value, wanted.text,
-               fmt::format("it is a number from {} to {}{}{}", signal.low, signal.high,
-                           signal.unit.empty() ? "" : " ", signal.unit));
+std::optional<Problem> checkRange(const plant::Signal& signal, double to, const std::string& text) {
+  const bool good = signal.binary ? to == 0 || to == 1 : to >= signal.low && to <= signal.high;
+  if (good) return std::nullopt;
+  const std::string range =
+      signal.binary ? "it is 0 or 1"
+                    : fmt::format("it is a number from {} to {}{}{}", signal.low, signal.high,
+                                  signal.unit.empty() ? "" : " ", signal.unit);
+  return makeProblem(ProblemCode::P0989, nowhere(), fmt::format("{}", to), text, range);
 }
 
 Answer set(const Call& call) {
@@ -41,8 +41,10 @@ Answer set(const Call& call) {
   const auto at = [](std::string_view) { return nowhere(); };
   if (simulator::parsePlant(signal, number, wanted, at, problems))
     simulator::resolve(wanted, plants == nullptr ? nullptr : &plants->configuration(), problems);
-  if (!problems.hasErrors()) checkRange(wanted, plants->configuration(), problems);
   if (problems.hasErrors()) return problems;
+  const plant::Kind& kind = *plants->configuration().plants[wanted.place.plant].kind;
+  if (auto problem = checkRange(kind.signals[wanted.place.signal], wanted.number, signal))
+    return one(std::move(*problem));
   simulator::apply(wanted, *plants, *call.station().rack(), call.station().now());
   return empty();
 }
@@ -70,8 +72,8 @@ Answer fault(const Call& call) {
   const plant::Kind& kind = *plants.configuration().plants[*plant].kind;
   const auto found = kind.signal(signal);
   if (!found) return refused(ProblemCode::P0762, kind.name, signal, plant::signalNames(kind));
-  if (to && kind.signals[*found].binary && *to != 0 && *to != 1)
-    return refused(ProblemCode::P0989, fmt::format("{}", *to), signal, "it is 0 or 1");
+  if (auto problem = to ? checkRange(kind.signals[*found], *to, signal) : std::nullopt)
+    return one(std::move(*problem));
   io::Rack& rack = *call.station().rack();
   const plant::SignalPlace place{*plant, *found};
   on ? plants.stick(rack, place, to, call.station().now())

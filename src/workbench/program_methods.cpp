@@ -106,7 +106,8 @@ Answer compare(const Call& call) {
   return Json{{"blocks", comparison(programOf(call, false), programOf(call, true))}};
 }
 
-// As the project's sources have them that were compiled for the CPU.
+// As the project's sources have them that were compiled for the CPU. A block that the project has
+// as well must not come into it twice: its source lies in online/, which is compiled only by name.
 Answer upload(const Call& call) {
   const auto wanted = wantedBlocks(call, call.station().program());
   if (!wanted) return wanted.error();
@@ -116,7 +117,9 @@ Answer upload(const Call& call) {
   for (const auto& [id, block] : call.station().program()) {
     const auto source = sources.find(id);
     if (!(wanted->all || wanted->blocks.contains(id)) || source == sources.end()) continue;
-    const std::string path = fmt::format("online/{}{}.awl", name(id.kind), id.number);
+    const bool known = call.shared.offline().sources.contains(id);
+    const std::string path =
+        fmt::format("{}{}{}.awl", known ? "online/" : "", name(id.kind), id.number);
     if (auto problem = call.shared.folder.create(path, source->second.text)) return one(*problem);
     files.push_back(path);
   }

@@ -54,6 +54,43 @@ std::string difference(const Call& call, const SavedCpu& saved) {
   return {};
 }
 
+// What the memory of the CPU here has in another size; empty if nothing. A damaged file would
+// leave the rest of the memory at 0.
+std::string misfit(const cpu::Snapshot& saved, const cpu::Snapshot& here) {
+  struct Size {
+    std::string_view what;
+    std::size_t saved, here;
+  };
+  const block::RetentiveData &a = saved.memory, &b = here.memory;
+  for (const Size& size :
+       {Size{"bytes of flags", a.flags.size(), b.flags.size()},
+        Size{"timers", a.timers.size(), b.timers.size()},
+        Size{"counters", a.counters.size(), b.counters.size()},
+        Size{"runtime meters", a.meters.size(), b.meters.size()},
+        Size{"bytes of process image", saved.images.size(), here.images.size()},
+        Size{"bytes of input periphery", saved.inputs.size(), here.inputs.size()},
+        Size{"bytes of output periphery", saved.outputs.size(), here.outputs.size()}})
+    if (size.saved != size.here)
+      return fmt::format("{} {} instead of {}", size.saved, size.what, size.here);
+  return {};
+}
+
+// The same of its data blocks.
+std::string misfit(const SavedCpu& saved) {
+  const auto& values = saved.snapshot.memory.dataBlocks;
+  for (const auto& [id, block] : *saved.program) {
+    if (id.kind != BlockKind::DB) continue;
+    const auto found = std::ranges::find_if(values, [&, number = id.number](const auto& one) {
+      return one.number == number && !one.madeByProgram;
+    });
+    const std::size_t wanted = block.actualData.size();
+    const std::size_t bytes = found == values.end() ? 0 : found->bytes.size();
+    if (bytes != wanted)
+      return fmt::format("{} bytes of DB {} instead of {}", bytes, id.number, wanted);
+  }
+  return {};
+}
+
 void forceAgain(const Call& call, const SavedCpu& saved) {
   call.monitor().unforceAll();
   for (const SavedForce& one : saved.forces) call.monitor().force(one.operand, one.value);
@@ -69,6 +106,9 @@ Answer load(const Call& call) {
   if (!saved) return one(saved.error());
   if (const std::string other = difference(call, *saved); !other.empty())
     return refused(ProblemCode::P1319, other, keyword(call));
+  for (const std::string& why :
+       {misfit(saved->snapshot, call.station().cpu().snapshot()), misfit(*saved)})
+    if (!why.empty()) return refused(ProblemCode::P1320, path, why);
   call.station().take(saved->snapshot, saved->program);
   forceAgain(call, *saved);
   ++call.shared.programRevision;

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "base/text.h"
+#include "base/utf8.h"
 #include "project/files.h"
 #include "project/settings.h"
 #include "workbench/json.h"
@@ -72,13 +73,24 @@ void collect(const fs::path& root, const std::string& below, std::vector<Example
   }
 }
 
+// From Latin-1 on letters, but for signs, spaces that look like none, and what changes direction.
+bool isLetter(char32_t c) {
+  if (c < 0x80) return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+  return c >= 0xC0 && c != 0xD7 && c != 0xF7 && (c < 0x2000 || c > 0x2BFF) &&
+         (c < 0xD800 || c > 0xF8FF) && c < 0xFE00;
+}
+
 bool isProjectName(std::string_view name) {
-  const auto good = [](char c) {
-    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == ' ' ||
-           c == '-' || c == '_';
-  };
-  return !name.empty() && name.size() <= 64 && trim(name) == name &&
-         std::ranges::all_of(name, good);
+  constexpr std::size_t kLongest = 64;
+  constexpr std::size_t kLongestName = 200;  // bytes; file systems end at 255
+  if (name.empty() || name.size() > kLongestName || trim(name) != name || !isValidUtf8(name) ||
+      characterCount(name) > kLongest)
+    return false;
+  for (std::size_t at = 0; at < name.size();) {
+    const char32_t c = nextCharacter(name, at);
+    if (!isLetter(c) && !(c >= '0' && c <= '9') && c != ' ' && c != '-' && c != '_') return false;
+  }
+  return true;
 }
 
 bool isBelow(const fs::path& path, const fs::path& folder) {

@@ -58,7 +58,8 @@ class Projects(Served):
         blocks = {row["id"] for row in browser.call("program.blocks", side="online")["blocks"]}
         self.assertLessEqual({"OB 1", "OB 35", "OB 100", "OB 121"}, blocks)
         self.assertEqual(browser.problems("projects.new", name="First one", model="313C"), ["P1312"])
-        for name in ("", "../x", "a/b", ".x", "x" * 65, " x"):
+        browser.call("projects.new", name="Übung 1 - Größe", model="313C")
+        for name in ("", "../x", "a/b", ".x", "x" * 65, " x", "a\u202eb", "a\u00d7b", "a\u2028"):
             self.assertEqual(browser.problems("projects.new", name=name, model="313C"), ["P1317"], name)
         self.assertEqual(browser.problems("projects.new", name="x", model="999"), ["P0705"])
 

@@ -69,11 +69,27 @@ class Port(Served):
         self.assertIn("is in use by another program; choose another one with --port", call.stderr)
 
     def test_other_computers_need_token_and_certificate(self):
-        for more in ((), ("--token", "x")):
+        for more in ((), ("--token", "x" * 16)):
             call = subprocess.run([os.environ["MERKER"], "run", "plant", "--port", "0", "--listen", "0.0.0.0", *more],
                                   cwd=self.folder, capture_output=True, text=True, timeout=60, check=False)
-            self.assertEqual(call.returncode, 4)
+            self.assertEqual(call.returncode, 2)
             self.assertIn("that needs --token, --certificate and --key", call.stderr)
+
+    def test_a_token_that_can_be_guessed_or_not_be_typed_is_refused(self):
+        for token in ("x", "a b&c=d#e-0123456789"):
+            call = subprocess.run([os.environ["MERKER"], "run", "plant", "--port", "0", "--token", token],
+                                  cwd=self.folder, capture_output=True, text=True, timeout=60, check=False)
+            self.assertEqual(call.returncode, 2)
+            self.assertIn("a token has 16 characters or more: letters, digits, - . _ ~", call.stderr)
+
+
+class Localhost(Served):
+    def prepare(self):
+        super().prepare()
+        self.arguments = ("--listen", "localhost")
+
+    def test_localhost_is_this_machine(self):
+        self.browser().until(lambda b: b.state.get("mode") == "RUN")
 
 
 if __name__ == "__main__":

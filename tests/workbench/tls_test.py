@@ -17,7 +17,7 @@ class Tls(Served):
         subprocess.run(["openssl", "req", "-x509", "-newkey", "rsa:2048", "-nodes", "-keyout", str(key), "-out",
                         str(self.certificate), "-days", "2", "-subj", "/CN=127.0.0.1", "-addext", "subjectAltName=IP:127.0.0.1"],
                        check=True, capture_output=True, timeout=60)
-        self.arguments = ("--listen", "0.0.0.0", "--token", "secret", "--certificate", str(self.certificate), "--key", str(key))
+        self.arguments = ("--listen", "0.0.0.0", "--token", "secret-0123456789", "--certificate", str(self.certificate), "--key", str(key))
         self.context = ssl.create_default_context(cafile=str(self.certificate))
 
     def test_the_page_comes_by_tls_only(self):
@@ -28,11 +28,11 @@ class Tls(Served):
             urllib.request.urlopen(f"http://127.0.0.1:{self.port}/", timeout=60)
 
     def test_the_socket_wants_the_token(self):
-        for path in ("/ws", "/ws?token=", "/ws?token=Secret", "/ws?token=secret1"):
+        for path in ("/ws", "/ws?token=", "/ws?token=Secret-0123456789", "/ws?token=secret-01234567890"):
             with self.assertRaises(Refused) as refused:
                 Browser(self.port, path=path, context=self.context)
             self.assertEqual(refused.exception.status, 401)
-        browser = self.browser(path="/ws?token=secret", context=self.context)
+        browser = self.browser(path="/ws?token=secret-0123456789", context=self.context)
         browser.until(lambda b: b.state.get("mode") == "RUN")
 
     def test_files_that_are_no_certificate_are_told(self):

@@ -100,6 +100,44 @@ TEST(VariableTable, RefusesWhatDoesNotFit) {
   EXPECT_FALSE(table.rows()[0].modify);
 }
 
+struct Typed {
+  const char* operand;
+  DisplayFormat format;
+  const char* text;
+  const char* shown;  // or the problem
+};
+
+// A duration is one however it is written; what is no value of the format is refused, not taken
+// bit by bit (S7-SIM-12, S7-MGR-16).
+TEST(VariableTable, TakesValuesOfTheFormatOnly) {
+  using enum DisplayFormat;
+  for (const Typed& one : {Typed{"T 1", Automatic, "5000", "P1210"},
+                           {"MW 20", S5Time, "T#5S", "S5T#5S"},
+                           {"MW 20", S5Time, "T#4H", "P1210"},
+                           {"MD 20", Time, "S5T#1S", "T#1S"},
+                           {"MD 20", Time, "1.5", "P1210"},
+                           {"MD 20", Real, "T#5S", "P1210"},
+                           {"MD 20", Real, "7", "7.000000e+000"},
+                           {"MW 20", Counter, "-1", "P1210"},
+                           {"MW 20", Counter, "12", "C#12"},
+                           {"Z 1", Automatic, "S5T#1S", "P1210"},
+                           {"Z 1", Automatic, "1000", "P1210"},
+                           {"Z 1", Dec, "12", "12"},
+                           {"MW 20", Dec, "+7", "7"},
+                           {"MW 20", Dec, "W#16#000A", "10"},
+                           {"MW 20", Hex, "1.5", "P1210"},
+                           {"M 0.0", Automatic, "1", "1"}}) {
+    Plc plc(kCopy);
+    VariableTable& table = plc->addTable();
+    EXPECT_EQ(name(table.add(one.operand, one.format)), "good");
+    std::string seen = name(table.setModify(0, one.text));
+    table.modifyNow();
+    table.monitorNow();
+    if (seen == "good") seen = table.text(0);
+    EXPECT_EQ(seen, one.shown) << one.operand << ' ' << one.text;
+  }
+}
+
 // S7-SIM-12, S7-CPU-31: a force holds against the program and the terminals.
 TEST(Force, HoldsUntilItIsTakenAway) {
   Plc plc(kCopy);
@@ -118,6 +156,25 @@ TEST(Force, HoldsUntilItIsTakenAway) {
   plc.station().advanceCycles(2);
   EXPECT_EQ(plc.read("M 9.0"), "0");
   EXPECT_EQ(name(plc->force("T 1", "0")), "P1211");
+}
+
+TEST(Force, TakesNoBitTwice) {
+  Plc plc(kCopy);
+  EXPECT_EQ(name(plc->force("E 0.0", "0")), "good");
+  EXPECT_EQ(name(plc->force("EB 0", "B#16#01")), "P1219");
+  EXPECT_EQ(name(plc->force("E 0.1", "1")), "good");
+  EXPECT_EQ(name(plc->force("E 0.0", "1")), "good");  // its new value
+  EXPECT_EQ(name(plc->force({{"A 0.0", "1"}, {"AW 0", "W#16#1"}})), "P1219");
+  EXPECT_EQ(plc->forces().size(), 2u);
+}
+
+TEST(Force, EndsWithAMemoryReset) {
+  Plc plc(kCopy);
+  EXPECT_EQ(name(plc->force("E 0.0", "1")), "good");
+  plc.station().stop();
+  plc.station().memoryReset();
+  EXPECT_TRUE(plc->forces().empty());
+  EXPECT_EQ(name(plc->force("EB 0", "B#16#01")), "good");
 }
 
 // S7-SIM-12: DATE_AND_TIME and STRING are shown and modified whole.

@@ -155,6 +155,17 @@ TEST(Halt, CanEndInStop) {
   EXPECT_FALSE(plc->resume());
 }
 
+TEST(Halt, EndsInStopWithoutPower) {
+  Plc plc(ob(1, ""));
+  plc.cycles(1);
+  plc->halt();
+  plc->powerOff();
+  plc->powerOn();
+  EXPECT_EQ(plc->mode(), Mode::Stop);
+  EXPECT_TRUE(plc.hasEvent(0x430A));
+  EXPECT_NE(plc->stopReason().find("16#430A"), std::string::npos);
+}
+
 TEST(Halt, SingleSteps) {
   Plc plc(ob(1, "L 1; T MW 0; L 2; T MW 0;"));
   plc.cycles(1);

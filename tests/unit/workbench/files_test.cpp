@@ -45,6 +45,10 @@ TEST(Files, AreMadeRenamedAndDeleted) {
   bench.call("files.rename", {{"path", "lib/deep/new.awl"}, {"to", "other.awl"}});
   EXPECT_TRUE(fs::exists(bench.folder.path("other.awl")));
   bench.call("files.delete", {{"path", "other.awl"}});
+  bench.folder.write("merker.toml", "[project]\n");
+  EXPECT_EQ(bench.problem("files.delete", {{"path", "merker.toml"}}), "P1322");
+  EXPECT_EQ(bench.problem("files.rename", {{"path", "merker.toml"}, {"to", "other.toml"}}),
+            "P1322");
   EXPECT_FALSE(fs::exists(bench.folder.path("other.awl")));
   EXPECT_EQ(bench.problem("files.delete", {{"path", "other.awl"}}), "P1310");
   EXPECT_EQ(bench.problem("files.read", {{"path", "none.awl"}}), "P1310");

@@ -64,6 +64,9 @@ TEST(Process, AValueBeyondItsRangeIsRefused) {
   EXPECT_NE(refused["problems"][0]["text"].get<std::string>().find("from 0 to 100"),
             std::string::npos);
   EXPECT_TRUE(set(-1).contains("problems"));
+  EXPECT_EQ(bench.problem("process.fault",
+                          {{"plant", "Oven"}, {"fault", "PV"}, {"on", true}, {"to", 1e6}}),
+            "P0989");
   EXPECT_EQ(valueOf(bench.call("process.list")["plants"][0], "LMN")["value"], 100);
 }
 

@@ -131,6 +131,17 @@ TEST(Program, BlocksOfTheCpuBecomeSources) {
   EXPECT_EQ(files, Json::array({"online/FC1.awl"}));
   EXPECT_NE(bench.folder.read("online/FC1.awl").find("L     1;"), std::string::npos);
   EXPECT_EQ(bench.problem("program.upload", {{"blocks", {"FC 1"}}}), "P1312");
+  // The project has FC 1 already: it is not compiled twice.
+  EXPECT_EQ(bench.call("program.check")["problems"], Json::array());
+  bench.call("program.load");
+}
+
+TEST(Program, ABlockThatTheProjectLostComesBackIntoIt) {
+  Bench bench(program(1));
+  save(bench, "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\nEND_ORGANIZATION_BLOCK\n");
+  const Json files = bench.call("program.upload", {{"blocks", {"FC 1"}}})["files"];
+  EXPECT_EQ(files, Json::array({"FC1.awl"}));
+  EXPECT_EQ(bench.call("program.blocks", {{"side", "offline"}})["blocks"].size(), 2u);
 }
 
 // S7-EDIT-04, S7-EDIT-05, S7-EDIT-19, S7-EDIT-23: titles and comments of block and networks come

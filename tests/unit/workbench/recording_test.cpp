@@ -139,6 +139,21 @@ TEST(CpuState, IsRefusedByAnotherCpuAndWhereItIsNone) {
   EXPECT_EQ(bench.problem("cpu.load", {{"path", "none.state"}}), "P1310");
 }
 
+TEST(CpuState, OfAnotherSizeIsRefused) {
+  Bench bench;
+  bench.call("cpu.save", {{"path", "here.state"}});
+  const std::string before = text(bench, "MW 20");
+  const Json whole = Json::parse(bench.folder.read("here.state"));
+  for (const auto& [key, value] :
+       {std::pair{"flags", Json("00")}, {"timers", Json::array()}, {"counters", Json::array()}}) {
+    Json saved = whole;
+    saved["memory"][key] = value;
+    bench.folder.write("short.state", saved.dump());
+    EXPECT_EQ(bench.problem("cpu.load", {{"path", "short.state"}}), "P1320") << key;
+    EXPECT_EQ(text(bench, "MW 20"), before);
+  }
+}
+
 // A wall clock that each look moves on.
 class Recording : public ::testing::Test {
  protected:
