@@ -111,8 +111,8 @@ std::optional<Problem> Monitor::force(const std::vector<Wish>& wishes) {
     if (!canForce(*reference) || !station_.read(*reference))
       return makeProblem(ProblemCode::P1211, nowhere(), std::string(wish.operand));
     if (!value) return value.error();
-    for (const auto* list : {&forces(), std::as_const(&good)})
-      if (auto problem = checkForce(*list, *reference)) return problem;
+    if (auto problem = checkForce(forces(), *reference)) return problem;
+    if (auto problem = checkForce(good, *reference)) return problem;
     good.push_back({std::move(*reference), value->bits});
   }
   for (Forced& one : good) {

@@ -55,6 +55,10 @@ std::optional<std::uint32_t> plainDigits(std::string_view text, DisplayFormat fo
   return std::nullopt;
 }
 
+bool takesDigits(DisplayFormat format) {
+  return format == Hex || format == Bin || format == Bcd || format == Unsigned || format == Dec;
+}
+
 // A plain number is the count: 0 to 999, as `L C#` takes it (S7-CNT).
 std::optional<std::uint32_t> count(std::string_view text) {
   return text.starts_with('-') ? std::nullopt : bcdDigits(text, 16);
@@ -197,6 +201,9 @@ Result<std::uint32_t> parseValue(const mc7::Reference& reference, std::string_vi
   const auto bits = kind == Counter ? count(text)
                     : chosen        ? plainDigits(text, kind, width)
                                     : std::nullopt;
+  const bool bare = text.find_first_of("#'") == std::string_view::npos;
+  if (!bits && chosen && bare && takesDigits(kind) && width > 1)
+    return makeProblem(ProblemCode::P1210, Position{"", 0, 0, 0}, std::string(text), name(kind));
   if (!bits) return parseNotation(reference, text, kind);
   if (width < 32 && *bits >> width != 0)
     return makeProblem(ProblemCode::P0955, Position{"", 0, 0, 0}, std::string(text), reference.text,

@@ -72,7 +72,8 @@ std::optional<Problem> Plc::control(const std::vector<monitor::Wish>& wishes, bo
   }
   for (const auto& [reference, value] : good) {
     if (!force) continue;
-    std::erase_if(forces_, [&](const auto& old) { return samePlace(old.operand, reference); });
+    std::erase_if(forces_,
+                  [&](const auto& old) { return monitor::samePlace(old.operand, reference); });
     forces_.push_back({reference, value});
   }
   return std::nullopt;

@@ -32,6 +32,7 @@ std::optional<Problem> checkRange(const plant::Signal& signal, double to, const 
 Answer set(const Call& call) {
   const std::string plant = call.fields.text("plant"), value = call.fields.text("value");
   const double to = call.fields.number("to", -1e12, 1e12);
+  const bool held = call.fields.flag("held", false);
   if (!call.fields.good()) return call.fields.problems();
   plant::Plants* plants = call.station().plants();
   const std::string signal = fmt::format("{}.{}", plant, value), number = fmt::format("{}", to);
@@ -46,6 +47,8 @@ Answer set(const Call& call) {
   if (auto problem = checkRange(kind.signals[wanted.place.signal], wanted.number, signal))
     return one(std::move(*problem));
   simulator::apply(wanted, *plants, *call.station().rack(), call.station().now());
+  held ? void(call.browser.held.emplace(plant, value))
+       : void(call.browser.held.erase({plant, value}));
   return empty();
 }
 
@@ -99,6 +102,22 @@ constexpr Method kMethods[] = {
 };
 
 }  // namespace
+
+void releaseHeld(Shared& shared, const Browser& browser) {
+  if (!shared.plc || !shared.plc->isS7() || shared.plc->station()->plants() == nullptr) return;
+  station::Station& station = *shared.plc->station();
+  const plant::Configuration& plants = station.plants()->configuration();
+  for (const auto& [plant, signal] : browser.held) {
+    const auto number = plants.find(plant);
+    const auto place = number ? plants.plants[*number].kind->signal(signal) : std::nullopt;
+    if (!place) continue;  // of a project that is closed
+    simulator::PlantValue wanted;
+    wanted.does = simulator::PlantValue::Does::Set;
+    wanted.place = {*number, *place};
+    wanted.number = plants.plants[*number].kind->signals[*place].rest;
+    simulator::apply(wanted, *station.plants(), *station.rack(), station.now());
+  }
+}
 
 std::span<const Method> processMethods() { return kMethods; }
 

@@ -7,10 +7,16 @@
 
 namespace merker::workbench {
 
+struct Shared;
+struct Browser;
+
 Json plantRows(const station::Station& station, const source::SymbolTable& symbols);
 // {name: {value: number}}
 Json plantValues(const plant::Plants& plants);
 // Of the signals that are stuck, what they are stuck at: {name: {signal: number}}
 Json plantFaults(const plant::Plants& plants);
+
+// Lets go what a browser that has gone held down.
+void releaseHeld(Shared& shared, const Browser& browser);
 
 }  // namespace merker::workbench

@@ -175,7 +175,7 @@ constexpr Method kMethods[] = {
     {"program.load", Needs::S7On, load, Kind::Compiled},
     {"program.blocks", Needs::S7, blocks, Kind::Compiled},
     {"program.compare", Needs::S7, compare, Kind::Compiled},
-    {"program.upload", Needs::S7, upload},
+    {"program.upload", Needs::S7, upload, Kind::Compiled},
     {"program.delete", Needs::S7On, remove},
     {"program.listing", Needs::S7, showListing, Kind::Compiled},
     {"program.completion", Needs::S7, complete, Kind::Compiled},

@@ -74,7 +74,8 @@ struct Browser {
   std::map<std::int64_t, ModifyList> modifies;
   std::optional<StatusView> status;
   bool process = false;
-  Json processValues;  // as told last
+  Json processValues;                                  // as told last
+  std::set<std::pair<std::string, std::string>> held;  // plant and signal: pressed until let go
 };
 
 // All of the event "state".

@@ -71,7 +71,7 @@ std::string misfit(const cpu::Snapshot& saved, const cpu::Snapshot& here) {
         Size{"bytes of input periphery", saved.inputs.size(), here.inputs.size()},
         Size{"bytes of output periphery", saved.outputs.size(), here.outputs.size()}})
     if (size.saved != size.here)
-      return fmt::format("{} {} instead of {}", size.saved, size.what, size.here);
+      return fmt::format("{}: {} instead of {}", size.what, size.saved, size.here);
   return {};
 }
 
@@ -86,7 +86,7 @@ std::string misfit(const SavedCpu& saved) {
     const std::size_t wanted = block.actualData.size();
     const std::size_t bytes = found == values.end() ? 0 : found->bytes.size();
     if (bytes != wanted)
-      return fmt::format("{} bytes of DB {} instead of {}", bytes, id.number, wanted);
+      return fmt::format("bytes of DB {}: {} instead of {}", id.number, bytes, wanted);
   }
   return {};
 }

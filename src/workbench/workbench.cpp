@@ -46,6 +46,7 @@ void Workbench::show(std::unique_ptr<Plc> plc, bool example) {
 }
 
 void Workbench::closed(BrowserId browser) {
+  releaseHeld(shared_, browsers_[browser]);
   browsers_.erase(browser);
   shared_.wantedStatus.erase(browser);
   shared_.probesWait = true;

@@ -53,6 +53,17 @@ TEST(Process, InputsAreSetAndOutputsMove) {
   EXPECT_TRUE(bench.event("process").is_null());
 }
 
+// Pressed as long as the pointer holds it: nobody holds it when the page is gone.
+TEST(Process, WhatABrowserHeldIsLetGoWhenItHasGone) {
+  for (const bool held : {true, false}) {
+    Bench bench(kProgram, kSettings);
+    bench.call("process.set", {{"plant", "Oven"}, {"value", "LMN"}, {"to", 30}, {"held", held}});
+    bench.workbench.closed(1);
+    const Json oven = bench.call("process.list")["plants"][0];
+    EXPECT_EQ(valueOf(oven, "LMN")["value"], held ? 0.0 : 30.0);
+  }
+}
+
 TEST(Process, AValueBeyondItsRangeIsRefused) {
   Bench bench(kProgram, kSettings);
   const auto set = [&](double to) {

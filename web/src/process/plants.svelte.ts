@@ -71,8 +71,9 @@ export class Plants {
     this.latest = { at: performance.now(), plants: now };
   }
 
-  set(plant: string, value: string, to: number): void {
-    void attempt(connection.ask('process.set', { plant, value, to }));
+  /** `held`: pressed as long as somebody holds it; the server lets go when this page is gone. */
+  set(plant: string, value: string, to: number, held = false): void {
+    void attempt(connection.ask('process.set', { plant, value, to, held }));
   }
 
   /** Stuck at a value, at the one it has (`'here'`), or working again (null). */
