@@ -161,6 +161,7 @@ TEST(Program, ABlockBecomesASourceAndTheSameBlock) {
                            "//What happens there", "//a value", "TITLE = Second network"})
     EXPECT_NE(source.find(text), std::string::npos) << text;
   save(bench, rest);
+  bench.call("files.rename", {{"path", "online/FC1.awl"}, {"to", "FC1.awl"}});
   EXPECT_EQ(states(bench)["FC 1"], "same");
   const Json rows = bench.call("program.references", {{"operand", "MW 102"}})["rows"];
   EXPECT_EQ(rows[0]["network"], 2);
