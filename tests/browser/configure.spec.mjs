@@ -21,6 +21,10 @@ test('a project without hardware (S7-MGR-02)', async () => {
   await page.getByLabel('Projektname').fill('By hand');
   await page.getByRole('button', { name: 'Anlegen' }).click();
   await page.locator('.path', { hasText: 'main.awl' }).first().waitFor();
+  await visit(page, server, 'projects');
+  await page.getByRole('button', { name: 'In die CPU laden' }).click();
+  await page.getByText('Projekt und CPU sind gleich.').waitFor();
+  await turn(page, 'RUN-P');
   await visit(page, server, 'hardware');
   await page.getByRole('tab', { name: 'Konfigurieren' }).click();
   await page.getByText('Noch kein Aufbau').waitFor();

@@ -40,9 +40,9 @@ TEST(Guard, WantsItsToken) {
 }
 
 TEST(Guard, KnowsWhatStaysOnThisMachine) {
-  for (const char* local : {"127.0.0.1", "127.1.2.3", "::1"})
+  for (const char* local : {"127.0.0.1", "127.1.2.3", "::1", "localhost"})
     EXPECT_TRUE(isLocalAddress(local)) << local;
-  for (const char* other : {"0.0.0.0", "::", "192.168.0.1", "localhost", ""})
+  for (const char* other : {"0.0.0.0", "::", "192.168.0.1", "localhost.example", ""})
     EXPECT_FALSE(isLocalAddress(other)) << other;
 }
 
