@@ -75,7 +75,7 @@ test('CSV has what is in sight, PNG is a picture', async () => {
   const [table] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'CSV' }).click()]);
   assert.equal(table.suggestedFilename(), 'Sorting-plant.csv');
   const lines = readFileSync(await table.path(), 'utf-8').trim().split('\r\n');
-  assert.equal(lines[0], 'time,Light barrier small,Slider small,plant.Belt.STROKE_SMALL,plant.Belt.SPEED');
+  assert.equal(lines[0], 'time [s],Light barrier small,Slider small,plant.Belt.STROKE_SMALL,plant.Belt.SPEED [%]');
   assert.ok(lines.length > 20, `${lines.length} lines`);
   assert.match(lines.at(-1), /^\d+\.\d{3},[01],[01],[\d.]+,100$/);
   const [image] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'PNG' }).click()]);

@@ -56,7 +56,16 @@ test('a CSV file has what is in sight, with quoted names', () => {
       1,
       2,
     ),
-  ).toBe('time,"Level, ""north"""\r\n1.000,6\r\n2.000,\r\n');
+  ).toBe('time [s],"Level, ""north"""\r\n1.000,6\r\n2.000,\r\n');
+});
+
+test('a German CSV file has semicolons and decimal commas', () => {
+  const speed = { ...curves[0]!, symbol: 'Speed', unit: '%' };
+  const columns: Columns = [
+    [1, 2],
+    [0.5, 60],
+  ];
+  expect(csv(columns, [speed], 0, 5, true)).toBe('Zeit [s];Speed [%]\r\n1,000;0,5\r\n2,000;60\r\n');
 });
 
 test('values are short', () => {

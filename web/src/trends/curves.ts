@@ -54,13 +54,20 @@ export function laneShare(curves: Curve[]): number {
   return bits === curves.length ? 1 : Math.min(0.5, 0.08 * bits + 0.06);
 }
 
-/** The text of a CSV file: the rows of a stretch of time, as RFC 4180 wants them. */
-export function csv(columns: Columns, curves: Curve[], from: number, to: number): string {
-  const quoted = (text: string) => (/[",\n]/.test(text) ? `"${text.replace(/"/g, '""')}"` : text);
-  const lines = [['time', ...curves.map((curve) => curve.symbol || curve.operand)].map(quoted).join(',')];
+/**
+ * The text of a CSV file: the rows of a stretch of time, as RFC 4180 wants them; a German spreadsheet reads semicolons and
+ * decimal commas.
+ */
+export function csv(columns: Columns, curves: Curve[], from: number, to: number, german = false): string {
+  const separator = german ? ';' : ',';
+  const quoted = (text: string) => (/[",;\n]/.test(text) ? `"${text.replace(/"/g, '""')}"` : text);
+  const title = (curve: Curve) => (curve.symbol || curve.operand) + (curve.unit ? ` [${curve.unit}]` : '');
+  const number = (text: string) => (german ? text.replace('.', ',') : text);
+  const lines = [[german ? 'Zeit [s]' : 'time [s]', ...curves.map(title)].map(quoted).join(separator)];
   columns[0].forEach((time, row) => {
     if (time < from || time > to) return;
-    lines.push([time.toFixed(3), ...columns.slice(1).map((column) => column[row] ?? '')].join(','));
+    const values = columns.slice(1).map((column) => number(String(column[row] ?? '')));
+    lines.push([number(time.toFixed(3)), ...values].join(separator));
   });
   return `${lines.join('\r\n')}\r\n`;
 }
