@@ -33,10 +33,14 @@ async function had(signal, on) {
 
 test('a box of each size goes into its bin', async () => {
   await turn(page, 'RUN-P');
+  // A click asks for the other of what is shown: what was asked before must be seen first.
+  const comes = (shown) => expect(() => toggle('Kästen kommen von selbst').getAttribute('aria-checked'), shown);
   await toggle('Kästen kommen von selbst').click();
+  await comes('false');
   await page.getByRole('button', { name: 'Zurück zum Anfang' }).click();
+  await comes('true');
   await toggle('Kästen kommen von selbst').click();
-  await expect(() => toggle('Kästen kommen von selbst').getAttribute('aria-checked'), 'false');
+  await comes('false');
   const beam = await history(tag('BARRIER_SMALL'), 'data-value');
   // One after the other: however slowly they are pressed, none is behind a slider that is out.
   for (const [index, box] of ['NEW_LARGE', 'NEW_MIDDLE', 'NEW_SMALL'].entries()) {
