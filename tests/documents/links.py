@@ -25,9 +25,9 @@ def broken(page):
 
 
 def missing_pages():
-    for folder in ("src", "apps"):
+    for folder in ("src", "apps", "web/src"):
         for path in sorted((ROOT / folder).rglob("*")):
-            if path.suffix not in (".h", ".cpp", ".inc", ".md", ".txt"):
+            if path.suffix not in (".h", ".cpp", ".inc", ".md", ".txt", ".ts", ".svelte", ".css"):
                 continue
             for page in MENTION.findall(path.read_text(encoding="utf-8", errors="ignore")):
                 if not (ROOT / page).exists():

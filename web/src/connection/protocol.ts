@@ -1,4 +1,4 @@
-// The messages of the workbench: docs/formats/workbench.md describes each. Times are nanoseconds of virtual time.
+// The messages of the workbench: docs/workbench-protocol.md describes each. Times are nanoseconds of virtual time.
 
 export interface Problem {
   code: string;
