@@ -3,6 +3,10 @@ import re
 
 from requirements import ID
 
+# Files that are a test as a whole, whatever stands above their first one.
+WHOLE = (".scn", "_test.py", ".spec.mjs")
+CHECKED = ("//=", "//!")  # in a program: what holds, what must be refused
+
 GTEST = re.compile(r"\s*(?:TEST|TEST_F|TEST_P|TYPED_TEST|RC_GTEST_PROP)\(\s*(\w+)\s*,\s*(\w+)")
 SCENARIO = re.compile(r'\s*scenario\s+"([^"]*)"')
 COMMENT = {".scn": "#", ".cpp": "//"}
@@ -33,3 +37,16 @@ def named_tests(path, text):
             found += [(number, current) for number in numbers]
     found += [(number, "") for number in waiting]
     return list(dict.fromkeys(found))
+
+
+def shown(path, text):
+    """Of these only what can fail: a number beside a named test, in a file of tests, in a program that checks itself or has a
+    scenario of its name beside it. A word in a README, a project file, a helper or a table shows nothing."""
+    found = named_tests(path, text)
+    if path.name.endswith(WHOLE) or (path.suffix in (".awl", ".s5") and is_checked(path, text)):
+        return found
+    return [(number, test) for number, test in found if test]
+
+
+def is_checked(path, text):
+    return any(mark in text for mark in CHECKED) or path.with_suffix(".scn").exists()

@@ -35,6 +35,17 @@ class Hardware(Case):
         self.assertEqual(module["order_number"], "6ES7 321-1BH02-0AA0")
         self.assertTrue(document["configured"])
 
+    # S7-VIS-17: the sorting plant lives on one module of digital inputs and one of digital outputs
+    def test_the_sorting_plant_needs_digital_modules_alone(self):
+        project = pathlib.Path(__file__).resolve().parents[2] / "examples" / "sorting-plant"
+        modules = self.expect(GOOD, "hw", str(project), "--json").json["racks"][0]["modules"]
+        plugged = {m["name"]: m for m in modules if m["slot"] in ("4", "5")}
+        self.assertEqual(len([m for m in modules if "." not in m["slot"]]), 3, modules)
+        self.assertEqual(plugged["Barriers"]["inputs"], {"first": 0, "last": 1})
+        self.assertEqual(plugged["Sliders"]["outputs"], {"first": 1, "last": 2})
+        for name, order in (("Barriers", "6ES7 321"), ("Sliders", "6ES7 322")):
+            self.assertTrue(plugged[name]["order_number"].startswith(order))
+
     # S7-HW-12: the CPU stands in slot 2, with and without something on board
     def test_the_cpu_is_a_module(self):
         for cpu, order in (("314C-2 PtP", "6ES7 314-6BF01-0AB0"), ("318-2", "6ES7 318-2AJ00-0AB0"), ("generic", "")):

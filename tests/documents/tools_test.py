@@ -8,7 +8,7 @@ import unittest
 
 TOOLS = pathlib.Path(__file__).resolve().parents[2] / "tools"
 sys.path.insert(0, str(TOOLS))
-from named_tests import named_tests  # noqa: E402  (the path above)
+from named_tests import named_tests, shown  # noqa: E402  (the path above)
 
 CPP = """// Timers, S7-TMR-01.
 #include <gtest/gtest.h>
@@ -46,6 +46,35 @@ class NamedTests(unittest.TestCase):
 
     def test_other_files_count_as_a_whole(self):
         self.assertEqual(named_tests(pathlib.Path("a.awl"), "// S7-FC-01\n// S7-FC-01\n"), [("S7-FC-01", "")])
+
+
+class Shown(unittest.TestCase):
+    """A number counts where something can fail."""
+
+    def shown(self, name, text, beside=None):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / name
+            if beside:
+                (path.parent / beside).touch()
+            return [number for number, _ in shown(path, text)]
+
+    def test_only_beside_a_test(self):
+        self.assertEqual(self.shown("a_test.cpp", CPP), ["S7-TMR-10", "S7-TMR-11", "S7-STW-03", "S7-STW-04"])
+
+    def test_a_program_that_checks_itself(self):
+        self.assertEqual(self.shown("a.awl", "// S7-FC-01\n L 1; //= AKKU1 = 1\n"), ["S7-FC-01"])
+        self.assertEqual(self.shown("a.s5", "// S5-BLK-01\n X  //! error\n"), ["S5-BLK-01"])
+        self.assertEqual(self.shown("a.awl", "// S7-FC-01\n"), [])
+
+    def test_a_scenario_beside_it(self):
+        self.assertEqual(self.shown("a.awl", "// S7-FC-01\n", beside="a.scn"), ["S7-FC-01"])
+        self.assertEqual(self.shown("a.awl", "// S7-FC-01\n", beside="b.scn"), [])
+
+    def test_files_of_tests_and_others(self):
+        self.assertEqual(self.shown("a.spec.mjs", "// S7-VIS-01\n"), ["S7-VIS-01"])
+        self.assertEqual(self.shown("a_test.py", '"""S7-VIS-01"""\n'), ["S7-VIS-01"])
+        for other in ("README.md", "merker.toml", "rig.h", "rig.cpp"):
+            self.assertEqual(self.shown(other, "S7-VIS-01"), [], other)
 
 
 class Timeline(unittest.TestCase):

@@ -8,6 +8,7 @@
 namespace merker::mc5 {
 namespace {
 
+// S5-NUM-04
 TEST(S5Float, KnownNumbers) {
   EXPECT_EQ(fromDouble(1.0).bits, 0x01400000u);
   EXPECT_EQ(fromDouble(12.5).bits, 0x04640000u);

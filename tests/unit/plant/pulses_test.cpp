@@ -61,6 +61,7 @@ TEST(PulseTrainPlant, changesKeepThePhase) {
   EXPECT_NEAR(edges / 2.0, 400, 1);
 }
 
+// CNT-SIM-04
 TEST(PulseTrainPlant, theSameSeedTheSameJitter) {
   const auto lastEdge = [](double seed) {
     Alone train(make("Fan", "pulse train", {{"frequency", 10}, {"jitter", 10}, {"seed", seed}}));

@@ -15,6 +15,7 @@ mc5::Block block(BlockType type, std::uint16_t number, std::vector<std::uint16_t
   return b;
 }
 
+// S5-BLK-08, S5-BLK-09
 TEST(BlockMemory, HeaderOfFiveWords) {
   BlockMemory memory(100, 100);
   ASSERT_TRUE(memory.load(block(BlockType::Pb, 25, {0x6500})));

@@ -137,7 +137,7 @@ TEST(ContC, deadBand) {
   }
 }
 
-// PID-CONC-34, PID-CONC-35, PID-CONC-11, PID-CONC-04
+// PID-CONC-34, PID-CONC-35, PID-CONC-11, PID-CONC-04; each call looks at BIE: PID-CONC-48
 TEST(ContC, proportional) {
   Loop loop = automatic();
   loop.set("I_SEL", false);

@@ -69,8 +69,11 @@ void expectTable(int sfb, std::span<const Row> table, std::size_t length) {
   EXPECT_EQ(plc->program().at({BlockKind::DB, 9}).actualData.size(), length);
 }
 
+// CNT-IF47-14, CNT-OP-01
 TEST(CountingData, Count) { expectTable(47, kCount, 38); }
+// CNT-IF48-01, CNT-IF48-02, CNT-IF48-03, CNT-IF48-04, CNT-IF48-05
 TEST(CountingData, Frequency) { expectTable(48, kFrequency, 34); }
+// CNT-IF49-01, CNT-IF49-02, CNT-IF49-03, CNT-IF49-04
 TEST(CountingData, Pulse) { expectTable(49, kPulse, 24); }
 
 }  // namespace

@@ -25,7 +25,7 @@ class Loop {
     plc_.write("M 0.0", 1);
     (*plc_).advanceCycles(1);
     EXPECT_EQ(plc_.read("M 0.0"), 0u);
-    EXPECT_EQ(plc_.read("M 0.1"), 1u) << "BIE";  // PID-CONC-48
+    EXPECT_EQ(plc_.read("M 0.1"), 1u) << "BIE";
   }
   void set(std::string_view name, float value) {
     plc_.write(operand(name), std::bit_cast<std::uint32_t>(value));
