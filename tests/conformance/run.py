@@ -11,7 +11,7 @@ import subprocess
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
-MARK = re.compile(r"//!\s*(error|warning)")
+MARK = re.compile(r"//!\s*(error|warning)(?:\s+(P\d{4})\s+(\d+)-(\d+))?")
 TIMEOUT = 120  # seconds of this machine; a program runs at most 10 s of virtual time
 
 def call(merker, *arguments):
@@ -32,26 +32,42 @@ def test(merker, path, engine):
     return [f"exit code {code}", *(out + err).strip().splitlines()]
 
 def wanted(path):
-    """(line, severity) of every marked line."""
-    lines = path.read_text(encoding="utf-8").splitlines()
-    return {(n, m.group(1)) for n, text in enumerate(lines, 1) if (m := MARK.search(text))}
+    """(line, severity) of every marked line -> code, first and last column, as far as the mark says them."""
+    marks = {}
+    for number, text in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+        if mark := MARK.search(text):
+            marks[number, mark[1]] = (mark[2], int(mark[3]), int(mark[4])) if mark[2] else None
+    return marks
 
 def reported(text):
-    """(line, severity) -> message of every problem in the JSON output."""
+    """(line, severity) -> message, code, first and last column of the first such problem in the JSON output."""
     data = json.loads(text)
-    problems = data["problems"] if isinstance(data, dict) else data
-    return {(p["line"], p["severity"]): p["message"] for p in problems}
+    seen = {}
+    for p in data["problems"] if isinstance(data, dict) else data:
+        place = p["code"], p["column"], p["column"] + max(p["length"], 1) - 1
+        seen.setdefault((p["line"], p["severity"]), (p["message"], place))
+    return seen
+
+def differences(marks, seen):
+    """What is missing, what is too much, what has another code or place."""
+    for line, severity in sorted(marks.keys() - seen.keys()):
+        yield f"line {line}: no {severity}"
+    for line, severity in sorted(seen.keys() - marks.keys()):
+        yield f"line {line}: unexpected {severity}: {seen[line, severity][0]}"
+    for line, severity in sorted(marks.keys() & seen.keys()):
+        mark, place = marks[line, severity], seen[line, severity][1]
+        if mark and mark != place:
+            yield "line {}: {} {}-{} instead of {} {}-{}".format(line, *place, *mark)
 
 def check(merker, path, _engine):
-    """Problems of a source that must be rejected: what is missing and what is too much."""
+    """Problems of a source that must be rejected."""
     code, out, err = call(merker, "check", "--json", str(path))
     try:
         seen = reported(out)
     except (ValueError, KeyError, TypeError) as error:
         return [f"exit code {code}, output is not the expected JSON ({error})", *(out + err).splitlines()[:5]]
     marks = wanted(path)
-    failures = [f"line {n}: no {severity}" for n, severity in sorted(marks - seen.keys())]
-    failures += [f"line {n}: unexpected {severity}: {seen[n, severity]}" for n, severity in sorted(seen.keys() - marks)]
+    failures = list(differences(marks, seen))
     expected = 1 if any(severity == "error" for _, severity in marks) else 0
     if not failures and code != expected:
         failures.append(f"exit code {code} instead of {expected}")
