@@ -8,14 +8,26 @@
 
 namespace merker::differential {
 
-block::Program compiled(const std::string& path, const CpuModel& model) {
-  std::stringstream text;
-  text << std::ifstream(path).rdbuf();
+namespace {
+
+block::Program compiledAs(const std::string& name, std::string text, const CpuModel& model) {
   std::vector<source::SourceFile> sources;
-  sources.emplace_back(path, text.str());
+  sources.emplace_back(name, std::move(text));
   const block::Program library = system::library(model);
   step7::Compilation result = step7::compile(sources, {.model = &model, .library = &library});
   return result.ok() ? std::move(result.program) : block::Program{};
+}
+
+}  // namespace
+
+block::Program compiled(const std::string& path, const CpuModel& model) {
+  std::stringstream text;
+  text << std::ifstream(path).rdbuf();
+  return compiledAs(path, text.str(), model);
+}
+
+block::Program compiledText(const std::string& text, const CpuModel& model) {
+  return compiledAs("text.awl", text, model);
 }
 
 const block::Program& systemCalls() {

@@ -11,6 +11,7 @@ namespace merker::differential {
 
 // Empty if there are errors.
 block::Program compiled(const std::string& path, const CpuModel& model);
+block::Program compiledText(const std::string& text, const CpuModel& model);
 // system_calls.awl
 const block::Program& systemCalls();
 

@@ -96,7 +96,7 @@ INSTANTIATE_TEST_SUITE_P(Rows, EveryOperation,
                                mc7::operations()[static_cast<std::size_t>(test.param)].id);
                          });
 
-// S7-CPU-04, S7-CPU-03: each instruction costs the time of its class.
+// S7-CPU-04: each instruction costs the time of its class.
 TEST(Time, IsThatOfTheClass) {
   const CpuModel& model = defaultCpuModel();
   Rig rig({{Operation::AND, flag(0, 0)},

@@ -61,6 +61,34 @@ TEST(SortingPlant, slidersHitAtTheirTime) {
   }
 }
 
+// A box within 3 cm of the middle of the slider goes into the bin; one that its plate (8 cm) still
+// touches falls off the belt; one beside it (8 cm and more, the box is 8 cm long) stays there.
+TEST(SortingPlant, aBoxBesideTheSliderFallsOff) {
+  struct Case {
+    int beside;  // mm
+    int good, wrong;
+  };
+  for (const Case& c : {Case{0, 1, 0}, Case{29, 1, 0}, Case{-29, 1, 0}, Case{32, 0, 1},
+                        Case{-32, 0, 1}, Case{40, 0, 1}, Case{-40, 0, 1}, Case{78, 0, 1},
+                        Case{-78, 0, 1}, Case{82, 0, 0}, Case{-82, 0, 0}}) {
+    Bench bench = belt();
+    put(bench, "NEW_SMALL");
+    const auto front = [&] {
+      for (const char number : {'1', '2', '3', '4', '5', '6'})
+        if (bench.value(std::string("BOX") + number) == 1)
+          return bench.value(std::string("FRONT") + number);
+      return -1.0;
+    };
+    const double wanted = 0.35 + 0.04 + c.beside / 1000.0;  // its front, half a box ahead
+    while (front() < wanted) bench.wait(Duration::milliseconds(1));
+    bench.set("BELT", 0);
+    push(bench, "SLIDER_SMALL");
+    bench.wait(Duration::seconds(1));
+    EXPECT_EQ(bench.value("GOOD"), c.good) << c.beside;
+    EXPECT_EQ(bench.value("WRONG"), c.wrong) << c.beside;
+  }
+}
+
 TEST(SortingPlant, aWrongSliderIsWrong) {
   Bench bench = belt();
   put(bench, "NEW_LARGE");

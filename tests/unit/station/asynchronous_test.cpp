@@ -96,6 +96,34 @@ TEST(AsynchronousErrors, Ob81IsNotNeeded) {
   EXPECT_EQ(with.read("MD 102"), 0x39221A51u);
 }
 
+// S7-DIAG-03: each of 14 classes stands in its fourth OB 121 when the next one interrupts; the
+// stack of interrupted blocks has 64 places.
+TEST(Interrupts, NestedTooDeeplyStopTheCpu) {
+  CpuParameters parameters = CpuParameters::of(generic());
+  for (std::uint8_t i = 0; i < 9; ++i)
+    parameters.cyclic.push_back(
+        {.ob = static_cast<std::uint8_t>(30 + i), .interval = 1000, .phase = 10 * i});
+  const std::string fails = "L 0; T MW 10; L MW 12; + 1; T MW 12; AUF DB 99;";
+  std::string program =
+      ob(121,
+         "L MW 14; + 1; T MW 14; L MW 10; + 1; T MW 10; L 4; <I; SPBN M001; AUF DB 99; BEA;"
+         "M001: CALL SFC 43; SPA M001;");
+  for (int i = 0; i < 9; ++i) program += ob(30 + i, fails);
+  std::string begin;
+  for (int i = 0; i < 4; ++i) {
+    program += ob(20 + i, fails);
+    begin += "CALL SFC 32 (OB_NR := " + std::to_string(20 + i) + ", DTIME := T#" +
+             std::to_string(10 + 10 * i) + "MS, SIGN := W#16#0, RET_VAL := MW 20);";
+  }
+  Plc plc(program + ob(1, begin + fails), generic(), parameters);
+  plc.start();
+  plc->advanceTo(plc->now() + Duration::seconds(3));
+  EXPECT_EQ(plc->mode(), Mode::Stop);
+  EXPECT_EQ(plc.lastEvent(), 0x4574u);
+  EXPECT_EQ(plc.read("MW 12"), 13u);  // OB 1, 20 to 23, 30 to 37: the next finds no place
+  EXPECT_EQ(plc.read("MW 14"), 51u);  // 64 less 13
+}
+
 // S7-ERR-05, S7-CPU-31: SF shines as long as the fault is there.
 TEST(ModuleEvents, DiagnosisComesAndGoes) {
   Plc plc(counting(82, 100) + ob(1, ""));
