@@ -37,5 +37,10 @@ Case shrink(Case c, std::optional<icode::Opcode> broken = {});
 Case randomCase(std::uint32_t seed);
 // One row of encodings.inc with a random operand and state.
 Case rowCase(std::size_t row, std::uint32_t seed);
+// One row behind every edge (edges.h) in ACCU 1, with the edge so many places further in ACCU 2, as
+// constants or out of flags; nothing for a row with an operand in memory.
+std::optional<Case> edgeCase(std::size_t row, std::uint32_t distance, bool known);
+// Many looks at timers, of which some end just then.
+Case timerCase(std::uint32_t seed);
 
 }  // namespace merker::differential

@@ -6,6 +6,7 @@
 #include "case.h"
 #include "comparison.h"
 #include "cpu/trigger.h"
+#include "edges.h"
 #include "source.h"
 #include "stand.h"
 
@@ -49,11 +50,19 @@ std::shared_ptr<const block::Program> program(const Case& c) {
   return result;
 }
 
+// Within the next instructions the time ends, or one of its units: exactly when one begins, for all
+// of them take a multiple of a step.
+Instant end(Random& random, const cpu::S5Timer& timer, Instant now) {
+  constexpr std::int64_t kStep = 100, kSteps = 600, kUnits[] = {10, 100, 1'000, 10'000};  // ns; ms
+  return now + Duration::milliseconds(kUnits[timer.base] * below(random, 3)) +
+         Duration{kStep * below(random, kSteps)};
+}
+
 // Registers and memory; the same for both.
 void fill(cpu::Machine& m, Random random) {
   const auto number = [&] {
-    constexpr std::uint32_t kValues[] = {0, 1, 0xFFFFFFFF, 0x7FFF, 0x8000, 0x80000000, 0x42280000};
-    return below(random, 3) == 0 ? static_cast<std::uint32_t>(random()) : kValues[below(random, 7)];
+    return below(random, 3) == 0 ? static_cast<std::uint32_t>(random())
+                                 : kEdges[below(random, std::size(kEdges))];
   };
   for (std::uint32_t& accu : m.registers.accu) accu = number();
   constexpr Area kAreas[] = {Area::Flag, Area::DataBlock, Area::Input, Area::None, Area::Local};
@@ -69,7 +78,8 @@ void fill(cpu::Machine& m, Random random) {
     timer.kind = static_cast<cpu::S5Timer::Kind>(below(random, 5));
     timer.started = below(random, 2) != 0;
     timer.held = below(random, 4) == 0;
-    timer.end = m.clock + Duration{static_cast<std::int64_t>(below(random, 200'000))};
+    timer.base = static_cast<std::uint8_t>(below(random, 4));
+    timer.end = end(random, timer, m.clock);
   }
 }
 

@@ -83,7 +83,8 @@ class Stages:
 
     def concerns(self, stage, module):
         seconds = self.seconds.get(stage.name, 0)
-        if seconds > self.slowest or module not in ONLY.get(stage.name, {module}):
+        whole = re.sub(r"_\d+$", "", stage.name)  # of which it is a shard
+        if seconds > self.slowest or module not in ONLY.get(whole, {module}):
             return False
         other = self.scratch.uses.get(stage.name)
         return stage.name == module or other is None or seconds <= LONG or module in other

@@ -18,8 +18,9 @@ struct Case {
 
 // A random program of all kinds of instructions.
 Case randomCase(std::uint32_t seed);
-// One row of encodings.inc with random operands, between random loads and a look at what it left.
-Case rowCase(std::size_t row, std::uint32_t seed);
+// One row of encodings.inc with random operands, between loads and a look at what it left: loads of
+// random numbers, or of edges (edges.h) from this one on.
+Case rowCase(std::size_t row, std::uint32_t seed, std::optional<std::size_t> edge = {});
 // TIR writes another instruction into the code behind it.
 Case writingCase(std::uint32_t seed);
 // Calls, block ends, A DB and formal operands, which all run compiled.

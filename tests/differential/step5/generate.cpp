@@ -1,6 +1,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "../edges.h"
 #include "case.h"
 #include "mc5/disassembly.h"
 #include "mc5/encoding.h"
@@ -124,17 +125,21 @@ void appendBrackets(Random& random, Words& code) {
   code.push_back(0xBF00);
 }
 
+void appendLong(std::uint32_t number, Words& code) {
+  code.insert(code.end(), {0x3800, static_cast<std::uint16_t>(number >> 16),
+                           static_cast<std::uint16_t>(number)});
+}
+
 // AKKU 1 and 2 from numbers that arithmetic minds, and some status.
 void appendLoads(Random& random, Words& code) {
   for (int i = 0; i < 2; ++i) {
-    constexpr std::uint16_t kEdges[] = {0, 1, 0xFFFF, 0x7FFF, 0x8000, 0x00FF, 0x0100};
-    const bool edge = oneIn(random, 2);
+    const std::uint32_t number =
+        oneIn(random, 2) ? differential::kEdges[random() % std::size(differential::kEdges)]
+                         : random();
     if (oneIn(random, 3))
-      code.insert(code.end(), {0x3800, static_cast<std::uint16_t>(random()),
-                               edge ? kEdges[random() % 7] : static_cast<std::uint16_t>(random())});
+      appendLong(number, code);
     else
-      code.insert(code.end(),
-                  {0x3040, edge ? kEdges[random() % 7] : static_cast<std::uint16_t>(random())});
+      code.insert(code.end(), {0x3040, static_cast<std::uint16_t>(number)});
   }
 }
 
@@ -230,16 +235,21 @@ Case randomCase(std::uint32_t seed) {
   return c;
 }
 
-Case rowCase(std::size_t row, std::uint32_t seed) {
+Case rowCase(std::size_t row, std::uint32_t seed, std::optional<std::size_t> edge) {
   Random random(seed);
   Case c;
   c.seed = seed;
   Words code;
-  for (int i = 0; i < 4; ++i) {
-    appendLoads(random, code);
+  for (unsigned i = 0; i < 4; ++i) {
+    if (edge) {
+      for (const std::size_t place : {*edge + 2 * i + 1, *edge + i})
+        appendLong(differential::kEdges[place % std::size(differential::kEdges)], code);
+    } else {
+      appendLoads(random, code);
+    }
     code.push_back(static_cast<std::uint16_t>(0x8000 | (random() & 0x2F00) | random() % 4));
     append(mc5::encodings()[row], random, code);
-    appendLook(static_cast<unsigned>(i), code);
+    appendLook(i, code);
   }
   code.push_back(kBlockEnd);
   add(c, BlockType::Ob, 1, opened(random, code));
