@@ -5,6 +5,7 @@ usage: run.py MERKER [--engine jit] [--filter TEXT] [--verbose]
 """
 import argparse
 import json
+import os
 import pathlib
 import re
 import subprocess
@@ -101,6 +102,8 @@ def main():
             continue
         failed += 1
         print(f"FAILED {name}")
+        if os.environ.get("MERKER_FAIL_FAST"):  # tools/mutate wants to know nothing else
+            break
         for line in failures if arguments.verbose else failures[:8]:
             print("    " + line)
     print(f"{passed} passed, {failed} failed")
