@@ -60,6 +60,8 @@ TEST(ToUtf8, upperHalves) {
   EXPECT_EQ(toUtf8("\x81\x9D", Encoding::Cp1252), "\uFFFD\uFFFD");
 }
 
+TEST(ToUtf8, whatIsNoTextStays) { EXPECT_EQ(toUtf8("\x81\x01Z", Encoding::Binary), "\x81\x01Z"); }
+
 TEST(ToUtf8, utf16WithSurrogates) {
   EXPECT_EQ(toUtf8(std::string_view("\xFF\xFEL\0\xE4\0\x3D\xD8\x00\xDE", 10), Encoding::Utf16Le),
             "Lä😀");
