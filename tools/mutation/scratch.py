@@ -120,12 +120,14 @@ class Scratch:
                     waiting.append(self.tree / "src" / name)
         return found
 
-    def compile(self, mutant, seconds):
-        """The object file of a mutant, or None if it is no C++."""
+    def compile(self, mutant, seconds, changed=True):
+        """The object file of a mutant, or None if it is no C++; with `changed` off that of the file as it is."""
         flags, header = self.prepared(mutant.file)
         lines = (self.tree / mutant.file).read_text(encoding="utf-8").split("\n")
-        lines[mutant.line - 1] = mutant.after
-        source, target = self.out / "mutant.cpp", self.out / "mutant.o"
+        if changed:
+            lines[mutant.line - 1] = mutant.after
+        name = "mutant" if changed else "unchanged"
+        source, target = self.out / f"{name}.cpp", self.out / f"{name}.o"
         source.write_text("\n".join(lines), encoding="utf-8")
         target.unlink(missing_ok=True)
         code, _ = run([*flags, "-w", "-O0", "-include", str(header), "-o", str(target), "-c", str(source)], seconds, self.build)

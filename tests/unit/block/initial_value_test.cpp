@@ -27,6 +27,17 @@ TEST(InitialValue, StringsBringTheirLengths) {
       (Bytes{4, 2, 'A', 'B', 0, 0, 4, 0, 0, 0, 0, 0}));
 }
 
+// As a container may have it: said to be there, but without a byte.
+TEST(InitialValue, AnEmptyOneIsTheDefault) {
+  Variable text = var(stringType(4));
+  text.hasInitial = true;
+  text.initial.clear();
+  EXPECT_EQ(frame({text}), (Bytes{4, 0, 0, 0, 0, 0}));
+  text.hasInitial = false;
+  text.initial = {4, 1, 'A', 0, 0, 0};
+  EXPECT_EQ(frame({text}), (Bytes{4, 0, 0, 0, 0, 0}));
+}
+
 // S7-TYPES-18: DT#1990-01-01-00:00:00.000, a Monday (2).
 TEST(InitialValue, DateAndTimeBeginsIn1990) {
   EXPECT_EQ(frame({var(TypeCode::DateAndTime)}), (Bytes{0x90, 0x01, 0x01, 0, 0, 0, 0, 0x02}));
