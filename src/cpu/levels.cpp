@@ -54,6 +54,7 @@ void Cpu::endLevel() {
   m.frames.resize(m.frames.size() - level.frames);
   m.top = &m.frames.back();
   m.levels.pop_back();
+  if (level.errorOb) m.levels.back().masks = level.masks;  // of one class (S7-SFC-14)
   m.updateCallLimit();
   m.registers = level.interrupted;
   m.mcrActive = level.mcrActive;

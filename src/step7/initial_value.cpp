@@ -19,12 +19,11 @@ bool acceptsInteger(TypeCode type, std::int64_t value) {
     case TypeCode::Byte:
       return value >= -128 && value <= 255;
     case TypeCode::Word:
-      return value >= -32768 && value <= 65535;
     case TypeCode::Int:
-      return value >= -32768 && value <= 32767;
     case TypeCode::DWord:
     case TypeCode::DInt:
-      return true;
+      return true;  // a number without a format has 16 bits, one with L# is too wide for the first
+                    // two
     default:
       return false;
   }
