@@ -42,5 +42,7 @@ Case rowCase(std::size_t row, std::uint32_t seed);
 std::optional<Case> edgeCase(std::size_t row, std::uint32_t distance, bool known);
 // Many looks at timers, of which some end just then.
 Case timerCase(std::uint32_t seed);
+// Accesses through an address register about the ends of two data blocks that are exchanged.
+Case swapCase(std::uint32_t seed);
 
 }  // namespace merker::differential

@@ -90,6 +90,11 @@ TEST_F(Differential, TimersThatEndAtAnInstruction) {
                                                << listing(timerCase(seed));
 }
 
+TEST_F(Differential, ExchangedBlocksHaveEachOthersLengths) {
+  for (std::uint32_t seed = 1; seed <= 400; ++seed)
+    ASSERT_EQ(difference(swapCase(seed)), "") << "seed " << seed << '\n' << listing(swapCase(seed));
+}
+
 // In parts, for those who share the work (GTEST_TOTAL_SHARDS).
 class DifferentialPart : public Differential, public testing::WithParamInterface<std::uint32_t> {};
 

@@ -108,4 +108,32 @@ Case timerCase(std::uint32_t seed) {
   return c;
 }
 
+// Behind SWAP the blocks have each other's lengths (fill of run.cpp: 40 and 64 bytes).
+Case swapCase(std::uint32_t seed) {
+  constexpr std::uint32_t kAccesses = 12;
+  std::mt19937 random(seed);
+  const auto below = [&](std::uint32_t n) { return static_cast<std::uint32_t>(random() % n); };
+  Case c;
+  c.seed = seed * 4 + 1;
+  Code& code = c.blocks[{BlockKind::OB, 1}];
+  append(Operation::OPEN, mc7::blockOperand(BlockKind::DB, 1 + below(2)), code);
+  append(Operation::OPEN, mc7::blockOperand(BlockKind::DB, 1 + below(3), true), code);
+  for (std::uint32_t i = 0; i < kAccesses; ++i) {
+    cut(code);
+    const Area area = below(2) == 0 ? Area::DataBlock : Area::Instance;
+    const std::uint32_t byte = 34 + 2 * below(18);
+    append(Operation::LAR1, mc7::constant(ConstantFormat::Pointer, pointer(area, 8 * byte)), code);
+    if (below(3) != 0) append(Operation::SWAP_DB, {}, code);
+    if (below(3) == 0) append(Operation::SWAP_DB, {}, code);
+    const auto width = below(2) == 0 ? Width::Word : Width::DWord;
+    append(below(2) == 0 ? Operation::LOAD : Operation::TRANSFER,
+           below(2) == 0 ? mc7::registerIndirect(area, width, 1, bitAddress(0))
+                         : mc7::registerCrossing(width, 1, 0),
+           code);
+  }
+  append(Operation::SPA, {.kind = OperandKind::Jump}, code);
+  addInterrupts(c);
+  return c;
+}
+
 }  // namespace merker::differential

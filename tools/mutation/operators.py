@@ -105,7 +105,7 @@ def returns(code):
 
 OPERATORS = (binary, words, numbers, negations, dropped, returns)
 # Lines that hold no rule: what is included, what the compiler itself checks, names, heads of templates.
-LEFT_OUT = re.compile(r"\s*(?:#|static_assert|using |namespace |template ?<|friend |typedef |extern |assert\()|.*\boperator<=>")
+LEFT_OUT = re.compile(r"\s*(?:#|static_assert|using |namespace |template ?<|friend |typedef |extern |assert\()|.*(?:\boperator<=>|from_chars\()")
 
 
 def mutants_of(line, code, continues):

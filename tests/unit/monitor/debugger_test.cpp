@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "interpreter/translated.h"
 #include "plc.h"
 
 namespace merker::monitor::test {
@@ -169,18 +170,28 @@ TEST(Step, StaysInItsPriorityClass) {
       "END_ORGANIZATION_BLOCK\n"
       "ORGANIZATION_BLOCK OB 121\nBEGIN\nNETWORK\n NOP 0;\nEND_ORGANIZATION_BLOCK\n"
       "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n"
-      "here: NOP 1;\n L MW 30;\n L 2;\n >=I;\n SPBN here;\n AUF DB 9;\n NOP 0;\n"
+      "here: CALL SFC 47 (WT := 20000);\n L MW 30;\n L 1;\n >=I;\n SPBN here;\n AUF DB 9;\n NOP "
+      "0;\n"
       "END_ORGANIZATION_BLOCK\n";
   Plc plc(obs);
   plc.start();
   bool errorOb = false;
-  for (int i = 0; i < 100 && !errorOb; ++i) {
+  for (int i = 0; i < 300 && !errorOb; ++i) {
     plc.debugger().step(StepKind::Into, plc.soon());
     EXPECT_FALSE(plc.where().starts_with("OB 35"));
     errorOb = plc.where().starts_with("OB 121");
-    if (i == 20) EXPECT_EQ(name(plc->write("MW 30", "2")), "good");
   }
   EXPECT_TRUE(errorOb);
+  EXPECT_EQ(plc.read("MW 30", DisplayFormat::Dec), "1");
+}
+
+// Where nobody looks any more the program runs at full speed again.
+TEST(Step, LeavesNoProbeBehind) {
+  Plc plc(kProgram);
+  plc.start();
+  plc.step();
+  for (const auto& code : plc.station().cpu().code())
+    EXPECT_EQ(static_cast<const interpreter::Translated&>(*code).probe, nullptr);
 }
 
 TEST(Step, EndsWithTheCpu) {

@@ -48,6 +48,15 @@ TEST(DiagnosticList, HelpsWithEveryReasonForStop) {
   EXPECT_TRUE(diagnosticHelp(0x4302).empty());
 }
 
+// S7-DIAG-02: each synchronous error, and what stands beside a STOP.
+TEST(DiagnosticList, HelpsWithEveryError) {
+  for (const unsigned event :
+       {0x2521, 0x2522, 0x2523, 0x2524, 0x2525, 0x2526, 0x2527, 0x2528, 0x2529,
+        0x2530, 0x2531, 0x2532, 0x2533, 0x2534, 0x2535, 0x253A, 0x253C, 0x253D,
+        0x253E, 0x253F, 0x2942, 0x2943, 0x3501, 0x3502, 0x3842, 0x3942})
+    EXPECT_FALSE(diagnosticHelp(static_cast<std::uint16_t>(event)).empty()) << std::hex << event;
+}
+
 TEST(ModuleInformation, ShowsTheState) {
   Plc plc(kProgram);
   EXPECT_EQ(plc->information().mode, station::Mode::Stop);
