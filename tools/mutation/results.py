@@ -31,6 +31,9 @@ def save(results):
     FILE.write_text(json.dumps(results, indent=1, sort_keys=True, ensure_ascii=False) + "\n", encoding="utf-8")
 
 
+REQUIRED = 90  # percent
+
+
 def rate(killed, survived):
     """In percent, rounded down: 90 means at least 90."""
     return 100 * killed // (killed + survived) if killed + survived else 100
@@ -50,8 +53,9 @@ def survivors(root, row):
 PAGE = """# Mutated rules
 
 A test must be able to fail. `tools/mutate` changes one line of a rule under `src/` (a comparison, a number by one, a mask by a
-bit, a condition, a sign, a statement that is left out, a value that is returned), compiles only that file, links it into the tests in place of the original, and looks
-which test notices. What no test notices *survives* and is printed with its line: a test is missing there.
+bit, a condition, a sign, a statement that is left out, a value that is returned), compiles only that file, links it into the
+tests in place of the original, and looks which test notices. What no test notices *survives* and is printed with its line: a
+test is missing there.
 
 ```sh
 tools/mutate --changed main          # the lines that are new since main, at most 40 mutants
@@ -60,13 +64,17 @@ tools/mutate --module plant --list   # only show them
 ```
 
 It works in a copy of the tree (`build/mutation`) with a build folder of its own; the first run compiles everything once. The
-module's own test runs first, then all tests of ctest whose program contains the module, until one fails. A mutant that does
-not compile does not count; nor does one that no test can ever see, which stands with the reason in
-[tools/mutation/equivalent.txt](../tools/mutation/equivalent.txt). The same seed gives the same mutants as long as their lines stay. The exit code is 1
-below 90 % (`--required`). `--record` writes [the results](../tools/mutation/results.json), `--again` tries only the recorded survivors, `--page` prints this page.
-Rules in headers and in `.inc` tables are not mutated: hundreds of files would compile for each.
+module's own test runs first, then all tests of ctest whose program contains the module, what notices most for its time before
+the rest, until one fails; a test is believed only if it passes with the unchanged file. Tests that take longer than a minute
+(`--slowest`), browsers and documents are left out. A mutant that does not compile does not count; nor does one that no test can
+see, which stands with the reason in [tools/mutation/equivalent.txt](../tools/mutation/equivalent.txt). One that does not end is
+noticed. The same seed gives the same mutants as long as their lines stay. The exit code is 1 below 90 % (`--required`).
+`--record` writes [the results](../tools/mutation/results.json), `--again` tries only the recorded survivors, `--page write`
+prints this page. Rules in headers and in `.inc` tables are not mutated: hundreds of files would compile for each.
 
-At least 90 % of each module's mutants must be noticed.
+At least 90 % of each module's mutants must be noticed. A rate below that is printed bold: its survivors stand in the results,
+and the next test to write is theirs. The table shows the last recorded run of each module, of its ten or more mutants with seed 1
+and of the survivors tried again since.
 
 | module | mutants | noticed | rate | equivalent |
 |---|---|---|---|---|
@@ -77,7 +85,9 @@ def page(results):
     lines, killed, survived, equal = [], 0, 0, 0
     for module, row in sorted(results.items()):
         left = len(row["survived"])
-        lines.append(f"| `{module}` | {row['killed'] + left} | {row['killed']} | {rate(row['killed'], left)} % | {row['equivalent']} |")
+        percent = rate(row["killed"], left)
+        shown = f"{percent} %" if percent >= REQUIRED else f"**{percent} %**"
+        lines.append(f"| `{module}` | {row['killed'] + left} | {row['killed']} | {shown} | {row['equivalent']} |")
         killed, survived, equal = killed + row["killed"], survived + left, equal + row["equivalent"]
     lines.append(f"| all | {killed + survived} | {killed} | {rate(killed, survived)} % | {equal} |")
     return PAGE + "\n".join(lines) + "\n"
