@@ -85,6 +85,11 @@ class Sample(unittest.TestCase):
             file.write_text("int f(int a) {\n  a *= 2;\n  return a + 1;\n}\n", encoding="utf-8")
             found = candidates.sample(candidates.of_changes(root, "HEAD"), 1)
             self.assertEqual({m.before for m in found}, {"  a *= 2;"})
+            (file.parent / "new.cpp").write_text("int g(int a) {\n  return a - 1;\n}\n", encoding="utf-8")
+            found = candidates.sample(candidates.of_changes(root, "HEAD"), 1)
+            self.assertEqual({m.before for m in found}, {"  a *= 2;", "  return a - 1;"})
+            with self.assertRaises(SystemExit):
+                candidates.changed_lines(root, "nothing")
 
 
 class Results(unittest.TestCase):

@@ -58,12 +58,19 @@ def sample(lines, seed):
     return [mutant for _, _, mutant in sorted(ordered, key=lambda row: row[:2])]
 
 
+def git(root, *words):
+    done = subprocess.run(["git", "-C", str(root), *words], capture_output=True, encoding="utf-8", check=False)
+    if done.returncode != 0:
+        raise SystemExit(f"tools/mutate: git {words[0]}: {done.stderr.strip()}")
+    return done.stdout
+
+
 def changed_lines(root, base):
-    """(file, line) of each line under src/ that is new since `base`, committed or not."""
-    diff = subprocess.run(["git", "-C", str(root), "diff", "-U0", "--no-color", base, "--", "src"], check=True,
-                          capture_output=True, encoding="utf-8").stdout
+    """(file, line) of each line under src/ that is new since `base`, committed or not, and of files git does not know yet."""
     found, file = set(), None
-    for line in diff.splitlines():
+    for name in git(root, "ls-files", "--others", "--exclude-standard", "--", "src").splitlines():
+        found |= {(name, n) for n, _ in enumerate((root / name).read_text(encoding="utf-8").split("\n"), 1)}
+    for line in git(root, "diff", "-U0", "--no-color", base, "--", "src").splitlines():
         if line.startswith("+++ "):
             file = line[6:] if line.startswith("+++ b/") else None
         hunk = re.match(r"@@ -\S+ \+(\d+)(?:,(\d+))? @@", line)
