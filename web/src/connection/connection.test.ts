@@ -123,11 +123,33 @@ test('silence is asked about; a server that does not answer is lost, one that an
     latest().says({ id: latest().sent.at(-1)!.id, result: {} });
   }
   expect(phases).toEqual([]);
-  vi.advanceTimersByTime(8000);
-  expect(phases).toEqual(['lost']);
+  vi.advanceTimersByTime(4000);
+  expect(phases).toEqual(['stalled']);
+  vi.advanceTimersByTime(4000);
+  expect(phases).toEqual(['stalled', 'lost']);
   const before = sockets.length;
   vi.advanceTimersByTime(250);
   expect(sockets.length).toBe(before + 1);
+  connection.close();
+});
+
+test('what the watchdog of the server says is shown until a state comes; it is not lost meanwhile', () => {
+  const connection = connected();
+  const phases: string[] = [];
+  connection.onPhase = (phase) => phases.push(phase);
+  for (const seconds of [2, 4, 6, 8, 10, 12]) {
+    latest().says({ event: 'stalled', place: 'hardware.edit', seconds });
+    vi.advanceTimersByTime(2000);
+  }
+  expect(connection.phase).toBe('stalled');
+  expect(connection.stalledAt).toBe('hardware.edit');
+  expect(new Set(phases)).toEqual(new Set(['stalled']));
+  latest().says({ event: 'state', cycles: 5 });
+  expect(connection.phase).toBe('open');
+  expect(connection.stalledAt).toBe('');
+  latest().says({ event: 'stalled', place: 'the PLC', seconds: 2 });
+  latest().says({ event: 'stalled', place: 'the PLC', seconds: 0 });
+  expect(connection.phase).toBe('open');
   connection.close();
 });
 

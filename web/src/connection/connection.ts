@@ -1,6 +1,7 @@
 import { ConnectionLost, Refused, type Fields, type Problem } from './protocol';
 
-export type Phase = 'connecting' | 'open' | 'lost';
+/** stalled: the server is there, the PLC says nothing. */
+export type Phase = 'connecting' | 'open' | 'stalled' | 'lost';
 type Handler = (message: Fields) => void;
 
 interface Waiting {
@@ -33,13 +34,17 @@ export interface Socket {
 
 const FIRST_RETRY_MS = 250;
 const LONGEST_RETRY_MS = 4000;
-/** A network that went away says nothing: after one quiet tick the page asks, after four it takes the connection for lost. */
+/** A network that went away says nothing: after one quiet tick the page asks, after two what it shows counts as old, after four it
+ * takes the connection for lost. */
 const TICK_MS = 2000;
+const QUIET_TICKS = 2;
 const MOST_QUIET_TICKS = 4;
 
 /** Questions with promised answers, events, and a connection that comes back by itself. */
 export class Connection {
   phase: Phase = 'connecting';
+  /** What the PLC is busy with while it says nothing, as far as the server knows. */
+  stalledAt = '';
   onPhase: (phase: Phase) => void = () => {};
   /** Something that was asked for has been done. */
   onDone: (method: string) => void = () => {};
@@ -72,6 +77,7 @@ export class Connection {
   private listen(): void {
     this.quiet++;
     if (this.quiet === 1) this.ask('ping').catch(() => {});
+    if (this.quiet === QUIET_TICKS && this.phase === 'open') this.show('stalled');
     if (this.quiet >= MOST_QUIET_TICKS) this.giveUp();
   }
 
@@ -100,7 +106,7 @@ export class Connection {
   /** Asks and promises the result; rejects with Refused (problems of the server) or ConnectionLost. */
   ask<T = unknown>(method: string, fields: Fields = {}): Promise<T> {
     const socket = this.socket;
-    if (this.phase !== 'open' || !socket) return Promise.reject(new ConnectionLost());
+    if (!this.isOpen() || !socket) return Promise.reject(new ConnectionLost());
     const id = this.nextId++;
     return new Promise<T>((resolve, reject) => {
       this.waiting.set(id, { method, resolve: resolve as (result: unknown) => void, reject });
@@ -152,6 +158,7 @@ export class Connection {
   }
 
   private opened(): void {
+    this.stalledAt = '';
     this.retryMs = FIRST_RETRY_MS;
     this.show('open');
     this.renew();
@@ -172,11 +179,29 @@ export class Connection {
   private received(text: string): void {
     this.quiet = 0;
     const message = JSON.parse(text) as Fields;
+    if (message.event === 'stalled') return this.stalled(message);
+    if (this.phase === 'stalled') this.heard();
     if (typeof message.event === 'string') {
       for (const handler of this.handlers.get(message.event) ?? []) handler(message);
     } else {
       this.answered(message);
     }
+  }
+
+  /** The server's watchdog: it tells this again and again while it lasts, and once with 0 seconds when it is over. */
+  private stalled(message: Fields): void {
+    if (message.seconds === 0) return this.heard();
+    this.stalledAt = String(message.place);
+    this.show('stalled');
+  }
+
+  private heard(): void {
+    this.stalledAt = '';
+    if (this.phase === 'stalled') this.show('open');
+  }
+
+  private isOpen(): boolean {
+    return this.phase === 'open' || this.phase === 'stalled';
   }
 
   private answered(message: Fields): void {

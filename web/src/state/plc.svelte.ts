@@ -49,7 +49,7 @@ export class Plc {
   breakpoints = $state.raw<Record<string, number[]>>({});
   diagnostics = $state(0);
   timersByHand = $state(false);
-  recording = $state<{ since: number; actions: number } | null>(null);
+  recording = $state<{ since: number; actions: number; full?: boolean } | null>(null);
   playback = $state.raw<Playback | null>(null);
   program = $state(0);
   files = $state(0);
@@ -57,6 +57,7 @@ export class Plc {
   /** False until the first state came, and while the connection is lost: everything shown is old then. */
   live = $state(false);
   phase = $state<Phase>('connecting');
+  stalledAt = $state('');
 
   /** Of a SINUMERIK there is less: no symbols, no rack, no blocks one by one. */
   get isStep5(): boolean {
@@ -100,7 +101,10 @@ export function followPlc(): void {
     known = now;
   });
   connection.onPhase = (phase) => {
+    // After a pause what was shown before holds again; after a new connection the first state has to come.
+    if (phase === 'open' && plc.phase === 'stalled') plc.live = true;
+    else if (phase !== 'open') plc.live = false;
     plc.phase = phase;
-    if (phase !== 'open') plc.live = false;
+    plc.stalledAt = connection.stalledAt;
   };
 }

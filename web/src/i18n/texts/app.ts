@@ -14,6 +14,7 @@ export const app = {
   close: ['Schließen', 'Close'],
   connecting: ['Verbindung wird aufgebaut', 'Connecting'],
   connected: ['Verbunden', 'Connected'],
+  stalled: ['Verbunden, aber die SPS antwortet nicht', 'Connected, but the PLC does not answer'],
   lost: ['Verbindung verloren, neuer Versuch läuft', 'Connection lost, trying again'],
   retry: ['Jetzt versuchen', 'Try now'],
   stale: ['Alle Werte sind veraltet.', 'All values are out of date.'],
