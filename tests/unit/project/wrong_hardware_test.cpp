@@ -117,6 +117,8 @@ constexpr Wrong kWrong[] = {
      "7:15 P0741", "below its upper_limit"},
     {"wireBreakOfVolts", AI8 "[[module.channel]]\ninput = 0\nwire_break = true\n", "6:1 P0744",
      "4..20mA"},
+    {"keyOfOutput", AO4 "[[module.channel]]\noutput = 0\nupper_limit = \"5V\"\n", "6:1 P0703",
+     "substitute"},
     {"substituteOfChannel", AO4 "[[module.channel]]\noutput = 0\nsubstitute = \"5V\"\n",
      "6:1 P0744", "on_stop"},
     // CPU

@@ -58,5 +58,13 @@ TEST(TerminalSteps, terminals) {
   EXPECT_EQ(problemOf("terminal Nowhere.DI0 = 1\n"), "1:10 P0981");
 }
 
+// CNT-SIM-04: up to 100 kHz.
+TEST(TerminalSteps, frequencies) {
+  EXPECT_EQ(problemOf("pulses 2.2.DI0 100kHz\n"), "");
+  EXPECT_EQ(problemOf("pulses 2.2.DI0 0.001Hz\n"), "");
+  EXPECT_EQ(problemOf("pulses 2.2.DI0 100.001kHz\n"), "1:16 P0952");
+  EXPECT_EQ(problemOf("pulses 2.2.DI0 0.0001Hz\n"), "1:16 P0952");
+}
+
 }  // namespace
 }  // namespace merker::simulator
