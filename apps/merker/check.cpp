@@ -24,12 +24,9 @@ std::string counted(std::size_t number, std::string_view what) {
 }
 
 void summary(const Build& build) {
-  std::size_t errors = 0;
-  for (const Problem& problem : build.problems.list())
-    errors += problem.severity() == Severity::Error;
-  const std::size_t warnings = build.problems.size() - errors;
   std::cout << build.project.path << ": " << counted(build.blocks(), "block") << ", "
-            << counted(errors, "error") << ", " << counted(warnings, "warning") << '\n';
+            << counted(build.problems.count(Severity::Error), "error") << ", "
+            << counted(build.problems.count(Severity::Warning), "warning") << '\n';
 }
 
 int check(const CheckOptions& options) {

@@ -30,6 +30,7 @@ const source::SourceFile* shown(const Problem& problem, const source::SourceFile
 }  // namespace
 
 void printProblems(Problems problems, const FileLookup& files) {
+  problems.tellRest({});
   problems.sort();
   for (Problem problem : problems.list()) {
     problem.message = shortened(std::move(problem.message));
@@ -39,6 +40,7 @@ void printProblems(Problems problems, const FileLookup& files) {
 }
 
 nlohmann::json toJson(Problems problems) {
+  problems.tellRest({});
   problems.sort();
   nlohmann::json list = nlohmann::json::array();
   for (const Problem& problem : problems.list())

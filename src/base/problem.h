@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cstdint>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -46,6 +48,9 @@ struct Problem {
   std::string_view name() const { return info(code).name; }
 };
 
+// Bytes of a text in a message: it may quote a source of a million characters.
+constexpr std::size_t kLongestArgument = 1000;
+
 Problem composeProblem(ProblemCode code, Position position, std::vector<std::string> arguments);
 
 template <typename... Arguments>
@@ -55,23 +60,44 @@ Problem makeProblem(ProblemCode code, Position position, const Arguments&... arg
 
 class Problems {
  public:
+  // More than anybody reads. Of each severity the first ones are kept, the others are counted.
+  static constexpr std::size_t kMostKept = 10'000;
+
+  Problems() = default;
+  // Those of work that may be cancelled from outside; who does the work looks at it often.
+  explicit Problems(std::stop_token stop) : stop_(std::move(stop)) {}
+  const std::stop_token& stop() const { return stop_; }
+  bool cancelled() const { return stop_.stop_requested(); }
+
   template <typename... Arguments>
   void add(ProblemCode code, Position position, const Arguments&... arguments) {
-    list_.push_back(makeProblem(code, std::move(position), arguments...));
+    if (roomFor(info(code).severity))
+      list_.push_back(makeProblem(code, std::move(position), arguments...));
   }
-  void add(Problem problem) { list_.push_back(std::move(problem)); }
-  void append(const Problems& other) {
-    list_.insert(list_.end(), other.list_.begin(), other.list_.end());
+  void add(Problem problem) {
+    if (roomFor(problem.severity())) list_.push_back(std::move(problem));
   }
-  bool hasErrors() const;
-  bool empty() const { return list_.empty(); }
-  std::size_t size() const { return list_.size(); }
+  void append(const Problems& other);
+  void remove(ProblemCode code);
+  bool hasErrors() const { return count(Severity::Error) > 0; }
+  bool empty() const { return size() == 0; }
+  // All that were added.
+  std::size_t size() const { return count(Severity::Error) + count(Severity::Warning); }
+  std::size_t count(Severity severity) const { return counts_[static_cast<std::size_t>(severity)]; }
   const std::vector<Problem>& list() const { return list_; }
   // By file, line, column: the order in which a reader mends them.
   void sort();
+  // The last of the list says how many were not kept, if any (P0105). It does not count.
+  void tellRest(const Position& position);
 
  private:
+  std::size_t& number(Severity severity) { return counts_[static_cast<std::size_t>(severity)]; }
+  bool roomFor(Severity severity) { return ++number(severity) <= kMostKept; }
+  std::size_t kept(Severity severity) const;
+
   std::vector<Problem> list_;
+  std::array<std::size_t, 2> counts_{};  // by severity
+  std::stop_token stop_;
 };
 
 }  // namespace merker

@@ -42,6 +42,68 @@ TEST(Problems, sortedAsAReaderMendsThem) {
   EXPECT_EQ(list[3].position, (Position{"b", 1, 1}));
 }
 
+Problems many(std::size_t errors, std::size_t warnings) {
+  Problems problems;
+  for (std::size_t i = 0; i < warnings; ++i)
+    problems.add(ProblemCode::P0104, {"a", static_cast<std::uint32_t>(i)});
+  for (std::size_t i = 0; i < errors; ++i)
+    problems.add(ProblemCode::P0334, {"b", static_cast<std::uint32_t>(i)}, "XYZ");
+  return problems;
+}
+
+// Warnings do not push the errors out.
+TEST(Problems, keepsTheFirstOfEachSeverityAndCountsTheOthers) {
+  Problems problems = many(Problems::kMostKept + 7, Problems::kMostKept + 2);
+  EXPECT_EQ(problems.list().size(), 2 * Problems::kMostKept);
+  EXPECT_EQ(problems.count(Severity::Error), Problems::kMostKept + 7);
+  EXPECT_EQ(problems.size(), 2 * Problems::kMostKept + 9);
+  problems.tellRest({"0"});
+  problems.tellRest({"0"});  // told once
+  problems.sort();
+  EXPECT_EQ(problems.list().size(), 2 * Problems::kMostKept + 1);
+  EXPECT_EQ(problems.list().back().message, "7 more errors and 2 more warnings are not shown");
+  EXPECT_EQ(problems.count(Severity::Warning), Problems::kMostKept + 2);
+}
+
+TEST(Problems, fewAreAllKept) {
+  Problems problems = many(3, 2);
+  problems.tellRest({});
+  EXPECT_EQ(problems.list().size(), 5u);
+}
+
+TEST(Problems, aListBehindAnotherHasTheSameLimit) {
+  Problems problems = many(2, 1), others = many(Problems::kMostKept + 5, 0);
+  others.tellRest({});
+  problems.append(others);
+  problems.tellRest({});
+  EXPECT_EQ(problems.count(Severity::Error), Problems::kMostKept + 7);
+  EXPECT_EQ(problems.list().size(), Problems::kMostKept + 2);
+  EXPECT_EQ(problems.list().back().message, "7 more errors and 0 more warnings are not shown");
+}
+
+TEST(Problems, removedOnesDoNotCount) {
+  Problems problems = many(3, 2);
+  problems.remove(ProblemCode::P0334);
+  EXPECT_FALSE(problems.hasErrors());
+  EXPECT_EQ(problems.size(), 2u);
+}
+
+TEST(Problems, aLongTextIsCutBetweenTwoCharacters) {
+  std::string name(kLongestArgument - 1, 'x');
+  name += "\u00e4\u00e4";
+  const Problem problem = makeProblem(ProblemCode::P0334, {}, name);
+  EXPECT_EQ(problem.arguments.front(), std::string(kLongestArgument - 1, 'x') + " \u2026");
+}
+
+TEST(Problems, knowWhetherTheirWorkIsCancelled) {
+  std::stop_source source;
+  const Problems problems(source.get_token()), copy = problems;
+  EXPECT_FALSE(copy.cancelled());
+  source.request_stop();
+  EXPECT_TRUE(copy.cancelled());
+  EXPECT_FALSE(Problems().cancelled());
+}
+
 // Scripts look for the codes, so each exists once.
 TEST(Problems, codesAreUnique) {
   const std::string_view names[] = {
