@@ -17,6 +17,7 @@ namespace {
 
 step7::CompileOptions options(const Build& build) {
   step7::CompileOptions options;
+  options.stop = build.project.problems.stop();
   options.model = build.project.model;
   options.library = build.library.get();
   options.symbols = &build.project.symbols;
@@ -130,33 +131,49 @@ void requireBits(Build& build) {
   requireBits(build, "messages", options.messagesNamed, options.plc.userAlarms.messages);
 }
 
-Build buildListings(project::Project project, bool checks) {
-  Build result;
-  result.project = std::move(project);
-  result.library = result.program = std::make_shared<const block::Program>();
-  result.problems = result.project.problems;
-  step5::Compilation compilation = step5::compile(result.project.sources, checks);
+void buildListings(Build& result, bool checks) {
+  result.library = std::make_shared<const block::Program>();
+  step5::Compilation compilation =
+      step5::compile(result.project.sources, checks, result.project.problems.stop());
   result.problems.append(compilation.problems);
   result.listings = std::move(compilation.program);
+  if (result.problems.cancelled()) return;
   requireRoom(result);
   requireBits(result);
-  return result;
 }
 
-}  // namespace
-
-Build build(project::Project project, bool checks) {
-  if (project.control) return buildListings(std::move(project), checks);
-  Build result;
-  result.project = std::move(project);
+void buildProgram(Build& result, bool checks) {
   result.library = std::make_shared<const block::Program>(system::library(*result.project.model));
-  result.problems = result.project.problems;
   step7::CompileOptions compileOptions = options(result);
   compileOptions.checks = checks;
   step7::Compilation compilation = step7::compile(result.project.sources, compileOptions);
   result.problems.append(compilation.problems);
   result.program = std::make_shared<const block::Program>(std::move(compilation.program));
+  if (result.problems.cancelled()) return;
   project::checkAddresses(result.project, *result.program, result.problems);
+}
+
+// Half a program is none, and its problems are not those of the sources.
+void cancel(Build& build) {
+  build.program = std::make_shared<const block::Program>();
+  build.listings.clear();
+  build.problems = Problems();
+  build.problems.add(ProblemCode::P0713, Position{build.project.path});
+}
+
+}  // namespace
+
+Build build(project::Project project, bool checks) {
+  Build result;
+  result.project = std::move(project);
+  result.program = std::make_shared<const block::Program>();
+  result.problems = result.project.problems;
+  if (result.project.control)
+    buildListings(result, checks);
+  else
+    buildProgram(result, checks);
+  if (result.problems.cancelled()) cancel(result);
+  result.problems.tellRest(Position{result.project.path});
   return result;
 }
 

@@ -34,6 +34,7 @@ struct Build {
   std::unique_ptr<controller::Controller> controller(bool coverage = false) const;
 };
 
+// Ends early, with P0713 alone, when the project's loading is asked to stop (project::load).
 Build build(project::Project project, bool checks);
 // Adds the problem that a program without OB 1 cannot run (S7-OPEN-39).
 void requireOb1(Build& build);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
 #include "project/files.h"
 #include "project/settings.h"
@@ -67,16 +68,37 @@ void readSymbolFile(Project& project, const std::string& path) {
     source::readSymbols(*file, project.symbols, project.problems);
 }
 
+// More are a mistake, or meant to keep the loading busy.
+constexpr std::size_t kLongestPattern = 260, kMostPatterns = 100;
+
+bool possible(Project& project, const std::vector<Pattern>& patterns) {
+  if (patterns.size() > kMostPatterns) {
+    project.problems.add(ProblemCode::P0717, patterns[kMostPatterns].position, patterns.size(),
+                         kMostPatterns);
+    return false;
+  }
+  for (const Pattern& pattern : patterns)
+    if (pattern.text.size() > kLongestPattern) {
+      project.problems.add(ProblemCode::P0716, pattern.position, pattern.text.size(),
+                           kLongestPattern);
+      return false;
+    }
+  return true;
+}
+
 // Files that match the patterns, each once, in the order of the patterns.
 std::vector<std::string> choose(Project& project, const std::vector<std::string>& files,
                                 const std::vector<Pattern>& patterns) {
   std::vector<std::string> chosen;
+  if (!possible(project, patterns)) return chosen;
+  std::set<std::string_view> known;
   for (const Pattern& pattern : patterns) {
     bool found = false;
     for (const std::string& file : files) {
+      if (project.problems.cancelled()) return chosen;
       if (!matches(pattern.text, file)) continue;
       found = true;
-      if (std::find(chosen.begin(), chosen.end(), file) == chosen.end()) chosen.push_back(file);
+      if (known.insert(file).second) chosen.push_back(file);
     }
     if (!found) project.problems.add(ProblemCode::P0706, pattern.position, pattern.text);
   }
@@ -103,7 +125,7 @@ void loadFolder(Project& project, const std::string& cpu) {
   const Settings settings =
       settingsFile ? readSettings(*settingsFile, project.problems, model) : Settings{};
   take(project, settings);
-  const std::vector<std::string> files = listFiles(project.folder);
+  const std::vector<std::string> files = listFiles(project.folder, &project.problems);
   const auto sources = settings.sources
                            ? choose(project, files, *settings.sources)
                            : filter(files, [&project](const std::string& f) {
@@ -113,7 +135,8 @@ void loadFolder(Project& project, const std::string& cpu) {
   const auto symbols =
       settings.symbols ? choose(project, files, *settings.symbols) : filter(files, isSymbolExport);
   for (const std::string& file : symbols) readSymbolFile(project, join(project.folder, file));
-  for (const std::string& file : sources) readSource(project, join(project.folder, file));
+  for (const std::string& file : sources)
+    if (!project.problems.cancelled()) readSource(project, join(project.folder, file));
   if (sources.empty())
     project.problems.add(ProblemCode::P0708, Position{project.path},
                          project.control ? "*.s5" : "*.awl");
@@ -189,8 +212,10 @@ std::string configurationText(const Project& project) {
   return file == nullptr ? std::string() : std::string(file->text());
 }
 
-Project load(const std::string& path, const std::string& cpu, const Unsaved& unsaved) {
+Project load(const std::string& path, const std::string& cpu, const Unsaved& unsaved,
+             std::stop_token stop) {
   Project project;
+  project.problems = Problems(std::move(stop));
   project.path = path;
   project.unsaved = unsaved;
   if (isFile(path) && std::filesystem::path(path).filename() == kSettingsFile) {

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -47,7 +48,9 @@ struct Project {
 using Unsaved = std::map<std::string, std::string>;
 
 // `cpu`, unless empty, replaces the model. Never throws; everything that is wrong is in `problems`.
-Project load(const std::string& path, const std::string& cpu, const Unsaved& unsaved = {});
+// `stop` ends the loading and what is done with the project afterwards: its compilation (P0713).
+Project load(const std::string& path, const std::string& cpu, const Unsaved& unsaved = {},
+             std::stop_token stop = {});
 
 // A configuration without sources, as a memory card holds it: `text` is that of a merker.toml.
 Project loadConfiguration(const std::string& path, const std::string& text, const std::string& cpu);

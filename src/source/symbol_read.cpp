@@ -25,8 +25,8 @@ struct Target {
 
 // Calls `read` with each line that is not blank.
 template <typename Read>
-void eachLine(const SourceFile& file, Read read) {
-  for (std::uint32_t i = 1; i <= file.lineCount(); ++i) {
+void eachLine(const SourceFile& file, const Problems& problems, Read read) {
+  for (std::uint32_t i = 1; i <= file.lineCount() && !problems.cancelled(); ++i) {
     SymbolLine line;
     line.file = &file;
     line.line = file.line(i);
@@ -202,7 +202,8 @@ void readDif(const Target& target) {
   line.line = file.line(1);
   std::vector<std::string_view> fields;
   const std::uint32_t body = bodyOf(file);
-  for (std::uint32_t i = body; body != 0 && i <= file.lineCount(); i += 2) {
+  for (std::uint32_t i = body; body != 0 && i <= file.lineCount() && !target.problems.cancelled();
+       i += 2) {
     const std::string_view value = file.line(i + 1);
     const bool isMark = trim(file.line(i)).starts_with("-1");
     if (!isMark) {
@@ -218,7 +219,7 @@ void readDif(const Target& target) {
 
 template <void (*read)(SymbolLine&, const Target&)>
 void readLines(const Target& target) {
-  eachLine(target.file, [&](SymbolLine& line) { read(line, target); });
+  eachLine(target.file, target.problems, [&](SymbolLine& line) { read(line, target); });
 }
 
 struct Format {

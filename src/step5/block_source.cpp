@@ -50,7 +50,8 @@ class Finder {
   Finder(const source::SourceFile& file, Problems& problems) : file_(file), problems_(problems) {}
 
   std::vector<BlockSource> find() {
-    for (std::uint32_t i = 1; i <= file_.lineCount(); ++i) take(file_.line(i));
+    for (std::uint32_t i = 1; i <= file_.lineCount() && !problems_.cancelled(); ++i)
+      take(file_.line(i));
     return std::move(blocks_);
   }
 

@@ -45,7 +45,7 @@ class CodeCompiler {
         words_(parameterWords(block.parameters)) {}
 
   void compile() {
-    for (; at_ < source_.lines.size();) line(source_.lines[at_++]);
+    while (at_ < source_.lines.size() && !problems_.cancelled()) line(source_.lines[at_++]);
     if (!ended_) add(ProblemCode::P1121, source_.offset, source_.length, toString(source_.id));
     builder_.finish();
   }

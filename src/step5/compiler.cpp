@@ -30,8 +30,9 @@ struct Unit {
   Problems problems;
 };
 
-Unit begin(BlockSource source) {
+Unit begin(BlockSource source, const Problems& all) {
   Unit unit;
+  unit.problems = Problems(all.stop());
   unit.source = std::move(source);
   unit.block.id = unit.source.id;
   unit.block.library = unit.source.library;
@@ -86,6 +87,7 @@ Callable callable(const std::list<Unit>& units) {
 }
 
 void finish(Unit& unit, const Callable& known, bool checks, Compilation& result) {
+  if (result.problems.cancelled()) return;
   if (unit.block.id.type == BlockType::Db)
     compileData(unit.source, unit.block, unit.problems);
   else
@@ -96,13 +98,15 @@ void finish(Unit& unit, const Callable& known, bool checks, Compilation& result)
 
 }  // namespace
 
-Compilation compile(const std::vector<source::SourceFile>& sources, bool checks) {
+Compilation compile(const std::vector<source::SourceFile>& sources, bool checks,
+                    std::stop_token stop) {
   Compilation result;
+  result.problems = Problems(std::move(stop));
   std::list<Unit> units;  // blocks are referred to while the list grows
   for (const source::SourceFile& file : sources) {
     const std::size_t before = units.size();
     for (BlockSource& source : findBlocks(file, result.problems))
-      units.push_back(begin(std::move(source)));
+      units.push_back(begin(std::move(source), result.problems));
     if (units.size() == before && !result.problems.hasErrors())
       result.problems.add(ProblemCode::P0104, Position{file.name()});
   }

@@ -1,6 +1,7 @@
 // STEP 5 listings to MC5 blocks: the whole front end behind three functions.
 #pragma once
 
+#include <stop_token>
 #include <string_view>
 #include <vector>
 
@@ -20,8 +21,9 @@ struct Compilation {
 
 // Compiles all listings into one program. Blocks may stand in any order and in any file. All
 // problems are collected; a block with an error is left out of the program. `checks`: translate
-// //= comments.
-Compilation compile(const std::vector<source::SourceFile>& sources, bool checks);
+// //= comments. `stop` ends the compilation; what there is then is of no use.
+Compilation compile(const std::vector<source::SourceFile>& sources, bool checks,
+                    std::stop_token stop = {});
 
 // One instruction as `merker assemble --mc5` takes it: jumps with their distance ("SPA =+4"),
 // formal operands with their index ("U =1"). `at` is where the text begins.

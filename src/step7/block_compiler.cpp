@@ -20,7 +20,8 @@ BlockCompiler::BlockCompiler(const BlockSource& source, block::Block& target,
       target_(target),
       options_(options),
       finalProblems_(problems),
-      cursor_(source.file->text(), source.codeBegin, source.codeEnd) {
+      problems_(problems.stop()),
+      cursor_(source.file->text(), source.codeBegin, source.codeEnd, problems.stop()) {
   scope_.file = source.file;
   scope_.mnemonics = source.mnemonics;
   scope_.options = &options;
@@ -48,8 +49,8 @@ void BlockCompiler::compile() {
 
 // False if the transfer areas of this pass overlap local data that the program uses absolutely.
 bool BlockCompiler::pass(std::uint32_t localBase) {
-  problems_ = Problems();
-  cursor_ = Cursor(source_.file->text(), source_.codeBegin, source_.codeEnd);
+  problems_ = Problems(finalProblems_.stop());
+  cursor_ = Cursor(source_.file->text(), source_.codeBegin, source_.codeEnd, problems_.stop());
   builder_ = std::make_unique<CodeBuilder>();
   usedCopies_.clear();
   brackets_.clear();

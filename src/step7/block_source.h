@@ -41,7 +41,7 @@ class BlockSplitter {
       : file_(file),
         symbols_(symbols),
         problems_(problems),
-        cursor_(file.text(), 0, file.text().size()) {}
+        cursor_(file.text(), 0, file.text().size(), problems.stop()) {}
 
   std::vector<BlockSource> split();
 

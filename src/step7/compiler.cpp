@@ -10,14 +10,14 @@ namespace merker::step7 {
 
 // What follows from a faulty declaration is told only if nothing else is.
 static Problems withoutConsequences(const Problems& problems) {
-  Problems causes;
-  for (const Problem& problem : problems.list())
-    if (problem.code != ProblemCode::P0430) causes.add(problem);
+  Problems causes = problems;
+  causes.remove(ProblemCode::P0430);
   return causes.hasErrors() ? causes : problems;
 }
 
 Compilation compile(const std::vector<source::SourceFile>& sources, const CompileOptions& options) {
   Compilation result;
+  result.problems = Problems(options.stop);
   std::vector<BlockSource> blocks;
   for (const source::SourceFile& file : sources) {
     const std::size_t before = result.problems.size();
@@ -36,6 +36,7 @@ Compilation compile(const std::vector<source::SourceFile>& sources, const Compil
     const bool code = source.id.kind != BlockKind::DB && source.id.kind != BlockKind::UDT;
     const auto target = interfaces.program().find(source.id);
     if (!code || target == interfaces.program().end() || source.duplicate) continue;
+    if (result.problems.cancelled()) break;
     BlockCompiler(source, target->second, interfaces, options, result.problems).compile();
   }
   result.program = std::move(interfaces.program());

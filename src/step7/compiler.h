@@ -1,6 +1,7 @@
 // STEP 7 AWL to MC7 blocks: the whole front end behind three functions.
 #pragma once
 
+#include <stop_token>
 #include <string_view>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct CompileOptions {
   const source::SymbolTable* symbols = nullptr;
   // Translate //= comments into checks.
   bool checks = false;
+  std::stop_token stop;  // ends the compilation; what there is then is of no use
 };
 
 struct Compilation {

@@ -6,6 +6,10 @@
 
 namespace merker::step7 {
 
+void Cursor::endIfStopped() {
+  if (stop_.stop_requested()) pos_ = end_;
+}
+
 bool Cursor::skipBlockComment() {
   if (peek() != '(' || peek(1) != '*') return false;
   const std::size_t close = text_.find("*)", pos_ + 2);
@@ -34,6 +38,7 @@ void Cursor::passLineComment() {
 }
 
 void Cursor::skipSpace() {
+  endIfStopped();
   for (;;) {
     skipBlanks();
     const char c = peek();
@@ -60,6 +65,7 @@ void Cursor::passText() {
 }
 
 bool Cursor::atLineEnd() {
+  endIfStopped();
   skipBlanks();
   const char c = peek();
   return atEnd() || c == '\n' || c == '\r' || (c == '/' && peek(1) == '/');
@@ -89,6 +95,7 @@ bool Cursor::acceptWord(std::string_view wanted) {
 }
 
 std::string_view Cursor::word() {
+  endIfStopped();
   const std::size_t begin = pos_;
   if (isWordStart(peek()))
     while (isWordChar(peek())) ++pos_;

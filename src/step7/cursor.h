@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cstddef>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,8 +19,9 @@ struct CheckComment {
 
 class Cursor {
  public:
-  Cursor(std::string_view text, std::size_t begin, std::size_t end)
-      : text_(text), pos_(begin), end_(end) {}
+  // For who does not want to go on the text ends at the next word.
+  Cursor(std::string_view text, std::size_t begin, std::size_t end, std::stop_token stop = {})
+      : text_(text), pos_(begin), end_(end), stop_(std::move(stop)) {}
 
   std::size_t pos() const { return pos_; }
   void seek(std::size_t pos) { pos_ = pos; }
@@ -58,11 +60,13 @@ class Cursor {
   std::optional<std::size_t> unclosedComment() const { return unclosedComment_; }
 
  private:
+  void endIfStopped();
   bool skipBlockComment();
   void passLineComment();
 
   std::string_view text_;
   std::size_t pos_, end_;
+  std::stop_token stop_;
   std::vector<CheckComment> checks_;
   std::optional<std::size_t> unclosedComment_;
 };

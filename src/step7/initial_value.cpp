@@ -142,7 +142,7 @@ class InitialReader {
  public:
   InitialReader(const source::SourceFile& file, std::size_t begin, std::size_t end,
                 Problems& problems)
-      : file_(file), cursor_(file.text(), begin, end), problems_(problems) {}
+      : file_(file), cursor_(file.text(), begin, end, problems.stop()), problems_(problems) {}
 
   std::optional<std::vector<std::uint8_t>> read(const block::Type& type) {
     std::vector<std::uint8_t> image(block::sizeInBytes(type));

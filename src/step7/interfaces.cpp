@@ -30,7 +30,8 @@ Interfaces::Interfaces(std::vector<BlockSource>& sources, const CompileOptions& 
 }
 
 void Interfaces::resolveAll() {
-  for (auto& [id, entry] : entries_) resolve(id);
+  for (auto& [id, entry] : entries_)
+    if (!problems_.cancelled()) resolve(id);
 }
 
 bool Interfaces::unknown(BlockId id) const {

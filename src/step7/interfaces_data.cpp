@@ -65,7 +65,7 @@ void Interfaces::dataBlockOf(BlockSource& source, const block::Type& type, block
 // BEGIN name[1].x := value ; … : actual values (S7-SRC-08).
 void Interfaces::assignments(BlockSource& source, const std::vector<block::Variable>& variables,
                              block::Block& result) {
-  Cursor cursor(source.file->text(), source.codeBegin, source.codeEnd);
+  Cursor cursor(source.file->text(), source.codeBegin, source.codeEnd, problems_.stop());
   for (;;) {
     cursor.skipSpace();
     if (cursor.atEnd()) return;
