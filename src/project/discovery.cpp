@@ -35,27 +35,35 @@ TestTarget projectTarget(const std::string& folder) {
   return target;
 }
 
-std::vector<std::string> sourcesIn(const std::string& folder, std::string_view extension) {
-  std::vector<std::string> sources;
-  for (const Entry& entry : entries(folder))
-    if (!entry.folder && hasExtension(entry.name, extension))
-      sources.push_back(join(folder, entry.name));
-  return sources;
-}
+// What a folder holds, read once.
+struct Content {
+  explicit Content(std::string path) : folder(std::move(path)), entries(project::entries(folder)) {}
+
+  std::vector<std::string> files(std::string_view extension) const {
+    std::vector<std::string> found;
+    for (const Entry& entry : entries)
+      if (!entry.folder && hasExtension(entry.name, extension))
+        found.push_back(join(folder, entry.name));
+    return found;
+  }
+
+  std::string folder;
+  std::vector<Entry> entries;
+};
 
 // The program that a loose scenario runs with.
-TestTarget looseTarget(const std::string& scenario) {
-  const std::string folder = folderOf(scenario);
+TestTarget looseTarget(const std::string& scenario, const Content& content) {
   for (const char* extension : {".awl", ".s5"})
-    for (const std::string& source : sourcesIn(folder, extension))
+    for (const std::string& source : content.files(extension))
       if (stemOf(source) == stemOf(scenario)) return {source, {}, {scenario}, false};
-  auto sources = sourcesIn(folder, ".awl");
-  if (sources.empty()) sources = sourcesIn(folder, ".s5");
-  return {folder, sources, {scenario}, false};
+  auto sources = content.files(".awl");
+  if (sources.empty()) sources = content.files(".s5");
+  return {content.folder, sources, {scenario}, false};
 }
 
-void addLoose(std::vector<TestTarget>& targets, const std::string& scenario) {
-  TestTarget target = looseTarget(scenario);
+void addLoose(std::vector<TestTarget>& targets, const std::string& scenario,
+              const Content& content) {
+  TestTarget target = looseTarget(scenario, content);
   for (TestTarget& known : targets) {
     if (known.path != target.path || known.sources != target.sources) continue;
     known.scenarios.push_back(scenario);
@@ -64,20 +72,21 @@ void addLoose(std::vector<TestTarget>& targets, const std::string& scenario) {
   targets.push_back(std::move(target));
 }
 
-void addFolder(std::vector<TestTarget>& targets, const std::string& folder) {
+void addFolder(std::vector<TestTarget>& targets, const std::string& folder, std::size_t depth) {
   if (isProject(folder)) {
     targets.push_back(projectTarget(folder));
     return;
   }
+  const Content content(folder);
   std::vector<TestTarget> here;
   for (const char* extension : {".awl", ".s5"})
-    for (const std::string& source : sourcesIn(folder, extension))
+    for (const std::string& source : content.files(extension))
       here.push_back({source, {}, {}, true});
-  for (const Entry& entry : entries(folder))
-    if (!entry.folder && hasExtension(entry.name, ".scn")) addLoose(here, join(folder, entry.name));
+  for (const std::string& scenario : content.files(".scn")) addLoose(here, scenario, content);
   targets.insert(targets.end(), here.begin(), here.end());
-  for (const Entry& entry : entries(folder))
-    if (entry.folder) addFolder(targets, join(folder, entry.name));
+  if (depth == kDeepestFolder) return;
+  for (const Entry& entry : content.entries)
+    if (entry.folder) addFolder(targets, join(folder, entry.name), depth + 1);
 }
 
 TestTarget sourceTarget(const std::string& source) {
@@ -93,12 +102,13 @@ std::vector<TestTarget> findTests(const std::string& path, bool& missing) {
   std::vector<TestTarget> targets;
   missing = !isFolder(path) && !isFile(path);
   if (isFolder(path)) {
-    addFolder(targets, path);
+    addFolder(targets, path, 0);
   } else if (fs::path(path).filename() == "merker.toml") {
     targets.push_back(projectTarget(folderOf(path)));
   } else if (hasExtension(path, ".scn")) {
     const std::string project = projectAround(path);
-    targets.push_back(project.empty() ? looseTarget(path) : TestTarget{project, {}, {path}, false});
+    targets.push_back(project.empty() ? looseTarget(path, Content(folderOf(path)))
+                                      : TestTarget{project, {}, {path}, false});
   } else if (!missing) {
     targets.push_back(sourceTarget(path));
   }

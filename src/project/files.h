@@ -6,15 +6,20 @@
 #include <string_view>
 #include <vector>
 
+#include "base/problem.h"
+
 namespace merker::project {
 
 // * and ? within one name, ** over any number of folders ("lib/**/*.awl" also finds lib/a.awl).
 // Case does not matter, as on the disks that STEP 7 projects come from.
 bool matches(std::string_view pattern, std::string_view path);
 
+// What is looked at below a folder: files and folders in all, folders within each other.
+constexpr std::size_t kMostEntries = 20'000, kDeepestFolder = 32;
+
 // All files under `folder`, relative to it with '/', sorted; without hidden ones, and without
-// folders that are projects of their own.
-std::vector<std::string> listFiles(const std::string& folder);
+// folders that are projects of their own. P0714, P0715 where a limit leaves some out.
+std::vector<std::string> listFiles(const std::string& folder, Problems* problems = nullptr);
 
 // What lies directly in a folder, sorted by name, without hidden files and links to folders (they
 // may lead back up).

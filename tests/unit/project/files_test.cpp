@@ -21,6 +21,43 @@ TEST(Files, Patterns) {
   EXPECT_TRUE(matches("main.awl", "main.awl"));
 }
 
+// Each star may stand for many things; all ways at once (once a second for each further star).
+TEST(Files, ManyStarsTakeNoTime) {
+  std::string pattern = "*", folders = "**/";
+  for (int i = 0; i < 40; ++i) pattern += "a*", folders += "**/";
+  const std::string name(200, 'a');
+  EXPECT_FALSE(matches(pattern + "b", name));
+  EXPECT_TRUE(matches(pattern, name));
+  std::string path;
+  for (int i = 0; i < 60; ++i) path += "x/";
+  EXPECT_FALSE(matches(folders + "b", path + "a"));
+  EXPECT_TRUE(matches(folders + "a", path + "a"));
+  EXPECT_TRUE(matches("**/x/**/x/*", path + "a"));
+}
+
+TEST(Files, StarsWithinAndBetweenNames) {
+  EXPECT_TRUE(matches("a**b", "axxb"));
+  EXPECT_FALSE(matches("a**b", "ax/b"));
+  EXPECT_TRUE(matches("**/b/**/c", "b/c"));
+  EXPECT_FALSE(matches("**/b", "xb"));
+  EXPECT_TRUE(matches("*", ""));
+  EXPECT_FALSE(matches("?", ""));
+  EXPECT_FALSE(matches("", "a"));
+  EXPECT_TRUE(matches("**/", "a/"));
+}
+
+TEST(Files, FoldersTooDeepAreLeftOutAndReported) {
+  const Folder folder;
+  std::string deep;
+  for (std::size_t i = 0; i < kDeepestFolder; ++i) deep += "d/";
+  folder.write(deep + "in.awl");
+  folder.write(deep + "e/out.awl");
+  Problems problems;
+  EXPECT_EQ(listFiles(folder.path(), &problems), (std::vector<std::string>{deep + "in.awl"}));
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems.list()[0].code, ProblemCode::P0715);
+}
+
 TEST(Files, SortedWithoutHiddenOnesAndOtherProjects) {
   const Folder folder;
   for (const char* name :

@@ -45,6 +45,22 @@ TEST(Project, PatternsChooseAndOrder) {
   EXPECT_EQ(project.problems.list()[0].position.line, 2u);
 }
 
+TEST(Project, PatternsHaveLimits) {
+  const Folder folder;
+  folder.write("a.awl");
+  std::string list;
+  for (int i = 0; i < 101; ++i) list += "'*', ";
+  for (const auto& [sources, code] :
+       {std::pair(list, ProblemCode::P0717),
+        std::pair("'" + std::string(261, '*') + "'", ProblemCode::P0716)}) {
+    folder.write("merker.toml", "[program]\nsources = [" + sources + "]\n");
+    const Project project = load(folder.path(), "");
+    ASSERT_FALSE(project.problems.empty());
+    EXPECT_EQ(project.problems.list()[0].code, code);
+    EXPECT_EQ(project.problems.list()[0].position.line, 2u);
+  }
+}
+
 TEST(Project, ASingleSourceTakesTheSymbolsOfItsName) {
   const Folder folder;
   folder.write("a.awl");
