@@ -17,6 +17,7 @@ using block::RetentiveTimer;
 
 // A hundred years in nanoseconds: sums of two times cannot overflow.
 constexpr std::int64_t kLongestTime = 3'155'760'000LL * 1'000'000'000;
+constexpr std::uint8_t kHighestKind = 0x0F;  // of a block
 constexpr std::size_t kMostEvents = 100, kMostMeters = 256, kMostOperands = 65'536;
 
 void appendLong(Bytes& out, std::int64_t value) {
@@ -102,7 +103,7 @@ RetentiveEvent readEvent(Reader& in) {
   event.time = in.time();
   event.text = in.text();
   event.placeKnown = in.byte(1) != 0;
-  event.block.kind = static_cast<BlockKind>(in.byte());
+  event.block.kind = static_cast<BlockKind>(in.byte(kHighestKind));
   event.block.number = in.word();
   event.offset = in.dword();
   for (std::uint8_t& byte : event.info) byte = in.byte();

@@ -1,5 +1,8 @@
 #include "store/database.h"
 
+#include <array>
+#include <utility>
+
 namespace merker::store {
 namespace {
 
@@ -56,11 +59,19 @@ void Statement::run() {
   }
 }
 
+void Statement::require(int column, int type) const {
+  if (sqlite3_column_type(statement_.get(), column) != type)
+    throw Damage(std::string("a value has the wrong type: ") +
+                 sqlite3_column_name(statement_.get(), column));
+}
+
 std::int64_t Statement::integer(int column) const {
+  require(column, SQLITE_INTEGER);
   return sqlite3_column_int64(statement_.get(), column);
 }
 
 std::string Statement::text(int column) const {
+  require(column, SQLITE_TEXT);
   const auto* text = reinterpret_cast<const char*>(sqlite3_column_text(statement_.get(), column));
   return text == nullptr
              ? std::string()
@@ -69,24 +80,52 @@ std::string Statement::text(int column) const {
 }
 
 std::vector<std::uint8_t> Statement::bytes(int column) const {
+  require(column, SQLITE_BLOB);
   const auto* data =
       static_cast<const std::uint8_t*>(sqlite3_column_blob(statement_.get(), column));
   if (data == nullptr) return {};
   return {data, data + sqlite3_column_bytes(statement_.get(), column)};
 }
 
+// A file from somebody else: no tricks of its schema, nothing larger than a card has.
+void Database::protect() {
+  sqlite3* const handle = handle_.get();
+  sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
+  for (const int feature :
+       {SQLITE_DBCONFIG_TRUSTED_SCHEMA, SQLITE_DBCONFIG_ENABLE_VIEW, SQLITE_DBCONFIG_ENABLE_TRIGGER,
+        SQLITE_DBCONFIG_DQS_DDL, SQLITE_DBCONFIG_DQS_DML})
+    sqlite3_db_config(handle, feature, 0, nullptr);
+  constexpr std::array kLimits{std::pair{SQLITE_LIMIT_LENGTH, 4 * 1024 * 1024},
+                               std::pair{SQLITE_LIMIT_SQL_LENGTH, 10'000},
+                               std::pair{SQLITE_LIMIT_COLUMN, 16},
+                               std::pair{SQLITE_LIMIT_EXPR_DEPTH, 20},
+                               std::pair{SQLITE_LIMIT_COMPOUND_SELECT, 3},
+                               std::pair{SQLITE_LIMIT_ATTACHED, 0},
+                               std::pair{SQLITE_LIMIT_TRIGGER_DEPTH, 1},
+                               std::pair{SQLITE_LIMIT_WORKER_THREADS, 0},
+                               std::pair{SQLITE_LIMIT_VARIABLE_NUMBER, 16},
+                               std::pair{SQLITE_LIMIT_FUNCTION_ARG, 8}};
+  for (const auto& [limit, value] : kLimits) sqlite3_limit(handle, limit, value);
+  execute("PRAGMA cell_size_check = ON; PRAGMA temp_store = MEMORY; PRAGMA mmap_size = 0");
+}
+
 Database::Database(const std::string& file) {
   sqlite3* handle = nullptr;
-  const int code = sqlite3_open_v2(
-      file.c_str(), &handle,
-      SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX | SQLITE_OPEN_EXRESCODE,
-      nullptr);
+  constexpr int kFlags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX |
+                         SQLITE_OPEN_EXRESCODE | SQLITE_OPEN_NOFOLLOW;
+  const int code = sqlite3_open_v2(file.c_str(), &handle, kFlags, nullptr);
   handle_.reset(handle);
   if (code != SQLITE_OK) fail(handle, code);
-  // A file from somebody else: no tricks of its schema.
-  sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
-  sqlite3_db_config(handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
+  protect();
 }
+
+void Database::setBudget(std::int64_t thousands) {
+  *budget_ = thousands;
+  const auto spend = [](void* budget) { return --*static_cast<std::int64_t*>(budget) < 0 ? 1 : 0; };
+  sqlite3_progress_handler(handle_.get(), 1000, spend, budget_.get());
+}
+
+void Database::setNoBudget() { sqlite3_progress_handler(handle_.get(), 0, nullptr, nullptr); }
 
 void Database::execute(const char* sql) {
   const int code = sqlite3_exec(handle_.get(), sql, nullptr, nullptr, nullptr);

@@ -34,11 +34,13 @@ class Statement {
   Statement& bind(std::span<const std::uint8_t> bytes);  // must stay until the statement is reset
   bool step();  // true: a row is there; at the end the statement is ready for the next run
   void run();   // to the end
+  // Throw Damage if the value is of another type.
   std::int64_t integer(int column) const;
   std::string text(int column) const;
   std::vector<std::uint8_t> bytes(int column) const;
 
  private:
+  void require(int column, int type) const;
   void check(int code) const;
   struct Finalize {
     void operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
@@ -50,6 +52,7 @@ class Statement {
 
 class Database {
  public:
+  // The path contains no symbolic link.
   explicit Database(const std::string& file);
   void execute(const char* sql);
   Statement prepare(std::string_view sql) { return {handle_.get(), sql}; }
@@ -57,12 +60,18 @@ class Database {
   // What lies in the write-ahead log goes into the database when it is closed; switched off, a
   // database that was only looked at stays as it was.
   void checkpointOnClose(bool on);
+  // Steps of SQLite's machine, in thousands, that all statements together may take from now on;
+  // what takes more fails with SQLITE_INTERRUPT.
+  void setBudget(std::int64_t thousands);
+  void setNoBudget();
 
  private:
+  void protect();
   struct Close {
     void operator()(sqlite3* database) const { sqlite3_close_v2(database); }
   };
   std::unique_ptr<sqlite3, Close> handle_;
+  std::unique_ptr<std::int64_t> budget_ = std::make_unique<std::int64_t>(0);
 };
 
 // Everything or nothing: rolled back unless committed.

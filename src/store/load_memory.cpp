@@ -1,5 +1,7 @@
 #include "store/load_memory.h"
 
+#include <algorithm>
+#include <array>
 #include <map>
 
 #include "block/container.h"
@@ -23,14 +25,29 @@ void checkSum(const Bytes& bytes, std::int64_t sum, const std::string& what) {
     throw Damage("the checksum of " + what + " is wrong");
 }
 
+BlockId blockOf(std::int64_t kind, std::int64_t number) {
+  static constexpr std::array kKinds{BlockKind::OB,  BlockKind::DB, BlockKind::SDB, BlockKind::FC,
+                                     BlockKind::SFC, BlockKind::FB, BlockKind::SFB};
+  const auto found = std::find_if(kKinds.begin(), kKinds.end(), [kind](BlockKind known) {
+    return static_cast<std::int64_t>(known) == kind;
+  });
+  if (found == kKinds.end() || number < 0 || number > 0xFFFF)
+    throw Damage("the list of blocks is wrong");
+  return {*found, static_cast<std::uint16_t>(number)};
+}
+
+bool flag(std::int64_t value) {
+  if (value != 0 && value != 1) throw Damage("the list of blocks is wrong");
+  return value == 1;
+}
+
 Blocks readBlocks(Database& database) {
   Blocks blocks;
   Statement select =
       database.prepare("SELECT kind, number, read_only, container, checksum FROM block");
   while (select.step()) {
-    const BlockId id{static_cast<BlockKind>(select.integer(0)),
-                     static_cast<std::uint16_t>(select.integer(1))};
-    Stored stored{select.bytes(3), select.integer(2) != 0};
+    const BlockId id = blockOf(select.integer(0), select.integer(1));
+    Stored stored{select.bytes(3), flag(select.integer(2))};
     checkSum(stored.container, select.integer(4), toString(id));
     blocks[id] = std::move(stored);
   }
@@ -92,6 +109,8 @@ block::Block toBlock(BlockId id, const Stored& stored) {
 bool hasContainer(const block::Block& block) { return block.id.kind != BlockKind::UDT; }
 
 LoadMemory readLoadMemory(Database& database) {
+  if (database.integer("SELECT count(*) FROM setting WHERE name NOT IN ('cpu', 'configuration')"))
+    throw Damage("there is a setting that no card has");
   LoadMemory memory{readSetting(database, "cpu"), readSetting(database, "configuration"), {}};
   for (const auto& [id, stored] : readBlocks(database))
     memory.program.emplace(id, toBlock(id, stored));

@@ -1,44 +1,41 @@
 #include "store/memory_card.h"
 
+#include <fmt/format.h>
+#include <stdlib.h>
+
 #include <filesystem>
 #include <set>
 #include <utility>
 
 #include "block/container.h"
-#include "store/header.h"
+#include "store/card_file.h"
 #include "store/pages.h"
+#include "store/schema.h"
 
 namespace merker::store {
 namespace {
 
 namespace fs = std::filesystem;
 
-// All in one transaction with the old journal, so that the header of the file says what it is from
-// the beginning; then the write-ahead log. A commit is safe from the end of the process at once;
-// synchronous = NORMAL also keeps the database whole when the machine itself loses power, at the
-// price that the very last cycles may then be missing (docs/formats/card.md).
-constexpr const char* kCreate =
-    "PRAGMA page_size = 1024;"
-    "BEGIN EXCLUSIVE;"
-    "CREATE TABLE block(kind INTEGER, number INTEGER, read_only INTEGER, container BLOB,"
-    " checksum INTEGER, PRIMARY KEY(kind, number));"
-    "CREATE TABLE setting(name TEXT PRIMARY KEY, value BLOB, checksum INTEGER);"
-    "CREATE TABLE area(kind TEXT, number INTEGER, length INTEGER, PRIMARY KEY(kind, number));"
-    "CREATE TABLE page(kind TEXT, number INTEGER, page INTEGER, bytes BLOB, checksum INTEGER,"
-    " PRIMARY KEY(kind, number, page)) WITHOUT ROWID;"
-    "PRAGMA application_id = 0x4D524B43;"
-    "PRAGMA user_version = 1;"
-    "COMMIT;";
+// A commit is safe from the end of the process at once; synchronous = NORMAL also keeps the
+// database whole when the machine itself loses power, at the price that the very last cycles may
+// then be missing (docs/formats/card.md).
 constexpr const char* kWriting =
     "PRAGMA journal_mode = WAL;"
     "PRAGMA synchronous = NORMAL;"
     "PRAGMA wal_autocheckpoint = 4000;";
 
+// Thousands of steps: hundreds of times what the schema and the rows of a full card take.
+constexpr std::int64_t kSchemaBudget = 100, kReadBudget = 50'000;
+
 Problem problemOf(const DatabaseError& error, ProblemCode otherwise, const Position& at) {
   if (error.code == SQLITE_BUSY) return makeProblem(ProblemCode::P1004, at);
   if (error.code == SQLITE_NOTADB)
     return makeProblem(ProblemCode::P1002, at, "card.sqlite in it is no database");
-  const bool damaged = error.code == SQLITE_CORRUPT || error.code == SQLITE_ERROR;
+  if (error.code == SQLITE_INTERRUPT)
+    return makeProblem(ProblemCode::P1003, at, "there is more in it than a card holds");
+  const bool damaged = error.code == SQLITE_CORRUPT || error.code == SQLITE_ERROR ||
+                       error.code == SQLITE_TOOBIG || error.code == SQLITE_SCHEMA;
   return makeProblem(damaged ? ProblemCode::P1003 : otherwise, at, std::string(error.what()));
 }
 
@@ -54,6 +51,26 @@ Result<T> guarded(const Position& at, ProblemCode otherwise, Work work) {
   }
 }
 
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::error_code error;
+    const fs::path real = fs::canonical(fs::temp_directory_path(error), error);
+    std::string pattern = (real / "merker-XXXXXX").string();
+    if (mkdtemp(pattern.data()) != nullptr) path_ = pattern;
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  ~TemporaryFolder() {
+    std::error_code error;
+    if (!path_.empty()) fs::remove_all(path_, error);
+  }
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
 std::optional<Problem> makeFolder(const std::string& folder, const Position& at) {
   std::error_code error;
   if (fs::exists(folder, error) && !fs::is_directory(folder, error))
@@ -64,7 +81,7 @@ std::optional<Problem> makeFolder(const std::string& folder, const Position& at)
 }
 
 void requireOrder(Database& database) {
-  Statement check = database.prepare("PRAGMA quick_check(1)");
+  Statement check = database.prepare("PRAGMA integrity_check(1)");
   if (!check.step()) return;
   if (const std::string found = check.text(0); found != "ok") throw Damage(found);
 }
@@ -72,7 +89,7 @@ void requireOrder(Database& database) {
 }  // namespace
 
 struct MemoryCard::Parts {
-  Parts(const std::string& folder, const std::string& file) : at{folder}, database(file) {}
+  Parts(Position place, const std::string& file) : at(std::move(place)), database(file) {}
 
   Position at;
   Database database;
@@ -81,15 +98,27 @@ struct MemoryCard::Parts {
   std::optional<block::RetentiveData> retentive;
   std::optional<std::uint64_t> eventsSaved;  // RetentiveData::eventsAdded of the last save
 
-  bool isNew() { return database.integer("SELECT count(*) FROM sqlite_schema") == 0; }
+  bool isNew() { return database.integer("PRAGMA page_count") == 0; }
+  std::optional<Problem> check();
   void readAll();
   void clear();
   void removeStale(const block::RetentiveData& data);
   void put(const block::RetentiveData& data);
 };
 
-void MemoryCard::Parts::readAll() {
+// Before anything is read: the format, the tables, that the file is in order.
+std::optional<Problem> MemoryCard::Parts::check() {
+  database.setBudget(kSchemaBudget);
+  const std::int64_t format = database.integer("PRAGMA user_version");
+  if (format > kFormat) return makeProblem(ProblemCode::P1005, at, format, kFormat);
+  if (format != kFormat) throw Damage(fmt::format("its format is {}", format));
+  requireTables(database);
+  database.setBudget(kReadBudget);
   requireOrder(database);
+  return std::nullopt;
+}
+
+void MemoryCard::Parts::readAll() {
   load = readLoadMemory(database);
   pages.emplace(database);
   const std::map<AreaId, Bytes> areas = pages->read();
@@ -135,22 +164,43 @@ MemoryCard::~MemoryCard() = default;
 Result<MemoryCard> MemoryCard::open(const std::string& folder) {
   const Position at{folder};
   if (auto problem = makeFolder(folder, at)) return *problem;
-  const std::string file = (fs::path(folder) / "card.sqlite").string();
-  if (const std::string why = whyNoCard(file); !why.empty())
-    return makeProblem(ProblemCode::P1002, at, why);
+  std::error_code error;
+  const fs::path real = fs::canonical(folder, error);
+  if (error) return makeProblem(ProblemCode::P1001, at, error.message());
+  const std::string file = (real / "card.sqlite").string();
+  if (auto problem = whyNoCard(file, at)) return *problem;
+  if (hasJournal(file))
+    if (auto problem = whyNotTheCopy(file, at)) return *problem;
+  return openFile(file, at);
+}
+
+Result<MemoryCard> MemoryCard::openFile(const std::string& file, const Position& at) {
   return guarded<MemoryCard>(at, ProblemCode::P1001, [&]() -> Result<MemoryCard> {
-    auto parts = std::make_unique<Parts>(folder, file);
+    auto parts = std::make_unique<Parts>(at, file);
     Database& database = parts->database;
     database.checkpointOnClose(false);
     database.execute("PRAGMA locking_mode = EXCLUSIVE");
-    if (parts->isNew()) database.execute(kCreate);
-    if (const auto format = database.integer("PRAGMA user_version"); format > kFormat)
-      return makeProblem(ProblemCode::P1005, at, format, kFormat);
+    if (parts->isNew()) createTables(database);
+    if (auto problem = parts->check()) return *problem;
     parts->readAll();
+    database.setNoBudget();
     database.execute(kWriting);
     database.checkpointOnClose(true);
     return MemoryCard(std::move(parts));
   });
+}
+
+// SQLite plays a journal back when it opens the database. What would come out is looked at
+// elsewhere first.
+std::optional<Problem> MemoryCard::whyNotTheCopy(const std::string& file, const Position& at) {
+  const TemporaryFolder copy;
+  std::error_code error;
+  for (const char* part : {"", "-journal", "-wal"})
+    if (fs::exists(file + part))
+      fs::copy_file(file + part, copy.path() / (std::string("card.sqlite") + part), error);
+  if (error) return makeProblem(ProblemCode::P1001, at, error.message());
+  const auto card = openFile((copy.path() / "card.sqlite").string(), at);
+  return card ? std::nullopt : std::optional<Problem>(card.error());
 }
 
 bool MemoryCard::empty() const { return parts_->load.program.empty(); }

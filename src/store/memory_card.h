@@ -35,6 +35,8 @@ class MemoryCard {
   [[nodiscard]] std::optional<Problem> save(const block::RetentiveData& data);
 
  private:
+  static Result<MemoryCard> openFile(const std::string& file, const Position& at);
+  static std::optional<Problem> whyNotTheCopy(const std::string& file, const Position& at);
   struct Parts;
   explicit MemoryCard(std::unique_ptr<Parts> parts);
   std::unique_ptr<Parts> parts_;

@@ -12,12 +12,15 @@ namespace {
 // No area of a CPU is longer than a data block.
 constexpr std::int64_t kLongestArea = 1 << 20;
 
+std::size_t pagesOf(std::size_t length) { return (length + kPageBytes - 1) / kPageBytes; }
+
 }  // namespace
 
 Pages::Pages(Database& database)
     : selectAreas_(database.prepare("SELECT kind, number, length FROM area")),
       selectPages_(database.prepare("SELECT page, bytes, checksum FROM page"
                                     " WHERE kind = ? AND number = ? ORDER BY page")),
+      selectCount_(database.prepare("SELECT count(*) FROM page")),
       writeArea_(database.prepare("INSERT OR REPLACE INTO area VALUES (?, ?, ?)")),
       writePage_(database.prepare("INSERT OR REPLACE INTO page VALUES (?, ?, ?, ?, ?)")),
       cutPages_(database.prepare("DELETE FROM page WHERE kind = ? AND number = ? AND page >= ?")),
@@ -29,6 +32,8 @@ Bytes Pages::readArea(const AreaId& id, std::int64_t length) {
   selectPages_.bind(id.kind).bind(std::int64_t{id.number});
   while (selectPages_.step()) {
     const Bytes page = selectPages_.bytes(1);
+    if (page.size() > kPageBytes)
+      throw Damage(fmt::format("a page of area {} {} is too long", id.kind, id.number));
     if (selectPages_.integer(0) != next++)
       throw Damage(fmt::format("a page of area {} {} is missing", id.kind, id.number));
     if (crc32(page) != static_cast<std::uint64_t>(selectPages_.integer(2)))
@@ -51,13 +56,18 @@ std::map<AreaId, Bytes> Pages::read() {
   }
   known_.clear();
   for (const auto& [id, length] : found) known_[id] = readArea(id, length);
+  std::size_t pages = 0;
+  for (const auto& [id, bytes] : known_) pages += pagesOf(bytes.size());
+  if (selectCount_.step() && selectCount_.integer(0) != static_cast<std::int64_t>(pages))
+    throw Damage("there are pages of no area");
+  selectCount_.run();
   return known_;
 }
 
 void Pages::putLength(const AreaId& id, std::size_t length) {
   writeArea_.bind(id.kind).bind(std::int64_t{id.number});
   writeArea_.bind(static_cast<std::int64_t>(length)).run();
-  const std::size_t pages = (length + kPageBytes - 1) / kPageBytes;
+  const std::size_t pages = pagesOf(length);
   cutPages_.bind(id.kind).bind(std::int64_t{id.number});
   cutPages_.bind(static_cast<std::int64_t>(pages)).run();
 }

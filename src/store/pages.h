@@ -26,7 +26,8 @@ class Pages {
   void putLength(const AreaId& id, std::size_t length);
   void putPage(const AreaId& id, std::size_t page, std::span<const std::uint8_t> bytes);
 
-  Statement selectAreas_, selectPages_, writeArea_, writePage_, cutPages_, deleteArea_;
+  Statement selectAreas_, selectPages_, selectCount_, writeArea_, writePage_, cutPages_,
+      deleteArea_;
   std::map<AreaId, Bytes> known_;
 };
 

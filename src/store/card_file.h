@@ -1,0 +1,27 @@
+// Whether a file may be opened as a memory card, seen from outside: what it is for the operating
+// system, its length, its first bytes. Somebody else's file is not even touched.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "base/problem.h"
+
+namespace merker::store {
+
+// In the header of the database: "MRKC", and the version of docs/formats/card.md.
+constexpr std::uint32_t kApplicationId = 0x4D524B43;
+constexpr std::int64_t kFormat = 1;
+
+// Bytes of the database and of its log: many times what the largest CPU holds.
+constexpr std::uintmax_t kLargestCard = 64 * 1024 * 1024;
+
+// Why not (P1002 foreign, P1003 damaged); nothing if it may, or if there is no such file yet.
+std::optional<Problem> whyNoCard(const std::string& file, const Position& at);
+
+// A journal lies beside a card only if its creation was cut off. SQLite would bring an older state
+// back before anything can be looked at.
+bool hasJournal(const std::string& file);
+
+}  // namespace merker::store
