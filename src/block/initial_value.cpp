@@ -53,6 +53,7 @@ void writeDefault(const Type& type, BitAddress at, Image& image) {
 void writeInitial(const Variable& variable, BitAddress place, Image& image) {
   const Type& type = *variable.type;
   const std::uint32_t size = isStoredAsPointer(variable) ? 6 * 8 : sizeInBits(type);
+  if (size == 0) return;  // a type with a problem
   if (place > kLargestFrame || size > kLargestFrame - place) return;
   makeRoom(image, place + size);
   if (isStoredAsPointer(variable)) return;

@@ -1,6 +1,8 @@
 #include "step7/block_compiler.h"
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 #include "base/text.h"
 #include "step7/call_compiler.h"
@@ -108,25 +110,25 @@ void BlockCompiler::checks() {
   }
 }
 
+// "M001:" in front of a statement, or alone.
+bool BlockCompiler::label() {
+  const std::size_t begin = cursor_.pos();
+  const std::string_view word = cursor_.word();
+  cursor_.skipBlanks();
+  if (word.empty() || cursor_.peek() != ':' || cursor_.peek(1) == '=') {
+    cursor_.seek(begin);
+    return false;
+  }
+  cursor_.take();
+  labelDefinition(word, begin);
+  return true;
+}
+
 void BlockCompiler::statement() {
-  if (cursor_.accept(';')) return;
+  if (cursor_.accept(';') || label()) return;
   const std::size_t begin = cursor_.pos();
   const Position position = at(begin, begin + 1);
-  const std::string_view word = cursor_.word();
-  if (!word.empty()) {
-    const std::size_t afterWord = cursor_.pos();
-    cursor_.skipBlanks();
-    if (cursor_.peek() == ':' && cursor_.peek(1) != '=') {
-      cursor_.take();
-      labelDefinition(word, begin);
-      cursor_.skipSpace();
-      checks();
-      if (!cursor_.atEnd()) statement();
-      return;
-    }
-    cursor_.seek(afterWord);
-    if (networkHeader(word)) return;
-  }
+  if (const std::string_view word = cursor_.word(); !word.empty() && networkHeader(word)) return;
   cursor_.seek(begin);
   const std::string name = readMnemonic(cursor_);
   if (ended_ && !reportedAfterEnd_) {
@@ -250,12 +252,14 @@ void BlockCompiler::endOfNetwork() {
 // A label inside brackets is harmless for a jump from the same bracket, as EN of a KOP box makes
 // it; a jump from outside enters the bracket in the middle (S7-BRACKET-03).
 void BlockCompiler::checkJumpsIntoBrackets() {
-  for (const Place& label : labels_)
-    for (const Place& jump : jumps_)
-      if (label.bracket != 0 && jump.label == label.label && jump.bracket != label.bracket) {
-        problems_.add(ProblemCode::P0333, label.position, label.label);
-        break;
-      }
+  std::map<std::string_view, std::set<std::size_t>> from;  // brackets with jumps, by label
+  for (const Place& jump : jumps_) from[jump.label].insert(jump.bracket);
+  for (const Place& label : labels_) {
+    const auto jumps = from.find(label.label);
+    if (label.bracket == 0 || jumps == from.end()) continue;
+    if (jumps->second.size() > 1 || !jumps->second.contains(label.bracket))
+      problems_.add(ProblemCode::P0333, label.position, label.label);
+  }
 }
 
 void BlockCompiler::endOfBlock() {

@@ -42,6 +42,7 @@ class BlockCompiler {
   void reserveParameterCopies();
   std::vector<std::uint8_t> prologue();
   void statement();
+  bool label();
   void labelDefinition(std::string_view word, std::size_t begin);
   bool networkHeader(std::string_view word);
   void instruction(const std::string& mnemonic, std::size_t begin);

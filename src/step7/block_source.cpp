@@ -48,6 +48,23 @@ bool validVersion(std::string_view text) {
   return inRange(text.substr(0, dot)) && inRange(text.substr(dot + 1));
 }
 
+std::string_view withoutBlanks(std::string_view text) {
+  while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
+  return text;
+}
+
+// Whether TITLE stands alone at the end of the text: what follows its = is free. Only these
+// characters are looked at, for a source may have very many of them.
+bool endsTitle(std::string_view text) {
+  constexpr std::string_view kTitle = "TITLE";
+  text = withoutBlanks(text);
+  if (text.size() < kTitle.size() ||
+      !equalsIgnoreCase(text.substr(text.size() - kTitle.size()), kTitle))
+    return false;
+  text = withoutBlanks(text.substr(0, text.size() - kTitle.size()));
+  return text.empty() || text.back() == '\n' || text.back() == '\r';
+}
+
 }  // namespace
 
 std::optional<BlockName> readBlockName(Cursor& cursor, const source::SourceFile& file,
@@ -369,10 +386,7 @@ void BlockSplitter::code(const Frame& frame, BlockSource& source) {
       statementStart =
           c == '\n' || c == '\r' || c == ';' || (statementStart && (c == ' ' || c == '\t'));
       cursor_.take();
-      // The text behind TITLE = is free.
-      if (c == '=' && upper(trim(cursor_.slice(file_.text().rfind('\n', cursor_.pos()) + 1,
-                                               cursor_.pos() - 1))) == "TITLE")
-        cursor_.skipLine();
+      if (c == '=' && endsTitle(file_.text().substr(0, cursor_.pos() - 1))) cursor_.skipLine();
     }
   }
   source.codeEnd = cursor_.pos();

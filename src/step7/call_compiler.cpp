@@ -43,7 +43,7 @@ bool CallCompiler::target() {
   const std::size_t before = c_.problems().size();
   if (cursor.accept('#') || !cursor.peekWord("FC")) {
     const std::string_view name = cursor.word();
-    if (const block::Variable* variable = findMember(c_.scope().block->variables, name);
+    if (const block::Variable* variable = c_.scope().variable(name);
         variable && !variable->type->members.empty())
       return instanceTarget(*variable, begin);
     cursor.seek(begin);

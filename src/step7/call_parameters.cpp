@@ -110,7 +110,7 @@ bool CallParameters::parameter() {
   const bool quoted = cursor.accept('"');
   std::string name(cursor.word());
   if (quoted) cursor.accept('"');
-  const block::Variable* formal = findMember(target_.block->variables, name);
+  const block::Variable* formal = c_.scope().members()->find(target_.block->variables, name);
   const bool parameter =
       formal && formal->section != Section::Static && formal->section != Section::Temp;
   if (name.empty() || !parameter)

@@ -59,6 +59,11 @@ bool endsDeclarations(std::string_view word) {
 
 }  // namespace
 
+// Of one list: a block of 64 KB has more bits, but no program so many names.
+constexpr std::size_t kMostVariables = 20'000;
+// Bytes that are kept; a declaration of many names has it many times.
+constexpr std::size_t kLongestComment = 1000;
+
 void DeclarationParser::recover() {
   while (!cursor_.atStatementEnd()) cursor_.take();
   cursor_.accept(';');
@@ -114,6 +119,12 @@ bool DeclarationParser::variables(block::Section section, std::vector<VariableSy
   if (cursor_.accept(';')) return true;
   std::vector<VariableSyntax> names;
   do {
+    if (names.size() + out.size() == kMostVariables) {
+      problems_.add(ProblemCode::P0106, at(cursor_.pos(), cursor_.pos() + 1), kMostVariables,
+                    "variables in this declaration");
+      cursor_.seek(cursor_.end());
+      return true;
+    }
     VariableSyntax variable;
     variable.section = section;
     if (!variableName(variable)) {
@@ -144,8 +155,9 @@ bool DeclarationParser::variableTail(std::vector<VariableSyntax>& names,
     initialValue(pattern);
   if (syntax->good) endOfDeclaration(pattern, *syntax);
   const std::string comment = endOfLineComment();
+  const auto type = std::make_shared<const TypeSyntax>(std::move(*syntax));
   for (VariableSyntax& variable : names) {
-    variable.type = *syntax;
+    variable.type = type;
     variable.initialBegin = pattern.initialBegin;
     variable.initialEnd = pattern.initialEnd;
     variable.comment = comment;
@@ -223,7 +235,7 @@ std::string DeclarationParser::endOfLineComment() {
   if (cursor_.peek() != '/' || cursor_.peek(1) != '/') return {};
   const std::size_t begin = cursor_.pos() + 2;
   cursor_.skipLine();
-  return std::string(trim(cursor_.slice(begin, cursor_.pos())));
+  return std::string(trim(cursor_.slice(begin, std::min(cursor_.pos(), begin + kLongestComment))));
 }
 
 // Deeper than STEP 7 nests (8); what is deeper still is refused before it fills the stack.

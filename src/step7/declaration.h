@@ -37,8 +37,8 @@ struct TypeSyntax {
 
 struct VariableSyntax {
   std::string name;
-  std::size_t begin = 0;  // of the name
-  TypeSyntax type;
+  std::size_t begin = 0;                         // of the name
+  std::shared_ptr<const TypeSyntax> type;        // one for all the names of a declaration
   std::size_t initialBegin = 0, initialEnd = 0;  // text behind :=, empty if none
   std::string comment;
   std::vector<std::pair<std::string, std::string>> attributes;

@@ -1,5 +1,6 @@
 #include "step7/initial_value.h"
 
+#include <algorithm>
 #include <string>
 
 #include "address/constant.h"
@@ -145,6 +146,7 @@ class InitialReader {
       : file_(file), cursor_(file.text(), begin, end, problems.stop()), problems_(problems) {}
 
   std::optional<std::vector<std::uint8_t>> read(const block::Type& type) {
+    if (block::sizeInBytes(type) > kLargest) return std::nullopt;  // reported
     std::vector<std::uint8_t> image(block::sizeInBytes(type));
     block::Variable whole;
     whole.type = std::make_shared<block::Type>(type);
@@ -204,12 +206,13 @@ class InitialReader {
       const std::size_t begin = cursor_.pos();
       const auto factor = repetition();
       if (factor) {
-        const std::size_t body = cursor_.pos();
-        if (*factor == 0) return problem(begin);
-        for (std::int64_t i = 0; i < *factor; ++i) {
-          cursor_.seek(body);
-          if (!list(type, places, next, image)) return false;
-        }
+        cursor_.skipSpace();
+        const std::size_t first = next, values = cursor_.pos();
+        if (*factor == 0 || depth_ == kDeepest) return problem(begin);
+        ++depth_;
+        const bool good = list(type, places, next, image);
+        --depth_;
+        if (!good || !repeat(type, places, values, first, next, *factor - 1, image)) return false;
         cursor_.skipSpace();
         if (!cursor_.accept(')')) return problem(begin);
         continue;
@@ -221,6 +224,29 @@ class InitialReader {
       if (!single(*type.element, places[next++], image)) return false;
     } while (cursor_.accept(','));
     return true;
+  }
+
+  // The values in the brackets are read once, whatever stands between them.
+  bool repeat(const block::Type& type, const std::vector<BitAddress>& places, std::size_t values,
+              std::size_t first, std::size_t& next, std::int64_t times,
+              std::vector<std::uint8_t>& image) {
+    const std::size_t count = (next - first) * static_cast<std::size_t>(times);
+    if (count > places.size() - next) {
+      problems_.add(ProblemCode::P0413, here(values, values + 1), places.size());
+      return false;
+    }
+    for (const std::size_t end = next + count; next < end; ++next, ++first)
+      copy(*type.element, places[first], places[next], image);
+    return true;
+  }
+
+  static void copy(const block::Type& element, BitAddress from, BitAddress to,
+                   std::vector<std::uint8_t>& image) {
+    if (element.code == TypeCode::Bool) {
+      storeElementary(image, to, TypeCode::Bool, image[from / 8] >> from % 8 & 1u);
+      return;
+    }
+    std::copy_n(image.begin() + from / 8, block::sizeInBytes(element), image.begin() + to / 8);
   }
 
   // "5 (" : five times what stands in the brackets.
@@ -368,9 +394,13 @@ class InitialReader {
     return true;
   }
 
+  static constexpr int kDeepest = 32;  // of brackets
+  static constexpr std::size_t kLargest = 0x10'0000;
+
   const source::SourceFile& file_;
   Cursor cursor_;
   Problems& problems_;
+  int depth_ = 0;
 };
 
 }  // namespace

@@ -11,6 +11,29 @@ namespace merker::step7 {
 
 using block::Section;
 
+namespace {
+
+// STEP 7 nests 8 levels, a data block has 64 KB: what is far beyond is refused before it takes time
+// and room. The limits hold for types with problems, too, whose parts may have no size.
+constexpr int kDeepest = 32;
+constexpr std::uint64_t kMostParts = 1'000'000;
+constexpr std::uint32_t kLargestType = 0x10'0000;
+// Of all blocks together.
+constexpr std::uint64_t kMostInitialBytes = 64 * 1024 * 1024;
+
+// Far below what could wrap around.
+std::uint64_t elements(const std::vector<block::Dimension>& dimensions) {
+  std::uint64_t count = 1;
+  for (const block::Dimension& dimension : dimensions)
+    count = std::min<std::uint64_t>(count * dimension.count(), 1'000'000'000);
+  return count;
+}
+
+// A type whose declaration has a problem: it takes no place, and its uses are no further problems.
+block::TypePtr unknownType() { return block::elementaryType(TypeCode::Void); }
+
+}  // namespace
+
 Interfaces::Interfaces(std::vector<BlockSource>& sources, const CompileOptions& options,
                        Problems& problems)
     : options_(options), problems_(problems) {
@@ -58,7 +81,6 @@ const block::Block* Interfaces::resolve(BlockId id) {
   if (entry.state == State::Done) return &program_.at(id);
   BlockSource& source = *entry.source;
   if (entry.state == State::Busy) return nullptr;
-  constexpr int kDeepest = 32;
   if (depth_ >= kDeepest) {
     problems_.add(ProblemCode::P0202, at(source, source.name.begin, source.name.end),
                   "the nesting of types", fmt::format("1..{}", kDeepest));
@@ -82,6 +104,51 @@ const block::Block* Interfaces::resolve(BlockId id) {
   return &program_.emplace(id, std::move(result)).first->second;
 }
 
+block::TypePtr Interfaces::typeOf(const BlockSource& source, const VariableSyntax& syntax) {
+  if (syntax.type.use_count() == 1) return type(source, *syntax.type, syntax.section);
+  block::TypePtr& known = types_[syntax.type.get()];
+  if (!known) known = type(source, *syntax.type, syntax.section);
+  return known;
+}
+
+Interfaces::Extent Interfaces::extent(const block::TypePtr& type) {
+  if (!type->element && type->members.empty()) return {};
+  if (const auto known = extents_.find(type); known != extents_.end()) return known->second;
+  Extent whole;
+  const auto add = [&](const block::TypePtr& part, std::uint64_t count) {
+    const Extent one = extent(part);
+    whole.parts = std::min(whole.parts + count * one.parts, kMostParts + 1);
+    whole.depth = std::max(whole.depth, one.depth + 1);
+  };
+  const bool flat = type->element && isElementary(type->element->code);
+  if (type->element) add(type->element, flat ? 1 : elements(type->dimensions));
+  for (const block::Variable& member : type->members) add(member.type, 1);
+  return extents_.emplace(type, whole).first->second;
+}
+
+block::TypePtr Interfaces::limited(block::TypePtr type, const Position& place) {
+  const Extent found = extent(type);
+  if (found.depth > kDeepest)
+    problems_.add(ProblemCode::P0202, place, "the nesting of types",
+                  fmt::format("1..{}", kDeepest));
+  else if (found.parts > kMostParts)
+    problems_.add(ProblemCode::P0106, place, kMostParts, "components in this type");
+  else if (block::sizeInBytes(*type) > kLargestType)
+    problems_.add(ProblemCode::P0106, place, kLargestType, "bytes in this type");
+  else
+    return type;
+  return unknownType();
+}
+
+bool Interfaces::take(std::uint64_t& used, std::uint64_t more, std::uint64_t limit,
+                      std::string_view what, const Position& place) {
+  const bool before = used <= limit;
+  used += more;
+  if (used <= limit) return true;
+  if (before) problems_.add(ProblemCode::P0106, place, limit, what);
+  return false;
+}
+
 void Interfaces::checkDuplicates(const BlockSource& source,
                                  const std::vector<VariableSyntax>& variables) {
   std::set<std::string> names;
@@ -101,10 +168,14 @@ block::Variable Interfaces::variable(const BlockSource& source, const VariableSy
   result.position = at(source, syntax.begin, syntax.begin + syntax.name.size());
   if (characterCount(syntax.name) > 24)  // S7-SRC-10
     problems_.add(ProblemCode::P0423, result.position, syntax.name);
-  result.type = type(source, syntax.type, syntax.section);
-  if (syntax.section == Section::InOut) checkNoInitials(source, syntax.type);
+  result.type = typeOf(source, syntax);
+  if (syntax.section == Section::InOut) checkNoInitials(source, *syntax.type);
   if (syntax.initialEnd > syntax.initialBegin) {
     checkInitial(source, syntax);
+    const bool known = result.type->code != TypeCode::Array || block::sizeInBits(*result.type) > 0;
+    if (!known || !take(initialBytes_, block::sizeInBytes(*result.type), kMostInitialBytes,
+                        "bytes of start values", result.position))
+      return result;
     if (const auto bytes = readInitialValue(*result.type, *source.file, syntax.initialBegin,
                                             syntax.initialEnd, source.mnemonics, problems_)) {
       result.initial = *bytes;
@@ -118,24 +189,24 @@ block::Variable Interfaces::variable(const BlockSource& source, const VariableSy
 void Interfaces::checkInitial(const BlockSource& source, const VariableSyntax& variable) {
   const bool ofFunction = source.id.kind == BlockKind::FC && variable.section != Section::Temp;
   const bool composite =
-      variable.section == Section::InOut && variable.type.kind != TypeSyntax::Kind::Elementary;
+      variable.section == Section::InOut && variable.type->kind != TypeSyntax::Kind::Elementary;
   if (variable.section != Section::Temp && !ofFunction && !composite) return;
   problems_.add(ProblemCode::P0424, at(source, variable.initialBegin, variable.initialEnd),
                 variable.name);
 }
 
 void Interfaces::checkNoInitials(const BlockSource& source, const TypeSyntax& type) {
+  const TypeSyntax* last = nullptr;  // those of several names are told once
   for (const VariableSyntax& member : type.members) {
+    if (member.type.get() == last) continue;
+    last = member.type.get();
     if (member.initialEnd > member.initialBegin)
       problems_.add(ProblemCode::P0424, at(source, member.initialBegin, member.initialEnd),
                     member.name);
-    checkNoInitials(source, member.type);
+    checkNoInitials(source, *member.type);
   }
   if (type.element) checkNoInitials(source, *type.element);
 }
-
-// A type whose declaration has a problem: it takes no place, and its uses are no further problems.
-static block::TypePtr unknownType() { return block::elementaryType(TypeCode::Void); }
 
 block::TypePtr Interfaces::structure(const BlockSource& source, const TypeSyntax& syntax) {
   checkDuplicates(source, syntax.members);
@@ -143,7 +214,7 @@ block::TypePtr Interfaces::structure(const BlockSource& source, const TypeSyntax
   for (const VariableSyntax& member : syntax.members) members.push_back(variable(source, member));
   if (members.empty() && syntax.good)
     problems_.add(ProblemCode::P0425, at(source, syntax.begin, syntax.begin + 6));
-  return block::structType(std::move(members));
+  return limited(block::structType(std::move(members)), at(source, syntax.begin, syntax.begin + 6));
 }
 
 // Where a parameter type is possible if not in this section, otherwise nothing (S7-TYPES-22). An FB
@@ -176,13 +247,12 @@ block::TypePtr Interfaces::type(const BlockSource& source, const TypeSyntax& syn
       return block::stringType(syntax.length);
     case TypeSyntax::Kind::Array: {
       block::TypePtr element = type(source, *syntax.element, Section::Static);
-      std::uint64_t count = 1;
-      for (const block::Dimension& dimension : syntax.dimensions) count *= dimension.count();
+      const std::uint64_t count = elements(syntax.dimensions);
       if (count * std::max(1u, block::sizeInBits(*element)) / 8 > 65'536) {
         problems_.add(ProblemCode::P0427, place, count);
         return unknownType();
       }
-      return block::arrayType(syntax.dimensions, std::move(element));
+      return limited(block::arrayType(syntax.dimensions, std::move(element)), place);
     }
     case TypeSyntax::Kind::Struct:
       return structure(source, syntax);
@@ -220,7 +290,7 @@ block::TypePtr Interfaces::blockType(const BlockSource& source, const TypeSyntax
     problems_.add(ProblemCode::P0429, place, toString(id));
     return unknownType();
   }
-  if (block::TypePtr result = instanceType(id)) return result;
+  if (block::TypePtr result = instanceType(id)) return limited(std::move(result), place);
   missing(place, id);
   return unknownType();
 }

@@ -8,8 +8,12 @@
 
 #include "step7/block_source.h"
 #include "step7/compiler.h"
+#include "step7/member_index.h"
 
 namespace merker::step7 {
+
+// The variables of a data block as a structure.
+block::TypePtr dataTypeOf(const block::Block& db);
 
 class Interfaces {
  public:
@@ -24,6 +28,9 @@ class Interfaces {
   block::TypePtr instanceType(BlockId id);
   // A DB or UDT whose structure could not be read: what it contains is not known.
   bool unknown(BlockId id) const;
+  // A data block as a structure, unknown where its structure is.
+  block::TypePtr dataType(const block::Block& db);
+  MemberIndex& members() { return members_; }
 
  private:
   enum class State : std::uint8_t { Open, Busy, Done };
@@ -52,6 +59,18 @@ class Interfaces {
   block::TypePtr structure(const BlockSource& source, const TypeSyntax& syntax);
   block::Variable variable(const BlockSource& source, const VariableSyntax& syntax);
   void checkDuplicates(const BlockSource& source, const std::vector<VariableSyntax>& variables);
+  block::TypePtr typeOf(const BlockSource& source, const VariableSyntax& syntax);
+  // How much a walk over all the parts of a type sees, and how deep it goes.
+  struct Extent {
+    std::uint64_t parts = 1;
+    int depth = 0;
+  };
+  Extent extent(const block::TypePtr& type);
+  // The type, or the unknown one and a problem if it is larger or deeper than any that exists.
+  block::TypePtr limited(block::TypePtr type, const Position& place);
+  // False, and a problem the first time, if all blocks together have more than this of it.
+  bool take(std::uint64_t& used, std::uint64_t more, std::uint64_t limit, std::string_view what,
+            const Position& place);
   Position at(const BlockSource& source, std::size_t begin, std::size_t end) const {
     return source.file->position(begin, std::max(end, begin + 1) - begin);
   }
@@ -62,6 +81,11 @@ class Interfaces {
   block::Program program_;
   int depth_ = 0;
   std::map<BlockId, block::TypePtr> instanceTypes_;
+  std::map<const TypeSyntax*, block::TypePtr> types_;  // of declarations with several names
+  std::map<block::TypePtr, Extent> extents_;
+  std::map<BlockId, block::TypePtr> dataTypes_;
+  MemberIndex members_;
+  std::uint64_t dataBytes_ = 0, variables_ = 0, initialBytes_ = 0;
 };
 
 }  // namespace merker::step7

@@ -50,21 +50,44 @@ void Interfaces::resolveData(BlockSource& source, block::Block& result) {
   }
 }
 
+// Of all blocks together; the largest CPU has less work memory.
+constexpr std::uint64_t kMostData = 64 * 1024 * 1024, kMostVariables = 1'000'000;
+constexpr std::uint32_t kLargestBlock = 0x10000;
+
 void Interfaces::dataBlockOf(BlockSource& source, const block::Type& type, block::Block& result) {
+  const Position place = at(source, source.name.begin, source.name.end);
+  const std::uint32_t bytes = block::sizeInBytes(type);
+  if (bytes > options_.model->dataBlockSize)  // S7-CPU-08
+    problems_.add(ProblemCode::P0503, place, toString(source.id), bytes,
+                  options_.model->dataBlockSize);
+  if (bytes > kLargestBlock || !take(dataBytes_, bytes, kMostData, "bytes of data", place) ||
+      !take(variables_, type.members.size(), kMostVariables, "variables of data blocks", place))
+    return;
   result.variables = type.members;
-  result.initialData.assign(block::sizeInBytes(type), 0);
+  result.initialData.assign(bytes, 0);
   for (const block::Variable& member : type.members)
     block::writeInitial(member, member.address, result.initialData);
   result.actualData = result.initialData;
-  if (result.actualData.size() > options_.model->dataBlockSize)  // S7-CPU-08
-    problems_.add(ProblemCode::P0503, at(source, source.name.begin, source.name.end),
-                  toString(source.id), result.actualData.size(), options_.model->dataBlockSize);
   assignments(source, type.members, result);
+}
+
+block::TypePtr dataTypeOf(const block::Block& db) {
+  auto type = std::make_shared<block::Type>();
+  type->code = TypeCode::Struct;
+  type->members = db.variables;
+  return type;
+}
+
+block::TypePtr Interfaces::dataType(const block::Block& db) {
+  block::TypePtr& known = dataTypes_[db.id];
+  if (!known) known = unknown(db.id) ? block::elementaryType(TypeCode::Void) : dataTypeOf(db);
+  return known;
 }
 
 // BEGIN name[1].x := value ; … : actual values (S7-SRC-08).
 void Interfaces::assignments(BlockSource& source, const std::vector<block::Variable>& variables,
                              block::Block& result) {
+  MemberIndex index;
   Cursor cursor(source.file->text(), source.codeBegin, source.codeEnd, problems_.stop());
   for (;;) {
     cursor.skipSpace();
@@ -81,7 +104,7 @@ void Interfaces::assignments(BlockSource& source, const std::vector<block::Varia
       while (!cursor.atStatementEnd() && cursor.peek() != '"') cursor.take();
     const std::string_view name = quoted ? cursor.slice(nameBegin, cursor.pos()) : cursor.word();
     if (quoted) cursor.accept('"');
-    const block::Variable* variable = findMember(variables, name);
+    const block::Variable* variable = index.find(variables, name);
     if (!variable) {
       if (name.empty()) cursor.take();
       problems_.add(ProblemCode::P0420, at(source, begin, cursor.pos()), std::string(name),
@@ -90,7 +113,7 @@ void Interfaces::assignments(BlockSource& source, const std::vector<block::Varia
       continue;
     }
     Place place{variable->type, variable->address};
-    if (!followPath(cursor, place, *source.file, problems_)) {
+    if (!followPath(cursor, place, *source.file, problems_, &index)) {
       skip();
       continue;
     }

@@ -7,8 +7,7 @@ namespace merker::step7 {
 using mc7::OperandKind;
 
 std::optional<Access> OperandParser::local(std::string_view name, std::size_t begin) {
-  const block::Variable* variable =
-      scope_.block ? findMember(scope_.block->variables, name) : nullptr;
+  const block::Variable* variable = scope_.variable(name);
   if (variable) return localVariable(*variable, begin);
   return problem(ProblemCode::P0313, begin, std::string(name),
                  scope_.block ? toString(scope_.block->id) : std::string("the block"));
@@ -22,7 +21,7 @@ std::optional<Access> OperandParser::localVariable(const block::Variable& variab
   const bool function =
       scope_.block->id.kind == BlockKind::FC || scope_.block->id.kind == BlockKind::SFC;
   if (isParameterNumber(variable.type->code)) return numberParameter(variable, access);
-  if (!followPath(cursor_, place, *scope_.file, problems_)) return std::nullopt;
+  if (!followPath(cursor_, place, *scope_.file, problems_, scope_.members())) return std::nullopt;
   if (variable.section == block::Section::Temp) return placed(access, Area::Local, place, 0);
   if (function) return parameterOfFunction(variable, access, place);
   if (scope_.block->id.kind == BlockKind::FB) return instanceVariable(variable, access, place);
@@ -117,8 +116,7 @@ std::optional<Access> OperandParser::addressOf(std::size_t begin) {
   cursor_.skipBlanks();
   const std::size_t nameBegin = cursor_.pos();
   const std::string_view name = cursor_.word();
-  const block::Variable* variable =
-      scope_.block ? findMember(scope_.block->variables, name) : nullptr;
+  const block::Variable* variable = scope_.variable(name);
   if (!variable)
     return problem(ProblemCode::P0313, nameBegin, std::string(name),
                    scope_.block ? toString(scope_.block->id) : std::string("the block"));
@@ -132,7 +130,7 @@ std::optional<Access> OperandParser::addressOf(std::size_t begin) {
     return access;
   }
   Place place{variable->type, variable->address};
-  if (!followPath(cursor_, place, *scope_.file, problems_)) return std::nullopt;
+  if (!followPath(cursor_, place, *scope_.file, problems_, scope_.members())) return std::nullopt;
   const Area area = variable->section == block::Section::Temp ? Area::Local : Area::Instance;
   access.type = place.type;
   access.operand = mc7::constant(ConstantFormat::Pointer, pointer(area, place.address));

@@ -18,6 +18,13 @@ bool isComposite(TypeCode code) {
          code == TypeCode::SystemFunctionBlock;
 }
 
+MemberIndex* Scope::members() const { return interfaces ? &interfaces->members() : nullptr; }
+
+const block::Variable* Scope::variable(std::string_view name) const {
+  if (!block) return nullptr;
+  return members() ? members()->find(block->variables, name) : findMember(block->variables, name);
+}
+
 const block::Block* Scope::findBlock(BlockId id) const {
   if (interfaces) return interfaces->find(id);
   if (program)
@@ -177,8 +184,7 @@ std::optional<Access> OperandParser::word() {
   }
   cursor_.seek(begin + whole.size());
   // A variable of the block may be written without #.
-  if (const block::Variable* variable =
-          scope_.block ? findMember(scope_.block->variables, whole) : nullptr)
+  if (const block::Variable* variable = scope_.variable(whole))
     return localVariable(*variable, begin);
   if (equalsIgnoreCase(whole, "STW")) return simple(mc7::number(OperandKind::StatusWord, 0));
   if (equalsIgnoreCase(whole, "AR2"))
@@ -355,13 +361,9 @@ std::optional<Access> OperandParser::insideDataBlock(BlockId db, std::size_t beg
     while (isWordChar(cursor_.peek()) || cursor_.peek() == '.') cursor_.take();
     return problem(ProblemCode::P0506, begin, toString(db));
   }
-  auto type = std::make_shared<block::Type>();
-  type->code =
-      scope_.interfaces && scope_.interfaces->unknown(db) ? TypeCode::Void : TypeCode::Struct;
-  type->members = block->variables;
-  Place place{type, 0};
+  Place place{scope_.interfaces ? scope_.interfaces->dataType(*block) : dataTypeOf(*block), 0};
   cursor_.seek(dot);
-  if (!followPath(cursor_, place, *scope_.file, problems_)) return std::nullopt;
+  if (!followPath(cursor_, place, *scope_.file, problems_, scope_.members())) return std::nullopt;
   Access access;
   auto result = placed(access, Area::DataBlock, place, 0);
   result->openDb = db.number;

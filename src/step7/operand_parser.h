@@ -31,6 +31,9 @@ struct Scope {
   // [AR1,P#4095.7]; the code has room up to P#8191.7 (S7-IND-05).
   std::uint32_t highestOffset() const { return limits == Limits::OfLanguage ? 0x7FFF : 0xFFFF; }
   const block::Block* findBlock(BlockId id) const;
+  MemberIndex* members() const;  // of what stays while blocks are compiled
+  const block::Variable* variable(
+      std::string_view name) const;  // of the block; null if there is none
 };
 
 class OperandParser {

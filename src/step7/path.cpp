@@ -69,8 +69,8 @@ bool followIndex(Cursor& cursor, Place& place, const source::SourceFile& file, P
   return true;
 }
 
-bool followMember(Cursor& cursor, Place& place, const source::SourceFile& file,
-                  Problems& problems) {
+bool followMember(Cursor& cursor, Place& place, const source::SourceFile& file, Problems& problems,
+                  MemberIndex* index) {
   cursor.take();
   cursor.skipBlanks();
   const std::size_t begin = cursor.pos();
@@ -82,7 +82,8 @@ bool followMember(Cursor& cursor, Place& place, const source::SourceFile& file,
   } else {
     name = cursor.word();
   }
-  const block::Variable* member = findMember(place.type->members, name);
+  const auto& members = place.type->members;
+  const block::Variable* member = index ? index->find(members, name) : findMember(members, name);
   if (!member) {
     problems.add(ProblemCode::P0420,
                  file.position(begin, std::max(cursor.pos(), begin + 1) - begin), std::string(name),
@@ -96,7 +97,8 @@ bool followMember(Cursor& cursor, Place& place, const source::SourceFile& file,
 
 }  // namespace
 
-bool followPath(Cursor& cursor, Place& place, const source::SourceFile& file, Problems& problems) {
+bool followPath(Cursor& cursor, Place& place, const source::SourceFile& file, Problems& problems,
+                MemberIndex* index) {
   for (;;) {
     const std::size_t before = cursor.pos();
     if (place.type->code == TypeCode::Void) {
@@ -108,7 +110,7 @@ bool followPath(Cursor& cursor, Place& place, const source::SourceFile& file, Pr
       if (!followIndex(cursor, place, file, problems)) return false;
     } else if (cursor.peek() == '.' &&
                (isWordStart(cursor.peek(1)) || cursor.peek(1) == '"' || cursor.peek(1) == ' ')) {
-      if (!followMember(cursor, place, file, problems)) return false;
+      if (!followMember(cursor, place, file, problems, index)) return false;
     } else {
       cursor.seek(before);
       return true;

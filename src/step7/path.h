@@ -7,6 +7,7 @@
 #include "block/type.h"
 #include "source/source_file.h"
 #include "step7/cursor.h"
+#include "step7/member_index.h"
 
 namespace merker::step7 {
 
@@ -16,7 +17,9 @@ struct Place {
 };
 
 // Follows .member and [i] from `place` as long as they stand at the cursor. False after a problem.
-bool followPath(Cursor& cursor, Place& place, const source::SourceFile& file, Problems& problems);
+// `index`, if there is one, finds the members.
+bool followPath(Cursor& cursor, Place& place, const source::SourceFile& file, Problems& problems,
+                MemberIndex* index = nullptr);
 
 const block::Variable* findMember(const std::vector<block::Variable>& members,
                                   std::string_view name);
