@@ -63,10 +63,8 @@ void CodeBuilder::label(const std::string& name, std::size_t offset) {
   beforeCode();
   if (name.size() > kCharacters)
     problems_.add(ProblemCode::P1119, at(offset, name.size()), name, name.size(), kCharacters, "");
-  const bool twice = std::any_of(labels_.begin(), labels_.end(),
-                                 [&](const Label& label) { return label.name == name; });
-  if (twice) problems_.add(ProblemCode::P1116, at(offset, name.size()), name);
-  labels_.push_back({name, next(), network_});
+  const bool isNew = labels_.try_emplace(name, Label{next(), network_}).second;
+  if (!isNew) problems_.add(ProblemCode::P1116, at(offset, name.size()), name);
   block_.labels[next()] = name;
 }
 
@@ -98,12 +96,12 @@ void CodeBuilder::beforeCode() {
 }
 
 void CodeBuilder::fillIn(const Jump& jump) {
-  const auto found = std::find_if(labels_.begin(), labels_.end(),
-                                  [&](const Label& label) { return label.name == jump.label; });
+  const auto found = labels_.find(jump.label);
   const Position place = at(jump.offset, jump.label.size());
   if (found == labels_.end()) return problems_.add(ProblemCode::P1115, place, jump.label);
-  if (found->network != jump.network) return problems_.add(ProblemCode::P1118, place, jump.label);
-  const std::int64_t distance = std::int64_t{found->word} - jump.word;
+  const Label& label = found->second;
+  if (label.network != jump.network) return problems_.add(ProblemCode::P1118, place, jump.label);
+  const std::int64_t distance = std::int64_t{label.word} - jump.word;
   if (distance > kFarthest || distance < -kFarthest)
     return problems_.add(ProblemCode::P1117, place, jump.label, distance);
   mc5::Instruction instruction = jump.instruction;
@@ -115,7 +113,8 @@ void CodeBuilder::fillIn(const Jump& jump) {
 
 void CodeBuilder::finish() {
   closeBrackets();
-  for (const Jump& jump : jumps_) fillIn(jump);
+  for (const Jump& jump : jumps_)
+    if (!problems_.cancelled()) fillIn(jump);
 }
 
 }  // namespace merker::step5

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,7 +36,6 @@ class CodeBuilder {
 
  private:
   struct Label {
-    std::string name;
     std::uint32_t word = 0;
     std::size_t network = 0;
   };
@@ -56,7 +56,7 @@ class CodeBuilder {
   const BlockSource& source_;
   mc5::Block& block_;
   Problems& problems_;
-  std::vector<Label> labels_;
+  std::map<std::string, Label> labels_;
   std::vector<Jump> jumps_;
   std::size_t network_ = 0;
   bool ends_ = false;                  // behind ***

@@ -16,6 +16,7 @@ using mc5::Parameter;
 using mc5::ParameterKind;
 using mc5::Width;
 
+constexpr std::size_t kMostKept = 1000;  // of too many: uses of most are no further problems
 constexpr std::size_t kParameters = 40, kNameCharacters = 4, kBlockNameCharacters = 8;
 
 constexpr std::array kKindLetters{'E', 'A', 'D', 'B', 'T', 'Z'};
@@ -104,6 +105,7 @@ class Reader {
     if (twice) problems_.add(ProblemCode::P1140, at(offset, parameter.name.size()), parameter.name);
     if (list.size() == kParameters)
       problems_.add(ProblemCode::P1130, at(offset, parameter.name.size()));
+    if (list.size() > kMostKept) return;
     list.push_back(std::move(parameter));
   }
 
