@@ -21,6 +21,8 @@ Build buildFromCard(const store::MemoryCard& card, const std::string& folder,
   result.library = std::make_shared<const block::Program>(system::library(*result.project.model));
   result.program = std::make_shared<const block::Program>(load.program);
   result.problems = result.project.problems;
+  // A configuration with problems is never put on a card.
+  if (cpu.empty() && result.problems.hasErrors()) result.project.unreadable = true;
   if (card.empty()) {
     result.problems.add(ProblemCode::P1007, Position{folder});
     result.project.unreadable = true;

@@ -91,7 +91,7 @@ bool isPicture(const PlotOptions& options) {
 int plot(const PlotOptions& options) {
   if (!isPicture(options)) return kUsage;
   Problems problems;
-  const auto file = source::readSource(options.trace);
+  const auto file = source::readSource(options.trace, source::kLargestTrace);
   if (!file) {
     problems.add(file.error());
     printProblems(problems, [](const std::string&) { return nullptr; });

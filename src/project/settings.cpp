@@ -140,6 +140,11 @@ Settings readSettings(const source::SourceFile& file, Problems& problems,
   settings.startOfClock = defaultStartOfClock();
   if (model) choose(settings, *model);
   settings.parameters = CpuParameters::of(*settings.model);
+  constexpr std::size_t kMegabyte = 1024 * 1024, kLargest = 1;
+  if (file.text().size() > kLargest * kMegabyte) {
+    problems.add(ProblemCode::P0103, Position{file.name()}, kLargest, "a project file");
+    return settings;
+  }
   const toml::parse_result result = toml::parse(file.text(), file.name());
   if (!result) {
     const toml::source_position& place = result.error().source().begin;

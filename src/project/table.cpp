@@ -10,6 +10,9 @@
 namespace merker::project {
 namespace {
 
+// Of one kind; a station has a tenth of it.
+constexpr std::size_t kMostTables = 500;
+
 template <typename Words>
 std::string list(const Words& words, std::string_view quote = "") {
   std::string text;
@@ -204,8 +207,13 @@ std::vector<Table> Table::tables(std::string_view key) const {
                   fmt::format("a list of tables: {}", title));
     return found;
   }
-  for (const toml::node& element : *array)
+  for (const toml::node& element : *array) {
+    if (found.size() == kMostTables) {
+      problems_.add(ProblemCode::P0106, position(element.source()), kMostTables, title);
+      break;
+    }
     found.emplace_back(*element.as_table(), title, position(element.source()), problems_);
+  }
   return found;
 }
 

@@ -42,6 +42,11 @@ constexpr std::array kModes = {
     ModeName{"RUN", controller::Mode::Run}, ModeName{"STOP", controller::Mode::Stop},
     ModeName{"STARTUP", controller::Mode::Startup}, ModeName{"HALT", controller::Mode::Halt}};
 
+bool isBlank(char c) { return c == ' ' || c == '\t'; }
+
+// Repeats within each other; a scenario is carried out by going down into them.
+constexpr std::size_t kDeepest = 32;
+
 class Parser {
  public:
   Parser(const source::SourceFile& file, Problems& problems) : file_(file), problems_(problems) {}
@@ -62,6 +67,7 @@ class Parser {
   bool content(Step& step, StepWord::Rest kind, std::string_view rest);
   void beginScenario(std::string_view whole, std::string_view rest);
   void endRepeat(std::string_view whole, std::string_view rest);
+  void tooDeep(std::string_view whole);
   void closeScenario();
 
   bool wait(Step& step, std::string_view rest);
@@ -82,8 +88,9 @@ class Parser {
   const source::SourceFile& file_;
   Problems& problems_;
   std::vector<Scenario> scenarios_;
-  std::string_view line_;   // being read, without its comment
-  std::vector<Step> open_;  // repeats not yet ended, outermost first
+  std::string_view line_;    // being read, without its comment
+  std::vector<Step> open_;   // repeats not yet ended, outermost first
+  std::size_t tooDeep_ = 0;  // repeats that are left out
 };
 
 // An empty part may have lost its place; the whole line stands for it.
@@ -136,6 +143,7 @@ void Parser::step(const StepWord& word, std::string_view whole, std::string_view
   step.position = at(whole);
   step.text = whole;
   const bool good = content(step, word.rest, rest);
+  if (step.kind == StepKind::Repeat && open_.size() == kDeepest) return tooDeep(whole);
   if (step.kind == StepKind::Repeat)
     open_.push_back(
         std::move(step));  // also with a bad count, so that its end is not a second problem
@@ -187,6 +195,10 @@ void Parser::beginScenario(std::string_view whole, std::string_view rest) {
 
 void Parser::endRepeat(std::string_view whole, std::string_view rest) {
   if (!rest.empty()) fail(ProblemCode::P0959, rest, rest, "end");
+  if (tooDeep_ > 0) {
+    --tooDeep_;
+    return;
+  }
   if (open_.empty()) {
     fail(ProblemCode::P0957, whole);
     return;
@@ -196,7 +208,13 @@ void Parser::endRepeat(std::string_view whole, std::string_view rest) {
   target().push_back(std::move(repeat));
 }
 
+void Parser::tooDeep(std::string_view whole) {
+  if (tooDeep_++ == 0)
+    fail(ProblemCode::P0202, whole, "the nesting of repeats", fmt::format("1..{}", kDeepest));
+}
+
 void Parser::closeScenario() {
+  tooDeep_ = 0;
   for (const Step& repeat : open_) problems_.add(ProblemCode::P0956, repeat.position);
   open_.clear();
 }
@@ -260,7 +278,7 @@ bool Parser::trigger(Step& step, std::string_view rest) {
 bool Parser::timing(Expectation& e, std::string_view& rest) {
   const auto place = findOutside(rest, [](std::string_view tail) {
     std::string_view words = tail;
-    if (tail.front() != ' ' && tail.front() != '\t') return false;
+    if (!isBlank(tail.front()) || (tail.size() > 1 && isBlank(tail[1]))) return false;
     const std::string_view word = takeWord(words);
     return equalsIgnoreCase(word, "for") || equalsIgnoreCase(word, "within");
   });

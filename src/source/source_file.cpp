@@ -14,7 +14,6 @@ namespace merker::source {
 namespace {
 
 constexpr std::uint64_t kMegabyte = 1024 * 1024;
-constexpr std::uint64_t kLargestFile = 256 * kMegabyte;
 
 constexpr std::size_t kChunk = 1024;
 constexpr std::size_t kLongestShown = 400;  // bytes of a line that is shown whole
@@ -80,7 +79,7 @@ std::string_view kindOf(const std::filesystem::path& path) {
   return "a source";
 }
 
-Result<std::string> readBytes(const std::string& path) {
+Result<std::string> readBytes(const std::string& path, std::size_t largest) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) return unreadable(path, "no such file");
@@ -94,9 +93,8 @@ Result<std::string> readBytes(const std::string& path) {
   std::vector<char> buffer(kMegabyte);
   while (in.read(buffer.data(), static_cast<std::streamsize>(buffer.size())) || in.gcount() > 0) {
     bytes.append(buffer.data(), static_cast<std::size_t>(in.gcount()));
-    if (bytes.size() > kLargestFile)
-      return makeProblem(ProblemCode::P0103, Position{path}, kLargestFile / kMegabyte,
-                         kindOf(path));
+    if (bytes.size() > largest * kMegabyte)
+      return makeProblem(ProblemCode::P0103, Position{path}, largest, kindOf(path));
   }
   if (in.bad()) return unreadable(path, "reading failed");
   return bytes;
@@ -194,8 +192,8 @@ Position SourceFile::position(std::size_t offset, std::size_t length) const {
   return result;
 }
 
-Result<SourceFile> readSource(const std::string& path) {
-  auto bytes = readBytes(path);
+Result<SourceFile> readSource(const std::string& path, std::size_t largest) {
+  auto bytes = readBytes(path, largest);
   if (!bytes) return bytes.error();
   const Encoding encoding = detectEncoding(*bytes);
   if (encoding == Encoding::Binary)

@@ -35,8 +35,9 @@ class SourceFile {
   std::vector<std::uint32_t> continuations_;
 };
 
-// Reads and decodes a text file. P0101 unreadable, P0102 binary, P0103 above 256 MB.
-Result<SourceFile> readSource(const std::string& path);
+constexpr std::size_t kLargestSource = 16, kLargestTrace = 256;  // MB
+// Reads and decodes a text file. P0101 unreadable, P0102 binary, P0103 above `largest` MB.
+Result<SourceFile> readSource(const std::string& path, std::size_t largest = kLargestSource);
 
 // "file:line:column: error: message [P0214]", the line, a caret under the place. The line only if
 // `file` is given.

@@ -66,8 +66,8 @@ void readColumns(SymbolLine& line, const Target& target) {
 
 // Whether the quotation mark at `i` ends its field: a comma or the end of the line follows.
 bool endsField(std::string_view text, std::size_t i) {
-  const std::string_view rest = trim(text.substr(i + 1));
-  return rest.empty() || rest.front() == ',';
+  const std::size_t next = text.find_first_not_of(" \t\r", i + 1);
+  return next == std::string_view::npos || text[next] == ',';
 }
 
 // The next field, taken away from `text` with the comma behind it.
