@@ -1,4 +1,6 @@
 // Damaged and foreign cards: a problem, never a crash, and nothing written to them.
+#include <sys/stat.h>
+
 #include <fstream>
 #include <iterator>
 #include <random>
@@ -61,16 +63,91 @@ TEST_F(DamagedCard, ANewerFormat) {
   expectRefusal(ProblemCode::P1005);
 }
 
+TEST_F(DamagedCard, AFormatThatNeverWas) {
+  for (const char* sql : {"PRAGMA user_version = 0", "PRAGMA user_version = -1"}) {
+    execute(sql);
+    expectRefusal(ProblemCode::P1003);
+  }
+}
+
+// Nothing of it runs: only the texts of the schema are compared (tests/store/doctored_test.py has
+// more).
+TEST_F(DamagedCard, ASchemaThatNoCardHas) {
+  const std::string endless =
+      "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n) SELECT i";
+  const std::string whole = content();
+  for (const std::string& sql :
+       {"DROP TABLE block; CREATE VIEW block(kind, number, read_only, container, checksum) AS " +
+            endless + ", 1, 0, x'', 0 FROM n",
+        std::string("CREATE TRIGGER t BEFORE INSERT ON page BEGIN SELECT RAISE(IGNORE); END"),
+        std::string("CREATE INDEX i ON page(hex(bytes))"), std::string("CREATE TABLE t(a)"),
+        std::string("ALTER TABLE area ADD COLUMN extra AS (length + 1)"),
+        std::string("DROP TABLE setting; CREATE TABLE setting(name TEXT COLLATE NOCASE PRIMARY KEY,"
+                    " value BLOB, checksum INTEGER)")}) {
+    SCOPED_TRACE(sql);
+    execute(sql.c_str());
+    expectRefusal(ProblemCode::P1003);
+    replace(whole);
+  }
+}
+
+TEST_F(DamagedCard, NotARegularFile) {
+  const std::string moved = folder_ + "/moved";
+  fs::rename(file(), moved);
+  ASSERT_EQ(::mkfifo(file().c_str(), 0600), 0);
+  EXPECT_EQ(refusal(), ProblemCode::P1003);
+  fs::remove(file());
+  fs::create_symlink(moved, file());
+  EXPECT_EQ(refusal(), ProblemCode::P1003);
+  fs::remove(file());
+  fs::create_directory(file());
+  EXPECT_EQ(refusal(), ProblemCode::P1003);
+  fs::remove(file());
+  fs::rename(moved, file());
+  EXPECT_TRUE(MemoryCard::open(folder_));
+}
+
+// A folder that is reached over a link is one as any other.
+TEST_F(DamagedCard, AFolderBehindALink) {
+  const std::string link = folder_ + "-link";
+  fs::create_directory_symlink(folder_, link);
+  EXPECT_TRUE(MemoryCard::open(link));
+  fs::remove(link);
+}
+
+TEST_F(DamagedCard, ABudgetOfSteps) {
+  Database database(file());
+  database.setBudget(10);
+  EXPECT_THROW((void)database.integer("WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1"
+                                      " FROM n) SELECT max(i) FROM n"),
+               DatabaseError);
+  database.setNoBudget();
+  EXPECT_EQ(database.integer("SELECT count(*) FROM block"), 3);
+}
+
 TEST_F(DamagedCard, WhatThisModuleFinds) {
-  for (const char* sql :
-       {"UPDATE page SET bytes = x'00' WHERE kind = 'M'", "DELETE FROM page WHERE kind = 'DB'",
-        "DELETE FROM page WHERE number = 1 AND page = 1", "UPDATE area SET length = 5",
-        "UPDATE area SET number = -1 WHERE kind = 'M'",
-        "UPDATE area SET length = 1e12 WHERE kind = 'M'",
-        "UPDATE area SET kind = 'E' WHERE kind = 'M'", "UPDATE page SET page = 1 WHERE kind = 'M'",
-        "UPDATE block SET container = x'7070'", "UPDATE block SET checksum = 'x'",
-        "UPDATE block SET number = number + 1 WHERE kind = 12", "UPDATE setting SET value = 5",
-        "DROP TABLE page", "DROP TABLE block", "ALTER TABLE area RENAME COLUMN kind TO sort"}) {
+  for (const char* sql : {"UPDATE page SET bytes = x'00' WHERE kind = 'M'",
+                          "DELETE FROM page WHERE kind = 'DB'",
+                          "DELETE FROM page WHERE number = 1 AND page = 1",
+                          "UPDATE area SET length = 5",
+                          "UPDATE area SET number = -1 WHERE kind = 'M'",
+                          "UPDATE area SET length = 1e12 WHERE kind = 'M'",
+                          "UPDATE area SET kind = 'E' WHERE kind = 'M'",
+                          "UPDATE page SET page = 1 WHERE kind = 'M'",
+                          "UPDATE block SET container = x'7070'",
+                          "UPDATE block SET checksum = 'x'",
+                          "UPDATE block SET number = number + 1 WHERE kind = 12",
+                          "UPDATE setting SET value = 5",
+                          "UPDATE block SET kind = kind + 256",
+                          "UPDATE block SET number = number + 65536",
+                          "UPDATE block SET read_only = 2",
+                          "UPDATE block SET container = 'text'",
+                          "INSERT INTO setting VALUES ('extra', x'', 0)",
+                          "INSERT INTO page VALUES ('DB', 77, -1, x'00', 3523407757)",
+                          "UPDATE setting SET value = zeroblob(5000000)",
+                          "DROP TABLE page",
+                          "DROP TABLE block",
+                          "ALTER TABLE area RENAME COLUMN kind TO sort"}) {
     SCOPED_TRACE(sql);
     const std::string whole = content();
     execute(sql);
