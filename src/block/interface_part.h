@@ -30,4 +30,9 @@ enum class InterfaceKind : std::uint8_t {
 
 constexpr std::size_t kInterfaceHeader = 7;
 
+// A multiple instance; in the number of members of a STRUCT it and the STRUCT behind it are two.
+constexpr bool isInstance(TypeCode code) {
+  return code == TypeCode::FunctionBlock || code == TypeCode::SystemFunctionBlock;
+}
+
 }  // namespace merker::block

@@ -109,6 +109,7 @@ TypePtr Reader::structure(bool ofInstance, unsigned depth) {
   for (unsigned i = 0; i < count; ++i) {
     auto member = variable(ofInstance ? std::nullopt : std::optional{Section::Static}, depth + 1);
     if (!member) return nullptr;
+    if (isInstance(member->type->code) && ++i == count) return nullptr;
     members.push_back(std::move(*member));
   }
   return structType(std::move(members));
@@ -132,7 +133,7 @@ std::optional<Entry> Reader::entry(unsigned depth) {
   Entry result;
   if (depth > kDeepestNesting) return std::nullopt;
   const auto code = static_cast<TypeCode>(declarations_.byte());
-  if (code == TypeCode::FunctionBlock || code == TypeCode::SystemFunctionBlock) {
+  if (isInstance(code)) {
     result.type = instance(code, depth);
   } else if (!head(result)) {
     return std::nullopt;

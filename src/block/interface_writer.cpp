@@ -42,11 +42,17 @@ void Writer::head(TypeCode code, Section section, bool hasValue) {
       static_cast<std::uint8_t>(static_cast<unsigned>(section) | (hasValue ? kHasStartValue : 0u)));
 }
 
+std::size_t countMembers(const std::vector<Variable>& members) {
+  std::size_t count = members.size();
+  for (const Variable& member : members) count += isInstance(member.type->code) ? 1 : 0;
+  return count;
+}
+
 void Writer::structure(const std::vector<Variable>& members, Section section, bool instance) {
   head(TypeCode::Struct, section, false);
-  declarations_.push_back(static_cast<std::uint8_t>(std::min<std::size_t>(members.size(), 0xFF)));
-  if (members.size() >= 0xFF)
-    appendLittle(declarations_, static_cast<std::uint32_t>(members.size()));
+  const std::size_t count = countMembers(members);
+  declarations_.push_back(static_cast<std::uint8_t>(std::min<std::size_t>(count, 0xFF)));
+  if (count >= 0xFF) appendLittle(declarations_, static_cast<std::uint32_t>(count));
   for (const Variable& member : members) variable(member, instance ? member.section : section);
 }
 
@@ -70,7 +76,7 @@ void Writer::startValue(const Type& type, const Bytes& value, BitAddress at) {
 
 void Writer::entry(const Type& type, Section section, const Variable& v) {
   if (type.code == TypeCode::Struct) return structure(type.members, section, false);
-  if (type.code == TypeCode::FunctionBlock || type.code == TypeCode::SystemFunctionBlock) {
+  if (isInstance(type.code)) {
     declarations_.push_back(static_cast<std::uint8_t>(type.code));
     appendLittle(declarations_, type.length);
     return structure(type.members, section, true);

@@ -48,6 +48,38 @@ TEST(Interface, ArraysStructuresAndInstances) {
                    0x15, 10,   0,    0x11, 0x04, 2, 0x01, 0x01, 0x05, 0x02, 0}));
 }
 
+// An instance and the STRUCT of its data are two of the members of the STRUCT around them.
+TEST(Interface, InstancesInsideAnInstanceCountTwice) {
+  const TypePtr inner = instanceOf(11, {var(TypeCode::Bool)});
+  const TypePtr outer =
+      instanceOf(10, {var(TypeCode::Int, Section::Input), var(inner), var(TypeCode::Int)});
+  const Bytes written = writeInterface(functionBlock({var(outer), var(TypeCode::Word)}));
+  EXPECT_EQ(written, (Bytes{0x01, 0x02, 0x01, 20,   0,    0, 0,                 //
+                            0x15, 10,   0,    0x11, 0x04, 4, 0x05, 0x01,        //
+                            0x15, 11,   0,    0x11, 0x04, 1, 0x01, 0x04, 0x05,  //
+                            0x04, 0x04, 0x04, 0}));
+  Block read;
+  ASSERT_TRUE(readInterface(written, read));
+  ASSERT_EQ(read.variables.size(), 2u);
+  const std::vector<Variable>& members = read.variables[0].type->members;
+  ASSERT_EQ(members.size(), 3u);
+  EXPECT_EQ(members[1].type->length, 11);
+  EXPECT_EQ(members[1].type->members.size(), 1u);
+  EXPECT_EQ(members[2].type->code, TypeCode::Int);
+  EXPECT_EQ(read.variables[1].type->code, TypeCode::Word);
+}
+
+TEST(Interface, ManyInstancesInsideAnInstanceComeBack) {
+  for (const std::size_t count : {127u, 128u, 200u}) {
+    const TypePtr inner = instanceOf(11, {var(TypeCode::Int)});
+    const Block written =
+        functionBlock({var(instanceOf(10, std::vector<Variable>(count, var(inner))))});
+    Block read;
+    ASSERT_TRUE(readInterface(writeInterface(written), read));
+    EXPECT_EQ(read.variables[0].type->members.size(), count);
+  }
+}
+
 TEST(Interface, DataBlocksNameTheirFunctionBlock) {
   Block db;
   db.id = {BlockKind::DB, 7};
@@ -107,7 +139,8 @@ TEST(Interface, RefusesWhatNoBlockCanHold) {
   EXPECT_TRUE(refused({0x10, 0x04, 1, 0, 0x80, 0xFF, 0x7F, 0x06, 0x04}));  // 256 KB
   EXPECT_TRUE(refused({0x10, 0x04, 1, 0, 0, 1, 0, 0x11, 0x04, 0}));        // elements of no size
   EXPECT_TRUE(refused({0x11, 0x04, 2, 0x05, 0x04}));                       // a member is missing
-  EXPECT_TRUE(refused({0x05, 0x0C}));                                      // start value missing
+  EXPECT_TRUE(refused({0x11, 0x04, 1, 0x15, 1, 0, 0x11, 0x04, 1, 0x01, 0x04}));  // half an instance
+  EXPECT_TRUE(refused({0x05, 0x0C}));  // start value missing
   Bytes deep;
   for (int i = 0; i < 40; ++i) deep.insert(deep.end(), {0x11, 0x04, 1});
   EXPECT_TRUE(refused(deep));
