@@ -29,6 +29,8 @@ BlockCompiler::BlockCompiler(const BlockSource& source, block::Block& target,
   scope_.options = &options;
   scope_.interfaces = &interfaces;
   scope_.block = &target;
+  scope_.names = &interfaces.names(target);
+  scope_.use = &use_;
 }
 
 void BlockCompiler::compile() {
@@ -52,6 +54,7 @@ void BlockCompiler::compile() {
 // False if the transfer areas of this pass overlap local data that the program uses absolutely.
 bool BlockCompiler::pass(std::uint32_t localBase) {
   problems_ = Problems(finalProblems_.stop());
+  use_ = {};
   cursor_ = Cursor(source_.file->text(), source_.codeBegin, source_.codeEnd, problems_.stop());
   builder_ = std::make_unique<CodeBuilder>();
   usedCopies_.clear();
@@ -167,6 +170,19 @@ bool BlockCompiler::networkHeader(std::string_view word) {
   return true;
 }
 
+// A word that exists only in the other mnemonics is clear, one that is another instruction there is
+// not if the source mixes both (S7-SRC-10).
+std::optional<Operation> BlockCompiler::operationOf(const std::string& name, std::size_t begin) {
+  const Mnemonics other =
+      scope_.mnemonics == Mnemonics::German ? Mnemonics::International : Mnemonics::German;
+  const auto own = mc7::findOperation(name, scope_.mnemonics);
+  const auto foreign = mc7::findOperation(name, other);
+  if (!own && foreign) noteForeign(scope_, name, at(begin, cursor_.pos()));
+  if (own && foreign && *own != *foreign)
+    use_.ambiguous.push_back(makeProblem(ProblemCode::P0357, at(begin, cursor_.pos()), name));
+  return own ? own : foreign;
+}
+
 void BlockCompiler::instruction(const std::string& name, std::size_t begin) {
   if (name == "CALL") {
     CallCompiler call(*this);
@@ -178,15 +194,9 @@ void BlockCompiler::instruction(const std::string& name, std::size_t begin) {
     ended_ = false;
     return;
   }
-  const auto operation = mc7::findOperation(name, scope_.mnemonics);
+  const auto operation = operationOf(name, begin);
   if (!operation) {
-    const Mnemonics other =
-        scope_.mnemonics == Mnemonics::German ? Mnemonics::International : Mnemonics::German;
-    const bool foreign = mc7::findOperation(name, other).has_value();
-    problems_.add(!foreign                                ? ProblemCode::P0334
-                  : scope_.mnemonics == Mnemonics::German ? ProblemCode::P0314
-                                                          : ProblemCode::P0315,
-                  at(begin, cursor_.pos()), name);
+    problems_.add(ProblemCode::P0334, at(begin, cursor_.pos()), name);
     skipStatement();
     return;
   }

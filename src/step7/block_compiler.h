@@ -17,6 +17,7 @@ class BlockCompiler {
 
   // Fills the target's code, lines, networks, checks and its local data requirement.
   void compile();
+  const MnemonicUse& mnemonicUse() const { return use_; }
 
   // --- for the CALL macro (call_compiler) ---
   const Scope& scope() const { return scope_; }
@@ -45,6 +46,7 @@ class BlockCompiler {
   bool label();
   void labelDefinition(std::string_view word, std::size_t begin);
   bool networkHeader(std::string_view word);
+  std::optional<mc7::Operation> operationOf(const std::string& mnemonic, std::size_t begin);
   void instruction(const std::string& mnemonic, std::size_t begin);
   void operate(mc7::Operation operation, std::size_t begin, const std::string& mnemonic);
   std::size_t jumpLabel();
@@ -66,6 +68,7 @@ class BlockCompiler {
   const CompileOptions& options_;
   Problems& finalProblems_;
   Problems problems_;
+  MnemonicUse use_;
   Scope scope_;
   Cursor cursor_;
   std::unique_ptr<CodeBuilder> builder_;

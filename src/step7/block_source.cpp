@@ -291,10 +291,14 @@ void BlockSplitter::declarations(const Frame& frame, BlockSource& source) {
       if (equalsIgnoreCase(word, section.first)) found = &section;
     if (!found) {
       cursor_.seek(begin);
-      return;
+      break;
     }
     declarationSection(source, found->second, begin);
   }
+  // The interface has the order of S7-SRC-04 whatever the source has.
+  std::stable_sort(
+      source.variables.begin(), source.variables.end(),
+      [](const VariableSyntax& a, const VariableSyntax& b) { return a.section < b.section; });
 }
 
 void BlockSplitter::checkSectionOrder(const BlockSource& source, block::Section section,

@@ -40,11 +40,10 @@ bool CallCompiler::target() {
   Cursor& cursor = c_.cursor();
   cursor.skipSpace();
   const std::size_t begin = cursor.pos();
-  const std::size_t before = c_.problems().size();
   if (cursor.accept('#') || !cursor.peekWord("FC")) {
     const std::string_view name = cursor.word();
-    if (const block::Variable* variable = c_.scope().variable(name);
-        variable && !variable->type->members.empty())
+    if (const block::Variable* variable = c_.scope().findVariable(name);
+        variable && isComposite(variable->type->code))
       return instanceTarget(*variable, begin);
     cursor.seek(begin);
   }
@@ -66,7 +65,7 @@ bool CallCompiler::target() {
     c_.problems().add(ProblemCode::P0506, place, toString(target_.id));
     return false;
   }
-  return target_.isFunction() || (instanceDataBlock(begin) && c_.problems().size() == before);
+  return target_.isFunction() || instanceDataBlock(begin);
 }
 
 bool CallCompiler::instanceTarget(const block::Variable& variable, std::size_t begin) {
@@ -117,6 +116,16 @@ bool CallCompiler::instanceDataBlock(std::size_t begin) {
   }
   target_.instanceDb = id.number;
   return true;
+}
+
+std::vector<const block::Variable*> CallCompiler::supplied() const {
+  const BlockNames& names = c_.scope().interfaces->names(*target_.block);
+  std::vector<const block::Variable*> formals;
+  for (const auto& [formal, actual] : actuals_) formals.push_back(formal);
+  std::sort(formals.begin(), formals.end(), [&](const auto* a, const auto* b) {
+    return names.parameterIndex(*a) < names.parameterIndex(*b);
+  });
+  return formals;
 }
 
 // --- building blocks
@@ -245,7 +254,7 @@ void CallCompiler::callFunction() {
   if (keeps_) result_ = c_.allocate(1);
   keepResult();
   std::vector<std::uint32_t> entries;
-  for (const block::Variable* formal : block::parameters(*target_.block))
+  for (const block::Variable* formal : c_.scope().interfaces->names(*target_.block).parameters())
     entries.push_back(entry(*formal, actuals_.at(formal)));
   returnResult();
   put(Operation::UC, mc7::blockOperand(target_.id.kind, target_.id.number));

@@ -39,6 +39,8 @@ class CallCompiler {
     TypeCode type;
   };
   void callFunctionBlock();
+  // Parameters with an actual operand, in the order of the interface.
+  std::vector<const block::Variable*> supplied() const;
   void collectInput(const block::Variable& formal, const Actual& actual);
   void collectComposite(const block::Variable& formal, const Actual& actual);
   void collectBytes(BitAddress instance, const mc7::Operand& local, std::uint32_t bytes);

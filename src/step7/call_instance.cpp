@@ -83,11 +83,10 @@ void CallCompiler::collectInput(const block::Variable& formal, const Actual& act
 }
 
 void CallCompiler::collectOutputs() {
-  for (const block::Variable* formal : block::parameters(*target_.block)) {
-    const auto found = actuals_.find(formal);
-    if (found == actuals_.end() || formal->section == Section::Input || !found->second.access)
-      continue;
-    const Access& to = *found->second.access;
+  for (const block::Variable* formal : supplied()) {
+    const Actual& actual = actuals_.at(formal);
+    if (formal->section == Section::Input || !actual.access) continue;
+    const Access& to = *actual.access;
     const TypeCode code = formal->type->code;
     if (isElementary(code)) {
       const Width width = widthOf(code);
@@ -139,9 +138,7 @@ void CallCompiler::callFunctionBlock() {
   if (keeps_) result_ = c_.allocate(1);
   ar2_ = c_.allocate(4);
   keepResult();
-  for (const block::Variable* formal : block::parameters(*target_.block))
-    if (const auto found = actuals_.find(formal); found != actuals_.end())
-      collectInput(*formal, found->second);
+  for (const block::Variable* formal : supplied()) collectInput(*formal, actuals_.at(formal));
   collectOutputs();
   switchToInstance();
   for (const Transfer& transfer : transfers_) transferIn(transfer);

@@ -110,7 +110,7 @@ bool CallParameters::parameter() {
   const bool quoted = cursor.accept('"');
   std::string name(cursor.word());
   if (quoted) cursor.accept('"');
-  const block::Variable* formal = c_.scope().members()->find(target_.block->variables, name);
+  const block::Variable* formal = c_.scope().interfaces->names(*target_.block).find(name);
   const bool parameter =
       formal && formal->section != Section::Static && formal->section != Section::Temp;
   if (name.empty() || !parameter)
@@ -279,7 +279,7 @@ bool CallParameters::checkForwarding(const block::Variable& formal, const Actual
 bool CallParameters::complete(std::size_t begin) {
   if (!target_.isFunction()) return true;
   bool good = true;
-  for (const block::Variable* formal : block::parameters(*target_.block))
+  for (const block::Variable* formal : c_.scope().interfaces->names(*target_.block).parameters())
     if (!actuals_.count(formal))  // S7-BLK-18
       good = problem(ProblemCode::P0517, begin, begin + 1, formal->name, target_.name());
   return good;

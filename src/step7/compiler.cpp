@@ -1,5 +1,7 @@
 #include "step7/compiler.h"
 
+#include <map>
+
 #include "base/text.h"
 #include "step7/block_compiler.h"
 #include "step7/block_source.h"
@@ -15,6 +17,27 @@ static Problems withoutConsequences(const Problems& problems) {
   return causes.hasErrors() ? causes : problems;
 }
 
+namespace {
+
+using Uses = std::map<const source::SourceFile*, MnemonicUse>;
+
+void addUse(MnemonicUse& sum, const MnemonicUse& block) {
+  if (!sum.foreign) sum.foreign = block.foreign;
+  sum.ambiguous.insert(sum.ambiguous.end(), block.ambiguous.begin(), block.ambiguous.end());
+}
+
+// One warning for each source that mixes both mnemonics, and what cannot be understood then.
+void reportMixtures(const Uses& uses, const CompileOptions& options, Problems& problems) {
+  for (const auto& [file, use] : uses) {
+    if (!use.foreign) continue;
+    problems.add(*use.foreign);
+    if (options.mnemonics) continue;
+    for (const Problem& problem : use.ambiguous) problems.add(problem);
+  }
+}
+
+}  // namespace
+
 Compilation compile(const std::vector<source::SourceFile>& sources, const CompileOptions& options) {
   Compilation result;
   result.problems = Problems(options.stop);
@@ -22,7 +45,8 @@ Compilation compile(const std::vector<source::SourceFile>& sources, const Compil
   for (const source::SourceFile& file : sources) {
     const std::size_t before = result.problems.size();
     std::vector<BlockSource> found = BlockSplitter(file, options.symbols, result.problems).split();
-    const Mnemonics mnemonics = detectMnemonics(file.text(), found);
+    const Mnemonics mnemonics =
+        options.mnemonics ? *options.mnemonics : detectMnemonics(file.text(), found);
     for (BlockSource& block : found) {
       block.mnemonics = mnemonics;
       blocks.push_back(std::move(block));
@@ -32,13 +56,17 @@ Compilation compile(const std::vector<source::SourceFile>& sources, const Compil
   }
   Interfaces interfaces(blocks, options, result.problems);
   interfaces.resolveAll();
+  Uses uses;
   for (const BlockSource& source : blocks) {
     const bool code = source.id.kind != BlockKind::DB && source.id.kind != BlockKind::UDT;
     const auto target = interfaces.program().find(source.id);
     if (!code || target == interfaces.program().end() || source.duplicate) continue;
     if (result.problems.cancelled()) break;
-    BlockCompiler(source, target->second, interfaces, options, result.problems).compile();
+    BlockCompiler compiler(source, target->second, interfaces, options, result.problems);
+    compiler.compile();
+    addUse(uses[source.file], compiler.mnemonicUse());
   }
+  reportMixtures(uses, options, result.problems);
   result.program = std::move(interfaces.program());
   result.problems = withoutConsequences(result.problems);
   result.problems.sort();

@@ -1,6 +1,7 @@
 // STEP 7 AWL to MC7 blocks: the whole front end behind three functions.
 #pragma once
 
+#include <optional>
 #include <stop_token>
 #include <string_view>
 #include <vector>
@@ -22,6 +23,8 @@ struct CompileOptions {
   // Translate //= comments into checks.
   bool checks = false;
   std::stop_token stop;  // ends the compilation; what there is then is of no use
+  // Of all sources; without it each source shows its own (S7-SRC-10).
+  std::optional<Mnemonics> mnemonics = std::nullopt;
 };
 
 struct Compilation {

@@ -74,6 +74,10 @@ const block::Block* Interfaces::find(BlockId id) {
   return found == options_.library->end() ? nullptr : &found->second;
 }
 
+const BlockNames& Interfaces::names(const block::Block& block) {
+  return names_.try_emplace(block.id, block).first->second;
+}
+
 const block::Block* Interfaces::resolve(BlockId id) {
   const auto found = entries_.find(id);
   if (found == entries_.end()) return nullptr;
@@ -98,7 +102,8 @@ const block::Block* Interfaces::resolve(BlockId id) {
     resolveData(source, result);
   else
     resolveCode(source, result);
-  entry.unknown = data && result.variables.empty();
+  // The instance of an FB that declares nothing is empty, and known.
+  entry.unknown = data && result.variables.empty() && result.instanceOf < 0;
   --depth_;
   entry.state = State::Done;
   return &program_.emplace(id, std::move(result)).first->second;

@@ -6,6 +6,7 @@
 #include <map>
 #include <vector>
 
+#include "step7/block_names.h"
 #include "step7/block_source.h"
 #include "step7/compiler.h"
 #include "step7/member_index.h"
@@ -26,6 +27,8 @@ class Interfaces {
   block::Program& program() { return program_; }
   // The FB or SFB as a structure: what an instance of it looks like.
   block::TypePtr instanceType(BlockId id);
+  // Of a block that find() gave, or that stands in program().
+  const BlockNames& names(const block::Block& block);
   // A DB or UDT whose structure could not be read: what it contains is not known.
   bool unknown(BlockId id) const;
   // A data block as a structure, unknown where its structure is.
@@ -86,6 +89,7 @@ class Interfaces {
   std::map<BlockId, block::TypePtr> dataTypes_;
   MemberIndex members_;
   std::uint64_t dataBytes_ = 0, variables_ = 0, initialBytes_ = 0;
+  std::map<BlockId, BlockNames> names_;
 };
 
 }  // namespace merker::step7

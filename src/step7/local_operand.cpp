@@ -7,8 +7,9 @@ namespace merker::step7 {
 using mc7::OperandKind;
 
 std::optional<Access> OperandParser::local(std::string_view name, std::size_t begin) {
-  const block::Variable* variable = scope_.variable(name);
-  if (variable) return localVariable(*variable, begin);
+  if (const block::Variable* variable = scope_.findVariable(name))
+    return localVariable(*variable, begin);
+  if (isGlobalSymbol(name)) return unquoted(name, begin);
   return problem(ProblemCode::P0313, begin, std::string(name),
                  scope_.block ? toString(scope_.block->id) : std::string("the block"));
 }
@@ -36,13 +37,16 @@ std::optional<Access> OperandParser::placed(Access access, Area area, const Plac
   return access;
 }
 
-static std::uint32_t parameterIndex(const block::Block& block, const block::Variable& variable) {
-  std::uint32_t index = 0;
-  for (const block::Variable* parameter : block::parameters(block)) {
-    if (parameter == &variable) break;
-    ++index;
-  }
-  return index;
+// S7-SYM-05: STEP 7 takes a symbol without quotation marks, behind # or not, where no local
+// variable has the name.
+bool OperandParser::isGlobalSymbol(std::string_view name) const {
+  const source::SymbolTable* symbols = scope_.options->symbols;
+  return scope_.block && symbols && symbols->find(std::string(name));
+}
+
+std::optional<Access> OperandParser::unquoted(std::string_view name, std::size_t begin) {
+  problem(ProblemCode::P0354, begin, name);
+  return symbol(std::string(name), begin);
 }
 
 std::optional<Access> OperandParser::parameterOfFunction(const block::Variable& variable,
@@ -57,7 +61,7 @@ std::optional<Access> OperandParser::parameterOfFunction(const block::Variable& 
   }
   access.operand = {.kind = OperandKind::Parameter,
                     .width = widthOf(variable.type->code),
-                    .value = parameterIndex(*scope_.block, variable)};
+                    .value = scope_.names->parameterIndex(variable)};
   return access;
 }
 
@@ -105,7 +109,7 @@ std::optional<Access> OperandParser::numberParameter(const block::Variable& vari
     operand.kind = timer     ? OperandKind::TimerParameter
                    : counter ? OperandKind::CounterParameter
                              : OperandKind::BlockParameter;
-    operand.value = parameterIndex(*scope_.block, variable);
+    operand.value = scope_.names->parameterIndex(variable);
   }
   return access;
 }
@@ -116,7 +120,7 @@ std::optional<Access> OperandParser::addressOf(std::size_t begin) {
   cursor_.skipBlanks();
   const std::size_t nameBegin = cursor_.pos();
   const std::string_view name = cursor_.word();
-  const block::Variable* variable = scope_.variable(name);
+  const block::Variable* variable = scope_.findVariable(name);
   if (!variable)
     return problem(ProblemCode::P0313, nameBegin, std::string(name),
                    scope_.block ? toString(scope_.block->id) : std::string("the block"));
@@ -126,7 +130,7 @@ std::optional<Access> OperandParser::addressOf(std::size_t begin) {
   const bool function = scope_.block->id.kind == BlockKind::FC;
   if (function && variable->section != block::Section::Temp) {
     access.operand =
-        mc7::number(OperandKind::ParameterAddress, parameterIndex(*scope_.block, *variable));
+        mc7::number(OperandKind::ParameterAddress, scope_.names->parameterIndex(*variable));
     return access;
   }
   Place place{variable->type, variable->address};

@@ -159,6 +159,10 @@ struct Votes {
   void add(std::optional<Mnemonics> which, unsigned weight) {
     if (which) (*which == Mnemonics::German ? german : international) += weight;
   }
+  void add(const Votes& other) {
+    german += other.german;
+    international += other.international;
+  }
 };
 
 // A mnemonic that exists in one setting only says which.
@@ -185,37 +189,95 @@ void voteOnOperand(Cursor& cursor, Votes& votes) {
   votes.add(which, 1);
 }
 
-void voteOnStatement(Cursor& cursor, Votes& votes) {
-  const std::size_t begin = cursor.pos();
+// One character of a parameter list; behind := the operand that is supplied votes.
+void passSupplied(Cursor& cursor, Votes& supplied) {
+  if (cursor.peek() == '\'') return cursor.passText();
+  if (cursor.take() != ':' || cursor.peek() != '=') return;
+  cursor.take();
+  voteOnOperand(cursor, supplied);
+}
+
+// The bracket of a CALL's list, behind the block's name or on the next line.
+bool opensList(Cursor& cursor) {
+  const std::size_t start = cursor.pos();
+  cursor.skipSpace();
+  if (cursor.accept('(')) return true;
+  cursor.seek(start);
+  return false;
+}
+
+// CALL with its list in brackets. The names in it look like operations (A, I, U), so they are no
+// votes.
+void passCall(Cursor& cursor, Votes& supplied) {
+  while (!cursor.atStatementEnd() && cursor.peek() != '(') cursor.take();
+  if (!opensList(cursor)) return;
+  for (int depth = 1; depth > 0;) {
+    cursor.skipSpace();
+    if (cursor.atEnd() || cursor.peek() == ';') return;
+    depth += cursor.peek() == '(' ? 1 : cursor.peek() == ')' ? -1 : 0;
+    passSupplied(cursor, supplied);
+  }
+}
+
+// "name := operand", a line of a list without brackets.
+bool isParameterLine(Cursor& cursor) {
+  const std::size_t start = cursor.pos();
+  cursor.accept('#');
+  const bool quoted = cursor.accept('"');
   cursor.word();
+  if (quoted) cursor.accept('"');
   cursor.skipBlanks();
-  if (cursor.peek() == ':' && cursor.peek(1) != '=') {
+  const bool found = cursor.peek() == ':' && cursor.peek(1) == '=';
+  if (!found) cursor.seek(start);
+  return found;
+}
+
+struct Voter {
+  Cursor cursor;
+  Votes statements{}, supplied{};  // the latter count only where statements say nothing
+
+  void statement() {
+    if (isParameterLine(cursor)) {
+      while (!cursor.atStatementEnd()) passSupplied(cursor, supplied);
+      return;
+    }
+    passLabel();
+    const std::string name = readMnemonic(cursor);
+    statements.add(settingOf(name), 2);
+    if (name == "CALL") return passCall(cursor, supplied);
+    if (name == "TITLE") return cursor.skipLine();
+    voteOnOperand(cursor, statements);
+    while (!cursor.atStatementEnd()) cursor.take();
+  }
+
+  void passLabel() {
+    const std::size_t begin = cursor.pos();
+    cursor.word();
+    cursor.skipBlanks();
+    if (cursor.peek() != ':') return cursor.seek(begin);
     cursor.take();
     cursor.skipSpace();
-  } else {
-    cursor.seek(begin);
   }
-  const std::string name = readMnemonic(cursor);
-  votes.add(settingOf(name), 2);
-  if (name != "CALL" && name != "TITLE") voteOnOperand(cursor, votes);
-}
+};
 
 }  // namespace
 
 Mnemonics detectMnemonics(std::string_view text, const std::vector<BlockSource>& blocks) {
-  Votes votes;
+  Votes statements, supplied;
   for (const BlockSource& block : blocks) {
     if (block.id.kind == BlockKind::DB || block.id.kind == BlockKind::UDT) continue;
-    Cursor cursor(text, block.codeBegin, block.codeEnd);
+    Voter voter{Cursor(text, block.codeBegin, block.codeEnd)};
     // A few thousand statements tell enough.
     for (int i = 0; i < 5000; ++i) {
-      cursor.skipSpace();
-      if (cursor.accept(';')) continue;
-      if (cursor.atEnd()) break;
-      voteOnStatement(cursor, votes);
-      while (!cursor.atStatementEnd()) cursor.take();
+      voter.cursor.skipSpace();
+      if (voter.cursor.accept(';')) continue;
+      if (voter.cursor.atEnd()) break;
+      voter.statement();
     }
+    statements.add(voter.statements);
+    supplied.add(voter.supplied);
   }
+  const Votes& votes = statements.german == statements.international ? supplied : statements;
   return votes.international > votes.german ? Mnemonics::International : Mnemonics::German;
 }
 

@@ -20,11 +20,6 @@ bool isComposite(TypeCode code) {
 
 MemberIndex* Scope::members() const { return interfaces ? &interfaces->members() : nullptr; }
 
-const block::Variable* Scope::variable(std::string_view name) const {
-  if (!block) return nullptr;
-  return members() ? members()->find(block->variables, name) : findMember(block->variables, name);
-}
-
 const block::Block* Scope::findBlock(BlockId id) const {
   if (interfaces) return interfaces->find(id);
   if (program)
@@ -33,6 +28,13 @@ const block::Block* Scope::findBlock(BlockId id) const {
     if (const auto found = options->library->find(id); found != options->library->end())
       return &found->second;
   return nullptr;
+}
+
+void noteForeign(const Scope& scope, std::string_view word, const Position& place) {
+  if (!scope.use->foreign)
+    scope.use->foreign =
+        makeProblem(scope.mnemonics == Mnemonics::German ? ProblemCode::P0355 : ProblemCode::P0356,
+                    place, word);
 }
 
 std::optional<Access> OperandParser::parse() {
@@ -126,6 +128,10 @@ std::optional<Access> OperandParser::symbol(const std::string& name, std::size_t
 bool OperandParser::checkSetting(std::optional<Mnemonics> which, std::string_view word,
                                  std::size_t begin) {
   if (scope_.anyMnemonics || !which || *which == scope_.mnemonics) return true;
+  if (scope_.use) {
+    noteForeign(scope_, word, at(begin, begin + word.size()));
+    return true;
+  }
   problem(scope_.mnemonics == Mnemonics::German ? ProblemCode::P0314 : ProblemCode::P0315, begin,
           std::string(word));
   return false;
@@ -184,7 +190,7 @@ std::optional<Access> OperandParser::word() {
   }
   cursor_.seek(begin + whole.size());
   // A variable of the block may be written without #.
-  if (const block::Variable* variable = scope_.variable(whole))
+  if (const block::Variable* variable = scope_.findVariable(whole))
     return localVariable(*variable, begin);
   if (equalsIgnoreCase(whole, "STW")) return simple(mc7::number(OperandKind::StatusWord, 0));
   if (equalsIgnoreCase(whole, "AR2"))
@@ -197,6 +203,7 @@ std::optional<Access> OperandParser::word() {
   }
   if (const auto query = findDataBlockQuery(whole))
     return simple(mc7::number(OperandKind::DataBlockInfo, static_cast<std::uint32_t>(*query)));
+  if (isGlobalSymbol(whole)) return unquoted(whole, begin);
   return problem(ProblemCode::P0317, begin, std::string(whole));
 }
 
@@ -350,10 +357,10 @@ std::optional<Access> OperandParser::insideDataBlock(BlockId db, std::size_t beg
   if (row && rest && row->area == Area::DataBlock && head.size() == 3) {
     cursor_.seek(wordBegin + 3);
     auto access = memoryOperand(*row);
-    if (access && access->operand.kind == OperandKind::Memory)
-      access->openDb = db.number;
-    else if (access)
-      return problem(ProblemCode::P0318, begin);
+    if (!access) return std::nullopt;
+    if (access->operand.kind != OperandKind::Memory) return problem(ProblemCode::P0318, begin);
+    access->openDb = db.number;
+    if (scope_.block && !scope_.findBlock(db)) problem(ProblemCode::P0522, begin, toString(db));
     return access;
   }
   const block::Block* block = scope_.findBlock(db);

@@ -8,6 +8,7 @@
 #include "step7/compiler.h"
 #include "step7/cursor.h"
 #include "step7/interfaces.h"
+#include "step7/mnemonic_use.h"
 #include "step7/operand_words.h"
 #include "step7/path.h"
 
@@ -21,20 +22,27 @@ enum class Limits : std::uint8_t { OfLanguage, OfCode };
 struct Scope {
   const source::SourceFile* file = nullptr;
   Mnemonics mnemonics = Mnemonics::German;
-  bool anyMnemonics = false;  // monitor and checks: E and I alike
+  bool anyMnemonics = false;   // monitor and checks: E and I alike
+  MnemonicUse* use = nullptr;  // null: a word of the other mnemonics is a problem
   const CompileOptions* options = nullptr;
   Interfaces* interfaces = nullptr;  // null: only `program`
   const block::Program* program = nullptr;
   const block::Block* block = nullptr;  // whose local names are visible; null outside of blocks
+  const BlockNames* names = nullptr;    // of `block`
   Limits limits = Limits::OfLanguage;
   const CpuModel& model() const { return *options->model; }
   // [AR1,P#4095.7]; the code has room up to P#8191.7 (S7-IND-05).
   std::uint32_t highestOffset() const { return limits == Limits::OfLanguage ? 0x7FFF : 0xFFFF; }
   const block::Block* findBlock(BlockId id) const;
   MemberIndex* members() const;  // of what stays while blocks are compiled
-  const block::Variable* variable(
-      std::string_view name) const;  // of the block; null if there is none
+  // A variable of the block; null if it declares no such name.
+  const block::Variable* findVariable(std::string_view name) const {
+    return names ? names->find(name) : nullptr;
+  }
 };
+
+// A word of the other mnemonics was understood; `use` must be there.
+void noteForeign(const Scope& scope, std::string_view word, const Position& place);
 
 class OperandParser {
  public:
@@ -59,6 +67,8 @@ class OperandParser {
   std::optional<Access> dispatch();
   std::optional<Access> quoted();
   std::optional<Access> symbol(const std::string& name, std::size_t begin);
+  bool isGlobalSymbol(std::string_view name) const;
+  std::optional<Access> unquoted(std::string_view name, std::size_t begin);
   std::optional<Access> local(std::string_view name, std::size_t begin);
   std::optional<Access> localVariable(const block::Variable& variable, std::size_t begin);
   std::optional<Access> parameterOfFunction(const block::Variable& variable, Access access,

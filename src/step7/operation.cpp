@@ -94,8 +94,8 @@ void BlockCompiler::operate(Operation operation, std::size_t begin, const std::s
   this->access(operation, access);
 }
 
-// Which way data flow: PE is read, PA written; IN parameters of a function are read only
-// (S7-OPND-09, S7-FC-06).
+// Which way data flow: PE is read, PA written (S7-OPND-09). IN parameters should only be read, OUT
+// parameters of a function only written (S7-FC-06).
 bool BlockCompiler::checkDirection(Operation operation, const Access& access,
                                    const std::string& name) {
   const Position place = at(access.begin, access.end);
@@ -118,10 +118,8 @@ bool BlockCompiler::checkDirection(Operation operation, const Access& access,
   if (!access.variable || !accessesValue) return true;
   const bool function = target_.id.kind == BlockKind::FC;
   const bool timerOrCounter = access.type && isParameterNumber(access.type->code);
-  if (writes && !timerOrCounter && access.variable->section == block::Section::Input) {
+  if (writes && !timerOrCounter && access.variable->section == block::Section::Input)
     problems_.add(function ? ProblemCode::P0325 : ProblemCode::P0340, place, access.variable->name);
-    return !function;
-  }
   const bool reads = !writes && operation != Operation::OPEN;
   if (reads && function && (access.variable->section == block::Section::Output))
     problems_.add(ProblemCode::P0341, place, access.variable->name);
