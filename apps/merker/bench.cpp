@@ -22,7 +22,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 struct BenchOptions {
-  std::string path, cpu, time = "1s", engine = "interpreter";
+  ProjectOptions project;
+  std::string path, time = "1s", engine = "interpreter";
   bool json = false;
 };
 
@@ -129,7 +130,7 @@ int bench(const BenchOptions& options) {
     std::cerr << "merker bench: --for: '" << options.time << "' is no length of time\n";
     return kUsage;
   }
-  Build built = build(project::load(options.path, options.cpu), false);
+  Build built = build(loadProject(options.path, options.project), false);
   requireOb1(built);
   requireWorkMemory(built);
   if (!built.ok()) return report(built, options.json);
@@ -149,7 +150,7 @@ void addBench(CLI::App& program, int& result) {
   command->add_option("PATH", options->path, "project folder or source")->required();
   command->add_option("--for", options->time, "real time to measure: 250ms, 1s");
   addEngine(*command, options->engine);
-  addCpu(*command, options->cpu);
+  addProjectOptions(*command, options->project);
   command->add_flag("--json", options->json, "as one JSON object");
   command->footer("Example:\n  merker bench examples/sorting-plant --for 2s --json");
   command->callback([options, &result] { result = bench(*options); });

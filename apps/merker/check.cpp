@@ -14,7 +14,7 @@ namespace {
 
 struct CheckOptions {
   std::vector<std::string> paths;
-  std::string cpu;
+  ProjectOptions project;
   bool json = false;
 };
 
@@ -33,7 +33,7 @@ int check(const CheckOptions& options) {
   int result = kGood;
   Problems problems;
   for (const std::string& path : options.paths) {
-    Build checked = build(project::load(path, options.cpu), false);
+    Build checked = build(loadProject(path, options.project), false);
     noteMissingOb1(checked);
     printProblems(checked.problems, checked.files());
     problems.append(checked.problems);
@@ -51,7 +51,7 @@ void addCheck(CLI::App& program, int& result) {
       program.add_subcommand("check", "compile and link, print all problems, run nothing");
   auto options = std::make_shared<CheckOptions>();
   command->add_option("PATH", options->paths, "project folders or sources")->required();
-  addCpu(*command, options->cpu);
+  addProjectOptions(*command, options->project);
   command->add_flag("--json", options->json, "problems as JSON on standard output, too");
   command->footer(
       "Examples:\n  merker check examples/sorting-plant\n  merker check --cpu generic a.awl b.awl");

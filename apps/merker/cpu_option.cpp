@@ -12,10 +12,30 @@ std::string check(const std::string& name) {
   return "there is no CPU model '" + name + "'; the models are: " + project::modelNames();
 }
 
+project::Project withMnemonics(project::Project project, const std::string& word) {
+  if (!word.empty())
+    project.mnemonics = word == "german" ? Mnemonics::German : Mnemonics::International;
+  return project;
+}
+
 }  // namespace
 
-void addCpu(CLI::App& command, std::string& cpu) {
-  command.add_option("--cpu", cpu, "CPU model instead of the project's")->check(check);
+void addProjectOptions(CLI::App& command, ProjectOptions& options) {
+  command.add_option("--cpu", options.cpu, "CPU model instead of the project's")->check(check);
+  command
+      .add_option("--source-mnemonics", options.mnemonics,
+                  "language of the AWL sources, german or english, instead of the project's")
+      ->check(CLI::IsMember({"german", "english"}));
+}
+
+project::Project loadProject(const std::string& path, const ProjectOptions& options) {
+  return withMnemonics(project::load(path, options.cpu), options.mnemonics);
+}
+
+project::Project loadSources(const std::vector<std::string>& sources,
+                             const ProjectOptions& options) {
+  return withMnemonics(project::loadSources(sources.front(), sources, options.cpu),
+                       options.mnemonics);
 }
 
 }  // namespace merker::app

@@ -1,7 +1,9 @@
-// --cpu NAME of every command that compiles.
+// --cpu NAME and --source-mnemonics LANGUAGE of every command that compiles.
 #pragma once
 
 #include <string>
+
+#include "project/project.h"
 
 namespace CLI {
 class App;
@@ -9,7 +11,17 @@ class App;
 
 namespace merker::app {
 
+// What stands on the command line in place of what the project says.
+struct ProjectOptions {
+  std::string cpu, mnemonics;  // empty: as the project has it
+};
+
 // An unknown name is wrong usage.
-void addCpu(CLI::App& command, std::string& cpu);
+void addProjectOptions(CLI::App& command, ProjectOptions& options);
+
+project::Project loadProject(const std::string& path, const ProjectOptions& options);
+// Some sources as one program.
+project::Project loadSources(const std::vector<std::string>& sources,
+                             const ProjectOptions& options);
 
 }  // namespace merker::app

@@ -5,6 +5,7 @@
 
 #include "build.h"
 #include "command.h"
+#include "cpu_option.h"
 #include "debug_session.h"
 #include "line_editor.h"
 
@@ -31,7 +32,8 @@ class InterruptKey {
 };
 
 struct DebugOptions {
-  std::string path, cpu;
+  ProjectOptions project;
+  std::string path;
   std::vector<std::string> commands;
 };
 
@@ -59,7 +61,7 @@ int prompt(const DebugOptions& options, const Build& built) {
 }
 
 int debug(const DebugOptions& options) {
-  Build built = build(project::load(options.path, options.cpu), false);
+  Build built = build(loadProject(options.path, options.project), false);
   if (built.isListing() && built.ok()) return refuseListing("debug");
   requireOb1(built);
   if (!built.ok()) return report(built, false);
@@ -74,7 +76,7 @@ void addDebug(CLI::App& program, int& result) {
       "debug", "breakpoints, single step, program status: a prompt over the running program");
   auto options = std::make_shared<DebugOptions>();
   command->add_option("PATH", options->path, "project folder or source")->required();
-  command->add_option("--cpu", options->cpu, "CPU model instead of the project's");
+  addProjectOptions(*command, options->project);
   command->add_option("-x,--execute", options->commands, "a command to begin with; several times")
       ->allow_extra_args(false);
   command->footer(

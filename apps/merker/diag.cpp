@@ -5,6 +5,7 @@
 
 #include "build.h"
 #include "command.h"
+#include "cpu_option.h"
 #include "listing_diagnosis.h"
 #include "monitor_text.h"
 #include "operands.h"
@@ -15,7 +16,8 @@ namespace merker::app {
 namespace {
 
 struct DiagOptions {
-  std::string path, cpu, time = "10s";
+  ProjectOptions project;
+  std::string path, time = "10s";
   bool json = false;
   std::vector<std::string> set;
 };
@@ -83,7 +85,7 @@ int diag(const DiagOptions& options) {
               << "' is no length of time; write 250ms, 7.5s, 2m or T#1S\n";
     return kUsage;
   }
-  const Build built = build(project::load(options.path, options.cpu), false);
+  const Build built = build(loadProject(options.path, options.project), false);
   if (!built.ok()) return report(built, options.json);
   printProblems(built.problems, built.files());
   return built.isListing() ? showControl(options, built, *time) : show(options, built, *time);
@@ -99,7 +101,7 @@ void addDiag(CLI::App& program, int& result) {
   command->add_option("--for", options->time, "run this long: 250ms, 7.5s, 2m (default 10s)");
   command->add_option("--set", options->set, "before the start: \"E 0.0=1, MW 10=W#16#0005\"")
       ->allow_extra_args(false);
-  command->add_option("--cpu", options->cpu, "CPU model instead of the project's");
+  addProjectOptions(*command, options->project);
   command->add_flag("--json", options->json, "as one JSON object");
   command->footer(
       "The B stack shows the blocks that ran when the CPU stopped, the I stack the registers of\n"

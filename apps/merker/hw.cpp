@@ -15,7 +15,8 @@ namespace merker::app {
 namespace {
 
 struct HwOptions {
-  std::string path, cpu;
+  ProjectOptions project;
+  std::string path;
   bool json = false, catalogue = false;
 };
 
@@ -162,7 +163,7 @@ int catalogue() {
 
 int hardware(const HwOptions& options) {
   if (options.catalogue) return catalogue();
-  const Build built = build(project::load(options.path, options.cpu), false);
+  const Build built = build(loadProject(options.path, options.project), false);
   if (built.isListing() && built.ok()) return refuseListing("hw");
   printProblems(built.problems, built.files());
   if (built.project.unreadable) return exitCode(built);
@@ -178,7 +179,7 @@ void addHw(CLI::App& program, int& result) {
   auto options = std::make_shared<HwOptions>();
   auto* path = command->add_option("PATH", options->path, "project folder or source");
   auto* list = command->add_flag("--catalogue", options->catalogue, "all modules a rack can hold");
-  addCpu(*command, options->cpu);
+  addProjectOptions(*command, options->project);
   command->add_flag("--json", options->json, "as one JSON object");
   path->excludes(list);
   command->footer("Examples:\n  merker hw examples/03-hardware\n  merker hw --catalogue");

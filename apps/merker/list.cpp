@@ -17,7 +17,8 @@ namespace merker::app {
 namespace {
 
 struct ListOptions {
-  std::string path, cpu, mnemonics = "de";
+  ProjectOptions project;
+  std::string path, mnemonics = "de";
   bool code = false, memory = false, listing = false, json = false;
 };
 
@@ -77,7 +78,7 @@ int listListings(const Build& built, const ListOptions& options) {
 }
 
 int list(const ListOptions& options) {
-  const Build built = build(project::load(options.path, options.cpu), false);
+  const Build built = build(loadProject(options.path, options.project), false);
   printProblems(built.problems, built.files());
   if (built.isListing()) return listListings(built, options);
   if (options.json)
@@ -103,7 +104,7 @@ void addList(CLI::App& program, int& result) {
                     "STEP 5: the program as a listing that compiles to the same machine code");
   command->add_option("--mnemonics", options->mnemonics, "de or en")
       ->check(CLI::IsMember({"de", "en"}));
-  addCpu(*command, options->cpu);
+  addProjectOptions(*command, options->project);
   command->add_flag("--json", options->json, "as one JSON object");
   command->footer(
       "Columns: load = length of the block in load memory, work = machine code or actual values,\n"

@@ -25,7 +25,8 @@ namespace merker::app {
 namespace {
 
 struct RunOptions {
-  std::string path, card, cpu, time, trace, engine = "interpreter";
+  ProjectOptions project;
+  std::string path, card, time, trace, engine = "interpreter";
   std::uint64_t cycles = 0;
   bool hasCycles = false, copyRamToRom = false, json = false, noWorkbench = false;
   std::vector<std::string> set, print, watch;
@@ -281,7 +282,7 @@ bool ready(const RunOptions& options, Build& built) {
 
 // A program that cannot run does not touch the card (S7-CPU-02: the old one stays).
 int runPath(const RunOptions& options, std::optional<Duration> time) {
-  Build built = build(project::load(options.path, options.cpu), false);
+  Build built = build(loadProject(options.path, options.project), false);
   if (!ready(options, built)) return exitCode(built);
   if (options.card.empty()) return runBuild(options, built, time, nullptr);
   if (built.isListing()) return wrongUsage("--card: a SINUMERIK has no memory card");
@@ -293,7 +294,7 @@ int runPath(const RunOptions& options, std::optional<Duration> time) {
 int runFromCard(const RunOptions& options, std::optional<Duration> time) {
   auto card = store::MemoryCard::open(options.card);
   if (!card) return failed(card.error());
-  Build built = buildFromCard(*card, options.card, options.cpu);
+  Build built = buildFromCard(*card, options.card, options.project.cpu);
   if (!ready(options, built)) return exitCode(built);
   return runBuild(options, built, time, &*card);
 }
@@ -332,7 +333,7 @@ void addRun(CLI::App& program, int& result) {
   auto* cycles =
       command->add_option("--cycles", options->cycles, "run this many cycles in virtual time");
   cycles->excludes(time)->check(checkCycles);
-  addCpu(*command, options->cpu);
+  addProjectOptions(*command, options->project);
   addEngine(*command, options->engine);
   command->add_option("--set", options->set, "before the start: \"E 0.0=1, MW 10=W#16#0005\"")
       ->allow_extra_args(false);

@@ -16,7 +16,8 @@ namespace {
 
 struct TestOptions {
   std::vector<std::string> paths;
-  std::string cpu, filter, junit, coverage, engine = "interpreter";
+  ProjectOptions project;
+  std::string filter, junit, coverage, engine = "interpreter";
   bool json = false;
 };
 
@@ -77,7 +78,7 @@ int test(const TestOptions& options) {
     return kUsage;
   }
   TestSession session(
-      {options.cpu, options.filter, options.engine, !options.coverage.empty(), options.json});
+      {options.project, options.filter, options.engine, !options.coverage.empty(), options.json});
   bool unreadable = false;
   for (const std::string& path : options.paths) unreadable |= !testPath(path, session);
   const bool nothing = session.results().empty();
@@ -103,7 +104,7 @@ void addTest(CLI::App& program, int& result) {
   command->add_option("--junit", options->junit, "write the results as JUnit XML");
   command->add_option("--coverage", options->coverage,
                       "write which source lines ran (lcov format)");
-  addCpu(*command, options->cpu);
+  addProjectOptions(*command, options->project);
   addEngine(*command, options->engine);
   command->add_flag("--json", options->json, "the results as one JSON object");
   command->footer(

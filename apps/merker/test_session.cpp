@@ -13,9 +13,9 @@
 namespace merker::app {
 namespace {
 
-project::Project loadTarget(const project::TestTarget& target, const std::string& cpu) {
-  if (target.sources.empty()) return project::load(target.path, cpu);
-  return project::loadSources(target.sources.front(), target.sources, cpu);
+project::Project loadTarget(const project::TestTarget& target, const ProjectOptions& options) {
+  if (target.sources.empty()) return loadProject(target.path, options);
+  return loadSources(target.sources, options);
 }
 
 bool checksItself(const project::Project& project) {
@@ -38,7 +38,7 @@ Problems between(Problems all, std::uint32_t first, std::uint32_t end) {
 }  // namespace
 
 bool TestSession::run(const project::TestTarget& target) {
-  const project::Project project = loadTarget(target, options_.cpu);
+  const project::Project project = loadTarget(target, options_.project);
   unreadable_ |= project.unreadable;
   const bool checks = target.selfChecks && checksItself(project);
   if (checks && chosen(target.path, "self-checks")) selfChecks(target, project);
@@ -52,7 +52,7 @@ bool TestSession::run(const project::TestTarget& target) {
 }
 
 void TestSession::compile(const project::TestTarget& target) {
-  const Build built = build(loadTarget(target, options_.cpu), false);
+  const Build built = build(loadTarget(target, options_.project), false);
   printProblems(built.problems, built.files());
   broken_ |= !built.ok();
 }

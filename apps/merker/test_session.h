@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "build.h"
+#include "cpu_option.h"
 #include "project/discovery.h"
 #include "simulator/coverage.h"
 #include "simulator/scenario.h"
@@ -16,7 +17,8 @@ namespace merker::app {
 class TestSession {
  public:
   struct Options {
-    std::string cpu, filter;
+    ProjectOptions project;
+    std::string filter;
     std::string engine = "interpreter";
     bool coverage = false;
     bool quiet = false;  // no line per test

@@ -8,6 +8,7 @@
 
 #include "build.h"
 #include "command.h"
+#include "cpu_option.h"
 #include "monitor/assignment_list.h"
 #include "monitor/cross_reference.h"
 #include "monitor_text.h"
@@ -16,7 +17,8 @@ namespace merker::app {
 namespace {
 
 struct XrefOptions {
-  std::string path, cpu, operand, mnemonics = "de";
+  ProjectOptions project;
+  std::string path, operand, mnemonics = "de";
   bool assignment = false, unused = false, json = false;
 };
 
@@ -142,7 +144,7 @@ int show(const XrefOptions& options, const Build& built) {
 }
 
 int xref(const XrefOptions& options) {
-  const Build built = build(project::load(options.path, options.cpu), false);
+  const Build built = build(loadProject(options.path, options.project), false);
   if (built.isListing() && built.ok()) return refuseListing("xref");
   if (!built.ok()) return report(built, options.json);
   printProblems(built.problems, built.files());
@@ -167,7 +169,7 @@ void addXref(CLI::App& program, int& result) {
       ->excludes(assignment);
   command->add_option("--mnemonics", options->mnemonics, "de or en")
       ->check(CLI::IsMember({"de", "en"}));
-  command->add_option("--cpu", options->cpu, "CPU model instead of the project's");
+  addProjectOptions(*command, options->project);
   command->add_flag("--json", options->json, "as one JSON object");
   command->footer(
       "Columns: R read, W written, RW both, - called or opened; NW and inst count from 1.\n"

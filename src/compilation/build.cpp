@@ -146,6 +146,7 @@ void buildProgram(Build& result, bool checks) {
   result.library = std::make_shared<const block::Program>(system::library(*result.project.model));
   step7::CompileOptions compileOptions = options(result);
   compileOptions.checks = checks;
+  compileOptions.mnemonics = result.project.mnemonics;
   step7::Compilation compilation = step7::compile(result.project.sources, compileOptions);
   result.problems.append(compilation.problems);
   result.program = std::make_shared<const block::Program>(std::move(compilation.program));

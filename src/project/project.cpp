@@ -25,6 +25,7 @@ std::optional<Model> chosenModel(Project& project, const std::string& cpu) {
 void take(Project& project, const Settings& settings) {
   if (!settings.name.empty()) project.name = settings.name;
   project.model = settings.model;
+  project.mnemonics = settings.mnemonics;
   project.control = settings.control;
   project.startOfClock = settings.startOfClock;
   project.parameters = settings.parameters;

@@ -26,7 +26,8 @@ struct Project {
   const CpuModel* model = &defaultCpuModel();
   // The PLC is that of a SINUMERIK: what follows up to `vertical` means nothing then.
   std::optional<cnc::Options> control;
-  std::int64_t startOfClock = 0;  // milliseconds since 1990-01-01
+  std::optional<Mnemonics> mnemonics;  // of AWL sources; each shows its own without it
+  std::int64_t startOfClock = 0;       // milliseconds since 1990-01-01
   CpuParameters parameters = CpuParameters::of(defaultCpuModel());
   std::optional<io::Configuration> hardware;  // none: every address of the image answers
   plant::Configuration plants;

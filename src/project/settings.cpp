@@ -27,9 +27,11 @@ void readProject(const Table& table, Settings& settings) {
 }
 
 void readProgram(const Table& table, Settings& settings) {
-  table.allow({"sources", "symbols"});
+  table.allow({"sources", "symbols", "mnemonics"});
   settings.sources = patterns(table, "sources");
   settings.symbols = patterns(table, "symbols");
+  if (const auto which = table.choice("mnemonics", {"german", "english"}))
+    settings.mnemonics = static_cast<Mnemonics>(*which);
 }
 
 // Of [cpu]; nothing if it names none, or one that does not exist.

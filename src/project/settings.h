@@ -38,6 +38,7 @@ struct Settings {
   std::optional<cnc::Options> control;  // the PLC is that of a SINUMERIK; `model` means nothing
   std::int64_t startOfClock = 0;        // milliseconds since 1990-01-01
   std::optional<std::vector<Pattern>> sources, symbols;
+  std::optional<Mnemonics> mnemonics;  // of the sources; each shows its own without it
   CpuParameters parameters;
   // Without [hardware] and [[module]] there is none: docs/compatibility.md, "Without a hardware
   // configuration".

@@ -42,6 +42,24 @@ class Check(Case):
         self.expect(GOOD, "check", "--cpu", "generic", "a.awl")
         self.assertIn("317", self.expect(USAGE, "check", "--cpu", "317", "a.awl").err)
 
+    # S7-SRC-10: SE is the on-delay in German and the extended pulse in international mnemonics.
+    def test_the_mnemonics_of_the_sources(self):
+        mixed = block("      U     E 0.0\n      A     I 0.1\n      L     S5T#1S\n      SE    T 1\n      =     A 0.0")
+        self.write("a.awl", mixed)
+        call = self.expect(PROBLEMS, "check", "a.awl")
+        self.assertIn("[P0355]", call.err)
+        self.assertIn("[P0357]", call.err)
+        for word, code in (("german", "SE    T 1"), ("english", "SV    T 1")):
+            self.assertIn("1 warning\n", self.expect(GOOD, "check", "--source-mnemonics", word, "a.awl").out)
+            self.assertIn(code, self.expect(GOOD, "list", "--code", "--source-mnemonics", word, "a.awl").out)
+            self.write("p/merker.toml", f'[program]\nmnemonics = "{word}"\n')
+            self.write("p/a.awl", mixed)
+            self.assertIn(code, self.expect(GOOD, "list", "--code", "p").out)
+        self.assertIn("SE    T 1", self.expect(GOOD, "list", "--code", "--source-mnemonics", "german", "p").out)
+        self.write("p/merker.toml", '[program]\nmnemonics = "French"\n')
+        self.assertIn("merker.toml:2:", self.expect(PROBLEMS, "check", "p").err)
+        self.expect(USAGE, "check", "--source-mnemonics", "fr", "a.awl")
+
     # S7-OPEN-39: no error, since blocks without OB 1 may be a library
     def test_a_program_without_ob_1(self):
         self.write("a.awl", PROGRAM.replace("OB 1", "OB 100"))
