@@ -13,6 +13,7 @@
 #include "block/retentive.h"
 #include "catalogue/cpu_parameters.h"
 #include "catalogue/module_event.h"
+#include "clock/standstill.h"
 #include "cpu/cycle_monitoring.h"
 #include "cpu/diagnostics.h"
 #include "cpu/engine.h"
@@ -205,6 +206,7 @@ class Cpu {
   // events.cpp
   Instant nextEvent() const;
   void takeEvents();
+  Instant nextOfModules() const;
   void takePeriphery();
   void takeClockMemory();
   void takeCyclic();
@@ -283,6 +285,8 @@ class Cpu {
   bool stoppedByFault_ = false, resetRequested_ = false, timersHeld_ = false;
   bool powered_ = true, buffered_ = true, runningAtPowerOff_ = false;
   bool outputsDisabled_ = true, communicating_ = false;
+  bool modulesHang_ = false;  // until the next start they are not asked
+  Standstill atOnce_{1000};
   // The stacks are those of an interrupted program, which a hot restart may go on with.
   bool resumable_ = false;
   Restart lastRestart_ = Restart::ManualWarm;

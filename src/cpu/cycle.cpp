@@ -33,8 +33,7 @@ void Cpu::move(Instant limit) {
 
 // STOP and HALT: time goes on, the modules with it while there is power.
 void Cpu::rest(Instant limit) {
-  const bool acting = periphery_ != nullptr && powered_;
-  const Instant next = acting ? periphery_->next() : Instant::never();
+  const Instant next = powered_ ? nextOfModules() : Instant::never();
   machine_.clock = std::max(machine_.clock, std::min(limit, next));
   takePeriphery();
 }

@@ -9,7 +9,7 @@ namespace merker::cpu {
 
 Instant Cpu::nextEvent() const {
   Instant next = nextClockMemory_;
-  if (periphery_ != nullptr) next = std::min(next, periphery_->next());
+  next = std::min(next, nextOfModules());
   if (mode_ != Mode::Run) return next;  // S7-STATE-11
   next = std::min(next, monitoring_.deadline());
   for (const CyclicInterrupt& cyclic : interrupts_.cyclic) next = std::min(next, cyclic.next);
@@ -34,9 +34,18 @@ void Cpu::takeEvents() {
   if (executes(mode_)) startWaiting();
 }
 
+Instant Cpu::nextOfModules() const {
+  return periphery_ == nullptr || modulesHang_ ? Instant::never() : periphery_->next();
+}
+
+// Modules that want this instant again and again would never let time go on.
 void Cpu::takePeriphery() {
-  if (periphery_ != nullptr && powered_ && periphery_->next() <= machine_.clock)
-    periphery_->advance(*this, machine_.clock);
+  const Instant now = machine_.clock;
+  if (!powered_ || nextOfModules() > now) return;
+  if (atOnce_.moves(now)) return periphery_->advance(*this, now);
+  modulesHang_ = true;
+  stopByFault(Event::StopCpuHardware,
+              std::string(periphery_->due(now)) + ": events at one instant without end");
 }
 
 void Cpu::takeClockMemory() {

@@ -32,7 +32,7 @@ void Cpu::updateImages() {
 void Cpu::outputsWritten(std::uint32_t first, std::uint32_t count) {
   if (periphery_ == nullptr) return;
   periphery_->written(*this, first, count);
-  machine_.horizon = std::min(machine_.horizon, periphery_->next());
+  machine_.horizon = std::min(machine_.horizon, nextOfModules());
 }
 
 // S7-STATE-02, -11: the line "output disable". Without modules the terminals are Areas::outputs.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 #include "clock/instant.h"
 
@@ -16,6 +17,8 @@ class Periphery {
   // When a module acts by itself next; Instant::never() if none will. The CPU calls `advance` at
   // the first instruction boundary at or after it, in every operating state.
   virtual Instant next() const = 0;
+  // For messages: who acts at `now`.
+  virtual std::string_view due(Instant) const { return "modules"; }
   // Brings Areas::inputs to `now` and hands events to Cpu::moduleEvent.
   virtual void advance(Cpu& cpu, Instant now) = 0;
   // Areas::inputs are about to be read, by the process image or the program (L PEx): what modules

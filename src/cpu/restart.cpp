@@ -132,6 +132,7 @@ StartInformation Cpu::startupInformation(Restart how) const {
 void Cpu::change(Mode to) {
   assert(isTransition(mode_, to));
   mode_ = to;
+  if (to == Mode::Startup) modulesHang_ = false;
   if (periphery_ != nullptr) periphery_->modeChanged(*this);
 }
 

@@ -1,6 +1,7 @@
 // Time and faults of the rack, and what it tells the CPU of them.
 #include <algorithm>
 
+#include "clock/standstill.h"
 #include "io/diagnosis.h"
 #include "io/rack.h"
 
@@ -107,7 +108,7 @@ void Rack::findNext() {
 
 // In the order of time; what falls together is one event of its module.
 void Rack::advance(Instant now) {
-  while (next_ <= now) {
+  for (Standstill loop; next_ <= now && loop.moves(next_);) {
     const Instant at = next_;
     for (std::uint32_t i = 0; i < units_.size(); ++i) {
       Unit& unit = units_[i];

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "clock/standstill.h"
+
 namespace merker::plant {
 Instant Plants::Unit::next() const { return fresh ? at : std::min(nextStep, process->next()); }
 
@@ -37,7 +39,7 @@ void Plants::show(io::Rack& rack, Instant at) {
 // In the order of time; at one instant in the order of merker.toml, so that a plant sees what those
 // above it have just done.
 void Plants::advance(io::Rack& rack, Instant now) {
-  while (next_ <= now) {
+  for (Standstill loop; next_ <= now && loop.moves(next_);) {
     const Instant at = next_;
     for (std::size_t i = 0; i < units_.size(); ++i)
       if (units_[i].next() <= at) move(i, rack, at);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "clock/standstill.h"
 #include "cpu/cpu.h"
 
 namespace merker::station {
@@ -29,8 +30,13 @@ Instant Periphery::next() const {
   return rack_.pending() ? Instant{} : std::min({rack_.next(), counting_.next(), plants_.next()});
 }
 
+std::string_view Periphery::due(Instant now) const {
+  if (plants_.next() <= now) return "plants";
+  return counting_.next() <= now ? "sub-module 2.4" : "modules of the rack";
+}
+
 void Periphery::goOn(Instant now) {
-  while (plants_.next() <= now) {  // in the order of time
+  for (Standstill loop; plants_.next() <= now && loop.moves(plants_.next());) {  // by time
     const Instant at = plants_.next();
     rack_.advance(at);
     plants_.advance(rack_, at);

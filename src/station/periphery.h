@@ -36,6 +36,7 @@ class Periphery : public cpu::Periphery {
   void goOn(Instant now);
 
   Instant next() const override;
+  std::string_view due(Instant now) const override;
   void advance(cpu::Cpu& cpu, Instant now) override;
   void reading(cpu::Cpu& cpu) override;
   void acknowledged(cpu::Cpu& cpu, std::uint32_t address) override;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "clock/standstill.h"
 #include "technology/counter.h"
 #include "technology/encoder_input.h"
 #include "technology/frequency.h"
@@ -72,9 +73,9 @@ Instant Channel::nextInput() const {
 
 void Channel::advance(Instant now) {
   if (function_ == nullptr) return;
-  for (;;) {
+  for (Standstill loop;;) {
     const Instant at = std::min(nextInput(), function_->due());
-    if (at > now) return;
+    if (at > now || !loop.moves(at)) return;
     handle(at);
     if (pattern_.known && pattern_.begin == at) skip(now);
   }

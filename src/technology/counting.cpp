@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "clock/standstill.h"
+
 namespace merker::technology {
 namespace {
 
@@ -59,15 +61,17 @@ Channel& Counting::at(std::uint32_t channel, Instant now) {
 }
 
 void Counting::start(Instant now) {
+  if (self_ == nullptr) return;
   advance(now);
   for (Channel& channel : channels_) channel.start(now);
   jobs_ = {};
   inService_ = waiting_ = 0;
-  if (self_ != nullptr) setLost(false);
+  setLost(false);
   changed_ = true;
 }
 
 void Counting::stop() {
+  if (self_ == nullptr) return;
   for (Channel& channel : channels_) channel.stop();
   changed_ = true;
 }
@@ -89,7 +93,8 @@ void Counting::advance(Instant now) {
 }
 
 void Counting::advanceChannels(Instant now) {
-  for (Instant next = this->next(); next <= now; next = this->next()) {
+  Standstill loop;
+  for (Instant next = this->next(); next <= now && loop.moves(next); next = this->next()) {
     changed_ = false;
     for (Channel& channel : channels_) channel.advance(next);
     collect();

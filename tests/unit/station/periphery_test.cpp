@@ -44,6 +44,40 @@ TEST(Periphery, ActsInVirtualTime) {
   plc->cpu().connect(nullptr);
 }
 
+// A module that wants the same instant for ever must not hold the time: the CPU stops and says who,
+// and the next start asks it again.
+TEST(Periphery, ThatNeverEndsStopsTheCpu) {
+  struct Endless : cpu::Periphery {
+    bool hangs = false;
+    unsigned calls = 0;
+    Instant next() const override { return hangs ? Instant{} : Instant::never(); }
+    void advance(cpu::Cpu&, Instant) override { ++calls; }
+    void written(cpu::Cpu&, std::uint32_t, std::uint32_t) override {}
+    void disableOutputs(cpu::Cpu&, bool) override {}
+  } module;
+  Plc plc(ob(1, "L MW 10; + 1; T MW 10;"));
+  plc->cpu().connect(&module);
+  plc.cycles(3);
+  module.hangs = true;
+  plc.run(Duration::seconds(1));
+  EXPECT_EQ(plc->mode(), Mode::Stop);
+  EXPECT_TRUE(plc->stoppedByFault());
+  EXPECT_EQ(plc.countEvents(0x456C), 1u);
+  EXPECT_NE(plc->stopReason().find("modules: events at one instant without end"), std::string::npos)
+      << plc->stopReason();
+  const unsigned calls = module.calls;
+  plc.run(Duration::seconds(1));  // in STOP it is not asked any more
+  EXPECT_EQ(module.calls, calls);
+  module.hangs = false;
+  plc.cycles(3);
+  EXPECT_EQ(plc->mode(), Mode::Run);
+  plc->stop();
+  module.hangs = true;
+  plc->advanceTo(plc->now() + Duration::seconds(1));
+  EXPECT_EQ(plc.countEvents(0x456C), 2u);
+  plc->cpu().connect(nullptr);
+}
+
 // S7-STATE-02, S7-STATE-11, S7-STATE-07: output disable in STOP, STARTUP and HALT.
 TEST(Periphery, IsToldOfOutputs) {
   Plc plc(ob(1, "L 7; T AB 4; L 9; T PAB 4;"));
