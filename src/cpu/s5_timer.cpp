@@ -42,6 +42,7 @@ void S5Timer::hold(Instant now) {
 bool S5Timer::start(Kind how, bool rlo, std::uint16_t s5, Instant now) {
   const bool rising = rlo && !startEdge;
   startEdge = rlo;
+  const bool stays = how == Kind::StoredOnDelay && kind == how && status(now);  // S7-TMR-17
   switch (how) {
     case Kind::Pulse:    // S7-TMR-10, -11: 0 ends the pulse
     case Kind::OnDelay:  // S7-TMR-14, -15: 0 stops and takes the status back
@@ -55,8 +56,7 @@ bool S5Timer::start(Kind how, bool rlo, std::uint16_t s5, Instant now) {
         held = true;
         started = false;
         frozen = 0;
-      } else if (!rlo && held) {
-        kind = how;
+      } else if (!rlo && held && kind == how) {
         held = false;
         return run(s5, now);
       }
@@ -64,9 +64,10 @@ bool S5Timer::start(Kind how, bool rlo, std::uint16_t s5, Instant now) {
       return true;
   }
   if (!rising) return true;
+  if (!run(s5, now)) return false;
   kind = how;
-  held = false;
-  return run(s5, now);
+  held = stays;
+  return true;
 }
 
 // S7-TMR-21: the next start instruction with RLO 1 counts as an edge again.
@@ -90,8 +91,9 @@ bool S5Timer::status(Instant now) const {
     case Kind::ExtendedPulse:
       return started && !expired(now);
     case Kind::OnDelay:
-    case Kind::StoredOnDelay:
       return started && expired(now);
+    case Kind::StoredOnDelay:
+      return held || (started && expired(now));
     case Kind::OffDelay:
       return held || (started && !expired(now));
   }

@@ -15,7 +15,7 @@ struct S5Timer {
   bool startEdge = false;    // RLO at the last start instruction
   bool enableEdge = false;   // RLO at the last FR
   bool started = false;      // runs or has run out; false after R or a stop
-  bool held = false;         // SA: start is 1, status 1 although no time runs
+  bool held = false;         // status 1 whatever the time: SA whose start is 1, SS started anew
   std::uint8_t base = 0;     // 0 = 10 ms, 1 = 100 ms, 2 = 1 s, 3 = 10 s
   std::uint16_t frozen = 0;  // units left when a stop ended the run early
   Instant end;

@@ -21,7 +21,7 @@ constexpr int offsetOfField(Field field) {
 
 }  // namespace
 
-// S7-TMR: started and not yet over, the delays started and over; SA also while its start is 1.
+// S7-TMR: started and not yet over, the delays started and over; SS and SA also while held.
 void RegionCode::TimerStatus(const Op& op) {
   const int timer = static_cast<int>(op.number * sizeof(S5Timer));
   const auto field = [&](std::size_t at) {
@@ -40,8 +40,8 @@ void RegionCode::TimerStatus(const Op& op) {
   code_.setb(host::dl);
   code_.xor_(host::al, host::dl);
   code_.and_(host::al, field(offsetof(S5Timer, started)));
-  code_.cmp(to, static_cast<int>(S5Timer::Kind::OffDelay));
-  code_.sete(host::dl);
+  code_.cmp(to, static_cast<int>(S5Timer::Kind::StoredOnDelay));
+  code_.setae(host::dl);
   code_.and_(host::dl, field(offsetof(S5Timer, held)));
   code_.or_(host::al, host::dl);
   code_.movzx(to, host::al);

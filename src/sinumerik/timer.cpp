@@ -9,11 +9,11 @@ std::uint16_t Timer::coded() const {
 }
 
 // Digits above 9 count with their value (S5-TIMER-11); 999 is the most.
-void Timer::begin(std::uint16_t akku, Instant now, const TimeBases& bases) {
+void Timer::begin(std::uint16_t akku, Instant now, const TimeBases& bases, std::uint16_t kept) {
   const unsigned digits = (akku >> 8 & 0xF) * 100u + (akku >> 4 & 0xF) * 10u + (akku & 0xF);
   const unsigned value = digits > 999 ? 999 : digits;
-  word_ =
-      static_cast<std::uint16_t>((word_ & (kStartEdge | kEnableEdge)) | (akku & 0x3000) | value);
+  word_ = static_cast<std::uint16_t>((word_ & (kStartEdge | kEnableEdge | kept)) | (akku & 0x3000) |
+                                     value);
   set(kRunning, value > 0);
   next_ = now + bases[base()];
   if (value == 0) expire();
@@ -48,8 +48,9 @@ bool Timer::start(TimerKind kind, bool vke, std::uint16_t akku, Instant now,
     return true;
   }
   if (vke && !before) {
+    const bool again = kind == TimerKind::SS && kind_ == kind;  // 1 until R (S5-TIMER-07)
     kind_ = kind;
-    begin(akku, now, bases);
+    begin(akku, now, bases, again ? kOutput : std::uint16_t{0});
     const bool running = (word_ & kRunning) != 0;
     if (kind == TimerKind::SI || kind == TimerKind::SV) set(kOutput, running);
     return true;

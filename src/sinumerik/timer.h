@@ -33,7 +33,8 @@ class Timer {
   void count(Instant now, const TimeBases& bases);
 
  private:
-  void begin(std::uint16_t akku, Instant now, const TimeBases& bases);
+  // `kept`: bits that stay beside the edge memories.
+  void begin(std::uint16_t akku, Instant now, const TimeBases& bases, std::uint16_t kept = 0);
   void set(std::uint16_t bit, bool on) {
     word_ = static_cast<std::uint16_t>(on ? word_ | bit : word_ & ~bit);
   }

@@ -20,7 +20,6 @@ struct Diagram {
   bool q(double t) const { return timer.status(at(t)); }
 };
 
-// S7-TMR-10, S7-TMR-11, S7-INSTR-26
 // S7-SIM-03, S7-SIM-13: a programming device gives a timer another rest, or resets it.
 TEST(S5Timer, IsModified) {
   S5Timer timer{};
@@ -34,6 +33,7 @@ TEST(S5Timer, IsModified) {
   EXPECT_EQ(timer.units(Instant{} + Duration::seconds(4)), 0);
 }
 
+// S7-TMR-10, S7-TMR-11, S7-INSTR-26
 TEST(S5Timer, PulseLastsTheTimeOrTheStart) {
   Diagram longStart{Kind::Pulse};
   longStart.start(0, true);
@@ -132,6 +132,34 @@ TEST(S5Timer, StoredOnDelayComesByItselfAndStays) {
   again.start(3, true);
   EXPECT_FALSE(again.q(7.999));
   EXPECT_TRUE(again.q(8));
+}
+
+// S7-TMR-17: whatever the start does once the time is over.
+TEST(S5Timer, StoredOnDelayStaysWhenItStartsAgainAfterItsTime) {
+  Diagram run{Kind::StoredOnDelay};
+  run.start(0, true);
+  run.start(6, false);
+  run.start(7, true);
+  EXPECT_TRUE(run.q(7));
+  EXPECT_EQ(run.timer.units(at(8)), 400);  // the time runs again
+  EXPECT_TRUE(run.q(12));
+  run.timer.reset(true);
+  EXPECT_FALSE(run.q(12));
+  EXPECT_FALSE(run.q(30));
+  run.start(31, false);
+  run.start(32, true);
+  EXPECT_FALSE(run.q(36.999));
+  EXPECT_TRUE(run.q(37));
+}
+
+// S7-TMR-04: a start with a bad value leaves the timer as it is.
+TEST(S5Timer, RefusedStartChangesNothing) {
+  Diagram run{Kind::ExtendedPulse};
+  run.start(0, true);
+  run.timer.start(Kind::ExtendedPulse, false, kFiveSeconds, at(1));
+  EXPECT_FALSE(run.timer.start(Kind::StoredOnDelay, true, 0x0ABC, at(2)));
+  EXPECT_TRUE(run.q(4.999));
+  EXPECT_FALSE(run.q(5));
 }
 
 // S7-TMR-18, S7-TMR-05, S7-INSTR-30, S7-OPEN-11

@@ -34,6 +34,8 @@ TEST(Timer, FiveKinds) {
   EXPECT_EQ(outputs(TimerKind::SE, "0111111110"), "0000001110");
   EXPECT_EQ(outputs(TimerKind::SE, "0111001110"), "0000000000");
   EXPECT_EQ(outputs(TimerKind::SS, "0100000000"), "0000001111");
+  // 1 until R, whatever the start does (S5-TIMER-07, 9.3.4)
+  EXPECT_EQ(outputs(TimerKind::SS, "01000000100011"), "00000011111111");
   EXPECT_EQ(outputs(TimerKind::SA, "0110000000"), "0111111100" + std::string());
   EXPECT_EQ(outputs(TimerKind::SA, "0110011000000"), "0111111111110");
 }
