@@ -13,8 +13,8 @@ std::uint32_t Block::line(std::uint32_t offset) const {
 }
 
 std::vector<const Variable*> parameters(const Block& block) {
-  static constexpr std::array kOrder{Section::Input, Section::Output, Section::InOut,
-                                     Section::Return};
+  static constexpr std::array kOrder{Section::Input, Section::Return, Section::Output,
+                                     Section::InOut};
   std::vector<const Variable*> result;
   for (const Section section : kOrder)
     for (const Variable& variable : block.variables)

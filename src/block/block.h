@@ -53,7 +53,7 @@ struct Block {
   Language language = Language::Awl;
 
   // Interface: IN, OUT, IN_OUT, RETURN, STAT, TEMP with addresses. Of an FC, parameters have
-  // addresses only for display; their order (IN, OUT, IN_OUT, RETURN) is the order of the parameter
+  // addresses only for display; their order (IN, RETURN, OUT, IN_OUT) is the order of the parameter
   // list.
   std::vector<Variable> variables;
   TypePtr returnType;  // FC; null = VOID
@@ -81,7 +81,7 @@ struct Block {
 // The blocks of one CPU, ready to load. Same kind and number only once.
 using Program = std::map<BlockId, Block>;
 
-// Parameters of an FC in the order of its parameter list (IN, OUT, IN_OUT, RETURN).
+// Parameters of an FC in the order of its parameter list (IN, RETURN, OUT, IN_OUT).
 std::vector<const Variable*> parameters(const Block& block);
 
 }  // namespace merker::block

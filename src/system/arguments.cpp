@@ -66,8 +66,9 @@ Block blockOf(cpu::Machine& m, Area area, std::uint32_t db, Access access) {
 Arguments::Where Arguments::placeOf(std::size_t i) const {
   if (call_.block.kind == BlockKind::SFB)
     return {Area::Instance, (call_.machine.registers.ar2 & 0xFFFFFF) + places_[i]};
-  if (i >= call_.parameters.size()) return {};
-  const std::uint32_t pointer = call_.parameters[i];
+  const std::size_t entry = function_.parameters[i].entry;
+  if (entry >= call_.parameters.size()) return {};
+  const std::uint32_t pointer = call_.parameters[entry];
   return {inCaller(pointerArea(pointer)), pointerAddress(pointer)};
 }
 
@@ -135,6 +136,7 @@ Region Arguments::region(const AnyPointer& where, std::uint32_t bytes, Access ac
 
 Region Arguments::structure(std::size_t i, std::uint32_t bytes) {
   const AnyPointer where = any(i);
+  if (where.syntax != AnyPointer{}.syntax) return region(pointer(i), bytes, Access::Write);
   if (byteCount(where) < bytes) return {.error = ErrorCode::LengthWrite};
   return region(where, bytes, Access::Write);
 }
@@ -151,10 +153,8 @@ void Arguments::status(std::uint32_t code) {
   if ((code & 0x8000) != 0) good_ = false;
 }
 
-// Parameters count as CALL shows them: inputs, RET_VAL, outputs.
 void Arguments::parameterError(std::size_t i, std::uint32_t code) {
-  const bool input = function_.parameters[i].section == block::Section::Input;
-  const auto number = static_cast<std::uint32_t>(i + (input ? 1 : 2));
+  const auto number = static_cast<std::uint32_t>(function_.parameters[i].entry + 1);
   status(0x8000 | number << 8 | code);
 }
 

@@ -65,7 +65,8 @@ class Arguments {
   AnyPointer any(std::size_t i);
   // POINTER: 6 bytes, number of a data block and an area pointer.
   AnyPointer pointer(std::size_t i);
-  // A STRUCT that is written: the ANY must name all of its bytes (S7-SFC-01: length error).
+  // A STRUCT that is written: the ANY must name all of its bytes (S7-SFC-01: length error). Code of
+  // STEP 7 hands over a POINTER, which names no length.
   Region structure(std::size_t i, std::uint32_t bytes);
   // The `bytes` bytes that `where` points to.
   Region region(const AnyPointer& where, std::uint32_t bytes, cpu::Access access);

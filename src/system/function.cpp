@@ -65,6 +65,20 @@ std::uint32_t initialValue(std::string_view text) {
   return value;
 }
 
+// RETURN stands behind IN in the parameter list, and at the end of a row.
+void numberEntries(std::vector<Parameter>& list) {
+  const auto count = [&](block::Section section) {
+    return std::count_if(list.begin(), list.end(),
+                         [&](const Parameter& p) { return p.section == section; });
+  };
+  const auto inputs = static_cast<std::size_t>(count(block::Section::Input));
+  const auto returns = static_cast<std::size_t>(count(block::Section::Return));
+  for (std::size_t i = 0; i < list.size(); ++i)
+    list[i].entry = list[i].section == block::Section::Input    ? i
+                    : list[i].section == block::Section::Return ? inputs
+                                                                : i + returns;
+}
+
 std::vector<Parameter> parametersOf(std::string_view text) {
   std::vector<Parameter> list;
   while (!text.empty()) {
@@ -74,6 +88,7 @@ std::vector<Parameter> parametersOf(std::string_view text) {
     const std::string_view type = take(one, " := ");
     list.push_back({name, where, typeFromName(type).value_or(TypeCode::Void), initialValue(one)});
   }
+  numberEntries(list);
   return list;
 }
 

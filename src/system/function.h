@@ -21,6 +21,7 @@ struct Parameter {
   block::Section section = block::Section::Input;
   TypeCode type = TypeCode::Word;
   std::uint32_t initial = 0;  // start value in an instance data block
+  std::size_t entry = 0;      // FC, SFC: its number in the parameter list (block::parameters)
 };
 
 struct Function {

@@ -17,7 +17,8 @@ TEST(Block, FindsTheLineOfAnInstruction) {
   EXPECT_EQ(Block{}.line(0), 0u);
 }
 
-// MC7 section 7.2: IN, OUT, IN_OUT, RETURN, whatever the order of declaration; no local data.
+// As STEP 7 writes the list behind a call: IN, RETURN, OUT, IN_OUT, whatever the order of
+// declaration; no local data.
 TEST(Block, ParametersComeInTheOrderOfTheList) {
   Block block;
   for (const Section section : {Section::Return, Section::Temp, Section::InOut, Section::Output,
@@ -27,9 +28,9 @@ TEST(Block, ParametersComeInTheOrderOfTheList) {
   ASSERT_EQ(list.size(), 5u);
   EXPECT_EQ(list[0], &block.variables[4]);
   EXPECT_EQ(list[1], &block.variables[5]);
-  EXPECT_EQ(list[2]->section, Section::Output);
-  EXPECT_EQ(list[3]->section, Section::InOut);
-  EXPECT_EQ(list[4]->section, Section::Return);
+  EXPECT_EQ(list[2]->section, Section::Return);
+  EXPECT_EQ(list[3]->section, Section::Output);
+  EXPECT_EQ(list[4]->section, Section::InOut);
 }
 
 }  // namespace

@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "cpu/cpu.h"
 #include "program.h"
 
 namespace merker::station::test {
@@ -148,6 +151,31 @@ TEST(StartInfo, KeepsThatOfTheStartup) {
   EXPECT_EQ(plc.read("MB 53"), 1u);
   EXPECT_EQ(plc.read("MD 30"), 0x13811B64u);
   EXPECT_EQ(plc.read("MD 70"), 0x13811B64u);
+}
+
+// S7-SFC-05: code of STEP 7 hands a STRUCT over by POINTER. The entries of the list are turned to
+// those in local data.
+TEST(StartInformation, IntoAStructByPointer) {
+  auto program = std::make_shared<block::Program>(*compileAwl(
+      "L 0; T LW 200; T LW 206; L P#M 100.0; T LD 202; L P#M 120.0; T LD 208;"
+      "CALL SFC 6 (RET_VAL := MW 20, TOP_SI := P#M 60.0 BYTE 12, START_UP_SI := P#M 80.0 BYTE 12);",
+      defaultCpuModel()));
+  std::vector<std::uint8_t>& code = program->at({BlockKind::OB, 1}).code;
+  const std::uint8_t jump[] = {0x70, 0x0B, 0x00, 0x08};  // over three entries: RET_VAL is the first
+  const auto list = std::search(code.begin(), code.end(), std::begin(jump), std::end(jump));
+  ASSERT_NE(list, code.end());
+  const std::uint8_t local[] = {0x87, 0, 0x06, 0x40, 0x87, 0, 0x06, 0x70};  // V 200.0, V 206.0
+  std::copy(std::begin(local), std::end(local), list + 8);
+  Station plc({.program = program});
+  ASSERT_TRUE(plc.warmRestart());
+  plc.advanceCycles(2);
+  const std::uint8_t* flags = plc.cpu().machine().areas.flag(0);
+  EXPECT_EQ(flags[20] << 8 | flags[21], 0);
+  EXPECT_EQ(flags[100], 0x11);  // OB 1
+  EXPECT_EQ(flags[103], 1);
+  EXPECT_EQ(flags[120], 0x13);  // OB 100
+  EXPECT_EQ(flags[123], 100);
+  EXPECT_EQ(flags[60], 0);
 }
 
 }  // namespace

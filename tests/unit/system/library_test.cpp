@@ -36,12 +36,13 @@ TEST(Library, ClosedLoopControlIsOnCompactCpus) {
       EXPECT_FALSE(library(*findCpuModel(name)).contains({BlockKind::SFB, sfb})) << name << sfb;
 }
 
-// IN, OUT, IN_OUT, RETURN.
 TEST(Library, ListsParametersInOrder) {
   const block::Program program = library(defaultCpuModel());
-  EXPECT_EQ(parameterNames(program, {BlockKind::SFC, 20}), "SRCBLK DSTBLK RET_VAL ");
-  EXPECT_EQ(parameterNames(program, {BlockKind::FC, 105}), "IN HI_LIM LO_LIM BIPOLAR OUT RET_VAL ");
+  EXPECT_EQ(parameterNames(program, {BlockKind::SFC, 20}), "SRCBLK RET_VAL DSTBLK ");
+  EXPECT_EQ(parameterNames(program, {BlockKind::FC, 105}), "IN HI_LIM LO_LIM BIPOLAR RET_VAL OUT ");
   EXPECT_EQ(parameterNames(program, {BlockKind::SFC, 46}), "");
+  EXPECT_EQ(parameterNames(program, {BlockKind::SFC, 54}), "IOID LADDR RECNUM RET_VAL RECORD ");
+  EXPECT_EQ(parameterNames(program, {BlockKind::FC, 34}), "DT1 DT2 RET_VAL ");
 }
 
 // The instances as the real blocks lay them out.
