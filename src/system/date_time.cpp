@@ -1,6 +1,7 @@
 // FC 1 AD_DT_TM, 3 D_TOD_DT, 6 DT_DATE, 7 DT_DAY, 8 DT_TOD, 33 S5TI_TIM, 34 SB_DT_DT, 35 SB_DT_TM,
 // 40 TIM_S5TI (S7-IEC-01 … -03).
 #include <algorithm>
+#include <array>
 #include <functional>
 
 #include "address/constant.h"
@@ -30,9 +31,24 @@ void store(Arguments& a, std::size_t i, std::int64_t milliseconds) {
   std::copy(value.begin(), value.end(), bytes.data);
 }
 
+// Bytes that are ordered as the instants are, whether they are a date or not: 1990 to 1999 come in
+// front of 2000, and the weekday beside the last digit does not count.
+std::array<std::uint8_t, 8> ordered(Arguments& a, std::size_t i) {
+  constexpr std::uint8_t kFirstYear = 0x90, kCentury = 0x70;
+  std::array<std::uint8_t, 8> result{};
+  const Region bytes = a.composite(i, result.size(), cpu::Access::Read);
+  if (!bytes) return result;
+  std::copy_n(bytes.data, result.size(), result.begin());
+  const bool before2000 = result[0] >= kFirstYear;
+  result[0] = static_cast<std::uint8_t>(before2000 ? result[0] - kFirstYear : result[0] + kCentury);
+  result[7] &= 0xF0;
+  return result;
+}
+
+// They report no error: a value that is no date is compared as it lies there.
 template <typename Relation>
 void compare(Arguments& a) {
-  a.set(2, Relation{}(dateAndTime(a, 0), dateAndTime(a, 1)));
+  a.set(2, Relation{}(ordered(a, 0), ordered(a, 1)));
 }
 
 }  // namespace
@@ -76,11 +92,11 @@ void timeToS5Time(Arguments& a) {
   a.set(1, coded ? *coded : time < 0 ? 0u : kLongest);
 }
 
-void dateEqual(Arguments& a) { compare<std::equal_to<std::int64_t>>(a); }
-void dateGreaterEqual(Arguments& a) { compare<std::greater_equal<std::int64_t>>(a); }
-void dateGreater(Arguments& a) { compare<std::greater<std::int64_t>>(a); }
-void dateLessEqual(Arguments& a) { compare<std::less_equal<std::int64_t>>(a); }
-void dateLess(Arguments& a) { compare<std::less<std::int64_t>>(a); }
-void dateNotEqual(Arguments& a) { compare<std::not_equal_to<std::int64_t>>(a); }
+void dateEqual(Arguments& a) { compare<std::equal_to<>>(a); }
+void dateGreaterEqual(Arguments& a) { compare<std::greater_equal<>>(a); }
+void dateGreater(Arguments& a) { compare<std::greater<>>(a); }
+void dateLessEqual(Arguments& a) { compare<std::less_equal<>>(a); }
+void dateLess(Arguments& a) { compare<std::less<>>(a); }
+void dateNotEqual(Arguments& a) { compare<std::not_equal_to<>>(a); }
 
 }  // namespace merker::system

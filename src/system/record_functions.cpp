@@ -39,7 +39,7 @@ std::uint32_t unconfigured(Arguments& a, const RecordTarget& target) {
 }  // namespace
 
 void readConfiguredRecord(Arguments& a) {
-  enum { IOID, LADDR, RECNUM, RECLEN, RECORD };
+  enum { IOID, LADDR, RECNUM, RECORD };
   const RecordTarget target = recordTarget(a, 54, a.value(IOID), a.value(LADDR), a.value(RECNUM));
   if (target.code != 0) return a.status(target.code);
   if (const auto code = unconfigured(a, target)) return a.status(code);
@@ -53,7 +53,6 @@ void readConfiguredRecord(Arguments& a) {
       a.region(where, static_cast<std::uint32_t>(data->size()), cpu::Access::Write);
   if (!region) return a.parameterError(RECORD, region.error);
   std::copy(data->begin(), data->end(), region.data);
-  a.set(RECLEN, static_cast<std::uint32_t>(data->size()));
   a.status(0);
 }
 

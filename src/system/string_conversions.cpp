@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <string>
 
 #include "system/text.h"
 
@@ -51,19 +52,27 @@ bool hasFormOfReal(std::string_view text) {
   });
 }
 
+// ±0.nnnnnnnE±xx, always 14 characters: the first digit that is not 0 stands behind the point.
+std::string textOf(float value) {
+  if (value == 0) return std::signbit(value) ? "-0.0000000E+00" : "+0.0000000E+00";
+  const std::string text = fmt::format("{:+.6E}", static_cast<double>(value));
+  const std::size_t e = text.find('E');
+  const int exponent = std::stoi(text.substr(e + 1)) + 1;
+  return fmt::format("{}0.{}{}E{:+03d}", text[0], text[1], text.substr(3, e - 3), exponent);
+}
+
 }  // namespace
 
 void intToText(Arguments& a) { setWholeText(a, 1, fmt::format("{:+d}", a.integer(0))); }
 void dintToText(Arguments& a) { setWholeText(a, 1, fmt::format("{:+d}", a.longInteger(0))); }
 
-// ±v.nnnnnnnE±xx, always 14 characters.
 void realToText(Arguments& a) {
   const float value = std::bit_cast<float>(a.value(0));
   if (!std::isfinite(value)) {
     a.fail();
     return setText(a, 1, {});
   }
-  setWholeText(a, 1, fmt::format("{:+.7E}", static_cast<double>(value)));
+  setWholeText(a, 1, textOf(value));
 }
 
 void textToInt(Arguments& a) { toNumber<std::int16_t>(a, kLongestInt, 0xFFFF); }

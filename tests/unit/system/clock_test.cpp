@@ -43,7 +43,7 @@ TEST(DateAndTime, Calculations) {
   Plc plc = plcWith(
       "CALL FC 1 (T := DB1.a, D := T#2S, RET_VAL := DB1.b); U BIE; = M 40.0;"
       "CALL FC 35 (T := DB1.b, D := T#2S, RET_VAL := DB1.d);"
-      "CALL FC 34 (T1 := DB1.b, T2 := DB1.a, RET_VAL := MD 0);"
+      "CALL FC 34 (DT1 := DB1.b, DT2 := DB1.a, RET_VAL := MD 0);"
       "CALL FC 6 (IN := DB1.c, RET_VAL := MW 4); CALL FC 7 (IN := DB1.c, RET_VAL := MW 6);"
       "CALL FC 8 (IN := DB1.c, RET_VAL := MD 8);"
       "CALL FC 14 (DT1 := DB1.a, DT2 := DB1.c, RET_VAL := M 20.0);"

@@ -70,7 +70,7 @@ TEST(Strings, Functions) {
       {"CALL FC 31 (IN1 := DB1.a, IN2 := DB1.b, L := -1, P := 1, RET_VAL := DB1.r);", "", 0},
       {"CALL FC 16 (I := 123, RET_VAL := DB1.r);", "+123", 1},
       {"CALL FC 5 (I := L#-70000, RET_VAL := DB1.r);", "-70000", 1},
-      {"CALL FC 30 (IN := 1.500000e+000, RET_VAL := DB1.r);", "+1.5000000E+00", 1}};
+      {"CALL FC 30 (IN := 1.500000e+000, RET_VAL := DB1.r);", "+0.1500000E+01", 1}};
   for (const Row& row : rows) {
     Plc plc = plcWith(row.call);
     EXPECT_EQ(text(plc), row.result) << row.call;
