@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstdint>
 
 #include "base/bcd.h"
 #include "simulator/display.h"
@@ -74,6 +75,26 @@ std::int32_t withSign(const Term& term, std::uint32_t bits) {
   return word ? static_cast<std::int16_t>(bits) : static_cast<std::int32_t>(bits);
 }
 
+// 5, -7, L#40000 beside an operand that has no type of its own.
+std::optional<std::int64_t> plainNumber(const Term& term, const Term& other) {
+  if (!term.constant || other.constant || isTimerOrCounter(other) || isReal(other)) return {};
+  const Constant& constant = *term.constant;
+  if (constant.format == ConstantFormat::Integer) return static_cast<std::int16_t>(constant.bits);
+  if (constant.format == ConstantFormat::LongInteger)
+    return static_cast<std::int32_t>(constant.bits);
+  return {};
+}
+
+// As a number beside `wanted`: with sign, but for what has no place in its width with sign (MW 0
+// beside L#40000), bits, and bytes beside what is not negative.
+std::int64_t besideNumber(const Term& term, std::uint32_t bits, std::int64_t wanted) {
+  const unsigned width = bitWidth(term.reference);
+  if (width == 1 || (width == 8 && wanted >= 0)) return bits;
+  if (width < 32 && wanted >= std::int64_t{1} << (width - 1)) return bits;
+  const std::uint32_t sign = 1u << (width - 1);
+  return static_cast<std::int32_t>((bits ^ sign) - sign);
+}
+
 // A running timer may count with a longer base than the shortest that the constant has: S5T#2S is
 // 16#0200 and 16#1020.
 bool comparesTimes(const Term& left, const Term& right) {
@@ -91,6 +112,10 @@ bool related(const Term& left, std::uint32_t a, Relation relation, const Term& r
              std::uint32_t b) {
   if (comparesTimes(left, right)) return relates(milliseconds(a), relation, milliseconds(b));
   if (relation == Relation::About) return about(a, b);
+  if (const auto number = plainNumber(right, left))
+    return relates(besideNumber(left, a, *number), relation, *number);
+  if (const auto number = plainNumber(left, right))
+    return relates(*number, relation, besideNumber(right, b, *number));
   if (isOrder(relation) && (isReal(left) || isReal(right)))
     return relates(real(a), relation, real(b));
   if (isOrder(relation) && (isSigned(left) || isSigned(right)))
@@ -98,10 +123,16 @@ bool related(const Term& left, std::uint32_t a, Relation relation, const Term& r
   return relates(a, relation, b);
 }
 
+// As an INT where it fits, as formatConstant() writes it.
+std::string showNumber(const Term& term, std::int64_t number) {
+  const bool word = bitWidth(term.reference) < 32 && number >= INT16_MIN && number <= INT16_MAX;
+  return formatConstant({word ? ConstantFormat::Integer : ConstantFormat::LongInteger,
+                         static_cast<std::uint32_t>(number) & (word ? 0xFFFFu : ~0u)});
+}
+
 // In the notation of the constant that the operand is compared with, if that is wide enough for it.
 std::string showLike(ConstantFormat format, const Term& term, std::uint32_t bits) {
   if (bitWidth(format) >= bitWidth(term.reference)) return formatConstant({format, bits});
-  if (format == ConstantFormat::Integer) return formatConstant({ConstantFormat::LongInteger, bits});
   return formatOperand(term.reference, bits);
 }
 
@@ -110,6 +141,8 @@ std::string show(const Term& term, const Term& other, std::uint32_t bits) {
     return std::to_string(bits);
   if (!term.constant && bitWidth(term.reference) == 1) return std::to_string(bits);
   if (isTimerOrCounter(term)) return formatOperand(term.reference, bits);
+  if (const auto number = plainNumber(other, term))
+    return showNumber(term, besideNumber(term, bits, *number));
   if (term.constant) return formatConstant({term.constant->format, bits});
   return other.constant ? showLike(adapt(*other.constant, typeOf(term)).format, term, bits)
                         : formatOperand(term.reference, bits);
@@ -118,6 +151,8 @@ std::string show(const Term& term, const Term& other, std::uint32_t bits) {
 }  // namespace
 
 std::optional<std::uint32_t> value(const Term& term, const Term& other, const Reader& read) {
+  if (const auto number = plainNumber(term, other); number && bitWidth(other.reference) == 32)
+    return static_cast<std::uint32_t>(*number);
   if (term.constant) return adapt(*term.constant, typeOf(other)).bits;
   return isTimerOrCounter(term) ? timerOrCounter(term, other, read) : read(term.reference);
 }

@@ -1,6 +1,6 @@
 // Comparisons of scenarios: the rules of self-checking programs (raw bits as unsigned numbers, the
-// narrower side filled up with zeros, ~= as REAL within 1e-6), and typed variables ordered as their
-// type is.
+// narrower side filled up with zeros, ~= as REAL within 1e-6), typed variables ordered as their
+// type is, and beside an integer a number with sign.
 #pragma once
 
 #include <string>

@@ -32,15 +32,35 @@ bool equal(std::uint32_t bits, const char* left, const char* right, std::uint32_
 TEST(Comparison, TheNarrowerSideIsFilledUpWithZeros) {
   EXPECT_TRUE(equal(5, "MW 10", "B#16#05"));
   EXPECT_TRUE(equal(0xFFFB, "MW 10", "-5"));
-  EXPECT_FALSE(equal(0xFFFFFFFB, "MD 4", "-5"));
-  EXPECT_TRUE(equal(0x0000FFFB, "MD 4", "-5"));
+  EXPECT_TRUE(equal(0xFFFFFFFB, "MD 4", "-5"));
+  EXPECT_FALSE(equal(0x0000FFFB, "MD 4", "-5"));
   EXPECT_TRUE(equal(0xFFFFFFFB, "MD 4", "L#-5"));
   EXPECT_TRUE(equal(1, "M 1.0", "TRUE"));
 }
 
 TEST(Comparison, RawBitsAreUnsigned) {
-  EXPECT_TRUE(check(0xFFFB, "MW 10", Relation::Greater, "5").holds);
-  EXPECT_FALSE(check(0xFFFB, "MW 10", Relation::Less, "5").holds);
+  EXPECT_TRUE(check(0xFFFB, "MW 10", Relation::Greater, "W#16#5").holds);
+  EXPECT_FALSE(check(0xFFFB, "MW 10", Relation::Less, "W#16#5").holds);
+  EXPECT_TRUE(check(0xFFFFFFFB, "MD 4", Relation::Greater, "DW#16#5").holds);
+}
+
+// What fails says the number that was compared.
+TEST(Comparison, BesideAnIntegerTheSignCounts) {
+  EXPECT_TRUE(check(0xFFFB, "MW 10", Relation::Less, "5").holds);
+  EXPECT_TRUE(check(0xFFFFFFFB, "MD 4", Relation::Less, "5").holds);
+  EXPECT_TRUE(check(0xFFFFFFFB, "MD 4", Relation::LessEqual, "-5").holds);
+  EXPECT_TRUE(equal(0xFFFB, "MW 10", "L#-5"));
+  EXPECT_EQ(check(0xFFFB, "MW 10", Relation::Greater, "5").actual, "-5");
+  EXPECT_EQ(check(0xFFFB, "MW 10", Relation::Greater, "L#5").actual, "-5");
+  EXPECT_EQ(check(0xFFFFFFFA, "MD 4", Relation::Equal, "-5").actual, "L#-6");
+  // no place with sign: L#40000 in a word, 200 in a byte
+  EXPECT_TRUE(equal(40000, "MW 10", "L#40000"));
+  EXPECT_TRUE(check(0xFFFF, "MW 10", Relation::Greater, "L#40000").holds);
+  EXPECT_TRUE(equal(200, "MB 10", "200"));
+  EXPECT_TRUE(check(200, "MB 10", Relation::Greater, "5").holds);
+  EXPECT_TRUE(equal(0xFF, "MB 10", "-1"));
+  EXPECT_TRUE(check(0xFFFB, "5", Relation::Greater, "MW 10").holds);
+  EXPECT_TRUE(equal(1, "M 1.0", "1"));
 }
 
 TEST(Comparison, TypedVariablesAreOrderedAsTheirType) {
