@@ -52,26 +52,26 @@ void readOperand(std::string_view part, const Position& position,
 
 }  // namespace
 
-int readOperands(const std::string& option, const std::vector<std::string>& texts,
-                 const simulator::Resolver& resolver, std::vector<mc7::Reference>& operands) {
-  return readLists(option, texts, [&](auto part, const Position& position, Problems& problems) {
-    readOperand(part, position, resolver, operands, problems);
-  });
-}
-
 int readWatched(const std::string& option, const std::vector<std::string>& texts,
                 const simulator::Resolver& resolver, const plant::Configuration& plants,
-                simulator::Watched& watched) {
-  constexpr std::string_view kPlant = "plant ";
+                const io::Configuration* hardware, simulator::Watched& watched) {
   return readLists(option, texts, [&](auto part, const Position& position, Problems& problems) {
-    if (!equalsIgnoreCase(part.substr(0, kPlant.size()), kPlant))
-      return readOperand(part, position, resolver, watched.operands, problems);
-    simulator::PlantValue signal;
     const auto at = [&](std::string_view) { return position; };
-    const std::string_view name = trim(part.substr(kPlant.size()));
-    if (!simulator::parsePlant(name, "0", signal, at, problems)) return;
-    simulator::resolve(signal, &plants, problems);
-    watched.plants.push_back(std::move(signal));
+    std::string_view name = part;
+    const std::string_view word = simulator::takeWord(name);
+    if (equalsIgnoreCase(word, "plant") && !name.empty()) {
+      simulator::PlantValue signal;
+      if (!simulator::parsePlant(name, "0", signal, at, problems)) return;
+      simulator::resolve(signal, &plants, problems);
+      watched.plants.push_back(std::move(signal));
+    } else if (equalsIgnoreCase(word, "terminal") && !name.empty()) {
+      simulator::TerminalValue terminal;
+      if (!simulator::parseTerminal(name, {}, terminal, at, problems)) return;
+      simulator::resolvePlace(terminal, hardware, problems);
+      watched.terminals.push_back(std::move(terminal));
+    } else {
+      readOperand(part, position, resolver, watched.operands, problems);
+    }
   });
 }
 

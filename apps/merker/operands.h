@@ -11,15 +11,13 @@
 
 namespace merker::app {
 
-// `texts` are the values of all uses of `option`; problems name the option in place of a file and
-// are printed at once. The exit code. Timers and counters come back with their value as LC loads
-// it.
-int readOperands(const std::string& option, const std::vector<std::string>& texts,
-                 const simulator::Resolver& resolver, std::vector<mc7::Reference>& operands);
-// Operands, and signals of plants: "A 0.0, plant Oven.PV".
+// Operands, signals of plants and terminals: "A 0.0, plant Oven.PV, terminal 2.2.DO0". `texts` are
+// the values of all uses of `option`; problems name the option in place of a file and are printed
+// at once. The exit code. Timers and counters come back with their value as LC loads it.
+// `hardware`: null without a hardware configuration.
 int readWatched(const std::string& option, const std::vector<std::string>& texts,
                 const simulator::Resolver& resolver, const plant::Configuration& plants,
-                simulator::Watched& watched);
+                const io::Configuration* hardware, simulator::Watched& watched);
 int readAssignments(const std::string& option, const std::vector<std::string>& texts,
                     const simulator::Resolver& resolver,
                     std::vector<simulator::Assignment>& assignments);

@@ -35,8 +35,7 @@ struct RunOptions {
 
 struct Operands {
   std::vector<simulator::Assignment> set;
-  std::vector<mc7::Reference> print;
-  simulator::Watched watch;
+  simulator::Watched print, watch;
 };
 
 int wrongUsage(const std::string& text) {
@@ -93,8 +92,15 @@ std::string_view name(controller::Mode mode) {
 }
 
 void printText(const Operands& operands, const controller::Controller& plc) {
-  for (const mc7::Reference& operand : operands.print)
+  for (const mc7::Reference& operand : operands.print.operands)
     std::cout << operand.text << " = " << simulator::show(operand, plc).value_or("?") << '\n';
+  const auto* station = dynamic_cast<const station::Station*>(&plc);
+  for (const simulator::PlantValue& signal : operands.print.plants)
+    std::cout << "plant " << signal.text << " = " << actualValue(signal, *station->plants())
+              << '\n';
+  for (const simulator::TerminalValue& terminal : operands.print.terminals)
+    std::cout << "terminal " << terminal.text << " = " << actualValue(terminal, *station->rack())
+              << '\n';
 }
 
 void printJson(const Operands& operands, const controller::Controller& plc) {
@@ -104,8 +110,13 @@ void printJson(const Operands& operands, const controller::Controller& plc) {
                                      {"cycles", plc.cycles()},
                                      {"instructions", plc.instructions()}};
   if (plc.mode() == controller::Mode::Stop) document["stop_reason"] = plc.stopReason();
-  for (const mc7::Reference& operand : operands.print)
+  for (const mc7::Reference& operand : operands.print.operands)
     document[operand.text] = toJson(operand, plc);
+  const auto* station = dynamic_cast<const station::Station*>(&plc);
+  for (const simulator::PlantValue& signal : operands.print.plants)
+    document["plant " + signal.text] = station->plants()->value(signal.place);
+  for (const simulator::TerminalValue& terminal : operands.print.terminals)
+    document["terminal " + terminal.text] = presentValue(terminal, *station->rack());
   std::cout << document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
 }
 
@@ -131,7 +142,7 @@ bool cyclesMissing(const RunOptions& options, const controller::Controller& plc)
 
 int finish(const RunOptions& options, const Operands& operands, const controller::Controller& plc) {
   options.json ? printJson(operands, plc) : printText(operands, plc);
-  const bool all = allExist(operands.print, plc);
+  const bool all = allExist(operands.print.operands, plc);
   if (!plc.stoppedByFault()) return cyclesMissing(options, plc) || !all ? kProblems : kGood;
   std::cerr << "merker run: the CPU went to STOP: " << plc.stopReason() << '\n';
   return kFault;
@@ -139,10 +150,13 @@ int finish(const RunOptions& options, const Operands& operands, const controller
 
 int readOptions(const RunOptions& options, const Build& build, Operands& operands) {
   const auto resolver = build.resolver();
-  return std::max(
-      {readAssignments("--set", options.set, resolver, operands.set),
-       readOperands("--print", options.print, resolver, operands.print),
-       readWatched("--watch", options.watch, resolver, build.project.plants, operands.watch)});
+  const io::Configuration* hardware = build.project.hardware ? &*build.project.hardware : nullptr;
+  const auto watched = [&](const char* option, const auto& texts, simulator::Watched& list) {
+    return readWatched(option, texts, resolver, build.project.plants, hardware, list);
+  };
+  return std::max({readAssignments("--set", options.set, resolver, operands.set),
+                   watched("--print", options.print, operands.print),
+                   watched("--watch", options.watch, operands.watch)});
 }
 
 void advance(const RunOptions& options, controller::Controller& plc, std::optional<Duration> time) {
@@ -175,7 +189,8 @@ class CycleEnd {
   }
   void watch(const simulator::Watched& watched, const controller::Controller& plc) {
     const auto* station = dynamic_cast<const station::Station*>(&plc);
-    trace_.emplace(file_, watched, plc, station == nullptr ? nullptr : station->plants());
+    trace_.emplace(file_, watched, plc, station == nullptr ? nullptr : station->plants(),
+                   station == nullptr ? nullptr : station->rack());
   }
   void operator()(controller::Controller& plc) {
     if (keeper_ && !keeper_->save(stationOf(plc))) return plc.stop();
@@ -341,7 +356,8 @@ void addRun(CLI::App& program, int& result) {
       ->allow_extra_args(false);
   command
       ->add_option("--watch", options->watch,
-                   "operands and signals of plants to record: \"E 0.0, plant Oven.PV\"")
+                   "operands, signals of plants, terminals to record: \"E 0.0, plant Oven.PV, "
+                   "terminal 2.2.DO0\"")
       ->allow_extra_args(false);
   command->add_option("--trace", options->trace,
                       "file for --watch: time, operand, value of each change");

@@ -90,12 +90,6 @@ std::optional<double> levelOf(std::string_view text) {
   return std::nullopt;
 }
 
-double present(const TerminalValue& value, const io::Rack& rack) {
-  const auto terminal = rack.terminal(value.module, value.side, value.channel);
-  if (!terminal) return 0;
-  return isDigital(value.side) ? double(rack.level(*terminal)) : rack.amount(*terminal);
-}
-
 // Half the difference below which two values count as equal.
 double tolerance(const TerminalValue& value, const io::Rack& rack) {
   const auto terminal = rack.terminal(value.module, value.side, value.channel);
@@ -153,19 +147,35 @@ void resolve(const FaultStep& step, const io::Configuration* hardware, Problems&
                                : fmt::format("fault '{}' of a single channel", fault.words));
 }
 
-void resolve(TerminalValue& terminal, const io::Configuration* hardware, Problems& problems) {
+namespace {
+
+// The module that has it, and the range of an analog terminal; null with a problem.
+const io::Module* placeOf(const TerminalValue& terminal, const io::Configuration* hardware,
+                          const MeasuringRange*& range, Problems& problems) {
   const io::Module* module = find(terminal.module, terminal.position, hardware, problems);
-  if (module == nullptr) return;
+  if (module == nullptr) return nullptr;
   if (terminal.channel >= channelsOf(*module->type, terminal.side)) {
     problems.add(ProblemCode::P0984, terminal.position, module->title(),
                  "terminal " + terminal.text.substr(terminal.text.rfind('.') + 1));
-    return;
+    return nullptr;
   }
-  const MeasuringRange* range = isDigital(terminal.side) ? nullptr : rangeOf(*module, terminal);
-  if (!isDigital(terminal.side) && range == nullptr) {
-    problems.add(ProblemCode::P0984, terminal.position, terminal.text, "range: it is off");
-    return;
-  }
+  range = isDigital(terminal.side) ? nullptr : rangeOf(*module, terminal);
+  if (isDigital(terminal.side) || range != nullptr) return module;
+  problems.add(ProblemCode::P0984, terminal.position, terminal.text, "range: it is off");
+  return nullptr;
+}
+
+}  // namespace
+
+void resolvePlace(const TerminalValue& terminal, const io::Configuration* hardware,
+                  Problems& problems) {
+  const MeasuringRange* range = nullptr;
+  placeOf(terminal, hardware, range, problems);
+}
+
+void resolve(TerminalValue& terminal, const io::Configuration* hardware, Problems& problems) {
+  const MeasuringRange* range = nullptr;
+  if (placeOf(terminal, hardware, range, problems) == nullptr) return;
   const auto amount =
       range == nullptr ? levelOf(terminal.value) : io::parseAmount(terminal.value, range->quantity);
   if (!amount)
@@ -193,8 +203,14 @@ std::string set(const TerminalValue& value, io::Rack& rack, Instant now) {
   return {};
 }
 
+double presentValue(const TerminalValue& value, const io::Rack& rack) {
+  const auto terminal = rack.terminal(value.module, value.side, value.channel);
+  if (!terminal) return 0;
+  return isDigital(value.side) ? double(rack.level(*terminal)) : rack.amount(*terminal);
+}
+
 bool holds(const TerminalValue& value, block::Relation relation, const io::Rack& rack) {
-  const double is = present(value, rack);
+  const double is = presentValue(value, rack);
   const bool equal = std::abs(is - value.amount) <= tolerance(value, rack);
   switch (relation) {
     case block::Relation::Equal:
@@ -217,7 +233,7 @@ bool holds(const TerminalValue& value, block::Relation relation, const io::Rack&
 std::string actualValue(const TerminalValue& value, const io::Rack& rack) {
   const auto terminal = rack.terminal(value.module, value.side, value.channel);
   const MeasuringRange* range = terminal ? rack.range(*terminal) : nullptr;
-  const double is = present(value, rack);
+  const double is = presentValue(value, rack);
   return range == nullptr ? fmt::format("{}", is != 0 ? 1 : 0)
                           : io::formatAmount(is, range->quantity);
 }

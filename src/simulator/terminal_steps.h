@@ -43,6 +43,9 @@ bool parseTerminal(std::string_view terminal, std::string_view value, TerminalVa
 // Whether the modules have this; `hardware` is null without a hardware configuration.
 void resolve(const FaultStep& step, const io::Configuration* hardware, Problems& problems);
 void resolve(TerminalValue& terminal, const io::Configuration* hardware, Problems& problems);
+// Only to be looked at: without a value.
+void resolvePlace(const TerminalValue& terminal, const io::Configuration* hardware,
+                  Problems& problems);
 
 // Both on resolved steps. `set`: the reason if an output terminal was to be set, else empty.
 void apply(const FaultStep& step, io::Rack& rack);
@@ -51,5 +54,7 @@ std::string set(const TerminalValue& terminal, io::Rack& rack, Instant now);
 // Amounts are equal when they differ by less than a thousandth of the range: outputs have steps.
 bool holds(const TerminalValue& terminal, block::Relation relation, const io::Rack& rack);
 std::string actualValue(const TerminalValue& terminal, const io::Rack& rack);
+// A level as 0 or 1, an amount in the unit of its range.
+double presentValue(const TerminalValue& terminal, const io::Rack& rack);
 
 }  // namespace merker::simulator

@@ -37,7 +37,7 @@ std::optional<std::string> content(const mc7::Reference& reference,
   return raw;
 }
 
-std::string shown(const mc7::Reference& reference, const std::string& content) {
+std::string operandText(const mc7::Reference& reference, const std::string& content) {
   if (isLong(reference)) return formatLong(reference.type, content);
   std::uint32_t bits = 0;
   std::memcpy(&bits, content.data(), sizeof bits);
@@ -46,23 +46,35 @@ std::string shown(const mc7::Reference& reference, const std::string& content) {
 }
 
 // Four digits, so that a curve is told in some hundred changes.
-std::string signalOf(const PlantValue& signal, const plant::Plants& plants) {
-  return fmt::format("{:.4g}", plants.value(signal.place));
-}
+std::string fourDigits(double value) { return fmt::format("{:.4g}", value); }
 
 }  // namespace
 
 Trace::Trace(std::ostream& out, Watched watched, const controller::Controller& plc,
-             const plant::Plants* plants)
-    : out_(out), watched_(std::move(watched)), plants_(plants) {
+             const plant::Plants* plants, const io::Rack* rack)
+    : out_(out), watched_(std::move(watched)), plants_(plants), rack_(rack) {
   for (mc7::Reference& reference : watched_.operands) {
     reference = prepared(std::move(reference));
     last_.push_back(content(reference, plc));
   }
-  for (const PlantValue& signal : watched_.plants) {
-    lastSignals_.push_back(signalOf(signal, *plants_));
-    write(plc.now(), "plant " + signal.text, lastSignals_.back());
-  }
+  lastOutside_ = outside();
+  for (std::size_t i = 0; i < lastOutside_.size(); ++i)
+    write(plc.now(), nameOutside(i), lastOutside_[i]);
+}
+
+std::vector<std::string> Trace::outside() const {
+  std::vector<std::string> values;
+  for (const PlantValue& signal : watched_.plants)
+    values.push_back(fourDigits(plants_->value(signal.place)));
+  for (const TerminalValue& terminal : watched_.terminals)
+    values.push_back(fourDigits(presentValue(terminal, *rack_)));
+  return values;
+}
+
+std::string Trace::nameOutside(std::size_t index) const {
+  const std::size_t signals = watched_.plants.size();
+  return index < signals ? "plant " + watched_.plants[index].text
+                         : "terminal " + watched_.terminals[index - signals].text;
 }
 
 // 7 decimals: 100 ns, the shortest instruction of the CPU 314C-2
@@ -76,14 +88,12 @@ void Trace::sample(const controller::Controller& plc) {
     const auto now = content(operand, plc);
     if (!now || now == last_[i]) continue;
     last_[i] = now;
-    write(plc.now(), operand.text, shown(operand, *now));
+    write(plc.now(), operand.text, operandText(operand, *now));
   }
-  for (std::size_t i = 0; i < watched_.plants.size(); ++i) {
-    std::string now = signalOf(watched_.plants[i], *plants_);
-    if (now == lastSignals_[i]) continue;
-    lastSignals_[i] = std::move(now);
-    write(plc.now(), "plant " + watched_.plants[i].text, lastSignals_[i]);
-  }
+  std::vector<std::string> now = outside();
+  for (std::size_t i = 0; i < now.size(); ++i)
+    if (now[i] != lastOutside_[i]) write(plc.now(), nameOutside(i), now[i]);
+  lastOutside_ = std::move(now);
 }
 
 }  // namespace merker::simulator

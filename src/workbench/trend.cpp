@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "simulator/display.h"
 #include "simulator/long_value.h"
@@ -28,6 +29,26 @@ std::optional<plant::SignalPlace> signalOf(std::string_view name, const Plc& plc
   return signal ? std::optional(plant::SignalPlace{*found, *signal}) : std::nullopt;
 }
 
+// terminal.2.2.DO0, as scenarios name it behind the first point.
+std::optional<io::Terminal> terminalOf(std::string_view name, const Plc& plc) {
+  constexpr std::string_view kPrefix = "terminal.";
+  const io::Rack* rack = plc.isS7() ? std::as_const(*plc.station()).rack() : nullptr;
+  if (!name.starts_with(kPrefix) || rack == nullptr) return std::nullopt;
+  const auto known = io::parseTerminal(name.substr(kPrefix.size()));
+  if (!known) return std::nullopt;
+  const auto terminal = rack->terminal(known->module, known->side, known->channel);
+  const bool off = terminal && !isDigital(known->side) && rack->range(*terminal) == nullptr;
+  return off ? std::nullopt : terminal;
+}
+
+Json describeTerminal(const std::string& name, io::Terminal terminal, const Plc& plc) {
+  const MeasuringRange* range = std::as_const(*plc.station()).rack()->range(terminal);
+  return {{"operand", name},
+          {"symbol", ""},
+          {"unit", range == nullptr ? "" : unitOf(range->quantity)},
+          {"bits", range == nullptr ? 1 : 0}};
+}
+
 }  // namespace
 
 Json Trend::describe(const std::string& name, Source& source, const Plc& plc) const {
@@ -38,6 +59,10 @@ Json Trend::describe(const std::string& name, Source& source, const Plc& plc) co
         plc.station()->plants()->configuration().plants[signal->plant];
     const plant::Signal& what = settings.kind->signals[signal->signal];
     return {{"operand", name}, {"symbol", ""}, {"unit", what.unit}, {"bits", what.binary ? 1 : 0}};
+  }
+  if (const auto terminal = terminalOf(name, plc)) {
+    source = *terminal;
+    return describeTerminal(name, *terminal, plc);
   }
   auto reference = plc.operand(name);
   if (!reference)
@@ -66,6 +91,10 @@ Json Trend::describe(const Plc& plc) {
 double Trend::value(const Source& source, const Plc& plc) {
   if (const auto* signal = std::get_if<plant::SignalPlace>(&source))
     return plc.station()->plants()->value(*signal);
+  if (const auto* terminal = std::get_if<io::Terminal>(&source)) {
+    const io::Rack& rack = *std::as_const(*plc.station()).rack();
+    return isDigital(terminal->side) ? double(rack.level(*terminal)) : rack.amount(*terminal);
+  }
   const auto* reference = std::get_if<mc7::Reference>(&source);
   const auto bits = reference == nullptr ? std::nullopt : plc.controller().read(*reference);
   if (!bits) return kNothing;

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "io/rack.h"
 #include "plant/plants.h"
 #include "workbench/json.h"
 #include "workbench/plc.h"
@@ -30,7 +31,7 @@ class Trend {
     Instant time;
     std::vector<double> values;  // not a number: there is none
   };
-  using Source = std::variant<std::monostate, mc7::Reference, plant::SignalPlace>;
+  using Source = std::variant<std::monostate, mc7::Reference, plant::SignalPlace, io::Terminal>;
   Json describe(const std::string& name, Source& source, const Plc& plc) const;
   static double value(const Source& source, const Plc& plc);
 

@@ -137,6 +137,23 @@ class Trace(Case):
         self.assertLess(float(rows[0][0]), 0.1)
         self.assertAlmostEqual(float(rows[-1][0]), 2.0, delta=0.05)
 
+    # An output that a channel drives does not show in the image of outputs.
+    def test_terminals_are_traced_and_printed(self):
+        self.write("merker.toml", '[project]\nname = "t"\n[[module]]\nslot = "2.4"\n[[module.channel]]\nnumber = 0\nmode = "pwm"\n'
+                                  'time_base = "1ms"\nperiod = 200\n[[module]]\nslot = "2.2"\nname = "D"\n')
+        self.write("a.awl", "DATA_BLOCK DB 49\nSFB 49\nBEGIN\nEND_DATA_BLOCK\n" + block(
+            "      CALL  SFB 49, DB 49 (LADDR := W#16#300, CHANNEL := 0, SW_EN := TRUE, OUTP_VAL := 500)"))
+        names = "terminal D.DO0, terminal D.DI3, A 124.0"
+        call = self.expect(GOOD, "run", ".", "--for", "150ms", "--trace", "t.csv", "--watch", names, "--print", names)
+        rows = [line.split(",") for line in self.read("t.csv").splitlines()]
+        values = [value for _, name, value in rows if name == "terminal D.DO0"]
+        self.assertEqual(values, ["0", "1", "0"])
+        self.assertEqual([value for _, name, value in rows if name == "A 124.0"], [])
+        self.assertEqual(call.out, "A 124.0 = 0\nterminal D.DO0 = 0\nterminal D.DI3 = 0\n")
+        self.expect(GOOD, "plot", "t.csv", "-o", "t.svg", "--row", "terminal D.DO0 = pulses")
+        self.assertIn("P0984", self.expect(USAGE, "run", ".", "--for", "1s", "--print", "terminal D.DO99").err)
+        self.assertIn("P0981", self.expect(USAGE, "run", ".", "--for", "1s", "--watch", "terminal X.DO0").err)
+
     def test_two_runs_are_the_same_byte_for_byte(self):
         self.assertEqual(self.trace("1.csv"), self.trace("2.csv"))
 

@@ -45,6 +45,27 @@ TEST(Trend, ShowsWhatIsNotThereAsNothing) {
   EXPECT_EQ(row[2], 1.5);
 }
 
+// What lies at a terminal or is put out there, whoever drives it.
+TEST(Trend, TakesTerminals) {
+  Bench bench(kProgram, "[[module]]\nslot = \"2.2\"\nname = \"D\"\ninput = 0\noutput = 0\n");
+  const Json set =
+      bench.call("trend.set", {{"list", 1},
+                               {"items", items({"terminal.D.DO0", "terminal.2.3.AI0",
+                                                "terminal.D.DO99", "terminal.X.DO0"})}});
+  EXPECT_EQ(set["items"][0]["bits"], 1);
+  EXPECT_EQ(set["items"][1]["unit"], "V");
+  EXPECT_TRUE(set["items"][2].contains("problem"));
+  EXPECT_TRUE(set["items"][3].contains("problem"));
+  bench.run(Duration::milliseconds(5));
+  EXPECT_EQ(bench.event("samples")["rows"].back()[1], 0);
+  bench.call("variables.write", {{"items", {{{"operand", "E 0.0"}, {"value", "1"}}}}});
+  bench.run(Duration::milliseconds(5));
+  const Json row = bench.event("samples")["rows"].back();
+  EXPECT_EQ(row[1], 1);
+  EXPECT_EQ(row[2], 0);
+  EXPECT_EQ(row[3], nullptr);
+}
+
 TEST(Trend, IsCheckedBeforeItIsAdded) {
   Bench bench;
   const Json checked =
