@@ -60,6 +60,7 @@ class Runner {
   bool refused(const Step& step);
   bool hasNone(const Step& step, std::string_view what);
   bool noDevice(const Step& step);
+  bool unknown(const Step& step);
   bool memoryReset(const Step& step);
   bool copyRamToRom(const Step& step);
   bool waitCycles(const Step& step);
@@ -122,9 +123,19 @@ bool Runner::perform(const Step& step) {
       return true;
     case StepKind::Repeat:
       return repeat(step);
-    default:
+    case StepKind::HotRestart:
+    case StepKind::Switch:
+    case StepKind::Trigger:
+    case StepKind::BatteryLow:
+    case StepKind::BatteryGood:
+    case StepKind::CopyRamToRom:
+    case StepKind::Fault:
+    case StepKind::Signal:
+    case StepKind::Terminal:
+    case StepKind::Plant:
       return device_ != nullptr ? performOnDevice(step) : noDevice(step);
   }
+  return unknown(step);
 }
 
 // What only a SIMATIC S7 station has.
@@ -157,9 +168,29 @@ bool Runner::performOnDevice(const Step& step) {
       for (const PlantValue& value : step.plants)
         simulator::apply(value, *device_->plants(), *device_->rack(), plc_.now());
       return true;
-    default:
-      return true;
+    case StepKind::Set:
+    case StepKind::Force:
+    case StepKind::Unforce:
+    case StepKind::Wait:
+    case StepKind::WaitCycles:
+    case StepKind::Expect:
+    case StepKind::Run:
+    case StepKind::Stop:
+    case StepKind::ColdRestart:
+    case StepKind::WarmRestart:
+    case StepKind::PowerOff:
+    case StepKind::PowerOn:
+    case StepKind::PowerOnUnbuffered:
+    case StepKind::MemoryReset:
+    case StepKind::Repeat:
+      break;
   }
+  return unknown(step);
+}
+
+// Every kind has its case above: the compiler tells one that is forgotten.
+bool Runner::unknown(const Step& step) {
+  return fail(step.position, fmt::format("{}: nobody performs this step", step.text));
 }
 
 bool Runner::noDevice(const Step& step) {

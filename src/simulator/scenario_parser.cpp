@@ -17,6 +17,8 @@ namespace {
 
 using block::Relation;
 
+constexpr std::size_t kDeepestRepeat = 16;
+
 struct RelationText {
   std::string_view text;
   Relation relation;
@@ -44,9 +46,6 @@ constexpr std::array kModes = {
 
 bool isBlank(char c) { return c == ' ' || c == '\t'; }
 
-// Repeats within each other; a scenario is carried out by going down into them.
-constexpr std::size_t kDeepest = 32;
-
 class Parser {
  public:
   Parser(const source::SourceFile& file, Problems& problems) : file_(file), problems_(problems) {}
@@ -66,8 +65,8 @@ class Parser {
   void step(const StepWord& word, std::string_view whole, std::string_view rest);
   bool content(Step& step, StepWord::Rest kind, std::string_view rest);
   void beginScenario(std::string_view whole, std::string_view rest);
+  void beginRepeat(Step step);
   void endRepeat(std::string_view whole, std::string_view rest);
-  void tooDeep(std::string_view whole);
   void closeScenario();
 
   bool wait(Step& step, std::string_view rest);
@@ -90,7 +89,7 @@ class Parser {
   std::vector<Scenario> scenarios_;
   std::string_view line_;    // being read, without its comment
   std::vector<Step> open_;   // repeats not yet ended, outermost first
-  std::size_t tooDeep_ = 0;  // repeats that are left out
+  std::size_t tooDeep_ = 0;  // further ones
 };
 
 // An empty part may have lost its place; the whole line stands for it.
@@ -143,10 +142,8 @@ void Parser::step(const StepWord& word, std::string_view whole, std::string_view
   step.position = at(whole);
   step.text = whole;
   const bool good = content(step, word.rest, rest);
-  if (step.kind == StepKind::Repeat && open_.size() == kDeepest) return tooDeep(whole);
   if (step.kind == StepKind::Repeat)
-    open_.push_back(
-        std::move(step));  // also with a bad count, so that its end is not a second problem
+    beginRepeat(std::move(step));
   else if (good)
     target().push_back(std::move(step));
 }
@@ -178,9 +175,12 @@ bool Parser::content(Step& step, StepWord::Rest kind, std::string_view rest) {
       return switchTo(step, rest);
     case StepWord::Rest::Trigger:
       return trigger(step, rest);
-    default:
-      return rest.empty() || fail(ProblemCode::P0959, rest, rest, step.text);
+    case StepWord::Rest::None:
+    case StepWord::Rest::End:
+    case StepWord::Rest::Scenario:
+      break;
   }
+  return rest.empty() || fail(ProblemCode::P0959, rest, rest, step.text);
 }
 
 void Parser::beginScenario(std::string_view whole, std::string_view rest) {
@@ -191,6 +191,14 @@ void Parser::beginScenario(std::string_view whole, std::string_view rest) {
   else
     fail(ProblemCode::P0952, rest.empty() ? whole : rest, "a name in quotation marks");
   scenarios_.push_back({std::move(name), at(whole), {}});
+}
+
+// Also with a bad count, so that its end is not a second problem.
+void Parser::beginRepeat(Step step) {
+  if (open_.size() < kDeepestRepeat && tooDeep_ == 0) return open_.push_back(std::move(step));
+  if (tooDeep_++ == 0)
+    problems_.add(ProblemCode::P0952, step.position,
+                  fmt::format("'end' (at most {} repeats inside each other)", kDeepestRepeat));
 }
 
 void Parser::endRepeat(std::string_view whole, std::string_view rest) {
@@ -208,15 +216,10 @@ void Parser::endRepeat(std::string_view whole, std::string_view rest) {
   target().push_back(std::move(repeat));
 }
 
-void Parser::tooDeep(std::string_view whole) {
-  if (tooDeep_++ == 0)
-    fail(ProblemCode::P0202, whole, "the nesting of repeats", fmt::format("1..{}", kDeepest));
-}
-
 void Parser::closeScenario() {
-  tooDeep_ = 0;
   for (const Step& repeat : open_) problems_.add(ProblemCode::P0956, repeat.position);
   open_.clear();
+  tooDeep_ = 0;
 }
 
 bool Parser::wait(Step& step, std::string_view rest) {

@@ -169,6 +169,20 @@ TEST(ScenarioParser, ProblemsNameTheirPlace) {
   EXPECT_EQ(parse("# nothing\n").problem(), "0:0 P0958");
 }
 
+// However deep a file says: nothing that follows the depth is built, and one problem tells it.
+TEST(ScenarioParser, RepeatsEndAtADepth) {
+  const auto nested = [](std::size_t depth) {
+    std::string text;
+    for (std::size_t i = 0; i < depth; ++i) text += "repeat 1\n";
+    text += "run\n";
+    for (std::size_t i = 0; i < depth; ++i) text += "end\n";
+    return text;
+  };
+  EXPECT_TRUE(parse(nested(16)).problems.empty());
+  EXPECT_EQ(parse(nested(17)).problem(), "17:1 P0952");
+  EXPECT_EQ(parse(nested(300'000)).problem(), "17:1 P0952");
+}
+
 TEST(ScenarioParser, StepsOfOtherPartsSayWhichExist) {
   for (const char* text : {"expect pulses 1 = 5", "expect encoder 1 = 5"}) {
     const Parsed p = parse(text);
