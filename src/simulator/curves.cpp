@@ -39,6 +39,12 @@ std::optional<double> decimal(std::string_view text) {
   return value;
 }
 
+// Texts, characters and dates, as a trace writes them, have no place in a picture.
+bool isText(std::string_view value) {
+  if (value.starts_with('\'') || parseConstant(value, Position{})) return true;
+  return upper(value).starts_with("DT#");
+}
+
 // As a source writes it: 5, 2.050000e+001, W#16#00FF, T#1S; nothing for texts and dates.
 std::optional<double> numberOf(const std::string& text) {
   if (const auto plain = decimal(text)) return plain;
@@ -77,7 +83,9 @@ std::vector<Curve> readCurves(const source::SourceFile& file, Problems& problems
     std::string_view line = trim(file.line(number));
     if (line.empty()) continue;
     const auto seconds = decimal(takeField(line));
-    const std::string operand = takeField(line), value = takeField(line);
+    const std::string operand = takeField(line);
+    const auto column = static_cast<std::uint32_t>(line.data() - file.line(number).data()) + 1;
+    const std::string value = takeField(line);
     const bool inOrder = seconds && std::isfinite(*seconds) && *seconds >= latest;
     if (!inOrder || operand.empty() || value.empty()) {
       problems.add(ProblemCode::P0990, Position{file.name(), number, 1});
@@ -85,6 +93,10 @@ std::vector<Curve> readCurves(const source::SourceFile& file, Problems& problems
     }
     latest = *seconds;
     const auto is = numberOf(value);
+    if (!is && !isText(value)) {
+      problems.add(ProblemCode::P0990, Position{file.name(), number, column});
+      return curves;
+    }
     if (!is) continue;
     const auto [place, fresh] = places.emplace(operand, curves.size());
     if (fresh) curves.push_back({operand, true, {}});

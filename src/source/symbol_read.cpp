@@ -204,14 +204,18 @@ void readDif(const Target& target) {
   const std::uint32_t body = bodyOf(file);
   for (std::uint32_t i = body; body != 0 && i <= file.lineCount() && !target.problems.cancelled();
        i += 2) {
-    const std::string_view value = file.line(i + 1);
-    const bool isMark = trim(file.line(i)).starts_with("-1");
-    if (!isMark) {
+    const std::string_view kind = trim(file.line(i)), value = file.line(i + 1);
+    if (kind.empty()) {  // Excel sets blank lines between the pairs
+      --i;
+      continue;
+    }
+    if (kind.starts_with("0,") || kind.starts_with("1,")) {
       fields.push_back(unquoted(value));
       continue;
     }
-    addTuple(line, fields, target);
+    if (kind.starts_with("-1")) addTuple(line, fields, target);
     line.line = file.line(i);
+    if (!kind.starts_with("-1")) break;
     if (equalsIgnoreCase(trim(value), "EOD")) return;
   }
   target.refuse(line, ".dif", "TABLE … DATA, then BOT and four texts per symbol, at the end EOD");

@@ -35,6 +35,15 @@ TEST(Curves, whatIsNoTrace) {
   ASSERT_EQ(problems.size(), 1u);
   EXPECT_EQ(problems.list()[0].name(), "P0990");
   EXPECT_EQ(problems.list()[0].position.line, 2u);
+  Problems value;  // neither a number nor a text
+  read("0.5,A 0.0,1\n0.7,MW 10,xyz\n", value);
+  ASSERT_EQ(value.size(), 1u);
+  EXPECT_EQ(value.list()[0].name(), "P0990");
+  EXPECT_EQ(value.list()[0].position.line, 2u);
+  EXPECT_EQ(value.list()[0].position.column, 11u);
+  Problems texts;
+  read("0.5,A 0.0,1\n0.7,DB1.S,'a longer text'\n0.8,DB1.D,DT#2020-1-2-3:4:5\n", texts);
+  EXPECT_TRUE(texts.empty());
   Problems empty;
   read("", empty);
   EXPECT_EQ(empty.list().at(0).name(), "P0992");

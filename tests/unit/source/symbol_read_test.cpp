@@ -142,6 +142,21 @@ TEST(ReadSymbols, linesThatAreNone) {
   EXPECT_EQ(problemsOf(read("a.csv", "")), "P0811");
 }
 
+// As Excel stores it: blank lines between the pairs. What is wrong is told where it stands.
+TEST(ReadSymbols, blankLinesInDif) {
+  const std::string head = "TABLE\n0,1\n\"\"\nDATA\n0,0\n\"\"\n";
+  const Reading good =
+      read("a.dif", head +
+                        "-1,0\nBOT\n\n1,0\n\"Motor\"\n\n1,0\n\"A 1.0\"\n1,0\n\"BOOL\"\n1,0\n"
+                        "\"main drive\"\n-1,0\nEOD\n");
+  EXPECT_EQ(problemsOf(good), "");
+  ASSERT_NE(good.table.find("Motor"), nullptr);
+  EXPECT_EQ(good.table.find("Motor")->comment, "main drive");
+  const Reading bad = read("a.dif", head + "-1,0\nBOT\n1,0\n\"Motor\"\nA 1.0\n1,0\n-1,0\nEOD\n");
+  EXPECT_EQ(problemsOf(bad), "P0810");
+  EXPECT_EQ(bad.problems.list().at(0).position.line, 11u);
+}
+
 TEST(ReadSymbols, blankLinesAndComments) {
   const Reading reading = read("A.TXT", "// head\n\n  \t\n\"a // b\"  M 0.0 // c // d\n");
   EXPECT_EQ(problemsOf(reading), "");
