@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/bytes.h"
+#include "cpu/asynchronous_errors.h"
 #include "cpu/cpu.h"
 
 namespace merker::cpu {
@@ -51,6 +52,10 @@ void Cpu::moduleEvent(const ModuleEvent& event) {
   setWord(start, 6, event.address);
   if (row.ob == 82) std::copy(event.data.begin(), event.data.end(), start.begin() + 8);
   if (row.ob == 86) setDWord(start, 8, event.points);  // RACKS_FLTD: bit n is rack n
+  // A CPU without this OB cannot be told what to do: an entry. Its program meets access errors.
+  const bool plugging = row.ob == 83 || row.ob == 86;
+  if (plugging && !machine_.model->hasOrganizationBlock(row.ob))
+    return report(start, describe(start));
   asynchronousError(start);
 }
 
