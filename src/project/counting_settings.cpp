@@ -130,7 +130,6 @@ void checkCauses(Reader& r) {
   };
   never(c.onGateOpened && !c.hardwareGate, "gate opened", "hardware_gate is not true");
   never(c.onGateClosed && !c.hardwareGate, "gate closed", "hardware_gate is not true");
-  never(c.onComparator && c.output == io::CountOutput::None, "comparator", "output is \"none\"");
 }
 
 // CNT-PARAM-16, -17, -19

@@ -28,8 +28,8 @@ bool Comparator::condition(std::int32_t count, int direction) const {
       return count <= value;
     case io::CountOutput::Pulse:  // in the main direction only (CNT-CMP-09)
       return count == value && isMain(direction);
-    case io::CountOutput::None:
-      return false;
+    case io::CountOutput::None:  // what its hardware interrupt waits for (5.5.12)
+      return count == value;
   }
   return false;
 }
@@ -83,7 +83,7 @@ bool Comparator::follow(bool result) {
 
 bool Comparator::step(std::int32_t count, int direction, Instant at) {
   fresh_ = false;
-  if (output_ == io::CountOutput::None) return false;
+  if (output_ == io::CountOutput::None) return meets(count);
   const bool pulse = output_ == io::CountOutput::Pulse;
   if (pulse && duration > 0) {
     if (!trigger(count, direction)) return false;
@@ -99,10 +99,19 @@ bool Comparator::step(std::int32_t count, int direction, Instant at) {
   return result && !before;
 }
 
+// Without an output: the count reaches the value, and nothing is switched.
+bool Comparator::meets(std::int32_t count) {
+  const bool before = result_, holds = count == value;
+  return filtered(count, holds, holds) && !before;
+}
+
 // A value that was written starts no pulse, it can only end one without duration (CNT-CMP-17).
 bool Comparator::look(std::int32_t count) {
   fresh_ = true;
-  if (output_ == io::CountOutput::None) return false;
+  if (output_ == io::CountOutput::None) {
+    if (count != value) meets(count);
+    return false;
+  }
   const bool before = result_;
   if (output_ != io::CountOutput::Pulse)
     follow(filtered(count, condition(count, 0), count == value));
@@ -147,7 +156,6 @@ void Comparator::stop() {
 }
 
 std::uint64_t Comparator::absorbs(std::int32_t count, int direction) const {
-  if (output_ == io::CountOutput::None) return kUnlimited;
   if (fresh_) return 0;
   const std::array<std::int64_t, 5> places{std::int64_t{value} - 1, value, std::int64_t{value} + 1,
                                            std::int64_t{value} - range_,

@@ -40,6 +40,7 @@ class Comparator {
   bool filtered(std::int32_t count, bool condition, bool reaches);
   bool trigger(std::int32_t count, int direction);
   bool follow(bool result);
+  bool meets(std::int32_t count);
   void turn(bool on, Source source);
   bool left(std::int32_t count) const;
   bool isMain(int direction) const;

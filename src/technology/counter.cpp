@@ -171,6 +171,7 @@ std::uint64_t Counter::absorbs(int direction) const {
     least = std::min(least, static_cast<std::uint64_t>(std::abs(std::int64_t{count_}) - 1));
   for (const Place* place : {&zero_, &overflow_, &underflow_})
     least = std::min(least, place->absorbs(count_, direction));
+  if (p_.output == io::CountOutput::None && !p_.onComparator) return least;
   return std::min(least, comparator_.absorbs(count_, direction));
 }
 

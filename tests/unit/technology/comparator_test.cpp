@@ -67,6 +67,27 @@ TEST(Comparison, AtTheStartAndAfterJobs) {
   EXPECT_TRUE(pulse.counter.output());
 }
 
+// CNT-PRAL-08, 5.5.12: the interrupt without an output, with the hysteresis; nothing is switched.
+TEST(Comparison, InterruptWithoutOutput) {
+  CountChannel p = mode(CountMode::Endless);
+  p.comparison = 3;
+  p.hysteresis = 2;
+  p.onComparator = true;
+  Machine m(p);
+  m.gate(true);
+  std::string events;
+  for (const char c : std::string_view("UUUUDUUDD")) {  // 1 2 3 4 3 4 5 4 3
+    m.pulses(std::string_view(&c, 1));
+    events += m.counter.takeCauses() == io::kComparator ? '1' : '0';
+  }
+  EXPECT_EQ(events, "001000001");
+  EXPECT_FALSE(m.counter.comparator().reached());
+  EXPECT_FALSE(m.counter.output());
+  m.counter.job(1, 3);  // written, not counted
+  EXPECT_EQ(m.counter.takeCauses(), 0);
+  EXPECT_EQ(m.counter.absorbs(1), 0u);
+}
+
 // CNT-HYST-09, CNT-HYST-10
 TEST(Hysteresis, ChangedWhileActive) {
   CountChannel p = mode(CountMode::Endless);
