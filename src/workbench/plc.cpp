@@ -51,32 +51,47 @@ std::optional<monitor::Value> Plc::read(const mc7::Reference& reference) const {
   return monitor::read(*controller_, reference);
 }
 
-// A SINUMERIK: what was written before one that cannot be written stays.
+// A SINUMERIK. All of them or none: those that could not be done take the others back.
 std::optional<Problem> Plc::control(const std::vector<monitor::Wish>& wishes, bool force) {
-  std::vector<std::pair<mc7::Reference, std::uint32_t>> good;
+  std::vector<monitor::Forced> good, before;
   for (const monitor::Wish& wish : wishes) {
     auto reference = operand(wish.operand);
     if (!reference) return reference.error();
     const auto value = monitor::parse(*reference, wish.value, wish.format);
     if (!value) return value.error();
-    if (!controller_->read(*reference))
-      return makeProblem(ProblemCode::P1213, nowhere(), std::string(wish.operand));
-    if (auto problem = force ? monitor::checkForce(forces_, *reference) : std::nullopt)
-      return problem;
-    good.emplace_back(std::move(*reference), value->bits);
+    const auto old = controller_->read(*reference);
+    if (!old) return makeProblem(ProblemCode::P1213, nowhere(), std::string(wish.operand));
+    for (const auto* list : {&forces_, &good})
+      if (auto problem = force ? monitor::checkForce(*list, *reference) : std::nullopt)
+        return problem;
+    before.push_back({*reference, *old});
+    good.push_back({std::move(*reference), value->bits});
   }
-  for (const auto& [reference, value] : good) {
+  for (std::size_t i = 0; i < good.size(); ++i) {
+    const auto& [reference, value] = good[i];
     if (force ? controller_->force(reference, value) : controller_->write(reference, value))
       continue;
+    while (i-- > 0)  // an image of inputs is read anew with the next cycle
+      if (!force || before[i].operand.operand.area != Area::Input)
+        controller_->write(before[i].operand, before[i].value);
+    if (force) forceAgain();
     return makeProblem(force ? ProblemCode::P1211 : ProblemCode::P1212, nowhere(), reference.text);
   }
-  for (const auto& [reference, value] : good) {
-    if (!force) continue;
-    std::erase_if(forces_,
-                  [&](const auto& old) { return monitor::samePlace(old.operand, reference); });
-    forces_.push_back({reference, value});
-  }
+  if (force) noteForced(good);
   return std::nullopt;
+}
+
+void Plc::noteForced(const std::vector<monitor::Forced>& list) {
+  for (const monitor::Forced& one : list) {
+    std::erase_if(forces_,
+                  [&](const auto& old) { return monitor::samePlace(old.operand, one.operand); });
+    forces_.push_back(one);
+  }
+}
+
+void Plc::forceAgain() {
+  controller_->unforce();
+  for (const monitor::Forced& one : forces_) controller_->force(one.operand, one.value);
 }
 
 std::optional<Problem> Plc::write(const std::vector<monitor::Wish>& wishes) {
@@ -93,9 +108,8 @@ std::optional<Problem> Plc::unforce(const std::vector<std::string_view>& operand
   for (const std::string_view text : operands)
     if (std::erase_if(left, [&](const auto& one) { return one.operand.text == text; }) == 0)
       return makeProblem(ProblemCode::P1214, nowhere(), std::string(text));
-  controller_->unforce();
   forces_ = std::move(left);
-  for (const monitor::Forced& one : forces_) controller_->force(one.operand, one.value);
+  forceAgain();
   return std::nullopt;
 }
 

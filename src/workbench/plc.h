@@ -52,6 +52,8 @@ class Plc {
 
  private:
   std::optional<Problem> control(const std::vector<monitor::Wish>& wishes, bool force);
+  void noteForced(const std::vector<monitor::Forced>& list);
+  void forceAgain();
 
   compilation::Build build_;
   simulator::Resolver operands_;

@@ -111,6 +111,33 @@ TEST(State, AFaultTellsItsReason) {
   EXPECT_EQ(state["leds"]["SF"], "on");
 }
 
+// All or none, on a SINUMERIK as on an S7: two of one list that share bits are refused.
+TEST(Forces, OfOneRequestDoNotOverlap) {
+  const auto forces = [](Workbench& workbench) {
+    const auto ask = [&](const std::string& items) {
+      const Json answer = Json::parse(
+          workbench.handle(1, R"({"id": 1, "do": "variables.force", "items": [)" + items + "]}"));
+      return answer.contains("problems") ? answer["problems"][0]["code"].get<std::string>() : "";
+    };
+    const std::string bit = R"({"operand": "E 0.0", "value": "1"})",
+                      byte = R"({"operand": "EB 0", "value": "B#16#0"})";
+    EXPECT_EQ(ask(bit + ", " + byte), "P1219");
+    EXPECT_TRUE(workbench.plc()->forces().empty());
+    EXPECT_EQ(ask(bit + R"(, {"operand": "E 0.1", "value": "1"})"), "");
+    EXPECT_EQ(workbench.plc()->forces().size(), 2u);
+    EXPECT_EQ(ask(byte), "P1219");
+    EXPECT_EQ(workbench.plc()->forces().size(), 2u);
+  };
+  Bench s7;
+  forces(s7.workbench);
+  Folder folder;
+  folder.write("main.s5", "OB 1\n      U     E 0.0\n      =     A 0.0\n      BE\n");
+  Workbench sinumerik;
+  sinumerik.show(
+      std::make_unique<Plc>(compilation::build(project::load(folder.path("main.s5"), {}), false)));
+  forces(sinumerik);
+}
+
 TEST(Sinumerik, HasPanelAndVariables) {
   Folder folder;
   folder.write("main.s5",
