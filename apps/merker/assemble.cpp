@@ -9,6 +9,7 @@
 #include "input.h"
 #include "output.h"
 #include "step5/compiler.h"
+#include "step5/variable.h"
 #include "step7/compiler.h"
 
 namespace merker::app {
@@ -73,6 +74,8 @@ Result<std::string> mc7Words(std::string_view line, const Position& at, Setting 
 }
 
 Result<std::string> mc5Words(std::string_view line, const Position& at) {
+  if (const auto parameter = step5::parseConstant(line); parameter && parameter->value <= 0xFFFF)
+    return fmt::format("{:04X}", parameter->value);  // behind a call of an FB
   const auto instruction = step5::parseInstruction(line, at);
   if (!instruction) return instruction.error();
   std::vector<std::uint16_t> code;

@@ -4,6 +4,7 @@
 
 #include <iostream>
 
+#include "cnc/cnc.h"
 #include "cnc/memory.h"
 #include "mc5/disassembly.h"
 #include "sinumerik/interrupt_stack.h"
@@ -25,13 +26,23 @@ std::string hex(std::span<const std::uint16_t> code) {
   return text;
 }
 
-void printCode(const mc5::Block& block) {
+void printCode(const mc5::Program& program, const mc5::Block& block) {
   if (isData(block))
     for (std::size_t i = 0; i < block.words.size(); ++i)
       std::cout << fmt::format("  {:04X}: {:04X}\n", i, block.words[i]);
   else
-    for (const mc5::Line& line : mc5::disassemble(block.words))
+    for (const mc5::Line& line : step5::disassemble(program, block))
       std::cout << "  " << mc5::toString(line) << '\n';
+}
+
+// Where the programmer's block directory shows each block (9.1.2, S5-MEM-07); without those that
+// found no room.
+std::map<mc5::BlockId, std::uint32_t> addresses(const Build& build) {
+  cnc::Cnc control(build.controlOptions());
+  std::map<mc5::BlockId, std::uint32_t> result;
+  for (const sinumerik::DirectoryEntry& entry : control.plc().programmer().directory())
+    result[entry.id] = entry.address;
+  return result;
 }
 
 void printUse(unsigned segment, std::string_view what, const cnc::SegmentUse& use) {
@@ -43,9 +54,9 @@ nlohmann::json useToJson(unsigned segment, const cnc::SegmentUse& use) {
   return {{"segment", segment}, {"used", use.used}, {"words", use.size}};
 }
 
-nlohmann::json codeToJson(const mc5::Block& block) {
+nlohmann::json codeToJson(const mc5::Program& program, const mc5::Block& block) {
   nlohmann::json lines = nlohmann::json::array();
-  for (const mc5::Line& line : mc5::disassemble(block.words))
+  for (const mc5::Line& line : step5::disassemble(program, block))
     lines.push_back({{"offset", line.offset}, {"words", hex(line.words)}, {"text", line.text}});
   return lines;
 }
@@ -58,11 +69,15 @@ void printListings(const Build& build, const ListingOptions& options) {
     std::cout << step5::listing(build.listings);
     return;
   }
-  std::cout << fmt::format("{:<10} {:<10} {:>6} {:>6}\n", "block", "name", "BIB", "words");
+  std::cout << fmt::format("{:<10} {:<10} {:>6} {:>6} {:>8}\n", "block", "name", "BIB", "words",
+                           "address");
+  const auto at = addresses(build);
   for (const auto& [id, block] : build.listings) {
-    std::cout << fmt::format("{:<10} {:<10} {:>6} {:>6}\n", sinumerik::toString(id), block.name,
-                             block.library == 0 ? "" : std::to_string(block.library), words(block));
-    if (options.code) printCode(block);
+    const std::string address = at.contains(id) ? fmt::format("{:04X}", at.at(id)) : "-";
+    std::cout << fmt::format("{:<10} {:<10} {:>6} {:>6} {:>8}\n", sinumerik::toString(id),
+                             block.name, block.library == 0 ? "" : std::to_string(block.library),
+                             words(block), address);
+    if (options.code) printCode(build.listings, block);
   }
   const cnc::MemoryUse use = cnc::memoryUse(build.controlOptions());
   printUse(kProgramSegment, "user program", use.program);
@@ -71,13 +86,16 @@ void printListings(const Build& build, const ListingOptions& options) {
 
 nlohmann::json listingsToJson(const Build& build, const ListingOptions& options) {
   nlohmann::json blocks = nlohmann::json::array();
+  const auto at = addresses(build);
   for (const auto& [id, block] : build.listings) {
     nlohmann::json entry = {{"block", sinumerik::toString(id)},
                             {"name", block.name},
                             {"library", block.library},
                             {"words", words(block)}};
+    if (at.contains(id)) entry["address"] = fmt::format("{:04X}", at.at(id));
     if (options.code)
-      entry["code"] = isData(block) ? nlohmann::json(hex(block.words)) : codeToJson(block);
+      entry["code"] =
+          isData(block) ? nlohmann::json(hex(block.words)) : codeToJson(build.listings, block);
     blocks.push_back(std::move(entry));
   }
   const cnc::MemoryUse use = cnc::memoryUse(build.controlOptions());

@@ -23,6 +23,14 @@ struct Parameter {
   Format format = Format::Hex;  // Data
 };
 
+// A comment of the source: behind what stands at the word, or on a line of its own before it. With
+// its mark.
+struct Comment {
+  std::uint32_t offset = 0;  // words
+  bool behind = false;
+  std::string text;
+};
+
 struct BlockId {
   BlockType type = BlockType::Ob;
   std::uint16_t number = 0;
@@ -49,7 +57,10 @@ struct Block {
   std::vector<std::uint16_t> words;
   std::vector<Format> formats;  // DB: how each word is shown
   std::vector<Network> networks;
-  std::map<std::uint32_t, std::string> labels;  // by offset
+  std::map<std::uint32_t, std::string> labels;   // by offset
+  std::map<std::uint32_t, std::uint32_t> texts;  // DB: where a text (KS) begins, and its words
+  std::vector<std::string> heading;              // comment lines of the file above its first block
+  std::vector<Comment> comments;                 // in the order of the source
   std::string file;
   std::vector<LineEntry> lines;
   // Offsets count words; the code of operands is MC5, the high byte of a word first.

@@ -61,7 +61,8 @@ std::string inFormat(Format format, std::uint32_t bits) {
 bool printable(const Operand& constant, const std::string& text) {
   if (constant.format == Format::Characters)
     for (const char c : text)
-      if (c <= ' ' || c >= 0x7F || c == '!') return false;  // "!" begins a comment
+      if (c <= ' ' || c >= 0x7F || std::string_view("!;'").find(c) != std::string_view::npos)
+        return false;  // they begin a comment or a quotation
   return constantBits(constant.format, text) == constant.value;
 }
 

@@ -16,10 +16,10 @@ struct Line {
 };
 
 // Goes through the code to its end whatever it contains: a word that begins no instruction becomes
-// "illegal".
+// "illegal". Parameters behind a call of a function block are no instructions; they show as KH.
 std::vector<Line> disassemble(std::span<const std::uint16_t> code);
 
-// "0004: 7046 CACD       P     D 205.10"; the offset counts words.
+// "0004: 7046 CACD       P     D 205.10"; the offset counts words. A line without words has none.
 std::string toString(const Line& line);
 
 }  // namespace merker::mc5

@@ -65,6 +65,7 @@ void readSource(Project& project, const std::string& path) {
 }
 
 void readSymbolFile(Project& project, const std::string& path) {
+  if (project.control) return;  // listings have absolute operands
   if (const auto* file = read(project, path, project.otherFiles))
     source::readSymbols(*file, project.symbols, project.problems);
 }

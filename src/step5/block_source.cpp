@@ -6,6 +6,8 @@
 #include <array>
 #include <optional>
 
+#include "step5/comment.h"
+#include "step5/line_start.h"
 #include "step5/scanner.h"
 
 namespace merker::step5 {
@@ -23,6 +25,7 @@ constexpr std::array kKinds{Kind{"OB", BlockType::Ob, 0, 63}, Kind{"PB", BlockTy
                             Kind{"DB", BlockType::Db, 1, 255}};
 
 constexpr std::size_t kLibraryDigits = 5;
+constexpr char kFormFeed = '\f';
 
 const Kind* kindOf(std::string_view word) {
   for (const Kind& kind : kKinds)
@@ -38,10 +41,16 @@ std::uint32_t numberOf(std::string_view digits) {
   return value;
 }
 
-bool isComment(const Scanner& scanner) {
-  const char c = scanner.peek();
-  return scanner.atEnd() || c == '!' || c == ';' || c == '*' ||
-         (c == '/' && scanner.peek(1) == '/');
+// "BLATT 1", "BLATT  : 12": what a printer puts on each page.
+bool isPageLine(Scanner scanner) {
+  std::string word(scanner.take(isLetter));
+  for (char& c : word) c = upper(c);
+  scanner.skipBlanks();
+  scanner.accept(':');
+  scanner.skipBlanks();
+  if (word != "BLATT" || scanner.take(isDigit).empty()) return false;
+  scanner.skipBlanks();
+  return scanner.atEnd();
 }
 
 // Reads the heads of one file.
@@ -57,14 +66,20 @@ class Finder {
 
  private:
   void take(std::string_view text) {
+    if (text.starts_with(kFormFeed)) text.remove_prefix(1);
     const auto offset = static_cast<std::size_t>(text.data() - file_.text().data());
     Scanner scanner(text, offset);
     scanner.skipBlanks();
+    if (isPageLine(scanner)) return;
     if (auto block = head(scanner)) {
+      if (blocks_.empty()) block->heading = std::move(heading_);
       blocks_.push_back(std::move(*block));
     } else if (!blocks_.empty()) {
       blocks_.back().lines.push_back({text, offset});
-    } else if (!isComment(scanner) && !complained_) {
+    } else if (isComment(scanner)) {
+      if (std::string comment = commentText(scanner.rest()); !comment.empty())
+        heading_.push_back(std::move(comment));
+    } else if (!complained_) {
       complained_ = true;
       problems_.add(ProblemCode::P1101, file_.position(scanner.offset(), scanner.rest().size()));
     }
@@ -91,16 +106,17 @@ class Finder {
                     fmt::format("{} {}..{}", kind->word, kind->lowest, kind->highest));
     block.id = {kind->type, static_cast<std::uint16_t>(std::min<std::uint32_t>(number, 999))};
     nameAndLibrary(scanner, block);
+    if (isComment(scanner)) block.comment = commentText(scanner.rest());
     return block;
   }
 
   void nameAndLibrary(Scanner& scanner, BlockSource& block) {
-    while (!isComment(scanner)) {
+    while (!isComment(scanner) && !isPageLine(scanner)) {
       const std::size_t offset = scanner.offset();
       const std::string_view word = scanner.take([](char c) { return !isBlank(c); });
       if (word.starts_with("BIB="))
         library(word.substr(4), offset + 4, block);
-      else
+      else if (!word.starts_with("LAE="))  // the length: it is counted
         block.name.append(block.name.empty() ? "" : " ").append(word);
       scanner.skipBlanks();
     }
@@ -118,6 +134,7 @@ class Finder {
   const source::SourceFile& file_;
   Problems& problems_;
   std::vector<BlockSource> blocks_;
+  std::vector<std::string> heading_;
   bool complained_ = false;
 };
 

@@ -22,6 +22,8 @@ struct BlockSource {
   std::size_t offset = 0, length = 0;  // of "FB 140" in the file
   std::string name;                    // behind the number of an FB
   std::uint32_t library = 0;
+  std::vector<std::string> heading;  // comments of the file above its first block
+  std::string comment;               // behind the head
   std::vector<Line> lines;
 };
 

@@ -9,6 +9,7 @@
 #include "step5/actual_operand.h"
 #include "step5/check_comment.h"
 #include "step5/code_builder.h"
+#include "step5/comment.h"
 #include "step5/formal_use.h"
 #include "step5/line_end.h"
 #include "step5/line_start.h"
@@ -66,10 +67,12 @@ class CodeCompiler {
     scanner.skipBlanks();
     if (isNetworkEnd(line.text)) return builder_.endNetwork();
     if (network(scanner)) return;
-    if (!isComment(scanner)) {
-      const std::size_t blanks = label(scanner);
-      if (!isComment(scanner) && !continuesComment(scanner, blanks)) statement(scanner);
-    }
+    std::size_t blanks = 0;
+    if (!isComment(scanner)) blanks = label(scanner);
+    if (isComment(scanner) || continuesComment(scanner, blanks))
+      keepComment(block_, builder_.next(), false, scanner.rest());
+    else
+      statement(scanner);
     check(line);
   }
 
@@ -116,7 +119,9 @@ class CodeCompiler {
     if (!check_.allowed(*parsed)) return;
     if (!parsed->name.empty() && !resolve(*parsed)) return;
     check_.inspect(*parsed);
+    const std::string_view comment = scanner.rest();
     emit(*parsed);
+    keepComment(block_, builder_.last().value_or(0), true, comment);
   }
 
   // A formal operand becomes its word in the list; labels wait for the end of the block.
@@ -161,6 +166,7 @@ class CodeCompiler {
       return;
     }
     std::vector<std::uint16_t> words;
+    listed_ = builder_.next() + 1;
     nameLine(found->second);
     std::size_t read = 0;
     for (; read < found->second->parameters.size(); ++read)
@@ -186,6 +192,7 @@ class CodeCompiler {
         scanner.skipBlanks();
         return scanner;
       }
+      keepComment(block_, listed_, false, scanner.rest());
       check(source_.lines[at_++]);
     }
     return std::nullopt;
@@ -200,6 +207,7 @@ class CodeCompiler {
     check(source_.lines[at_++]);
     const std::size_t start = scanner->offset();
     const std::string name(scanner->take([](char c) { return c != '!' && c != ';' && c != '/'; }));
+    keepComment(block_, listed_, false, scanner->rest());
     if (fb == nullptr || letters(name).empty() || isNameOf(*fb, letters(name))) return;
     add(ProblemCode::P1150, start, name.find_last_not_of(' ') + 1, fb->id.number, fb->name,
         name.substr(0, name.find_last_not_of(' ') + 1));
@@ -263,6 +271,8 @@ class CodeCompiler {
       add(ProblemCode::P1124, offset, word.size(), fb.id.number, wanted.name,
           fmt::format(", not {}", word));
     actual(*scanner, wanted, words);
+    keepComment(block_, listed_, true, scanner->rest());
+    listed_ = builder_.next() + 1 + static_cast<std::uint32_t>(words.size());
     check(line);
     return true;
   }
@@ -333,6 +343,7 @@ class CodeCompiler {
   CodeBuilder builder_;
   StatementCheck check_;
   std::vector<std::uint32_t> words_;
+  std::uint32_t listed_ = 0;  // where the next parameter of a call will lie
   bool ended_ = false;
 };
 

@@ -9,6 +9,7 @@
 #include "mc5/resident_blocks.h"
 #include "step5/block_source.h"
 #include "step5/code_block.h"
+#include "step5/comment.h"
 #include "step5/data_block.h"
 #include "step5/declaration.h"
 #include "step5/line_end.h"
@@ -37,11 +38,15 @@ Unit begin(BlockSource source, const Problems& all) {
   unit.block.id = unit.source.id;
   unit.block.library = unit.source.library;
   unit.block.file = unit.source.file->name();
+  unit.block.heading = unit.source.heading;
+  keepComment(unit.block, 0, false, unit.source.comment);
   if (unit.source.id.type != BlockType::Fb) return unit;
   Declaration declaration = readDeclaration(unit.source, unit.problems);
   unit.block.name = std::move(declaration.name);
   unit.block.parameters = std::move(declaration.parameters);
   unit.firstLine = declaration.lines;
+  for (const std::string& comment : declaration.comments)
+    keepComment(unit.block, 0, false, comment);
   unit.nameLine = std::move(declaration.nameLine);
   return unit;
 }

@@ -8,6 +8,7 @@
 #include "base/problem.h"
 #include "base/result.h"
 #include "mc5/block.h"
+#include "mc5/disassembly.h"
 #include "mc5/instruction.h"
 #include "source/source_file.h"
 
@@ -28,6 +29,10 @@ Compilation compile(const std::vector<source::SourceFile>& sources, bool checks,
 // One instruction as `merker assemble --mc5` takes it: jumps with their distance ("SPA =+4"),
 // formal operands with their index ("U =1"). `at` is where the text begins.
 Result<mc5::Instruction> parseInstruction(std::string_view text, const Position& at);
+
+// A code block of the program with its machine code: parameters behind a call as NAME : TEST and
+// ZAHL : KF +25, in one line with the call the jump over them, which is not shown (4.3.2).
+std::vector<mc5::Line> disassemble(const mc5::Program& program, const mc5::Block& block);
 
 // The program as a listing that compiles to the same words.
 std::string listing(const mc5::Program& program);

@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "mc5/constant.h"
+#include "step5/comment.h"
 #include "step5/constant_operand.h"
 #include "step5/line_end.h"
 
@@ -35,7 +36,8 @@ class DataCompiler {
   void line(const Line& line) {
     Scanner scanner(line.text, line.offset);
     scanner.skipBlanks();
-    if (isComment(scanner) || endsBlock(scanner)) return;
+    if (isComment(scanner)) return keepComment(block_, next(), false, scanner.rest());
+    if (endsBlock(scanner) || closes(scanner)) return;
     number(scanner);
     const std::size_t offset = scanner.offset();
     if (value(scanner)) return;
@@ -50,6 +52,19 @@ class DataCompiler {
     return upper(scanner.peek()) == 'B' && upper(scanner.peek(1)) == 'E' &&
            !isLetter(scanner.peek(2));
   }
+
+  // "12:" behind the last word of a print: the word that would come next.
+  bool closes(Scanner scanner) const {
+    const std::string_view digits = scanner.take(isDigit);
+    std::size_t number = 0;
+    std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    scanner.skipBlanks();
+    const bool colon = scanner.accept(':');
+    scanner.skipBlanks();
+    return !digits.empty() && number == block_.words.size() && colon && scanner.atEnd();
+  }
+
+  std::uint32_t next() const { return static_cast<std::uint32_t>(block_.words.size()); }
 
   // "DW 3", "3:" before the value: must be the next word (S5-DB-02).
   void number(Scanner& scanner) {
@@ -81,6 +96,7 @@ class DataCompiler {
     if (!operand || !commentFollows(scanner, failure))
       problems_.add(failure.code, at(failure.offset, failure.length), failure.what,
                     failure.expected);
+    keepComment(block_, next(), true, scanner.rest());
     append(operand ? *operand : faulty(pair), offset);
     return true;
   }
@@ -116,6 +132,10 @@ class DataCompiler {
     if (std::any_of(text->begin(), text->end(), [](char c) { return c < ' ' || c > '~'; }))
       problems_.add(ProblemCode::P1108, at(offset, 2), "KS", "ASCII characters, TEXT or 'TEXT'");
     if (text->size() % 2 != 0) *text += ' ';
+    keepComment(block_, next(), true, scanner.rest());
+    const bool quotable = text->find('\'') == std::string::npos;  // as a print shows it
+    if (!text->empty() && quotable)
+      block_.texts[next()] = static_cast<std::uint32_t>(text->size() / 2);
     for (std::size_t i = 0; i < text->size(); i += 2) pair(text->substr(i, 2), offset);
     return true;
   }

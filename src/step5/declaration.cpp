@@ -6,6 +6,8 @@
 #include <array>
 
 #include "mc5/constant.h"
+#include "step5/comment.h"
+#include "step5/line_start.h"
 #include "step5/scanner.h"
 
 namespace merker::step5 {
@@ -58,8 +60,8 @@ class Reader {
   bool take(const Line& line) {
     Scanner scanner(line.text, line.offset);
     scanner.skipBlanks();
-    const char first = scanner.peek();
-    if (scanner.atEnd() || first == '!' || first == '*' || first == ';') return true;
+    if (scanner.rest().starts_with("//=")) return false;  // a check
+    if (isComment(scanner)) return comment(scanner);
     const std::string word = uppercase(scanner.take(isLetter));
     if (word == "NETZWERK" || word == "SEGMENT") return true;
     scanner.skipBlanks();
@@ -69,12 +71,21 @@ class Reader {
       name(scanner);
     else
       parameter(scanner);
+    return comment(scanner);
+  }
+
+  // What is left of the line.
+  bool comment(const Scanner& scanner) {
+    result_.comments.push_back(commentText(scanner.rest()));
     return true;
   }
 
   void name(Scanner& scanner) {
     const std::size_t offset = scanner.offset();
-    std::string text(scanner.take([](char c) { return c != '!' && c != ';'; }));
+    const std::string_view rest = scanner.rest();
+    const std::size_t end = std::min({rest.find_first_of("!;"), rest.find("//"), rest.size()});
+    std::string text(rest.substr(0, end));
+    scanner.skip(end);
     while (!text.empty() && isBlank(text.back())) text.pop_back();
     if (text.size() > kBlockNameCharacters) tooLong(text, offset, kBlockNameCharacters);
     result_.nameLine = text;
@@ -145,7 +156,7 @@ class Reader {
   }
 
   // Kinds B, T and Z have none (S5-FB-12); free text may follow.
-  bool noType(Scanner& scanner, const Parameter& parameter) {
+  bool noType(Scanner scanner, const Parameter& parameter) {
     std::size_t offset = 0;
     Parameter ignored;
     const std::string word = answer(scanner, offset);

@@ -12,7 +12,8 @@ struct Declaration {
   std::string name;      // of the head of the block, without one that of the line NAME
   std::string nameLine;  // what NAME says
   std::vector<mc5::Parameter> parameters;
-  std::size_t lines = 0;  // how many lines of the block it takes
+  std::vector<std::string> comments;  // some are empty
+  std::size_t lines = 0;              // how many lines of the block it takes
 };
 
 Declaration readDeclaration(const BlockSource& source, Problems& problems);

@@ -105,6 +105,17 @@ std::optional<Operand> formal(Scanner& scanner, Failure& failure) {
   return result.name.empty() ? std::nullopt : std::optional(result);
 }
 
+// -START, "START": a name of an assignment list.
+std::optional<Operand> symbol(Scanner& scanner, std::size_t offset, Failure& failure) {
+  const std::size_t start = scanner.mark();
+  scanner.skip();
+  scanner.skipBlanks();
+  scanner.take([](char c) { return !isBlank(c) && c != '!' && c != ';'; });
+  const std::string text(scanner.since(start));
+  failure = {ProblemCode::P1104, offset, text.size(), text, ""};
+  return std::nullopt;
+}
+
 // Number and bit behind the word of an area.
 bool address(Scanner& scanner, const Word& word, Operand& result, Failure& failure) {
   const auto value = number(scanner);
@@ -127,6 +138,16 @@ bool address(Scanner& scanner, const Word& word, Operand& result, Failure& failu
 }
 
 }  // namespace
+
+bool isSymbolMark(Scanner scanner) {
+  if (!scanner.accept('-') && !scanner.accept('"')) return false;
+  scanner.skipBlanks();
+  return isLetter(scanner.peek());
+}
+
+bool beginsSymbol(const Scanner& scanner) {
+  return scanner.peek() == '-' && isLetter(scanner.peek(1));
+}
 
 bool beginsOperand(Scanner scanner) {
   if (scanner.peek() == '=') return true;
@@ -159,6 +180,7 @@ std::optional<Operand> parseOperand(Scanner& scanner, Failure& failure) {
     result.length = scanner.since(start).size();
     return result;
   }
+  if (word.empty() && isSymbolMark(scanner)) return symbol(scanner, result.offset, failure);
   failure = {ProblemCode::P1104, result.offset, std::max<std::size_t>(word.size(), 1), word, ""};
   return std::nullopt;
 }

@@ -27,6 +27,10 @@ struct Failure {
 // Whether the word of an operand stands here: in capital letters (E, MW, KF), or with its number
 // behind it. Other words are free text.
 bool beginsOperand(Scanner scanner);
+// -START: a name of an assignment list.
+bool beginsSymbol(const Scanner& scanner);
+// - START and "START", too.
+bool isSymbolMark(Scanner scanner);
 std::optional<Operand> parseOperand(Scanner& scanner, Failure& failure);
 
 }  // namespace merker::step5

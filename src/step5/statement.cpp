@@ -71,7 +71,7 @@ std::optional<Statement> withoutOperand(Scanner& scanner, const std::string& wor
   const std::size_t mark = scanner.mark();
   scanner.skipBlanks();
   const bool both = fitKind(word, {.kind = OperandKind::Timer, .width = mc5::Width::Word}) &&
-                    beginsOperand(scanner);
+                    (beginsOperand(scanner) || beginsSymbol(scanner));
   scanner.back(mark);
   if (both) return std::nullopt;
   Statement result;
@@ -87,6 +87,14 @@ Failure doesNotFit(const std::string& word, const Operand& operand, std::string_
   return {ProblemCode::P1109, operand.offset, length, word, std::string(text)};
 }
 
+// U -START: what stands there is told, and what would be right.
+Failure absolute(const std::string& word, const Failure& symbol) {
+  return {ProblemCode::P1110, symbol.offset, symbol.length, word,
+          "; " + symbol.what +
+              " is a symbol, and listings take absolute ones, as E 0.0, M 100.1, T 1 (assignment "
+              "lists are not read)"};
+}
+
 std::optional<Statement> withOperand(Scanner& scanner, const std::string& word, std::size_t offset,
                                      Failure& failure) {
   scanner.skipBlanks();
@@ -95,8 +103,12 @@ std::optional<Statement> withOperand(Scanner& scanner, const std::string& word, 
     return std::nullopt;
   }
   const std::size_t mark = scanner.mark();
+  const bool symbol = isSymbolMark(scanner);
   const auto operand = parseOperand(scanner, failure);
-  if (!operand) return std::nullopt;
+  if (!operand) {
+    if (symbol) failure = absolute(word, failure);
+    return std::nullopt;
+  }
   const auto instruction =
       fitKind(word, operand->name.empty() ? adjusted(word, operand->value) : placeholder(word));
   if (instruction)

@@ -29,7 +29,8 @@ bool StatementCheck::allowed(const Statement& s) {
   const bool formal = s.instruction.operand.kind == OperandKind::Formal;
   const bool only = row.level == mc5::Level::Supplementary || formal;
   if (!only || source_.id.type == BlockType::Fb) return true;
-  add(ProblemCode::P1113, s.offset, row.name.size(), mc5::text(s.instruction));
+  add(ProblemCode::P1113, s.offset, row.name.size(),
+      s.name.empty() ? mc5::text(s.instruction) : fmt::format("{} ={}", row.name, s.name));
   return false;
 }
 

@@ -58,6 +58,10 @@ TEST(Constants, TheLargestNumber) {
 // S5-ARITH-08
 TEST(Constants, SignedBytes) {
   EXPECT_EQ(problemsOf("FB 1\n: ADD BF -127\n: ADD BF +127\n: BE\n"), "");
+  for (const char* bits : {"8000", "800000000", "0000000", "0000000G"})  // eight digits, no fewer
+    EXPECT_EQ(problemsOf("PB 1\n: L KG #" + std::string(bits) + "\n: BE\n").substr(0, 5), "P1108")
+        << bits;
+  EXPECT_EQ(problemsOf("PB 1\n: L KG #80000000\n: BE\n"), "");
   EXPECT_EQ(problemsOf("FB 1\n: ADD BF -128\n: BE\n"), "P1108@2:7");
 }
 

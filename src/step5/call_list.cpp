@@ -1,0 +1,62 @@
+#include "step5/call_list.h"
+
+#include <fmt/format.h>
+
+#include "mc5/constant.h"
+#include "mc5/parameter_list.h"
+#include "mc5/resident_blocks.h"
+#include "step5/declaration.h"
+
+namespace merker::step5 {
+namespace {
+
+using mc5::Block;
+using mc5::BlockType;
+using mc5::OperandKind;
+using mc5::Parameter;
+
+// "E 10.3" of "U     E 10.3".
+std::string operandOf(const mc5::Instruction& instruction) {
+  const std::string text = mc5::text(instruction);
+  const std::size_t start = text.find_first_not_of(' ', text.find(' '));
+  return start == std::string::npos ? std::string() : text.substr(start);
+}
+
+std::string actualText(const Parameter& parameter, std::span<const std::uint16_t> words) {
+  if (parameter.kind == mc5::ParameterKind::Data) {
+    std::uint32_t value = words[0];
+    if (parameter.format == mc5::Format::Float) value = value << 16 | words[1];
+    return mc5::constantText(
+        {.kind = OperandKind::Constant, .format = parameter.format, .value = value});
+  }
+  const auto decoded = mc5::decode(words.first(1));
+  return decoded ? operandOf(decoded->instruction) : fmt::format("KH {:04X}", words[0]);
+}
+
+const Block* functionBlock(const mc5::Program& program, std::uint32_t number) {
+  const auto id = static_cast<std::uint16_t>(number);
+  const auto found = program.find({BlockType::Fb, id});
+  return found != program.end() ? &found->second : mc5::findResident(id);
+}
+
+}  // namespace
+
+std::optional<CallList> callList(const mc5::Program& program, const Block& block,
+                                 const mc5::Instruction& call, std::uint32_t next) {
+  if (!mc5::callsFunctionBlock(call)) return std::nullopt;
+  const Block* const fb = functionBlock(program, call.operand.value);
+  const auto end = mc5::endOfList(block.words, next);
+  if (fb == nullptr || !end) return std::nullopt;
+  CallList list{fb, *end, {}};
+  std::uint32_t at = next + 1;
+  for (const Parameter& parameter : fb->parameters) {
+    const std::uint32_t words = wordCount(parameter);
+    if (at + words > *end) return std::nullopt;
+    list.parameters.push_back({at, words, parameter.name,
+                               actualText(parameter, std::span(block.words).subspan(at, words))});
+    at += words;
+  }
+  return at == *end ? std::optional(std::move(list)) : std::nullopt;
+}
+
+}  // namespace merker::step5
