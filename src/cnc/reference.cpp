@@ -81,6 +81,10 @@ ConstantFormat formatOf(mc5::Format format) {
       return ConstantFormat::Integer;
     case mc5::Format::Float:
       return ConstantFormat::DWord;
+    case mc5::Format::Time:  // base and three digits, as those of S5T#
+      return ConstantFormat::S5Time;
+    case mc5::Format::Counter:
+      return ConstantFormat::Counter;
     default:
       return ConstantFormat::Word;
   }
@@ -136,6 +140,7 @@ mc7::Reference toReference(std::string_view text, const mc5::Variable& variable)
   const bool isMemory = variable.operand.kind == mc5::OperandKind::Memory;
   reference.operand = isMemory ? memory(variable.operand) : cell(variable.operand);
   if (reference.operand.area == Area::DataBlock) reference.db = variable.dataBlock;
+  if (!isMemory) reference.type = TypeCode::Word;  // what LC loads, base included
   return reference;
 }
 

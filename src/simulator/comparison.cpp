@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "base/bcd.h"
+#include "base/text.h"
 #include "simulator/display.h"
 #include "simulator/relation.h"
 
@@ -22,6 +23,14 @@ constexpr double kTolerance = 1e-6;  // of ~=, relative
 bool isTimerOrCounter(const Term& term) {
   return !term.constant && (term.reference.operand.kind == OperandKind::Timer ||
                             term.reference.operand.kind == OperandKind::Counter);
+}
+
+// "KT 500.1", not "S5T#50S".
+bool isStep5(const Term& term) { return upper(term.text).starts_with("K"); }
+
+unsigned widthOf(const Term& term) {
+  return term.constant ? merker::bitWidth(term.constant->format)
+                       : simulator::bitWidth(term.reference);
 }
 
 // How a timer or counter is looked at.
@@ -108,9 +117,16 @@ std::uint32_t milliseconds(std::uint32_t coded) {
   return decodeS5Time(static_cast<std::uint16_t>(coded)).value_or(0);
 }
 
+// KT is one word of a timer, base included; S5T# is any word of that length.
+bool isTimeWord(const Term& term) {
+  return term.constant && term.constant->format == ConstantFormat::S5Time && isStep5(term);
+}
+
 bool related(const Term& left, std::uint32_t a, Relation relation, const Term& right,
              std::uint32_t b) {
-  if (comparesTimes(left, right)) return relates(milliseconds(a), relation, milliseconds(b));
+  const bool word = isTimeWord(left) || isTimeWord(right);
+  if (comparesTimes(left, right) && (!word || isOrder(relation)))
+    return relates(milliseconds(a), relation, milliseconds(b));
   if (relation == Relation::About) return about(a, b);
   if (const auto number = plainNumber(right, left))
     return relates(besideNumber(left, a, *number), relation, *number);
@@ -136,7 +152,17 @@ std::string showLike(ConstantFormat format, const Term& term, std::uint32_t bits
   return formatOperand(term.reference, bits);
 }
 
+// KT and KZ have no counterpart in the notations of STEP 7.
+std::optional<std::string> showStep5(ConstantFormat format, std::uint32_t bits) {
+  if (format == ConstantFormat::S5Time) return formatTimeConstant(bits);
+  if (format == ConstantFormat::Counter) return formatCountConstant(bits);
+  return std::nullopt;
+}
+
 std::string show(const Term& term, const Term& other, std::uint32_t bits) {
+  const Term& constant = term.constant ? term : other;
+  if (constant.constant && isStep5(constant) && !isTimerOrCounter(term) && widthOf(term) <= 16)
+    if (const auto text = showStep5(constant.constant->format, bits)) return *text;
   if (isTimerOrCounter(term) && view(term.reference.operand.kind, other) != View::Coded)
     return std::to_string(bits);
   if (!term.constant && bitWidth(term.reference) == 1) return std::to_string(bits);

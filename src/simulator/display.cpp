@@ -1,5 +1,7 @@
 #include "simulator/display.h"
 
+#include <fmt/format.h>
+
 #include <bit>
 
 #include "address/constant.h"
@@ -35,9 +37,24 @@ std::string formatTimer(std::uint32_t bits) {
 
 }  // namespace
 
+bool isStep5Cell(const mc7::Reference& reference) {
+  const OperandKind kind = reference.operand.kind;
+  return (kind == OperandKind::Timer || kind == OperandKind::Counter) &&
+         reference.type == TypeCode::Word;
+}
+
+std::string formatTimeConstant(std::uint32_t bits) {
+  return fmt::format("KT {:x}.{}", bits & 0xFFF, bits >> 12 & 3);
+}
+
+std::string formatCountConstant(std::uint32_t bits) { return fmt::format("KZ {:x}", bits & 0xFFF); }
+
 std::string formatOperand(const mc7::Reference& reference, std::uint32_t bits) {
   const TypeCode type = typeOf(reference);
   if (bitWidth(reference) == 1) return bits != 0 ? "1" : "0";
+  if (isStep5Cell(reference))
+    return reference.operand.kind == OperandKind::Timer ? formatTimeConstant(bits)
+                                                        : formatCountConstant(bits);
   if (reference.operand.kind == OperandKind::Timer) return formatTimer(bits);
   if (type == TypeCode::Counter) return formatConstant({ConstantFormat::Counter, bits});
   if (isElementary(type)) return formatValue(type, bits);

@@ -12,8 +12,15 @@
 namespace merker::simulator {
 
 // Bits as 0 and 1, bytes, words and double words as B#16#, W#16#, DW#16#, typed variables in their
-// type's own notation, timers (as LC loads them) as S5T#, counters as C#.
+// type's own notation, timers (as LC loads them) as S5T#, counters as C#; those of STEP 5 as KT,
+// KZ.
 std::string formatOperand(const mc7::Reference& reference, std::uint32_t bits);
+
+// A timer or counter of STEP 5: its type is the word that LC loads.
+bool isStep5Cell(const mc7::Reference& reference);
+// "KT 500.1", "KZ 12": that word as a listing writes it.
+std::string formatTimeConstant(std::uint32_t bits);
+std::string formatCountConstant(std::uint32_t bits);
 
 // What the operand holds now, in the same notation, and DATE_AND_TIME and STRING in theirs; nothing
 // if it does not exist.

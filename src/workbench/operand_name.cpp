@@ -4,6 +4,7 @@
 
 #include "mc7/operand_text.h"
 #include "monitor/symbol_name.h"
+#include "simulator/display.h"
 #include "simulator/term.h"
 
 namespace merker::workbench {
@@ -50,7 +51,7 @@ std::string_view plainType(const mc7::Reference& reference) {
 OperandName operandName(const mc7::Reference& reference, const source::SymbolTable& symbols) {
   OperandName result;
   result.operand = addressText(reference);
-  TypeCode type = reference.type;
+  TypeCode type = simulator::isStep5Cell(reference) ? TypeCode::Void : reference.type;
   result.bits = reference.bytes > 0 ? 8 * reference.bytes : simulator::bitWidth(reference);
   const source::Symbol* symbol =
       monitor::findSymbol(reference.operand, reference.outputSide, symbols);
