@@ -1,8 +1,10 @@
 // merker diag PATH [--for TIME]: run, then show what a programming device shows of the CPU.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "base/text.h"
 #include "build.h"
 #include "command.h"
 #include "cpu_option.h"
@@ -10,6 +12,7 @@
 #include "monitor_text.h"
 #include "operands.h"
 #include "simulator/duration.h"
+#include "simulator/junit.h"
 #include "simulator/runner.h"
 
 namespace merker::app {
@@ -17,7 +20,8 @@ namespace {
 
 struct DiagOptions {
   ProjectOptions project;
-  std::string path, time = "10s";
+  std::string path, time = "10s", scenario, name;
+  std::uint32_t line = 0;
   bool json = false;
   std::vector<std::string> set;
 };
@@ -47,33 +51,82 @@ int runFor(const DiagOptions& options, const Build& built, Duration time,
   std::vector<simulator::Assignment> assignments;
   const int wrong = readAssignments("--set", options.set, built.resolver(), assignments);
   if (wrong != kGood) return wrong;
-  simulator::startFresh(plc);
+  simulator::startFresh(plc, std::min(time, simulator::kLongestStartup));
   for (const simulator::Assignment& one : assignments) {
     const std::string reason = simulator::apply(one, false, plc);
     if (reason.empty()) continue;
     std::cerr << "merker diag: --set: " << reason << '\n';
     return kUsage;
   }
-  plc.advanceTo(plc.now() + time);
+  if (plc.mode() != controller::Mode::Startup) plc.advanceTo(plc.now() + time);
   plc.settle();
   return kGood;
 }
 
+// The scenario of --name, else the first one of the file.
+const simulator::Scenario* chosen(const DiagOptions& options,
+                                  const std::vector<simulator::Scenario>& list) {
+  for (const simulator::Scenario& one : list)
+    if (options.name.empty() || upper(one.name).find(upper(options.name)) != std::string::npos)
+      return &one;
+  return nullptr;
+}
+
+// Up to its STOP, or to the step of a line.
+int runScenario(const DiagOptions& options, const Build& built, controller::Controller& plc) {
+  auto file = source::readSource(options.scenario);
+  Problems problems;
+  if (!file) {
+    problems.add(file.error());
+    printProblems(problems, [](const std::string&) { return nullptr; });
+    return kUnreadable;
+  }
+  auto list = simulator::parseScenarios(file.value(), problems);
+  const auto& hardware = built.project.hardware;
+  for (simulator::Scenario& one : list)
+    simulator::resolve(one, built.resolver(), problems, hardware ? &*hardware : nullptr,
+                       &built.project.plants);
+  printProblems(problems, [&](const std::string&) { return &file.value(); });
+  if (problems.hasErrors()) return kProblems;
+  const simulator::Scenario* scenario = chosen(options, list);
+  if (scenario == nullptr) {
+    std::cerr << "merker diag: --name: no scenario of " << options.scenario << " has '"
+              << options.name << "' in its name\n";
+    return kUsage;
+  }
+  const auto result = simulator::runUntil(*scenario, {options.line}, plc);
+  for (const simulator::Failure& failure : result.failures)
+    std::cerr << "merker diag: " << simulator::describe(failure) << '\n';
+  return kGood;
+}
+
+int carryOut(const DiagOptions& options, const Build& built, Duration time,
+             controller::Controller& plc) {
+  return options.scenario.empty() ? runFor(options, built, time, plc)
+                                  : runScenario(options, built, plc);
+}
+
+// What the exit code says of the end: a start that does not end is no good end either.
+int endCode(const controller::Controller& plc) {
+  if (plc.stoppedByFault()) return kFault;
+  return plc.mode() == controller::Mode::Startup ? kProblems : kGood;
+}
+
 int showControl(const DiagOptions& options, const Build& built, Duration time) {
   const auto plc = built.controller();
-  if (const int wrong = runFor(options, built, time, *plc); wrong != kGood) return wrong;
+  if (const int wrong = carryOut(options, built, time, *plc); wrong != kGood) return wrong;
   auto& control = dynamic_cast<cnc::Cnc&>(*plc);
   if (options.json)
     std::cout << diagnosisToJson(control).dump(2) << '\n';
   else
     printDiagnosis(control);
-  return control.stoppedByFault() ? kFault : kGood;
+  return endCode(control);
 }
 
 int show(const DiagOptions& options, const Build& built, Duration time) {
   station::Station station = built.station();
   monitor::Monitor monitor(station, built.project.symbols, built.resolver());
-  if (const int wrong = runFor(options, built, time, station); wrong != kGood) return wrong;
+  if (const int wrong = carryOut(options, built, time, station); wrong != kGood) return wrong;
   options.json ? printJson(monitor) : printText(monitor, station.model().accumulators == 4);
   return station.stoppedByFault() ? kFault : kGood;
 }
@@ -101,6 +154,10 @@ void addDiag(CLI::App& program, int& result) {
   command->add_option("--for", options->time, "run this long: 250ms, 7.5s, 2m (default 10s)");
   command->add_option("--set", options->set, "before the start: \"E 0.0=1, MW 10=W#16#0005\"")
       ->allow_extra_args(false);
+  command->add_option("--scenario", options->scenario,
+                      "instead of --for and --set: run a scenario (*.scn) up to its STOP");
+  command->add_option("--name", options->name, "the scenario whose name contains this text");
+  command->add_option("--line", options->line, "end behind the step of this line, in STOP or not");
   addProjectOptions(*command, options->project);
   command->add_flag("--json", options->json, "as one JSON object");
   command->footer(
@@ -108,7 +165,8 @@ void addDiag(CLI::App& program, int& result) {
       "each priority class, the L stack local data.\n"
       "Examples:\n"
       "  merker diag examples/sorting-plant\n"
-      "  merker diag faulty.awl --for 1s --set \"E 0.7=1\" --json");
+      "  merker diag faulty.awl --for 1s --set \"E 0.7=1\" --json\n"
+      "  merker diag faulty.s5 --scenario faulty.scn --name \"second edge\"");
   command->callback([options, &result] { result = diag(*options); });
 }
 

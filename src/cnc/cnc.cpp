@@ -1,9 +1,11 @@
 #include "cnc/cnc.h"
 
+#include "base/text.h"
 #include "cnc/compiled_code.h"
 #include "cnc/plc_options.h"
 #include "cnc/reference.h"
 #include "controller/line_counts.h"
+#include "sinumerik/stack_fields.h"
 
 namespace merker::cnc {
 
@@ -152,6 +154,8 @@ std::optional<std::uint32_t> Cnc::read(const mc7::Reference& reference) const {
 
 bool Cnc::write(const mc7::Reference& reference, std::uint32_t value) {
   const auto variable = toVariable(reference);
+  if (variable && !sinumerik::whySystemOwned(plc().operatingSystem(), *variable).empty())
+    return false;
   return variable && plc().write(*variable, value);
 }
 
@@ -161,6 +165,27 @@ bool Cnc::force(const mc7::Reference& reference, std::uint32_t value) {
 }
 
 void Cnc::unforce() { plc().unforce(); }
+
+std::string Cnc::whyRefused(const mc7::Reference& reference) const {
+  const auto variable = toVariable(reference);
+  return variable ? sinumerik::whySystemOwned(plc().operatingSystem(), *variable) : std::string();
+}
+
+std::optional<std::string> Cnc::stackField(std::string_view stack, std::string_view field) const {
+  const sinumerik::OperatingSystem& os = plc().operatingSystem();
+  if (equalsIgnoreCase(stack, "USTACK")) return sinumerik::interruptField(os, field);
+  return equalsIgnoreCase(stack, "BSTACK") ? sinumerik::blockField(os, field) : std::nullopt;
+}
+
+std::string Cnc::stackFields(std::string_view stack) const {
+  if (equalsIgnoreCase(stack, "USTACK")) return sinumerik::interruptFields();
+  return equalsIgnoreCase(stack, "BSTACK") ? sinumerik::blockFields() : std::string();
+}
+
+std::string Cnc::stopDetails() const {
+  const bool stopped = plc().mode() == sinumerik::Mode::Stop;
+  return stopped ? sinumerik::stopLine(plc().operatingSystem()) : std::string();
+}
 
 std::string Cnc::whyMissing(const mc7::Reference& reference) const {
   if (reference.operand.kind != mc7::OperandKind::Memory ||

@@ -7,6 +7,7 @@
 
 #include "catalogue/sinumerik_model.h"
 #include "controller/controller.h"
+#include "controller/stop_screens.h"
 #include "nc/function_macros.h"
 #include "sinumerik/plc.h"
 
@@ -32,7 +33,7 @@ struct Options {
   Position alarmsNamed{}, messagesNamed{};
 };
 
-class Cnc final : public controller::Controller {
+class Cnc final : public controller::Controller, public controller::StopScreens {
  public:
   explicit Cnc(Options options);
   ~Cnc() override;
@@ -75,6 +76,11 @@ class Cnc final : public controller::Controller {
   bool force(const mc7::Reference& reference, std::uint32_t value) override;
   void unforce() override;
   std::string whyMissing(const mc7::Reference& reference) const override;
+  std::string whyRefused(const mc7::Reference& reference) const override;
+  std::optional<std::string> stackField(std::string_view stack,
+                                        std::string_view field) const override;
+  std::string stackFields(std::string_view stack) const override;
+  std::string stopDetails() const override;
 
   const std::vector<controller::DiagnosticEntry>& diagnostics() const override;
   const std::vector<controller::CheckResult>& checkResults() const override;

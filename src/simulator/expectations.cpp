@@ -5,6 +5,7 @@
 #include <array>
 
 #include "base/text.h"
+#include "controller/stop_screens.h"
 #include "simulator/comparison.h"
 #include "simulator/long_value.h"
 #include "station/station.h"
@@ -44,6 +45,12 @@ std::string_view modeName(Mode mode) {
   return kNames[static_cast<std::size_t>(mode)];
 }
 
+std::string stopText(const Controller& plc) {
+  const auto* screens = dynamic_cast<const controller::StopScreens*>(&plc);
+  const std::string details = screens == nullptr ? "" : screens->stopDetails();
+  return plc.stopReason() + (details.empty() ? "" : "; " + details);
+}
+
 std::string because(const Controller& plc) {
   const std::string reason = plc.stopReason();
   return reason.empty() ? reason : ": " + reason;
@@ -71,6 +78,8 @@ bool holds(const Expectation& e, Controller& plc) {
       return simulator::holds(e.terminal, e.relation, *device->rack());
     case Expectation::What::Plant:
       return simulator::holds(e.plant, e.relation, *device->plants());
+    case Expectation::What::Stack:
+      return simulator::holds(e.stack, e.relation, plc);
     case Expectation::What::Led:
       return (device->leds().*e.led == e.light) == (e.relation == block::Relation::Equal);
   }
@@ -97,6 +106,8 @@ std::string actual(const Expectation& e, const Controller& plc) {
     case Expectation::What::Plant:
       return fmt::format("{} is {}", e.plant.text,
                          simulator::actualValue(e.plant, *device->plants()));
+    case Expectation::What::Stack:
+      return simulator::actualValue(e.stack, plc);
     case Expectation::What::Led:
       return fmt::format("it is {}", simulator::name(device->leds().*e.led));
   }

@@ -16,39 +16,37 @@ using controller::Controller;
 using controller::Mode;
 using station::Station;
 
-// A startup OB that never ends is ended by nothing on the real CPU (S7-STATE-11); a test must end.
-constexpr Duration kLongestStartup = Duration::seconds(60);
-
 // Restart of either kind, and the startup OBs up to RUN.
 using Start = bool (Controller::*)();
 
-bool restart(Controller& plc, Start how) {
+bool restart(Controller& plc, Start how, Duration longest = kLongestStartup) {
   if (plc.mode() != Mode::Stop) plc.stop();
   if (!(plc.*how)()) return false;
-  const Instant limit = plc.now() + kLongestStartup;
+  const Instant limit = plc.now() + longest;
   while (plc.mode() == Mode::Startup && plc.now() < limit) advanceToNextLook(plc, limit);
   return true;
 }
 
 // Memory reset and start. Why no scenario can begin: the start is refused, or its OB does not end.
 // One that ends in STOP, by SFC 46 or a fault, is no refusal (S7-STATE-08).
-std::string refusal(Controller& plc) {
+std::string refusal(Controller& plc, Duration longest = kLongestStartup) {
   if (plc.mode() != Mode::Stop) plc.stop();
   plc.memoryReset();
-  if (!restart(plc, &Controller::start)) return "the CPU does not start" + because(plc);
+  if (!restart(plc, &Controller::start, longest)) return "the CPU does not start" + because(plc);
   return plc.mode() == Mode::Startup ? "the CPU does not reach RUN" : std::string();
 }
 
 class Runner {
  public:
-  Runner(Controller& plc, TestResult& result)
-      : plc_(plc), device_(dynamic_cast<Station*>(&plc)), result_(result) {}
+  Runner(Controller& plc, TestResult& result, std::optional<Until> until = {})
+      : plc_(plc), device_(dynamic_cast<Station*>(&plc)), result_(result), until_(until) {}
 
   bool run(const std::vector<Step>& steps);
   void endState(const Scenario& scenario);
 
  private:
   bool fail(const Position& position, std::string message);
+  bool reached(const Step& step) const;
   bool perform(const Step& step);
   bool performOnDevice(const Step& step);
   bool set(const Step& step);
@@ -72,6 +70,7 @@ class Runner {
   Controller& plc_;
   Station* device_;  // null: no SIMATIC S7
   TestResult& result_;
+  std::optional<Until> until_;
   Axes axes_;
   bool speaksOfState_ = false;
 };
@@ -82,9 +81,17 @@ bool Runner::fail(const Position& position, std::string message) {
 }
 
 bool Runner::run(const std::vector<Step>& steps) {
-  for (const Step& step : steps)
+  for (const Step& step : steps) {
     if (!perform(step)) return false;
+    if (until_ && reached(step)) return false;
+  }
   return true;
+}
+
+// A step ends in STOP, or is the one that was asked for.
+bool Runner::reached(const Step& step) const {
+  if (until_->line != 0) return step.position.line >= until_->line;
+  return plc_.mode() == Mode::Stop && plc_.powered();
 }
 
 bool Runner::perform(const Step& step) {
@@ -294,6 +301,7 @@ bool Runner::miss(const Step& step) {
 bool Runner::expect(const Step& step) {
   if (device_ == nullptr && needsDevice(step.expectation)) return noDevice(step);
   if (step.expectation.what == Expectation::What::Mode ||
+      step.expectation.what == Expectation::What::Stack ||
       step.expectation.what == Expectation::What::Diagnostics)
     speaksOfState_ = true;
   const Instant end = plc_.now() + step.expectation.duration;
@@ -324,7 +332,7 @@ void Runner::endState(const Scenario& scenario) {
   if (!plc_.stoppedByFault() || speaksOfState_) return;
   const Position& position =
       scenario.steps.empty() ? scenario.position : scenario.steps.back().position;
-  fail(position, "expected no fault, the CPU went to STOP: " + plc_.stopReason());
+  fail(position, "expected no fault, the CPU went to STOP: " + stopText(plc_));
 }
 
 }  // namespace
@@ -337,8 +345,8 @@ void advanceToNextLook(Controller& plc, Instant end) {
   plc.advanceToCheckpoint(stopped ? end : std::min(end, plc.now() + kSlice));
 }
 
-std::string startFresh(Controller& plc) {
-  const std::string reason = refusal(plc);
+std::string startFresh(Controller& plc, Duration longest) {
+  const std::string reason = refusal(plc, longest);
   if (!reason.empty() || plc.mode() == Mode::Run) return reason;
   return "the CPU does not reach RUN" + because(plc);
 }
@@ -351,6 +359,16 @@ TestResult runScenario(const Scenario& scenario, Controller& plc) {
   const bool refused = !reason.empty() && !plc.stoppedByFault();
   if (refused) result.failures.push_back({scenario.position, plc.now(), reason});
   if (!refused && runner.run(scenario.steps)) runner.endState(scenario);
+  result.end = plc.now();
+  return result;
+}
+
+TestResult runUntil(const Scenario& scenario, const Until& until, Controller& plc) {
+  TestResult result{scenario.position.file, scenario.name, {}, {}};
+  const std::string reason = refusal(plc);
+  if (!reason.empty()) result.failures.push_back({scenario.position, plc.now(), reason});
+  const bool ended = plc.mode() == Mode::Stop && until.line == 0;
+  if (reason.empty() && !ended) (void)Runner(plc, result, until).run(scenario.steps);
   result.end = plc.now();
   return result;
 }

@@ -14,6 +14,7 @@
 #include "simulator/device_steps.h"
 #include "simulator/plant_steps.h"
 #include "simulator/signal_steps.h"
+#include "simulator/stack_steps.h"
 #include "simulator/term.h"
 #include "simulator/terminal_steps.h"
 #include "source/source_file.h"
@@ -31,13 +32,15 @@ struct Expectation {
     Diagnostics,
     Terminal,
     Led,
-    Plant
+    Plant,
+    Stack
   } what = What::Values;
   Term left, right;  // Values
   block::Relation relation = block::Relation::Equal;
   controller::Mode mode = controller::Mode::Run;  // Mode: = or <>
   TerminalValue terminal;                         // Terminal: relation to its value
   PlantValue plant;                               // Plant: the same
+  StackField stack;                               // Stack: relation to its value
   std::string words;                              // Diagnostics: what an entry contains
   LedMember led = nullptr;                        // Led: which, = or <> which light
   cpu::Light light = cpu::Light::On;

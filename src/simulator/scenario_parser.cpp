@@ -80,6 +80,7 @@ class Parser {
   bool mode(Expectation& e, std::string_view rest, std::string_view value);
   bool led(Expectation& e, std::string_view rest, std::string_view which, std::string_view light);
   bool diagnostics(Expectation& e, std::string_view rest);
+  bool stack(Expectation& e, std::string_view rest, std::string_view field, std::string_view value);
   bool assignment(std::vector<Assignment>& list, std::string_view text);
   bool term(Term& term, std::string_view text, std::string_view where, std::string_view what);
   std::vector<Step>& target();
@@ -316,6 +317,8 @@ bool Parser::expectation(Expectation& e, std::string_view rest) {
     return parseTerminal(
         terminal, right, e.terminal, [this](std::string_view text) { return at(text); }, problems_);
   }
+  std::string_view field = left;
+  if (takeStack(field, e.stack)) return stack(e, rest, field, right);
   std::string_view signal = left;
   if (equalsIgnoreCase(takeWord(signal), "plant")) {
     e.what = Expectation::What::Plant;
@@ -354,6 +357,16 @@ bool Parser::led(Expectation& e, std::string_view rest, std::string_view which,
                 "off, on, slow (0.5 Hz) or fast (2 Hz)");
   e.light = *wanted;
   return true;
+}
+
+bool Parser::stack(Expectation& e, std::string_view rest, std::string_view field,
+                   std::string_view value) {
+  e.what = Expectation::What::Stack;
+  e.stack.value = value;
+  if (e.relation == Relation::About)
+    return fail(ProblemCode::P0952, rest, "a comparison (= <> < <= > >=)");
+  if (field.empty()) return fail(ProblemCode::P0952, rest, "a field, as ustack SAZ = 002A");
+  return !value.empty() || fail(ProblemCode::P0952, rest, "a value, as 002A or PB 5");
 }
 
 bool Parser::diagnostics(Expectation& e, std::string_view rest) {

@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "simulator/expectations.h"
 #include "simulator/runner.h"
 
 namespace merker::simulator {
@@ -46,7 +47,7 @@ TestResult runSelfChecks(const std::string& file, controller::Controller& plc) {
   result.end = plc.now();
   if (plc.stoppedByFault())
     result.failures.push_back(
-        {Position{file}, plc.now(), "the CPU went to STOP: " + plc.stopReason()});
+        {Position{file}, plc.now(), "the CPU went to STOP: " + stopText(plc)});
   collect(plc, result);
   return result;
 }

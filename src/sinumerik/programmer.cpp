@@ -44,13 +44,7 @@ std::optional<std::uint32_t> Programmer::status(const Variable& variable) const 
 }
 
 std::string Programmer::control(const Variable& variable, std::uint32_t value) {
-  const bool data = variable.operand.area == mc5::Area::Data;
-  const bool trigger = variable.dataBlock == diagnosis::kDb &&
-                       variable.operand.value == diagnosis::kTrigger &&
-                       variable.operand.width != mc5::Width::Double;
-  if (data && !trigger && system({BlockType::Db, variable.dataBlock}))
-    return fmt::format("DB {} belongs to the system; only DW 9 of DB 1 takes a value",
-                       variable.dataBlock);
+  if (std::string reason = whySystemOwned(os_, variable); !reason.empty()) return reason;
   return writeValue(os_, variable, value) ? "" : "there is no such operand";
 }
 

@@ -1,6 +1,10 @@
 #include "sinumerik/variable.h"
 
+#include <fmt/format.h>
+
 #include <span>
+
+#include "sinumerik/system_blocks.h"
 
 namespace merker::sinumerik {
 namespace {
@@ -140,6 +144,15 @@ bool writeCell(OperatingSystem& os, const Operand& operand, std::uint32_t value)
 }
 
 }  // namespace
+
+std::string whySystemOwned(const OperatingSystem& os, const Variable& v) {
+  const bool data = v.operand.kind == OperandKind::Memory && v.operand.area == Area::Data;
+  if (!data || !isSystemBlock(v.dataBlock, os.options().systemBlocks)) return {};
+  const bool trigger = v.dataBlock == diagnosis::kDb && v.operand.value == diagnosis::kTrigger &&
+                       v.operand.width != Width::Double;
+  if (trigger) return {};
+  return fmt::format("DB {} belongs to the system; only DW 9 of DB 1 takes a value", v.dataBlock);
+}
 
 std::optional<std::uint32_t> readValue(const OperatingSystem& os, const Variable& v) {
   const Machine& m = os.machine();

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "mc5/variable.h"
 #include "sinumerik/operating_system.h"
@@ -11,6 +12,9 @@ namespace merker::sinumerik {
 
 using mc5::Variable;
 
+// Data blocks that the system made take no values from a programmer but the trigger DW 9 of DB 1
+// (3.1, S5-DB-12, OP-03): then the reason, else empty.
+std::string whySystemOwned(const OperatingSystem& os, const Variable& variable);
 // E, A, M, D; T and Z: width Bit is the output, any other the value as LC loads it; P: what the
 // output modules give out, nothing while the PLC is not in RUN. Nothing if there is no such
 // operand.

@@ -53,6 +53,23 @@ TEST(ScenarioParser, TheExampleOfTheContract) {
   EXPECT_EQ(p.steps()[6].expectation.what, Expectation::What::Mode);
 }
 
+// S5-ERR-06: fields of the stacks of a SINUMERIK.
+TEST(ScenarioParser, Stacks) {
+  const Parsed p = parse("expect ustack XX-NR. = PB 5 within 1s\nexpect BSTACK 1 adr >= 002A\n");
+  ASSERT_TRUE(p.problems.empty());
+  const Expectation& first = p.steps().at(0).expectation;
+  EXPECT_EQ(first.what, Expectation::What::Stack);
+  EXPECT_EQ(first.stack.stack + "|" + first.stack.name + "|" + first.stack.value,
+            "USTACK|XX-NR.|PB 5");
+  EXPECT_EQ(first.when, Expectation::When::Within);
+  EXPECT_EQ(p.steps().at(1).expectation.stack.name, "1 adr");
+  EXPECT_EQ(p.steps().at(1).expectation.relation, block::Relation::GreaterEqual);
+  EXPECT_EQ(parse("expect ustack = 01\n").problem(), "1:8 P0952");
+  EXPECT_EQ(parse("expect ustack SAZ\n").problem(), "1:8 P0952");
+  EXPECT_EQ(parse("expect ustack SAZ =\n").problem(), "1:8 P0952");
+  EXPECT_EQ(parse("expect ustack SAZ ~= 1\n").problem(), "1:8 P0952");
+}
+
 // S7-SIM-13, S7-CPU-31
 TEST(ScenarioParser, StepsOfTheDevice) {
   const Parsed p = parse(

@@ -1,0 +1,33 @@
+// What the programmer of a PLC shows beyond what every controller can tell (S5-ERR-06): screens of
+// a STOP, and why a value is refused.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "mc7/reference.h"
+
+namespace merker::controller {
+
+class StopScreens {
+ public:
+  virtual ~StopScreens() = default;
+
+  // A field of a stack, "USTACK" or "BSTACK", as on its screen. Nothing if there is no such field.
+  virtual std::optional<std::string> stackField(std::string_view stack,
+                                                std::string_view field) const = 0;
+  // The names of the fields, for problems.
+  virtual std::string stackFields(std::string_view stack) const = 0;
+  // The place and the registers of a STOP in one line; empty while there is none.
+  virtual std::string stopDetails() const = 0;
+  // "DB 1 belongs to the system", for an operand that cannot be written; else empty.
+  virtual std::string whyRefused(const mc7::Reference& reference) const = 0;
+
+ protected:
+  StopScreens() = default;
+  StopScreens(const StopScreens&) = default;
+  StopScreens& operator=(const StopScreens&) = default;
+};
+
+}  // namespace merker::controller
