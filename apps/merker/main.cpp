@@ -45,11 +45,14 @@ int written(int result) {
 }
 
 int run(int argc, char** argv) {
-  CLI::App program{"Merker: an open PLC in software that runs STEP 7 programs", "merker"};
+  CLI::App program{"Merker: an open PLC in software that runs STEP 7 programs and STEP 5 listings",
+                   "merker"};
   program.set_version_flag("--version", std::string("merker ") + MERKER_VERSION);
   program.require_subcommand(1);
   program.footer(
-      "PATH is a project folder (with merker.toml) or a single source (*.awl).\n"
+      "PATH is a project folder (with merker.toml) or a single source: *.awl (STEP 7, on a CPU "
+      "314C-2\n"
+      "PtP) or *.s5 (STEP 5, on a SINUMERIK 810 GA3).\n"
       "Exit codes: 0 good, 1 problems in the sources or a check failed, 2 wrong usage,\n"
       "3 the CPU went to STOP through a fault, 4 a file could not be read or written.\n"
       "`merker COMMAND --help` shows the options and examples of a command.");

@@ -134,9 +134,11 @@ bool allExist(const std::vector<mc7::Reference>& operands, const controller::Con
 
 // Cycle monitoring does not watch the startup (S7-STATE-11), so that the real CPU would hang, too.
 bool cyclesMissing(const RunOptions& options, const controller::Controller& plc) {
-  if (plc.mode() == controller::Mode::Startup)
+  const bool starting = plc.mode() == controller::Mode::Startup;
+  if (starting)
     std::cerr << "merker run: the CPU is still in STARTUP: its startup OB has not ended after "
               << simulator::formatTime(plc.now()) << '\n';
+  if (starting && dynamic_cast<const cnc::Cnc*>(&plc) != nullptr) return true;
   return options.hasCycles && plc.mode() != controller::Mode::Stop && plc.cycles() < options.cycles;
 }
 

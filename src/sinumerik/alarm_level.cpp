@@ -14,6 +14,8 @@ void OperatingSystem::sample() {
   const Instant at = schedule_.nextSample();
   const bool ipo = schedule_.beginsIpoClock(), call = schedule_.callsOb1();
   schedule_.sampled();
+  times_.sampled();
+  if (times_.alarmWindow() <= alarmLimit()) alarmTimeReported_ = false;
   for (std::size_t i = 0; i < kCells && i <= active_.word(6); ++i)
     machine_.timers[i].count(at, environment_.timeBases);
   if (ipo) ipoClock();
@@ -28,8 +30,6 @@ void OperatingSystem::sample() {
 }
 
 void OperatingSystem::ipoClock() {
-  if (!alarmLevelRuns()) times_.alarmWindow = {};  // else one run goes on
-  alarmTimeReported_ = false;
   flags_.ipoClock(betweenCycles());
   for (const unsigned byte : kFastOutputs)
     machine_.periphery.outputs[byte] = machine_.outputs[byte];

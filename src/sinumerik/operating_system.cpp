@@ -125,11 +125,13 @@ void OperatingSystem::judgeRunTime(std::uint8_t ob) {
   const std::int64_t cyclicLimit = schedule_.raster().call.ns * active_.word(1) / 100;
   if (ob == kCyclicOb && !active_.bit(data_bit::kChopping) && times_.cycle.cyclic.ns > cyclicLimit)
     raise({Alarm::CyclicRunTime, {}});
-  const bool exceeded = times_.alarmWindow > Duration::microseconds(active_.word(3));
+  const bool exceeded = times_.alarmWindow() > alarmLimit();
   if (ob != kAlarmOb || !exceeded || alarmTimeReported_) return;
   alarmTimeReported_ = true;
   raise({Alarm::AlarmRunTime, {}});
 }
+
+Duration OperatingSystem::alarmLimit() const { return Duration::microseconds(active_.word(3)); }
 
 void OperatingSystem::levelEnded(std::uint8_t ob) {
   judgeRunTime(ob);

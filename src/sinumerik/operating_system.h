@@ -119,6 +119,7 @@ class OperatingSystem {
   void levelEnded(std::uint8_t ob);
   bool executable() const;
   Duration shareOfThird() const;
+  Duration alarmLimit() const;
   // compiled.cpp
   Instant horizon(Instant limit) const;
   bool runCompiled(Instant horizon);

@@ -71,7 +71,8 @@ void Plc::advanceTo(Instant t) {
 void Plc::settle() {
   OperatingSystem& os = parts_->os;
   const Instant latest = now() + kLongestCycle;
-  while (!os.betweenCycles() && now() < latest) os.step(latest);
+  // An OB 20 without end has no cycle that could end.
+  while (mode() == Mode::Run && !os.betweenCycles() && now() < latest) os.step(latest);
 }
 
 void Plc::advanceCycles(std::uint64_t count) {

@@ -17,6 +17,23 @@ std::uint16_t bcdWord(std::uint32_t value) {
   return static_cast<std::uint16_t>(result);
 }
 
+bool isCell(const mc5::Operand& operand) {
+  return operand.kind == mc5::OperandKind::Timer || operand.kind == mc5::OperandKind::Counter;
+}
+
+bool stopsTimer(mc5::Operation operation) {
+  return operation == mc5::Operation::TIMER_SI || operation == mc5::Operation::TIMER_SE;
+}
+
+// With VKE = 0 these only take note of it.
+bool clearsEdge(mc5::Operation operation, mc5::OperandKind kind) {
+  using mc5::Operation;
+  return operation == Operation::TIMER_SV || operation == Operation::TIMER_SS ||
+         operation == Operation::COUNT_UP || operation == Operation::COUNT_DOWN ||
+         operation == Operation::ENABLE ||
+         (operation == Operation::SET_BIT && kind == mc5::OperandKind::Counter);
+}
+
 }  // namespace
 
 Processor::Processor(Machine& machine, const Environment& environment)
@@ -89,18 +106,41 @@ Outcome Processor::step() {
 
 bool Processor::execute(const mc5::Decoded& decoded) {
   const mc5::Operand& operand = decoded.instruction.operand;
-  if (!mc5::inRange(decoded.instruction)) {
-    const bool cell =
-        operand.kind == mc5::OperandKind::Timer || operand.kind == mc5::OperandKind::Counter;
-    return fail(cell ? Alarm::TimerCounter : Alarm::IllegalParameter, run_.opcode, 0,
-                bcdWord(operand.value));
-  }
+  if (!mc5::inRange(decoded.instruction))
+    return foreignCell(decoded) || refuse(decoded.instruction);
   if (operand.kind == mc5::OperandKind::Timer &&
       operand.value > environment_.lastTimer)  // S5-MD-02
     return fail(Alarm::TimerCounter, run_.opcode, 0, bcdWord(operand.value));
   const bool done = handler(decoded.instruction)(*this, decoded.instruction);
   charge(*decoded.encoding, done);
   return done;
+}
+
+bool Processor::refuse(const mc5::Instruction& instruction) {
+  return fail(isCell(instruction.operand) ? Alarm::TimerCounter : Alarm::IllegalParameter,
+              run_.opcode, 0, bcdWord(instruction.operand.value));
+}
+
+// Behind B a number beyond the last cell: where VKE is 0 the coprocessor does the instruction
+// alone. It does not look at the number and clears control bits of another cell (9.3.4,
+// S5-TIMER-13).
+bool Processor::foreignCell(const mc5::Decoded& decoded) {
+  const mc5::Instruction& i = decoded.instruction;
+  if (run_.depth == 0 || vke() || !isCell(i.operand) || i.operand.width == mc5::Width::Bit)
+    return false;
+  const std::size_t number = i.operand.value % kCells;
+  if (stopsTimer(i.operation)) {
+    machine_.timers[number].clearControlBits();
+  } else if (clearsEdge(i.operation, i.operand.kind)) {
+    mc5::Instruction other = i;
+    other.operand.value = static_cast<std::uint32_t>(number);
+    (void)handler(other)(*this, other);
+  } else {
+    return false;
+  }
+  displays().orBit = displays().chain = false;
+  charge(*decoded.encoding, false);
+  return true;
 }
 
 void Processor::charge(const mc5::Encoding& encoding, bool done) {

@@ -116,6 +116,8 @@ class Processor {
 
   std::optional<mc5::Decoded> fetch(std::uint32_t word);
   bool execute(const mc5::Decoded& decoded);
+  bool refuse(const mc5::Instruction& instruction);
+  bool foreignCell(const mc5::Decoded& decoded);
   void charge(const mc5::Encoding& encoding, bool done);
   bool callMacro(std::uint16_t number);
   bool executeAll(std::span<const std::uint16_t> code);

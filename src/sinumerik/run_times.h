@@ -2,6 +2,8 @@
 // (S5-SCHED-12).
 #pragma once
 
+#include <array>
+
 #include "clock/instant.h"
 
 namespace merker::sinumerik {
@@ -12,17 +14,28 @@ struct CycleTimes {
 };
 
 struct RunTimes {
-  CycleTimes cycle;      // since the last update of the input image
-  Duration alarmWindow;  // OB 2 in these 4 samplings (S5-SCHED-10)
-  Duration third;        // OB 1 in this third of the raster (S5-SCHED-06)
-  Duration raster;       // both in this raster
-  Duration lastRaster;   // and in the one before
+  CycleTimes cycle;                        // since the last update of the input image
+  std::array<Duration, 4> alarmSamples{};  // OB 2 in this sampling time and the three before it
+  Duration third;                          // OB 1 in this third of the raster (S5-SCHED-06)
+  Duration raster;                         // both in this raster
+  Duration lastRaster;                     // and in the one before
+
+  // OB 2 in any interval of 4 sampling times (1.3.4, S5-SCHED-10).
+  Duration alarmWindow() const {
+    Duration sum{};
+    for (const Duration one : alarmSamples) sum = sum + one;
+    return sum;
+  }
+  void sampled() {
+    for (std::size_t i = alarmSamples.size() - 1; i > 0; --i) alarmSamples[i] = alarmSamples[i - 1];
+    alarmSamples[0] = {};
+  }
 
   void charge(bool alarmLevel, Duration time) {
     raster = raster + time;
     if (alarmLevel) {
       cycle.alarm = cycle.alarm + time;
-      alarmWindow = alarmWindow + time;
+      alarmSamples[0] = alarmSamples[0] + time;
     } else {
       cycle.cyclic = cycle.cyclic + time;
       third = third + time;

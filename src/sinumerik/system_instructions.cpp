@@ -34,7 +34,7 @@ bool loadRegister(Processor& p, const Instruction&) {
   if (!readable(a.segment)) return wrongSegment(p, Alarm::SegmentLirTir, a.segment);
   const auto word = readWord(p.machine(), a.segment, a.offset);
   if (!word) return noAnswer(p, Alarm::NoAnswerLirTir, a);
-  p.registers().setLow1(*word);
+  p.registers().akku1 = *word;  // bits that take no part are 0 (9.2)
   return true;
 }
 

@@ -29,6 +29,9 @@ class Timer {
   bool start(TimerKind kind, bool vke, std::uint16_t akku, Instant now, const TimeBases& bases);
   bool reset(bool vke);   // R T
   bool enable(bool vke);  // FR T
+  void clearControlBits() {
+    word_ &= static_cast<std::uint16_t>(~(kRunning | kOutput | kStartEdge));
+  }
   // The operating system counts the units that have passed; at instants of the sampling raster.
   void count(Instant now, const TimeBases& bases);
 

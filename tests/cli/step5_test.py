@@ -67,6 +67,141 @@ class Step5(Case):
         self.assertEqual(out, again)
         self.assertEqual(self.expect(GOOD, "list", "a.s5", "--json").json["blocks"][0]["block"], "OB 1")
 
+    def test_parameters_are_no_instructions(self):
+        """S5-FB-06, 4.3.2: the jump over a parameter list is not shown, nobody's labels are not printed."""
+        manual = str(ROOT / "examples/step5/09-formal-operands")
+        code = self.expect(GOOD, "list", manual, "--code").out
+        ob1 = code[code.index("OB 1 "):code.index("FB 201")]
+        for line in ("SPA   FB 201", "NAME : ANTRIEB", "EIN  : E 20.0", "BERT : T 17", "Z1   : KH 7F0A", "Z2   : DW 20"):
+            self.assertIn(line, ob1)
+        for word in ("SPA   =", "LC ", "illegal", "KH C"):
+            self.assertNotIn(word, ob1)
+        listing = self.expect(GOOD, "list", manual, "--listing").out
+        self.assertNotRegex(listing, r"M0\d\d")
+        changer = self.expect(GOOD, "list", str(ROOT / "examples/step5/tool-changer"), "--listing").out
+        self.assertNotRegex(changer, r"(?m)^M\d\d\d .*BE$")
+
+    def test_block_addresses(self):
+        """S5-MEM-07, 9.1.2: the block directory shows addresses."""
+        rows = {line[:10].strip(): line.split()[-1] for line in self.expect(GOOD, "list", "a.s5").lines[1:]}
+        self.assertEqual(int(rows["PB 5"], 16) - int(rows["OB 1"], 16), 15)
+        blocks = self.expect(GOOD, "list", "a.s5", "--json").json["blocks"]
+        self.assertEqual(blocks[0]["address"], rows["OB 1"])
+
+    def test_comments_and_texts_stay(self):
+        self.write("c.s5", "! the plant\nOB 1\n U E 0.0 ! start button\n BE\nDB 10\n 0: KS 'TEXT A'\n")
+        out = self.expect(GOOD, "list", "c.s5", "--listing").out
+        for words in ("! the plant", "! start button", "KS 'TEXT A'"):
+            self.assertIn(words, out)
+
+    def test_timers_as_lc_loads_them(self):
+        """docs/formats/listing.md: beside KT a timer is what LC loads, beside KZ a counter."""
+        self.write("t.s5", "OB 1\n U E 0.0\n L KT 500.1\n SI T 2\n BE\n")
+        self.write("t.scn", "set T 1 = KT 500.1, Z 1 = KZ 12, Z 2 = 7\n  expect T 1 = KT 500.1\n  expect T 1 <> KT 050.2\n"
+                   "  expect T 1 <= KT 050.2\n  expect T 1 = S5T#50S\n  expect Z 1 = KZ 12\n  expect Z 1 = 12\n"
+                   "  expect Z 2 = KZ 7\n  wait 1s\n  expect T 1 < KT 500.1\n  expect T 1 > KT 480.1\n")
+        self.expect(GOOD, "test", "t.s5")
+        self.write("t.scn", "set T 1 = KT 500.1\n  expect T 1 = KT 400.1\n")
+        self.assertIn("expected T 1 = KT 400.1, T 1 is KT 500.1", self.expect(PROBLEMS, "test", "t.s5").out)
+        self.write("t.scn", "set Z 1 = KZ 12\n  expect Z 1 = KZ 13\n")
+        self.assertIn("Z 1 is KZ 12", self.expect(PROBLEMS, "test", "t.s5").out)
+        self.write("t.scn", "set T 1 = 500\n  expect T 1 = KT 400.1\n")
+        self.assertIn("T 1 takes value and base, as KT 500.1 (50 s), not 500", self.expect(PROBLEMS, "test", "t.s5").out)
+        out = self.expect(GOOD, "run", "t.s5", "--for", "10ms", "--set", "T 1 = KT 500.1, Z 1 = KZ 12", "--print", "T 1, Z 1").out
+        self.assertEqual(out.splitlines(), ["T 1 = KT 500.1", "Z 1 = KZ 12"])
+
+    def test_stacks_in_scenarios(self):
+        """S5-ERR-06, S5-ERR-08, S5-ERR-10, S5-ERR-15: the screens of any STOP, 6162 among them."""
+        self.write("late.s5", "OB 1\n A DB 10\n L KF +7\n U E 0.0\n SPB PB 5\n BE\nPB 5\n L KH 1234\n SPA PB 9\n BE\n"
+                   "DB 10\n 0: KH 0000\n")
+        self.write("late.scn", """scenario "second edge"
+  wait 1s
+  expect ustack TIEFE <> 01 for 100ms
+scenario "missing block"
+  wait 1s
+  set E 0.0 = 1
+  expect ustack TIEFE = 01 within 1s
+  expect ustack XX-NR. = PB 5
+  expect ustack YY-NR = OB 1
+  expect ustack DB-NR = DB 10
+  expect ustack BEF-REG = 7509
+  expect ustack REL-SAZ = 3
+  expect ustack FEHLCODE = 69
+  expect ustack ALARM = 6105
+  expect ustack XXX3 = 0009
+  expect ustack AKKU1 = 0000 1234
+  expect ustack AKKU2 = KH 7
+  expect ustack VKE = 1
+  expect ustack RUFBST = 1
+  expect ustack NAU = 0
+  expect bstack ENTRIES = 1
+  expect bstack 1 = OB 1
+  expect bstack 1 DB = DB 10
+  expect bstack 1 REL = 5
+  expect bstack 2 = -
+""")
+        out = self.expect(PROBLEMS, "test", "late.s5").out
+        self.assertIn("FAILED  late.scn: second edge", out)
+        self.assertIn("the PLC is not in STOP, which the USTACK needs", out)
+        self.assertIn("ok      late.scn: missing block", out)
+        self.write("late.scn", "set E 0.0 = 1\n  wait 1s\n")
+        self.assertIn("FEHLCODE 0069, BEF-REG 7509", self.expect(PROBLEMS, "test", "late.s5").out)
+        self.write("late.scn", "set E 0.0 = 1\n  wait 1s\n  expect ustack TIEFFE = 1\n")
+        self.assertIn("no field 'TIEFFE'; there are: TIEFE BEF-REG", self.expect(PROBLEMS, "test", "late.s5").out)
+        self.write("s7.awl", PROGRAM)
+        self.write("s7.scn", "expect ustack TIEFE = 01\n")
+        self.assertIn("has no USTACK", self.expect(PROBLEMS, "test", "s7.awl").out)
+
+    def test_processing_delay_has_its_stack(self):
+        """S5-OB-11, S5-ERR-11: 6162 with zob2, after an edge while OB 2 runs."""
+        self.write("ob2.s5", "OB 1\n BE\nOB 2\n" + " +G\n" * 60 + " BE\n")
+        self.write("ob2.scn", "wait 100ms\n  set E 7.0 = 1\n  wait 6ms\n  set E 7.0 = 0\n  expect ustack ALARM = 6162 within 1s\n"
+                   "  expect ustack ZOB2 = 1\n  expect ustack XXX1 = 2\n  expect ustack XX-NR = OB 2\n  expect ustack WECKFE = 1\n")
+        self.expect(GOOD, "test", "ob2.s5")
+        self.write("long.s5", "OB 1\n BE\nOB 2\n" + " +G\n" * 12 + " BE\n")
+        self.write("long.scn", "wait 100ms\n  set E 7.0 = 1\n  expect ustack FEHLCODE = A0 within 1s\n  expect ustack WECKFE = 1\n")
+        self.expect(GOOD, "test", "long.s5")
+
+    def test_diag_after_a_scenario(self):
+        self.write("late.s5", "OB 1\n U E 0.0\n SPB PB 5\n U E 0.1\n SPB PB 6\n BE\n")
+        self.write("late.scn", "scenario \"first\"\n  wait 200ms\n  set E 0.0 = 1\n  wait 100ms\n  set E 0.0 = 0\n  warm restart\n"
+                   "scenario \"other\"\n  set E 0.1 = 1\n  wait 100ms\n")
+        out = self.expect(FAULT, "diag", "late.s5", "--scenario", "late.scn").out
+        for words in ("BEF-REG: 5505", "F004 0005  xxx3"):
+            self.assertIn(words, out)
+        self.assertIn("F004 0006  xxx3", self.expect(FAULT, "diag", "late.s5", "--scenario", "late.scn", "--name", "other").out)
+        self.assertIn("RUN after", self.expect(GOOD, "diag", "late.s5", "--scenario", "late.scn", "--line", "2").out)
+        self.assertIn("no scenario of late.scn", self.expect(USAGE, "diag", "late.s5", "--scenario", "late.scn", "--name", "x").err)
+        self.expect(UNREADABLE, "diag", "late.s5", "--scenario", "none.scn")
+
+    def test_system_blocks_take_no_values(self):
+        """S5-DB-12, 3.1: only the trigger DW 9 of DB 1."""
+        for operand in ("DB1.DW 0", "DB36.DW 2", "DB1.DD 9"):
+            err = self.expect(USAGE, "run", "a.s5", "--for", "1s", "--set", f"{operand} = 5").err
+            self.assertIn("belongs to the system", err)
+        self.expect(GOOD, "run", "a.s5", "--for", "1s", "--set", "DB1.DW 9 = KH 8000")
+
+    def test_an_endless_start(self):
+        self.write("loop.s5", "OB 1\n BE\nOB 20\n SPA FB 1\nNAME : LOOP\n BE\nFB 1\nNAME : LOOP\nM1 : SPA =M1\n BE\n")
+        call = self.expect(PROBLEMS, "run", "loop.s5", "--for", "1s", "--json")
+        self.assertEqual(call.json["mode"], "STARTUP")
+        self.assertAlmostEqual(call.json["seconds"], 1.0, places=3)
+        self.assertIn("still in STARTUP", call.err)
+        self.assertAlmostEqual(self.expect(PROBLEMS, "diag", "loop.s5", "--for", "1s", "--json").json["seconds"], 1.0, places=3)
+
+    def test_symbols_are_told(self):
+        self.write("s.s5", "PB 1\n U -START\n O -BETR\n U - STOP\n L \"Wert\"\n BE\n")
+        err = self.expect(PROBLEMS, "check", "s.s5").err
+        self.assertEqual(err.count("is a symbol, and listings take absolute ones"), 4)
+        self.assertIn("U needs an operand; -START is a symbol", err)
+        self.write("j.s5", "PB 1\n SPA =X\n BE\n")
+        self.assertIn("SPA =X is a supplementary operation", self.expect(PROBLEMS, "check", "j.s5").err)
+        self.write("aZ0.SEQ", "  E 1.0     START     Taster\n")
+        self.expect(GOOD, "check", "a.s5")
+
+    def test_help_speaks_of_listings(self):
+        self.assertIn("*.s5", self.expect(GOOD, "--help").out)
+
     def test_machine_code(self):
         self.assertEqual(self.expect(GOOD, "assemble", "--mc5", text="P D 205.10\n").out, "7046 CACD\n")
         self.assertIn("P     D 205.10", self.expect(GOOD, "disassemble", "--mc5", text="7046 CACD").out)
@@ -78,6 +213,10 @@ class Step5(Case):
         text = self.expect(GOOD, "disassemble", "--mc5", text=words).out
         self.assertEqual(self.expect(GOOD, "assemble", "--mc5", text=text).out.split(), words.split())
         self.assertEqual(self.expect(GOOD, "assemble", "--mc5", text="SPA 5\nSPB -5\n").out, "2D05\nFAFB\n")
+        words = "3D05 2D03 3040 C002 C000 6500"  # parameters behind a call
+        text = self.expect(GOOD, "disassemble", "--mc5", text=words).out
+        self.assertIn("KH 3040", text)
+        self.assertEqual(self.expect(GOOD, "assemble", "--mc5", text=text).out.split(), words.split())
         text = self.expect(GOOD, "disassemble", "--mc7", text="FF07 C000 65").out
         self.assertEqual(self.expect(GOOD, "assemble", "--mc7", text=text).out.split(), ["FF07", "C000", "65"])
 

@@ -38,7 +38,7 @@ class Picture {
     add("mode", static_cast<int>(plc.mode()));
     lines_.push_back("reason " + plc.stopReason());
     const sinumerik::RunTimes& times = os.runTimes();
-    for (const Duration time : {times.cycle.cyclic, times.cycle.alarm, times.alarmWindow,
+    for (const Duration time : {times.cycle.cyclic, times.cycle.alarm, times.alarmWindow(),
                                 times.third, times.raster, times.lastRaster})
       add("run time", time.ns);
     for (const auto word : os.fineCode().words) add("fine code", word);

@@ -120,7 +120,7 @@ TEST(Program, OffDelay) {
 TEST(Program, TimersBeyondTheLast) {
   ListingBench b(
       "OB 1\n SPA FB 1\nNAME : B33\n BE\nFB 1\nNAME : B33\n L KB 33\n T MW 100\n"
-      " U M 0.0\n L KT 5.2\n B MW 100\n SE T 0\n BE\n");
+      " U M 0.1\n L KT 5.2\n B MW 100\n SE T 0\n BE\n");
   b.run(10);
   EXPECT_TRUE(b.stopped(Alarm::TimerCounter));
   EXPECT_EQ(b.address(0xF004), 0x0033u);
