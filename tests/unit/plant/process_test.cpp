@@ -61,6 +61,43 @@ TEST(Temperature, deadTime) {
   EXPECT_GT(oven.value("PV"), 20);
 }
 
+// PID-SIM-05: the time of its way, and a backlash in which the motor turns in vain.
+TEST(Valve, travelTimeAndBacklash) {
+  Bench slow = bench("valve", {{"travel_time", 60}, {"start", 20}});
+  slow.set("UP", 1);
+  slow.wait(Duration::seconds(15));
+  EXPECT_NEAR(slow.value("POSITION"), 45, 1e-9);
+  Bench loose = bench("valve", {{"travel_time", 50}, {"backlash", 10}});
+  loose.set("UP", 1);
+  loose.wait(Duration::seconds(5));  // 10 %: the backlash
+  EXPECT_NEAR(loose.value("POSITION"), 0, 1e-9);
+  loose.wait(Duration::seconds(20));
+  EXPECT_NEAR(loose.value("POSITION"), 40, 1e-9);
+  loose.set("UP", 0);
+  loose.set("DOWN", 1);
+  loose.wait(Duration::seconds(5));
+  EXPECT_NEAR(loose.value("POSITION"), 40, 1e-9);
+  loose.wait(Duration::seconds(5));
+  EXPECT_NEAR(loose.value("POSITION"), 30, 1e-9);
+}
+
+// PID-SIM-05: the position as an analog signal.
+TEST(Valve, positionAtAnAnalogInput) {
+  PlantSettings settings = make("It", "valve", {{"travel_time", 10}});
+  settings.step = Duration::milliseconds(100);
+  io::Rack rack(onBoard());
+  const io::Terminal input = *rack.terminal("2.3", io::Side::AnalogInput, 0);
+  wire(settings, "POSITION", input, 0.1);
+  Plants plants(Configuration{{settings}});
+  plants.advance(rack, {});
+  const auto up = plants.configuration().plants[0].kind->signal("UP").value();
+  plants.set(rack, {0, up}, 1, {});
+  plants.advance(rack, at(2500));
+  EXPECT_NEAR(rack.amount(input), 2.5, 1e-9);
+  plants.advance(rack, at(60'000));
+  EXPECT_NEAR(rack.amount(input), 10, 1e-9);
+}
+
 // PID-SIM-05, PID-CONS-22
 TEST(Valve, movesBetweenItsStops) {
   Bench valve = bench("valve");

@@ -211,5 +211,52 @@ TEST(CountingInterrupts, AnotherCauseWaits) {
   EXPECT_EQ(c.plc.read("M 1.0"), 0u);
 }
 
+// CNT-DIAG-01: the parametrising error comes and goes with OB 82, if the interrupt selection says
+// so.
+TEST(CountingInterrupts, ParameterErrorAsDiagnosis) {
+  for (const bool selected : {false, true}) {
+    Counting c(
+        47,
+        [&](io::Parameters& p, io::Module&) {
+          p.diagnosticInterrupt = selected;
+          p.counters[0] = channel(CountMode::Endless);
+        },
+        ob(82, "L MW 10; + 1; T MW 10; L LB 0; T MB 12;"));
+    const auto module = c.plc->rack()->module("2.4");
+    ASSERT_TRUE(module);
+    c.plc->rack()->fault(*module, io::FaultKind::ParameterError, std::nullopt, true);
+    c.wait(20);
+    EXPECT_EQ(c.plc.read("MW 10"), selected ? 1u : 0u);
+    EXPECT_EQ(c.plc.read("MB 12"), selected ? 0x39u : 0u);  // coming
+    c.plc->rack()->fault(*module, io::FaultKind::ParameterError, std::nullopt, false);
+    c.wait(20);
+    EXPECT_EQ(c.plc.read("MW 10"), selected ? 2u : 0u);
+    EXPECT_EQ(c.plc.read("MB 12"), selected ? 0x38u : 0u);  // going
+    EXPECT_EQ(c.plc->mode(), Mode::Run);
+  }
+}
+
+// CNT-GATE-11: in STOP the internal gate is closed and the output 0; pulses do not count.
+TEST(CountingInterrupts, NothingCountsInStop) {
+  Counting c(47, [](io::Parameters& p, io::Module&) {
+    p.counters[0] = channel(CountMode::Endless);
+    p.counters[0].output = io::CountOutput::AtLeast;
+    p.counters[0].comparison = 2;
+  });
+  c.set("CTRL_DO", 1);
+  c.set("SW_GATE", 1);
+  c.wait(5);
+  c.pulses(0, 3);
+  c.wait(100);
+  EXPECT_EQ(c.read("COUNTVAL"), 3u);
+  EXPECT_TRUE(c.output(0));
+  c.plc->stop();
+  c.wait(5);
+  EXPECT_FALSE(c.output(0));
+  c.pulses(0, 5);
+  c.wait(200);
+  EXPECT_EQ(c.plc.read("PED 768"), 3u);
+}
+
 }  // namespace
 }  // namespace merker::station::test

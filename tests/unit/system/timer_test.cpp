@@ -152,5 +152,34 @@ TEST(IecTimer, AsMultipleInstances) {
   EXPECT_EQ(plc.read("MB 0"), 3u);
 }
 
+// S7-SFB-04 to S7-SFB-07: the system time begins anew after 2^31 ms (24 d 20 h 31 min 23.648 s). In
+// STOP that time passes at once.
+TEST(IecTimer, AcrossTheEndOfTheSystemTime) {
+  constexpr std::int64_t kWrap = std::int64_t{1} << 31;
+  struct Row {
+    int sfb;
+    bool before, after;  // Q while the time runs, and behind it
+  };
+  for (const Row& row : {Row{3, true, false}, Row{4, false, true}, Row{5, true, false}}) {
+    Plc plc = plcWith(row.sfb, "CALL SFB " + std::to_string(row.sfb) +
+                                   ", DB 1 (IN := E 0.0, PT := T#1S, Q := M 0.0, ET := MD 4);");
+    plc.start();
+    plc->stop();
+    plc->advanceTo(Instant{(kWrap - 500) * 1'000'000});
+    plc->warmRestart();
+    runFor(plc, 10);
+    plc.write("E 0.0", 1);
+    runFor(plc, 10);
+    if (row.sfb == 5) plc.write("E 0.0", 0);
+    runFor(plc, 900);
+    EXPECT_GT(plc->now().ns, kWrap * 1'000'000);
+    EXPECT_EQ(plc.read("M 0.0") != 0, row.before) << row.sfb;
+    EXPECT_NEAR(plc.read("MD 4"), 900, 15) << row.sfb;
+    runFor(plc, 150);
+    EXPECT_EQ(plc.read("M 0.0") != 0, row.after) << row.sfb;
+    EXPECT_EQ(plc.read("MD 4"), 1000u) << row.sfb;
+  }
+}
+
 }  // namespace
 }  // namespace merker::station::test

@@ -209,5 +209,60 @@ TEST(Comparison, PulseWithoutALengthAndBySetting) {
   EXPECT_EQ(m.counter.due(), m.now + Duration::milliseconds(50));
 }
 
+// CNT-HYST-01: a condition that begins outside of the range, at the distance H itself, does not
+// make the hysteresis active; one inside does.
+TEST(Hysteresis, BeginsInsideItsRange) {
+  for (const std::int32_t first : {8, 7}) {
+    CountChannel p = mode(CountMode::Endless);
+    p.output = io::CountOutput::AtLeast;
+    p.comparison = 5;
+    p.hysteresis = 3;
+    Machine m(p);
+    m.counter.control(true, true, false, m.now);
+    m.counter.job(1, first);
+    EXPECT_TRUE(m.counter.output());
+    m.counter.job(1, 4);
+    EXPECT_EQ(m.counter.output(), first == 7) << first;
+  }
+}
+
+// CNT-HYST-08: job 08h takes 0 to 255 and 88h reads it back; 0 and 1 switch the hysteresis off.
+TEST(Hysteresis, ByAJob) {
+  Machine m(mode(CountMode::Endless));
+  for (const std::int32_t value : {255, 7, 0}) {
+    EXPECT_EQ(m.counter.job(8, value).error, 0);
+    EXPECT_EQ(m.counter.job(0x88, 0).value, value);
+  }
+  EXPECT_EQ(m.counter.job(8, 256).error, 0x0132);
+  EXPECT_EQ(m.counter.job(0x88, 0).value, 0);
+}
+
+// CNT-JOB-05: each job does what it says, and nothing else.
+TEST(CounterJobs, WhatEachDoes) {
+  struct State {
+    std::int32_t count, load, comparison, hysteresis, duration;
+    bool operator==(const State&) const = default;
+  };
+  Machine m(mode(CountMode::Endless));
+  m.gate(true);
+  const auto state = [&] {
+    return State{m.counter.count(), m.counter.job(0x82, 0).value, m.counter.job(0x84, 0).value,
+                 m.counter.job(0x88, 0).value, m.counter.job(0x90, 0).value};
+  };
+  EXPECT_EQ(state(), (State{0, 0, 0, 0, 0}));
+  m.counter.job(1, 11);
+  EXPECT_EQ(state(), (State{11, 0, 0, 0, 0}));
+  m.counter.job(2, -12);
+  EXPECT_EQ(state(), (State{11, -12, 0, 0, 0}));
+  m.counter.job(4, 13);
+  EXPECT_EQ(state(), (State{11, -12, 13, 0, 0}));
+  m.counter.job(8, 14);
+  EXPECT_EQ(state(), (State{11, -12, 13, 14, 0}));
+  m.counter.job(0x10, 16);
+  EXPECT_EQ(state(), (State{11, -12, 13, 14, 16}));
+  EXPECT_EQ(m.counter.job(0, 99).error, 0);
+  EXPECT_EQ(state(), (State{11, -12, 13, 14, 16}));
+}
+
 }  // namespace
 }  // namespace merker::technology

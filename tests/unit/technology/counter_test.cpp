@@ -253,5 +253,66 @@ TEST(PeriodDuration, BetweenTwoPulses) {
   EXPECT_EQ(fast.counter.period(), 0u);
 }
 
+// CNT-ONCE-03, CNT-ONCE-04: with a main direction single counting begins anew at the load value,
+// also where the gate only interrupts; without one it goes on.
+TEST(Once, BeginsAnewThoughTheGateInterrupts) {
+  for (const CountDirection direction : {CountDirection::Forward, CountDirection::None}) {
+    const bool forward = direction == CountDirection::Forward;
+    CountChannel p = mode(CountMode::Once, direction, forward ? 10 : kHighest);
+    p.interruptGate = true;
+    Machine m(p);
+    m.counter.job(2, 4);
+    m.gate(true);
+    m.counter.job(1, forward ? 8 : kHighest - 1);
+    m.pulses("UU");
+    EXPECT_FALSE(m.counter.gateOpen());
+    m.counter.job(2, 6);
+    m.gate(false);
+    m.gate(true);
+    EXPECT_EQ(m.pulses("U").back(), forward ? 7 : kLowest + 1);
+    m.gate(false);  // by the program, not by the limit: it only interrupts
+    m.gate(true);
+    EXPECT_EQ(m.pulses("U").back(), forward ? 8 : kLowest + 2);
+  }
+}
+
+// CNT-PRAL-09: the interrupts of overflow and underflow are enabled separately; the status bits
+// come in any case.
+TEST(Interrupts, OverflowAndUnderflowSeparately) {
+  for (const bool overflow : {false, true})
+    for (const bool underflow : {false, true}) {
+      CountChannel p = mode(CountMode::Endless);
+      p.onOverflow = overflow;
+      p.onUnderflow = underflow;
+      Machine m(p);
+      m.gate(true);
+      m.counter.job(1, kHighest);
+      m.pulses("U");
+      EXPECT_TRUE(m.counter.overflow());
+      EXPECT_EQ(m.counter.takeCauses() != 0, overflow);
+      m.pulses("D");
+      EXPECT_TRUE(m.counter.underflow());
+      EXPECT_EQ(m.counter.takeCauses() != 0, underflow);
+    }
+}
+
+// CNT-PRAL-09, CNT-PERI-02: jumps of the main direction are overflows, too.
+TEST(Interrupts, OfJumpsToTheLoadValue) {
+  CountChannel p = mode(CountMode::Periodic, CountDirection::Forward, 3);
+  p.onUnderflow = true;
+  Machine without(p);
+  without.gate(true);
+  without.pulses("UUU");
+  EXPECT_TRUE(without.counter.overflow());
+  EXPECT_EQ(without.counter.takeCauses(), 0u);
+  p.onOverflow = true;
+  Machine with(p);
+  with.gate(true);
+  with.pulses("UU");
+  EXPECT_EQ(with.counter.takeCauses(), 0u);
+  with.pulses("U");
+  EXPECT_NE(with.counter.takeCauses(), 0u);
+}
+
 }  // namespace
 }  // namespace merker::technology

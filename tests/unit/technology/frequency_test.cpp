@@ -230,5 +230,45 @@ TEST(FrequencyMeasurement, Limits) {
   EXPECT_EQ(f.takeCauses(), io::kMeasured);
 }
 
+// CNT-FREQ-05: rounded, not cut.
+TEST(FrequencyMeasurement, Rounds) {
+  struct Row {
+    std::int64_t period;
+    std::int32_t value;
+  };
+  for (const Row& row : {Row{150'000'000, 6667}, Row{300'000'000, 3333}, Row{128'000'000, 7813},
+                         Row{350'000'000, 2857}, Row{70'000'000, 14'286}}) {
+    Frequency f = started(parameters(1000));
+    f.pulse(1, Instant{1});
+    f.pulse(1, Instant{1 + row.period});
+    f.expire(f.due());
+    EXPECT_EQ(f.value(), row.value) << row.period;
+  }
+}
+
+// CNT-IF48-06: RES_STS resets all three; what holds no longer stays reset.
+TEST(FrequencyMeasurement, ResetOfTheStatus) {
+  io::CountChannel p = parameters(1000);
+  p.lowLimit = 1000;
+  p.highLimit = 2000;
+  Frequency f = started(p);
+  f.pulse(1, Instant{1});
+  f.pulse(1, Instant{300'000'001});  // above
+  f.expire(f.due());
+  EXPECT_TRUE(f.overflow() && f.measured());
+  f.pulse(1, Instant{1'000'000'001});  // 1.43 Hz: within
+  f.expire(f.due());
+  EXPECT_TRUE(f.overflow());
+  f.resetStatus();
+  EXPECT_FALSE(f.overflow() || f.underflow() || f.measured());
+  f.expire(f.due());  // no pulse: 0, below
+  EXPECT_TRUE(f.underflow());
+  f.pulse(1, Instant{3'100'000'000});
+  f.pulse(1, Instant{3'800'000'000});
+  f.expire(f.due());
+  f.resetStatus();
+  EXPECT_FALSE(f.overflow() || f.underflow());
+}
+
 }  // namespace
 }  // namespace merker::technology

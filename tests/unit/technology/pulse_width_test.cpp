@@ -169,5 +169,22 @@ TEST(PulseWidthModulation, ANewDelayAndMinimumWhileItRuns) {
   EXPECT_EQ(edges(minimum, 60, 2, [&] { minimum.job(4, 50, at(2)); }), (Edges{0, 2}));
 }
 
+// CNT-PWM-07: an edge at the HW gate while the SW gate is closed starts nothing, not even later.
+TEST(PulseWidthModulation, TheSoftwareGateComesFirst) {
+  io::CountChannel p = parameters();
+  p.hardwareGate = p.onGateOpened = true;
+  PulseWidth pwm(p);
+  pwm.start(false, {});
+  pwm.control(false, false, false, 500, {});
+  pwm.gateEdge(true, at(1));
+  EXPECT_FALSE(pwm.running() || pwm.output());
+  EXPECT_EQ(pwm.takeCauses(), 0u);
+  pwm.control(true, false, false, 500, at(2));
+  EXPECT_FALSE(pwm.running() || pwm.output());
+  pwm.gateEdge(false, at(3));
+  pwm.gateEdge(true, at(4));
+  EXPECT_TRUE(pwm.running());
+}
+
 }  // namespace
 }  // namespace merker::technology
