@@ -76,6 +76,20 @@ TEST(BlockTransfer, CopiesWords) {
   EXPECT_EQ(rig.word(20, 12), 0u);
 }
 
+// S5-FM-19, S5-FM-22: 128 words are the most, and all of them arrive.
+TEST(BlockTransfer, AHundredAndTwentyEightWords) {
+  for (const unsigned count : {128u, 129u}) {
+    Rig rig;
+    ASSERT_TRUE(rig.start(blocks() + "OB 1\n" + transfer("20,21", 3, "1," + std::to_string(count)) +
+                          ":BE\n"));
+    for (unsigned i = 0; i < 150; ++i) rig.word(20, i) = static_cast<std::uint16_t>(i + 1);
+    rig.cycles(1);
+    EXPECT_EQ(rig.stop(), count == 128 ? "" : "60/1");
+    for (unsigned i = 0; i < 150; ++i)
+      EXPECT_EQ(rig.word(21, i), count == 128 && i >= 1 && i <= 128 ? i + 3 : 0u) << i;
+  }
+}
+
 // S5-FM-19: a block onto itself.
 TEST(BlockTransfer, OverlappingWords) {
   Rig rig;
