@@ -57,6 +57,7 @@ nlohmann::json toJson(Problems problems) {
 nlohmann::json toJson(const mc7::Reference& reference, const controller::Controller& plc) {
   if (simulator::isLong(reference)) {
     const auto content = simulator::readLong(reference, plc);
+    if (content && reference.nc != 0) return std::stod(*content);
     return content ? nlohmann::json(simulator::plainLong(reference.type, *content)) : nullptr;
   }
   const auto bits = plc.read(reference);

@@ -166,11 +166,6 @@ bool Cnc::force(const mc7::Reference& reference, std::uint32_t value) {
 
 void Cnc::unforce() { plc().unforce(); }
 
-std::string Cnc::whyRefused(const mc7::Reference& reference) const {
-  const auto variable = toVariable(reference);
-  return variable ? sinumerik::whySystemOwned(plc().operatingSystem(), *variable) : std::string();
-}
-
 std::optional<std::string> Cnc::stackField(std::string_view stack, std::string_view field) const {
   const sinumerik::OperatingSystem& os = plc().operatingSystem();
   if (equalsIgnoreCase(stack, "USTACK")) return sinumerik::interruptField(os, field);

@@ -2,6 +2,7 @@
 
 #include <charconv>
 
+#include "nc/datum.h"
 #include "step5/variable.h"
 
 namespace merker::cnc {
@@ -141,6 +142,16 @@ mc7::Reference toReference(std::string_view text, const mc5::Variable& variable)
   reference.operand = isMemory ? memory(variable.operand) : cell(variable.operand);
   if (reference.operand.area == Area::DataBlock) reference.db = variable.dataBlock;
   if (!isMemory) reference.type = TypeCode::Word;  // what LC loads, base included
+  return reference;
+}
+
+std::optional<mc7::Reference> datumReference(std::string_view text) {
+  const auto datum = nc::parseDatum(text);
+  if (!datum) return std::nullopt;
+  mc7::Reference reference;
+  reference.text = text;
+  reference.operand.kind = mc7::OperandKind::Memory;
+  reference.nc = nc::pack(*datum);
   return reference;
 }
 

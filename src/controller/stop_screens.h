@@ -1,12 +1,10 @@
-// What the programmer of a PLC shows beyond what every controller can tell (S5-ERR-06): screens of
-// a STOP, and why a value is refused.
+// What the programmer of a PLC shows beyond what every controller can tell (S5-ERR-06): the screens
+// of a STOP.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <string_view>
-
-#include "mc7/reference.h"
 
 namespace merker::controller {
 
@@ -21,8 +19,6 @@ class StopScreens {
   virtual std::string stackFields(std::string_view stack) const = 0;
   // The place and the registers of a STOP in one line; empty while there is none.
   virtual std::string stopDetails() const = 0;
-  // "DB 1 belongs to the system", for an operand that cannot be written; else empty.
-  virtual std::string whyRefused(const mc7::Reference& reference) const = 0;
 
  protected:
   StopScreens() = default;

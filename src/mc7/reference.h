@@ -17,6 +17,8 @@ struct Reference {
   TypeCode type = TypeCode::Void;  // of a typed variable or symbol; Void for an absolute operand
   bool outputSide = false;         // of the periphery: PA, else PE
   std::uint32_t bytes = 0;  // of a DATE_AND_TIME or STRING, which no `operand.width` holds; else 0
+  std::uint32_t nc = 0;     // a datum of the NC of a SINUMERIK, packed (nc/datum.h); else 0
+  bool partner = false;     // of the control that is coupled with this one
 };
 
 }  // namespace merker::mc7

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "nc/number_format.h"
+#include "sinumerik/surroundings.h"
 
 namespace merker::nc {
 
@@ -26,12 +27,14 @@ struct Axis {
   std::int32_t followingError = 0;
   std::array<Number, kFeedTypes> feed{};
   std::uint8_t channel = 1;  // in which it is programmed
+  bool operator==(const Axis&) const = default;
 };
 
 struct ProgramPointer {
   // Level 0: type (0 none, 1 main program, 2 subprogram), program, block; else subprogram, passes,
   // block (S5-FM-43).
   std::array<std::int32_t, 3> values{};
+  bool operator==(const ProgramPointer&) const = default;
 };
 
 struct Channel {
@@ -39,10 +42,12 @@ struct Channel {
   std::array<Number, 2> externalFeed{};  // linear, per revolution
   std::array<ProgramPointer, kLevels> pointers{};
   std::uint8_t settableGroup = 1;  // G54 … G57 in force: 1..4
+  bool operator==(const Channel&) const = default;
 };
 
 struct ZeroOffset {
   Count coarse = 0, fine = 0;
+  bool operator==(const ZeroOffset&) const = default;
 };
 
 struct Control {
@@ -65,14 +70,21 @@ struct Control {
   std::array<Channel, kChannels> channels{};
   std::vector<std::uint16_t> alarms;  // pending, in the order they came
   bool machiningStop = false;         // while an alarm is pending, machining stands still (NC-BB2)
+  sinumerik::NcSide signals;  // to MB 17 … MB 24; alarm and machining stop follow `alarms`
+  bool operator==(const Control&) const = default;
 
   // An alarm that is pending already is not raised again.
   void raise(std::uint16_t alarm);
+  void clear(std::uint16_t alarm);
   // All zero offsets of an axis in force (0 = first axis).
   std::int64_t sumOffset(unsigned axis) const;
   std::int64_t workpiecePosition(unsigned axis) const {
     return axes.at(axis).position - sumOffset(axis);
   }
 };
+
+// The battery has failed without power: machine and setting data, tools, offsets, R parameters are
+// lost. Axes stay where they are.
+void forgetBuffered(Control& control);
 
 }  // namespace merker::nc

@@ -1,6 +1,8 @@
-// [nc] of merker.toml: what the NC side holds at the start (S5-FM: FB 56 to 58, FB 61, FB 62).
-#include <charconv>
+// [nc] of merker.toml: what the NC side holds at the start. Its keys are the names of nc/datum.h
+// (S5-FM: FB 56 to 58, FB 61, FB 62).
+#include <algorithm>
 
+#include "nc/datum.h"
 #include "project/numbered_keys.h"
 #include "project/readers.h"
 
@@ -8,111 +10,123 @@ namespace merker::project {
 namespace {
 
 using nc::Control;
+using nc::DatumRow;
 
 constexpr std::string_view kDecimal = "a text of at most eight digits with a point: \"1425.67\"";
+constexpr std::string_view kPosition =
+    "a whole number of the input resolution (12345), or a text: \"12.345\"";
 
-constexpr KeyRange kWords[] = {{0, nc::kDataWords - 1, INT32_MIN, INT32_MAX}};
-constexpr KeyRange kAxes[] = {{1, nc::kAxes, INT32_MIN, INT32_MAX}};
-constexpr KeyRange kSpindles[] = {{1, nc::kSpindles, INT32_MIN, INT32_MAX}};
-constexpr KeyRange kTools[] = {{1, nc::kTools, 0, 0}};
-constexpr KeyRange kToolValues[] = {{0, nc::kToolValues - 1, 0, 0}};
-constexpr KeyRange kChannels[] = {{0, nc::kChannels, 0, 0}};
-constexpr KeyRange kParameters[] = {{0, nc::kChannelParameters - 1, 0, 0}};
-constexpr KeyRange kCentral[] = {{900, 999, 0, 0}};
-
-std::optional<nc::Number> number(std::string_view text) {
-  std::string digits(text);
-  const std::size_t point = digits.find('.');
-  const std::size_t places = point == std::string::npos ? 0 : digits.size() - point - 1;
-  if (point != std::string::npos) digits.erase(point, 1);
-  std::int64_t value = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (error != std::errc() || end != digits.data() + digits.size()) return std::nullopt;
-  return nc::makeNumber(value, static_cast<unsigned>(std::min<std::size_t>(places, 9)));
+bool named(const DatumRow& row, std::string_view key) {
+  return row.setting && (row.name == key || (!row.alias.empty() && row.alias == key));
 }
 
-// Keys with decimal numbers: `take(number of the key, value)`.
-template <typename Take>
-void eachDecimal(const Table& table, std::span<const KeyRange> ranges, std::string_view possible,
-                 Take take) {
-  eachKey(table, ranges, possible, [&](unsigned key, const std::string& name, const KeyRange&) {
-    const auto text = table.text(name, kDecimal);
-    if (!text) return;
-    if (const auto value = number(*text))
-      take(key, *value);
+// The rows of one name, while their numbers are read one after the other.
+struct Rows {
+  std::vector<unsigned> numbers;
+  nc::Where where{};
+  unsigned depth = 0;
+
+  const DatumRow& row(std::size_t i) const { return nc::datumRows()[numbers[i]]; }
+  unsigned count() const { return nc::indexCount(row(0)); }
+  // "1 to 5", "0 to 0, 1 to 2"
+  std::string possible() const {
+    std::string text;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      const nc::Limit& limit = row(i).limits.at(depth);
+      text += (text.empty() ? "" : ", ") + std::to_string(limit.low);
+      if (limit.high > limit.low) text += " to " + std::to_string(limit.high);
+    }
+    return text + " (" + std::string(row(0).index) + ")";
+  }
+  std::optional<Rows> at(std::string_view key) const {
+    const auto number = keyNumber(key);
+    Rows result{{}, where, depth + 1};
+    for (std::size_t i = 0; number && i < numbers.size(); ++i) {
+      const nc::Limit& limit = row(i).limits.at(depth);
+      const auto value = static_cast<int>(std::min<unsigned>(*number, INT32_MAX));
+      if (value < limit.low || value > limit.high) continue;
+      result.numbers.push_back(numbers[i]);
+      result.where.at(depth) = value;
+    }
+    return result.numbers.empty() ? std::nullopt : std::optional(result);
+  }
+};
+
+std::optional<nc::Number> whole(const Table& table, std::string_view key, const DatumRow& row) {
+  const bool counts = row.content == nc::Content::Position;
+  const auto value =
+      table.integer(key, counts ? INT32_MIN : row.lowest, counts ? INT32_MAX : row.highest);
+  if (!value) return std::nullopt;
+  return nc::Number{static_cast<std::int32_t>(*value), 0};
+}
+
+std::optional<nc::Number> decimal(const Table& table, std::string_view key, std::string_view form) {
+  const auto text = table.text(key, form);
+  if (!text) return std::nullopt;
+  const auto number = nc::parseDecimal(*text);
+  if (!number) table.mustBe(key, form);
+  return number;
+}
+
+void readValue(const Table& table, const std::string& key, const Rows& rows, Control& control) {
+  const nc::Datum datum{rows.numbers.front(), rows.where};
+  const DatumRow& row = rows.row(0);
+  const bool counts = row.content == nc::Content::Position && table.node(key)->is_integer();
+  const bool isWhole = counts || row.content == nc::Content::Whole;
+  auto number =
+      isWhole ? whole(table, key, row)
+              : decimal(table, key, row.content == nc::Content::Position ? kPosition : kDecimal);
+  if (!number) return;
+  if (counts) number->places = static_cast<std::uint8_t>(positionPlaces(control.inputSystem));
+  if (!nc::writeDatum(control, datum, *number))
+    table.mustBe(key, isWhole && !counts                     ? nc::whatItTakes(datum)
+                      : row.content == nc::Content::Position ? std::string(kPosition)
+                                                             : std::string(kDecimal));
+}
+
+void readRows(const Table& table, const std::string& key, const Rows& rows, Control& control) {
+  const unsigned left = rows.count() - rows.depth;
+  const bool isTable = table.node(key)->is_table();
+  if (left == 0 || (left == 1 && rows.row(0).last && !isTable)) {
+    Rows complete = rows;
+    if (left == 1) complete.where.at(rows.depth) = *rows.row(0).last;
+    return readValue(table, key, complete, control);
+  }
+  const auto inner = table.table(key);
+  if (!inner) return;
+  for (const std::string& number : inner->keys()) {
+    if (const auto some = rows.at(number))
+      readRows(*inner, number, *some, control);
     else
-      table.mustBe(name, kDecimal);
-  });
+      unknownKey(*inner, number, rows.possible());
+  }
 }
 
-void readAxes(const Table& nc, Control& control) {
-  if (const auto table = nc.table("position"))
-    eachNumber(*table, kAxes, "1 to 5", [&](unsigned axis, std::int64_t value) {
-      control.axes.at(axis - 1).position = static_cast<nc::Count>(value);
-    });
-  if (const auto table = nc.table("following_error"))
-    eachNumber(*table, kAxes, "1 to 5", [&](unsigned axis, std::int64_t value) {
-      control.axes.at(axis - 1).followingError = static_cast<std::int32_t>(value);
-    });
-  if (const auto table = nc.table("feed"))  // G94
-    eachDecimal(*table, kAxes, "1 to 5", [&](unsigned axis, nc::Number value) {
-      control.axes.at(axis - 1).feed.at(0) = value;
-    });
-  if (const auto table = nc.table("spindle_speed"))
-    eachNumber(*table, kSpindles, "1, 2", [&](unsigned spindle, std::int64_t value) {
-      control.spindleSpeed.at(spindle - 1) = static_cast<std::int32_t>(value);
-    });
-}
-
-// [nc.tool.7]: P numbers of tool offset D 7.
-void readTools(const Table& tools, Control& control) {
-  eachKey(tools, kTools, "D numbers 1 to 99", [&](unsigned d, const std::string& key, const auto&) {
-    if (const auto table = tools.table(key))
-      eachDecimal(*table, kToolValues, "P numbers 0 to 15",
-                  [&](unsigned p, nc::Number value) { control.tools.at(d - 1).at(p) = value; });
-  });
-}
-
-// [nc.parameters.1]: R 0 to R 499 of channel 1; [nc.parameters.0]: the central ones, R 900 to R
-// 999.
-void readParameters(const Table& channels, Control& control) {
-  eachKey(channels, kChannels, "channels 1 and 2, 0 for the central ones",
-          [&](unsigned channel, const std::string& key, const auto&) {
-            const auto table = channels.table(key);
-            if (!table) return;
-            const bool central = channel == 0;
-            eachDecimal(*table, central ? kCentral : kParameters,
-                        central ? "R 900 to 999" : "R 0 to 499", [&](unsigned r, nc::Number value) {
-                          if (central)
-                            control.centralParameters.at(r - 900) = value;
-                          else
-                            control.parameters.at(channel - 1).at(r) = value;
-                        });
-          });
-}
-
-void readWords(const Table& nc, std::string_view key, std::vector<std::int32_t>& words) {
-  if (const auto table = nc.table(key))
-    eachNumber(*table, kWords, "0 to 4999", [&](unsigned word, std::int64_t value) {
-      words.at(word) = static_cast<std::int32_t>(value);
-    });
+std::vector<std::string_view> keys() {
+  std::vector<std::string_view> list{"input_system", "alarms", "machining_stop"};
+  for (const DatumRow& row : nc::datumRows())
+    for (const std::string_view name : {row.name, row.alias})
+      if (row.setting && !name.empty() && name != "alarm" &&
+          std::find(list.begin(), list.end(), name) == list.end())
+        list.push_back(name);
+  return list;
 }
 
 }  // namespace
 
 void readNc(const Table& table, Control& control) {
-  table.allow({"input_system", "machine_data", "setting_data", "position", "following_error",
-               "feed", "spindle_speed", "tool", "parameters", "alarms", "machining_stop"});
+  table.allow(keys());
   if (const auto system = table.choice("input_system", {"metric", "inch"}))
     control.inputSystem = *system == 0 ? nc::InputSystem::Metric : nc::InputSystem::Inch;
   for (const Table::Number& alarm : table.numbers("alarms", "numbers of NC alarms"))
     control.raise(static_cast<std::uint16_t>(std::min<std::uint32_t>(alarm.value, 0xFFFF)));
   if (const auto stop = table.flag("machining_stop")) control.machiningStop = *stop;
-  readWords(table, "machine_data", control.machineData);
-  readWords(table, "setting_data", control.settingData);
-  readAxes(table, control);
-  if (const auto tools = table.table("tool")) readTools(*tools, control);
-  if (const auto channels = table.table("parameters")) readParameters(*channels, control);
+  for (const std::string& key : table.keys()) {
+    Rows rows;
+    for (unsigned i = 0; i < nc::datumRows().size(); ++i)
+      if (named(nc::datumRows()[i], key)) rows.numbers.push_back(i);
+    if (!rows.numbers.empty()) readRows(table, key, rows, control);
+  }
 }
 
 }  // namespace merker::project

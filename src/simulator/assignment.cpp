@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include "base/bcd.h"
-#include "controller/stop_screens.h"
 #include "simulator/comparison.h"
 #include "simulator/display.h"
 #include "simulator/long_value.h"
@@ -20,8 +19,7 @@ std::uint32_t coded(const Assignment& assignment, std::uint32_t bits) {
 }
 
 std::string refused(const Term& operand, bool force, const controller::Controller& plc) {
-  const auto* screens = dynamic_cast<const controller::StopScreens*>(&plc);
-  const std::string reason = screens == nullptr ? "" : screens->whyRefused(operand.reference);
+  const std::string reason = force ? std::string() : plc.whyRefused(operand.reference);
   return fmt::format("{} cannot be {}{}{}", operand.text, force ? "forced" : "set",
                      reason.empty() ? "" : ": ", reason);
 }

@@ -1,5 +1,6 @@
-// Values that no double word holds: DATE_AND_TIME and STRING. Their content is a text of bytes: the
-// eight of a DATE_AND_TIME, the characters of a STRING in CP1252.
+// Values that no double word holds: DATE_AND_TIME, STRING, and the NC's numbers with a point. Their
+// content is a text of bytes: the eight of a DATE_AND_TIME, the characters of a STRING in CP1252,
+// the digits of a number.
 #pragma once
 
 #include <optional>
@@ -10,7 +11,9 @@
 
 namespace merker::simulator {
 
-inline bool isLong(const mc7::Reference& reference) { return reference.bytes > 0; }
+inline bool isLong(const mc7::Reference& reference) {
+  return reference.bytes > 0 || reference.nc != 0;
+}
 inline bool isLong(const Term& term) { return term.content || isLong(term.reference); }
 
 // The content now; nothing if the operand does not exist.

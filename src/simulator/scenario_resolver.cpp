@@ -13,6 +13,7 @@ bool fits(const Constant& constant, const mc7::Reference& reference) {
 
 // Characters of a STRING; eight bytes of a DATE_AND_TIME always fit.
 std::size_t longest(const mc7::Reference& reference) {
+  if (reference.nc != 0) return SIZE_MAX;
   return reference.type == TypeCode::String ? reference.bytes - 2 : reference.bytes;
 }
 
@@ -39,7 +40,8 @@ void resolveSteps(std::vector<Step>& steps, const Resolver& resolver,
     for (PlantValue& value : step.plants) resolve(value, plants, problems);
     if (step.kind == StepKind::Expect && step.expectation.what == Expectation::What::Plant)
       resolve(step.expectation.plant, plants, problems);
-    if (step.kind == StepKind::Fault) resolve(step.fault, hardware, problems);
+    if (step.kind == StepKind::Fault && !resolver.ofControl)
+      resolve(step.fault, hardware, problems);
     resolve(step.signal, hardware, problems);
     for (TerminalValue& terminal : step.terminals) resolve(terminal, hardware, problems);
     for (const TerminalValue& terminal : step.signal.terminals)

@@ -19,9 +19,11 @@ bool looksLikeConstant(std::string_view text) {
 
 std::optional<Problem> resolveBeside(Term& term, const mc7::Reference& partner,
                                      const Resolver& resolver) {
-  if (!looksLikeConstant(term.text) && !parseConstant(term.text, term.position)) {
+  const bool constant = parseConstant(term.text, term.position) ||
+                        (resolver.constants && resolver.constants(term.text));
+  if (!looksLikeConstant(term.text) && !constant) {
     if (auto problem = resolveOperand(term, resolver)) return problem;
-    if (term.reference.type == partner.type) return std::nullopt;
+    if (isLong(term.reference) && term.reference.type == partner.type) return std::nullopt;
     return otherNotation(partner, term.position);
   }
   auto content = parseLong(term.text, partner, term.position);

@@ -17,7 +17,7 @@ bool isData(const mc7::Reference& reference) {
 
 // A DATE_AND_TIME or STRING has no address of its own width, a local variable none at all.
 std::string addressText(const mc7::Reference& reference) {
-  const bool named = reference.bytes > 0 || reference.text.starts_with('#');
+  const bool named = reference.bytes > 0 || reference.nc != 0 || reference.text.starts_with('#');
   if (named) return reference.text;
   const mc7::Instruction access{
       reference.outputSide ? mc7::Operation::TRANSFER : mc7::Operation::LOAD, reference.operand};
@@ -32,6 +32,7 @@ namespace {
 
 // Of an absolute operand: what its width alone says.
 std::string_view plainType(const mc7::Reference& reference) {
+  if (reference.nc != 0) return "NC";
   if (reference.operand.kind == mc7::OperandKind::Timer) return "TIMER";
   if (reference.operand.kind == mc7::OperandKind::Counter) return "COUNTER";
   switch (reference.operand.width) {
@@ -52,7 +53,9 @@ OperandName operandName(const mc7::Reference& reference, const source::SymbolTab
   OperandName result;
   result.operand = addressText(reference);
   TypeCode type = simulator::isStep5Cell(reference) ? TypeCode::Void : reference.type;
-  result.bits = reference.bytes > 0 ? 8 * reference.bytes : simulator::bitWidth(reference);
+  result.bits = reference.nc != 0     ? 32
+                : reference.bytes > 0 ? 8 * reference.bytes
+                                      : simulator::bitWidth(reference);
   const source::Symbol* symbol =
       monitor::findSymbol(reference.operand, reference.outputSide, symbols);
   if (symbol != nullptr) {

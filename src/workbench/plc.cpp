@@ -53,27 +53,35 @@ std::optional<monitor::Value> Plc::read(const mc7::Reference& reference) const {
 
 // A SINUMERIK. All of them or none: those that could not be done take the others back.
 std::optional<Problem> Plc::control(const std::vector<monitor::Wish>& wishes, bool force) {
-  std::vector<monitor::Forced> good, before;
+  struct Change {
+    mc7::Reference reference;
+    monitor::Value value, before;
+  };
+  std::vector<Change> changes;
+  std::vector<monitor::Forced> good;
   for (const monitor::Wish& wish : wishes) {
     auto reference = operand(wish.operand);
     if (!reference) return reference.error();
     const auto value = monitor::parse(*reference, wish.value, wish.format);
     if (!value) return value.error();
-    const auto old = controller_->read(*reference);
+    const auto old = read(*reference);
     if (!old) return makeProblem(ProblemCode::P1213, nowhere(), std::string(wish.operand));
+    if (force && simulator::isLong(*reference))
+      return makeProblem(ProblemCode::P1211, nowhere(), std::string(wish.operand));
     for (const auto* list : {&forces_, &good})
       if (auto problem = force ? monitor::checkForce(*list, *reference) : std::nullopt)
         return problem;
-    before.push_back({*reference, *old});
-    good.push_back({std::move(*reference), value->bits});
+    good.push_back({*reference, value->bits});
+    changes.push_back({std::move(*reference), *value, *old});
   }
-  for (std::size_t i = 0; i < good.size(); ++i) {
-    const auto& [reference, value] = good[i];
-    if (force ? controller_->force(reference, value) : controller_->write(reference, value))
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    const auto& [reference, value, _] = changes[i];
+    if (force ? controller_->force(reference, value.bits)
+              : monitor::write(*controller_, reference, value))
       continue;
     while (i-- > 0)  // an image of inputs is read anew with the next cycle
-      if (!force || before[i].operand.operand.area != Area::Input)
-        controller_->write(before[i].operand, before[i].value);
+      if (!force || changes[i].reference.operand.area != Area::Input)
+        monitor::write(*controller_, changes[i].reference, changes[i].before);
     if (force) forceAgain();
     return makeProblem(force ? ProblemCode::P1211 : ProblemCode::P1212, nowhere(), reference.text);
   }

@@ -72,7 +72,7 @@ Json Trend::describe(const std::string& name, Source& source, const Plc& plc) co
                {"symbol", named.symbol},
                {"type", named.type},
                {"bits", named.bits}};
-  if (simulator::isLong(*reference))
+  if (simulator::isLong(*reference) && reference->nc == 0)
     json["problem"] =
         toJson(makeProblem(ProblemCode::P1209, nowhere(), name, "a curve", "1 to 32"));
   else
@@ -96,6 +96,10 @@ double Trend::value(const Source& source, const Plc& plc) {
     return isDigital(terminal->side) ? double(rack.level(*terminal)) : rack.amount(*terminal);
   }
   const auto* reference = std::get_if<mc7::Reference>(&source);
+  if (reference != nullptr && reference->nc != 0) {
+    const auto digits = simulator::readLong(*reference, plc.controller());
+    return digits ? std::stod(*digits) : kNothing;
+  }
   const auto bits = reference == nullptr ? std::nullopt : plc.controller().read(*reference);
   if (!bits) return kNothing;
   return std::visit([](auto number) { return static_cast<double>(number); },

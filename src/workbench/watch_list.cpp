@@ -10,6 +10,7 @@ namespace merker::workbench {
 
 Json rawValue(const mc7::Reference& reference, const monitor::Value& value,
               monitor::DisplayFormat format) {
+  if (reference.nc != 0) return std::stod(value.content);
   if (simulator::isLong(reference)) return nullptr;
   if (reference.type != TypeCode::Real && format != monitor::DisplayFormat::Real) return value.bits;
   const auto real = std::bit_cast<float>(value.bits);
