@@ -3,12 +3,13 @@
 #pragma once
 
 #include "build.h"
+#include "cnc/buffered.h"
 #include "store/memory_card.h"
 
 namespace merker::app {
 
 // The program, CPU and configuration on the card, as if they were a project. P1007 if there is
-// none.
+// none; P1003 if its blocks are none of this CPU.
 Build buildFromCard(const store::MemoryCard& card, const std::string& folder,
                     const std::string& cpu);
 
@@ -16,7 +17,7 @@ Build buildFromCard(const store::MemoryCard& card, const std::string& folder,
 // failure in RUN an automatic warm restart, otherwise (STOP, a changed program) a manual one; a new
 // card begins with a memory reset.
 std::optional<Problem> switchOn(store::MemoryCard& card, const Build& build,
-                                station::Station& station);
+                                controller::Controller& plc);
 
 // Stops the CPU and writes the actual values of its data blocks into the blocks on the card
 // (S7-MEM-04).
@@ -27,12 +28,13 @@ std::optional<Problem> copyRamToRom(store::MemoryCard& card, const Build& build,
 class CardKeeper {
  public:
   explicit CardKeeper(store::MemoryCard& card) : card_(card) {}
-  bool save(const station::Station& station);  // false: it failed now or before
+  bool save(controller::Controller& plc);  // false: it failed now or before
   const std::optional<Problem>& problem() const { return problem_; }
 
  private:
   store::MemoryCard& card_;
   block::RetentiveData data_;
+  cnc::Keeper control_;
   std::optional<Problem> problem_;
 };
 

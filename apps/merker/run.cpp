@@ -195,7 +195,7 @@ class CycleEnd {
                    station == nullptr ? nullptr : station->rack());
   }
   void operator()(controller::Controller& plc) {
-    if (keeper_ && !keeper_->save(stationOf(plc))) return plc.stop();
+    if (keeper_ && !keeper_->save(plc)) return plc.stop();
     if (!trace_) return;
     trace_->sample(plc);
     if (keeper_ || realTime_)
@@ -215,7 +215,7 @@ class CycleEnd {
 
 std::optional<Problem> start(const Build& build, store::MemoryCard* card,
                              controller::Controller& plc) {
-  if (card != nullptr) return switchOn(*card, build, stationOf(plc));
+  if (card != nullptr) return switchOn(*card, build, plc);
   plc.memoryReset();
   plc.start();
   return std::nullopt;
@@ -302,7 +302,9 @@ int runPath(const RunOptions& options, std::optional<Duration> time) {
   Build built = build(loadProject(options.path, options.project), false);
   if (!ready(options, built)) return exitCode(built);
   if (options.card.empty()) return runBuild(options, built, time, nullptr);
-  if (built.isListing()) return wrongUsage("--card: a SINUMERIK has no memory card");
+  if (built.isListing() && options.copyRamToRom)
+    return wrongUsage("--copy-ram-to-rom: a SINUMERIK has no load memory beside its RAM");
+  if (built.partner) return wrongUsage("--card: there is one card, and two controls are coupled");
   auto card = store::MemoryCard::open(options.card);
   if (!card) return failed(card.error());
   return runBuild(options, built, time, &*card);

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""usage: kill_test.py MERKER ROUNDS [SEED]
+"""usage: kill_test.py MERKER s7|step5 ROUNDS [SEED]
 
 Starts `merker run --card`, ends it by SIGKILL at a random moment and looks at what the card has kept: ROUNDS times.
 Each round downloads another program, and runs it in virtual time, where one transaction follows the other, or in real
@@ -18,7 +18,9 @@ import subprocess
 import sys
 import tempfile
 
-PROGRAM = (pathlib.Path(__file__).parent / "kept.awl").read_text(encoding="utf-8")
+HERE = pathlib.Path(__file__).parent
+PROGRAM = (HERE / "kept.awl").read_text(encoding="utf-8")
+LISTING = (HERE / "kept.s5").read_text(encoding="utf-8")
 # Two blocks that change together.
 VERSION = """
 DATA_BLOCK DB 3
@@ -38,22 +40,44 @@ TITLE = The versions of OB 1 and of DB 3
       T     MD 24;
 END_ORGANIZATION_BLOCK
 """
-COPIES = ["DB1.DBD 0", "DB1.DBD 304", "DB1.DBD 908", "MD 0", "MD 12"]
-INVERSES = ["DB1.DBD 912", "MD 8"]
-COUNT = "DB1.DBD 0"
+
+
+class S7:
+    """A station: retentive flags and counters beside the data blocks (S7-MEM-02, S7-CPU-28)."""
+    name, count = "version.awl", "DB1.DBD 0"
+    copies = ["DB1.DBD 0", "DB1.DBD 304", "DB1.DBD 908", "MD 0", "MD 12"]
+    inverses = ["DB1.DBD 912", "MD 8"]
+    versions = ["MD 20", "MD 24"]
+    digits = ["Z 7"]  # the last three
+
+    @staticmethod
+    def text(version):
+        return VERSION.format(version) + PROGRAM.replace("END_ORGANIZATION_BLOCK", LOOK.format(version))
+
+
+class Step5:
+    """A SINUMERIK: its battery keeps data blocks and program (S5-MEM-09)."""
+    name, count = "version.s5", "DB10.DD 0"
+    copies = ["DB10.DD 0", "DB10.DD 130", "DB10.DD 254"]
+    inverses = ["DB10.DD 128"]
+    versions = ["MW 100", "MW 102"]
+    digits = []
+
+    @staticmethod
+    def text(version):
+        return LISTING.format(version)
 
 
 class Test:
-    def __init__(self, merker, folder, chance):
-        self.merker, self.folder, self.chance = merker, folder, chance
+    def __init__(self, merker, kind, folder, chance):
+        self.merker, self.kind, self.folder, self.chance = merker, kind, folder, chance
         self.count = self.reported_rounds = 0
         self.card, self.trace = str(folder / "card"), str(folder / "trace")
         os.mkfifo(self.trace)
 
     def source(self, version):
-        path = self.folder / "version.awl"
-        path.write_text(VERSION.format(version) + PROGRAM.replace("END_ORGANIZATION_BLOCK", LOOK.format(version)),
-                        encoding="utf-8")
+        path = self.folder / self.kind.name
+        path.write_text(self.kind.text(version), encoding="utf-8")
         return str(path)
 
     def run_and_kill(self, version):
@@ -61,7 +85,7 @@ class Test:
         reader = os.open(self.trace, os.O_RDONLY | os.O_NONBLOCK)
         virtual = ["--for", "1000h"] if self.chance.random() < 0.7 else []
         process = subprocess.Popen([self.merker, "run", self.source(version), "--card", self.card, "--trace", self.trace,
-                                    "--watch", COUNT, *virtual], stdout=subprocess.DEVNULL)
+                                    "--watch", self.kind.count, *virtual], stdout=subprocess.DEVNULL)
         seen = self.some_time(reader)
         process.send_signal(signal.SIGKILL)
         process.wait()
@@ -101,8 +125,9 @@ class Test:
 
     def look(self):
         """What is on the card, seen by another process one cycle later; None if there is no program yet."""
+        kind = self.kind
         done = subprocess.run([self.merker, "run", "--card", self.card, "--cycles", "1", "--json", "--print",
-                               ", ".join(COPIES + INVERSES + ["Z 7", "MD 20", "MD 24"])],
+                               ", ".join(kind.copies + kind.inverses + kind.digits + kind.versions)],
                               capture_output=True, encoding="utf-8", check=False)
         if done.returncode == 4 and "P1007" in done.stderr and self.count == 0:
             return None
@@ -116,11 +141,11 @@ class Test:
         kept = self.look()
         if kept is None and reported == 0:
             return []
-        count = kept[COUNT]
-        wrong = [name for name in COPIES if kept[name] != count]
-        wrong += [name for name in INVERSES if kept[name] != 0xFFFFFFFF ^ count]
-        wrong += ["Z 7"] if kept["Z 7"] != count % 1000 else []
-        wrong += ["versions"] if kept["MD 20"] != kept["MD 24"] else []
+        kind, count = self.kind, kept[self.kind.count]
+        wrong = [name for name in kind.copies if kept[name] != count]
+        wrong += [name for name in kind.inverses if kept[name] != 0xFFFFFFFF ^ count]
+        wrong += [name for name in kind.digits if kept[name] != count % 1000]
+        wrong += ["versions"] if kept[kind.versions[0]] != kept[kind.versions[1]] else []
         wrong += ["a reported cycle is missing"] if count < reported + 1 else []
         wrong += ["a cycle is missing"] if count < self.count + 1 else []
         self.count = count
@@ -128,11 +153,12 @@ class Test:
 
 
 def main():
-    rounds = int(sys.argv[2])
-    seed = int(sys.argv[3]) if len(sys.argv) > 3 else 314
+    kind = {"s7": S7, "step5": Step5}[sys.argv[2]]
+    rounds = int(sys.argv[3])
+    seed = int(sys.argv[4]) if len(sys.argv) > 4 else 314
     print(f"seed {seed}")
     with tempfile.TemporaryDirectory(prefix="merker-kill-") as folder:
-        test = Test(sys.argv[1], pathlib.Path(folder), random.Random(seed))
+        test = Test(sys.argv[1], kind, pathlib.Path(folder), random.Random(seed))
         for number in range(1, rounds + 1):
             for finding in test.round(number):
                 sys.exit(finding)
