@@ -2,9 +2,11 @@
 
 #include "base/text.h"
 #include "cnc/compiled_code.h"
+#include "cnc/fault.h"
 #include "cnc/plc_options.h"
 #include "cnc/reference.h"
 #include "controller/line_counts.h"
+#include "nc/datum.h"
 #include "sinumerik/stack_fields.h"
 
 namespace merker::cnc {
@@ -37,11 +39,14 @@ struct Cnc::Parts {
   void showAlarms() {
     const nc::Control& control = macros->control();
     sinumerik::NcSide& nc = plc->surroundings().nc;
+    nc = control.signals;
     nc.alarm = !control.alarms.empty();
     nc.machiningStop = nc.alarm && control.machiningStop;
   }
 
   Options options;
+  std::unique_ptr<Cnc> partner;
+  std::shared_ptr<nc::CouplingArea> area;
   std::unique_ptr<nc::FunctionMacros> macros;
   std::unique_ptr<CompiledCode> engine;
   std::unique_ptr<sinumerik::Plc> plc;
@@ -71,8 +76,43 @@ sinumerik::Plc& Cnc::plc() { return *parts_->plc; }
 const sinumerik::Plc& Cnc::plc() const { return *parts_->plc; }
 nc::Control& Cnc::control() { return parts_->macros->control(); }
 
+void Cnc::couple(std::unique_ptr<Cnc> partner, nc::Side side) {
+  Parts& p = *parts_;
+  p.partner = std::move(partner);
+  p.area = p.partner->parts_->area = std::make_shared<nc::CouplingArea>();
+  p.options.coupling.emplace().side = side;
+  connect();
+}
+
+// The partner is never ahead of this control when it looks at the area.
+void Cnc::connect() {
+  Parts& p = *parts_;
+  if (!p.partner) return;
+  const nc::Side side = p.options.coupling->side;
+  const bool master = side == nc::Side::Master;
+  p.macros->couple(p.area, side, [this] { meet(); });
+  p.partner->parts_->macros->couple(p.area, master ? nc::Side::Control : nc::Side::Master);
+}
+
+void Cnc::meet() {
+  if (parts_->partner && parts_->plc) parts_->partner->advanceTo(now());
+}
+
+nc::CouplingArea* Cnc::couplingArea() { return parts_->area.get(); }
+controller::Controller* Cnc::partner() { return parts_->partner.get(); }
+
+std::string Cnc::fault(std::string_view subject, std::string_view kind, bool on) {
+  return setFault(*this, subject, kind, on);
+}
+
+bool Cnc::batteryFails(bool fails) {
+  plc().surroundings().batteryGood = !fails;
+  return true;
+}
+
 bool Cnc::canCompile() { return jit::available(); }
 void Cnc::setCompiled(bool on) {
+  if (parts_->partner) parts_->partner->setCompiled(on);
   parts_->options.compiled = on;
   parts_->engine->on = on && canCompile();
 }
@@ -107,8 +147,11 @@ bool Cnc::coldRestart() {
 void Cnc::stop() { plc().stop(); }
 void Cnc::powerOff() { plc().powerOff(); }
 void Cnc::powerOn(bool buffered) {
+  if (powered()) return;
+  const bool kept = buffered && plc().surroundings().batteryGood;
+  if (!kept) nc::forgetBuffered(control());
   parts_->takeSamplingCode();
-  plc().powerOn(buffered);
+  plc().powerOn(kept);
 }
 
 void Cnc::memoryReset() {
@@ -117,8 +160,13 @@ void Cnc::memoryReset() {
   p.cyclesBefore = cycles();
   p.instructionsBefore = instructions();
   p.linesBefore = executedLines();
+  if (p.area) *p.area = {};
   p.build();
   watch();
+  if (!p.partner) return;
+  p.partner->memoryReset();
+  connect();
+  p.partner->start();
 }
 
 Instant Cnc::now() const { return plc().now() + parts_->before; }
@@ -126,11 +174,24 @@ std::uint64_t Cnc::cycles() const { return parts_->cyclesBefore + plc().cycles()
 std::uint64_t Cnc::instructions() const {
   return parts_->instructionsBefore + plc().instructions();
 }
-void Cnc::advanceTo(Instant t) { plc().advanceTo(Instant{t.ns - parts_->before.ns}); }
-void Cnc::settle() { plc().settle(); }
-void Cnc::advanceCycles(std::uint64_t count) { plc().advanceCycles(count); }
+void Cnc::advanceTo(Instant t) {
+  plc().advanceTo(Instant{t.ns - parts_->before.ns});
+  meet();
+}
+// The partner, too: values of both are looked at behind a cycle.
+void Cnc::settle() {
+  plc().settle();
+  meet();
+  if (parts_->partner) parts_->partner->settle();
+}
+void Cnc::advanceCycles(std::uint64_t count) {
+  plc().advanceCycles(count);
+  meet();
+}
 bool Cnc::advanceToCheckpoint(Instant limit) {
-  return plc().advanceToCheckpoint(Instant{limit.ns - parts_->before.ns});
+  const bool reached = plc().advanceToCheckpoint(Instant{limit.ns - parts_->before.ns});
+  meet();
+  return reached;
 }
 
 void Cnc::onCycle(std::function<void(controller::Controller&)> observer) {
@@ -143,28 +204,70 @@ void Cnc::watch() {
   parts_->showAlarms();
   plc().onCycle([this](sinumerik::Plc&) {
     parts_->showAlarms();
+    meet();
     if (parts_->observer) parts_->observer(*this);
   });
 }
 
+namespace {
+
+// The reference as the partner itself would have it.
+mc7::Reference own(mc7::Reference reference) {
+  reference.partner = false;
+  return reference;
+}
+
+}  // namespace
+
 std::optional<std::uint32_t> Cnc::read(const mc7::Reference& reference) const {
-  const auto variable = toVariable(reference);
+  if (reference.partner)
+    return parts_->partner ? parts_->partner->read(own(reference)) : std::nullopt;
+  const auto variable = reference.nc != 0 ? std::nullopt : toVariable(reference);
   return variable ? plc().read(*variable) : std::nullopt;
 }
 
 bool Cnc::write(const mc7::Reference& reference, std::uint32_t value) {
-  const auto variable = toVariable(reference);
+  if (reference.partner) return parts_->partner && parts_->partner->write(own(reference), value);
+  const auto variable = reference.nc != 0 ? std::nullopt : toVariable(reference);
   if (variable && !sinumerik::whySystemOwned(plc().operatingSystem(), *variable).empty())
     return false;
   return variable && plc().write(*variable, value);
 }
 
 bool Cnc::force(const mc7::Reference& reference, std::uint32_t value) {
-  const auto variable = toVariable(reference);
+  if (reference.partner) return parts_->partner && parts_->partner->force(own(reference), value);
+  const auto variable = reference.nc != 0 ? std::nullopt : toVariable(reference);
   return variable && plc().force(*variable, value);
 }
 
-void Cnc::unforce() { plc().unforce(); }
+void Cnc::unforce() {
+  plc().unforce();
+  if (parts_->partner) parts_->partner->unforce();
+}
+
+std::optional<std::vector<std::uint8_t>> Cnc::readBytes(const mc7::Reference& reference) const {
+  if (reference.partner)
+    return parts_->partner ? parts_->partner->readBytes(own(reference)) : std::nullopt;
+  if (reference.nc == 0) return std::nullopt;
+  const std::string digits = nc::readDatum(parts_->macros->control(), nc::unpack(reference.nc));
+  return std::vector<std::uint8_t>(digits.begin(), digits.end());
+}
+
+bool Cnc::writeBytes(const mc7::Reference& reference, std::span<const std::uint8_t> digits) {
+  if (reference.partner)
+    return parts_->partner && parts_->partner->writeBytes(own(reference), digits);
+  if (reference.nc == 0) return false;
+  const auto number = nc::parseDecimal(std::string(digits.begin(), digits.end()));
+  if (!number || !nc::writeDatum(control(), nc::unpack(reference.nc), *number)) return false;
+  parts_->showAlarms();
+  return true;
+}
+
+std::string Cnc::whyRefused(const mc7::Reference& reference) const {
+  if (reference.nc != 0) return nc::whatItTakes(nc::unpack(reference.nc));
+  const auto variable = toVariable(reference);
+  return variable ? sinumerik::whySystemOwned(plc().operatingSystem(), *variable) : std::string();
+}
 
 std::optional<std::string> Cnc::stackField(std::string_view stack, std::string_view field) const {
   const sinumerik::OperatingSystem& os = plc().operatingSystem();
@@ -183,6 +286,7 @@ std::string Cnc::stopDetails() const {
 }
 
 std::string Cnc::whyMissing(const mc7::Reference& reference) const {
+  if (reference.partner && parts_->partner) return parts_->partner->whyMissing(own(reference));
   if (reference.operand.kind != mc7::OperandKind::Memory ||
       reference.operand.area != Area::DataBlock)
     return "it is outside of what this PLC has";

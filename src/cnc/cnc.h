@@ -21,13 +21,22 @@ struct MachineDatum {
   std::uint16_t value = 0;
 };
 
+// The control on the other side of the coupling area (FB 190).
+struct CouplingOptions {
+  std::string partner;  // its project folder, as the project names it
+  Position named;
+  nc::Side side = nc::Side::Control;  // of this control
+};
+
 struct Options {
   const SinumerikModel* model = &defaultSinumerikModel();
   sinumerik::Options plc{};  // its `macros` are those of this control
   // What differs from the standard machine data.
   std::vector<MachineDatum> machineData{};
   nc::MacroOptions macros{};
-  nc::Control control{};  // data of the NC at the start
+  nc::Control control{};                                      // data of the NC at the start
+  sinumerik::BitMapping bits = sinumerik::BitMapping::Table;  // of MD 2003
+  std::optional<CouplingOptions> coupling{};
   bool compiled = false;  // run as machine code of this computer what can be
   // Where the project names the bits of the user alarms and messages, for problems.
   Position alarmsNamed{}, messagesNamed{};
@@ -43,6 +52,9 @@ class Cnc final : public controller::Controller, public controller::StopScreens 
   sinumerik::Plc& plc();
   const sinumerik::Plc& plc() const;
   nc::Control& control();
+  // From now on the two are coupled and move through time together: `partner` follows this one.
+  void couple(std::unique_ptr<Cnc> partner, nc::Side side);
+  nc::CouplingArea* couplingArea();  // null: there is none
   // Machine code of this computer instead of the processor alone; the results are the same.
   void setCompiled(bool on);
   static bool canCompile();
@@ -61,6 +73,9 @@ class Cnc final : public controller::Controller, public controller::StopScreens 
   void powerOn(bool buffered) override;
   // Urlöschen and loading of the program: everything as it was built, only time goes on.
   void memoryReset() override;
+  std::string fault(std::string_view subject, std::string_view kind, bool on) override;
+  bool batteryFails(bool fails) override;
+  controller::Controller* partner() override;
 
   Instant now() const override;
   std::uint64_t cycles() const override;
@@ -81,6 +96,9 @@ class Cnc final : public controller::Controller, public controller::StopScreens 
                                         std::string_view field) const override;
   std::string stackFields(std::string_view stack) const override;
   std::string stopDetails() const override;
+  // Data of the NC as digits with a point (nc/datum.h).
+  std::optional<std::vector<std::uint8_t>> readBytes(const mc7::Reference& r) const override;
+  bool writeBytes(const mc7::Reference& r, std::span<const std::uint8_t> digits) override;
 
   const std::vector<controller::DiagnosticEntry>& diagnostics() const override;
   const std::vector<controller::CheckResult>& checkResults() const override;
@@ -89,6 +107,8 @@ class Cnc final : public controller::Controller, public controller::StopScreens 
  private:
   struct Parts;
   void watch();
+  void meet();
+  void connect();
   std::unique_ptr<Parts> parts_;
 };
 

@@ -17,9 +17,10 @@ void put(sinumerik::MachineData& data, MachineDatum datum) {
 sinumerik::Options plcOptions(const Options& options) {
   sinumerik::Options plc = options.plc;
   plc.variant = options.model->acop ? mc5::Variant::Acop : mc5::Variant::Cop;
-  if (options.machineData.empty()) return plc;
+  if (options.machineData.empty() && options.bits == sinumerik::BitMapping::Table) return plc;
   const bool alarmLevel = plc.program.contains({mc5::BlockType::Ob, 2});
   plc.machineData = sinumerik::MachineData::standard(alarmLevel);
+  plc.machineData->mapping = options.bits;
   for (const MachineDatum& datum : options.machineData) put(*plc.machineData, datum);
   return plc;
 }

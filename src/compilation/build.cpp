@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
+#include "base/text.h"
 #include "block/memory.h"
 #include "cnc/memory.h"
 #include "cnc/reference.h"
 #include "compilation/existence.h"
+#include "nc/datum.h"
 #include "step5/compiler.h"
 #include "step5/variable.h"
 #include "system/library.h"
@@ -27,27 +30,50 @@ step7::CompileOptions options(const Build& build) {
 }  // namespace
 
 FileLookup Build::files() const {
-  return [this](const std::string& name) { return project.file(name); };
+  return [this](const std::string& name) {
+    const source::SourceFile* own = project.file(name);
+    return own == nullptr && partner ? partner->project.file(name) : own;
+  };
 }
+
+namespace {
+
+constexpr std::string_view kPartner = "partner.";
 
 // Whether there is such a data block shows when it is looked at: programs make some (E DB).
-simulator::Resolver listingResolver() {
-  const auto operands = [](std::string_view text, const Position& at) -> Result<mc7::Reference> {
-    if (const auto variable = step5::parseVariable(text)) return cnc::toReference(text, *variable);
-    return makeProblem(ProblemCode::P1104, at, text);
-  };
-  return {operands, cnc::parseConstant};
+Result<mc7::Reference> listingOperand(std::string_view text, const Position& at) {
+  if (const auto variable = step5::parseVariable(text)) return cnc::toReference(text, *variable);
+  if (const auto datum = cnc::datumReference(text)) return *datum;
+  if (nc::namesDatum(text)) return makeProblem(ProblemCode::P1154, at, text, nc::knownData(text));
+  return makeProblem(ProblemCode::P1104, at, text);
 }
 
+simulator::Resolver listingResolver(bool coupled) {
+  const auto operands = [coupled](std::string_view text,
+                                  const Position& at) -> Result<mc7::Reference> {
+    if (!equalsIgnoreCase(text.substr(0, kPartner.size()), kPartner))
+      return listingOperand(text, at);
+    if (!coupled) return makeProblem(ProblemCode::P1155, at, text);
+    auto reference = listingOperand(trim(text.substr(kPartner.size())), at);
+    if (!reference) return reference;
+    reference->partner = true;
+    reference->text = text;
+    return reference;
+  };
+  return {operands, cnc::parseConstant, true};
+}
+
+}  // namespace
+
 simulator::Resolver Build::operands() const {
-  if (isListing()) return listingResolver();
+  if (isListing()) return listingResolver(partner != nullptr);
   return [this](std::string_view text, const Position& at) {
     return step7::resolve(text, *program, options(*this), at);
   };
 }
 
 simulator::Resolver Build::resolver() const {
-  if (isListing()) return listingResolver();
+  if (isListing()) return listingResolver(partner != nullptr);
   const auto existence = std::make_shared<const Existence>(station());
   return [existence, all = operands()](std::string_view text, const Position& at) {
     Result<mc7::Reference> reference = all(text, at);
@@ -79,7 +105,12 @@ std::unique_ptr<controller::Controller> Build::controller(bool coverage) const {
   if (!isListing()) return std::make_unique<station::Station>(station(coverage));
   cnc::Options options = controlOptions();
   options.plc.coverage = coverage;
-  return std::make_unique<cnc::Cnc>(std::move(options));
+  auto control = std::make_unique<cnc::Cnc>(std::move(options));
+  if (partner) {
+    const nc::Side side = project.control->coupling->side;
+    control->couple(std::make_unique<cnc::Cnc>(partner->controlOptions()), side);
+  }
+  return control;
 }
 
 namespace {
@@ -162,6 +193,31 @@ void cancel(Build& build) {
   build.problems.add(ProblemCode::P0713, Position{build.project.path});
 }
 
+// The other control of [coupling]. It has one partner, this one, whatever its own project says.
+void addPartner(Build& build) {
+  const auto& coupling = build.project.control->coupling;
+  if (!coupling) return;
+  const auto folder = std::filesystem::path(build.project.folder) / coupling->partner;
+  project::Project other = project::load(folder.lexically_normal().string(), "");
+  if (!other.unreadable && !other.control) {
+    build.problems.add(ProblemCode::P0704, coupling->named, "partner",
+                       "the project folder of a SINUMERIK");
+    return;
+  }
+  if (other.control) other.control->coupling.reset();
+  if (other.unreadable) {
+    build.problems.append(other.problems);
+    return;
+  }
+  auto partner = std::make_shared<Build>();
+  partner->project = std::move(other);
+  partner->program = std::make_shared<const block::Program>();
+  partner->problems = partner->project.problems;
+  buildListings(*partner, false);
+  build.problems.append(partner->problems);
+  build.partner = std::move(partner);
+}
+
 }  // namespace
 
 Build build(project::Project project, bool checks) {
@@ -169,10 +225,12 @@ Build build(project::Project project, bool checks) {
   result.project = std::move(project);
   result.program = std::make_shared<const block::Program>();
   result.problems = result.project.problems;
-  if (result.project.control)
+  if (result.project.control) {
     buildListings(result, checks);
-  else
+    addPartner(result);
+  } else {
     buildProgram(result, checks);
+  }
   if (result.problems.cancelled()) cancel(result);
   result.problems.tellRest(Position{result.project.path});
   return result;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "controller/types.h"
@@ -35,6 +36,12 @@ class Controller {
   virtual void powerOff() = 0;
   virtual void powerOn(bool buffered = true) = 0;  // false: battery empty, RAM is lost
   virtual void memoryReset() = 0;
+  // Something goes wrong with the device from now on, or is mended: "" or the reason why not.
+  virtual std::string fault(std::string_view /*subject*/, std::string_view /*kind*/, bool /*on*/) {
+    return modelName() + " has nothing of this kind";
+  }
+  // False: it has no battery.
+  virtual bool batteryFails(bool /*fails*/) { return false; }
 
   // time; nothing moves outside these calls
   virtual Instant now() const = 0;
@@ -57,13 +64,17 @@ class Controller {
   virtual bool write(const mc7::Reference& reference, std::uint32_t value) = 0;
   virtual bool force(const mc7::Reference& reference, std::uint32_t value) = 0;
   virtual void unforce() = 0;
-  // The bytes of a DATE_AND_TIME or STRING (Reference::bytes).
+  // The bytes of a DATE_AND_TIME or STRING (Reference::bytes), the digits of a datum of the NC.
   virtual std::optional<std::vector<std::uint8_t>> readBytes(const mc7::Reference&) const {
     return std::nullopt;
   }
   virtual bool writeBytes(const mc7::Reference&, std::span<const std::uint8_t>) { return false; }
   // "there is no DB 5", for an operand that cannot be read.
   virtual std::string whyMissing(const mc7::Reference& reference) const = 0;
+  // "it takes 0 and 1", for one that is there and cannot be set; empty: nothing is known.
+  virtual std::string whyRefused(const mc7::Reference&) const { return {}; }
+  // The PLC that is coupled with this one and moves through time with it; null: there is none.
+  virtual Controller* partner() { return nullptr; }
 
   virtual const std::vector<DiagnosticEntry>& diagnostics() const = 0;
   virtual const std::vector<CheckResult>& checkResults() const = 0;

@@ -45,14 +45,17 @@ bool wordsPermitted(unsigned first, unsigned count) {
 
 }  // namespace
 
-void Coupling::connect(std::shared_ptr<CouplingArea> area, Side side) {
+void Coupling::connect(std::shared_ptr<CouplingArea> area, Side side, std::function<void()> meet) {
   area_ = std::move(area);
   side_ = side;
+  meet_ = std::move(meet);
 }
 
 std::optional<Trap> Coupling::transfer(Machine& m, std::span<const std::uint16_t> p) {
   const auto message = byteOperand(p[3]);
   if (!message) return Trap{Alarm::Substitution, {0, p[3], 0}};
+  meet();
+  if (area_ && area_->silent) return Trap{Alarm::NoAnswerCoupling, {}};
   if (sinumerik::write(m, *message, copy(m, p[1], p[2]))) return std::nullopt;
   return Trap{Alarm::TransferToMissingDb, {}};
 }
@@ -80,11 +83,18 @@ void Coupling::show(Partner state) {
   if (area_ && side_ == Side::Master) area_->master = state;
 }
 
+void Coupling::started() {
+  meet();
+  show(Partner::Runs);
+}
+
 void Coupling::stopped() {
+  meet();
   if (area_ && area_->master == Partner::Runs) show(Partner::Failed);
 }
 
 bool Coupling::masterRuns() const {
+  meet();
   return !area_ || side_ == Side::Master || area_->master != Partner::Failed;
 }
 

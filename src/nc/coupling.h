@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 
@@ -19,6 +20,7 @@ enum class Partner : std::uint8_t { NotStarted, Runs, Failed };
 struct CouplingArea {
   std::array<std::uint16_t, kCouplingWords> words{};
   bool faulty = false;  // message 1
+  bool silent = false;  // the memory does not answer: 6151
   Partner master = Partner::NotStarted;
 };
 
@@ -26,21 +28,26 @@ enum class Side : std::uint8_t { Control, Master };
 
 class Coupling {
  public:
-  void connect(std::shared_ptr<CouplingArea> area, Side side);
+  // `meet` brings the other PLC to the present moment; it is called before each look at the area.
+  void connect(std::shared_ptr<CouplingArea> area, Side side, std::function<void()> meet = {});
 
   // ADPR, DBDW, R/A, MELD. Its messages go to MELD; only a MELD that is no byte stops the PLC.
   std::optional<sinumerik::Trap> transfer(sinumerik::Machine& machine,
                                           std::span<const std::uint16_t> parameters);
-  void started() { show(Partner::Runs); }
+  void started();
   void stopped();
   bool masterRuns() const;  // false: it has run and has failed
 
  private:
   std::uint8_t copy(sinumerik::Machine& machine, std::uint16_t place, std::uint16_t order);
   void show(Partner state);
+  void meet() const {
+    if (meet_) meet_();
+  }
 
   std::shared_ptr<CouplingArea> area_;
   Side side_ = Side::Control;
+  std::function<void()> meet_;
 };
 
 }  // namespace merker::nc

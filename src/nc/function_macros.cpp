@@ -44,8 +44,9 @@ std::span<const FunctionMacros::Row> FunctionMacros::rows() {
 FunctionMacros::FunctionMacros(const MacroOptions& options)
     : options_(options), stack_(options.flagStackDepth), exchange_(options.exchange) {}
 
-void FunctionMacros::couple(std::shared_ptr<CouplingArea> area, Side side) {
-  coupling_.connect(std::move(area), side);
+void FunctionMacros::couple(std::shared_ptr<CouplingArea> area, Side side,
+                            std::function<void()> meet) {
+  coupling_.connect(std::move(area), side, std::move(meet));
 }
 
 const FunctionMacros::Row* FunctionMacros::find(std::uint16_t number) const {

@@ -2,6 +2,8 @@
 // (6.3, S5-FM). One object belongs to one PLC and outlives it.
 #pragma once
 
+#include <functional>
+
 #include "nc/control.h"
 #include "nc/coupling.h"
 #include "nc/data_exchange.h"
@@ -26,7 +28,7 @@ class FunctionMacros final : public sinumerik::Macros {
   Control& control() { return control_; }
   const Control& control() const { return control_; }
   // The other PLC has the same area on its other side.
-  void couple(std::shared_ptr<CouplingArea> area, Side side);
+  void couple(std::shared_ptr<CouplingArea> area, Side side, std::function<void()> meet = {});
 
   bool has(std::uint16_t number) const override;
   std::optional<Trap> call(std::uint16_t number, Machine& machine,

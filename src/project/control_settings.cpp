@@ -37,8 +37,60 @@ std::optional<sinumerik::BitField> readField(const Table& table, std::string_vie
   return std::nullopt;
 }
 
+// What the delivered control has (S5-FM-02, S5-FM-34 error 8, OP-09).
+void readVariant(const Table& table, cnc::Options& options) {
+  if (const auto order = table.choice("md_2003", {"table", "text"}))
+    options.bits = *order == 0 ? sinumerik::BitMapping::Table : sinumerik::BitMapping::Text;
+  nc::MacroOptions& macros = options.macros;
+  macros.exchange.enabled = table.flag("nc_data_exchange").value_or(macros.exchange.enabled);
+  macros.actualValueMacros = table.flag("actual_value_macros").value_or(macros.actualValueMacros);
+  if (const auto model = table.choice("technology", {"T", "M", "N", "G"}))
+    macros.exchange.model = static_cast<nc::Model>(*model);
+}
+
+// [[module]]: which bytes have a module. What is wrong with them the PLC finds when it starts
+// (6100, 6125 to 6128).
+std::optional<sinumerik::Module> readPeriphery(const Table& table) {
+  table.allow({"name", "input", "output", "bytes", "distributed", "fitted"});
+  sinumerik::Module module;
+  if (table.has("input") == table.has("output")) {
+    table.problems().add(ProblemCode::P0744, table.place(), table.title(),
+                         "either input or output, its first byte: input = 0");
+    return std::nullopt;
+  }
+  module.output = table.has("output");
+  module.first = table.number(module.output ? "output" : "input", 0, 127).value_or(0);
+  module.bytes = table.number("bytes", 1, 64).value_or(1);
+  module.distributed = table.flag("distributed").value_or(false);
+  module.fitted = table.flag("fitted").value_or(true);
+  if (const auto name = table.text("name", "a text")) module.name = *name;
+  return module;
+}
+
+void readModules(const Table& root, cnc::Options& options) {
+  if (!root.has("module")) return;
+  auto& modules = options.plc.surroundings.modules;
+  modules.clear();
+  for (const Table& table : root.tables("module"))
+    if (auto module = readPeriphery(table)) modules.push_back(std::move(*module));
+}
+
+void readCoupling(const Table& table, cnc::Options& options) {
+  table.allow({"partner", "role"});
+  const auto role = table.choice("role", {"control", "master"});
+  const auto partner = table.text("partner", "the project folder of the other control");
+  if (!table.has("partner"))
+    table.problems().add(ProblemCode::P0744, table.place(), table.title(),
+                         "the project folder of the other control: partner = \"../press\"");
+  if (!partner) return;
+  const nc::Side side = role.value_or(0) == 0 ? nc::Side::Control : nc::Side::Master;
+  options.coupling = cnc::CouplingOptions{*partner, table.at("partner"), side};
+}
+
 void readPlc(const Table& table, cnc::Options& options) {
-  table.allow({"software", "memory_extension", "eprom_data_blocks", "alarms", "messages"});
+  table.allow({"software", "memory_extension", "eprom_data_blocks", "alarms", "messages", "md_2003",
+               "nc_data_exchange", "actual_value_macros", "technology"});
+  readVariant(table, options);
   if (const auto software = table.number("software", 1, 2))
     options.plc.software = *software == 1 ? sinumerik::Software::Sw1 : sinumerik::Software::Sw2;
   if (const auto extension = table.flag("memory_extension"))
@@ -70,12 +122,15 @@ void readAlarmTexts(const Table& table, cnc::Options& options) {
 }  // namespace
 
 void readControl(const Table& root, cnc::Options& options) {
-  root.allow({"project", "program", "cpu", "machine_data", "plc", "alarm_texts", "nc"});
+  root.allow({"project", "program", "cpu", "machine_data", "plc", "alarm_texts", "nc", "module",
+              "coupling"});
   if (const auto table = root.table("cpu")) table->allow({"model"});
   if (const auto table = root.table("machine_data")) readMachineData(*table, options);
   if (const auto table = root.table("plc")) readPlc(*table, options);
   if (const auto table = root.table("alarm_texts")) readAlarmTexts(*table, options);
   if (const auto table = root.table("nc")) readNc(*table, options.control);
+  readModules(root, options);
+  if (const auto table = root.table("coupling")) readCoupling(*table, options);
 }
 
 }  // namespace merker::project

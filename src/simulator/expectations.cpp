@@ -62,7 +62,8 @@ bool needsDevice(const Expectation& e) {
 }
 
 // Values are those at the end of a cycle: in the middle of one they may be on their way.
-bool holds(const Expectation& e, Controller& plc) {
+bool holds(const Expectation& e, Controller& own) {
+  Controller& plc = e.partner && own.partner() != nullptr ? *own.partner() : own;
   const Station* device = dynamic_cast<const Station*>(&plc);
   switch (e.what) {
     case Expectation::What::Values:
@@ -87,7 +88,8 @@ bool holds(const Expectation& e, Controller& plc) {
 }
 
 // What is there instead.
-std::string actual(const Expectation& e, const Controller& plc) {
+std::string actual(const Expectation& e, Controller& own) {
+  const Controller& plc = e.partner && own.partner() != nullptr ? *own.partner() : own;
   const Station* device = dynamic_cast<const Station*>(&plc);
   const bool stopped = plc.mode() == Mode::Stop;
   switch (e.what) {

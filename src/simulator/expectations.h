@@ -19,6 +19,6 @@ std::string because(const controller::Controller& plc);
 bool needsDevice(const Expectation& e);
 bool holds(const Expectation& e, controller::Controller& plc);
 // "A 1.2 is 0", "mode is STOP: …"
-std::string actual(const Expectation& e, const controller::Controller& plc);
+std::string actual(const Expectation& e, controller::Controller& plc);
 
 }  // namespace merker::simulator

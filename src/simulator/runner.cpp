@@ -48,6 +48,9 @@ class Runner {
   bool fail(const Position& position, std::string message);
   bool reached(const Step& step) const;
   bool perform(const Step& step);
+  bool performByPartner(const Step& step);
+  bool performByControl(const Step& step);
+  bool noPartner(const Step& step);
   bool performOnDevice(const Step& step);
   bool set(const Step& step);
   bool setTerminals(const Step& step);
@@ -94,7 +97,35 @@ bool Runner::reached(const Step& step) const {
   return plc_.mode() == Mode::Stop && plc_.powered();
 }
 
+// Both move through time: a start of the one lasts as long for the other.
+bool Runner::performByPartner(const Step& step) {
+  Controller* const partner = plc_.partner();
+  if (partner == nullptr) return noPartner(step);
+  partner->advanceTo(plc_.now());
+  Step own = step;
+  own.partner = false;
+  const bool done = Runner(*partner, result_).perform(own);
+  plc_.advanceTo(std::max(plc_.now(), partner->now()));
+  return done;
+}
+
+bool Runner::noPartner(const Step& step) {
+  return fail(
+      step.position,
+      fmt::format("{}: there is no coupled control ([coupling] in merker.toml)", step.text));
+}
+
+// What a SINUMERIK has of the steps for devices.
+bool Runner::performByControl(const Step& step) {
+  if (step.kind == StepKind::BatteryLow || step.kind == StepKind::BatteryGood)
+    return plc_.batteryFails(step.kind == StepKind::BatteryLow) || noDevice(step);
+  if (step.kind != StepKind::Fault) return noDevice(step);
+  const std::string reason = plc_.fault(step.fault.module, step.fault.words, step.fault.there);
+  return reason.empty() || fail(step.position, step.text + ": " + reason);
+}
+
 bool Runner::perform(const Step& step) {
+  if (step.partner) return performByPartner(step);
   switch (step.kind) {
     case StepKind::Set:
     case StepKind::Force:
@@ -140,7 +171,7 @@ bool Runner::perform(const Step& step) {
     case StepKind::Signal:
     case StepKind::Terminal:
     case StepKind::Plant:
-      return device_ != nullptr ? performOnDevice(step) : noDevice(step);
+      return device_ != nullptr ? performOnDevice(step) : performByControl(step);
   }
   return unknown(step);
 }
@@ -300,6 +331,7 @@ bool Runner::miss(const Step& step) {
 
 bool Runner::expect(const Step& step) {
   if (device_ == nullptr && needsDevice(step.expectation)) return noDevice(step);
+  if (step.expectation.partner && plc_.partner() == nullptr) return noPartner(step);
   if (step.expectation.what == Expectation::What::Mode ||
       step.expectation.what == Expectation::What::Stack ||
       step.expectation.what == Expectation::What::Diagnostics)

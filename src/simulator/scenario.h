@@ -45,7 +45,8 @@ struct Expectation {
   LedMember led = nullptr;                        // Led: which, = or <> which light
   cpu::Light light = cpu::Light::On;
   enum class When : std::uint8_t { Now, During, Within } when = When::Now;
-  Duration duration;  // During, Within
+  bool partner = false;  // Mode, Diagnostics: of the coupled control
+  Duration duration;     // During, Within
 };
 
 enum class StepKind : std::uint8_t {
@@ -80,6 +81,7 @@ struct Step {
   StepKind kind = StepKind::Wait;
   Position position;
   std::string text;                     // as written
+  bool partner = false;                 // the coupled control does it
   std::vector<Assignment> assignments;  // Set, Force
   Duration duration;                    // Wait
   std::uint64_t count = 0;              // WaitCycles, Repeat

@@ -44,6 +44,8 @@ constexpr std::array kModes = {
     ModeName{"RUN", controller::Mode::Run}, ModeName{"STOP", controller::Mode::Stop},
     ModeName{"STARTUP", controller::Mode::Startup}, ModeName{"HALT", controller::Mode::Halt}};
 
+constexpr std::string_view kPartner = "partner";
+
 bool isBlank(char c) { return c == ' ' || c == '\t'; }
 
 class Parser {
@@ -62,7 +64,9 @@ class Parser {
   }
 
   void line(std::string_view text);
-  void step(const StepWord& word, std::string_view whole, std::string_view rest);
+  void step(const StepWord& word, std::string_view whole, std::string_view rest,
+            bool partner = false);
+  void partnerStep(std::string_view whole, std::string_view rest);
   bool content(Step& step, StepWord::Rest kind, std::string_view rest);
   void beginScenario(std::string_view whole, std::string_view rest);
   void beginRepeat(Step step);
@@ -124,6 +128,7 @@ void Parser::line(std::string_view text) {
   if (const StepWord* word = expectsSignal(text) ? nullptr : takeStepWord(rest))
     return step(*word, text, rest);
   std::string_view first = takeWord(rest);
+  if (equalsIgnoreCase(first, kPartner)) return partnerStep(text, rest);
   if (!expectsSignal(text)) {
     fail(ProblemCode::P0950, first, first, stepWords());
     return;
@@ -135,13 +140,38 @@ void Parser::line(std::string_view text) {
   fail(ProblemCode::P0951, first, first, stepWords());
 }
 
-void Parser::step(const StepWord& word, std::string_view whole, std::string_view rest) {
+// "partner stop": what the coupled control can do.
+void Parser::partnerStep(std::string_view whole, std::string_view rest) {
+  constexpr std::array kKinds = {StepKind::Run,
+                                 StepKind::Stop,
+                                 StepKind::ColdRestart,
+                                 StepKind::WarmRestart,
+                                 StepKind::PowerOff,
+                                 StepKind::PowerOn,
+                                 StepKind::PowerOnUnbuffered,
+                                 StepKind::BatteryLow,
+                                 StepKind::BatteryGood,
+                                 StepKind::MemoryReset,
+                                 StepKind::Fault};
+  const std::string_view place = rest.empty() ? whole : rest;
+  const StepWord* word = takeStepWord(rest);
+  if (word != nullptr && word->rest != StepWord::Rest::End &&
+      std::find(kKinds.begin(), kKinds.end(), word->kind) != kKinds.end())
+    return step(*word, whole, rest, true);
+  fail(ProblemCode::P0952, place,
+       "run, stop, cold restart, warm restart, power off, power on, memory reset, battery low, "
+       "battery good or fault; its operands are set as set partner.MW 10 = 5");
+}
+
+void Parser::step(const StepWord& word, std::string_view whole, std::string_view rest,
+                  bool partner) {
   if (word.rest == StepWord::Rest::Scenario) return beginScenario(whole, rest);
   if (word.rest == StepWord::Rest::End) return endRepeat(whole, rest);
   Step step;
   step.kind = word.kind;
   step.position = at(whole);
   step.text = whole;
+  step.partner = partner;
   const bool good = content(step, word.rest, rest);
   if (step.kind == StepKind::Repeat)
     beginRepeat(std::move(step));
@@ -300,8 +330,13 @@ bool Parser::timing(Expectation& e, std::string_view& rest) {
 bool Parser::expectation(Expectation& e, std::string_view rest) {
   if (!timing(e, rest)) return false;
   std::string_view words = rest;
-  if (equalsIgnoreCase(takeWord(words), "diagnostics"))
-    return diagnostics(e, words.empty() ? rest : words);
+  std::string_view first = takeWord(words);
+  if (equalsIgnoreCase(first, kPartner)) {
+    e.partner = true;
+    rest = words;
+    first = takeWord(words);
+  }
+  if (equalsIgnoreCase(first, "diagnostics")) return diagnostics(e, words.empty() ? rest : words);
   const auto place =
       findOutside(rest, [](std::string_view tail) { return relationAt(tail) != nullptr; });
   if (place == std::string_view::npos)
@@ -311,6 +346,9 @@ bool Parser::expectation(Expectation& e, std::string_view rest) {
   const std::string_view left = trim(rest.substr(0, place));
   const std::string_view right = trim(rest.substr(place + relation->text.size()));
   if (equalsIgnoreCase(left, "mode")) return mode(e, rest, right);
+  if (e.partner)
+    return fail(ProblemCode::P0952, left.empty() ? rest : left,
+                "mode, diagnostics contains, or an operand as partner.MW 10");
   std::string_view terminal = left;
   if (equalsIgnoreCase(takeWord(terminal), "terminal")) {
     e.what = Expectation::What::Terminal;

@@ -29,14 +29,16 @@ struct Resolver {
   using Constants = std::function<std::optional<Constant>(std::string_view text)>;
   template <typename F>
   requires std::is_constructible_v<Operands, F> Resolver(
-      F resolveOperands, Constants more = {})  // NOLINT: a plain function will do
-      : operands(std::move(resolveOperands)), constants(std::move(more)) {}
+      F resolveOperands, Constants more = {},
+      bool sinumerik = false)  // NOLINT: a plain function will do
+      : operands(std::move(resolveOperands)), constants(std::move(more)), ofControl(sinumerik) {}
 
   Result<mc7::Reference> operator()(std::string_view text, const Position& at) const {
     return operands(text, at);
   }
   Operands operands;
   Constants constants;
+  bool ofControl;  // a SINUMERIK: it has no rack and judges its faults itself
 };
 // The present value of an operand; nothing if it does not exist.
 using Reader = std::function<std::optional<std::uint32_t>(const mc7::Reference&)>;

@@ -109,12 +109,8 @@ bool parseFault(std::string_view text, FaultStep& step, const PositionOf& at, Pr
     problems.add(ProblemCode::P0952, at(text), "channel NUMBER");
     return false;
   }
-  const io::FaultName* fault = io::findFault(words);
-  if (fault == nullptr) {
-    problems.add(ProblemCode::P0980, at(words.empty() ? text : words), words, io::faultNames());
-    return false;
-  }
-  step.kind = fault->kind;
+  step.words = words;
+  step.wordsPosition = at(words.empty() ? text : words);
   return true;
 }
 
@@ -135,7 +131,11 @@ bool parseTerminal(std::string_view terminal, std::string_view value, TerminalVa
   return true;
 }
 
-void resolve(const FaultStep& step, const io::Configuration* hardware, Problems& problems) {
+void resolve(FaultStep& step, const io::Configuration* hardware, Problems& problems) {
+  const io::FaultName* known = io::findFault(step.words);
+  if (known == nullptr)
+    return problems.add(ProblemCode::P0980, step.wordsPosition, step.words, io::faultNames());
+  step.kind = known->kind;
   const io::Module* module = find(step.module, step.position, hardware, problems);
   if (module == nullptr) return;
   const io::FaultName& fault = io::nameOf(step.kind);

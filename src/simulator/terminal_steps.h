@@ -16,7 +16,9 @@ namespace merker::simulator {
 struct FaultStep {
   std::string module;
   Position position;  // of the module's name
-  io::FaultKind kind = io::FaultKind::Defect;
+  std::string words;  // the fault as written
+  Position wordsPosition;
+  io::FaultKind kind = io::FaultKind::Defect;  // of a SIMATIC S7: after resolving
   std::optional<std::uint32_t> channel;
   bool there = true;
 };
@@ -41,7 +43,7 @@ bool parseTerminal(std::string_view terminal, std::string_view value, TerminalVa
                    const PositionOf& at, Problems& problems);
 
 // Whether the modules have this; `hardware` is null without a hardware configuration.
-void resolve(const FaultStep& step, const io::Configuration* hardware, Problems& problems);
+void resolve(FaultStep& step, const io::Configuration* hardware, Problems& problems);
 void resolve(TerminalValue& terminal, const io::Configuration* hardware, Problems& problems);
 // Only to be looked at: without a value.
 void resolvePlace(const TerminalValue& terminal, const io::Configuration* hardware,

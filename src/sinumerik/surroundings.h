@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace merker::sinumerik {
@@ -15,6 +16,7 @@ struct Module {
   unsigned first = 0, bytes = 1;
   bool distributed = false;  // in the expansion unit (EG)
   bool fitted = true;        // false: configured, but not there (6100)
+  std::string name{};        // for whoever pulls it out
 };
 
 // The whole periphery: inputs and outputs 0..63.
@@ -34,6 +36,7 @@ struct NcSide {
   std::uint8_t reloading = 0;                                    // MB 17
   std::uint16_t blocks1 = 0, blocks2 = 0;                        // MB 19-20, MB 21-22
   bool ringFull = false, ringEmpty = false, serialRuns = false;  // MB 23
+  bool operator==(const NcSide&) const = default;
 };
 
 struct Surroundings {

@@ -59,6 +59,35 @@ unsigned message(const std::string& place, const std::string& order, bool faulty
   return rig.machine().outputs[20];
 }
 
+// S5-FM-50: words 0 and 127 of the area belong to nobody; 1 to 126 are the user's, whole.
+TEST(Coupling, WordsOfTheUser) {
+  for (const char* const place : {"34,0", "34,127"})
+    for (const char* const direction : {"0,1", "1,1"}) EXPECT_EQ(message(place, direction), 5u);
+  Pair pair(call("33,1", "0,126"), call("45,1", "1,126"));
+  pair.run(20);
+  EXPECT_EQ(pair.controlSide.machine().outputs[20], 3u);  // 50 words are too few
+  pair.area->words[0] = pair.area->words[127] = 0xAAAA;
+  Rig rig;
+  rig.macros.couple(pair.area, Side::Control);
+  ASSERT_TRUE(rig.start(dataBlock(33, 128) + "OB 1\n" + call("33,1", "0,126") + ":BE\n"));
+  for (unsigned i = 0; i < 128; ++i) rig.word(33, i) = static_cast<std::uint16_t>(i);
+  rig.cycles(1);
+  EXPECT_EQ(rig.machine().outputs[20], 255u);
+  for (unsigned i = 0; i < 128; ++i)
+    EXPECT_EQ(pair.area->words.at(i), i == 0 || i == 127 ? 0xAAAAu : i);
+}
+
+// S5-FM-52: the coupling memory itself does not answer: 6151.
+TEST(Coupling, MemoryThatDoesNotAnswer) {
+  Rig rig;
+  auto area = std::make_shared<CouplingArea>();
+  area->silent = true;
+  rig.macros.couple(area, Side::Control);
+  ASSERT_TRUE(rig.start(dataBlock(33, 50) + "OB 1\n" + call("33,1", "0,10") + ":BE\n"));
+  rig.cycles(1);
+  EXPECT_EQ(rig.stop(), "6151");
+}
+
 // S5-FM-52, S5-FM-05: messages, never a STOP.
 TEST(Coupling, Messages) {
   EXPECT_EQ(message("33,1", "0,10"), 255u);
