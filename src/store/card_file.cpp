@@ -32,6 +32,12 @@ std::string whyNoFile(const std::string& file, std::uintmax_t largest) {
   return {};
 }
 
+std::uintmax_t length(const std::string& file) {
+  std::error_code error;
+  const std::uintmax_t bytes = fs::file_size(file, error);
+  return error ? 0 : bytes;
+}
+
 std::string whyForeign(const std::string& file) {
   std::ifstream in(file, std::ios::binary);
   std::array<char, kHeader> header{};
@@ -53,6 +59,9 @@ std::optional<Problem> whyNoCard(const std::string& file, const Position& at) {
   for (const char* part : {"", "-journal", "-wal", "-shm"})
     if (const std::string why = whyNoFile(file + part, largest); !why.empty())
       return makeProblem(ProblemCode::P1003, at, why);
+  // SQLite would delete the log.
+  if (length(file) == 0 && length(file + "-wal") > 0)
+    return makeProblem(ProblemCode::P1003, at, "card.sqlite in it is empty, its log is not");
   // Not yet written if its creation was cut off.
   if (hasJournal(file)) return std::nullopt;
   if (const std::string why = whyForeign(file); !why.empty())

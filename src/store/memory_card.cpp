@@ -194,6 +194,8 @@ Result<MemoryCard> MemoryCard::openFile(const std::string& file, const Position&
 // elsewhere first.
 std::optional<Problem> MemoryCard::whyNotTheCopy(const std::string& file, const Position& at) {
   const TemporaryFolder copy;
+  if (copy.path().empty())
+    return makeProblem(ProblemCode::P1001, at, "there is no folder for temporary files");
   std::error_code error;
   for (const char* part : {"", "-journal", "-wal"})
     if (fs::exists(file + part))

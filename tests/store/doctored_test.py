@@ -206,6 +206,8 @@ KINDS = {
     "format -1": sql("PRAGMA user_version = -1"),
     "a view in the log": in_the_log("DROP TABLE block", f"CREATE VIEW block({COLUMNS['block']}) AS {ENDLESS}, 1, 0,"
                                                         " x'', 0 FROM n"),
+    "only a log": lambda folder: (in_the_log("PRAGMA user_version = 1", "DELETE FROM page")(folder),
+                                  (folder / "card.sqlite").write_bytes(b"")),
     "a view behind a journal": with_journal("CREATE VIEW extra AS SELECT 1"),
     "a pipe": instead(os.mkfifo),
     "a folder": instead(os.mkdir),
