@@ -273,7 +273,8 @@ bool Runner::restarted(const Step& step, Start how) {
   if (!powered(step)) return false;
   if (how == &Controller::coldRestart && !plc_.hasColdRestart())
     return hasNone(step, "cold restart");
-  return restart(plc_, how) || refused(step);
+  // What a SINUMERIK finds wrong when it starts is an alarm that a scenario may expect.
+  return restart(plc_, how) || (device_ == nullptr && plc_.stoppedByFault()) || refused(step);
 }
 
 bool Runner::hotRestart(const Step& step) {

@@ -286,8 +286,8 @@ TEST(Interrupts, OverflowAndUnderflowSeparately) {
       p.onUnderflow = underflow;
       Machine m(p);
       m.gate(true);
-      m.counter.job(1, kHighest);
-      m.pulses("U");
+      m.counter.job(1, kHighest - 1);
+      m.pulses("UU");
       EXPECT_TRUE(m.counter.overflow());
       EXPECT_EQ(m.counter.takeCauses() != 0, overflow);
       m.pulses("D");

@@ -263,9 +263,11 @@ TEST(FrequencyMeasurement, ResetOfTheStatus) {
   EXPECT_FALSE(f.overflow() || f.underflow() || f.measured());
   f.expire(f.due());  // no pulse: 0, below
   EXPECT_TRUE(f.underflow());
-  f.pulse(1, Instant{3'100'000'000});
   f.pulse(1, Instant{3'800'000'000});
   f.expire(f.due());
+  f.pulse(1, Instant{4'500'000'000});  // 0.7 s later
+  f.expire(f.due());
+  EXPECT_TRUE(f.underflow());
   f.resetStatus();
   EXPECT_FALSE(f.overflow() || f.underflow());
 }
