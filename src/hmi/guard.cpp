@@ -11,11 +11,20 @@ bool isHostCharacter(char c) {
          c == '-' || c == ':' || c == '[' || c == ']';
 }
 
+bool isPort(std::string_view text) {
+  constexpr std::size_t kLongest = 5;
+  return !text.empty() && text.size() <= kLongest &&
+         std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
+}
+
 // "[::1]:8080" → "[::1]", "localhost:8080" → "localhost". The port does not matter: it may be
-// another one outside of a container.
+// another one outside of a container. Empty: neither a name nor one with a port.
 std::string_view nameOf(std::string_view host) {
-  if (host.starts_with('[')) return host.substr(0, host.find(']') + 1);
-  return host.substr(0, host.find(':'));
+  const std::size_t end =
+      host.starts_with('[') ? host.find(']') + 1 : std::min(host.find(':'), host.size());
+  const std::string_view rest = host.substr(end);
+  const bool good = rest.empty() || (rest.front() == ':' && isPort(rest.substr(1)));
+  return good ? host.substr(0, end) : std::string_view();
 }
 
 constexpr std::string_view kToken = "token=";
@@ -33,11 +42,18 @@ std::string_view tokenOf(std::string_view target) {
 
 }  // namespace
 
+Guard::Guard(bool local, bool tls, std::string token, std::string_view address)
+    : local_(local), tls_(tls), token_(std::move(token)), address_(numeric(address)) {
+  if (address_.find(':') != std::string::npos) address_ = "[" + address_ + "]";
+}
+
 bool Guard::host(std::string_view host) const {
   if (host.empty() || host.size() > 255) return false;
   if (!std::all_of(host.begin(), host.end(), isHostCharacter)) return false;
   const std::string_view name = nameOf(host);
-  return !local_ || name == "127.0.0.1" || name == "localhost" || name == "[::1]";
+  if (name.empty()) return false;
+  return !local_ || name == "127.0.0.1" || name == "localhost" || name == "[::1]" ||
+         name == address_;
 }
 
 bool Guard::origin(std::string_view origin, std::string_view host) const {

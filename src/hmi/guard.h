@@ -11,9 +11,8 @@ namespace merker::hmi {
 class Guard {
  public:
   // `local`: bound to this machine only; other addresses are reached by names nobody knows here,
-  // and the certificate vouches for them.
-  Guard(bool local, bool tls, std::string token)
-      : local_(local), tls_(tls), token_(std::move(token)) {}
+  // and the certificate vouches for them. `address`: that it is bound to, a name of its own.
+  Guard(bool local, bool tls, std::string token, std::string_view address = {});
 
   bool host(std::string_view host) const;
   // Programs that are no browsers send no origin.
@@ -24,7 +23,7 @@ class Guard {
 
  private:
   bool local_, tls_;
-  std::string token_;
+  std::string token_, address_;
 };
 
 // "localhost" by its number, anything else as it is.

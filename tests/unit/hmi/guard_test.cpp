@@ -12,11 +12,22 @@ TEST(Guard, KnowsItsOwnNames) {
   const Guard guard(true, false, "");
   for (const char* good : {"127.0.0.1", "127.0.0.1:8080", "localhost:1", "[::1]:8080"})
     EXPECT_TRUE(guard.host(good)) << good;
-  for (const char* bad : {"", "evil.example", "evil.example:8080", "127.0.0.1.evil.example",
-                          "localhost.evil.example", "[::1", "a b", "localhost\"", "127.0.0.1@evil"})
+  for (const char* bad :
+       {"", "evil.example", "evil.example:8080", "127.0.0.1.evil.example", "localhost.evil.example",
+        "[::1", "a b", "localhost\"", "127.0.0.1@evil", "[::1].evil", "[::1]evil:80",
+        "localhost:evil", "localhost:80:80", "localhost:", "localhost:123456", ":80", "127.0.0.2"})
     EXPECT_FALSE(guard.host(bad)) << bad;
   EXPECT_TRUE(Guard(false, true, "x").host("plc.example:8443"));
   EXPECT_FALSE(Guard(false, true, "x").host("plc.example/;"));
+}
+
+TEST(Guard, TheAddressItListensToIsItsOwnName) {
+  const Guard second(true, false, "", "127.0.0.2"), six(true, false, "", "::1");
+  EXPECT_TRUE(second.host("127.0.0.2:8080"));
+  EXPECT_TRUE(second.host("localhost"));
+  EXPECT_FALSE(second.host("127.0.0.3"));
+  EXPECT_TRUE(six.host("[::1]:8080"));
+  EXPECT_FALSE(six.host("::1"));
 }
 
 TEST(Guard, ComparesTheOriginWithTheHost) {
