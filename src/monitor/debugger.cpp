@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <set>
 
 #include "cpu/cpu.h"
 
@@ -36,12 +37,13 @@ Debugger::~Debugger() {
 }
 
 void Debugger::place() {
+  std::set<BlockId> looked;
+  for (const Breakpoint& one : breakpoints_)
+    if (one.enabled) looked.insert(one.place.block);
+  for (const ProgramStatus& one : statuses_) looked.insert(one.block().id);
   for (const auto& [id, block] : station_.program()) {
     if (block.code.empty()) continue;
-    const bool stops = std::any_of(
-        breakpoints_.begin(), breakpoints_.end(),
-        [&, key = id](const Breakpoint& one) { return one.enabled && one.place.block == key; });
-    const bool wanted = step_ || stops || statusOf(id) != nullptr;
+    const bool wanted = step_ || looked.contains(id);
     station_.cpu().probe(id, wanted ? sight_.get() : nullptr);
   }
 }
@@ -133,16 +135,36 @@ Pause Debugger::run(Instant limit, const std::function<bool()>& interrupted) {
   return advance(limit, interrupted);
 }
 
-Pause Debugger::step(StepKind kind, Instant limit, const std::function<bool()>& interrupted) {
+void Debugger::setStep(StepKind kind) {
   const cpu::Machine& m = station_.cpu().machine();
   const bool between = m.levels.empty();
   step_ = Step{between ? StepKind::Into : kind, m.frames.size(),
                std::max<std::size_t>(m.levels.size(), 1)};
   place();
+}
+
+Pause Debugger::step(StepKind kind, Instant limit, const std::function<bool()>& interrupted) {
+  setStep(kind);
   const Pause result = advance(limit, interrupted);
+  giveUpStep();
+  return result;
+}
+
+Pause Debugger::beginStep(StepKind kind, Instant limit) {
+  setStep(kind);
+  goOn();
+  return stepOn(limit);
+}
+
+Pause Debugger::stepOn(Instant limit) {
+  const Pause result = proceed(limit, {});
+  if (!executing()) giveUpStep();
+  return result;
+}
+
+void Debugger::giveUpStep() {
   step_.reset();
   place();
-  return result;
 }
 
 void Debugger::goOn() {
@@ -166,8 +188,12 @@ Pause Debugger::reason() const {
 }
 
 Pause Debugger::advance(Instant limit, const std::function<bool()>& interrupted) {
-  cpu::Cpu& cpu = station_.cpu();
   goOn();
+  return proceed(limit, interrupted);
+}
+
+Pause Debugger::proceed(Instant limit, const std::function<bool()>& interrupted) {
+  cpu::Cpu& cpu = station_.cpu();
   while (executing() && station_.now() < limit) {
     const Instant portion = std::min(limit, station_.now() + kPortion);
     while (executing() && station_.now() < portion) cpu.step(portion);

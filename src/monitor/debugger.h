@@ -52,6 +52,11 @@ class Debugger {
   // then.
   Pause run(Instant limit, const std::function<bool()>& interrupted = {});
   Pause step(StepKind kind, Instant limit, const std::function<bool()>& interrupted = {});
+  // In parts: the step has begun and has not ended at this limit; the next part, the end of it.
+  Pause beginStep(StepKind kind, Instant limit);
+  Pause stepOn(Instant limit);
+  void giveUpStep();
+  bool stepping() const { return step_.has_value(); }
   // The same, at most to the next end of a cycle or change to RUN.
   Pause runToCheckpoint(Instant limit);
   // Where the program stands in HALT, or stood at STOP; nothing between two cycles.
@@ -78,8 +83,10 @@ class Debugger {
     std::size_t frames;
     bool operator==(const At&) const = default;
   };
+  void setStep(StepKind kind);
   void goOn();
   bool executing() const;
+  Pause proceed(Instant limit, const std::function<bool()>& interrupted);
   Pause advance(Instant limit, const std::function<bool()>& interrupted);
   Pause reason() const;
   bool before(cpu::Machine& machine, std::uint32_t offset);

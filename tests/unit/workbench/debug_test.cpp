@@ -139,5 +139,60 @@ TEST_F(Debugging, NothingStepsInStop) {
   EXPECT_EQ(bench.problem("debug.step"), "P1308");
 }
 
+TEST(Debug, BreakpointsHaveALimit) {
+  std::string source;
+  for (int i = 0; i < 3; ++i) {
+    source += "FUNCTION FC " + std::to_string(i + 1) + " : VOID\nBEGIN\nNETWORK\n";
+    for (int line = 0; line < 100; ++line) source += "      L     1;\n";
+    source += "END_FUNCTION\n";
+  }
+  Bench bench("ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n      NOP   0;\nEND_ORGANIZATION_BLOCK\n");
+  for (int i = 0; i < 3; ++i)
+    bench.folder.write("f" + std::to_string(i) + ".awl",
+                       source.substr(source.size() / 3 * i, source.size() / 3));
+  bench.call("program.load");
+  const auto set = [&](int file) {
+    Json lines = Json::array();
+    for (int line = 4; line < 104; ++line) lines.push_back(line);
+    return bench.ask("breakpoints.set",
+                     {{"file", "f" + std::to_string(file) + ".awl"}, {"lines", lines}});
+  };
+  EXPECT_EQ(set(0)["result"]["lines"].size(), 100u);
+  EXPECT_EQ(set(1)["result"]["lines"].size(), 100u);
+  EXPECT_EQ(set(2)["problems"][0]["code"], "P1314");
+}
+
+// A step over a call that takes long goes on in further slices, whatever the pace is.
+TEST(Debug, ALongStepIsMadeInParts) {
+  constexpr const char* kLong =
+      "FUNCTION FC 1 : VOID\n"
+      "BEGIN\n"
+      "NETWORK\n"
+      "      L     30000;\n"
+      "next: T     MW 100; L MW 102; L MW 104; L MW 102; L MW 104; L MW 102; L MW 104;\n"
+      "      L     MW 100;\n"
+      "      LOOP  next;\n"
+      "END_FUNCTION\n"
+      "ORGANIZATION_BLOCK OB 1\n"
+      "BEGIN\n"
+      "NETWORK\n"
+      "      CALL  FC 1;\n"  // 12
+      "      NOP   0;\n"     // 13
+      "END_ORGANIZATION_BLOCK\n";
+  Bench bench(kLong);
+  bench.call("breakpoints.set", {{"file", "main.awl"}, {"lines", {12}}});
+  bench.run(Duration::milliseconds(100));
+  ASSERT_EQ(bench.state()["breakpoint"]["line"], 12);
+  bench.call("time.pace", {{"mode", "pause"}});
+  bench.call("debug.step", {{"kind", "over"}});
+  EXPECT_EQ(bench.state()["mode"], "RUN");
+  std::int64_t wall = 0;
+  int slices = 0;
+  while (bench.state()["mode"] == "RUN" && ++slices < 1000)
+    bench.workbench.advance([&] { return wall += 1'000'000; }, Duration::milliseconds(5));
+  EXPECT_EQ(bench.state()["breakpoint"]["line"], 13);
+  EXPECT_GE(slices, 1);
+}
+
 }  // namespace
 }  // namespace merker::workbench::test
