@@ -313,16 +313,16 @@ void SettingsEdit::removeFile(std::string_view path) {
   }
 }
 
-std::optional<ModulePlace> SettingsEdit::moduleAt(std::uint32_t line) const {
+std::vector<ModuleLines> SettingsEdit::modules() const {
   const View view(text_);
   const toml::array* modules = view.good() ? listOf(view.root(), "module") : nullptr;
-  if (modules == nullptr) return std::nullopt;
-  for (const toml::node& node : *modules) {
-    const auto* table = node.as_table();
-    if (table != nullptr && line >= View::lineOf(*table) && line < view.behind(*table))
-      return placeOf(*table);
-  }
-  return std::nullopt;
+  std::vector<ModuleLines> list;
+  if (modules == nullptr) return list;
+  for (const toml::node& node : *modules)
+    if (const auto* table = node.as_table())
+      list.push_back({View::lineOf(*table), view.behind(*table), placeOf(*table)});
+  std::ranges::sort(list, {}, &ModuleLines::first);
+  return list;
 }
 
 }  // namespace merker::project

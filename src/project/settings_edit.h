@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/problem.h"
 
@@ -14,6 +15,12 @@ struct ModulePlace {
   std::uint32_t rack = 0;
   std::string slot;  // "4", "2.2"
   bool operator==(const ModulePlace&) const = default;
+};
+
+// The lines of a module with its channels: from its header to behind the last one.
+struct ModuleLines {
+  std::uint32_t first = 0, behind = 0;
+  ModulePlace place;
 };
 
 class SettingsEdit {
@@ -46,8 +53,8 @@ class SettingsEdit {
   void renameFile(std::string_view from, std::string_view to);
   void removeFile(std::string_view path);
 
-  // The module that this line belongs to.
-  std::optional<ModulePlace> moduleAt(std::uint32_t line) const;
+  // The modules in the order of their lines.
+  std::vector<ModuleLines> modules() const;
 
  private:
   void take(std::string text);
