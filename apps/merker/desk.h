@@ -1,56 +1,77 @@
 // Where the threads of the workbench meet: the server's brings requests, the PLC's answers them
-// between two slices of virtual time.
+// between two slices of virtual time, two more do what takes longer than a slice.
 #pragma once
 
 #include <condition_variable>
 #include <deque>
 #include <functional>
+#include <map>
 #include <mutex>
+#include <optional>
 #include <set>
 
-#include "compile_thread.h"
 #include "hmi/server.h"
+#include "watchdog.h"
+#include "work_thread.h"
 #include "workbench/workbench.h"
 
 namespace merker::app {
 
 class Desk : public hmi::Handler {
  public:
-  explicit Desk(workbench::Workbench& workbench) : workbench_(workbench) {
-    workbench.compileBy([this](workbench::Work work) { compiler_.push(std::move(work)); });
-  }
+  Desk(workbench::Workbench& workbench, Watchdog& watchdog);
 
-  // Until `ended`, which is asked every few milliseconds.
+  // Until `ended`, which is asked between any two pieces of work.
   void run(hmi::Server& server, const std::function<bool()>& ended);
 
   // hmi::Handler, in the server's thread
-  void opened(hmi::BrowserId browser) override { push({Kind::Opened, browser, {}}); }
-  void received(hmi::BrowserId browser, std::string text) override {
-    push({Kind::Received, browser, std::move(text)});
-  }
-  void closed(hmi::BrowserId browser) override { push({Kind::Closed, browser, {}}); }
+  void opened(hmi::BrowserId browser) override;
+  bool received(hmi::BrowserId browser, std::string text) override;
+  void closed(hmi::BrowserId browser) override;
 
  private:
-  enum class Kind : std::uint8_t { Opened, Received, Closed };
-  struct Message {
-    Kind kind;
-    hmi::BrowserId browser;
-    std::string text;
+  using Ended = std::function<bool()>;
+  // A long message that the clerk reads.
+  struct Reading {
+    workbench::Work task;
+    std::shared_ptr<workbench::Request> request;
+    std::size_t bytes = 0;
   };
-  void push(Message message);
-  std::deque<Message> take();
-  static void answer(hmi::Server& server, hmi::BrowserId browser, std::string text);
-  void handle(const Message& message, hmi::Server& server);
-  void frame(hmi::Server& server, std::int64_t now);
+  // What a browser has sent and nobody has handled.
+  struct Inbox {
+    std::deque<std::string> texts;
+    std::size_t bytes = 0;
+    bool paused = false;             // nothing more is read from it
+    std::optional<Reading> reading;  // of the first text
+  };
+  struct Message {
+    hmi::BrowserId browser = 0;
+    std::string text;
+    std::shared_ptr<workbench::Request> request;  // in place of the text
+  };
+
+  void wake();
+  void greet();
+  bool handleSome(hmi::Server& server, const Ended& enough);
+  std::optional<Message> next(hmi::Server& server);
+  bool ready(hmi::BrowserId browser, Inbox& inbox);
+  Message taken(hmi::BrowserId browser, Inbox& inbox, hmi::Server& server);
+  void handle(Message message, hmi::Server& server);
+  bool frame(hmi::Server& server, const Ended& enough);
   void wait();
 
   workbench::Workbench& workbench_;
-  CompileThread compiler_;
-  std::set<hmi::BrowserId> browsers_;
+  Watchdog& watchdog_;
+  WorkThread compiler_, clerk_;
+  std::set<hmi::BrowserId> browsers_, unframed_;  // unframed_: this frame is still to be told to
+  hmi::BrowserId current_ = 0, last_ = 0;         // that is served, that was served
   std::int64_t nextFrame_ = 0;
-  std::mutex mutex_;
+
+  std::mutex mutex_;  // of what follows
   std::condition_variable arrived_;
-  std::deque<Message> waiting_;
+  bool fresh_ = false;
+  std::map<hmi::BrowserId, Inbox> inboxes_;
+  std::deque<std::pair<hmi::BrowserId, bool>> comings_;  // false: it has gone
 };
 
 }  // namespace merker::app

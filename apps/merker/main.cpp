@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "command.h"
+#include "work_thread.h"
 
 namespace {
 
@@ -78,7 +79,11 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
-    return run(argc, argv);
+    const int result = run(argc, argv);
+    // A thread that does not end still uses what cleaning up would take away.
+    if (!merker::app::WorkThread::anyLeftBehind()) return result;
+    std::cout.flush();
+    std::_Exit(result);
   } catch (const std::exception& error) {  // out of memory and the like
     std::cerr << "merker: " << error.what() << '\n';
     return merker::app::kUnreadable;

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <ctime>
+
+#include "watchdog.h"
 
 namespace merker::app {
 namespace {
@@ -34,8 +37,27 @@ bool endAsked() {
   return sigtimedwait(&signals, nullptr, &kNow) >= 0;
 }
 
+bool endWaits() {
+  sigset_t waiting;
+  sigemptyset(&waiting);
+  sigpending(&waiting);
+  return sigismember(&waiting, SIGINT) == 1 || sigismember(&waiting, SIGTERM) == 1;
+}
+
+void releaseSignals() {
+  const sigset_t signals = endSignals();
+  pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
+}
+
+void endAtOnce() {
+  releaseSignals();  // one that waits ends the process here
+  std::raise(SIGTERM);
+  std::_Exit(1);
+}
+
 void runRealTime(controller::Controller& station) {
   const sigset_t signals = endSignals();
+  Watchdog watchdog("merker run");
   const auto start = Clock::now();
   const Instant origin = station.now();
   const auto elapsed = [&] {
@@ -43,7 +65,8 @@ void runRealTime(controller::Controller& station) {
         std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - start).count()};
   };
   // Waiting for a signal is the pause as well.
-  while (sigtimedwait(&signals, nullptr, &kSlice) < 0) {
+  while (watchdog.leave(), sigtimedwait(&signals, nullptr, &kSlice) < 0) {
+    watchdog.enter("the PLC");
     // A program that costs more than real time falls behind; it must still be able to end.
     const Instant target =
         std::min(origin + elapsed(), station.now() + Duration::milliseconds(100));

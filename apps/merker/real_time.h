@@ -10,6 +10,12 @@ namespace merker::app {
 void holdSignals();
 // Whether one of these signals has come.
 bool endAsked();
+// The same, and the signal stays: somebody else takes it.
+bool endWaits();
+// The process ends by such a signal, whatever its other threads do: as after `kill`.
+[[noreturn]] void endAtOnce();
+// From here on they end the process again by themselves.
+void releaseSignals();
 // Lets the station run as fast as time passes, until one of these signals comes or the CPU is in
 // STOP.
 void runRealTime(controller::Controller& station);

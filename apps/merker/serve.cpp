@@ -66,6 +66,12 @@ int refused(const std::string& command, const std::string& reason, ExitCode code
   return code;
 }
 
+// docs/workbench-protocol.md, the event "stalled".
+std::string stalled(const std::string& place, std::int64_t seconds) {
+  const workbench::Json event = {{"event", "stalled"}, {"place", place}, {"seconds", seconds}};
+  return workbench::dump(event);
+}
+
 }  // namespace
 
 int serve(const std::string& command, const ServeOptions& options, workbench::Workbench& workbench,
@@ -76,13 +82,19 @@ int serve(const std::string& command, const ServeOptions& options, workbench::Wo
 
   holdSignals();
   workbench.use({workspaceFolder(options), examplesFolder(options), options.project});
-  Desk desk(workbench);
+  Watchdog watchdog(command);
+  Desk desk(workbench, watchdog);
   const auto server = hmi::Server::start(wanted, desk, reason);
   if (!server) return refused(command, reason, kUnreadable);
   (quiet ? std::cerr : std::cout) << "workbench: " << server->url() << '/'
                                   << (options.token.empty() ? "" : "?token=" + options.token)
                                   << "  (Ctrl-C ends it)" << std::endl;
+  watchdog.tellBy([&](const std::string& place, std::int64_t seconds) {
+    server->sendAll(stalled(place, seconds));
+  });
   desk.run(*server, endAsked);
+  watchdog.tellBy({});
+  releaseSignals();  // whoever asks twice does not want to wait
   return kGood;
 }
 

@@ -20,14 +20,12 @@ std::shared_ptr<Connection> Browsers::find(BrowserId id) const {
   return found == open_.end() ? nullptr : found->second.lock();
 }
 
-void Browsers::closeAll() {
-  std::map<BrowserId, std::weak_ptr<Connection>> all;
-  {
-    const std::lock_guard lock(mutex_);
-    all = open_;
-  }
-  for (const auto& [id, connection] : all)
-    if (const auto alive = connection.lock()) alive->close();
+std::vector<std::shared_ptr<Connection>> Browsers::all() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<std::shared_ptr<Connection>> list;
+  for (const auto& [id, connection] : open_)
+    if (auto alive = connection.lock()) list.push_back(std::move(alive));
+  return list;
 }
 
 }  // namespace merker::hmi

@@ -6,6 +6,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <vector>
 
 #include "hmi/handler.h"
 
@@ -15,6 +16,7 @@ class Connection {
  public:
   virtual ~Connection() = default;
   virtual void send(std::shared_ptr<const std::string> text) = 0;  // in the server's thread
+  virtual void resume() = 0;                                       // reads on
   virtual void close() = 0;
 
   std::atomic<std::size_t> waiting = 0;  // bytes not yet handed to the operating system
@@ -27,7 +29,7 @@ class Browsers {
   BrowserId add(const std::shared_ptr<Connection>& connection);
   void remove(BrowserId id);
   std::shared_ptr<Connection> find(BrowserId id) const;
-  void closeAll();
+  std::vector<std::shared_ptr<Connection>> all() const;
 
  private:
   std::size_t most_;

@@ -12,7 +12,8 @@ class Handler {
  public:
   virtual ~Handler() = default;
   virtual void opened(BrowserId browser) = 0;
-  virtual void received(BrowserId browser, std::string text) = 0;
+  // False: nothing more is read from this browser until Server::resume.
+  virtual bool received(BrowserId browser, std::string text) = 0;
   virtual void closed(BrowserId browser) = 0;
 
  protected:

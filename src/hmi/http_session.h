@@ -2,33 +2,39 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "hmi/web_socket.h"
 
 namespace merker::hmi {
 
 template <typename Stream>
-class HttpSession : public std::enable_shared_from_this<HttpSession<Stream>> {
+class HttpSession : public Unfinished, public std::enable_shared_from_this<HttpSession<Stream>> {
  public:
   HttpSession(Stream stream, Surroundings& around) : stream_(std::move(stream)), around_(around) {
     ++around_.connections;
+    around_.unfinished.push_back(this);
   }
-  ~HttpSession() { --around_.connections; }
+  ~HttpSession() override {
+    --around_.connections;
+    around_.unfinished.remove(this);
+  }
   HttpSession(const HttpSession&) = delete;
   HttpSession& operator=(const HttpSession&) = delete;
 
   Stream& stream() { return stream_; }
-  void limitTime() {
-    beast::get_lowest_layer(stream_).expires_after(
-        std::chrono::seconds(around_.options.limits.seconds));
+  const Limits& limits() const { return around_.options.limits; }
+  void limitTime(unsigned seconds) {
+    beast::get_lowest_layer(stream_).expires_after(std::chrono::seconds(seconds));
   }
+  void giveUp() override { beast::get_lowest_layer(stream_).close(); }
 
   void read() {
     constexpr std::size_t kBody = 1024;  // no request has one
     parser_.emplace();
     parser_->header_limit(around_.options.limits.header);
     parser_->body_limit(kBody);
-    limitTime();
+    limitTime(std::exchange(first_, false) ? limits().request : limits().idle);
     http::async_read(stream_, buffer_, *parser_,
                      [self = this->shared_from_this()](beast::error_code error, std::size_t) {
                        self->received(error);
@@ -72,7 +78,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession<Stream>> {
   }
 
   void write() {
-    limitTime();
+    limitTime(limits().idle);
     http::async_write(stream_, answer_,
                       [self = this->shared_from_this()](beast::error_code error, std::size_t) {
                         if (!error && self->answer_.keep_alive()) return self->read();
@@ -88,6 +94,7 @@ class HttpSession : public std::enable_shared_from_this<HttpSession<Stream>> {
   beast::flat_buffer buffer_;
   std::optional<http::request_parser<http::string_body>> parser_;
   Answer answer_;
+  bool first_ = true;
 };
 
 }  // namespace merker::hmi

@@ -15,8 +15,9 @@ struct Limits {
   std::size_t browsers = 64;       // open WebSockets
   std::size_t connections = 256;   // open sockets, WebSockets among them
   std::uint32_t header = 8 << 10;  // bytes of an HTTP header
-  std::size_t waiting = 64 << 20;  // bytes that wait for a browser; beyond that it is given up
-  unsigned seconds = 20;           // for an HTTP request to come, and between two of them
+  std::size_t waiting = 24 << 20;  // bytes that wait for a browser; beyond that it is given up
+  unsigned request = 5;            // seconds for the first HTTP request, for TLS, for an upgrade
+  unsigned idle = 20;              // seconds for a further request on the same connection
 };
 
 struct Options {

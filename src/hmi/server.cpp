@@ -19,8 +19,10 @@ struct Server::Parts {
   Parts(const Options& o, Handler& handler, std::unique_ptr<net::ssl::context> secure)
       : options(o),
         tls(std::move(secure)),
-        around{options, Guard(isLocalAddress(options.address), tls != nullptr, options.token),
-               browsers, handler, tls.get()} {}
+        around{
+            options,
+            Guard(isLocalAddress(options.address), tls != nullptr, options.token, options.address),
+            browsers, handler, tls.get()} {}
 
   Options options;
   std::unique_ptr<net::ssl::context> tls;
@@ -89,7 +91,7 @@ Server::~Server() {
   net::post(parts_->context, [parts = parts_.get()] {
     boost::system::error_code ignored;
     parts->acceptor.close(ignored);
-    parts->browsers.closeAll();
+    for (const auto& connection : parts->browsers.all()) connection->close();
     parts->context.stop();
   });
   parts_->thread.join();
@@ -103,18 +105,35 @@ std::string Server::url() const {
                      endpoint.address().is_v6() ? "[" + address + "]" : address, endpoint.port());
 }
 
+namespace {
+
+void sendTo(net::io_context& context, const std::shared_ptr<Connection>& connection,
+            std::shared_ptr<const std::string> text) {
+  connection->waiting += text->size();
+  net::post(context, [connection, text = std::move(text)] { connection->send(text); });
+}
+
+}  // namespace
+
 void Server::send(BrowserId browser, std::string text) {
   const auto connection = parts_->browsers.find(browser);
   if (!connection) return;
-  connection->waiting += text.size();
-  auto shared = std::make_shared<const std::string>(std::move(text));
-  net::post(parts_->context,
-            [connection, shared = std::move(shared)] { connection->send(shared); });
+  sendTo(parts_->context, connection, std::make_shared<const std::string>(std::move(text)));
 }
 
-bool Server::ready(BrowserId browser) const {
+void Server::sendAll(const std::string& text) {
+  const auto shared = std::make_shared<const std::string>(text);
+  for (const auto& connection : parts_->browsers.all()) sendTo(parts_->context, connection, shared);
+}
+
+std::size_t Server::waiting(BrowserId browser) const {
   const auto connection = parts_->browsers.find(browser);
-  return connection && connection->waiting == 0;
+  return connection ? connection->waiting.load() : 0;
+}
+
+void Server::resume(BrowserId browser) {
+  const auto connection = parts_->browsers.find(browser);
+  if (connection) net::post(parts_->context, [connection] { connection->resume(); });
 }
 
 }  // namespace merker::hmi

@@ -22,8 +22,11 @@ class Server {
 
   // From any thread. Texts for a browser that has gone are lost.
   void send(BrowserId browser, std::string text);
-  // Nothing waits to be sent: the browser has read what it got so far.
-  bool ready(BrowserId browser) const;
+  void sendAll(const std::string& text);
+  // Bytes that wait to be sent; none: the browser has read what it got so far.
+  std::size_t waiting(BrowserId browser) const;
+  // Reads on from a browser of which nothing more was to be read.
+  void resume(BrowserId browser);
 
  private:
   struct Parts;

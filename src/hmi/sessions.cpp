@@ -11,7 +11,7 @@ using Plain = beast::tcp_stream;
 using Secure = beast::ssl_stream<beast::tcp_stream>;
 
 void handshake(const std::shared_ptr<HttpSession<Secure>>& session) {
-  session->limitTime();
+  session->limitTime(session->limits().request);
   session->stream().async_handshake(boost::asio::ssl::stream_base::server,
                                     [session](beast::error_code error) {
                                       if (!error) session->read();
@@ -21,7 +21,15 @@ void handshake(const std::shared_ptr<HttpSession<Secure>>& session) {
 }  // namespace
 
 void serve(boost::asio::ip::tcp::socket socket, Surroundings& around) {
-  if (around.connections >= around.options.limits.connections) return;  // closed at once
+  // All places are taken: who has been here longest without being a browser makes room, so that
+  // requests that never end shut nobody out.
+  const std::size_t places = around.options.limits.connections;
+  if (around.connections >= 2 * places) return;  // closed at once
+  if (around.connections >= places && !around.unfinished.empty()) {
+    Unfinished* oldest = around.unfinished.front();
+    around.unfinished.pop_front();
+    oldest->giveUp();
+  }
   beast::error_code ignored;
   socket.set_option(boost::asio::ip::tcp::no_delay(true), ignored);
   if (around.tls == nullptr)

@@ -4,9 +4,12 @@
 namespace merker::workbench {
 namespace {
 
-constexpr std::size_t kMostLines = 1000;
+// Of a file, of all files: each frame tells them, each download places them anew.
+constexpr std::size_t kMostLines = 100, kMostBreakpoints = 200;
 // A step that has not ended by then is one into a program that does not come by.
 constexpr Duration kLongestStep = Duration::seconds(1);
+// What is done of it at once; the rest in further slices.
+constexpr Duration kFirstPart = Duration::milliseconds(10);
 
 Result<BlockId> blockOf(const Call& call) {
   if (call.fields.has("block"))
@@ -49,6 +52,10 @@ Answer setBreakpoints(const Call& call) {
     const auto place = monitor::findLocation(std::to_string(line), here);
     if (place) lines.insert(place->line);
   }
+  std::size_t others = 0;
+  for (const auto& [path, all] : call.shared.breakpoints) others += path == file ? 0 : all.size();
+  if (others + lines.size() > kMostBreakpoints)
+    return refused(ProblemCode::P1314, kMostBreakpoints, "breakpoints");
   call.shared.breakpoints[file] = lines;
   if (lines.empty()) call.shared.breakpoints.erase(file);
   call.shared.probesWait = true;
@@ -68,7 +75,10 @@ Answer step(const Call& call) {
   if (!call.fields.good()) return call.fields.problems();
   if (call.station().mode() == controller::Mode::Stop)
     return refused(ProblemCode::P1308, "single steps", "the CPU is in STOP");
-  call.monitor().debugger().step(kKinds[kind], call.station().now() + kLongestStep);
+  const Instant now = call.station().now();
+  monitor::Debugger& debugger = call.monitor().debugger();
+  debugger.beginStep(kKinds[kind], now + kFirstPart);
+  if (debugger.stepping()) call.shared.stepEnds = now + kLongestStep;
   return empty();
 }
 

@@ -21,6 +21,13 @@ std::string Fields::text(std::string_view key, std::optional<std::string> otherw
   return otherwise.value_or("");
 }
 
+std::string Fields::name(std::string_view key, std::size_t most) const {
+  std::string value = text(key);
+  if (value.size() <= most) return value;
+  wrong(key, fmt::format("a text of at most {} bytes", most));
+  return {};
+}
+
 bool Fields::flag(std::string_view key, std::optional<bool> otherwise) const {
   const Json* value = find(key);
   if (value != nullptr && value->is_boolean()) return value->get<bool>();

@@ -24,6 +24,9 @@ class Fields {
   // A field that is null is missing. Without `otherwise` that is a problem.
   bool has(std::string_view key) const { return find(key) != nullptr; }
   std::string text(std::string_view key, std::optional<std::string> otherwise = {}) const;
+  // What names something or is typed: longer ones are wrong.
+  static constexpr std::size_t kLongestName = 400, kLongestValue = 2000;
+  std::string name(std::string_view key, std::size_t most = kLongestName) const;
   bool flag(std::string_view key, std::optional<bool> otherwise = {}) const;
   std::int64_t integer(std::string_view key, std::int64_t low, std::int64_t high,
                        std::optional<std::int64_t> otherwise = {}) const;

@@ -1,45 +1,68 @@
 // The files of the project folder.
 #include "project/settings_edit.h"
-#include "workbench/method.h"
+#include "workbench/elsewhere.h"
+#include "workbench/hardware_plan.h"
 
 namespace merker::workbench {
 namespace {
 
-// Whatever came of it, the folder may look different now.
-Answer afterwards(const Call& call, std::optional<Problem> problem, Json result = Json::object()) {
-  call.shared.lookAtFiles();
+Answer outcome(std::optional<Problem> problem, Json result = Json::object()) {
   if (problem) return one(std::move(*problem));
   return result;
 }
 
-Answer list(const Call& call) {
-  call.shared.lookAtFiles();
+Answer rows(const Listing& seen) {
   Json files = Json::array();
-  for (const auto& [path, stamp] : call.shared.files.files())
+  for (const auto& [path, stamp] : seen)
     files.push_back({{"path", path}, {"size", stamp.size}, {"kind", kindOfFile(path)}});
   return Json{{"files", std::move(files)}};
 }
 
+struct Listed {
+  Answer answer;
+  Listing seen;
+};
+
+Answer list(const Call& call) {
+  const std::uint64_t number = call.shared.nextLook();
+  return elsewhere<Listed>(
+      call, call.shared.clerk,
+      [](const Aside& aside) {
+        Listing seen = aside.folder.list();
+        Answer answer = written(rows(seen), aside.folder);
+        return Listed{std::move(answer), std::move(seen)};
+      },
+      [number](const Call& now, Listed& listed) {
+        now.shared.take(number, std::move(listed.seen));
+        return std::move(listed.answer);
+      });
+}
+
 Answer read(const Call& call) {
-  const std::string path = call.fields.text("path");
-  if (!call.fields.good()) return call.fields.problems();
-  const auto content = call.shared.folder.read(path);
-  if (!content) return one(content.error());
-  return Json{{"text", content->text}, {"revision", content->revision}};
+  return elsewhere(call, call.shared.clerk, [](const Aside& aside) -> Answer {
+    const std::string path = aside.fields.text("path");
+    if (!aside.fields.good()) return aside.wrong();
+    const auto content = aside.folder.read(path);
+    if (!content) return one(content.error());
+    return Json{{"text", content->text}, {"revision", content->revision}};
+  });
 }
 
 Answer write(const Call& call) {
-  const std::string path = call.fields.text("path"), text = call.fields.text("text");
-  const std::int64_t revision = call.fields.integer("revision", 0, INT64_MAX);
-  if (!call.fields.good()) return call.fields.problems();
-  return afterwards(call, call.shared.folder.write(path, text, revision),
-                    {{"revision", revisionOf(text)}});
+  return changingFiles(call, [](const Aside& aside) -> Answer {
+    const std::string path = aside.fields.text("path"), text = aside.fields.text("text");
+    const std::int64_t revision = aside.fields.integer("revision", 0, INT64_MAX);
+    if (!aside.fields.good()) return aside.wrong();
+    return outcome(aside.folder.write(path, text, revision), {{"revision", revisionOf(text)}});
+  });
 }
 
 Answer create(const Call& call) {
-  const std::string path = call.fields.text("path"), text = call.fields.text("text", "");
-  if (!call.fields.good()) return call.fields.problems();
-  return afterwards(call, call.shared.folder.create(path, text), {{"revision", revisionOf(text)}});
+  return changingFiles(call, [](const Aside& aside) -> Answer {
+    const std::string path = aside.fields.text("path"), text = aside.fields.text("text", "");
+    if (!aside.fields.good()) return aside.wrong();
+    return outcome(aside.folder.create(path, text), {{"revision", revisionOf(text)}});
+  });
 }
 
 constexpr const char* kSettings = "merker.toml";
@@ -50,32 +73,36 @@ std::optional<Problem> checkMovable(const std::string& path) {
 }
 
 // merker.toml lists files by name: what it says follows them.
-std::optional<Problem> keepSettings(const Call& call, const std::string& path,
+std::optional<Problem> keepSettings(const ProjectFolder& folder, const std::string& path,
                                     const std::string& to) {
-  const auto settings = call.shared.folder.read(kSettings);
-  if (!settings) return std::nullopt;
+  const auto settings = folder.read(kSettings);
+  if (!settings || settings->text.size() > kLongestSettings) return std::nullopt;
   project::SettingsEdit edit(kSettings, settings->text);
   to.empty() ? edit.removeFile(path) : edit.renameFile(path, to);
   if (edit.text() == settings->text) return std::nullopt;
-  return call.shared.folder.write(kSettings, edit.text(), settings->revision);
+  return folder.write(kSettings, edit.text(), settings->revision);
 }
 
 Answer remove(const Call& call) {
-  const std::string path = call.fields.text("path");
-  if (!call.fields.good()) return call.fields.problems();
-  auto problem = checkMovable(path);
-  if (!problem) problem = call.shared.folder.remove(path);
-  if (!problem) problem = keepSettings(call, path, {});
-  return afterwards(call, std::move(problem));
+  return changingFiles(call, [](const Aside& aside) -> Answer {
+    const std::string path = aside.fields.text("path");
+    if (!aside.fields.good()) return aside.wrong();
+    auto problem = checkMovable(path);
+    if (!problem) problem = aside.folder.remove(path);
+    if (!problem) problem = keepSettings(aside.folder, path, {});
+    return outcome(std::move(problem));
+  });
 }
 
 Answer rename(const Call& call) {
-  const std::string path = call.fields.text("path"), to = call.fields.text("to");
-  if (!call.fields.good()) return call.fields.problems();
-  auto problem = checkMovable(path);
-  if (!problem) problem = call.shared.folder.rename(path, to);
-  if (!problem) problem = keepSettings(call, path, to);
-  return afterwards(call, std::move(problem));
+  return changingFiles(call, [](const Aside& aside) -> Answer {
+    const std::string path = aside.fields.text("path"), to = aside.fields.text("to");
+    if (!aside.fields.good()) return aside.wrong();
+    auto problem = checkMovable(path);
+    if (!problem) problem = aside.folder.rename(path, to);
+    if (!problem) problem = keepSettings(aside.folder, path, to);
+    return outcome(std::move(problem));
+  });
 }
 
 constexpr Method kMethods[] = {

@@ -26,26 +26,36 @@ std::string_view kindOfFile(std::string_view path) {
   return "other";
 }
 
-bool FileWatch::look(const ProjectFolder& folder) {
-  auto now = folder.list();
-  if (now == seen_) return false;
-  seen_ = std::move(now);
+bool FileWatch::take(Listing files) {
+  if (files == seen_) return false;
+  seen_ = std::move(files);
+  compare();
   return true;
+}
+
+void FileWatch::loaded() {
+  loaded_ = seen_;
+  compare();
 }
 
 void FileWatch::nothingLoaded() {
   std::erase_if(loaded_, [](const auto& file) { return kindOfFile(file.first) != "hardware"; });
+  compare();
 }
 
-std::vector<std::string> FileWatch::changed() const {
-  std::vector<std::string> list;
+// Once for all frames: every browser is told of it, and a folder may hold thousands of files.
+void FileWatch::compare() {
+  constexpr std::size_t kMost = 200;
+  changed_.clear();
+  const auto note = [&](const std::string& path) {
+    if (changed_.size() < kMost) changed_.push_back(path);
+  };
   for (const auto& [path, stamp] : seen_) {
     const auto old = loaded_.find(path);
-    if (isLoaded(path) && (old == loaded_.end() || !(old->second == stamp))) list.push_back(path);
+    if (isLoaded(path) && (old == loaded_.end() || !(old->second == stamp))) note(path);
   }
   for (const auto& [path, stamp] : loaded_)
-    if (isLoaded(path) && !seen_.contains(path)) list.push_back(path);
-  return list;
+    if (isLoaded(path) && !seen_.contains(path)) note(path);
 }
 
 }  // namespace merker::workbench

@@ -11,18 +11,21 @@ namespace merker::workbench {
 
 class FileWatch {
  public:
-  // Looks at the folder. True: something is not as it was at the last look.
-  bool look(const ProjectFolder& folder);
+  // What the folder looks like now. True: something is not as it was at the last look.
+  bool take(Listing files);
   // The CPU has now what stands there.
-  void loaded() { loaded_ = seen_; }
+  void loaded();
   // The CPU is there, with its hardware, but without a program.
   void nothingLoaded();
-  const std::map<std::string, Stamp>& files() const { return seen_; }
-  // Sources, symbols and settings that are newer than what the CPU holds.
-  std::vector<std::string> changed() const;
+  const Listing& files() const { return seen_; }
+  // Sources, symbols and settings that are newer than what the CPU holds, the first of them.
+  const std::vector<std::string>& changed() const { return changed_; }
 
  private:
-  std::map<std::string, Stamp> seen_, loaded_;
+  void compare();
+
+  Listing seen_, loaded_;
+  std::vector<std::string> changed_;
 };
 
 // "source", "symbols", "hardware", "table", "scenario", "other": by the name.

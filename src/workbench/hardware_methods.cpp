@@ -1,7 +1,7 @@
 // The racks, and faults of their modules (what scenarios do with `fault`).
+#include "workbench/elsewhere.h"
 #include "workbench/hardware_plan.h"
 #include "workbench/hardware_rows.h"
-#include "workbench/method.h"
 
 namespace merker::workbench {
 namespace {
@@ -54,24 +54,41 @@ Problems withoutPlace(const Problems& problems) {
   return list;
 }
 
-// merker.toml as it would be with the changes. Without changes: what the text says.
-Answer edit(const Call& call) {
+Answer planned(const Aside& aside, const source::SymbolTable& symbols) {
   constexpr std::size_t kMostChanges = 100;
-  project::SettingsEdit edit("merker.toml", call.fields.text("text"));
-  const auto changes = call.fields.has("changes") ? call.fields.objects("changes", kMostChanges)
-                                                  : std::vector<Fields>();
-  if (!call.fields.good()) return call.fields.problems();
+  const std::string text = aside.fields.text("text");
+  if (text.size() > kLongestSettings)
+    return refused(ProblemCode::P1305, "text",
+                   fmt::format("a merker.toml of at most {} bytes", kLongestSettings));
+  project::SettingsEdit edit("merker.toml", text);
+  const auto changes = aside.fields.has("changes") ? aside.fields.objects("changes", kMostChanges)
+                                                   : std::vector<Fields>();
+  if (!aside.fields.good()) return aside.wrong();
   if (edit.problem()) return one(*edit.problem());
+  Plan plan = Plan::of(edit);
   for (const Fields& change : changes) {
-    const project::SettingsEdit before = edit;
+    if (aside.stop.stop_requested()) break;
     applyChange(edit, change);
-    if (!call.fields.good()) return call.fields.problems();
-    const Problems against = reasonsAgainst(before, edit, change);
+    if (!aside.fields.good()) return aside.wrong();
+    if (edit.problem()) return withoutPlace(one(*edit.problem()));
+    if (edit.text().size() > kLongestSettings)
+      return refused(ProblemCode::P1314, kLongestSettings, "bytes of merker.toml");
+    Plan next = Plan::of(edit);
+    const Problems against = reasonsAgainst(plan, next, change);
     if (against.hasErrors()) return withoutPlace(against);
+    plan = std::move(next);
   }
-  Json result = planRows(edit, call.shared.offline().build.project.symbols);
+  Json result = planRows(plan, edit, symbols);
   result["text"] = edit.text();
   return result;
+}
+
+// merker.toml as it would be with the changes. Without changes: what the text says.
+Answer edit(const Call& call) {
+  return elsewhere(call, call.shared.clerk,
+                   [offline = call.shared.offlineRef()](const Aside& aside) {
+                     return planned(aside, offline->build->project.symbols);
+                   });
 }
 
 Answer catalogue(const Call&) { return catalogueRows(); }

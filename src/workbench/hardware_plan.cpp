@@ -1,6 +1,8 @@
 #include "workbench/hardware_plan.h"
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 #include "io/configuration.h"
 #include "workbench/hardware_rows.h"
@@ -85,53 +87,54 @@ std::size_t kindOf(const Fields& change) {
   return change.choice("change", {"place", "remove", "move", "set"});
 }
 
-Problems problemsOf(const SettingsEdit& edit) {
-  Problems problems = project::loadConfiguration("", edit.text(), {}).problems;
-  problems.sort();
-  return problems;
-}
-
 // Errors that were not there before, wherever they stand now.
 Problems freshErrors(const Problems& before, const Problems& after) {
+  std::set<std::pair<ProblemCode, std::string_view>> known;
+  for (const Problem& problem : before.list()) known.emplace(problem.code, problem.message);
   Problems fresh;
-  for (const Problem& problem : after.list()) {
-    const bool old = std::ranges::any_of(before.list(), [&](const Problem& other) {
-      return other.code == problem.code && other.message == problem.message;
-    });
-    if (!old && problem.severity() == Severity::Error) fresh.add(problem);
-  }
+  for (const Problem& problem : after.list())
+    if (problem.severity() == Severity::Error && !known.contains({problem.code, problem.message}))
+      fresh.add(problem);
   return fresh;
 }
 
-bool stands(const SettingsEdit& edit, const ModulePlace& place) {
-  const project::Project project = project::loadConfiguration("", edit.text(), {});
+bool stands(const project::Project& project, const ModulePlace& place) {
   return project.hardware && std::ranges::any_of(project.hardware->modules, [&](const auto& one) {
            return one.rack == place.rack && place.slot == std::to_string(one.slot) &&
                   one.position.line != 0;
          });
 }
 
+// The module whose lines these are; `modules` come in their order.
+const project::ModuleLines* moduleAt(const std::vector<project::ModuleLines>& modules,
+                                     std::uint32_t line) {
+  const auto next = std::ranges::upper_bound(modules, line, {}, &project::ModuleLines::first);
+  if (next == modules.begin()) return nullptr;
+  const project::ModuleLines& found = *std::prev(next);
+  return line < found.behind ? &found : nullptr;
+}
+
 Json problemRows(const SettingsEdit& edit, const Problems& problems) {
-  Json list = Json::array();
-  for (const Problem& problem : problems.list()) {
-    Json row = toJson(problem);
-    if (const auto place = edit.moduleAt(problem.position.line))
-      row.update({{"rack", place->rack}, {"slot", place->slot}});
-    list.push_back(std::move(row));
-  }
+  const std::vector<project::ModuleLines> modules = edit.modules();
+  Json list = firstOf(problems);
+  for (std::size_t i = 0; i < list.size(); ++i)
+    if (const auto* at = moduleAt(modules, problems.list()[i].position.line))
+      list[i].update({{"rack", at->place.rack}, {"slot", at->place.slot}});
   return list;
 }
 
 // Adds to each module what can be set on it.
 void addParameters(Json& racks, const io::Configuration& configuration) {
+  std::map<std::pair<std::uint32_t, std::string>, const io::Module*> modules;
+  for (const io::Module& module : configuration.modules)
+    modules[{module.rack, module.slotText()}] = &module;
   for (Json& rack : racks)
-    for (Json& slot : rack["slots"])
-      for (const io::Module& module : configuration.modules)
-        if (module.rack == rack["rack"] && slot["kind"] != "cpu" &&
-            module.slotText() == slot["slot"]) {
-          slot["parameters"] = parameterRows(module);
-          slot["channels"] = channelRows(module);
-        }
+    for (Json& slot : rack["slots"]) {
+      const auto found = modules.find({rack["rack"], slot["slot"]});
+      if (slot["kind"] == "cpu" || found == modules.end()) continue;
+      slot["parameters"] = parameterRows(*found->second);
+      slot["channels"] = channelRows(*found->second);
+    }
 }
 
 // S7-HW-12: where HW Konfig lets a module be dropped.
@@ -149,20 +152,24 @@ void applyChange(SettingsEdit& edit, const Fields& change) {
   if (change.good()) kChanges[kind](edit, change);
 }
 
-Problems reasonsAgainst(const SettingsEdit& before, const SettingsEdit& after,
-                        const Fields& change) {
-  if (after.problem()) return one(*after.problem());
-  const std::size_t kind = kindOf(change);
-  if (kind == Remove) return {};
-  const Problems fresh = freshErrors(problemsOf(before), problemsOf(after));
-  const bool placed = kind == Place  ? stands(after, placeIn(change))
-                      : kind == Move ? stands(after, placeIn(change, "toRack", "toSlot"))
-                                     : false;
-  return placed ? Problems() : fresh;
+Plan Plan::of(const SettingsEdit& edit) {
+  Plan plan{project::loadConfiguration("", edit.text(), {}), {}};
+  plan.problems = plan.project.problems;
+  plan.problems.sort();
+  return plan;
 }
 
-Json planRows(const SettingsEdit& edit, const source::SymbolTable& symbols) {
-  const project::Project project = project::loadConfiguration("", edit.text(), {});
+Problems reasonsAgainst(const Plan& before, const Plan& after, const Fields& change) {
+  const std::size_t kind = kindOf(change);
+  if (kind == Remove) return {};
+  const bool placed = kind == Place  ? stands(after.project, placeIn(change))
+                      : kind == Move ? stands(after.project, placeIn(change, "toRack", "toSlot"))
+                                     : false;
+  return placed ? Problems() : freshErrors(before.problems, after.problems);
+}
+
+Json planRows(const Plan& plan, const SettingsEdit& edit, const source::SymbolTable& symbols) {
+  const project::Project& project = plan.project;
   Problems none;
   const io::Configuration configuration =
       project.hardware ? *project.hardware : io::configure({}, *project.model, none);
@@ -176,7 +183,7 @@ Json planRows(const SettingsEdit& edit, const source::SymbolTable& symbols) {
           {"cpu", cpuParameterRows(project)},
           {"configured", project.hardware.has_value()},
           {"current", std::move(currents)},
-          {"problems", problemRows(edit, problemsOf(edit))}};
+          {"problems", problemRows(edit, plan.problems)}};
 }
 
 Json catalogueRows() {

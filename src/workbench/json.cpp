@@ -1,5 +1,7 @@
 #include "workbench/json.h"
 
+#include <algorithm>
+
 namespace merker::workbench {
 namespace {
 
@@ -15,7 +17,7 @@ std::string shortened(const std::string& text) {
 
 }  // namespace
 
-Answer::Answer(const Problems& problems) : good_(false), json_(toJson(problems)) {}
+Answer::Answer(const Problems& problems) : good_(false), json_(firstOf(problems)) {}
 
 Answer Answer::refused(Json list) {
   Answer answer(std::move(list));
@@ -26,6 +28,13 @@ Answer Answer::refused(Json list) {
 Answer Answer::later(std::shared_ptr<Later> later) {
   Answer answer{Json(nullptr)};
   answer.later_ = std::move(later);
+  return answer;
+}
+
+Answer Answer::written(bool good, std::string text) {
+  Answer answer{Json(nullptr)};
+  answer.good_ = good;
+  answer.text_ = std::move(text);
   return answer;
 }
 
@@ -50,6 +59,13 @@ Json toJson(const Problem& problem) {
 Json toJson(const Problems& problems) {
   Json list = Json::array();
   for (const Problem& problem : problems.list()) list.push_back(toJson(problem));
+  return list;
+}
+
+Json firstOf(const Problems& problems) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < std::min(problems.size(), kMostProblems); ++i)
+    list.push_back(toJson(problems.list()[i]));
   return list;
 }
 

@@ -22,8 +22,12 @@ class Answer {
   static Answer refused(Json list);
 
   static Answer later(std::shared_ptr<Later> later);
+  // With its text, which was written elsewhere.
+  static Answer written(bool good, std::string text);
 
   explicit operator bool() const { return good_; }
+  // Empty: only the JSON is there.
+  std::string& text() { return text_; }
   const std::shared_ptr<Later>& waits() const { return later_; }
   const Json& json() const { return json_; }
   Json& json() { return json_; }
@@ -31,6 +35,7 @@ class Answer {
  private:
   bool good_;
   Json json_;
+  std::string text_;
   std::shared_ptr<Later> later_;
 };
 
@@ -39,6 +44,9 @@ std::string dump(const Json& json);
 // {"code", "severity", "file", "line", "column", "length", "text", "arguments"}
 Json toJson(const Problem& problem);
 Json toJson(const Problems& problems);
+// The first of them: a person does not read thousands.
+constexpr std::size_t kMostProblems = 2000;
+Json firstOf(const Problems& problems);
 
 Problems one(Problem problem);
 Position nowhere();

@@ -1,10 +1,17 @@
 #include "workbench/message.h"
 
+#include <algorithm>
+
 namespace merker::workbench {
 namespace {
 
-// Before anything is built of it. Brackets inside texts do not count.
-bool tooDeep(std::string_view text) {
+// Before anything is built of it. Brackets and commas inside texts do not count.
+struct Extent {
+  std::size_t deepest = 0, values = 1;
+};
+
+Extent extentOf(std::string_view text) {
+  Extent extent;
   std::size_t depth = 0;
   bool quoted = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -12,19 +19,29 @@ bool tooDeep(std::string_view text) {
     if (quoted && c == '\\') ++i;
     if (c == '"') quoted = !quoted;
     if (quoted) continue;
-    if ((c == '{' || c == '[') && ++depth > kDeepest) return true;
+    if (c == '{' || c == '[') extent.deepest = std::max(extent.deepest, ++depth), ++extent.values;
     if ((c == '}' || c == ']') && depth > 0) --depth;
+    if (c == ',') ++extent.values;
   }
-  return false;
+  return extent;
 }
 
 }  // namespace
 
 Result<Json> parseMessage(std::string_view text) {
-  if (tooDeep(text)) return makeProblem(ProblemCode::P1302, nowhere(), kDeepest);
+  const Extent extent = extentOf(text);
+  if (extent.deepest > kDeepest) return makeProblem(ProblemCode::P1302, nowhere(), kDeepest);
+  if (extent.values > kMostValues)
+    return makeProblem(ProblemCode::P1314, nowhere(), kMostValues, "values in a request");
   Json json = Json::parse(text, nullptr, false);
   if (!json.is_object()) return makeProblem(ProblemCode::P1301, nowhere());
   return json;
+}
+
+Request readRequest(std::string_view message) {
+  auto json = parseMessage(message);
+  if (!json) return {nullptr, json.error(), message.size()};
+  return {std::make_shared<const Json>(std::move(*json)), std::nullopt, message.size()};
 }
 
 std::int64_t requestId(const Json& request) {

@@ -15,6 +15,7 @@ struct Call {
   std::uint64_t id;  // of the browser
   Browser& browser;
   const Fields& fields;
+  std::shared_ptr<const Json> request;  // what the fields are of
 
   Plc& plc() const { return *shared.plc; }
   station::Station& station() const { return *shared.plc->station(); }
@@ -25,13 +26,9 @@ struct Call {
 enum class Needs : std::uint8_t { Nothing, Plc, PlcOn, S7, S7On };
 
 // Action: something that a user does to the PLC; it is recorded. Compiled: it looks at the program
-// as it stands on the disk, compiled.
-enum class Kind : std::uint8_t { Plain, Action, Compiled };
-
-// Compiles the project at this path, then goes on: Answer::later.
-Answer compiled(const Call& call, const std::string& project,
-                std::map<std::string, std::string> unsaved,
-                std::function<Answer(const Call&, Offline&)> then);
+// as it stands on the disk, compiled. Compiles: it does that itself. Requests of the last two do
+// not hold up those of the same browser that come behind them.
+enum class Kind : std::uint8_t { Plain, Action, Compiled, Compiles };
 
 struct Method {
   std::string_view name;

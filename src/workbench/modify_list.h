@@ -16,6 +16,7 @@ class ModifyList {
   void reached(monitor::Monitor& monitor, cpu::CyclePoint point);
   // True one time after a trigger that counts once.
   bool takeDone();
+  std::size_t size() const { return rows_.size(); }
 
  private:
   std::vector<std::pair<mc7::Reference, monitor::Value>> rows_;

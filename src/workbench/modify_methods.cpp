@@ -28,6 +28,9 @@ Answer set(const Call& call) {
     return refused(ProblemCode::P1314, kLists, "lists");
   auto list = ModifyList::of(call.monitor(), wishes.list(), *trigger);
   if (!list) return one(list.error());
+  constexpr std::int64_t kNone = -1;
+  if (pointItems(call.browser, kNone, number) + list->size() > kPointItems)
+    return refused(ProblemCode::P1314, kPointItems, "operands at trigger points");
   lists.insert_or_assign(number, std::move(list.value()));
   return empty();
 }

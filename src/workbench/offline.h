@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <stop_token>
 
 #include "compilation/build.h"
 #include "workbench/block_sources.h"
@@ -9,13 +10,15 @@
 namespace merker::workbench {
 
 struct Offline {
-  compilation::Build build;
+  std::shared_ptr<const compilation::Build> build;
   std::map<BlockId, BlockSource> sources;
   std::uint64_t files = 0;  // revision of the folder
 };
+// Never changed once it is there: workers look at it while the PLC goes on.
+using OfflineRef = std::shared_ptr<const Offline>;
 
 // `unsaved`: texts in place of files, by their full paths.
-compilation::Build compileProject(const std::string& path,
-                                  const std::map<std::string, std::string>& unsaved = {});
+Offline offlineOf(const std::string& path, const std::map<std::string, std::string>& unsaved,
+                  std::uint64_t files, const std::stop_token& stop);
 
 }  // namespace merker::workbench

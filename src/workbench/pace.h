@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 
 #include "controller/controller.h"
 
@@ -34,7 +35,9 @@ class Pacer {
   bool stepping() const { return steps_ > 0; }
   double reached() const { return pace_.mode == PaceMode::Pause ? 0 : reached_; }
   // Time begins anew: another PLC, or time did not move for a while.
-  void restart() { running_ = false, steps_ = 0; }
+  void restart() { running_ = false, steps_ = 0, cycle_.reset(); }
+  // Somebody else has moved virtual time.
+  void rebase() { running_ = false; }
 
   // One slice of at most `longest` on the wall. True: there is more to do at once.
   bool advance(controller::Controller& plc, const WallClock& wall, Duration longest,
@@ -46,7 +49,19 @@ class Pacer {
   bool stepCycles(controller::Controller& plc, const WallClock& wall, std::int64_t end,
                   const Schedule& schedule);
 
+  bool stepCycle(controller::Controller& plc, const WallClock& wall, std::int64_t end,
+                 const Schedule& schedule);
+  void portion(controller::Controller& plc, Instant target, const Schedule& schedule,
+               const std::function<bool()>& tooLong);
+
+  // A cycle that runs by itself.
+  struct Cycle {
+    std::uint64_t number;
+    Instant latest;
+  };
+
   Pace pace_;
+  std::optional<Cycle> cycle_;
   std::uint64_t steps_ = 0;
   bool running_ = false;
   std::int64_t wallOrigin_ = 0, measuredAt_ = 0;

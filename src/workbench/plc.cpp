@@ -25,13 +25,19 @@ std::unique_ptr<controller::Controller> withoutProgram(compilation::Build build)
 }
 
 Plc::Plc(compilation::Build build, std::unique_ptr<controller::Controller> controller)
+    : Plc(std::make_shared<const compilation::Build>(std::move(build)), std::move(controller)) {}
+
+Plc::Plc(BuildRef build, std::unique_ptr<controller::Controller> controller)
     : build_(std::move(build)),
-      operands_(build_.operands()),
-      controller_(controller ? std::move(controller) : made(build_)),
+      symbols_(build_->project.symbols),
+      operands_(build_->operands()),
+      controller_(controller ? std::move(controller) : made(*build_)),
       station_(dynamic_cast<station::Station*>(controller_.get())) {
   if (station_ == nullptr) return;
+  const bool loaded = &station_->program() == build_->program.get();
+  program_ = loaded ? build_->program : std::make_shared<block::Program>(station_->program());
   monitor_ = std::make_unique<monitor::Monitor>(
-      *station_, build_.project.symbols,
+      *station_, symbols_,
       simulator::Resolver(
           [this](std::string_view text, const Position& at) { return operands_(text, at); },
           operands_.constants));
@@ -138,9 +144,21 @@ void Plc::onCycle(Observer observer) {
   });
 }
 
-void Plc::replace(compilation::Build build) {
+std::string Plc::download(ProgramRef program) {
+  std::string reason = station_->download(program);
+  if (reason.empty()) program_ = std::move(program);
+  return reason;
+}
+
+void Plc::take(const cpu::Snapshot& from, ProgramRef program) {
+  station_->take(from, program);
+  program_ = std::move(program);
+}
+
+void Plc::replace(BuildRef build, source::SymbolTable& symbols) {
   build_ = std::move(build);
-  operands_ = build_.operands();
+  std::swap(symbols_, symbols);
+  operands_ = build_->operands();
 }
 
 }  // namespace merker::workbench

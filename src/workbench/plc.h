@@ -15,18 +15,24 @@ namespace merker::workbench {
 // The PLC of this configuration with nothing in it.
 std::unique_ptr<controller::Controller> withoutProgram(compilation::Build build);
 
+// Workers look at it while the PLC goes on: never changed, but replaced.
+using BuildRef = std::shared_ptr<const compilation::Build>;
+using ProgramRef = std::shared_ptr<const block::Program>;
+
 class Plc {
  public:
   using Observer = std::function<void(controller::Controller&)>;
 
   // A program with errors is not loaded: the CPU is there and empty. `controller`: one that was
   // made from this build already.
+  explicit Plc(BuildRef build, std::unique_ptr<controller::Controller> controller = {});
   explicit Plc(compilation::Build build, std::unique_ptr<controller::Controller> controller = {});
   ~Plc();
   Plc(const Plc&) = delete;
   Plc& operator=(const Plc&) = delete;
 
-  const compilation::Build& build() const { return build_; }
+  const compilation::Build& build() const { return *build_; }
+  const BuildRef& buildRef() const { return build_; }
   controller::Controller& controller() { return *controller_; }
   const controller::Controller& controller() const { return *controller_; }
   station::Station* station() { return station_; }  // null: a SINUMERIK
@@ -47,18 +53,26 @@ class Plc {
 
   // At each cycle checkpoint, in the order in which they came.
   void onCycle(Observer observer);
-  // Another program from the same project; the CPU has it already.
-  void replace(compilation::Build build);
+  // What the CPU of a SIMATIC S7 was given last; workers look at it, too.
+  const ProgramRef& program() const { return program_; }
+  // As the station has them.
+  std::string download(ProgramRef program);
+  void take(const cpu::Snapshot& from, ProgramRef program);
+  // Another program from the same project; the CPU has it already. `symbols`: a copy of its own,
+  // afterwards that of the old one.
+  void replace(BuildRef build, source::SymbolTable& symbols);
 
  private:
   std::optional<Problem> control(const std::vector<monitor::Wish>& wishes, bool force);
   void noteForced(const std::vector<monitor::Forced>& list);
   void forceAgain();
 
-  compilation::Build build_;
+  BuildRef build_;
+  source::SymbolTable symbols_;  // the monitor keeps looking at it
   simulator::Resolver operands_;
   std::unique_ptr<controller::Controller> controller_;
   station::Station* station_ = nullptr;
+  ProgramRef program_;
   std::unique_ptr<monitor::Monitor> monitor_;
   std::vector<Observer> observers_;
   std::vector<monitor::Forced> forces_;  // of a SINUMERIK

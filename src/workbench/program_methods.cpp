@@ -1,6 +1,6 @@
 // The program: compile, compare, load into the CPU, look at its blocks.
+#include "workbench/elsewhere.h"
 #include "workbench/message.h"
-#include "workbench/method.h"
 #include "workbench/program_rows.h"
 
 namespace merker::workbench {
@@ -14,12 +14,13 @@ struct Wanted {
 };
 
 // The blocks that the request names, or all. P1206 for one that is not there.
-Result<Wanted, Problems> wantedBlocks(const Call& call, const block::Program& program) {
-  if (!call.fields.has("blocks")) return Wanted{.all = true};
+Result<Wanted, Problems> wantedBlocks(const Fields& fields, const block::Program& program,
+                                      const source::SymbolTable& symbols) {
+  if (!fields.has("blocks")) return Wanted{.all = true};
   Wanted wanted;
-  const std::vector<std::string> names = call.fields.texts("blocks", kMostBlocks);
-  const monitor::LocationContext context{program, call.plc().build().project.symbols, {}};
-  Problems problems = call.fields.problems();
+  const std::vector<std::string> names = fields.texts("blocks", kMostBlocks);
+  const monitor::LocationContext context{program, symbols, {}};
+  Problems problems = fields.problems();
   for (const std::string& name : names) {
     const auto id = monitor::findBlock(name, context);
     id ? static_cast<void>(wanted.blocks.insert(*id)) : problems.add(id.error());
@@ -28,137 +29,220 @@ Result<Wanted, Problems> wantedBlocks(const Call& call, const block::Program& pr
   return wanted;
 }
 
-const block::Program& programOf(const Call& call, bool online) {
-  return online ? call.station().program() : *call.shared.offline().build.program;
+// What a worker looks at: the program on the disk, that in the CPU, and what the CPU's was made of.
+struct Both {
+  OfflineRef offline;
+  ProgramRef online;
+  BuildRef build;
+
+  const block::Program& program(bool cpu) const { return cpu ? *online : *offline->build->program; }
+  const source::SymbolTable& symbols() const { return build->project.symbols; }
+};
+
+Both both(const Call& call) {
+  return {call.shared.offlineRef(), call.plc().program(), call.plc().buildRef()};
 }
 
-bool online(const Call& call, std::size_t otherwise = 0) {
-  return call.fields.choice("side", {"offline", "online"}, otherwise) == 1;
+bool online(const Fields& fields, std::size_t otherwise = 0) {
+  return fields.choice("side", {"offline", "online"}, otherwise) == 1;
 }
 
-Answer checked(const Call& call, Offline& offline) {
-  const compilation::Build& build = offline.build;
-  Problems problems = build.problems;
+Answer checked(const Offline& offline, const ProjectFolder& folder) {
+  Problems problems = offline.build->problems;
   problems.sort();
-  Json list = toJson(problems);
-  for (Json& problem : list) relate(problem, call.shared.folder);
-  Json result = {{"problems", std::move(list)}, {"blocks", build.blocks()}};
-  if (!build.program) return result;
-  result["interfaces"] = interfaceRows(*build.program, offline.sources, call.shared.folder);
+  Json list = firstOf(problems);
+  for (Json& problem : list) relate(problem, folder);
+  Json result = {{"problems", std::move(list)},
+                 {"more", problems.size() - std::min(problems.size(), kMostProblems)},
+                 {"blocks", offline.build->blocks()}};
+  if (!offline.build->program) return result;
+  result["interfaces"] = interfaceRows(*offline.build->program, offline.sources, folder);
   return result;
 }
 
-Answer check(const Call& call) {
+Answer checkTexts(const Aside& aside, const std::string& project) {
   std::map<std::string, std::string> unsaved;
-  if (call.fields.has("files"))
-    for (const Fields& file : call.fields.objects("files", kMostFiles)) {
+  if (aside.fields.has("files"))
+    for (const Fields& file : aside.fields.objects("files", kMostFiles)) {
       const std::string path = file.text("path");
-      unsaved[call.shared.folder.full(path)] = file.text("text");
+      unsaved[aside.folder.full(path)] = file.text("text");
     }
-  if (!call.fields.good()) return call.fields.problems();
-  return compiled(call, call.plc().build().project.path, std::move(unsaved), checked);
+  if (!aside.fields.good()) return aside.wrong();
+  return checked(offlineOf(project, unsaved, 0, aside.stop), aside.folder);
+}
+
+Answer check(const Call& call) {
+  Answer answer = elsewhere(call, call.shared.work,
+                            [project = call.plc().build().project.path](const Aside& aside) {
+                              return checkTexts(aside, project);
+                            });
+  answer.waits()->newest = call.fields.has("files");
+  return answer;
 }
 
 Answer refusedLoad(const std::string& reason) {
   return refused(ProblemCode::P1308, "the CPU takes no blocks", reason);
 }
 
-// Another configuration of the hardware is another station.
-bool sameConfiguration(const compilation::Build& a, const compilation::Build& b) {
-  return project::configurationText(a.project) == project::configurationText(b.project);
+// All that a download needs, made by a worker.
+struct Download {
+  std::optional<Answer> refused;
+  ProgramRef program;
+  source::SymbolTable symbols;
+  bool all = false;
+  std::unique_ptr<Plc> plc;  // for another configuration of the hardware: that is another station
+  Listing seen;
+};
+
+Download prepared(const Aside& aside, const Both& both) {
+  const compilation::Build& build = *both.offline->build;
+  Download load;
+  if (!build.ok()) {
+    load.refused = written(build.problems, aside.folder);
+    return load;
+  }
+  const auto wanted = wantedBlocks(aside.fields, *build.program, both.symbols());
+  if (!wanted) {
+    load.refused = wanted.error();
+    return load;
+  }
+  load.all = wanted->all;
+  load.symbols = build.project.symbols;
+  if (project::configurationText(build.project) !=
+      project::configurationText(both.build->project)) {
+    load.plc = std::make_unique<Plc>(both.offline->build);
+    load.plc->controller().stop();
+    load.seen = aside.folder.list();
+    return load;
+  }
+  load.program = build.program;
+  if (wanted->all) return load;
+  auto program = std::make_shared<block::Program>(*both.online);
+  for (const BlockId id : wanted->blocks) program->insert_or_assign(id, build.program->at(id));
+  load.program = std::move(program);
+  return load;
 }
 
-Answer loadConfiguration(const Call& call, const compilation::Build& build) {
+Answer loadConfiguration(const Call& call, Download& load) {
   if (call.plc().controller().mode() != controller::Mode::Stop)
     return refusedLoad(
         "merker.toml has changed; the hardware configuration is loaded in STOP only");
-  const bool example = call.shared.example;
-  auto plc = std::make_unique<Plc>(build);
-  plc->controller().stop();
-  call.shared.show(std::move(plc), example);
+  call.shared.show(std::move(load.plc), call.shared.example, std::move(load.seen));
   return empty();
 }
 
 Answer load(const Call& call) {
-  const compilation::Build build = call.shared.offline().build;
-  if (!build.ok()) return build.problems;
-  const auto wanted = wantedBlocks(call, *build.program);
-  if (!wanted) return wanted.error();
-  if (!sameConfiguration(build, call.plc().build())) return loadConfiguration(call, build);
-  block::Program program = wanted->all ? *build.program : call.station().program();
-  for (const BlockId id : wanted->blocks) program.insert_or_assign(id, build.program->at(id));
-  const std::string reason =
-      call.station().download(std::make_shared<const block::Program>(std::move(program)));
-  if (!reason.empty()) return refusedLoad(reason);
-  call.shared.loaded(build);
-  if (wanted->all) call.shared.files.loaded();
-  return empty();
+  const Both now = both(call);
+  return elsewhere<Download>(
+      call, call.shared.clerk, [now](const Aside& aside) { return prepared(aside, now); },
+      [now](const Call& here, Download& ready) -> Answer {
+        if (ready.refused) return std::move(*ready.refused);
+        // Another browser was quicker: once more, with what the CPU has now.
+        if (here.plc().program() != now.online) return load(here);
+        if (ready.plc) return loadConfiguration(here, ready);
+        const std::string reason = here.plc().download(ready.program);
+        if (!reason.empty()) return refusedLoad(reason);
+        here.shared.discard(now.online);
+        here.shared.loaded(now.offline->build, std::move(ready.symbols));
+        if (ready.all) here.shared.files.loaded();
+        return empty();
+      });
 }
 
 Answer blocks(const Call& call) {
-  const bool cpu = online(call);
-  if (!call.fields.good()) return call.fields.problems();
-  const Offline& offline = call.shared.offline();
-  return Json{{"blocks", blockRows(programOf(call, cpu), offline.sources, call.shared.folder)}};
+  return elsewhere(call, call.shared.clerk, [both = both(call)](const Aside& aside) -> Answer {
+    const bool cpu = online(aside.fields);
+    if (!aside.fields.good()) return aside.wrong();
+    return Json{{"blocks", blockRows(both.program(cpu), both.offline->sources, aside.folder)}};
+  });
 }
 
 Answer compare(const Call& call) {
-  return Json{{"blocks", comparison(programOf(call, false), programOf(call, true))}};
+  return elsewhere(call, call.shared.clerk, [both = both(call)](const Aside&) -> Answer {
+    return Json{{"blocks", comparison(both.program(false), both.program(true))}};
+  });
 }
 
 // As the project's sources have them that were compiled for the CPU. A block that the project has
 // as well must not come into it twice: its source lies in online/, which is compiled only by name.
-Answer upload(const Call& call) {
-  const auto wanted = wantedBlocks(call, call.station().program());
+Answer uploaded(const Aside& aside, const Both& both) {
+  const auto wanted = wantedBlocks(aside.fields, *both.online, both.symbols());
   if (!wanted) return wanted.error();
-  const project::Project& project = call.plc().build().project;
-  const auto sources = blockSources(project.sources, project.symbols);
+  const auto sources = blockSources(both.build->project.sources, both.symbols());
   Json files = Json::array();
-  for (const auto& [id, block] : call.station().program()) {
+  for (const auto& [id, block] : *both.online) {
     const auto source = sources.find(id);
     if (!(wanted->all || wanted->blocks.contains(id)) || source == sources.end()) continue;
-    const bool known = call.shared.offline().sources.contains(id);
+    const bool known = both.offline->sources.contains(id);
     const std::string path =
         fmt::format("{}{}{}.awl", known ? "online/" : "", name(id.kind), id.number);
-    if (auto problem = call.shared.folder.create(path, source->second.text)) return one(*problem);
+    if (auto problem = aside.folder.create(path, source->second.text)) return one(*problem);
     files.push_back(path);
   }
-  call.shared.lookAtFiles();
   return Json{{"files", std::move(files)}};
 }
 
-Answer remove(const Call& call) {
-  const auto wanted = wantedBlocks(call, call.station().program());
+Answer upload(const Call& call) {
+  return changingFiles(call,
+                       [both = both(call)](const Aside& aside) { return uploaded(aside, both); });
+}
+
+Result<ProgramRef, Problems> without(const Aside& aside, const ProgramRef& online,
+                                     const source::SymbolTable& symbols) {
+  const auto wanted = wantedBlocks(aside.fields, *online, symbols);
   if (!wanted) return wanted.error();
   if (wanted->all) return refused(ProblemCode::P1306, "blocks", "a list of blocks");
-  block::Program program = call.station().program();
-  for (const BlockId id : wanted->blocks) program.erase(id);
-  const std::string reason =
-      call.station().download(std::make_shared<const block::Program>(std::move(program)));
-  if (!reason.empty()) return refusedLoad(reason);
-  ++call.shared.programRevision;
-  call.shared.probesWait = true;
-  return empty();
+  auto program = std::make_shared<block::Program>(*online);
+  for (const BlockId id : wanted->blocks) program->erase(id);
+  return ProgramRef(std::move(program));
+}
+
+Answer remove(const Call& call) {
+  using Left = Result<ProgramRef, Problems>;
+  const ProgramRef online = call.plc().program();
+  return elsewhere<Left>(
+      call, call.shared.clerk,
+      [online, build = call.plc().buildRef()](const Aside& aside) {
+        return without(aside, online, build->project.symbols);
+      },
+      [online](const Call& here, Left& left) -> Answer {
+        if (!left) return left.error();
+        if (here.plc().program() != online) return remove(here);
+        const std::string reason = here.plc().download(*left);
+        if (!reason.empty()) return refusedLoad(reason);
+        here.shared.discard(online);
+        ++here.shared.programRevision;
+        here.shared.probesWait = true;
+        return empty();
+      });
 }
 
 Answer showListing(const Call& call) {
-  const std::string name = call.fields.text("block");
-  const bool cpu = online(call);
-  const auto mnemonics =
-      static_cast<Mnemonics>(call.fields.choice("mnemonics", {"german", "international"}, 0));
-  if (!call.fields.good()) return call.fields.problems();
-  const block::Program& program = programOf(call, cpu);
-  const auto id = monitor::findBlock(name, {program, call.plc().build().project.symbols, {}});
-  if (!id) return one(id.error());
-  return Json{{"text", listing(program.at(*id), mnemonics)}};
+  return elsewhere(call, call.shared.clerk, [both = both(call)](const Aside& aside) -> Answer {
+    const std::string name = aside.fields.text("block");
+    const bool cpu = online(aside.fields);
+    const auto mnemonics =
+        static_cast<Mnemonics>(aside.fields.choice("mnemonics", {"german", "international"}, 0));
+    if (!aside.fields.good()) return aside.wrong();
+    const block::Program& program = both.program(cpu);
+    const auto id = monitor::findBlock(name, {program, both.symbols(), {}});
+    if (!id) return one(id.error());
+    return Json{{"text", listing(program.at(*id), mnemonics)}};
+  });
 }
 
-Answer complete(const Call& call) { return completion(call.shared.offline().build); }
+Answer complete(const Call& call) {
+  return elsewhere(call, call.shared.clerk,
+                   [offline = call.shared.offlineRef()](const Aside&) -> Answer {
+                     return completion(*offline->build);
+                   });
+}
 
-Answer references(const Call& call) {
-  const std::string operand = call.fields.text("operand", "");
-  if (!call.fields.good()) return call.fields.problems();
-  const compilation::Build& build = call.shared.offline().build;
+// The first rows; how many more there are. An operand shows the rest.
+Answer referenced(const Aside& aside, const compilation::Build& build) {
+  constexpr std::size_t kMost = 20'000;
+  const std::string operand = aside.fields.text("operand", "");
+  if (!aside.fields.good()) return aside.wrong();
   monitor::CrossReferenceOptions options;
   options.library = build.library.get();
   auto list = monitor::crossReferences(*build.program, build.project.symbols, options);
@@ -167,11 +251,20 @@ Answer references(const Call& call) {
     if (!some) return one(some.error());
     list = std::move(*some);
   }
-  return Json{{"rows", referenceRows(list, call.shared.folder)}};
+  const std::size_t more = list.size() - std::min(list.size(), kMost);
+  if (more > 0) list.erase(list.begin() + kMost, list.end());
+  return Json{{"rows", referenceRows(list, aside.folder)}, {"more", more}};
+}
+
+Answer references(const Call& call) {
+  return elsewhere(call, call.shared.clerk,
+                   [offline = call.shared.offlineRef()](const Aside& aside) {
+                     return referenced(aside, *offline->build);
+                   });
 }
 
 constexpr Method kMethods[] = {
-    {"program.check", Needs::Plc, check},
+    {"program.check", Needs::Plc, check, Kind::Compiles},
     {"program.load", Needs::S7On, load, Kind::Compiled},
     {"program.blocks", Needs::S7, blocks, Kind::Compiled},
     {"program.compare", Needs::S7, compare, Kind::Compiled},

@@ -12,12 +12,11 @@ std::string pathOf(const Fields& fields, std::string_view ending) {
   return path;
 }
 
-std::optional<Problem> putFile(Shared& shared, const std::string& path, std::string_view bytes,
-                               bool replace) {
-  auto problem = shared.folder.create(path, bytes);
+std::optional<Problem> putFile(const ProjectFolder& folder, const std::string& path,
+                               std::string_view bytes, bool replace) {
+  auto problem = folder.create(path, bytes);
   if (problem && problem->code == ProblemCode::P1312 && replace)
-    problem = shared.folder.write(path, bytes, std::nullopt);
-  shared.lookAtFiles();
+    problem = folder.write(path, bytes, std::nullopt);
   return problem;
 }
 

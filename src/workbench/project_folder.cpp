@@ -59,12 +59,12 @@ std::optional<Stamp> stampOf(const Place& place) {
                static_cast<std::uint64_t>(state.st_size)};
 }
 
+// O_NONBLOCK: what is a pipe by now does not wait for somebody who writes.
 std::optional<std::string> bytesOf(const Place& place) {
-  constexpr std::uint64_t kLargest = 64 << 20;
   const auto stamp = stampOf(place);
-  if (!stamp || stamp->size > kLargest) return std::nullopt;
-  const Descriptor file(
-      ::openat(place.folder.number(), place.name.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC));
+  if (!stamp || stamp->size > kLargestFile) return std::nullopt;
+  const Descriptor file(::openat(place.folder.number(), place.name.c_str(),
+                                 O_RDONLY | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK));
   std::string bytes(file ? stamp->size : 0, '\0');
   std::size_t done = 0;
   while (file && done < bytes.size()) {
@@ -74,6 +74,28 @@ std::optional<std::string> bytesOf(const Place& place) {
   }
   bytes.resize(done);
   return file ? std::optional(std::move(bytes)) : std::nullopt;
+}
+
+// Why there are no bytes.
+Problem unread(const Place& place, const std::string& path) {
+  constexpr std::uint64_t kMega = 1 << 20;
+  const auto stamp = stampOf(place);
+  if (!stamp || stamp->size <= kLargestFile) return noFile(path);
+  return makeProblem(ProblemCode::P1308, nowhere(), path,
+                     fmt::format("it has {} MB; at most {} MB can be read here",
+                                 stamp->size / kMega, kLargestFile / kMega));
+}
+
+// Who may read and write the file stays as it was; only root can give it to its old owner.
+void keepRights(int folder, const std::string& name, int fresh) {
+  struct stat old {};
+  if (::fstatat(folder, name.c_str(), &old, AT_SYMLINK_NOFOLLOW) != 0 || !S_ISREG(old.st_mode))
+    return;
+  const bool owned = ::fchown(fresh, old.st_uid, old.st_gid) == 0 ||
+                     ::fchown(fresh, static_cast<uid_t>(-1), old.st_gid) == 0;
+  // Another group must not read what only the old one could.
+  constexpr mode_t kAll = 07777, kOwner = 0700;
+  ::fchmod(fresh, old.st_mode & (owned ? kAll : kOwner));
 }
 
 bool writeAll(int file, std::string_view bytes) {
@@ -88,13 +110,17 @@ bool writeAll(int file, std::string_view bytes) {
 // Into a file beside it that then takes its place: after a power failure there is the old text or
 // the new one, and the new one once this has answered. RENAME_NOREPLACE: only if there is none yet.
 bool put(const Place& place, std::string_view bytes, unsigned how) {
+  constexpr mode_t kOwn = 0600, kAll = 0666;  // less the umask
+  const bool replaces = how == 0;
   const std::string temporary = std::string(kTemporary) + "-" + place.name;
   const int folder = place.folder.number();
   ::unlinkat(folder, temporary.c_str(), 0);
   bool good = false;
   {
     const Descriptor file(::openat(folder, temporary.c_str(),
-                                   O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
+                                   O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC,
+                                   replaces ? kOwn : kAll));
+    if (file && replaces) keepRights(folder, place.name, file.number());
     good = file && writeAll(file.number(), bytes);
   }
   good = good && ::renameat2(folder, temporary.c_str(), folder, place.name.c_str(), how) == 0 &&
@@ -147,8 +173,8 @@ std::string ProjectFolder::full(std::string_view path) const {
   return project::join(folder_, std::string(path));
 }
 
-std::map<std::string, Stamp> ProjectFolder::list() const {
-  std::map<std::string, Stamp> files;
+Listing ProjectFolder::list() const {
+  Listing files;
   const auto names = only_.empty() ? project::listFiles(folder_.empty() ? "." : folder_)
                                    : std::vector<std::string>(only_.begin(), only_.end());
   for (const std::string& name : names) {
@@ -161,8 +187,9 @@ std::map<std::string, Stamp> ProjectFolder::list() const {
 
 Result<ProjectFolder::Content> ProjectFolder::read(const std::string& path) const {
   if (auto problem = check(path)) return *problem;
-  const auto bytes = bytesOf(open(folder_, path, false));
-  if (!bytes) return noFile(path);
+  const Place place = open(folder_, path, false);
+  const auto bytes = bytesOf(place);
+  if (!bytes) return unread(place, path);
   const Encoding encoding = detectEncoding(*bytes);
   if (encoding == Encoding::Binary)
     return makeProblem(ProblemCode::P0102, Position{path}, "a file of a project");
@@ -174,7 +201,7 @@ std::optional<Problem> ProjectFolder::write(const std::string& path, std::string
   if (auto problem = check(path)) return problem;
   const Place place = open(folder_, path, false);
   const auto before = bytesOf(place);
-  if (!before) return noFile(path);
+  if (!before) return unread(place, path);
   if (revision && revisionOf(*before) != *revision)
     return makeProblem(ProblemCode::P1311, nowhere(), path);
   return put(place, bytes, 0) ? std::nullopt : std::optional(notWritten(path));

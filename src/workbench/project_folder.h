@@ -21,6 +21,11 @@ struct Stamp {
   bool operator==(const Stamp&) const = default;
 };
 
+// What is read of a file at most: as long as the longest answer.
+constexpr std::size_t kLargestFile = 8 << 20;
+
+using Listing = std::map<std::string, Stamp>;
+
 // A number for a text: the same text, the same number. Exact in JSON.
 std::int64_t revisionOf(std::string_view bytes);
 
@@ -44,9 +49,10 @@ class ProjectFolder {
   std::string withoutFolder(std::string text) const;
 
   // At most 5000, sorted.
-  std::map<std::string, Stamp> list() const;
+  Listing list() const;
   Result<Content> read(const std::string& path) const;
-  // Whole or not at all. `revision`: of the text it came from; P1311 if that is not there any more.
+  // Whole or not at all, with the rights that it had. `revision`: of the text it came from; P1311
+  // if that is not there any more.
   std::optional<Problem> write(const std::string& path, std::string_view bytes,
                                std::optional<std::int64_t> revision) const;
   // P1312 if it is there already. Folders on the way are made.

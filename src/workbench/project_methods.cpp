@@ -2,13 +2,12 @@
 #include <algorithm>
 
 #include "catalogue/cpu_model.h"
-#include "workbench/method.h"
+#include "workbench/elsewhere.h"
 
 namespace merker::workbench {
 namespace {
 
-Answer list(const Call& call) {
-  const Workspace& workspace = call.shared.workspace;
+Answer rows(const Workspace& workspace, const std::vector<std::string>& recent) {
   Json examples = Json::array(), templates = Json::array(), models = Json::array();
   for (const Example& one : workspace.examples())
     examples.push_back({{"id", one.id}, {"title", one.title}, {"description", one.description}});
@@ -18,39 +17,79 @@ Answer list(const Call& call) {
   return Json{{"examples", std::move(examples)},
               {"templates", std::move(templates)},
               {"models", std::move(models)},
-              {"recent", call.shared.recent},
+              {"recent", recent},
               {"folder", workspace.folder()}};
+}
+
+Answer list(const Call& call) {
+  return elsewhere(call, call.shared.clerk,
+                   [workspace = call.shared.workspace, recent = call.shared.recent](const Aside&) {
+                     return rows(workspace, recent);
+                   });
 }
 
 enum class Origin { Own, Example, New };
 
 // A new project comes with a CPU out of the box: empty, its switch at STOP; to load and RUN are the
 // steps of a person (S7-SIM-08, -09).
-std::unique_ptr<Plc> plcOf(compilation::Build build, Origin origin) {
+std::unique_ptr<Plc> plcOf(BuildRef build, Origin origin) {
   if (origin != Origin::New) return std::make_unique<Plc>(std::move(build));
-  auto controller = withoutProgram(build);
+  auto controller = withoutProgram(*build);
   controller->stop();
   return std::make_unique<Plc>(std::move(build), std::move(controller));
 }
 
-Answer openFolder(const Call& call, const std::string& folder, Origin origin) {
-  return compiled(call, folder, {}, [folder, origin](const Call& now, Offline& offline) -> Answer {
-    if (offline.build.project.unreadable) return offline.build.problems;
-    now.shared.show(plcOf(std::move(offline.build), origin), origin == Origin::Example);
-    if (origin == Origin::New) now.shared.files.nothingLoaded();
-    now.shared.remember(folder);
-    return empty();
-  });
+// A project that is ready to be shown.
+struct Opened {
+  std::optional<Answer> refused;
+  std::string folder;
+  std::unique_ptr<Plc> plc;
+  Listing seen;
+};
+
+Opened opened(const Result<std::string>& folder, Origin origin, const std::stop_token& stop) {
+  Opened ready;
+  if (!folder) {
+    ready.refused = one(folder.error());
+    return ready;
+  }
+  const Offline offline = offlineOf(*folder, {}, 0, stop);
+  const project::Project& project = offline.build->project;
+  if (project.unreadable) {
+    ready.refused = written(offline.build->problems, ProjectFolder(project.folder));
+    return ready;
+  }
+  ready.folder = *folder;
+  ready.plc = plcOf(offline.build, origin);
+  ready.seen = folderOf(project).list();
+  return ready;
+}
+
+// `folder` finds or makes it, in the thread of the worker.
+Answer openFolder(const Call& call, Origin origin,
+                  std::function<Result<std::string>(const Workspace&)> folder) {
+  return elsewhere<Opened>(
+      call, call.shared.work,
+      [workspace = call.shared.workspace, folder = std::move(folder), origin](const Aside& aside) {
+        return opened(folder(workspace), origin, aside.stop);
+      },
+      [origin](const Call& now, Opened& ready) -> Answer {
+        if (ready.refused) return std::move(*ready.refused);
+        now.shared.show(std::move(ready.plc), origin == Origin::Example, std::move(ready.seen));
+        if (origin == Origin::New) now.shared.files.nothingLoaded();
+        now.shared.remember(ready.folder);
+        return empty();
+      });
 }
 
 Answer open(const Call& call) {
   const bool example = call.fields.has("example");
   const std::string name = call.fields.text(example ? "example" : "folder");
   if (!call.fields.good()) return call.fields.problems();
-  const auto folder =
-      example ? call.shared.workspace.copyExample(name) : call.shared.workspace.folderToOpen(name);
-  if (!folder) return one(folder.error());
-  return openFolder(call, *folder, example ? Origin::Example : Origin::Own);
+  return openFolder(call, example ? Origin::Example : Origin::Own,
+                    [example, name](const Workspace& workspace) {
+                      return example ? workspace.copyExample(name) : workspace.folderToOpen(name);
+                    });
 }
 
 // "OB 1", "ob35".
@@ -78,9 +117,8 @@ Answer make(const Call& call) {
   const auto number = obNumber(ob);
   if (!number) return refused(ProblemCode::P1305, "ob", "an organization block: OB 1");
   wanted.ob = *number;
-  const auto folder = call.shared.workspace.make(wanted);
-  if (!folder) return one(folder.error());
-  return openFolder(call, *folder, Origin::New);
+  return openFolder(call, Origin::New,
+                    [wanted](const Workspace& workspace) { return workspace.make(wanted); });
 }
 
 // Everything is on the disk already: files.write puts it there at once.
@@ -90,14 +128,17 @@ Answer save(const Call&) { return empty(); }
 Answer ping(const Call&) { return empty(); }
 
 Answer close(const Call& call) {
-  call.shared.show(nullptr, false);
+  call.shared.show(nullptr, false, {});
   return empty();
 }
 
 constexpr Method kMethods[] = {
-    {"projects.list", Needs::Nothing, list},   {"projects.open", Needs::Nothing, open},
-    {"projects.new", Needs::Nothing, make},    {"projects.save", Needs::Nothing, save},
-    {"projects.close", Needs::Nothing, close}, {"ping", Needs::Nothing, ping},
+    {"projects.list", Needs::Nothing, list},
+    {"projects.open", Needs::Nothing, open, Kind::Compiles},
+    {"projects.new", Needs::Nothing, make, Kind::Compiles},
+    {"projects.save", Needs::Nothing, save},
+    {"projects.close", Needs::Nothing, close},
+    {"ping", Needs::Nothing, ping},
 };
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "workbench/recording.h"
 
+#include <algorithm>
+
 #include "workbench/message.h"
 #include "workbench/method.h"
 
@@ -39,8 +41,7 @@ bool isAction(const std::string& name) {
 std::string recordingText(const std::vector<Action>& actions) {
   std::string text;
   for (const Action& action : actions) {
-    Json line = action.request;
-    line.erase("id");
+    Json line = *action.request;
     line["at"] = action.at.ns;
     text += dump(line) + "\n";
   }
@@ -63,14 +64,58 @@ Result<std::vector<Action>, Problems> parseRecording(const std::string& path,
       break;
     }
     before = Duration{(*request)["at"].get<std::int64_t>()};
-    actions.push_back({before, std::move(*request)});
+    actions.push_back({before, std::make_shared<const Json>(std::move(*request))});
   }
   if (problems.hasErrors()) return problems;
   return actions;
 }
 
+namespace {
+
+// The fields of all actions, and of their items.
+constexpr std::string_view kMeaningful[] = {
+    "do",    "position", "on",      "battery", "kind",   "ob",     "address",
+    "going", "items",    "operand", "value",   "format", "rack",   "slot",
+    "fault", "to",       "plant",   "held",    "manual", "timers", "path"};
+
+// Without fields that mean nothing, whatever a browser has put into them; `bytes`: what it takes
+// in a file, about.
+Json meaningful(const Json& value, std::size_t& bytes) {
+  constexpr std::size_t kMarks = 8;
+  if (value.is_array()) {
+    Json list = Json::array();
+    for (const Json& one : value) list.push_back(meaningful(one, bytes));
+    return list;
+  }
+  bytes += kMarks + (value.is_string() ? value.get_ref<const std::string&>().size() : 0);
+  if (!value.is_object()) return value;
+  Json result = Json::object();
+  for (const auto& [key, field] : value.items()) {
+    if (std::ranges::find(kMeaningful, key) == std::end(kMeaningful)) continue;
+    bytes += kMarks + key.size();
+    result[key] = meaningful(field, bytes);
+  }
+  return result;
+}
+
+}  // namespace
+
+void Recorder::start(Instant now) {
+  stop();
+  begin_ = now;
+  on_ = true;
+}
+
+void Recorder::stop() { *this = {}; }
+
 void Recorder::note(const Json& request, Instant now) {
-  if (on_ && actions_.size() < kMost) actions_.push_back({now - begin_, request});
+  if (!on_ || full_) return;
+  std::size_t bytes = 0;
+  Json kept = meaningful(request, bytes);
+  full_ = actions_.size() >= kMost || bytes_ + bytes > kMostBytes;
+  if (full_) return;
+  bytes_ += bytes;
+  actions_.push_back({now - begin_, std::make_shared<const Json>(std::move(kept))});
 }
 
 void Player::start(std::string path, std::vector<Action> actions, Instant now) {
@@ -95,8 +140,8 @@ Instant Player::next() const {
   return state_ == State::Playing ? begin_ + actions_[done_].at : Instant::never();
 }
 
-const Json& Player::take() {
-  const Json& request = actions_[done_++].request;
+std::shared_ptr<const Json> Player::take() {
+  std::shared_ptr<const Json> request = actions_[done_++].request;
   if (done_ == actions_.size()) state_ = State::Ended;
   return request;
 }

@@ -14,7 +14,7 @@ namespace merker::workbench {
 
 struct Action {
   Duration at;  // since the beginning
-  Json request;
+  std::shared_ptr<const Json> request;
 };
 
 // One line for each; P1321 for one that is none.
@@ -27,19 +27,22 @@ bool isAction(const std::string& method);
 
 class Recorder {
  public:
-  static constexpr std::size_t kMost = 100'000;
+  // The bytes are those of the requests without fields that mean nothing.
+  static constexpr std::size_t kMost = 100'000, kMostBytes = 4 << 20;
 
-  void start(Instant now) { begin_ = now, actions_.clear(), on_ = true; }
-  void stop() { on_ = false; }
-  // Something that a browser did; `request` with all its fields.
+  void start(Instant now);
+  void stop();
+  // Something that a browser did. When the recording is full nothing more comes into it.
   void note(const Json& request, Instant now);
   bool on() const { return on_; }
+  bool full() const { return full_; }
   Instant begin() const { return begin_; }
   const std::vector<Action>& actions() const { return actions_; }
 
  private:
-  bool on_ = false;
+  bool on_ = false, full_ = false;
   Instant begin_;
+  std::size_t bytes_ = 0;
   std::vector<Action> actions_;
 };
 
@@ -57,7 +60,7 @@ class Player {
   // When the next action is due.
   Instant next() const;
   // That action, and on to the one behind it.
-  const Json& take();
+  std::shared_ptr<const Json> take();
 
   State state() const { return state_; }
   // {path, actions, done, state, problem?}

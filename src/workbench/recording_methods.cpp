@@ -1,5 +1,5 @@
 // What users do is recorded with its times and played back (S7-SIM-13).
-#include "workbench/method.h"
+#include "workbench/elsewhere.h"
 #include "workbench/project_file.h"
 
 namespace merker::workbench {
@@ -14,32 +14,52 @@ Answer start(const Call& call) {
   return empty();
 }
 
-// Without a path: what was recorded is thrown away.
+// Without a path: what was recorded is thrown away. It ends when it is written: what cannot be
+// written is not lost.
 Answer stop(const Call& call) {
   Recorder& recorder = call.shared.recorder;
   if (!recorder.on()) return refused(ProblemCode::P1308, "record.stop", "nothing is recorded");
   const bool kept = call.fields.has("path");
-  const std::string path = kept ? pathOf(call.fields, kEnding) : "";
-  const bool replace = call.fields.flag("replace", false);
+  if (kept) pathOf(call.fields, kEnding);
+  call.fields.flag("replace", false);
   if (!call.fields.good()) return call.fields.problems();
-  const Json result = {{"actions", recorder.actions().size()}};
-  if (kept)
-    if (const auto problem = putFile(call.shared, path, recordingText(recorder.actions()), replace))
-      return one(*problem);
-  recorder.stop();
-  return result;
+  const std::size_t count = recorder.actions().size();
+  if (!kept) return recorder.stop(), Json{{"actions", count}};
+  auto actions = std::make_shared<const std::vector<Action>>(recorder.actions());
+  const std::uint64_t number = call.shared.nextLook();
+  return elsewhere<Put>(
+      call, call.shared.clerk,
+      [actions](const Aside& aside) {
+        auto problem = putFile(aside.folder, pathOf(aside.fields, kEnding), recordingText(*actions),
+                               aside.fields.flag("replace", false));
+        return Put{std::move(problem), aside.folder.list()};
+      },
+      [number, count](const Call& now, Put& put) -> Answer {
+        now.shared.take(number, std::move(put.files));
+        if (put.problem) return one(*put.problem);
+        now.shared.recorder.stop();
+        return Json{{"actions", count}};
+      });
+}
+
+using Actions = Result<std::vector<Action>, Problems>;
+
+Actions read(const Aside& aside) {
+  const std::string path = pathOf(aside.fields, kEnding);
+  if (!aside.fields.good()) return aside.fields.problems();
+  const auto content = aside.folder.read(path);
+  if (!content) return one(content.error());
+  return parseRecording(path, content->text);
 }
 
 Answer play(const Call& call) {
-  const std::string path = pathOf(call.fields, kEnding);
-  if (!call.fields.good()) return call.fields.problems();
-  const auto content = call.shared.folder.read(path);
-  if (!content) return one(content.error());
-  auto actions = parseRecording(path, content->text);
-  if (!actions) return actions.error();
-  const Json result = {{"actions", actions->size()}};
-  call.shared.player.start(path, std::move(*actions), now(call));
-  return result;
+  return elsewhere<Actions>(
+      call, call.shared.clerk, read, [](const Call& here, Actions& actions) -> Answer {
+        if (!actions) return actions.error();
+        const Json result = {{"actions", actions->size()}};
+        here.shared.player.start(pathOf(here.fields, kEnding), std::move(*actions), now(here));
+        return result;
+      });
 }
 
 Answer pause(const Call& call) {

@@ -3,7 +3,6 @@
 #include "project/files.h"
 
 namespace merker::workbench {
-namespace {
 
 // A program that is a single file has no folder of its own: only what was read belongs to it.
 ProjectFolder folderOf(const project::Project& project) {
@@ -16,17 +15,16 @@ ProjectFolder folderOf(const project::Project& project) {
   return ProjectFolder(project.folder, std::move(only));
 }
 
-}  // namespace
-
-void Shared::show(std::unique_ptr<Plc> fresh, bool isExample) {
+void Shared::show(std::unique_ptr<Plc> fresh, bool isExample, Listing seen) {
   if (plc && plc->isS7()) engine_ = plc->station()->engine();
-  plc = std::move(fresh);
+  discard(std::shared_ptr<Plc>(std::exchange(plc, std::move(fresh))));
   if (plc && plc->isS7() && engine_) plc->station()->setEngine(*engine_);
   example = isExample;
   pacer.restart();
   breakpoints.clear();
   wantedStatus.clear();
-  offline_.reset();
+  stepEnds.reset();
+  discard(std::exchange(offline_, nullptr));
   offlineJob_ = nullptr;
   recorder.stop();
   player.stop();
@@ -35,7 +33,8 @@ void Shared::show(std::unique_ptr<Plc> fresh, bool isExample) {
   ++filesRevision;
   files = {};
   folder = plc ? folderOf(plc->build().project) : ProjectFolder();
-  if (plc) files.look(folder);
+  lookTask_ = nullptr;
+  take(nextLook(), std::move(seen));
   files.loaded();
   if (plc && onCycle) plc->onCycle([this](controller::Controller&) { onCycle(); });
   if (plc && onPoint && plc->isS7()) plc->monitor()->onPoint(onPoint);
@@ -49,30 +48,68 @@ void Shared::remember(const std::string& opened) {
 }
 
 void Shared::lookAtFiles() {
-  if (plc && files.look(folder)) ++filesRevision;
+  if (!plc || lookTask_) return;
+  constexpr std::uint64_t kNobody = 0;
+  lookNumber_ = nextLook();
+  look_ = std::make_shared<Listing>();
+  lookTask_ = std::make_shared<Task>(
+      kNobody, [to = look_, where = folder](const std::stop_token&) { *to = where.list(); });
+  clerk(lookTask_);
+}
+
+void Shared::takeLook() {
+  if (!lookTask_ || !lookTask_->done()) return;
+  if (!lookTask_->failed()) take(lookNumber_, std::move(*look_));
+  lookTask_ = nullptr;
+}
+
+void Shared::take(std::uint64_t look, Listing seen) {
+  if (look < taken_) return;
+  taken_ = look;
+  if (files.take(std::move(seen))) ++filesRevision;
 }
 
 // One job does for all who ask meanwhile.
-Job Shared::offlineJob() {
-  lookAtFiles();
+Job Shared::offlineJob(std::uint64_t owner) {
   if (offline_ && offline_->files == filesRevision) return nullptr;
-  if (offlineJob_ && offlineJob_->files() == filesRevision) return offlineJob_;
-  offlineJob_ = std::make_shared<CompileJob>(plc->build().project.path,
-                                             std::map<std::string, std::string>(), filesRevision);
-  work([job = offlineJob_] { job->run(); });
+  if (offlineJob_ && offlineJob_->result->files == filesRevision) return offlineJob_;
+  offlineJob_ = makeCompileJob(owner, plc->build().project.path, {}, filesRevision);
+  work(offlineJob_->task);
   return offlineJob_;
 }
 
 void Shared::take(const Job& job) {
-  const bool newer = !offline_ || offline_->files < job->files();
-  if (newer) offline_.emplace(std::move(job->result()));
+  const bool newer = !offline_ || offline_->files < job->result->files;
+  if (newer) discard(std::exchange(offline_, job->result));
   if (offlineJob_ == job) offlineJob_ = nullptr;
 }
 
-void Shared::loaded(compilation::Build build) {
-  plc->replace(std::move(build));
+void Shared::giveUp(const Work& task) {
+  task->cancel();
+  if (offlineJob_ && offlineJob_->task == task) offlineJob_ = nullptr;
+}
+
+std::size_t pointItems(const Browser& browser, std::int64_t exceptWatch,
+                       std::int64_t exceptModify) {
+  std::size_t count = 0;
+  for (const auto& [number, list] : browser.lists)
+    if (number != exceptWatch) count += list.atPoint();
+  for (const auto& [number, list] : browser.modifies)
+    if (number != exceptModify) count += list.size();
+  return count;
+}
+
+void Shared::loaded(BuildRef build, source::SymbolTable symbols) {
+  discard(plc->buildRef());
+  plc->replace(std::move(build), symbols);
+  discard(std::make_shared<const source::SymbolTable>(std::move(symbols)));
   ++programRevision;
   probesWait = true;
+}
+
+void Shared::discard(std::shared_ptr<const void> what) {
+  constexpr std::uint64_t kNobody = 0;
+  if (what) clerk(std::make_shared<Task>(kNobody, [what = std::move(what)](const auto&) {}));
 }
 
 namespace {
@@ -115,7 +152,10 @@ void Shared::placeProbes() {
   monitor::Debugger& debugger = plc->monitor()->debugger();
   debugger.hideStatus();
   for (const auto& [browser, block] : wantedStatus) debugger.addStatus(block);
+  if (placedProgram_ == programRevision && placed_ == breakpoints) return;
   placeBreakpoints(*plc->monitor(), folder, breakpoints);
+  placed_ = breakpoints;
+  placedProgram_ = programRevision;
 }
 
 }  // namespace merker::workbench

@@ -25,6 +25,8 @@
 namespace merker::workbench {
 
 constexpr std::size_t kLists = 64, kItems = 1000;  // of each browser, of each list
+// Of each browser, in all lists: they are read or written in every cycle.
+constexpr std::size_t kPointItems = 2000;
 
 // Lines with breakpoints by file, relative to the project folder.
 using BreakpointLines = std::map<std::string, std::set<std::uint32_t>>;
@@ -38,7 +40,9 @@ struct Shared {
   std::vector<std::string> recent;  // folders, newest first
   std::function<void()> onCycle;    // at each end of a cycle, of whatever PLC is there
   std::function<void(cpu::CyclePoint)> onPoint;
-  Worker work = [](const Work& one) { one(); };
+  // Who compiles, and who does what else takes longer than a slice.
+  Worker work = [](const Work& one) { one->carryOut(); };
+  Worker clerk = work;
   std::uint64_t shown = 0;  // counts the PLCs
   Recorder recorder;
   Player player;
@@ -46,26 +50,46 @@ struct Shared {
   FileWatch files;
   BreakpointLines breakpoints;
   std::map<std::uint64_t, BlockId> wantedStatus;  // by browser
+  std::optional<Instant> stepEnds;                // of the single step that goes on
   bool probesWait = false;  // breakpoints and program status are not those that are wanted
 
-  void show(std::unique_ptr<Plc> fresh, bool isExample);
+  // `seen`: what stands in its folder.
+  void show(std::unique_ptr<Plc> fresh, bool isExample, Listing seen);
   void remember(const std::string& opened);
+  // Looks at the folder, elsewhere; what is seen counts from `takeLook` on.
   void lookAtFiles();
-  // Null: the program on the disk is compiled.
-  Job offlineJob();
+  void takeLook();
+  // Looks have numbers in the order in which they are taken: an older one counts no more.
+  std::uint64_t nextLook() { return ++looks_; }
+  void take(std::uint64_t look, Listing seen);
+  // Null: the program on the disk is compiled. `owner`: the browser that asks for it.
+  Job offlineJob(std::uint64_t owner);
   void take(const Job& job);  // that is done
+  // Nobody waits for this any more.
+  void giveUp(const Work& task);
   // As it was compiled last.
   const Offline& offline() const { return *offline_; }
-  // The CPU has this program now, or will have it at its next checkpoint.
-  void loaded(compilation::Build build);
+  const OfflineRef& offlineRef() const { return offline_; }
+  // The CPU has this program now, or will have it at its next checkpoint. `symbols`: a copy.
+  void loaded(BuildRef build, source::SymbolTable symbols);
+  // Where it is let go nobody waits: what is large takes its time to be freed.
+  void discard(std::shared_ptr<const void> what);
   // As soon as the CPU works with the program that it was given last.
   void placeProbes();
 
  private:
-  std::optional<Offline> offline_;
+  OfflineRef offline_;
   std::optional<station::Engine> engine_;  // that was chosen last: the next PLC has it too
   Job offlineJob_;
+  std::uint64_t looks_ = 0, taken_ = 0, lookNumber_ = 0;
+  BreakpointLines placed_;  // in the CPU, of this program
+  std::uint64_t placedProgram_ = 0;
+  std::shared_ptr<Listing> look_;  // that is on its way
+  Work lookTask_;
 };
+
+// The files of the project: all of its folder, or those that were read of a program without one.
+ProjectFolder folderOf(const project::Project& project);
 
 struct Browser {
   Json state = Json::object();  // what it knows of it
@@ -74,9 +98,13 @@ struct Browser {
   std::map<std::int64_t, ModifyList> modifies;
   std::optional<StatusView> status;
   bool process = false;
-  Json processValues;                                  // as told last
+  std::shared_ptr<const Json> processValues;           // as told last
+  std::int64_t lastList = -1, lastTrend = -1;          // told last
   std::set<std::pair<std::string, std::string>> held;  // plant and signal: pressed until let go
 };
+
+// Operands that this browser has at trigger points, besides those of these lists.
+std::size_t pointItems(const Browser& browser, std::int64_t exceptWatch, std::int64_t exceptModify);
 
 // All of the event "state".
 Json state(Shared& shared);

@@ -1,6 +1,6 @@
 // The whole CPU into a file of the project, and back (S7-SIM-13).
 #include "cpu/cpu.h"
-#include "workbench/method.h"
+#include "workbench/elsewhere.h"
 #include "workbench/project_file.h"
 #include "workbench/snapshot_text.h"
 
@@ -24,22 +24,25 @@ std::string keyword(const Call& call) { return std::string(call.station().model(
 
 // At the end of the cycle, where nothing is half done.
 Answer save(const Call& call) {
-  const std::string path = pathOf(call.fields, kEnding);
-  const bool replace = call.fields.flag("replace", false);
+  pathOf(call.fields, kEnding);
+  call.fields.flag("replace", false);
   if (!call.fields.good()) return call.fields.problems();
   call.station().settle();
   if (call.station().mode() == controller::Mode::Halt || !call.station().cpu().betweenCycles())
     return refused(ProblemCode::P1308, "the state",
                    "the program stands inside a block; let it go on, or stop the CPU");
-  SavedCpu saved{keyword(call),
-                 hardwareOf(call.station()),
-                 std::make_shared<const block::Program>(call.station().program()),
-                 call.station().cpu().snapshot(),
-                 {}};
+  auto saved = std::make_shared<SavedCpu>(SavedCpu{keyword(call),
+                                                   hardwareOf(call.station()),
+                                                   call.plc().program(),
+                                                   call.station().cpu().snapshot(),
+                                                   {}});
   for (const monitor::Forced& one : call.plc().forces())
-    saved.forces.push_back({one.operand.text, monitor::show(one.operand, one.value,
-                                                            monitor::DisplayFormat::Automatic)});
-  return done(putFile(call.shared, path, snapshotText(saved), replace));
+    saved->forces.push_back({one.operand.text, monitor::show(one.operand, one.value,
+                                                             monitor::DisplayFormat::Automatic)});
+  return changingFiles(call, [saved](const Aside& aside) {
+    return done(putFile(aside.folder, pathOf(aside.fields, kEnding), snapshotText(*saved),
+                        aside.fields.flag("replace", false)));
+  });
 }
 
 // Why the CPU here is another one; empty if it is alike.
@@ -96,24 +99,43 @@ void forceAgain(const Call& call, const SavedCpu& saved) {
   for (const SavedForce& one : saved.forces) call.monitor().force(one.operand, one.value);
 }
 
-Answer load(const Call& call) {
-  const std::string path = pathOf(call.fields, kEnding);
-  if (!call.fields.good()) return call.fields.problems();
-  const auto content = call.shared.folder.read(path);
-  if (!content) return one(content.error());
-  const auto saved = parseSnapshot(path, content->text,
-                                   {&call.station().program(), call.plc().build().program.get()});
-  if (!saved) return one(saved.error());
-  if (const std::string other = difference(call, *saved); !other.empty())
+struct Read {
+  std::optional<SavedCpu> saved;
+  std::optional<Problem> problem;
+};
+
+Read read(const Aside& aside, const std::vector<const block::Program*>& known) {
+  const std::string path = pathOf(aside.fields, kEnding);
+  if (!aside.fields.good()) return {{}, aside.fields.problems().list().front()};
+  const auto content = aside.folder.read(path);
+  if (!content) return {{}, content.error()};
+  auto saved = parseSnapshot(path, content->text, known);
+  if (!saved) return {{}, saved.error()};
+  return {std::move(*saved), {}};
+}
+
+Answer take(const Call& call, const SavedCpu& saved) {
+  if (const std::string other = difference(call, saved); !other.empty())
     return refused(ProblemCode::P1319, other, keyword(call));
   for (const std::string& why :
-       {misfit(saved->snapshot, call.station().cpu().snapshot()), misfit(*saved)})
-    if (!why.empty()) return refused(ProblemCode::P1320, path, why);
-  call.station().take(saved->snapshot, saved->program);
-  forceAgain(call, *saved);
+       {misfit(saved.snapshot, call.station().cpu().snapshot()), misfit(saved)})
+    if (!why.empty()) return refused(ProblemCode::P1320, pathOf(call.fields, kEnding), why);
+  call.plc().take(saved.snapshot, saved.program);
+  forceAgain(call, saved);
   ++call.shared.programRevision;
   call.shared.probesWait = true;
   return empty();
+}
+
+Answer load(const Call& call) {
+  return elsewhere<Read>(
+      call, call.shared.clerk,
+      [online = call.plc().program(), build = call.plc().buildRef()](const Aside& aside) {
+        return read(aside, {online.get(), build->program.get()});
+      },
+      [](const Call& here, Read& read) {
+        return read.problem ? Answer(one(*read.problem)) : take(here, *read.saved);
+      });
 }
 
 constexpr Method kMethods[] = {

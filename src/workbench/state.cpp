@@ -80,7 +80,9 @@ void addControl(Json& json, const Plc& plc) {
 
 Json recording(const Recorder& recorder) {
   if (!recorder.on()) return nullptr;
-  return {{"since", recorder.begin().ns}, {"actions", recorder.actions().size()}};
+  return {{"since", recorder.begin().ns},
+          {"actions", recorder.actions().size()},
+          {"full", recorder.full()}};
 }
 
 Json project(const Shared& shared) {

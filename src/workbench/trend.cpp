@@ -12,8 +12,8 @@ namespace merker::workbench {
 namespace {
 
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
-// Some seconds of the fastest cycles for a browser that does not read meanwhile.
-constexpr std::size_t kMostRows = 20000;
+// Of one event: some milliseconds of work for both sides.
+constexpr std::size_t kValuesOfEvent = 10'000;
 
 // plant.Oven.PV
 std::optional<plant::SignalPlace> signalOf(std::string_view name, const Plc& plc) {
@@ -110,24 +110,26 @@ void Trend::sample(const Plc& plc) {
   const Instant now = plc.controller().now();
   if (now < next_ && now + every_ >= next_) return;  // unless time began anew
   next_ = now + every_;
-  Row row{now, {}};
-  for (const Source& source : sources_) row.values.push_back(value(source, plc));
-  rows_.push_back(std::move(row));
-  if (rows_.size() > kMostRows) rows_.pop_front();
+  rows_.push_back(static_cast<double>(now.ns) / 1e6);
+  for (const Source& source : sources_) rows_.push_back(value(source, plc));
+  const std::size_t length = sources_.size() + 1;
+  while (rows_.size() > mostRows_ * length)
+    rows_.erase(rows_.begin(), rows_.begin() + static_cast<std::ptrdiff_t>(length));
 }
 
-Json Trend::takeRows(const Plc& plc, std::uint64_t program) {
+std::string Trend::takeRows(const Plc& plc, std::uint64_t program) {
   if (program_ != 0 && program_ != program) describe(plc);
   program_ = program;
-  Json list = Json::array();
-  for (const Row& row : rows_) {
-    Json json = {static_cast<double>(row.time.ns) / 1e6};
-    for (const double value : row.values)
-      json.push_back(std::isfinite(value) ? Json(value) : Json(nullptr));
-    list.push_back(std::move(json));
+  const std::size_t length = sources_.size() + 1;
+  const std::size_t rows = std::min(rows_.size(), std::max(kValuesOfEvent, length)) / length;
+  if (rows == 0) return {};
+  std::string text;
+  for (std::size_t i = 0; i < rows * length; ++i) {
+    text += i == 0 ? "[[" : i % length == 0 ? "],[" : ",";
+    text += std::isfinite(rows_[i]) ? dump(Json(rows_[i])) : "null";
   }
-  rows_.clear();
-  return list;
+  rows_.erase(rows_.begin(), rows_.begin() + static_cast<std::ptrdiff_t>(rows * length));
+  return text + "]]";
 }
 
 }  // namespace merker::workbench

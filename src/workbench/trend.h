@@ -2,6 +2,7 @@
 // milliseconds.
 #pragma once
 
+#include <algorithm>
 #include <deque>
 #include <string>
 #include <variant>
@@ -23,14 +24,17 @@ class Trend {
   Json describe(const Plc& plc);
   // At the end of a cycle.
   void sample(const Plc& plc);
-  // The rows since the last call, [timeMs, v0, v1, …]; those that nobody fetched in time are lost.
-  Json takeRows(const Plc& plc, std::uint64_t program);
+  // The rows since the last call as JSON, [[timeMs, v0, v1, …], …], as many as an event takes;
+  // those that nobody fetched in time are lost. Empty: there are none.
+  std::string takeRows(const Plc& plc, std::uint64_t program);
+  std::size_t curves() const { return names_.size(); }
+  // How many values may wait, of all rows and with their times.
+  void limit(std::size_t values) { mostRows_ = std::min(kMostRows, values / (names_.size() + 1)); }
 
  private:
-  struct Row {
-    Instant time;
-    std::vector<double> values;  // not a number: there is none
-  };
+  // Some seconds of the fastest cycles for a browser that does not read meanwhile.
+  static constexpr std::size_t kMostRows = 20'000;
+
   using Source = std::variant<std::monostate, mc7::Reference, plant::SignalPlace, io::Terminal>;
   Json describe(const std::string& name, Source& source, const Plc& plc) const;
   static double value(const Source& source, const Plc& plc);
@@ -40,7 +44,9 @@ class Trend {
   Duration every_;
   Instant next_{INT64_MIN};
   std::uint64_t program_ = 0;
-  std::deque<Row> rows_;
+  std::size_t mostRows_ = kMostRows;
+  // Rows behind each other: the time in ms, then the values; not a number: there is none.
+  std::deque<double> rows_;
 };
 
 }  // namespace merker::workbench

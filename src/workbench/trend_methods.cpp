@@ -4,13 +4,22 @@
 namespace merker::workbench {
 namespace {
 
-constexpr std::size_t kMostCurves = 100;
+// Of a list; of all lists of a browser, which are read in each cycle; and the values that wait for
+// it (8 bytes each).
+constexpr std::size_t kMostCurves = 100, kCurves = 500, kWaitingValues = 500'000;
 
 std::vector<std::string> namesOf(const Call& call) {
   std::vector<std::string> names;
   for (const Fields& item : call.fields.objects("items", kMostCurves))
-    names.push_back(item.text("operand"));
+    names.push_back(item.name("operand"));
   return names;
+}
+
+// Of the lists besides this one.
+std::size_t curvesOf(const Browser& browser, std::int64_t number) {
+  std::size_t count = 0;
+  for (const auto& [other, trend] : browser.trends) count += other == number ? 0 : trend.curves();
+  return count;
 }
 
 Answer set(const Call& call) {
@@ -21,7 +30,10 @@ Answer set(const Call& call) {
   auto& trends = call.browser.trends;
   if (!trends.contains(number) && trends.size() >= kLists)
     return refused(ProblemCode::P1314, kLists, "lists of curves");
+  if (curvesOf(call.browser, number) + names.size() > kCurves)
+    return refused(ProblemCode::P1314, kCurves, "curves of a browser");
   const auto [place, isNew] = trends.insert_or_assign(number, Trend(std::move(names), every));
+  for (auto& [other, trend] : trends) trend.limit(kWaitingValues / trends.size());
   return Json{{"items", place->second.describe(call.plc())}};
 }
 

@@ -9,7 +9,7 @@ namespace {
 std::vector<WatchItem> items(const Call& call) {
   std::vector<WatchItem> list;
   for (const Fields& item : call.fields.objects("items", kItems))
-    list.push_back({item.text("operand"), formatOf(item)});
+    list.push_back({item.name("operand"), formatOf(item)});
   return list;
 }
 
@@ -22,6 +22,9 @@ Answer watch(const Call& call) {
   auto& lists = call.browser.lists;
   if (!lists.contains(number) && lists.size() >= kLists)
     return refused(ProblemCode::P1314, kLists, "lists");
+  constexpr std::int64_t kNone = -1;
+  if (trigger && pointItems(call.browser, number, kNone) + wanted.size() > kPointItems)
+    return refused(ProblemCode::P1314, kPointItems, "operands at trigger points");
   const auto [place, isNew] =
       lists.insert_or_assign(number, WatchList(std::move(wanted), every, trigger));
   return Json{{"items", place->second.describe(call.plc())}};
@@ -56,11 +59,16 @@ Answer read(const Call& call) {
   return Json{{"items", std::move(list)}};
 }
 
+// Of the CPU: all browsers are told them with each change. An S7-318 has 256, the others fewer.
+constexpr std::size_t kMostForces = 500;
+
 using Change = std::optional<Problem> (Plc::*)(const std::vector<monitor::Wish>&);
 
 Answer change(const Call& call, Change how) {
   const Wishes wishes(call.fields);
   if (!call.fields.good()) return call.fields.problems();
+  if (how == &Plc::force && call.plc().forces().size() + wishes.list().size() > kMostForces)
+    return refused(ProblemCode::P1314, kMostForces, "forced operands");
   return done((call.plc().*how)(wishes.list()));
 }
 
@@ -71,7 +79,7 @@ Answer unforce(const Call& call) {
   if (!call.fields.has("items")) return call.plc().unforceAll(), empty();
   std::vector<std::string> names;
   for (const Fields& item : call.fields.objects("items", kItems))
-    names.push_back(item.text("operand"));
+    names.push_back(item.name("operand"));
   if (!call.fields.good()) return call.fields.problems();
   return done(call.plc().unforce({names.begin(), names.end()}));
 }

@@ -13,7 +13,8 @@ monitor::DisplayFormat formatOf(const Fields& item) {
 
 Wishes::Wishes(const Fields& fields) {
   for (const Fields& item : fields.objects("items", kItems))
-    texts_.push_back({item.text("operand"), item.text("value"), formatOf(item)});
+    texts_.push_back(
+        {item.name("operand"), item.name("value", Fields::kLongestValue), formatOf(item)});
 }
 
 std::vector<monitor::Wish> Wishes::list() const {

@@ -42,10 +42,12 @@ void Workbench::sampleTrends() {
 }
 
 void Workbench::show(std::unique_ptr<Plc> plc, bool example) {
-  shared_.show(std::move(plc), example);
+  Listing seen = plc ? folderOf(plc->build().project).list() : Listing();
+  shared_.show(std::move(plc), example, std::move(seen));
 }
 
 void Workbench::closed(BrowserId browser) {
+  dropWaiting(browser);
   releaseHeld(shared_, browsers_[browser]);
   browsers_.erase(browser);
   shared_.wantedStatus.erase(browser);
@@ -56,11 +58,13 @@ void Workbench::beginFrame(std::int64_t nowMs) {
   nowMs_ = nowMs;
   constexpr std::int64_t kBetweenLooks = 1000;
   if (nowMs >= nextLook_) nextLook_ = nowMs + kBetweenLooks, shared_.lookAtFiles();
+  shared_.takeLook();
   shared_.placeProbes();
   state_ = state(shared_);
+  readProcess();
 }
 
-std::vector<std::string> Workbench::events(BrowserId id) {
+std::vector<std::string> Workbench::events(BrowserId id, const Enough& enough) {
   std::vector<std::string> texts;
   Browser& browser = browsers_[id];
   Json changed = difference(browser.state, state_);
@@ -74,46 +78,89 @@ std::vector<std::string> Workbench::events(BrowserId id) {
     Json rows = browser.status->changes(*shared_.plc->monitor(), shared_.folder, nowMs_);
     if (!rows.is_null()) texts.push_back(dump(rows));
   }
-  addLists(browser, texts);
+  addLists(browser, texts, enough);
   addProcess(browser, texts);
   return texts;
 }
 
-void Workbench::addLists(Browser& browser, std::vector<std::string>& texts) {
-  for (auto& [number, list] : browser.lists) {
+namespace {
+
+// One after the other, beginning behind the one that came last; a list of which there is no time
+// for comes first the next time.
+template <typename Lists>
+void inTurn(Lists& lists, std::int64_t& last, const Workbench::Enough& enough, auto&& tell) {
+  auto next = lists.upper_bound(last);
+  for (std::size_t count = 0; count < lists.size() && (count == 0 || !enough()); ++count, ++next) {
+    if (next == lists.end()) next = lists.begin();
+    last = next->first;
+    tell(next->first, next->second);
+  }
+}
+
+}  // namespace
+
+void Workbench::addLists(Browser& browser, std::vector<std::string>& texts, const Enough& enough) {
+  inTurn(browser.lists, browser.lastList, enough, [&](std::int64_t number, WatchList& list) {
     Json values = list.changes(*shared_.plc, shared_.programRevision, nowMs_);
-    if (values.empty()) continue;
+    if (values.empty()) return;
     Json event = {{"event", "values"},
                   {"list", number},
                   {"time", shared_.plc->controller().now().ns},
                   {"values", std::move(values)}};
     if (list.done()) event["done"] = true;
     texts.push_back(dump(event));
-  }
+  });
   for (auto& [number, list] : browser.modifies)
     if (list.takeDone()) texts.push_back(dump({{"event", "modified"}, {"list", number}}));
-  for (auto& [number, trend] : browser.trends) {
-    Json rows = trend.takeRows(*shared_.plc, shared_.programRevision);
+  inTurn(browser.trends, browser.lastTrend, enough, [&](std::int64_t number, Trend& trend) {
+    const std::string rows = trend.takeRows(*shared_.plc, shared_.programRevision);
     if (!rows.empty())
-      texts.push_back(dump({{"event", "samples"}, {"list", number}, {"rows", std::move(rows)}}));
-  }
+      texts.push_back(fmt::format(R"({{"event":"samples","list":{},"rows":{}}})", number, rows));
+  });
+}
+
+// The values are the same for all browsers: they are read once a frame.
+void Workbench::readProcess() {
+  const bool watched =
+      std::ranges::any_of(browsers_, [](const auto& one) { return one.second.process; });
+  if (!watched || !shared_.plc || !shared_.plc->isS7()) return;
+  const plant::Plants* plants = shared_.plc->station()->plants();
+  auto event = std::make_shared<Json>(
+      Json{{"event", "process"},
+           {"plants", plants == nullptr ? Json::object() : plantValues(*plants)},
+           {"stuck", plants == nullptr ? Json::object() : plantFaults(*plants)}});
+  if (!process_ || *event != *process_) process_ = std::move(event);
 }
 
 void Workbench::addProcess(Browser& browser, std::vector<std::string>& texts) {
-  if (!browser.process || !shared_.plc->isS7()) return;
-  const plant::Plants* plants = shared_.plc->station()->plants();
-  Json event = {{"event", "process"},
-                {"plants", plants == nullptr ? Json::object() : plantValues(*plants)},
-                {"stuck", plants == nullptr ? Json::object() : plantFaults(*plants)}};
-  if (event == browser.processValues) return;
-  browser.processValues = event;
+  if (!browser.process || !shared_.plc->isS7() || browser.processValues == process_) return;
+  browser.processValues = process_;
+  Json event = *process_;
   event["time"] = shared_.plc->controller().now().ns;
   texts.push_back(dump(event));
 }
 
+// A single step that takes long: part by part, whatever the pace is.
+void Workbench::stepOn(const Enough& enough) {
+  constexpr Duration kStepPart = Duration::milliseconds(10);
+  monitor::Debugger& debugger = shared_.plc->monitor()->debugger();
+  const Instant end = *shared_.stepEnds;
+  const auto now = [&] { return shared_.plc->controller().now(); };
+  while (debugger.stepping() && now() < end && !enough())
+    debugger.stepOn(std::min(now() + kStepPart, end));
+  if (debugger.stepping() && now() < end) return;
+  if (debugger.stepping()) debugger.giveUpStep();
+  shared_.stepEnds.reset();
+  shared_.pacer.rebase();
+}
+
 bool Workbench::advance(const Pacer::WallClock& wall, Duration longest) {
   if (!shared_.plc) return false;
-  const Schedule schedule{[this] { return shared_.player.next(); }, [this] { play(); }};
+  enter("the PLC");
+  const std::int64_t end = wall() + longest.ns;
+  const Enough enough = [&] { return wall() >= end; };
+  if (shared_.stepEnds) return stepOn(enough), true;
+  const Schedule schedule{[this] { return nextAction(); }, [&] { play(enough); }};
   return shared_.pacer.advance(shared_.plc->controller(), wall, longest, schedule);
 }
 

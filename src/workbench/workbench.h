@@ -2,7 +2,9 @@
 // only in advance(); everything happens in one thread.
 #pragma once
 
+#include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,34 +29,59 @@ class Workbench {
   void opened(BrowserId browser) { browsers_[browser]; }
   void closed(BrowserId browser);
 
-  // Who compiles; without one it is done at once, and no answer comes later.
+  // Who compiles, and who does what else takes long; without them it is done at once, and no answer
+  // comes later.
   void compileBy(Worker worker);
+  void helpBy(Worker worker);
+  // Hears what begins, so that somebody can say what does not end.
+  void tellPlace(std::function<void(std::string_view place)> tell) { tell_ = std::move(tell); }
+
+  // Asked between two pieces of work.
+  using Enough = std::function<bool()>;
+  static bool never() { return false; }
+
   // The answer to one message. Whatever it contains, there is one; empty: among the later ones.
   std::string handle(BrowserId browser, std::string_view message);
-  // Answers of requests whose compilation is done by now.
-  std::vector<std::pair<BrowserId, std::string>> laterAnswers();
+  std::string handle(BrowserId browser, Request request);
+  // The next request of this browser must wait for the answer to one before it.
+  bool busy(BrowserId browser) const;
+  // Answers of requests that are done by now.
+  std::vector<std::pair<BrowserId, std::string>> laterAnswers(const Enough& enough = never);
   // Begins a frame: what all browsers see in the same moment. `nowMs`: time on the wall.
   void beginFrame(std::int64_t nowMs);
-  // What this browser has not seen yet, as texts to send.
-  std::vector<std::string> events(BrowserId browser);
+  // What this browser has not seen yet, as texts to send; what is too much comes another time.
+  std::vector<std::string> events(BrowserId browser, const Enough& enough = never);
 
   // One slice of virtual time. True: there is more to do at once.
   bool advance(const Pacer::WallClock& wall, Duration longest);
 
  private:
-  Answer run(BrowserId id, const Json& request);
+  void enter(std::string_view place) {
+    if (tell_) tell_(place);
+  }
+  Answer run(Waiting& waiting);
+  Answer settle(const Waiting& waiting);
+  std::string proceed(Waiting waiting, Answer answer, Instant now);
+  void park(Waiting waiting);
   std::string answerText(std::int64_t id, Answer answer);
-  std::string settle(Waiting waiting);
+  void dropWaiting(BrowserId browser);
   void sampleTrends();
   void reached(cpu::CyclePoint point);
-  void play();
-  void addLists(Browser& browser, std::vector<std::string>& texts);
+  void stepOn(const Enough& enough);
+  void play(const Enough& enough);
+  void playOn(Waiting one, Answer answer);
+  Instant nextAction() const;
+  void addLists(Browser& browser, std::vector<std::string>& texts, const Enough& enough);
+  void readProcess();
   void addProcess(Browser& browser, std::vector<std::string>& texts);
 
   Shared shared_;
   std::map<BrowserId, Browser> browsers_;
   std::vector<Waiting> waiting_;
+  std::optional<Waiting> playing_;  // an action of a recording
+  std::function<void(std::string_view)> tell_;
   Json state_;
+  std::shared_ptr<const Json> process_;  // as read last
   std::int64_t nowMs_ = 0, nextLook_ = 0;
 };
 

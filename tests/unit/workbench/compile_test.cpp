@@ -20,7 +20,7 @@ class Compiling : public ::testing::Test {
   void workOne() {
     const Work work = std::move(works.front());
     works.pop_front();
-    work();
+    work->carryOut();
   }
   Json later() {
     const auto answers = bench.workbench.laterAnswers();
@@ -81,6 +81,74 @@ TEST_F(Compiling, ABrowserThatHasGoneGetsNothing) {
   bench.workbench.closed(1);
   workOne();
   EXPECT_TRUE(bench.workbench.laterAnswers().empty());
+}
+
+// A check of texts that are typed makes the one before useless; one of the files does not.
+TEST_F(Compiling, ANewerCheckTakesThePlaceOfAnOlderOne) {
+  const Json typed = {{"files", {{{"path", "main.awl"}, {"text", "nonsense"}}}}};
+  EXPECT_EQ(ask("program.check", typed), "");
+  EXPECT_EQ(ask("program.check"), "");
+  EXPECT_EQ(ask("program.check", typed), "");
+  const Json old = later();
+  EXPECT_EQ(old["id"], 1001);
+  EXPECT_EQ(old["problems"][0]["code"], "P1308");
+  ASSERT_EQ(works.size(), 3u);
+  EXPECT_TRUE(works[0]->cancelled());
+  workOne(), workOne(), workOne();
+  const auto answers = bench.workbench.laterAnswers();
+  ASSERT_EQ(answers.size(), 2u);
+  EXPECT_TRUE(Json::parse(answers[0].second)["result"]["problems"].empty());
+  EXPECT_FALSE(Json::parse(answers[1].second)["result"]["problems"].empty());
+}
+
+// What nobody waits for any more is asked to end; what others wait for as well is not.
+TEST_F(Compiling, ABrowserThatHasGoneStopsItsWork) {
+  EXPECT_EQ(ask("program.check"), "");
+  EXPECT_EQ(ask("program.blocks"), "");
+  bench.workbench.opened(2);
+  EXPECT_EQ(bench.workbench.handle(2, R"({"id": 1, "do": "program.completion"})"), "");
+  ASSERT_EQ(works.size(), 2u);
+  bench.workbench.closed(1);
+  EXPECT_TRUE(works[0]->cancelled());
+  EXPECT_FALSE(works[1]->cancelled());
+  bench.workbench.closed(2);
+  EXPECT_TRUE(works[1]->cancelled());
+}
+
+// Four megabytes of requests that wait for a compilation are enough: the next one waits unread.
+TEST_F(Compiling, HoldsOnlySoManyBytesOfABrowser) {
+  const Json big = {
+      {"format", "asc"}, {"rows", Json::array()}, {"more", std::string(3 << 20, 'x')}};
+  EXPECT_EQ(ask("symbols.export", big), "");
+  EXPECT_FALSE(bench.workbench.busy(1));
+  EXPECT_EQ(ask("symbols.export", big), "");
+  EXPECT_TRUE(bench.workbench.busy(1));
+  EXPECT_FALSE(bench.workbench.busy(2));
+  workOne();
+  EXPECT_EQ(bench.workbench.laterAnswers().size(), 2u);
+  EXPECT_FALSE(bench.workbench.busy(1));
+}
+
+// What takes longer than a slice is done elsewhere, and the next request of the same browser waits
+// for it: answers come in the order of the requests.
+TEST_F(Compiling, AnotherThreadReadsAndWritesFiles) {
+  std::deque<Work> clerk;
+  bench.workbench.helpBy([&](Work work) { clerk.push_back(std::move(work)); });
+  for (const char* method :
+       {"files.list", "projects.list", "symbols.check", "symbols.import", "files.read",
+        "files.write", "record.stop", "play.start", "cpu.load", "program.delete"}) {
+    if (std::string(method) == "record.stop") bench.call("record.start");
+    EXPECT_EQ(ask(method, {{"path", "a.rec"}}), "") << method;
+    EXPECT_TRUE(bench.workbench.busy(1)) << method;
+    ASSERT_FALSE(clerk.empty()) << method;
+    while (!clerk.empty()) {
+      const Work work = std::move(clerk.front());
+      clerk.pop_front();
+      work->carryOut();
+    }
+    EXPECT_EQ(bench.workbench.laterAnswers().size(), 1u) << method;
+    EXPECT_FALSE(bench.workbench.busy(1)) << method;
+  }
 }
 
 TEST_F(Compiling, WaitsForSoManyOnly) {

@@ -128,5 +128,38 @@ TEST(Files, AProgramListKeepsTheNamesOfItsFiles) {
   EXPECT_NE(bench.folder.read("merker.toml").find("sources = []"), std::string::npos);
 }
 
+// Who may read a file stays as it was: what only its owner saw, nobody else sees afterwards.
+TEST(Files, AFileKeepsItsRights) {
+  namespace fs = std::filesystem;
+  Bench bench;
+  for (const fs::perms rights : {fs::perms(0600), fs::perms(0640), fs::perms(0755)}) {
+    bench.folder.write("notes.awl", "// old\n");
+    fs::permissions(bench.folder.path("notes.awl"), rights);
+    const Json old = bench.call("files.read", {{"path", "notes.awl"}});
+    bench.call("files.write",
+               {{"path", "notes.awl"}, {"text", "// new\n"}, {"revision", old["revision"]}});
+    EXPECT_EQ(bench.folder.read("notes.awl"), "// new\n");
+    EXPECT_EQ(fs::status(bench.folder.path("notes.awl")).permissions(), rights);
+  }
+}
+
+TEST(Files, WhatIsTooLargeIsNotRead) {
+  Bench bench;
+  bench.folder.write("big.awl", std::string(9 << 20, '/'));
+  EXPECT_EQ(bench.problem("files.read", {{"path", "big.awl"}}), "P1308");
+  EXPECT_EQ(bench.problem("files.write", {{"path", "big.awl"}, {"text", ""}, {"revision", 0}}),
+            "P1308");
+}
+
+// Each of these characters is six in an answer.
+TEST(Files, AnAnswerHasALimit) {
+  Bench bench;
+  bench.folder.write("odd.awl", std::string(2 << 20, '\x01'));
+  const std::string code = bench.problem("files.read", {{"path", "odd.awl"}});
+  EXPECT_TRUE(code == "P1308" || code == "P0102") << code;
+  bench.folder.write("quotes.awl", std::string(5 << 20, '"'));
+  EXPECT_EQ(bench.problem("files.read", {{"path", "quotes.awl"}}), "P1308");
+}
+
 }  // namespace
 }  // namespace merker::workbench::test

@@ -1,4 +1,5 @@
 #include "bench.h"
+#include "workbench/hardware_plan.h"
 
 namespace merker::workbench::test {
 namespace {
@@ -156,6 +157,18 @@ TEST(HardwareEdit, TheCatalogueSaysWhereModulesStand) {
   const Json types = bench.call("hardware.catalogue")["types"];
   EXPECT_EQ(types[0]["slots"], (Json{1, 1}));
   EXPECT_GT(types.size(), 30U);
+}
+
+// The text is read once for each change, not once for each of its problems.
+TEST(HardwareEdit, ProblemsOfManyModulesKnowTheirPlaces) {
+  Bench bench;
+  std::string text = "[project]\nname = \"Test\"\n";
+  for (int i = 0; i < 3000; ++i) text += "[[module]]\nslot = 4\n";
+  const Json plan = bench.call("hardware.edit", {{"text", text}});
+  ASSERT_EQ(plan["problems"].size(), kMostProblems);
+  for (const Json& problem : plan["problems"]) EXPECT_EQ(problem["slot"], "4") << problem;
+  text += std::string(kLongestSettings, '#');
+  EXPECT_EQ(bench.problem("hardware.edit", {{"text", text}}), "P1305");
 }
 
 }  // namespace

@@ -40,6 +40,19 @@ TEST(Message, NestingHasALimit) {
   EXPECT_TRUE(parseMessage("{\"x\": \"\\\"" + std::string(100, '{') + "\"}"));
 }
 
+TEST(Message, ValuesHaveALimit) {
+  const auto with = [](std::size_t values) {
+    std::string text = "{\"id\": 1, \"do\": \"ping\", \"x\": [0";
+    while (--values > 0) text += ",0";
+    return text + "]}";
+  };
+  Bench bench;
+  constexpr std::size_t kOthers = 4;  // the object, id, do, the list
+  EXPECT_TRUE(parseMessage(with(kMostValues - kOthers)));
+  EXPECT_EQ(code(bench, bench.workbench, with(kMostValues)), "P1314");
+  EXPECT_TRUE(parseMessage("{\"x\": \"" + std::string(2 * kMostValues, ',') + "\"}"));
+}
+
 // What a page needs to tell a problem in another language, with files as the project names them.
 TEST(Message, ProblemsKeepTheirArgumentsAndNoFolder) {
   const ProjectFolder folder("/tmp/press");
@@ -66,6 +79,17 @@ TEST(Fields, WrongOnesAreNamed) {
   const Json answer = bench.ask("variables.read", {{"items", {{{"operand", 5}}, 7}}});
   EXPECT_EQ(answer["problems"][0]["text"], "'items[1]' must be an object");
   EXPECT_EQ(answer["problems"][1]["text"], "'items[0].operand' must be a text");
+}
+
+TEST(Fields, NamesHaveALimit) {
+  Bench bench;
+  const auto items = [](std::size_t blanks) {
+    return Json{{{"operand", "MW 10" + std::string(blanks, ' ')}, {"value", "1"}}};
+  };
+  EXPECT_EQ(bench.problem("watch.set", {{"list", 1}, {"items", items(400)}}), "P1305");
+  EXPECT_EQ(bench.problem("trend.set", {{"list", 1}, {"items", items(400)}}), "P1305");
+  EXPECT_EQ(bench.problem("variables.write", {{"items", items(400)}}), "P1305");
+  bench.call("variables.write", {{"items", items(300)}});
 }
 
 TEST(Fields, WithoutAProjectThereIsNoPlc) {

@@ -262,5 +262,26 @@ TEST_F(Recording, WithALineThatIsNoneIsRefusedWithItsPlace) {
   EXPECT_FALSE(bench.state()["playback"]["problem"]["text"].get<std::string>().empty());
 }
 
+// A field that means nothing is not kept, whatever a browser puts into it.
+TEST(Recording, KeepsOnlyWhatMeansSomething) {
+  Bench bench;
+  bench.call("record.start");
+  bench.call("variables.write", {{"items", {{{"operand", "MW 10"}, {"value", "5"}, {"x", "y"}}}},
+                                 {"padding", std::string(1 << 20, 'x')}});
+  bench.call("record.stop", {{"path", "short.rec"}});
+  const std::string text = bench.folder.read("short.rec");
+  EXPECT_LT(text.size(), 200u) << text.substr(0, 200);
+  EXPECT_EQ(Json::parse(text)["items"], (Json{{{"operand", "MW 10"}, {"value", "5"}}}));
+}
+
+TEST(Recording, EndsWhereItIsFull) {
+  Recorder recorder;
+  recorder.start(Instant{0});
+  const Json big = {{"do", "cpu.load"}, {"path", std::string(1 << 20, 'x')}};
+  for (int i = 0; i < 10; ++i) recorder.note(big, Instant{i});
+  EXPECT_TRUE(recorder.full());
+  EXPECT_EQ(recorder.actions().size(), Recorder::kMostBytes / (1 << 20) - 1);
+}
+
 }  // namespace
 }  // namespace merker::workbench::test

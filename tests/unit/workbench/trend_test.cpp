@@ -90,5 +90,38 @@ TEST(Trend, KeepsTheNewestRowsForASlowBrowser) {
   EXPECT_TRUE(bench.event("samples").is_null());
 }
 
+TEST(Trend, CurvesHaveALimit) {
+  Bench bench;
+  Json many = Json::array();
+  for (int i = 0; i < 100; ++i) many.push_back({{"operand", "MW 20"}});
+  for (int list = 0; list < 5; ++list) bench.call("trend.set", {{"list", list}, {"items", many}});
+  EXPECT_EQ(bench.problem("trend.set", {{"list", 5}, {"items", items({"MW 20"})}}), "P1314");
+  bench.call("trend.set", {{"list", 4}, {"items", items({"MW 20"})}});
+  bench.call("trend.set", {{"list", 5}, {"items", items({"MW 20"})}});
+}
+
+// The oldest ones are lost; what is kept comes in events of a limited length.
+TEST(Trend, WaitingValuesHaveALimit) {
+  Plc plc(compilation::build(project::load(Bench().folder.path(), {}), false));
+  Trend trend(std::vector<std::string>(9, "MW 20"), 0);
+  trend.describe(plc);
+  trend.limit(30'000);
+  for (int i = 0; i < 5000; ++i) {
+    plc.controller().advanceTo(plc.controller().now() + Duration::milliseconds(1));
+    trend.sample(plc);
+  }
+  std::size_t rows = 0, events = 0;
+  double first = 0;
+  for (std::string text; !(text = trend.takeRows(plc, 1)).empty(); ++events) {
+    const Json list = Json::parse(text);
+    EXPECT_LE(list.size() * list[0].size(), 10'000u);
+    if (rows == 0) first = list[0][0];
+    rows += list.size();
+  }
+  EXPECT_EQ(rows, 3000u);
+  EXPECT_EQ(events, 3u);
+  EXPECT_NEAR(first, 2001, 1);
+}
+
 }  // namespace
 }  // namespace merker::workbench::test

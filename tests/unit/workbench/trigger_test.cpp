@@ -103,5 +103,22 @@ TEST(Trigger, ModifiesAtTheBeginOfEachCycle) {
   EXPECT_EQ(bench.problem("modify.set", {{"list", 1}, {"items", Json::array()}}), "P1306");
 }
 
+// They are read and written in every cycle: so many of each browser.
+TEST(Trigger, PointsHaveALimit) {
+  Bench bench(kCycle);
+  Json items = Json::array();
+  for (int i = 0; i < 1000; ++i) items.push_back({{"operand", "MW 2"}, {"value", "1"}});
+  const auto set = [&](const char* method, int list) {
+    return bench.ask(method, {{"list", list}, {"point", "end"}, {"items", items}});
+  };
+  EXPECT_TRUE(set("watch.set", 1).contains("result"));
+  EXPECT_TRUE(set("modify.set", 1).contains("result"));
+  EXPECT_TRUE(set("watch.set", 1).contains("result"));  // in place of the old one
+  for (const char* method : {"watch.set", "modify.set"})
+    EXPECT_EQ(set(method, 2)["problems"][0]["code"], "P1314") << method;
+  bench.call("watch.drop", {{"list", 1}});
+  EXPECT_TRUE(set("watch.set", 2).contains("result"));
+}
+
 }  // namespace
 }  // namespace merker::workbench::test

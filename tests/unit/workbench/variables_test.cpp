@@ -112,5 +112,19 @@ TEST(Watch, ListsHaveLimits) {
   EXPECT_EQ(bench.problem("watch.set", {{"list", 0}, {"items", many}}), "P1305");
 }
 
+TEST(Variables, ForcesHaveALimit) {
+  Bench bench;
+  const auto force = [&](int first) {
+    Json items = Json::array();
+    for (int i = first; i < first + 300; ++i)
+      items.push_back({{"operand", "A " + std::to_string(i / 8) + "." + std::to_string(i % 8)},
+                       {"value", "1"}});
+    return bench.ask("variables.force", {{"items", items}});
+  };
+  EXPECT_TRUE(force(0).contains("result"));
+  EXPECT_EQ(force(300)["problems"][0]["code"], "P1314");
+  EXPECT_EQ(bench.state()["forces"].size(), 300u);
+}
+
 }  // namespace
 }  // namespace merker::workbench::test
