@@ -1,9 +1,13 @@
 // Requests of browsers, one a line: whatever they contain, there is an answer in JSON, the PLC goes
-// on, and no file outside of the project folder changes.
+// on, no file outside of the project folder changes, and none takes longer than it may: 50 ms of
+// the PLC's thread, a second of a worker. @300(text) in a line stands for so many texts, so that a
+// short input can be a long request.
 #include "workbench/workbench.h"
 
+#include <time.h>
 #include <unistd.h>
 
+#include <deque>
 #include <filesystem>
 #include <fstream>
 
@@ -46,11 +50,92 @@ class World {
   fs::path folder_;
 };
 
+// Seconds of the processor that this thread has used: other programs do not count.
+double used() {
+  timespec now{};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
+}
+
+// How much slower this program is than one that is built for users, on a usual machine: sanitizers
+// and the fuzzer's own marks cost a multiple.
+double slowness() {
+  static const double factor = [] {
+    constexpr double kUsual = 0.010;  // s, for what follows, with -O2
+    std::string text = "[0";
+    for (int i = 0; i < 20'000; ++i) text += R"(,{"operand": "MW 10", "value": "16#00FF"})";
+    const double begin = used();
+    fuzz::require(workbench::dump(workbench::Json::parse(text + "]")).size() > text.size() / 2,
+                  "the reference is JSON");
+    return std::max(1.0, (used() - begin) / kUsual);
+  }();
+  return factor;
+}
+
+template <typename Do>
+auto within(double seconds, const char* property, Do&& work) {
+  const double begin = used();
+  auto result = work();
+  fuzz::require(used() - begin < seconds * slowness(), property);
+  return result;
+}
+
+constexpr double kRequest = 0.050, kWork = 1.0;
+
+// @300(text): three hundred texts.
+std::string expanded(std::string_view line) {
+  constexpr std::size_t kLongest = 1 << 20;
+  std::string text;
+  while (!line.empty() && text.size() < kLongest) {
+    const std::size_t mark = std::min(line.find('@'), line.size());
+    text += line.substr(0, mark);
+    line.remove_prefix(mark);
+    const std::size_t open = line.find('('), close = line.find(')');
+    const bool good =
+        open != std::string_view::npos && open > 1 && open < 8 && close > open &&
+        close != std::string_view::npos &&
+        line.substr(1, open - 1).find_first_not_of("0123456789") == std::string_view::npos;
+    if (!good) {
+      text += line.substr(0, 1);
+      line.remove_prefix(std::min<std::size_t>(line.size(), 1));
+      continue;
+    }
+    const std::string_view part = line.substr(open + 1, close - open - 1);
+    for (int count = std::stoi(std::string(line.substr(1, open - 1)));
+         count > 0 && text.size() < kLongest; --count)
+      text += part;
+    line.remove_prefix(close + 1);
+  }
+  return text;
+}
+
+// The answer, whenever it comes; what others do meanwhile they do afterwards here.
+void ask(workbench::Workbench& bench, const std::string& message,
+         std::deque<workbench::Work>& works) {
+  const workbench::Request request = workbench::readRequest(message);
+  std::string answer = within(kRequest, "a request takes no longer than 50 ms",
+                              [&] { return bench.handle(1, request); });
+  while (answer.empty()) {
+    fuzz::require(!works.empty(), "somebody works for the answer");
+    for (; !works.empty(); works.pop_front())
+      within(kWork, "a worker needs no longer than a second",
+             [&] { return works.front()->carryOut(), 0; });
+    const auto answers = within(kRequest, "an answer takes no longer than 50 ms",
+                                [&] { return bench.laterAnswers(); });
+    if (!answers.empty()) answer = answers[0].second;
+  }
+  fuzz::require(workbench::Json::accept(answer), "an answer is JSON");
+}
+
 void look(workbench::Workbench& bench) {
   static std::int64_t wall = 0;
-  bench.advance([] { return wall += 100'000; }, Duration::milliseconds(1));
-  bench.beginFrame(wall / 1'000'000);
-  for (const std::string& text : bench.events(1))
+  const auto frame = [&] {
+    bench.advance([] { return wall += 100'000; }, Duration::milliseconds(1));
+    bench.beginFrame(wall / 1'000'000);
+    constexpr double kSlice = 0.005;  // as the program gives it
+    return bench.events(1, [end = used() + kSlice * slowness()] { return used() > end; });
+  };
+  for (const std::string& text : within(kRequest, "a frame takes no longer than 50 ms", frame))
     fuzz::require(workbench::Json::accept(text), "an event is JSON");
 }
 
@@ -58,7 +143,11 @@ void look(workbench::Workbench& bench) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const World world;
+  std::deque<workbench::Work> works;
   workbench::Workbench bench;
+  const auto work = [&](workbench::Work one) { works.push_back(std::move(one)); };
+  bench.compileBy(work);
+  bench.helpBy(work);
   bench.use({world.path("work"), {}, {}});
   bench.show(std::make_unique<workbench::Plc>(
       compilation::build(project::load(world.path("work/plant"), {}), false)));
@@ -67,7 +156,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (int count = 0; !text.empty() && count < 50; ++count) {
     const std::string_view line = text.substr(0, text.find('\n'));
     text.remove_prefix(std::min(text.size(), line.size() + 1));
-    fuzz::require(workbench::Json::accept(bench.handle(1, line)), "an answer is JSON");
+    ask(bench, expanded(line), works);
     look(bench);
   }
   fuzz::require(world.untouched(), "nothing outside of the workspace changes");
