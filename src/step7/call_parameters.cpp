@@ -278,11 +278,14 @@ bool CallParameters::checkForwarding(const block::Variable& formal, const Actual
 
 bool CallParameters::complete(std::size_t begin) {
   if (!target_.isFunction()) return true;
-  bool good = true;
+  constexpr int kTold = 20;  // of a call; a block may have thousands, and a source such calls
+  int missing = 0;
   for (const block::Variable* formal : c_.scope().interfaces->names(*target_.block).parameters())
-    if (!actuals_.count(formal))  // S7-BLK-18
-      good = problem(ProblemCode::P0517, begin, begin + 1, formal->name, target_.name());
-  return good;
+    if (!actuals_.count(formal) && ++missing <= kTold)  // S7-BLK-18
+      (void)problem(ProblemCode::P0517, begin, begin + 1, formal->name, target_.name());
+    else if (missing > kTold)
+      break;
+  return missing == 0;
 }
 
 }  // namespace merker::step7
