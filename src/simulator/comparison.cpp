@@ -198,6 +198,18 @@ std::string actualValue(const Term& left, const Term& right, const Reader& read)
   return text;
 }
 
+const RelationText* relationAt(std::string_view text) {
+  // Two characters before one: <= before <.
+  static constexpr std::array kRelations = {
+      RelationText{"<>", Relation::NotEqual},     RelationText{"<=", Relation::LessEqual},
+      RelationText{">=", Relation::GreaterEqual}, RelationText{"~=", Relation::About},
+      RelationText{"==", Relation::Equal},        RelationText{"=", Relation::Equal},
+      RelationText{"<", Relation::Less},          RelationText{">", Relation::Greater}};
+  for (const RelationText& row : kRelations)
+    if (text.starts_with(row.text)) return &row;
+  return nullptr;
+}
+
 std::string_view text(Relation relation) {
   constexpr std::array<std::string_view, 7> kTexts = {"=", "<>", "<", "<=", ">", ">=", "~="};
   return kTexts[static_cast<std::size_t>(relation)];

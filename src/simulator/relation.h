@@ -31,4 +31,11 @@ bool relates(const T& a, block::Relation relation, const T& b) {
 
 std::string_view text(block::Relation relation);
 
+struct RelationText {
+  std::string_view text;
+  block::Relation relation;
+};
+// The relation that the text begins with; null if it is none.
+const RelationText* relationAt(std::string_view text);
+
 }  // namespace merker::simulator

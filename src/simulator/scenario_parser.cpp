@@ -8,7 +8,9 @@
 
 #include "base/text.h"
 #include "simulator/duration.h"
+#include "simulator/expectations.h"
 #include "simulator/line.h"
+#include "simulator/relation.h"
 #include "simulator/scenario.h"
 #include "simulator/step_words.h"
 
@@ -18,32 +20,6 @@ namespace {
 using block::Relation;
 
 constexpr std::size_t kDeepestRepeat = 16;
-
-struct RelationText {
-  std::string_view text;
-  Relation relation;
-};
-// Two characters before one: <= before <.
-constexpr std::array kRelations = {
-    RelationText{"<>", Relation::NotEqual},     RelationText{"<=", Relation::LessEqual},
-    RelationText{">=", Relation::GreaterEqual}, RelationText{"~=", Relation::About},
-    RelationText{"==", Relation::Equal},        RelationText{"=", Relation::Equal},
-    RelationText{"<", Relation::Less},          RelationText{">", Relation::Greater}};
-
-const RelationText* relationAt(std::string_view text) {
-  for (const RelationText& row : kRelations)
-    if (text.starts_with(row.text)) return &row;
-  return nullptr;
-}
-
-struct ModeName {
-  std::string_view name;
-  controller::Mode mode;
-};
-constexpr std::array kModes = {
-    ModeName{"RUN", controller::Mode::Run}, ModeName{"STOP", controller::Mode::Stop},
-    ModeName{"STARTUP", controller::Mode::Startup}, ModeName{"HALT", controller::Mode::Halt}};
-
 constexpr std::string_view kPartner = "partner";
 
 bool isBlank(char c) { return c == ' ' || c == '\t'; }
@@ -142,21 +118,14 @@ void Parser::line(std::string_view text) {
 
 // "partner stop": what the coupled control can do.
 void Parser::partnerStep(std::string_view whole, std::string_view rest) {
-  constexpr std::array kKinds = {StepKind::Run,
-                                 StepKind::Stop,
-                                 StepKind::ColdRestart,
-                                 StepKind::WarmRestart,
-                                 StepKind::PowerOff,
-                                 StepKind::PowerOn,
-                                 StepKind::PowerOnUnbuffered,
-                                 StepKind::BatteryLow,
-                                 StepKind::BatteryGood,
-                                 StepKind::MemoryReset,
-                                 StepKind::Fault};
+  using enum StepKind;
+  constexpr StepKind kKinds[] = {
+      Run,        Stop,        ColdRestart, WarmRestart, PowerOff, PowerOn, PowerOnUnbuffered,
+      BatteryLow, BatteryGood, MemoryReset, Fault};
   const std::string_view place = rest.empty() ? whole : rest;
   const StepWord* word = takeStepWord(rest);
   if (word != nullptr && word->rest != StepWord::Rest::End &&
-      std::find(kKinds.begin(), kKinds.end(), word->kind) != kKinds.end())
+      std::find(std::begin(kKinds), std::end(kKinds), word->kind) != std::end(kKinds))
     return step(*word, whole, rest, true);
   fail(ProblemCode::P0952, place,
        "run, stop, cold restart, warm restart, power off, power on, memory reset, battery low, "
@@ -372,9 +341,10 @@ bool Parser::mode(Expectation& e, std::string_view rest, std::string_view value)
   e.what = Expectation::What::Mode;
   if (e.relation != Relation::Equal && e.relation != Relation::NotEqual)
     return fail(ProblemCode::P0952, rest, "mode = or mode <>");
-  for (const ModeName& row : kModes) {
-    if (!equalsIgnoreCase(value, row.name)) continue;
-    e.mode = row.mode;
+  using controller::Mode;
+  for (const Mode one : {Mode::Run, Mode::Stop, Mode::Startup, Mode::Halt}) {
+    if (!equalsIgnoreCase(value, modeName(one))) continue;
+    e.mode = one;
     return true;
   }
   return fail(ProblemCode::P0954, value.empty() ? rest : value, value);

@@ -92,6 +92,18 @@ export const examples: Record<string, readonly [title: string, description: stri
     'STEP 5: Speicherzugriff (Kapitel 9.4.13)',
     'Die beiden Beispiele des Handbuchs: LIR liest ein Wort des Anwenderdatensegments (6), TIR schreibt eines. Sie laufen, weil merker.toml MD 2003 Bit 4 setzt; sonst geht die PLC mit Alarm 6115 in STOP.',
   ],
+  'step5/coupled-pair/line': [
+    'STEP 5: zwei gekoppelte Steuerungen, die Leit-PLC',
+    'Die Leit-PLC einer Linie. Sie tauscht über FB 190 Wörter mit der Presse aus.',
+  ],
+  'step5/coupled-pair/press': [
+    'STEP 5: zwei gekoppelte Steuerungen, die Presse',
+    'Die Steuerung einer Presse mit ihrer Leit-PLC als Partner: FB 190, der Ausfall des Partners, eine gestörte Schnittstelle.',
+  ],
+  'step5/machine-values': [
+    'STEP 5: Werte der Maschine',
+    'Ein Szenario bewegt die NC: Drehzahl, Bahnvorschub, Positionen, Werkzeuge. Dazu ein Netzausfall und eine gezogene Baugruppe.',
+  ],
   'step5/tool-changer': [
     'STEP 5: Werkzeugwechsler',
     'Ein Kettenmagazin mit acht Plätzen an einer Fräsmaschine mit SINUMERIK 810.',
