@@ -60,18 +60,18 @@ class Nc(Device):
         self.project(MACROS)
         rows = (("feed 1", "10"), ("feed_g95 2", "24"), ("feed_G98 5", "58"), ("path_feed 1", "01"),
                 ("path_feed_g95 2", "06"), ("path_feed_g98 1", "09"))
-        steps = "".join(f"set nc.{name} = 1425.67, MB 10 = KH {order}, M 11.0 = 1\nwait 3 cycles\n"
+        steps = "".join(f"set nc.{name} = 1425.67, MB 10 = KH 00{order}, M 11.0 = 1\nwait 3 cycles\n"
                         f"expect MW 225 = KH 675E\nexpect MW 227 = KH 4201\nset nc.{name} = 0\n" for name, order in rows)
         self.scenario(steps)
 
     def test_following_error_and_speed(self):
         """S5-FM-17, S5-FM-18"""
         self.project(MACROS)
-        self.scenario("""set nc.following_error 3 = -70000, MB 10 = KH 3, M 11.1 = 1
+        self.scenario("""set nc.following_error 3 = -70000, MB 10 = KH 0003, M 11.1 = 1
                          wait 3 cycles
                          expect MW 227 = KH FFFE
                          expect MW 225 = KH EE90
-                         set nc.spindle_speed 2 = 1500, MB 10 = KH 2, M 11.1 = 0, M 11.2 = 1
+                         set nc.spindle_speed 2 = 1500, MB 10 = KH 0002, M 11.1 = 0, M 11.2 = 1
                          wait 3 cycles
                          expect MW 225 = KF +1500""")
 
@@ -127,16 +127,16 @@ class Nc(Device):
         self.scenario("""set nc.probe 2 = 1, nc.alarm 3016 = 1, nc.machining_stop = 1, nc.reloading = 90, nc.blocks 1 = 4660
                          set nc.blocks 2 = 22136, nc.ring_full = 1, nc.serial = 1
                          wait 2 cycles
-                         expect MB 24 = KH 8D
-                         expect MB 17 = KH 5A
+                         expect MB 24 = KH 008D
+                         expect MB 17 = KH 005A
                          expect MW 19 = KH 1234
                          expect MW 21 = KH 5678
-                         expect MB 23 = KH 81
+                         expect MB 23 = KH 0081
                          expect nc.alarm_list 1 = 3016
                          set nc.alarm 3016 = 0, nc.probe 2 = 0, nc.probe 1 = 1, nc.ring_full = 0, nc.ring_empty = 1
                          wait 2 cycles
-                         expect MB 24 = KH 44
-                         expect MB 23 = KH 41
+                         expect MB 24 = KH 0044
+                         expect MB 23 = KH 0041
                          expect nc.alarm_list 1 = 0""")
 
     def test_everywhere(self):
@@ -261,7 +261,7 @@ class Options(Device):
             self.assertNotIn("6115", self.merker("run", "p", "--for", "200ms").err)
             self.project(listing, toml + f"{1 << other}\n")
             self.assertIn("6115", self.expect(FAULT, "run", "p", "--for", "200ms").err)
-        slow = "OB 1\n : L KF +300\n : T MW 100\n : SPA FB 5\n : BE\nFB 5\nNAME : X\nM1 : L MW 100\n : ADD KF -1\n : T MW 100\n" \
+        slow = "OB 1\n : L KF +15000\n : T MW 100\n : SPA FB 5\n : BE\nFB 5\nNAME : X\nM1 : L MW 100\n : ADD KF -1\n : T MW 100\n" \
                " : L KF 0\n : ><F\n : SPB =M1\n : BE\n"
         for order, bits, stops in (("table", 2, True), ("table", 1, False), ("text", 1, True), ("text", 2, False)):
             self.project(slow, f'[plc]\nmd_2003 = "{order}"\n[machine_data]\n2003 = {bits}\n')
@@ -510,7 +510,7 @@ DB 11
         self.assertEqual(self.expect(GOOD, "run", "p", *arguments).lines[0], "nc.R 50 = 8")
 
     def test_blocks_that_the_program_makes(self):
-        self.project("OB 1\n : SPA FB 11\nNAME : EINR-DB\nDBNR : KY 50,1\nDWNR : KF +3\n : BE\n")
+        self.project("OB 1\n : SPA FB 11\nNAME : EINR-DB\nDBAN : KY 50,1\nDWNR : KF +3\n : BE\n")
         arguments = ("run", "p", "--card", "card", "--cycles", "2", "--print", "DB50.DW 3")
         self.expect(GOOD, *arguments)
         self.expect(GOOD, *arguments[:-2], "--set", "DB50.DW 3 = KF +6")
