@@ -132,11 +132,16 @@ TEST(SettingsEdit, FilesOfTheProgramKeepTheirPlace) {
 }
 
 TEST(SettingsEdit, LinesBelongToModules) {
-  const SettingsEdit one = edit();
-  EXPECT_EQ(one.moduleAt(9), (ModulePlace{0, "4"}));
-  EXPECT_EQ(one.moduleAt(21), (ModulePlace{0, "5"}));
-  EXPECT_EQ(one.moduleAt(5), std::nullopt);
-  EXPECT_EQ(one.moduleAt(25), std::nullopt);
+  const std::vector<ModuleLines> modules = edit().modules();
+  const auto at = [&](std::uint32_t line) -> std::optional<ModulePlace> {
+    for (const ModuleLines& one : modules)
+      if (line >= one.first && line < one.behind) return one.place;
+    return std::nullopt;
+  };
+  EXPECT_EQ(at(9), (ModulePlace{0, "4"}));
+  EXPECT_EQ(at(21), (ModulePlace{0, "5"}));
+  EXPECT_EQ(at(5), std::nullopt);
+  EXPECT_EQ(at(25), std::nullopt);
 }
 
 TEST(SettingsEdit, WhatItCannotChangeItSays) {
