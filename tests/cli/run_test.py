@@ -152,7 +152,7 @@ class Trace(Case):
         self.assertEqual(call.out, "A 124.0 = 0\nterminal D.DO0 = 0\nterminal D.DI3 = 0\n")
         self.expect(GOOD, "plot", "t.csv", "-o", "t.svg", "--row", "terminal D.DO0 = pulses")
         self.assertIn("P0984", self.expect(USAGE, "run", ".", "--for", "1s", "--print", "terminal D.DO99").err)
-        self.assertIn("P0981", self.expect(USAGE, "run", ".", "--for", "1s", "--watch", "terminal X.DO0").err)
+        self.assertIn("P0981", self.expect(USAGE, "run", ".", "--for", "1s", "--trace", "t.csv", "--watch", "terminal X.DO0").err)
 
     def test_two_runs_are_the_same_byte_for_byte(self):
         self.assertEqual(self.trace("1.csv"), self.trace("2.csv"))

@@ -56,9 +56,9 @@ TEST(Comparison, BesideAnIntegerTheSignCounts) {
   // no place with sign: L#40000 in a word, 200 in a byte
   EXPECT_TRUE(equal(40000, "MW 10", "L#40000"));
   EXPECT_TRUE(check(0xFFFF, "MW 10", Relation::Greater, "L#40000").holds);
-  EXPECT_TRUE(equal(200, "MB 10", "200"));
-  EXPECT_TRUE(check(200, "MB 10", Relation::Greater, "5").holds);
-  EXPECT_TRUE(equal(0xFF, "MB 10", "-1"));
+  EXPECT_TRUE(equal(200, "MB 3", "200"));
+  EXPECT_TRUE(check(200, "MB 3", Relation::Greater, "5").holds);
+  EXPECT_TRUE(equal(0xFF, "MB 3", "-1"));
   EXPECT_TRUE(check(0xFFFB, "5", Relation::Greater, "MW 10").holds);
   EXPECT_TRUE(equal(1, "M 1.0", "1"));
 }
