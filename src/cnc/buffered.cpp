@@ -13,8 +13,8 @@ using nc::Number;
 
 // Numbers of the areas on the card: no data block has them.
 constexpr std::uint16_t kProgramArea = 0x5005, kDataArea = 0x5006;
-constexpr std::size_t kMostWords = 0x8000;  // of a segment
-constexpr std::size_t kNameBytes = 8, kLibraryBytes = 3;
+constexpr std::size_t kMostWords = 0x8000;                // of a segment
+constexpr std::size_t kNameBytes = 8, kLibraryBytes = 4;  // even, as code is
 
 Bytes wordBytes(const std::vector<std::uint16_t>& words) {
   Bytes bytes;
@@ -106,8 +106,7 @@ block::Block stored(const mc5::Block& block) {
   block::Block result;
   const auto type = static_cast<unsigned>(block.id.type);
   result.id = {BlockKind::FC, static_cast<std::uint16_t>(type << 8 | block.id.number)};
-  for (unsigned shift = 16; shift <= 16; shift -= 8)
-    result.code.push_back(static_cast<std::uint8_t>(block.library >> shift));
+  appendDWord(result.code, block.library);
   for (std::size_t i = 0; i < kNameBytes; ++i)
     result.code.push_back(i < block.name.size() ? static_cast<std::uint8_t>(block.name[i]) : ' ');
   const Bytes words = wordBytes(block.words);
@@ -122,7 +121,7 @@ std::optional<mc5::Block> taken(const block::Block& block) {
   if (!type || code.size() < kLibraryBytes + kNameBytes) return std::nullopt;
   mc5::Block result;
   result.id = blockOf(block.id);
-  result.library = static_cast<std::uint32_t>(code[0] << 16 | code[1] << 8 | code[2]);
+  result.library = loadDWord(code.data());
   result.name.assign(code.begin() + kLibraryBytes, code.begin() + kLibraryBytes + kNameBytes);
   result.name.erase(result.name.find_last_not_of(' ') + 1);
   result.words = bytesToWords(std::span(code).subspan(kLibraryBytes + kNameBytes));

@@ -92,7 +92,11 @@ TEST(ActualValues, OnlyOnSomeControls) {
     if (all.has(number)) there.push_back(number);
   EXPECT_EQ(there, (std::vector<std::uint16_t>{11, 56, 57, 58, 60, 61, 62, 65, 66, 190}));
   Rig option;
-  ASSERT_TRUE(option.start("OB 1\n:SPA FB 80\n:BE\n"));
+  ASSERT_TRUE(option.start("OB 1\n:SPA PB 5\n:BE\nPB 5\n:BE\n"));
+  mc5::Block calls;  // which the compiler refuses to write
+  calls.id = {mc5::BlockType::Pb, 5};
+  calls.words = {0x3D50, 0x6500};  // SPA FB 80, BE
+  EXPECT_EQ(option.plc->programmer().load(calls), "");
   option.cycles(1);
   EXPECT_EQ(option.stop(), "6105");
 }

@@ -23,8 +23,9 @@ TEST(Datum, ThePageHasThemAll) {
   page << file.rdbuf();
   for (const DatumRow& row : datumRows())
     for (const std::string_view name : {row.name, row.alias})
-      if (!name.empty())
+      if (!name.empty()) {
         EXPECT_NE(page.str().find("`" + std::string(name) + "`"), std::string::npos) << name;
+      }
 }
 
 TEST(Datum, EachComesBackFromItsBits) {

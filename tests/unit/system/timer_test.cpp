@@ -156,11 +156,11 @@ TEST(IecTimer, AsMultipleInstances) {
 // STOP that time passes at once.
 TEST(IecTimer, AcrossTheEndOfTheSystemTime) {
   constexpr std::int64_t kWrap = std::int64_t{1} << 31;
-  struct Row {
+  struct Kind {
     int sfb;
     bool before, after;  // Q while the time runs, and behind it
   };
-  for (const Row& row : {Row{3, true, false}, Row{4, false, true}, Row{5, true, false}}) {
+  for (const Kind& row : {Kind{3, true, false}, Kind{4, false, true}, Kind{5, true, false}}) {
     Plc plc = plcWith(row.sfb, "CALL SFB " + std::to_string(row.sfb) +
                                    ", DB 1 (IN := E 0.0, PT := T#1S, Q := M 0.0, ET := MD 4);");
     plc.start();
