@@ -103,6 +103,7 @@ void BlockCompiler::checks() {
     }
     Scope scope = scope_;
     scope.anyMnemonics = true;
+    scope.use = nullptr;
     std::vector<const block::Variable*> used;
     auto check = parseCheckComment(comment, scope, copies_, used, problems_);
     if (!check) continue;

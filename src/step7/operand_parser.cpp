@@ -360,7 +360,7 @@ std::optional<Access> OperandParser::insideDataBlock(BlockId db, std::size_t beg
     if (!access) return std::nullopt;
     if (access->operand.kind != OperandKind::Memory) return problem(ProblemCode::P0318, begin);
     access->openDb = db.number;
-    if (scope_.block && !scope_.findBlock(db)) problem(ProblemCode::P0522, begin, toString(db));
+    if (scope_.use && !scope_.findBlock(db)) problem(ProblemCode::P0522, begin, toString(db));
     return access;
   }
   const block::Block* block = scope_.findBlock(db);

@@ -53,9 +53,16 @@ std::string Compiled::listing(BlockKind kind, int number) const {
   return text;
 }
 
+static std::string dataBlock(int number) {
+  return fmt::format("DATA_BLOCK DB {}\nSTRUCT\nx : INT;\nEND_STRUCT;\nBEGIN\nEND_DATA_BLOCK\n",
+                     number);
+}
+
 std::string statements(std::string_view code, std::string_view model) {
-  const Compiled compiled = compileText(
-      "ORGANIZATION_BLOCK OB 1\nBEGIN\n" + std::string(code) + "\nEND_ORGANIZATION_BLOCK\n", model);
+  const Compiled compiled =
+      compileText("ORGANIZATION_BLOCK OB 1\nBEGIN\n" + std::string(code) +
+                      "\nEND_ORGANIZATION_BLOCK\n" + dataBlock(5) + dataBlock(6),
+                  model);
   EXPECT_EQ(compiled.problems(), std::vector<std::string>{}) << code;
   std::string text = compiled.listing(BlockKind::OB, 1);
   if (text.ends_with("BE\n")) text.resize(text.size() - 3);
