@@ -98,6 +98,16 @@ class Results(unittest.TestCase):
         self.assertEqual(results.rate(899, 101), 89)
         self.assertEqual(results.rate(0, 0), 100)
 
+    def test_survivors_are_found_again(self):
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            (root / "a.cpp").write_text("x();\n  f();\ny();\n    f();\n", encoding="utf-8")
+            mutant = candidates.Mutant("a.cpp", 4, "    f();", "    ;")
+            row = {"survived": [results.survivor(root, mutant)]}
+            self.assertEqual(list(results.survivors(root, row)), [mutant])
+            (root / "a.cpp").write_text("f();\n", encoding="utf-8")
+            self.assertEqual(list(results.survivors(root, row)), [])
+
     def test_equivalents_name_lines_that_stand_there(self):
         root = TOOLS.parent
         for (file, before, after), reason in results.equivalents().items():

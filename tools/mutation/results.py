@@ -41,13 +41,23 @@ def rate(killed, survived):
 
 def survivors(root, row):
     """The mutants of a module that survived its last run, where their lines still stand."""
-    for file, before, after in row["survived"]:
-        path = root / file
-        for number, line in enumerate(path.read_text(encoding="utf-8").split("\n") if path.exists() else [], 1):
-            if line.strip() == before:
-                indent = line[:len(line) - len(line.lstrip())]
-                yield Mutant(file, number, line, indent + after)
-                break
+    for file, before, after, turn in row["survived"]:
+        same = same_lines(root / file, before)
+        if turn < len(same):
+            number, line = same[turn]
+            yield Mutant(file, number, line, line[:len(line) - len(line.lstrip())] + after)
+
+
+def same_lines(path, before):
+    lines = path.read_text(encoding="utf-8").split("\n") if path.exists() else []
+    return [(number, line) for number, line in enumerate(lines, 1) if line.strip() == before]
+
+
+def survivor(root, mutant):
+    """How a survivor is recorded: without the number of its line, but as the how manieth of the same lines (from 0)."""
+    before = mutant.before.strip()
+    turn = [number for number, _ in same_lines(root / mutant.file, before)].index(mutant.line)
+    return [*mutant.key(), turn]
 
 
 PAGE = """# Mutated rules

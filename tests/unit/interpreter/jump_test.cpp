@@ -119,5 +119,20 @@ TEST(EndOfCode, WithoutBeStops) {
   EXPECT_EQ(rig.stopEvent(), 0x457Au);
 }
 
+// The entry says where: at the end of the code, or at the word that is no instruction.
+TEST(EndOfCode, TheEntryNamesThePlace) {
+  for (const bool unknown : {false, true}) {
+    block::Block fc = codeBlock(BlockKind::FC, 1, {{Operation::NOP0, {}}, {Operation::NOP0, {}}});
+    if (unknown) fc.code.insert(fc.code.begin() + 2, {0x70, 0xFF});
+    Rig rig({{Operation::UC, mc7::blockOperand(BlockKind::FC, 1)}}, {fc});
+    rig.start();
+    rig.finish();
+    EXPECT_TRUE(rig.stopped());
+    const cpu::Place place = rig.cpu().stopEvent().place;
+    EXPECT_EQ(toString(place.block), "FC 1");
+    EXPECT_EQ(place.offset, unknown ? 2u : 4u);
+  }
+}
+
 }  // namespace
 }  // namespace merker::interpreter::test

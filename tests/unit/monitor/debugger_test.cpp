@@ -57,6 +57,9 @@ TEST(Breakpoint, CanBeSwitchedOffAndTakenAway) {
   EXPECT_EQ(plc.run().why, Pause::Why::Limit);
   EXPECT_TRUE(plc.debugger().enableBreakpoint(number, true));
   EXPECT_EQ(plc.run().why, Pause::Why::Breakpoint);
+  EXPECT_TRUE(plc.debugger().enableBreakpoint(number, false));
+  EXPECT_EQ(plc.breakAt("22"), number);  // set once more: it is on again
+  EXPECT_EQ(plc.run().why, Pause::Why::Breakpoint);
   EXPECT_TRUE(plc.debugger().removeBreakpoint(number));
   EXPECT_FALSE(plc.debugger().removeBreakpoint(number));
   EXPECT_EQ(plc.run().why, Pause::Why::Limit);
