@@ -7,6 +7,7 @@
 #include "base/text.h"
 #include "cpu/trigger.h"
 #include "simulator/expectations.h"
+#include "simulator/start.h"
 #include "station/station.h"
 
 namespace merker::simulator {
@@ -15,26 +16,6 @@ namespace {
 using controller::Controller;
 using controller::Mode;
 using station::Station;
-
-// Restart of either kind, and the startup OBs up to RUN.
-using Start = bool (Controller::*)();
-
-bool restart(Controller& plc, Start how, Duration longest = kLongestStartup) {
-  if (plc.mode() != Mode::Stop) plc.stop();
-  if (!(plc.*how)()) return false;
-  const Instant limit = plc.now() + longest;
-  while (plc.mode() == Mode::Startup && plc.now() < limit) advanceToNextLook(plc, limit);
-  return true;
-}
-
-// Memory reset and start. Why no scenario can begin: the start is refused, or its OB does not end.
-// One that ends in STOP, by SFC 46 or a fault, is no refusal (S7-STATE-08).
-std::string refusal(Controller& plc, Duration longest = kLongestStartup) {
-  if (plc.mode() != Mode::Stop) plc.stop();
-  plc.memoryReset();
-  if (!restart(plc, &Controller::start, longest)) return "the CPU does not start" + because(plc);
-  return plc.mode() == Mode::Startup ? "the CPU does not reach RUN" : std::string();
-}
 
 class Runner {
  public:
@@ -369,20 +350,6 @@ void Runner::endState(const Scenario& scenario) {
 }
 
 }  // namespace
-
-// A STOP inside a call lets time run to the end of that call, so calls are short; in STOP nothing
-// happens any more.
-void advanceToNextLook(Controller& plc, Instant end) {
-  constexpr Duration kSlice = Duration::milliseconds(1);
-  const bool stopped = plc.mode() == Mode::Stop;
-  plc.advanceToCheckpoint(stopped ? end : std::min(end, plc.now() + kSlice));
-}
-
-std::string startFresh(Controller& plc, Duration longest) {
-  const std::string reason = refusal(plc, longest);
-  if (!reason.empty() || plc.mode() == Mode::Run) return reason;
-  return "the CPU does not reach RUN" + because(plc);
-}
 
 TestResult runScenario(const Scenario& scenario, Controller& plc) {
   TestResult result{scenario.position.file, scenario.name, {}, {}};

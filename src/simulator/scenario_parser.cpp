@@ -1,86 +1,27 @@
-// Lines to steps. Every text is a view into the file, so that a problem can point at it.
+#include "simulator/scenario_parser.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <filesystem>
 
 #include "base/text.h"
 #include "simulator/duration.h"
-#include "simulator/expectations.h"
 #include "simulator/line.h"
-#include "simulator/relation.h"
-#include "simulator/scenario.h"
-#include "simulator/step_words.h"
 
 namespace merker::simulator {
-namespace {
-
-using block::Relation;
 
 constexpr std::size_t kDeepestRepeat = 16;
-constexpr std::string_view kPartner = "partner";
-
-bool isBlank(char c) { return c == ' ' || c == '\t'; }
-
-class Parser {
- public:
-  Parser(const source::SourceFile& file, Problems& problems) : file_(file), problems_(problems) {}
-
-  std::vector<Scenario> parse();
-  std::vector<Assignment> assignments(std::string_view text);
-
- private:
-  Position at(std::string_view text) const;
-  template <typename... Arguments>
-  bool fail(ProblemCode code, std::string_view where, const Arguments&... arguments) {
-    problems_.add(code, at(where), arguments...);
-    return false;
-  }
-
-  void line(std::string_view text);
-  void step(const StepWord& word, std::string_view whole, std::string_view rest,
-            bool partner = false);
-  void partnerStep(std::string_view whole, std::string_view rest);
-  bool content(Step& step, StepWord::Rest kind, std::string_view rest);
-  void beginScenario(std::string_view whole, std::string_view rest);
-  void beginRepeat(Step step);
-  void endRepeat(std::string_view whole, std::string_view rest);
-  void closeScenario();
-
-  bool wait(Step& step, std::string_view rest);
-  bool terminals(std::vector<TerminalValue>& list, std::string_view rest);
-  bool plants(std::vector<PlantValue>& list, std::string_view rest);
-  bool switchTo(Step& step, std::string_view rest);
-  bool trigger(Step& step, std::string_view rest);
-  bool count(std::uint64_t& number, std::string_view text);
-  bool expectation(Expectation& e, std::string_view rest);
-  bool timing(Expectation& e, std::string_view& rest);
-  bool mode(Expectation& e, std::string_view rest, std::string_view value);
-  bool led(Expectation& e, std::string_view rest, std::string_view which, std::string_view light);
-  bool diagnostics(Expectation& e, std::string_view rest);
-  bool stack(Expectation& e, std::string_view rest, std::string_view field, std::string_view value);
-  bool assignment(std::vector<Assignment>& list, std::string_view text);
-  bool term(Term& term, std::string_view text, std::string_view where, std::string_view what);
-  std::vector<Step>& target();
-
-  const source::SourceFile& file_;
-  Problems& problems_;
-  std::vector<Scenario> scenarios_;
-  std::string_view line_;    // being read, without its comment
-  std::vector<Step> open_;   // repeats not yet ended, outermost first
-  std::size_t tooDeep_ = 0;  // further ones
-};
 
 // An empty part may have lost its place; the whole line stands for it.
-Position Parser::at(std::string_view text) const {
+Position ScenarioParser::at(std::string_view text) const {
   if (text.empty()) text = line_;
   const auto offset = static_cast<std::size_t>(text.data() - file_.text().data());
   return file_.position(offset, std::max<std::size_t>(text.size(), 1));
 }
 
-std::vector<Step>& Parser::target() {
+std::vector<Step>& ScenarioParser::target() {
   if (!open_.empty()) return open_.back().body;
   if (scenarios_.empty())
     scenarios_.push_back(
@@ -88,7 +29,7 @@ std::vector<Step>& Parser::target() {
   return scenarios_.back().steps;
 }
 
-std::vector<Scenario> Parser::parse() {
+std::vector<Scenario> ScenarioParser::parse() {
   for (std::uint32_t number = 1; number <= file_.lineCount(); ++number)
     line(withoutComment(file_.line(number)));
   closeScenario();
@@ -97,7 +38,7 @@ std::vector<Scenario> Parser::parse() {
   return std::move(scenarios_);
 }
 
-void Parser::line(std::string_view text) {
+void ScenarioParser::line(std::string_view text) {
   if (text.empty()) return;
   line_ = text;
   std::string_view rest = text;
@@ -117,7 +58,7 @@ void Parser::line(std::string_view text) {
 }
 
 // "partner stop": what the coupled control can do.
-void Parser::partnerStep(std::string_view whole, std::string_view rest) {
+void ScenarioParser::partnerStep(std::string_view whole, std::string_view rest) {
   using enum StepKind;
   constexpr StepKind kKinds[] = {
       Run,        Stop,        ColdRestart, WarmRestart, PowerOff, PowerOn, PowerOnUnbuffered,
@@ -132,8 +73,8 @@ void Parser::partnerStep(std::string_view whole, std::string_view rest) {
        "battery good or fault; its operands are set as set partner.MW 10 = 5");
 }
 
-void Parser::step(const StepWord& word, std::string_view whole, std::string_view rest,
-                  bool partner) {
+void ScenarioParser::step(const StepWord& word, std::string_view whole, std::string_view rest,
+                          bool partner) {
   if (word.rest == StepWord::Rest::Scenario) return beginScenario(whole, rest);
   if (word.rest == StepWord::Rest::End) return endRepeat(whole, rest);
   Step step;
@@ -148,7 +89,7 @@ void Parser::step(const StepWord& word, std::string_view whole, std::string_view
     target().push_back(std::move(step));
 }
 
-bool Parser::content(Step& step, StepWord::Rest kind, std::string_view rest) {
+bool ScenarioParser::content(Step& step, StepWord::Rest kind, std::string_view rest) {
   switch (kind) {
     case StepWord::Rest::Assignments:
       step.assignments = assignments(rest);
@@ -183,7 +124,7 @@ bool Parser::content(Step& step, StepWord::Rest kind, std::string_view rest) {
   return rest.empty() || fail(ProblemCode::P0959, rest, rest, step.text);
 }
 
-void Parser::beginScenario(std::string_view whole, std::string_view rest) {
+void ScenarioParser::beginScenario(std::string_view whole, std::string_view rest) {
   closeScenario();
   std::string name(rest);
   if (rest.size() >= 2 && rest.front() == '"' && rest.back() == '"')
@@ -194,14 +135,14 @@ void Parser::beginScenario(std::string_view whole, std::string_view rest) {
 }
 
 // Also with a bad count, so that its end is not a second problem.
-void Parser::beginRepeat(Step step) {
+void ScenarioParser::beginRepeat(Step step) {
   if (open_.size() < kDeepestRepeat && tooDeep_ == 0) return open_.push_back(std::move(step));
   if (tooDeep_++ == 0)
     problems_.add(ProblemCode::P0952, step.position,
                   fmt::format("'end' (at most {} repeats inside each other)", kDeepestRepeat));
 }
 
-void Parser::endRepeat(std::string_view whole, std::string_view rest) {
+void ScenarioParser::endRepeat(std::string_view whole, std::string_view rest) {
   if (!rest.empty()) fail(ProblemCode::P0959, rest, rest, "end");
   if (tooDeep_ > 0) {
     --tooDeep_;
@@ -216,13 +157,13 @@ void Parser::endRepeat(std::string_view whole, std::string_view rest) {
   target().push_back(std::move(repeat));
 }
 
-void Parser::closeScenario() {
+void ScenarioParser::closeScenario() {
   for (const Step& repeat : open_) problems_.add(ProblemCode::P0956, repeat.position);
   open_.clear();
   tooDeep_ = 0;
 }
 
-bool Parser::wait(Step& step, std::string_view rest) {
+bool ScenarioParser::wait(Step& step, std::string_view rest) {
   std::string_view words = rest;
   const std::string_view number = takeWord(words);
   if (equalsIgnoreCase(words, "cycles") || equalsIgnoreCase(words, "cycle")) {
@@ -235,7 +176,7 @@ bool Parser::wait(Step& step, std::string_view rest) {
   return true;
 }
 
-bool Parser::terminals(std::vector<TerminalValue>& list, std::string_view rest) {
+bool ScenarioParser::terminals(std::vector<TerminalValue>& list, std::string_view rest) {
   const auto place = [this](std::string_view text) { return at(text); };
   for (std::string_view part : splitList(rest)) {
     const auto sign = findOutside(part, [](std::string_view tail) { return tail[0] == '='; });
@@ -249,14 +190,14 @@ bool Parser::terminals(std::vector<TerminalValue>& list, std::string_view rest) 
   return true;
 }
 
-bool Parser::plants(std::vector<PlantValue>& list, std::string_view rest) {
+bool ScenarioParser::plants(std::vector<PlantValue>& list, std::string_view rest) {
   const auto place = [this](std::string_view text) { return at(text); };
   for (std::string_view part : splitList(rest))
     if (!parsePlantStep(part, list.emplace_back(), place, problems_)) return false;
   return true;
 }
 
-bool Parser::count(std::uint64_t& number, std::string_view text) {
+bool ScenarioParser::count(std::uint64_t& number, std::string_view text) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error == std::errc() && end == text.data() + text.size() && number <= 1'000'000'000)
     return true;
@@ -264,140 +205,28 @@ bool Parser::count(std::uint64_t& number, std::string_view text) {
   return fail(ProblemCode::P0952, text, "a whole number from 0 to 1000000000");
 }
 
-bool Parser::switchTo(Step& step, std::string_view rest) {
+bool ScenarioParser::switchTo(Step& step, std::string_view rest) {
   const auto position = parseSwitch(rest);
   if (!position) return fail(ProblemCode::P0952, rest, "RUN-P, RUN, STOP or MRES");
   step.switchPosition = *position;
   return true;
 }
 
-bool Parser::trigger(Step& step, std::string_view rest) {
+bool ScenarioParser::trigger(Step& step, std::string_view rest) {
   const ParsedTrigger parsed = parseTrigger(rest);
   step.trigger = parsed.trigger;
   return parsed.expected.empty() || fail(ProblemCode::P0952, parsed.wrong, parsed.expected);
 }
 
-// Takes "for 5s" or "within 5s" off the end.
-bool Parser::timing(Expectation& e, std::string_view& rest) {
-  const auto place = findOutside(rest, [](std::string_view tail) {
-    std::string_view words = tail;
-    if (!isBlank(tail.front()) || (tail.size() > 1 && isBlank(tail[1]))) return false;
-    const std::string_view word = takeWord(words);
-    return equalsIgnoreCase(word, "for") || equalsIgnoreCase(word, "within");
-  });
-  if (place == std::string_view::npos) return true;
-  std::string_view length = rest.substr(place);
-  const bool during = equalsIgnoreCase(takeWord(length), "for");
-  e.when = during ? Expectation::When::During : Expectation::When::Within;
-  rest = trim(rest.substr(0, place));
-  const auto duration = parseDuration(length);
-  if (!duration) return fail(ProblemCode::P0953, length.empty() ? rest : length, length);
-  e.duration = *duration;
-  return true;
-}
-
-bool Parser::expectation(Expectation& e, std::string_view rest) {
-  if (!timing(e, rest)) return false;
-  std::string_view words = rest;
-  std::string_view first = takeWord(words);
-  if (equalsIgnoreCase(first, kPartner)) {
-    e.partner = true;
-    rest = words;
-    first = takeWord(words);
-  }
-  if (equalsIgnoreCase(first, "diagnostics")) return diagnostics(e, words.empty() ? rest : words);
-  const auto place =
-      findOutside(rest, [](std::string_view tail) { return relationAt(tail) != nullptr; });
-  if (place == std::string_view::npos)
-    return fail(ProblemCode::P0952, rest, "a comparison (= <> < <= > >= ~=)");
-  const RelationText* relation = relationAt(rest.substr(place));
-  e.relation = relation->relation;
-  const std::string_view left = trim(rest.substr(0, place));
-  const std::string_view right = trim(rest.substr(place + relation->text.size()));
-  if (equalsIgnoreCase(left, "mode")) return mode(e, rest, right);
-  if (e.partner)
-    return fail(ProblemCode::P0952, left.empty() ? rest : left,
-                "mode, diagnostics contains, or an operand as partner.MW 10");
-  std::string_view terminal = left;
-  if (equalsIgnoreCase(takeWord(terminal), "terminal")) {
-    e.what = Expectation::What::Terminal;
-    return parseTerminal(
-        terminal, right, e.terminal, [this](std::string_view text) { return at(text); }, problems_);
-  }
-  std::string_view field = left;
-  if (takeStack(field, e.stack)) return stack(e, rest, field, right);
-  std::string_view signal = left;
-  if (equalsIgnoreCase(takeWord(signal), "plant")) {
-    e.what = Expectation::What::Plant;
-    return parsePlant(
-        signal, right, e.plant, [this](std::string_view text) { return at(text); }, problems_);
-  }
-  std::string_view which = left;
-  if (equalsIgnoreCase(takeWord(which), "LED")) return led(e, rest, which, right);
-  return term(e.left, left, rest, "an operand") && term(e.right, right, rest, "a value");
-}
-
-bool Parser::mode(Expectation& e, std::string_view rest, std::string_view value) {
-  e.what = Expectation::What::Mode;
-  if (e.relation != Relation::Equal && e.relation != Relation::NotEqual)
-    return fail(ProblemCode::P0952, rest, "mode = or mode <>");
-  using controller::Mode;
-  for (const Mode one : {Mode::Run, Mode::Stop, Mode::Startup, Mode::Halt}) {
-    if (!equalsIgnoreCase(value, modeName(one))) continue;
-    e.mode = one;
-    return true;
-  }
-  return fail(ProblemCode::P0954, value.empty() ? rest : value, value);
-}
-
-bool Parser::led(Expectation& e, std::string_view rest, std::string_view which,
-                 std::string_view light) {
-  e.what = Expectation::What::Led;
-  e.led = parseLed(which);
-  const auto wanted = parseLight(light);
-  if (e.relation != Relation::Equal && e.relation != Relation::NotEqual)
-    return fail(ProblemCode::P0952, rest, "LED NAME = or LED NAME <>");
-  if (e.led == nullptr)
-    return fail(ProblemCode::P0952, which.empty() ? rest : which,
-                "SF, BF, BATF, DC5V, FRCE, RUN or STOP");
-  if (!wanted)
-    return fail(ProblemCode::P0952, light.empty() ? rest : light,
-                "off, on, slow (0.5 Hz) or fast (2 Hz)");
-  e.light = *wanted;
-  return true;
-}
-
-bool Parser::stack(Expectation& e, std::string_view rest, std::string_view field,
-                   std::string_view value) {
-  e.what = Expectation::What::Stack;
-  e.stack.value = value;
-  if (e.relation == Relation::About)
-    return fail(ProblemCode::P0952, rest, "a comparison (= <> < <= > >=)");
-  if (field.empty()) return fail(ProblemCode::P0952, rest, "a field, as ustack SAZ = 002A");
-  return !value.empty() || fail(ProblemCode::P0952, rest, "a value, as 002A or PB 5");
-}
-
-bool Parser::diagnostics(Expectation& e, std::string_view rest) {
-  e.what = Expectation::What::Diagnostics;
-  std::string_view words = rest;
-  const std::string_view contains = takeWord(words);
-  if (!equalsIgnoreCase(contains, "contains"))
-    return fail(ProblemCode::P0952, rest, "contains \"text\"");
-  if (words.size() < 2 || words.front() != '"' || words.back() != '"')
-    return fail(ProblemCode::P0952, words.empty() ? contains : words, "a text in quotation marks");
-  e.words = words.substr(1, words.size() - 2);
-  return true;
-}
-
-bool Parser::term(Term& term, std::string_view text, std::string_view where,
-                  std::string_view what) {
+bool ScenarioParser::term(Term& term, std::string_view text, std::string_view where,
+                          std::string_view what) {
   if (text.empty()) return fail(ProblemCode::P0952, where, what);
   term.text = text;
   term.position = at(text);
   return true;
 }
 
-bool Parser::assignment(std::vector<Assignment>& list, std::string_view text) {
+bool ScenarioParser::assignment(std::vector<Assignment>& list, std::string_view text) {
   const auto sign = findOutside(text, [](std::string_view rest) { return rest[0] == '='; });
   if (sign == std::string_view::npos) return fail(ProblemCode::P0952, text, "OPERAND = VALUE");
   Assignment assignment;
@@ -407,22 +236,20 @@ bool Parser::assignment(std::vector<Assignment>& list, std::string_view text) {
   return good;
 }
 
-std::vector<Assignment> Parser::assignments(std::string_view text) {
+std::vector<Assignment> ScenarioParser::assignments(std::string_view text) {
   if (line_.empty()) line_ = text;
   std::vector<Assignment> list;
   for (std::string_view part : splitList(text)) assignment(list, part);
   return list;
 }
 
-}  // namespace
-
 std::vector<Scenario> parseScenarios(const source::SourceFile& file, Problems& problems) {
-  return Parser(file, problems).parse();
+  return ScenarioParser(file, problems).parse();
 }
 
 std::vector<Assignment> parseAssignments(const source::SourceFile& file, std::string_view text,
                                          Problems& problems) {
-  return Parser(file, problems).assignments(text);
+  return ScenarioParser(file, problems).assignments(text);
 }
 
 }  // namespace merker::simulator

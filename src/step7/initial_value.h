@@ -23,6 +23,9 @@ std::optional<std::vector<std::uint8_t>> readInitialValue(const block::Type& typ
 // for INT, W#16#… for WORD, 5 for BYTE if it fits, … Nothing if it does not fit the type.
 std::optional<std::uint32_t> convertConstant(const Constant& constant, TypeCode type);
 
+// Whether the notation states more bits than the type has.
+bool tooWide(ConstantFormat format, TypeCode type);
+
 // Writes `bits` of an elementary value at bit address `at` of the frame.
 void storeElementary(std::vector<std::uint8_t>& image, BitAddress at, TypeCode type,
                      std::uint32_t bits);
