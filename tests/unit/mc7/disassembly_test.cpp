@@ -46,6 +46,16 @@ TEST(Disassembly, ShowsTheParameterListOfACall) {
             "0016: 6500          BE\n");
 }
 
+// Neither a pointer nor a number: an area that there is none, bits that no pointer has.
+TEST(Disassembly, OtherEntriesAreShownAsTheyAre) {
+  const Bytes code{0x3D, 0x05, 0x70, 0x0B, 0x00, 0x06, 0x99, 0x00,
+                   0x00, 0x01, 0x84, 0x80, 0x00, 0x10, 0x65, 0x00};
+  const auto lines = disassemble(code, Mnemonics::German);
+  ASSERT_EQ(lines.size(), 5u);
+  EXPECT_EQ(lines[2].text, "      DW#16#99000001");
+  EXPECT_EQ(lines[3].text, "      DW#16#84800010");
+}
+
 TEST(Disassembly, AreasFollowTheMnemonics) {
   const auto lines = disassemble(kCall, Mnemonics::International);
   EXPECT_EQ(lines[1].text, "JU    10");
