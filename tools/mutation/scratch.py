@@ -44,6 +44,10 @@ def tracked(root):
     return [name for name in names if name and (root / name).is_file()]
 
 
+class DoesNotLink(Exception):
+    """A mutant that compiles, but not into a program."""
+
+
 class Scratch:
     def __init__(self, root, folder, build):
         self.tree, self.build, self.out = folder, folder / build, folder / "mutant"
@@ -149,5 +153,7 @@ class Scratch:
         made = self.out / pathlib.Path(program).name
         made.unlink(missing_ok=True)
         command = self.link_command(program).replace(f" -o {program} ", f" -o {shlex.quote(str(made))} {shlex.quote(str(target))} ", 1)
-        subprocess.run(["sh", "-c", command], cwd=self.build, check=True, stdout=subprocess.DEVNULL)
+        done = subprocess.run(["sh", "-c", command], cwd=self.build, capture_output=True, check=False)
+        if done.returncode != 0:
+            raise DoesNotLink(program)
         return made
