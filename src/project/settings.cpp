@@ -4,6 +4,7 @@
 
 #include "address/constant.h"
 #include "base/bcd.h"
+#include "project/deep_key.h"
 #include "project/readers.h"
 
 namespace merker::project {
@@ -145,6 +146,11 @@ Settings readSettings(const source::SourceFile& file, Problems& problems,
   constexpr std::size_t kMegabyte = 1024 * 1024, kLargest = 1;
   if (file.text().size() > kLargest * kMegabyte) {
     problems.add(ProblemCode::P0103, Position{file.name()}, kLargest, "a project file");
+    return settings;
+  }
+  if (const auto place = deepKey(file.text())) {
+    problems.add(ProblemCode::P0202, file.position(*place), "the nesting of keys",
+                 fmt::format("1..{}", kDeepestKey));
     return settings;
   }
   const toml::parse_result result = toml::parse(file.text(), file.name());

@@ -42,7 +42,7 @@ class DataCompiler {
     const std::size_t offset = scanner.offset();
     if (value(scanner)) return;
     problems_.add(ProblemCode::P1131, at(line.offset, line.text.size()));
-    append(faulty(), offset);
+    append(faulty(), at(offset, 1));
   }
 
   // A printed listing may close the block with BE.
@@ -97,7 +97,7 @@ class DataCompiler {
       problems_.add(failure.code, at(failure.offset, failure.length), failure.what,
                     failure.expected);
     keepComment(block_, next(), true, scanner.rest());
-    append(operand ? *operand : faulty(pair), offset);
+    append(operand ? *operand : faulty(pair), at(offset, 1));
     return true;
   }
 
@@ -108,8 +108,7 @@ class DataCompiler {
     return operand;
   }
 
-  void append(const Operand& operand, std::size_t offset) {
-    const Position place = at(offset, 1);
+  void append(const Operand& operand, const Position& place) {
     block_.lines.push_back(
         {static_cast<std::uint32_t>(block_.words.size()), place.line, place.column});
     if (operand.value.format == Format::Float) {
@@ -136,7 +135,8 @@ class DataCompiler {
     const bool quotable = text->find('\'') == std::string::npos;  // as a print shows it
     if (!text->empty() && quotable)
       block_.texts[next()] = static_cast<std::uint32_t>(text->size() / 2);
-    for (std::size_t i = 0; i < text->size(); i += 2) pair(text->substr(i, 2), offset);
+    const Position place = at(offset, 1);
+    for (std::size_t i = 0; i < text->size(); i += 2) pair(text->substr(i, 2), place);
     return true;
   }
 
@@ -152,11 +152,11 @@ class DataCompiler {
     return text;
   }
 
-  void pair(const std::string& text, std::size_t offset) {
+  void pair(const std::string& text, const Position& place) {
     Operand operand;
     operand.value.format = Format::Characters;
     operand.value.value = mc5::constantBits(Format::Characters, text).value_or(0);
-    append(operand, offset);
+    append(operand, place);
   }
 
   Position at(std::size_t offset, std::size_t length) const {

@@ -71,6 +71,23 @@ class TemporaryFolder {
   fs::path path_;
 };
 
+// SQLite makes an empty log beside a card that it only looks at. One that was not there goes again.
+class NewLog {
+ public:
+  explicit NewLog(const std::string& file) : log_(file + "-wal"), isNew_(!fs::exists(log_)) {}
+  NewLog(const NewLog&) = delete;
+  NewLog& operator=(const NewLog&) = delete;
+  ~NewLog() {
+    std::error_code error;
+    if (isNew_ && fs::file_size(log_, error) == 0 && !error) fs::remove(log_, error);
+  }
+  void keep() { isNew_ = false; }
+
+ private:
+  std::string log_;
+  bool isNew_;
+};
+
 std::optional<Problem> makeFolder(const std::string& folder, const Position& at) {
   std::error_code error;
   if (fs::exists(folder, error) && !fs::is_directory(folder, error))
@@ -89,9 +106,11 @@ void requireOrder(Database& database) {
 }  // namespace
 
 struct MemoryCard::Parts {
-  Parts(Position place, const std::string& file) : at(std::move(place)), database(file) {}
+  Parts(Position place, const std::string& path)
+      : at(std::move(place)), file(path), database(path) {}
 
   Position at;
+  std::string file;
   Database database;
   std::optional<Pages> pages;
   LoadMemory load;
@@ -113,6 +132,10 @@ std::optional<Problem> MemoryCard::Parts::check() {
   if (format > kFormat) return makeProblem(ProblemCode::P1005, at, format, kFormat);
   if (format != kFormat) throw Damage(fmt::format("its format is {}", format));
   requireTables(database);
+  const auto pages = database.integer("PRAGMA page_count");
+  const auto bytes = pages * database.integer("PRAGMA page_size");
+  if (fs::file_size(file) > static_cast<std::uintmax_t>(bytes))
+    throw Damage(fmt::format("there is something behind its {} pages", pages));
   database.setBudget(kReadBudget);
   requireOrder(database);
   return std::nullopt;
@@ -175,6 +198,7 @@ Result<MemoryCard> MemoryCard::open(const std::string& folder) {
 }
 
 Result<MemoryCard> MemoryCard::openFile(const std::string& file, const Position& at) {
+  NewLog log(file);  // until the database is closed again
   return guarded<MemoryCard>(at, ProblemCode::P1001, [&]() -> Result<MemoryCard> {
     auto parts = std::make_unique<Parts>(at, file);
     Database& database = parts->database;
@@ -186,6 +210,7 @@ Result<MemoryCard> MemoryCard::openFile(const std::string& file, const Position&
     database.setNoBudget();
     database.execute(kWriting);
     database.checkpointOnClose(true);
+    log.keep();
     return MemoryCard(std::move(parts));
   });
 }

@@ -236,7 +236,7 @@ KINDS = {
     "another setting": sql("INSERT INTO setting VALUES ('extra', x'', 0)"),
     "an area of another kind": sql("UPDATE area SET kind = 'E' WHERE kind = 'M'", "UPDATE page SET kind = 'E' WHERE"
                                                                                   " kind = 'M'"),
-    "too many timers": area("T", lambda old: old * 300),
+    "too many counters": area("Z", lambda old: old * 9000),
     "times outside": area("state", lambda old: b"\x7f" + b"\xff" * 15 + b"\1"),
     "an event of no block": area("diagnostics", lambda old: b"\x43\x02" + bytes(8) + bytes(2) + b"\1\xff\xff\xff"
                                  + bytes(4 + 10 + 8)),
@@ -299,7 +299,7 @@ def damaged(random_, old):
 
 def mutated(random_, old):
     new = bytearray(old)
-    for _ in range(random_.randint(1, 4)):
+    for _ in range(random_.randint(1, 4) if new else 0):
         at = random_.randrange(len(new))
         new[at:at + 8] = random_.choice([b"\0" * 8, b"\xff" * 8, b"\x7f\xff\xff\xff\xff\xff\xff\xff",
                                          random_.randbytes(8)])[:len(new) - at]
