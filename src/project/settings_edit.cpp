@@ -1,8 +1,11 @@
 #include "project/settings_edit.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "base/text.h"
+#include "project/deep_key.h"
 #include "project/files.h"
 #include "project/readers.h"
 #include "project/settings_text.h"
@@ -13,7 +16,9 @@ namespace {
 // One look at the text: its tables, and in which lines their headers stand.
 class View {
  public:
-  explicit View(const std::string& text) : text_(text), parsed_(toml::parse(text)) {
+  // What is too deep for the library is an error like any other; take() says which.
+  explicit View(const std::string& text)
+      : text_(text), parsed_(toml::parse(deepKey(text) ? "=" : text)) {
     if (parsed_) collect(parsed_.table());
     std::sort(headers_.begin(), headers_.end());
   }
@@ -217,7 +222,10 @@ void SettingsEdit::take(std::string text) {
   text_ = std::move(text);
   const View view(text_);
   problem_.reset();
-  if (!view.good()) {
+  if (deepKey(text_)) {
+    problem_ = makeProblem(ProblemCode::P0202, Position{file_}, "the nesting of keys",
+                           fmt::format("1..{}", kDeepestKey));
+  } else if (!view.good()) {
     const toml::source_position& place = view.error().source().begin;
     problem_ = makeProblem(ProblemCode::P0702, Position{file_, place.line, place.column},
                            std::string(view.error().description()));

@@ -120,9 +120,11 @@ bool DeclarationParser::variables(block::Section section, std::vector<VariableSy
   std::vector<VariableSyntax> names;
   do {
     if (names.size() + out.size() == kMostVariables) {
-      problems_.add(ProblemCode::P0106, at(cursor_.pos(), cursor_.pos() + 1), kMostVariables,
-                    "variables in this declaration");
-      cursor_.seek(cursor_.end());
+      if (!tooMany_)
+        problems_.add(ProblemCode::P0106, at(cursor_.pos(), cursor_.pos() + 1), kMostVariables,
+                      "variables in this declaration");
+      tooMany_ = true;
+      recover();
       return true;
     }
     VariableSyntax variable;

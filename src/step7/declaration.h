@@ -79,6 +79,7 @@ class DeclarationParser {
   const source::SourceFile& file_;
   Problems& problems_;
   int depth_ = 0;
+  bool tooMany_ = false;  // variables: told
 };
 
 // Keyword of a block kind: OB, FB, FC, DB, UDT, SFB, SFC.

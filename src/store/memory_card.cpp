@@ -132,10 +132,10 @@ std::optional<Problem> MemoryCard::Parts::check() {
   if (format > kFormat) return makeProblem(ProblemCode::P1005, at, format, kFormat);
   if (format != kFormat) throw Damage(fmt::format("its format is {}", format));
   requireTables(database);
-  const auto pages = database.integer("PRAGMA page_count");
-  const auto bytes = pages * database.integer("PRAGMA page_size");
+  const auto count = database.integer("PRAGMA page_count");
+  const auto bytes = count * database.integer("PRAGMA page_size");
   if (fs::file_size(file) > static_cast<std::uintmax_t>(bytes))
-    throw Damage(fmt::format("there is something behind its {} pages", pages));
+    throw Damage(fmt::format("there is something behind its {} pages", count));
   database.setBudget(kReadBudget);
   requireOrder(database);
   return std::nullopt;

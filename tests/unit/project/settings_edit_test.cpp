@@ -149,6 +149,10 @@ TEST(SettingsEdit, WhatItCannotChangeItSays) {
   EXPECT_EQ(edit("module = [{slot = 4}]").problem()->name(), "P1308");
   EXPECT_EQ(edit("module = 1").problem()->name(), "P1308");
   EXPECT_FALSE(edit().problem());
+  std::string deep = "[a";
+  for (int i = 0; i < 300'000; ++i) deep += ".a";
+  deep += "]";
+  EXPECT_EQ(edit(deep.c_str()).problem()->name(), "P0202");
 }
 
 }  // namespace

@@ -144,7 +144,6 @@ TEST_F(DamagedCard, WhatThisModuleFinds) {
                           "UPDATE block SET container = 'text'",
                           "INSERT INTO setting VALUES ('extra', x'', 0)",
                           "INSERT INTO page VALUES ('DB', 77, -1, x'00', 3523407757)",
-                          "UPDATE setting SET value = zeroblob(5000000)",
                           "DROP TABLE page",
                           "DROP TABLE block",
                           "ALTER TABLE area RENAME COLUMN kind TO sort"}) {
