@@ -19,7 +19,9 @@ class Connection {
   virtual void resume() = 0;                                       // reads on
   virtual void close() = 0;
 
-  std::atomic<std::size_t> waiting = 0;  // bytes not yet handed to the operating system
+  // Bytes not yet handed to the operating system. Its own: who counts does not keep the connection.
+  const std::shared_ptr<std::atomic<std::size_t>> waiting =
+      std::make_shared<std::atomic<std::size_t>>(0);
 };
 
 class Browsers {
@@ -28,14 +30,21 @@ class Browsers {
   // 0: there are too many.
   BrowserId add(const std::shared_ptr<Connection>& connection);
   void remove(BrowserId id);
+  // Connections live and end in the server's thread: only there somebody may hold one.
   std::shared_ptr<Connection> find(BrowserId id) const;
   std::vector<std::shared_ptr<Connection>> all() const;
+  // From any thread; null: it has gone.
+  std::shared_ptr<std::atomic<std::size_t>> waiting(BrowserId id) const;
 
  private:
   std::size_t most_;
   mutable std::mutex mutex_;
   BrowserId last_ = 0;
-  std::map<BrowserId, std::weak_ptr<Connection>> open_;
+  struct Open {
+    std::weak_ptr<Connection> connection;
+    std::shared_ptr<std::atomic<std::size_t>> waiting;
+  };
+  std::map<BrowserId, Open> open_;
 };
 
 }  // namespace merker::hmi

@@ -105,35 +105,35 @@ std::string Server::url() const {
                      endpoint.address().is_v6() ? "[" + address + "]" : address, endpoint.port());
 }
 
-namespace {
-
-void sendTo(net::io_context& context, const std::shared_ptr<Connection>& connection,
-            std::shared_ptr<const std::string> text) {
-  connection->waiting += text->size();
-  net::post(context, [connection, text = std::move(text)] { connection->send(text); });
-}
-
-}  // namespace
-
 void Server::send(BrowserId browser, std::string text) {
-  const auto connection = parts_->browsers.find(browser);
-  if (!connection) return;
-  sendTo(parts_->context, connection, std::make_shared<const std::string>(std::move(text)));
+  const auto waiting = parts_->browsers.waiting(browser);
+  if (!waiting) return;
+  *waiting += text.size();
+  auto shared = std::make_shared<const std::string>(std::move(text));
+  net::post(parts_->context, [parts = parts_.get(), browser, shared = std::move(shared)] {
+    if (const auto connection = parts->browsers.find(browser)) connection->send(shared);
+  });
 }
 
 void Server::sendAll(const std::string& text) {
-  const auto shared = std::make_shared<const std::string>(text);
-  for (const auto& connection : parts_->browsers.all()) sendTo(parts_->context, connection, shared);
+  net::post(parts_->context,
+            [parts = parts_.get(), shared = std::make_shared<const std::string>(text)] {
+              for (const auto& connection : parts->browsers.all()) {
+                *connection->waiting += shared->size();
+                connection->send(shared);
+              }
+            });
 }
 
 std::size_t Server::waiting(BrowserId browser) const {
-  const auto connection = parts_->browsers.find(browser);
-  return connection ? connection->waiting.load() : 0;
+  const auto waiting = parts_->browsers.waiting(browser);
+  return waiting ? waiting->load() : 0;
 }
 
 void Server::resume(BrowserId browser) {
-  const auto connection = parts_->browsers.find(browser);
-  if (connection) net::post(parts_->context, [connection] { connection->resume(); });
+  net::post(parts_->context, [parts = parts_.get(), browser] {
+    if (const auto connection = parts->browsers.find(browser)) connection->resume();
+  });
 }
 
 }  // namespace merker::hmi

@@ -49,7 +49,7 @@ class WebSocket : public Connection,
   }
 
   void send(std::shared_ptr<const std::string> text) override {
-    if (queue_.size() > 0 && waiting > around_.options.limits.waiting) return close();
+    if (queue_.size() > 0 && *waiting > around_.options.limits.waiting) return close();
     queue_.push_back(std::move(text));
     if (queue_.size() == 1) write();
   }
@@ -114,7 +114,7 @@ class WebSocket : public Connection,
   }
 
   void written() {
-    waiting -= queue_.front()->size();
+    *waiting -= queue_.front()->size();
     queue_.pop_front();
     if (!queue_.empty()) write();
   }

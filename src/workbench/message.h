@@ -10,7 +10,7 @@
 namespace merker::workbench {
 
 // A value takes up to 160 bytes: a message of 4 MB cannot become a gigabyte.
-constexpr std::size_t kDeepest = 32, kMostValues = 200'000;
+constexpr std::size_t kDeepest = 32, kMostValues = 150'000;
 
 Result<Json> parseMessage(std::string_view text);
 

@@ -16,6 +16,8 @@ from web_socket import Browser, Closed, WebSocket
 
 # What another browser may wait longer than one that asks an idle server on the same machine at the same time.
 LONGEST_PING = 0.1
+# Who is attacked has more threads that wait for a busy machine than who is not.
+SHARE = 3
 SECONDS = 4
 MEGA = 1 << 20
 # What a server may grow by while it is attacked: the messages, their values and the answers of a few browsers.
@@ -94,7 +96,7 @@ class Attacked(Served):
             attack()
         finally:
             attacked, quiet = [one.slowest() for one in pingers]
-        self.assertLess(attacked, quiet + LONGEST_PING, f"an idle server on this machine needed {quiet:.3f} s")
+        self.assertLess(attacked, SHARE * quiet + LONGEST_PING, f"an idle server on this machine needed {quiet:.3f} s")
         self.assertLess(memory(self.process.pid, "VmHWM") - before, MOST_MEMORY)
         browser = self.browser()
         browser.until(lambda b: b.state.get("mode") == "RUN")
@@ -130,7 +132,7 @@ class Attacked(Served):
     def test_messages_of_many_values(self):
         for part in ("[],", "{},", "0,", '"a",'):
             values = (part * (4 * MEGA // len(part) - 100))[:-1]
-            few = (part * 150_000)[:-1]
+            few = (part * 120_000)[:-1]
             with self.subTest(part):
                 self.stands(lambda: self.flood([f'{{"id": 1, "do": "ping", "x": [{values}]}}',
                                                 f'{{"id": 1, "do": "ping", "x": [{few}]}}'], 2))

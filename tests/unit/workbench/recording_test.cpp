@@ -263,7 +263,7 @@ TEST_F(Recording, WithALineThatIsNoneIsRefusedWithItsPlace) {
 }
 
 // A field that means nothing is not kept, whatever a browser puts into it.
-TEST(Recording, KeepsOnlyWhatMeansSomething) {
+TEST(Recorded, KeepsOnlyWhatMeansSomething) {
   Bench bench;
   bench.call("record.start");
   bench.call("variables.write", {{"items", {{{"operand", "MW 10"}, {"value", "5"}, {"x", "y"}}}},
@@ -274,7 +274,7 @@ TEST(Recording, KeepsOnlyWhatMeansSomething) {
   EXPECT_EQ(Json::parse(text)["items"], (Json{{{"operand", "MW 10"}, {"value", "5"}}}));
 }
 
-TEST(Recording, EndsWhereItIsFull) {
+TEST(Recorded, EndsWhereItIsFull) {
   Recorder recorder;
   recorder.start(Instant{0});
   const Json big = {{"do", "cpu.load"}, {"path", std::string(1 << 20, 'x')}};
