@@ -64,7 +64,9 @@ void Rack::convert(std::uint32_t index, std::uint32_t channel) {
   const AnalogInput& input = of(index).parameters.analogInputs[channel];
   const std::int16_t shown = measure(index, channel);
   show(index, channel, shown);
-  const bool active = input.range != nullptr && !unit.has(FaultKind::LoadVoltage);
+  // Without supply or with a fault of its own the module measures nothing.
+  const bool active =
+      input.range != nullptr && !unit.has(FaultKind::LoadVoltage) && !unit.has(FaultKind::Defect);
   const bool broken = active && input.wireBreakCheck && shown == kOverflow &&
                       unit.amounts[channel] < input.range->wireBreak;
   std::uint16_t seen = 0;

@@ -130,9 +130,14 @@ TEST(Mounting, digitalChannels) {
   good(modules);  // 30 * 32 + 40 = 1000
   modules.push_back(make(3, 10, "SM 321 DI32xDC24V"));
   EXPECT_EQ(problemsOf(modules), Codes{"P0736"});
+  modules.back() = make(3, 10, "SM 321 DI16xDC24V");
+  good(modules);  // 1016
+  modules.push_back(make(3, 11, "6ES7 322-8BF00-0AB0"));
+  modules.back().outputStart = 200;  // its own address is that of the outputs on board
+  EXPECT_EQ(problemsOf(modules), Codes{"P0736"});  // 1024
 }
 
-// S7-CPU-13: 7 on board and 31 modules of 8 are more than 253
+// S7-CPU-13, S7-OPEN-45: 7 on board and 31 modules of 8 are more than 253
 TEST(Mounting, analogChannels) {
   std::vector<Module> modules{make(0, 3, "IM 360")};
   for (std::uint32_t rack = 0; rack < 4; ++rack) {
@@ -143,6 +148,13 @@ TEST(Mounting, analogChannels) {
   good(modules);  // 30 * 8 + 7 = 247
   modules.push_back(make(3, 10, "6ES7 331-7KF02-0AB0"));
   EXPECT_EQ(problemsOf(modules), Codes{"P0736"});
+  modules.back() = make(3, 10, "6ES7 332-5HD01-0AB0");
+  modules.push_back(make(3, 11, "6ES7 331-7KB02-0AB0"));
+  modules.back().inputStart = 800;
+  good(modules);  // 247 + 4 + 2 = 253
+  modules.back() = make(3, 11, "6ES7 332-5HD01-0AB0");
+  modules.back().outputStart = 800;
+  EXPECT_EQ(problemsOf(modules), Codes{"P0736"});  // 255
 }
 
 TEST(Mounting, namesAreUnique) {

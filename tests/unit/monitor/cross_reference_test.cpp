@@ -151,6 +151,21 @@ TEST_F(Calls, ActualParameters) {
   }));
 }
 
+// S7-EDIT-22: 12 bits are two bytes, also where they do not begin at one; the last counts.
+TEST(Assignments, RangesCountEachByteTheyTouch) {
+  const Plc plc(
+      "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n"
+      " CALL SFC 20 (SRCBLK := P#M 20.0 BOOL 12, RET_VAL := MW 90, DSTBLK := P#A 4.0 BOOL 16);\n"
+      " CALL SFC 20 (SRCBLK := P#M 30.0 BOOL 8, RET_VAL := MW 90, DSTBLK := P#E 3.4 BOOL 5);\n"
+      "END_ORGANIZATION_BLOCK\n");
+  const block::Program library = system::library(defaultCpuModel());
+  std::string bytes;
+  for (const AssignmentByte& one :
+       assignmentList(crossReferences(plc.program(), plc.symbols(), {.library = &library})).bytes)
+    bytes += std::to_string(static_cast<int>(one.area) & 7) + "." + std::to_string(one.byte) + " ";
+  EXPECT_EQ(bytes, "1.3 1.4 2.4 2.5 3.20 3.21 3.30 3.90 3.91 ");
+}
+
 // S7-EDIT-22: a CALL is one statement of the source.
 TEST_F(Calls, AreShownAsCalls) {
   EXPECT_EQ(of("MW 50"), "MW 50 RW 44; ");
