@@ -22,6 +22,32 @@ TEST(RealTimeClock, RefusesWhatIsNoDate) {
   for (const DateAndTime& dt : wrong) EXPECT_FALSE(fromDateAndTime(dt.data()));
 }
 
+// S7-TYPES-18: the first and the last of each field; years 90 to 99 are 19xx, 00 to 89 are 20xx.
+TEST(RealTimeClock, EndsOfTheFields) {
+  const DateAndTime good[] = {{0x90, 0x01, 0x01},
+                              {0x99, 0x12, 0x31},
+                              {0x00, 0x01, 0x01},
+                              {0x89, 0x12, 0x31, 0x23, 0x59, 0x59, 0x99, 0x97},
+                              {0x04, 0x02, 0x29}};
+  for (const DateAndTime& dt : good) EXPECT_TRUE(fromDateAndTime(dt.data()));
+  EXPECT_EQ(fromDateAndTime(good[0].data()), 0);
+  EXPECT_EQ(fromDateAndTime(good[2].data()), 3652 * 86'400'000LL);
+  EXPECT_EQ(fromDateAndTime(good[3].data()), 36'525 * 86'400'000LL - 1);
+  const DateAndTime wrong[] = {{0x90, 0x00, 0x01},
+                               {0x90, 0x01, 0x00},
+                               {0x90, 0x01, 0x32},
+                               {0x05, 0x02, 0x29},
+                               {0x90, 0x01, 0x01, 0x00, 0x60},
+                               {0x90, 0x01, 0x01, 0x00, 0x00, 0x60},
+                               {0x90, 0x01, 0x01, 0x00, 0x00, 0x00, 0x9A},
+                               {0x90, 0x01, 0x01, 0x00, 0x00, 0x00, 0x00, 0xA0}};
+  for (const DateAndTime& dt : wrong) EXPECT_FALSE(fromDateAndTime(dt.data()));
+  const DateAndTime last{0x89, 0x12, 0x31, 0x23, 0x59, 0x59, 0x99, 0x97};
+  EXPECT_EQ(toDateAndTime(36'525 * 86'400'000LL - 1), last);
+  EXPECT_EQ(toDateAndTime(-1), last);  // DT has no year before 1990
+  EXPECT_EQ(toDateAndTime(36'525 * 86'400'000LL), toDateAndTime(0));
+}
+
 TEST(RealTimeClock, RunsWithVirtualTime) {
   RealTimeClock clock(1000);
   EXPECT_EQ(clock.milliseconds(Instant{} + Duration::seconds(2)), 3000);

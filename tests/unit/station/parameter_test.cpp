@@ -162,6 +162,34 @@ TEST(Parameters, ImageErrors) {
   EXPECT_EQ(once->read("MD 4"), 0x38B31A55u);
 }
 
+// S7-OBI-10: B2 and B4 for outputs; each range of bytes is one call, its first byte stands for it.
+TEST(Parameters, ImageErrorsOfOutputs) {
+  const auto run = [&](ImageErrors when) {
+    CpuParameters parameters = defaults();
+    parameters.imageErrors = when;
+    auto plc = std::make_unique<Plc>(ob(85,
+                                        "L MW 0; + 1; T MW 0; L LD 0; T MD 4; L LW 10; T MW 8; L "
+                                        "MW 10; L LW 10; +I; T MW 10; L LB 4; T MB 12;") +
+                                         ob(1, ""),
+                                     model(), parameters);
+    cpu::Areas& areas = (*plc)->cpu().machine().areas;
+    areas.inputConfigured.assign(areas.imageBytes, true);
+    areas.outputConfigured.assign(areas.imageBytes, true);
+    areas.outputConfigured[9] = false;
+    plc->cycles(2);
+    for (const unsigned byte : {2u, 3u, 6u, 9u}) areas.outputPresent[byte] = false;
+    (*plc)->advanceCycles(1);
+    return plc;
+  };
+  for (const ImageErrors when : {ImageErrors::EachCycle, ImageErrors::ComingAndGoing}) {
+    const auto plc = run(when);
+    EXPECT_EQ(plc->read("MW 0"), 2u);
+    EXPECT_EQ(plc->read("MW 10"), 2u + 6u);
+    EXPECT_EQ(plc->read("MB 12"), 0x10u);  // by bytes
+    EXPECT_EQ(plc->read("MD 4"), when == ImageErrors::EachCycle ? 0x39B21A55u : 0x39B41A55u);
+  }
+}
+
 // S7-MEM-05, S7-SIM-11
 TEST(Protection, LevelsAndSwitch) {
   CpuParameters parameters = defaults();
