@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/text.h"
+#include "cpu/cpu.h"
 #include "cpu/trigger.h"
 #include "simulator/expectations.h"
 #include "simulator/start.h"
@@ -147,6 +148,7 @@ bool Runner::perform(const Step& step) {
     case StepKind::Trigger:
     case StepKind::BatteryLow:
     case StepKind::BatteryGood:
+    case StepKind::RemoveCard:
     case StepKind::CopyRamToRom:
     case StepKind::Fault:
     case StepKind::Signal:
@@ -172,6 +174,10 @@ bool Runner::performOnDevice(const Step& step) {
     case StepKind::BatteryLow:
     case StepKind::BatteryGood:
       device_->setBattery(step.kind == StepKind::BatteryLow);
+      return true;
+    case StepKind::RemoveCard:  // S7-CPU-03
+      if (!powered(step)) return false;
+      device_->cpu().requestMemoryReset();
       return true;
     case StepKind::CopyRamToRom:
       return copyRamToRom(step);

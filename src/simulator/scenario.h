@@ -64,6 +64,7 @@ enum class StepKind : std::uint8_t {
   PowerOnUnbuffered,
   BatteryLow,
   BatteryGood,
+  RemoveCard,
   Switch,
   Trigger,
   MemoryReset,

@@ -25,6 +25,7 @@ constexpr std::array kSteps = {
     StepWord{"power on", Rest::None, StepKind::PowerOn},
     StepWord{"battery low", Rest::None, StepKind::BatteryLow},
     StepWord{"battery good", Rest::None, StepKind::BatteryGood},
+    StepWord{"remove card", Rest::None, StepKind::RemoveCard},
     StepWord{"trigger", Rest::Trigger, StepKind::Trigger},
     StepWord{"memory reset", Rest::None, StepKind::MemoryReset},
     StepWord{"copy RAM to ROM", Rest::None, StepKind::CopyRamToRom},
