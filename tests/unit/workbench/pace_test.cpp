@@ -5,13 +5,15 @@
 namespace merker::workbench::test {
 namespace {
 
-// A clock on the wall that the test moves; each look costs a microsecond.
+// A clock on the wall that the test moves; each look costs a microsecond, on a slow machine more.
 class Wall {
  public:
+  std::int64_t cost = 1'000;  // ns
   Pacer::WallClock clock() {
-    return [this] { return now_ += 1000; };
+    return [this] { return now_ += cost; };
   }
   void pass(Duration time) { now_ += time.ns; }
+  double seconds() const { return static_cast<double>(now_) / 1e9; }
 
  private:
   std::int64_t now_ = 1'000'000'000;
@@ -25,6 +27,15 @@ class Pace : public ::testing::Test {
       while (bench.workbench.advance(wall.clock(), Duration::milliseconds(5)))
         if (fast) break;
     }
+  }
+  // Of a machine on which each look at the clock takes a millisecond.
+  void slowly(int count) {
+    wall.cost = 1'000'000;
+    for (int i = 0; i < count; ++i) {
+      wall.pass(Duration::milliseconds(5));
+      bench.workbench.advance(wall.clock(), Duration::milliseconds(5));
+    }
+    wall.cost = 1'000;
   }
   double seconds() { return static_cast<double>(plc().now().ns) / 1e9; }
   controller::Controller& plc() { return bench.workbench.plc()->controller(); }
@@ -60,6 +71,31 @@ TEST_F(Pace, AJumpOfTheWallIsGivenUp) {
   wall.pass(Duration::seconds(3600));
   slices(10);
   EXPECT_LT(seconds() - begin, 100.0);
+}
+
+// A machine that is too slow for a while: of what it is behind at most 200 ms of the wall are made
+// good, times the factor.
+TEST_F(Pace, WhatCannotBeMadeGoodIsGivenUp) {
+  for (const double factor : {1.0, 10.0}) {
+    bench.call("time.pace", {{"mode", "real"}, {"factor", factor}});
+    slices(10);
+    slowly(200);  // more than 1 s behind
+    const double begin = seconds();
+    slices(200);
+    EXPECT_GT(seconds() - begin, 0.99 * factor);
+    EXPECT_LT(seconds() - begin, 1.25 * factor);
+  }
+}
+
+// A short delay is made good to the last.
+TEST_F(Pace, AShortDelayIsMadeGood) {
+  slices(10);
+  const double begin = seconds(), wallBegan = wall.seconds();
+  slowly(15);
+  EXPECT_LT(seconds() - begin, 0.1);
+  slices(100);
+  EXPECT_GT(wall.seconds() - wallBegan, 0.6);
+  EXPECT_NEAR(seconds() - begin, wall.seconds() - wallBegan, 0.006);
 }
 
 TEST_F(Pace, FastTakesWhatTheMachineGives) {
