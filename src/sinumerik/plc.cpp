@@ -5,6 +5,8 @@ namespace {
 
 // How far beyond its end a call may run to reach the end of a cycle that never comes.
 constexpr Duration kLongestCycle = Duration::seconds(10);
+// An OB 20 without end is ended by nothing; one that lasts so long is not waited for.
+constexpr Duration kLongestStartUp = Duration::milliseconds(200);
 
 }  // namespace
 
@@ -13,6 +15,7 @@ struct Plc::Parts {
 
   OperatingSystem os;
   std::vector<std::string> refused;
+  Instant started;      // the last start-up
   Plc* self = nullptr;  // whom the observer gets to see; moves along
   std::function<void(Plc&)> observer;
 };
@@ -40,11 +43,20 @@ bool Plc::stoppedByFault() const { return mode() == Mode::Stop && parts_->os.sto
 std::string Plc::stopReason() const {
   return mode() == Mode::Stop ? parts_->os.stopReason() : std::string();
 }
-bool Plc::coldStart() { return parts_->os.start(Start::Cold); }
-bool Plc::warmStart() { return parts_->os.start(Start::Warm); }
+bool Plc::coldStart() {
+  parts_->started = now();
+  return parts_->os.start(Start::Cold);
+}
+bool Plc::warmStart() {
+  parts_->started = now();
+  return parts_->os.start(Start::Warm);
+}
 void Plc::stop() { parts_->os.stopByProgrammer(); }
 void Plc::powerOff() { parts_->os.powerOff(); }
-void Plc::powerOn(bool buffered) { parts_->os.powerOn(buffered); }
+void Plc::powerOn(bool buffered) {
+  parts_->started = now();
+  parts_->os.powerOn(buffered);
+}
 
 Retained Plc::retained() const {
   const BlockMemory& blocks = machine().blocks;
@@ -70,9 +82,9 @@ void Plc::advanceTo(Instant t) {
 
 void Plc::settle() {
   OperatingSystem& os = parts_->os;
-  const Instant latest = now() + kLongestCycle;
-  // An OB 20 without end has no cycle that could end.
-  while (mode() == Mode::Run && !os.betweenCycles() && now() < latest) os.step(latest);
+  const bool starts = mode() == Mode::Startup;
+  const Instant latest = starts ? parts_->started + kLongestStartUp : now() + kLongestCycle;
+  while (!os.betweenCycles() && now() < latest) os.step(latest);
 }
 
 void Plc::advanceCycles(std::uint64_t count) {

@@ -71,7 +71,7 @@ class Step5(Case):
         """S5-FB-06, 4.3.2: the jump over a parameter list is not shown, nobody's labels are not printed."""
         manual = str(ROOT / "examples/step5/09-formal-operands")
         code = self.expect(GOOD, "list", manual, "--code").out
-        ob1 = code[code.index("OB 1 "):code.index("FB 201")]
+        ob1 = code[code.index("OB 1 "):code.index("\nFB 201")]
         for line in ("SPA   FB 201", "NAME : ANTRIEB", "EIN  : E 20.0", "BERT : T 17", "Z1   : KH 7F0A", "Z2   : DW 20"):
             self.assertIn(line, ob1)
         for word in ("SPA   =", "LC ", "illegal", "KH C"):

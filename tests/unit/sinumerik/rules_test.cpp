@@ -89,12 +89,12 @@ TEST(Rules, MatrixOfTheControlBits) {
 
 // S5-MD-03: what the bits of MD 2003 and 2002 do, by number.
 TEST(Rules, BitsOfMd2003) {
-  constexpr const char* kOb1 = "OB 1\n A DB 1\n U M 0.1\n = D 9.15\n BE\n";
-  ListingBench diagnosis(kOb1);
+  constexpr const char* kAsks = "OB 1\n A DB 1\n U M 0.1\n = D 9.15\n BE\n";
+  ListingBench diagnosis(kAsks);
   diagnosis.set(2003, 7);
   diagnosis.run(200);
   EXPECT_EQ(diagnosis.value("DB1.DW 0"), 60u);
-  ListingBench none(kOb1);
+  ListingBench none(kAsks);
   none.run(200);
   EXPECT_EQ(none.value("DB1.DW 0"), 0u);
 
@@ -190,6 +190,9 @@ TEST(Rules, EndlessStartUp) {
       "OB 1\n BE\nOB 20\n SPA FB 1\nNAME : LOOP\n BE\nFB 1\nNAME : LOOP\nM1 : SPA =M1\n"
       " BE\n");
   b.run(10);
+  b.plc().settle();  // it may end soon
+  EXPECT_GE(b.plc().now(), ms(200));
+  EXPECT_LT(b.plc().now(), ms(201));
   const Instant before = b.plc().now();
   b.plc().settle();
   EXPECT_EQ(b.plc().now(), before);

@@ -19,7 +19,7 @@ struct SystemBench : Bench {
 TEST(System, LoadAndTransferOfWords) {
   SystemBench b;
   b.run({0x3800, 6, SystemBench::offset(1), 0x4000});
-  EXPECT_EQ(b.last.akku1, 0x00062222u);
+  EXPECT_EQ(b.last.akku1, 0x00002222u);
   b.run({0x3040, 0xFFFF, 0x3800, 6, SystemBench::offset(4), 0x4802});
   EXPECT_EQ(b.machine.blocks.data()[9], 0xFFFFu);
 }

@@ -227,15 +227,20 @@ TEST(Listing, ExamplesComeBack) {
   unsigned count = 0;
   for (const auto& folder : std::filesystem::directory_iterator(kExamples)) {
     if (!folder.is_directory()) continue;
-    std::vector<source::SourceFile> files;
-    for (const auto& entry : std::filesystem::directory_iterator(folder))
-      if (entry.path().extension() == ".s5")
-        files.emplace_back(entry.path().string(), fileText(entry.path()));
-    if (files.empty()) continue;
-    const auto c = compile(files, false);
-    ASSERT_TRUE(c.ok()) << folder.path();
-    expectBack(c);
-    ++count;
+    const bool project = std::filesystem::exists(folder.path() / "merker.toml");
+    std::vector<std::vector<source::SourceFile>> programs(1);
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+      if (entry.path().extension() != ".s5") continue;
+      programs.back().emplace_back(entry.path().string(), fileText(entry.path()));
+      if (!project) programs.emplace_back();
+    }
+    for (const auto& files : programs) {
+      if (files.empty()) continue;
+      const auto c = compile(files, false);
+      ASSERT_TRUE(c.ok()) << folder.path();
+      expectBack(c);
+      ++count;
+    }
   }
   EXPECT_GT(count, 10u);
 }
