@@ -143,13 +143,13 @@ std::vector<std::uint8_t> bytes(const std::string& declaration) {
 
 // S7-SRC-04: repetition factors, also within each other.
 TEST(Limits, WhatIsRepeatedIsReadOnce) {
-  using Bytes = std::vector<std::uint8_t>;
-  EXPECT_EQ(bytes("a : ARRAY [1..8] OF BYTE := 2 (1, 2 (2), 3);"), (Bytes{1, 2, 2, 3, 1, 2, 2, 3}));
-  EXPECT_EQ(bytes("a : ARRAY [1..4] OF BYTE := 9, 3 (7);"), (Bytes{9, 7, 7, 7}));
-  EXPECT_EQ(bytes("a : ARRAY [1..12] OF BOOL := TRUE, 5 (FALSE, TRUE);"), (Bytes{0x55, 0x05}));
-  EXPECT_EQ(bytes("a : ARRAY [1..3] OF INT := 3 (-2);"), (Bytes{255, 254, 255, 254, 255, 254}));
+  using Image = std::vector<std::uint8_t>;
+  EXPECT_EQ(bytes("a : ARRAY [1..8] OF BYTE := 2 (1, 2 (2), 3);"), (Image{1, 2, 2, 3, 1, 2, 2, 3}));
+  EXPECT_EQ(bytes("a : ARRAY [1..4] OF BYTE := 9, 3 (7);"), (Image{9, 7, 7, 7}));
+  EXPECT_EQ(bytes("a : ARRAY [1..12] OF BOOL := TRUE, 5 (FALSE, TRUE);"), (Image{0x55, 0x05}));
+  EXPECT_EQ(bytes("a : ARRAY [1..3] OF INT := 3 (-2);"), (Image{255, 254, 255, 254, 255, 254}));
   EXPECT_EQ(bytes("a : ARRAY [1..2] OF STRING [2] := 2 ('ab');"),
-            (Bytes{2, 2, 'a', 'b', 2, 2, 'a', 'b'}));
+            (Image{2, 2, 'a', 'b', 2, 2, 'a', 'b'}));
   const std::string blanks(200'000, ' ');
   EXPECT_EQ(bytes("a : ARRAY [1..30000] OF BYTE := 30000 (" + blanks + "5);").back(), 5);
 }
