@@ -180,7 +180,7 @@ class CodeCompiler {
 
   // The next line with contents, if it is "WORD : rest"; its scanner stands behind the colon.
   std::optional<Scanner> listLine(std::string& word, std::size_t& offset) {
-    while (at_ < source_.lines.size()) {
+    while (at_ < source_.lines.size() && !isNetworkEnd(source_.lines[at_].text)) {
       Scanner scanner(source_.lines[at_].text, source_.lines[at_].offset);
       scanner.skipBlanks();
       if (!isComment(scanner)) {

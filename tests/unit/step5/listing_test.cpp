@@ -245,6 +245,16 @@ TEST(Listing, ExamplesComeBack) {
   EXPECT_GT(count, 10u);
 }
 
+// *** behind a list ends the network, it is no comment of the list.
+TEST(Listing, NetworksEndBehindCalls) {
+  const auto c = compileText(
+      "OB 1\n : SPA FB 5\nNAME : LEER\n***\n : U E 0.0\n : BE\nFB 5\nNAME : LEER\n : BE\n");
+  ASSERT_TRUE(c.ok());
+  EXPECT_EQ(words(c, mc5::BlockType::Ob, 1),
+            (std::vector<std::uint16_t>{0x3D05, 0x2D01, 0x10FF, 0xC000, 0x6500}));
+  expectBack(c);
+}
+
 // What printers put on each page, and the word that would come next (B of the trials).
 TEST(Listing, PrintedPagesAreRead) {
   const std::string text =
