@@ -1,5 +1,7 @@
 #include "nc/datum.h"
 
+#include <fmt/format.h>
+
 #include <charconv>
 
 #include "base/text.h"
@@ -72,8 +74,8 @@ std::string rangeText(const DatumRow& row) {
   std::string text;
   for (unsigned i = 0; i < indexCount(row); ++i) {
     const Limit& limit = row.limits.at(i);
-    text += (i == 0 ? "" : ".") + std::to_string(limit.low);
-    if (limit.high != limit.low) text += ".." + std::to_string(limit.high);
+    text += fmt::format("{}{}", i == 0 ? "" : ".", limit.low);
+    if (limit.high != limit.low) text += fmt::format("..{}", limit.high);
   }
   return text;
 }
@@ -134,9 +136,8 @@ std::string knownData(std::string_view text) {
     if (known && !called(row, name)) continue;
     if (!known && row.name == before) continue;
     before = row.name;
-    list += (list.empty() ? "nc." : ", nc.") + std::string(row.name);
-    if (known && !row.index.empty())
-      list += " " + rangeText(row) + " (" + std::string(row.index) + ")";
+    list += fmt::format("{}nc.{}", list.empty() ? "" : ", ", row.name);
+    if (known && !row.index.empty()) list += fmt::format(" {} ({})", rangeText(row), row.index);
   }
   return list;
 }
