@@ -49,6 +49,7 @@ class S7:
     inverses = ["DB1.DBD 912", "MD 8"]
     versions = ["MD 20", "MD 24"]
     digits = ["Z 7"]  # the last three
+    lines = 400  # of the trace, the most to wait for in real time
 
     @staticmethod
     def text(version):
@@ -62,6 +63,7 @@ class Step5:
     inverses = ["DB10.DD 128"]
     versions = ["MW 100", "MW 102"]
     digits = []
+    lines = 12  # a cycle begins each 60 ms
 
     @staticmethod
     def text(version):
@@ -87,7 +89,7 @@ class Test:
         virtual = ["--for", "1000h"] if self.chance.random() < 0.7 else ["--port", "0"]
         process = subprocess.Popen([self.merker, "run", self.source(version), "--card", self.card, "--trace", self.trace,
                                     "--watch", self.kind.count, *virtual], stdout=subprocess.DEVNULL)
-        seen = self.some_time(reader, process)
+        seen = self.some_time(reader, process, 400 if "--for" in virtual else self.kind.lines)
         process.send_signal(signal.SIGKILL)
         process.wait()
         seen += self.rest(reader)
@@ -97,13 +99,13 @@ class Test:
         lines = seen.split(b"\n")[:-1]
         return int(lines[-1].rsplit(b"#", 1)[1], 16) if lines else 0
 
-    def some_time(self, reader, process):
+    def some_time(self, reader, process, most):
         """Until so many lines were read, or only for the moment in which the program starts; not beyond its end."""
         seen = b""
         if self.chance.random() < 0.25:
             select.select([], [], [], self.chance.random() * 0.03)
             return seen
-        wanted = self.chance.randrange(1, 400)
+        wanted = self.chance.randrange(1, most)
         while seen.count(b"\n") < wanted and process.poll() is None:
             if select.select([reader], [], [], 10)[0]:
                 seen += self.read(reader)
