@@ -4,7 +4,8 @@
 #include <array>
 #include <cstdint>
 
-#include "jit/native.h"
+#include "jit/blocks.h"
+#include "jit/layout.h"
 #include "sinumerik/machine.h"
 
 namespace merker::cnc {

@@ -54,7 +54,7 @@ enum class Space : std::uint8_t { Input, Output, Flag, Data, Instance, Local };
 constexpr unsigned kSpaces = 6;
 constexpr bool isImage(Space space) { return space <= Space::Flag; }
 
-// Of a timer or counter.
+// Of a timer or counter. Bits and numbers of a byte each, but for the two of isWord.
 enum class Field : std::uint8_t {
   TimerKind,
   TimerStartEdge,
@@ -69,6 +69,9 @@ enum class Field : std::uint8_t {
   CounterDownEdge,
   CounterEnableEdge
 };
+constexpr unsigned kFields = 12;
+// What FieldByte gives for TimerKind.
+enum class TimerKind : std::uint8_t { Pulse, ExtendedPulse, OnDelay, StoredOnDelay, OffDelay };
 constexpr bool isTimer(Field field) { return field < Field::CounterCount; }
 constexpr bool isWord(Field field) {
   return field == Field::TimerFrozen || field == Field::CounterCount;

@@ -1,5 +1,6 @@
-// How blocks call each other in a state that is no cpu::Machine. Compiled code moves these; whoever
-// owns the state fills them in before it runs and looks at them afterwards.
+// Frames for blocks that call each other, where the owner of the state lends none of its own
+// (Layout::Blocks). Compiled code moves these; the owner fills them in before it runs and looks at
+// them afterwards.
 #pragma once
 
 #include <array>

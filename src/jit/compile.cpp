@@ -7,25 +7,23 @@ namespace {
 
 constexpr host::Gp kSaved[] = {host::rbx, host::rbp, host::r12, host::r13, host::r14, host::r15};
 
-// rdi machine, rsi where to begin, rdx timers, rcx counters
+// rdi state, rsi where to begin
 void writeEnter(host::Assembler& code, const Layout& layout) {
   for (const host::Gp& reg : kSaved) code.push(reg);
   code.sub(host::rsp, kFrame);
-  code.mov(kMachine, host::rdi);
-  code.mov(host::qword_ptr(host::rsp, kTimers), host::rdx);
-  code.mov(host::qword_ptr(host::rsp, kCounters), host::rcx);
-  code.mov(host::rax, host::qword_ptr(kMachine, layout.image));
+  code.mov(kState, host::rdi);
+  code.mov(host::rax, inState(layout.image));
   for (std::size_t i = 0; i < layout.images.size(); ++i)
     code.lea(kImages[i], host::ptr(host::rax, static_cast<int>(layout.images[i]) + kBias));
-  code.mov(kClock, host::qword_ptr(kMachine, layout.clock));
-  code.mov(kCount, host::qword_ptr(kMachine, layout.instructions));
+  code.mov(kClock, inState(layout.clock));
+  code.mov(kCount, inState(layout.instructions));
   code.jmp(host::rsi);
 }
 
 // eax: instruction to go on with
 void writeEpilogue(host::Assembler& code, const Layout& layout, const Instructions& answers) {
-  code.mov(host::qword_ptr(kMachine, layout.clock), kClock);
-  code.mov(host::qword_ptr(kMachine, layout.instructions), kCount);
+  code.mov(inState(layout.clock), kClock);
+  code.mov(inState(layout.instructions), kCount);
   code.imul(host::rax, host::rax, static_cast<int>(answers.stride));
   code.mov(host::rcx, reinterpret_cast<std::uintptr_t>(answers.first));
   code.add(host::rax, host::rcx);
@@ -66,41 +64,28 @@ std::unique_ptr<NativeCode> load(asmjit::CodeHolder& code, const asmjit::Label& 
                                       code.labelOffset(unit.entrance), std::move(entries));
 }
 
-// `model`: of a cpu::Machine, whose blocks call each other.
-std::unique_ptr<NativeCode> write(std::span<const icode::Region> regions, std::size_t instructions,
-                                  const Instructions& answers, const Layout& layout,
-                                  const CpuModel* model, const Options& options) {
+}  // namespace
+
+std::unique_ptr<NativeCode> compile(std::span<const icode::Region> regions,
+                                    std::size_t instructions, const Instructions& answers,
+                                    const Layout& layout, const Options& options) {
   if (regions.empty() && instructions != 0) return nullptr;
   asmjit::CodeHolder holder;
   holder.init(asmjit::Environment::host());
   host::Assembler code(&holder);
-  Unit unit{code, layout, model, options, answers, code.newLabel()};
+  Unit unit{code, layout, options, answers, code.newLabel()};
   unit.regions.resize(instructions);
   const asmjit::Label enter = code.newLabel();
   code.bind(enter);
   writeEnter(code, layout);
   code.bind(unit.epilogue);
   writeEpilogue(code, layout, answers);
-  if (model != nullptr) writeBlockChanges(unit);
+  if (layout.frames) writeBlockChanges(unit);
   for (const icode::Region& region : regions) unit.regions[region.first] = code.newLabel();
   code.bind(unit.entrance);
   if (layout.blocks) writeEntrance(unit);
   if (!writeRegions(unit, regions)) return nullptr;
   return load(holder, enter, unit);
-}
-
-}  // namespace
-
-std::unique_ptr<NativeCode> compile(std::span<const icode::Region> regions,
-                                    std::size_t instructions, const Instructions& answers,
-                                    const CpuModel& model, const Options& options) {
-  return write(regions, instructions, answers, layoutOf(model), &model, options);
-}
-
-std::unique_ptr<NativeCode> compile(std::span<const icode::Region> regions,
-                                    std::size_t instructions, const Instructions& answers,
-                                    const Layout& layout, const Options& options) {
-  return write(regions, instructions, answers, layout, nullptr, options);
 }
 
 }  // namespace merker::jit

@@ -1,4 +1,7 @@
-// From block to block: what cpu::Machine::enter and leave do, for blocks with compiled code.
+// From block to block in frames of the owner (Layout::Frames): what its engine does to enter and to
+// leave a block, for blocks with compiled code.
+#include <bit>
+
 #include "jit/region_code.h"
 
 namespace merker::jit {
@@ -7,61 +10,46 @@ using icode::Op;
 
 namespace {
 
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Winvalid-offsetof"
-#define FIELD(type, name) static_cast<int>(offsetof(cpu::type, name))
-constexpr int kFrameSize = sizeof(cpu::Frame), kLevelSize = sizeof(cpu::Level);
-constexpr int kCode = FIELD(Frame, code), kResume = FIELD(Frame, resume),
-              kFirst = FIELD(Frame, first), kLocal = FIELD(Frame, local),
-              kLocalLength = FIELD(Frame, localLength), kLocalEnd = FIELD(Frame, localEnd),
-              kParameters = FIELD(Frame, parameters),
-              kParameterCount = FIELD(Frame, parameterCount), kKeptDb = FIELD(Frame, db),
-              kKeptAr2 = FIELD(Frame, ar2), kKeptRelay = FIELD(Frame, mcrActive),
-              kRelayDepth = FIELD(Frame, mcrDepth), kBracketDepth = FIELD(Frame, bracketDepth),
-              kNative = FIELD(Code, native), kLocalBytes = FIELD(Code, localBytes),
-              kLevelFrames = FIELD(Level, frames), kErrorOb = FIELD(Level, errorOb);
-static_assert(FIELD(Frame, di) == kKeptDb + 24 && offset::kDi == offset::kDb + 24);
-static_assert(kFirst == kResume + 4 && kLocal == kResume + 8);
-#undef FIELD
-#pragma GCC diagnostic pop
+using Frames = Layout::Frames;
 
-host::Mem machine(int at) { return host::qword_ptr(kMachine, at); }
-
-// DB and DI register, which lie one behind the other.
+// Both data block registers, which lie one behind the other.
 void copyBlocks(host::Assembler& code, const host::Gp& to, int toAt, const host::Gp& from,
                 int fromAt) {
-  for (const int block : {0, 24}) copyBlock(code, to, toAt + block, from, fromAt + block);
+  for (const int block : {0, Layout::kOpenBytes})
+    copyBlock(code, to, toAt + block, from, fromAt + block);
 }
 
-// ax: entries of the vector
-void depth(host::Assembler& code, int vector, unsigned shift) {
-  code.mov(host::rax, machine(vector + offset::kEnd));
-  code.sub(host::rax, machine(vector));
-  if (shift != 0) code.shr(host::eax, shift);
+// ax: entries of the list
+void depth(host::Assembler& code, const Layout::List& list, unsigned entryBytes) {
+  code.mov(host::rax, inState(list.end));
+  code.sub(host::rax, inState(list.first));
+  if (entryBytes != 1) code.shr(host::eax, std::countr_zero(entryBytes));
 }
-
-constexpr unsigned kBracketShift = 2;
+void relayDepth(host::Assembler& code, const Frames& frames) { depth(code, frames.relays, 1); }
+void bracketDepth(host::Assembler& code, const Frames& frames) {
+  depth(code, frames.brackets, frames.bracketBytes);
+}
 
 // edx: number of a block; then its code in rdx, or the carry flag if the interpreter must do it:
 // the block has no compiled code, or nesting depth, local data or the memory for frames end.
-void writeCanCall(host::Assembler& code, const CpuModel& model, int table) {
+void writeCanCall(host::Assembler& code, const Frames& frames, const Layout::List& blocks) {
   const asmjit::Label no = code.newLabel();
-  code.mov(host::rax, machine(table));
-  code.mov(host::rcx, machine(table + offset::kEnd));
+  code.mov(host::rax, inState(blocks.first));
+  code.mov(host::rcx, inState(blocks.end));
   code.lea(host::rdx, host::ptr(host::rax, host::rdx, 3));
   code.cmp(host::rdx, host::rcx);
   code.jae(no);
   code.mov(host::rdx, host::qword_ptr(host::rdx));
   code.test(host::rdx, host::rdx);
   code.je(no);
-  code.cmp(host::qword_ptr(host::rdx, kNative), 0);
+  code.cmp(host::qword_ptr(host::rdx, frames.code.native), 0);
   code.je(no);
-  code.mov(host::rcx, machine(offset::kTop));
-  code.cmp(host::rcx, machine(offset::kCallLimit));
+  code.mov(host::rcx, inState(frames.top));
+  code.cmp(host::rcx, inState(frames.callLimit));
   code.jae(no);
-  code.mov(host::eax, host::dword_ptr(host::rdx, kLocalBytes));
-  code.add(host::eax, host::dword_ptr(host::rcx, kLocalEnd));
-  code.cmp(host::eax, model.localBytes);
+  code.mov(host::eax, host::dword_ptr(host::rdx, frames.code.localBytes));
+  code.add(host::eax, host::dword_ptr(host::rcx, frames.frame.localEnd));
+  code.cmp(host::eax, frames.localBytes);
   code.ja(no);
   code.clc();
   code.ret();
@@ -70,65 +58,88 @@ void writeCanCall(host::Assembler& code, const CpuModel& model, int table) {
   code.ret();
 }
 
+// The new frame at `frame`, but for what the caller gets back. rdx: code of the block.
+void writeNewFrame(host::Assembler& code, const Frames& frames, const host::Gp& caller,
+                   const host::Gp& frame) {
+  const Layout::Frame& at = frames.frame;
+  code.mov(host::esi, host::dword_ptr(host::rdx, frames.code.localBytes));
+  code.mov(host::eax, host::dword_ptr(caller, at.localLength));
+  code.add(host::rax, host::qword_ptr(caller, at.local));
+  code.mov(host::edi, host::dword_ptr(caller, at.localEnd));
+  code.add(host::edi, host::esi);
+  code.mov(host::qword_ptr(frame, at.code), host::rdx);
+  code.mov(host::qword_ptr(frame, at.resume), 0);  // and `first`
+  code.mov(host::qword_ptr(frame, at.local), host::rax);
+  code.mov(host::dword_ptr(frame, at.localLength), host::esi);
+  code.mov(host::dword_ptr(frame, at.localEnd), host::edi);
+  code.mov(host::qword_ptr(frame, at.parameters), host::r8);
+  code.mov(host::dword_ptr(frame, at.parameterCount), host::r9d);
+}
+
+// What the caller gets back, or finds unchanged.
+void writeKept(const Unit& unit, const host::Gp& frame) {
+  host::Assembler& code = unit.code;
+  const Frames& frames = *unit.layout.frames;
+  const Layout::Frame& at = frames.frame;
+  copyBlocks(code, frame, at.data, kState, unit.layout.data.begin);
+  code.mov(host::eax, host::dword_ptr(kState, unit.layout.offsetOf(icode::Item::Ar2)));
+  code.mov(host::dword_ptr(frame, at.ar2), host::eax);
+  code.movzx(host::eax, host::byte_ptr(kState, frames.relayActive));
+  code.mov(host::byte_ptr(frame, at.relayActive), host::al);
+  relayDepth(code, frames);
+  code.mov(host::word_ptr(frame, at.relayDepth), host::ax);
+  bracketDepth(code, frames);
+  code.mov(host::word_ptr(frame, at.bracketDepth), host::ax);
+}
+
+void writeRelayOn(host::Assembler& code, const Frames& frames) {
+  code.mov(host::byte_ptr(kState, frames.relayActive), 0);
+  code.mov(host::byte_ptr(kState, frames.relayOff), 0);
+}
+
 // rdx: code of the block, esi: instruction behind the call, edi: offset of the call, r8 and r9d:
 // parameter list and its length. Reached by a call of the host, whose return address goes at once:
 // the host only remembers it as the place where the ret of leaveBlock will lead.
-void writeEnterBlock(host::Assembler& code) {
+void writeEnterBlock(const Unit& unit) {
   const host::Gp caller = host::rcx, frame = host::r10;
+  host::Assembler& code = unit.code;
+  const Frames& frames = *unit.layout.frames;
   code.add(host::rsp, 8);
-  code.mov(caller, machine(offset::kTop));
-  code.mov(host::dword_ptr(kMachine, offset::kPosition), host::edi);
-  code.mov(host::dword_ptr(caller, kResume), host::esi);
-  code.lea(frame, host::ptr(caller, kFrameSize));
-  code.mov(host::esi, host::dword_ptr(host::rdx, kLocalBytes));
-  code.mov(host::eax, host::dword_ptr(caller, kLocalLength));
-  code.add(host::rax, host::qword_ptr(caller, kLocal));
-  code.mov(host::edi, host::dword_ptr(caller, kLocalEnd));
-  code.add(host::edi, host::esi);
-  code.mov(host::qword_ptr(frame, kCode), host::rdx);
-  code.mov(host::qword_ptr(frame, kResume), 0);  // and kFirst
-  code.mov(host::qword_ptr(frame, kLocal), host::rax);
-  code.mov(host::dword_ptr(frame, kLocalLength), host::esi);
-  code.mov(host::dword_ptr(frame, kLocalEnd), host::edi);
-  code.mov(host::qword_ptr(frame, kParameters), host::r8);
-  code.mov(host::dword_ptr(frame, kParameterCount), host::r9d);
-  copyBlocks(code, frame, kKeptDb, kMachine, offset::kDb);
-  code.mov(host::eax, host::dword_ptr(kMachine, offset::kAr2));
-  code.mov(host::dword_ptr(frame, kKeptAr2), host::eax);
-  code.movzx(host::eax, host::byte_ptr(kMachine, offset::kRelayActive));
-  code.mov(host::byte_ptr(frame, kKeptRelay), host::al);
-  depth(code, offset::kRelays, 0);
-  code.mov(host::word_ptr(frame, kRelayDepth), host::ax);
-  depth(code, offset::kBrackets, kBracketShift);
-  code.mov(host::word_ptr(frame, kBracketDepth), host::ax);
-  code.mov(machine(offset::kTop), frame);
-  code.add(frame, kFrameSize);
-  code.mov(machine(offset::kFrames + offset::kEnd), frame);
-  code.mov(host::rax, machine(offset::kLevels + offset::kEnd));
-  code.inc(host::dword_ptr(host::rax, kLevelFrames - kLevelSize));
-  code.mov(host::byte_ptr(kMachine, offset::kRelayActive), 0);  // a block begins without MCR
-  code.mov(host::byte_ptr(kMachine, offset::kRelayOff), 0);
-  code.mov(host::rdx, host::qword_ptr(host::rdx, kNative));
+  code.mov(caller, inState(frames.top));
+  code.mov(host::dword_ptr(kState, frames.position), host::edi);
+  code.mov(host::dword_ptr(caller, frames.frame.resume), host::esi);
+  code.lea(frame, host::ptr(caller, frames.frame.bytes));
+  writeNewFrame(code, frames, caller, frame);
+  writeKept(unit, frame);
+  code.mov(inState(frames.top), frame);
+  code.add(frame, frames.frame.bytes);
+  code.mov(inState(frames.end), frame);
+  code.mov(host::rax, inState(frames.level));
+  code.inc(host::dword_ptr(host::rax, frames.levelBlocks));
+  writeRelayOn(code, frames);  // a block begins without the master control relay
+  code.mov(host::rdx, host::qword_ptr(host::rdx, frames.code.native));
   code.xor_(host::eax, host::eax);
   code.jmp(host::qword_ptr(host::rdx));
 }
 
-void writeLeaveBlock(host::Assembler& code) {
+void writeLeaveBlock(const Unit& unit) {
   const host::Gp frame = host::r10;
-  code.mov(frame, machine(offset::kTop));
-  copyBlocks(code, kMachine, offset::kDb, frame, kKeptDb);
-  code.mov(host::eax, host::dword_ptr(frame, kKeptAr2));
-  code.mov(host::dword_ptr(kMachine, offset::kAr2), host::eax);
-  code.mov(host::byte_ptr(kMachine, offset::kRelayActive), 0);
-  code.mov(host::byte_ptr(kMachine, offset::kRelayOff), 0);
-  code.mov(machine(offset::kFrames + offset::kEnd), frame);
-  code.sub(frame, kFrameSize);
-  code.mov(machine(offset::kTop), frame);
-  code.mov(host::rax, machine(offset::kLevels + offset::kEnd));
-  code.dec(host::dword_ptr(host::rax, kLevelFrames - kLevelSize));
-  code.mov(host::rdx, host::qword_ptr(frame, kCode));
-  code.mov(host::rdx, host::qword_ptr(host::rdx, kNative));
-  code.mov(host::eax, host::dword_ptr(frame, kResume));
+  host::Assembler& code = unit.code;
+  const Frames& frames = *unit.layout.frames;
+  const Layout::Frame& at = frames.frame;
+  code.mov(frame, inState(frames.top));
+  copyBlocks(code, kState, unit.layout.data.begin, frame, at.data);
+  code.mov(host::eax, host::dword_ptr(frame, at.ar2));
+  code.mov(host::dword_ptr(kState, unit.layout.offsetOf(icode::Item::Ar2)), host::eax);
+  writeRelayOn(code, frames);
+  code.mov(inState(frames.end), frame);
+  code.sub(frame, at.bytes);
+  code.mov(inState(frames.top), frame);
+  code.mov(host::rax, inState(frames.level));
+  code.dec(host::dword_ptr(host::rax, frames.levelBlocks));
+  code.mov(host::rdx, host::qword_ptr(frame, at.code));
+  code.mov(host::rdx, host::qword_ptr(host::rdx, frames.code.native));
+  code.mov(host::eax, host::dword_ptr(frame, at.resume));
   code.push(host::qword_ptr(host::rdx, host::rax, 3));
   code.ret();
 }
@@ -137,17 +148,18 @@ void writeLeaveBlock(host::Assembler& code) {
 
 void writeBlockChanges(const Unit& unit) {
   host::Assembler& code = unit.code;
+  const Frames& frames = *unit.layout.frames;
   code.bind(unit.enterWithout);
   code.xor_(host::r8d, host::r8d);
   code.xor_(host::r9d, host::r9d);
   code.bind(unit.enterBlock);
-  writeEnterBlock(code);
+  writeEnterBlock(unit);
   code.bind(unit.leaveBlock);
-  writeLeaveBlock(code);
+  writeLeaveBlock(unit);
   code.bind(unit.canCallFunction);
-  writeCanCall(code, *unit.model, offset::kFunctions);
+  writeCanCall(code, frames, frames.functions);
   code.bind(unit.canCallFunctionBlock);
-  writeCanCall(code, *unit.model, offset::kFunctionBlocks);
+  writeCanCall(code, frames, frames.functionBlocks);
 }
 
 void RegionCode::CanCall(const Op& op) {
@@ -178,23 +190,23 @@ void RegionCode::Call(const Op& op) {
   code_.call(unit_.enterBlock);
 }
 
-// Not the end of an OB, the caller has compiled code, and master control relay and brackets are as
-// the block found them.
+// A compiled block has called, and master control relay and brackets are as the block found them.
 void RegionCode::CanReturn(const Op& op) {
   const asmjit::Label out = wayOut(op);
-  code_.mov(host::rcx, machine(offset::kTop));
-  code_.cmp(host::byte_ptr(host::rcx, kFirst), 0);
+  const Layout::Frame& at = frames().frame;
+  code_.mov(host::rcx, inState(frames().top));
+  code_.cmp(host::byte_ptr(host::rcx, at.first), 0);
   code_.jne(out);
-  code_.cmp(host::byte_ptr(host::rcx, kKeptRelay), 0);
+  code_.cmp(host::byte_ptr(host::rcx, at.relayActive), 0);
   code_.jne(out);
-  depth(code_, offset::kRelays, 0);
-  code_.cmp(host::ax, host::word_ptr(host::rcx, kRelayDepth));
+  relayDepth(code_, frames());
+  code_.cmp(host::ax, host::word_ptr(host::rcx, at.relayDepth));
   code_.jne(out);
-  depth(code_, offset::kBrackets, kBracketShift);
-  code_.cmp(host::ax, host::word_ptr(host::rcx, kBracketDepth));
+  bracketDepth(code_, frames());
+  code_.cmp(host::ax, host::word_ptr(host::rcx, at.bracketDepth));
   code_.jne(out);
-  code_.mov(host::rax, host::qword_ptr(host::rcx, kCode - kFrameSize));
-  code_.cmp(host::qword_ptr(host::rax, kNative), 0);
+  code_.mov(host::rax, host::qword_ptr(host::rcx, at.code - at.bytes));
+  code_.cmp(host::qword_ptr(host::rax, frames().code.native), 0);
   code_.je(out);
 }
 

@@ -41,7 +41,7 @@ class StatusConstants {
       bytes = atOnce(at);
       std::uint32_t together = 0;
       for (unsigned i = 0; i < bytes; ++i) together |= bits_[at + i].second << 8 * i;
-      code.mov(host::Mem(kMachine, bits_[at].first, bytes), together);
+      code.mov(host::Mem(kState, bits_[at].first, bytes), together);
     }
   }
 
@@ -165,13 +165,13 @@ void RegionCode::writeCompared(const icode::StateWrite& write, const Spot& a, co
 void RegionCode::writeCondition(const icode::StateWrite& write, CondCode condition) {
   if (unit_.options.broken == region_.ops[write.value].code)
     condition = host::negateCond(condition);
-  code_.set(condition, host::byte_ptr(kMachine, offsetOf(write.item)));
+  code_.set(condition, host::byte_ptr(kState, offsetOf(write.item)));
 }
 
 // Bytes come last: registers may still stand in one that is written here.
 void RegionCode::writeState(const Exit& exit, const std::vector<StateSpot>& states,
                             const std::vector<Spot>& bytes) {
-  if (exit.swapped && unit_.options.broken != icode::Opcode::SwapBlocks) swapBlocks(code_);
+  if (exit.swapped && unit_.options.broken != icode::Opcode::SwapBlocks) swapBlocks(unit_);
   StatusConstants constants;
   for (std::uint32_t i = 0; i < exit.states; ++i) {
     const icode::StateWrite& write = region_.states[exit.firstState + i];
@@ -190,7 +190,7 @@ void RegionCode::writeState(const Exit& exit, const std::vector<StateSpot>& stat
 
 void RegionCode::writeItem(const icode::StateWrite& write, const Spot& spot) {
   const bool isBit = icode::isBit(write.item);
-  const host::Mem to(kMachine, offsetOf(write.item), isBit ? 1u : 4u);
+  const host::Mem to(kState, offsetOf(write.item), isBit ? 1u : 4u);
   if (spot.kind == Spot::Kind::Constant) {
     code_.mov(to, spot.number);
     return;
@@ -215,8 +215,8 @@ void RegionCode::writeByte(const icode::ByteWrite& write, const Spot& spot) {
   const host::Mem to = local ? host::byte_ptr(host::rcx, static_cast<int>(write.place))
                              : inImage(write.space, write.place, 1);
   if (local) {
-    code_.mov(host::rcx, host::qword_ptr(kMachine, offset::kTop));
-    code_.mov(host::rcx, host::qword_ptr(host::rcx, offsetof(cpu::Frame, local)));
+    code_.mov(host::rcx, inState(frames().top));
+    code_.mov(host::rcx, host::qword_ptr(host::rcx, frames().frame.local));
   }
   if (spot.kind == Spot::Kind::Constant) {
     code_.mov(to, spot.number & 0xFF);

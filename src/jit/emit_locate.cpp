@@ -14,11 +14,11 @@ namespace {
 constexpr Area kAreas[] = {Area::Flag,     Area::CallerLocal, Area::DataBlock, Area::Local,
                            Area::Instance, Area::Input,       Area::Output};
 
-constexpr int at(std::size_t field) { return static_cast<int>(field); }
-
-const host::Gp& imageOf(Area area) {
-  return kImages[area == Area::Input ? 0 : area == Area::Output ? 1 : 2];
+bool isImage(Area area) {
+  return area == Area::Input || area == Area::Output || area == Area::Flag;
 }
+// Number of the image.
+std::size_t imageOf(Area area) { return area == Area::Input ? 0 : area == Area::Output ? 1 : 2; }
 
 }  // namespace
 
@@ -40,7 +40,8 @@ void RegionCode::Locate(const Op& op) {
     return;
   }
   if (isInImage(op, area)) {
-    code_.lea(to, host::ptr(imageOf(area), static_cast<int>(places_.constant(op.b) >> 3) - kBias));
+    code_.lea(to, host::ptr(kImages[imageOf(area)],
+                            static_cast<int>(places_.constant(op.b) >> 3) - kBias));
     return;
   }
   locateByte(op, out);
@@ -49,11 +50,11 @@ void RegionCode::Locate(const Op& op) {
 
 // Known now, without a look when it runs.
 bool RegionCode::isInImage(const Op& op, Area area) const {
-  if (!places_.isConstant(op.b)) return false;
+  if (!places_.isConstant(op.b) || !isImage(area)) return false;
   const icode::Access access = icode::Access::of(op.place);
   const std::uint32_t bit = places_.constant(op.b);
   return !(access.whole && (bit & 7) != 0) &&
-         std::uint64_t{bit >> 3} + access.bytes <= cpu::imageLength(*unit_.model, area);
+         std::uint64_t{bit >> 3} + access.bytes <= unit_.layout.imageLengths[imageOf(area)];
 }
 
 // edx: byte, ecx: end of the access
@@ -85,31 +86,33 @@ void RegionCode::locateAnywhere(bool write, const host::Gp& to, const asmjit::La
 }
 
 void RegionCode::locateIn(Area area, bool write, const host::Gp& to, const asmjit::Label& out) {
-  const bool local = area == Area::Local || area == Area::CallerLocal;
-  if (const std::uint32_t length = cpu::imageLength(*unit_.model, area); length != 0) {
-    code_.cmp(host::ecx, length);
+  if (isImage(area)) {
+    code_.cmp(host::ecx, unit_.layout.imageLengths[imageOf(area)]);
     code_.ja(out);
-    code_.lea(to, host::ptr(imageOf(area), host::rdx, 0, -kBias));
-  } else if (local) {
-    const int frame = area == Area::CallerLocal ? -at(sizeof(cpu::Frame)) : 0;
-    code_.mov(host::rax, host::qword_ptr(kMachine, offset::kTop));
-    if (area == Area::CallerLocal) {
-      code_.cmp(host::byte_ptr(host::rax, at(offsetof(cpu::Frame, first))), 0);
-      code_.jne(out);
-    }
-    code_.cmp(host::ecx, host::dword_ptr(host::rax, frame + at(offsetof(cpu::Frame, localLength))));
-    code_.ja(out);
-    code_.mov(to, host::qword_ptr(host::rax, frame + at(offsetof(cpu::Frame, local))));
-    code_.add(to, host::rdx);
+    code_.lea(to, host::ptr(kImages[imageOf(area)], host::rdx, 0, -kBias));
+  } else if (area == Area::Local || area == Area::CallerLocal) {
+    locateLocal(area == Area::CallerLocal, to, out);
   } else {
-    const int block = area == Area::Instance ? offset::kDi : offset::kDb;
-    const std::size_t limit =
-        write ? offsetof(cpu::OpenBlock, writable) : offsetof(cpu::OpenBlock, length);
-    code_.cmp(host::ecx, host::dword_ptr(kMachine, block + at(limit)));
+    const Layout::Open& open = area == Area::Instance ? unit_.layout.instance : unit_.layout.data;
+    code_.cmp(host::ecx, host::dword_ptr(kState, write ? open.writable : open.length));
     code_.ja(out);
-    code_.mov(to, host::qword_ptr(kMachine, block + at(offsetof(cpu::OpenBlock, data))));
+    code_.mov(to, inState(open.data));
     code_.add(to, host::rdx);
   }
+}
+
+void RegionCode::locateLocal(bool ofCaller, const host::Gp& to, const asmjit::Label& out) {
+  const Layout::Frame& frame = frames().frame;
+  const int back = ofCaller ? -frame.bytes : 0;
+  code_.mov(host::rax, inState(frames().top));
+  if (ofCaller) {
+    code_.cmp(host::byte_ptr(host::rax, frame.first), 0);
+    code_.jne(out);
+  }
+  code_.cmp(host::ecx, host::dword_ptr(host::rax, back + frame.localLength));
+  code_.ja(out);
+  code_.mov(to, host::qword_ptr(host::rax, back + frame.local));
+  code_.add(to, host::rdx);
 }
 
 }  // namespace merker::jit

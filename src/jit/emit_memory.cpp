@@ -22,9 +22,9 @@ void RegionCode::Get(const Op& op) {
   const host::Gp to = places_.out();
   const int at = offsetOf(op.item);
   if (icode::isBit(op.item))
-    code_.movzx(to, host::byte_ptr(kMachine, at));
+    code_.movzx(to, host::byte_ptr(kState, at));
   else
-    code_.mov(to, host::dword_ptr(kMachine, at));
+    code_.mov(to, host::dword_ptr(kState, at));
 }
 
 // The image has a register of its own; Base of it only names it.
@@ -32,11 +32,11 @@ void RegionCode::Base(const Op& op) {
   if (icode::isImage(op.space)) return;
   const host::Gp to = places_.out().r64();
   if (op.space == Space::Local) {
-    code_.mov(to, host::qword_ptr(kMachine, offset::kTop));
-    code_.mov(to, host::qword_ptr(to, offsetof(cpu::Frame, local)));
+    code_.mov(to, inState(frames().top));
+    code_.mov(to, host::qword_ptr(to, frames().frame.local));
     return;
   }
-  code_.mov(to, host::qword_ptr(kMachine, openBlock(op.space).data));
+  code_.mov(to, inState(openBlock(op.space).data));
 }
 
 host::Mem RegionCode::place(const Op& op, unsigned bytes) {
@@ -115,27 +115,26 @@ void RegionCode::Index(const Op& op) {
 void RegionCode::Limit(const Op& op) {
   const host::Gp to = places_.out();
   if (op.space == Space::Local) {
-    code_.mov(host::rax, host::qword_ptr(kMachine, offset::kTop));
-    code_.mov(to, host::dword_ptr(host::rax, offsetof(cpu::Frame, localLength)));
+    code_.mov(host::rax, inState(frames().top));
+    code_.mov(to, host::dword_ptr(host::rax, frames().frame.localLength));
     return;
   }
-  code_.mov(to, host::dword_ptr(kMachine, openBlock(op.space).length));
+  code_.mov(to, host::dword_ptr(kState, openBlock(op.space).length));
 }
 
 void RegionCode::WriteLimit(const Op& op) {
-  code_.mov(places_.out(), host::dword_ptr(kMachine, openBlock(op.space).writable));
+  code_.mov(places_.out(), host::dword_ptr(kState, openBlock(op.space).writable));
 }
 
 // L DBLG, DILG, DBNO, DINO
 void RegionCode::BlockInfo(const Op& op) {
-  const int block = (op.number & 1) != 0 ? offset::kDi : offset::kDb;
+  const bool instance = (op.number & 1) != 0;
+  const Layout::Open& open = openBlock(instance ? Space::Instance : Space::Data);
   const host::Gp to = places_.out();
   if (op.number < 2)
-    code_.mov(
-        to, host::dword_ptr(kMachine, block + static_cast<int>(offsetof(cpu::OpenBlock, length))));
+    code_.mov(to, host::dword_ptr(kState, open.length));
   else
-    code_.movzx(
-        to, host::word_ptr(kMachine, block + static_cast<int>(offsetof(cpu::OpenBlock, number))));
+    code_.movzx(to, host::word_ptr(kState, open.number));
 }
 
 }  // namespace merker::jit

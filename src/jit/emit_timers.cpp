@@ -1,68 +1,61 @@
-// Timers and counters of the CPU.
+// Timers and counters.
 #include "jit/region_code.h"
 
 namespace merker::jit {
 
-using cpu::S5Counter;
-using cpu::S5Timer;
 using icode::Field;
 using icode::Op;
+using icode::TimerKind;
 
-namespace {
-
-constexpr int offsetOfField(Field field) {
-  constexpr std::size_t kOffsets[] = {
-      offsetof(S5Timer, kind),     offsetof(S5Timer, startEdge),  offsetof(S5Timer, enableEdge),
-      offsetof(S5Timer, started),  offsetof(S5Timer, held),       offsetof(S5Timer, base),
-      offsetof(S5Timer, frozen),   offsetof(S5Counter, count),    offsetof(S5Counter, setEdge),
-      offsetof(S5Counter, upEdge), offsetof(S5Counter, downEdge), offsetof(S5Counter, enableEdge)};
-  return static_cast<int>(kOffsets[static_cast<std::size_t>(field)]);
+const Layout::Cells& RegionCode::cells(Field field) const {
+  return icode::isTimer(field) ? unit_.layout.timers : unit_.layout.counters;
 }
-
-}  // namespace
+// From the first timer or counter on.
+int RegionCode::offsetOf(Field field, const Op& op) const {
+  const int cell = static_cast<int>(op.number) * cells(field).bytes;
+  return cell + unit_.layout.fields[static_cast<std::size_t>(field)];
+}
+int RegionCode::timerEnd(const Op& op) const {
+  return static_cast<int>(op.number) * unit_.layout.timers.bytes + unit_.layout.timerEnd;
+}
 
 // S7-TMR: started and not yet over, the delays started and over; SS and SA also while held.
 void RegionCode::TimerStatus(const Op& op) {
-  const int timer = static_cast<int>(op.number * sizeof(S5Timer));
-  const auto field = [&](std::size_t at) {
-    return host::byte_ptr(host::rcx, timer + static_cast<int>(at));
-  };
+  const auto part = [&](Field which) { return host::byte_ptr(host::rcx, offsetOf(which, op)); };
   const host::Gp to = places_.out();
-  code_.mov(host::rcx, host::qword_ptr(host::rsp, kTimers));
+  code_.mov(host::rcx, inState(unit_.layout.timers.first));
   code_.lea(host::rax, host::ptr(kClock, static_cast<int>(op.place)));
-  code_.cmp(host::rax,
-            host::qword_ptr(host::rcx, timer + static_cast<int>(offsetof(S5Timer, end))));
+  code_.cmp(host::rax, host::qword_ptr(host::rcx, timerEnd(op)));
   code_.setl(host::al);
-  code_.movzx(host::edx, field(offsetof(S5Timer, kind)));
+  code_.movzx(host::edx, part(Field::TimerKind));
   code_.mov(to, host::edx);
-  code_.sub(host::edx, static_cast<int>(S5Timer::Kind::OnDelay));
+  code_.sub(host::edx, static_cast<int>(TimerKind::OnDelay));
   code_.cmp(host::edx, 2);
   code_.setb(host::dl);
   code_.xor_(host::al, host::dl);
-  code_.and_(host::al, field(offsetof(S5Timer, started)));
-  code_.cmp(to, static_cast<int>(S5Timer::Kind::StoredOnDelay));
+  code_.and_(host::al, part(Field::TimerStarted));
+  code_.cmp(to, static_cast<int>(TimerKind::StoredOnDelay));
   code_.setae(host::dl);
-  code_.and_(host::dl, field(offsetof(S5Timer, held)));
+  code_.and_(host::dl, part(Field::TimerHeld));
   code_.or_(host::al, host::dl);
   code_.movzx(to, host::al);
 }
 
 // Of what runs, in units, rounded up; otherwise what was left when it was stopped.
 void RegionCode::TimerUnits(const Op& op) {
-  const int timer = static_cast<int>(op.number * sizeof(S5Timer));
-  const auto at = [&](std::size_t field) { return timer + static_cast<int>(field); };
+  const auto at = [&](Field which) { return offsetOf(which, op); };
   const host::Gp to = places_.out();
   const asmjit::Label done = code_.newLabel(), tens = code_.newLabel(), divide = code_.newLabel();
-  code_.mov(host::rcx, host::qword_ptr(host::rsp, kTimers));
-  code_.movzx(to, host::word_ptr(host::rcx, at(offsetof(S5Timer, frozen))));
-  code_.cmp(host::byte_ptr(host::rcx, at(offsetof(S5Timer, started))), 0);
+  code_.mov(host::rcx, inState(unit_.layout.timers.first));
+  code_.movzx(to, host::word_ptr(host::rcx, at(Field::TimerFrozen)));
+  code_.cmp(host::byte_ptr(host::rcx, at(Field::TimerStarted)), 0);
   code_.je(done);
   code_.xor_(to, to);
   code_.lea(host::rdx, host::ptr(kClock, static_cast<int>(op.place)));
-  code_.mov(host::rax, host::qword_ptr(host::rcx, at(offsetof(S5Timer, end))));
+  code_.mov(host::rax, host::qword_ptr(host::rcx, timerEnd(op)));
   code_.sub(host::rax, host::rdx);
   code_.jle(done);
-  code_.movzx(host::edx, host::byte_ptr(host::rcx, at(offsetof(S5Timer, base))));
+  code_.movzx(host::edx, host::byte_ptr(host::rcx, at(Field::TimerBase)));
   code_.mov(host::ecx, 10'000'000);  // ns
   code_.bind(tens);
   code_.sub(host::edx, 1);
@@ -79,10 +72,8 @@ void RegionCode::TimerUnits(const Op& op) {
 
 host::Mem RegionCode::field(const Op& op, std::uint32_t bytes) {
   const auto which = static_cast<Field>(op.place);
-  const bool timer = icode::isTimer(which);
-  const std::size_t size = timer ? sizeof(S5Timer) : sizeof(S5Counter);
-  code_.mov(host::rcx, host::qword_ptr(host::rsp, timer ? kTimers : kCounters));
-  return {host::rcx, static_cast<int>(op.number * size) + offsetOfField(which), bytes};
+  code_.mov(host::rcx, inState(cells(which).first));
+  return {host::rcx, offsetOf(which, op), bytes};
 }
 
 void RegionCode::FieldByte(const Op& op) {

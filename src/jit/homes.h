@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "jit/layout.h"
+#include "jit/host.h"
 
 namespace merker::jit {
 

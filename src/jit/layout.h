@@ -1,64 +1,97 @@
-// Where compiled code finds things in the machine, and which host register holds what.
+// Where compiled code finds things in the state that it is given. Whoever owns the state says it;
+// jit knows nothing else of a state. All places in bytes.
 #pragma once
 
-#include <asmjit/x86.h>
+#include <array>
+#include <cstdint>
+#include <optional>
 
-#include <cstddef>
-
-#include "cpu/machine.h"
 #include "icode/region.h"
 
 namespace merker::jit {
 
-namespace host = asmjit::x86;
+struct Layout {
+  // Where the address of the first entry is, and the address behind the last one.
+  struct List {
+    int first = 0, end = 0;
+  };
+  // An open data block, or one that can be opened.
+  struct Open {
+    int begin = 0;  // of all of it
+    int data = 0;   // address of its bytes
+    int length = 0, writable = 0, number = 0;
+  };
+  // Timers or counters.
+  struct Cells {
+    int first = 0;  // address of number 0
+    int bytes = 0;  // from one to the next
+  };
 
-inline const host::Gp kMachine = host::rbx, kClock = host::r12, kCount = host::r13;
-// The images of inputs, outputs and flags: their byte kBias, so that 256 bytes of each are near.
-inline const host::Gp kImages[] = {host::rbp, host::r14, host::r15};
-constexpr int kBias = 128;
-inline host::Mem inImage(icode::Space space, std::uint32_t byte, std::uint32_t bytes) {
-  return {kImages[static_cast<std::size_t>(space)], static_cast<int>(byte) - kBias, bytes};
-}
-// Values live in these, those that are needed for long in the last ones, whose codes are longer;
-// rax, rcx and rdx are free for every emitter.
-inline const host::Gp kPlaces[] = {host::rsi, host::rdi, host::r8, host::r9, host::r10, host::r11};
-constexpr unsigned kPlaceCount = 6;
+  int clock = 0, horizon = 0, instructions = 0;
+  std::array<int, icode::kItems> items{};
+  // Inputs, outputs, flags: where they begin behind the address at `image`, and how many bytes an
+  // address that is computed may reach.
+  int image = 0;
+  std::array<std::uint32_t, 3> images{}, imageLengths{};
+  Open data{}, instance{};
 
-// The stack frame: values that found no register, then what the caller handed over. Enough for a
-// bracket of 64 operands of which each needs three values.
-constexpr int kSlots = 248;
-constexpr int kTimers = 8 * kSlots, kCounters = kTimers + 8, kFrame = kCounters + 8;
+  Cells timers{}, counters{};
+  std::array<int, icode::kFields> fields{};  // in a timer or counter
+  int timerEnd = 0;                          // in a timer: the instant at which it ends
 
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Winvalid-offsetof"
-namespace offset {
-constexpr int kClock = offsetof(cpu::Machine, clock);
-constexpr int kHorizon = offsetof(cpu::Machine, horizon);
-constexpr int kImage = offsetof(cpu::Machine, image);
-constexpr int kTop = offsetof(cpu::Machine, top);
-constexpr int kRelayOff = offsetof(cpu::Machine, mcrOff);
-constexpr int kInstructions = offsetof(cpu::Machine, instructions);
-constexpr int kBrackets = offsetof(cpu::Machine, brackets);
-constexpr int kRegisters = offsetof(cpu::Machine, registers);
-constexpr int kRelayActive = offsetof(cpu::Machine, mcrActive);
-constexpr int kRelays = offsetof(cpu::Machine, mcrStack);
-constexpr int kCallLimit = offsetof(cpu::Machine, callLimit);
-constexpr int kFrames = offsetof(cpu::Machine, frames);
-constexpr int kLevels = offsetof(cpu::Machine, levels);
-constexpr int kFunctions = offsetof(cpu::Machine, functions);
-constexpr int kFunctionBlocks = offsetof(cpu::Machine, functionBlocks);
-constexpr int kDataBlocks = offsetof(cpu::Machine, dataBlocks);  // its only member is the vector
-constexpr int kPosition = offsetof(cpu::Machine, position);
-constexpr int kAr2 = kRegisters + offsetof(cpu::Registers, ar2);
-constexpr int kDb = kRegisters + offsetof(cpu::Registers, db);
-constexpr int kDi = kRegisters + offsetof(cpu::Registers, di);
-constexpr int kStatus = kRegisters + offsetof(cpu::Registers, status);
-// A vector: begin, end of what is in it, end of its memory.
-constexpr int kEnd = 8, kCapacity = 16;
-}  // namespace offset
-static_assert(sizeof(cpu::DataBlocks) == sizeof(std::vector<cpu::DataBlock>));
-static_assert(sizeof(cpu::OpenBlock) == 24 && sizeof(cpu::Bracket) == 4);
+  // Blocks call each other in one of two ways. In frames of jit (blocks.h):
+  struct Blocks {
+    int top = 0;              // address of the Frame that runs
+    int first = 0, last = 0;  // of the outermost, and of the innermost that there may be
+    int sites = 0;            // address of the Sites, by number
+    int dataBlocks = 0;       // address of OpenBlocks, by number
+  };
+  std::optional<Blocks> blocks{};
 
-#pragma GCC diagnostic pop
+  // In frames of the owner, one behind the other, with local data, parameters and what a caller
+  // gets back:
+  struct Code {
+    int native = 0;  // address of NativeCode::entries; null: not compiled
+    int localBytes = 0;
+  };
+  struct Frame {
+    int bytes = 0;  // from one to the next
+    int code = 0;   // address of the Code
+    // The instruction to go on with; in the same 8 bytes `first`: nobody has called the block.
+    int resume = 0, first = 0;
+    int local = 0;                           // address of its local data
+    int localLength = 0, localEnd = 0;       // bytes of these, and of all up to here
+    int parameters = 0, parameterCount = 0;  // address of the list behind the call
+    // Of the caller; `data` are both registers.
+    int data = 0, ar2 = 0, relayActive = 0, relayDepth = 0, bracketDepth = 0;
+  };
+  // Data blocks by number.
+  struct DataBlocks {
+    List list{};
+    int bytes = 0;              // from one to the next
+    Open open{};                // in each: what a register gets; number 0: there is no such block
+    std::uint32_t highest = 0;  // number
+  };
+  struct Frames {
+    int top = 0, end = 0;               // address of the frame that runs, and behind it
+    int callLimit = 0;                  // address of the first frame that may not call
+    int position = 0;                   // place of the instruction that called last
+    int level = 0, levelBlocks = 0;     // an address, and from there the count of blocks
+    int relayActive = 0, relayOff = 0;  // master control relay
+    List relays{};                      // its zones, a byte each
+    List brackets{};
+    unsigned bracketBytes = 1;
+    List functions{}, functionBlocks{};  // addresses of Code by number; null: there is none
+    std::uint32_t localBytes = 0;        // the most for all blocks together
+    Frame frame{};
+    Code code{};
+    DataBlocks dataBlocks{};
+  };
+  std::optional<Frames> frames{};
+  // Then `instance` stands directly behind `data`, and each is as long as this.
+  static constexpr int kOpenBytes = 24;
+
+  int offsetOf(icode::Item item) const { return items[static_cast<std::size_t>(item)]; }
+};
 
 }  // namespace merker::jit

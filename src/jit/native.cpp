@@ -4,8 +4,7 @@ namespace merker::jit {
 
 namespace {
 
-using Enter = const void* (*)(void* state, const void* entry, const void* timers,
-                              const void* counters);
+using Enter = const void* (*)(void* state, const void* entry);
 
 Enter asFunction(const void* code) {
   return reinterpret_cast<Enter>(reinterpret_cast<std::uintptr_t>(code));
@@ -13,11 +12,8 @@ Enter asFunction(const void* code) {
 
 }  // namespace
 
-const void* NativeCode::run(cpu::Machine& m, std::size_t instruction) const {
-  return asFunction(at(enter_))(&m, entries_[instruction], m.timers.data(), m.counters.data());
-}
 const void* NativeCode::run(void* state, std::size_t instruction) const {
-  return asFunction(at(enter_))(state, entries_[instruction], nullptr, nullptr);
+  return asFunction(at(enter_))(state, entries_[instruction]);
 }
 
 bool available() { return true; }

@@ -9,11 +9,9 @@
 #include <span>
 #include <vector>
 
-#include "catalogue/cpu_model.h"
-#include "cpu/machine.h"
 #include "icode/region.h"
-#include "jit/blocks.h"
 #include "jit/code_memory.h"
+#include "jit/layout.h"
 
 namespace merker::jit {
 
@@ -24,27 +22,6 @@ struct Instructions {
   std::size_t stride = 0;
   const std::uint32_t* parameters = nullptr;  // of its calls, one list behind the other
 };
-
-// Where compiled code finds things in the state that it is given; bytes from its beginning.
-struct Layout {
-  struct Open {
-    int data = 0, length = 0, writable = 0;  // where its bytes begin, how many
-  };
-  int clock = 0, horizon = 0, image = 0, instructions = 0;
-  std::array<int, icode::kItems> items{};
-  std::array<std::uint32_t, 3> images{};  // inputs, outputs, flags: bytes behind `image`
-  Open data, instance;
-  // Blocks that call each other (blocks.h).
-  struct Blocks {
-    int open = 0;             // OpenBlock; `data` above names what is in it
-    int top = 0;              // address of the Frame that runs
-    int first = 0, last = 0;  // of the outermost, and of the innermost that there may be
-    int sites = 0;            // address of the Sites, by number
-    int dataBlocks = 0;       // address of OpenBlocks, by number
-  };
-  std::optional<Blocks> blocks{};
-};
-Layout layoutOf(const CpuModel& model);  // of cpu::Machine
 
 struct Options {
   // For tests of the tests: the code of this operation gives a wrong result, or is missing if it
@@ -70,11 +47,10 @@ class NativeCode {
   const void* const* entries() const { return entries_.data(); }
   // Where calls enter it that come from a Site.
   const void* entrance() const { return at(entrance_); }
-  // From an instruction that begins a region on: returns in front of the instruction that is to be
-  // done next. That is the same one if the horizon is too near or the region needs what is not
-  // there. Clock and count of instructions are exact.
-  const void* run(cpu::Machine& m, std::size_t instruction) const;
-  // The same on a state of another layout.
+  // On a state of the layout that the code was compiled for, from an instruction that begins a
+  // region on: returns in front of the instruction that is to be done next. That is the same one if
+  // the horizon is too near or the region needs what is not there. Clock and count of instructions
+  // are exact.
   const void* run(void* state, std::size_t instruction) const;
   std::size_t size() const { return size_; }  // bytes of machine code
 
@@ -89,13 +65,9 @@ class NativeCode {
 
 // Whether there is a compiler for this processor.
 bool available();
-// Null if there is none, nothing to compile, or a region has too many values at a time.
-std::unique_ptr<NativeCode> compile(std::span<const icode::Region> regions,
-                                    std::size_t instructions, const Instructions& answers,
-                                    const CpuModel& model, const Options& options = {});
-// For a state that is no cpu::Machine: registers, status bits, images and data blocks as `layout`
-// says; regions with operations on more than that are not for it. With no instructions at all: the
-// ways in and out of a block that has no compiled code.
+// Regions must not have operations on what the layout does not name. With no instructions at all:
+// the ways in and out of a block that has no compiled code. Null if there is no compiler, nothing
+// to compile, or a region has too many values at a time.
 std::unique_ptr<NativeCode> compile(std::span<const icode::Region> regions,
                                     std::size_t instructions, const Instructions& answers,
                                     const Layout& layout, const Options& options = {});

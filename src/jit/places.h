@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "jit/homes.h"
-#include "jit/layout.h"
+#include "jit/host.h"
 
 namespace merker::jit {
 

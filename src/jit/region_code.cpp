@@ -84,26 +84,26 @@ void RegionCode::need(const host::Mem& limit, std::uint32_t bytes) {
 void RegionCode::entry() {
   code_.bind(unit_.regions[region_.first]);
   code_.lea(host::rax, host::ptr(kClock, static_cast<int>(region_.ahead)));
-  code_.cmp(host::rax, host::qword_ptr(kMachine, unit_.layout.horizon));
+  code_.cmp(host::rax, inState(unit_.layout.horizon));
   code_.jge(tooNear_);
   const icode::Needs& needs = region_.needs;
-  const auto field = [](int at) { return host::dword_ptr(kMachine, at); };
+  const auto field = [](int at) { return host::dword_ptr(kState, at); };
   need(field(unit_.layout.data.length), needs.dataRead);
   need(field(unit_.layout.data.writable), needs.dataWritten);
   need(field(unit_.layout.instance.length), needs.instanceRead);
   need(field(unit_.layout.instance.writable), needs.instanceWritten);
   if (needs.local != 0 || needs.parameters != 0) {
-    code_.mov(host::rax, host::qword_ptr(kMachine, offset::kTop));
-    need(host::dword_ptr(host::rax, offsetof(cpu::Frame, localLength)), needs.local);
-    need(host::dword_ptr(host::rax, offsetof(cpu::Frame, parameterCount)), needs.parameters);
+    code_.mov(host::rax, inState(frames().top));
+    need(host::dword_ptr(host::rax, frames().frame.localLength), needs.local);
+    need(host::dword_ptr(host::rax, frames().frame.parameterCount), needs.parameters);
   }
   if (needs.relayOn) {
-    code_.cmp(host::byte_ptr(kMachine, offset::kRelayOff), 0);
+    code_.cmp(host::byte_ptr(kState, frames().relayOff), 0);
     code_.jne(tooNear_);
   }
-  if (needs.noBrackets) {  // begin and end of the vector are the same
-    code_.mov(host::rax, host::qword_ptr(kMachine, offset::kBrackets));
-    code_.cmp(host::rax, host::qword_ptr(kMachine, offset::kBrackets + 8));
+  if (needs.noBrackets) {
+    code_.mov(host::rax, inState(frames().brackets.first));
+    code_.cmp(host::rax, inState(frames().brackets.end));
     code_.jne(tooNear_);
   }
 }

@@ -6,7 +6,8 @@
 #include <functional>
 #include <vector>
 
-#include "catalogue/cpu_model.h"
+#include "address/area.h"
+#include "jit/blocks.h"
 #include "jit/native.h"
 #include "jit/places.h"
 
@@ -16,7 +17,6 @@ namespace merker::jit {
 struct Unit {
   host::Assembler& code;
   const Layout& layout;
-  const CpuModel* model;  // null: the state is no cpu::Machine
   const Options& options;
   const Instructions& answers;
   asmjit::Label epilogue;  // with the instruction to go on with in eax
@@ -31,7 +31,7 @@ struct Unit {
 // Of a data block register; xmm0 and rcx are lost.
 void copyBlock(host::Assembler& code, const host::Gp& to, int toAt, const host::Gp& from,
                int fromAt);
-void swapBlocks(host::Assembler& code);  // rax, too
+void swapBlocks(const Unit& unit);  // rax, too
 
 // What calls and returns of a block have in common.
 void writeBlockChanges(const Unit& unit);
@@ -106,6 +106,10 @@ class RegionCode {
   void locateByte(const icode::Op& op, const asmjit::Label& out);
   void locateAnywhere(bool write, const host::Gp& to, const asmjit::Label& out);
   void locateIn(Area area, bool write, const host::Gp& to, const asmjit::Label& out);
+  void locateLocal(bool ofCaller, const host::Gp& to, const asmjit::Label& out);
+  const Layout::Cells& cells(icode::Field field) const;
+  int offsetOf(icode::Field field, const icode::Op& op) const;
+  int timerEnd(const icode::Op& op) const;
   host::Mem field(const icode::Op& op, std::uint32_t bytes);
   void shiftBy(const icode::Op& op, std::uint32_t instruction);
   void loadBlock(const icode::Op& op, const asmjit::Label& out);
@@ -128,11 +132,13 @@ class RegionCode {
   std::vector<StateSpot> spotsOfStates(const icode::Exit& exit) const;
   std::vector<Spot> spotsOfBytes(const icode::Exit& exit) const;
   void noteIsolated(icode::Value value);
-  int offsetOf(icode::Item item) const {
-    return unit_.layout.items[static_cast<std::size_t>(item)];
-  }
+  int offsetOf(icode::Item item) const { return unit_.layout.offsetOf(item); }
+  const Layout::Frames& frames() const { return *unit_.layout.frames; }
   const Layout::Open& openBlock(icode::Space space) const {
     return space == icode::Space::Instance ? unit_.layout.instance : unit_.layout.data;
+  }
+  const Layout::Open& otherThan(icode::Space space) const {
+    return space == icode::Space::Instance ? unit_.layout.data : unit_.layout.instance;
   }
 
   Unit& unit_;

@@ -17,7 +17,7 @@ class Native : public interpreter::Compiled {
       : code_(std::move(code)), entries_(std::move(entries)) {}
   bool begins(std::size_t instruction) const override { return entries_[instruction]; }
   const Op* run(cpu::Machine& m, std::size_t instruction) const override {
-    return static_cast<const Op*>(code_->run(m, instruction));
+    return static_cast<const Op*>(code_->run(&m, instruction));
   }
   const void* const* entries() const override { return code_->entries(); }
   std::size_t size() const { return code_->size(); }
@@ -57,7 +57,7 @@ void Engines::compile(Translated& code) const {
     regions = translate::translate(listing, model_, checked(code), longest);
     if (regions.empty()) return;
     for (icode::Region& region : regions) icode::optimise(region);
-    native = jit::compile(regions, listing.places.size(), answers, model_, options_.jit);
+    native = jit::compile(regions, listing.places.size(), answers, layout_, options_.jit);
   }
   if (native == nullptr) return;
   // Between checks regions are short; there agreement counts, not speed.

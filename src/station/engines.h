@@ -5,6 +5,7 @@
 #include "cpu/cpu.h"
 #include "interpreter/interpreter.h"
 #include "jit/native.h"
+#include "station/machine_layout.h"
 
 namespace merker::station {
 
@@ -18,7 +19,11 @@ struct CompilerOptions {
 class Engines : public interpreter::Interpreter {
  public:
   Engines(const CpuModel& model, bool compiles, CompilerOptions options = {})
-      : Interpreter(model), model_(model), compiles_(compiles && canCompile()), options_(options) {}
+      : Interpreter(model),
+        model_(model),
+        layout_(layoutOf(model)),
+        compiles_(compiles && canCompile()),
+        options_(options) {}
 
   static bool canCompile() { return jit::available(); }
   bool compiles() const { return compiles_; }
@@ -31,6 +36,7 @@ class Engines : public interpreter::Interpreter {
   void compile(interpreter::Translated& code) const;
 
   const CpuModel& model_;
+  const jit::Layout layout_;
   bool compiles_;
   CompilerOptions options_;
 };

@@ -9,6 +9,7 @@ using icode::Field;
 using icode::Item;
 using icode::Opcode;
 using icode::Value;
+using Kind = icode::TimerKind;
 using mc7::OperandKind;
 using mc7::Operation;
 
@@ -43,8 +44,6 @@ Value zeroIf(Lowering& l, Value bit, Value word) {
   icode::Builder& b = l.to;
   return b.make(Opcode::And, word, b.make(Opcode::Sub, b.make(Opcode::ToWord, bit), b.constant(1)));
 }
-
-enum class Kind : std::uint8_t { Pulse, ExtendedPulse, OnDelay, StoredOnDelay, OffDelay };
 
 // S7-TMR-10 … -19: without an edge nothing happens, but a 0 ends a pulse and an on-delay, and with
 // an off-delay that is held a 0 starts the time.

@@ -1,14 +1,34 @@
 // No page is writable and executable at once.
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <fstream>
 #include <string>
 
+#include "clock/instant.h"
 #include "icode/builder.h"
 #include "jit/native.h"
 
 namespace merker::jit {
 namespace {
+
+// The smallest state there can be: compiled code knows of it what the layout says.
+struct State {
+  Instant horizon{1'000}, clock{};
+  std::uint64_t instructions = 0;
+  void* image = nullptr;
+  bool rlo = false, er = false;
+};
+
+Layout layout() {
+  Layout layout{.clock = offsetof(State, clock),
+                .horizon = offsetof(State, horizon),
+                .instructions = offsetof(State, instructions),
+                .image = offsetof(State, image)};
+  layout.items[static_cast<std::size_t>(icode::Item::Rlo)] = offsetof(State, rlo);
+  layout.items[static_cast<std::size_t>(icode::Item::Er)] = offsetof(State, er);
+  return layout;
+}
 
 icode::Region twoBits() {
   icode::Region region;
@@ -23,7 +43,7 @@ icode::Region twoBits() {
 TEST(Pages, NeverWritableAndExecutable) {
   if (!available()) GTEST_SKIP() << "no compiler for this processor";
   const icode::Region region = twoBits();
-  const auto code = compile(std::span(&region, 1), 2, {nullptr, 1}, defaultCpuModel());
+  const auto code = compile(std::span(&region, 1), 2, {nullptr, 1}, layout());
   ASSERT_NE(code, nullptr);
   int executable = 0;
   std::ifstream maps("/proc/self/maps");
@@ -45,7 +65,7 @@ TEST(Pages, BlocksLieSideBySideAndGiveTheirRoomBack) {
   const icode::Region region = twoBits();
   const Options options;
   const auto one = [&] {
-    return compile(std::span(&region, 1), 2, {nullptr, 1}, defaultCpuModel(), options);
+    return compile(std::span(&region, 1), 2, {nullptr, 1}, layout(), options);
   };
   std::vector<std::unique_ptr<NativeCode>> blocks;
   for (int i = 0; i < 20; ++i) blocks.push_back(one());
@@ -58,27 +78,25 @@ TEST(Pages, BlocksLieSideBySideAndGiveTheirRoomBack) {
   blocks.clear();
   EXPECT_EQ(place(*one()), first);
   for (int i = 0; i < 1'000; ++i) blocks.push_back(one());  // more than one lot of pages
-  cpu::Machine m(defaultCpuModel());
+  State state;
   for (const auto& block : blocks) {
-    m.horizon = m.clock + Duration{1'000};
-    EXPECT_EQ(block->run(m, 0), reinterpret_cast<const void*>(1));
+    state.horizon = state.clock + Duration{1'000};
+    EXPECT_EQ(block->run(&state, 0), reinterpret_cast<const void*>(1));
   }
 }
 
 TEST(Native, LeavesClockCountAndStateBehind) {
   if (!available()) GTEST_SKIP() << "no compiler for this processor";
   const icode::Region region = twoBits();
-  const auto code = compile(std::span(&region, 1), 2, {nullptr, 1}, defaultCpuModel());
-  cpu::Machine m(defaultCpuModel());
-  m.horizon = Instant{1000};
-  m.registers.status.er = true;
-  EXPECT_EQ(code->run(m, 0), reinterpret_cast<const void*>(1));
-  EXPECT_EQ(m.clock.ns, 100);
-  EXPECT_EQ(m.instructions, 1u);
-  EXPECT_TRUE(m.registers.status.rlo);
-  m.horizon = m.clock;
-  EXPECT_EQ(code->run(m, 0), nullptr) << "the horizon is reached: nothing is done";
-  EXPECT_EQ(m.instructions, 1u);
+  const auto code = compile(std::span(&region, 1), 2, {nullptr, 1}, layout());
+  State state{.er = true};
+  EXPECT_EQ(code->run(&state, 0), reinterpret_cast<const void*>(1));
+  EXPECT_EQ(state.clock.ns, 100);
+  EXPECT_EQ(state.instructions, 1u);
+  EXPECT_TRUE(state.rlo);
+  state.horizon = state.clock;
+  EXPECT_EQ(code->run(&state, 0), nullptr) << "the horizon is reached: nothing is done";
+  EXPECT_EQ(state.instructions, 1u);
 }
 
 }  // namespace
