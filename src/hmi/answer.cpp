@@ -38,6 +38,10 @@ std::string contentPolicy(std::string_view host, bool tls) {
       tls ? "wss" : "ws", host);
 }
 
+void setBody(Answer& result, std::string_view bytes) {
+  result.body() = {bytes.data(), bytes.size()};
+}
+
 Answer blank(const Request& request, status code) {
   Answer result{code, request.version()};
   result.keep_alive(request.keep_alive());
@@ -59,7 +63,7 @@ Answer fileAnswer(const Request& request, const Guard& guard, const Asset& asset
   if (known) return result;
   result.set(field::content_type, std::string(asset.type));
   result.content_length(asset.bytes.size());
-  if (request.method() != http::verb::head) result.body() = asset.bytes;
+  if (request.method() != http::verb::head) setBody(result, asset.bytes);
   return result;
 }
 
@@ -76,9 +80,9 @@ Answer refuse(const Request& request, status code) {
   Answer result = blank(request, code);
   result.set(field::content_type, "text/plain; charset=utf-8");
   if (code == status::method_not_allowed) result.set(field::allow, "GET, HEAD");
-  const std::string text = fmt::format("{}\n", view(http::obsolete_reason(code)));
+  const std::string_view text = view(http::obsolete_reason(code));
   result.content_length(text.size());
-  if (request.method() != http::verb::head) result.body() = text;
+  if (request.method() != http::verb::head) setBody(result, text);
   return result;
 }
 

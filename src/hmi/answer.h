@@ -10,8 +10,9 @@ namespace merker::hmi {
 
 namespace http = boost::beast::http;
 using Request = http::request<http::string_body>;
-// The bytes of the assets live as long as the program.
-using Answer = http::response<http::string_body>;
+// Its body lies in the program: an asset or the reason of a refusal. However many connections are
+// answered, nobody holds a copy.
+using Answer = http::response<http::span_body<const char>>;
 
 // What is wrong with the request whatever it asks for; http::status::ok if nothing.
 http::status refusal(const Request& request, const Guard& guard);

@@ -10,6 +10,7 @@ import sys
 import threading
 import time
 import unittest
+import urllib.request
 
 from served import Served
 from web_socket import Browser, Closed, WebSocket
@@ -208,6 +209,22 @@ class Attacked(Served):
             for one in held:
                 one.close()
         self.stands(attack)
+
+    def test_the_page_is_there_once_however_many_ask_for_it(self):
+        with urllib.request.urlopen(f"http://127.0.0.1:{self.port}/") as page:
+            script = re.search(r'src="[./]*(assets/[^"]+\.js)"', page.read().decode()).group(1)
+        before = memory(self.process.pid)
+        held = []
+        for _ in range(200):
+            one = socket.create_connection(("127.0.0.1", self.port), 60)
+            one.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+            one.sendall(f"GET /{script} HTTP/1.1\r\nHost: 127.0.0.1:{self.port}\r\n\r\n".encode("ascii"))
+            held.append(one)
+        for one in held:
+            self.assertTrue(one.recv(12).startswith(b"HTTP/1.1 200"))
+        self.assertLess(memory(self.process.pid) - before, 20 * MEGA)
+        for one in held:
+            one.close()
 
     def test_many_browsers_shut_nobody_out_who_comes_later(self):
         held = []

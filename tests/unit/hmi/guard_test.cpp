@@ -66,6 +66,9 @@ class Answers : public ::testing::Test {
     if (!origin.empty()) request.set(http::field::origin, origin);
     return answer(request, guard, assets);
   }
+  static std::string_view body(const Answer& answer) {
+    return {answer.body().data(), answer.body().size()};
+  }
   Asset assets[2] = {{"/index.html", "text/html; charset=utf-8", "t1", "<p>"},
                      {"/assets/a.js", "text/javascript", "t2", "1;"}};
   Guard guard{true, false, ""};
@@ -73,16 +76,27 @@ class Answers : public ::testing::Test {
 };
 
 TEST_F(Answers, GiveTheFilesOfThePageOnly) {
-  EXPECT_EQ(ask(http::verb::get, "/").body(), "<p>");
-  EXPECT_EQ(ask(http::verb::get, "/?token=x").body(), "<p>");
-  EXPECT_EQ(ask(http::verb::get, "/assets/a.js").body(), "1;");
-  EXPECT_EQ(ask(http::verb::head, "/").body(), "");
+  EXPECT_EQ(body(ask(http::verb::get, "/")), "<p>");
+  EXPECT_EQ(body(ask(http::verb::get, "/?token=x")), "<p>");
+  EXPECT_EQ(body(ask(http::verb::get, "/assets/a.js")), "1;");
+  EXPECT_EQ(body(ask(http::verb::head, "/")), "");
   EXPECT_EQ(ask(http::verb::get, "/../etc/passwd").result(), http::status::not_found);
   EXPECT_EQ(ask(http::verb::get, "//index.html").result(), http::status::not_found);
   EXPECT_EQ(ask(http::verb::post, "/").result(), http::status::method_not_allowed);
   EXPECT_EQ(ask(http::verb::get, "/", "evil.example").result(), http::status::misdirected_request);
   origin = "http://evil.example";
   EXPECT_EQ(ask(http::verb::get, "/").result(), http::status::forbidden);
+}
+
+TEST_F(Answers, HoldNoCopyOfThePage) {
+  const Answer page = ask(http::verb::get, "/"), again = page;
+  EXPECT_EQ(static_cast<const void*>(page.body().data()), assets[0].bytes.data());
+  EXPECT_EQ(static_cast<const void*>(again.body().data()), assets[0].bytes.data());
+}
+
+TEST_F(Answers, SayWhyNot) {
+  EXPECT_EQ(body(ask(http::verb::get, "/nothing")), "Not Found");
+  EXPECT_EQ(body(ask(http::verb::head, "/nothing")), "");
 }
 
 TEST_F(Answers, ProtectThePage) {
