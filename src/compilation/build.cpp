@@ -198,7 +198,8 @@ void addPartner(Build& build) {
   const auto& coupling = build.project.control->coupling;
   if (!coupling) return;
   const auto folder = std::filesystem::path(build.project.folder) / coupling->partner;
-  project::Project other = project::load(folder.lexically_normal().string(), "");
+  project::Project other =
+      project::load(folder.lexically_normal().string(), "", {}, build.project.problems.stop());
   if (!other.unreadable && !other.control) {
     build.problems.add(ProblemCode::P0704, coupling->named, "partner",
                        "the project folder of a SINUMERIK");

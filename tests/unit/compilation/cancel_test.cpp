@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <ctime>
+#include <filesystem>
+#include <fstream>
 #include <stop_token>
 
 #include "compilation/build.h"
@@ -63,6 +66,32 @@ TEST(Cancel, noPartOfTheWorkGoesOn) {
                                    {"a.awl", manyBlocks()},
                                    {"a.s5", largeListing()}})
     EXPECT_LT(seconds(name, text, source.get_token()) * 10, seconds(name, text, {})) << name;
+}
+
+// The other control of [coupling] is a project of its own.
+TEST(Cancel, thePartnerIsNotCompiledEither) {
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("merker-cancel-" + std::to_string(::getpid()));
+  const auto write = [&](const std::string& name, const std::string& text) {
+    std::filesystem::create_directories((folder / name).parent_path());
+    std::ofstream(folder / name) << text;
+  };
+  const std::string cpu = "[cpu]\nmodel = \"SINUMERIK 820 GA3\"\n";
+  write("a/merker.toml", cpu + "[coupling]\npartner = \"../b\"\n");
+  write("a/a.s5", "OB 1\nBE\n");
+  write("b/merker.toml", cpu);
+  write("b/b.s5", largeListing());
+  const auto seconds = [&](std::stop_token stop) {
+    const std::clock_t before = std::clock();
+    const Build built = build(project::load((folder / "a").string(), {}, {}, stop), true);
+    EXPECT_EQ(built.problems.list()[0].code == ProblemCode::P0713, stop.stop_requested());
+    return static_cast<double>(std::clock() - before);
+  };
+  std::stop_source source;
+  const double whole = seconds(source.get_token());
+  source.request_stop();
+  EXPECT_LT(seconds(source.get_token()) * 10, whole);
+  std::filesystem::remove_all(folder);
 }
 
 }  // namespace
