@@ -18,11 +18,11 @@ std::string state(const cnc::Cnc& control) {
   return text;
 }
 
+// Their texts begin with their numbers, as on the screen of the control.
 void printAlarms(const cnc::Cnc& control) {
   std::cout << "\nAlarms and messages\n";
   for (const sinumerik::PendingAlarm& alarm : control.plc().alarms())
-    std::cout << fmt::format("  {:>4}  {:>12}  {}\n", alarm.number,
-                             simulator::formatTime(alarm.time), alarm.text);
+    std::cout << fmt::format("  {:>12}  {}\n", simulator::formatTime(alarm.time), alarm.text);
 }
 
 void printHistory(const cnc::Cnc& control) {

@@ -107,6 +107,17 @@ void readPlc(const Table& table, cnc::Options& options) {
   options.messagesNamed = table.placeOf("messages");
 }
 
+// The history has 200 alarms with their texts, and each look at it sends them.
+constexpr std::size_t kLongestAlarm = 200;
+
+void readAlarmText(const Table& table, const std::string& key, std::string& to) {
+  const auto text = table.text(key, "the text of the alarm");
+  if (text && text->size() > kLongestAlarm)
+    table.mustBe(key, fmt::format("a text of at most {} bytes", kLongestAlarm));
+  else if (text)
+    to = *text;
+}
+
 void readAlarmTexts(const Table& table, cnc::Options& options) {
   for (const std::string& key : table.keys()) {
     const auto number = keyNumber(key);
@@ -114,8 +125,8 @@ void readAlarmTexts(const Table& table, cnc::Options& options) {
         number && ((*number >= 6000 && *number <= 6063) || (*number >= 7000 && *number <= 7063));
     if (!known)
       unknownKey(table, key, "6000 to 6063, 7000 to 7063");
-    else if (const auto text = table.text(key, "the text of the alarm"))
-      options.plc.userAlarms.texts[*number] = *text;
+    else
+      readAlarmText(table, key, options.plc.userAlarms.texts[*number]);
   }
 }
 

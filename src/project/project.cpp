@@ -121,6 +121,13 @@ std::vector<std::string> filter(const std::vector<std::string>& files, Predicate
   return chosen;
 }
 
+// One that lies there is left alone; who names it expects that it is read.
+void refuseSymbols(Project& project, const Settings& settings) {
+  if (!project.control || !settings.symbols || settings.symbols->empty()) return;
+  project.problems.add(ProblemCode::P0737, settings.symbols->front().position, "an assignment list",
+                       project.control->model->name, "listings with absolute operands");
+}
+
 void loadFolder(Project& project, const std::string& cpu) {
   const auto* settingsFile = read(project, join(project.folder, kSettingsFile), project.otherFiles);
   const auto model = chosenModel(project, cpu);
@@ -136,6 +143,7 @@ void loadFolder(Project& project, const std::string& cpu) {
                              });
   const auto symbols =
       settings.symbols ? choose(project, files, *settings.symbols) : filter(files, isSymbolExport);
+  refuseSymbols(project, settings);
   for (const std::string& file : symbols) readSymbolFile(project, join(project.folder, file));
   for (const std::string& file : sources)
     if (!project.problems.cancelled()) readSource(project, join(project.folder, file));

@@ -58,6 +58,20 @@ class Step5(Case):
         document = self.expect(FAULT, "diag", "a.s5", "--for", "1s", "--set", "E 0.7 = 1", "--json").json
         self.assertIn(6105, [alarm["number"] for alarm in document["alarms"]])
 
+    def test_an_alarm_has_its_number_once(self):
+        out = self.expect(FAULT, "diag", "a.s5", "--for", "1s", "--set", "E 0.7 = 1").lines
+        alarms = out[out.index("Alarms and messages") + 1:out.index("History, newest first") - 1]
+        self.assertEqual([(line.count("6105"), line.split(" s  ")[1]) for line in alarms],
+                         [(0, "3 PLC-Stop"), (1, "6105 Fehlender MC5-Baustein (MC5 block missing)")])
+
+    def test_the_text_of_an_alarm_has_a_limit(self):
+        """docs/safety.md: 200 of them are kept, and sent to each browser that looks."""
+        self.write("p/a.s5", LISTING)
+        for length, code in ((200, GOOD), (201, PROBLEMS)):
+            self.write("p/merker.toml", TOML.replace("Coolant missing", "x" * length))
+            call = self.expect(code, "check", "p")
+        self.assertIn("merker.toml:8:8: error: '6003' must be a text of at most 200 bytes [P0704]", call.err)
+
     def test_list_and_back(self):
         """S5-OPC-01"""
         out = self.expect(GOOD, "list", "a.s5", "--code").out
@@ -198,6 +212,16 @@ scenario "missing block"
         self.assertIn("SPA =X is a supplementary operation", self.expect(PROBLEMS, "check", "j.s5").err)
         self.write("aZ0.SEQ", "  E 1.0     START     Taster\n")
         self.expect(GOOD, "check", "a.s5")
+
+    def test_an_assignment_list_that_is_named_is_refused(self):
+        """docs/formats/listing.md"""
+        self.write("p/a.s5", LISTING)
+        self.write("p/aZ0.SEQ", "  E 1.0     START     Taster\n")
+        self.write("p/merker.toml", TOML)
+        self.assertEqual(self.expect(GOOD, "check", "p").err.count("P0737"), 0)
+        self.write("p/merker.toml", TOML + '[program]\nsymbols = ["aZ0.SEQ"]\n')
+        self.assertIn("merker.toml:10:12: error: an assignment list is not possible with SINUMERIK 820 GA3; possible: listings "
+                      "with absolute operands [P0737]", self.expect(PROBLEMS, "check", "p").err)
 
     def test_help_speaks_of_listings(self):
         self.assertIn("*.s5", self.expect(GOOD, "--help").out)
