@@ -113,14 +113,19 @@ int assembleText(const source::SourceFile& file, const AssembleOptions& options)
   return problems.hasErrors() ? kProblems : kGood;
 }
 
+Result<source::SourceFile> readText(const std::string& name) {
+  if (!name.empty() && name != "-") return source::readSource(name);
+  auto text = readStandardInput();
+  if (!text) return text.error();
+  return source::SourceFile("standard input", std::move(*text));
+}
+
 int assemble(const AssembleOptions& options) {
   if (!options.mc5 && !options.mc7) {
     std::cerr << "merker assemble: which machine code? Use --mc5 or --mc7\n";
     return kUsage;
   }
-  if (options.file.empty() || options.file == "-")
-    return assembleText(source::SourceFile("standard input", readStandardInput()), options);
-  const auto file = source::readSource(options.file);
+  const auto file = readText(options.file);
   if (file) return assembleText(file.value(), options);
   Problems problems;
   problems.add(file.error());

@@ -67,17 +67,23 @@ int show(const Bytes& bytes, const DisassembleOptions& options) {
   return kGood;
 }
 
+int notRead(const Problem& problem) {
+  Problems problems;
+  problems.add(problem);
+  printProblems(problems, [](const std::string&) { return nullptr; });
+  return problem.code == ProblemCode::P0101 ? kUnreadable : kProblems;
+}
+
 int disassembleFile(const DisassembleOptions& options) {
   const auto content = readBytes(options.file);
-  if (content) return show(Bytes(content.value().begin(), content.value().end()), options);
-  Problems problems;
-  problems.add(content.error());
-  printProblems(problems, [](const std::string&) { return nullptr; });
-  return kUnreadable;
+  if (!content) return notRead(content.error());
+  return show(Bytes(content.value().begin(), content.value().end()), options);
 }
 
 int disassembleInput(const DisassembleOptions& options) {
-  const source::SourceFile file("standard input", readStandardInput());
+  auto text = readStandardInput();
+  if (!text) return notRead(text.error());
+  const source::SourceFile file("standard input", std::move(*text));
   Problems problems;
   const Bytes bytes = parseHex(file, problems);
   printProblems(problems, [&](const std::string&) { return &file; });

@@ -5,13 +5,23 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <iterator>
+#include <vector>
+
+#include "source/source_file.h"
 
 namespace merker::app {
 namespace {
 
-std::string all(std::istream& in) {
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+Result<std::string> all(std::istream& in, const std::string& name, std::string_view kind) {
+  constexpr std::size_t kMegabyte = 1 << 20;
+  std::string bytes;
+  std::vector<char> buffer(kMegabyte);
+  while (in.read(buffer.data(), static_cast<std::streamsize>(buffer.size())) || in.gcount() > 0) {
+    bytes.append(buffer.data(), static_cast<std::size_t>(in.gcount()));
+    if (bytes.size() > source::kLargestSource * kMegabyte)
+      return makeProblem(ProblemCode::P0103, Position{name}, source::kLargestSource, kind);
+  }
+  return bytes;
 }
 
 }  // namespace
@@ -24,10 +34,12 @@ Result<std::string> readBytes(const std::string& path) {
     return makeProblem(ProblemCode::P0101, Position{path}, path, "it is no regular file");
   std::ifstream in(path, std::ios::binary);
   if (!in) return makeProblem(ProblemCode::P0101, Position{path}, path, std::strerror(errno));
-  return all(in);
+  return all(in, path, "machine code");
 }
 
-std::string readStandardInput() { return all(std::cin); }
+Result<std::string> readStandardInput() {
+  return all(std::cin, "standard input", "standard input");
+}
 
 bool writeText(const std::string& path, const std::string& text) {
   std::ofstream out(path, std::ios::binary);

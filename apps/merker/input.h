@@ -1,4 +1,4 @@
-// Files and standard input as bytes.
+// Files and standard input as bytes, no more than a source may have (P0103).
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 namespace merker::app {
 
 Result<std::string> readBytes(const std::string& path);
-std::string readStandardInput();
+Result<std::string> readStandardInput();
 // False, and the reason on standard error, if it cannot be written.
 bool writeText(const std::string& path, const std::string& text);
 

@@ -83,6 +83,18 @@ class MachineCode(Case):
         self.expect(GOOD, "disassemble", "--mc7", "noise.bin")
         self.assertEqual(self.expect(GOOD, "disassemble", "--mc7", text="").out, "")
 
+    def test_input_has_the_limit_of_a_source(self):
+        """docs/safety.md: no more than 16 MB, whether it is a file or comes from somewhere without an end."""
+        self.write("long.bin", bytes((16 << 20) + 2))
+        self.assertIn("long.bin: error: the file is larger than 16 MB",
+                      self.expect(PROBLEMS, "disassemble", "--mc7", "long.bin").err)
+        for command in ("assemble", "disassemble"):
+            with open("/dev/zero", "rb") as endless:
+                call = subprocess.run([os.environ["MERKER"], command, "--mc5"], stdin=endless, capture_output=True, timeout=60, check=False)
+            self.assertEqual(call.returncode, PROBLEMS)
+            self.assertRegex(call.stderr, rb"^standard input: error: .* \[P0103\]\n$")
+        self.expect(UNREADABLE, "disassemble", "--mc7", "missing.bin")
+
     def test_text_that_is_no_hexadecimal(self):
         call = self.expect(PROBLEMS, "disassemble", "--mc7", text="C000\nhello\n")
         self.assertRegex(call.err, r"^standard input:2:1: error: .*\[P0690\]")

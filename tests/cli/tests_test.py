@@ -1,3 +1,6 @@
+import os
+import signal
+import subprocess
 import xml.etree.ElementTree
 
 from harness import *
@@ -56,6 +59,18 @@ class Test(Case):
         self.assertIn("ok      a.scn: good", call.lines)
         self.assertIn("FAILED  a.scn: bad", call.lines)
         self.assertRegex(call.out, r"a\.scn:7: at 0\.05\d* s: expected A 0\.0 = 1, A 0\.0 is 0")
+
+    def test_a_scenario_without_end_is_ended_by_ctrl_c(self):
+        """docs/safety.md: steps that take no time are repeated as often as the file says, until somebody ends them."""
+        self.write("a.awl", PROGRAM)
+        self.write("a.scn", "scenario \"short\"\n  wait 50ms\n\nscenario \"endless\"\n"
+                            "  repeat 1000000000\n    repeat 1000000000\n      set E 0.0 = 1\n    end\n  end\n")
+        process = subprocess.Popen([os.environ["MERKER"], "test", "a.scn"], cwd=self.folder, text=True,
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        self.assertEqual(process.stdout.readline(), "ok      a.scn: short\n")
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(process.communicate(timeout=10), ("", ""))
+        self.assertEqual(process.returncode, -signal.SIGINT)
 
     def test_filter_picks_scenarios(self):
         self.write("a.awl", PROGRAM)
