@@ -2,6 +2,7 @@
 // Descriptors of type POINTER and ANY are followed (S7-IND-11, -12).
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -39,17 +40,29 @@ struct Context {
   Jobs jobs;
 };
 
+// A call and the row of the function that answers it.
+struct Invocation {
+  const cpu::SystemCall& call;
+  const Function& function;
+  const std::vector<BitAddress>& places;  // SFB: of the parameters in the instance
+  Context& context;
+};
+
+// The parameters by their numbers in the row; Call (call.h) knows them by name.
 class Arguments {
  public:
-  Arguments(const cpu::SystemCall& call, const Function& function,
-            const std::vector<BitAddress>& places, Context& context)
-      : call_(call), function_(function), places_(places), context_(context) {}
+  explicit Arguments(const Invocation& invocation)
+      : call_(invocation.call),
+        function_(invocation.function),
+        places_(invocation.places),
+        context_(invocation.context) {}
 
   cpu::Cpu& cpu() { return call_.cpu; }
   cpu::Machine& machine() { return call_.machine; }
   Modules* modules() { return context_.modules; }
   technology::Counting* counting() { return context_.counting; }
   Jobs& jobs() { return context_.jobs; }
+  std::uint16_t functionNumber() const { return function_.number; }
   // SFB: whether the instance is long enough for this parameter.
   bool has(std::size_t i);
 
@@ -58,7 +71,9 @@ class Arguments {
   bool flag(std::size_t i) { return value(i) != 0; }
   std::int32_t integer(std::size_t i) { return static_cast<std::int16_t>(value(i)); }
   std::int32_t longInteger(std::size_t i) { return static_cast<std::int32_t>(value(i)); }
+  float real(std::size_t i) { return std::bit_cast<float>(value(i)); }
   void set(std::size_t i, std::uint32_t value);
+  void setReal(std::size_t i, float value) { set(i, std::bit_cast<std::uint32_t>(value)); }
 
   // DT and STRING: the bytes that the POINTER in the caller's local data names.
   Region composite(std::size_t i, std::uint32_t bytes, cpu::Access access);

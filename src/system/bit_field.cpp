@@ -1,6 +1,6 @@
 // SFC 79 SET, 80 RSET: a range of output bits (S7-SFC-24).
 #include "cpu/cpu.h"
-#include "system/arguments.h"
+#include "system/call.h"
 
 namespace merker::system {
 namespace {
@@ -20,23 +20,24 @@ cpu::SyncError writeBit(cpu::Machine& m, Area area, BitAddress address, bool val
                                    : cpu::SyncError{};
 }
 
-template <bool Value>
-void writeRange(Arguments& a) {
-  const std::int32_t count = a.integer(0);
-  const AnyPointer start = a.pointer(1);
+// N bits from SA on.
+template <typename A>
+void writeRange(A& a, bool value) {
+  const std::int32_t count = a.integer("N");
+  const AnyPointer start = a.pointer("SA");
   Area area = pointerArea(start.pointer);
   if (area == Area::CallerLocal) area = Area::Local;
   for (std::int32_t i = 0; i < count; ++i) {
     const BitAddress address = (start.pointer & 0xFFFFFF) + static_cast<std::uint32_t>(i);
-    if (const auto error = writeBit(a.machine(), area, address, Value))
-      return a.parameterError(1, error.code);
+    if (const auto error = writeBit(a.machine(), area, address, value))
+      return a.parameterError("SA", error.code);
   }
   a.status(0);
 }
 
 }  // namespace
 
-void setBits(Arguments& a) { writeRange<true>(a); }
-void resetBits(Arguments& a) { writeRange<false>(a); }
+void setBits(Sfc<79>& a) { writeRange(a, true); }
+void resetBits(Sfc<80>& a) { writeRange(a, false); }
 
 }  // namespace merker::system

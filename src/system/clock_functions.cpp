@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <array>
 
-#include "system/arguments.h"
+#include "system/call.h"
 
 namespace merker::system {
 namespace {
@@ -17,9 +17,9 @@ bool validDate(const std::uint8_t* dateAndTime) {
 
 }  // namespace
 
-void setClock(Arguments& a) {
-  const Region time = a.composite(0, 8, cpu::Access::Read);
-  if (!time) return a.parameterError(0, time.error);
+void setClock(Sfc<0>& a) {
+  const Region time = a.composite("PDT", 8, cpu::Access::Read);
+  if (!time) return a.parameterError("PDT", time.error);
   const auto milliseconds = cpu::fromDateAndTime(time.data);
   constexpr std::uint32_t kWrongDate = 0x8080, kWrongTime = 0x8081;
   if (!milliseconds) return a.status(validDate(time.data) ? kWrongTime : kWrongDate);
@@ -27,17 +27,17 @@ void setClock(Arguments& a) {
   a.status(0);
 }
 
-void readClock(Arguments& a) {
-  const Region time = a.composite(0, 8, cpu::Access::Write);
-  if (!time) return a.parameterError(0, time.error);
+void readClock(Sfc<1>& a) {
+  const Region time = a.composite("CDT", 8, cpu::Access::Write);
+  if (!time) return a.parameterError("CDT", time.error);
   const auto now = cpu::toDateAndTime(a.cpu().clock().milliseconds(a.machine().clock));
   std::copy(now.begin(), now.end(), time.data);
   a.status(0);
 }
 
 // 0 … 2147483647 ms since the last warm or cold restart, then from 0 again; stands still in STOP.
-void timeTick(Arguments& a) {
-  a.set(0, static_cast<std::uint32_t>(a.cpu().systemTime().ns / 1'000'000 & 0x7FFFFFFF));
+void timeTick(Sfc<64>& a) {
+  a.set("RET_VAL", static_cast<std::uint32_t>(a.cpu().systemTime().ns / 1'000'000 & 0x7FFFFFFF));
 }
 
 }  // namespace merker::system

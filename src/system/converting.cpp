@@ -3,7 +3,7 @@
 #include <bit>
 
 #include "base/bytes.h"
-#include "system/arguments.h"
+#include "system/call.h"
 
 namespace merker::system {
 namespace {
@@ -25,29 +25,29 @@ struct Fields {
 };
 
 // The bytes behind the two POINTERs.
-Fields fields(Arguments& a, std::uint32_t from, std::uint32_t to) {
-  enum { IN, N, OUT };
-  const Fields result{a.region(a.pointer(IN), from, cpu::Access::Read),
-                      a.region(a.pointer(OUT), to, cpu::Access::Write), true};
-  if (!result.from) return a.parameterError(IN, result.from.error), Fields{};
-  if (!result.to) return a.parameterError(OUT, result.to.error), Fields{};
+template <typename A>
+Fields fields(A& a, std::uint32_t from, std::uint32_t to) {
+  const Fields result{a.region(a.pointer("IN"), from, cpu::Access::Read),
+                      a.region(a.pointer("OUT"), to, cpu::Access::Write), true};
+  if (!result.from) return a.parameterError("IN", result.from.error), Fields{};
+  if (!result.to) return a.parameterError("OUT", result.to.error), Fields{};
   return result;
 }
 
 }  // namespace
 
 // Four digits of a word into four bytes.
-void sevenSegments(Arguments& a) {
-  const std::uint32_t in = a.value(0);
+void sevenSegments(Fc<93>& a) {
+  const std::uint32_t in = a.value("IN");
   std::uint32_t out = 0;
   for (unsigned i = 0; i < 4; ++i) out |= std::uint32_t{kSegments[in >> (4 * i) & 15]} << (8 * i);
-  a.set(1, out);
+  a.set("OUT", out);
 }
 
 // N characters into N / 2 bytes; an odd last digit is followed by 0.
-void asciiToHex(Arguments& a) {
+void asciiToHex(Fc<94>& a) {
   constexpr std::uint32_t kNoDigit = 7;
-  const auto count = static_cast<std::uint32_t>(a.value(1));
+  const auto count = static_cast<std::uint32_t>(a.value("N"));
   const Fields f = fields(a, count, (count + 1) / 2);
   if (!f.ready) return;
   bool good = true;
@@ -63,8 +63,8 @@ void asciiToHex(Arguments& a) {
 }
 
 // N bytes into 2 · N characters.
-void hexToAscii(Arguments& a) {
-  const auto count = static_cast<std::uint32_t>(a.value(1));
+void hexToAscii(Fc<95>& a) {
+  const auto count = static_cast<std::uint32_t>(a.value("N"));
   const Fields f = fields(a, count, 2 * count);
   if (!f.ready) return;
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -75,23 +75,25 @@ void hexToAscii(Arguments& a) {
 }
 
 // The number of the lowest bit that is 1; without any 0 and BIE 0.
-void encodeBit(Arguments& a) {
-  const std::uint32_t in = a.value(0);
+void encodeBit(Fc<96>& a) {
+  const std::uint32_t in = a.value("IN");
   if (in == 0) a.fail();
-  a.set(1, in == 0 ? 0u : static_cast<std::uint32_t>(std::countr_zero(in)));
+  a.set("RET_VAL", in == 0 ? 0u : static_cast<std::uint32_t>(std::countr_zero(in)));
 }
 
-void decodeBit(Arguments& a) { a.set(1, 1u << (a.value(0) & 31)); }
+void decodeBit(Fc<97>& a) { a.set("RET_VAL", 1u << (a.value("IN") & 31)); }
 
 // 10^7 minus seven digits.
-void tensComplement(Arguments& a) {
-  std::uint32_t in = a.value(0), number = 0, scale = 1, out = 0;
+void tensComplement(Fc<98>& a) {
+  std::uint32_t in = a.value("IN"), number = 0, scale = 1, out = 0;
   for (unsigned i = 0; i < 7; ++i, in >>= 4, scale *= 10) number += (in & 15) * scale;
   number = (scale - number % scale) % scale;
   for (unsigned i = 0; i < 7; ++i, number /= 10) out |= number % 10 << (4 * i);
-  a.set(1, out);
+  a.set("RET_VAL", out);
 }
 
-void countBits(Arguments& a) { a.set(1, static_cast<std::uint32_t>(std::popcount(a.value(0)))); }
+void countBits(Fc<99>& a) {
+  a.set("RET_VAL", static_cast<std::uint32_t>(std::popcount(a.value("IN"))));
+}
 
 }  // namespace merker::system

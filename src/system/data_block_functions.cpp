@@ -1,5 +1,5 @@
 // SFC 22 CREAT_DB, 23 DEL_DB, 24 TEST_DB (S7-SFC-10).
-#include "system/arguments.h"
+#include "system/call.h"
 #include "system/memory_use.h"
 
 namespace merker::system {
@@ -12,8 +12,9 @@ constexpr std::uint32_t kMissing = 0x80B1, kWrongNumber = 0x80A1;
 }  // namespace
 
 // The lowest free number between the limits.
-void createDataBlock(Arguments& a) {
-  const std::uint32_t low = a.value(0), high = a.value(1), bytes = a.value(2);
+void createDataBlock(Sfc<22>& a) {
+  const std::uint32_t low = a.value("LOW_LIMIT"), high = a.value("UP_LIMIT");
+  const std::uint32_t bytes = a.value("COUNT");
   cpu::Machine& m = a.machine();
   const auto highest = static_cast<std::uint32_t>(m.model->highestDb);
   if (low == 0 || low > high || high > highest) return a.status(kNumberError);
@@ -23,14 +24,14 @@ void createDataBlock(Arguments& a) {
     if (m.dataBlocks.find(number) != nullptr) continue;
     m.dataBlocks.create(number, bytes);
     m.reopenBlocks();
-    a.set(3, number);
+    a.set("DB_NUMBER", number);
     return a.status(0);
   }
   a.status(kNoFreeNumber);
 }
 
-void deleteDataBlock(Arguments& a) {
-  const std::uint32_t number = a.value(0);
+void deleteDataBlock(Sfc<23>& a) {
+  const std::uint32_t number = a.value("DB_NUMBER");
   cpu::Machine& m = a.machine();
   if (number == 0 || number > static_cast<std::uint32_t>(m.model->highestDb))
     return a.status(kWrongNumber);
@@ -41,14 +42,14 @@ void deleteDataBlock(Arguments& a) {
   a.status(0);
 }
 
-void testDataBlock(Arguments& a) {
-  const std::uint32_t number = a.value(0);
+void testDataBlock(Sfc<24>& a) {
+  const std::uint32_t number = a.value("DB_NUMBER");
   cpu::Machine& m = a.machine();
   if (number == 0 || number > static_cast<std::uint32_t>(m.model->highestDb))
     return a.status(kWrongNumber);
   const cpu::DataBlock* block = m.dataBlocks.find(number);
-  a.set(1, block == nullptr ? 0 : static_cast<std::uint32_t>(block->data.size()));
-  a.set(2, block != nullptr && block->readOnly);
+  a.set("DB_LENGTH", block == nullptr ? 0 : static_cast<std::uint32_t>(block->data.size()));
+  a.set("WRITE_PROT", block != nullptr && block->readOnly);
   a.status(block == nullptr ? kMissing : 0);
 }
 

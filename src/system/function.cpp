@@ -4,6 +4,8 @@
 #include <bit>
 #include <charconv>
 
+#include "system/call.h"
+
 namespace merker::system {
 namespace {
 
@@ -11,13 +13,20 @@ struct Row {
   BlockKind kind;
   std::uint16_t number;
   std::string_view name;
-  void (*run)(Arguments&);
+  bool (*run)(const Invocation&);
   std::string_view parameters;
 };
 
+template <typename Which, void (*function)(Which&)>
+bool answer(const Invocation& invocation) {
+  Which call(invocation);
+  function(call);
+  return call.good();
+}
+
 constexpr Row kRows[] = {
 #define FUNCTION(kind, number, name, function, requirement, parameters) \
-  {BlockKind::kind, number, name, function, parameters},
+  {BlockKind::kind, number, name, answer<Call<BlockKind::kind, number>, function>, parameters},
 #define CODE(kind, number, code, text)
 #define CODES(kind, number, group)
 #define GROUP_CODE(group, code, text)
@@ -28,14 +37,6 @@ constexpr Row kRows[] = {
 #undef CODES
 #undef GROUP_CODE
 };
-
-// The text up to `end`, taken off.
-std::string_view take(std::string_view& text, std::string_view end) {
-  const std::size_t at = text.find(end);
-  const std::string_view part = text.substr(0, at);
-  text.remove_prefix(at == std::string_view::npos ? text.size() : at + end.size());
-  return part;
-}
 
 block::Section section(std::string_view word) {
   using enum block::Section;

@@ -14,7 +14,9 @@
 
 namespace merker::system {
 
-class Arguments;
+struct Invocation;
+template <BlockKind kind, std::uint16_t number>
+class Call;
 
 struct Parameter {
   std::string_view name;
@@ -28,15 +30,16 @@ struct Function {
   BlockKind kind = BlockKind::SFC;
   std::uint16_t number = 0;
   std::string_view name;
-  std::vector<Parameter> parameters;  // IN, OUT, IN_OUT, RETURN, STAT
-  void (*run)(Arguments&) = nullptr;
+  std::vector<Parameter> parameters;         // IN, OUT, IN_OUT, RETURN, STAT
+  bool (*run)(const Invocation&) = nullptr;  // false: BIE 0
 };
 
 // All rows that a model has.
 std::vector<Function> allFunctions(const CpuModel& model);
 
 // What the rows run.
-#define FUNCTION(kind, number, name, function, requirement, parameters) void function(Arguments&);
+#define FUNCTION(kind, number, name, function, requirement, parameters) \
+  void function(Call<BlockKind::kind, number>&);
 #define CODE(kind, number, code, text)
 #define CODES(kind, number, group)
 #define GROUP_CODE(group, code, text)

@@ -36,4 +36,11 @@ class Jobs {
 
 constexpr std::uint32_t kNoJob = 0x7000, kJobBegins = 0x7001;
 
+// Ends a call: BUSY says whether the job goes on.
+template <typename A>
+void answerJob(A& a, std::uint32_t code) {
+  a.set("BUSY", code == kJobBegins);
+  a.status(code);
+}
+
 }  // namespace merker::system

@@ -1,15 +1,16 @@
 // Functions of larger CPUs: SFC 25 COMPRESS, 26 UPDAT_PI, 27 UPDAT_PO, 48 SNC_RTCB (S7-SFC-10,
 // -11).
-#include "system/arguments.h"
+#include "system/call.h"
 
 namespace merker::system {
 namespace {
 
 // Part 0 is the whole process image; no other part is configured.
-bool wholeImage(Arguments& a) {
+template <typename A>
+bool wholeImage(A& a) {
   constexpr std::uint32_t kNoSuchPart = 0x8090;
-  a.set(1, 0);
-  if (a.value(0) == 0) return true;
+  a.set("FLADDR", 0);
+  if (a.value("PART") == 0) return true;
   a.status(kNoSuchPart);
   return false;
 }
@@ -17,26 +18,26 @@ bool wholeImage(Arguments& a) {
 }  // namespace
 
 // Work memory has no gaps: it is done at once.
-void compressMemory(Arguments& a) {
-  a.set(0, 0);
-  a.set(1, 1);
+void compressMemory(Sfc<25>& a) {
+  a.set("BUSY", 0);
+  a.set("DONE", 1);
   a.status(0);
 }
 
-void updateInputs(Arguments& a) {
+void updateInputs(Sfc<26>& a) {
   if (!wholeImage(a)) return;
   a.machine().areas.readInputs();
   a.status(0);
 }
 
-void updateOutputs(Arguments& a) {
+void updateOutputs(Sfc<27>& a) {
   if (!wholeImage(a)) return;
   a.machine().areas.writeOutputs();
   a.cpu().outputsWritten(0, a.machine().areas.imageBytes);
   a.status(0);
 }
 
-void synchroniseClocks(Arguments& a) {
+void synchroniseClocks(Sfc<48>& a) {
   constexpr std::uint32_t kNoMaster = 0x0001;
   a.status(kNoMaster);
 }

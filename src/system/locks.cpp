@@ -1,7 +1,7 @@
 // SFC 39 DIS_IRT, 40 EN_IRT: lock and unlock; SFC 41 DIS_AIRT, 42 EN_AIRT: delay (S7-SFC-15).
 #include <algorithm>
 
-#include "system/arguments.h"
+#include "system/call.h"
 
 namespace merker::system {
 namespace {
@@ -15,9 +15,10 @@ struct Selection {
   std::uint32_t error = 0;
 };
 
-Selection selection(Arguments& a) {
-  const std::uint32_t mode = a.value(0) & 0x7F;
-  const std::int32_t ob = a.integer(1);
+template <typename A>
+Selection selection(A& a) {
+  const std::uint32_t mode = a.value("MODE") & 0x7F;
+  const std::int32_t ob = a.integer("OB_NR");
   if (mode == 0) return {10, 87};
   if (mode > 2) return {.error = kWrongMode};
   if (ob < 10 || ob > 87) return {.error = kWrongOb};
@@ -29,7 +30,7 @@ Selection selection(Arguments& a) {
 
 }  // namespace
 
-void disableInterrupts(Arguments& a) {
+void disableInterrupts(Sfc<39>& a) {
   const Selection which = selection(a);
   if (which.error != 0) return a.status(which.error);
   cpu::Interrupts& interrupts = a.cpu().interrupts();
@@ -39,7 +40,7 @@ void disableInterrupts(Arguments& a) {
   a.status(0);
 }
 
-void enableInterrupts(Arguments& a) {
+void enableInterrupts(Sfc<40>& a) {
   const Selection which = selection(a);
   if (which.error != 0) return a.status(which.error);
   std::erase_if(a.cpu().interrupts().locked,
@@ -48,9 +49,9 @@ void enableInterrupts(Arguments& a) {
 }
 
 // RET_VAL of both: how often the delay has been asked for.
-void delayInterrupts(Arguments& a) { a.status(++a.machine().levels.back().delayed); }
+void delayInterrupts(Sfc<41>& a) { a.status(++a.machine().levels.back().delayed); }
 
-void releaseInterrupts(Arguments& a) {
+void releaseInterrupts(Sfc<42>& a) {
   std::uint32_t& delayed = a.machine().levels.back().delayed;
   if (delayed == 0) return a.status(kNotDelayed);
   a.status(--delayed);

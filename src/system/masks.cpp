@@ -1,6 +1,6 @@
 // SFC 36 MSK_FLT, 37 DMSK_FLT, 38 READ_ERR (S7-SFC-14): synchronous errors of the running priority
 // class.
-#include "system/arguments.h"
+#include "system/call.h"
 
 namespace merker::system {
 namespace {
@@ -12,42 +12,43 @@ constexpr std::uint32_t kAlready = 0x0001;  // part of it was masked (unmasked) 
 constexpr std::uint32_t kProgramErrors = 0xF43F03FE, kAccessErrors = 0x0000000C;
 
 cpu::ErrorMasks& masksOf(Arguments& a) { return a.machine().levels.back().masks; }
-std::uint32_t programBits(Arguments& a) { return a.value(0) & kProgramErrors; }
-std::uint32_t accessBits(Arguments& a) { return a.value(1) & kAccessErrors; }
 
 }  // namespace
 
-void maskErrors(Arguments& a) {
+void maskErrors(Sfc<36>& a) {
   cpu::ErrorMasks& masks = masksOf(a);
-  const std::uint32_t program = programBits(a), access = accessBits(a);
+  const std::uint32_t program = a.value("PRGFLT_SET_MASK") & kProgramErrors;
+  const std::uint32_t access = a.value("ACCFLT_SET_MASK") & kAccessErrors;
   const bool already = (masks.programMask & program) != 0 || (masks.accessMask & access) != 0;
   masks.programMask |= program;
   masks.accessMask |= access;
-  a.set(2, masks.programMask);
-  a.set(3, masks.accessMask);
+  a.set("PRGFLT_MASKED", masks.programMask);
+  a.set("ACCFLT_MASKED", masks.accessMask);
   a.status(already ? kAlready : 0);
 }
 
-void unmaskErrors(Arguments& a) {
+void unmaskErrors(Sfc<37>& a) {
   cpu::ErrorMasks& masks = masksOf(a);
-  const std::uint32_t program = programBits(a), access = accessBits(a);
+  const std::uint32_t program = a.value("PRGFLT_RESET_MASK") & kProgramErrors;
+  const std::uint32_t access = a.value("ACCFLT_RESET_MASK") & kAccessErrors;
   const bool already = (~masks.programMask & program) != 0 || (~masks.accessMask & access) != 0;
   masks.programMask &= ~program;
   masks.accessMask &= ~access;
   masks.programSeen &= ~program;
   masks.accessSeen &= ~access;
-  a.set(2, masks.programMask);
-  a.set(3, masks.accessMask);
+  a.set("PRGFLT_MASKED", masks.programMask);
+  a.set("ACCFLT_MASKED", masks.accessMask);
   a.status(already ? kAlready : 0);
 }
 
 // What has happened of the errors asked for; it is then forgotten.
-void readErrors(Arguments& a) {
+void readErrors(Sfc<38>& a) {
   cpu::ErrorMasks& masks = masksOf(a);
-  const std::uint32_t program = programBits(a), access = accessBits(a);
+  const std::uint32_t program = a.value("PRGFLT_QUERY") & kProgramErrors;
+  const std::uint32_t access = a.value("ACCFLT_QUERY") & kAccessErrors;
   const bool unmasked = (~masks.programMask & program) != 0 || (~masks.accessMask & access) != 0;
-  a.set(2, masks.programSeen & program);
-  a.set(3, masks.accessSeen & access);
+  a.set("PRGFLT_CLR", masks.programSeen & program);
+  a.set("ACCFLT_CLR", masks.accessSeen & access);
   masks.programSeen &= ~program;
   masks.accessSeen &= ~access;
   a.status(unmasked ? kAlready : 0);

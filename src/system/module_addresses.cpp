@@ -1,5 +1,6 @@
 // SFC 5 GADR_LGC, 49 LGC_GADR, 50 RD_LGADR (S7-SFC-04): places and addresses of modules.
 #include "base/bytes.h"
+#include "system/call.h"
 #include "system/module_access.h"
 
 namespace merker::system {
@@ -20,12 +21,12 @@ std::uint32_t placeError(const CpuModel& model, std::uint32_t subnet, std::uint3
 }
 
 struct WordField {
-  std::size_t place, count;  // parameters
+  Sfc<50>::Name place, count;
   std::uint32_t wrongType, tooShort;
 };
 
 // The addresses of a range, byte by byte, into a field of words.
-bool storeAddresses(Arguments& a, const WordField& field, const AddressRange& range) {
+bool storeAddresses(Sfc<50>& a, const WordField& field, const AddressRange& range) {
   const AnyPointer where = a.any(field.place);
   if (where.type != TypeCode::Word) return a.status(field.wrongType), false;
   if (where.count < range.count) return a.status(field.tooShort), false;
@@ -38,13 +39,12 @@ bool storeAddresses(Arguments& a, const WordField& field, const AddressRange& ra
 
 }  // namespace
 
-void addressOfSlot(Arguments& a) {
-  enum { SUBNETID, RACK, SLOT, SUBSLOT, SUBADDR, IOID, LADDR };
+void addressOfSlot(Sfc<5>& a) {
   constexpr std::uint32_t kNotConfigured = 0x8099, kNoSubaddress = 0x809A;
-  const std::uint32_t rack = a.value(RACK), slot = a.value(SLOT), subslot = a.value(SUBSLOT);
-  a.set(IOID, 0);
-  a.set(LADDR, 0);
-  if (const auto error = placeError(*a.machine().model, a.value(SUBNETID), rack, slot, subslot))
+  const std::uint32_t rack = a.value("RACK"), slot = a.value("SLOT"), subslot = a.value("SUBSLOT");
+  a.set("IOID", 0);
+  a.set("LADDR", 0);
+  if (const auto error = placeError(*a.machine().model, a.value("SUBNETID"), rack, slot, subslot))
     return a.status(error);
   const auto module =
       moduleIn(a.modules(), {static_cast<std::uint8_t>(rack), static_cast<std::uint8_t>(slot),
@@ -52,32 +52,30 @@ void addressOfSlot(Arguments& a) {
   if (!module) return a.status(kNotConfigured);
   const ModuleBase base = baseOf(*module);
   const AddressRange& range = base.area == kInputArea ? module->inputs : module->outputs;
-  const std::uint32_t address = base.address + a.value(SUBADDR);
+  const std::uint32_t address = base.address + a.value("SUBADDR");
   if (!range.contains(address)) return a.status(kNoSubaddress);
-  a.set(IOID, base.area);
-  a.set(LADDR, address);
+  a.set("IOID", base.area);
+  a.set("LADDR", address);
   a.status(0);
 }
 
-void slotOfAddress(Arguments& a) {
-  enum { IOID, LADDR, AREA, RACK, SLOT, SUBADDR };
+void slotOfAddress(Sfc<49>& a) {
   constexpr std::uint32_t kS7300 = 1;
-  const std::uint32_t area = a.value(IOID), address = a.value(LADDR);
+  const std::uint32_t area = a.value("IOID"), address = a.value("LADDR");
   const auto module = moduleAt(a.modules(), area, address, AddressRule::Any);
   if (!module) return a.status(kUnknownAddress);
-  a.set(AREA, kS7300);
-  a.set(RACK, module->place.rack);
-  a.set(SLOT, module->place.slot);
-  a.set(SUBADDR, address - (area == kInputArea ? module->inputs : module->outputs).first);
+  a.set("AREA", kS7300);
+  a.set("RACK", module->place.rack);
+  a.set("SLOT", module->place.slot);
+  a.set("SUBADDR", address - (area == kInputArea ? module->inputs : module->outputs).first);
   a.status(0);
 }
 
-void addressesOfModule(Arguments& a) {
-  enum { IOID, LADDR, PEADDR, PECOUNT, PAADDR, PACOUNT };
-  const auto module = moduleAt(a.modules(), a.value(IOID), a.value(LADDR), AddressRule::Any);
+void addressesOfModule(Sfc<50>& a) {
+  const auto module = moduleAt(a.modules(), a.value("IOID"), a.value("LADDR"), AddressRule::Any);
   if (!module) return a.status(kUnknownAddress);
-  if (storeAddresses(a, {PEADDR, PECOUNT, 0x80A0, 0x80A2}, module->inputs) &&
-      storeAddresses(a, {PAADDR, PACOUNT, 0x80A1, 0x80A3}, module->outputs))
+  if (storeAddresses(a, {"PEADDR", "PECOUNT", 0x80A0, 0x80A2}, module->inputs) &&
+      storeAddresses(a, {"PAADDR", "PACOUNT", 0x80A1, 0x80A3}, module->outputs))
     a.status(0);
 }
 

@@ -2,10 +2,10 @@
 
 namespace merker::system {
 
-RecordTarget recordTarget(Arguments& a, std::uint16_t function, std::uint32_t area,
-                          std::uint32_t address, std::uint32_t number) {
+RecordTarget recordTarget(Arguments& a, std::uint32_t area, std::uint32_t address,
+                          std::uint32_t number) {
   RecordTarget target{
-      .module = {}, .number = number, .job = {function, area << 16 | address, number}};
+      .module = {}, .number = number, .job = {a.functionNumber(), area << 16 | address, number}};
   const auto module = moduleAt(a.modules(), area, address, AddressRule::Base);
   if (!module)
     target.code = kUnknownAddress;
@@ -38,8 +38,7 @@ std::uint32_t writeTo(Arguments& a, const RecordTarget& target,
       target.module.place, static_cast<std::uint8_t>(target.number), data));
 }
 
-std::uint32_t recordBytes(Arguments& a, std::size_t parameter, std::vector<std::uint8_t>& data) {
-  const AnyPointer where = a.any(parameter);
+std::uint32_t recordBytes(Arguments& a, const AnyPointer& where, std::vector<std::uint8_t>& data) {
   if (where.type != TypeCode::Byte) return kNotByte;
   const Region region = a.region(where, where.count, cpu::Access::Read);
   if (!region) return kWrongLength;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "system/call.h"
 #include "system/module_access.h"
 
 namespace merker::system {
@@ -20,8 +21,13 @@ struct RecordTarget {
   std::uint32_t code = 0;
   Job job;
 };
-RecordTarget recordTarget(Arguments& a, std::uint16_t function, std::uint32_t area,
-                          std::uint32_t address, std::uint32_t number);
+RecordTarget recordTarget(Arguments& a, std::uint32_t area, std::uint32_t address,
+                          std::uint32_t number);
+// Of SFC 54 to 59, whose rows have IOID and LADDR.
+template <typename A>
+RecordTarget recordTarget(A& a, std::uint32_t number) {
+  return recordTarget(a, a.value("IOID"), a.value("LADDR"), number);
+}
 
 // 0 when the job has come to its end, else 7000, 7001 or why it cannot begin.
 std::uint32_t proceed(Arguments& a, const RecordTarget& target, bool request);
@@ -31,6 +37,6 @@ std::uint32_t writeTo(Arguments& a, const RecordTarget& target,
                       const std::vector<std::uint8_t>& data);
 
 // The bytes of a RECORD, or the code that says why there are none.
-std::uint32_t recordBytes(Arguments& a, std::size_t parameter, std::vector<std::uint8_t>& data);
+std::uint32_t recordBytes(Arguments& a, const AnyPointer& where, std::vector<std::uint8_t>& data);
 
 }  // namespace merker::system

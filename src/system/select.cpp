@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "base/bytes.h"
-#include "system/arguments.h"
+#include "system/call.h"
 
 namespace merker::system {
 namespace {
@@ -26,8 +26,8 @@ bool isNumber(TypeCode type) {
   return type == TypeCode::Int || type == TypeCode::DInt || type == TypeCode::Real;
 }
 
-Value get(Arguments& a, std::size_t i) {
-  Value value{.where = a.any(i)};
+Value get(Arguments& a, const AnyPointer& where) {
+  Value value{.where = where};
   const TypeCode type = value.where.type;
   if (!isNumber(type)) return value;
   const Region bytes = a.region(value.where, type == TypeCode::Int ? 2 : 4, cpu::Access::Read);
@@ -37,9 +37,10 @@ Value get(Arguments& a, std::size_t i) {
   return value;
 }
 
-// Copies what `from` names to RET_VAL (parameter `to`), which must have the same type.
-void put(Arguments& a, const AnyPointer& from, std::size_t to) {
-  const AnyPointer target = a.any(to);
+// Copies what `from` names to RET_VAL, which must have the same type.
+template <typename A>
+void put(A& a, const AnyPointer& from) {
+  const AnyPointer target = a.any("RET_VAL");
   const std::uint32_t bytes = byteCount(from);
   const Region source = a.region(from, bytes, cpu::Access::Read);
   const Region place = a.region(target, bytes, cpu::Access::Write);
@@ -52,14 +53,14 @@ bool sameType(const Value& a, const Value& b, const Value& c) {
          a.where.type == c.where.type;
 }
 
-template <bool Greatest>
-void extreme(Arguments& a) {
-  const Value values[] = {get(a, 0), get(a, 1), get(a, 2)};
+template <bool Greatest, typename A>
+void extreme(A& a) {
+  const Value values[] = {get(a, a.any("IN1")), get(a, a.any("IN2")), get(a, a.any("IN3"))};
   if (!sameType(values[0], values[1], values[2])) return a.fail();
   const Value* best = &values[0];
   for (const Value& value : values)
     if (Greatest ? value.number > best->number : value.number < best->number) best = &value;
-  put(a, best->where, 3);
+  put(a, best->where);
 }
 
 // A BOOL behind an ANY is one bit.
@@ -77,20 +78,20 @@ bool copyBit(Arguments& a, const AnyPointer& from, const AnyPointer& to) {
 
 }  // namespace
 
-void limitValue(Arguments& a) {
-  const Value low = get(a, 0), in = get(a, 1), high = get(a, 2);
+void limitValue(Fc<22>& a) {
+  const Value low = get(a, a.any("MN")), in = get(a, a.any("IN")), high = get(a, a.any("MX"));
   if (!sameType(low, in, high) || low.number > high.number) return a.fail();
-  put(a, in.number < low.number ? low.where : in.number > high.number ? high.where : in.where, 3);
+  put(a, in.number < low.number ? low.where : in.number > high.number ? high.where : in.where);
 }
 
-void selectValue(Arguments& a) {
-  const AnyPointer zero = a.any(1), one = a.any(2);
+void selectValue(Fc<36>& a) {
+  const AnyPointer zero = a.any("IN0"), one = a.any("IN1");
   if (zero.type != one.type) return a.fail();
-  const AnyPointer& chosen = a.flag(0) ? one : zero;
-  if (!copyBit(a, chosen, a.any(3))) put(a, chosen, 3);
+  const AnyPointer& chosen = a.flag("G") ? one : zero;
+  if (!copyBit(a, chosen, a.any("RET_VAL"))) put(a, chosen);
 }
 
-void greatestValue(Arguments& a) { extreme<true>(a); }
-void smallestValue(Arguments& a) { extreme<false>(a); }
+void greatestValue(Fc<25>& a) { extreme<true>(a); }
+void smallestValue(Fc<27>& a) { extreme<false>(a); }
 
 }  // namespace merker::system

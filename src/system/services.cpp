@@ -30,9 +30,8 @@ bool Services::call(const cpu::SystemCall& call) {
   if (entry == nullptr) return false;
   // UC FC n means a block of the program: library functions are called with parameters
   if (call.block.kind == BlockKind::FC && call.parameters.empty()) return false;
-  Arguments arguments(call, *entry->function, entry->places, context_);
-  entry->function->run(arguments);
-  call.machine.registers.status.br = arguments.good();
+  call.machine.registers.status.br =
+      entry->function->run({call, *entry->function, entry->places, context_});
   return true;
 }
 

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -36,13 +35,13 @@ std::optional<Number> parsed(std::string_view text) {
   return value;
 }
 
-template <typename Number>
-void toNumber(Arguments& a, std::size_t longest, std::uint32_t mask) {
-  const std::string text = getText(a, 0);
+template <typename Number, typename A>
+void toNumber(A& a, std::size_t longest, std::uint32_t mask) {
+  const std::string text = getText(a, "S");
   const auto value =
       text.size() <= longest ? parsed<Number>(withoutPlus(text)) : std::optional<Number>{};
   if (!value) a.fail();
-  a.set(1, static_cast<std::uint32_t>(value.value_or(0)) & mask);
+  a.set("RET_VAL", static_cast<std::uint32_t>(value.value_or(0)) & mask);
 }
 
 // Sign where kReal has one, digit where it has one, and the same point and E.
@@ -63,28 +62,28 @@ std::string textOf(float value) {
 
 }  // namespace
 
-void intToText(Arguments& a) { setWholeText(a, 1, fmt::format("{:+d}", a.integer(0))); }
-void dintToText(Arguments& a) { setWholeText(a, 1, fmt::format("{:+d}", a.longInteger(0))); }
+void intToText(Fc<16>& a) { setWholeText(a, "RET_VAL", fmt::format("{:+d}", a.integer("I"))); }
+void dintToText(Fc<5>& a) { setWholeText(a, "RET_VAL", fmt::format("{:+d}", a.longInteger("I"))); }
 
-void realToText(Arguments& a) {
-  const float value = std::bit_cast<float>(a.value(0));
+void realToText(Fc<30>& a) {
+  const float value = a.real("IN");
   if (!std::isfinite(value)) {
     a.fail();
-    return setText(a, 1, {});
+    return setText(a, "RET_VAL", {});
   }
-  setWholeText(a, 1, textOf(value));
+  setWholeText(a, "RET_VAL", textOf(value));
 }
 
-void textToInt(Arguments& a) { toNumber<std::int16_t>(a, kLongestInt, 0xFFFF); }
-void textToDint(Arguments& a) { toNumber<std::int32_t>(a, kLongestDint, 0xFFFFFFFF); }
+void textToInt(Fc<38>& a) { toNumber<std::int16_t>(a, kLongestInt, 0xFFFF); }
+void textToDint(Fc<37>& a) { toNumber<std::int32_t>(a, kLongestDint, 0xFFFFFFFF); }
 
-void textToReal(Arguments& a) {
-  const std::string text = getText(a, 0);
+void textToReal(Fc<39>& a) {
+  const std::string text = getText(a, "S");
   const auto value =
       hasFormOfReal(text) ? parsed<float>(withoutPlus(text)) : std::optional<float>{};
   const bool good = value && std::isfinite(*value);
   if (!good) a.fail();
-  a.set(1, std::bit_cast<std::uint32_t>(good ? *value : 0.0f));
+  a.setReal("RET_VAL", good ? *value : 0.0f);
 }
 
 }  // namespace merker::system

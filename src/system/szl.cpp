@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "base/bytes.h"
-#include "system/arguments.h"
+#include "system/call.h"
 
 namespace merker::system {
 namespace {
@@ -81,23 +81,22 @@ SzlList readSzl(const SzlSource& source, std::uint32_t number, std::uint32_t ind
 }
 
 // Everything is at hand: BUSY is never 1.
-void readSystemStatus(Arguments& a) {
-  enum { REQ, SZL_ID, INDEX, BUSY, SZL_HEADER, DR };
+void readSystemStatus(Sfc<51>& a) {
   constexpr std::uint32_t kPart = 0x0081, kTooShort = 0x8081;
-  a.set(BUSY, 0);
-  if (!a.flag(REQ)) return a.status(kNoJob);
-  const SzlList list = readSzl({a.cpu(), a.modules()}, a.value(SZL_ID), a.value(INDEX));
+  a.set("BUSY", 0);
+  if (!a.flag("REQ")) return a.status(kNoJob);
+  const SzlList list = readSzl({a.cpu(), a.modules()}, a.value("SZL_ID"), a.value("INDEX"));
   if (list.error != 0) return a.status(list.error);
-  const Region header = a.structure(SZL_HEADER, 4);
-  if (!header) return a.parameterError(SZL_HEADER, header.error);
-  const AnyPointer where = a.any(DR);
+  const Region header = a.structure("SZL_HEADER", 4);
+  if (!header) return a.parameterError("SZL_HEADER", header.error);
+  const AnyPointer where = a.any("DR");
   const bool data = !list.data.empty();
   const std::uint32_t room = data ? byteCount(where) / list.recordLength : list.records;
   const std::uint32_t fitting = std::min<std::uint32_t>(room, list.records);
   if (data && fitting == 0) return a.status(kTooShort);
   const std::uint32_t bytes = data ? fitting * list.recordLength : 0;
   const Region target = a.region(where, bytes, cpu::Access::Write);
-  if (data && !target) return a.parameterError(DR, target.error);
+  if (data && !target) return a.parameterError("DR", target.error);
   storeWord(header.data, list.recordLength);
   storeWord(header.data + 2, fitting);
   if (data) std::copy_n(list.data.begin(), bytes, target.data);

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "system/arguments.h"
+#include "system/call.h"
 
 namespace merker::system {
 
@@ -13,5 +13,18 @@ std::string getText(Arguments& a, std::size_t i);
 void setText(Arguments& a, std::size_t i, const std::string& text);
 // Whole or not at all: where it does not fit the STRING stays as it is, BIE 0.
 void setWholeText(Arguments& a, std::size_t i, const std::string& text);
+
+template <typename A>
+std::string getText(A& a, NameIn<A> parameter) {
+  return getText(a, parameter.index);
+}
+template <typename A>
+void setText(A& a, NameIn<A> parameter, const std::string& text) {
+  setText(a, parameter.index, text);
+}
+template <typename A>
+void setWholeText(A& a, NameIn<A> parameter, const std::string& text) {
+  setWholeText(a, parameter.index, text);
+}
 
 }  // namespace merker::system
