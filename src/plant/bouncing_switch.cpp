@@ -2,13 +2,11 @@
 // `bounces` times, evenly within `bounce_time`; then it rests.
 #include <cmath>
 
+#include "plant/named.h"
 #include "plant/processes.h"
 
 namespace merker::plant {
 namespace {
-
-enum { BOUNCES, BOUNCE_TIME, NORMALLY_CLOSED };
-enum { PRESSED, CONTACT };
 
 constexpr Parameter kParameters[] = {
     {"bounces", Parameter::Form::Whole, 5, 0, 1000},
@@ -20,18 +18,18 @@ constexpr Signal kSignals[] = {
     {"CONTACT", Signal::Side::Output, true},
 };
 
-class BouncingSwitch : public Process {
+class BouncingSwitch : public ProcessOf<kParameters, kSignals> {
  public:
-  explicit BouncingSwitch(std::span<const double> parameters)
-      : edges_(2 * static_cast<std::int64_t>(parameters[BOUNCES])),
-        time_(std::llround(parameters[BOUNCE_TIME] * 1e9)),
-        closed_(parameters[NORMALLY_CLOSED] != 0) {}
+  explicit BouncingSwitch(Parameters parameters)
+      : edges_(2 * static_cast<std::int64_t>(parameters["bounces"])),
+        time_(std::llround(parameters["bounce_time"] * 1e9)),
+        closed_(parameters["normally_closed"] != 0) {}
 
-  void begin(std::span<double> values) override { show(values, values[PRESSED]); }
+  void begin(Signals values) override { show(values, values["PRESSED"]); }
 
-  void advance(Instant, Instant to, std::span<double> values) override {
-    if (values[PRESSED] != pressed_) {
-      pressed_ = values[PRESSED];
+  void advance(Instant, Instant to, Signals values) override {
+    if (values["PRESSED"] != pressed_) {
+      pressed_ = values["PRESSED"];
       began_ = to;
       edge_ = 0;
       show(values, pressed_);
@@ -50,8 +48,8 @@ class BouncingSwitch : public Process {
 
  private:
   // A normally closed contact opens when it is pressed (S7-HW-32).
-  void show(std::span<double> values, double pressed) const {
-    values[CONTACT] = closed_ ? 1 - pressed : pressed;
+  void show(Signals values, double pressed) const {
+    values["CONTACT"] = closed_ ? 1 - pressed : pressed;
   }
 
   std::int64_t edges_, time_;
@@ -61,12 +59,9 @@ class BouncingSwitch : public Process {
   std::int64_t edge_ = INT64_MAX;
 };
 
-std::unique_ptr<Process> make(std::span<const double> parameters) {
-  return std::make_unique<BouncingSwitch>(parameters);
-}
-
 }  // namespace
 
-const Kind kBouncingSwitch{"bouncing switch", Duration{}, kParameters, kSignals, make};
+const Kind kBouncingSwitch{"bouncing switch", Duration{}, kParameters, kSignals,
+                           make<BouncingSwitch>};
 
 }  // namespace merker::plant

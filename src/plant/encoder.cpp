@@ -6,13 +6,11 @@
 #include <cmath>
 
 #include "plant/delay.h"
+#include "plant/named.h"
 #include "plant/processes.h"
 
 namespace merker::plant {
 namespace {
-
-enum { INCREMENTS, FOLLOWS, START };
-enum { SPEED, AXIS, POSITION, A, B };
 
 constexpr double kFastest = 100'000'000;  // mHz of a track
 constexpr double kQuarters = 4;           // of a period
@@ -30,30 +28,30 @@ constexpr Signal kSignals[] = {
     {"B", Signal::Side::Output, true},
 };
 
-class Encoder : public Process {
+class Encoder : public ProcessOf<kParameters, kSignals> {
  public:
-  explicit Encoder(std::span<const double> parameters)
-      : quartersEach_(parameters[INCREMENTS] * kQuarters),
-        follows_(parameters[FOLLOWS] != 0),
-        quarters_(parameters[START] * quartersEach_) {}
+  explicit Encoder(Parameters parameters)
+      : quartersEach_(parameters["increments"] * kQuarters),
+        follows_(parameters["follows"] != 0),
+        quarters_(parameters["start"] * quartersEach_) {}
 
-  void begin(std::span<double> values) override {
-    values[AXIS] = quarters_ / quartersEach_;
+  void begin(Signals values) override {
+    values["AXIS"] = quarters_ / quartersEach_;
     turn(Instant{}, 0);
     show(Instant{}, values);
   }
 
-  void advance(Instant from, Instant to, std::span<double> values) override {
+  void advance(Instant from, Instant to, Signals values) override {
     quarters_ += static_cast<double>(millihertz_) * 1e-3 * kQuarters * seconds(from, to);
     if (!follows_)
-      turn(to, values[SPEED] * quartersEach_);
+      turn(to, values["SPEED"] * quartersEach_);
     else if (from < to)  // there by the end of the next step
-      turn(to, (values[AXIS] * quartersEach_ - quarters_) / seconds(from, to));
+      turn(to, (values["AXIS"] * quartersEach_ - quarters_) / seconds(from, to));
     show(to, values);
   }
 
   std::shared_ptr<const signal::Signal> course(std::uint32_t signal) const override {
-    return signal == A ? a_ : signal == B ? b_ : nullptr;
+    return signal == Signals::at("A") ? a_ : signal == Signals::at("B") ? b_ : nullptr;
   }
 
  private:
@@ -78,10 +76,10 @@ class Encoder : public Process {
     return motion;
   }
 
-  void show(Instant now, std::span<double> values) const {
-    values[POSITION] = quarters_ / quartersEach_;
-    values[A] = a_->level(now);
-    values[B] = b_->level(now);
+  void show(Instant now, Signals values) const {
+    values["POSITION"] = quarters_ / quartersEach_;
+    values["A"] = a_->level(now);
+    values["B"] = b_->level(now);
   }
 
   double quartersEach_;
@@ -91,12 +89,8 @@ class Encoder : public Process {
   std::shared_ptr<const signal::Signal> a_, b_;
 };
 
-std::unique_ptr<Process> make(std::span<const double> parameters) {
-  return std::make_unique<Encoder>(parameters);
-}
-
 }  // namespace
 
-const Kind kEncoder{"encoder", Duration::milliseconds(1), kParameters, kSignals, make};
+const Kind kEncoder{"encoder", Duration::milliseconds(1), kParameters, kSignals, make<Encoder>};
 
 }  // namespace merker::plant

@@ -4,13 +4,11 @@
 #include <random>
 
 #include "plant/delay.h"
+#include "plant/named.h"
 #include "plant/processes.h"
 
 namespace merker::plant {
 namespace {
-
-enum { GAIN, TIME_CONSTANT, DEAD_TIME, START, NOISE, SEED };
-enum { LMN, DISTURBANCE, OFFSET, PV };
 
 constexpr double kWeek = 7 * 24 * 3600.0;
 
@@ -29,22 +27,22 @@ constexpr Signal kSignals[] = {
     {"PV", Signal::Side::Output},
 };
 
-class FirstOrder : public Process {
+class FirstOrder : public ProcessOf<kParameters, kSignals> {
  public:
-  explicit FirstOrder(std::span<const double> parameters)
-      : gain_(parameters[GAIN]),
-        lag_(parameters[TIME_CONSTANT]),
-        noise_(parameters[NOISE]),
-        delay_(parameters[DEAD_TIME]),
-        state_(parameters[START]),
-        random_(static_cast<std::uint32_t>(parameters[SEED])) {}
+  explicit FirstOrder(Parameters parameters)
+      : gain_(parameters["gain"]),
+        lag_(parameters["time_constant"]),
+        noise_(parameters["noise"]),
+        delay_(parameters["dead_time"]),
+        state_(parameters["start"]),
+        random_(static_cast<std::uint32_t>(parameters["seed"])) {}
 
-  void begin(std::span<double> values) override { values[PV] = state_ + values[OFFSET]; }
+  void begin(Signals values) override { values["PV"] = state_ + values["OFFSET"]; }
 
-  void advance(Instant from, Instant to, std::span<double> values) override {
-    const double input = delay_(from, values[LMN] + values[DISTURBANCE]);
+  void advance(Instant from, Instant to, Signals values) override {
+    const double input = delay_(from, values["LMN"] + values["DISTURBANCE"]);
     state_ += (1 - std::exp(-seconds(from, to) / lag_)) * (gain_ * input - state_);
-    values[PV] = state_ + values[OFFSET] + noise();
+    values["PV"] = state_ + values["OFFSET"] + noise();
   }
 
  private:
@@ -60,12 +58,9 @@ class FirstOrder : public Process {
   std::mt19937 random_;
 };
 
-std::unique_ptr<Process> make(std::span<const double> parameters) {
-  return std::make_unique<FirstOrder>(parameters);
-}
-
 }  // namespace
 
-const Kind kFirstOrder{"first order", Duration::milliseconds(1), kParameters, kSignals, make};
+const Kind kFirstOrder{"first order", Duration::milliseconds(1), kParameters, kSignals,
+                       make<FirstOrder>};
 
 }  // namespace merker::plant

@@ -4,15 +4,13 @@
 #include <algorithm>
 
 #include "plant/delay.h"
+#include "plant/named.h"
 #include "plant/processes.h"
 
 namespace merker::plant {
 namespace {
 
 using Side = Signal::Side;
-
-enum { TRAVEL_TIME, OBSTACLE_HEIGHT, START };
-enum { UP, DOWN, LAMP, BUTTON, OBSTACLE, POSITION, OPEN, CLOSED, BARRIER, CONTACT, BOTH, HITS };
 
 constexpr double kWhole = 100;  // %
 
@@ -31,19 +29,19 @@ constexpr Signal kSignals[] = {
     {"HITS", Side::Output},
 };
 
-class GarageDoor : public Process {
+class GarageDoor : public ProcessOf<kParameters, kSignals> {
  public:
-  explicit GarageDoor(std::span<const double> parameters)
-      : speed_(kWhole / parameters[TRAVEL_TIME]),
-        height_(parameters[OBSTACLE_HEIGHT]),
-        position_(parameters[START]) {}
+  explicit GarageDoor(Parameters parameters)
+      : speed_(kWhole / parameters["travel_time"]),
+        height_(parameters["obstacle_height"]),
+        position_(parameters["start"]) {}
 
-  void begin(std::span<double> values) override { show(values); }
+  void begin(Signals values) override { show(values); }
 
-  void advance(Instant from, Instant to, std::span<double> values) override {
-    const double way = speed_ * (values[UP] - values[DOWN]) * seconds(from, to);
+  void advance(Instant from, Instant to, Signals values) override {
+    const double way = speed_ * (values["UP"] - values["DOWN"]) * seconds(from, to);
     // What gets under a door that is lower than it is, is not there.
-    const bool stops = values[OBSTACLE] != 0 && position_ >= height_;
+    const bool stops = values["OBSTACLE"] != 0 && position_ >= height_;
     const double lowest = stops ? height_ : 0;
     const bool on = stops && way < 0 && position_ + way < lowest;
     if (on && !onObstacle_) ++hits_;
@@ -53,14 +51,14 @@ class GarageDoor : public Process {
   }
 
  private:
-  void show(std::span<double> values) const {
-    values[POSITION] = position_;
-    values[OPEN] = position_ >= kWhole;
-    values[CLOSED] = position_ <= 0;
-    values[BARRIER] = 1 - values[OBSTACLE];
-    values[CONTACT] = values[BUTTON];
-    values[BOTH] = values[UP] != 0 && values[DOWN] != 0;
-    values[HITS] = hits_;
+  void show(Signals values) const {
+    values["POSITION"] = position_;
+    values["OPEN"] = position_ >= kWhole;
+    values["CLOSED"] = position_ <= 0;
+    values["BARRIER"] = 1 - values["OBSTACLE"];
+    values["CONTACT"] = values["BUTTON"];
+    values["BOTH"] = values["UP"] != 0 && values["DOWN"] != 0;
+    values["HITS"] = hits_;
   }
 
   double speed_, height_;  // % per second, %
@@ -69,12 +67,9 @@ class GarageDoor : public Process {
   int hits_ = 0;
 };
 
-std::unique_ptr<Process> make(std::span<const double> parameters) {
-  return std::make_unique<GarageDoor>(parameters);
-}
-
 }  // namespace
 
-const Kind kGarageDoor{"garage door", Duration::milliseconds(1), kParameters, kSignals, make};
+const Kind kGarageDoor{"garage door", Duration::milliseconds(1), kParameters, kSignals,
+                       make<GarageDoor>};
 
 }  // namespace merker::plant

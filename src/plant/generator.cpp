@@ -5,13 +5,11 @@
 #include <numbers>
 
 #include "plant/delay.h"
+#include "plant/named.h"
 #include "plant/processes.h"
 
 namespace merker::plant {
 namespace {
-
-enum { START };
-enum { TARGET, SLOPE, AMPLITUDE, PERIOD, VALUE };
 
 constexpr Parameter kParameters[] = {
     {"start", Parameter::Form::Number, 0, -1e9, 1e9},
@@ -23,30 +21,28 @@ constexpr Signal kSignals[] = {
     {"VALUE", Signal::Side::Output},
 };
 
-class Generator : public Process {
+class Generator : public ProcessOf<kParameters, kSignals> {
  public:
-  explicit Generator(std::span<const double> parameters) : base_(parameters[START]) {}
+  explicit Generator(Parameters parameters) : base_(parameters["start"]) {}
 
-  void begin(std::span<double> values) override { values[TARGET] = values[VALUE] = base_; }
+  void begin(Signals values) override { values["TARGET"] = values["VALUE"] = base_; }
 
-  void advance(Instant from, Instant to, std::span<double> values) override {
-    const double way = std::abs(values[SLOPE]) * seconds(from, to);
-    const double target = values[TARGET];
-    base_ = values[SLOPE] == 0 ? target : std::clamp(target, base_ - way, base_ + way);
-    if (values[PERIOD] > 0) turns_ = std::fmod(turns_ + seconds(from, to) / values[PERIOD], 1.0);
-    values[VALUE] = base_ + values[AMPLITUDE] * std::sin(2 * std::numbers::pi * turns_);
+  void advance(Instant from, Instant to, Signals values) override {
+    const double way = std::abs(values["SLOPE"]) * seconds(from, to);
+    const double target = values["TARGET"];
+    base_ = values["SLOPE"] == 0 ? target : std::clamp(target, base_ - way, base_ + way);
+    if (values["PERIOD"] > 0)
+      turns_ = std::fmod(turns_ + seconds(from, to) / values["PERIOD"], 1.0);
+    values["VALUE"] = base_ + values["AMPLITUDE"] * std::sin(2 * std::numbers::pi * turns_);
   }
 
  private:
   double base_, turns_ = 0;
 };
 
-std::unique_ptr<Process> make(std::span<const double> parameters) {
-  return std::make_unique<Generator>(parameters);
-}
-
 }  // namespace
 
-const Kind kGenerator{"generator", Duration::milliseconds(1), kParameters, kSignals, make};
+const Kind kGenerator{"generator", Duration::milliseconds(1), kParameters, kSignals,
+                      make<Generator>};
 
 }  // namespace merker::plant

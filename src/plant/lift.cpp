@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "plant/delay.h"
+#include "plant/named.h"
 #include "plant/processes.h"
 
 namespace merker::plant {
@@ -14,24 +15,6 @@ namespace {
 using Side = Signal::Side;
 
 constexpr std::size_t kFloors = 3;
-
-enum { FLOOR_TIME, DOOR_TIME, START };
-enum {
-  UP,
-  DOWN,
-  DOOR,
-  LAMP1,
-  CALL1 = LAMP1 + kFloors,
-  GO1 = CALL1 + kFloors,
-  HEIGHT = GO1 + kFloors,
-  DOORWAY,
-  FLOOR1,
-  DOOR_OPEN = FLOOR1 + kFloors,
-  DOOR_CLOSED,
-  CALL1_CONTACT,
-  GO1_CONTACT = CALL1_CONTACT + kFloors,
-  FAULTS = GO1_CONTACT + kFloors
-};
 
 constexpr double kTop = kFloors - 1.0;
 constexpr double kAtFloor = 0.02;  // of the way between two floors
@@ -70,25 +53,29 @@ constexpr Signal kSignals[] = {
     {"GO3_CONTACT", Side::Output, true},
     {"FAULTS", Side::Output},
 };
-static_assert(std::size(kSignals) == FAULTS + 1);
+static_assert(areTogether(kSignals, "CALL1", "CALL3", kFloors));
+static_assert(areTogether(kSignals, "GO1", "GO3", kFloors));
+static_assert(areTogether(kSignals, "FLOOR1", "FLOOR3", kFloors));
+static_assert(areTogether(kSignals, "CALL1_CONTACT", "CALL3_CONTACT", kFloors));
+static_assert(areTogether(kSignals, "GO1_CONTACT", "GO3_CONTACT", kFloors));
 
-class Lift : public Process {
+class Lift : public ProcessOf<kParameters, kSignals> {
  public:
-  explicit Lift(std::span<const double> parameters)
-      : speed_(1 / parameters[FLOOR_TIME]),
-        doorSpeed_(kWhole / parameters[DOOR_TIME]),
-        height_(std::round(parameters[START]) - 1) {}
+  explicit Lift(Parameters parameters)
+      : speed_(1 / parameters["floor_time"]),
+        doorSpeed_(kWhole / parameters["door_time"]),
+        height_(std::round(parameters["start"]) - 1) {}
 
-  void begin(std::span<double> values) override { show(values); }
+  void begin(Signals values) override { show(values); }
 
-  void advance(Instant from, Instant to, std::span<double> values) override {
+  void advance(Instant from, Instant to, Signals values) override {
     const double time = seconds(from, to);
-    const double direction = values[UP] - values[DOWN];
+    const double direction = values["UP"] - values["DOWN"];
     height_ = std::clamp(height_ + speed_ * direction * time, -kAtFloor, kTop + kAtFloor);
-    door_ = std::clamp(door_ + doorSpeed_ * (2 * values[DOOR] - 1) * time, 0.0, kWhole);
+    door_ = std::clamp(door_ + doorSpeed_ * (2 * values["DOOR"] - 1) * time, 0.0, kWhole);
     judge(Forbidden::OpenWhileMoving, direction != 0 && door_ > 0);
     judge(Forbidden::Buffer, direction * (height_ - kTop / 2) >= kTop / 2 + kAtFloor);
-    judge(Forbidden::OpenBetween, values[DOOR] != 0 && !atFloor());
+    judge(Forbidden::OpenBetween, values["DOOR"] != 0 && !atFloor());
     show(values);
   }
 
@@ -104,17 +91,17 @@ class Lift : public Process {
 
   bool atFloor() const { return std::abs(height_ - std::round(height_)) <= kAtFloor; }
 
-  void show(std::span<double> values) const {
-    values[HEIGHT] = height_;
-    values[DOORWAY] = door_;
+  void show(Signals values) const {
+    values["HEIGHT"] = height_;
+    values["DOORWAY"] = door_;
     for (std::size_t i = 0; i < kFloors; ++i) {
-      values[FLOOR1 + i] = std::abs(height_ - static_cast<double>(i)) <= kAtFloor;
-      values[CALL1_CONTACT + i] = values[CALL1 + i];
-      values[GO1_CONTACT + i] = values[GO1 + i];
+      values.from("FLOOR1")[i] = std::abs(height_ - static_cast<double>(i)) <= kAtFloor;
+      values.from("CALL1_CONTACT")[i] = values.from("CALL1")[i];
+      values.from("GO1_CONTACT")[i] = values.from("GO1")[i];
     }
-    values[DOOR_OPEN] = door_ >= kWhole;
-    values[DOOR_CLOSED] = door_ <= 0;
-    values[FAULTS] = faults_;
+    values["DOOR_OPEN"] = door_ >= kWhole;
+    values["DOOR_CLOSED"] = door_ <= 0;
+    values["FAULTS"] = faults_;
   }
 
   double speed_, doorSpeed_;  // floors per second, % per second
@@ -123,12 +110,8 @@ class Lift : public Process {
   int faults_ = 0;
 };
 
-std::unique_ptr<Process> make(std::span<const double> parameters) {
-  return std::make_unique<Lift>(parameters);
-}
-
 }  // namespace
 
-const Kind kLift{"lift", Duration::milliseconds(1), kParameters, kSignals, make};
+const Kind kLift{"lift", Duration::milliseconds(1), kParameters, kSignals, make<Lift>};
 
 }  // namespace merker::plant

@@ -6,13 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plant/named.h"
 #include "plant/processes.h"
 
 namespace merker::plant {
 namespace {
-
-enum { FREQUENCY_AT_START, DUTY_AT_START, JITTER, SEED };
-enum { FREQUENCY, DUTY, PULSES };
 
 constexpr double kHighest = 100'000;  // Hz
 constexpr double kLeast = 0.001;      // Hz, below it stands
@@ -31,30 +29,31 @@ constexpr Signal kSignals[] = {
 
 std::int64_t thousandths(double value) { return std::llround(value * 1000); }
 
-class PulseTrain : public Process {
+class PulseTrain : public ProcessOf<kParameters, kSignals> {
  public:
-  explicit PulseTrain(std::span<const double> parameters)
-      : frequency_(parameters[FREQUENCY_AT_START]),
-        duty_(parameters[DUTY_AT_START]),
-        jitter_(static_cast<std::uint32_t>(std::llround(parameters[JITTER] * 10))),
-        seed_(static_cast<std::uint64_t>(parameters[SEED])) {}
+  explicit PulseTrain(Parameters parameters)
+      : frequency_(parameters["frequency"]),
+        duty_(parameters["duty"]),
+        jitter_(static_cast<std::uint32_t>(std::llround(parameters["jitter"] * 10))),
+        seed_(static_cast<std::uint64_t>(parameters["seed"])) {}
 
-  void begin(std::span<double> values) override {
-    values[FREQUENCY] = frequency_;
-    values[DUTY] = duty_;
+  void begin(Signals values) override {
+    values["FREQUENCY"] = frequency_;
+    values["DUTY"] = duty_;
     train(Instant{});
   }
 
-  void advance(Instant, Instant to, std::span<double> values) override {
-    const double frequency = values[FREQUENCY] < kLeast ? 0 : std::min(values[FREQUENCY], kHighest);
-    const double duty = std::clamp(values[DUTY], 0.1, 99.9);
+  void advance(Instant, Instant to, Signals values) override {
+    const double frequency =
+        values["FREQUENCY"] < kLeast ? 0 : std::min(values["FREQUENCY"], kHighest);
+    const double duty = std::clamp(values["DUTY"], 0.1, 99.9);
     if (frequency != frequency_ || duty != duty_) {
       phase_ = phaseAt(to);
       frequency_ = frequency;
       duty_ = duty;
       train(to);
     }
-    values[PULSES] = course_ != nullptr && course_->level(to);
+    values["PULSES"] = course_ != nullptr && course_->level(to);
   }
 
   std::shared_ptr<const signal::Signal> course(std::uint32_t) const override { return course_; }
@@ -83,12 +82,9 @@ class PulseTrain : public Process {
   std::shared_ptr<const signal::Signal> course_;
 };
 
-std::unique_ptr<Process> make(std::span<const double> parameters) {
-  return std::make_unique<PulseTrain>(parameters);
-}
-
 }  // namespace
 
-const Kind kPulseTrain{"pulse train", Duration::milliseconds(1), kParameters, kSignals, make};
+const Kind kPulseTrain{"pulse train", Duration::milliseconds(1), kParameters, kSignals,
+                       make<PulseTrain>};
 
 }  // namespace merker::plant

@@ -5,27 +5,13 @@
 
 #include "plant/belt.h"
 #include "plant/delay.h"
+#include "plant/named.h"
 #include "plant/processes.h"
 
 namespace merker::plant {
 namespace {
 
 using Side = Signal::Side;
-
-enum { SPEED, INTERVAL, AUTOMATIC, SEED };
-enum {
-  SLIDER_SMALL,
-  BELT = SLIDER_SMALL + Belt::kSliders,
-  BELT_SPEED,
-  AUTO,
-  NEW_SMALL,
-  BARRIER_SMALL = NEW_SMALL + Belt::kSliders,
-  GOOD = BARRIER_SMALL + Belt::kSliders,
-  WRONG,
-  BIN_SMALL,
-  STROKE_SMALL = BIN_SMALL + Belt::kSliders,
-  BOXES = STROKE_SMALL + Belt::kSliders  // three signals each
-};
 
 constexpr Parameter kParameters[] = {
     {"speed", Parameter::Form::Number, 0.1, 0.001, 1},  // m/s at 100 %
@@ -74,40 +60,45 @@ constexpr Signal kSignals[] = {
     {"FRONT6", Side::Output, false, 0, 0, 1, "m"},
     {"PUSHED6", Side::Output, false, 0, 0, 1},
 };
-static_assert(std::size(kSignals) == BOXES + 3 * Belt::kBoxes);
+static_assert(areTogether(kSignals, "SLIDER_SMALL", "SLIDER_LARGE", Belt::kSliders));
+static_assert(areTogether(kSignals, "NEW_SMALL", "NEW_LARGE", Belt::kSliders));
+static_assert(areTogether(kSignals, "BARRIER_SMALL", "BARRIER_LARGE", Belt::kSliders));
+static_assert(areTogether(kSignals, "BIN_SMALL", "BIN_LARGE", Belt::kSliders));
+static_assert(areTogether(kSignals, "STROKE_SMALL", "STROKE_LARGE", Belt::kSliders));
+static_assert(areTogether(kSignals, "BOX1", "PUSHED6", 3 * Belt::kBoxes));
 
 constexpr double kFirst = 1;  // s until the first box of AUTO
 constexpr std::array kSizes{BoxSize::Small, BoxSize::Middle, BoxSize::Large};
 
-class SortingPlant : public Process {
+class SortingPlant : public ProcessOf<kParameters, kSignals> {
  public:
-  explicit SortingPlant(std::span<const double> parameters)
-      : speed_(parameters[SPEED]),
-        interval_(parameters[INTERVAL]),
-        automatic_(parameters[AUTOMATIC]),
+  explicit SortingPlant(Parameters parameters)
+      : speed_(parameters["speed"]),
+        interval_(parameters["interval"]),
+        automatic_(parameters["automatic"]),
         waited_(interval_ - kFirst),
-        random_(static_cast<std::uint32_t>(parameters[SEED])) {}
+        random_(static_cast<std::uint32_t>(parameters["seed"])) {}
 
-  void begin(std::span<double> values) override {
-    values[AUTO] = automatic_;
+  void begin(Signals values) override {
+    values["AUTO"] = automatic_;
     show(values);
   }
 
-  void advance(Instant from, Instant to, std::span<double> values) override {
+  void advance(Instant from, Instant to, Signals values) override {
     const double time = seconds(from, to);
     putByHand(values);
     waited_ += time;
-    if (values[AUTO] != 0 && waited_ >= interval_) putNext();
+    if (values["AUTO"] != 0 && waited_ >= interval_) putNext();
     std::array<bool, Belt::kSliders> out{};
-    for (std::size_t i = 0; i < out.size(); ++i) out[i] = values[SLIDER_SMALL + i] != 0;
-    belt_.move(time, values[BELT] * values[BELT_SPEED] / 100 * speed_, out);
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = values.from("SLIDER_SMALL")[i] != 0;
+    belt_.move(time, values["BELT"] * values["SPEED"] / 100 * speed_, out);
     show(values);
   }
 
  private:
-  void putByHand(std::span<const double> values) {
+  void putByHand(Signals values) {
     for (std::size_t i = 0; i < kSizes.size(); ++i) {
-      const bool wanted = values[NEW_SMALL + i] != 0;
+      const bool wanted = values.from("NEW_SMALL")[i] != 0;
       if (wanted && !wanted_[i]) belt_.put(kSizes[i]);
       wanted_[i] = wanted;
     }
@@ -126,16 +117,16 @@ class SortingPlant : public Process {
       std::swap(order_[i], order_[random_() % (i + 1)]);
   }
 
-  void show(std::span<double> values) const {
+  void show(Signals values) const {
     const Belt::Counts& counts = belt_.counts();
-    values[GOOD] = counts.good;
-    values[WRONG] = counts.wrong;
+    values["GOOD"] = counts.good;
+    values["WRONG"] = counts.wrong;
     for (std::size_t i = 0; i < Belt::kSliders; ++i) {
-      values[BARRIER_SMALL + i] = !belt_.interrupted(kSizes[i]);
-      values[BIN_SMALL + i] = counts.bins[i];
-      values[STROKE_SMALL + i] = belt_.stroke(i);
+      values.from("BARRIER_SMALL")[i] = !belt_.interrupted(kSizes[i]);
+      values.from("BIN_SMALL")[i] = counts.bins[i];
+      values.from("STROKE_SMALL")[i] = belt_.stroke(i);
     }
-    double* value = &values[BOXES];
+    auto value = values.from("BOX1").begin();
     for (const Box& box : belt_.boxes()) {
       *value++ = static_cast<double>(box.size);
       *value++ = box.front;
@@ -152,12 +143,9 @@ class SortingPlant : public Process {
   std::array<bool, 3> wanted_{};
 };
 
-std::unique_ptr<Process> make(std::span<const double> parameters) {
-  return std::make_unique<SortingPlant>(parameters);
-}
-
 }  // namespace
 
-const Kind kSortingPlant{"sorting plant", Duration::milliseconds(1), kParameters, kSignals, make};
+const Kind kSortingPlant{"sorting plant", Duration::milliseconds(1), kParameters, kSignals,
+                         make<SortingPlant>};
 
 }  // namespace merker::plant

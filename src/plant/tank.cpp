@@ -3,13 +3,11 @@
 #include <algorithm>
 
 #include "plant/delay.h"
+#include "plant/named.h"
 #include "plant/processes.h"
 
 namespace merker::plant {
 namespace {
-
-enum { CAPACITY, INFLOW_RATE, OUTFLOW_RATE, START };
-enum { INFLOW, OUTFLOW, FILL, DRAIN, LEVEL, FULL, EMPTY };
 
 constexpr double kWhole = 100;  // %
 
@@ -32,39 +30,35 @@ constexpr Signal kSignals[] = {
 // A valve does not open further than it can.
 double opening(double percent, double on) { return std::clamp(percent / kWhole + on, 0.0, 1.0); }
 
-class Tank : public Process {
+class Tank : public ProcessOf<kParameters, kSignals> {
  public:
-  explicit Tank(std::span<const double> parameters)
-      : in_(parameters[INFLOW_RATE] / parameters[CAPACITY] * kWhole),
-        out_(parameters[OUTFLOW_RATE] / parameters[CAPACITY] * kWhole),
-        level_(parameters[START]) {}
+  explicit Tank(Parameters parameters)
+      : in_(parameters["inflow_rate"] / parameters["capacity"] * kWhole),
+        out_(parameters["outflow_rate"] / parameters["capacity"] * kWhole),
+        level_(parameters["start"]) {}
 
-  void begin(std::span<double> values) override { show(values); }
+  void begin(Signals values) override { show(values); }
 
-  void advance(Instant from, Instant to, std::span<double> values) override {
-    const double flow = in_ * opening(values[INFLOW], values[FILL]) -
-                        out_ * opening(values[OUTFLOW], values[DRAIN]);
+  void advance(Instant from, Instant to, Signals values) override {
+    const double flow = in_ * opening(values["INFLOW"], values["FILL"]) -
+                        out_ * opening(values["OUTFLOW"], values["DRAIN"]);
     level_ = std::clamp(level_ + flow * seconds(from, to), 0.0, kWhole);
     show(values);
   }
 
  private:
-  void show(std::span<double> values) const {
-    values[LEVEL] = level_;
-    values[FULL] = level_ >= kWhole;
-    values[EMPTY] = level_ <= 0;
+  void show(Signals values) const {
+    values["LEVEL"] = level_;
+    values["FULL"] = level_ >= kWhole;
+    values["EMPTY"] = level_ <= 0;
   }
 
   double in_, out_;  // % of the capacity per second
   double level_;
 };
 
-std::unique_ptr<Process> make(std::span<const double> parameters) {
-  return std::make_unique<Tank>(parameters);
-}
-
 }  // namespace
 
-const Kind kTank{"tank", Duration::milliseconds(1), kParameters, kSignals, make};
+const Kind kTank{"tank", Duration::milliseconds(1), kParameters, kSignals, make<Tank>};
 
 }  // namespace merker::plant

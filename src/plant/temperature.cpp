@@ -3,13 +3,11 @@
 #include <cmath>
 
 #include "plant/delay.h"
+#include "plant/named.h"
 #include "plant/processes.h"
 
 namespace merker::plant {
 namespace {
-
-enum { HEATING_GAIN, COOLING_GAIN, FIRST_TIME_CONSTANT, SECOND_TIME_CONSTANT, DEAD_TIME };
-enum { LMN, HEAT, COOL, DISTURBANCE, AMBIENT, PV };
 
 constexpr double kDay = 24 * 3600.0;
 constexpr double kRoom = 20;  // degC
@@ -31,25 +29,26 @@ constexpr Signal kSignals[] = {
     {"PV", Signal::Side::Output, false, kRoom, 0, 400, "degC"},
 };
 
-class Temperature : public Process {
+class Temperature : public ProcessOf<kParameters, kSignals> {
  public:
-  explicit Temperature(std::span<const double> parameters)
-      : heating_(parameters[HEATING_GAIN]),
-        cooling_(parameters[COOLING_GAIN]),
-        first_(parameters[FIRST_TIME_CONSTANT]),
-        second_(parameters[SECOND_TIME_CONSTANT]),
-        delay_(parameters[DEAD_TIME]) {}
+  explicit Temperature(Parameters parameters)
+      : heating_(parameters["heating_gain"]),
+        cooling_(parameters["cooling_gain"]),
+        first_(parameters["first_time_constant"]),
+        second_(parameters["second_time_constant"]),
+        delay_(parameters["dead_time"]) {}
 
-  void begin(std::span<double> values) override { values[PV] = values[AMBIENT]; }
+  void begin(Signals values) override { values["PV"] = values["AMBIENT"]; }
 
-  void advance(Instant from, Instant to, std::span<double> values) override {
-    const double wanted = values[LMN] + 100 * (values[HEAT] - values[COOL]) + values[DISTURBANCE];
+  void advance(Instant from, Instant to, Signals values) override {
+    const double wanted =
+        values["LMN"] + 100 * (values["HEAT"] - values["COOL"]) + values["DISTURBANCE"];
     const double u = delay_(from, wanted);
     const double time = seconds(from, to);
     const double target = (u >= 0 ? heating_ : cooling_) * u;
     heater_ += (1 - std::exp(-time / first_)) * (target - heater_);
     above_ += (1 - std::exp(-time / second_)) * (heater_ - above_);
-    values[PV] = values[AMBIENT] + above_;
+    values["PV"] = values["AMBIENT"] + above_;
   }
 
  private:
@@ -58,12 +57,9 @@ class Temperature : public Process {
   double heater_ = 0, above_ = 0;
 };
 
-std::unique_ptr<Process> make(std::span<const double> parameters) {
-  return std::make_unique<Temperature>(parameters);
-}
-
 }  // namespace
 
-const Kind kTemperature{"temperature", Duration::milliseconds(1), kParameters, kSignals, make};
+const Kind kTemperature{"temperature", Duration::milliseconds(1), kParameters, kSignals,
+                        make<Temperature>};
 
 }  // namespace merker::plant

@@ -1,15 +1,13 @@
 // The lamps of a pedestrian crossing and a button on each side of the road. DANGER counts how often
 // cars and pedestrians were let go at the same time: both green, or green and red with amber.
 #include "plant/delay.h"
+#include "plant/named.h"
 #include "plant/processes.h"
 
 namespace merker::plant {
 namespace {
 
 using Side = Signal::Side;
-
-enum { CARS_RED, CARS_AMBER, CARS_GREEN, WALK_RED, WALK_GREEN, WAIT, LEFT, RIGHT };
-enum { LEFT_CONTACT = RIGHT + 1, RIGHT_CONTACT, DANGER };
 
 constexpr Signal kSignals[] = {
     {"CARS_RED", Side::Input, true},
@@ -25,33 +23,34 @@ constexpr Signal kSignals[] = {
     {"DANGER", Side::Output},
 };
 
-class TrafficLight : public Process {
+class TrafficLight : public ProcessOf<kNoParameters, kSignals> {
  public:
-  void begin(std::span<double> values) override { show(values); }
+  explicit TrafficLight(Parameters) {}
 
-  void advance(Instant, Instant, std::span<double> values) override {
-    const bool carsGo = values[CARS_GREEN] != 0 || values[CARS_AMBER] != 0;
-    const bool both = carsGo && values[WALK_GREEN] != 0;
+  void begin(Signals values) override { show(values); }
+
+  void advance(Instant, Instant, Signals values) override {
+    const bool carsGo = values["CARS_GREEN"] != 0 || values["CARS_AMBER"] != 0;
+    const bool both = carsGo && values["WALK_GREEN"] != 0;
     if (both && !both_) ++dangers_;
     both_ = both;
     show(values);
   }
 
  private:
-  void show(std::span<double> values) const {
-    values[LEFT_CONTACT] = values[LEFT];
-    values[RIGHT_CONTACT] = values[RIGHT];
-    values[DANGER] = dangers_;
+  void show(Signals values) const {
+    values["LEFT_CONTACT"] = values["LEFT"];
+    values["RIGHT_CONTACT"] = values["RIGHT"];
+    values["DANGER"] = dangers_;
   }
 
   bool both_ = false;
   int dangers_ = 0;
 };
 
-std::unique_ptr<Process> make(std::span<const double>) { return std::make_unique<TrafficLight>(); }
-
 }  // namespace
 
-const Kind kTrafficLight{"traffic light", Duration::milliseconds(1), {}, kSignals, make};
+const Kind kTrafficLight{"traffic light", Duration::milliseconds(1), kNoParameters, kSignals,
+                         make<TrafficLight>};
 
 }  // namespace merker::plant

@@ -3,13 +3,11 @@
 #include <algorithm>
 
 #include "plant/delay.h"
+#include "plant/named.h"
 #include "plant/processes.h"
 
 namespace merker::plant {
 namespace {
-
-enum { TRAVEL_TIME, BACKLASH, START };
-enum { UP, DOWN, STUCK, POSITION, LMNR_HS, LMNR_LS, BOTH };
 
 constexpr double kWhole = 100;  // %
 
@@ -28,20 +26,20 @@ constexpr Signal kSignals[] = {
     {"BOTH", Signal::Side::Output, true},
 };
 
-class Valve : public Process {
+class Valve : public ProcessOf<kParameters, kSignals> {
  public:
-  explicit Valve(std::span<const double> parameters)
-      : travelTime_(parameters[TRAVEL_TIME]),
-        backlash_(parameters[BACKLASH]),
-        motor_(parameters[START]),
+  explicit Valve(Parameters parameters)
+      : travelTime_(parameters["travel_time"]),
+        backlash_(parameters["backlash"]),
+        motor_(parameters["start"]),
         position_(motor_) {}
 
-  void begin(std::span<double> values) override { show(values); }
+  void begin(Signals values) override { show(values); }
 
-  void advance(Instant from, Instant to, std::span<double> values) override {
-    values[BOTH] = values[UP] != 0 && values[DOWN] != 0;
-    const double way = kWhole / travelTime_ * seconds(from, to) * (values[UP] - values[DOWN]);
-    if (values[STUCK] == 0) move(way);
+  void advance(Instant from, Instant to, Signals values) override {
+    values["BOTH"] = values["UP"] != 0 && values["DOWN"] != 0;
+    const double way = kWhole / travelTime_ * seconds(from, to) * (values["UP"] - values["DOWN"]);
+    if (values["STUCK"] == 0) move(way);
     show(values);
   }
 
@@ -53,21 +51,17 @@ class Valve : public Process {
     if (motor_ == kWhole || motor_ == 0) position_ = motor_;
   }
 
-  void show(std::span<double> values) const {
-    values[POSITION] = position_;
-    values[LMNR_HS] = motor_ >= kWhole;
-    values[LMNR_LS] = motor_ <= 0;
+  void show(Signals values) const {
+    values["POSITION"] = position_;
+    values["LMNR_HS"] = motor_ >= kWhole;
+    values["LMNR_LS"] = motor_ <= 0;
   }
 
   double travelTime_, backlash_, motor_, position_;
 };
 
-std::unique_ptr<Process> make(std::span<const double> parameters) {
-  return std::make_unique<Valve>(parameters);
-}
-
 }  // namespace
 
-const Kind kValve{"valve", Duration::milliseconds(1), kParameters, kSignals, make};
+const Kind kValve{"valve", Duration::milliseconds(1), kParameters, kSignals, make<Valve>};
 
 }  // namespace merker::plant

@@ -3,15 +3,13 @@
 #include <algorithm>
 
 #include "plant/delay.h"
+#include "plant/named.h"
 #include "plant/processes.h"
 
 namespace merker::plant {
 namespace {
 
 using Side = Signal::Side;
-
-enum { STROKE, MINIMUM, MAXIMUM, START_LEVEL };
-enum { INLET, OUTLET, LAMP, HAND_FILL, START, STOP, LEVEL, MIN, MAX, START_CONTACT, STOP_CONTACT };
 
 constexpr double kWhole = 100;  // %
 
@@ -35,42 +33,38 @@ constexpr Signal kSignals[] = {
     {"STOP_CONTACT", Side::Output, true},
 };
 
-class Vessel : public Process {
+class Vessel : public ProcessOf<kParameters, kSignals> {
  public:
-  explicit Vessel(std::span<const double> parameters)
-      : rate_(kWhole / parameters[STROKE]),
-        minimum_(parameters[MINIMUM]),
-        maximum_(parameters[MAXIMUM]),
-        level_(parameters[START_LEVEL]) {}
+  explicit Vessel(Parameters parameters)
+      : rate_(kWhole / parameters["stroke"]),
+        minimum_(parameters["minimum"]),
+        maximum_(parameters["maximum"]),
+        level_(parameters["start"]) {}
 
-  void begin(std::span<double> values) override { show(values); }
+  void begin(Signals values) override { show(values); }
 
-  void advance(Instant from, Instant to, std::span<double> values) override {
-    const double in = std::max(values[INLET], values[HAND_FILL]);
-    level_ += rate_ * (in - values[OUTLET]) * seconds(from, to);
+  void advance(Instant from, Instant to, Signals values) override {
+    const double in = std::max(values["INLET"], values["HAND_FILL"]);
+    level_ += rate_ * (in - values["OUTLET"]) * seconds(from, to);
     level_ = std::clamp(level_, 0.0, kWhole);
     show(values);
   }
 
  private:
-  void show(std::span<double> values) const {
-    values[LEVEL] = level_;
-    values[MIN] = level_ >= minimum_;
-    values[MAX] = level_ >= maximum_;
-    values[START_CONTACT] = values[START];
-    values[STOP_CONTACT] = 1 - values[STOP];
+  void show(Signals values) const {
+    values["LEVEL"] = level_;
+    values["MIN"] = level_ >= minimum_;
+    values["MAX"] = level_ >= maximum_;
+    values["START_CONTACT"] = values["START"];
+    values["STOP_CONTACT"] = 1 - values["STOP"];
   }
 
   double rate_, minimum_, maximum_;  // % per second, %
   double level_;
 };
 
-std::unique_ptr<Process> make(std::span<const double> parameters) {
-  return std::make_unique<Vessel>(parameters);
-}
-
 }  // namespace
 
-const Kind kVessel{"vessel", Duration::milliseconds(1), kParameters, kSignals, make};
+const Kind kVessel{"vessel", Duration::milliseconds(1), kParameters, kSignals, make<Vessel>};
 
 }  // namespace merker::plant
