@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cnc/cnc.h"
-#include "station/engines.h"
+#include "station/mixed_engine.h"
 #include "station/station.h"
 
 namespace merker::app {
@@ -16,7 +16,7 @@ void addEngine(CLI::App& command, std::string& engine) {
 }
 
 std::optional<std::string> whyMissing(const std::string& engine) {
-  if (engine != "jit" || station::Engines::canCompile()) return std::nullopt;
+  if (engine != "jit" || station::MixedEngine::canCompile()) return std::nullopt;
   return "--engine: there is no jit for this processor; use interpreter";
 }
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "cpu/cpu.h"
-#include "station/engines.h"
 #include "station/line_counts.h"
+#include "station/mixed_engine.h"
 #include "station/modules.h"
 #include "station/periphery.h"
 #include "station/values.h"
@@ -39,14 +39,14 @@ struct Station::Parts {
         services(*model),
         cpu(*model, engine, services, options.startOfClock,
             options.parameters.value_or(CpuParameters::of(*model))) {
-    engine.countCoverage(options.coverage);
+    engine.interpreter().countCoverage(options.coverage);
     cpu.load(program);
     if (options.hardware) plug(std::move(*options.hardware), std::move(options.plants));
   }
 
   const CpuModel* model;
   std::shared_ptr<const block::Program> program;
-  Engines engine;
+  MixedEngine engine;
   system::Services services;
   std::unique_ptr<Periphery> periphery;  // null without a hardware configuration
   std::unique_ptr<Modules> modules;
@@ -94,7 +94,7 @@ const block::Program& Station::program() const { return *parts_->program; }
 
 bool Station::setEngine(Engine engine) {
   const bool compiled = engine == Engine::Compiled;
-  if (compiled && !Engines::canCompile()) return false;
+  if (compiled && !MixedEngine::canCompile()) return false;
   parts_->engine.compile(compiled, parts_->cpu);
   return true;
 }
@@ -245,7 +245,7 @@ const std::vector<DiagnosticEntry>& Station::diagnostics() const {
 const std::vector<CheckResult>& Station::checkResults() const {
   Parts& p = *parts_;
   p.checks.clear();
-  for (const interpreter::CheckRecord& record : p.engine.checkRecords()) {
+  for (const interpreter::CheckRecord& record : p.engine.interpreter().checkRecords()) {
     const interpreter::CheckSight& seen = record.judged();
     p.checks.push_back({record.check, seen.reached, seen.failures});
   }
@@ -253,7 +253,7 @@ const std::vector<CheckResult>& Station::checkResults() const {
 }
 
 std::map<BlockId, std::map<std::uint32_t, std::uint64_t>> Station::executed() const {
-  return parts_->engine.executed();
+  return parts_->engine.interpreter().executed();
 }
 
 std::string Station::modelName() const { return std::string(model().name); }

@@ -106,7 +106,7 @@ block::Block manyValues() {
 std::size_t compiledBytes(std::uint32_t slots) {
   auto program = std::make_shared<block::Program>();
   program->emplace(manyValues().id, manyValues());
-  return station::Engines::compiledBytes(
+  return station::MixedEngine::compiledBytes(
       stand({.model = "314C-2 PtP", .slots = slots}).load(program, {}));
 }
 

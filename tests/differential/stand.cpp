@@ -25,15 +25,15 @@ const CpuModel* findModel(const std::string& name) {
 Stand::Stand(const Engine& engine)
     : compiles_(engine.compiled),
       model_(*findModel(engine.model)),
-      engines_(model_, engine.compiled,
-               {.jit = {.broken = engine.broken, .slots = engine.slots}, .shortestEntry = 1}),
+      engine_(model_, engine.compiled,
+              {.jit = {.broken = engine.broken, .slots = engine.slots}, .shortestEntry = 1}),
       services_(model_) {}
 
 cpu::Cpu& Stand::load(std::shared_ptr<const block::Program> program,
                       const CpuParameters& parameters) {
   services_.restart();
-  cpu_.emplace(model_, engines_, services_, 0, parameters);
-  engines_.compile(compiles_, *cpu_);
+  cpu_.emplace(model_, engine_, services_, 0, parameters);
+  engine_.compile(compiles_, *cpu_);
   cpu_->load(std::move(program));
   return *cpu_;
 }

@@ -7,7 +7,7 @@
 
 #include "block/block.h"
 #include "icode/region.h"
-#include "station/engines.h"
+#include "station/mixed_engine.h"
 #include "system/services.h"
 
 namespace merker::differential {
@@ -29,12 +29,12 @@ class Stand {
   // A new CPU with this program, in STOP; the one before is gone.
   cpu::Cpu& load(std::shared_ptr<const block::Program> program, const CpuParameters& parameters);
   // The program stands somewhere: it goes on with the other engine.
-  void switchEngine() { engines_.compile(!engines_.compiles(), *cpu_); }
+  void switchEngine() { engine_.compile(!engine_.compiles(), *cpu_); }
 
  private:
   const bool compiles_;
   const CpuModel& model_;
-  station::Engines engines_;
+  station::MixedEngine engine_;
   system::Services services_;
   std::optional<cpu::Cpu> cpu_;
 };

@@ -1,4 +1,4 @@
-#include "station/engines.h"
+#include "station/mixed_engine.h"
 
 #include "icode/region.h"
 #include "interpreter/compiled.h"
@@ -45,7 +45,7 @@ std::vector<bool> checked(const Translated& code) {
 }  // namespace
 
 // Blocks with coverage count each instruction: they stay with the interpreter.
-void Engines::compile(Translated& code) const {
+void MixedEngine::compile(Translated& code) const {
   if (!code.executed.empty()) return;
   const mc7::Listing listing = mc7::list(code.source->code);
   const jit::Instructions answers{code.ops.data(), sizeof(Op), code.parameters.data()};
@@ -66,13 +66,13 @@ void Engines::compile(Translated& code) const {
   setCompiled(code, std::make_shared<Native>(std::move(native), std::move(entries)));
 }
 
-std::unique_ptr<cpu::Code> Engines::translate(const block::Block& block) {
-  auto code = Interpreter::translate(block);
+std::unique_ptr<cpu::Code> MixedEngine::translate(const block::Block& block) {
+  auto code = interpreter_.translate(block);
   if (compiles_) compile(static_cast<Translated&>(*code));
   return code;
 }
 
-void Engines::compile(bool on, cpu::Cpu& cpu) {
+void MixedEngine::compile(bool on, cpu::Cpu& cpu) {
   compiles_ = on && canCompile();
   for (const auto& code : cpu.code()) {
     auto& translated = static_cast<Translated&>(*code);
@@ -83,7 +83,7 @@ void Engines::compile(bool on, cpu::Cpu& cpu) {
   }
 }
 
-std::size_t Engines::compiledBytes(const cpu::Cpu& cpu) {
+std::size_t MixedEngine::compiledBytes(const cpu::Cpu& cpu) {
   std::size_t bytes = 0;
   for (const auto& code : cpu.code())
     if (const auto& compiled = static_cast<const Translated&>(*code).compiled)
