@@ -85,13 +85,19 @@ class Scratch:
             raise SystemExit(f"tools/mutate: the tree does not build\n{made.stdout[-4000:]}")
         self.rows = {row["file"]: row for row in json.loads((self.build / "compile_commands.json").read_text())}
         self.links = {}
-        self.uses = {path.parent.name: self.used(path) for path in (self.tree / "src").glob("*/CMakeLists.txt")}
+        self.uses = {path.parent.name: self.used(path) | self.tested(path.parent.name)
+                     for path in (self.tree / "src").glob("*/CMakeLists.txt")}
         self.out.mkdir(exist_ok=True)
 
     def used(self, path):
         """What a module uses directly."""
         uses = re.search(r"\bUSES\b([^)]*)", path.read_text(encoding="utf-8"))
         return set(uses.group(1).split()) if uses else set()
+
+    def tested(self, module):
+        """Whose headers the module's own test includes."""
+        texts = [path.read_text(encoding="utf-8") for path in (self.tree / "tests" / "unit" / module).glob("*.*")]
+        return set(re.findall(r'^#include "(\w+)/', "\n".join(texts), re.MULTILINE))
 
     def command(self, file):
         words = shlex.split(self.rows[str(self.tree / file)]["command"])
