@@ -145,6 +145,17 @@ TEST(DigitalInput, deliveredBitsAreThoseOfTheMask) {
   EXPECT_EQ(rack.inputs()[752], 0x5A);
 }
 
+// The CPU 312C has ten inputs: bits that no terminal stands for stay 0.
+TEST(DigitalInput, bitsWithoutTerminalStayZero) {
+  const CpuModel& model = *findCpuModel("312C");
+  Rack rack(good({onBoard(2, model)}, model));
+  EXPECT_TRUE(rack.deliver(124, 0xFF, 0xFF, {}));
+  EXPECT_TRUE(rack.deliver(125, 0xFF, 0xFF, {}));
+  EXPECT_EQ(rack.inputs()[124], 0xFF);
+  EXPECT_EQ(rack.inputs()[125], 0x03);
+  EXPECT_FALSE(rack.terminal("2.2", Side::DigitalInput, 10));
+}
+
 // A level that still waits when the module delivers another value is forgotten.
 TEST(DigitalInput, deliveringEndsTheDelay) {
   Rack rack = compact();

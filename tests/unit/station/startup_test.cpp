@@ -48,6 +48,13 @@ TEST(Startup, StartInformationNamesTheStart) {
   EXPECT_EQ(plc.read("MD 10"), 0x0020FF20u);
 }
 
+// S7-OBI-12: bits 15..8 name the starts that are possible; the 314C has no hot restart.
+TEST(Startup, StartInformationNamesThePossibleStarts) {
+  Plc plc(ob(100, "L LD 8; T MD 10;") + ob(1, ""));
+  plc.cycles(1);
+  EXPECT_EQ(plc.read("MD 10"), 0x00037703u);
+}
+
 // S7-STATE-11: direct access works, its outputs come with RUN; no cycle monitoring, no interrupts.
 TEST(Startup, HasNoMonitoringAndNoInterrupts) {
   Plc plc(
@@ -90,6 +97,19 @@ TEST(MemoryReset, EndsForces) {
   EXPECT_EQ(plc->leds().frce, cpu::Light::Off);
   plc.cycles(2);
   EXPECT_EQ(plc.read("A 4.0"), 0u);
+}
+
+// S7-STATE-10: in RUN it stops the CPU first.
+TEST(MemoryReset, StopsTheCpu) {
+  Plc plc(ob(1, "L MW 50; + 1; T MW 50;"));
+  plc.cycles(3);
+  plc->memoryReset();
+  EXPECT_EQ(plc->mode(), Mode::Stop);
+  EXPECT_EQ(plc.countEvents(0x4304), 1u);
+  plc->advanceTo(plc->now() + Duration::seconds(1));
+  EXPECT_EQ(plc.read("MW 50"), 0u);
+  plc->memoryReset();  // in STOP already
+  EXPECT_EQ(plc.countEvents(0x4304), 1u);
 }
 
 // S7-STATE-06, S7-OPEN-43: the 314C has no cold restart.
