@@ -80,6 +80,17 @@ TEST(Compiler, Networks) {
 }
 
 // S5-DB-02, S5-DB-03, S5-DB-04
+// The end of a network is a word of its own: jumps and labels behind it count from there.
+TEST(Compiler, JumpsAtTheBeginOfANetwork) {
+  const auto c = compileText(
+      "FB 1\nNAME : X\n : NOP 0\n***\n : SPA =M2\nM1 : NOP 0\nM2 : SPA =M1\n***\n"
+      "M3 : SPA =M3\n : BE\n");
+  ASSERT_TRUE(c.ok()) << source::format(c.problems.list().front(), nullptr);
+  EXPECT_EQ(
+      words(c, mc5::BlockType::Fb, 1),
+      (std::vector<std::uint16_t>{0x0000, 0x10FF, 0x2D02, 0x0000, 0x2DFF, 0x10FF, 0x2D00, 0x6500}));
+}
+
 TEST(Compiler, DataWords) {
   const auto c = compileText(R"(DB 10
    0: KH = 1F00;

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <random>
 #include <sstream>
 
@@ -177,6 +178,32 @@ BEZ : WERT D KF
   EXPECT_NE(text.find("SPA   =M002"), std::string::npos) << text;  // M001 is taken
   EXPECT_NE(text.find("SPA   =+3"), std::string::npos) << text;    // into network 2
   expectBack(c);
+}
+
+// Behind the last word of a block there is no line that could have a label.
+TEST(Listing, AJumpBehindTheEndStaysADistance) {
+  const auto c = compileText("FB 6\nNAME : X\n : SPA =+2\n : BE\n");
+  ASSERT_TRUE(c.ok()) << source::format(c.problems.list().front(), nullptr);
+  EXPECT_NE(listing(c.program).find("SPA   =+2"), std::string::npos) << listing(c.program);
+  expectBack(c);
+}
+
+// Each comment stands on the line of its parameter, whatever words the ones before take.
+TEST(Listing, CommentsOfParametersStayWithThem) {
+  const auto c = compileText(
+      "OB 1\n : SPA FB 5\nNAME : DREI ! none\nEINS : KG +1234567+02 ! one\nZWEI : M 30.0 ! two\n"
+      "DREI : T 4 ! three\n : BE\n"
+      "FB 5\nNAME : DREI\nBEZ : EINS D KG\nBEZ : ZWEI E BI\nBEZ : DREI T\n : BE\n");
+  ASSERT_TRUE(c.ok()) << source::format(c.problems.list().front(), nullptr);
+  std::stringstream lines(listing(c.program));
+  std::map<std::string, std::string> found;
+  for (std::string line; std::getline(lines, line);)
+    for (const char* name : {"EINS", "ZWEI", "DREI"})
+      if (line.find("! ") != std::string::npos && line.find(name) < line.find(':'))
+        found[name] = line.substr(line.find("! "));
+  const std::map<std::string, std::string> expected = {
+      {"EINS", "! one"}, {"ZWEI", "! two"}, {"DREI", "! three"}};
+  EXPECT_EQ(found, expected) << lines.str();
 }
 
 TEST(Listing, KeepsCommentsAndTexts) {

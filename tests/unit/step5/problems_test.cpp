@@ -24,6 +24,18 @@ TEST(Problems, OfStatements) {
   EXPECT_EQ(problemsOf("OB 1\n: = M 12.0\n: BE\n"), "P1135@2:5");
 }
 
+TEST(Problems, NamesHaveALength) {
+  EXPECT_EQ(problemsOf("FB 5\nNAME : ACHTSTEL\n: BE\n"), "");
+  EXPECT_EQ(problemsOf("FB 5\nNAME : NEUNSTELL\n: BE\n"), "P1119@2:8");
+}
+
+TEST(Problems, CoverTheWholeOperand) {
+  const auto c = compileText("OB 1\n: U MW 100\n: BE\n");
+  ASSERT_EQ(c.problems.size(), 1u);
+  EXPECT_EQ(c.problems.list()[0].code, ProblemCode::P1109);
+  EXPECT_EQ(c.problems.list()[0].position, (Position{"t.s5", 2, 5, 6}));
+}
+
 TEST(Problems, AJumpReaches127Words) {
   std::string text = "FB 1\n: SPA =ZIEL\n";
   for (int i = 0; i < 126; ++i) text += ": NOP 0\n";
