@@ -135,6 +135,22 @@ TEST(HardwareEdit, WhatCannotStandThereIsRefused) {
   EXPECT_EQ(placed(odd, "3")["type"], "IM 360 sender");
 }
 
+// An error that stood there before is no reason against a change elsewhere.
+TEST(HardwareEdit, OnlyItsOwnErrorsAreReasonsAgainstAChange) {
+  Bench bench;
+  const std::string text =
+      "[[module]]\nslot = 4\ntype = \"SM 321 DI16xDC24V\"\n"
+      "[[module]]\nslot = 5\ntype = \"SM 321 DI16xDC24V\"\ninput = 5000\n";
+  Json named = change("set", "4", {{"key", "name"}, {"value", "Panel"}});
+  named["text"] = text;
+  const Json plan = bench.call("hardware.edit", named);
+  EXPECT_EQ(plan["problems"][0]["code"], "P0734");
+  EXPECT_NE(plan["text"].get<std::string>().find("name = \"Panel\""), std::string::npos);
+  Json moved = change("set", "4", {{"key", "input"}, {"value", 124}});
+  moved["text"] = text;
+  EXPECT_EQ(bench.problem("hardware.edit", moved), "P0733");
+}
+
 // S7-HWCFG-08, S7-HWCFG-09
 TEST(HardwareEdit, ParametersAreRowsAndKeys) {
   Bench bench;

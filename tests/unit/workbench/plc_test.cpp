@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "bench.h"
 
 namespace merker::workbench::test {
@@ -157,6 +159,11 @@ TEST(Sinumerik, HasPanelAndVariables) {
   EXPECT_EQ(read["result"]["items"][0]["raw"], 7);
   const Json refused = ask(R"({"id": 2, "do": "cpu.engine", "engine": "jit"})");
   EXPECT_EQ(refused["problems"][0]["code"], "P1307");
+  const Json begun = ask(R"({"id": 4, "do": "cpu.start", "kind": "warm"})");
+  EXPECT_TRUE(begun.contains("result")) << begun.dump();
+  const auto& entries = plc.diagnostics();
+  EXPECT_TRUE(std::ranges::any_of(entries, [](const auto& e) { return e.event == 6149; }))
+      << "from RUN by way of STOP";
   EXPECT_TRUE(ask(R"({"id": 3, "do": "cpu.switch", "position": "STOP"})").contains("result"));
   EXPECT_EQ(plc.mode(), controller::Mode::Stop);
 }

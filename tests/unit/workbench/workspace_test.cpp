@@ -1,0 +1,76 @@
+// Where projects lie: copies of examples, new ones, and what may be opened.
+#include "workbench/workspace.h"
+
+#include "bench.h"
+
+namespace merker::workbench::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Projects : public ::testing::Test {
+ protected:
+  Projects() {
+    folder.write("examples/lift/README.md",
+                 "# The `lift`\n\n| a |\n\nGoes up\nand down:\n\nMore.\n");
+    folder.write("examples/lift/merker.toml", "[project]\n");
+    folder.write("examples/course/two/merker.toml", "[project]\n");
+    folder.write("given/merker.toml", "[project]\n");
+  }
+  static std::string codeOf(const Result<std::string>& result) {
+    return result ? "made " + *result : std::string(result.error().name());
+  }
+  Folder folder;
+  Workspace workspace{folder.path("mine"), folder.path("examples"), folder.path("given")};
+};
+
+TEST_F(Projects, ExamplesAreDescribed) {
+  const auto list = workspace.examples();
+  ASSERT_EQ(list.size(), 2u);
+  EXPECT_EQ(list[0].id, "course/two");
+  EXPECT_EQ(list[0].title, "two");
+  EXPECT_EQ(list[1].id, "lift");
+  EXPECT_EQ(list[1].title, "The lift");
+  EXPECT_EQ(list[1].description, "Goes up and down.");
+}
+
+TEST_F(Projects, AnExampleIsCopiedOnce) {
+  const auto copy = workspace.copyExample("course/two");
+  ASSERT_TRUE(copy);
+  EXPECT_EQ(*copy, folder.path("mine/course-two"));
+  folder.write("mine/course-two/merker.toml", "[project]\nname = \"changed\"\n");
+  EXPECT_EQ(codeOf(workspace.copyExample("course/two")), "made " + *copy);
+  EXPECT_EQ(folder.read("mine/course-two/merker.toml"), "[project]\nname = \"changed\"\n");
+  for (const char* none : {"", "course", "nothing", "../given"})
+    EXPECT_EQ(codeOf(workspace.copyExample(none)), "P1316") << none;
+}
+
+// S7-MGR-01
+TEST_F(Projects, ANewOneIsMadeOnce) {
+  NewProject wanted{.name = "Press", .model = "314C-2 PtP", .form = "empty", .mpiAddress = 4};
+  EXPECT_EQ(codeOf(workspace.make(wanted)), "made " + folder.path("mine/Press"));
+  EXPECT_NE(folder.read("mine/Press/merker.toml").find("mpi_address = 4"), std::string::npos);
+  EXPECT_NE(folder.read("mine/Press/main.awl").find("ORGANIZATION_BLOCK OB 1"), std::string::npos);
+  EXPECT_TRUE(fs::exists(folder.path("mine/Press/symbols.sym")));
+  EXPECT_EQ(codeOf(workspace.make(wanted)), "P1312");
+  wanted.name = "a/b";
+  EXPECT_EQ(codeOf(workspace.make(wanted)), "P1317");
+  wanted.name = "Other";
+  wanted.form = "none";
+  EXPECT_EQ(codeOf(workspace.make(wanted)), "P1316");
+  wanted.form = "empty";
+  wanted.model = "315";
+  EXPECT_EQ(codeOf(workspace.make(wanted)), "P0705");
+}
+
+TEST_F(Projects, OnlyThoseOfTheWorkspaceAndTheGivenOneAreOpened) {
+  EXPECT_EQ(codeOf(workspace.folderToOpen("Press")), "made " + folder.path("mine/Press"));
+  EXPECT_EQ(codeOf(workspace.folderToOpen(folder.path("given"))), "made " + folder.path("given"));
+  for (const std::string& outside :
+       {std::string(), std::string("../given2"), std::string("../examples/lift"),
+        std::string("/etc"), std::string("a\0b", 3)})
+    EXPECT_EQ(codeOf(workspace.folderToOpen(outside)), "P1318") << outside;
+}
+
+}  // namespace
+}  // namespace merker::workbench::test
