@@ -23,6 +23,12 @@ Numbers numbers(A& a, NameIn<A> length, NameIn<A> position) {
   return {};
 }
 
+// The same of one number, which is both.
+template <typename A>
+Numbers numbers(A& a, NameIn<A> only) {
+  return numbers(a, only, only);
+}
+
 // By the characters' codes; of two that are equal so far the longer is greater.
 template <typename Relation, typename A>
 void compare(A& a) {
@@ -53,19 +59,19 @@ void findText(Fc<11>& a) {
 // Behind position P; 0 is in front, behind the end means at the end.
 void insertText(Fc<17>& a) {
   const std::string text = getText(a, "IN1"), part = getText(a, "IN2");
-  const Numbers n = numbers(a, "P", "P");
+  const Numbers n = numbers(a, "P");
   const std::size_t at = std::min(n.position, text.size());
   setText(a, "RET_VAL", n.valid ? text.substr(0, at) + part + text.substr(at) : std::string());
 }
 
 void leftOfText(Fc<20>& a) {
   const std::string text = getText(a, "IN");
-  setText(a, "RET_VAL", text.substr(0, numbers(a, "L", "L").length));
+  setText(a, "RET_VAL", text.substr(0, numbers(a, "L").length));
 }
 
 void rightOfText(Fc<32>& a) {
   const std::string text = getText(a, "IN");
-  const std::size_t length = std::min(numbers(a, "L", "L").length, text.size());
+  const std::size_t length = std::min(numbers(a, "L").length, text.size());
   setText(a, "RET_VAL", text.substr(text.size() - length));
 }
 
