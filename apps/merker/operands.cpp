@@ -38,14 +38,14 @@ int readLists(const std::string& option, const std::vector<std::string>& texts, 
 }
 
 void readOperand(std::string_view part, const Position& position,
-                 const simulator::Resolver& resolver, std::vector<mc7::Reference>& operands,
+                 const simulator::Resolver& resolver, std::vector<address::Reference>& operands,
                  Problems& problems) {
   simulator::Term term{std::string(part), position, {}, {}, {}};
   if (part.empty())
     problems.add(ProblemCode::P0952, term.position, "an operand");
   else if (auto problem = simulator::resolveOperand(term, resolver))
     problems.add(*problem);
-  else if (term.reference.operand.kind != mc7::OperandKind::Memory)
+  else if (term.reference.operand.kind != address::OperandKind::Memory)
     term.reference.operand.width = Width::Word;
   operands.push_back(term.reference);
 }

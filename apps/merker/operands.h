@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "address/reference.h"
 #include "base/problem.h"
-#include "mc7/reference.h"
 #include "simulator/scenario.h"
 #include "simulator/trace.h"
 

@@ -54,7 +54,7 @@ nlohmann::json toJson(Problems problems) {
   return list;
 }
 
-nlohmann::json toJson(const mc7::Reference& reference, const controller::Controller& plc) {
+nlohmann::json toJson(const address::Reference& reference, const controller::Controller& plc) {
   if (simulator::isLong(reference)) {
     const auto content = simulator::readLong(reference, plc);
     if (content && reference.nc != 0) return std::stod(*content);

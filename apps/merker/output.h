@@ -5,9 +5,9 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "address/reference.h"
 #include "compilation/build.h"
 #include "controller/controller.h"
-#include "mc7/reference.h"
 #include "source/source_file.h"
 
 namespace merker::app {
@@ -20,7 +20,7 @@ void printProblems(Problems problems, const FileLookup& files);
 nlohmann::json toJson(Problems problems);
 // The value now: a number, a truth value, or a text for DATE_AND_TIME and STRING; null if the
 // operand does not exist.
-nlohmann::json toJson(const mc7::Reference& reference, const controller::Controller& plc);
+nlohmann::json toJson(const address::Reference& reference, const controller::Controller& plc);
 // The document on standard output, indented; text that is no UTF-8 does not stop it.
 void print(const nlohmann::json& document);
 

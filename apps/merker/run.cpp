@@ -92,7 +92,7 @@ std::string_view name(controller::Mode mode) {
 }
 
 void printText(const Operands& operands, const controller::Controller& plc) {
-  for (const mc7::Reference& operand : operands.print.operands)
+  for (const address::Reference& operand : operands.print.operands)
     std::cout << operand.text << " = " << simulator::show(operand, plc).value_or("?") << '\n';
   const auto* station = dynamic_cast<const station::Station*>(&plc);
   for (const simulator::PlantValue& signal : operands.print.plants)
@@ -110,7 +110,7 @@ void printJson(const Operands& operands, const controller::Controller& plc) {
                                      {"cycles", plc.cycles()},
                                      {"instructions", plc.instructions()}};
   if (plc.mode() == controller::Mode::Stop) document["stop_reason"] = plc.stopReason();
-  for (const mc7::Reference& operand : operands.print.operands)
+  for (const address::Reference& operand : operands.print.operands)
     document[operand.text] = toJson(operand, plc);
   const auto* station = dynamic_cast<const station::Station*>(&plc);
   for (const simulator::PlantValue& signal : operands.print.plants)
@@ -121,9 +121,9 @@ void printJson(const Operands& operands, const controller::Controller& plc) {
 }
 
 // Data blocks that the program was to make (SFC 22) and did not.
-bool allExist(const std::vector<mc7::Reference>& operands, const controller::Controller& plc) {
+bool allExist(const std::vector<address::Reference>& operands, const controller::Controller& plc) {
   bool all = true;
-  for (const mc7::Reference& operand : operands) {
+  for (const address::Reference& operand : operands) {
     if (compilation::exists(operand, plc)) continue;
     std::cerr << "merker run: --print: " << operand.text
               << " does not exist: " << plc.whyMissing(operand) << '\n';

@@ -212,32 +212,28 @@ void Cnc::watch() {
 namespace {
 
 // The reference as the partner itself would have it.
-mc7::Reference own(mc7::Reference reference) {
+address::Reference own(address::Reference reference) {
   reference.partner = false;
   return reference;
 }
 
 }  // namespace
 
-std::optional<std::uint32_t> Cnc::read(const mc7::Reference& reference) const {
+std::optional<std::uint32_t> Cnc::read(const address::Reference& reference) const {
   if (reference.partner)
     return parts_->partner ? parts_->partner->read(own(reference)) : std::nullopt;
-  const auto variable = reference.nc != 0 ? std::nullopt : toVariable(reference);
-  return variable ? plc().read(*variable) : std::nullopt;
+  return reference.nc != 0 ? std::nullopt : plc().read(reference);
 }
 
-bool Cnc::write(const mc7::Reference& reference, std::uint32_t value) {
+bool Cnc::write(const address::Reference& reference, std::uint32_t value) {
   if (reference.partner) return parts_->partner && parts_->partner->write(own(reference), value);
-  const auto variable = reference.nc != 0 ? std::nullopt : toVariable(reference);
-  if (variable && !sinumerik::whySystemOwned(plc().operatingSystem(), *variable).empty())
-    return false;
-  return variable && plc().write(*variable, value);
+  const bool owned = !sinumerik::whySystemOwned(plc().operatingSystem(), reference).empty();
+  return reference.nc == 0 && !owned && plc().write(reference, value);
 }
 
-bool Cnc::force(const mc7::Reference& reference, std::uint32_t value) {
+bool Cnc::force(const address::Reference& reference, std::uint32_t value) {
   if (reference.partner) return parts_->partner && parts_->partner->force(own(reference), value);
-  const auto variable = reference.nc != 0 ? std::nullopt : toVariable(reference);
-  return variable && plc().force(*variable, value);
+  return reference.nc == 0 && plc().force(reference, value);
 }
 
 void Cnc::unforce() {
@@ -245,7 +241,7 @@ void Cnc::unforce() {
   if (parts_->partner) parts_->partner->unforce();
 }
 
-std::optional<std::vector<std::uint8_t>> Cnc::readBytes(const mc7::Reference& reference) const {
+std::optional<std::vector<std::uint8_t>> Cnc::readBytes(const address::Reference& reference) const {
   if (reference.partner)
     return parts_->partner ? parts_->partner->readBytes(own(reference)) : std::nullopt;
   if (reference.nc == 0) return std::nullopt;
@@ -253,7 +249,7 @@ std::optional<std::vector<std::uint8_t>> Cnc::readBytes(const mc7::Reference& re
   return std::vector<std::uint8_t>(digits.begin(), digits.end());
 }
 
-bool Cnc::writeBytes(const mc7::Reference& reference, std::span<const std::uint8_t> digits) {
+bool Cnc::writeBytes(const address::Reference& reference, std::span<const std::uint8_t> digits) {
   if (reference.partner)
     return parts_->partner && parts_->partner->writeBytes(own(reference), digits);
   if (reference.nc == 0) return false;
@@ -263,10 +259,9 @@ bool Cnc::writeBytes(const mc7::Reference& reference, std::span<const std::uint8
   return true;
 }
 
-std::string Cnc::whyRefused(const mc7::Reference& reference) const {
+std::string Cnc::whyRefused(const address::Reference& reference) const {
   if (reference.nc != 0) return nc::whatItTakes(nc::unpack(reference.nc));
-  const auto variable = toVariable(reference);
-  return variable ? sinumerik::whySystemOwned(plc().operatingSystem(), *variable) : std::string();
+  return sinumerik::whySystemOwned(plc().operatingSystem(), reference);
 }
 
 std::optional<std::string> Cnc::stackField(std::string_view stack, std::string_view field) const {
@@ -285,9 +280,9 @@ std::string Cnc::stopDetails() const {
   return stopped ? sinumerik::stopLine(plc().operatingSystem()) : std::string();
 }
 
-std::string Cnc::whyMissing(const mc7::Reference& reference) const {
+std::string Cnc::whyMissing(const address::Reference& reference) const {
   if (reference.partner && parts_->partner) return parts_->partner->whyMissing(own(reference));
-  if (reference.operand.kind != mc7::OperandKind::Memory ||
+  if (reference.operand.kind != address::OperandKind::Memory ||
       reference.operand.area != Area::DataBlock)
     return "it is outside of what this PLC has";
   const auto& entry =

@@ -86,19 +86,19 @@ class Cnc final : public controller::Controller, public controller::StopScreens 
   bool advanceToCheckpoint(Instant limit) override;
   void onCycle(std::function<void(controller::Controller&)> observer) override;
 
-  std::optional<std::uint32_t> read(const mc7::Reference& reference) const override;
-  bool write(const mc7::Reference& reference, std::uint32_t value) override;
-  bool force(const mc7::Reference& reference, std::uint32_t value) override;
+  std::optional<std::uint32_t> read(const address::Reference& reference) const override;
+  bool write(const address::Reference& reference, std::uint32_t value) override;
+  bool force(const address::Reference& reference, std::uint32_t value) override;
   void unforce() override;
-  std::string whyMissing(const mc7::Reference& reference) const override;
-  std::string whyRefused(const mc7::Reference& reference) const override;
+  std::string whyMissing(const address::Reference& reference) const override;
+  std::string whyRefused(const address::Reference& reference) const override;
   std::optional<std::string> stackField(std::string_view stack,
                                         std::string_view field) const override;
   std::string stackFields(std::string_view stack) const override;
   std::string stopDetails() const override;
   // Data of the NC as digits with a point (nc/datum.h).
-  std::optional<std::vector<std::uint8_t>> readBytes(const mc7::Reference& r) const override;
-  bool writeBytes(const mc7::Reference& r, std::span<const std::uint8_t> digits) override;
+  std::optional<std::vector<std::uint8_t>> readBytes(const address::Reference& r) const override;
+  bool writeBytes(const address::Reference& r, std::span<const std::uint8_t> digits) override;
 
   const std::vector<controller::DiagnosticEntry>& diagnostics() const override;
   const std::vector<controller::CheckResult>& checkResults() const override;

@@ -41,8 +41,8 @@ namespace {
 constexpr std::string_view kPartner = "partner.";
 
 // Whether there is such a data block shows when it is looked at: programs make some (E DB).
-Result<mc7::Reference> listingOperand(std::string_view text, const Position& at) {
-  if (const auto variable = step5::parseVariable(text)) return cnc::toReference(text, *variable);
+Result<address::Reference> listingOperand(std::string_view text, const Position& at) {
+  if (const auto variable = step5::parseVariable(text)) return *variable;
   if (const auto datum = cnc::datumReference(text)) return *datum;
   if (nc::namesDatum(text)) return makeProblem(ProblemCode::P1154, at, text, nc::knownData(text));
   return makeProblem(ProblemCode::P1104, at, text);
@@ -50,7 +50,7 @@ Result<mc7::Reference> listingOperand(std::string_view text, const Position& at)
 
 simulator::Resolver listingResolver(bool coupled) {
   const auto operands = [coupled](std::string_view text,
-                                  const Position& at) -> Result<mc7::Reference> {
+                                  const Position& at) -> Result<address::Reference> {
     if (!equalsIgnoreCase(text.substr(0, kPartner.size()), kPartner))
       return listingOperand(text, at);
     if (!coupled) return makeProblem(ProblemCode::P1155, at, text);
@@ -76,10 +76,10 @@ simulator::Resolver Build::resolver() const {
   if (isListing()) return listingResolver(partner != nullptr);
   const auto existence = std::make_shared<const Existence>(station());
   return [existence, all = operands()](std::string_view text, const Position& at) {
-    Result<mc7::Reference> reference = all(text, at);
+    Result<address::Reference> reference = all(text, at);
     if (!reference) return reference;
     const auto problem = existence->problem(reference.value(), at);
-    return problem ? Result<mc7::Reference>(*problem) : reference;
+    return problem ? Result<address::Reference>(*problem) : reference;
   };
 }
 

@@ -11,12 +11,12 @@
 namespace merker::compilation {
 namespace {
 
-bool inDataBlock(const mc7::Reference& reference) {
-  return reference.operand.kind == mc7::OperandKind::Memory &&
+bool inDataBlock(const address::Reference& reference) {
+  return reference.operand.kind == address::OperandKind::Memory &&
          reference.operand.area == Area::DataBlock;
 }
 
-const block::Block* dataBlock(const mc7::Reference& reference, const block::Program& program) {
+const block::Block* dataBlock(const address::Reference& reference, const block::Program& program) {
   const auto found = program.find({BlockKind::DB, static_cast<std::uint16_t>(reference.db)});
   return found == program.end() ? nullptr : &found->second;
 }
@@ -39,12 +39,12 @@ bool callsCreate(const block::Block& block) {
 
 }  // namespace
 
-bool exists(const mc7::Reference& reference, const controller::Controller& plc) {
+bool exists(const address::Reference& reference, const controller::Controller& plc) {
   return simulator::isLong(reference) ? plc.readBytes(reference).has_value()
                                       : plc.read(reference).has_value();
 }
 
-std::optional<Problem> Existence::problem(const mc7::Reference& reference,
+std::optional<Problem> Existence::problem(const address::Reference& reference,
                                           const Position& at) const {
   if (exists(reference, station_)) return std::nullopt;
   const bool mayCome = inDataBlock(reference) && !dataBlock(reference, station_.program());

@@ -4,8 +4,8 @@
 #include <memory>
 #include <optional>
 
+#include "address/reference.h"
 #include "block/block.h"
-#include "mc7/reference.h"
 #include "station/station.h"
 
 namespace merker::compilation {
@@ -16,7 +16,7 @@ class Existence {
   explicit Existence(station::Station station) : station_(std::move(station)) {}
   // The problem if the operand is not there. A data block that is missing may still come where the
   // program makes some (SFC 22).
-  std::optional<Problem> problem(const mc7::Reference& reference, const Position& at) const;
+  std::optional<Problem> problem(const address::Reference& reference, const Position& at) const;
 
  private:
   bool makesDataBlocks() const;
@@ -24,5 +24,5 @@ class Existence {
 };
 
 // Whether it can be read now.
-bool exists(const mc7::Reference& reference, const controller::Controller& plc);
+bool exists(const address::Reference& reference, const controller::Controller& plc);
 }  // namespace merker::compilation

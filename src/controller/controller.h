@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "address/reference.h"
 #include "controller/types.h"
-#include "mc7/reference.h"
 
 namespace merker::controller {
 
@@ -60,19 +60,21 @@ class Controller {
 
   // values (bits as 0/1). Reading an input shows its process image, writing it sets its terminal.
   // Nothing, or false, if there is no such operand.
-  virtual std::optional<std::uint32_t> read(const mc7::Reference& reference) const = 0;
-  virtual bool write(const mc7::Reference& reference, std::uint32_t value) = 0;
-  virtual bool force(const mc7::Reference& reference, std::uint32_t value) = 0;
+  virtual std::optional<std::uint32_t> read(const address::Reference& reference) const = 0;
+  virtual bool write(const address::Reference& reference, std::uint32_t value) = 0;
+  virtual bool force(const address::Reference& reference, std::uint32_t value) = 0;
   virtual void unforce() = 0;
   // The bytes of a DATE_AND_TIME or STRING (Reference::bytes), the digits of a datum of the NC.
-  virtual std::optional<std::vector<std::uint8_t>> readBytes(const mc7::Reference&) const {
+  virtual std::optional<std::vector<std::uint8_t>> readBytes(const address::Reference&) const {
     return std::nullopt;
   }
-  virtual bool writeBytes(const mc7::Reference&, std::span<const std::uint8_t>) { return false; }
+  virtual bool writeBytes(const address::Reference&, std::span<const std::uint8_t>) {
+    return false;
+  }
   // "there is no DB 5", for an operand that cannot be read.
-  virtual std::string whyMissing(const mc7::Reference& reference) const = 0;
+  virtual std::string whyMissing(const address::Reference& reference) const = 0;
   // "it takes 0 and 1", for one that is there and cannot be set; empty: nothing is known.
-  virtual std::string whyRefused(const mc7::Reference&) const { return {}; }
+  virtual std::string whyRefused(const address::Reference&) const { return {}; }
   // The PLC that is coupled with this one and moves through time with it; null: there is none.
   virtual Controller* partner() { return nullptr; }
 

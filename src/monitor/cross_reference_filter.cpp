@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/text.h"
+#include "mc7/place.h"
 #include "monitor/cross_reference.h"
 
 namespace merker::monitor {
@@ -53,10 +54,8 @@ std::optional<Accept> blockOf(std::string_view text) {
   };
 }
 
-std::uint32_t bits(const mc7::Operand& operand) {
-  return operand.width == Width::Bit ? 1 : 8 * byteCount(operand.width);
-}
-std::uint32_t bits(const CrossReference& r) { return r.bits != 0 ? r.bits : bits(r.key); }
+std::uint32_t bits(Width width) { return width == Width::Bit ? 1 : 8 * byteCount(width); }
+std::uint32_t bits(const CrossReference& r) { return r.bits != 0 ? r.bits : bits(r.key.width); }
 
 // "DBW 4", "DIX 2.1": of any data block.
 std::optional<Accept> dataOf(std::string_view text) {
@@ -76,16 +75,17 @@ std::optional<Accept> dataOf(std::string_view text) {
   return [wanted](const CrossReference& r) {
     return r.key.kind == OperandKind::Memory &&
            (r.key.area == Area::DataBlock || r.key.area == Area::Instance) &&
-           r.key.value < wanted.value + bits(wanted) && wanted.value < r.key.value + bits(r);
+           r.key.value < wanted.value + bits(wanted.width) && wanted.value < r.key.value + bits(r);
   };
 }
 
-Accept overlapping(const mc7::Reference& wanted) {
+Accept overlapping(const address::Reference& wanted) {
   return [operand = wanted.operand, db = wanted.db](const CrossReference& r) {
-    if (r.key.kind != operand.kind) return false;
-    if (operand.kind != OperandKind::Memory) return r.key.value == operand.value;
+    if (mc7::placeOf(r.key).kind != operand.kind) return false;
+    if (!isMemory(operand)) return r.key.value == operand.value;
     return r.key.area == operand.area && r.db == db &&
-           r.key.value < operand.value + bits(operand) && operand.value < r.key.value + bits(r);
+           r.key.value < operand.value + bits(operand.width) &&
+           operand.value < r.key.value + bits(r);
   };
 }
 

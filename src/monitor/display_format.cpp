@@ -73,9 +73,9 @@ std::string s5Time(std::uint32_t bits) {
 }
 
 // A counter's word is its count in BCD: as a number it is the count (S7-CNT).
-std::string number(const mc7::Reference& reference, std::uint32_t bits, DisplayFormat format) {
+std::string number(const address::Reference& reference, std::uint32_t bits, DisplayFormat format) {
   const unsigned width = simulator::bitWidth(reference);
-  if (reference.operand.kind == mc7::OperandKind::Counter) return bcd(bits, width);
+  if (reference.operand.kind == address::OperandKind::Counter) return bcd(bits, width);
   if (format == Unsigned) return std::to_string(bits);
   return std::to_string(withSign(bits, width));
 }
@@ -123,7 +123,7 @@ std::string bitsText(DisplayFormat format) {
   return fmt::format("{} to {}", one.shortest, one.widest);
 }
 
-std::string show(const mc7::Reference& reference, std::uint32_t bits, DisplayFormat format) {
+std::string show(const address::Reference& reference, std::uint32_t bits, DisplayFormat format) {
   const unsigned width = simulator::bitWidth(reference);
   if (format == Automatic || !fits(format, width)) return simulator::formatOperand(reference, bits);
   if (const auto constant = constantFormat(format)) return formatConstant({*constant, bits});

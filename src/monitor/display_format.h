@@ -8,8 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include "address/reference.h"
 #include "base/result.h"
-#include "mc7/reference.h"
 
 namespace merker::monitor {
 
@@ -44,11 +44,11 @@ bool fits(DisplayFormat format, unsigned bits);
 std::string bitsText(DisplayFormat format);  // "16", "8 to 32"
 
 // The value in this format; a pattern that the format cannot express comes out in HEX.
-std::string show(const mc7::Reference& reference, std::uint32_t bits, DisplayFormat format);
+std::string show(const address::Reference& reference, std::uint32_t bits, DisplayFormat format);
 
 // A value as the user types it: any AWL constant, or plain digits in the format (HEX 00FF, BIN
 // 1010, BCD 12). P1210, or the problem of the constant; P0955 if it is too wide for the operand.
-Result<std::uint32_t> parseValue(const mc7::Reference& reference, std::string_view text,
+Result<std::uint32_t> parseValue(const address::Reference& reference, std::string_view text,
                                  DisplayFormat format);
 
 }  // namespace merker::monitor

@@ -5,23 +5,24 @@
 namespace merker::monitor {
 namespace {
 
-std::uint32_t bitsOf(const mc7::Reference& reference) {
+std::uint32_t bitsOf(const address::Reference& reference) {
   return reference.bytes > 0 ? 8 * reference.bytes : simulator::bitWidth(reference);
 }
 
 }  // namespace
 
-bool samePlace(const mc7::Reference& a, const mc7::Reference& b) {
+bool samePlace(const address::Reference& a, const address::Reference& b) {
   return a.operand == b.operand && a.db == b.db;
 }
 
-bool overlap(const mc7::Reference& a, const mc7::Reference& b) {
+bool overlap(const address::Reference& a, const address::Reference& b) {
   return a.operand.kind == b.operand.kind && a.operand.area == b.operand.area && a.db == b.db &&
          a.operand.value < b.operand.value + bitsOf(b) &&
          b.operand.value < a.operand.value + bitsOf(a);
 }
 
-std::optional<Problem> checkForce(const std::vector<Forced>& list, const mc7::Reference& operand) {
+std::optional<Problem> checkForce(const std::vector<Forced>& list,
+                                  const address::Reference& operand) {
   for (const Forced& one : list)
     if (overlap(one.operand, operand) && !samePlace(one.operand, operand))
       return makeProblem(ProblemCode::P1219, Position{"", 0, 0, 0}, operand.text, one.operand.text);

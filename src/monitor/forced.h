@@ -4,20 +4,21 @@
 #include <optional>
 #include <vector>
 
+#include "address/reference.h"
 #include "base/problem.h"
-#include "mc7/reference.h"
 
 namespace merker::monitor {
 
 struct Forced {
-  mc7::Reference operand;
+  address::Reference operand;
   std::uint32_t value = 0;
 };
 
-bool samePlace(const mc7::Reference& a, const mc7::Reference& b);
-bool overlap(const mc7::Reference& a, const mc7::Reference& b);
+bool samePlace(const address::Reference& a, const address::Reference& b);
+bool overlap(const address::Reference& a, const address::Reference& b);
 
 // P1219: an operand that shares bits with a forced one; the same operand again takes its new value.
-std::optional<Problem> checkForce(const std::vector<Forced>& list, const mc7::Reference& operand);
+std::optional<Problem> checkForce(const std::vector<Forced>& list,
+                                  const address::Reference& operand);
 
 }  // namespace merker::monitor

@@ -64,16 +64,16 @@ std::optional<std::string> valueAt(const Home& home, const block::Type& type) {
   return simulator::formatLong(type.code, string ? all.substr(kStringHeader, bytes[1]) : all);
 }
 
-std::optional<mc7::Reference> operandAt(const Home& home, const block::Type& type,
-                                        const std::string& name) {
+std::optional<address::Reference> operandAt(const Home& home, const block::Type& type,
+                                            const std::string& name) {
   const bool wide = isLong(type.code);
   if (home.bytes.area == Area::None || (!wide && !isElementary(type.code))) return std::nullopt;
   const Width width = wide ? Width::Byte : widthOf(bitWidth(type.code));
-  return mc7::Reference{.text = "#" + name,
-                        .operand = mc7::memory(home.bytes.area, width, home.address),
-                        .db = home.bytes.db,
-                        .type = type.code,
-                        .bytes = wide ? sizeAt(home, type) : 0};
+  return address::Reference{.text = "#" + name,
+                            .operand = address::memory(home.bytes.area, width, home.address),
+                            .db = home.bytes.db,
+                            .type = type.code,
+                            .bytes = wide ? sizeAt(home, type) : 0};
 }
 
 Bytes of(const cpu::OpenBlock& open) {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "address/reference.h"
 #include "cpu/cpu.h"
-#include "mc7/reference.h"
 
 namespace merker::monitor {
 
@@ -19,7 +19,7 @@ struct FrameVariable {
   std::optional<std::string> value;
   // The same from outside, named "#pause", as long as the block stands; local data only of the
   // running block.
-  std::optional<mc7::Reference> operand;
+  std::optional<address::Reference> operand;
 };
 
 // Of the block `depth` steps below the running one (0 = the running block); composite variables

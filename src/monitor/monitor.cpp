@@ -11,9 +11,9 @@ namespace {
 Position nowhere() { return Position{"", 0, 0, 0}; }
 
 // S7-300: E and A of the process image.
-bool canForce(const mc7::Reference& reference) {
-  const mc7::Operand& operand = reference.operand;
-  return operand.kind == mc7::OperandKind::Memory &&
+bool canForce(const address::Reference& reference) {
+  const address::Operand& operand = reference.operand;
+  return operand.kind == address::OperandKind::Memory &&
          (operand.area == Area::Input || operand.area == Area::Output);
 }
 
@@ -39,14 +39,14 @@ LocationContext Monitor::locations(std::string currentFile) const {
   return {station_.program(), symbols_, std::move(currentFile)};
 }
 
-Result<mc7::Reference> Monitor::operand(std::string_view text) const {
+Result<address::Reference> Monitor::operand(std::string_view text) const {
   auto reference = resolver_(text, nowhere());
-  if (reference && reference->operand.kind != mc7::OperandKind::Memory)
+  if (reference && reference->operand.kind != address::OperandKind::Memory)
     reference->operand.width = Width::Word;  // T, Z: what LC loads
   return reference;
 }
 
-Result<mc7::Reference> Monitor::local(std::string_view text, const Position& at) const {
+Result<address::Reference> Monitor::local(std::string_view text, const Position& at) const {
   for (const FrameVariable& one : frameVariables(station_.cpu(), 0, SIZE_MAX))
     if (one.operand && equalsIgnoreCase(one.operand->text, text)) return *one.operand;
   return makeProblem(ProblemCode::P1216, at, std::string(text));
@@ -62,7 +62,7 @@ Result<std::string> Monitor::read(std::string_view text, DisplayFormat format) c
 }
 
 // A forced output stays as it is; a forced input can be set at its terminal, where it waits.
-bool Monitor::isForced(const mc7::Reference& reference) const {
+bool Monitor::isForced(const address::Reference& reference) const {
   return reference.operand.area == Area::Output &&
          std::ranges::any_of(forces(),
                              [&](const Forced& one) { return overlap(one.operand, reference); });
@@ -74,7 +74,7 @@ const std::vector<Forced>& Monitor::forces() const {
   return forces_;
 }
 
-std::optional<Problem> Monitor::checkWrite(const mc7::Reference& reference) const {
+std::optional<Problem> Monitor::checkWrite(const address::Reference& reference) const {
   if (isForced(reference)) return makeProblem(ProblemCode::P1217, nowhere(), reference.text);
   if (canWrite(station_, reference)) return std::nullopt;
   const bool there = monitor::read(station_, reference).has_value();
@@ -82,7 +82,7 @@ std::optional<Problem> Monitor::checkWrite(const mc7::Reference& reference) cons
 }
 
 std::optional<Problem> Monitor::write(const std::vector<Wish>& wishes) {
-  std::vector<std::pair<mc7::Reference, Value>> good;
+  std::vector<std::pair<address::Reference, Value>> good;
   for (const Wish& wish : wishes) {
     auto reference = operand(wish.operand);
     if (!reference) return reference.error();

@@ -42,7 +42,7 @@ class Monitor {
   LocationContext locations(std::string currentFile) const;
 
   // values, by text (S7-SIM-12); #name is a variable of the block that runs or stands
-  Result<mc7::Reference> operand(std::string_view text) const;
+  Result<address::Reference> operand(std::string_view text) const;
   const simulator::Resolver& resolver() const { return resolver_; }
   Result<std::string> read(std::string_view operand, DisplayFormat format) const;
   std::optional<Problem> write(std::string_view operand, std::string_view value,
@@ -66,7 +66,7 @@ class Monitor {
   // Whoever else looks and modifies at these points.
   void onPoint(std::function<void(cpu::CyclePoint)> observer) { observer_ = std::move(observer); }
   // Refused are what does not exist, what takes no value, and outputs that are forced.
-  std::optional<Problem> checkWrite(const mc7::Reference& reference) const;
+  std::optional<Problem> checkWrite(const address::Reference& reference) const;
 
   // looks at the CPU
   Stacks stacks() const;
@@ -75,8 +75,8 @@ class Monitor {
   std::vector<FrameVariable> variables(std::size_t depth) const;
 
  private:
-  Result<mc7::Reference> local(std::string_view text, const Position& at) const;
-  bool isForced(const mc7::Reference& reference) const;
+  Result<address::Reference> local(std::string_view text, const Position& at) const;
+  bool isForced(const address::Reference& reference) const;
   void forceAgain();
 
   station::Station& station_;

@@ -1,38 +1,60 @@
 #include "monitor/symbol_name.h"
 
+#include "mc7/place.h"
+
 namespace merker::monitor {
 namespace {
 
-using mc7::Operand;
-using mc7::OperandKind;
+using Address = source::SymbolAddress;
 
-std::optional<source::SymbolAddress> symbolAddress(const Operand& key, bool output) {
-  using Kind = source::SymbolAddress::Kind;
-  source::SymbolAddress address;
-  address.kind = key.kind == OperandKind::Timer     ? Kind::Timer
-                 : key.kind == OperandKind::Counter ? Kind::Counter
-                 : key.kind == OperandKind::Block   ? Kind::Block
-                                                    : Kind::Memory;
-  if (address.kind == Kind::Memory) {
-    if (key.area == Area::DataBlock) return std::nullopt;
-    address.area = key.area;
-    address.width = key.width;
-    address.address = key.value;
-    address.peripheralOutput = key.area == Area::Peripheral && output;
-  } else if (address.kind == Kind::Block) {
-    address.block = {key.blockKind, static_cast<std::uint16_t>(key.value)};
-  } else {
-    address.number = static_cast<std::uint16_t>(key.value);
-  }
+Address memoryAddress(const address::Operand& operand, bool output) {
+  Address address;
+  address.kind = Address::Kind::Memory;
+  address.area = operand.area;
+  address.width = operand.width;
+  address.address = operand.value;
+  address.peripheralOutput = operand.area == Area::Peripheral && output;
   return address;
+}
+
+Address numbered(Address::Kind kind, std::uint32_t number) {
+  Address address;
+  address.kind = kind;
+  address.number = static_cast<std::uint16_t>(number);
+  return address;
+}
+
+std::optional<Address> symbolAddress(const address::Operand& operand, bool output) {
+  switch (operand.kind) {
+    case address::OperandKind::Memory:
+      if (operand.area == Area::DataBlock) return std::nullopt;
+      return memoryAddress(operand, output);
+    case address::OperandKind::Timer:
+      return numbered(Address::Kind::Timer, operand.value);
+    case address::OperandKind::Counter:
+      return numbered(Address::Kind::Counter, operand.value);
+    case address::OperandKind::None:
+      break;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
 
-const source::Symbol* findSymbol(const Operand& operand, bool output,
+const source::Symbol* findSymbol(const address::Operand& operand, bool output,
                                  const source::SymbolTable& symbols) {
   const auto address = symbolAddress(operand, output);
   return address ? symbols.findAddress(*address) : nullptr;
+}
+
+const source::Symbol* findSymbol(const mc7::Operand& operand, bool output,
+                                 const source::SymbolTable& symbols) {
+  if (operand.kind != mc7::OperandKind::Block)
+    return findSymbol(mc7::placeOf(operand), output, symbols);
+  Address address;
+  address.kind = Address::Kind::Block;
+  address.block = {operand.blockKind, static_cast<std::uint16_t>(operand.value)};
+  return symbols.findAddress(address);
 }
 
 }  // namespace merker::monitor

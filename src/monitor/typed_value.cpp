@@ -64,8 +64,10 @@ std::optional<std::uint32_t> count(std::string_view text) {
   return text.starts_with('-') ? std::nullopt : bcdDigits(text, 16);
 }
 
-bool isTimer(const mc7::Reference& r) { return r.operand.kind == mc7::OperandKind::Timer; }
-bool isCounter(const mc7::Reference& r) { return r.operand.kind == mc7::OperandKind::Counter; }
+bool isTimer(const address::Reference& r) { return r.operand.kind == address::OperandKind::Timer; }
+bool isCounter(const address::Reference& r) {
+  return r.operand.kind == address::OperandKind::Counter;
+}
 
 struct TypeRow {
   TypeCode type;
@@ -86,7 +88,7 @@ constexpr TypeRow kTypes[] = {
 };
 
 // What is awaited here: the column's format, or with AUTO what the operand is. AUTO: anything.
-DisplayFormat awaited(const mc7::Reference& reference, DisplayFormat format) {
+DisplayFormat awaited(const address::Reference& reference, DisplayFormat format) {
   const bool number = format == Dec || format == Unsigned || format == Bcd;
   if (isCounter(reference) && (number || format == Automatic)) return Counter;
   if (format != Automatic) return format;
@@ -154,7 +156,7 @@ std::optional<Constant> withDuration(const Constant& constant, DisplayFormat kin
   return constant;
 }
 
-TypeCode typeFor(const mc7::Reference& reference, DisplayFormat kind, unsigned width) {
+TypeCode typeFor(const address::Reference& reference, DisplayFormat kind, unsigned width) {
   if (kind == Real) return TypeCode::Real;
   if (kind == Automatic && reference.type != TypeCode::Void) return reference.type;
   return width == 32 ? TypeCode::DInt : TypeCode::Void;
@@ -171,7 +173,7 @@ bool tooWide(const Constant& constant, unsigned width) {
 }
 
 // Without digits of the format: a constant as AWL writes it.
-Result<std::uint32_t> parseNotation(const mc7::Reference& reference, std::string_view text,
+Result<std::uint32_t> parseNotation(const address::Reference& reference, std::string_view text,
                                     DisplayFormat kind) {
   const Position at{"", 0, 0, 0};
   const unsigned width = simulator::bitWidth(reference);
@@ -191,7 +193,7 @@ Result<std::uint32_t> parseNotation(const mc7::Reference& reference, std::string
 
 }  // namespace
 
-Result<std::uint32_t> parseValue(const mc7::Reference& reference, std::string_view text,
+Result<std::uint32_t> parseValue(const address::Reference& reference, std::string_view text,
                                  DisplayFormat format) {
   text = trim(text);
   const unsigned width = simulator::bitWidth(reference);

@@ -12,11 +12,11 @@ using simulator::isLong;
 Position nowhere() { return Position{"", 0, 0, 0}; }
 
 // T and Z as bits show their status.
-bool isStatus(const mc7::Reference& reference, DisplayFormat format) {
-  return format == DisplayFormat::Bool && reference.operand.kind != mc7::OperandKind::Memory;
+bool isStatus(const address::Reference& reference, DisplayFormat format) {
+  return format == DisplayFormat::Bool && reference.operand.kind != address::OperandKind::Memory;
 }
 
-Result<Value> parseContent(const mc7::Reference& reference, std::string_view text) {
+Result<Value> parseContent(const address::Reference& reference, std::string_view text) {
   auto content = simulator::parseLong(trim(text), reference, nowhere());
   if (!content) return content.error();
   constexpr std::uint32_t kHeader = 2;  // S7-TYPES-19
@@ -29,7 +29,7 @@ Result<Value> parseContent(const mc7::Reference& reference, std::string_view tex
 
 }  // namespace
 
-std::optional<Value> read(const controller::Controller& plc, const mc7::Reference& reference) {
+std::optional<Value> read(const controller::Controller& plc, const address::Reference& reference) {
   if (!isLong(reference)) {
     const auto bits = plc.read(reference);
     return bits ? std::optional(Value{*bits, {}}) : std::nullopt;
@@ -38,14 +38,14 @@ std::optional<Value> read(const controller::Controller& plc, const mc7::Referenc
   return content ? std::optional(Value{0, std::move(*content)}) : std::nullopt;
 }
 
-bool write(controller::Controller& plc, const mc7::Reference& reference, const Value& value) {
+bool write(controller::Controller& plc, const address::Reference& reference, const Value& value) {
   if (isLong(reference)) return simulator::writeLong(reference, value.content, plc);
   return plc.write(reference, value.bits);
 }
 
-bool canWrite(station::Station& station, const mc7::Reference& reference) {
-  const mc7::Operand& operand = reference.operand;
-  const bool terminal = operand.kind == mc7::OperandKind::Memory && !reference.outputSide &&
+bool canWrite(station::Station& station, const address::Reference& reference) {
+  const address::Operand& operand = reference.operand;
+  const bool terminal = operand.kind == address::OperandKind::Memory && !reference.outputSide &&
                         (operand.area == Area::Input || operand.area == Area::Peripheral);
   if (!terminal || station.rack() == nullptr) return read(station, reference).has_value();
   for (std::uint32_t i = 0; i < byteCount(operand.width); ++i)
@@ -53,7 +53,7 @@ bool canWrite(station::Station& station, const mc7::Reference& reference) {
   return true;
 }
 
-std::optional<Problem> checkFormat(const mc7::Reference& reference, DisplayFormat format) {
+std::optional<Problem> checkFormat(const address::Reference& reference, DisplayFormat format) {
   const bool good = isLong(reference) ? format == DisplayFormat::Automatic
                                       : fits(format, simulator::bitWidth(reference)) ||
                                             isStatus(reference, format);
@@ -61,12 +61,13 @@ std::optional<Problem> checkFormat(const mc7::Reference& reference, DisplayForma
   return makeProblem(ProblemCode::P1209, nowhere(), reference.text, name(format), bitsText(format));
 }
 
-std::string show(const mc7::Reference& reference, const Value& value, DisplayFormat format) {
+std::string show(const address::Reference& reference, const Value& value, DisplayFormat format) {
   if (isLong(reference)) return simulator::formatLong(reference.type, value.content);
   return show(reference, value.bits, format);
 }
 
-Result<Value> parse(const mc7::Reference& reference, std::string_view text, DisplayFormat format) {
+Result<Value> parse(const address::Reference& reference, std::string_view text,
+                    DisplayFormat format) {
   if (isLong(reference)) {
     if (auto problem = checkFormat(reference, format)) return *problem;
     return parseContent(reference, text);

@@ -18,15 +18,16 @@ struct Value {
 };
 
 // Nothing, or false, if there is no such operand.
-std::optional<Value> read(const controller::Controller& plc, const mc7::Reference& reference);
-bool write(controller::Controller& plc, const mc7::Reference& reference, const Value& value);
+std::optional<Value> read(const controller::Controller& plc, const address::Reference& reference);
+bool write(controller::Controller& plc, const address::Reference& reference, const Value& value);
 // Whether `write` would do it. Nothing is changed.
-bool canWrite(station::Station& station, const mc7::Reference& reference);
+bool canWrite(station::Station& station, const address::Reference& reference);
 
 // The problem if this operand cannot be shown so: P1209.
-std::optional<Problem> checkFormat(const mc7::Reference& reference, DisplayFormat format);
-std::string show(const mc7::Reference& reference, const Value& value, DisplayFormat format);
+std::optional<Problem> checkFormat(const address::Reference& reference, DisplayFormat format);
+std::string show(const address::Reference& reference, const Value& value, DisplayFormat format);
 // As the user types it: parseValue, or the constant of a DATE_AND_TIME or STRING (P0960, P0961).
-Result<Value> parse(const mc7::Reference& reference, std::string_view text, DisplayFormat format);
+Result<Value> parse(const address::Reference& reference, std::string_view text,
+                    DisplayFormat format);
 
 }  // namespace merker::monitor

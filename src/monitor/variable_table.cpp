@@ -15,9 +15,10 @@ bool comesBy(std::optional<Trigger>& trigger, cpu::CyclePoint point) {
 
 }  // namespace
 
-void modifyInCycle(station::Station& station, const mc7::Reference& reference, const Value& value) {
-  const mc7::Operand& operand = reference.operand;
-  const bool input = operand.kind == mc7::OperandKind::Memory && operand.area == Area::Input;
+void modifyInCycle(station::Station& station, const address::Reference& reference,
+                   const Value& value) {
+  const address::Operand& operand = reference.operand;
+  const bool input = operand.kind == address::OperandKind::Memory && operand.area == Area::Input;
   if (input)
     cpu::write(station.cpu().machine(), Area::Input, operand.width, operand.value, value.bits);
   else
@@ -27,7 +28,7 @@ void modifyInCycle(station::Station& station, const mc7::Reference& reference, c
 std::optional<Problem> VariableTable::add(std::string_view operand, DisplayFormat format) {
   auto reference = resolver_(operand, nowhere());
   if (!reference) return reference.error();
-  if (reference->operand.kind != mc7::OperandKind::Memory && format != DisplayFormat::Bool)
+  if (reference->operand.kind != address::OperandKind::Memory && format != DisplayFormat::Bool)
     reference->operand.width = Width::Word;
   rows_.push_back({std::move(*reference), DisplayFormat::Automatic, {}, {}});
   const auto problem = setFormat(rows_.size() - 1, format);

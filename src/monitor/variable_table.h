@@ -13,10 +13,11 @@
 namespace merker::monitor {
 
 // In the cycle. Inputs: their process image, which this cycle works with; the terminals stay.
-void modifyInCycle(station::Station& station, const mc7::Reference& reference, const Value& value);
+void modifyInCycle(station::Station& station, const address::Reference& reference,
+                   const Value& value);
 
 struct VariableRow {
-  mc7::Reference operand;
+  address::Reference operand;
   DisplayFormat format = DisplayFormat::Automatic;
   std::optional<Value> status;  // as the monitor trigger saw it last
   std::optional<Value> modify;  // what the modify trigger writes

@@ -27,12 +27,14 @@ std::optional<sinumerik::BitField> readField(const Table& table, std::string_vie
   const auto text = table.text(key, kForm);
   if (!text) return std::nullopt;
   const auto variable = step5::parseVariable(*text);
-  const bool flags = variable && variable->operand.area == mc5::Area::Flag &&
-                     variable->operand.width == mc5::Width::Byte;
-  const bool data = variable && variable->operand.area == mc5::Area::Data &&
-                    variable->operand.width == mc5::Width::Word;
-  const bool room = flags && variable->operand.value <= kLastFlagByte - 7;
-  if (room || data) return sinumerik::BitField{variable->dataBlock, variable->operand.value};
+  const bool flags =
+      variable && variable->operand.area == Area::Flag && variable->operand.width == Width::Byte;
+  const bool data = variable && variable->operand.area == Area::DataBlock &&
+                    variable->operand.width == Width::Word;
+  const std::uint32_t byte = variable ? variable->operand.value / 8 : 0;
+  const bool room = flags && byte <= kLastFlagByte - 7;
+  if (room) return sinumerik::BitField{0, byte};
+  if (data) return sinumerik::BitField{static_cast<std::uint16_t>(variable->db), byte / 2};
   table.mustBe(key, flags ? "MB 0 to MB 248: there are 64 bits in 8 bytes" : kForm);
   return std::nullopt;
 }

@@ -12,7 +12,7 @@ namespace {
 
 // A counter takes its count in BCD (C#); a plain number means the count.
 std::uint32_t coded(const Assignment& assignment, std::uint32_t bits) {
-  const bool counter = assignment.operand.reference.operand.kind == mc7::OperandKind::Counter;
+  const bool counter = assignment.operand.reference.operand.kind == address::OperandKind::Counter;
   const auto& constant = assignment.value.constant;
   const bool number = !constant || constant->format != ConstantFormat::Counter;
   return counter && number && bits <= 999 ? toBcd(bits, 3) : bits;
@@ -27,7 +27,7 @@ std::string refused(const Term& operand, bool force, const controller::Controlle
 // A number alone says nothing of the base that a timer counts with.
 bool lacksBase(const Assignment& assignment) {
   const auto& [operand, value] = assignment;
-  if (operand.reference.operand.kind != mc7::OperandKind::Timer) return false;
+  if (operand.reference.operand.kind != address::OperandKind::Timer) return false;
   const bool number = value.constant && (value.constant->format == ConstantFormat::Integer ||
                                          value.constant->format == ConstantFormat::LongInteger ||
                                          value.constant->format == ConstantFormat::Counter);
@@ -46,7 +46,7 @@ std::string applyLong(const Assignment& assignment, bool force, controller::Cont
 std::string apply(const Assignment& assignment, bool force, controller::Controller& plc) {
   const auto& [operand, term] = assignment;
   if (isLong(operand.reference)) return applyLong(assignment, force, plc);
-  const Reader read = [&](const mc7::Reference& reference) { return plc.read(reference); };
+  const Reader read = [&](const address::Reference& reference) { return plc.read(reference); };
   const auto bits = value(term, operand, read);
   if (!bits) return fmt::format("{} does not exist", term.text);
   if (lacksBase(assignment))

@@ -15,8 +15,8 @@
 namespace merker::simulator {
 namespace {
 
+using address::OperandKind;
 using block::Relation;
-using mc7::OperandKind;
 
 constexpr double kTolerance = 1e-6;  // of ~=, relative
 
@@ -50,7 +50,7 @@ View view(OperandKind kind, const Term& other) {
 std::optional<std::uint32_t> timerOrCounter(const Term& term, const Term& other,
                                             const Reader& read) {
   const View how = view(term.reference.operand.kind, other);
-  mc7::Reference reference = term.reference;
+  address::Reference reference = term.reference;
   reference.operand.width = how == View::Status ? Width::Bit : Width::Word;
   const auto bits = read(reference);
   if (!bits || how != View::Number) return bits;

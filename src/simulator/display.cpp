@@ -11,7 +11,7 @@
 namespace merker::simulator {
 namespace {
 
-using mc7::OperandKind;
+using address::OperandKind;
 
 ConstantFormat plainFormat(Width width) {
   return width == Width::Byte   ? ConstantFormat::Byte
@@ -19,7 +19,7 @@ ConstantFormat plainFormat(Width width) {
                                 : ConstantFormat::DWord;
 }
 
-TypeCode typeOf(const mc7::Reference& reference) {
+TypeCode typeOf(const address::Reference& reference) {
   if (reference.operand.kind == OperandKind::Timer) return TypeCode::S5Time;
   if (reference.operand.kind == OperandKind::Counter) return TypeCode::Counter;
   return reference.type;
@@ -37,7 +37,7 @@ std::string formatTimer(std::uint32_t bits) {
 
 }  // namespace
 
-bool isStep5Cell(const mc7::Reference& reference) {
+bool isStep5Cell(const address::Reference& reference) {
   const OperandKind kind = reference.operand.kind;
   return (kind == OperandKind::Timer || kind == OperandKind::Counter) &&
          reference.type == TypeCode::Word;
@@ -49,7 +49,7 @@ std::string formatTimeConstant(std::uint32_t bits) {
 
 std::string formatCountConstant(std::uint32_t bits) { return fmt::format("KZ {:x}", bits & 0xFFF); }
 
-std::string formatOperand(const mc7::Reference& reference, std::uint32_t bits) {
+std::string formatOperand(const address::Reference& reference, std::uint32_t bits) {
   const TypeCode type = typeOf(reference);
   if (bitWidth(reference) == 1) return bits != 0 ? "1" : "0";
   if (isStep5Cell(reference))
@@ -61,7 +61,7 @@ std::string formatOperand(const mc7::Reference& reference, std::uint32_t bits) {
   return formatConstant({plainFormat(reference.operand.width), bits});
 }
 
-std::optional<std::string> show(const mc7::Reference& reference,
+std::optional<std::string> show(const address::Reference& reference,
                                 const controller::Controller& plc) {
   if (isLong(reference)) {
     const auto content = readLong(reference, plc);
@@ -71,7 +71,7 @@ std::optional<std::string> show(const mc7::Reference& reference,
   return bits ? std::optional(formatOperand(reference, *bits)) : std::nullopt;
 }
 
-std::variant<bool, std::int64_t, double> numericValue(const mc7::Reference& reference,
+std::variant<bool, std::int64_t, double> numericValue(const address::Reference& reference,
                                                       std::uint32_t bits) {
   if (bitWidth(reference) == 1) return bits != 0;
   switch (typeOf(reference)) {

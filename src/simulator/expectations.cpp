@@ -22,7 +22,7 @@ bool containsIgnoreCase(std::string_view text, std::string_view part) {
 }
 
 Reader reader(const Controller& plc) {
-  return [&plc](const mc7::Reference& reference) { return plc.read(reference); };
+  return [&plc](const address::Reference& reference) { return plc.read(reference); };
 }
 
 bool inDiagnostics(const Controller& plc, const std::string& words) {

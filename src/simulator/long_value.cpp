@@ -80,7 +80,7 @@ bool isLikeConstant(TypeCode type, std::string_view text) {
 
 }  // namespace
 
-std::optional<std::string> readLong(const mc7::Reference& reference,
+std::optional<std::string> readLong(const address::Reference& reference,
                                     const controller::Controller& plc) {
   const auto read = plc.readBytes(reference);
   if (!read) return std::nullopt;
@@ -94,7 +94,7 @@ std::optional<std::string> longValue(const Term& term, const controller::Control
   return term.content ? term.content : readLong(term.reference, plc);
 }
 
-bool writeLong(const mc7::Reference& reference, const std::string& content,
+bool writeLong(const address::Reference& reference, const std::string& content,
                controller::Controller& plc) {
   if (reference.nc != 0) {
     const Bytes digits(content.begin(), content.end());
@@ -122,7 +122,7 @@ std::string plainLong(TypeCode type, const std::string& content) {
   return type == TypeCode::String ? toUtf8(content, Encoding::Cp1252) : formatLong(type, content);
 }
 
-Problem otherNotation(const mc7::Reference& reference, const Position& at) {
+Problem otherNotation(const address::Reference& reference, const Position& at) {
   if (reference.nc != 0)
     return makeProblem(ProblemCode::P0960, at, reference.text, "number of the NC",
                        "with digits and a point: 12.345");
@@ -131,7 +131,7 @@ Problem otherNotation(const mc7::Reference& reference, const Position& at) {
                      string ? "'text'" : "DT#1994-01-01-00:00:00.000");
 }
 
-Result<std::string> parseLong(std::string_view text, const mc7::Reference& reference,
+Result<std::string> parseLong(std::string_view text, const address::Reference& reference,
                               const Position& at) {
   if (reference.nc != 0 && isDecimal(text)) return std::string(text);
   if (reference.nc != 0) return otherNotation(reference, at);

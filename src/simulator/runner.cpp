@@ -226,9 +226,9 @@ bool Runner::noDevice(const Step& step) {
 
 // What lies at a terminal does not need the CPU; its memory and its forces do.
 bool needsPower(const Step& step, const Assignment& assignment) {
-  const mc7::Reference& reference = assignment.operand.reference;
+  const address::Reference& reference = assignment.operand.reference;
   const Area area = reference.operand.area;
-  const bool terminal = reference.operand.kind == mc7::OperandKind::Memory &&
+  const bool terminal = reference.operand.kind == address::OperandKind::Memory &&
                         (area == Area::Input || area == Area::Peripheral) && !reference.outputSide;
   return step.kind == StepKind::Force || !terminal;
 }

@@ -6,13 +6,13 @@ namespace merker::simulator {
 namespace {
 
 // Whether the set bits of a constant have a place in the operand.
-bool fits(const Constant& constant, const mc7::Reference& reference) {
+bool fits(const Constant& constant, const address::Reference& reference) {
   const unsigned width = bitWidth(reference);
   return width >= 32 || adapt(constant, reference.type).bits >> width == 0;
 }
 
 // Characters of a STRING; eight bytes of a DATE_AND_TIME always fit.
-std::size_t longest(const mc7::Reference& reference) {
+std::size_t longest(const address::Reference& reference) {
   if (reference.nc != 0) return SIZE_MAX;
   return reference.type == TypeCode::String ? reference.bytes - 2 : reference.bytes;
 }

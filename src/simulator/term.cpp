@@ -17,7 +17,7 @@ bool looksLikeConstant(std::string_view text) {
   return first != '"' && first != '#' && text.substr(0, text.find('"')).find('#') < text.size();
 }
 
-std::optional<Problem> resolveBeside(Term& term, const mc7::Reference& partner,
+std::optional<Problem> resolveBeside(Term& term, const address::Reference& partner,
                                      const Resolver& resolver) {
   const bool constant = parseConstant(term.text, term.position) ||
                         (resolver.constants && resolver.constants(term.text));
@@ -68,8 +68,8 @@ void resolvePair(Term& left, Term& right, const Resolver& resolver, Problems& pr
     problems.add(otherNotation(second.reference, first.position));
 }
 
-unsigned bitWidth(const mc7::Reference& reference) {
-  if (reference.operand.kind != mc7::OperandKind::Memory) return 16;
+unsigned bitWidth(const address::Reference& reference) {
+  if (reference.operand.kind != address::OperandKind::Memory) return 16;
   if (reference.operand.width == Width::Bit) return 1;
   return 8 * byteCount(reference.operand.width);
 }

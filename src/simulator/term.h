@@ -9,8 +9,8 @@
 #include <string_view>
 
 #include "address/constant.h"
+#include "address/reference.h"
 #include "base/problem.h"
-#include "mc7/reference.h"
 
 namespace merker::simulator {
 
@@ -18,14 +18,15 @@ struct Term {
   std::string text;  // as written
   Position position;
   std::optional<Constant> constant;
-  mc7::Reference reference;            // unless it is a constant
+  address::Reference reference;        // unless it is a constant
   std::optional<std::string> content;  // a constant of a DATE_AND_TIME or STRING (long_value.h)
 };
 
 // What an operand's text stands for in the program at hand, and the constants of its language
 // beside those of STEP 7.
 struct Resolver {
-  using Operands = std::function<Result<mc7::Reference>(std::string_view text, const Position& at)>;
+  using Operands =
+      std::function<Result<address::Reference>(std::string_view text, const Position& at)>;
   using Constants = std::function<std::optional<Constant>(std::string_view text)>;
   template <typename F>
   requires std::is_constructible_v<Operands, F> Resolver(
@@ -33,7 +34,7 @@ struct Resolver {
       bool sinumerik = false)  // NOLINT: a plain function will do
       : operands(std::move(resolveOperands)), constants(std::move(more)), ofControl(sinumerik) {}
 
-  Result<mc7::Reference> operator()(std::string_view text, const Position& at) const {
+  Result<address::Reference> operator()(std::string_view text, const Position& at) const {
     return operands(text, at);
   }
   Operands operands;
@@ -41,7 +42,7 @@ struct Resolver {
   bool ofControl;  // a SINUMERIK: it has no rack and judges its faults itself
 };
 // The present value of an operand; nothing if it does not exist.
-using Reader = std::function<std::optional<std::uint32_t>(const mc7::Reference&)>;
+using Reader = std::function<std::optional<std::uint32_t>(const address::Reference&)>;
 
 // Fills `constant` or `reference` from `text`. The problem if it is neither.
 std::optional<Problem> resolveTerm(Term& term, const Resolver& resolver);
@@ -51,7 +52,7 @@ std::optional<Problem> resolveOperand(Term& term, const Resolver& resolver);
 void resolvePair(Term& left, Term& right, const Resolver& resolver, Problems& problems);
 
 // Bits of an operand: 1, 8, 16 or 32; 16 for timers and counters.
-unsigned bitWidth(const mc7::Reference& reference);
+unsigned bitWidth(const address::Reference& reference);
 
 // The constant as a value of this type: an integer becomes a DINT with its sign, or a REAL, where
 // the operand is one.

@@ -13,9 +13,10 @@ namespace merker::simulator {
 namespace {
 
 // A timer is watched by its status bit: its time changes all the while.
-mc7::Reference prepared(mc7::Reference reference) {
-  if (reference.operand.kind == mc7::OperandKind::Timer) reference.operand.width = Width::Bit;
-  if (reference.operand.kind == mc7::OperandKind::Counter) reference.operand.width = Width::Word;
+address::Reference prepared(address::Reference reference) {
+  if (reference.operand.kind == address::OperandKind::Timer) reference.operand.width = Width::Bit;
+  if (reference.operand.kind == address::OperandKind::Counter)
+    reference.operand.width = Width::Word;
   return reference;
 }
 
@@ -27,7 +28,7 @@ std::string field(const std::string& text) {
 }
 
 // Cheap to compare; a text is made of it only when it has changed.
-std::optional<std::string> content(const mc7::Reference& reference,
+std::optional<std::string> content(const address::Reference& reference,
                                    const controller::Controller& plc) {
   if (isLong(reference)) return readLong(reference, plc);
   const auto bits = plc.read(reference);
@@ -37,11 +38,11 @@ std::optional<std::string> content(const mc7::Reference& reference,
   return raw;
 }
 
-std::string operandText(const mc7::Reference& reference, const std::string& content) {
+std::string operandText(const address::Reference& reference, const std::string& content) {
   if (isLong(reference)) return formatLong(reference.type, content);
   std::uint32_t bits = 0;
   std::memcpy(&bits, content.data(), sizeof bits);
-  if (reference.operand.kind == mc7::OperandKind::Timer) return bits != 0 ? "1" : "0";
+  if (reference.operand.kind == address::OperandKind::Timer) return bits != 0 ? "1" : "0";
   return formatOperand(reference, bits);
 }
 
@@ -53,7 +54,7 @@ std::string fourDigits(double value) { return fmt::format("{:.4g}", value); }
 Trace::Trace(std::ostream& out, Watched watched, const controller::Controller& plc,
              const plant::Plants* plants, const io::Rack* rack)
     : out_(out), watched_(std::move(watched)), plants_(plants), rack_(rack) {
-  for (mc7::Reference& reference : watched_.operands) {
+  for (address::Reference& reference : watched_.operands) {
     reference = prepared(std::move(reference));
     last_.push_back(content(reference, plc));
   }
@@ -84,7 +85,7 @@ void Trace::write(Instant now, const std::string& name, const std::string& value
 
 void Trace::sample(const controller::Controller& plc) {
   for (std::size_t i = 0; i < watched_.operands.size(); ++i) {
-    const mc7::Reference& operand = watched_.operands[i];
+    const address::Reference& operand = watched_.operands[i];
     const auto now = content(operand, plc);
     if (!now || now == last_[i]) continue;
     last_[i] = now;

@@ -14,7 +14,7 @@
 namespace merker::simulator {
 
 struct Watched {
-  std::vector<mc7::Reference> operands;
+  std::vector<address::Reference> operands;
   std::vector<PlantValue> plants;          // resolved
   std::vector<TerminalValue> terminals{};  // the same
 };

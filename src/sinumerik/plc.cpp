@@ -114,13 +114,13 @@ void Plc::onCycle(std::function<void(Plc&)> observer) {
   });
 }
 
-std::optional<std::uint32_t> Plc::read(const Variable& variable) const {
+std::optional<std::uint32_t> Plc::read(const Reference& variable) const {
   return readValue(parts_->os, variable);
 }
-bool Plc::write(const Variable& variable, std::uint32_t value) {
+bool Plc::write(const Reference& variable, std::uint32_t value) {
   return writeValue(parts_->os, variable, value);
 }
-bool Plc::force(const Variable& variable, std::uint32_t value) {
+bool Plc::force(const Reference& variable, std::uint32_t value) {
   return forceValue(parts_->os, variable, value);
 }
 void Plc::unforce() {

@@ -58,9 +58,9 @@ class Plc {
   void translate();
 
   // values, see variable.h
-  std::optional<std::uint32_t> read(const Variable& variable) const;
-  bool write(const Variable& variable, std::uint32_t value);
-  bool force(const Variable& variable, std::uint32_t value);
+  std::optional<std::uint32_t> read(const Reference& variable) const;
+  bool write(const Reference& variable, std::uint32_t value);
+  bool force(const Reference& variable, std::uint32_t value);
   void unforce();
 
   std::vector<CheckResult> checkResults() const;

@@ -39,11 +39,11 @@ bool Programmer::system(BlockId id) const {
   return id.type == BlockType::Db && isSystemBlock(id.number, os_.options().systemBlocks);
 }
 
-std::optional<std::uint32_t> Programmer::status(const Variable& variable) const {
+std::optional<std::uint32_t> Programmer::status(const Reference& variable) const {
   return readValue(os_, variable);
 }
 
-std::string Programmer::control(const Variable& variable, std::uint32_t value) {
+std::string Programmer::control(const Reference& variable, std::uint32_t value) {
   if (std::string reason = whySystemOwned(os_, variable); !reason.empty()) return reason;
   return writeValue(os_, variable, value) ? "" : "there is no such operand";
 }

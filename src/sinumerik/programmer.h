@@ -25,8 +25,8 @@ class Programmer {
 
   // STATUS VARIABLE, Steuern Variable. Blocks of the system take no values, but for the trigger
   // DW 9 of DB 1 (S5-DB-12, OP-03).
-  std::optional<std::uint32_t> status(const Variable& variable) const;
-  std::string control(const Variable& variable, std::uint32_t value);
+  std::optional<std::uint32_t> status(const Reference& variable) const;
+  std::string control(const Reference& variable, std::uint32_t value);
 
   // Auskunft Adresse: words of the segment that the segment switch selects, and the pseudo
   // addresses E000 and F000 … F016 (S5-MEM-04, -05, S5-ERR-11).

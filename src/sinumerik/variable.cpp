@@ -9,33 +9,28 @@
 namespace merker::sinumerik {
 namespace {
 
-using mc5::Area;
-using mc5::Operand;
-using mc5::OperandKind;
-using mc5::Width;
+using address::Operand;
+using address::OperandKind;
 
-unsigned bytesOf(Width width) {
-  switch (width) {
-    case Width::Double:
-      return 4;
-    case Width::Word:
-      return 2;
-    default:
-      return 1;
-  }
-}
+std::uint32_t byteOf(const Operand& operand) { return operand.value / 8; }
 
 bool fits(const Operand& operand, std::size_t bytes) {
-  return std::uint64_t{operand.value} + bytesOf(operand.width) <= bytes && operand.bit < 8;
+  return std::uint64_t{byteOf(operand)} + byteCount(operand.width) <= bytes;
 }
 
-std::optional<std::uint32_t> readBytes(std::span<const std::uint8_t> area, const Operand& operand) {
-  if (!fits(operand, area.size())) return std::nullopt;
-  if (operand.width == Width::Bit) return area[operand.value] >> operand.bit & 1;
+// `at` gives the bytes of an area, the high one first.
+template <typename At>
+std::uint32_t readBytes(const Operand& operand, At at) {
+  if (operand.width == Width::Bit) return at(byteOf(operand)) >> (operand.value & 7) & 1u;
   std::uint32_t value = 0;
-  for (unsigned i = 0; i < bytesOf(operand.width); ++i)
-    value = value << 8 | area[operand.value + i];
+  for (unsigned i = 0; i < byteCount(operand.width); ++i)
+    value = value << 8 | at(byteOf(operand) + i);
   return value;
+}
+
+std::optional<std::uint32_t> readArea(std::span<const std::uint8_t> area, const Operand& operand) {
+  if (!fits(operand, area.size())) return std::nullopt;
+  return readBytes(operand, [area](std::uint32_t byte) { return area[byte]; });
 }
 
 // What one of the operand's bytes gets: mask and value.
@@ -48,13 +43,13 @@ template <typename Apply>
 bool eachByte(const Operand& operand, std::size_t size, std::uint32_t value, Apply apply) {
   if (!fits(operand, size)) return false;
   if (operand.width == Width::Bit) {
-    const auto mask = static_cast<std::uint8_t>(1u << operand.bit);
-    apply(ByteChange{operand.value, mask, value != 0 ? mask : std::uint8_t{0}});
+    const auto mask = static_cast<std::uint8_t>(1u << (operand.value & 7));
+    apply(ByteChange{byteOf(operand), mask, value != 0 ? mask : std::uint8_t{0}});
     return true;
   }
-  const unsigned bytes = bytesOf(operand.width);
+  const unsigned bytes = byteCount(operand.width);
   for (unsigned i = 0; i < bytes; ++i)
-    apply(ByteChange{operand.value + i, 0xFF,
+    apply(ByteChange{byteOf(operand) + i, 0xFF,
                      static_cast<std::uint8_t>(value >> (8 * (bytes - 1 - i)))});
   return true;
 }
@@ -63,62 +58,36 @@ std::uint8_t changed(std::uint8_t byte, const ByteChange& change) {
   return static_cast<std::uint8_t>((byte & ~change.mask) | (change.value & change.mask));
 }
 
-// The words of the block from the operand on; empty if they are not all there.
-std::optional<std::uint32_t> dataWord(const Machine& m, const Variable& v) {
-  const Entry& entry = m.blocks.find({mc5::BlockType::Db, v.dataBlock});
-  const std::uint32_t words = v.operand.width == Width::Double ? 2 : 1;
-  if (!entry.present || std::uint64_t{v.operand.value} + words > entry.length || v.operand.bit > 15)
-    return std::nullopt;
-  return entry.start + v.operand.value;
+// The first word of the block the operand lies in; nothing if the block has not all of it. Words
+// and double words begin at a word.
+std::optional<std::uint32_t> firstWord(const Machine& m, const Reference& r) {
+  const std::uint32_t byte = byteOf(r.operand), count = byteCount(r.operand.width);
+  if (r.db < 0 || (count > 1 && byte % 2 != 0)) return std::nullopt;
+  const Entry& entry = m.blocks.find({mc5::BlockType::Db, static_cast<std::uint16_t>(r.db)});
+  if (!entry.present || (std::uint64_t{byte} + count + 1) / 2 > entry.length) return std::nullopt;
+  return entry.start;
 }
 
-std::optional<std::uint32_t> readData(const Machine& m, const Variable& v) {
-  const auto at = dataWord(m, v);
-  if (!at) return std::nullopt;
-  const std::uint32_t word = m.blocks.data()[*at];
-  switch (v.operand.width) {
-    case Width::Bit:
-      return word >> v.operand.bit & 1;
-    case Width::Left:
-      return word >> 8;
-    case Width::Byte:
-    case Width::Right:
-      return word & 0xFF;
-    case Width::Word:
-      return word;
-    case Width::Double:
-      return word << 16 | m.blocks.data()[*at + 1];
-  }
-  return std::nullopt;
+// The left byte of a word is the high one (S5-BLK-10).
+unsigned shiftOf(std::uint32_t byte) { return byte % 2 == 0 ? 8 : 0; }
+
+std::optional<std::uint32_t> readData(const Machine& m, const Reference& r) {
+  const auto first = firstWord(m, r);
+  if (!first) return std::nullopt;
+  return readBytes(r.operand, [&](std::uint32_t byte) {
+    return static_cast<std::uint8_t>(m.blocks.data()[*first + byte / 2] >> shiftOf(byte));
+  });
 }
 
-bool writeData(Machine& m, const Variable& v, std::uint32_t value) {
-  const auto at = dataWord(m, v);
-  if (!at) return false;
-  std::uint16_t& word = m.blocks.data()[*at];
-  const auto put = [&word](std::uint32_t mask, std::uint32_t bits) {
-    word = static_cast<std::uint16_t>((word & ~mask) | (bits & mask));
-  };
-  switch (v.operand.width) {
-    case Width::Bit:
-      put(1u << v.operand.bit, value != 0 ? 0xFFFF : 0);
-      break;
-    case Width::Left:
-      put(0xFF00, value << 8);
-      break;
-    case Width::Byte:
-    case Width::Right:
-      put(0x00FF, value);
-      break;
-    case Width::Word:
-      put(0xFFFF, value);
-      break;
-    case Width::Double:
-      put(0xFFFF, value >> 16);
-      m.blocks.data()[*at + 1] = static_cast<std::uint16_t>(value);
-      break;
-  }
-  return true;
+bool writeData(Machine& m, const Reference& r, std::uint32_t value) {
+  const auto first = firstWord(m, r);
+  if (!first) return false;
+  return eachByte(r.operand, SIZE_MAX, value, [&](ByteChange c) {
+    const auto byte = static_cast<std::uint32_t>(c.byte);
+    std::uint16_t& word = m.blocks.data()[*first + byte / 2];
+    const unsigned shift = shiftOf(byte);
+    word = static_cast<std::uint16_t>((word & ~(c.mask << shift)) | c.value << shift);
+  });
 }
 
 template <typename Cells>
@@ -145,77 +114,77 @@ bool writeCell(OperatingSystem& os, const Operand& operand, std::uint32_t value)
 
 }  // namespace
 
-std::string whySystemOwned(const OperatingSystem& os, const Variable& v) {
-  const bool data = v.operand.kind == OperandKind::Memory && v.operand.area == Area::Data;
-  if (!data || !isSystemBlock(v.dataBlock, os.options().systemBlocks)) return {};
-  const bool trigger = v.dataBlock == diagnosis::kDb && v.operand.value == diagnosis::kTrigger &&
-                       v.operand.width != Width::Double;
+std::string whySystemOwned(const OperatingSystem& os, const Reference& r) {
+  if (r.db < 0 || !isSystemBlock(static_cast<std::uint16_t>(r.db), os.options().systemBlocks))
+    return {};
+  const bool trigger = r.db == diagnosis::kDb && byteOf(r.operand) / 2 == diagnosis::kTrigger &&
+                       r.operand.width != Width::DWord;
   if (trigger) return {};
-  return fmt::format("DB {} belongs to the system; only DW 9 of DB 1 takes a value", v.dataBlock);
+  return fmt::format("DB {} belongs to the system; only DW 9 of DB 1 takes a value", r.db);
 }
 
-std::optional<std::uint32_t> readValue(const OperatingSystem& os, const Variable& v) {
+std::optional<std::uint32_t> readValue(const OperatingSystem& os, const Reference& r) {
   const Machine& m = os.machine();
-  if (v.operand.kind == OperandKind::Timer) return readCell(m.timers, v.operand);
-  if (v.operand.kind == OperandKind::Counter) return readCell(m.counters, v.operand);
-  if (v.operand.kind != OperandKind::Memory) return std::nullopt;
-  switch (v.operand.area) {
+  if (r.operand.kind == OperandKind::Timer) return readCell(m.timers, r.operand);
+  if (r.operand.kind == OperandKind::Counter) return readCell(m.counters, r.operand);
+  if (r.operand.kind != OperandKind::Memory) return std::nullopt;
+  switch (r.operand.area) {
     case Area::Input:
-      return readBytes(m.inputs, v.operand);
+      return readArea(m.inputs, r.operand);
     case Area::Output:
-      return readBytes(m.outputs, v.operand);
+      return readArea(m.outputs, r.operand);
     case Area::Flag:
-      return readBytes(m.flags, v.operand);
-    case Area::Data:
-      return readData(m, v);
+      return readArea(m.flags, r.operand);
+    case Area::DataBlock:
+      return readData(m, r);
     case Area::Peripheral: {
-      const auto value = readBytes(m.periphery.outputs, v.operand);
+      const auto value = readArea(m.periphery.outputs, r.operand);
       return value && os.mode() != Mode::Run ? std::optional(0u) : value;
     }
-    case Area::None:
+    default:
       break;
   }
   return std::nullopt;
 }
 
-bool writeValue(OperatingSystem& os, const Variable& v, std::uint32_t value) {
+bool writeValue(OperatingSystem& os, const Reference& r, std::uint32_t value) {
   Machine& m = os.machine();
-  const OperandKind kind = v.operand.kind;
+  const OperandKind kind = r.operand.kind;
   if (kind == OperandKind::Timer || kind == OperandKind::Counter)
-    return writeCell(os, v.operand, value);
+    return writeCell(os, r.operand, value);
   if (kind != OperandKind::Memory) return false;
   const auto into = [&](auto& area) {
-    return eachByte(v.operand, area.size(), value,
+    return eachByte(r.operand, area.size(), value,
                     [&](ByteChange c) { area[c.byte] = changed(area[c.byte], c); });
   };
-  switch (v.operand.area) {
+  switch (r.operand.area) {
     case Area::Input:
     case Area::Peripheral:
-      return eachByte(v.operand, kImageBytes, value, [&](ByteChange c) {
+      return eachByte(r.operand, kImageBytes, value, [&](ByteChange c) {
         os.setTerminal(static_cast<unsigned>(c.byte), changed(m.periphery.inputs[c.byte], c));
       });
     case Area::Output:
       return into(m.outputs);
     case Area::Flag:
       return into(m.flags);
-    case Area::Data:
-      return writeData(m, v, value);
-    case Area::None:
+    case Area::DataBlock:
+      return writeData(m, r, value);
+    default:
       break;
   }
   return false;
 }
 
-bool forceValue(OperatingSystem& os, const Variable& v, std::uint32_t value) {
+bool forceValue(OperatingSystem& os, const Reference& r, std::uint32_t value) {
   Machine& m = os.machine();
-  if (v.operand.kind != OperandKind::Memory) return false;
+  if (r.operand.kind != OperandKind::Memory) return false;
   const auto hold = [&](auto& forces, auto& area) {
-    const bool known = eachByte(v.operand, area.size(), value,
+    const bool known = eachByte(r.operand, area.size(), value,
                                 [&](ByteChange c) { forces.set(c.byte, c.mask, c.value); });
     forces.apply(area);
     return known;
   };
-  switch (v.operand.area) {
+  switch (r.operand.area) {
     case Area::Input:
       return hold(os.forcedInputs, m.inputs);
     case Area::Output:

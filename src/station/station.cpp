@@ -191,23 +191,24 @@ void Station::advanceCycles(std::uint64_t count) {
 
 bool Station::runOb1(Duration most) { return parts_->cpu.runOb1(most); }
 
-std::optional<std::uint32_t> Station::read(const mc7::Reference& reference) const {
+std::optional<std::uint32_t> Station::read(const address::Reference& reference) const {
   return readValue(parts_->cpu, parts_->periphery.get(), reference);
 }
-bool Station::write(const mc7::Reference& reference, std::uint32_t value) {
+bool Station::write(const address::Reference& reference, std::uint32_t value) {
   return writeValue(parts_->cpu, parts_->periphery.get(), reference, value);
 }
-bool Station::force(const mc7::Reference& reference, std::uint32_t value) {
+bool Station::force(const address::Reference& reference, std::uint32_t value) {
   return forceValue(parts_->cpu, reference, value);
 }
 void Station::unforce() { parts_->cpu.unforce(); }
 
-std::optional<std::vector<std::uint8_t>> Station::readBytes(const mc7::Reference& reference) const {
+std::optional<std::vector<std::uint8_t>> Station::readBytes(
+    const address::Reference& reference) const {
   const auto bytes = bytesAt(parts_->cpu, reference);
   if (bytes.empty()) return std::nullopt;
   return std::vector<std::uint8_t>(bytes.begin(), bytes.end());
 }
-bool Station::writeBytes(const mc7::Reference& reference, std::span<const std::uint8_t> bytes) {
+bool Station::writeBytes(const address::Reference& reference, std::span<const std::uint8_t> bytes) {
   const auto place = bytesAt(parts_->cpu, reference);
   if (place.empty() || place.size() != bytes.size()) return false;
   std::copy(bytes.begin(), bytes.end(), place.begin());
@@ -263,8 +264,8 @@ controller::ExecutedLines Station::executedLines() const {
   return lineCounts(program(), executed());
 }
 
-std::string Station::whyMissing(const mc7::Reference& reference) const {
-  const bool data = reference.operand.kind == mc7::OperandKind::Memory &&
+std::string Station::whyMissing(const address::Reference& reference) const {
+  const bool data = reference.operand.kind == address::OperandKind::Memory &&
                     reference.operand.area == Area::DataBlock;
   if (!data) return "no module answers at this address";
   const auto found = program().find({BlockKind::DB, static_cast<std::uint16_t>(reference.db)});

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "address/reference.h"
 #include "block/block.h"
 #include "block/retentive.h"
 #include "catalogue/cpu_model.h"
@@ -21,7 +22,6 @@
 #include "cpu/leds.h"
 #include "cpu/mode_switch.h"
 #include "io/rack.h"
-#include "mc7/reference.h"
 #include "plant/plants.h"
 
 namespace merker::cpu {
@@ -63,7 +63,7 @@ class Station : public controller::Controller {
   const CpuModel& model() const;
   std::string modelName() const override;
   bool hasColdRestart() const override;
-  std::string whyMissing(const mc7::Reference& reference) const override;
+  std::string whyMissing(const address::Reference& reference) const override;
   controller::ExecutedLines executedLines() const override;
   const block::Program& program() const;
 
@@ -128,14 +128,15 @@ class Station : public controller::Controller {
   // PE is the input terminals, PA the output side. A force acts at once and holds until unforced.
   // Timer and counter: Width::Bit is the status bit, any other width the coded value as LC loads it
   // (S5TIME, BCD).
-  std::optional<std::uint32_t> read(const mc7::Reference& reference) const override;
-  bool write(const mc7::Reference& reference, std::uint32_t value) override;
-  bool force(const mc7::Reference& reference, std::uint32_t value) override;
+  std::optional<std::uint32_t> read(const address::Reference& reference) const override;
+  bool write(const address::Reference& reference, std::uint32_t value) override;
+  bool force(const address::Reference& reference, std::uint32_t value) override;
   void unforce() override;
   // The bytes of a DATE_AND_TIME or STRING (Reference::bytes), as they lie in memory.
   std::optional<std::vector<std::uint8_t>> readBytes(
-      const mc7::Reference& reference) const override;
-  bool writeBytes(const mc7::Reference& reference, std::span<const std::uint8_t> bytes) override;
+      const address::Reference& reference) const override;
+  bool writeBytes(const address::Reference& reference,
+                  std::span<const std::uint8_t> bytes) override;
 
   // The modules and their terminals, with station.now() as the time; null without a hardware
   // configuration. Changes reach the CPU at its next instruction boundary.

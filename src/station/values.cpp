@@ -6,9 +6,9 @@
 namespace merker::station {
 namespace {
 
+using address::Operand;
+using address::OperandKind;
 using cpu::Machine;
-using mc7::Operand;
-using mc7::OperandKind;
 
 // A place among bytes; null if the operand does not lie in them.
 struct Bytes {
@@ -32,7 +32,7 @@ Bytes imageOf(Machine& m, Area area) {
 
 // PE: the input terminals. PA: what the output side holds. Both only where something answers
 // (S7-OPND-11).
-Bytes periphery(Machine& m, const mc7::Reference& reference) {
+Bytes periphery(Machine& m, const address::Reference& reference) {
   const Operand& operand = reference.operand;
   cpu::Areas& areas = m.areas;
   const auto& present = reference.outputSide ? areas.outputPresent : areas.inputPresent;
@@ -45,7 +45,7 @@ Bytes localOf(const cpu::Frame* frame) {
 }
 
 // L: of the block that runs, or stands in HALT; V: of the one that called it.
-Bytes bytesOf(Machine& m, const mc7::Reference& reference, bool write) {
+Bytes bytesOf(Machine& m, const address::Reference& reference, bool write) {
   switch (reference.operand.area) {
     case Area::Input:
       return write ? all(m.areas.inputs) : imageOf(m, Area::Input);
@@ -124,7 +124,7 @@ void forceNow(cpu::Cpu& cpu, std::uint32_t imageByte, std::uint8_t mask, std::ui
 
 // T and Z as bits show their status, else what LC loads (S5TIME, BCD).
 std::optional<std::uint32_t> readValue(cpu::Cpu& cpu, const Periphery* periphery,
-                                       const mc7::Reference& reference) {
+                                       const address::Reference& reference) {
   Machine& m = cpu.machine();
   const Operand& operand = reference.operand;
   const bool bit = operand.width == Width::Bit;
@@ -146,7 +146,7 @@ std::optional<std::uint32_t> readValue(cpu::Cpu& cpu, const Periphery* periphery
   return get(bytes, operand);
 }
 
-bool writeValue(cpu::Cpu& cpu, Periphery* periphery, const mc7::Reference& reference,
+bool writeValue(cpu::Cpu& cpu, Periphery* periphery, const address::Reference& reference,
                 std::uint32_t value) {
   Machine& m = cpu.machine();
   const Operand& operand = reference.operand;
@@ -170,7 +170,7 @@ bool writeValue(cpu::Cpu& cpu, Periphery* periphery, const mc7::Reference& refer
   return true;
 }
 
-std::span<std::uint8_t> bytesAt(cpu::Cpu& cpu, const mc7::Reference& reference) {
+std::span<std::uint8_t> bytesAt(cpu::Cpu& cpu, const address::Reference& reference) {
   const Operand& operand = reference.operand;
   if (operand.kind != OperandKind::Memory) return {};
   const Bytes area = bytesOf(cpu.machine(), reference, true);
@@ -179,7 +179,7 @@ std::span<std::uint8_t> bytesAt(cpu::Cpu& cpu, const mc7::Reference& reference) 
   return {area.data + first, reference.bytes};
 }
 
-bool forceValue(cpu::Cpu& cpu, const mc7::Reference& reference, std::uint32_t value) {
+bool forceValue(cpu::Cpu& cpu, const address::Reference& reference, std::uint32_t value) {
   Machine& m = cpu.machine();
   const Operand& operand = reference.operand;
   const bool image = operand.area == Area::Input || operand.area == Area::Output;

@@ -1,5 +1,6 @@
 #include "step5/variable.h"
 
+#include "mc5/place.h"
 #include "step5/constant_operand.h"
 #include "step5/operand.h"
 
@@ -40,20 +41,22 @@ std::optional<mc5::Operand> parseConstant(std::string_view text) {
   return constant->value;
 }
 
-std::optional<mc5::Variable> parseVariable(std::string_view text) {
+std::optional<address::Reference> parseVariable(std::string_view text) {
   Scanner scanner(text, 0);
-  mc5::Variable variable;
+  address::Reference variable;
+  variable.text = text;
   scanner.skipBlanks();
   auto operand = operandAt(scanner);
   const bool inBlock = operand && isDataBlock(*operand) && scanner.accept('.');
   if (inBlock) {
-    variable.dataBlock = static_cast<std::uint16_t>(operand->value);
+    variable.db = static_cast<std::int32_t>(operand->value);
     operand = operandAt(scanner);
   }
   scanner.skipBlanks();
   if (!operand || !scanner.atEnd() || !hasValue(*operand)) return std::nullopt;
   if ((operand->area == mc5::Area::Data) != inBlock) return std::nullopt;
-  variable.operand = *operand;
+  variable.operand = mc5::placeOf(*operand);
+  if (!isMemory(variable.operand)) variable.type = TypeCode::Word;  // what LC loads
   return variable;
 }
 

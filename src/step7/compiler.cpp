@@ -3,6 +3,7 @@
 #include <map>
 
 #include "base/text.h"
+#include "mc7/place.h"
 #include "step7/block_compiler.h"
 #include "step7/block_source.h"
 #include "step7/interfaces.h"
@@ -73,8 +74,8 @@ Compilation compile(const std::vector<source::SourceFile>& sources, const Compil
   return result;
 }
 
-Result<mc7::Reference> resolve(std::string_view text, const block::Program& program,
-                               const CompileOptions& options, const Position& at) {
+Result<address::Reference> resolve(std::string_view text, const block::Program& program,
+                                   const CompileOptions& options, const Position& at) {
   const source::SourceFile file(at.file, std::string(text));
   Scope scope;
   scope.file = &file;
@@ -102,9 +103,9 @@ Result<mc7::Reference> resolve(std::string_view text, const block::Program& prog
   const bool composite = access->type && !isElementary(type) && !isLong;
   if (!cursor.atEnd() || (!memory && !number) || composite)
     return makeProblem(ProblemCode::P0904, at, std::string(text));
-  mc7::Reference reference;
+  address::Reference reference;
   reference.text = trim(text);
-  reference.operand = operand;
+  reference.operand = mc7::placeOf(operand);
   reference.db = access->openDb;
   reference.type = type;
   reference.outputSide = access->peripheralOutput;

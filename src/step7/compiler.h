@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
+#include "address/reference.h"
 #include "block/block.h"
 #include "catalogue/cpu_model.h"
 #include "mc7/instruction.h"
-#include "mc7/reference.h"
 #include "source/source_file.h"
 #include "source/symbol_table.h"
 
@@ -39,8 +39,8 @@ Compilation compile(const std::vector<source::SourceFile>& sources, const Compil
 
 // "MW 10", "DB1.DBW 4", "\"Motor\"", "DB1.var[2]", "T 1": an operand for monitor, scenario,
 // --print. Both mnemonics.
-Result<mc7::Reference> resolve(std::string_view text, const block::Program& program,
-                               const CompileOptions& options, const Position& at);
+Result<address::Reference> resolve(std::string_view text, const block::Program& program,
+                                   const CompileOptions& options, const Position& at);
 
 // One instruction as `merker assemble --mc7` takes it; jumps with their distance in words. Without
 // a setting both mnemonics, and a word that exists in both is German (SE). `at` is where the text

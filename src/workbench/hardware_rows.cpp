@@ -34,7 +34,7 @@ constexpr Side kOutputs{"O", "A", "PAW", Area::Output, true};
 
 void addTerminals(Json& list, const Side& side, std::uint32_t start, unsigned digital,
                   unsigned analog, const source::SymbolTable& symbols) {
-  const auto add = [&](std::string text, std::string operand, const mc7::Operand& key) {
+  const auto add = [&](std::string text, std::string operand, const address::Operand& key) {
     const source::Symbol* symbol = monitor::findSymbol(key, side.output, symbols);
     list.push_back({{"text", std::move(text)},
                     {"operand", std::move(operand)},
@@ -42,10 +42,10 @@ void addTerminals(Json& list, const Side& side, std::uint32_t start, unsigned di
   };
   for (unsigned i = 0; i < digital; ++i)
     add(fmt::format("D{}{}", side.text, i), fmt::format("{} {}.{}", side.bit, start + i / 8, i % 8),
-        mc7::memory(side.area, Width::Bit, 8 * start + i));
+        address::memory(side.area, Width::Bit, 8 * start + i));
   for (unsigned i = 0; i < analog; ++i)
     add(fmt::format("A{}{}", side.text, i), fmt::format("{} {}", side.word, start + 2 * i),
-        mc7::memory(Area::Peripheral, Width::Word, 8 * (start + 2 * i)));
+        address::memory(Area::Peripheral, Width::Word, 8 * (start + 2 * i)));
 }
 
 Json terminalsOf(const io::Module& module, const source::SymbolTable& symbols) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "mc7/operand_text.h"
+#include "mc7/place.h"
 #include "monitor/symbol_name.h"
 #include "simulator/display.h"
 #include "simulator/term.h"
@@ -10,17 +11,18 @@
 namespace merker::workbench {
 namespace {
 
-bool isData(const mc7::Reference& reference) {
-  return reference.operand.kind == mc7::OperandKind::Memory &&
+bool isData(const address::Reference& reference) {
+  return reference.operand.kind == address::OperandKind::Memory &&
          reference.operand.area == Area::DataBlock;
 }
 
 // A DATE_AND_TIME or STRING has no address of its own width, a local variable none at all.
-std::string addressText(const mc7::Reference& reference) {
+std::string addressText(const address::Reference& reference) {
   const bool named = reference.bytes > 0 || reference.nc != 0 || reference.text.starts_with('#');
   if (named) return reference.text;
   const mc7::Instruction access{
-      reference.outputSide ? mc7::Operation::TRANSFER : mc7::Operation::LOAD, reference.operand};
+      reference.outputSide ? mc7::Operation::TRANSFER : mc7::Operation::LOAD,
+      mc7::operandAt(reference.operand)};
   const std::string text = mc7::operandText(access, Mnemonics::German);
   if (text.empty()) return reference.text;
   return isData(reference) ? fmt::format("DB{}.{}", reference.db, text) : text;
@@ -31,10 +33,10 @@ std::string addressText(const mc7::Reference& reference) {
 namespace {
 
 // Of an absolute operand: what its width alone says.
-std::string_view plainType(const mc7::Reference& reference) {
+std::string_view plainType(const address::Reference& reference) {
   if (reference.nc != 0) return "NC";
-  if (reference.operand.kind == mc7::OperandKind::Timer) return "TIMER";
-  if (reference.operand.kind == mc7::OperandKind::Counter) return "COUNTER";
+  if (reference.operand.kind == address::OperandKind::Timer) return "TIMER";
+  if (reference.operand.kind == address::OperandKind::Counter) return "COUNTER";
   switch (reference.operand.width) {
     case Width::Bit:
       return "BOOL";
@@ -49,7 +51,7 @@ std::string_view plainType(const mc7::Reference& reference) {
 
 }  // namespace
 
-OperandName operandName(const mc7::Reference& reference, const source::SymbolTable& symbols) {
+OperandName operandName(const address::Reference& reference, const source::SymbolTable& symbols) {
   OperandName result;
   result.operand = addressText(reference);
   TypeCode type = simulator::isStep5Cell(reference) ? TypeCode::Void : reference.type;

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "mc7/reference.h"
+#include "address/reference.h"
 #include "source/symbol_table.h"
 
 namespace merker::workbench {
@@ -16,6 +16,6 @@ struct OperandName {
   unsigned bits = 0;
 };
 
-OperandName operandName(const mc7::Reference& reference, const source::SymbolTable& symbols);
+OperandName operandName(const address::Reference& reference, const source::SymbolTable& symbols);
 
 }  // namespace merker::workbench

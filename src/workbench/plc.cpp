@@ -45,22 +45,22 @@ Plc::Plc(BuildRef build, std::unique_ptr<controller::Controller> controller)
 
 Plc::~Plc() = default;
 
-Result<mc7::Reference> Plc::operand(std::string_view text) const {
+Result<address::Reference> Plc::operand(std::string_view text) const {
   if (monitor_) return monitor_->operand(text);
   auto reference = operands_(text, nowhere());
-  if (reference && reference->operand.kind != mc7::OperandKind::Memory)
+  if (reference && reference->operand.kind != address::OperandKind::Memory)
     reference->operand.width = Width::Word;
   return reference;
 }
 
-std::optional<monitor::Value> Plc::read(const mc7::Reference& reference) const {
+std::optional<monitor::Value> Plc::read(const address::Reference& reference) const {
   return monitor::read(*controller_, reference);
 }
 
 // A SINUMERIK. All of them or none: those that could not be done take the others back.
 std::optional<Problem> Plc::control(const std::vector<monitor::Wish>& wishes, bool force) {
   struct Change {
-    mc7::Reference reference;
+    address::Reference reference;
     monitor::Value value, before;
   };
   std::vector<Change> changes;

@@ -42,8 +42,8 @@ class Plc {
   bool isS7() const { return station_ != nullptr; }
 
   // Values by their text; timers and counters as LC loads them.
-  Result<mc7::Reference> operand(std::string_view text) const;
-  std::optional<monitor::Value> read(const mc7::Reference& reference) const;
+  Result<address::Reference> operand(std::string_view text) const;
+  std::optional<monitor::Value> read(const address::Reference& reference) const;
   // All of them, or none.
   std::optional<Problem> write(const std::vector<monitor::Wish>& wishes);
   std::optional<Problem> force(const std::vector<monitor::Wish>& wishes);

@@ -10,17 +10,17 @@ namespace {
 // A channel of a digital module is a bit, one of an analog module a word of the periphery.
 struct Place {
   std::string text;
-  mc7::Operand key;
+  address::Operand key;
 };
 
 Place placeOf(io::Side side, std::uint32_t start, std::uint32_t channel) {
   const bool output = isOutput(side);
   if (isDigital(side))
     return {fmt::format("{} {}.{}", output ? "A" : "E", start + channel / 8, channel % 8),
-            mc7::memory(output ? Area::Output : Area::Input, Width::Bit, 8 * start + channel)};
+            address::memory(output ? Area::Output : Area::Input, Width::Bit, 8 * start + channel)};
   const std::uint32_t byte = start + 2 * channel;
   return {fmt::format("{} {}", output ? "PAW" : "PEW", byte),
-          mc7::memory(Area::Peripheral, Width::Word, 8 * byte)};
+          address::memory(Area::Peripheral, Width::Word, 8 * byte)};
 }
 
 }  // namespace

@@ -95,7 +95,7 @@ double Trend::value(const Source& source, const Plc& plc) {
     const io::Rack& rack = *std::as_const(*plc.station()).rack();
     return isDigital(terminal->side) ? double(rack.level(*terminal)) : rack.amount(*terminal);
   }
-  const auto* reference = std::get_if<mc7::Reference>(&source);
+  const auto* reference = std::get_if<address::Reference>(&source);
   if (reference != nullptr && reference->nc != 0) {
     const auto digits = simulator::readLong(*reference, plc.controller());
     return digits ? std::stod(*digits) : kNothing;

@@ -35,7 +35,7 @@ class Trend {
   // Some seconds of the fastest cycles for a browser that does not read meanwhile.
   static constexpr std::size_t kMostRows = 20'000;
 
-  using Source = std::variant<std::monostate, mc7::Reference, plant::SignalPlace, io::Terminal>;
+  using Source = std::variant<std::monostate, address::Reference, plant::SignalPlace, io::Terminal>;
   Json describe(const std::string& name, Source& source, const Plc& plc) const;
   static double value(const Source& source, const Plc& plc);
 

@@ -8,7 +8,7 @@
 
 namespace merker::workbench {
 
-Json rawValue(const mc7::Reference& reference, const monitor::Value& value,
+Json rawValue(const address::Reference& reference, const monitor::Value& value,
               monitor::DisplayFormat format) {
   if (reference.nc != 0) return std::stod(value.content);
   if (simulator::isLong(reference)) return nullptr;

@@ -36,7 +36,7 @@ class WatchList {
  private:
   struct Row {
     WatchItem item;
-    std::optional<mc7::Reference> reference;
+    std::optional<address::Reference> reference;
     std::optional<monitor::Value> last, seen;  // told, at the trigger point
     bool told = false;
   };
@@ -52,7 +52,7 @@ class WatchList {
 };
 
 // The value as a number: unsigned bits, REAL as a number, null for longer ones.
-Json rawValue(const mc7::Reference& reference, const monitor::Value& value,
+Json rawValue(const address::Reference& reference, const monitor::Value& value,
               monitor::DisplayFormat format);
 
 }  // namespace merker::workbench

@@ -123,11 +123,8 @@ Outcome run(const Case& c, std::optional<icode::Opcode> broken) {
     if (reference.mode() == sinumerik::Mode::Stop) break;
     for (int i = 0; i < 3; ++i) {
       const std::uint32_t byte = random() % kTerminals, value = random() & 0xFF;
-      const mc5::Variable input{{.kind = mc5::OperandKind::Memory,
-                                 .area = mc5::Area::Input,
-                                 .width = mc5::Width::Byte,
-                                 .value = byte},
-                                0};
+      address::Reference input;
+      input.operand = address::memory(Area::Input, Width::Byte, bitAddress(byte));
       for (Plc* plc : {&reference, &compiled}) plc->write(input, value);
     }
     engine.on = random() % 8 != 0;

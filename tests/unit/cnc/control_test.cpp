@@ -4,18 +4,14 @@
 #include "cnc/buffered.h"
 #include "cnc/fault.h"
 #include "cnc/reference.h"
-#include "mc5/variable.h"
 
 namespace merker::cnc {
 namespace {
 
-mc7::Reference flagByte(std::uint16_t number, bool partner = false) {
-  mc5::Variable variable;
-  variable.operand = {.kind = mc5::OperandKind::Memory,
-                      .area = mc5::Area::Flag,
-                      .width = mc5::Width::Byte,
-                      .value = number};
-  mc7::Reference reference = toReference("MB", variable);
+address::Reference flagByte(std::uint16_t number, bool partner = false) {
+  address::Reference reference;
+  reference.text = "MB";
+  reference.operand = address::memory(Area::Flag, Width::Byte, bitAddress(number));
   reference.partner = partner;
   return reference;
 }
@@ -69,11 +65,11 @@ std::span<const std::uint8_t> digits(std::string_view text) {
 
 TEST(Data, takeOnlyWhatTheyCanHold) {
   Cnc control(Options{});
-  const mc7::Reference offset = *datumReference("nc.R 50");
+  const address::Reference offset = *datumReference("nc.R 50");
   EXPECT_TRUE(control.writeBytes(offset, digits("1.5")));
   EXPECT_FALSE(control.writeBytes(offset, digits("1.5.5")));
   EXPECT_FALSE(control.writeBytes(flagByte(1), digits("1")));
-  const mc7::Reference whole = *datumReference("nc.md 155");
+  const address::Reference whole = *datumReference("nc.md 155");
   EXPECT_TRUE(control.writeBytes(whole, digits("3")));
   EXPECT_FALSE(control.writeBytes(whole, digits("1.5")));
   const auto read = control.readBytes(whole);
@@ -84,7 +80,7 @@ TEST(Data, takeOnlyWhatTheyCanHold) {
 TEST(Missing, saysWhy) {
   Cnc control(Options{});
   EXPECT_EQ(control.whyMissing(flagByte(300)), "it is outside of what this PLC has");
-  mc7::Reference word = flagByte(2);
+  address::Reference word = flagByte(2);
   word.operand.area = Area::DataBlock;
   word.db = 20;
   EXPECT_EQ(control.whyMissing(word), "there is no DB 20");

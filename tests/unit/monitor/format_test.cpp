@@ -14,12 +14,12 @@ struct Row {
   const char* text;
 };
 
-mc7::Reference reference(const char* operand) {
+address::Reference reference(const char* operand) {
   static const Plc plc(
       "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n NOP 0;\nEND_ORGANIZATION_BLOCK\n");
   const auto result = plc.resolver()(operand, {});
   EXPECT_TRUE(result) << operand;
-  return result ? *result : mc7::Reference{};
+  return result ? *result : address::Reference{};
 }
 
 // S7-SIM-12: one value, every format; typed in again it is the same value.
@@ -49,7 +49,7 @@ TEST(Format, ShowsAndReads) {
       {"M 0.0", 0, Bool, "FALSE"},
   };
   for (const Row& row : kRows) {
-    const mc7::Reference operand = reference(row.operand);
+    const address::Reference operand = reference(row.operand);
     EXPECT_EQ(show(operand, row.bits, row.format), row.text);
     const auto again = parseValue(operand, row.text, row.format);
     ASSERT_TRUE(again) << row.text;

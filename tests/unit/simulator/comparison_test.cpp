@@ -17,8 +17,8 @@ struct Outcome {
 // One value for every operand; of timers and counters the status bit is `status`.
 Outcome check(std::uint32_t bits, const char* left, Relation relation, const char* right,
               std::uint32_t status = 0) {
-  const Reader read = [&](const mc7::Reference& reference) -> std::optional<std::uint32_t> {
-    const bool memory = reference.operand.kind == mc7::OperandKind::Memory;
+  const Reader read = [&](const address::Reference& reference) -> std::optional<std::uint32_t> {
+    const bool memory = reference.operand.kind == address::OperandKind::Memory;
     return !memory && reference.operand.width == Width::Bit ? status : bits;
   };
   return {holds(term(left), relation, term(right), read),
@@ -127,7 +127,7 @@ TEST(Comparison, TheActualValueIsWrittenLikeTheExpectedOne) {
 }
 
 TEST(Comparison, WhatDoesNotExistHoldsNever) {
-  const Reader nothing = [](const mc7::Reference&) -> std::optional<std::uint32_t> {
+  const Reader nothing = [](const address::Reference&) -> std::optional<std::uint32_t> {
     return std::nullopt;
   };
   EXPECT_FALSE(holds(term("MW 10"), Relation::NotEqual, term("5"), nothing));

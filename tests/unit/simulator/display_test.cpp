@@ -7,8 +7,8 @@
 namespace merker::simulator {
 namespace {
 
-mc7::Reference timer() { return {"T 1", mc7::number(mc7::OperandKind::Timer, 1)}; }
-mc7::Reference counter() { return {"Z 1", mc7::number(mc7::OperandKind::Counter, 1)}; }
+address::Reference timer() { return {"T 1", address::timer(1)}; }
+address::Reference counter() { return {"Z 1", address::counter(1)}; }
 
 TEST(Display, PlainOperandsInHexadecimal) {
   EXPECT_EQ(formatOperand(flag(Width::Bit, 0), 1), "1");

@@ -34,10 +34,10 @@ class Machine {
     return station::Station(std::move(options));
   }
 
-  mc7::Reference reference(const std::string& text) const {
+  address::Reference reference(const std::string& text) const {
     auto result = step7::resolve(text, *program_, options_, {});
     EXPECT_TRUE(result) << text;
-    return result ? result.value() : mc7::Reference{};
+    return result ? result.value() : address::Reference{};
   }
 
   // The only scenario of `text`, run on a station of its own.

@@ -144,7 +144,7 @@ TEST(Cycle, ImagesAreUpdatedAroundOb1) {
   b.ob(1, ob1);
   Plc& plc = b.run();
   plc.advanceTo(at(30'000));
-  const Variable output = memory(Area::Peripheral, Width::Byte, 4);
+  const Reference output = memory(Area::Peripheral, Width::Byte, 4);
   plc.write(memory(Area::Input, Width::Byte, 0), 0x55);
   plc.advanceTo(at(62'000));  // in OB 1
   plc.write(memory(Area::Input, Width::Byte, 0), 0x66);
@@ -230,10 +230,10 @@ TEST(Cycle, ValuesFromOutside) {
   EXPECT_TRUE(plc.write(dataWord(10, 1), 0xABCD));
   EXPECT_FALSE(plc.write(dataWord(10, 2), 1));
   EXPECT_FALSE(plc.read(dataWord(11, 0)).has_value());
-  const Variable counter{{.kind = mc5::OperandKind::Counter, .width = Width::Word, .value = 3}, 0};
+  const Reference counter = cell(address::OperandKind::Counter, 3);
   EXPECT_TRUE(plc.write(counter, 0x0123));
   EXPECT_EQ(b.value(counter), 0x0123u);
-  const Variable timer{{.kind = mc5::OperandKind::Timer, .width = Width::Word, .value = 3}, 0};
+  const Reference timer = cell(address::OperandKind::Timer, 3);
   EXPECT_TRUE(plc.write(timer, 0x1020));  // 20.1 = 2 s
   plc.advanceTo(at(1'001'000));
   EXPECT_EQ(b.value(timer), 0x1010u);

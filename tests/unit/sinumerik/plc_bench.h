@@ -5,35 +5,37 @@
 
 #include <initializer_list>
 
+#include "mc5/place.h"
 #include "sinumerik/plc.h"
 
 namespace merker::sinumerik {
 
 inline Instant at(std::int64_t microseconds) { return {microseconds * 1000}; }
 
-inline Variable flagByte(unsigned byte) {
-  return {{.kind = mc5::OperandKind::Memory,
-           .area = mc5::Area::Flag,
-           .width = mc5::Width::Byte,
-           .value = byte},
-          0};
+inline Reference memory(mc5::Area area, mc5::Width width, unsigned byte, unsigned bit = 0) {
+  Reference reference;
+  reference.operand = mc5::placeOf({.kind = mc5::OperandKind::Memory,
+                                    .area = area,
+                                    .width = width,
+                                    .bit = static_cast<std::uint8_t>(bit),
+                                    .value = byte});
+  return reference;
 }
-inline Variable memory(mc5::Area area, mc5::Width width, unsigned byte, unsigned bit = 0) {
-  return {{.kind = mc5::OperandKind::Memory,
-           .area = area,
-           .width = width,
-           .bit = static_cast<std::uint8_t>(bit),
-           .value = byte},
-          0};
-}
-inline Variable flagWord(unsigned byte) { return memory(mc5::Area::Flag, mc5::Width::Word, byte); }
-inline Variable inputBit(unsigned byte, unsigned bit) {
+inline Reference flagByte(unsigned byte) { return memory(mc5::Area::Flag, mc5::Width::Byte, byte); }
+inline Reference flagWord(unsigned byte) { return memory(mc5::Area::Flag, mc5::Width::Word, byte); }
+inline Reference inputBit(unsigned byte, unsigned bit) {
   return memory(mc5::Area::Input, mc5::Width::Bit, byte, bit);
 }
-inline Variable dataWord(std::uint16_t db, unsigned word) {
-  Variable v = memory(mc5::Area::Data, mc5::Width::Word, word);
-  v.dataBlock = db;
-  return v;
+inline Reference dataWord(std::uint16_t db, unsigned word) {
+  Reference reference = memory(mc5::Area::Data, mc5::Width::Word, word);
+  reference.db = db;
+  return reference;
+}
+// As LC loads it.
+inline Reference cell(address::OperandKind kind, unsigned number) {
+  Reference reference;
+  reference.operand = {kind, merker::Area::None, merker::Width::Word, number};
+  return reference;
 }
 
 // Codes that the tests use often (checked against the encoder in plc_bench_test).
@@ -101,7 +103,7 @@ struct PlcBench {
     return static_cast<std::uint16_t>((value / 1000) << 12 | (value / 100 % 10) << 8 |
                                       (value / 10 % 10) << 4 | value % 10);
   }
-  unsigned value(const Variable& variable) { return plc().read(variable).value_or(0xDEAD); }
+  unsigned value(const Reference& variable) { return plc().read(variable).value_or(0xDEAD); }
 
   Options options;
   std::optional<Plc> built;

@@ -7,7 +7,7 @@ namespace {
 using mc5::BlockId;
 using mc5::BlockType;
 
-mc5::Variable variable(const char* name) { return *step5::parseVariable(name); }
+address::Reference variable(const char* name) { return *step5::parseVariable(name); }
 
 mc5::Block block(BlockType type, unsigned number, std::size_t words, std::uint16_t value = 0) {
   mc5::Block b;

@@ -45,12 +45,12 @@ Plc::Plc(std::string_view awl, const CpuModel& model, io::Configuration hardware
       model_(&model),
       station_({.model = &model, .hardware = std::move(hardware), .program = program_}) {}
 
-mc7::Reference Plc::reference(std::string_view operand) const {
+address::Reference Plc::reference(std::string_view operand) const {
   step7::CompileOptions options;
   options.model = model_;
   const auto result = step7::resolve(operand, *program_, options, {});
   EXPECT_TRUE(result) << operand;
-  return result ? *result : mc7::Reference{};
+  return result ? *result : address::Reference{};
 }
 
 std::uint32_t Plc::read(std::string_view operand) {

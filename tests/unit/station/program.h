@@ -32,7 +32,7 @@ class Plc {
   bool hasEvent(unsigned event) const;
   std::size_t countEvents(unsigned event) const;
 
-  mc7::Reference reference(std::string_view operand) const;
+  address::Reference reference(std::string_view operand) const;
 
  private:
   std::shared_ptr<const block::Program> program_;

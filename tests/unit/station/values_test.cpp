@@ -23,13 +23,15 @@ TEST(Values, AreReadAndWritten) {
 
 TEST(Values, OutsideGiveNothing) {
   Station station({});
-  mc7::Reference flag{.text = "", .operand = mc7::memory(Area::Flag, Width::Word, bitAddress(255))};
+  address::Reference flag{.text = "",
+                          .operand = address::memory(Area::Flag, Width::Word, bitAddress(255))};
   EXPECT_FALSE(station.read(flag));
   EXPECT_FALSE(station.write(flag, 1));
-  mc7::Reference block{
-      .text = "", .operand = mc7::memory(Area::DataBlock, Width::Word, 0), .db = 5};
+  address::Reference block{
+      .text = "", .operand = address::memory(Area::DataBlock, Width::Word, 0), .db = 5};
   EXPECT_FALSE(station.read(block));
-  mc7::Reference timer{.text = "", .operand = {.kind = mc7::OperandKind::Timer, .value = 300}};
+  address::Reference timer{.text = "",
+                           .operand = {.kind = address::OperandKind::Timer, .value = 300}};
   EXPECT_FALSE(station.read(timer));
 }
 
@@ -62,7 +64,7 @@ TEST(Values, DateAndTimeAndStringAreBytes) {
   EXPECT_TRUE(plc->writeBytes(text, Bytes{5, 1, 'x', 0, 0, 0, 0}));
   EXPECT_EQ(plc.read("DB1.DBW 8"), 0x0501u);
   EXPECT_FALSE(plc->writeBytes(text, Bytes{1}));
-  mc7::Reference outside = text;
+  address::Reference outside = text;
   outside.bytes = 9;
   EXPECT_FALSE(plc->readBytes(outside));
 }

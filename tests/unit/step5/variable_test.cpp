@@ -6,23 +6,24 @@
 namespace merker::step5 {
 namespace {
 
-using mc5::Area;
-using mc5::OperandKind;
-using mc5::Width;
+using address::OperandKind;
 
 TEST(Variable, OperandsWithAValue) {
   const auto data = parseVariable("DB10.DW5");
   ASSERT_TRUE(data.has_value());
-  EXPECT_EQ(data->dataBlock, 10);
-  EXPECT_EQ(data->operand.value, 5u);
-  EXPECT_EQ(data->operand.width, Width::Word);
+  EXPECT_EQ(data->db, 10);
+  EXPECT_EQ(data->operand, address::memory(Area::DataBlock, Width::Word, bitAddress(10)));
   const auto bit = parseVariable(" DB 255.D 5.15 ");
   ASSERT_TRUE(bit.has_value());
-  EXPECT_EQ(bit->dataBlock, 255);
-  EXPECT_EQ(bit->operand.bit, 15);
+  EXPECT_EQ(bit->db, 255);
+  EXPECT_EQ(bit->operand, address::memory(Area::DataBlock, Width::Bit, bitAddress(10, 7)));
+  EXPECT_EQ(parseVariable("DB5.D 3.0")->operand.value, bitAddress(7, 0));
+  EXPECT_EQ(parseVariable("DB5.DL 3")->operand.value, bitAddress(6));
+  EXPECT_EQ(parseVariable("DB5.DR 3")->operand.value, bitAddress(7));
   const auto input = parseVariable("E 12.7");
   ASSERT_TRUE(input.has_value());
   EXPECT_EQ(input->operand.area, Area::Input);
+  EXPECT_EQ(input->db, -1);
   EXPECT_EQ(parseVariable("MW 10")->operand.width, Width::Word);
   EXPECT_EQ(parseVariable("T 5")->operand.kind, OperandKind::Timer);
   EXPECT_EQ(parseVariable("z31")->operand.kind, OperandKind::Counter);

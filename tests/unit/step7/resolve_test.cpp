@@ -18,7 +18,7 @@ class Resolve : public testing::Test {
     symbols_.add(motor);
     options_.symbols = &symbols_;
   }
-  Result<mc7::Reference> operator()(std::string_view text) {
+  Result<address::Reference> operator()(std::string_view text) {
     return resolve(text, compiled_.result.program, options_, {"-", 1, 1, 1});
   }
 
