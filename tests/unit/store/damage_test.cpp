@@ -51,6 +51,15 @@ TEST_F(DamagedCard, ADatabaseOfAnotherProgram) {
   expectRefusal(ProblemCode::P1002);
 }
 
+// Database file format of SQLite, section 1.3.2: a page has 512 bytes or more.
+TEST_F(DamagedCard, AHeaderThatNoDatabaseHas) {
+  std::string bytes = content();
+  bytes.at(16) = 0;
+  bytes.at(17) = 3;
+  replace(bytes);
+  expectRefusal(ProblemCode::P1002);
+}
+
 TEST_F(DamagedCard, AnEmptyFileIsANewCard) {
   replace("");
   const auto card = MemoryCard::open(folder_);
@@ -68,6 +77,45 @@ TEST_F(DamagedCard, AFormatThatNeverWas) {
     execute(sql);
     expectRefusal(ProblemCode::P1003);
   }
+}
+
+void append(std::string& bytes, std::uint32_t value) {
+  for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(value >> shift);
+}
+
+// A rollback journal of one page (database file format of SQLite, section 3): it comes into the
+// file when SQLite opens it.
+std::string journal(const std::string& page, std::size_t pages) {
+  constexpr std::uint32_t kSector = 512, kNonce = 7;
+  std::string bytes = "\xd9\xd5\x05\xf9\x20\xa1\x63\xd7";
+  for (const std::size_t value :
+       {std::size_t{1}, std::size_t{kNonce}, pages, std::size_t{kSector}, page.size()})
+    append(bytes, static_cast<std::uint32_t>(value));
+  bytes.resize(kSector);
+  append(bytes, 1);
+  bytes += page;
+  std::uint32_t sum = kNonce;
+  for (std::size_t at = page.size() - 200; at < page.size(); at -= 200)
+    sum += static_cast<std::uint8_t>(page[at]);
+  append(bytes, sum);
+  return bytes;
+}
+
+// What a journal makes of a card is looked at in a copy: one that is refused stays as it was.
+TEST_F(DamagedCard, AJournalThatLeadsToANewerFormat) {
+  constexpr std::size_t kPageSizeAt = 16, kUserVersionAt = 60;
+  const std::string whole = content();
+  const std::size_t length = static_cast<std::uint8_t>(whole.at(kPageSizeAt)) << 8;
+  ASSERT_EQ(whole.size() % length, 0u);
+  std::string page = whole.substr(0, length);
+  page.at(kUserVersionAt + 3) = 2;
+  const std::string name = file() + "-journal";
+  std::ofstream(name, std::ios::binary) << journal(page, whole.size() / length);
+  expectRefusal(ProblemCode::P1005);
+  EXPECT_TRUE(fs::exists(name));
+  Database(file()).execute("BEGIN IMMEDIATE; COMMIT");  // the journal was a real one
+  EXPECT_FALSE(fs::exists(name));
+  expectRefusal(ProblemCode::P1005);
 }
 
 // Nothing of it runs: only the texts of the schema are compared (tests/store/doctored_test.py has
