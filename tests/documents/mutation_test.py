@@ -11,6 +11,7 @@ sys.path.insert(0, str(TOOLS))
 from mutation import candidates, results  # noqa: E402  (the path above)
 from mutation.code import code_lines  # noqa: E402
 from mutation.operators import mutants_of  # noqa: E402
+from mutation.scratch import Scratch  # noqa: E402
 
 
 def of(line, continues=False):
@@ -90,6 +91,19 @@ class Sample(unittest.TestCase):
             self.assertEqual({m.before for m in found}, {"  a *= 2;", "  return a - 1;"})
             with self.assertRaises(SystemExit):
                 candidates.changed_lines(root, "nothing")
+
+
+class Tests(unittest.TestCase):
+    def test_a_test_belongs_to_the_modules_whose_headers_it_includes(self):
+        with tempfile.TemporaryDirectory() as folder:
+            scratch = Scratch.__new__(Scratch)  # without the tree
+            scratch.tree = pathlib.Path(folder)
+            place = scratch.tree / "tests" / "unit" / "station"
+            place.mkdir(parents=True)
+            (place / "a_test.cpp").write_text('#include "cpu/cpu.h"\n#include "program.h"\n#include <io/x>\n', encoding="utf-8")
+            (place / "program.h").write_text('  // #include "jit/x.h"\n#include "station/station.h"\n', encoding="utf-8")
+            self.assertEqual(scratch.tested("station"), {"cpu", "station"})
+            self.assertEqual(scratch.tested("none"), set())
 
 
 class Results(unittest.TestCase):

@@ -74,6 +74,7 @@ class Scratch:
     def make(self, jobs):
         """Everything that is not mutated, compiled once."""
         if not (self.build / "CMakeCache.txt").exists():
+            print(f"everything is compiled once in {self.build}: minutes, later runs only compile what changed", flush=True)
             options = ["-DCMAKE_BUILD_TYPE=Release", f"-DCMAKE_CXX_FLAGS_RELEASE={FLAGS}", "-DMERKER_PAGE=OFF",
                        "-DMERKER_BROWSER_TESTS=OFF"]
             if shutil.which("mold"):
