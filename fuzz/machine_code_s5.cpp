@@ -61,11 +61,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   options.machineData->setBit({2003, 4}, true);  // LIR, TIR, TNB, TNW
   sinumerik::Plc plc(options);
   plc.coldStart();
-  const sinumerik::Variable alarmByte{{.kind = mc5::OperandKind::Memory,
-                                       .area = mc5::Area::Input,
-                                       .width = mc5::Width::Byte,
-                                       .value = 7},
-                                      0};
+  address::Reference alarmByte;
+  alarmByte.operand = address::memory(Area::Input, Width::Byte, bitAddress(7));
   plc.write(alarmByte, 0xFF);
   plc.advanceTo(Instant{} + Duration::milliseconds(200));
   const bool stopped = plc.mode() == sinumerik::Mode::Stop;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <boost/asio/ip/address.hpp>
 
+#include "base/text.h"
+
 namespace merker::hmi {
 namespace {
 
@@ -52,7 +54,7 @@ bool Guard::host(std::string_view host) const {
   if (!std::all_of(host.begin(), host.end(), isHostCharacter)) return false;
   const std::string_view name = nameOf(host);
   if (name.empty()) return false;
-  return !local_ || name == "127.0.0.1" || name == "localhost" || name == "[::1]" ||
+  return !local_ || name == "127.0.0.1" || equalsIgnoreCase(name, "localhost") || name == "[::1]" ||
          name == address_;
 }
 

@@ -12,11 +12,12 @@ std::uint32_t bitsOf(const address::Reference& reference) {
 }  // namespace
 
 bool samePlace(const address::Reference& a, const address::Reference& b) {
-  return a.operand == b.operand && a.db == b.db;
+  return a.operand == b.operand && a.db == b.db && a.nc == b.nc && a.partner == b.partner;
 }
 
 bool overlap(const address::Reference& a, const address::Reference& b) {
-  return a.operand.kind == b.operand.kind && a.operand.area == b.operand.area && a.db == b.db &&
+  return a.partner == b.partner && a.nc == b.nc && a.operand.kind == b.operand.kind &&
+         a.operand.area == b.operand.area && a.db == b.db &&
          a.operand.value < b.operand.value + bitsOf(b) &&
          b.operand.value < a.operand.value + bitsOf(a);
 }

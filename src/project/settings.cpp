@@ -69,7 +69,8 @@ void readCpu(const Table& table, Settings& settings) {
   readCpuParameters(table, *settings.model, settings.parameters);
 }
 
-// [hardware] and the modules. Modules with problems are left out.
+// [hardware] and the modules. Modules with problems are left out. Plants are wired to terminals: a
+// project that has some has hardware.
 void readHardware(const Table& root, Settings& settings) {
   const auto hardware = root.table("hardware");
   if (hardware) {
@@ -80,7 +81,7 @@ void readHardware(const Table& root, Settings& settings) {
     if (const auto way = hardware->choice("mounting", {"horizontal", "vertical"}))
       settings.vertical = *way == 1;
   }
-  if (!root.has("hardware") && !root.has("module")) return;
+  if (!root.has("hardware") && !root.has("module") && !root.has("plant")) return;
   std::vector<io::Module> modules;
   for (const Table& table : root.tables("module"))
     if (auto module = readModule(table, *settings.model)) modules.push_back(std::move(*module));

@@ -40,8 +40,8 @@ struct Settings {
   std::optional<std::vector<Pattern>> sources, symbols;
   std::optional<Mnemonics> mnemonics;  // of the sources; each shows its own without it
   CpuParameters parameters;
-  // Without [hardware] and [[module]] there is none: docs/compatibility.md, "Without a hardware
-  // configuration".
+  // Without [hardware], [[module]] and [[plant]] there is none: docs/compatibility.md, "Without a
+  // hardware configuration".
   std::optional<io::Configuration> hardware;
   plant::Configuration plants;
   AddressCheck addressCheck = AddressCheck::Standard;

@@ -68,12 +68,6 @@ bool isSigned(const Term& term) {
 
 float real(std::uint32_t bits) { return std::bit_cast<float>(bits); }
 
-bool about(std::uint32_t left, std::uint32_t right) {
-  const double a = real(left), b = real(right);
-  if (a == b) return true;
-  return std::abs(a - b) <= kTolerance * std::max(std::abs(a), std::abs(b));
-}
-
 bool isOrder(Relation relation) {
   return relation != Relation::Equal && relation != Relation::NotEqual;
 }
@@ -127,7 +121,7 @@ bool related(const Term& left, std::uint32_t a, Relation relation, const Term& r
   const bool word = isTimeWord(left) || isTimeWord(right);
   if (comparesTimes(left, right) && (!word || isOrder(relation)))
     return relates(milliseconds(a), relation, milliseconds(b));
-  if (relation == Relation::About) return about(a, b);
+  if (relation == Relation::About) return about(real(a), real(b));
   if (const auto number = plainNumber(right, left))
     return relates(besideNumber(left, a, *number), relation, *number);
   if (const auto number = plainNumber(left, right))
@@ -181,6 +175,10 @@ std::optional<std::uint32_t> value(const Term& term, const Term& other, const Re
     return static_cast<std::uint32_t>(*number);
   if (term.constant) return adapt(*term.constant, typeOf(other)).bits;
   return isTimerOrCounter(term) ? timerOrCounter(term, other, read) : read(term.reference);
+}
+
+bool about(double a, double b) {
+  return a == b || std::abs(a - b) <= kTolerance * std::max(std::abs(a), std::abs(b));
 }
 
 bool holds(const Term& left, Relation relation, const Term& right, const Reader& read) {

@@ -146,6 +146,8 @@ bool longHolds(const Term& left, block::Relation relation, const Term& right,
                const controller::Controller& plc) {
   const auto a = longValue(left, plc), b = longValue(right, plc);
   const TypeCode type = typeOf(left, right);
+  if (a && b && type == TypeCode::Void && relation == block::Relation::About)
+    return isDecimal(*a) && isDecimal(*b) && about(std::stod(*a), std::stod(*b));
   return a && b && relates(key(type, *a), relation, key(type, *b));
 }
 

@@ -7,7 +7,10 @@
 
 namespace merker::simulator {
 
-// ~= is for REAL alone and never holds here.
+// ~=: equal in six digits.
+bool about(double a, double b);
+
+// ~= is for REAL and data of the NC alone, see about(), and never holds here.
 template <typename T>
 bool relates(const T& a, block::Relation relation, const T& b) {
   switch (relation) {

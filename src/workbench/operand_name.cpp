@@ -16,9 +16,11 @@ bool isData(const address::Reference& reference) {
          reference.operand.area == Area::DataBlock;
 }
 
-// A DATE_AND_TIME or STRING has no address of its own width, a local variable none at all.
+// A DATE_AND_TIME or STRING has no address of its own width, a local variable none at all; the
+// partner of a coupling has the same operands.
 std::string addressText(const address::Reference& reference) {
-  const bool named = reference.bytes > 0 || reference.nc != 0 || reference.text.starts_with('#');
+  const bool named = reference.bytes > 0 || reference.nc != 0 || reference.partner ||
+                     reference.text.starts_with('#');
   if (named) return reference.text;
   const mc7::Instruction access{
       reference.outputSide ? mc7::Operation::TRANSFER : mc7::Operation::LOAD,

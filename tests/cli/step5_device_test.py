@@ -116,6 +116,8 @@ class Nc(Device):
         self.scenario("""set MW 162 = KF +12340, M 100.0 = 1
                          expect nc.R 50 = 123.4 within 300ms
                          expect nc.R 1.50 = 123.40
+                         expect nc.R 50 ~= 123.40001
+                         expect nc.R 50 ~= nc.R 50
                          expect nc.R 50 > 123.39
                          expect nc.R 50 < 200
                          expect nc.R 50 <> nc.R 51

@@ -10,7 +10,7 @@ namespace {
 // A name that points to 127.0.0.1 is still another site's name.
 TEST(Guard, KnowsItsOwnNames) {
   const Guard guard(true, false, "");
-  for (const char* good : {"127.0.0.1", "127.0.0.1:8080", "localhost:9", "[::1]:8080"})
+  for (const char* good : {"127.0.0.1", "127.0.0.1:8080", "localhost:9", "LOCALHOST", "[::1]:8080"})
     EXPECT_TRUE(guard.host(good)) << good;
   for (const char* bad :
        {"", "evil.example", "evil.example:8080", "127.0.0.1.evil.example", "localhost.evil.example",

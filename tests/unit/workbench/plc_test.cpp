@@ -168,5 +168,27 @@ TEST(Sinumerik, HasPanelAndVariables) {
   EXPECT_EQ(plc.mode(), controller::Mode::Stop);
 }
 
+// Operands of the partner keep its name, and are others than one's own.
+TEST(Sinumerik, PartnerHasOperandsOfItsOwn) {
+  Folder folder;
+  const std::string cpu = "[cpu]\nmodel = \"SINUMERIK 820 GA3\"\n";
+  folder.write("a/merker.toml", cpu + "[coupling]\npartner = \"../b\"\n");
+  folder.write("a/a.s5", "OB 1\n      BE\n");
+  folder.write("b/merker.toml", cpu + "[coupling]\npartner = \"../a\"\nrole = \"master\"\n");
+  folder.write("b/b.s5", "OB 1\n      BE\n");
+  Workbench workbench;
+  workbench.show(
+      std::make_unique<Plc>(compilation::build(project::load(folder.path("a"), {}), false)));
+  const auto ask = [&](const std::string& text) { return Json::parse(workbench.handle(1, text)); };
+  const Json watched = ask(
+      R"({"id": 1, "do": "watch.set", "list": 0, "items": [{"operand": "partner.MW 10"}, {"operand": "MW 10"}]})");
+  EXPECT_EQ(watched["result"]["items"][0]["operand"], "partner.MW 10") << watched.dump();
+  EXPECT_EQ(watched["result"]["items"][1]["operand"], "MW 10");
+  const Json forced = ask(
+      R"({"id": 2, "do": "variables.force", "items": [{"operand": "partner.EB 0", "value": "1"}, {"operand": "E 0.0", "value": "1"}]})");
+  EXPECT_TRUE(forced.contains("result")) << forced.dump();
+  EXPECT_EQ(workbench.plc()->forces().size(), 2u);
+}
+
 }  // namespace
 }  // namespace merker::workbench::test
