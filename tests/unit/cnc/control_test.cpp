@@ -47,20 +47,35 @@ TEST(Fault, comesAndGoes) {
   EXPECT_TRUE(around.jumpersRight);
 }
 
+std::span<const std::uint8_t> digits(std::string_view text) {
+  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
+
+std::string numberOf(const Cnc& control, const address::Reference& datum) {
+  const auto read = control.readBytes(datum);
+  return read ? std::string(read->begin(), read->end()) : "none";
+}
+
+// Data of the NC outlast a start, not a memory reset.
 TEST(Coupled, aMemoryResetIsOneOfBoth) {
   Cnc control(Options{});
   control.couple(std::make_unique<Cnc>(Options{}), nc::Side::Control);
+  const address::Reference own = *datumReference("nc.R 50");
+  address::Reference others = own;
+  others.partner = true;
   EXPECT_TRUE(control.write(flagByte(100), 1));
   EXPECT_TRUE(control.write(flagByte(100, true), 2));
-  EXPECT_EQ(control.read(flagByte(100, true)), 2u);
   EXPECT_EQ(control.read(flagByte(100)), 1u);
+  EXPECT_EQ(control.read(flagByte(100, true)), 2u);
+  EXPECT_TRUE(control.writeBytes(own, digits("1.5")));
+  EXPECT_TRUE(control.writeBytes(others, digits("2.5")));
+  EXPECT_EQ(numberOf(control, own), "1.5");
+  EXPECT_EQ(numberOf(control, others), "2.5");
   control.memoryReset();
-  EXPECT_EQ(control.read(flagByte(100, true)), 0u);
   EXPECT_EQ(control.read(flagByte(100)), 0u);
-}
-
-std::span<const std::uint8_t> digits(std::string_view text) {
-  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+  EXPECT_EQ(control.read(flagByte(100, true)), 0u);
+  EXPECT_EQ(numberOf(control, own), "0");
+  EXPECT_EQ(numberOf(control, others), "0");
 }
 
 TEST(Data, takeOnlyWhatTheyCanHold) {
@@ -72,9 +87,7 @@ TEST(Data, takeOnlyWhatTheyCanHold) {
   const address::Reference whole = *datumReference("nc.md 155");
   EXPECT_TRUE(control.writeBytes(whole, digits("3")));
   EXPECT_FALSE(control.writeBytes(whole, digits("1.5")));
-  const auto read = control.readBytes(whole);
-  ASSERT_TRUE(read);
-  EXPECT_EQ(std::string(read->begin(), read->end()), "3");
+  EXPECT_EQ(numberOf(control, whole), "3");
 }
 
 TEST(Missing, saysWhy) {
