@@ -44,6 +44,25 @@ TEST(Periphery, ActsInVirtualTime) {
   plc->cpu().connect(nullptr);
 }
 
+// S7-OPND-11: with a configuration only bytes of its modules answer, from the first byte on.
+TEST(Periphery, BytesWithoutModuleDoNotAnswer) {
+  io::Module module;
+  module.type = findModuleTypes("SM 321 DI16xDC24V").at(0);
+  module.slot = 5;
+  module.parameters = io::Parameters::of(*module.type);
+  Problems problems;
+  Plc plc(ob(122, "L LW 6; T MW 10;") + ob(1, "L PEB 0; L PEB 4; L PEB 5;"), defaultCpuModel(),
+          io::configure({module}, defaultCpuModel(), problems));
+  EXPECT_FALSE(plc->read(plc.reference("PEB 0")));
+  EXPECT_FALSE(plc->read(plc.reference("PEB 1")));
+  EXPECT_TRUE(plc->read(plc.reference("PEB 4")));
+  EXPECT_TRUE(plc->read(plc.reference("PEB 5")));
+  plc.write("MW 10", 77);
+  plc.cycles(1);
+  EXPECT_EQ(plc.countEvents(0x2942), 1u);
+  EXPECT_EQ(plc.read("MW 10"), 0u);
+}
+
 // A module that wants the same instant for ever must not hold the time: the CPU stops and says who,
 // and the next start asks it again.
 TEST(Periphery, ThatNeverEndsStopsTheCpu) {
