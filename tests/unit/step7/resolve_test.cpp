@@ -31,9 +31,9 @@ TEST_F(Resolve, BothMnemonics) {
   for (const char* text : {"E 1.5", "I1.5", " i 1.5 "}) {
     const auto reference = (*this)(text);
     ASSERT_TRUE(reference) << text;
-    EXPECT_EQ(reference->operand, mc7::memory(Area::Input, Width::Bit, bitAddress(1, 5)));
+    EXPECT_EQ(reference->operand, address::memory(Area::Input, Width::Bit, bitAddress(1, 5)));
   }
-  EXPECT_EQ((*this)("Z 7")->operand.kind, mc7::OperandKind::Counter);
+  EXPECT_EQ((*this)("Z 7")->operand.kind, address::OperandKind::Counter);
   EXPECT_EQ((*this)("C 7")->operand.value, 7u);
 }
 
@@ -41,12 +41,12 @@ TEST_F(Resolve, DataBlocksAndSymbols) {
   const auto element = (*this)("DB1.a[2].r");
   ASSERT_TRUE(element);
   EXPECT_EQ(element->db, 1);
-  EXPECT_EQ(element->operand, mc7::memory(Area::DataBlock, Width::DWord, bitAddress(6)));
+  EXPECT_EQ(element->operand, address::memory(Area::DataBlock, Width::DWord, bitAddress(6)));
   EXPECT_EQ(element->type, TypeCode::Real);
   const auto motor = (*this)("\"Motor\"");
   ASSERT_TRUE(motor);
   EXPECT_EQ(motor->type, TypeCode::Bool);
-  EXPECT_EQ(motor->operand, mc7::memory(Area::Output, Width::Bit, bitAddress(1, 0)));
+  EXPECT_EQ(motor->operand, address::memory(Area::Output, Width::Bit, bitAddress(1, 0)));
 }
 
 TEST_F(Resolve, RefusesWhatIsNotVisibleFromOutside) {
