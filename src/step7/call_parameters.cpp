@@ -230,7 +230,7 @@ bool CallParameters::checkComposite(const block::Variable& formal, const Actual&
     const bool byValue = !target_.isFunction() && formal.section != Section::InOut;
     return !byValue || formal.type->length == type->length || mismatch(formal, actual);
   }
-  return block::sameStructure(*formal.type, *type) || mismatch(formal, actual);
+  return c_.scope().interfaces->structures().same(formal.type, type) || mismatch(formal, actual);
 }
 
 bool CallParameters::checkNumber(const block::Variable& formal, const Actual& actual) {

@@ -10,6 +10,7 @@
 #include "step7/block_source.h"
 #include "step7/compiler.h"
 #include "step7/member_index.h"
+#include "step7/structure_numbers.h"
 
 namespace merker::step7 {
 
@@ -34,6 +35,7 @@ class Interfaces {
   // A data block as a structure, unknown where its structure is.
   block::TypePtr dataType(const block::Block& db);
   MemberIndex& members() { return members_; }
+  StructureNumbers& structures() { return structures_; }
 
  private:
   enum class State : std::uint8_t { Open, Busy, Done };
@@ -51,7 +53,7 @@ class Interfaces {
   void resolveData(BlockSource& source, block::Block& result);
   void layOutSections(BlockSource& source, block::Block& result);
   bool hasStartInformation(const std::vector<block::Variable>& temps) const;
-  void dataBlockOf(BlockSource& source, const block::Type& type, block::Block& result);
+  void dataBlockOf(BlockSource& source, const block::TypePtr& type, block::Block& result);
   void assignments(BlockSource& source, const std::vector<block::Variable>& variables,
                    block::Block& result);
   void checkInitial(const BlockSource& source, const VariableSyntax& variable);
@@ -88,7 +90,8 @@ class Interfaces {
   std::map<block::TypePtr, Extent> extents_;
   std::map<BlockId, block::TypePtr> dataTypes_;
   MemberIndex members_;
-  std::uint64_t dataBytes_ = 0, variables_ = 0, initialBytes_ = 0;
+  StructureNumbers structures_;
+  std::uint64_t dataBytes_ = 0, variables_ = 0, components_ = 0, initialBytes_ = 0;
   std::map<BlockId, BlockNames> names_;
 };
 

@@ -40,35 +40,40 @@ void Interfaces::resolveData(BlockSource& source, block::Block& result) {
     }
     result.instanceOf = instance.number;
     result.instanceOfSystemBlock = instance.kind == BlockKind::SFB;
-    dataBlockOf(source, *type, result);
+    dataBlockOf(source, type, result);
   } else if (syntax.kind == TypeSyntax::Kind::Struct || byBlock ||
              syntax.kind == TypeSyntax::Kind::Symbol) {
     const block::TypePtr whole = type(source, syntax, Section::Static);
-    if (whole->code != TypeCode::Void) dataBlockOf(source, *whole, result);
+    if (whole->code != TypeCode::Void) dataBlockOf(source, whole, result);
   } else {
     problems_.add(ProblemCode::P0411, at(source, syntax.begin, syntax.end), toString(result.id));
   }
 }
 
-// Of all blocks together; the largest CPU has less work memory.
+// Of all blocks together; the largest CPU has less work memory. Components: what lies within the
+// variables, too, and has to be walked for each block.
 constexpr std::uint64_t kMostData = 64 * 1024 * 1024, kMostVariables = 1'000'000;
+constexpr std::uint64_t kMostComponents = 10'000'000;
 constexpr std::uint32_t kLargestBlock = 0x10000;
 
-void Interfaces::dataBlockOf(BlockSource& source, const block::Type& type, block::Block& result) {
+void Interfaces::dataBlockOf(BlockSource& source, const block::TypePtr& type,
+                             block::Block& result) {
   const Position place = at(source, source.name.begin, source.name.end);
-  const std::uint32_t bytes = block::sizeInBytes(type);
+  const std::uint32_t bytes = block::sizeInBytes(*type);
+  const std::vector<block::Variable>& members = type->members;
   if (bytes > options_.model->dataBlockSize)  // S7-CPU-08
     problems_.add(ProblemCode::P0503, place, toString(source.id), bytes,
                   options_.model->dataBlockSize);
   if (bytes > kLargestBlock || !take(dataBytes_, bytes, kMostData, "bytes of data", place) ||
-      !take(variables_, type.members.size(), kMostVariables, "variables of data blocks", place))
+      !take(variables_, members.size(), kMostVariables, "variables of data blocks", place) ||
+      !take(components_, extent(type).parts, kMostComponents, "components of data blocks", place))
     return;
-  result.variables = type.members;
+  result.variables = members;
   result.initialData.assign(bytes, 0);
-  for (const block::Variable& member : type.members)
+  for (const block::Variable& member : members)
     block::writeInitial(member, member.address, result.initialData);
   result.actualData = result.initialData;
-  assignments(source, type.members, result);
+  assignments(source, members, result);
 }
 
 block::TypePtr dataTypeOf(const block::Block& db) {

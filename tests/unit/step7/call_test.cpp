@@ -1,4 +1,5 @@
 // What CALL becomes (MC7 section 7): literal listings, so that a change of the macro is seen.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "support.h"
@@ -89,6 +90,72 @@ TEST(Call, AnyAndPointer) {
             "30\nL     DW#16#84000020\nT     LD 32\n"
             "UC    FC 1\nSPA   8\n      P#V 20.0\n      P#V 26.0\n      9\nBLD   2\nBE\n")
       << "a timer is handed over as its number";
+}
+
+// How a parameter and its actual operand are declared, and whether they fit (S7-PAR-04). Each is
+// called several times, as the result is remembered.
+struct Pair {
+  const char* formal;
+  const char* actual;
+  bool fits;
+};
+
+constexpr const char* kTypes[] = {"",
+                                  "a : INT; b : BOOL;",
+                                  "x : INT; y : BOOL;",
+                                  "a : INT; b : BYTE;",
+                                  "s : STRING [20];",
+                                  "s : STRING [22];",
+                                  "u : UDT 1; w : UDT 1;",
+                                  "u : UDT 2; w : UDT 1;",
+                                  "u : UDT 1; w : UDT 3;"};
+
+constexpr Pair kPairs[] = {
+    {"UDT 1", "UDT 1", true},
+    {"UDT 1", "UDT 2", true},
+    {"UDT 1", "UDT 3", false},
+    {"UDT 1", "STRUCT m : INT; n : BOOL; END_STRUCT", true},
+    {"UDT 1", "STRUCT m : INT; END_STRUCT", false},
+    {"UDT 1", "STRUCT m : INT; n, o : BOOL; END_STRUCT", false},
+    {"UDT 1", "STRUCT m : BOOL; n : INT; END_STRUCT", false},
+    {"UDT 4", "UDT 5", false},
+    {"UDT 6", "UDT 7", true},
+    {"UDT 6", "UDT 8", false},
+    {"UDT 6", "STRUCT a : INT; b : BOOL; c : INT; d : BOOL; END_STRUCT", false},
+    {"UDT 6", "ARRAY [1..2] OF UDT 1", false},
+    {"ARRAY [1..2] OF UDT 6", "ARRAY [1..2] OF UDT 7", true},
+    {"ARRAY [1..2] OF UDT 6", "ARRAY [1..2] OF UDT 8", false},
+    {"ARRAY [1..2] OF UDT 6", "ARRAY [0..1] OF UDT 6", false},
+    {"ARRAY [1..2] OF INT", "ARRAY [1..2,1..1] OF INT", false},
+    {"ARRAY [1..2] OF INT", "ARRAY [1..2] OF WORD", false},
+    {"DATE_AND_TIME", "DATE_AND_TIME", true},
+    {"DATE_AND_TIME", "STRUCT a, b : DWORD; END_STRUCT", false},
+    {"STRUCT a, b : DWORD; END_STRUCT", "DATE_AND_TIME", false},
+};
+
+std::vector<std::string> callsWith(const char* formal, const char* actual) {
+  std::string source;
+  for (std::size_t i = 1; i < std::size(kTypes); ++i)
+    source += fmt::format("TYPE UDT {}\nSTRUCT\n{}\nEND_STRUCT;\nEND_TYPE\n", i, kTypes[i]);
+  source += fmt::format(
+      "FUNCTION FC 1 : VOID\nVAR_IN_OUT\n p : {};\nEND_VAR\nBEGIN\nEND_FUNCTION\n"
+      "DATA_BLOCK DB 1\nSTRUCT\n v, w : {};\nEND_STRUCT\nBEGIN\nEND_DATA_BLOCK\n",
+      formal, actual);
+  return compileText(source + caller("CALL FC 1 (p := DB1.v);\nCALL FC 1 (p := DB1.w);\n"
+                                     "CALL FC 1 (p := DB1.v);"))
+      .problems();
+}
+
+TEST(Call, TypesOfParametersAreTheSameThroughout) {
+  for (const Pair& pair : kPairs)
+    for (const bool swapped : {false, true}) {
+      const char* formal = swapped ? pair.actual : pair.formal;
+      const char* actual = swapped ? pair.formal : pair.actual;
+      const auto problems = callsWith(formal, actual);
+      EXPECT_EQ(problems.size(), pair.fits ? 0u : 3u) << formal << " := " << actual;
+      for (const std::string& problem : problems)
+        EXPECT_TRUE(problem.ends_with("P0514")) << problem;
+    }
 }
 
 // Local data that the program addresses absolutely are not used for parameters.

@@ -110,6 +110,25 @@ TEST(Limits, ADataBlockOfMoreThanEverything) {
   EXPECT_EQ(first(dataBlock(members)), "1:12 P0503");
 }
 
+// Few bytes and few variables, but each has 402,234 components: 24 such blocks are possible.
+TEST(Limits, ComponentsOfAllDataBlocks) {
+  std::string source;
+  for (int level = 1; level <= 5; ++level) {
+    std::string members;
+    for (int i = 0; i < 13; ++i)
+      members +=
+          fmt::format("m{} : {};\n", i, level == 1 ? "BOOL" : fmt::format("UDT {}", level - 1));
+    source += dataType(level, members);
+  }
+  for (int i = 1; i <= 40; ++i)
+    source += fmt::format("DATA_BLOCK DB {}\nUDT 5\nBEGIN\nEND_DATA_BLOCK\n", i);
+  const Compiled compiled = compileText(source, "generic");
+  ASSERT_EQ(compiled.problems().size(), 1u);
+  EXPECT_TRUE(has(compiled.problems(), "P0106"));
+  EXPECT_FALSE(compiled.block(BlockKind::DB, 24).initialData.empty());
+  EXPECT_TRUE(compiled.block(BlockKind::DB, 25).initialData.empty());
+}
+
 // Each name of a declaration had a copy of its type: 8 to the power of 28.
 TEST(Limits, ManyNamesOfStructuresWithinEachOther) {
   const Compiled compiled = compileText(dataBlock(repeated("a,b,c,d,e,f,g,h : STRUCT\n", 28) +
