@@ -9,51 +9,6 @@ namespace merker::project {
 namespace fs = std::filesystem;
 namespace {
 
-// The places of a pattern that may come next after a part of the path: all ways at once, so that
-// many stars cost no more than few.
-class Match {
- public:
-  explicit Match(std::string_view pattern) : pattern_(pattern), here_(pattern.size() + 1) {
-    reach(0, here_);
-  }
-
-  void step(char c) {
-    std::vector<char> next(here_.size());
-    for (std::size_t i = 0; i < pattern_.size(); ++i)
-      if (here_[i] != kNo) step(i, c, next);
-    here_ = std::move(next);
-  }
-  bool done() const { return here_.back() != kNo; }
-
- private:
-  enum Place : char { kNo, kBefore, kInside };  // kInside: within a folder that ** stands for
-
-  bool isFolders(std::size_t i) const { return pattern_.substr(i).starts_with("**/"); }
-
-  void step(std::size_t i, char c, std::vector<char>& next) const {
-    if (isFolders(i)) {
-      if (c == '/') return reach(i, next);
-      if (next[i] == kNo) next[i] = kInside;
-    } else if (pattern_[i] == '*') {
-      if (c != '/') reach(i, next);
-    } else if (pattern_[i] == c || (pattern_[i] == '?' && c != '/')) {
-      reach(i + 1, next);
-    }
-  }
-
-  // Stars may stand for nothing.
-  void reach(std::size_t i, std::vector<char>& places) const {
-    while (i < places.size() && places[i] != kBefore) {
-      places[i] = kBefore;
-      if (i == pattern_.size() || pattern_[i] != '*') return;
-      i += isFolders(i) ? 3 : 1;
-    }
-  }
-
-  std::string_view pattern_;
-  std::vector<char> here_;
-};
-
 // Walks down until there is too much.
 class Walk {
  public:
@@ -101,13 +56,6 @@ std::vector<Entry> entries(const std::string& folder) {
   std::sort(list.begin(), list.end(),
             [](const Entry& a, const Entry& b) { return a.name < b.name; });
   return list;
-}
-
-bool matches(std::string_view pattern, std::string_view path) {
-  const std::string upperPattern = upper(pattern);
-  Match match(upperPattern);
-  for (const char c : upper(path)) match.step(c);
-  return match.done();
 }
 
 std::vector<std::string> listFiles(const std::string& folder, Problems* problems) {

@@ -1,5 +1,4 @@
-// Files of a folder and the patterns that choose among them. Always in the same order, whatever the
-// file system gives.
+// Files of a folder, always in the same order, whatever the file system gives.
 #pragma once
 
 #include <string>
@@ -9,10 +8,6 @@
 #include "base/problem.h"
 
 namespace merker::project {
-
-// * and ? within one name, ** over any number of folders ("lib/**/*.awl" also finds lib/a.awl).
-// Case does not matter, as on the disks that STEP 7 projects come from.
-bool matches(std::string_view pattern, std::string_view path);
 
 // What is looked at below a folder: files and folders in all, folders within each other.
 constexpr std::size_t kMostEntries = 20'000, kDeepestFolder = 32;

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <set>
 
+#include "base/text.h"
 #include "project/files.h"
+#include "project/path_pattern.h"
 #include "project/settings.h"
 
 namespace merker::project {
@@ -72,6 +73,8 @@ void readSymbolFile(Project& project, const std::string& path) {
 
 // More are a mistake, or meant to keep the loading busy.
 constexpr std::size_t kLongestPattern = 260, kMostPatterns = 100;
+// Of the patterns of one list with all files; a hundred patterns of many stars take so many.
+constexpr std::uint64_t kMostComparisons = 50'000'000;
 
 bool possible(Project& project, const std::vector<Pattern>& patterns) {
   if (patterns.size() > kMostPatterns) {
@@ -89,22 +92,52 @@ bool possible(Project& project, const std::vector<Pattern>& patterns) {
 }
 
 // Files that match the patterns, each once, in the order of the patterns.
+class Choice {
+ public:
+  Choice(Project& project, const std::vector<std::string>& files)
+      : project_(project), files_(files), taken_(files.size()) {
+    for (const std::string& file : files) upper_.push_back(upper(file));
+  }
+
+  // False if the rest of the patterns is not looked at.
+  bool add(const Pattern& pattern) {
+    const PathPattern path(pattern.text);
+    bool found = false;
+    for (std::size_t i = 0; i < files_.size(); ++i) {
+      if (project_.problems.cancelled()) return false;
+      if (comparisons_ > kMostComparisons) return tooMany(pattern);
+      if (!path.matches(upper_[i], comparisons_)) continue;
+      found = true;
+      if (!taken_[i]) chosen.push_back(files_[i]);
+      taken_[i] = true;
+    }
+    if (!found) project_.problems.add(ProblemCode::P0706, pattern.position, pattern.text);
+    return true;
+  }
+
+  std::vector<std::string> chosen;
+
+ private:
+  bool tooMany(const Pattern& pattern) {
+    project_.problems.add(ProblemCode::P0106, pattern.position, kMostComparisons,
+                          "comparisons of patterns with file names");
+    return false;
+  }
+
+  Project& project_;
+  const std::vector<std::string>& files_;
+  std::vector<std::string> upper_;
+  std::vector<bool> taken_;
+  std::uint64_t comparisons_ = 0;
+};
+
 std::vector<std::string> choose(Project& project, const std::vector<std::string>& files,
                                 const std::vector<Pattern>& patterns) {
-  std::vector<std::string> chosen;
-  if (!possible(project, patterns)) return chosen;
-  std::set<std::string_view> known;
-  for (const Pattern& pattern : patterns) {
-    bool found = false;
-    for (const std::string& file : files) {
-      if (project.problems.cancelled()) return chosen;
-      if (!matches(pattern.text, file)) continue;
-      found = true;
-      if (known.insert(file).second) chosen.push_back(file);
-    }
-    if (!found) project.problems.add(ProblemCode::P0706, pattern.position, pattern.text);
-  }
-  return chosen;
+  if (!possible(project, patterns)) return {};
+  Choice choice(project, files);
+  for (const Pattern& pattern : patterns)
+    if (!choice.add(pattern)) break;
+  return std::move(choice.chosen);
 }
 
 // Only endings that are used for symbols and nothing else: a .txt may be anything.

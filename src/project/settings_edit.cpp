@@ -6,7 +6,7 @@
 
 #include "base/text.h"
 #include "project/deep_key.h"
-#include "project/files.h"
+#include "project/path_pattern.h"
 #include "project/readers.h"
 #include "project/settings_text.h"
 
@@ -179,8 +179,10 @@ const toml::node* entryOf(const toml::array& list, std::string_view path) {
 }
 
 bool finds(const toml::array& list, std::string_view path) {
+  const std::string name = upper(path);
+  std::uint64_t steps = 0;
   return std::any_of(list.begin(), list.end(), [&](const toml::node& node) {
-    return node.is_string() && matches(node.as_string()->get(), path);
+    return node.is_string() && PathPattern(node.as_string()->get()).matches(name, steps);
   });
 }
 

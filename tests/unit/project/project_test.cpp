@@ -61,6 +61,22 @@ TEST(Project, PatternsHaveLimits) {
   }
 }
 
+// Patterns that cost much, with many files.
+TEST(Project, ComparisonsWithPatternsHaveALimit) {
+  const Folder folder;
+  for (int i = 0; i < 60; ++i) folder.write(std::string(200, 'a') + std::to_string(i) + ".awl");
+  std::string list = "'*0.awl',\n";
+  for (int i = 0; i < 99; ++i) list += "'*" + std::string(100, 'a') + "b',\n";
+  folder.write("merker.toml", "[program]\nsources = [" + list + "]\n");
+  const Project project = load(folder.path(), "");
+  EXPECT_EQ(project.sources.size(), 6u);  // of the first
+  ASSERT_FALSE(project.problems.empty());
+  const Problem& last = project.problems.list().back();
+  EXPECT_EQ(last.code, ProblemCode::P0106);
+  EXPECT_GT(last.position.line, 20u);
+  EXPECT_LT(last.position.line, 100u);
+}
+
 TEST(Project, ASingleSourceTakesTheSymbolsOfItsName) {
   const Folder folder;
   folder.write("a.awl");
