@@ -49,6 +49,16 @@ Place open(const std::string& root, std::string_view path, bool make) {
   return {std::move(folder), std::string(path)};
 }
 
+// The folders of the path that nothing lies in any more, from the deepest on.
+void removeEmptyFolders(const std::string& root, std::string_view path) {
+  for (std::size_t slash; (slash = path.rfind('/')) != std::string_view::npos;) {
+    path = path.substr(0, slash);
+    const Place place = open(root, path, false);
+    if (!place.folder || ::unlinkat(place.folder.number(), place.name.c_str(), AT_REMOVEDIR) != 0)
+      return;
+  }
+}
+
 std::optional<Stamp> stampOf(const Place& place) {
   struct stat state {};
   if (!place.folder ||
@@ -156,6 +166,15 @@ std::optional<Problem> ProjectFolder::check(const std::string& path) const {
   return std::nullopt;
 }
 
+// A program with deeper folders could not be compiled any more (P0715).
+std::optional<Problem> ProjectFolder::checkNew(const std::string& path) const {
+  if (auto problem = check(path)) return problem;
+  const auto folders = static_cast<std::size_t>(std::ranges::count(path, '/'));
+  if (folders <= project::kDeepestFolder) return std::nullopt;
+  return makeProblem(ProblemCode::P1314, nowhere(), project::kDeepestFolder,
+                     "folders within each other");
+}
+
 std::string ProjectFolder::relative(std::string_view path) const {
   const std::string prefix = project::join(folder_, "");
   if (!prefix.empty() && path.starts_with(prefix)) path.remove_prefix(prefix.size());
@@ -209,7 +228,7 @@ std::optional<Problem> ProjectFolder::write(const std::string& path, std::string
 
 std::optional<Problem> ProjectFolder::create(const std::string& path,
                                              std::string_view bytes) const {
-  if (auto problem = check(path)) return problem;
+  if (auto problem = checkNew(path)) return problem;
   const Place place = open(folder_, path, true);
   if (place.folder && put(place, bytes, RENAME_NOREPLACE)) return std::nullopt;
   return errno == EEXIST ? makeProblem(ProblemCode::P1312, nowhere(), path) : notWritten(path);
@@ -219,19 +238,22 @@ std::optional<Problem> ProjectFolder::remove(const std::string& path) const {
   if (auto problem = check(path)) return problem;
   const Place place = open(folder_, path, false);
   if (!stampOf(place)) return noFile(path);
-  const bool done = ::unlinkat(place.folder.number(), place.name.c_str(), 0) == 0;
-  return done ? std::nullopt : std::optional(notWritten(path));
+  if (::unlinkat(place.folder.number(), place.name.c_str(), 0) != 0) return notWritten(path);
+  removeEmptyFolders(folder_, path);
+  return std::nullopt;
 }
 
 std::optional<Problem> ProjectFolder::rename(const std::string& from, const std::string& to) const {
-  for (const std::string& path : {from, to})
-    if (auto problem = check(path)) return problem;
+  if (auto problem = check(from)) return problem;
+  if (auto problem = checkNew(to)) return problem;
   const Place old = open(folder_, from, false);
   if (!stampOf(old)) return noFile(from);
   const Place fresh = open(folder_, to, true);
   if (fresh.folder && ::renameat2(old.folder.number(), old.name.c_str(), fresh.folder.number(),
-                                  fresh.name.c_str(), RENAME_NOREPLACE) == 0)
+                                  fresh.name.c_str(), RENAME_NOREPLACE) == 0) {
+    removeEmptyFolders(folder_, from);
     return std::nullopt;
+  }
   return errno == EEXIST ? makeProblem(ProblemCode::P1312, nowhere(), to) : notWritten(to);
 }
 

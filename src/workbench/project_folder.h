@@ -55,8 +55,10 @@ class ProjectFolder {
   // if that is not there any more.
   std::optional<Problem> write(const std::string& path, std::string_view bytes,
                                std::optional<std::int64_t> revision) const;
-  // P1312 if it is there already. Folders on the way are made.
+  // P1312 if it is there already. Folders on the way are made; P1314 for more of them than a
+  // program is looked for in.
   std::optional<Problem> create(const std::string& path, std::string_view bytes) const;
+  // Folders that nothing is left in go too.
   std::optional<Problem> remove(const std::string& path) const;
   std::optional<Problem> rename(const std::string& from, const std::string& to) const;
 
@@ -65,6 +67,7 @@ class ProjectFolder {
 
  private:
   std::optional<Problem> check(const std::string& path) const;
+  std::optional<Problem> checkNew(const std::string& path) const;
 
   std::string folder_;
   std::set<std::string> only_;

@@ -1,3 +1,5 @@
+#include "project/files.h"
+
 #include <filesystem>
 
 #include "bench.h"
@@ -52,6 +54,44 @@ TEST(Files, AreMadeRenamedAndDeleted) {
   EXPECT_FALSE(fs::exists(bench.folder.path("other.awl")));
   EXPECT_EQ(bench.problem("files.delete", {{"path", "other.awl"}}), "P1310");
   EXPECT_EQ(bench.problem("files.read", {{"path", "none.awl"}}), "P1310");
+}
+
+std::string foldersAnd(std::size_t count, const std::string& name) {
+  std::string path;
+  for (std::size_t i = 0; i < count; ++i) path += "a/";
+  return path + name;
+}
+
+// As deep as a program is looked for: a file below would make the project impossible to compile.
+TEST(Files, FoldersTooDeepAreNotMade) {
+  Bench bench;
+  const std::string last = foldersAnd(project::kDeepestFolder, "x.txt");
+  const std::string tooDeep = foldersAnd(project::kDeepestFolder + 1, "x.txt");
+  EXPECT_EQ(bench.problem("files.create", {{"path", tooDeep}}), "P1314");
+  EXPECT_EQ(bench.problem("files.rename", {{"path", "main.awl"}, {"to", tooDeep}}), "P1314");
+  EXPECT_FALSE(fs::exists(bench.folder.path("a")));
+  bench.call("files.create", {{"path", last}});
+  EXPECT_EQ(bench.problem("files.rename", {{"path", last}, {"to", tooDeep}}), "P1314");
+  EXPECT_EQ(bench.call("program.check")["problems"], Json::array());
+}
+
+// What somebody made too deep by other means can be taken away here.
+TEST(Files, FoldersThatAreEmptyGo) {
+  Bench bench;
+  const std::string deep = foldersAnd(project::kDeepestFolder + 8, "x.txt");
+  bench.folder.write(deep, "x");
+  EXPECT_NE(bench.call("program.check")["problems"], Json::array());
+  bench.folder.write("a/stays.txt", "x");
+  bench.call("files.delete", {{"path", deep}});
+  EXPECT_EQ(bench.call("program.check")["problems"], Json::array());
+  EXPECT_FALSE(fs::exists(bench.folder.path("a/a")));
+  EXPECT_TRUE(fs::exists(bench.folder.path("a/stays.txt")));
+  bench.call("files.rename", {{"path", "a/stays.txt"}, {"to", "b/c.txt"}});
+  EXPECT_FALSE(fs::exists(bench.folder.path("a")));
+  bench.call("files.rename", {{"path", "b/c.txt"}, {"to", "b/d.txt"}});
+  bench.call("files.delete", {{"path", "b/d.txt"}});
+  EXPECT_FALSE(fs::exists(bench.folder.path("b")));
+  EXPECT_TRUE(fs::exists(bench.folder.path("main.awl")));
 }
 
 TEST(Files, NoPathLeadsOut) {
