@@ -146,6 +146,34 @@ def blocks_of_megabytes(n):
         of_type(i, "UDT 2") for i in range(1, n))
 
 
+def tree(first, leaf="BOOL", parts="m{}"):
+    """Data types from `first` on, the last, first + 4, of 371,293 components."""
+    return "".join(data_type(first + level, "".join(f"{parts.format(i)} : {f'UDT {first + level - 1}' if level else leaf};\n"
+                                                    for i in range(13))) for level in range(5))
+
+
+@bomb
+def blocks_of_components(n):
+    return data_type(1, "x : BOOL;") + "".join(data_type(i, f"a : UDT {i - 1};") for i in range(2, 28)) + "".join(
+        f"DATA_BLOCK DB {i}\nSTRUCT\na : ARRAY [1..32000] OF UDT 27;\nEND_STRUCT;\nBEGIN\nEND_DATA_BLOCK\n" for i in range(1, n))
+
+
+@bomb
+def calls_that_compare_types(n):
+    return (tree(1) + tree(11, parts="n{}") + data_block("v : UDT 5;") +
+            block("", "VAR_IN_OUT\np : UDT 15;\nEND_VAR") + block("CALL FC 1 (p := DB1.v);\n" * n * 3, number=2))
+
+
+@bomb
+def calls_that_compare_many_types(n):
+    count = int(n ** 0.5)
+    return tree(1) + tree(11, parts="n{}") + "".join(
+        block("", "VAR_IN_OUT\np : STRUCT a : UDT 15; END_STRUCT;\nEND_VAR", i) for i in range(count)) + block(
+            "".join(f"CALL FC {i} (p := #v{j});\n" for i in range(count) for j in range(count)),
+            "VAR_IN_OUT\n" + "".join(f"v{j} : STRUCT a : UDT 5; END_STRUCT;\n" for j in range(count)) + "END_VAR",
+            kind="FUNCTION_BLOCK FB {}")
+
+
 @bomb
 def structures_in_structures(n):
     return data_block("a : STRUCT " * n * 10)
@@ -398,6 +426,18 @@ def folders(n):
 @bomb
 def patterns(n):
     return project("[program]\nsources = [" + '"*.awl",' * n * 10 + "]\n")
+
+
+@bomb
+def patterns_of_stars(n):
+    return project("[program]\nsources = [" + ('"' + "*a?" * 80 + 'b",\n') * 99 + "]\n",
+                   **{"a" * 200 + f"{i}.awl": "" for i in range(n)})
+
+
+@bomb
+def patterns_that_almost_match(n):
+    return project("[program]\nsources = [" + ('"*' + "a" * 120 + 'b",\n') * 99 + "]\n",
+                   **{"a" * 240 + f"{i}.awl": "" for i in range(n)})
 
 
 @bomb
