@@ -1,9 +1,10 @@
 # One module of src/ is one static library; its headers are included as "<module>/<file>.h".
-#   merker_module(<name> SOURCES <files...> USES <modules or packages...> [APART <files...>] [SINGLE])
-# APART and SINGLE: see merker_together.
+#   merker_module(<name> SOURCES <files...> USES <modules or packages...> [APART <files...>] [SINGLE]
+#                 [NOT_PRECOMPILED])
+# APART and SINGLE: see merker_together. NOT_PRECOMPILED: the module has compiler options of its own.
 # The include rule (which module may see which) is checked by tests/architecture, not here.
 function(merker_module name)
-  cmake_parse_arguments(M "SINGLE" "" "SOURCES;USES;APART" ${ARGN})
+  cmake_parse_arguments(M "SINGLE;NOT_PRECOMPILED" "" "SOURCES;USES;APART" ${ARGN})
   if(M_SOURCES)
     add_library(merker_${name} STATIC ${M_SOURCES})
     set(scope PUBLIC)
@@ -21,6 +22,9 @@ function(merker_module name)
   endforeach()
   if(M_SOURCES)
     merker_warnings(merker_${name})
+    if(NOT M_NOT_PRECOMPILED)
+      merker_precompiled(merker_${name} merker_common)
+    endif()
     if(M_SINGLE)
       set_target_properties(merker_${name} PROPERTIES UNITY_BUILD OFF)
     elseif(CMAKE_UNITY_BUILD)
@@ -35,6 +39,33 @@ endfunction()
 function(merker_together target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 10)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()
+
+# The headers that nearly every file includes, compiled once for all modules and once for all tests (a precompiled header
+# serves targets with the same options): a build takes a quarter less. Each file still names what it uses;
+# -DMERKER_PRECOMPILED=OFF finds a file that does not.
+option(MERKER_PRECOMPILED "compile the common headers once" ON)
+set(merker_common_headers <algorithm> <array> <charconv> <cmath> <cstdint> <functional> <map> <memory> <optional> <set>
+  <span> <string> <string_view> <utility> <variant> <vector> <fmt/format.h>)
+
+# merker_common(<name> <options of its users...>): an object library that holds the compiled headers.
+function(merker_common name)
+  if(MERKER_PRECOMPILED)
+    file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/${name}.cpp CONTENT "")
+    add_library(${name} OBJECT ${PROJECT_BINARY_DIR}/${name}.cpp)
+    target_link_libraries(${name} PRIVATE fmt::fmt)
+    merker_warnings(${name})
+    target_compile_options(${name} PRIVATE ${ARGN})
+    target_precompile_headers(${name} PRIVATE ${merker_common_headers})
+  endif()
+endfunction()
+
+# merker_precompiled(<target> <name>): the target uses the headers of merker_common(<name>).
+function(merker_precompiled target name)
+  if(MERKER_PRECOMPILED)
+    target_link_libraries(${target} PRIVATE fmt::fmt)
+    target_precompile_headers(${target} REUSE_FROM ${name})
+  endif()
 endfunction()
 
 function(merker_warnings target)
