@@ -21,9 +21,7 @@ constexpr std::string_view kWireWords =
 // Reads the plants of one file, in its order.
 class Reader {
  public:
-  explicit Reader(const std::optional<io::Configuration>& modules) {
-    if (modules) rack_.emplace(*modules);
-  }
+  explicit Reader(const io::Configuration& modules) : rack_(modules) {}
   // All names, in capital letters, to tell which of them stand below.
   void expect(std::set<std::string> names) { below_ = std::move(names); }
   void read(const Table& table);
@@ -41,7 +39,7 @@ class Reader {
   bool isFree(const Table& table, std::string_view key, const PlantSettings& plant,
               const plant::Wire& wire) const;
 
-  std::optional<io::Rack> rack_;
+  io::Rack rack_;
   plant::Configuration plants_;
   std::set<std::string> below_;
 };
@@ -98,7 +96,7 @@ bool Reader::readName(const Table& table, PlantSettings& plant) const {
     table.mustBe("name", "a word without blanks, points and quotation marks");
     return false;
   }
-  if (plants_.find(*name) || (rack_ && rack_->module(*name))) {
+  if (plants_.find(*name) || rack_.module(*name)) {
     table.problems().add(ProblemCode::P0742, table.at("name"), *name,
                          plants_.find(*name) ? "another plant" : "a module");
     return false;
@@ -205,12 +203,11 @@ bool Reader::findTerminal(const Table& table, std::string_view key, const Signal
     table.problems().add(code, table.at(key), words...);
     return false;
   };
-  if (!rack_) return fail(ProblemCode::P0983);
-  const auto module = rack_->module(name.module);
+  const auto module = rack_.module(name.module);
   if (!module) return fail(ProblemCode::P0763, wire.text);
-  const auto terminal = rack_->terminal(name.module, name.side, name.channel);
+  const auto terminal = rack_.terminal(name.module, name.side, name.channel);
   if (!terminal)
-    return fail(ProblemCode::P0984, rack_->configuration().modules[*module].title(),
+    return fail(ProblemCode::P0984, rack_.configuration().modules[*module].title(),
                 "terminal " + wire.text.substr(wire.text.rfind('.') + 1));
   const bool fits = io::isDigital(name.side) == signal.binary &&
                     io::isOutput(name.side) == (signal.side == Signal::Side::Input);
@@ -221,7 +218,7 @@ bool Reader::findTerminal(const Table& table, std::string_view key, const Signal
                     signal.side == Signal::Side::Input ? "output" : "input",
                     signal.side == Signal::Side::Input ? (signal.binary ? "DO" : "AO")
                                                        : (signal.binary ? "DI" : "AI")));
-  if (!signal.binary && rack_->range(*terminal) == nullptr)
+  if (!signal.binary && rack_.range(*terminal) == nullptr)
     return fail(ProblemCode::P0984, wire.text, "range: it is off");
   wire.end = *terminal;
   return true;
@@ -231,7 +228,7 @@ bool Reader::findTerminal(const Table& table, std::string_view key, const Signal
 // measured as they are; zero of a range with both signs is zero.
 void Reader::scale(const Table* ends, const Signal& signal, plant::Wire& wire) const {
   const auto* terminal = std::get_if<io::Terminal>(&wire.end);
-  const MeasuringRange* range = terminal && rack_ ? rack_->range(*terminal) : nullptr;
+  const MeasuringRange* range = terminal ? rack_.range(*terminal) : nullptr;
   const bool given = ends != nullptr && (ends->has("low") || ends->has("high"));
   if (range == nullptr) {
     if (given)
@@ -255,8 +252,7 @@ void Reader::scale(const Table* ends, const Signal& signal, plant::Wire& wire) c
 
 }  // namespace
 
-plant::Configuration readPlants(const Table& root,
-                                const std::optional<io::Configuration>& modules) {
+plant::Configuration readPlants(const Table& root, const io::Configuration& modules) {
   Reader reader(modules);
   std::set<std::string> names;
   for (const Table& table : root.tables("plant"))

@@ -21,7 +21,7 @@ std::string slotText(const toml::node& node);
 // [[module]]; nothing if it is too wrong to have a place
 std::optional<io::Module> readModule(const Table& table, const CpuModel& model);
 // [[plant]] and its wires to the modules
-plant::Configuration readPlants(const Table& root, const std::optional<io::Configuration>& modules);
+plant::Configuration readPlants(const Table& root, const io::Configuration& modules);
 // The module's parameters (S7-HWCFG-09)
 void readParameters(const Table& table, io::Module& module);
 // [[module.channel]]

@@ -97,7 +97,7 @@ void readStation(const Table& root, Settings& settings) {
   root.allow({"project", "program", "cpu", "hardware", "module", "plant"});
   if (const auto table = root.table("cpu")) readCpu(*table, settings);
   readHardware(root, settings);
-  settings.plants = readPlants(root, settings.hardware);
+  if (settings.hardware) settings.plants = readPlants(root, *settings.hardware);
 }
 
 void readAll(const Table& root, std::optional<Model> model, Settings& settings) {

@@ -29,7 +29,6 @@ constexpr Wrong kWrong[] = {
     {"parameterIsText", OVEN "gain = \"2\"\n", "4:8 P0704", "a number from"},
     {"stepTooShort", OVEN "step = \"1us\"\n", "4:8 P0704", "0.1ms"},
     {"unknownSignal", BOARD OVEN "wire.SP = \"2.3.AO0\"\n", "5:6 P0762", "DISTURBANCE"},
-    {"wireWithoutModules", OVEN "wire.PV = \"2.3.AI0\"\n", "4:11 P0983", "hardware"},
     {"wireToNowhere", BOARD OVEN "wire.PV = \"9.AI0\"\n", "5:11 P0763", "9.AI0"},
     {"wireIsNumber", BOARD OVEN "wire.PV = 3\n", "5:11 P0704", "Panel.DO0"},
     {"wireToMissingChannel", BOARD OVEN "wire.PV = \"2.3.AI9\"\n", "5:11 P0984", "AI9"},
