@@ -7,6 +7,8 @@
 #include <functional>
 #include <tuple>
 
+#include "base/visible.h"
+
 namespace merker {
 namespace {
 
@@ -37,7 +39,7 @@ std::string shortened(std::string text) {
 const ProblemInfo& info(ProblemCode code) { return kProblems[static_cast<std::size_t>(code)]; }
 
 Problem composeProblem(ProblemCode code, Position position, std::vector<std::string> arguments) {
-  for (std::string& argument : arguments) argument = shortened(std::move(argument));
+  for (std::string& argument : arguments) argument = shortened(visible(argument));
   fmt::dynamic_format_arg_store<fmt::format_context> places;
   for (const std::string& argument : arguments) places.push_back(std::cref(argument));
   std::string message = fmt::vformat(info(code).text, places);

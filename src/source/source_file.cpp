@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "base/utf8.h"
+#include "base/visible.h"
 
 namespace merker::source {
 namespace {
@@ -102,9 +103,10 @@ Result<std::string> readBytes(const std::string& path, std::size_t largest) {
 
 std::string place(const Position& position) {
   if (position.file.empty()) return {};
-  if (position.line == 0) return position.file + ": ";
-  if (position.column == 0) return fmt::format("{}:{}: ", position.file, position.line);
-  return fmt::format("{}:{}:{}: ", position.file, position.line, position.column);
+  const std::string file = visible(position.file);
+  if (position.line == 0) return file + ": ";
+  if (position.column == 0) return fmt::format("{}:{}: ", file, position.line);
+  return fmt::format("{}:{}:{}: ", file, position.line, position.column);
 }
 
 // The line as it is shown: control characters would upset a terminal.

@@ -19,6 +19,12 @@ TEST(Problems, knowsErrorsFromWarnings) {
   EXPECT_EQ(problems.list()[1].name(), "P0101");
 }
 
+// A file that somebody else has made must not move the cursor of a terminal.
+TEST(Problems, showsControlCharacters) {
+  const Problem problem = makeProblem(ProblemCode::P0101, {}, "a\x1B[2J\nb\x7F", "\xC2\x9B ä €");
+  EXPECT_EQ(problem.message, "cannot read a\\x1B[2J\\x0Ab\\x7F: \\x9B ä €");
+}
+
 // Other languages put the same arguments into their own text.
 TEST(Problems, keepsItsArguments) {
   const Problem problem = makeProblem(ProblemCode::P0352, {}, 40000, "SPA", -32768, 32767);
