@@ -22,15 +22,27 @@ constexpr std::string_view kEnding = ".state";
 
 std::string keyword(const Call& call) { return std::string(call.station().model().keyword); }
 
+// The text has at least so many characters: two for each byte of a block. What is far too long is
+// not even copied.
+std::size_t leastText(const Call& call) {
+  std::size_t bytes = 0;
+  for (const cpu::DataBlock& block : call.station().cpu().machine().dataBlocks.all())
+    bytes += block.data.size();
+  for (const auto& [id, block] : *call.plc().program())
+    bytes += id.kind == BlockKind::DB ? block.actualData.size() : block.code.size();
+  return 2 * bytes;
+}
+
 // At the end of the cycle, where nothing is half done.
 Answer save(const Call& call) {
-  pathOf(call.fields, kEnding);
+  const std::string path = pathOf(call.fields, kEnding);
   call.fields.flag("replace", false);
   if (!call.fields.good()) return call.fields.problems();
   call.station().settle();
   if (call.station().mode() == controller::Mode::Halt || !call.station().cpu().betweenCycles())
     return refused(ProblemCode::P1308, "the state",
                    "the program stands inside a block; let it go on, or stop the CPU");
+  if (leastText(call) > kLargestFile) return one(tooLong(path, kLargestFile));
   auto saved = std::make_shared<SavedCpu>(SavedCpu{keyword(call),
                                                    hardwareOf(call.station()),
                                                    call.plc().program(),
@@ -39,9 +51,10 @@ Answer save(const Call& call) {
   for (const monitor::Forced& one : call.plc().forces())
     saved->forces.push_back({one.operand.text, monitor::show(one.operand, one.value,
                                                              monitor::DisplayFormat::Automatic)});
-  return changingFiles(call, [saved](const Aside& aside) {
-    return done(putFile(aside.folder, pathOf(aside.fields, kEnding), snapshotText(*saved),
-                        aside.fields.flag("replace", false)));
+  return changingFiles(call, [saved, path](const Aside& aside) -> Answer {
+    const auto text = snapshotText(path, *saved, kLargestFile);
+    if (!text) return one(text.error());
+    return done(putFile(aside.folder, path, *text, aside.fields.flag("replace", false)));
   });
 }
 

@@ -29,7 +29,10 @@ struct SavedCpu {
 // What a CPU must be alike in to take a state.
 std::vector<std::string> hardwareOf(const station::Station& station);
 
-std::string snapshotText(const SavedCpu& saved);
+// P1308 if the text would be longer than `most`, P1008 for a block that has no container.
+Result<std::string> snapshotText(const std::string& path, const SavedCpu& saved, std::size_t most);
+// More than the text of a state may have.
+Problem tooLong(const std::string& path, std::size_t most);
 // `known`: programs whose blocks are taken, with their names and lines, where the file has the
 // same. P1320.
 Result<SavedCpu> parseSnapshot(const std::string& path, std::string_view text,

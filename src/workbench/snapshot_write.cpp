@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "block/container.h"
 #include "workbench/hex.h"
 #include "workbench/snapshot_text.h"
@@ -6,11 +8,15 @@ namespace merker::workbench {
 namespace {
 
 // A UDT exists in the project only.
-Json blocks(const block::Program& program) {
+Result<Json> blocks(const std::string& path, const block::Program& program, std::size_t most) {
   Json list = Json::array();
+  std::size_t digits = 0;
   for (const auto& [id, block] : program) {
+    if (id.kind == BlockKind::UDT) continue;
     const auto container = block::writeContainer(block);
-    if (container.empty()) continue;
+    if (container.empty()) return makeProblem(ProblemCode::P1008, nowhere(), toString(id));
+    digits += 2 * container.size();
+    if (digits > most) return tooLong(path, most);
     list.push_back({{"block", toString(id)},
                     {"readOnly", block.attributes.readOnly},
                     {"container", toHex(container)}});
@@ -99,7 +105,15 @@ Json interrupts(const cpu::Interrupts& all) {
 
 }  // namespace
 
-std::string snapshotText(const SavedCpu& saved) {
+Problem tooLong(const std::string& path, std::size_t most) {
+  return makeProblem(
+      ProblemCode::P1308, nowhere(), path,
+      fmt::format("it would have more than the {} MB that can be read again", most >> 20));
+}
+
+Result<std::string> snapshotText(const std::string& path, const SavedCpu& saved, std::size_t most) {
+  auto program = blocks(path, *saved.program, most);
+  if (!program) return program.error();
   constexpr std::string_view kPositions[] = {"RUN-P", "RUN", "STOP", "MRES"};
   const cpu::Snapshot& s = saved.snapshot;
   const auto force = [](const SavedForce& one) -> Json {
@@ -108,7 +122,7 @@ std::string snapshotText(const SavedCpu& saved) {
   const Json json = {{"merkerCpuState", 1},
                      {"cpu", saved.model},
                      {"hardware", saved.hardware},
-                     {"blocks", blocks(*saved.program)},
+                     {"blocks", std::move(*program)},
                      {"memory", memory(s.memory)},
                      {"images", toHex(s.images)},
                      {"inputs", toHex(s.inputs)},
@@ -129,7 +143,9 @@ std::string snapshotText(const SavedCpu& saved) {
                        {"began", s.cycleBegan},
                        {"next", s.nextCycle}}},
                      {"forces", listOf(saved.forces, force)}};
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  std::string text = json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  if (text.size() > most) return tooLong(path, most);
+  return text;
 }
 
 }  // namespace merker::workbench

@@ -1,4 +1,6 @@
 // Timers by hand, the CPU in a file, recording and playback (S7-SIM-13).
+#include <fmt/format.h>
+
 #include "bench.h"
 
 namespace merker::workbench::test {
@@ -151,6 +153,33 @@ TEST(CpuState, OfAnotherSizeIsRefused) {
     bench.folder.write("short.state", saved.dump());
     EXPECT_EQ(bench.problem("cpu.load", {{"path", "short.state"}}), "P1320") << key;
     EXPECT_EQ(text(bench, "MW 20"), before);
+  }
+}
+
+std::string dataBlocks(int count) {
+  std::string text;
+  for (int number = 10; number < 10 + count; ++number)
+    text += fmt::format(
+        "DATA_BLOCK DB {}\nSTRUCT\n a : ARRAY [0..8000] OF INT := {};\nEND_STRUCT\nBEGIN\n"
+        "END_DATA_BLOCK\n",
+        number, number);
+  return text;
+}
+
+// What cpu.load could not read is not written: neither what the data alone show, nor what only the
+// blocks do.
+TEST(CpuState, IsNotWrittenLongerThanItCanBeRead) {
+  for (const auto& [count, fits] : {std::pair{5, true}, {60, false}, {140, false}}) {
+    SCOPED_TRACE(count);
+    Bench bench(kProgram + dataBlocks(count), "[cpu]\nmodel = \"generic\"\n");
+    const Json answer = bench.ask("cpu.save", {{"path", "big.state"}, {"replace", true}});
+    EXPECT_EQ(answer.contains("problems"), !fits) << answer.dump();
+    if (fits) {
+      bench.call("cpu.load", {{"path", "big.state"}});
+    } else {
+      EXPECT_EQ(bench.problem("cpu.save", {{"path", "big.state"}}), "P1308");
+      EXPECT_FALSE(std::filesystem::exists(bench.folder.path("big.state")));
+    }
   }
 }
 
