@@ -1,5 +1,8 @@
 #include "card.h"
 
+#include <fmt/format.h>
+
+#include "project/settings.h"
 #include "system/library.h"
 
 namespace merker::app {
@@ -51,6 +54,16 @@ bool switchOn(const block::RetentiveData* kept, const store::Download& done, con
 
 }  // namespace
 
+Result<store::MemoryCard> openCard(const std::string& folder, bool needsProgram) {
+  auto card =
+      needsProgram ? store::MemoryCard::openLoaded(folder) : store::MemoryCard::open(folder);
+  if (!card) return card;
+  const std::string& cpu = card->loadMemory().cpu;
+  if (cpu.empty() || project::findModel(cpu)) return card;
+  return makeProblem(ProblemCode::P1003, Position{folder},
+                     fmt::format("it is the card of an unknown CPU '{}'", cpu));
+}
+
 Build buildFromCard(const store::MemoryCard& card, const std::string& folder,
                     const std::string& cpu) {
   const store::LoadMemory& load = card.loadMemory();
@@ -71,10 +84,6 @@ Build buildFromCard(const store::MemoryCard& card, const std::string& folder,
     }
   } else {
     result.program = std::make_shared<const block::Program>(load.program);
-  }
-  if (card.empty()) {
-    result.problems.add(ProblemCode::P1007, Position{folder});
-    result.project.unreadable = true;
   }
   return result;
 }

@@ -8,8 +8,12 @@
 
 namespace merker::app {
 
-// The program, CPU and configuration on the card, as if they were a project. P1007 if there is
-// none; P1003 if its blocks are none of this CPU.
+// P1003 if no CPU has such a card, else as MemoryCard::open or, without a program from elsewhere,
+// openLoaded.
+Result<store::MemoryCard> openCard(const std::string& folder, bool needsProgram);
+
+// The program, CPU and configuration on the card, as if they were a project. P1003 if its blocks
+// are none of this CPU.
 Build buildFromCard(const store::MemoryCard& card, const std::string& folder,
                     const std::string& cpu);
 

@@ -305,13 +305,13 @@ int runPath(const RunOptions& options, std::optional<Duration> time) {
   if (built.isListing() && options.copyRamToRom)
     return wrongUsage("--copy-ram-to-rom: a SINUMERIK has no load memory beside its RAM");
   if (built.partner) return wrongUsage("--card: there is one card, and two controls are coupled");
-  auto card = store::MemoryCard::open(options.card);
+  auto card = openCard(options.card, false);
   if (!card) return failed(card.error());
   return runBuild(options, built, time, &*card);
 }
 
 int runFromCard(const RunOptions& options, std::optional<Duration> time) {
-  auto card = store::MemoryCard::open(options.card);
+  auto card = openCard(options.card, true);
   if (!card) return failed(card.error());
   Build built = buildFromCard(*card, options.card, options.project.cpu);
   if (!ready(options, built)) return exitCode(built);

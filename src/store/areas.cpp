@@ -132,6 +132,12 @@ void readAll(const Bytes& bytes, T (*readOne)(Reader&), std::size_t most, std::v
 const AreaId kStateArea{"state", 0}, kFlagArea{"M", 0}, kTimerArea{"T", 0}, kCounterArea{"Z", 0},
     kMeterArea{"meters", 0}, kDiagnosticArea{"diagnostics", 0};
 
+const std::set<AreaId>& areasOfEachCard() {
+  static const std::set<AreaId> kAreas{kStateArea,   kFlagArea,  kTimerArea,
+                                       kCounterArea, kMeterArea, kDiagnosticArea};
+  return kAreas;
+}
+
 AreaId areaOf(const RetentiveDataBlock& block) {
   return {block.madeByProgram ? "made DB" : "DB", block.number};
 }

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,8 @@ struct AreaId {
 using Bytes = std::vector<std::uint8_t>;
 
 extern const AreaId kStateArea, kFlagArea, kTimerArea, kCounterArea, kMeterArea, kDiagnosticArea;
+// Those that each card has on which something was kept.
+const std::set<AreaId>& areasOfEachCard();
 AreaId areaOf(const block::RetentiveDataBlock& block);
 
 Bytes stateBytes(const block::RetentiveData& data);

@@ -74,4 +74,11 @@ bool hasJournal(const std::string& file) {
   return fs::exists(fs::symlink_status(file + "-journal", error));
 }
 
+NewLog::NewLog(const std::string& file) : log_(file + "-wal"), isNew_(!fs::exists(log_)) {}
+
+NewLog::~NewLog() {
+  std::error_code error;
+  if (isNew_ && fs::file_size(log_, error) == 0 && !error) fs::remove(log_, error);
+}
+
 }  // namespace merker::store

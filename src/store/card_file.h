@@ -12,7 +12,7 @@ namespace merker::store {
 
 // In the header of the database: "MRKC", and the version of docs/formats/card.md.
 constexpr std::uint32_t kApplicationId = 0x4D524B43;
-constexpr std::int64_t kFormat = 1;
+constexpr std::int64_t kFormat = 2, kOldestFormat = 1;
 
 // Bytes of the database and of its log: many times what the largest CPU holds.
 constexpr std::uintmax_t kLargestCard = 64 * 1024 * 1024;
@@ -23,5 +23,19 @@ std::optional<Problem> whyNoCard(const std::string& file, const Position& at);
 // A journal lies beside a card only if its creation was cut off. SQLite would bring an older state
 // back before anything can be looked at.
 bool hasJournal(const std::string& file);
+
+// SQLite makes an empty log beside a card that it only looks at. One that was not there goes again.
+class NewLog {
+ public:
+  explicit NewLog(const std::string& file);
+  NewLog(const NewLog&) = delete;
+  NewLog& operator=(const NewLog&) = delete;
+  ~NewLog();
+  void keep() { isNew_ = false; }
+
+ private:
+  std::string log_;
+  bool isNew_;
+};
 
 }  // namespace merker::store

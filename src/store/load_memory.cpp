@@ -62,24 +62,6 @@ Blocks toBlocks(const block::Program& program) {
   return blocks;
 }
 
-std::string readSetting(Database& database, std::string_view name) {
-  Statement select = database.prepare("SELECT value, checksum FROM setting WHERE name = ?");
-  select.bind(name);
-  if (!select.step()) return {};
-  const Bytes value = select.bytes(0);
-  checkSum(value, select.integer(1), std::string(name));
-  return {value.begin(), value.end()};
-}
-
-void writeSetting(Database& database, std::string_view name, const std::string& text) {
-  const Bytes value(text.begin(), text.end());
-  database.prepare("INSERT OR REPLACE INTO setting VALUES (?, ?, ?)")
-      .bind(name)
-      .bind(value)
-      .bind(std::int64_t{crc32(value)})
-      .run();
-}
-
 void writeBlock(Database& database, BlockId id, const Stored& stored) {
   database.prepare("INSERT OR REPLACE INTO block VALUES (?, ?, ?, ?, ?)")
       .bind(static_cast<std::int64_t>(id.kind))
@@ -108,8 +90,27 @@ block::Block toBlock(BlockId id, const Stored& stored) {
 
 bool hasContainer(const block::Block& block) { return block.id.kind != BlockKind::UDT; }
 
+std::string readSetting(Database& database, std::string_view name) {
+  Statement select = database.prepare("SELECT value, checksum FROM setting WHERE name = ?");
+  select.bind(name);
+  if (!select.step()) return {};
+  const Bytes value = select.bytes(0);
+  checkSum(value, select.integer(1), std::string(name));
+  return {value.begin(), value.end()};
+}
+
+void writeSetting(Database& database, std::string_view name, const std::string& text) {
+  const Bytes value(text.begin(), text.end());
+  database.prepare("INSERT OR REPLACE INTO setting VALUES (?, ?, ?)")
+      .bind(name)
+      .bind(value)
+      .bind(std::int64_t{crc32(value)})
+      .run();
+}
+
 LoadMemory readLoadMemory(Database& database) {
-  if (database.integer("SELECT count(*) FROM setting WHERE name NOT IN ('cpu', 'configuration')"))
+  if (database.integer("SELECT count(*) FROM setting"
+                       " WHERE name NOT IN ('cpu', 'configuration', 'contents')"))
     throw Damage("there is a setting that no card has");
   LoadMemory memory{readSetting(database, "cpu"), readSetting(database, "configuration"), {}};
   for (const auto& [id, stored] : readBlocks(database))

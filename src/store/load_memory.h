@@ -27,6 +27,9 @@ struct Download {
 
 // Throws Damage if a block cannot be read.
 LoadMemory readLoadMemory(Database& database);
+// A row of `setting`; empty if it is missing. Throws Damage if its checksum is wrong.
+std::string readSetting(Database& database, std::string_view name);
+void writeSetting(Database& database, std::string_view name, const std::string& text);
 // Brings the tables `block` and `setting` to this; blocks that are there already are left alone.
 Download writeLoadMemory(Database& database, const LoadMemory& wanted);
 // Of no use on a card (UDT), or why the card cannot hold it.

@@ -9,6 +9,7 @@
 
 #include "block/container.h"
 #include "store/card_file.h"
+#include "store/contents.h"
 #include "store/pages.h"
 #include "store/schema.h"
 
@@ -71,27 +72,14 @@ class TemporaryFolder {
   fs::path path_;
 };
 
-// SQLite makes an empty log beside a card that it only looks at. One that was not there goes again.
-class NewLog {
- public:
-  explicit NewLog(const std::string& file) : log_(file + "-wal"), isNew_(!fs::exists(log_)) {}
-  NewLog(const NewLog&) = delete;
-  NewLog& operator=(const NewLog&) = delete;
-  ~NewLog() {
-    std::error_code error;
-    if (isNew_ && fs::file_size(log_, error) == 0 && !error) fs::remove(log_, error);
-  }
-  void keep() { isNew_ = false; }
-
- private:
-  std::string log_;
-  bool isNew_;
-};
+std::optional<Problem> whyNoFolder(const std::string& folder, const Position& at) {
+  std::error_code error;
+  if (!fs::exists(folder, error) || fs::is_directory(folder, error)) return std::nullopt;
+  return makeProblem(ProblemCode::P1002, at, "it is a file; a memory card is a folder");
+}
 
 std::optional<Problem> makeFolder(const std::string& folder, const Position& at) {
   std::error_code error;
-  if (fs::exists(folder, error) && !fs::is_directory(folder, error))
-    return makeProblem(ProblemCode::P1002, at, "it is a file; a memory card is a folder");
   fs::create_directories(folder, error);
   if (error) return makeProblem(ProblemCode::P1001, at, error.message());
   return std::nullopt;
@@ -107,12 +95,16 @@ void requireOrder(Database& database) {
 
 struct MemoryCard::Parts {
   Parts(Position place, const std::string& path)
-      : at(std::move(place)), file(path), database(path) {}
+      : at(std::move(place)), file(path), log(path), database(path) {}
 
   Position at;
   std::string file;
+  NewLog log;  // until the database is closed again
   Database database;
   std::optional<Pages> pages;
+  std::optional<Contents> contents;
+  std::int64_t format = 0;
+  bool writing = false;
   LoadMemory load;
   std::optional<block::RetentiveData> retentive;
   std::optional<std::uint64_t> eventsSaved;  // RetentiveData::eventsAdded of the last save
@@ -120,6 +112,7 @@ struct MemoryCard::Parts {
   bool isNew() { return database.integer("PRAGMA page_count") == 0; }
   std::optional<Problem> check();
   void readAll();
+  void beginWriting();
   void clear();
   void removeStale(const block::RetentiveData& data);
   void put(const block::RetentiveData& data);
@@ -128,9 +121,9 @@ struct MemoryCard::Parts {
 // Before anything is read: the format, the tables, that the file is in order.
 std::optional<Problem> MemoryCard::Parts::check() {
   database.setBudget(kSchemaBudget);
-  const std::int64_t format = database.integer("PRAGMA user_version");
+  format = database.integer("PRAGMA user_version");
   if (format > kFormat) return makeProblem(ProblemCode::P1005, at, format, kFormat);
-  if (format != kFormat) throw Damage(fmt::format("its format is {}", format));
+  if (format < kOldestFormat) throw Damage(fmt::format("its format is {}", format));
   requireTables(database);
   const auto count = database.integer("PRAGMA page_count");
   const auto bytes = count * database.integer("PRAGMA page_size");
@@ -144,8 +137,18 @@ std::optional<Problem> MemoryCard::Parts::check() {
 void MemoryCard::Parts::readAll() {
   load = readLoadMemory(database);
   pages.emplace(database);
+  contents.emplace(database, format);
   const std::map<AreaId, Bytes> areas = pages->read();
+  contents->require(load, areas);
   if (!areas.empty()) retentive = fromAreas(areas);
+}
+
+void MemoryCard::Parts::beginWriting() {
+  if (writing) return;
+  database.execute(kWriting);
+  database.checkpointOnClose(true);
+  log.keep();
+  writing = true;
 }
 
 void MemoryCard::Parts::clear() {
@@ -156,8 +159,7 @@ void MemoryCard::Parts::clear() {
 
 // Data blocks that are no longer there (SFC 23), or are now of another origin.
 void MemoryCard::Parts::removeStale(const block::RetentiveData& data) {
-  std::set<AreaId> wanted{kStateArea,   kFlagArea,  kTimerArea,
-                          kCounterArea, kMeterArea, kDiagnosticArea};
+  std::set<AreaId> wanted = areasOfEachCard();
   for (const block::RetentiveDataBlock& block : data.dataBlocks) wanted.insert(areaOf(block));
   std::vector<AreaId> stale;
   for (const auto& [id, bytes] : pages->known())
@@ -175,8 +177,8 @@ void MemoryCard::Parts::put(const block::RetentiveData& data) {
     pages->put(areaOf(block), block.bytes);
   if (eventsSaved != data.eventsAdded) pages->put(kDiagnosticArea, diagnosticBytes(data));
   eventsSaved = data.eventsAdded;
-  constexpr std::size_t kOthers = 6;
-  if (pages->known().size() > data.dataBlocks.size() + kOthers) removeStale(data);
+  if (pages->known().size() > data.dataBlocks.size() + areasOfEachCard().size()) removeStale(data);
+  if (pages->takeChange() || contents->old()) contents->write(pages->known());
 }
 
 MemoryCard::MemoryCard(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -185,39 +187,51 @@ MemoryCard& MemoryCard::operator=(MemoryCard&&) noexcept = default;
 MemoryCard::~MemoryCard() = default;
 
 Result<MemoryCard> MemoryCard::open(const std::string& folder) {
+  return open(folder, Empty::Allowed);
+}
+
+Result<MemoryCard> MemoryCard::openLoaded(const std::string& folder) {
+  return open(folder, Empty::Refused);
+}
+
+Result<MemoryCard> MemoryCard::open(const std::string& folder, Empty empty) {
   const Position at{folder};
-  if (auto problem = makeFolder(folder, at)) return *problem;
+  if (auto problem = whyNoFolder(folder, at)) return *problem;
   std::error_code error;
+  if (empty == Empty::Refused && !fs::exists(fs::symlink_status(folder + "/card.sqlite", error)))
+    return makeProblem(ProblemCode::P1007, at);
+  if (auto problem = makeFolder(folder, at)) return *problem;
   const fs::path real = fs::canonical(folder, error);
   if (error) return makeProblem(ProblemCode::P1001, at, error.message());
   const std::string file = (real / "card.sqlite").string();
   if (auto problem = whyNoCard(file, at)) return *problem;
   if (hasJournal(file))
-    if (auto problem = whyNotTheCopy(file, at)) return *problem;
-  return openFile(file, at);
+    if (auto problem = whyNotTheCopy(file, at, empty)) return *problem;
+  return openFile(file, at, empty);
 }
 
-Result<MemoryCard> MemoryCard::openFile(const std::string& file, const Position& at) {
-  NewLog log(file);  // until the database is closed again
+Result<MemoryCard> MemoryCard::openFile(const std::string& file, const Position& at, Empty empty) {
   return guarded<MemoryCard>(at, ProblemCode::P1001, [&]() -> Result<MemoryCard> {
     auto parts = std::make_unique<Parts>(at, file);
     Database& database = parts->database;
     database.checkpointOnClose(false);
     database.execute("PRAGMA locking_mode = EXCLUSIVE");
-    if (parts->isNew()) createTables(database);
+    const bool isNew = parts->isNew();
+    if (isNew && empty == Empty::Refused) return makeProblem(ProblemCode::P1007, at);
+    if (isNew) createTables(database);
     if (auto problem = parts->check()) return *problem;
     parts->readAll();
     database.setNoBudget();
-    database.execute(kWriting);
-    database.checkpointOnClose(true);
-    log.keep();
+    if (parts->load.program.empty() && empty == Empty::Refused)
+      return makeProblem(ProblemCode::P1007, at);
     return MemoryCard(std::move(parts));
   });
 }
 
 // SQLite plays a journal back when it opens the database. What would come out is looked at
 // elsewhere first.
-std::optional<Problem> MemoryCard::whyNotTheCopy(const std::string& file, const Position& at) {
+std::optional<Problem> MemoryCard::whyNotTheCopy(const std::string& file, const Position& at,
+                                                 Empty empty) {
   const TemporaryFolder copy;
   if (copy.path().empty())
     return makeProblem(ProblemCode::P1001, at, "there is no folder for temporary files");
@@ -226,7 +240,7 @@ std::optional<Problem> MemoryCard::whyNotTheCopy(const std::string& file, const 
     if (fs::exists(file + part))
       fs::copy_file(file + part, copy.path() / (std::string("card.sqlite") + part), error);
   if (error) return makeProblem(ProblemCode::P1001, at, error.message());
-  const auto card = openFile((copy.path() / "card.sqlite").string(), at);
+  const auto card = openFile((copy.path() / "card.sqlite").string(), at, empty);
   return card ? std::nullopt : std::optional<Problem>(card.error());
 }
 
@@ -242,6 +256,7 @@ Result<Download> MemoryCard::download(LoadMemory wanted) {
     if (hasContainer(block) && block::writeContainer(block).empty())
       return makeProblem(ProblemCode::P1008, p.at, toString(id));
   return guarded<Download>(p.at, ProblemCode::P1006, [&] {
+    p.beginWriting();
     Transaction transaction(p.database);
     const Download done = writeLoadMemory(p.database, wanted);
     if (done.anotherCpu) p.clear();
@@ -249,6 +264,10 @@ Result<Download> MemoryCard::download(LoadMemory wanted) {
       for (const BlockId id : *blocks)
         if (id.kind == BlockKind::DB)
           for (const char* kind : {"DB", "made DB"}) p.pages->remove({kind, id.number});
+    if (done.changed()) {
+      p.contents->loadMemoryChanged();
+      p.contents->write(p.pages->known());
+    }
     transaction.commit();
     p.load = std::move(wanted);
     const std::map<AreaId, Bytes> areas = p.pages->known();
@@ -260,6 +279,7 @@ Result<Download> MemoryCard::download(LoadMemory wanted) {
 std::optional<Problem> MemoryCard::save(const block::RetentiveData& data) {
   Parts& p = *parts_;
   const auto saved = guarded<bool>(p.at, ProblemCode::P1006, [&] {
+    p.beginWriting();
     Transaction transaction(p.database);
     p.put(data);
     transaction.commit();

@@ -17,7 +17,10 @@ class MemoryCard {
  public:
   // Opens the card in this folder; a folder that is missing or holds no card becomes an empty one.
   // P1001 cannot be opened, P1002 foreign file, P1003 damaged, P1004 in use, P1005 newer format.
+  // Beyond that nothing is written before the first download or save.
   static Result<MemoryCard> open(const std::string& folder);
+  // One that has a program, else P1007; then nothing is made.
+  static Result<MemoryCard> openLoaded(const std::string& folder);
   MemoryCard(MemoryCard&&) noexcept;
   MemoryCard& operator=(MemoryCard&&) noexcept;
   ~MemoryCard();
@@ -35,8 +38,11 @@ class MemoryCard {
   [[nodiscard]] std::optional<Problem> save(const block::RetentiveData& data);
 
  private:
-  static Result<MemoryCard> openFile(const std::string& file, const Position& at);
-  static std::optional<Problem> whyNotTheCopy(const std::string& file, const Position& at);
+  enum class Empty : bool { Allowed, Refused };
+  static Result<MemoryCard> open(const std::string& folder, Empty empty);
+  static Result<MemoryCard> openFile(const std::string& file, const Position& at, Empty empty);
+  static std::optional<Problem> whyNotTheCopy(const std::string& file, const Position& at,
+                                              Empty empty);
   struct Parts;
   explicit MemoryCard(std::unique_ptr<Parts> parts);
   std::unique_ptr<Parts> parts_;

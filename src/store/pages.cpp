@@ -65,6 +65,7 @@ std::map<AreaId, Bytes> Pages::read() {
 }
 
 void Pages::putLength(const AreaId& id, std::size_t length) {
+  changed_ = true;
   writeArea_.bind(id.kind).bind(std::int64_t{id.number});
   writeArea_.bind(static_cast<std::int64_t>(length)).run();
   const std::size_t pages = pagesOf(length);
@@ -95,7 +96,7 @@ void Pages::put(const AreaId& id, std::span<const std::uint8_t> bytes) {
 void Pages::remove(const AreaId& id) {
   cutPages_.bind(id.kind).bind(std::int64_t{id.number}).bind(std::int64_t{0}).run();
   deleteArea_.bind(id.kind).bind(std::int64_t{id.number}).run();
-  known_.erase(id);
+  changed_ = known_.erase(id) > 0 || changed_;
 }
 
 }  // namespace merker::store

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <utility>
 
 #include "store/areas.h"
 #include "store/database.h"
@@ -19,6 +20,8 @@ class Pages {
   // Brings the area to these bytes. Only pages that differ from what was read or put before.
   void put(const AreaId& id, std::span<const std::uint8_t> bytes);
   void remove(const AreaId& id);
+  // Whether areas came, went or changed their length since the last call.
+  bool takeChange() { return std::exchange(changed_, false); }
   const std::map<AreaId, Bytes>& known() const { return known_; }
 
  private:
@@ -29,6 +32,7 @@ class Pages {
   Statement selectAreas_, selectPages_, selectCount_, writeArea_, writePage_, cutPages_,
       deleteArea_;
   std::map<AreaId, Bytes> known_;
+  bool changed_ = false;
 };
 
 }  // namespace merker::store

@@ -91,6 +91,8 @@ class Card(Case):
         card = sqlite3.connect(self.folder / "card" / "card.sqlite")
         card.execute("DELETE FROM page")
         card.execute("DELETE FROM area")
+        card.execute("DELETE FROM setting WHERE name = 'contents'")
+        card.execute("PRAGMA user_version = 1")  # of format 1, which does not say that there were areas
         card.commit()
         card.close()
         self.assertEqual(self.run_card(), (11, 0x81))
@@ -107,6 +109,7 @@ class Card(Case):
         self.assertEqual(self.read("foreign/card.sqlite"), "this is text")
         self.refused("P1002", "a.awl", "--card", "file")
         self.refused("P1007", "--card", "new")
+        self.assertFalse((self.folder / "new").exists())
 
     def test_a_damaged_card(self):
         self.run_card("a.awl")

@@ -544,6 +544,8 @@ DB 11
                     base.execute("UPDATE page SET bytes=?, checksum=? WHERE kind=? AND number=? AND page=?",
                                  (data, zlib.crc32(data), kind, number, page))
                     base.execute("UPDATE area SET length=? WHERE kind=? AND number=?", (length - cut, kind, number))
+                base.execute("DELETE FROM setting WHERE name = 'contents'")
+                base.execute("PRAGMA user_version = 1")  # of format 1: no sum of what belongs together
                 base.commit()
                 base.close()
                 call = self.expect(UNREADABLE, "run", "p", "--card", f"card{number}", "--cycles", "1")

@@ -136,12 +136,66 @@ def with_journal(*statements):
     return change
 
 
-def setting(value):
+def seal(base):
+    """The sum of settings, blocks and areas (docs/formats/card.md), so that deeper checks have something to do."""
+    def text(value):
+        return len(value).to_bytes(4, "big") + value.encode()
+    def number(value):
+        return (value & 0xFFFFFFFF).to_bytes(4, "big")
+    settings = base.execute("SELECT name, checksum FROM setting WHERE name <> 'contents' ORDER BY name")
+    loaded = b"".join(text(name) + number(checksum) for name, checksum in settings)
+    for row in base.execute("SELECT kind, number, read_only, checksum FROM block ORDER BY kind, number"):
+        loaded += b"".join(map(number, row))
+    areas = base.execute("SELECT kind, number, length FROM area ORDER BY kind, number")
+    kept = b"".join(text(kind) + number(at) + number(length) for kind, at, length in areas)
+    value = number(zlib.crc32(loaded)) + number(zlib.crc32(kept))
+    base.execute("UPDATE setting SET value = ?, checksum = ? WHERE name = 'contents'", (value, zlib.crc32(value)))
+
+
+def sealed(*statements):
+    def change(folder):
+        base = sqlite3.connect(folder / "card.sqlite", isolation_level=None)
+        for statement in statements:
+            base.execute(statement)
+        seal(base)
+        base.close()
+    return change
+
+
+def old(*statements):
+    """A card of format 1, which has no such sum."""
+    return sql(*statements, "DELETE FROM setting WHERE name = 'contents'", "PRAGMA user_version = 1")
+
+
+def setting(value, name="configuration"):
     checksum = zlib.crc32(value)
     def change(folder):
         base = sqlite3.connect(folder / "card.sqlite", isolation_level=None)
-        base.execute("UPDATE setting SET value = ?, checksum = ? WHERE name = 'configuration'", (value, checksum))
+        base.execute("INSERT OR REPLACE INTO setting VALUES (?, ?, ?)", (name, value, checksum))
+        seal(base)
         base.close()
+    return change
+
+
+def no_area(kind):
+    return f"DELETE FROM area WHERE kind = '{kind}'", f"DELETE FROM page WHERE kind = '{kind}'"
+
+
+def shorter(folder):
+    """The DB lacks its last two bytes; all checksums of bytes are right."""
+    base = sqlite3.connect(folder / "card.sqlite", isolation_level=None)
+    last, data = base.execute("SELECT page, bytes FROM page WHERE kind = 'DB' AND number = 1 ORDER BY page DESC").fetchone()
+    data = data[:-2]
+    base.execute("UPDATE page SET bytes = ?, checksum = ? WHERE kind = 'DB' AND number = 1 AND page = ?",
+                 (data, zlib.crc32(data), last))
+    base.execute("UPDATE area SET length = length - 2 WHERE kind = 'DB' AND number = 1")
+    base.close()
+
+
+def both(*changes):
+    def change(folder):
+        for one in changes:
+            one(folder)
     return change
 
 
@@ -156,6 +210,7 @@ def area(kind, make):
         for page in range(0, len(new), 256):
             part = new[page:page + 256]
             base.execute("INSERT INTO page VALUES (?, 0, ?, ?, ?)", (kind, page // 256, part, zlib.crc32(part)))
+        seal(base)
         base.close()
     return change
 
@@ -242,8 +297,32 @@ KINDS = {
     "an event of no block": area("diagnostics", lambda old: b"\x43\x02" + bytes(8) + bytes(2) + b"\1\xff\xff\xff"
                                  + bytes(4 + 10 + 8)),
 }
+STATE = ("state", "M", "T", "Z", "meters", "diagnostics")
+# Each row that is left is right. Refused for a program from elsewhere, too: it would take the card as one of another CPU.
+MISSING = {
+    "no settings": sql("DELETE FROM setting"),
+    "no CPU": sql("DELETE FROM setting WHERE name = 'cpu'"),
+    "no CPU, sealed": sealed("DELETE FROM setting WHERE name = 'cpu'"),
+    "an empty CPU": sql("UPDATE setting SET value = x'', checksum = 0 WHERE name = 'cpu'"),
+    "an unknown CPU": setting(b"evil", "cpu"),
+    "a CPU that clears the screen": setting(b"\x1b[2Jevil", "cpu"),
+    "no sum": sql("DELETE FROM setting WHERE name = 'contents'"),
+    "no OB 1": sql("DELETE FROM block WHERE kind = 8"),
+    "no blocks": sql("DELETE FROM block"),
+    "no areas": sql("DELETE FROM area", "DELETE FROM page"),
+    **{f"no {kind}": sql(*no_area(kind)) for kind in (*STATE, "DB")},
+    **{f"no {kind}, sealed": sealed(*no_area(kind)) for kind in STATE},
+    "a DB that is too short": shorter,
+    "format 1, no settings": old("DELETE FROM setting"),
+    "format 1, an unknown CPU": both(setting(b"evil", "cpu"), old()),
+    **{f"format 1, no {kind}": old(*no_area(kind)) for kind in (*STATE, "DB")},
+    "format 1, a DB that is too short": both(shorter, old()),
+    "format 1 with a sum": sql("PRAGMA user_version = 1"),
+}
 OTHERS = {  # refused as something else
-    "a newer format": (sql("PRAGMA user_version = 2"), "P1005"),
+    "an empty file": (content(lambda old: b""), "P1007"),
+    "never loaded": (sql("DELETE FROM setting", "DELETE FROM block", "DELETE FROM area", "DELETE FROM page"), "P1007"),
+    "a newer format": (sql("PRAGMA user_version = 3"), "P1005"),
     "another program's": (sql("PRAGMA application_id = 1"), "P1002"),
     "no database": (content(lambda old: b"text " * 100), "P1002"),
 }
@@ -266,18 +345,29 @@ class Cards:
         self.failures += 1
         print(f"FAILED {name}: {text}")
 
-    def refused(self, name, change, problem):
+    def refused(self, name, change, problem, *more):
         card = self.copy()
         change(card)
         before = snapshot(card)
         try:
-            result = run(card)
+            result = run(card, *more)
         except subprocess.TimeoutExpired:
             return self.fail(name, "does not end")
         if result.returncode != 4 or f"[{problem}]" not in result.stderr:
             self.fail(name, f"exit {result.returncode}: {result.stderr[:300]}")
+        if "\x1b" in result.stderr:
+            self.fail(name, "control characters in the message")
         if snapshot(card) != before:
             self.fail(name, "the card was changed")
+
+    def taken(self, name, change):
+        """A good card, and after the run as well."""
+        card = self.copy()
+        change(card)
+        for _ in range(2):
+            result = run(card)
+            if result.returncode != 0:
+                self.fail(name, f"exit {result.returncode}: {result.stderr[:300]}")
 
     def anything(self, name, change):
         """It may be read, but a card that is refused stays as it was."""
@@ -312,6 +402,12 @@ def main():
         cards = Cards(pathlib.Path(name))
         for kind, change in KINDS.items():
             cards.refused(kind, change, "P1003")
+        for kind, change in MISSING.items():
+            cards.refused(kind, change, "P1003")
+            cards.refused(kind + ", PATH", change, "P1003", str(PROGRAM))
+        cards.taken("format 1", old())
+        cards.taken("format 1, never run", old("DELETE FROM area", "DELETE FROM page"))
+        cards.taken("sealed", sealed())
         for kind, (change, problem) in OTHERS.items():
             cards.refused(kind, change, problem)
         cards.anything("garbage as the log", lambda folder: (folder / "card.sqlite-wal").write_bytes(b"garbage" * 1000))
@@ -322,7 +418,7 @@ def main():
             for kind in ("state", "T", "Z", "meters", "diagnostics"):
                 cards.anything(f"{kind} {seed}", area(kind, lambda old: mutated(random_, old)))
         assert run(cards.copy()).returncode == 0
-        print(f"{len(KINDS) + len(OTHERS)} doctored cards, {cards.failures} failures")
+        print(f"{len(KINDS) + len(MISSING) + len(OTHERS)} doctored cards, {cards.failures} failures")
         return 1 if cards.failures else 0
 
 

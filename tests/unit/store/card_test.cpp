@@ -43,6 +43,7 @@ TEST_F(Card, KeepsRetentiveData) {
   {
     auto card = MemoryCard::open(folder_);
     ASSERT_TRUE(card);
+    ASSERT_TRUE(card->download(loadMemory()));
     for (std::uint8_t seed = 3; seed <= 5; ++seed) EXPECT_FALSE(card->save(retentiveData(seed)));
   }
   const auto card = MemoryCard::open(folder_);
@@ -57,6 +58,7 @@ TEST_F(Card, DataBlocksChangeTheirLength) {
   {
     auto card = MemoryCard::open(folder_);
     ASSERT_TRUE(card);
+    ASSERT_TRUE(card->download(loadMemory()));
     EXPECT_FALSE(card->save(data));
     data.dataBlocks[0].bytes.resize(100);
     data.dataBlocks[1].bytes.resize(1000, 0x44);

@@ -28,6 +28,10 @@ class DamagedCard : public CardTest {
     fs::remove(file() + "-wal");
     std::ofstream(file(), std::ios::binary) << bytes;
   }
+  // As format 1 was: without the sum of what belongs together.
+  void makeOld() const {
+    execute("DELETE FROM setting WHERE name = 'contents'; PRAGMA user_version = 1");
+  }
   void execute(const char* sql) const { Database(file()).execute(sql); }
   // Refused for this reason, and the file is as it was.
   void expectRefusal(ProblemCode code) const {
@@ -68,8 +72,106 @@ TEST_F(DamagedCard, AnEmptyFileIsANewCard) {
 }
 
 TEST_F(DamagedCard, ANewerFormat) {
-  execute("PRAGMA user_version = 2");
+  execute("PRAGMA user_version = 3");
   expectRefusal(ProblemCode::P1005);
+}
+
+// Without a program to be put on it a card must have one, and nothing is made.
+TEST_F(DamagedCard, NoProgramOnIt) {
+  const auto refused = [&] {
+    const auto card = MemoryCard::openLoaded(folder_);
+    return !card && card.error().code == ProblemCode::P1007;
+  };
+  EXPECT_TRUE(MemoryCard::openLoaded(folder_));
+  replace("");
+  EXPECT_TRUE(refused());
+  EXPECT_EQ(content(), "");
+  fs::remove(file());
+  EXPECT_TRUE(refused());
+  EXPECT_FALSE(fs::exists(file()));
+  fs::remove_all(folder_);
+  EXPECT_TRUE(refused());
+  EXPECT_FALSE(fs::exists(folder_));
+  EXPECT_TRUE(MemoryCard::open(folder_));
+  EXPECT_TRUE(refused());
+}
+
+// Every row that is left is right.
+TEST_F(DamagedCard, WhatIsMissing) {
+  const std::string whole = content();
+  const char* const gone[] = {
+      "DELETE FROM setting",
+      "DELETE FROM setting WHERE name = 'cpu'",
+      "DELETE FROM setting WHERE name = 'configuration'",
+      "DELETE FROM setting WHERE name = 'contents'",
+      "UPDATE setting SET value = x'', checksum = 0 WHERE name = 'cpu'",
+      "DELETE FROM block",
+      "DELETE FROM block WHERE kind = 12",
+      "UPDATE block SET read_only = 0",
+      "UPDATE block SET read_only = 1",
+      "DELETE FROM area; DELETE FROM page",
+      "DELETE FROM area WHERE kind = 'made DB'; DELETE FROM page WHERE kind"
+      " = 'made DB'",
+      "UPDATE area SET length = 512 WHERE number = 1; DELETE FROM page WHERE"
+      " number = 1 AND page = 2",
+      "UPDATE area SET kind = 'DB' WHERE kind = 'made DB'; UPDATE page SET"
+      " kind = 'DB' WHERE kind = 'made DB'"};
+  for (const char* sql : gone) {
+    SCOPED_TRACE(sql);
+    execute(sql);
+    expectRefusal(ProblemCode::P1003);
+    replace(whole);
+  }
+  EXPECT_TRUE(MemoryCard::open(folder_));
+}
+
+TEST_F(DamagedCard, WhatIsMissingInFormat1) {
+  makeOld();
+  const std::string whole = content();
+  for (const std::string kind : {"state", "M", "T", "Z", "meters", "diagnostics", "DB"}) {
+    SCOPED_TRACE(kind);
+    execute(("DELETE FROM area WHERE kind = '" + kind + "'; DELETE FROM page WHERE kind = '" +
+             kind + "'")
+                .c_str());
+    expectRefusal(ProblemCode::P1003);
+    replace(whole);
+  }
+  for (const char* sql :
+       {"DELETE FROM setting", "UPDATE setting SET value = x'', checksum = 0 WHERE name = 'cpu'",
+        "UPDATE area SET length = 512 WHERE number = 1; DELETE FROM page WHERE number = 1 AND page"
+        " = 2"}) {
+    SCOPED_TRACE(sql);
+    execute(sql);
+    expectRefusal(ProblemCode::P1003);
+    replace(whole);
+  }
+}
+
+// Read as it is; the first save makes the newer format of it.
+TEST_F(DamagedCard, Format1IsReadAndBroughtUpToDate) {
+  makeOld();
+  const std::string old = content();
+  EXPECT_EQ(*MemoryCard::open(folder_)->retentive(), withoutCount(retentiveData(7)));
+  EXPECT_TRUE(content() == old);
+  EXPECT_FALSE(MemoryCard::open(folder_)->save(retentiveData(7)));
+  EXPECT_EQ(*MemoryCard::open(folder_)->retentive(), withoutCount(retentiveData(7)));
+  EXPECT_EQ(Database(file()).integer("PRAGMA user_version"), 2);
+}
+
+// Loaded, but never switched on; and with data blocks that came and went since it was loaded.
+TEST_F(DamagedCard, WhatMayBeMissing) {
+  fs::remove_all(folder_);
+  EXPECT_TRUE(MemoryCard::open(folder_)->download(loadMemory()));
+  EXPECT_FALSE(MemoryCard::openLoaded(folder_)->retentive());
+  block::RetentiveData data = retentiveData(3);
+  data.dataBlocks[0].bytes.resize(602);                // loaded online, longer
+  data.dataBlocks.erase(data.dataBlocks.begin() + 1);  // SFC 23
+  EXPECT_FALSE(MemoryCard::open(folder_)->save(data));
+  EXPECT_EQ(*MemoryCard::openLoaded(folder_)->retentive(), withoutCount(data));
+  LoadMemory load = loadMemory();  // changed, and the process ended before its first cycle
+  load.program[{BlockKind::DB, 1}] = dataBlock(1, 600, 9);
+  EXPECT_TRUE(MemoryCard::open(folder_)->download(load));
+  EXPECT_EQ(MemoryCard::openLoaded(folder_)->retentive()->dataBlocks.size(), 1u);
 }
 
 TEST_F(DamagedCard, AFormatThatNeverWas) {
