@@ -41,6 +41,19 @@ std::vector<T> listOf(const Fields& fields, std::string_view key, Take take) {
   return list;
 }
 
+// An item may stand for several that are alike.
+template <typename T, typename Take>
+std::vector<T> runsOf(const Fields& fields, std::string_view key, Take take) {
+  constexpr auto kMost = static_cast<std::int64_t>(kMostItems);
+  std::vector<T> list;
+  for (const Fields& item : fields.objects(key, kMostItems)) {
+    const std::int64_t room = kMost - static_cast<std::int64_t>(list.size());
+    const std::int64_t times = item.integer("times", 1, room, 1);
+    list.insert(list.end(), static_cast<std::size_t>(times), take(Reader{item}));
+  }
+  return list;
+}
+
 block::RetentiveTimer timer(const Reader& r, std::int64_t now) {
   constexpr std::int64_t kUnits = 999, kLongest = 9'990'000'000'000;  // ns: 999 times 10 s
   block::RetentiveTimer t;
@@ -84,9 +97,9 @@ block::RetentiveData memory(const Fields& fields) {
   data.now = r.time("now");
   data.clock = fields.integer("clock", 0, kExact);
   data.flags = r.bytes("flags");
-  data.timers = listOf<block::RetentiveTimer>(
+  data.timers = runsOf<block::RetentiveTimer>(
       fields, "timers", [&](const Reader& one) { return timer(one, data.now); });
-  data.counters = listOf<block::RetentiveCounter>(fields, "counters", counter);
+  data.counters = runsOf<block::RetentiveCounter>(fields, "counters", counter);
   data.meters = listOf<block::RetentiveMeter>(fields, "meters", [](const Reader& one) {
     return block::RetentiveMeter{one.time("counted"), one.time("since"), one.flag("running")};
   });

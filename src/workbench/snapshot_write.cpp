@@ -62,6 +62,19 @@ Json listOf(const std::vector<T>& values, Show show) {
   return list;
 }
 
+// What is alike stands there once: a generic CPU has 65,536 timers, and a program needs few.
+template <typename T, typename Show>
+Json runsOf(const std::vector<T>& values, Show show) {
+  Json list = Json::array();
+  for (std::size_t at = 0; at < values.size();) {
+    const std::size_t begin = at;
+    while (at < values.size() && values[at] == values[begin]) ++at;
+    list.push_back(show(values[begin]));
+    if (at - begin > 1) list.back()["times"] = at - begin;
+  }
+  return list;
+}
+
 Json memory(const block::RetentiveData& data) {
   const auto meter = [](const block::RetentiveMeter& m) -> Json {
     return {{"counted", m.counted}, {"since", m.since}, {"running", m.running}};
@@ -72,8 +85,8 @@ Json memory(const block::RetentiveData& data) {
   return {{"now", data.now},
           {"clock", data.clock},
           {"flags", toHex(data.flags)},
-          {"timers", listOf(data.timers, timer)},
-          {"counters", listOf(data.counters, counter)},
+          {"timers", runsOf(data.timers, timer)},
+          {"counters", runsOf(data.counters, counter)},
           {"meters", listOf(data.meters, meter)},
           {"dataBlocks", listOf(data.dataBlocks, block)},
           {"events", listOf(data.events, event)}};
