@@ -14,7 +14,7 @@
 #include "cpu_option.h"
 #include "engine_option.h"
 #include "simulator/duration.h"
-#include "simulator/runner.h"
+#include "simulator/start.h"
 
 namespace merker::app {
 namespace {

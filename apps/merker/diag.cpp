@@ -14,6 +14,7 @@
 #include "simulator/duration.h"
 #include "simulator/junit.h"
 #include "simulator/runner.h"
+#include "simulator/start.h"
 
 namespace merker::app {
 namespace {

@@ -5,7 +5,7 @@
 #include <iostream>
 
 #include "simulator/duration.h"
-#include "simulator/expectations.h"
+#include "simulator/state_text.h"
 
 namespace merker::app {
 namespace {

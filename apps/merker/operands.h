@@ -6,7 +6,7 @@
 
 #include "address/reference.h"
 #include "base/problem.h"
-#include "simulator/scenario.h"
+#include "simulator/assignment.h"
 #include "simulator/trace.h"
 
 namespace merker::app {

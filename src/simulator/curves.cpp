@@ -68,9 +68,19 @@ std::optional<double> numberOf(const std::string& text) {
     case ConstantFormat::Word:
     case ConstantFormat::DWord:
       return bits;
-    default:
-      return std::nullopt;
+    case ConstantFormat::Boolean:
+    case ConstantFormat::Binary:
+    case ConstantFormat::LongBinary:
+    case ConstantFormat::Characters:
+    case ConstantFormat::LongCharacters:
+    case ConstantFormat::Bytes:
+    case ConstantFormat::LongBytes:
+    case ConstantFormat::Date:
+    case ConstantFormat::TimeOfDay:
+    case ConstantFormat::Pointer:
+      break;
   }
+  return std::nullopt;
 }
 
 }  // namespace

@@ -86,9 +86,30 @@ std::variant<bool, std::int64_t, double> numericValue(const address::Reference& 
       return s5TimeMilliseconds(bits);
     case TypeCode::Counter:
       return std::int64_t{fromBcd(bits & 0xFFF, 3).value_or(0)};
-    default:
-      return std::int64_t{bits};
+    case TypeCode::Void:
+    case TypeCode::Bool:
+    case TypeCode::Byte:
+    case TypeCode::Char:
+    case TypeCode::Word:
+    case TypeCode::DWord:
+    case TypeCode::Date:
+    case TypeCode::TimeOfDay:
+    case TypeCode::DateAndTime:
+    case TypeCode::Array:
+    case TypeCode::Struct:
+    case TypeCode::String:
+    case TypeCode::Pointer:
+    case TypeCode::FunctionBlock:
+    case TypeCode::Any:
+    case TypeCode::BlockFb:
+    case TypeCode::BlockFc:
+    case TypeCode::BlockDb:
+    case TypeCode::BlockSdb:
+    case TypeCode::SystemFunctionBlock:
+    case TypeCode::Timer:
+      break;
   }
+  return std::int64_t{bits};
 }
 
 }  // namespace merker::simulator

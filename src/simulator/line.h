@@ -3,10 +3,16 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string_view>
 #include <vector>
 
+#include "base/problem.h"
+
 namespace merker::simulator {
+
+// Where a part of a line stands in its file.
+using PositionOf = std::function<Position(std::string_view)>;
 
 // Offset of the first place outside of quotes and brackets where `match` (called with the rest of
 // the text) is true; npos if there is none.

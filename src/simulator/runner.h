@@ -8,15 +8,6 @@
 
 namespace merker::simulator {
 
-// Memory reset and start up to mode RUN. The reason if the CPU does not get there.
-// A startup OB that never ends is ended by nothing on the real CPU (S7-STATE-11); whoever waits for
-// it must end.
-constexpr Duration kLongestStartup = Duration::seconds(60);
-std::string startFresh(controller::Controller& plc, Duration longest = kLongestStartup);
-
-// To the next cycle boundary or state change, at most to `end`.
-void advanceToNextLook(controller::Controller& plc, Instant end);
-
 // `scenario` is resolved against the station's program. Ends at the first failure. A STOP through a
 // fault that the scenario does not speak of (expect mode, expect diagnostics) is a failure too.
 TestResult runScenario(const Scenario& scenario, controller::Controller& plc);

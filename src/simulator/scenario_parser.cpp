@@ -2,27 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <charconv>
 #include <filesystem>
 
 #include "base/text.h"
-#include "simulator/duration.h"
-#include "simulator/line.h"
 
 namespace merker::simulator {
 
 constexpr std::size_t kDeepestRepeat = 16;
 
-// An empty part may have lost its place; the whole line stands for it.
-Position ScenarioParser::at(std::string_view text) const {
-  if (text.empty()) text = line_;
-  const auto offset = static_cast<std::size_t>(text.data() - file_.text().data());
-  return file_.position(offset, std::max<std::size_t>(text.size(), 1));
-}
-
 std::vector<Step>& ScenarioParser::target() {
-  if (!open_.empty()) return open_.back().body;
+  if (!open_.empty()) return std::get<steps::Repeat>(open_.back().does).body;
   if (scenarios_.empty())
     scenarios_.push_back(
         {std::filesystem::path(file_.name()).stem().string(), {file_.name(), 1, 1}, {}});
@@ -40,101 +29,60 @@ std::vector<Scenario> ScenarioParser::parse() {
 
 void ScenarioParser::line(std::string_view text) {
   if (text.empty()) return;
-  line_ = text;
   std::string_view rest = text;
-  if (const StepWord* word = expectsSignal(text) ? nullptr : takeStepWord(rest))
-    return step(*word, text, rest);
+  if (takeWords(rest, "scenario")) return beginScenario(lineOf(text, rest));
+  if (takeWords(rest, "end")) return endRepeat(lineOf(text, rest));
+  if (takeWords(rest, kPartner)) return partnerStep(text, rest);
+  const StepWord* const word = expectsSignal(text) ? nullptr : takeStepWord(rest);
+  if (word == nullptr) return unknownStep(text);
+  step(*word, lineOf(text, rest), false);
+}
+
+void ScenarioParser::unknownStep(std::string_view whole) {
+  std::string_view rest = whole;
   std::string_view first = takeWord(rest);
-  if (equalsIgnoreCase(first, kPartner)) return partnerStep(text, rest);
-  if (!expectsSignal(text)) {
-    fail(ProblemCode::P0950, first, first, stepWords());
-    return;
-  }
-  if (equalsIgnoreCase(first, "expect")) {  // expect encoder
+  const bool signal = expectsSignal(whole);
+  if (signal) {  // expect encoder
     const std::string_view second = takeWord(rest);
-    first = text.substr(0, static_cast<std::size_t>(second.data() + second.size() - text.data()));
+    first = whole.substr(0, static_cast<std::size_t>(second.data() + second.size() - whole.data()));
   }
-  fail(ProblemCode::P0951, first, first, stepWords());
+  lineOf(whole, rest)
+      .fail(signal ? ProblemCode::P0951 : ProblemCode::P0950, first, first, stepWords());
 }
 
 // "partner stop": what the coupled control can do.
 void ScenarioParser::partnerStep(std::string_view whole, std::string_view rest) {
-  using enum StepKind;
-  constexpr StepKind kKinds[] = {
-      Run,        Stop,        ColdRestart, WarmRestart, PowerOff, PowerOn, PowerOnUnbuffered,
-      BatteryLow, BatteryGood, MemoryReset, Fault};
   const std::string_view place = rest.empty() ? whole : rest;
-  const StepWord* word = takeStepWord(rest);
-  if (word != nullptr && word->rest != StepWord::Rest::End &&
-      std::find(std::begin(kKinds), std::end(kKinds), word->kind) != std::end(kKinds))
-    return step(*word, whole, rest, true);
-  fail(ProblemCode::P0952, place,
-       "run, stop, cold restart, warm restart, power off, power on, memory reset, battery low, "
-       "battery good or fault; its operands are set as set partner.MW 10 = 5");
+  const StepWord* const word = takeStepWord(rest);
+  if (word != nullptr && word->partner) return step(*word, lineOf(whole, rest), true);
+  lineOf(whole, rest)
+      .fail(
+          ProblemCode::P0952, place,
+          "run, stop, cold restart, warm restart, power off, power on, memory reset, battery low, "
+          "battery good or fault; its operands are set as set partner.MW 10 = 5");
 }
 
-void ScenarioParser::step(const StepWord& word, std::string_view whole, std::string_view rest,
-                          bool partner) {
-  if (word.rest == StepWord::Rest::Scenario) return beginScenario(whole, rest);
-  if (word.rest == StepWord::Rest::End) return endRepeat(whole, rest);
-  Step step;
-  step.kind = word.kind;
-  step.position = at(whole);
-  step.text = whole;
-  step.partner = partner;
-  const bool good = content(step, word.rest, rest);
-  if (step.kind == StepKind::Repeat)
+// A repeat counts also with a bad number, so that its end is not a second problem.
+void ScenarioParser::step(const StepWord& word, const StepLine& line, bool partner) {
+  Step step{line.at(line.whole()), std::string(line.whole()), partner, {}};
+  const bool good = word.parse(line, step.does);
+  if (std::holds_alternative<steps::Repeat>(step.does))
     beginRepeat(std::move(step));
   else if (good)
     target().push_back(std::move(step));
 }
 
-bool ScenarioParser::content(Step& step, StepWord::Rest kind, std::string_view rest) {
-  switch (kind) {
-    case StepWord::Rest::Assignments:
-      step.assignments = assignments(rest);
-      return !step.assignments.empty();
-    case StepWord::Rest::Wait:
-      return wait(step, rest);
-    case StepWord::Rest::Expectation:
-      return expectation(step.expectation, rest);
-    case StepWord::Rest::Count:
-      return count(step.count, rest);
-    case StepWord::Rest::Fault:
-      return parseFault(
-          rest, step.fault, [this](std::string_view text) { return at(text); }, problems_);
-    case StepWord::Rest::Pulses:
-    case StepWord::Rest::Encoder:
-      return parseSignal(
-          rest, kind == StepWord::Rest::Encoder, step.signal,
-          [this](std::string_view text) { return at(text); }, problems_);
-    case StepWord::Rest::Terminals:
-      return terminals(step.terminals, rest);
-    case StepWord::Rest::Plants:
-      return plants(step.plants, rest);
-    case StepWord::Rest::Switch:
-      return switchTo(step, rest);
-    case StepWord::Rest::Trigger:
-      return trigger(step, rest);
-    case StepWord::Rest::None:
-    case StepWord::Rest::End:
-    case StepWord::Rest::Scenario:
-      break;
-  }
-  return rest.empty() || fail(ProblemCode::P0959, rest, rest, step.text);
-}
-
-void ScenarioParser::beginScenario(std::string_view whole, std::string_view rest) {
+void ScenarioParser::beginScenario(const StepLine& line) {
   closeScenario();
+  const std::string_view rest = line.rest();
   std::string name(rest);
   if (rest.size() >= 2 && rest.front() == '"' && rest.back() == '"')
     name = rest.substr(1, rest.size() - 2);
   else
-    fail(ProblemCode::P0952, rest.empty() ? whole : rest, "a name in quotation marks");
-  scenarios_.push_back({std::move(name), at(whole), {}});
+    line.fail(ProblemCode::P0952, rest, "a name in quotation marks");
+  scenarios_.push_back({std::move(name), line.at(line.whole()), {}});
 }
 
-// Also with a bad count, so that its end is not a second problem.
 void ScenarioParser::beginRepeat(Step step) {
   if (open_.size() < kDeepestRepeat && tooDeep_ == 0) return open_.push_back(std::move(step));
   if (tooDeep_++ == 0)
@@ -142,14 +90,14 @@ void ScenarioParser::beginRepeat(Step step) {
                   fmt::format("'end' (at most {} repeats inside each other)", kDeepestRepeat));
 }
 
-void ScenarioParser::endRepeat(std::string_view whole, std::string_view rest) {
-  if (!rest.empty()) fail(ProblemCode::P0959, rest, rest, "end");
+void ScenarioParser::endRepeat(const StepLine& line) {
+  if (!line.rest().empty()) line.fail(ProblemCode::P0959, line.rest(), line.rest(), "end");
   if (tooDeep_ > 0) {
     --tooDeep_;
     return;
   }
   if (open_.empty()) {
-    fail(ProblemCode::P0957, whole);
+    line.fail(ProblemCode::P0957, line.whole());
     return;
   }
   Step repeat = std::move(open_.back());
@@ -163,93 +111,8 @@ void ScenarioParser::closeScenario() {
   tooDeep_ = 0;
 }
 
-bool ScenarioParser::wait(Step& step, std::string_view rest) {
-  std::string_view words = rest;
-  const std::string_view number = takeWord(words);
-  if (equalsIgnoreCase(words, "cycles") || equalsIgnoreCase(words, "cycle")) {
-    step.kind = StepKind::WaitCycles;
-    return count(step.count, number);
-  }
-  const auto duration = parseDuration(rest);
-  if (!duration) return fail(ProblemCode::P0953, rest.empty() ? number : rest, rest);
-  step.duration = *duration;
-  return true;
-}
-
-bool ScenarioParser::terminals(std::vector<TerminalValue>& list, std::string_view rest) {
-  const auto place = [this](std::string_view text) { return at(text); };
-  for (std::string_view part : splitList(rest)) {
-    const auto sign = findOutside(part, [](std::string_view tail) { return tail[0] == '='; });
-    if (sign == std::string_view::npos) return fail(ProblemCode::P0952, part, "MODULE.DI0 = VALUE");
-    TerminalValue value;
-    if (!parseTerminal(trim(part.substr(0, sign)), trim(part.substr(sign + 1)), value, place,
-                       problems_))
-      return false;
-    list.push_back(std::move(value));
-  }
-  return true;
-}
-
-bool ScenarioParser::plants(std::vector<PlantValue>& list, std::string_view rest) {
-  const auto place = [this](std::string_view text) { return at(text); };
-  for (std::string_view part : splitList(rest))
-    if (!parsePlantStep(part, list.emplace_back(), place, problems_)) return false;
-  return true;
-}
-
-bool ScenarioParser::count(std::uint64_t& number, std::string_view text) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error == std::errc() && end == text.data() + text.size() && number <= 1'000'000'000)
-    return true;
-  number = 0;
-  return fail(ProblemCode::P0952, text, "a whole number from 0 to 1000000000");
-}
-
-bool ScenarioParser::switchTo(Step& step, std::string_view rest) {
-  const auto position = parseSwitch(rest);
-  if (!position) return fail(ProblemCode::P0952, rest, "RUN-P, RUN, STOP or MRES");
-  step.switchPosition = *position;
-  return true;
-}
-
-bool ScenarioParser::trigger(Step& step, std::string_view rest) {
-  const ParsedTrigger parsed = parseTrigger(rest);
-  step.trigger = parsed.trigger;
-  return parsed.expected.empty() || fail(ProblemCode::P0952, parsed.wrong, parsed.expected);
-}
-
-bool ScenarioParser::term(Term& term, std::string_view text, std::string_view where,
-                          std::string_view what) {
-  if (text.empty()) return fail(ProblemCode::P0952, where, what);
-  term.text = text;
-  term.position = at(text);
-  return true;
-}
-
-bool ScenarioParser::assignment(std::vector<Assignment>& list, std::string_view text) {
-  const auto sign = findOutside(text, [](std::string_view rest) { return rest[0] == '='; });
-  if (sign == std::string_view::npos) return fail(ProblemCode::P0952, text, "OPERAND = VALUE");
-  Assignment assignment;
-  const bool good = term(assignment.operand, trim(text.substr(0, sign)), text, "an operand") &&
-                    term(assignment.value, trim(text.substr(sign + 1)), text, "a value");
-  if (good) list.push_back(std::move(assignment));
-  return good;
-}
-
-std::vector<Assignment> ScenarioParser::assignments(std::string_view text) {
-  if (line_.empty()) line_ = text;
-  std::vector<Assignment> list;
-  for (std::string_view part : splitList(text)) assignment(list, part);
-  return list;
-}
-
 std::vector<Scenario> parseScenarios(const source::SourceFile& file, Problems& problems) {
   return ScenarioParser(file, problems).parse();
-}
-
-std::vector<Assignment> parseAssignments(const source::SourceFile& file, std::string_view text,
-                                         Problems& problems) {
-  return ScenarioParser(file, problems).assignments(text);
 }
 
 }  // namespace merker::simulator

@@ -2,8 +2,8 @@
 
 #include <set>
 
-#include "simulator/expectations.h"
-#include "simulator/runner.h"
+#include "simulator/start.h"
+#include "simulator/state_text.h"
 
 namespace merker::simulator {
 namespace {

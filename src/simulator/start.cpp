@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "simulator/expectations.h"
+#include "simulator/state_text.h"
 
 namespace merker::simulator {
 

@@ -1,58 +1,88 @@
 #include "simulator/step_words.h"
 
-#include <array>
+#include <algorithm>
+#include <iterator>
+#include <type_traits>
 
 #include "base/text.h"
-#include "simulator/line.h"
 
 namespace merker::simulator {
 namespace {
 
-using Rest = StepWord::Rest;
+template <IsStep S>
+bool parse(const StepLine& line, AnyStep& step) {
+  return step.emplace<S>().parse(line);
+}
 
-constexpr std::array kSteps = {
-    StepWord{"set", Rest::Assignments, StepKind::Set},
-    StepWord{"wait", Rest::Wait, StepKind::Wait},
-    StepWord{"expect", Rest::Expectation, StepKind::Expect},
-    StepWord{"run", Rest::None, StepKind::Run},
-    StepWord{"stop", Rest::None, StepKind::Stop},
-    StepWord{"cold restart", Rest::None, StepKind::ColdRestart},
-    StepWord{"warm restart", Rest::None, StepKind::WarmRestart},
-    StepWord{"hot restart", Rest::None, StepKind::HotRestart},
-    StepWord{"switch", Rest::Switch, StepKind::Switch},
-    StepWord{"power off", Rest::None, StepKind::PowerOff},
-    StepWord{"power on unbuffered", Rest::None, StepKind::PowerOnUnbuffered},
-    StepWord{"power on", Rest::None, StepKind::PowerOn},
-    StepWord{"battery low", Rest::None, StepKind::BatteryLow},
-    StepWord{"battery good", Rest::None, StepKind::BatteryGood},
-    StepWord{"remove card", Rest::None, StepKind::RemoveCard},
-    StepWord{"trigger", Rest::Trigger, StepKind::Trigger},
-    StepWord{"memory reset", Rest::None, StepKind::MemoryReset},
-    StepWord{"copy RAM to ROM", Rest::None, StepKind::CopyRamToRom},
-    StepWord{"force", Rest::Assignments, StepKind::Force},
-    StepWord{"unforce", Rest::None, StepKind::Unforce},
-    StepWord{"fault", Rest::Fault, StepKind::Fault},
-    StepWord{"terminal", Rest::Terminals, StepKind::Terminal},
-    StepWord{"pulses", Rest::Pulses, StepKind::Signal},
-    StepWord{"encoder", Rest::Encoder, StepKind::Signal},
-    StepWord{"plant", Rest::Plants, StepKind::Plant},
-    StepWord{"repeat", Rest::Count, StepKind::Repeat},
-    StepWord{"end", Rest::End, StepKind::Repeat},
-    StepWord{"scenario", Rest::Scenario, StepKind::Wait},
+template <IsStep S, typename... All>
+constexpr std::size_t placeOf(const std::variant<All...>*) {
+  std::size_t place = 0;
+  (void)((std::is_same_v<S, All> || (++place, false)) || ...);
+  return place;
+}
+
+template <IsStep S>
+constexpr StepWord word(std::string_view words) {
+  return {words, parse<S>, false, placeOf<S>(static_cast<const AnyStep*>(nullptr))};
+}
+
+// One that the coupled control can do, too.
+template <IsStep S>
+constexpr StepWord partnerWord(std::string_view words) {
+  StepWord row = word<S>(words);
+  row.partner = true;
+  return row;
+}
+
+constexpr StepWord kSteps[] = {
+    word<steps::Set>("set"),
+    word<steps::Wait>("wait"),
+    word<steps::Expect>("expect"),
+    partnerWord<steps::Run>("run"),
+    partnerWord<steps::Stop>("stop"),
+    partnerWord<steps::ColdRestart>("cold restart"),
+    partnerWord<steps::WarmRestart>("warm restart"),
+    word<steps::HotRestart>("hot restart"),
+    word<steps::Switch>("switch"),
+    partnerWord<steps::PowerOff>("power off"),
+    partnerWord<steps::PowerOnUnbuffered>("power on unbuffered"),
+    partnerWord<steps::PowerOn>("power on"),
+    partnerWord<steps::BatteryLow>("battery low"),
+    partnerWord<steps::BatteryGood>("battery good"),
+    word<steps::RemoveCard>("remove card"),
+    word<steps::Trigger>("trigger"),
+    partnerWord<steps::MemoryReset>("memory reset"),
+    word<steps::CopyRamToRom>("copy RAM to ROM"),
+    word<steps::Force>("force"),
+    word<steps::Unforce>("unforce"),
+    partnerWord<steps::Fault>("fault"),
+    word<steps::Terminal>("terminal"),
+    word<steps::Pulses>("pulses"),
+    word<steps::Encoder>("encoder"),
+    word<steps::Plant>("plant"),
+    word<steps::Repeat>("repeat"),
 };
 
-// Takes the words of `wanted` off `line` if it begins with them.
+constexpr bool everyStepHasWords() {
+  for (std::size_t type = 0; type < std::variant_size_v<AnyStep>; ++type)
+    if (std::none_of(std::begin(kSteps), std::end(kSteps),
+                     [&](const StepWord& row) { return row.type == type; }))
+      return false;
+  return true;
+}
+static_assert(everyStepHasWords());
+
+}  // namespace
+
 bool takeWords(std::string_view& line, std::string_view wanted) {
   std::string_view rest = line;
   while (!wanted.empty()) {
-    const std::string_view word = takeWord(rest);
-    if (!equalsIgnoreCase(word, takeWord(wanted))) return false;
+    const std::string_view one = takeWord(rest);
+    if (!equalsIgnoreCase(one, takeWord(wanted))) return false;
   }
   line = rest;
   return true;
 }
-
-}  // namespace
 
 const StepWord* takeStepWord(std::string_view& line) {
   for (const StepWord& step : kSteps)
@@ -62,18 +92,14 @@ const StepWord* takeStepWord(std::string_view& line) {
 
 bool expectsSignal(std::string_view line) {
   if (!equalsIgnoreCase(takeWord(line), "expect")) return false;
-  const std::string_view word = takeWord(line);
-  return equalsIgnoreCase(word, "pulses") || equalsIgnoreCase(word, "encoder");
+  const std::string_view one = takeWord(line);
+  return equalsIgnoreCase(one, "pulses") || equalsIgnoreCase(one, "encoder");
 }
 
 std::string stepWords() {
   std::string list;
-  for (const StepWord& step : kSteps) {
-    if (step.rest == Rest::Scenario) continue;
-    if (!list.empty()) list += ", ";
-    list += step.words;
-  }
-  return list;
+  for (const StepWord& step : kSteps) list += std::string(step.words) + ", ";
+  return list + "end";
 }
 
 }  // namespace merker::simulator

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "controller/controller.h"
-#include "simulator/plant_steps.h"
-#include "simulator/terminal_steps.h"
+#include "simulator/plant_value.h"
+#include "simulator/terminal_value.h"
 
 namespace merker::simulator {
 

@@ -1,5 +1,5 @@
 // The plants beside the station: what they show, what can be set (as scenarios do with `plant`).
-#include "simulator/plant_steps.h"
+#include "simulator/plant_value.h"
 #include "workbench/method.h"
 #include "workbench/process_rows.h"
 

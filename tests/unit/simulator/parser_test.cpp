@@ -5,10 +5,20 @@
 namespace merker::simulator {
 namespace {
 
+using steps::Expect;
+
 struct Parsed {
   std::vector<Scenario> scenarios;
   Problems problems;
   const std::vector<Step>& steps() const { return scenarios.at(0).steps; }
+  template <typename S>
+  const S& step(std::size_t i) const {
+    return std::get<S>(steps().at(i).does);
+  }
+  template <typename E>
+  const E& expected(std::size_t i) const {
+    return std::get<E>(step<Expect>(i).what);
+  }
   // "3:8 P0950" of the only problem.
   std::string problem() const {
     if (problems.size() != 1) return std::to_string(problems.size()) + " problems";
@@ -39,31 +49,28 @@ TEST(ScenarioParser, TheExampleOfTheContract) {
   ASSERT_EQ(p.scenarios.size(), 1u);
   EXPECT_EQ(p.scenarios[0].name, "a large box is pushed out by the third slider after 7 s");
   ASSERT_EQ(p.steps().size(), 7u);
-  EXPECT_EQ(p.steps()[0].assignments.size(), 3u);
-  EXPECT_EQ(p.steps()[0].assignments[2].operand.text, "\"Light barrier large\"");
-  EXPECT_EQ(p.steps()[1].duration, Duration::milliseconds(50));
-  EXPECT_EQ(p.steps()[2].expectation.when, Expectation::When::During);
-  EXPECT_EQ(p.steps()[2].expectation.duration, Duration::milliseconds(6800));
-  EXPECT_EQ(p.steps()[3].expectation.when, Expectation::When::Within);
-  EXPECT_EQ(p.steps()[3].expectation.left.text, "A 1.2");
-  EXPECT_EQ(p.steps()[3].expectation.right.text, "1");
+  EXPECT_EQ(p.step<steps::Set>(0).assignments.size(), 3u);
+  EXPECT_EQ(p.step<steps::Set>(0).assignments[2].operand.text, "\"Light barrier large\"");
+  EXPECT_EQ(p.step<steps::Wait>(1).duration, Duration::milliseconds(50));
+  EXPECT_EQ(p.step<Expect>(2).when, Expect::When::During);
+  EXPECT_EQ(p.step<Expect>(2).duration, Duration::milliseconds(6800));
+  EXPECT_EQ(p.step<Expect>(3).when, Expect::When::Within);
+  EXPECT_EQ(p.expected<expectations::Values>(3).left.text, "A 1.2");
+  EXPECT_EQ(p.expected<expectations::Values>(3).right.text, "1");
   EXPECT_EQ(p.steps()[3].position, (Position{"dir/plant.scn", 5, 3, 29}));
-  EXPECT_EQ(p.steps()[5].kind, StepKind::WaitCycles);
-  EXPECT_EQ(p.steps()[5].count, 3u);
-  EXPECT_EQ(p.steps()[6].expectation.what, Expectation::What::Mode);
+  EXPECT_EQ(p.step<steps::Wait>(5).cycles, 3u);
+  EXPECT_EQ(p.expected<expectations::Mode>(6).mode, controller::Mode::Run);
 }
 
 // S5-ERR-06: fields of the stacks of a SINUMERIK.
 TEST(ScenarioParser, Stacks) {
   const Parsed p = parse("expect ustack XX-NR. = PB 5 within 1s\nexpect BSTACK 1 adr >= 002A\n");
   ASSERT_TRUE(p.problems.empty());
-  const Expectation& first = p.steps().at(0).expectation;
-  EXPECT_EQ(first.what, Expectation::What::Stack);
-  EXPECT_EQ(first.stack.stack + "|" + first.stack.name + "|" + first.stack.value,
-            "USTACK|XX-NR.|PB 5");
-  EXPECT_EQ(first.when, Expectation::When::Within);
-  EXPECT_EQ(p.steps().at(1).expectation.stack.name, "1 adr");
-  EXPECT_EQ(p.steps().at(1).expectation.relation, block::Relation::GreaterEqual);
+  const auto& first = p.expected<expectations::Stack>(0);
+  EXPECT_EQ(first.stack + "|" + first.name + "|" + first.value, "USTACK|XX-NR.|PB 5");
+  EXPECT_EQ(p.step<Expect>(0).when, Expect::When::Within);
+  EXPECT_EQ(p.expected<expectations::Stack>(1).name, "1 adr");
+  EXPECT_EQ(p.expected<expectations::Stack>(1).relation, block::Relation::GreaterEqual);
   EXPECT_EQ(parse("expect ustack = 01\n").problem(), "1:8 P0952");
   EXPECT_EQ(parse("expect ustack SAZ\n").problem(), "1:8 P0952");
   EXPECT_EQ(parse("expect ustack SAZ =\n").problem(), "1:8 P0952");
@@ -78,18 +85,18 @@ TEST(ScenarioParser, StepsOfTheDevice) {
       "power on unbuffered\npower on\nbattery low\nhot restart\n");
   EXPECT_TRUE(p.problems.empty());
   ASSERT_EQ(p.steps().size(), 9u);
-  EXPECT_EQ(p.steps()[0].switchPosition, cpu::SwitchPosition::Mres);
-  const cpu::Trigger& fault = p.steps()[1].trigger;
+  EXPECT_EQ(p.step<steps::Switch>(0).position, cpu::SwitchPosition::Mres);
+  const cpu::Trigger& fault = p.step<steps::Trigger>(1).event;
   EXPECT_EQ(fault.ob, 82);
   EXPECT_TRUE(fault.going);
   EXPECT_EQ(fault.address, 256);
   EXPECT_EQ(fault.data, 0x05000000u);
-  EXPECT_EQ(p.steps()[2].trigger.fault, 0xB1);
-  EXPECT_EQ(p.steps()[3].trigger.points, 5u);
-  EXPECT_EQ(p.steps()[4].expectation.led, &cpu::Leds::stop);
-  EXPECT_EQ(p.steps()[4].expectation.light, cpu::Light::Slow);
-  EXPECT_EQ(p.steps()[5].kind, StepKind::PowerOnUnbuffered);
-  EXPECT_EQ(p.steps()[6].kind, StepKind::PowerOn);
+  EXPECT_EQ(p.step<steps::Trigger>(2).event.fault, 0xB1);
+  EXPECT_EQ(p.step<steps::Trigger>(3).event.points, 5u);
+  EXPECT_EQ(p.expected<expectations::Led>(4).led, &cpu::Leds::stop);
+  EXPECT_EQ(p.expected<expectations::Led>(4).light, cpu::Light::Slow);
+  EXPECT_TRUE(std::holds_alternative<steps::PowerOnUnbuffered>(p.steps()[5].does));
+  EXPECT_TRUE(std::holds_alternative<steps::PowerOn>(p.steps()[6].does));
 }
 
 TEST(ScenarioParser, SeveralScenariosInAFile) {
@@ -97,18 +104,19 @@ TEST(ScenarioParser, SeveralScenariosInAFile) {
   ASSERT_EQ(p.scenarios.size(), 3u);
   EXPECT_EQ(p.scenarios[0].name, "plant");
   EXPECT_EQ(p.scenarios[1].name, "a");
-  EXPECT_EQ(p.scenarios[2].steps.at(0).kind, StepKind::Stop);
+  EXPECT_TRUE(std::holds_alternative<steps::Stop>(p.scenarios[2].steps.at(0).does));
 }
 
 TEST(ScenarioParser, EveryStepWithoutWordsBehindIt) {
   const Parsed p =
       parse("Run\nSTOP\ncold  restart\nwarm restart\npower off\npower on\nmemory reset\nunforce\n");
   EXPECT_TRUE(p.problems.empty());
-  const StepKind kinds[] = {StepKind::Run,         StepKind::Stop,     StepKind::ColdRestart,
-                            StepKind::WarmRestart, StepKind::PowerOff, StepKind::PowerOn,
-                            StepKind::MemoryReset, StepKind::Unforce};
-  ASSERT_EQ(p.steps().size(), std::size(kinds));
-  for (std::size_t i = 0; i < std::size(kinds); ++i) EXPECT_EQ(p.steps()[i].kind, kinds[i]);
+  const AnyStep wanted[] = {steps::Run{},         steps::Stop{},     steps::ColdRestart{},
+                            steps::WarmRestart{}, steps::PowerOff{}, steps::PowerOn{},
+                            steps::MemoryReset{}, steps::Unforce{}};
+  ASSERT_EQ(p.steps().size(), std::size(wanted));
+  for (std::size_t i = 0; i < std::size(wanted); ++i)
+    EXPECT_EQ(p.steps()[i].does.index(), wanted[i].index());
 }
 
 TEST(ScenarioParser, RelationsAndOperands) {
@@ -128,35 +136,36 @@ TEST(ScenarioParser, RelationsAndOperands) {
   for (const Row& row : rows) {
     const Parsed p = parse(row.text);
     ASSERT_TRUE(p.problems.empty()) << row.text;
-    EXPECT_EQ(p.steps()[0].expectation.relation, row.relation) << row.text;
-    EXPECT_EQ(p.steps()[0].expectation.left.text, row.left);
-    EXPECT_EQ(p.steps()[0].expectation.right.text, row.right);
+    EXPECT_EQ(p.expected<expectations::Values>(0).relation, row.relation) << row.text;
+    EXPECT_EQ(p.expected<expectations::Values>(0).left.text, row.left);
+    EXPECT_EQ(p.expected<expectations::Values>(0).right.text, row.right);
   }
 }
 
 TEST(ScenarioParser, WordsInSymbolsAreNoKeywords) {
   const Parsed p = parse("expect \"wait for it\" = 1 within 5s\n");
   EXPECT_TRUE(p.problems.empty());
-  EXPECT_EQ(p.steps()[0].expectation.left.text, "\"wait for it\"");
+  EXPECT_EQ(p.expected<expectations::Values>(0).left.text, "\"wait for it\"");
 }
 
 TEST(ScenarioParser, DiagnosticsAndModes) {
   const Parsed p =
       parse("expect diagnostics contains \"BCD # error\" within 1s\nexpect mode <> stop\n");
   EXPECT_TRUE(p.problems.empty());
-  EXPECT_EQ(p.steps()[0].expectation.words, "BCD # error");
-  EXPECT_EQ(p.steps()[0].expectation.when, Expectation::When::Within);
-  EXPECT_EQ(p.steps()[1].expectation.mode, controller::Mode::Stop);
-  EXPECT_EQ(p.steps()[1].expectation.relation, block::Relation::NotEqual);
+  EXPECT_EQ(p.expected<expectations::Diagnostics>(0).words, "BCD # error");
+  EXPECT_EQ(p.step<Expect>(0).when, Expect::When::Within);
+  EXPECT_EQ(p.expected<expectations::Mode>(1).mode, controller::Mode::Stop);
+  EXPECT_EQ(p.expected<expectations::Mode>(1).relation, block::Relation::NotEqual);
 }
 
 TEST(ScenarioParser, RepeatsNest) {
   const Parsed p = parse("repeat 3\n wait 1 cycle\n repeat 2\n  run\n end\nend\nstop\n");
   EXPECT_TRUE(p.problems.empty());
   ASSERT_EQ(p.steps().size(), 2u);
-  EXPECT_EQ(p.steps()[0].count, 3u);
-  ASSERT_EQ(p.steps()[0].body.size(), 2u);
-  EXPECT_EQ(p.steps()[0].body[1].count, 2u);
+  const auto& outer = p.step<steps::Repeat>(0);
+  EXPECT_EQ(outer.count, 3u);
+  ASSERT_EQ(outer.body.size(), 2u);
+  EXPECT_EQ(std::get<steps::Repeat>(outer.body[1].does).count, 2u);
 }
 
 TEST(ScenarioParser, ProblemsNameTheirPlace) {
@@ -164,6 +173,11 @@ TEST(ScenarioParser, ProblemsNameTheirPlace) {
   EXPECT_EQ(parse("wait 5\n").problem(), "1:6 P0953");
   EXPECT_EQ(parse("wait\n").problem(), "1:1 P0953");
   EXPECT_EQ(parse("switch ON\n").problem(), "1:8 P0952");
+  EXPECT_EQ(parse("expect mode of CPU = RUN\n").problem(), "1:8 P0952");
+  EXPECT_EQ(parse("expect partner LED RUN = on\n").problem(), "1:16 P0952");
+  EXPECT_EQ(parse("partner set MW 0 = 1\n").problem(), "1:9 P0952");
+  EXPECT_EQ(parse("partner end\n").problem(), "1:9 P0952");
+  EXPECT_EQ(parse("encoder 2.2.DI0 2.2.DI0 1kHz\n").problem(), "1:17 P0952");
   EXPECT_EQ(parse("trigger OB 35\n").problem(), "1:9 P0952");
   EXPECT_EQ(parse("trigger OB 82 adress 4\n").problem(), "1:15 P0952");
   EXPECT_EQ(parse("trigger OB 82 address 70000\n").problem(), "1:23 P0952");
@@ -212,8 +226,8 @@ TEST(ScenarioParser, StepsOfOtherPartsSayWhichExist) {
 TEST(ScenarioParser, AnApostropheInsideAText) {
   const Parsed p = parse("set DB1.a = 'it$'s, or = not', MB 1 = 2\n");
   EXPECT_TRUE(p.problems.empty());
-  ASSERT_EQ(p.steps()[0].assignments.size(), 2u);
-  EXPECT_EQ(p.steps()[0].assignments[0].value.text, "'it$'s, or = not'");
+  ASSERT_EQ(p.step<steps::Set>(0).assignments.size(), 2u);
+  EXPECT_EQ(p.step<steps::Set>(0).assignments[0].value.text, "'it$'s, or = not'");
 }
 
 TEST(ScenarioParser, AllProblemsInOnePass) {

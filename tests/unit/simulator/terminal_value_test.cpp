@@ -1,4 +1,4 @@
-#include "simulator/terminal_steps.h"
+#include "simulator/terminal_value.h"
 
 #include <gtest/gtest.h>
 

@@ -1,52 +1,15 @@
-#include "simulator/terminal_steps.h"
+#include "simulator/terminal_value.h"
 
 #include <fmt/format.h>
 
 #include <array>
-#include <charconv>
 #include <cmath>
 
 #include "base/text.h"
 #include "io/amount.h"
-#include "simulator/line.h"
 
 namespace merker::simulator {
 namespace {
-
-std::optional<std::uint32_t> number(std::string_view text) {
-  std::uint32_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || text.empty()) return std::nullopt;
-  return value;
-}
-
-// A name in quotation marks or up to the next blank.
-std::string_view takeName(std::string_view& text) {
-  if (!text.starts_with('"')) return takeWord(text);
-  const auto end = text.find('"', 1);
-  if (end == std::string_view::npos) return takeWord(text);
-  const std::string_view name = text.substr(1, end - 1);
-  text = trim(text.substr(end + 1));
-  return name;
-}
-
-// Takes `word` off the end.
-bool takeLast(std::string_view& text, std::string_view word) {
-  const auto blank = text.find_last_of(" \t");
-  const std::string_view last = blank == std::string_view::npos ? text : text.substr(blank + 1);
-  if (!equalsIgnoreCase(last, word)) return false;
-  text = trim(text.substr(0, text.size() - last.size()));
-  return true;
-}
-
-// Takes "channel 3" off the end; false if the number is wrong.
-bool takeChannel(std::string_view& text, std::optional<std::uint32_t>& channel) {
-  const auto place = upper(text).rfind("CHANNEL");
-  if (place == std::string::npos) return true;
-  channel = number(trim(text.substr(place + std::string_view("channel").size())));
-  text = trim(text.substr(0, place));
-  return channel.has_value();
-}
 
 std::string moduleNames(const io::Configuration& hardware) {
   std::string list;
@@ -56,26 +19,10 @@ std::string moduleNames(const io::Configuration& hardware) {
   return list;
 }
 
-const io::Module* find(const std::string& name, const Position& position,
-                       const io::Configuration* hardware, Problems& problems) {
-  if (hardware == nullptr) {
-    problems.add(ProblemCode::P0983, position);
-    return nullptr;
-  }
-  const io::Module* module = hardware->find(name);
-  if (module == nullptr) problems.add(ProblemCode::P0981, position, name, moduleNames(*hardware));
-  return module;
-}
-
 std::uint32_t channelsOf(const ModuleType& type, io::Side side) {
   const std::array<std::uint32_t, 4> counts{type.digitalInputs, type.digitalOutputs,
                                             type.analogInputs, type.analogOutputs};
   return counts[static_cast<std::size_t>(side)];
-}
-
-std::uint32_t allChannels(const ModuleType& type) {
-  return std::max({std::uint32_t{type.digitalInputs}, std::uint32_t{type.digitalOutputs},
-                   std::uint32_t{type.analogInputs}, std::uint32_t{type.analogOutputs}});
 }
 
 const MeasuringRange* rangeOf(const io::Module& module, const TerminalValue& terminal) {
@@ -99,19 +46,15 @@ double tolerance(const TerminalValue& value, const io::Rack& rack) {
 
 }  // namespace
 
-bool parseFault(std::string_view text, FaultStep& step, const PositionOf& at, Problems& problems) {
-  std::string_view words = text;
-  const std::string_view name = takeName(words);
-  step.module = name;
-  step.position = at(name.empty() ? text : name);
-  step.there = !takeLast(words, "off");
-  if (!takeChannel(words, step.channel)) {
-    problems.add(ProblemCode::P0952, at(text), "channel NUMBER");
-    return false;
+const io::Module* findModule(const std::string& name, const Position& position,
+                             const io::Configuration* hardware, Problems& problems) {
+  if (hardware == nullptr) {
+    problems.add(ProblemCode::P0983, position);
+    return nullptr;
   }
-  step.words = words;
-  step.wordsPosition = at(words.empty() ? text : words);
-  return true;
+  const io::Module* module = hardware->find(name);
+  if (module == nullptr) problems.add(ProblemCode::P0981, position, name, moduleNames(*hardware));
+  return module;
 }
 
 bool parseTerminal(std::string_view terminal, std::string_view value, TerminalValue& result,
@@ -131,28 +74,12 @@ bool parseTerminal(std::string_view terminal, std::string_view value, TerminalVa
   return true;
 }
 
-void resolve(FaultStep& step, const io::Configuration* hardware, Problems& problems) {
-  const io::FaultName* known = io::findFault(step.words);
-  if (known == nullptr)
-    return problems.add(ProblemCode::P0980, step.wordsPosition, step.words, io::faultNames());
-  step.kind = known->kind;
-  const io::Module* module = find(step.module, step.position, hardware, problems);
-  if (module == nullptr) return;
-  const io::FaultName& fault = io::nameOf(step.kind);
-  if (!io::possible(*module->type, step.kind))
-    problems.add(ProblemCode::P0982, step.position, module->title(), fault.words);
-  else if (step.channel && (!fault.channel || *step.channel >= allChannels(*module->type)))
-    problems.add(ProblemCode::P0984, step.position, module->title(),
-                 fault.channel ? fmt::format("channel {}", *step.channel)
-                               : fmt::format("fault '{}' of a single channel", fault.words));
-}
-
 namespace {
 
 // The module that has it, and the range of an analog terminal; null with a problem.
 const io::Module* placeOf(const TerminalValue& terminal, const io::Configuration* hardware,
                           const MeasuringRange*& range, Problems& problems) {
-  const io::Module* module = find(terminal.module, terminal.position, hardware, problems);
+  const io::Module* module = findModule(terminal.module, terminal.position, hardware, problems);
   if (module == nullptr) return nullptr;
   if (terminal.channel >= channelsOf(*module->type, terminal.side)) {
     problems.add(ProblemCode::P0984, terminal.position, module->title(),
@@ -185,11 +112,6 @@ void resolve(TerminalValue& terminal, const io::Configuration* hardware, Problem
                                                 terminal.text, unitOf(range->quantity),
                                                 io::formatAmount(range->high, range->quantity)));
   terminal.amount = amount.value_or(0);
-}
-
-void apply(const FaultStep& step, io::Rack& rack) {
-  if (const auto module = rack.module(step.module))
-    rack.fault(*module, step.kind, step.channel, step.there);
 }
 
 std::string set(const TerminalValue& value, io::Rack& rack, Instant now) {

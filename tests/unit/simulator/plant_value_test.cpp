@@ -1,4 +1,4 @@
-#include "simulator/plant_steps.h"
+#include "simulator/plant_value.h"
 
 #include <gtest/gtest.h>
 

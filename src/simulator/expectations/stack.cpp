@@ -1,4 +1,4 @@
-#include "simulator/stack_steps.h"
+#include "simulator/expectations/stack.h"
 
 #include <fmt/format.h>
 
@@ -8,14 +8,12 @@
 
 #include "base/text.h"
 #include "controller/stop_screens.h"
-#include "simulator/line.h"
 #include "simulator/relation.h"
 
-namespace merker::simulator {
+namespace merker::simulator::expectations {
 namespace {
 
 using controller::Controller;
-using controller::Mode;
 using controller::StopScreens;
 
 // "0000 0007" is one number, "PB 5" and "PB5" are one block.
@@ -40,42 +38,45 @@ const StopScreens* screensOf(const Controller& plc) {
   return dynamic_cast<const StopScreens*>(&plc);
 }
 
-bool shown(const Controller& plc) { return plc.mode() == Mode::Stop && plc.powered(); }
+bool shown(const Controller& plc) { return plc.mode() == controller::Mode::Stop && plc.powered(); }
 
 }  // namespace
 
-bool takeStack(std::string_view& left, StackField& field) {
-  std::string_view rest = left;
-  const std::string_view word = takeWord(rest);
-  if (!equalsIgnoreCase(word, "ustack") && !equalsIgnoreCase(word, "bstack")) return false;
-  field.stack = upper(word);
-  field.name = rest;
-  left = rest;
-  return true;
+bool Stack::parse(const StepLine& line, const Claim& claim) {
+  const auto fail = [&](std::string_view expected) {
+    return line.fail(ProblemCode::P0952, claim.whole, expected);
+  };
+  stack = upper(claim.word);
+  name = claim.subject;
+  value = claim.value;
+  relation = claim.relation;
+  if (relation == block::Relation::About) return fail("a comparison (= <> < <= > >=)");
+  if (name.empty()) return fail("a field, as ustack SAZ = 002A");
+  return !value.empty() || fail("a value, as 002A or PB 5");
 }
 
-bool holds(const StackField& field, block::Relation relation, const Controller& plc) {
+bool Stack::holds(Controller& plc) const {
   const StopScreens* const screens = screensOf(plc);
   if (screens == nullptr || !shown(plc)) return false;
-  const auto text = screens->stackField(field.stack, field.name);
+  const auto text = screens->stackField(stack, name);
   if (!text) return false;
-  const auto actual = hexadecimal(*text), wanted = hexadecimal(field.value);
+  const auto actual = hexadecimal(*text), wanted = hexadecimal(value);
   if (actual && wanted) return relates(*actual, relation, *wanted);
-  const bool equal = withoutBlanks(*text) == withoutBlanks(field.value);
+  const bool equal = withoutBlanks(*text) == withoutBlanks(value);
   return relation == block::Relation::Equal      ? equal
          : relation == block::Relation::NotEqual ? !equal
                                                  : false;
 }
 
-std::string actualValue(const StackField& field, const Controller& plc) {
+std::string Stack::actual(Controller& plc) const {
   const StopScreens* const screens = screensOf(plc);
-  if (screens == nullptr) return fmt::format("{} has no {}", plc.modelName(), field.stack);
-  const auto text = screens->stackField(field.stack, field.name);
+  if (screens == nullptr) return fmt::format("{} has no {}", plc.modelName(), stack);
+  const auto text = screens->stackField(stack, name);
   if (!text)
-    return fmt::format("the {} has no field '{}'; there are: {}", field.stack, field.name,
-                       screens->stackFields(field.stack));
-  if (!shown(plc)) return fmt::format("the PLC is not in STOP, which the {} needs", field.stack);
-  return fmt::format("{} is {}", field.name, *text);
+    return fmt::format("the {} has no field '{}'; there are: {}", stack, name,
+                       screens->stackFields(stack));
+  if (!shown(plc)) return fmt::format("the PLC is not in STOP, which the {} needs", stack);
+  return fmt::format("{} is {}", name, *text);
 }
 
-}  // namespace merker::simulator
+}  // namespace merker::simulator::expectations

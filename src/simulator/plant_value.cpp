@@ -1,4 +1,4 @@
-#include "simulator/plant_steps.h"
+#include "simulator/plant_value.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "base/text.h"
-#include "simulator/line.h"
 #include "simulator/relation.h"
 
 namespace merker::simulator {

@@ -1,5 +1,5 @@
-// Steps that drive plants: plant Oven.AMBIENT = 20, plant Oven.PV stuck 80, plant Oven reset,
-// expect plant Oven.PV > 140.
+// A signal of a plant and what happens to it: Oven.AMBIENT = 20, Oven.PV stuck 80, Oven reset, or
+// the value that it should have.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 #include "block/check.h"
 #include "plant/plants.h"
-#include "simulator/terminal_steps.h"
+#include "simulator/line.h"
 
 namespace merker::simulator {
 

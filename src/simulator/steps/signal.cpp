@@ -1,4 +1,4 @@
-#include "simulator/signal_steps.h"
+#include "simulator/steps/signal.h"
 
 #include <algorithm>
 #include <array>
@@ -9,9 +9,11 @@
 
 #include "base/text.h"
 #include "io/amount.h"
-#include "simulator/line.h"
+#include "signal/encoder.h"
+#include "signal/pulse_train.h"
+#include "station/station.h"
 
-namespace merker::simulator {
+namespace merker::simulator::steps {
 namespace {
 
 constexpr std::int64_t kHighest = 100'000'000;  // mHz (CNT-SIM-04)
@@ -45,7 +47,7 @@ std::optional<double> withUnit(std::string_view text, std::string_view unit) {
 }
 
 // "60kHz", "123.456Hz", "-1kHz"
-std::optional<std::int64_t> millihertz(std::string_view text) {
+std::optional<std::int64_t> frequencyOf(std::string_view text) {
   auto value = withUnit(text, "kHz");
   if (value)
     *value *= 1e6;
@@ -78,22 +80,22 @@ struct Option {
   std::string_view key;
   bool encoder;
   std::optional<std::int64_t> (*read)(std::string_view);
-  void (*store)(SignalStep&, std::int64_t);
+  void (*store)(Signal&, std::int64_t);
 };
 constexpr std::array kOptions = {
     Option{"duty", false, thousandths,
-           [](SignalStep& s, std::int64_t v) { s.duty = static_cast<std::uint32_t>(v); }},
+           [](Signal& s, std::int64_t v) { s.duty = static_cast<std::uint32_t>(v); }},
     Option{"jitter", false, thousandths,
-           [](SignalStep& s, std::int64_t v) { s.jitter = static_cast<std::uint32_t>(v); }},
-    Option{"high", false, nanoseconds, [](SignalStep& s, std::int64_t v) { s.high = v; }},
-    Option{"low", false, nanoseconds, [](SignalStep& s, std::int64_t v) { s.low = v; }},
+           [](Signal& s, std::int64_t v) { s.jitter = static_cast<std::uint32_t>(v); }},
+    Option{"high", false, nanoseconds, [](Signal& s, std::int64_t v) { s.high = v; }},
+    Option{"low", false, nanoseconds, [](Signal& s, std::int64_t v) { s.low = v; }},
     Option{"seed", false, whole,
-           [](SignalStep& s, std::int64_t v) { s.seed = static_cast<std::uint64_t>(v); }},
-    Option{"count", false, whole, [](SignalStep& s, std::int64_t v) { s.count = v; }},
-    Option{"count", true, whole, [](SignalStep& s, std::int64_t v) { s.count = 4 * v; }},
-    Option{"quarters", true, whole, [](SignalStep& s, std::int64_t v) { s.count = v; }}};
+           [](Signal& s, std::int64_t v) { s.seed = static_cast<std::uint64_t>(v); }},
+    Option{"count", false, whole, [](Signal& s, std::int64_t v) { s.count = v; }},
+    Option{"count", true, whole, [](Signal& s, std::int64_t v) { s.count = 4 * v; }},
+    Option{"quarters", true, whole, [](Signal& s, std::int64_t v) { s.count = v; }}};
 
-bool readOption(std::string_view& rest, SignalStep& step) {
+bool readOption(std::string_view& rest, Signal& step) {
   const std::string_view key = takeWord(rest), value = takeWord(rest);
   for (const Option& option : kOptions) {
     if (option.encoder != step.encoder || !equalsIgnoreCase(option.key, key)) continue;
@@ -104,7 +106,7 @@ bool readOption(std::string_view& rest, SignalStep& step) {
   return false;
 }
 
-signal::Pulses pulsesOf(const SignalStep& step, Instant now) {
+signal::Pulses pulsesOf(const Signal& step, Instant now) {
   signal::Pulses pulses;
   if (step.millihertz != 0) {
     pulses = signal::pulsesOf(step.millihertz, step.duty, now);
@@ -121,71 +123,92 @@ signal::Pulses pulsesOf(const SignalStep& step, Instant now) {
 
 }  // namespace
 
-bool parseSignal(std::string_view text, bool encoder, SignalStep& step, const PositionOf& at,
-                 Problems& problems) {
+bool Signal::parse(const StepLine& line) {
+  const std::string_view text = line.rest();
   std::string_view rest = text;
-  const auto fail = [&](std::string_view where, std::string_view expected) {
-    problems.add(ProblemCode::P0952, at(where.empty() ? text : where), expected);
-    return false;
+  const auto wrong = [&](std::string_view where, std::string_view expected) {
+    return line.fail(ProblemCode::P0952, where.empty() ? text : where, expected);
   };
-  step.encoder = encoder;
+  std::string_view name;
   for (int i = 0; i < (encoder ? 2 : 1); ++i) {
-    const std::string_view name = takeTerminal(rest);
-    TerminalValue& terminal = step.terminals.emplace_back();
-    if (!parseTerminal(name, name, terminal, at, problems)) return false;
-    if (terminal.side != io::Side::DigitalInput) return fail(name, "a digital input: MODULE.DI0");
+    name = takeTerminal(rest);
+    TerminalValue& terminal = terminals.emplace_back();
+    if (!parseTerminal(name, name, terminal, line.positions(), line.problems())) return false;
+    if (terminal.side != io::Side::DigitalInput) return wrong(name, "a digital input: MODULE.DI0");
     terminal.value.assign(1, '0');
   }
-  if (encoder && step.terminals[0].text == step.terminals[1].text)
-    return fail(step.terminals[1].text, "track B on another terminal than track A");
+  if (encoder && terminals[0].text == terminals[1].text)
+    return wrong(name, "track B on another terminal than track A");
   std::string_view options = rest;
   const std::string_view first = takeWord(options);
   if (equalsIgnoreCase(first, "off")) {
-    step.off = true;
-    return options.empty() || fail(options, "nothing behind 'off'");
+    off = true;
+    return options.empty() || wrong(options, "nothing behind 'off'");
   }
-  if (const auto frequency = millihertz(first); frequency && (encoder || *frequency > 0)) {
-    step.millihertz = *frequency;
+  if (const auto frequency = frequencyOf(first); frequency && (encoder || *frequency > 0)) {
+    millihertz = *frequency;
     rest = options;
   } else if (encoder || !equalsIgnoreCase(first, "high")) {
-    return fail(first, encoder ? "a frequency up to 100kHz, as 60kHz or -1kHz (backward), or off"
-                               : "a frequency up to 100kHz, as 1kHz, high 8us low 8us, or off");
+    return wrong(first, encoder ? "a frequency up to 100kHz, as 60kHz or -1kHz (backward), or off"
+                                : "a frequency up to 100kHz, as 1kHz, high 8us low 8us, or off");
   }
   std::set<std::string> seen;
   while (!rest.empty()) {
     const std::string_view before = rest;
-    if (!readOption(rest, step)) return fail(before, encoder ? kEncoderKeys : kKeys);
+    if (!readOption(rest, *this)) return wrong(before, encoder ? kEncoderKeys : kKeys);
     std::string_view word = before;
-    if (!seen.insert(upper(takeWord(word))).second) return fail(before, "each of them once");
+    if (!seen.insert(upper(takeWord(word))).second) return wrong(before, "each of them once");
   }
   if (seen.contains("COUNT") && seen.contains("QUARTERS"))
-    return fail(text, "count or quarters, not both");
-  if (step.high != 0 && (step.millihertz != 0 || seen.contains("DUTY")))
-    return fail(text, "either a frequency with its duty, or high and low");
-  if (!encoder && step.millihertz == 0 && (step.high == 0 || step.low == 0))
-    return fail(text, "high 8us low 8us: both");
-  if (!encoder && step.jitter > signal::mostJitter(pulsesOf(step, {})) && step.jitter > 0)
-    return fail(text, "less jitter than half of pulse and pause: edges keep their order");
+    return wrong(text, "count or quarters, not both");
+  if (high != 0 && (millihertz != 0 || seen.contains("DUTY")))
+    return wrong(text, "either a frequency with its duty, or high and low");
+  if (!encoder && millihertz == 0 && (high == 0 || low == 0))
+    return wrong(text, "high 8us low 8us: both");
+  if (!encoder && jitter > signal::mostJitter(pulsesOf(*this, {})) && jitter > 0)
+    return wrong(text, "less jitter than half of pulse and pause: edges keep their order");
   return true;
 }
 
-void resolve(SignalStep& step, const io::Configuration* hardware, Problems& problems) {
-  for (TerminalValue& terminal : step.terminals) resolve(terminal, hardware, problems);
+// A train of pulses would end with the next change of a plant that drives its terminal.
+static void checkDriver(const TerminalValue& terminal, const StepBinding& binding) {
+  const io::Module* module =
+      binding.hardware == nullptr ? nullptr : binding.hardware->find(terminal.module);
+  if (module == nullptr || binding.plants == nullptr) return;
+  const auto index = static_cast<std::uint32_t>(module - binding.hardware->modules.data());
+  const std::string driver = binding.plants->driverOf({index, terminal.side, terminal.channel});
+  if (!driver.empty())
+    binding.problems.add(ProblemCode::P0988, terminal.position, terminal.text,
+                         "it is wired to " + driver);
 }
 
-void apply(const SignalStep& step, Axes& axes, io::Rack& rack, Instant now) {
+void Signal::resolve(const StepBinding& binding) {
+  for (TerminalValue& terminal : terminals)
+    simulator::resolve(terminal, binding.hardware, binding.problems);
+  for (const TerminalValue& terminal : terminals) checkDriver(terminal, binding);
+}
+
+bool Signal::perform(StepRun& run, station::Station& station) const {
+  io::Rack& rack = *station.rack();
+  const Instant now = station.now();
   const auto terminal = [&](std::size_t i) {
-    const TerminalValue& value = step.terminals[i];
+    const TerminalValue& value = terminals[i];
     return *rack.terminal(value.module, value.side, value.channel);
   };
-  if (!step.encoder && step.off) return rack.setLevel(terminal(0), false, now);
-  if (!step.encoder)
-    return rack.attach(terminal(0), std::make_shared<signal::PulseTrain>(pulsesOf(step, now)), now);
-  signal::Motion& axis = axes[step.terminals[0].text];
-  axis = {now, axis.positionAt(now), step.millihertz, step.count};
+  if (!encoder && off) {
+    rack.setLevel(terminal(0), false, now);
+    return true;
+  }
+  if (!encoder) {
+    rack.attach(terminal(0), std::make_shared<signal::PulseTrain>(pulsesOf(*this, now)), now);
+    return true;
+  }
+  signal::Motion& axis = run.axes()[terminals[0].text];
+  axis = {now, axis.positionAt(now), millihertz, count};
   for (const auto track : {signal::Track::A, signal::Track::B})
     rack.attach(terminal(static_cast<std::size_t>(track)),
                 std::make_shared<signal::EncoderTrack>(axis, track), now);
+  return true;
 }
 
-}  // namespace merker::simulator
+}  // namespace merker::simulator::steps
