@@ -12,7 +12,7 @@
 namespace merker::simulator::expectations {
 
 struct Led {
-  static constexpr bool kSpeaksOfState = false;
+  static constexpr bool kSpeaksOfState = true;
   cpu::Light cpu::Leds::*led = nullptr;
   cpu::Light light = cpu::Light::On;
   block::Relation relation = block::Relation::Equal;  // or NotEqual

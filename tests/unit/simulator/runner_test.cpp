@@ -194,6 +194,9 @@ TEST(Runner, AFaultFailsUnlessTheScenarioSpeaksOfIt) {
   EXPECT_EQ(
       failure(machine.run("set E 0.7 = 1\nwait 1s\nexpect diagnostics contains \"16#2521\"\n")),
       "0 failures");
+  EXPECT_EQ(failure(machine.run("set E 0.7 = 1\nexpect LED SF = on within 1s\n")), "0 failures");
+  EXPECT_TRUE(failure(machine.run("set E 0.7 = 1\nexpect MW 2 = 0 for 1s\n"))
+                  .starts_with("2: expected no fault, "));
   const std::string wait = failure(machine.run("set E 0.7 = 1\nwait 9 cycles\n"));
   EXPECT_TRUE(wait.starts_with("2: wait 9 cycles: the CPU is in STOP")) << wait;
 }
