@@ -33,9 +33,9 @@ function(merker_module name)
   endif()
 endfunction()
 
-# Ten files in one go compile in the time of two: merker_together(<target> <files that stand apart...>), because a helper
-# in them has the name of a helper in another file of the target; SINGLE modules have too many of these. The release
-# build compiles each file of src/ by itself, so that each includes what it needs.
+# Ten files in one go compile in the time of two: merker_together(<target> <files to compile alone...>). These have a
+# helper with the name of a helper in another file of the target; SINGLE: too many clashing helpers, no unity build. The
+# release build compiles each file of src/ by itself, so that each includes what it needs.
 function(merker_together target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 10)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)

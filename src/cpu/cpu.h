@@ -108,8 +108,8 @@ class Cpu {
   void retentive(block::RetentiveData& data) const;
   // For a CPU that was just loaded: it is then switched off and has this in its memory.
   void restore(const block::RetentiveData& data);
-  // In STOP, or in RUN between two cycles: all of it, and back into a CPU of the same model and
-  // configuration, at once and whatever that does now.
+  // The full state, in STOP or in RUN between two cycles. take() restores it immediately, in any
+  // operating state of a CPU of the same model and configuration.
   Snapshot snapshot() const;
   void take(const Snapshot& from, std::shared_ptr<const block::Program> program);
 

@@ -40,7 +40,7 @@ class SystemServices {
   virtual ~SystemServices() = default;
   // False: the CPU has no such block.
   virtual bool call(const SystemCall& call) = 0;
-  // Warm and cold restart: what goes on over several calls is over.
+  // Warm and cold restart: aborts jobs that span several calls.
   virtual void restart() {}
 };
 

@@ -89,7 +89,7 @@ icode::Value limitOf(Lowering& l, icode::Space space, bool write);
 // Whether a guard in this region, or AUF, has seen to it that so many bytes behind this one are
 // there; kNoValue: from the beginning of the space.
 bool isReached(Lowering& l, icode::Space space, icode::Value byte, std::uint32_t end, bool write);
-// Notes what the region needs, or guards; false if the operand lies outside for certain.
+// Notes what the region needs, or guards; false if the operand is known to be out of range.
 bool reachable(Lowering& l, icode::Space space, std::uint32_t end, bool write);
 // Timer, counter or block: in a word of memory, or handed over as parameter.
 std::optional<icode::Value> numberOperand(Lowering& l);

@@ -36,7 +36,7 @@ std::uint32_t imageLength(const CpuModel& model, Space space) {
 
 namespace {
 
-// Notes what the region needs; false if the operand lies outside for certain.
+// Notes what the region needs; false if the operand is known to be out of range.
 bool reach(Lowering& l, Space space, std::uint32_t end, bool write) {
   const auto atLeast = [end](std::uint32_t& limit) { limit = std::max(limit, end); };
   switch (l.to.held(space)) {

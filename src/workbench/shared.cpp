@@ -120,7 +120,7 @@ bool isWanted(const monitor::Breakpoint& one, const ProjectFolder& folder,
   return lines != wanted.end() && lines->second.contains(one.place.line);
 }
 
-// Until a download is in force only what nobody wants any more is taken away.
+// Until the download takes effect, only remove breakpoints that are no longer requested.
 void removeBreakpoints(monitor::Debugger& debugger, const ProjectFolder& folder,
                        const BreakpointLines& wanted) {
   const std::vector<monitor::Breakpoint> all = debugger.breakpoints();

@@ -28,7 +28,7 @@ Workbench::Workbench() {
   shared_.onPoint = [this](cpu::CyclePoint point) { reached(point); };
 }
 
-// What is modified at this point is seen at it.
+// Modify before sampling, so that watch lists see the values in the same cycle.
 void Workbench::reached(cpu::CyclePoint point) {
   for (auto& [id, browser] : browsers_)
     for (auto& [number, list] : browser.modifies) list.reached(*shared_.plc->monitor(), point);
