@@ -144,7 +144,7 @@ void addAssemble(CLI::App& program, int& result) {
   command->add_option("FILE", options->file, "text file; without it, standard input");
   command
       ->add_option("--mnemonics", options->mnemonics,
-                   "de or en; without it, both are taken and SE is the German one")
+                   "de or en; without it, both are accepted and SE is the German one")
       ->check(CLI::IsMember({"de", "en"}));
   command->footer(
       "Jumps are written with their distance in words: SPA 5. What disassemble writes is taken "

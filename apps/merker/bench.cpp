@@ -96,13 +96,14 @@ int stopped(const std::string& why) {
 void note(const Measurement& m, const BenchOptions& options, const controller::Controller& plc) {
   const auto* station = dynamic_cast<const station::Station*>(&plc);
   if (options.engine == "jit" && station != nullptr && station->compiledBytes() == 0)
-    std::cerr << "merker bench: this system allows no machine code: the interpreter ran\n";
+    std::cerr
+        << "merker bench: this system does not allow machine code; the interpreter was used\n";
   if (plc.mode() != controller::Mode::Run && !plc.stoppedByFault())
     std::cerr << fmt::format(
         "merker bench: the program stopped the CPU after {} cycles, {:.3g} s: {}\n", m.cycles,
         m.seconds, plc.stopReason());
   else if (m.cycles == 0 && !plc.stoppedByFault())
-    std::cerr << "merker bench: OB 1 has not ended once in this time\n";
+    std::cerr << "merker bench: OB 1 did not end within this time\n";
 }
 
 int bench(const BenchOptions& options, controller::Controller& plc, double seconds) {
@@ -127,7 +128,7 @@ bool lacksOb1(const Build& built) {
 int bench(const BenchOptions& options) {
   const auto time = simulator::parseDuration(options.time);
   if (!time) {
-    std::cerr << "merker bench: --for: '" << options.time << "' is no length of time\n";
+    std::cerr << "merker bench: --for: '" << options.time << "' is not a valid duration\n";
     return kUsage;
   }
   Build built = build(loadProject(options.path, options.project), false);

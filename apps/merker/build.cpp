@@ -14,8 +14,8 @@ int exitCode(const Build& build) {
 
 int refuseListing(std::string_view command) {
   std::cerr << "merker " << command
-            << ": this command knows SIMATIC S7 programs only; for a SINUMERIK "
-            << "there are check, run, test, list, diag and bench\n";
+            << ": this command supports SIMATIC S7 programs only; for a SINUMERIK "
+            << "use check, run, test, list, diag or bench\n";
   return kUsage;
 }
 

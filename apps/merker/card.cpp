@@ -79,7 +79,7 @@ Build buildFromCard(const store::MemoryCard& card, const std::string& folder,
     if (auto blocks = cnc::fromCard(load.program)) {
       result.listings = std::move(*blocks);
     } else {
-      result.problems.add(ProblemCode::P1003, Position{folder}, "its blocks are none of STEP 5");
+      result.problems.add(ProblemCode::P1003, Position{folder}, "its blocks are not STEP 5 blocks");
       result.project.unreadable = true;
     }
   } else {
@@ -96,7 +96,7 @@ std::optional<Problem> switchOn(store::MemoryCard& card, const Build& build,
   if (auto* control = dynamic_cast<cnc::Cnc*>(&plc)) {
     if (switchOn(kept, *done, build, *control)) return std::nullopt;
     return makeProblem(ProblemCode::P1003, Position{build.project.path},
-                       "it is not what a SINUMERIK keeps");
+                       "its retentive data are not those of a SINUMERIK");
   }
   switchOn(kept, done->changed(), dynamic_cast<station::Station&>(plc));
   return std::nullopt;

@@ -9,7 +9,7 @@ namespace {
 
 std::string check(const std::string& name) {
   if (project::findModel(name)) return {};
-  return "there is no CPU model '" + name + "'; the models are: " + project::modelNames();
+  return "CPU model '" + name + "' not found; valid models: " + project::modelNames();
 }
 
 project::Project withMnemonics(project::Project project, const std::string& word) {

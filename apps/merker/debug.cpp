@@ -81,8 +81,8 @@ void addDebug(CLI::App& program, int& result) {
       ->allow_extra_args(false);
   command->footer(
       "Time is virtual: it passes only while a command runs the program.\n"
-      "Commands come from the terminal or, one a line, from a pipe; then a command that could not\n"
-      "be carried out makes the exit code 1. `help` lists them, docs/debug.md describes them.\n"
+      "Commands come from the terminal or, one per line, from a pipe; then the exit code is 1 if\n"
+      "a command failed. `help` lists the commands, docs/debug.md describes them.\n"
       "Examples:\n"
       "  merker debug examples/sorting-plant\n"
       "  merker debug blink.awl -x \"break OB 1\" -x run\n"

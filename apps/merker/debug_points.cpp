@@ -57,14 +57,14 @@ void DebugSession::deletePoint(std::string_view arguments) {
   if (equalsIgnoreCase(arguments, "all")) return monitor_.debugger().removeBreakpoints();
   const auto which = number(arguments);
   if (!which || !monitor_.debugger().removeBreakpoint(*which))
-    error(fmt::format("there is no breakpoint '{}'; 'break' lists them", arguments));
+    error(fmt::format("breakpoint '{}' not found; 'break' lists them", arguments));
 }
 
 void DebugSession::switchPoint(std::string_view arguments, bool on) {
   if (equalsIgnoreCase(arguments, "all")) return monitor_.debugger().enableBreakpoints(on);
   const auto which = number(arguments);
   if (!which || !monitor_.debugger().enableBreakpoint(*which, on))
-    error(fmt::format("there is no breakpoint '{}'; 'break' lists them", arguments));
+    error(fmt::format("breakpoint '{}' not found; 'break' lists them", arguments));
 }
 
 void DebugSession::status(std::string_view arguments) {
@@ -80,7 +80,7 @@ void DebugSession::status(std::string_view arguments) {
   } else if (word.empty() || equalsIgnoreCase(word, "all")) {
     printStatus(!word.empty());
   } else {
-    error("status is on [BLOCK] [from BLOCK] [db N] [di N], off, all, or nothing behind it");
+    error("use status [on [BLOCK] [from BLOCK] [db N] [di N] | off | all]");
   }
 }
 
@@ -130,7 +130,7 @@ void DebugSession::printStatus(bool everything) {
   if (status == nullptr) return error("program status is off; 'status on FC 1' switches it on");
   const std::string block = toString(status->block().id);
   if (status->calls() == 0) {
-    out_ << fmt::format("{} has not been called since its program status is on\n", block);
+    out_ << fmt::format("{} has not been called since its program status was switched on\n", block);
     return;
   }
   out_ << fmt::format("{}, call {}\n", block, status->calls());

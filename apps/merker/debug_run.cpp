@@ -58,7 +58,8 @@ void DebugSession::until(std::string_view arguments) {
 
 void DebugSession::cycle(std::string_view arguments) {
   const auto count = arguments.empty() ? 1 : number(arguments);
-  if (!count || *count == 0) return error(fmt::format("'{}' is no number of cycles", arguments));
+  if (!count || *count == 0)
+    return error(fmt::format("'{}' is not a valid number of cycles", arguments));
   if (!going()) return;
   const std::uint64_t last = station_.cycles() + *count;
   const Instant limit = station_.now() + kLongestRun;
@@ -78,7 +79,7 @@ void DebugSession::stepBy(monitor::StepKind kind) {
 void DebugSession::restart(std::string_view arguments) {
   const bool cold = equalsIgnoreCase(arguments, "cold");
   if (!cold && !arguments.empty() && !equalsIgnoreCase(arguments, "warm"))
-    return error("restart is warm or cold");
+    return error("restart must be 'warm' or 'cold'");
   if (start(cold)) out_ << monitor::name(station_.mode()) << '\n';
 }
 

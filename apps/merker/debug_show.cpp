@@ -36,7 +36,8 @@ void DebugSession::registers(std::string_view) {
 void DebugSession::locals(std::string_view arguments) {
   const auto depth = arguments.empty() ? 0 : number(arguments);
   if (!depth)
-    return error(fmt::format("'{}' is no depth; `where` numbers the blocks from 0", arguments));
+    return error(
+        fmt::format("'{}' is not a valid depth; `where` numbers the blocks from 0", arguments));
   const auto variables = monitor_.variables(*depth);
   if (variables.empty()) out_ << "no declared variables here\n";
   for (const monitor::FrameVariable& one : variables)
@@ -95,7 +96,7 @@ void DebugSession::list(std::string_view arguments) {
 
 void DebugSession::diagnostics(std::string_view arguments) {
   const auto count = arguments.empty() ? kDiagnostics : number(arguments);
-  if (!count) return error(fmt::format("'{}' is no number of entries", arguments));
+  if (!count) return error(fmt::format("'{}' is not a valid number of entries", arguments));
   out_ << diagnosticsText(monitor_.diagnostics(), *count);
 }
 

@@ -95,8 +95,8 @@ void DebugSession::unwatch(std::string_view arguments) {
   if (all) return watches_.shorten(0);
   const auto which = number(arguments);
   if (!which || *which == 0 || *which > watches_.rows().size())
-    return error(
-        fmt::format("'{}' is not watched; 'watch' lists what is, with numbers", arguments));
+    return error(fmt::format("'{}' is not watched; 'watch' lists the operands with their numbers",
+                             arguments));
   watches_.remove(*which - 1);
 }
 

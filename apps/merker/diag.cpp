@@ -136,7 +136,7 @@ int diag(const DiagOptions& options) {
   const auto time = simulator::parseDuration(options.time);
   if (!time) {
     std::cerr << "merker diag: --for: '" << options.time
-              << "' is no length of time; write 250ms, 7.5s, 2m or T#1S\n";
+              << "' is not a valid duration; write 250ms, 7.5s, 2m or T#1S\n";
     return kUsage;
   }
   const Build built = build(loadProject(options.path, options.project), false);

@@ -17,7 +17,7 @@ void addEngine(CLI::App& command, std::string& engine) {
 
 std::optional<std::string> whyMissing(const std::string& engine) {
   if (engine != "jit" || station::MixedEngine::canCompile()) return std::nullopt;
-  return "--engine: there is no jit for this processor; use interpreter";
+  return "--engine: jit is not available for this processor; use interpreter";
 }
 
 std::optional<std::string> useEngine(const std::string& engine, controller::Controller& plc) {

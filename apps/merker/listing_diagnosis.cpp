@@ -77,7 +77,7 @@ void printDiagnosis(cnc::Cnc& control) {
       << control.plc().programmer().controlBitText() << '\n'
       << "Interrupt stack (USTACK)\n"
       << toString(picture->interrupt)
-      << "\nBlock stack (BSTACK), innermost first: where each block goes on after the return\n"
+      << "\nBlock stack (BSTACK), innermost first: where each block continues after the return\n"
       << toString(picture->blocks);
 }
 

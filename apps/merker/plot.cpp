@@ -63,7 +63,7 @@ bool readTime(const std::string& option, const std::string& text, double standar
   if (duration) seconds = static_cast<double>(duration->ns) / 1e9;
   if (!duration)
     std::cerr << "merker plot: " << option << ": '" << text
-              << "' is no length of time; write 5s, 2m\n";
+              << "' is not a valid duration; write 5s, 2m\n";
   return duration.has_value();
 }
 
@@ -83,7 +83,7 @@ bool isPicture(const PlotOptions& options) {
   const bool same = std::filesystem::equivalent(output, options.trace, unknown);
   if (!same && equalsIgnoreCase(output.extension().string(), ".svg")) return true;
   std::cerr << "merker plot: " << options.output
-            << (same ? " is the trace itself" : " is no name of an SVG picture")
+            << (same ? " is the trace itself" : " is not a valid name of an SVG picture")
             << "; write -o FILE.svg\n";
   return false;
 }
@@ -122,7 +122,7 @@ void addPlot(CLI::App& program, int& result) {
                    "curves over one axis, each with a name if you like: \"DB41.PV = temperature\"; "
                    "once for each row")
       ->allow_extra_args(false);
-  command->add_option("--title", options->title, "stands above the picture");
+  command->add_option("--title", options->title, "title above the picture");
   command->add_option("--from", options->from, "only from this instant on: 5s");
   command->add_option("--to", options->to, "only up to this instant: 2m");
   command->footer(

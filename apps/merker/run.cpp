@@ -46,7 +46,7 @@ int wrongUsage(const std::string& text) {
 std::string checkCycles(const std::string& text) {
   const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
   if (digits && text.size() <= 10 && std::stoull(text) <= 1'000'000'000) return {};
-  return "'" + text + "' is no number of cycles; write a whole number from 0 to 1000000000";
+  return "'" + text + "' is not a valid number of cycles; write an integer from 0 to 1000000000";
 }
 
 int cannotWrite(const std::string& file) {
@@ -304,7 +304,7 @@ int runPath(const RunOptions& options, std::optional<Duration> time) {
   if (options.card.empty()) return runBuild(options, built, time, nullptr);
   if (built.isListing() && options.copyRamToRom)
     return wrongUsage("--copy-ram-to-rom: a SINUMERIK has no load memory beside its RAM");
-  if (built.partner) return wrongUsage("--card: there is one card, and two controls are coupled");
+  if (built.partner) return wrongUsage("--card: two coupled controls cannot share one card");
   auto card = openCard(options.card, false);
   if (!card) return failed(card.error());
   return runBuild(options, built, time, &*card);
@@ -324,12 +324,12 @@ int run(const RunOptions& options) {
     time = simulator::parseDuration(options.time);
     if (!time)
       return wrongUsage("--for: '" + options.time +
-                        "' is no length of time; write 250ms, 7.5s, 2m or T#1S");
+                        "' is not a valid duration; write 250ms, 7.5s, 2m or T#1S");
   }
   if (options.trace.empty() != options.watch.empty())
-    return wrongUsage("--trace and --watch belong together");
+    return wrongUsage("--trace and --watch must be used together");
   if (options.path.empty() && options.card.empty())
-    return wrongUsage("PATH is missing; only with --card the program may be the one on the card");
+    return wrongUsage("PATH is missing; it is optional only with --card (program on the card)");
   if (options.copyRamToRom && options.card.empty())
     return wrongUsage("--copy-ram-to-rom needs --card");
   return options.path.empty() ? runFromCard(options, time) : runPath(options, time);
@@ -372,7 +372,7 @@ void addRun(CLI::App& program, int& result) {
   command->footer(
       "Examples:\n"
       "  merker run examples/sorting-plant\n"
-      "  merker run plant --card plant.card      (and on from there after a power failure)\n"
+      "  merker run plant --card plant.card      (continues after a power failure)\n"
       "  merker run --card plant.card --for 1s   (the program that is on the card)\n"
       "  merker run blink.awl --for 10s --print \"A 0.0, MW 10\"\n"
       "  merker run plant --for 1m --set \"E 0.0=1\" --trace plant.csv --watch \"E 0.0, A 1.0\"");

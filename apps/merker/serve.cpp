@@ -18,13 +18,12 @@ void addServe(CLI::App& command, ServeOptions& options) {
                      "address of the workbench (127.0.0.1); any other computer needs --token, "
                      "--certificate and --key");
   command.add_option("--token", options.token,
-                     "what the page's address must end with: ?token=...; 16 characters or more");
+                     "the address of the page must end with ?token=...; 16 characters or more");
   auto* certificate = command.add_option("--certificate", options.certificate,
                                          "certificate chain (PEM): the workbench is served by TLS");
   command.add_option("--key", options.key, "its private key (PEM)")->needs(certificate);
-  command.add_option(
-      "--workspace", options.workspace,
-      "folder for projects that the workbench makes and opens (merker in your home)");
+  command.add_option("--workspace", options.workspace,
+                     "folder for projects of the workbench (merker in your home)");
   command.add_option("--examples", options.examples, "folder of the examples");
 }
 

@@ -75,7 +75,7 @@ void Watchdog::look(Clock::time_point now) {
   if (told_.empty()) {
     told_ = place_;
     if (browser_ != 0) told_ += " of browser " + std::to_string(browser_);
-    say(told_ + " has not ended for " + std::to_string(seconds) + " s; the PLC stands meanwhile");
+    say(told_ + " has not ended for " + std::to_string(seconds) + " s; the PLC waits for it");
   }
   toldSeconds_ = seconds;
   if (tell_) tell_(told_, seconds);

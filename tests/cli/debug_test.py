@@ -210,9 +210,10 @@ class Debug(Case):
     def test_mistakes_are_told(self):
         for line, word in (("fly", "P1215"), ("break FC 9", "P1206"), ("break nonsense", "P1201"), ("print QQ", "P0"),
                            ("set MW 10", "OPERAND = VALUE"), ("print MW 10 REAL", "P1209"), ("until soon", "P0953"),
-                           ("delete 5", "no breakpoint"), ("cycle x", "no number of cycles"), ("cycle -1", "no number"),
-                           ("cycle 99999999999999999999", "no number"), ("diag -1", "no number"), ("locals -1", "no depth"), ("status maybe", "status is on"),
-                           ("unforce E 0.0", "P1214"), ("restart hot", "warm or cold"), ("help me", "P1215")):
+                           ("delete 5", "not found"), ("cycle x", "not a valid number of cycles"), ("cycle -1", "not a valid number"),
+                           ("cycle 99999999999999999999", "not a valid number"),
+                           ("diag -1", "not a valid number"), ("locals -1", "not a valid depth"), ("status maybe", "use status"),
+                           ("unforce E 0.0", "P1214"), ("restart hot", "'warm' or 'cold'"), ("help me", "P1215")):
             out = self.debug(line, code=PROBLEMS)
             self.assertIn("error: ", out, line)
             self.assertIn(word, out, line)

@@ -129,4 +129,4 @@ class Bench(Case):
         call = self.expect(GOOD, "bench", "loop.awl", "--for", "50ms", "--json", timeout=60)
         self.assertGreater(call.json["instructions_per_second"], 0)
         self.assertEqual(call.json["cycles_per_second"], 0)
-        self.assertIn("OB 1 has not ended", call.err)
+        self.assertIn("OB 1 did not end", call.err)
