@@ -31,7 +31,7 @@ Result<std::string> readBytes(const std::string& path) {
   if (std::filesystem::is_directory(path, error))
     return makeProblem(ProblemCode::P0101, Position{path}, path, "it is a folder");
   if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error))
-    return makeProblem(ProblemCode::P0101, Position{path}, path, "it is no regular file");
+    return makeProblem(ProblemCode::P0101, Position{path}, path, "it is not a regular file");
   std::ifstream in(path, std::ios::binary);
   if (!in) return makeProblem(ProblemCode::P0101, Position{path}, path, std::strerror(errno));
   return all(in, path, "machine code");

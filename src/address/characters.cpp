@@ -63,20 +63,20 @@ Result<std::string> parseCharacters(std::string_view quoted, const Position& at)
     return makeProblem(ProblemCode::P0209, at, quoted, reason);
   };
   std::string_view text = quoted;
-  if (!text.starts_with('\'')) return wrong("characters stand between single quotation marks");
+  if (!text.starts_with('\'')) return wrong("characters must be in single quotation marks");
   text.remove_prefix(1);
   std::string bytes;
   while (!text.empty() && text[0] != '\'') {
     if (text[0] != '$') {
-      if (!takeCharacter(text, bytes)) return wrong("CP1252 has no such character");
+      if (!takeCharacter(text, bytes)) return wrong("this character does not exist in CP1252");
       continue;
     }
     text.remove_prefix(1);
     if (!takeEscape(text, bytes))
-      return wrong("$ begins $$, $', $L, $N, $P, $R, $T or two hexadecimal digits");
+      return wrong("$ must be followed by $, ', L, N, P, R, T or two hexadecimal digits");
   }
   if (text.empty()) return wrong("the closing quotation mark is missing");
-  if (text.size() > 1) return wrong("a quotation mark among the characters is written $'");
+  if (text.size() > 1) return wrong("write a quotation mark inside the text as $'");
   return bytes;
 }
 

@@ -50,7 +50,8 @@ bool dropUnderscores(std::string& text) {
 Result<Constant> readCharacters(std::string_view written, const Position& at) {
   const auto bytes = parseCharacters(written, at);
   if (!bytes) return bytes.error();
-  if (bytes->empty()) return makeProblem(ProblemCode::P0209, at, written, "it holds no character");
+  if (bytes->empty())
+    return makeProblem(ProblemCode::P0209, at, written, "it contains no character");
   if (bytes->size() > 4) return makeProblem(ProblemCode::P0204, at, written, bytes->size());
   std::uint32_t bits = 0;
   for (const char c : *bytes) bits = bits << 8 | static_cast<unsigned char>(c);
@@ -59,7 +60,8 @@ Result<Constant> readCharacters(std::string_view written, const Position& at) {
 }
 
 Result<Constant> refuseDateAndTime(const Input& input) {
-  return unknown(input, " of 32 bits: DATE_AND_TIME has 64 bits and no instruction takes it whole");
+  return unknown(input,
+                 " of 32 bits: DATE_AND_TIME has 64 bits; no instruction can load it as a whole");
 }
 
 struct Notation {
@@ -102,7 +104,7 @@ Result<Constant> parseConstant(std::string_view text, const Position& at) {
   if (hash != std::string::npos) body.erase(0, hash + 1);
   const bool wellFormed = dropUnderscores(body);
   const Input input{written, body, at};
-  if (!wellFormed) return unknown(input, ": an underscore stands between two digits");
+  if (!wellFormed) return unknown(input, ": an underscore must be between two digits");
   if (hash == std::string::npos) return notation::readNumber(input);
   for (const Notation& row : kNotations)
     if (row.prefix == prefix) return row.read(input);

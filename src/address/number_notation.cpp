@@ -85,7 +85,7 @@ std::optional<Signed> readSigned(std::string_view body) {
 
 Result<Constant> readInteger(const Input& input, Signed number) {
   if (number.magnitude > 0x7FFFu + (number.negative ? 1u : 0u))
-    return outside(input, "-32768..32767 of INT; a DINT is written with L#");
+    return outside(input, "-32768..32767 of INT; write a DINT with L#");
   const auto magnitude = static_cast<std::uint32_t>(number.magnitude);
   return Constant{ConstantFormat::Integer, (number.negative ? 0u - magnitude : magnitude) & 0xFFFF};
 }

@@ -113,7 +113,7 @@ bool isContainer(std::span<const std::uint8_t> bytes) {
 
 Result<Parts> split(std::span<const std::uint8_t> bytes, const Position& at) {
   if (bytes.size() < kHeader + kTrailer || !isContainer(bytes))
-    return makeProblem(ProblemCode::P0601, at, "it does not begin with the header of a block");
+    return makeProblem(ProblemCode::P0601, at, "it does not begin with a block header");
   const std::size_t content = loadWord(&bytes[CodeLengthAt]);
   const std::size_t interface = loadWord(&bytes[InterfaceLengthAt]);
   const std::size_t segments = loadWord(&bytes[SegmentLengthAt]);
@@ -123,7 +123,7 @@ Result<Parts> split(std::span<const std::uint8_t> bytes, const Position& at) {
                        "the parts do not add up to the length of the block");
   if (length > bytes.size()) return makeProblem(ProblemCode::P0602, at, "the block is cut off");
   if (!holdsData(static_cast<BlockKind>(bytes[TypeAt])) && content % 2 != 0)
-    return makeProblem(ProblemCode::P0602, at, "code has an even number of bytes");
+    return makeProblem(ProblemCode::P0602, at, "the number of code bytes must be even");
   std::size_t next = kHeader;
   const auto take = [&](std::size_t count) {
     next += count;

@@ -284,7 +284,7 @@ std::string Cnc::whyMissing(const address::Reference& reference) const {
   if (reference.partner && parts_->partner) return parts_->partner->whyMissing(own(reference));
   if (reference.operand.kind != address::OperandKind::Memory ||
       reference.operand.area != Area::DataBlock)
-    return "it is outside of what this PLC has";
+    return "it is outside the areas of this PLC";
   const auto& entry =
       plc().machine().blocks.find({mc5::BlockType::Db, static_cast<std::uint16_t>(reference.db)});
   if (!entry.present) return "there is no DB " + std::to_string(reference.db);

@@ -52,7 +52,8 @@ bool Server::Parts::listen(std::string& reason) {
   boost::system::error_code error;
   const auto address = net::ip::make_address(numeric(options.address), error);
   if (error) {
-    reason = fmt::format("'{}' is no address; write 127.0.0.1, 0.0.0.0 or ::1", options.address);
+    reason = fmt::format("'{}' is not a valid address; write 127.0.0.1, 0.0.0.0 or ::1",
+                         options.address);
     return false;
   }
   const tcp::endpoint endpoint(address, options.port);

@@ -10,7 +10,7 @@ std::string wrongArgument(const Region& region, std::size_t at, Value argument, 
   if (!wanted) return {};
   if (argument >= at) return fmt::format("{}: argument {} is not defined yet", at, argument);
   if (info(region.ops[argument].code).result == Result::Nothing)
-    return fmt::format("{}: argument {} is no value", at, argument);
+    return fmt::format("{}: argument {} is not a value", at, argument);
   return {};
 }
 

@@ -34,8 +34,8 @@ struct SlotRule {
   std::string_view words;
 };
 constexpr SlotRule kSlots[] = {
-    {ModuleKind::PowerSupply, kPowerSlot, "a power supply stands in slot 1"},
-    {ModuleKind::Interface, kInterfaceSlot, "an interface module stands in slot 3"}};
+    {ModuleKind::PowerSupply, kPowerSlot, "a power supply must be in slot 1"},
+    {ModuleKind::Interface, kInterfaceSlot, "an interface module must be in slot 3"}};
 
 bool slotFits(const Module& module, Problems& problems) {
   const auto wrong = [&](std::string_view words) {
@@ -44,7 +44,7 @@ bool slotFits(const Module& module, Problems& problems) {
   };
   for (const SlotRule& rule : kSlots)
     if (module.type->kind == rule.kind) return module.slot == rule.slot || wrong(rule.words);
-  return module.slot >= kFirstSlot || wrong("SM, FM and CP stand in slots 4 to 11");
+  return module.slot >= kFirstSlot || wrong("SM, FM and CP must be in slots 4 to 11");
 }
 
 // IM 360: rack 0, IM 361: racks 1 to 3, IM 365: racks 0 and 1 (S7-HW-10).
@@ -53,8 +53,8 @@ bool rackFits(const Module& module, Problems& problems) {
     problems.add(ProblemCode::P0728, rackPlace(module), title(*module.type), module.rack, words);
     return false;
   };
-  if (isInterface(module, "IM 360")) return module.rack == 0 || wrong("it stands in rack 0");
-  if (isInterface(module, "IM 361")) return module.rack > 0 || wrong("it stands in racks 1 to 3");
+  if (isInterface(module, "IM 360")) return module.rack == 0 || wrong("it must be in rack 0");
+  if (isInterface(module, "IM 361")) return module.rack > 0 || wrong("it must be in racks 1 to 3");
   if (isInterface(module, "IM 365")) return module.rack <= 1 || wrong("it connects racks 0 and 1");
   return true;
 }
@@ -118,11 +118,11 @@ void checkInterface(const Configuration& configuration, std::uint32_t rack, Prob
                  "IM 365 connects no more than racks 0 and 1");
   } else if (!isInterface(*module, wanted) && !isInterface(*module, "IM 365") && rack > 0) {
     problems.add(ProblemCode::P0728, rackPlace(*module), title(*module->type), rack,
-                 fmt::format("{} stands in rack 0, so rack {} needs {}", pair ? "IM 365" : "IM 360",
+                 fmt::format("{} is in rack 0, so rack {} needs {}", pair ? "IM 365" : "IM 360",
                              rack, wanted));
   } else if (rack > 0 && isInterface(*module, "IM 365") && !pair) {
     problems.add(ProblemCode::P0728, rackPlace(*module), title(*module->type), rack,
-                 "its other half stands in slot 3 of rack 0");
+                 "its counterpart must be in slot 3 of rack 0");
   }
 }
 
@@ -194,12 +194,12 @@ bool checkPlace(const Module& module, const CpuModel& model, Problems& problems)
   if (module.onBoard()) return true;
   if (module.slot < kPowerSlot || module.slot > kLastSlot) {
     problems.add(ProblemCode::P0723, slotPlace(module), module.slot,
-                 "a rack has slots 1 to 11, at most 8 modules stand in slots 4 to 11");
+                 "a rack has slots 1 to 11, with at most 8 modules in slots 4 to 11");
     return false;
   }
   if (module.slot == kCpuSlot) {
     problems.add(ProblemCode::P0727, slotPlace(module), module.rack,
-                 module.rack == 0 ? "is the CPU's, which [cpu] names"
+                 module.rack == 0 ? "is reserved for the CPU of [cpu]"
                                   : "is not available: a rack with IM 361 or IM 365 has no CPU");
     return false;
   }

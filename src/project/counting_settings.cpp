@@ -249,7 +249,7 @@ void readCounters(const Table& table, const CpuModel& model, io::Module& module)
   for (const Table& channel : table.tables("channel")) {
     const auto number = channel.number("number", 0, 255);
     if (!number) {
-      if (!channel.has("number")) channel.mustBe("number", "there: which channel, from 0");
+      if (!channel.has("number")) channel.mustBe("number", "specified: the channel, from 0");
       continue;
     }
     if (*number >= count) {

@@ -48,8 +48,8 @@ bool readOnBoard(const Table& table, const CpuModel& model, io::Module& module) 
   if (module.type == nullptr)
     table.problems().add(ProblemCode::P0743, table.at("slot"), model.name,
                          fmt::format("{}.{}", module.slot, module.subslot), subModules(model));
-  if (table.has("type")) table.mustBe("type", "left out: the CPU brings what is on board");
-  if (table.number("rack", 0, 99).value_or(0) != 0) table.mustBe("rack", "0, where the CPU stands");
+  if (table.has("type")) table.mustBe("type", "omitted: the CPU defines its modules on board");
+  if (table.number("rack", 0, 99).value_or(0) != 0) table.mustBe("rack", "0, the rack of the CPU");
   return module.type != nullptr;
 }
 

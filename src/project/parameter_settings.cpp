@@ -18,8 +18,8 @@ void hasNo(const Table& table, std::string_view key, const io::Module& module,
 void readDelay(const Table& table, io::Module& module) {
   if (!table.has("input_delay")) return;
   if (module.type->inputDelays.empty())
-    return hasNo(table, "input_delay", module, "input delay that can be set");
-  const auto text = table.text("input_delay", "a length of time: \"3ms\"");
+    return hasNo(table, "input_delay", module, "adjustable input delay");
+  const auto text = table.text("input_delay", "a duration: \"3ms\"");
   if (!text) return;
   const auto length = io::parseLength(*text);
   std::string possible;

@@ -88,7 +88,7 @@ void readParameters(const Table& table, PlantSettings& plant) {
 
 bool Reader::readName(const Table& table, PlantSettings& plant) const {
   if (!table.has("name"))
-    table.problems().add(ProblemCode::P0760, table.place(), "name", "what scenarios call it");
+    table.problems().add(ProblemCode::P0760, table.place(), "name", "the name used in scenarios");
   const auto name = table.text("name", "a text");
   if (!name) return false;
   plant.name = *name;
@@ -178,7 +178,7 @@ bool Reader::find(const Table& table, std::string_view key, const Signal& signal
                            text->substr(point + 1), plant::signalNames(kind));
     else if (signal.side == Signal::Side::Output)
       table.problems().add(ProblemCode::P0764, table.at(key), titleOf(signal), *text,
-                           "wires between plants stand at the one whose input it is");
+                           "a wire between plants must be defined at the plant with the input");
     else if (signal.binary != kind.signals[*number].binary)
       table.problems().add(ProblemCode::P0764, table.at(key), titleOf(signal), *text,
                            signal.binary ? "that is a number" : "that is a bit");

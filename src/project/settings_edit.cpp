@@ -233,7 +233,7 @@ void SettingsEdit::take(std::string text) {
                            std::string(view.error().description()));
   } else if (!writtenAsTables(view)) {
     problem_ = makeProblem(ProblemCode::P1308, Position{file_}, file_,
-                           "only modules that are written as [[module]] can be changed here");
+                           "only modules written as [[module]] can be changed here");
   }
 }
 

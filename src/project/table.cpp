@@ -121,7 +121,7 @@ std::optional<Duration> Table::length(std::string_view key, Duration low, Durati
   const auto* string = value->as_string();
   const auto length = string == nullptr ? std::nullopt : io::parseLength(string->get());
   if (length && *length >= low && *length <= high) return length;
-  mustBe(key, fmt::format("a length of time from \"{}\" to \"{}\"", io::formatLength(low),
+  mustBe(key, fmt::format("a duration from \"{}\" to \"{}\"", io::formatLength(low),
                           io::formatLength(high)));
   return std::nullopt;
 }

@@ -98,7 +98,7 @@ std::string apply(const Assignment& assignment, bool force, controller::Controll
   const auto bits = value(term, operand, read);
   if (!bits) return fmt::format("{} does not exist", term.text);
   if (lacksBase(assignment))
-    return fmt::format("{} takes value and base, as KT 500.1 (50 s), not {}", operand.text,
+    return fmt::format("{} needs value and base, for example KT 500.1 (50 s), not {}", operand.text,
                        term.text);
   const std::uint32_t value = coded(assignment, *bits);
   if (force ? plc.force(operand.reference, value) : plc.write(operand.reference, value)) return {};

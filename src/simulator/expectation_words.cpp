@@ -68,7 +68,7 @@ bool parseExpectation(const StepLine& line, std::string_view text, bool ofPartne
   const ExpectationWord* const row = takeExpectationWord(claim, Form::Comparison);
   if (ofPartner && (row == nullptr || row->of != Of::Both))
     return line.fail(ProblemCode::P0952, left.empty() ? text : left,
-                     "mode, diagnostics contains, or an operand as partner.MW 10");
+                     "mode, diagnostics contains, or an operand: partner.MW 10");
   return row != nullptr ? row->parse(line, claim, expectation)
                         : parse<expectations::Values>(line, claim, expectation);
 }

@@ -59,7 +59,7 @@ void ScenarioParser::partnerStep(std::string_view whole, std::string_view rest) 
       .fail(
           ProblemCode::P0952, place,
           "run, stop, cold restart, warm restart, power off, power on, memory reset, battery low, "
-          "battery good or fault; its operands are set as set partner.MW 10 = 5");
+          "battery good or fault; set its operands with set partner.MW 10 = 5");
 }
 
 // A repeat counts also with a bad number, so that its end is not a second problem.
@@ -87,7 +87,7 @@ void ScenarioParser::beginRepeat(Step step) {
   if (open_.size() < kDeepestRepeat && tooDeep_ == 0) return open_.push_back(std::move(step));
   if (tooDeep_++ == 0)
     problems_.add(ProblemCode::P0952, step.position,
-                  fmt::format("'end' (at most {} repeats inside each other)", kDeepestRepeat));
+                  fmt::format("'end' (repeats can be nested {} deep)", kDeepestRepeat));
 }
 
 void ScenarioParser::endRepeat(const StepLine& line) {

@@ -67,11 +67,11 @@ bool StepRun::fail(std::string_view reason) {
 }
 
 bool StepRun::powered() {
-  return plc_.powered() || fail("the CPU is switched off; 'power on' comes first");
+  return plc_.powered() || fail("the CPU is switched off; use 'power on' first");
 }
 
 bool StepRun::onlyForStation() {
-  return fail(plc_.modelName() + " has nothing of this kind; it is a step for SIMATIC S7");
+  return fail(plc_.modelName() + " does not support this step; it is for SIMATIC S7 only");
 }
 
 bool StepRun::noPartner() {

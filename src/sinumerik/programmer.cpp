@@ -45,7 +45,7 @@ std::optional<std::uint32_t> Programmer::status(const Reference& variable) const
 
 std::string Programmer::control(const Reference& variable, std::uint32_t value) {
   if (std::string reason = whySystemOwned(os_, variable); !reason.empty()) return reason;
-  return writeValue(os_, variable, value) ? "" : "there is no such operand";
+  return writeValue(os_, variable, value) ? "" : "this operand does not exist";
 }
 
 std::uint16_t Programmer::pseudoAddress(unsigned index) const {

@@ -120,7 +120,7 @@ std::string whySystemOwned(const OperatingSystem& os, const Reference& r) {
   const bool trigger = r.db == diagnosis::kDb && byteOf(r.operand) / 2 == diagnosis::kTrigger &&
                        r.operand.width != Width::DWord;
   if (trigger) return {};
-  return fmt::format("DB {} belongs to the system; only DW 9 of DB 1 takes a value", r.db);
+  return fmt::format("DB {} belongs to the system; only DW 9 of DB 1 can be written", r.db);
 }
 
 std::optional<std::uint32_t> readValue(const OperatingSystem& os, const Reference& r) {

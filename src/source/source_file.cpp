@@ -86,7 +86,8 @@ Result<std::string> readBytes(const std::string& path, std::size_t largest) {
   if (!std::filesystem::exists(status)) return unreadable(path, "no such file");
   if (std::filesystem::is_directory(status)) return unreadable(path, "it is a directory");
   // A pipe would wait for a writer, a device may have no end.
-  if (!std::filesystem::is_regular_file(status)) return unreadable(path, "it is no regular file");
+  if (!std::filesystem::is_regular_file(status))
+    return unreadable(path, "it is not a regular file");
   std::ifstream in(path, std::ios::binary);
   if (!in) return unreadable(path, "access denied");
   // Not by the size of the file alone: it may grow, and those below /proc have none.

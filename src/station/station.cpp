@@ -287,7 +287,7 @@ bool Station::mayWrite(std::string_view password) const {
 std::string Station::download(std::shared_ptr<const block::Program> program,
                               std::string_view password) {
   if (switchPosition() == cpu::SwitchPosition::Run)
-    return "the mode switch stands at RUN; blocks are taken in RUN-P and STOP";
+    return "the mode switch is at RUN; blocks can be loaded in RUN-P and STOP only";
   if (!mayWrite(password))
     return fmt::format("the CPU is write-protected (protection level {}); the password is needed",
                        parts_->cpu.parameters().protection);

@@ -99,7 +99,7 @@ std::string_view possibleOperands(const Parameter& parameter) {
     case ParameterKind::Counter:
       return "Z 0..31";
     case ParameterKind::Block:
-      return "DB, FB, PB, SB with number";
+      return "DB, FB, PB, SB with a number";
     case ParameterKind::Data:
       return mc5::info(parameter.format).range;
     default:
@@ -107,7 +107,7 @@ std::string_view possibleOperands(const Parameter& parameter) {
   }
   switch (parameter.width) {
     case Width::Bit:
-      return "E, A, M with bit: E 10.3";
+      return "E, A, M with a bit: E 10.3";
     case Width::Byte:
       return "EB, AB, MB, DL, DR, PB";
     case Width::Word:

@@ -56,10 +56,10 @@ mc5::Operand placeholder(std::string_view word) {
 }
 
 std::string hint(std::string_view word) {
-  if (word == "D" || word == "I") return "; it takes a number 1 to 255";
+  if (word == "D" || word == "I") return "; valid: a number 1 to 255";
   if (word == "U" || word == "UN" || word == "O" || word == "ON")
-    return "; it takes E, A, M, D with bit, T or Z";
-  if (word == "L" || word == "T") return "; it takes bytes, words, double words";
+    return "; valid: E, A, M, D with bit, T or Z";
+  if (word == "L" || word == "T") return "; valid: bytes, words, double words";
   return {};
 }
 
@@ -91,7 +91,7 @@ Failure doesNotFit(const std::string& word, const Operand& operand, std::string_
 Failure absolute(const std::string& word, const Failure& symbol) {
   return {ProblemCode::P1110, symbol.offset, symbol.length, word,
           "; " + symbol.what +
-              " is a symbol, and listings take absolute ones, as E 0.0, M 100.1, T 1 (assignment "
+              " is a symbol, but listings need absolute operands: E 0.0, M 100.1, T 1 (assignment "
               "lists are not read)"};
 }
 

@@ -217,7 +217,7 @@ RetentiveData fromAreas(const std::map<AreaId, Bytes>& areas) {
     else if (id.kind == "DB" || id.kind == "made DB")
       data.dataBlocks.push_back({id.number, id.kind == "made DB", bytes});
     else
-      throw Damage("there is no area '" + id.kind + "'");
+      throw Damage("unknown area '" + id.kind + "'");
   }
   std::sort(data.dataBlocks.begin(), data.dataBlocks.end(),
             [](const auto& a, const auto& b) { return a.number < b.number; });

@@ -45,7 +45,7 @@ std::string whyForeign(const std::string& file) {
   if (in.gcount() == 0) return {};
   if (in.gcount() < static_cast<std::streamsize>(kHeader) ||
       std::string_view(header.data(), kMagic.size()) != kMagic)
-    return "card.sqlite in it is no database";
+    return "card.sqlite in it is not a database";
   const auto* bytes = reinterpret_cast<const std::uint8_t*>(header.data());
   if (loadDWord(bytes + kApplicationIdAt) != kApplicationId)
     return "card.sqlite in it is the database of another program";

@@ -81,7 +81,7 @@ void deleteBlock(Database& database, BlockId id) {
 
 block::Block toBlock(BlockId id, const Stored& stored) {
   auto read = block::readContainer(stored.container, {});
-  if (!read || read->id != id) throw Damage(toString(id) + " is no block");
+  if (!read || read->id != id) throw Damage(toString(id) + " is not a block");
   read->attributes.readOnly = stored.readOnly;
   return std::move(*read);
 }
@@ -111,7 +111,7 @@ void writeSetting(Database& database, std::string_view name, const std::string& 
 LoadMemory readLoadMemory(Database& database) {
   if (database.integer("SELECT count(*) FROM setting"
                        " WHERE name NOT IN ('cpu', 'configuration', 'contents')"))
-    throw Damage("there is a setting that no card has");
+    throw Damage("it contains an unknown setting");
   LoadMemory memory{readSetting(database, "cpu"), readSetting(database, "configuration"), {}};
   for (const auto& [id, stored] : readBlocks(database))
     memory.program.emplace(id, toBlock(id, stored));

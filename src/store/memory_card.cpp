@@ -32,9 +32,9 @@ constexpr std::int64_t kSchemaBudget = 100, kReadBudget = 50'000;
 Problem problemOf(const DatabaseError& error, ProblemCode otherwise, const Position& at) {
   if (error.code == SQLITE_BUSY) return makeProblem(ProblemCode::P1004, at);
   if (error.code == SQLITE_NOTADB)
-    return makeProblem(ProblemCode::P1002, at, "card.sqlite in it is no database");
+    return makeProblem(ProblemCode::P1002, at, "card.sqlite in it is not a database");
   if (error.code == SQLITE_INTERRUPT)
-    return makeProblem(ProblemCode::P1003, at, "there is more in it than a card holds");
+    return makeProblem(ProblemCode::P1003, at, "it contains more than a card can hold");
   const bool damaged = error.code == SQLITE_CORRUPT || error.code == SQLITE_ERROR ||
                        error.code == SQLITE_TOOBIG || error.code == SQLITE_SCHEMA;
   return makeProblem(damaged ? ProblemCode::P1003 : otherwise, at, std::string(error.what()));
@@ -128,7 +128,7 @@ std::optional<Problem> MemoryCard::Parts::check() {
   const auto count = database.integer("PRAGMA page_count");
   const auto bytes = count * database.integer("PRAGMA page_size");
   if (fs::file_size(file) > static_cast<std::uintmax_t>(bytes))
-    throw Damage(fmt::format("there is something behind its {} pages", count));
+    throw Damage(fmt::format("there are data after its {} pages", count));
   database.setBudget(kReadBudget);
   requireOrder(database);
   return std::nullopt;
@@ -234,7 +234,7 @@ std::optional<Problem> MemoryCard::whyNotTheCopy(const std::string& file, const 
                                                  Empty empty) {
   const TemporaryFolder copy;
   if (copy.path().empty())
-    return makeProblem(ProblemCode::P1001, at, "there is no folder for temporary files");
+    return makeProblem(ProblemCode::P1001, at, "no folder for temporary files was found");
   std::error_code error;
   for (const char* part : {"", "-journal", "-wal"})
     if (fs::exists(file + part))

@@ -42,7 +42,7 @@ Bytes Pages::readArea(const AreaId& id, std::int64_t length) {
     if (static_cast<std::int64_t>(all.size()) > length) break;
   }
   if (static_cast<std::int64_t>(all.size()) != length)
-    throw Damage(fmt::format("area {} {} has not its length", id.kind, id.number));
+    throw Damage(fmt::format("area {} {} has a wrong length", id.kind, id.number));
   return all;
 }
 
@@ -59,7 +59,7 @@ std::map<AreaId, Bytes> Pages::read() {
   std::size_t pages = 0;
   for (const auto& [id, bytes] : known_) pages += pagesOf(bytes.size());
   if (selectCount_.step() && selectCount_.integer(0) != static_cast<std::int64_t>(pages))
-    throw Damage("there are pages of no area");
+    throw Damage("there are pages without an area");
   selectCount_.run();
   return known_;
 }

@@ -50,7 +50,7 @@ void requireTables(Database& database) {
                       sql = select.text(3);
     const auto row = std::find(kSchema.begin(), kSchema.end(), Row{type, name, table, sql});
     if (row == kSchema.end())
-      throw Damage("the " + type + " '" + name + "' in it is not one of a card");
+      throw Damage("the " + type + " '" + name + "' in it does not belong to a card");
     found[static_cast<std::size_t>(row - kSchema.begin())] = true;
   }
   const auto missing = std::find(found.begin(), found.end(), false);

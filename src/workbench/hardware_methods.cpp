@@ -37,14 +37,14 @@ Answer fault(const Call& call) {
     return refused(ProblemCode::P1316, "module", slot, fmt::format(" in rack {}", number));
   const io::FaultName* kind = io::findFault(name);
   if (kind == nullptr)
-    return refused(ProblemCode::P1316, "fault", name, "; there are: " + io::faultNames());
+    return refused(ProblemCode::P1316, "fault", name, "; valid: " + io::faultNames());
   if (!rack->fault(*module, kind->kind, std::nullopt, on))
     return refused(ProblemCode::P1307, rack->configuration().modules[*module].title(),
                    "fault '" + name + "'");
   return empty();
 }
 
-// Of a text that does not come to be there is no place to go to.
+// A rejected edit has no source position to report.
 Problems withoutPlace(const Problems& problems) {
   Problems list;
   for (Problem problem : problems.list()) {

@@ -83,7 +83,7 @@ Answer trigger(const Call& call) {
   if (!call.fields.good()) return call.fields.problems();
   if (!cpu::canTrigger(static_cast<std::uint32_t>(ob)))
     return refused(ProblemCode::P1308, fmt::format("OB {}", ob),
-                   "there is no event for it that could be made by hand");
+                   "no event for it can be triggered manually");
   event.ob = static_cast<std::uint8_t>(ob);
   cpu::trigger(call.station().cpu(), event);
   return empty();

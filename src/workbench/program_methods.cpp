@@ -81,7 +81,7 @@ Answer check(const Call& call) {
 }
 
 Answer refusedLoad(const std::string& reason) {
-  return refused(ProblemCode::P1308, "the CPU takes no blocks", reason);
+  return refused(ProblemCode::P1308, "the CPU does not accept blocks", reason);
 }
 
 // All that a download needs, made by a worker.

@@ -13,7 +13,7 @@ constexpr const char* kExample =
 
 Problem wrong(const std::string& path, std::uint32_t line, const std::string& why) {
   return makeProblem(ProblemCode::P1321, Position{path, line, 1, 0},
-                     fmt::format("{}; it is written like {}", why, kExample));
+                     fmt::format("{}; write it like {}", why, kExample));
 }
 
 constexpr std::int64_t kLatest = 1'000'000'000'000'000;  // ns, 11 days
@@ -23,10 +23,10 @@ std::string whyNot(const Json& line, Duration before) {
   const auto at = line.find("at"), what = line.find("do");
   if (at == line.end() || !at->is_number_integer() || *at < 0 || *at > kLatest)
     return fmt::format("'at' is a whole number of nanoseconds, at most {}", kLatest);
-  if (at->get<std::int64_t>() < before.ns) return "its time lies before that of the line above";
+  if (at->get<std::int64_t>() < before.ns) return "its time is before that of the line above";
   if (what == line.end() || !what->is_string()) return "'do' is missing";
   if (!isAction(what->get_ref<const std::string&>()))
-    return fmt::format("'{}' is nothing that is recorded",
+    return fmt::format("'{}' cannot be recorded",
                        what->get_ref<const std::string&>().substr(0, 100));
   return {};
 }
@@ -58,7 +58,7 @@ Result<std::vector<Action>, Problems> parseRecording(const std::string& path,
     text.remove_prefix(std::min(text.size(), line.size() + 1));
     if (line.empty()) continue;
     auto request = parseMessage(line);
-    const std::string why = request ? whyNot(*request, before) : "it is no JSON object";
+    const std::string why = request ? whyNot(*request, before) : "it is not a JSON object";
     if (!why.empty() || actions.size() >= Recorder::kMost) {
       problems.add(wrong(path, number, why.empty() ? "there are too many" : why));
       break;

@@ -72,12 +72,12 @@ Answer Workbench::run(Waiting& waiting) {
 Answer Workbench::settle(const Waiting& waiting) {
   const Method& method = *waiting.method;
   if (waiting.outdated)
-    return refused(ProblemCode::P1308, method.name, "a newer one of this browser has come");
+    return refused(ProblemCode::P1308, method.name, "a newer request of this browser replaced it");
   if (waiting.later->task->failed())
-    return refused(ProblemCode::P1308, method.name, "it was broken off");
+    return refused(ProblemCode::P1308, method.name, "it was cancelled");
   if (auto why = missing(method.needs, shared_.plc.get(), method.name)) return *why;
   if (method.needs != Needs::Nothing && waiting.shown != shared_.shown)
-    return refused(ProblemCode::P1308, method.name, "another project was opened meanwhile");
+    return refused(ProblemCode::P1308, method.name, "another project was opened in the meantime");
   enter(method.name);
   Problems problems;
   const Fields fields(*waiting.request.json, problems);

@@ -41,7 +41,7 @@ Answer save(const Call& call) {
   call.station().settle();
   if (call.station().mode() == controller::Mode::Halt || !call.station().cpu().betweenCycles())
     return refused(ProblemCode::P1308, "the state",
-                   "the program stands inside a block; let it go on, or stop the CPU");
+                   "the program is paused inside a block; resume it, or stop the CPU");
   if (leastText(call) > kLargestFile) return one(tooLong(path, kLargestFile));
   auto saved = std::make_shared<SavedCpu>(SavedCpu{keyword(call),
                                                    hardwareOf(call.station()),

@@ -212,7 +212,7 @@ std::shared_ptr<const block::Program> program(const Fields& fields, const Known&
 Result<SavedCpu> parseSnapshot(const std::string& path, std::string_view text, const Known& known) {
   const Json json = Json::parse(text, nullptr, false);
   if (!json.is_object() || !json.contains("merkerCpuState"))
-    return makeProblem(ProblemCode::P1320, nowhere(), path, "it is no file that cpu.save has made");
+    return makeProblem(ProblemCode::P1320, nowhere(), path, "it is not a file written by cpu.save");
   Problems problems;
   const Fields fields(json, problems);
   fields.integer("merkerCpuState", 1, 1);

@@ -83,7 +83,7 @@ class Hardware(Case):
     # S7-HWCFG-07: a problem names slot and cause, the line stands below it
     def test_problem_with_its_line(self):
         call = self.expect(PROBLEMS, "check", self.project("[[module]]\nslot = 4\ntype = \"PS 307 5A\"\n"))
-        self.assertIn("p/merker.toml:2:8: error: PS 307 5A cannot stand in slot 4; a power supply stands in slot 1",
+        self.assertIn("p/merker.toml:2:8: error: PS 307 5A cannot be plugged into slot 4; a power supply must be in slot 1",
                       call.err)
         self.assertIn("slot = 4\n       ^", call.err)
 

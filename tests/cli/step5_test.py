@@ -120,7 +120,7 @@ class Step5(Case):
         self.write("t.scn", "set Z 1 = KZ 12\n  expect Z 1 = KZ 13\n")
         self.assertIn("Z 1 is KZ 12", self.expect(PROBLEMS, "test", "t.s5").out)
         self.write("t.scn", "set T 1 = 500\n  expect T 1 = KT 400.1\n")
-        self.assertIn("T 1 takes value and base, as KT 500.1 (50 s), not 500", self.expect(PROBLEMS, "test", "t.s5").out)
+        self.assertIn("T 1 needs value and base, for example KT 500.1 (50 s), not 500", self.expect(PROBLEMS, "test", "t.s5").out)
         out = self.expect(GOOD, "run", "t.s5", "--for", "10ms", "--set", "T 1 = KT 500.1, Z 1 = KZ 12", "--print", "T 1, Z 1").out
         self.assertEqual(out.splitlines(), ["T 1 = KT 500.1", "Z 1 = KZ 12"])
 
@@ -161,7 +161,7 @@ scenario "missing block"
         self.write("late.scn", "set E 0.0 = 1\n  wait 1s\n")
         self.assertIn("FEHLCODE 0069, BEF-REG 7509", self.expect(PROBLEMS, "test", "late.s5").out)
         self.write("late.scn", "set E 0.0 = 1\n  wait 1s\n  expect ustack TIEFFE = 1\n")
-        self.assertIn("no field 'TIEFFE'; there are: TIEFE BEF-REG", self.expect(PROBLEMS, "test", "late.s5").out)
+        self.assertIn("no field 'TIEFFE'; valid: TIEFE BEF-REG", self.expect(PROBLEMS, "test", "late.s5").out)
         self.write("s7.awl", PROGRAM)
         self.write("s7.scn", "expect ustack TIEFE = 01\n")
         self.assertIn("has no USTACK", self.expect(PROBLEMS, "test", "s7.awl").out)
@@ -206,7 +206,7 @@ scenario "missing block"
     def test_symbols_are_told(self):
         self.write("s.s5", "PB 1\n U -START\n O -BETR\n U - STOP\n L \"Wert\"\n BE\n")
         err = self.expect(PROBLEMS, "check", "s.s5").err
-        self.assertEqual(err.count("is a symbol, and listings take absolute ones"), 4)
+        self.assertEqual(err.count("is a symbol, but listings need absolute operands"), 4)
         self.assertIn("U needs an operand; -START is a symbol", err)
         self.write("j.s5", "PB 1\n SPA =X\n BE\n")
         self.assertIn("SPA =X is a supplementary operation", self.expect(PROBLEMS, "check", "j.s5").err)
@@ -220,7 +220,7 @@ scenario "missing block"
         self.write("p/merker.toml", TOML)
         self.assertEqual(self.expect(GOOD, "check", "p").err.count("P0737"), 0)
         self.write("p/merker.toml", TOML + '[program]\nsymbols = ["aZ0.SEQ"]\n')
-        self.assertIn("merker.toml:10:12: error: an assignment list is not possible with SINUMERIK 820 GA3; possible: listings "
+        self.assertIn("merker.toml:10:12: error: an assignment list is not possible with SINUMERIK 820 GA3; valid: listings "
                       "with absolute operands [P0737]", self.expect(PROBLEMS, "check", "p").err)
 
     def test_help_speaks_of_listings(self):
@@ -317,7 +317,7 @@ scenario "missing block"
                             "scenario \"no LED\"\n  expect LED SF = on\n")
         call = self.expect(PROBLEMS, "test", "a.s5")
         self.assertIn("2 passed, 1 failed", call.out)
-        self.assertIn("it is a step for SIMATIC S7", call.out)
+        self.assertIn("it is for SIMATIC S7 only", call.out)
 
     def test_bench(self):
         for engine in ("interpreter", "jit"):

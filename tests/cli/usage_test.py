@@ -71,9 +71,9 @@ class Usage(Case):
             os.mkfifo(self.folder / name)
         for command, path in (("check", "f.awl"), ("check", "p"), ("run", "f.awl"), ("test", "f.awl"), ("test", "f.scn"),
                               ("list", "f.awl"), ("bench", "f.awl")):
-            self.assertIn("no regular file", self.expect(UNREADABLE, command, path, timeout=60).err)
+            self.assertIn("not a regular file", self.expect(UNREADABLE, command, path, timeout=60).err)
         for command in ("assemble", "disassemble"):
-            self.assertIn("no regular file", self.expect(UNREADABLE, command, "--mc7", "f.awl", timeout=60).err)
+            self.assertIn("not a regular file", self.expect(UNREADABLE, command, "--mc7", "f.awl", timeout=60).err)
 
     def test_a_full_disk(self):
         self.write("a.awl", PROGRAM)

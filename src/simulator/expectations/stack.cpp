@@ -51,8 +51,8 @@ bool Stack::parse(const StepLine& line, const Claim& claim) {
   value = claim.value;
   relation = claim.relation;
   if (relation == block::Relation::About) return fail("a comparison (= <> < <= > >=)");
-  if (name.empty()) return fail("a field, as ustack SAZ = 002A");
-  return !value.empty() || fail("a value, as 002A or PB 5");
+  if (name.empty()) return fail("a field: ustack SAZ = 002A");
+  return !value.empty() || fail("a value: 002A or PB 5");
 }
 
 bool Stack::holds(Controller& plc) const {
@@ -73,7 +73,7 @@ std::string Stack::actual(Controller& plc) const {
   if (screens == nullptr) return fmt::format("{} has no {}", plc.modelName(), stack);
   const auto text = screens->stackField(stack, name);
   if (!text)
-    return fmt::format("the {} has no field '{}'; there are: {}", stack, name,
+    return fmt::format("the {} has no field '{}'; valid: {}", stack, name,
                        screens->stackFields(stack));
   if (!shown(plc)) return fmt::format("the PLC is not in STOP, which the {} needs", stack);
   return fmt::format("{} is {}", name, *text);

@@ -56,7 +56,7 @@ struct HotRestart : Bare {
     if (!run.powered()) return false;
     if (!station.model().hotRestart) return hasNone(run, "hot restart");
     return station.hotRestart() ||
-           run.fail("the CPU refuses: there is no interrupted program to go on with" +
+           run.fail("the CPU refuses: there is no interrupted program to continue" +
                     because(station));
   }
 };

@@ -143,21 +143,21 @@ bool Signal::parse(const StepLine& line) {
   const std::string_view first = takeWord(options);
   if (equalsIgnoreCase(first, "off")) {
     off = true;
-    return options.empty() || wrong(options, "nothing behind 'off'");
+    return options.empty() || wrong(options, "nothing after 'off'");
   }
   if (const auto frequency = frequencyOf(first); frequency && (encoder || *frequency > 0)) {
     millihertz = *frequency;
     rest = options;
   } else if (encoder || !equalsIgnoreCase(first, "high")) {
-    return wrong(first, encoder ? "a frequency up to 100kHz, as 60kHz or -1kHz (backward), or off"
-                                : "a frequency up to 100kHz, as 1kHz, high 8us low 8us, or off");
+    return wrong(first, encoder ? "a frequency up to 100kHz: 60kHz or -1kHz (backward), or off"
+                                : "a frequency up to 100kHz: 1kHz, high 8us low 8us, or off");
   }
   std::set<std::string> seen;
   while (!rest.empty()) {
     const std::string_view before = rest;
     if (!readOption(rest, *this)) return wrong(before, encoder ? kEncoderKeys : kKeys);
     std::string_view word = before;
-    if (!seen.insert(upper(takeWord(word))).second) return wrong(before, "each of them once");
+    if (!seen.insert(upper(takeWord(word))).second) return wrong(before, "each of them only once");
   }
   if (seen.contains("COUNT") && seen.contains("QUARTERS"))
     return wrong(text, "count or quarters, not both");

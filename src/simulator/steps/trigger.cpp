@@ -42,9 +42,9 @@ bool takeTerm(std::string_view& words, cpu::Trigger& event, std::string_view& wr
   const std::string_view text = takeWord(words);
   const auto value = eventNumber(text);
   if (!text.empty()) wrong = text;
-  expected = address ? "an address from 0 to 65535, as 256 or W#16#100"
-             : fault ? "a number of a fault from 1 to 255, as B#16#A1"
-                     : "a number, as 5 or DW#16#5";
+  expected = address ? "an address from 0 to 65535: 256 or W#16#100"
+             : fault ? "a fault number from 1 to 255: B#16#A1"
+                     : "a number: 5 or DW#16#5";
   if (!value || (address && *value > 0xFFFF) || (fault && (*value == 0 || *value > 0xFF)))
     return false;
   if (address) event.address = static_cast<std::uint16_t>(*value);
@@ -62,7 +62,7 @@ bool Trigger::parse(const StepLine& line) {
   const auto wanted = eventNumber(ob);
   if (!equalsIgnoreCase(kind, "OB") || !wanted || !cpu::canTrigger(*wanted))
     return line.fail(ProblemCode::P0952, line.rest(),
-                     "OB 40, OB 80 to OB 87, as 'trigger OB 82 coming address 256'");
+                     "OB 40, OB 80 to OB 87: 'trigger OB 82 coming address 256'");
   event.ob = static_cast<std::uint8_t>(*wanted);
   std::string_view wrong;
   std::string expected;

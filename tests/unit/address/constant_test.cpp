@@ -159,9 +159,9 @@ TEST(ParseConstant, dateAndTimeIsNotLoadable) {
 
 TEST(ParseConstant, messagesSayWhatWouldBeRight) {
   EXPECT_EQ(parseConstant("32768", {}).error().message,
-            "32768 is outside -32768..32767 of INT; a DINT is written with L#");
+            "32768 is outside -32768..32767 of INT; write a DINT with L#");
   EXPECT_EQ(parseConstant("P#M 10", {}).error().message,
-            "P#M 10 is written like P#10.0 or P#M 10.0 (areas E I A Q M DBX DIX L V P)");
+            "P#M 10 must be written like P#10.0 or P#M 10.0 (areas E I A Q M DBX DIX L V P)");
 }
 
 TEST(ParseCharacters, anyLength) {

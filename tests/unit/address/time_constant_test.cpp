@@ -81,7 +81,7 @@ TEST(Time, limits) {
 // S7-OPEN-27: the units are D, H, M, S and MS in both mnemonics.
 TEST(Time, germanUnitsAreRefused) {
   EXPECT_EQ(parseConstant("T#2T", {}).error().message,
-            "T#2T: T is not a unit; units of TIME are D, H, M, S, MS");
+            "T#2T: T is not a valid unit; units of TIME are D, H, M, S, MS");
   EXPECT_EQ(problem("T#5MS1S"), "P0207");
 }
 
@@ -108,7 +108,7 @@ TEST(Date, limits) {
 // S7-OPEN-26: a point stands before the milliseconds.
 TEST(TimeOfDay, colonFormGetsAHint) {
   EXPECT_EQ(parseConstant("TOD#17:53:17:333", {}).error().message,
-            "TOD#17:53:17:333: milliseconds stand after a point, not a colon: TOD#17:53:17.333");
+            "TOD#17:53:17:333: milliseconds must follow a point, not a colon: TOD#17:53:17.333");
 }
 
 // S7-TYPES-16

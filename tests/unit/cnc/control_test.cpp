@@ -92,7 +92,7 @@ TEST(Data, takeOnlyWhatTheyCanHold) {
 
 TEST(Missing, saysWhy) {
   Cnc control(Options{});
-  EXPECT_EQ(control.whyMissing(flagByte(300)), "it is outside of what this PLC has");
+  EXPECT_EQ(control.whyMissing(flagByte(300)), "it is outside the areas of this PLC");
   address::Reference word = flagByte(2);
   word.operand.area = Area::DataBlock;
   word.db = 20;

@@ -180,7 +180,7 @@ TEST_F(Tls, SaysWhatIsWrong) {
   wrong.token = "0123456789abcdef";
   wrong.address = "nowhere";
   EXPECT_FALSE(Server::start(wrong, nobody_, reason_));
-  EXPECT_NE(reason_.find("'nowhere' is no address"), std::string::npos) << reason_;
+  EXPECT_NE(reason_.find("'nowhere' is not a valid address"), std::string::npos) << reason_;
 }
 
 }  // namespace

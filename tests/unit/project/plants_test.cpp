@@ -34,7 +34,7 @@ constexpr Wrong kWrong[] = {
     {"wireToMissingChannel", BOARD OVEN "wire.PV = \"2.3.AI9\"\n", "5:11 P0984", "AI9"},
     {"wireToOutput", BOARD OVEN "wire.PV = \"2.3.AO0\"\n", "5:11 P0764", "an analog input"},
     {"wireToDigital", BOARD OVEN "wire.PV = \"2.2.DI0\"\n", "5:11 P0764", "AI"},
-    {"outputToPlant", BOARD OVEN SECOND "wire.PV = \"Oven.LMN\"\n", "8:11 P0764", "whose input"},
+    {"outputToPlant", BOARD OVEN SECOND "wire.PV = \"Oven.LMN\"\n", "8:11 P0764", "with the input"},
     {"wireToUnknownSignal", BOARD OVEN SECOND "wire.LMN = \"Oven.X\"\n", "8:12 P0762",
      "no signal 'X'"},
     {"scaleBetweenPlants", BOARD OVEN SECOND "wire.LMN = { to = \"Oven.PV\", low = 1 }\n",

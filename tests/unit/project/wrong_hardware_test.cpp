@@ -123,7 +123,7 @@ constexpr Wrong kWrong[] = {
      "6:1 P0744", "on_stop"},
     // CPU
     {"cycleMonitoring", "[cpu]\ncycle_monitoring = \"7s\"\n", "2:20 P0704", "\"6s\""},
-    {"cycleMonitoringIsNumber", "[cpu]\ncycle_monitoring = 150\n", "2:20 P0704", "length of time"},
+    {"cycleMonitoringIsNumber", "[cpu]\ncycle_monitoring = 150\n", "2:20 P0704", "a duration"},
     {"minimumCycle", "[cpu]\nminimum_cycle = \"150ms\"\n", "2:17 P0704", "150 ms"},
     {"communicationLoad", "[cpu]\ncommunication_load = 60\n", "2:22 P0704", "10 to 50"},
     {"clockMemory", "[cpu]\nclock_memory = 256\n", "2:16 P0704", "0 to 255"},

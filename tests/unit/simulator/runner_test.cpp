@@ -129,7 +129,7 @@ TEST(Runner, WithoutPowerNothingStarts) {
        {"run", "warm restart", "cold restart", "hot restart", "memory reset", "copy RAM to ROM",
         "unforce", "trigger OB 40", "set MW 0 = 5", "set E 0.0 = 1, Z 1 = 5", "force E 0.0 = 1"})
     EXPECT_EQ(failure(machine.run(std::string("power off\n") + step + "\n")),
-              std::string("2: ") + step + ": the CPU is switched off; 'power on' comes first");
+              std::string("2: ") + step + ": the CPU is switched off; use 'power on' first");
 }
 
 // S7-STATE-09: what lies at a terminal needs no CPU; its memory does.

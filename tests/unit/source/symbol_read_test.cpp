@@ -110,7 +110,7 @@ TEST(ReadSymbols, lengths) {
 TEST(ReadSymbols, namesAreUniqueIgnoringCase) {
   const Reading reading = read("a.sym", "Motor A 1.0\nmotor A 1.1\n");
   ASSERT_EQ(problemsOf(reading), "P0807");
-  EXPECT_EQ(reading.problems.list()[0].message, "symbol 'motor' exists already (a.sym:1)");
+  EXPECT_EQ(reading.problems.list()[0].message, "symbol 'motor' already exists (a.sym:1)");
   EXPECT_EQ(reading.table.list().size(), 1u);
 }
 
@@ -127,7 +127,7 @@ TEST(ReadSymbols, problemsNameThePlace) {
   ASSERT_EQ(problemsOf(reading), "P0806");
   EXPECT_EQ(reading.problems.list()[0].position, (Position{"a.sym", 2, 18, 4}));
   EXPECT_EQ(reading.problems.list()[0].message,
-            "type REAL does not fit MW 10; possible: WORD, INT, S5TIME, DATE");
+            "type REAL does not match MW 10; valid: WORD, INT, S5TIME, DATE");
 }
 
 TEST(ReadSymbols, linesThatAreNone) {

@@ -64,7 +64,7 @@ TEST(Message, ProblemsKeepTheirArgumentsAndNoFolder) {
   const Json twice = told(makeProblem(ProblemCode::P0501, Position{"/tmp/press/a.awl", 7, 1, 1},
                                       "FC 5", "/tmp/press/lib/b.awl", 34));
   EXPECT_EQ(twice["file"], "a.awl");
-  EXPECT_EQ(twice["text"], "FC 5 exists already (lib/b.awl:34)");
+  EXPECT_EQ(twice["text"], "FC 5 already exists (lib/b.awl:34)");
   EXPECT_EQ(twice["arguments"], (Json{"FC 5", "lib/b.awl", "34"}));
 }
 
