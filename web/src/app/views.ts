@@ -35,8 +35,8 @@ export const views: View[] = [
     title: ['Hardware', 'Hardware'],
     component: Hardware,
     help: [
-      'Der Aufbau als Bild: Baugruppen, Adressen, Klemmen, Eigenschaften; Störungen werden hier gesteckt.',
-      'The rack as a picture: modules, addresses, terminals, properties; faults are made here.',
+      'Der Aufbau als Bild: Baugruppen, Adressen, Klemmen, Eigenschaften; Störungen werden hier eingestellt.',
+      'The racks as a picture: modules, addresses, terminals, properties; inject faults here.',
     ],
   },
   {
@@ -71,8 +71,8 @@ export const views: View[] = [
     title: ['Variablen', 'Variables'],
     component: Variables,
     help: [
-      'Die Variablentabelle: beobachten, steuern, forcen. Ein rotes F steht bei geforcten Operanden.',
-      'The variable table: monitor, modify, force. A red F stands beside forced operands.',
+      'Die Variablentabelle: beobachten, steuern, forcen. Ein rotes F kennzeichnet geforcte Operanden.',
+      'The variable table: monitor, modify, force. A red F marks forced operands.',
     ],
   },
   {
@@ -80,8 +80,8 @@ export const views: View[] = [
     title: ['Anlage', 'Process'],
     component: Process,
     help: [
-      'Das Modell der Anlage, das die SPS steuert; Störungen per Klick.',
-      'The model of the plant that the PLC controls; faults by click.',
+      'Das Modell der Anlage, das die SPS steuert; ein Klick stellt eine Störung ein.',
+      'The model of the plant that the PLC controls; click to inject a fault.',
     ],
   },
   {

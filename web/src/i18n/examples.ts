@@ -1,4 +1,4 @@
-/** German title and description of each example, by its folder. The English ones stand in its README. */
+/** German title and description of each example, by its folder. The English ones are in its README. */
 export const examples: Record<string, readonly [title: string, description: string]> = {
   '03-hardware': [
     'Hardware (Kapitel 2.2, 3.4, 3.5, 4.1.2)',

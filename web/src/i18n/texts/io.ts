@@ -7,9 +7,9 @@ export const io = {
   addExample: ['EB 0, MW 10, T 1, Z 1, DB1.DBW 0', 'IB 0, MW 10, T 1, C 1, DB1.DBW 0'],
   addWrong: [
     '„{text}“ ist kein Operand für eine Kachel. Möglich sind EB, AB, MB, PEB (auch W, D), T, Z, DBn.DBW.',
-    '“{text}” is no operand for a tile. Possible are IB, QB, MB, PIB (also W, D), T, C, DBn.DBW.',
+    '“{text}” is not a valid operand for a tile. Allowed: IB, QB, MB, PIB (also W, D), T, C, DBn.DBW.',
   ],
-  addTwice: ['{operand} ist schon da.', '{operand} is already there.'],
+  addTwice: ['Für {operand} gibt es schon eine Kachel.', 'There is already a tile for {operand}.'],
   remove: ['{operand} entfernen', 'Remove {operand}'],
   forced: ['geforct', 'forced'],
   format: ['Format von {operand}', 'Format of {operand}'],

@@ -13,7 +13,7 @@ export const projects = {
   network: ['MPI-Subnetz', 'MPI subnet'],
   networkHelp: [
     'Das Programmiergerät (diese Seite) hat Adresse 0, ein Bediengerät hätte 1. Weitere Stationen und NetPro gibt es noch nicht.',
-    'The programming device (this page) has address 0, an operator panel would have 1. More stations and NetPro are not there yet.',
+    'The programming device (this page) has address 0, an operator panel would have 1. More stations and NetPro are not available yet.',
   ],
   node: ['Teilnehmer', 'Node'],
   address: ['Adresse', 'Address'],
@@ -47,7 +47,7 @@ export const projects = {
   mpi: ['MPI-Adresse', 'MPI address'],
   ob: ['Einsprung-OB', 'Entry OB'],
   language: ['Darstellung', 'Representation'],
-  later: ['KOP und FUP gibt es noch nicht', 'LAD and FBD are not there yet'],
+  later: ['KOP und FUP gibt es noch nicht', 'LAD and FBD are not available yet'],
   german: ['AWL, deutsche Mnemonik', 'STL, German mnemonics'],
   international: ['AWL, internationale Mnemonik', 'STL, international mnemonics'],
   template: ['Vorlage', 'Template'],
@@ -78,8 +78,5 @@ export const projects = {
   select: ['{block} auswählen', 'Select {block}'],
   selectAll: ['Alle auswählen', 'Select all'],
   bytes: ['{bytes} B', '{bytes} B'],
-  noBlocks: [
-    'Weder im Projekt noch in der CPU sind Bausteine.',
-    'There are blocks neither in the project nor in the CPU.',
-  ],
+  noBlocks: ['Weder im Projekt noch in der CPU sind Bausteine.', 'There are no blocks in the project or in the CPU.'],
 } satisfies Texts;

@@ -29,7 +29,7 @@ export const symbols = {
   ok: ['in Ordnung', 'correct'],
   conflict: [
     'Die Symboltabelle wurde anderswo geändert. Ihre Eingaben sind nicht verloren.',
-    'The symbol table was changed elsewhere. What you typed is not lost.',
+    'The symbol table was changed elsewhere. Your changes are not lost.',
   ],
   keepMine: ['Meine Tabelle behalten', 'Keep my table'],
   takeTheirs: ['Andere Tabelle übernehmen', 'Take the other table'],

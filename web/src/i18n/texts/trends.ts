@@ -21,7 +21,7 @@ export const trends = {
   pause: ['Anhalten', 'Pause'],
   clear: ['Leeren', 'Clear'],
   hint: [
-    'Ziehen vergrößert einen Ausschnitt, Doppelklick zeigt wieder alles. CSV und PNG enthalten, was zu sehen ist.',
-    'Drag to zoom into a part, double-click to follow again. CSV and PNG contain what is in sight.',
+    'Ziehen vergrößert einen Ausschnitt, Doppelklick zeigt wieder alles. CSV und PNG enthalten den sichtbaren Teil.',
+    'Drag to zoom in, double-click to see everything again. CSV and PNG contain the visible part.',
   ],
 } satisfies Texts;
