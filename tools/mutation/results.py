@@ -64,8 +64,8 @@ PAGE = """# Mutated rules
 
 A test must be able to fail. `tools/mutate` changes one line of a rule under `src/` (a comparison, a number by one, a mask by a
 bit, a condition, a sign, a statement that is left out, a value that is returned), compiles only that file, links it into the
-tests in place of the original, and looks which test notices. What no test notices *survives* and is printed with its line: a
-test is missing there.
+tests in place of the original, and checks which test fails. A mutant that no test notices *survives* and is printed with its
+line: a test is missing there.
 
 ```sh
 tools/mutate --changed main          # the lines that are new since main, at most 40 mutants
@@ -74,17 +74,17 @@ tools/mutate --module plant --list   # only show them
 ```
 
 It works in a copy of the tree (`build/mutation`) with a build folder of its own; the first run compiles everything once. The
-module's own test runs first, then all tests of ctest whose program contains the module, what notices most for its time before
-the rest, until one fails; a test is believed only if it passes with the unchanged file. Tests that take longer than a minute
+module's own test runs first, then all tests of ctest whose program contains the module, those that notice most for their time
+first, until one fails; a test counts only if it passes with the unchanged file. Tests that take longer than a minute
 (`--slowest`), browsers and documents are left out. A mutant that does not compile does not count; nor does one that no test can
-see, which stands with the reason in [tools/mutation/equivalent.txt](../tools/mutation/equivalent.txt). One that does not end is
+see, which is listed with the reason in [tools/mutation/equivalent.txt](../tools/mutation/equivalent.txt). One that does not end is
 noticed. The same seed gives the same mutants as long as their lines stay. The exit code is 1 below 90 % (`--required`).
 `--record` writes [the results](../tools/mutation/results.json), `--again` tries only the recorded survivors, `--page write`
 prints this page. Rules in headers and in `.inc` tables are not mutated: hundreds of files would compile for each.
 
 At least 90 % of each module's mutants must be noticed; a test fails below that. The table shows few mutants of each module (up to
-ten, seed 1), and tests were written for most of those that survived at first: another seed will find more. A module is run again
-by hand, its row says what was there then; what changes is looked at with `--changed`.
+ten, seed 1), and tests were written for most of the first survivors: another seed will find more. The row of a module is updated by
+a manual run; `--changed` checks changed lines.
 
 | module | mutants | noticed | rate | equivalent |
 |---|---|---|---|---|
