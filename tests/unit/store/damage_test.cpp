@@ -210,7 +210,7 @@ TEST_F(DamagedCard, AJournalThatLeadsToANewerFormat) {
   const std::size_t length = static_cast<std::uint8_t>(whole.at(kPageSizeAt)) << 8;
   ASSERT_EQ(whole.size() % length, 0u);
   std::string page = whole.substr(0, length);
-  page.at(kUserVersionAt + 3) = 2;
+  page.at(kUserVersionAt + 3) = 3;
   const std::string name = file() + "-journal";
   std::ofstream(name, std::ios::binary) << journal(page, whole.size() / length);
   expectRefusal(ProblemCode::P1005);
