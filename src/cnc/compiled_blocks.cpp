@@ -11,6 +11,10 @@ namespace {
 using mc5::BlockType;
 using sinumerik::Machine;
 
+// As many as a program has: a large function block that is called often would be compiled for
+// seconds. Calls beyond that run what all have in common.
+constexpr std::size_t kMostVariantWords = 8192;
+
 // Their words are what they begin with.
 static_assert(std::is_standard_layout_v<sinumerik::Timer> &&
               std::is_standard_layout_v<sinumerik::Counter>);
@@ -41,6 +45,7 @@ void CompiledCode::clear(const Machine& machine) {
   const std::size_t words = machine.blocks.program().size();
   blocks_.clear();
   variants_.clear();
+  variantWords_ = 0;
   sites_.clear();
   entries_.assign(words, {});
   variantOf_.assign(words, 0);
@@ -92,9 +97,11 @@ void CompiledCode::compileCall(const Plan& plan, const Call& call) {
   const std::span<const std::uint16_t> memory = plan.machine.blocks.program();
   if (call.parameters >= memory.size()) return;
   const sinumerik::Entry& block = plan.machine.blocks.find(call.block);
+  if (variantWords_ + block.length > kMostVariantWords) return;
   const auto known = substitutes(wordsOf(plan.machine, block), memory.subspan(call.parameters),
                                  plan.environment.variant);
   if (known.empty()) return;
+  variantWords_ += block.length;
   Variant& variant = variants_.emplace_back(Variant{block.start, {}});
   variant.entries.resize(block.length);
   compileBlock(plan, block, known, variant.entries);

@@ -63,6 +63,7 @@ class CompiledCode : public sinumerik::Engine {
   std::vector<Entry> entries_;                // small: what runs stays in the cache
   CallSites sites_;
   std::vector<Variant> variants_;
+  std::size_t variantWords_ = 0;            // of the code that they were made of
   std::vector<std::uint32_t> variantOf_;    // by the word of the parameter list, from 1 on; 0: none
   std::vector<jit::OpenBlock> dataBlocks_;  // by number, as of the version of the block memory
   std::uint64_t dataVersion_ = ~std::uint64_t{0};

@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <ctime>
+
 #include "catalogue/sinumerik_model.h"
 #include "cnc/memory.h"
 #include "cnc/reference.h"
+#include "step5/compiler.h"
 
 namespace merker::cnc {
 namespace {
@@ -61,6 +64,28 @@ TEST(Cnc, LongIntegers) {
   EXPECT_FALSE(parseConstant("12").has_value());  // of 16 bits, as everywhere
   EXPECT_FALSE(parseConstant("4294967296").has_value());
   EXPECT_EQ(parseConstant("KF -5")->bits, 0xFFFBu);
+}
+
+// docs/safety.md: each call of a function block may have code of its own, but not all of them.
+double translation(int calls) {
+  std::string text = "FB 200\nNAME : LONG\nBEZ  : EIN  E BI\n";
+  for (int i = 0; i < 2000; ++i) text += "      U     =EIN\n      =     A 0.0\n";
+  text += "      BE\nOB 1\n";
+  for (int i = 0; i < calls; ++i) text += "      SPB   FB 200\nNAME : LONG\nEIN  : E 1.0\n";
+  text += "      BE\n";
+  Options options;
+  options.compiled = true;
+  options.plc.program = step5::compile({source::SourceFile("a.s5", text)}, false, {}).program;
+  EXPECT_EQ(options.plc.program.size(), 2u);
+  Cnc control(std::move(options));
+  const std::clock_t before = std::clock();
+  control.plc().translate();
+  return static_cast<double>(std::clock() - before);
+}
+
+TEST(Cnc, TranslationTakesNoLongerForEachCall) {
+  if (!Cnc::canCompile()) GTEST_SKIP() << "no compiler for this processor";
+  EXPECT_LT(translation(500), 10 * translation(1));
 }
 
 }  // namespace
