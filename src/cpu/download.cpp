@@ -1,6 +1,7 @@
 // Blocks into load and work memory: all at once in STOP, at a cycle checkpoint in RUN (S7-CYCLE-05,
 // S7-LIM-04, S7-MEM-04).
 #include "cpu/cpu.h"
+#include "cpu/same_code.h"
 
 namespace merker::cpu {
 namespace {
@@ -9,10 +10,6 @@ const block::Block* findBlock(const block::Program* program, BlockId id) {
   if (program == nullptr) return nullptr;
   const auto found = program->find(id);
   return found == program->end() ? nullptr : &found->second;
-}
-
-bool sameCode(const block::Block& a, const block::Block& b) {
-  return a.code == b.code && a.localBytes == b.localBytes;
 }
 
 bool sameData(const block::Block& a, const block::Block& b) {

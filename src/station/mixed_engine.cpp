@@ -1,7 +1,10 @@
 #include "station/mixed_engine.h"
 
+#include <functional>
+
 #include "icode/region.h"
 #include "interpreter/compiled.h"
+#include "interpreter/probing.h"
 #include "mc7/listing.h"
 #include "translate/translate.h"
 
@@ -66,10 +69,58 @@ void MixedEngine::compile(Translated& code) const {
   setCompiled(code, std::make_shared<Native>(std::move(native), std::move(entries)));
 }
 
+void MixedEngine::supply(std::shared_ptr<Translations> made) {
+  if (!keepsOldCode()) supplied_ = std::move(made);  // coverage counts in the code itself
+}
+
 std::unique_ptr<cpu::Code> MixedEngine::translate(const block::Block& block) {
+  if (supplied_ && supplied_->compiled() == compiles_)
+    if (auto made = supplied_->take(block)) return made;
   auto code = interpreter_.translate(block);
   if (compiles_) compile(static_cast<Translated&>(*code));
   return code;
+}
+
+namespace {
+
+// Blocks that wait for those they called have parameters in the list.
+void moveParameters(cpu::Machine& m, Translated& from, Translated& to) {
+  const std::uint32_t* const first = from.parameters.data();
+  const std::less_equal<> notBehind;
+  for (cpu::Frame& frame : m.frames)
+    if (notBehind(first, frame.parameters) &&
+        notBehind(frame.parameters + 1, first + from.parameters.size()))
+      frame.parameters = to.parameters.data() + (frame.parameters - first);
+}
+
+// Machine code knows where both lists are, so they come with it. Instructions have the same
+// numbers: a block goes on where it stands.
+void exchange(Translated& code, Translated& made, cpu::Machine& m) {
+  cpu::Probe* const probe = code.probe;
+  interpreter::setProbe(code, nullptr);
+  moveParameters(m, code, made);
+  code.ops.swap(made.ops);
+  code.parameters.swap(made.parameters);
+  code.uncompiled.swap(made.uncompiled);
+  code.compiled.swap(made.compiled);
+  std::swap(code.native, made.native);
+  interpreter::setProbe(code, probe);
+}
+
+}  // namespace
+
+void MixedEngine::exchange(const Translations& made, cpu::Cpu& cpu) {
+  compiles_ = made.compiled();
+  for (const auto& one : cpu.code()) {
+    auto& code = static_cast<Translated&>(*one);
+    auto* const other = static_cast<Translated*>(made.find(*code.source));
+    if (other != nullptr && code.side.empty())
+      station::exchange(code, *other, cpu.machine());
+    else if (!compiles_)
+      setCompiled(code, nullptr);
+    else if (code.compiled == nullptr)
+      compile(code);
+  }
 }
 
 void MixedEngine::compile(bool on, cpu::Cpu& cpu) {

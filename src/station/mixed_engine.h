@@ -6,6 +6,7 @@
 #include "interpreter/interpreter.h"
 #include "jit/native.h"
 #include "station/machine_layout.h"
+#include "station/translations.h"
 
 namespace merker::station {
 
@@ -29,6 +30,11 @@ class MixedEngine : public cpu::Engine {
   bool compiles() const { return compiles_; }
   // For the blocks that the CPU has, and those to come.
   void compile(bool on, cpu::Cpu& cpu);
+  // The engine of `made` from now on; what is in it takes the place of what the CPU has. Not while
+  // the CPU runs.
+  void exchange(const Translations& made, cpu::Cpu& cpu);
+  // What is in it needs no translation.
+  void supply(std::shared_ptr<Translations> made);
   static std::size_t compiledBytes(const cpu::Cpu& cpu);
 
   // Coverage and checks, which stay with the interpreter.
@@ -51,6 +57,7 @@ class MixedEngine : public cpu::Engine {
   interpreter::Interpreter interpreter_;
   bool compiles_;
   CompilerOptions options_;
+  std::shared_ptr<Translations> supplied_;
 };
 
 }  // namespace merker::station

@@ -98,6 +98,12 @@ bool Station::setEngine(Engine engine) {
   parts_->engine.compile(compiled, parts_->cpu);
   return true;
 }
+bool Station::setEngine(Engine engine, const Translations& made) {
+  if (made.compiled() != (engine == Engine::Compiled)) return false;
+  parts_->engine.exchange(made, parts_->cpu);
+  return true;
+}
+void Station::supply(std::shared_ptr<Translations> made) { parts_->engine.supply(std::move(made)); }
 Engine Station::engine() const {
   return parts_->engine.compiles() ? Engine::Compiled : Engine::Interpreter;
 }

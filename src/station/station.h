@@ -40,6 +40,8 @@ using controller::Mode;
 // with the same results.
 enum class Engine : std::uint8_t { Interpreter, Compiled };
 
+class Translations;
+
 struct Options {
   const CpuModel* model = &defaultCpuModel();
   std::optional<CpuParameters> parameters{};  // without: the model's defaults
@@ -72,6 +74,10 @@ class Station : public controller::Controller {
   bool setEngine(Engine engine);
   Engine engine() const;
   std::size_t compiledBytes() const;  // machine code of the host
+  // The same with blocks that were translated before. False: they are not what was wanted.
+  bool setEngine(Engine engine, const Translations& made);
+  // The blocks that a download or take() brings next, translated before.
+  void supply(std::shared_ptr<Translations> made);
 
   // operating states (S7-STATE)
   Mode mode() const override;
