@@ -88,7 +88,7 @@ void moveParameters(cpu::Machine& m, Translated& from, Translated& to) {
   const std::uint32_t* const first = from.parameters.data();
   const std::less_equal<> notBehind;
   for (cpu::Frame& frame : m.frames)
-    if (notBehind(first, frame.parameters) &&
+    if (frame.parameters != nullptr && notBehind(first, frame.parameters) &&
         notBehind(frame.parameters + 1, first + from.parameters.size()))
       frame.parameters = to.parameters.data() + (frame.parameters - first);
 }

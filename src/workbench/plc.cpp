@@ -45,6 +45,10 @@ Plc::Plc(BuildRef build, std::unique_ptr<controller::Controller> controller)
 
 Plc::~Plc() = default;
 
+void Plc::use(std::optional<station::Engine> engine) {
+  if (station_ != nullptr && engine) station_->setEngine(*engine);
+}
+
 Result<address::Reference> Plc::operand(std::string_view text) const {
   if (monitor_) return monitor_->operand(text);
   auto reference = operands_(text, nowhere());

@@ -41,6 +41,9 @@ class Plc {
   const monitor::Monitor* monitor() const { return monitor_.get(); }
   bool isS7() const { return station_ != nullptr; }
 
+  // Of a SIMATIC S7, if there is a wish.
+  void use(std::optional<station::Engine> engine);
+
   // Values by their text; timers and counters as LC loads them.
   Result<address::Reference> operand(std::string_view text) const;
   std::optional<monitor::Value> read(const address::Reference& reference) const;

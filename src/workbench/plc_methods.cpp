@@ -1,7 +1,7 @@
 // Mode switch, power, start and stop, events by hand, pace of time.
 #include "cpu/cpu.h"
 #include "cpu/trigger.h"
-#include "workbench/method.h"
+#include "workbench/translated.h"
 
 namespace merker::workbench {
 namespace {
@@ -89,15 +89,23 @@ Answer trigger(const Call& call) {
   return empty();
 }
 
+std::optional<Problems> engineStays(const Call& call) {
+  if (call.station().mode() == controller::Mode::Stop) return std::nullopt;
+  return refused(ProblemCode::P1308, "the engine", "it can be changed in STOP only");
+}
+
 Answer engine(const Call& call) {
-  const std::size_t wanted = call.fields.choice("engine", {"interpreter", "jit"});
+  const auto wanted =
+      static_cast<station::Engine>(call.fields.choice("engine", {"interpreter", "jit"}));
   if (!call.fields.good()) return call.fields.problems();
-  if (call.station().mode() != controller::Mode::Stop)
-    return refused(ProblemCode::P1308, "the engine", "it can be changed in STOP only");
-  if (!call.station().setEngine(wanted == 1 ? station::Engine::Compiled
-                                            : station::Engine::Interpreter))
-    return refused(ProblemCode::P1307, "this processor", "jit; use interpreter");
-  return empty();
+  if (auto why = engineStays(call)) return *why;
+  if (call.station().engine() == wanted) return empty();
+  return translatedFor(
+      call, wanted, [wanted](const Call& now, const station::Translations& made) -> Answer {
+        if (auto why = engineStays(now)) return *why;
+        if (now.station().setEngine(wanted, made)) return empty();
+        return refused(ProblemCode::P1307, "this processor", "jit; use interpreter");
+      });
 }
 
 Answer pace(const Call& call) {

@@ -1,7 +1,7 @@
 // The program: compile, compare, load into the CPU, look at its blocks.
-#include "workbench/elsewhere.h"
 #include "workbench/message.h"
 #include "workbench/program_rows.h"
+#include "workbench/translated.h"
 
 namespace merker::workbench {
 namespace {
@@ -94,7 +94,7 @@ struct Download {
   Listing seen;
 };
 
-Download prepared(const Aside& aside, const Both& both) {
+Download prepared(const Aside& aside, const Both& both, std::optional<station::Engine> engine) {
   const compilation::Build& build = *both.offline->build;
   Download load;
   if (!build.ok()) {
@@ -112,6 +112,7 @@ Download prepared(const Aside& aside, const Both& both) {
       project::configurationText(both.build->project)) {
     load.plc = std::make_unique<Plc>(both.offline->build);
     load.plc->controller().stop();
+    load.plc->use(engine);
     load.seen = aside.folder.list();
     return load;
   }
@@ -131,21 +132,33 @@ Answer loadConfiguration(const Call& call, Download& load) {
   return empty();
 }
 
+Answer load(const Call& call);
+
+Answer loadBlocks(const Call& call, const Both& before, Download& ready) {
+  // Another browser was quicker: once more, with what the CPU has now.
+  if (call.plc().program() != before.online) return load(call);
+  const std::string reason = call.plc().download(ready.program);
+  if (!reason.empty()) return refusedLoad(reason);
+  call.shared.discard(before.online);
+  call.shared.loaded(before.offline->build, std::move(ready.symbols));
+  if (ready.all) call.shared.files.loaded();
+  return empty();
+}
+
 Answer load(const Call& call) {
   const Both now = both(call);
   return elsewhere<Download>(
-      call, call.shared.clerk, [now](const Aside& aside) { return prepared(aside, now); },
-      [now](const Call& here, Download& ready) -> Answer {
-        if (ready.refused) return std::move(*ready.refused);
-        // Another browser was quicker: once more, with what the CPU has now.
+      call, call.shared.clerk,
+      [now, engine = call.shared.engine()](const Aside& aside) {
+        return prepared(aside, now, engine);
+      },
+      [now](const Call& here, Download& made) -> Answer {
+        if (made.refused) return std::move(*made.refused);
         if (here.plc().program() != now.online) return load(here);
-        if (ready.plc) return loadConfiguration(here, ready);
-        const std::string reason = here.plc().download(ready.program);
-        if (!reason.empty()) return refusedLoad(reason);
-        here.shared.discard(now.online);
-        here.shared.loaded(now.offline->build, std::move(ready.symbols));
-        if (ready.all) here.shared.files.loaded();
-        return empty();
+        if (made.plc) return loadConfiguration(here, made);
+        auto ready = std::make_shared<Download>(std::move(made));
+        return supplied(here, ready->program,
+                        [now, ready](const Call& then) { return loadBlocks(then, now, *ready); });
       });
 }
 

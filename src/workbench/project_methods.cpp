@@ -47,7 +47,8 @@ struct Opened {
   Listing seen;
 };
 
-Opened opened(const Result<std::string>& folder, Origin origin, const std::stop_token& stop) {
+Opened opened(const Result<std::string>& folder, Origin origin,
+              std::optional<station::Engine> engine, const std::stop_token& stop) {
   Opened ready;
   if (!folder) {
     ready.refused = one(folder.error());
@@ -61,6 +62,7 @@ Opened opened(const Result<std::string>& folder, Origin origin, const std::stop_
   }
   ready.folder = *folder;
   ready.plc = plcOf(offline.build, origin);
+  ready.plc->use(engine);
   ready.seen = folderOf(project).list();
   return ready;
 }
@@ -70,8 +72,9 @@ Answer openFolder(const Call& call, Origin origin,
                   std::function<Result<std::string>(const Workspace&)> folder) {
   return elsewhere<Opened>(
       call, call.shared.work,
-      [workspace = call.shared.workspace, folder = std::move(folder), origin](const Aside& aside) {
-        return opened(folder(workspace), origin, aside.stop);
+      [workspace = call.shared.workspace, folder = std::move(folder), origin,
+       engine = call.shared.engine()](const Aside& aside) {
+        return opened(folder(workspace), origin, engine, aside.stop);
       },
       [origin](const Call& now, Opened& ready) -> Answer {
         if (ready.refused) return std::move(*ready.refused);

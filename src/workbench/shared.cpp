@@ -1,5 +1,6 @@
 #include "workbench/shared.h"
 
+#include "cpu/cpu.h"
 #include "project/files.h"
 
 namespace merker::workbench {
@@ -16,9 +17,9 @@ ProjectFolder folderOf(const project::Project& project) {
 }
 
 void Shared::show(std::unique_ptr<Plc> fresh, bool isExample, Listing seen) {
-  if (plc && plc->isS7()) engine_ = plc->station()->engine();
+  engine_ = engine();
+  dropWorks();
   discard(std::shared_ptr<Plc>(std::exchange(plc, std::move(fresh))));
-  if (plc && plc->isS7() && engine_) plc->station()->setEngine(*engine_);
   example = isExample;
   pacer.restart();
   breakpoints.clear();
@@ -38,6 +39,36 @@ void Shared::show(std::unique_ptr<Plc> fresh, bool isExample, Listing seen) {
   files.loaded();
   if (plc && onCycle) plc->onCycle([this](controller::Controller&) { onCycle(); });
   if (plc && onPoint && plc->isS7()) plc->monitor()->onPoint(onPoint);
+}
+
+std::optional<station::Engine> Shared::engine() const {
+  return plc && plc->isS7() ? plc->station()->engine() : engine_;
+}
+
+void Shared::atCycleEnd(Work fresh) {
+  // A cycle without an end is waited for no longer.
+  constexpr Duration kLongest = Duration::seconds(60);
+  std::erase_if(works_, [](const Work& one) { return one->cancelled(); });
+  if (works_.empty()) worksLatest_ = plc->controller().now() + kLongest;
+  works_.push_back(std::move(fresh));
+  settle(plc->controller().now());
+}
+
+bool Shared::settle(Instant limit) {
+  cpu::Cpu& cpu = plc->station()->cpu();
+  const Instant end = std::min(limit, worksLatest_);
+  const auto there = [&] { return cpu.betweenCycles() || !cpu::executes(cpu.mode()); };
+  while (!there() && cpu.machine().clock < end) cpu.step(end);
+  if (!there() && end < worksLatest_) return false;
+  for (const Work& one : std::exchange(works_, {})) one->carryOut();
+  return true;
+}
+
+void Shared::dropWorks() {
+  for (const Work& one : std::exchange(works_, {})) {
+    one->cancel();
+    one->carryOut();
+  }
 }
 
 void Shared::remember(const std::string& opened) {

@@ -62,6 +62,14 @@ struct Shared {
   // Looks have numbers in the order in which they are taken: an older one counts no more.
   std::uint64_t nextLook() { return ++looks_; }
   void take(std::uint64_t look, Listing seen);
+  // The engine that was chosen last, which the next PLC has, too.
+  std::optional<station::Engine> engine() const;
+  // Work in the PLC's thread, where the cycle has ended or the CPU has stopped: virtual time goes
+  // on until then, part by part.
+  void atCycleEnd(Work fresh);
+  bool settles() const { return !works_.empty(); }
+  // At most to `limit`; true: what waited for the end of the cycle is done.
+  bool settle(Instant limit);
   // Null: the program on the disk is compiled. `owner`: the browser that asks for it.
   Job offlineJob(std::uint64_t owner);
   void take(const Job& job);  // that is done
@@ -79,7 +87,11 @@ struct Shared {
 
  private:
   OfflineRef offline_;
-  std::optional<station::Engine> engine_;  // that was chosen last: the next PLC has it too
+  void dropWorks();
+
+  std::optional<station::Engine> engine_;  // of the PLC before
+  std::vector<Work> works_;                // that wait for the end of the cycle
+  Instant worksLatest_;
   Job offlineJob_;
   std::uint64_t looks_ = 0, taken_ = 0, lookNumber_ = 0;
   BreakpointLines placed_;  // in the CPU, of this program

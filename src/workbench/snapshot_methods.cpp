@@ -1,8 +1,8 @@
 // The whole CPU into a file of the project, and back (S7-SIM-13).
 #include "cpu/cpu.h"
-#include "workbench/elsewhere.h"
 #include "workbench/project_file.h"
 #include "workbench/snapshot_text.h"
+#include "workbench/translated.h"
 
 namespace merker::workbench {
 
@@ -24,13 +24,47 @@ std::string keyword(const Call& call) { return std::string(call.station().model(
 
 // The text has at least so many characters: two for each byte of a block. What is far too long is
 // not even copied.
-std::size_t leastText(const Call& call) {
+std::size_t leastText(const Plc& plc) {
   std::size_t bytes = 0;
-  for (const cpu::DataBlock& block : call.station().cpu().machine().dataBlocks.all())
+  for (const cpu::DataBlock& block : plc.station()->cpu().machine().dataBlocks.all())
     bytes += block.data.size();
-  for (const auto& [id, block] : *call.plc().program())
+  for (const auto& [id, block] : *plc.program())
     bytes += id.kind == BlockKind::DB ? block.actualData.size() : block.code.size();
   return 2 * bytes;
+}
+
+// What a STOP has interrupted is not part of the state.
+bool insideBlock(const station::Station& station) {
+  if (station.mode() == controller::Mode::Stop) return false;
+  return station.mode() == controller::Mode::Halt || !station.cpu().betweenCycles();
+}
+
+Result<SavedCpu> taken(const Plc& plc, const std::string& path) {
+  const station::Station& station = *plc.station();
+  if (insideBlock(station))
+    return makeProblem(ProblemCode::P1308, nowhere(), "the state",
+                       "the program is paused inside a block; resume it, or stop the CPU");
+  if (leastText(plc) > kLargestFile) return tooLong(path, kLargestFile);
+  SavedCpu saved{std::string(station.model().keyword),
+                 hardwareOf(station),
+                 plc.program(),
+                 station.cpu().snapshot(),
+                 {}};
+  for (const monitor::Forced& one : plc.forces())
+    saved.forces.push_back({one.operand.text, monitor::show(one.operand, one.value,
+                                                            monitor::DisplayFormat::Automatic)});
+  return saved;
+}
+
+using Taken = std::shared_ptr<std::optional<Result<SavedCpu>>>;
+
+Answer write(const Call& call, const std::string& path, const Taken& taken) {
+  if (!**taken) return one((*taken)->error());
+  return changingFiles(call, [taken, path](const Aside& aside) -> Answer {
+    const auto text = snapshotText(path, ***taken, kLargestFile);
+    if (!text) return one(text.error());
+    return done(putFile(aside.folder, path, *text, aside.fields.flag("replace", false)));
+  });
 }
 
 // At the end of the cycle, where nothing is half done.
@@ -38,24 +72,13 @@ Answer save(const Call& call) {
   const std::string path = pathOf(call.fields, kEnding);
   call.fields.flag("replace", false);
   if (!call.fields.good()) return call.fields.problems();
-  call.station().settle();
-  if (call.station().mode() == controller::Mode::Halt || !call.station().cpu().betweenCycles())
-    return refused(ProblemCode::P1308, "the state",
-                   "the program is paused inside a block; resume it, or stop the CPU");
-  if (leastText(call) > kLargestFile) return one(tooLong(path, kLargestFile));
-  auto saved = std::make_shared<SavedCpu>(SavedCpu{keyword(call),
-                                                   hardwareOf(call.station()),
-                                                   call.plc().program(),
-                                                   call.station().cpu().snapshot(),
-                                                   {}});
-  for (const monitor::Forced& one : call.plc().forces())
-    saved->forces.push_back({one.operand.text, monitor::show(one.operand, one.value,
-                                                             monitor::DisplayFormat::Automatic)});
-  return changingFiles(call, [saved, path](const Aside& aside) -> Answer {
-    const auto text = snapshotText(path, *saved, kLargestFile);
-    if (!text) return one(text.error());
-    return done(putFile(aside.folder, path, *text, aside.fields.flag("replace", false)));
+  auto result = std::make_shared<std::optional<Result<SavedCpu>>>();
+  auto work = std::make_shared<Task>(call.id, [result, path, &shared = call.shared](const auto&) {
+    result->emplace(taken(*shared.plc, path));
   });
+  call.shared.atCycleEnd(work);
+  return later(std::move(work),
+               [result, path](const Call& now) { return write(now, path, result); });
 }
 
 // Why the CPU here is another one; empty if it is alike.
@@ -146,8 +169,11 @@ Answer load(const Call& call) {
       [online = call.plc().program(), build = call.plc().buildRef()](const Aside& aside) {
         return read(aside, {online.get(), build->program.get()});
       },
-      [](const Call& here, Read& read) {
-        return read.problem ? Answer(one(*read.problem)) : take(here, *read.saved);
+      [](const Call& here, Read& read) -> Answer {
+        if (read.problem) return Answer(one(*read.problem));
+        auto saved = std::make_shared<const SavedCpu>(std::move(*read.saved));
+        return supplied(here, saved->program,
+                        [saved](const Call& now) { return take(now, *saved); });
       });
 }
 

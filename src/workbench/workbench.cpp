@@ -154,12 +154,20 @@ void Workbench::stepOn(const Enough& enough) {
   shared_.pacer.rebase();
 }
 
+// Somebody looks at the CPU between two cycles: a long one goes on part by part.
+void Workbench::settleOn(const Enough& enough) {
+  constexpr Duration kSettlePart = Duration::milliseconds(10);
+  while (!enough() && !shared_.settle(shared_.plc->controller().now() + kSettlePart)) {
+  }
+}
+
 bool Workbench::advance(const Pacer::WallClock& wall, Duration longest) {
   if (!shared_.plc) return false;
   enter("the PLC");
   const std::int64_t end = wall() + longest.ns;
   const Enough enough = [&] { return wall() >= end; };
   if (shared_.stepEnds) return stepOn(enough), true;
+  if (shared_.settles()) return settleOn(enough), true;
   const Schedule schedule{[this] { return nextAction(); }, [&] { play(enough); }};
   return shared_.pacer.advance(shared_.plc->controller(), wall, longest, schedule);
 }

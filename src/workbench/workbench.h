@@ -68,6 +68,7 @@ class Workbench {
   void sampleTrends();
   void reached(cpu::CyclePoint point);
   void stepOn(const Enough& enough);
+  void settleOn(const Enough& enough);
   void play(const Enough& enough);
   void playOn(Waiting one, Answer answer);
   Instant nextAction() const;

@@ -42,7 +42,7 @@ class Pinger:
 
 
 @unittest.skipIf("ASAN_OPTIONS" in os.environ, "sanitizers need other times and more memory")
-class Attacked(Served):
+class Attacking(Served):
     def setUp(self):
         super().setUp()
         folder = self.folder / "quiet"
@@ -113,6 +113,54 @@ class Attacked(Served):
     def request(self, do, **fields):
         return json.dumps({"id": 1, "do": do, **fields})
 
+
+class LargeProgram(Attacking):
+    """3 MB of machine code: to translate it for the processor of this computer takes about a second."""
+
+    def prepare(self):
+        super().prepare()
+        (self.project / "merker.toml").write_text('[project]\nname = "Plant"\n[cpu]\nmodel = "generic"\n', encoding="utf-8")
+        self.write("A 0.0")
+
+    def write(self, operand):
+        body = f" U E 0.0;\n U E 0.1;\n = {operand};\n L MW 20;\n + 1;\n T MW 20;\n" * 2000
+        (self.project / "large.awl").write_text("".join(f"FUNCTION FC {i} : VOID\nBEGIN\nNETWORK\n{body}END_FUNCTION\n"
+                                                        for i in range(1, 81)), encoding="ascii")
+
+    def test_the_engine_changes(self):
+        self.stands(lambda: self.flood([self.request("cpu.stop"), self.request("cpu.engine", engine="jit"),
+                                        self.request("cpu.engine", engine="interpreter")]), afterwards=[{"do": "cpu.start"}])
+
+    def test_it_is_loaded(self):
+        browser = self.browser()
+        browser.call("cpu.stop")
+        browser.call("cpu.engine", engine="jit")
+        browser.call("cpu.start")
+        browser.until(lambda b: b.state.get("mode") == "RUN")
+
+        def attack():
+            for operand in ("A 0.1", "A 0.2"):
+                self.write(operand)
+                time.sleep(1.5)  # until it is seen
+                browser.call("program.load")
+        self.stands(attack)
+
+
+class LongCycle(Attacking):
+    """A cycle of some seconds, which whoever saves the CPU waits for."""
+
+    def prepare(self):
+        super().prepare()
+        (self.project / "merker.toml").write_text('[project]\nname = "Plant"\n[cpu]\ncycle_monitoring = "6s"\n', encoding="utf-8")
+        inner = "      T     MW 102\n      L     MW 102\n" * 50
+        (self.project / "main.awl").write_text("ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n      L     20000\nmore: T     MW 100\n"
+                                               f"{inner}      L     MW 100\n      LOOP  more\nEND_ORGANIZATION_BLOCK\n", encoding="ascii")
+
+    def test_the_cpu_is_saved(self):
+        self.stands(lambda: self.flood([self.request("cpu.save", path="here.state", replace=True)]))
+
+
+class Attacked(Attacking):
     def test_hardware_with_a_problem_in_each_row(self):
         text = "[project]\nname = \"x\"\n" + "[[module]]\nslot = 4\n" * 6000
         self.stands(lambda: self.flood([self.request("hardware.edit", text=text)]))

@@ -44,9 +44,50 @@ TEST_F(Compiling, ThePlcGoesOnMeanwhile) {
   EXPECT_FALSE(ask("files.list").empty());  // what compiles nothing is answered at once
   EXPECT_TRUE(bench.workbench.laterAnswers().empty());
   workOne();
+  EXPECT_TRUE(bench.workbench.laterAnswers().empty());
+  ASSERT_EQ(works.size(), 1u);  // its blocks are translated
+  workOne();
   const Json answer = later();
   EXPECT_EQ(answer["id"], 1001);
   EXPECT_TRUE(answer.contains("result")) << answer;
+}
+
+TEST_F(Compiling, BlocksAreTranslatedBesideThePlc) {
+  bench.call("cpu.stop");
+  EXPECT_EQ(ask("cpu.engine", {{"engine", "jit"}}), "");
+  ASSERT_EQ(works.size(), 1u);
+  EXPECT_EQ(bench.state()["engine"], "interpreter");
+  workOne();
+  const Json answer = later();
+  if (answer.contains("problems")) GTEST_SKIP() << "no compiler for this processor";
+  EXPECT_EQ(bench.state()["engine"], "jit");
+  EXPECT_GT(bench.workbench.plc()->station()->compiledBytes(), 0u);
+  bench.workbench.compileBy([](const Work& work) { work->carryOut(); });
+  bench.call("cpu.start");
+  bench.run(Duration::milliseconds(100));
+  EXPECT_EQ(bench.state()["mode"], "RUN");
+}
+
+TEST_F(Compiling, TheEngineIsRefusedWhereTheCpuHasStartedMeanwhile) {
+  bench.call("cpu.stop");
+  EXPECT_EQ(ask("cpu.engine", {{"engine", "jit"}}), "");
+  bench.call("cpu.start");
+  workOne();
+  EXPECT_EQ(later()["problems"][0]["code"], "P1308");
+  EXPECT_EQ(bench.state()["engine"], "interpreter");
+}
+
+TEST_F(Compiling, BlocksAreTranslatedAgainForAnotherProgram) {
+  bench.call("cpu.stop");
+  EXPECT_EQ(ask("cpu.engine", {{"engine", "jit"}}), "");
+  Plc& plc = *bench.workbench.plc();
+  EXPECT_EQ(plc.download(std::make_shared<const block::Program>(*plc.program())), "");
+  workOne();
+  EXPECT_TRUE(bench.workbench.laterAnswers().empty());
+  EXPECT_EQ(bench.state()["engine"], "interpreter");
+  ASSERT_EQ(works.size(), 1u);
+  workOne();
+  EXPECT_EQ(bench.workbench.laterAnswers().size(), 1u);
 }
 
 TEST_F(Compiling, OneCompilationDoesForAllWhoAskMeanwhile) {
