@@ -67,7 +67,7 @@ class MachineCode(Case):
 
     def test_the_caret_stands_under_the_word(self):
         err = self.expect(PROBLEMS, "assemble", "--mc7", text="U E 0.0\n  SPA  99999 // far\n").err
-        self.assertIn("standard input:2:8: error: 99999 words are too far; SPA takes -32768..32767 [P0352]", err)
+        self.assertIn("standard input:2:8: error: 99999 words are too far; SPA can jump -32768..32767 [P0352]", err)
         self.assertIn("\n       ^~~~~\n", err)
 
     def test_illegal_words_and_the_rest_goes_on(self):

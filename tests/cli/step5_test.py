@@ -255,7 +255,7 @@ scenario "missing block"
         for command in (("check",), ("run", "--for", "1s"), ("test",)):
             call = self.expect(PROBLEMS, command[0], "a.s5", *command[1:])
             self.assertIn("P1144", call.err)
-            self.assertIn("memory full: DB 13 takes 6 words", call.err)
+            self.assertIn("memory full: DB 13 needs 6 words", call.err)
         block = "".join(f"PB {n}\n" + " : NOP 0\n" * 4000 + " : BE\n" for n in (1, 2))
         self.write("a.s5", "OB 1\n : BE\n" + block)
         self.expect(GOOD, "check", "a.s5")
@@ -327,6 +327,6 @@ scenario "missing block"
         self.write("stops.s5", "OB 1\n : SPA PB 9\n : BE\n")
         self.assertIn("6105", self.expect(FAULT, "bench", "stops.s5", "--for", "50ms").err)
         self.write("loop.s5", "OB 1\n : SPA FB 20\nNAME : LOOP\n : BE\nFB 20\nNAME : LOOP\nM001 : SPA =M001\n : BE\n")
-        self.assertIn("has not ended", self.expect(GOOD, "bench", "loop.s5", "--for", "50ms", timeout=60).err)
+        self.assertIn("did not end", self.expect(GOOD, "bench", "loop.s5", "--for", "50ms", timeout=60).err)
         self.write("none.s5", "PB 1\n : BE\n")
         self.assertIn("no OB 1", self.expect(PROBLEMS, "bench", "none.s5").err)

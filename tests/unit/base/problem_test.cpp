@@ -29,7 +29,7 @@ TEST(Problems, showsControlCharacters) {
 TEST(Problems, keepsItsArguments) {
   const Problem problem = makeProblem(ProblemCode::P0352, {}, 40000, "SPA", -32768, 32767);
   EXPECT_EQ(problem.arguments, (std::vector<std::string>{"40000", "SPA", "-32768", "32767"}));
-  EXPECT_EQ(problem.message, "40000 words are too far; SPA takes -32768..32767");
+  EXPECT_EQ(problem.message, "40000 words are too far; SPA can jump -32768..32767");
   const Problem twice = makeProblem(ProblemCode::P1107, {}, "E");
   EXPECT_EQ(twice.message, "E needs byte and bit: E 0.0");
 }

@@ -63,7 +63,7 @@ constexpr Wrong kWrong[] = {
      "9:8 P0728", "no communication bus"},
     {"cableOfSm", DI16 "cable = \"5m\"\n", "4:1 P0735", "interface"},
     {"noSubModule", "[[module]]\nslot = 2.6\n", "2:8 P0743", "2.5 Position"},
-    {"typeOfSubModule", "[[module]]\nslot = \"2.2\"\ntype = \"SM 338\"\n", "3:8 P0704", "left out"},
+    {"typeOfSubModule", "[[module]]\nslot = \"2.2\"\ntype = \"SM 338\"\n", "3:8 P0704", "must be omitted"},
     {"nameTwice", DI16 "name = \"a\"\n[[module]]\nslot = 5\ntype = \"SM 338\"\nname = \"A\"\n",
      "5:1 P0742", "slot 4"},
     // addresses
@@ -93,7 +93,7 @@ constexpr Wrong kWrong[] = {
     // channels
     {"channelOfNoSide", AI8 "[[module.channel]]\nrange = \"±1V\"\n", "4:1 P0744", "input = NUMBER"},
     {"keyOfChannel", AI8 "[[module.channel]]\ninput = 0\nrnge = \"±1V\"\n", "6:1 P0703",
-     "; [[module.channel]] may"},
+     "valid keys in [[module.channel]]"},
     {"rangesOfAGroup",
      AI8 "[[module.channel]]\ninput = 2\nrange = \"4..20mA\"\n[[module.channel]]\ninput = 3\n"
          "range = \"Pt100\"\n",
