@@ -63,7 +63,8 @@ constexpr Wrong kWrong[] = {
      "9:8 P0728", "no communication bus"},
     {"cableOfSm", DI16 "cable = \"5m\"\n", "4:1 P0735", "interface"},
     {"noSubModule", "[[module]]\nslot = 2.6\n", "2:8 P0743", "2.5 Position"},
-    {"typeOfSubModule", "[[module]]\nslot = \"2.2\"\ntype = \"SM 338\"\n", "3:8 P0704", "must be omitted"},
+    {"typeOfSubModule", "[[module]]\nslot = \"2.2\"\ntype = \"SM 338\"\n", "3:8 P0704",
+     "must be omitted"},
     {"nameTwice", DI16 "name = \"a\"\n[[module]]\nslot = 5\ntype = \"SM 338\"\nname = \"A\"\n",
      "5:1 P0742", "slot 4"},
     // addresses
