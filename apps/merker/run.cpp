@@ -221,10 +221,23 @@ std::optional<Problem> start(const Build& build, store::MemoryCard* card,
   return std::nullopt;
 }
 
+// To the end of the cycle. Whoever ends a run in real time does not wait for a cycle that has no
+// end: one second of the PLC's time is enough for any other.
+void completeCycle(controller::Controller& plc, bool realTime) {
+  constexpr Duration kLongest = Duration::seconds(1);
+  const controller::Mode mode = plc.mode();
+  const bool runs = mode == controller::Mode::Run || mode == controller::Mode::Startup;
+  if (realTime && runs)
+    plc.advanceToCheckpoint(plc.now() + kLongest);
+  else
+    plc.settle();
+}
+
 // What stands at the end of a run, whoever moved time.
 int conclude(const RunOptions& options, const Build& build, const Operands& operands,
-             store::MemoryCard* card, CycleEnd& cycleEnd, controller::Controller& plc) {
-  plc.settle();
+             store::MemoryCard* card, CycleEnd& cycleEnd, controller::Controller& plc,
+             bool realTime) {
+  completeCycle(plc, realTime);
   cycleEnd(plc);
   if (cycleEnd.problem() != nullptr) return failed(*cycleEnd.problem());
   if (options.copyRamToRom)
@@ -244,16 +257,17 @@ int runServed(const RunOptions& options, const Build& build, const Operands& ope
   serving.project = options.path;
   if (const int code = serve("merker run", serving, workbench, options.json)) return code;
   if (workbench.plc() == nullptr || &workbench.plc()->controller() != plc) return kGood;
-  return conclude(options, build, operands, card, cycleEnd, *plc);
+  return conclude(options, build, operands, card, cycleEnd, *plc, true);
 }
 
 int runAlone(const RunOptions& options, const Build& build, const Operands& operands,
              std::optional<Duration> time, store::MemoryCard* card, CycleEnd& cycleEnd,
              controller::Controller& plc) {
   if (cycleEnd.needed()) plc.onCycle(std::ref(cycleEnd));
-  if (!time && !options.hasCycles) holdSignals();
+  const bool realTime = !time && !options.hasCycles;
+  if (realTime) holdSignals();
   advance(options, plc, time);
-  return conclude(options, build, operands, card, cycleEnd, plc);
+  return conclude(options, build, operands, card, cycleEnd, plc, realTime);
 }
 
 int runPlc(const RunOptions& options, const Build& build, const Operands& operands,

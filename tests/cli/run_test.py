@@ -159,8 +159,8 @@ class Trace(Case):
 
 
 class RealTime(Case):
-    def start(self, *arguments):
-        self.write("a.awl", PROGRAM)
+    def start(self, *arguments, program=PROGRAM):
+        self.write("a.awl", program)
         # Signals that come before the program is ready for them stay pending.
         held = lambda: signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT, signal.SIGTERM})
         return subprocess.Popen([os.environ["MERKER"], "run", "a.awl", "--no-workbench", *arguments], cwd=self.folder, text=True,
@@ -181,6 +181,11 @@ class RealTime(Case):
                 values = json.loads(self.end(process, number))
             self.assertIs(values["A 0.0"], True)
             self.assertGreaterEqual(values["seconds"], 2)
+
+    def test_a_cycle_without_end_is_not_waited_for(self):
+        process = self.start("--json", "--print", "M 0.0", program="ORGANIZATION_BLOCK OB 1\nBEGIN\nm1: CALL SFC 43; SPA m1;\nEND_ORGANIZATION_BLOCK\n")
+        # of the PLC's time: one second at most, and what passed until the signal came
+        self.assertLess(json.loads(self.end(process, signal.SIGINT))["seconds"], 30)
 
     def test_a_fault_ends_it_at_once(self):
         process = self.start("--set", "E 0.7 = 1")
