@@ -221,23 +221,12 @@ std::optional<Problem> start(const Build& build, store::MemoryCard* card,
   return std::nullopt;
 }
 
-// To the end of the cycle. Whoever ends a run in real time does not wait for a cycle that has no
-// end: one second of the PLC's time is enough for any other.
-void completeCycle(controller::Controller& plc, bool realTime) {
-  constexpr Duration kLongest = Duration::seconds(1);
-  const controller::Mode mode = plc.mode();
-  const bool runs = mode == controller::Mode::Run || mode == controller::Mode::Startup;
-  if (realTime && runs)
-    plc.advanceToCheckpoint(plc.now() + kLongest);
-  else
-    plc.settle();
-}
-
 // What stands at the end of a run, whoever moved time.
 int conclude(const RunOptions& options, const Build& build, const Operands& operands,
              store::MemoryCard* card, CycleEnd& cycleEnd, controller::Controller& plc,
              bool realTime) {
-  completeCycle(plc, realTime);
+  // Whoever ends a run in real time does not wait for a cycle that has no end.
+  plc.settle(realTime ? Duration::seconds(1) : controller::Controller::kLongestCycle);
   cycleEnd(plc);
   if (cycleEnd.problem() != nullptr) return failed(*cycleEnd.problem());
   if (options.copyRamToRom)

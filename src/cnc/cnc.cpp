@@ -179,10 +179,10 @@ void Cnc::advanceTo(Instant t) {
   meet();
 }
 // The partner, too: values of both are looked at behind a cycle.
-void Cnc::settle() {
-  plc().settle();
+bool Cnc::settle(Duration longest) {
+  const bool ended = plc().settle(longest);
   meet();
-  if (parts_->partner) parts_->partner->settle();
+  return (!parts_->partner || parts_->partner->settle(longest)) && ended;
 }
 void Cnc::advanceCycles(std::uint64_t count) {
   plc().advanceCycles(count);

@@ -81,7 +81,8 @@ class Cnc final : public controller::Controller, public controller::StopScreens 
   std::uint64_t cycles() const override;
   std::uint64_t instructions() const override;
   void advanceTo(Instant t) override;
-  void settle() override;
+  using Controller::settle;
+  bool settle(Duration longest) override;
   void advanceCycles(std::uint64_t count) override;
   bool advanceToCheckpoint(Instant limit) override;
   void onCycle(std::function<void(controller::Controller&)> observer) override;

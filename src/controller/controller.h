@@ -19,6 +19,9 @@ using ExecutedLines = std::map<std::string, std::map<std::uint32_t, std::uint64_
 
 class Controller {
  public:
+  // How far beyond its end a call may run to reach the end of a cycle that never comes.
+  static constexpr Duration kLongestCycle = Duration::seconds(60);
+
   virtual ~Controller() = default;
 
   virtual std::string modelName() const = 0;
@@ -49,8 +52,10 @@ class Controller {
   virtual std::uint64_t instructions() const = 0;
   // Runs up to t exactly, also into the middle of a cycle; in STOP only time moves.
   virtual void advanceTo(Instant t) = 0;
-  // On to the end of the cycle that runs now: there values are looked at from outside.
-  virtual void settle() = 0;
+  // On to the end of the cycle that runs now: there values are looked at from outside. False: it
+  // has not ended within `longest`; a program may never end it.
+  virtual bool settle(Duration longest) = 0;
+  void settle() { settle(kLongestCycle); }
   // Fewer if the PLC goes to STOP or a cycle does not come within 60 s.
   virtual void advanceCycles(std::uint64_t count) = 0;
   // To the next cycle checkpoint, at most to `limit`; true if it came to one.

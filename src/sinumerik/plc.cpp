@@ -80,11 +80,13 @@ void Plc::advanceTo(Instant t) {
   while (now() < t) parts_->os.step(t);
 }
 
-void Plc::settle() {
+bool Plc::settle(Duration longest) {
   OperatingSystem& os = parts_->os;
   const bool starts = mode() == Mode::Startup;
-  const Instant latest = starts ? parts_->started + kLongestStartUp : now() + kLongestCycle;
+  const Instant end = starts ? parts_->started + kLongestStartUp : now() + kLongestCycle;
+  const Instant latest = std::min(end, now() + longest);
   while (!os.betweenCycles() && now() < latest) os.step(latest);
+  return os.betweenCycles();
 }
 
 void Plc::advanceCycles(std::uint64_t count) {

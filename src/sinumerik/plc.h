@@ -47,8 +47,9 @@ class Plc {
   std::uint64_t instructions() const;
   // Up to t, also into the middle of a cycle; in STOP only time moves.
   void advanceTo(Instant t);
-  // On to the end of the cycle that runs now: there values are looked at from outside.
-  void settle();
+  // On to the end of the cycle that runs now: there values are looked at from outside. False: it
+  // has not ended within `longest`, or 10 s, or a start-up within its 200 ms.
+  bool settle(Duration longest = Duration::seconds(10));
   void advanceCycles(std::uint64_t count);
   // To the next end of a cycle or of the start-up, at most to `limit`; true if it came there.
   bool advanceToCheckpoint(Instant limit);

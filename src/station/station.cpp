@@ -15,9 +15,6 @@
 namespace merker::station {
 namespace {
 
-// How far beyond its end a call may run to reach the end of a cycle that never comes.
-constexpr Duration kLongestCycle = Duration::seconds(60);
-
 std::string placeText(const cpu::Place& place, const block::Program& program) {
   if (!place.known) return {};
   std::string text = fmt::format(", {} byte {}", toString(place.block), place.offset);
@@ -163,11 +160,12 @@ Instant Station::now() const { return parts_->cpu.machine().clock; }
 std::uint64_t Station::cycles() const { return parts_->cpu.cycles(); }
 std::uint64_t Station::instructions() const { return parts_->cpu.machine().instructions; }
 
-void Station::settle() {
+bool Station::settle(Duration longest) {
   cpu::Cpu& cpu = parts_->cpu;
-  const Instant latest = cpu.machine().clock + kLongestCycle;
-  while (!cpu.betweenCycles() && cpu::executes(cpu.mode()) && cpu.machine().clock < latest)
-    cpu.step(latest);
+  const Instant latest = now() + longest;
+  const auto ended = [&cpu] { return cpu.betweenCycles() || !cpu::executes(cpu.mode()); };
+  while (!ended() && now() < latest) cpu.step(latest);
+  return ended();
 }
 
 void Station::advanceTo(Instant t) {

@@ -117,7 +117,8 @@ class Station : public controller::Controller {
   // Runs up to t exactly, also into the middle of a cycle; in STOP only time moves.
   void advanceTo(Instant t) override;
   // On to the end of the cycle that runs now: there values are looked at from outside.
-  void settle() override;
+  using Controller::settle;
+  bool settle(Duration longest) override;
   // Fewer if the CPU goes to STOP or a cycle does not come within 60 s.
   void advanceCycles(std::uint64_t count) override;
   // Runs to the next cycle checkpoint, at most to `limit`; true if it came to a checkpoint. The

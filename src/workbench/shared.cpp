@@ -1,6 +1,5 @@
 #include "workbench/shared.h"
 
-#include "cpu/cpu.h"
 #include "project/files.h"
 
 namespace merker::workbench {
@@ -46,20 +45,17 @@ std::optional<station::Engine> Shared::engine() const {
 }
 
 void Shared::atCycleEnd(Work fresh) {
-  // A cycle without an end is waited for no longer.
-  constexpr Duration kLongest = Duration::seconds(60);
   std::erase_if(works_, [](const Work& one) { return one->cancelled(); });
-  if (works_.empty()) worksLatest_ = plc->controller().now() + kLongest;
+  if (works_.empty())
+    worksLatest_ = plc->controller().now() + controller::Controller::kLongestCycle;
   works_.push_back(std::move(fresh));
   settle(plc->controller().now());
 }
 
 bool Shared::settle(Instant limit) {
-  cpu::Cpu& cpu = plc->station()->cpu();
   const Instant end = std::min(limit, worksLatest_);
-  const auto there = [&] { return cpu.betweenCycles() || !cpu::executes(cpu.mode()); };
-  while (!there() && cpu.machine().clock < end) cpu.step(end);
-  if (!there() && end < worksLatest_) return false;
+  const bool ended = plc->controller().settle(end - plc->controller().now());
+  if (!ended && end < worksLatest_) return false;
   for (const Work& one : std::exchange(works_, {})) one->carryOut();
   return true;
 }

@@ -137,5 +137,27 @@ TEST(ColdRestart, SetsEverythingBack) {
   EXPECT_EQ(plc.read("MB 31"), 4u);
 }
 
+// Whoever looks at values waits for the end of the cycle, but not for one that never comes.
+TEST(Settle, WaitsNoLongerThanItMay) {
+  Plc endless(ob(1, "m1: L MW 0; + 1; T MW 0; CALL SFC 43; SPA m1;"));
+  endless.start();
+  endless->advanceTo(endless->now() + Duration::milliseconds(20));
+  const Instant before = endless->now();
+  EXPECT_FALSE(endless->settle(Duration::milliseconds(5)));
+  EXPECT_LT((endless->now() - before).ns, Duration::milliseconds(6).ns);
+  endless->stop();
+  EXPECT_TRUE(endless->settle(Duration::milliseconds(5)));
+}
+
+TEST(Settle, BetweenTwoCyclesNothingMoves) {
+  Plc plc(ob(1, "L MW 0; + 1; T MW 0;"));
+  plc.cycles(3);
+  EXPECT_TRUE(plc->settle(Duration::seconds(1)));
+  const Instant before = plc->now();
+  EXPECT_TRUE(plc->settle(Duration::seconds(1)));
+  EXPECT_EQ(plc->now().ns, before.ns);
+  EXPECT_EQ(plc.read("MW 0"), 3u);
+}
+
 }  // namespace
 }  // namespace merker::station::test
