@@ -6,7 +6,7 @@
 #include <iostream>
 
 #include "project/project.h"
-#include "simulator/runner.h"
+#include "scenario/runner.h"
 #include "station/station.h"
 #include "step7/compiler.h"
 #include "system/library.h"

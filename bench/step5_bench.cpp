@@ -4,7 +4,7 @@
 
 #include <cstdlib>
 
-#include "cnc/cnc.h"
+#include "control/cnc.h"
 #include "step5/compiler.h"
 
 namespace merker::bench {

@@ -1,4 +1,5 @@
-# One module of src/ is one static library; its headers are included as "<module>/<file>.h".
+# One module, src/<wing>/<module>, is one static library; its headers are included as "<module>/<file>.h". Who uses a
+# library gets the folder of its wing, so the compiler itself finds no header of a wing that is not used.
 #   merker_module(<name> SOURCES <files...> USES <modules or packages...> [APART <files...>] [SINGLE]
 #                 [NOT_PRECOMPILED])
 # APART and SINGLE: see merker_together. NOT_PRECOMPILED: the module has compiler options of its own.
@@ -12,7 +13,8 @@ function(merker_module name)
     add_library(merker_${name} INTERFACE)
     set(scope INTERFACE)
   endif()
-  target_include_directories(merker_${name} ${scope} ${PROJECT_SOURCE_DIR}/src)
+  cmake_path(GET CMAKE_CURRENT_SOURCE_DIR PARENT_PATH wing)
+  target_include_directories(merker_${name} ${scope} ${wing})
   foreach(used ${M_USES})
     if(TARGET ${used} OR used MATCHES "::")
       target_link_libraries(merker_${name} ${scope} ${used})

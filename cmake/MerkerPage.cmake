@@ -28,4 +28,4 @@ add_custom_command(
 set_source_files_properties(${page_made}/page.S PROPERTIES OBJECT_DEPENDS "${page_inputs}")
 add_library(merker_page STATIC ${page_made}/page.S ${page_made}/page.cpp)
 target_include_directories(merker_page PUBLIC ${PROJECT_SOURCE_DIR}/apps/merker)
-target_link_libraries(merker_page PUBLIC merker_hmi)
+target_link_libraries(merker_page PUBLIC merker_server)

@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "harness.h"
-#include "hmi/answer.h"
+#include "server/answer.h"
 
 using namespace merker;
 namespace http = boost::beast::http;

@@ -4,7 +4,7 @@
 
 #include "harness.h"
 #include "mc5/encoding.h"
-#include "sinumerik/plc.h"
+#include "softplc/plc.h"
 
 using namespace merker;
 

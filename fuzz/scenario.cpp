@@ -1,5 +1,5 @@
 // Scenarios: any text is read into steps or refused with problems that can be shown.
-#include "simulator/scenario.h"
+#include "scenario/scenario.h"
 
 #include "harness.h"
 #include "step7/compiler.h"

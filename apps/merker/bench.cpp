@@ -9,12 +9,12 @@
 #include <nlohmann/json.hpp>
 
 #include "build.h"
-#include "cnc/cnc.h"
 #include "command.h"
+#include "control/cnc.h"
 #include "cpu_option.h"
 #include "engine_option.h"
-#include "simulator/duration.h"
-#include "simulator/start.h"
+#include "scenario/duration.h"
+#include "scenario/start.h"
 
 namespace merker::app {
 namespace {

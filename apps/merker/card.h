@@ -3,7 +3,7 @@
 #pragma once
 
 #include "build.h"
-#include "cnc/buffered.h"
+#include "store/buffered.h"
 #include "store/memory_card.h"
 
 namespace merker::app {

@@ -6,7 +6,7 @@
 #include "base/text.h"
 #include "debug_number.h"
 #include "debug_session.h"
-#include "simulator/line.h"
+#include "scenario/line.h"
 
 namespace merker::app {
 namespace {

@@ -8,7 +8,7 @@
 #include "debug_number.h"
 #include "debug_session.h"
 #include "monitor_text.h"
-#include "simulator/duration.h"
+#include "scenario/duration.h"
 
 namespace merker::app {
 namespace {

@@ -5,7 +5,7 @@
 #include <ostream>
 
 #include "base/text.h"
-#include "simulator/line.h"
+#include "scenario/line.h"
 
 namespace merker::app {
 

@@ -10,7 +10,7 @@
 #include <optional>
 #include <set>
 
-#include "hmi/server.h"
+#include "server/server.h"
 #include "watchdog.h"
 #include "work_thread.h"
 #include "workbench/workbench.h"

@@ -11,10 +11,10 @@
 #include "listing_diagnosis.h"
 #include "monitor_text.h"
 #include "operands.h"
-#include "simulator/duration.h"
-#include "simulator/junit.h"
-#include "simulator/runner.h"
-#include "simulator/start.h"
+#include "scenario/duration.h"
+#include "scenario/junit.h"
+#include "scenario/runner.h"
+#include "scenario/start.h"
 
 namespace merker::app {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "cnc/cnc.h"
+#include "control/cnc.h"
 #include "station/mixed_engine.h"
 #include "station/station.h"
 

@@ -4,10 +4,10 @@
 
 #include <iostream>
 
-#include "cnc/cnc.h"
-#include "cnc/memory.h"
+#include "control/cnc.h"
+#include "control/memory.h"
 #include "mc5/disassembly.h"
-#include "sinumerik/interrupt_stack.h"
+#include "softplc/interrupt_stack.h"
 #include "step5/compiler.h"
 
 namespace merker::app {

@@ -4,8 +4,8 @@
 
 #include <iostream>
 
-#include "simulator/duration.h"
-#include "simulator/state_text.h"
+#include "scenario/duration.h"
+#include "scenario/state_text.h"
 
 namespace merker::app {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "cnc/cnc.h"
+#include "control/cnc.h"
 
 namespace merker::app {
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "simulator/duration.h"
+#include "scenario/duration.h"
 
 namespace merker::app {
 namespace {

@@ -5,7 +5,7 @@
 #include "base/text.h"
 #include "command.h"
 #include "output.h"
-#include "simulator/line.h"
+#include "scenario/line.h"
 
 namespace merker::app {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "address/reference.h"
 #include "base/problem.h"
-#include "simulator/assignment.h"
-#include "simulator/trace.h"
+#include "scenario/assignment.h"
+#include "scenario/trace.h"
 
 namespace merker::app {
 

@@ -3,8 +3,8 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "simulator/display.h"
-#include "simulator/long_value.h"
+#include "scenario/display.h"
+#include "scenario/long_value.h"
 
 namespace merker::app {
 

@@ -7,7 +7,7 @@
 
 #include "address/reference.h"
 #include "compilation/build.h"
-#include "controller/controller.h"
+#include "plc/controller.h"
 #include "source/source_file.h"
 
 namespace merker::app {

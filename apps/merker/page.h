@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "hmi/asset.h"
+#include "server/asset.h"
 
 namespace merker::app {
 

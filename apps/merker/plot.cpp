@@ -1,5 +1,5 @@
 // merker plot TRACE.csv -o FILE.svg
-#include "simulator/plot.h"
+#include "scenario/plot.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -12,8 +12,8 @@
 #include "base/text.h"
 #include "command.h"
 #include "output.h"
-#include "simulator/duration.h"
-#include "simulator/line.h"
+#include "scenario/duration.h"
+#include "scenario/line.h"
 
 namespace merker::app {
 namespace {

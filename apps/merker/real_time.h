@@ -1,7 +1,7 @@
 // Virtual time tied to the wall clock.
 #pragma once
 
-#include "controller/controller.h"
+#include "plc/controller.h"
 
 namespace merker::app {
 

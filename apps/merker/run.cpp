@@ -16,10 +16,10 @@
 #include "operands.h"
 #include "progress.h"
 #include "real_time.h"
+#include "scenario/display.h"
+#include "scenario/duration.h"
+#include "scenario/trace.h"
 #include "serve.h"
-#include "simulator/display.h"
-#include "simulator/duration.h"
-#include "simulator/trace.h"
 
 namespace merker::app {
 namespace {

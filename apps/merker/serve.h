@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "hmi/server.h"
+#include "server/server.h"
 #include "workbench/workbench.h"
 
 namespace CLI {

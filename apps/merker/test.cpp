@@ -8,7 +8,7 @@
 #include "cpu_option.h"
 #include "engine_option.h"
 #include "input.h"
-#include "simulator/junit.h"
+#include "scenario/junit.h"
 #include "test_session.h"
 
 namespace merker::app {

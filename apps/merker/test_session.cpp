@@ -6,9 +6,9 @@
 
 #include "base/text.h"
 #include "engine_option.h"
-#include "simulator/junit.h"
-#include "simulator/runner.h"
-#include "simulator/self_check.h"
+#include "scenario/junit.h"
+#include "scenario/runner.h"
+#include "scenario/self_check.h"
 
 namespace merker::app {
 namespace {

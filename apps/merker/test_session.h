@@ -8,9 +8,9 @@
 #include "build.h"
 #include "cpu_option.h"
 #include "project/discovery.h"
-#include "simulator/coverage.h"
-#include "simulator/scenario.h"
-#include "simulator/test_result.h"
+#include "scenario/coverage.h"
+#include "scenario/scenario.h"
+#include "scenario/test_result.h"
 
 namespace merker::app {
 

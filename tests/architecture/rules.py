@@ -1,36 +1,52 @@
 """The rules of docs/architecture.md that a program can check. Each rule yields findings as text; none means it holds."""
+import collections
 import os
 import pathlib
 import re
 import subprocess
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([a-z0-9_]+)/')
-MODULE_ROW = re.compile(r"^\|\s*\[`(\w+)`\]\([^)]*\)\s*\|[^|]*\|([^|]*)\|")
+WING = re.compile(r"^### \[`(\w+)`\]\(\.\./src/(\w+)\)")
+MODULE_ROW = re.compile(r"^\|\s*\[`(\w+)`\]\(\.\./src/(\w+)/(\w+)\)\s*\|[^|]*\|([^|]*)\|")
+LIBRARIES = re.compile(r"\bUSES\b([^)]*)")
+FAMILIES = ("s5", "s7")  # wings that never see each other
 MARK = re.compile(r"\b(?:TO" r"DO|FIX" r"ME|X" r"XX)\b")
 WORKPLACE = re.compile(r"/(?:home|root|work|farm|Users)/|\b[A-Z]:\\Users\\")
 CODE = (".cpp", ".h", ".ts", ".svelte", ".css", ".mjs")
 LONGEST = 400
 
 
+Module = collections.namedtuple("Module", "wing name uses")
+
+
 def table(root):
-    """Module to the modules its row names, from the table in docs/architecture.md."""
-    rows = {}
+    """The modules in the order of docs/architecture.md, and what is wrong with the tables: one for each wing."""
+    rows, findings, wing = [], [], None
     for line in (root / "docs" / "architecture.md").read_text(encoding="utf-8").splitlines():
-        row = MODULE_ROW.match(line)
+        heading, row = WING.match(line), MODULE_ROW.match(line)
+        if heading:
+            wing = heading.group(1)
+        if heading and heading.group(2) != wing:
+            findings.append(f"docs/architecture.md: the link of the wing {wing} leads to src/{heading.group(2)}")
         if row:
-            rows[row.group(1)] = set(re.findall(r"\b[a-z][a-z0-9]+\b", row.group(2)))
-    return rows
+            name, link = row.group(1), "/".join(row.group(2, 3))
+            rows.append(Module(wing, name, set(re.findall(r"\b[a-z][a-z0-9]+\b", row.group(4)))))
+            if link != f"{wing}/{name}":
+                findings.append(f"docs/architecture.md: the link of {name} leads to src/{link}, not to src/{wing}/{name}")
+    return rows, findings
 
 
-def closure(rows, module):
-    """What a module may include: itself, the modules of its row, and what those stand on."""
-    allowed, waiting = {module}, list(rows.get(module, ()))
-    while waiting:
-        used = waiting.pop()
-        if used not in allowed:
-            allowed.add(used)
-            waiting += rows.get(used, ())
-    return allowed
+def allowed(rows):
+    """Module to what it may include: itself, the modules of its row, and what those stand on."""
+    uses, found = {row.name: row.uses for row in rows}, {}
+    for name in uses:
+        found[name], waiting = {name}, list(uses[name])
+        while waiting:
+            used = waiting.pop()
+            if used not in found[name]:
+                found[name].add(used)
+                waiting += uses.get(used, ())
+    return found
 
 
 def code_files(root, *folders):
@@ -40,33 +56,78 @@ def code_files(root, *folders):
                 yield path
 
 
-def include_rule(root):
-    rows = table(root)
+def module_folders(root):
+    return sorted(path for path in (root / "src").glob("*/*") if path.is_dir())
+
+
+def includes(root):
+    """(place, module, line, included module or None) of each #include below src/."""
     for path in code_files(root, "src"):
-        module = path.relative_to(root / "src").parts[0]
-        allowed = closure(rows, module)
+        module = (path.relative_to(root / "src").parts + ("", ""))[1]
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
-            used = INCLUDE.match(line)
-            if used and used.group(1) not in allowed:
-                yield f"{path.relative_to(root)}:{number}: {module} may not include {used.group(1)}"
-            if re.match(r'\s*#\s*include\s+"[^"]*(?:\.\./|apps/)', line):
-                yield f"{path.relative_to(root)}:{number}: includes name a module, never ../ or apps/"
+            if re.match(r"\s*#\s*include", line):
+                used = INCLUDE.match(line)
+                yield f"{path.relative_to(root)}:{number}", module, line, used and used.group(1)
+
+
+def links(root):
+    """(place, module, linked module) of each library that the CMakeLists.txt of a module names."""
+    known = {path.name for path in module_folders(root)}
+    for path in sorted((root / "src").glob("*/*/CMakeLists.txt")):
+        named = {word for uses in LIBRARIES.findall(path.read_text(encoding="utf-8")) for word in uses.split()}
+        for used in sorted(named & known):
+            yield path.relative_to(root), path.parent.name, used
+
+
+def include_rule(root):
+    may = allowed(table(root)[0])
+    for place, module, line, used in includes(root):
+        if used and used not in may.get(module, ()):
+            yield f"{place}: {module} may not include {used}"
+        if re.match(r'\s*#\s*include\s+"[^"]*(?:\.\./|apps/)', line):
+            yield f"{place}: includes name a module, never ../ or apps/"
+
+
+def link_rule(root):
+    """The folders in which the compiler looks for headers come with the libraries, so these keep to the same rows."""
+    may = allowed(table(root)[0])
+    for place, module, used in links(root):
+        if used not in may.get(module, ()):
+            yield f"{place}: {module} may not use {used}"
+
+
+def families_apart(root):
+    """s5 never sees s7, and s7 never s5: whatever the tables say."""
+    wings = {path.name: path.parent.name for path in module_folders(root)}
+    seen = [(place, module, used) for place, module, _, used in includes(root)]
+    rows = [("docs/architecture.md", row.name, used) for row in table(root)[0] for used in sorted(row.uses)]
+    for place, module, used in seen + rows + list(links(root)):
+        if {wings.get(module), wings.get(used)} == set(FAMILIES):
+            yield f"{place}: {module} is of {wings[module]} and may not see {used} of {wings[used]}"
 
 
 def same_modules(root):
-    """The picture is the code's: each folder has a row, each row a folder, and no row looks back in the order."""
-    rows = table(root)
-    folders = {path.name for path in (root / "src").iterdir() if path.is_dir()}
-    yield from (f"src/{name}: not in the table of docs/architecture.md" for name in sorted(folders - set(rows)))
-    yield from (f"docs/architecture.md: there is no src/{name}" for name in sorted(set(rows) - folders))
+    """The picture is the code's: each folder has a row, each row a folder, and no row looks back in the order of wings and
+    modules. A name stands once, since includes do not name the wing."""
+    rows, findings = table(root)
+    yield from findings
+    named = {f"{row.wing}/{row.name}" for row in rows}
+    folders = {path.relative_to(root / "src").as_posix() for path in module_folders(root)}
+    yield from (f"src/{name}: not in the tables of docs/architecture.md" for name in sorted(folders - named))
+    yield from (f"docs/architecture.md: there is no src/{name}" for name in sorted(named - folders))
     above = set()
-    for name, used in rows.items():
-        yield from (f"docs/architecture.md: {name} uses {late}, which stands below it" for late in sorted(used - above))
-        above.add(name)
+    for row in rows:
+        yield from (f"docs/architecture.md: {row.name} uses {late}, which stands below it" for late in sorted(row.uses - above))
+        if row.name in above:
+            yield f"docs/architecture.md: {row.name} is the name of two modules"
+        above.add(row.name)
+    for path in code_files(root, "src"):
+        if len(path.relative_to(root / "src").parts) not in (3, 4):
+            yield f"{path.relative_to(root)}: code must be in src/<wing>/<module> or one folder below"
 
 
 def module_readmes(root):
-    for path in sorted((root / "src").iterdir()):
+    for path in sorted((root / "src").iterdir()) + module_folders(root):
         if path.is_dir() and not (path / "README.md").is_file():
             yield f"{path.relative_to(root)}: README.md is missing"
 
@@ -106,4 +167,4 @@ def tracked(root):
 
 
 RULES = {rule.__name__: rule for rule in
-         (include_rule, same_modules, module_readmes, short_files, finished, no_workplace)}
+         (include_rule, link_rule, families_apart, same_modules, module_readmes, short_files, finished, no_workplace)}

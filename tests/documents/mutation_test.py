@@ -58,8 +58,8 @@ class Sample(unittest.TestCase):
     def lines(self, text):
         with tempfile.TemporaryDirectory() as folder:
             root = pathlib.Path(folder)
-            (root / "src" / "m").mkdir(parents=True)
-            (root / "src" / "m" / "a.cpp").write_text(text, encoding="utf-8")
+            (root / "src" / "w" / "m").mkdir(parents=True)
+            (root / "src" / "w" / "m" / "a.cpp").write_text(text, encoding="utf-8")
             return list(candidates.of_module(root, "m"))
 
     def test_the_same_seed_the_same_mutants(self):
@@ -73,7 +73,7 @@ class Sample(unittest.TestCase):
     def test_changed_lines_alone(self):
         with tempfile.TemporaryDirectory() as folder:
             root = pathlib.Path(folder)
-            file = root / "src" / "m" / "a.cpp"
+            file = root / "src" / "w" / "m" / "a.cpp"
             file.parent.mkdir(parents=True)
 
             def git(*words):
@@ -139,7 +139,7 @@ class Command(unittest.TestCase):
         self.assertNotEqual(done.returncode, 0)
         self.assertIn("there is no", done.stderr)
         done = run("--module", "signal", "--list", "--count", "3")
-        self.assertEqual((done.returncode, done.stdout.count("src/signal/")), (0, 3))
+        self.assertEqual((done.returncode, done.stdout.count("src/field/signal/")), (0, 3))
 
 
 unittest.main()

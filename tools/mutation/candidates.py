@@ -36,11 +36,11 @@ def of_file(root, file):
 
 
 def files_of(root, module):
-    return sorted(path.relative_to(root).as_posix() for path in (root / "src" / module).glob("*.cpp"))
+    return sorted(path.relative_to(root).as_posix() for path in (root / "src").glob(f"*/{module}/*.cpp"))
 
 
 def modules(root):
-    return sorted(path.name for path in (root / "src").iterdir() if files_of(root, path.name))
+    return sorted(path.name for path in (root / "src").glob("*/*") if path.is_dir() and files_of(root, path.name))
 
 
 def number(seed, *parts):

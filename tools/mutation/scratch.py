@@ -87,7 +87,7 @@ class Scratch:
         self.rows = {row["file"]: row for row in json.loads((self.build / "compile_commands.json").read_text())}
         self.links = {}
         self.uses = {path.parent.name: self.used(path) | self.tested(path.parent.name)
-                     for path in (self.tree / "src").glob("*/CMakeLists.txt")}
+                     for path in (self.tree / "src").glob("*/*/CMakeLists.txt")}
         self.out.mkdir(exist_ok=True)
 
     def used(self, path):
@@ -107,7 +107,7 @@ class Scratch:
     def prepared(self, file):
         """A header of all foreign headers the file's module includes, compiled once for all its mutants."""
         words = self.command(file)
-        module = file.split("/")[1]
+        module = file.split("/")[2]
         flags = words[:words.index("-o")]
         header = self.out / f"{module}.h"
         text = "".join(f"#include <{name}>\n" for name in sorted(self.foreign(module)))
@@ -118,7 +118,7 @@ class Scratch:
         return flags, header
 
     def foreign(self, module):
-        found, waiting, seen = set(), list((self.tree / "src" / module).glob("*.cpp")), set()
+        found, waiting, seen = set(), list((self.tree / "src").glob(f"*/{module}/*.cpp")), set()
         while waiting:
             path = waiting.pop()
             if path in seen or not path.is_file():
@@ -128,7 +128,7 @@ class Scratch:
                 if bracket == "<":
                     found.add(name)
                 else:
-                    waiting.append(self.tree / "src" / name)
+                    waiting += (self.tree / "src").glob(f"*/{name}")
         return found
 
     def compile(self, mutant, seconds, changed=True):

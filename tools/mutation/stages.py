@@ -18,10 +18,10 @@ SHORT = {"GTEST_FAIL_FAST": "1", "GTEST_BRIEF": "1", "GTEST_FILTER": "-Mutation/
 
 # Long tests of something else than the module: they run for these only. Others run for every module they contain.
 ENGINES = {"icode", "jit", "cpu", "block"}
-ONLY = {"differential": ENGINES | {"translate", "interpreter", "mc7", "station"},
-        "conformance_jit": ENGINES | {"translate", "station", "controller"},
-        "scenario_jit": ENGINES | {"translate", "station", "controller"},
-        "differential_step5": ENGINES | {"translate5", "sinumerik", "cnc", "mc5", "controller"}}
+ONLY = {"differential": ENGINES | {"lowering", "interpreter", "mc7", "station"},
+        "conformance_jit": ENGINES | {"lowering", "station", "plc"},
+        "scenarios_jit": ENGINES | {"lowering", "station", "plc"},
+        "differential_step5": ENGINES | {"lowering5", "softplc", "control", "mc5", "plc"}}
 LONG = 1  # seconds; a longer unit test of another module must use the mutated one directly
 
 

@@ -3,8 +3,8 @@
 #include <random>
 
 #include "case.h"
-#include "cnc/compiled_code.h"
-#include "sinumerik/plc.h"
+#include "control/compiled_code.h"
+#include "softplc/plc.h"
 
 namespace merker::differential5 {
 namespace {

@@ -1,5 +1,5 @@
 // Every figure of the catalogue (S7-CPU-02 to -18, S7-HW-05 to -10, CNT-PIN-01 to -09): the sources
-// stand beside the rows in src/catalogue.
+// stand beside the rows in src/ground/catalogue.
 #include "../rows.h"
 
 #include <fmt/format.h>

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "nc/function_macros.h"
-#include "sinumerik/plc.h"
+#include "softplc/plc.h"
 
 namespace merker::nc {
 

@@ -35,10 +35,10 @@ test.each(Object.entries(tables.phrases))('"%s" has as many places in German', (
 
 // Tables whose every text a person reads.
 const told = [
-  'src/cpu/event.cpp',
-  'src/cpu/error.cpp',
-  'src/cpu/asynchronous_errors.cpp',
-  'src/monitor/diagnostic_help.cpp',
+  'src/s7/cpu/event.cpp',
+  'src/s7/cpu/error.cpp',
+  'src/s7/cpu/asynchronous_errors.cpp',
+  'src/tool/monitor/diagnostic_help.cpp',
 ];
 const english = (text: string) => /[a-z]{2,} |^an? | [a-z]{2,}/.test(text.trim());
 test.each(told)('%s is told in German', (path) => {
@@ -48,14 +48,14 @@ test.each(told)('%s is told in German', (path) => {
 });
 
 test('the alarms of a SINUMERIK are told in German', () => {
-  const rows = [...read('src/sinumerik/alarms.inc').matchAll(/^ALARM\((\d+), \w+, "([^"]*)", "([^"]*)"/gm)];
+  const rows = [...read('src/s5/softplc/alarms.inc').matchAll(/^ALARM\((\d+), \w+, "([^"]*)", "([^"]*)"/gm)];
   expect(rows.length).toBeGreaterThan(50);
   const texts = rows.map((row) => [`${row[1]} ${row[2]} (${row[3]})`, `${row[1]} ${row[2]}`] as const);
   for (const [text, german] of texts) expect(phrase(text)).toBe(german);
 });
 
 test('each instruction is explained', () => {
-  const ids = [...read('src/mc7/operations.inc').matchAll(/^OPERATION\((\w+)/gm)].map((one) => one[1]!);
+  const ids = [...read('src/s7/mc7/operations.inc').matchAll(/^OPERATION\((\w+)/gm)].map((one) => one[1]!);
   expect(ids.length).toBeGreaterThan(150);
   expect(Object.keys(instructions)).toEqual([...ids, 'CALL']);
 });

@@ -18,9 +18,9 @@ const tokens =
 export const literals = (path: string): string[] =>
   [...read(path).matchAll(tokens)].flatMap(([, raw, strings]) => (strings ? [plain(strings)] : raw ? [raw] : []));
 
-/** Code to English text of src/base/problems.inc. */
+/** Code to English text of src/ground/base/problems.inc. */
 export function problemTexts(): Record<string, string> {
-  const rows = read('src/base/problems.inc').matchAll(/PROBLEM\((P\d{4}), \w+, ((?:"(?:[^"\\]|\\.)*"\s*)+)\)/g);
+  const rows = read('src/ground/base/problems.inc').matchAll(/PROBLEM\((P\d{4}), \w+, ((?:"(?:[^"\\]|\\.)*"\s*)+)\)/g);
   return Object.fromEntries([...rows].map((row) => [row[1]!, plain(row[2]!)]));
 }
 

@@ -1,4 +1,4 @@
-// What each instruction does, by the id of its row in src/mc7/operations.inc: shown where instructions are completed.
+// What each instruction does, by the id of its row in src/s7/mc7/operations.inc: shown where instructions are completed.
 import type { Texts } from '..';
 
 export const instructions = {

@@ -1,0 +1,326 @@
+#include "control/cnc.h"
+
+#include "base/text.h"
+#include "control/compiled_code.h"
+#include "control/fault.h"
+#include "control/plc_options.h"
+#include "control/reference.h"
+#include "nc/datum.h"
+#include "plc/line_counts.h"
+#include "softplc/stack_fields.h"
+
+namespace merker::cnc {
+
+using controller::Mode;
+
+struct Cnc::Parts {
+  explicit Parts(Options given) : options(std::move(given)) { build(); }
+
+  // The PLC points to macros and engine: they are made first and go last.
+  void build() {
+    plc.reset();
+    macros = std::make_unique<nc::FunctionMacros>(options.macros);
+    macros->control() = options.control;
+    sinumerik::Options plcPart = plcOptions(options);
+    plcPart.macros = macros.get();
+    engine = std::make_unique<CompiledCode>();
+    engine->on = options.compiled && canCompile();
+    plcPart.engine = engine.get();
+    plc = std::make_unique<sinumerik::Plc>(plcPart);
+    macros->control().machineData[kSamplingDatum] = plc->machineData().samplingCode;
+  }
+
+  // MD 155 is one datum: what the program wrote with FB 62 holds from the next start on.
+  void takeSamplingCode() {
+    const std::int32_t code = macros->control().machineData[kSamplingDatum];
+    plc->machineData().samplingCode = static_cast<std::uint8_t>(std::clamp(code, 0, 255));
+  }
+
+  void showAlarms() {
+    const nc::Control& control = macros->control();
+    sinumerik::NcSide& nc = plc->surroundings().nc;
+    nc = control.signals;
+    nc.alarm = !control.alarms.empty();
+    nc.machiningStop = nc.alarm && control.machiningStop;
+  }
+
+  Options options;
+  std::unique_ptr<Cnc> partner;
+  std::shared_ptr<nc::CouplingArea> area;
+  std::unique_ptr<nc::FunctionMacros> macros;
+  std::unique_ptr<CompiledCode> engine;
+  std::unique_ptr<sinumerik::Plc> plc;
+  Duration before{};  // what passed before the last memory reset
+  std::uint64_t cyclesBefore = 0, instructionsBefore = 0;
+  controller::ExecutedLines linesBefore;
+  std::function<void(controller::Controller&)> observer;
+  std::vector<controller::DiagnosticEntry> diagnostics;
+  std::vector<controller::CheckResult> checks;
+};
+
+namespace {
+
+std::uint32_t lineAt(const mc5::Block& block, std::uint32_t offset) {
+  std::uint32_t line = 0;
+  for (const mc5::LineEntry& entry : block.lines)
+    if (entry.offset <= offset) line = entry.line;
+  return line;
+}
+
+}  // namespace
+
+Cnc::Cnc(Options options) : parts_(std::make_unique<Parts>(std::move(options))) { watch(); }
+Cnc::~Cnc() = default;
+
+sinumerik::Plc& Cnc::plc() { return *parts_->plc; }
+const sinumerik::Plc& Cnc::plc() const { return *parts_->plc; }
+nc::Control& Cnc::control() { return parts_->macros->control(); }
+
+void Cnc::couple(std::unique_ptr<Cnc> partner, nc::Side side) {
+  Parts& p = *parts_;
+  p.partner = std::move(partner);
+  p.area = p.partner->parts_->area = std::make_shared<nc::CouplingArea>();
+  p.options.coupling.emplace().side = side;
+  connect();
+}
+
+// The partner is never ahead of this control when it looks at the area.
+void Cnc::connect() {
+  Parts& p = *parts_;
+  if (!p.partner) return;
+  const nc::Side side = p.options.coupling->side;
+  const bool master = side == nc::Side::Master;
+  p.macros->couple(p.area, side, [this] { meet(); });
+  p.partner->parts_->macros->couple(p.area, master ? nc::Side::Control : nc::Side::Master);
+}
+
+void Cnc::meet() {
+  if (parts_->partner && parts_->plc) parts_->partner->advanceTo(now());
+}
+
+nc::CouplingArea* Cnc::couplingArea() { return parts_->area.get(); }
+controller::Controller* Cnc::partner() { return parts_->partner.get(); }
+
+std::string Cnc::fault(std::string_view subject, std::string_view kind, bool on) {
+  return setFault(*this, subject, kind, on);
+}
+
+bool Cnc::batteryFails(bool fails) {
+  plc().surroundings().batteryGood = !fails;
+  return true;
+}
+
+bool Cnc::canCompile() { return jit::available(); }
+void Cnc::setCompiled(bool on) {
+  if (parts_->partner) parts_->partner->setCompiled(on);
+  parts_->options.compiled = on;
+  parts_->engine->on = on && canCompile();
+}
+
+std::string Cnc::modelName() const { return std::string(parts_->options.model->name); }
+
+Mode Cnc::mode() const {
+  switch (plc().mode()) {
+    case sinumerik::Mode::Startup:
+      return Mode::Startup;
+    case sinumerik::Mode::Run:
+      return Mode::Run;
+    default:
+      return Mode::Stop;
+  }
+}
+
+bool Cnc::stoppedByFault() const { return plc().stoppedByFault(); }
+std::string Cnc::stopReason() const {
+  return powered() ? plc().stopReason() : "the control is switched off";
+}
+bool Cnc::powered() const { return plc().mode() != sinumerik::Mode::Off; }
+bool Cnc::start() { return coldRestart(); }
+bool Cnc::warmRestart() {
+  parts_->takeSamplingCode();
+  return plc().warmStart();
+}
+bool Cnc::coldRestart() {
+  parts_->takeSamplingCode();
+  return plc().coldStart();
+}
+void Cnc::stop() { plc().stop(); }
+void Cnc::powerOff() { plc().powerOff(); }
+void Cnc::powerOn(bool buffered) {
+  if (powered()) return;
+  const bool kept = buffered && plc().surroundings().batteryGood;
+  if (!kept) nc::forgetBuffered(control());
+  parts_->takeSamplingCode();
+  plc().powerOn(kept);
+}
+
+void Cnc::memoryReset() {
+  Parts& p = *parts_;
+  p.before = Duration{now().ns};
+  p.cyclesBefore = cycles();
+  p.instructionsBefore = instructions();
+  p.linesBefore = executedLines();
+  if (p.area) *p.area = {};
+  p.build();
+  watch();
+  if (!p.partner) return;
+  p.partner->memoryReset();
+  connect();
+  p.partner->start();
+}
+
+Instant Cnc::now() const { return plc().now() + parts_->before; }
+std::uint64_t Cnc::cycles() const { return parts_->cyclesBefore + plc().cycles(); }
+std::uint64_t Cnc::instructions() const {
+  return parts_->instructionsBefore + plc().instructions();
+}
+void Cnc::advanceTo(Instant t) {
+  plc().advanceTo(Instant{t.ns - parts_->before.ns});
+  meet();
+}
+// The partner, too: values of both are looked at behind a cycle.
+bool Cnc::settle(Duration longest) {
+  const bool ended = plc().settle(longest);
+  meet();
+  return (!parts_->partner || parts_->partner->settle(longest)) && ended;
+}
+void Cnc::advanceCycles(std::uint64_t count) {
+  plc().advanceCycles(count);
+  meet();
+}
+bool Cnc::advanceToCheckpoint(Instant limit) {
+  const bool reached = plc().advanceToCheckpoint(Instant{limit.ns - parts_->before.ns});
+  meet();
+  return reached;
+}
+
+void Cnc::onCycle(std::function<void(controller::Controller&)> observer) {
+  parts_->observer = std::move(observer);
+}
+
+// At the end of each cycle the PLC learns of the NC's alarms; the next one begins with M 24.0 and
+// M 24.3 (S5-FLAG-11).
+void Cnc::watch() {
+  parts_->showAlarms();
+  plc().onCycle([this](sinumerik::Plc&) {
+    parts_->showAlarms();
+    meet();
+    if (parts_->observer) parts_->observer(*this);
+  });
+}
+
+namespace {
+
+// The reference as the partner itself would have it.
+address::Reference own(address::Reference reference) {
+  reference.partner = false;
+  return reference;
+}
+
+}  // namespace
+
+std::optional<std::uint32_t> Cnc::read(const address::Reference& reference) const {
+  if (reference.partner)
+    return parts_->partner ? parts_->partner->read(own(reference)) : std::nullopt;
+  return reference.nc != 0 ? std::nullopt : plc().read(reference);
+}
+
+bool Cnc::write(const address::Reference& reference, std::uint32_t value) {
+  if (reference.partner) return parts_->partner && parts_->partner->write(own(reference), value);
+  const bool owned = !sinumerik::whySystemOwned(plc().operatingSystem(), reference).empty();
+  return reference.nc == 0 && !owned && plc().write(reference, value);
+}
+
+bool Cnc::force(const address::Reference& reference, std::uint32_t value) {
+  if (reference.partner) return parts_->partner && parts_->partner->force(own(reference), value);
+  return reference.nc == 0 && plc().force(reference, value);
+}
+
+void Cnc::unforce() {
+  plc().unforce();
+  if (parts_->partner) parts_->partner->unforce();
+}
+
+std::optional<std::vector<std::uint8_t>> Cnc::readBytes(const address::Reference& reference) const {
+  if (reference.partner)
+    return parts_->partner ? parts_->partner->readBytes(own(reference)) : std::nullopt;
+  if (reference.nc == 0) return std::nullopt;
+  const std::string digits = nc::readDatum(parts_->macros->control(), nc::unpack(reference.nc));
+  return std::vector<std::uint8_t>(digits.begin(), digits.end());
+}
+
+bool Cnc::writeBytes(const address::Reference& reference, std::span<const std::uint8_t> digits) {
+  if (reference.partner)
+    return parts_->partner && parts_->partner->writeBytes(own(reference), digits);
+  if (reference.nc == 0) return false;
+  const auto number = nc::parseDecimal(std::string(digits.begin(), digits.end()));
+  if (!number || !nc::writeDatum(control(), nc::unpack(reference.nc), *number)) return false;
+  parts_->showAlarms();
+  return true;
+}
+
+std::string Cnc::whyRefused(const address::Reference& reference) const {
+  if (reference.nc != 0) return nc::whatItTakes(nc::unpack(reference.nc));
+  return sinumerik::whySystemOwned(plc().operatingSystem(), reference);
+}
+
+std::optional<std::string> Cnc::stackField(std::string_view stack, std::string_view field) const {
+  const sinumerik::OperatingSystem& os = plc().operatingSystem();
+  if (equalsIgnoreCase(stack, "USTACK")) return sinumerik::interruptField(os, field);
+  return equalsIgnoreCase(stack, "BSTACK") ? sinumerik::blockField(os, field) : std::nullopt;
+}
+
+std::string Cnc::stackFields(std::string_view stack) const {
+  if (equalsIgnoreCase(stack, "USTACK")) return sinumerik::interruptFields();
+  return equalsIgnoreCase(stack, "BSTACK") ? sinumerik::blockFields() : std::string();
+}
+
+std::string Cnc::stopDetails() const {
+  const bool stopped = plc().mode() == sinumerik::Mode::Stop;
+  return stopped ? sinumerik::stopLine(plc().operatingSystem()) : std::string();
+}
+
+std::string Cnc::whyMissing(const address::Reference& reference) const {
+  if (reference.partner && parts_->partner) return parts_->partner->whyMissing(own(reference));
+  if (reference.operand.kind != address::OperandKind::Memory ||
+      reference.operand.area != Area::DataBlock)
+    return "it is outside the areas of this PLC";
+  const auto& entry =
+      plc().machine().blocks.find({mc5::BlockType::Db, static_cast<std::uint16_t>(reference.db)});
+  if (!entry.present) return "there is no DB " + std::to_string(reference.db);
+  return "DB " + std::to_string(reference.db) + " has " + std::to_string(entry.length) + " words";
+}
+
+const std::vector<controller::DiagnosticEntry>& Cnc::diagnostics() const {
+  Parts& p = *parts_;
+  p.diagnostics.clear();
+  for (const sinumerik::DiagnosticEntry& entry : plc().diagnostics())
+    p.diagnostics.push_back(
+        {static_cast<std::uint16_t>(entry.number), entry.time + p.before, entry.text});
+  return p.diagnostics;
+}
+
+const std::vector<controller::CheckResult>& Cnc::checkResults() const {
+  Parts& p = *parts_;
+  p.checks = plc().checkResults();
+  for (controller::CheckResult& result : p.checks)
+    for (controller::CheckFailure& failure : result.failures)
+      failure.time = failure.time + p.before;
+  return p.checks;
+}
+
+controller::ExecutedLines Cnc::executedLines() const {
+  static const controller::Counts kNone;
+  controller::ExecutedLines lines = parts_->linesBefore;
+  const sinumerik::Executed& executed = plc().executed();
+  for (const auto& [id, block] : plc().program()) {
+    if (id.type == mc5::BlockType::Db || block.file.empty()) continue;
+    const auto counts = executed.find(id);
+    const auto at = [&code = block](std::uint32_t offset) { return lineAt(code, offset); };
+    controller::addLineCounts(block.lines, at, counts == executed.end() ? kNone : counts->second,
+                              lines[block.file]);
+  }
+  return lines;
+}
+
+}  // namespace merker::cnc

@@ -1,0 +1,116 @@
+// One SINUMERIK 810/820 GA3: PLC, function macros and the NC data behind them. A value of virtual
+// time built by arguments; any number of them live in one process.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "nc/function_macros.h"
+#include "plc/controller.h"
+#include "plc/stop_screens.h"
+#include "softplc/plc.h"
+#include "softplc/sinumerik_model.h"
+
+namespace merker::cnc {
+
+// Sampling time: a machine datum of the NC that the PLC reads, too (7.3).
+constexpr unsigned kSamplingDatum = 155;
+
+struct MachineDatum {
+  unsigned number = 0;  // word 0 … 9, 155, 1000 … 1007, byte 2000 … 2010
+  std::uint16_t value = 0;
+};
+
+// The control on the other side of the coupling area (FB 190).
+struct CouplingOptions {
+  std::string partner;  // its project folder, as the project names it
+  Position named;
+  nc::Side side = nc::Side::Control;  // of this control
+};
+
+struct Options {
+  const SinumerikModel* model = &defaultSinumerikModel();
+  sinumerik::Options plc{};  // its `macros` are those of this control
+  // What differs from the standard machine data.
+  std::vector<MachineDatum> machineData{};
+  nc::MacroOptions macros{};
+  nc::Control control{};                                      // data of the NC at the start
+  sinumerik::BitMapping bits = sinumerik::BitMapping::Table;  // of MD 2003
+  std::optional<CouplingOptions> coupling{};
+  bool compiled = false;  // run as machine code of this computer what can be
+  // Where the project names the bits of the user alarms and messages, for problems.
+  Position alarmsNamed{}, messagesNamed{};
+};
+
+class Cnc final : public controller::Controller, public controller::StopScreens {
+ public:
+  explicit Cnc(Options options);
+  ~Cnc() override;
+  Cnc(const Cnc&) = delete;
+  Cnc& operator=(const Cnc&) = delete;
+
+  sinumerik::Plc& plc();
+  const sinumerik::Plc& plc() const;
+  nc::Control& control();
+  // From now on the two are coupled and move through time together: `partner` follows this one.
+  void couple(std::unique_ptr<Cnc> partner, nc::Side side);
+  nc::CouplingArea* couplingArea();  // null: there is none
+  // Machine code of this computer instead of the processor alone; the results are the same.
+  void setCompiled(bool on);
+  static bool canCompile();
+
+  std::string modelName() const override;
+  controller::Mode mode() const override;
+  bool stoppedByFault() const override;
+  std::string stopReason() const override;
+  bool powered() const override;
+  bool hasColdRestart() const override { return true; }
+  bool start() override;        // AG-Start of the programmer: Neustart
+  bool warmRestart() override;  // Wiederanlauf; refused where MD 2003 bit 3 does not allow it
+  bool coldRestart() override;  // Neustart
+  void stop() override;
+  void powerOff() override;
+  void powerOn(bool buffered) override;
+  // Urlöschen and loading of the program: everything as it was built, only time goes on.
+  void memoryReset() override;
+  std::string fault(std::string_view subject, std::string_view kind, bool on) override;
+  bool batteryFails(bool fails) override;
+  controller::Controller* partner() override;
+
+  Instant now() const override;
+  std::uint64_t cycles() const override;
+  std::uint64_t instructions() const override;
+  void advanceTo(Instant t) override;
+  using Controller::settle;
+  bool settle(Duration longest) override;
+  void advanceCycles(std::uint64_t count) override;
+  bool advanceToCheckpoint(Instant limit) override;
+  void onCycle(std::function<void(controller::Controller&)> observer) override;
+
+  std::optional<std::uint32_t> read(const address::Reference& reference) const override;
+  bool write(const address::Reference& reference, std::uint32_t value) override;
+  bool force(const address::Reference& reference, std::uint32_t value) override;
+  void unforce() override;
+  std::string whyMissing(const address::Reference& reference) const override;
+  std::string whyRefused(const address::Reference& reference) const override;
+  std::optional<std::string> stackField(std::string_view stack,
+                                        std::string_view field) const override;
+  std::string stackFields(std::string_view stack) const override;
+  std::string stopDetails() const override;
+  // Data of the NC as digits with a point (nc/datum.h).
+  std::optional<std::vector<std::uint8_t>> readBytes(const address::Reference& r) const override;
+  bool writeBytes(const address::Reference& r, std::span<const std::uint8_t> digits) override;
+
+  const std::vector<controller::DiagnosticEntry>& diagnostics() const override;
+  const std::vector<controller::CheckResult>& checkResults() const override;
+  controller::ExecutedLines executedLines() const override;
+
+ private:
+  struct Parts;
+  void watch();
+  void meet();
+  void connect();
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace merker::cnc

@@ -1,0 +1,32 @@
+// When the operating system has something to do: samplings, thirds of the call raster, calls of
+// OB 1. Counted from the end of the start-up (S5-SCHED-01, -02, -06).
+#pragma once
+
+#include "softplc/raster.h"
+
+namespace merker::sinumerik {
+
+class Schedule {
+ public:
+  void begin(Instant anchor, const Raster& raster) {
+    anchor_ = anchor;
+    raster_ = raster;
+    samples_ = thirds_ = 0;
+  }
+  const Raster& raster() const { return raster_; }
+  Instant nextSample() const { return anchor_ + raster_.sampling * samples_; }
+  Instant nextThird() const { return anchor_ + Duration{raster_.call.ns * thirds_ / 3}; }
+  Instant next() const { return nextSample() < nextThird() ? nextSample() : nextThird(); }
+  // What the sampling that nextSample() names begins.
+  bool beginsIpoClock() const { return samples_ % kSamplesPerIpo == 0; }
+  bool callsOb1() const { return samples_ % (kSamplesPerIpo * raster_.factor) == 0; }
+  void sampled() { ++samples_; }
+  void thirdBegun() { ++thirds_; }
+
+ private:
+  Instant anchor_;
+  Raster raster_{};
+  std::int64_t samples_ = 0, thirds_ = 0;
+};
+
+}  // namespace merker::sinumerik

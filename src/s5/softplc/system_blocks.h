@@ -1,0 +1,36 @@
+// Data blocks that the operating system creates at start-up, and DB 1 among them: run times and
+// fault bits (S5-DB-10, S5-SCHED-14, S5-ERR-02).
+#pragma once
+
+#include <cstdint>
+
+#include "softplc/alarm.h"
+#include "softplc/block_memory.h"
+
+namespace merker::sinumerik {
+
+// Words of segment 6 that user blocks may take, and those kept for the system's (S5-MEM-08).
+constexpr std::uint32_t kUserDataWords = 3072, kSystemDataWords = 154;
+
+struct SystemOptions {
+  bool softwareCams = false;  // DB 39
+  bool adarCoupling = false;  // DB 71
+};
+
+bool isSystemBlock(std::uint16_t db, const SystemOptions& options);
+// False: one finds no room.
+bool createSystemBlocks(BlockMemory& blocks, const SystemOptions& options);
+
+// Words of DB 1 (S5-SCHED-14; DW 4: OP-10).
+namespace diagnosis {
+constexpr std::uint16_t kDb = 1;
+constexpr std::uint32_t kCycleTime = 0, kRunTime = 1, kCyclicTime = 2, kAlarmTime = 3,
+                        kAlarmRuns = 4, kFaults = 8, kTrigger = 9;
+constexpr std::uint16_t kTriggerBit = 0x8000;  // D 9.15
+// The bit of DW 8 that belongs to an alarm; 0 if it has none.
+std::uint16_t faultBit(Alarm alarm);
+// A word of DB 1; null if somebody destroyed the block.
+std::uint16_t* word(BlockMemory& blocks, std::uint32_t number);
+}  // namespace diagnosis
+
+}  // namespace merker::sinumerik

@@ -1,0 +1,145 @@
+#include "station/mixed_engine.h"
+
+#include <functional>
+
+#include "icode/region.h"
+#include "interpreter/compiled.h"
+#include "interpreter/probing.h"
+#include "lowering/translate.h"
+#include "mc7/listing.h"
+
+namespace merker::station {
+namespace {
+
+using interpreter::Op;
+using interpreter::Translated;
+
+class Native : public interpreter::Compiled {
+ public:
+  Native(std::unique_ptr<jit::NativeCode> code, std::vector<bool> entries)
+      : code_(std::move(code)), entries_(std::move(entries)) {}
+  bool begins(std::size_t instruction) const override { return entries_[instruction]; }
+  const Op* run(cpu::Machine& m, std::size_t instruction) const override {
+    return static_cast<const Op*>(code_->run(&m, instruction));
+  }
+  const void* const* entries() const override { return code_->entries(); }
+  std::size_t size() const { return code_->size(); }
+
+ private:
+  std::unique_ptr<jit::NativeCode> code_;
+  std::vector<bool> entries_;
+};
+
+std::vector<bool> entriesOf(std::span<const icode::Region> regions, std::size_t instructions,
+                            std::uint32_t shortest) {
+  std::vector<bool> entries(instructions);
+  for (const icode::Region& region : regions)
+    entries[region.first] = region.instructions >= shortest;
+  return entries;
+}
+
+// Instructions behind which somebody looks.
+std::vector<bool> checked(const Translated& code) {
+  std::vector<bool> result(code.side.size());
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] = code.side[i].checks != 0;
+  return result;
+}
+
+}  // namespace
+
+// Blocks with coverage count each instruction: they stay with the interpreter.
+void MixedEngine::compile(Translated& code) const {
+  if (!code.executed.empty()) return;
+  const mc7::Listing listing = mc7::list(code.source->code);
+  const jit::Instructions answers{code.ops.data(), sizeof(Op), code.parameters.data()};
+  std::vector<icode::Region> regions;
+  std::unique_ptr<jit::NativeCode> native;
+  // Too many values at a time become fewer in shorter regions.
+  for (std::uint32_t longest = translate::kLongestRegion; longest > 0 && native == nullptr;
+       longest /= 4) {
+    regions = translate::translate(listing, model_, checked(code), longest);
+    if (regions.empty()) return;
+    for (icode::Region& region : regions) icode::optimise(region);
+    native = jit::compile(regions, listing.places.size(), answers, layout_, options_.jit);
+  }
+  if (native == nullptr) return;
+  // Between checks regions are short; there agreement counts, not speed.
+  const std::uint32_t shortest = code.side.empty() ? options_.shortestEntry : 1;
+  auto entries = entriesOf(regions, code.instructionCount, shortest);
+  setCompiled(code, std::make_shared<Native>(std::move(native), std::move(entries)));
+}
+
+void MixedEngine::supply(std::shared_ptr<Translations> made) {
+  if (!keepsOldCode()) supplied_ = std::move(made);  // coverage counts in the code itself
+}
+
+std::unique_ptr<cpu::Code> MixedEngine::translate(const block::Block& block) {
+  if (supplied_ && supplied_->compiled() == compiles_)
+    if (auto made = supplied_->take(block)) return made;
+  auto code = interpreter_.translate(block);
+  if (compiles_) compile(static_cast<Translated&>(*code));
+  return code;
+}
+
+namespace {
+
+// Blocks that wait for those they called have parameters in the list.
+void moveParameters(cpu::Machine& m, Translated& from, Translated& to) {
+  const std::uint32_t* const first = from.parameters.data();
+  const std::less_equal<> notBehind;
+  for (cpu::Frame& frame : m.frames)
+    if (frame.parameters != nullptr && notBehind(first, frame.parameters) &&
+        notBehind(frame.parameters + 1, first + from.parameters.size()))
+      frame.parameters = to.parameters.data() + (frame.parameters - first);
+}
+
+// Machine code knows where both lists are, so they come with it. Instructions have the same
+// numbers: a block goes on where it stands.
+void exchange(Translated& code, Translated& made, cpu::Machine& m) {
+  cpu::Probe* const probe = code.probe;
+  interpreter::setProbe(code, nullptr);
+  moveParameters(m, code, made);
+  code.ops.swap(made.ops);
+  code.parameters.swap(made.parameters);
+  code.uncompiled.swap(made.uncompiled);
+  code.compiled.swap(made.compiled);
+  std::swap(code.native, made.native);
+  interpreter::setProbe(code, probe);
+}
+
+}  // namespace
+
+void MixedEngine::exchange(const Translations& made, cpu::Cpu& cpu) {
+  compiles_ = made.compiled();
+  for (const auto& one : cpu.code()) {
+    auto& code = static_cast<Translated&>(*one);
+    auto* const other = static_cast<Translated*>(made.find(*code.source));
+    if (other != nullptr && code.side.empty())
+      station::exchange(code, *other, cpu.machine());
+    else if (!compiles_)
+      setCompiled(code, nullptr);
+    else if (code.compiled == nullptr)
+      compile(code);
+  }
+}
+
+void MixedEngine::compile(bool on, cpu::Cpu& cpu) {
+  compiles_ = on && canCompile();
+  for (const auto& code : cpu.code()) {
+    auto& translated = static_cast<Translated&>(*code);
+    if (!compiles_)
+      setCompiled(translated, nullptr);
+    else if (translated.compiled == nullptr)
+      compile(translated);
+  }
+}
+
+std::size_t MixedEngine::compiledBytes(const cpu::Cpu& cpu) {
+  std::size_t bytes = 0;
+  for (const auto& code : cpu.code())
+    if (const auto& compiled = static_cast<const Translated&>(*code).compiled)
+      bytes += static_cast<const Native&>(*compiled).size();
+  return bytes;
+}
+
+}  // namespace merker::station

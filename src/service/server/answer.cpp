@@ -1,0 +1,103 @@
+#include "server/answer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/beast/websocket/rfc6455.hpp>
+
+namespace merker::hmi {
+namespace {
+
+using http::field;
+using http::status;
+
+std::string_view view(boost::beast::string_view text) { return {text.data(), text.size()}; }
+
+std::string_view pathOf(const Request& request) {
+  const std::string_view target = view(request.target());
+  const std::string_view path = target.substr(0, target.find_first_of("?#"));
+  return path == "/" ? "/index.html" : path;
+}
+
+constexpr const char* kHeaders[][2] = {
+    {"Server", "Merker"},
+    {"X-Frame-Options", "DENY"},
+    {"X-Content-Type-Options", "nosniff"},
+    {"Referrer-Policy", "no-referrer"},
+    {"Cross-Origin-Opener-Policy", "same-origin"},
+    {"Cross-Origin-Resource-Policy", "same-origin"},
+};
+
+// Nothing from anywhere else. Styles: the editor and the curves make some at run time. The
+// WebSocket is named by its scheme because not every browser counts it among 'self'.
+std::string contentPolicy(std::string_view host, bool tls) {
+  return fmt::format(
+      "default-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
+      "connect-src 'self' {}://{}; object-src 'none'; base-uri 'none'; form-action 'none'; "
+      "frame-ancestors 'none'",
+      tls ? "wss" : "ws", host);
+}
+
+void setBody(Answer& result, std::string_view bytes) {
+  result.body() = {bytes.data(), bytes.size()};
+}
+
+Answer blank(const Request& request, status code) {
+  Answer result{code, request.version()};
+  result.keep_alive(request.keep_alive());
+  for (const auto& [name, value] : kHeaders) result.set(name, value);
+  return result;
+}
+
+// The names of everything under /assets/ change with its content.
+bool neverChanges(std::string_view path) { return path.starts_with("/assets/"); }
+
+Answer fileAnswer(const Request& request, const Guard& guard, const Asset& asset) {
+  const std::string tag = fmt::format("\"{}\"", asset.tag);
+  const bool known = view(request[field::if_none_match]) == tag;
+  Answer result = blank(request, known ? status::not_modified : status::ok);
+  result.set(field::etag, tag);
+  result.set(field::cache_control,
+             neverChanges(asset.path) ? "public, max-age=31536000, immutable" : "no-cache");
+  result.set("Content-Security-Policy", contentPolicy(view(request[field::host]), guard.tls()));
+  if (known) return result;
+  result.set(field::content_type, std::string(asset.type));
+  result.content_length(asset.bytes.size());
+  if (request.method() != http::verb::head) setBody(result, asset.bytes);
+  return result;
+}
+
+}  // namespace
+
+status refusal(const Request& request, const Guard& guard) {
+  if (!guard.host(view(request[field::host]))) return status::misdirected_request;
+  if (!guard.origin(view(request[field::origin]), view(request[field::host])))
+    return status::forbidden;
+  return status::ok;
+}
+
+Answer refuse(const Request& request, status code) {
+  Answer result = blank(request, code);
+  result.set(field::content_type, "text/plain; charset=utf-8");
+  if (code == status::method_not_allowed) result.set(field::allow, "GET, HEAD");
+  const std::string_view text = view(http::obsolete_reason(code));
+  result.content_length(text.size());
+  if (request.method() != http::verb::head) setBody(result, text);
+  return result;
+}
+
+Answer answer(const Request& request, const Guard& guard, std::span<const Asset> assets) {
+  if (const status code = refusal(request, guard); code != status::ok) return refuse(request, code);
+  if (request.method() != http::verb::get && request.method() != http::verb::head)
+    return refuse(request, status::method_not_allowed);
+  const auto found = std::ranges::find_if(
+      assets, [path = pathOf(request)](const Asset& a) { return a.path == path; });
+  return found == assets.end() ? refuse(request, status::not_found)
+                               : fileAnswer(request, guard, *found);
+}
+
+bool asksForWebSocket(const Request& request) {
+  return boost::beast::websocket::is_upgrade(request) && pathOf(request) == "/ws";
+}
+
+}  // namespace merker::hmi

@@ -1,0 +1,100 @@
+// One HTTP connection, over TCP or TLS: request after request, until it becomes a WebSocket.
+#pragma once
+
+#include <optional>
+#include <utility>
+
+#include "server/web_socket.h"
+
+namespace merker::hmi {
+
+template <typename Stream>
+class HttpSession : public Unfinished, public std::enable_shared_from_this<HttpSession<Stream>> {
+ public:
+  HttpSession(Stream stream, Surroundings& around) : stream_(std::move(stream)), around_(around) {
+    ++around_.connections;
+    around_.unfinished.push_back(this);
+  }
+  ~HttpSession() override {
+    --around_.connections;
+    around_.unfinished.remove(this);
+  }
+  HttpSession(const HttpSession&) = delete;
+  HttpSession& operator=(const HttpSession&) = delete;
+
+  Stream& stream() { return stream_; }
+  const Limits& limits() const { return around_.options.limits; }
+  void limitTime(unsigned seconds) {
+    beast::get_lowest_layer(stream_).expires_after(std::chrono::seconds(seconds));
+  }
+  void giveUp() override { beast::get_lowest_layer(stream_).close(); }
+
+  void read() {
+    constexpr std::size_t kBody = 1024;  // no request has one
+    parser_.emplace();
+    parser_->header_limit(around_.options.limits.header);
+    parser_->body_limit(kBody);
+    limitTime(std::exchange(first_, false) ? limits().request : limits().idle);
+    http::async_read(stream_, buffer_, *parser_,
+                     [self = this->shared_from_this()](beast::error_code error, std::size_t) {
+                       self->received(error);
+                     });
+  }
+
+ private:
+  void received(beast::error_code error) {
+    if (error == http::error::header_limit)
+      return answerAndEnd(http::status::request_header_fields_too_large);
+    if (error == http::error::body_limit) return answerAndEnd(http::status::payload_too_large);
+    if (error && error.category() == make_error_code(http::error::bad_line_ending).category() &&
+        error != http::error::end_of_stream && error != http::error::partial_message)
+      return answerAndEnd(http::status::bad_request);
+    if (error) return;  // gone, or too slow
+    const Request& request = parser_->get();
+    if (asksForWebSocket(request)) return upgrade();
+    answer_ = answer(request, around_.guard, around_.options.assets);
+    write();
+  }
+
+  void upgrade() {
+    const Request& request = parser_->get();
+    http::status status = refusal(request, around_.guard);
+    const std::string_view target(request.target().data(), request.target().size());
+    if (status == http::status::ok && !around_.guard.token(target))
+      status = http::status::unauthorized;
+    if (status != http::status::ok) {
+      answer_ = refuse(request, status);
+      return write();
+    }
+    std::make_shared<WebSocket<Stream>>(std::move(stream_), around_)->accept(request);
+  }
+
+  void answerAndEnd(http::status status) {
+    Request request;
+    request.version(11);
+    request.keep_alive(false);
+    answer_ = refuse(request, status);
+    write();
+  }
+
+  void write() {
+    limitTime(limits().idle);
+    http::async_write(stream_, answer_,
+                      [self = this->shared_from_this()](beast::error_code error, std::size_t) {
+                        if (!error && self->answer_.keep_alive()) return self->read();
+                        beast::error_code ignored;
+                        beast::get_lowest_layer(self->stream_)
+                            .socket()
+                            .shutdown(boost::asio::ip::tcp::socket::shutdown_send, ignored);
+                      });
+  }
+
+  Stream stream_;
+  Surroundings& around_;
+  beast::flat_buffer buffer_;
+  std::optional<http::request_parser<http::string_body>> parser_;
+  Answer answer_;
+  bool first_ = true;
+};
+
+}  // namespace merker::hmi

@@ -1,0 +1,40 @@
+// Connections: HTTP until a browser asks for the WebSocket.
+#pragma once
+
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/ssl/context.hpp>
+#include <list>
+#include <memory>
+
+#include "server/browsers.h"
+#include "server/guard.h"
+#include "server/options.h"
+
+namespace merker::hmi {
+
+// A connection that is no open browser: a request has to come, or it is being closed.
+class Unfinished {
+ public:
+  virtual ~Unfinished() = default;
+  virtual void giveUp() = 0;
+
+ protected:
+  Unfinished() = default;
+  Unfinished(const Unfinished&) = delete;
+  Unfinished& operator=(const Unfinished&) = delete;
+};
+
+// What all connections share; it outlives them.
+struct Surroundings {
+  const Options& options;
+  Guard guard;
+  Browsers& browsers;
+  Handler& handler;
+  boost::asio::ssl::context* tls;  // null: without
+  std::atomic<std::size_t> connections = 0;
+  std::list<Unfinished*> unfinished{};  // the oldest one first; in the server's thread
+};
+
+void serve(boost::asio::ip::tcp::socket socket, Surroundings& around);
+
+}  // namespace merker::hmi

@@ -1,0 +1,80 @@
+#include "monitor/value.h"
+
+#include "base/text.h"
+#include "scenario/long_value.h"
+#include "scenario/term.h"
+
+namespace merker::monitor {
+namespace {
+
+using simulator::isLong;
+
+Position nowhere() { return Position{"", 0, 0, 0}; }
+
+// T and Z as bits show their status.
+bool isStatus(const address::Reference& reference, DisplayFormat format) {
+  return format == DisplayFormat::Bool && reference.operand.kind != address::OperandKind::Memory;
+}
+
+Result<Value> parseContent(const address::Reference& reference, std::string_view text) {
+  auto content = simulator::parseLong(trim(text), reference, nowhere());
+  if (!content) return content.error();
+  constexpr std::uint32_t kHeader = 2;  // S7-TYPES-19
+  const std::uint32_t longest = reference.bytes - kHeader;
+  if (reference.type == TypeCode::String && content->size() > longest)
+    return makeProblem(ProblemCode::P0961, nowhere(), std::string(text), content->size(),
+                       reference.text, longest);
+  return Value{0, std::move(content.value())};
+}
+
+}  // namespace
+
+std::optional<Value> read(const controller::Controller& plc, const address::Reference& reference) {
+  if (!isLong(reference)) {
+    const auto bits = plc.read(reference);
+    return bits ? std::optional(Value{*bits, {}}) : std::nullopt;
+  }
+  auto content = simulator::readLong(reference, plc);
+  return content ? std::optional(Value{0, std::move(*content)}) : std::nullopt;
+}
+
+bool write(controller::Controller& plc, const address::Reference& reference, const Value& value) {
+  if (isLong(reference)) return simulator::writeLong(reference, value.content, plc);
+  return plc.write(reference, value.bits);
+}
+
+bool canWrite(station::Station& station, const address::Reference& reference) {
+  const address::Operand& operand = reference.operand;
+  const bool terminal = operand.kind == address::OperandKind::Memory && !reference.outputSide &&
+                        (operand.area == Area::Input || operand.area == Area::Peripheral);
+  if (!terminal || station.rack() == nullptr) return read(station, reference).has_value();
+  for (std::uint32_t i = 0; i < byteCount(operand.width); ++i)
+    if (!station.rack()->answersInput(operand.value / 8 + i)) return false;
+  return true;
+}
+
+std::optional<Problem> checkFormat(const address::Reference& reference, DisplayFormat format) {
+  const bool good = isLong(reference) ? format == DisplayFormat::Automatic
+                                      : fits(format, simulator::bitWidth(reference)) ||
+                                            isStatus(reference, format);
+  if (good) return std::nullopt;
+  return makeProblem(ProblemCode::P1209, nowhere(), reference.text, name(format), bitsText(format));
+}
+
+std::string show(const address::Reference& reference, const Value& value, DisplayFormat format) {
+  if (isLong(reference)) return simulator::formatLong(reference.type, value.content);
+  return show(reference, value.bits, format);
+}
+
+Result<Value> parse(const address::Reference& reference, std::string_view text,
+                    DisplayFormat format) {
+  if (isLong(reference)) {
+    if (auto problem = checkFormat(reference, format)) return *problem;
+    return parseContent(reference, text);
+  }
+  const auto bits = parseValue(reference, text, format);
+  if (!bits) return bits.error();
+  return Value{*bits, {}};
+}
+
+}  // namespace merker::monitor

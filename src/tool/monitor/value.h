@@ -1,0 +1,33 @@
+// The value of any operand: bits, or the content of a DATE_AND_TIME or STRING.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "monitor/display_format.h"
+#include "station/station.h"
+
+namespace merker::monitor {
+
+struct Value {
+  std::uint32_t bits = 0;
+  std::string content;  // of a DATE_AND_TIME or STRING (scenario/long_value.h)
+  bool operator==(const Value&) const = default;
+};
+
+// Nothing, or false, if there is no such operand.
+std::optional<Value> read(const controller::Controller& plc, const address::Reference& reference);
+bool write(controller::Controller& plc, const address::Reference& reference, const Value& value);
+// Whether `write` would do it. Nothing is changed.
+bool canWrite(station::Station& station, const address::Reference& reference);
+
+// The problem if this operand cannot be shown so: P1209.
+std::optional<Problem> checkFormat(const address::Reference& reference, DisplayFormat format);
+std::string show(const address::Reference& reference, const Value& value, DisplayFormat format);
+// As the user types it: parseValue, or the constant of a DATE_AND_TIME or STRING (P0960, P0961).
+Result<Value> parse(const address::Reference& reference, std::string_view text,
+                    DisplayFormat format);
+
+}  // namespace merker::monitor

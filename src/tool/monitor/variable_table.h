@@ -1,0 +1,69 @@
+// A variable table (VAT): operands with their format, monitored and modified at a trigger point
+// (S7-SIM-12). Values move only when the CPU comes by that point, or at once on demand.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cpu/cpu.h"
+#include "monitor/value.h"
+#include "scenario/term.h"
+
+namespace merker::monitor {
+
+// In the cycle. Inputs: their process image, which this cycle works with; the terminals stay.
+void modifyInCycle(station::Station& station, const address::Reference& reference,
+                   const Value& value);
+
+struct VariableRow {
+  address::Reference operand;
+  DisplayFormat format = DisplayFormat::Automatic;
+  std::optional<Value> status;  // as the monitor trigger saw it last
+  std::optional<Value> modify;  // what the modify trigger writes
+};
+
+struct Trigger {
+  cpu::CyclePoint point = cpu::CyclePoint::End;
+  bool once = false;  // else every time
+};
+
+class VariableTable {
+ public:
+  VariableTable(station::Station& station, simulator::Resolver resolver)
+      : station_(station), resolver_(std::move(resolver)) {}
+
+  // The problem if there is no such operand or the format does not fit it. A variable of a block
+  // (#name) is that of the block which runs when it is looked at.
+  std::optional<Problem> add(std::string_view operand,
+                             DisplayFormat format = DisplayFormat::Automatic);
+  std::optional<Problem> setFormat(std::size_t row, DisplayFormat format);
+  // An empty text takes the modify value away.
+  std::optional<Problem> setModify(std::size_t row, std::string_view value);
+  void remove(std::size_t row) { rows_.erase(rows_.begin() + static_cast<std::ptrdiff_t>(row)); }
+  // Rows from this one on.
+  void shorten(std::size_t rows) {
+    rows_.erase(rows_.begin() + static_cast<std::ptrdiff_t>(rows), rows_.end());
+  }
+  const std::vector<VariableRow>& rows() const { return rows_; }
+  // The status in the row's format; "?" before the first look or if the operand does not exist.
+  std::string text(std::size_t row) const;
+
+  void monitor(std::optional<Trigger> trigger) { monitor_ = trigger; }  // nothing: off
+  void modify(std::optional<Trigger> trigger) { modify_ = trigger; }
+  bool monitoring() const { return monitor_.has_value(); }
+  bool modifying() const { return modify_.has_value(); }
+  void monitorNow();
+  void modifyNow();  // inputs: the terminals
+
+  // The CPU has come to this point.
+  void reached(cpu::CyclePoint point);
+
+ private:
+  station::Station& station_;
+  simulator::Resolver resolver_;
+  std::vector<VariableRow> rows_;
+  std::optional<Trigger> monitor_, modify_;
+};
+
+}  // namespace merker::monitor

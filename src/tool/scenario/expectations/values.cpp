@@ -1,0 +1,33 @@
+#include "scenario/expectations/values.h"
+
+#include <fmt/format.h>
+
+#include "scenario/comparison.h"
+#include "scenario/long_value.h"
+#include "scenario/state_text.h"
+
+namespace merker::simulator::expectations {
+namespace {
+
+Reader readerOf(const controller::Controller& plc) {
+  return [&plc](const address::Reference& reference) { return plc.read(reference); };
+}
+
+}  // namespace
+
+// Values are those at the end of a cycle: in the middle of one they may be on their way.
+bool Values::holds(controller::Controller& plc) const {
+  plc.settle();
+  return isLong(left) ? longHolds(left, relation, right, plc)
+                      : simulator::holds(left, relation, right, readerOf(plc));
+}
+
+std::string Values::actual(controller::Controller& plc) const {
+  const std::string value =
+      isLong(left) ? actualLong(left, right, plc) : actualValue(left, right, readerOf(plc));
+  const bool stopped = plc.mode() == controller::Mode::Stop;
+  return fmt::format("{} is {}", left.text, value) +
+         (stopped ? fmt::format(" (the CPU is in STOP{})", because(plc)) : "");
+}
+
+}  // namespace merker::simulator::expectations

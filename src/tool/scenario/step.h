@@ -1,0 +1,62 @@
+// A step of a scenario: one of the value types of steps/, with its place in the file
+// (docs/formats/scenario.md).
+#pragma once
+
+#include <concepts>
+#include <string>
+#include <variant>
+
+#include "scenario/steps/battery.h"
+#include "scenario/steps/expect.h"
+#include "scenario/steps/fault.h"
+#include "scenario/steps/memory.h"
+#include "scenario/steps/plant.h"
+#include "scenario/steps/power.h"
+#include "scenario/steps/repeat.h"
+#include "scenario/steps/restart.h"
+#include "scenario/steps/set.h"
+#include "scenario/steps/signal.h"
+#include "scenario/steps/switch.h"
+#include "scenario/steps/terminal.h"
+#include "scenario/steps/trigger.h"
+#include "scenario/steps/wait.h"
+
+namespace merker::simulator {
+
+// Any PLC performs it, or only a SIMATIC S7 station does.
+template <typename S>
+concept OfAnyPlc = requires(const S& step, StepRun& run) {
+  { step.perform(run) } -> std::same_as<bool>;
+};
+template <typename S>
+concept OfStation = requires(const S& step, StepRun& run, station::Station& station) {
+  { step.perform(run, station) } -> std::same_as<bool>;
+};
+
+// What every step has. The list below does not compile with one that lacks a part.
+template <typename S>
+concept IsStep = (OfAnyPlc<S> != OfStation<S>)&&requires(S& step, const StepLine& line,
+                                                         const StepBinding& binding) {
+  { step.parse(line) } -> std::same_as<bool>;
+  step.resolve(binding);
+};
+
+template <IsStep... S>
+using OneOf = std::variant<S...>;
+
+using AnyStep =
+    OneOf<steps::Set, steps::Force, steps::Unforce, steps::Wait, steps::Expect, steps::Run,
+          steps::Stop, steps::ColdRestart, steps::WarmRestart, steps::HotRestart, steps::Switch,
+          steps::PowerOff, steps::PowerOn, steps::PowerOnUnbuffered, steps::BatteryLow,
+          steps::BatteryGood, steps::RemoveCard, steps::Trigger, steps::MemoryReset,
+          steps::CopyRamToRom, steps::Fault, steps::Terminal, steps::Pulses, steps::Encoder,
+          steps::Plant, steps::Repeat>;
+
+struct Step {
+  Position position;
+  std::string text;      // as written
+  bool partner = false;  // the coupled control does it
+  AnyStep does;
+};
+
+}  // namespace merker::simulator

@@ -1,0 +1,81 @@
+#include "scenario/step_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "scenario/runner.h"
+#include "station/station.h"
+
+namespace merker::simulator {
+
+using controller::Controller;
+using controller::Mode;
+
+StepRun::StepRun(Controller& plc, TestResult& result, const Until* until)
+    : plc_(plc), station_(dynamic_cast<station::Station*>(&plc)), result_(result), until_(until) {}
+
+bool StepRun::run(const std::vector<Step>& steps) {
+  for (const Step& step : steps) {
+    if (!perform(step)) return false;
+    if (until_ != nullptr && reached(step)) return false;
+  }
+  return true;
+}
+
+// A step ends in STOP, or is the one that was asked for.
+bool StepRun::reached(const Step& step) const {
+  if (until_->line != 0) return step.position.line >= until_->line;
+  return plc_.mode() == Mode::Stop && plc_.powered();
+}
+
+bool StepRun::perform(const Step& step) {
+  return step.partner ? performByPartner(step) : performHere(step);
+}
+
+// Each step performs itself: one that cannot does not compile.
+bool StepRun::performHere(const Step& step) {
+  step_ = &step;
+  return std::visit(
+      [this]<IsStep S>(const S& one) {
+        if constexpr (OfAnyPlc<S>)
+          return one.perform(*this);
+        else
+          return station_ != nullptr ? one.perform(*this, *station_) : onlyForStation();
+      },
+      step.does);
+}
+
+// Both move through time: a start of the one lasts as long for the other.
+bool StepRun::performByPartner(const Step& step) {
+  step_ = &step;
+  Controller* const partner = plc_.partner();
+  if (partner == nullptr) return noPartner();
+  partner->advanceTo(plc_.now());
+  const bool done = StepRun(*partner, result_).performHere(step);
+  plc_.advanceTo(std::max(plc_.now(), partner->now()));
+  return done;
+}
+
+bool StepRun::failAt(const Position& position, std::string message) {
+  result_.failures.push_back({position, plc_.now(), std::move(message)});
+  return false;
+}
+
+bool StepRun::fail(std::string_view reason) {
+  return failAt(step_->position, fmt::format("{}: {}", step_->text, reason));
+}
+
+bool StepRun::powered() {
+  return plc_.powered() || fail("the CPU is switched off; use 'power on' first");
+}
+
+bool StepRun::onlyForStation() {
+  return fail(plc_.modelName() + " does not support this step; it is for SIMATIC S7 only");
+}
+
+bool StepRun::noPartner() {
+  return fail("there is no coupled control ([coupling] in merker.toml)");
+}
+
+}  // namespace merker::simulator

@@ -1,0 +1,28 @@
+// fault MODULE KIND [channel N] [off]: something is wrong with a module from now on.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "io/rack.h"
+#include "scenario/steps/bare.h"
+
+namespace merker::simulator::steps {
+
+struct Fault {
+  std::string module;
+  Position position;  // of the module's name
+  std::string words;  // the fault as written
+  Position wordsPosition;
+  io::FaultKind kind = io::FaultKind::Defect;  // of a SIMATIC S7: after resolving
+  std::optional<std::uint32_t> channel;
+  bool there = true;
+
+  bool parse(const StepLine& line);
+  // A SINUMERIK has no rack and judges its faults itself, when they come.
+  void resolve(const StepBinding& binding);
+  bool perform(StepRun& run) const;
+};
+
+}  // namespace merker::simulator::steps

@@ -1,0 +1,32 @@
+// plant NAME.INPUT = VALUE, …; plant NAME.SIGNAL stuck VALUE; … free; plant NAME reset.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "scenario/plant_value.h"
+#include "scenario/steps/bare.h"
+#include "station/station.h"
+
+namespace merker::simulator::steps {
+
+struct Plant {
+  std::vector<PlantValue> values;
+
+  bool parse(const StepLine& line) {
+    for (const std::string_view part : splitList(line.rest()))
+      if (!parsePlantStep(part, values.emplace_back(), line.positions(), line.problems()))
+        return false;
+    return true;
+  }
+  void resolve(const StepBinding& binding) {
+    for (PlantValue& value : values) simulator::resolve(value, binding.plants, binding.problems);
+  }
+  bool perform(StepRun&, station::Station& station) const {
+    for (const PlantValue& value : values)
+      apply(value, *station.plants(), *station.rack(), station.now());
+    return true;
+  }
+};
+
+}  // namespace merker::simulator::steps

@@ -1,0 +1,64 @@
+// run, stop, cold restart, warm restart, hot restart.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "scenario/start.h"
+#include "scenario/state_text.h"
+#include "scenario/steps/bare.h"
+#include "station/station.h"
+
+namespace merker::simulator::steps {
+
+inline bool hasNone(StepRun& run, std::string_view what) {
+  return run.fail("the CPU refuses: " + run.plc().modelName() + " has no " + std::string(what));
+}
+
+// What a SINUMERIK finds wrong when it starts is an alarm that a scenario may expect.
+inline bool restarted(StepRun& run, simulator::Start how) {
+  return restart(run.plc(), how) || (run.station() == nullptr && run.plc().stoppedByFault()) ||
+         run.fail("the CPU refuses" + because(run.plc()));
+}
+
+// In STOP a warm restart.
+struct Run : Bare {
+  bool perform(StepRun& run) const {
+    if (run.plc().mode() == controller::Mode::Run) return true;
+    return run.powered() && restarted(run, &controller::Controller::start);
+  }
+};
+
+struct Stop : Bare {
+  bool perform(StepRun& run) const {
+    run.plc().stop();
+    return true;
+  }
+};
+
+struct WarmRestart : Bare {
+  bool perform(StepRun& run) const {
+    return run.powered() && restarted(run, &controller::Controller::warmRestart);
+  }
+};
+
+struct ColdRestart : Bare {
+  bool perform(StepRun& run) const {
+    if (!run.powered()) return false;
+    if (!run.plc().hasColdRestart()) return hasNone(run, "cold restart");
+    return restarted(run, &controller::Controller::coldRestart);
+  }
+};
+
+// Continues where the CPU stopped, on models that can.
+struct HotRestart : Bare {
+  bool perform(StepRun& run, station::Station& station) const {
+    if (!run.powered()) return false;
+    if (!station.model().hotRestart) return hasNone(run, "hot restart");
+    return station.hotRestart() ||
+           run.fail("the CPU refuses: there is no interrupted program to continue" +
+                    because(station));
+  }
+};
+
+}  // namespace merker::simulator::steps

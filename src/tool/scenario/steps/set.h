@@ -1,0 +1,51 @@
+// set OPERAND = VALUE, …; force OPERAND = VALUE, …; unforce.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scenario/assignment.h"
+#include "scenario/steps/bare.h"
+
+namespace merker::simulator::steps {
+
+// What lies at a terminal does not need the CPU; its memory does.
+inline bool isTerminal(const address::Reference& reference) {
+  const Area area = reference.operand.area;
+  return reference.operand.kind == address::OperandKind::Memory &&
+         (area == Area::Input || area == Area::Peripheral) && !reference.outputSide;
+}
+
+template <bool force>
+struct Assigns {
+  std::vector<Assignment> assignments;
+
+  bool parse(const StepLine& line) {
+    assignments = parseAssignments(line);
+    return !assignments.empty();
+  }
+  void resolve(const StepBinding& binding) {
+    for (Assignment& one : assignments) simulator::resolve(one, binding.resolver, binding.problems);
+  }
+  bool perform(StepRun& run) const {
+    for (const Assignment& one : assignments) {
+      const bool unpowered = !force && isTerminal(one.operand.reference);
+      if (!unpowered && !run.powered()) return false;
+      const std::string reason = apply(one, force, run.plc());
+      if (!reason.empty()) return run.failAt(one.operand.position, reason);
+    }
+    return true;
+  }
+};
+using Set = Assigns<false>;
+using Force = Assigns<true>;
+
+struct Unforce : Bare {
+  bool perform(StepRun& run) const {
+    if (!run.powered()) return false;
+    run.plc().unforce();
+    return true;
+  }
+};
+
+}  // namespace merker::simulator::steps

@@ -1,0 +1,17 @@
+// trigger OB 82 coming address 256 data DW#16#05000000: an event made by hand.
+#pragma once
+
+#include "cpu/trigger.h"
+#include "scenario/steps/bare.h"
+
+namespace merker::simulator::steps {
+
+struct Trigger {
+  cpu::Trigger event{};
+
+  bool parse(const StepLine& line);
+  void resolve(const StepBinding&) {}
+  bool perform(StepRun& run, station::Station& station) const;
+};
+
+}  // namespace merker::simulator::steps

@@ -1,0 +1,186 @@
+#include "store/buffered.h"
+
+#include <algorithm>
+
+#include "base/bytes.h"
+
+namespace merker::cnc {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+using nc::Control;
+using nc::Number;
+
+// Numbers of the areas on the card: no data block has them.
+constexpr std::uint16_t kProgramArea = 0x5005, kDataArea = 0x5006;
+constexpr std::size_t kMostWords = 0x8000;                // of a segment
+constexpr std::size_t kNameBytes = 8, kLibraryBytes = 4;  // even, as code is
+
+Bytes wordBytes(const std::vector<std::uint16_t>& words) {
+  Bytes bytes;
+  bytes.reserve(2 * words.size());
+  for (const std::uint16_t word : words) appendWord(bytes, word);
+  return bytes;
+}
+
+std::vector<std::uint16_t> bytesToWords(std::span<const std::uint8_t> bytes) {
+  std::vector<std::uint16_t> words;
+  for (std::size_t i = 0; i + 1 < bytes.size(); i += 2) words.push_back(loadWord(&bytes[i]));
+  return words;
+}
+
+// Puts the buffered data of an NC one behind the other into bytes, or takes them out.
+class Out {
+ public:
+  void whole(std::int32_t& value) { appendDWord(bytes, static_cast<std::uint32_t>(value)); }
+  void byte(std::uint8_t& value) { bytes.push_back(value); }
+  void number(Number& value) {
+    whole(value.digits);
+    bytes.push_back(value.places);
+  }
+  Bytes bytes;
+};
+
+class In {
+ public:
+  explicit In(const Bytes& bytes) : bytes_(bytes) {}
+  void whole(std::int32_t& value) {
+    if (const auto* at = take(4)) value = static_cast<std::int32_t>(loadDWord(at));
+  }
+  void byte(std::uint8_t& value) {
+    if (const auto* at = take(1)) value = *at;
+  }
+  void number(Number& value) {
+    whole(value.digits);
+    byte(value.places);
+    good_ = good_ && nc::makeNumber(value.digits, value.places).has_value();
+  }
+  bool complete() const { return good_ && next_ == bytes_.size(); }
+
+ private:
+  const std::uint8_t* take(std::size_t count) {
+    good_ = good_ && bytes_.size() - next_ >= count;
+    if (!good_) return nullptr;
+    next_ += count;
+    return bytes_.data() + next_ - count;
+  }
+  const Bytes& bytes_;
+  std::size_t next_ = 0;
+  bool good_ = true;
+};
+
+// In this order (docs/formats/card.md).
+template <typename Way>
+void passBuffered(Control& control, Way& way) {
+  for (auto* words : {&control.machineData, &control.settingData})
+    for (std::int32_t& word : *words) way.whole(word);
+  for (auto* bytes : {&control.machineDataBytes, &control.settingDataBytes})
+    for (std::uint8_t& byte : *bytes) way.byte(byte);
+  for (auto& tool : control.tools)
+    for (Number& value : tool) way.number(value);
+  for (auto& channel : control.parameters)
+    for (Number& value : channel) way.number(value);
+  for (Number& value : control.centralParameters) way.number(value);
+  for (auto& group : control.settable)
+    for (nc::ZeroOffset& offset : group) {
+      way.whole(offset.coarse);
+      way.whole(offset.fine);
+    }
+  for (auto& group : control.programmable)
+    for (nc::Count& count : group) way.whole(count);
+  for (auto* offsets : {&control.external, &control.preset})
+    for (nc::Count& count : *offsets) way.whole(count);
+}
+
+const Bytes* areaOf(const block::RetentiveData& data, std::uint16_t number) {
+  for (const block::RetentiveDataBlock& block : data.dataBlocks)
+    if (block.number == number) return &block.bytes;
+  return nullptr;
+}
+
+bool isSegment(const Bytes* bytes) {
+  return bytes != nullptr && bytes->size() % 2 == 0 && bytes->size() <= 2 * kMostWords;
+}
+
+block::Block stored(const mc5::Block& block) {
+  block::Block result;
+  const auto type = static_cast<unsigned>(block.id.type);
+  result.id = {BlockKind::FC, static_cast<std::uint16_t>(type << 8 | block.id.number)};
+  appendDWord(result.code, block.library);
+  for (std::size_t i = 0; i < kNameBytes; ++i)
+    result.code.push_back(i < block.name.size() ? static_cast<std::uint8_t>(block.name[i]) : ' ');
+  const Bytes words = wordBytes(block.words);
+  result.code.insert(result.code.end(), words.begin(), words.end());
+  return result;
+}
+
+std::optional<mc5::Block> taken(const block::Block& block) {
+  const Bytes& code = block.code;
+  const bool type = block.id.kind == BlockKind::FC &&
+                    block.id.number >> 8 <= static_cast<unsigned>(mc5::BlockType::Db);
+  if (!type || code.size() < kLibraryBytes + kNameBytes) return std::nullopt;
+  mc5::Block result;
+  result.id = blockOf(block.id);
+  result.library = loadDWord(code.data());
+  result.name.assign(code.begin() + kLibraryBytes, code.begin() + kLibraryBytes + kNameBytes);
+  result.name.erase(result.name.find_last_not_of(' ') + 1);
+  result.words = bytesToWords(std::span(code).subspan(kLibraryBytes + kNameBytes));
+  return result;
+}
+
+}  // namespace
+
+mc5::BlockId blockOf(BlockId id) {
+  return {static_cast<mc5::BlockType>(id.number >> 8),
+          static_cast<std::uint16_t>(id.number & 0xFF)};
+}
+
+block::Program toCard(const mc5::Program& program) {
+  block::Program result;
+  for (const auto& [id, block] : program) {
+    block::Block one = stored(block);
+    result.emplace(one.id, std::move(one));
+  }
+  return result;
+}
+
+std::optional<mc5::Program> fromCard(const block::Program& blocks) {
+  mc5::Program program;
+  for (const auto& [id, block] : blocks) {
+    auto one = taken(block);
+    if (!one) return std::nullopt;
+    program.emplace(one->id, std::move(*one));
+  }
+  return program;
+}
+
+const block::RetentiveData& Keeper::look(Cnc& control) {
+  const sinumerik::Retained memory = control.plc().retained();
+  data_.now = control.now().ns;
+  data_.running = control.mode() != controller::Mode::Stop;
+  data_.dataBlocks = {{kProgramArea, false, wordBytes(memory.program)},
+                      {kDataArea, false, wordBytes(memory.data)}};
+  if (seen_ && *seen_ == control.control()) return data_;
+  seen_ = control.control();
+  Out out;
+  passBuffered(*seen_, out);
+  data_.flags = std::move(out.bytes);
+  return data_;
+}
+
+// A control that was in RUN starts as after a power failure: its mode before decides between warm
+// and cold (S5-OB-02).
+bool restore(Cnc& control, const block::RetentiveData& data) {
+  const Bytes* program = areaOf(data, kProgramArea);
+  const Bytes* words = areaOf(data, kDataArea);
+  Control nc = control.control();
+  In in(data.flags);
+  passBuffered(nc, in);
+  if (!isSegment(program) || !isSegment(words) || !in.complete()) return false;
+  if (data.running) control.start();
+  control.control() = std::move(nc);
+  control.plc().restore({bytesToWords(*program), bytesToWords(*words)});
+  return true;
+}
+
+}  // namespace merker::cnc
