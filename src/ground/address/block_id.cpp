@@ -22,6 +22,10 @@ std::string_view name(BlockKind kind) {
       return "FB";
     case BlockKind::SFB:
       return "SFB";
+    case BlockKind::PB:
+      return "PB";
+    case BlockKind::SB:
+      return "SB";
   }
   return "?";
 }

@@ -1,4 +1,5 @@
-// Kinds and numbers of blocks. The codes are those of the block container (MC7 section 8).
+// Kinds and numbers of blocks, of both families. The codes of the S7 are those of its block
+// container (MC7 section 8); PB and SB of STEP 5 are in none and have numbers that it does not use.
 #pragma once
 
 #include <compare>
@@ -16,7 +17,9 @@ enum class BlockKind : std::uint8_t {
   FC = 0x0C,
   SFC = 0x0D,
   FB = 0x0E,
-  SFB = 0x0F
+  SFB = 0x0F,
+  PB = 0x45,
+  SB = 0x46
 };
 
 struct BlockId {

@@ -32,6 +32,8 @@ bool CpuModel::allows(BlockId id) const {
     case BlockKind::FC:
       return id.number <= highestFc;
     case BlockKind::SDB:
+    case BlockKind::PB:  // of STEP 5
+    case BlockKind::SB:
       return false;
     case BlockKind::UDT:
     case BlockKind::SFC:
