@@ -225,8 +225,11 @@ std::optional<Problem> start(const Build& build, store::MemoryCard* card,
 int conclude(const RunOptions& options, const Build& build, const Operands& operands,
              store::MemoryCard* card, CycleEnd& cycleEnd, controller::Controller& plc,
              bool realTime) {
-  // Whoever ends a run in real time does not wait for a cycle that has no end.
-  plc.settle(realTime ? Duration::seconds(1) : controller::Controller::kLongestCycle);
+  // Whoever ends a run in real time does not wait for a cycle or a startup that has no end.
+  constexpr Duration kLongest = Duration::seconds(1);
+  if (realTime && plc.mode() == controller::Mode::Startup)
+    plc.advanceToCheckpoint(plc.now() + kLongest);
+  plc.settle(realTime ? kLongest : controller::Controller::kLongestCycle);
   cycleEnd(plc);
   if (cycleEnd.problem() != nullptr) return failed(*cycleEnd.problem());
   if (options.copyRamToRom)
