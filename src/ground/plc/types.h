@@ -10,7 +10,7 @@
 
 namespace merker::controller {
 
-// S7-STATE. The PLC of a SINUMERIK knows STOP, STARTUP and RUN.
+// S7-STATE. The PLC of a SINUMERIK has these, too; HALT only at its test functions.
 enum class Mode : std::uint8_t { Stop, Startup, Run, Halt };
 
 // One entry of the diagnostic buffer, newest last.

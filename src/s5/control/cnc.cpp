@@ -46,6 +46,7 @@ struct Cnc::Parts {
 
   Options options;
   std::unique_ptr<Cnc> partner;
+  bool partnerStands = false;  // because this control is in HALT
   std::shared_ptr<nc::CouplingArea> area;
   std::unique_ptr<nc::FunctionMacros> macros;
   std::unique_ptr<CompiledCode> engine;
@@ -95,7 +96,45 @@ void Cnc::connect() {
 }
 
 void Cnc::meet() {
-  if (parts_->partner && parts_->plc) parts_->partner->advanceTo(now());
+  if (!parts_->partner || !parts_->plc) return;
+  standTogether();
+  parts_->partner->advanceTo(now());
+  if (parts_->partner->mode() == Mode::Halt && !parts_->partnerStands) plc().holdNext();
+}
+
+// The partner comes to where this control went to HALT, and stands there until it continues.
+void Cnc::standTogether() {
+  Cnc& partner = *parts_->partner;
+  const auto since = plc().heldSince();
+  if (since && partner.mode() != Mode::Halt) {
+    partner.advanceTo(*since + parts_->before);
+    parts_->partnerStands = partner.hold();
+  }
+  if (!since && parts_->partnerStands) partner.resume();
+  if (!since) parts_->partnerStands = false;
+}
+
+bool Cnc::hold() {
+  const bool held = plc().hold();
+  meet();
+  return held;
+}
+
+bool Cnc::resume() {
+  if (!plc().resume()) return false;
+  if (parts_->partner) parts_->partner->resume();
+  parts_->partnerStands = false;
+  return true;
+}
+
+void Cnc::runTo(Instant t) {
+  plc().runTo(Instant{t.ns - parts_->before.ns});
+  meet();
+}
+
+void Cnc::runToCheckpoint(Instant t) {
+  plc().runToCheckpoint(Instant{t.ns - parts_->before.ns});
+  meet();
 }
 
 nc::CouplingArea* Cnc::couplingArea() { return parts_->area.get(); }
@@ -125,6 +164,8 @@ Mode Cnc::mode() const {
       return Mode::Startup;
     case sinumerik::Mode::Run:
       return Mode::Run;
+    case sinumerik::Mode::Halt:
+      return Mode::Halt;
     default:
       return Mode::Stop;
   }
@@ -161,7 +202,10 @@ void Cnc::memoryReset() {
   p.instructionsBefore = instructions();
   p.linesBefore = executedLines();
   if (p.area) *p.area = {};
+  const sinumerik::PlacedProbes probes = plc().probes();
   p.build();
+  p.partnerStands = false;
+  for (const auto& [block, probe] : probes) plc().probe(block, probe);
   watch();
   if (!p.partner) return;
   p.partner->memoryReset();

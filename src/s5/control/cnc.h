@@ -58,6 +58,12 @@ class Cnc final : public controller::Controller, public controller::StopScreens 
   // Machine code of this computer instead of the processor alone; the results are the same.
   void setCompiled(bool on);
   static bool canCompile();
+  // Test functions over the probes of plc(): HALT, in which a coupled partner stands, too, and a
+  // probe of the partner holds both. Time moves as in plc.h.
+  bool hold();
+  bool resume();
+  void runTo(Instant t);
+  void runToCheckpoint(Instant t);
 
   std::string modelName() const override;
   controller::Mode mode() const override;
@@ -109,6 +115,7 @@ class Cnc final : public controller::Controller, public controller::StopScreens 
   struct Parts;
   void watch();
   void meet();
+  void standTogether();
   void connect();
   std::unique_ptr<Parts> parts_;
 };

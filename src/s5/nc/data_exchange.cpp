@@ -114,6 +114,11 @@ std::optional<Trap> DataExchange::advance(Machine& m, Control& control, Instant 
   return std::nullopt;
 }
 
+void DataExchange::delay(Duration by) {
+  end_ = end_ + by;
+  for (Waiting& waiting : jobs_) waiting.earliest = waiting.earliest + by;
+}
+
 void DataExchange::begin(Machine& m) {
   running_ = jobs_.front().job;
   jobs_.pop_front();

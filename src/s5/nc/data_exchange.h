@@ -32,6 +32,7 @@ class DataExchange {
   std::optional<sinumerik::Trap> advance(sinumerik::Machine& machine, Control& control,
                                          Instant now);
   Instant next() const;
+  void delay(Duration by);  // all jobs stood still for so long
 
  private:
   struct Waiting {

@@ -38,6 +38,7 @@ class FunctionMacros final : public sinumerik::Macros {
   void cycleBegins() override { exchange_.cycleBegins(); }
   std::optional<Trap> advance(Machine& machine, Instant now) override;
   Instant next() const override { return exchange_.next(); }
+  void delay(Duration by) override { exchange_.delay(by); }
   bool masterPlcRuns() const override { return coupling_.masterRuns(); }
 
  private:

@@ -24,7 +24,9 @@ Instant OperatingSystem::horizon(Instant limit) const {
 void OperatingSystem::translate() {
   if (options_.engine == nullptr || compiledVersion_ == machine_.blocks.codeVersion()) return;
   compiledVersion_ = machine_.blocks.codeVersion();
-  options_.engine->compile(machine_, environment_, recorder_.watched(machine_.blocks));
+  std::vector<bool> apart = recorder_.watched(machine_.blocks);
+  if (probes_.any()) probes_.addTo(apart, machine_.blocks);
+  options_.engine->compile(machine_, environment_, apart);
 }
 
 // Code that writes code is the processor's, and so is every instruction that coverage counts.

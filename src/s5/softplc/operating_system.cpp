@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "base/bcd.h"
 #include "softplc/memory_size.h"
@@ -53,6 +54,7 @@ OperatingSystem::OperatingSystem(const Options& options)
 }
 
 void OperatingSystem::step(Instant limit) {
+  if (std::exchange(holdNext_, false) && hold()) return;
   if (macrosAreDue()) return serveMacros();
   if (mode_ == Mode::Run) return runStep(limit);
   if (mode_ == Mode::Startup) return execute(limit);
@@ -60,8 +62,7 @@ void OperatingSystem::step(Instant limit) {
 }
 
 bool OperatingSystem::macrosAreDue() const {
-  const bool works = mode_ == Mode::Run || mode_ == Mode::Startup;
-  return works && options_.macros != nullptr && options_.macros->next() <= machine_.clock;
+  return executes(mode_) && options_.macros != nullptr && options_.macros->next() <= machine_.clock;
 }
 
 // Jobs of function macros go on beside the program. What stops the PLC shows its number in the
@@ -106,12 +107,14 @@ Duration OperatingSystem::shareOfThird() const {
 
 void OperatingSystem::execute(Instant limit) {
   if (runCompiled(horizon(limit))) return;
+  if (probes_.any() && probes_.before(machine_)) return static_cast<void>(hold());
   const std::uint8_t ob = machine_.level().ob;
   const Instant before = machine_.clock;
   const bool stpBefore = processor_.stpSeen();
   if (recorder_.active()) recorder_.beforeStep(machine_);
   const Outcome outcome = processor_.step();
   if (recorder_.active()) recorder_.afterStep(processor_, outcome);
+  if (probes_.any()) probes_.after(processor_, outcome);
   if (outcome == Outcome::Trapped) return raise(processor_.trap());
   if (processor_.stpSeen() && !stpBefore)
     stpPicture_ = takePicture(machine_, controlRegister(around_.batteryGood));
@@ -185,6 +188,7 @@ std::string OperatingSystem::place() const {
 }
 
 void OperatingSystem::enterStop(const Trap& trap, ControlBit also) {
+  resume();
   const bool stp = trap.alarm == Alarm::Stp && stpPicture_.has_value();
   picture_ = stp ? *stpPicture_ : takePicture(machine_, controlRegister(around_.batteryGood));
   addCause(picture_, machine_, trap.alarm);
@@ -215,6 +219,7 @@ void OperatingSystem::halt() {
 }
 
 void OperatingSystem::stopWithout(std::string text) {
+  resume();
   picture_ = takePicture(machine_, controlRegister(around_.batteryGood));
   if (!around_.batteryGood) picture_.interrupt.causes.set(Cause::BAU);
   controlBits_.set(ControlBit::MAFEHL);
@@ -226,7 +231,7 @@ void OperatingSystem::stopWithout(std::string text) {
 }
 
 void OperatingSystem::stopByProgrammer() {
-  if (mode_ == Mode::Run || mode_ == Mode::Startup) raise({Alarm::ProgrammerStop, {}});
+  if (executes(mode_) || mode_ == Mode::Halt) raise({Alarm::ProgrammerStop, {}});
 }
 
 void OperatingSystem::betweenCycles(std::function<void()> change) {
@@ -250,7 +255,8 @@ ControlBits OperatingSystem::controlBits() const {
   bits.set(ControlBit::STOZUS, mode_ == Mode::Stop);
   bits.set(ControlBit::STOANZ, mode_ == Mode::Stop);
   bits.set(ControlBit::BATPUF, around_.batteryGood);
-  bits.set(ControlBit::OBWIED, mode_ == Mode::Startup && !machine_.levels.empty());
+  const Mode mode = mode_ == Mode::Halt ? held_.mode : mode_;
+  bits.set(ControlBit::OBWIED, mode == Mode::Startup && !machine_.levels.empty());
   return bits;
 }
 

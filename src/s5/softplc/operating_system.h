@@ -13,6 +13,7 @@
 #include "softplc/forces.h"
 #include "softplc/interrupt_stack.h"
 #include "softplc/options.h"
+#include "softplc/probes.h"
 #include "softplc/recorder.h"
 #include "softplc/run_times.h"
 #include "softplc/schedule.h"
@@ -21,8 +22,11 @@
 
 namespace merker::sinumerik {
 
-enum class Mode : std::uint8_t { Off, Stop, Startup, Run };
+enum class Mode : std::uint8_t { Off, Stop, Startup, Run, Halt };
 enum class Start : std::uint8_t { Cold, Warm };  // Neustart, Wiederanlauf
+
+// Whether instructions are executed.
+constexpr bool executes(Mode mode) { return mode == Mode::Startup || mode == Mode::Run; }
 
 // Pseudo addresses F000 … F005 (S5-ERR-11).
 struct FineCode {
@@ -46,6 +50,16 @@ class OperatingSystem {
   void powerOn(bool buffered);
   // Stops for an event that has no number of its own.
   void stopWithout(std::string text);
+  // HALT (halt.cpp) in front of the next instruction or event; not within a step. False: no program
+  // runs. A start, a STOP and power off leave it, too.
+  bool hold();
+  bool resume();
+  void holdNext() { holdNext_ = executes(mode_); }              // the same, before the next step
+  Instant heldSince() const { return held_.since; }  // in HALT
+  // From now on each instruction of this block goes past the probe; null: none. Not within a step.
+  // False: there is no such code block; it is looked at when it comes.
+  bool probe(mc5::BlockId block, Probe* probe);
+  const PlacedProbes& probes() const { return probes_.placed(); }
 
   // One instruction or one event, or to `limit` if nothing is to do.
   void step(Instant limit);
@@ -110,6 +124,8 @@ class OperatingSystem {
   void requestAlarmLevel(Edges edges);
   void beginAlarmLevel(Edges edges);
   void endAlarmLevel();
+  // halt.cpp
+  void delayProgram(Duration by);
   // operating_system.cpp
   bool macrosAreDue() const;
   void serveMacros();
@@ -142,6 +158,7 @@ class OperatingSystem {
   Processor processor_;
   TransferFlags flags_;
   Recorder recorder_;
+  Probes probes_;
   AlarmInput alarmInput_;
   AlarmList alarms_;
   Checksums sums_;
@@ -149,6 +166,11 @@ class OperatingSystem {
   RunTimes times_;
 
   Mode mode_ = Mode::Stop;
+  struct {
+    Mode mode = Mode::Stop;  // to go back to
+    Instant since;
+  } held_;
+  bool holdNext_ = false;
   Start startKind_ = Start::Cold;
   bool warmInterrupted_ = false;  // power failed in OB 20 of a warm restart (S5-OB-03)
   bool memoryLost_ = false, runBeforePowerOff_ = false;

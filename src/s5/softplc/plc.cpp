@@ -53,6 +53,13 @@ bool Plc::warmStart() {
 }
 void Plc::stop() { parts_->os.stopByProgrammer(); }
 void Plc::powerOff() { parts_->os.powerOff(); }
+bool Plc::hold() { return parts_->os.hold(); }
+void Plc::holdNext() { parts_->os.holdNext(); }
+bool Plc::resume() {
+  if (mode() != Mode::Halt) return false;
+  parts_->started = parts_->started + (now() - parts_->os.heldSince());
+  return parts_->os.resume();
+}
 void Plc::powerOn(bool buffered) {
   parts_->started = now();
   parts_->os.powerOn(buffered);
@@ -80,20 +87,31 @@ void Plc::advanceTo(Instant t) {
   while (now() < t) parts_->os.step(t);
 }
 
+void Plc::runTo(Instant t) {
+  while (executes(mode()) && now() < t) parts_->os.step(t);
+}
+
+void Plc::runToCheckpoint(Instant t) {
+  OperatingSystem& os = parts_->os;
+  const std::uint64_t before = os.checkpoints();
+  while (executes(mode()) && now() < t && os.checkpoints() == before) os.step(t);
+}
+
 bool Plc::settle(Duration longest) {
   OperatingSystem& os = parts_->os;
   const bool starts = mode() == Mode::Startup;
   const Instant end = starts ? parts_->started + kLongestStartUp : now() + kLongestCycle;
   const Instant latest = std::min(end, now() + longest);
-  while (!os.betweenCycles() && now() < latest) os.step(latest);
-  return os.betweenCycles();
+  const auto ended = [&os] { return os.betweenCycles() || os.mode() == Mode::Halt; };
+  while (!ended() && now() < latest) os.step(latest);
+  return ended();
 }
 
 void Plc::advanceCycles(std::uint64_t count) {
-  for (; count > 0 && mode() != Mode::Stop && mode() != Mode::Off; --count) {
+  for (; count > 0 && executes(mode()); --count) {
     const std::uint64_t before = cycles();
     const Instant latest = now() + kLongestCycle;
-    while (cycles() == before && now() < latest) parts_->os.step(latest);
+    while (cycles() == before && executes(mode()) && now() < latest) parts_->os.step(latest);
     settle();
   }
 }
@@ -129,6 +147,13 @@ void Plc::unforce() {
   parts_->os.forcedInputs.clear();
   parts_->os.forcedOutputs.clear();
   parts_->os.forcedFlags.clear();
+}
+
+bool Plc::probe(mc5::BlockId block, Probe* probe) { return parts_->os.probe(block, probe); }
+const PlacedProbes& Plc::probes() const { return parts_->os.probes(); }
+std::optional<CodePlace> Plc::place() const { return nextPlace(machine()); }
+std::optional<Instant> Plc::heldSince() const {
+  return mode() == Mode::Halt ? std::optional(parts_->os.heldSince()) : std::nullopt;
 }
 
 std::vector<CheckResult> Plc::checkResults() const { return parts_->os.recorder().results(); }

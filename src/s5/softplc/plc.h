@@ -36,6 +36,11 @@ class Plc {
   bool warmStart();                // Wiederanlauf; false also if only a cold start is possible
   void stop();                     // as the programmer does it: alarm 6149
   void powerOff();
+  // HALT: the program stands still in front of its next instruction, as it is; only time moves.
+  // resume() continues there. False: no program runs, it is not in HALT.
+  bool hold();
+  bool resume();
+  void holdNext();                     // within a step: before the next one
   void powerOn(bool buffered = true);  // starts; false: battery empty, the user memory is lost
   Retained retained() const;
   // For a new PLC: it is then switched off and has this in its memory; powerOn() goes on.
@@ -47,8 +52,11 @@ class Plc {
   std::uint64_t instructions() const;
   // Up to t, also into the middle of a cycle; in STOP only time moves.
   void advanceTo(Instant t);
+  // The same, at most to HALT or STOP; and at most to the next end of a cycle or of the start-up.
+  void runTo(Instant t);
+  void runToCheckpoint(Instant t);
   // On to the end of the cycle that runs now: there values are looked at from outside. False: it
-  // has not ended within `longest`, or 10 s, or a start-up within its 200 ms.
+  // has not ended within `longest`, or 10 s, or a start-up within its 200 ms. HALT is an end, too.
   bool settle(Duration longest = Duration::seconds(10));
   void advanceCycles(std::uint64_t count);
   // To the next end of a cycle or of the start-up, at most to `limit`; true if it came there.
@@ -63,6 +71,13 @@ class Plc {
   bool write(const Reference& variable, std::uint32_t value);
   bool force(const Reference& variable, std::uint32_t value);
   void unforce();
+
+  // Test functions (probe.h), see operating_system.h. The next instruction, also in HALT; nothing
+  // between two cycles.
+  bool probe(mc5::BlockId block, Probe* probe);
+  const PlacedProbes& probes() const;
+  std::optional<CodePlace> place() const;
+  std::optional<Instant> heldSince() const;  // nothing unless in HALT
 
   std::vector<CheckResult> checkResults() const;
   // With Options::coverage; instructions that never ran are missing.

@@ -34,6 +34,7 @@ class Macros {
     return std::nullopt;
   }
   virtual Instant next() const { return Instant::never(); }  // when advance has something to do
+  virtual void delay(Duration /*by*/) {}                     // the PLC was in HALT for so long
   virtual bool masterPlcRuns() const { return true; }        // else alarm 6163 (S5-FM-54)
 };
 
@@ -80,6 +81,7 @@ class Processor {
 
   // for handlers
   Machine& machine() { return machine_; }
+  const Machine& machine() const { return machine_; }
   const Environment& environment() const { return environment_; }
   Registers& registers() { return machine_.registers(); }
   Displays& displays() { return machine_.displays(); }

@@ -13,6 +13,7 @@ class Schedule {
     raster_ = raster;
     samples_ = thirds_ = 0;
   }
+  void delay(Duration by) { anchor_ = anchor_ + by; }
   const Raster& raster() const { return raster_; }
   Instant nextSample() const { return anchor_ + raster_.sampling * samples_; }
   Instant nextThird() const { return anchor_ + Duration{raster_.call.ns * thirds_ / 3}; }

@@ -40,6 +40,7 @@ constexpr std::array kConditions{
 bool OperatingSystem::start(Start kind) {
   if (mode_ == Mode::Off) return false;
   if (kind == Start::Warm && warmInterrupted_) return false;
+  resume();
   prepareStart(kind);
   if (memoryLost_) {
     controlBits_.set(ControlBit::URLAD);
@@ -142,8 +143,9 @@ void OperatingSystem::beginRun() {
 // Segments 5 and 6 are buffered, segment 1 is not.
 void OperatingSystem::powerOff() {
   if (mode_ == Mode::Off) return;
+  resume();
   warmInterrupted_ = mode_ == Mode::Startup && startKind_ == Start::Warm;
-  runBeforePowerOff_ = mode_ == Mode::Run || mode_ == Mode::Startup;
+  runBeforePowerOff_ = executes(mode_);
   machine_.levels.clear();
   cycleActive_ = false;
   runChanges();

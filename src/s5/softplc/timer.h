@@ -34,6 +34,10 @@ class Timer {
   }
   // The operating system counts the units that have passed; at instants of the sampling raster.
   void count(Instant now, const TimeBases& bases);
+  // It stood still for so long.
+  void delay(Duration by) {
+    if (next_ != Instant::never()) next_ = next_ + by;
+  }
 
  private:
   // `kept`: bits that stay beside the edge memories.

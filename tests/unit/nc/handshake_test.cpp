@@ -36,6 +36,22 @@ TEST(Handshake, AbsoluteCall) {
   EXPECT_EQ(watch(rig, 1, 100), (std::vector<unsigned>{kDone, 0}));
 }
 
+// In HALT a job stands, too, and takes the rest of its time afterwards.
+TEST(Handshake, AJobStandsInHalt) {
+  Machine rig;
+  ASSERT_TRUE(rig.start(cyclic(Call{}.text())));
+  rig.cycles(1);
+  rig.signal(true);
+  rig.milliseconds(61);
+  ASSERT_EQ(rig.interfaceByte(1), kRequested | kBusy);
+  EXPECT_TRUE(rig.plc->hold());
+  EXPECT_EQ(watch(rig, 1, 1000), std::vector<unsigned>{kRequested | kBusy});
+  EXPECT_TRUE(rig.plc->resume());
+  rig.milliseconds(15);
+  EXPECT_EQ(rig.interfaceByte(1), kRequested | kBusy);
+  EXPECT_EQ(watch(rig, 1, 100), (std::vector<unsigned>{kRequested | kBusy | kRunning, kDone}));
+}
+
 // S5-FM-25, S5-FM-26: the signal that stays is one job; busy bytes take no second one.
 TEST(Handshake, OneJobForOneSignal) {
   Machine rig;
