@@ -54,7 +54,7 @@ class OperatingSystem {
   // runs. A start, a STOP and power off leave it, too.
   bool hold();
   bool resume();
-  void holdNext() { holdNext_ = executes(mode_); }              // the same, before the next step
+  void holdNext() { holdNext_ = executes(mode_); }   // the same, before the next step
   Instant heldSince() const { return held_.since; }  // in HALT
   // From now on each instruction of this block goes past the probe; null: none. Not within a step.
   // False: there is no such code block; it is looked at when it comes.
