@@ -3,8 +3,10 @@
 
 #include <array>
 
+#include "mc5/block_id.h"
 #include "mc5/constant.h"
 #include "mc5/instruction.h"
+#include "mc5/operand_text.h"
 
 namespace merker::mc5 {
 namespace {
@@ -26,11 +28,6 @@ constexpr std::array kMemoryNames{
     MemoryName{Area::Data, Width::Double, "DD"},    MemoryName{Area::Peripheral, Width::Byte, "PB"},
     MemoryName{Area::Peripheral, Width::Word, "PW"}};
 
-std::string_view blockName(BlockType type) {
-  constexpr std::array<std::string_view, 5> kNames{"OB", "PB", "SB", "FB", "DB"};
-  return kNames[static_cast<std::size_t>(type)];
-}
-
 std::string memoryText(const Operand& operand) {
   for (const MemoryName& row : kMemoryNames) {
     if (row.area != operand.area || row.width != operand.width) continue;
@@ -46,6 +43,8 @@ std::string cellText(char letter, const Operand& operand) {
     return fmt::format("{} {}.{}", letter, operand.value, operand.bit);
   return fmt::format("{} {}", letter, operand.value);
 }
+
+}  // namespace
 
 std::string operandText(const Operand& operand) {
   switch (operand.kind) {
@@ -64,14 +63,12 @@ std::string operandText(const Operand& operand) {
     case OperandKind::Jump:
       return fmt::format("={:+}", static_cast<std::int32_t>(operand.value));
     case OperandKind::Block:
-      return fmt::format("{} {}", blockName(operand.block), operand.value);
+      return toString(BlockId{operand.block, static_cast<std::uint16_t>(operand.value)});
     case OperandKind::Formal:
       return fmt::format("={}", operand.value);
   }
   return {};
 }
-
-}  // namespace
 
 std::string text(const Instruction& instruction) {
   const std::string operand = operandText(instruction.operand);

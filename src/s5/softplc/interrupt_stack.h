@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "mc5/block_id.h"
 #include "softplc/machine.h"
 #include "softplc/trap.h"
 
@@ -53,6 +54,6 @@ std::uint16_t controlRegister(bool batteryGood);
 // The two screens "Unterbrechungsstack" and "BSTACK" as text.
 std::string toString(const InterruptStack& stack);
 std::string toString(const std::vector<BlockStackEntry>& stack);
-std::string toString(mc5::BlockId id);  // "PB 5"
+using mc5::toString;  // of a block
 
 }  // namespace merker::sinumerik

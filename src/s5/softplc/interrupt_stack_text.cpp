@@ -8,7 +8,6 @@
 namespace merker::sinumerik {
 namespace {
 
-constexpr std::array<std::string_view, 5> kTypes{"OB", "PB", "SB", "FB", "DB"};
 constexpr std::array<std::string_view, 8> kDisplays{"ERAB",  "VKE",  "STATUS", "ODER",
                                                     "OVFLS", "OVFL", "ANZ0",   "ANZ1"};
 
@@ -38,10 +37,6 @@ std::string causeText(const Causes& causes) {
 }
 
 }  // namespace
-
-std::string toString(mc5::BlockId id) {
-  return fmt::format("{} {}", kTypes[static_cast<std::size_t>(id.type)], id.number);
-}
 
 std::string toString(const InterruptStack& s) {
   return fmt::format(

@@ -140,10 +140,6 @@ class Finder {
 
 }  // namespace
 
-std::string toString(mc5::BlockId id) {
-  return fmt::format("{} {}", kKinds[static_cast<std::size_t>(id.type)].word, id.number);
-}
-
 std::vector<BlockSource> findBlocks(const source::SourceFile& file, Problems& problems) {
   return Finder(file, problems).find();
 }

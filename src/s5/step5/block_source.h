@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "mc5/block.h"
+#include "mc5/block_id.h"
 #include "source/source_file.h"
 
 namespace merker::step5 {
@@ -29,7 +29,6 @@ struct BlockSource {
 
 std::vector<BlockSource> findBlocks(const source::SourceFile& file, Problems& problems);
 
-// "FB 140"
-std::string toString(mc5::BlockId id);
+using mc5::toString;  // "FB 140"
 
 }  // namespace merker::step5

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "mc5/constant.h"
+#include "mc5/operand_text.h"
 #include "mc5/parameter_list.h"
 #include "mc5/resident_blocks.h"
 #include "step5/declaration.h"
@@ -15,13 +16,6 @@ using mc5::BlockType;
 using mc5::OperandKind;
 using mc5::Parameter;
 
-// "E 10.3" of "U     E 10.3".
-std::string operandOf(const mc5::Instruction& instruction) {
-  const std::string text = mc5::text(instruction);
-  const std::size_t start = text.find_first_not_of(' ', text.find(' '));
-  return start == std::string::npos ? std::string() : text.substr(start);
-}
-
 std::string actualText(const Parameter& parameter, std::span<const std::uint16_t> words) {
   if (parameter.kind == mc5::ParameterKind::Data) {
     std::uint32_t value = words[0];
@@ -30,7 +24,8 @@ std::string actualText(const Parameter& parameter, std::span<const std::uint16_t
         {.kind = OperandKind::Constant, .format = parameter.format, .value = value});
   }
   const auto decoded = mc5::decode(words.first(1));
-  return decoded ? operandOf(decoded->instruction) : fmt::format("KH {:04X}", words[0]);
+  return decoded ? mc5::operandText(decoded->instruction.operand)
+                 : fmt::format("KH {:04X}", words[0]);
 }
 
 const Block* functionBlock(const mc5::Program& program, std::uint32_t number) {
