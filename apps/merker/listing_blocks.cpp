@@ -7,15 +7,13 @@
 #include "control/cnc.h"
 #include "control/memory.h"
 #include "mc5/disassembly.h"
-#include "softplc/interrupt_stack.h"
+#include "monitor/block_list.h"
 #include "step5/compiler.h"
 
 namespace merker::app {
 namespace {
 
 constexpr unsigned kProgramSegment = 5, kDataSegment = 6;
-
-std::size_t words(const mc5::Block& block) { return block.words.size() + mc5::kHeaderWords; }
 
 bool isData(const mc5::Block& block) { return block.id.type == mc5::BlockType::Db; }
 
@@ -74,9 +72,10 @@ void printListings(const Build& build, const ListingOptions& options) {
   const auto at = addresses(build);
   for (const auto& [id, block] : build.listings) {
     const std::string address = at.contains(id) ? fmt::format("{:04X}", at.at(id)) : "-";
-    std::cout << fmt::format("{:<10} {:<10} {:>6} {:>6} {:>8}\n", sinumerik::toString(id),
-                             block.name, block.library == 0 ? "" : std::to_string(block.library),
-                             words(block), address);
+    const monitor::BlockRow row = monitor::blockRow(block);
+    std::cout << fmt::format("{:<10} {:<10} {:>6} {:>6} {:>8}\n", toString(row.id), row.symbol,
+                             row.library == 0 ? "" : std::to_string(row.library), row.load,
+                             address);
     if (options.code) printCode(build.listings, block);
   }
   const cnc::MemoryUse use = cnc::memoryUse(build.controlOptions());
@@ -88,10 +87,11 @@ nlohmann::json listingsToJson(const Build& build, const ListingOptions& options)
   nlohmann::json blocks = nlohmann::json::array();
   const auto at = addresses(build);
   for (const auto& [id, block] : build.listings) {
-    nlohmann::json entry = {{"block", sinumerik::toString(id)},
-                            {"name", block.name},
-                            {"library", block.library},
-                            {"words", words(block)}};
+    const monitor::BlockRow row = monitor::blockRow(block);
+    nlohmann::json entry = {{"block", toString(row.id)},
+                            {"name", row.symbol},
+                            {"library", row.library},
+                            {"words", row.load}};
     if (at.contains(id)) entry["address"] = fmt::format("{:04X}", at.at(id));
     if (options.code)
       entry["code"] =

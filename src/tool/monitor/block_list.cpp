@@ -3,8 +3,19 @@
 #include <fmt/format.h>
 
 #include "block/container.h"
+#include "mc5/block_id.h"
 
 namespace merker::monitor {
+namespace {
+
+template <typename Program>
+std::vector<BlockRow> rows(const Program& program) {
+  std::vector<BlockRow> list;
+  for (const auto& [id, block] : program) list.push_back(blockRow(block));
+  return list;
+}
+
+}  // namespace
 
 BlockRow blockRow(const block::Block& block) {
   const auto& attributes = block.attributes;
@@ -14,13 +25,22 @@ BlockRow blockRow(const block::Block& block) {
           block.code.empty() ? block.actualData.size() : block.code.size(),
           block.localBytes,
           fmt::format("{}.{}", attributes.version >> 4, attributes.version & 0xF),
-          block::checksum(block)};
+          block::checksum(block),
+          0};
 }
 
-std::vector<BlockRow> blockList(const block::Program& program) {
-  std::vector<BlockRow> list;
-  for (const auto& [id, block] : program) list.push_back(blockRow(block));
-  return list;
+BlockRow blockRow(const mc5::Block& block) {
+  BlockRow row;
+  row.id = mc5::neutralId(block.id);
+  row.symbol = block.name;
+  row.load = block.words.size() + mc5::kHeaderWords;
+  row.work = block.words.size();
+  row.library = block.library;
+  return row;
 }
+
+std::vector<BlockRow> blockList(const block::Program& program) { return rows(program); }
+
+std::vector<BlockRow> blockList(const mc5::Program& program) { return rows(program); }
 
 }  // namespace merker::monitor

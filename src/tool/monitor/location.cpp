@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "base/text.h"
-#include "mc7/disassembly.h"
 
 namespace merker::monitor {
 namespace {
@@ -19,17 +18,6 @@ std::optional<std::uint32_t> number(std::string_view text) {
   return value;
 }
 
-std::optional<BlockId> blockId(std::string_view text) {
-  constexpr BlockKind kKinds[] = {BlockKind::OB, BlockKind::FC, BlockKind::FB, BlockKind::DB};
-  if (text.size() < 3) return std::nullopt;
-  for (const BlockKind kind : kKinds) {
-    if (!equalsIgnoreCase(text.substr(0, 2), name(kind))) continue;
-    const auto value = number(trim(text.substr(2)));
-    if (value && *value <= 0xFFFF) return BlockId{kind, static_cast<std::uint16_t>(*value)};
-  }
-  return std::nullopt;
-}
-
 // Whether "plant.awl" names "examples/plant/plant.awl".
 bool namesFile(std::string_view text, std::string_view file) {
   if (text == file) return true;
@@ -38,71 +26,65 @@ bool namesFile(std::string_view text, std::string_view file) {
 }
 
 // The first statement at or behind `line` in this block.
-const block::LineEntry* entryAt(const block::Block& block, std::uint32_t line) {
-  const block::LineEntry* best = nullptr;
-  for (const block::LineEntry& entry : block.lines)
-    if (entry.line >= line && (best == nullptr || entry.line < best->line)) best = &entry;
+std::optional<CodeLine> lineAt(const BlockCode& block, std::uint32_t line) {
+  std::optional<CodeLine> best;
+  for (std::size_t i = 0; i < block.lineCount(); ++i) {
+    const CodeLine one = block.line(i);
+    if (one.line >= line && (!best || one.line < best->line)) best = one;
+  }
   return best;
 }
 
+std::uint32_t lastLine(const BlockCode& block) {
+  std::uint32_t last = 0;
+  for (std::size_t i = 0; i < block.lineCount(); ++i) last = std::max(last, block.line(i).line);
+  return last;
+}
+
 // Strict: a line before or behind the block's statements is a mistake.
-Result<SourcePlace> lineOfBlock(const block::Block& block, std::uint32_t line) {
-  const auto [first, last] = std::minmax_element(
-      block.lines.begin(), block.lines.end(),
-      [](const block::LineEntry& a, const block::LineEntry& b) { return a.line < b.line; });
-  if (first == block.lines.end() || line < first->line || line > last->line)
-    return makeProblem(ProblemCode::P1203, nowhere(), toString(block.id), line,
-                       first == block.lines.end() ? 0 : first->line,
-                       last == block.lines.end() ? 0 : last->line);
-  return sourcePlace(block, entryAt(block, line)->offset);
+Result<SourcePlace> lineOfBlock(const BlockCode& block, std::uint32_t line) {
+  const auto first = lineAt(block, 0), found = lineAt(block, line);
+  if (!found || line < first->line)
+    return makeProblem(ProblemCode::P1203, nowhere(), toString(block.id()), line,
+                       first ? first->line : 0, lastLine(block));
+  return sourcePlace(block, found->offset);
 }
 
 Result<SourcePlace> lineOfFile(std::string_view file, std::uint32_t line,
-                               const block::Program& program) {
-  const block::Block* found = nullptr;
-  const block::LineEntry* nearest = nullptr;
+                               const ProgramCode& program) {
+  std::optional<BlockCode> found;
+  std::optional<CodeLine> nearest;
   bool known = false;
-  for (const auto& [id, block] : program) {
-    if (!namesFile(file, block.file)) continue;
+  for (const BlockCode& block : program.blocks()) {
+    if (!namesFile(file, block.file())) continue;
     known = true;
-    const block::LineEntry* entry = entryAt(block, line);
-    if (entry == nullptr || (nearest != nullptr && entry->line >= nearest->line)) continue;
-    found = &block;
-    nearest = entry;
+    const auto one = lineAt(block, line);
+    if (!one || (nearest && one->line >= nearest->line)) continue;
+    found = block;
+    nearest = one;
   }
   if (!known) return makeProblem(ProblemCode::P1202, nowhere(), std::string(file));
-  if (found == nullptr) return makeProblem(ProblemCode::P1204, nowhere(), std::string(file), line);
+  if (!found) return makeProblem(ProblemCode::P1204, nowhere(), std::string(file), line);
   return sourcePlace(*found, nearest->offset);
 }
 
-Result<SourcePlace> network(const block::Block& block, std::uint32_t wanted) {
-  if (wanted == 0 || wanted > block.networks.size())
-    return makeProblem(ProblemCode::P1205, nowhere(), toString(block.id), block.networks.size(),
+Result<SourcePlace> network(const BlockCode& block, std::uint32_t wanted) {
+  if (wanted == 0 || wanted > block.networkCount())
+    return makeProblem(ProblemCode::P1205, nowhere(), toString(block.id()), block.networkCount(),
                        wanted);
-  return sourcePlace(block, statementAt(block, block.networks[wanted - 1].offset).begin);
+  return sourcePlace(block, statementAt(block, block.networkBegin(wanted - 1)).begin);
 }
 
-// A byte inside an instruction, or in the list behind a call, stands for the instruction.
-std::uint32_t instructionAt(const block::Block& block, std::uint32_t byte) {
-  std::uint32_t at = 0;
-  for (const mc7::Line& line : mc7::disassemble(block.code, Mnemonics::German))
-    if (line.kind == mc7::LineKind::Instruction && line.offset <= byte) at = line.offset;
-  return at;
-}
-
-// "network 2", "nw 2", "byte 6" behind a block.
-Result<SourcePlace> inside(const block::Block& block, std::string_view rest) {
-  if (rest.empty()) {
-    const bool lines = !block.lines.empty();
-    return sourcePlace(block, lines ? block.lines.front().offset : 0);
-  }
+// "network 2", "nw 2", "byte 6" or "word 6" behind a block.
+Result<SourcePlace> inside(const BlockCode& block, std::string_view rest) {
+  if (rest.empty()) return sourcePlace(block, block.lineCount() > 0 ? block.line(0).offset : 0);
   const std::size_t space = rest.find(' ');
   const std::string_view word = rest.substr(0, space);
   const auto value = number(trim(space == std::string_view::npos ? "" : rest.substr(space)));
   if (value && (equalsIgnoreCase(word, "network") || equalsIgnoreCase(word, "nw")))
     return network(block, *value);
-  if (value && equalsIgnoreCase(word, "byte") && *value < block.code.size())
-    return sourcePlace(block, instructionAt(block, *value));
+  if (value && equalsIgnoreCase(word, name(block.unit())) && *value < block.length())
+    return sourcePlace(block, block.instructionAt(*value));
   return makeProblem(ProblemCode::P1201, nowhere(), std::string(rest));
 }
 
@@ -124,15 +106,14 @@ std::string_view takeBlockName(std::string_view text, std::string_view& rest) {
 
 Result<BlockId> findBlock(std::string_view text, const LocationContext& context) {
   text = trim(text);
-  std::optional<BlockId> id = blockId(text);
+  std::optional<BlockId> id = parseBlockId(text, context.program.kinds());
   if (text.size() > 2 && text.front() == '"' && text.back() == '"') {
     const source::Symbol* symbol = context.symbols.find(text.substr(1, text.size() - 2));
     if (symbol != nullptr && symbol->address.kind == source::SymbolAddress::Kind::Block)
       id = symbol->address.block;
   }
   if (!id) return makeProblem(ProblemCode::P1201, nowhere(), std::string(text));
-  if (!context.program.contains(*id))
-    return makeProblem(ProblemCode::P1206, nowhere(), toString(*id));
+  if (!context.program.find(*id)) return makeProblem(ProblemCode::P1206, nowhere(), toString(*id));
   return *id;
 }
 
@@ -143,7 +124,7 @@ Result<SourcePlace> findLocation(std::string_view text, const LocationContext& c
   std::string_view rest;
   const std::string_view name = takeBlockName(text, rest);
   const std::size_t colon = text.rfind(':');
-  const bool isBlock = blockId(trim(name)) || name.starts_with('"');
+  const bool isBlock = parseBlockId(trim(name), context.program.kinds()) || name.starts_with('"');
   if (!isBlock && colon != std::string_view::npos) {
     const auto line = number(trim(text.substr(colon + 1)));
     if (line) return lineOfFile(trim(text.substr(0, colon)), *line, context.program);
@@ -151,8 +132,8 @@ Result<SourcePlace> findLocation(std::string_view text, const LocationContext& c
   if (!isBlock) return makeProblem(ProblemCode::P1201, nowhere(), std::string(text));
   const auto id = findBlock(name, context);
   if (!id) return id.error();
-  const block::Block& block = context.program.at(*id);
-  if (block.code.empty()) return makeProblem(ProblemCode::P1207, nowhere(), toString(*id));
+  const BlockCode block = *context.program.find(*id);
+  if (block.length() == 0) return makeProblem(ProblemCode::P1207, nowhere(), toString(*id));
   if (!rest.starts_with(':')) return inside(block, rest);
   const auto line = number(trim(rest.substr(1)));
   if (!line) return makeProblem(ProblemCode::P1201, nowhere(), std::string(text));

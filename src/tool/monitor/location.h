@@ -1,5 +1,5 @@
 // Places in the program as a user names them: FC 1, FC 1:12, plant.awl:20, 20, FC 1 network 2,
-// FC 1 byte 6, "Motor":20.
+// FC 1 byte 6, of STEP 5 PB 5 word 6, "Motor":20.
 #pragma once
 
 #include <string_view>
@@ -11,7 +11,7 @@
 namespace merker::monitor {
 
 struct LocationContext {
-  const block::Program& program;
+  ProgramCode program;
   const source::SymbolTable& symbols;
   std::string currentFile;  // what a bare line number means
 };
