@@ -37,10 +37,10 @@ void printReferences(const std::vector<CrossReference>& list) {
   for (const CrossReference& row : list) width = std::max(width, row.operand.size());
   std::cout << fmt::format("{:<{}} {:<24} {:<3} {:<8} {:>3} {:>4}  {:<20} {}\n", "operand", width,
                            "symbol", "use", "block", "NW", "inst", "instruction", "line");
-  std::string last;
+  const CrossReference* last = nullptr;
   for (const CrossReference& row : list) {
-    const bool again = row.operand == last;
-    last = row.operand;
+    const bool again = last != nullptr && row.operand == last->operand && row.block == last->block;
+    last = &row;
     std::cout << fmt::format("{:<{}} {:<24} {:<3} {:<8} {:>3} {:>4}  {:<20} {}:{}\n",
                              again ? "" : row.operand, width, again ? "" : row.symbol,
                              monitor::name(row.use), toString(row.place.block), row.place.network,
@@ -118,14 +118,23 @@ void print(const nlohmann::ordered_json& document) {
   std::cout << document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
 }
 
-int show(const XrefOptions& options, const Build& built) {
-  const Mnemonics mnemonics =
-      options.mnemonics == "en" ? Mnemonics::International : Mnemonics::German;
+std::vector<CrossReference> references(const Build& built, Mnemonics mnemonics) {
   const source::SymbolTable& symbols = built.project.symbols;
-  auto list = monitor::crossReferences(*built.program, symbols,
-                                       {.mnemonics = mnemonics, .library = built.library.get()});
+  if (built.isListing()) return monitor::crossReferences(built.listings, symbols);
+  return monitor::crossReferences(*built.program, symbols,
+                                  {.mnemonics = mnemonics, .library = built.library.get()});
+}
+
+int show(const XrefOptions& options, const Build& built) {
+  const Mnemonics mnemonics = options.mnemonics == "en" && !built.isListing()
+                                  ? Mnemonics::International
+                                  : Mnemonics::German;
+  const source::SymbolTable& symbols = built.project.symbols;
+  auto list = references(built, mnemonics);
   if (!options.operand.empty()) {
-    auto part = monitor::filtered(list, options.operand, built.resolver());
+    auto part =
+        monitor::filtered(list, options.operand, built.resolver(),
+                          built.isListing() ? monitor::step5Words() : monitor::step7Words());
     if (!part) {
       std::cerr << "merker xref: --operand: " << part.error().message << '\n';
       return kUsage;
@@ -145,7 +154,6 @@ int show(const XrefOptions& options, const Build& built) {
 
 int xref(const XrefOptions& options) {
   const Build built = build(loadProject(options.path, options.project), false);
-  if (built.isListing() && built.ok()) return refuseListing("xref");
   if (!built.ok()) return report(built, options.json);
   printProblems(built.problems, built.files());
   return show(options, built);
@@ -160,14 +168,14 @@ void addXref(CLI::App& program, int& result) {
   command->add_option("PATH", options->path, "project folder or source")->required();
   command->add_option(
       "--operand", options->operand,
-      "only these: \"M 10.0, MW 20\", \"DB 1\", E, T, \"\\\"Motor\\\"\"; overlapping "
+      "only these: \"M 10.0, MW 20\", \"DB 1\", E, T, \"\\\"Motor\\\"\", STEP 5 =EIN; overlapping "
       "accesses count");
   auto* assignment = command->add_flag("--assignment", options->assignment,
                                        "used bits of E, A, M; timers and counters");
   command
       ->add_flag("--unused", options->unused, "symbols that nothing uses, operands without symbol")
       ->excludes(assignment);
-  command->add_option("--mnemonics", options->mnemonics, "de or en")
+  command->add_option("--mnemonics", options->mnemonics, "de or en; STEP 5 has German ones")
       ->check(CLI::IsMember({"de", "en"}));
   addProjectOptions(*command, options->project);
   command->add_flag("--json", options->json, "as one JSON object");
@@ -175,7 +183,8 @@ void addXref(CLI::App& program, int& result) {
       "Columns: R read, W written, RW both, - called or opened; NW and inst count from 1.\n"
       "Examples:\n"
       "  merker xref examples/sorting-plant --operand A\n"
-      "  merker xref plant.awl --assignment");
+      "  merker xref plant.awl --assignment\n"
+      "  merker xref press.s5 --operand \"DW 5\"");
   command->callback([options, &result] { result = xref(*options); });
 }
 

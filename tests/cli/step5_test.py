@@ -299,7 +299,31 @@ scenario "missing block"
         self.assertIn("P0707", self.expect(PROBLEMS, "check", "a.s5", "--cpu", "314C-2 PtP").err)
         self.write("a.awl", PROGRAM)
         self.assertIn("P0711", self.expect(PROBLEMS, "check", "a.awl", "--cpu", "SINUMERIK 810 GA3").err)
-        self.assertIn("SIMATIC S7", self.expect(USAGE, "xref", "a.s5").err)
+        self.assertIn("SIMATIC S7", self.expect(USAGE, "hw", "a.s5").err)
+
+    def test_cross_reference(self):
+        """S7-EDIT-22 for STEP 5: the same list with its filters."""
+        out = self.expect(GOOD, "xref", "a.s5").out
+        self.assertRegex(out, r"E 0\.0 +R +OB 1 +1 +1 +U +E 0\.0 +a\.s5:2")
+        self.assertRegex(out, r"MW 102 +R +OB 1 +1 +3 .*\n +W +OB 1 +1 +6 +T +MW 102 +a\.s5:7")
+        self.assertRegex(out, r"PB 9 +- +PB 5 +1 +1 +SPA +PB 9 +a\.s5:12")
+        rows = self.expect(GOOD, "xref", "a.s5", "--operand", "MB 103", "--json").json["references"]
+        self.assertEqual([row["use"] for row in rows], ["R", "W"])
+        self.assertEqual(rows[1]["place"], {"block": "OB 1", "offset": 6, "file": "a.s5", "line": 7, "network": 1})
+        self.assertIn("QQ", self.expect(USAGE, "xref", "a.s5", "--operand", "QQ 1").err)
+
+    def test_cross_reference_of_a_project(self):
+        """S5-FB-16: actual operands as the function block uses them; S5-DB-06: data of the open block."""
+        manual = str(ROOT / "examples/step5/09-formal-operands")
+        uses = {(row["operand"], row["use"], row["instruction"])
+                for row in self.expect(GOOD, "xref", manual, "--json").json["references"]}
+        for use in (("T 17", "RW", "SPA   FB 203"), ("M 105.0", "W", "SPA   FB 202"), ("DB10.DW 20", "R", "SPA   FB 206"),
+                    ("Z 15", "RW", "SPA   FB 204"), ("=BERT", "W", "SSV   =BERT")):
+            self.assertIn(use, uses)
+        assignment = self.expect(GOOD, "xref", manual, "--assignment", "--json").json
+        self.assertEqual((assignment["timers"], assignment["counters"]), ([16, 17, 18], [15]))
+        self.assertIn("EB 20     . . . . X X X X", self.expect(GOOD, "xref", manual, "--assignment").out)
+        self.assertIn("E 20.0", self.expect(GOOD, "xref", manual, "--unused").out)
 
     def test_both_engines_give_the_same(self):
         for engine in ("interpreter", "jit"):

@@ -10,7 +10,7 @@ using Bytes = std::map<std::pair<Area, std::uint32_t>, AssignmentByte>;
 
 // A range (ANY, composite parameter) counts byte by byte.
 void add(Bytes& bytes, const CrossReference& row) {
-  const mc7::Operand& operand = row.key;
+  const address::Operand& operand = row.key;
   const std::uint32_t first = operand.value / 8;
   const std::uint32_t last = (operand.value + row.bits + 7) / 8;
   const std::uint32_t count = row.bits != 0 ? last - first : byteCount(operand.width);
@@ -32,12 +32,12 @@ AssignmentList assignmentList(const std::vector<CrossReference>& list) {
   Bytes bytes;
   std::set<std::uint32_t> timers, counters;
   for (const CrossReference& row : list) {
-    const mc7::Operand& key = row.key;
-    if (key.kind == mc7::OperandKind::Timer) timers.insert(key.value);
-    if (key.kind == mc7::OperandKind::Counter) counters.insert(key.value);
+    const address::Operand& key = row.key;
+    if (isTimer(key)) timers.insert(key.value);
+    if (isCounter(key)) counters.insert(key.value);
     const bool image =
         key.area == Area::Input || key.area == Area::Output || key.area == Area::Flag;
-    if (key.kind == mc7::OperandKind::Memory && image) add(bytes, row);
+    if (isMemory(key) && image) add(bytes, row);
   }
   AssignmentList result;
   for (const auto& [place, byte] : bytes) result.bytes.push_back(byte);

@@ -3,24 +3,37 @@
 #include <algorithm>
 #include <tuple>
 
-#include "monitor/cross_reference_walk.h"
+#include "monitor/step5_references.h"
+#include "monitor/step7_references.h"
 
 namespace merker::monitor {
 namespace {
 
-using mc7::OperandKind;
+using address::OperandKind;
 
-// Inputs, outputs, flags, periphery, timers, counters, data blocks, blocks.
-int rank(const CrossReference& r) {
+// Blocks as the S7 sorts them, those of STEP 5 behind OB.
+constexpr BlockKind kBlocks[] = {BlockKind::OB,  BlockKind::PB,  BlockKind::SB,
+                                 BlockKind::DB,  BlockKind::SDB, BlockKind::FC,
+                                 BlockKind::SFC, BlockKind::FB,  BlockKind::SFB};
+
+// Inputs, outputs, flags, periphery, timers, counters, data blocks, blocks, formal operands.
+std::ptrdiff_t rank(const CrossReference& r) {
+  if (r.formal != 0) return 7 + std::ssize(kBlocks);
+  if (r.block) return 7 + (std::ranges::find(kBlocks, r.block->kind) - std::begin(kBlocks));
   if (r.key.kind == OperandKind::Timer) return 4;
   if (r.key.kind == OperandKind::Counter) return 5;
-  if (r.key.kind == OperandKind::Block) return 7 + static_cast<int>(r.key.blockKind);
   if (r.db >= 0 || r.key.area == Area::DataBlock || r.key.area == Area::Instance) return 6;
   return r.key.area == Area::Input    ? 0
          : r.key.area == Area::Output ? 1
          : r.key.area == Area::Flag   ? 2
                                       : 3;
 }
+
+auto order(const CrossReference& r) {
+  return std::tuple(rank(r), r.db, r.block ? r.block->number : r.key.value, r.key.width, r.formal);
+}
+
+void sort(std::vector<CrossReference>& list) { std::ranges::stable_sort(list, {}, order); }
 
 }  // namespace
 
@@ -34,11 +47,18 @@ std::vector<CrossReference> crossReferences(const block::Program& program,
                                             const CrossReferenceOptions& options) {
   std::vector<CrossReference> list;
   for (const auto& [id, block] : program)
-    if (!block.code.empty()) CrossReferenceWalk(block, {program, symbols, options, list}).run();
-  std::stable_sort(list.begin(), list.end(), [](const CrossReference& a, const CrossReference& b) {
-    return std::tuple(rank(a), a.db, a.key.value, a.key.width) <
-           std::tuple(rank(b), b.db, b.key.value, b.key.width);
-  });
+    if (!block.code.empty()) Step7References(block, {program, symbols, options, list}).run();
+  sort(list);
+  return list;
+}
+
+std::vector<CrossReference> crossReferences(const mc5::Program& program,
+                                            const source::SymbolTable& symbols) {
+  std::vector<CrossReference> list;
+  FormalUses formals;
+  for (const auto& [id, block] : program)
+    if (codeLength(block) > 0) Step5References(block, {program, symbols, formals, list}).run();
+  sort(list);
   return list;
 }
 

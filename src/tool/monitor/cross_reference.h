@@ -1,13 +1,14 @@
-// Where the program uses what: the cross reference list of STEP 7, from the machine code of the
-// blocks and their lines (S7-EDIT-22).
+// Where the program uses what: the cross reference list of a programming device, from the machine
+// code of the blocks and their lines (S7-EDIT-22). The rows are the same for both families.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "block/block.h"
-#include "mc7/instruction.h"
+#include "address/reference.h"
 #include "monitor/code_map.h"
+#include "monitor/filter_words.h"
 #include "scenario/term.h"
 #include "source/symbol_table.h"
 
@@ -17,10 +18,12 @@ enum class Use : std::uint8_t { Read, Write, ReadWrite, Call };
 std::string_view name(Use use);  // "R", "W", "RW", "-"
 
 struct CrossReference {
-  std::string operand;     // "E 0.0", "DB1.DBW 4", "T 1", "FC 3"
-  std::string symbol;      // its symbolic name, if any
-  mc7::Operand key;        // area, width, address: the order of the list
-  std::int32_t db = -1;    // of data; -1: which block is open there is not known
+  std::string operand;           // "E 0.0", "DB1.DBW 4", "T 1", "FC 3", "=EIN"
+  std::string symbol;            // its symbolic name, if any
+  address::Operand key;          // kind None: a block or a formal operand
+  std::optional<BlockId> block;  // that is called or opened; that a formal operand belongs to
+  std::uint32_t formal = 0;      // word of the parameter list, from 1; 0: not a formal operand
+  std::int32_t db = -1;          // of data; -1: which block is open there is not known
   std::uint32_t bits = 0;  // of a range (ANY, composite parameter); 0: what the operand's width has
   Use use = Use::Read;
   SourcePlace place;
@@ -34,16 +37,20 @@ struct CrossReferenceOptions {
   const block::Program* library = nullptr;
 };
 
-// Sorted as STEP 7 sorts: E, A, M, P, T, Z, DB contents, blocks; then address, then place.
+// Sorted as STEP 7 sorts: E, A, M, P, T, Z, DB contents, blocks, formal operands of STEP 5; then
+// address, then place.
 std::vector<CrossReference> crossReferences(const block::Program& program,
                                             const source::SymbolTable& symbols,
                                             const CrossReferenceOptions& options = {});
+std::vector<CrossReference> crossReferences(const mc5::Program& program,
+                                            const source::SymbolTable& symbols);
 
 // Only operands that touch one of those in `filter`: "M 10.0", "MW 10" (overlap counts), "E", "DB
-// 1", "T", "FC 3", "\"Motor\"", separated by commas. P0904 if a part is no operand.
+// 1", "T", "FC 3", "\"Motor\"", "=EIN", separated by commas. P0904 if a part is no operand.
 Result<std::vector<CrossReference>> filtered(const std::vector<CrossReference>& list,
                                              std::string_view filter,
-                                             const simulator::Resolver& resolver);
+                                             const simulator::Resolver& resolver,
+                                             const FilterWords& words = step7Words());
 
 // Symbols of E, A, M, P, T, Z and blocks that no instruction uses.
 std::vector<source::Symbol> unusedSymbols(const std::vector<CrossReference>& list,

@@ -1,114 +1,103 @@
 // Parts of a cross reference list: by operand, symbols nobody uses, operands without symbol.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <functional>
 #include <set>
 
 #include "base/text.h"
-#include "mc7/place.h"
 #include "monitor/cross_reference.h"
 
 namespace merker::monitor {
 namespace {
 
-using mc7::OperandKind;
+using address::isMemory;
 using Accept = std::function<bool(const CrossReference&)>;
 
-struct AreaWord {
-  std::string_view word;
-  OperandKind kind;
-  Area area;  // Memory
-};
-constexpr AreaWord kAreaWords[] = {
-    {"E", OperandKind::Memory, Area::Input},  {"I", OperandKind::Memory, Area::Input},
-    {"A", OperandKind::Memory, Area::Output}, {"Q", OperandKind::Memory, Area::Output},
-    {"M", OperandKind::Memory, Area::Flag},   {"P", OperandKind::Memory, Area::Peripheral},
-    {"T", OperandKind::Timer, Area::None},    {"Z", OperandKind::Counter, Area::None},
-    {"C", OperandKind::Counter, Area::None}};
-constexpr BlockKind kKinds[] = {BlockKind::OB, BlockKind::FC,  BlockKind::FB,
-                                BlockKind::DB, BlockKind::SFC, BlockKind::SFB};
+std::uint32_t bits(Width width) { return width == Width::Bit ? 1 : 8 * byteCount(width); }
+std::uint32_t bits(const CrossReference& r) { return r.bits != 0 ? r.bits : bits(r.key.width); }
 
-std::optional<Accept> wholeArea(std::string_view text) {
-  for (const AreaWord& row : kAreaWords)
+bool isData(const CrossReference& r) {
+  return isMemory(r.key) && (r.key.area == Area::DataBlock || r.key.area == Area::Instance);
+}
+
+// Whether an access touches one of these bits; the area is known.
+bool overlaps(const CrossReference& r, const address::Operand& wanted) {
+  return r.key.value < wanted.value + bits(wanted.width) && wanted.value < r.key.value + bits(r);
+}
+
+Accept overlapping(const address::Operand& wanted, std::int32_t db) {
+  return [wanted, db](const CrossReference& r) {
+    if (r.key.kind != wanted.kind) return false;
+    if (!isMemory(wanted)) return r.key.value == wanted.value;
+    return r.key.area == wanted.area && r.db == db && overlaps(r, wanted);
+  };
+}
+
+// A reference beside the program of this PLC is none of its operands.
+Accept overlapping(const address::Reference& wanted) {
+  if (wanted.partner || wanted.nc != 0) return [](const CrossReference&) { return false; };
+  return overlapping(wanted.operand, wanted.db);
+}
+
+std::optional<Accept> wholeArea(std::string_view text, const FilterWords& words) {
+  for (const AreaWord& row : words.areas)
     if (equalsIgnoreCase(row.word, text))
       return [row](const CrossReference& r) {
         return r.key.kind == row.kind && r.key.area == row.area;
       };
-  for (const BlockKind kind : kKinds)
+  for (const BlockKind kind : words.blocks)
     if (equalsIgnoreCase(merker::name(kind), text))
       return [kind](const CrossReference& r) {
-        return (r.key.kind == OperandKind::Block && r.key.blockKind == kind) ||
+        return (r.formal == 0 && r.block && r.block->kind == kind) ||
                (kind == BlockKind::DB && r.db >= 0);
       };
   return std::nullopt;
 }
 
-std::optional<Accept> blockOf(std::string_view text) {
-  const auto address = source::parseSymbolAddress(text, Position{});
-  if (!address || address->kind != source::SymbolAddress::Kind::Block) return std::nullopt;
-  return [id = address->block](const CrossReference& r) {
-    if (r.key.kind == OperandKind::Block)
-      return r.key.blockKind == id.kind && r.key.value == id.number;
-    return id.kind == BlockKind::DB && r.db == id.number;
+// PB 5 is the program block and the byte of the periphery: the instruction decides.
+std::optional<Accept> blockOf(std::string_view text, const FilterWords& words) {
+  const auto wanted = parseBlockId(text, words.blocks);
+  if (!wanted) return std::nullopt;
+  const Accept byte =
+      overlapping(address::memory(Area::Peripheral, Width::Byte, bitAddress(wanted->number)), -1);
+  return [id = *wanted, byte](const CrossReference& r) {
+    if (r.block) return r.formal == 0 && *r.block == id;
+    return (id.kind == BlockKind::DB && r.db == id.number) || (id.kind == BlockKind::PB && byte(r));
   };
 }
 
-std::uint32_t bits(Width width) { return width == Width::Bit ? 1 : 8 * byteCount(width); }
-std::uint32_t bits(const CrossReference& r) { return r.bits != 0 ? r.bits : bits(r.key.width); }
+std::optional<Accept> dataOf(std::string_view text, const FilterWords& words) {
+  const auto wanted = words.data(text);
+  if (!wanted) return std::nullopt;
+  return [operand = *wanted](const CrossReference& r) { return isData(r) && overlaps(r, operand); };
+}
 
-// "DBW 4", "DIX 2.1": of any data block.
-std::optional<Accept> dataOf(std::string_view text) {
-  const std::string word = upper(text.substr(0, 2));
-  if ((word != "DB" && word != "DI") || text.size() < 4) return std::nullopt;
-  constexpr std::string_view kWidths = "XBWD";
-  const std::size_t width = kWidths.find(upper(text.substr(2, 1)));
-  const auto address =
-      width == std::string_view::npos
-          ? Result<source::SymbolAddress>(makeProblem(ProblemCode::P0317, Position{}, ""))
-          : source::parseSymbolAddress(
-                fmt::format("M{}{}", width == 0 ? "" : std::string(text.substr(2, 1)),
-                            text.substr(3)),
-                Position{});
-  if (!address || address->kind != source::SymbolAddress::Kind::Memory) return std::nullopt;
-  const mc7::Operand wanted = mc7::memory(Area::Flag, address->width, address->address);
-  return [wanted](const CrossReference& r) {
-    return r.key.kind == OperandKind::Memory &&
-           (r.key.area == Area::DataBlock || r.key.area == Area::Instance) &&
-           r.key.value < wanted.value + bits(wanted.width) && wanted.value < r.key.value + bits(r);
+std::optional<Accept> formalOf(std::string_view text) {
+  if (!text.starts_with('=') || text.size() < 2) return std::nullopt;
+  return [name = std::string(text)](const CrossReference& r) {
+    return r.formal != 0 && equalsIgnoreCase(r.operand, name);
   };
 }
 
-Accept overlapping(const address::Reference& wanted) {
-  return [operand = wanted.operand, db = wanted.db](const CrossReference& r) {
-    if (mc7::placeOf(r.key).kind != operand.kind) return false;
-    if (!isMemory(operand)) return r.key.value == operand.value;
-    return r.key.area == operand.area && r.db == db &&
-           r.key.value < operand.value + bits(operand.width) &&
-           operand.value < r.key.value + bits(r);
-  };
-}
-
-// Data and ranges never have a symbol of their own.
+// Data, ranges and formal operands never have a symbol of their own.
 bool hasSymbols(const CrossReference& r) {
-  const bool data = r.key.area == Area::DataBlock || r.key.area == Area::Instance;
-  return r.key.kind != OperandKind::Block && r.bits == 0 &&
-         !(r.key.kind == OperandKind::Memory && data);
+  return r.key.kind != address::OperandKind::None && r.bits == 0 && !isData(r);
 }
 
 }  // namespace
 
 Result<std::vector<CrossReference>> filtered(const std::vector<CrossReference>& list,
                                              std::string_view filter,
-                                             const simulator::Resolver& resolver) {
+                                             const simulator::Resolver& resolver,
+                                             const FilterWords& words) {
   std::vector<Accept> accepts;
   for (std::size_t begin = 0; begin <= filter.size();) {
     const std::size_t end = std::min(filter.find(',', begin), filter.size());
     const std::string_view part = trim(filter.substr(begin, end - begin));
     begin = end + 1;
-    std::optional<Accept> accept = wholeArea(part);
-    if (!accept) accept = blockOf(part);
-    if (!accept) accept = dataOf(part);
+    std::optional<Accept> accept = wholeArea(part, words);
+    if (!accept) accept = blockOf(part, words);
+    if (!accept) accept = dataOf(part, words);
+    if (!accept) accept = formalOf(part);
     if (!accept) {
       const auto reference = resolver(part, Position{"", 0, 0, 0});
       if (!reference) return reference.error();

@@ -1,6 +1,6 @@
 #include "monitor/symbol_name.h"
 
-#include "mc7/place.h"
+#include <optional>
 
 namespace merker::monitor {
 namespace {
@@ -47,13 +47,10 @@ const source::Symbol* findSymbol(const address::Operand& operand, bool output,
   return address ? symbols.findAddress(*address) : nullptr;
 }
 
-const source::Symbol* findSymbol(const mc7::Operand& operand, bool output,
-                                 const source::SymbolTable& symbols) {
-  if (operand.kind != mc7::OperandKind::Block)
-    return findSymbol(mc7::placeOf(operand), output, symbols);
+const source::Symbol* findSymbol(BlockId block, const source::SymbolTable& symbols) {
   Address address;
   address.kind = Address::Kind::Block;
-  address.block = {operand.blockKind, static_cast<std::uint16_t>(operand.value)};
+  address.block = block;
   return symbols.findAddress(address);
 }
 

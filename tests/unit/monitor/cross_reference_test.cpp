@@ -171,8 +171,7 @@ TEST_F(Calls, AreShownAsCalls) {
   EXPECT_EQ(of("MW 50"), "MW 50 RW 44; ");
   std::string text;
   for (const CrossReference& row : list)
-    if (row.key.kind == mc7::OperandKind::Block && row.place.line <= 46)
-      text += row.operand + ": " + row.instruction + "; ";
+    if (row.block && row.place.line <= 46) text += row.operand + ": " + row.instruction + "; ";
   EXPECT_EQ(text,
             "DB 3: CALL  FC 1; DB 10: CALL  FB 1, DB 10; "
             "FC 1: CALL  FC 1; FC 2: UC    FC 2; FB 1: CALL  FB 1, DB 10; ");

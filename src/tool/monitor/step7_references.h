@@ -1,4 +1,4 @@
-// The cross reference of one block, instruction by instruction.
+// The cross reference of one block of STEP 7, instruction by instruction.
 #pragma once
 
 #include <optional>
@@ -7,12 +7,12 @@
 
 #include "monitor/call_statement.h"
 #include "monitor/constant_bytes.h"
-#include "monitor/cross_reference.h"
 #include "monitor/opened_blocks.h"
+#include "monitor/reference_rows.h"
 
 namespace merker::monitor {
 
-class CrossReferenceWalk {
+class Step7References {
  public:
   struct Surroundings {
     const block::Program& program;
@@ -20,8 +20,8 @@ class CrossReferenceWalk {
     const CrossReferenceOptions& options;
     std::vector<CrossReference>& out;
   };
-  CrossReferenceWalk(const block::Block& block, const Surroundings& around)
-      : block_(block), around_(around), opened_(block) {}
+  Step7References(const block::Block& block, const Surroundings& around)
+      : block_(block), around_(around), opened_(block), rows_(block, around.symbols, around.out) {}
 
   void run();
 
@@ -42,14 +42,13 @@ class CrossReferenceWalk {
 
   void add(mc7::Operand key, std::int32_t db, Use use, const mc7::Instruction& one);
   void add(CrossReference row, Use use, const mc7::Instruction& one);
-  bool merged(const CrossReference& row);
   const block::Block* called(const mc7::Operand& operand) const;
   std::uint32_t offset() const { return static_cast<std::uint32_t>(at_); }
-  std::uint32_t statementNumber() const;
 
   const block::Block& block_;
   Surroundings around_;
   OpenedBlocks opened_;
+  ReferenceRows rows_;
   ConstantBytes bytes_;
   std::optional<CallStatement> call_;
   std::size_t at_ = 0;

@@ -4,7 +4,7 @@
 #include "base/bytes.h"
 #include "mc7/disassembly.h"
 #include "mc7/operand_text.h"
-#include "monitor/cross_reference_walk.h"
+#include "monitor/step7_references.h"
 
 namespace merker::monitor {
 namespace {
@@ -54,8 +54,8 @@ std::uint32_t bytesOf(const block::Type& formal, const Descriptor& what,
 }  // namespace
 
 // MC7 section 7.2
-std::size_t CrossReferenceWalk::parameterList(const mc7::Instruction& call,
-                                              std::span<const std::uint8_t> code) {
+std::size_t Step7References::parameterList(const mc7::Instruction& call,
+                                           std::span<const std::uint8_t> code) {
   const int entries = isFunction(call.operand) ? mc7::parameterListLength(code) : -1;
   if (entries <= 0) return 0;
   const auto count = static_cast<std::size_t>(entries);
@@ -67,8 +67,8 @@ std::size_t CrossReferenceWalk::parameterList(const mc7::Instruction& call,
   return 4 + 4 * count;
 }
 
-void CrossReferenceWalk::parameter(const block::Variable& formal, std::uint32_t entry,
-                                   const mc7::Instruction& call) {
+void Step7References::parameter(const block::Variable& formal, std::uint32_t entry,
+                                const mc7::Instruction& call) {
   const TypeCode type = formal.type->code;
   const Use use = useOf(formal.section);
   const Area area = pointerArea(entry);
@@ -82,7 +82,7 @@ void CrossReferenceWalk::parameter(const block::Variable& formal, std::uint32_t 
 }
 
 // Values of elementary type were read where the CALL laid them down.
-void CrossReferenceWalk::instanceParameters(const mc7::Instruction& call) {
+void Step7References::instanceParameters(const mc7::Instruction& call) {
   const block::Block* target = isFunctionBlock(call.operand) ? called(call.operand) : nullptr;
   if (target == nullptr || !call_) return;
   for (const block::Variable* formal : block::parameters(*target)) {
@@ -98,8 +98,8 @@ void CrossReferenceWalk::instanceParameters(const mc7::Instruction& call) {
 }
 
 // Where the POINTER or ANY at this place leads, if it is a constant.
-void CrossReferenceWalk::composite(const block::Variable& formal, Area area, BitAddress at,
-                                   const mc7::Instruction& call) {
+void Step7References::composite(const block::Variable& formal, Area area, BitAddress at,
+                                const mc7::Instruction& call) {
   const Use use = useOf(formal.section);
   if (formal.type->code == TypeCode::Any) {
     const auto any = bytes_.any(area, at);
@@ -115,8 +115,8 @@ void CrossReferenceWalk::composite(const block::Variable& formal, Area area, Bit
   range(*pointer, 8 * bytes, fmt::format(" BYTE {}", bytes), use, call);
 }
 
-void CrossReferenceWalk::number(TypeCode type, std::uint32_t value, Use use,
-                                const mc7::Instruction& call) {
+void Step7References::number(TypeCode type, std::uint32_t value, Use use,
+                             const mc7::Instruction& call) {
   if (type == TypeCode::Timer) return add(mc7::number(OperandKind::Timer, value), -1, use, call);
   if (type == TypeCode::Counter)
     return add(mc7::number(OperandKind::Counter, value), -1, use, call);
@@ -126,17 +126,17 @@ void CrossReferenceWalk::number(TypeCode type, std::uint32_t value, Use use,
   if (type != TypeCode::BlockSdb) add(mc7::blockOperand(kind, value), -1, Use::Call, call);
 }
 
-void CrossReferenceWalk::range(const Descriptor& what, std::uint32_t bits,
-                               const std::string& length, Use use, const mc7::Instruction& call) {
+void Step7References::range(const Descriptor& what, std::uint32_t bits, const std::string& length,
+                            Use use, const mc7::Instruction& call) {
   const Area area = pointerArea(what.pointer);
   const bool data = area == Area::DataBlock;
   if ((!data && (area < Area::Peripheral || area > Area::Flag)) || bits == 0) return;
-  const BitAddress address = pointerAddress(what.pointer);
+  const BitAddress at = pointerAddress(what.pointer);
   CrossReference row;
-  row.key = mc7::memory(area, Width::Byte, address);
+  row.key = address::memory(area, Width::Byte, at);
   row.bits = bits;
   row.db = data && what.db != 0 ? what.db : -1;
-  const std::string place = mc7::pointerText(area, address, around_.options.mnemonics);
+  const std::string place = mc7::pointerText(area, at, around_.options.mnemonics);
   row.operand = (row.db < 0 ? place : fmt::format("P#DB{}.{}", row.db, place.substr(2))) + length;
   add(std::move(row), use, call);
 }

@@ -1,11 +1,11 @@
-#include "monitor/cross_reference_walk.h"
+#include "monitor/step7_references.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "mc7/operand_text.h"
-#include "monitor/symbol_name.h"
+#include "mc7/place.h"
 
 namespace merker::monitor {
 namespace {
@@ -32,7 +32,7 @@ bool isCall(Operation operation) {
 
 }  // namespace
 
-void CrossReferenceWalk::run() {
+void Step7References::run() {
   const std::span<const std::uint8_t> code(block_.code);
   while (at_ < code.size()) {
     const auto decoded = mc7::decode(code.subspan(at_));
@@ -47,7 +47,7 @@ void CrossReferenceWalk::run() {
   }
 }
 
-void CrossReferenceWalk::beginStatement() {
+void Step7References::beginStatement() {
   const Statement statement = statementAt(block_, offset());
   if (call_ && offset() >= call_->end) call_.reset();
   if (statement.begin == statement_) return;
@@ -56,9 +56,10 @@ void CrossReferenceWalk::beginStatement() {
   call_ = callStatement(block_.code, offset(), statement.end, around_.options.mnemonics);
 }
 
-void CrossReferenceWalk::instruction(const mc7::Instruction& one) {
+void Step7References::instruction(const mc7::Instruction& one) {
   const Operand& operand = one.operand;
   beginStatement();
+  rows_.arrive(offset());
   opened_.arrived(offset());
   if (operand.kind == OperandKind::Memory) memory(one);
   if (operand.kind == OperandKind::Timer || operand.kind == OperandKind::Counter)
@@ -72,7 +73,7 @@ void CrossReferenceWalk::instruction(const mc7::Instruction& one) {
 
 // L and V belong to the block; so do the instance that a CALL fills, and static data that a block
 // without multiple instances addresses by DI.
-void CrossReferenceWalk::memory(const mc7::Instruction& one) {
+void Step7References::memory(const mc7::Instruction& one) {
   Operand key = one.operand;
   std::int32_t db = -1;
   if (key.area == Area::DataBlock) {
@@ -88,7 +89,7 @@ void CrossReferenceWalk::memory(const mc7::Instruction& one) {
 }
 
 // [MD 4], T [MW 4]: the pointer itself is read.
-void CrossReferenceWalk::pointer(const mc7::Instruction& one) {
+void Step7References::pointer(const mc7::Instruction& one) {
   const bool address = one.operand.kind == OperandKind::MemoryIndirect;
   mc7::Instruction read = one;
   read.operation = Operation::LOAD;
@@ -99,44 +100,26 @@ void CrossReferenceWalk::pointer(const mc7::Instruction& one) {
   if (key.area == Area::DataBlock) add(key, opened_.db(), Use::Read, one);
 }
 
-void CrossReferenceWalk::add(Operand key, std::int32_t db, Use use, const mc7::Instruction& one) {
-  const Mnemonics mnemonics = around_.options.mnemonics;
-  const bool output = use == Use::Write;
+void Step7References::add(Operand key, std::int32_t db, Use use, const mc7::Instruction& one) {
   key.reg = 0;
   CrossReference row;
-  row.key = key;
+  row.key = mc7::placeOf(key);
   row.db = db;
-  row.operand = mc7::operandText({output ? Operation::TRANSFER : Operation::LOAD, key}, mnemonics);
-  if (key.kind == OperandKind::Block)
-    row.operand = toString(BlockId{key.blockKind, static_cast<std::uint16_t>(key.value)});
+  row.operand = mc7::operandText({use == Use::Write ? Operation::TRANSFER : Operation::LOAD, key},
+                                 around_.options.mnemonics);
+  if (key.kind == OperandKind::Block) {
+    row.block = BlockId{key.blockKind, static_cast<std::uint16_t>(key.value)};
+    row.operand = toString(*row.block);
+  }
   if (db >= 0) row.operand = fmt::format("DB{}.{}", db, row.operand);
-  if (const source::Symbol* symbol = findSymbol(key, output, around_.symbols))
-    row.symbol = symbol->name;
   add(std::move(row), use, one);
 }
 
-void CrossReferenceWalk::add(CrossReference row, Use use, const mc7::Instruction& one) {
-  row.use = use;
-  row.place = sourcePlace(block_, offset());
-  row.statement = statementNumber();
-  row.instruction = call_ ? call_->text : mc7::text(one, around_.options.mnemonics);
-  if (!merged(row)) around_.out.push_back(std::move(row));
+void Step7References::add(CrossReference row, Use use, const mc7::Instruction& one) {
+  rows_.add(std::move(row), use, call_ ? call_->text : mc7::text(one, around_.options.mnemonics));
 }
 
-// A CALL reads one operand several times; IN_OUT reads and writes it.
-bool CrossReferenceWalk::merged(const CrossReference& row) {
-  for (auto old = around_.out.rbegin(); old != around_.out.rend(); ++old) {
-    const bool here = old->place.block == row.place.block &&
-                      statementAt(block_, old->place.offset).begin == statement_;
-    if (!here) return false;
-    if (old->operand != row.operand || (old->use == Use::Call) != (row.use == Use::Call)) continue;
-    if (old->use != row.use) old->use = Use::ReadWrite;
-    return true;
-  }
-  return false;
-}
-
-const block::Block* CrossReferenceWalk::called(const Operand& operand) const {
+const block::Block* Step7References::called(const Operand& operand) const {
   const BlockId id{operand.blockKind, static_cast<std::uint16_t>(operand.value)};
   const auto own = around_.program.find(id);
   if (own != around_.program.end()) return &own->second;
@@ -144,15 +127,6 @@ const block::Block* CrossReferenceWalk::called(const Operand& operand) const {
   if (library == nullptr) return nullptr;
   const auto system = library->find(id);
   return system == library->end() ? nullptr : &system->second;
-}
-
-std::uint32_t CrossReferenceWalk::statementNumber() const {
-  const std::uint32_t network = networkAt(block_, offset());
-  const std::uint32_t begin = network == 0 ? 0 : block_.networks[network - 1].offset;
-  return static_cast<std::uint32_t>(
-      std::count_if(block_.lines.begin(), block_.lines.end(), [&](const block::LineEntry& entry) {
-        return entry.offset >= begin && entry.offset <= statement_;
-      }));
 }
 
 }  // namespace merker::monitor
