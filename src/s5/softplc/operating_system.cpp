@@ -219,7 +219,6 @@ void OperatingSystem::halt() {
 }
 
 void OperatingSystem::stopWithout(std::string text) {
-  resume();
   picture_ = takePicture(machine_, controlRegister(around_.batteryGood));
   if (!around_.batteryGood) picture_.interrupt.causes.set(Cause::BAU);
   controlBits_.set(ControlBit::MAFEHL);

@@ -5,12 +5,13 @@
 namespace merker::sinumerik {
 namespace {
 
-// Timers of several bases, an alarm level, an output and work that takes a while.
+// Timers of several bases, an alarm level, an output, work that takes a while, and the values of
+// each cycle in DB 1 (S5-SCHED-14).
 const std::string& plant() {
   static const std::string listing =
       "OB 1\n L MW 100\n L KF +1\n +F\n T MW 100\n U M 0.0\n UN M 0.0\n SPB PB 1\n UN T 1\n"
       " L KT 030.0\n SE T 1\n U M 0.1\n L KT 007.1\n SE T 2\n U T 2\n = M 110.0\n"
-      " SPA PB 1\n L KB 5\n T AB 0\n BE\nPB 1\n LC T 2\n T MW 112\n" +
+      " SPA PB 1\n L KB 5\n T AB 0\n A DB 1\n U M 0.1\n = D 9.15\n BE\nPB 1\n LC T 2\n T MW 112\n" +
       burn(4) + " BE\nOB 2\n L MW 102\n L KF +1\n +F\n T MW 102\n BE\n";
   return listing;
 }
@@ -34,6 +35,7 @@ std::string picture(ListingBench& b) {
   add(b.plc().cycles());
   add(b.plc().instructions());
   add(static_cast<std::uint64_t>(b.plc().operatingSystem().runTimes().cycle.cyclic.ns));
+  for (unsigned word = 0; word < 10; ++word) add(b.value("DB1.DW " + std::to_string(word)));
   for (const std::uint8_t byte : b.plc().machine().flags) add(byte);
   for (const Timer& timer : b.plc().machine().timers) add(timer.word());
   return text;
@@ -45,6 +47,7 @@ TEST(S5Halt, isATimeThatDidNotPass) {
     ListingBench quiet(plant());
     Held held(plant(), block, kNever);
     for (ListingBench* b : {&quiet, static_cast<ListingBench*>(&held)}) {
+      b->plc().machineData().setBit(data_bit::kDiagnosis, true);
       b->run(130);
       b->write("EB 7", 1);
     }
@@ -110,6 +113,7 @@ TEST(S5Halt, nobodyWaitsForIt) {
   const Instant before = b.plc().now();
   EXPECT_TRUE(b.plc().settle());
   b.plc().advanceCycles(3);
+  b.plc().runToCheckpoint(ms(40));
   EXPECT_EQ(b.plc().now(), before);
   EXPECT_FALSE(b.plc().advanceToCheckpoint(ms(50)));
   EXPECT_EQ(b.plc().now(), ms(50));
@@ -175,6 +179,28 @@ TEST(S5Halt, endsWithoutPower) {
   b.runTo(6130);
   EXPECT_EQ(b.plc().mode(), Mode::Run);
   EXPECT_TRUE(b.control(ControlBit::WIEDAN));
+}
+
+// Timers outlast a warm restart: those of a PLC that stood have not run meanwhile.
+TEST(S5Halt, isNoTimeOfAWarmRestart) {
+  Held b("OB 1\n UN T 1\n L KT 100.1\n SE T 1\n SPA PB 1\n BE\nPB 1\n LC T 1\n BE\n", kIsPb1, 1);
+  b.plc().machineData().setBit(data_bit::kWarmRestart, true);
+  b.run(5000);
+  ASSERT_EQ(b.value("T 1"), 0x1100u);
+  EXPECT_TRUE(b.plc().warmStart());
+  b.runTo(6050);
+  EXPECT_EQ(b.value("T 1"), 0x1090u);
+}
+
+// A message leaves the PLC standing, an alarm that stops it does not.
+TEST(S5Halt, alarmsFromOutside) {
+  Held b(plant(), kIsPb1, 1);
+  b.run(100);
+  b.plc().raise({Alarm::Jumpers, {}});
+  EXPECT_TRUE(b.pending(6122));
+  EXPECT_EQ(b.plc().mode(), Mode::Halt);
+  b.plc().raise({Alarm::NoAnswerCoupling, {}});
+  EXPECT_TRUE(b.stopped(Alarm::NoAnswerCoupling));
 }
 
 // What a programmer loads comes between two cycles.

@@ -151,6 +151,23 @@ TEST(S5Probe, holdsInOb20AndOb2) {
   EXPECT_EQ(alarm.done[1].registers.akku1, 2u);
 }
 
+// A jump out of the running block leads into the code of another one.
+TEST(S5Probe, knowsTheBlockByItsCode) {
+  ListingBench b("OB 1\n L KB 0\n BE\nPB 1\n L KB 1\n L KB 2\n BE\n");
+  constexpr std::uint16_t kJump = 0x2D00, kToPb1 = 2 + mc5::kHeaderWords;
+  b.options.program.at(kIsOb1).words.front() = kJump | kToPb1;
+  Watcher watcher;
+  b.plc().probe(kIsPb1, &watcher);
+  watcher.holdAt(1);
+  b.run(1);
+  ASSERT_EQ(b.plc().mode(), Mode::Halt);
+  EXPECT_EQ(b.plc().place(), (CodePlace{kIsPb1, 1, 1, 1}));
+  b.plc().resume();
+  b.plc().settle();
+  EXPECT_EQ(watcher.offsets, (Offsets{0, 1, 2}));
+  EXPECT_TRUE(watcher.done.back().levelEnded);
+}
+
 // A block that is loaded again, at another place, keeps its probe.
 TEST(S5Probe, staysAtItsBlock) {
   ListingBench b(kCaller);
@@ -164,6 +181,7 @@ TEST(S5Probe, staysAtItsBlock) {
   b.runTo(130);
   EXPECT_EQ(watcher.offsets.size(), before + 3);
   EXPECT_EQ(watcher.offsets.back(), 2u);
+  EXPECT_EQ(watcher.done.back().place.frames, 2u);
 }
 
 }  // namespace
