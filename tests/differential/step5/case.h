@@ -14,6 +14,7 @@ namespace merker::differential5 {
 struct Case {
   std::uint32_t seed = 0;  // of machine data, memory, terminals and the instants of comparison
   mc5::Program program;
+  bool watched = false;  // a probe looks at one block after the other
 };
 
 // A random program of all kinds of instructions.

@@ -104,6 +104,19 @@ Instant nextStop(const Plc& plc, std::mt19937& random) {
   return std::max(plc.now(), plc.operatingSystem().schedule().nextSample()) + within;
 }
 
+// Looks at a block, which is then the processor's; the program does not notice.
+class Onlooker : public sinumerik::Probe {
+ public:
+  bool before(const Machine&, const sinumerik::CodePlace&) override { return false; }
+  void after(const Machine&, const sinumerik::CodePlace&, const sinumerik::Passed&) override {}
+  // At every third stop at one of the blocks, at the next one at none.
+  void look(Plc& plc, std::uint32_t stop) {
+    const auto block = std::next(plc.program().begin(),
+                                 static_cast<std::ptrdiff_t>(stop / 3 % plc.program().size()));
+    if (stop % 3 != 2) plc.probe(block->first, stop % 3 == 0 ? this : nullptr);
+  }
+};
+
 }  // namespace
 
 Outcome run(const Case& c, std::optional<icode::Opcode> broken) {
@@ -113,6 +126,7 @@ Outcome run(const Case& c, std::optional<icode::Opcode> broken) {
   cnc::CompiledCode engine({.broken = broken});
   options.engine = &engine;
   engine.on = true;
+  Onlooker onlooker;
   Plc compiled(options);
   for (Plc* plc : {&reference, &compiled}) plc->coldStart();
   Outcome outcome;
@@ -128,6 +142,7 @@ Outcome run(const Case& c, std::optional<icode::Opcode> broken) {
       for (Plc* plc : {&reference, &compiled}) plc->write(input, value);
     }
     engine.on = random() % 8 != 0;
+    if (c.watched) onlooker.look(compiled, static_cast<std::uint32_t>(stop));
   }
   outcome.instructions = reference.instructions();
   outcome.compiled = engine.instructions();

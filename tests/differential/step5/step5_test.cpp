@@ -123,7 +123,8 @@ TEST_P(Step5Part, RandomPrograms) {
   const std::uint32_t size = s.count / kParts;
   std::uint64_t instructions = 0, compiled = 0;
   for (std::uint32_t i = size * GetParam(); i < size * (GetParam() + 1); ++i) {
-    const Case c = randomCase(s.first + i);
+    Case c = randomCase(s.first + i);
+    c.watched = (s.first + i) % 4 == 0;
     const Outcome outcome = run(c);
     instructions += outcome.instructions;
     compiled += outcome.compiled;
