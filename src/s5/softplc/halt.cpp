@@ -28,9 +28,10 @@ void OperatingSystem::delayProgram(Duration by) {
 }
 
 bool OperatingSystem::probe(mc5::BlockId block, Probe* probe) {
+  if (block.type == mc5::BlockType::Db) return false;
   probes_.place(block, probe);
   compiledVersion_ = ~std::uint64_t{0};
-  return block.type != mc5::BlockType::Db && machine_.blocks.find(block).present;
+  return machine_.blocks.find(block).present;
 }
 
 }  // namespace merker::sinumerik

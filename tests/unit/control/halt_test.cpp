@@ -135,6 +135,8 @@ TEST(Halt, aPartnerStandsToo) {
   EXPECT_EQ(pair.partner->cycles(), 4u);
   EXPECT_TRUE(pair.control.settle(Duration::seconds(1)));
   const Instant since = *pair.control.plc().heldSince();
+  quiet.control.advanceTo(since);
+  EXPECT_EQ(pair.partner->instructions(), quiet.partner->instructions());
   pair.control.resume();
   EXPECT_EQ(pair.partner->mode(), controller::Mode::Run);
   pair.control.advanceTo(msec(5400));

@@ -13,6 +13,7 @@ TEST(S5Probe, seesEachInstructionOfItsBlock) {
   Watcher watcher;
   EXPECT_TRUE(b.plc().probe(kIsOb1, &watcher));
   EXPECT_FALSE(b.plc().probe({mc5::BlockType::Pb, 9}, &watcher));
+  EXPECT_FALSE(b.plc().probe({mc5::BlockType::Db, 10}, &watcher));  // another segment
   b.run(1);
   EXPECT_EQ(watcher.offsets, (Offsets{0, 1, 2, 3}));
   EXPECT_EQ(watcher.afterOffsets(), (Offsets{0, 2, 3}));  // the call opened a block
