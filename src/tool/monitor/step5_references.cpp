@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "mc5/block_id.h"
 #include "mc5/operand_text.h"

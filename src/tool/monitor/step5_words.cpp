@@ -1,3 +1,5 @@
+#include <string>
+
 #include "monitor/filter_words.h"
 #include "step5/variable.h"
 

@@ -186,5 +186,23 @@ TEST(Step5Jumps, ThatAreComputedHideTheDataBlock) {
   EXPECT_EQ(text, "MW 0; DW 1; DB 10; ");
 }
 
+// Whatever a block contains: no word leads out of it or around in it.
+TEST(Step5Code, OfAnyWordsIsRead) {
+  mc5::Block block;
+  block.id = {mc5::BlockType::Fb, 1};
+  block.parameters = {{"A", mc5::ParameterKind::Input}, {"B", mc5::ParameterKind::Block}};
+  for (std::uint32_t word = 0; word <= 0xFFFF; ++word) {
+    const auto first = static_cast<std::uint16_t>(word);
+    block.words = {first, first, 0x3D01, 0x2D03, first, first, first};  // SPA FB 1 with its list
+    const mc5::Program program{{block.id, block}};
+    for (const CrossReference& row : crossReferences(program, {})) {
+      EXPECT_LT(row.place.offset, block.words.size()) << word;
+      EXPECT_FALSE(row.operand.empty()) << word;
+    }
+    for (std::uint32_t offset = 0; offset < block.words.size(); ++offset)
+      EXPECT_LE(BlockCode(block).instructionAt(offset), offset) << word;
+  }
+}
+
 }  // namespace
 }  // namespace merker::monitor::test
