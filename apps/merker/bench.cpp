@@ -4,15 +4,15 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
-#include <functional>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "build.h"
 #include "command.h"
-#include "control/cnc.h"
 #include "cpu_option.h"
 #include "engine_option.h"
+#include "plc/machine_code.h"
+#include "plc/ob1_alone.h"
 #include "scenario/duration.h"
 #include "scenario/start.h"
 
@@ -37,25 +37,16 @@ double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// OB 1 once, at most for this virtual time.
-std::function<bool(Duration)> ob1Of(controller::Controller& plc) {
-  if (auto* control = dynamic_cast<cnc::Cnc*>(&plc))
-    return [control](Duration most) { return control->plc().runOb1(most); };
-  return [&station = dynamic_cast<station::Station&>(plc)](Duration most) {
-    return station.runOb1(most);
-  };
-}
-
 // Looks at the clock once per portion only: the look must not cost more than a short OB 1.
-void measure(controller::Controller& plc, double seconds, Measurement& result) {
+void measure(controller::Controller& plc, controller::Ob1Alone& ob1, double seconds,
+             Measurement& result) {
   constexpr int kPortion = 64;
   // A program that does not end its OB 1 comes back after this virtual time, too.
   constexpr Duration kLongest = Duration::milliseconds(1);
-  const auto runOb1 = ob1Of(plc);
   const std::uint64_t before = plc.instructions();
   const auto start = Clock::now();
   do {
-    for (int i = 0; i < kPortion; ++i) result.cycles += runOb1(kLongest) ? 1 : 0;
+    for (int i = 0; i < kPortion; ++i) result.cycles += ob1.runOb1(kLongest) ? 1 : 0;
     result.seconds = secondsSince(start);
   } while (result.seconds < seconds && plc.mode() == controller::Mode::Run);
   result.instructionsPerSecond = static_cast<double>(plc.instructions() - before) / result.seconds;
@@ -75,14 +66,12 @@ void show(const Measurement& m, bool json) {
             << "translation_seconds     " << m.translationSeconds << '\n';
 }
 
-// Machine code where it is wanted, and how long making it took. A SINUMERIK makes it before its
-// first instruction; here at once.
+// Machine code where it is wanted, and how long making it took.
 std::optional<std::string> translate(const std::string& engine, controller::Controller& plc,
                                      Measurement& result) {
   const auto start = Clock::now();
   auto problem = useEngine(engine, plc);
-  if (auto* control = dynamic_cast<cnc::Cnc*>(&plc); control != nullptr && engine == "jit")
-    control->plc().translate();
+  if (auto* code = controller::capability<controller::MachineCode>(plc)) code->translateNow();
   result.translationSeconds = secondsSince(start);
   return problem;
 }
@@ -94,8 +83,8 @@ int stopped(const std::string& why) {
 
 // What the figures do not say.
 void note(const Measurement& m, const BenchOptions& options, const controller::Controller& plc) {
-  const auto* station = dynamic_cast<const station::Station*>(&plc);
-  if (options.engine == "jit" && station != nullptr && station->compiledBytes() == 0)
+  const auto* code = controller::capability<controller::MachineCode>(plc);
+  if (options.engine == "jit" && code != nullptr && code->compiledBytes() == 0)
     std::cerr
         << "merker bench: this system does not allow machine code; the interpreter was used\n";
   if (plc.mode() != controller::Mode::Run && !plc.stoppedByFault())
@@ -107,6 +96,9 @@ void note(const Measurement& m, const BenchOptions& options, const controller::C
 }
 
 int bench(const BenchOptions& options, controller::Controller& plc, double seconds) {
+  auto* const ob1 = controller::capability<controller::Ob1Alone>(plc);
+  if (ob1 == nullptr)
+    return stopped(fmt::format("{} has no {}", plc.modelName(), controller::Ob1Alone::kName));
   Measurement result;
   if (const auto problem = translate(options.engine, plc, result)) {
     std::cerr << "merker bench: " << *problem << '\n';
@@ -114,7 +106,7 @@ int bench(const BenchOptions& options, controller::Controller& plc, double secon
   }
   if (const std::string reason = simulator::startFresh(plc); !reason.empty())
     return stopped(reason);
-  measure(plc, seconds, result);
+  measure(plc, *ob1, seconds, result);
   show(result, options.json);
   note(result, options, plc);
   return plc.stoppedByFault() ? stopped("the CPU went to STOP: " + plc.stopReason()) : kGood;

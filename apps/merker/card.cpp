@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "plc/buffered_memory.h"
 #include "project/settings.h"
+#include "store/step5_blocks.h"
 #include "system/library.h"
 
 namespace merker::app {
@@ -17,39 +19,6 @@ store::LoadMemory loadMemoryOf(const Build& build) {
   if (!build.isListing()) return loadMemoryOf(build, *build.program);
   return {std::string(build.project.control->model->name),
           project::configurationText(build.project), cnc::toCard(build.listings)};
-}
-
-void switchOn(const block::RetentiveData* kept, bool changed, station::Station& station) {
-  if (kept != nullptr) {
-    block::RetentiveData data = *kept;
-    data.running = data.running && !changed;
-    station.restore(data);
-    station.powerOn();
-  } else {
-    station.memoryReset();
-  }
-  if (station.mode() == station::Mode::Stop) station.warmRestart();
-}
-
-// Blocks of the source that differ from those that were loaded last; another merker.toml loads the
-// data of the NC anew.
-bool switchOn(const block::RetentiveData* kept, const store::Download& done, const Build& build,
-              cnc::Cnc& control) {
-  control.memoryReset();
-  if (kept == nullptr) {
-    control.start();
-    return true;
-  }
-  block::RetentiveData data = *kept;
-  data.running = data.running && !done.changed();
-  const nc::Control configured = control.control();
-  if (!cnc::restore(control, data)) return false;
-  if (done.anotherConfiguration) control.control() = configured;
-  for (const BlockId id : done.loaded)
-    control.plc().programmer().load(build.listings.at(cnc::blockOf(id)));
-  for (const BlockId id : done.deleted) control.plc().programmer().erase(cnc::blockOf(id));
-  control.powerOn(true);
-  return true;
 }
 
 }  // namespace
@@ -92,35 +61,33 @@ std::optional<Problem> switchOn(store::MemoryCard& card, const Build& build,
                                 controller::Controller& plc) {
   const auto done = card.download(loadMemoryOf(build));
   if (!done) return done.error();
-  const block::RetentiveData* kept = card.retentive() ? &*card.retentive() : nullptr;
-  if (auto* control = dynamic_cast<cnc::Cnc*>(&plc)) {
-    if (switchOn(kept, *done, build, *control)) return std::nullopt;
-    return makeProblem(ProblemCode::P1003, Position{build.project.path},
-                       "its retentive data are not those of a SINUMERIK");
+  auto* const memory = controller::capability<controller::BufferedMemory>(plc);
+  if (memory == nullptr || !card.retentive()) {
+    plc.memoryReset();
+    plc.start();
+    return std::nullopt;
   }
-  switchOn(kept, done->changed(), dynamic_cast<station::Station&>(plc));
-  return std::nullopt;
+  block::RetentiveData data = *card.retentive();
+  data.running = data.running && !done->changed();
+  if (memory->switchOn(data, *done)) return std::nullopt;
+  return makeProblem(ProblemCode::P1003, Position{build.project.path},
+                     fmt::format("its retentive data are not those of a {}", plc.modelName()));
 }
 
 std::optional<Problem> copyRamToRom(store::MemoryCard& card, const Build& build,
-                                    station::Station& station) {
-  station.stop();
-  station.copyRamToRom(build.project.parameters.password);
-  const auto done = card.download(loadMemoryOf(build, station.program()));
+                                    controller::Controller& plc, cpu::RamToRom& memory) {
+  plc.stop();
+  memory.copyRamToRom(build.project.parameters.password);
+  const auto done = card.download(loadMemoryOf(build, memory.program()));
   if (!done) return done.error();
   CardKeeper keeper(card);
-  keeper.save(station);
+  keeper.save(plc);
   return keeper.problem();
 }
 
 bool CardKeeper::save(controller::Controller& plc) {
-  if (problem_) return false;
-  if (auto* control = dynamic_cast<cnc::Cnc*>(&plc)) {
-    problem_ = card_.save(control_.look(*control));
-    return !problem_;
-  }
-  dynamic_cast<station::Station&>(plc).retentive(data_);
-  problem_ = card_.save(data_);
+  auto* const memory = controller::capability<controller::BufferedMemory>(plc);
+  if (!problem_ && memory != nullptr) problem_ = card_.save(memory->kept());
   return !problem_;
 }
 

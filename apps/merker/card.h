@@ -3,7 +3,7 @@
 #pragma once
 
 #include "build.h"
-#include "store/buffered.h"
+#include "cpu/ram_to_rom.h"
 #include "store/memory_card.h"
 
 namespace merker::app {
@@ -17,7 +17,7 @@ Result<store::MemoryCard> openCard(const std::string& folder, bool needsProgram)
 Build buildFromCard(const store::MemoryCard& card, const std::string& folder,
                     const std::string& cpu);
 
-// Puts the program on the card and switches the station on with what is kept there: after a power
+// Puts the program on the card and switches the PLC on with what is kept there: after a power
 // failure in RUN an automatic warm restart, otherwise (STOP, a changed program) a manual one; a new
 // card begins with a memory reset.
 std::optional<Problem> switchOn(store::MemoryCard& card, const Build& build,
@@ -26,7 +26,7 @@ std::optional<Problem> switchOn(store::MemoryCard& card, const Build& build,
 // Stops the CPU and writes the actual values of its data blocks into the blocks on the card
 // (S7-MEM-04).
 std::optional<Problem> copyRamToRom(store::MemoryCard& card, const Build& build,
-                                    station::Station& station);
+                                    controller::Controller& plc, cpu::RamToRom& memory);
 
 // Keeps the retentive memory on the card. Once a save fails nothing more is saved.
 class CardKeeper {
@@ -37,8 +37,6 @@ class CardKeeper {
 
  private:
   store::MemoryCard& card_;
-  block::RetentiveData data_;
-  cnc::Keeper control_;
   std::optional<Problem> problem_;
 };
 

@@ -2,9 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "control/cnc.h"
-#include "station/mixed_engine.h"
-#include "station/station.h"
+#include "jit/native.h"
+#include "plc/machine_code.h"
 
 namespace merker::app {
 
@@ -16,18 +15,15 @@ void addEngine(CLI::App& command, std::string& engine) {
 }
 
 std::optional<std::string> whyMissing(const std::string& engine) {
-  if (engine != "jit" || station::MixedEngine::canCompile()) return std::nullopt;
+  if (engine != "jit" || jit::available()) return std::nullopt;
   return "--engine: jit is not available for this processor; use interpreter";
 }
 
 std::optional<std::string> useEngine(const std::string& engine, controller::Controller& plc) {
   if (auto problem = whyMissing(engine)) return problem;
-  const bool jit = engine == "jit";
-  if (auto* control = dynamic_cast<cnc::Cnc*>(&plc))
-    control->setCompiled(jit);
-  else if (auto* station = dynamic_cast<station::Station*>(&plc))
-    station->setEngine(jit ? station::Engine::Compiled : station::Engine::Interpreter);
-  return std::nullopt;
+  auto* const code = controller::capability<controller::MachineCode>(plc);
+  if (code != nullptr ? code->setCompiled(engine == "jit") : engine != "jit") return std::nullopt;
+  return "--engine: jit is not available for " + plc.modelName() + "; use interpreter";
 }
 
 }  // namespace merker::app

@@ -6,11 +6,13 @@
 #include <string>
 #include <string_view>
 
+#include "plc/capability.h"
+
 namespace merker::controller {
 
-class StopScreens {
+class StopScreens : public Capability {
  public:
-  virtual ~StopScreens() = default;
+  static constexpr std::string_view kName = "screens of a STOP";
 
   // A field of a stack, "USTACK" or "BSTACK", as on its screen. Nothing if there is no such field.
   virtual std::optional<std::string> stackField(std::string_view stack,
@@ -19,11 +21,6 @@ class StopScreens {
   virtual std::string stackFields(std::string_view stack) const = 0;
   // The place and the registers of a STOP in one line; empty while there is none.
   virtual std::string stopDetails() const = 0;
-
- protected:
-  StopScreens() = default;
-  StopScreens(const StopScreens&) = default;
-  StopScreens& operator=(const StopScreens&) = default;
 };
 
 }  // namespace merker::controller

@@ -1,6 +1,7 @@
 #include "control/cnc.h"
 
 #include "base/text.h"
+#include "control/buffered.h"
 #include "control/compiled_code.h"
 #include "control/fault.h"
 #include "control/plc_options.h"
@@ -51,6 +52,7 @@ struct Cnc::Parts {
   std::unique_ptr<nc::FunctionMacros> macros;
   std::unique_ptr<CompiledCode> engine;
   std::unique_ptr<sinumerik::Plc> plc;
+  Keeper keeper;
   Duration before{};  // what passed before the last memory reset
   std::uint64_t cyclesBefore = 0, instructionsBefore = 0;
   controller::ExecutedLines linesBefore;
@@ -150,11 +152,18 @@ bool Cnc::batteryFails(bool fails) {
 }
 
 bool Cnc::canCompile() { return jit::available(); }
-void Cnc::setCompiled(bool on) {
+bool Cnc::setCompiled(bool on) {
   if (parts_->partner) parts_->partner->setCompiled(on);
   parts_->options.compiled = on;
   parts_->engine->on = on && canCompile();
+  return compiled() == on;
 }
+bool Cnc::compiled() const { return parts_->engine->on; }
+void Cnc::translateNow() {
+  if (compiled()) plc().translate();
+}
+std::size_t Cnc::compiledBytes() const { return compiled() ? parts_->engine->bytes() : 0; }
+bool Cnc::runOb1(Duration most) { return plc().runOb1(most); }
 
 std::string Cnc::modelName() const { return std::string(parts_->options.model->name); }
 
@@ -185,6 +194,7 @@ bool Cnc::coldRestart() {
   parts_->takeSamplingCode();
   return plc().coldStart();
 }
+bool Cnc::startFailed() const { return stoppedByFault() || mode() == Mode::Startup; }
 void Cnc::stop() { plc().stop(); }
 void Cnc::powerOff() { plc().powerOff(); }
 void Cnc::powerOn(bool buffered) {
@@ -193,6 +203,20 @@ void Cnc::powerOn(bool buffered) {
   if (!kept) nc::forgetBuffered(control());
   parts_->takeSamplingCode();
   plc().powerOn(kept);
+}
+
+const block::RetentiveData& Cnc::kept() { return parts_->keeper.look(*this); }
+
+bool Cnc::switchOn(const block::RetentiveData& data, const controller::Renewal& renewal) {
+  memoryReset();
+  const nc::Control configured = control();
+  if (!restore(*this, data)) return false;
+  if (renewal.anotherConfiguration) control() = configured;
+  const mc5::Program& program = plc().program();
+  for (const BlockId id : renewal.loaded) plc().programmer().load(program.at(blockOf(id)));
+  for (const BlockId id : renewal.deleted) plc().programmer().erase(blockOf(id));
+  powerOn(true);
+  return true;
 }
 
 void Cnc::memoryReset() {

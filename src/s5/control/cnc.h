@@ -6,7 +6,10 @@
 #include <string>
 
 #include "nc/function_macros.h"
-#include "plc/controller.h"
+#include "plc/buffered_memory.h"
+#include "plc/checked_start.h"
+#include "plc/machine_code.h"
+#include "plc/ob1_alone.h"
 #include "plc/stop_screens.h"
 #include "softplc/plc.h"
 #include "softplc/sinumerik_model.h"
@@ -42,7 +45,12 @@ struct Options {
   Position alarmsNamed{}, messagesNamed{};
 };
 
-class Cnc final : public controller::Controller, public controller::StopScreens {
+class Cnc final : public controller::Controller,
+                  public controller::BufferedMemory,
+                  public controller::CheckedStart,
+                  public controller::MachineCode,
+                  public controller::Ob1Alone,
+                  public controller::StopScreens {
  public:
   explicit Cnc(Options options);
   ~Cnc() override;
@@ -55,9 +63,13 @@ class Cnc final : public controller::Controller, public controller::StopScreens 
   // From now on the two are coupled and move through time together: `partner` follows this one.
   void couple(std::unique_ptr<Cnc> partner, nc::Side side);
   nc::CouplingArea* couplingArea();  // null: there is none
-  // Machine code of this computer instead of the processor alone; the results are the same.
-  void setCompiled(bool on);
+  // Of the partner, too.
+  bool setCompiled(bool on) override;
+  bool compiled() const override;
+  void translateNow() override;
+  std::size_t compiledBytes() const override;
   static bool canCompile();
+  bool runOb1(Duration most) override;
   // Test functions over the probes of plc(): HALT, in which a coupled partner stands, too, and a
   // probe of the partner holds both. Time moves as in plc.h.
   bool hold();
@@ -74,6 +86,7 @@ class Cnc final : public controller::Controller, public controller::StopScreens 
   bool start() override;        // AG-Start of the programmer: Neustart
   bool warmRestart() override;  // Wiederanlauf; refused where MD 2003 bit 3 does not allow it
   bool coldRestart() override;  // Neustart
+  bool startFailed() const override;
   void stop() override;
   void powerOff() override;
   void powerOn(bool buffered) override;
@@ -81,6 +94,9 @@ class Cnc final : public controller::Controller, public controller::StopScreens 
   void memoryReset() override;
   std::string fault(std::string_view subject, std::string_view kind, bool on) override;
   bool batteryFails(bool fails) override;
+  const block::RetentiveData& kept() override;
+  // Blocks that the card has anew are loaded over those that were kept.
+  bool switchOn(const block::RetentiveData& data, const controller::Renewal& renewal) override;
   controller::Controller* partner() override;
 
   Instant now() const override;

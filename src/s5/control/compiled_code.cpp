@@ -24,6 +24,12 @@ const CompiledCode::Entry& CompiledCode::entryAt(const sinumerik::Frame& frame) 
   return inside ? variant.entries[at] : entries_[frame.next];
 }
 
+std::size_t CompiledCode::bytes() const {
+  std::size_t sum = 0;
+  for (const auto& code : blocks_) sum += code->size();
+  return sum;
+}
+
 void CompiledCode::listDataBlocks(Machine& m) {
   if (dataVersion_ == m.blocks.version()) return;
   dataVersion_ = m.blocks.version();

@@ -20,6 +20,7 @@ class CompiledCode : public sinumerik::Engine {
   void compile(sinumerik::Machine& machine, const sinumerik::Environment& environment,
                const std::vector<bool>& apart) override;
   std::uint64_t run(sinumerik::Machine& machine, Instant horizon) override;
+  std::size_t bytes() const;  // of machine code
   // What ran compiled so far.
   std::uint64_t instructions() const { return instructions_; }
 

@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "block/retentive.h"
 #include "catalogue/cpu_parameters.h"
 #include "catalogue/module_event.h"
 #include "clock/standstill.h"
@@ -29,6 +28,7 @@
 #include "cpu/real_time_clock.h"
 #include "cpu/runtime_meter.h"
 #include "cpu/snapshot.h"
+#include "plc/retentive.h"
 
 namespace merker::cpu {
 

@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "block/retentive.h"
 #include "cpu/cycle_times.h"
 #include "cpu/interrupts.h"
 #include "cpu/mode_switch.h"
+#include "plc/retentive.h"
 
 namespace merker::cpu {
 

@@ -64,6 +64,7 @@ struct Station::Parts {
     return cpu.restart(how);
   }
 
+  block::RetentiveData kept;
   std::vector<DiagnosticEntry> diagnostics;
   std::uint64_t diagnosticsSeen = 0;
   std::vector<CheckResult> checks;
@@ -99,6 +100,9 @@ bool Station::setEngine(Engine engine, const Translations& made) {
   if (made.compiled() != (engine == Engine::Compiled)) return false;
   parts_->engine.exchange(made, parts_->cpu);
   return true;
+}
+bool Station::setCompiled(bool on) {
+  return setEngine(on ? Engine::Compiled : Engine::Interpreter);
 }
 void Station::supply(std::shared_ptr<Translations> made) { parts_->engine.supply(std::move(made)); }
 Engine Station::engine() const {
@@ -138,6 +142,7 @@ cpu::SwitchPosition Station::switchPosition() const { return parts_->cpu.modeSwi
 cpu::Leds Station::leds() const { return parts_->cpu.leds(); }
 void Station::memoryReset() { parts_->cpu.memoryReset(); }
 bool Station::warmRestart() { return parts_->restart(cpu::Restart::ManualWarm); }
+bool Station::hasHotRestart() const { return model().hotRestart; }
 bool Station::hotRestart() { return parts_->restart(cpu::Restart::ManualHot); }
 bool Station::coldRestart() { return parts_->restart(cpu::Restart::ManualCold); }
 bool Station::powered() const { return parts_->cpu.powered(); }
@@ -147,8 +152,27 @@ bool Station::resume() { return parts_->cpu.resume(); }
 void Station::powerOff() { parts_->cpu.powerOff(); }
 void Station::powerOn(bool buffered) { parts_->cpu.powerOn(buffered); }
 void Station::setBattery(bool low) { parts_->cpu.setBattery(low); }
+bool Station::batteryFails(bool fails) {
+  setBattery(fails);
+  return true;
+}
+void Station::removeCard() { parts_->cpu.requestMemoryReset(); }
+void Station::trigger(const cpu::Trigger& event) { cpu::trigger(parts_->cpu, event); }
 void Station::retentive(block::RetentiveData& data) const { parts_->cpu.retentive(data); }
 void Station::restore(const block::RetentiveData& data) { parts_->cpu.restore(data); }
+
+const block::RetentiveData& Station::kept() {
+  retentive(parts_->kept);
+  return parts_->kept;
+}
+
+// In STOP, or after a change of the program: a manual restart.
+bool Station::switchOn(const block::RetentiveData& data, const controller::Renewal&) {
+  restore(data);
+  powerOn();
+  if (mode() == Mode::Stop) warmRestart();
+  return true;
+}
 
 void Station::take(const cpu::Snapshot& from, std::shared_ptr<const block::Program> program) {
   parts_->program = program;

@@ -14,15 +14,19 @@
 
 #include "address/reference.h"
 #include "block/block.h"
-#include "block/retentive.h"
 #include "catalogue/cpu_model.h"
 #include "catalogue/cpu_parameters.h"
 #include "clock/instant.h"
-#include "cpu/leds.h"
-#include "cpu/mode_switch.h"
-#include "io/rack.h"
-#include "plant/plants.h"
-#include "plc/controller.h"
+#include "cpu/events_by_hand.h"
+#include "cpu/led_panel.h"
+#include "cpu/ram_to_rom.h"
+#include "cpu/switch_panel.h"
+#include "plant/field.h"
+#include "plc/buffered_memory.h"
+#include "plc/card_slot.h"
+#include "plc/hot_restart.h"
+#include "plc/machine_code.h"
+#include "plc/ob1_alone.h"
 
 namespace merker::cpu {
 class Cpu;
@@ -55,7 +59,17 @@ struct Options {
   Engine engine = Engine::Interpreter;
 };
 
-class Station : public controller::Controller {
+class Station final : public controller::Controller,
+                      public controller::BufferedMemory,
+                      public controller::CardSlot,
+                      public controller::HotRestart,
+                      public controller::MachineCode,
+                      public controller::Ob1Alone,
+                      public plant::Field,
+                      public cpu::EventsByHand,
+                      public cpu::LedPanel,
+                      public cpu::RamToRom,
+                      public cpu::SwitchPanel {
  public:
   explicit Station(Options options);
   ~Station() override;
@@ -67,13 +81,16 @@ class Station : public controller::Controller {
   bool hasColdRestart() const override;
   std::string whyMissing(const address::Reference& reference) const override;
   controller::ExecutedLines executedLines() const override;
-  const block::Program& program() const;
+  const block::Program& program() const override;
 
   // At any time between two calls of this object: the program goes on where it stands. False: there
   // is no compiler for this processor.
   bool setEngine(Engine engine);
   Engine engine() const;
-  std::size_t compiledBytes() const;  // machine code of the host
+  bool setCompiled(bool on) override;
+  bool compiled() const override { return engine() == Engine::Compiled; }
+  void translateNow() override {}  // it has been: setEngine() translates
+  std::size_t compiledBytes() const override;
   // The same with blocks that were translated before. False: they are not what was wanted.
   bool setEngine(Engine engine, const Translations& made);
   // The blocks that a download or take() brings next, translated before.
@@ -85,14 +102,15 @@ class Station : public controller::Controller {
   std::string stopReason()
       const override;  // as the diagnostic buffer names it; empty while not in STOP
   // The mode switch (S7-CPU-31); from STOP to RUN or RUN-P it starts the CPU.
-  void setSwitch(cpu::SwitchPosition position);
-  cpu::SwitchPosition switchPosition() const;
-  cpu::Leds leds() const;
+  void setSwitch(cpu::SwitchPosition position) override;
+  cpu::SwitchPosition switchPosition() const override;
+  cpu::Leds leds() const override;
   void memoryReset() override;
   // Restarts put a switch that stands at STOP to RUN-P.
   bool warmRestart() override;  // OB 100, then OB 1; false if refused (no OB 1 …)
   bool start() override { return warmRestart(); }
-  bool hotRestart();            // OB 101, then on from where STOP came; false if the model has none
+  bool hasHotRestart() const override;
+  bool hotRestart() override;   // OB 101, then on from where STOP came; false if the model has none
   bool coldRestart() override;  // false if the model has none
   bool powered() const override;
   void stop() override;  // mode switch to STOP
@@ -101,11 +119,17 @@ class Station : public controller::Controller {
   void powerOff() override;
   void powerOn(bool buffered = true) override;  // false: battery empty or card out, RAM is lost
   void setBattery(bool low);                    // OB 81
+  bool batteryFails(bool fails) override;
+  void removeCard() override;
+  void trigger(const cpu::Trigger& event) override;
   // Retentive memory (S7-MEM-02), as it is now; events that `data` has already are not copied
   // again.
   void retentive(block::RetentiveData& data) const;
   // For a new station: it is then switched off and has this in its memory; powerOn() goes on.
   void restore(const block::RetentiveData& data);
+  const block::RetentiveData& kept() override;
+  // The program is the new one already.
+  bool switchOn(const block::RetentiveData& data, const controller::Renewal& renewal) override;
   // The CPU as it was when this was taken (cpu::Cpu::snapshot), of a station with the same model
   // and configuration. Plants are no part of it: what they drive stays as they drive it.
   void take(const cpu::Snapshot& from, std::shared_ptr<const block::Program> program);
@@ -128,7 +152,7 @@ class Station : public controller::Controller {
   // Runs OB 1 once, back to back, without the operating system's share of the cycle and without
   // cycle monitoring: for measurements. False if it did not end within `most`; the next call goes
   // on with it then.
-  bool runOb1(Duration most = Duration::seconds(60));
+  bool runOb1(Duration most = Duration::seconds(60)) override;
 
   // values (bits as 0/1). Reading an input shows its process image; `write` to an input sets its
   // terminal, from where the image takes it at the next cycle; other areas are written at once.
@@ -147,11 +171,11 @@ class Station : public controller::Controller {
 
   // The modules and their terminals, with station.now() as the time; null without a hardware
   // configuration. Changes reach the CPU at its next instruction boundary.
-  io::Rack* rack();
-  const io::Rack* rack() const;
+  io::Rack* rack() override;
+  const io::Rack* rack() const override;
   // The plants wired to them, moved by the station's time; null without a hardware configuration.
-  plant::Plants* plants();
-  const plant::Plants* plants() const;
+  plant::Plants* plants() override;
+  const plant::Plants* plants() const override;
 
   const std::vector<DiagnosticEntry>& diagnostics() const override;
   const std::vector<CheckResult>& checkResults() const override;
@@ -161,7 +185,7 @@ class Station : public controller::Controller {
 
   // "Copy RAM to ROM", in STOP: the actual values of data blocks become those of load memory
   // (S7-MEM-04); program() then has them. The reason why not, as text.
-  std::string copyRamToRom(std::string_view password = {});
+  std::string copyRamToRom(std::string_view password = {}) override;
   // Blocks changed, added or deleted while the CPU works (S7-CYCLE-05): they count from the next
   // cycle checkpoint on. The reason why not, as text; empty if it was accepted.
   std::string download(std::shared_ptr<const block::Program> program,

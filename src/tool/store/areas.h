@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "block/retentive.h"
+#include "plc/retentive.h"
 
 namespace merker::store {
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "block/block.h"
+#include "plc/buffered_memory.h"
 #include "store/database.h"
 
 namespace merker::store {
@@ -16,10 +17,8 @@ struct LoadMemory {
 };
 
 // What a download did.
-struct Download {
+struct Download : controller::Renewal {
   bool anotherCpu = false;  // the card was that of another model, or empty
-  bool anotherConfiguration = false;
-  std::vector<BlockId> loaded, deleted;
   bool changed() const {
     return anotherCpu || anotherConfiguration || !loaded.empty() || !deleted.empty();
   }

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "base/result.h"
-#include "block/retentive.h"
+#include "plc/retentive.h"
 #include "store/load_memory.h"
 
 namespace merker::store {

@@ -1,9 +1,9 @@
 // A control as it looks from outside: its modules, its partner, its data, what its battery keeps.
 #include <gtest/gtest.h>
 
+#include "control/buffered.h"
 #include "control/fault.h"
 #include "control/reference.h"
-#include "store/buffered.h"
 
 namespace merker::cnc {
 namespace {

@@ -1,6 +1,7 @@
-// What a CPU keeps without power (S7-MEM-02, S7-CPU-28, -32): plain values that a CPU hands out at
-// the end of a cycle and takes back when it is switched on. Times are nanoseconds of the virtual
-// clock; `now` says what that clock showed, so that a reader knows how long each is ago or ahead.
+// What a PLC keeps without power (S7-MEM-02, S7-CPU-28, -32; S5-MEM-09), in the form in which a
+// memory card holds it (docs/formats/card.md): plain values that it hands out at the end of a cycle
+// and takes back when it is switched on. Times are nanoseconds of the virtual clock; `now` says
+// what that clock showed, so that a reader knows how long each is ago or ahead.
 #pragma once
 
 #include <array>

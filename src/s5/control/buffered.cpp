@@ -1,8 +1,11 @@
-#include "store/buffered.h"
+#include "control/buffered.h"
 
 #include <algorithm>
 
 #include "base/bytes.h"
+#include "control/cnc.h"
+#include "mc5/word_bytes.h"
+#include "nc/number.h"
 
 namespace merker::cnc {
 namespace {
@@ -13,21 +16,7 @@ using nc::Number;
 
 // Numbers of the areas on the card: no data block has them.
 constexpr std::uint16_t kProgramArea = 0x5005, kDataArea = 0x5006;
-constexpr std::size_t kMostWords = 0x8000;                // of a segment
-constexpr std::size_t kNameBytes = 8, kLibraryBytes = 4;  // even, as code is
-
-Bytes wordBytes(const std::vector<std::uint16_t>& words) {
-  Bytes bytes;
-  bytes.reserve(2 * words.size());
-  for (const std::uint16_t word : words) appendWord(bytes, word);
-  return bytes;
-}
-
-std::vector<std::uint16_t> bytesToWords(std::span<const std::uint8_t> bytes) {
-  std::vector<std::uint16_t> words;
-  for (std::size_t i = 0; i + 1 < bytes.size(); i += 2) words.push_back(loadWord(&bytes[i]));
-  return words;
-}
+constexpr std::size_t kMostWords = 0x8000;  // of a segment
 
 // Puts the buffered data of an NC one behind the other into bytes, or takes them out.
 class Out {
@@ -102,64 +91,24 @@ bool isSegment(const Bytes* bytes) {
   return bytes != nullptr && bytes->size() % 2 == 0 && bytes->size() <= 2 * kMostWords;
 }
 
-block::Block stored(const mc5::Block& block) {
-  block::Block result;
-  const auto type = static_cast<unsigned>(block.id.type);
-  result.id = {BlockKind::FC, static_cast<std::uint16_t>(type << 8 | block.id.number)};
-  appendDWord(result.code, block.library);
-  for (std::size_t i = 0; i < kNameBytes; ++i)
-    result.code.push_back(i < block.name.size() ? static_cast<std::uint8_t>(block.name[i]) : ' ');
-  const Bytes words = wordBytes(block.words);
-  result.code.insert(result.code.end(), words.begin(), words.end());
-  return result;
-}
-
-std::optional<mc5::Block> taken(const block::Block& block) {
-  const Bytes& code = block.code;
-  const bool type = block.id.kind == BlockKind::FC &&
-                    block.id.number >> 8 <= static_cast<unsigned>(mc5::BlockType::Db);
-  if (!type || code.size() < kLibraryBytes + kNameBytes) return std::nullopt;
-  mc5::Block result;
-  result.id = blockOf(block.id);
-  result.library = loadDWord(code.data());
-  result.name.assign(code.begin() + kLibraryBytes, code.begin() + kLibraryBytes + kNameBytes);
-  result.name.erase(result.name.find_last_not_of(' ') + 1);
-  result.words = bytesToWords(std::span(code).subspan(kLibraryBytes + kNameBytes));
-  return result;
-}
-
 }  // namespace
+
+BlockId onCard(mc5::BlockId id) {
+  const auto type = static_cast<unsigned>(id.type);
+  return {BlockKind::FC, static_cast<std::uint16_t>(type << 8 | id.number)};
+}
 
 mc5::BlockId blockOf(BlockId id) {
   return {static_cast<mc5::BlockType>(id.number >> 8),
           static_cast<std::uint16_t>(id.number & 0xFF)};
 }
 
-block::Program toCard(const mc5::Program& program) {
-  block::Program result;
-  for (const auto& [id, block] : program) {
-    block::Block one = stored(block);
-    result.emplace(one.id, std::move(one));
-  }
-  return result;
-}
-
-std::optional<mc5::Program> fromCard(const block::Program& blocks) {
-  mc5::Program program;
-  for (const auto& [id, block] : blocks) {
-    auto one = taken(block);
-    if (!one) return std::nullopt;
-    program.emplace(one->id, std::move(*one));
-  }
-  return program;
-}
-
 const block::RetentiveData& Keeper::look(Cnc& control) {
   const sinumerik::Retained memory = control.plc().retained();
   data_.now = control.now().ns;
   data_.running = control.mode() != controller::Mode::Stop;
-  data_.dataBlocks = {{kProgramArea, false, wordBytes(memory.program)},
-                      {kDataArea, false, wordBytes(memory.data)}};
+  data_.dataBlocks = {{kProgramArea, false, mc5::toBytes(memory.program)},
+                      {kDataArea, false, mc5::toBytes(memory.data)}};
   if (seen_ && *seen_ == control.control()) return data_;
   seen_ = control.control();
   Out out;
@@ -179,7 +128,7 @@ bool restore(Cnc& control, const block::RetentiveData& data) {
   if (!isSegment(program) || !isSegment(words) || !in.complete()) return false;
   if (data.running) control.start();
   control.control() = std::move(nc);
-  control.plc().restore({bytesToWords(*program), bytesToWords(*words)});
+  control.plc().restore({mc5::toWords(*program), mc5::toWords(*words)});
   return true;
 }
 

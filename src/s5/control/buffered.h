@@ -5,17 +5,16 @@
 
 #include <optional>
 
-#include "block/block.h"
-#include "block/retentive.h"
-#include "control/cnc.h"
+#include "mc5/block.h"
+#include "nc/control.h"
+#include "plc/retentive.h"
 
 namespace merker::cnc {
 
-// The blocks of a program as a card holds them.
-block::Program toCard(const mc5::Program& program);
-// Nothing if these are no blocks of STEP 5. Names of parameters, lines and formats are not on a
-// card.
-std::optional<mc5::Program> fromCard(const block::Program& blocks);
+class Cnc;
+
+// The name of a block on the card, and back.
+BlockId onCard(mc5::BlockId id);
 mc5::BlockId blockOf(BlockId onCard);
 
 // What is kept at the end of a cycle. Calls for the same `keeper` cost little when little changed.
