@@ -114,14 +114,13 @@ int endCode(const controller::Controller& plc) {
 }
 
 int showControl(const DiagOptions& options, const Build& built, Duration time) {
-  const auto plc = built.controller();
-  if (const int wrong = carryOut(options, built, time, *plc); wrong != kGood) return wrong;
-  auto& control = dynamic_cast<cnc::Cnc&>(*plc);
+  const auto control = built.control();
+  if (const int wrong = carryOut(options, built, time, *control); wrong != kGood) return wrong;
   if (options.json)
-    std::cout << diagnosisToJson(control).dump(2) << '\n';
+    std::cout << diagnosisToJson(*control).dump(2) << '\n';
   else
-    printDiagnosis(control);
-  return endCode(control);
+    printDiagnosis(*control);
+  return endCode(*control);
 }
 
 int show(const DiagOptions& options, const Build& built, Duration time) {

@@ -14,6 +14,8 @@
 #include "engine_option.h"
 #include "input.h"
 #include "operands.h"
+#include "plant/field.h"
+#include "plc/checked_start.h"
 #include "progress.h"
 #include "real_time.h"
 #include "scenario/display.h"
@@ -94,12 +96,11 @@ std::string_view name(controller::Mode mode) {
 void printText(const Operands& operands, const controller::Controller& plc) {
   for (const address::Reference& operand : operands.print.operands)
     std::cout << operand.text << " = " << simulator::show(operand, plc).value_or("?") << '\n';
-  const auto* station = dynamic_cast<const station::Station*>(&plc);
+  const auto* field = controller::capability<plant::Field>(plc);
   for (const simulator::PlantValue& signal : operands.print.plants)
-    std::cout << "plant " << signal.text << " = " << actualValue(signal, *station->plants())
-              << '\n';
+    std::cout << "plant " << signal.text << " = " << actualValue(signal, *field->plants()) << '\n';
   for (const simulator::TerminalValue& terminal : operands.print.terminals)
-    std::cout << "terminal " << terminal.text << " = " << actualValue(terminal, *station->rack())
+    std::cout << "terminal " << terminal.text << " = " << actualValue(terminal, *field->rack())
               << '\n';
 }
 
@@ -112,11 +113,11 @@ void printJson(const Operands& operands, const controller::Controller& plc) {
   if (plc.mode() == controller::Mode::Stop) document["stop_reason"] = plc.stopReason();
   for (const address::Reference& operand : operands.print.operands)
     document[operand.text] = toJson(operand, plc);
-  const auto* station = dynamic_cast<const station::Station*>(&plc);
+  const auto* field = controller::capability<plant::Field>(plc);
   for (const simulator::PlantValue& signal : operands.print.plants)
-    document["plant " + signal.text] = station->plants()->value(signal.place);
+    document["plant " + signal.text] = field->plants()->value(signal.place);
   for (const simulator::TerminalValue& terminal : operands.print.terminals)
-    document["terminal " + terminal.text] = presentValue(terminal, *station->rack());
+    document["terminal " + terminal.text] = presentValue(terminal, *field->rack());
   std::cout << document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
 }
 
@@ -138,7 +139,8 @@ bool cyclesMissing(const RunOptions& options, const controller::Controller& plc)
   if (starting)
     std::cerr << "merker run: the CPU is still in STARTUP: its startup OB has not ended after "
               << simulator::formatTime(plc.now()) << '\n';
-  if (starting && dynamic_cast<const cnc::Cnc*>(&plc) != nullptr) return true;
+  const auto* checked = controller::capability<controller::CheckedStart>(plc);
+  if (checked != nullptr && checked->startFailed()) return true;
   return options.hasCycles && plc.mode() != controller::Mode::Stop && plc.cycles() < options.cycles;
 }
 
@@ -177,11 +179,6 @@ int failed(const Problem& problem) {
   return kUnreadable;
 }
 
-// Only a station has a card.
-station::Station& stationOf(controller::Controller& plc) {
-  return dynamic_cast<station::Station&>(plc);
-}
-
 // What happens at the end of each cycle: first it is kept on the card, then it is seen outside.
 class CycleEnd {
  public:
@@ -190,9 +187,7 @@ class CycleEnd {
     if (card != nullptr) keeper_.emplace(*card);
   }
   void watch(const simulator::Watched& watched, const controller::Controller& plc) {
-    const auto* station = dynamic_cast<const station::Station*>(&plc);
-    trace_.emplace(file_, watched, plc, station == nullptr ? nullptr : station->plants(),
-                   station == nullptr ? nullptr : station->rack());
+    trace_.emplace(file_, watched, plc);
   }
   void operator()(controller::Controller& plc) {
     if (keeper_ && !keeper_->save(plc)) return plc.stop();
@@ -233,7 +228,8 @@ int conclude(const RunOptions& options, const Build& build, const Operands& oper
   cycleEnd(plc);
   if (cycleEnd.problem() != nullptr) return failed(*cycleEnd.problem());
   if (options.copyRamToRom)
-    if (const auto problem = copyRamToRom(*card, build, stationOf(plc))) return failed(*problem);
+    if (auto* memory = controller::capability<cpu::RamToRom>(plc))
+      if (const auto problem = copyRamToRom(*card, build, plc, *memory)) return failed(*problem);
   return finish(options, operands, plc);
 }
 
@@ -303,13 +299,20 @@ bool ready(const RunOptions& options, Build& built) {
   return built.ok();
 }
 
+// What is wanted and this PLC cannot do; empty if it can.
+std::string whyRefused(const RunOptions& options, const Build& built) {
+  if (!options.copyRamToRom) return {};
+  const auto plc = built.controller();
+  if (controller::capability<cpu::RamToRom>(*plc) != nullptr) return {};
+  return "--copy-ram-to-rom: " + plc->modelName() + " has no " + std::string(cpu::RamToRom::kName);
+}
+
 // A program that cannot run does not touch the card (S7-CPU-02: the old one stays).
 int runPath(const RunOptions& options, std::optional<Duration> time) {
   Build built = build(loadProject(options.path, options.project), false);
   if (!ready(options, built)) return exitCode(built);
   if (options.card.empty()) return runBuild(options, built, time, nullptr);
-  if (built.isListing() && options.copyRamToRom)
-    return wrongUsage("--copy-ram-to-rom: a SINUMERIK has no load memory beside its RAM");
+  if (const auto why = whyRefused(options, built); !why.empty()) return wrongUsage(why);
   if (built.partner) return wrongUsage("--card: two coupled controls cannot share one card");
   auto card = openCard(options.card, false);
   if (!card) return failed(card.error());
@@ -321,6 +324,7 @@ int runFromCard(const RunOptions& options, std::optional<Duration> time) {
   if (!card) return failed(card.error());
   Build built = buildFromCard(*card, options.card, options.project.cpu);
   if (!ready(options, built)) return exitCode(built);
+  if (const auto why = whyRefused(options, built); !why.empty()) return wrongUsage(why);
   return runBuild(options, built, time, &*card);
 }
 

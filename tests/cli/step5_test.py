@@ -341,7 +341,7 @@ scenario "missing block"
                             "scenario \"no LED\"\n  expect LED SF = on\n")
         call = self.expect(PROBLEMS, "test", "a.s5")
         self.assertIn("2 passed, 1 failed", call.out)
-        self.assertIn("it is for SIMATIC S7 only", call.out)
+        self.assertIn("SINUMERIK 810 GA3 has no LEDs", call.out)
 
     def test_bench(self):
         for engine in ("interpreter", "jit"):

@@ -102,15 +102,19 @@ cnc::Options Build::controlOptions() const {
 }
 
 std::unique_ptr<controller::Controller> Build::controller(bool coverage) const {
-  if (!isListing()) return std::make_unique<station::Station>(station(coverage));
+  if (isListing()) return control(coverage);
+  return std::make_unique<station::Station>(station(coverage));
+}
+
+std::unique_ptr<cnc::Cnc> Build::control(bool coverage) const {
   cnc::Options options = controlOptions();
   options.plc.coverage = coverage;
-  auto control = std::make_unique<cnc::Cnc>(std::move(options));
+  auto result = std::make_unique<cnc::Cnc>(std::move(options));
   if (partner) {
     const nc::Side side = project.control->coupling->side;
-    control->couple(std::make_unique<cnc::Cnc>(partner->controlOptions()), side);
+    result->couple(std::make_unique<cnc::Cnc>(partner->controlOptions()), side);
   }
-  return control;
+  return result;
 }
 
 namespace {

@@ -30,8 +30,9 @@ struct Build {
   simulator::Resolver operands() const;
   // The same, only operands that exist in its CPU.
   simulator::Resolver resolver() const;
-  station::Station station(bool coverage = false) const;  // a SIMATIC S7 only
-  cnc::Options controlOptions() const;                    // a SINUMERIK only
+  station::Station station(bool coverage = false) const;           // a SIMATIC S7 only
+  cnc::Options controlOptions() const;                             // a SINUMERIK only
+  std::unique_ptr<cnc::Cnc> control(bool coverage = false) const;  // the same
   std::unique_ptr<controller::Controller> controller(bool coverage = false) const;
 };
 

@@ -3,37 +3,35 @@
 namespace merker::simulator {
 
 using controller::Controller;
-using station::Station;
 
-bool needsStation(const AnyExpectation& expectation) {
-  return std::visit([]<IsExpectation E>(const E&) { return !CanLookAt<E, Controller>; },
-                    expectation);
-}
+namespace {
+
+template <typename E>
+concept HasNeeds = controller::IsCapability<typename E::Needs>;
+
+}  // namespace
 
 bool speaksOfState(const AnyExpectation& expectation) {
   return std::visit([]<IsExpectation E>(const E&) { return E::kSpeaksOfState; }, expectation);
 }
 
-bool holds(const AnyExpectation& expectation, Controller& plc, Station* station) {
+std::string_view missing(const AnyExpectation& expectation, const Controller& plc) {
   return std::visit(
-      [&]<IsExpectation E>(const E& one) {
-        if constexpr (CanLookAt<E, Controller>)
-          return one.holds(plc);
+      [&]<IsExpectation E>(const E&) -> std::string_view {
+        if constexpr (HasNeeds<E>)
+          return controller::capability<typename E::Needs>(plc) == nullptr ? E::Needs::kName : "";
         else
-          return one.holds(*station);
+          return {};
       },
       expectation);
 }
 
-std::string actual(const AnyExpectation& expectation, Controller& plc, Station* station) {
-  return std::visit(
-      [&]<IsExpectation E>(const E& one) {
-        if constexpr (CanLookAt<E, Controller>)
-          return one.actual(plc);
-        else
-          return one.actual(*station);
-      },
-      expectation);
+bool holds(const AnyExpectation& expectation, Controller& plc) {
+  return std::visit([&](const IsExpectation auto& one) { return one.holds(plc); }, expectation);
+}
+
+std::string actual(const AnyExpectation& expectation, Controller& plc) {
+  return std::visit([&](const IsExpectation auto& one) { return one.actual(plc); }, expectation);
 }
 
 }  // namespace merker::simulator

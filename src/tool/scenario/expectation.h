@@ -3,6 +3,7 @@
 
 #include <concepts>
 #include <string>
+#include <string_view>
 #include <variant>
 
 #include "scenario/expectations/diagnostics.h"
@@ -15,19 +16,14 @@
 
 namespace merker::simulator {
 
-// It can be expected of this PLC: of any, or only of a SIMATIC S7 station.
-template <typename E, typename Plc>
-concept CanLookAt = requires(const E& one, Plc& plc) {
-  { one.holds(plc) } -> std::same_as<bool>;
-  { one.actual(plc) } -> std::same_as<std::string>;
-};
-
 // What every expectation has. The list below does not compile with one that lacks a part.
 template <typename E>
-concept IsExpectation = CanLookAt<E, station::Station> &&
-    requires(E& one, const StepLine& line, const Claim& claim, const StepBinding& binding) {
+concept IsExpectation = requires(E& one, const E& ready, const StepLine& line, const Claim& claim,
+                                 const StepBinding& binding, controller::Controller& plc) {
   { one.parse(line, claim) } -> std::same_as<bool>;
   one.resolve(binding);
+  { ready.holds(plc) } -> std::same_as<bool>;
+  { ready.actual(plc) } -> std::same_as<std::string>;
   // A scenario that speaks of the state of the CPU may end in STOP.
   { E::kSpeaksOfState } -> std::convertible_to<bool>;
 };
@@ -44,14 +40,12 @@ using AnyExpectation =
 bool parseExpectation(const StepLine& line, std::string_view text, bool ofPartner,
                       AnyExpectation& expectation);
 
-// LEDs, terminals and plants exist on a SIMATIC S7 station only.
-bool needsStation(const AnyExpectation& expectation);
 bool speaksOfState(const AnyExpectation& expectation);
-// `station` is `plc`, or null if that is none.
-bool holds(const AnyExpectation& expectation, controller::Controller& plc,
-           station::Station* station);
+// "LEDs": what it looks at (`Needs`) and this PLC does not have; empty if there is all it needs.
+std::string_view missing(const AnyExpectation& expectation, const controller::Controller& plc);
+// Nothing is missing.
+bool holds(const AnyExpectation& expectation, controller::Controller& plc);
 // "A 1.2 is 0", "mode is STOP: …": what is there instead.
-std::string actual(const AnyExpectation& expectation, controller::Controller& plc,
-                   station::Station* station);
+std::string actual(const AnyExpectation& expectation, controller::Controller& plc);
 
 }  // namespace merker::simulator

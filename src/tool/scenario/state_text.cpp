@@ -15,7 +15,7 @@ std::string_view modeName(Mode mode) {
 }
 
 std::string stopText(const Controller& plc) {
-  const auto* screens = dynamic_cast<const controller::StopScreens*>(&plc);
+  const auto* screens = controller::capability<controller::StopScreens>(plc);
   const std::string details = screens == nullptr ? "" : screens->stopDetails();
   return plc.stopReason() + (details.empty() ? "" : "; " + details);
 }

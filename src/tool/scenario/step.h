@@ -23,22 +23,13 @@
 
 namespace merker::simulator {
 
-// Any PLC performs it, or only a SIMATIC S7 station does.
-template <typename S>
-concept OfAnyPlc = requires(const S& step, StepRun& run) {
-  { step.perform(run) } -> std::same_as<bool>;
-};
-template <typename S>
-concept OfStation = requires(const S& step, StepRun& run, station::Station& station) {
-  { step.perform(run, station) } -> std::same_as<bool>;
-};
-
 // What every step has. The list below does not compile with one that lacks a part.
 template <typename S>
-concept IsStep = (OfAnyPlc<S> != OfStation<S>)&&requires(S& step, const StepLine& line,
-                                                         const StepBinding& binding) {
+concept IsStep = requires(S& step, const S& ready, const StepLine& line, const StepBinding& binding,
+                          StepRun& run) {
   { step.parse(line) } -> std::same_as<bool>;
   step.resolve(binding);
+  { ready.perform(run) } -> std::same_as<bool>;
 };
 
 template <IsStep... S>

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "scenario/runner.h"
-#include "station/station.h"
 
 namespace merker::simulator {
 
@@ -13,7 +12,7 @@ using controller::Controller;
 using controller::Mode;
 
 StepRun::StepRun(Controller& plc, TestResult& result, const Until* until)
-    : plc_(plc), station_(dynamic_cast<station::Station*>(&plc)), result_(result), until_(until) {}
+    : plc_(plc), result_(result), until_(until) {}
 
 bool StepRun::run(const std::vector<Step>& steps) {
   for (const Step& step : steps) {
@@ -36,14 +35,7 @@ bool StepRun::perform(const Step& step) {
 // Each step performs itself: one that cannot does not compile.
 bool StepRun::performHere(const Step& step) {
   step_ = &step;
-  return std::visit(
-      [this]<IsStep S>(const S& one) {
-        if constexpr (OfAnyPlc<S>)
-          return one.perform(*this);
-        else
-          return station_ != nullptr ? one.perform(*this, *station_) : onlyForStation();
-      },
-      step.does);
+  return std::visit([this](const IsStep auto& one) { return one.perform(*this); }, step.does);
 }
 
 // Both move through time: a start of the one lasts as long for the other.
@@ -70,8 +62,8 @@ bool StepRun::powered() {
   return plc_.powered() || fail("the CPU is switched off; use 'power on' first");
 }
 
-bool StepRun::onlyForStation() {
-  return fail(plc_.modelName() + " does not support this step; it is for SIMATIC S7 only");
+bool StepRun::lacks(std::string_view what) {
+  return fail(fmt::format("{} has no {}", plc_.modelName(), what));
 }
 
 bool StepRun::noPartner() {

@@ -6,13 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "plc/controller.h"
+#include "plc/capability.h"
 #include "scenario/test_result.h"
 #include "signal/encoder.h"
-
-namespace merker::station {
-class Station;
-}
 
 namespace merker::simulator {
 
@@ -32,7 +28,6 @@ class StepRun {
 
   // For the steps. All that has failed is false.
   controller::Controller& plc() { return plc_; }
-  station::Station* station() { return station_; }  // null: no SIMATIC S7
   Axes& axes() { return axes_; }
   const Step& step() const { return *step_; }
   void speakOfState() { speaksOfState_ = true; }
@@ -40,8 +35,16 @@ class StepRun {
   bool fail(std::string_view reason);
   bool failAt(const Position& position, std::string message);
   bool powered();
-  bool onlyForStation();
+  // "SINUMERIK 810 GA3 has no mode switch", at the step.
+  bool lacks(std::string_view what);
   bool noPartner();
+  // What the step works on; null if this PLC has none, which is then the failure.
+  template <controller::IsCapability C>
+  C* need() {
+    C* const found = controller::capability<C>(plc_);
+    if (found == nullptr) lacks(C::kName);
+    return found;
+  }
 
  private:
   bool reached(const Step& step) const;
@@ -50,7 +53,6 @@ class StepRun {
   bool performByPartner(const Step& step);
 
   controller::Controller& plc_;
-  station::Station* station_;
   TestResult& result_;
   const Until* until_;
   const Step* step_ = nullptr;  // being performed

@@ -51,9 +51,8 @@ std::string fourDigits(double value) { return fmt::format("{:.4g}", value); }
 
 }  // namespace
 
-Trace::Trace(std::ostream& out, Watched watched, const controller::Controller& plc,
-             const plant::Plants* plants, const io::Rack* rack)
-    : out_(out), watched_(std::move(watched)), plants_(plants), rack_(rack) {
+Trace::Trace(std::ostream& out, Watched watched, const controller::Controller& plc)
+    : out_(out), watched_(std::move(watched)), field_(controller::capability<plant::Field>(plc)) {
   for (address::Reference& reference : watched_.operands) {
     reference = prepared(std::move(reference));
     last_.push_back(content(reference, plc));
@@ -66,9 +65,9 @@ Trace::Trace(std::ostream& out, Watched watched, const controller::Controller& p
 std::vector<std::string> Trace::outside() const {
   std::vector<std::string> values;
   for (const PlantValue& signal : watched_.plants)
-    values.push_back(fourDigits(plants_->value(signal.place)));
+    values.push_back(fourDigits(field_->plants()->value(signal.place)));
   for (const TerminalValue& terminal : watched_.terminals)
-    values.push_back(fourDigits(presentValue(terminal, *rack_)));
+    values.push_back(fourDigits(presentValue(terminal, *field_->rack())));
   return values;
 }
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "plc/controller.h"
+#include "plant/field.h"
 #include "scenario/plant_value.h"
 #include "scenario/terminal_value.h"
 
@@ -21,10 +21,8 @@ struct Watched {
 
 class Trace {
  public:
-  // The values now are what the first changes are compared with. `plants` and `rack` must outlive
-  // it; null if nothing of them is watched.
-  Trace(std::ostream& out, Watched watched, const controller::Controller& plc,
-        const plant::Plants* plants = nullptr, const io::Rack* rack = nullptr);
+  // The values now are what the first changes are compared with. `plc` must outlive it.
+  Trace(std::ostream& out, Watched watched, const controller::Controller& plc);
   void sample(const controller::Controller& plc);
 
  private:
@@ -34,8 +32,7 @@ class Trace {
 
   std::ostream& out_;
   Watched watched_;
-  const plant::Plants* plants_;
-  const io::Rack* rack_;
+  const plant::Field* field_;                     // null: nothing of it is watched
   std::vector<std::optional<std::string>> last_;  // bits or content, not shown
   std::vector<std::string> lastOutside_;          // signals of plants, then terminals
 };

@@ -22,15 +22,11 @@ struct NotResolved {
   bool perform(StepRun&) const { return true; }
 };
 struct NotPerformed : steps::Bare {};
-struct ForStation : steps::Bare {
-  bool perform(StepRun&, station::Station&) const { return true; }
-};
 struct PerformedWithoutResult : steps::Bare {
   void perform(StepRun&) const {}
 };
 
-static_assert(IsStep<Whole> && OfAnyPlc<Whole>);
-static_assert(IsStep<ForStation> && !OfAnyPlc<ForStation>);
+static_assert(IsStep<Whole>);
 static_assert(!IsStep<NotParsed>);
 static_assert(!IsStep<NotResolved>);
 static_assert(!IsStep<NotPerformed>);

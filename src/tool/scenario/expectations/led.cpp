@@ -47,8 +47,8 @@ bool Led::parse(const StepLine& line, const Claim& claim) {
   return true;
 }
 
-std::string Led::actual(station::Station& station) const {
-  const auto shown = static_cast<std::size_t>(station.leds().*led);
+std::string Led::actual(controller::Controller& plc) const {
+  const auto shown = static_cast<std::size_t>(seen(plc));
   return "it is " + std::string(kLights[shown].first);
 }
 

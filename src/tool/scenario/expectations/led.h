@@ -3,15 +3,15 @@
 
 #include <string>
 
-#include "cpu/leds.h"
+#include "cpu/led_panel.h"
 #include "scenario/claim.h"
 #include "scenario/step_binding.h"
 #include "scenario/step_line.h"
-#include "station/station.h"
 
 namespace merker::simulator::expectations {
 
 struct Led {
+  using Needs = cpu::LedPanel;
   static constexpr bool kSpeaksOfState = true;
   cpu::Light cpu::Leds::*led = nullptr;
   cpu::Light light = cpu::Light::On;
@@ -19,10 +19,13 @@ struct Led {
 
   bool parse(const StepLine& line, const Claim& claim);
   void resolve(const StepBinding&) {}
-  bool holds(station::Station& station) const {
-    return agrees(station.leds().*led == light, relation);
+  bool holds(controller::Controller& plc) const { return agrees(seen(plc) == light, relation); }
+  std::string actual(controller::Controller& plc) const;
+
+ private:
+  cpu::Light seen(const controller::Controller& plc) const {
+    return controller::capability<cpu::LedPanel>(plc)->leds().*led;
   }
-  std::string actual(station::Station& station) const;
 };
 
 }  // namespace merker::simulator::expectations

@@ -3,15 +3,16 @@
 
 #include <string>
 
+#include "plant/field.h"
 #include "scenario/claim.h"
 #include "scenario/plant_value.h"
 #include "scenario/step_binding.h"
 #include "scenario/step_line.h"
-#include "station/station.h"
 
 namespace merker::simulator::expectations {
 
 struct Plant {
+  using Needs = plant::Field;
   static constexpr bool kSpeaksOfState = false;
   PlantValue signal;
   block::Relation relation = block::Relation::Equal;
@@ -23,11 +24,16 @@ struct Plant {
   void resolve(const StepBinding& binding) {
     simulator::resolve(signal, binding.plants, binding.problems);
   }
-  bool holds(station::Station& station) const {
-    return simulator::holds(signal, relation, *station.plants());
+  bool holds(controller::Controller& plc) const {
+    return simulator::holds(signal, relation, plantsOf(plc));
   }
-  std::string actual(station::Station& station) const {
-    return signal.text + " is " + actualValue(signal, *station.plants());
+  std::string actual(controller::Controller& plc) const {
+    return signal.text + " is " + actualValue(signal, plantsOf(plc));
+  }
+
+ private:
+  static const plant::Plants& plantsOf(const controller::Controller& plc) {
+    return *controller::capability<plant::Field>(plc)->plants();
   }
 };
 

@@ -34,10 +34,6 @@ std::optional<std::uint64_t> hexadecimal(std::string_view text) {
   return whole && !digits.empty() ? std::optional(value) : std::nullopt;
 }
 
-const StopScreens* screensOf(const Controller& plc) {
-  return dynamic_cast<const StopScreens*>(&plc);
-}
-
 bool shown(const Controller& plc) { return plc.mode() == controller::Mode::Stop && plc.powered(); }
 
 }  // namespace
@@ -56,7 +52,7 @@ bool Stack::parse(const StepLine& line, const Claim& claim) {
 }
 
 bool Stack::holds(Controller& plc) const {
-  const StopScreens* const screens = screensOf(plc);
+  const StopScreens* const screens = controller::capability<StopScreens>(plc);
   if (screens == nullptr || !shown(plc)) return false;
   const auto text = screens->stackField(stack, name);
   if (!text) return false;
@@ -69,7 +65,7 @@ bool Stack::holds(Controller& plc) const {
 }
 
 std::string Stack::actual(Controller& plc) const {
-  const StopScreens* const screens = screensOf(plc);
+  const StopScreens* const screens = controller::capability<StopScreens>(plc);
   if (screens == nullptr) return fmt::format("{} has no {}", plc.modelName(), stack);
   const auto text = screens->stackField(stack, name);
   if (!text)

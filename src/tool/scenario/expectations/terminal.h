@@ -3,15 +3,16 @@
 
 #include <string>
 
+#include "plant/field.h"
 #include "scenario/claim.h"
 #include "scenario/step_binding.h"
 #include "scenario/step_line.h"
 #include "scenario/terminal_value.h"
-#include "station/station.h"
 
 namespace merker::simulator::expectations {
 
 struct Terminal {
+  using Needs = plant::Field;
   static constexpr bool kSpeaksOfState = false;
   TerminalValue terminal;
   block::Relation relation = block::Relation::Equal;
@@ -23,12 +24,17 @@ struct Terminal {
   void resolve(const StepBinding& binding) {
     simulator::resolve(terminal, binding.hardware, binding.problems);
   }
-  bool holds(station::Station& station) const {
-    station.settle();
-    return simulator::holds(terminal, relation, *station.rack());
+  bool holds(controller::Controller& plc) const {
+    plc.settle();
+    return simulator::holds(terminal, relation, rackOf(plc));
   }
-  std::string actual(station::Station& station) const {
-    return terminal.text + " is " + actualValue(terminal, *station.rack());
+  std::string actual(controller::Controller& plc) const {
+    return terminal.text + " is " + actualValue(terminal, rackOf(plc));
+  }
+
+ private:
+  static const io::Rack& rackOf(controller::Controller& plc) {
+    return *controller::capability<plant::Field>(plc)->rack();
   }
 };
 

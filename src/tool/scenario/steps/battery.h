@@ -2,17 +2,12 @@
 #pragma once
 
 #include "scenario/steps/bare.h"
-#include "station/station.h"
 
 namespace merker::simulator::steps {
 
 template <bool low>
 struct Battery : Bare {
-  bool perform(StepRun& run) const {
-    if (run.station() == nullptr) return run.plc().batteryFails(low) || run.onlyForStation();
-    run.station()->setBattery(low);
-    return true;
-  }
+  bool perform(StepRun& run) const { return run.plc().batteryFails(low) || run.lacks("battery"); }
 };
 using BatteryLow = Battery<true>;
 using BatteryGood = Battery<false>;

@@ -43,15 +43,14 @@ class Watch {
 
  private:
   Controller& plc() { return expect_.partner ? *run_.plc().partner() : run_.plc(); }
-  bool holds() { return simulator::holds(expect_.what, plc(), run_.station()); }
+  bool holds() { return simulator::holds(expect_.what, plc()); }
 
   // "expected A 1.2 = 1 within 300ms, A 1.2 is 0".
   bool miss() {
     std::string_view words = run_.step().text;
     words.remove_prefix(std::string_view("expect").size());
-    return run_.failAt(
-        run_.step().position,
-        fmt::format("expected {}, {}", trim(words), actual(expect_.what, plc(), run_.station())));
+    return run_.failAt(run_.step().position,
+                       fmt::format("expected {}, {}", trim(words), actual(expect_.what, plc())));
   }
 
   const Expect& expect_;
@@ -92,7 +91,7 @@ void Expect::resolve(const StepBinding& binding) {
 }
 
 bool Expect::perform(StepRun& run) const {
-  if (run.station() == nullptr && needsStation(what)) return run.onlyForStation();
+  if (const auto lacking = missing(what, run.plc()); !lacking.empty()) return run.lacks(lacking);
   if (partner && run.plc().partner() == nullptr) return run.noPartner();
   if (speaksOfState(what)) run.speakOfState();
   Watch watch(*this, run);

@@ -6,8 +6,8 @@
 #include <charconv>
 
 #include "base/text.h"
+#include "plant/field.h"
 #include "scenario/terminal_value.h"
-#include "station/station.h"
 
 namespace merker::simulator::steps {
 namespace {
@@ -86,11 +86,12 @@ void Fault::resolve(const StepBinding& binding) {
 }
 
 bool Fault::perform(StepRun& run) const {
-  if (run.station() == nullptr) {
+  auto* const field = controller::capability<plant::Field>(run.plc());
+  if (field == nullptr) {
     const std::string reason = run.plc().fault(module, words, there);
     return reason.empty() || run.fail(reason);
   }
-  io::Rack& rack = *run.station()->rack();
+  io::Rack& rack = *field->rack();
   if (const auto place = rack.module(module)) rack.fault(*place, kind, channel, there);
   return true;
 }

@@ -20,7 +20,7 @@ struct Fault {
   bool there = true;
 
   bool parse(const StepLine& line);
-  // A SINUMERIK has no rack and judges its faults itself, when they come.
+  // A PLC without modules, as a SINUMERIK, judges its faults itself, when they come.
   void resolve(const StepBinding& binding);
   bool perform(StepRun& run) const;
 };

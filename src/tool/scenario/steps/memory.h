@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "cpu/cpu.h"
+#include "cpu/ram_to_rom.h"
+#include "plc/card_slot.h"
 #include "scenario/steps/bare.h"
-#include "station/station.h"
 
 namespace merker::simulator::steps {
 
@@ -19,18 +19,20 @@ struct MemoryReset : Bare {
 };
 
 struct CopyRamToRom : Bare {
-  bool perform(StepRun& run, station::Station& station) const {
-    if (!run.powered()) return false;
-    const std::string reason = station.copyRamToRom();
+  bool perform(StepRun& run) const {
+    auto* const memory = run.need<cpu::RamToRom>();
+    if (memory == nullptr || !run.powered()) return false;
+    const std::string reason = memory->copyRamToRom({});
     return reason.empty() || run.fail(reason);
   }
 };
 
 // Pulled out and plugged in again: no start before a memory reset (S7-CPU-03).
 struct RemoveCard : Bare {
-  bool perform(StepRun& run, station::Station& station) const {
-    if (!run.powered()) return false;
-    station.cpu().requestMemoryReset();
+  bool perform(StepRun& run) const {
+    auto* const slot = run.need<controller::CardSlot>();
+    if (slot == nullptr || !run.powered()) return false;
+    slot->removeCard();
     return true;
   }
 };

@@ -4,9 +4,9 @@
 #include <string_view>
 #include <vector>
 
+#include "plant/field.h"
 #include "scenario/plant_value.h"
 #include "scenario/steps/bare.h"
-#include "station/station.h"
 
 namespace merker::simulator::steps {
 
@@ -22,9 +22,11 @@ struct Plant {
   void resolve(const StepBinding& binding) {
     for (PlantValue& value : values) simulator::resolve(value, binding.plants, binding.problems);
   }
-  bool perform(StepRun&, station::Station& station) const {
+  bool perform(StepRun& run) const {
+    auto* const field = run.need<plant::Field>();
+    if (field == nullptr) return false;
     for (const PlantValue& value : values)
-      apply(value, *station.plants(), *station.rack(), station.now());
+      apply(value, *field->plants(), *field->rack(), run.plc().now());
     return true;
   }
 };

@@ -4,10 +4,11 @@
 #include <string>
 #include <string_view>
 
+#include "plc/checked_start.h"
+#include "plc/hot_restart.h"
 #include "scenario/start.h"
 #include "scenario/state_text.h"
 #include "scenario/steps/bare.h"
-#include "station/station.h"
 
 namespace merker::simulator::steps {
 
@@ -15,9 +16,11 @@ inline bool hasNone(StepRun& run, std::string_view what) {
   return run.fail("the CPU refuses: " + run.plc().modelName() + " has no " + std::string(what));
 }
 
-// What a SINUMERIK finds wrong when it starts is an alarm that a scenario may expect.
+// What a PLC finds wrong when it starts is an alarm that a scenario may expect.
 inline bool restarted(StepRun& run, simulator::Start how) {
-  return restart(run.plc(), how) || (run.station() == nullptr && run.plc().stoppedByFault()) ||
+  if (restart(run.plc(), how)) return true;
+  const auto* const checked = controller::capability<controller::CheckedStart>(run.plc());
+  return (checked != nullptr && checked->startFailed()) ||
          run.fail("the CPU refuses" + because(run.plc()));
 }
 
@@ -52,12 +55,13 @@ struct ColdRestart : Bare {
 
 // Continues where the CPU stopped, on models that can.
 struct HotRestart : Bare {
-  bool perform(StepRun& run, station::Station& station) const {
-    if (!run.powered()) return false;
-    if (!station.model().hotRestart) return hasNone(run, "hot restart");
-    return station.hotRestart() ||
+  bool perform(StepRun& run) const {
+    auto* const plc = run.need<controller::HotRestart>();
+    if (plc == nullptr || !run.powered()) return false;
+    if (!plc->hasHotRestart()) return hasNone(run, plc->kName);
+    return plc->hotRestart() ||
            run.fail("the CPU refuses: there is no interrupted program to continue" +
-                    because(station));
+                    because(run.plc()));
   }
 };
 

@@ -9,9 +9,9 @@
 
 #include "base/text.h"
 #include "io/amount.h"
+#include "plant/field.h"
 #include "signal/encoder.h"
 #include "signal/pulse_train.h"
-#include "station/station.h"
 
 namespace merker::simulator::steps {
 namespace {
@@ -188,9 +188,11 @@ void Signal::resolve(const StepBinding& binding) {
   for (const TerminalValue& terminal : terminals) checkDriver(terminal, binding);
 }
 
-bool Signal::perform(StepRun& run, station::Station& station) const {
-  io::Rack& rack = *station.rack();
-  const Instant now = station.now();
+bool Signal::perform(StepRun& run) const {
+  auto* const field = run.need<plant::Field>();
+  if (field == nullptr) return false;
+  io::Rack& rack = *field->rack();
+  const Instant now = run.plc().now();
   const auto terminal = [&](std::size_t i) {
     const TerminalValue& value = terminals[i];
     return *rack.terminal(value.module, value.side, value.channel);

@@ -22,7 +22,7 @@ struct Signal {
 
   bool parse(const StepLine& line);
   void resolve(const StepBinding& binding);
-  bool perform(StepRun& run, station::Station& station) const;
+  bool perform(StepRun& run) const;
 };
 
 struct Pulses : Signal {};

@@ -5,9 +5,8 @@
 #include <utility>
 
 #include "base/text.h"
-#include "cpu/mode_switch.h"
+#include "cpu/switch_panel.h"
 #include "scenario/steps/bare.h"
-#include "station/station.h"
 
 namespace merker::simulator::steps {
 
@@ -29,9 +28,10 @@ struct Switch {
     return line.fail(ProblemCode::P0952, line.rest(), "RUN-P, RUN, STOP or MRES");
   }
   void resolve(const StepBinding&) {}
-  bool perform(StepRun&, station::Station& station) const {
-    station.setSwitch(position);
-    return true;
+  bool perform(StepRun& run) const {
+    auto* const panel = run.need<cpu::SwitchPanel>();
+    if (panel != nullptr) panel->setSwitch(position);
+    return panel != nullptr;
   }
 };
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "base/text.h"
+#include "plant/field.h"
 #include "scenario/steps/bare.h"
 #include "scenario/terminal_value.h"
-#include "station/station.h"
 
 namespace merker::simulator::steps {
 
@@ -30,9 +30,11 @@ struct Terminal {
     for (TerminalValue& value : values)
       simulator::resolve(value, binding.hardware, binding.problems);
   }
-  bool perform(StepRun& run, station::Station& station) const {
+  bool perform(StepRun& run) const {
+    auto* const field = run.need<plant::Field>();
+    if (field == nullptr) return false;
     for (const TerminalValue& value : values) {
-      const std::string reason = set(value, *station.rack(), station.now());
+      const std::string reason = set(value, *field->rack(), run.plc().now());
       if (!reason.empty()) return run.failAt(value.position, reason);
     }
     return true;

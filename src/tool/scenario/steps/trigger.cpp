@@ -5,7 +5,6 @@
 #include <string>
 
 #include "base/text.h"
-#include "station/station.h"
 
 namespace merker::simulator::steps {
 namespace {
@@ -72,9 +71,10 @@ bool Trigger::parse(const StepLine& line) {
   return true;
 }
 
-bool Trigger::perform(StepRun& run, station::Station& station) const {
-  if (!run.powered()) return false;
-  cpu::trigger(station.cpu(), event);
+bool Trigger::perform(StepRun& run) const {
+  auto* const plc = run.need<cpu::EventsByHand>();
+  if (plc == nullptr || !run.powered()) return false;
+  plc->trigger(event);
   return true;
 }
 

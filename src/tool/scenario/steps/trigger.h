@@ -1,7 +1,7 @@
 // trigger OB 82 coming address 256 data DW#16#05000000: an event made by hand.
 #pragma once
 
-#include "cpu/trigger.h"
+#include "cpu/events_by_hand.h"
 #include "scenario/steps/bare.h"
 
 namespace merker::simulator::steps {
@@ -11,7 +11,7 @@ struct Trigger {
 
   bool parse(const StepLine& line);
   void resolve(const StepBinding&) {}
-  bool perform(StepRun& run, station::Station& station) const;
+  bool perform(StepRun& run) const;
 };
 
 }  // namespace merker::simulator::steps
