@@ -10,6 +10,8 @@ WING = re.compile(r"^### \[`(\w+)`\]\(\.\./src/(\w+)\)")
 MODULE_ROW = re.compile(r"^\|\s*\[`(\w+)`\]\(\.\./src/(\w+)/(\w+)\)\s*\|[^|]*\|([^|]*)\|")
 LIBRARIES = re.compile(r"\bUSES\b([^)]*)")
 FAMILIES = ("s5", "s7")  # wings that never see each other
+FAMILY_QUESTION = re.compile(r"\bisS7\b|\b(?:dynamic|static)_cast<[^>]*\b(?:Station|Cnc)\b")
+MAY_ASK_FOR_THE_FAMILY = ("src/service/workbench/",)  # as long as it has requests that only an S7 answers
 MARK = re.compile(r"\b(?:TO" r"DO|FIX" r"ME|X" r"XX)\b")
 WORKPLACE = re.compile(r"/(?:home|root|work|farm|Users)/|\b[A-Z]:\\Users\\")
 CODE = (".cpp", ".h", ".ts", ".svelte", ".css", ".mjs")
@@ -106,6 +108,17 @@ def families_apart(root):
             yield f"{place}: {module} is of {wings[module]} and may not see {used} of {wings[used]}"
 
 
+def family_question(root):
+    """A PLC is asked for what it can do (plc/capability.h), not for what it is."""
+    for path in code_files(root, "src", "apps"):
+        place = path.relative_to(root).as_posix()
+        if place.startswith(MAY_ASK_FOR_THE_FAMILY):
+            continue
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+            if FAMILY_QUESTION.search(line):
+                yield f"{place}:{number}: asks for the family of a PLC; ask for a capability (src/ground/plc/capability.h)"
+
+
 def same_modules(root):
     """The picture is the code's: each folder has a row, each row a folder, and no row looks back in the order of wings and
     modules. A name stands once, since includes do not name the wing."""
@@ -167,4 +180,4 @@ def tracked(root):
 
 
 RULES = {rule.__name__: rule for rule in
-         (include_rule, link_rule, families_apart, same_modules, module_readmes, short_files, finished, no_workplace)}
+         (include_rule, link_rule, families_apart, family_question, same_modules, module_readmes, short_files, finished, no_workplace)}

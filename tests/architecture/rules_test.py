@@ -4,7 +4,7 @@ import pathlib
 import tempfile
 import unittest
 
-from rules import LONGEST, RULES
+from rules import LONGEST, MAY_ASK_FOR_THE_FAMILY, RULES
 
 HEAD = "| module | responsibility | may include |\n|---|---|---|\n"
 PICTURE = f"""
@@ -65,6 +65,15 @@ class Rules(unittest.TestCase):
         both = {"docs/architecture.md": allowing, "src/s5/mc5/d.h": '#include "cpu/c.h"\n'}
         self.assertFalse(self.findings("include_rule", both))
         self.assertEqual(len(self.findings("families_apart", both)), 2)
+
+    def test_nobody_asks_for_the_family_of_a_plc(self):
+        for line in ("if (plc.isS7()) return;\n", "auto* s = dynamic_cast<station::Station*>(&plc);\n",
+                     "auto& c = dynamic_cast<const cnc::Cnc&>(plc);\n", "static_cast<Cnc&>(plc).control();\n"):
+            self.assertEqual(len(self.findings("family_question", {"apps/merker/a.cpp": line})), 1, line)
+            self.assertEqual(len(self.findings("family_question", {"src/s7/cpu/c.cpp": line})), 1, line)
+            self.assertFalse(self.findings("family_question", {MAY_ASK_FOR_THE_FAMILY[0] + "a.cpp": line}), line)
+        other = "auto* s = dynamic_cast<const StopScreens*>(&plc);  // isS7Like, Stationary\n"
+        self.assertFalse(self.findings("family_question", {"apps/merker/a.cpp": other}))
 
     def test_picture_and_folders_agree(self):
         def found(picture):
