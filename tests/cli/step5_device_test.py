@@ -522,7 +522,9 @@ DB 11
     def test_not_for_everyone(self):
         self.run_card()
         self.write("a.awl", PROGRAM)
-        self.expect(USAGE, "run", "p", "--card", "card", "--cycles", "1", "--copy-ram-to-rom")
+        for program in (("p",), ()):  # of a project, and the one that is on the card
+            call = self.expect(USAGE, "run", *program, "--card", "card", "--cycles", "1", "--copy-ram-to-rom")
+            self.assertIn("SINUMERIK 810 GA3 has no load memory beside its RAM", call.err)
         self.expect(GOOD, "run", "a.awl", "--card", "card", "--cycles", "1")  # another model: it is loaded anew
         self.assertEqual(self.run_card()[0], 8)
 
