@@ -62,7 +62,6 @@ int prompt(const DebugOptions& options, const Build& built) {
 
 int debug(const DebugOptions& options) {
   Build built = build(loadProject(options.path, options.project), false);
-  if (built.isListing() && built.ok()) return refuseListing("debug");
   requireOb1(built);
   if (!built.ok()) return report(built, false);
   printProblems(built.problems, built.files());

@@ -22,6 +22,10 @@ std::string_view takeCharacters(std::string_view text, std::size_t count) {
   return text.substr(0, bytes);
 }
 
+std::string hex(const std::optional<std::uint32_t>& value) {
+  return value ? fmt::format("{:08X}", *value) : "-";
+}
+
 // A block's name takes one word ("FC1", a symbol) or two ("FC 1").
 std::string takeBlock(std::string_view& rest) {
   std::string text(simulator::takeWord(rest));
@@ -36,7 +40,7 @@ std::string takeBlock(std::string_view& rest) {
 }  // namespace
 
 void DebugSession::breakAt(std::string_view arguments) {
-  monitor::Debugger& debugger = monitor_.debugger();
+  monitor::Debugger& debugger = monitor_->debugger();
   if (arguments.empty()) {
     for (const monitor::Breakpoint& one : debugger.breakpoints())
       out_ << fmt::format("{:>3}  {:<40} network {}, {} hits{}\n", one.number,
@@ -54,16 +58,16 @@ void DebugSession::breakAt(std::string_view arguments) {
 }
 
 void DebugSession::deletePoint(std::string_view arguments) {
-  if (equalsIgnoreCase(arguments, "all")) return monitor_.debugger().removeBreakpoints();
+  if (equalsIgnoreCase(arguments, "all")) return monitor_->debugger().removeBreakpoints();
   const auto which = number(arguments);
-  if (!which || !monitor_.debugger().removeBreakpoint(*which))
+  if (!which || !monitor_->debugger().removeBreakpoint(*which))
     error(fmt::format("breakpoint '{}' not found; 'break' lists them", arguments));
 }
 
 void DebugSession::switchPoint(std::string_view arguments, bool on) {
-  if (equalsIgnoreCase(arguments, "all")) return monitor_.debugger().enableBreakpoints(on);
+  if (equalsIgnoreCase(arguments, "all")) return monitor_->debugger().enableBreakpoints(on);
   const auto which = number(arguments);
-  if (!which || !monitor_.debugger().enableBreakpoint(*which, on))
+  if (!which || !monitor_->debugger().enableBreakpoint(*which, on))
     error(fmt::format("breakpoint '{}' not found; 'break' lists them", arguments));
 }
 
@@ -73,9 +77,9 @@ void DebugSession::status(std::string_view arguments) {
   if (equalsIgnoreCase(word, "on")) {
     if (showStatusOf(rest))
       out_ << fmt::format("program status of {} is on\n",
-                          toString(monitor_.debugger().status()->block().id));
+                          toString(monitor_->debugger().status()->code().id()));
   } else if (equalsIgnoreCase(word, "off")) {
-    monitor_.debugger().hideStatus();
+    monitor_->debugger().hideStatus();
     out_ << "program status is off\n";
   } else if (word.empty() || equalsIgnoreCase(word, "all")) {
     printStatus(!word.empty());
@@ -104,9 +108,9 @@ bool DebugSession::showStatusOf(std::string_view rest) {
     if (!id) return error(id.error()), false;
     from ? environment.caller = *id : block = *id;
   }
-  const auto place = monitor_.debugger().position();
+  const auto place = monitor_->debugger().position();
   if (!block) block = place ? place->block : BlockId{BlockKind::OB, 1};
-  if (monitor_.debugger().showStatus(*block, environment)) return true;
+  if (monitor_->debugger().showStatus(*block, environment)) return true;
   return error(makeProblem(ProblemCode::P1207, Position{}, toString(*block))), false;
 }
 
@@ -126,9 +130,9 @@ std::string DebugSession::statementText(const std::string& file,
 }
 
 void DebugSession::printStatus(bool everything) {
-  const monitor::ProgramStatus* status = monitor_.debugger().status();
+  const monitor::ProgramStatus* status = monitor_->debugger().status();
   if (status == nullptr) return error("program status is off; 'status on FC 1' switches it on");
-  const std::string block = toString(status->block().id);
+  const std::string block = toString(status->code().id());
   if (status->calls() == 0) {
     out_ << fmt::format("{} has not been called since its program status was switched on\n", block);
     return;
@@ -139,16 +143,16 @@ void DebugSession::printStatus(bool everything) {
   const std::vector<monitor::StatusRow> rows = status->rows();
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const monitor::StatusRow& row = rows[i];
-    const cpu::Registers& r = row.after;
+    const monitor::Registers& r = row.after;
     std::string text(everything ? 62 : 18, ' ');
     if (row.reached) {
-      text = fmt::format("  {:d}   {:d}  {:08X} ", r.status.rlo, r.status.sta, r.accu[0]);
+      text = fmt::format("  {:d}   {:d}  {:08X} ", r.rlo, r.sta, r.accu[0]);
       if (everything)
-        text += fmt::format("{:08X} {:08X} {:08X} {:04X} {:<5} {:<5}", r.accu[1], r.ar1, r.ar2,
-                            r.status.word(), r.db.number, r.di.number);
+        text += fmt::format("{:08X} {:>8} {:>8} {:04X} {:<5} {:<5}", r.accu[1], hex(r.ar1),
+                            hex(r.ar2), r.word, r.db, r.di ? std::to_string(*r.di) : "-");
     }
     out_ << fmt::format("{:>5} {}  {}\n", row.statement.line, text,
-                        statementText(status->block().file, rows, i));
+                        statementText(status->code().file(), rows, i));
   }
 }
 

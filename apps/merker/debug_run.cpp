@@ -4,7 +4,6 @@
 #include <ostream>
 
 #include "base/text.h"
-#include "cpu/cpu.h"
 #include "debug_number.h"
 #include "debug_session.h"
 #include "monitor_text.h"
@@ -21,7 +20,7 @@ constexpr Duration kLongestRun = Duration::seconds(60);
 
 // Nothing goes on from STOP: a restart would clear what somebody may be looking at.
 bool DebugSession::going() {
-  if (station_.mode() != station::Mode::Stop) return true;
+  if (plc_->mode() != controller::Mode::Stop) return true;
   error("the CPU is in STOP; `run` or `restart` starts it");
   return false;
 }
@@ -34,7 +33,7 @@ std::optional<Duration> DebugSession::longestRun(std::string_view arguments) {
 }
 
 void DebugSession::goOnFor(Duration longest) {
-  report(monitor_.debugger().run(station_.now() + longest, interrupted_));
+  report(monitor_->debugger().run(plc_->now() + longest, interrupted_));
 }
 
 void DebugSession::run(std::string_view arguments) {
@@ -51,9 +50,9 @@ void DebugSession::until(std::string_view arguments) {
   const auto time = simulator::parseDuration(arguments);
   if (!time) return error(makeProblem(ProblemCode::P0953, Position{}, std::string(arguments)));
   const Instant end = Instant{} + *time;
-  if (end <= station_.now())
-    return error(fmt::format("it is {} already", simulator::formatTime(station_.now())));
-  if (going()) report(monitor_.debugger().run(end, interrupted_));
+  if (end <= plc_->now())
+    return error(fmt::format("it is {} already", simulator::formatTime(plc_->now())));
+  if (going()) report(monitor_->debugger().run(end, interrupted_));
 }
 
 void DebugSession::cycle(std::string_view arguments) {
@@ -61,72 +60,67 @@ void DebugSession::cycle(std::string_view arguments) {
   if (!count || *count == 0)
     return error(fmt::format("'{}' is not a valid number of cycles", arguments));
   if (!going()) return;
-  const std::uint64_t last = station_.cycles() + *count;
-  const Instant limit = station_.now() + kLongestRun;
+  const std::uint64_t last = plc_->cycles() + *count;
+  const Instant limit = plc_->now() + kLongestRun;
   monitor::Pause pause;
-  const auto there = [&] { return station_.cycles() >= last || (interrupted_ && interrupted_()); };
+  const auto there = [&] { return plc_->cycles() >= last || (interrupted_ && interrupted_()); };
   // one piece of work at a time: the end of a cycle is no instant one could know before
-  while (!there() && station_.now() < limit && pause.why == monitor::Pause::Why::Limit)
-    pause = monitor_.debugger().runToCheckpoint(limit);
+  while (!there() && plc_->now() < limit && pause.why == monitor::Pause::Why::Limit)
+    pause = monitor_->debugger().runToCheckpoint(limit);
   report(pause);
 }
 
 void DebugSession::stepBy(monitor::StepKind kind) {
   if (!going()) return;
-  report(monitor_.debugger().step(kind, station_.now() + kLongestRun, interrupted_));
+  report(monitor_->debugger().step(kind, plc_->now() + kLongestRun, interrupted_));
 }
 
 void DebugSession::restart(std::string_view arguments) {
   const bool cold = equalsIgnoreCase(arguments, "cold");
   if (!cold && !arguments.empty() && !equalsIgnoreCase(arguments, "warm"))
     return error("restart must be 'warm' or 'cold'");
-  if (start(cold)) out_ << monitor::name(station_.mode()) << '\n';
+  if (start(cold)) out_ << monitor::name(plc_->mode()) << '\n';
 }
 
-// As a programming device does it (16#4304), not the mode switch.
-void DebugSession::stopCpu() { station_.cpu().stop(cpu::Event::StopByProgrammer); }
-
 bool DebugSession::start(bool cold) {
-  stopCpu();
-  if (cold ? station_.coldRestart() : station_.warmRestart()) return true;
-  error(cold && !station_.model().coldRestart
-            ? std::string(station_.model().name) + " has no cold restart"
-            : "the CPU does not start: " + station_.stopReason());
+  monitor_->stop();
+  if (cold ? plc_->coldRestart() : plc_->start()) return true;
+  error(cold && !plc_->hasColdRestart() ? plc_->modelName() + " has no cold restart"
+                                        : "the CPU does not start: " + plc_->stopReason());
   return false;
 }
 
 void DebugSession::stop(std::string_view) {
-  stopCpu();
+  monitor_->stop();
   out_ << "STOP\n";
 }
 
 void DebugSession::report(const monitor::Pause& pause) {
   using Why = monitor::Pause::Why;
   if (pause.why == Why::Interrupted)  // stand where one can look around
-    monitor_.debugger().step(monitor::StepKind::Into, station_.now() + kLongestRun);
-  const std::string time = simulator::formatTime(station_.now());
-  const auto place = monitor_.debugger().position();
-  const bool stopped = station_.mode() == station::Mode::Stop;
-  out_ << monitor::name(station_.mode());
+    monitor_->debugger().step(monitor::StepKind::Into, plc_->now() + kLongestRun);
+  const std::string time = simulator::formatTime(plc_->now());
+  const auto place = monitor_->debugger().position();
+  const bool stopped = plc_->mode() == controller::Mode::Stop;
+  out_ << monitor::name(plc_->mode());
   if (pause.why == Why::Breakpoint) out_ << fmt::format(" at breakpoint {}", pause.breakpoint);
-  if (stopped && !station_.stopReason().empty()) out_ << ": " << station_.stopReason();
-  out_ << fmt::format(", {}, cycle {}\n", time, station_.cycles() + 1);
-  const bool standing = station_.mode() == station::Mode::Halt || (stopped && place);
+  if (stopped && !plc_->stopReason().empty()) out_ << ": " << plc_->stopReason();
+  out_ << fmt::format(", {}, cycle {}\n", time, plc_->cycles() + 1);
+  const bool standing = plc_->mode() == controller::Mode::Halt || (stopped && place);
   if (standing && place) {
     if (!place->file.empty()) currentFile_ = place->file;
     listedTo_ = 0;
     if (!stopped)
       out_ << fmt::format("{}, network {}\n", monitor::toString(*place), place->network);
-    const auto block = station_.program().find(place->block);
-    if (block != station_.program().end() && monitor::endsBlock(block->second, place->offset))
+    const auto block = monitor_->program().find(place->block);
+    if (block && monitor::endsBlock(*block, place->offset))
       out_ << fmt::format("at the end of {}, behind\n", toString(place->block));
     printSource(*place, 0);
   }
-  const monitor::ProgramStatus* shown = monitor_.debugger().status();
-  if (shown != nullptr && standing && place && place->block == shown->block().id) {
-    const cpu::Registers& r = station_.cpu().machine().registers;
-    out_ << fmt::format("VKE {:d}  STA {:d}  AKKU1 {:08X}\n", r.status.rlo, r.status.sta,
-                        r.accu[0]);
+  const monitor::ProgramStatus* shown = monitor_->debugger().status();
+  if (shown != nullptr && standing && place && place->block == shown->code().id()) {
+    const monitor::Registers r = monitor_->registers();
+    out_ << fmt::format("VKE {:d}  STA {:d}  AKKU1 {:08X}\n", r.rlo, r.sta, r.accu[0]);
   }
   printWatches();
 }

@@ -67,12 +67,11 @@ DebugSession::DebugSession(const Build& build, std::ostream& out, std::function<
     : build_(build),
       out_(out),
       interrupted_(std::move(interrupted)),
-      station_(build.station()),
-      monitor_(station_, build.project.symbols, build.resolver()),
-      watches_(monitor_.addTable()) {
-  station_.memoryReset();
-  const auto ob1 = build.program->find({BlockKind::OB, 1});
-  if (ob1 != build.program->end()) currentFile_ = ob1->second.file;
+      plc_(build.controller()),
+      monitor_(monitor::monitorOf(*plc_, build.project.symbols, build.resolver())),
+      watches_(monitor_->addTable()) {
+  plc_->memoryReset();
+  if (const auto ob1 = monitor_->program().find({BlockKind::OB, 1})) currentFile_ = ob1->file();
 }
 
 std::vector<std::string> DebugSession::words() {
@@ -96,7 +95,7 @@ const DebugSession::Command* DebugSession::find(std::string_view word) {
 }
 
 void DebugSession::greet() {
-  out_ << station_.model().name << " with " << station_.program().size()
+  out_ << plc_->modelName() << " with " << build_.blocks()
        << " blocks, in STOP. `help` lists the commands, `run` starts.\n";
 }
 
@@ -146,6 +145,6 @@ void DebugSession::error(const Problem& problem) {
   error(fmt::format("{} [{}]", problem.message, problem.name()));
 }
 
-monitor::LocationContext DebugSession::here() const { return monitor_.locations(currentFile_); }
+monitor::LocationContext DebugSession::here() const { return monitor_->locations(currentFile_); }
 
 }  // namespace merker::app

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <iosfwd>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -52,7 +53,6 @@ class DebugSession {
   void stepBy(monitor::StepKind kind);
   bool going();
   bool start(bool cold);
-  void stopCpu();
   std::optional<Duration> longestRun(std::string_view arguments);
   void goOnFor(Duration longest);
   void report(const monitor::Pause& pause);
@@ -95,8 +95,8 @@ class DebugSession {
   const Build& build_;
   std::ostream& out_;
   std::function<bool()> interrupted_;
-  station::Station station_;
-  monitor::Monitor monitor_;
+  std::unique_ptr<controller::Controller> plc_;
+  std::unique_ptr<monitor::Monitor> monitor_;
   monitor::VariableTable& watches_;
   std::string lastStep_;     // what an empty line repeats
   std::string currentFile_;  // what a bare line number means

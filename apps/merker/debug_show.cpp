@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <ostream>
 
-#include "cpu/cpu.h"
 #include "debug_number.h"
 #include "debug_session.h"
 #include "monitor/block_list.h"
@@ -20,25 +19,22 @@ constexpr std::uint32_t kDiagnostics = 10;
 }  // namespace
 
 void DebugSession::where(std::string_view) {
-  const monitor::Stacks stacks = monitor_.stacks();
+  const monitor::Stacks stacks = monitor_->stacks();
   if (stacks.empty())
-    out_ << monitor::name(station_.mode())
+    out_ << monitor::name(plc_->mode())
          << ": stacks show the program in HALT and STOP; no block is running here\n";
   else
     out_ << blockStackText(stacks);
 }
 
-void DebugSession::registers(std::string_view) {
-  const cpu::Machine& m = station_.cpu().machine();
-  out_ << registersText(m.registers, m.fourAccumulators);
-}
+void DebugSession::registers(std::string_view) { out_ << registersText(monitor_->registers()); }
 
 void DebugSession::locals(std::string_view arguments) {
   const auto depth = arguments.empty() ? 0 : number(arguments);
   if (!depth)
     return error(
         fmt::format("'{}' is not a valid depth; `where` numbers the blocks from 0", arguments));
-  const auto variables = monitor_.variables(*depth);
+  const auto variables = monitor_->variables(*depth);
   if (variables.empty()) out_ << "no declared variables here\n";
   for (const monitor::FrameVariable& one : variables)
     out_ << fmt::format("{:<7} #{:<20} {:<12} {}\n", one.section, one.name, one.type,
@@ -46,11 +42,9 @@ void DebugSession::locals(std::string_view arguments) {
 }
 
 void DebugSession::stack(std::string_view) {
-  const monitor::Stacks stacks = monitor_.stacks();
+  const monitor::Stacks stacks = monitor_->stacks();
   if (stacks.empty()) return where({});
-  out_ << "I stack\n"
-       << interruptStackText(stacks, station_.model().accumulators == 4) << "L stack\n"
-       << localStackText(stacks);
+  out_ << "I stack\n" << interruptStackText(stacks) << "L stack\n" << localStackText(stacks);
 }
 
 std::string_view DebugSession::sourceLine(const std::string& file, std::uint32_t line) const {
@@ -63,10 +57,10 @@ std::string_view DebugSession::sourceLine(const std::string& file, std::uint32_t
 void DebugSession::printSource(const monitor::SourcePlace& place, std::uint32_t around) {
   const source::SourceFile* source = build_.project.file(place.file);
   if (source == nullptr || place.line == 0) return;
-  const auto position = monitor_.debugger().position();
+  const auto position = monitor_->debugger().position();
   const std::uint32_t first = place.line > around ? place.line - around : 1;
   const std::uint32_t last = std::min(source->lineCount(), place.line + around);
-  const auto& points = monitor_.debugger().breakpoints();
+  const auto& points = monitor_->debugger().breakpoints();
   for (std::uint32_t line = first; line <= last; ++line) {
     const bool here = position && position->file == place.file && position->line == line;
     const bool point = std::ranges::any_of(points, [&](const monitor::Breakpoint& one) {
@@ -86,7 +80,7 @@ void DebugSession::list(std::string_view arguments) {
     return printSource(*place, kListed);
   }
   monitor::SourcePlace place;
-  const auto position = monitor_.debugger().position();
+  const auto position = monitor_->debugger().position();
   place.file = currentFile_;
   const bool going =
       listedTo_ > 0 && lastStep_ == "list" && !(position && listedTo_ == position->line);
@@ -97,22 +91,29 @@ void DebugSession::list(std::string_view arguments) {
 void DebugSession::diagnostics(std::string_view arguments) {
   const auto count = arguments.empty() ? kDiagnostics : number(arguments);
   if (!count) return error(fmt::format("'{}' is not a valid number of entries", arguments));
-  out_ << diagnosticsText(monitor_.diagnostics(), *count);
+  out_ << diagnosticsText(monitor_->diagnostics(), *count);
 }
 
 void DebugSession::information(std::string_view) {
-  out_ << informationText(monitor_.information());
+  out_ << informationText(monitor_->information());
 }
 
 void DebugSession::blocks(std::string_view) {
-  for (const monitor::BlockRow& row : monitor::blockList(*build_.program))
-    out_ << fmt::format("{:<8} {:<24} {:>6} bytes\n", toString(row.id), row.symbol, row.work);
+  const bool listing = build_.isListing();
+  for (const monitor::BlockRow& row :
+       listing ? monitor::blockList(build_.listings) : monitor::blockList(*build_.program))
+    out_ << fmt::format("{:<8} {:<24} {:>6} {}s\n", toString(row.id), row.symbol, row.work,
+                        name(monitor_->program().unit()));
 }
 
 void DebugSession::references(std::string_view arguments) {
-  const auto all = monitor::crossReferences(*build_.program, build_.project.symbols,
-                                            {.library = build_.library.get()});
-  const auto part = monitor::filtered(all, arguments, monitor_.resolver());
+  const source::SymbolTable& symbols = build_.project.symbols;
+  const bool listing = build_.isListing();
+  const auto all = listing ? monitor::crossReferences(build_.listings, symbols)
+                           : monitor::crossReferences(*build_.program, symbols,
+                                                      {.library = build_.library.get()});
+  const auto part = monitor::filtered(all, arguments, monitor_->resolver(),
+                                      listing ? monitor::step5Words() : monitor::step7Words());
   if (!part) return error(part.error());
   if (part->empty()) out_ << "no instruction uses it\n";
   for (const monitor::CrossReference& row : *part)

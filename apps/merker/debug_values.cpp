@@ -25,7 +25,7 @@ monitor::DisplayFormat takeFormat(std::string_view& text) {
 
 void DebugSession::printOne(std::string_view text) {
   const monitor::DisplayFormat format = takeFormat(text);
-  const auto value = monitor_.read(text, format);
+  const auto value = monitor_->read(text, format);
   if (!value) return error(value.error());
   out_ << fmt::format("{} = {}\n", text, *value);
 }
@@ -55,25 +55,25 @@ std::optional<std::vector<monitor::Wish>> DebugSession::wishes(std::string_view 
 void DebugSession::set(std::string_view arguments) {
   const auto list = wishes(arguments);
   if (!list) return;
-  if (const auto problem = monitor_.write(*list)) error(*problem);
+  if (const auto problem = monitor_->write(*list)) error(*problem);
 }
 
 void DebugSession::force(std::string_view arguments) {
   if (arguments.empty()) {
-    for (const monitor::Forced& one : monitor_.forces())
+    for (const monitor::Forced& one : monitor_->forces())
       out_ << fmt::format("{} = {}\n", one.operand.text,
                           monitor::show(one.operand, one.value, monitor::DisplayFormat::Automatic));
-    if (monitor_.forces().empty()) out_ << "no forces\n";
+    if (monitor_->forces().empty()) out_ << "no forces\n";
     return;
   }
   const auto list = wishes(arguments);
   if (!list) return;
-  if (const auto problem = monitor_.force(*list)) error(*problem);
+  if (const auto problem = monitor_->force(*list)) error(*problem);
 }
 
 void DebugSession::unforce(std::string_view arguments) {
-  if (arguments.empty() || equalsIgnoreCase(arguments, "all")) return monitor_.unforceAll();
-  if (const auto problem = monitor_.unforce(simulator::splitList(arguments))) error(*problem);
+  if (arguments.empty() || equalsIgnoreCase(arguments, "all")) return monitor_->unforceAll();
+  if (const auto problem = monitor_->unforce(simulator::splitList(arguments))) error(*problem);
 }
 
 void DebugSession::watch(std::string_view arguments) {

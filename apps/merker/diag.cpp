@@ -27,7 +27,7 @@ struct DiagOptions {
   std::vector<std::string> set;
 };
 
-void printText(monitor::Monitor& monitor, bool fourAccumulators) {
+void printText(monitor::Monitor& monitor) {
   std::cout << informationText(monitor.information());
   std::cout << "\nDiagnostic buffer, newest first\n"
             << diagnosticsText(monitor.diagnostics(), SIZE_MAX);
@@ -35,7 +35,7 @@ void printText(monitor::Monitor& monitor, bool fourAccumulators) {
   if (stacks.empty()) return;
   std::cout << "\nB stack\n"
             << blockStackText(stacks) << "\nI stack\n"
-            << interruptStackText(stacks, fourAccumulators) << "\nL stack\n"
+            << interruptStackText(stacks) << "\nL stack\n"
             << localStackText(stacks);
 }
 
@@ -125,9 +125,9 @@ int showControl(const DiagOptions& options, const Build& built, Duration time) {
 
 int show(const DiagOptions& options, const Build& built, Duration time) {
   station::Station station = built.station();
-  monitor::Monitor monitor(station, built.project.symbols, built.resolver());
+  const auto monitor = monitor::monitorOf(station, built.project.symbols, built.resolver());
   if (const int wrong = carryOut(options, built, time, station); wrong != kGood) return wrong;
-  options.json ? printJson(monitor) : printText(monitor, station.model().accumulators == 4);
+  options.json ? printJson(*monitor) : printText(*monitor);
   return station.stoppedByFault() ? kFault : kGood;
 }
 

@@ -9,13 +9,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string event(std::uint16_t number) { return fmt::format("16#{:04X}", number); }
+Json orNull(const auto& value) { return value ? Json(*value) : Json(nullptr); }
 
-Json registers(const cpu::Registers& r) {
-  const cpu::StatusWord& s = r.status;
-  return {{"akku1", r.accu[0]}, {"akku2", r.accu[1]}, {"akku3", r.accu[2]}, {"akku4", r.accu[3]},
-          {"ar1", r.ar1},       {"ar2", r.ar2},       {"stw", s.word()},    {"vke", s.rlo},
-          {"sta", s.sta},       {"db", r.db.number},  {"di", r.di.number}};
+Json registers(const monitor::Registers& r) {
+  return {{"akku1", r.accu[0]}, {"akku2", r.accu[1]},   {"akku3", r.accu[2]},
+          {"akku4", r.accu[3]}, {"ar1", orNull(r.ar1)}, {"ar2", orNull(r.ar2)},
+          {"stw", r.word},      {"vke", r.rlo},         {"sta", r.sta},
+          {"db", r.db},         {"di", orNull(r.di)}};
 }
 
 Json interrupt(const monitor::InterruptStackEntry& entry) {
@@ -55,9 +55,9 @@ Json toJson(const std::vector<monitor::DiagnosticLine>& lines) {
   Json list = Json::array();
   for (const monitor::DiagnosticLine& line : lines) {
     Json row = {{"number", line.number},
-                {"clock", monitor::clockText(line.clock)},
+                {"clock", line.clock ? Json(monitor::clockText(*line.clock)) : Json(nullptr)},
                 {"seconds", static_cast<double>(line.time.ns) / 1e9},
-                {"event", event(line.event)},
+                {"event", line.eventText},
                 {"text", line.text}};
     if (!line.help.empty()) row["help"] = line.help;
     if (line.place) row["place"] = toJson(*line.place);

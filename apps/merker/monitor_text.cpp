@@ -23,19 +23,23 @@ std::string dump(const std::vector<std::uint8_t>& bytes) {
 
 }  // namespace
 
-std::string registersText(const cpu::Registers& r, bool fourAccumulators) {
+// What the machine does not have is not shown.
+std::string registersText(const monitor::Registers& r) {
   std::string text;
-  for (unsigned i = 0; i < (fourAccumulators ? 4u : 2u); ++i)
+  for (unsigned i = 0; i < r.accumulators; ++i)
     text += fmt::format("{}AKKU{} DW#16#{:08X} ({})", i == 0 ? "" : "  ", i + 1, r.accu[i],
                         static_cast<std::int32_t>(r.accu[i]));
-  text += fmt::format("\nAR1 {}  AR2 {}\n", formatConstant({ConstantFormat::Pointer, r.ar1}),
-                      formatConstant({ConstantFormat::Pointer, r.ar2}));
-  const cpu::StatusWord& s = r.status;
+  text += '\n';
+  if (r.ar1 && r.ar2)
+    text += fmt::format("AR1 {}  AR2 {}\n", formatConstant({ConstantFormat::Pointer, *r.ar1}),
+                        formatConstant({ConstantFormat::Pointer, *r.ar2}));
+  if (r.br) text += fmt::format("BIE {:d}  ", *r.br);
   text += fmt::format(
-      "BIE {:d}  A1 {:d}  A0 {:d}  OV {:d}  OS {:d}  OR {:d}  STA {:d}  VKE {:d}  "
-      "/ER {:d}   STW W#16#{:04X}\n",
-      s.br, s.cc1, s.cc0, s.ov, s.os, s.orBit, s.sta, s.rlo, s.er, s.word());
-  return text + fmt::format("DB {}  DI {}\n", blockNumber(r.db.number), blockNumber(r.di.number));
+      "A1 {:d}  A0 {:d}  OV {:d}  OS {:d}  OR {:d}  STA {:d}  VKE {:d}  /ER {:d}   STW "
+      "W#16#{:04X}\n",
+      r.cc1, r.cc0, r.ov, r.os, r.orBit, r.sta, r.rlo, r.er, r.word);
+  text += "DB " + blockNumber(r.db);
+  return text + (r.di ? "  DI " + blockNumber(*r.di) : "") + "\n";
 }
 
 std::string blockStackText(const monitor::Stacks& stacks) {
@@ -48,12 +52,12 @@ std::string blockStackText(const monitor::Stacks& stacks) {
   return text.empty() ? "no block runs\n" : text;
 }
 
-std::string interruptStackText(const monitor::Stacks& stacks, bool fourAccumulators) {
+std::string interruptStackText(const monitor::Stacks& stacks) {
   std::string text;
   for (const monitor::InterruptStackEntry& entry : stacks.interrupts) {
     text += fmt::format("OB {}, priority {}, at {}\n", entry.ob, entry.priority,
                         monitor::toString(entry.place));
-    text += registersText(entry.registers, fourAccumulators);
+    text += registersText(entry.registers);
     text += fmt::format("brackets {}  MCR levels {}\n", entry.brackets.size(), entry.mcr.size());
   }
   return text.empty() ? "nothing was interrupted\n" : text;
@@ -71,8 +75,9 @@ std::string diagnosticsText(const std::vector<monitor::DiagnosticLine>& lines, s
   std::string text;
   for (const monitor::DiagnosticLine& line : lines) {
     if (line.number > count) break;
-    text += fmt::format("{:>3}  {}  16#{:04X}  {}\n", line.number, monitor::clockText(line.clock),
-                        line.event, line.text);
+    const std::string clock =
+        line.clock ? monitor::clockText(*line.clock) : simulator::formatTime(line.time);
+    text += fmt::format("{:>3}  {}  {}  {}\n", line.number, clock, line.eventText, line.text);
     if (line.place) text += fmt::format("       at {}\n", monitor::toString(*line.place));
     if (!line.help.empty()) text += fmt::format("       {}\n", line.help);
   }
@@ -82,7 +87,8 @@ std::string diagnosticsText(const std::vector<monitor::DiagnosticLine>& lines, s
 std::string informationText(const monitor::ModuleInformation& info) {
   std::string text = fmt::format("{}  {}", info.model, monitor::name(info.mode));
   if (!info.stopReason.empty()) text += ": " + info.stopReason;
-  text += fmt::format("\ntime {}  clock {}\n", simulator::formatTime(info.time), info.clock);
+  text += fmt::format("\ntime {}{}{}\n", simulator::formatTime(info.time),
+                      info.clock.empty() ? "" : "  clock ", info.clock);
   text += fmt::format(
       "cycles {}  instructions {}  cycle time last {} ms, shortest {} ms, longest "
       "{} ms\n",

@@ -9,9 +9,9 @@
 namespace merker::app {
 
 // "AKKU1 DW#16#00000005  AKKU2 …", "VKE 1  STA 1 …", open data blocks: several lines.
-std::string registersText(const cpu::Registers& registers, bool fourAccumulators);
+std::string registersText(const monitor::Registers& registers);
 std::string blockStackText(const monitor::Stacks& stacks);
-std::string interruptStackText(const monitor::Stacks& stacks, bool fourAccumulators);
+std::string interruptStackText(const monitor::Stacks& stacks);
 std::string localStackText(const monitor::Stacks& stacks);
 // The newest `count` entries.
 std::string diagnosticsText(const std::vector<monitor::DiagnosticLine>& lines, std::size_t count);

@@ -304,6 +304,12 @@ bool Cnc::force(const address::Reference& reference, std::uint32_t value) {
   return reference.nc == 0 && plc().force(reference, value);
 }
 
+bool Cnc::forced() const {
+  const sinumerik::OperatingSystem& os = plc().operatingSystem();
+  const bool own = os.forcedInputs.any() || os.forcedOutputs.any() || os.forcedFlags.any();
+  return own || (parts_->partner && parts_->partner->forced());
+}
+
 void Cnc::unforce() {
   plc().unforce();
   if (parts_->partner) parts_->partner->unforce();

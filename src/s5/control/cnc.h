@@ -113,6 +113,7 @@ class Cnc final : public controller::Controller,
   bool write(const address::Reference& reference, std::uint32_t value) override;
   bool force(const address::Reference& reference, std::uint32_t value) override;
   void unforce() override;
+  bool forced() const;  // anything, also of the partner
   std::string whyMissing(const address::Reference& reference) const override;
   std::string whyRefused(const address::Reference& reference) const override;
   std::optional<std::string> stackField(std::string_view stack,

@@ -2,6 +2,7 @@
 // original has none).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -16,6 +17,9 @@ class Forces {
     value_[byte] = static_cast<std::uint8_t>((value_[byte] & ~mask) | (value & mask));
   }
   void clear() { mask_.fill(0); }
+  bool any() const {
+    return std::ranges::any_of(mask_, [](std::uint8_t mask) { return mask != 0; });
+  }
   void apply(std::array<std::uint8_t, Bytes>& bytes) const {
     for (std::size_t i = 0; i < Bytes; ++i)
       bytes[i] = static_cast<std::uint8_t>((bytes[i] & ~mask_[i]) | (value_[i] & mask_[i]));

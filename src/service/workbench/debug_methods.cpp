@@ -4,6 +4,8 @@
 namespace merker::workbench {
 namespace {
 
+using monitor::Feature;
+
 // Of a file, of all files: each frame tells them, each download places them anew.
 constexpr std::size_t kMostLines = 100, kMostBreakpoints = 200;
 // A step that has not ended by then is one into a program that does not come by.
@@ -26,8 +28,8 @@ Answer show(const Call& call) {
   const auto block = blockOf(call);
   if (!call.fields.good()) return call.fields.problems();
   if (!block) return one(block.error());
-  if (call.station().program().at(*block).code.empty())
-    return refused(ProblemCode::P1207, toString(*block));
+  const auto code = call.monitor().program().find(*block);
+  if (!code || code->length() == 0) return refused(ProblemCode::P1207, toString(*block));
   call.browser.status.emplace(*block);
   call.shared.wantedStatus[call.id] = *block;
   call.shared.probesWait = true;
@@ -64,7 +66,7 @@ Answer setBreakpoints(const Call& call) {
 }
 
 Answer go(const Call& call) {
-  call.monitor().debugger().run(call.station().now());
+  call.monitor().debugger().run(call.plc().controller().now());
   return empty();
 }
 
@@ -73,9 +75,9 @@ Answer step(const Call& call) {
   constexpr StepKind kKinds[] = {StepKind::Into, StepKind::Over, StepKind::Out};
   const std::size_t kind = call.fields.choice("kind", {"into", "over", "out"}, 0);
   if (!call.fields.good()) return call.fields.problems();
-  if (call.station().mode() == controller::Mode::Stop)
+  if (call.plc().controller().mode() == controller::Mode::Stop)
     return refused(ProblemCode::P1308, "single steps", "the CPU is in STOP");
-  const Instant now = call.station().now();
+  const Instant now = call.plc().controller().now();
   monitor::Debugger& debugger = call.monitor().debugger();
   debugger.beginStep(kKinds[kind], now + kFirstPart);
   if (debugger.stepping()) call.shared.stepEnds = now + kLongestStep;
@@ -83,11 +85,11 @@ Answer step(const Call& call) {
 }
 
 constexpr Method kMethods[] = {
-    {"status.show", Needs::S7, show},
+    {"status.show", Needs::able(Feature::Breakpoints), show},
     {"status.hide", Needs::Nothing, hide},
-    {"breakpoints.set", Needs::S7, setBreakpoints},
-    {"debug.go", Needs::S7On, go},
-    {"debug.step", Needs::S7On, step},
+    {"breakpoints.set", Needs::able(Feature::Breakpoints), setBreakpoints},
+    {"debug.go", Needs::ableOn(Feature::Breakpoints), go},
+    {"debug.step", Needs::ableOn(Feature::Breakpoints), step},
 };
 
 }  // namespace

@@ -6,7 +6,7 @@
 namespace merker::workbench {
 namespace {
 
-std::string eventText(std::uint16_t event) { return fmt::format("16#{:04X}", event); }
+using monitor::Feature;
 
 // block, file, line, network of a place.
 void addPlace(Json& json, const monitor::SourcePlace& place, const ProjectFolder& folder) {
@@ -19,46 +19,34 @@ void addPlace(Json& json, const monitor::SourcePlace& place, const ProjectFolder
 }
 
 Json entryOf(const monitor::DiagnosticLine& line, const ProjectFolder& folder) {
-  Json entry = {{"number", line.number}, {"event", eventText(line.event)},
-                {"time", line.time.ns},  {"clock", monitor::clockText(line.clock)},
-                {"text", line.text},     {"help", line.help}};
+  Json entry = {
+      {"number", line.number}, {"event", line.eventText},
+      {"time", line.time.ns},  {"clock", line.clock ? monitor::clockText(*line.clock) : ""},
+      {"text", line.text},     {"help", line.help}};
   if (line.place) addPlace(entry, *line.place, folder);
   return entry;
 }
 
-// Alarms of a SINUMERIK: their number, newest first.
-Json alarms(const controller::Controller& plc) {
-  Json list = Json::array();
-  const auto& all = plc.diagnostics();
-  for (auto entry = all.rbegin(); entry != all.rend(); ++entry)
-    list.push_back({{"number", list.size() + 1},
-                    {"event", std::to_string(entry->event)},
-                    {"time", entry->time.ns},
-                    {"clock", ""},
-                    {"text", entry->text},
-                    {"help", ""}});
-  return list;
-}
-
 Answer buffer(const Call& call) {
-  if (!call.plc().isS7()) return Json{{"entries", alarms(call.plc().controller())}};
   Json list = Json::array();
   for (const monitor::DiagnosticLine& line : call.monitor().diagnostics())
     list.push_back(entryOf(line, call.shared.folder));
   return Json{{"entries", std::move(list)}};
 }
 
-Json registersOf(const cpu::Registers& r) {
-  const auto block = [](const cpu::OpenBlock& one) {
-    return one.number == 0 ? std::string("-") : fmt::format("DB {}", one.number);
+// Those that the machine has.
+Json registersOf(const monitor::Registers& r) {
+  const auto block = [](std::uint16_t number) {
+    return number == 0 ? std::string("-") : fmt::format("DB {}", number);
   };
-  return {{"AKKU1", fmt::format("{:08X}", r.accu[0])},
-          {"AKKU2", fmt::format("{:08X}", r.accu[1])},
-          {"AR1", formatConstant({ConstantFormat::Pointer, r.ar1})},
-          {"AR2", formatConstant({ConstantFormat::Pointer, r.ar2})},
-          {"STW", fmt::format("{:04X}", r.status.word())},
-          {"DB", block(r.db)},
-          {"DI", block(r.di)}};
+  Json json = {{"AKKU1", fmt::format("{:08X}", r.accu[0])},
+               {"AKKU2", fmt::format("{:08X}", r.accu[1])}};
+  if (r.ar1) json["AR1"] = formatConstant({ConstantFormat::Pointer, *r.ar1});
+  if (r.ar2) json["AR2"] = formatConstant({ConstantFormat::Pointer, *r.ar2});
+  json["STW"] = fmt::format("{:04X}", r.word);
+  json["DB"] = block(r.db);
+  if (r.di) json["DI"] = block(*r.di);
+  return json;
 }
 
 std::string bytesText(const std::vector<std::uint8_t>& bytes) {
@@ -111,7 +99,7 @@ Answer information(const Call& call) {
                 {"lastMs", info.lastCycle},
                 {"shortestMs", info.shortestCycle},
                 {"longestMs", info.longestCycle},
-                {"monitoringMs", call.station().cpu().parameters().cycleMonitoring}}},
+                {"monitoringMs", info.cycleMonitoring}}},
               {"limits",
                {{"inputs", info.inputs},
                 {"outputs", info.outputs},
@@ -122,8 +110,8 @@ Answer information(const Call& call) {
 
 constexpr Method kMethods[] = {
     {"diagnosis.buffer", Needs::Plc, buffer},
-    {"diagnosis.stacks", Needs::S7, stacks},
-    {"diagnosis.information", Needs::S7, information},
+    {"diagnosis.stacks", Needs::able(Feature::Stacks), stacks},
+    {"diagnosis.information", Needs::able(Feature::Information), information},
 };
 
 }  // namespace

@@ -6,6 +6,8 @@
 namespace merker::workbench {
 namespace {
 
+using monitor::Feature;
+
 Answer read(const Call& call) {
   const project::Project& project = call.plc().build().project;
   const io::Rack* rack = std::as_const(call.station()).rack();
@@ -94,10 +96,10 @@ Answer edit(const Call& call) {
 Answer catalogue(const Call&) { return catalogueRows(); }
 
 constexpr Method kMethods[] = {
-    {"hardware.read", Needs::S7, read},
-    {"hardware.fault", Needs::S7, fault, Kind::Action},
-    {"hardware.edit", Needs::S7, edit, Kind::Compiled},
-    {"hardware.catalogue", Needs::S7, catalogue},
+    {"hardware.read", Needs::able(Feature::Rack), read},
+    {"hardware.fault", Needs::able(Feature::Rack), fault, Kind::Action},
+    {"hardware.edit", Needs::able(Feature::Rack), edit, Kind::Compiled},
+    {"hardware.catalogue", Needs::able(Feature::Rack), catalogue},
 };
 
 }  // namespace

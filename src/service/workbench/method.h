@@ -19,11 +19,21 @@ struct Call {
 
   Plc& plc() const { return *shared.plc; }
   station::Station& station() const { return *shared.plc->station(); }
-  monitor::Monitor& monitor() const { return *shared.plc->monitor(); }
+  monitor::Monitor& monitor() const { return shared.plc->monitor(); }
 };
 
-// On: what reaches the PLC only while it is switched on.
-enum class Needs : std::uint8_t { Nothing, Plc, PlcOn, S7, S7On };
+// What a request needs: nothing, a PLC, one that is switched on; and what it must be able to do.
+struct Needs {
+  enum class State : std::uint8_t { Nothing, Plc, PlcOn } state = State::Nothing;
+  std::optional<monitor::Feature> feature;
+
+  static const Needs Nothing, Plc, PlcOn;
+  static constexpr Needs able(monitor::Feature feature) { return {State::Plc, feature}; }
+  static constexpr Needs ableOn(monitor::Feature feature) { return {State::PlcOn, feature}; }
+};
+inline constexpr Needs Needs::Nothing{State::Nothing, {}};
+inline constexpr Needs Needs::Plc{State::Plc, {}};
+inline constexpr Needs Needs::PlcOn{State::PlcOn, {}};
 
 // Action: something that a user does to the PLC; it is recorded. Compiled: it looks at the program
 // as it stands on the disk, compiled. Compiles: it does that itself. Requests of the last two do

@@ -19,10 +19,10 @@ Result<ModifyList> ModifyList::of(monitor::Monitor& monitor,
 }
 
 // What was forced since stays as it is.
-void ModifyList::reached(monitor::Monitor& monitor, cpu::CyclePoint point) {
+void ModifyList::reached(monitor::Monitor& monitor, monitor::CyclePoint point) {
   if (point != trigger_.point || done_) return;
   for (const auto& [reference, value] : rows_)
-    if (!monitor.checkWrite(reference)) monitor::modifyInCycle(monitor.station(), reference, value);
+    if (!monitor.checkWrite(reference)) monitor.modifyInCycle(reference, value);
   done_ = trigger_.once;
 }
 

@@ -13,7 +13,7 @@ class ModifyList {
   static Result<ModifyList> of(monitor::Monitor& monitor, const std::vector<monitor::Wish>& wishes,
                                monitor::Trigger trigger);
   // The CPU has come to this point.
-  void reached(monitor::Monitor& monitor, cpu::CyclePoint point);
+  void reached(monitor::Monitor& monitor, monitor::CyclePoint point);
   // True one time after a trigger that counts once.
   bool takeDone();
   std::size_t size() const { return rows_.size(); }

@@ -6,8 +6,8 @@
 namespace merker::workbench {
 
 std::optional<monitor::Trigger> triggerOf(const Fields& fields) {
-  constexpr cpu::CyclePoint kPoints[] = {cpu::CyclePoint::Begin, cpu::CyclePoint::End,
-                                         cpu::CyclePoint::Stop};
+  constexpr monitor::CyclePoint kPoints[] = {monitor::CyclePoint::Begin, monitor::CyclePoint::End,
+                                             monitor::CyclePoint::Stop};
   constexpr std::size_t kNow = 3;
   const std::size_t point = fields.choice("point", {"begin", "end", "stop", "now"}, kNow);
   const bool once = fields.flag("once", false);
@@ -16,6 +16,8 @@ std::optional<monitor::Trigger> triggerOf(const Fields& fields) {
 }
 
 namespace {
+
+using monitor::Feature;
 
 Answer set(const Call& call) {
   const auto number = call.fields.integer("list", 0, INT32_MAX);
@@ -43,7 +45,7 @@ Answer drop(const Call& call) {
 }
 
 constexpr Method kMethods[] = {
-    {"modify.set", Needs::S7On, set},
+    {"modify.set", Needs::ableOn(Feature::CyclePoints), set},
     {"modify.drop", Needs::Nothing, drop},
 };
 

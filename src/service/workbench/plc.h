@@ -1,5 +1,4 @@
-// The PLC that everybody looks at, with the project it came from. A SIMATIC S7 has a monitor; of a
-// SINUMERIK there is what any controller offers.
+// The PLC that everybody looks at, with its monitor and the project it came from.
 #pragma once
 
 #include <functional>
@@ -35,11 +34,12 @@ class Plc {
   const BuildRef& buildRef() const { return build_; }
   controller::Controller& controller() { return *controller_; }
   const controller::Controller& controller() const { return *controller_; }
-  station::Station* station() { return station_; }  // null: a SINUMERIK
+  monitor::Monitor& monitor() { return *monitor_; }
+  const monitor::Monitor& monitor() const { return *monitor_; }
+  bool can(monitor::Feature feature) const { return monitor_->can(feature); }
+  // Null: the machine has no blocks that are loaded one by one.
+  station::Station* station() { return station_; }
   const station::Station* station() const { return station_; }
-  monitor::Monitor* monitor() { return monitor_.get(); }  // null: a SINUMERIK
-  const monitor::Monitor* monitor() const { return monitor_.get(); }
-  bool isS7() const { return station_ != nullptr; }
 
   // Of a SIMATIC S7, if there is a wish.
   void use(std::optional<station::Engine> engine);
@@ -47,12 +47,6 @@ class Plc {
   // Values by their text; timers and counters as LC loads them.
   Result<address::Reference> operand(std::string_view text) const;
   std::optional<monitor::Value> read(const address::Reference& reference) const;
-  // All of them, or none.
-  std::optional<Problem> write(const std::vector<monitor::Wish>& wishes);
-  std::optional<Problem> force(const std::vector<monitor::Wish>& wishes);
-  std::optional<Problem> unforce(const std::vector<std::string_view>& operands);
-  void unforceAll();
-  const std::vector<monitor::Forced>& forces() const;
 
   // At each cycle checkpoint, in the order in which they came.
   void onCycle(Observer observer);
@@ -66,10 +60,6 @@ class Plc {
   void replace(BuildRef build, source::SymbolTable& symbols);
 
  private:
-  std::optional<Problem> control(const std::vector<monitor::Wish>& wishes, bool force);
-  void noteForced(const std::vector<monitor::Forced>& list);
-  void forceAgain();
-
   BuildRef build_;
   source::SymbolTable symbols_;  // the monitor keeps looking at it
   simulator::Resolver operands_;
@@ -78,7 +68,6 @@ class Plc {
   ProgramRef program_;
   std::unique_ptr<monitor::Monitor> monitor_;
   std::vector<Observer> observers_;
-  std::vector<monitor::Forced> forces_;  // of a SINUMERIK
 };
 
 }  // namespace merker::workbench

@@ -6,6 +6,8 @@
 namespace merker::workbench {
 namespace {
 
+using monitor::Feature;
+
 using cpu::SwitchPosition;
 
 Answer notStarted(const controller::Controller& plc) {
@@ -26,7 +28,8 @@ Answer turnControl(controller::Controller& plc, std::size_t position) {
 Answer turnSwitch(const Call& call) {
   const std::size_t position = call.fields.choice("position", {"RUN-P", "RUN", "STOP", "MRES"});
   if (!call.fields.good()) return call.fields.problems();
-  if (!call.plc().isS7()) return turnControl(call.plc().controller(), position);
+  if (!call.plc().can(monitor::Feature::ModeSwitch))
+    return turnControl(call.plc().controller(), position);
   const auto to = static_cast<SwitchPosition>(position);
   const bool reset = to == SwitchPosition::Mres;
   if (reset && !call.station().powered())
@@ -45,26 +48,18 @@ Answer power(const Call& call) {
   return empty();
 }
 
-// As a programming device does it (16#4304), not the mode switch.
-void stopPlc(Plc& plc) {
-  if (plc.isS7())
-    plc.station()->cpu().stop(cpu::Event::StopByProgrammer);
-  else
-    plc.controller().stop();
-}
-
 Answer start(const Call& call) {
   const bool cold = call.fields.choice("kind", {"warm", "cold"}, 0) == 1;
   if (!call.fields.good()) return call.fields.problems();
   controller::Controller& plc = call.plc().controller();
   if (cold && !plc.hasColdRestart())
     return refused(ProblemCode::P1307, plc.modelName(), "cold restart");
-  stopPlc(call.plc());
+  call.monitor().stop();
   return (cold ? plc.coldRestart() : plc.start()) ? empty() : notStarted(plc);
 }
 
 Answer stop(const Call& call) {
-  stopPlc(call.plc());
+  call.monitor().stop();
   return empty();
 }
 
@@ -131,8 +126,8 @@ constexpr Method kMethods[] = {
     {"cpu.start", Needs::PlcOn, start, Kind::Action},
     {"cpu.stop", Needs::PlcOn, stop, Kind::Action},
     {"cpu.reset", Needs::PlcOn, reset, Kind::Action},
-    {"cpu.trigger", Needs::S7On, trigger, Kind::Action},
-    {"cpu.engine", Needs::S7, engine},
+    {"cpu.trigger", Needs::ableOn(Feature::Interrupts), trigger, Kind::Action},
+    {"cpu.engine", Needs::able(Feature::Engine), engine},
     {"time.pace", Needs::Nothing, pace},
     {"time.step", Needs::Plc, step},
 };

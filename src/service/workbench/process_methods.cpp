@@ -6,6 +6,8 @@
 namespace merker::workbench {
 namespace {
 
+using monitor::Feature;
+
 Answer list(const Call& call) {
   return Json{{"plants", plantRows(call.station(), call.plc().build().project.symbols)}};
 }
@@ -94,17 +96,19 @@ Answer reset(const Call& call) {
 }
 
 constexpr Method kMethods[] = {
-    {"process.list", Needs::S7, list},
-    {"process.watch", Needs::S7, watch},
-    {"process.set", Needs::S7, set, Kind::Action},
-    {"process.fault", Needs::S7, fault, Kind::Action},
-    {"process.reset", Needs::S7, reset, Kind::Action},
+    {"process.list", Needs::able(Feature::Plants), list},
+    {"process.watch", Needs::able(Feature::Plants), watch},
+    {"process.set", Needs::able(Feature::Plants), set, Kind::Action},
+    {"process.fault", Needs::able(Feature::Plants), fault, Kind::Action},
+    {"process.reset", Needs::able(Feature::Plants), reset, Kind::Action},
 };
 
 }  // namespace
 
 void releaseHeld(Shared& shared, const Browser& browser) {
-  if (!shared.plc || !shared.plc->isS7() || shared.plc->station()->plants() == nullptr) return;
+  if (!shared.plc || !shared.plc->can(Feature::Plants) ||
+      shared.plc->station()->plants() == nullptr)
+    return;
   station::Station& station = *shared.plc->station();
   const plant::Configuration& plants = station.plants()->configuration();
   for (const auto& [plant, signal] : browser.held) {

@@ -6,6 +6,8 @@
 namespace merker::workbench {
 namespace {
 
+using monitor::Feature;
+
 constexpr std::size_t kMostFiles = 1000, kMostBlocks = 10000;
 
 struct Wanted {
@@ -278,14 +280,14 @@ Answer references(const Call& call) {
 
 constexpr Method kMethods[] = {
     {"program.check", Needs::Plc, check, Kind::Compiles},
-    {"program.load", Needs::S7On, load, Kind::Compiled},
-    {"program.blocks", Needs::S7, blocks, Kind::Compiled},
-    {"program.compare", Needs::S7, compare, Kind::Compiled},
-    {"program.upload", Needs::S7, upload, Kind::Compiled},
-    {"program.delete", Needs::S7On, remove},
-    {"program.listing", Needs::S7, showListing, Kind::Compiled},
-    {"program.completion", Needs::S7, complete, Kind::Compiled},
-    {"program.references", Needs::S7, references, Kind::Compiled},
+    {"program.load", Needs::ableOn(Feature::Download), load, Kind::Compiled},
+    {"program.blocks", Needs::able(Feature::Blocks), blocks, Kind::Compiled},
+    {"program.compare", Needs::able(Feature::Blocks), compare, Kind::Compiled},
+    {"program.upload", Needs::able(Feature::Blocks), upload, Kind::Compiled},
+    {"program.delete", Needs::ableOn(Feature::Blocks), remove},
+    {"program.listing", Needs::able(Feature::Blocks), showListing, Kind::Compiled},
+    {"program.completion", Needs::able(Feature::Blocks), complete, Kind::Compiled},
+    {"program.references", Needs::able(Feature::References), references, Kind::Compiled},
 };
 
 }  // namespace

@@ -12,12 +12,11 @@ namespace {
 constexpr std::size_t kMostWaiting = 64, kMostWaitingBytes = 4 << 20;
 
 std::optional<Problems> missing(Needs needs, const Plc* plc, std::string_view method) {
-  if (needs == Needs::Nothing) return std::nullopt;
+  if (needs.state == Needs::State::Nothing) return std::nullopt;
   if (plc == nullptr) return refused(ProblemCode::P1315);
-  const bool on = needs == Needs::PlcOn || needs == Needs::S7On;
-  if (on && !plc->controller().powered())
+  if (needs.state == Needs::State::PlcOn && !plc->controller().powered())
     return refused(ProblemCode::P1308, plc->controller().modelName(), "it is switched off");
-  if (needs == Needs::Plc || needs == Needs::PlcOn || plc->isS7()) return std::nullopt;
+  if (!needs.feature || plc->can(*needs.feature)) return std::nullopt;
   return refused(ProblemCode::P1307, plc->controller().modelName(), method);
 }
 
@@ -76,7 +75,7 @@ Answer Workbench::settle(const Waiting& waiting) {
   if (waiting.later->task->failed())
     return refused(ProblemCode::P1308, method.name, "it was cancelled");
   if (auto why = missing(method.needs, shared_.plc.get(), method.name)) return *why;
-  if (method.needs != Needs::Nothing && waiting.shown != shared_.shown)
+  if (method.needs.state != Needs::State::Nothing && waiting.shown != shared_.shown)
     return refused(ProblemCode::P1308, method.name, "another project was opened in the meantime");
   enter(method.name);
   Problems problems;

@@ -37,11 +37,11 @@ void Shared::show(std::unique_ptr<Plc> fresh, bool isExample, Listing seen) {
   take(nextLook(), std::move(seen));
   files.loaded();
   if (plc && onCycle) plc->onCycle([this](controller::Controller&) { onCycle(); });
-  if (plc && onPoint && plc->isS7()) plc->monitor()->onPoint(onPoint);
+  if (plc && onPoint) plc->monitor().onPoint(onPoint);
 }
 
 std::optional<station::Engine> Shared::engine() const {
-  return plc && plc->isS7() ? plc->station()->engine() : engine_;
+  return plc && plc->station() != nullptr ? plc->station()->engine() : engine_;
 }
 
 void Shared::atCycleEnd(Work fresh) {
@@ -171,16 +171,15 @@ void placeBreakpoints(monitor::Monitor& monitor, const ProjectFolder& folder,
 }  // namespace
 
 void Shared::placeProbes() {
-  if (!probesWait || !plc || !plc->isS7()) return;
-  const station::Station& station = *plc->station();
-  if (station.cpu().program().get() != &station.program())
-    return removeBreakpoints(plc->monitor()->debugger(), folder, breakpoints);
+  if (!probesWait || !plc) return;
+  if (plc->monitor().downloadWaits())
+    return removeBreakpoints(plc->monitor().debugger(), folder, breakpoints);
   probesWait = false;
-  monitor::Debugger& debugger = plc->monitor()->debugger();
+  monitor::Debugger& debugger = plc->monitor().debugger();
   debugger.hideStatus();
   for (const auto& [browser, block] : wantedStatus) debugger.addStatus(block);
   if (placedProgram_ == programRevision && placed_ == breakpoints) return;
-  placeBreakpoints(*plc->monitor(), folder, breakpoints);
+  placeBreakpoints(plc->monitor(), folder, breakpoints);
   placed_ = breakpoints;
   placedProgram_ = programRevision;
 }

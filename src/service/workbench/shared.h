@@ -39,7 +39,7 @@ struct Shared {
   Workspace workspace;
   std::vector<std::string> recent;  // folders, newest first
   std::function<void()> onCycle;    // at each end of a cycle, of whatever PLC is there
-  std::function<void(cpu::CyclePoint)> onPoint;
+  std::function<void(monitor::CyclePoint)> onPoint;
   // Who compiles, and who does what else takes longer than a slice.
   Worker work = [](const Work& one) { one->carryOut(); };
   Worker clerk = work;

@@ -18,6 +18,8 @@ std::vector<std::string> hardwareOf(const station::Station& station) {
 
 namespace {
 
+using monitor::Feature;
+
 constexpr std::string_view kEnding = ".state";
 
 std::string keyword(const Call& call) { return std::string(call.station().model().keyword); }
@@ -50,7 +52,7 @@ Result<SavedCpu> taken(const Plc& plc, const std::string& path) {
                  plc.program(),
                  station.cpu().snapshot(),
                  {}};
-  for (const monitor::Forced& one : plc.forces())
+  for (const monitor::Forced& one : plc.monitor().forces())
     saved.forces.push_back({one.operand.text, monitor::show(one.operand, one.value,
                                                             monitor::DisplayFormat::Automatic)});
   return saved;
@@ -178,8 +180,8 @@ Answer load(const Call& call) {
 }
 
 constexpr Method kMethods[] = {
-    {"cpu.save", Needs::S7On, save},
-    {"cpu.load", Needs::S7On, load, Kind::Action},
+    {"cpu.save", Needs::ableOn(Feature::Snapshots), save},
+    {"cpu.load", Needs::ableOn(Feature::Snapshots), load, Kind::Action},
 };
 
 }  // namespace

@@ -23,13 +23,13 @@ Json leds(const cpu::Leds& leds) {
 
 // A SINUMERIK shows its PLC's state on the screen; here it looks like the others.
 cpu::Leds ledsOf(const Plc& plc) {
-  if (plc.isS7()) return plc.station()->leds();
+  if (plc.station() != nullptr) return plc.station()->leds();
   const auto light = [](bool on) { return on ? cpu::Light::On : cpu::Light::Off; };
   const controller::Controller& c = plc.controller();
   cpu::Leds leds;
   leds.sf = light(c.stoppedByFault());
   leds.dc5v = light(c.powered());
-  leds.frce = light(!plc.forces().empty());
+  leds.frce = light(!plc.monitor().forces().empty());
   leds.run = light(c.powered() && c.mode() != controller::Mode::Stop);
   leds.stop = light(c.powered() && c.mode() == controller::Mode::Stop);
   return leds;
@@ -37,7 +37,7 @@ cpu::Leds ledsOf(const Plc& plc) {
 
 Json forces(const Plc& plc) {
   Json list = Json::array();
-  for (const monitor::Forced& one : plc.forces())
+  for (const monitor::Forced& one : plc.monitor().forces())
     list.push_back(
         {{"operand", one.operand.text},
          {"value", monitor::show(one.operand, one.value, monitor::DisplayFormat::Automatic)}});
@@ -46,8 +46,8 @@ Json forces(const Plc& plc) {
 
 Json breakpoint(Shared& shared) {
   Plc& plc = *shared.plc;
-  if (!plc.isS7() || plc.controller().mode() != controller::Mode::Halt) return nullptr;
-  const auto place = plc.monitor()->debugger().position();
+  if (plc.controller().mode() != controller::Mode::Halt) return nullptr;
+  const auto place = plc.monitor().debugger().position();
   if (!place) return nullptr;
   Json at = {{"file", shared.folder.relative(place->file)},
              {"line", place->line},
@@ -85,15 +85,24 @@ Json recording(const Recorder& recorder) {
           {"full", recorder.full()}};
 }
 
+// What the page offers of this machine.
+Json abilities(const Plc& plc) {
+  Json list = Json::array();
+  for (const monitor::FeatureName& one : monitor::features())
+    if (plc.can(one.feature)) list.push_back(one.name);
+  return list;
+}
+
 Json project(const Shared& shared) {
   const project::Project& project = shared.plc->build().project;
   return {{"name", project.name},
           {"folder", project.path},
           {"mpiAddress", project.mpiAddress},
-          {"family", shared.plc->isS7() ? "S7" : "S5"},
+          {"can", abilities(*shared.plc)},
+          {"family", shared.plc->build().isListing() ? "S5" : "S7"},
           {"model", shared.plc->controller().modelName()},
           {"example", shared.example},
-          {"empty", shared.plc->isS7() && shared.plc->station()->program().empty()},
+          {"empty", shared.plc->station() != nullptr && shared.plc->station()->program().empty()},
           {"changed", shared.files.changed()}};
 }
 
@@ -122,7 +131,7 @@ Json state(Shared& shared) {
   json["breakpoints"] = shared.breakpoints;
   json["recording"] = recording(shared.recorder);
   json["playback"] = shared.player.describe();
-  plc.isS7() ? addStation(json, plc) : addControl(json, plc);
+  plc.station() != nullptr ? addStation(json, plc) : addControl(json, plc);
   return json;
 }
 

@@ -6,26 +6,27 @@ namespace {
 // A block that was not called for so long counts as not running.
 constexpr std::int64_t kQuiet = 500;
 
-std::string number(const cpu::OpenBlock& block) {
-  return block.number == 0 ? "-" : std::to_string(block.number);
+std::string number(std::uint16_t block) { return block == 0 ? "-" : std::to_string(block); }
+
+std::string pointer(const std::optional<std::uint32_t>& value) {
+  return value ? formatConstant({ConstantFormat::Pointer, *value}) : "";
 }
 
 // [line, vke, sta, or, akku1, akku2, ar1, ar2, stw, db, di]
 Json rowOf(const monitor::StatusRow& row) {
-  const cpu::Registers& r = row.after;
-  const cpu::StatusWord& s = r.status;
+  const monitor::Registers& r = row.after;
   const auto bit = [](bool value) { return value ? "1" : "0"; };
   return {row.statement.line,
-          bit(s.rlo),
-          bit(s.sta),
-          bit(s.orBit),
+          bit(r.rlo),
+          bit(r.sta),
+          bit(r.orBit),
           fmt::format("{:08X}", r.accu[0]),
           fmt::format("{:08X}", r.accu[1]),
-          formatConstant({ConstantFormat::Pointer, r.ar1}),
-          formatConstant({ConstantFormat::Pointer, r.ar2}),
-          fmt::format("{:04X}", s.word()),
+          pointer(r.ar1),
+          pointer(r.ar2),
+          fmt::format("{:04X}", r.word),
           number(r.db),
-          number(r.di)};
+          r.di ? number(*r.di) : ""};
 }
 
 Json rowsOf(const monitor::ProgramStatus& status) {
@@ -41,8 +42,8 @@ Json StatusView::changes(monitor::Monitor& monitor, const ProjectFolder& folder,
                          std::int64_t nowMs) {
   const monitor::ProgramStatus* status = monitor.debugger().status(block_);
   if (status == nullptr) return nullptr;
-  const Instant now = monitor.station().now();
-  const bool stands = monitor.station().mode() == controller::Mode::Halt || now == at_;
+  const Instant now = monitor.plc().now();
+  const bool stands = monitor.plc().mode() == controller::Mode::Halt || now == at_;
   at_ = now;
   if (status->calls() != calls_ || stands) calls_ = status->calls(), since_ = nowMs;
   const bool quiet = calls_ == 0 || nowMs - since_ > kQuiet;
@@ -52,7 +53,7 @@ Json StatusView::changes(monitor::Monitor& monitor, const ProjectFolder& folder,
   rows_ = rows;
   return {{"event", "status"},
           {"block", toString(block_)},
-          {"file", folder.relative(status->block().file)},
+          {"file", folder.relative(status->code().file())},
           {"calls", calls_},
           {"rows", std::move(rows)}};
 }

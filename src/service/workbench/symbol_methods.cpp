@@ -8,6 +8,8 @@
 namespace merker::workbench {
 namespace {
 
+using monitor::Feature;
+
 constexpr std::size_t kMostRows = 20000;
 constexpr const char* kNewFile = "symbols.sym";
 
@@ -112,9 +114,11 @@ Answer exportAs(const Call& call) {
 }
 
 constexpr Method kMethods[] = {
-    {"symbols.read", Needs::S7, read, Kind::Compiled},       {"symbols.check", Needs::S7, check},
-    {"symbols.write", Needs::S7, write, Kind::Compiled},     {"symbols.import", Needs::S7, import},
-    {"symbols.export", Needs::S7, exportAs, Kind::Compiled},
+    {"symbols.read", Needs::able(Feature::Symbols), read, Kind::Compiled},
+    {"symbols.check", Needs::able(Feature::Symbols), check},
+    {"symbols.write", Needs::able(Feature::Symbols), write, Kind::Compiled},
+    {"symbols.import", Needs::able(Feature::Symbols), import},
+    {"symbols.export", Needs::able(Feature::Symbols), exportAs, Kind::Compiled},
 };
 
 }  // namespace

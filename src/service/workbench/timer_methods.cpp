@@ -5,6 +5,8 @@
 namespace merker::workbench {
 namespace {
 
+using monitor::Feature;
+
 Answer mode(const Call& call) {
   const bool manual = call.fields.flag("manual");
   if (!call.fields.good()) return call.fields.problems();
@@ -28,8 +30,8 @@ Answer reset(const Call& call) {
 }
 
 constexpr Method kMethods[] = {
-    {"timers.mode", Needs::S7On, mode, Kind::Action},
-    {"timers.reset", Needs::S7On, reset, Kind::Action},
+    {"timers.mode", Needs::ableOn(Feature::TimersByHand), mode, Kind::Action},
+    {"timers.reset", Needs::ableOn(Feature::TimersByHand), reset, Kind::Action},
 };
 
 }  // namespace

@@ -18,7 +18,7 @@ constexpr std::size_t kValuesOfEvent = 10'000;
 // plant.Oven.PV
 std::optional<plant::SignalPlace> signalOf(std::string_view name, const Plc& plc) {
   constexpr std::string_view kPrefix = "plant.";
-  const plant::Plants* plants = plc.isS7() ? plc.station()->plants() : nullptr;
+  const plant::Plants* plants = plc.station() != nullptr ? plc.station()->plants() : nullptr;
   if (!name.starts_with(kPrefix) || plants == nullptr) return std::nullopt;
   name.remove_prefix(kPrefix.size());
   const std::size_t point = name.find('.');
@@ -32,7 +32,7 @@ std::optional<plant::SignalPlace> signalOf(std::string_view name, const Plc& plc
 // terminal.2.2.DO0, as scenarios name it behind the first point.
 std::optional<io::Terminal> terminalOf(std::string_view name, const Plc& plc) {
   constexpr std::string_view kPrefix = "terminal.";
-  const io::Rack* rack = plc.isS7() ? std::as_const(*plc.station()).rack() : nullptr;
+  const io::Rack* rack = plc.station() != nullptr ? std::as_const(*plc.station()).rack() : nullptr;
   if (!name.starts_with(kPrefix) || rack == nullptr) return std::nullopt;
   const auto known = io::parseTerminal(name.substr(kPrefix.size()));
   if (!known) return std::nullopt;

@@ -16,7 +16,8 @@ std::vector<WatchItem> items(const Call& call) {
 Answer watch(const Call& call) {
   const auto number = call.fields.integer("list", 0, INT32_MAX);
   const auto every = call.fields.integer("everyMs", 0, 60'000, 33);
-  const auto trigger = call.plc().isS7() ? triggerOf(call.fields) : std::nullopt;
+  const auto trigger =
+      call.plc().can(monitor::Feature::CyclePoints) ? triggerOf(call.fields) : std::nullopt;
   auto wanted = items(call);
   if (!call.fields.good()) return call.fields.problems();
   auto& lists = call.browser.lists;
@@ -62,26 +63,27 @@ Answer read(const Call& call) {
 // Of the CPU: all browsers are told them with each change. An S7-318 has 256, the others fewer.
 constexpr std::size_t kMostForces = 500;
 
-using Change = std::optional<Problem> (Plc::*)(const std::vector<monitor::Wish>&);
-
-Answer change(const Call& call, Change how) {
+Answer write(const Call& call) {
   const Wishes wishes(call.fields);
   if (!call.fields.good()) return call.fields.problems();
-  if (how == &Plc::force && call.plc().forces().size() + wishes.list().size() > kMostForces)
-    return refused(ProblemCode::P1314, kMostForces, "forced operands");
-  return done((call.plc().*how)(wishes.list()));
+  return done(call.monitor().write(wishes.list()));
 }
 
-Answer write(const Call& call) { return change(call, &Plc::write); }
-Answer force(const Call& call) { return change(call, &Plc::force); }
+Answer force(const Call& call) {
+  const Wishes wishes(call.fields);
+  if (!call.fields.good()) return call.fields.problems();
+  if (call.monitor().forces().size() + wishes.list().size() > kMostForces)
+    return refused(ProblemCode::P1314, kMostForces, "forced operands");
+  return done(call.monitor().force(wishes.list()));
+}
 
 Answer unforce(const Call& call) {
-  if (!call.fields.has("items")) return call.plc().unforceAll(), empty();
+  if (!call.fields.has("items")) return call.monitor().unforceAll(), empty();
   std::vector<std::string> names;
   for (const Fields& item : call.fields.objects("items", kItems))
     names.push_back(item.name("operand"));
   if (!call.fields.good()) return call.fields.problems();
-  return done(call.plc().unforce({names.begin(), names.end()}));
+  return done(call.monitor().unforce({names.begin(), names.end()}));
 }
 
 constexpr Method kMethods[] = {

@@ -23,7 +23,7 @@ WatchList::WatchList(std::vector<WatchItem> items, std::int64_t everyMs,
   for (WatchItem& item : items) rows_.push_back({std::move(item), {}, {}, {}, false});
 }
 
-void WatchList::reached(const Plc& plc, cpu::CyclePoint point) {
+void WatchList::reached(const Plc& plc, monitor::CyclePoint point) {
   if (!trigger_ || trigger_->point != point || done_) return;
   for (Row& row : rows_) row.seen = read(row, plc);
   came_ = true;

@@ -27,7 +27,7 @@ class WatchList {
   // [[index, text, raw], …] of what changed; empty if nothing did. `nowMs` is time on the wall.
   Json changes(const Plc& plc, std::uint64_t program, std::int64_t nowMs);
   // The CPU has come to this point.
-  void reached(const Plc& plc, cpu::CyclePoint point);
+  void reached(const Plc& plc, monitor::CyclePoint point);
   // How many values it reads at a trigger point of each cycle.
   std::size_t atPoint() const { return trigger_ ? rows_.size() : 0; }
   // A trigger that counts once has come.

@@ -25,13 +25,13 @@ Answer done(const std::optional<Problem>& problem) {
 
 Workbench::Workbench() {
   shared_.onCycle = [this] { sampleTrends(); };
-  shared_.onPoint = [this](cpu::CyclePoint point) { reached(point); };
+  shared_.onPoint = [this](monitor::CyclePoint point) { reached(point); };
 }
 
 // Modify before sampling, so that watch lists see the values in the same cycle.
-void Workbench::reached(cpu::CyclePoint point) {
+void Workbench::reached(monitor::CyclePoint point) {
   for (auto& [id, browser] : browsers_)
-    for (auto& [number, list] : browser.modifies) list.reached(*shared_.plc->monitor(), point);
+    for (auto& [number, list] : browser.modifies) list.reached(shared_.plc->monitor(), point);
   for (auto& [id, browser] : browsers_)
     for (auto& [number, list] : browser.lists) list.reached(*shared_.plc, point);
 }
@@ -74,8 +74,8 @@ std::vector<std::string> Workbench::events(BrowserId id, const Enough& enough) {
     texts.push_back(dump(changed));
   }
   if (!shared_.plc) return texts;
-  if (browser.status && shared_.plc->isS7()) {
-    Json rows = browser.status->changes(*shared_.plc->monitor(), shared_.folder, nowMs_);
+  if (browser.status) {
+    Json rows = browser.status->changes(shared_.plc->monitor(), shared_.folder, nowMs_);
     if (!rows.is_null()) texts.push_back(dump(rows));
   }
   addLists(browser, texts, enough);
@@ -123,7 +123,7 @@ void Workbench::addLists(Browser& browser, std::vector<std::string>& texts, cons
 void Workbench::readProcess() {
   const bool watched =
       std::ranges::any_of(browsers_, [](const auto& one) { return one.second.process; });
-  if (!watched || !shared_.plc || !shared_.plc->isS7()) return;
+  if (!watched || !shared_.plc || !shared_.plc->can(monitor::Feature::Plants)) return;
   const plant::Plants* plants = shared_.plc->station()->plants();
   auto event = std::make_shared<Json>(
       Json{{"event", "process"},
@@ -133,7 +133,7 @@ void Workbench::readProcess() {
 }
 
 void Workbench::addProcess(Browser& browser, std::vector<std::string>& texts) {
-  if (!browser.process || !shared_.plc->isS7() || browser.processValues == process_) return;
+  if (!browser.process || process_ == nullptr || browser.processValues == process_) return;
   browser.processValues = process_;
   Json event = *process_;
   event["time"] = shared_.plc->controller().now().ns;
@@ -143,7 +143,7 @@ void Workbench::addProcess(Browser& browser, std::vector<std::string>& texts) {
 // A single step that takes long: part by part, whatever the pace is.
 void Workbench::stepOn(const Enough& enough) {
   constexpr Duration kStepPart = Duration::milliseconds(10);
-  monitor::Debugger& debugger = shared_.plc->monitor()->debugger();
+  monitor::Debugger& debugger = shared_.plc->monitor().debugger();
   const Instant end = *shared_.stepEnds;
   const auto now = [&] { return shared_.plc->controller().now(); };
   while (debugger.stepping() && now() < end && !enough())

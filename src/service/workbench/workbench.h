@@ -66,7 +66,7 @@ class Workbench {
   std::string answerText(std::int64_t id, Answer answer);
   void dropWaiting(BrowserId browser);
   void sampleTrends();
-  void reached(cpu::CyclePoint point);
+  void reached(monitor::CyclePoint point);
   void stepOn(const Enough& enough);
   void settleOn(const Enough& enough);
   void play(const Enough& enough);

@@ -42,8 +42,16 @@ class BlockCode {
   // Where the instruction begins that contains this byte or word; the list behind a call is part
   // of the call.
   std::uint32_t instructionAt(std::uint32_t offset) const;
+  // The block itself; null: it is of the other family.
+  const block::Block* s7() const { return get<const block::Block*>(); }
+  const mc5::Block* s5() const { return get<const mc5::Block*>(); }
 
  private:
+  template <typename Block>
+  Block get() const {
+    const Block* one = std::get_if<Block>(&block_);
+    return one == nullptr ? nullptr : *one;
+  }
   std::variant<const block::Block*, const mc5::Block*> block_;
 };
 

@@ -4,9 +4,10 @@
 #include <functional>
 #include <set>
 
-#include "cpu/cpu.h"
-
 namespace merker::monitor {
+
+using controller::Mode;
+
 namespace {
 
 // How far time moves before somebody may interrupt.
@@ -14,38 +15,16 @@ constexpr Duration kPortion = Duration::milliseconds(100);
 
 }  // namespace
 
-// What the CPU sees of the debugger.
-class Debugger::Sight : public cpu::Probe {
- public:
-  explicit Sight(Debugger& debugger) : debugger_(debugger) {}
-  bool before(cpu::Machine& machine, std::uint32_t offset) override {
-    return debugger_.before(machine, offset);
-  }
-  void after(cpu::Machine& machine, const cpu::Code& code, std::uint32_t offset) override {
-    debugger_.after(machine, code, offset);
-  }
+Debugger::Debugger(Target& target) : target_(target) {}
 
- private:
-  Debugger& debugger_;
-};
-
-Debugger::Debugger(station::Station& station)
-    : station_(station), sight_(std::make_unique<Sight>(*this)) {}
-
-Debugger::~Debugger() {
-  for (const auto& [id, block] : station_.program()) station_.cpu().probe(id, nullptr);
-}
+Debugger::~Debugger() { target_.removeProbes(); }
 
 void Debugger::place() {
   std::set<BlockId> looked;
   for (const Breakpoint& one : breakpoints_)
     if (one.enabled) looked.insert(one.place.block);
-  for (const ProgramStatus& one : statuses_) looked.insert(one.block().id);
-  for (const auto& [id, block] : station_.program()) {
-    if (block.code.empty()) continue;
-    const bool wanted = step_ || looked.contains(id);
-    station_.cpu().probe(id, wanted ? sight_.get() : nullptr);
-  }
+  for (const ProgramStatus& one : statuses_) looked.insert(one.code().id());
+  target_.probe([&](BlockId id) { return step_ || looked.contains(id); }, *this);
 }
 
 const Breakpoint& Debugger::setBreakpoint(const SourcePlace& at) {
@@ -91,41 +70,43 @@ Breakpoint* Debugger::breakpointAt(BlockId block, std::uint32_t offset) {
   return nullptr;
 }
 
-bool Debugger::before(cpu::Machine& m, std::uint32_t offset) {
-  const BlockId id = m.top->code->source->id;
-  ProgramStatus* const shown = statusOf(id);
-  if (shown != nullptr) shown->arrived(m);
-  const At here{m.top->code, offset, m.frames.size()};
+bool Debugger::before(Spot& spot) {
+  ProgramStatus* const shown = statusOf(spot.code.id());
+  if (shown != nullptr) shown->arrived(spot);
+  const At here{spot.code.id(), spot.identity, spot.offset, spot.depth.frames};
   const bool leaving = leaveFrom_ == here;
   if (leaving) leaveFrom_.reset();
-  Breakpoint* stop = leaving ? nullptr : breakpointAt(id, offset);
+  Breakpoint* stop = leaving ? nullptr : breakpointAt(spot.code.id(), spot.offset);
   if (stop != nullptr && !stop->enabled) stop = nullptr;
-  const bool stepped = !leaving && step_ && stepEnds(m, offset);
-  if ((stop != nullptr || stepped) && m.cpu->halt()) {
-    if (stop != nullptr) ++stop->hits;
-    leaveFrom_ = here;
-    pause_.why = stop != nullptr ? Pause::Why::Breakpoint : Pause::Why::Step;
-    pause_.breakpoint = stop != nullptr ? stop->number : 0;
-    return true;
-  }
-  if (shown != nullptr) shown->before(m, offset);
+  const bool stepped = !leaving && step_ && stepEnds(spot);
+  if ((stop != nullptr || stepped) && holdAt(spot, here, stop)) return true;
+  if (shown != nullptr) shown->before(spot);
   return false;
 }
 
-void Debugger::after(cpu::Machine& m, const cpu::Code& code, std::uint32_t offset) {
-  if (ProgramStatus* shown = statusOf(code.source->id)) shown->after(m, offset);
+bool Debugger::holdAt(Spot& spot, const At& here, Breakpoint* stop) {
+  if (!spot.hold()) return false;
+  if (stop != nullptr) ++stop->hits;
+  leaveFrom_ = here;
+  pause_.why = stop != nullptr ? Pause::Why::Breakpoint : Pause::Why::Step;
+  pause_.breakpoint = stop != nullptr ? stop->number : 0;
+  return true;
+}
+
+void Debugger::after(const Spot& spot) {
+  if (ProgramStatus* shown = statusOf(spot.code.id())) shown->after(spot);
   // The OB has ended: what runs next is as good as the caller.
-  if (step_ && m.levelEnded && m.levels.size() <= step_->levels) step_->kind = StepKind::Into;
+  if (step_ && spot.levelEnded && spot.depth.levels <= step_->depth.levels)
+    step_->kind = StepKind::Into;
 }
 
 // A step does not end in an interrupt that came between, except in the error OB of its own error.
-bool Debugger::stepEnds(const cpu::Machine& m, std::uint32_t offset) const {
+bool Debugger::stepEnds(const Spot& spot) const {
   if (step_->kind == StepKind::Instruction) return true;
-  if (m.levels.size() > step_->levels && !m.levels.back().errorOb) return false;
-  const block::Block& block = *m.top->code->source;
-  if (!beginsStatement(block, offset) && !endsBlock(block, offset)) return false;
-  if (step_->kind == StepKind::Over) return m.frames.size() <= step_->frames;
-  if (step_->kind == StepKind::Out) return m.frames.size() < step_->frames;
+  if (spot.depth.levels > step_->depth.levels && !spot.errorLevel) return false;
+  if (!beginsStatement(spot.code, spot.offset) && !endsBlock(spot.code, spot.offset)) return false;
+  if (step_->kind == StepKind::Over) return spot.depth.frames <= step_->depth.frames;
+  if (step_->kind == StepKind::Out) return spot.depth.frames < step_->depth.frames;
   return true;
 }
 
@@ -136,10 +117,10 @@ Pause Debugger::run(Instant limit, const std::function<bool()>& interrupted) {
 }
 
 void Debugger::setStep(StepKind kind) {
-  const cpu::Machine& m = station_.cpu().machine();
-  const bool between = m.levels.empty();
-  step_ = Step{between ? StepKind::Into : kind, m.frames.size(),
-               std::max<std::size_t>(m.levels.size(), 1)};
+  Depth depth = target_.depth();
+  const bool between = depth.levels == 0;
+  depth.levels = std::max<std::size_t>(depth.levels, 1);
+  step_ = Step{between ? StepKind::Into : kind, depth};
   place();
 }
 
@@ -168,23 +149,22 @@ void Debugger::giveUpStep() {
 }
 
 void Debugger::goOn() {
-  cpu::Cpu& cpu = station_.cpu();
   pause_ = {};
-  if (cpu.mode() == cpu::Mode::Halt)
-    cpu.resume();
+  if (target_.plc().mode() == Mode::Halt)
+    target_.resume();
   else
     leaveFrom_.reset();
 }
 
 bool Debugger::executing() const {
-  const cpu::Mode mode = station_.cpu().mode();
-  return mode == cpu::Mode::Run || mode == cpu::Mode::Startup;
+  const Mode mode = target_.plc().mode();
+  return mode == Mode::Run || mode == Mode::Startup;
 }
 
 Pause Debugger::reason() const {
-  const cpu::Mode mode = station_.cpu().mode();
-  if (mode == cpu::Mode::Stop) return {Pause::Why::Stop, 0};
-  return mode == cpu::Mode::Halt ? pause_ : Pause{};
+  const Mode mode = target_.plc().mode();
+  if (mode == Mode::Stop) return {Pause::Why::Stop, 0};
+  return mode == Mode::Halt ? pause_ : Pause{};
 }
 
 Pause Debugger::advance(Instant limit, const std::function<bool()>& interrupted) {
@@ -193,56 +173,48 @@ Pause Debugger::advance(Instant limit, const std::function<bool()>& interrupted)
 }
 
 Pause Debugger::proceed(Instant limit, const std::function<bool()>& interrupted) {
-  cpu::Cpu& cpu = station_.cpu();
-  while (executing() && station_.now() < limit) {
-    const Instant portion = std::min(limit, station_.now() + kPortion);
-    while (executing() && station_.now() < portion) cpu.step(portion);
+  const controller::Controller& plc = target_.plc();
+  while (executing() && plc.now() < limit) {
+    const Instant portion = std::min(limit, plc.now() + kPortion);
+    target_.run(portion);
     if (executing() && interrupted && interrupted()) return {Pause::Why::Interrupted, 0};
   }
   return reason();
 }
 
 Pause Debugger::runToCheckpoint(Instant limit) {
-  cpu::Cpu& cpu = station_.cpu();
   step_.reset();
   place();
   goOn();
-  const std::uint64_t before = cpu.checkpoints();
-  while (executing() && station_.now() < limit && cpu.checkpoints() == before) cpu.step(limit);
+  if (executing()) target_.runToCheckpoint(limit);
   return reason();
 }
 
-std::optional<SourcePlace> Debugger::position() const {
-  const cpu::Cpu& cpu = station_.cpu();
-  const cpu::Machine& m = cpu.machine();
-  if (m.levels.empty() || m.top->code == nullptr) return std::nullopt;
-  const std::uint32_t offset = cpu.mode() == cpu::Mode::Stop ? m.position : cpu.offset(*m.top);
-  return sourcePlace(*m.top->code->source, offset);
-}
+std::optional<SourcePlace> Debugger::position() const { return target_.position(); }
 
 ProgramStatus* Debugger::statusOf(BlockId block) {
   for (ProgramStatus& one : statuses_)
-    if (one.block().id == block) return &one;
+    if (one.code().id() == block) return &one;
   return nullptr;
 }
 
 const ProgramStatus* Debugger::status(BlockId block) const {
   for (const ProgramStatus& one : statuses_)
-    if (one.block().id == block) return &one;
+    if (one.code().id() == block) return &one;
   return nullptr;
 }
 
 bool Debugger::showStatus(BlockId block, CallEnvironment environment) {
-  const auto found = station_.program().find(block);
-  if (found == station_.program().end() || found->second.code.empty()) return false;
+  const auto code = target_.program().find(block);
+  if (!code || code->length() == 0) return false;
   statuses_.clear();
   return addStatus(block, environment);
 }
 
 bool Debugger::addStatus(BlockId block, CallEnvironment environment) {
-  const auto found = station_.program().find(block);
-  if (found == station_.program().end() || found->second.code.empty()) return false;
-  if (statusOf(block) == nullptr) statuses_.emplace_back(found->second, environment);
+  const auto code = target_.program().find(block);
+  if (!code || code->length() == 0) return false;
+  if (statusOf(block) == nullptr) statuses_.emplace_back(*code, environment);
   place();
   return true;
 }

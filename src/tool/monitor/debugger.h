@@ -1,5 +1,5 @@
-// Breakpoints, single step and program status over the probes of the CPU (S7-STATE-07). At a
-// breakpoint the CPU goes to HALT before the instruction; nothing costs time where nobody looks.
+// Breakpoints, single step and program status over the probes of a machine (S7-STATE-07). At a
+// breakpoint it goes to HALT before the instruction; nothing costs time where nobody looks.
 #pragma once
 
 #include <functional>
@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "monitor/program_status.h"
-#include "station/station.h"
 
 namespace merker::monitor {
 
@@ -33,10 +32,11 @@ struct Pause {
   unsigned breakpoint = 0;  // its number
 };
 
-class Debugger {
+class Debugger final : private Observer {
  public:
-  explicit Debugger(station::Station& station);
-  ~Debugger();
+  // The target outlives the debugger.
+  explicit Debugger(Target& target);
+  ~Debugger() override;
   Debugger(const Debugger&) = delete;
   Debugger& operator=(const Debugger&) = delete;
 
@@ -72,13 +72,13 @@ class Debugger {
   const ProgramStatus* status(BlockId block) const;
 
  private:
-  class Sight;
   struct Step {
     StepKind kind;
-    std::size_t frames, levels;  // when it began
+    Depth depth;  // when it began
   };
   struct At {
-    const cpu::Code* code;
+    BlockId block;
+    const void* code;
     std::uint32_t offset;
     std::size_t frames;
     bool operator==(const At&) const = default;
@@ -89,15 +89,15 @@ class Debugger {
   Pause proceed(Instant limit, const std::function<bool()>& interrupted);
   Pause advance(Instant limit, const std::function<bool()>& interrupted);
   Pause reason() const;
-  bool before(cpu::Machine& machine, std::uint32_t offset);
-  void after(cpu::Machine& machine, const cpu::Code& code, std::uint32_t offset);
-  bool stepEnds(const cpu::Machine& machine, std::uint32_t offset) const;
+  bool before(Spot& spot) override;
+  void after(const Spot& spot) override;
+  bool holdAt(Spot& spot, const At& here, Breakpoint* stop);
+  bool stepEnds(const Spot& spot) const;
   Breakpoint* breakpointAt(BlockId block, std::uint32_t offset);
   ProgramStatus* statusOf(BlockId block);
   void place();  // probes where they are needed
 
-  station::Station& station_;
-  std::unique_ptr<Sight> sight_;
+  Target& target_;
   std::vector<Breakpoint> breakpoints_;
   unsigned nextNumber_ = 1;
   std::vector<ProgramStatus> statuses_;  // of different blocks

@@ -1,5 +1,7 @@
 #include "monitor/diagnostic_list.h"
 
+#include <fmt/format.h>
+
 #include "cpu/cpu.h"
 
 namespace merker::monitor {
@@ -14,6 +16,7 @@ std::vector<DiagnosticLine> diagnosticList(const station::Station& station) {
     line.time = event->time;
     line.clock = cpu::fromDateAndTime(event->stamp.data()).value_or(0);
     line.event = event->event;
+    line.eventText = fmt::format("16#{:04X}", event->event);
     line.text = event->text;
     line.help = diagnosticHelp(event->event);
     if (event->place.known)

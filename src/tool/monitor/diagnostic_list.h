@@ -14,8 +14,10 @@ namespace merker::monitor {
 struct DiagnosticLine {
   unsigned number = 1;  // 1 = newest
   Instant time;
-  std::int64_t clock = 0;  // ms since 1990-01-01, as the CPU's clock showed it then
+  // ms since 1990-01-01, as the clock of the machine showed it then; nothing: it has none
+  std::optional<std::int64_t> clock;
   std::uint16_t event = 0;
+  std::string eventText;  // "16#2521", "6149": as the machine shows it
   std::string text;
   std::string help;  // what the event means and what to do; empty if nothing needs doing
   std::optional<SourcePlace> place;

@@ -38,6 +38,7 @@ ModuleInformation moduleInformation(const station::Station& station) {
   info.lastCycle = cycle.previous;
   info.shortestCycle = cycle.shortest;
   info.longestCycle = cycle.longest;
+  info.cycleMonitoring = cpu.parameters().cycleMonitoring;
   info.workMemory = model.workMemory;
   info.localData = model.localBytes;
   info.inputs = info.outputs = model.imageBytes;

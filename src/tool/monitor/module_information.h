@@ -13,9 +13,10 @@ struct ModuleInformation {
   bool fault = false;      // STOP through a fault
   std::string stopReason;  // in STOP
   Instant time;
-  std::string clock;  // DT#2005-09-01-08:00:00.000
+  std::string clock;  // empty: none. DT#2005-09-01-08:00:00.000
   std::uint64_t cycles = 0, instructions = 0;
   std::int32_t lastCycle = 0, shortestCycle = 0, longestCycle = 0;  // ms
+  std::uint32_t cycleMonitoring = 0;                                // ms
   std::uint32_t loadMemory = 0;                                     // bytes that the blocks take
   std::uint32_t workMemory = 0, workMemoryUsed = 0;                 // bytes
   std::uint32_t localData = 0;                                      // bytes per priority class

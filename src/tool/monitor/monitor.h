@@ -1,5 +1,6 @@
-// The one interface to a running CPU for everybody outside: command line, workbench, server. Values
-// by operand or symbol, forces, variable tables, breakpoints, stacks, diagnosis.
+// The one interface to a running PLC for everybody outside: command line, workbench, server. Values
+// by operand or symbol, forces, variable tables, breakpoints, stacks, diagnosis. What a machine
+// does not have it answers with `can`; nobody asks for its family.
 #pragma once
 
 #include <functional>
@@ -12,6 +13,7 @@
 #include "monitor/debugger.h"
 #include "monitor/diagnostic_list.h"
 #include "monitor/display_format.h"
+#include "monitor/feature.h"
 #include "monitor/forced.h"
 #include "monitor/frame_variables.h"
 #include "monitor/location.h"
@@ -27,18 +29,18 @@ struct Wish {
   DisplayFormat format = DisplayFormat::Automatic;
 };
 
-class Monitor {
+class Monitor : private CycleAccess {
  public:
-  // Station, symbols and whatever the resolver stands on outlive the monitor; the station stays
-  // where it is. One monitor per station.
-  Monitor(station::Station& station, const source::SymbolTable& symbols,
-          simulator::Resolver resolver);
-  ~Monitor();
+  virtual ~Monitor() = default;
   Monitor(const Monitor&) = delete;
   Monitor& operator=(const Monitor&) = delete;
 
-  station::Station& station() { return station_; }
+  virtual bool can(Feature feature) const = 0;
+  controller::Controller& plc() { return target_->plc(); }
+  const controller::Controller& plc() const { return std::as_const(*target_).plc(); }
   Debugger& debugger() { return debugger_; }
+  const Debugger& debugger() const { return debugger_; }
+  ProgramCode program() const { return target_->program(); }
   LocationContext locations(std::string currentFile) const;
 
   // values, by text (S7-SIM-12); #name is a variable of the block that runs or stands
@@ -64,28 +66,56 @@ class Monitor {
   VariableTable& addTable();
   void removeTable(const VariableTable& table);
   // Whoever else looks and modifies at these points.
-  void onPoint(std::function<void(cpu::CyclePoint)> observer) { observer_ = std::move(observer); }
+  void onPoint(std::function<void(CyclePoint)> observer) { observer_ = std::move(observer); }
   // Refused are what does not exist, what takes no value, and outputs that are forced.
   std::optional<Problem> checkWrite(const address::Reference& reference) const;
+  // At a cycle point. Inputs: their process image, which this cycle works with; the terminals stay.
+  void modifyInCycle(const address::Reference& reference, const Value& value) override = 0;
 
-  // looks at the CPU
-  Stacks stacks() const;
-  std::vector<DiagnosticLine> diagnostics() const { return diagnosticList(station_); }
-  ModuleInformation information() const { return moduleInformation(station_); }
-  std::vector<FrameVariable> variables(std::size_t depth) const;
+  // As a programming device does it, not the mode switch.
+  virtual void stop() = 0;
+  // "2005-09-01 08:00:00.000", as the clock of the machine shows it; empty: it has none.
+  virtual std::string clock() const = 0;
+  // A program was given to the machine that it takes at the end of its cycle.
+  virtual bool downloadWaits() const = 0;
+
+  // looks at the machine
+  Registers registers() const { return target_->registers(); }
+  virtual Stacks stacks() const = 0;
+  virtual std::vector<DiagnosticLine> diagnostics() const = 0;
+  virtual ModuleInformation information() const = 0;
+  virtual std::vector<FrameVariable> variables(std::size_t depth) const = 0;
+
+ protected:
+  // `symbols` and whatever the resolver stands on outlive the monitor; the machine stays where it
+  // is. One monitor per machine.
+  Monitor(std::unique_ptr<Target> target, const source::SymbolTable& symbols,
+          simulator::Resolver resolver);
+  void reached(CyclePoint point);
+  // A variable of the running block.
+  virtual Result<address::Reference> local(std::string_view text, const Position& at) const;
 
  private:
-  Result<address::Reference> local(std::string_view text, const Position& at) const;
+  virtual bool canForce(const address::Reference& reference) const = 0;
+  // Whether `write` would do it. Nothing is changed.
+  virtual bool canWrite(const address::Reference& reference) const = 0;
+  // Whether the machine holds anything at a value: a memory reset frees all.
+  virtual bool holdsForces() const = 0;
+  controller::Controller& machine() override { return plc(); }
   bool isForced(const address::Reference& reference) const;
   void forceAgain();
 
-  station::Station& station_;
+  std::unique_ptr<Target> target_;
   const source::SymbolTable& symbols_;
   simulator::Resolver resolver_;
   Debugger debugger_;
   std::list<VariableTable> tables_;
-  mutable std::vector<Forced> forces_;  // as last seen: the CPU holds them
-  std::function<void(cpu::CyclePoint)> observer_;
+  mutable std::vector<Forced> forces_;  // as last seen: the machine holds them
+  std::function<void(CyclePoint)> observer_;
 };
+
+// Of the kind of this machine (factory.cpp): the only place that asks for it.
+std::unique_ptr<Monitor> monitorOf(controller::Controller& plc, const source::SymbolTable& symbols,
+                                   simulator::Resolver resolver);
 
 }  // namespace merker::monitor

@@ -1,13 +1,11 @@
 #include "monitor/program_status.h"
 
-#include "cpu/cpu.h"
-
 namespace merker::monitor {
 
-ProgramStatus::ProgramStatus(const block::Block& block, CallEnvironment environment)
-    : block_(block), environment_(environment) {
-  for (const block::LineEntry& entry : block.lines) {
-    const Statement statement = statementAt(block, entry.offset);
+ProgramStatus::ProgramStatus(const BlockCode& code, CallEnvironment environment)
+    : kept_(code), environment_(environment) {
+  for (std::size_t i = 0; i < code.lineCount(); ++i) {
+    const Statement statement = statementAt(code, code.line(i).offset);
     rows_[statement.begin].statement = statement;
   }
 }
@@ -20,50 +18,48 @@ std::vector<StatusRow> ProgramStatus::rows() const {
 }
 
 const StatusRow* ProgramStatus::at(std::uint32_t offset) const {
-  const auto found = rows_.find(statementAt(block_, offset).begin);
+  const auto found = rows_.find(statementAt(code(), offset).begin);
   return found == rows_.end() || !found->second.reached ? nullptr : &found->second;
 }
 
-bool ProgramStatus::wanted(const cpu::Machine& m) const {
-  const cpu::Frame* caller = m.caller();
-  if (environment_.caller &&
-      (caller == nullptr || caller->code->source->id != *environment_.caller))
-    return false;
-  if (environment_.db && m.registers.db.number != *environment_.db) return false;
-  return !environment_.di || m.registers.di.number == *environment_.di;
+bool ProgramStatus::wanted(const Spot& spot) const {
+  if (environment_.caller && spot.caller() != environment_.caller) return false;
+  const Registers registers = spot.registers();
+  if (environment_.db && registers.db != *environment_.db) return false;
+  return !environment_.di || registers.di == environment_.di;
 }
 
-void ProgramStatus::arrived(const cpu::Machine& m) {
-  while (!open_.empty() && open_.back().frames > m.frames.size()) open_.pop_back();
-  if (open_.empty() || open_.back().frames != m.frames.size()) return;
-  record(m.registers, open_.back().offset);  // the block that it called has come back
+void ProgramStatus::arrived(const Spot& spot) {
+  while (!open_.empty() && open_.back().frames > spot.depth.frames) open_.pop_back();
+  if (open_.empty() || open_.back().frames != spot.depth.frames) return;
+  record(spot.registers(), open_.back().offset);  // the block that it called has come back
   open_.pop_back();
 }
 
-void ProgramStatus::before(const cpu::Machine& m, std::uint32_t offset) {
-  if (offset == 0 && running_ != m.frames.size()) {  // a call, no jump to the beginning
-    recording_ = wanted(m);
+void ProgramStatus::before(const Spot& spot) {
+  if (spot.offset == 0 && running_ != spot.depth.frames) {  // a call, no jump to the beginning
+    recording_ = wanted(spot);
     if (recording_) ++calls_;
     for (auto& [begin, row] : rows_)
       if (recording_) row.reached = false, row.passes = 0;
   }
-  running_ = m.frames.size();
-  if (recording_) open_.push_back({m.frames.size(), offset, m.registers});
+  running_ = spot.depth.frames;
+  if (recording_) open_.push_back({spot.depth.frames, spot.offset, spot.registers()});
 }
 
 // The BE that the compiler adds belongs to no statement, though the last one reaches up to it.
-void ProgramStatus::after(const cpu::Machine& m, std::uint32_t offset) {
-  const bool ended = m.levelEnded || m.frames.size() < running_;
+void ProgramStatus::after(const Spot& spot) {
+  const bool ended = spot.levelEnded || spot.depth.frames < running_;
   const bool known = !open_.empty();
-  const cpu::Registers found = known ? open_.back().found : m.registers;
+  const Registers found = known ? open_.back().found : spot.registers();
   if (known) open_.pop_back();
-  if (recording_ && !ended) record(m.registers, offset);
-  if (recording_ && ended && beginsStatement(block_, offset)) record(found, offset);
-  if (ended || m.cpu->mode() == cpu::Mode::Stop) running_ = 0;
+  if (recording_ && !ended) record(spot.registers(), spot.offset);
+  if (recording_ && ended && beginsStatement(code(), spot.offset)) record(found, spot.offset);
+  if (ended || spot.stopped) running_ = 0;
 }
 
-void ProgramStatus::record(const cpu::Registers& registers, std::uint32_t offset) {
-  StatusRow& row = rows_[statementAt(block_, offset).begin];
+void ProgramStatus::record(const Registers& registers, std::uint32_t offset) {
+  StatusRow& row = rows_[statementAt(code(), offset).begin];
   row.reached = true;
   if (row.statement.begin == offset) ++row.passes;
   row.after = registers;

@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "cpu/machine.h"
-#include "monitor/code_map.h"
+#include "monitor/kept_code.h"
+#include "monitor/target.h"
 
 namespace merker::monitor {
 
@@ -22,14 +22,14 @@ struct StatusRow {
   Statement statement;
   bool reached = false;
   std::uint32_t passes = 0;  // how often in this call: loops
-  cpu::Registers after;
+  Registers after;
 };
 
 class ProgramStatus {
  public:
-  explicit ProgramStatus(const block::Block& block, CallEnvironment environment = {});
+  explicit ProgramStatus(const BlockCode& code, CallEnvironment environment = {});
 
-  const block::Block& block() const { return block_; }
+  const BlockCode& code() const { return kept_.code(); }
   std::uint64_t calls() const { return calls_; }  // seen so far
   // In the order of the code.
   std::vector<StatusRow> rows() const;
@@ -37,20 +37,20 @@ class ProgramStatus {
   const StatusRow* at(std::uint32_t offset) const;
 
   // From the probe of this block: an instruction is next, it is executed now, it is done.
-  void arrived(const cpu::Machine& machine);
-  void before(const cpu::Machine& machine, std::uint32_t offset);
-  void after(const cpu::Machine& machine, std::uint32_t offset);
+  void arrived(const Spot& spot);
+  void before(const Spot& spot);
+  void after(const Spot& spot);
 
  private:
   struct Open {  // an instruction that opened a block and has not come back
     std::size_t frames;
     std::uint32_t offset;
-    cpu::Registers found;
+    Registers found;
   };
-  bool wanted(const cpu::Machine& machine) const;
-  void record(const cpu::Registers& registers, std::uint32_t offset);
+  bool wanted(const Spot& spot) const;
+  void record(const Registers& registers, std::uint32_t offset);
 
-  block::Block block_;  // a copy: a download may take the original away
+  KeptCode kept_;  // a download may take the original away
   CallEnvironment environment_;
   bool recording_ = false;
   std::uint64_t calls_ = 0;

@@ -1,5 +1,7 @@
 #include "monitor/stacks.h"
 
+#include "monitor/station_target.h"
+
 namespace merker::monitor {
 namespace {
 
@@ -42,11 +44,12 @@ InterruptStackEntry interrupt(const cpu::Cpu& cpu, const block::Program& program
   if (m.frames[frame].code != nullptr)
     result.place =
         sourcePlace(program, m.frames[frame].code->source->id, offsetOf(cpu, m.frames[frame]));
-  result.registers = top ? m.registers : m.levels[index + 1].interrupted;
+  result.registers =
+      toRegisters(top ? m.registers : m.levels[index + 1].interrupted, m.fourAccumulators);
   const std::size_t bracketEnd = top ? m.brackets.size() : m.levels[index + 1].bracketBase;
   const std::size_t mcrEnd = top ? m.mcrStack.size() : m.levels[index + 1].mcrBase;
   for (std::size_t i = level.bracketBase; i < bracketEnd; ++i)
-    result.brackets.push_back(m.brackets[i]);
+    result.brackets.push_back({m.brackets[i].rlo, m.brackets[i].orBit});
   for (std::size_t i = level.mcrBase; i < mcrEnd; ++i) result.mcr.push_back(m.mcrStack[i] != 0);
   return result;
 }

@@ -6,6 +6,7 @@
 
 #include "cpu/cpu.h"
 #include "monitor/code_map.h"
+#include "monitor/registers.h"
 
 namespace merker::monitor {
 
@@ -22,8 +23,8 @@ struct InterruptStackEntry {
   std::uint8_t ob = 0, priority = 0;
   bool errorOb = false;
   SourcePlace place;
-  cpu::Registers registers;
-  std::vector<cpu::Bracket> brackets;
+  Registers registers;
+  std::vector<Bracket> brackets;
   std::vector<bool> mcr;  // the master control relays, outermost first
 };
 

@@ -43,16 +43,6 @@ bool write(controller::Controller& plc, const address::Reference& reference, con
   return plc.write(reference, value.bits);
 }
 
-bool canWrite(station::Station& station, const address::Reference& reference) {
-  const address::Operand& operand = reference.operand;
-  const bool terminal = operand.kind == address::OperandKind::Memory && !reference.outputSide &&
-                        (operand.area == Area::Input || operand.area == Area::Peripheral);
-  if (!terminal || station.rack() == nullptr) return read(station, reference).has_value();
-  for (std::uint32_t i = 0; i < byteCount(operand.width); ++i)
-    if (!station.rack()->answersInput(operand.value / 8 + i)) return false;
-  return true;
-}
-
 std::optional<Problem> checkFormat(const address::Reference& reference, DisplayFormat format) {
   const bool good = isLong(reference) ? format == DisplayFormat::Automatic
                                       : fits(format, simulator::bitWidth(reference)) ||

@@ -6,8 +6,9 @@
 #include <string>
 #include <string_view>
 
+#include "base/result.h"
 #include "monitor/display_format.h"
-#include "station/station.h"
+#include "plc/controller.h"
 
 namespace merker::monitor {
 
@@ -20,8 +21,6 @@ struct Value {
 // Nothing, or false, if there is no such operand.
 std::optional<Value> read(const controller::Controller& plc, const address::Reference& reference);
 bool write(controller::Controller& plc, const address::Reference& reference, const Value& value);
-// Whether `write` would do it. Nothing is changed.
-bool canWrite(station::Station& station, const address::Reference& reference);
 
 // The problem if this operand cannot be shown so: P1209.
 std::optional<Problem> checkFormat(const address::Reference& reference, DisplayFormat format);

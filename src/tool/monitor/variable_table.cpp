@@ -1,29 +1,17 @@
 #include "monitor/variable_table.h"
 
-#include "cpu/memory_access.h"
-
 namespace merker::monitor {
 namespace {
 
 Position nowhere() { return Position{"", 0, 0, 0}; }
 
-bool comesBy(std::optional<Trigger>& trigger, cpu::CyclePoint point) {
+bool comesBy(std::optional<Trigger>& trigger, CyclePoint point) {
   if (!trigger || trigger->point != point) return false;
   if (trigger->once) trigger.reset();
   return true;
 }
 
 }  // namespace
-
-void modifyInCycle(station::Station& station, const address::Reference& reference,
-                   const Value& value) {
-  const address::Operand& operand = reference.operand;
-  const bool input = operand.kind == address::OperandKind::Memory && operand.area == Area::Input;
-  if (input)
-    cpu::write(station.cpu().machine(), Area::Input, operand.width, operand.value, value.bits);
-  else
-    write(station, reference, value);
-}
 
 std::optional<Problem> VariableTable::add(std::string_view operand, DisplayFormat format) {
   auto reference = resolver_(operand, nowhere());
@@ -60,19 +48,19 @@ void VariableTable::monitorNow() {
   for (VariableRow& row : rows_) {
     const bool local = row.operand.text.starts_with('#');
     const auto now = local ? resolver_(row.operand.text, nowhere()) : row.operand;
-    row.status = now ? read(station_, *now) : std::nullopt;
+    row.status = now ? read(access_.machine(), *now) : std::nullopt;
   }
 }
 
 void VariableTable::modifyNow() {
   for (const VariableRow& row : rows_)
-    if (row.modify) write(station_, row.operand, *row.modify);
+    if (row.modify) write(access_.machine(), row.operand, *row.modify);
 }
 
-void VariableTable::reached(cpu::CyclePoint point) {
+void VariableTable::reached(CyclePoint point) {
   if (comesBy(modify_, point))
     for (const VariableRow& row : rows_)
-      if (row.modify) modifyInCycle(station_, row.operand, *row.modify);
+      if (row.modify) access_.modifyInCycle(row.operand, *row.modify);
   if (comesBy(monitor_, point)) monitorNow();
 }
 

@@ -6,15 +6,20 @@
 #include <string>
 #include <vector>
 
-#include "cpu/cpu.h"
+#include "monitor/cycle_point.h"
 #include "monitor/value.h"
 #include "scenario/term.h"
 
 namespace merker::monitor {
 
-// In the cycle. Inputs: their process image, which this cycle works with; the terminals stay.
-void modifyInCycle(station::Station& station, const address::Reference& reference,
-                   const Value& value);
+// What a table needs of a machine.
+class CycleAccess {
+ public:
+  virtual ~CycleAccess() = default;
+  virtual controller::Controller& machine() = 0;
+  // At a cycle point. Inputs: their process image, which this cycle works with; the terminals stay.
+  virtual void modifyInCycle(const address::Reference& reference, const Value& value) = 0;
+};
 
 struct VariableRow {
   address::Reference operand;
@@ -24,14 +29,14 @@ struct VariableRow {
 };
 
 struct Trigger {
-  cpu::CyclePoint point = cpu::CyclePoint::End;
+  CyclePoint point = CyclePoint::End;
   bool once = false;  // else every time
 };
 
 class VariableTable {
  public:
-  VariableTable(station::Station& station, simulator::Resolver resolver)
-      : station_(station), resolver_(std::move(resolver)) {}
+  VariableTable(CycleAccess& access, simulator::Resolver resolver)
+      : access_(access), resolver_(std::move(resolver)) {}
 
   // The problem if there is no such operand or the format does not fit it. A variable of a block
   // (#name) is that of the block which runs when it is looked at.
@@ -57,10 +62,10 @@ class VariableTable {
   void modifyNow();  // inputs: the terminals
 
   // The CPU has come to this point.
-  void reached(cpu::CyclePoint point);
+  void reached(CyclePoint point);
 
  private:
-  station::Station& station_;
+  CycleAccess& access_;
   simulator::Resolver resolver_;
   std::vector<VariableRow> rows_;
   std::optional<Trigger> monitor_, modify_;

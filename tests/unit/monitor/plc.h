@@ -36,7 +36,7 @@ class Plc {
     station::Options options;
     options.program = program_;
     station_ = std::make_unique<station::Station>(std::move(options));
-    monitor_ = std::make_unique<Monitor>(*station_, symbols_, resolver());
+    monitor_ = monitorOf(*station_, symbols_, resolver());
   }
 
   Monitor& operator*() { return *monitor_; }

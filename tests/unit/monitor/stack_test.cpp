@@ -32,7 +32,7 @@ TEST(Stacks, AtStopThroughAFault) {
   ASSERT_EQ(stacks.interrupts.size(), 1u);
   EXPECT_EQ(stacks.interrupts[0].ob, 1);
   EXPECT_EQ(stacks.interrupts[0].registers.accu[0], 0xABCDu);
-  EXPECT_TRUE(stacks.interrupts[0].registers.status.rlo);
+  EXPECT_TRUE(stacks.interrupts[0].registers.rlo);
   EXPECT_EQ(stacks.interrupts[0].brackets.size(), 1u);
   ASSERT_EQ(stacks.locals.size(), 3u);
   EXPECT_EQ(stacks.locals[0].bytes[0], 0xAB);

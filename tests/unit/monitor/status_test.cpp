@@ -12,7 +12,7 @@ std::string ob1(const std::string& code) {
 std::string rlo(const ProgramStatus& status) {
   std::string text;
   for (const StatusRow& row : status.rows())
-    text += !row.reached ? '-' : row.after.status.rlo ? '1' : '0';
+    text += !row.reached ? '-' : row.after.rlo ? '1' : '0';
   return text;
 }
 
@@ -22,11 +22,11 @@ TEST(Status, ShowsTheResultAfterEachLine) {
   EXPECT_TRUE(plc.debugger().showStatus({BlockKind::OB, 1}));
   EXPECT_EQ(name(plc->write("E 0.1", "1")), "good");
   plc.start();
-  plc->station().advanceCycles(2);
+  plc.station().advanceCycles(2);
   const ProgramStatus& status = *plc.debugger().status();
   EXPECT_EQ(rlo(status), "0111");
-  EXPECT_EQ(status.rows()[0].after.status.sta, false);
-  EXPECT_EQ(status.rows()[1].after.status.sta, true);
+  EXPECT_EQ(status.rows()[0].after.sta, false);
+  EXPECT_EQ(status.rows()[1].after.sta, true);
   EXPECT_EQ(status.rows()[0].statement.line, 4u);
 }
 
@@ -36,7 +36,7 @@ TEST(Status, ShowsRegisters) {
           ob1(" L 17;\n L 4;\n +I;\n LAR1 P#10.3;\n AUF DB 7;\n"));
   plc.debugger().showStatus({BlockKind::OB, 1});
   plc.start();
-  plc->station().advanceCycles(1);
+  plc.station().advanceCycles(1);
   const auto rows = plc.debugger().status()->rows();
   ASSERT_GE(rows.size(), 5u);
   EXPECT_EQ(rows[0].after.accu[0], 17u);
@@ -45,8 +45,8 @@ TEST(Status, ShowsRegisters) {
   EXPECT_EQ(rows[2].after.accu[0], 21u);
   EXPECT_EQ(rows[2].after.ar1, 0u);
   EXPECT_EQ(rows[3].after.ar1, 83u);
-  EXPECT_EQ(rows[3].after.db.number, 0);
-  EXPECT_EQ(rows[4].after.db.number, 7);
+  EXPECT_EQ(rows[3].after.db, 0);
+  EXPECT_EQ(rows[4].after.db, 7);
 }
 
 // Lines that the last call did not reach show nothing; loops show their last pass.
@@ -54,10 +54,10 @@ TEST(Status, ShowsTheLastCallOnly) {
   Plc plc(ob1(" U E 0.0;\n SPB far;\n L 1;\nfar: L 3;\nloop: T MB 0;\n LOOP loop;\n NOP 0;\n"));
   plc.debugger().showStatus({BlockKind::OB, 1});
   plc.start();
-  plc->station().advanceCycles(1);
+  plc.station().advanceCycles(1);
   EXPECT_EQ(rlo(*plc.debugger().status()), "0111111");
   EXPECT_EQ(name(plc->write("E 0.0", "1")), "good");
-  plc->station().advanceCycles(1);
+  plc.station().advanceCycles(1);
   const auto rows = plc.debugger().status()->rows();
   EXPECT_FALSE(rows[2].reached);
   EXPECT_EQ(rows[4].passes, 3u);
@@ -72,7 +72,7 @@ TEST(Status, LooksAfterACallHasReturned) {
   EXPECT_EQ(name(plc->write("MW 10", "30")), "good");
   plc.start();
   EXPECT_EQ(name(plc->write("MW 10", "30")), "good");
-  plc->station().advanceCycles(2);
+  plc.station().advanceCycles(2);
   const StatusRow* row = plc.debugger().status()->at(plc.place("23").offset);
   ASSERT_NE(row, nullptr);
   EXPECT_EQ(row->after.accu[0], 35u);
@@ -95,7 +95,7 @@ TEST(Status, WithCallEnvironment) {
     Plc plc(text);
     EXPECT_TRUE(plc.debugger().showStatus({BlockKind::FC, 1}, environment));
     plc.start();
-    plc->station().advanceCycles(1);
+    plc.station().advanceCycles(1);
     const StatusRow* row = plc.debugger().status()->at(0);
     ASSERT_NE(row, nullptr);
     EXPECT_EQ(row->after.accu[0], expected);
@@ -124,10 +124,10 @@ TEST(Status, OfTheLastStatementIsItsOwn) {
   plc.debugger().showStatus({BlockKind::FC, 1});
   plc.start();
   plc.station().advanceCycles(1);
-  EXPECT_EQ(plc.debugger().status()->rows()[2].after.status.word() & 0xFE, 0x74);  // A0 OV OS STA
+  EXPECT_EQ(plc.debugger().status()->rows()[2].after.word & 0xFE, 0x74);  // A0 OV OS STA
   plc.debugger().showStatus({BlockKind::OB, 1});
   plc.station().advanceCycles(1);
-  EXPECT_FALSE(plc.debugger().status()->rows()[2].after.status.sta);
+  EXPECT_FALSE(plc.debugger().status()->rows()[2].after.sta);
 }
 
 // S7-EDIT-21: a statement that ends the block shows what it found.

@@ -5,7 +5,6 @@
 namespace merker::monitor::test {
 namespace {
 
-using cpu::CyclePoint;
 
 // MW 2 takes MW 0 within the cycle; MW 0 becomes 7 at its end.
 const char* const kCopy =

@@ -124,11 +124,11 @@ TEST(Forces, OfOneRequestDoNotOverlap) {
     const std::string bit = R"({"operand": "E 0.0", "value": "1"})",
                       byte = R"({"operand": "EB 0", "value": "B#16#0"})";
     EXPECT_EQ(ask(bit + ", " + byte), "P1219");
-    EXPECT_TRUE(workbench.plc()->forces().empty());
+    EXPECT_TRUE(workbench.plc()->monitor().forces().empty());
     EXPECT_EQ(ask(bit + R"(, {"operand": "E 0.1", "value": "1"})"), "");
-    EXPECT_EQ(workbench.plc()->forces().size(), 2u);
+    EXPECT_EQ(workbench.plc()->monitor().forces().size(), 2u);
     EXPECT_EQ(ask(byte), "P1219");
-    EXPECT_EQ(workbench.plc()->forces().size(), 2u);
+    EXPECT_EQ(workbench.plc()->monitor().forces().size(), 2u);
   };
   Bench s7;
   forces(s7.workbench);
@@ -187,7 +187,7 @@ TEST(Sinumerik, PartnerHasOperandsOfItsOwn) {
   const Json forced = ask(
       R"({"id": 2, "do": "variables.force", "items": [{"operand": "partner.EB 0", "value": "1"}, {"operand": "E 0.0", "value": "1"}]})");
   EXPECT_TRUE(forced.contains("result")) << forced.dump();
-  EXPECT_EQ(workbench.plc()->forces().size(), 2u);
+  EXPECT_EQ(workbench.plc()->monitor().forces().size(), 2u);
 }
 
 }  // namespace

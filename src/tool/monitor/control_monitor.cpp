@@ -1,0 +1,79 @@
+#include "monitor/control_monitor.h"
+
+#include <algorithm>
+
+#include "monitor/control_stacks.h"
+#include "monitor/control_target.h"
+
+namespace merker::monitor {
+
+ControlMonitor::ControlMonitor(cnc::Cnc& control, const source::SymbolTable& symbols,
+                               simulator::Resolver resolver)
+    : Monitor(std::make_unique<ControlTarget>(control), symbols, std::move(resolver)),
+      control_(control) {}
+
+bool ControlMonitor::can(Feature feature) const {
+  constexpr Feature kAble[] = {Feature::Breakpoints, Feature::Stacks, Feature::Information};
+  return std::ranges::find(kAble, feature) != std::end(kAble);
+}
+
+void ControlMonitor::modifyInCycle(const address::Reference& reference, const Value& value) {
+  monitor::write(control_, reference, value);
+}
+
+void ControlMonitor::stop() { control_.stop(); }  // alarm 6149
+
+Stacks ControlMonitor::stacks() const {
+  return controlStacks(std::as_const(control_).plc(), ControlTarget(control_));
+}
+
+// Alarms by their number; the PLC has no clock with a date.
+std::vector<DiagnosticLine> ControlMonitor::diagnostics() const {
+  std::vector<DiagnosticLine> list;
+  const auto& all = control_.diagnostics();
+  for (auto entry = all.rbegin(); entry != all.rend(); ++entry) {
+    DiagnosticLine line;
+    line.number = static_cast<unsigned>(list.size()) + 1;
+    line.time = entry->time;
+    line.event = entry->event;
+    line.eventText = std::to_string(entry->event);
+    line.text = entry->text;
+    list.push_back(std::move(line));
+  }
+  return list;
+}
+
+ModuleInformation ControlMonitor::information() const {
+  const sinumerik::BlockMemory& blocks = control_.plc().machine().blocks;
+  ModuleInformation info;
+  info.model = control_.modelName();
+  info.mode = control_.mode();
+  info.fault = control_.stoppedByFault();
+  info.stopReason = control_.stopReason();
+  info.time = control_.now();
+  info.cycles = control_.cycles();
+  info.instructions = control_.instructions();
+  info.workMemory = 2 * static_cast<std::uint32_t>(blocks.program().size() + blocks.data().size());
+  info.workMemoryUsed = 2 * (blocks.programUsed() + blocks.dataUsed());
+  info.inputs = info.outputs = sinumerik::kImageBytes;
+  info.flags = sinumerik::kFlagBytes;
+  info.timers = info.counters = sinumerik::kCells;
+  info.blocks = control_.plc().program().size();
+  return info;
+}
+
+// STEP 5 has formal operands, which are code, and no declared data.
+std::vector<FrameVariable> ControlMonitor::variables(std::size_t) const { return {}; }
+
+// A simulated one: E, A and M, see compatibility.md; the machine itself refuses the others.
+bool ControlMonitor::canForce(const address::Reference& reference) const {
+  return reference.bytes == 0 && reference.nc == 0;
+}
+
+bool ControlMonitor::canWrite(const address::Reference& reference) const {
+  return monitor::read(control_, reference).has_value() && control_.whyRefused(reference).empty();
+}
+
+bool ControlMonitor::holdsForces() const { return control_.forced(); }
+
+}  // namespace merker::monitor

@@ -1,0 +1,33 @@
+// A SINUMERIK through the monitor.
+#pragma once
+
+#include "control/cnc.h"
+#include "monitor/control_target.h"
+#include "monitor/monitor.h"
+
+namespace merker::monitor {
+
+class ControlMonitor final : public Monitor {
+ public:
+  ControlMonitor(cnc::Cnc& control, const source::SymbolTable& symbols,
+                 simulator::Resolver resolver);
+
+  bool can(Feature feature) const override;
+  void modifyInCycle(const address::Reference& reference, const Value& value) override;
+  void stop() override;
+  std::string clock() const override { return {}; }
+  bool downloadWaits() const override { return false; }
+  Stacks stacks() const override;
+  std::vector<DiagnosticLine> diagnostics() const override;
+  ModuleInformation information() const override;
+  std::vector<FrameVariable> variables(std::size_t depth) const override;
+
+ private:
+  bool canForce(const address::Reference& reference) const override;
+  bool canWrite(const address::Reference& reference) const override;
+  bool holdsForces() const override;
+
+  cnc::Cnc& control_;
+};
+
+}  // namespace merker::monitor

@@ -1,0 +1,77 @@
+#include "monitor/control_stacks.h"
+
+#include "mc5/block_id.h"
+#include "monitor/control_target.h"
+
+namespace merker::monitor {
+namespace {
+
+using sinumerik::Level;
+
+std::uint16_t openBlock(const sinumerik::Frame& frame) {
+  return frame.data.open ? frame.data.number : std::uint16_t{0};
+}
+
+SourcePlace placeOf(const sinumerik::Frame& frame, const ProgramCode& program) {
+  return sourcePlace(program, mc5::neutralId(frame.block), frame.next - frame.start);
+}
+
+// The alarm level (OB 2) interrupts; nothing of STEP 5 has a priority number of its own.
+InterruptStackEntry levelOf(const Level& level, std::size_t index, const ProgramCode& program) {
+  InterruptStackEntry entry;
+  entry.ob = level.ob;
+  entry.priority = static_cast<std::uint8_t>(index + 1);
+  if (!level.frames.empty()) {
+    entry.place = placeOf(level.frames.back(), program);
+    entry.registers = toRegisters(level.registers, openBlock(level.frames.back()));
+  }
+  for (const sinumerik::Bracket& bracket : level.registers.brackets)
+    entry.brackets.push_back({bracket.vke, bracket.orBit});
+  return entry;
+}
+
+Stacks inHalt(const sinumerik::Machine& m, const ProgramCode& program) {
+  Stacks result;
+  for (std::size_t i = m.levels.size(); i-- > 0;) {
+    const Level& level = m.levels[i];
+    for (std::size_t frame = level.frames.size(); frame-- > 0;)
+      result.blocks.push_back({.place = placeOf(level.frames[frame], program),
+                               .db = openBlock(level.frames[frame]),
+                               .di = 0,
+                               .organizationBlock = frame == 0});
+    result.interrupts.push_back(levelOf(level, i, program));
+  }
+  return result;
+}
+
+// The screens USTACK and BSTACK (S5-ERR-08, -10).
+Stacks afterStop(const sinumerik::StopPicture& picture, const ControlTarget& target) {
+  const sinumerik::InterruptStack& top = picture.interrupt;
+  const auto place = target.position();
+  Stacks result;
+  if (!place) return result;
+  result.blocks.push_back({.place = *place, .db = top.dataBlock.value_or(0), .di = 0});
+  for (const sinumerik::BlockStackEntry& entry : picture.blocks)
+    result.blocks.push_back(
+        {.place = sourcePlace(target.program(), mc5::neutralId(entry.block), entry.relative),
+         .db = entry.dataBlock.value_or(0),
+         .di = 0});
+  result.blocks.back().organizationBlock = true;
+  InterruptStackEntry interrupt;
+  interrupt.ob = static_cast<std::uint8_t>(result.blocks.back().place.block.number);
+  interrupt.priority = 1;
+  interrupt.place = *place;
+  interrupt.registers = toRegisters(top);
+  result.interrupts.push_back(std::move(interrupt));
+  return result;
+}
+
+}  // namespace
+
+Stacks controlStacks(const sinumerik::Plc& plc, const ControlTarget& target) {
+  if (plc.mode() == sinumerik::Mode::Halt) return inHalt(plc.machine(), target.program());
+  if (plc.mode() != sinumerik::Mode::Stop) return {};
+  return afterStop(plc.operatingSystem().picture(), target);
+}
+
+}  // namespace merker::monitor

@@ -1,0 +1,35 @@
+// A SIMATIC S7 through the monitor.
+#pragma once
+
+#include "monitor/monitor.h"
+#include "station/station.h"
+
+namespace merker::monitor {
+
+class StationMonitor final : public Monitor {
+ public:
+  StationMonitor(station::Station& station, const source::SymbolTable& symbols,
+                 simulator::Resolver resolver);
+  ~StationMonitor() override;
+
+  station::Station& station() { return station_; }
+  bool can(Feature) const override { return true; }
+  void modifyInCycle(const address::Reference& reference, const Value& value) override;
+  void stop() override;
+  std::string clock() const override;
+  bool downloadWaits() const override;
+  Stacks stacks() const override;
+  std::vector<DiagnosticLine> diagnostics() const override { return diagnosticList(station_); }
+  ModuleInformation information() const override { return moduleInformation(station_); }
+  std::vector<FrameVariable> variables(std::size_t depth) const override;
+
+ private:
+  bool canForce(const address::Reference& reference) const override;
+  bool canWrite(const address::Reference& reference) const override;
+  bool holdsForces() const override;
+  Result<address::Reference> local(std::string_view text, const Position& at) const override;
+
+  station::Station& station_;
+};
+
+}  // namespace merker::monitor
