@@ -11,8 +11,7 @@ std::string ob1(const std::string& code) {
 
 std::string rlo(const ProgramStatus& status) {
   std::string text;
-  for (const StatusRow& row : status.rows())
-    text += !row.reached ? '-' : row.after.rlo ? '1' : '0';
+  for (const StatusRow& row : status.rows()) text += !row.reached ? '-' : row.after.rlo ? '1' : '0';
   return text;
 }
 

@@ -5,7 +5,6 @@
 namespace merker::monitor::test {
 namespace {
 
-
 // MW 2 takes MW 0 within the cycle; MW 0 becomes 7 at its end.
 const char* const kCopy =
     "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n L MW 0;\n T MW 2;\n L 7;\n T MW 0;\n U E 0.0;\n"
