@@ -1,5 +1,5 @@
 // For the tests: what the program's own sources say. Not part of the page.
-import { readdirSync, readFileSync } from 'node:fs';
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
@@ -24,11 +24,19 @@ export function problemTexts(): Record<string, string> {
   return Object.fromEntries([...rows].map((row) => [row[1]!, plain(row[2]!)]));
 }
 
-/** The sources in a folder of src. */
-export const sourcesOf = (module: string): string[] =>
-  readdirSync(join(root, 'src', module))
+/** The folder of a module, in whichever wing it is. */
+function folderOf(module: string): string {
+  const wing = readdirSync(join(root, 'src')).find((one) => existsSync(join(root, 'src', one, module)));
+  return `src/${wing}/${module}`;
+}
+
+/** The sources of a module. */
+export function sourcesOf(module: string): string[] {
+  const folder = folderOf(module);
+  return readdirSync(join(root, folder))
     .filter((name) => /\.(?:cpp|h|inc)$/.test(name))
-    .map((name) => `src/${module}/${name}`);
+    .map((name) => `${folder}/${name}`);
+}
 
 /** The projects below a folder, by their path in it. */
 export function projectsBelow(folder: string, below = ''): string[] {
