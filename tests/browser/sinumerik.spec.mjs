@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { accessible } from './axe.mjs';
 import { content, problems, replaceAll, text } from './editor.mjs';
-import { expect, open, picture, quiet, serve, turn, until, visit } from './harness.mjs';
+import { expect, open, quiet, serve, turn, until, visit } from './harness.mjs';
 
 const server = await serve('step5/tool-changer');
 const page = await open(server, 'projects');
@@ -22,7 +22,6 @@ for (const view of views) {
     await page.locator('main h1').first().waitFor();
     await accessible(page, view);
     assert.equal(await page.locator('.message.problem').count(), 0);
-    if (view === 'program') await picture(page, 'sinumerik');
   });
 }
 

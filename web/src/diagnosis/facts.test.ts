@@ -30,3 +30,13 @@ test('the order is that of a person, not of the alphabet; a cycle below a millis
     'cycles 7',
   ]);
 });
+
+test('what a machine does not have is not shown as zero', () => {
+  const [memory, cycle] = sections({
+    clock: '',
+    memory: { loadMemory: 0, workMemory: 4096, localData: 0 },
+    cycle: { lastMs: 0, shortestMs: 0, longestMs: 0, monitoringMs: 0, cycles: 7 },
+  });
+  expect(memory!.facts).toEqual([{ name: 'workMemory', value: '4096' }]);
+  expect(cycle!.facts).toEqual([{ name: 'cycles', value: '7' }]);
+});

@@ -13,10 +13,20 @@ const ORDER = ['model', 'mode', 'stopReason', 'clock', 'memory', 'cycle', 'limit
   .concat(['inputs', 'outputs', 'flags', 'timers', 'counters']);
 const rank = (key: string) => (ORDER.includes(key) ? ORDER.indexOf(key) : ORDER.length);
 
+/** A machine without the first has none of the others: its zeros were not measured. */
+const TOGETHER: Record<string, string[]> = {
+  localData: ['loadMemory'],
+  monitoringMs: ['lastMs', 'shortestMs', 'longestMs'],
+};
+const missing = (answer: Record<string, unknown>) =>
+  Object.entries(TOGETHER).flatMap(([key, others]) => (answer[key] === 0 ? [key, ...others] : []));
+
 export function sections(answer: Record<string, unknown>, name = ''): Section[] {
   const own: Section = { name, facts: [] };
   const below: Section[] = [];
+  const left = missing(answer);
   for (const [key, value] of Object.entries(answer).sort(([a], [b]) => rank(a) - rank(b))) {
+    if (value === '' || left.includes(key)) continue;
     if (isObject(value)) below.push(...sections(value, key));
     else own.facts.push({ name: key, value: key.endsWith('Ms') && value === 0 ? '< 1' : print(value) });
   }

@@ -7,6 +7,7 @@ import {
   type StringStream,
 } from '@codemirror/language';
 import { tags, type Tag } from '@lezer/highlight';
+import { isListing } from './listing_outline';
 import { listingStart, nextOfListing, type ListingState } from './listing_lexer';
 import { initialState, next, startLine, type LexerState, type Section, type TokenKind } from './lexer';
 
@@ -87,4 +88,4 @@ const listingSupport = (): LanguageSupport => new LanguageSupport(step5, [syntax
 
 /** By the name of the file: STEP 5 listings, AWL. `ofCpu`: what the CPU lists of a block. */
 export const supportFor = (path: string, ofCpu: boolean): LanguageSupport =>
-  path.toLowerCase().endsWith('.s5') ? listingSupport() : awlSupport(ofCpu);
+  isListing(path) ? listingSupport() : awlSupport(ofCpu);

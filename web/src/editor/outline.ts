@@ -29,6 +29,10 @@ export interface BlockOutline {
   keyword: string; // FUNCTION_BLOCK …
   name: string; // as written: FC 1 or "Slider"
   title: string;
+  /** A data block or a type has nothing to run. */
+  hasCode: boolean;
+  /** Whether it may declare variables; a listing has its own form for them. */
+  declares: boolean;
   line: number;
   end: number; // last line
   begin: number; // line of BEGIN, 0 without
@@ -104,6 +108,8 @@ function beginBlock(reader: Reader, keyword: string, tokens: Token[], line: numb
     keyword,
     name,
     title: '',
+    hasCode: !/^(DATA_BLOCK|TYPE)$/.test(keyword),
+    declares: true,
     line,
     end: line,
     begin: 0,

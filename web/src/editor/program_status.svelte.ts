@@ -1,6 +1,6 @@
 // The live program status of one block (S7-EDIT-21), asked for as long as somebody looks at it.
 import { connection, type Kept } from '../connection';
-import type { StatusRow } from './status_columns';
+import { unusedColumns, type StatusRow } from './status_columns';
 
 interface StatusEvent {
   block: string;
@@ -11,6 +11,8 @@ interface StatusEvent {
 export class ProgramStatus {
   rows = $state.raw<readonly StatusRow[] | null>(null);
   running = $state(true);
+  /** Columns that this machine has no values for; known after the first rows. */
+  unused = $state.raw<readonly string[]>([]);
   private kept: Kept | null = null;
   private place = '';
   private readonly end: () => void;
@@ -50,9 +52,15 @@ export class ProgramStatus {
     this.end();
   }
 
+  // The same columns are not told again with each event.
+  private learn(unused: string[]): void {
+    if (unused.join() !== this.unused.join()) this.unused = unused;
+  }
+
   private receive(event: StatusEvent): void {
     if (!this.kept) return;
     this.running = event.rows !== null;
     this.rows = event.rows;
+    if (event.rows?.length) this.learn(unusedColumns(event.rows));
   }
 }

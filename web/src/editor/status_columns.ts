@@ -24,6 +24,11 @@ export const statusColumns: readonly StatusColumn[] = [
 export const standardColumns = ['vke', 'sta', 'akku1'];
 
 export type StatusRow = [line: number, ...values: (string | number)[]];
+
+/** A machine without address registers leaves theirs empty in each row. */
+export const unusedColumns = (rows: readonly StatusRow[]): string[] =>
+  statusColumns.filter((_, index) => rows.every((row) => row[index + 1] === '')).map((column) => column.id);
+
 type StatusLines = ReadonlyMap<number, readonly string[]>;
 
 /** null: no status is shown; an empty list: shown, but the block does not run. */

@@ -193,11 +193,11 @@ class Workspace {
   async load(blocks?: string[]): Promise<boolean> {
     for (const document of this.documents.values())
       if (!(await this.save(document)) && !document.readonly) return false;
-    if (plc.isStep5) return this.reopen();
+    if (plc.lacks('download')) return this.reopen();
     return (await attempt(connection.ask('program.load', blocks ? { blocks } : {}))) !== undefined;
   }
 
-  // A SINUMERIK takes no blocks one by one: the project is opened again, unless it has errors.
+  // A machine that takes no blocks one by one: the project is opened again, unless it has errors.
   private async reopen(): Promise<boolean> {
     const answer = await attempt(connection.ask<Checked>('program.check'));
     const errors = answer?.problems.filter((problem) => problem.severity === 'error');
@@ -276,6 +276,6 @@ export function followWorkspace(): void {
   });
   $effect(() => {
     void [plc.files, plc.program];
-    if (plc.live && plc.project && !plc.isStep5) void workspace.refreshBlocks();
+    if (plc.live && plc.can('blocks')) void workspace.refreshBlocks();
   });
 }

@@ -6,10 +6,29 @@ export type Led = 'off' | 'on' | 'slow' | 'fast';
 export const LEDS = ['SF', 'BF', 'DC5V', 'FRCE', 'RUN', 'STOP'] as const;
 export type LedName = (typeof LEDS)[number];
 
+/** What a machine can do; the protocol has the table (docs/workbench-protocol.md). */
+export type Ability =
+  | 'breakpoints'
+  | 'cyclePoints'
+  | 'stacks'
+  | 'information'
+  | 'blocks'
+  | 'download'
+  | 'references'
+  | 'symbols'
+  | 'rack'
+  | 'plants'
+  | 'interrupts'
+  | 'engine'
+  | 'snapshots'
+  | 'timersByHand'
+  | 'modeSwitch'
+  | 'leds';
+
 export interface Project {
   name: string;
   folder: string;
-  family: 'S7' | 'S5';
+  can: Ability[];
   mpiAddress: number;
   model: string;
   example: boolean;
@@ -59,9 +78,14 @@ export class Plc {
   phase = $state<Phase>('connecting');
   stalledAt = $state('');
 
-  /** Of a SINUMERIK there is less: no symbols, no rack, no blocks one by one. */
-  get isStep5(): boolean {
-    return this.project?.family === 'S5';
+  /** Whether the machine of the open project can do this. */
+  can(ability: Ability): boolean {
+    return this.project?.can.includes(ability) ?? false;
+  }
+
+  /** Whether there is a machine and it cannot: without a project nothing is missing. */
+  lacks(ability: Ability): boolean {
+    return this.project !== null && !this.can(ability);
   }
 
   /** Whether an operand is forced, by its text or its address. */

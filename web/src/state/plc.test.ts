@@ -22,3 +22,11 @@ test('a forced operand is found by each of its names', () => {
   expect(plc.isForced('A 1.2', '"Slider"')).toBe(true);
   expect(plc.isForced('A 1.2')).toBe(false);
 });
+
+test('a machine lacks what it cannot do; without a machine nothing is missing', () => {
+  const plc = new Plc();
+  expect([plc.can('rack'), plc.lacks('rack')]).toEqual([false, false]);
+  plc.receive({ project: { can: ['stacks'] } });
+  expect([plc.can('stacks'), plc.lacks('stacks')]).toEqual([true, false]);
+  expect([plc.can('rack'), plc.lacks('rack')]).toEqual([false, true]);
+});

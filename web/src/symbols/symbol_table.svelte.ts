@@ -151,6 +151,6 @@ export const symbolTable = new SymbolTable();
 export function followSymbols(): void {
   $effect(() => {
     void plc.files;
-    if (plc.live && plc.project && !plc.isStep5) void symbolTable.read();
+    if (plc.live && plc.can('symbols')) void symbolTable.read();
   });
 }

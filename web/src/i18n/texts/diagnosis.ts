@@ -24,6 +24,7 @@ export const diagnosis = {
   ],
   block: ['Baustein', 'Block'],
   dataBlocks: ['DB / DI', 'DB / DI'],
+  dataBlock: ['DB', 'DB'],
   priority: ['Priorität', 'Priority'],
   registers: ['Register', 'Registers'],
   bytes: ['Lokaldaten', 'Local data'],

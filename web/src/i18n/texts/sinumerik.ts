@@ -1,6 +1,6 @@
 import type { Texts } from '..';
 
-/** What there is not, or not in the same way, where the project is a STEP 5 program of a SINUMERIK. */
+/** What a view says that has nothing to show for a STEP 5 program of a SINUMERIK. */
 export const sinumerik = {
   hardware: [
     'Die PLC einer SINUMERIK 810/820 hat keinen konfigurierbaren Baugruppenträger. Maschinendaten, Alarmtexte und NC-Werte werden in merker.toml angegeben.',
@@ -14,9 +14,5 @@ export const sinumerik = {
   blocks: [
     'Die Bausteine sind in den Dateien. „Laden“ übersetzt alle und startet die PLC neu.',
     'The blocks are in the files. “Load” compiles all of them and restarts the PLC.',
-  ],
-  stacks: [
-    'Stacks gibt es hier nur bei einer SIMATIC S7. Alarme und Meldungen sind im Diagnosepuffer.',
-    'Stacks are available for a SIMATIC S7 only. Alarms and messages are in the diagnostic buffer.',
   ],
 } satisfies Texts;

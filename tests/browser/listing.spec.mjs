@@ -1,0 +1,102 @@
+// Program status, breakpoints, single steps and stacks of a SINUMERIK, in its listing.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { content, statusOf, text, toLine } from './editor.mjs';
+import { expect, open, picture, serve, turn, until, visit } from './harness.mjs';
+
+const server = await serve('step5/tool-changer');
+const page = await open(server, 'program?file=main.s5');
+const columns = () => page.locator('.code .cm-status-head .cm-status-cell').allInnerTexts();
+const haltLine = () => page.locator('.code .cm-halt-line').innerText();
+let line; // the first statement of PB 1
+
+test('status: VKE, STA and AKKU 1 beside each statement of the block', async () => {
+  await until(async () => (await content(page).innerText()).includes('OB 1'), 'the listing');
+  line = (await text(page)).split('\n').findIndex((one) => /^PB 1\b/.test(one)) + 3;
+  await turn(page, 'RUN');
+  await page.getByRole('switch', { name: 'Status' }).click();
+  await toLine(page, line);
+  await page.locator('.work .head').getByText('PB 1', { exact: true }).waitFor();
+  const [vke, sta, akku] = await until(async () => {
+    const row = await statusOf(page, line);
+    return row.slice(0, 2).every((bit) => /^[01]$/.test(bit)) && row;
+  }, 'VKE and STA');
+  assert.deepEqual([vke, sta], ['0', '0'], 'U E 0.0: the emergency stop is pressed');
+  assert.match(akku, /^[0-9A-F]+$/);
+  // UN M 132.0: no fault, but the chain is 0 already.
+  await expect(async () => (await statusOf(page, line + 2)).slice(0, 2).join(' '), '0 0');
+});
+
+test('the status follows the input', async () => {
+  await visit(page, server, 'io');
+  await page.locator('#tile-operand').fill('EB 0');
+  await page.locator('#tile-operand').press('Enter');
+  const key = page.locator('button[data-operand="E 0.0"]').first();
+  await key.click();
+  await until(async () => (await key.locator('.lamp').innerText()) === '1', 'E 0.0');
+  await visit(page, server, `program?file=main.s5&line=${line}`);
+  await expect(async () => (await statusOf(page, line)).slice(0, 2).join(' '), '1 1');
+  await expect(async () => (await statusOf(page, line + 1)).slice(0, 2).join(' '), '0 0');
+});
+
+test('columns of registers that the PLC does not have are not offered', async () => {
+  await page.locator('summary', { hasText: 'Spalten' }).click();
+  const offered = page.locator('details .check');
+  await expect(async () => (await offered.allInnerTexts()).map((one) => one.trim()).join(' '), 'VKE STA OR AKKU 1 AKKU 2 STW DB');
+  await page.getByRole('checkbox', { name: 'STW' }).check();
+  await expect(async () => (await columns()).join(' '), 'VKE STA AKKU 1 STW');
+  await until(async () => /^[0-9A-F]{4}$/.test((await statusOf(page, line))[3]), 'the status word');
+  await page.locator('summary', { hasText: 'Spalten' }).click();
+});
+
+test('a breakpoint stops the PLC before its line, which is marked', async () => {
+  await toLine(page, line + 1);
+  await page.keyboard.press('F9');
+  await page.locator('[data-mode="HALT"]').waitFor();
+  await page.getByText(`HALT in PB 1, Zeile ${line + 1}`).waitFor();
+  await until(async () => /U +E 0\.1/.test(await haltLine()), 'the line');
+  await expect(async () => (await statusOf(page, line)).slice(0, 2).join(' '), '1 1', 'status in HALT');
+  await picture(page, 'sinumerik');
+});
+
+test('the stacks show where it stands, with the registers it has', async () => {
+  await visit(page, server, 'diagnosis?page=stacks');
+  const table = (name) => page.getByRole('table', { name });
+  await table('B-Stack').getByText('OB 1').waitFor();
+  await table('U-Stack').getByText(`main.s5:${line + 1}`).waitFor();
+  const words = await table('U-Stack').innerText();
+  assert.match(words, /AKKU1.*AKKU2/s);
+  assert.doesNotMatch(words, /AR1|DI\b/);
+  assert.equal(await table('L-Stack').count(), 0);
+});
+
+test('a step goes to the next statement, into a call, and out again', async () => {
+  await visit(page, server, 'program?file=main.s5');
+  await page.getByText(`HALT in PB 1, Zeile ${line + 1}`).waitFor();
+  await page.getByRole('button', { name: /^Schritt/ }).click();
+  await page.getByText(`HALT in PB 1, Zeile ${line + 2}`).waitFor();
+  await page.getByRole('button', { name: /^Hinaus/ }).click();
+  await page.getByText(/HALT in OB 1, Zeile/).waitFor();
+  await until(async () => /SPA +PB 10/.test(await haltLine()), 'the next call of OB 1');
+  await page.getByRole('button', { name: /^Hinein/ }).click();
+  await page.getByText(/HALT in PB 10, Zeile/).waitFor();
+});
+
+test('go on: to the breakpoint in the next cycle; without it the PLC runs', async () => {
+  await page.getByRole('button', { name: /^Fortsetzen/ }).click();
+  await page.getByText(`HALT in PB 1, Zeile ${line + 1}`).waitFor();
+  await page.locator('.code .cm-point-mark, .code .cm-halt-mark').first().waitFor();
+  await toLine(page, line + 1);
+  await page.keyboard.press('F9');
+  await expect(() => page.locator('.code .cm-point-mark').count(), 0);
+  await page.keyboard.press('F8');
+  await page.locator('[data-mode="RUN"]').waitFor();
+  await expect(() => page.locator('.code .cm-halt-line').count(), 0);
+});
+
+test('the module information shows what the PLC has', async () => {
+  await visit(page, server, 'diagnosis?page=information');
+  await page.getByText('SINUMERIK 810').last().waitFor();
+  await page.getByText('Merker (Byte)').waitFor();
+  assert.equal(await page.getByText('Lokaldaten').count(), 0);
+});
