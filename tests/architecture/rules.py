@@ -11,8 +11,8 @@ MODULE_ROW = re.compile(r"^\|\s*\[`(\w+)`\]\(\.\./src/(\w+)/(\w+)\)\s*\|[^|]*\|(
 LIBRARIES = re.compile(r"\bUSES\b([^)]*)")
 FAMILIES = ("s5", "s7")  # wings that never see each other
 FAMILY_QUESTION = re.compile(r"\bisS7\b|\b(?:dynamic|static)_cast<[^>]*\b(?:Station|Cnc)\b")
-# The factory of monitors, and the workbench as long as it has requests that only an S7 answers.
-MAY_ASK_FOR_THE_FAMILY = ("src/tool/monitor/factory.cpp", "src/service/workbench/")
+# The factory of monitors.
+MAY_ASK_FOR_THE_FAMILY = ("src/tool/monitor/factory.cpp",)
 MARK = re.compile(r"\b(?:TO" r"DO|FIX" r"ME|X" r"XX)\b")
 WORKPLACE = re.compile(r"/(?:home|root|work|farm|Users)/|\b[A-Z]:\\Users\\")
 CODE = (".cpp", ".h", ".ts", ".svelte", ".css", ".mjs")

@@ -27,11 +27,7 @@
 #include "plc/hot_restart.h"
 #include "plc/machine_code.h"
 #include "plc/ob1_alone.h"
-
-namespace merker::cpu {
-class Cpu;
-struct Snapshot;
-}  // namespace merker::cpu
+#include "station/block_cpu.h"
 
 namespace merker::station {
 
@@ -39,12 +35,6 @@ using controller::CheckFailure;
 using controller::CheckResult;
 using controller::DiagnosticEntry;
 using controller::Mode;
-
-// Interpreter: the reference. Compiled: machine code of the host where there is a compiler for it,
-// with the same results.
-enum class Engine : std::uint8_t { Interpreter, Compiled };
-
-class Translations;
 
 struct Options {
   const CpuModel* model = &defaultCpuModel();
@@ -69,32 +59,29 @@ class Station final : public controller::Controller,
                       public cpu::EventsByHand,
                       public cpu::LedPanel,
                       public cpu::RamToRom,
-                      public cpu::SwitchPanel {
+                      public cpu::SwitchPanel,
+                      public BlockCpu {
  public:
   explicit Station(Options options);
   ~Station() override;
   Station(Station&&) noexcept;
   Station& operator=(Station&&) noexcept;
 
-  const CpuModel& model() const;
+  const CpuModel& model() const override;
   std::string modelName() const override;
   bool hasColdRestart() const override;
   std::string whyMissing(const address::Reference& reference) const override;
   controller::ExecutedLines executedLines() const override;
   const block::Program& program() const override;
 
-  // At any time between two calls of this object: the program goes on where it stands. False: there
-  // is no compiler for this processor.
-  bool setEngine(Engine engine);
-  Engine engine() const;
+  bool setEngine(Engine engine) override;
+  Engine engine() const override;
   bool setCompiled(bool on) override;
   bool compiled() const override { return engine() == Engine::Compiled; }
   void translateNow() override {}  // it has been: setEngine() translates
   std::size_t compiledBytes() const override;
-  // The same with blocks that were translated before. False: they are not what was wanted.
-  bool setEngine(Engine engine, const Translations& made);
-  // The blocks that a download or take() brings next, translated before.
-  void supply(std::shared_ptr<Translations> made);
+  bool setEngine(Engine engine, const Translations& made) override;
+  void supply(std::shared_ptr<Translations> made) override;
 
   // operating states (S7-STATE)
   Mode mode() const override;
@@ -130,9 +117,7 @@ class Station final : public controller::Controller,
   const block::RetentiveData& kept() override;
   // The program is the new one already.
   bool switchOn(const block::RetentiveData& data, const controller::Renewal& renewal) override;
-  // The CPU as it was when this was taken (cpu::Cpu::snapshot), of a station with the same model
-  // and configuration. Plants are no part of it: what they drive stays as they drive it.
-  void take(const cpu::Snapshot& from, std::shared_ptr<const block::Program> program);
+  void take(const cpu::Snapshot& from, std::shared_ptr<const block::Program> program) override;
 
   // time; nothing moves outside these calls
   Instant now() const override;
@@ -189,14 +174,14 @@ class Station final : public controller::Controller,
   // Blocks changed, added or deleted while the CPU works (S7-CYCLE-05): they count from the next
   // cycle checkpoint on. The reason why not, as text; empty if it was accepted.
   std::string download(std::shared_ptr<const block::Program> program,
-                       std::string_view password = {});
+                       std::string_view password = {}) override;
   // Whether programming devices may read or write (S7-MEM-05, S7-SIM-11).
   bool mayRead(std::string_view password = {}) const;
   bool mayWrite(std::string_view password = {}) const;
 
   // The CPU itself, for the monitor: stacks, probes, forces.
-  cpu::Cpu& cpu();
-  const cpu::Cpu& cpu() const;
+  cpu::Cpu& cpu() override;
+  const cpu::Cpu& cpu() const override;
 
   // Called after each change of simulated time at a cycle checkpoint: traces look at values here.
   void onCycle(std::function<void(controller::Controller&)> observer) override;

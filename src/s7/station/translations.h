@@ -9,10 +9,9 @@
 #include "block/block.h"
 #include "catalogue/cpu_model.h"
 #include "cpu/frame.h"
+#include "station/engine.h"
 
 namespace merker::station {
-
-enum class Engine : std::uint8_t;
 
 class Translations {
  public:

@@ -10,7 +10,7 @@ using monitor::Feature;
 
 Answer read(const Call& call) {
   const project::Project& project = call.plc().build().project;
-  const io::Rack* rack = std::as_const(call.station()).rack();
+  const io::Rack* rack = call.plc().rack();
   Problems none;
   const io::Configuration configuration =
       rack != nullptr ? rack->configuration() : io::configure({}, *project.model, none);
@@ -31,7 +31,7 @@ Answer fault(const Call& call) {
   const std::string slot = call.fields.text("slot"), name = call.fields.text("fault");
   const bool on = call.fields.flag("on");
   if (!call.fields.good()) return call.fields.problems();
-  io::Rack* rack = call.station().rack();
+  io::Rack* rack = call.field().rack();
   if (rack == nullptr)
     return refused(ProblemCode::P1307, "this project", "hardware configuration in merker.toml");
   const auto module = moduleAt(*rack, number, slot);

@@ -18,7 +18,9 @@ struct Call {
   std::shared_ptr<const Json> request;  // what the fields are of
 
   Plc& plc() const { return *shared.plc; }
-  station::Station& station() const { return *shared.plc->station(); }
+  // Of a machine that has them, as the row of the request says.
+  station::BlockCpu& blockCpu() const { return *shared.plc->blockCpu(); }
+  plant::Field& field() const { return *shared.plc->field(); }
   monitor::Monitor& monitor() const { return shared.plc->monitor(); }
 };
 

@@ -1,5 +1,6 @@
 #include "workbench/plc.h"
 
+#include "plc/machine_code.h"
 #include "workbench/json.h"
 
 namespace merker::workbench {
@@ -30,22 +31,23 @@ Plc::Plc(BuildRef build, std::unique_ptr<controller::Controller> controller)
     : build_(std::move(build)),
       symbols_(build_->project.symbols),
       operands_(build_->operands()),
-      controller_(controller ? std::move(controller) : made(*build_)),
-      station_(dynamic_cast<station::Station*>(controller_.get())) {
+      controller_(controller ? std::move(controller) : made(*build_)) {
   monitor_ = monitor::monitorOf(
       *controller_, symbols_,
       simulator::Resolver(
           [this](std::string_view text, const Position& at) { return operands_(text, at); },
           operands_.constants));
-  if (station_ == nullptr) return;
-  const bool loaded = &station_->program() == build_->program.get();
-  program_ = loaded ? build_->program : std::make_shared<block::Program>(station_->program());
+  const station::BlockCpu* cpu = blockCpu();
+  if (cpu == nullptr) return;
+  const bool loaded = &cpu->program() == build_->program.get();
+  program_ = loaded ? build_->program : std::make_shared<block::Program>(cpu->program());
 }
 
 Plc::~Plc() = default;
 
 void Plc::use(std::optional<station::Engine> engine) {
-  if (station_ != nullptr && engine) station_->setEngine(*engine);
+  auto* code = controller::capability<controller::MachineCode>(*controller_);
+  if (code != nullptr && engine) code->setCompiled(*engine == station::Engine::Compiled);
 }
 
 Result<address::Reference> Plc::operand(std::string_view text) const {
@@ -64,13 +66,13 @@ void Plc::onCycle(Observer observer) {
 }
 
 std::string Plc::download(ProgramRef program) {
-  std::string reason = station_->download(program);
+  std::string reason = blockCpu()->download(program, {});
   if (reason.empty()) program_ = std::move(program);
   return reason;
 }
 
 void Plc::take(const cpu::Snapshot& from, ProgramRef program) {
-  station_->take(from, program);
+  blockCpu()->take(from, program);
   program_ = std::move(program);
 }
 

@@ -8,6 +8,8 @@
 
 #include "compilation/build.h"
 #include "monitor/monitor.h"
+#include "plant/field.h"
+#include "station/block_cpu.h"
 
 namespace merker::workbench {
 
@@ -37,11 +39,16 @@ class Plc {
   monitor::Monitor& monitor() { return *monitor_; }
   const monitor::Monitor& monitor() const { return *monitor_; }
   bool can(monitor::Feature feature) const { return monitor_->can(feature); }
-  // Null: the machine has no blocks that are loaded one by one.
-  station::Station* station() { return station_; }
-  const station::Station* station() const { return station_; }
+  // What only some machines have; null: this one has not.
+  station::BlockCpu* blockCpu() { return controller::capability<station::BlockCpu>(*controller_); }
+  plant::Field* field() { return controller::capability<plant::Field>(*controller_); }
+  const plant::Field* field() const {
+    return controller::capability<plant::Field>(std::as_const(*controller_));
+  }
+  const plant::Plants* plants() const { return field() == nullptr ? nullptr : field()->plants(); }
+  const io::Rack* rack() const { return field() == nullptr ? nullptr : field()->rack(); }
 
-  // Of a SIMATIC S7, if there is a wish.
+  // If there is a wish, and a choice.
   void use(std::optional<station::Engine> engine);
 
   // Values by their text; timers and counters as LC loads them.
@@ -50,9 +57,9 @@ class Plc {
 
   // At each cycle checkpoint, in the order in which they came.
   void onCycle(Observer observer);
-  // What the CPU of a SIMATIC S7 was given last; workers look at it, too.
+  // What a CPU with single blocks was given last; workers look at it, too.
   const ProgramRef& program() const { return program_; }
-  // As the station has them.
+  // As the CPU has them.
   std::string download(ProgramRef program);
   void take(const cpu::Snapshot& from, ProgramRef program);
   // Another program from the same project; the CPU has it already. `symbols`: a copy of its own,
@@ -64,7 +71,6 @@ class Plc {
   source::SymbolTable symbols_;  // the monitor keeps looking at it
   simulator::Resolver operands_;
   std::unique_ptr<controller::Controller> controller_;
-  station::Station* station_ = nullptr;
   ProgramRef program_;
   std::unique_ptr<monitor::Monitor> monitor_;
   std::vector<Observer> observers_;

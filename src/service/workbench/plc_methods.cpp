@@ -1,6 +1,8 @@
 // Mode switch, power, start and stop, events by hand, pace of time.
-#include "cpu/cpu.h"
+#include "cpu/events_by_hand.h"
+#include "cpu/switch_panel.h"
 #include "cpu/trigger.h"
+#include "plc/machine_code.h"
 #include "workbench/translated.h"
 
 namespace merker::workbench {
@@ -28,14 +30,14 @@ Answer turnControl(controller::Controller& plc, std::size_t position) {
 Answer turnSwitch(const Call& call) {
   const std::size_t position = call.fields.choice("position", {"RUN-P", "RUN", "STOP", "MRES"});
   if (!call.fields.good()) return call.fields.problems();
-  if (!call.plc().can(monitor::Feature::ModeSwitch))
-    return turnControl(call.plc().controller(), position);
+  auto* panel = controller::capability<cpu::SwitchPanel>(call.plc().controller());
+  if (panel == nullptr) return turnControl(call.plc().controller(), position);
   const auto to = static_cast<SwitchPosition>(position);
   const bool reset = to == SwitchPosition::Mres;
-  if (reset && !call.station().powered())
+  if (reset && !call.plc().controller().powered())
     return refused(ProblemCode::P1308, "MRES", "the CPU is switched off");
-  call.station().setSwitch(reset ? SwitchPosition::Stop : to);
-  if (reset) call.station().memoryReset();
+  panel->setSwitch(reset ? SwitchPosition::Stop : to);
+  if (reset) call.plc().controller().memoryReset();
   return empty();
 }
 
@@ -80,13 +82,24 @@ Answer trigger(const Call& call) {
     return refused(ProblemCode::P1308, fmt::format("OB {}", ob),
                    "no event for it can be triggered manually");
   event.ob = static_cast<std::uint8_t>(ob);
-  cpu::trigger(call.station().cpu(), event);
+  controller::capability<cpu::EventsByHand>(call.plc().controller())->trigger(event);
   return empty();
 }
 
 std::optional<Problems> engineStays(const Call& call) {
-  if (call.station().mode() == controller::Mode::Stop) return std::nullopt;
+  if (call.plc().controller().mode() == controller::Mode::Stop) return std::nullopt;
   return refused(ProblemCode::P1308, "the engine", "it can be changed in STOP only");
+}
+
+Answer noCompiler() {
+  return refused(ProblemCode::P1307, "this processor", "jit; use interpreter");
+}
+
+// A machine that translates its own program when it runs next.
+Answer useEngine(controller::Controller& plc, station::Engine wanted) {
+  const bool compiled = wanted == station::Engine::Compiled;
+  auto* code = controller::capability<controller::MachineCode>(plc);
+  return code->setCompiled(compiled) || !compiled ? empty() : noCompiler();
 }
 
 Answer engine(const Call& call) {
@@ -94,13 +107,14 @@ Answer engine(const Call& call) {
       static_cast<station::Engine>(call.fields.choice("engine", {"interpreter", "jit"}));
   if (!call.fields.good()) return call.fields.problems();
   if (auto why = engineStays(call)) return *why;
-  if (call.station().engine() == wanted) return empty();
-  return translatedFor(
-      call, wanted, [wanted](const Call& now, const station::Translations& made) -> Answer {
-        if (auto why = engineStays(now)) return *why;
-        if (now.station().setEngine(wanted, made)) return empty();
-        return refused(ProblemCode::P1307, "this processor", "jit; use interpreter");
-      });
+  if (call.plc().blockCpu() == nullptr) return useEngine(call.plc().controller(), wanted);
+  if (call.blockCpu().engine() == wanted) return empty();
+  return translatedFor(call, wanted,
+                       [wanted](const Call& now, const station::Translations& made) -> Answer {
+                         if (auto why = engineStays(now)) return *why;
+                         if (now.blockCpu().setEngine(wanted, made)) return empty();
+                         return noCompiler();
+                       });
 }
 
 Answer pace(const Call& call) {

@@ -9,7 +9,7 @@ namespace {
 using monitor::Feature;
 
 Answer list(const Call& call) {
-  return Json{{"plants", plantRows(call.station(), call.plc().build().project.symbols)}};
+  return Json{{"plants", plantRows(call.field(), call.plc().build().project.symbols)}};
 }
 
 Answer watch(const Call& call) {
@@ -36,7 +36,7 @@ Answer set(const Call& call) {
   const double to = call.fields.number("to", -1e12, 1e12);
   const bool held = call.fields.flag("held", false);
   if (!call.fields.good()) return call.fields.problems();
-  plant::Plants* plants = call.station().plants();
+  plant::Plants* plants = call.field().plants();
   const std::string signal = fmt::format("{}.{}", plant, value), number = fmt::format("{}", to);
   simulator::PlantValue wanted;
   wanted.does = simulator::PlantValue::Does::Set;
@@ -48,7 +48,7 @@ Answer set(const Call& call) {
   const plant::Kind& kind = *plants->configuration().plants[wanted.place.plant].kind;
   if (auto problem = checkRange(kind.signals[wanted.place.signal], wanted.number, signal))
     return one(std::move(*problem));
-  simulator::apply(wanted, *plants, *call.station().rack(), call.station().now());
+  simulator::apply(wanted, *plants, *call.field().rack(), call.plc().controller().now());
   held ? void(call.browser.held.emplace(plant, value))
        : void(call.browser.held.erase({plant, value}));
   return empty();
@@ -56,7 +56,7 @@ Answer set(const Call& call) {
 
 // A plant by its name, and a signal of it.
 Result<std::uint32_t> plantNamed(const Call& call, const std::string& name) {
-  const plant::Plants* plants = std::as_const(call.station()).plants();
+  const plant::Plants* plants = std::as_const(call.field()).plants();
   if (plants == nullptr || plants->configuration().plants.empty())
     return makeProblem(ProblemCode::P0987, nowhere());
   const auto found = plants->configuration().find(name);
@@ -73,16 +73,16 @@ Answer fault(const Call& call) {
   if (!call.fields.good()) return call.fields.problems();
   const auto plant = plantNamed(call, name);
   if (!plant) return one(plant.error());
-  plant::Plants& plants = *call.station().plants();
+  plant::Plants& plants = *call.field().plants();
   const plant::Kind& kind = *plants.configuration().plants[*plant].kind;
   const auto found = kind.signal(signal);
   if (!found) return refused(ProblemCode::P0762, kind.name, signal, plant::signalNames(kind));
   if (auto problem = to ? checkRange(kind.signals[*found], *to, signal) : std::nullopt)
     return one(std::move(*problem));
-  io::Rack& rack = *call.station().rack();
+  io::Rack& rack = *call.field().rack();
   const plant::SignalPlace place{*plant, *found};
-  on ? plants.stick(rack, place, to, call.station().now())
-     : plants.release(rack, place, call.station().now());
+  on ? plants.stick(rack, place, to, call.plc().controller().now())
+     : plants.release(rack, place, call.plc().controller().now());
   return empty();
 }
 
@@ -91,7 +91,7 @@ Answer reset(const Call& call) {
   if (!call.fields.good()) return call.fields.problems();
   const auto plant = plantNamed(call, name);
   if (!plant) return one(plant.error());
-  call.station().plants()->reset(*call.station().rack(), *plant, call.station().now());
+  call.field().plants()->reset(*call.field().rack(), *plant, call.plc().controller().now());
   return empty();
 }
 
@@ -106,11 +106,9 @@ constexpr Method kMethods[] = {
 }  // namespace
 
 void releaseHeld(Shared& shared, const Browser& browser) {
-  if (!shared.plc || !shared.plc->can(Feature::Plants) ||
-      shared.plc->station()->plants() == nullptr)
-    return;
-  station::Station& station = *shared.plc->station();
-  const plant::Configuration& plants = station.plants()->configuration();
+  plant::Field* const field = shared.plc ? shared.plc->field() : nullptr;
+  if (field == nullptr || field->plants() == nullptr) return;
+  const plant::Configuration& plants = field->plants()->configuration();
   for (const auto& [plant, signal] : browser.held) {
     const auto number = plants.find(plant);
     const auto place = number ? plants.plants[*number].kind->signal(signal) : std::nullopt;
@@ -119,7 +117,7 @@ void releaseHeld(Shared& shared, const Browser& browser) {
     wanted.does = simulator::PlantValue::Does::Set;
     wanted.place = {*number, *place};
     wanted.number = plants.plants[*number].kind->signals[*place].rest;
-    simulator::apply(wanted, *station.plants(), *station.rack(), station.now());
+    simulator::apply(wanted, *field->plants(), *field->rack(), shared.plc->controller().now());
   }
 }
 

@@ -8,7 +8,7 @@ namespace {
 using plant::Signal;
 
 struct Rows {
-  const station::Station& station;
+  const plant::Field& field;
   const source::SymbolTable& symbols;
   const plant::Plants& plants;
   const plant::PlantSettings& settings;
@@ -27,7 +27,7 @@ TerminalOperand operandOf(const Rows& rows, const plant::Wire* wire) {
   if (wire == nullptr) return {};
   const auto* terminal = std::get_if<io::Terminal>(&wire->end);
   if (terminal == nullptr) return {};
-  return terminalOperand(rows.station.rack()->configuration(), *terminal, rows.symbols);
+  return terminalOperand(rows.field.rack()->configuration(), *terminal, rows.symbols);
 }
 
 Json Rows::value(std::uint32_t number) const {
@@ -68,13 +68,13 @@ Json rowOf(const Rows& rows) {
 
 }  // namespace
 
-Json plantRows(const station::Station& station, const source::SymbolTable& symbols) {
+Json plantRows(const plant::Field& field, const source::SymbolTable& symbols) {
   Json list = Json::array();
-  const plant::Plants* plants = station.plants();
+  const plant::Plants* plants = field.plants();
   if (plants == nullptr) return list;
   const auto& all = plants->configuration().plants;
   for (std::uint32_t i = 0; i < all.size(); ++i)
-    list.push_back(rowOf({station, symbols, *plants, all[i], i}));
+    list.push_back(rowOf({field, symbols, *plants, all[i], i}));
   return list;
 }
 

@@ -10,7 +10,7 @@ namespace merker::workbench {
 struct Shared;
 struct Browser;
 
-Json plantRows(const station::Station& station, const source::SymbolTable& symbols);
+Json plantRows(const plant::Field& field, const source::SymbolTable& symbols);
 // {name: {value: number}}
 Json plantValues(const plant::Plants& plants);
 // Of the signals that are stuck, what they are stuck at: {name: {signal: number}}

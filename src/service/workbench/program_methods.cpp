@@ -168,6 +168,8 @@ Answer blocks(const Call& call) {
   return elsewhere(call, call.shared.clerk, [both = both(call)](const Aside& aside) -> Answer {
     const bool cpu = online(aside.fields);
     if (!aside.fields.good()) return aside.wrong();
+    const compilation::Build& build = cpu ? *both.build : *both.offline->build;
+    if (build.isListing()) return Json{{"blocks", blockRows(build.listings, aside.folder)}};
     return Json{{"blocks", blockRows(both.program(cpu), both.offline->sources, aside.folder)}};
   });
 }
@@ -239,10 +241,12 @@ Answer showListing(const Call& call) {
     const auto mnemonics =
         static_cast<Mnemonics>(aside.fields.choice("mnemonics", {"german", "international"}, 0));
     if (!aside.fields.good()) return aside.wrong();
-    const block::Program& program = both.program(cpu);
+    const compilation::Build& build = cpu ? *both.build : *both.offline->build;
+    const monitor::ProgramCode program =
+        build.isListing() ? monitor::ProgramCode(build.listings) : both.program(cpu);
     const auto id = monitor::findBlock(name, {program, both.symbols(), {}});
     if (!id) return one(id.error());
-    return Json{{"text", listing(program.at(*id), mnemonics)}};
+    return Json{{"text", listing(*program.find(*id), mnemonics)}};
   });
 }
 
@@ -253,16 +257,22 @@ Answer complete(const Call& call) {
                    });
 }
 
+std::vector<monitor::CrossReference> crossReferences(const compilation::Build& build) {
+  const source::SymbolTable& symbols = build.project.symbols;
+  if (build.isListing()) return monitor::crossReferences(build.listings, symbols);
+  return monitor::crossReferences(*build.program, symbols, {.library = build.library.get()});
+}
+
 // The first rows; how many more there are. An operand shows the rest.
 Answer referenced(const Aside& aside, const compilation::Build& build) {
   constexpr std::size_t kMost = 20'000;
   const std::string operand = aside.fields.text("operand", "");
   if (!aside.fields.good()) return aside.wrong();
-  monitor::CrossReferenceOptions options;
-  options.library = build.library.get();
-  auto list = monitor::crossReferences(*build.program, build.project.symbols, options);
+  auto list = crossReferences(build);
   if (!operand.empty()) {
-    auto some = monitor::filtered(list, operand, build.operands());
+    auto some =
+        monitor::filtered(list, operand, build.operands(),
+                          build.isListing() ? monitor::step5Words() : monitor::step7Words());
     if (!some) return one(some.error());
     list = std::move(*some);
   }
@@ -282,11 +292,11 @@ constexpr Method kMethods[] = {
     {"program.check", Needs::Plc, check, Kind::Compiles},
     {"program.load", Needs::ableOn(Feature::Download), load, Kind::Compiled},
     {"program.blocks", Needs::able(Feature::Blocks), blocks, Kind::Compiled},
-    {"program.compare", Needs::able(Feature::Blocks), compare, Kind::Compiled},
-    {"program.upload", Needs::able(Feature::Blocks), upload, Kind::Compiled},
-    {"program.delete", Needs::ableOn(Feature::Blocks), remove},
+    {"program.compare", Needs::able(Feature::Download), compare, Kind::Compiled},
+    {"program.upload", Needs::able(Feature::Download), upload, Kind::Compiled},
+    {"program.delete", Needs::ableOn(Feature::Download), remove},
     {"program.listing", Needs::able(Feature::Blocks), showListing, Kind::Compiled},
-    {"program.completion", Needs::able(Feature::Blocks), complete, Kind::Compiled},
+    {"program.completion", Needs::able(Feature::Completion), complete, Kind::Compiled},
     {"program.references", Needs::able(Feature::References), references, Kind::Compiled},
 };
 

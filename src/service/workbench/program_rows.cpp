@@ -3,9 +3,12 @@
 #include <set>
 
 #include "block/container.h"
+#include "mc5/block_id.h"
+#include "mc5/disassembly.h"
 #include "mc7/disassembly.h"
 #include "mc7/listing.h"
 #include "monitor/block_list.h"
+#include "monitor/step5_code.h"
 
 namespace merker::workbench {
 namespace {
@@ -21,6 +24,18 @@ Json callsOf(const block::Block& block) {
     if (place.known && isCall(place.instruction.operation) &&
         operand.kind == mc7::OperandKind::Block)
       called.insert({operand.blockKind, static_cast<std::uint16_t>(operand.value)});
+  }
+  Json list = Json::array();
+  for (const BlockId id : called) list.push_back(toString(id));
+  return list;
+}
+
+Json callsOf(const mc5::Block& block) {
+  std::set<BlockId> called;
+  for (const monitor::Step5Instruction& one : monitor::step5Instructions(block)) {
+    const mc5::Operand& operand = one.instruction.operand;
+    if (operand.kind == mc5::OperandKind::Block && operand.block != mc5::BlockType::Db)
+      called.insert(mc5::neutralId({operand.block, static_cast<std::uint16_t>(operand.value)}));
   }
   Json list = Json::array();
   for (const BlockId id : called) list.push_back(toString(id));
@@ -77,6 +92,25 @@ Json blockRows(const block::Program& program, const std::map<BlockId, BlockSourc
   return list;
 }
 
+Json blockRows(const mc5::Program& program, const ProjectFolder& folder) {
+  Json list = Json::array();
+  for (const auto& [id, block] : program) {
+    const monitor::BlockRow row = monitor::blockRow(block);
+    list.push_back({{"id", toString(row.id)},
+                    {"symbol", row.symbol},
+                    {"title", block.networks.empty() ? "" : block.networks.front().title},
+                    {"language", id.type == mc5::BlockType::Db ? "DB" : "AWL"},
+                    {"load", 2 * row.load},
+                    {"work", 2 * row.work},
+                    {"file", folder.relative(block.file)},
+                    {"line", block.lines.empty() ? 0 : block.lines.front().line},
+                    {"calls", callsOf(block)},
+                    {"version", ""},
+                    {"checksum", ""}});
+  }
+  return list;
+}
+
 Json interfaceRows(const block::Program& program, const std::map<BlockId, BlockSource>& sources,
                    const ProjectFolder& folder) {
   Json list = Json::array();
@@ -128,12 +162,27 @@ Json referenceRows(const std::vector<monitor::CrossReference>& list, const Proje
   return rows;
 }
 
-std::string listing(const block::Block& block, Mnemonics mnemonics) {
+std::string codeText(const block::Block& block, Mnemonics mnemonics) {
   if (block.code.empty()) return dataText(block);
   std::string text;
   for (const mc7::Line& line : mc7::disassemble(block.code, mnemonics))
     text += mc7::toString(line) + "\n";
   return text;
+}
+
+std::string codeText(const mc5::Block& block) {
+  std::string text;
+  if (block.id.type == mc5::BlockType::Db) {
+    for (std::size_t i = 0; i < block.words.size(); ++i)
+      text += fmt::format("DW {:<5} {:04X}\n", i, block.words[i]);
+    return text;
+  }
+  for (const mc5::Line& line : mc5::disassemble(block.words)) text += mc5::toString(line) + "\n";
+  return text;
+}
+
+std::string listing(const monitor::BlockCode& code, Mnemonics mnemonics) {
+  return code.s7() != nullptr ? codeText(*code.s7(), mnemonics) : codeText(*code.s5());
 }
 
 }  // namespace merker::workbench

@@ -9,6 +9,7 @@
 namespace merker::workbench {
 
 // `sources`: where the blocks stand.
+Json blockRows(const mc5::Program& program, const ProjectFolder& folder);
 Json blockRows(const block::Program& program, const std::map<BlockId, BlockSource>& sources,
                const ProjectFolder& folder);
 // Where the compiler has put the variables of each block (S7-EDIT-02).
@@ -19,6 +20,6 @@ Json referenceRows(const std::vector<monitor::CrossReference>& list, const Proje
 // What an editor can complete: symbols, blocks, instructions.
 Json completion(const compilation::Build& build);
 // Machine code as instructions; of a data block its values.
-std::string listing(const block::Block& block, Mnemonics mnemonics);
+std::string listing(const monitor::BlockCode& code, Mnemonics mnemonics);
 
 }  // namespace merker::workbench

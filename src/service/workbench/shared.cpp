@@ -1,5 +1,6 @@
 #include "workbench/shared.h"
 
+#include "plc/machine_code.h"
 #include "project/files.h"
 
 namespace merker::workbench {
@@ -41,7 +42,10 @@ void Shared::show(std::unique_ptr<Plc> fresh, bool isExample, Listing seen) {
 }
 
 std::optional<station::Engine> Shared::engine() const {
-  return plc && plc->station() != nullptr ? plc->station()->engine() : engine_;
+  const auto* code =
+      plc ? controller::capability<controller::MachineCode>(plc->controller()) : nullptr;
+  if (code == nullptr) return engine_;
+  return code->compiled() ? station::Engine::Compiled : station::Engine::Interpreter;
 }
 
 void Shared::atCycleEnd(Work fresh) {

@@ -6,10 +6,10 @@
 
 namespace merker::workbench {
 
-std::vector<std::string> hardwareOf(const station::Station& station) {
+std::vector<std::string> hardwareOf(const io::Rack* rack) {
   std::vector<std::string> lines;
-  if (station.rack() == nullptr) return lines;
-  for (const io::Module& module : station.rack()->configuration().modules)
+  if (rack == nullptr) return lines;
+  for (const io::Module& module : rack->configuration().modules)
     lines.push_back(fmt::format("{} {} E {} A {}", module.slotText(), module.title(),
                                 module.inputStart ? std::to_string(*module.inputStart) : "-",
                                 module.outputStart ? std::to_string(*module.outputStart) : "-"));
@@ -22,13 +22,13 @@ using monitor::Feature;
 
 constexpr std::string_view kEnding = ".state";
 
-std::string keyword(const Call& call) { return std::string(call.station().model().keyword); }
+std::string keyword(const Call& call) { return std::string(call.blockCpu().model().keyword); }
 
 // The text has at least so many characters: two for each byte of a block. What is far too long is
 // not even copied.
-std::size_t leastText(const Plc& plc) {
+std::size_t leastText(Plc& plc) {
   std::size_t bytes = 0;
-  for (const cpu::DataBlock& block : plc.station()->cpu().machine().dataBlocks.all())
+  for (const cpu::DataBlock& block : plc.blockCpu()->cpu().machine().dataBlocks.all())
     bytes += block.data.size();
   for (const auto& [id, block] : *plc.program())
     bytes += id.kind == BlockKind::DB ? block.actualData.size() : block.code.size();
@@ -36,21 +36,22 @@ std::size_t leastText(const Plc& plc) {
 }
 
 // What a STOP has interrupted is not part of the state.
-bool insideBlock(const station::Station& station) {
-  if (station.mode() == controller::Mode::Stop) return false;
-  return station.mode() == controller::Mode::Halt || !station.cpu().betweenCycles();
+bool insideBlock(Plc& plc) {
+  const controller::Mode mode = plc.controller().mode();
+  if (mode == controller::Mode::Stop) return false;
+  return mode == controller::Mode::Halt || !plc.blockCpu()->cpu().betweenCycles();
 }
 
-Result<SavedCpu> taken(const Plc& plc, const std::string& path) {
-  const station::Station& station = *plc.station();
-  if (insideBlock(station))
+Result<SavedCpu> taken(Plc& plc, const std::string& path) {
+  const station::BlockCpu& machine = *plc.blockCpu();
+  if (insideBlock(plc))
     return makeProblem(ProblemCode::P1308, nowhere(), "the state",
                        "the program is paused inside a block; resume it, or stop the CPU");
   if (leastText(plc) > kLargestFile) return tooLong(path, kLargestFile);
-  SavedCpu saved{std::string(station.model().keyword),
-                 hardwareOf(station),
+  SavedCpu saved{std::string(machine.model().keyword),
+                 hardwareOf(plc.rack()),
                  plc.program(),
-                 station.cpu().snapshot(),
+                 machine.cpu().snapshot(),
                  {}};
   for (const monitor::Forced& one : plc.monitor().forces())
     saved.forces.push_back({one.operand.text, monitor::show(one.operand, one.value,
@@ -86,7 +87,7 @@ Answer save(const Call& call) {
 // Why the CPU here is another one; empty if it is alike.
 std::string difference(const Call& call, const SavedCpu& saved) {
   if (saved.model != keyword(call)) return fmt::format("CPU {}", saved.model);
-  const auto here = hardwareOf(call.station());
+  const auto here = hardwareOf(call.plc().rack());
   if (saved.hardware == here) return {};
   for (std::size_t i = 0; i < std::max(here.size(), saved.hardware.size()); ++i)
     if (i >= here.size() || i >= saved.hardware.size() || here[i] != saved.hardware[i])
@@ -156,7 +157,7 @@ Answer take(const Call& call, const SavedCpu& saved) {
   if (const std::string other = difference(call, saved); !other.empty())
     return refused(ProblemCode::P1319, other, keyword(call));
   for (const std::string& why :
-       {misfit(saved.snapshot, call.station().cpu().snapshot()), misfit(saved)})
+       {misfit(saved.snapshot, call.blockCpu().cpu().snapshot()), misfit(saved)})
     if (!why.empty()) return refused(ProblemCode::P1320, pathOf(call.fields, kEnding), why);
   call.plc().take(saved.snapshot, saved.program);
   forceAgain(call, saved);

@@ -27,7 +27,7 @@ struct SavedCpu {
 };
 
 // What a CPU must be alike in to take a state.
-std::vector<std::string> hardwareOf(const station::Station& station);
+std::vector<std::string> hardwareOf(const io::Rack* rack);
 
 // P1308 if the text would be longer than `most`, P1008 for a block that has no container.
 Result<std::string> snapshotText(const std::string& path, const SavedCpu& saved, std::size_t most);

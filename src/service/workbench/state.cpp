@@ -1,5 +1,8 @@
 #include <array>
 
+#include "cpu/led_panel.h"
+#include "cpu/switch_panel.h"
+#include "plc/machine_code.h"
 #include "workbench/shared.h"
 
 namespace merker::workbench {
@@ -23,7 +26,8 @@ Json leds(const cpu::Leds& leds) {
 
 // A SINUMERIK shows its PLC's state on the screen; here it looks like the others.
 cpu::Leds ledsOf(const Plc& plc) {
-  if (plc.station() != nullptr) return plc.station()->leds();
+  if (const auto* panel = controller::capability<cpu::LedPanel>(plc.controller()))
+    return panel->leds();
   const auto light = [](bool on) { return on ? cpu::Light::On : cpu::Light::Off; };
   const controller::Controller& c = plc.controller();
   cpu::Leds leds;
@@ -56,26 +60,24 @@ Json breakpoint(Shared& shared) {
   return at;
 }
 
-// What only a SIMATIC S7 has.
-void addStation(Json& json, const Plc& plc) {
-  const station::Station& station = *plc.station();
-  const cpu::CycleTimes& cycle = station.cpu().cycleTimes();
-  json["switch"] = word(kSwitch, station.switchPosition());
-  json["clock"] = monitor::clockText(station.cpu().clock().milliseconds(station.now()));
-  json["cycle"] = {{"last", cycle.previous}, {"min", cycle.shortest}, {"max", cycle.longest}};
-  json["engine"] = station.engine() == station::Engine::Compiled ? "jit" : "interpreter";
-  json["diagnostics"] = station.cpu().diagnostics().added();
-  json["timersByHand"] = station.cpu().timersHeld();
+std::string_view switchOf(const controller::Controller& plc) {
+  if (const auto* panel = controller::capability<cpu::SwitchPanel>(plc))
+    return word(kSwitch, panel->switchPosition());
+  return plc.mode() == controller::Mode::Stop ? "STOP" : "RUN";
 }
 
-void addControl(Json& json, const Plc& plc) {
-  const controller::Controller& c = plc.controller();
-  json["switch"] = c.mode() == controller::Mode::Stop ? "STOP" : "RUN";
-  json["clock"] = "";
-  json["cycle"] = nullptr;
-  json["engine"] = "interpreter";
-  json["diagnostics"] = c.diagnostics().size();
-  json["timersByHand"] = false;
+void addMachine(Json& json, const Plc& plc) {
+  const monitor::Monitor& monitor = plc.monitor();
+  const auto* code = controller::capability<controller::MachineCode>(plc.controller());
+  const auto cycle = monitor.cycleTimes();
+  json["switch"] = switchOf(plc.controller());
+  json["clock"] = monitor.clock();
+  json["cycle"] =
+      !cycle ? Json(nullptr)
+             : Json{{"last", cycle->last}, {"min", cycle->shortest}, {"max", cycle->longest}};
+  json["engine"] = code != nullptr && code->compiled() ? "jit" : "interpreter";
+  json["diagnostics"] = monitor.diagnosticsAdded();
+  json["timersByHand"] = monitor.timersHeld();
 }
 
 Json recording(const Recorder& recorder) {
@@ -102,7 +104,7 @@ Json project(const Shared& shared) {
           {"family", shared.plc->build().isListing() ? "S5" : "S7"},
           {"model", shared.plc->controller().modelName()},
           {"example", shared.example},
-          {"empty", shared.plc->station() != nullptr && shared.plc->station()->program().empty()},
+          {"empty", shared.plc->program() != nullptr && shared.plc->program()->empty()},
           {"changed", shared.files.changed()}};
 }
 
@@ -131,7 +133,7 @@ Json state(Shared& shared) {
   json["breakpoints"] = shared.breakpoints;
   json["recording"] = recording(shared.recorder);
   json["playback"] = shared.player.describe();
-  plc.station() != nullptr ? addStation(json, plc) : addControl(json, plc);
+  addMachine(json, plc);
   return json;
 }
 

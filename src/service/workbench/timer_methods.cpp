@@ -1,5 +1,4 @@
 // S5 timers by hand (S7-SIM-13); one of them is set as any variable is.
-#include "cpu/cpu.h"
 #include "workbench/method.h"
 
 namespace merker::workbench {
@@ -10,22 +9,21 @@ using monitor::Feature;
 Answer mode(const Call& call) {
   const bool manual = call.fields.flag("manual");
   if (!call.fields.good()) return call.fields.problems();
-  call.station().cpu().holdTimers(manual);
+  call.monitor().holdTimers(manual);
   return empty();
 }
 
 // These, or all.
 Answer reset(const Call& call) {
-  cpu::Cpu& cpu = call.station().cpu();
-  std::vector<cpu::S5Timer>& timers = cpu.machine().timers;
+  const std::size_t count = call.monitor().timers();
   const bool all = !call.fields.has("timers");
-  const auto last = static_cast<std::int64_t>(timers.size()) - 1;
+  const auto last = static_cast<std::int64_t>(count) - 1;
   const auto wanted =
-      all ? std::vector<std::int64_t>() : call.fields.integers("timers", 0, last, timers.size());
+      all ? std::vector<std::int64_t>() : call.fields.integers("timers", 0, last, count);
   if (!call.fields.good()) return call.fields.problems();
-  for (const std::int64_t number : wanted) timers[static_cast<std::size_t>(number)].reset(true);
-  if (all)
-    for (cpu::S5Timer& timer : timers) timer.reset(true);
+  for (const std::int64_t number : wanted)
+    call.monitor().resetTimer(static_cast<std::size_t>(number));
+  for (std::size_t number = 0; all && number < count; ++number) call.monitor().resetTimer(number);
   return empty();
 }
 

@@ -13,7 +13,7 @@ struct Loaded {
 };
 
 Loaded loaded(const Call& call) {
-  return {call.station().cpu().program(), call.station().engine()};
+  return {call.blockCpu().cpu().program(), call.blockCpu().engine()};
 }
 
 Answer translated(const Call& call, station::Engine engine, ProgramRef program, ProgramRef before,
@@ -21,7 +21,7 @@ Answer translated(const Call& call, station::Engine engine, ProgramRef program, 
   return elsewhere<Translations>(
       call, call.shared.work,
       [engine, program = std::move(program), before = std::move(before),
-       &model = call.station().model()](const Aside& aside) {
+       &model = call.blockCpu().model()](const Aside& aside) {
         return std::make_shared<station::Translations>(model, engine, program, before.get(),
                                                        aside.stop);
       },
@@ -36,7 +36,7 @@ Answer supplied(const Call& call, ProgramRef program, std::function<Answer(const
   return translated(call, now.engine, program, now.program,
                     [now, program, then](const Call& here, Translations& made) {
                       if (loaded(here) != now) return supplied(here, program, then);
-                      here.station().supply(made);
+                      here.blockCpu().supply(made);
                       return then(here);
                     });
 }

@@ -18,7 +18,7 @@ constexpr std::size_t kValuesOfEvent = 10'000;
 // plant.Oven.PV
 std::optional<plant::SignalPlace> signalOf(std::string_view name, const Plc& plc) {
   constexpr std::string_view kPrefix = "plant.";
-  const plant::Plants* plants = plc.station() != nullptr ? plc.station()->plants() : nullptr;
+  const plant::Plants* plants = plc.plants();
   if (!name.starts_with(kPrefix) || plants == nullptr) return std::nullopt;
   name.remove_prefix(kPrefix.size());
   const std::size_t point = name.find('.');
@@ -32,7 +32,7 @@ std::optional<plant::SignalPlace> signalOf(std::string_view name, const Plc& plc
 // terminal.2.2.DO0, as scenarios name it behind the first point.
 std::optional<io::Terminal> terminalOf(std::string_view name, const Plc& plc) {
   constexpr std::string_view kPrefix = "terminal.";
-  const io::Rack* rack = plc.station() != nullptr ? std::as_const(*plc.station()).rack() : nullptr;
+  const io::Rack* rack = plc.rack();
   if (!name.starts_with(kPrefix) || rack == nullptr) return std::nullopt;
   const auto known = io::parseTerminal(name.substr(kPrefix.size()));
   if (!known) return std::nullopt;
@@ -42,7 +42,7 @@ std::optional<io::Terminal> terminalOf(std::string_view name, const Plc& plc) {
 }
 
 Json describeTerminal(const std::string& name, io::Terminal terminal, const Plc& plc) {
-  const MeasuringRange* range = std::as_const(*plc.station()).rack()->range(terminal);
+  const MeasuringRange* range = plc.rack()->range(terminal);
   return {{"operand", name},
           {"symbol", ""},
           {"unit", range == nullptr ? "" : unitOf(range->quantity)},
@@ -55,8 +55,7 @@ Json Trend::describe(const std::string& name, Source& source, const Plc& plc) co
   source = std::monostate{};
   if (const auto signal = signalOf(name, plc)) {
     source = *signal;
-    const plant::PlantSettings& settings =
-        plc.station()->plants()->configuration().plants[signal->plant];
+    const plant::PlantSettings& settings = plc.plants()->configuration().plants[signal->plant];
     const plant::Signal& what = settings.kind->signals[signal->signal];
     return {{"operand", name}, {"symbol", ""}, {"unit", what.unit}, {"bits", what.binary ? 1 : 0}};
   }
@@ -90,9 +89,9 @@ Json Trend::describe(const Plc& plc) {
 
 double Trend::value(const Source& source, const Plc& plc) {
   if (const auto* signal = std::get_if<plant::SignalPlace>(&source))
-    return plc.station()->plants()->value(*signal);
+    return plc.plants()->value(*signal);
   if (const auto* terminal = std::get_if<io::Terminal>(&source)) {
-    const io::Rack& rack = *std::as_const(*plc.station()).rack();
+    const io::Rack& rack = *plc.rack();
     return isDigital(terminal->side) ? double(rack.level(*terminal)) : rack.amount(*terminal);
   }
   const auto* reference = std::get_if<address::Reference>(&source);

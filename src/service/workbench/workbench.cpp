@@ -124,7 +124,7 @@ void Workbench::readProcess() {
   const bool watched =
       std::ranges::any_of(browsers_, [](const auto& one) { return one.second.process; });
   if (!watched || !shared_.plc || !shared_.plc->can(monitor::Feature::Plants)) return;
-  const plant::Plants* plants = shared_.plc->station()->plants();
+  const plant::Plants* plants = std::as_const(*shared_.plc).plants();
   auto event = std::make_shared<Json>(
       Json{{"event", "process"},
            {"plants", plants == nullptr ? Json::object() : plantValues(*plants)},

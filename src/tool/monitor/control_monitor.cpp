@@ -13,7 +13,8 @@ ControlMonitor::ControlMonitor(cnc::Cnc& control, const source::SymbolTable& sym
       control_(control) {}
 
 bool ControlMonitor::can(Feature feature) const {
-  constexpr Feature kAble[] = {Feature::Breakpoints, Feature::Stacks, Feature::Information};
+  constexpr Feature kAble[] = {Feature::Breakpoints, Feature::Stacks,     Feature::Information,
+                               Feature::Blocks,      Feature::References, Feature::Engine};
   return std::ranges::find(kAble, feature) != std::end(kAble);
 }
 

@@ -17,6 +17,7 @@ class ControlMonitor final : public Monitor {
   void stop() override;
   std::string clock() const override { return {}; }
   bool downloadWaits() const override { return false; }
+  std::size_t diagnosticsAdded() const override { return control_.diagnostics().size(); }
   Stacks stacks() const override;
   std::vector<DiagnosticLine> diagnostics() const override;
   ModuleInformation information() const override;

@@ -13,8 +13,9 @@ enum class Feature : std::uint8_t {
   CyclePoints,   // variable tables at trigger points
   Stacks,        // B, I and L stack
   Information,   // module information
-  Blocks,        // single blocks: list, compare, upload, delete
-  Download,      // a program in RUN
+  Blocks,        // the list of blocks, their machine code
+  Download,      // blocks one by one, also in RUN: load, compare, upload, delete
+  Completion,    // suggestions while a source is written
   References,    // cross reference
   Symbols,       // a symbol table that can be edited
   Rack,          // modules with their terminals

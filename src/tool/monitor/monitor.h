@@ -29,6 +29,10 @@ struct Wish {
   DisplayFormat format = DisplayFormat::Automatic;
 };
 
+struct CycleTimes {
+  std::int32_t last = 0, shortest = 0, longest = 0;
+};
+
 class Monitor : private CycleAccess {
  public:
   virtual ~Monitor() = default;
@@ -79,7 +83,16 @@ class Monitor : private CycleAccess {
   // A program was given to the machine that it takes at the end of its cycle.
   virtual bool downloadWaits() const = 0;
 
+  // S5 timers by hand (S7-SIM-13), where the machine can: they stand until someone sets them.
+  virtual bool timersHeld() const { return false; }
+  virtual void holdTimers(bool) {}
+  virtual std::size_t timers() const { return 0; }
+  virtual void resetTimer(std::size_t) {}
+
   // looks at the machine
+  // Milliseconds; nothing where it measures none.
+  virtual std::optional<CycleTimes> cycleTimes() const { return std::nullopt; }
+  virtual std::size_t diagnosticsAdded() const = 0;  // since it was built: it only grows
   Registers registers() const { return target_->registers(); }
   virtual Stacks stacks() const = 0;
   virtual std::vector<DiagnosticLine> diagnostics() const = 0;

@@ -43,6 +43,22 @@ bool StationMonitor::downloadWaits() const {
   return station_.cpu().program().get() != &station_.program();
 }
 
+bool StationMonitor::timersHeld() const { return station_.cpu().timersHeld(); }
+void StationMonitor::holdTimers(bool hold) { station_.cpu().holdTimers(hold); }
+std::size_t StationMonitor::timers() const { return station_.cpu().machine().timers.size(); }
+void StationMonitor::resetTimer(std::size_t number) {
+  station_.cpu().machine().timers[number].reset(true);
+}
+
+std::optional<CycleTimes> StationMonitor::cycleTimes() const {
+  const cpu::CycleTimes& times = station_.cpu().cycleTimes();
+  return CycleTimes{times.previous, times.shortest, times.longest};
+}
+
+std::size_t StationMonitor::diagnosticsAdded() const {
+  return station_.cpu().diagnostics().added();
+}
+
 Stacks StationMonitor::stacks() const {
   return monitor::stacks(station_.cpu(), station_.program());
 }

@@ -18,6 +18,12 @@ class StationMonitor final : public Monitor {
   void stop() override;
   std::string clock() const override;
   bool downloadWaits() const override;
+  bool timersHeld() const override;
+  void holdTimers(bool hold) override;
+  std::size_t timers() const override;
+  void resetTimer(std::size_t number) override;
+  std::optional<CycleTimes> cycleTimes() const override;
+  std::size_t diagnosticsAdded() const override;
   Stacks stacks() const override;
   std::vector<DiagnosticLine> diagnostics() const override { return diagnosticList(station_); }
   ModuleInformation information() const override { return moduleInformation(station_); }

@@ -61,7 +61,9 @@ TEST_F(Compiling, BlocksAreTranslatedBesideThePlc) {
   const Json answer = later();
   if (answer.contains("problems")) GTEST_SKIP() << "no compiler for this processor";
   EXPECT_EQ(bench.state()["engine"], "jit");
-  EXPECT_GT(bench.workbench.plc()->station()->compiledBytes(), 0u);
+  EXPECT_GT(controller::capability<controller::MachineCode>(bench.workbench.plc()->controller())
+                ->compiledBytes(),
+            0u);
   bench.workbench.compileBy([](const Work& work) { work->carryOut(); });
   bench.call("cpu.start");
   bench.run(Duration::milliseconds(100));

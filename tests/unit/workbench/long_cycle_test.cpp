@@ -28,7 +28,7 @@ class LongCycle : public ::testing::Test {
     plc.advanceTo(plc.now() + Duration::milliseconds(7));
     EXPECT_FALSE(between());
   }
-  bool between() { return bench.workbench.plc()->station()->cpu().betweenCycles(); }
+  bool between() { return bench.workbench.plc()->blockCpu()->cpu().betweenCycles(); }
   std::uint32_t counted() {
     Plc& plc = *bench.workbench.plc();
     return plc.controller().read(*plc.operand("MW 20")).value_or(0);

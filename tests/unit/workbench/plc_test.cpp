@@ -157,8 +157,10 @@ TEST(Sinumerik, HasPanelAndVariables) {
   EXPECT_EQ(state["mode"], "RUN");
   const Json read = ask(R"({"id": 1, "do": "variables.read", "items": [{"operand": "MW 40"}]})");
   EXPECT_EQ(read["result"]["items"][0]["raw"], 7);
-  const Json refused = ask(R"({"id": 2, "do": "cpu.engine", "engine": "jit"})");
+  const Json refused = ask(R"({"id": 2, "do": "process.list"})");
   EXPECT_EQ(refused["problems"][0]["code"], "P1307");
+  const Json running = ask(R"({"id": 5, "do": "cpu.engine", "engine": "jit"})");
+  EXPECT_EQ(running["problems"][0]["code"], "P1308");  // in STOP only
   const Json begun = ask(R"({"id": 4, "do": "cpu.start", "kind": "warm"})");
   EXPECT_TRUE(begun.contains("result")) << begun.dump();
   const auto& entries = plc.diagnostics();
@@ -166,6 +168,9 @@ TEST(Sinumerik, HasPanelAndVariables) {
       << "from RUN by way of STOP";
   EXPECT_TRUE(ask(R"({"id": 3, "do": "cpu.switch", "position": "STOP"})").contains("result"));
   EXPECT_EQ(plc.mode(), controller::Mode::Stop);
+  EXPECT_TRUE(ask(R"({"id": 6, "do": "cpu.engine", "engine": "jit"})").contains("result"));
+  workbench.beginFrame(1);
+  EXPECT_EQ(Json::parse(workbench.events(1).front())["engine"], "jit");
 }
 
 // Operands of the partner keep its name, and are others than one's own.

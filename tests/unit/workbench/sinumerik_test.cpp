@@ -1,0 +1,101 @@
+// The test functions of a SINUMERIK: what a browser asks of an S7 it may ask of a listing, too.
+
+#include <algorithm>
+
+#include "bench.h"
+
+namespace merker::workbench::test {
+namespace {
+
+constexpr const char* kListing =
+    "OB 1\n      U     E 0.0\n      SPA   PB 5\n      BE\n"
+    "PB 5\n      L     MW 40\n      L     KF +1\n      +F\n      T     MW 40\n      BE\n";
+
+struct Sinumerik5 : ::testing::Test {
+  Sinumerik5() {
+    folder.write("main.s5", kListing);
+    workbench.show(std::make_unique<Plc>(
+        compilation::build(project::load(folder.path("main.s5"), {}), false)));
+  }
+  Json ask(Json request) {
+    request["id"] = ++id;
+    const Json answer = Json::parse(workbench.handle(1, request.dump()));
+    EXPECT_TRUE(answer.contains("result")) << request << answer;
+    return answer.value("result", Json());
+  }
+  controller::Controller& plc() { return workbench.plc()->controller(); }
+  void run(Duration time) { plc().advanceTo(plc().now() + time); }
+  Json event(const std::string& name) {
+    workbench.beginFrame(++frame);
+    for (const std::string& text : workbench.events(1))
+      if (Json one = Json::parse(text); one["event"] == name) return one;
+    return nullptr;
+  }
+
+  Folder folder;
+  Workbench workbench;
+  std::int64_t id = 0, frame = 0;
+};
+
+// S7-STATE-07 for a listing.
+TEST_F(Sinumerik5, HoldsAtABreakpointAndSteps) {
+  EXPECT_EQ(ask({{"do", "breakpoints.set"}, {"file", "main.s5"}, {"lines", {8}}})["lines"],
+            Json({8}));
+  run(Duration::milliseconds(200));
+  EXPECT_EQ(plc().mode(), controller::Mode::Halt);
+  const Json state = event("state");
+  EXPECT_EQ(state["mode"], "HALT");
+  EXPECT_EQ(state["breakpoint"]["file"], "main.s5");
+  EXPECT_EQ(state["breakpoint"]["line"], 8);
+  EXPECT_EQ(state["breakpoint"]["block"], "PB 5");
+  ask({{"do", "debug.step"}, {"kind", "over"}});
+  EXPECT_EQ(event("state")["breakpoint"]["line"], 9);
+  ask({{"do", "breakpoints.set"}, {"file", "main.s5"}, {"lines", Json::array()}});
+  ask({{"do", "debug.go"}});
+  run(Duration::milliseconds(200));
+  EXPECT_EQ(plc().mode(), controller::Mode::Run);
+  EXPECT_GT(*workbench.plc()->controller().read(workbench.plc()->operand("MW 40").value()), 1u);
+}
+
+// S7-EDIT-21 for a listing: STEP 5 has no address registers.
+TEST_F(Sinumerik5, ShowsProgramStatus) {
+  EXPECT_EQ(ask({{"do", "status.show"}, {"file", "main.s5"}, {"line", 7}})["block"], "PB 5");
+  run(Duration::milliseconds(200));
+  const Json status = event("status");
+  EXPECT_EQ(status["file"], "main.s5");
+  ASSERT_EQ(status["rows"].size(), 5u) << status;
+  EXPECT_EQ(status["rows"][1][0], 7);           // line
+  EXPECT_EQ(status["rows"][1][4], "00000001");  // AKKU 1 behind L KF +1
+  EXPECT_EQ(status["rows"][1][6], "");          // AR 1
+}
+
+TEST_F(Sinumerik5, ListsBlocksAndReferences) {
+  const Json blocks = ask({{"do", "program.blocks"}})["blocks"];
+  ASSERT_EQ(blocks.size(), 2u);
+  EXPECT_EQ(blocks[0]["id"], "OB 1");
+  EXPECT_EQ(blocks[0]["calls"], Json({"PB 5"}));
+  EXPECT_EQ(blocks[1]["file"], "main.s5");
+  const Json rows = ask({{"do", "program.references"}, {"operand", "MW 40"}})["rows"];
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[0]["access"], "R");
+  EXPECT_EQ(rows[1]["line"], 9);
+  const std::string text =
+      ask({{"do", "program.listing"}, {"block", "PB 5"}})["text"].get<std::string>();
+  EXPECT_NE(text.find("+F"), std::string::npos) << text;
+}
+
+TEST_F(Sinumerik5, ShowsStacksAndInformation) {
+  ask({{"do", "breakpoints.set"}, {"file", "main.s5"}, {"lines", {8}}});
+  run(Duration::milliseconds(200));
+  const Json stacks = ask({{"do", "diagnosis.stacks"}});
+  ASSERT_EQ(stacks["blocks"].size(), 2u);
+  EXPECT_EQ(stacks["blocks"][0]["block"], "PB 5");
+  EXPECT_FALSE(stacks["interrupts"][0]["registers"].contains("AR1"));
+  EXPECT_EQ(ask({{"do", "diagnosis.information"}})["mode"], "HALT");
+  const Json can = event("state")["project"]["can"];
+  EXPECT_NE(std::ranges::find(can, "breakpoints"), can.end());
+  EXPECT_EQ(std::ranges::find(can, "rack"), can.end());
+}
+
+}  // namespace
+}  // namespace merker::workbench::test
