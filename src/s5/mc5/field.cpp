@@ -28,8 +28,8 @@ std::optional<Format> formatOf(std::uint8_t code) {
   return std::nullopt;
 }
 
-bool decodeField(const Field& field, std::uint32_t number, Operand& operand) {
-  switch (field.letter) {
+bool decodeField(char letter, std::uint32_t number, Operand& operand) {
+  switch (letter) {
     case 'a':
       operand.area = number == 0 ? Area::Input : Area::Output;
       return true;
@@ -48,8 +48,8 @@ bool decodeField(const Field& field, std::uint32_t number, Operand& operand) {
   }
 }
 
-std::uint32_t encodeField(const Field& field, const Operand& operand) {
-  switch (field.letter) {
+std::optional<std::uint32_t> encodeField(char letter, const Operand& operand) {
+  switch (letter) {
     case 'a':
       return operand.area == Area::Output ? 1 : 0;
     case 'b':

@@ -5,13 +5,13 @@
 #include <cstdint>
 #include <optional>
 
-#include "mc5/encoding.h"
+#include "mc5/operand.h"
 
 namespace merker::mc5 {
 
 // Puts the number into the operand. False if the field does not allow it.
-bool decodeField(const Field& field, std::uint32_t number, Operand& operand);
-std::uint32_t encodeField(const Field& field, const Operand& operand);
+bool decodeField(char letter, std::uint32_t number, Operand& operand);
+std::optional<std::uint32_t> encodeField(char letter, const Operand& operand);
 
 // The format byte of a two-word constant (OP-46).
 std::optional<Format> formatOf(std::uint8_t code);

@@ -154,7 +154,7 @@ bool Processor::substitute(const mc5::Instruction& instruction) {
   std::vector<std::uint16_t> code;
   if (row == nullptr) return fail(Alarm::Substitution, run_.opcode);
   if (mc5::encode(*row, instruction.operand, code)) run_.substituted = code.front();
-  return execute({instruction, row, row->words});
+  return execute({instruction, row, row->length});
 }
 
 bool Processor::fail(Alarm alarm, std::uint16_t word1, std::uint16_t word2, std::uint16_t word3) {

@@ -1,5 +1,4 @@
-// A row of encodings.inc, its pattern taken apart. Codes are handled as 48 bits, the first byte on
-// top.
+// A row of encodings.inc, its pattern taken apart.
 #pragma once
 
 #include <array>
@@ -8,26 +7,17 @@
 #include <string_view>
 
 #include "mc7/instruction.h"
+#include "pattern/pattern.h"
 
 namespace merker::mc7 {
 
-// A run of the same letter: `bits` bits, `shift` bits above the lowest of the 48.
-struct Field {
-  char letter = 0;
-  std::uint8_t shift = 0, bits = 0;
-};
+using pattern::Field;
 
-struct Encoding {
+struct Encoding : pattern::Pattern<std::uint8_t> {
   Operation operation = Operation::NOP0;
-  std::string_view pattern;       // as in encodings.inc
   std::string_view operandClass;  // name in operand_class.h
   Operand operand;                // what no field fills in
   std::string_view source;        // section of the MC7 description
-
-  std::uint64_t mask = 0, bits = 0;  // of the fixed bits
-  unsigned length = 0;               // bytes
-  std::array<Field, 4> fields{};
-  unsigned fieldCount = 0;
 };
 
 // The operand in `code` if the row fits it: fixed bits as in the pattern, every field within its

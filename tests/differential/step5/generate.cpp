@@ -88,7 +88,7 @@ void appendParameters(Random& random, Words& code) {
     const Encoding& row = anyRow(random);
     const bool names = row.operation == Operation::AND || row.operation == Operation::LOAD ||
                        (row.operation == Operation::OPEN && oneIn(random, 4));
-    if (row.words != 1 || row.operand.kind == OperandKind::Formal || !names) continue;
+    if (row.length != 1 || row.operand.kind == OperandKind::Formal || !names) continue;
     append(row, random, code);
     ++i;
   }

@@ -30,7 +30,7 @@ TEST(Encoding, EachFirstWordBeginsOneRowOrIsIllegal) {
     for (const Encoding& row : encodings()) {
       if (((std::uint64_t{word} << 32 ^ row.bits) & row.mask & kFirstWord) != 0) continue;
       if (row.operand.format == Format::Other && (word & 0xFF) == 0x40) continue;
-      widths.insert(row.words);
+      widths.insert(row.length);
     }
     EXPECT_LE(widths.size(), 1u) << std::hex << word;
     EXPECT_EQ(!widths.empty(), beginsInstruction(static_cast<std::uint16_t>(word)));
