@@ -11,9 +11,20 @@ cd "$(dirname "${BASH_SOURCE[0]}")"
 need_packages $BUILD_PACKAGES
 mkdir -p build
 log=build/run.log
-echo "building (a minute or two the first time; $log) ..."
-{ cmake --preset release && cmake --build --preset release --target merker -j "$(nproc)"; } >"$log" 2>&1 ||
-  { tail -n 40 "$log"; exit 1; }
+
+# How far the build is, as ninja counts it: on a terminal in one line.
+progress() {
+  tee "$log" | while IFS= read -r line; do
+    case $line in
+      \[*/*\]*) [ ! -t 1 ] || printf '\rbuilding: %s of %s ' "$(cut -d/ -f1 <<<"${line#[}")" "$(cut -d/ -f2 <<<"${line%%]*}")" ;;
+    esac
+  done
+  [ ! -t 1 ] || printf '\n'
+}
+
+echo "building; the first time takes several minutes ($log)"
+{ cmake --preset release && cmake --build --preset release --target merker -j "$(nproc)"; } 2>&1 | progress
+[ "${PIPESTATUS[0]}" -eq 0 ] || { tail -n 40 "$log"; exit 1; }
 
 merker=build/release/merker
 plant=examples/sorting-plant
