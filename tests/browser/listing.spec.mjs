@@ -94,6 +94,48 @@ test('go on: to the breakpoint in the next cycle; without it the PLC runs', asyn
   await expect(() => page.locator('.code .cm-halt-line').count(), 0);
 });
 
+const block = (id) => page.getByRole('treeitem').filter({ has: page.locator('.id', { hasText: new RegExp(`^${id}$`) }) }).first();
+
+test('the first statement of a block: it is being processed, though none of it has been', async () => {
+  await block('PB 10').click();
+  await page.locator('.work .head').getByText('PB 10', { exact: true }).waitFor();
+  const first = (await text(page)).split('\n').findIndex((one) => /^PB 10\b/.test(one)) + 3;
+  await toLine(page, first);
+  await page.keyboard.press('F9');
+  await page.getByText(`HALT in PB 10, Zeile ${first}`).waitFor();
+  await expect(() => page.getByText('Der Baustein wird nicht bearbeitet').count(), 0);
+  await page.keyboard.press('F9');
+  await expect(() => page.locator('.code .cm-point-mark').count(), 0);
+  await page.keyboard.press('F8');
+  await page.locator('[data-mode="RUN"]').waitFor();
+});
+
+test('the tree has the blocks in their order and what they call; none can be loaded by itself', async () => {
+  const ids = () => page.getByRole('treeitem').locator('.id').allInnerTexts();
+  const kinds = [...new Set((await ids()).map((id) => id.split(' ')[0]))];
+  assert.deepEqual(kinds, ['OB', 'PB', 'SB', 'FB', 'DB']);
+  const count = (await ids()).length;
+  await block('OB 1').locator('.twist').click();
+  await until(async () => (await ids()).length > count, 'the calls of OB 1');
+  assert.equal(await page.getByRole('button', { name: 'Baustein laden' }).count(), 0);
+  assert.equal(await page.getByRole('button', { name: 'Neuer Baustein' }).count(), 0);
+});
+
+test('the cross reference leads to the line', async () => {
+  await page.getByRole('tab', { name: 'Querverweise' }).click();
+  await page.getByRole('searchbox', { name: 'Operand oder Symbol' }).fill('M 140.0');
+  await page.locator('#program-panel button', { hasText: 'main.s5:' }).first().click();
+  await page.locator('.work .head').getByText('PB 1', { exact: true }).waitFor();
+});
+
+test('online: the machine code of a block, to read', async () => {
+  await page.getByRole('tab', { name: 'Online' }).click();
+  await block('PB 1').click();
+  await page.getByText('Nur lesen: aus der CPU').waitFor();
+  await until(async () => /U +E 0\.0/.test(await content(page).innerText()), 'its statements');
+  await page.getByRole('tab', { name: 'Offline' }).click();
+});
+
 test('the module information shows what the PLC has', async () => {
   await visit(page, server, 'diagnosis?page=information');
   await page.getByText('SINUMERIK 810').last().waitFor();

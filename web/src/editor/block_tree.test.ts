@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { treeRows } from './block_tree';
+import { compareIds, treeRows } from './block_tree';
 import type { BlockRow } from './workspace.svelte';
 
 const block = (id: string, calls: string[] = []): BlockRow => ({
@@ -21,6 +21,11 @@ const shown = (...open: string[]): string[] =>
 
 test('blocks stand in the order OB, FB, FC, DB and by number', () =>
   expect(shown()).toEqual(['OB 1', 'FC 2', 'FC 10', 'DB 1']));
+
+test('those of STEP 5: OB, PB, SB, FB, DB', () =>
+  expect(['DB 1', 'FB 1', 'SB 9', 'PB 10', 'PB 2', 'OB 1'].sort(compareIds).join()).toBe(
+    'OB 1,PB 2,PB 10,SB 9,FB 1,DB 1',
+  ));
 
 test('an open block shows what it calls, also what is missing', () =>
   expect(shown('OB 1', 'OB 1/FC 2')).toEqual(['OB 1', ' FC 2', '  FC 10', ' FC 99', 'FC 2', 'FC 10', 'DB 1']));

@@ -10,7 +10,7 @@ export interface TreeRow {
   expanded: boolean;
 }
 
-const kinds = ['OB', 'FB', 'FC', 'DB', 'UDT', 'SFB', 'SFC'];
+const kinds = ['OB', 'PB', 'SB', 'FB', 'FC', 'DB', 'UDT', 'SFB', 'SFC'];
 
 const order = (id: string): [kind: number, number: number] => {
   const [, kind = '', number = '0'] = /^(\w+) (\d+)/.exec(id) ?? [];

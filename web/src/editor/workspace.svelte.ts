@@ -98,7 +98,7 @@ class Workspace {
       if (document.readonly) continue;
       else if (this.exists(document.path)) await this.reread(document);
       else if (!document.dirty) this.close(document.path);
-    const catalogue = await quiet(connection.ask<Catalogue>('program.completion'));
+    const catalogue = plc.can('completion') && (await quiet(connection.ask<Catalogue>('program.completion')));
     if (catalogue) this.catalogue = catalogue;
     this.checkSoon();
   }
@@ -107,6 +107,7 @@ class Workspace {
     const ask = async (side: Side): Promise<BlockRow[]> =>
       (await quiet(connection.ask<{ blocks: BlockRow[] }>('program.blocks', { side })))?.blocks ?? [];
     this.blocks = { offline: await ask('offline'), online: await ask('online') };
+    if (!plc.can('download')) return;
     this.compared = (await quiet(connection.ask<{ blocks: Compared[] }>('program.compare')))?.blocks ?? [];
   }
 

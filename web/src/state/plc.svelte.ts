@@ -14,6 +14,7 @@ export type Ability =
   | 'information'
   | 'blocks'
   | 'download'
+  | 'completion'
   | 'references'
   | 'symbols'
   | 'rack'

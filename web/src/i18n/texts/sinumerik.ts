@@ -15,4 +15,8 @@ export const sinumerik = {
     'Die Bausteine sind in den Dateien. „Laden“ übersetzt alle und startet die PLC neu.',
     'The blocks are in the files. “Load” compiles all of them and restarts the PLC.',
   ],
+  load: [
+    'Alles speichern, übersetzen und die PLC damit neu starten',
+    'Save and compile everything and restart the PLC with it',
+  ],
 } satisfies Texts;
