@@ -59,6 +59,11 @@ std::uint32_t BlockCode::instructionAt(std::uint32_t offset) const {
                     block_);
 }
 
+std::uint32_t BlockCode::processedAt(std::uint32_t offset) const {
+  return std::visit([offset](const auto* block) { return processedInstruction(*block, offset); },
+                    block_);
+}
+
 CodeUnit ProgramCode::unit() const {
   return std::holds_alternative<const mc5::Program*>(program_) ? CodeUnit::Word : CodeUnit::Byte;
 }

@@ -40,8 +40,10 @@ class BlockCode {
   std::size_t networkCount() const;
   std::uint32_t networkBegin(std::size_t index) const;
   // Where the instruction begins that contains this byte or word; the list behind a call is part
-  // of the call.
+  // of the call, and what B of STEP 5 processes is part of B.
   std::uint32_t instructionAt(std::uint32_t offset) const;
+  // The instruction that the one at `offset` processes: behind B the next one, else itself.
+  std::uint32_t processedAt(std::uint32_t offset) const;
   // The block itself; null: it is of the other family.
   const block::Block* s7() const { return get<const block::Block*>(); }
   const mc5::Block* s5() const { return get<const mc5::Block*>(); }

@@ -4,8 +4,20 @@
 
 #include "monitor/control_stacks.h"
 #include "monitor/control_target.h"
+#include "nc/datum.h"
 
 namespace merker::monitor {
+namespace {
+
+constexpr unsigned kCycleMonitoring = 5;  // MD 5 (S5-MD-01)
+
+CallRaster callRaster(const sinumerik::Plc& plc) {
+  const sinumerik::OperatingSystem& os = plc.operatingSystem();
+  if (os.schedule().raster().call.ns == 0) return {};  // not started yet
+  return {os.schedule().raster().call, os.runTimes().lastRaster, plc.loadPerMille()};
+}
+
+}  // namespace
 
 ControlMonitor::ControlMonitor(cnc::Cnc& control, const source::SymbolTable& symbols,
                                simulator::Resolver resolver)
@@ -37,8 +49,10 @@ std::vector<DiagnosticLine> ControlMonitor::diagnostics() const {
     line.number = static_cast<unsigned>(list.size()) + 1;
     line.time = entry->time;
     line.event = entry->event;
-    line.eventText = std::to_string(entry->event);
+    if (entry->event != 0) line.eventText = std::to_string(entry->event);
     line.text = entry->text;
+    if (list.empty() && entry->event != 0 && control_.mode() == controller::Mode::Stop)
+      line.place = debugger().position();
     list.push_back(std::move(line));
   }
   return list;
@@ -53,6 +67,8 @@ ModuleInformation ControlMonitor::information() const {
   info.stopReason = control_.stopReason();
   info.time = control_.now();
   info.cycles = control_.cycles();
+  info.raster = callRaster(std::as_const(control_).plc());
+  info.cycleMonitoring = control_.plc().machineData().word(kCycleMonitoring);
   info.instructions = control_.instructions();
   info.workMemory = 2 * static_cast<std::uint32_t>(blocks.program().size() + blocks.data().size());
   info.workMemoryUsed = 2 * (blocks.programUsed() + blocks.dataUsed());
@@ -66,12 +82,16 @@ ModuleInformation ControlMonitor::information() const {
 // STEP 5 has formal operands, which are code, and no declared data.
 std::vector<FrameVariable> ControlMonitor::variables(std::size_t) const { return {}; }
 
-// A simulated one: E, A and M, see compatibility.md; the machine itself refuses the others.
+// A simulated one: E, A and M, see compatibility.md.
 bool ControlMonitor::canForce(const address::Reference& reference) const {
-  return reference.bytes == 0 && reference.nc == 0;
+  const address::Operand& operand = reference.operand;
+  const bool area =
+      operand.area == Area::Input || operand.area == Area::Output || operand.area == Area::Flag;
+  return reference.nc == 0 && operand.kind == address::OperandKind::Memory && area;
 }
 
 bool ControlMonitor::canWrite(const address::Reference& reference) const {
+  if (reference.nc != 0) return nc::rowOf(nc::unpack(reference.nc)).put != nullptr;
   return monitor::read(control_, reference).has_value() && control_.whyRefused(reference).empty();
 }
 

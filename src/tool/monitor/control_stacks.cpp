@@ -12,8 +12,16 @@ std::uint16_t openBlock(const sinumerik::Frame& frame) {
   return frame.data.open ? frame.data.number : std::uint16_t{0};
 }
 
+// Where a block goes on: behind the parameters of its call, not in front of the jump over them.
+SourcePlace returnPlace(const ProgramCode& program, mc5::BlockId block, std::uint32_t word) {
+  const BlockId id = mc5::neutralId(block);
+  const auto code = program.find(id);
+  while (code && word < code->length() && code->instructionAt(word) != word) ++word;
+  return sourcePlace(program, id, word);
+}
+
 SourcePlace placeOf(const sinumerik::Frame& frame, const ProgramCode& program) {
-  return sourcePlace(program, mc5::neutralId(frame.block), frame.next - frame.start);
+  return returnPlace(program, frame.block, frame.next - frame.start);
 }
 
 // The alarm level (OB 2) interrupts; nothing of STEP 5 has a priority number of its own.
@@ -52,14 +60,16 @@ Stacks afterStop(const sinumerik::StopPicture& picture, const ControlTarget& tar
   if (!place) return result;
   result.blocks.push_back({.place = *place, .db = top.dataBlock.value_or(0), .di = 0});
   for (const sinumerik::BlockStackEntry& entry : picture.blocks)
-    result.blocks.push_back(
-        {.place = sourcePlace(target.program(), mc5::neutralId(entry.block), entry.relative),
-         .db = entry.dataBlock.value_or(0),
-         .di = 0});
-  result.blocks.back().organizationBlock = true;
+    result.blocks.push_back({.place = returnPlace(target.program(), entry.block, entry.relative),
+                             .db = entry.dataBlock.value_or(0),
+                             .di = 0});
   InterruptStackEntry interrupt;
-  interrupt.ob = static_cast<std::uint8_t>(result.blocks.back().place.block.number);
-  interrupt.priority = 1;
+  for (BlockStackEntry& entry : result.blocks) {
+    entry.organizationBlock = entry.place.block.kind == BlockKind::OB;
+    if (!entry.organizationBlock) continue;
+    if (interrupt.priority++ == 0)
+      interrupt.ob = static_cast<std::uint8_t>(entry.place.block.number);
+  }
   interrupt.place = *place;
   interrupt.registers = toRegisters(top);
   result.interrupts.push_back(std::move(interrupt));

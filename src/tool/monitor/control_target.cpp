@@ -1,5 +1,7 @@
 #include "monitor/control_target.h"
 
+#include <algorithm>
+
 #include "mc5/block_id.h"
 
 namespace merker::monitor {
@@ -14,6 +16,15 @@ BlockCode codeAt(const ProgramCode& program, BlockId id) {
 
 std::uint16_t openBlock(const sinumerik::Frame& frame) {
   return frame.data.open ? frame.data.number : std::uint16_t{0};
+}
+
+// FEHLCODE is the number of the alarm without 6000.
+bool isBetween(const sinumerik::FineCode& fine) {
+  using enum sinumerik::Alarm;
+  constexpr sinumerik::Alarm kBetween[] = {ProgrammerStop, CycleTime, ProcessingDelay,
+                                           InterruptStack};
+  const auto alarm = static_cast<sinumerik::Alarm>(6000 + fine.code);
+  return std::ranges::find(kBetween, alarm) != std::end(kBetween);
 }
 
 class ControlSpot final : public Spot {
@@ -123,12 +134,15 @@ std::optional<SourcePlace> ControlTarget::position() const {
   return sourcePlace(program(), id, place->offset);
 }
 
+// REL-SAZ is behind the instruction that stopped the PLC; what came between two instructions
+// stopped it in front of the next one.
 std::optional<SourcePlace> ControlTarget::stopped() const {
-  const sinumerik::InterruptStack& picture = control_.plc().operatingSystem().picture().interrupt;
+  const sinumerik::OperatingSystem& os = control_.plc().operatingSystem();
+  const sinumerik::InterruptStack& picture = os.picture().interrupt;
   if (!picture.block) return std::nullopt;
-  // REL-SAZ is behind the instruction that stopped the PLC.
   const BlockId id = mc5::neutralId(*picture.block);
   const std::uint32_t behind = picture.relativeStep;
+  if (isBetween(os.fineCode())) return sourcePlace(program(), id, behind);
   const auto code = program().find(id);
   return sourcePlace(program(), id, code && behind > 0 ? code->instructionAt(behind - 1) : behind);
 }

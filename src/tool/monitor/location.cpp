@@ -47,7 +47,7 @@ Result<SourcePlace> lineOfBlock(const BlockCode& block, std::uint32_t line) {
   if (!found || line < first->line)
     return makeProblem(ProblemCode::P1203, nowhere(), toString(block.id()), line,
                        first ? first->line : 0, lastLine(block));
-  return sourcePlace(block, found->offset);
+  return sourcePlace(block, block.instructionAt(found->offset));
 }
 
 Result<SourcePlace> lineOfFile(std::string_view file, std::uint32_t line,
@@ -65,7 +65,7 @@ Result<SourcePlace> lineOfFile(std::string_view file, std::uint32_t line,
   }
   if (!known) return makeProblem(ProblemCode::P1202, nowhere(), std::string(file));
   if (!found) return makeProblem(ProblemCode::P1204, nowhere(), std::string(file), line);
-  return sourcePlace(*found, nearest->offset);
+  return sourcePlace(*found, found->instructionAt(nearest->offset));
 }
 
 Result<SourcePlace> network(const BlockCode& block, std::uint32_t wanted) {

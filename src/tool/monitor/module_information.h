@@ -1,12 +1,21 @@
 // What "module information" of a CPU shows: state, cycle times, memory, clock.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "station/station.h"
 
 namespace merker::monitor {
 
+// The cycle of a SINUMERIK begins every so often (0 before the first start); how long its program
+// ran in the last one.
+struct CallRaster {
+  Duration length, runTime;
+  unsigned loadPerMille = 0;  // share of STEP 5 (S5-SCHED-07)
+};
+
+// What the machine does not have is 0.
 struct ModuleInformation {
   std::string model;
   station::Mode mode = station::Mode::Stop;
@@ -17,6 +26,7 @@ struct ModuleInformation {
   std::uint64_t cycles = 0, instructions = 0;
   std::int32_t lastCycle = 0, shortestCycle = 0, longestCycle = 0;  // ms
   std::uint32_t cycleMonitoring = 0;                                // ms
+  std::optional<CallRaster> raster;                                 // instead of the cycle times
   std::uint32_t loadMemory = 0;                                     // bytes that the blocks take
   std::uint32_t workMemory = 0, workMemoryUsed = 0;                 // bytes
   std::uint32_t localData = 0;                                      // bytes per priority class

@@ -15,9 +15,11 @@ Monitor::Monitor(std::unique_ptr<Target> target, const source::SymbolTable& symb
                  simulator::Resolver resolver)
     : target_(std::move(target)),
       symbols_(symbols),
-      resolver_([this, global = std::move(resolver)](std::string_view text, const Position& at) {
-        return text.starts_with('#') ? local(text, at) : global(text, at);
-      }),
+      resolver_(
+          [this, global = resolver](std::string_view text, const Position& at) {
+            return text.starts_with('#') ? local(text, at) : global(text, at);
+          },
+          resolver.constants, resolver.ofControl),
       debugger_(*target_) {}
 
 void Monitor::reached(CyclePoint point) {
@@ -49,9 +51,10 @@ Result<std::string> Monitor::read(std::string_view text, DisplayFormat format) c
   return show(*reference, *value, format);
 }
 
-// A forced output stays as it is; a forced input can be set at its terminal, where it waits.
+// A forced output or flag stays as it is; a forced input can be set at its terminal, where it
+// waits.
 bool Monitor::isForced(const address::Reference& reference) const {
-  return reference.operand.area == Area::Output &&
+  return reference.operand.area != Area::Input &&
          std::ranges::any_of(forces(),
                              [&](const Forced& one) { return overlap(one.operand, reference); });
 }
@@ -79,7 +82,7 @@ std::optional<Problem> Monitor::write(const std::vector<Wish>& wishes) {
   for (const Wish& wish : wishes) {
     auto reference = operand(wish.operand);
     if (!reference) return reference.error();
-    auto value = parse(*reference, wish.value, wish.format);
+    auto value = parse(*reference, wish.value, wish.format, resolver_.constants);
     if (!value) return value.error();
     if (auto problem = checkWrite(*reference)) return problem;
     auto before = monitor::read(plc(), *reference);
@@ -104,7 +107,7 @@ std::optional<Problem> Monitor::force(const std::vector<Wish>& wishes) {
   for (const Wish& wish : wishes) {
     auto reference = operand(wish.operand);
     if (!reference) return reference.error();
-    const auto value = parse(*reference, wish.value, wish.format);
+    const auto value = parse(*reference, wish.value, wish.format, resolver_.constants);
     if (!canForce(*reference) || !plc().read(*reference))
       return makeProblem(ProblemCode::P1211, nowhere(), std::string(wish.operand));
     if (!value) return value.error();

@@ -71,7 +71,7 @@ class Monitor : private CycleAccess {
   void removeTable(const VariableTable& table);
   // Whoever else looks and modifies at these points.
   void onPoint(std::function<void(CyclePoint)> observer) { observer_ = std::move(observer); }
-  // Refused are what does not exist, what takes no value, and outputs that are forced.
+  // Refused are what does not exist, what takes no value, and forced outputs and flags.
   std::optional<Problem> checkWrite(const address::Reference& reference) const;
   // At a cycle point. Inputs: their process image, which this cycle works with; the terminals stay.
   void modifyInCycle(const address::Reference& reference, const Value& value) override = 0;

@@ -32,7 +32,8 @@ bool ProgramStatus::wanted(const Spot& spot) const {
 void ProgramStatus::arrived(const Spot& spot) {
   while (!open_.empty() && open_.back().frames > spot.depth.frames) open_.pop_back();
   if (open_.empty() || open_.back().frames != spot.depth.frames) return;
-  record(spot.registers(), open_.back().offset);  // the block that it called has come back
+  // the block that it called has come back
+  record(open_.back().found, spot.registers(), open_.back().offset);
   open_.pop_back();
 }
 
@@ -53,12 +54,19 @@ void ProgramStatus::after(const Spot& spot) {
   const bool known = !open_.empty();
   const Registers found = known ? open_.back().found : spot.registers();
   if (known) open_.pop_back();
-  if (recording_ && !ended) record(spot.registers(), spot.offset);
-  if (recording_ && ended && beginsStatement(code(), spot.offset)) record(found, spot.offset);
+  if (recording_ && !ended) record(found, spot.registers(), spot.offset);
+  if (recording_ && ended && beginsStatement(code(), spot.offset)) recordOne(found, spot.offset);
   if (ended || spot.stopped) running_ = 0;
 }
 
-void ProgramStatus::record(const Registers& registers, std::uint32_t offset) {
+// B of STEP 5 leaves everything as it found it; what it processes stands in the next row.
+void ProgramStatus::record(const Registers& found, const Registers& left, std::uint32_t offset) {
+  const std::uint32_t processed = code().processedAt(offset);
+  if (processed != offset) recordOne(found, offset);
+  recordOne(left, processed);
+}
+
+void ProgramStatus::recordOne(const Registers& registers, std::uint32_t offset) {
   StatusRow& row = rows_[statementAt(code(), offset).begin];
   row.reached = true;
   if (row.statement.begin == offset) ++row.passes;

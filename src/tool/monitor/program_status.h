@@ -48,7 +48,8 @@ class ProgramStatus {
     Registers found;
   };
   bool wanted(const Spot& spot) const;
-  void record(const Registers& registers, std::uint32_t offset);
+  void record(const Registers& found, const Registers& left, std::uint32_t offset);
+  void recordOne(const Registers& registers, std::uint32_t offset);
 
   KeptCode kept_;  // a download may take the original away
   CallEnvironment environment_;

@@ -5,6 +5,15 @@
 #include "mc5/resident_blocks.h"
 
 namespace merker::monitor {
+namespace {
+
+// B DW, B MW: executed as one with the next instruction (S5-PROC-01). B =X has none.
+bool processesNext(const mc5::Instruction& one) {
+  return one.operation == mc5::Operation::SUBSTITUTE &&
+         one.operand.kind == mc5::OperandKind::Memory;
+}
+
+}  // namespace
 
 std::vector<Step5Instruction> step5Instructions(const mc5::Block& block) {
   const std::span<const std::uint16_t> code(block.words);
@@ -46,9 +55,20 @@ std::size_t unnamedNetworks(const mc5::Block& block) {
 
 std::uint32_t instructionStart(const mc5::Block& block, std::uint32_t word) {
   std::uint32_t at = 0;
-  for (const Step5Instruction& one : step5Instructions(block))
-    if (one.offset <= word) at = one.offset;
+  bool processed = false;
+  for (const Step5Instruction& one : step5Instructions(block)) {
+    if (one.offset > word) break;
+    if (!processed) at = one.offset;
+    processed = !processed && processesNext(one.instruction);
+  }
   return at;
+}
+
+std::uint32_t processedInstruction(const mc5::Block& block, std::uint32_t word) {
+  for (const Step5Instruction& one : step5Instructions(block))
+    if (one.offset == word && processesNext(one.instruction) && one.next < codeLength(block))
+      return one.next;
+  return word;
 }
 
 std::span<const BlockKind> blockKinds(const mc5::Program&) {

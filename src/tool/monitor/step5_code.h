@@ -27,6 +27,7 @@ BlockId blockId(const mc5::Block& block);
 std::uint32_t codeLength(const mc5::Block& block);     // words
 std::size_t unnamedNetworks(const mc5::Block& block);  // in front of those with a line
 std::uint32_t instructionStart(const mc5::Block& block, std::uint32_t word);
+std::uint32_t processedInstruction(const mc5::Block& block, std::uint32_t word);
 std::span<const BlockKind> blockKinds(const mc5::Program& program);
 const mc5::Block* findBlock(const mc5::Program& program, BlockId id);  // null: there is none
 

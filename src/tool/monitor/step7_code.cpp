@@ -19,6 +19,8 @@ std::uint32_t instructionStart(const block::Block& block, std::uint32_t byte) {
   return at;
 }
 
+std::uint32_t processedInstruction(const block::Block&, std::uint32_t byte) { return byte; }
+
 std::span<const BlockKind> blockKinds(const block::Program&) {
   static constexpr BlockKind kKinds[] = {BlockKind::OB, BlockKind::FC, BlockKind::FB,
                                          BlockKind::DB};

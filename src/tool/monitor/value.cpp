@@ -67,4 +67,15 @@ Result<Value> parse(const address::Reference& reference, std::string_view text,
   return Value{*bits, {}};
 }
 
+Result<Value> parse(const address::Reference& reference, std::string_view text,
+                    DisplayFormat format, const simulator::Resolver::Constants& constants) {
+  const bool plain = constants && !isLong(reference);
+  const auto constant = plain ? constants(trim(text)) : std::nullopt;
+  if (!constant) return parse(reference, text, format);
+  const unsigned width = simulator::bitWidth(reference);
+  if (width < 32 && constant->bits >> width != 0)
+    return makeProblem(ProblemCode::P0955, nowhere(), std::string(text), reference.text, width);
+  return Value{constant->bits, {}};
+}
+
 }  // namespace merker::monitor

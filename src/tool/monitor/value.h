@@ -9,6 +9,7 @@
 #include "base/result.h"
 #include "monitor/display_format.h"
 #include "plc/controller.h"
+#include "scenario/term.h"
 
 namespace merker::monitor {
 
@@ -28,5 +29,9 @@ std::string show(const address::Reference& reference, const Value& value, Displa
 // As the user types it: parseValue, or the constant of a DATE_AND_TIME or STRING (P0960, P0961).
 Result<Value> parse(const address::Reference& reference, std::string_view text,
                     DisplayFormat format);
+
+// The same with the constants of the machine's language: KF, KH, KT … of STEP 5.
+Result<Value> parse(const address::Reference& reference, std::string_view text,
+                    DisplayFormat format, const simulator::Resolver::Constants& constants);
 
 }  // namespace merker::monitor

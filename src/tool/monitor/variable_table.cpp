@@ -33,7 +33,7 @@ std::optional<Problem> VariableTable::setFormat(std::size_t row, DisplayFormat f
 std::optional<Problem> VariableTable::setModify(std::size_t row, std::string_view value) {
   rows_[row].modify.reset();
   if (value.empty()) return std::nullopt;
-  auto parsed = parse(rows_[row].operand, value, rows_[row].format);
+  auto parsed = parse(rows_[row].operand, value, rows_[row].format, resolver_.constants);
   if (!parsed) return parsed.error();
   rows_[row].modify = std::move(parsed.value());
   return std::nullopt;
