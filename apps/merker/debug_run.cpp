@@ -38,7 +38,7 @@ void DebugSession::goOnFor(Duration longest) {
 
 void DebugSession::run(std::string_view arguments) {
   const auto longest = longestRun(arguments);
-  if (longest && start(false)) goOnFor(*longest);
+  if (longest && start(Start::Usual)) goOnFor(*longest);
 }
 
 void DebugSession::goOn(std::string_view arguments) {
@@ -79,12 +79,18 @@ void DebugSession::restart(std::string_view arguments) {
   const bool cold = equalsIgnoreCase(arguments, "cold");
   if (!cold && !arguments.empty() && !equalsIgnoreCase(arguments, "warm"))
     return error("restart must be 'warm' or 'cold'");
-  if (start(cold)) out_ << monitor::name(plc_->mode()) << '\n';
+  const Start kind = cold ? Start::Cold : arguments.empty() ? Start::Usual : Start::Warm;
+  if (start(kind)) out_ << monitor::name(plc_->mode()) << '\n';
 }
 
-bool DebugSession::start(bool cold) {
+// What is usual differs: a SINUMERIK does a cold restart.
+bool DebugSession::start(Start kind) {
   monitor_->stop();
-  if (cold ? plc_->coldRestart() : plc_->start()) return true;
+  const bool cold = kind == Start::Cold;
+  const bool started = cold                  ? plc_->coldRestart()
+                       : kind == Start::Warm ? plc_->warmRestart()
+                                             : plc_->start();
+  if (started) return true;
   error(cold && !plc_->hasColdRestart() ? plc_->modelName() + " has no cold restart"
                                         : "the CPU does not start: " + plc_->stopReason());
   return false;

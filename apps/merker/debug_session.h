@@ -52,7 +52,8 @@ class DebugSession {
   void stop(std::string_view);
   void stepBy(monitor::StepKind kind);
   bool going();
-  bool start(bool cold);
+  enum class Start : std::uint8_t { Usual, Warm, Cold };
+  bool start(Start kind);
   std::optional<Duration> longestRun(std::string_view arguments);
   void goOnFor(Duration longest);
   void report(const monitor::Pause& pause);

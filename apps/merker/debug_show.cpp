@@ -44,7 +44,8 @@ void DebugSession::locals(std::string_view arguments) {
 void DebugSession::stack(std::string_view) {
   const monitor::Stacks stacks = monitor_->stacks();
   if (stacks.empty()) return where({});
-  out_ << "I stack\n" << interruptStackText(stacks) << "L stack\n" << localStackText(stacks);
+  out_ << "I stack\n" << interruptStackText(stacks);
+  if (!stacks.locals.empty()) out_ << "L stack\n" << localStackText(stacks);
 }
 
 std::string_view DebugSession::sourceLine(const std::string& file, std::uint32_t line) const {

@@ -35,14 +35,15 @@ void printText(monitor::Monitor& monitor) {
   if (stacks.empty()) return;
   std::cout << "\nB stack\n"
             << blockStackText(stacks) << "\nI stack\n"
-            << interruptStackText(stacks) << "\nL stack\n"
-            << localStackText(stacks);
+            << interruptStackText(stacks);
+  if (!stacks.locals.empty()) std::cout << "\nL stack\n" << localStackText(stacks);
 }
 
-void printJson(monitor::Monitor& monitor) {
+void printJson(monitor::Monitor& monitor, const nlohmann::ordered_json& screens) {
   nlohmann::ordered_json document = {{"module", toJson(monitor.information())},
                                      {"diagnostics", toJson(monitor.diagnostics())},
                                      {"stacks", toJson(monitor.stacks())}};
+  document.update(screens);
   std::cout << document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
 }
 
@@ -113,22 +114,19 @@ int endCode(const controller::Controller& plc) {
   return plc.mode() == controller::Mode::Startup ? kProblems : kGood;
 }
 
-int showControl(const DiagOptions& options, const Build& built, Duration time) {
-  const auto control = built.control();
-  if (const int wrong = carryOut(options, built, time, *control); wrong != kGood) return wrong;
-  if (options.json)
-    std::cout << diagnosisToJson(*control).dump(2) << '\n';
-  else
-    printDiagnosis(*control);
-  return endCode(*control);
-}
-
-int show(const DiagOptions& options, const Build& built, Duration time) {
-  station::Station station = built.station();
-  const auto monitor = monitor::monitorOf(station, built.project.symbols, built.resolver());
-  if (const int wrong = carryOut(options, built, time, station); wrong != kGood) return wrong;
-  options.json ? printJson(*monitor) : printText(*monitor);
-  return station.stoppedByFault() ? kFault : kGood;
+// `control`: the same machine, if it is a SINUMERIK; its screens come behind what each PLC shows.
+int show(const DiagOptions& options, const Build& built, Duration time, controller::Controller& plc,
+         cnc::Cnc* control) {
+  const auto monitor = monitor::monitorOf(plc, built.project.symbols, built.resolver());
+  if (const int wrong = carryOut(options, built, time, plc); wrong != kGood) return wrong;
+  if (options.json) {
+    printJson(*monitor,
+              control != nullptr ? screensToJson(*control) : nlohmann::ordered_json::object());
+  } else {
+    printText(*monitor);
+    if (control != nullptr) printScreens(*control);
+  }
+  return endCode(plc);
 }
 
 int diag(const DiagOptions& options) {
@@ -141,7 +139,9 @@ int diag(const DiagOptions& options) {
   const Build built = build(loadProject(options.path, options.project), false);
   if (!built.ok()) return report(built, options.json);
   printProblems(built.problems, built.files());
-  return built.isListing() ? showControl(options, built, *time) : show(options, built, *time);
+  if (!built.isListing()) return show(options, built, *time, *built.controller(), nullptr);
+  const auto control = built.control();
+  return show(options, built, *time, *control, control.get());
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// What the screen and the programmer show of a SINUMERIK PLC, for `merker diag`.
+// What the screen and the programmer show of a SINUMERIK beyond the monitor, for `merker diag`:
+// alarms, fine error coding, control bits, the screens of a STOP.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -7,7 +8,7 @@
 
 namespace merker::app {
 
-void printDiagnosis(cnc::Cnc& control);
-nlohmann::ordered_json diagnosisToJson(cnc::Cnc& control);
+void printScreens(cnc::Cnc& control);
+nlohmann::ordered_json screensToJson(cnc::Cnc& control);
 
 }  // namespace merker::app

@@ -18,14 +18,32 @@ Json registers(const monitor::Registers& r) {
           {"db", r.db},         {"di", orNull(r.di)}};
 }
 
+// Priorities and MCR are those of an S7, which has a DI.
 Json interrupt(const monitor::InterruptStackEntry& entry) {
+  const bool s7 = entry.registers.di.has_value();
   return {{"ob", entry.ob},
-          {"priority", entry.priority},
+          {"priority", s7 ? Json(entry.priority) : Json(nullptr)},
           {"error_ob", entry.errorOb},
           {"place", toJson(entry.place)},
           {"registers", registers(entry.registers)},
           {"brackets", entry.brackets.size()},
-          {"mcr", entry.mcr.size()}};
+          {"mcr", s7 ? Json(entry.mcr.size()) : Json(nullptr)}};
+}
+
+bool withoutDi(const monitor::Stacks& stacks) {
+  return !stacks.interrupts.empty() && !stacks.interrupts.front().registers.di;
+}
+
+// Null: the machine has none.
+Json orNone(std::uint32_t value) { return value == 0 ? Json(nullptr) : Json(value); }
+
+Json cycleTimes(const monitor::ModuleInformation& info) {
+  if (!info.raster)
+    return {
+        {"last", info.lastCycle}, {"shortest", info.shortestCycle}, {"longest", info.longestCycle}};
+  return {{"raster", static_cast<double>(info.raster->length.ns) / 1e6},
+          {"program", static_cast<double>(info.raster->runTime.ns) / 1e6},
+          {"monitoring", info.cycleMonitoring}};
 }
 
 }  // namespace
@@ -42,8 +60,9 @@ Json toJson(const monitor::Stacks& stacks) {
   Json result = {
       {"blocks", Json::array()}, {"interrupts", Json::array()}, {"locals", Json::array()}};
   for (const monitor::BlockStackEntry& entry : stacks.blocks)
-    result["blocks"].push_back(
-        {{"place", toJson(entry.place)}, {"db", entry.db}, {"di", entry.di}});
+    result["blocks"].push_back({{"place", toJson(entry.place)},
+                                {"db", entry.db},
+                                {"di", withoutDi(stacks) ? Json(nullptr) : Json(entry.di)}});
   for (const monitor::InterruptStackEntry& entry : stacks.interrupts)
     result["interrupts"].push_back(interrupt(entry));
   for (const monitor::LocalStackEntry& entry : stacks.locals)
@@ -72,17 +91,14 @@ Json toJson(const monitor::ModuleInformation& info) {
           {"fault", info.fault},
           {"stop_reason", info.stopReason},
           {"seconds", static_cast<double>(info.time.ns) / 1e9},
-          {"clock", info.clock},
+          {"clock", info.clock.empty() ? Json(nullptr) : Json(info.clock)},
           {"cycles", info.cycles},
           {"instructions", info.instructions},
-          {"cycle_ms",
-           {{"last", info.lastCycle},
-            {"shortest", info.shortestCycle},
-            {"longest", info.longestCycle}}},
+          {"cycle_ms", cycleTimes(info)},
           {"blocks", info.blocks},
-          {"load_memory", info.loadMemory},
+          {"load_memory", orNone(info.loadMemory)},
           {"work_memory", {{"used", info.workMemoryUsed}, {"size", info.workMemory}}},
-          {"local_data", info.localData}};
+          {"local_data", orNone(info.localData)}};
 }
 
 }  // namespace merker::app
