@@ -11,6 +11,7 @@ MODULE_ROW = re.compile(r"^\|\s*\[`(\w+)`\]\(\.\./src/(\w+)/(\w+)\)\s*\|[^|]*\|(
 LIBRARIES = re.compile(r"\bUSES\b([^)]*)")
 FAMILIES = ("s5", "s7")  # wings that never see each other
 FAMILY_QUESTION = re.compile(r"\bisS7\b|\b(?:dynamic|static)_cast<[^>]*\b(?:Station|Cnc)\b")
+PAGE_FAMILY_QUESTION = re.compile(r"\.family\b|\bisStep[57]\b")  # the page: its state has `can`
 # The factory of monitors.
 MAY_ASK_FOR_THE_FAMILY = ("src/tool/monitor/factory.cpp",)
 MARK = re.compile(r"\b(?:TO" r"DO|FIX" r"ME|X" r"XX)\b")
@@ -111,13 +112,15 @@ def families_apart(root):
 
 def family_question(root):
     """A PLC is asked for what it can do (plc/capability.h), not for what it is."""
-    for path in code_files(root, "src", "apps"):
+    for path in code_files(root, "src", "apps", "web/src"):
         place = path.relative_to(root).as_posix()
         if place.startswith(MAY_ASK_FOR_THE_FAMILY):
             continue
+        page = place.startswith("web/")
+        instead = "plc.can(...)" if page else "a capability (src/ground/plc/capability.h)"
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
-            if FAMILY_QUESTION.search(line):
-                yield f"{place}:{number}: asks for the family of a PLC; ask for a capability (src/ground/plc/capability.h)"
+            if (PAGE_FAMILY_QUESTION if page else FAMILY_QUESTION).search(line):
+                yield f"{place}:{number}: asks for the family of a PLC; ask for {instead}"
 
 
 def same_modules(root):

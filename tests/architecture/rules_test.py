@@ -75,6 +75,11 @@ class Rules(unittest.TestCase):
         other = "auto* s = dynamic_cast<const StopScreens*>(&plc);  // isS7Like, Stationary\n"
         self.assertFalse(self.findings("family_question", {"apps/merker/a.cpp": other}))
 
+    def test_nor_does_the_page(self):
+        for line in ("{#if plc.project?.family === 'S7'}\n", "{#if !plc.isStep5}\n"):
+            self.assertEqual(len(self.findings("family_question", {"web/src/cpu/Leds.svelte": line})), 1, line)
+        self.assertFalse(self.findings("family_question", {"web/src/cpu/Leds.svelte": "font-family: sans;\n"}))
+
     def test_picture_and_folders_agree(self):
         def found(picture):
             return self.findings("same_modules", {"docs/architecture.md": picture})
