@@ -5,6 +5,7 @@
 #include <bit>
 
 #include "address/constant.h"
+#include "check/relation.h"
 #include "mc5/instruction.h"
 #include "mc5/range.h"
 #include "mc5/s5_float.h"
@@ -42,17 +43,6 @@ constexpr std::array kRegisters{RegisterWord{"VKE", CheckRegister::VKE, 1},
                                 RegisterWord{"AKKU2", CheckRegister::AKKU2, 32},
                                 RegisterWord{"STW", CheckRegister::STW, 8},
                                 RegisterWord{"DBNO", CheckRegister::DBNO, 16}};
-
-struct RelationSign {
-  std::string_view sign;
-  Relation relation;
-};
-constexpr std::array kRelations{
-    RelationSign{"<>", Relation::NotEqual},     RelationSign{"><", Relation::NotEqual},
-    RelationSign{"!=", Relation::NotEqual},     RelationSign{"<=", Relation::LessEqual},
-    RelationSign{">=", Relation::GreaterEqual}, RelationSign{"~=", Relation::About},
-    RelationSign{"==", Relation::Equal},        RelationSign{"=", Relation::Equal},
-    RelationSign{"<", Relation::Less},          RelationSign{">", Relation::Greater}};
 
 // One side of a term before the other one is known.
 struct Side {
@@ -105,13 +95,16 @@ class Parser {
     return true;
   }
 
+  // STEP 5 compares with != and ><, too.
   std::optional<Relation> sign() {
-    for (const RelationSign& row : kRelations)
-      if (scanner_.rest().starts_with(row.sign)) {
-        scanner_.skip(row.sign.size());
-        return row.relation;
-      }
-    return std::nullopt;
+    using Sign = block::RelationSign;
+    static constexpr Sign kUnequal{"!=", Relation::NotEqual};
+    const std::string_view rest = scanner_.rest();
+    const bool unequal = rest.starts_with("!=") || rest.starts_with("><");
+    const Sign* const sign = unequal ? &kUnequal : block::relationAt(rest);
+    if (sign == nullptr) return std::nullopt;
+    scanner_.skip(sign->text.size());
+    return sign->relation;
   }
 
   std::optional<Side> side() {

@@ -1,32 +1,13 @@
 // ==I <>I … ==D … ==R (S7-INSTR-72 … -74): AKKU2 compared with AKKU1.
+#include "check/relation.h"
 #include "interpreter/handlers.h"
 #include "interpreter/real_number.h"
 
 namespace merker::interpreter {
 namespace {
 
+using block::Relation;
 using mc7::Operation;
-
-enum class Relation : std::uint8_t { Equal, NotEqual, Less, LessEqual, Greater, GreaterEqual };
-
-template <Relation R, typename Number>
-constexpr bool holds(Number a, Number b) {
-  switch (R) {
-    case Relation::Equal:
-      return a == b;
-    case Relation::NotEqual:
-      return a != b;
-    case Relation::Less:
-      return a < b;
-    case Relation::LessEqual:
-      return a <= b;
-    case Relation::Greater:
-      return a > b;
-    case Relation::GreaterEqual:
-      return a >= b;
-  }
-  return false;
-}
 
 void finish(cpu::StatusWord& s, bool result) {
   s.rlo = s.sta = result;
@@ -42,7 +23,7 @@ const Op* integers(cpu::Machine& m, const Op* op) {
   s.cc0 = a < b;
   s.cc1 = a > b;
   s.ov = false;
-  finish(s, holds<R>(a, b));
+  finish(s, block::relates(a, R, b));
   return op + 1;
 }
 
@@ -59,7 +40,7 @@ const Op* reals(cpu::Machine& m, const Op* op) {
   s.cc0 = a < b;
   s.cc1 = a > b;
   s.ov = false;
-  finish(s, holds<R>(a, b));
+  finish(s, block::relates(a, R, b));
   return op + 1;
 }
 

@@ -1,10 +1,12 @@
 // INT and DINT arithmetic, comparisons, word logic, ITD (S7-INSTR-12 … -17, -51 … -59, -71 … -73).
+#include "check/check.h"
 #include "lowering/lowering.h"
 #include "lowering/status.h"
 
 namespace merker::translate {
 namespace {
 
+using block::Relation;
 using icode::Item;
 using icode::Opcode;
 using icode::Value;
@@ -136,8 +138,6 @@ bool extend(Lowering& l) {
   l.to.set(Item::Accu1, low(l, Item::Accu1));
   return true;
 }
-
-enum class Relation : std::uint8_t { Equal, NotEqual, Less, LessEqual, Greater, GreaterEqual };
 
 template <Relation R>
 Value holds(Lowering& l, Value a, Value b) {

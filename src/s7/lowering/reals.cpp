@@ -1,11 +1,13 @@
 // REAL (S7-INSTR-60 … -66, -74, -97 … -101). Whatever is no ordinary number is left to the
 // interpreter.
+#include "check/check.h"
 #include "lowering/lowering.h"
 #include "lowering/status.h"
 
 namespace merker::translate {
 namespace {
 
+using block::Relation;
 using icode::Item;
 using icode::Opcode;
 using icode::Value;
@@ -35,8 +37,6 @@ bool sign(Lowering& l) {
   l.to.set(Item::Accu1, l.to.make(Function, l.to.get(Item::Accu1), l.to.constant(Mask)));
   return true;
 }
-
-enum class Relation : std::uint8_t { Equal, NotEqual, Less, LessEqual, Greater, GreaterEqual };
 
 template <Relation R>
 bool compare(Lowering& l) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "base/text.h"
+#include "check/relation.h"
 #include "step7/declaration.h"
 
 namespace merker::step7 {
@@ -78,20 +79,15 @@ class TermParser {
   }
 
   bool relation(Relation& out) {
-    static constexpr std::pair<std::string_view, Relation> kRelations[] = {
-        {"~=", Relation::About},        {"<>", Relation::NotEqual}, {"<=", Relation::LessEqual},
-        {">=", Relation::GreaterEqual}, {"==", Relation::Equal},    {"=", Relation::Equal},
-        {"<", Relation::Less},          {">", Relation::Greater}};
     cursor_.skipBlanks();
-    for (const auto& [text, relation] : kRelations)
-      if (cursor_.slice(cursor_.pos(), std::min(cursor_.pos() + text.size(), cursor_.end())) ==
-          text) {
-        cursor_.seek(cursor_.pos() + text.size());
-        out = relation;
-        return true;
-      }
-    problems_.add(ProblemCode::P0902, here());
-    return false;
+    const auto* const sign = block::relationAt(cursor_.slice(cursor_.pos(), cursor_.end()));
+    if (sign == nullptr) {
+      problems_.add(ProblemCode::P0902, here());
+      return false;
+    }
+    cursor_.seek(cursor_.pos() + sign->text.size());
+    out = sign->relation;
+    return true;
   }
 
   bool registerWord(Side& side) {

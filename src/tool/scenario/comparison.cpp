@@ -9,16 +9,16 @@
 
 #include "base/bcd.h"
 #include "base/text.h"
+#include "check/relation.h"
 #include "scenario/display.h"
-#include "scenario/relation.h"
 
 namespace merker::simulator {
 namespace {
 
 using address::OperandKind;
+using block::about;
+using block::relates;
 using block::Relation;
-
-constexpr double kTolerance = 1e-6;  // of ~=, relative
 
 bool isTimerOrCounter(const Term& term) {
   return !term.constant && (term.reference.operand.kind == OperandKind::Timer ||
@@ -177,10 +177,6 @@ std::optional<std::uint32_t> value(const Term& term, const Term& other, const Re
   return isTimerOrCounter(term) ? timerOrCounter(term, other, read) : read(term.reference);
 }
 
-bool about(double a, double b) {
-  return a == b || std::abs(a - b) <= kTolerance * std::max(std::abs(a), std::abs(b));
-}
-
 bool holds(const Term& left, Relation relation, const Term& right, const Reader& read) {
   const auto a = value(left, right, read);
   const auto b = value(right, left, read);
@@ -194,23 +190,6 @@ std::string actualValue(const Term& left, const Term& right, const Reader& read)
   std::string text = show(left, right, *a);
   if (!right.constant) text += fmt::format(", {} is {}", right.text, show(right, left, *b));
   return text;
-}
-
-const RelationText* relationAt(std::string_view text) {
-  // Two characters before one: <= before <.
-  static constexpr std::array kRelations = {
-      RelationText{"<>", Relation::NotEqual},     RelationText{"<=", Relation::LessEqual},
-      RelationText{">=", Relation::GreaterEqual}, RelationText{"~=", Relation::About},
-      RelationText{"==", Relation::Equal},        RelationText{"=", Relation::Equal},
-      RelationText{"<", Relation::Less},          RelationText{">", Relation::Greater}};
-  for (const RelationText& row : kRelations)
-    if (text.starts_with(row.text)) return &row;
-  return nullptr;
-}
-
-std::string_view text(Relation relation) {
-  constexpr std::array<std::string_view, 7> kTexts = {"=", "<>", "<", "<=", ">", ">=", "~="};
-  return kTexts[static_cast<std::size_t>(relation)];
 }
 
 }  // namespace merker::simulator

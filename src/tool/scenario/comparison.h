@@ -6,7 +6,6 @@
 #include <string>
 
 #include "check/check.h"
-#include "scenario/relation.h"
 #include "scenario/term.h"
 
 namespace merker::simulator {

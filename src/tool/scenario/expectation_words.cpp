@@ -1,7 +1,7 @@
 // The words an expectation begins with; one that begins with none of them speaks of an operand.
 #include "base/text.h"
+#include "check/relation.h"
 #include "scenario/expectation.h"
-#include "scenario/relation.h"
 
 namespace merker::simulator {
 namespace {
@@ -45,11 +45,11 @@ const ExpectationWord* takeExpectationWord(Claim& claim, Form form) {
 
 // "LED RUN = on" to "LED RUN", = and "on".
 bool cut(const StepLine& line, Claim& claim) {
-  const auto place =
-      findOutside(claim.whole, [](std::string_view tail) { return relationAt(tail) != nullptr; });
+  const auto place = findOutside(
+      claim.whole, [](std::string_view tail) { return block::relationAt(tail) != nullptr; });
   if (place == std::string_view::npos)
     return line.fail(ProblemCode::P0952, claim.whole, "a comparison (= <> < <= > >= ~=)");
-  const RelationText* const relation = relationAt(claim.whole.substr(place));
+  const auto* const relation = block::relationAt(claim.whole.substr(place));
   claim.relation = relation->relation;
   claim.subject = trim(claim.whole.substr(0, place));
   claim.value = trim(claim.whole.substr(place + relation->text.size()));

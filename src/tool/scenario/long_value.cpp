@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "base/text.h"
-#include "scenario/relation.h"
+#include "check/relation.h"
 
 namespace merker::simulator {
 namespace {
@@ -147,8 +147,8 @@ bool longHolds(const Term& left, block::Relation relation, const Term& right,
   const auto a = longValue(left, plc), b = longValue(right, plc);
   const TypeCode type = typeOf(left, right);
   if (a && b && type == TypeCode::Void && relation == block::Relation::About)
-    return isDecimal(*a) && isDecimal(*b) && about(std::stod(*a), std::stod(*b));
-  return a && b && relates(key(type, *a), relation, key(type, *b));
+    return isDecimal(*a) && isDecimal(*b) && block::about(std::stod(*a), std::stod(*b));
+  return a && b && block::relates(key(type, *a), relation, key(type, *b));
 }
 
 std::string actualLong(const Term& left, const Term& right, const controller::Controller& plc) {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/text.h"
-#include "scenario/relation.h"
+#include "check/relation.h"
 
 namespace merker::simulator {
 namespace {
@@ -156,11 +156,10 @@ bool holds(const PlantValue& value, block::Relation relation, const plant::Plant
   using block::Relation;
   const double is = plants.value(value.place);
   // Equal is what looks equal in a message (seven digits).
-  const bool equal =
-      std::abs(is - value.number) <= 1e-6 * std::max(std::abs(is), std::abs(value.number));
+  const bool equal = block::about(is, value.number);
   if (relation == Relation::Equal || relation == Relation::About) return equal;
   if (relation == Relation::NotEqual) return !equal;
-  return relates(is, relation, value.number);
+  return block::relates(is, relation, value.number);
 }
 
 std::string actualValue(const PlantValue& value, const plant::Plants& plants) {

@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "base/text.h"
+#include "check/relation.h"
 #include "plc/stop_screens.h"
-#include "scenario/relation.h"
 
 namespace merker::simulator::expectations {
 namespace {
@@ -57,7 +57,7 @@ bool Stack::holds(Controller& plc) const {
   const auto text = screens->stackField(stack, name);
   if (!text) return false;
   const auto actual = hexadecimal(*text), wanted = hexadecimal(value);
-  if (actual && wanted) return relates(*actual, relation, *wanted);
+  if (actual && wanted) return block::relates(*actual, relation, *wanted);
   const bool equal = withoutBlanks(*text) == withoutBlanks(value);
   return relation == block::Relation::Equal      ? equal
          : relation == block::Relation::NotEqual ? !equal
