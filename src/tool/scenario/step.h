@@ -4,6 +4,7 @@
 
 #include <concepts>
 #include <string>
+#include <string_view>
 #include <variant>
 
 #include "scenario/steps/battery.h"
@@ -27,6 +28,7 @@ namespace merker::simulator {
 template <typename S>
 concept IsStep = requires(S& step, const S& ready, const StepLine& line, const StepBinding& binding,
                           StepRun& run) {
+  { S::kWords } -> std::convertible_to<std::string_view>;  // that it begins with: "cold restart"
   { step.parse(line) } -> std::same_as<bool>;
   step.resolve(binding);
   { ready.perform(run) } -> std::same_as<bool>;
@@ -35,13 +37,12 @@ concept IsStep = requires(S& step, const S& ready, const StepLine& line, const S
 template <IsStep... S>
 using OneOf = std::variant<S...>;
 
-using AnyStep =
-    OneOf<steps::Set, steps::Force, steps::Unforce, steps::Wait, steps::Expect, steps::Run,
-          steps::Stop, steps::ColdRestart, steps::WarmRestart, steps::HotRestart, steps::Switch,
-          steps::PowerOff, steps::PowerOn, steps::PowerOnUnbuffered, steps::BatteryLow,
-          steps::BatteryGood, steps::RemoveCard, steps::Trigger, steps::MemoryReset,
-          steps::CopyRamToRom, steps::Fault, steps::Terminal, steps::Pulses, steps::Encoder,
-          steps::Plant, steps::Repeat>;
+using AnyStep = OneOf<steps::Set, steps::Wait, steps::Expect, steps::Run, steps::Stop,
+                      steps::ColdRestart, steps::WarmRestart, steps::HotRestart, steps::Switch,
+                      steps::PowerOff, steps::PowerOnUnbuffered, steps::PowerOn, steps::BatteryLow,
+                      steps::BatteryGood, steps::RemoveCard, steps::Trigger, steps::MemoryReset,
+                      steps::CopyRamToRom, steps::Force, steps::Unforce, steps::Fault,
+                      steps::Terminal, steps::Pulses, steps::Encoder, steps::Plant, steps::Repeat>;
 
 struct Step {
   Position position;

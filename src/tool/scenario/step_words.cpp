@@ -1,8 +1,6 @@
 #include "scenario/step_words.h"
 
-#include <algorithm>
-#include <iterator>
-#include <type_traits>
+#include <array>
 
 #include "base/text.h"
 
@@ -14,63 +12,20 @@ bool parse(const StepLine& line, AnyStep& step) {
   return step.emplace<S>().parse(line);
 }
 
-template <IsStep S, typename... All>
-constexpr std::size_t placeOf(const std::variant<All...>*) {
-  std::size_t place = 0;
-  (void)((std::is_same_v<S, All> || (++place, false)) || ...);
-  return place;
-}
-
+// Whether the coupled control can do it, too: `kPartner` of the step.
 template <IsStep S>
-constexpr StepWord word(std::string_view words) {
-  return {words, parse<S>, false, placeOf<S>(static_cast<const AnyStep*>(nullptr))};
+constexpr bool partnerCan() {
+  if constexpr (requires { S::kPartner; }) return S::kPartner;
+  return false;
 }
 
-// One that the coupled control can do, too.
-template <IsStep S>
-constexpr StepWord partnerWord(std::string_view words) {
-  StepWord row = word<S>(words);
-  row.partner = true;
-  return row;
+template <IsStep... All>
+constexpr std::array<StepWord, sizeof...(All)> rowsOf(const std::variant<All...>*) {
+  return {StepWord{All::kWords, parse<All>, partnerCan<All>()}...};
 }
 
-constexpr StepWord kSteps[] = {
-    word<steps::Set>("set"),
-    word<steps::Wait>("wait"),
-    word<steps::Expect>("expect"),
-    partnerWord<steps::Run>("run"),
-    partnerWord<steps::Stop>("stop"),
-    partnerWord<steps::ColdRestart>("cold restart"),
-    partnerWord<steps::WarmRestart>("warm restart"),
-    word<steps::HotRestart>("hot restart"),
-    word<steps::Switch>("switch"),
-    partnerWord<steps::PowerOff>("power off"),
-    partnerWord<steps::PowerOnUnbuffered>("power on unbuffered"),
-    partnerWord<steps::PowerOn>("power on"),
-    partnerWord<steps::BatteryLow>("battery low"),
-    partnerWord<steps::BatteryGood>("battery good"),
-    word<steps::RemoveCard>("remove card"),
-    word<steps::Trigger>("trigger"),
-    partnerWord<steps::MemoryReset>("memory reset"),
-    word<steps::CopyRamToRom>("copy RAM to ROM"),
-    word<steps::Force>("force"),
-    word<steps::Unforce>("unforce"),
-    partnerWord<steps::Fault>("fault"),
-    word<steps::Terminal>("terminal"),
-    word<steps::Pulses>("pulses"),
-    word<steps::Encoder>("encoder"),
-    word<steps::Plant>("plant"),
-    word<steps::Repeat>("repeat"),
-};
-
-constexpr bool everyStepHasWords() {
-  for (std::size_t type = 0; type < std::variant_size_v<AnyStep>; ++type)
-    if (std::none_of(std::begin(kSteps), std::end(kSteps),
-                     [&](const StepWord& row) { return row.type == type; }))
-      return false;
-  return true;
-}
-static_assert(everyStepHasWords());
+// In the order of AnyStep, which is the order in which problems list them.
+constexpr auto kSteps = rowsOf(static_cast<const AnyStep*>(nullptr));
 
 }  // namespace
 
@@ -85,9 +40,17 @@ bool takeWords(std::string_view& line, std::string_view wanted) {
 }
 
 const StepWord* takeStepWord(std::string_view& line) {
-  for (const StepWord& step : kSteps)
-    if (takeWords(line, step.words)) return &step;
-  return nullptr;
+  const StepWord* found = nullptr;
+  std::string_view behind;
+  for (const StepWord& step : kSteps) {
+    std::string_view rest = line;
+    if (!takeWords(rest, step.words)) continue;
+    if (found != nullptr && found->words.size() > step.words.size()) continue;  // power on …
+    found = &step;
+    behind = rest;
+  }
+  if (found != nullptr) line = behind;
+  return found;
 }
 
 bool expectsSignal(std::string_view line) {

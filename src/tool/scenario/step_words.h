@@ -15,11 +15,11 @@ struct StepWord {
   std::string_view words;  // "set", "cold restart"
   // Makes the step of the rest of its line; false, and a problem, if it is wrong.
   bool (*parse)(const StepLine&, AnyStep&);
-  bool partner;      // the coupled control can do it, too
-  std::size_t type;  // which of AnyStep
+  bool partner;  // the coupled control can do it, too
 };
 
-// The step that `line` begins with; the words are taken off. Null if there is none.
+// The step that `line` begins with, the longest one; its words are taken off. Null if there is
+// none.
 const StepWord* takeStepWord(std::string_view& line);
 // Takes the words of `wanted` off `line` if it begins with them.
 bool takeWords(std::string_view& line, std::string_view wanted);

@@ -9,24 +9,35 @@ namespace merker::simulator {
 namespace {
 
 struct Whole {
+  static constexpr std::string_view kWords = "x";
   bool parse(const StepLine&) { return true; }
   void resolve(const StepBinding&) {}
   bool perform(StepRun&) const { return true; }
 };
 struct NotParsed {
+  static constexpr std::string_view kWords = "x";
   void resolve(const StepBinding&) {}
   bool perform(StepRun&) const { return true; }
 };
 struct NotResolved {
+  static constexpr std::string_view kWords = "x";
   bool parse(const StepLine&) { return true; }
   bool perform(StepRun&) const { return true; }
 };
-struct NotPerformed : steps::Bare {};
+struct NotPerformed : steps::Bare {
+  static constexpr std::string_view kWords = "x";
+};
 struct PerformedWithoutResult : steps::Bare {
+  static constexpr std::string_view kWords = "x";
   void perform(StepRun&) const {}
 };
 
+struct WithoutWords : steps::Bare {
+  bool perform(StepRun&) const { return true; }
+};
+
 static_assert(IsStep<Whole>);
+static_assert(!IsStep<WithoutWords>);
 static_assert(!IsStep<NotParsed>);
 static_assert(!IsStep<NotResolved>);
 static_assert(!IsStep<NotPerformed>);

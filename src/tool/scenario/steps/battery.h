@@ -7,6 +7,9 @@ namespace merker::simulator::steps {
 
 template <bool low>
 struct Battery : Bare {
+  static constexpr std::string_view kWords = low ? "battery low" : "battery good";
+  static constexpr bool kPartner = true;
+
   bool perform(StepRun& run) const { return run.plc().batteryFails(low) || run.lacks("battery"); }
 };
 using BatteryLow = Battery<true>;

@@ -10,6 +10,8 @@
 namespace merker::simulator::steps {
 
 struct Expect {
+  static constexpr std::string_view kWords = "expect";
+
   AnyExpectation what;
   enum class When : std::uint8_t { Now, During, Within } when = When::Now;
   Duration duration;     // During, Within

@@ -11,6 +11,9 @@
 namespace merker::simulator::steps {
 
 struct Fault {
+  static constexpr std::string_view kWords = "fault";
+  static constexpr bool kPartner = true;
+
   std::string module;
   Position position;  // of the module's name
   std::string words;  // the fault as written

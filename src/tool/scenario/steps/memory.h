@@ -10,6 +10,9 @@
 namespace merker::simulator::steps {
 
 struct MemoryReset : Bare {
+  static constexpr std::string_view kWords = "memory reset";
+  static constexpr bool kPartner = true;
+
   bool perform(StepRun& run) const {
     if (!run.powered()) return false;
     if (run.plc().mode() != controller::Mode::Stop) run.plc().stop();
@@ -19,6 +22,8 @@ struct MemoryReset : Bare {
 };
 
 struct CopyRamToRom : Bare {
+  static constexpr std::string_view kWords = "copy RAM to ROM";
+
   bool perform(StepRun& run) const {
     auto* const memory = run.need<cpu::RamToRom>();
     if (memory == nullptr || !run.powered()) return false;
@@ -29,6 +34,8 @@ struct CopyRamToRom : Bare {
 
 // Pulled out and plugged in again: no start before a memory reset (S7-CPU-03).
 struct RemoveCard : Bare {
+  static constexpr std::string_view kWords = "remove card";
+
   bool perform(StepRun& run) const {
     auto* const slot = run.need<controller::CardSlot>();
     if (slot == nullptr || !run.powered()) return false;

@@ -11,6 +11,8 @@
 namespace merker::simulator::steps {
 
 struct Plant {
+  static constexpr std::string_view kWords = "plant";
+
   std::vector<PlantValue> values;
 
   bool parse(const StepLine& line) {

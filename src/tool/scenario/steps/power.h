@@ -6,6 +6,9 @@
 namespace merker::simulator::steps {
 
 struct PowerOff : Bare {
+  static constexpr std::string_view kWords = "power off";
+  static constexpr bool kPartner = true;
+
   bool perform(StepRun& run) const {
     run.plc().powerOff();
     return true;
@@ -15,6 +18,9 @@ struct PowerOff : Bare {
 // Unbuffered: everything that was in RAM is lost.
 template <bool buffered>
 struct PowerComesBack : Bare {
+  static constexpr std::string_view kWords = buffered ? "power on" : "power on unbuffered";
+  static constexpr bool kPartner = true;
+
   bool perform(StepRun& run) const {
     run.plc().powerOn(buffered);
     return true;

@@ -11,6 +11,8 @@
 namespace merker::simulator::steps {
 
 struct Repeat {
+  static constexpr std::string_view kWords = "repeat";
+
   std::uint64_t count = 0;
   std::vector<Step> body;  // filled line by line up to `end`
 

@@ -26,6 +26,9 @@ inline bool restarted(StepRun& run, simulator::Start how) {
 
 // In STOP a warm restart.
 struct Run : Bare {
+  static constexpr std::string_view kWords = "run";
+  static constexpr bool kPartner = true;
+
   bool perform(StepRun& run) const {
     if (run.plc().mode() == controller::Mode::Run) return true;
     return run.powered() && restarted(run, &controller::Controller::start);
@@ -33,6 +36,9 @@ struct Run : Bare {
 };
 
 struct Stop : Bare {
+  static constexpr std::string_view kWords = "stop";
+  static constexpr bool kPartner = true;
+
   bool perform(StepRun& run) const {
     run.plc().stop();
     return true;
@@ -40,12 +46,18 @@ struct Stop : Bare {
 };
 
 struct WarmRestart : Bare {
+  static constexpr std::string_view kWords = "warm restart";
+  static constexpr bool kPartner = true;
+
   bool perform(StepRun& run) const {
     return run.powered() && restarted(run, &controller::Controller::warmRestart);
   }
 };
 
 struct ColdRestart : Bare {
+  static constexpr std::string_view kWords = "cold restart";
+  static constexpr bool kPartner = true;
+
   bool perform(StepRun& run) const {
     if (!run.powered()) return false;
     if (!run.plc().hasColdRestart()) return hasNone(run, "cold restart");
@@ -55,6 +67,8 @@ struct ColdRestart : Bare {
 
 // Continues where the CPU stopped, on models that can.
 struct HotRestart : Bare {
+  static constexpr std::string_view kWords = "hot restart";
+
   bool perform(StepRun& run) const {
     auto* const plc = run.need<controller::HotRestart>();
     if (plc == nullptr || !run.powered()) return false;

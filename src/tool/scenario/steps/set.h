@@ -18,6 +18,8 @@ inline bool isTerminal(const address::Reference& reference) {
 
 template <bool force>
 struct Assigns {
+  static constexpr std::string_view kWords = force ? "force" : "set";
+
   std::vector<Assignment> assignments;
 
   bool parse(const StepLine& line) {
@@ -41,6 +43,8 @@ using Set = Assigns<false>;
 using Force = Assigns<true>;
 
 struct Unforce : Bare {
+  static constexpr std::string_view kWords = "unforce";
+
   bool perform(StepRun& run) const {
     if (!run.powered()) return false;
     run.plc().unforce();

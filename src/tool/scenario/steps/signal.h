@@ -25,8 +25,12 @@ struct Signal {
   bool perform(StepRun& run) const;
 };
 
-struct Pulses : Signal {};
+struct Pulses : Signal {
+  static constexpr std::string_view kWords = "pulses";
+};
 struct Encoder : Signal {
+  static constexpr std::string_view kWords = "encoder";
+
   Encoder() { encoder = true; }
 };
 

@@ -11,6 +11,8 @@
 namespace merker::simulator::steps {
 
 struct Switch {
+  static constexpr std::string_view kWords = "switch";
+
   cpu::SwitchPosition position = cpu::SwitchPosition::RunP;
 
   static constexpr std::pair<std::string_view, cpu::SwitchPosition> kPositions[] = {

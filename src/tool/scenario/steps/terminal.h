@@ -13,6 +13,8 @@
 namespace merker::simulator::steps {
 
 struct Terminal {
+  static constexpr std::string_view kWords = "terminal";
+
   std::vector<TerminalValue> values;
 
   bool parse(const StepLine& line) {

@@ -7,6 +7,8 @@
 namespace merker::simulator::steps {
 
 struct Trigger {
+  static constexpr std::string_view kWords = "trigger";
+
   cpu::Trigger event{};
 
   bool parse(const StepLine& line);

@@ -15,6 +15,8 @@
 namespace merker::simulator::steps {
 
 struct Wait {
+  static constexpr std::string_view kWords = "wait";
+
   Duration duration;
   std::optional<std::uint64_t> cycles;  // instead of a duration
 
