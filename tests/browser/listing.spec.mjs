@@ -1,8 +1,10 @@
 // Program status, breakpoints, single steps and stacks of a SINUMERIK, in its listing.
 import assert from 'node:assert/strict';
+import { writeFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { test } from 'node:test';
 import { content, statusOf, text, toLine } from './editor.mjs';
-import { expect, open, picture, serve, turn, until, visit } from './harness.mjs';
+import { expect, launch, open, picture, scratch, serve, turn, until, visit } from './harness.mjs';
 
 const server = await serve('step5/tool-changer');
 const page = await open(server, 'program?file=main.s5');
@@ -141,4 +143,19 @@ test('the module information shows what the PLC has', async () => {
   await page.getByText('SINUMERIK 810').last().waitFor();
   await page.getByText('Merker (Byte)').waitFor();
   assert.equal(await page.getByText('Lokaldaten').count(), 0);
+});
+
+test('after a fault the stacks show the statement that caused it, with what the registers held', async () => {
+  const workspace = scratch();
+  const project = join(workspace, 'lamp.s5');
+  writeFileSync(project, 'OB 1\n : SPA PB 5\n : BE\nPB 5\n : L KF +7\n : T DW 9\n : BE\n');
+  const faulty = await open(await launch(project, workspace), 'diagnosis?page=stacks');
+  const table = (name) => faulty.getByRole('table', { name });
+  await table('U-Stack').getByText('lamp.s5:6').waitFor();
+  assert.match(await table('U-Stack').innerText(), /AKKU1 00000007/);
+  const calls = (await table('B-Stack').locator('tbody tr td:first-child').allInnerTexts()).join(' ');
+  assert.equal(calls, 'PB 5 OB 1');
+  await faulty.getByRole('tab', { name: 'Diagnosepuffer' }).click();
+  const entry = faulty.getByRole('row').filter({ hasText: '6103 Transfer in fehlenden DB' });
+  assert.match(await entry.innerText(), /0:00:0\d/, 'a PLC without a clock: the time since its start');
 });

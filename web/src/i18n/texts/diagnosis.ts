@@ -8,6 +8,7 @@ export const diagnosis = {
   information: ['Baugruppenzustand', 'Module information'],
   number: ['Nr.', 'No.'],
   time: ['Uhrzeit und Datum', 'Time and date'],
+  elapsed: ['Zeit seit dem Start', 'Time since the start'],
   event: ['Ereignis-ID', 'Event ID'],
   text: ['Ereignis', 'Event'],
   details: ['Zu Ereignis {event}', 'Details of event {event}'],
