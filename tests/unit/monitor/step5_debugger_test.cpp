@@ -181,6 +181,22 @@ TEST(Step5Step, EndsWithTheAlarm) {
   EXPECT_TRUE(plc.control().stoppedByFault());
 }
 
+// S5-ERR-09: an alarm level that comes between does not catch the step.
+TEST(Step5Step, StaysInItsLevel) {
+  SinumerikPlc plc(kInterrupted);
+  plc.breakAt("FB 1:7");
+  plc.start();
+  plc.run();
+  plc.debugger().removeBreakpoints();
+  EXPECT_EQ(good(plc->write("E 7.0", "1")), "good");
+  int steps = 0;
+  for (; steps < 50'000 && plc.read("MW 130", DisplayFormat::Dec) == "0"; ++steps) {
+    plc.step();
+    ASSERT_TRUE(plc.where().starts_with("FB 1")) << plc.where();
+  }
+  EXPECT_EQ(plc.read("MW 130", DisplayFormat::Dec), "1");
+}
+
 std::string shown(const ProgramStatus& status) {
   std::string text;
   for (const StatusRow& row : status.rows()) text += !row.reached ? '-' : row.after.rlo ? '1' : '0';

@@ -140,4 +140,28 @@ inline const char* const kLoop =
     " : L   KF +9\n"
     " : BE\n";
 
+// OB 1 does not end; E 7.0 starts OB 2, which counts in MW 130 and, with E 0.7, fails in line 20.
+inline const char* const kInterrupted =
+    "OB 1\n"
+    " : SPA FB 1\n"
+    "NAME : WAIT\n"
+    " : BE\n"
+    "FB 1\n"
+    "NAME : WAIT\n"
+    "M1 : L   MW 110\n"  // 7
+    " : L   MW 112\n"
+    " : SPA =M1\n"
+    " : BE\n"
+    "OB 2\n"
+    " : L   MW 130\n"  // 12
+    " : L   KF +1\n"
+    " : +F\n"
+    " : T   MW 130\n"
+    " : U   E 0.7\n"
+    " : SPB PB 1\n"
+    " : BE\n"
+    "PB 1\n"
+    " : T   DW 0\n"  // 20
+    " : BE\n";
+
 }  // namespace merker::monitor::test

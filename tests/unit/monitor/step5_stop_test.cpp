@@ -68,6 +68,31 @@ TEST(Step5Stacks, AtAnAlarmInOb2) {
   EXPECT_EQ(plc->stacks().interrupts.at(0).ob, 2);
 }
 
+// Both levels: OB 2 first, and in STOP the registers of the one that failed.
+TEST(Step5Stacks, OfTwoLevels) {
+  SinumerikPlc plc(kInterrupted);
+  plc.breakAt("OB 2:14");
+  plc.start();
+  EXPECT_EQ(wished(plc->write({{"E 7.0", "1"}, {"E 0.7", "1"}})), "good");
+  EXPECT_EQ(plc.run().why, Pause::Why::Breakpoint);
+  const Stacks halted = plc->stacks();
+  ASSERT_EQ(halted.interrupts.size(), 2u);
+  EXPECT_EQ(halted.interrupts[0].ob, 2);
+  EXPECT_EQ(halted.interrupts[0].registers.accu[0], 1u);
+  EXPECT_EQ(halted.interrupts[1].ob, 1);
+  EXPECT_EQ(toString(halted.interrupts[1].place.block), "FB 1");
+  ASSERT_EQ(halted.blocks.size(), 3u);
+  EXPECT_TRUE(halted.blocks[0].organizationBlock && halted.blocks[2].organizationBlock);
+  plc.debugger().removeBreakpoints();
+  EXPECT_EQ(plc.run().why, Pause::Why::Stop);
+  const Stacks stopped = plc->stacks();
+  EXPECT_EQ(plc.where(), "PB 1:20");
+  ASSERT_EQ(stopped.blocks.size(), 4u);
+  EXPECT_TRUE(stopped.blocks[1].organizationBlock && stopped.blocks[3].organizationBlock);
+  ASSERT_EQ(stopped.interrupts.size(), 1u);
+  EXPECT_EQ(stopped.interrupts[0].ob, 2);
+}
+
 // What stops the PLC between two instructions stops it in front of the next one.
 TEST(Step5Stacks, AtAStopBetweenInstructions) {
   SinumerikPlc plc(kPress);
