@@ -30,12 +30,16 @@ Json callsOf(const block::Block& block) {
   return list;
 }
 
-Json callsOf(const mc5::Block& block) {
+// Without the macros of the basic program: nobody can open them.
+Json callsOf(const mc5::Program& program, const mc5::Block& block) {
   std::set<BlockId> called;
   for (const monitor::Step5Instruction& one : monitor::step5Instructions(block)) {
     const mc5::Operand& operand = one.instruction.operand;
-    if (operand.kind == mc5::OperandKind::Block && operand.block != mc5::BlockType::Db)
-      called.insert(mc5::neutralId({operand.block, static_cast<std::uint16_t>(operand.value)}));
+    if (operand.kind != mc5::OperandKind::Block || operand.block == mc5::BlockType::Db) continue;
+    const mc5::BlockId id{operand.block, static_cast<std::uint16_t>(operand.value)};
+    const bool macro =
+        !program.contains(id) && monitor::calledFunctionBlock(program, one.instruction) != nullptr;
+    if (!macro) called.insert(mc5::neutralId(id));
   }
   Json list = Json::array();
   for (const BlockId id : called) list.push_back(toString(id));
@@ -104,7 +108,7 @@ Json blockRows(const mc5::Program& program, const ProjectFolder& folder) {
                     {"work", 2 * row.work},
                     {"file", folder.relative(block.file)},
                     {"line", block.lines.empty() ? 0 : block.lines.front().line},
-                    {"calls", callsOf(block)},
+                    {"calls", callsOf(program, block)},
                     {"version", ""},
                     {"checksum", ""}});
   }

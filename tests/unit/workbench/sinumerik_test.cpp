@@ -84,6 +84,18 @@ TEST_F(Sinumerik5, ListsBlocksAndReferences) {
   EXPECT_NE(text.find("+F"), std::string::npos) << text;
 }
 
+// FB 61 is resident.
+TEST_F(Sinumerik5, DoesNotListMacrosAsCalledBlocks) {
+  folder.write(
+      "main.s5",
+      "OB 1\n      SPA   FB 61\nNAME  : NCD-LESE\nLESE  : M 134.0\nNSBY  : DL 0\nANZ   : KF +0\n"
+      "DTY1  : KC TO\nDTY2  : KC S\nDTY3  : KC\nWER1  : KF +0\nWER2  : KF +0\nWER3  : KF +0\n"
+      "ZFPN  : KC 00\nZIEL  : KY 0,0\n      SPA   PB 9\n      BE\n");
+  workbench.show(
+      std::make_unique<Plc>(compilation::build(project::load(folder.path("main.s5"), {}), false)));
+  EXPECT_EQ(ask({{"do", "program.blocks"}})["blocks"][0]["calls"], Json({"PB 9"}));
+}
+
 TEST_F(Sinumerik5, ShowsStacksAndInformation) {
   ask({{"do", "breakpoints.set"}, {"file", "main.s5"}, {"lines", {8}}});
   run(Duration::milliseconds(200));
