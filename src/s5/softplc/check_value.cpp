@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "check/relation.h"
+#include "check/check_record.h"
 #include "mc5/s5_float.h"
 
 namespace merker::sinumerik {
@@ -79,10 +79,7 @@ std::string shown(std::uint32_t value, const CheckTerm& term) {
 }  // namespace
 
 std::optional<std::string> judge(Processor& p, const CheckTerm& term) {
-  const auto left = valueOf(p, term.left), right = valueOf(p, term.right);
-  if (!left || !right) return "the operand cannot be read here";
-  if (block::holds(*left, term.relation, *right, mc5::toDouble)) return std::nullopt;
-  return "is " + shown(*left, term);
+  return block::judge(term, valueOf(p, term.left), valueOf(p, term.right), mc5::toDouble, shown);
 }
 
 }  // namespace merker::sinumerik

@@ -9,8 +9,6 @@ namespace {
 
 using mc5::OperandKind;
 
-constexpr std::size_t kFailuresKept = 5;
-
 // Words of the instruction at `word`; a call of an FB has its jump and its list with it.
 std::size_t lengthAt(const std::vector<std::uint16_t>& words, std::size_t word) {
   const auto decoded = mc5::decode(std::span(words).subspan(word));
@@ -49,7 +47,7 @@ Recorder::Recorder(const mc5::Program& program, bool coverage)
     : program_(program), coverage_(coverage) {
   for (const auto& [id, block] : program_)
     for (const block::Check& check : block.checks)
-      records_.push_back({.block = &block, .check = &check, .onward = {}, .away = {}});
+      records_.push_back({&block, block::CheckRecord(check)});
 }
 
 void Recorder::attach(const BlockMemory& blocks) {
@@ -64,7 +62,8 @@ void Recorder::attachTo(const mc5::Block& block, const BlockMemory& blocks) {
   if (!sameCode(block, entry, blocks)) return;  // replaced by another one
   for (std::size_t i = 0; i < records_.size(); ++i)
     if (records_[i].block == &block)
-      byWord_.emplace(entry.start + instructionOf(block.words, records_[i].check->offset), i);
+      byWord_.emplace(entry.start + instructionOf(block.words, records_[i].check.check().offset),
+                      i);
 }
 
 std::vector<bool> Recorder::watched(const BlockMemory& blocks) {
@@ -124,25 +123,16 @@ void Recorder::evaluate(Processor& p, const Place& place, bool away) {
 
 void Recorder::evaluateAt(Processor& p, std::uint32_t word, bool away) {
   const auto [first, last] = byWord_.equal_range(word);
-  for (auto it = first; it != last; ++it) evaluateOne(p, records_[it->second], away);
-}
-
-void Recorder::evaluateOne(Processor& p, Record& record, bool away) {
-  Sight& sight = away ? record.away : record.onward;
-  ++sight.reached;
-  for (const block::CheckTerm& term : record.check->terms) {
-    const auto wrong = judge(p, term);
-    if (wrong && sight.failures.size() < kFailuresKept)
-      sight.failures.push_back({p.machine().clock, term.text + ": " + *wrong});
+  for (auto it = first; it != last; ++it) {
+    block::CheckRecord& record = records_[it->second].check;
+    record.evaluate(p.machine().clock, away,
+                    [&](std::size_t i) { return judge(p, record.check().terms[i]); });
   }
 }
 
 std::vector<CheckResult> Recorder::results() const {
   std::vector<CheckResult> list;
-  for (const Record& record : records_) {
-    const Sight& sight = record.onward.reached > 0 ? record.onward : record.away;
-    list.push_back({record.check, sight.reached, sight.failures});
-  }
+  for (const Record& record : records_) list.push_back(record.check.result());
   return list;
 }
 

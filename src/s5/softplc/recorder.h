@@ -5,7 +5,7 @@
 #include <map>
 #include <vector>
 
-#include "check/check_result.h"
+#include "check/check_record.h"
 #include "mc5/block.h"
 #include "softplc/processor.h"
 
@@ -33,15 +33,9 @@ class Recorder {
   const Executed& executed() const { return executed_; }
 
  private:
-  // A jump or block end leads away from its line. Such passes count only if there are no others.
-  struct Sight {
-    std::uint64_t reached = 0;
-    std::vector<CheckFailure> failures;
-  };
   struct Record {
     const mc5::Block* block = nullptr;
-    const block::Check* check = nullptr;
-    Sight onward, away;
+    block::CheckRecord check;
   };
   // An instruction that runs: where, and how deep its block lies.
   struct Place {
@@ -56,7 +50,6 @@ class Recorder {
   void count(const Place& place, std::uint32_t word);
   void evaluate(Processor& processor, const Place& place, bool away);
   void evaluateAt(Processor& processor, std::uint32_t word, bool away);
-  void evaluateOne(Processor& processor, Record& record, bool away);
   void returned(Processor& processor);
 
   const mc5::Program& program_;

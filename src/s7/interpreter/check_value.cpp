@@ -83,14 +83,6 @@ bool runSnippet(cpu::Machine& m, const Translated& snippet) {
 
 }  // namespace
 
-unsigned widthOf(const CheckValue& value) {
-  if (value.kind == CheckValue::Kind::BitCode) return 1;
-  if (value.kind != CheckValue::Kind::Register) return value.width;
-  if (value.reg <= CheckRegister::ER) return 1;
-  const bool word = value.reg == CheckRegister::STW || value.reg >= CheckRegister::DBNO;
-  return word ? 16 : 32;
-}
-
 std::optional<std::uint32_t> valueOf(cpu::Machine& m, const CheckValue& value,
                                      const Translated& snippet) {
   if (value.kind == CheckValue::Kind::Constant) return value.constant;

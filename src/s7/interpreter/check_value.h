@@ -9,9 +9,6 @@
 
 namespace merker::interpreter {
 
-// Bits that the value can have.
-unsigned widthOf(const block::CheckValue& value);
-
 // Nothing if the operand cannot be read here. Registers, time and faults stay as they are.
 std::optional<std::uint32_t> valueOf(cpu::Machine& m, const block::CheckValue& value,
                                      const Translated& snippet);

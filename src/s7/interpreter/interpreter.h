@@ -24,7 +24,7 @@ class Interpreter : public cpu::Engine {
 
   // How often each counted instruction ran, by block and offset.
   std::map<BlockId, std::map<std::uint32_t, std::uint64_t>> executed() const;
-  const std::deque<CheckRecord>& checkRecords() const { return recorder_.records(); }
+  const std::deque<block::CheckRecord>& checkRecords() const { return recorder_.records(); }
 
  private:
   void attachSide(const block::Block& block, Translated& code, const OpByWord& opAt);

@@ -274,10 +274,8 @@ const std::vector<DiagnosticEntry>& Station::diagnostics() const {
 const std::vector<CheckResult>& Station::checkResults() const {
   Parts& p = *parts_;
   p.checks.clear();
-  for (const interpreter::CheckRecord& record : p.engine.interpreter().checkRecords()) {
-    const interpreter::CheckSight& seen = record.judged();
-    p.checks.push_back({record.check, seen.reached, seen.failures});
-  }
+  for (const block::CheckRecord& record : p.engine.interpreter().checkRecords())
+    p.checks.push_back(record.result());
   return p.checks;
 }
 

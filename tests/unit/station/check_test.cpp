@@ -118,9 +118,11 @@ TEST(Checks, Relations) {
   }
   const auto about =
       run({check(0, constant(0x3F800000, 32), Relation::About, constant(0x3F800004, 32), ""),
-           check(0, constant(0x3F800000, 32), Relation::About, constant(0x3F801000, 32), "")});
+           check(0, constant(0x3F800000, 32), Relation::About, constant(0x3F801000, 32), ""),
+           check(0, constant(0x7F800000, 32), Relation::About, constant(0x7F800000, 32), "")});
   EXPECT_TRUE(about[0].failures.empty());
   EXPECT_FALSE(about[1].failures.empty());
+  EXPECT_TRUE(about[2].failures.empty());  // infinite, as in scenarios
 }
 
 // The compiler's comments, end to end.
