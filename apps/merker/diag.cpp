@@ -11,6 +11,7 @@
 #include "listing_diagnosis.h"
 #include "monitor_text.h"
 #include "operands.h"
+#include "plc/checked_start.h"
 #include "scenario/duration.h"
 #include "scenario/junit.h"
 #include "scenario/runner.h"
@@ -27,10 +28,13 @@ struct DiagOptions {
   std::vector<std::string> set;
 };
 
-void printText(monitor::Monitor& monitor) {
+void printBuffer(const monitor::Monitor& monitor) {
   std::cout << informationText(monitor.information());
   std::cout << "\nDiagnostic buffer, newest first\n"
             << diagnosticsText(monitor.diagnostics(), SIZE_MAX);
+}
+
+void printStacks(const monitor::Monitor& monitor) {
   const monitor::Stacks stacks = monitor.stacks();
   if (stacks.empty()) return;
   std::cout << "\nB stack\n"
@@ -39,7 +43,8 @@ void printText(monitor::Monitor& monitor) {
   if (!stacks.locals.empty()) std::cout << "\nL stack\n" << localStackText(stacks);
 }
 
-void printJson(monitor::Monitor& monitor, const nlohmann::ordered_json& screens) {
+// `screens` have their own history: alarms by number, oldest first.
+void printJson(const monitor::Monitor& monitor, const nlohmann::ordered_json& screens) {
   nlohmann::ordered_json document = {{"module", toJson(monitor.information())},
                                      {"diagnostics", toJson(monitor.diagnostics())},
                                      {"stacks", toJson(monitor.stacks())}};
@@ -108,23 +113,24 @@ int carryOut(const DiagOptions& options, const Build& built, Duration time,
                                   : runScenario(options, built, plc);
 }
 
-// What the exit code says of the end: a start that does not end is no good end either.
+// Of a PLC that checks its start, one that does not end is a failure (as in `merker run`).
 int endCode(const controller::Controller& plc) {
   if (plc.stoppedByFault()) return kFault;
-  return plc.mode() == controller::Mode::Startup ? kProblems : kGood;
+  const bool checked = controller::capability<controller::CheckedStart>(plc) != nullptr;
+  return checked && plc.mode() == controller::Mode::Startup ? kProblems : kGood;
 }
 
-// `control`: the same machine, if it is a SINUMERIK; its screens come behind what each PLC shows.
+// `control`: the same machine, if it is a SINUMERIK; it has screens of its own for its state.
 int show(const DiagOptions& options, const Build& built, Duration time, controller::Controller& plc,
          cnc::Cnc* control) {
   const auto monitor = monitor::monitorOf(plc, built.project.symbols, built.resolver());
   if (const int wrong = carryOut(options, built, time, plc); wrong != kGood) return wrong;
   if (options.json) {
     printJson(*monitor,
-              control != nullptr ? screensToJson(*control) : nlohmann::ordered_json::object());
+              control != nullptr ? diagnosisToJson(*control) : nlohmann::ordered_json::object());
   } else {
-    printText(*monitor);
-    if (control != nullptr) printScreens(*control);
+    control != nullptr ? printDiagnosis(*control) : printBuffer(*monitor);
+    printStacks(*monitor);
   }
   return endCode(plc);
 }

@@ -5,15 +5,31 @@
 #include <iostream>
 
 #include "scenario/duration.h"
+#include "scenario/state_text.h"
 
 namespace merker::app {
 namespace {
+
+std::string state(const cnc::Cnc& control) {
+  std::string text = fmt::format("{}: {} after {}, {} cycles", control.modelName(),
+                                 simulator::modeName(control.mode()),
+                                 simulator::formatTime(control.now()), control.cycles());
+  if (control.mode() == controller::Mode::Stop) text += "\nSTOP: " + control.stopReason();
+  return text;
+}
 
 // Their texts begin with their numbers, as on the screen of the control.
 void printAlarms(const cnc::Cnc& control) {
   std::cout << "\nAlarms and messages\n";
   for (const sinumerik::PendingAlarm& alarm : control.plc().alarms())
     std::cout << fmt::format("  {:>12}  {}\n", simulator::formatTime(alarm.time), alarm.text);
+}
+
+void printHistory(const cnc::Cnc& control) {
+  std::cout << "\nHistory, newest first\n";
+  const auto& list = control.diagnostics();
+  for (auto entry = list.rbegin(); entry != list.rend(); ++entry)
+    std::cout << fmt::format("  {:>12}  {}\n", simulator::formatTime(entry->time), entry->text);
 }
 
 struct Pseudo {
@@ -49,8 +65,10 @@ nlohmann::ordered_json fineCodeToJson(cnc::Cnc& control) {
 
 // The control bits, the interrupt stack and the block stack as the programmer shows them after a
 // STOP (S5-ERR-06 … -10).
-void printScreens(cnc::Cnc& control) {
+void printDiagnosis(cnc::Cnc& control) {
+  std::cout << state(control) << '\n';
   printAlarms(control);
+  printHistory(control);
   printFineCode(control);
   const auto picture = control.plc().programmer().stopPicture();
   if (!picture) return;
@@ -63,12 +81,20 @@ void printScreens(cnc::Cnc& control) {
       << toString(picture->blocks);
 }
 
-nlohmann::ordered_json screensToJson(cnc::Cnc& control) {
-  nlohmann::ordered_json document;
+nlohmann::ordered_json diagnosisToJson(cnc::Cnc& control) {
+  nlohmann::ordered_json document = {{"model", control.modelName()},
+                                     {"mode", simulator::modeName(control.mode())},
+                                     {"seconds", static_cast<double>(control.now().ns) / 1e9},
+                                     {"cycles", control.cycles()},
+                                     {"stop_reason", control.stopReason()}};
   for (const sinumerik::PendingAlarm& alarm : control.plc().alarms())
     document["alarms"].push_back({{"number", alarm.number},
                                   {"seconds", static_cast<double>(alarm.time.ns) / 1e9},
                                   {"text", alarm.text}});
+  for (const controller::DiagnosticEntry& entry : control.diagnostics())
+    document["diagnostics"].push_back({{"event", entry.event},
+                                       {"seconds", static_cast<double>(entry.time.ns) / 1e9},
+                                       {"text", entry.text}});
   document["fine_error_code"] = fineCodeToJson(control);
   const auto picture = control.plc().programmer().stopPicture();
   if (!picture) return document;

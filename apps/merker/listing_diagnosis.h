@@ -1,5 +1,4 @@
-// What the screen and the programmer show of a SINUMERIK beyond the monitor, for `merker diag`:
-// alarms, fine error coding, control bits, the screens of a STOP.
+// What the screen and the programmer show of a SINUMERIK PLC, for `merker diag`.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -8,7 +7,7 @@
 
 namespace merker::app {
 
-void printScreens(cnc::Cnc& control);
-nlohmann::ordered_json screensToJson(cnc::Cnc& control);
+void printDiagnosis(cnc::Cnc& control);
+nlohmann::ordered_json diagnosisToJson(cnc::Cnc& control);
 
 }  // namespace merker::app
