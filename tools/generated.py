@@ -17,12 +17,13 @@ def main(description, name, text):
     return compare(path, text)
 
 
-def compare(path, text):
+def compare(path, text, tool=None):
+    """Whether the committed file is another one, and how: 0 or 1."""
     committed = path.read_text(encoding="utf-8") if path.exists() else ""
     if committed == text:
         return 0
     lines = list(difflib.unified_diff(committed.splitlines(), text.splitlines(), "committed", "regenerated", lineterm="", n=0))
-    print(f"docs/{path.name} is out of date: run tools/{path.stem} and commit the page")
+    print(f"{path.relative_to(ROOT)} is out of date: run tools/{tool or path.stem} and commit the page")
     print("\n".join(lines[:20]))
     return 1
 

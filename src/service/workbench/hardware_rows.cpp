@@ -112,23 +112,26 @@ Json moduleRow(const io::Module& module, const io::Rack* rack, const source::Sym
   return row;
 }
 
+// Braces alone would make an object of a list of pairs.
+Json pair(const char* name, std::string value) { return Json::array({name, std::move(value)}); }
+
 // The CPU stands in slot 2 of rack 0, whatever it has on board.
 Json cpuRow(const CpuModel& model) {
-  return {{"slot", "2"},
-          {"order", model.orderNumber},
-          {"name", model.name},
-          {"type", model.name},
-          {"kind", "cpu"},
-          {"inputs", nullptr},
-          {"outputs", nullptr},
-          {"terminals", Json::array()},
-          {"properties",
-           {{"work memory", fmt::format("{} bytes", model.workMemory)},
-            {"timers", std::to_string(model.timers)},
-            {"counters", std::to_string(model.counters)},
-            {"flags", fmt::format("{} bytes", model.flagBytes)}}},
-          {"faults", Json::array()},
-          {"present", true}};
+  return {
+      {"slot", "2"},
+      {"order", model.orderNumber},
+      {"name", model.name},
+      {"type", model.name},
+      {"kind", "cpu"},
+      {"inputs", nullptr},
+      {"outputs", nullptr},
+      {"terminals", Json::array()},
+      {"properties", Json::array({pair("work memory", fmt::format("{} bytes", model.workMemory)),
+                                  pair("timers", std::to_string(model.timers)),
+                                  pair("counters", std::to_string(model.counters)),
+                                  pair("flags", fmt::format("{} bytes", model.flagBytes))})},
+      {"faults", Json::array()},
+      {"present", true}};
 }
 
 }  // namespace

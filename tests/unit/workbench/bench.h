@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "conforms.h"
 #include "workbench/workbench.h"
 
 namespace merker::workbench::test {
@@ -85,6 +86,10 @@ class Bench {
     fields["do"] = method;
     Json answer = Json::parse(workbench.handle(who, fields.dump()));
     EXPECT_EQ(answer["id"], last_);
+    const MethodRow* row = findMethodRow(method);
+    if (row != nullptr && answer.contains("result")) {
+      EXPECT_EQ(mismatch(row->result, answer["result"], method), "");
+    }
     return answer;
   }
   Json call(const std::string& method, Json fields = Json::object(), Workbench::BrowserId who = 1) {
@@ -101,7 +106,10 @@ class Bench {
   std::vector<Json> events(Workbench::BrowserId who = 1) {
     std::vector<Json> list;
     workbench.beginFrame(now_ += 33);
-    for (const std::string& text : workbench.events(who)) list.push_back(Json::parse(text));
+    for (const std::string& text : workbench.events(who)) {
+      list.push_back(Json::parse(text));
+      check(list.back());
+    }
     return list;
   }
   Json event(const std::string& name, Workbench::BrowserId who = 1) {
@@ -127,6 +135,15 @@ class Bench {
   Workbench workbench;
 
  private:
+  // An event must be as protocol.def has it.
+  static void check(Json event) {
+    const std::string name = event["event"];
+    const Shape* shape = eventShape(name);
+    ASSERT_NE(shape, nullptr) << name;
+    event.erase("event");
+    EXPECT_EQ(mismatch(*shape, event, name), "");
+  }
+
   std::uint64_t last_ = 0;
   std::int64_t now_ = 0;
 };

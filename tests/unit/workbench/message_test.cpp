@@ -84,12 +84,12 @@ TEST(Fields, WrongOnesAreNamed) {
 TEST(Fields, NamesHaveALimit) {
   Bench bench;
   const auto items = [](std::size_t blanks) {
-    return Json{{{"operand", "MW 10" + std::string(blanks, ' ')}, {"value", "1"}}};
+    return Json{{{"operand", "MW 10" + std::string(blanks, ' ')}}};
   };
   EXPECT_EQ(bench.problem("watch.set", {{"list", 1}, {"items", items(400)}}), "P1305");
   EXPECT_EQ(bench.problem("trend.set", {{"list", 1}, {"items", items(400)}}), "P1305");
-  EXPECT_EQ(bench.problem("variables.write", {{"items", items(400)}}), "P1305");
-  bench.call("variables.write", {{"items", items(300)}});
+  EXPECT_EQ(bench.problem("variables.read", {{"items", items(400)}}), "P1305");
+  bench.call("variables.read", {{"items", items(300)}});
 }
 
 TEST(Fields, WithoutAProjectThereIsNoPlc) {

@@ -1,7 +1,7 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import { Connection, type Socket } from './connection';
 import { socketAddress } from './index';
-import { ConnectionLost, Refused } from './protocol';
+import { ConnectionLost, Refused } from './refused';
 
 class TestSocket implements Socket {
   onopen: (() => void) | null = null;
@@ -53,7 +53,7 @@ test('answers go to the question with their number, in any order', async () => {
 
 test('problems refuse, a result that holds problems does not', async () => {
   const connection = connected();
-  const refused = connection.ask('files.read');
+  const refused = connection.ask('files.read', { path: '' });
   const checked = connection.ask('program.check');
   latest().says({ id: 1, problems: [{ code: 'P1', text: 'no such file' }] });
   latest().says({ id: 2, result: { problems: [1] } });
@@ -76,9 +76,9 @@ test('a lost connection rejects what waits, comes back and subscribes again', as
   const connection = connected();
   const phases: string[] = [];
   connection.onPhase = (phase) => phases.push(phase);
-  const kept = connection.keep('watch.set', { list: 1, items: ['a'] });
+  const kept = connection.keep('watch.set', { list: 1, items: [{ operand: 'a' }] });
   connection.keep('process.watch', { on: true }).drop();
-  kept.update({ list: 1, items: ['b'] });
+  kept.update({ list: 1, items: [{ operand: 'b' }] });
   const open = connection.ask('files.list');
   latest().close();
   await expect(open).rejects.toThrow(ConnectionLost);
@@ -87,12 +87,12 @@ test('a lost connection rejects what waits, comes back and subscribes again', as
   expect(sockets.length).toBe(2);
   latest().onopen?.();
   expect(phases).toEqual(['lost', 'open']);
-  expect(latest().sent).toEqual([{ id: 5, do: 'watch.set', list: 1, items: ['b'] }]);
+  expect(latest().sent).toEqual([{ id: 5, do: 'watch.set', list: 1, items: [{ operand: 'b' }] }]);
 });
 
 test('what is kept is asked again when the project or the program is another one', () => {
   const connection = connected();
-  connection.keep('watch.set', { list: 1 });
+  connection.keep('watch.set', { list: 1, items: [] });
   connection.renew();
   expect(latest().sent.map((message) => message.do)).toEqual(['watch.set', 'watch.set']);
 });

@@ -1,8 +1,15 @@
-import { ConnectionLost, Refused, type Fields, type Problem } from './protocol';
+import type { Events, Problem, Requests } from './protocol';
+import { ConnectionLost, Refused } from './refused';
 
 /** stalled: the server is there, the PLC says nothing. */
 export type Phase = 'connecting' | 'open' | 'stalled' | 'lost';
-type Handler = (message: Fields) => void;
+type Fields = Record<string, unknown>;
+type Handler = (message: any) => void;
+
+export type Method = keyof Requests;
+export type FieldsOf<M extends Method> = Requests[M]['fields'];
+/** The fields are left out where none has to be given. */
+type Given<M extends Method> = {} extends FieldsOf<M> ? [fields?: FieldsOf<M>] : [fields: FieldsOf<M>];
 
 interface Waiting {
   method: string;
@@ -11,14 +18,14 @@ interface Waiting {
 }
 
 /** What the server is to send as long as the page wants it: asked again after each reconnect. */
-export interface Kept {
-  update(fields: Fields): void;
+export interface Kept<M extends Method = Method> {
+  update(fields: FieldsOf<M>): void;
   drop(): void;
 }
 
 interface KeptRequest {
-  method: string;
-  fields: Fields;
+  method: Method;
+  fields: Fields | undefined;
   onResult: ((result: any) => void) | undefined;
   onProblems: ((problems: Problem[]) => void) | undefined;
 }
@@ -104,7 +111,11 @@ export class Connection {
   }
 
   /** Asks and promises the result; rejects with Refused (problems of the server) or ConnectionLost. */
-  ask<T = unknown>(method: string, fields: Fields = {}): Promise<T> {
+  ask<M extends Method>(method: M, ...[fields]: Given<M>): Promise<Requests[M]['result']> {
+    return this.request(method, fields);
+  }
+
+  private request<T>(method: string, fields: Fields = {}): Promise<T> {
     const socket = this.socket;
     if (!this.isOpen() || !socket) return Promise.reject(new ConnectionLost());
     const id = this.nextId++;
@@ -115,21 +126,21 @@ export class Connection {
   }
 
   /** Calls the handler at each event of this name; the result ends that. */
-  on(event: string, handler: Handler): () => void {
+  on<E extends keyof Events>(event: E, handler: (message: Events[E]) => void): () => void {
     const handlers = this.handlers.get(event) ?? new Set();
     this.handlers.set(event, handlers.add(handler));
     return () => handlers.delete(handler);
   }
 
   /** A subscription: sent now and after each reconnect until it is dropped. */
-  keep(
-    method: string,
-    fields: Fields,
-    onResult?: (result: any) => void,
-    dropMethod?: string,
-    dropFields: Fields = {},
+  keep<M extends Method, D extends Method = 'ping'>(
+    method: M,
+    fields: FieldsOf<M>,
+    onResult?: (result: Requests[M]['result']) => void,
+    dropMethod?: D,
+    dropFields?: FieldsOf<D>,
     onProblems?: (problems: Problem[]) => void,
-  ): Kept {
+  ): Kept<M> {
     const request: KeptRequest = { method, fields, onResult, onProblems };
     this.kept.add(request);
     this.send(request);
@@ -140,7 +151,7 @@ export class Connection {
       },
       drop: () => {
         this.kept.delete(request);
-        if (dropMethod) this.ask(dropMethod, dropFields).catch(() => {});
+        if (dropMethod) this.request(dropMethod, dropFields).catch(() => {});
       },
     };
   }
@@ -151,7 +162,7 @@ export class Connection {
   }
 
   private send(request: KeptRequest): void {
-    this.ask(request.method, request.fields).then(
+    this.request(request.method, request.fields).then(
       (result) => this.kept.has(request) && request.onResult?.(result),
       (error: Error) => error instanceof Refused && request.onProblems?.(error.problems),
     );
@@ -179,7 +190,7 @@ export class Connection {
   private received(text: string): void {
     this.quiet = 0;
     const message = JSON.parse(text) as Fields;
-    if (message.event === 'stalled') return this.stalled(message);
+    if (message.event === 'stalled') return this.stalled(message as unknown as Events['stalled']);
     if (this.phase === 'stalled') this.heard();
     if (typeof message.event === 'string') {
       for (const handler of this.handlers.get(message.event) ?? []) handler(message);
@@ -189,9 +200,9 @@ export class Connection {
   }
 
   /** The server's watchdog: it tells this again and again while it lasts, and once with 0 seconds when it is over. */
-  private stalled(message: Fields): void {
+  private stalled(message: Events['stalled']): void {
     if (message.seconds === 0) return this.heard();
-    this.stalledAt = String(message.place);
+    this.stalledAt = message.place;
     this.show('stalled');
   }
 

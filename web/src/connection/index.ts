@@ -1,7 +1,8 @@
 import { Connection, type Socket } from './connection';
 
-export { Connection, type Kept, type Phase } from './connection';
-export { ConnectionLost, Refused, type Fields, type Problem } from './protocol';
+export { Connection, type FieldsOf, type Kept, type Method, type Phase } from './connection';
+export type { Events, Problem, Requests } from './protocol';
+export { ConnectionLost, Refused } from './refused';
 
 /** The WebSocket beside the page; a token in the page's address goes along. */
 export function socketAddress(page: string): string {

@@ -1,37 +1,194 @@
-// The messages of the workbench: docs/workbench-protocol.md describes each. Times are nanoseconds of virtual time.
+// Printed by tools/protocol from src/service/workbench/protocol.def; change that file, not this one. Times are nanoseconds of
+// virtual time. docs/workbench-protocol.md describes the messages.
 
-export interface Problem {
-  code: string;
-  severity: 'error' | 'warning' | 'note';
-  file: string;
-  line: number;
-  column: number;
-  text: string;
-  /** What stands in the places of the text, for other languages. */
-  arguments?: string[];
-  hint?: string;
-  row?: number;
-  field?: string;
+/** `row` and `field` of symbols, `rack` and `slot` of a module in merker.toml */
+export interface Problem { code: string; severity: 'error' | 'warning'; file: string; line: number; column: number; length: number; text: string; arguments: string[]; row?: number; field?: string; rack?: number; slot?: string }
+export interface WatchItem { operand: string; format?: string }
+export interface ModifyItem { operand: string; value: string; format?: string }
+export interface NamedItem { operand: string }
+/** an item with a problem stays as "?" */
+export interface WatchedItem { operand: string; symbol: string; comment: string; type: string; bits: number; format: string; problem?: Problem }
+/** `bits` is 1 for binary values, 0 for a number of a plant or an analog terminal */
+export interface CurveItem { operand: string; symbol: string; type?: string; unit?: string; bits?: number; problem?: Problem }
+export interface FileRow { path: string; size: number; kind: 'source' | 'symbols' | 'hardware' | 'table' | 'scenario' | 'state' | 'recording' | 'other' }
+export interface UnsavedFile { path: string; text: string }
+/** addresses of the declared variables */
+export interface BlockInterface { block: string; file: string; line: number; variables: { name: string; address: string }[] }
+/** `id` and `calls` are like "FC 1" */
+export interface BlockRow { id: string; symbol: string; title: string; language: string; load: number; work: number; file: string; line: number; calls: string[]; version: string; checksum: string }
+export interface Compared { id: string; state: 'same' | 'different' | 'onlyOffline' | 'onlyOnline'; where: string }
+export interface SymbolEntry { name: string; operand: string; type: string; comment: string }
+export interface BlockEntry { id: string; symbol: string; title: string }
+/** OB: those of the CPU; of the others the first and the last */
+export interface BlockNumbers { OB: number[]; FB: [number, number]; FC: [number, number]; DB: [number, number] }
+/** `access` is "R", "W", "RW" or "CALL" */
+export interface Reference { operand: string; symbol: string; block: string; file: string; line: number; network: number; instruction: string; access: string }
+export interface SymbolRow { symbol: string; operand: string; type: string; comment: string }
+export interface TypedSymbol { symbol: string; operand: string; type?: string; comment?: string }
+export interface AddressRange { first: number; bytes: number }
+export interface Terminal { text: string; operand: string; symbol: string }
+export interface Fault { name: string; title: string; on: boolean }
+export interface Parameter { key: string; kind: 'text' | 'address' | 'number' | 'choice' | 'flag' | 'bits' | 'amount' | 'length'; value: string | number | boolean | number[] | null; given?: boolean; choices?: string[]; count?: number; group?: number; min?: number; max?: number; hint?: string }
+export interface Channel { side: 'input' | 'output'; number: number; parameters: Parameter[] }
+/** `slot` is like "4" or "2.2"; `parameters` and `channels` only of `hardware.edit` */
+export interface Slot { slot: string; order: string; name: string; type: string; kind: string; inputs: AddressRange | null; outputs: AddressRange | null; terminals: Terminal[]; properties: [string, string][]; leds?: Record<string, string>; faults: Fault[]; present: boolean; parameters?: Parameter[]; channels?: Channel[] }
+export interface Rack { rack: number; slots: Slot[] }
+export interface ModuleType { order: string; name: string; text: string; kind: string; slots: [number, number]; inputBytes: number; outputBytes: number; current: number }
+/** see below */
+export interface Change { change: 'place' | 'remove' | 'move' | 'set'; rack?: number; slot?: string; type?: string; toRack?: number; toSlot?: string; table?: string; key?: string; value?: string | number | boolean | unknown[] | null; side?: string; number?: number }
+/** `event` is like "16#2521"; `clock` is empty where the PLC has no clock */
+export interface DiagnosticEntry { number: number; event: string; time: number; clock: string; text: string; help: string; block?: string; offset?: number; file?: string; line?: number; network?: number }
+export interface BlockLevel { block: string; offset: number; file?: string; line?: number; network?: number; db: string; di: string }
+/** `registers`: AKKU1 ..., those that the PLC has */
+export interface InterruptLevel { ob: number; priority: number; registers: Record<string, string>; block: string; offset: number; file?: string; line?: number; network?: number }
+export interface LocalLevel { block: string; bytes: string }
+export interface PlantValue { name: string; unit: string; value: number; binary: boolean; input: boolean; writable: boolean; min: number; max: number; operand: string; symbol: string; stuck: number | null }
+export interface PlantRow { name: string; kind: string; title: string; values: PlantValue[]; faults: Fault[] }
+/** `can`: what the machine can do; `empty`: no block in the CPU; `changed`: the first 200 paths that are newer than the program of the CPU */
+export interface Project { name: string; folder: string; mpiAddress: number; can: ('breakpoints' | 'cyclePoints' | 'stacks' | 'information' | 'blocks' | 'download' | 'completion' | 'references' | 'symbols' | 'rack' | 'plants' | 'interrupts' | 'engine' | 'snapshots' | 'timersByHand' | 'modeSwitch' | 'leds')[]; family: 'S7' | 'S5'; model: string; example: boolean; empty: boolean; changed: string[] }
+export interface Lamps { SF: 'off' | 'on' | 'slow' | 'fast'; BF: 'off' | 'on' | 'slow' | 'fast'; DC5V: 'off' | 'on' | 'slow' | 'fast'; FRCE: 'off' | 'on' | 'slow' | 'fast'; RUN: 'off' | 'on' | 'slow' | 'fast'; STOP: 'off' | 'on' | 'slow' | 'fast' }
+export interface Playback { path: string; actions: number; done: number; state: 'playing' | 'paused' | 'ended' | 'failed'; problem?: Problem }
+
+/** The fields and the result of each request. */
+export interface Requests {
+  /** MRES is the complete operation (memory reset) */
+  'cpu.switch': { fields: { position: 'RUN-P' | 'RUN' | 'STOP' | 'MRES' }; result: Record<string, never> };
+  'cpu.power': { fields: { on: boolean; battery?: boolean }; result: Record<string, never> };
+  'cpu.start': { fields: { kind?: 'warm' | 'cold' }; result: Record<string, never> };
+  'cpu.stop': { fields: Record<string, never>; result: Record<string, never> };
+  /** memory reset */
+  'cpu.reset': { fields: Record<string, never>; result: Record<string, never> };
+  /** triggers the event of OB 40, 80, 82, 83, 85 or 86 manually (S7-SIM-13), of the module at this address; for 82, 83, 86 also the outgoing event */
+  'cpu.trigger': { fields: { ob: number; address?: number; going?: boolean }; result: Record<string, never> };
+  /** only in STOP */
+  'cpu.engine': { fields: { engine: 'interpreter' | 'jit' }; result: Record<string, never> };
+  /** waits for the end of the cycle and writes the whole CPU into a [file](formats/cpu-state.md), `*.state`; P1308 beyond 8 MB */
+  'cpu.save': { fields: { path: string; replace?: boolean }; result: Record<string, never> };
+  /** restores the CPU; P1319 for the state of another CPU, P1320 for an invalid file */
+  'cpu.load': { fields: { path: string }; result: Record<string, never> };
+  /** S5 timers are paused and are set by `variables.write` */
+  'timers.mode': { fields: { manual: boolean }; result: Record<string, never> };
+  /** these numbers, or all */
+  'timers.reset': { fields: { timers?: number[] }; result: Record<string, never> };
+  /** records the operations of all browsers on the CPU */
+  'record.start': { fields: Record<string, never>; result: Record<string, never> };
+  /** into a [file](formats/recording.md), `*.rec`; without a path they are discarded */
+  'record.stop': { fields: { path?: string; replace?: boolean }; result: { actions: number } };
+  /** each action at its instant of virtual time */
+  'play.start': { fields: { path: string }; result: { actions: number } };
+  /** pauses the playback while the CPU continues */
+  'play.pause': { fields: { on: boolean }; result: Record<string, never> };
+  /** ends it */
+  'play.stop': { fields: Record<string, never>; result: Record<string, never> };
+  'time.pace': { fields: { mode: 'real' | 'fast' | 'pause'; factor?: number }; result: Record<string, never> };
+  /** while paused: runs exactly this number of OB 1 cycles */
+  'time.step': { fields: { cycles?: number }; result: Record<string, never> };
+  /** is only answered */
+  'ping': { fields: Record<string, never>; result: Record<string, never> };
+  /** `list` is a number chosen by the page; `point`, `once`: see below */
+  'watch.set': { fields: { list: number; items: WatchItem[]; everyMs?: number; point?: 'begin' | 'end' | 'stop' | 'now'; once?: boolean }; result: { items: WatchedItem[] } };
+  'watch.drop': { fields: { list: number }; result: Record<string, never> };
+  'variables.read': { fields: { items: WatchItem[] }; result: { items: { text: string; raw: number | null; problem?: Problem }[] } };
+  /** all or none; an input sets its terminal */
+  'variables.write': { fields: { items: ModifyItem[] }; result: Record<string, never> };
+  /** writes at that point of the cycle: once, or each time until it is dropped */
+  'modify.set': { fields: { list: number; items: ModifyItem[]; point: 'begin' | 'end' | 'stop'; once?: boolean }; result: Record<string, never> };
+  'modify.drop': { fields: { list: number }; result: Record<string, never> };
+  /** all or none; overlapping operands are refused */
+  'variables.force': { fields: { items: ModifyItem[] }; result: Record<string, never> };
+  /** without `items`: all */
+  'variables.unforce': { fields: { items?: NamedItem[] }; result: Record<string, never> };
+  /** operands, or names `plant.X`, `terminal.MODULE.DO0`; `everyMs` is virtual time, 0: every cycle */
+  'trend.set': { fields: { list: number; items: NamedItem[]; everyMs?: number }; result: { items: CurveItem[] } };
+  /** the answer of `trend.set`, without creating curves */
+  'trend.check': { fields: { items: NamedItem[] }; result: { items: CurveItem[] } };
+  'trend.drop': { fields: { list: number }; result: Record<string, never> };
+  'files.list': { fields: Record<string, never>; result: { files: FileRow[] } };
+  'files.read': { fields: { path: string }; result: { text: string; revision: number } };
+  /** `revision` is that of the text that was read; another one is refused. Written completely or not at all */
+  'files.write': { fields: { path: string; text: string; revision: number }; result: { revision: number } };
+  /** missing folders are created, at most 32 within each other */
+  'files.create': { fields: { path: string; text?: string }; result: { revision: number } };
+  /** a name listed in `[program]` of merker.toml is changed there as well; folders that are empty then go */
+  'files.delete': { fields: { path: string }; result: Record<string, never> };
+  /** likewise */
+  'files.rename': { fields: { path: string; to: string }; result: Record<string, never> };
+  /** `files`: unsaved texts in place of the files. Problems are a result here: the first 2,000, and how many more */
+  'program.check': { fields: { files?: UnsavedFile[] }; result: { problems: Problem[]; more: number; blocks: number; interfaces?: BlockInterface[] } };
+  /** compile and download these blocks, or all; refused in RUN (S7-SIM-11), allowed in RUN-P and STOP; in STOP only if merker.toml has changed */
+  'program.load': { fields: { blocks?: string[] }; result: Record<string, never> };
+  'program.blocks': { fields: { side?: 'offline' | 'online' }; result: { blocks: BlockRow[] } };
+  'program.compare': { fields: Record<string, never>; result: { blocks: Compared[] } };
+  /** blocks of the CPU as AWL sources, one file each, never replacing a file: `FC1.awl`, or `online/FC1.awl` for a block that the project has; it is compiled only if `sources` names it */
+  'program.upload': { fields: { blocks?: string[] }; result: { files: string[] } };
+  /** from the CPU */
+  'program.delete': { fields: { blocks: string[] }; result: Record<string, never> };
+  'program.listing': { fields: { block: string; side?: 'offline' | 'online'; mnemonics?: 'german' | 'international' }; result: { text: string } };
+  /** a mnemonic is its word, its operands, its id */
+  'program.completion': { fields: Record<string, never>; result: { symbols: SymbolEntry[]; blocks: BlockEntry[]; mnemonics: { german: [string, string, string][]; international: [string, string, string][] }; numbers: BlockNumbers } };
+  /** cross reference, of one operand or all: the first 20,000 rows, and how many more */
+  'program.references': { fields: { operand?: string }; result: { rows: Reference[]; more: number } };
+  /** `block`, or `file` and `line`; each browser has one */
+  'status.show': { fields: { block?: string; file?: string; line?: number }; result: { block: string } };
+  'status.hide': { fields: Record<string, never>; result: Record<string, never> };
+  /** all of this file; the answer is where they were placed */
+  'breakpoints.set': { fields: { file: string; lines: number[] }; result: { lines: number[] } };
+  'debug.go': { fields: Record<string, never>; result: Record<string, never> };
+  'debug.step': { fields: { kind?: 'into' | 'over' | 'out' }; result: Record<string, never> };
+  'symbols.read': { fields: Record<string, never>; result: { path: string; rows: SymbolRow[]; revision: number } };
+  /** problems have `row` (from 0) and `field` */
+  'symbols.check': { fields: { rows: TypedSymbol[] }; result: { problems: Problem[] } };
+  /** with problems nothing is saved (S7-SYM-03) */
+  'symbols.write': { fields: { rows: TypedSymbol[]; revision?: number }; result: { revision: number } };
+  'symbols.import': { fields: { format: 'asc' | 'sdf' | 'dif' | 'seq' | 'sym'; text: string }; result: { rows: SymbolRow[]; problems: Problem[] } };
+  /** these rows, or the table of the project */
+  'symbols.export': { fields: { format: 'asc' | 'sdf' | 'dif' | 'seq' | 'sym'; rows?: TypedSymbol[] }; result: { text: string } };
+  'hardware.read': { fields: Record<string, never>; result: { racks: Rack[] } };
+  /** remove/insert, wire break, load voltage ... (as in scenarios) */
+  'hardware.fault': { fields: { rack: number; slot: string; fault: string; on: boolean }; result: Record<string, never> };
+  'hardware.catalogue': { fields: Record<string, never>; result: { types: ModuleType[] } };
+  /** `text` of a merker.toml; nothing is written */
+  'hardware.edit': { fields: { text: string; changes?: Change[] }; result: { text: string; racks: Rack[]; cpu: { table: string; parameters: Parameter[] }[]; configured: boolean; current: { rack: number; taken: number; possible: number }[]; problems: Problem[] } };
+  /** newest first */
+  'diagnosis.buffer': { fields: Record<string, never>; result: { entries: DiagnosticEntry[] } };
+  'diagnosis.stacks': { fields: Record<string, never>; result: { blocks: BlockLevel[]; interrupts: InterruptLevel[]; locals: LocalLevel[] } };
+  /** module information; 0 or an empty text where the PLC has none */
+  'diagnosis.information': { fields: Record<string, never>; result: { model: string; mode: string; stopReason: string; clock: string; memory: Record<string, number | string>; cycle: Record<string, number | string>; limits: Record<string, number | string> } };
+  'process.list': { fields: Record<string, never>; result: { plants: PlantRow[] } };
+  /** the event `process`, at most 30 a second */
+  'process.watch': { fields: { on: boolean }; result: Record<string, never> };
+  /** as `plant NAME.X = v` of a scenario; P0989 outside `min` and `max`; a held signal is released when this browser disconnects */
+  'process.set': { fields: { plant: string; value: string; to: number; held?: boolean }; result: Record<string, never> };
+  /** a sensor or actuator, named by its signal, is stuck: at `to`, else at its current value */
+  'process.fault': { fields: { plant: string; fault: string; on: boolean; to?: number }; result: Record<string, never> };
+  /** back to its start */
+  'process.reset': { fields: { plant: string }; result: Record<string, never> };
+  'projects.list': { fields: Record<string, never>; result: { examples: { id: string; title: string; description: string }[]; templates: { id: string; title: string }[]; models: string[]; recent: string[]; folder: string } };
+  /** one of them. It is opened for all browsers; an example as a copy in the workspace folder so that it can be changed */
+  'projects.open': { fields: { example?: string; folder?: string }; result: Record<string, never> };
+  /** wizard (S7-MGR-01); the CPU is in STOP and empty until `program.load` */
+  'projects.new': { fields: { name: string; model?: string; mpiAddress?: number; template?: string; mnemonics?: 'german' | 'international'; ob?: string }; result: Record<string, never> };
+  'projects.save': { fields: Record<string, never>; result: Record<string, never> };
+  'projects.close': { fields: Record<string, never>; result: Record<string, never> };
 }
 
-export type Fields = Record<string, unknown>;
-
-/** An answer of the server that names problems instead of a result. */
-export class Refused extends Error {
-  constructor(
-    readonly problems: Problem[],
-    /** What was asked for. */
-    readonly method = '',
-  ) {
-    super(problems.map((problem) => problem.text).join('\n'));
-    this.name = 'Refused';
-  }
+/** What the server sends by itself. */
+export interface Events {
+  /** what changed; see above */
+  state: { project?: Project | null; mode?: 'RUN' | 'STOP' | 'STARTUP' | 'HALT'; powered?: boolean; switch?: 'RUN-P' | 'RUN' | 'STOP' | 'MRES'; leds?: Lamps; stopReason?: string; time?: number; clock?: string; cycles?: number; cycle?: { last: number; min: number; max: number } | null; pace?: { mode: 'real' | 'fast' | 'pause'; factor: number }; reached?: number; engine?: 'interpreter' | 'jit'; forces?: { operand: string; value: string }[]; breakpoint?: { file: string; line: number; block: string; why: string } | null; breakpoints?: Record<string, number[]>; timersByHand?: boolean; recording?: { since: number; actions: number; full: boolean } | null; playback?: Playback | null; diagnostics?: number; program?: number; files?: number };
+  /** only changed items (all the first time): index, text, value as a number (unsigned bits, REAL as a number). `done` marks the last event of a list that is triggered once */
+  values: { list: number; time: number; values: [number, string, number | null][]; done?: true };
+  /** follows each modification of `modify.set` */
+  modified: { list: number };
+  /** time in ms, then the values of the curves */
+  samples: { list: number; rows: (number | null)[][] };
+  /** program status: line, vke, sta, or, akku1, akku2, ar1, ar2, stw, db, di of the reached lines (empty: a register that the PLC does not have); null while the block does not run */
+  status: { block: string; file: string; calls: number; rows: [number, string, string, string, string, string, string, string, string, string, string][] | null };
+  /** values by plant and signal */
+  process: { time: number; plants: Record<string, Record<string, number>>; stuck: Record<string, Record<string, number>> };
+  /** see above */
+  stalled: { place: string; seconds: number };
 }
 
-/** The connection was lost before the answer came. */
-export class ConnectionLost extends Error {
-  constructor() {
-    super('connection lost');
-    this.name = 'ConnectionLost';
-  }
-}
+/** The fields of the state, by their names. */
+export const stateFields = ['project', 'mode', 'powered', 'switch', 'leds', 'stopReason', 'time', 'clock', 'cycles', 'cycle', 'pace', 'reached', 'engine', 'forces', 'breakpoint', 'breakpoints', 'timersByHand', 'recording', 'playback', 'diagnostics', 'program', 'files'] as const;

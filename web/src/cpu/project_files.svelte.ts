@@ -7,7 +7,7 @@ export class ProjectFiles {
   constructor(private readonly ending: string) {}
 
   async list(): Promise<void> {
-    const answer = await connection.ask<{ files: { path: string }[] }>('files.list').catch(() => null);
+    const answer = await connection.ask('files.list').catch(() => null);
     if (!answer) return;
     this.names = answer.files
       .map((file) => file.path)

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
+import type { BlockRow } from '../connection/protocol';
 import { compareIds, treeRows } from './block_tree';
-import type { BlockRow } from './workspace.svelte';
 
 const block = (id: string, calls: string[] = []): BlockRow => ({
   id,

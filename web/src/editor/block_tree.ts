@@ -1,5 +1,5 @@
 // The rows of the block tree: each block, and below it what it calls.
-import type { BlockRow } from './workspace.svelte';
+import type { BlockRow } from '../connection/protocol';
 
 export interface TreeRow {
   key: string; // way through the calls, unique

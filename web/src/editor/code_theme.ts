@@ -93,5 +93,4 @@ export const codeTheme = EditorView.theme({
   },
   '.cm-operand-tooltip': { padding: 'var(--s1) var(--s3)', fontFamily: 'var(--mono)', whiteSpace: 'pre-wrap' },
   '.cm-problem-code': { color: 'var(--ink-soft)', fontFamily: 'var(--mono)', fontSize: 'var(--text-small)' },
-  '.cm-problem-hint': { color: 'var(--ink-soft)', display: 'block' },
 });

@@ -3,8 +3,8 @@ import { initialState, tokenizeLine, type Token } from './lexer';
 
 export type Mnemonics = 'german' | 'international';
 
-// The same rows as in docs/instructions-step7.md; words that are the same in both are left out.
-const instructions: readonly (readonly [german: string, international: string])[] = [
+// The rows of src/s7/mc7/operations.inc, in their order; words that are the same in both are left out.
+export const instructions: readonly (readonly [german: string, international: string])[] = [
   ['U', 'A'],
   ['UN', 'AN'],
   ['U(', 'A('],

@@ -1,4 +1,4 @@
-// Problems of the compiler at their places in the text (S7-EDIT-06): code, sentence, hint.
+// Problems of the compiler at their places in the text (S7-EDIT-06): code, sentence.
 import type { Diagnostic } from '@codemirror/lint';
 import type { Text } from '@codemirror/state';
 import type { Problem } from '../connection';
@@ -10,11 +10,6 @@ function render(problem: Problem): Node {
   code.className = 'cm-problem-code';
   code.textContent = `${problem.code} `;
   element.append(told(problem));
-  if (problem.hint) {
-    const hint = element.appendChild(document.createElement('span'));
-    hint.className = 'cm-problem-hint';
-    hint.textContent = problem.hint;
-  }
   return element;
 }
 
@@ -32,8 +27,8 @@ export function diagnostics(doc: Text, problems: readonly Problem[]): Diagnostic
     .filter((problem) => problem.line > 0)
     .map((problem) => ({
       ...rangeOf(doc, problem.line, problem.column),
-      severity: problem.severity === 'note' ? 'info' : problem.severity,
-      message: `${problem.code} ${told(problem)} ${problem.hint ?? ''}`.trim(),
+      severity: problem.severity,
+      message: `${problem.code} ${told(problem)}`,
       renderMessage: () => render(problem),
     }));
 }

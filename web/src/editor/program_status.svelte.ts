@@ -1,24 +1,20 @@
 // The live program status of one block (S7-EDIT-21), asked for as long as somebody looks at it.
-import { connection, type Kept } from '../connection';
+import { connection, type Events, type Kept } from '../connection';
 import { unusedColumns, type StatusRow } from './status_columns';
 
-interface StatusEvent {
-  block: string;
-  file: string;
-  rows: StatusRow[] | null;
-}
+type StatusEvent = Events['status'];
 
 export class ProgramStatus {
   rows = $state.raw<readonly StatusRow[] | null>(null);
   running = $state(true);
   /** Columns that this machine has no values for; known after the first rows. */
   unused = $state.raw<readonly string[]>([]);
-  private kept: Kept | null = null;
+  private kept: Kept<'status.show'> | null = null;
   private place = '';
   private readonly end: () => void;
 
   constructor() {
-    this.end = connection.on('status', (message) => this.receive(message as unknown as StatusEvent));
+    this.end = connection.on('status', (message) => this.receive(message));
   }
 
   show(file: string, line: number): void {

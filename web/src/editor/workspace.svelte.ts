@@ -1,53 +1,16 @@
 // The project as the program view sees it: files, open texts, blocks of both sides, problems. It outlives a change of view.
 import { SvelteMap } from 'svelte/reactivity';
 import { connection, Refused, type Problem } from '../connection';
+import type { BlockInterface, BlockRow, Compared, FileRow } from '../connection/protocol';
 import { attempt, messages } from '../state/messages.svelte';
 import { plc } from '../state/plc.svelte';
 import { emptyCatalogue, SymbolIndex, type Catalogue } from './catalogue';
-import { OpenDocument, type Stored } from './document.svelte';
+import { OpenDocument } from './document.svelte';
 import { Drafts } from './drafts';
-
-export interface FileRow {
-  path: string;
-  size: number;
-  kind: 'source' | 'symbols' | 'hardware' | 'table' | 'scenario' | 'other';
-}
-
-export interface BlockRow {
-  id: string;
-  symbol: string;
-  title: string;
-  language: string;
-  load: number;
-  work: number;
-  file: string;
-  line: number;
-  calls: string[];
-  version: string;
-  checksum: string;
-}
-
-/** Where the compiler puts the variables of a block (S7-EDIT-02). */
-export interface Interface {
-  block: string;
-  file: string;
-  line: number;
-  variables: { name: string; section: string; address: string }[];
-}
-
-interface Checked {
-  problems: Problem[];
-  interfaces?: Interface[];
-}
+import type { Mnemonics } from './mnemonics';
 
 export type Side = 'offline' | 'online';
-export type Difference = 'same' | 'different' | 'onlyOffline' | 'onlyOnline';
-
-export interface Compared {
-  id: string;
-  state: Difference;
-  where: string;
-}
+export type Difference = Compared['state'];
 
 const CHECK_AFTER_MS = 300;
 
@@ -60,7 +23,7 @@ class Workspace {
   compared = $state.raw<Compared[]>([]);
   catalogue = $state.raw<Catalogue>(emptyCatalogue());
   problems = $state.raw<Problem[]>([]);
-  interfaces = $state.raw<Interface[]>([]);
+  interfaces = $state.raw<BlockInterface[]>([]);
   checked = $state(false);
   documents = new SvelteMap<string, OpenDocument>();
   current = $state<OpenDocument | null>(null);
@@ -92,23 +55,23 @@ class Workspace {
 
   /** After a change of files, by any browser or on the disk. */
   async refreshFiles(): Promise<void> {
-    const answer = await attempt(connection.ask<{ files: FileRow[] }>('files.list'));
+    const answer = await attempt(connection.ask('files.list'));
     if (answer) this.files = answer.files;
     for (const document of [...this.documents.values()])
       if (document.readonly) continue;
       else if (this.exists(document.path)) await this.reread(document);
       else if (!document.dirty) this.close(document.path);
-    const catalogue = plc.can('completion') && (await quiet(connection.ask<Catalogue>('program.completion')));
+    const catalogue = plc.can('completion') && (await quiet(connection.ask('program.completion')));
     if (catalogue) this.catalogue = catalogue;
     this.checkSoon();
   }
 
   async refreshBlocks(): Promise<void> {
     const ask = async (side: Side): Promise<BlockRow[]> =>
-      (await quiet(connection.ask<{ blocks: BlockRow[] }>('program.blocks', { side })))?.blocks ?? [];
+      (await quiet(connection.ask('program.blocks', { side })))?.blocks ?? [];
     this.blocks = { offline: await ask('offline'), online: await ask('online') };
     if (!plc.can('download')) return;
-    this.compared = (await quiet(connection.ask<{ blocks: Compared[] }>('program.compare')))?.blocks ?? [];
+    this.compared = (await quiet(connection.ask('program.compare')))?.blocks ?? [];
   }
 
   async open(path: string, ask: Asking = attempt): Promise<OpenDocument | undefined> {
@@ -122,7 +85,7 @@ class Workspace {
   async fetch(path: string, ask: Asking = attempt): Promise<OpenDocument | undefined> {
     const document = this.documents.get(path);
     if (document) return document;
-    const stored = await ask(connection.ask<Stored>('files.read', { path }));
+    const stored = await ask(connection.ask('files.read', { path }));
     if (!stored) return undefined;
     const fresh = this.documents.get(path) ?? new OpenDocument(path, stored, this.drafts);
     this.documents.set(path, fresh);
@@ -130,10 +93,8 @@ class Workspace {
   }
 
   /** A block of the CPU as AWL, to read only. */
-  async openOnline(block: string, mnemonics: string): Promise<void> {
-    const answer = await attempt(
-      connection.ask<{ text: string }>('program.listing', { block, side: 'online', mnemonics }),
-    );
+  async openOnline(block: string, mnemonics: Mnemonics): Promise<void> {
+    const answer = await attempt(connection.ask('program.listing', { block, side: 'online', mnemonics }));
     if (!answer) return;
     const document = new OpenDocument(`CPU: ${block}`, { text: answer.text, revision: 0 }, this.drafts, true);
     this.documents.set(document.path, document);
@@ -180,8 +141,9 @@ class Workspace {
     const { path, text, revision } = document;
     try {
       // A file that was deleted meanwhile comes back with what was typed.
-      const method = this.exists(path) ? 'files.write' : 'files.create';
-      const answer = await connection.ask<{ revision: number }>(method, { path, text, revision });
+      const answer = this.exists(path)
+        ? await connection.ask('files.write', { path, text, revision })
+        : await connection.ask('files.create', { path, text });
       document.saved(text, answer.revision);
       return true;
     } catch (error) {
@@ -200,7 +162,7 @@ class Workspace {
 
   // A machine that takes no blocks one by one: the project is opened again, unless it has errors.
   private async reopen(): Promise<boolean> {
-    const answer = await attempt(connection.ask<Checked>('program.check'));
+    const answer = await attempt(connection.ask('program.check'));
     const errors = answer?.problems.filter((problem) => problem.severity === 'error');
     if (!errors) return false;
     if (errors.length > 0) messages.problems(errors);
@@ -212,7 +174,7 @@ class Workspace {
   /** What the CPU has in an operand. */
   async value(operand: string): Promise<string | undefined> {
     const answer = await quiet(
-      connection.ask<{ items: { text: string; problem?: Problem }[] }>('variables.read', {
+      connection.ask('variables.read', {
         items: [{ operand, format: 'AUTO' }],
       }),
     );
@@ -234,7 +196,7 @@ class Workspace {
   private async check(): Promise<void> {
     const changed = [...this.documents.values()].filter((document) => document.dirty && !document.readonly);
     const files = changed.map(({ path, text }) => ({ path, text }));
-    const answer = await quiet(connection.ask<Checked>('program.check', { files }));
+    const answer = await quiet(connection.ask('program.check', { files }));
     if (!answer) return;
     if (answer.interfaces) this.interfaces = answer.interfaces;
     this.problems = answer.problems;
@@ -244,7 +206,7 @@ class Workspace {
   }
 
   private async reread(document: OpenDocument): Promise<void> {
-    const stored = await quiet(connection.ask<Stored>('files.read', { path: document.path }));
+    const stored = await quiet(connection.ask('files.read', { path: document.path }));
     if (stored) document.arrived(stored);
   }
 

@@ -94,11 +94,11 @@ class Plan {
     this.planned = null;
     this.past = [];
     this.looked = '';
-    const files = await attempt(connection.ask<{ files: { path: string }[] }>('files.list'));
+    const files = await attempt(connection.ask('files.list'));
     this.missing = files !== undefined && !files.files.some((file) => file.path === SETTINGS);
     if (!files || this.missing) return;
     this.document = (await workspace.fetch(SETTINGS)) ?? null;
-    const listed = await attempt(connection.ask<{ types: ModuleType[] }>('hardware.catalogue'));
+    const listed = await attempt(connection.ask('hardware.catalogue'));
     if (listed) this.types = listed.types;
   }
 
@@ -106,7 +106,7 @@ class Plan {
   async look(text: string): Promise<void> {
     if (this.looked === text && this.planned) return;
     this.looked = text;
-    const answer = await attempt(connection.ask<Planned>('hardware.edit', { text }));
+    const answer = await attempt(connection.ask('hardware.edit', { text }));
     if (answer && this.document?.text === text) this.planned = answer;
   }
 
@@ -121,7 +121,7 @@ class Plan {
     const document = this.document;
     if (!document) return false;
     const before = document.text;
-    const answer = await attempt(connection.ask<Planned>('hardware.edit', { text: before, changes }));
+    const answer = await attempt(connection.ask('hardware.edit', { text: before, changes }));
     if (!answer || document.text !== before) return false;
     this.looked = answer.text;
     this.planned = answer;
@@ -151,7 +151,7 @@ class Plan {
   /** Number of errors in the whole project as it is stored; undefined if it could not be asked. */
   async compile(): Promise<number | undefined> {
     if (!(await this.save())) return undefined;
-    const answer = await attempt(connection.ask<{ problems: Problem[] }>('program.check'));
+    const answer = await attempt(connection.ask('program.check'));
     return answer?.problems.filter((problem) => problem.severity === 'error').length;
   }
 

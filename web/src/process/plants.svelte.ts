@@ -1,30 +1,10 @@
-import { connection, type Fields, type Kept } from '../connection';
+import { connection, type Events, type Kept } from '../connection';
+import type { PlantRow, PlantValue } from '../connection/protocol';
 import { attempt } from '../state/messages.svelte';
 import { between, type Frame, type Values } from './motion';
 
-export interface Signal {
-  name: string;
-  unit: string;
-  value: number;
-  /** Nothing is wired to it: a person sets it. */
-  writable: boolean;
-  binary: boolean;
-  /** Of the plant: what the PLC or a person gives it. Else the plant shows it. */
-  input: boolean;
-  min: number;
-  max: number;
-  /** What it is wired to, as the PLC calls it; empty without a wire. */
-  operand: string;
-  symbol: string;
-  /** What it is stuck at; null while it works. */
-  stuck: number | null;
-}
-
-export interface Plant {
-  name: string;
-  kind: string;
-  values: Signal[];
-}
+export type Signal = PlantValue;
+export type Plant = PlantRow;
 
 const reducedMotion = window.matchMedia('(prefers-reduced-motion: reduce)');
 const CALM_MS = 500;
@@ -61,7 +41,7 @@ export class Plants {
   }
 
   async load(): Promise<void> {
-    const answer = await connection.ask<{ plants: Plant[] }>('process.list').catch(() => null);
+    const answer = await connection.ask('process.list').catch(() => null);
     this.list = answer?.plants ?? [];
     this.known = answer !== null;
     const now: Record<string, Values> = {};
@@ -89,13 +69,12 @@ export class Plants {
   }
 
   /** Only what changed comes; the rest stays. */
-  private receive(message: Fields): void {
+  private receive(message: Events['process']): void {
     const plants = { ...this.latest?.plants };
-    for (const [name, values] of Object.entries(message.plants as Record<string, Values>))
-      plants[name] = { ...plants[name], ...values };
+    for (const [name, values] of Object.entries(message.plants)) plants[name] = { ...plants[name], ...values };
     this.before = this.latest;
     this.latest = { at: performance.now(), plants };
-    if (message.stuck) this.takeFaults(message.stuck as Record<string, Values>);
+    this.takeFaults(message.stuck);
   }
 
   private takeFaults(stuck: Record<string, Values>): void {

@@ -1,39 +1,22 @@
 // What can be opened: examples, templates, the workspace folder.
-import { connection } from '../connection';
+import { connection, type Requests } from '../connection';
 import { attempt } from '../state/messages.svelte';
 import { plc } from '../state/plc.svelte';
 
-export interface Example {
-  id: string;
-  title: string;
-  description: string;
-}
-
-export interface Template {
-  id: string;
-  title: string;
-}
-
-interface Listed {
-  examples: Example[];
-  templates: Template[];
-  models: string[];
-  recent: string[];
-  folder: string;
-}
+type Listed = Requests['projects.list']['result'];
 
 /** The words of a text in Markdown. */
 export const plain = (text: string): string => text.replace(/\[([^\]]*)\]\([^)]*\)/g, '$1').replace(/[`*]/g, '');
 
 class ProjectList {
-  examples = $state.raw<Example[]>([]);
-  templates = $state.raw<Template[]>([]);
+  examples = $state.raw<Listed['examples']>([]);
+  templates = $state.raw<Listed['templates']>([]);
   models = $state.raw<string[]>([]);
   recent = $state.raw<string[]>([]);
   folder = $state('');
 
   async read(): Promise<void> {
-    const answer = await attempt(connection.ask<Listed>('projects.list'));
+    const answer = await attempt(connection.ask('projects.list'));
     if (answer) Object.assign(this, answer);
   }
 }

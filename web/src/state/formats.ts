@@ -1,5 +1,5 @@
-/** The display formats with the narrowest and the widest operand they fit, in bits. */
-const FORMATS: [name: string, shortest: number, widest: number][] = [
+/** The display formats with the narrowest and the widest operand they fit, in bits: the rows of src/tool/monitor/display_format.cpp. */
+export const FORMATS: [name: string, shortest: number, widest: number][] = [
   ['AUTO', 1, 32],
   ['BOOL', 1, 1],
   ['BIN', 1, 32],

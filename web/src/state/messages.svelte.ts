@@ -5,7 +5,6 @@ export interface Message {
   kind: 'problem' | 'done';
   text: string;
   arguments?: string[];
-  hint: string;
   code: string;
   file: string;
   line: number;
@@ -24,7 +23,7 @@ class Messages {
   private nextId = 1;
 
   problem(problem: Partial<Problem> & { text: string }, method = ''): void {
-    this.add({ kind: 'problem', hint: '', code: '', file: '', line: 0, column: 0, method, ...problem });
+    this.add({ kind: 'problem', code: '', file: '', line: 0, column: 0, method, ...problem });
   }
 
   problems(problems: Problem[], method = ''): void {
@@ -32,7 +31,7 @@ class Messages {
   }
 
   done(text: string): void {
-    const id = this.add({ kind: 'done', text, hint: '', code: '', file: '', line: 0, column: 0, method: '' });
+    const id = this.add({ kind: 'done', text, code: '', file: '', line: 0, column: 0, method: '' });
     setTimeout(() => this.dismiss(id), DONE_MS);
   }
 

@@ -1,55 +1,20 @@
-import { connection, type Fields, type Phase, type Problem } from '../connection';
+import { connection, type Events, type Phase } from '../connection';
+import { stateFields, type Lamps, type Playback, type Project } from '../connection/protocol';
 
-export type Mode = 'RUN' | 'STOP' | 'STARTUP' | 'HALT';
-export type SwitchPosition = 'RUN-P' | 'RUN' | 'STOP' | 'MRES';
-export type Led = 'off' | 'on' | 'slow' | 'fast';
+type State = Required<Events['state']>;
+export type Mode = State['mode'];
+export type SwitchPosition = State['switch'];
+export type Led = Lamps[LedName];
 export const LEDS = ['SF', 'BF', 'DC5V', 'FRCE', 'RUN', 'STOP'] as const;
 export type LedName = (typeof LEDS)[number];
 
-/** What a machine can do; the protocol has the table (docs/workbench-protocol.md). */
-export type Ability =
-  | 'breakpoints'
-  | 'cyclePoints'
-  | 'stacks'
-  | 'information'
-  | 'blocks'
-  | 'download'
-  | 'completion'
-  | 'references'
-  | 'symbols'
-  | 'rack'
-  | 'plants'
-  | 'interrupts'
-  | 'engine'
-  | 'snapshots'
-  | 'timersByHand'
-  | 'modeSwitch'
-  | 'leds';
-
-export interface Project {
-  name: string;
-  folder: string;
-  can: Ability[];
-  mpiAddress: number;
-  model: string;
-  example: boolean;
-  /** No block is in the CPU. */
-  empty: boolean;
-  changed: string[];
-}
-
-export interface Playback {
-  path: string;
-  actions: number;
-  done: number;
-  state: 'playing' | 'paused' | 'ended' | 'failed';
-  problem?: Problem;
-}
+/** What a machine can do; docs/workbench-protocol.md has the table. */
+export type Ability = Project['can'][number];
 
 const DARK: Record<LedName, Led> = { SF: 'off', BF: 'off', DC5V: 'off', FRCE: 'off', RUN: 'off', STOP: 'off' };
 
 /** What the server pushes to everybody. Reading a field in a component makes the component follow it. */
-export class Plc {
+export class Plc implements State {
   project = $state<Project | null>(null);
   mode = $state<Mode>('STOP');
   powered = $state(true);
@@ -61,7 +26,7 @@ export class Plc {
   cycles = $state(0);
   /** In milliseconds; null where the PLC measures none. */
   cycle = $state<{ last: number; min: number; max: number } | null>(null);
-  pace = $state<{ mode: 'real' | 'fast' | 'pause'; factor: number }>({ mode: 'real', factor: 1 });
+  pace = $state<State['pace']>({ mode: 'real', factor: 1 });
   reached = $state(1);
   engine = $state<'interpreter' | 'jit'>('interpreter');
   forces = $state<{ operand: string; value: string }[]>([]);
@@ -69,7 +34,7 @@ export class Plc {
   breakpoints = $state.raw<Record<string, number[]>>({});
   diagnostics = $state(0);
   timersByHand = $state(false);
-  recording = $state<{ since: number; actions: number; full?: boolean } | null>(null);
+  recording = $state<{ since: number; actions: number; full: boolean } | null>(null);
   playback = $state.raw<Playback | null>(null);
   program = $state(0);
   files = $state(0);
@@ -95,12 +60,15 @@ export class Plc {
   }
 
   /** Takes over the fields that changed. */
-  receive(message: Fields): void {
+  receive(message: Events['state']): void {
     if (message.project === null) this.close();
-    for (const [name, value] of Object.entries(message)) {
-      if (name !== 'event' && name in this) (this as unknown as Fields)[name] = value;
-    }
+    for (const name of stateFields) this.take(name, message);
     this.live = true;
+  }
+
+  private take<Name extends keyof State>(name: Name, message: Events['state']): void {
+    const value = message[name] as State[Name] | undefined;
+    if (value !== undefined) (this as State)[name] = value;
   }
 
   /** Without a project there is no CPU. */

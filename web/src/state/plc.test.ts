@@ -1,12 +1,27 @@
 import { expect, test } from 'vitest';
+import type { Project } from '../connection/protocol';
 import { Plc } from './plc.svelte';
+
+const project: Project = {
+  name: '',
+  folder: '',
+  mpiAddress: 2,
+  can: [],
+  family: 'S7',
+  model: '',
+  example: false,
+  empty: false,
+  changed: [],
+};
 
 test('only the fields that came change', () => {
   const plc = new Plc();
-  plc.receive({ event: 'state', mode: 'RUN', cycles: 7 });
-  plc.receive({ event: 'state', cycles: 8, unknown: 1 });
+  plc.receive({ mode: 'RUN', cycles: 7 });
+  const strange = { event: 'state', cycles: 8, unknown: 1, phase: 'lost', isForced: null };
+  plc.receive(strange);
   expect([plc.mode, plc.cycles, plc.live]).toEqual(['RUN', 8, true]);
   expect('unknown' in plc).toBe(false);
+  expect([plc.phase, typeof plc.isForced]).toEqual(['connecting', 'function']);
 });
 
 test('a closed project leaves a dark CPU', () => {
@@ -26,7 +41,7 @@ test('a forced operand is found by each of its names', () => {
 test('a machine lacks what it cannot do; without a machine nothing is missing', () => {
   const plc = new Plc();
   expect([plc.can('rack'), plc.lacks('rack')]).toEqual([false, false]);
-  plc.receive({ project: { can: ['stacks'] } });
+  plc.receive({ project: { ...project, can: ['stacks'] } });
   expect([plc.can('stacks'), plc.lacks('stacks')]).toEqual([true, false]);
   expect([plc.can('rack'), plc.lacks('rack')]).toEqual([false, true]);
 });

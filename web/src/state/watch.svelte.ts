@@ -1,8 +1,10 @@
-import { connection, type Fields, type Kept, type Problem } from '../connection';
+import { connection, type Events, type FieldsOf, type Kept, type Problem } from '../connection';
+
+import type { WatchedItem } from '../connection/protocol';
 
 /** Where in the cycle values are looked at; "now": whenever there is something to tell. */
 export interface WatchTrigger {
-  point: string;
+  point: NonNullable<FieldsOf<'watch.set'>['point']>;
   once: boolean;
 }
 
@@ -30,14 +32,14 @@ export interface Watched {
 
 const lists = new Map<number, WatchList>();
 let nextList = 1;
-connection.on('values', (message) => lists.get(Number(message.list))?.receive(message));
+connection.on('values', (message) => lists.get(message.list)?.receive(message));
 
 /** Values of operands that the server keeps up to date. `set` may be called at any time; `drop` when the view goes. */
 export class WatchList {
   /** One entry per item, in the order of the items. */
   items = $state<Watched[]>([]);
   private readonly list = nextList++;
-  private kept: Kept | null = null;
+  private kept: Kept<'watch.set'> | null = null;
 
   constructor(private readonly everyMs = 33) {
     lists.set(this.list, this);
@@ -63,8 +65,8 @@ export class WatchList {
     lists.delete(this.list);
   }
 
-  receive(message: Fields): void {
-    for (const [index, text, raw] of message.values as [number, string, number | null][]) {
+  receive(message: Events['values']): void {
+    for (const [index, text, raw] of message.values) {
       const item = this.items[index];
       if (!item) continue;
       item.text = text;
@@ -72,7 +74,7 @@ export class WatchList {
     }
   }
 
-  private described(result: { items: Partial<Watched>[] }): void {
+  private described(result: { items: WatchedItem[] }): void {
     result.items.forEach((described, index) => {
       const item = this.items[index];
       if (!item) return;

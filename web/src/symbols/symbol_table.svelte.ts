@@ -4,13 +4,7 @@ import { OpenDocument } from '../editor/document.svelte';
 import { Drafts } from '../editor/drafts';
 import { attempt, messages } from '../state/messages.svelte';
 import { plc } from '../state/plc.svelte';
-import { emptyRow, fromText, meaningful, toText, type Field, type SymbolRow } from './rows';
-
-interface Read {
-  path: string;
-  rows: SymbolRow[];
-  revision: number;
-}
+import { emptyRow, fromText, meaningful, toText, type Field, type SymbolRow, type Format } from './rows';
 
 const CHECK_AFTER_MS = 250;
 
@@ -36,7 +30,7 @@ class SymbolTable {
   /** What the server has; what was typed here stays. */
   async read(): Promise<void> {
     const folder = plc.project?.folder ?? '';
-    const answer = await attempt(connection.ask<Read>('symbols.read'));
+    const answer = await attempt(connection.ask('symbols.read'));
     if (!answer) return;
     this.path = answer.path;
     const stored = { text: toText(answer.rows), revision: answer.revision };
@@ -77,7 +71,7 @@ class SymbolTable {
     if (!document || document.conflict) return false;
     const rows = $state.snapshot(meaningful(this.rows));
     try {
-      const { revision } = await connection.ask<{ revision: number }>('symbols.write', {
+      const { revision } = await connection.ask('symbols.write', {
         rows,
         revision: document.revision,
       });
@@ -91,10 +85,8 @@ class SymbolTable {
   }
 
   /** Rows of a file of STEP 7 become rows here; saved like typed ones. */
-  async import(format: string, text: string): Promise<number | null> {
-    const answer = await attempt(
-      connection.ask<{ rows: SymbolRow[]; problems: Problem[] }>('symbols.import', { format, text }),
-    );
+  async import(format: Format, text: string): Promise<number | null> {
+    const answer = await attempt(connection.ask('symbols.import', { format, text }));
     if (!answer) return null;
     messages.problems(answer.problems);
     this.rows = [...meaningful(this.rows), ...answer.rows];
@@ -103,9 +95,9 @@ class SymbolTable {
   }
 
   /** The table as it is shown, as a file of STEP 7. */
-  async export(format: string): Promise<string | undefined> {
+  async export(format: Format): Promise<string | undefined> {
     const rows = $state.snapshot(meaningful(this.rows));
-    return (await attempt(connection.ask<{ text: string }>('symbols.export', { format, rows })))?.text;
+    return (await attempt(connection.ask('symbols.export', { format, rows })))?.text;
   }
 
   problemsOf(row: number, field: Field): Problem[] {
@@ -130,7 +122,7 @@ class SymbolTable {
   private async check(): Promise<void> {
     const rows = $state.snapshot(meaningful(this.rows));
     try {
-      const answer = await connection.ask<{ problems?: Problem[] }>('symbols.check', { rows });
+      const answer = await connection.ask('symbols.check', { rows });
       this.problems = answer.problems ?? [];
     } catch (error) {
       if (error instanceof Refused) this.problems = error.problems;

@@ -1,4 +1,5 @@
-import { connection, type Fields, type Kept } from '../connection';
+import { connection, type Events, type Kept } from '../connection';
+import type { CurveItem } from '../connection/protocol';
 import { kept } from '../state/kept.svelte';
 import { append, type Columns, type Curve } from './curves';
 
@@ -10,7 +11,7 @@ class Recorder {
   columns = $state.raw<Columns>([[]]);
   everyMs = $state(100);
   private project = '';
-  private subscription: Kept | null = null;
+  private subscription: Kept<'trend.set'> | null = null;
 
   constructor() {
     connection.on('samples', (message) => this.receive(message));
@@ -28,7 +29,7 @@ class Recorder {
   /** Undefined, or why one of them is no curve; then none is added. */
   async refused(operands: string[]): Promise<Curve['problem']> {
     const items = operands.filter(Boolean).map((operand) => ({ operand }));
-    const answer = await connection.ask<{ items: Partial<Curve>[] }>('trend.check', { items });
+    const answer = await connection.ask('trend.check', { items });
     return answer.items.find((item) => item.problem)?.problem;
   }
 
@@ -72,7 +73,7 @@ class Recorder {
     else this.subscription = connection.keep('trend.set', fields, (result) => this.described(result));
   }
 
-  private described(result: { items: (Partial<Curve> & { operand: string })[] }): void {
+  private described(result: { items: CurveItem[] }): void {
     if (result.items.length !== this.curves.length) return;
     this.curves = this.curves.map((curve, index) => {
       const { operand: address, ...rest } = result.items[index]!;
@@ -80,9 +81,8 @@ class Recorder {
     });
   }
 
-  private receive(message: Fields): void {
-    const rows = message.rows as (number | null)[][];
-    if (message.list !== 1 || rows[0]?.length !== this.curves.length + 1) return;
+  private receive({ list, rows }: Events['samples']): void {
+    if (list !== 1 || rows[0]?.length !== this.curves.length + 1) return;
     this.columns = append(this.columns, rows);
   }
 }

@@ -1,4 +1,4 @@
-import { connection, type Fields, type Kept } from '../connection';
+import { connection, type Kept } from '../connection';
 import { attempt, messages } from '../state/messages.svelte';
 import type { Point, Trigger } from './triggers';
 
@@ -14,11 +14,11 @@ const LIST = 1;
 export class Modifier {
   /** Where it modifies; null: nowhere. */
   point = $state<Point | null>(null);
-  private kept: Kept | null = null;
+  private kept: Kept<'modify.set'> | null = null;
   private readonly forget: () => void;
 
   constructor(private readonly onmodified: () => void) {
-    this.forget = connection.on('modified', (message: Fields) => message.list === LIST && this.done());
+    this.forget = connection.on('modified', (message) => message.list === LIST && this.done());
   }
 
   modify(items: Wish[], { point, once }: Trigger): void {

@@ -1,5 +1,5 @@
 import { untrack } from 'svelte';
-import { connection, type Fields } from '../connection';
+import { connection } from '../connection';
 import { kept } from '../state/kept.svelte';
 import { attempt } from '../state/messages.svelte';
 import { plc } from '../state/plc.svelte';
@@ -50,7 +50,7 @@ export class Table {
   }
 
   async list(): Promise<void> {
-    const answer = await connection.ask<{ files: { path: string; kind: string }[] }>('files.list').catch(() => null);
+    const answer = await connection.ask('files.list').catch(() => null);
     if (answer) this.files = answer.files.map((file) => file.path).filter((path) => /\.vat$/i.test(path));
   }
 
@@ -66,7 +66,7 @@ export class Table {
   }
 
   async open(path: string): Promise<void> {
-    const file = await attempt(connection.ask<{ text: string }>('files.read', { path }));
+    const file = await attempt(connection.ask('files.read', { path }));
     if (!file) return;
     this.path = path;
     this.rows = parseTable(file.text);
@@ -78,7 +78,7 @@ export class Table {
   async save(path: string): Promise<boolean> {
     const text = printTable(this.rows, printTriggers(this.monitor, this.modify));
     const there = this.files.includes(path);
-    const old = there ? await attempt(connection.ask<Fields>('files.read', { path })) : undefined;
+    const old = there ? await attempt(connection.ask('files.read', { path })) : undefined;
     if (there && !old) return false;
     // A new file appears with its text at once: nobody sees, and no kill leaves, an empty table.
     const answer = old
