@@ -205,9 +205,8 @@ class Attacked(Attacking):
         self.stands(lambda: self.flood(lists + curves))
 
     def test_triggered_lists(self):
-        watched = [{"operand": f"M {i // 8 % 256}.{i % 8}"} for i in range(1000)]
-        items = {"watch.set": watched, "modify.set": [{**one, "value": "0"} for one in watched]}
-        self.stands(lambda: self.flood([self.request(do, list=number, point=point, items=items[do])
+        items = [{"operand": f"M {i // 8 % 256}.{i % 8}", "value": "0"} for i in range(1000)]
+        self.stands(lambda: self.flood([self.request(do, list=number, point=point, items=items)
                                         for number in range(64) for point in ("begin", "end")
                                         for do in ("watch.set", "modify.set")]))
 
@@ -215,15 +214,15 @@ class Attacked(Attacking):
         text = "FUNCTION FC 1 : VOID\nBEGIN\nNETWORK\n" + "      U     E 0.0;\n" * 150_000 + "END_FUNCTION\n"
         self.stands(lambda: self.flood([self.request("program.check", files=[{"path": "main.awl", "text": text}])]))
 
-    def test_recordings_of_unknown_fields(self):
+    def test_recordings_of_meaningless_fields(self):
         padding = "x" * (4 * MEGA - 200)
         self.stands(lambda: self.flood([self.request("record.start"), *[
             self.request("variables.write", items=[{"operand": "MW 30", "value": "1"}], x=padding)] * 50]))
 
     def test_requests_that_wait_for_a_compilation(self):
-        rows = [{"symbol": "a", "operand": "M 0.0", "comment": "x" * (4 * MEGA - 200)}]
+        padding = "x" * (4 * MEGA - 200)
         self.stands(lambda: self.flood([self.request("files.create", path="new.awl", text="//"),
-                                        *[self.request("symbols.export", format="asc", rows=rows)] * 100]))
+                                        *[self.request("symbols.export", format="asc", x=padding)] * 100]))
 
     def test_cycles_one_by_one_and_steps(self):
         self.stands(lambda: self.flood([self.request("time.pace", mode="pause"), self.request("time.step", cycles=1_000_000),

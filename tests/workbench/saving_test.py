@@ -35,9 +35,7 @@ class Saving(Served):
         """One more version; without waiting the server is killed while it works on it."""
         self.sent += 1
         browser.last += 1
-        request = {"id": browser.last, **self.request(self.sent)}
-        if self.revised:
-            request["revision"] = self.revision
+        request = {"id": browser.last, "revision": self.revision, **self.request(self.sent)}
         begin = time.monotonic()
         browser.send(json.dumps(request))
         if not wait:
@@ -59,7 +57,6 @@ class Saving(Served):
         """What stands in the file after each kill, and that it goes on."""
         for _ in range(ROUNDS):
             browser = self.browser()
-            self.revised = read is not None  # a new file has no revision to be named
             self.revision = browser.call(**read).get("revision") if read else None
             for _ in range(self.chance.randrange(1, 4)):
                 self.save(browser)

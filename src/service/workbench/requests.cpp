@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "workbench/elsewhere.h"
-#include "workbench/protocol.h"
 #include "workbench/workbench.h"
 
 namespace merker::workbench {
@@ -63,8 +62,6 @@ Answer Workbench::run(Waiting& waiting) {
   waiting.method = findMethod(name);
   if (waiting.method == nullptr) return refused(ProblemCode::P1304, name.substr(0, 100));
   if (auto why = missing(waiting.method->needs, shared_.plc.get(), name)) return *why;
-  if (auto problem = unknownField(*waiting.method, *waiting.request.json))
-    return one(std::move(*problem));
   enter(waiting.method->name);
   return begin(*waiting.method, {shared_, waiting.browser, browsers_[waiting.browser], fields,
                                  waiting.request.json});

@@ -329,16 +329,6 @@ TEST(Recorded, KeepsOnlyWhatMeansSomething) {
   EXPECT_EQ(*recorder.actions()[0].request, (Json{{"do", "cpu.stop"}}));
 }
 
-// Nor is anything recorded that was refused.
-TEST(Recorded, DoesNotKeepARequestWithAnUnknownField) {
-  Bench bench;
-  bench.call("record.start");
-  const Json items = {{{"operand", "MW 10"}, {"value", "5"}}};
-  EXPECT_EQ(bench.problem("variables.write", {{"items", items}, {"padding", "x"}}), "P1316");
-  bench.call("variables.write", {{"items", items}});
-  EXPECT_EQ(bench.call("record.stop")["actions"], 1);
-}
-
 TEST(Recorded, EndsWhereItIsFull) {
   Recorder recorder;
   recorder.start(Instant{0});
