@@ -21,7 +21,8 @@ Answer notStarted(const controller::Controller& plc) {
 // A SINUMERIK has no such switch: RUN and STOP are keys of the programmer.
 Answer turnControl(controller::Controller& plc, std::size_t position) {
   constexpr std::size_t kStop = 2, kReset = 3;
-  if (position < kStop) return plc.start() ? empty() : notStarted(plc);
+  const bool runs = plc.mode() != controller::Mode::Stop;
+  if (position < kStop) return runs || plc.start() ? empty() : notStarted(plc);
   plc.stop();
   if (position == kReset) plc.memoryReset();
   return empty();

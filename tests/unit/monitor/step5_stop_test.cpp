@@ -58,6 +58,16 @@ TEST(Step5Stacks, AtAnAlarm) {
 }
 
 // In OB 2 the running level is that of OB 2.
+// S5-BLK-07: twelve blocks, OB 1 among them, each once.
+TEST(Step5Stacks, OfAnOverflow) {
+  SinumerikPlc plc("OB 1\n      SPA   PB 4\n      BE\nPB 4\n      SPA   PB 4\n      BE\n");
+  plc.start();
+  plc.control().advanceTo(plc.soon());
+  const Stacks stacks = plc->stacks();
+  EXPECT_EQ(stacks.blocks.size(), 12u);
+  EXPECT_EQ(toString(stacks.blocks.back().place.block), "OB 1");
+}
+
 TEST(Step5Stacks, AtAnAlarmInOb2) {
   SinumerikPlc plc("OB 1\n : BE\nOB 2\n : SPA PB 1\n : BE\nPB 1\n : T DW 0\n : BE\n");
   plc.start();

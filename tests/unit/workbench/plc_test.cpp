@@ -166,6 +166,9 @@ TEST(Sinumerik, HasPanelAndVariables) {
   const auto& entries = plc.diagnostics();
   EXPECT_TRUE(std::ranges::any_of(entries, [](const auto& e) { return e.event == 6149; }))
       << "from RUN by way of STOP";
+  const std::size_t before = plc.diagnostics().size();
+  EXPECT_TRUE(ask(R"({"id": 7, "do": "cpu.switch", "position": "RUN"})").contains("result"));
+  EXPECT_EQ(plc.diagnostics().size(), before) << "it runs already";
   EXPECT_TRUE(ask(R"({"id": 3, "do": "cpu.switch", "position": "STOP"})").contains("result"));
   EXPECT_EQ(plc.mode(), controller::Mode::Stop);
   EXPECT_TRUE(ask(R"({"id": 6, "do": "cpu.engine", "engine": "jit"})").contains("result"));
