@@ -156,7 +156,7 @@ void operatingSystem(Comparison& c, const Cpu& a, const Cpu& b) {
   c.value("position", x.position, y.position);
   c.value("level ended", x.levelEnded, y.levelEnded);
   c.value("stop event", a.stopEvent().event, b.stopEvent().event);
-  c.value("outputs disabled", a.outputsDisabled(), b.outputsDisabled());
+  c.value("outputs disabled", a.modules().outputsDisabled(), b.modules().outputsDisabled());
   c.value("calendar", a.clock().milliseconds(x.clock), b.clock().milliseconds(y.clock));
   c.value("longest cycle", a.cycleTimes().longest, b.cycleTimes().longest);
 }

@@ -18,4 +18,13 @@ std::uint8_t clockMemory(Instant now) {
 
 Instant nextClockMemory(Instant now) { return Instant{(now.ns / kGrid + 1) * kGrid}; }
 
+ClockMemory::ClockMemory(std::optional<std::uint32_t> flag)
+    : flag_(flag), next_(flag ? nextClockMemory(Instant{}) : Instant::never()) {}
+
+void ClockMemory::update(Areas& areas, Instant now) {
+  if (now < next_) return;
+  next_ = nextClockMemory(now);
+  if (*flag_ < areas.flagBytes) *areas.flag(*flag_) = clockMemory(now);
+}
+
 }  // namespace merker::cpu

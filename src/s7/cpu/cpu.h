@@ -12,18 +12,21 @@
 
 #include "catalogue/cpu_parameters.h"
 #include "catalogue/module_event.h"
-#include "clock/standstill.h"
+#include "cpu/clock_memory.h"
 #include "cpu/cycle_monitoring.h"
 #include "cpu/diagnostics.h"
 #include "cpu/engine.h"
 #include "cpu/error.h"
 #include "cpu/event.h"
+#include "cpu/forces.h"
+#include "cpu/image_faults.h"
 #include "cpu/interrupts.h"
 #include "cpu/leds.h"
+#include "cpu/load_memory.h"
 #include "cpu/machine.h"
 #include "cpu/mode_switch.h"
+#include "cpu/modules.h"
 #include "cpu/operating_state.h"
-#include "cpu/periphery.h"
 #include "cpu/present_faults.h"
 #include "cpu/real_time_clock.h"
 #include "cpu/runtime_meter.h"
@@ -45,11 +48,6 @@ struct RetentiveRanges {
   std::size_t timers, counters;
 };
 
-struct Force {
-  std::uint32_t byte;  // of areas.image
-  std::uint8_t mask, value;
-};
-
 // Where a variable table monitors and modifies: before OB 1 with fresh inputs, behind OB 1 before
 // the outputs go out, at the transition to STOP.
 enum class CyclePoint : std::uint8_t { Begin, End, Stop };
@@ -64,15 +62,16 @@ class Cpu {
   // The same program with blocks changed, added or deleted: in RUN at the next cycle checkpoint,
   // all of them at once (S7-CYCLE-05, S7-LIM-04). Unchanged blocks keep their values.
   void download(std::shared_ptr<const block::Program> program);
-  // The modules; null: terminals are what stands in Areas::inputs and outputs.
-  void connect(Periphery* periphery);
-  Periphery* periphery() { return periphery_; }
 
   Machine& machine() { return machine_; }
   const Machine& machine() const { return machine_; }
   const CpuParameters& parameters() const { return parameters_; }
-  const std::shared_ptr<const block::Program>& program() const { return program_; }
-  const std::vector<std::unique_ptr<Code>>& code() const { return code_; }
+  const LoadMemory& loadMemory() const { return loadMemory_; }
+  const std::shared_ptr<const block::Program>& program() const { return loadMemory_.program(); }
+  Modules& modules() { return modules_; }
+  const Modules& modules() const { return modules_; }
+  Forces& forces() { return forces_; }
+  const Forces& forces() const { return forces_; }
   Mode mode() const { return mode_; }
   bool powered() const { return powered_; }
   bool stoppedByFault() const { return stoppedByFault_; }
@@ -119,9 +118,6 @@ class Cpu {
 
   // events from outside the program
   void moduleEvent(const ModuleEvent& event);
-  void aboutToReadInputs() {
-    if (periphery_ != nullptr) periphery_->reading(*this);
-  }
   // An asynchronous error (OB 80 to 87): entered, then its OB is asked for or the CPU stops
   // (S7-ERR-01). `start` as its OB will see it.
   void asynchronousError(const StartInformation& start, std::string_view detail = {});
@@ -142,23 +138,13 @@ class Cpu {
   // on with it.
   bool runOb1(Duration most);
   void onCheckpoint(std::function<void()> observer) { observer_ = std::move(observer); }
-  // Bits of E and A that keep their value (mask and value over areas.image); applied around each
-  // OB 1.
-  void force(std::uint32_t imageByte, std::uint8_t mask, std::uint8_t value);
-  void unforce() { forces_.clear(); }
-  void unforce(std::uint32_t imageByte, std::uint8_t mask);
-  const std::vector<Force>& forces() const { return forces_; }
 
   // for engines; machine.position tells where
   AfterError synchronousError(const SyncError& error);
   void stopByFault(Event why, std::string detail = {});
   bool callSystem(BlockId block, std::span<const std::uint32_t> parameters);
-  // The program wrote outputs.first .. first + count - 1.
-  void outputsWritten(std::uint32_t first, std::uint32_t count);
-  bool outputsDisabled() const { return outputsDisabled_; }
 
   // for test functions
-  bool probe(BlockId block, Probe* probe);  // false: no such code block
   void onCyclePoint(std::function<void(CyclePoint)> monitor) { monitor_ = std::move(monitor); }
   // The next instruction of a running block, in bytes of its code.
   std::uint32_t offset(const Frame& frame) const { return engine_.offset(frame); }
@@ -191,11 +177,7 @@ class Cpu {
   Duration cycleMonitoring() const { return Duration::milliseconds(parameters_.cycleMonitoring); }
   // image_update.cpp
   void updateImages();
-  void applyForces();
-  void imageErrors();
-  void compareImageErrors(std::vector<bool>& before, std::vector<bool> now, bool output);
-  void imageError(std::uint8_t faultId, bool coming, std::uint32_t byte);
-  void disableOutputs(bool disabled);
+  void imageFault(const ImageFault& fault);
   void reached(CyclePoint point);
   // levels.cpp
   bool startLevel(std::uint8_t ob, std::uint8_t priority, const StartInformation& start,
@@ -206,9 +188,7 @@ class Cpu {
   // events.cpp
   Instant nextEvent() const;
   void takeEvents();
-  Instant nextOfModules() const;
   void takePeriphery();
-  void takeClockMemory();
   void takeCyclic();
   void takeDelayed();
   void takeTimeOfDay();
@@ -224,7 +204,6 @@ class Cpu {
   bool runsOrWaits(std::uint8_t ob) const;
   // module_events.cpp
   void hardwareInterrupt(const ModuleEvent& event);
-  void acknowledge(std::uint32_t address);
   void hardwareInterruptEnded(const StartInformation& start);
   void storeHardwareInterrupt(const ModuleEvent& event, const StartInformation& start);
   // restart.cpp
@@ -249,10 +228,7 @@ class Cpu {
   // halt.cpp
   void shiftTimers(Duration by);
   void shiftProgramTime(Duration by);
-  // download.cpp
-  void translate(const block::Program* before);
   void activateDownload();
-  void dropOldCode();
   // leds.cpp
   Light stopLight() const;
   // faults.cpp
@@ -264,19 +240,17 @@ class Cpu {
   Machine machine_;
   Engine& engine_;
   SystemServices& services_;
-  Periphery* periphery_ = nullptr;
   CpuParameters parameters_;
-  std::shared_ptr<const block::Program> program_, downloaded_;
-  std::vector<std::unique_ptr<Code>> code_;
-  // Of earlier downloads, if results still point into them (Engine::keepsOldCode).
-  std::vector<std::shared_ptr<const block::Program>> oldPrograms_;
+  Modules modules_;
+  LoadMemory loadMemory_;
   RealTimeClock clock_;
   Diagnostics diagnostics_;
   Interrupts interrupts_;
   PresentFaults faults_;
   std::vector<RuntimeMeter> runtimeMeters_;
-  std::vector<Force> forces_;
-  std::vector<bool> inputFaulty_, outputFaulty_;  // bytes, at the last update of the images
+  Forces forces_;
+  ImageFaults imageFaults_;
+  ClockMemory clockMemory_;
   std::function<void()> observer_;
   std::function<void(CyclePoint)> monitor_;
 
@@ -284,9 +258,7 @@ class Cpu {
   ModeSwitch switch_;
   bool stoppedByFault_ = false, resetRequested_ = false, timersHeld_ = false;
   bool powered_ = true, buffered_ = true, runningAtPowerOff_ = false;
-  bool outputsDisabled_ = true, communicating_ = false;
-  bool modulesHang_ = false;  // until the next start they are not asked
-  Standstill atOnce_{1000};
+  bool communicating_ = false;
   // The stacks are those of an interrupted program, which a hot restart may go on with.
   bool resumable_ = false;
   Restart lastRestart_ = Restart::ManualWarm;
@@ -298,7 +270,7 @@ class Cpu {
 
   std::uint64_t cycles_ = 0, checkpoints_ = 0;
   std::uint8_t scan_ = 1;  // OB1_SCAN_1 of the next cycle
-  Instant cycleStart_, nextCycle_, nextClockMemory_;
+  Instant cycleStart_, nextCycle_;
   CycleMonitoring monitoring_;
   CycleTimes cycleTimes_;
 };

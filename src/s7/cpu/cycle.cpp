@@ -33,7 +33,7 @@ void Cpu::move(Instant limit) {
 
 // STOP and HALT: time goes on, the modules with it while there is power.
 void Cpu::rest(Instant limit) {
-  const Instant next = powered_ ? nextOfModules() : Instant::never();
+  const Instant next = powered_ ? modules_.next() : Instant::never();
   machine_.clock = std::max(machine_.clock, std::min(limit, next));
   takePeriphery();
 }
@@ -69,8 +69,8 @@ void Cpu::enterRun() {
   change(Mode::Run);
   ++checkpoints_;
   report(Event::StartupToRun);
-  disableOutputs(false);
-  if (periphery_ != nullptr) periphery_->started(*this);
+  modules_.disableOutputs(false);
+  modules_.started();
   nextCycle_ = cycleStart_ = machine_.clock;
   if (!machine_.levels.empty()) monitoring_.begin(machine_.clock, cycleMonitoring());
   if (isHot(lastRestart_)) return;
@@ -99,7 +99,7 @@ void Cpu::endCycle() {
   ++checkpoints_;
   nextCycle_ = nextCycle();
   reached(CyclePoint::End);
-  applyForces();
+  forces_.apply(machine_.areas.image);
   activateDownload();
   if (observer_) observer_();
 }

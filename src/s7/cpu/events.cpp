@@ -2,14 +2,12 @@
 // the modules' own instants (S7-CYCLE-04, -06; S7-MEM-01).
 #include <algorithm>
 
-#include "cpu/clock_memory.h"
 #include "cpu/cpu.h"
 
 namespace merker::cpu {
 
 Instant Cpu::nextEvent() const {
-  Instant next = nextClockMemory_;
-  next = std::min(next, nextOfModules());
+  Instant next = std::min(clockMemory_.next(), modules_.next());
   if (mode_ != Mode::Run) return next;  // S7-STATE-11
   next = std::min(next, monitoring_.deadline());
   for (const CyclicInterrupt& cyclic : interrupts_.cyclic) next = std::min(next, cyclic.next);
@@ -24,7 +22,7 @@ Instant Cpu::nextEvent() const {
 // cyclic.
 void Cpu::takeEvents() {
   takePeriphery();
-  takeClockMemory();
+  clockMemory_.update(machine_.areas, machine_.clock);
   if (mode_ == Mode::Run) {
     if (monitoring_.exceeded(machine_.clock)) cycleTimeExceeded();
     takeDelayed();
@@ -34,25 +32,10 @@ void Cpu::takeEvents() {
   if (executes(mode_)) startWaiting();
 }
 
-Instant Cpu::nextOfModules() const {
-  return periphery_ == nullptr || modulesHang_ ? Instant::never() : periphery_->next();
-}
-
-// Modules that want this instant again and again would never let time go on.
 void Cpu::takePeriphery() {
-  const Instant now = machine_.clock;
-  if (!powered_ || nextOfModules() > now) return;
-  if (atOnce_.moves(now)) return periphery_->advance(*this, now);
-  modulesHang_ = true;
+  if (!powered_ || modules_.advance()) return;
   stopByFault(Event::StopCpuHardware,
-              std::string(periphery_->due(now)) + ": events at one instant without end");
-}
-
-void Cpu::takeClockMemory() {
-  if (machine_.clock < nextClockMemory_) return;
-  nextClockMemory_ = cpu::nextClockMemory(machine_.clock);
-  if (*parameters_.clockMemory < machine_.areas.flagBytes)
-    *machine_.areas.flag(*parameters_.clockMemory) = clockMemory(machine_.clock);
+              std::string(modules_.due()) + ": events at one instant without end");
 }
 
 void Cpu::takeCyclic() {

@@ -36,7 +36,7 @@ bool Cpu::halt() {
   beforeHalt_ = mode_;
   change(Mode::Halt);
   frozenAt_ = machine_.clock;
-  disableOutputs(true);
+  modules_.disableOutputs(true);
   machine_.interrupt();
   return true;
 }
@@ -47,7 +47,7 @@ bool Cpu::resume() {
   report(Event::HaltLeft);
   change(beforeHalt_);
   if (mode_ != Mode::Run) return true;
-  disableOutputs(false);
+  modules_.disableOutputs(false);
   skipTimeOfDay(0x06);  // S7-OBI-07
   return true;
 }

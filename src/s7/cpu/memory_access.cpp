@@ -70,7 +70,7 @@ SyncError readPeripheral(Machine& m, Width width, BitAddress address, std::uint3
     return fail(ErrorCode::AlignmentRead, Area::Peripheral, width, byte);
   if (!m.areas.answers(m.areas.inputPresent, byte, byteCount(width)))
     return fail(ErrorCode::PeripheralRead, Area::Peripheral, width, byte);
-  m.cpu->aboutToReadInputs();
+  m.cpu->modules().reading();
   value = loadBytes(&m.areas.inputs[byte], width);
   return {};
 }
@@ -86,7 +86,7 @@ SyncError writePeripheral(Machine& m, Width width, BitAddress address, std::uint
   storeBytes(&m.areas.outputs[byte], width, value);
   for (std::uint32_t i = byte; i < byte + count && i < m.areas.imageBytes; ++i)
     *m.areas.output(i) = m.areas.outputs[i];
-  m.cpu->outputsWritten(byte, count);
+  m.cpu->modules().written(byte, count);
   return {};
 }
 

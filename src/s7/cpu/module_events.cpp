@@ -63,7 +63,7 @@ void Cpu::moduleEvent(const ModuleEvent& event) {
 // each (S7-ERR-05).
 void Cpu::hardwareInterrupt(const ModuleEvent& event) {
   constexpr std::uint8_t kOb = 40;
-  if (mode_ == Mode::Stop || interrupts_.isLocked(kOb)) return acknowledge(event.address);
+  if (mode_ == Mode::Stop || interrupts_.isLocked(kOb)) return modules_.acknowledge(event.address);
   StartInformation start = startInformation(0x11, 0x41, priorityOf(kOb), kOb, dateAndTime());
   setByte(start, 5, direction(event));
   setWord(start, 6, event.address);
@@ -94,12 +94,8 @@ void Cpu::storeHardwareInterrupt(const ModuleEvent& event, const StartInformatio
   faults_.program = true;
 }
 
-void Cpu::acknowledge(std::uint32_t address) {
-  if (periphery_ != nullptr) periphery_->acknowledged(*this, address);
-}
-
 void Cpu::hardwareInterruptEnded(const StartInformation& ended) {
-  acknowledge(loadWord(&ended[6]));
+  modules_.acknowledge(loadWord(&ended[6]));
   auto& stored = interrupts_.stored;
   const auto at = std::find_if(stored.begin(), stored.end(),
                                [&](const ModuleEvent& event) { return sameModule(ended, event); });

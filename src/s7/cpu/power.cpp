@@ -9,9 +9,9 @@ void Cpu::memoryReset(Event how) {
   report(how);
   clearStacks();
   clearSystemMemory(true);
-  unforce();
+  forces_.release();
   activateDownload();
-  if (program_) machine_.dataBlocks.load(*program_);
+  if (program()) machine_.dataBlocks.load(*program());
   stoppedByFault_ = resetRequested_ = resumable_ = false;
   faults_.program = false;
   report(Event::MemoryResetDone);
@@ -36,14 +36,14 @@ void Cpu::powerOff() {
   mode_ = Mode::Stop;
   powered_ = false;
   standStill();
-  if (periphery_ != nullptr) periphery_->supply(*this, false);
+  modules_.supply(false);
 }
 
 void Cpu::powerOn(bool buffered) {
   if (powered_) return;
   powered_ = true;
   buffered_ = buffered;
-  if (periphery_ != nullptr) periphery_->supply(*this, true);
+  modules_.supply(true);
   if (buffered)
     report(Event::PowerOn);
   else
@@ -52,7 +52,7 @@ void Cpu::powerOn(bool buffered) {
   if (!runningAtPowerOff_ || !switch_.allowsRun()) {
     clearStacks();
     clearSystemMemory(false);
-    if (program_) machine_.dataBlocks.loadNonRetentive(*program_);
+    if (program()) machine_.dataBlocks.loadNonRetentive(*program());
     return;
   }
   const PowerOnStart wanted = parameters_.afterPowerOn;

@@ -50,7 +50,7 @@ void Cpu::clearSystemMemory(bool all) {
             machine_.counters.end(), S5Counter{});
   areas.clearImages();
   std::fill(areas.outputs.begin(), areas.outputs.end(), std::uint8_t{0});
-  outputsWritten(0, static_cast<std::uint32_t>(areas.outputs.size()));
+  modules_.written(0, static_cast<std::uint32_t>(areas.outputs.size()));
 }
 
 // A start that does not exist on this model, or that nothing allows now, leaves no trace.
@@ -83,9 +83,9 @@ void Cpu::beginWarm(bool cold) {
   shiftTimers(machine_.clock - frozenAt_);  // S7-TMR-22: they stood still in STOP
   clearSystemMemory(cold);
   if (cold)
-    machine_.dataBlocks.load(*program_);  // S7-STATE-06, S7-MEM-04
+    machine_.dataBlocks.load(*program());  // S7-STATE-06, S7-MEM-04
   else
-    machine_.dataBlocks.loadNonRetentive(*program_);
+    machine_.dataBlocks.loadNonRetentive(*program());
   prepareInterrupts();
   services_.restart();
   restOfCycle_ = 0;
@@ -132,14 +132,14 @@ StartInformation Cpu::startupInformation(Restart how) const {
 void Cpu::change(Mode to) {
   assert(isTransition(mode_, to));
   mode_ = to;
-  if (to == Mode::Startup) modulesHang_ = false;
-  if (periphery_ != nullptr) periphery_->modeChanged(*this);
+  if (to == Mode::Startup) modules_.wake();
+  modules_.modeChanged();
 }
 
 void Cpu::standStill() {
   monitoring_.off();
   for (RuntimeMeter& meter : runtimeMeters_) meter.stop(machine_.clock);
-  disableOutputs(true);  // S7-STATE-02
+  modules_.disableOutputs(true);  // S7-STATE-02
 }
 
 void Cpu::goToStop(Event why, std::string reason, Place place, bool fault) {

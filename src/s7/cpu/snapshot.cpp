@@ -87,17 +87,17 @@ void Cpu::take(const Snapshot& from, std::shared_ptr<const block::Program> progr
   if (mode_ != Mode::Stop) change(Mode::Stop);
   frozenAt_ = machine_.clock;
   standStill();
-  downloaded_ = std::move(program);
+  loadMemory_.download(std::move(program));
   activateDownload();
   clearSystemMemory(true);
-  machine_.dataBlocks.load(*program_);
+  machine_.dataBlocks.load(*this->program());
   diagnostics_.clear();
   takeBack(from.memory, wholeMemory(), true);
   takeMeters(from.memory, shift);
   fill(machine_.areas.image, from.images);
-  if (periphery_ == nullptr) fill(machine_.areas.inputs, from.inputs);
+  if (!modules_.connected()) fill(machine_.areas.inputs, from.inputs);
   fill(machine_.areas.outputs, from.outputs);
-  outputsWritten(0, static_cast<std::uint32_t>(machine_.areas.outputs.size()));
+  modules_.written(0, static_cast<std::uint32_t>(machine_.areas.outputs.size()));
   services_.restart();
   switch_ = {};
   switch_.turn(from.position, machine_.clock);
@@ -109,7 +109,7 @@ void Cpu::take(const Snapshot& from, std::shared_ptr<const block::Program> progr
   if (!from.run) return;
   change(Mode::Startup);
   change(Mode::Run);
-  disableOutputs(false);
+  modules_.disableOutputs(false);
   monitoring_.begin(cycleStart_, cycleMonitoring());
 }
 

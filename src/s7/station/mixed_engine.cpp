@@ -111,7 +111,7 @@ void exchange(Translated& code, Translated& made, cpu::Machine& m) {
 
 void MixedEngine::exchange(const Translations& made, cpu::Cpu& cpu) {
   compiles_ = made.compiled();
-  for (const auto& one : cpu.code()) {
+  for (const auto& one : cpu.loadMemory().code()) {
     auto& code = static_cast<Translated&>(*one);
     auto* const other = static_cast<Translated*>(made.find(*code.source));
     if (other != nullptr && code.side.empty())
@@ -125,7 +125,7 @@ void MixedEngine::exchange(const Translations& made, cpu::Cpu& cpu) {
 
 void MixedEngine::compile(bool on, cpu::Cpu& cpu) {
   compiles_ = on && canCompile();
-  for (const auto& code : cpu.code()) {
+  for (const auto& code : cpu.loadMemory().code()) {
     auto& translated = static_cast<Translated&>(*code);
     if (!compiles_)
       setCompiled(translated, nullptr);
@@ -136,7 +136,7 @@ void MixedEngine::compile(bool on, cpu::Cpu& cpu) {
 
 std::size_t MixedEngine::compiledBytes(const cpu::Cpu& cpu) {
   std::size_t bytes = 0;
-  for (const auto& code : cpu.code())
+  for (const auto& code : cpu.loadMemory().code())
     if (const auto& compiled = static_cast<const Translated&>(*code).compiled)
       bytes += static_cast<const Native&>(*compiled).size();
   return bytes;

@@ -22,7 +22,7 @@ void Periphery::connect(cpu::Cpu& cpu) {
   rack_.advance(Instant{});
   rack_.takeChanged();
   areas.inputs = rack_.inputs();
-  cpu.connect(this);
+  cpu.modules().connect(this);
 }
 
 // What happens outside, between two calls of the CPU, is told at its next instruction boundary.

@@ -228,7 +228,7 @@ bool Station::write(const address::Reference& reference, std::uint32_t value) {
 bool Station::force(const address::Reference& reference, std::uint32_t value) {
   return forceValue(parts_->cpu, reference, value);
 }
-void Station::unforce() { parts_->cpu.unforce(); }
+void Station::unforce() { parts_->cpu.forces().release(); }
 
 std::optional<std::vector<std::uint8_t>> Station::readBytes(
     const address::Reference& reference) const {

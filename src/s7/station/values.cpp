@@ -104,7 +104,7 @@ void outputFollows(cpu::Cpu& cpu, const Operand& operand) {
   const std::uint32_t first = operand.value / 8, count = byteCount(operand.width);
   for (std::uint32_t i = first; i < first + count && i < areas.imageBytes; ++i)
     *areas.output(i) = areas.outputs[i];
-  cpu.outputsWritten(first, count);
+  cpu.modules().written(first, count);
 }
 
 // A forced output leaves at once.
@@ -117,7 +117,7 @@ void forceNow(cpu::Cpu& cpu, std::uint32_t imageByte, std::uint8_t mask, std::ui
   if (imageByte < areas.outputBase || imageByte >= areas.flagBase) return;
   const std::uint32_t byte = imageByte - areas.outputBase;
   merge(areas.outputs[byte]);
-  cpu.outputsWritten(byte, 1);
+  cpu.modules().written(byte, 1);
 }
 
 }  // namespace
@@ -142,7 +142,7 @@ std::optional<std::uint32_t> readValue(cpu::Cpu& cpu, const Periphery* periphery
   if (reference.outputSide && periphery != nullptr) return readOutputs(periphery->rack(), operand);
   const std::uint8_t* bytes = place(bytesOf(m, reference, false), operand);
   if (bytes == nullptr) return std::nullopt;
-  if (reference.outputSide && cpu.outputsDisabled()) return 0;  // S7-STATE-02
+  if (reference.outputSide && cpu.modules().outputsDisabled()) return 0;  // S7-STATE-02
   return get(bytes, operand);
 }
 
@@ -195,7 +195,7 @@ bool forceValue(cpu::Cpu& cpu, const address::Reference& reference, std::uint32_
     cpu::storeBytes(values, operand.width, value);
   const auto first = static_cast<std::uint32_t>(bytes - m.image);
   for (std::uint32_t i = 0; i < byteCount(operand.width); ++i) {
-    cpu.force(first + i, mask, values[i]);
+    cpu.forces().set(first + i, mask, values[i]);
     forceNow(cpu, first + i, mask, values[i]);
   }
   return true;

@@ -15,7 +15,7 @@ cpu::SyncError writeBit(cpu::Machine& m, Area area, BitAddress address, bool val
   const auto mask = static_cast<std::uint8_t>(1u << (address & 7));
   std::uint8_t& terminal = m.areas.outputs[byte];
   terminal = static_cast<std::uint8_t>(value ? terminal | mask : terminal & ~mask);
-  m.cpu->outputsWritten(byte, 1);
+  m.cpu->modules().written(byte, 1);
   return byte < m.areas.imageBytes ? cpu::write(m, Area::Output, Width::Bit, address, value)
                                    : cpu::SyncError{};
 }

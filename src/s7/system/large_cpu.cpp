@@ -33,7 +33,7 @@ void updateInputs(Sfc<26>& a) {
 void updateOutputs(Sfc<27>& a) {
   if (!wholeImage(a)) return;
   a.machine().areas.writeOutputs();
-  a.cpu().outputsWritten(0, a.machine().areas.imageBytes);
+  a.cpu().modules().written(0, a.machine().areas.imageBytes);
   a.status(0);
 }
 

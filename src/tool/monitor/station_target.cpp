@@ -54,11 +54,11 @@ ProgramCode StationTarget::program() const { return station_.program(); }
 void StationTarget::probe(const std::function<bool(BlockId)>& wanted, Observer& observer) {
   observer_ = &observer;
   for (const auto& [id, block] : station_.program())
-    if (!block.code.empty()) station_.cpu().probe(id, wanted(id) ? this : nullptr);
+    if (!block.code.empty()) station_.cpu().loadMemory().probe(id, wanted(id) ? this : nullptr);
 }
 
 void StationTarget::removeProbes() {
-  for (const auto& [id, block] : station_.program()) station_.cpu().probe(id, nullptr);
+  for (const auto& [id, block] : station_.program()) station_.cpu().loadMemory().probe(id, nullptr);
 }
 
 void StationTarget::resume() { station_.cpu().resume(); }

@@ -36,9 +36,9 @@ block::Block function() {
 TEST(Probe, SeesEachInstructionOfItsBlock) {
   Rig rig(loads(), {function()});
   Witness ob, fc;
-  EXPECT_TRUE(rig.cpu().probe({BlockKind::OB, 1}, &ob));
-  EXPECT_TRUE(rig.cpu().probe({BlockKind::FC, 1}, &fc));
-  EXPECT_FALSE(rig.cpu().probe({BlockKind::FC, 2}, &fc));
+  EXPECT_TRUE(rig.cpu().loadMemory().probe({BlockKind::OB, 1}, &ob));
+  EXPECT_TRUE(rig.cpu().loadMemory().probe({BlockKind::FC, 1}, &fc));
+  EXPECT_FALSE(rig.cpu().loadMemory().probe({BlockKind::FC, 2}, &fc));
   rig.start();
   rig.finish();
   EXPECT_EQ(ob.seen, "b0/1 aOB 1.0=5 b4/1 b6/1 aOB 1.6=7 b8/1 aOB 1.8=7 ");
@@ -50,7 +50,7 @@ TEST(Probe, LeavesTheProgramBeforeAnInstruction) {
   Rig rig(loads(), {function()});
   Witness ob;
   ob.leaveAt = 6;
-  rig.cpu().probe({BlockKind::OB, 1}, &ob);
+  rig.cpu().loadMemory().probe({BlockKind::OB, 1}, &ob);
   rig.start();
   rig.cpu().step(Instant::never());
   EXPECT_TRUE(ob.left);
@@ -66,9 +66,9 @@ TEST(Probe, ChangesNothing) {
   Rig plain(loads(), {function()}), watched(loads(), {function()}), freed(loads(), {function()});
   Witness ob;
   ob.leaveAt = 6;
-  watched.cpu().probe({BlockKind::OB, 1}, &ob);
-  freed.cpu().probe({BlockKind::OB, 1}, &ob);
-  freed.cpu().probe({BlockKind::OB, 1}, nullptr);
+  watched.cpu().loadMemory().probe({BlockKind::OB, 1}, &ob);
+  freed.cpu().loadMemory().probe({BlockKind::OB, 1}, &ob);
+  freed.cpu().loadMemory().probe({BlockKind::OB, 1}, nullptr);
   for (Rig* rig : {&plain, &watched, &freed}) {
     rig->start();
     rig->finish();

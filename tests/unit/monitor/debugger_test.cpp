@@ -193,7 +193,7 @@ TEST(Step, LeavesNoProbeBehind) {
   Plc plc(kProgram);
   plc.start();
   plc.step();
-  for (const auto& code : plc.station().cpu().code())
+  for (const auto& code : plc.station().cpu().loadMemory().code())
     EXPECT_EQ(static_cast<const interpreter::Translated&>(*code).probe, nullptr);
 }
 

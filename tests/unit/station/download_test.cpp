@@ -80,7 +80,7 @@ TEST_P(Download, OldCodeIsFreed) {
   for (int step = 2; step < 12; ++step) {
     EXPECT_EQ(plc->download(program(version(step))), "");
     plc->advanceCycles(1);
-    EXPECT_EQ(plc->cpu().code().size(), 3u);
+    EXPECT_EQ(plc->cpu().loadMemory().code().size(), 3u);
     EXPECT_EQ(plc->compiledBytes(), bytes);
   }
   EXPECT_EQ(plc.read("MW 20"), 2u + 3 + 4 + 5 + 6 + 7 + 8 + 9 + 10 + 11);

@@ -34,14 +34,14 @@ struct Counter : cpu::Periphery {
 TEST(Periphery, ActsInVirtualTime) {
   Plc plc(ob(1, "M001: L PEB 0; L 3; <I; SPB M001; CALL SFC 64 (RET_VAL := MD 20);"));
   Counter module;
-  plc->cpu().connect(&module);
+  plc->cpu().modules().connect(&module);
   plc.cycles(1);
   EXPECT_EQ(plc.read("MD 20"), 30u);
   EXPECT_LT(module.late, Duration::microseconds(50));
   plc->stop();
   plc.run(Duration::milliseconds(100));
   EXPECT_GE(plc->cpu().machine().areas.inputs[0], 12);
-  plc->cpu().connect(nullptr);
+  plc->cpu().modules().connect(nullptr);
 }
 
 // S7-OPND-11: with a configuration only bytes of its modules answer, from the first byte on.
@@ -75,7 +75,7 @@ TEST(Periphery, ThatNeverEndsStopsTheCpu) {
     void disableOutputs(cpu::Cpu&, bool) override {}
   } module;
   Plc plc(ob(1, "L MW 10; + 1; T MW 10;"));
-  plc->cpu().connect(&module);
+  plc->cpu().modules().connect(&module);
   plc.cycles(3);
   module.hangs = true;
   plc.run(Duration::seconds(1));
@@ -94,14 +94,14 @@ TEST(Periphery, ThatNeverEndsStopsTheCpu) {
   module.hangs = true;
   plc->advanceTo(plc->now() + Duration::seconds(1));
   EXPECT_EQ(plc.countEvents(0x456C), 2u);
-  plc->cpu().connect(nullptr);
+  plc->cpu().modules().connect(nullptr);
 }
 
 // S7-STATE-02, S7-STATE-11, S7-STATE-07: output disable in STOP, STARTUP and HALT.
 TEST(Periphery, IsToldOfOutputs) {
   Plc plc(ob(1, "L 7; T AB 4; L 9; T PAB 4;"));
   Counter module;
-  plc->cpu().connect(&module);
+  plc->cpu().modules().connect(&module);
   EXPECT_EQ(module.disabled, std::vector<bool>{true});
   plc.cycles(1);
   EXPECT_EQ(module.disabled, (std::vector<bool>{true, false}));
@@ -112,7 +112,7 @@ TEST(Periphery, IsToldOfOutputs) {
   plc->resume();
   plc->stop();
   EXPECT_EQ(module.disabled, (std::vector<bool>{true, false, true, false, true}));
-  plc->cpu().connect(nullptr);
+  plc->cpu().modules().connect(nullptr);
 }
 
 }  // namespace

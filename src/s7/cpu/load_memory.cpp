@@ -1,6 +1,8 @@
-// Blocks into load and work memory: all at once in STOP, at a cycle checkpoint in RUN (S7-CYCLE-05,
-// S7-LIM-04, S7-MEM-04).
-#include "cpu/cpu.h"
+#include "cpu/load_memory.h"
+
+#include <algorithm>
+#include <utility>
+
 #include "cpu/same_code.h"
 
 namespace merker::cpu {
@@ -40,8 +42,16 @@ void enter(Table& table, std::uint32_t number, const Code* code) {
 
 }  // namespace
 
+bool LoadMemory::probe(BlockId block, Probe* probe) const {
+  const auto newest = std::find_if(code_.rbegin(), code_.rend(),
+                                   [&](const auto& code) { return code->source->id == block; });
+  if (newest == code_.rend()) return false;
+  engine_.probe(**newest, probe);
+  return true;
+}
+
 // A block whose code stays the same keeps its translation, so that checks and coverage go on.
-void Cpu::translate(const block::Program* before) {
+void LoadMemory::translate(const block::Program* before) {
   Machine& m = machine_;
   const Table functions = std::exchange(m.functions, {});
   const Table functionBlocks = std::exchange(m.functionBlocks, {});
@@ -62,45 +72,38 @@ void Cpu::translate(const block::Program* before) {
   }
 }
 
-void Cpu::load(std::shared_ptr<const block::Program> program) {
+void LoadMemory::load(std::shared_ptr<const block::Program> program) {
   program_ = std::move(program);
   downloaded_ = nullptr;
   oldPrograms_.clear();
   code_.clear();
   translate(nullptr);
-  clearStacks();
-  clearSystemMemory(true);
-  machine_.dataBlocks.load(*program_);
 }
 
-void Cpu::download(std::shared_ptr<const block::Program> program) {
-  downloaded_ = std::move(program);
-  if (mode_ == Mode::Stop || machine_.levels.empty()) activateDownload();
-}
-
-void Cpu::activateDownload() {
-  if (!downloaded_) return;
+void LoadMemory::activate() {
   const std::shared_ptr<const block::Program> before = std::exchange(program_, downloaded_);
   downloaded_ = nullptr;
-  if (mode_ == Mode::Stop) clearStacks();  // the interrupted program cannot go on
   translate(before.get());
-  for (const auto& [id, source] : *before)
-    if (id.kind == BlockKind::DB && !program_->contains(id)) machine_.dataBlocks.remove(id.number);
-  for (const auto& [id, source] : *program_) {
-    if (id.kind != BlockKind::DB) continue;
-    const block::Block* old = findBlock(before.get(), id);
-    if (old == nullptr || !sameData(*old, source)) machine_.dataBlocks.load(source);
-  }
+  exchangeData(*before);
   machine_.reopenBlocks();
   if (engine_.keepsOldCode() || machine_.frames.size() > 1)
     oldPrograms_.push_back(before);
   else
     dropOldCode();
-  if (mode_ != Mode::Stop) updateInterrupts();
+}
+
+void LoadMemory::exchangeData(const block::Program& before) {
+  for (const auto& [id, source] : before)
+    if (id.kind == BlockKind::DB && !program_->contains(id)) machine_.dataBlocks.remove(id.number);
+  for (const auto& [id, source] : *program_) {
+    if (id.kind != BlockKind::DB) continue;
+    const block::Block* old = findBlock(&before, id);
+    if (old == nullptr || !sameData(*old, source)) machine_.dataBlocks.load(source);
+  }
 }
 
 // No block runs: what is in no table is gone for good, the rest belongs to the program of now.
-void Cpu::dropOldCode() {
+void LoadMemory::dropOldCode() {
   const auto loaded = [this](BlockId id) { return find(*tableOf(machine_, id.kind), id.number); };
   std::erase_if(code_, [&](const auto& code) { return loaded(code->source->id) != code.get(); });
   for (const auto& code : code_) code->source = &program_->at(code->source->id);
