@@ -305,9 +305,7 @@ bool Cnc::force(const address::Reference& reference, std::uint32_t value) {
 }
 
 bool Cnc::forced() const {
-  const sinumerik::OperatingSystem& os = plc().operatingSystem();
-  const bool own = os.forcedInputs.any() || os.forcedOutputs.any() || os.forcedFlags.any();
-  return own || (parts_->partner && parts_->partner->forced());
+  return plc().operatingSystem().forces().any() || (parts_->partner && parts_->partner->forced());
 }
 
 void Cnc::unforce() {

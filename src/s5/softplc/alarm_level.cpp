@@ -1,67 +1,62 @@
-// The sampling raster and the alarm level OB 2 (S5-OB-06 … -14, S5-SCHED-10, -19).
-#include "softplc/operating_system.h"
+#include "softplc/alarm_level.h"
+
+#include <utility>
+
+#include "softplc/periphery_check.h"
 
 namespace merker::sinumerik {
-namespace {
 
-constexpr std::uint8_t kAlarmOb = 2;
-// Program control of the channels: the NC takes them over in each IPO clock (S5-OB-14).
-constexpr unsigned kFastOutputs[] = {90, 99};
+AlarmLevel::AlarmLevel(Processor& processor, TransferFlags& flags, RunTimes& times,
+                       const Surroundings& around)
+    : processor_(processor), flags_(flags), times_(times), around_(around) {}
 
-}  // namespace
-
-void OperatingSystem::sample() {
-  const Instant at = schedule_.nextSample();
-  const bool ipo = schedule_.beginsIpoClock(), call = schedule_.callsOb1();
-  schedule_.sampled();
-  times_.sampled();
-  if (times_.alarmWindow() <= alarmLimit()) alarmTimeReported_ = false;
-  for (std::size_t i = 0; i < kCells && i <= active_.word(6); ++i)
-    machine_.timers[i].count(at, environment_.timeBases);
-  if (ipo) ipoClock();
-  if (call) {
-    requested_ = true;
-    times_.lastRaster = times_.raster;
-    times_.raster = {};
-  }
-  if (active_.bit(data_bit::kNoAlarmLevel)) return;
-  const Edges edges = alarmInput_.sample(at);
-  if (edges.any()) requestAlarmLevel(edges);
+void AlarmLevel::watch(unsigned byte) {
+  byte_ = byte;
+  input_.begin(processor_.machine().periphery.inputs[byte], isDistributed(around_.modules, byte)
+                                                                ? AlarmInput::kDistributed
+                                                                : AlarmInput::kCentral);
 }
 
-void OperatingSystem::ipoClock() {
-  flags_.ipoClock(betweenCycles());
-  for (const unsigned byte : kFastOutputs)
-    machine_.periphery.outputs[byte] = machine_.outputs[byte];
+void AlarmLevel::terminalChanged(unsigned byte, std::uint8_t value) {
+  if (byte == byte_) input_.change(value, processor_.machine().clock);
 }
 
-// A request while OB 2 still runs is a processing delay; as a message it waits for its end
-// (S5-OB-12).
-void OperatingSystem::requestAlarmLevel(Edges edges) {
-  if (!alarmLevelRuns()) return beginAlarmLevel(edges);
-  ++fineCode_.delays;
-  waitingEdges_.negative = static_cast<std::uint8_t>(waitingEdges_.negative | edges.negative);
-  waitingEdges_.positive = static_cast<std::uint8_t>(waitingEdges_.positive | edges.positive);
-  raise({Alarm::ProcessingDelay, {kAlarmOb, 0, 0}});
-  if (mode_ == Mode::Run) flags_.delayed();
+std::optional<Trap> AlarmLevel::sample(Instant at) {
+  const Edges edges = input_.sample(at);
+  if (!edges.any()) return std::nullopt;
+  if (!runs()) return begin(edges);
+  waiting_.negative = static_cast<std::uint8_t>(waiting_.negative | edges.negative);
+  waiting_.positive = static_cast<std::uint8_t>(waiting_.positive | edges.positive);
+  return Trap{Alarm::ProcessingDelay, {kAlarmOb, 0, 0}};
 }
 
-void OperatingSystem::beginAlarmLevel(Edges edges) {
-  if (machine_.levels.size() >= kInterruptDepth) return raise({Alarm::InterruptStack, {}});
-  if (!processor_.begin(kAlarmOb)) return raise({Alarm::MissingBlock, {0, 0, kAlarmOb}});
+std::optional<Trap> AlarmLevel::begin(Edges edges) {
+  if (processor_.machine().levels.size() >= kInterruptDepth) return Trap{Alarm::InterruptStack, {}};
+  if (!processor_.begin(kAlarmOb)) return Trap{Alarm::MissingBlock, {0, 0, kAlarmOb}};
   flags_.enterLevel(kAlarmOb, around_);
   flags_.showEdges(edges);
   ++times_.cycle.alarmRuns;
+  return std::nullopt;
 }
 
-void OperatingSystem::endAlarmLevel() {
+void AlarmLevel::end() {
   flags_.showEdges({});
   flags_.levelComplete(kAlarmOb);
-  if (!machine_.levels.empty()) flags_.resumeLevel(machine_.level().ob);
-  if (processor_.stpSeen() && !cycleActive_) return raise({Alarm::Stp, {}});
-  const Edges waiting = waitingEdges_;
-  waitingEdges_ = {};
-  if (waiting.any()) beginAlarmLevel(waiting);
+  Machine& machine = processor_.machine();
+  if (!machine.levels.empty()) flags_.resumeLevel(machine.level().ob);
+}
+
+std::optional<Trap> AlarmLevel::beginWaiting() {
+  const Edges waiting = std::exchange(waiting_, {});
+  return waiting.any() ? begin(waiting) : std::nullopt;
+}
+
+void AlarmLevel::sampled(Duration limit) {
+  if (times_.alarmWindow() <= limit) reported_ = false;
+}
+
+bool AlarmLevel::exceeds(Duration limit) {
+  return times_.alarmWindow() > limit && !std::exchange(reported_, true);
 }
 
 }  // namespace merker::sinumerik

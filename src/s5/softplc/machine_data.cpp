@@ -72,11 +72,20 @@ bool MachineData::setBit(DataBit b, bool on) {
   return true;
 }
 
-bool MachineData::stopsOnCyclicTime() const {
-  return bit({2003, mapping == BitMapping::Table ? 1u : 0u});
-}
-bool MachineData::stopsOnAlarmTime() const {
-  return bit({2003, mapping == BitMapping::Table ? 0u : 1u});
+bool MachineData::stops(Reaction reaction) const {
+  switch (reaction) {
+    case Reaction::Message:
+      return false;
+    case Reaction::Stop:
+      return true;
+    case Reaction::StopIfOb1:
+      return bit({2003, mapping == BitMapping::Table ? 1u : 0u});
+    case Reaction::StopIfOb2:
+      return bit({2003, mapping == BitMapping::Table ? 0u : 1u});
+    case Reaction::StopIfUnit:
+      return bit(data_bit::kStopOnUnit);
+  }
+  return true;
 }
 bool MachineData::systemCommands() const {
   return bit({2003, mapping == BitMapping::Table ? 4u : 5u});

@@ -53,8 +53,7 @@ class MachineData {
 
   std::uint8_t samplingCode = 2;  // MD 155 of the NC, 0..5
   BitMapping mapping = BitMapping::Table;
-  bool stopsOnCyclicTime() const;
-  bool stopsOnAlarmTime() const;
+  bool stops(Reaction reaction) const;
   bool systemCommands() const;
 
   // The first word beyond its limit or an illegal MD 155 (6116 … 6123).

@@ -39,9 +39,9 @@ const mc5::Program& Plc::program() const { return parts_->os.options().program; 
 const std::vector<std::string>& Plc::refused() const { return parts_->refused; }
 
 Mode Plc::mode() const { return parts_->os.mode(); }
-bool Plc::stoppedByFault() const { return mode() == Mode::Stop && parts_->os.stoppedByFault(); }
+bool Plc::stoppedByFault() const { return mode() == Mode::Stop && parts_->os.record().byFault(); }
 std::string Plc::stopReason() const {
-  return mode() == Mode::Stop ? parts_->os.stopReason() : std::string();
+  return mode() == Mode::Stop ? parts_->os.record().reason() : std::string();
 }
 bool Plc::coldStart() {
   parts_->started = now();
@@ -143,11 +143,7 @@ bool Plc::write(const Reference& variable, std::uint32_t value) {
 bool Plc::force(const Reference& variable, std::uint32_t value) {
   return forceValue(parts_->os, variable, value);
 }
-void Plc::unforce() {
-  parts_->os.forcedInputs.clear();
-  parts_->os.forcedOutputs.clear();
-  parts_->os.forcedFlags.clear();
-}
+void Plc::unforce() { parts_->os.forces().clear(); }
 
 bool Plc::probe(mc5::BlockId block, Probe* probe) { return parts_->os.probe(block, probe); }
 const PlacedProbes& Plc::probes() const { return parts_->os.probes(); }
@@ -160,10 +156,10 @@ std::vector<CheckResult> Plc::checkResults() const { return parts_->os.recorder(
 const Executed& Plc::executed() const { return parts_->os.recorder().executed(); }
 
 const std::vector<DiagnosticEntry>& Plc::diagnostics() const {
-  return parts_->os.alarms().history();
+  return parts_->os.record().alarms().history();
 }
-std::vector<PendingAlarm> Plc::alarms() const { return parts_->os.alarms().shown(); }
-bool Plc::acknowledge(unsigned alarm) { return parts_->os.alarms().acknowledge(alarm); }
+std::vector<PendingAlarm> Plc::alarms() const { return parts_->os.record().alarms().shown(); }
+bool Plc::acknowledge(unsigned alarm) { return parts_->os.record().alarms().acknowledge(alarm); }
 void Plc::raise(const Trap& trap) { parts_->os.raise(trap); }
 
 MachineData& Plc::machineData() { return parts_->os.machineData(); }

@@ -49,7 +49,7 @@ std::string Programmer::control(const Reference& variable, std::uint32_t value) 
 }
 
 std::uint16_t Programmer::pseudoAddress(unsigned index) const {
-  const FineCode& fine = os_.fineCode();
+  const FineCode& fine = os_.record().fineCode();
   switch (index) {
     case 0:
       return fine.code;
@@ -164,20 +164,20 @@ std::vector<DirectoryEntry> Programmer::directory() const {
 
 // Deleting leaves no gaps, so there is nothing to move; damaged memory ends it (SPABBR).
 std::string Programmer::compress() {
-  os_.setControlBit(ControlBit::SPABBR, false);
-  os_.setControlBit(ControlBit::SCHTAE, true);
-  os_.setControlBit(ControlBit::BSTSCH, true);
+  os_.record().set(ControlBit::SPABBR, false);
+  os_.record().set(ControlBit::SCHTAE, true);
+  os_.record().set(ControlBit::BSTSCH, true);
   os_.betweenCycles([&os = os_] {
     const bool damaged = os.machine().blocks.buildLists().has_value();
-    os.setControlBit(ControlBit::SCHTAE, false);
-    os.setControlBit(ControlBit::BSTSCH, false);
-    os.setControlBit(ControlBit::SPABBR, damaged);
+    os.record().set(ControlBit::SCHTAE, false);
+    os.record().set(ControlBit::BSTSCH, false);
+    os.record().set(ControlBit::SPABBR, damaged);
   });
   return os_.controlBits().test(ControlBit::SPABBR) ? "compression aborted, memory is damaged" : "";
 }
 
 std::optional<StopPicture> Programmer::stopPicture() const {
-  return os_.mode() == Mode::Stop ? std::optional(os_.picture()) : std::nullopt;
+  return os_.mode() == Mode::Stop ? std::optional(os_.record().picture()) : std::nullopt;
 }
 
 std::string Programmer::controlBitText() const {

@@ -75,7 +75,7 @@ void eachCause(Call call) {
 }
 
 std::optional<std::string> bitField(const OperatingSystem& os, const std::string& wanted) {
-  const Stack& stack = os.picture().interrupt;
+  const Stack& stack = os.record().picture().interrupt;
   std::optional<std::string> result;
   for (std::size_t i = 0; i < kDisplayNames.size(); ++i)
     if (wanted == kDisplayNames[i]) result = bitText((stack.displays >> i & 1) != 0);
@@ -107,9 +107,10 @@ std::optional<EntryName> entryNameOf(const std::string& text) {
 std::optional<std::string> interruptField(const OperatingSystem& os, std::string_view name) {
   const std::string wanted = plainName(name);
   for (const ScreenField& field : kFields)
-    if (wanted == field.name) return field.text(os.picture().interrupt);
+    if (wanted == field.name) return field.text(os.record().picture().interrupt);
   for (const FineField& field : kFineFields)
-    if (wanted == field.name || wanted == field.address) return hexWord(field.value(os.fineCode()));
+    if (wanted == field.name || wanted == field.address)
+      return hexWord(field.value(os.record().fineCode()));
   return bitField(os, wanted);
 }
 
@@ -127,7 +128,7 @@ std::string interruptFields() {
 }
 
 std::optional<std::string> blockField(const OperatingSystem& os, std::string_view name) {
-  const std::vector<BlockStackEntry>& stack = os.picture().blocks;
+  const std::vector<BlockStackEntry>& stack = os.record().picture().blocks;
   const std::string wanted = plainName(name);
   if (wanted == "ENTRIES") return std::to_string(stack.size());
   const auto entry = entryNameOf(wanted);
@@ -144,13 +145,13 @@ std::optional<std::string> blockField(const OperatingSystem& os, std::string_vie
 std::string blockFields() { return "1, 1 ADR, 1 REL, 1 DB (1 = innermost), 2 …, ENTRIES"; }
 
 std::string stopLine(const OperatingSystem& os) {
-  const Stack& s = os.picture().interrupt;
+  const Stack& s = os.record().picture().interrupt;
   return fmt::format(
       "FEHLCODE {}, BEF-REG {}, SAZ {}, XX-NR {}, REL-SAZ {}, YY-NR {}, DB-NR {}, AKKU1 {}, "
       "AKKU2 {}, ANZ1 ANZ0 OVFL OVFLS ODER STATUS VKE ERAB {:08b}",
-      hexWord(os.fineCode().code), hexWord(s.instruction), hexWord(s.stepAddress), idText(s.block),
-      hexWord(s.relativeStep), idText(s.caller), dbText(s.dataBlock), akkuText(s.akku1),
-      akkuText(s.akku2), s.displays);
+      hexWord(os.record().fineCode().code), hexWord(s.instruction), hexWord(s.stepAddress),
+      idText(s.block), hexWord(s.relativeStep), idText(s.caller), dbText(s.dataBlock),
+      akkuText(s.akku1), akkuText(s.akku2), s.displays);
 }
 
 }  // namespace merker::sinumerik

@@ -1,5 +1,6 @@
 #include "softplc/system_blocks.h"
 
+#include <algorithm>
 #include <array>
 
 namespace merker::sinumerik {
@@ -32,6 +33,14 @@ constexpr std::array kFaultBits{
     FaultBit{Alarm::UnitTransmission, 0x0002}, FaultBit{Alarm::UnitTemperature, 0x0004},
     FaultBit{Alarm::UnitChanged, 0x0008}};
 
+// A word of DB 1; null if somebody destroyed the block.
+std::uint16_t* word(BlockMemory& blocks, std::uint32_t number) {
+  const Entry& entry = blocks.find({BlockType::Db, diagnosis::kDb});
+  return entry.present && number < entry.length ? &blocks.data()[entry.start + number] : nullptr;
+}
+
+std::uint16_t microseconds(Duration time) { return static_cast<std::uint16_t>(time.ns / 1000); }
+
 }  // namespace
 
 bool isSystemBlock(std::uint16_t db, const SystemOptions& options) {
@@ -50,15 +59,24 @@ bool createSystemBlocks(BlockMemory& blocks, const SystemOptions& options) {
 
 namespace diagnosis {
 
-std::uint16_t faultBit(Alarm alarm) {
-  for (const FaultBit& row : kFaultBits)
-    if (row.alarm == alarm) return row.bit;
-  return 0;
+bool showFault(BlockMemory& blocks, Alarm alarm) {
+  const auto* const row = std::ranges::find(kFaultBits, alarm, &FaultBit::alarm);
+  if (row == kFaultBits.end()) return false;
+  if (std::uint16_t* const faults = word(blocks, kFaults))
+    *faults = static_cast<std::uint16_t>(*faults | row->bit);
+  return true;
 }
 
-std::uint16_t* word(BlockMemory& blocks, std::uint32_t number) {
-  const Entry& entry = blocks.find({BlockType::Db, kDb});
-  return entry.present && number < entry.length ? &blocks.data()[entry.start + number] : nullptr;
+void showTimes(BlockMemory& blocks, Duration cycleTime, const CycleTimes& times) {
+  std::uint16_t* const words = word(blocks, 0);
+  const bool complete = word(blocks, kTrigger) != nullptr;
+  if (!complete || (words[kTrigger] & kTriggerBit) == 0) return;
+  words[kTrigger] = static_cast<std::uint16_t>(words[kTrigger] & ~kTriggerBit);
+  words[kCycleTime] = static_cast<std::uint16_t>(cycleTime.ns / 1'000'000);
+  words[kRunTime] = microseconds(times.cyclic + times.alarm);
+  words[kCyclicTime] = microseconds(times.cyclic);
+  words[kAlarmTime] = microseconds(times.alarm);
+  words[kAlarmRuns] = static_cast<std::uint16_t>(times.alarmRuns);
 }
 
 }  // namespace diagnosis

@@ -6,6 +6,7 @@
 
 #include "softplc/alarm.h"
 #include "softplc/block_memory.h"
+#include "softplc/run_times.h"
 
 namespace merker::sinumerik {
 
@@ -27,10 +28,10 @@ constexpr std::uint16_t kDb = 1;
 constexpr std::uint32_t kCycleTime = 0, kRunTime = 1, kCyclicTime = 2, kAlarmTime = 3,
                         kAlarmRuns = 4, kFaults = 8, kTrigger = 9;
 constexpr std::uint16_t kTriggerBit = 0x8000;  // D 9.15
-// The bit of DW 8 that belongs to an alarm; 0 if it has none.
-std::uint16_t faultBit(Alarm alarm);
-// A word of DB 1; null if somebody destroyed the block.
-std::uint16_t* word(BlockMemory& blocks, std::uint32_t number);
+// Sets the bit of DW 8 that belongs to the alarm; false if it has none.
+bool showFault(BlockMemory& blocks, Alarm alarm);
+// The values of the cycle that has just ended, if D 9.15 asks for them.
+void showTimes(BlockMemory& blocks, Duration cycleTime, const CycleTimes& times);
 }  // namespace diagnosis
 
 }  // namespace merker::sinumerik

@@ -186,11 +186,11 @@ bool forceValue(OperatingSystem& os, const Reference& r, std::uint32_t value) {
   };
   switch (r.operand.area) {
     case Area::Input:
-      return hold(os.forcedInputs, m.inputs);
+      return hold(os.forces().inputs, m.inputs);
     case Area::Output:
-      return hold(os.forcedOutputs, m.outputs);
+      return hold(os.forces().outputs, m.outputs);
     case Area::Flag:
-      return hold(os.forcedFlags, m.flags);
+      return hold(os.forces().flags, m.flags);
     default:
       return false;
   }

@@ -85,7 +85,7 @@ Stacks afterStop(const sinumerik::StopPicture& picture, const ControlTarget& tar
 Stacks controlStacks(const sinumerik::Plc& plc, const ControlTarget& target) {
   if (plc.mode() == sinumerik::Mode::Halt) return inHalt(plc.machine(), target.program());
   if (plc.mode() != sinumerik::Mode::Stop) return {};
-  return afterStop(plc.operatingSystem().picture(), target);
+  return afterStop(plc.operatingSystem().record().picture(), target);
 }
 
 }  // namespace merker::monitor

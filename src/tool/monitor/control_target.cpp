@@ -120,7 +120,7 @@ Registers ControlTarget::registers() const {
   const sinumerik::Plc& plc = control_.plc();
   const sinumerik::Machine& m = plc.machine();
   if (m.levels.empty() || m.levels.back().frames.empty())
-    return toRegisters(plc.operatingSystem().picture().interrupt);
+    return toRegisters(plc.operatingSystem().record().picture().interrupt);
   return toRegisters(m.levels.back().registers, openBlock(m.levels.back().frames.back()));
 }
 
@@ -137,12 +137,12 @@ std::optional<SourcePlace> ControlTarget::position() const {
 // REL-SAZ is behind the instruction that stopped the PLC; what came between two instructions
 // stopped it in front of the next one.
 std::optional<SourcePlace> ControlTarget::stopped() const {
-  const sinumerik::OperatingSystem& os = control_.plc().operatingSystem();
-  const sinumerik::InterruptStack& picture = os.picture().interrupt;
+  const sinumerik::AlarmRecord& record = control_.plc().operatingSystem().record();
+  const sinumerik::InterruptStack& picture = record.picture().interrupt;
   if (!picture.block) return std::nullopt;
   const BlockId id = mc5::neutralId(*picture.block);
   const std::uint32_t behind = picture.relativeStep;
-  if (isBetween(os.fineCode())) return sourcePlace(program(), id, behind);
+  if (isBetween(record.fineCode())) return sourcePlace(program(), id, behind);
   const auto code = program().find(id);
   return sourcePlace(program(), id, code && behind > 0 ? code->instructionAt(behind - 1) : behind);
 }

@@ -41,7 +41,7 @@ class Picture {
     for (const Duration time : {times.cycle.cyclic, times.cycle.alarm, times.alarmWindow(),
                                 times.third, times.raster, times.lastRaster})
       add("run time", time.ns);
-    for (const auto word : os.fineCode().words) add("fine code", word);
+    for (const auto word : os.record().fineCode().words) add("fine code", word);
     for (const auto& entry : plc.diagnostics())
       lines_.push_back(std::to_string(entry.time.ns) + ' ' + entry.text);
     machine(plc.machine());

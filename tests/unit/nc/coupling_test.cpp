@@ -124,7 +124,7 @@ TEST(Coupling, MasterFails) {
   EXPECT_FALSE(pair.controlSide.stopped());
   EXPECT_EQ(pair.controlSide.word(1, 8) & 0x0800, 0x0800);
   EXPECT_EQ(pair.controlSide.machine().flags[8] & 1, 1);
-  EXPECT_EQ(pair.controlSide.plc->operatingSystem().fineCode().number, 0x6163);
+  EXPECT_EQ(pair.controlSide.plc->operatingSystem().record().fineCode().number, 0x6163);
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ TEST(Macros, AlarmWords) {
   Rig rig;
   ASSERT_TRUE(rig.start("OB 1\n:SPA FB 66\n:BE\n"));
   rig.cycles(1);
-  const auto& fine = rig.plc->operatingSystem().fineCode();
+  const auto& fine = rig.plc->operatingSystem().record().fineCode();
   EXPECT_EQ(fine.number, 0x6114u);
   EXPECT_EQ(fine.words, (std::array<std::uint16_t, 3>{0, 1, 0x0066}));
 }

@@ -24,7 +24,7 @@ std::string Rig::stop() {
   const auto picture = plc->programmer().stopPicture();
   if (!picture) return "";
   const auto& stack = picture->interrupt;
-  const unsigned number = plc->operatingSystem().fineCode().number;
+  const unsigned number = plc->operatingSystem().record().fineCode().number;
   if (number != 0x6114) return fmt::format("{:X}", number);
   EXPECT_NE(findMacroError(stack.akku1, stack.akku2), nullptr);
   return fmt::format("{}/{}", stack.akku1, stack.akku2);

@@ -65,7 +65,7 @@ TEST(Alarms, FaultsOfTheProgram) {
                                  ControlBit::STP, ControlBit::LPTP, ControlBit::QVZNIN})
       EXPECT_EQ(b.control(bit), bit == fault.control) << n;
     EXPECT_TRUE(b.control(ControlBit::UAFEHL) && b.control(ControlBit::STOZUS)) << n;
-    const Causes& causes = b.plc().operatingSystem().picture().interrupt.causes;
+    const Causes& causes = b.plc().operatingSystem().record().picture().interrupt.causes;
     EXPECT_EQ(causes, Causes(fault.cause)) << n;
     EXPECT_EQ(b.plc().stoppedByFault(), fault.alarm != Alarm::Sts && fault.alarm != Alarm::Stp);
   }
@@ -161,7 +161,7 @@ TEST(Alarms, InterruptStack) {
   b.write("EB 7", 1);
   b.plc().advanceTo(ms(66));
   EXPECT_TRUE(b.stopped(Alarm::InterruptStack)) << b.plc().stopReason();
-  EXPECT_TRUE(b.plc().operatingSystem().picture().interrupt.causes.test(Cause::STUEU));
+  EXPECT_TRUE(b.plc().operatingSystem().record().picture().interrupt.causes.test(Cause::STUEU));
 }
 
 struct StartCase {
@@ -307,7 +307,7 @@ TEST(Alarms, MainsFailureOfTheUnit) {
   b.runTo(140);
   EXPECT_TRUE(b.stopped(Alarm::UnitSilent));
   EXPECT_TRUE(b.control(ControlBit::NAUAS) && b.control(ControlBit::PERUNKL));
-  EXPECT_TRUE(b.plc().operatingSystem().picture().interrupt.causes.test(Cause::NAU));
+  EXPECT_TRUE(b.plc().operatingSystem().record().picture().interrupt.causes.test(Cause::NAU));
 }
 
 // S5-ERR-17: a module that stops to answer.

@@ -129,7 +129,7 @@ TEST(S5Halt, canEndInStop) {
   b.plc().stop();
   EXPECT_TRUE(b.stopped(Alarm::ProgrammerStop));
   EXPECT_FALSE(b.plc().stoppedByFault());
-  const InterruptStack& stack = b.plc().operatingSystem().picture().interrupt;
+  const InterruptStack& stack = b.plc().operatingSystem().record().picture().interrupt;
   EXPECT_EQ(stack.block, kIsPb1);
   EXPECT_EQ(stack.relativeStep, 1u);
   EXPECT_TRUE(b.control(ControlBit::UAFEHL));

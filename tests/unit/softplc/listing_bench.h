@@ -72,9 +72,9 @@ struct ListingBench {
   }
   bool stopped(Alarm alarm) {
     return plc().mode() == Mode::Stop && shownAlarm() == number(alarm) &&
-           plc().operatingSystem().alarms().pending(number(alarm));
+           plc().operatingSystem().record().alarms().pending(number(alarm));
   }
-  bool pending(unsigned alarm) { return plc().operatingSystem().alarms().pending(alarm); }
+  bool pending(unsigned alarm) { return plc().operatingSystem().record().alarms().pending(alarm); }
 
   Options options;
   std::optional<Plc> built;

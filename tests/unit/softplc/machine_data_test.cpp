@@ -71,11 +71,11 @@ TEST(MachineData, Bits) {
 TEST(MachineData, TableAndText) {
   MachineData data;
   data.setBit({2003, 0}, false);
-  EXPECT_TRUE(data.stopsOnCyclicTime());
-  EXPECT_FALSE(data.stopsOnAlarmTime());
+  EXPECT_TRUE(data.stops(Reaction::StopIfOb1));
+  EXPECT_FALSE(data.stops(Reaction::StopIfOb2));
   data.mapping = BitMapping::Text;
-  EXPECT_FALSE(data.stopsOnCyclicTime());
-  EXPECT_TRUE(data.stopsOnAlarmTime());
+  EXPECT_FALSE(data.stops(Reaction::StopIfOb1));
+  EXPECT_TRUE(data.stops(Reaction::StopIfOb2));
   data.setBit({2003, 4}, true);
   EXPECT_FALSE(data.systemCommands());
   data.mapping = BitMapping::Table;

@@ -129,7 +129,7 @@ TEST(Schedule, CycleWatchdog) {
     b.run();
     b.plc().advanceToCheckpoint(ms(1000));
     EXPECT_TRUE(b.stopped(Alarm::CycleTime));
-    EXPECT_TRUE(b.plc().operatingSystem().picture().interrupt.causes.test(Cause::ZYK));
+    EXPECT_TRUE(b.plc().operatingSystem().record().picture().interrupt.causes.test(Cause::ZYK));
     const auto& entry = b.plc().diagnostics().back();
     EXPECT_NEAR(static_cast<double>(entry.time.ns) / 1e6, limit, 0.1);
   }
