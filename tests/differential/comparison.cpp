@@ -108,13 +108,17 @@ void each(Comparison& c, std::string_view name, const std::vector<T>& a, const s
     if (a[i] != b[i]) c.value(name, i, text(a[i]), text(b[i]));
 }
 
+void requests(Comparison& c, Cpu& a, Cpu& b) {
+  const std::vector<cpu::Request>&x = a.requests().waiting(), &y = b.requests().waiting();
+  c.value("waiting OBs", x.size(), y.size());
+  for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i) {
+    c.value("waiting OB", i, x[i].ob, y[i].ob);
+    c.bytes("waiting start", i, x[i].start, y[i].start);
+  }
+}
+
 void interrupts(Comparison& c, Cpu& a, Cpu& b) {
   const cpu::Interrupts &x = a.interrupts(), &y = b.interrupts();
-  c.value("waiting OBs", x.waiting.size(), y.waiting.size());
-  for (std::size_t i = 0; i < std::min(x.waiting.size(), y.waiting.size()); ++i) {
-    c.value("waiting OB", i, x.waiting[i].ob, y.waiting[i].ob);
-    c.bytes("waiting start", i, x.waiting[i].start, y.waiting[i].start);
-  }
   for (std::size_t i = 0; i < std::min(x.cyclic.size(), y.cyclic.size()); ++i)
     c.value("next cyclic", i, x.cyclic[i].next.ns, y.cyclic[i].next.ns);
   for (std::size_t i = 0; i < std::min(x.delay.size(), y.delay.size()); ++i) {
@@ -126,7 +130,7 @@ void interrupts(Comparison& c, Cpu& a, Cpu& b) {
     c.value("time of day due", i, x.timeOfDay[i].due, y.timeOfDay[i].due);
   }
   c.bytes("locked OBs", 0, x.locked, y.locked);
-  c.value("stored edges", x.stored.size(), y.stored.size());
+  c.value("stored edges", a.moduleEvents().stored().size(), b.moduleEvents().stored().size());
 }
 
 void diagnostics(Comparison& c, const Cpu& a, const Cpu& b, std::uint64_t seen) {
@@ -151,14 +155,14 @@ void operatingSystem(Comparison& c, const Cpu& a, const Cpu& b) {
   c.value("clock", x.clock.ns, y.clock.ns);
   c.value("instructions", x.instructions, y.instructions);
   c.value("mode", static_cast<int>(a.mode()), static_cast<int>(b.mode()));
-  c.value("cycles", a.cycles(), b.cycles());
-  c.value("checkpoints", a.checkpoints(), b.checkpoints());
+  c.value("cycles", a.cycle().count(), b.cycle().count());
+  c.value("checkpoints", a.cycle().checkpoints(), b.cycle().checkpoints());
   c.value("position", x.position, y.position);
   c.value("level ended", x.levelEnded, y.levelEnded);
-  c.value("stop event", a.stopEvent().event, b.stopEvent().event);
+  c.value("stop event", a.state().stopEvent().event, b.state().stopEvent().event);
   c.value("outputs disabled", a.modules().outputsDisabled(), b.modules().outputsDisabled());
   c.value("calendar", a.clock().milliseconds(x.clock), b.clock().milliseconds(y.clock));
-  c.value("longest cycle", a.cycleTimes().longest, b.cycleTimes().longest);
+  c.value("longest cycle", a.cycle().times().longest, b.cycle().times().longest);
 }
 
 }  // namespace
@@ -194,6 +198,7 @@ std::string compare(Cpu& interpreted, Cpu& compiled, std::uint64_t seen) {
   memory(c, a, b);
   each(c, "T", a.timers, b.timers);
   each(c, "Z", a.counters, b.counters);
+  requests(c, interpreted, compiled);
   interrupts(c, interpreted, compiled);
   diagnostics(c, interpreted, compiled, seen);
   return c.text();

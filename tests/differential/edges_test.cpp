@@ -103,7 +103,7 @@ void agree(const std::string& text) {
     cpu->restart(cpu::Restart::ManualWarm);
     const Instant latest = cpu->machine().clock + Duration::seconds(60);
     while (executes(cpu->mode()) && cpu->machine().clock < latest) cpu->step(latest);
-    ASSERT_EQ(cpu->stopEvent().event, 0x457F) << cpu->stopEvent().text;  // SFC 46
+    ASSERT_EQ(cpu->state().stopEvent().event, 0x457F) << cpu->state().stopEvent().text;  // SFC 46
   }
   EXPECT_EQ(compare(interpreted, compiled), "");
 }

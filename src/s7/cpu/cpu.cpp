@@ -11,13 +11,19 @@ Cpu::Cpu(const CpuModel& model, Engine& engine, SystemServices& services, std::i
       engine_(engine),
       services_(services),
       parameters_(std::move(parameters)),
+      clock_(startOfClock),
+      runtimeMeters_(model.runtimeMeters),
+      log_(machine_, clock_),
       modules_(machine_),
       loadMemory_(machine_, engine_),
-      clock_(startOfClock),
+      retention_(machine_, parameters_, {clock_, log_, runtimeMeters_}),
+      cycle_(parameters_, Duration{model.cycleTime}),
+      state_(machine_, {log_, modules_, cycle_, runtimeMeters_, cyclePoints_}),
+      interrupts_(machine_, clock_, parameters_),
+      requests_(machine_, log_, state_, interrupts_.list(), faults_),
+      moduleEvents_(machine_, interrupts_.list(), {log_, modules_, state_, requests_, faults_}),
       clockMemory_(parameters_.clockMemory) {
   machine_.cpu = this;
-  runtimeMeters_.resize(model.runtimeMeters);
-  stopEvent_ = {.event = static_cast<std::uint16_t>(Event::PowerOn)};
 }
 
 bool Cpu::callSystem(BlockId block, std::span<const std::uint32_t> parameters) {
@@ -28,20 +34,20 @@ bool Cpu::callSystem(BlockId block, std::span<const std::uint32_t> parameters) {
 void Cpu::load(std::shared_ptr<const block::Program> program) {
   loadMemory_.load(std::move(program));
   clearStacks();
-  clearSystemMemory(true);
+  clearSystemMemory(Extent::All);
   machine_.dataBlocks.load(*this->program());
 }
 
 void Cpu::download(std::shared_ptr<const block::Program> program) {
   loadMemory_.download(std::move(program));
-  if (mode_ == Mode::Stop || machine_.levels.empty()) activateDownload();
+  if (mode() == Mode::Stop || machine_.levels.empty()) activateDownload();
 }
 
 void Cpu::activateDownload() {
   if (!loadMemory_.downloaded()) return;
-  if (mode_ == Mode::Stop) clearStacks();  // the interrupted program cannot go on
+  if (mode() == Mode::Stop) clearStacks();  // the interrupted program cannot go on
   loadMemory_.activate();
-  if (mode_ != Mode::Stop) updateInterrupts();
+  if (mode() != Mode::Stop) interrupts_.update(mode() == Mode::Run);
 }
 
 }  // namespace merker::cpu

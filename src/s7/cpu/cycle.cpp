@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "cpu/cpu.h"
+#include "cpu/levels.h"
 
 namespace merker::cpu {
 namespace {
@@ -16,19 +17,19 @@ constexpr Duration kHeld = Duration::milliseconds(5);
 void Cpu::step(Instant limit) {
   if (!timersHeld_) return move(limit);
   move(std::min(limit, machine_.clock + kHeld));
-  if (!executes(mode_)) return;
+  if (!state_.executing()) return;
   for (S5Timer& timer : machine_.timers) timer.hold(machine_.clock);
 }
 
 void Cpu::move(Instant limit) {
-  if (!executes(mode_)) return rest(limit);
-  if (mode_ == Mode::Startup && machine_.levels.size() == restOfCycle_)
+  if (!state_.executing()) return rest(limit);
+  if (mode() == Mode::Startup && machine_.levels.size() == startup_.interrupted())
     enterRun();
   else if (machine_.levels.empty())
     idle(limit);
   else
     runTop(limit);
-  if (executes(mode_)) takeEvents();
+  if (state_.executing()) takeEvents();
 }
 
 // STOP and HALT: time goes on, the modules with it while there is power.
@@ -39,8 +40,8 @@ void Cpu::rest(Instant limit) {
 }
 
 void Cpu::idle(Instant limit) {
-  if (machine_.clock >= nextCycle_) return startCycle();
-  machine_.clock = std::max(machine_.clock, std::min({limit, nextCycle_, nextEvent()}));
+  if (machine_.clock >= cycle_.next()) return startCycle();
+  machine_.clock = std::max(machine_.clock, std::min({limit, cycle_.next(), nextEvent()}));
 }
 
 void Cpu::runTop(Instant limit) {
@@ -57,83 +58,65 @@ void Cpu::runInstructions(Instant until) {
   machine_.horizon = until;
   machine_.levelEnded = false;
   engine_.run(machine_);
-  if (mode_ == Mode::Stop) return;
-  if (mode_ == Mode::Halt) frozenAt_ = machine_.clock;  // a probe gave its instruction's time back
+  if (mode() == Mode::Stop) return;
+  if (mode() == Mode::Halt) state_.stillHalted();  // a probe gave its instruction's time back
   if (machine_.levelEnded)
-    endLevel();
+    endTopLevel();
   else
     machine_.position = engine_.offset(*machine_.top);
 }
 
+void Cpu::endTopLevel() {
+  const Level ended = endLevel(machine_);
+  if (ended.ob == 40) moduleEvents_.hardwareInterruptEnded(ended.start);
+  if (ended.ob == 1 && mode() == Mode::Run) endCycle();
+}
+
 void Cpu::enterRun() {
-  change(Mode::Run);
-  ++checkpoints_;
-  report(Event::StartupToRun);
+  state_.run();
+  log_.report(Event::StartupToRun);
   modules_.disableOutputs(false);
   modules_.started();
-  nextCycle_ = cycleStart_ = machine_.clock;
-  if (!machine_.levels.empty()) monitoring_.begin(machine_.clock, cycleMonitoring());
-  if (isHot(lastRestart_)) return;
-  for (CyclicInterrupt& cyclic : interrupts_.cyclic) cyclic.begin(machine_.clock);
+  cycle_.enterRun(machine_.clock, !machine_.levels.empty());
+  if (!isHot(startup_.how())) interrupts_.beginCyclic();
 }
 
 void Cpu::startCycle() {
-  if (scan_ == 3) cycleTimes_.add(machine_.clock - cycleStart_);
-  cycleStart_ = machine_.clock;
-  monitoring_.begin(machine_.clock, cycleMonitoring());
+  cycle_.begin(machine_.clock);
   updateImages();
-  if (mode_ != Mode::Run) return;  // an access error without OB 85
-  if (!hasOb(1))
+  if (mode() != Mode::Run) return;  // an access error without OB 85
+  if (!hasOb(machine_, 1))
     return stopByFault(Event::StopProgramSequence, "OB 1 is not loaded");  // S7-OPEN-39
-
-  StartInformation start = startInformation(0x11, scan_, priorityOf(1), 1, dateAndTime());
-  setWord(start, 6, static_cast<std::uint32_t>(cycleTimes_.previous));
-  setWord(start, 8, static_cast<std::uint32_t>(cycleTimes_.shortest));
-  setWord(start, 10, static_cast<std::uint32_t>(cycleTimes_.longest));
-  scan_ = 3;
-  startLevel(1, priorityOf(1), start, false);
+  startLevel(machine_, 1, priorityOf(1), cycle_.startOfOb1(log_.dateAndTime()), false);
 }
 
 void Cpu::endCycle() {
-  ++cycles_;
-  ++checkpoints_;
-  nextCycle_ = nextCycle();
-  reached(CyclePoint::End);
+  cycle_.end(machine_.clock);
+  cyclePoints_.reached(CyclePoint::End);
   forces_.apply(machine_.areas.image);
   activateDownload();
   if (observer_) observer_();
 }
 
-// The operating system's share, communication, and not before the minimum cycle is over
-// (S7-HWCFG-08). With a communication load of p % the rest of the time has to do for the program:
-// t * 100 / (100 - p), see docs/compatibility.md, "communication load".
-Instant Cpu::nextCycle() const {
-  Instant next = machine_.clock + Duration{machine_.model->cycleTime};
-  if (communicating_) {
-    const std::int64_t load = std::min(parameters_.communicationLoad, 50u);
-    next = next + Duration{(next - cycleStart_).ns * load / (100 - load)};
-  }
-  return std::max(next, cycleStart_ + Duration::milliseconds(parameters_.minimumCycle));
-}
-
 bool Cpu::runOb1(Duration most) {
-  if (mode_ != Mode::Run) return false;
-  if (!hasOb(1)) return false;
+  if (mode() != Mode::Run) return false;
+  if (!hasOb(machine_, 1)) return false;
   if (machine_.levels.empty()) {
-    const StartInformation start = startInformation(0x11, scan_, priorityOf(1), 1, dateAndTime());
-    if (!startLevel(1, priorityOf(1), start, false)) return false;
+    const StartInformation start =
+        startInformation(0x11, cycle_.scan(), priorityOf(1), 1, log_.dateAndTime());
+    if (!startLevel(machine_, 1, priorityOf(1), start, false)) return false;
     machine_.levelEnded = false;
   }
   const Instant latest = machine_.clock + most;
-  while (mode_ == Mode::Run && !(machine_.levelEnded && machine_.levels.size() == 1)) {
+  while (mode() == Mode::Run && !(machine_.levelEnded && machine_.levels.size() == 1)) {
     if (machine_.clock >= latest) return false;
-    if (machine_.levelEnded) endLevel();  // of an error OB
+    if (machine_.levelEnded) endTopLevel();  // of an error OB
     machine_.levelEnded = false;
     machine_.horizon = latest;
     engine_.run(machine_);
   }
-  if (mode_ == Mode::Run) endLevel();
-  return mode_ == Mode::Run;
+  if (mode() == Mode::Run) endTopLevel();
+  return mode() == Mode::Run;
 }
 
 }  // namespace merker::cpu

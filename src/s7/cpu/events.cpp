@@ -1,5 +1,5 @@
-// Events of time: cyclic, delayed and time-of-day interrupts, cycle monitoring, clock memory, and
-// the modules' own instants (S7-CYCLE-04, -06; S7-MEM-01).
+// What the operating system does when its time has come: modules, clock memory, cycle monitoring,
+// interrupts (S7-CYCLE-04, -06; S7-MEM-01).
 #include <algorithm>
 
 #include "cpu/cpu.h"
@@ -7,15 +7,9 @@
 namespace merker::cpu {
 
 Instant Cpu::nextEvent() const {
-  Instant next = std::min(clockMemory_.next(), modules_.next());
-  if (mode_ != Mode::Run) return next;  // S7-STATE-11
-  next = std::min(next, monitoring_.deadline());
-  for (const CyclicInterrupt& cyclic : interrupts_.cyclic) next = std::min(next, cyclic.next);
-  for (const DelayInterrupt& delay : interrupts_.delay)
-    if (delay.active) next = std::min(next, delay.due);
-  for (const TimeOfDayInterrupt& time : interrupts_.timeOfDay)
-    if (time.active) next = std::min(next, clock_.when(time.due));
-  return next;
+  const Instant next = std::min(clockMemory_.next(), modules_.next());
+  if (mode() != Mode::Run) return next;  // S7-STATE-11
+  return std::min({next, cycle_.deadline(), interrupts_.next()});
 }
 
 // Order of what falls on the same instant: modules, clock memory, monitoring, delayed, time of day,
@@ -23,13 +17,11 @@ Instant Cpu::nextEvent() const {
 void Cpu::takeEvents() {
   takePeriphery();
   clockMemory_.update(machine_.areas, machine_.clock);
-  if (mode_ == Mode::Run) {
-    if (monitoring_.exceeded(machine_.clock)) cycleTimeExceeded();
-    takeDelayed();
-    takeTimeOfDay();
-    takeCyclic();
+  if (mode() == Mode::Run) {
+    if (cycle_.exceeded(machine_.clock)) cycleTimeExceeded();
+    interrupts_.requestDue([this](const StartInformation& start) { requests_.request(start); });
   }
-  if (executes(mode_)) startWaiting();
+  if (state_.executing()) requests_.startHighest();
 }
 
 void Cpu::takePeriphery() {
@@ -38,83 +30,34 @@ void Cpu::takePeriphery() {
               std::string(modules_.due()) + ": events at one instant without end");
 }
 
-void Cpu::takeCyclic() {
-  for (CyclicInterrupt& cyclic : interrupts_.cyclic) {
-    while (cyclic.next <= machine_.clock) {
-      const std::uint8_t ob = cyclic.ob;
-      StartInformation start = startInformation(0x11, static_cast<std::uint8_t>(0x31 + ob - 30),
-                                                priorityOf(ob), ob, dateAndTime());
-      setWord(start, 6, static_cast<std::uint32_t>(cyclic.phase));
-      setWord(start, 10, static_cast<std::uint32_t>(cyclic.milliseconds));
-      cyclic.next = cyclic.next + Duration::milliseconds(cyclic.milliseconds);
-      request(start);
-    }
-  }
-}
-
-void Cpu::takeDelayed() {
-  for (DelayInterrupt& delay : interrupts_.delay) {
-    if (!delay.active || delay.due > machine_.clock) continue;
-    const std::uint8_t ob = delay.ob;
-    StartInformation start = startInformation(0x11, static_cast<std::uint8_t>(0x21 + ob - 20),
-                                              priorityOf(ob), ob, dateAndTime());
-    setWord(start, 6, delay.sign);
-    setDWord(start, 8, delay.milliseconds);
-    delay.active = false;
-    delay.finished = true;
-    request(start);
-  }
-}
-
-void Cpu::takeTimeOfDay() {
-  const std::int64_t now = clock_.milliseconds(machine_.clock);
-  for (TimeOfDayInterrupt& time : interrupts_.timeOfDay) {
-    if (!time.active || time.due > now) continue;
-    const std::uint8_t ob = time.ob;
-    StartInformation start = startInformation(0x11, static_cast<std::uint8_t>(0x11 + ob - 10),
-                                              priorityOf(ob), ob, dateAndTime());
-    setWord(start, 6, static_cast<std::uint32_t>(time.period));
-    time.moveOn(now);
-    request(start);
-  }
-}
-
-// S7-OBI-07: times that were jumped over do not start their OB; bit n of the information stands
-// for OB 10 + n.
-void Cpu::skipTimeOfDay(std::uint8_t faultId) {
-  const std::int64_t now = clock_.milliseconds(machine_.clock);
-  unsigned skipped = 0;
-  for (TimeOfDayInterrupt& time : interrupts_.timeOfDay) {
-    if (!time.active || time.due >= now) continue;
-    skipped |= 1u << (time.ob - 10);
-    time.moveOn(now);
-  }
-  if (skipped != 0) timeError(faultId, skipped, {});
+// S7-OBI-07
+void Cpu::skipTimesOfDay(std::uint8_t faultId) {
+  const unsigned skipped = interrupts_.skipTimesOfDay();
+  if (skipped != 0) requests_.timeError(faultId, skipped, {});
 }
 
 void Cpu::setClock(std::int64_t milliseconds) {
   clock_.set(milliseconds, machine_.clock);
-  if (executes(mode_)) skipTimeOfDay(0x05);
+  if (state_.executing()) skipTimesOfDay(0x05);
   machine_.interrupt();
 }
 
 // S7-CYCLE-06, S7-OBI-07: the time of the cycle so far, and who runs.
 void Cpu::cycleTimeExceeded() {
   constexpr std::uint8_t kExceeded = 0x01;
-  const std::int64_t time = (machine_.clock - cycleStart_).ns / 1'000'000;
-  if (!monitoring_.extend()) {
-    report(static_cast<std::uint16_t>(Event::CycleTimeExceeded),
-           std::string(text(Event::CycleTimeExceeded)), here());
+  const std::int64_t time = (machine_.clock - cycle_.began()).ns / 1'000'000;
+  if (!cycle_.extend()) {
+    log_.report(Event::CycleTimeExceeded, log_.here());
     return stopByFault(Event::StopTimeError, "cycle time exceeded twice");
   }
-  const StartInformation idle = startInformation(0x11, 0x03, 1, 1, dateAndTime());
-  timeError(kExceeded, static_cast<std::uint32_t>(time),
-            machine_.levels.empty() ? idle : machine_.levels.back().start);
+  const StartInformation idle = startInformation(0x11, 0x03, 1, 1, log_.dateAndTime());
+  requests_.timeError(kExceeded, static_cast<std::uint32_t>(time),
+                      machine_.levels.empty() ? idle : machine_.levels.back().start);
 }
 
 void Cpu::retrigger() {
-  if (mode_ != Mode::Run) return;
-  monitoring_.begin(machine_.clock, cycleMonitoring());
+  if (mode() != Mode::Run) return;
+  cycle_.monitor(machine_.clock);
   machine_.interrupt();  // the horizon was the old deadline
 }
 

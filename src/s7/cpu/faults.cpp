@@ -1,9 +1,6 @@
-// Synchronous errors, faults that end in STOP, entries of the diagnostic buffer (S7-ERR-02 … -04,
-// S7-DIAG-01 … -03).
-#include <algorithm>
-
-#include "base/bytes.h"
+// Synchronous errors (S7-ERR-02 … -04).
 #include "cpu/cpu.h"
+#include "cpu/levels.h"
 
 namespace merker::cpu {
 namespace {
@@ -28,57 +25,16 @@ bool masked(ErrorMasks& masks, const SyncError& error) {
 
 }  // namespace
 
-Place Cpu::here() const {
-  if (machine_.levels.empty() || machine_.top->code == nullptr) return {};
-  return {.known = true, .block = machine_.top->code->source->id, .offset = machine_.position};
-}
-
-DateAndTime Cpu::dateAndTime() const { return toDateAndTime(clock_.milliseconds(machine_.clock)); }
-
-DiagnosticEvent Cpu::makeEvent(std::uint16_t event, std::string text, Place place) const {
-  DiagnosticEvent result{.event = event,
-                         .time = machine_.clock,
-                         .text = std::move(text),
-                         .place = place,
-                         .stamp = dateAndTime()};
-  const DiagnosticInformation info = informationOf(place);
-  result.info[0] = priority();
-  result.info[1] = machine_.levels.empty() ? std::uint8_t{0} : machine_.levels.back().ob;
-  std::copy(info.begin(), info.end(), result.info.begin() + 2);
-  return result;
-}
-
-void Cpu::report(std::uint16_t event, std::string text, Place place) {
-  diagnostics_.add(makeEvent(event, std::move(text), place));
-}
-
-void Cpu::note(std::uint16_t event, std::string text, const DiagnosticInformation& info) {
-  DiagnosticEvent entry = makeEvent(event, std::move(text), {});
-  std::copy(info.begin(), info.end(), entry.info.begin() + 2);
-  diagnostics_.add(std::move(entry));
-}
-
-// An entry that says what the OB's start information says.
-void Cpu::report(const StartInformation& start, std::string text) {
-  DiagnosticEvent entry = makeEvent(loadWord(start.data()), std::move(text), here());
-  std::copy_n(start.begin() + 2, entry.info.size(), entry.info.begin());
-  diagnostics_.add(std::move(entry));
-}
-
-void Cpu::report(Event event) {
-  report(static_cast<std::uint16_t>(event), std::string(text(event)));
-}
-
 AfterError Cpu::synchronousError(const SyncError& error) {
   Machine& m = machine_;
   if (masked(m.levels.back().masks, error)) return AfterError::GoOn;
   const std::string kind = error.peripheral() ? "" : "programming error: ";
-  const StartInformation start =
-      errorInformation(error, priority(), m.top->code->source->id, m.position, dateAndTime());
-  report(start, kind + describe(error));
+  const StartInformation start = errorInformation(
+      error, runningPriority(m), m.top->code->source->id, m.position, log_.dateAndTime());
+  log_.report(start, kind + describe(error));
   faults_.program = true;
   const std::uint8_t ob = error.peripheral() ? 122 : 121;
-  if (!hasOb(ob)) {
+  if (!hasOb(m, ob)) {
     stopByFault(error.peripheral() ? Event::StopAccessError : Event::StopProgrammingError,
                 describe(error));
     return AfterError::Stopped;
@@ -87,13 +43,8 @@ AfterError Cpu::synchronousError(const SyncError& error) {
     stopByFault(Event::StopErrorNesting, describe(error));
     return AfterError::Stopped;
   }
-  return startLevel(ob, priority(), start, true) ? AfterError::ErrorOb : AfterError::Stopped;
-}
-
-void Cpu::stopByFault(Event why, std::string detail) {
-  std::string reason(text(why));
-  if (!detail.empty()) reason += ": " + detail;
-  goToStop(why, std::move(reason), here(), true);
+  return startLevel(m, ob, runningPriority(m), start, true) ? AfterError::ErrorOb
+                                                            : AfterError::Stopped;
 }
 
 }  // namespace merker::cpu

@@ -3,10 +3,6 @@
 
 namespace merker::cpu {
 
-void Cpu::reached(CyclePoint point) {
-  if (monitor_) monitor_(point);
-}
-
 void Cpu::updateImages() {
   Areas& areas = machine_.areas;
   forces_.apply(areas.image);
@@ -16,19 +12,19 @@ void Cpu::updateImages() {
   areas.readInputs();
   imageFaults_.compare(areas, parameters_.imageErrors,
                        [this](const ImageFault& fault) { imageFault(fault); });
-  reached(CyclePoint::Begin);
+  cyclePoints_.reached(CyclePoint::Begin);
   forces_.apply(areas.image);
 }
 
 // Bytes 4 and 10 of the start information: access by bytes, address.
 void Cpu::imageFault(const ImageFault& fault) {
-  if (!executes(mode_)) return;
+  if (!state_.executing()) return;
   StartInformation start = startInformation(fault.coming ? 0x39 : 0x38, fault.faultId,
-                                            priorityOf(85), 85, dateAndTime());
+                                            priorityOf(85), 85, log_.dateAndTime());
   constexpr std::uint8_t kByteAccess = 0x10;
   setByte(start, 4, kByteAccess);
   setWord(start, 10, fault.byte);
-  asynchronousError(start);
+  requests_.asynchronousError(start);
 }
 
 }  // namespace merker::cpu

@@ -1,11 +1,10 @@
-// Who wants to run: cyclic, time-delay and time-of-day interrupts with their next instants, and the
-// OBs whose event has come but which still wait for a higher or equal class (S7-BLK-08 … -10).
+// Cyclic, time-delay and time-of-day interrupts with their next instants, and which OBs are locked
+// (S7-BLK-08 … -10).
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
-#include "catalogue/module_event.h"
 #include "clock/instant.h"
 #include "cpu/start_information.h"
 
@@ -50,18 +49,10 @@ struct TimeOfDayInterrupt {
   void moveOn(std::int64_t now);
 };
 
-struct Request {
-  std::uint8_t ob = 0;
-  std::uint8_t priority = 0;
-  StartInformation start{};
-};
-
 struct Interrupts {
   std::vector<CyclicInterrupt> cyclic;
   std::vector<DelayInterrupt> delay;
   std::vector<TimeOfDayInterrupt> timeOfDay;
-  std::vector<Request> waiting;      // in the order of their events
-  std::vector<ModuleEvent> stored;   // edges of modules whose OB 40 has not ended yet
   std::vector<std::uint8_t> locked;  // OB numbers that SFC 39 has locked
 
   DelayInterrupt* findDelay(std::uint32_t ob);

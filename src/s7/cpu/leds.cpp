@@ -35,17 +35,17 @@ Light Cpu::stopLight() const {
       break;
   }
   if (resetRequested_) return Light::Slow;
-  return on(mode_ != Mode::Run);  // also in STARTUP and HALT
+  return on(mode() != Mode::Run);  // also in STARTUP and HALT
 }
 
 Leds Cpu::leds() const {
   if (!powered_) return {};
-  return {.sf = on(stoppedByFault_ || faults_.any()),
+  return {.sf = on(state_.stoppedByFault() || faults_.any()),
           .bf = on(faults_.racks()),
           .batf = on(faults_.battery),
           .dc5v = Light::On,
           .frce = on(!forces_.empty()),
-          .run = runLight(mode_),
+          .run = runLight(mode()),
           .stop = stopLight()};
 }
 

@@ -1,5 +1,5 @@
-// Priority classes: an OB of a higher class interrupts at an instruction boundary; registers are
-// saved and begin at zero (S7-REG-05, -06).
+#include "cpu/levels.h"
+
 #include <algorithm>
 
 #include "cpu/cpu.h"
@@ -8,20 +8,14 @@ namespace merker::cpu {
 namespace {
 
 constexpr std::size_t kDeepestInterruption = 64;
-constexpr std::uint8_t kOnlyErrors = 28;  // class of asynchronous errors in STARTUP (S7-BLK-14)
 
 }  // namespace
 
-std::uint8_t Cpu::priority() const {
-  return machine_.levels.empty() ? std::uint8_t{0} : machine_.levels.back().priority;
-}
-
-bool Cpu::startLevel(std::uint8_t ob, std::uint8_t priority, const StartInformation& start,
-                     bool errorOb) {
-  Machine& m = machine_;
+bool startLevel(Machine& m, std::uint8_t ob, std::uint8_t priority, const StartInformation& start,
+                bool errorOb) {
   const Code* code = find(m.organizationBlocks, ob);
   if (m.levels.size() >= kDeepestInterruption) {
-    stopByFault(Event::StopInterruptStack);
+    m.cpu->stopByFault(Event::StopInterruptStack);
     return false;
   }
   Level level{.ob = ob, .priority = priority, .errorOb = errorOb};
@@ -48,8 +42,7 @@ bool Cpu::startLevel(std::uint8_t ob, std::uint8_t priority, const StartInformat
   return true;
 }
 
-void Cpu::endLevel() {
-  Machine& m = machine_;
+Level endLevel(Machine& m) {
   const Level level = m.levels.back();
   m.frames.resize(m.frames.size() - level.frames);
   m.top = &m.frames.back();
@@ -62,27 +55,18 @@ void Cpu::endLevel() {
   m.brackets.resize(level.bracketBase);
   m.updateMcr();
   m.levelEnded = false;
-  if (level.ob == 40) hardwareInterruptEnded(level.start);
-  if (level.ob == 1 && mode_ == Mode::Run) endCycle();
+  return level;
 }
 
-// The waiting request of the highest class, the oldest among equals, if it is higher than what
-// runs.
-void Cpu::startWaiting() {
-  auto& waiting = interrupts_.waiting;
-  if (waiting.empty()) return;
-  const bool delayed = std::any_of(machine_.levels.begin(), machine_.levels.end(),
-                                   [](const Level& level) { return level.delayed > 0; });
-  if (delayed) return;  // SFC 41
-  const auto highest =
-      std::max_element(waiting.begin(), waiting.end(),
-                       [](const Request& a, const Request& b) { return a.priority < b.priority; });
-  if (highest->priority <= priority()) return;
-  if (mode_ == Mode::Startup && highest->priority < kOnlyErrors) return;  // S7-STATE-11
-  const Request request = *highest;
-  waiting.erase(highest);
-  if (!hasOb(request.ob)) return obMissing(request.start);  // deleted while it waited
-  startLevel(request.ob, request.priority, request.start, false);
+void clearStacks(Machine& m) {
+  m.levels.clear();
+  m.frames.resize(1);
+  m.top = &m.frames.back();
+  m.updateCallLimit();
+  m.brackets.clear();
+  m.mcrStack.clear();
+  m.mcrActive = m.mcrOff = m.levelEnded = false;
+  m.registers = {};
 }
 
 }  // namespace merker::cpu

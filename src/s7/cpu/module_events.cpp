@@ -1,10 +1,10 @@
-// What modules and the power supply tell the CPU: OB 40, 81, 82, 83, 86 (S7-BLK-11, S7-OBI-06, -08,
-// -09, -11; S7-ERR-05).
+#include "cpu/module_events.h"
+
 #include <algorithm>
 
 #include "base/bytes.h"
 #include "cpu/asynchronous_errors.h"
-#include "cpu/cpu.h"
+#include "cpu/levels.h"
 
 namespace merker::cpu {
 namespace {
@@ -40,14 +40,14 @@ bool sameModule(const StartInformation& start, const ModuleEvent& event) {
 
 }  // namespace
 
-void Cpu::moduleEvent(const ModuleEvent& event) {
+void ModuleEvents::happened(const ModuleEvent& event) {
   if (event.kind == Kind::HardwareInterrupt) return hardwareInterrupt(event);
   const Row& row = rowOf(event.kind);
   const PresentFaults::Module module{row.came, event.address, event.output,
                                      row.ob == 86 ? event.points : 0};
-  row.eventClass == 0x39 ? faults_.come(module) : faults_.go(module);
-  StartInformation start =
-      startInformation(row.eventClass, row.faultId, priorityOf(row.ob), row.ob, dateAndTime());
+  row.eventClass == 0x39 ? parts_.faults.come(module) : parts_.faults.go(module);
+  StartInformation start = startInformation(row.eventClass, row.faultId, priorityOf(row.ob), row.ob,
+                                            parts_.log.dateAndTime());
   if (row.ob != 86) setByte(start, 5, direction(event));
   setWord(start, 6, event.address);
   if (row.ob == 82) std::copy(event.data.begin(), event.data.end(), start.begin() + 8);
@@ -55,61 +55,63 @@ void Cpu::moduleEvent(const ModuleEvent& event) {
   // A CPU without this OB cannot be told what to do: an entry. Its program meets access errors.
   const bool plugging = row.ob == 83 || row.ob == 86;
   if (plugging && !machine_.model->hasOrganizationBlock(row.ob))
-    return report(start, describe(start));
-  asynchronousError(start);
+    return parts_.log.report(start, describe(start));
+  parts_.requests.asynchronousError(start);
+}
+
+bool ModuleEvents::busy(const ModuleEvent& event) const {
+  const auto same = [&](const auto& one) { return sameModule(one.start, event); };
+  const auto& waiting = parts_.requests.waiting();
+  return std::any_of(waiting.begin(), waiting.end(), same) ||
+         std::any_of(machine_.levels.begin(), machine_.levels.end(), same);
 }
 
 // A module waits until OB 40 has ended; what its channels report until then it stores, one edge
 // each (S7-ERR-05).
-void Cpu::hardwareInterrupt(const ModuleEvent& event) {
+void ModuleEvents::hardwareInterrupt(const ModuleEvent& event) {
   constexpr std::uint8_t kOb = 40;
-  if (mode_ == Mode::Stop || interrupts_.isLocked(kOb)) return modules_.acknowledge(event.address);
-  StartInformation start = startInformation(0x11, 0x41, priorityOf(kOb), kOb, dateAndTime());
+  if (parts_.state.mode() == Mode::Stop || interrupts_.isLocked(kOb))
+    return parts_.modules.acknowledge(event.address);
+  StartInformation start =
+      startInformation(0x11, 0x41, priorityOf(kOb), kOb, parts_.log.dateAndTime());
   setByte(start, 5, direction(event));
   setWord(start, 6, event.address);
   setDWord(start, 8, event.points);
-  if (!hasOb(kOb)) return obMissing(start);
-  const auto& waiting = interrupts_.waiting;
-  const auto& levels = machine_.levels;
-  const bool busy = std::any_of(waiting.begin(), waiting.end(),
-                                [&](const Request& r) { return sameModule(r.start, event); }) ||
-                    std::any_of(levels.begin(), levels.end(),
-                                [&](const Level& level) { return sameModule(level.start, event); });
-  if (!busy) return queue(start);
-  storeHardwareInterrupt(event, start);
+  if (!hasOb(machine_, kOb)) return parts_.requests.obMissing(start);
+  if (!busy(event)) return parts_.requests.queue(start);
+  store(event, start);
 }
 
 // Lost for good is what is stored already: an entry, and OB 80 if it is loaded.
-void Cpu::storeHardwareInterrupt(const ModuleEvent& event, const StartInformation& start) {
-  auto& stored = interrupts_.stored;
-  const auto at = std::find_if(stored.begin(), stored.end(), [&](const ModuleEvent& other) {
+void ModuleEvents::store(const ModuleEvent& event, const StartInformation& start) {
+  const auto at = std::find_if(stored_.begin(), stored_.end(), [&](const ModuleEvent& other) {
     return other.address == event.address && other.output == event.output;
   });
-  if (at == stored.end()) return stored.push_back(event);
+  if (at == stored_.end()) return stored_.push_back(event);
   const std::uint32_t lost = at->points & event.points;
   at->points |= event.points;
   if (lost == 0) return;
-  if (hasOb(80)) return timeError(0x02, event.address, start);
-  report(static_cast<std::uint16_t>(Event::RequestError), "hardware interrupt lost");
-  faults_.program = true;
+  if (hasOb(machine_, 80)) return parts_.requests.timeError(0x02, event.address, start);
+  parts_.log.report(Event::RequestError, "hardware interrupt lost");
+  parts_.faults.program = true;
 }
 
-void Cpu::hardwareInterruptEnded(const StartInformation& ended) {
-  modules_.acknowledge(loadWord(&ended[6]));
-  auto& stored = interrupts_.stored;
-  const auto at = std::find_if(stored.begin(), stored.end(),
+void ModuleEvents::hardwareInterruptEnded(const StartInformation& ended) {
+  parts_.modules.acknowledge(loadWord(&ended[6]));
+  const auto at = std::find_if(stored_.begin(), stored_.end(),
                                [&](const ModuleEvent& event) { return sameModule(ended, event); });
-  if (at == stored.end()) return;
+  if (at == stored_.end()) return;
   const ModuleEvent event = *at;
-  stored.erase(at);
+  stored_.erase(at);
   hardwareInterrupt(event);
 }
 
 // S7-OBI-08: byte 6 rack 0.
-void Cpu::setBattery(bool low) {
-  if (faults_.battery == low) return;
-  faults_.battery = low;
-  asynchronousError(startInformation(low ? 0x39 : 0x38, 0x22, priorityOf(81), 81, dateAndTime()));
+void ModuleEvents::setBattery(bool low) {
+  if (parts_.faults.battery == low) return;
+  parts_.faults.battery = low;
+  parts_.requests.asynchronousError(
+      startInformation(low ? 0x39 : 0x38, 0x22, priorityOf(81), 81, parts_.log.dateAndTime()));
 }
 
 }  // namespace merker::cpu

@@ -19,7 +19,7 @@ class Periphery {
   virtual Instant next() const = 0;
   // For messages: who acts at `now`.
   virtual std::string_view due(Instant) const { return "modules"; }
-  // Brings Areas::inputs to `now` and hands events to Cpu::moduleEvent.
+  // Brings Areas::inputs to `now` and hands events to Cpu::moduleEvents.
   virtual void advance(Cpu& cpu, Instant now) = 0;
   // Areas::inputs are about to be read, by the process image or the program (L PEx): what modules
   // work out only when asked.

@@ -6,15 +6,15 @@ namespace merker::cpu {
 // S7-STATE-10: the diagnostic buffer and the clock stay.
 void Cpu::memoryReset(Event how) {
   stop(Event::StopByProgrammer);
-  report(how);
+  log_.report(how);
   clearStacks();
-  clearSystemMemory(true);
+  clearSystemMemory(Extent::All);
   forces_.release();
   activateDownload();
   if (program()) machine_.dataBlocks.load(*program());
-  stoppedByFault_ = resetRequested_ = resumable_ = false;
-  faults_.program = false;
-  report(Event::MemoryResetDone);
+  state_.forgiveFault();
+  resetRequested_ = faults_.program = false;
+  log_.report(Event::MemoryResetDone);
 }
 
 void Cpu::requestMemoryReset() {
@@ -22,20 +22,10 @@ void Cpu::requestMemoryReset() {
   resetRequested_ = true;
 }
 
-// HALT without power ends in STOP, whatever comes later.
 void Cpu::powerOff() {
   if (!powered_) return;
-  runningAtPowerOff_ = executes(mode_);
-  if (runningAtPowerOff_) frozenAt_ = machine_.clock;
-  resumable_ = runningAtPowerOff_;
-  if (mode_ == Mode::Halt) {
-    stopEvent_ = makeEvent(static_cast<std::uint16_t>(Event::HaltToStop),
-                           std::string(text(Event::HaltToStop)), {});
-    diagnostics_.add(stopEvent_);
-  }
-  mode_ = Mode::Stop;
   powered_ = false;
-  standStill();
+  runningAtPowerOff_ = state_.losePower();
   modules_.supply(false);
 }
 
@@ -45,19 +35,19 @@ void Cpu::powerOn(bool buffered) {
   buffered_ = buffered;
   modules_.supply(true);
   if (buffered)
-    report(Event::PowerOn);
+    log_.report(Event::PowerOn);
   else
     memoryReset(Event::MemoryResetAutomatic);
   takePeriphery();  // what happened meanwhile, as in STOP
   if (!runningAtPowerOff_ || !switch_.allowsRun()) {
     clearStacks();
-    clearSystemMemory(false);
+    clearSystemMemory(Extent::Retentive);
     if (program()) machine_.dataBlocks.loadNonRetentive(*program());
     return;
   }
   const PowerOnStart wanted = parameters_.afterPowerOn;
   const CpuModel& model = *machine_.model;
-  if (wanted == PowerOnStart::Hot && model.hotRestart && resumable_)
+  if (wanted == PowerOnStart::Hot && model.hotRestart && state_.resumable())
     restart(Restart::AutomaticHot);
   else if (wanted == PowerOnStart::Cold && model.coldRestart)
     restart(Restart::AutomaticCold);
@@ -76,6 +66,20 @@ void Cpu::turnSwitch(SwitchPosition to) {
   if (!switch_.allowsRun()) stop(Event::StopBySwitch);
   if (reset) memoryReset(Event::MemoryResetBySwitch);
   if (switch_.allowsRun() && !allowed) restart(Restart::ManualWarm);
+}
+
+bool Cpu::running() const { return mode() != Mode::Stop || (!powered_ && runningAtPowerOff_); }
+
+void Cpu::retentive(block::RetentiveData& data) const {
+  retention_.keep(data, Extent::Retentive, state_.standing());
+  data.running = running();
+}
+
+void Cpu::restore(const block::RetentiveData& data) {
+  state_.startOff();
+  powered_ = false;
+  runningAtPowerOff_ = data.running;
+  retention_.takeBack(data, Extent::Retentive);
 }
 
 }  // namespace merker::cpu

@@ -1,7 +1,9 @@
-// Which interrupts exist: those whose OB is loaded, with the parameters of the CPU (S7-HWCFG-08).
+// Which interrupts of time exist: those whose OB is loaded, with the parameters of the CPU
+// (S7-HWCFG-08).
 #include <algorithm>
 
-#include "cpu/cpu.h"
+#include "cpu/levels.h"
+#include "cpu/time_interrupts.h"
 
 namespace merker::cpu {
 namespace {
@@ -33,30 +35,49 @@ bool has(const std::vector<Interrupt>& list, std::uint8_t ob) {
 
 }  // namespace
 
-// S7-STATE-09: all that waited is discarded.
-void Cpu::prepareInterrupts() {
-  interrupts_ = {};
-  updateInterrupts();
+void TimeInterrupts::prepare() {
+  list_ = {};
+  update(false);
 }
 
 // A time-of-day interrupt that the parameters activate exists without its OB too: then OB 85 is
 // called.
-void Cpu::updateInterrupts() {
+void TimeInterrupts::update(bool run) {
   const std::int64_t now = clock_.milliseconds(machine_.clock);
-  Interrupts& list = interrupts_;
-  const auto gone = [&](const auto& interrupt) { return !hasOb(interrupt.ob); };
+  Interrupts& list = list_;
+  const auto gone = [&](const auto& interrupt) { return !hasOb(machine_, interrupt.ob); };
   std::erase_if(list.cyclic, gone);
   std::erase_if(list.delay, gone);
   for (const std::uint8_t ob : machine_.model->organizationBlocks) {
-    if (ob >= 30 && ob <= 38 && hasOb(ob) && !has(list.cyclic, ob)) {
+    if (ob >= 30 && ob <= 38 && hasOb(machine_, ob) && !has(list.cyclic, ob)) {
       list.cyclic.push_back(cyclicOf(ob, parameters_));
-      if (mode_ == Mode::Run) list.cyclic.back().begin(machine_.clock);
+      if (run) list.cyclic.back().begin(machine_.clock);
     }
-    if (ob >= 20 && ob <= 23 && hasOb(ob) && !has(list.delay, ob)) list.delay.push_back({.ob = ob});
+    if (ob >= 20 && ob <= 23 && hasOb(machine_, ob) && !has(list.delay, ob))
+      list.delay.push_back({.ob = ob});
     if (ob < 10 || ob > 17 || has(list.timeOfDay, ob)) continue;
     const TimeOfDayInterrupt time = timeOfDayOf(ob, parameters_, now);
-    if (hasOb(ob) || time.set) list.timeOfDay.push_back(time);
+    if (hasOb(machine_, ob) || time.set) list.timeOfDay.push_back(time);
   }
+}
+
+// When they are due is nothing to trust a file with.
+void TimeInterrupts::take(const Interrupts& from, Duration shift) {
+  const Instant now = machine_.clock;
+  for (CyclicInterrupt& cyclic : list_.cyclic) {
+    cyclic.begin(now);
+    const auto same = [&](const CyclicInterrupt& one) { return one.ob == cyclic.ob; };
+    const auto old = std::ranges::find_if(from.cyclic, same);
+    if (old != from.cyclic.end()) cyclic.next = std::clamp(old->next + shift, now, cyclic.next);
+  }
+  for (const DelayInterrupt& old : from.delay)
+    if (DelayInterrupt* delay = list_.findDelay(old.ob)) {
+      *delay = old;
+      delay->due = old.due + shift;
+    }
+  for (const TimeOfDayInterrupt& old : from.timeOfDay)
+    if (TimeOfDayInterrupt* time = list_.findTimeOfDay(old.ob)) *time = old;
+  list_.locked = from.locked;
 }
 
 }  // namespace merker::cpu

@@ -13,87 +13,44 @@ void fill(std::vector<std::uint8_t>& to, const std::vector<std::uint8_t>& from) 
 
 }  // namespace
 
-RetentiveRanges Cpu::wholeMemory() const {
-  return {machine_.areas.flagBytes, machine_.timers.size(), machine_.counters.size()};
-}
-
 Snapshot Cpu::snapshot() const {
   const Areas& areas = machine_.areas;
   Snapshot result;
-  keep(result.memory, wholeMemory(), true);
+  retention_.keep(result.memory, Extent::All, state_.standing());
+  result.memory.running = running();
   result.images.assign(areas.image.begin(), areas.image.begin() + areas.flagBase);
   result.inputs = areas.inputs;
   result.outputs = areas.outputs;
-  result.run = executes(mode_);
+  result.run = state_.executing();
   result.position = switch_.position();
-  result.stoppedByFault = stoppedByFault_;
+  result.stoppedByFault = state_.stoppedByFault();
   result.timersHeld = timersHeld_;
-  if (!result.run && stopEvent_.event != 0) result.stopEvent = {toRetentive(stopEvent_)};
-  result.interrupts = interrupts_;
+  if (!result.run && state_.stopEvent().event != 0)
+    result.stopEvent = {toRetentive(state_.stopEvent())};
+  result.interrupts = interrupts_.list();
   result.systemTime = systemTime().ns;
-  result.scan = scan_;
-  result.cycleTimes = cycleTimes_;
-  result.cycleBegan = cycleStart_.ns;
-  result.nextCycle = nextCycle_.ns;
+  cycle_.save(result);
   return result;
 }
 
-// Meters go on: this is no power failure.
-void Cpu::takeMeters(const block::RetentiveData& data, Duration shift) {
-  for (std::size_t i = 0; i < std::min(runtimeMeters_.size(), data.meters.size()); ++i) {
-    const block::RetentiveMeter& meter = data.meters[i];
-    runtimeMeters_[i] = {meter.counted, meter.running, Instant{meter.since} + shift};
-  }
-}
-
-namespace {
-
-// Of the interrupts that this program has; when they are due is nothing to trust a file with.
-void takeInterrupts(Interrupts& to, const Interrupts& from, Instant now, Duration shift) {
-  for (CyclicInterrupt& cyclic : to.cyclic) {
-    cyclic.begin(now);
-    const auto same = [&](const CyclicInterrupt& one) { return one.ob == cyclic.ob; };
-    const auto old = std::ranges::find_if(from.cyclic, same);
-    if (old != from.cyclic.end()) cyclic.next = std::clamp(old->next + shift, now, cyclic.next);
-  }
-  for (const DelayInterrupt& old : from.delay)
-    if (DelayInterrupt* delay = to.findDelay(old.ob)) {
-      *delay = old;
-      delay->due = old.due + shift;
-    }
-  for (const TimeOfDayInterrupt& old : from.timeOfDay)
-    if (TimeOfDayInterrupt* time = to.findTimeOfDay(old.ob)) *time = old;
-  to.locked = from.locked;
-}
-
-}  // namespace
-
-// A cycle that has not begun yet, or began long ago, begins now.
 void Cpu::takeTimes(const Snapshot& from, Duration shift) {
-  const Instant now = machine_.clock;
   prepareInterrupts();
-  takeInterrupts(interrupts_, from.interrupts, now, shift);
-  systemStart_ = now - Duration{from.systemTime};
-  scan_ = from.scan;
-  cycleTimes_ = from.cycleTimes;
-  constexpr Duration kLongest = Duration::seconds(60);
-  cycleStart_ = std::clamp(Instant{from.cycleBegan} + shift, now - kLongest, now);
-  nextCycle_ = std::clamp(Instant{from.nextCycle} + shift, now, now + kLongest);
+  interrupts_.take(from.interrupts, shift);
+  systemStart_ = machine_.clock - Duration{from.systemTime};
+  cycle_.take(from, shift, machine_.clock);
 }
 
 // As it was: no restart, no event, no OB.
 void Cpu::take(const Snapshot& from, std::shared_ptr<const block::Program> program) {
   const Duration shift{machine_.clock.ns - from.memory.now};
-  if (mode_ != Mode::Stop) change(Mode::Stop);
-  frozenAt_ = machine_.clock;
-  standStill();
+  state_.stopQuietly();
   loadMemory_.download(std::move(program));
   activateDownload();
-  clearSystemMemory(true);
+  clearSystemMemory(Extent::All);
   machine_.dataBlocks.load(*this->program());
-  diagnostics_.clear();
-  takeBack(from.memory, wholeMemory(), true);
-  takeMeters(from.memory, shift);
+  log_.clear();
+  retention_.takeBack(from.memory, Extent::All);
+  retention_.takeMeters(from.memory);
   fill(machine_.areas.image, from.images);
   if (!modules_.connected()) fill(machine_.areas.inputs, from.inputs);
   fill(machine_.areas.outputs, from.outputs);
@@ -101,16 +58,16 @@ void Cpu::take(const Snapshot& from, std::shared_ptr<const block::Program> progr
   services_.restart();
   switch_ = {};
   switch_.turn(from.position, machine_.clock);
-  stoppedByFault_ = faults_.program = from.stoppedByFault;
+  faults_.program = from.stoppedByFault;
   resetRequested_ = false;
   timersHeld_ = from.timersHeld;
-  stopEvent_ = from.stopEvent.empty() ? DiagnosticEvent{} : toEvent(from.stopEvent[0], shift);
+  state_.takeStop(from.stopEvent.empty() ? DiagnosticEvent{} : toEvent(from.stopEvent[0], shift),
+                  from.stoppedByFault);
   takeTimes(from, shift);
   if (!from.run) return;
-  change(Mode::Startup);
-  change(Mode::Run);
+  state_.runQuietly();
   modules_.disableOutputs(false);
-  monitoring_.begin(cycleStart_, cycleMonitoring());
+  cycle_.monitor(cycle_.began());
 }
 
 }  // namespace merker::cpu

@@ -21,8 +21,8 @@ struct Snapshot {
   SwitchPosition position = SwitchPosition::RunP;
   bool stoppedByFault = false, timersHeld = false;
   std::vector<block::RetentiveEvent> stopEvent;  // one, or none
-  Interrupts interrupts;        // without those that wait: between two cycles there are none
-  std::int64_t systemTime = 0;  // ns, SFC 64
+  Interrupts interrupts;                         // none waits between two cycles
+  std::int64_t systemTime = 0;                   // ns, SFC 64
   // OB 1
   std::uint8_t scan = 1;
   CycleTimes cycleTimes;

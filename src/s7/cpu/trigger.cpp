@@ -40,7 +40,7 @@ void moduleEvent(Cpu& cpu, const ModuleRow& row, const Trigger& trigger) {
                     .address = trigger.address,
                     .points = trigger.points};
   storeDWord(event.data.data(), trigger.data);
-  cpu.moduleEvent(event);
+  cpu.moduleEvents().happened(event);
 }
 
 // Errors of updating the image come and go too (S7-OBI-10).
@@ -49,13 +49,13 @@ bool comesAndGoes(const ErrorRow& row, std::uint8_t fault) {
 }
 
 void error(Cpu& cpu, const ErrorRow& row, const Trigger& trigger) {
-  if (row.ob == 81 && trigger.fault == 0) return cpu.setBattery(!trigger.going);
+  if (row.ob == 81 && trigger.fault == 0) return cpu.moduleEvents().setBattery(!trigger.going);
   const std::uint8_t fault = trigger.fault == 0 ? row.fault : trigger.fault;
   const std::uint8_t eventClass = !comesAndGoes(row, fault) ? 0x35 : trigger.going ? 0x38 : 0x39;
   StartInformation start =
-      startInformation(eventClass, fault, priorityOf(row.ob), row.ob, cpu.dateAndTime());
+      startInformation(eventClass, fault, priorityOf(row.ob), row.ob, cpu.log().dateAndTime());
   if (row.ob == 80) setDWord(start, 8, 0x11030101);  // as if OB 1 had caused it
-  cpu.asynchronousError(start);
+  cpu.requests().asynchronousError(start);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ const Op* runWithSide(cpu::Machine& m, const Op* op) {
   if (!code.executed.empty()) ++code.executed[index];
   const std::size_t depth = m.frames.size();
   const Op* next = side.original(m, op);
-  if (side.checks == 0 || m.cpu->stoppedByFault()) return next;
+  if (side.checks == 0 || m.cpu->state().stoppedByFault()) return next;
   if (m.frames.size() > depth)  // a call or an error OB: look when it has returned
     m.frames[depth - 1].resume = side.afterCall;
   else

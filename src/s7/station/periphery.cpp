@@ -49,7 +49,7 @@ void Periphery::advance(cpu::Cpu& cpu, Instant now) {
   counting_.advance(now);
   if (rack_.takePresenceChanged()) showPresence(cpu);
   showInputs(cpu);
-  for (const ModuleEvent& event : rack_.takeEvents()) cpu.moduleEvent(event);
+  for (const ModuleEvent& event : rack_.takeEvents()) cpu.moduleEvents().happened(event);
 }
 
 void Periphery::refresh(Instant now) {

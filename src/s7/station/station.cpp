@@ -125,13 +125,13 @@ Mode Station::mode() const {
 }
 
 bool Station::stoppedByFault() const {
-  return mode() == Mode::Stop && parts_->cpu.stoppedByFault();
+  return mode() == Mode::Stop && parts_->cpu.state().stoppedByFault();
 }
 
 std::string Station::stopReason() const {
   if (mode() != Mode::Stop) return {};
   if (!powered()) return "the CPU is switched off";
-  const cpu::DiagnosticEvent& event = parts_->cpu.stopEvent();
+  const cpu::DiagnosticEvent& event = parts_->cpu.state().stopEvent();
   if (event.text.empty()) return {};
   return fmt::format("{}{} [16#{:04X}]", event.text, placeText(event.place, program()),
                      event.event);
@@ -151,7 +151,7 @@ bool Station::halt() { return parts_->cpu.halt(); }
 bool Station::resume() { return parts_->cpu.resume(); }
 void Station::powerOff() { parts_->cpu.powerOff(); }
 void Station::powerOn(bool buffered) { parts_->cpu.powerOn(buffered); }
-void Station::setBattery(bool low) { parts_->cpu.setBattery(low); }
+void Station::setBattery(bool low) { parts_->cpu.moduleEvents().setBattery(low); }
 bool Station::batteryFails(bool fails) {
   setBattery(fails);
   return true;
@@ -181,7 +181,7 @@ void Station::take(const cpu::Snapshot& from, std::shared_ptr<const block::Progr
 }
 
 Instant Station::now() const { return parts_->cpu.machine().clock; }
-std::uint64_t Station::cycles() const { return parts_->cpu.cycles(); }
+std::uint64_t Station::cycles() const { return parts_->cpu.cycle().count(); }
 std::uint64_t Station::instructions() const { return parts_->cpu.machine().instructions; }
 
 bool Station::settle(Duration longest) {
@@ -199,10 +199,10 @@ void Station::advanceTo(Instant t) {
 
 bool Station::advanceToCheckpoint(Instant limit) {
   cpu::Cpu& cpu = parts_->cpu;
-  const std::uint64_t before = cpu.checkpoints();
-  while (now() < limit && cpu.checkpoints() == before) cpu.step(limit);
+  const std::uint64_t before = cpu.cycle().checkpoints();
+  while (now() < limit && cpu.cycle().checkpoints() == before) cpu.step(limit);
   if (!powered() && parts_->periphery) parts_->periphery->goOn(now());
-  return cpu.checkpoints() != before;
+  return cpu.cycle().checkpoints() != before;
 }
 
 void Station::advanceCycles(std::uint64_t count) {

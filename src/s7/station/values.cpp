@@ -131,7 +131,7 @@ std::optional<std::uint32_t> readValue(cpu::Cpu& cpu, const Periphery* periphery
   if (operand.kind == OperandKind::Timer) {
     if (operand.value >= m.timers.size()) return std::nullopt;
     const cpu::S5Timer& timer = m.timers[operand.value];
-    return bit ? timer.status(cpu.timerTime()) : timer.s5time(cpu.timerTime());
+    return bit ? timer.status(cpu.state().programTime()) : timer.s5time(cpu.state().programTime());
   }
   if (operand.kind == OperandKind::Counter) {
     if (operand.value >= m.counters.size()) return std::nullopt;
@@ -152,7 +152,8 @@ bool writeValue(cpu::Cpu& cpu, Periphery* periphery, const address::Reference& r
   const Operand& operand = reference.operand;
   if (operand.kind == OperandKind::Timer)
     return operand.value < m.timers.size() && operand.width != Width::Bit && value <= 0x3999 &&
-           m.timers[operand.value].modify(static_cast<std::uint16_t>(value), cpu.timerTime());
+           m.timers[operand.value].modify(static_cast<std::uint16_t>(value),
+                                          cpu.state().programTime());
   if (operand.kind == OperandKind::Counter) {
     const auto count = fromBcd(value, 3);
     if (operand.value >= m.counters.size() || value > 0x999 || !count) return false;

@@ -42,7 +42,7 @@ void waitFor(Sfc<47>& a) {
 // Of the OB that runs, and of the startup before.
 void readStartInformation(Sfc<6>& a) {
   if (store(a, "TOP_SI", a.machine().levels.back().start) &&
-      store(a, "START_UP_SI", a.cpu().lastStart()))
+      store(a, "START_UP_SI", a.cpu().startup().information()))
     a.status(0);
 }
 

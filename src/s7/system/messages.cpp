@@ -44,7 +44,8 @@ void writeUserMessage(Sfc<52>& a) {
   std::array<std::uint8_t, 8> info{};  // bytes 4..11 of the entry
   if (const auto error = fetch(a, kFirst, &info[2])) return a.status(error);
   if (const auto error = fetch(a, kSecond, &info[4])) return a.status(error);
-  a.cpu().note(static_cast<std::uint16_t>(event), fmt::format("user entry 16#{:04X}", event), info);
+  a.cpu().log().note(static_cast<std::uint16_t>(event), fmt::format("user entry 16#{:04X}", event),
+                     info);
   a.status(a.flag("SEND") ? kNobodyListens : 0);
 }
 

@@ -1,6 +1,7 @@
 // What SFC 28 to 34 have in common: the interrupt that OB_NR names, and the answer to a query.
 #pragma once
 
+#include "cpu/levels.h"
 #include "system/call.h"
 
 namespace merker::system {
@@ -22,7 +23,8 @@ void answerQuery(A& a, const Interrupt* interrupt) {
     return a.status(kWrongOb);
   }
   const bool locked = a.cpu().interrupts().isLocked(interrupt->ob);
-  a.set("STATUS", locked * 2u | interrupt->active * 4u | a.cpu().hasOb(interrupt->ob) * 16u);
+  a.set("STATUS",
+        locked * 2u | interrupt->active * 4u | cpu::hasOb(a.machine(), interrupt->ob) * 16u);
   a.status(0);
 }
 

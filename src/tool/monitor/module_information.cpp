@@ -25,7 +25,7 @@ std::string clockText(std::int64_t milliseconds) {
 ModuleInformation moduleInformation(const station::Station& station) {
   const cpu::Cpu& cpu = station.cpu();
   const CpuModel& model = station.model();
-  const cpu::CycleTimes& cycle = cpu.cycleTimes();
+  const cpu::CycleTimes& cycle = cpu.cycle().times();
   ModuleInformation info;
   info.model = model.name;
   info.mode = station.mode();

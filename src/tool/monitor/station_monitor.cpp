@@ -51,7 +51,7 @@ void StationMonitor::resetTimer(std::size_t number) {
 }
 
 std::optional<CycleTimes> StationMonitor::cycleTimes() const {
-  const cpu::CycleTimes& times = station_.cpu().cycleTimes();
+  const cpu::CycleTimes& times = station_.cpu().cycle().times();
   return CycleTimes{times.previous, times.shortest, times.longest};
 }
 

@@ -74,8 +74,9 @@ void StationTarget::run(Instant limit) {
 
 void StationTarget::runToCheckpoint(Instant limit) {
   cpu::Cpu& cpu = station_.cpu();
-  const std::uint64_t before = cpu.checkpoints();
-  while (executing() && station_.now() < limit && cpu.checkpoints() == before) cpu.step(limit);
+  const std::uint64_t before = cpu.cycle().checkpoints();
+  while (executing() && station_.now() < limit && cpu.cycle().checkpoints() == before)
+    cpu.step(limit);
 }
 
 Depth StationTarget::depth() const { return depthOf(station_.cpu().machine()); }

@@ -128,7 +128,7 @@ TEST(EndOfCode, TheEntryNamesThePlace) {
     rig.start();
     rig.finish();
     EXPECT_TRUE(rig.stopped());
-    const cpu::Place place = rig.cpu().stopEvent().place;
+    const cpu::Place place = rig.cpu().state().stopEvent().place;
     EXPECT_EQ(toString(place.block), "FC 1");
     EXPECT_EQ(place.offset, unknown ? 2u : 4u);
   }

@@ -243,7 +243,7 @@ TEST(SyncErrors, WithoutErrorObTheCpuStops) {
     rig.registers().ar1 = row.ar1;
     rig.finish();
     EXPECT_EQ(rig.stopEvent(), row.code >= 0x42 ? 0x4563u : 0x4562u);
-    EXPECT_TRUE(rig.cpu().stoppedByFault());
+    EXPECT_TRUE(rig.cpu().state().stoppedByFault());
     const auto& events = rig.cpu().diagnostics().events();
     EXPECT_EQ(events[events.size() - 2].event, (row.code >= 0x42 ? 0x2900u : 0x2500u) | row.code);
   }

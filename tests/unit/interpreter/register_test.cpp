@@ -144,8 +144,8 @@ TEST(Registers, AreZeroAtTheStartOfAnOb) {
   Rig rig({{Operation::LOAD, word(5)}, {Operation::LOAD, word(6)}, {Operation::SET, {}}});
   rig.start();
   rig.finish();
-  const std::uint64_t before = rig.cpu().cycles();
-  while (rig.cpu().cycles() == before && rig.cpu().betweenCycles())
+  const std::uint64_t before = rig.cpu().cycle().count();
+  while (rig.cpu().cycle().count() == before && rig.cpu().betweenCycles())
     rig.cpu().step(Instant::never());
   EXPECT_EQ(rig.registers(), cpu::Registers{});
 }

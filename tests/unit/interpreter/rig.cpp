@@ -63,8 +63,8 @@ void Rig::step(unsigned n) {
 }
 
 void Rig::finish() {
-  const std::uint64_t before = cpu_.cycles();
-  while (cpu_.cycles() == before && !stopped()) cpu_.step(Instant::never());
+  const std::uint64_t before = cpu_.cycle().count();
+  while (cpu_.cycle().count() == before && !stopped()) cpu_.step(Instant::never());
 }
 
 cpu::Registers execute(const Instruction& instruction, const State& before, const CpuModel& model) {

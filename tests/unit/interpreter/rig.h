@@ -48,7 +48,7 @@ class Rig {
   cpu::Cpu& cpu() { return cpu_; }
   std::uint32_t accu1() { return registers().accu[0]; }
   bool stopped() { return cpu_.mode() == cpu::Mode::Stop; }
-  unsigned stopEvent() { return stopped() ? cpu_.stopEvent().event : 0u; }
+  unsigned stopEvent() { return stopped() ? cpu_.state().stopEvent().event : 0u; }
 
  private:
   NoServices services_;

@@ -77,7 +77,7 @@ TEST_P(EveryOperation, KeepsItsStatusColumn) {
     const std::uint64_t count = rig.machine().instructions;
     rig.step();
     ASSERT_EQ(rig.machine().instructions, count + 1);
-    ASSERT_FALSE(rig.stopped()) << rig.cpu().stopEvent().text;
+    ASSERT_FALSE(rig.stopped()) << rig.cpu().state().stopEvent().text;
     const std::uint32_t after = rig.status().word();
     for (std::size_t column = 0; column < row.status.size(); ++column) {
       const char rule = row.status[column];

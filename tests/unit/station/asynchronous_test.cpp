@@ -128,11 +128,12 @@ TEST(Interrupts, NestedTooDeeplyStopTheCpu) {
 TEST(ModuleEvents, DiagnosisComesAndGoes) {
   Plc plc(counting(82, 100) + ob(1, ""));
   plc.cycles(1);
-  plc->cpu().moduleEvent({.kind = Kind::DiagnosticComing, .address = 256, .data = {5, 1, 0, 0}});
+  plc->cpu().moduleEvents().happened(
+      {.kind = Kind::DiagnosticComing, .address = 256, .data = {5, 1, 0, 0}});
   settle(plc);
   EXPECT_EQ(plc->leds().sf, cpu::Light::On);
   EXPECT_EQ(plc.read("MD 110"), 0x05010000u);
-  plc->cpu().moduleEvent({.kind = Kind::DiagnosticGoing, .address = 256});
+  plc->cpu().moduleEvents().happened({.kind = Kind::DiagnosticGoing, .address = 256});
   settle(plc);
   EXPECT_EQ(plc.read("MW 100"), 2u);
   EXPECT_EQ(plc.read("MD 102"), 0x38421A52u);
@@ -145,8 +146,9 @@ TEST(ModuleEvents, InStartup) {
           counting(82, 100) + counting(40, 120) + ob(1, ""));
   plc.start();
   plc->advanceTo(plc->now() + Duration::milliseconds(5));
-  plc->cpu().moduleEvent({.kind = Kind::DiagnosticComing, .address = 256});
-  plc->cpu().moduleEvent({.kind = Kind::HardwareInterrupt, .address = 124, .points = 1});
+  plc->cpu().moduleEvents().happened({.kind = Kind::DiagnosticComing, .address = 256});
+  plc->cpu().moduleEvents().happened(
+      {.kind = Kind::HardwareInterrupt, .address = 124, .points = 1});
   plc->advanceCycles(1);
   EXPECT_EQ(plc.read("MW 20"), 1u);
   EXPECT_EQ(plc.read("MD 102"), 0x39421C52u);
@@ -159,8 +161,9 @@ TEST(ModuleEvents, InStop) {
   Plc plc(counting(82, 100) + counting(40, 120) + ob(1, ""));
   plc.cycles(1);
   plc->stop();
-  plc->cpu().moduleEvent({.kind = Kind::DiagnosticComing, .address = 256});
-  plc->cpu().moduleEvent({.kind = Kind::HardwareInterrupt, .address = 124, .points = 1});
+  plc->cpu().moduleEvents().happened({.kind = Kind::DiagnosticComing, .address = 256});
+  plc->cpu().moduleEvents().happened(
+      {.kind = Kind::HardwareInterrupt, .address = 124, .points = 1});
   EXPECT_EQ(plc.lastEvent(), 0x3942u);
   plc.cycles(3);
   EXPECT_EQ(plc.read("MW 100"), 0u);
@@ -174,7 +177,8 @@ TEST(HardwareInterrupt, CallsOb40) {
   plc.start();
   plc->advanceTo(plc->now() + Duration::milliseconds(105));
   EXPECT_EQ(plc.read("MW 20"), 1u);
-  plc->cpu().moduleEvent({.kind = Kind::HardwareInterrupt, .address = 124, .points = 2});
+  plc->cpu().moduleEvents().happened(
+      {.kind = Kind::HardwareInterrupt, .address = 124, .points = 2});
   plc.run(Duration::milliseconds(10));
   EXPECT_EQ(plc.read("MW 22"), 1u);
   EXPECT_EQ(plc.read("MD 102"), 0x11411028u);
@@ -187,13 +191,13 @@ TEST(HardwareInterrupt, WithoutOb40) {
   const ModuleEvent edge{.kind = Kind::HardwareInterrupt, .address = 124, .points = 1};
   Plc plc(counting(85, 100) + ob(1, ""));
   plc.cycles(1);
-  plc->cpu().moduleEvent(edge);
+  plc->cpu().moduleEvents().happened(edge);
   settle(plc);
   EXPECT_EQ(plc.read("MD 102"), 0x35A11A55u);
   EXPECT_EQ(plc.read("MD 110") >> 16, 0x1141u);
   Plc stops(ob(1, ""));
   stops.cycles(1);
-  stops->cpu().moduleEvent(edge);
+  stops->cpu().moduleEvents().happened(edge);
   EXPECT_EQ(stops.lastEvent(), 0x456Du);
 }
 
@@ -205,13 +209,13 @@ TEST(HardwareInterrupt, OneEdgeOfAChannelIsStored) {
   const ModuleEvent other{.kind = Kind::HardwareInterrupt, .address = 124, .points = 4};
   Plc plc(slow + ob(1, ""));
   plc.cycles(1);
-  plc->cpu().moduleEvent(edge);
+  plc->cpu().moduleEvents().happened(edge);
   plc->advanceTo(plc->now() + Duration::milliseconds(2));
   EXPECT_EQ(plc.read("MW 100"), 1u);
-  plc->cpu().moduleEvent(edge);
-  plc->cpu().moduleEvent(other);
+  plc->cpu().moduleEvents().happened(edge);
+  plc->cpu().moduleEvents().happened(other);
   EXPECT_FALSE(plc.hasEvent(0x3502));
-  plc->cpu().moduleEvent(edge);
+  plc->cpu().moduleEvents().happened(edge);
   EXPECT_TRUE(plc.hasEvent(0x3502));
   plc.run(Duration::milliseconds(50));
   EXPECT_EQ(plc->mode(), Mode::Run);  // no OB 80: the entry is all
@@ -221,7 +225,7 @@ TEST(HardwareInterrupt, OneEdgeOfAChannelIsStored) {
   Plc handled(slow + counting(80, 110) + ob(1, ""));
   handled.cycles(1);
   for (int i = 0; i < 3; ++i) {
-    handled->cpu().moduleEvent(edge);
+    handled->cpu().moduleEvents().happened(edge);
     handled->advanceTo(handled->now() + Duration::milliseconds(1));
   }
   handled.run(Duration::milliseconds(50));
@@ -235,7 +239,7 @@ TEST(Overload, CallsOb80) {
   Plc plc(counting(80, 110) + counting(82, 100) + ob(1, ""));
   plc.cycles(1);
   for (std::uint16_t i = 0; i < 40; ++i)
-    plc->cpu().moduleEvent({.kind = Kind::DiagnosticComing, .address = i});
+    plc->cpu().moduleEvents().happened({.kind = Kind::DiagnosticComing, .address = i});
   settle(plc);
   EXPECT_EQ(plc->mode(), Mode::Run);
   EXPECT_EQ(plc.read("MD 112"), 0x35071A50u);
@@ -267,11 +271,12 @@ TEST(TimeOfDay, JumpedOver) {
 TEST(Diagnostics, EntriesAreStartInformation) {
   Plc plc(counting(82, 100) + ob(1, ""));
   plc.cycles(1);
-  plc->cpu().moduleEvent({.kind = Kind::DiagnosticComing, .address = 256, .data = {5, 1, 2, 3}});
+  plc->cpu().moduleEvents().happened(
+      {.kind = Kind::DiagnosticComing, .address = 256, .data = {5, 1, 2, 3}});
   const cpu::DiagnosticEvent& entry = plc->cpu().diagnostics().events().back();
   EXPECT_EQ(entry.event, 0x3942);
   EXPECT_EQ(entry.info, (std::array<std::uint8_t, 10>{26, 82, 0, 0x54, 1, 0, 5, 1, 2, 3}));
-  EXPECT_EQ(entry.stamp, plc->cpu().dateAndTime());
+  EXPECT_EQ(entry.stamp, plc->cpu().log().dateAndTime());
 }
 
 // S7-OBI-11: the entry names the racks; each rack comes and goes for itself.

@@ -60,7 +60,7 @@ std::vector<std::uint32_t> seen(Plc& plc) {
     values.push_back(plc.read("MD " + std::to_string(byte)));
   for (const char* operand : {"DB1.n", "DB2.n", "DB9.DBW 0", "PAB 0", "PAB 1", "EB 0"})
     values.push_back(plc.read(operand));
-  values.push_back(static_cast<std::uint32_t>(plc->cpu().dateAndTime()[5]));
+  values.push_back(static_cast<std::uint32_t>(plc->cpu().log().dateAndTime()[5]));
   return values;
 }
 

@@ -1,7 +1,6 @@
-// What outlives a power failure (S7-MEM-02, S7-CPU-28), handed out and taken back.
-#include <algorithm>
+#include "cpu/retention.h"
 
-#include "cpu/cpu.h"
+#include <algorithm>
 
 namespace merker::cpu {
 namespace {
@@ -62,6 +61,14 @@ void copyBlocks(const std::vector<DataBlock>& from, bool all, std::vector<Retent
   to.resize(count);
 }
 
+void keepEvents(const Diagnostics& buffer, RetentiveData& data) {
+  if (data.eventsAdded == buffer.added()) return;
+  data.eventsAdded = buffer.added();
+  data.events.clear();
+  for (const DiagnosticEvent& event : buffer.events())
+    data.events.push_back(cpu::toRetentive(event));
+}
+
 void restoreBlock(const RetentiveDataBlock& from, bool all, DataBlocks& blocks) {
   if (from.madeByProgram && blocks.find(from.number) == nullptr)
     blocks.create(from.number, static_cast<std::uint32_t>(from.bytes.size()));
@@ -92,60 +99,66 @@ DiagnosticEvent toEvent(const RetentiveEvent& event, Duration shift) {
           .stamp = event.stamp};
 }
 
-RetentiveRanges Cpu::retentiveRanges() const {
-  return {std::min(parameters_.retentiveFlags, machine_.areas.flagBytes),
-          std::min<std::size_t>(parameters_.retentiveTimers, machine_.timers.size()),
-          std::min<std::size_t>(parameters_.retentiveCounters, machine_.counters.size())};
+Retention::Ranges Retention::ranges(Extent extent) const {
+  const Ranges all{machine_.areas.flagBytes, machine_.timers.size(), machine_.counters.size()};
+  if (extent == Extent::All) return all;
+  return {std::min(parameters_.retentiveFlags, all.flags),
+          std::min<std::size_t>(parameters_.retentiveTimers, all.timers),
+          std::min<std::size_t>(parameters_.retentiveCounters, all.counters)};
 }
 
-void Cpu::retentive(RetentiveData& data) const { keep(data, retentiveRanges(), false); }
-
-void Cpu::keep(RetentiveData& data, const RetentiveRanges& ranges, bool allBlocks) const {
-  const Duration standing = machine_.clock - timerTime();  // timers stand still in STOP
+void Retention::keep(RetentiveData& data, Extent extent, Duration standing) const {
+  const Ranges kept = ranges(extent);
   data.now = machine_.clock.ns;
-  data.clock = clock_.milliseconds(machine_.clock);
-  data.running = mode_ != Mode::Stop || (!powered_ && runningAtPowerOff_);
+  data.clock = parts_.clock.milliseconds(machine_.clock);
   data.meters.clear();
-  for (const RuntimeMeter& meter : runtimeMeters_)
+  for (const RuntimeMeter& meter : parts_.meters)
     data.meters.push_back({meter.counted, meter.since.ns, meter.running});
   const std::uint8_t* flags = machine_.areas.image.data() + machine_.areas.flagBase;
-  data.flags.assign(flags, flags + ranges.flags);
-  data.timers.resize(ranges.timers);
-  for (std::size_t i = 0; i < ranges.timers; ++i)
+  data.flags.assign(flags, flags + kept.flags);
+  data.timers.resize(kept.timers);
+  for (std::size_t i = 0; i < kept.timers; ++i)
     data.timers[i] = toRetentive(machine_.timers[i], standing);
-  data.counters.resize(ranges.counters);
-  for (std::size_t i = 0; i < ranges.counters; ++i)
+  data.counters.resize(kept.counters);
+  for (std::size_t i = 0; i < kept.counters; ++i)
     data.counters[i] = toRetentive(machine_.counters[i]);
-  copyBlocks(machine_.dataBlocks.all(), allBlocks, data.dataBlocks);
-  if (data.eventsAdded == diagnostics_.added()) return;
-  data.eventsAdded = diagnostics_.added();
-  data.events.clear();
-  for (const DiagnosticEvent& event : diagnostics_.events())
-    data.events.push_back(toRetentive(event));
+  copyBlocks(machine_.dataBlocks.all(), extent == Extent::All, data.dataBlocks);
+  keepEvents(parts_.log.buffer(), data);
 }
 
-void Cpu::restore(const RetentiveData& data) {
-  mode_ = Mode::Stop;
-  frozenAt_ = machine_.clock;
-  powered_ = false;
-  runningAtPowerOff_ = data.running;
-  takeBack(data, retentiveRanges(), false);
-}
-
-void Cpu::takeBack(const RetentiveData& data, const RetentiveRanges& ranges, bool allBlocks) {
+void Retention::takeBack(const RetentiveData& data, Extent extent) {
+  const Ranges kept = ranges(extent);
   const Duration shift{machine_.clock.ns - data.now};
-  clock_.set(data.clock, machine_.clock);
-  for (std::size_t i = 0; i < std::min(runtimeMeters_.size(), data.meters.size()); ++i)
-    runtimeMeters_[i] = toMeter(data.meters[i], data);
-  std::copy_n(data.flags.begin(), std::min<std::size_t>(ranges.flags, data.flags.size()),
+  parts_.clock.set(data.clock, machine_.clock);
+  for (std::size_t i = 0; i < std::min(parts_.meters.size(), data.meters.size()); ++i)
+    parts_.meters[i] = toMeter(data.meters[i], data);
+  std::copy_n(data.flags.begin(), std::min<std::size_t>(kept.flags, data.flags.size()),
               machine_.areas.image.begin() + machine_.areas.flagBase);
-  for (std::size_t i = 0; i < std::min(ranges.timers, data.timers.size()); ++i)
+  for (std::size_t i = 0; i < std::min(kept.timers, data.timers.size()); ++i)
     machine_.timers[i] = toTimer(data.timers[i], shift);
-  for (std::size_t i = 0; i < std::min(ranges.counters, data.counters.size()); ++i)
+  for (std::size_t i = 0; i < std::min(kept.counters, data.counters.size()); ++i)
     machine_.counters[i] = toCounter(data.counters[i]);
   for (const RetentiveDataBlock& block : data.dataBlocks)
-    restoreBlock(block, allBlocks, machine_.dataBlocks);
-  for (const RetentiveEvent& event : data.events) diagnostics_.add(toEvent(event, shift));
+    restoreBlock(block, extent == Extent::All, machine_.dataBlocks);
+  for (const RetentiveEvent& event : data.events) parts_.log.add(toEvent(event, shift));
+}
+
+void Retention::takeMeters(const RetentiveData& data) {
+  const Duration shift{machine_.clock.ns - data.now};
+  for (std::size_t i = 0; i < std::min(parts_.meters.size(), data.meters.size()); ++i) {
+    const block::RetentiveMeter& meter = data.meters[i];
+    parts_.meters[i] = {meter.counted, meter.running, Instant{meter.since} + shift};
+  }
+}
+
+void Retention::clear(Extent extent) {
+  const Ranges kept = extent == Extent::All ? Ranges{} : ranges(Extent::Retentive);
+  Areas& areas = machine_.areas;
+  std::fill(areas.image.begin() + areas.flagBase + kept.flags, areas.image.end(), std::uint8_t{0});
+  std::fill(machine_.timers.begin() + static_cast<std::ptrdiff_t>(kept.timers),
+            machine_.timers.end(), S5Timer{});
+  std::fill(machine_.counters.begin() + static_cast<std::ptrdiff_t>(kept.counters),
+            machine_.counters.end(), S5Counter{});
 }
 
 }  // namespace merker::cpu
