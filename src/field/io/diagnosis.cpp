@@ -58,16 +58,17 @@ constexpr CommonBit kCommonBits[] = {{FaultKind::SensorSupply, 0x70, 6},
                                      {FaultKind::LoadVoltage, 0x72, 6},
                                      {FaultKind::LoadVoltage, 0x73, 6}};
 
-std::uint8_t channelByte(const Unit& unit, std::uint32_t channel, std::uint8_t type) {
+std::uint8_t channelByte(const ModuleFaults& faults, std::uint32_t channel, std::uint8_t type) {
   unsigned byte = 0;
   for (const ChannelBit& row : kChannelBits)
-    if (unit.has(channel, row.kind)) byte |= 1u << row.bit;
+    if (faults.has(channel, row.kind)) byte |= 1u << row.bit;
   for (const CommonBit& row : kCommonBits)
-    if (row.channelType == type && unit.has(row.kind)) byte |= 1u << row.bit;
+    if (row.channelType == type && faults.has(row.kind)) byte |= 1u << row.bit;
   return static_cast<std::uint8_t>(byte);
 }
 
-void appendChannels(std::vector<std::uint8_t>& record, const ModuleType& type, const Unit& unit) {
+void appendChannels(std::vector<std::uint8_t>& record, const ModuleType& type,
+                    const ModuleFaults& faults) {
   const ChannelType channels = channelType(type);
   constexpr std::uint8_t kBitsPerChannel = 8;
   for (const std::uint8_t byte : {channels.code, kBitsPerChannel, channels.count})
@@ -75,7 +76,7 @@ void appendChannels(std::vector<std::uint8_t>& record, const ModuleType& type, c
   const std::size_t vector = record.size();
   record.resize(vector + (channels.count + 7u) / 8);
   for (std::uint32_t i = 0; i < channels.count; ++i) {
-    const std::uint8_t byte = channelByte(unit, i, channels.code);
+    const std::uint8_t byte = channelByte(faults, i, channels.code);
     if (byte != 0) {
       record[vector + i / 8] = static_cast<std::uint8_t>(record[vector + i / 8] | 1u << (i % 8));
       record[0] |= kModuleDefect | kExternal | kChannel;
@@ -86,27 +87,27 @@ void appendChannels(std::vector<std::uint8_t>& record, const ModuleType& type, c
 
 }  // namespace
 
-std::vector<std::uint8_t> diagnosis(const ModuleType& type, const Unit& unit) {
+std::vector<std::uint8_t> diagnosis(const ModuleType& type, const ModuleFaults& faults) {
   std::vector<std::uint8_t> record(kRecord0);
   record[1] = classOf(type);
   const bool channels = type.kind == ModuleKind::Digital || type.kind == ModuleKind::Analog;
   if (channels) {
     record[1] |= kChannelInformation;
-    appendChannels(record, type, unit);
+    appendChannels(record, type, faults);
   }
-  if (unit.has(FaultKind::Defect)) {
+  if (faults.has(FaultKind::Defect)) {
     record[0] |= kModuleDefect | kInternal;
     if (type.kind == ModuleKind::Analog) record[3] |= kConverter;
   }
-  if (unit.has(FaultKind::LoadVoltage)) record[0] |= kModuleDefect | kExternal | kExternalVoltage;
-  if (unit.has(FaultKind::SensorSupply)) record[0] |= kModuleDefect | kExternal;
-  if (unit.has(FaultKind::Fuse)) {
+  if (faults.has(FaultKind::LoadVoltage)) record[0] |= kModuleDefect | kExternal | kExternalVoltage;
+  if (faults.has(FaultKind::SensorSupply)) record[0] |= kModuleDefect | kExternal;
+  if (faults.has(FaultKind::Fuse)) {
     record[0] |= kModuleDefect | kExternal;
     record[3] |= kFuse;
   }
   // technology manual 5.8.3 (CNT-DIAG-03, -04)
-  if (unit.has(FaultKind::ParameterError)) record[0] |= kModuleDefect | kParameters;
-  if (unit.has(FaultKind::InterruptLost)) {
+  if (faults.has(FaultKind::ParameterError)) record[0] |= kModuleDefect | kParameters;
+  if (faults.has(FaultKind::InterruptLost)) {
     record[0] |= kModuleDefect;
     record[3] |= kInterruptLost;
   }

@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "io/configuration.h"
-#include "io/unit.h"
+#include "io/module_faults.h"
 
 namespace merker::io {
 
 inline constexpr std::size_t kRecord0 = 4;  // bytes
 
-std::vector<std::uint8_t> diagnosis(const ModuleType& type, const Unit& unit);
+std::vector<std::uint8_t> diagnosis(const ModuleType& type, const ModuleFaults& faults);
 
 }  // namespace merker::io

@@ -8,30 +8,15 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
-#include "catalogue/module_event.h"
-#include "clock/instant.h"
-#include "io/configuration.h"
-#include "io/fault.h"
+#include "io/event_list.h"
+#include "io/periphery_bytes.h"
 #include "io/terminal.h"
 #include "io/unit.h"
+#include "io/watched_edges.h"
 
 namespace merker::io {
-
-// What changed at a terminal that is watched: its level, and the signal that lies there from then
-// on, if any.
-struct Edge {
-  Terminal terminal;
-  bool level = false;
-  Instant at;
-  std::shared_ptr<const signal::Signal> signal;
-};
-
-struct Bytes {
-  std::uint32_t first = 0, count = 0;
-};
 
 class Rack {
  public:
@@ -64,18 +49,20 @@ class Rack {
   bool fault(std::uint32_t module, FaultKind kind, std::optional<std::uint32_t> channel,
              bool there);
   bool faulty(std::uint32_t module) const;  // any: its SF lamp
-  bool has(std::uint32_t module, FaultKind kind) const { return units_[module].has(kind); }
+  bool has(std::uint32_t module, FaultKind kind) const { return units_[module].faults.has(kind); }
   // Of the module, or of any channel.
   bool hasAnywhere(std::uint32_t module, FaultKind kind) const {
-    return units_[module].hasAnywhere(kind);
+    return units_[module].faults.hasAnywhere(kind);
   }
   bool present(std::uint32_t module) const;  // plugged, and its rack supplied
 
   // For channels of `technology`, beside the input delay and the output bytes: fast inputs, outputs
   // that a channel drives, four bytes of input data each, hardware interrupts.
-  void watch(Terminal input);
-  std::vector<Edge> takeEdges() { return std::exchange(edges_, {}); }
-  void drive(Terminal output, bool level);
+  void watch(Terminal input) { edges_.watch(input); }
+  std::vector<Edge> takeEdges() { return edges_.take(); }
+  void drive(Terminal output, bool level) {
+    units_[output.module].driven.drive(output.channel, level);
+  }
   void show(std::uint32_t module, std::uint32_t channel, std::uint32_t data);
   void interrupt(std::uint32_t module, std::uint32_t points);
 
@@ -84,26 +71,26 @@ class Rack {
   void advance(Instant now);
 
   // Whether there is something to tell the CPU: bytes, presence, events.
-  bool pending() const {
-    return changedFirst_ <= changedLast_ || presenceChanged_ || !events_.empty() || !edges_.empty();
-  }
+  bool pending() const { return inputs_.changed() || events_.any() || edges_.any(); }
 
   // towards the CPU
-  const std::vector<std::uint8_t>& inputs() const { return inputs_; }  // the bytes that PE shows
-  bool answersInput(std::uint32_t byte) const { return answers(inputOwner_, byte); }
+  const std::vector<std::uint8_t>& inputs() const { return inputs_.all(); }  // what PE shows
+  bool answersInput(std::uint32_t byte) const { return answers(inputs_.owner(byte)); }
   bool answersOutput(std::uint32_t byte) const;
-  void written(std::uint32_t first, const std::uint8_t* bytes, std::uint32_t count);
-  void disableOutputs(bool disabled);
+  void written(std::uint32_t first, const std::uint8_t* bytes, std::uint32_t count) {
+    outputs_.write(first, bytes, count);
+  }
+  void disableOutputs(bool disabled) { outputs_.disable(disabled); }
   // The supply of the station: without it no module puts out anything, whatever its parameters say.
-  void supply(bool on);
+  void supply(bool on) { outputs_.supply(on); }
   // The start has given the modules their parameters: faults that are there are reported (again).
   void reportFaults();
   // What a module puts out at this address, as the CPU would have to write it.
   std::uint8_t putOut(std::uint32_t byte) const;
   // Inputs that changed since the last call, and whether a module came or went.
-  Bytes takeChanged();
-  bool takePresenceChanged();
-  std::vector<ModuleEvent> takeEvents();  // those since the last call, in order
+  Bytes takeChanged() { return inputs_.takeChanged(); }
+  bool takePresenceChanged() { return events_.takePresenceChanged(); }
+  std::vector<ModuleEvent> takeEvents() { return events_.take(); }  // since the last call, in order
 
   // The module at a logical address, null if none is there; its data records 0 and 1: diagnostic
   // data (S7-SFC: 13, 51, 59).
@@ -112,51 +99,36 @@ class Rack {
   std::vector<std::uint8_t> record1(const Module& module) const;
 
  private:
-  static constexpr std::uint16_t kNobody = 0xFFFF;
-
   const Module& of(std::uint32_t index) const { return configuration_.modules[index]; }
   std::uint32_t index(const Module& module) const;
-  bool answers(const std::vector<std::uint16_t>& owner, std::uint32_t byte) const;
-  void setInput(std::uint32_t byte, std::uint8_t value);
-  // digital.cpp
+  bool answers(std::optional<std::uint32_t> owner) const { return owner && present(*owner); }
+  // inputs.cpp
+  void change(Terminal terminal, bool level, Instant now);
+  void detach(Terminal terminal, Instant now);
   void take(std::uint32_t index, std::uint32_t levels);  // inputs pass the delay
   void showBits(std::uint32_t index);
-  void change(Terminal terminal, bool level, Instant now);
-  void noteEdge(Terminal terminal, bool level, Instant now,
-                std::shared_ptr<const signal::Signal> signal);
-  // signals.cpp
-  void detach(Terminal terminal, Instant now);
-  bool follows(std::uint32_t index, std::uint32_t channel) const;
-  void follow(std::uint32_t index, Instant now);
-  Instant nextChange(std::uint32_t index) const;
-  bool outputLevel(std::uint32_t index, std::uint32_t channel) const;
-  // analog.cpp
   void convert(std::uint32_t index, std::uint32_t channel);
-  std::int16_t measure(std::uint32_t index, std::uint32_t channel) const;
-  void show(std::uint32_t index, std::uint32_t channel, std::int16_t shown);
-  void checkLimits(std::uint32_t index, std::uint32_t channel);
-  Duration conversionCycle(std::uint32_t index) const;
+  // outputs.cpp
+  bool outputLevel(std::uint32_t index, std::uint32_t channel) const;
   double outputAmount(std::uint32_t index, std::uint32_t channel) const;
-  // events.cpp
-  ModuleEvent event(std::uint32_t index, ModuleEvent::Kind kind) const;
+  std::uint8_t putOutBits(std::uint32_t index, std::uint32_t offset) const;
+  // faults.cpp
   void reportDiagnosis(std::uint32_t index);
   void diagnose(std::uint32_t index);
   void presence(std::uint32_t index, ModuleEvent::Kind kind);
   void refresh(std::uint32_t index);  // after a fault came or went
+  // rack.cpp
+  void advance(std::uint32_t index, Instant at);
   void findNext();
 
   Configuration configuration_;
-  std::vector<Unit> units_;
-  std::vector<std::uint16_t> inputOwner_, outputOwner_;  // module by byte, kNobody
-  // Outputs as the CPU wrote them, and as they were when outputs were disabled.
-  std::vector<std::uint8_t> inputs_, outputs_, kept_;
-  bool outputsDisabled_ = true, supplied_ = true;
+  std::vector<Unit> units_;  // by module
+  InputBytes inputs_;
+  OutputBytes outputs_;
+  EventList events_;
+  WatchedEdges edges_;
   Instant next_ = Instant::never();
-  std::uint32_t changedFirst_ = UINT32_MAX, changedLast_ = 0;
-  bool presenceChanged_ = true;
-  std::vector<ModuleEvent> events_;
-  std::vector<Edge> edges_;
-  std::size_t signals_ = 0;
+  std::size_t signals_ = 0;  // that lie at terminals
 };
 
 }  // namespace merker::io
