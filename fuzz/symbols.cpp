@@ -1,4 +1,4 @@
-// Symbol files: the first byte chooses the format, the rest is the file in any encoding.
+// Symbol files: the first byte chooses format and language, the rest is the file in any encoding.
 #include <array>
 
 #include "harness.h"
@@ -22,14 +22,16 @@ Problems read(const char* extension, std::string_view bytes, source::SymbolTable
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
-  source::SymbolTable table;
+  const auto language =
+      data[0] / kExtensions.size() % 2 == 0 ? source::Language::Step7 : source::Language::Step5;
+  source::SymbolTable table(language);
   const Problems problems =
       read(kExtensions[data[0] % kExtensions.size()], fuzz::text(data + 1, size - 1), table);
   for (const char* extension : kExtensions)
     (void)source::writeSymbols(table, extension, Mnemonics::German);
   if (problems.hasErrors()) return 0;
 
-  source::SymbolTable again;
+  source::SymbolTable again(language);
   const std::string text = source::writeSymbols(table, ".sym", Mnemonics::International);
   const source::SourceFile file("a.sym", text);
   Problems none;

@@ -64,12 +64,12 @@ Problem wrongType(const SymbolLine& line, const std::string& allowed) {
   return makeProblem(ProblemCode::P0806, line.at(line.type), line.type, line.address, allowed);
 }
 
-Result<Symbol> withBlockType(Symbol symbol, const SymbolLine& line) {
+Result<Symbol> withBlockType(Symbol symbol, const SymbolLine& line, Language language) {
   symbol.type = TypeCode::Void;
   const bool isBlock = symbol.address.kind == Kind::Block;
   const bool isData = isBlock && symbol.address.block.kind == BlockKind::DB;
   const std::string allowed = typeText(symbol) + (isData ? ", FB n, SFB n, UDT n" : "");
-  const auto type = parseSymbolAddress(line.type, {});
+  const auto type = parseSymbolAddress(line.type, {}, language);
   if (!type || type->kind != symbol.address.kind) return wrongType(line, allowed);
   if (!isBlock && *type != symbol.address) return wrongType(line, allowed);
   if (isBlock && !isBlockType(symbol.address.block, type->block)) return wrongType(line, allowed);
@@ -82,11 +82,11 @@ std::optional<TypeCode> typeOf(std::string_view text) {
   return equalsIgnoreCase(text, "TIME_OF_DA") ? TypeCode::TimeOfDay : typeFromName(text);
 }
 
-Result<Symbol> withType(Symbol symbol, const SymbolLine& line) {
+Result<Symbol> withType(Symbol symbol, const SymbolLine& line, Language language) {
   const auto allowed = allowedTypes(symbol.address);
   symbol.type = allowed.empty() ? TypeCode::Void : allowed.front();
   if (line.type.empty()) return symbol;
-  if (allowed.empty()) return withBlockType(std::move(symbol), line);
+  if (allowed.empty()) return withBlockType(std::move(symbol), line, language);
   const auto type = typeOf(line.type);
   for (const TypeCode candidate : allowed) {
     if (type != candidate) continue;
@@ -118,14 +118,14 @@ void addSymbol(const SymbolLine& line, std::string comment, SymbolTable& table,
   if (line.name.empty())
     return problems.add(ProblemCode::P0801, line.at(line.address), line.address);
   checkTexts(line, comment, problems);
-  const auto address = parseSymbolAddress(line.address, line.at(line.address));
+  const auto address = parseSymbolAddress(line.address, line.at(line.address), table.language());
   if (!address) return problems.add(address.error());
   Symbol symbol;
   symbol.name = line.name;
   symbol.address = *address;
   symbol.comment = std::move(comment);
   symbol.position = line.at(line.name);
-  const auto typed = withType(std::move(symbol), line);
+  const auto typed = withType(std::move(symbol), line, table.language());
   if (!typed) return problems.add(typed.error());
   // S7-SYM-03, S7-OPEN-31: unique ignoring case. Two names for one operand are only doubtful.
   if (const Symbol* const first = table.find(line.name))
@@ -138,6 +138,7 @@ void addSymbol(const SymbolLine& line, std::string comment, SymbolTable& table,
 std::string typeText(const Symbol& symbol) {
   if (symbol.blockType) return toString(*symbol.blockType);
   if (symbol.type != TypeCode::Void) return std::string(name(symbol.type));
+  if (symbol.address.kind == Kind::Block) return toString(symbol.address.block);
   return fmt::format("{} {}", operandName(symbol.address, Mnemonics::German),
                      operandNumber(symbol.address));
 }

@@ -108,26 +108,7 @@ void readFields(SymbolLine& line, const Target& target) {
   target.add(line, withoutDoubledQuotes(line.comment));
 }
 
-// --- .seq: address, symbol, comment behind tabs ---
-
-void readAssignment(SymbolLine& line, const Target& target) {
-  std::string_view rest = line.line;
-  if (rest.starts_with('\t')) rest.remove_prefix(1);
-  const auto next = [&rest] {
-    const std::size_t end = std::min(rest.find('\t'), rest.size());
-    const std::string_view field = trim(rest.substr(0, end));
-    rest.remove_prefix(std::min(end + 1, rest.size()));
-    return field;
-  };
-  line.address = next();
-  line.name = next();
-  line.comment = trim(rest);
-  if (line.address.empty() || line.name.empty())
-    return target.refuse(line, ".seq", "(tab)A 1.0(tab)Motor(tab)comment");
-  target.add(line);
-}
-
-// --- .sym: "name" operand type // comment ---
+// --- words ---
 
 // The front of `text` up to a blank, taken away.
 std::string_view takeWord(std::string_view& text) {
@@ -138,20 +119,68 @@ std::string_view takeWord(std::string_view& text) {
   return word;
 }
 
-std::string_view takeName(std::string_view& text) {
-  if (!text.starts_with('"')) return takeWord(text);
-  const std::size_t end = std::min(text.find('"', 1), text.size());
-  const std::string_view name = text.substr(1, end - 1);
-  text.remove_prefix(std::min(end + 1, text.size()));
-  return trim(name);
-}
-
 // "A 1.0", "MW10", "DB  5": letters, perhaps blanks, a number.
 std::string_view takeOperand(std::string_view& text) {
   text = trim(text);
   const std::string_view whole = text;
   if (takeWord(text).find_first_of("0123456789") == std::string_view::npos) takeWord(text);
   return whole.substr(0, whole.size() - text.size());
+}
+
+// --- .seq: address, symbol, comment behind tabs ---
+
+// A field up to the next tab, taken away.
+std::string_view takeTabbed(std::string_view& rest) {
+  const std::size_t end = std::min(rest.find('\t'), rest.size());
+  const std::string_view field = trim(rest.substr(0, end));
+  rest.remove_prefix(std::min(end + 1, rest.size()));
+  return field;
+}
+
+// STEP 5 may have a mark in front of the first tab.
+bool isMark(std::string_view field, Language language) {
+  return language == Language::Step5 && !parseSymbolAddress(field, {}, language);
+}
+
+void splitAtTabs(SymbolLine& line, Language language) {
+  std::string_view rest = line.line;
+  if (rest.starts_with('\t') || isMark(rest.substr(0, rest.find('\t')), language)) takeTabbed(rest);
+  line.address = takeTabbed(rest);
+  line.name = takeTabbed(rest);
+  line.comment = trim(rest);
+}
+
+// Columns filled with blanks: how wide they are differs, so the words count.
+void splitAtBlanks(SymbolLine& line) {
+  std::string_view rest = line.line;
+  line.address = takeOperand(rest);
+  line.name = takeWord(rest);
+  line.comment = trim(rest);
+}
+
+void readAssignment(SymbolLine& line, const Target& target) {
+  const Language language = target.table.language();
+  const bool step5 = language == Language::Step5;
+  if (step5 && trim(line.line).starts_with(';')) return;
+  if (step5 && line.line.find('\t') == std::string_view::npos)
+    splitAtBlanks(line);
+  else
+    splitAtTabs(line, language);
+  // An operand with a comment alone, or a comment.
+  if (step5 && (line.address.empty() || line.name.empty())) return;
+  if (line.address.empty() || line.name.empty())
+    return target.refuse(line, ".seq", "(tab)A 1.0(tab)Motor(tab)comment");
+  target.add(line);
+}
+
+// --- .sym: "name" operand type // comment ---
+
+std::string_view takeName(std::string_view& text) {
+  if (!text.starts_with('"')) return takeWord(text);
+  const std::size_t end = std::min(text.find('"', 1), text.size());
+  const std::string_view name = text.substr(1, end - 1);
+  text.remove_prefix(std::min(end + 1, text.size()));
+  return trim(name);
 }
 
 void readTableLine(SymbolLine& line, const Target& target) {

@@ -8,6 +8,11 @@ bool SymbolTable::add(Symbol symbol) {
   const bool isNew = byName_.emplace(upper(symbol.name), list_.size()).second;
   if (!isNew) return false;
   byAddress_.emplace(symbol.address, list_.size());
+  if (language_ == Language::Step5 && symbol.address.area == Area::Peripheral) {
+    SymbolAddress written = symbol.address;
+    written.peripheralOutput = true;
+    byAddress_.emplace(written, list_.size());
+  }
   list_.push_back(std::move(symbol));
   return true;
 }

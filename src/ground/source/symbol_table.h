@@ -1,4 +1,5 @@
-// The symbol table of an S7 program (S7-SYM): names for absolute operands and blocks.
+// The symbol table of a program (S7-SYM): names for absolute operands and blocks. STEP 5 calls it
+// assignment list.
 #pragma once
 
 #include <compare>
@@ -16,6 +17,9 @@
 
 namespace merker::source {
 
+// Which operands there are and how they are written.
+enum class Language : std::uint8_t { Step7, Step5 };
+
 // What a symbol stands for.
 struct SymbolAddress {
   enum class Kind : std::uint8_t {
@@ -25,10 +29,11 @@ struct SymbolAddress {
     Block,
     VariableTable
   } kind = Kind::Memory;
-  Area area = Area::None;  // Memory: Input, Output, Flag, Peripheral
+  // Memory: Input, Output, Flag, Peripheral; of STEP 5 also DataBlock, the one that is open
+  Area area = Area::None;
   Width width = Width::Bit;
   BitAddress address = 0;
-  bool peripheralOutput = false;  // Peripheral: PA instead of PE
+  bool peripheralOutput = false;  // Peripheral: PA instead of PE; STEP 5 has one for both
   std::uint16_t number = 0;       // Timer, Counter, VariableTable
   BlockId block;                  // Block
   auto operator<=>(const SymbolAddress&) const = default;
@@ -45,6 +50,10 @@ struct Symbol {
 
 class SymbolTable {
  public:
+  SymbolTable() = default;
+  explicit SymbolTable(Language language) : language_(language) {}
+
+  Language language() const { return language_; }
   // False if the name is taken (compared without case, S7-OPEN-31).
   bool add(Symbol symbol);
   const Symbol* find(std::string_view name) const;
@@ -53,19 +62,21 @@ class SymbolTable {
   const std::vector<Symbol>& list() const { return list_; }
 
  private:
+  Language language_ = Language::Step7;
   std::vector<Symbol> list_;
   std::map<std::string, std::size_t> byName_;  // upper case
   std::map<SymbolAddress, std::size_t> byAddress_;
 };
 
 // "A 1.0", "MW10", "PEW 256", "T 1", "DB 5", "Q 1.0" … Operands that may not have a symbol (L, DBW,
-// constants) give a problem (S7-SYM-06, -15).
-Result<SymbolAddress> parseSymbolAddress(std::string_view text, const Position& at);
+// constants) give a problem (S7-SYM-06, -15). STEP 5: "PY 4", "PB 5" (a block), "DW 7", "D 3.15".
+Result<SymbolAddress> parseSymbolAddress(std::string_view text, const Position& at,
+                                         Language language = Language::Step7);
 
-// Reads a symbol file into `table`; the format follows the extension (.sdf .asc .seq .dif) or, for
-// .sym and .txt, is the readable table of docs/formats/symbols.md. Problems: name longer than 24,
-// comment longer than 80 characters, name twice, operand not allowed, type that does not fit the
-// operand's width (S7-SYM-16).
+// Reads a symbol file into `table`, whose language says what operands are; the format follows the
+// extension (.sdf .asc .seq .dif) or, for .sym and .txt, is the readable table of
+// docs/formats/symbols.md. Problems: name longer than 24, comment longer than 80 characters, name
+// twice, operand not allowed, type that does not fit the operand's width (S7-SYM-16).
 void readSymbols(const SourceFile& file, SymbolTable& table, Problems& problems);
 // By the extension; a .txt is taken for one only where it is named as such.
 bool isSymbolFile(std::string_view path);

@@ -31,7 +31,8 @@ constexpr std::size_t kTypeWidth = 10;
 constexpr std::size_t kCommentWidth = 80;
 
 // "MW" and "10"; "E" and "1.0".
-std::string_view operandName(const SymbolAddress& address, Mnemonics mnemonics);
+std::string_view operandName(const SymbolAddress& address, Mnemonics mnemonics,
+                             Language language = Language::Step7);
 std::string operandNumber(const SymbolAddress& address);
 
 // What stands in the type column: "INT", "TIMER", "FB 3", "VAT 1".

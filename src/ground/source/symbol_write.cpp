@@ -4,10 +4,21 @@
 #include <algorithm>
 
 #include "base/text.h"
+#include "source/dos_text.h"
 #include "source/symbol_text.h"
 
 namespace merker::source {
 namespace {
+
+// How operands are written.
+struct Style {
+  Mnemonics mnemonics;
+  Language language;
+
+  std::string_view operand(const SymbolAddress& address) const {
+    return operandName(address, mnemonics, language);
+  }
+};
 
 // Exactly `width` characters.
 std::string column(std::string_view text, std::size_t width) {
@@ -19,11 +30,11 @@ std::string column(std::string_view text, std::size_t width) {
 }
 
 // "A       1.0 ": four characters for the operand, five for the number, three for the bit.
-std::string addressColumn(const SymbolAddress& address, Mnemonics mnemonics) {
+std::string addressColumn(const SymbolAddress& address, const Style& style) {
   const std::string number = operandNumber(address);
   const std::size_t point = std::min(number.find('.'), number.size());
-  return column(fmt::format("{:<4}{:>5}{}", operandName(address, mnemonics),
-                            number.substr(0, point), number.substr(point)),
+  return column(fmt::format("{:<4}{:>5}{}", style.operand(address), number.substr(0, point),
+                            number.substr(point)),
                 kAddressWidth);
 }
 
@@ -36,9 +47,8 @@ std::string typeColumn(const Symbol& symbol) {
                 kTypeWidth);
 }
 
-std::string plainAddress(const Symbol& symbol, Mnemonics mnemonics) {
-  return fmt::format("{} {}", operandName(symbol.address, mnemonics),
-                     operandNumber(symbol.address));
+std::string plainAddress(const Symbol& symbol, const Style& style) {
+  return fmt::format("{} {}", style.operand(symbol.address), operandNumber(symbol.address));
 }
 
 std::string withDoubledQuotes(std::string_view text) {
@@ -47,46 +57,46 @@ std::string withDoubledQuotes(std::string_view text) {
   return result;
 }
 
-std::string writeSdf(const SymbolTable& table, Mnemonics mnemonics) {
+std::string writeSdf(const SymbolTable& table, const Style& style) {
   std::string text;
   for (const Symbol& s : table.list())
     text += fmt::format("\"{}\",\"{}\",\"{}\",\"{}\"\r\n", column(s.name, kNameWidth),
-                        addressColumn(s.address, mnemonics), typeColumn(s),
+                        addressColumn(s.address, style), typeColumn(s),
                         withDoubledQuotes(column(s.comment, kCommentWidth)));
   return text;
 }
 
-std::string writeAsc(const SymbolTable& table, Mnemonics mnemonics) {
+std::string writeAsc(const SymbolTable& table, const Style& style) {
   constexpr std::size_t kLength = kNameWidth + kAddressWidth + kTypeWidth + kCommentWidth;
   std::string text;
   for (const Symbol& s : table.list())
     text += fmt::format("{},{}{}{}{}\r\n", kLength, column(s.name, kNameWidth),
-                        addressColumn(s.address, mnemonics), typeColumn(s),
+                        addressColumn(s.address, style), typeColumn(s),
                         column(s.comment, kCommentWidth));
   return text;
 }
 
-std::string writeSeq(const SymbolTable& table, Mnemonics mnemonics) {
+std::string writeSeq(const SymbolTable& table, const Style& style) {
   std::string text;
   for (const Symbol& s : table.list())
-    text += fmt::format("\t{}\t{}\t{}\r\n", plainAddress(s, mnemonics), s.name, s.comment);
+    text += fmt::format("\t{}\t{}\t{}\r\n", plainAddress(s, style), s.name, s.comment);
   return text;
 }
 
-std::string writeDif(const SymbolTable& table, Mnemonics mnemonics) {
+std::string writeDif(const SymbolTable& table, const Style& style) {
   std::string text = fmt::format(
       "TABLE\r\n0,1\r\n\"Merker\"\r\nVECTORS\r\n0,{}\r\n\"\"\r\nTUPLES\r\n0,4\r\n\"\"\r\nDATA\r\n0,"
       "0\r\n\"\"\r\n",
       table.list().size());
   for (const Symbol& s : table.list()) {
     text += "-1,0\r\nBOT\r\n";
-    for (const std::string& field : {s.name, plainAddress(s, mnemonics), typeText(s), s.comment})
+    for (const std::string& field : {s.name, plainAddress(s, style), typeText(s), s.comment})
       text += fmt::format("1,0\r\n\"{}\"\r\n", field);
   }
   return text + "-1,0\r\nEOD\r\n";
 }
 
-std::string writeSym(const SymbolTable& table, Mnemonics mnemonics) {
+std::string writeSym(const SymbolTable& table, const Style& style) {
   std::size_t widest = 0;
   for (const Symbol& s : table.list()) widest = std::max(widest, characterCount(s.name));
   std::string text;
@@ -94,7 +104,7 @@ std::string writeSym(const SymbolTable& table, Mnemonics mnemonics) {
     const std::string type = typeText(s);
     const std::string comment = s.comment.empty() ? "" : "// " + s.comment;
     text += fmt::format("{}  {}{}{}\n", column('"' + s.name + '"', widest + 2),
-                        column(plainAddress(s, mnemonics), kAddressWidth),
+                        column(plainAddress(s, style), kAddressWidth),
                         comment.empty() ? type : column(type, kTypeWidth + 2), comment);
   }
   return text;
@@ -104,11 +114,14 @@ std::string writeSym(const SymbolTable& table, Mnemonics mnemonics) {
 
 std::string writeSymbols(const SymbolTable& table, std::string_view extension,
                          Mnemonics mnemonics) {
-  if (extension == ".sdf") return toCp1252(writeSdf(table, mnemonics));
-  if (extension == ".asc") return toCp1252(writeAsc(table, mnemonics));
-  if (extension == ".seq") return toCp1252(writeSeq(table, mnemonics));
-  if (extension == ".dif") return toCp1252(writeDif(table, mnemonics));
-  if (extension == ".sym") return writeSym(table, mnemonics);
+  const Style style{mnemonics, table.language()};
+  const bool dos = style.language == Language::Step5;  // STEP 5 is a program of DOS
+  if (extension == ".sdf") return toCp1252(writeSdf(table, style));
+  if (extension == ".asc") return toCp1252(writeAsc(table, style));
+  if (extension == ".seq")
+    return dos ? toDos(writeSeq(table, style), Encoding::Cp437) : toCp1252(writeSeq(table, style));
+  if (extension == ".dif") return toCp1252(writeDif(table, style));
+  if (extension == ".sym") return writeSym(table, style);
   return {};
 }
 
