@@ -67,7 +67,9 @@ bool appendConstant(const Parameter& parameter, const mc5::Operand& operand,
 }
 
 // PB 3 is a program block for a parameter of kind B.
-mc5::Operand adjusted(const Parameter& parameter, mc5::Operand operand) {
+mc5::Operand adjusted(const Parameter& parameter, const Operand& actual) {
+  const mc5::Operand& operand = actual.value;
+  if (actual.symbol) return operand;
   const bool periphery = operand.kind == OperandKind::Memory && operand.area == Area::Peripheral;
   if (parameter.kind != ParameterKind::Block || !periphery || operand.width != Width::Byte)
     return operand;
@@ -80,13 +82,13 @@ bool appendActual(const Parameter& parameter, const Operand& actual,
                   std::vector<std::uint16_t>& words) {
   if (!actual.name.empty()) return false;
   if (parameter.kind == ParameterKind::Data) return appendConstant(parameter, actual.value, words);
-  const auto instruction = carrier(parameter, adjusted(parameter, actual.value));
+  const auto instruction = carrier(parameter, adjusted(parameter, actual));
   return instruction && mc5::inRange(*instruction) && mc5::encode(*instruction, words);
 }
 
 bool outOfRange(const Parameter& parameter, const Operand& actual, mc5::Range& range) {
   if (!actual.name.empty() || parameter.kind == ParameterKind::Data) return false;
-  const auto instruction = carrier(parameter, adjusted(parameter, actual.value));
+  const auto instruction = carrier(parameter, adjusted(parameter, actual));
   if (!instruction || mc5::inRange(*instruction)) return false;
   range = mc5::rangeOf(*instruction);
   return true;

@@ -16,6 +16,12 @@ using mc5::BlockType;
 using mc5::OperandKind;
 using mc5::Parameter;
 
+mc5::Operand actualOperand(const Parameter& parameter, std::span<const std::uint16_t> words) {
+  const auto decoded = mc5::decode(words.first(1));
+  const bool data = parameter.kind == mc5::ParameterKind::Data;
+  return data || !decoded ? mc5::Operand{} : decoded->instruction.operand;
+}
+
 std::string actualText(const Parameter& parameter, std::span<const std::uint16_t> words) {
   if (parameter.kind == mc5::ParameterKind::Data) {
     std::uint32_t value = words[0];
@@ -47,8 +53,9 @@ std::optional<CallList> callList(const mc5::Program& program, const Block& block
   for (const Parameter& parameter : fb->parameters) {
     const std::uint32_t words = wordCount(parameter);
     if (at + words > *end) return std::nullopt;
-    list.parameters.push_back({at, words, parameter.name,
-                               actualText(parameter, std::span(block.words).subspan(at, words))});
+    const auto code = std::span<const std::uint16_t>(block.words).subspan(at, words);
+    list.parameters.push_back(
+        {at, words, parameter.name, actualText(parameter, code), actualOperand(parameter, code)});
     at += words;
   }
   return at == *end ? std::optional(std::move(list)) : std::nullopt;

@@ -14,6 +14,7 @@ namespace merker::step5 {
 struct ListedParameter {
   std::uint32_t offset = 0, words = 1;  // in the calling block
   std::string name, actual;             // "ZAHL", "KF +25"
+  mc5::Operand operand;                 // of a constant None
 };
 
 struct CallList {

@@ -58,8 +58,9 @@ bool isTruth(const Side& side) {
 
 class Parser {
  public:
-  Parser(Scanner& scanner, const mc5::Block& block, const std::vector<std::uint32_t>& words)
-      : scanner_(scanner), block_(block), words_(words) {}
+  Parser(Scanner& scanner, const mc5::Block& block, const std::vector<std::uint32_t>& words,
+         const source::SymbolTable* symbols)
+      : scanner_(scanner), block_(block), words_(words), symbols_(symbols) {}
 
   Checks parse() {
     do {
@@ -161,7 +162,7 @@ class Parser {
     Side side;
     Failure failure;
     dataBlock(side);
-    const auto operand = step5::parseOperand(scanner_, failure);
+    const auto operand = step5::parseOperand(scanner_, failure, symbols_);
     if (!operand) return std::nullopt;
     side.operand = operand->value;
     if (!operand->name.empty() && !formal(operand->name, *side.operand)) return std::nullopt;
@@ -177,7 +178,7 @@ class Parser {
   void dataBlock(Side& side) {
     const std::size_t mark = scanner_.mark();
     Failure failure;
-    const auto operand = step5::parseOperand(scanner_, failure);
+    const auto operand = step5::parseOperand(scanner_, failure, symbols_);
     const bool block = operand && operand->value.kind == OperandKind::Block &&
                        operand->value.block == mc5::BlockType::Db;
     if (block && scanner_.accept('.') && mc5::encode({Operation::OPEN, operand->value}, side.open))
@@ -235,14 +236,15 @@ class Parser {
   Scanner& scanner_;
   const mc5::Block& block_;
   const std::vector<std::uint32_t>& words_;
+  const source::SymbolTable* symbols_;
   Checks result_;
 };
 
 }  // namespace
 
 Checks parseChecks(Scanner& scanner, const mc5::Block& block,
-                   const std::vector<std::uint32_t>& words) {
-  return Parser(scanner, block, words).parse();
+                   const std::vector<std::uint32_t>& words, const source::SymbolTable* symbols) {
+  return Parser(scanner, block, words, symbols).parse();
 }
 
 }  // namespace merker::step5

@@ -17,6 +17,7 @@ struct Checks {
 
 // `words`: where each parameter of the block begins in a parameter list.
 Checks parseChecks(Scanner& scanner, const mc5::Block& block,
-                   const std::vector<std::uint32_t>& words);
+                   const std::vector<std::uint32_t>& words,
+                   const source::SymbolTable* symbols = nullptr);
 
 }  // namespace merker::step5

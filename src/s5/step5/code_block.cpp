@@ -112,7 +112,7 @@ class CodeCompiler {
   void statement(Scanner& scanner) {
     Failure failure;
     if (ended_) return add(ProblemCode::P1122, scanner.offset(), scanner.rest().size());
-    auto parsed = parseStatement(scanner, failure);
+    auto parsed = parseStatement(scanner, failure, known_.symbols);
     if (!parsed) return add(failure);
     if (!commentFollows(scanner, failure)) return add(failure);
     if (parsed->warning) add(*parsed->warning);
@@ -235,7 +235,8 @@ class CodeCompiler {
     for (auto scanner = listLine(word, offset); scanner; scanner = listLine(word, offset)) {
       Scanner statement = *scanner;
       Failure ignored;
-      const bool isOperand = beginsOperand(*scanner) && parseOperand(*scanner, ignored);
+      const bool symbol = isSymbolMark(*scanner);
+      const bool isOperand = symbol || (beginsOperand(*scanner) && parseOperand(*scanner, ignored));
       if (!isOperand || parseStatement(statement, ignored)) return;
       const std::string list = fb.parameters.empty() ? "it has none" : "it has: " + names(fb);
       add(ProblemCode::P1146, offset, word.size(), fb.id.number, word, list);
@@ -250,7 +251,7 @@ class CodeCompiler {
     std::size_t offset = 0;
     for (auto scanner = listLine(word, offset); scanner; scanner = listLine(word, offset)) {
       Failure failure;
-      if (!parseOperand(*scanner, failure)) return;
+      if (!isSymbolMark(*scanner) && !parseOperand(*scanner, failure)) return;
       ++at_;
     }
   }
@@ -281,7 +282,7 @@ class CodeCompiler {
     Failure failure;
     const std::size_t offset = scanner.offset();
     const std::size_t mark = scanner.mark();
-    const auto operand = parseOperand(scanner, failure);
+    const auto operand = parseOperand(scanner, failure, known_.symbols);
     if (!operand) {
       if (scanner.atEnd() && scanner.mark() == mark)
         failure = {ProblemCode::P1104, offset, 1, "", ""};
@@ -328,7 +329,7 @@ class CodeCompiler {
     const auto last = builder_.last();
     if (!last) return add(ProblemCode::P1143, offset, kCheck.size());
     Scanner scanner(line.text.substr(start + kCheck.size()), offset + kCheck.size());
-    auto terms = parseChecks(scanner, block_, words_);
+    auto terms = parseChecks(scanner, block_, words_, known_.symbols);
     for (const Failure& failure : terms.failures) add(failure);
     block_.checks.push_back(
         {*last, source_.file->position(offset, kCheck.size()), std::move(terms.terms)});

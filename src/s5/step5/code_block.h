@@ -6,6 +6,7 @@
 #include <string>
 
 #include "mc5/block.h"
+#include "source/symbol_table.h"
 #include "step5/block_source.h"
 #include "step5/declaration.h"
 
@@ -17,6 +18,7 @@ struct Callable {
   std::map<std::uint16_t, const mc5::Block*> functionBlocks;
   std::map<std::uint16_t, std::string> names;  // what NAME says in an FB, beside its head
   std::set<mc5::BlockId> blocks;
+  const source::SymbolTable* symbols = nullptr;
 };
 
 // `block` has its head and declaration; words, lines, networks, labels and checks come here.

@@ -104,7 +104,7 @@ void finish(Unit& unit, const Callable& known, bool checks, Compilation& result)
 }  // namespace
 
 Compilation compile(const std::vector<source::SourceFile>& sources, bool checks,
-                    std::stop_token stop) {
+                    std::stop_token stop, const source::SymbolTable* symbols) {
   Compilation result;
   result.problems = Problems(std::move(stop));
   std::list<Unit> units;  // blocks are referred to while the list grows
@@ -115,7 +115,8 @@ Compilation compile(const std::vector<source::SourceFile>& sources, bool checks,
     if (units.size() == before && !result.problems.hasErrors())
       result.problems.add(ProblemCode::P0104, Position{file.name()});
   }
-  const Callable known = callable(units);  // before other problems than those of declarations
+  Callable known = callable(units);  // before other problems than those of declarations
+  known.symbols = symbols;
   checkTwice(units);
   for (Unit& unit : units) checkNumber(unit);
   for (Unit& unit : units) finish(unit, known, checks, result);

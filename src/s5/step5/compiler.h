@@ -11,6 +11,7 @@
 #include "mc5/disassembly.h"
 #include "mc5/instruction.h"
 #include "source/source_file.h"
+#include "source/symbol_table.h"
 
 namespace merker::step5 {
 
@@ -22,9 +23,10 @@ struct Compilation {
 
 // Compiles all listings into one program. Blocks may stand in any order and in any file. All
 // problems are collected; a block with an error is left out of the program. `checks`: translate
-// //= comments. `stop` ends the compilation; what there is then is of no use.
+// //= comments. `stop` ends the compilation; what there is then is of no use. `symbols`: the
+// assignment list that operands like -START are looked up in.
 Compilation compile(const std::vector<source::SourceFile>& sources, bool checks,
-                    std::stop_token stop = {});
+                    std::stop_token stop = {}, const source::SymbolTable* symbols = nullptr);
 
 // One instruction as `merker assemble --mc5` takes it: jumps with their distance ("SPA =+4"),
 // formal operands with their index ("U =1"). `at` is where the text begins.
@@ -34,7 +36,11 @@ Result<mc5::Instruction> parseInstruction(std::string_view text, const Position&
 // ZAHL : KF +25, in one line with the call the jump over them, which is not shown (4.3.2).
 std::vector<mc5::Line> disassemble(const mc5::Program& program, const mc5::Block& block);
 
-// The program as a listing that compiles to the same words.
-std::string listing(const mc5::Program& program);
+// The program as a listing that compiles to the same words; with `symbols` as -START where an
+// operand has one.
+std::string listing(const mc5::Program& program, const source::SymbolTable* symbols = nullptr);
+// One block of it.
+std::string listing(const mc5::Program& program, const mc5::Block& block,
+                    const source::SymbolTable* symbols = nullptr);
 
 }  // namespace merker::step5

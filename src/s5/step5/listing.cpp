@@ -9,6 +9,8 @@
 #include "step5/compiler.h"
 #include "step5/declaration.h"
 #include "step5/jump_targets.h"
+#include "step5/operand.h"
+#include "step5/symbol.h"
 
 namespace merker::step5 {
 namespace {
@@ -22,7 +24,8 @@ constexpr std::size_t kPrintedComment = 32;
 
 class Printer {
  public:
-  Printer(const mc5::Program& program, const Block& block) : program_(program), block_(block) {
+  Printer(const mc5::Program& program, const Block& block, const source::SymbolTable* symbols)
+      : program_(program), block_(block), symbols_(symbols) {
     for (const mc5::Comment& comment : block.comments) comments_.emplace(comment.offset, &comment);
     for (const mc5::Network& network : block.networks) networks_[network.offset] = &network;
   }
@@ -160,20 +163,29 @@ class Printer {
         if (words[i] == operand.value)
           return fmt::format("{:<5} ={}", name, block_.parameters[i].name);
     }
+    if (const source::Symbol* symbol = symbolOf(operand, symbols_))
+      return fmt::format("{:<5} {}", name, symbolText(symbol->name));
     return mc5::text(instruction);
+  }
+
+  // E, A and blocks of a list by their symbols; constants have none.
+  std::string actual(const ListedParameter& parameter) const {
+    const source::Symbol* const symbol = symbolOf(parameter.operand, symbols_);
+    return symbol == nullptr ? parameter.actual : symbolText(symbol->name);
   }
 
   std::uint32_t parameters(const CallList& list) {
     put("NAME : {}\n", list.called->name);
     for (const ListedParameter& parameter : list.parameters) {
       commentsBefore(parameter.offset);
-      line(fmt::format("{:<4} : {}", parameter.name, parameter.actual), parameter.offset);
+      line(fmt::format("{:<4} : {}", parameter.name, actual(parameter)), parameter.offset);
     }
     return list.end;
   }
 
   const mc5::Program& program_;
   const Block& block_;
+  const source::SymbolTable* symbols_;
   std::string out_;
   std::multimap<std::uint32_t, const mc5::Comment*> comments_;
   std::map<std::uint32_t, const mc5::Network*> networks_;
@@ -183,10 +195,15 @@ class Printer {
 
 }  // namespace
 
-std::string listing(const mc5::Program& program) {
+std::string listing(const mc5::Program& program, const source::SymbolTable* symbols) {
   std::string text;
-  for (const auto& [id, block] : program) text += Printer(program, block).print() + "\n";
+  for (const auto& [id, block] : program) text += listing(program, block, symbols) + "\n";
   return text;
+}
+
+std::string listing(const mc5::Program& program, const mc5::Block& block,
+                    const source::SymbolTable* symbols) {
+  return Printer(program, block, symbols).print();
 }
 
 }  // namespace merker::step5

@@ -6,6 +6,7 @@
 
 #include "mc5/constant.h"
 #include "step5/constant_operand.h"
+#include "step5/symbol.h"
 
 namespace merker::step5 {
 namespace {
@@ -105,15 +106,61 @@ std::optional<Operand> formal(Scanner& scanner, Failure& failure) {
   return result.name.empty() ? std::nullopt : std::optional(result);
 }
 
-// -START, "START": a name of an assignment list.
-std::optional<Operand> symbol(Scanner& scanner, std::size_t offset, Failure& failure) {
+// Letters of any alphabet and digits: START, ÖLPUMPE, 1S3.
+bool beginsName(char c) {
+  return isLetter(c) || isDigit(c) || static_cast<unsigned char>(c) >= 0x80;
+}
+
+constexpr std::string_view kNameEnds = " \t!;,";
+
+// A name up to a blank or the mark of a comment.
+std::string_view bareName(Scanner& scanner) {
   const std::size_t start = scanner.mark();
+  while (!scanner.atEnd() && kNameEnds.find(scanner.peek()) == std::string_view::npos &&
+         !scanner.rest().starts_with("//"))
+    scanner.skip();
+  return scanner.since(start);
+}
+
+std::string_view quotedName(Scanner& scanner) {
+  const std::string_view name = scanner.take([](char c) { return c != '"'; });
+  scanner.accept('"');
+  return name;
+}
+
+// The symbol of this name; of "DATEN.DW", where there is no such one, that of a block DATEN. The
+// scanner then stands in front of the point.
+const source::Symbol* find(std::string_view name, Scanner& scanner, std::size_t start,
+                           const source::SymbolTable* symbols) {
+  if (symbols == nullptr) return nullptr;
+  const source::Symbol* const found = symbols->find(name);
+  const std::size_t point = name.rfind('.');
+  if (found != nullptr || point == std::string_view::npos) return found;
+  const source::Symbol* const block = symbols->find(name.substr(0, point));
+  if (block == nullptr || block->address.kind != source::SymbolAddress::Kind::Block) return nullptr;
+  scanner.back(start + point);
+  return block;
+}
+
+// -START, "START": a name of the assignment list.
+std::optional<Operand> symbol(Scanner& scanner, std::size_t offset, Failure& failure,
+                              const source::SymbolTable* symbols) {
+  const std::size_t start = scanner.mark();
+  const bool quoted = scanner.peek() == '"';
   scanner.skip();
-  scanner.skipBlanks();
-  scanner.take([](char c) { return !isBlank(c) && c != '!' && c != ';'; });
-  const std::string text(scanner.since(start));
-  failure = {ProblemCode::P1104, offset, text.size(), text, ""};
-  return std::nullopt;
+  if (!quoted) scanner.skipBlanks();
+  const std::size_t begin = scanner.mark();
+  const std::string_view name = quoted ? quotedName(scanner) : bareName(scanner);
+  Operand result;
+  result.offset = offset;
+  result.length = scanner.since(start).size();
+  result.symbol = true;
+  const source::Symbol* const found = find(name, scanner, begin, symbols);
+  const auto value = found == nullptr ? std::nullopt : operandOf(found->address);
+  failure = {ProblemCode::P0303, offset, result.length, std::string(name), ""};
+  if (!value) return std::nullopt;
+  result.value = *value;
+  return result;
 }
 
 // Number and bit behind the word of an area.
@@ -139,14 +186,21 @@ bool address(Scanner& scanner, const Word& word, Operand& result, Failure& failu
 
 }  // namespace
 
+std::string symbolText(std::string_view name) {
+  const bool plain = !name.empty() && beginsName(name.front()) &&
+                     name.find_first_of(kNameEnds) == std::string_view::npos &&
+                     name.find("//") == std::string_view::npos;
+  return plain ? '-' + std::string(name) : '"' + std::string(name) + '"';
+}
+
 bool isSymbolMark(Scanner scanner) {
   if (!scanner.accept('-') && !scanner.accept('"')) return false;
   scanner.skipBlanks();
-  return isLetter(scanner.peek());
+  return beginsName(scanner.peek());
 }
 
 bool beginsSymbol(const Scanner& scanner) {
-  return scanner.peek() == '-' && isLetter(scanner.peek(1));
+  return scanner.peek() == '-' && beginsName(scanner.peek(1));
 }
 
 bool beginsOperand(Scanner scanner) {
@@ -160,7 +214,8 @@ bool beginsOperand(Scanner scanner) {
   return known && (capital == word || isDigit(scanner.peek()));
 }
 
-std::optional<Operand> parseOperand(Scanner& scanner, Failure& failure) {
+std::optional<Operand> parseOperand(Scanner& scanner, Failure& failure,
+                                    const source::SymbolTable* symbols) {
   if (scanner.accept('=')) return formal(scanner, failure);
   Operand result;
   result.offset = scanner.offset();
@@ -180,7 +235,8 @@ std::optional<Operand> parseOperand(Scanner& scanner, Failure& failure) {
     result.length = scanner.since(start).size();
     return result;
   }
-  if (word.empty() && isSymbolMark(scanner)) return symbol(scanner, result.offset, failure);
+  if (word.empty() && isSymbolMark(scanner))
+    return symbol(scanner, result.offset, failure, symbols);
   failure = {ProblemCode::P1104, result.offset, std::max<std::size_t>(word.size(), 1), word, ""};
   return std::nullopt;
 }

@@ -6,13 +6,15 @@
 
 #include "base/result.h"
 #include "mc5/operand.h"
+#include "source/symbol_table.h"
 #include "step5/scanner.h"
 
 namespace merker::step5 {
 
 struct Operand {
   mc5::Operand value;
-  std::string name;  // of a formal operand or a jump label; `value` is then of kind None
+  std::string name;     // of a formal operand or a jump label; `value` is then of kind None
+  bool symbol = false;  // -START: `value` is what it stands for
   std::size_t offset = 0, length = 0;  // in the file
 };
 
@@ -29,8 +31,11 @@ struct Failure {
 bool beginsOperand(Scanner scanner);
 // -START: a name of an assignment list.
 bool beginsSymbol(const Scanner& scanner);
-// - START and "START", too.
+// - START and "START", too; names such as -1S3 may begin with a digit.
 bool isSymbolMark(Scanner scanner);
-std::optional<Operand> parseOperand(Scanner& scanner, Failure& failure);
+// -START; "AUF ZU" where the name would end too early.
+std::string symbolText(std::string_view name);
+std::optional<Operand> parseOperand(Scanner& scanner, Failure& failure,
+                                    const source::SymbolTable* symbols = nullptr);
 
 }  // namespace merker::step5

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "mc5/operand_text.h"
 #include "step5/operation_word.h"
 
 namespace merker::step5 {
@@ -43,8 +44,9 @@ std::optional<mc5::Instruction> fitKind(std::string_view word, mc5::Operand oper
 }
 
 // PB behind a block call is a program block.
-mc5::Operand adjusted(std::string_view word, mc5::Operand operand) {
-  const bool call = word == "SPA" || word == "SPB";
+mc5::Operand adjusted(std::string_view word, const Operand& written) {
+  const mc5::Operand& operand = written.value;
+  const bool call = (word == "SPA" || word == "SPB") && !written.symbol;
   if (call && operand.kind == OperandKind::Memory && operand.area == mc5::Area::Peripheral)
     return {.kind = OperandKind::Block, .block = mc5::BlockType::Pb, .value = operand.value};
   return operand;
@@ -87,33 +89,27 @@ Failure doesNotFit(const std::string& word, const Operand& operand, std::string_
   return {ProblemCode::P1109, operand.offset, length, word, std::string(text)};
 }
 
-// U -START: what stands there is told, and what would be right.
-Failure absolute(const std::string& word, const Failure& symbol) {
-  return {ProblemCode::P1110, symbol.offset, symbol.length, word,
-          "; " + symbol.what +
-              " is a symbol, but listings need absolute operands: E 0.0, M 100.1, T 1 (assignment "
-              "lists are not read)"};
+// "-MOTOR = MW 10": of a symbol also what it stands for.
+std::string shown(const Operand& operand, std::string_view text) {
+  std::string result(text);
+  return operand.symbol ? result + " = " + mc5::operandText(operand.value) : result;
 }
 
 std::optional<Statement> withOperand(Scanner& scanner, const std::string& word, std::size_t offset,
-                                     Failure& failure) {
+                                     Failure& failure, const source::SymbolTable* symbols) {
   scanner.skipBlanks();
   if (scanner.atEnd() || scanner.peek() == '!') {
     failure = {ProblemCode::P1110, offset, word.size(), word, hint(word)};
     return std::nullopt;
   }
   const std::size_t mark = scanner.mark();
-  const bool symbol = isSymbolMark(scanner);
-  const auto operand = parseOperand(scanner, failure);
-  if (!operand) {
-    if (symbol) failure = absolute(word, failure);
-    return std::nullopt;
-  }
+  const auto operand = parseOperand(scanner, failure, symbols);
+  if (!operand) return std::nullopt;
   const auto instruction =
-      fitKind(word, operand->name.empty() ? adjusted(word, operand->value) : placeholder(word));
+      fitKind(word, operand->name.empty() ? adjusted(word, *operand) : placeholder(word));
   if (instruction)
     return Statement{*instruction, operand->name, offset, operand->offset, operand->length, {}};
-  failure = doesNotFit(word, *operand, scanner.since(mark));
+  failure = doesNotFit(word, *operand, shown(*operand, scanner.since(mark)));
   return std::nullopt;
 }
 
@@ -136,7 +132,8 @@ void skipColon(Scanner& scanner) {
   scanner.skipBlanks();
 }
 
-std::optional<Statement> parseStatement(Scanner& scanner, Failure& failure) {
+std::optional<Statement> parseStatement(Scanner& scanner, Failure& failure,
+                                        const source::SymbolTable* symbols) {
   const std::size_t offset = scanner.offset(), start = scanner.mark();
   std::optional<Failure> warning;
   const std::string word = operationWord(scanner, warning);
@@ -149,7 +146,7 @@ std::optional<Statement> parseStatement(Scanner& scanner, Failure& failure) {
   }
   auto plain = withoutOperand(scanner, word, offset);
   if (plain) plain->warning = warning;
-  return plain ? plain : withOperand(scanner, word, offset, failure);
+  return plain ? plain : withOperand(scanner, word, offset, failure, symbols);
 }
 
 }  // namespace merker::step5

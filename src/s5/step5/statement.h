@@ -21,6 +21,7 @@ struct Statement {
 void skipColon(Scanner& scanner);
 
 // Reads a statement; the rest of the line, a comment or nothing, stays in the scanner.
-std::optional<Statement> parseStatement(Scanner& scanner, Failure& failure);
+std::optional<Statement> parseStatement(Scanner& scanner, Failure& failure,
+                                        const source::SymbolTable* symbols = nullptr);
 
 }  // namespace merker::step5

@@ -11,9 +11,9 @@ using mc5::OperandKind;
 
 constexpr std::uint32_t kLastBlock = 255;
 
-std::optional<mc5::Operand> operandAt(Scanner& scanner) {
+std::optional<mc5::Operand> operandAt(Scanner& scanner, const source::SymbolTable* symbols) {
   Failure failure;
-  const auto operand = parseOperand(scanner, failure);
+  const auto operand = parseOperand(scanner, failure, symbols);
   if (!operand || !operand->name.empty()) return std::nullopt;
   return operand->value;
 }
@@ -41,16 +41,17 @@ std::optional<mc5::Operand> parseConstant(std::string_view text) {
   return constant->value;
 }
 
-std::optional<address::Reference> parseVariable(std::string_view text) {
+std::optional<address::Reference> parseVariable(std::string_view text,
+                                                const source::SymbolTable* symbols) {
   Scanner scanner(text, 0);
   address::Reference variable;
   variable.text = text;
   scanner.skipBlanks();
-  auto operand = operandAt(scanner);
+  auto operand = operandAt(scanner, symbols);
   const bool inBlock = operand && isDataBlock(*operand) && scanner.accept('.');
   if (inBlock) {
     variable.db = static_cast<std::int32_t>(operand->value);
-    operand = operandAt(scanner);
+    operand = operandAt(scanner, symbols);
   }
   scanner.skipBlanks();
   if (!operand || !scanner.atEnd() || !hasValue(*operand)) return std::nullopt;
@@ -58,6 +59,15 @@ std::optional<address::Reference> parseVariable(std::string_view text) {
   variable.operand = mc5::placeOf(*operand);
   if (!isMemory(variable.operand)) variable.type = TypeCode::Word;  // what LC loads
   return variable;
+}
+
+std::string symbolName(std::string_view text) {
+  Scanner scanner(text, 0);
+  scanner.skipBlanks();
+  Failure failure;
+  if (!isSymbolMark(scanner)) return {};
+  (void)parseOperand(scanner, failure);
+  return failure.what;  // no table, so it is not found
 }
 
 }  // namespace merker::step5

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "address/reference.h"
 #include "mc5/operand.h"
+#include "source/symbol_table.h"
 
 namespace merker::step5 {
 
@@ -14,6 +16,11 @@ std::optional<mc5::Operand> parseConstant(std::string_view text);
 
 // E 0.0, MW 10, T 5, DB10.DW 5 …: nothing if the text is not an operand with a value. Limits of the
 // PLC are not checked.
-std::optional<address::Reference> parseVariable(std::string_view text);
+// Symbols: -MOTOR, "DATEN".DW 5.
+std::optional<address::Reference> parseVariable(std::string_view text,
+                                                const source::SymbolTable* symbols = nullptr);
+
+// MOTOR of -MOTOR and "MOTOR"; empty if the text names no symbol.
+std::string symbolName(std::string_view text);
 
 }  // namespace merker::step5

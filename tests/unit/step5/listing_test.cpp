@@ -256,14 +256,18 @@ TEST(Listing, ExamplesComeBack) {
     if (!folder.is_directory()) continue;
     const bool project = std::filesystem::exists(folder.path() / "merker.toml");
     std::vector<std::vector<source::SourceFile>> programs(1);
+    source::SymbolTable symbols(source::Language::Step5);
+    Problems none;
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+      if (source::isSymbolFile(entry.path().string()))
+        readSymbols(*source::readSource(entry.path().string()), symbols, none);
       if (entry.path().extension() != ".s5") continue;
       programs.back().emplace_back(entry.path().string(), fileText(entry.path()));
       if (!project) programs.emplace_back();
     }
     for (const auto& files : programs) {
       if (files.empty()) continue;
-      const auto c = compile(files, false);
+      const auto c = compile(files, false, {}, &symbols);
       ASSERT_TRUE(c.ok()) << folder.path();
       expectBack(c);
       ++count;
