@@ -19,7 +19,7 @@ namespace {
 struct ListOptions {
   ProjectOptions project;
   std::string path, mnemonics = "de";
-  bool code = false, memory = false, listing = false, json = false;
+  bool code = false, memory = false, listing = false, symbols = false, json = false;
 };
 
 std::vector<mc7::Line> lines(const block::Block& block, const ListOptions& options) {
@@ -72,7 +72,7 @@ void printJson(const Build& build, const ListOptions& options) {
 }
 
 int listListings(const Build& built, const ListOptions& options) {
-  const ListingOptions chosen{options.code, options.listing};
+  const ListingOptions chosen{options.code, options.listing, options.symbols};
   options.json ? print(listingsToJson(built, chosen)) : printListings(built, chosen);
   return exitCode(built);
 }
@@ -102,6 +102,8 @@ void addList(CLI::App& program, int& result) {
                     "load, work and system memory, and how much of the CPU is in use");
   command->add_flag("--listing", options->listing,
                     "STEP 5: the program as a listing that compiles to the same machine code");
+  command->add_flag("--symbols", options->symbols,
+                    "in a listing: -NAME where an operand has a symbol");
   command->add_option("--mnemonics", options->mnemonics, "de or en")
       ->check(CLI::IsMember({"de", "en"}));
   addProjectOptions(*command, options->project);

@@ -59,12 +59,16 @@ nlohmann::json codeToJson(const mc5::Program& program, const mc5::Block& block) 
   return lines;
 }
 
+std::string listingOf(const Build& build, const ListingOptions& options) {
+  return step5::listing(build.listings, options.symbols ? &build.project.symbols : nullptr);
+}
+
 }  // namespace
 
 // Lengths as the block directory of the programmer shows them: with the header (S5-BLK-08).
 void printListings(const Build& build, const ListingOptions& options) {
   if (options.text) {
-    std::cout << step5::listing(build.listings);
+    std::cout << listingOf(build, options);
     return;
   }
   std::cout << fmt::format("{:<10} {:<10} {:>6} {:>6} {:>8}\n", "block", "name", "BIB", "words",
@@ -103,7 +107,7 @@ nlohmann::json listingsToJson(const Build& build, const ListingOptions& options)
       {"blocks", blocks},
       {"memory", {useToJson(kProgramSegment, use.program), useToJson(kDataSegment, use.data)}},
       {"problems", toJson(build.problems)}};
-  if (options.text) document["listing"] = step5::listing(build.listings);
+  if (options.text) document["listing"] = listingOf(build, options);
   return document;
 }
 

@@ -8,8 +8,9 @@
 namespace merker::app {
 
 struct ListingOptions {
-  bool code = false;  // each block disassembled, with its machine code
-  bool text = false;  // the program as a listing
+  bool code = false;     // each block disassembled, with its machine code
+  bool text = false;     // the program as a listing
+  bool symbols = false;  // in it symbols where operands have them
 };
 
 void printListings(const Build& build, const ListingOptions& options);

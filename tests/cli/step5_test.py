@@ -203,25 +203,50 @@ scenario "missing block"
         self.assertIn("still in STARTUP", call.err)
         self.assertAlmostEqual(self.expect(PROBLEMS, "diag", "loop.s5", "--for", "1s", "--json").json["seconds"], 1.0, places=3)
 
-    def test_symbols_are_told(self):
-        self.write("s.s5", "PB 1\n U -START\n O -BETR\n U - STOP\n L \"Wert\"\n BE\n")
+    def test_symbols_of_an_assignment_list(self):
+        """docs/formats/listing.md: -NAME, tabs or fixed columns, upper and lower case alike."""
+        self.write("s.s5", "OB 1\n SPA -FOLGE\n BE\nPB 5\n U -start\n O -1S3\n = \"Motor\"\n L -SOLL\n BE\n")
         err = self.expect(PROBLEMS, "check", "s.s5").err
-        self.assertEqual(err.count("is a symbol, but listings need absolute operands"), 4)
-        self.assertIn("U needs an operand; -START is a symbol", err)
+        self.assertIn('s.s5:5:4: error: symbol "start" is not in the symbol table [P0303]', err)
+        self.assertEqual(err.count("P0303"), 5)
+        self.write("sZ0.SEQ", "; Pumpe\n\tE 1.0\tSTART\tTaster\n\tE 1.1\t1S3\n\tA 2.0\tMOTOR\n\tPB 5\tFOLGE\n\tDB 20\tDATEN\n"
+                              "\tMW 30\tSOLL\n")
+        self.expect(GOOD, "check", "s.s5")
+        self.write("sZ0.SEQ", "  E 1.0     START     Taster\n  E 1.1     1S3\n  A 2.0     MOTOR\n  PB 5      FOLGE\n"
+                              "  MW 30     SOLL\n")
+        self.expect(GOOD, "check", "s.s5")
+        out = self.expect(GOOD, "run", "s.s5", "--for", "1s", "--set", "-START = 1", "--print", "-MOTOR, \"motor\", A 2.0").out
+        self.assertEqual(out, "-MOTOR = 1\n\"motor\" = 1\nA 2.0 = 1\n")
+        self.assertIn('symbol "NIE" is not in the symbol table',
+                      self.expect(USAGE, "run", "s.s5", "--for", "1s", "--print", "-NIE").err)
+        self.write("s.scn", 'scenario "symbols"\n  set -START = 1\n  wait 2 cycles\n  expect -MOTOR = 1\n  set -SOLL = KF +7\n'
+                            '  expect MW 30 = -SOLL\n')
+        self.expect(GOOD, "test", "s.scn")
+        self.assertIn("START", self.expect(GOOD, "xref", "s.s5").out)
+        listing = self.expect(GOOD, "list", "s.s5", "--listing", "--symbols").out
+        self.assertIn("SPA   -FOLGE", listing)
+        self.assertIn("U     -START", listing)
+        self.assertIn("U     E 1.0", self.expect(GOOD, "list", "s.s5", "--listing").out)
+
+    def test_wrong_assignments_are_told_with_their_place(self):
+        self.write("a.s5", LISTING)
+        self.write("aZ0.SEQ", "\tE 1.0\tEIN\n\tE 1.1\tein\n\tFX 3\tFERN\n")
+        err = self.expect(PROBLEMS, "check", "a.s5").err
+        self.assertIn("aZ0.SEQ:2:8: error: symbol 'ein' already exists (aZ0.SEQ:1) [P0807]", err)
+        self.assertIn("aZ0.SEQ:3:2: error: 'FX 3' is not a valid operand [P1104]", err)
+
+    def test_jumps_are_for_function_blocks(self):
         self.write("j.s5", "PB 1\n SPA =X\n BE\n")
         self.assertIn("SPA =X is a supplementary operation", self.expect(PROBLEMS, "check", "j.s5").err)
-        self.write("aZ0.SEQ", "  E 1.0     START     Taster\n")
-        self.expect(GOOD, "check", "a.s5")
 
-    def test_an_assignment_list_that_is_named_is_refused(self):
+    def test_a_project_names_its_assignment_list(self):
         """docs/formats/listing.md"""
-        self.write("p/a.s5", LISTING)
-        self.write("p/aZ0.SEQ", "  E 1.0     START     Taster\n")
-        self.write("p/merker.toml", TOML)
-        self.assertEqual(self.expect(GOOD, "check", "p").err.count("P0737"), 0)
-        self.write("p/merker.toml", TOML + '[program]\nsymbols = ["aZ0.SEQ"]\n')
-        self.assertIn("merker.toml:10:12: error: an assignment list is not possible with SINUMERIK 820 GA3; valid: listings "
-                      "with absolute operands [P0737]", self.expect(PROBLEMS, "check", "p").err)
+        self.write("p/a.s5", LISTING + "\nPB 77\n U -START\n = -ENDE\n BE\n")
+        self.write("p/lists/p.seq", "  E 1.0     START     Taster\n  A 1.7  ENDE\n")
+        self.write("p/merker.toml", TOML + '[program]\nsymbols = ["lists/*.seq"]\n')
+        self.expect(GOOD, "check", "p")
+        self.write("p/merker.toml", TOML + '[program]\nsymbols = []\n')
+        self.assertEqual(self.expect(PROBLEMS, "check", "p").err.count("P0303"), 2)
 
     def test_help_speaks_of_listings(self):
         self.assertIn("*.s5", self.expect(GOOD, "--help").out)

@@ -82,7 +82,7 @@ Json completion(const compilation::Build& build) {
                              {"international", instructions(Mnemonics::International)}};
   Json symbols = Json::array(), blocks = Json::array();
   for (const source::Symbol& symbol : build.project.symbols.list()) {
-    SymbolRow row = symbolRow(symbol);
+    SymbolRow row = symbolRow(symbol, source::Language::Step7);
     symbols.push_back({{"name", row.symbol},
                        {"operand", row.operand},
                        {"type", row.type},

@@ -169,7 +169,8 @@ Answer blocks(const Call& call) {
     const bool cpu = online(aside.fields);
     if (!aside.fields.good()) return aside.wrong();
     const compilation::Build& build = cpu ? *both.build : *both.offline->build;
-    if (build.isListing()) return Json{{"blocks", blockRows(build.listings, aside.folder)}};
+    if (build.isListing())
+      return Json{{"blocks", blockRows(build.listings, build.project.symbols, aside.folder)}};
     return Json{{"blocks", blockRows(both.program(cpu), both.offline->sources, aside.folder)}};
   });
 }

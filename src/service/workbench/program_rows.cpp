@@ -9,6 +9,7 @@
 #include "mc7/listing.h"
 #include "monitor/block_list.h"
 #include "monitor/step5_code.h"
+#include "monitor/symbol_name.h"
 
 namespace merker::workbench {
 namespace {
@@ -96,13 +97,30 @@ Json blockRows(const block::Program& program, const std::map<BlockId, BlockSourc
   return list;
 }
 
-Json blockRows(const mc5::Program& program, const ProjectFolder& folder) {
+namespace {
+
+// Of its first network; else the first comment, which stands above the block or beside its head.
+std::string titleOf(const mc5::Block& block) {
+  if (!block.networks.empty() && !block.networks.front().title.empty())
+    return block.networks.front().title;
+  const bool above = !block.comments.empty() && block.comments.front().offset == 0 &&
+                     !block.comments.front().behind;
+  if (!above) return {};
+  const std::string& text = block.comments.front().text;
+  return text.substr(std::min(text.find_first_not_of("!;/ "), text.size()));
+}
+
+}  // namespace
+
+Json blockRows(const mc5::Program& program, const source::SymbolTable& symbols,
+               const ProjectFolder& folder) {
   Json list = Json::array();
   for (const auto& [id, block] : program) {
     const monitor::BlockRow row = monitor::blockRow(block);
+    const source::Symbol* const symbol = monitor::findSymbol(row.id, symbols);
     list.push_back({{"id", toString(row.id)},
-                    {"symbol", row.symbol},
-                    {"title", block.networks.empty() ? "" : block.networks.front().title},
+                    {"symbol", symbol == nullptr ? row.symbol : symbol->name},
+                    {"title", titleOf(block)},
                     {"language", id.type == mc5::BlockType::Db ? "DB" : "AWL"},
                     {"load", 2 * row.load},
                     {"work", 2 * row.work},

@@ -9,7 +9,8 @@
 namespace merker::workbench {
 
 // `sources`: where the blocks stand.
-Json blockRows(const mc5::Program& program, const ProjectFolder& folder);
+Json blockRows(const mc5::Program& program, const source::SymbolTable& symbols,
+               const ProjectFolder& folder);
 Json blockRows(const block::Program& program, const std::map<BlockId, BlockSource>& sources,
                const ProjectFolder& folder);
 // Where the compiler has put the variables of each block (S7-EDIT-02).

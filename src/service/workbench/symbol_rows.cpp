@@ -60,10 +60,11 @@ std::string_view fieldAt(const Line& line, std::uint32_t column) {
 
 }  // namespace
 
-SymbolRow symbolRow(const source::Symbol& symbol) {
+SymbolRow symbolRow(const source::Symbol& symbol, source::Language language) {
   const std::string number = source::operandNumber(symbol.address);
   return {symbol.name,
-          fmt::format("{} {}", source::operandName(symbol.address, Mnemonics::German), number),
+          fmt::format("{} {}", source::operandName(symbol.address, Mnemonics::German, language),
+                      number),
           source::typeText(symbol), symbol.comment};
 }
 
@@ -79,8 +80,9 @@ bool CheckedRows::good() const {
       problems, [](const RowProblem& one) { return one.problem.severity() == Severity::Error; });
 }
 
-CheckedRows checkRows(const std::vector<SymbolRow>& rows) {
+CheckedRows checkRows(const std::vector<SymbolRow>& rows, source::Language language) {
   CheckedRows result;
+  result.table = source::SymbolTable(language);
   std::string text;
   std::vector<Line> lines;
   for (const SymbolRow& row : rows) {

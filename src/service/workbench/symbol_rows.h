@@ -13,7 +13,7 @@ struct SymbolRow {
   std::string symbol, operand, type, comment;
 };
 
-SymbolRow symbolRow(const source::Symbol& symbol);
+SymbolRow symbolRow(const source::Symbol& symbol, source::Language language);
 Json toJson(const SymbolRow& row);
 
 // A problem of row `row` (from 0) in its field "symbol", "operand", "type" or "comment".
@@ -30,7 +30,7 @@ struct CheckedRows {
 };
 
 // By the rules of symbol files: each row is read as a line of one.
-CheckedRows checkRows(const std::vector<SymbolRow>& rows);
+CheckedRows checkRows(const std::vector<SymbolRow>& rows, source::Language language);
 Json toJson(const std::vector<RowProblem>& problems);
 
 }  // namespace merker::workbench

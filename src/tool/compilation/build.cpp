@@ -41,20 +41,25 @@ namespace {
 constexpr std::string_view kPartner = "partner.";
 
 // Whether there is such a data block shows when it is looked at: programs make some (E DB).
-Result<address::Reference> listingOperand(std::string_view text, const Position& at) {
-  if (const auto variable = step5::parseVariable(text)) return *variable;
+Result<address::Reference> listingOperand(std::string_view text, const Position& at,
+                                          const source::SymbolTable& symbols) {
+  if (const auto variable = step5::parseVariable(text, &symbols)) return *variable;
   if (const auto datum = cnc::datumReference(text)) return *datum;
   if (nc::namesDatum(text)) return makeProblem(ProblemCode::P1154, at, text, nc::knownData(text));
-  return makeProblem(ProblemCode::P1104, at, text);
+  const std::string symbol = step5::symbolName(text);
+  if (symbol.empty()) return makeProblem(ProblemCode::P1104, at, text);
+  return makeProblem(symbols.find(symbol) ? ProblemCode::P0904 : ProblemCode::P0303, at, symbol);
 }
 
-simulator::Resolver listingResolver(bool coupled) {
-  const auto operands = [coupled](std::string_view text,
-                                  const Position& at) -> Result<address::Reference> {
+// The symbols of the partner are its own.
+simulator::Resolver listingResolver(const Build& build) {
+  const auto operands = [&build](std::string_view text,
+                                 const Position& at) -> Result<address::Reference> {
     if (!equalsIgnoreCase(text.substr(0, kPartner.size()), kPartner))
-      return listingOperand(text, at);
-    if (!coupled) return makeProblem(ProblemCode::P1155, at, text);
-    auto reference = listingOperand(trim(text.substr(kPartner.size())), at);
+      return listingOperand(text, at, build.project.symbols);
+    if (!build.partner) return makeProblem(ProblemCode::P1155, at, text);
+    auto reference =
+        listingOperand(trim(text.substr(kPartner.size())), at, build.partner->project.symbols);
     if (!reference) return reference;
     reference->partner = true;
     reference->text = text;
@@ -66,14 +71,14 @@ simulator::Resolver listingResolver(bool coupled) {
 }  // namespace
 
 simulator::Resolver Build::operands() const {
-  if (isListing()) return listingResolver(partner != nullptr);
+  if (isListing()) return listingResolver(*this);
   return [this](std::string_view text, const Position& at) {
     return step7::resolve(text, *program, options(*this), at);
   };
 }
 
 simulator::Resolver Build::resolver() const {
-  if (isListing()) return listingResolver(partner != nullptr);
+  if (isListing()) return listingResolver(*this);
   const auto existence = std::make_shared<const Existence>(station());
   return [existence, all = operands()](std::string_view text, const Position& at) {
     Result<address::Reference> reference = all(text, at);
@@ -168,8 +173,8 @@ void requireBits(Build& build) {
 
 void buildListings(Build& result, bool checks) {
   result.library = std::make_shared<const block::Program>();
-  step5::Compilation compilation =
-      step5::compile(result.project.sources, checks, result.project.problems.stop());
+  step5::Compilation compilation = step5::compile(
+      result.project.sources, checks, result.project.problems.stop(), &result.project.symbols);
   result.problems.append(compilation.problems);
   result.listings = std::move(compilation.program);
   if (result.problems.cancelled()) return;

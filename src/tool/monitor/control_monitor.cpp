@@ -26,7 +26,8 @@ ControlMonitor::ControlMonitor(cnc::Cnc& control, const source::SymbolTable& sym
 
 bool ControlMonitor::can(Feature feature) const {
   constexpr Feature kAble[] = {Feature::Breakpoints, Feature::Stacks,     Feature::Information,
-                               Feature::Blocks,      Feature::References, Feature::Engine};
+                               Feature::Blocks,      Feature::References, Feature::Engine,
+                               Feature::Symbols};
   return std::ranges::find(kAble, feature) != std::end(kAble);
 }
 

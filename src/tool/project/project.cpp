@@ -23,6 +23,12 @@ std::optional<Model> chosenModel(Project& project, const std::string& cpu) {
   return model;
 }
 
+// Operands of symbols are those of the program's language.
+void chooseLanguage(Project& project) {
+  const auto language = project.control ? source::Language::Step5 : source::Language::Step7;
+  project.symbols = source::SymbolTable(language);
+}
+
 void take(Project& project, const Settings& settings) {
   if (!settings.name.empty()) project.name = settings.name;
   project.model = settings.model;
@@ -35,6 +41,7 @@ void take(Project& project, const Settings& settings) {
   project.addressCheck = settings.addressCheck;
   project.vertical = settings.vertical;
   project.mpiAddress = settings.mpiAddress;
+  chooseLanguage(project);
 }
 
 bool isListing(const std::string& path) { return hasExtension(path, ".s5"); }
@@ -66,7 +73,6 @@ void readSource(Project& project, const std::string& path) {
 }
 
 void readSymbolFile(Project& project, const std::string& path) {
-  if (project.control) return;  // listings have absolute operands
   if (const auto* file = read(project, path, project.otherFiles))
     source::readSymbols(*file, project.symbols, project.problems);
 }
@@ -154,13 +160,6 @@ std::vector<std::string> filter(const std::vector<std::string>& files, Predicate
   return chosen;
 }
 
-// One that lies there is left alone; who names it expects that it is read.
-void refuseSymbols(Project& project, const Settings& settings) {
-  if (!project.control || !settings.symbols || settings.symbols->empty()) return;
-  project.problems.add(ProblemCode::P0737, settings.symbols->front().position, "an assignment list",
-                       project.control->model->name, "listings with absolute operands");
-}
-
 void loadFolder(Project& project, const std::string& cpu) {
   const auto* settingsFile = read(project, join(project.folder, kSettingsFile), project.otherFiles);
   const auto model = chosenModel(project, cpu);
@@ -176,7 +175,6 @@ void loadFolder(Project& project, const std::string& cpu) {
                              });
   const auto symbols =
       settings.symbols ? choose(project, files, *settings.symbols) : filter(files, isSymbolExport);
-  refuseSymbols(project, settings);
   for (const std::string& file : symbols) readSymbolFile(project, join(project.folder, file));
   for (const std::string& file : sources)
     if (!project.problems.cancelled()) readSource(project, join(project.folder, file));
@@ -205,13 +203,16 @@ const source::SourceFile* Project::file(const std::string& wanted) const {
   return nullptr;
 }
 
-// Symbol files of a single source: those of its name, else the only one of its folder.
+// Symbol files of a single source: those of its name (STEP 5: PUMPE.s5 and PUMPEZ0.SEQ), else the
+// only one of its folder.
 static std::vector<std::string> symbolsBeside(const std::string& source) {
   std::vector<std::string> same, all;
   for (const Entry& entry : entries(folderOf(source))) {
     if (!isSymbolExport(entry.name)) continue;
     all.push_back(entry.name);
-    if (stemOf(entry.name) == stemOf(source)) same.push_back(entry.name);
+    const std::string stem = stemOf(source);
+    const bool assignments = isListing(source) && equalsIgnoreCase(stemOf(entry.name), stem + "Z0");
+    if (stemOf(entry.name) == stem || assignments) same.push_back(entry.name);
   }
   return same.empty() && all.size() == 1 ? all : same;
 }
@@ -226,6 +227,7 @@ static Project loadSources(Project project, const std::string& path,
   if (model && model->simatic) project.model = model->simatic;
   if (model && model->sinumerik) project.control.emplace().model = model->sinumerik;
   if (!model && std::all_of(sources.begin(), sources.end(), isListing)) project.control.emplace();
+  chooseLanguage(project);
   project.parameters = CpuParameters::of(*project.model);
   for (const std::string& source : sources)
     for (const std::string& name : symbolsBeside(source))

@@ -1,6 +1,7 @@
 #include "scenario/term.h"
 
 #include <bit>
+#include <cctype>
 
 #include "base/text.h"
 #include "scenario/long_value.h"
@@ -13,6 +14,9 @@ namespace {
 bool looksLikeConstant(std::string_view text) {
   if (text.empty()) return false;
   const char first = text.front();
+  // -MOTOR is a symbol of STEP 5.
+  if (first == '-' && text.size() > 1 && std::isalpha(static_cast<unsigned char>(text[1])) != 0)
+    return false;
   if ((first >= '0' && first <= '9') || first == '-' || first == '+' || first == '\'') return true;
   return first != '"' && first != '#' && text.substr(0, text.find('"')).find('#') < text.size();
 }

@@ -96,6 +96,31 @@ TEST_F(Sinumerik5, DoesNotListMacrosAsCalledBlocks) {
   EXPECT_EQ(ask({{"do", "program.blocks"}})["blocks"][0]["calls"], Json({"PB 9"}));
 }
 
+// The assignment list of the program: operands and blocks have names, an editor changes them.
+TEST_F(Sinumerik5, HasTheSymbolsOfItsAssignmentList) {
+  folder.write("main.s5",
+               "OB 1\n! Start der Anlage\n U -TASTER\n = A 1.0\n SPA -FOLGE\n BE\nPB 5\n BE\n");
+  folder.write("mainZ0.SEQ", "\tE 1.0\tTASTER\tEin\r\n\tPB 5\tFOLGE\r\n\tPY 4\tWAAGE\r\n");
+  workbench.show(
+      std::make_unique<Plc>(compilation::build(project::load(folder.path("main.s5"), {}), false)));
+  const Json blocks = ask({{"do", "program.blocks"}})["blocks"];
+  ASSERT_EQ(blocks.size(), 2u);
+  EXPECT_EQ(blocks[0]["title"], "Start der Anlage");
+  EXPECT_EQ(blocks[1]["symbol"], "FOLGE");
+  const Json rows = ask({{"do", "program.references"}})["rows"];
+  EXPECT_EQ(rows[0]["symbol"], "TASTER");
+  const Json table = ask({{"do", "symbols.read"}});
+  EXPECT_EQ(table["path"], "mainZ0.SEQ");
+  ASSERT_EQ(table["rows"].size(), 3u);
+  EXPECT_EQ(table["rows"][1]["operand"], "PB 5");
+  EXPECT_EQ(table["rows"][2]["operand"], "PY 4");
+  const Json wrong = {{{"symbol", "X"}, {"operand", "FC 5"}},
+                      {{"symbol", "Y"}, {"operand", "SB 5"}}};
+  const Json problems = ask({{"do", "symbols.check"}, {"rows", wrong}})["problems"];
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems[0]["code"], "P1104");
+}
+
 TEST_F(Sinumerik5, ShowsStacksAndInformation) {
   ask({{"do", "breakpoints.set"}, {"file", "main.s5"}, {"lines", {8}}});
   run(Duration::milliseconds(200));

@@ -7,10 +7,6 @@ export const sinumerik = {
     'The PLC of a SINUMERIK 810/820 has no rack to configure. Machine data, alarm texts and values of the NC are in merker.toml.',
   ],
   openText: ['merker.toml als Text', 'merker.toml as text'],
-  symbols: [
-    'Ein STEP-5-Programm hat hier keine Symboltabelle: Es verwendet absolute Operanden.',
-    'A STEP 5 program has no symbol table here: it uses absolute operands.',
-  ],
   blocks: [
     'Die Bausteine sind in den Dateien. „Laden“ übersetzt alle und startet die PLC neu.',
     'The blocks are in the files. “Load” compiles all of them and restarts the PLC.',
