@@ -20,6 +20,7 @@ void addAssemble(CLI::App& program, int& result);
 void addDebug(CLI::App& program, int& result);
 void addDiag(CLI::App& program, int& result);
 void addXref(CLI::App& program, int& result);
+void addExport(CLI::App& program, int& result);
 void addPlot(CLI::App& program, int& result);
 void addBench(CLI::App& program, int& result);
 void addWorkbench(CLI::App& program, int& result);

@@ -69,6 +69,7 @@ int run(int argc, char** argv) {
   merker::app::addHw(program, result);
   merker::app::addDisassemble(program, result);
   merker::app::addAssemble(program, result);
+  merker::app::addExport(program, result);
   merker::app::addPlot(program, result);
   merker::app::addBench(program, result);
   if (isUnknownCommand(program, argc, argv)) return merker::app::kUsage;

@@ -1,0 +1,93 @@
+// merker export PATH -o FILE
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+#include "build.h"
+#include "command.h"
+#include "cpu_option.h"
+#include "exporting/format.h"
+
+namespace merker::app {
+namespace {
+
+struct ExportOptions {
+  ProjectOptions project;
+  std::string path, output, codePage = "437";
+  bool symbols = false, force = false;
+};
+
+int complain(const std::string& text, int code) {
+  std::cerr << "merker export: " << text << '\n';
+  return code;
+}
+
+int write(const std::vector<exporting::OutputFile>& files, bool force) {
+  for (const exporting::OutputFile& file : files)
+    if (!force && std::filesystem::exists(file.path))
+      return complain(file.path + " already exists; --force replaces it", kUnreadable);
+  for (const exporting::OutputFile& file : files) {
+    std::ofstream out(file.path, std::ios::binary);
+    out << file.bytes;
+    out.close();
+    if (!out)
+      return complain(fmt::format("cannot write {}: {}", file.path, std::strerror(errno)),
+                      kUnreadable);
+    std::cout << fmt::format("{}: {} bytes\n", file.path, file.bytes.size());
+  }
+  return kGood;
+}
+
+int exportProgram(const ExportOptions& options) {
+  const Build built = build(loadProject(options.path, options.project), false);
+  printProblems(built.problems, built.files());
+  if (!built.ok()) return exitCode(built);
+  const exporting::Family family = exporting::familyOf(built);
+  const exporting::Format* const format = exporting::formatOf(options.output, family);
+  const std::string possible = exporting::extensions(family);
+  if (format == nullptr)
+    return complain(possible.empty() ? "STEP 7 programs cannot be exported"
+                                     : fmt::format("{} has no known extension; write one of {}",
+                                                   options.output, possible),
+                    kUsage);
+  exporting::Options chosen;
+  chosen.codePage = options.codePage == "850" ? Encoding::Cp850 : Encoding::Cp437;
+  chosen.symbols = options.symbols;
+  const auto files = format->write(built, options.output, chosen);
+  if (files.empty())
+    return complain(fmt::format("the program has nothing for {}", options.output), kProblems);
+  return write(files, options.force);
+}
+
+std::string formatList() {
+  std::string text = "The extension of FILE chooses what is written:\n";
+  for (const exporting::Format& format : exporting::formats())
+    text += fmt::format("  {:<5} {}\n", format.extension, format.what);
+  return text +
+         "Examples:\n  merker export lamp.s5 -o LAMP@@ST.S5D\n"
+         "  merker export plant -o plant.s5 --symbols";
+}
+
+}  // namespace
+
+void addExport(CLI::App& program, int& result) {
+  auto* command = program.add_subcommand("export", "writes a program as files of STEP 5");
+  auto options = std::make_shared<ExportOptions>();
+  command->add_option("PATH", options->path, "project folder or source")->required();
+  command->add_option("-o,--output", options->output, "the file")->required();
+  command->add_option("--code-page", options->codePage, "of texts in files of STEP 5: 437 or 850")
+      ->check(CLI::IsMember({"437", "850"}));
+  command->add_flag("--symbols", options->symbols,
+                    "in a listing: -NAME where an operand has a symbol");
+  command->add_flag("--force", options->force, "replace existing files");
+  addProjectOptions(*command, options->project);
+  command->footer(formatList());
+  command->callback([options, &result] { result = exportProgram(*options); });
+}
+
+}  // namespace merker::app

@@ -1,0 +1,40 @@
+#include "exporting/format.h"
+
+#include <array>
+#include <filesystem>
+
+#include "exporting/step5.h"
+
+namespace merker::exporting {
+namespace {
+
+// STEP 7 has its rows here, too.
+constexpr std::array kFormats{
+    Format{".s5d", Family::Step5, "program file of STEP 5, with its assignment list", writeS5d},
+    Format{".s5", Family::Step5, "all blocks in one listing", writeListing},
+    Format{".seq", Family::Step5, "assignment list", writeAssignmentList},
+};
+
+}  // namespace
+
+std::span<const Format> formats() { return kFormats; }
+
+const Format* formatOf(std::string_view path, Family family) {
+  const std::string extension = std::filesystem::path(path).extension().string();
+  for (const Format& format : kFormats)
+    if (format.family == family && equalsIgnoreCase(format.extension, extension)) return &format;
+  return nullptr;
+}
+
+Family familyOf(const compilation::Build& build) {
+  return build.isListing() ? Family::Step5 : Family::Step7;
+}
+
+std::string extensions(Family family) {
+  std::string list;
+  for (const Format& format : kFormats)
+    if (format.family == family) list += (list.empty() ? "" : ", ") + std::string(format.extension);
+  return list;
+}
+
+}  // namespace merker::exporting

@@ -1,0 +1,16 @@
+// Files of STEP 5.
+#pragma once
+
+#include "exporting/format.h"
+
+namespace merker::exporting {
+
+// The program; beside it, if it has symbols, xxxxxxZ0.SEQ.
+std::vector<OutputFile> writeS5d(const compilation::Build& build, const std::string& path,
+                                 const Options& options);
+std::vector<OutputFile> writeListing(const compilation::Build& build, const std::string& path,
+                                     const Options& options);
+std::vector<OutputFile> writeAssignmentList(const compilation::Build& build,
+                                            const std::string& path, const Options& options);
+
+}  // namespace merker::exporting
