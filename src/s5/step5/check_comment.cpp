@@ -75,6 +75,10 @@ class Parser {
 
  private:
   bool fail() {
+    if (unknown_) {
+      result_.failures.push_back(*unknown_);
+      return false;
+    }
     result_.failures.push_back(
         {ProblemCode::P1142, scanner_.offset(), 1, std::string(scanner_.rest().substr(0, 16)), ""});
     return false;
@@ -163,6 +167,7 @@ class Parser {
     Failure failure;
     dataBlock(side);
     const auto operand = step5::parseOperand(scanner_, failure, symbols_);
+    if (!operand && failure.code == ProblemCode::P0303) unknown_ = failure;
     if (!operand) return std::nullopt;
     side.operand = operand->value;
     if (!operand->name.empty() && !formal(operand->name, *side.operand)) return std::nullopt;
@@ -237,6 +242,7 @@ class Parser {
   const mc5::Block& block_;
   const std::vector<std::uint32_t>& words_;
   const source::SymbolTable* symbols_;
+  std::optional<Failure> unknown_;  // a symbol that is in no list
   Checks result_;
 };
 

@@ -78,7 +78,7 @@ TEST(Symbol, IsReportedWhereItIsUnknownOrDoesNotFit) {
 TEST(Symbol, StandsInChecks) {
   EXPECT_EQ(problemsIn("PB 1\n U -TASTER //= -TASTER = 0, -WERT = 0, \"DATEN\".DW 3 = 0\n BE\n"),
             "");
-  EXPECT_EQ(problemsIn("PB 1\n U -TASTER //= -NIE = 0\n BE\n"), "P1142@2:16 ");
+  EXPECT_EQ(problemsIn("PB 1\n U -TASTER //= -NIE = 0\n BE\n"), "P0303@2:16 ");
 }
 
 TEST(Symbol, NamesAVariable) {
