@@ -66,6 +66,10 @@ Setting setting(const AssembleOptions& options) {
 
 // The words of one instruction, or its problem.
 Result<std::string> mc7Words(std::string_view line, const Position& at, Setting setting) {
+  if (const auto entry = step7::parseListEntry(line, at)) {
+    if (!*entry) return entry->error();
+    return fmt::format("{:04X} {:04X}", entry->value() >> 16, entry->value() & 0xFFFF);
+  }
   auto instruction = step7::parseInstruction(line, at, setting);
   if (!instruction) return instruction.error();
   std::vector<std::uint8_t> code;

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <iostream>
 
+#include "block/container.h"
 #include "command.h"
 #include "input.h"
 #include "mc5/disassembly.h"
@@ -74,10 +75,21 @@ int notRead(const Problem& problem) {
   return problem.code == ProblemCode::P0101 ? kUnreadable : kProblems;
 }
 
+// A block as it lies on a memory card begins with two bytes that no machine code begins with.
+bool isBlock(const Bytes& bytes) {
+  return bytes.size() > 2 && bytes[0] == 0x70 && bytes[1] == 0x70;
+}
+
+int showBlock(const Bytes& bytes, const DisassembleOptions& options) {
+  const auto block = block::readContainer(bytes, Position{options.file, 0, 0, 0});
+  return block ? show(block->code, options) : notRead(block.error());
+}
+
 int disassembleFile(const DisassembleOptions& options) {
   const auto content = readBytes(options.file);
   if (!content) return notRead(content.error());
-  return show(Bytes(content.value().begin(), content.value().end()), options);
+  const Bytes bytes(content.value().begin(), content.value().end());
+  return !options.mc5 && isBlock(bytes) ? showBlock(bytes, options) : show(bytes, options);
 }
 
 int disassembleInput(const DisassembleOptions& options) {
@@ -107,7 +119,8 @@ void addDisassemble(CLI::App& program, int& result) {
   auto* mc7 = command->add_flag("--mc7", options->mc7, "machine code of STEP 7");
   command->add_flag("--mc5", options->mc5, "machine code of STEP 5")->excludes(mc7);
   command->add_option("FILE", options->file,
-                      "binary file; without it, hexadecimal text on standard input");
+                      "binary file: machine code or, for STEP 7, a block of a memory card; "
+                      "without it, hexadecimal text on standard input");
   command->add_option("--mnemonics", options->mnemonics, "de or en")
       ->check(CLI::IsMember({"de", "en"}));
   command->footer(

@@ -60,6 +60,19 @@ class MachineCode(Case):
             back = self.expect(GOOD, "assemble", "--mc7", "--mnemonics", mnemonics, text=listing).out
             self.assertEqual(back.split(), code.split(), listing)
 
+    def test_parameter_lists_and_words_without_awl_come_back(self):
+        """docs/formats/disassembly.md: entries of a list, the first word of an ANY, P##."""
+        code = ("1001\n4160 0000\n3000 1002\n7E66 0002\nFBCB 0002\n3D05\n700B 000E\n8700 00A0\n8300 0190\n8400 0011\n"
+                "0007 0000\n1234 0000\n1234 5678\n1002\n6500\n")
+        for mnemonics in ("de", "en"):
+            listing = self.expect(GOOD, "disassemble", "--mc7", "--mnemonics", mnemonics, text=code).out
+            back = self.expect(GOOD, "assemble", "--mc7", "--mnemonics", mnemonics, text=listing).out
+            self.assertEqual(back, code, listing)
+        alone = self.expect(GOOD, "assemble", "--mc7", text="P#V 20.0\nP#DBX 2.1\n7\nDW#16#12345678\nL ANY#16#1002\n").out
+        self.assertEqual(alone, "8700 00A0\n8400 0011\n0007 0000\n1234 5678\n3000 1002\n")
+        self.assertIn("standard input:1:1: error:", self.expect(PROBLEMS, "assemble", "--mc7", text="70000\n").err)
+        self.assertIn("standard input:1:1: error:", self.expect(PROBLEMS, "assemble", "--mc7", text="P#Q\n").err)
+
     def test_a_setting_takes_its_own_words_only(self):
         self.assertIn("P0314", self.expect(PROBLEMS, "assemble", "--mc7", "--mnemonics", "de", text="A I 0.0\n").err)
         self.assertIn("P0315", self.expect(PROBLEMS, "assemble", "--mc7", "--mnemonics", "en", text="U E 0.0\n").err)
@@ -82,6 +95,17 @@ class MachineCode(Case):
         self.write("noise.bin", bytes(range(256)) * 300)
         self.expect(GOOD, "disassemble", "--mc7", "noise.bin")
         self.assertEqual(self.expect(GOOD, "disassemble", "--mc7", text="").out, "")
+
+    def test_a_block_of_a_memory_card(self):
+        """docs/formats/block.md, example FC 2; a block that is cut off is refused."""
+        block = bytes.fromhex("7070 0101 010C 0002 0000 0064 00000000 00000000 0000 0000 0000 0000 000C 0006 0000 000A"
+                              "FB80 0002 FB92 0004 6500 01 0200 0400 0000 0101 0102 00 0100 0800 0000"
+                              "4558414D504C4500 44454D4F00000000 4D4F544F52000000 0100 2B33 0000000000000000")
+        self.write("fc2.mc7", block)
+        lines = self.expect(GOOD, "disassemble", "--mc7", "fc2.mc7").lines
+        self.assertEqual([line.split(None, 2)[2].split() for line in lines], [["U", "#P0"], ["=", "#P1"], ["BE"]])
+        self.write("cut.mc7", block[:-1])
+        self.assertIn("[P0602]", self.expect(PROBLEMS, "disassemble", "--mc7", "cut.mc7").err)
 
     def test_input_has_the_limit_of_a_source(self):
         """docs/safety.md: no more than 16 MB, whether it is a file or comes from somewhere without an end."""

@@ -26,7 +26,7 @@ enum class OperandKind : std::uint8_t {
   CounterParameter,  // #cnt
   StatusBit,         // OV, >0, BIE …: value = StatusQuery
   StatusWord,        // STW
-  Constant,          // L 5, L P#M10.0, + 5, UW W#16#1: format, value = bits
+  Constant,          // L 5, L P#M10.0, + 5, UW W#16#1: format, value = bits; anyHeader()
   Pointer,           // +AR1 P#2.0 (16-bit offset): value = bit address
   AddressRegister,   // LAR1 AR2, TAR1 AR2: reg = 2
   ShiftCount,        // SLW 4, INC 5, BLD 130: value
@@ -93,6 +93,16 @@ constexpr Operand registerCrossing(Width width, int reg, BitAddress offset) {
 }
 constexpr Operand constant(ConstantFormat format, std::uint32_t bits) {
   return {.kind = OperandKind::Constant, .format = format, .value = bits};
+}
+// The first word of an ANY, a W#16# with a code of its own: ANY#16#1002. It has a width.
+constexpr Operand anyHeader(std::uint32_t bits) {
+  return {.kind = OperandKind::Constant,
+          .width = Width::Word,
+          .format = ConstantFormat::Word,
+          .value = bits};
+}
+constexpr bool isAnyHeader(const Operand& operand) {
+  return operand.kind == OperandKind::Constant && operand.width == Width::Word;
 }
 constexpr Operand number(OperandKind kind, std::uint32_t value) {
   return {.kind = kind, .value = value};

@@ -65,6 +65,8 @@ constexpr Operand ConstantInteger = constant(ConstantFormat::Integer, 0);
 constexpr Operand ConstantCharacters = constant(ConstantFormat::Characters, 0);
 constexpr Operand ConstantBytes = constant(ConstantFormat::Bytes, 0);
 constexpr Operand ConstantWord = constant(ConstantFormat::Word, 0);
+// 30 00: STEP 7 writes the first word of an ANY so (docs/formats/listing.md).
+constexpr Operand ConstantHeader = anyHeader(0);
 constexpr Operand ConstantCounter = constant(ConstantFormat::Counter, 0);
 constexpr Operand ConstantDate = constant(ConstantFormat::Date, 0);
 constexpr Operand ConstantS5Time = constant(ConstantFormat::S5Time, 0);

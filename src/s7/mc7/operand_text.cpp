@@ -100,6 +100,7 @@ std::string statusBitText(const Context& c) {
 std::string statusWordText(const Context&) { return "STW"; }
 
 std::string constantText(const Context& c) {
+  if (isAnyHeader(c.operand)) return fmt::format("ANY#16#{:04X}", c.operand.value);
   return formatConstant({c.operand.format, c.operand.value}, c.mnemonics);
 }
 std::string offsetText(const Context& c) {

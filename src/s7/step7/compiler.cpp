@@ -123,4 +123,8 @@ Result<mc7::Instruction> parseInstruction(std::string_view text, const Position&
   return parseMachineInstruction(text, at, setting);
 }
 
+std::optional<Result<std::uint32_t>> parseListEntry(std::string_view text, const Position& at) {
+  return parseMachineEntry(text, at);
+}
+
 }  // namespace merker::step7

@@ -48,4 +48,8 @@ Result<address::Reference> resolve(std::string_view text, const block::Program& 
 Result<mc7::Instruction> parseInstruction(std::string_view text, const Position& at,
                                           std::optional<Mnemonics> setting = std::nullopt);
 
+// An entry of a parameter list, a line of its own for `merker assemble --mc7`: P#V 20.0, 5. Nothing
+// if the text is not one.
+std::optional<Result<std::uint32_t>> parseListEntry(std::string_view text, const Position& at);
+
 }  // namespace merker::step7

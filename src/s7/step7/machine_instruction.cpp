@@ -1,6 +1,7 @@
 #include "step7/machine_instruction.h"
 
 #include <algorithm>
+#include <charconv>
 
 #include "base/text.h"
 #include "step7/declaration.h"
@@ -13,6 +14,12 @@ namespace {
 using mc7::Operand;
 using mc7::OperandKind;
 using mc7::Operation;
+
+// All of the text; false if it is not a hexadecimal number.
+bool readHex(std::string_view text, std::uint32_t& out) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), out, 16);
+  return error == std::errc() && end == text.data() + text.size();
+}
 
 // #P0, B #P1, T #P2, FC #P3, DI #P4, P##P5
 std::optional<Operand> formalOperand(Cursor& cursor) {
@@ -43,6 +50,19 @@ std::optional<Operand> formalOperand(Cursor& cursor) {
   }
   cursor.seek(start);
   return std::nullopt;
+}
+
+// "ANY#16#1002": W#16# with the code that STEP 7 gives the first word of an ANY.
+std::optional<Operand> anyHeaderOperand(Cursor& cursor) {
+  constexpr std::string_view kPrefix = "ANY#16#";
+  const std::size_t start = cursor.pos();
+  const std::string_view rest = cursor.slice(start, std::min(start + 11, cursor.end()));
+  std::uint32_t bits = 0;
+  if (rest.size() < 11 || !equalsIgnoreCase(rest.substr(0, kPrefix.size()), kPrefix) ||
+      !readHex(rest.substr(kPrefix.size()), bits))
+    return std::nullopt;
+  cursor.seek(start + rest.size());
+  return mc7::anyHeader(bits);
 }
 
 // One line of text on its way to an instruction. Positions of problems are those in the line.
@@ -118,6 +138,7 @@ class LineParser {
   Result<Operand> operand(Operation operation) {
     if (isJump(operation)) return distance(operation);
     if (const auto formal = formalOperand(cursor_)) return *formal;
+    if (const auto header = anyHeaderOperand(cursor_)) return *header;
     Problems problems;
     std::uint32_t localTop = 0;
     const auto access = OperandParser(cursor_, scope_, problems, localTop).parse();
@@ -154,6 +175,17 @@ class LineParser {
 };
 
 }  // namespace
+
+std::optional<Result<std::uint32_t>> parseMachineEntry(std::string_view text, const Position& at) {
+  const bool number = !text.empty() && isDigit(text.front());
+  const bool bits = equalsIgnoreCase(text.substr(0, 3), "DW#");
+  if (!number && !bits && !equalsIgnoreCase(text.substr(0, 2), "P#")) return std::nullopt;
+  const auto constant = parseConstant(text, at);
+  if (!constant) return constant.error();
+  if (!number) return constant->bits;
+  if (constant->bits > 0xFFFF) return makeProblem(ProblemCode::P0202, at, text, "0..65535");
+  return constant->bits << 16;  // of a timer, counter or block: in the first word
+}
 
 Result<mc7::Instruction> parseMachineInstruction(std::string_view text, const Position& at,
                                                  std::optional<Mnemonics> setting) {

@@ -13,4 +13,8 @@ namespace merker::step7 {
 Result<mc7::Instruction> parseMachineInstruction(std::string_view text, const Position& at,
                                                  std::optional<Mnemonics> setting);
 
+// An entry of the list behind a call, as the disassembler prints it: P#V 20.0, 5 (timer, counter,
+// block), DW#16#…. Nothing if the text does not begin as one.
+std::optional<Result<std::uint32_t>> parseMachineEntry(std::string_view text, const Position& at);
+
 }  // namespace merker::step7

@@ -77,9 +77,9 @@ TEST(Encode, JumpsGoBothWays) {
             (Bytes{0x70, 0x0B, 0x7F, 0xFF}));
 }
 
-// Codes that are shown like another one keep their own row (30 00, FB CB; MC7 sections 3 and 5).
+// A code that is shown like another one keeps its own row (FB CA; MC7 section 5).
 TEST(Encode, AliasesComeBackThroughTheirOwnRow) {
-  for (const Bytes& code : {Bytes{0x30, 0x00, 0x12, 0x34}, Bytes{0xFB, 0xCB, 0x00, 0x02}}) {
+  for (const Bytes& code : {Bytes{0xFB, 0xCA, 0x00, 0x02}}) {
     const auto decoded = decode(code);
     ASSERT_TRUE(decoded);
     Bytes same, preferred;
@@ -89,6 +89,16 @@ TEST(Encode, AliasesComeBackThroughTheirOwnRow) {
     EXPECT_NE(preferred, code);
     EXPECT_EQ(decode(preferred)->instruction, decoded->instruction);
   }
+}
+
+// What STEP 7 writes in every block: L P##p is FB CB, the first word of an ANY is 30 00 (MC7
+// sections 3 and 5).
+TEST(Encode, CodesOfStep7) {
+  EXPECT_EQ(codeOf(Operation::LOAD, number(OperandKind::ParameterAddress, 0)),
+            (Bytes{0xFB, 0xCB, 0x00, 0x02}));
+  EXPECT_EQ(codeOf(Operation::LOAD, anyHeader(0x1002)), (Bytes{0x30, 0x00, 0x10, 0x02}));
+  EXPECT_EQ(codeOf(Operation::LOAD, constant(ConstantFormat::Word, 0x1002)),
+            (Bytes{0x30, 0x07, 0x10, 0x02}));
 }
 
 // MC7 section 9: free codes and values that no field allows.

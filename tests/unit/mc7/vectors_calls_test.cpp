@@ -12,7 +12,7 @@ constexpr Vector kParameters[] = {
     {"FB900002", "S     #P0", "S     #P0"},       {"FB920002", "=     #P0", "=     #P0"},
     {"FB940002", "FP    #P0", "FP    #P0"},       {"FBC10002", "L     B #P0", "L     B #P0"},
     {"FBC20004", "L     W #P1", "L     W #P1"},   {"FBC30006", "L     D #P2", "L     D #P2"},
-    {"FBC60008", "T     W #P3", "T     W #P3"},   {"FBCA0004", "L     P##P1", "L     P##P1"},
+    {"FBC60008", "T     W #P3", "T     W #P3"},   {"FBCB0004", "L     P##P1", "L     P##P1"},
     {"FBD00002", "UC    FC #P0", "UC    FC #P0"}, {"FBD20002", "UC    FB #P0", "UC    FB #P0"},
     {"FBD80002", "AUF   DB #P0", "OPN   DB #P0"}, {"FBD90002", "AUF   DI #P0", "OPN   DI #P0"},
 };
