@@ -11,8 +11,7 @@
 
 namespace merker::block {
 
-// CRC-16, polynomial 9003h, over type byte, MC7 length and code. 0 for data blocks: their rule is
-// not known.
+// CRC-16, polynomial 9003h, over type byte, length of the code or the actual values, and these.
 std::uint16_t checksum(const Block& block);
 
 // The container of a block, time stamps 0. Its length is what `merker list` shows as load memory.

@@ -44,8 +44,15 @@ TEST(Checksum, OfAnEmptyBlock) {
   block.id = {BlockKind::OB, 1};
   block.code = {0x65, 0x00};
   EXPECT_EQ(checksum(block), 0xF475);
-  block.id.kind = BlockKind::DB;
-  EXPECT_EQ(checksum(block), 0);
+}
+
+// The same rule over 0A 00 02 00 05: kind, length, actual values.
+TEST(Checksum, OfADataBlock) {
+  Block db;
+  db.id = {BlockKind::DB, 1};
+  db.initialData = {0, 0};
+  db.actualData = {0, 5};
+  EXPECT_EQ(checksum(db), 0x7960);
 }
 
 TEST(Container, IsThatOfTheDocument) { EXPECT_EQ(writeContainer(example()), kExample); }
@@ -131,6 +138,21 @@ TEST(Container, ADataBlockKeepsStartAndActualValues) {
   EXPECT_TRUE(read->attributes.nonRetain);
   EXPECT_TRUE(read->attributes.unlinked);
   EXPECT_EQ(read->language, Language::Db);
+}
+
+// A CPU hands data blocks over without a checksum; a wrong one is refused as that of code.
+TEST(Container, ADataBlockMayHaveNoChecksum) {
+  Block db;
+  db.id = {BlockKind::DB, 1};
+  db.actualData = {0, 5};
+  std::vector<std::uint8_t> bytes = writeContainer(db);
+  std::uint8_t* const sum = &bytes[bytes.size() - 10];
+  ASSERT_EQ(sum[0], 0x79);
+  sum[0] = 0x78;
+  EXPECT_FALSE(readContainer(bytes, {}));
+  sum[0] = sum[1] = 0;
+  ASSERT_TRUE(readContainer(bytes, {}));
+  EXPECT_EQ(readContainer(bytes, {})->actualData, db.actualData);
 }
 
 // Local data behind the 20 bytes of start information keep their place.
