@@ -11,7 +11,14 @@ namespace {
 using mc7::OperandKind;
 using mc7::Operation;
 
-constexpr std::uint32_t kFunction = 1, kFunctionBlock = 3;  // BLD at the beginning
+// BLD at the beginning: an FC or SFC; an FB or SFB, with its data block or as multiple instance.
+constexpr bool opensFunction(std::uint32_t mark) { return mark == 1 || mark == 7; }
+constexpr bool opensInstance(std::uint32_t mark) {
+  return mark == 3 || mark == 9 || mark == 14 || mark == 16;
+}
+
+// The number of its data block does not stand in the code.
+constexpr bool multiple(std::uint32_t mark) { return mark >= 14; }
 
 std::uint32_t display(const mc7::Instruction& one) {
   return one.operation == Operation::BLD ? one.operand.value : 0;
@@ -34,18 +41,23 @@ std::optional<CallStatement> callStatement(std::span<const std::uint8_t> code, s
                                            std::uint32_t end, Mnemonics mnemonics) {
   std::uint32_t kind = 0;
   std::string target, instance;
+  std::int32_t number = -1;
   for (const mc7::Line& line : mc7::disassemble(code.subspan(at, end - at), mnemonics)) {
     const auto decoded = mc7::decode(line.bytes);
     if (!decoded || line.kind != mc7::LineKind::Instruction) continue;
     const mc7::Instruction& one = decoded->instruction;
     if (kind == 0) kind = display(one);
-    if (kind != kFunction && kind != kFunctionBlock) return std::nullopt;
-    if (calls(one, kind == kFunctionBlock)) target = name(one.operand);
+    if (!opensFunction(kind) && !opensInstance(kind)) return std::nullopt;
+    if (calls(one, opensInstance(kind))) target = name(one.operand);
     const bool opened = one.operation == Operation::OPEN && one.operand.kind == OperandKind::Block;
-    if (opened && one.operand.reg == 1 && target.empty()) instance = ", " + name(one.operand);
+    // The first one: those of actual parameters follow.
+    if (opened && one.operand.reg == 1 && instance.empty() && target.empty() && !multiple(kind)) {
+      instance = ", " + name(one.operand);
+      number = static_cast<std::int32_t>(one.operand.value);
+    }
     if (display(one) == kind + 1 && !target.empty())
       return CallStatement{at + line.offset + decoded->length,
-                           fmt::format("CALL  {}{}", target, instance)};
+                           fmt::format("CALL  {}{}", target, instance), number};
   }
   return std::nullopt;
 }

@@ -1,5 +1,5 @@
-// CALL of the source, which the compiler makes several instructions of (MC7 section 7.2): BLD 1 to
-// BLD 2 around the call of a function, BLD 3 to BLD 4 around that of a function block.
+// CALL of the source, which the compiler makes several instructions of: from one BLD to the next
+// number (MC7 section 7.3; code patterns, sections 2 and 3).
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,9 @@
 namespace merker::monitor {
 
 struct CallStatement {
-  std::uint32_t end = 0;  // bytes of code, behind its last instruction
-  std::string text;       // "CALL  FB 1, DB 10"
+  std::uint32_t end = 0;       // bytes of code, behind its last instruction
+  std::string text;            // "CALL  FB 1, DB 10"
+  std::int32_t instance = -1;  // number of its data block
 };
 
 // The CALL that begins at `at` and ends before `end`, the next statement.

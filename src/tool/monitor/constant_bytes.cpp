@@ -38,6 +38,7 @@ void ConstantBytes::executed(const mc7::Instruction& one) {
   if (one.operation == Operation::LOAD) return load(one.operand);
   if (one.operation == Operation::ADD_AR2 && one.operand.kind == OperandKind::Pointer)
     shift_ = one.operand.value / 8;
+  if (one.operation == Operation::LAR2) shift_ = 0;  // an address in the own instance was made
   accu_.reset();
 }
 

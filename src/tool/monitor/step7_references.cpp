@@ -80,7 +80,8 @@ void Step7References::memory(const mc7::Instruction& one) {
     db = opened_.db();
   } else if (key.area == Area::Instance) {
     db = opened_.di();
-    if (call_ || (db < 0 && block_.attributes.codeVersion1)) return;
+    const bool filled = call_ && (db < 0 || db == call_->instance);
+    if (filled || (db < 0 && block_.attributes.codeVersion1)) return;
     if (db >= 0) key.area = Area::DataBlock;
   } else if (key.area < Area::Peripheral || key.area > Area::Flag) {
     return;
