@@ -16,7 +16,7 @@ std::optional<std::uint32_t> target(Lowering& l) {
   return inside ? std::optional(static_cast<std::uint32_t>(to)) : std::nullopt;
 }
 
-// CALL ends with a jump to the next instruction, and jumps over its list of parameters.
+// The jump over the list of parameters behind a call leads to the next instruction.
 void branch(Lowering& l, Value bit, bool wanted, std::uint32_t to) {
   if (to != l.place + 1) l.to.branch(bit, wanted, to);
 }

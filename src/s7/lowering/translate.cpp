@@ -42,7 +42,7 @@ class Blockwise {
   }
 
  private:
-  // A jump to the next instruction, as CALL ends with, makes no entry.
+  // A jump to the next instruction, as over a list of parameters, makes no entry.
   void markEntries() {
     for (std::uint32_t at = 0; at < listing_.places.size(); ++at) {
       const mc7::Place& place = listing_.places[at];

@@ -11,6 +11,8 @@ struct Access {
     Machine,     // `operand` as it stands, after AUF DB `openDb` if that is not -1
     Descriptor,  // part of a composite parameter: through the POINTER of parameter `descriptor`, at
                  // `operand.value`
+    Number,      // TIMER, COUNTER, BLOCK_x of an FB: `operand` with the number that the instance
+                 // holds for parameter `variable`, by way of a word of local data
     Address,     // P##name: `operand` is a constant or ParameterAddress
     BlockName    // FC 5, DB 3, "symbol of a block"
   } kind = Kind::Machine;

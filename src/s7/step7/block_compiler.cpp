@@ -15,6 +15,9 @@ using mc7::Operand;
 using mc7::OperandKind;
 using mc7::Operation;
 
+// Of an OB: what the operating system writes to its local data (S7-OBI-01).
+constexpr std::uint32_t kStartInformation = 20;
+
 BlockCompiler::BlockCompiler(const BlockSource& source, block::Block& target,
                              Interfaces& interfaces, const CompileOptions& options,
                              Problems& problems)
@@ -33,12 +36,22 @@ BlockCompiler::BlockCompiler(const BlockSource& source, block::Block& target,
   scope_.use = &use_;
 }
 
+// The first byte behind the declared temporary variables; not rounded up to a word (code patterns,
+// section 1).
+std::uint32_t BlockCompiler::firstFreeLocalByte() const {
+  std::uint32_t bits = target_.id.kind == BlockKind::OB ? kStartInformation * 8 : 0;
+  for (const block::Variable& variable : target_.variables)
+    if (variable.section == block::Section::Temp)
+      bits = std::max(bits, variable.address + block::sizeInBits(*variable.type));
+  return (bits + 7) / 8;
+}
+
 void BlockCompiler::compile() {
-  const std::uint32_t declared = target_.localBytes;
+  const std::uint32_t declared = firstFreeLocalByte();
   // Absolute local data (LW 30) may lie behind the declared variables; what the macros need must
   // lie behind both.
-  if (!pass(declared)) pass((localTop_ + 1) & ~1u);
-  const std::uint32_t top = std::max({declared, localTop_, allocatedTop_});
+  if (!pass(declared)) pass(localTop_);
+  const std::uint32_t top = std::max({target_.localBytes, localTop_, localData_.top()});
   target_.localBytes = (top + 1) & ~1u;
   if (target_.localBytes > scope_.model().localBytes)  // S7-CPU-25
     problems_.add(ProblemCode::P0507, at(source_.name.begin, source_.name.end),
@@ -57,14 +70,12 @@ bool BlockCompiler::pass(std::uint32_t localBase) {
   use_ = {};
   cursor_ = Cursor(source_.file->text(), source_.codeBegin, source_.codeEnd, problems_.stop());
   builder_ = std::make_unique<CodeBuilder>();
-  usedCopies_.clear();
   brackets_.clear();
   labels_.clear();
   jumps_.clear();
   relays_.clear();
   ended_ = reportedAfterEnd_ = any_ = false;
-  allocated_ = allocatedTop_ = localBase;
-  reserveParameterCopies();
+  localData_ = LocalData(localBase);
   for (;;) {
     cursor_.skipSpace();
     checks();
@@ -72,14 +83,7 @@ bool BlockCompiler::pass(std::uint32_t localBase) {
     statement();
   }
   endOfBlock();
-  return localTop_ <= localBase || (allocatedTop_ == localBase && usedCopies_.empty());
-}
-
-std::uint32_t BlockCompiler::allocate(std::uint32_t bytes) {
-  const std::uint32_t byte = bytes > 1 ? (allocated_ + 1) & ~1u : allocated_;
-  allocated_ = byte + bytes;
-  allocatedTop_ = std::max(allocatedTop_, allocated_);
-  return byte;
+  return localTop_ <= localBase || !localData_.used();
 }
 
 void BlockCompiler::skipStatement() {
@@ -104,10 +108,9 @@ void BlockCompiler::checks() {
     Scope scope = scope_;
     scope.anyMnemonics = true;
     scope.use = nullptr;
-    std::vector<const block::Variable*> used;
-    auto check = parseCheckComment(comment, scope, copies_, used, problems_);
+    localData_.begin();  // the statement is over
+    auto check = parseCheckComment(comment, scope, localData_, problems_);
     if (!check) continue;
-    for (const block::Variable* variable : used) parameterCopy(*variable);
     check->offset = builder_->lastInstruction();
     check->position = position;
     builder_->checks().push_back(std::move(*check));
@@ -139,7 +142,7 @@ void BlockCompiler::statement() {
     problems_.add(ProblemCode::P0331, position);
     reportedAfterEnd_ = true;
   }
-  allocated_ = copiesEnd_;
+  localData_.begin();
   builder_->line(position.line, position.column);
   instruction(name, begin);
   checks();
@@ -277,10 +280,8 @@ void BlockCompiler::endOfBlock() {
   endOfNetwork();
   checkJumpsIntoBrackets();
   for (const std::size_t open : relays_) problems_.add(ProblemCode::P0345, at(open, open + 1));
-  if (!ended_) (void)emit(Operation::BE);
+  (void)emit(Operation::BE);  // also behind a BE of the source (code patterns, section 5)
   builder_->resolveJumps(problems_);
-  const std::vector<std::uint8_t> code = prologue();
-  if (!code.empty()) builder_->prepend(code);
 }
 
 }  // namespace merker::step7

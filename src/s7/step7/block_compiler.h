@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "step7/code_builder.h"
+#include "step7/local_data.h"
 #include "step7/operand_parser.h"
 
 namespace merker::step7 {
@@ -25,14 +26,13 @@ class BlockCompiler {
   Cursor& cursor() { return cursor_; }
   Problems& problems() { return problems_; }
   std::optional<Access> operand();
-  // Local data for the duration of one statement; begins at an even byte when `bytes` is 2 or more.
-  std::uint32_t allocate(std::uint32_t bytes);
+  // For the duration of one statement.
+  LocalData& localData() { return localData_; }
   // Code that performs `operation` on the operand, with what has to be opened before. Problem if
   // impossible.
   bool access(mc7::Operation operation, const Access& access);
   bool emit(mc7::Operation operation, const mc7::Operand& operand = {});
-  // Local data byte of a copied descriptor or number; marks it as needed.
-  std::uint32_t parameterCopy(const block::Variable& variable);
+  bool emitAll(const std::vector<mc7::Instruction>& code);
   Position at(std::size_t begin, std::size_t end) const {
     return source_.file->position(begin, std::max(end, begin + 1) - begin);
   }
@@ -40,8 +40,11 @@ class BlockCompiler {
 
  private:
   bool pass(std::uint32_t localBase);
-  void reserveParameterCopies();
-  std::vector<std::uint8_t> prologue();
+  std::uint32_t firstFreeLocalByte() const;
+  void followParameter(const Access& access);
+  mc7::Operand numberParameter(const Access& access);
+  void keepAccumulators(std::uint32_t byte);
+  void loadAccumulators(std::uint32_t byte);
   void statement();
   bool label();
   void labelDefinition(std::string_view word, std::size_t begin);
@@ -72,12 +75,8 @@ class BlockCompiler {
   Scope scope_;
   Cursor cursor_;
   std::unique_ptr<CodeBuilder> builder_;
-  std::vector<std::pair<const block::Variable*, std::uint32_t>> copies_;
-  std::vector<const block::Variable*> usedCopies_;
-  std::uint32_t localTop_ = 0;      // absolute local data used by the program
-  std::uint32_t allocated_ = 0;     // next free byte for statements
-  std::uint32_t allocatedTop_ = 0;  // highest byte ever allocated
-  std::uint32_t copiesEnd_ = 0;
+  std::uint32_t localTop_ = 0;  // absolute local data used by the program
+  LocalData localData_;
   std::vector<std::size_t> brackets_;  // positions of open U( … in this network
   struct Place {
     std::string label;

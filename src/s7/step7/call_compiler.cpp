@@ -1,23 +1,14 @@
 #include "step7/call_compiler.h"
 
 #include <algorithm>
-#include <bit>
 
 #include "base/text.h"
-#include "step7/initial_value.h"
 
 namespace merker::step7 {
 
-using block::Section;
 using mc7::Operand;
 using mc7::OperandKind;
 using mc7::Operation;
-
-bool CallCompiler::needsNoDataBlock(const Access& access) {
-  const Operand& operand = access.operand;
-  return access.kind == Access::Kind::Machine && operand.kind == OperandKind::Memory &&
-         access.openDb < 0 && operand.area != Area::DataBlock && operand.area != Area::Instance;
-}
 
 bool CallCompiler::compile(std::size_t begin) {
   CallParameters parameters(c_, target_);
@@ -65,6 +56,7 @@ bool CallCompiler::target() {
     c_.problems().add(ProblemCode::P0506, place, toString(target_.id));
     return false;
   }
+  checkSystemBlock(begin);
   return target_.isFunction() || instanceDataBlock(begin);
 }
 
@@ -79,7 +71,16 @@ bool CallCompiler::instanceTarget(const block::Variable& variable, std::size_t b
                 variable.type->length};
   target_.block = c_.scope().findBlock(target_.id);
   target_.instance = &variable;
+  checkSystemBlock(begin);
   return target_.block != nullptr;
+}
+
+// A system block that the sources declare and the CPU does not have: those of an S7-400.
+void CallCompiler::checkSystemBlock(std::size_t begin) {
+  if (target_.id.kind != BlockKind::SFC && target_.id.kind != BlockKind::SFB) return;
+  const block::Program* library = c_.scope().options->library;
+  if (library == nullptr || !library->contains(target_.id))
+    c_.problems().add(ProblemCode::P0508, c_.at(begin, c_.cursor().pos()), toString(target_.id));
 }
 
 // CALL FB 1, DB 2: the data block must be an instance of this FB (S7-FB-05, S7-FB-07, S7-PAR-11).
@@ -144,131 +145,36 @@ Access CallCompiler::part(const Access& access, std::uint32_t byte, Width width)
   return result;
 }
 
-void CallCompiler::move(Width width, const Access& from, const Access& to) {
-  c_.access(width == Width::Bit ? Operation::AND : Operation::LOAD, from);
-  c_.access(width == Width::Bit ? Operation::ASSIGN : Operation::TRANSFER, to);
+void CallCompiler::read(const Access& from) {
+  c_.access(from.operand.width == Width::Bit ? Operation::AND : Operation::LOAD, from);
 }
 
-void CallCompiler::loadConstant(Width width, std::uint32_t value) {
-  put(Operation::LOAD, width == Width::Byte   ? mc7::constant(ConstantFormat::Byte, value & 0xFF)
-                       : width == Width::Word ? mc7::constant(ConstantFormat::Word, value & 0xFFFF)
-                                              : mc7::constant(ConstantFormat::DWord, value));
+void CallCompiler::write(const Access& to) {
+  c_.access(to.operand.width == Width::Bit ? Operation::ASSIGN : Operation::TRANSFER, to);
 }
 
-// The notation in which a disassembler shows a value of this type.
-static ConstantFormat notationOf(TypeCode type) {
-  switch (type) {
-    case TypeCode::Byte:
-      return ConstantFormat::Byte;
-    case TypeCode::Char:
-      return ConstantFormat::Characters;
-    case TypeCode::Int:
-      return ConstantFormat::Integer;
-    case TypeCode::DInt:
-      return ConstantFormat::LongInteger;
-    case TypeCode::Real:
-      return ConstantFormat::Real;
-    case TypeCode::Date:
-      return ConstantFormat::Date;
-    case TypeCode::TimeOfDay:
-      return ConstantFormat::TimeOfDay;
-    case TypeCode::Time:
-      return ConstantFormat::Time;
-    case TypeCode::S5Time:
-      return ConstantFormat::S5Time;
-    default:
-      return bitWidth(type) > 16 ? ConstantFormat::DWord : ConstantFormat::Word;
+// The code keeps the width of a constant and nothing else of its notation; a pointer stays one
+// (code patterns, section 2).
+void CallCompiler::constantTo(TypeCode type, const Operand& value, const Operand& to) {
+  const unsigned bits = bitWidth(type);
+  if (bits == 1) {
+    put(value.value != 0 ? Operation::SET : Operation::CLR);
+    return put(Operation::ASSIGN, to);
   }
-}
-
-void CallCompiler::storeConstant(TypeCode type, std::uint32_t bits, const Operand& to) {
-  if (type == TypeCode::Bool) {
-    put(bits ? Operation::SET : Operation::CLR);
-    put(Operation::ASSIGN, to);
-    return;
-  }
-  const std::uint32_t mask = bitWidth(type) >= 32 ? ~0u : (1u << bitWidth(type)) - 1;
-  put(Operation::LOAD, mc7::constant(notationOf(type), bits & mask));
+  const std::uint32_t mask = bits >= 32 ? ~0u : (1u << bits) - 1;
+  const ConstantFormat format = bits == 8    ? ConstantFormat::Byte
+                                : bits == 16 ? ConstantFormat::Integer
+                                : value.format == ConstantFormat::Pointer
+                                    ? ConstantFormat::Pointer
+                                    : ConstantFormat::LongInteger;
+  put(Operation::LOAD, mc7::constant(format, value.value & mask));
   put(Operation::TRANSFER, to);
 }
 
-Operand CallCompiler::constantInLocal(TypeCode type, std::uint32_t bits) {
-  const Width width = widthOf(type);
-  const Operand place = local(width, c_.allocate(byteCount(width)));
-  storeConstant(type, bits, place);
-  return place;
-}
-
-// A copy in local data of a value that the called block cannot reach by itself.
-Operand CallCompiler::staged(const Access& access, Width width, bool copyIn, bool copyOut) {
-  const Operand place = local(width, c_.allocate(byteCount(width)));
-  if (copyIn) move(width, access, machine(place));
-  if (copyOut) afterwards_.push_back({place, access});
-  return place;
-}
-
-// Copies of BOOL values go through the VKE; the called block and the caller find theirs unchanged.
-bool CallCompiler::touchesResult() const {
-  return std::any_of(actuals_.begin(), actuals_.end(), [this](const auto& entry) {
-    const auto& [formal, actual] = entry;
-    if (formal->type->code != TypeCode::Bool || !actual.access) return false;
-    return !target_.isFunction() || !needsNoDataBlock(*actual.access);
-  });
-}
-
-void CallCompiler::keepResult() {
-  if (keeps_) put(Operation::ASSIGN, local(Width::Bit, result_));
-}
-
-void CallCompiler::returnResult() {
-  if (keeps_) put(Operation::AND, local(Width::Bit, result_));
-}
-
-// --- functions
-
-std::uint32_t CallCompiler::elementaryEntry(const block::Variable& formal, const Actual& actual) {
-  const Access& access = *actual.access;
-  const TypeCode type = formal.type->code;
-  Operand place = access.operand;
-  if (actual.isConstant())
-    place = constantInLocal(type, access.operand.value);
-  else if (!needsNoDataBlock(access))
-    place = staged(access, widthOf(type),
-                   formal.section == Section::Input || formal.section == Section::InOut,
-                   formal.section != Section::Input);
-  const Area area = place.area == Area::Local ? Area::CallerLocal : place.area;
-  return pointer(area, place.value);
-}
-
-// The entry of the parameter list behind the call (MC7 section 7.2).
-std::uint32_t CallCompiler::entry(const block::Variable& formal, const Actual& actual) {
-  const TypeCode code = formal.type->code;
-  if (isElementary(code)) return elementaryEntry(formal, actual);
-  if (isParameterNumber(code)) return actual.access->operand.value << 16;
-  return pointer(Area::CallerLocal, descriptor(actual, code == TypeCode::Any) * 8);
-}
-
-void CallCompiler::callFunction() {
-  put(Operation::BLD, mc7::number(OperandKind::ShiftCount, 1));
-  keeps_ = touchesResult();
-  if (keeps_) result_ = c_.allocate(1);
-  keepResult();
-  std::vector<std::uint32_t> entries;
-  for (const block::Variable* formal : c_.scope().interfaces->names(*target_.block).parameters())
-    entries.push_back(entry(*formal, actuals_.at(formal)));
-  returnResult();
-  put(Operation::UC, mc7::blockOperand(target_.id.kind, target_.id.number));
-  put(Operation::SPA,
-      mc7::number(OperandKind::Jump, static_cast<std::uint32_t>(2 * entries.size() + 2)));
-  for (const std::uint32_t value : entries) c_.builder().parameterEntry(value);
-  if (!afterwards_.empty()) {
-    keepResult();
-    for (const CopyBack& copy : afterwards_) move(copy.from.width, machine(copy.from), copy.to);
-    returnResult();
-    // A jump to the next instruction ends the chain as the call did: /ER 0, STA 1 (S7-INSTR-105).
-    if (keeps_) put(Operation::SPBI, mc7::number(OperandKind::Jump, 2));
-  }
-  put(Operation::BLD, mc7::number(OperandKind::ShiftCount, 2));
+Operand CallCompiler::newPlace(Width width) {
+  LocalData& data = c_.localData();
+  if (width == Width::Bit) return mc7::memory(Area::Local, width, data.bit());
+  return local(width, data.bytes(byteCount(width)));
 }
 
 }  // namespace merker::step7

@@ -1,5 +1,5 @@
-// CALL: the macro that STEP 7 makes of a call with parameters (architecture, decision 1; MC7
-// section 7.3).
+// CALL: the macro that STEP 7 makes of a call with parameters, instruction for instruction (code
+// patterns, sections 1 to 3; architecture, decision 1).
 #pragma once
 
 #include "step7/call_parameters.h"
@@ -14,72 +14,98 @@ class CallCompiler {
   bool compile(std::size_t begin);
 
  private:
+  bool target();
+  bool instanceTarget(const block::Variable& variable, std::size_t begin);
+  bool instanceDataBlock(std::size_t begin);
+  void checkSystemBlock(std::size_t begin);
+
+  // functions
+  void callFunction();
+  std::uint32_t entry(const block::Variable& formal, const Actual& actual);
+  std::uint32_t elementaryEntry(const block::Variable& formal, const Actual& actual);
+  void callWithList(const std::vector<std::uint32_t>& entries, BlockId id);
+
+  // function blocks
+  void callFunctionBlock();
+  void switchToInstance();
+  void openInstance();
+  void passIn(const block::Variable& formal, const Actual& actual);
+  void passNumber(const block::Variable& formal, const Access& actual);
+  void passOut(const block::Variable& formal, const Actual& actual);
+  void copiesBefore();
+  void copiesAfterwards();
+  mc7::Operand instanceOperand(BitAddress address, Width width) const;
+  void copyBlock(const block::Variable& formal, const Actual& actual, bool in);
+
+  // one value between the caller and the instance, both data block registers being exchanged
+  enum class Way : std::uint8_t {
+    Direct,      // E, A, M, L, P
+    OwnData,     // of the calling FB, or by way of DI: now behind DB
+    OtherBlock,  // DBn.DBx, or by way of the DB that was open
+    Pointed,     // part of an own composite parameter
+    Entry        // own parameter of a calling FC: copied before and afterwards
+  };
+  static Way wayTo(const Access& access);
+  void valueIn(const Access& from, const mc7::Operand& to);
+  void valueOut(const mc7::Operand& from, const Access& to);
+  mc7::Operand otherBlock(const Access& access) const;
+  void pointedIn(const Access& from);
+  void pointedOut(const mc7::Operand& from, const Access& to);
+
+  // POINTER and ANY: where its words are written, in local data or in the instance
+  struct Cells {
+    bool inInstance = false;
+    std::uint32_t byte = 0;
+  };
+  mc7::Operand cell(const Cells& cells, std::uint32_t byte, Width width) const;
+  Cells newCells(std::uint32_t bytes);
+  void writeWord(const Cells& cells, std::uint32_t byte, std::uint32_t value);
+  void writeHeader(const Cells& cells, TypeCode type, std::uint32_t count);
+  void descriptor(const Actual& actual, bool any, const Cells& cells);
+  void descriptorOfNumber(const mc7::Operand& operand, const Cells& cells);
+  void descriptorAddress(const Access& access, const Cells& cells);
+  void descriptorInInstance(std::uint32_t offset, const Cells& cells);
+  bool isDescriptor(const Actual& actual, bool any) const;
+  void copyDescriptor(const Access& access, std::uint32_t bytes, const Cells& cells);
+  Area ownArea() const { return exchanged_ ? Area::DataBlock : Area::Instance; }
+
+  // building blocks
+  void put(mc7::Operation operation, const mc7::Operand& operand = {}) {
+    (void)c_.emit(operation, operand);
+  }
+  void mark(std::uint32_t number) {
+    put(mc7::Operation::BLD, mc7::number(mc7::OperandKind::ShiftCount, number));
+  }
+  void load(mc7::DataBlockQuery query) {
+    put(mc7::Operation::LOAD,
+        mc7::number(mc7::OperandKind::DataBlockInfo, static_cast<std::uint32_t>(query)));
+  }
+  static mc7::Operand local(Width width, std::uint32_t byte) {
+    return mc7::memory(Area::Local, width, bitAddress(byte));
+  }
+  bool callerIsFunctionBlock() const { return c_.scope().block->id.kind == BlockKind::FB; }
+  mc7::Operand newPlace(Width width);
+  void read(const Access& from);
+  void write(const Access& to);
+  static Access machine(const mc7::Operand& operand);
+  static Access part(const Access& access, std::uint32_t byte, Width width);
+  void constantTo(TypeCode type, const mc7::Operand& value, const mc7::Operand& to);
+  // Parameters with an actual operand, in the order of the interface.
+  std::vector<const block::Variable*> supplied() const;
+
   // A value to bring to its place when the called block has returned.
   struct CopyBack {
     mc7::Operand from;
     Access to;
   };
 
-  // An operand that can be reached whatever data blocks are open.
-  static bool needsNoDataBlock(const Access& access);
-
-  bool target();
-  bool instanceTarget(const block::Variable& variable, std::size_t begin);
-  bool instanceDataBlock(std::size_t begin);
-
-  // functions
-  void callFunction();
-  std::uint32_t entry(const block::Variable& formal, const Actual& actual);
-  std::uint32_t elementaryEntry(const block::Variable& formal, const Actual& actual);
-
-  // function blocks
-  struct Transfer {  // into the instance, after the instance is open
-    BitAddress address;
-    mc7::Operand from;  // constant or an operand that needs no data block
-    TypeCode type;
-  };
-  void callFunctionBlock();
-  // Parameters with an actual operand, in the order of the interface.
-  std::vector<const block::Variable*> supplied() const;
-  void collectInput(const block::Variable& formal, const Actual& actual);
-  void collectComposite(const block::Variable& formal, const Actual& actual);
-  void collectBytes(BitAddress instance, const mc7::Operand& local, std::uint32_t bytes);
-  void collectOutputs();
-  mc7::Operand instanceOperand(BitAddress address, Width width) const;
-  void transferIn(const Transfer& transfer);
-  void switchToInstance();
-  void switchBack();
-
-  // building blocks
-  void put(mc7::Operation operation, const mc7::Operand& operand = {}) {
-    (void)c_.emit(operation, operand);
-  }
-  static mc7::Operand local(Width width, std::uint32_t byte, std::uint32_t bit = 0) {
-    return mc7::memory(Area::Local, width, bitAddress(byte, bit));
-  }
-  mc7::Operand staged(const Access& access, Width width, bool copyIn, bool copyOut);
-  void move(Width width, const Access& from, const Access& to);
-  static Access machine(const mc7::Operand& operand);
-  static Access part(const Access& access, std::uint32_t byte, Width width);
-  mc7::Operand constantInLocal(TypeCode type, std::uint32_t bits);
-  void storeConstant(TypeCode type, std::uint32_t bits, const mc7::Operand& to);
-  std::uint32_t descriptor(const Actual& actual, bool any);
-  void descriptorAddress(const Actual& actual, std::uint32_t dbByte, std::uint32_t pointerByte);
-  std::uint32_t copyOfOwn(const Access& access, std::uint32_t bytes);
-  void copyBlock(const block::Variable& formal, const Actual& actual, bool in);
-  void loadConstant(Width width, std::uint32_t value);
-  void keepResult();
-  void returnResult();
-  bool touchesResult() const;
-
   BlockCompiler& c_;
   CallTarget target_;
   Actuals actuals_;
-  std::vector<Transfer> transfers_;
-  std::vector<CopyBack> fromInstance_;  // while the instance is open
-  std::vector<CopyBack> afterwards_;    // when the caller's data blocks are back
-  std::uint32_t ar2_ = 0, result_ = 0;
-  bool keeps_ = false;
+  std::vector<CopyBack> afterwards_;
+  std::map<const block::Variable*, mc7::Operand> copiesOfEntries_;
+  mc7::Operand ar2_, instanceNumber_, openNumber_;  // places in local data
+  bool exchanged_ = false;                          // TDB: the caller's DI is in DB
 };
 
 }  // namespace merker::step7

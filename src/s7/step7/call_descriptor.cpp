@@ -1,7 +1,9 @@
-// POINTER and ANY as actual parameters, built in the local data of the caller (S7-IND-11 … 15).
+// POINTER and ANY as actual parameters: in the local data of the caller for a function, in the
+// instance for a function block (S7-IND-11 … 15; code patterns, sections 2 and 3).
 #include <algorithm>
 
 #include "step7/call_compiler.h"
+#include "step7/parameter_access.h"
 
 namespace merker::step7 {
 
@@ -10,68 +12,9 @@ using mc7::Operand;
 using mc7::OperandKind;
 using mc7::Operation;
 
-void CallCompiler::descriptorAddress(const Actual& actual, std::uint32_t dbByte,
-                                     std::uint32_t pointerByte) {
-  const Access& access = *actual.access;
-  const Operand& operand = access.operand;
-  const Operand db = local(Width::Word, dbByte), place = local(Width::DWord, pointerByte);
-  const auto addOffset = [&](std::uint32_t offset) {
-    if (offset) put(Operation::ADD_CONSTANT, mc7::constant(ConstantFormat::LongInteger, offset));
-    put(Operation::TRANSFER, place);
-  };
-  if (access.kind == Access::Kind::Descriptor) {  // own composite parameter
-    const std::uint32_t copy = c_.parameterCopy(*access.descriptor);
-    put(Operation::LOAD, local(Width::Word, copy));
-    put(Operation::TRANSFER, db);
-    put(Operation::LOAD, local(Width::DWord, copy + 2));
-    return addOffset(operand.value);
-  }
-  if (operand.kind == OperandKind::RegisterIndirect) {  // own instance: AR2 carries its offset
-    put(Operation::LOAD, mc7::number(OperandKind::DataBlockInfo,
-                                     static_cast<std::uint32_t>(mc7::DataBlockQuery::DiNumber)));
-    put(Operation::TRANSFER, db);
-    put(Operation::TAR2);
-    return addOffset(operand.value);
-  }
-  if (operand.kind == OperandKind::Parameter) {  // own parameter of a function: its actual operand
-    loadConstant(Width::Word, 0);
-    put(Operation::TRANSFER, db);
-    put(Operation::LOAD, mc7::number(OperandKind::ParameterAddress, operand.value));
-    return addOffset(0);
-  }
-  Area area = operand.area;
-  const bool openBlock = access.openDb < 0 && (area == Area::DataBlock || area == Area::Instance);
-  if (openBlock) {
-    const auto query =
-        area == Area::DataBlock ? mc7::DataBlockQuery::DbNumber : mc7::DataBlockQuery::DiNumber;
-    put(Operation::LOAD,
-        mc7::number(OperandKind::DataBlockInfo, static_cast<std::uint32_t>(query)));
-  } else {
-    loadConstant(Width::Word, static_cast<std::uint32_t>(std::max(access.openDb, 0)));
-  }
-  put(Operation::TRANSFER, db);
-  if (area == Area::Local) area = Area::CallerLocal;
-  if (area == Area::Instance) area = Area::DataBlock;
-  loadConstant(Width::DWord, pointer(area, operand.value));
-  put(Operation::TRANSFER, place);
-}
-
-std::uint32_t CallCompiler::copyOfOwn(const Access& access, std::uint32_t bytes) {
-  const block::Variable& own = *access.variable;
-  if (own.section == Section::Temp) return own.address / 8;
-  const std::uint32_t byte = c_.allocate(bytes);
-  Access from = access;
-  if (c_.scope().block->id.kind == BlockKind::FC) {
-    put(Operation::LOAD, mc7::number(OperandKind::ParameterAddress, access.operand.value));
-    put(Operation::LAR1);
-    from = machine(mc7::registerCrossing(Width::Word, 1, 0));
-  }
-  for (std::uint32_t i = 0; i < bytes; i += 2)
-    move(Width::Word, part(from, i, Width::Word), machine(local(Width::Word, byte + i)));
-  return byte;
-}
-
 namespace {
+
+constexpr std::uint32_t kPointerBytes = 6;
 
 struct AnyHeader {
   TypeCode type = TypeCode::Byte;
@@ -96,55 +39,143 @@ AnyHeader anyHeader(const Access& access) {
   return {TypeCode::Byte, block::sizeInBytes(type)};
 }
 
+// S7-IND-14
+TypeCode typeOfNumber(const Operand& operand) {
+  if (operand.kind == OperandKind::Timer) return TypeCode::Timer;
+  if (operand.kind == OperandKind::Counter) return TypeCode::Counter;
+  return operand.blockKind == BlockKind::FB   ? TypeCode::BlockFb
+         : operand.blockKind == BlockKind::FC ? TypeCode::BlockFc
+                                              : TypeCode::BlockDb;
+}
+
 }  // namespace
 
-// Builds a POINTER (6 bytes) or ANY (10 bytes) in local data; returns its byte.
-std::uint32_t CallCompiler::descriptor(const Actual& actual, bool any) {
-  if (actual.access && actual.access->variable && actual.access->type &&
-      actual.access->type->code == (any ? TypeCode::Any : TypeCode::Pointer))
-    return copyOfOwn(*actual.access, any ? 10 : 6);
-  const std::uint32_t byte = c_.allocate(any ? 10 : 6);
-  const std::uint32_t db = byte + (any ? 4 : 0);
-  const auto word = [&](std::uint32_t at, std::uint32_t value) {
-    loadConstant(Width::Word, value);
-    put(Operation::TRANSFER, local(Width::Word, at));
-  };
-  const auto header = [&](TypeCode type, std::uint32_t count) {
-    if (!any) return;
-    word(byte, 0x1000u | static_cast<std::uint32_t>(type));
-    word(byte + 2, count);
-  };
+Operand CallCompiler::cell(const Cells& cells, std::uint32_t byte, Width width) const {
+  return cells.inInstance ? instanceOperand(bitAddress(cells.byte + byte), width)
+                          : local(width, cells.byte + byte);
+}
+
+CallCompiler::Cells CallCompiler::newCells(std::uint32_t bytes) {
+  return {false, c_.localData().bytes(bytes)};
+}
+
+void CallCompiler::writeWord(const Cells& cells, std::uint32_t byte, std::uint32_t value) {
+  constantTo(TypeCode::Word, mc7::constant(ConstantFormat::Integer, value),
+             cell(cells, byte, Width::Word));
+}
+
+void CallCompiler::writeHeader(const Cells& cells, TypeCode type, std::uint32_t count) {
+  put(Operation::LOAD, mc7::anyHeader(0x1000u | static_cast<std::uint32_t>(type)));
+  put(Operation::TRANSFER, cell(cells, 0, Width::Word));
+  writeWord(cells, 2, count);
+}
+
+// The actual parameter is of the type itself: it is handed on.
+bool CallCompiler::isDescriptor(const Actual& actual, bool any) const {
+  return actual.access && actual.access->variable && actual.access->type &&
+         actual.access->type->code == (any ? TypeCode::Any : TypeCode::Pointer);
+}
+
+void CallCompiler::copyDescriptor(const Access& access, std::uint32_t bytes, const Cells& cells) {
+  Access from = access;
+  if (access.operand.kind == OperandKind::Parameter) {
+    put(Operation::LOAD, mc7::number(OperandKind::ParameterAddress, access.operand.value));
+    put(Operation::LAR1);
+    from = machine(mc7::registerCrossing(Width::Word, 1, 0));
+  } else if (access.operand.kind == OperandKind::RegisterIndirect) {
+    from.operand.area = ownArea();
+  }
+  for (std::uint32_t byte = 0; byte < bytes;) {
+    const Width width = bytes - byte == 4 ? Width::DWord : Width::Word;
+    read(part(from, byte, width));
+    put(Operation::TRANSFER, cell(cells, byte, width));
+    byte += byteCount(width);
+  }
+}
+
+// A variable of the own instance: AR2 with its offset.
+void CallCompiler::descriptorInInstance(std::uint32_t offset, const Cells& cells) {
+  load(exchanged_ ? mc7::DataBlockQuery::DbNumber : mc7::DataBlockQuery::DiNumber);
+  put(Operation::TRANSFER, cell(cells, 0, Width::Word));
+  put(Operation::ADD_AR2, mc7::number(OperandKind::Pointer, offset));
+  put(Operation::TAR2);
+  put(Operation::LAR2, ar2_);
+  put(Operation::TRANSFER, cell(cells, 2, Width::DWord));
+}
+
+// Number of the data block and address: the POINTER, or the end of the ANY.
+void CallCompiler::descriptorAddress(const Access& access, const Cells& cells) {
+  const Operand& operand = access.operand;
+  const Operand number = cell(cells, 0, Width::Word), address = cell(cells, 2, Width::DWord);
+  if (access.kind == Access::Kind::Descriptor) {  // own composite parameter
+    Access own;
+    const block::Variable& parameter = *access.descriptor;
+    own.operand = mc7::registerIndirect(Area::Instance, Width::Word, 2, parameter.address);
+    if (c_.scope().block->id.kind == BlockKind::FC)
+      own.operand =
+          mc7::number(OperandKind::Parameter, c_.scope().names->parameterIndex(parameter));
+    copyDescriptor(own, kPointerBytes, cells);
+    if (operand.value == 0) return;
+    put(Operation::LOAD, address);
+    put(Operation::ADD_CONSTANT, mc7::constant(ConstantFormat::LongInteger, operand.value));
+    return put(Operation::TRANSFER, address);
+  }
+  if (operand.kind == OperandKind::RegisterIndirect)
+    return descriptorInInstance(operand.value, cells);
+  if (operand.kind == OperandKind::Parameter) {  // own parameter of a function: its actual operand
+    writeWord(cells, 0, 0);
+    put(Operation::LOAD, mc7::number(OperandKind::ParameterAddress, operand.value));
+    return put(Operation::TRANSFER, address);
+  }
+  Area area = operand.area;
+  if (area == Area::DataBlock && access.openDb < 0) {
+    if (exchanged_)
+      put(Operation::LOAD, openNumber_);
+    else
+      load(mc7::DataBlockQuery::DbNumber);
+    put(Operation::TRANSFER, number);
+  } else if (area == Area::Instance) {
+    load(exchanged_ ? mc7::DataBlockQuery::DbNumber : mc7::DataBlockQuery::DiNumber);
+    put(Operation::TRANSFER, number);
+  } else {
+    writeWord(cells, 0, static_cast<std::uint32_t>(std::max(access.openDb, 0)));
+  }
+  if (area == Area::Local) area = Area::CallerLocal;
+  if (area == Area::Instance) area = Area::DataBlock;
+  put(Operation::LOAD, mc7::constant(ConstantFormat::Pointer, pointer(area, operand.value)));
+  put(Operation::TRANSFER, address);
+}
+
+void CallCompiler::descriptorOfNumber(const Operand& operand, const Cells& cells) {
+  writeHeader(cells, typeOfNumber(operand), 1);
+  constantTo(TypeCode::DWord, mc7::constant(ConstantFormat::LongInteger, 0),
+             cell(cells, 4, Width::DWord));
+  writeWord(cells, 8, operand.value);
+}
+
+// A POINTER (6 bytes) or ANY (10 bytes).
+void CallCompiler::descriptor(const Actual& actual, bool any, const Cells& cells) {
+  Cells end = cells;
+  end.byte += any ? 4 : 0;
+  if (isDescriptor(actual, any)) return copyDescriptor(*actual.access, any ? 10 : 6, cells);
   if (actual.nil || actual.isPointer) {
     const bool counted = actual.anyType != TypeCode::Void;
-    header(actual.nil ? TypeCode::Void
-           : counted  ? actual.anyType
-                      : TypeCode::Byte,
-           actual.nil ? 0
-           : counted  ? actual.anyCount
-                      : 1u);
-    word(db, actual.db);
-    loadConstant(Width::DWord, actual.pointer);
-    put(Operation::TRANSFER, local(Width::DWord, db + 2));
-    return byte;
+    if (any)
+      writeHeader(cells, actual.nil || counted ? actual.anyType : TypeCode::Byte,
+                  actual.nil ? 0
+                  : counted  ? actual.anyCount
+                             : 1u);
+    writeWord(end, 0, actual.db);
+    put(Operation::LOAD, mc7::constant(ConstantFormat::Pointer, actual.pointer));
+    return put(Operation::TRANSFER, cell(end, 2, Width::DWord));
   }
   const Operand& operand = actual.access->operand;
   if (operand.kind == OperandKind::Timer || operand.kind == OperandKind::Counter ||
-      operand.kind == OperandKind::Block) {
-    const TypeCode type = operand.kind == OperandKind::Timer     ? TypeCode::Timer
-                          : operand.kind == OperandKind::Counter ? TypeCode::Counter
-                          : operand.blockKind == BlockKind::FB   ? TypeCode::BlockFb
-                          : operand.blockKind == BlockKind::FC   ? TypeCode::BlockFc
-                                                                 : TypeCode::BlockDb;
-    header(type, 1);  // S7-IND-14
-    loadConstant(Width::DWord, 0);
-    put(Operation::TRANSFER, local(Width::DWord, db));
-    word(db + 4, operand.value);
-    return byte;
-  }
+      operand.kind == OperandKind::Block)
+    return descriptorOfNumber(operand, cells);
   const AnyHeader content = anyHeader(*actual.access);
-  header(content.type, content.count);
-  descriptorAddress(actual, db, db + 2);
-  return byte;
+  if (any) writeHeader(cells, content.type, content.count);
+  descriptorAddress(*actual.access, end);
 }
 
 }  // namespace merker::step7

@@ -1,8 +1,9 @@
 // CALL of a function block: values into the instance, the call, values back (S7-FB-13, S7-PAR-03,
-// S7-PAR-10).
+// S7-PAR-10; code patterns, section 3).
 #include <algorithm>
 
 #include "step7/call_compiler.h"
+#include "step7/parameter_access.h"
 
 namespace merker::step7 {
 
@@ -16,6 +17,36 @@ namespace {
 // Composite values up to this size are moved by load and transfer, larger ones by SFC 20.
 constexpr std::uint32_t kInlineBytes = 64;
 
+bool isValue(const block::Variable& formal) {
+  return isComposite(formal.type->code) && formal.section != Section::InOut;
+}
+
+bool isLarge(const block::Variable& formal) {
+  return isValue(formal) && block::sizeInBytes(*formal.type) > kInlineBytes;
+}
+
+bool isRead(const block::Variable& formal) {
+  return formal.section == Section::Input || formal.section == Section::InOut;
+}
+
+Width widestIn(std::uint32_t bytes) {
+  return bytes >= 4 ? Width::DWord : bytes >= 2 ? Width::Word : Width::Byte;
+}
+
+// Of the data block that is open, without its number.
+bool isInOpenBlock(const Actual& actual) {
+  return actual.access && actual.access->kind == Access::Kind::Machine &&
+         actual.access->operand.kind == OperandKind::Memory &&
+         actual.access->operand.area == Area::DataBlock && actual.access->openDb < 0;
+}
+
+// The bracket marks: FB or SFB, with a data block or as a multiple instance.
+std::uint32_t openingMark(const CallTarget& target) {
+  const bool system = target.id.kind == BlockKind::SFB;
+  if (target.instance) return system ? 16 : 14;
+  return system ? 9 : 3;
+}
+
 }  // namespace
 
 Operand CallCompiler::instanceOperand(BitAddress address, Width width) const {
@@ -24,153 +55,141 @@ Operand CallCompiler::instanceOperand(BitAddress address, Width width) const {
   return mc7::memory(Area::Instance, width, address);
 }
 
-void CallCompiler::collectBytes(BitAddress instance, const Operand& from, std::uint32_t bytes) {
-  std::uint32_t byte = 0;
-  while (byte < bytes) {
-    const Width width = bytes - byte >= 4   ? Width::DWord
-                        : bytes - byte >= 2 ? Width::Word
-                                            : Width::Byte;
-    const TypeCode type = width == Width::DWord  ? TypeCode::DWord
-                          : width == Width::Word ? TypeCode::Word
-                                                 : TypeCode::Byte;
-    transfers_.push_back({instance + byte * 8, local(width, from.value / 8 + byte), type});
+void CallCompiler::openInstance() {
+  put(Operation::OPEN,
+      target_.instance
+          ? blockInWord(instanceNumber_.value / 8, true)
+          : mc7::blockOperand(BlockKind::DB, static_cast<std::uint32_t>(target_.instanceDb), true));
+}
+
+// Saves AR2, the VKE and, for a multiple instance, the number of the own instance.
+void CallCompiler::switchToInstance() {
+  ar2_ = newPlace(Width::DWord);
+  if (target_.instance) instanceNumber_ = newPlace(Width::Word);
+  put(Operation::ASSIGN, newPlace(Width::Bit));
+  if (target_.instance) {
+    load(mc7::DataBlockQuery::DiNumber);
+    put(Operation::TRANSFER, instanceNumber_);
+  }
+  copiesBefore();
+  put(Operation::SWAP_DB);
+  exchanged_ = true;
+  openInstance();
+  put(Operation::TAR2, ar2_);
+}
+
+// What cannot be reached while the registers are exchanged. STEP 7 has no such case in any block
+// that is known (docs/compatibility.md).
+void CallCompiler::copiesBefore() {
+  const bool open = std::any_of(actuals_.begin(), actuals_.end(),
+                                [](const auto& entry) { return isInOpenBlock(entry.second); });
+  if (open) {
+    openNumber_ = newPlace(Width::Word);
+    load(mc7::DataBlockQuery::DbNumber);
+    put(Operation::TRANSFER, openNumber_);
+  }
+  for (const block::Variable* formal : supplied()) {
+    const Actual& actual = actuals_.at(formal);
+    if (isLarge(*formal) && formal->section == Section::Input) copyBlock(*formal, actual, true);
+    if (!isElementary(formal->type->code) || !isRead(*formal) || actual.isConstant() ||
+        wayTo(*actual.access) != Way::Entry)
+      continue;
+    const Operand place = newPlace(widthOf(formal->type->code));
+    read(*actual.access);
+    write(machine(place));
+    copiesOfEntries_[actual.access->variable] = place;
+  }
+}
+
+void CallCompiler::passNumber(const block::Variable& formal, const Access& actual) {
+  const Operand to = instanceOperand(formal.address, Width::Word);
+  if (actual.kind == Access::Kind::Number) {  // own parameter of an FB
+    put(Operation::LOAD,
+        mc7::registerIndirect(Area::DataBlock, Width::Word, 2, actual.variable->address));
+    return put(Operation::TRANSFER, to);
+  }
+  if (!actual.variable)
+    return constantTo(TypeCode::Word, mc7::constant(ConstantFormat::Integer, actual.operand.value),
+                      to);
+  const Operand entry = newPlace(Width::DWord);  // of an FC: in the first word of its entry
+  put(Operation::LOAD, mc7::number(OperandKind::ParameterAddress, actual.operand.value));
+  put(Operation::TRANSFER, entry);
+  put(Operation::LOAD, mc7::memory(Area::Local, Width::Word, entry.value));
+  put(Operation::TRANSFER, to);
+}
+
+void CallCompiler::passIn(const block::Variable& formal, const Actual& actual) {
+  const TypeCode code = formal.type->code;
+  if (!isRead(formal) || isLarge(formal)) return;
+  if (isParameterNumber(code)) return passNumber(formal, *actual.access);
+  const bool any = code == TypeCode::Any;
+  if (any || code == TypeCode::Pointer || (isComposite(code) && !isValue(formal)))
+    return descriptor(actual, any, {true, formal.address / 8});
+  if (actual.isConstant())
+    return constantTo(code, actual.access->operand, instanceOperand(formal.address, widthOf(code)));
+  if (isElementary(code))
+    return valueIn(*actual.access, instanceOperand(formal.address, widthOf(code)));
+  const std::uint32_t bytes = block::sizeInBytes(*formal.type);
+  for (std::uint32_t byte = 0; byte < bytes;) {
+    const Width width = widestIn(bytes - byte);
+    valueIn(part(*actual.access, byte, width),
+            instanceOperand(formal.address + bitAddress(byte), width));
     byte += byteCount(width);
   }
 }
 
-void CallCompiler::collectComposite(const block::Variable& formal, const Actual& actual) {
-  if (formal.section == Section::InOut)
-    return collectBytes(formal.address, local(Width::Byte, descriptor(actual, false)), 6);
-  const std::uint32_t bytes = block::sizeInBytes(*formal.type);
-  if (formal.section != Section::Input) return;
-  if (bytes > kInlineBytes) return copyBlock(formal, actual, true);
-  const std::uint32_t place = c_.allocate(bytes);
-  for (std::uint32_t byte = 0; byte < bytes; byte += 2)
-    move(Width::Word, part(*actual.access, byte, Width::Word),
-         machine(local(Width::Word, place + byte)));
-  collectBytes(formal.address, local(Width::Byte, place), bytes);
-}
-
-void CallCompiler::collectInput(const block::Variable& formal, const Actual& actual) {
+void CallCompiler::passOut(const block::Variable& formal, const Actual& actual) {
   const TypeCode code = formal.type->code;
-  if (isParameterNumber(code)) {
-    const Access& access = *actual.access;
-    if (!access.variable) {
-      transfers_.push_back({formal.address,
-                            mc7::constant(ConstantFormat::Word, access.operand.value),
-                            TypeCode::Word});
-    } else if (access.operand.pointerArea == Area::Local) {  // own parameter of an FB
-      transfers_.push_back(
-          {formal.address, local(Width::Word, c_.parameterCopy(*access.variable)), TypeCode::Word});
-    } else {  // of an FC: the number stands in the first word of its entry
-      const std::uint32_t byte = c_.allocate(4);
-      put(Operation::LOAD, mc7::number(OperandKind::ParameterAddress, access.operand.value));
-      put(Operation::TRANSFER, local(Width::DWord, byte));
-      transfers_.push_back({formal.address, local(Width::Word, byte), TypeCode::Word});
-    }
-    return;
-  }
-  if (code == TypeCode::Any || code == TypeCode::Pointer) {
-    const std::uint32_t byte = descriptor(actual, code == TypeCode::Any);
-    return collectBytes(formal.address, local(Width::Byte, byte), code == TypeCode::Any ? 10 : 6);
-  }
-  if (!isElementary(code)) return collectComposite(formal, actual);
-  if (formal.section == Section::Output) return;
-  const Access& access = *actual.access;
-  const bool direct = actual.isConstant() || needsNoDataBlock(access);
-  transfers_.push_back(
-      {formal.address, direct ? access.operand : staged(access, widthOf(code), true, false), code});
-}
-
-void CallCompiler::collectOutputs() {
-  for (const block::Variable* formal : supplied()) {
-    const Actual& actual = actuals_.at(formal);
-    if (formal->section == Section::Input || !actual.access) continue;
-    const Access& to = *actual.access;
-    const TypeCode code = formal->type->code;
-    if (isElementary(code)) {
-      const Width width = widthOf(code);
-      const Operand from = instanceOperand(formal->address, width);
-      if (needsNoDataBlock(to)) {
-        fromInstance_.push_back({from, to});
-      } else {
-        const Operand place = local(width, c_.allocate(byteCount(width)));
-        fromInstance_.push_back({from, machine(place)});
-        afterwards_.push_back({place, to});
-      }
-    } else if (formal->section == Section::Output && isComposite(code)) {
-      const std::uint32_t bytes = block::sizeInBytes(*formal->type);
-      if (bytes > kInlineBytes) continue;
-      const std::uint32_t place = c_.allocate(bytes);
-      for (std::uint32_t byte = 0; byte < bytes; byte += 2) {
-        const Operand word = local(Width::Word, place + byte);
-        fromInstance_.push_back(
-            {instanceOperand(formal->address + byte * 8, Width::Word), machine(word)});
-        afterwards_.push_back({word, part(to, byte, Width::Word)});
-      }
-    }
+  if (formal.section == Section::Input || !actual.access || isLarge(formal)) return;
+  if (isElementary(code))
+    return valueOut(instanceOperand(formal.address, widthOf(code)), *actual.access);
+  if (!isValue(formal)) return;
+  const std::uint32_t bytes = block::sizeInBytes(*formal.type);
+  for (std::uint32_t byte = 0; byte < bytes;) {
+    const Width width = widestIn(bytes - byte);
+    valueOut(instanceOperand(formal.address + bitAddress(byte), width),
+             part(*actual.access, byte, width));
+    byte += byteCount(width);
   }
 }
 
-void CallCompiler::transferIn(const Transfer& transfer) {
-  const Width width = widthOf(transfer.type);
-  const Operand to = instanceOperand(transfer.address, width);
-  if (transfer.from.kind == OperandKind::Constant)
-    storeConstant(transfer.type, transfer.from.value, to);
-  else
-    move(width, machine(transfer.from), machine(to));
-}
-
-void CallCompiler::switchToInstance() {
-  if (target_.instance) return;
-  put(Operation::SWAP_DB);
-  put(Operation::OPEN,
-      mc7::blockOperand(BlockKind::DB, static_cast<std::uint32_t>(target_.instanceDb), true));
-}
-
-void CallCompiler::switchBack() {
-  if (!target_.instance) put(Operation::SWAP_DB);
+void CallCompiler::copiesAfterwards() {
+  for (const CopyBack& copy : afterwards_) {
+    read(machine(copy.from));
+    write(copy.to);
+  }
+  for (const block::Variable* formal : supplied())
+    if (isLarge(*formal) && formal->section == Section::Output)
+      copyBlock(*formal, actuals_.at(formal), false);
 }
 
 void CallCompiler::callFunctionBlock() {
-  put(Operation::BLD, mc7::number(OperandKind::ShiftCount, 3));
-  keeps_ = touchesResult();
-  if (keeps_) result_ = c_.allocate(1);
-  ar2_ = c_.allocate(4);
-  keepResult();
-  for (const block::Variable* formal : supplied()) collectInput(*formal, actuals_.at(formal));
-  collectOutputs();
+  const std::uint32_t opening = openingMark(target_);
+  mark(opening);
   switchToInstance();
-  for (const Transfer& transfer : transfers_) transferIn(transfer);
-  put(Operation::TAR2, local(Width::DWord, ar2_));
-  if (!target_.instance)
-    put(Operation::LAR2, mc7::constant(ConstantFormat::Pointer, pointer(Area::DataBlock, 0)));
-  else if (target_.instance->address)
+  for (const block::Variable* formal : supplied()) passIn(*formal, actuals_.at(formal));
+  if (target_.instance)
     put(Operation::ADD_AR2, mc7::number(OperandKind::Pointer, target_.instance->address));
-  returnResult();
+  else
+    put(Operation::LAR2, mc7::constant(ConstantFormat::Pointer, pointer(Area::DataBlock, 0)));
   put(Operation::UC, mc7::blockOperand(target_.id.kind, target_.id.number));
-  put(Operation::LAR2, local(Width::DWord, ar2_));
-  keepResult();
-  for (const CopyBack& copy : fromInstance_) move(copy.from.width, machine(copy.from), copy.to);
-  switchBack();
-  for (const CopyBack& copy : afterwards_) move(copy.from.width, machine(copy.from), copy.to);
-  for (const auto& [formal, actual] : actuals_)
-    if (formal->section == Section::Output && isComposite(formal->type->code) &&
-        block::sizeInBytes(*formal->type) > kInlineBytes)
-      copyBlock(*formal, actual, false);
-  returnResult();
-  if (keeps_) put(Operation::SPBI, mc7::number(OperandKind::Jump, 2));
-  put(Operation::BLD, mc7::number(OperandKind::ShiftCount, 4));
+  put(Operation::LAR2, ar2_);
+  for (const block::Variable* formal : supplied()) passOut(*formal, actuals_.at(formal));
+  put(Operation::SWAP_DB);
+  exchanged_ = false;
+  copiesAfterwards();
+  mark(opening + 1);
 }
 
 // A large composite value between its variable and the instance, by SFC 20 BLKMOV.
 void CallCompiler::copyBlock(const block::Variable& formal, const Actual& actual, bool in) {
-  const block::Block* service = c_.scope().findBlock({BlockKind::SFC, 20});
+  const BlockId id{BlockKind::SFC, 20};
+  const block::Block* service = c_.scope().findBlock(id);
   if (!service) {
-    c_.problems().add(ProblemCode::P0506, c_.at(actual.begin, actual.end),
-                      toString(BlockId{BlockKind::SFC, 20}));
+    c_.problems().add(ProblemCode::P0506, c_.at(actual.begin, actual.end), toString(id));
     return;
   }
+  if (in && callerIsFunctionBlock()) put(Operation::TAR2, ar2_);  // the descriptors use AR2
   Actual inside;
   Access place;
   place.type = formal.type;
@@ -178,18 +197,18 @@ void CallCompiler::copyBlock(const block::Variable& formal, const Actual& actual
                                    : mc7::memory(Area::DataBlock, Width::Byte, formal.address);
   place.openDb = target_.instance ? -1 : target_.instanceDb;
   inside.access = place;
-  const std::uint32_t own = descriptor(actual, true), instance = descriptor(inside, true);
-  const std::uint32_t result = c_.allocate(2);
-  const auto parameters = block::parameters(*service);
-  put(Operation::UC, mc7::blockOperand(BlockKind::SFC, 20));
-  put(Operation::SPA,
-      mc7::number(OperandKind::Jump, static_cast<std::uint32_t>(2 * parameters.size() + 2)));
-  for (const block::Variable* parameter : parameters) {
-    const std::uint32_t byte = parameter->section == Section::Return          ? result
-                               : (parameter->section == Section::Input) == in ? own
-                                                                              : instance;
-    c_.builder().parameterEntry(pointer(Area::CallerLocal, byte * 8));
+  const Cells own = newCells(10), instance = newCells(10);
+  descriptor(actual, true, own);
+  descriptor(inside, true, instance);
+  const Operand result = newPlace(Width::Word);
+  std::vector<std::uint32_t> entries;
+  for (const block::Variable* parameter : block::parameters(*service)) {
+    const std::uint32_t byte = parameter->section == Section::Return          ? result.value / 8
+                               : (parameter->section == Section::Input) == in ? own.byte
+                                                                              : instance.byte;
+    entries.push_back(pointer(Area::CallerLocal, bitAddress(byte)));
   }
+  callWithList(entries, id);
 }
 
 }  // namespace merker::step7

@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "check/relation.h"
 #include "step7/declaration.h"
+#include "step7/parameter_access.h"
 
 namespace merker::step7 {
 namespace {
@@ -41,12 +42,11 @@ struct Side {
 
 class TermParser {
  public:
-  TermParser(const CheckComment& comment, const Scope& scope, const ParameterCopies& copies,
-             std::vector<const block::Variable*>& used, Problems& problems)
+  TermParser(const CheckComment& comment, const Scope& scope, LocalData& localData,
+             Problems& problems)
       : cursor_(scope.file->text(), comment.begin, comment.end),
         scope_(scope),
-        copies_(copies),
-        used_(used),
+        localData_(localData),
         problems_(problems) {}
 
   bool parse(std::vector<CheckTerm>& out) {
@@ -144,9 +144,7 @@ class TermParser {
     cursor_.skipBlanks();
     if (registerWord(result) || plainNumber(result)) return result;
     std::uint32_t localTop = 0;
-    OperandParser parser(cursor_, scope_, problems_, localTop);
-    parser.setParameterCopies(&copies_);
-    auto access = parser.parse();
+    auto access = OperandParser(cursor_, scope_, problems_, localTop).parse();
     if (!access) return std::nullopt;
     if (access->operand.kind == OperandKind::Constant) {
       result.value.constant = access->operand.value;
@@ -199,27 +197,23 @@ class TermParser {
       return mc7::encode({what, operand}, code);
     };
     bool good = true;
+    mc7::Operand operand = access.operand;
+    const auto putAll = [&](const std::vector<mc7::Instruction>& path) {
+      for (const mc7::Instruction& one : path) good = put(one.operation, one.operand) && good;
+    };
     if (access.kind == Access::Kind::Descriptor) {
-      std::uint32_t byte = 0;
-      for (const auto& [variable, at] : copies_)
-        if (variable == access.descriptor) byte = at;
-      good = put(Operation::OPEN, {.kind = OperandKind::BlockIndirect,
-                                   .pointerArea = Area::Local,
-                                   .blockKind = BlockKind::DB,
-                                   .value = byte}) &&
-             put(Operation::LAR1, mc7::memory(Area::Local, Width::DWord, (byte + 2) * 8));
-      used_.push_back(access.descriptor);
+      putAll(followPointer(scope_, {.parameter = *access.descriptor, .word = localData_.bytes(2)}));
+    } else if (access.kind == Access::Kind::Number) {
+      const NumberPath path = followNumber(access, localData_.bytes(2));
+      putAll(path.code);
+      operand = path.operand;
     } else if (access.openDb >= 0) {
       good = put(Operation::OPEN,
                  mc7::blockOperand(BlockKind::DB, static_cast<std::uint32_t>(access.openDb)));
     }
-    if (access.variable && access.operand.pointerArea == Area::Local &&
-        isParameterNumber(access.variable->type->code))
-      used_.push_back(access.variable);
     const bool composite =
         access.type && !isElementary(access.type->code) && !isParameterNumber(access.type->code);
-    if (composite || access.kind == Access::Kind::BlockName || !good ||
-        !put(operation, access.operand)) {
+    if (composite || access.kind == Access::Kind::BlockName || !good || !put(operation, operand)) {
       problems_.add(ProblemCode::P0903,
                     scope_.file->position(access.begin, access.end - access.begin),
                     std::string(cursor_.slice(access.begin, access.end)));
@@ -230,20 +224,16 @@ class TermParser {
 
   Cursor cursor_;
   const Scope& scope_;
-  const ParameterCopies& copies_;
-  std::vector<const block::Variable*>& used_;
+  LocalData& localData_;
   Problems& problems_;
 };
 
 }  // namespace
 
 std::optional<block::Check> parseCheckComment(const CheckComment& comment, const Scope& scope,
-                                              const ParameterCopies& copies,
-                                              std::vector<const block::Variable*>& usedCopies,
-                                              Problems& problems) {
+                                              LocalData& localData, Problems& problems) {
   block::Check check;
-  if (!TermParser(comment, scope, copies, usedCopies, problems).parse(check.terms))
-    return std::nullopt;
+  if (!TermParser(comment, scope, localData, problems).parse(check.terms)) return std::nullopt;
   return check;
 }
 

@@ -3,20 +3,15 @@
 #pragma once
 
 #include <optional>
-#include <utility>
-#include <vector>
 
 #include "check/check.h"
+#include "step7/local_data.h"
 #include "step7/operand_parser.h"
 
 namespace merker::step7 {
 
-using ParameterCopies = std::vector<std::pair<const block::Variable*, std::uint32_t>>;
-
-// `usedCopies` gets the parameters whose copies in local data the terms read.
+// `localData`: for the way to a parameter that is not addressed where it arrives.
 std::optional<block::Check> parseCheckComment(const CheckComment& comment, const Scope& scope,
-                                              const ParameterCopies& copies,
-                                              std::vector<const block::Variable*>& usedCopies,
-                                              Problems& problems);
+                                              LocalData& localData, Problems& problems);
 
 }  // namespace merker::step7

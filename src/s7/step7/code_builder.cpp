@@ -77,14 +77,6 @@ void CodeBuilder::resolveJumps(Problems& problems) {
   }
 }
 
-void CodeBuilder::prepend(const std::vector<std::uint8_t>& prologue) {
-  const auto shift = static_cast<std::uint32_t>(prologue.size());
-  code_.insert(code_.begin(), prologue.begin(), prologue.end());
-  for (block::LineEntry& entry : lines_) entry.offset += shift;
-  for (std::size_t i = 1; i < networks_.size(); ++i) networks_[i].offset += shift;
-  for (block::Check& check : checks_) check.offset += shift;
-}
-
 void CodeBuilder::moveInto(block::Block& block) {
   block.jumps = mc7::jumpPositions(code_);
   block.code = std::move(code_);

@@ -29,8 +29,6 @@ class CodeBuilder {
 
   // Puts the distances in; problems for labels that are missing or too far.
   void resolveJumps(Problems& problems);
-  // Inserts code at the beginning: what a block does before its first statement.
-  void prepend(const std::vector<std::uint8_t>& prologue);
 
   std::uint32_t offset() const { return static_cast<std::uint32_t>(code_.size()); }
   std::uint32_t lastInstruction() const { return last_; }

@@ -20,6 +20,9 @@ static Problems withoutConsequences(const Problems& problems) {
 
 namespace {
 
+// What the CPU brings; a source declares its interface only.
+bool isSystemBlock(BlockId id) { return id.kind == BlockKind::SFC || id.kind == BlockKind::SFB; }
+
 using Uses = std::map<const source::SourceFile*, MnemonicUse>;
 
 void addUse(MnemonicUse& sum, const MnemonicUse& block) {
@@ -59,7 +62,8 @@ Compilation compile(const std::vector<source::SourceFile>& sources, const Compil
   interfaces.resolveAll();
   Uses uses;
   for (const BlockSource& source : blocks) {
-    const bool code = source.id.kind != BlockKind::DB && source.id.kind != BlockKind::UDT;
+    const bool code = source.id.kind != BlockKind::DB && source.id.kind != BlockKind::UDT &&
+                      !isSystemBlock(source.id);
     const auto target = interfaces.program().find(source.id);
     if (!code || target == interfaces.program().end() || source.duplicate) continue;
     if (result.problems.cancelled()) break;
@@ -69,6 +73,7 @@ Compilation compile(const std::vector<source::SourceFile>& sources, const Compil
   }
   reportMixtures(uses, options, result.problems);
   result.program = std::move(interfaces.program());
+  std::erase_if(result.program, [](const auto& entry) { return isSystemBlock(entry.first); });
   result.problems = withoutConsequences(result.problems);
   result.problems.sort();
   return result;

@@ -79,15 +79,7 @@ std::optional<Access> OperandParser::instanceVariable(const block::Variable& var
   return placed(access, Area::Instance, place, 2);
 }
 
-std::optional<std::uint32_t> OperandParser::copyOf(const block::Variable& variable) const {
-  if (copies_)
-    for (const auto& [copied, byte] : *copies_)
-      if (copied == &variable) return byte;
-  return std::nullopt;
-}
-
-// TIMER, COUNTER, BLOCK_*: an FC finds the number in its parameter list, an FB in a copy in its
-// local data.
+// TIMER, COUNTER, BLOCK_*: an FC finds the number in its parameter list, an FB in its instance.
 std::optional<Access> OperandParser::numberParameter(const block::Variable& variable,
                                                      Access access) {
   access.type = variable.type;
@@ -99,12 +91,12 @@ std::optional<Access> OperandParser::numberParameter(const block::Variable& vari
                                                      : BlockKind::SDB;
   mc7::Operand& operand = access.operand;
   if (!timer && !counter) operand.blockKind = kind;
-  if (const auto copy = copyOf(variable)) {
+  if (scope_.block->id.kind == BlockKind::FB) {
+    access.kind = Access::Kind::Number;
     operand.kind = timer     ? OperandKind::TimerIndirect
                    : counter ? OperandKind::CounterIndirect
                              : OperandKind::BlockIndirect;
     operand.pointerArea = Area::Local;
-    operand.value = *copy;
   } else {
     operand.kind = timer     ? OperandKind::TimerParameter
                    : counter ? OperandKind::CounterParameter

@@ -55,13 +55,6 @@ class OperandParser {
   // A constant at the cursor, if one begins here.
   bool atConstant();
   std::optional<Access> constantOperand();
-  // Where a FB keeps the number of parameter `variable` while its code runs (words and descriptors
-  // that are copied to local data at the start of the block, because they cannot be addressed
-  // through AR2).
-  void setParameterCopies(
-      const std::vector<std::pair<const block::Variable*, std::uint32_t>>* copies) {
-    copies_ = copies;
-  }
 
  private:
   std::optional<Access> dispatch();
@@ -90,7 +83,6 @@ class OperandParser {
   bool bitAddressAt(Width width, BitAddress& out, std::size_t begin);
   bool checkRange(const MemoryWord& row, BitAddress address, std::size_t begin);
   bool checkSetting(std::optional<Mnemonics> which, std::string_view word, std::size_t begin);
-  std::optional<std::uint32_t> copyOf(const block::Variable& variable) const;
   Access simple(const mc7::Operand& operand) const {
     Access access;
     access.operand = operand;
@@ -109,7 +101,6 @@ class OperandParser {
   const Scope& scope_;
   Problems& problems_;
   std::uint32_t& localTop_;
-  const std::vector<std::pair<const block::Variable*, std::uint32_t>>* copies_ = nullptr;
   std::size_t begin_ = 0;
 };
 

@@ -9,13 +9,7 @@ using mc7::OperandKind;
 using mc7::Operation;
 
 std::optional<Access> BlockCompiler::operand() {
-  OperandParser parser(cursor_, scope_, problems_, localTop_);
-  parser.setParameterCopies(&copies_);
-  auto access = parser.parse();
-  if (access && access->variable && access->operand.pointerArea == Area::Local &&
-      isParameterNumber(access->variable->type->code))
-    parameterCopy(*access->variable);
-  return access;
+  return OperandParser(cursor_, scope_, problems_, localTop_).parse();
 }
 
 bool BlockCompiler::emit(Operation operation, const Operand& operand) {
@@ -109,7 +103,7 @@ bool BlockCompiler::checkDirection(Operation operation, const Access& access,
     return false;
   }
   const bool accessesValue =
-      access.kind == Access::Kind::Machine || access.kind == Access::Kind::Descriptor;
+      access.kind != Access::Kind::Address && access.kind != Access::Kind::BlockName;
   if (accessesValue && access.type && !isElementary(access.type->code) &&
       !isParameterNumber(access.type->code)) {
     problems_.add(ProblemCode::P0326, place, block::toString(*access.type), name);  // S7-TYPES-17
@@ -135,19 +129,14 @@ bool BlockCompiler::access(Operation operation, const Access& access) {
     return false;
   };
   if (access.kind == Access::Kind::Descriptor) {
-    const std::uint32_t byte = parameterCopy(*access.descriptor);
-    Operand open{.kind = OperandKind::BlockIndirect,
-                 .pointerArea = Area::Local,
-                 .blockKind = BlockKind::DB,
-                 .value = byte};
-    if (!emit(Operation::OPEN, open)) return false;
-    if (!emit(Operation::LAR1, mc7::memory(Area::Local, Width::DWord, (byte + 2) * 8)))
-      return false;
+    followParameter(access);
     Operand operand = access.operand;
     for (; operand.value > 0x7FFF; operand.value -= 0x7FF8)
       if (!emit(Operation::ADD_AR1, mc7::number(OperandKind::Pointer, 0x7FF8))) return false;
     return emit(operation, operand) || impossible();
   }
+  if (access.kind == Access::Kind::Number)
+    return emit(operation, numberParameter(access)) || impossible();
   const bool blockName = access.kind == Access::Kind::BlockName;
   const bool takesBlock = operation == Operation::OPEN;
   if (blockName && (!takesBlock || access.operand.blockKind != BlockKind::DB)) return impossible();
@@ -194,6 +183,7 @@ void BlockCompiler::checkCallWithoutParameters(Operation operation, const Access
     problems_.add(ProblemCode::P0508, place, toString(id));
     return;
   }
+  // STEP 7 compiles it (code patterns, section 8).
   if (!block::parameters(*callee).empty())
     problems_.add(ProblemCode::P0509, place, name, toString(id));  // S7-FC-02, S7-FC-03, S7-FB-02
 }
@@ -213,7 +203,7 @@ void BlockCompiler::blockCall(Operation operation, const Access& access) {
     return;
   }
   if (operand.kind == OperandKind::Block) checkCallWithoutParameters(operation, access);
-  if (!emit(operation, operand)) {
+  if (!emit(operation, access.kind == Access::Kind::Number ? numberParameter(access) : operand)) {
     problems_.add(ProblemCode::P0311, at(access.begin, access.end),
                   std::string(cursor_.slice(access.begin, access.end)), mc7::info(operation).de);
     return;

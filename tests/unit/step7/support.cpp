@@ -7,13 +7,27 @@
 namespace merker::step7 {
 namespace {
 
-// SFC 46 without parameters, as the library of a CPU would list it.
+// SFC 46 without parameters and SFB 4 (TON), as the library of a CPU would list them.
 const block::Program& library() {
   static const block::Program program = [] {
     block::Program blocks;
-    block::Block stop;
+    block::Block stop, timer;
     stop.id = {BlockKind::SFC, 46};
     blocks.emplace(stop.id, stop);
+    timer.id = {BlockKind::SFB, 4};
+    const auto add = [&timer](const char* name, block::Section section, TypeCode type) {
+      block::Variable variable;
+      variable.name = name;
+      variable.section = section;
+      variable.type = block::elementaryType(type);
+      timer.variables.push_back(std::move(variable));
+    };
+    add("IN", block::Section::Input, TypeCode::Bool);
+    add("PT", block::Section::Input, TypeCode::Time);
+    add("Q", block::Section::Output, TypeCode::Bool);
+    add("ET", block::Section::Output, TypeCode::Time);
+    timer.instanceBytes = block::layOut(timer.variables, 0, true) / 8;
+    blocks.emplace(timer.id, timer);
     return blocks;
   }();
   return program;
