@@ -155,7 +155,7 @@ TEST(Region, ACallEndsIt) {
   EXPECT_EQ(regions[1].ops.back().code, Opcode::Return);
 }
 
-// CALL ends with one.
+// There is nothing to jump over.
 TEST(Region, AJumpToTheNextInstructionIsNoWayOut) {
   Operand next{.kind = OperandKind::Jump, .value = 2};
   const auto regions = regionsOf({{Operation::SPBI, next}, kAddInt, kEnd});
