@@ -26,8 +26,9 @@ std::string extensionOf(const std::string& path) {
   return ".sym";
 }
 
-source::Language languageOf(const Offline& offline) {
-  return offline.build->project.symbols.language();
+// Before the program was translated for the first time nothing says which PLC it is for.
+source::Language languageOf(const OfflineRef& offline) {
+  return offline ? offline->build->project.symbols.language() : source::Language::Step7;
 }
 
 Json rowsOf(const source::SymbolTable& table) {
@@ -43,7 +44,7 @@ Answer read(const Call& call) {
         const std::string path = symbolPath(*offline, aside.folder);
         const auto content = aside.folder.read(path);
         if (!content) return Json{{"path", path}, {"rows", Json::array()}, {"revision", 0}};
-        source::SymbolTable table(languageOf(*offline));
+        source::SymbolTable table(languageOf(offline));
         Problems ignored;  // program.check tells them
         source::readSymbols(source::SourceFile(path, content->text), table, ignored);
         return Json{{"path", path}, {"rows", rowsOf(table)}, {"revision", content->revision}};
@@ -63,7 +64,7 @@ Answer check(const Call& call) {
       call, call.shared.clerk, [offline = call.shared.offlineRef()](const Aside& aside) -> Answer {
         const auto wanted = rows(aside.fields);
         if (!aside.fields.good()) return aside.wrong();
-        return Json{{"problems", toJson(checkRows(wanted, languageOf(*offline)).problems)}};
+        return Json{{"problems", toJson(checkRows(wanted, languageOf(offline)).problems)}};
       });
 }
 
@@ -72,7 +73,7 @@ Answer write(const Call& call) {
     const auto wanted = rows(aside.fields);
     const std::int64_t revision = aside.fields.integer("revision", 0, INT64_MAX, 0);
     if (!aside.fields.good()) return aside.wrong();
-    const CheckedRows checked = checkRows(wanted, languageOf(*offline));
+    const CheckedRows checked = checkRows(wanted, languageOf(offline));
     if (!checked.good()) return Answer::refused(toJson(checked.problems));
     const std::string path = symbolPath(*offline, aside.folder);
     const std::string bytes =
@@ -91,7 +92,7 @@ std::string format(const Fields& fields) {
 
 // As many rows as a table may have: more could not be saved.
 Answer import(const Call& call) {
-  const source::Language language = languageOf(*call.shared.offlineRef());
+  const source::Language language = languageOf(call.shared.offlineRef());
   return elsewhere(call, call.shared.clerk, [language](const Aside& aside) -> Answer {
     const std::string extension = format(aside.fields), text = aside.fields.text("text");
     if (!aside.fields.good()) return aside.wrong();
@@ -112,7 +113,7 @@ Answer exportAs(const Call& call) {
         const bool given = aside.fields.has("rows");
         const auto wanted = given ? rows(aside.fields) : std::vector<SymbolRow>();
         if (!aside.fields.good()) return aside.wrong();
-        const CheckedRows checked = checkRows(wanted, languageOf(*offline));
+        const CheckedRows checked = checkRows(wanted, languageOf(offline));
         if (!checked.good()) return Answer::refused(toJson(checked.problems));
         const source::SymbolTable& table = given ? checked.table : offline->build->project.symbols;
         const std::string bytes = source::writeSymbols(table, extension, Mnemonics::German);
