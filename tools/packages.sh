@@ -1,7 +1,7 @@
 # Installs Debian packages that are missing; used by run.sh and test.sh. With everything installed it asks nothing of the
 # network and takes no time.
 
-BUILD_PACKAGES="g++ cmake ninja-build python3 libfmt-dev libcli11-dev nlohmann-json3-dev libtomlplusplus-dev libsqlite3-dev libedit-dev
+BUILD_PACKAGES="g++ cmake ninja-build python3 libfmt-dev libcli11-dev nlohmann-json3-dev libtomlplusplus-dev libsqlite3-dev libzip-dev libedit-dev
   libasmjit-dev libboost1.81-dev libssl-dev libgtest-dev librapidcheck-dev"
 # The page of the workbench; only where there is no Node.js from somewhere else.
 command -v node >/dev/null && command -v npm >/dev/null || BUILD_PACKAGES="$BUILD_PACKAGES nodejs npm"

@@ -23,6 +23,7 @@ void addXref(CLI::App& program, int& result);
 void addExport(CLI::App& program, int& result);
 void addPlot(CLI::App& program, int& result);
 void addBench(CLI::App& program, int& result);
+void addImport(CLI::App& program, int& result);
 void addWorkbench(CLI::App& program, int& result);
 
 }  // namespace merker::app

@@ -65,6 +65,7 @@ int run(int argc, char** argv) {
   merker::app::addDebug(program, result);
   merker::app::addDiag(program, result);
   merker::app::addXref(program, result);
+  merker::app::addImport(program, result);
   merker::app::addList(program, result);
   merker::app::addHw(program, result);
   merker::app::addDisassemble(program, result);

@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "block/memory.h"
 #include "compilation/existence.h"
+#include "compilation/machine_code.h"
 #include "control/memory.h"
 #include "control/reference.h"
 #include "nc/datum.h"
@@ -187,8 +188,11 @@ void buildProgram(Build& result, bool checks) {
   step7::CompileOptions compileOptions = options(result);
   compileOptions.checks = checks;
   compileOptions.mnemonics = result.project.mnemonics;
+  const block::Program callable = withMachineCode(*result.library, result.project.machineCode);
+  compileOptions.library = &callable;
   step7::Compilation compilation = step7::compile(result.project.sources, compileOptions);
   result.problems.append(compilation.problems);
+  addMachineCode(result.project.machineCode, compilation.program, result.problems);
   result.program = std::make_shared<const block::Program>(std::move(compilation.program));
   if (result.problems.cancelled()) return;
   project::checkAddresses(result.project, *result.program, result.problems);

@@ -5,6 +5,7 @@
 
 #include "base/text.h"
 #include "project/files.h"
+#include "project/machine_code.h"
 #include "project/path_pattern.h"
 #include "project/settings.h"
 
@@ -68,6 +69,8 @@ void readSource(Project& project, const std::string& path) {
                          sinumerikModelNames());
   else if (!isListing(path) && project.control)
     project.problems.add(ProblemCode::P0711, Position{path}, project.control->model->name);
+  else if (isMachineCode(path))
+    readMachineCode(project, path);
   else
     read(project, path, project.sources);
 }
@@ -167,12 +170,12 @@ void loadFolder(Project& project, const std::string& cpu) {
       settingsFile ? readSettings(*settingsFile, project.problems, model) : Settings{};
   take(project, settings);
   const std::vector<std::string> files = listFiles(project.folder, &project.problems);
-  const auto sources = settings.sources
-                           ? choose(project, files, *settings.sources)
-                           : filter(files, [&project](const std::string& f) {
-                               if (project.control) return isListing(f);
-                               return hasExtension(f, ".awl") && !f.starts_with(kUploads);
-                             });
+  const auto sources = settings.sources ? choose(project, files, *settings.sources)
+                                        : filter(files, [&project](const std::string& f) {
+                                            if (project.control) return isListing(f);
+                                            return (hasExtension(f, ".awl") || isMachineCode(f)) &&
+                                                   !f.starts_with(kUploads);
+                                          });
   const auto symbols =
       settings.symbols ? choose(project, files, *settings.symbols) : filter(files, isSymbolExport);
   for (const std::string& file : symbols) readSymbolFile(project, join(project.folder, file));

@@ -19,6 +19,13 @@
 
 namespace merker::project {
 
+// A block of a container file (*.mc7): its machine code runs, whatever a source of the same block
+// declares for its interface (docs/formats/project.md).
+struct MachineCode {
+  std::string file;
+  block::Block block;
+};
+
 struct Project {
   std::string path;    // as the user gave it
   std::string folder;  // where its files are
@@ -35,6 +42,7 @@ struct Project {
   bool vertical = false;         // mounting of the racks (S7-HW-19)
   std::uint32_t mpiAddress = 2;  // as settings.h has it
   std::vector<source::SourceFile> sources;
+  std::vector<MachineCode> machineCode;
   std::vector<source::SourceFile> otherFiles;  // merker.toml and symbol files: for showing problems
   source::SymbolTable symbols;
   Problems problems;

@@ -1,0 +1,155 @@
+#include "awl/block_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "awl/declaration_text.h"
+
+namespace merker::awl {
+namespace {
+
+struct Frame {
+  BlockKind kind;
+  std::string_view begin, end;
+};
+constexpr Frame kFrames[] = {{BlockKind::OB, "ORGANIZATION_BLOCK", "END_ORGANIZATION_BLOCK"},
+                             {BlockKind::FC, "FUNCTION", "END_FUNCTION"},
+                             {BlockKind::SFC, "FUNCTION", "END_FUNCTION"},
+                             {BlockKind::FB, "FUNCTION_BLOCK", "END_FUNCTION_BLOCK"},
+                             {BlockKind::SFB, "FUNCTION_BLOCK", "END_FUNCTION_BLOCK"},
+                             {BlockKind::DB, "DATA_BLOCK", "END_DATA_BLOCK"},
+                             {BlockKind::UDT, "TYPE", "END_TYPE"}};
+
+const Frame& frameOf(BlockKind kind) {
+  return *std::find_if(std::begin(kFrames), std::end(kFrames),
+                       [kind](const Frame& frame) { return frame.kind == kind; });
+}
+
+std::string oneLine(std::string_view text) {
+  std::string out(text);
+  for (char& c : out)
+    if (c == '\n' || c == '\r') c = ' ';
+  return out;
+}
+
+// AUTHOR and the like take a word of up to eight characters.
+void attribute(std::string_view key, const std::string& value, std::string& out) {
+  if (value.empty()) return;
+  const bool plain = value.find_first_of(" \t;'\"") == std::string::npos;
+  out += plain ? fmt::format("{} : {}\n", key, value) : fmt::format("{} : '{}'\n", key, value);
+}
+
+// The statements of a network with their comments; `lines` counts as the editor does.
+class NetworkWriter {
+ public:
+  NetworkWriter(const std::vector<Comment>& comments, std::string& out)
+      : comments_(comments), out_(out) {}
+
+  void statement(const Statement& statement) {
+    ownLines();
+    const std::size_t count = statement.lines.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      const bool open = i + 1 < count;  // the lines of a CALL are one statement
+      const std::string label = i == 0 && !statement.label.empty() ? statement.label + ":" : "";
+      std::string line = fmt::format("{:<5} {}{}{}", label, i > 0 ? "  " : "", statement.lines[i],
+                                     open ? "" : ";");
+      std::string comment;
+      while (next_ < comments_.size() && comments_[next_].line <= line_ &&
+             (i > 0 || !comments_[next_].ownLine))
+        comment += (comment.empty() ? "" : " ") + oneLine(comments_[next_++].text);
+      out_ += comment.empty() ? line + "\n" : fmt::format("{:<40}//{}\n", line, comment);
+      ++line_;
+    }
+  }
+
+  void rest() {
+    for (; next_ < comments_.size(); ++next_) out_ += commentLines(comments_[next_].text);
+  }
+
+ private:
+  void ownLines() {
+    while (next_ < comments_.size() && comments_[next_].ownLine && comments_[next_].line <= line_) {
+      out_ += commentLines(comments_[next_++].text);
+      ++line_;
+    }
+  }
+
+  const std::vector<Comment>& comments_;
+  std::string& out_;
+  std::size_t next_ = 0;
+  std::uint32_t line_ = 0;
+};
+
+std::vector<std::uint32_t> networkStarts(const block::Block& block) {
+  std::vector<std::uint32_t> starts;
+  for (const block::Network& network : block.networks) starts.push_back(network.offset);
+  if (starts.empty()) starts.push_back(0);
+  return starts;
+}
+
+}  // namespace
+
+std::string_view endWord(BlockKind kind) { return frameOf(kind).end; }
+
+std::string commentLines(std::string_view text) {
+  std::string out;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string_view line = text.substr(0, end);
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    out += fmt::format("//{}\n", line);
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return out;
+}
+
+std::string headText(const block::Block& block, const Texts& texts) {
+  const block::Attributes& a = block.attributes;
+  std::string out;
+  for (const std::string& remark : texts.remarks) out += fmt::format("// {}\n", oneLine(remark));
+  out += fmt::format("{} {}", frameOf(block.id.kind).begin, toString(block.id));
+  if (block.id.kind == BlockKind::FC || block.id.kind == BlockKind::SFC)
+    out += " : " + texts.returnType;
+  out += "\n";
+  if (!a.title.empty() || !a.comment.empty())
+    out += fmt::format("TITLE = {}\n", a.title.empty() ? "-" : oneLine(a.title));
+  out += commentLines(a.comment);
+  attribute("AUTHOR", a.author, out);
+  attribute("FAMILY", a.family, out);
+  attribute("NAME", a.name, out);
+  if (block.id.kind != BlockKind::UDT)
+    out += fmt::format("VERSION : {}.{}\n", a.version >> 4, a.version & 15);
+  if (a.knowHowProtect) out += "KNOW_HOW_PROTECT\n";
+  if (a.unlinked && block.id.kind == BlockKind::DB) out += "UNLINKED\n";
+  if (a.nonRetain && block.id.kind == BlockKind::DB) out += "NON_RETAIN\n";
+  out += "\n";
+  out += !texts.dataType.empty()      ? texts.dataType + "\n"
+         : !texts.declaration.empty() ? texts.declaration
+                                      : declarationText(block);
+  if (!out.ends_with('\n')) out += '\n';
+  return out;
+}
+
+std::string codeText(const block::Block& block, const block::Block& declared, const Texts& texts,
+                     const Blocks& blocks, bool calls) {
+  const Names names(declared);
+  std::string out = headText(block, texts) + "BEGIN\n";
+  const std::vector<Statement> list = statements(block, names, blocks, calls);
+  const std::vector<std::uint32_t> starts = networkStarts(block);
+  static const NetworkText kNoTexts;
+  auto next = list.begin();
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    const NetworkText& text = i < texts.networks.size() ? texts.networks[i] : kNoTexts;
+    out += fmt::format("NETWORK\nTITLE = {}\n", oneLine(text.title));
+    out += commentLines(text.comment);
+    NetworkWriter writer(text.comments, out);
+    const bool last = i + 1 == starts.size();
+    for (; next != list.end() && (last || next->offset < starts[i + 1]); ++next)
+      writer.statement(*next);
+    writer.rest();
+  }
+  return fmt::format("{}{}\n", out, endWord(block.id.kind));
+}
+
+}  // namespace merker::awl

@@ -1,0 +1,21 @@
+// The stored sources of a program: S7CONTAI.DBF and its files.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "archive/tree.h"
+#include "s7p/code_page.h"
+
+namespace merker::s7p {
+
+struct SourceRow {
+  std::string name;  // in the manager
+  std::string path;  // of the tree; empty: the file is missing
+  bool awl = false;  // else SCL or another language
+};
+
+std::vector<SourceRow> readSources(const archive::Tree& tree, const std::string& folder,
+                                   const CodePage& page);
+
+}  // namespace merker::s7p

@@ -1,0 +1,66 @@
+#include "importing/file_material.h"
+
+#include <algorithm>
+
+#include "base/bytes.h"
+#include "base/text.h"
+#include "block/container.h"
+#include "importing/hardware.h"
+#include "importing/recognise.h"
+
+namespace merker::importing {
+namespace {
+
+constexpr std::size_t kLargest = source::kLargestSource << 20, kLengthAt = 8, kHeader = 36;
+
+std::string stem(std::string_view path) {
+  const std::string_view name = archive::nameOf(path);
+  return std::string(name.substr(0, name.rfind('.')));
+}
+
+// Containers one behind the other: a block, or a WLD file.
+void addContainers(const std::string& path, const std::string& bytes, Material& material,
+                   Report& report) {
+  std::span rest(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+  while (rest.size() > kHeader) {
+    auto block = block::readContainer(rest, Position{path});
+    const std::size_t length = std::max<std::size_t>(kHeader, loadDWord(&rest[kLengthAt]));
+    if (!block)
+      report.add(Note::WrongContainer, path, block.error().message);
+    else if (std::any_of(material.blocks.begin(), material.blocks.end(),
+                         [&](const auto& b) { return b.block.id == block->id; }))
+      report.add(Note::TwiceInFolder, toString(block->id));
+    else if (block->id.kind != BlockKind::SDB)  // system data: what modules are there
+      material.blocks.push_back({std::move(block.value()), {}, {}, false, {}});
+    if (length > rest.size()) return;
+    rest = rest.subspan(length);
+  }
+}
+
+void add(const archive::Tree::Entry& entry, const archive::File& file, Kind kind,
+         Material& material, Report& report) {
+  if (file.size() > kLargest)
+    return report.add(Note::LongSource, entry.path, source::kLargestSource);
+  const std::string bytes = file.text(kLargest);
+  if (kind == Kind::Containers) return addContainers(entry.path, bytes, material, report);
+  const std::string text = toUtf8(bytes, detectEncoding(bytes));
+  if (kind == Kind::Hardware) return readHardware(text, material);
+  const std::string_view symbols = symbolExtension(kind);
+  material.files.push_back({stem(entry.path) + (symbols.empty() ? ".awl" : std::string(symbols)),
+                            text, symbols.empty()});
+}
+
+}  // namespace
+
+Material materialOf(const archive::Tree& tree, const std::string& name, Report& report) {
+  Material material;
+  material.name = name;
+  for (const auto& entry : tree.files()) {
+    const auto file = tree.open(entry);
+    const Kind kind = file ? recognise(*file) : Kind::Unknown;
+    if (kind != Kind::Unknown) add(entry, *file, kind, material, report);
+  }
+  return material;
+}
+
+}  // namespace merker::importing

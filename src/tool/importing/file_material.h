@@ -1,0 +1,13 @@
+// What loose files hold: sources, symbol tables, block containers, an exported station.
+#pragma once
+
+#include "archive/tree.h"
+#include "importing/material.h"
+#include "importing/report.h"
+
+namespace merker::importing {
+
+// All files of the tree that are known; the others are left out without a word.
+Material materialOf(const archive::Tree& tree, const std::string& name, Report& report);
+
+}  // namespace merker::importing

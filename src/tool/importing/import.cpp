@@ -1,0 +1,128 @@
+#include "importing/import.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "archive/tree.h"
+#include "base/text.h"
+#include "compilation/build.h"
+#include "importing/file_material.h"
+#include "importing/output.h"
+#include "importing/project_writer.h"
+#include "importing/s7p_material.h"
+
+namespace merker::importing {
+namespace {
+
+namespace fs = std::filesystem;
+
+// "plant" for "/old/plant.zip".
+std::string stemOf(const std::string& source) {
+  std::error_code error;
+  const fs::path path = fs::weakly_canonical(source, error);
+  const fs::path name = fs::is_directory(path, error) ? path.filename() : path.stem();
+  return name.empty() ? "project" : name.string();
+}
+
+struct Candidate {
+  const s7p::Project* project = nullptr;
+  const s7p::Program* program = nullptr;
+};
+
+std::vector<Candidate> candidates(const std::vector<s7p::Project>& projects) {
+  std::vector<Candidate> list;
+  for (const s7p::Project& project : projects)
+    for (const s7p::Program& program : project.programs) list.push_back({&project, &program});
+  return list;
+}
+
+// What `merker check` will say about the new project.
+void check(const std::string& folder, Report& report) {
+  compilation::Build build = compilation::build(project::load(folder, ""), false);
+  if (build.ok()) return;
+  for (const Problem& problem : build.problems.list())
+    if (problem.severity() == Severity::Error)
+      return report.add(
+          Note::StillProblems, build.problems.count(Severity::Error),
+          fmt::format("{}:{}: {}", problem.position.file, problem.position.line, problem.message));
+}
+
+void write(const Material& material, const std::string& folder, Report& report) {
+  Output output(folder, report);
+  writeProject(material, output, report);
+  check(folder, report);
+}
+
+// The report of one folder, in it and for the terminal.
+void finish(const std::string& folder, Report& report, Outcome& outcome) {
+  const std::string text = report.text();
+  Output(folder, report).write("import-report.txt", text);
+  outcome.report += text;
+  outcome.lost |= report.count(Effect::Lost) > 0;
+}
+
+void importPrograms(const archive::Tree& tree, const std::vector<Candidate>& chosen,
+                    const Report& common, Outcome& outcome) {
+  Report names;
+  Output root(outcome.folder, names);
+  for (const Candidate& candidate : chosen) {
+    Report report = common;
+    report.add(Note::Program, candidate.program->name, candidate.project->name);
+    report.add(Note::CodePage, candidate.project->page.number());
+    const std::string folder =
+        chosen.size() == 1 ? outcome.folder
+                           : outcome.folder + "/" + root.unused(candidate.program->name, "");
+    const Material material = materialOf(tree, *candidate.project, *candidate.program, report);
+    if (material.blocks.empty()) report.add(Note::EmptyProgram, candidate.program->name);
+    for (const archive::Refused& refused : tree.refused()) report.add(refused);
+    write(material, folder, report);
+    if (chosen.size() > 1) outcome.report += fmt::format("{}\n", folder);
+    finish(folder, report, outcome);
+  }
+}
+
+}  // namespace
+
+Outcome importSource(const Options& options) {
+  Outcome outcome;
+  outcome.folder = options.folder.empty() ? stemOf(options.source) : options.folder;
+  const archive::Tree tree(options.source);
+  if (!tree.readable()) {
+    outcome.result = Result::Unreadable;
+    return outcome;
+  }
+  Report common;
+  s7p::Faults faults;
+  const std::vector<s7p::Project> projects = s7p::findProjects(tree, faults);
+  for (const s7p::Fault& fault : faults) common.add(fault);
+  std::vector<Candidate> chosen = candidates(projects);
+  for (const Candidate& candidate : chosen) outcome.programs.push_back(candidate.program->name);
+  if (!options.program.empty())
+    std::erase_if(chosen, [&](const Candidate& c) {
+      return !equalsIgnoreCase(c.program->name, options.program);
+    });
+  if (chosen.empty() && !options.program.empty()) {
+    outcome.result = Result::NoSuchProgram;
+    return outcome;
+  }
+  if (!isFree(outcome.folder)) {
+    outcome.result = Result::Exists;
+    return outcome;
+  }
+  if (!chosen.empty()) {
+    importPrograms(tree, chosen, common, outcome);
+    return outcome;
+  }
+  Report report = common;
+  const Material material = materialOf(tree, stemOf(options.source), report);
+  if (material.empty()) {
+    outcome.result = Result::Nothing;
+    return outcome;
+  }
+  for (const archive::Refused& refused : tree.refused()) report.add(refused);
+  write(material, outcome.folder, report);
+  finish(outcome.folder, report, outcome);
+  return outcome;
+}
+
+}  // namespace merker::importing

@@ -1,0 +1,35 @@
+// A foreign project, its archive or single files become Merker projects.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "importing/report.h"
+
+namespace merker::importing {
+
+struct Options {
+  std::string source;
+  std::string folder;   // empty: named after the source, in the current folder
+  std::string program;  // only this one; empty: all
+};
+
+enum class Result : std::uint8_t {
+  Imported,
+  Unreadable,     // the source
+  Nothing,        // nothing in it is known
+  NoSuchProgram,  // `programs` are there
+  Exists          // the folder
+};
+
+struct Outcome {
+  Result result = Result::Imported;
+  std::string folder;
+  std::vector<std::string> programs;  // names
+  std::string report;                 // also in FOLDER/import-report.txt
+  bool lost = false;                  // a block or more did not come
+};
+
+Outcome importSource(const Options& options);
+
+}  // namespace merker::importing

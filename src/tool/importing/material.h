@@ -1,0 +1,44 @@
+// What a source holds for one program, from whatever format it came.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "s7p/folder.h"
+#include "s7p/symbols.h"
+#include "source/source_file.h"
+
+namespace merker::importing {
+
+struct TextFile {
+  std::string name;  // as the manager or the disk calls it
+  std::string text;  // UTF-8
+  bool awl = true;
+};
+
+struct HardwareModule {
+  std::uint32_t rack = 0, slot = 0, subslot = 0;
+  std::string orderNumber, name;
+  std::optional<std::uint32_t> input, output;
+};
+
+struct Material {
+  std::string name;  // of the program
+  std::string station, cpu, cpuOrderNumber;
+  std::vector<s7p::StoredBlock> blocks;
+  std::vector<s7p::SymbolRow> symbols;
+  // Sources that belong to stored blocks, drafts, other languages.
+  std::vector<TextFile> sources;
+  // Files that are parts of the project as they are: sources without blocks beside, symbol tables.
+  std::vector<TextFile> files;
+  std::vector<s7p::VariableTable> tables;
+  std::vector<HardwareModule> modules;
+  bool fromProject = false;  // an S7P
+  bool empty() const {
+    return blocks.empty() && symbols.empty() && files.empty() && modules.empty() && sources.empty();
+  }
+};
+
+}  // namespace merker::importing

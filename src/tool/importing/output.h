@@ -1,0 +1,35 @@
+// Files of a new project: never over existing ones, never outside the folder.
+#pragma once
+
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "importing/report.h"
+
+namespace merker::importing {
+
+class Output {
+ public:
+  Output(std::string folder, Report& report) : folder_(std::move(folder)), report_(report) {}
+
+  // `name` may contain a folder: "sources/Main.txt". False, and a note, if it is there already.
+  bool write(const std::string& name, std::string_view text);
+  bool write(const std::string& name, std::span<const std::uint8_t> bytes);
+  const std::string& folder() const { return folder_; }
+
+  // A name for a file or folder that is not used yet: letters, digits and what is harmless
+  // everywhere. `extension` with its point.
+  std::string unused(std::string_view wanted, std::string_view extension);
+
+ private:
+  std::string folder_;
+  Report& report_;
+  std::set<std::string> used_;  // without case
+};
+
+// Whether there is nothing at this path, or an empty folder.
+bool isFree(const std::string& path);
+
+}  // namespace merker::importing

@@ -1,0 +1,98 @@
+#include "importing/recognise.h"
+
+#include <algorithm>
+#include <array>
+
+#include "base/bytes.h"
+#include "base/text.h"
+
+namespace merker::importing {
+namespace {
+
+constexpr std::size_t kLooked = 64u << 10;
+
+bool isContainer(const archive::File& file) {
+  std::array<std::uint8_t, 36> head{};
+  if (file.read(0, head) < head.size()) return false;
+  const std::uint32_t length = loadDWord(&head[8]);
+  return head[0] == 0x70 && head[1] == 0x70 && length >= 72 && length <= file.size();
+}
+
+// The first word of a line that is not a comment.
+std::string_view firstWord(std::string_view line) {
+  line = trim(line);
+  return line.substr(0, line.find_first_of(" \t\"(:;"));
+}
+
+bool beginsBlock(std::string_view word) {
+  for (const std::string_view keyword :
+       {"ORGANIZATION_BLOCK", "FUNCTION", "FUNCTION_BLOCK", "DATA_BLOCK", "TYPE"})
+    if (equalsIgnoreCase(word, keyword)) return true;
+  return false;
+}
+
+// Four fields in quotation marks.
+bool isSdf(std::string_view line) {
+  line = trim(line);
+  std::size_t fields = 1;
+  for (std::size_t at = 0; (at = line.find("\",\"", at)) != std::string_view::npos; at += 3)
+    ++fields;
+  return line.size() > 8 && line.front() == '"' && line.back() == '"' && fields == 4;
+}
+
+bool isAsc(std::string_view line) { return line.starts_with("126,") && line.size() > 30; }
+
+// A tab, operand, tab, name.
+bool isSeq(std::string_view line) {
+  return line.starts_with('\t') && std::count(line.begin(), line.end(), '\t') >= 2;
+}
+
+Kind ofText(std::string_view text) {
+  bool first = true;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    if (trim(line).empty() || trim(line).starts_with("//")) continue;
+    const std::string_view word = firstWord(line);
+    if (beginsBlock(word)) return Kind::AwlSource;
+    if (first) {
+      if (equalsIgnoreCase(word, "FILEVERSION")) return Kind::Hardware;
+      if (isSdf(line)) return Kind::Sdf;
+      if (isAsc(line)) return Kind::Asc;
+      if (equalsIgnoreCase(trim(line), "TABLE")) return Kind::Dif;
+      if (isSeq(line)) return Kind::Seq;
+    }
+    if (equalsIgnoreCase(word, "STATION")) return Kind::Hardware;
+    first = false;
+  }
+  return Kind::Unknown;
+}
+
+}  // namespace
+
+Kind recognise(const archive::File& file) {
+  if (isContainer(file)) return Kind::Containers;
+  const std::string bytes = file.text(kLooked);
+  const Encoding encoding = detectEncoding(bytes);
+  if (encoding == Encoding::Binary) return Kind::Unknown;
+  return ofText(toUtf8(bytes, encoding));
+}
+
+std::string_view symbolExtension(Kind kind) {
+  switch (kind) {
+    case Kind::Sdf:
+      return ".sdf";
+    case Kind::Asc:
+      return ".asc";
+    case Kind::Dif:
+      return ".dif";
+    case Kind::Seq:
+      return ".seq";
+    default:
+      return {};
+  }
+}
+
+}  // namespace merker::importing

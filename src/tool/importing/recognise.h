@@ -1,0 +1,26 @@
+// What a file is, by its content; its name does not matter.
+#pragma once
+
+#include <string>
+
+#include "archive/tree.h"
+
+namespace merker::importing {
+
+enum class Kind : std::uint8_t {
+  Unknown,
+  AwlSource,
+  Containers,  // a block or a WLD file: containers one behind the other
+  Hardware,    // HW Config export (*.cfg)
+  Sdf,
+  Asc,
+  Dif,
+  Seq
+};
+
+// Looks at the beginning of the file.
+Kind recognise(const archive::File& file);
+// ".sdf" and the like; empty for other kinds.
+std::string_view symbolExtension(Kind kind);
+
+}  // namespace merker::importing

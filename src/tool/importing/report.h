@@ -1,0 +1,50 @@
+// What an import tells its user: rows of one table, in the order in which they happened.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "archive/tree.h"
+#include "s7p/fault.h"
+
+namespace merker::importing {
+
+enum class Note : std::uint8_t {
+#define NOTE(id, effect, text) id,
+#include "importing/notes.inc"
+#undef NOTE
+};
+
+// Information; what came in another form; what did not come.
+enum class Effect : std::uint8_t { Info, Changed, Lost };
+
+class Report {
+ public:
+  template <typename... Arguments>
+  void add(Note note, const Arguments&... arguments) {
+    addText(note, {fmt::format("{}", arguments)...});
+  }
+  void add(const s7p::Fault& fault);
+  void add(const archive::Refused& refused);
+
+  // Lines for a file or a terminal: what is lost stands last.
+  std::string text() const;
+  std::size_t count(Effect effect) const;
+
+ private:
+  struct Line {
+    Effect effect;
+    std::string text;
+  };
+  void addText(Note note, const std::vector<std::string>& arguments);
+  std::vector<Line> lines_;
+  std::array<std::size_t, 3> counts_{};
+};
+
+}  // namespace merker::importing

@@ -1,0 +1,161 @@
+#include "importing/retranslation.h"
+
+#include <algorithm>
+
+#include "awl/data_text.h"
+#include "block/container.h"
+#include "step7/block_source.h"
+
+namespace merker::importing {
+namespace {
+
+using s7p::StoredBlock;
+
+bool holdsCode(BlockKind kind) { return kind != BlockKind::DB && kind != BlockKind::UDT; }
+
+bool sameBytes(const block::Block& compiled, const block::Block& stored) {
+  return holdsCode(stored.id.kind) ? compiled.code == stored.code
+                                   : compiled.actualData == stored.actualData;
+}
+
+// From the beginning of the line with its first word to the end of the line with its last one.
+std::string cut(const source::SourceFile& file, const step7::BlockSource& block,
+                std::string_view end) {
+  const std::string_view text = file.text();
+  std::size_t first = text.rfind('\n', block.name.begin);
+  first = first == std::string_view::npos ? 0 : first + 1;
+  std::size_t last = text.find(end, block.codeEnd);
+  if (last == std::string_view::npos) last = block.codeEnd;
+  last = std::min(text.find('\n', last), text.size());
+  return std::string(text.substr(first, last - first)) + "\n";
+}
+
+}  // namespace
+
+Retranslation::Retranslation(const Material& material, const step7::CompileOptions& options,
+                             Report& report)
+    : material_(material),
+      options_(options),
+      report_(report),
+      declarations_(material.blocks, options, report) {
+  options_.library = &declarations_.callable();
+}
+
+const StoredBlock* Retranslation::stored(BlockId id) const {
+  const auto at = std::find_if(material_.blocks.begin(), material_.blocks.end(),
+                               [id](const StoredBlock& b) { return b.block.id == id; });
+  return at == material_.blocks.end() ? nullptr : &*at;
+}
+
+step7::Compilation Retranslation::compile(const std::string& name, const std::string& text) const {
+  return step7::compile({source::SourceFile(name, text)}, options_);
+}
+
+bool Retranslation::offer(const TextFile& source) {
+  const source::SourceFile file(source.name, source.text);
+  const step7::Compilation compilation = step7::compile({file}, options_);
+  Problems ignored;
+  bool used = false;
+  for (const step7::BlockSource& block :
+       step7::BlockSplitter(file, options_.symbols, ignored).split()) {
+    const auto compiled = compilation.program.find(block.id);
+    const StoredBlock* wanted = stored(block.id);
+    if (compiled == compilation.program.end() || wanted == nullptr || kept_.contains(block.id) ||
+        wanted->block.attributes.knowHowProtect || wanted->block.id.kind == BlockKind::UDT ||
+        !sameBytes(compiled->second, wanted->block))
+      continue;
+    std::string text = cut(file, block, awl::endWord(block.id.kind));
+    std::string why;
+    if (!compilesTo(*wanted, text, why)) continue;
+    kept_.emplace(block.id, std::move(text));
+    used = true;
+  }
+  return used;
+}
+
+bool Retranslation::compilesTo(const StoredBlock& stored, const std::string& text,
+                               std::string& why) const {
+  const step7::Compilation compilation = compile(toString(stored.block.id), text);
+  const auto compiled = compilation.program.find(stored.block.id);
+  if (compiled != compilation.program.end() && compilation.ok() &&
+      sameBytes(compiled->second, stored.block))
+    return true;
+  why = "other bytes";
+  for (const Problem& problem : compilation.problems.list())
+    if (problem.severity() == Severity::Error) {
+      why = fmt::format("line {}: {}", problem.position.line, problem.message);
+      break;
+    }
+  return false;
+}
+
+std::string Retranslation::code(const StoredBlock& stored, std::string& why) {
+  const block::Block* declared = declarations_.find(stored.block.id);
+  if (declared == nullptr) {
+    why = "no declaration";
+    return {};
+  }
+  const awl::Blocks blocks = [this](BlockId id) -> const block::Block* {
+    const auto at = declarations_.callable().find(id);
+    return at == declarations_.callable().end() ? nullptr : &at->second;
+  };
+  for (const bool calls : {true, false}) {
+    std::string text =
+        awl::codeText(stored.block, *declared, declarations_.texts(stored.block.id), blocks, calls);
+    std::string reason;
+    if (compilesTo(stored, text, reason)) return text;
+    if (calls) why = reason;
+  }
+  return {};
+}
+
+std::string Retranslation::data(const StoredBlock& stored) {
+  const block::Block* declared = declarations_.find(stored.block.id);
+  if (declared == nullptr) return {};
+  return fmt::format("{}BEGIN\n{}{}\n",
+                     awl::headText(stored.block, declarations_.texts(stored.block.id)),
+                     awl::assignments(*declared, stored.block.actualData), "END_DATA_BLOCK");
+}
+
+BlockFile Retranslation::write(const StoredBlock& stored) {
+  const BlockId id = stored.block.id;
+  BlockFile file{id, {}, {}, Origin::Disassembled};
+  const awl::Texts& texts = declarations_.texts(id);
+  if (id.kind == BlockKind::UDT) {
+    if (declarations_.find(id) == nullptr) {
+      report_.add(Note::NoType, toString(id));
+      return file;
+    }
+    file.text = awl::headText(stored.block, texts) + "END_TYPE\n";
+    return file;
+  }
+  if (const auto kept = kept_.find(id); kept != kept_.end()) {
+    file.text = kept->second;
+    file.origin = Origin::Stored;
+    return file;
+  }
+  std::string why;
+  const bool hidden = stored.block.attributes.knowHowProtect;
+  if (holdsCode(id.kind)) {
+    if (!hidden) file.text = code(stored, why);
+    if (!file.text.empty()) return file;
+  } else {
+    file.text = data(stored);
+    if (!file.text.empty() && compilesTo(stored, file.text, why)) return file;
+    file.text.clear();
+  }
+  file.origin = Origin::MachineCode;
+  file.container = block::writeContainer(stored.block);
+  if (declarations_.find(id) != nullptr) {
+    file.text = fmt::format("// The machine code of this block is in {}{}.mc7.\n{}BEGIN\n",
+                            name(id.kind), id.number, awl::headText(stored.block, texts));
+    file.text += fmt::format("{}\n", awl::endWord(id.kind));
+  }
+  if (hidden && holdsCode(id.kind))
+    report_.add(Note::ProtectedBlock, toString(id));
+  else
+    report_.add(Note::MachineCode, toString(id), why);
+  return file;
+}
+
+}  // namespace merker::importing

@@ -1,0 +1,83 @@
+import s7p
+
+from harness import *
+
+# U E 0.0; = A 0.0; BE and a protected block: U E 0.1; = A 0.1; BE
+PROGRAM = [(s7p.OB, 1, bytes.fromhex("C000D8806500"), {}), (s7p.FC, 5, bytes.fromhex("C100D8816500"), {"PASSWORD": 3})]
+
+
+class Import(Case):
+    def files(self, folder, files):
+        for name, content in files.items():
+            path = self.folder / folder / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_bytes(content)
+        return folder
+
+    def test_a_zip_becomes_a_project_that_runs(self):
+        symbols = [{"_SKZ": "Насос".encode("cp1251"), "_OPHIST": "A       0.0", "_DATATYP": "BOOL"}]
+        (self.folder / "plant.zip").write_bytes(s7p.zipped({"x/" + n: c for n, c in s7p.project(PROGRAM, symbols, "1251").items()}))
+        call = self.expect(GOOD, "import", "plant.zip", "-o", "plant")
+        self.assertIn("1 symbols", call.out)
+        self.assertIn("FC 5 is protected", call.out)
+        self.assertTrue(call.out.endswith("written to plant\n"), call.out)
+        self.assertIn("FC 5 is protected", (self.folder / "plant/import-report.txt").read_text(encoding="utf-8"))
+        self.assertIn("Насос", (self.folder / "plant/symbols.sym").read_text(encoding="utf-8"))
+        self.assertIn("2 blocks, 0 errors", self.expect(GOOD, "check", "plant").out)
+        out = self.expect(GOOD, "run", "plant", "--cycles", "10", "--set", "E 0.0 = 1", "--print", '"Насос"').out
+        self.assertEqual(out, '"Насос" = 1\n')
+
+    def test_a_folder_and_the_default_name(self):
+        self.files("in/Plant", s7p.project(PROGRAM))
+        self.assertIn("written to Plant", self.expect(GOOD, "import", "in/Plant").out)
+        self.assertTrue((self.folder / "Plant/OB1.awl").is_file())
+
+    def test_existing_files_are_safe(self):
+        self.files("in", s7p.project(PROGRAM))
+        self.write("out/mine.txt", "mine")
+        call = self.expect(UNREADABLE, "import", "in", "-o", "out")
+        self.assertIn("out exists and is not empty", call.err)
+        self.assertEqual([p.name for p in (self.folder / "out").iterdir()], ["mine.txt"])
+
+    def test_wrong_usage(self):
+        self.files("in", s7p.project(PROGRAM))
+        self.assertIn("the programs are: Line 1", self.expect(USAGE, "import", "in", "-o", "a", "--program", "Line 2").err)
+        self.expect(USAGE, "import")
+        self.assertIn("cannot be read", self.expect(UNREADABLE, "import", "missing").err)
+        self.write("letter/letter.txt", "Dear reader")
+        self.assertIn("nothing that can be imported", self.expect(UNREADABLE, "import", "letter", "-o", "b").err)
+        self.assertIn("--program", self.expect(GOOD, "import", "--help").out)
+
+    def test_nothing_leads_out_of_the_folder(self):
+        files = s7p.project(PROGRAM)
+        evil = {"../../evil.awl": b"FUNCTION FC 9 : VOID\r\n", "/tmp/evil2.awl": b"FUNCTION FC 9 : VOID\r\n"}
+        (self.folder / "a.zip").write_bytes(s7p.zipped({**files, **evil}))
+        call = self.expect(PROBLEMS, "import", "a.zip", "-o", "deep/out")
+        self.assertIn("leads out of the archive", call.out)
+        self.assertEqual([p for p in self.folder.rglob("*evil*")], [])
+
+    def test_a_bomb_costs_itself(self):
+        bomb = b"\0" * (80 << 20)
+        (self.folder / "a.zip").write_bytes(s7p.zipped({**s7p.project(PROGRAM), "hOmSave7/x/HOBJECT1.DBF": bomb}))
+        call = self.expect(PROBLEMS, "import", "a.zip", "-o", "out")
+        self.assertIn("packed more densely", call.out)
+        self.assertTrue((self.folder / "out/OB1.awl").is_file(), call.out)
+
+    def test_every_cut_of_a_zip_ends_with_a_message(self):
+        content = s7p.zipped(s7p.project(PROGRAM))
+        for length in range(0, len(content), len(content) // 12):
+            with self.subTest(length):
+                (self.folder / "cut.zip").write_bytes(content[:length])
+                self.assertIn("nothing that can be imported",
+                              self.expect(UNREADABLE, "import", "cut.zip", "-o", f"out{length}").err)
+
+    # Issue: a damaged file costs itself, not the import
+    def test_every_damaged_table_leaves_the_rest(self):
+        files = s7p.project(PROGRAM, [{"_SKZ": "Motor", "_OPHIST": "A 0.0"}])
+        for number, name in enumerate(sorted(files)):
+            for damage in (b"", files[name][:40], bytes(reversed(files[name]))):
+                with self.subTest(name=name, length=len(damage)):
+                    folder = self.files(f"in{number}-{len(damage)}-{damage[:1].hex()}", {**files, name: damage})
+                    result = self.merker("import", folder, "-o", "out-" + folder)
+                    self.assertIn(result.code, (GOOD, PROBLEMS), result.err)
+                    self.assertTrue((self.folder / ("out-" + folder) / "merker.toml").is_file())

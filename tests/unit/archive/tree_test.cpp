@@ -1,0 +1,122 @@
+#include "archive/tree.h"
+
+#include <gtest/gtest.h>
+
+#include "../archive_zip.h"
+
+namespace merker::archive {
+namespace {
+
+std::string textOf(const Tree& tree, const std::string& path) {
+  const auto file = tree.open(path);
+  return file ? file->text(1000) : "(none)";
+}
+
+bool refused(const Tree& tree, Refusal why) {
+  for (const Refused& r : tree.refused())
+    if (r.why == why) return true;
+  return false;
+}
+
+TEST(Tree, namesOfAFolderAreComparedWithoutCase) {
+  const TestFolder folder;
+  folder.write("YDBs/27/SYMLIST.DBF", "symbols");
+  folder.write("a.txt", "a");
+  const Tree tree(folder.path());
+  ASSERT_TRUE(tree.readable());
+  EXPECT_EQ(tree.files().size(), 2u);
+  EXPECT_EQ(textOf(tree, "ydbs/27/symlist.dbf"), "symbols");
+  EXPECT_EQ(tree.below("YDBS").size(), 1u);
+  EXPECT_EQ(tree.find("ydbs/28/symlist.dbf"), nullptr);
+}
+
+TEST(Tree, aZipIsATreeAndAZipInAFolderAFolderOfIt) {
+  const TestFolder folder;
+  folder.zip("p.zip", {{"P/hrs/S7RESOFF.DBF", "programs"}, {"P\\x.txt", "x"}});
+  EXPECT_EQ(textOf(Tree(folder.path("p.zip")), "p/HRS/s7resoff.dbf"), "programs");
+  const Tree above(folder.path());
+  EXPECT_EQ(textOf(above, "p.zip/P/hrs/S7RESOFF.DBF"), "programs");
+  EXPECT_EQ(textOf(above, "p.zip/P/x.txt"), "x");
+}
+
+TEST(Tree, aZipInAZipIsReadToADepth) {
+  const TestFolder folder;
+  folder.zip("1.zip", {{"a.txt", "inside"}});
+  std::string bytes = folder.read("1.zip");
+  for (const char* name : {"2.zip", "3.zip", "4.zip"}) {
+    folder.zip(name, {{"n.zip", bytes}});
+    bytes = folder.read(name);
+  }
+  EXPECT_EQ(textOf(Tree(folder.path("2.zip")), "n.zip/a.txt"), "inside");
+  const Tree deep(folder.path("4.zip"));
+  EXPECT_EQ(deep.files().size(), 0u);
+  EXPECT_TRUE(refused(deep, Refusal::TooDeep));
+}
+
+TEST(Tree, pathsThatLeadOutAndLinksAreRefused) {
+  const TestFolder folder;
+  folder.zip(
+      "p.zip",
+      {{"../evil", "x"}, {"/etc/evil", "x"}, {"C:/evil", "x"}, {"a/../../b", "x"}, {"good", "y"}});
+  const Tree tree(folder.path("p.zip"));
+  ASSERT_EQ(tree.files().size(), 1u);
+  EXPECT_EQ(tree.files()[0].path, "good");
+  EXPECT_EQ(tree.refused().size(), 4u);
+  EXPECT_TRUE(refused(tree, Refusal::LeadsOut));
+  folder.write("d/real", "z");
+  std::filesystem::create_symlink("/etc/passwd", folder.path("d/link"));
+  const Tree disk(folder.path("d"));
+  EXPECT_EQ(disk.files().size(), 1u);
+  EXPECT_TRUE(refused(disk, Refusal::Link));
+}
+
+// What comes out counts, not what the directory of the zip says.
+TEST(Tree, aBombIsNotUnpacked) {
+  const TestFolder folder;
+  folder.zip("p.zip", {{"big", std::string(3'000'000, ' ')}, {"small", "s"}});
+  Limits limits;
+  limits.unpacked = 2'000'000;
+  const Tree large(folder.path("p.zip"), limits);
+  EXPECT_EQ(large.open("big"), nullptr);
+  EXPECT_TRUE(refused(large, Refusal::TooLarge));
+  EXPECT_EQ(textOf(large, "small"), "s");
+  Limits thin;
+  thin.dense = 1'000'000;
+  const Tree dense(folder.path("p.zip"), thin);
+  EXPECT_EQ(dense.open("big"), nullptr);
+  EXPECT_TRUE(refused(dense, Refusal::TooDense));
+  const auto whole = Tree(folder.path("p.zip")).open("big");
+  ASSERT_NE(whole, nullptr);
+  EXPECT_EQ(whole->size(), 3'000'000u);
+}
+
+TEST(Tree, theNumberOfFilesIsLimited) {
+  const TestFolder folder;
+  std::map<std::string, std::string> files;
+  for (int i = 0; i < 20; ++i) files["f" + std::to_string(i)] = "x";
+  folder.zip("p.zip", files);
+  Limits limits;
+  limits.entries = 10;
+  const Tree tree(folder.path("p.zip"), limits);
+  EXPECT_EQ(tree.files().size(), 10u);
+  EXPECT_TRUE(refused(tree, Refusal::TooMany));
+}
+
+TEST(Tree, aDamagedZipCostsItself) {
+  const TestFolder folder;
+  folder.zip("p.zip", {{"a", std::string(5000, 'a') + "b"}});
+  std::string bytes = folder.read("p.zip");
+  folder.write("cut.zip", bytes.substr(0, bytes.size() / 2));
+  const Tree cut(folder.path("cut.zip"));
+  EXPECT_TRUE(cut.isSingleFile());
+  bytes[45] = static_cast<char>(bytes[45] ^ 0x55);  // inside the packed data
+  folder.write("wrong.zip", bytes);
+  const Tree wrong(folder.path("wrong.zip"));
+  ASSERT_EQ(wrong.files().size(), 1u);
+  EXPECT_EQ(wrong.open("a"), nullptr);
+  EXPECT_TRUE(refused(wrong, Refusal::Unreadable));
+  EXPECT_FALSE(Tree(folder.path("missing")).readable());
+}
+
+}  // namespace
+}  // namespace merker::archive

@@ -1,0 +1,211 @@
+#include "importing/import.h"
+
+#include <gtest/gtest.h>
+
+#include "../archive_zip.h"
+#include "../s7p_files.h"
+#include "block/container.h"
+#include "compilation/build.h"
+#include "step7/compiler.h"
+
+namespace merker::importing {
+namespace {
+
+const std::string kProgram =
+    "TYPE UDT 1\nSTRUCT\nA : INT;\nB : BOOL;\nEND_STRUCT;\nEND_TYPE\n"
+    "FUNCTION FC 1 : INT\nVAR_INPUT\nIN1 : INT;\nTIM : TIMER;\nEND_VAR\nVAR_OUTPUT\nOUT1 : "
+    "BOOL;\nEND_VAR\n"
+    "VAR_TEMP\nsum : INT;\nEND_VAR\nBEGIN\nNETWORK\nTITLE = first\nL #IN1;\nL 5;\n+I;\nT #sum;\nT "
+    "#RET_VAL;\n"
+    "NETWORK\nU M 1.0;\nSPB m1;\nU #TIM;\n= #OUT1;\nm1: L DB10.DBW 0;\nT MW 20;\nEND_FUNCTION\n"
+    "FUNCTION_BLOCK FB 1\nVAR_INPUT\nSTART : BOOL;\nEND_VAR\nVAR\ncount : INT := "
+    "7;\nEND_VAR\nBEGIN\nNETWORK\n"
+    "U #START;\nL #count;\nINC 1;\nT #count;\nEND_FUNCTION_BLOCK\n"
+    "DATA_BLOCK DB 1\nFB 1\nBEGIN\nEND_DATA_BLOCK\n"
+    "DATA_BLOCK DB 10\nSTRUCT\nspeed : INT := 3;\ntext : STRING [8] := 'abc';\nlist : ARRAY [1..3] "
+    "OF REAL;\n"
+    "END_STRUCT;\nBEGIN\nspeed := 99;\nlist[2] := 1.5;\nEND_DATA_BLOCK\n"
+    "ORGANIZATION_BLOCK OB 1\nVAR_TEMP\ninfo : ARRAY [0..19] OF BYTE;\nEND_VAR\nBEGIN\nNETWORK\nU "
+    "E 0.0;\n= A 0.0;\n"
+    "L DB1.DBW 2;\nT MW 30;\nL DB10.DBW 0;\nT MW 32;\nEND_ORGANIZATION_BLOCK\n";
+
+const block::Program& program() {
+  static const block::Program compiled =
+      step7::compile({source::SourceFile("a.awl", kProgram)}, {}).program;
+  return compiled;
+}
+
+const std::map<BlockId, std::string> kDeclarations{
+    {{BlockKind::FC, 1},
+     "VAR_INPUT\r\n  IN1 : INT ;\t//first\r\n  TIM : TIMER ;\t\r\nEND_VAR\r\nVAR_OUTPUT\r\n  "
+     "RET_VAL : INT ;\t\r\n"
+     "  OUT1 : BOOL ;\t\r\nEND_VAR\r\nVAR_TEMP\r\n  sum : INT ;\t\r\nEND_VAR\r\n"},
+    {{BlockKind::FB, 1},
+     "VAR_INPUT\r\n  START : BOOL ;\t\r\nEND_VAR\r\nVAR\r\n  count : INT  := 7;\t\r\nEND_VAR\r\n"},
+    {{BlockKind::DB, 10},
+     "  STRUCT \t\r\n   speed : INT  := 3;\t\r\n   text : STRING  [8 ] := 'abc';\t\r\n"
+     "   list : ARRAY  [1 .. 3 ] OF //a list\r\nREAL ;\t\r\n  END_STRUCT ;\t\r\n"}};
+
+s7p_files::BlockFolder blocks(int password = 0) {
+  s7p_files::BlockFolder folder;
+  for (const auto& [id, block] : program()) {
+    if (id.kind == BlockKind::UDT) continue;
+    s7p_files::BlockFolder::Extra extra;
+    if (const auto at = kDeclarations.find(id); at != kDeclarations.end())
+      extra.declaration = at->second;
+    if (id == BlockId{BlockKind::FC, 1}) {
+      extra.password = password;
+      extra.title = "F\xFCllstand";
+      extra.networks = {{"first", "comment", {{0, 0x80, "load"}, {3, 0x80, "store"}}},
+                        {"second", "", {{4, 0x80, "the data"}}}};
+    }
+    folder.add(block, extra);
+  }
+  folder.addText(1, 1, "  STRUCT \r\n   A : INT ;\r\n   B : BOOL ;\r\n  END_STRUCT ;\r\n");
+  return folder;
+}
+
+struct Import {
+  explicit Import(const s7p_files::Files& files, const std::string& program = "") {
+    for (const auto& [name, bytes] : files) folder.write("in/" + name, bytes);
+    outcome = importSource({folder.path("in"), folder.path("out"), program});
+  }
+  compilation::Build build() const {
+    return compilation::build(project::load(folder.path("out"), ""), false);
+  }
+  TestFolder folder;
+  Outcome outcome;
+};
+
+s7p_files::Project project(int password = 0) {
+  s7p_files::Project project;
+  project.blocks = blocks(password);
+  project.symbolRows = {{{"_SKZ", "Motor"},
+                         {"_OPHIST", "A       0.0"},
+                         {"_DATATYP", "BOOL"},
+                         {"_COMMENT", "K\xFChlung"}},
+                        {{"_SKZ", "Axis"}, {"_OPHIST", "DB     1"}, {"_DATATYP", "FB     1"}},
+                        {{"_SKZ", "wrong"}, {"_OPHIST", "L      1"}, {"_DATATYP", "BOOL"}}};
+  return project;
+}
+
+bool hasLine(const std::string& text, const std::string& one, const std::string& two) {
+  const std::size_t at = text.find(one);
+  return at != std::string::npos &&
+         text.substr(at, text.find('\n', at) - at).find(two) != std::string::npos;
+}
+
+// Whatever the way: what the project compiles to is what was stored.
+void expectSameBlocks(const compilation::Build& build) {
+  for (const auto& [id, block] : program()) {
+    if (id.kind == BlockKind::UDT) continue;
+    ASSERT_TRUE(build.program->contains(id)) << toString(id);
+    const block::Block& now = build.program->at(id);
+    EXPECT_EQ(now.code, block.code) << toString(id);
+    EXPECT_EQ(now.actualData, block.actualData) << toString(id);
+  }
+}
+
+TEST(Import, aProjectComesBackByteForByte) {
+  const Import done(project().files());
+  ASSERT_EQ(done.outcome.result, Result::Imported) << done.outcome.report;
+  const auto build = done.build();
+  EXPECT_TRUE(build.ok()) << done.outcome.report;
+  expectSameBlocks(build);
+  EXPECT_FALSE(done.folder.has("out/FC1.mc7")) << done.outcome.report;
+  const std::string fc = done.folder.read("out/FC1.awl");
+  EXPECT_NE(fc.find("FUNCTION FC 1 : INT\nTITLE = Füllstand\n"), std::string::npos) << fc;
+  EXPECT_NE(fc.find("IN1 : INT ;\t//first"), std::string::npos) << fc;
+  EXPECT_EQ(fc.find("RET_VAL : INT"), std::string::npos) << fc;
+  EXPECT_NE(fc.find("TITLE = first\n//comment\n"), std::string::npos) << fc;
+  EXPECT_TRUE(hasLine(fc, "L     #IN1;", "//load")) << fc;
+  EXPECT_TRUE(hasLine(fc, "T     #sum;", "//store")) << fc;
+  EXPECT_TRUE(hasLine(fc, "L     DB10.DBW 0;", "//the data")) << fc;
+  EXPECT_NE(done.folder.read("out/DB10.awl").find("  speed := 99;\n  list[2] := 1.5"),
+            std::string::npos);
+  EXPECT_NE(done.folder.read("out/symbols.sym").find("Kühlung"), std::string::npos);
+  EXPECT_TRUE(done.folder.has("out/UDT1.awl"));
+  EXPECT_TRUE(done.outcome.lost) << "the symbol of a local operand";
+  EXPECT_NE(done.outcome.report.find("symbol wrong"), std::string::npos) << done.outcome.report;
+  EXPECT_EQ(done.folder.read("out/import-report.txt"), done.outcome.report);
+}
+
+TEST(Import, aSourceThatCompilesToTheStoredBytesIsKept) {
+  auto stored = project();
+  stored.sources = {
+      {"Old",
+       "FUNCTION FC 1 : INT\nVAR_INPUT\nIN1 : INT;\nTIM : TIMER;\nEND_VAR\nVAR_OUTPUT\n"
+       "OUT1 : BOOL;\nEND_VAR\nBEGIN\nL #IN1;\nEND_FUNCTION\n"},
+      {"All", "// \xC4nderung\r\n" + kProgram.substr(kProgram.find("FUNCTION FC 1"))}};
+  const Import done(stored.files());
+  expectSameBlocks(done.build());
+  EXPECT_NE(done.folder.read("out/FC1.awl").find("m1: L DB10.DBW 0;"), std::string::npos);
+  EXPECT_NE(done.outcome.report.find("source Old belongs to no stored block"), std::string::npos);
+  EXPECT_TRUE(done.folder.has("out/sources/Old.txt"));
+  EXPECT_FALSE(done.folder.has("out/sources/All.txt"));
+}
+
+// S7P section 5: respect the mark, run the code, show the interface, do not show the body.
+TEST(Import, aProtectedBlockRunsAndCanBeCalled) {
+  const Import done(project(3).files());
+  const auto build = done.build();
+  EXPECT_TRUE(build.ok()) << done.outcome.report;
+  expectSameBlocks(build);
+  ASSERT_TRUE(done.folder.has("out/FC1.mc7"));
+  const std::string fc = done.folder.read("out/FC1.awl");
+  EXPECT_NE(fc.find("KNOW_HOW_PROTECT"), std::string::npos);
+  EXPECT_EQ(fc.find("+I"), std::string::npos) << "the body is not shown";
+  EXPECT_TRUE(build.program->at({BlockKind::FC, 1}).attributes.knowHowProtect);
+  done.folder.write("out/FC2.awl",
+                    "FUNCTION FC 2 : VOID\nBEGIN\nCALL FC 1 (IN1 := 5, TIM := T 1, RET_VAL := MW "
+                    "4, OUT1 := M 9.0);\n"
+                    "END_FUNCTION\n");
+  EXPECT_TRUE(done.build().ok());
+}
+
+TEST(Import, withoutDeclarationsVariablesAreNamedByTheirPlace) {
+  s7p_files::Project stored;
+  for (const auto& [id, block] : program())
+    if (id.kind != BlockKind::UDT) stored.blocks.add(block);
+  const Import done(stored.files());
+  EXPECT_TRUE(done.build().ok()) << done.outcome.report;
+  expectSameBlocks(done.build());
+  EXPECT_NE(done.folder.read("out/FC1.awl").find("IN0 : INT"), std::string::npos);
+}
+
+TEST(Import, neverOverExistingFiles) {
+  const TestFolder folder;
+  for (const auto& [name, bytes] : project().files()) folder.write("in/" + name, bytes);
+  folder.write("out/OB1.awl", "mine");
+  EXPECT_EQ(importSource({folder.path("in"), folder.path("out"), ""}).result, Result::Exists);
+  EXPECT_EQ(folder.read("out/OB1.awl"), "mine");
+  EXPECT_FALSE(folder.has("out/merker.toml"));
+}
+
+TEST(Import, aZipOfSeveralProjectsGivesAFolderEach) {
+  const TestFolder folder;
+  s7p_files::Files all;
+  for (const std::string name : {"A/", "B/"})
+    for (const auto& [file, bytes] : project().files()) all[name + file] = bytes;
+  folder.zip("p.zip", all);
+  const Outcome outcome = importSource({folder.path("p.zip"), folder.path("out"), ""});
+  ASSERT_EQ(outcome.programs.size(), 2u);
+  EXPECT_TRUE(folder.has("out/S7 Program(1)/OB1.awl")) << outcome.report;
+  EXPECT_TRUE(folder.has("out/S7 Program(1) 2/OB1.awl"));
+  EXPECT_EQ(importSource({folder.path("p.zip"), folder.path("no"), "missing"}).result,
+            Result::NoSuchProgram);
+}
+
+// S7P section 10
+TEST(Import, aMissingMemoCostsTheBlocksOnly) {
+  auto files = project().files();
+  files.erase("ombstx/offline/0000000A/subblk.dbt");
+  const Import done(files);
+  ASSERT_EQ(done.outcome.result, Result::Imported);
+  EXPECT_TRUE(done.outcome.lost);
+  EXPECT_TRUE(done.folder.has("out/symbols.sym"));
+  EXPECT_NE(done.outcome.report.find("SUBBLK.DBT is missing"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace merker::importing
