@@ -75,9 +75,9 @@ class Import(Case):
     def test_every_damaged_table_leaves_the_rest(self):
         files = s7p.project(PROGRAM, [{"_SKZ": "Motor", "_OPHIST": "A 0.0"}])
         for number, name in enumerate(sorted(files)):
-            for damage in (b"", files[name][:40], bytes(reversed(files[name]))):
+            for kind, damage in enumerate((b"", files[name][:40], bytes(reversed(files[name])))):
                 with self.subTest(name=name, length=len(damage)):
-                    folder = self.files(f"in{number}-{len(damage)}-{damage[:1].hex()}", {**files, name: damage})
+                    folder = self.files(f"in{number}-{kind}", {**files, name: damage})
                     result = self.merker("import", folder, "-o", "out-" + folder)
                     self.assertIn(result.code, (GOOD, PROBLEMS), result.err)
                     self.assertTrue((self.folder / ("out-" + folder) / "merker.toml").is_file())

@@ -33,6 +33,7 @@ std::uint32_t bldNumber(const mc7::Place& place) {
 struct Actual {
   Instruction instruction;
   std::int32_t db = -1;
+  std::int64_t own = -1;  // the address of this place of the own instance
 };
 // By bit address of the local data.
 using Places = std::map<BitAddress, Actual>;
@@ -83,6 +84,7 @@ class Call {
     if (i < end && stores(body_[i]->instruction) && isLocal(body_[i]->instruction.operand)) ++i;
     if (i < end && body_[i]->instruction.operation == Operation::TAR2) ++i;
     std::int32_t db = -1;
+    std::int64_t own = -1;
     const Instruction* source = nullptr;
     for (; i < end; ++i) {
       if (!body_[i]->known) return false;
@@ -91,8 +93,14 @@ class Call {
         db = static_cast<std::int32_t>(now.operand.value);
       } else if (loads(now) || now.operation == Operation::SET || now.operation == Operation::CLR) {
         source = &now;
+      } else if (now.operation == Operation::ADD_AR2) {  // +AR2 P#y; TAR2; LAR2 LD b; T LD
+        own = now.operand.value;
+      } else if (own >= 0 &&
+                 (now.operation == Operation::TAR2 || now.operation == Operation::LAR2)) {
+        source = &now;
       } else if (stores(now) && isLocal(now.operand) && source != nullptr) {
-        staged_[now.operand.value] = {*source, db};
+        staged_[now.operand.value] = {*source, db, own};
+        own = -1;
         source = nullptr;
         db = -1;
       } else {
@@ -115,7 +123,7 @@ class Call {
       } else if (opensDb(now)) {
         db = static_cast<std::int32_t>(now.operand.value);
       } else if (stores(now) && source != nullptr) {
-        copied_[source->operand.value] = {now, db};
+        copied_[source->operand.value] = {now, db, -1};
         source = nullptr;
         db = -1;
       } else {
@@ -167,16 +175,30 @@ class Call {
     return at->second.instruction.operand.value;
   }
 
+  // A variable of the own instance whose address is in these bytes.
+  std::string ownAt(const block::Variable& parameter, BitAddress address) const {
+    const auto at = staged_.find(address);
+    if (at == staged_.end() || at->second.own < 0) return {};
+    const TypeCode type = parameter.type->code;
+    const bool anyType = type == TypeCode::Any || type == TypeCode::Pointer;
+    const std::string name =
+        partAt(names_.block().variables, static_cast<BitAddress>(at->second.own), *parameter.type,
+               anyType);
+    return name.empty() ? name : "#" + name;
+  }
+
   // An ANY of ten bytes, a POINTER of six, or a variable of the block that is one.
   std::string complexOf(const block::Variable& parameter, BitAddress address) const {
-    if (parameter.type->code == TypeCode::Any) {
+    const bool any = parameter.type->code == TypeCode::Any;
+    if (std::string own = ownAt(parameter, address + (any ? 48 : 16)); !own.empty()) return own;
+    if (any) {
       const auto head = constantAt(address), count = constantAt(address + 16);
       const auto db = constantAt(address + 32), pointer = constantAt(address + 48);
       if (head && count && db && pointer) return anyText(*head, *count, *db, *pointer);
     } else if (const auto db = constantAt(address), pointer = constantAt(address + 16);
                db && pointer) {
       if (parameter.type->code == TypeCode::Pointer) return pointerOf(*db, *pointer);
-      return variableAt(*db, *pointer);
+      return variableAt(*db, *pointer, *parameter.type);
     }
     if (staged_.contains(address)) return {};
     const block::Variable* variable = names_.local(address);
@@ -184,16 +206,15 @@ class Call {
   }
 
   // A variable of a data block or of the local data that begins there.
-  std::string variableAt(std::uint32_t db, std::uint32_t pointer) const {
+  std::string variableAt(std::uint32_t db, std::uint32_t pointer, const block::Type& type) const {
     if (pointerArea(pointer) == Area::CallerLocal) {
       const block::Variable* local = names_.local(pointerAddress(pointer));
       return local == nullptr ? std::string() : "#" + local->name;
     }
     const block::Block* data = blocks_({BlockKind::DB, static_cast<std::uint16_t>(db)});
     if (data == nullptr) return {};
-    for (const block::Variable& v : data->variables)
-      if (v.address == pointerAddress(pointer)) return fmt::format("DB{}.{}", db, v.name);
-    return {};
+    const std::string name = partAt(data->variables, pointerAddress(pointer), type);
+    return name.empty() ? name : fmt::format("DB{}.{}", db, name);
   }
 
   const mc7::Listing& listing_;

@@ -43,7 +43,42 @@ void eachElement(const block::Variable& variable, const std::string& path, BitAd
   }
 }
 
+// The path of the part of `variable`, at `at`, that begins at `address`; empty if none does.
+std::string partOf(const block::Variable& variable, const std::string& path, BitAddress at,
+                   BitAddress address, const block::Type& type, bool anyType, int depth) {
+  const block::Type& own = *variable.type;
+  if (address < at || address >= at + block::sizeInBits(own) || depth > kDeepest) return {};
+  if (address == at && (anyType || block::sameStructure(own, type))) return path;
+  if (own.code == TypeCode::Array) {
+    const auto offsets = block::elementOffsets(own);
+    for (std::size_t i = 0; i < offsets.size(); ++i) {
+      block::Variable element;
+      element.type = own.element;
+      std::string found = partOf(element, path + indexText(own, i), at + offsets[i], address, type,
+                                 anyType, depth + 1);
+      if (!found.empty()) return found;
+    }
+    return {};
+  }
+  for (const block::Variable& member : own.members) {
+    std::string found = partOf(member, path + "." + member.name, at + member.address, address, type,
+                               anyType, depth + 1);
+    if (!found.empty()) return found;
+  }
+  return {};
+}
+
 }  // namespace
+
+std::string partAt(const std::vector<block::Variable>& variables, BitAddress address,
+                   const block::Type& type, bool anyType) {
+  for (const block::Variable& v : variables) {
+    if (v.section == block::Section::Temp) continue;
+    std::string found = partOf(v, v.name, v.address, address, type, anyType, 0);
+    if (!found.empty()) return found;
+  }
+  return {};
+}
 
 Width widthOf(TypeCode type) {
   switch (bitWidth(type)) {

@@ -22,6 +22,7 @@ class Names {
   // A variable of any type that begins at this place of the local data or of the instance.
   const block::Variable* local(BitAddress address) const;
   const block::Variable* instance(BitAddress address) const;
+  const block::Block& block() const { return block_; }
   std::string parameter(std::uint32_t index) const;
 
  private:
@@ -38,6 +39,11 @@ class Names {
 // The member of a structure that begins at `address` and is elementary of this width: "a.b[2]".
 std::string memberAt(const std::vector<block::Variable>& variables, BitAddress address,
                      Width width);
+
+// The part of the variables that begins at `address` and has this type, and is no elementary one:
+// "a.b[2]". With `anyType` the outermost one that begins there.
+std::string partAt(const std::vector<block::Variable>& variables, BitAddress address,
+                   const block::Type& type, bool anyType = false);
 
 Width widthOf(TypeCode type);
 

@@ -95,14 +95,21 @@ std::vector<const block::Variable*> frame(const block::Block& block) {
 
 }  // namespace
 
+bool isOfTheCpu(BlockId id, const block::Program& library) {
+  const bool system = id.kind == BlockKind::SFC || id.kind == BlockKind::SFB;
+  return system && library.contains(id);
+}
+
 Declarations::Declarations(const std::vector<s7p::StoredBlock>& blocks,
                            const step7::CompileOptions& options, Report& report) {
-  for (const s7p::StoredBlock& stored : blocks) declare(stored);
+  for (const s7p::StoredBlock& stored : blocks)
+    if (!isOfTheCpu(stored.block.id, *options.library)) declare(stored);
   compile(blocks, options);
   bool again = false;
   for (const s7p::StoredBlock& stored : blocks) {
-    if (fits(stored) || stored.block.id.kind == BlockKind::UDT) continue;
-    awl::Texts& texts = texts_.at(stored.block.id);
+    const auto known = texts_.find(stored.block.id);
+    if (known == texts_.end() || fits(stored) || stored.block.id.kind == BlockKind::UDT) continue;
+    awl::Texts& texts = known->second;
     const std::string name = toString(stored.block.id);
     if (!texts.dataType.empty())
       report.add(Note::InstanceWithoutBlock, name, texts.dataType);
@@ -140,8 +147,9 @@ void Declarations::compile(const std::vector<s7p::StoredBlock>& blocks,
                            const step7::CompileOptions& options) {
   std::vector<source::SourceFile> sources;
   for (const s7p::StoredBlock& stored : blocks)
-    sources.emplace_back(toString(stored.block.id),
-                         sourceOf(stored.block, texts_.at(stored.block.id)));
+    if (texts_.contains(stored.block.id))
+      sources.emplace_back(toString(stored.block.id),
+                           sourceOf(stored.block, texts_.at(stored.block.id)));
   declared_ = step7::compile(sources, options).program;
 }
 

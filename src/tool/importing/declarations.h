@@ -10,6 +10,9 @@
 
 namespace merker::importing {
 
+// A system function that the CPU has: it needs no source.
+bool isOfTheCpu(BlockId id, const block::Program& library);
+
 class Declarations {
  public:
   // `options` name library and symbols.

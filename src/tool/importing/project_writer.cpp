@@ -14,9 +14,6 @@ namespace {
 
 std::string fileName(BlockId id) { return fmt::format("{}{}", name(id.kind), id.number); }
 
-// The CPU brings these; only those that it does not know are declared by the project.
-bool isSystemBlock(BlockKind kind) { return kind == BlockKind::SFC || kind == BlockKind::SFB; }
-
 struct Counts {
   std::size_t all = 0, stored = 0, disassembled = 0, machineCode = 0;
 };
@@ -43,8 +40,7 @@ void writeBlocks(const Material& material, const step7::CompileOptions& options,
   Counts counts;
   for (const s7p::StoredBlock& stored : material.blocks) {
     const BlockId id = stored.block.id;
-    const bool known = options.library->contains(id) && isSystemBlock(id.kind);
-    if (known || stored.damaged) continue;
+    if (isOfTheCpu(id, *options.library) || stored.damaged) continue;
     const BlockFile file = blocks.write(stored);
     count(file, counts);
     if (!file.text.empty()) output.write(fileName(id) + ".awl", file.text);

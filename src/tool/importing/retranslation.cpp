@@ -89,19 +89,39 @@ bool Retranslation::compilesTo(const StoredBlock& stored, const std::string& tex
   return false;
 }
 
+std::string Retranslation::codeText(const StoredBlock& stored, const block::Block& declared,
+                                    bool calls) const {
+  const awl::Blocks blocks = [this](BlockId id) -> const block::Block* {
+    const auto at = declarations_.callable().find(id);
+    return at == declarations_.callable().end() ? nullptr : &at->second;
+  };
+  return awl::codeText(stored.block, declared, declarations_.texts(stored.block.id), blocks, calls);
+}
+
+// The machine code is in a file beside it; the statements are there to be read.
+std::string Retranslation::declarationOf(const StoredBlock& stored, bool hidden) const {
+  const BlockId id = stored.block.id;
+  const block::Block* declared = declarations_.find(id);
+  if (declared == nullptr) return {};
+  std::string text =
+      fmt::format("// The machine code of this block is in {}{}.mc7.\n{}BEGIN\n", name(id.kind),
+                  id.number, awl::headText(stored.block, declarations_.texts(id)));
+  if (!hidden && holdsCode(id.kind)) {
+    constexpr std::string_view kBegin = "\nBEGIN\n";
+    const std::string code = codeText(stored, *declared, true);
+    text += awl::commentLines(std::string_view(code).substr(code.find(kBegin) + kBegin.size()));
+  }
+  return fmt::format("{}{}\n", text, awl::endWord(id.kind));
+}
+
 std::string Retranslation::code(const StoredBlock& stored, std::string& why) {
   const block::Block* declared = declarations_.find(stored.block.id);
   if (declared == nullptr) {
     why = "no declaration";
     return {};
   }
-  const awl::Blocks blocks = [this](BlockId id) -> const block::Block* {
-    const auto at = declarations_.callable().find(id);
-    return at == declarations_.callable().end() ? nullptr : &at->second;
-  };
   for (const bool calls : {true, false}) {
-    std::string text =
-        awl::codeText(stored.block, *declared, declarations_.texts(stored.block.id), blocks, calls);
+    std::string text = codeText(stored, *declared, calls);
     std::string reason;
     if (compilesTo(stored, text, reason)) return text;
     if (calls) why = reason;
@@ -120,13 +140,12 @@ std::string Retranslation::data(const StoredBlock& stored) {
 BlockFile Retranslation::write(const StoredBlock& stored) {
   const BlockId id = stored.block.id;
   BlockFile file{id, {}, {}, Origin::Disassembled};
-  const awl::Texts& texts = declarations_.texts(id);
   if (id.kind == BlockKind::UDT) {
     if (declarations_.find(id) == nullptr) {
       report_.add(Note::NoType, toString(id));
       return file;
     }
-    file.text = awl::headText(stored.block, texts) + "END_TYPE\n";
+    file.text = awl::headText(stored.block, declarations_.texts(id)) + "END_TYPE\n";
     return file;
   }
   if (const auto kept = kept_.find(id); kept != kept_.end()) {
@@ -146,11 +165,7 @@ BlockFile Retranslation::write(const StoredBlock& stored) {
   }
   file.origin = Origin::MachineCode;
   file.container = block::writeContainer(stored.block);
-  if (declarations_.find(id) != nullptr) {
-    file.text = fmt::format("// The machine code of this block is in {}{}.mc7.\n{}BEGIN\n",
-                            name(id.kind), id.number, awl::headText(stored.block, texts));
-    file.text += fmt::format("{}\n", awl::endWord(id.kind));
-  }
+  file.text = declarationOf(stored, hidden);
   if (hidden && holdsCode(id.kind))
     report_.add(Note::ProtectedBlock, toString(id));
   else

@@ -29,6 +29,9 @@ class Retranslation {
 
  private:
   const s7p::StoredBlock* stored(BlockId id) const;
+  std::string codeText(const s7p::StoredBlock& stored, const block::Block& declared,
+                       bool calls) const;
+  std::string declarationOf(const s7p::StoredBlock& stored, bool hidden) const;
   std::string code(const s7p::StoredBlock& stored, std::string& why);
   std::string data(const s7p::StoredBlock& stored);
   bool compilesTo(const s7p::StoredBlock& stored, const std::string& text, std::string& why) const;
