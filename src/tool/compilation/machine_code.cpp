@@ -41,7 +41,7 @@ block::Block merged(const block::Block& declared, const block::Block& container)
 block::Program withMachineCode(const block::Program& library,
                                const std::vector<project::MachineCode>& code) {
   block::Program result = library;
-  for (const project::MachineCode& file : code) result.try_emplace(file.block.id, file.block);
+  for (const project::MachineCode& file : code) result.insert_or_assign(file.block.id, file.block);
   return result;
 }
 

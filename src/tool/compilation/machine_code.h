@@ -8,7 +8,7 @@
 
 namespace merker::compilation {
 
-// What sources may call: the blocks of the CPU and those of containers.
+// What sources may call: the blocks of the CPU and, before them, those of containers.
 block::Program withMachineCode(const block::Program& library,
                                const std::vector<project::MachineCode>& code);
 
