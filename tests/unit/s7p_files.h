@@ -113,9 +113,7 @@ class BlockFolder {
     put(row, "SSBPART", "SSBLEN", interface);
     put(row, "ADDINFO", "ADDLEN", networks);
     row["LOCDATALEN"] = std::to_string(block.localBytes);
-    row["CHECKSUM"] = std::to_string(extra.wrongChecksum ? 1
-                                     : data              ? 0
-                                                         : (sum & 0xFF) << 8 | sum >> 8);
+    row["CHECKSUM"] = std::to_string(extra.wrongChecksum ? 1 : (sum & 0xFF) << 8 | sum >> 8);
     row["VERSION"] = std::to_string(block.attributes.version);
     row["USERNAME"] = block.attributes.author;
     row["TIMESTAMP1"] = std::string("\x00\x00\x03\xE8\x00\x01", 6);  // 1 s of 1984-01-02

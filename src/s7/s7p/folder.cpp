@@ -146,15 +146,11 @@ void Folder::readCode(const Row& row, StoredBlock& result) {
     faults_.push_back({FaultKind::WrongInterface, folder_, where});
     block.variables.clear();
   }
-  if (data) {
-    block.actualData = std::move(code);
-    return;
-  }
-  block.code = std::move(code);
-  block::readSegmentTable(memo(row.more, row.moreLength), block);
+  (data ? block.actualData : block.code) = std::move(code);
+  if (!data) block::readSegmentTable(memo(row.more, row.moreLength), block);
   const unsigned computed = block::checksum(block);
   const auto swapped = (computed & 0xFF) << 8 | computed >> 8;
-  if (!block.code.empty() && row.checksum != 0 && row.checksum != swapped)
+  if (!result.damaged && row.checksum != 0 && row.checksum != swapped)
     faults_.push_back({FaultKind::WrongChecksum, folder_, where});
 }
 
