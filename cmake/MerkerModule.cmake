@@ -1,11 +1,12 @@
 # One module, src/<wing>/<module>, is one static library; its headers are included as "<module>/<file>.h". Who uses a
 # library gets the folder of its wing, so the compiler itself finds no header of a wing that is not used.
 #   merker_module(<name> SOURCES <files...> USES <modules or packages...> [APART <files...>] [SINGLE]
-#                 [NOT_PRECOMPILED])
-# APART and SINGLE: see merker_together. NOT_PRECOMPILED: the module has compiler options of its own.
+#                 [PRECOMPILED <name>] [NOT_PRECOMPILED])
+# APART and SINGLE: see merker_together. PRECOMPILED: the headers of merker_common(<name>) in place of the usual ones.
+# NOT_PRECOMPILED: the module has compiler options of its own.
 # The include rule (which module may see which) is checked by tests/architecture, not here.
 function(merker_module name)
-  cmake_parse_arguments(M "SINGLE;NOT_PRECOMPILED" "" "SOURCES;USES;APART" ${ARGN})
+  cmake_parse_arguments(M "SINGLE;NOT_PRECOMPILED" "PRECOMPILED" "SOURCES;USES;APART" ${ARGN})
   if(M_SOURCES)
     add_library(merker_${name} STATIC ${M_SOURCES})
     set(scope PUBLIC)
@@ -25,7 +26,10 @@ function(merker_module name)
   if(M_SOURCES)
     merker_warnings(merker_${name})
     if(NOT M_NOT_PRECOMPILED)
-      merker_precompiled(merker_${name} merker_common)
+      if(NOT M_PRECOMPILED)
+        set(M_PRECOMPILED merker_common)
+      endif()
+      merker_precompiled(merker_${name} ${M_PRECOMPILED})
     endif()
     if(M_SINGLE)
       set_target_properties(merker_${name} PROPERTIES UNITY_BUILD OFF)
@@ -37,7 +41,7 @@ endfunction()
 
 # Ten files in one go compile in the time of two: merker_together(<target> <files to compile alone...>). These have a
 # helper with the name of a helper in another file of the target; SINGLE: too many clashing helpers, no unity build. The
-# release build compiles each file of src/ by itself, so that each includes what it needs.
+# preset `tidy` compiles each file of src/ by itself, without precompiled headers: each includes what it needs.
 function(merker_together target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 10)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
@@ -50,15 +54,17 @@ option(MERKER_PRECOMPILED "compile the common headers once" ON)
 set(merker_common_headers <algorithm> <array> <charconv> <cmath> <cstdint> <functional> <map> <memory> <optional> <set>
   <span> <string> <string_view> <utility> <variant> <vector> <fmt/format.h>)
 
-# merker_common(<name> <options of its users...>): an object library that holds the compiled headers.
+# merker_common(<name> [HEADERS <more headers...>] [OPTIONS <of its users...>]): an object library that holds the compiled
+# headers.
 function(merker_common name)
+  cmake_parse_arguments(C "" "" "HEADERS;OPTIONS" ${ARGN})
   if(MERKER_PRECOMPILED)
     file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/${name}.cpp CONTENT "")
     add_library(${name} OBJECT ${PROJECT_BINARY_DIR}/${name}.cpp)
     target_link_libraries(${name} PRIVATE fmt::fmt)
     merker_warnings(${name})
-    target_compile_options(${name} PRIVATE ${ARGN})
-    target_precompile_headers(${name} PRIVATE ${merker_common_headers})
+    target_compile_options(${name} PRIVATE ${C_OPTIONS})
+    target_precompile_headers(${name} PRIVATE ${merker_common_headers} ${C_HEADERS})
   endif()
 endfunction()
 

@@ -12,18 +12,18 @@ constexpr std::uint16_t kLastDate = 65378;                 // D#2168-12-31
 constexpr std::uint32_t kMillisecondsPerDay = 86'400'000;  // TOD ends one before it
 
 std::string lengthOfTime(std::uint64_t milliseconds) {
-  struct Unit {
+  struct Part {
     std::string_view name;
     std::uint64_t length;
   };
-  constexpr Unit kUnits[] = {
+  constexpr Part kParts[] = {
       {"D", 86'400'000}, {"H", 3'600'000}, {"M", 60'000}, {"S", 1'000}, {"MS", 1}};
   if (milliseconds == 0) return "0MS";
   std::string text;
-  for (const Unit& unit : kUnits) {
-    if (milliseconds >= unit.length)
-      text += fmt::format("{}{}", milliseconds / unit.length, unit.name);
-    milliseconds %= unit.length;
+  for (const Part& part : kParts) {
+    if (milliseconds >= part.length)
+      text += fmt::format("{}{}", milliseconds / part.length, part.name);
+    milliseconds %= part.length;
   }
   return text;
 }

@@ -72,14 +72,14 @@ Answer go(const Call& call) {
 
 Answer step(const Call& call) {
   using monitor::StepKind;
-  constexpr StepKind kKinds[] = {StepKind::Into, StepKind::Over, StepKind::Out};
+  constexpr StepKind kSteps[] = {StepKind::Into, StepKind::Over, StepKind::Out};
   const std::size_t kind = call.fields.choice("kind", {"into", "over", "out"}, 0);
   if (!call.fields.good()) return call.fields.problems();
   if (call.plc().controller().mode() == controller::Mode::Stop)
     return refused(ProblemCode::P1308, "single steps", "the CPU is in STOP");
   const Instant now = call.plc().controller().now();
   monitor::Debugger& debugger = call.monitor().debugger();
-  debugger.beginStep(kKinds[kind], now + kFirstPart);
+  debugger.beginStep(kSteps[kind], now + kFirstPart);
   if (debugger.stepping()) call.shared.stepEnds = now + kLongestStep;
   return empty();
 }
