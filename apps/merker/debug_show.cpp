@@ -100,21 +100,16 @@ void DebugSession::information(std::string_view) {
 }
 
 void DebugSession::blocks(std::string_view) {
-  const bool listing = build_.isListing();
-  for (const monitor::BlockRow& row :
-       listing ? monitor::blockList(build_.listings) : monitor::blockList(*build_.program))
+  for (const monitor::BlockRow& row : monitor::blockList(build_.code()))
     out_ << fmt::format("{:<8} {:<24} {:>6} {}s\n", toString(row.id), row.symbol, row.work,
                         name(monitor_->program().unit()));
 }
 
 void DebugSession::references(std::string_view arguments) {
-  const source::SymbolTable& symbols = build_.project.symbols;
-  const bool listing = build_.isListing();
-  const auto all = listing ? monitor::crossReferences(build_.listings, symbols)
-                           : monitor::crossReferences(*build_.program, symbols,
-                                                      {.library = build_.library.get()});
-  const auto part = monitor::filtered(all, arguments, monitor_->resolver(),
-                                      listing ? monitor::step5Words() : monitor::step7Words());
+  const auto all = monitor::crossReferences(build_.code(), build_.project.symbols,
+                                            {.library = build_.library.get()});
+  const auto part =
+      monitor::filtered(all, arguments, monitor_->resolver(), monitor::filterWords(build_.code()));
   if (!part) return error(part.error());
   if (part->empty()) out_ << "no instruction uses it\n";
   for (const monitor::CrossReference& row : *part)

@@ -119,9 +119,7 @@ void print(const nlohmann::ordered_json& document) {
 }
 
 std::vector<CrossReference> references(const Build& built, Mnemonics mnemonics) {
-  const source::SymbolTable& symbols = built.project.symbols;
-  if (built.isListing()) return monitor::crossReferences(built.listings, symbols);
-  return monitor::crossReferences(*built.program, symbols,
+  return monitor::crossReferences(built.code(), built.project.symbols,
                                   {.mnemonics = mnemonics, .library = built.library.get()});
 }
 
@@ -132,9 +130,8 @@ int show(const XrefOptions& options, const Build& built) {
   const source::SymbolTable& symbols = built.project.symbols;
   auto list = references(built, mnemonics);
   if (!options.operand.empty()) {
-    auto part =
-        monitor::filtered(list, options.operand, built.resolver(),
-                          built.isListing() ? monitor::step5Words() : monitor::step7Words());
+    auto part = monitor::filtered(list, options.operand, built.resolver(),
+                                  monitor::filterWords(built.code()));
     if (!part) {
       std::cerr << "merker xref: --operand: " << part.error().message << '\n';
       return kUsage;

@@ -258,22 +258,16 @@ Answer complete(const Call& call) {
                    });
 }
 
-std::vector<monitor::CrossReference> crossReferences(const compilation::Build& build) {
-  const source::SymbolTable& symbols = build.project.symbols;
-  if (build.isListing()) return monitor::crossReferences(build.listings, symbols);
-  return monitor::crossReferences(*build.program, symbols, {.library = build.library.get()});
-}
-
 // The first rows; how many more there are. An operand shows the rest.
 Answer referenced(const Aside& aside, const compilation::Build& build) {
   constexpr std::size_t kMost = 20'000;
   const std::string operand = aside.fields.text("operand", "");
   if (!aside.fields.good()) return aside.wrong();
-  auto list = crossReferences(build);
+  auto list = monitor::crossReferences(build.code(), build.project.symbols,
+                                       {.library = build.library.get()});
   if (!operand.empty()) {
     auto some =
-        monitor::filtered(list, operand, build.operands(),
-                          build.isListing() ? monitor::step5Words() : monitor::step7Words());
+        monitor::filtered(list, operand, build.operands(), monitor::filterWords(build.code()));
     if (!some) return one(some.error());
     list = std::move(*some);
   }

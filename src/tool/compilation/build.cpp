@@ -71,6 +71,11 @@ simulator::Resolver listingResolver(const Build& build) {
 
 }  // namespace
 
+monitor::ProgramCode Build::code() const {
+  if (isListing()) return listings;
+  return *program;
+}
+
 simulator::Resolver Build::operands() const {
   if (isListing()) return listingResolver(*this);
   return [this](std::string_view text, const Position& at) {

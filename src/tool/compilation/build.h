@@ -6,6 +6,7 @@
 
 #include "control/cnc.h"
 #include "mc5/block.h"
+#include "monitor/code.h"
 #include "project/project.h"
 #include "scenario/term.h"
 #include "station/station.h"
@@ -25,6 +26,7 @@ struct Build {
   bool isListing() const { return project.control.has_value(); }
   std::size_t blocks() const { return isListing() ? listings.size() : program->size(); }
   bool ok() const { return !problems.hasErrors(); }
+  monitor::ProgramCode code() const;  // of a program that compiled
   FileLookup files() const;
   // Operands by their text; whether they exist shows when they are read. The Build must outlive it.
   simulator::Resolver operands() const;

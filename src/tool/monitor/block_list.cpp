@@ -6,17 +6,6 @@
 #include "mc5/block_id.h"
 
 namespace merker::monitor {
-namespace {
-
-template <typename Program>
-std::vector<BlockRow> rows(const Program& program) {
-  std::vector<BlockRow> list;
-  for (const auto& [id, block] : program) list.push_back(blockRow(block));
-  return list;
-}
-
-}  // namespace
-
 BlockRow blockRow(const block::Block& block) {
   const auto& attributes = block.attributes;
   return {block.id,
@@ -39,8 +28,12 @@ BlockRow blockRow(const mc5::Block& block) {
   return row;
 }
 
-std::vector<BlockRow> blockList(const block::Program& program) { return rows(program); }
-
-std::vector<BlockRow> blockList(const mc5::Program& program) { return rows(program); }
+std::vector<BlockRow> blockList(const ProgramCode& program) {
+  return program.visit([](const auto& blocks) {
+    std::vector<BlockRow> list;
+    for (const auto& [id, block] : blocks) list.push_back(blockRow(block));
+    return list;
+  });
+}
 
 }  // namespace merker::monitor

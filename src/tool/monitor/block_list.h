@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "block/block.h"
-#include "mc5/block.h"
+#include "monitor/code.h"
 
 namespace merker::monitor {
 
@@ -25,7 +24,6 @@ struct BlockRow {
 
 BlockRow blockRow(const block::Block& block);
 BlockRow blockRow(const mc5::Block& block);
-std::vector<BlockRow> blockList(const block::Program& program);
-std::vector<BlockRow> blockList(const mc5::Program& program);
+std::vector<BlockRow> blockList(const ProgramCode& program);
 
 }  // namespace merker::monitor

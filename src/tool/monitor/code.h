@@ -66,6 +66,11 @@ class ProgramCode {
   std::span<const BlockKind> kinds() const;  // that a program of this family has
   std::vector<BlockCode> blocks() const;
   std::optional<BlockCode> find(BlockId id) const;
+  // visitor(const block::Program&) or visitor(const mc5::Program&)
+  template <typename Visitor>
+  auto visit(Visitor&& visitor) const {
+    return std::visit([&visitor](const auto* program) { return visitor(*program); }, program_);
+  }
 
  private:
   std::variant<const block::Program*, const mc5::Program*> program_;

@@ -33,7 +33,22 @@ auto order(const CrossReference& r) {
   return std::tuple(rank(r), r.db, r.block ? r.block->number : r.key.value, r.key.width, r.formal);
 }
 
-void sort(std::vector<CrossReference>& list) { std::ranges::stable_sort(list, {}, order); }
+// What of a program the references are taken from, and where they go.
+struct Search {
+  const source::SymbolTable& symbols;
+  const CrossReferenceOptions& options;
+  std::vector<CrossReference> list{};
+
+  void operator()(const block::Program& program) {
+    for (const auto& [id, block] : program)
+      if (!block.code.empty()) Step7References(block, {program, symbols, options, list}).run();
+  }
+  void operator()(const mc5::Program& program) {
+    FormalUses formals;
+    for (const auto& [id, block] : program)
+      if (codeLength(block) > 0) Step5References(block, {program, symbols, formals, list}).run();
+  }
+};
 
 }  // namespace
 
@@ -42,24 +57,13 @@ std::string_view name(Use use) {
   return kNames[static_cast<std::size_t>(use)];
 }
 
-std::vector<CrossReference> crossReferences(const block::Program& program,
+std::vector<CrossReference> crossReferences(const ProgramCode& program,
                                             const source::SymbolTable& symbols,
                                             const CrossReferenceOptions& options) {
-  std::vector<CrossReference> list;
-  for (const auto& [id, block] : program)
-    if (!block.code.empty()) Step7References(block, {program, symbols, options, list}).run();
-  sort(list);
-  return list;
-}
-
-std::vector<CrossReference> crossReferences(const mc5::Program& program,
-                                            const source::SymbolTable& symbols) {
-  std::vector<CrossReference> list;
-  FormalUses formals;
-  for (const auto& [id, block] : program)
-    if (codeLength(block) > 0) Step5References(block, {program, symbols, formals, list}).run();
-  sort(list);
-  return list;
+  Search search{symbols, options};
+  program.visit(search);
+  std::ranges::stable_sort(search.list, {}, order);
+  return std::move(search.list);
 }
 
 }  // namespace merker::monitor

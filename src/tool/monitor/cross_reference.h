@@ -39,11 +39,9 @@ struct CrossReferenceOptions {
 
 // Sorted as STEP 7 sorts: E, A, M, P, T, Z, DB contents, blocks, formal operands of STEP 5; then
 // address, then place.
-std::vector<CrossReference> crossReferences(const block::Program& program,
+std::vector<CrossReference> crossReferences(const ProgramCode& program,
                                             const source::SymbolTable& symbols,
                                             const CrossReferenceOptions& options = {});
-std::vector<CrossReference> crossReferences(const mc5::Program& program,
-                                            const source::SymbolTable& symbols);
 
 // Only operands that touch one of those in `filter`: "M 10.0", "MW 10" (overlap counts), "E", "DB
 // 1", "T", "FC 3", "\"Motor\"", "=EIN", separated by commas. P0904 if a part is no operand.

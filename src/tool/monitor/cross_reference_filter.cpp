@@ -85,6 +85,10 @@ bool hasSymbols(const CrossReference& r) {
 
 }  // namespace
 
+const FilterWords& filterWords(const ProgramCode& program) {
+  return program.unit() == CodeUnit::Byte ? step7Words() : step5Words();
+}
+
 Result<std::vector<CrossReference>> filtered(const std::vector<CrossReference>& list,
                                              std::string_view filter,
                                              const simulator::Resolver& resolver,

@@ -7,6 +7,7 @@
 
 #include "address/block_id.h"
 #include "address/reference.h"
+#include "monitor/code.h"
 
 namespace merker::monitor {
 
@@ -25,5 +26,6 @@ struct FilterWords {
 
 const FilterWords& step7Words();
 const FilterWords& step5Words();
+const FilterWords& filterWords(const ProgramCode& program);
 
 }  // namespace merker::monitor
