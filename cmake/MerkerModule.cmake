@@ -1,12 +1,13 @@
 # One module, src/<wing>/<module>, is one static library; its headers are included as "<module>/<file>.h". Who uses a
 # library gets the folder of its wing, so the compiler itself finds no header of a wing that is not used.
-#   merker_module(<name> SOURCES <files...> USES <modules or packages...> [APART <files...>] [SINGLE]
+#   merker_module(<name> SOURCES <files...> USES <modules or packages...> [APART <files...>] [SINGLE] [FAST]
 #                 [PRECOMPILED <name>] [NOT_PRECOMPILED])
-# APART and SINGLE: see merker_together. PRECOMPILED: the headers of merker_common(<name>) in place of the usual ones.
+# APART and SINGLE: see merker_together. FAST: every instruction of a program passes here; the release build compiles file
+# by file, because GCC inlines less in a large unit. PRECOMPILED: the headers of merker_common(<name>) in place of the usual ones.
 # NOT_PRECOMPILED: the module has compiler options of its own.
 # The include rule (which module may see which) is checked by tests/architecture, not here.
 function(merker_module name)
-  cmake_parse_arguments(M "SINGLE;NOT_PRECOMPILED" "PRECOMPILED" "SOURCES;USES;APART" ${ARGN})
+  cmake_parse_arguments(M "SINGLE;FAST;NOT_PRECOMPILED" "PRECOMPILED" "SOURCES;USES;APART" ${ARGN})
   if(M_SOURCES)
     add_library(merker_${name} STATIC ${M_SOURCES})
     set(scope PUBLIC)
@@ -31,7 +32,7 @@ function(merker_module name)
       endif()
       merker_precompiled(merker_${name} ${M_PRECOMPILED})
     endif()
-    if(M_SINGLE)
+    if(M_SINGLE OR (M_FAST AND CMAKE_BUILD_TYPE STREQUAL "Release"))
       set_target_properties(merker_${name} PROPERTIES UNITY_BUILD OFF)
     elseif(CMAKE_UNITY_BUILD)
       merker_together(merker_${name} ${M_APART})

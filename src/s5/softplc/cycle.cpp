@@ -20,6 +20,7 @@ void OperatingSystem::beginCycle() {
   flags_.enterLevel(kCyclicOb, around_);
   images_.forceFlags();
   if (options_.macros != nullptr) options_.macros->cycleBegins();
+  cyclePoints_.reached(controller::CyclePoint::Begin);
   cycleActive_ = true;
   if (!processor_.begin(kCyclicOb)) endCycle();
 }
@@ -36,6 +37,7 @@ bool OperatingSystem::readInputs() {
 
 void OperatingSystem::endCycle() {
   cycleActive_ = false;
+  cyclePoints_.reached(controller::CyclePoint::End);
   flags_.levelComplete(kCyclicOb);
   images_.write();
   images_.forceFlags();

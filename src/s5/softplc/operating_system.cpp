@@ -116,6 +116,7 @@ void OperatingSystem::halt() {
   cycleActive_ = false;
   recorder_.forgetCalls();
   if (options_.macros != nullptr) options_.macros->stops();
+  cyclePoints_.reached(controller::CyclePoint::Stop);
   changes_.carryOut();
 }
 

@@ -6,6 +6,7 @@
 #include <functional>
 #include <string>
 
+#include "plc/cycle_points.h"
 #include "softplc/alarm_level.h"
 #include "softplc/alarm_record.h"
 #include "softplc/changes.h"
@@ -51,6 +52,9 @@ class OperatingSystem {
   std::uint64_t checkpoints() const { return checkpoints_; }
   std::uint64_t instructions() const { return processor_.instructions(); }
   void onCheckpoint(std::function<void()> observer) { observer_ = std::move(observer); }
+  void onCyclePoint(controller::CyclePoints::Monitor monitor) {
+    cyclePoints_.observe(std::move(monitor));
+  }
   // For measurements: OB 1 once, back to back, without images, sampling and monitoring of times.
   // False if it did not end within `most`; the next call goes on with it then.
   bool runOb1(Duration most);
@@ -142,6 +146,7 @@ class OperatingSystem {
   bool memoryLost_ = false;
   bool cycleActive_ = false, requested_ = false;
   std::uint64_t cycles_ = 0, checkpoints_ = 0;
+  controller::CyclePoints cyclePoints_;
   std::function<void()> observer_;
 };
 

@@ -134,11 +134,18 @@ void Plc::onCycle(std::function<void(Plc&)> observer) {
   });
 }
 
+void Plc::onCyclePoint(controller::CyclePoints::Monitor monitor) {
+  parts_->os.onCyclePoint(std::move(monitor));
+}
+
 std::optional<std::uint32_t> Plc::read(const Reference& variable) const {
   return readValue(parts_->os, variable);
 }
 bool Plc::write(const Reference& variable, std::uint32_t value) {
   return writeValue(parts_->os, variable, value);
+}
+bool Plc::writeImage(const Reference& variable, std::uint32_t value) {
+  return sinumerik::writeImage(parts_->os, variable, value);
 }
 bool Plc::force(const Reference& variable, std::uint32_t value) {
   return forceValue(parts_->os, variable, value);

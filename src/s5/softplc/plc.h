@@ -62,6 +62,7 @@ class Plc {
   // To the next end of a cycle or of the start-up, at most to `limit`; true if it came there.
   bool advanceToCheckpoint(Instant limit);
   void onCycle(std::function<void(Plc&)> observer);
+  void onCyclePoint(controller::CyclePoints::Monitor monitor);
   // For measurements: OB 1 alone, and machine code of this computer now (operating_system.h).
   bool runOb1(Duration most);
   void translate();
@@ -69,6 +70,7 @@ class Plc {
   // values, see variable.h
   std::optional<std::uint32_t> read(const Reference& variable) const;
   bool write(const Reference& variable, std::uint32_t value);
+  bool writeImage(const Reference& variable, std::uint32_t value);
   bool force(const Reference& variable, std::uint32_t value);
   void unforce();
 

@@ -175,6 +175,14 @@ bool writeValue(OperatingSystem& os, const Reference& r, std::uint32_t value) {
   return false;
 }
 
+bool writeImage(OperatingSystem& os, const Reference& r, std::uint32_t value) {
+  std::array<std::uint8_t, kImageBytes>& inputs = os.machine().inputs;
+  if (r.operand.kind != OperandKind::Memory || r.operand.area != Area::Input)
+    return writeValue(os, r, value);
+  return eachByte(r.operand, inputs.size(), value,
+                  [&](ByteChange c) { inputs[c.byte] = changed(inputs[c.byte], c); });
+}
+
 bool forceValue(OperatingSystem& os, const Reference& r, std::uint32_t value) {
   Machine& m = os.machine();
   if (r.operand.kind != OperandKind::Memory) return false;

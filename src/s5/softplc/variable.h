@@ -22,6 +22,8 @@ std::optional<std::uint32_t> readValue(const OperatingSystem& os, const Referenc
 // Inputs and P: the terminal, from where the image takes it. Timers: base and digits as a start
 // operation takes them; counters: three digits. False: there is no such operand.
 bool writeValue(OperatingSystem& os, const Reference& reference, std::uint32_t value);
+// The same, but an input is written into the process image: until the next cycle reads it anew.
+bool writeImage(OperatingSystem& os, const Reference& reference, std::uint32_t value);
 // E, A and M only.
 bool forceValue(OperatingSystem& os, const Reference& reference, std::uint32_t value);
 

@@ -13,7 +13,6 @@
 #include "catalogue/cpu_parameters.h"
 #include "catalogue/module_event.h"
 #include "cpu/clock_memory.h"
-#include "cpu/cycle_points.h"
 #include "cpu/engine.h"
 #include "cpu/error.h"
 #include "cpu/event_log.h"
@@ -33,11 +32,15 @@
 #include "cpu/startup.h"
 #include "cpu/state_control.h"
 #include "cpu/time_interrupts.h"
+#include "plc/cycle_points.h"
 
 namespace merker::cpu {
 
 // What the running block does after a synchronous error.
 enum class AfterError : std::uint8_t { GoOn, ErrorOb, Stopped };
+
+using controller::CyclePoint;
+using controller::CyclePoints;
 
 class Cpu {
  public:

@@ -35,7 +35,7 @@ void StateControl::goToStop(Event why, std::string reason, Place place, bool fau
   stoppedByFault_ = fault;
   standStill();
   machine_.interrupt();
-  parts_.points.reached(CyclePoint::Stop);
+  parts_.points.reached(controller::CyclePoint::Stop);
 }
 
 void StateControl::stop(Event why) {

@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "cpu/cycle_points.h"
 #include "cpu/event_log.h"
 #include "cpu/modules.h"
 #include "cpu/operating_state.h"
 #include "cpu/runtime_meter.h"
 #include "cpu/scan_cycle.h"
+#include "plc/cycle_points.h"
 
 namespace merker::cpu {
 
@@ -22,7 +22,7 @@ class StateControl {
     Modules& modules;
     ScanCycle& cycle;
     std::vector<RuntimeMeter>& meters;
-    const CyclePoints& points;
+    const controller::CyclePoints& points;
   };
   StateControl(Machine& machine, const Parts& parts);
 

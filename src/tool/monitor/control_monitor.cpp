@@ -22,17 +22,26 @@ CallRaster callRaster(const sinumerik::Plc& plc) {
 ControlMonitor::ControlMonitor(cnc::Cnc& control, const source::SymbolTable& symbols,
                                simulator::Resolver resolver)
     : Monitor(std::make_unique<ControlTarget>(control), symbols, std::move(resolver)),
-      control_(control) {}
+      control_(control) {
+  control_.plc().onCyclePoint([this](CyclePoint point) { reached(point); });
+}
+
+ControlMonitor::~ControlMonitor() { control_.plc().onCyclePoint({}); }
 
 bool ControlMonitor::can(Feature feature) const {
-  constexpr Feature kAble[] = {Feature::Breakpoints, Feature::Stacks,     Feature::Information,
-                               Feature::Blocks,      Feature::References, Feature::Engine,
-                               Feature::Symbols};
+  constexpr Feature kAble[] = {Feature::Breakpoints, Feature::CyclePoints, Feature::Stacks,
+                               Feature::Information, Feature::Blocks,      Feature::References,
+                               Feature::Engine,      Feature::Symbols};
   return std::ranges::find(kAble, feature) != std::end(kAble);
 }
 
 void ControlMonitor::modifyInCycle(const address::Reference& reference, const Value& value) {
-  monitor::write(control_, reference, value);
+  const address::Operand& operand = reference.operand;
+  const bool input = operand.kind == address::OperandKind::Memory && operand.area == Area::Input;
+  if (input && !reference.partner)
+    control_.plc().writeImage(reference, value.bits);
+  else
+    monitor::write(control_, reference, value);
 }
 
 void ControlMonitor::stop() { control_.stop(); }  // alarm 6149

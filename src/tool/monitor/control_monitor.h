@@ -12,6 +12,10 @@ class ControlMonitor final : public Monitor {
   ControlMonitor(cnc::Cnc& control, const source::SymbolTable& symbols,
                  simulator::Resolver resolver);
 
+  ~ControlMonitor() override;
+  ControlMonitor(const ControlMonitor&) = delete;
+  ControlMonitor& operator=(const ControlMonitor&) = delete;
+
   bool can(Feature feature) const override;
   void modifyInCycle(const address::Reference& reference, const Value& value) override;
   void stop() override;

@@ -18,8 +18,7 @@ StationMonitor::StationMonitor(station::Station& station, const source::SymbolTa
                                simulator::Resolver resolver)
     : Monitor(std::make_unique<StationTarget>(station), symbols, std::move(resolver)),
       station_(station) {
-  station_.cpu().onCyclePoint(
-      [this](cpu::CyclePoint point) { reached(static_cast<CyclePoint>(point)); });
+  station_.cpu().onCyclePoint([this](CyclePoint point) { reached(point); });
 }
 
 StationMonitor::~StationMonitor() { station_.cpu().onCyclePoint({}); }

@@ -6,11 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "monitor/cycle_point.h"
 #include "monitor/value.h"
+#include "plc/cycle_points.h"
 #include "scenario/term.h"
 
 namespace merker::monitor {
+
+using controller::CyclePoint;
 
 // What a table needs of a machine.
 class CycleAccess {

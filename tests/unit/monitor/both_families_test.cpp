@@ -83,5 +83,47 @@ TYPED_TEST(EveryMachine, StopsAsAProgrammingDevice) {
   EXPECT_EQ(this->plc.read("#x"), "P1216");
 }
 
+// S7-SIM-12: at the beginning of the cycle an input is in the image before the program, its
+// terminal stays as it is; at its end an output goes out as it was modified; what the program wrote
+// is seen there.
+TYPED_TEST(EveryMachine, ModifiesAndMonitorsAtPointsOfTheCycle) {
+  Monitor& monitor = *this->plc;
+  EXPECT_TRUE(monitor.can(Feature::CyclePoints));
+  VariableTable& begin = monitor.addTable();
+  VariableTable& end = monitor.addTable();
+  VariableTable& seen = monitor.addTable();
+  EXPECT_EQ(name(begin.add("E 0.0")), "good");
+  EXPECT_EQ(name(begin.setModify(0, "1")), "good");
+  EXPECT_EQ(name(end.add("A 0.0")), "good");
+  EXPECT_EQ(name(end.setModify(0, "0")), "good");
+  EXPECT_EQ(name(seen.add("M 100.0")), "good");
+  begin.modify(Trigger{CyclePoint::Begin, true});
+  end.modify(Trigger{CyclePoint::End, true});
+  seen.monitor(Trigger{CyclePoint::End, true});
+  this->plc.start();
+  this->machine().advanceCycles(1);
+  EXPECT_EQ(seen.text(0), "1");
+  EXPECT_EQ(this->plc.read("M 100.0"), "1");
+  EXPECT_EQ(this->plc.read("A 0.0"), "0");
+  EXPECT_FALSE(begin.modifying());  // once
+  this->machine().advanceCycles(2);
+  EXPECT_EQ(this->plc.read("M 100.0"), "0");  // the terminal never was 1
+}
+
+TYPED_TEST(EveryMachine, ModifiesAtTheTransitionToStop) {
+  Monitor& monitor = *this->plc;
+  VariableTable& table = monitor.addTable();
+  EXPECT_EQ(name(table.add("MW 110", DisplayFormat::Hex)), "good");
+  EXPECT_EQ(name(table.setModify(0, "AFFE")), "good");
+  this->plc.start();
+  table.modify(Trigger{CyclePoint::Stop, true});
+  this->machine().advanceCycles(2);
+  EXPECT_TRUE(table.modifying());
+  monitor.stop();
+  this->machine().settle();
+  EXPECT_EQ(this->machine().read(*monitor.operand("MW 110")), 0xAFFEu);
+  EXPECT_FALSE(table.modifying());
+}
+
 }  // namespace
 }  // namespace merker::monitor::test

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <functional>
 
-namespace merker::cpu {
+namespace merker::controller {
 
 enum class CyclePoint : std::uint8_t { Begin, End, Stop };
 
@@ -21,4 +21,4 @@ class CyclePoints {
   Monitor monitor_;
 };
 
-}  // namespace merker::cpu
+}  // namespace merker::controller
