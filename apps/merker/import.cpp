@@ -24,7 +24,8 @@ int importProject(const importing::Options& options) {
     case importing::Result::Nothing:
       return refuse(
           kUnreadable,
-          fmt::format("{} contains nothing that can be imported: no STEP 7 project, source, "
+          fmt::format("{} contains nothing that can be imported: no STEP 7 project, program file "
+                      "of STEP 5, source, "
                       "symbol table, block or station",
                       options.source));
     case importing::Result::NoSuchProgram:
@@ -49,7 +50,8 @@ int importProject(const importing::Options& options) {
 void addImport(CLI::App& program, int& result) {
   auto* command = program.add_subcommand(
       "import",
-      "a project folder from a STEP 7 project, its zip, sources, symbols, blocks or a station");
+      "a project folder from a STEP 7 project, a program of STEP 5, their zip, sources, symbols, "
+      "blocks or a station");
   auto options = std::make_shared<importing::Options>();
   command
       ->add_option("SOURCE", options->source, "folder, zip or file; what it is shows its content")
@@ -57,18 +59,25 @@ void addImport(CLI::App& program, int& result) {
   command->add_option(
       "-o,--output", options->folder,
       "new folder of the project; default: named after SOURCE, in the current folder");
-  command->add_option("--program", options->program, "only the S7 program of this name");
+  command->add_option("--program", options->program, "only the program of this name");
+  auto codePage = std::make_shared<std::string>("437");
+  command->add_option("--code-page", *codePage, "of texts in files of STEP 5: 437 or 850")
+      ->check(CLI::IsMember({"437", "850"}));
   command->footer(
       "SOURCE: a STEP 7 V5 project (*.s7p) or library folder, a zip of it, a block folder of one; "
       "AWL\n"
-      "sources; symbol tables (.sdf .asc .dif .seq); HW Config exports (.cfg); blocks and WLD "
+      "sources; program files of STEP 5 (*.S5D); symbol tables (.sdf .asc .dif .seq); HW Config "
+      "exports (.cfg); blocks and WLD "
       "files.\n"
       "A project with several programs becomes one folder for each. The report also stands in\n"
       "FOLDER/import-report.txt. Existing files are never overwritten.\n"
       "Exit codes: 0 all came, 1 something did not come, 4 SOURCE or FOLDER cannot be used.\n"
       "Examples:\n  merker import PLANT.zip -o plant\n  merker import /old/Plant --program \"S7 "
       "Program(1)\"");
-  command->callback([options, &result] { result = importProject(*options); });
+  command->callback([options, codePage, &result] {
+    options->codePage = *codePage == "850" ? Encoding::Cp850 : Encoding::Cp437;
+    result = importProject(*options);
+  });
 }
 
 }  // namespace merker::app

@@ -10,6 +10,7 @@
 #include "importing/output.h"
 #include "importing/project_writer.h"
 #include "importing/s7p_material.h"
+#include "importing/step5_material.h"
 
 namespace merker::importing {
 namespace {
@@ -24,15 +25,22 @@ std::string stemOf(const std::string& source) {
   return name.empty() ? "project" : name.string();
 }
 
+// A program of STEP 7 or of STEP 5.
 struct Candidate {
+  std::string name;
   const s7p::Project* project = nullptr;
   const s7p::Program* program = nullptr;
+  const Step5Program* step5 = nullptr;
 };
 
-std::vector<Candidate> candidates(const std::vector<s7p::Project>& projects) {
+std::vector<Candidate> candidates(const std::vector<s7p::Project>& projects,
+                                  const std::vector<Step5Program>& step5) {
   std::vector<Candidate> list;
   for (const s7p::Project& project : projects)
-    for (const s7p::Program& program : project.programs) list.push_back({&project, &program});
+    for (const s7p::Program& program : project.programs)
+      list.push_back({program.name, &project, &program, nullptr});
+  for (const Step5Program& program : step5)
+    list.push_back({program.name, nullptr, nullptr, &program});
   return list;
 }
 
@@ -61,21 +69,41 @@ void finish(const std::string& folder, Report& report, Outcome& outcome) {
   outcome.lost |= report.count(Effect::Lost) > 0;
 }
 
+void importStep7(const archive::Tree& tree, const Candidate& candidate, const std::string& folder,
+                 Report& report) {
+  report.add(Note::Program, candidate.name, candidate.project->name);
+  report.add(Note::CodePage, candidate.project->page.number());
+  const Material material = materialOf(tree, *candidate.project, *candidate.program, report);
+  if (material.blocks.empty()) report.add(Note::EmptyProgram, candidate.name);
+  for (const archive::Refused& refused : tree.refused()) report.add(refused);
+  write(material, folder, report);
+}
+
+void importStep5(const archive::Tree& tree, const Candidate& candidate, Encoding codePage,
+                 const std::string& folder, Report& report) {
+  report.add(Note::Program, candidate.name, "STEP 5");
+  Output output(folder, report);
+  const bool any = writeStep5Project(tree, *candidate.step5, codePage, output, report);
+  for (const archive::Refused& refused : tree.refused()) report.add(refused);
+  if (any)
+    check(folder, report);
+  else
+    report.add(Note::EmptyProgram, candidate.name);
+}
+
 void importPrograms(const archive::Tree& tree, const std::vector<Candidate>& chosen,
-                    const Report& common, Outcome& outcome) {
+                    const Report& common, const Options& options, Outcome& outcome) {
   Report names;
   Output root(outcome.folder, names);
   for (const Candidate& candidate : chosen) {
     Report report = common;
-    report.add(Note::Program, candidate.program->name, candidate.project->name);
-    report.add(Note::CodePage, candidate.project->page.number());
-    const std::string folder =
-        chosen.size() == 1 ? outcome.folder
-                           : outcome.folder + "/" + root.unused(candidate.program->name, "");
-    const Material material = materialOf(tree, *candidate.project, *candidate.program, report);
-    if (material.blocks.empty()) report.add(Note::EmptyProgram, candidate.program->name);
-    for (const archive::Refused& refused : tree.refused()) report.add(refused);
-    write(material, folder, report);
+    const std::string folder = chosen.size() == 1
+                                   ? outcome.folder
+                                   : outcome.folder + "/" + root.unused(candidate.name, "");
+    if (candidate.step5 != nullptr)
+      importStep5(tree, candidate, options.codePage, folder, report);
+    else
+      importStep7(tree, candidate, folder, report);
     if (chosen.size() > 1) outcome.report += fmt::format("{}\n", folder);
     finish(folder, report, outcome);
   }
@@ -95,12 +123,12 @@ Outcome importSource(const Options& options) {
   s7p::Faults faults;
   const std::vector<s7p::Project> projects = s7p::findProjects(tree, faults);
   for (const s7p::Fault& fault : faults) common.add(fault);
-  std::vector<Candidate> chosen = candidates(projects);
-  for (const Candidate& candidate : chosen) outcome.programs.push_back(candidate.program->name);
+  const std::vector<Step5Program> step5 = step5Programs(tree, projects.empty());
+  std::vector<Candidate> chosen = candidates(projects, step5);
+  for (const Candidate& candidate : chosen) outcome.programs.push_back(candidate.name);
   if (!options.program.empty())
-    std::erase_if(chosen, [&](const Candidate& c) {
-      return !equalsIgnoreCase(c.program->name, options.program);
-    });
+    std::erase_if(chosen,
+                  [&](const Candidate& c) { return !equalsIgnoreCase(c.name, options.program); });
   if (chosen.empty() && !options.program.empty()) {
     outcome.result = Result::NoSuchProgram;
     return outcome;
@@ -110,7 +138,7 @@ Outcome importSource(const Options& options) {
     return outcome;
   }
   if (!chosen.empty()) {
-    importPrograms(tree, chosen, common, outcome);
+    importPrograms(tree, chosen, common, options, outcome);
     return outcome;
   }
   Report report = common;

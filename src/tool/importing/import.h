@@ -4,14 +4,16 @@
 #include <string>
 #include <vector>
 
+#include "base/text.h"
 #include "importing/report.h"
 
 namespace merker::importing {
 
 struct Options {
   std::string source;
-  std::string folder;   // empty: named after the source, in the current folder
-  std::string program;  // only this one; empty: all
+  std::string folder;                   // empty: named after the source, in the current folder
+  std::string program;                  // only this one; empty: all
+  Encoding codePage = Encoding::Cp437;  // of STEP 5: Cp437 or Cp850
 };
 
 enum class Result : std::uint8_t {
