@@ -145,12 +145,12 @@ class Writer {
     return mc7::text(i, Mnemonics::German);
   }
 
-  // The entries behind a call: no statement of AWL has them.
+  // The entries behind a call: no statement of AWL has them. An empty list belongs to UC itself.
   void list(std::size_t at, Statement& statement) const {
     const mc7::Place& jump = listing_.places[at + 1];
     const auto code = std::span(block_.code).subspan(jump.offset);
-    statement.lines.push_back(mc7::text(jump.instruction, Mnemonics::German));
     const int entries = mc7::parameterListLength(code);
+    if (entries > 0) statement.lines.push_back(mc7::text(jump.instruction, Mnemonics::German));
     for (int i = 0; i < entries; ++i)
       statement.lines.push_back(parameterEntry(code.subspan(4 + 4 * static_cast<std::size_t>(i))));
   }
