@@ -50,10 +50,8 @@ std::optional<BlockName> readBlockName(Cursor& cursor, const source::SourceFile&
   const auto place = [&] {
     return file.position(result.begin, std::max(cursor.pos(), result.begin + 1) - result.begin);
   };
-  if (cursor.accept('"')) {
-    while (!cursor.atEnd() && cursor.peek() != '"' && cursor.peek() != '\n') cursor.take();
-    result.symbol = cursor.slice(result.begin + 1, cursor.pos());
-    cursor.accept('"');
+  const auto named = [&](std::string_view name) {
+    result.symbol = name;
     result.end = cursor.pos();
     const source::Symbol* symbol = symbols ? symbols->find(result.symbol) : nullptr;
     if (!symbol)
@@ -63,10 +61,20 @@ std::optional<BlockName> readBlockName(Cursor& cursor, const source::SourceFile&
     else
       result.id = symbol->address.block;
     return result;
+  };
+  if (cursor.accept('"')) {
+    while (!cursor.atEnd() && cursor.peek() != '"' && cursor.peek() != '\n') cursor.take();
+    const std::string_view name = cursor.slice(result.begin + 1, cursor.pos());
+    cursor.accept('"');
+    return named(name);
   }
   const std::string_view word = cursor.word();
   const std::size_t letters = word.find_first_of("0123456789");
   const auto kind = blockKindFromName(word.substr(0, letters));
+  if (isSymbolWord(word, symbols)) {
+    problems.add(ProblemCode::P0354, place(), word);
+    return named(word);
+  }
   if (kind && letters != std::string_view::npos) cursor.seek(result.begin + letters);
   const auto number = kind ? readInteger(cursor) : std::nullopt;
   result.end = cursor.pos();
@@ -140,7 +148,7 @@ bool BlockSplitter::blockName(const Frame& frame, BlockSource& source) {
   }
   if (frame.kinds[0] == BlockKind::FC) {
     if (cursor_.accept(':')) {
-      DeclarationParser parser(cursor_, file_, problems_);
+      DeclarationParser parser(cursor_, file_, problems_, symbols_);
       source.returnType = parser.type();
     } else if (name) {  // S7-SRC-01
       problems_.add(ProblemCode::P0351, at(name->begin, name->end),
@@ -194,7 +202,7 @@ void BlockSplitter::header(BlockSource& source) {
     blockComment(source);
     cursor_.skipSpace();
     if (cursor_.peek() == '{') {
-      DeclarationParser parser(cursor_, file_, problems_);
+      DeclarationParser parser(cursor_, file_, problems_, symbols_);
       source.attributes.system = parser.attributes();
       continue;
     }
@@ -296,7 +304,7 @@ void BlockSplitter::declarationSection(BlockSource& source, block::Section secti
                                        std::size_t begin) {
   const std::size_t sectionEnd = cursor_.pos();
   checkSectionOrder(source, section, begin);
-  DeclarationParser parser(cursor_, file_, problems_);
+  DeclarationParser parser(cursor_, file_, problems_, symbols_);
   while (parser.variables(section, source.variables)) continue;
   if (!cursor_.acceptWord("END_VAR") && !cursor_.unclosedComment())
     problems_.add(ProblemCode::P0410, at(begin, sectionEnd),
@@ -316,7 +324,7 @@ void BlockSplitter::dataDeclaration(BlockSource& source) {
     problems_.add(ProblemCode::P0411, at(begin, begin + word.size()), toString(source.id));
     return;
   }
-  DeclarationParser parser(cursor_, file_, problems_);
+  DeclarationParser parser(cursor_, file_, problems_, symbols_);
   source.dataType = parser.type();
   if (!source.dataType)
     while (!cursor_.atStatementEnd()) cursor_.take();

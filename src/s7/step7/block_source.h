@@ -70,7 +70,8 @@ class BlockSplitter {
   std::vector<BlockSource> blocks_;
 };
 
-// Reads OB 1, FC12, "Symbol" at the cursor. Problem if it is neither or the symbol is unknown.
+// Reads OB 1, FC12, "Symbol" or a symbol of the list without quotation marks at the cursor. Problem
+// if it is none of them or the symbol is unknown.
 std::optional<BlockName> readBlockName(Cursor& cursor, const source::SourceFile& file,
                                        const source::SymbolTable* symbols, Problems& problems);
 

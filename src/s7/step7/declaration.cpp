@@ -13,6 +13,13 @@ std::optional<BlockKind> blockKindFromName(std::string_view word) {
   return std::nullopt;
 }
 
+bool isSymbolWord(std::string_view word, const source::SymbolTable* symbols) {
+  const std::size_t letters = word.find_first_of("0123456789");
+  const bool block = blockKindFromName(word.substr(0, letters)) &&
+                     word.find_first_not_of("0123456789", letters) == std::string_view::npos;
+  return !block && symbols && symbols->find(word);
+}
+
 std::optional<std::int64_t> readInteger(Cursor& cursor) {
   cursor.skipBlanks();
   const std::size_t start = cursor.pos();
@@ -275,6 +282,12 @@ std::optional<TypeSyntax> DeclarationParser::typeHere() {
   if (equalsIgnoreCase(word, "STRING")) return string(std::move(syntax));
   if (const auto code = typeFromName(word)) {
     syntax.code = *code;
+    return syntax;
+  }
+  if (isSymbolWord(word, symbols_)) {
+    problems_.add(ProblemCode::P0354, at(syntax.begin, syntax.end), word);
+    syntax.kind = TypeSyntax::Kind::Symbol;
+    syntax.symbol = word;
     return syntax;
   }
   // "UDT 3" or "UDT3"

@@ -9,6 +9,7 @@
 
 #include "block/block.h"
 #include "source/source_file.h"
+#include "source/symbol_table.h"
 #include "step7/cursor.h"
 
 namespace merker::step7 {
@@ -48,8 +49,10 @@ struct VariableSyntax {
 // Reads declarations; problems go to the list, reading goes on with the next line.
 class DeclarationParser {
  public:
-  DeclarationParser(Cursor& cursor, const source::SourceFile& file, Problems& problems)
-      : cursor_(cursor), file_(file), problems_(problems) {}
+  // With a symbol list, a type may be a symbol without quotation marks.
+  DeclarationParser(Cursor& cursor, const source::SourceFile& file, Problems& problems,
+                    const source::SymbolTable* symbols)
+      : cursor_(cursor), file_(file), problems_(problems), symbols_(symbols) {}
 
   // name {, name} [attributes] : type [:= value] ;   Several names give several variables.
   // False at the word that ends the list (END_VAR, END_STRUCT …), which stays.
@@ -78,12 +81,16 @@ class DeclarationParser {
   Cursor& cursor_;
   const source::SourceFile& file_;
   Problems& problems_;
+  const source::SymbolTable* symbols_;
   int depth_ = 0;
   bool tooMany_ = false;  // variables: told
 };
 
 // Keyword of a block kind: OB, FB, FC, DB, UDT, SFB, SFC.
 std::optional<BlockKind> blockKindFromName(std::string_view word);
+
+// Whether a word without quotation marks is a symbol (S7-SYM-05) and not a block's kind or name.
+bool isSymbolWord(std::string_view word, const source::SymbolTable* symbols);
 
 // Signed decimal number at the cursor.
 std::optional<std::int64_t> readInteger(Cursor& cursor);

@@ -7,11 +7,19 @@
 namespace merker::step7 {
 namespace {
 
-// SFC 46 without parameters and SFB 4 (TON), as the library of a CPU would list them.
+// SFC 46 without parameters, SFB 4 (TON) and FC 99 (BITSUM), as the library of a CPU would list
+// them.
 const block::Program& library() {
   static const block::Program program = [] {
     block::Program blocks;
-    block::Block stop, timer;
+    block::Block stop, timer, bits;
+    bits.id = {BlockKind::FC, 99};
+    block::Variable word;
+    word.name = "IN";
+    word.section = block::Section::Input;
+    word.type = block::elementaryType(TypeCode::DWord);
+    bits.variables.push_back(word);
+    blocks.emplace(bits.id, bits);
     stop.id = {BlockKind::SFC, 46};
     blocks.emplace(stop.id, stop);
     timer.id = {BlockKind::SFB, 4};

@@ -8,6 +8,17 @@ namespace {
 
 using List = std::vector<std::string>;
 
+source::SymbolTable table(const std::vector<std::pair<std::string, std::string>>& rows) {
+  source::SymbolTable symbols;
+  for (const auto& [name, address] : rows) {
+    source::Symbol symbol;
+    symbol.name = name;
+    symbol.address = source::parseSymbolAddress(address, {}).value();
+    EXPECT_TRUE(symbols.add(symbol));
+  }
+  return symbols;
+}
+
 // S7-FB-05: the instance is empty and known, also where the FB is called before its declaration.
 TEST(Tolerance, InstancesOfAnFbThatDeclaresNothing) {
   const Compiled compiled = compileText(
@@ -22,14 +33,8 @@ TEST(Tolerance, InstancesOfAnFbThatDeclaresNothing) {
 
 // S7-SYM-05: the same bytes as with quotation marks, and a warning.
 TEST(Tolerance, SymbolsWithoutQuotationMarks) {
-  source::SymbolTable symbols;
-  for (const auto& [name, address] : {std::pair("Motor_1", "A 1.0"), std::pair("Drive", "FC 1"),
-                                      std::pair("Axis", "FB 1"), std::pair("Data", "DB 1")}) {
-    source::Symbol symbol;
-    symbol.name = name;
-    symbol.address = source::parseSymbolAddress(address, {}).value();
-    EXPECT_TRUE(symbols.add(symbol));
-  }
+  const source::SymbolTable symbols =
+      table({{"Motor_1", "A 1.0"}, {"Drive", "FC 1"}, {"Axis", "FB 1"}, {"Data", "DB 1"}});
   const std::string rest =
       "FUNCTION FC 1 : VOID\nVAR_INPUT i : BOOL; END_VAR\nEND_FUNCTION\n"
       "FUNCTION_BLOCK FB 1\nVAR_INPUT i : BOOL; END_VAR\nEND_FUNCTION_BLOCK\n"
@@ -45,10 +50,59 @@ TEST(Tolerance, SymbolsWithoutQuotationMarks) {
   EXPECT_EQ(quoted.problems(), List{});
   const Compiled bare = compiled(
       "U Motor_1\nCALL #Drive (i := #motor_1)\nCALL Axis, Data (i := Data.i)\nAUF DI \"Data\"");
-  EXPECT_EQ(bare.problems(), (List{"3:3 P0354", "4:7 P0354", "4:20 P0354", "5:6 P0354",
-                                   "5:12 P0354", "5:23 P0354"}));
+  EXPECT_EQ(bare.problems(),
+            (List{"3:3 P0354", "4:7 P0354", "4:20 P0354", "5:6 P0354", "5:12 P0354"}));
   EXPECT_EQ(bare.listing(BlockKind::OB, 1), quoted.listing(BlockKind::OB, 1));
   EXPECT_EQ(compiled("U Motor_2\nU #Motor_2").problems(), (List{"3:3 P0317", "4:4 P0313"}));
+}
+
+// S7-SYM-05: names of blocks and types, too.
+TEST(Tolerance, BlockNamesWithoutQuotationMarks) {
+  const source::SymbolTable symbols = table({{"Drive", "FC 1"},
+                                             {"Axis", "FB 1"},
+                                             {"Axis_1", "DB 1"},
+                                             {"DB2_data", "DB 7"},
+                                             {"Set", "UDT 2"},
+                                             {"Lamp", "A 1.0"}});
+  const auto compiled = [&](std::string_view text) {
+    return compileText(text, "314C-2 PtP", false, &symbols);
+  };
+  const Compiled bare = compiled(
+      "FUNCTION Drive : VOID\nBEGIN\nEND_FUNCTION\n"
+      "TYPE Set\nSTRUCT\nw : INT;\nEND_STRUCT\nEND_TYPE\n"
+      "FUNCTION_BLOCK Axis\nVAR\ns : ARRAY[1..2] OF Set;\nEND_VAR\nEND_FUNCTION_BLOCK\n"
+      "DATA_BLOCK Axis_1\nAxis\nBEGIN\ns[2].w := 5;\nEND_DATA_BLOCK\n"
+      "DATA_BLOCK DB2_data Set\nBEGIN\nEND_DATA_BLOCK\n");
+  EXPECT_EQ(bare.problems(), (List{"1:10 P0354", "4:6 P0354", "9:16 P0354", "11:20 P0354",
+                                   "14:12 P0354", "15:1 P0354", "19:12 P0354", "19:21 P0354"}));
+  EXPECT_EQ(bare.block(BlockKind::DB, 1).actualData, (std::vector<std::uint8_t>{0, 0, 0, 5}));
+  EXPECT_EQ(bare.block(BlockKind::DB, 7).actualData.size(), 2u);
+  EXPECT_EQ(compiled("DATA_BLOCK Lamp\nBEGIN\nEND_DATA_BLOCK\n").problems()[1], "1:12 P0304");
+  EXPECT_EQ(compiled("FUNCTION Other : VOID\nBEGIN\nEND_FUNCTION\n").problems(),
+            (List{"1:10 P0305"}));
+}
+
+// What is missing is one problem for a block, where it uses it first.
+TEST(Tolerance, MissingBlocksAndNamesAreReportedOnce) {
+  const std::string uses =
+      "L DB5.a;\nL DB5.b;\nL #c;\nT #c;\nU \"d\";\nU \"d\";\nL DB6.DBW 0;\n"
+      "L DB6.DBW 2;\nL DB7.a;\n";
+  EXPECT_EQ(compileText("FUNCTION FC 1 : VOID\nBEGIN\n" + uses +
+                        "END_FUNCTION\nFUNCTION FC 2 : VOID\nBEGIN\nL DB5.a\nEND_FUNCTION\n")
+                .problems(),
+            (List{"3:3 P0506", "5:4 P0313", "7:3 P0303", "9:3 P0522", "11:3 P0506", "15:3 P0506"}));
+}
+
+// The caller's own FC 99 is not in the program; the function of the library that has its number is
+// not meant.
+TEST(Tolerance, OwnFunctionWithTheNumberOfALibraryFunction) {
+  const auto call = [](std::string_view parameters) {
+    return compileText("FUNCTION FC 50 : VOID\nBEGIN\nCALL FC 99 (" + std::string(parameters) +
+                       ");\nSET\nEND_FUNCTION\n")
+        .problems();
+  };
+  EXPECT_EQ(call("Raw := 'a)',\nLimit := MW (2, Scaled := MW 0"), (List{"3:1 P0506"}));
+  EXPECT_EQ(call("Raw := 1, IN := MD 4"), (List{"3:13 P0511"}));
 }
 
 // S7-SRC-04: the order of the interface is kept whatever the source has.
