@@ -36,6 +36,26 @@ BlockCompiler::BlockCompiler(const BlockSource& source, block::Block& target,
   scope_.use = &use_;
 }
 
+namespace {
+
+// What is not in the program is reported where a block uses it first: a missing data block is one
+// problem and not a hundred.
+Problems firstUses(const Problems& problems) {
+  static constexpr ProblemCode kMissing[] = {ProblemCode::P0303, ProblemCode::P0313,
+                                             ProblemCode::P0354, ProblemCode::P0506,
+                                             ProblemCode::P0522};
+  if (problems.size() != problems.list().size()) return problems;  // some are only counted
+  Problems first(problems.stop());
+  std::set<std::pair<ProblemCode, std::string>> seen;
+  for (const Problem& problem : problems.list())
+    if (std::ranges::find(kMissing, problem.code) == std::end(kMissing) ||
+        seen.emplace(problem.code, problem.message).second)
+      first.add(problem);
+  return first;
+}
+
+}  // namespace
+
 // The first byte behind the declared temporary variables; not rounded up to a word (code patterns,
 // section 1).
 std::uint32_t BlockCompiler::firstFreeLocalByte() const {
@@ -61,7 +81,7 @@ void BlockCompiler::compile() {
     problems_.add(ProblemCode::P0503, at(source_.name.begin, source_.name.end),
                   toString(target_.id), builder_->code().size(), scope_.model().blockSize);
   builder_->moveInto(target_);
-  finalProblems_.append(problems_);
+  finalProblems_.append(firstUses(problems_));
 }
 
 // False if the transfer areas of this pass overlap local data that the program uses absolutely.

@@ -16,10 +16,14 @@ bool CallCompiler::compile(std::size_t begin) {
     parameters.skip();
     return false;
   }
+  if (parameters.ofAnotherBlock()) {
+    c_.problems().add(ProblemCode::P0506, c_.at(begin, c_.cursor().pos()), toString(target_.id));
+    parameters.skip();
+    return false;
+  }
   auto actuals = parameters.read();
   if (!actuals) return false;
   actuals_ = std::move(*actuals);
-  (void)begin;
   if (target_.isFunction())
     callFunction();
   else

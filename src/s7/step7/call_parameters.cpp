@@ -39,6 +39,51 @@ void CallParameters::skip() {
   }
 }
 
+bool CallParameters::ofAnotherBlock() {
+  const block::Program* library = c_.scope().options->library;
+  const auto found = library ? library->find(target_.id) : block::Program::const_iterator{};
+  const bool system = target_.id.kind == BlockKind::SFC || target_.id.kind == BlockKind::SFB;
+  if (system || !library || found == library->end() || &found->second != target_.block)
+    return false;
+  Cursor& cursor = c_.cursor();
+  const std::size_t start = cursor.pos();
+  const std::size_t comments = cursor.checks().size();
+  const bool other = acceptBracket() && noneKnown();
+  cursor.seek(start);
+  cursor.checks().resize(comments);
+  return other;
+}
+
+// Looks at all "name :=" up to the closing bracket; at least one must be there.
+bool CallParameters::noneKnown() {
+  Cursor& cursor = c_.cursor();
+  bool any = false;
+  for (int depth = 1; depth > 0;) {
+    cursor.skipSpace();
+    if (cursor.atEnd() || cursor.peek() == ';') break;
+    const std::string_view name = cursor.word();
+    if (!name.empty()) {
+      cursor.skipBlanks();
+      if (cursor.peek() != ':' || cursor.peek(1) != '=') continue;
+      if (formal(name)) return false;
+      any = true;
+    } else if (cursor.peek() == '\'') {
+      cursor.passText();
+    } else {
+      const char c = cursor.take();
+      depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+    }
+  }
+  return any;
+}
+
+const block::Variable* CallParameters::formal(std::string_view name) const {
+  const block::Variable* found = c_.scope().interfaces->names(*target_.block).find(name);
+  const bool parameter =
+      found && found->section != Section::Static && found->section != Section::Temp;
+  return parameter ? found : nullptr;
+}
+
 // The bracket of the parameter list stands behind the block's name or on the next line; no
 // instruction begins with it.
 bool CallParameters::acceptBracket() {
@@ -110,10 +155,8 @@ bool CallParameters::parameter() {
   const bool quoted = cursor.accept('"');
   std::string name(cursor.word());
   if (quoted) cursor.accept('"');
-  const block::Variable* formal = c_.scope().interfaces->names(*target_.block).find(name);
-  const bool parameter =
-      formal && formal->section != Section::Static && formal->section != Section::Temp;
-  if (name.empty() || !parameter)
+  const block::Variable* const formal = this->formal(name);
+  if (name.empty() || !formal)
     return problem(ProblemCode::P0511, begin, std::max(cursor.pos(), begin + 1), name,
                    target_.name());
   cursor.skipSpace();

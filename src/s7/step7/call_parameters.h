@@ -47,6 +47,9 @@ class CallParameters {
   // Reads ( name := actual, … ) or, as the editor shows it, one name := actual a line. Empty
   // optional after a problem.
   std::optional<Actuals> read();
+  // Whether a library function is called and none of the names is a parameter of it: the caller
+  // means his own block of this number, which is not in the program.
+  bool ofAnotherBlock();
   // Past the list of a block that is not known: the name is the problem, not its parameters.
   void skip();
 
@@ -65,6 +68,8 @@ class CallParameters {
   bool complete(std::size_t begin);
   bool acceptBracket();
   bool atParameterLine();
+  bool noneKnown();
+  const block::Variable* formal(std::string_view name) const;
   bool problem(ProblemCode code, std::size_t begin, std::size_t end, const auto&... arguments) {
     c_.problems().add(code, c_.at(begin, end), arguments...);
     return false;
