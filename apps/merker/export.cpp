@@ -49,41 +49,43 @@ int exportProgram(const ExportOptions& options) {
   if (!built.ok()) return exitCode(built);
   const exporting::Family family = exporting::familyOf(built);
   const exporting::Format* const format = exporting::formatOf(options.output, family);
-  const std::string possible = exporting::extensions(family);
   if (format == nullptr)
-    return complain(possible.empty() ? "STEP 7 programs cannot be exported"
-                                     : fmt::format("{} has no known extension; write one of {}",
-                                                   options.output, possible),
+    return complain(fmt::format("{} has no extension that this program can be exported to; write "
+                                "one of {}",
+                                options.output, exporting::extensions(family)),
                     kUsage);
   exporting::Options chosen;
   chosen.codePage = options.codePage == "850" ? Encoding::Cp850 : Encoding::Cp437;
   chosen.symbols = options.symbols;
-  const auto files = format->write(built, options.output, chosen);
-  if (files.empty())
+  const exporting::Output output = format->write(built, options.output, chosen);
+  for (const std::string& warning : output.warnings) std::cerr << warning << '\n';
+  if (output.files.empty())
     return complain(fmt::format("the program has nothing for {}", options.output), kProblems);
-  return write(files, options.force);
+  return write(output.files, options.force);
 }
 
 std::string formatList() {
   std::string text = "The extension of FILE chooses what is written:\n";
   for (const exporting::Format& format : exporting::formats())
-    text += fmt::format("  {:<5} {}\n", format.extension, format.what);
+    text += fmt::format("  {:<5} STEP {}: {}\n", format.extension,
+                        format.family == exporting::Family::Step7 ? 7 : 5, format.what);
   return text +
-         "Examples:\n  merker export lamp.s5 -o LAMP@@ST.S5D\n"
-         "  merker export plant -o plant.s5 --symbols";
+         "Examples:\n  merker export plant -o plant.awl --symbols\n"
+         "  merker export lamp.s5 -o LAMP@@ST.S5D\n"
+         "  merker export control -o control.s5 --symbols";
 }
 
 }  // namespace
 
 void addExport(CLI::App& program, int& result) {
-  auto* command = program.add_subcommand("export", "writes a program as files of STEP 5");
+  auto* command = program.add_subcommand("export", "writes a program as files of STEP 7 or STEP 5");
   auto options = std::make_shared<ExportOptions>();
   command->add_option("PATH", options->path, "project folder or source")->required();
   command->add_option("-o,--output", options->output, "the file")->required();
   command->add_option("--code-page", options->codePage, "of texts in files of STEP 5: 437 or 850")
       ->check(CLI::IsMember({"437", "850"}));
   command->add_flag("--symbols", options->symbols,
-                    "in a listing: -NAME where an operand has a symbol");
+                    "in a source or listing: symbols where operands have them");
   command->add_flag("--force", options->force, "replace existing files");
   addProjectOptions(*command, options->project);
   command->footer(formatList());

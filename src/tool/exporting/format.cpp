@@ -4,12 +4,19 @@
 #include <filesystem>
 
 #include "exporting/step5.h"
+#include "exporting/step7.h"
 
 namespace merker::exporting {
 namespace {
 
-// STEP 7 has its rows here, too.
 constexpr std::array kFormats{
+    Format{".awl", Family::Step7, "AWL source of all blocks, with the symbol table (.sdf)",
+           writeAwl},
+    Format{".wld", Family::Step7, "all blocks as machine code", writeWld},
+    Format{".sdf", Family::Step7, "symbol table", writeSymbolTable},
+    Format{".asc", Family::Step7, "symbol table", writeSymbolTable},
+    Format{".dif", Family::Step7, "symbol table", writeSymbolTable},
+    Format{".seq", Family::Step7, "symbol table", writeSymbolTable},
     Format{".s5d", Family::Step5, "program file of STEP 5, with its assignment list", writeS5d},
     Format{".s5", Family::Step5, "all blocks in one listing", writeListing},
     Format{".seq", Family::Step5, "assignment list", writeAssignmentList},

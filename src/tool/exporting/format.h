@@ -22,15 +22,19 @@ struct OutputFile {
   std::string bytes;
 };
 
+struct Output {
+  std::vector<OutputFile> files;      // the one at the path of the user first
+  std::vector<std::string> warnings;  // what is not in them as it is in the program
+};
+
 enum class Family : std::uint8_t { Step7, Step5 };
 
 struct Format {
   std::string_view extension;  // of the file, lower case: ".s5d"
   Family family;
   std::string_view what;  // "program file of STEP 5"
-  // The files, the one at `path` first; nothing if the program has nothing to write.
-  std::vector<OutputFile> (*write)(const compilation::Build& build, const std::string& path,
-                                   const Options& options);
+  // No files if the program has nothing to write.
+  Output (*write)(const compilation::Build& build, const std::string& path, const Options& options);
 };
 
 std::span<const Format> formats();

@@ -30,27 +30,27 @@ std::string assignments(const compilation::Build& build, Encoding codePage) {
 
 }  // namespace
 
-std::vector<OutputFile> writeS5d(const compilation::Build& build, const std::string& path,
-                                 const Options& options) {
+Output writeS5d(const compilation::Build& build, const std::string& path, const Options& options) {
   const std::vector<std::uint8_t> bytes = s5d::writeProgram(
       build.listings, projectOf(path) + std::string(kProgramEnd), options.codePage);
   std::vector<OutputFile> files{{path, std::string(bytes.begin(), bytes.end())}};
-  if (build.project.symbols.list().empty()) return files;
+  if (build.project.symbols.list().empty()) return {std::move(files), {}};
   const fs::path list = fs::path(path).parent_path() / (projectOf(path) + "Z0.SEQ");
   files.push_back({list.string(), assignments(build, options.codePage)});
-  return files;
+  return {std::move(files), {}};
 }
 
-std::vector<OutputFile> writeListing(const compilation::Build& build, const std::string& path,
-                                     const Options& options) {
+Output writeListing(const compilation::Build& build, const std::string& path,
+                    const Options& options) {
   return {
-      {path, step5::listing(build.listings, options.symbols ? &build.project.symbols : nullptr)}};
+      {{path, step5::listing(build.listings, options.symbols ? &build.project.symbols : nullptr)}},
+      {}};
 }
 
-std::vector<OutputFile> writeAssignmentList(const compilation::Build& build,
-                                            const std::string& path, const Options& options) {
+Output writeAssignmentList(const compilation::Build& build, const std::string& path,
+                           const Options& options) {
   if (build.project.symbols.list().empty()) return {};
-  return {{path, assignments(build, options.codePage)}};
+  return {{{path, assignments(build, options.codePage)}}, {}};
 }
 
 }  // namespace merker::exporting

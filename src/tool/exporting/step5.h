@@ -6,11 +6,10 @@
 namespace merker::exporting {
 
 // The program; beside it, if it has symbols, xxxxxxZ0.SEQ.
-std::vector<OutputFile> writeS5d(const compilation::Build& build, const std::string& path,
-                                 const Options& options);
-std::vector<OutputFile> writeListing(const compilation::Build& build, const std::string& path,
-                                     const Options& options);
-std::vector<OutputFile> writeAssignmentList(const compilation::Build& build,
-                                            const std::string& path, const Options& options);
+Output writeS5d(const compilation::Build& build, const std::string& path, const Options& options);
+Output writeListing(const compilation::Build& build, const std::string& path,
+                    const Options& options);
+Output writeAssignmentList(const compilation::Build& build, const std::string& path,
+                           const Options& options);
 
 }  // namespace merker::exporting
