@@ -10,17 +10,34 @@
 namespace merker::awl {
 namespace {
 
-std::string members(const std::vector<block::Variable>& variables) {
-  std::string text = "STRUCT\n";
-  for (const block::Variable& v : variables)
-    text += fmt::format("    {} : {};\n", v.name, typeText(*v.type));
-  return text + "  END_STRUCT";
+// Equal values one behind the other stand once: 24 (7).
+std::string arrayValue(const block::Type& type, std::span<const std::uint8_t> bytes) {
+  std::vector<std::pair<std::string, std::size_t>> runs;
+  for (const BitAddress offset : block::elementOffsets(type)) {
+    if (offset / 8 >= bytes.size()) return {};
+    std::string value = valueText(*type.element, bytes.subspan(offset / 8), offset % 8);
+    if (value.empty()) return {};
+    if (runs.empty() || runs.back().first != value) runs.emplace_back(std::move(value), 0);
+    ++runs.back().second;
+  }
+  std::string text;
+  for (const auto& [value, count] : runs)
+    text += (text.empty() ? "" : ", ") + (count > 1 ? fmt::format("{} ({})", count, value) : value);
+  return text;
 }
 
 std::string startValue(const block::Variable& v) {
-  if (!v.hasInitial || v.type->code == TypeCode::Array) return {};
-  const std::string value = valueText(*v.type, v.initial, 0);
+  if (!v.hasInitial) return {};
+  const std::string value = v.type->code == TypeCode::Array ? arrayValue(*v.type, v.initial)
+                                                            : valueText(*v.type, v.initial, 0);
   return value.empty() ? value : " := " + value;
+}
+
+std::string members(const std::vector<block::Variable>& variables) {
+  std::string text = "STRUCT\n";
+  for (const block::Variable& v : variables)
+    text += fmt::format("    {} : {}{};\n", v.name, typeText(*v.type), startValue(v));
+  return text + "  END_STRUCT";
 }
 
 struct SectionName {

@@ -10,10 +10,16 @@ namespace merker::exporting {
 namespace {
 
 struct Missing {
+  std::string character;
   Position first;
   std::size_t count = 0;
 };
-using Found = std::map<std::string, Missing, std::less<>>;
+
+// In the order of their first places.
+struct Found {
+  std::vector<Missing> list;
+  std::map<std::string, std::size_t, std::less<>> places;
+};
 
 std::size_t lengthOf(char lead) {
   const auto byte = static_cast<unsigned char>(lead);
@@ -25,8 +31,10 @@ void look(std::string_view text, Found& found, const PlaceOf& placeOf) {
   for (std::size_t at = 0; at < text.size();) {
     const std::string_view character = text.substr(at, lengthOf(text[at]));
     if (static_cast<unsigned char>(text[at]) >= 0x80 && toCp1252(character) == "?") {
-      Missing& missing = found[std::string(character)];
-      if (missing.count++ == 0) missing.first = placeOf(at, character.size());
+      const auto [place, added] =
+          found.places.try_emplace(std::string(character), found.list.size());
+      if (added) found.list.push_back({place->first, placeOf(at, character.size())});
+      ++found.list[place->second].count;
     }
     at += character.size();
   }
@@ -47,10 +55,11 @@ std::vector<std::string> missingInCp1252(const project::Project& project) {
     for (const std::string* text : {&symbol.name, &symbol.comment})
       look(*text, found, [&](std::size_t, std::size_t) { return symbol.position; });
   std::vector<std::string> warnings;
-  for (const auto& [character, missing] : found)
-    warnings.push_back(fmt::format(
-        "{}: warning: '{}' is not in code page 1252 and is written as '?' ({} {})",
-        placeText(missing.first), character, missing.count, missing.count == 1 ? "time" : "times"));
+  for (const Missing& missing : found.list)
+    warnings.push_back(
+        fmt::format("{}: warning: '{}' is not in code page 1252 and is written as '?' ({} {})",
+                    placeText(missing.first), missing.character, missing.count,
+                    missing.count == 1 ? "time" : "times"));
   return warnings;
 }
 

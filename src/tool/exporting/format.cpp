@@ -17,7 +17,7 @@ constexpr std::array kFormats{
     Format{".asc", Family::Step7, "symbol table", writeSymbolTable},
     Format{".dif", Family::Step7, "symbol table", writeSymbolTable},
     Format{".seq", Family::Step7, "symbol table", writeSymbolTable},
-    Format{".s5d", Family::Step5, "program file of STEP 5, with its assignment list", writeS5d},
+    Format{".s5d", Family::Step5, "program file, with its assignment list", writeS5d},
     Format{".s5", Family::Step5, "all blocks in one listing", writeListing},
     Format{".seq", Family::Step5, "assignment list", writeAssignmentList},
 };

@@ -109,7 +109,7 @@ Output writeAwl(const compilation::Build& build, const std::string& path, const 
   output.warnings = missingInCp1252(build.project);
   noteMachineCode(build, output);
   const std::string text = sourceOf(build, options, output);
-  if (text.empty()) return {};
+  if (text.empty()) return output;
   output.files.push_back({path, toCp1252(withCrLf(text))});
   if (!build.project.symbols.list().empty())
     output.files.push_back(

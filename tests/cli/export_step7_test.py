@@ -1,0 +1,108 @@
+"""merker export: files of STEP 7, and that they come back (docs/formats/export.md)."""
+import pathlib
+
+from harness import GOOD, PROBLEMS, UNREADABLE, USAGE, Case
+
+EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "examples"
+CALLER = """ORGANIZATION_BLOCK OB 1
+BEGIN
+NETWORK
+ U "Schütz"
+ CALL FC 5
+  EIN := E 0.1
+END_ORGANIZATION_BLOCK
+"""
+CALLED = """FUNCTION FC 5 : VOID
+VAR_INPUT
+  EIN : BOOL;
+END_VAR
+BEGIN
+NETWORK
+ U #EIN; // Größe
+ = A 4.0;
+END_FUNCTION
+"""
+
+
+class ExportStep7(Case):
+    def data(self, path):
+        return (self.folder / path).read_bytes()
+
+    def plant(self):
+        self.write("plant/merker.toml", '[project]\nname = "plant"\n')
+        self.write("plant/a.awl", CALLER)
+        self.write("plant/b.awl", CALLED)
+        self.write("plant/s.sym", '"Schütz"  E 0.0  BOOL  // K1\n"Lampe"  A 4.0  BOOL\n')
+        return "plant"
+
+    def test_a_source_that_step_7_imports(self):
+        self.expect(GOOD, "export", self.plant(), "-o", "p.awl")
+        text = self.data("p.awl").decode("cp1252")
+        self.assertEqual(text.count("\n"), text.count("\r\n"))
+        self.assertLess(text.index("FUNCTION FC 5"), text.index("ORGANIZATION_BLOCK OB 1"))
+        self.assertIn(" U E 0.0;\r\n CALL FC 5 (\r\n  EIN := E 0.1);\r\n", text)
+        self.assertIn("// Größe", text)
+        self.assertTrue(self.data("p.sdf").startswith('"Schütz   '.encode("cp1252")))
+        self.expect(GOOD, "export", "plant", "-o", "q.awl", "--symbols")
+        text = self.data("q.awl").decode("cp1252")
+        self.assertIn('U "Schütz";', text)
+        self.assertIn('= "Lampe";', text)
+
+    def test_symbol_tables(self):
+        self.plant()
+        for extension in ("sdf", "asc", "dif", "seq"):
+            self.expect(GOOD, "export", "plant", "-o", "t." + extension)
+            folder = "back-" + extension
+            self.write(f"{folder}/merker.toml", '[project]\nname = "back"\n')
+            self.write(f"{folder}/x.awl", CALLER)
+            self.write(f"{folder}/y.awl", CALLED)
+            self.write(f"{folder}/t.{extension}", self.data(f"t.{extension}"))
+            self.expect(GOOD, "export", folder, "-o", folder + ".awl", "--symbols")
+            self.assertIn('= "Lampe";', self.data(folder + ".awl").decode("cp1252"))
+
+    def test_what_the_code_page_does_not_have_is_named(self):
+        self.write("p.awl", CALLED.replace("Größe", "жук"))
+        err = self.expect(GOOD, "export", "p.awl", "-o", "out.awl").err
+        self.assertIn("p.awl:7:13: warning: 'ж' is not in code page 1252 and is written as '?' (1 time)", err)
+        self.assertIn(b"// ???", self.data("out.awl"))
+
+    def test_machine_code_goes_into_a_wld_file_only(self):
+        self.plant()
+        self.expect(GOOD, "export", "plant", "-o", "p.wld")
+        self.write("code/merker.toml", '[project]\nname = "code"\n')
+        self.write("code/p.mc7", self.data("p.wld"))
+        call = self.merker("export", "code", "-o", "code.awl")
+        self.assertEqual(call.code, PROBLEMS)
+        self.assertIn("FC 5 is left out", call.err)
+        self.expect(GOOD, "export", "code", "-o", "code.wld")
+        self.assertEqual(self.data("code.wld"), self.data("p.wld"))
+
+    def test_what_cannot_be_written_is_told(self):
+        self.plant()
+        self.assertIn("write one of .awl, .wld, .sdf, .asc, .dif, .seq",
+                      self.expect(USAGE, "export", "plant", "-o", "p.s5d").err)
+        self.write("p.sdf", "mine")
+        self.assertIn("p.sdf already exists", self.expect(UNREADABLE, "export", "plant", "-o", "p.awl").err)
+        self.assertFalse((self.folder / "p.awl").exists())
+        self.assertIn("plant.awl", self.expect(GOOD, "export", "--help").out)
+
+    # Issue: export -> import is the identity
+    def test_every_example_comes_back(self):
+        for project in sorted(p.parent for p in EXAMPLES.glob("*/merker.toml")):
+            name = project.name
+            self.expect(GOOD, "export", project, "-o", f"{name}.wld")
+            machine = self.data(f"{name}.wld")
+            for option in ([], ["--symbols"]):
+                with self.subTest(name=name, option=option):
+                    source = name + "".join(option)
+                    (self.folder / source).mkdir()
+                    self.assertEqual(self.expect(GOOD, "export", project, "-o", f"{source}/p.awl", *option).err, "")
+                    self.assertEqual(self.again(source, source + ".back"), machine)
+            with self.subTest(name=name, option="WLD"):
+                self.assertEqual(self.again(f"{name}.wld", name + ".code"), machine)
+
+    # The machine code of what an import makes of `path`.
+    def again(self, path, folder):
+        self.expect(GOOD, "import", path, "-o", folder)
+        self.expect(GOOD, "export", folder, "-o", folder + ".wld")
+        return self.data(folder + ".wld")
