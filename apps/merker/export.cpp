@@ -59,6 +59,7 @@ int exportProgram(const ExportOptions& options) {
   chosen.symbols = options.symbols;
   const exporting::Output output = format->write(built, options.output, chosen);
   for (const std::string& warning : output.warnings) std::cerr << warning << '\n';
+  if (output.files.empty() && !output.warnings.empty()) return kProblems;
   if (output.files.empty())
     return complain(fmt::format("the program has nothing for {}", options.output), kProblems);
   return write(output.files, options.force);

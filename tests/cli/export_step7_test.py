@@ -71,11 +71,23 @@ class ExportStep7(Case):
         self.expect(GOOD, "export", "plant", "-o", "p.wld")
         self.write("code/merker.toml", '[project]\nname = "code"\n')
         self.write("code/p.mc7", self.data("p.wld"))
-        call = self.merker("export", "code", "-o", "code.awl")
-        self.assertEqual(call.code, PROBLEMS)
-        self.assertIn("FC 5 is left out", call.err)
-        self.expect(GOOD, "export", "code", "-o", "code.wld")
+        self.write("code/c.awl", "FUNCTION FC 1 : VOID\nBEGIN\nCALL FC 5\nIN0 := M 1.0\nEND_FUNCTION\n")
+        call = self.expect(GOOD, "export", "code", "-o", "code.awl")
+        self.assertIn("FC 5 has machine code and no source: it is in code.wld", call.err)
+        self.assertNotIn(b"FC 5 :", self.data("code.awl"))
         self.assertEqual(self.data("code.wld"), self.data("p.wld"))
+        (self.folder / "code/c.awl").unlink()
+        self.expect(GOOD, "export", "code", "-o", "code.wld", "--force")
+        self.assertEqual(self.data("code.wld"), self.data("p.wld"))
+
+    # SE is another instruction in each of the two.
+    def test_a_file_for_each_kind_of_mnemonics(self):
+        self.write("p/merker.toml", '[project]\nname = "p"\n')
+        self.write("p/a.awl", "FUNCTION FC 1 : VOID\nBEGIN\nU E 0.0\nL S5T#1S\nSE T 1\nEND_FUNCTION\n")
+        self.write("p/b.awl", "FUNCTION FC 2 : VOID\nBEGIN\nA I 0.0\nL S5T#1S\nSE T 1\nEND_FUNCTION\n")
+        self.assertIn("a file of their own", self.expect(GOOD, "export", "p", "-o", "x.awl").err)
+        self.assertIn(b"U E 0.0;", self.data("x.awl"))
+        self.assertIn(b"A I 0.0;", self.data("x-international.awl"))
 
     def test_what_cannot_be_written_is_told(self):
         self.plant()

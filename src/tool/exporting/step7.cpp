@@ -16,6 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kInternational = "-international.awl";
+
 bool isMachineCode(const compilation::Build& build, BlockId id) {
   const auto& code = build.project.machineCode;
   return std::any_of(code.begin(), code.end(),
@@ -32,8 +34,8 @@ std::string joined(const std::vector<Piece>& pieces) {
   return text;
 }
 
-// Whether the source gives every block of the program again, with the same bytes.
-bool compilesTo(const compilation::Build& build, const std::string& text) {
+// Whether the sources give every block of the program again, with the same bytes.
+bool compilesTo(const compilation::Build& build, const std::vector<std::string>& texts) {
   block::Program callable = *build.library;
   for (const project::MachineCode& file : build.project.machineCode)
     callable.insert_or_assign(file.block.id, build.program->at(file.block.id));
@@ -42,7 +44,9 @@ bool compilesTo(const compilation::Build& build, const std::string& text) {
   options.library = &callable;
   options.symbols = &build.project.symbols;
   options.mnemonics = build.project.mnemonics;
-  const auto compiled = step7::compile({source::SourceFile("export", text)}, options);
+  std::vector<source::SourceFile> sources;
+  for (const std::string& text : texts) sources.emplace_back("export", text);
+  const auto compiled = step7::compile(sources, options);
   return compiled.ok() &&
          std::all_of(build.program->begin(), build.program->end(), [&](const auto& entry) {
            if (isMachineCode(build, entry.first)) return true;
@@ -61,41 +65,76 @@ std::string withCrLf(std::string_view text) {
   return out;
 }
 
+// A way to write the program, and what to say if it is this one.
+struct Attempt {
+  Style style;
+  bool split = false;  // by mnemonics: STEP 7 takes a source in one setting
+  std::string_view warning;
+};
+
 // Most wanted first; what gives other bytes is not written.
-std::vector<Style> stylesOf(const Options& options) {
+std::vector<Attempt> attempts(const Options& options) {
   const Names wanted = options.symbols ? Names::Symbolic : Names::Absolute;
-  return {{wanted, true}, {Names::AsWritten, true}, {Names::AsWritten, false}};
+  constexpr std::string_view kSplit =
+      "warning: the sources use both mnemonics: those in international ones are in a file of their "
+      "own";
+  return {{{wanted, true}, false, ""},
+          {{wanted, true}, true, kSplit},
+          {{Names::AsWritten, true},
+           false,
+           "warning: with other names of operands the blocks would get other bytes; the names stay "
+           "as they stand in the sources"},
+          {{Names::AsWritten, false},
+           false,
+           "warning: statements stay as they stand in the sources; STEP 7 may miss semicolons"}};
 }
 
-std::vector<Piece> exportable(const compilation::Build& build, Style style) {
-  std::vector<Piece> all = pieces(build.project, style);
+std::vector<std::string> texts(const compilation::Build& build, const Attempt& attempt) {
+  std::vector<Piece> all = pieces(build.project, attempt.style);
   std::erase_if(all, [&](const Piece& piece) { return isMachineCode(build, piece.id); });
-  return ordered(std::move(all));
+  all = ordered(std::move(all));
+  if (!attempt.split) return {joined(all)};
+  const auto international = std::stable_partition(
+      all.begin(), all.end(), [](const Piece& p) { return p.mnemonics == Mnemonics::German; });
+  return {joined({all.begin(), international}), joined({international, all.end()})};
 }
 
-std::string sourceOf(const compilation::Build& build, const Options& options, Output& output) {
-  for (const Style& style : stylesOf(options)) {
-    std::string text = joined(exportable(build, style));
-    if (text.empty() || compilesTo(build, text)) return text;
-    output.warnings.push_back(
-        style.names != Names::AsWritten
-            ? "warning: with other names of operands the blocks would get other bytes; the names "
-              "are written as they stand in the sources"
-        : style.punctuation
-            ? "warning: STEP 7 may miss semicolons: the statements are written as they stand in "
-              "the sources"
-            : "warning: the file does not compile to the same blocks; the sources may use both "
-              "German and international mnemonics");
-    if (style.names == Names::AsWritten && !style.punctuation) return text;
+// One or two sources; none if nothing gives the same blocks.
+std::vector<std::string> sourcesOf(const compilation::Build& build, const Options& options,
+                                   Output& output) {
+  for (const Attempt& attempt : attempts(options)) {
+    std::vector<std::string> found = texts(build, attempt);
+    if (!compilesTo(build, found)) continue;
+    if (!attempt.warning.empty()) output.warnings.emplace_back(attempt.warning);
+    return found;
   }
+  output.warnings.emplace_back("error: no source gives the same blocks again; export .wld");
   return {};
 }
 
-void noteMachineCode(const compilation::Build& build, Output& output) {
-  for (const project::MachineCode& file : build.project.machineCode)
-    output.warnings.push_back(fmt::format(
-        "{}: warning: {} is left out: it has machine code and no source; export .wld for it",
-        file.file, toString(file.block.id)));
+std::string containers(const block::Program& program, Output& output) {
+  std::string bytes;
+  for (const auto& [id, block] : program) {
+    const std::vector<std::uint8_t> container = block::writeContainer(block);
+    bytes.append(container.begin(), container.end());
+    if (container.empty() && id.kind != BlockKind::UDT)
+      output.warnings.push_back(
+          fmt::format("warning: {} is left out: it is too long for a container", toString(id)));
+  }
+  return bytes;
+}
+
+// What no source can give.
+void writeMachineCode(const compilation::Build& build, const std::string& path, Output& output) {
+  block::Program blocks;
+  for (const project::MachineCode& file : build.project.machineCode) {
+    const BlockId id = file.block.id;
+    blocks.insert_or_assign(id, build.program->at(id));
+    output.warnings.push_back(
+        fmt::format("{}: warning: {} has machine code and no source: it is in {}", file.file,
+                    toString(id), path));
+  }
+  if (!blocks.empty()) output.files.push_back({path, containers(blocks, output)});
 }
 
 std::string symbolBytes(const compilation::Build& build, std::string_view extension) {
@@ -107,26 +146,24 @@ std::string symbolBytes(const compilation::Build& build, std::string_view extens
 Output writeAwl(const compilation::Build& build, const std::string& path, const Options& options) {
   Output output;
   output.warnings = missingInCp1252(build.project);
-  noteMachineCode(build, output);
-  const std::string text = sourceOf(build, options, output);
-  if (text.empty()) return output;
-  output.files.push_back({path, toCp1252(withCrLf(text))});
-  if (!build.project.symbols.list().empty())
+  const fs::path file(path);
+  const std::vector<std::string> sources = sourcesOf(build, options, output);
+  for (std::size_t i = 0; i < sources.size(); ++i)
+    if (!sources[i].empty())
+      output.files.push_back(
+          {i == 0 ? path : (file.parent_path() / (file.stem().string() + kInternational)).string(),
+           toCp1252(withCrLf(sources[i]))});
+  if (sources.empty()) return output;
+  if (!output.files.empty() && !build.project.symbols.list().empty())
     output.files.push_back(
         {fs::path(path).replace_extension(".sdf").string(), symbolBytes(build, ".sdf")});
+  writeMachineCode(build, fs::path(path).replace_extension(".wld").string(), output);
   return output;
 }
 
 Output writeWld(const compilation::Build& build, const std::string& path, const Options&) {
   Output output;
-  std::string bytes;
-  for (const auto& [id, block] : *build.program) {
-    const std::vector<std::uint8_t> container = block::writeContainer(block);
-    bytes.append(container.begin(), container.end());
-    if (container.empty() && id.kind != BlockKind::UDT)
-      output.warnings.push_back(
-          fmt::format("warning: {} is left out: it is too long for a container", toString(id)));
-  }
+  std::string bytes = containers(*build.program, output);
   if (!bytes.empty()) output.files.push_back({path, std::move(bytes)});
   return output;
 }
