@@ -34,8 +34,16 @@ std::string joined(const std::vector<Piece>& pieces) {
   return text;
 }
 
+bool mixesMnemonics(const step7::Compilation& compiled) {
+  const auto& list = compiled.problems.list();
+  return std::any_of(list.begin(), list.end(), [](const Problem& problem) {
+    return problem.code == ProblemCode::P0355 || problem.code == ProblemCode::P0356;
+  });
+}
+
 // Whether the sources give every block of the program again, with the same bytes.
-bool compilesTo(const compilation::Build& build, const std::vector<std::string>& texts) {
+bool compilesTo(const compilation::Build& build, const std::vector<std::string>& texts,
+                bool oneSetting) {
   block::Program callable = *build.library;
   for (const project::MachineCode& file : build.project.machineCode)
     callable.insert_or_assign(file.block.id, build.program->at(file.block.id));
@@ -47,7 +55,7 @@ bool compilesTo(const compilation::Build& build, const std::vector<std::string>&
   std::vector<source::SourceFile> sources;
   for (const std::string& text : texts) sources.emplace_back("export", text);
   const auto compiled = step7::compile(sources, options);
-  return compiled.ok() &&
+  return compiled.ok() && !(oneSetting && mixesMnemonics(compiled)) &&
          std::all_of(build.program->begin(), build.program->end(), [&](const auto& entry) {
            if (isMachineCode(build, entry.first)) return true;
            const auto found = compiled.program.find(entry.first);
@@ -68,23 +76,31 @@ std::string withCrLf(std::string_view text) {
 // A way to write the program, and what to say if it is this one.
 struct Attempt {
   Style style;
-  bool split = false;  // by mnemonics: STEP 7 takes a source in one setting
+  bool split = false;       // by mnemonics: STEP 7 takes a source in one setting
+  bool oneSetting = false;  // no source may use both
   std::string_view warning;
 };
 
 // Most wanted first; what gives other bytes is not written.
 std::vector<Attempt> attempts(const Options& options) {
   const Names wanted = options.symbols ? Names::Symbolic : Names::Absolute;
-  constexpr std::string_view kSplit =
-      "warning: the sources use both mnemonics: those in international ones are in a file of their "
-      "own";
-  return {{{wanted, true}, false, ""},
-          {{wanted, true}, true, kSplit},
+  return {{{wanted, true}, false, true, ""},
+          {{wanted, true},
+           true,
+           true,
+           "warning: the sources use both mnemonics: those in international ones are in a file of "
+           "their own"},
+          {{wanted, true},
+           false,
+           false,
+           "warning: a source uses both mnemonics; STEP 7 reads one of them in a source"},
           {{Names::AsWritten, true},
+           false,
            false,
            "warning: with other names of operands the blocks would get other bytes; the names stay "
            "as they stand in the sources"},
           {{Names::AsWritten, false},
+           false,
            false,
            "warning: statements stay as they stand in the sources; STEP 7 may miss semicolons"}};
 }
@@ -104,7 +120,7 @@ std::vector<std::string> sourcesOf(const compilation::Build& build, const Option
                                    Output& output) {
   for (const Attempt& attempt : attempts(options)) {
     std::vector<std::string> found = texts(build, attempt);
-    if (!compilesTo(build, found)) continue;
+    if (!compilesTo(build, found, attempt.oneSetting)) continue;
     if (!attempt.warning.empty()) output.warnings.emplace_back(attempt.warning);
     return found;
   }

@@ -3,6 +3,7 @@
 
 #include "exporting/awl_source.h"
 #include "exporting/characters.h"
+#include "exporting/step7.h"
 
 namespace merker::exporting {
 namespace {
@@ -82,7 +83,8 @@ TEST(AwlNames, absoluteOperandsBecomeSymbols) {
             "U \"Start\";\nT \"Speed\";\nSE \"Pause\";\nAUF \"Motor\";\nL \"Motor\".speed;\n"
             "CALL \"Drive\", \"Motor\";\n");
   const std::string kept =
-      "T1: L DB5.DBW 2;\nSPA T1;\nL MW [MW 10];\nL P#E 0.0;\nL W#16#10;\nL E 0.00001; // E 0.0\n";
+      "T1: L DB5.DBW 2;\nSPA T1;\nL MW [MW 10];\nL #a.T1;\nL P#E 0.0;\nL W#16#10;\nL E 0.00001; // "
+      "E 0.0\n";
   EXPECT_EQ(exported(kept, Names::Symbolic), kept);
 }
 
@@ -118,6 +120,20 @@ TEST(AwlPieces, commentsBeforeAndBehindBlocksStay) {
   EXPECT_TRUE(list[0].text.starts_with("// head\nFUNCTION"));
   EXPECT_TRUE(list[1].text.starts_with("// between\nFUNCTION"));
   EXPECT_TRUE(list[1].text.ends_with("// end"));
+}
+
+// FC 7 with an operation that is not in its source any more.
+TEST(AwlSource, whatGivesOtherBlocksIsNotWritten) {
+  compilation::Build build = compilation::build(projectOf(function("U E 0.0;\n= A 0.0;\n")), false);
+  ASSERT_TRUE(build.ok());
+  EXPECT_EQ(writeAwl(build, "p.awl", {}).files.size(), 2u);
+  block::Program program = *build.program;
+  program.begin()->second.code[1] ^= 1;
+  build.program = std::make_shared<const block::Program>(program);
+  const Output output = writeAwl(build, "p.awl", {});
+  EXPECT_TRUE(output.files.empty());
+  ASSERT_EQ(output.warnings.size(), 1u);
+  EXPECT_EQ(output.warnings[0], "error: no source gives the same blocks again; export .wld");
 }
 
 TEST(Characters, eachMissingOneIsNamedOnceWithItsPlace) {
