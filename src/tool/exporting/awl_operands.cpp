@@ -112,7 +112,7 @@ class Scanner {
 
   // W#16#F0, P#M 10.0, DT#1998-04-14-17:53:17
   void constant() {
-    while (!cursor_.atEnd() && !isOneOf(cursor_.peek(), " \t\r\n;,)")) cursor_.take();
+    while (!cursor_.atEnd() && !isOneOf(cursor_.peek(), " \t\r\n;,)]")) cursor_.take();
   }
 
   void finish(Operand& operand) {

@@ -88,6 +88,11 @@ TEST(AwlNames, absoluteOperandsBecomeSymbols) {
   EXPECT_EQ(exported(kept, Names::Symbolic), kept);
 }
 
+TEST(AwlNames, whatFollowsAnIndirectOperandIsReplaced) {
+  EXPECT_EQ(exported("CALL FC 1 (A := W [AR1,P#2.0], B := MW 10);\n", Names::Symbolic),
+            "CALL FC 1 (A := W [AR1,P#2.0], B := \"Speed\");\n");
+}
+
 TEST(AwlNames, headersAndTypesBecomeAbsolute) {
   const auto list = pieces(projectOf("DATA_BLOCK \"Motor\"\n\"Drive\"\nBEGIN\nEND_DATA_BLOCK\n"),
                            {Names::Absolute, true});
