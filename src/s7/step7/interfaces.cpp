@@ -268,7 +268,8 @@ block::TypePtr Interfaces::type(const BlockSource& source, const TypeSyntax& syn
           options_.symbols ? options_.symbols->find(syntax.symbol) : nullptr;
       if (symbol && symbol->address.kind == source::SymbolAddress::Kind::Block)
         return blockType(source, syntax, symbol->address.block, section);
-      problems_.add(symbol ? ProblemCode::P0304 : ProblemCode::P0303, place, syntax.symbol);
+      if (missing_.emplace(source.id, syntax.symbol).second)
+        problems_.add(symbol ? ProblemCode::P0304 : ProblemCode::P0303, place, syntax.symbol);
       return unknownType();
     }
   }
@@ -285,7 +286,7 @@ block::TypePtr Interfaces::blockType(const BlockSource& source, const TypeSyntax
   if (id.kind == BlockKind::UDT) {
     const block::Block* udt = find(id);
     if (udt && !udt->variables.empty()) return udt->variables.front().type;
-    if (!udt) problems_.add(ProblemCode::P0428, place, toString(id));
+    if (!udt) missing(source, place, id);
     return unknownType();
   }
   // S7-PAR-10: instances only as static variables of an FB.
@@ -296,11 +297,12 @@ block::TypePtr Interfaces::blockType(const BlockSource& source, const TypeSyntax
     return unknownType();
   }
   if (block::TypePtr result = instanceType(id)) return limited(std::move(result), place);
-  missing(place, id);
+  missing(source, place, id);
   return unknownType();
 }
 
-void Interfaces::missing(const Position& place, BlockId id) {
+void Interfaces::missing(const BlockSource& source, const Position& place, BlockId id) {
+  if (!missing_.emplace(source.id, toString(id)).second) return;
   if (id.kind == BlockKind::SFB)
     problems_.add(ProblemCode::P0433, place, fmt::format("CPU {}", options_.model->name),
                   toString(id));

@@ -4,6 +4,9 @@
 #pragma once
 
 #include <map>
+#include <set>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "step7/block_names.h"
@@ -46,8 +49,8 @@ class Interfaces {
   };
 
   const block::Block* resolve(BlockId id);
-  // Neither in the sources nor in the CPU.
-  void missing(const Position& place, BlockId id);
+  // Neither in the sources nor in the CPU; reported once for each block.
+  void missing(const BlockSource& source, const Position& place, BlockId id);
   bool busy(BlockId id) const;  // its declarations are being resolved: it contains itself
   void resolveCode(BlockSource& source, block::Block& result);
   void resolveData(BlockSource& source, block::Block& result);
@@ -93,6 +96,7 @@ class Interfaces {
   StructureNumbers structures_;
   std::uint64_t dataBytes_ = 0, variables_ = 0, components_ = 0, initialBytes_ = 0;
   std::map<BlockId, BlockNames> names_;
+  std::set<std::pair<BlockId, std::string>> missing_;  // what is reported of a block
 };
 
 }  // namespace merker::step7

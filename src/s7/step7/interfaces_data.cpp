@@ -35,7 +35,7 @@ void Interfaces::resolveData(BlockSource& source, block::Block& result) {
   if (byBlock && instance.kind != BlockKind::UDT) {
     const block::TypePtr type = instanceType(instance);
     if (!type) {
-      missing(at(source, syntax.begin, syntax.end), instance);
+      missing(source, at(source, syntax.begin, syntax.end), instance);
       return;
     }
     result.instanceOf = instance.number;

@@ -11,11 +11,22 @@ using mc7::Operand;
 using mc7::OperandKind;
 using mc7::Operation;
 
+// The I, D or R of ==I, >R, +D; 0 if none. It may stand apart, as in the manual's "> I", if nothing
+// follows it.
+static char acceptTypeLetter(Cursor& cursor) {
+  const std::size_t saved = cursor.pos();
+  cursor.skipBlanks();
+  const bool apart = cursor.pos() != saved;
+  const char c = static_cast<char>(std::toupper(static_cast<unsigned char>(cursor.peek())));
+  if ((c == 'I' || c == 'D' || c == 'R') && !isWordChar(cursor.peek(1))) {
+    cursor.take();
+    if (!apart || cursor.atStatementEnd()) return c;
+  }
+  cursor.seek(saved);
+  return '\0';
+}
+
 std::string readMnemonic(Cursor& cursor) {
-  const auto typeLetter = [&](std::size_t ahead) {
-    const char c = static_cast<char>(std::toupper(static_cast<unsigned char>(cursor.peek(ahead))));
-    return (c == 'I' || c == 'D' || c == 'R') && !isWordChar(cursor.peek(ahead + 1)) ? c : '\0';
-  };
   const char c = cursor.peek();
   if (isWordStart(c)) {
     std::string word = upper(cursor.word());
@@ -40,10 +51,7 @@ std::string readMnemonic(Cursor& cursor) {
   std::string text;
   if (c == '+' || c == '-' || c == '*' || c == '/') {
     text = cursor.take();
-    if (const char letter = typeLetter(0)) {
-      cursor.take();
-      return text + letter;
-    }
+    if (const char letter = acceptTypeLetter(cursor)) return text + letter;
     const std::size_t saved = cursor.pos();
     const std::string word = upper(cursor.word());
     if (c == '+' && (word == "AR1" || word == "AR2")) return text + word;
@@ -54,10 +62,7 @@ std::string readMnemonic(Cursor& cursor) {
     text += cursor.take();
   if (text.empty()) text = cursor.take();
   if (text != "=")
-    if (const char letter = typeLetter(0)) {
-      cursor.take();
-      text += letter;
-    }
+    if (const char letter = acceptTypeLetter(cursor)) text += letter;
   return text;
 }
 

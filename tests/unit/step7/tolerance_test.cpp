@@ -82,6 +82,16 @@ TEST(Tolerance, BlockNamesWithoutQuotationMarks) {
             (List{"1:10 P0305"}));
 }
 
+// "> I" as the manual of STEP 7 writes it; "= I 0.0" is an assignment.
+TEST(Tolerance, ABlankBeforeTheTypeOfAComparison) {
+  const std::string apart =
+      statements("L 1\nL 2\n> I; ==  D // x\n<> R\n+ I\n- D;* R\n/ I\n+ 5\n= I 0.0\n");
+  EXPECT_EQ(apart, statements("L 1\nL 2\n>I\n==D\n<>R\n+I\n-D\n*R\n/I\n+ 5\n= E 0.0\n"));
+  EXPECT_NE(apart.find(">I"), std::string::npos);
+  EXPECT_EQ(compileText("FUNCTION FC 1 : VOID\nBEGIN\n> X\n> I 5\nEND_FUNCTION\n").problems(),
+            (List{"3:1 P0334", "4:1 P0334"}));
+}
+
 // What is missing is one problem for a block, where it uses it first.
 TEST(Tolerance, MissingBlocksAndNamesAreReportedOnce) {
   const std::string uses =
@@ -91,6 +101,12 @@ TEST(Tolerance, MissingBlocksAndNamesAreReportedOnce) {
                         "END_FUNCTION\nFUNCTION FC 2 : VOID\nBEGIN\nL DB5.a\nEND_FUNCTION\n")
                 .problems(),
             (List{"3:3 P0506", "5:4 P0313", "7:3 P0303", "9:3 P0522", "11:3 P0506", "15:3 P0506"}));
+  EXPECT_EQ(
+      compileText("FUNCTION_BLOCK FB 1\nVAR\na : UDT 5;\nb : ARRAY[1..2] OF UDT 5;\nc : FB 7;\n"
+                  "d : \"e\";\nf : FB 7;\ng : \"e\";\nEND_VAR\nBEGIN\nEND_FUNCTION_BLOCK\n"
+                  "TYPE UDT 6\nSTRUCT\na : UDT 5;\nEND_STRUCT;\nEND_TYPE\n")
+          .problems(),
+      (List{"3:5 P0428", "5:5 P0428", "6:5 P0303", "14:5 P0428"}));
 }
 
 // The caller's own FC 99 is not in the program; the function of the library that has its number is
