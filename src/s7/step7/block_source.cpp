@@ -142,6 +142,7 @@ bool BlockSplitter::blockName(const Frame& frame, BlockSource& source) {
     return false;
   }
   cursor_.skipSpace();
+  if (cursor_.peek() == '{') systemAttributes(source);             // FUNCTION FC 3 { … } : INT
   if (frame.kinds[0] != BlockKind::FC && cursor_.peek() == ':') {  // only a FUNCTION has a type
     problems_.add(ProblemCode::P0302, at(cursor_.pos(), cursor_.pos() + 1), ":");
     cursor_.skipLine();
@@ -197,16 +198,20 @@ void BlockSplitter::blockComment(BlockSource& source) {
   }
 }
 
+void BlockSplitter::systemAttributes(BlockSource& source) {
+  DeclarationParser parser(cursor_, file_, problems_, symbols_);
+  source.attributes.system = parser.attributes();
+  cursor_.skipSpace();
+}
+
 void BlockSplitter::header(BlockSource& source) {
   for (;;) {
     blockComment(source);
     cursor_.skipSpace();
-    if (cursor_.peek() == '{') {
-      DeclarationParser parser(cursor_, file_, problems_, symbols_);
-      source.attributes.system = parser.attributes();
-      continue;
-    }
-    if (!headerLine(source)) return;
+    if (cursor_.peek() == '{')
+      systemAttributes(source);
+    else if (!headerLine(source))
+      return;
   }
 }
 

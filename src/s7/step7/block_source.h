@@ -49,6 +49,7 @@ class BlockSplitter {
   struct Frame;
   void block(const Frame& frame, std::size_t begin);
   bool blockName(const Frame& frame, BlockSource& block);
+  void systemAttributes(BlockSource& block);
   void header(BlockSource& block);
   void blockComment(BlockSource& block);
   bool headerLine(BlockSource& block);

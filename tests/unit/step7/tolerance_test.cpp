@@ -82,6 +82,22 @@ TEST(Tolerance, BlockNamesWithoutQuotationMarks) {
             (List{"1:10 P0305"}));
 }
 
+// The manual of STEP 7 writes the attributes of a function before its type.
+TEST(Tolerance, AttributesBehindTheNameOfABlock) {
+  const Compiled compiled = compileText(
+      "FUNCTION FC 3 { S7_pdiag := 'true' } : INT\nTITLE = t\nBEGIN\nEND_FUNCTION\n"
+      "DATA_BLOCK DB 3 { S7_m_c := 'true' }\nSTRUCT\na : "
+      "INT;\nEND_STRUCT;\nBEGIN\nEND_DATA_BLOCK\n");
+  EXPECT_EQ(compiled.problems(), List{});
+  const block::Block& function = compiled.block(BlockKind::FC, 3);
+  EXPECT_EQ(function.attributes.title, "t");
+  ASSERT_EQ(function.attributes.system.size(), 1u);
+  EXPECT_EQ(function.attributes.system[0].first, "S7_pdiag");
+  ASSERT_NE(function.returnType, nullptr);
+  EXPECT_EQ(function.returnType->code, TypeCode::Int);
+  EXPECT_EQ(compiled.block(BlockKind::DB, 3).attributes.system.size(), 1u);
+}
+
 // "> I" as the manual of STEP 7 writes it; "= I 0.0" is an assignment.
 TEST(Tolerance, ABlankBeforeTheTypeOfAComparison) {
   const std::string apart =
