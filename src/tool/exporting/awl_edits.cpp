@@ -51,7 +51,7 @@ std::vector<Edit> punctuation(const step7::BlockSource& block) {
 }
 
 std::vector<Edit> absoluteOperands(const step7::BlockSource& block,
-                                   const source::SymbolTable& symbols) {
+                                   const source::SymbolTable& symbols, Mnemonics mnemonics) {
   std::vector<Edit> edits;
   const std::string_view text = block.file->text();
   eachOperand(text, block.name.begin, block.codeEnd, [&](const Operand& operand) {
@@ -62,7 +62,7 @@ std::vector<Edit> absoluteOperands(const step7::BlockSource& block,
     edits.push_back({operand.begin, operand.end,
                      behindDataBlockWord(text, operand.begin)
                          ? source::operandNumber(symbol->address)
-                         : absoluteText(symbol->address, block.mnemonics)});
+                         : absoluteText(symbol->address, mnemonics)});
   });
   return edits;
 }

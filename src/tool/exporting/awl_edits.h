@@ -26,7 +26,7 @@ std::vector<Edit> punctuation(const step7::BlockSource& block);
 // E 1.0 in place of "START". The data block of "Motor".speed keeps its symbol: STEP 7 has no
 // absolute form of it.
 std::vector<Edit> absoluteOperands(const step7::BlockSource& block,
-                                   const source::SymbolTable& symbols);
+                                   const source::SymbolTable& symbols, Mnemonics mnemonics);
 // "START" in place of E 1.0, in statements.
 std::vector<Edit> symbolicOperands(const step7::BlockSource& block,
                                    const source::SymbolTable& symbols);

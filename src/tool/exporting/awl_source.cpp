@@ -5,6 +5,7 @@
 
 #include "base/text.h"
 #include "exporting/awl_edits.h"
+#include "exporting/awl_mnemonics.h"
 #include "exporting/awl_operands.h"
 #include "step7/cursor.h"
 
@@ -38,11 +39,19 @@ std::size_t endOf(const BlockSource& block) {
   return cursor.pos();
 }
 
+bool replaced(const std::vector<Edit>& edits, std::size_t at) {
+  return std::any_of(edits.begin(), edits.end(),
+                     [at](const Edit& edit) { return edit.begin <= at && at < edit.end; });
+}
+
 std::vector<Edit> editsOf(const BlockSource& block, const source::SymbolTable& symbols,
                           Style style) {
   std::vector<Edit> edits;
-  if (style.names == Names::Absolute) edits = absoluteOperands(block, symbols);
+  const Mnemonics mnemonics = style.mnemonics.value_or(block.mnemonics);
+  if (style.names == Names::Absolute) edits = absoluteOperands(block, symbols, mnemonics);
   if (style.names == Names::Symbolic) edits = symbolicOperands(block, symbols);
+  for (Edit& edit : translation(block, mnemonics))
+    if (!replaced(edits, edit.begin)) edits.push_back(std::move(edit));
   if (style.punctuation)
     for (Edit& edit : punctuation(block)) edits.push_back(std::move(edit));
   return edits;
@@ -151,7 +160,7 @@ std::vector<Piece> pieces(const project::Project& project, Style style) {
       list.push_back(
           {block.id,
            withLineFeeds(edited(file.text(), begin, end, editsOf(block, project.symbols, style))),
-           usesOf(block, project.symbols), block.mnemonics});
+           usesOf(block, project.symbols)});
       begin = end;
     }
   }

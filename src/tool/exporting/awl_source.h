@@ -1,6 +1,7 @@
 // The sources of a program as one source that STEP 7 imports: callee before caller.
 #pragma once
 
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -16,12 +17,12 @@ struct Piece {
   BlockId id;
   std::string text;
   std::set<BlockId> uses;  // blocks that it names
-  Mnemonics mnemonics = Mnemonics::German;
 };
 
 struct Style {
   Names names = Names::Absolute;
-  bool punctuation = true;  // add what STEP 7 wants and Merker does not
+  bool punctuation = true;                            // add what STEP 7 wants and Merker does not
+  std::optional<Mnemonics> mnemonics = std::nullopt;  // none: as written
 };
 
 std::vector<Piece> pieces(const project::Project& project, Style style);

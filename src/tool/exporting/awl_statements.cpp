@@ -52,9 +52,9 @@ class StatementReader {
   }
 
   void instruction() {
-    const std::size_t before = cursor_.pos();
+    first_ = cursor_.pos();
     const std::string name = step7::readMnemonic(cursor_);
-    if (cursor_.pos() == before) cursor_.take();
+    if (cursor_.pos() == first_) cursor_.take();
     if (name == "CALL") return call();
     if (name.ends_with('(')) {  // U( O E 0.0 may stand on one line
       begin();
@@ -76,6 +76,7 @@ class StatementReader {
 
   void begin() {
     list_.emplace_back();
+    list_.back().begin = first_;
     list_.back().operands = cursor_.pos();
   }
 
@@ -172,6 +173,7 @@ class StatementReader {
   const step7::BlockSource& block_;
   bool data_;
   Cursor cursor_;
+  std::size_t first_ = 0;  // of the instruction
   std::vector<Statement> list_;
 };
 

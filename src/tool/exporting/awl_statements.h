@@ -13,7 +13,7 @@ struct Statement {
     std::size_t at;
     std::string text;
   };
-  std::size_t operands = 0, end = 0;  // behind the mnemonic; behind its last character
+  std::size_t begin = 0, operands = 0, end = 0;  // operands: behind the mnemonic
   bool jump = false;
   std::vector<Insertion> missing;  // what STEP 7 wants and Merker does not: ; ( , )
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 
 #include "block/container.h"
 #include "exporting/awl_source.h"
@@ -15,8 +16,6 @@ namespace merker::exporting {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* kInternational = "-international.awl";
 
 bool isMachineCode(const compilation::Build& build, BlockId id) {
   const auto& code = build.project.machineCode;
@@ -41,9 +40,8 @@ bool mixesMnemonics(const step7::Compilation& compiled) {
   });
 }
 
-// Whether the sources give every block of the program again, with the same bytes.
-bool compilesTo(const compilation::Build& build, const std::vector<std::string>& texts,
-                bool oneSetting) {
+// Whether the source gives every block of the program again, with the same bytes.
+bool compilesTo(const compilation::Build& build, const std::string& text, bool oneSetting) {
   block::Program callable = *build.library;
   for (const project::MachineCode& file : build.project.machineCode)
     callable.insert_or_assign(file.block.id, build.program->at(file.block.id));
@@ -52,9 +50,7 @@ bool compilesTo(const compilation::Build& build, const std::vector<std::string>&
   options.library = &callable;
   options.symbols = &build.project.symbols;
   options.mnemonics = build.project.mnemonics;
-  std::vector<source::SourceFile> sources;
-  for (const std::string& text : texts) sources.emplace_back("export", text);
-  const auto compiled = step7::compile(sources, options);
+  const auto compiled = step7::compile({source::SourceFile("export", text)}, options);
   return compiled.ok() && !(oneSetting && mixesMnemonics(compiled)) &&
          std::all_of(build.program->begin(), build.program->end(), [&](const auto& entry) {
            if (isMachineCode(build, entry.first)) return true;
@@ -76,56 +72,47 @@ std::string withCrLf(std::string_view text) {
 // A way to write the program, and what to say if it is this one.
 struct Attempt {
   Style style;
-  bool split = false;       // by mnemonics: STEP 7 takes a source in one setting
-  bool oneSetting = false;  // no source may use both
+  bool oneSetting = false;  // STEP 7 compiles a source in one setting of mnemonics
   std::string_view warning;
 };
 
 // Most wanted first; what gives other bytes is not written.
-std::vector<Attempt> attempts(const Options& options) {
+std::vector<Attempt> attempts(const project::Project& project, const Options& options) {
   const Names wanted = options.symbols ? Names::Symbolic : Names::Absolute;
-  return {{{wanted, true}, false, true, ""},
-          {{wanted, true},
-           true,
-           true,
-           "warning: the sources use both mnemonics: those in international ones are in a file of "
-           "their own"},
-          {{wanted, true},
-           false,
-           false,
-           "warning: a source uses both mnemonics; STEP 7 reads one of them in a source"},
-          {{Names::AsWritten, true},
-           false,
-           false,
-           "warning: with other names of operands the blocks would get other bytes; the names stay "
-           "as they stand in the sources"},
-          {{Names::AsWritten, false},
-           false,
-           false,
-           "warning: statements stay as they stand in the sources; STEP 7 may miss semicolons"}};
+  return {
+      {{wanted, true}, true, ""},
+      {{wanted, true, mnemonicsOf(project)},
+       true,
+       "warning: the sources use both mnemonics; all of them are written in international ones"},
+      {{wanted, true},
+       false,
+       "warning: the source uses both mnemonics; STEP 7 reads one of them in a source"},
+      {{Names::AsWritten, true},
+       false,
+       "warning: with other names of operands the blocks would get other bytes; the names stay "
+       "as they stand in the sources"},
+      {{Names::AsWritten, false},
+       false,
+       "warning: statements stay as they stand in the sources; STEP 7 may miss semicolons"}};
 }
 
-std::vector<std::string> texts(const compilation::Build& build, const Attempt& attempt) {
-  std::vector<Piece> all = pieces(build.project, attempt.style);
+std::string textOf(const compilation::Build& build, const Style& style) {
+  std::vector<Piece> all = pieces(build.project, style);
   std::erase_if(all, [&](const Piece& piece) { return isMachineCode(build, piece.id); });
-  all = ordered(std::move(all));
-  if (!attempt.split) return {joined(all)};
-  const auto international = std::stable_partition(
-      all.begin(), all.end(), [](const Piece& p) { return p.mnemonics == Mnemonics::German; });
-  return {joined({all.begin(), international}), joined({international, all.end()})};
+  return joined(ordered(std::move(all)));
 }
 
-// One or two sources; none if nothing gives the same blocks.
-std::vector<std::string> sourcesOf(const compilation::Build& build, const Options& options,
-                                   Output& output) {
-  for (const Attempt& attempt : attempts(options)) {
-    std::vector<std::string> found = texts(build, attempt);
-    if (!compilesTo(build, found, attempt.oneSetting)) continue;
+// Nothing if no source gives the same blocks.
+std::optional<std::string> sourceOf(const compilation::Build& build, const Options& options,
+                                    Output& output) {
+  for (const Attempt& attempt : attempts(build.project, options)) {
+    std::string text = textOf(build, attempt.style);
+    if (!compilesTo(build, text, attempt.oneSetting)) continue;
     if (!attempt.warning.empty()) output.warnings.emplace_back(attempt.warning);
-    return found;
+    return text;
   }
   output.warnings.emplace_back("error: no source gives the same blocks again; export .wld");
-  return {};
+  return std::nullopt;
 }
 
 std::string containers(const block::Program& program, Output& output) {
@@ -162,14 +149,9 @@ std::string symbolBytes(const compilation::Build& build, std::string_view extens
 Output writeAwl(const compilation::Build& build, const std::string& path, const Options& options) {
   Output output;
   output.warnings = missingInCp1252(build.project);
-  const fs::path file(path);
-  const std::vector<std::string> sources = sourcesOf(build, options, output);
-  for (std::size_t i = 0; i < sources.size(); ++i)
-    if (!sources[i].empty())
-      output.files.push_back(
-          {i == 0 ? path : (file.parent_path() / (file.stem().string() + kInternational)).string(),
-           toCp1252(withCrLf(sources[i]))});
-  if (sources.empty()) return output;
+  const auto text = sourceOf(build, options, output);
+  if (!text) return output;
+  if (!text->empty()) output.files.push_back({path, toCp1252(withCrLf(*text))});
   if (!output.files.empty() && !build.project.symbols.list().empty())
     output.files.push_back(
         {fs::path(path).replace_extension(".sdf").string(), symbolBytes(build, ".sdf")});

@@ -5,8 +5,8 @@
 
 namespace merker::exporting {
 
-// All blocks as one AWL source, or one for each kind of mnemonics; beside it, if there are symbols,
-// their table as .sdf, and blocks without source as .wld.
+// All blocks as one AWL source; beside it, if there are symbols, their table as .sdf, and blocks
+// without source as .wld.
 Output writeAwl(const compilation::Build& build, const std::string& path, const Options& options);
 // Containers one behind the other.
 Output writeWld(const compilation::Build& build, const std::string& path, const Options& options);

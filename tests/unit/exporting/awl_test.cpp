@@ -93,6 +93,21 @@ TEST(AwlNames, whatFollowsAnIndirectOperandIsReplaced) {
             "CALL FC 1 (A := W [AR1,P#2.0], B := \"Speed\");\n");
 }
 
+TEST(AwlMnemonics, aSourceIsTranslated) {
+  const auto in = [](const std::string& code, Mnemonics mnemonics) {
+    return pieces(projectOf(function(code)), {Names::AsWritten, true, mnemonics}).at(0).text;
+  };
+  const std::string german =
+      "U(;\nUN E 0.0;\nU A [MD 4];\n);\nL PEW [AR1,P#2.0];\nL P#A 1.0;\nZV Z 1;\nSPB E1;\n"
+      "L #E1;\nL C#10;\nU BIE;\nE1: T PAW 4; // E 0.0\nSE T 1;\nCALL FC 1 (E := EB 1);\n";
+  const std::string international =
+      "A(;\nAN I 0.0;\nA Q [MD 4];\n);\nL PIW [AR1,P#2.0];\nL P#Q 1.0;\nCU C 1;\nJC E1;\n"
+      "L #E1;\nL C#10;\nA BR;\nE1: T PQW 4; // E 0.0\nSD T 1;\nCALL FC 1 (E := IB 1);\n";
+  EXPECT_EQ(in(german, Mnemonics::International), function(international));
+  EXPECT_EQ(in(international, Mnemonics::German), function(german));
+  EXPECT_EQ(in(german, Mnemonics::German), function(german));
+}
+
 TEST(AwlNames, headersAndTypesBecomeAbsolute) {
   const auto list = pieces(projectOf("DATA_BLOCK \"Motor\"\n\"Drive\"\nBEGIN\nEND_DATA_BLOCK\n"),
                            {Names::Absolute, true});
