@@ -1,5 +1,7 @@
 #include "compilation/machine_code.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace merker::compilation {
@@ -55,8 +57,8 @@ void addMachineCode(const std::vector<project::MachineCode>& code, block::Progra
                (file.block.id.kind == BlockKind::DB &&
                 declared->second.actualData.size() != file.block.actualData.size())) {
       problems.add(ProblemCode::P0602, Position{file.file},
-                   "the interface of " + toString(file.block.id) + " is not the one that " +
-                       declared->second.file + " declares");
+                   fmt::format("the interface of {} is not the one that {} declares",
+                               toString(file.block.id), declared->second.file));
     } else {
       declared->second = merged(declared->second, file.block);
     }
