@@ -38,6 +38,20 @@ bool isSound(const Record& record) {
   return !code || wordAt(record.bytes, record.bytes.size() - 2) == kEnd;
 }
 
+bool isSoundBlock(const Record& record) {
+  return isSound(record) &&
+         (record.kind->group == Group::Code || record.kind->group == Group::Data);
+}
+
+// Its name can be read, or the first section begins where the data do.
+bool hasHeader(Bytes file) {
+  const Bytes name = file.subspan(kName, kNameLength);
+  const bool text = std::ranges::all_of(name, [](auto byte) { return byte >= ' ' && byte < 0x7F; });
+  const bool blank = std::ranges::all_of(name, [](auto byte) { return byte == ' '; });
+  const std::size_t first = littleAt(file, kDirectory + kSectionRecord);
+  return (text && !blank) || (first != 0 && first == file[kHeaderRecords]);
+}
+
 std::string trimmed(Bytes bytes) {
   std::string text;
   for (const std::uint8_t byte : bytes)
@@ -52,10 +66,13 @@ class Reader {
   File read() {
     if (file_.size() < kRecord) return std::move(result_);
     result_.name = trimmed(file_.subspan(kName, kNameLength));
-    for (std::size_t i = 0; i < file_[kCount]; ++i) section(kDirectory + i * kSectionEntry);
-    scan();
-    const bool anySound = std::ranges::any_of(result_.records, isSound);
-    if (anySound || result_.deleted.empty()) return std::move(result_);
+    const std::size_t sections = hasHeader(file_) ? file_[kCount] : 0u;
+    for (std::size_t i = 0; i < sections; ++i) section(kDirectory + i * kSectionEntry);
+    const bool usable = std::ranges::any_of(result_.records, isSoundBlock);
+    if (!usable) seen_.clear();
+    // A header that leads to no block does not say either where the data begin.
+    scan(usable ? std::max<std::size_t>(file_[kHeaderRecords], 1) : 1);
+    if (usable || result_.deleted.empty()) return std::move(result_);
     result_.withoutDirectory = true;
     result_.records.swap(result_.deleted);
     result_.deleted.clear();
@@ -81,8 +98,8 @@ class Reader {
     }
   }
 
-  void scan() {
-    std::size_t at = std::max<std::size_t>(file_[kHeaderRecords], 1) * kRecord;
+  void scan(std::size_t firstRecord) {
+    std::size_t at = firstRecord * kRecord;
     while (at < file_.size()) {
       const Record record = recordAt(file_, at);
       if (!isSound(record)) {
@@ -109,7 +126,7 @@ std::string Record::name() const {
 
 bool isS5d(Bytes file) {
   if (file.size() < 2 * kRecord || file.size() > kLargestFile) return false;
-  return std::ranges::any_of(readFile(file).records, isSound);
+  return std::ranges::any_of(readFile(file).records, isSoundBlock);
 }
 
 File readFile(Bytes file) { return Reader(file).read(); }

@@ -28,7 +28,7 @@ struct File {
 
 constexpr std::size_t kLargestFile = 65535 * kRecord;  // a record number has 16 bits
 
-// Whether it looks like one: whole records and a directory, or a block with a sound head.
+// Whether it has a sound block of code or data, by its directory or behind its mark.
 bool isS5d(Bytes file);
 // Takes any bytes; more than kLargestFile are not looked at.
 File readFile(Bytes file);

@@ -1,5 +1,8 @@
 // The directories of an S5D file.
+#include <algorithm>
+
 #include "program.h"
+#include "s5d/bytes.h"
 #include "s5d/layout.h"
 
 namespace merker::s5d {
@@ -58,6 +61,40 @@ TEST(File, WithoutADirectoryTheBlocksAreFoundByTheirMarks) {
   EXPECT_EQ(contents.program.at({mc5::BlockType::Db, 10}).formats[0], mc5::Format::Fixed);
   ASSERT_EQ(contents.notes.size(), 1u);
   EXPECT_NE(contents.notes[0].text.find("directory"), std::string::npos);
+}
+
+std::string manyBlocks() {
+  std::string text = kText;
+  for (int i = 10; i < 180; ++i) text += "PB " + std::to_string(i) + "\n U E 1.0 ! x\n BE\n";
+  return text;
+}
+
+// Only the blocks behind it count: as many of a file of a few records as of one in which the
+// damage makes entries that lead into it (0101h is record 257).
+TEST(File, ADamagedFirstRecordCostsNoBlock) {
+  for (const std::string& text : {kText, manyBlocks()})
+    for (const std::size_t length : {std::size_t{16}, std::size_t{kRecord}})
+      for (const int fill : {0xFF, 0x00, 0x01, 0x20}) {
+        auto bytes = fileOf(text);
+        std::fill_n(bytes.begin(), length, static_cast<std::uint8_t>(fill));
+        EXPECT_TRUE(isS5d(bytes)) << length << " bytes " << fill;
+        const Contents contents = readProgram(bytes, Encoding::Cp437);
+        const mc5::Program wanted = programOf(text);
+        ASSERT_EQ(contents.program.size(), wanted.size()) << length << " bytes " << fill;
+        for (const auto& [id, block] : wanted)
+          EXPECT_EQ(contents.program.at(id).words, block.words);
+        EXPECT_TRUE(contents.deleted.empty());
+        EXPECT_EQ(contents.notes.size(), length == kRecord ? 1u : 0u);
+        EXPECT_EQ(contents.program.at({mc5::BlockType::Pb, 5}).comments.size(), 1u);
+      }
+}
+
+// What only looks like a pre-header makes no program of a file.
+TEST(File, OneWithoutABlockOfCodeOrDataIsNone) {
+  std::vector<std::uint8_t> bytes(4 * kRecord, ' ');
+  bytes[kRecord] = 0x0A;
+  setWord(bytes, kRecord + kPreLength, 64);
+  EXPECT_FALSE(isS5d(bytes));
 }
 
 }  // namespace
