@@ -140,7 +140,8 @@ Result<Parts> split(std::span<const std::uint8_t> bytes, const Position& at) {
 void readHeader(std::span<const std::uint8_t> bytes, Block& block) {
   const std::uint8_t attributes = bytes[AttributesAt];
   block.attributes.unlinked = (attributes & kLinked) == 0;
-  block.attributes.knowHowProtect = (attributes & kKnowHow) != 0;
+  block.attributes.knowHowProtect =
+      (attributes & kKnowHow) != 0 || loadDWord(&bytes[SecurityAt]) == kProtected;
   block.attributes.nonRetain = (attributes & kNotRetentive) != 0;
   block.language = static_cast<Language>(bytes[LanguageAt]);
   block.id = {static_cast<BlockKind>(bytes[TypeAt]), loadWord(&bytes[NumberAt])};

@@ -77,6 +77,20 @@ TEST(Files, aWldFileIsAChainOfBlocks) {
   EXPECT_FALSE(outcome.lost);
 }
 
+// The security word alone protects as well as the attribute bit (docs/formats/block.md).
+TEST(Files, theSecurityWordProtects) {
+  const TestFolder folder;
+  std::string bytes = container();
+  constexpr std::size_t kSecurityEnd = 15;
+  const std::size_t fc = bytes.rfind("pp\x01");
+  bytes[fc + kSecurityEnd] = 3;
+  folder.write("card.wld", bytes);
+  const Outcome outcome = importSource({folder.path("card.wld"), folder.path("out"), ""});
+  EXPECT_NE(outcome.report.find("FC 7 is protected"), std::string::npos) << outcome.report;
+  EXPECT_EQ(folder.read("out/FC7.awl").find("E 0.0"), std::string::npos);
+  EXPECT_TRUE(folder.has("out/FC7.mc7"));
+}
+
 TEST(Files, aDamagedChainKeepsWhatIsBeforeIt) {
   const TestFolder folder;
   const std::string bytes = container();
