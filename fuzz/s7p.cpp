@@ -43,7 +43,7 @@ void read(const archive::Tree& tree, const s7p::Project& project, const s7p::Pro
     (void)folder.variableTables();
   }
   if (!program.symbols.empty()) (void)s7p::readSymbols(tree, program.symbols, project.page, faults);
-  if (!program.sources.empty()) (void)s7p::readSources(tree, program.sources, project.page);
+  if (!program.sources.empty()) (void)s7p::readSources(tree, program.sources, project.page, faults);
 }
 
 }  // namespace

@@ -71,6 +71,13 @@ class Import(Case):
                 self.assertIn("nothing that can be imported",
                               self.expect(UNREADABLE, "import", "cut.zip", "-o", f"out{length}").err)
 
+    def test_a_cut_table_is_named(self):
+        files = s7p.project(PROGRAM)
+        name = "OMBSTX/offline/00000001/SUBBLK.DBF"
+        self.files("in", {**files, name: files[name][:-20]})
+        call = self.expect(PROBLEMS, "import", "in", "-o", "out")
+        self.assertIn("SUBBLK.DBF is cut off: rows that its header counts are missing: 1", call.out)
+
     # Issue: a damaged file costs itself, not the import
     def test_every_damaged_table_leaves_the_rest(self):
         files = s7p.project(PROGRAM, [{"_SKZ": "Motor", "_OPHIST": "A 0.0"}])

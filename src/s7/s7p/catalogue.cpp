@@ -108,7 +108,7 @@ void readPrograms(const archive::Tree& tree, Project& project, Faults& faults) {
   const std::string path = under(project.folder, "hrs/s7resoff.dbf");
   if (tree.find(path) == nullptr) return;
   Table table(tree.open(path));
-  if (!table.good()) faults.push_back({FaultKind::NoTable, path, {}});
+  check(table, path, faults);
   const auto linkFile = tree.open(under(project.folder, "hrs/linkhrs.lnk"));
   const Stations stations(tree, project.folder, project.page);
   while (table.next()) {
@@ -128,7 +128,7 @@ void readPrograms(const archive::Tree& tree, Project& project, Faults& faults) {
 
 bool hasBlocks(const archive::Tree& tree, const std::string& folder) {
   Table table(tree.open(under(folder, "subblk.dbf")));
-  return table.next();
+  return table.next() || table.missingRows() > 0;
 }
 
 void addOtherFolders(const archive::Tree& tree, const std::vector<std::string>& folders,

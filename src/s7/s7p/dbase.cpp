@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include "s7p/fault.h"
+
 namespace merker::s7p {
 namespace {
 
@@ -45,7 +47,10 @@ bool Table::readHeader() {
     place += column.length;
     columns_.push_back(std::move(column));
   }
-  return !columns_.empty() && place <= rowLength_ && at_ > kHeader;
+  if (columns_.empty() || place > rowLength_ || at_ <= kHeader) return false;
+  const std::uint64_t there = file_->size() > at_ ? (file_->size() - at_) / rowLength_ : 0;
+  missing_ = rows_ - std::min(rows_, there);
+  return true;
 }
 
 bool Table::fill() {
@@ -90,6 +95,13 @@ std::optional<std::uint32_t> Table::number(std::string_view column) const {
   const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
   if (error != std::errc() || end != value.data() + value.size()) return std::nullopt;
   return number;
+}
+
+void check(const Table& table, const std::string& path, Faults& faults) {
+  if (!table.good())
+    faults.push_back({FaultKind::NoTable, path, {}});
+  else if (table.missingRows() > 0)
+    faults.push_back({FaultKind::CutTable, path, std::to_string(table.missingRows())});
 }
 
 Memo::Memo(std::unique_ptr<archive::File> file) : file_(std::move(file)) {

@@ -18,6 +18,8 @@ class Table {
   explicit Table(std::unique_ptr<archive::File> file);
 
   bool good() const { return rowLength_ > 0; }
+  // What the header counts and the file does not hold.
+  std::uint64_t missingRows() const { return missing_; }
   // The next row that is not deleted. A short last row ends the table.
   bool next();
   // Of the row: bytes of the column as they are; empty if there is no such column.
@@ -42,6 +44,7 @@ class Table {
   std::size_t rowLength_ = 0;
   std::uint64_t at_ = 0;    // in the file, of the next rows to read
   std::uint64_t rows_ = 0;  // still to come
+  std::uint64_t missing_ = 0;
   std::vector<std::uint8_t> piece_;
   std::size_t inPiece_ = 0, pieceRows_ = 0;
   std::string_view row_;

@@ -60,7 +60,7 @@ Folder::Folder(const archive::Tree& tree, const std::string& folder, const CodeP
                Faults& faults)
     : folder_(folder), page_(page), faults_(faults) {
   Table table(tree.open(under(folder, "subblk.dbf")));
-  if (!table.good()) faults.push_back({FaultKind::NoTable, under(folder, "SUBBLK.DBF"), {}});
+  check(table, under(folder, "SUBBLK.DBF"), faults);
   const std::string memo = under(folder, "subblk.dbt");
   if (tree.find(memo) != nullptr) memo_ = Memo(tree.open(memo));
   while (table.next() && rows_.size() < kMostRows) add(table);

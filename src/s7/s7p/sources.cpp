@@ -8,8 +8,10 @@ constexpr std::uint32_t kAwl = 1122309;
 constexpr std::size_t kMostSources = 20'000;
 
 std::vector<SourceRow> readSources(const archive::Tree& tree, const std::string& folder,
-                                   const CodePage& page) {
-  Table table(tree.open(folder + "/s7contai.dbf"));
+                                   const CodePage& page, Faults& faults) {
+  const std::string path = folder + "/s7contai.dbf";
+  Table table(tree.open(path));
+  check(table, path, faults);
   std::vector<SourceRow> rows;
   while (table.next() && rows.size() < kMostSources) {
     const std::string file(archive::nameOf(archive::folded(table.text("FILENAME"))));

@@ -6,6 +6,7 @@
 
 #include "archive/tree.h"
 #include "s7p/code_page.h"
+#include "s7p/fault.h"
 
 namespace merker::s7p {
 
@@ -16,6 +17,6 @@ struct SourceRow {
 };
 
 std::vector<SourceRow> readSources(const archive::Tree& tree, const std::string& folder,
-                                   const CodePage& page);
+                                   const CodePage& page, Faults& faults);
 
 }  // namespace merker::s7p

@@ -21,7 +21,7 @@ std::vector<SymbolRow> readSymbols(const archive::Tree& tree, const std::string&
                                    const CodePage& page, Faults& faults) {
   const std::string path = folder + "/symlist.dbf";
   Table table(tree.open(path));
-  if (!table.good()) faults.push_back({FaultKind::NoTable, path, {}});
+  check(table, path, faults);
   std::vector<SymbolRow> rows;
   while (table.next() && rows.size() < kMostSymbols) {
     SymbolRow row{page.toUtf8(table.text("_SKZ")), withSingleBlanks(table.text("_OPHIST")),

@@ -11,6 +11,7 @@
 #include "importing/project_writer.h"
 #include "importing/s7p_material.h"
 #include "importing/step5_material.h"
+#include "importing/unused.h"
 
 namespace merker::importing {
 namespace {
@@ -52,7 +53,8 @@ void check(const std::string& folder, Report& report) {
     if (problem.severity() == Severity::Error)
       return report.add(
           Note::StillProblems, build.problems.count(Severity::Error),
-          fmt::format("{}:{}: {}", problem.position.file, problem.position.line, problem.message));
+          fmt::format("{}:{}: {}", problem.position.file, problem.position.line, problem.message),
+          build.problems.count(Severity::Error) == 1 ? "error" : "errors");
 }
 
 void write(const Material& material, const std::string& folder, Report& report) {
@@ -124,6 +126,7 @@ Outcome importSource(const Options& options) {
   const std::vector<s7p::Project> projects = s7p::findProjects(tree, faults);
   for (const s7p::Fault& fault : faults) common.add(fault);
   const std::vector<Step5Program> step5 = step5Programs(tree, projects.empty());
+  reportUnused(tree, projects, common);
   std::vector<Candidate> chosen = candidates(projects, step5);
   for (const Candidate& candidate : chosen) outcome.programs.push_back(candidate.name);
   if (!options.program.empty())

@@ -56,6 +56,8 @@ void Report::add(const s7p::Fault& fault) {
   switch (fault.kind) {
     case FaultKind::NoTable:
       return add(Note::NoTable, fault.where);
+    case FaultKind::CutTable:
+      return add(Note::CutTable, fault.where, fault.what);
     case FaultKind::NoMemo:
       return add(Note::NoMemo, fault.where);
     case FaultKind::NoLinks:

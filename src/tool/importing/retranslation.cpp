@@ -80,7 +80,7 @@ bool Retranslation::compilesTo(const StoredBlock& stored, const std::string& tex
   if (compiled != compilation.program.end() && compilation.ok() &&
       sameBytes(compiled->second, stored.block))
     return true;
-  why = "other bytes";
+  why = holdsCode(stored.block.id.kind) ? "the machine code differs" : "the values differ";
   for (const Problem& problem : compilation.problems.list())
     if (problem.severity() == Severity::Error) {
       why = fmt::format("line {}: {}", problem.position.line, problem.message);

@@ -15,9 +15,9 @@ void readBlocks(const archive::Tree& tree, const s7p::Project& project, const st
 }
 
 void readTexts(const archive::Tree& tree, const s7p::Project& project, const std::string& folder,
-               Material& material, Report& report) {
+               Material& material, s7p::Faults& faults, Report& report) {
   constexpr std::size_t kMegabyte = 1u << 20;
-  for (const s7p::SourceRow& row : s7p::readSources(tree, folder, project.page)) {
+  for (const s7p::SourceRow& row : s7p::readSources(tree, folder, project.page, faults)) {
     const auto file = row.path.empty() ? nullptr : tree.open(row.path);
     if (!file) {
       report.add(Note::MissingSource, row.name);
@@ -43,7 +43,7 @@ Material materialOf(const archive::Tree& tree, const s7p::Project& project,
   if (program.blocks) readBlocks(tree, project, *program.blocks, material, faults);
   if (!program.symbols.empty())
     material.symbols = s7p::readSymbols(tree, program.symbols, project.page, faults);
-  if (!program.sources.empty()) readTexts(tree, project, program.sources, material, report);
+  if (!program.sources.empty()) readTexts(tree, project, program.sources, material, faults, report);
   for (const s7p::Fault& fault : faults) report.add(fault);
   return material;
 }

@@ -49,7 +49,7 @@ TEST(Projects, aProgramAndItsParts) {
   ASSERT_EQ(symbols.size(), 1u);
   EXPECT_EQ(symbols[0].name, "Насос");
   EXPECT_EQ(symbols[0].address, "PEW 370");
-  const auto sources = readSources(tree, program.sources, projects[0].page);
+  const auto sources = readSources(tree, program.sources, projects[0].page, faults);
   ASSERT_EQ(sources.size(), 1u);
   EXPECT_TRUE(sources[0].awl);
   EXPECT_EQ(sources[0].path, "x/s7asrcom/00000001/1.AWL");
