@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 
 #include "awl/declaration_text.h"
 
@@ -33,33 +34,41 @@ std::string oneLine(std::string_view text) {
   return out;
 }
 
-// AUTHOR and the like take a word of up to eight characters.
-void attribute(std::string_view key, const std::string& value, std::string& out) {
+bool isPlain(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  return std::isalnum(byte) != 0 || c == '_' || byte >= 0x80;
+}
+
+// AUTHOR and the like take a word of up to eight characters. What ends such a word, even between
+// quotation marks, becomes '_'.
+void attribute(std::string_view key, std::string value, std::string& out) {
   if (value.empty()) return;
-  const bool plain = value.find_first_of(" \t;'\"") == std::string::npos;
+  for (char& c : value)
+    if (static_cast<unsigned char>(c) < 0x20 ||
+        std::string_view("\x7F;'\"/").find(c) != std::string_view::npos)
+      c = '_';
+  const bool plain = std::all_of(value.begin(), value.end(), isPlain);
   out += plain ? fmt::format("{} : {}\n", key, value) : fmt::format("{} : '{}'\n", key, value);
 }
 
-// The statements of a network with their comments; `lines` counts as the editor does.
+// The statements of a network with their comments. `line_` counts as the editor does: comments on
+// lines of their own are not counted.
 class NetworkWriter {
  public:
   NetworkWriter(const std::vector<Comment>& comments, std::string& out)
       : comments_(comments), out_(out) {}
 
   void statement(const Statement& statement) {
-    ownLines();
     const std::size_t count = statement.lines.size();
     for (std::size_t i = 0; i < count; ++i) {
       const bool open = i + 1 < count;  // the lines of a CALL are one statement
       const std::string label = i == 0 && !statement.label.empty() ? statement.label + ":" : "";
       std::string line = fmt::format("{:<5} {}{}{}", label, i > 0 ? "  " : "", statement.lines[i],
                                      open ? "" : ";");
-      std::string comment;
-      while (next_ < comments_.size() && comments_[next_].line <= line_ &&
-             (i > 0 || !comments_[next_].ownLine))
-        comment += (comment.empty() ? "" : " ") + oneLine(comments_[next_++].text);
-      out_ += comment.empty() ? line + "\n" : fmt::format("{:<40}//{}\n", line, comment);
+      ownLines();
       ++line_;
+      const std::string comment = behind();
+      out_ += comment.empty() ? line + "\n" : fmt::format("{:<40}//{}\n", line, comment);
     }
   }
 
@@ -69,16 +78,24 @@ class NetworkWriter {
 
  private:
   void ownLines() {
-    while (next_ < comments_.size() && comments_[next_].ownLine && comments_[next_].line <= line_) {
-      out_ += commentLines(comments_[next_++].text);
-      ++line_;
-    }
+    while (due(true)) out_ += commentLines(comments_[next_++].text);
+  }
+
+  std::string behind() {
+    std::string comment;
+    while (due(false)) comment += (comment.empty() ? "" : " ") + oneLine(comments_[next_++].text);
+    return comment;
+  }
+
+  bool due(bool ownLine) const {
+    return next_ < comments_.size() && comments_[next_].ownLine == ownLine &&
+           comments_[next_].line <= line_;
   }
 
   const std::vector<Comment>& comments_;
   std::string& out_;
   std::size_t next_ = 0;
-  std::uint32_t line_ = 0;
+  std::uint32_t line_ = 0;  // lines written
 };
 
 std::vector<std::uint32_t> networkStarts(const block::Block& block) {
@@ -98,7 +115,7 @@ std::string commentLines(std::string_view text) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     std::string_view line = text.substr(0, end);
     if (line.ends_with('\r')) line.remove_suffix(1);
-    out += fmt::format("//{}\n", line);
+    out += fmt::format("//{}\n", oneLine(line));
     text.remove_prefix(std::min(end + 1, text.size()));
   }
   return out;

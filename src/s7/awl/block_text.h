@@ -10,7 +10,9 @@
 namespace merker::awl {
 
 struct Comment {
-  std::uint32_t line = 0;  // of the network, as the editor counts: a CALL is one and its parameters
+  // Lines of the network up to the one that it stands behind, from 1; of a comment on a line of its
+  // own: those before it. A CALL is one line and one for each parameter.
+  std::uint32_t line = 0;
   bool ownLine = false;
   std::string text;
 };

@@ -11,8 +11,9 @@
 namespace merker::s7p {
 
 struct StatementComment {
-  std::uint32_t line = 0;  // of the network, as the editor shows it, from 0
-  bool ownLine = false;    // before the statement, not behind it
+  // Lines of the network up to the one that it stands behind, from 1; of an own line: those before.
+  std::uint32_t line = 0;
+  bool ownLine = false;
   std::string text;
 };
 

@@ -56,8 +56,8 @@ s7p_files::BlockFolder blocks(int password = 0) {
     if (id == BlockId{BlockKind::FC, 1}) {
       extra.password = password;
       extra.title = "F\xFCllstand";
-      extra.networks = {{"first", "comment", {{0, 0x80, "load"}, {3, 0x80, "store"}}},
-                        {"second", "", {{4, 0x80, "the data"}}}};
+      extra.networks = {{"first", "comment", {{1, 0x80, "load"}, {3, 0x80, "store"}}},
+                        {"second", "", {{5, 0x80, "the data"}}}};
     }
     folder.add(block, extra);
   }
@@ -194,6 +194,104 @@ TEST(Import, aZipOfSeveralProjectsGivesAFolderEach) {
   EXPECT_TRUE(folder.has("out/S7 Program(1) 2/OB1.awl"));
   EXPECT_EQ(importSource({folder.path("p.zip"), folder.path("no"), "missing"}).result,
             Result::NoSuchProgram);
+}
+
+// S7P section 8: as in a network of a pump station: a comment behind a line counts this line, one
+// on a line of its own the lines before it, and is no line itself.
+TEST(Import, commentsStandAtTheirStatements) {
+  auto stored = project();
+  stored.blocks = {};
+  stored.symbolRows.clear();
+  const auto compiled =
+      step7::compile({source::SourceFile("a.awl",
+                                         "FUNCTION FC 2 : VOID\nVAR_INPUT\nA : INT;\nB : "
+                                         "INT;\nEND_VAR\nBEGIN\nEND_FUNCTION\n"
+                                         "FUNCTION FC 3 : VOID\nBEGIN\nU E 0.0;\n= A "
+                                         "0.0;\nCALL FC 2 (A := 1, B := 2);\nU E 0.1;\n"
+                                         "= A 0.1;\nEND_FUNCTION\n")},
+                     {})
+          .program;
+  s7p_files::BlockFolder::Extra called, calling;
+  called.declaration = "VAR_INPUT\r\n  A : INT ;\r\n  B : INT ;\r\nEND_VAR\r\n";
+  calling.networks = {{"",
+                       "",
+                       {{1, 0x80, "first"},
+                        {1, 0x00, "own 1"},
+                        {0, 0x00, "own 2"},
+                        {2, 0x80, "A"},
+                        {1, 0x20, ""},
+                        {0, 0x00, "own 3"},
+                        {1, 0x80, "input"},
+                        {1, 0x00, "at\rthe"},
+                        {0, 0x00, "end"}}}};
+  stored.blocks.add(compiled.at({BlockKind::FC, 2}), called);
+  stored.blocks.add(compiled.at({BlockKind::FC, 3}), calling);
+  const Import done(stored.files());
+  const std::string fc = done.folder.read("out/FC3.awl");
+  EXPECT_TRUE(hasLine(fc, "U     E 0.0;", "//first")) << fc;
+  EXPECT_NE(fc.find("=     A 0.0;\n//own 1\n//own 2\n      CALL"), std::string::npos) << fc;
+  EXPECT_TRUE(hasLine(fc, "A := 1", "//A")) << fc;
+  EXPECT_NE(fc.find("B := 2);\n//own 3\n"), std::string::npos) << fc;
+  EXPECT_TRUE(hasLine(fc, "U     E 0.1;", "//input")) << fc;
+  EXPECT_NE(fc.find("=     A 0.1;\n//at the\n//end\nEND_FUNCTION"), std::string::npos) << fc;
+  EXPECT_TRUE(done.build().ok());
+}
+
+TEST(Import, textsOfTheHeaderCannotEndIt) {
+  for (const std::string author :
+       {"a'b", "'\"'", "a\nBEGIN", "a;b", "//x", "a\tb\x01", "{x}", "A:B"}) {
+    auto stored = project();
+    stored.blocks = {};
+    stored.symbolRows.clear();
+    block::Block block = program().at({BlockKind::FB, 1});
+    block.attributes.author = author;
+    stored.blocks.add(block);
+    const Import done(stored.files());
+    const auto build = done.build();
+    ASSERT_TRUE(build.ok()) << done.folder.read("out/FB1.awl") << done.outcome.report;
+    EXPECT_FALSE(done.folder.has("out/FB1.mc7")) << done.outcome.report;
+    EXPECT_EQ(build.program->at({BlockKind::FB, 1}).attributes.author.size(), author.size());
+  }
+}
+
+// S7P section 10: what the header counts must be there.
+TEST(Import, cutTablesSaySo) {
+  for (const std::string name :
+       {"ombstx/offline/0000000a/SUBBLK.DBF", "YDBs/27/SYMLIST.DBF", "hrs/S7RESOFF.DBF"}) {
+    auto files = project().files();
+    std::string& bytes = files.at(name);
+    bytes.resize(bytes.size() - 10);
+    const Import done(files);
+    ASSERT_EQ(done.outcome.result, Result::Imported);
+    EXPECT_TRUE(done.outcome.lost);
+    EXPECT_NE(done.outcome.report.find(" is cut off: rows that its header counts are missing: 1\n"),
+              std::string::npos)
+        << name << done.outcome.report;
+  }
+}
+
+TEST(Import, sourcesWithoutTheirProgramAreNamed) {
+  auto stored = project();
+  stored.sources = {{"One", "x"}, {"Two", "x"}, {"Three", "x"}, {"Four", "x"}};
+  EXPECT_EQ(Import(stored.files()).outcome.report.find("were not used"), std::string::npos);
+  auto files = stored.files();
+  files.erase("hrs/S7RESOFF.DBF");
+  const Import done(files);
+  EXPECT_TRUE(done.outcome.lost);
+  EXPECT_TRUE(
+      hasLine(done.outcome.report, "S7ASRCOM/00000001 holds sources", "One, Two, Three, ..."))
+      << done.outcome.report;
+}
+
+TEST(Import, filesBesideAProjectAreNamed) {
+  s7p_files::Files files{{"extra.awl", kProgram}, {"letter.txt", "Dear reader"}};
+  for (const auto& [name, bytes] : project().files()) files["plant/" + name] = bytes;
+  files["plant/more.awl"] = kProgram;
+  const Import done(files);
+  EXPECT_TRUE(done.outcome.lost);
+  EXPECT_TRUE(hasLine(done.outcome.report, "files beside a STEP 7 project",
+                      ": 2 (extra.awl, plant/more.awl)"))
+      << done.outcome.report;
 }
 
 // S7P section 10
