@@ -82,3 +82,35 @@ class ImportStep5(Case):
         self.expect(GOOD, "export", "q.s5", "-o", "QST.S5D", "--code-page", "850")
         self.expect(GOOD, "import", "QST.S5D", "-o", "q", "--code-page", "850")
         self.assertIn("5 × 5", (self.folder / "q/PB1.s5").read_text(encoding="utf-8"))
+
+    def test_a_single_file_has_its_assignment_list_beside_it(self):
+        for name in ("PUMPE@Z0.SEQ", "Pumpe@z0.seq"):
+            for file in (self.folder / "old").glob("*.[sS][eE][qQ]"):
+                file.unlink()
+            self.write("old/" + name, "\tE 1.0\tTÜR\r\n".encode("cp437"))
+            self.write("old/ANDERSZ0.SEQ", "\tE 1.0\tANDERS\r\n")
+            self.write("old/below/PUMPE@Z0.INI", "")
+            out = self.expect(GOOD, "import", "old/PUMPE@ST.S5D", "-o", "of" + name).out
+            self.assertIn("1 symbol", out)
+            self.assertIn("-TÜR", self.read("of" + name + "/OB1.s5"))
+        (self.folder / "PUMPE@ST.S5D").write_bytes((self.folder / "old/PUMPE@ST.S5D").read_bytes())
+        out = self.expect(GOOD, "import", "PUMPE@ST.S5D", "-o", "alone").out
+        self.assertIn("there is no assignment list", out)
+        self.write("PUMPE@Z0.SEQ", "\tE 1.0\tHIER\r\n")
+        self.expect(GOOD, "import", "PUMPE@ST.S5D", "-o", "here")
+        self.assertIn("-HIER", self.read("here/OB1.s5"))
+
+    def test_a_damaged_first_record_costs_no_block(self):
+        data = (self.folder / "old/PUMPE@ST.S5D").read_bytes()
+        for length in (16, 128):
+            for fill in (0xFF, 0x00, 0x01, 0x20):
+                name = f"D{length}X{fill}ST.S5D"
+                (self.folder / name).write_bytes(bytes([fill]) * length + data[length:])
+                out = self.expect(GOOD, "import", name, "-o", name + ".d").out
+                self.assertIn("3 blocks of STEP 5 as listings", out)
+                self.assertEqual(self.code(name + ".d"), self.code("p.s5"))
+
+    def test_an_assignment_list_is_in_the_code_page_of_its_program(self):
+        self.write("old/PUMPE@Z0.SEQ", b"\tE 1.0\tT\xdcR\r\n")
+        self.expect(GOOD, "import", "old", "-o", "new")
+        self.assertIn("T▄R", self.read("new/symbols.sym"))

@@ -81,11 +81,12 @@ void importStep7(const archive::Tree& tree, const Candidate& candidate, const st
   write(material, folder, report);
 }
 
-void importStep5(const archive::Tree& tree, const Candidate& candidate, Encoding codePage,
+void importStep5(const archive::Tree& tree, const Candidate& candidate, const Options& options,
                  const std::string& folder, Report& report) {
   report.add(Note::Program, candidate.name, "STEP 5");
   Output output(folder, report);
-  const bool any = writeStep5Project(tree, *candidate.step5, codePage, output, report);
+  const bool any =
+      writeStep5Project(tree, options.source, *candidate.step5, options.codePage, output, report);
   for (const archive::Refused& refused : tree.refused()) report.add(refused);
   if (any)
     check(folder, report);
@@ -103,7 +104,7 @@ void importPrograms(const archive::Tree& tree, const std::vector<Candidate>& cho
                                    ? outcome.folder
                                    : outcome.folder + "/" + root.unused(candidate.name, "");
     if (candidate.step5 != nullptr)
-      importStep5(tree, candidate, options.codePage, folder, report);
+      importStep5(tree, candidate, options, folder, report);
     else
       importStep7(tree, candidate, folder, report);
     if (chosen.size() > 1) outcome.report += fmt::format("{}\n", folder);

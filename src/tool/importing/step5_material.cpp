@@ -1,6 +1,7 @@
 #include "importing/step5_material.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <optional>
 #include <span>
 
@@ -16,10 +17,9 @@ std::span<const std::uint8_t> bytesOf(const std::string& text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
-// Whole records with a name in the first one; of others not more is read.
-bool looksLikeS5d(const archive::File& file) {
+// A name in the first record; of files of any name without it not more is read.
+bool hasName(const archive::File& file) {
   constexpr std::size_t kName = 8, kEnd = 16;
-  if (file.size() < 2 * kRecord || file.size() > kLargestProgram) return false;
   const std::string head = file.text(kRecord);
   return std::all_of(head.begin() + kName, head.begin() + kEnd,
                      [](char c) { return c >= ' ' && c <= '~'; });
@@ -30,11 +30,38 @@ struct Neighbours {
   std::vector<std::string> names;
 };
 
-Neighbours neighboursOf(const archive::Tree& tree, const archive::Tree::Entry& program) {
-  Neighbours result;
+using Entries = std::vector<archive::Tree::Entry>;
+
+Entries besideInTree(const archive::Tree& tree, const archive::Tree::Entry& program) {
+  Entries list;
   const std::string_view folder = archive::folderOf(program.path);
-  for (const archive::Tree::Entry& entry : tree.below(folder)) {
-    if (archive::folderOf(entry.path) != folder) continue;
+  for (const archive::Tree::Entry& entry : tree.below(folder))
+    if (archive::folderOf(entry.path) == folder) list.push_back(entry);
+  return list;
+}
+
+// Of a tree that is the program alone: the files of its folder, without links as in a tree.
+Entries besideOnDisk(const std::string& source, const archive::Tree::Entry& program) {
+  namespace fs = std::filesystem;
+  Entries list;
+  std::error_code error;
+  const fs::path folder = fs::path(source).parent_path();
+  fs::directory_iterator at(folder.empty() ? fs::path(".") : folder, error);
+  for (std::size_t seen = 0; !error && at != fs::directory_iterator(); at.increment(error)) {
+    if (++seen > archive::Limits{}.entries) break;
+    std::error_code ignored;
+    if (!at->is_symlink(ignored) && at->is_regular_file(ignored))
+      list.push_back({at->path().filename().string(), 0, program.in, 0});
+  }
+  std::ranges::sort(list, {}, &archive::Tree::Entry::path);
+  return list;
+}
+
+Neighbours neighboursOf(const archive::Tree& tree, const std::string& source,
+                        const archive::Tree::Entry& program) {
+  Neighbours result;
+  for (const archive::Tree::Entry& entry :
+       tree.isSingleFile() ? besideOnDisk(source, program) : besideInTree(tree, program)) {
     const std::string name(archive::nameOf(entry.path));
     result.names.push_back(name);
     if (result.assignments || !s5project::isAssignmentList(name, archive::nameOf(program.path)))
@@ -53,19 +80,20 @@ std::vector<Step5Program> step5Programs(const archive::Tree& tree, bool anyName)
     const bool maybe = anyName && entry.size % kRecord == 0;
     if ((!named && !maybe) || entry.size > kLargestProgram || entry.size < 2 * kRecord) continue;
     const auto file = tree.open(entry);
-    if (!file || !looksLikeS5d(*file)) continue;
+    if (!file || (!named && !hasName(*file))) continue;
     if (s5project::recognises(bytesOf(file->text(kLargestProgram))))
       list.push_back({s5project::projectName(archive::nameOf(entry.path)), &entry});
   }
   return list;
 }
 
-bool writeStep5Project(const archive::Tree& tree, const Step5Program& program, Encoding codePage,
-                       Output& output, Report& report) {
+bool writeStep5Project(const archive::Tree& tree, const std::string& source,
+                       const Step5Program& program, Encoding codePage, Output& output,
+                       Report& report) {
   const auto file = tree.open(*program.file);
   if (!file) return false;
   const std::string bytes = file->text(kLargestProgram);
-  Neighbours beside = neighboursOf(tree, *program.file);
+  Neighbours beside = neighboursOf(tree, source, *program.file);
   s5project::Input input;
   input.name = archive::nameOf(program.file->path);
   input.program = bytesOf(bytes);

@@ -20,8 +20,10 @@ struct Step5Program {
 // look into each file takes its time.
 std::vector<Step5Program> step5Programs(const archive::Tree& tree, bool anyName);
 
-// The project folder of one of them. False if no block of it came.
-bool writeStep5Project(const archive::Tree& tree, const Step5Program& program, Encoding codePage,
-                       Output& output, Report& report);
+// The project folder of one of them. False if no block of it came. `source`: the path of the tree;
+// the files beside a single file are looked for there.
+bool writeStep5Project(const archive::Tree& tree, const std::string& source,
+                       const Step5Program& program, Encoding codePage, Output& output,
+                       Report& report);
 
 }  // namespace merker::importing

@@ -10,10 +10,12 @@ namespace {
 constexpr std::size_t kMostNotes = 50;
 constexpr const char* kName = "Z0.SEQ";
 
-// The guess between code pages of DOS is worth less than what the user says.
+// The list is in the code page of the program beside it, unless an editor saved it as Unicode.
 Encoding encodingOf(const std::string& bytes, Encoding codePage) {
   const Encoding guess = detectEncoding(bytes);
-  return guess == Encoding::Cp437 || guess == Encoding::Cp850 ? codePage : guess;
+  const bool onePage =
+      guess == Encoding::Cp1252 || guess == Encoding::Cp437 || guess == Encoding::Cp850;
+  return onePage ? codePage : guess;
 }
 
 bool isValid(const source::Symbol& symbol) {

@@ -126,6 +126,9 @@ TEST(Project, SymbolsThatAreTooLongStayOut) {
   EXPECT_EQ(symbols.table.list()[0].comment.size(), 80u);
   EXPECT_EQ(symbols.notes.size(), 2u);
   EXPECT_EQ(readAssignments("\tE 1.0\tT\x9AR\n", Encoding::Cp850).table.list()[0].name, "TÜR");
+  // DCh would be "Ü" in code page 1252.
+  EXPECT_EQ(readAssignments("\tE 1.0\tT\xDCR\n", Encoding::Cp437).table.list()[0].name, "T▄R");
+  EXPECT_EQ(readAssignments("\tE 1.0\tTÜR\n", Encoding::Cp437).table.list()[0].name, "TÜR");
   EXPECT_EQ(readAssignments(std::string("\0\0\1\2", 4), Encoding::Cp437).notes.size(), 1u);
 }
 
