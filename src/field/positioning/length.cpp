@@ -1,0 +1,46 @@
+#include "positioning/length.h"
+
+#include <cstdlib>
+
+namespace merker::positioning {
+
+using io::LengthEdges;
+
+void Length::reset() { running_ = done_ = false; }
+
+bool Length::begins(bool rising) const {
+  switch (edges_) {
+    case LengthEdges::Off:
+      return false;
+    case LengthEdges::Rising:
+    case LengthEdges::RisingFalling:
+      return rising;
+    case LengthEdges::Falling:
+    case LengthEdges::FallingRising:
+      return !rising;
+  }
+  return false;
+}
+
+bool Length::ends(bool rising) const {
+  const bool both = edges_ == LengthEdges::RisingFalling || edges_ == LengthEdges::FallingRising;
+  return both ? !begins(rising) : begins(rising);
+}
+
+void Length::edge(bool rising, std::int64_t position) {
+  if (edges_ == LengthEdges::Off) return;
+  if (running_ && ends(rising)) {
+    running_ = false;
+    done_ = true;
+    begin_ = started_;
+    end_ = position;
+  } else if (begins(rising)) {
+    running_ = true;
+    done_ = false;
+    started_ = position;
+  }
+}
+
+std::int64_t Length::length() const { return std::abs(end_ - begin_); }
+
+}  // namespace merker::positioning
