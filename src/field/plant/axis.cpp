@@ -75,13 +75,12 @@ void Axis::step(const AxisInputs& inputs, AxisObserver& observer) {
   const std::int64_t most = kStep * wanted.acceleration * kRatedLoad / s_.load;
   std::int64_t change = wanted.speed - speed_;
   if (s_.lag != 0 && inputs.enable) change = change * s_.lag / kWhole;
-  signal::Ramp ramp;
-  ramp.position = position_;
-  ramp.speed = faults.blocked ? 0 : speed_;
-  ramp.last = faults.blocked ? 0 : speed_ + std::clamp(change, -most, most);
-  speed_ = ramp.last;
-  position_ = ramp.end();
-  if (ramp.turns()) travel(signal::pulseOf(ramp.turningPoint()), observer);
+  ramp_.position = position_;
+  ramp_.speed = faults.blocked ? 0 : speed_;
+  ramp_.last = faults.blocked ? 0 : speed_ + std::clamp(change, -most, most);
+  speed_ = ramp_.last;
+  position_ = ramp_.end();
+  if (ramp_.turns()) travel(signal::pulseOf(ramp_.turningPoint()), observer);
   travel(signal::pulseOf(position_), observer);
 }
 

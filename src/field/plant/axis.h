@@ -53,6 +53,8 @@ class Axis {
   std::int64_t pulse() const { return pulse_; }
   std::int64_t speed() const { return speed_; }
   bool onReference() const { return reference_; }
+  // Of the last step; it begins at instant 0.
+  const signal::Ramp& ramp() const { return ramp_; }
   AxisFaults faults;
 
  private:
@@ -72,6 +74,7 @@ class Axis {
   std::int64_t position_, pulse_;
   std::int64_t speed_ = 0, hand_ = 0;
   bool reference_, workpiece_;
+  signal::Ramp ramp_;
 };
 
 }  // namespace merker::plant

@@ -35,21 +35,19 @@ std::int64_t Ramp::turningPoint() const {
          roundedDown(-Wide{speed} * speed * length.ns, Wide{2 * kScale} * (last - speed));
 }
 
-Instant Ramp::reaches(std::int64_t pulse) const {
+Instant Ramp::reaches(std::int64_t pulse, Instant from) const {
   const Instant to = start + length;
-  if (pulseOf(position) == pulse) return start;
-  if (!turns()) return first(pulse, start, to);
+  if (pulseAt(from) == pulse) return from;
+  if (!turns() || from >= turningTime()) return first(pulse, from, to);
   const Instant turning = turningTime();
-  return std::min(first(pulse, start, turning), first(pulse, turning, to));
+  return std::min(first(pulse, from, turning), first(pulse, turning, to));
 }
 
 // On a part of the ramp that goes one way: by halves.
 Instant Ramp::first(std::int64_t pulse, Instant from, Instant to) const {
   const bool rises = at(from) < at(to);
-  const auto there = [&](Instant t) {
-    return rises ? pulseOf(at(t)) >= pulse : pulseOf(at(t)) <= pulse;
-  };
-  if (there(from) || !there(to)) return Instant::never();
+  const auto there = [&](Instant t) { return rises ? pulseAt(t) >= pulse : pulseAt(t) <= pulse; };
+  if (from >= to || there(from) || !there(to)) return Instant::never();
   while ((to - from).ns > 1) {
     const Instant middle = from + Duration{(to - from).ns / 2};
     (there(middle) ? to : from) = middle;

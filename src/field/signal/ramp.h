@@ -26,14 +26,16 @@ struct Ramp {
   // Rounded down; from the end on the axis stands there.
   std::int64_t at(Instant t) const;
   std::int64_t end() const { return at(start + length); }
+  std::int64_t pulseAt(Instant t) const { return pulseOf(at(t)); }
   bool turns() const { return (speed < 0 && last > 0) || (speed > 0 && last < 0); }
-  // Where it turns, rounded down.
+  // Where and when it turns, rounded down.
   std::int64_t turningPoint() const;
-  // When it is in this pulse for the first time; never() if it does not come there.
-  Instant reaches(std::int64_t pulse) const;
+  Instant turningTime() const;
+  // When it is in this pulse first, from an instant on; never() if it does not come there.
+  Instant reaches(std::int64_t pulse, Instant from) const;
+  Instant reaches(std::int64_t pulse) const { return reaches(pulse, start); }
 
  private:
-  Instant turningTime() const;
   Instant first(std::int64_t pulse, Instant from, Instant to) const;
 };
 
