@@ -8,8 +8,7 @@
 
 namespace merker::hmi {
 
-template <typename Stream>
-class HttpSession : public Unfinished, public std::enable_shared_from_this<HttpSession<Stream>> {
+class HttpSession : public Unfinished, public std::enable_shared_from_this<HttpSession> {
  public:
   HttpSession(Stream stream, Surroundings& around) : stream_(std::move(stream)), around_(around) {
     ++around_.connections;
@@ -36,7 +35,7 @@ class HttpSession : public Unfinished, public std::enable_shared_from_this<HttpS
     parser_->body_limit(kBody);
     limitTime(std::exchange(first_, false) ? limits().request : limits().idle);
     http::async_read(stream_, buffer_, *parser_,
-                     [self = this->shared_from_this()](beast::error_code error, std::size_t) {
+                     [self = shared_from_this()](beast::error_code error, std::size_t) {
                        self->received(error);
                      });
   }
@@ -66,7 +65,7 @@ class HttpSession : public Unfinished, public std::enable_shared_from_this<HttpS
       answer_ = refuse(request, status);
       return write();
     }
-    std::make_shared<WebSocket<Stream>>(std::move(stream_), around_)->accept(request);
+    std::make_shared<WebSocket>(std::move(stream_), around_)->accept(request);
   }
 
   void answerAndEnd(http::status status) {
@@ -80,7 +79,7 @@ class HttpSession : public Unfinished, public std::enable_shared_from_this<HttpS
   void write() {
     limitTime(limits().idle);
     http::async_write(stream_, answer_,
-                      [self = this->shared_from_this()](beast::error_code error, std::size_t) {
+                      [self = shared_from_this()](beast::error_code error, std::size_t) {
                         if (!error && self->answer_.keep_alive()) return self->read();
                         beast::error_code ignored;
                         beast::get_lowest_layer(self->stream_)

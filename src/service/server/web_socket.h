@@ -11,16 +11,15 @@
 
 #include "server/answer.h"
 #include "server/sessions.h"
+#include "server/stream.h"
 
 namespace merker::hmi {
 
-namespace beast = boost::beast;
 namespace websocket = boost::beast::websocket;
 
-template <typename Stream>
 class WebSocket : public Connection,
                   public Unfinished,
-                  public std::enable_shared_from_this<WebSocket<Stream>> {
+                  public std::enable_shared_from_this<WebSocket> {
  public:
   WebSocket(Stream stream, Surroundings& around)
       : stream_(std::move(stream)), around_(around), patience_(stream_.get_executor()) {
@@ -43,7 +42,7 @@ class WebSocket : public Connection,
     timeout.handshake_timeout = std::chrono::seconds(around_.options.limits.request);
     stream_.set_option(timeout);
     stream_.read_message_max(around_.options.limits.message);
-    stream_.async_accept(request, [self = this->shared_from_this()](beast::error_code error) {
+    stream_.async_accept(request, [self = shared_from_this()](beast::error_code error) {
       if (!error) self->accepted();
     });
   }
@@ -65,7 +64,7 @@ class WebSocket : public Connection,
 
  private:
   void accepted() {
-    id_ = around_.browsers.add(this->shared_from_this());
+    id_ = around_.browsers.add(shared_from_this());
     if (id_ == 0) return end(websocket::close_code::try_again_later);
     around_.unfinished.remove(this);
     stream_.text(true);
@@ -74,10 +73,9 @@ class WebSocket : public Connection,
   }
 
   void read() {
-    stream_.async_read(buffer_,
-                       [self = this->shared_from_this()](beast::error_code error, std::size_t) {
-                         error ? self->close() : self->received();
-                       });
+    stream_.async_read(buffer_, [self = shared_from_this()](beast::error_code error, std::size_t) {
+      error ? self->close() : self->received();
+    });
   }
 
   void received() {
@@ -93,7 +91,7 @@ class WebSocket : public Connection,
   void waitPaused() {
     constexpr auto kBetweenLooks = std::chrono::milliseconds(200);
     patience_.expires_after(kBetweenLooks);
-    patience_.async_wait([self = this->shared_from_this()](beast::error_code error) {
+    patience_.async_wait([self = shared_from_this()](beast::error_code error) {
       if (error || !self->paused_) return;
       self->hasGone() ? self->close() : self->waitPaused();
     });
@@ -108,7 +106,7 @@ class WebSocket : public Connection,
 
   void write() {
     stream_.async_write(boost::asio::buffer(*queue_.front()),
-                        [self = this->shared_from_this()](beast::error_code error, std::size_t) {
+                        [self = shared_from_this()](beast::error_code error, std::size_t) {
                           error ? self->close() : self->written();
                         });
   }
@@ -120,7 +118,7 @@ class WebSocket : public Connection,
   }
 
   void end(websocket::close_code code) {
-    stream_.async_close(code, [self = this->shared_from_this()](beast::error_code) {});
+    stream_.async_close(code, [self = shared_from_this()](beast::error_code) {});
   }
 
   websocket::stream<Stream> stream_;
