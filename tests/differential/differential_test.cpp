@@ -16,11 +16,12 @@
 namespace merker::differential {
 namespace {
 
-constexpr std::uint32_t kPerRow = 12, kProgress = 100'000, kParts = 8;
+constexpr std::uint32_t kProgress = 100'000, kParts = 8;
 #ifdef NDEBUG
-constexpr std::uint32_t kPrograms = 24'000;
+constexpr std::uint32_t kPerRow = 12, kPrograms = 24'000;
 #else
-constexpr std::uint32_t kPrograms = 4'000;  // with sanitizers each of them takes ten times as long
+constexpr std::uint32_t kPerRow = 4,
+                        kPrograms = 1'000;  // with sanitizers each takes ten times as long
 #endif
 
 std::string report(const Case& c) {
