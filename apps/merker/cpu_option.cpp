@@ -7,7 +7,7 @@
 namespace merker::app {
 namespace {
 
-std::string check(const std::string& name) {
+std::string checkCpu(const std::string& name) {
   if (project::findModel(name)) return {};
   return "CPU model '" + name + "' not found; valid models: " + project::modelNames();
 }
@@ -21,7 +21,7 @@ project::Project withMnemonics(project::Project project, const std::string& word
 }  // namespace
 
 void addProjectOptions(CLI::App& command, ProjectOptions& options) {
-  command.add_option("--cpu", options.cpu, "CPU model instead of the project's")->check(check);
+  command.add_option("--cpu", options.cpu, "CPU model instead of the project's")->check(checkCpu);
   command
       .add_option("--source-mnemonics", options.mnemonics,
                   "language of the AWL sources, german or english, instead of the project's")

@@ -11,19 +11,19 @@
 namespace merker::io {
 namespace {
 
-struct Unit {
+struct UnitName {
   std::string_view name;
   double factor;
 };
 
-constexpr Unit kTimes[] = {{"us", 1e3}, {"ms", 1e6}, {"s", 1e9}, {"m", 60e9}, {"h", 3600e9}};
-constexpr Unit kVoltages[] = {{"V", 1}, {"mV", 0.001}};
-constexpr Unit kCurrents[] = {{"mA", 1}};
-constexpr Unit kResistances[] = {{"Ohm", 1}, {"Ω", 1}, {"kOhm", 1000}};
-constexpr Unit kTemperatures[] = {{"degC", 1}, {"°C", 1}, {"C", 1}};
-constexpr Unit kLengths[] = {{"m", 1}, {"cm", 0.01}};
+constexpr UnitName kTimes[] = {{"us", 1e3}, {"ms", 1e6}, {"s", 1e9}, {"m", 60e9}, {"h", 3600e9}};
+constexpr UnitName kVoltages[] = {{"V", 1}, {"mV", 0.001}};
+constexpr UnitName kCurrents[] = {{"mA", 1}};
+constexpr UnitName kResistances[] = {{"Ohm", 1}, {"Ω", 1}, {"kOhm", 1000}};
+constexpr UnitName kTemperatures[] = {{"degC", 1}, {"°C", 1}, {"C", 1}};
+constexpr UnitName kLengths[] = {{"m", 1}, {"cm", 0.01}};
 
-std::span<const Unit> unitsOf(Quantity quantity) {
+std::span<const UnitName> unitsOf(Quantity quantity) {
   switch (quantity) {
     case Quantity::Voltage:
       return kVoltages;
@@ -38,13 +38,13 @@ std::span<const Unit> unitsOf(Quantity quantity) {
 }
 
 // A number and one of the units behind it.
-std::optional<double> parse(std::string_view text, std::span<const Unit> units) {
+std::optional<double> parse(std::string_view text, std::span<const UnitName> units) {
   text = trim(text);
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || !std::isfinite(value)) return std::nullopt;
   const std::string_view unit = trim(text.substr(static_cast<std::size_t>(end - text.data())));
-  for (const Unit& row : units)
+  for (const UnitName& row : units)
     if (equalsIgnoreCase(row.name, unit)) return value * row.factor;
   return std::nullopt;
 }

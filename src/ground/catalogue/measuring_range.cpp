@@ -65,7 +65,7 @@ void replaceAll(std::string& text, std::string_view old, std::string_view other)
     text.replace(at, old.size(), other);
 }
 
-std::string normalised(std::string_view name) {
+std::string rangeName(std::string_view name) {
   std::string text;
   for (const char c : name)
     if (c != ' ') text += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -85,9 +85,9 @@ std::string_view unitOf(Quantity quantity) {
 std::span<const MeasuringRange> measuringRanges() { return kRanges; }
 
 const MeasuringRange* findMeasuringRange(std::string_view name) {
-  const std::string wanted = normalised(name);
+  const std::string wanted = rangeName(name);
   for (const MeasuringRange& range : kRanges)
-    if (normalised(range.name) == wanted) return &range;
+    if (rangeName(range.name) == wanted) return &range;
   return nullptr;
 }
 

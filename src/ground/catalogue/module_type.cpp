@@ -5,7 +5,7 @@
 namespace merker {
 namespace {
 
-std::string normalised(std::string_view text) {
+std::string bareName(std::string_view text) {
   std::string result;
   for (const char c : text)
     if (c != ' ' && c != '-')
@@ -14,12 +14,12 @@ std::string normalised(std::string_view text) {
 }
 
 bool fits(const ModuleType& type, const std::string& wanted) {
-  return normalised(type.orderNumber) == wanted || normalised(title(type)) == wanted;
+  return bareName(type.orderNumber) == wanted || bareName(title(type)) == wanted;
 }
 
 bool begins(const ModuleType& type, const std::string& wanted) {
-  return normalised(type.orderNumber).starts_with(wanted) ||
-         normalised(title(type)).starts_with(wanted);
+  return bareName(type.orderNumber).starts_with(wanted) ||
+         bareName(title(type)).starts_with(wanted);
 }
 
 const ModuleType* onBoard(ModuleKind kind, unsigned inputs) {
@@ -32,7 +32,7 @@ const ModuleType* onBoard(ModuleKind kind, unsigned inputs) {
 }  // namespace
 
 std::vector<const ModuleType*> findModuleTypes(std::string_view name) {
-  const std::string wanted = normalised(name);
+  const std::string wanted = bareName(name);
   std::vector<const ModuleType*> found, begun;
   if (wanted.empty()) return found;
   for (const ModuleType& type : moduleTypes()) {

@@ -35,7 +35,7 @@ void eachLine(const SourceFile& file, const Problems& problems, Read read) {
 }
 
 // The first `count` characters, taken away from `text`.
-std::string_view takeCharacters(std::string_view& text, std::size_t count) {
+std::string_view takeColumn(std::string_view& text, std::size_t count) {
   std::size_t bytes = 0;
   for (std::size_t i = 0; i < count && bytes < text.size(); ++i) {
     ++bytes;
@@ -55,9 +55,9 @@ void readColumns(SymbolLine& line, const Target& target) {
       prefix.find_first_not_of("0123456789") != std::string_view::npos)
     return target.refuse(line, ".asc", "126,Motor                   A       1.0 BOOL");
   std::string_view rest = line.line.substr(comma + 1);
-  line.name = trim(takeCharacters(rest, kNameWidth));
-  line.address = trim(takeCharacters(rest, kAddressWidth));
-  line.type = trim(takeCharacters(rest, kTypeWidth));
+  line.name = trim(takeColumn(rest, kNameWidth));
+  line.address = trim(takeColumn(rest, kAddressWidth));
+  line.type = trim(takeColumn(rest, kTypeWidth));
   line.comment = trim(rest);
   target.add(line);
 }

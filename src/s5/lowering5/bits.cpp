@@ -135,24 +135,24 @@ bool force(Lowering& l) {
   return true;
 }
 
-constexpr Row kRows[] = {{Operation::AND, andWith<false>},
-                         {Operation::AND_NOT, andWith<true>},
-                         {Operation::OR, orWith<false>},
-                         {Operation::OR_NOT, orWith<true>},
-                         {Operation::AND_BEFORE_OR, andBeforeOr},
-                         {Operation::AND_OPEN, open<false>},
-                         {Operation::OR_OPEN, open<true>},
-                         {Operation::CLOSE, close},
-                         {Operation::ASSIGN, assign},
-                         {Operation::SET_BIT, setBit},
-                         {Operation::RESET_BIT, resetBit},
-                         {Operation::TEST_BIT, test<false>},
-                         {Operation::TEST_NOT, test<true>},
-                         {Operation::SET_ALWAYS, force<true>},
-                         {Operation::RESET_ALWAYS, force<false>}};
+constexpr Row kBitsRows[] = {{Operation::AND, andWith<false>},
+                             {Operation::AND_NOT, andWith<true>},
+                             {Operation::OR, orWith<false>},
+                             {Operation::OR_NOT, orWith<true>},
+                             {Operation::AND_BEFORE_OR, andBeforeOr},
+                             {Operation::AND_OPEN, open<false>},
+                             {Operation::OR_OPEN, open<true>},
+                             {Operation::CLOSE, close},
+                             {Operation::ASSIGN, assign},
+                             {Operation::SET_BIT, setBit},
+                             {Operation::RESET_BIT, resetBit},
+                             {Operation::TEST_BIT, test<false>},
+                             {Operation::TEST_NOT, test<true>},
+                             {Operation::SET_ALWAYS, force<true>},
+                             {Operation::RESET_ALWAYS, force<false>}};
 
 }  // namespace
 
-std::span<const Row> bitRows() { return kRows; }
+std::span<const Row> bitRows() { return kBitsRows; }
 
 }  // namespace merker::translate5

@@ -55,7 +55,7 @@ bool goesOn(Lowering& l) {
   return quiet(l);
 }
 
-constexpr Row kRows[] = {
+constexpr Row kCellsRows[] = {
     {Operation::TIMER_SI, goesOn},         {Operation::TIMER_SE, goesOn},
     {Operation::TIMER_SV, noEdge<kStart>}, {Operation::TIMER_SS, noEdge<kStart>},
     {Operation::COUNT_UP, noEdge<kUp>},    {Operation::COUNT_DOWN, noEdge<kDown>},
@@ -63,7 +63,7 @@ constexpr Row kRows[] = {
 
 }  // namespace
 
-std::span<const Row> cellRows() { return kRows; }
+std::span<const Row> cellRows() { return kCellsRows; }
 
 bool setCell(Lowering& l) { return noEdge<kStart>(l); }
 

@@ -65,17 +65,17 @@ Value stored(Lowering& l) {
   return bit;
 }
 
-constexpr Row kRows[] = {{Operation::JUMP, always},
-                         {Operation::JUMP_IF, ifVke},
-                         {Operation::JUMP_ZERO, conditional<zero>},
-                         {Operation::JUMP_NOT_ZERO, conditional<notZero>},
-                         {Operation::JUMP_PLUS, conditional<plus>},
-                         {Operation::JUMP_MINUS, conditional<minus>},
-                         {Operation::JUMP_OVERFLOW, conditional<overflow>},
-                         {Operation::JUMP_STORED, conditional<stored>}};
+constexpr Row kJumpsRows[] = {{Operation::JUMP, always},
+                              {Operation::JUMP_IF, ifVke},
+                              {Operation::JUMP_ZERO, conditional<zero>},
+                              {Operation::JUMP_NOT_ZERO, conditional<notZero>},
+                              {Operation::JUMP_PLUS, conditional<plus>},
+                              {Operation::JUMP_MINUS, conditional<minus>},
+                              {Operation::JUMP_OVERFLOW, conditional<overflow>},
+                              {Operation::JUMP_STORED, conditional<stored>}};
 
 }  // namespace
 
-std::span<const Row> jumpRows() { return kRows; }
+std::span<const Row> jumpRows() { return kJumpsRows; }
 
 }  // namespace merker::translate5

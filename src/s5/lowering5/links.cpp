@@ -14,20 +14,20 @@ constexpr std::uint32_t kDataBlocks = 256;
 std::uint32_t behind(const Lowering& l) { return l.place + l.decoded.words; }
 
 // In the block that is called, and in the one to which it returns (OP-24).
-void endChain(Lowering& l) {
+void leaveChain(Lowering& l) {
   l.to.set(Item::Or, false);
   l.to.set(Item::Er, false);
 }
 void enterChain(Lowering& l) {
   l.to.set(Item::Os, false);
-  endChain(l);
+  leaveChain(l);
 }
 
 // A condition that is not met leaves VKE = 1 (S5-BLK-16, OP-50) and costs the shorter time.
 void notTaken(Lowering& l) {
   l.to.cost(static_cast<std::uint64_t>(l.times().shortest.ns));
   l.to.set(Item::Rlo, true);
-  endChain(l);
+  leaveChain(l);
 }
 
 // What this processor does not do itself: only as long as the condition is not met.
@@ -95,12 +95,12 @@ bool open(Lowering& l) {
   return true;
 }
 
-constexpr Row kRows[] = {{Operation::CALL, call},      {Operation::CALL_IF, callIf},
-                         {Operation::END, end},        {Operation::END_IF, endIf},
-                         {Operation::END_ALWAYS, end}, {Operation::OPEN, open}};
+constexpr Row kLinksRows[] = {{Operation::CALL, call},      {Operation::CALL_IF, callIf},
+                              {Operation::END, end},        {Operation::END_IF, endIf},
+                              {Operation::END_ALWAYS, end}, {Operation::OPEN, open}};
 
 }  // namespace
 
-std::span<const Row> linkRows() { return kRows; }
+std::span<const Row> linkRows() { return kLinksRows; }
 
 }  // namespace merker::translate5

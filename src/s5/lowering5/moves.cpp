@@ -27,12 +27,12 @@ bool exchange(Lowering& l) {
 
 bool nothing(Lowering&) { return true; }
 
-constexpr Row kRows[] = {{Operation::LOAD, load},    {Operation::TRANSFER, transfer},
-                         {Operation::TAK, exchange}, {Operation::NOP0, nothing},
-                         {Operation::NOP1, nothing}, {Operation::BLD, nothing}};
+constexpr Row kMovesRows[] = {{Operation::LOAD, load},    {Operation::TRANSFER, transfer},
+                              {Operation::TAK, exchange}, {Operation::NOP0, nothing},
+                              {Operation::NOP1, nothing}, {Operation::BLD, nothing}};
 
 }  // namespace
 
-std::span<const Row> moveRows() { return kRows; }
+std::span<const Row> moveRows() { return kMovesRows; }
 
 }  // namespace merker::translate5

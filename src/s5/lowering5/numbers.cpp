@@ -163,40 +163,41 @@ bool negate(Lowering& l) {
   return true;
 }
 
-constexpr Row kRows[] = {{Operation::ADD_F, sum<Opcode::Add>},
-                         {Operation::SUB_F, sum<Opcode::Sub>},
-                         {Operation::MUL_F, multiply},
-                         {Operation::DIV_F, divide},
-                         {Operation::ADD_BYTE, addConstant},
-                         {Operation::ADD_WORD, addConstant},
-                         {Operation::INCREMENT, count<Opcode::Add>},
-                         {Operation::DECREMENT, count<Opcode::Sub>},
-                         {Operation::EQUAL_F, compare<Opcode::Equal, false, false>},
-                         {Operation::UNEQUAL_F, compare<Opcode::NotEqual, false, false>},
-                         {Operation::GREATER_F, compare<Opcode::Less, true, false>},
-                         {Operation::GREATER_EQUAL_F, compare<Opcode::LessEqual, true, false>},
-                         {Operation::LESS_F, compare<Opcode::Less, false, false>},
-                         {Operation::LESS_EQUAL_F, compare<Opcode::LessEqual, false, false>},
-                         {Operation::EQUAL_D, compare<Opcode::Equal, false, true>},
-                         {Operation::UNEQUAL_D, compare<Opcode::NotEqual, false, true>},
-                         {Operation::GREATER_D, compare<Opcode::Less, true, true>},
-                         {Operation::GREATER_EQUAL_D, compare<Opcode::LessEqual, true, true>},
-                         {Operation::LESS_D, compare<Opcode::Less, false, true>},
-                         {Operation::LESS_EQUAL_D, compare<Opcode::LessEqual, false, true>},
-                         {Operation::AND_W, logic<Opcode::And>},
-                         {Operation::OR_W, logic<Opcode::Or>},
-                         {Operation::XOR_W, logic<Opcode::Xor>},
-                         {Operation::SHIFT_LEFT_W, shift<Opcode::Shl, false>},
-                         {Operation::SHIFT_RIGHT_W, shift<Opcode::Shr, false>},
-                         {Operation::SHIFT_SIGN_W, shift<Opcode::Sar, false>},
-                         {Operation::SHIFT_LEFT_D, shift<Opcode::Shl, true>},
-                         {Operation::SHIFT_SIGN_D, shift<Opcode::Sar, true>},
-                         {Operation::COMPLEMENT_W, complement},
-                         {Operation::NEGATE_W, negate<false>},
-                         {Operation::NEGATE_D, negate<true>}};
+constexpr Row kNumbersRows[] = {
+    {Operation::ADD_F, sum<Opcode::Add>},
+    {Operation::SUB_F, sum<Opcode::Sub>},
+    {Operation::MUL_F, multiply},
+    {Operation::DIV_F, divide},
+    {Operation::ADD_BYTE, addConstant},
+    {Operation::ADD_WORD, addConstant},
+    {Operation::INCREMENT, count<Opcode::Add>},
+    {Operation::DECREMENT, count<Opcode::Sub>},
+    {Operation::EQUAL_F, compare<Opcode::Equal, false, false>},
+    {Operation::UNEQUAL_F, compare<Opcode::NotEqual, false, false>},
+    {Operation::GREATER_F, compare<Opcode::Less, true, false>},
+    {Operation::GREATER_EQUAL_F, compare<Opcode::LessEqual, true, false>},
+    {Operation::LESS_F, compare<Opcode::Less, false, false>},
+    {Operation::LESS_EQUAL_F, compare<Opcode::LessEqual, false, false>},
+    {Operation::EQUAL_D, compare<Opcode::Equal, false, true>},
+    {Operation::UNEQUAL_D, compare<Opcode::NotEqual, false, true>},
+    {Operation::GREATER_D, compare<Opcode::Less, true, true>},
+    {Operation::GREATER_EQUAL_D, compare<Opcode::LessEqual, true, true>},
+    {Operation::LESS_D, compare<Opcode::Less, false, true>},
+    {Operation::LESS_EQUAL_D, compare<Opcode::LessEqual, false, true>},
+    {Operation::AND_W, logic<Opcode::And>},
+    {Operation::OR_W, logic<Opcode::Or>},
+    {Operation::XOR_W, logic<Opcode::Xor>},
+    {Operation::SHIFT_LEFT_W, shift<Opcode::Shl, false>},
+    {Operation::SHIFT_RIGHT_W, shift<Opcode::Shr, false>},
+    {Operation::SHIFT_SIGN_W, shift<Opcode::Sar, false>},
+    {Operation::SHIFT_LEFT_D, shift<Opcode::Shl, true>},
+    {Operation::SHIFT_SIGN_D, shift<Opcode::Sar, true>},
+    {Operation::COMPLEMENT_W, complement},
+    {Operation::NEGATE_W, negate<false>},
+    {Operation::NEGATE_D, negate<true>}};
 
 }  // namespace
 
-std::span<const Row> numberRows() { return kRows; }
+std::span<const Row> numberRows() { return kNumbersRows; }
 
 }  // namespace merker::translate5

@@ -40,10 +40,10 @@ bool process(Lowering& l) {
   return true;
 }
 
-constexpr Row kRows[] = {{Operation::SUBSTITUTE, process}};
+constexpr Row kProcessingRows[] = {{Operation::SUBSTITUTE, process}};
 
 }  // namespace
 
-std::span<const Row> processingRows() { return kRows; }
+std::span<const Row> processingRows() { return kProcessingRows; }
 
 }  // namespace merker::translate5

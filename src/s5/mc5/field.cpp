@@ -9,7 +9,7 @@ struct FormatCode {
   Format format;
   std::uint8_t code;
 };
-constexpr std::array kFormats{
+constexpr std::array kFormatCodes{
     FormatCode{Format::Counter, 0x01}, FormatCode{Format::Time, 0x02},
     FormatCode{Format::Fixed, 0x04},   FormatCode{Format::Characters, 0x10},
     FormatCode{Format::Bytes, 0x20},   FormatCode{Format::Hex, 0x40},
@@ -23,7 +23,7 @@ std::uint32_t signExtended(std::uint32_t number) {
 }  // namespace
 
 std::optional<Format> formatOf(std::uint8_t code) {
-  for (const FormatCode& row : kFormats)
+  for (const FormatCode& row : kFormatCodes)
     if (row.code == code) return row.format;
   return std::nullopt;
 }

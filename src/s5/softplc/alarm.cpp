@@ -7,7 +7,7 @@
 namespace merker::sinumerik {
 namespace {
 
-constexpr AlarmRow kRows[] = {
+constexpr AlarmRow kAlarmRows[] = {
 #define ALARM(number, id, text, meaning, reaction, control, cause) \
   {Alarm::id, text, meaning, Reaction::reaction, ControlBit::control, Cause::cause},
 #include "softplc/alarms.inc"
@@ -21,12 +21,12 @@ constexpr std::array<std::string_view, 12> kCauses = {
 
 std::string_view name(Cause cause) { return kCauses[static_cast<std::size_t>(cause)]; }
 
-std::span<const AlarmRow> alarmRows() { return kRows; }
+std::span<const AlarmRow> alarmRows() { return kAlarmRows; }
 
 const AlarmRow& row(Alarm alarm) {
-  for (const AlarmRow& r : kRows)
+  for (const AlarmRow& r : kAlarmRows)
     if (r.alarm == alarm) return r;
-  return kRows[0];
+  return kAlarmRows[0];
 }
 
 std::string describe(Alarm alarm) {

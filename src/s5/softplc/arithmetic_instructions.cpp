@@ -70,17 +70,17 @@ bool count(Processor& p, const Instruction& i) {
   return true;
 }
 
-constexpr HandlerRow kRows[] = {{Operation::ADD_F, add},
-                                {Operation::SUB_F, subtract},
-                                {Operation::MUL_F, multiply},
-                                {Operation::DIV_F, divide},
-                                {Operation::ADD_BYTE, addConstant},
-                                {Operation::ADD_WORD, addConstant},
-                                {Operation::INCREMENT, count<1>},
-                                {Operation::DECREMENT, count<-1>}};
+constexpr HandlerRow kArithmeticRows[] = {{Operation::ADD_F, add},
+                                          {Operation::SUB_F, subtract},
+                                          {Operation::MUL_F, multiply},
+                                          {Operation::DIV_F, divide},
+                                          {Operation::ADD_BYTE, addConstant},
+                                          {Operation::ADD_WORD, addConstant},
+                                          {Operation::INCREMENT, count<1>},
+                                          {Operation::DECREMENT, count<-1>}};
 
 }  // namespace
 
-HandlerRows arithmeticHandlers() { return kRows; }
+HandlerRows arithmeticHandlers() { return kArithmeticRows; }
 
 }  // namespace merker::sinumerik

@@ -166,24 +166,24 @@ bool force(Processor& p, const Instruction& i) {
   return true;
 }
 
-constexpr HandlerRow kRows[] = {{Operation::AND, andWith<false>},
-                                {Operation::AND_NOT, andWith<true>},
-                                {Operation::OR, orWith<false>},
-                                {Operation::OR_NOT, orWith<true>},
-                                {Operation::AND_BEFORE_OR, andBeforeOr},
-                                {Operation::AND_OPEN, open<false>},
-                                {Operation::OR_OPEN, open<true>},
-                                {Operation::CLOSE, close},
-                                {Operation::ASSIGN, assign},
-                                {Operation::SET_BIT, setBit},
-                                {Operation::RESET_BIT, resetBit},
-                                {Operation::TEST_BIT, test<false>},
-                                {Operation::TEST_NOT, test<true>},
-                                {Operation::SET_ALWAYS, force<true>},
-                                {Operation::RESET_ALWAYS, force<false>}};
+constexpr HandlerRow kBitRows[] = {{Operation::AND, andWith<false>},
+                                   {Operation::AND_NOT, andWith<true>},
+                                   {Operation::OR, orWith<false>},
+                                   {Operation::OR_NOT, orWith<true>},
+                                   {Operation::AND_BEFORE_OR, andBeforeOr},
+                                   {Operation::AND_OPEN, open<false>},
+                                   {Operation::OR_OPEN, open<true>},
+                                   {Operation::CLOSE, close},
+                                   {Operation::ASSIGN, assign},
+                                   {Operation::SET_BIT, setBit},
+                                   {Operation::RESET_BIT, resetBit},
+                                   {Operation::TEST_BIT, test<false>},
+                                   {Operation::TEST_NOT, test<true>},
+                                   {Operation::SET_ALWAYS, force<true>},
+                                   {Operation::RESET_ALWAYS, force<false>}};
 
 }  // namespace
 
-HandlerRows bitHandlers() { return kRows; }
+HandlerRows bitHandlers() { return kBitRows; }
 
 }  // namespace merker::sinumerik

@@ -10,7 +10,6 @@ using mc5::BlockType;
 using mc5::kHeaderWords;
 
 constexpr std::uint8_t kValid = 0x40;
-constexpr std::uint8_t kProgramSegment = 5, kDataSegment = 6;
 
 struct TypeRow {
   BlockType type;

@@ -21,6 +21,7 @@ struct Entry {
 
 // Header of a block in memory (OP-02).
 constexpr std::uint16_t kSynchronisation = 0x7070;
+constexpr std::uint8_t kProgramSegment = 5, kDataSegment = 6;
 std::uint8_t typeCode(mc5::BlockType type);  // with the mark "valid"
 std::optional<mc5::BlockType> blockType(std::uint8_t code);
 

@@ -13,13 +13,13 @@ BlockId blockOf(const Instruction& i) {
   return {i.operand.block, static_cast<std::uint16_t>(i.operand.value)};
 }
 
-void endChain(Displays& d) { d.orBit = d.chain = false; }
+void leaveChain(Displays& d) { d.orBit = d.chain = false; }
 
 bool call(Processor& p, const Instruction& i) { return p.call(blockOf(i)); }
 
 // A condition that is not met leaves VKE = 1 (S5-BLK-16, OP-50).
 bool notTaken(Processor& p) {
-  endChain(p.displays());
+  leaveChain(p.displays());
   p.displays().vke = true;
   return false;
 }
@@ -58,7 +58,7 @@ bool stp(Processor& p, const Instruction&) {
 
 bool sts(Processor& p, const Instruction&) { return p.fail(Alarm::Sts, p.opcode()); }
 
-constexpr HandlerRow kRows[] = {
+constexpr HandlerRow kCallRows[] = {
     {Operation::CALL, call},    {Operation::CALL_IF, callIf}, {Operation::END, end},
     {Operation::END_IF, endIf}, {Operation::END_ALWAYS, end}, {Operation::OPEN, open},
     {Operation::NOP0, nothing}, {Operation::NOP1, nothing},   {Operation::BLD, nothing},
@@ -66,6 +66,6 @@ constexpr HandlerRow kRows[] = {
 
 }  // namespace
 
-HandlerRows callHandlers() { return kRows; }
+HandlerRows callHandlers() { return kCallRows; }
 
 }  // namespace merker::sinumerik

@@ -35,7 +35,7 @@ bool enable(Processor& p, const Instruction& i) {
   return ended(p, m.counters[number].enable(p.vke()));
 }
 
-constexpr HandlerRow kRows[] = {
+constexpr HandlerRow kCellRows[] = {
     {Operation::TIMER_SI, start<TimerKind::SI>}, {Operation::TIMER_SV, start<TimerKind::SV>},
     {Operation::TIMER_SE, start<TimerKind::SE>}, {Operation::TIMER_SS, start<TimerKind::SS>},
     {Operation::TIMER_SA, start<TimerKind::SA>}, {Operation::COUNT_UP, countUp},
@@ -43,6 +43,6 @@ constexpr HandlerRow kRows[] = {
 
 }  // namespace
 
-HandlerRows cellHandlers() { return kRows; }
+HandlerRows cellHandlers() { return kCellRows; }
 
 }  // namespace merker::sinumerik

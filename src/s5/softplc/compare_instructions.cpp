@@ -42,27 +42,28 @@ bool compareG(Processor& p, const Instruction&) {
   return judge(p, left, right, block::relates(left, R, right));
 }
 
-constexpr HandlerRow kRows[] = {{Operation::EQUAL_F, compareF<Relation::Equal>},
-                                {Operation::UNEQUAL_F, compareF<Relation::NotEqual>},
-                                {Operation::GREATER_F, compareF<Relation::Greater>},
-                                {Operation::GREATER_EQUAL_F, compareF<Relation::GreaterEqual>},
-                                {Operation::LESS_F, compareF<Relation::Less>},
-                                {Operation::LESS_EQUAL_F, compareF<Relation::LessEqual>},
-                                {Operation::EQUAL_D, compareD<Relation::Equal>},
-                                {Operation::UNEQUAL_D, compareD<Relation::NotEqual>},
-                                {Operation::GREATER_D, compareD<Relation::Greater>},
-                                {Operation::GREATER_EQUAL_D, compareD<Relation::GreaterEqual>},
-                                {Operation::LESS_D, compareD<Relation::Less>},
-                                {Operation::LESS_EQUAL_D, compareD<Relation::LessEqual>},
-                                {Operation::EQUAL_G, compareG<Relation::Equal>},
-                                {Operation::UNEQUAL_G, compareG<Relation::NotEqual>},
-                                {Operation::GREATER_G, compareG<Relation::Greater>},
-                                {Operation::GREATER_EQUAL_G, compareG<Relation::GreaterEqual>},
-                                {Operation::LESS_G, compareG<Relation::Less>},
-                                {Operation::LESS_EQUAL_G, compareG<Relation::LessEqual>}};
+constexpr HandlerRow kCompareRows[] = {
+    {Operation::EQUAL_F, compareF<Relation::Equal>},
+    {Operation::UNEQUAL_F, compareF<Relation::NotEqual>},
+    {Operation::GREATER_F, compareF<Relation::Greater>},
+    {Operation::GREATER_EQUAL_F, compareF<Relation::GreaterEqual>},
+    {Operation::LESS_F, compareF<Relation::Less>},
+    {Operation::LESS_EQUAL_F, compareF<Relation::LessEqual>},
+    {Operation::EQUAL_D, compareD<Relation::Equal>},
+    {Operation::UNEQUAL_D, compareD<Relation::NotEqual>},
+    {Operation::GREATER_D, compareD<Relation::Greater>},
+    {Operation::GREATER_EQUAL_D, compareD<Relation::GreaterEqual>},
+    {Operation::LESS_D, compareD<Relation::Less>},
+    {Operation::LESS_EQUAL_D, compareD<Relation::LessEqual>},
+    {Operation::EQUAL_G, compareG<Relation::Equal>},
+    {Operation::UNEQUAL_G, compareG<Relation::NotEqual>},
+    {Operation::GREATER_G, compareG<Relation::Greater>},
+    {Operation::GREATER_EQUAL_G, compareG<Relation::GreaterEqual>},
+    {Operation::LESS_G, compareG<Relation::Less>},
+    {Operation::LESS_EQUAL_G, compareG<Relation::LessEqual>}};
 
 }  // namespace
 
-HandlerRows compareHandlers() { return kRows; }
+HandlerRows compareHandlers() { return kCompareRows; }
 
 }  // namespace merker::sinumerik

@@ -3,7 +3,7 @@
 namespace merker::sinumerik {
 namespace {
 
-constexpr ControlBitRow kRows[] = {
+constexpr ControlBitRow kControlBitsRows[] = {
 #define CONTROL_BIT(id, name, byte, bit, meaning) {ControlBit::id, name, byte, bit, meaning},
 #include "softplc/control_bits.inc"
 #undef CONTROL_BIT
@@ -11,11 +11,11 @@ constexpr ControlBitRow kRows[] = {
 
 }  // namespace
 
-std::span<const ControlBitRow> controlBitRows() { return kRows; }
+std::span<const ControlBitRow> controlBitRows() { return kControlBitsRows; }
 
 std::uint8_t ControlBits::row(unsigned byte) const {
   unsigned value = 0;
-  for (const ControlBitRow& r : kRows)
+  for (const ControlBitRow& r : kControlBitsRows)
     if (r.byte == byte && test(r.id)) value |= 1u << r.bit;
   return static_cast<std::uint8_t>(value);
 }

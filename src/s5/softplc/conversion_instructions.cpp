@@ -94,19 +94,19 @@ bool exchange(Processor& p, const Instruction&) {
   return true;
 }
 
-constexpr HandlerRow kRows[] = {{Operation::COMPLEMENT_W, complement},
-                                {Operation::NEGATE_W, negateW},
-                                {Operation::NEGATE_D, negateD},
-                                {Operation::BCD_TO_FIXED, bcdToFixed},
-                                {Operation::FIXED_TO_BCD, fixedToBcd},
-                                {Operation::BCD_TO_DOUBLE, bcdToDouble},
-                                {Operation::DOUBLE_TO_BCD, doubleToBcd},
-                                {Operation::FIXED_TO_FLOAT, fixedToFloat},
-                                {Operation::FLOAT_TO_FIXED, floatToFixed},
-                                {Operation::TAK, exchange}};
+constexpr HandlerRow kConversionRows[] = {{Operation::COMPLEMENT_W, complement},
+                                          {Operation::NEGATE_W, negateW},
+                                          {Operation::NEGATE_D, negateD},
+                                          {Operation::BCD_TO_FIXED, bcdToFixed},
+                                          {Operation::FIXED_TO_BCD, fixedToBcd},
+                                          {Operation::BCD_TO_DOUBLE, bcdToDouble},
+                                          {Operation::DOUBLE_TO_BCD, doubleToBcd},
+                                          {Operation::FIXED_TO_FLOAT, fixedToFloat},
+                                          {Operation::FLOAT_TO_FIXED, floatToFixed},
+                                          {Operation::TAK, exchange}};
 
 }  // namespace
 
-HandlerRows conversionHandlers() { return kRows; }
+HandlerRows conversionHandlers() { return kConversionRows; }
 
 }  // namespace merker::sinumerik

@@ -33,13 +33,13 @@ bool divide(Processor& p, const Instruction&) {
   return true;
 }
 
-constexpr HandlerRow kRows[] = {{Operation::ADD_G, add},
-                                {Operation::SUB_G, subtract},
-                                {Operation::MUL_G, multiply},
-                                {Operation::DIV_G, divide}};
+constexpr HandlerRow kFloatRows[] = {{Operation::ADD_G, add},
+                                     {Operation::SUB_G, subtract},
+                                     {Operation::MUL_G, multiply},
+                                     {Operation::DIV_G, divide}};
 
 }  // namespace
 
-HandlerRows floatHandlers() { return kRows; }
+HandlerRows floatHandlers() { return kFloatRows; }
 
 }  // namespace merker::sinumerik

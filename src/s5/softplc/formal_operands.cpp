@@ -24,7 +24,7 @@ struct Row {
   Wants wants;
   Operation becomes, withCounter;
 };
-constexpr std::array kRows{
+constexpr std::array kFormalOperandsRows{
     Row{Operation::AND, Wants::BitOrCell, Operation::AND, Operation::AND},
     Row{Operation::AND_NOT, Wants::BitOrCell, Operation::AND_NOT, Operation::AND_NOT},
     Row{Operation::OR, Wants::BitOrCell, Operation::OR, Operation::OR},
@@ -91,8 +91,8 @@ std::optional<Instruction> actualInstruction(const Instruction& formal, std::uin
     const bool block = i.operation == Operation::OPEN || i.operation == Operation::CALL;
     return block ? std::optional(i) : std::nullopt;
   }
-  const auto row = std::ranges::find(kRows, formal.operation, &Row::formal);
-  if (row == kRows.end() || !fits(row->wants, i)) return std::nullopt;
+  const auto row = std::ranges::find(kFormalOperandsRows, formal.operation, &Row::formal);
+  if (row == kFormalOperandsRows.end() || !fits(row->wants, i)) return std::nullopt;
   const bool counter = i.operand.kind == OperandKind::Counter;
   return Instruction{counter ? row->withCounter : row->becomes, i.operand};
 }

@@ -41,17 +41,17 @@ bool ifStored(Processor& p, const Instruction& i) {
   return jumpWhen(p, i, stored);
 }
 
-constexpr HandlerRow kRows[] = {{Operation::JUMP, always},
-                                {Operation::JUMP_IF, ifVke},
-                                {Operation::JUMP_ZERO, ifZero},
-                                {Operation::JUMP_NOT_ZERO, ifNotZero},
-                                {Operation::JUMP_PLUS, ifPlus},
-                                {Operation::JUMP_MINUS, ifMinus},
-                                {Operation::JUMP_OVERFLOW, ifOverflow},
-                                {Operation::JUMP_STORED, ifStored}};
+constexpr HandlerRow kJumpRows[] = {{Operation::JUMP, always},
+                                    {Operation::JUMP_IF, ifVke},
+                                    {Operation::JUMP_ZERO, ifZero},
+                                    {Operation::JUMP_NOT_ZERO, ifNotZero},
+                                    {Operation::JUMP_PLUS, ifPlus},
+                                    {Operation::JUMP_MINUS, ifMinus},
+                                    {Operation::JUMP_OVERFLOW, ifOverflow},
+                                    {Operation::JUMP_STORED, ifStored}};
 
 }  // namespace
 
-HandlerRows jumpHandlers() { return kRows; }
+HandlerRows jumpHandlers() { return kJumpRows; }
 
 }  // namespace merker::sinumerik

@@ -82,11 +82,11 @@ bool transfer(Processor& p, const Instruction& i) {
   return p.fail(Alarm::TransferToMissingDb, p.opcode());
 }
 
-constexpr HandlerRow kRows[] = {
+constexpr HandlerRow kLoadRows[] = {
     {Operation::LOAD, load}, {Operation::LOAD_BCD, loadCoded}, {Operation::TRANSFER, transfer}};
 
 }  // namespace
 
-HandlerRows loadHandlers() { return kRows; }
+HandlerRows loadHandlers() { return kLoadRows; }
 
 }  // namespace merker::sinumerik

@@ -59,10 +59,10 @@ bool process(Processor& p, const Instruction& i) {
   return p.substitute(instruction);
 }
 
-constexpr HandlerRow kRows[] = {{Operation::SUBSTITUTE, process}};
+constexpr HandlerRow kProcessingRows[] = {{Operation::SUBSTITUTE, process}};
 
 }  // namespace
 
-HandlerRows processingHandlers() { return kRows; }
+HandlerRows processingHandlers() { return kProcessingRows; }
 
 }  // namespace merker::sinumerik

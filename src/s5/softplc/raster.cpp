@@ -12,12 +12,13 @@ struct Row {
   Duration sampling, tenthSw1, tenthSw2, second, ten;
 };
 constexpr Duration us(std::int64_t n) { return Duration::microseconds(n); }
-constexpr std::array kRows{Row{us(4000), us(80'000), us(100'000), us(950'000), us(10'000'000)},
-                           Row{us(4500), us(90'000), us(99'000), us(990'000), us(9'999'000)},
-                           Row{us(5000), us(100'000), us(100'000), us(1'000'000), us(10'000'000)},
-                           Row{us(5500), us(110'000), us(98'000), us(990'000), us(9'999'000)},
-                           Row{us(6000), us(120'000), us(102'000), us(1'002'000), us(10'002'000)},
-                           Row{us(6500), us(130'000), us(97'500), us(1'001'000), us(9'997'000)}};
+constexpr std::array kRasterRows{
+    Row{us(4000), us(80'000), us(100'000), us(950'000), us(10'000'000)},
+    Row{us(4500), us(90'000), us(99'000), us(990'000), us(9'999'000)},
+    Row{us(5000), us(100'000), us(100'000), us(1'000'000), us(10'000'000)},
+    Row{us(5500), us(110'000), us(98'000), us(990'000), us(9'999'000)},
+    Row{us(6000), us(120'000), us(102'000), us(1'002'000), us(10'002'000)},
+    Row{us(6500), us(130'000), us(97'500), us(1'001'000), us(9'997'000)}};
 
 constexpr unsigned kStandardFactor = 3;  // also what 0 means (OP-18)
 constexpr int kSamplesPerHundredth = 2;  // base 0.01 s: the manual calls it unusable
@@ -26,7 +27,7 @@ constexpr int kSamplesPerHundredth = 2;  // base 0.01 s: the manual calls it unu
 
 Raster makeRaster(std::uint8_t samplingCode, unsigned callFactor, mc5::Variant variant,
                   Software software) {
-  const Row& row = kRows[samplingCode < kRows.size() ? samplingCode : 2];
+  const Row& row = kRasterRows[samplingCode < kRasterRows.size() ? samplingCode : 2];
   const bool fixed = variant == mc5::Variant::Cop || callFactor == 0 || callFactor > 3;
   const unsigned factor = fixed ? kStandardFactor : callFactor;
   const Duration ipo = row.sampling * kSamplesPerIpo;

@@ -12,7 +12,7 @@ using mc5::BlockId;
 using mc5::BlockType;
 
 constexpr std::array kCodeTypes{BlockType::Ob, BlockType::Pb, BlockType::Sb, BlockType::Fb};
-constexpr std::uint8_t kAlarmOb = 2, kProgramSegment = 5;
+constexpr std::uint8_t kAlarmOb = 2;
 constexpr std::uint32_t kDecodingUnit = 6;  // words
 
 struct Situation {

@@ -4,7 +4,7 @@
 namespace merker::sinumerik {
 namespace {
 
-constexpr std::uint8_t kStartUpOb = 20, kProgramSegment = 5;
+constexpr std::uint8_t kStartUpOb = 20;
 
 }  // namespace
 

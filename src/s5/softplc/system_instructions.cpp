@@ -84,13 +84,13 @@ bool copy(Processor& p, const Instruction& i) {
   return copyDownwards<Element>(p, source, target, i.operand.value);
 }
 
-constexpr HandlerRow kRows[] = {{Operation::LOAD_REGISTER, loadRegister},
-                                {Operation::TRANSFER_REGISTER, transferRegister},
-                                {Operation::COPY_BYTES, copy<Bytes>},
-                                {Operation::COPY_WORDS, copy<Words>}};
+constexpr HandlerRow kSystemRows[] = {{Operation::LOAD_REGISTER, loadRegister},
+                                      {Operation::TRANSFER_REGISTER, transferRegister},
+                                      {Operation::COPY_BYTES, copy<Bytes>},
+                                      {Operation::COPY_WORDS, copy<Words>}};
 
 }  // namespace
 
-HandlerRows systemHandlers() { return kRows; }
+HandlerRows systemHandlers() { return kSystemRows; }
 
 }  // namespace merker::sinumerik

@@ -69,17 +69,17 @@ bool shiftSignD(Processor& p, const Instruction& i) {
   return shifted(p, (value >> (n - 1) & 1) != 0);
 }
 
-constexpr HandlerRow kRows[] = {{Operation::AND_W, andW},
-                                {Operation::OR_W, orW},
-                                {Operation::XOR_W, xorW},
-                                {Operation::SHIFT_LEFT_W, shiftLeftW},
-                                {Operation::SHIFT_RIGHT_W, shiftRightW},
-                                {Operation::SHIFT_SIGN_W, shiftSignW},
-                                {Operation::SHIFT_LEFT_D, shiftLeftD},
-                                {Operation::SHIFT_SIGN_D, shiftSignD}};
+constexpr HandlerRow kWordRows[] = {{Operation::AND_W, andW},
+                                    {Operation::OR_W, orW},
+                                    {Operation::XOR_W, xorW},
+                                    {Operation::SHIFT_LEFT_W, shiftLeftW},
+                                    {Operation::SHIFT_RIGHT_W, shiftRightW},
+                                    {Operation::SHIFT_SIGN_W, shiftSignW},
+                                    {Operation::SHIFT_LEFT_D, shiftLeftD},
+                                    {Operation::SHIFT_SIGN_D, shiftSignD}};
 
 }  // namespace
 
-HandlerRows wordHandlers() { return kRows; }
+HandlerRows wordHandlers() { return kWordRows; }
 
 }  // namespace merker::sinumerik

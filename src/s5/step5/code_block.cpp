@@ -25,12 +25,6 @@ using mc5::Operation;
 
 constexpr std::string_view kCheck = "//=";
 
-std::string uppercase(std::string_view text) {
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(), upper);
-  return result;
-}
-
 class CodeCompiler {
  public:
   CodeCompiler(const BlockSource& source, std::size_t firstLine, const Callable& known, bool checks,

@@ -15,7 +15,7 @@ using mc5::Format;
 
 constexpr std::size_t kWords = 2048;  // S5-DB-01
 
-bool isComment(const Scanner& scanner) {
+bool beginsComment(const Scanner& scanner) {
   const char c = scanner.peek();
   return scanner.atEnd() || c == '!' || c == ';' || c == '*' ||
          (c == '/' && scanner.peek(1) == '/');
@@ -36,7 +36,7 @@ class DataCompiler {
   void line(const Line& line) {
     Scanner scanner(line.text, line.offset);
     scanner.skipBlanks();
-    if (isComment(scanner)) return keepComment(block_, next(), false, scanner.rest());
+    if (beginsComment(scanner)) return keepComment(block_, next(), false, scanner.rest());
     if (endsBlock(scanner) || closes(scanner)) return;
     number(scanner);
     const std::size_t offset = scanner.offset();

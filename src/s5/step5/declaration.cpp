@@ -31,12 +31,6 @@ constexpr std::array kTypes{Type{"BI", Width::Bit}, Type{"BY", Width::Byte}, Typ
                             Type{"D", Width::Double}};
 constexpr std::string_view kDataTypes = "KM KH KY KC KT KZ KF KG";
 
-std::string uppercase(std::string_view text) {
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(), upper);
-  return result;
-}
-
 bool hasType(ParameterKind kind) {
   return kind == ParameterKind::Input || kind == ParameterKind::Output ||
          kind == ParameterKind::Data;

@@ -57,12 +57,6 @@ constexpr std::array kWords{Word{"E", memory(Area::Input, Width::Bit), true},
                             Word{"FB", block(BlockType::Fb), false},
                             Word{"DB", block(BlockType::Db), false}};
 
-std::string uppercase(std::string_view text) {
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(), upper);
-  return result;
-}
-
 std::optional<std::uint32_t> number(Scanner& scanner) {
   const std::string_view digits = scanner.take(isDigit);
   std::uint32_t value = 0;

@@ -14,12 +14,6 @@ constexpr std::array<std::string_view, 9> kSigns{"+F", "+G", "-F", "-G", "*F",
 // "=>" is printed once for ">=" (9.3.5, OP-34).
 constexpr std::array<std::string_view, 7> kComparisons{"!=", "><", ">=", "<=", ">", "<", "=>"};
 
-std::string uppercase(std::string_view text) {
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(), upper);
-  return result;
-}
-
 bool startsWith(const Scanner& scanner, std::string_view sign) {
   for (std::size_t i = 0; i < sign.size(); ++i)
     if (upper(scanner.peek(i)) != sign[i]) return false;

@@ -4,6 +4,7 @@
 
 #include <cctype>
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 namespace merker::step5 {
@@ -54,6 +55,11 @@ inline bool isLetter(char c) { return std::isalpha(static_cast<unsigned char>(c)
 inline bool isDigit(char c) { return c >= '0' && c <= '9'; }
 inline bool isBlank(char c) { return c == ' ' || c == '\t'; }
 inline char upper(char c) { return static_cast<char>(std::toupper(static_cast<unsigned char>(c))); }
+inline std::string uppercase(std::string_view text) {
+  std::string result(text);
+  for (char& c : result) c = upper(c);
+  return result;
+}
 // Names of formal operands and labels: EIN, P-NR, DZ/A.
 inline bool isNameCharacter(char c) {
   return isLetter(c) || isDigit(c) || c == '-' || c == '/' || c == '_';

@@ -85,13 +85,13 @@ bool toDecimal(Lowering& l) {
   return true;
 }
 
-constexpr Row kRows[] = {{Operation::BTI, toNumber<16>},
-                         {Operation::BTD, toNumber<32>},
-                         {Operation::ITB, toDecimal<16>},
-                         {Operation::DTB, toDecimal<32>}};
+constexpr Row kBcdRows[] = {{Operation::BTI, toNumber<16>},
+                            {Operation::BTD, toNumber<32>},
+                            {Operation::ITB, toDecimal<16>},
+                            {Operation::DTB, toDecimal<32>}};
 
 }  // namespace
 
-std::span<const Row> bcdRows() { return kRows; }
+std::span<const Row> bcdRows() { return kBcdRows; }
 
 }  // namespace merker::translate

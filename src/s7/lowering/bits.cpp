@@ -201,29 +201,29 @@ Value stateOf(icode::Builder& b, StatusQuery query) {
   return b.constant(0);
 }
 
-constexpr Row kRows[] = {{Operation::AND, query<Logic::And, false>},
-                         {Operation::AND_NOT, query<Logic::And, true>},
-                         {Operation::OR, query<Logic::Or, false>},
-                         {Operation::OR_NOT, query<Logic::Or, true>},
-                         {Operation::XOR, query<Logic::Xor, false>},
-                         {Operation::XOR_NOT, query<Logic::Xor, true>},
-                         {Operation::AND_OPEN, open},
-                         {Operation::AND_NOT_OPEN, open},
-                         {Operation::OR_OPEN, open},
-                         {Operation::OR_NOT_OPEN, open},
-                         {Operation::XOR_OPEN, open},
-                         {Operation::XOR_NOT_OPEN, open},
-                         {Operation::CLOSE, closing},
-                         {Operation::AND_BEFORE_OR, andBeforeOr},
-                         {Operation::ASSIGN, assign},
-                         {Operation::SET_BIT, setOrReset<true>},
-                         {Operation::RESET_BIT, setOrReset<false>},
-                         {Operation::EDGE_POSITIVE, edge<true>},
-                         {Operation::EDGE_NEGATIVE, edge<false>},
-                         {Operation::CLR, fixed<false>},
-                         {Operation::SET, fixed<true>},
-                         {Operation::NOT, invert},
-                         {Operation::SAVE, save}};
+constexpr Row kBitsRows[] = {{Operation::AND, query<Logic::And, false>},
+                             {Operation::AND_NOT, query<Logic::And, true>},
+                             {Operation::OR, query<Logic::Or, false>},
+                             {Operation::OR_NOT, query<Logic::Or, true>},
+                             {Operation::XOR, query<Logic::Xor, false>},
+                             {Operation::XOR_NOT, query<Logic::Xor, true>},
+                             {Operation::AND_OPEN, open},
+                             {Operation::AND_NOT_OPEN, open},
+                             {Operation::OR_OPEN, open},
+                             {Operation::OR_NOT_OPEN, open},
+                             {Operation::XOR_OPEN, open},
+                             {Operation::XOR_NOT_OPEN, open},
+                             {Operation::CLOSE, closing},
+                             {Operation::AND_BEFORE_OR, andBeforeOr},
+                             {Operation::ASSIGN, assign},
+                             {Operation::SET_BIT, setOrReset<true>},
+                             {Operation::RESET_BIT, setOrReset<false>},
+                             {Operation::EDGE_POSITIVE, edge<true>},
+                             {Operation::EDGE_NEGATIVE, edge<false>},
+                             {Operation::CLR, fixed<false>},
+                             {Operation::SET, fixed<true>},
+                             {Operation::NOT, invert},
+                             {Operation::SAVE, save}};
 
 bool isOpening(Operation o) { return o >= Operation::AND_OPEN && o <= Operation::XOR_NOT_OPEN; }
 
@@ -255,7 +255,7 @@ bool prepareQuery(Lowering& outer, std::uint32_t place) {
 
 }  // namespace
 
-std::span<const Row> bitRows() { return kRows; }
+std::span<const Row> bitRows() { return kBitsRows; }
 
 std::optional<Value> readBit(Lowering& l) {
   const mc7::Operand& o = l.operand();

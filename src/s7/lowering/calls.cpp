@@ -80,7 +80,7 @@ bool endIf(Lowering& l) {
   return true;
 }
 
-bool open(Lowering& l) {
+bool openBlock(Lowering& l) {
   const auto number = blockNumber(l);
   if (!number) return false;
   const Space space = l.operand().reg == 1 ? Space::Instance : Space::Data;
@@ -96,13 +96,13 @@ bool exchange(Lowering& l) {
   return true;
 }
 
-constexpr Row kRows[] = {{Operation::UC, call<false>},  {Operation::CC, call<true>},
-                         {Operation::BE, end},          {Operation::BEA, end},
-                         {Operation::BEB, endIf},       {Operation::OPEN, open},
-                         {Operation::SWAP_DB, exchange}};
+constexpr Row kCallsRows[] = {{Operation::UC, call<false>},  {Operation::CC, call<true>},
+                              {Operation::BE, end},          {Operation::BEA, end},
+                              {Operation::BEB, endIf},       {Operation::OPEN, openBlock},
+                              {Operation::SWAP_DB, exchange}};
 
 }  // namespace
 
-std::span<const Row> callRows() { return kRows; }
+std::span<const Row> callRows() { return kCallsRows; }
 
 }  // namespace merker::translate

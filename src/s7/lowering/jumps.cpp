@@ -150,27 +150,27 @@ bool loop(Lowering& l) {
   return true;
 }
 
-constexpr Row kRows[] = {{Operation::SPA, always},
-                         {Operation::SPB, onRlo<true, false>},
-                         {Operation::SPBN, onRlo<false, false>},
-                         {Operation::SPBB, onRlo<true, true>},
-                         {Operation::SPBNB, onRlo<false, true>},
-                         {Operation::SPBI, onBr<true>},
-                         {Operation::SPBIN, onBr<false>},
-                         {Operation::SPO, onOverflow},
-                         {Operation::SPS, onStoredOverflow},
-                         {Operation::SPU, onConditions<When::Unordered>},
-                         {Operation::SPZ, onConditions<When::Zero>},
-                         {Operation::SPP, onConditions<When::Plus>},
-                         {Operation::SPM, onConditions<When::Minus>},
-                         {Operation::SPN, onConditions<When::NotZero>},
-                         {Operation::SPMZ, onConditions<When::MinusOrZero>},
-                         {Operation::SPPZ, onConditions<When::PlusOrZero>},
-                         {Operation::SPL, distribute},
-                         {Operation::LOOP, loop}};
+constexpr Row kJumpsRows[] = {{Operation::SPA, always},
+                              {Operation::SPB, onRlo<true, false>},
+                              {Operation::SPBN, onRlo<false, false>},
+                              {Operation::SPBB, onRlo<true, true>},
+                              {Operation::SPBNB, onRlo<false, true>},
+                              {Operation::SPBI, onBr<true>},
+                              {Operation::SPBIN, onBr<false>},
+                              {Operation::SPO, onOverflow},
+                              {Operation::SPS, onStoredOverflow},
+                              {Operation::SPU, onConditions<When::Unordered>},
+                              {Operation::SPZ, onConditions<When::Zero>},
+                              {Operation::SPP, onConditions<When::Plus>},
+                              {Operation::SPM, onConditions<When::Minus>},
+                              {Operation::SPN, onConditions<When::NotZero>},
+                              {Operation::SPMZ, onConditions<When::MinusOrZero>},
+                              {Operation::SPPZ, onConditions<When::PlusOrZero>},
+                              {Operation::SPL, distribute},
+                              {Operation::LOOP, loop}};
 
 }  // namespace
 
-std::span<const Row> jumpRows() { return kRows; }
+std::span<const Row> jumpRows() { return kJumpsRows; }
 
 }  // namespace merker::translate

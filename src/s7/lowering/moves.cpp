@@ -184,32 +184,32 @@ bool step(Lowering& l) {
 
 bool nothing(Lowering&) { return true; }
 
-constexpr Row kRows[] = {{Operation::LOAD, load},
-                         {Operation::TRANSFER, transfer},
-                         {Operation::LOAD_STW, loadStatus},
-                         {Operation::TRANSFER_STW, transferStatus},
-                         {Operation::LAR1, loadAddress<Item::Ar1>},
-                         {Operation::LAR2, loadAddress<Item::Ar2>},
-                         {Operation::TAR1, storeAddress<Item::Ar1>},
-                         {Operation::TAR2, storeAddress<Item::Ar2>},
-                         {Operation::TAR, exchange<Item::Ar1, Item::Ar2>},
-                         {Operation::ADD_AR1, advance<Item::Ar1>},
-                         {Operation::ADD_AR2, advance<Item::Ar2>},
-                         {Operation::SWAP_BYTES_W, swapLow},
-                         {Operation::SWAP_BYTES_D, swapAll},
-                         {Operation::TAK, exchange<Item::Accu1, Item::Accu2>},
-                         {Operation::PUSH, pushAccu},
-                         {Operation::POP, popAccu},
-                         {Operation::ENT, enter},
-                         {Operation::LEAVE, leave},
-                         {Operation::INC, step<Opcode::Add>},
-                         {Operation::DEC, step<Opcode::Sub>},
-                         {Operation::BLD, nothing},
-                         {Operation::NOP0, nothing},
-                         {Operation::NOP1, nothing}};
+constexpr Row kMovesRows[] = {{Operation::LOAD, load},
+                              {Operation::TRANSFER, transfer},
+                              {Operation::LOAD_STW, loadStatus},
+                              {Operation::TRANSFER_STW, transferStatus},
+                              {Operation::LAR1, loadAddress<Item::Ar1>},
+                              {Operation::LAR2, loadAddress<Item::Ar2>},
+                              {Operation::TAR1, storeAddress<Item::Ar1>},
+                              {Operation::TAR2, storeAddress<Item::Ar2>},
+                              {Operation::TAR, exchange<Item::Ar1, Item::Ar2>},
+                              {Operation::ADD_AR1, advance<Item::Ar1>},
+                              {Operation::ADD_AR2, advance<Item::Ar2>},
+                              {Operation::SWAP_BYTES_W, swapLow},
+                              {Operation::SWAP_BYTES_D, swapAll},
+                              {Operation::TAK, exchange<Item::Accu1, Item::Accu2>},
+                              {Operation::PUSH, pushAccu},
+                              {Operation::POP, popAccu},
+                              {Operation::ENT, enter},
+                              {Operation::LEAVE, leave},
+                              {Operation::INC, step<Opcode::Add>},
+                              {Operation::DEC, step<Opcode::Sub>},
+                              {Operation::BLD, nothing},
+                              {Operation::NOP0, nothing},
+                              {Operation::NOP1, nothing}};
 
 }  // namespace
 
-std::span<const Row> moveRows() { return kRows; }
+std::span<const Row> moveRows() { return kMovesRows; }
 
 }  // namespace merker::translate

@@ -98,28 +98,28 @@ bool toDint(Lowering& l) {
   return true;
 }
 
-constexpr Row kRows[] = {{Operation::ADD_R, binary<Opcode::AddReal>},
-                         {Operation::SUB_R, binary<Opcode::SubReal>},
-                         {Operation::MUL_R, binary<Opcode::MulReal>},
-                         {Operation::DIV_R, binary<Opcode::DivReal>},
-                         {Operation::NEGR, sign<Opcode::Xor, 0x8000'0000u>},
-                         {Operation::ABS, sign<Opcode::And, 0x7FFF'FFFFu>},
-                         {Operation::EQ_R, compare<Relation::Equal>},
-                         {Operation::NE_R, compare<Relation::NotEqual>},
-                         {Operation::LT_R, compare<Relation::Less>},
-                         {Operation::LE_R, compare<Relation::LessEqual>},
-                         {Operation::GT_R, compare<Relation::Greater>},
-                         {Operation::GE_R, compare<Relation::GreaterEqual>},
-                         {Operation::DTR, fromDint},
-                         {Operation::RND, toDint<To::Nearest>},
-                         {Operation::RND_MINUS, toDint<To::Below>},
-                         {Operation::RND_PLUS, toDint<To::Above>},
-                         {Operation::TRUNC, toDint<To::Zero>},
-                         {Operation::SQR, square},
-                         {Operation::SQRT, root}};
+constexpr Row kRealsRows[] = {{Operation::ADD_R, binary<Opcode::AddReal>},
+                              {Operation::SUB_R, binary<Opcode::SubReal>},
+                              {Operation::MUL_R, binary<Opcode::MulReal>},
+                              {Operation::DIV_R, binary<Opcode::DivReal>},
+                              {Operation::NEGR, sign<Opcode::Xor, 0x8000'0000u>},
+                              {Operation::ABS, sign<Opcode::And, 0x7FFF'FFFFu>},
+                              {Operation::EQ_R, compare<Relation::Equal>},
+                              {Operation::NE_R, compare<Relation::NotEqual>},
+                              {Operation::LT_R, compare<Relation::Less>},
+                              {Operation::LE_R, compare<Relation::LessEqual>},
+                              {Operation::GT_R, compare<Relation::Greater>},
+                              {Operation::GE_R, compare<Relation::GreaterEqual>},
+                              {Operation::DTR, fromDint},
+                              {Operation::RND, toDint<To::Nearest>},
+                              {Operation::RND_MINUS, toDint<To::Below>},
+                              {Operation::RND_PLUS, toDint<To::Above>},
+                              {Operation::TRUNC, toDint<To::Zero>},
+                              {Operation::SQR, square},
+                              {Operation::SQRT, root}};
 
 }  // namespace
 
-std::span<const Row> realRows() { return kRows; }
+std::span<const Row> realRows() { return kRealsRows; }
 
 }  // namespace merker::translate

@@ -126,14 +126,15 @@ bool throughA1(Lowering& l) {
   return true;
 }
 
-constexpr Row kRows[] = {{Operation::SLW, left<16>},         {Operation::SLD, left<32>},
-                         {Operation::SRW, right<16>},        {Operation::SRD, right<32>},
-                         {Operation::SSI, rightSigned<16>},  {Operation::SSD, rightSigned<32>},
-                         {Operation::RLD, rotate<true>},     {Operation::RRD, rotate<false>},
-                         {Operation::RLDA, throughA1<true>}, {Operation::RRDA, throughA1<false>}};
+constexpr Row kShiftsRows[] = {
+    {Operation::SLW, left<16>},         {Operation::SLD, left<32>},
+    {Operation::SRW, right<16>},        {Operation::SRD, right<32>},
+    {Operation::SSI, rightSigned<16>},  {Operation::SSD, rightSigned<32>},
+    {Operation::RLD, rotate<true>},     {Operation::RRD, rotate<false>},
+    {Operation::RLDA, throughA1<true>}, {Operation::RRDA, throughA1<false>}};
 
 }  // namespace
 
-std::span<const Row> shiftRows() { return kRows; }
+std::span<const Row> shiftRows() { return kShiftsRows; }
 
 }  // namespace merker::translate

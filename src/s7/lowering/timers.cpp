@@ -120,19 +120,19 @@ bool load(Lowering& l) {
   return true;
 }
 
-constexpr Row kRows[] = {{Operation::TIMER_SI, start<Kind::Pulse>},
-                         {Operation::TIMER_SV, start<Kind::ExtendedPulse>},
-                         {Operation::TIMER_SE, start<Kind::OnDelay>},
-                         {Operation::TIMER_SS, start<Kind::StoredOnDelay>},
-                         {Operation::TIMER_SA, start<Kind::OffDelay>},
-                         {Operation::ENABLE, enable},
-                         {Operation::COUNT_UP, step<true>},
-                         {Operation::COUNT_DOWN, step<false>},
-                         {Operation::LOAD_BCD, load<true>}};
+constexpr Row kTimersRows[] = {{Operation::TIMER_SI, start<Kind::Pulse>},
+                               {Operation::TIMER_SV, start<Kind::ExtendedPulse>},
+                               {Operation::TIMER_SE, start<Kind::OnDelay>},
+                               {Operation::TIMER_SS, start<Kind::StoredOnDelay>},
+                               {Operation::TIMER_SA, start<Kind::OffDelay>},
+                               {Operation::ENABLE, enable},
+                               {Operation::COUNT_UP, step<true>},
+                               {Operation::COUNT_DOWN, step<false>},
+                               {Operation::LOAD_BCD, load<true>}};
 
 }  // namespace
 
-std::span<const Row> timerRows() { return kRows; }
+std::span<const Row> timerRows() { return kTimersRows; }
 
 bool loadTimerOrCounter(Lowering& l) { return load<false>(l); }
 

@@ -2,11 +2,11 @@
 #include "base/bytes.h"
 #include "system/call.h"
 #include "system/module_access.h"
+#include "system/records.h"
 
 namespace merker::system {
 namespace {
 
-constexpr std::uint32_t kUnknownAddress = 0x8090;
 constexpr std::uint32_t kHighestSlot = 11, kCpuSlot = 2, kHighestSubslot = 5;
 
 // 0, or which part of the place cannot be.

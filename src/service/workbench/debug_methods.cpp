@@ -2,6 +2,7 @@
 #include "workbench/method.h"
 
 namespace merker::workbench {
+namespace debug_methods {
 namespace {
 
 using monitor::Feature;
@@ -93,7 +94,8 @@ constexpr Method kMethods[] = {
 };
 
 }  // namespace
+}  // namespace debug_methods
 
-std::span<const Method> debugMethods() { return kMethods; }
+std::span<const Method> debugMethods() { return debug_methods::kMethods; }
 
 }  // namespace merker::workbench

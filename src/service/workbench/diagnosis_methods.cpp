@@ -4,6 +4,7 @@
 #include "workbench/method.h"
 
 namespace merker::workbench {
+namespace diagnosis_methods {
 namespace {
 
 using monitor::Feature;
@@ -115,7 +116,8 @@ constexpr Method kMethods[] = {
 };
 
 }  // namespace
+}  // namespace diagnosis_methods
 
-std::span<const Method> diagnosisMethods() { return kMethods; }
+std::span<const Method> diagnosisMethods() { return diagnosis_methods::kMethods; }
 
 }  // namespace merker::workbench

@@ -4,6 +4,7 @@
 #include "workbench/hardware_plan.h"
 
 namespace merker::workbench {
+namespace file_methods {
 namespace {
 
 Answer outcome(std::optional<Problem> problem, Json result = Json::object()) {
@@ -112,7 +113,8 @@ constexpr Method kMethods[] = {
 };
 
 }  // namespace
+}  // namespace file_methods
 
-std::span<const Method> fileMethods() { return kMethods; }
+std::span<const Method> fileMethods() { return file_methods::kMethods; }
 
 }  // namespace merker::workbench

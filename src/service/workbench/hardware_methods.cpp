@@ -4,6 +4,7 @@
 #include "workbench/hardware_rows.h"
 
 namespace merker::workbench {
+namespace hardware_methods {
 namespace {
 
 using monitor::Feature;
@@ -103,7 +104,8 @@ constexpr Method kMethods[] = {
 };
 
 }  // namespace
+}  // namespace hardware_methods
 
-std::span<const Method> hardwareMethods() { return kMethods; }
+std::span<const Method> hardwareMethods() { return hardware_methods::kMethods; }
 
 }  // namespace merker::workbench

@@ -15,6 +15,7 @@ std::optional<monitor::Trigger> triggerOf(const Fields& fields) {
   return monitor::Trigger{kPoints[point], once};
 }
 
+namespace modify_methods {
 namespace {
 
 using monitor::Feature;
@@ -50,7 +51,8 @@ constexpr Method kMethods[] = {
 };
 
 }  // namespace
+}  // namespace modify_methods
 
-std::span<const Method> modifyMethods() { return kMethods; }
+std::span<const Method> modifyMethods() { return modify_methods::kMethods; }
 
 }  // namespace merker::workbench

@@ -6,6 +6,7 @@
 #include "workbench/translated.h"
 
 namespace merker::workbench {
+namespace plc_methods {
 namespace {
 
 using monitor::Feature;
@@ -148,7 +149,8 @@ constexpr Method kMethods[] = {
 };
 
 }  // namespace
+}  // namespace plc_methods
 
-std::span<const Method> plcMethods() { return kMethods; }
+std::span<const Method> plcMethods() { return plc_methods::kMethods; }
 
 }  // namespace merker::workbench

@@ -4,6 +4,7 @@
 #include "workbench/process_rows.h"
 
 namespace merker::workbench {
+namespace process_methods {
 namespace {
 
 using monitor::Feature;
@@ -104,6 +105,7 @@ constexpr Method kMethods[] = {
 };
 
 }  // namespace
+}  // namespace process_methods
 
 void releaseHeld(Shared& shared, const Browser& browser) {
   plant::Field* const field = shared.plc ? shared.plc->field() : nullptr;
@@ -121,6 +123,6 @@ void releaseHeld(Shared& shared, const Browser& browser) {
   }
 }
 
-std::span<const Method> processMethods() { return kMethods; }
+std::span<const Method> processMethods() { return process_methods::kMethods; }
 
 }  // namespace merker::workbench

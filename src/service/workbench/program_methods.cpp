@@ -4,6 +4,7 @@
 #include "workbench/translated.h"
 
 namespace merker::workbench {
+namespace program_methods {
 namespace {
 
 using monitor::Feature;
@@ -296,7 +297,8 @@ constexpr Method kMethods[] = {
 };
 
 }  // namespace
+}  // namespace program_methods
 
-std::span<const Method> programMethods() { return kMethods; }
+std::span<const Method> programMethods() { return program_methods::kMethods; }
 
 }  // namespace merker::workbench

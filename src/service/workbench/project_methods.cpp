@@ -5,6 +5,7 @@
 #include "workbench/elsewhere.h"
 
 namespace merker::workbench {
+namespace project_methods {
 namespace {
 
 Answer rows(const Workspace& workspace, const std::vector<std::string>& recent) {
@@ -145,7 +146,8 @@ constexpr Method kMethods[] = {
 };
 
 }  // namespace
+}  // namespace project_methods
 
-std::span<const Method> projectMethods() { return kMethods; }
+std::span<const Method> projectMethods() { return project_methods::kMethods; }
 
 }  // namespace merker::workbench

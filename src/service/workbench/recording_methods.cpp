@@ -3,6 +3,7 @@
 #include "workbench/project_file.h"
 
 namespace merker::workbench {
+namespace recording_methods {
 namespace {
 
 constexpr std::string_view kEnding = ".rec";
@@ -81,7 +82,8 @@ constexpr Method kMethods[] = {
 };
 
 }  // namespace
+}  // namespace recording_methods
 
-std::span<const Method> recordingMethods() { return kMethods; }
+std::span<const Method> recordingMethods() { return recording_methods::kMethods; }
 
 }  // namespace merker::workbench

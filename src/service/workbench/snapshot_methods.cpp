@@ -16,6 +16,7 @@ std::vector<std::string> hardwareOf(const io::Rack* rack) {
   return lines;
 }
 
+namespace snapshot_methods {
 namespace {
 
 using monitor::Feature;
@@ -186,7 +187,8 @@ constexpr Method kMethods[] = {
 };
 
 }  // namespace
+}  // namespace snapshot_methods
 
-std::span<const Method> snapshotMethods() { return kMethods; }
+std::span<const Method> snapshotMethods() { return snapshot_methods::kMethods; }
 
 }  // namespace merker::workbench

@@ -24,7 +24,7 @@ Result<Json> blocks(const std::string& path, const block::Program& program, std:
   return list;
 }
 
-Json timer(const block::RetentiveTimer& t) {
+Json timerJson(const block::RetentiveTimer& t) {
   return {{"kind", t.kind},
           {"startEdge", t.startEdge},
           {"enableEdge", t.enableEdge},
@@ -35,7 +35,7 @@ Json timer(const block::RetentiveTimer& t) {
           {"end", t.end}};
 }
 
-Json counter(const block::RetentiveCounter& c) {
+Json counterJson(const block::RetentiveCounter& c) {
   return {{"count", c.count},
           {"setEdge", c.setEdge},
           {"upEdge", c.upEdge},
@@ -43,7 +43,7 @@ Json counter(const block::RetentiveCounter& c) {
           {"enableEdge", c.enableEdge}};
 }
 
-Json event(const block::RetentiveEvent& e) {
+Json eventJson(const block::RetentiveEvent& e) {
   Json json = {{"event", e.event},
                {"time", e.time},
                {"text", e.text},
@@ -85,11 +85,11 @@ Json memory(const block::RetentiveData& data) {
   return {{"now", data.now},
           {"clock", data.clock},
           {"flags", toHex(data.flags)},
-          {"timers", runsOf(data.timers, timer)},
-          {"counters", runsOf(data.counters, counter)},
+          {"timers", runsOf(data.timers, timerJson)},
+          {"counters", runsOf(data.counters, counterJson)},
           {"meters", listOf(data.meters, meter)},
           {"dataBlocks", listOf(data.dataBlocks, block)},
-          {"events", listOf(data.events, event)}};
+          {"events", listOf(data.events, eventJson)}};
 }
 
 Json interrupts(const cpu::Interrupts& all) {
@@ -144,7 +144,7 @@ Result<std::string> snapshotText(const std::string& path, const SavedCpu& saved,
                      {"switch", kPositions[static_cast<std::size_t>(s.position)]},
                      {"fault", s.stoppedByFault},
                      {"timersByHand", s.timersHeld},
-                     {"stop", listOf(s.stopEvent, event)},
+                     {"stop", listOf(s.stopEvent, eventJson)},
                      {"interrupts", interrupts(s.interrupts)},
                      {"systemTime", s.systemTime},
                      {"scan", s.scan},

@@ -6,6 +6,7 @@
 #include "workbench/symbol_rows.h"
 
 namespace merker::workbench {
+namespace symbol_methods {
 namespace {
 
 using monitor::Feature;
@@ -130,7 +131,8 @@ constexpr Method kMethods[] = {
 };
 
 }  // namespace
+}  // namespace symbol_methods
 
-std::span<const Method> symbolMethods() { return kMethods; }
+std::span<const Method> symbolMethods() { return symbol_methods::kMethods; }
 
 }  // namespace merker::workbench

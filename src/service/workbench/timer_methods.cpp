@@ -2,6 +2,7 @@
 #include "workbench/method.h"
 
 namespace merker::workbench {
+namespace timer_methods {
 namespace {
 
 using monitor::Feature;
@@ -33,7 +34,8 @@ constexpr Method kMethods[] = {
 };
 
 }  // namespace
+}  // namespace timer_methods
 
-std::span<const Method> timerMethods() { return kMethods; }
+std::span<const Method> timerMethods() { return timer_methods::kMethods; }
 
 }  // namespace merker::workbench

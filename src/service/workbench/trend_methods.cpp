@@ -2,6 +2,7 @@
 #include "workbench/method.h"
 
 namespace merker::workbench {
+namespace trend_methods {
 namespace {
 
 // Of a list; of all lists of a browser, which are read in each cycle; and the values that wait for
@@ -58,7 +59,8 @@ constexpr Method kMethods[] = {
 };
 
 }  // namespace
+}  // namespace trend_methods
 
-std::span<const Method> trendMethods() { return kMethods; }
+std::span<const Method> trendMethods() { return trend_methods::kMethods; }
 
 }  // namespace merker::workbench

@@ -4,6 +4,7 @@
 #include "workbench/wishes.h"
 
 namespace merker::workbench {
+namespace variable_methods {
 namespace {
 
 std::vector<WatchItem> items(const Call& call) {
@@ -96,7 +97,8 @@ constexpr Method kMethods[] = {
 };
 
 }  // namespace
+}  // namespace variable_methods
 
-std::span<const Method> variableMethods() { return kMethods; }
+std::span<const Method> variableMethods() { return variable_methods::kMethods; }
 
 }  // namespace merker::workbench

@@ -10,10 +10,6 @@ namespace {
 
 using sinumerik::Level;
 
-std::uint16_t openBlock(const sinumerik::Frame& frame) {
-  return frame.data.open ? frame.data.number : std::uint16_t{0};
-}
-
 // Where a block goes on: behind the parameters of its call, not in front of the jump over them.
 SourcePlace returnPlace(const ProgramCode& program, mc5::BlockId block, std::uint32_t word) {
   const BlockId id = mc5::neutralId(block);

@@ -14,10 +14,6 @@ BlockCode codeAt(const ProgramCode& program, BlockId id) {
   return program.find(id).value_or(BlockCode(kNone));
 }
 
-std::uint16_t openBlock(const sinumerik::Frame& frame) {
-  return frame.data.open ? frame.data.number : std::uint16_t{0};
-}
-
 // FEHLCODE is the number of the alarm without 6000.
 bool isBetween(const sinumerik::FineCode& fine) {
   using enum sinumerik::Alarm;
@@ -52,6 +48,10 @@ class ControlSpot final : public Spot {
 };
 
 }  // namespace
+
+std::uint16_t openBlock(const sinumerik::Frame& frame) {
+  return frame.data.open ? frame.data.number : std::uint16_t{0};
+}
 
 Registers toRegisters(const sinumerik::Registers& r, std::uint16_t db) {
   const sinumerik::Displays& d = r.displays;

@@ -9,6 +9,7 @@
 
 namespace merker::monitor {
 
+std::uint16_t openBlock(const sinumerik::Frame& frame);  // number of the data block, or 0
 Registers toRegisters(const sinumerik::Registers& registers, std::uint16_t db);
 Registers toRegisters(const sinumerik::InterruptStack& stack);  // of the last STOP
 

@@ -13,7 +13,7 @@ namespace {
 
 using enum DisplayFormat;
 
-constexpr FormatRow kRows[] = {
+constexpr FormatRow kDisplayFormatRows[] = {
     {Automatic, "AUTO", 1, 32}, {Bool, "BOOL", 1, 1},         {Bin, "BIN", 1, 32},
     {Hex, "HEX", 1, 32},        {Dec, "DEC", 8, 32},          {Unsigned, "UDEC", 1, 32},
     {Bcd, "BCD", 8, 32},        {Char, "CHAR", 8, 32},        {Real, "REAL", 32, 32},
@@ -22,9 +22,9 @@ constexpr FormatRow kRows[] = {
 };
 
 const FormatRow& row(DisplayFormat format) {
-  for (const FormatRow& one : kRows)
+  for (const FormatRow& one : kDisplayFormatRows)
     if (one.format == format) return one;
-  return kRows[0];
+  return kDisplayFormatRows[0];
 }
 
 std::int32_t withSign(std::uint32_t bits, unsigned width) {
@@ -101,12 +101,12 @@ std::optional<ConstantFormat> constantFormat(DisplayFormat format) {
 
 }  // namespace
 
-std::span<const FormatRow> displayFormats() { return kRows; }
+std::span<const FormatRow> displayFormats() { return kDisplayFormatRows; }
 std::string_view name(DisplayFormat format) { return row(format).name; }
 
 Result<DisplayFormat> parseFormat(std::string_view text) {
   std::string names;
-  for (const FormatRow& one : kRows) {
+  for (const FormatRow& one : kDisplayFormatRows) {
     if (equalsIgnoreCase(one.name, trim(text))) return one.format;
     names += (names.empty() ? "" : ", ") + std::string(one.name);
   }

@@ -5,11 +5,10 @@
 #include <optional>
 
 #include "base/text.h"
+#include "monitor/nowhere.h"
 
 namespace merker::monitor {
 namespace {
-
-Position nowhere() { return Position{"", 0, 0, 0}; }
 
 std::optional<std::uint32_t> number(std::string_view text) {
   std::uint32_t value = 0;

@@ -3,14 +3,9 @@
 #include <algorithm>
 
 #include "base/text.h"
+#include "monitor/nowhere.h"
 
 namespace merker::monitor {
-namespace {
-
-Position nowhere() { return Position{"", 0, 0, 0}; }
-
-}  // namespace
-
 Monitor::Monitor(std::unique_ptr<Target> target, const source::SymbolTable& symbols,
                  simulator::Resolver resolver)
     : target_(std::move(target)),

@@ -1,6 +1,7 @@
 #include "monitor/value.h"
 
 #include "base/text.h"
+#include "monitor/nowhere.h"
 #include "scenario/long_value.h"
 #include "scenario/term.h"
 
@@ -8,8 +9,6 @@ namespace merker::monitor {
 namespace {
 
 using simulator::isLong;
-
-Position nowhere() { return Position{"", 0, 0, 0}; }
 
 // T and Z as bits show their status.
 bool isStatus(const address::Reference& reference, DisplayFormat format) {

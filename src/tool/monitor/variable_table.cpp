@@ -1,9 +1,9 @@
 #include "monitor/variable_table.h"
 
+#include "monitor/nowhere.h"
+
 namespace merker::monitor {
 namespace {
-
-Position nowhere() { return Position{"", 0, 0, 0}; }
 
 bool comesBy(std::optional<Trigger>& trigger, CyclePoint point) {
   if (!trigger || trigger->point != point) return false;

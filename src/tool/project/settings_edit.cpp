@@ -169,7 +169,7 @@ const toml::array* fileList(const View& view, std::string_view key) {
   return program == nullptr ? nullptr : listOf(*program, key);
 }
 
-std::string quoted(std::string_view path) { return fmt::format("\"{}\"", path); }
+std::string inQuotes(std::string_view path) { return fmt::format("\"{}\"", path); }
 
 // The entry that names exactly this file.
 const toml::node* entryOf(const toml::array& list, std::string_view path) {
@@ -190,10 +190,10 @@ void renameIn(View& view, const toml::array& list, std::string_view from, std::s
   if (const toml::node* entry = entryOf(list, from)) {
     const toml::source_region& place = entry->source();
     view.text().replace(place.begin.line, place.begin.column, place.end.line, place.end.column,
-                        quoted(to));
+                        inQuotes(to));
   } else if (finds(list, from) && !finds(list, to)) {
     const toml::source_position& end = list.back().source().end;
-    view.text().replace(end.line, end.column, end.line, end.column, ", " + quoted(to));
+    view.text().replace(end.line, end.column, end.line, end.column, ", " + inQuotes(to));
   }
 }
 
@@ -201,7 +201,7 @@ std::string listWithout(const toml::array& list, std::string_view path) {
   std::string text;
   for (const toml::node& node : list)
     if (const auto* entry = node.as_string(); entry != nullptr && entry->get() != path)
-      text += (text.empty() ? "" : ", ") + quoted(entry->get());
+      text += (text.empty() ? "" : ", ") + inQuotes(entry->get());
   return "[" + text + "]";
 }
 
