@@ -20,8 +20,12 @@ struct ZipEntry {
   bool link = false, encrypted = false;
 };
 // Null if it is no zip. `unpacked` counts the bytes of all files that were opened.
-std::shared_ptr<Container> zipContainer(std::unique_ptr<File> file, const Limits& limits,
+std::shared_ptr<Container> zipContainer(std::shared_ptr<const File> file, const Limits& limits,
                                         std::shared_ptr<std::uint64_t> unpacked,
                                         std::vector<ZipEntry>& entries);
+
+// A zip whose directory is missing or damaged, with one made of its whole files; null if it has
+// none. `end`: behind the last of them.
+std::shared_ptr<const File> salvaged(const std::shared_ptr<const File>& zip, std::uint64_t& end);
 
 }  // namespace merker::archive

@@ -1,5 +1,6 @@
 #include "archive/tree.h"
 
+#include <fmt/format.h>
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -68,7 +69,7 @@ void Tree::addEntry(Entry entry, unsigned zips) {
   if (zip && zips >= limits_.zips) return refuse(entry.path, Refusal::TooDeep);
   if (zip) {
     auto file = open(entry);
-    if (file && isZip(*file) && addZip(std::move(file), entry.path + "/", zips)) return;
+    if (file && isZip(*file) && addZip(std::move(file), entry.path, entry.path + "/", zips)) return;
   }
   files_.push_back(std::move(entry));
 }
@@ -84,9 +85,16 @@ void Tree::addFolder(const std::string& path, const std::string& prefix, unsigne
       [&](const std::string& file, Refusal why) { refuse(prefix + file, why); });
 }
 
-bool Tree::addZip(std::unique_ptr<File> file, const std::string& prefix, unsigned zips) {
+bool Tree::addZip(std::shared_ptr<const File> file, const std::string& zipPath,
+                  const std::string& prefix, unsigned zips) {
   std::vector<ZipEntry> entries;
-  const auto zip = zipContainer(std::move(file), limits_, unpacked_, entries);
+  auto zip = zipContainer(file, limits_, unpacked_, entries);
+  if (!zip) {
+    std::uint64_t end = 0;
+    if (const auto whole = salvaged(file, end))
+      zip = zipContainer(whole, limits_, unpacked_, entries);
+    refuse(fmt::format("{}, from byte {} on", zipPath, end), Refusal::Damaged);
+  }
   if (!zip) return false;
   for (const ZipEntry& entry : entries) {
     std::string path = entry.path;
@@ -122,7 +130,7 @@ Tree::Tree(const std::string& path, const Limits& limits) : limits_(limits) {
   } else if (auto file = openFile(path)) {
     const std::string name(nameOf(path));
     const std::uint64_t size = file->size();
-    if (!isZip(*file) || !addZip(std::move(file), "", 0)) {
+    if (!isZip(*file) || !addZip(std::move(file), name, "", 0)) {
       single_ = true;
       const std::string folder(folderOf(path));
       const bool root = folder.empty() && path.starts_with('/');
@@ -151,7 +159,7 @@ class Held final : public Container {
 }  // namespace
 
 Tree::Tree(std::unique_ptr<File> zip, const Limits& limits) : limits_(limits), readable_(true) {
-  if (isZip(*zip)) addZip(std::move(zip), "", 0);
+  if (isZip(*zip)) addZip(std::move(zip), "zip", "", 0);
   finish();
 }
 

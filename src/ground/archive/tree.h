@@ -30,7 +30,8 @@ enum class Refusal : std::uint8_t {
   TooLarge,
   TooDense,
   TooDeep,
-  Encrypted
+  Encrypted,
+  Damaged  // a zip: its path says from where on
 };
 struct Refused {
   std::string path;
@@ -74,7 +75,8 @@ class Tree {
 
  private:
   void addFolder(const std::string& path, const std::string& prefix, unsigned depth);
-  bool addZip(std::unique_ptr<File> file, const std::string& prefix, unsigned depth);
+  bool addZip(std::shared_ptr<const File> file, const std::string& path, const std::string& prefix,
+              unsigned depth);
   void addEntry(Entry entry, unsigned zips);
   void refuse(std::string path, Refusal why) const;
   void finish();

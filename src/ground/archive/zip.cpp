@@ -12,7 +12,7 @@ constexpr std::uint64_t kInMemory = 1u << 20;  // larger files are unpacked into
 
 // A file of ours as libzip reads it.
 struct Source {
-  std::unique_ptr<File> file;
+  std::shared_ptr<const File> file;
   std::uint64_t at = 0;
   zip_error_t error{};
 };
@@ -156,7 +156,7 @@ ZipEntry entryOf(zip_t* zip, std::uint64_t index, const char* name, const zip_st
 
 }  // namespace
 
-std::shared_ptr<Container> zipContainer(std::unique_ptr<File> file, const Limits& limits,
+std::shared_ptr<Container> zipContainer(std::shared_ptr<const File> file, const Limits& limits,
                                         std::shared_ptr<std::uint64_t> unpacked,
                                         std::vector<ZipEntry>& entries) {
   zip_error_t error;

@@ -1,5 +1,6 @@
 #include "archive/tree.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "../archive_zip.h"
@@ -106,7 +107,7 @@ TEST(Tree, aDamagedZipCostsItself) {
   const TestFolder folder;
   folder.zip("p.zip", {{"a", std::string(5000, 'a') + "b"}});
   std::string bytes = folder.read("p.zip");
-  folder.write("cut.zip", bytes.substr(0, bytes.size() / 2));
+  folder.write("cut.zip", bytes.substr(0, 40));
   const Tree cut(folder.path("cut.zip"));
   EXPECT_TRUE(cut.isSingleFile());
   bytes[45] = static_cast<char>(bytes[45] ^ 0x55);  // inside the packed data
@@ -116,6 +117,32 @@ TEST(Tree, aDamagedZipCostsItself) {
   EXPECT_EQ(wrong.open("a"), nullptr);
   EXPECT_TRUE(refused(wrong, Refusal::Unreadable));
   EXPECT_FALSE(Tree(folder.path("missing")).readable());
+}
+
+// Files have headers of their own: those before the damage are read without the directory.
+TEST(Tree, aZipThatIsCutOffGivesItsWholeFiles) {
+  const TestFolder folder;
+  folder.zip("p.zip", {{"a.txt", "first"}, {"b/c.txt", std::string(5000, 'x')}, {"d.txt", "last"}});
+  const std::string whole = folder.read("p.zip");
+  const std::size_t third = whole.find("PK\3\4", whole.find("b/c.txt"));
+  folder.write("cut.zip", whole.substr(0, third + 20));
+  const Tree tree(folder.path("cut.zip"));
+  EXPECT_EQ(tree.files().size(), 2u);
+  EXPECT_EQ(textOf(tree, "a.txt"), "first");
+  EXPECT_EQ(textOf(tree, "B/C.TXT"), std::string(1000, 'x'));
+  ASSERT_EQ(tree.refused().size(), 1u);
+  EXPECT_EQ(tree.refused()[0].why, Refusal::Damaged);
+  EXPECT_EQ(tree.refused()[0].path, fmt::format("cut.zip, from byte {} on", third));
+}
+
+TEST(Tree, aZipOfHeadersOnlyIsDamaged) {
+  const TestFolder folder;
+  std::string bytes;
+  for (int i = 0; i < 20'000; ++i)
+    bytes += std::string("PK\3\4\x14\0\x08\0", 8) + std::string(26, '\0');
+  folder.write("h.zip", bytes);
+  const Tree tree(folder.path("h.zip"));
+  EXPECT_TRUE(refused(tree, Refusal::Damaged));
 }
 
 }  // namespace
