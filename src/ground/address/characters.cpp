@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "address/constant.h"
+#include "base/code_page.h"
 #include "base/text.h"
 #include "base/utf8.h"
 
@@ -39,13 +40,15 @@ bool takeEscape(std::string_view& text, std::string& bytes) {
   return false;
 }
 
-// One character that is no escape; false if CP1252 has no byte for it.
+// One character that is no escape; false if no code page of Windows has it.
 bool takeCharacter(std::string_view& text, std::string& bytes) {
   std::size_t length = 0;
   const char32_t character = nextCharacter(text, length);
   const std::string byte = toCp1252(text.substr(0, length));
-  if (byte == "?" && character != U'?') return false;
-  bytes += byte;
+  const bool foreign = byte == "?" && character != U'?';
+  const auto others = foreign ? windowsBytes(text.substr(0, length)) : std::nullopt;
+  if (foreign && !others) return false;
+  bytes += foreign ? *others : byte;
   text.remove_prefix(length);
   return true;
 }
@@ -68,7 +71,7 @@ Result<std::string> parseCharacters(std::string_view quoted, const Position& at)
   std::string bytes;
   while (!text.empty() && text[0] != '\'') {
     if (text[0] != '$') {
-      if (!takeCharacter(text, bytes)) return wrong("this character does not exist in CP1252");
+      if (!takeCharacter(text, bytes)) return wrong("no code page of Windows has this character");
       continue;
     }
     text.remove_prefix(1);

@@ -17,7 +17,9 @@ std::string visible(std::string_view utf8) {
   for (std::size_t at = 0; at < utf8.size();) {
     const std::size_t begin = at;
     const char32_t c = nextCharacter(utf8, at);
-    if (isControl(c))
+    if (c == kReplacement && at - begin == 1)  // a byte that is no UTF-8
+      result += fmt::format("\\x{:02X}", static_cast<unsigned char>(utf8[begin]));
+    else if (isControl(c))
       result += fmt::format("\\x{:02X}", static_cast<unsigned>(c));
     else
       result += utf8.substr(begin, at - begin);

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <system_error>
 
+#include "base/code_page.h"
 #include "base/utf8.h"
 #include "base/visible.h"
 
@@ -198,12 +199,11 @@ Position SourceFile::position(std::size_t offset, std::size_t length) const {
 Result<SourceFile> readSource(const std::string& path, std::size_t largest) {
   auto bytes = readBytes(path, largest);
   if (!bytes) return bytes.error();
-  const Encoding encoding = detectEncoding(*bytes);
-  if (encoding == Encoding::Binary)
-    return makeProblem(ProblemCode::P0102, Position{path}, kindOf(path));
   // DOS editors end a text with Ctrl-Z.
   while (bytes->ends_with('\x1A')) bytes->pop_back();
-  return SourceFile(path, toUtf8(*bytes, encoding));
+  auto text = decoded(*bytes);
+  if (!text) return makeProblem(ProblemCode::P0102, Position{path}, kindOf(path));
+  return SourceFile(path, std::move(*text));
 }
 
 std::string format(const Problem& problem, const SourceFile* file) {

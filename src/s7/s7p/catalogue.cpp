@@ -107,8 +107,7 @@ Links backLinks(const archive::Tree& tree, const Project& project, std::uint32_t
 void readPrograms(const archive::Tree& tree, Project& project, Faults& faults) {
   const std::string path = under(project.folder, "hrs/s7resoff.dbf");
   if (tree.find(path) == nullptr) return;
-  Table table(tree.open(path));
-  check(table, path, faults);
+  Table table = openTable(tree, path, faults);
   const auto linkFile = tree.open(under(project.folder, "hrs/linkhrs.lnk"));
   const Stations stations(tree, project.folder, project.page);
   while (table.next()) {
@@ -158,7 +157,7 @@ std::string under(const std::string& folder, const std::string& path) {
   return folder.empty() ? path : folder + "/" + path;
 }
 
-std::vector<Project> findProjects(const archive::Tree& tree, Faults& faults) {
+std::vector<Project> findProjects(const archive::Tree& tree, Faults& faults, unsigned page) {
   // Project folder to its block folders, in the order of the tree.
   std::vector<std::pair<std::string, std::vector<std::string>>> found;
   const auto at = [&](const std::string& folder) -> std::vector<std::string>& {
@@ -178,6 +177,7 @@ std::vector<Project> findProjects(const archive::Tree& tree, Faults& faults) {
     Project project;
     project.folder = folder;
     readLanguage(tree, project);
+    if (page != 0) project.page = CodePage(page), project.pageKnown = true;
     project.name = projectName(tree, project);
     readPrograms(tree, project, faults);
     addOtherFolders(tree, blocks, project);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "archive/tree.h"
-#include "s7p/code_page.h"
+#include "base/code_page.h"
 #include "s7p/fault.h"
 
 namespace merker::s7p {
@@ -33,7 +33,8 @@ struct Project {
 std::string under(const std::string& folder, const std::string& path);
 
 // All projects, libraries and block folders that stand alone. Folders of blocks that no program has
-// are programs of their own if they hold any block.
-std::vector<Project> findProjects(const archive::Tree& tree, Faults& faults);
+// are programs of their own if they hold any block. `page`: instead of the code page that the
+// project names.
+std::vector<Project> findProjects(const archive::Tree& tree, Faults& faults, unsigned page = 0);
 
 }  // namespace merker::s7p

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "archive/tree.h"
+#include "base/code_page.h"
 #include "block/block.h"
-#include "s7p/code_page.h"
 #include "s7p/comments.h"
 #include "s7p/dbase.h"
 #include "s7p/fault.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "archive/tree.h"
-#include "s7p/code_page.h"
+#include "base/code_page.h"
 #include "s7p/fault.h"
 
 namespace merker::s7p {

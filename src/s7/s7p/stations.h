@@ -5,7 +5,7 @@
 #include <string>
 
 #include "archive/tree.h"
-#include "s7p/code_page.h"
+#include "base/code_page.h"
 
 namespace merker::s7p {
 

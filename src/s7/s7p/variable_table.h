@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "s7p/code_page.h"
+#include "base/code_page.h"
 
 namespace merker::s7p {
 

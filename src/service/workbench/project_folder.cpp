@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstring>
 
+#include "base/code_page.h"
 #include "base/text.h"
 #include "project/files.h"
 #include "workbench/descriptor.h"
@@ -209,10 +210,9 @@ Result<ProjectFolder::Content> ProjectFolder::read(const std::string& path) cons
   const Place place = open(folder_, path, false);
   const auto bytes = bytesOf(place);
   if (!bytes) return unread(place, path);
-  const Encoding encoding = detectEncoding(*bytes);
-  if (encoding == Encoding::Binary)
-    return makeProblem(ProblemCode::P0102, Position{path}, "a file of a project");
-  return Content{toUtf8(*bytes, encoding), revisionOf(*bytes)};
+  auto text = decoded(*bytes);
+  if (!text) return makeProblem(ProblemCode::P0102, Position{path}, "a file of a project");
+  return Content{std::move(*text), revisionOf(*bytes)};
 }
 
 std::optional<Problem> ProjectFolder::write(const std::string& path, std::string_view bytes,

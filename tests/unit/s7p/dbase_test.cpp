@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "../s7p_files.h"
-#include "s7p/code_page.h"
+#include "base/code_page.h"
 
 namespace merker::s7p {
 namespace {
