@@ -97,11 +97,13 @@ std::optional<std::uint32_t> Table::number(std::string_view column) const {
   return number;
 }
 
-void check(const Table& table, const std::string& path, Faults& faults) {
+Table openTable(const archive::Tree& tree, const std::string& path, Faults& faults) {
+  Table table(tree.open(path));
   if (!table.good())
     faults.push_back({FaultKind::NoTable, path, {}});
   else if (table.missingRows() > 0)
     faults.push_back({FaultKind::CutTable, path, std::to_string(table.missingRows())});
+  return table;
 }
 
 Memo::Memo(std::unique_ptr<archive::File> file) : file_(std::move(file)) {

@@ -8,7 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "archive/file.h"
+#include "archive/tree.h"
+#include "s7p/fault.h"
 
 namespace merker::s7p {
 
@@ -49,6 +50,9 @@ class Table {
   std::size_t inPiece_ = 0, pieceRows_ = 0;
   std::string_view row_;
 };
+
+// Also what is wrong with the table as a whole: NoTable, CutTable.
+Table openTable(const archive::Tree& tree, const std::string& path, Faults& faults);
 
 class Memo {
  public:

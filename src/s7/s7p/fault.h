@@ -8,11 +8,12 @@
 namespace merker::s7p {
 
 enum class FaultKind : std::uint8_t {
-  NoTable,   // the file is no dBase table
-  CutTable,  // rows are missing that its header counts
-  NoMemo,    // the memo file of a block folder is missing or cut off
-  NoLinks,   // linkhrs.lnk is missing or has no page of the program
-  NoCode,    // a block without code
+  NoTable,    // the file is no dBase table
+  CutTable,   // rows are missing that its header counts
+  LongTable,  // more rows than are read
+  NoMemo,     // the memo file of a block folder is missing or cut off
+  NoLinks,    // linkhrs.lnk is missing or has no page of the program
+  NoCode,     // a block without code
   WrongChecksum,
   WrongInterface,  // the binary interface cannot be read
   TwiceInFolder,   // another row with the same number, which is not linked
@@ -26,9 +27,5 @@ struct Fault {
   std::string where, what;  // a path, a block or program
 };
 using Faults = std::vector<Fault>;
-
-class Table;
-// What is wrong with the table as a whole: NoTable, CutTable.
-void check(const Table& table, const std::string& path, Faults& faults);
 
 }  // namespace merker::s7p

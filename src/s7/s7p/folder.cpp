@@ -59,11 +59,17 @@ std::string stampText(std::string_view raw) {
 Folder::Folder(const archive::Tree& tree, const std::string& folder, const CodePage& page,
                Faults& faults)
     : folder_(folder), page_(page), faults_(faults) {
-  Table table(tree.open(under(folder, "subblk.dbf")));
-  check(table, under(folder, "SUBBLK.DBF"), faults);
+  Table table = openTable(tree, under(folder, "SUBBLK.DBF"), faults);
   const std::string memo = under(folder, "subblk.dbt");
   if (tree.find(memo) != nullptr) memo_ = Memo(tree.open(memo));
-  while (table.next() && rows_.size() < kMostRows) add(table);
+  while (table.next()) {
+    if (rows_.size() == kMostRows) {
+      faults.push_back(
+          {FaultKind::LongTable, under(folder, "SUBBLK.DBF"), std::to_string(kMostRows)});
+      break;
+    }
+    add(table);
+  }
   if (!rows_.empty() && !memo_.good())
     faults.push_back({FaultKind::NoMemo, under(folder, "SUBBLK.DBT"), {}});
   std::stable_sort(rows_.begin(), rows_.end(),

@@ -19,11 +19,14 @@ std::string withSingleBlanks(std::string_view text) {
 
 std::vector<SymbolRow> readSymbols(const archive::Tree& tree, const std::string& folder,
                                    const CodePage& page, Faults& faults) {
-  const std::string path = folder + "/symlist.dbf";
-  Table table(tree.open(path));
-  check(table, path, faults);
+  Table table = openTable(tree, folder + "/symlist.dbf", faults);
   std::vector<SymbolRow> rows;
-  while (table.next() && rows.size() < kMostSymbols) {
+  while (table.next()) {
+    if (rows.size() == kMostSymbols) {
+      faults.push_back(
+          {FaultKind::LongTable, folder + "/SYMLIST.DBF", std::to_string(kMostSymbols)});
+      break;
+    }
     SymbolRow row{page.toUtf8(table.text("_SKZ")), withSingleBlanks(table.text("_OPHIST")),
                   withSingleBlanks(table.text("_DATATYP")), page.toUtf8(table.text("_COMMENT"))};
     if (row.address.empty()) row.address = withSingleBlanks(table.text("_OPIEC"));
