@@ -42,69 +42,77 @@ struct Row {
   SymbolAddress address;  // its number 0
 };
 
-// Every operand that a symbol may stand for (S7-SYM-09 to -14, -16; mnemonics S7-MNE-11).
-constexpr std::array kOperands{
-    Row{"E", "I", memory(Area::Input, Width::Bit)},
-    Row{"EB", "IB", memory(Area::Input, Width::Byte)},
-    Row{"EW", "IW", memory(Area::Input, Width::Word)},
-    Row{"ED", "ID", memory(Area::Input, Width::DWord)},
-    Row{"A", "Q", memory(Area::Output, Width::Bit)},
-    Row{"AB", "QB", memory(Area::Output, Width::Byte)},
-    Row{"AW", "QW", memory(Area::Output, Width::Word)},
-    Row{"AD", "QD", memory(Area::Output, Width::DWord)},
-    Row{"M", "M", memory(Area::Flag, Width::Bit)},
-    Row{"MB", "MB", memory(Area::Flag, Width::Byte)},
-    Row{"MW", "MW", memory(Area::Flag, Width::Word)},
-    Row{"MD", "MD", memory(Area::Flag, Width::DWord)},
-    Row{"PEB", "PIB", memory(Area::Peripheral, Width::Byte)},
-    Row{"PEW", "PIW", memory(Area::Peripheral, Width::Word)},
-    Row{"PED", "PID", memory(Area::Peripheral, Width::DWord)},
-    Row{"PAB", "PQB", memory(Area::Peripheral, Width::Byte, true)},
-    Row{"PAW", "PQW", memory(Area::Peripheral, Width::Word, true)},
-    Row{"PAD", "PQD", memory(Area::Peripheral, Width::DWord, true)},
-    Row{"T", "T", ofKind(Kind::Timer)},
-    Row{"Z", "C", ofKind(Kind::Counter)},
-    Row{"OB", "OB", block(BlockKind::OB)},
-    Row{"FB", "FB", block(BlockKind::FB)},
-    Row{"FC", "FC", block(BlockKind::FC)},
-    Row{"DB", "DB", block(BlockKind::DB)},
-    Row{"SFB", "SFB", block(BlockKind::SFB)},
-    Row{"SFC", "SFC", block(BlockKind::SFC)},
-    Row{"UDT", "UDT", block(BlockKind::UDT)},
-    Row{"VAT", "VAT", ofKind(Kind::VariableTable)},
+// Inputs, outputs and flags are those of both families; flags have other English words in STEP 5.
+struct FlagWords {
+  std::string_view bit, byte, word, dword;
 };
+
+constexpr std::array<Row, 12> images(const FlagWords& flag) {
+  return {Row{"E", "I", memory(Area::Input, Width::Bit)},
+          Row{"EB", "IB", memory(Area::Input, Width::Byte)},
+          Row{"EW", "IW", memory(Area::Input, Width::Word)},
+          Row{"ED", "ID", memory(Area::Input, Width::DWord)},
+          Row{"A", "Q", memory(Area::Output, Width::Bit)},
+          Row{"AB", "QB", memory(Area::Output, Width::Byte)},
+          Row{"AW", "QW", memory(Area::Output, Width::Word)},
+          Row{"AD", "QD", memory(Area::Output, Width::DWord)},
+          Row{"M", flag.bit, memory(Area::Flag, Width::Bit)},
+          Row{"MB", flag.byte, memory(Area::Flag, Width::Byte)},
+          Row{"MW", flag.word, memory(Area::Flag, Width::Word)},
+          Row{"MD", flag.dword, memory(Area::Flag, Width::DWord)}};
+}
+
+template <std::size_t A, std::size_t B>
+constexpr std::array<Row, A + B> joined(const std::array<Row, A>& first,
+                                        const std::array<Row, B>& second) {
+  std::array<Row, A + B> rows{};
+  std::copy(first.begin(), first.end(), rows.begin());
+  std::copy(second.begin(), second.end(), rows.begin() + A);
+  return rows;
+}
+
+// Every operand that a symbol may stand for (S7-SYM-09 to -14, -16; mnemonics S7-MNE-11).
+constexpr auto kOperands =
+    joined(images({"M", "MB", "MW", "MD"}),
+           std::array{
+               Row{"PEB", "PIB", memory(Area::Peripheral, Width::Byte)},
+               Row{"PEW", "PIW", memory(Area::Peripheral, Width::Word)},
+               Row{"PED", "PID", memory(Area::Peripheral, Width::DWord)},
+               Row{"PAB", "PQB", memory(Area::Peripheral, Width::Byte, true)},
+               Row{"PAW", "PQW", memory(Area::Peripheral, Width::Word, true)},
+               Row{"PAD", "PQD", memory(Area::Peripheral, Width::DWord, true)},
+               Row{"T", "T", ofKind(Kind::Timer)},
+               Row{"Z", "C", ofKind(Kind::Counter)},
+               Row{"OB", "OB", block(BlockKind::OB)},
+               Row{"FB", "FB", block(BlockKind::FB)},
+               Row{"FC", "FC", block(BlockKind::FC)},
+               Row{"DB", "DB", block(BlockKind::DB)},
+               Row{"SFB", "SFB", block(BlockKind::SFB)},
+               Row{"SFC", "SFC", block(BlockKind::SFC)},
+               Row{"UDT", "UDT", block(BlockKind::UDT)},
+               Row{"VAT", "VAT", ofKind(Kind::VariableTable)},
+           });
 
 // STEP 5 (9.3.3, 9.4.1; docs/compatibility.md says why PB is the block). The words of its English
 // edition stand beside the German ones.
 constexpr BitAddress kRight = 8;  // DR is the second byte of its word
-constexpr std::array kStep5Operands{
-    Row{"E", "I", memory(Area::Input, Width::Bit)},
-    Row{"EB", "IB", memory(Area::Input, Width::Byte)},
-    Row{"EW", "IW", memory(Area::Input, Width::Word)},
-    Row{"ED", "ID", memory(Area::Input, Width::DWord)},
-    Row{"A", "Q", memory(Area::Output, Width::Bit)},
-    Row{"AB", "QB", memory(Area::Output, Width::Byte)},
-    Row{"AW", "QW", memory(Area::Output, Width::Word)},
-    Row{"AD", "QD", memory(Area::Output, Width::DWord)},
-    Row{"M", "F", memory(Area::Flag, Width::Bit)},
-    Row{"MB", "FY", memory(Area::Flag, Width::Byte)},
-    Row{"MW", "FW", memory(Area::Flag, Width::Word)},
-    Row{"MD", "FD", memory(Area::Flag, Width::DWord)},
-    Row{"D", "D", data(Width::Bit)},
-    Row{"DL", "DL", data(Width::Byte)},
-    Row{"DR", "DR", data(Width::Byte, kRight)},
-    Row{"DW", "DW", data(Width::Word)},
-    Row{"DD", "DD", data(Width::DWord)},
-    Row{"PY", "PY", memory(Area::Peripheral, Width::Byte)},
-    Row{"PW", "PW", memory(Area::Peripheral, Width::Word)},
-    Row{"T", "T", ofKind(Kind::Timer)},
-    Row{"Z", "C", ofKind(Kind::Counter)},
-    Row{"OB", "OB", block(BlockKind::OB)},
-    Row{"PB", "PB", block(BlockKind::PB)},
-    Row{"SB", "SB", block(BlockKind::SB)},
-    Row{"FB", "FB", block(BlockKind::FB)},
-    Row{"DB", "DB", block(BlockKind::DB)},
-};
+constexpr auto kStep5Operands = joined(images({"F", "FY", "FW", "FD"}),
+                                       std::array{
+                                           Row{"D", "D", data(Width::Bit)},
+                                           Row{"DL", "DL", data(Width::Byte)},
+                                           Row{"DR", "DR", data(Width::Byte, kRight)},
+                                           Row{"DW", "DW", data(Width::Word)},
+                                           Row{"DD", "DD", data(Width::DWord)},
+                                           Row{"PY", "PY", memory(Area::Peripheral, Width::Byte)},
+                                           Row{"PW", "PW", memory(Area::Peripheral, Width::Word)},
+                                           Row{"T", "T", ofKind(Kind::Timer)},
+                                           Row{"Z", "C", ofKind(Kind::Counter)},
+                                           Row{"OB", "OB", block(BlockKind::OB)},
+                                           Row{"PB", "PB", block(BlockKind::PB)},
+                                           Row{"SB", "SB", block(BlockKind::SB)},
+                                           Row{"FB", "FB", block(BlockKind::FB)},
+                                           Row{"DB", "DB", block(BlockKind::DB)},
+                                       });
 
 std::span<const Row> rowsOf(Language language) {
   return language == Language::Step5 ? std::span<const Row>(kStep5Operands) : kOperands;

@@ -42,6 +42,9 @@ std::string typeText(const Symbol& symbol);
 // marks that the format doubles.
 void addSymbol(const SymbolLine& line, std::string comment, SymbolTable& table, Problems& problems);
 
+// As writeSymbols, but UTF-8 whatever the format.
+std::string symbolText(const SymbolTable& table, std::string_view extension, Mnemonics mnemonics);
+
 // ".sdf" of "plant/Symbols.SDF", lower case; empty if there is none.
 std::string extensionOf(std::string_view path);
 

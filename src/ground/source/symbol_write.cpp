@@ -112,17 +112,25 @@ std::string writeSym(const SymbolTable& table, const Style& style) {
 
 }  // namespace
 
+std::string symbolText(const SymbolTable& table, std::string_view extension, Mnemonics mnemonics) {
+  static constexpr std::pair<std::string_view, std::string (*)(const SymbolTable&, const Style&)>
+      kWriters[] = {{".sdf", writeSdf},
+                    {".asc", writeAsc},
+                    {".seq", writeSeq},
+                    {".dif", writeDif},
+                    {".sym", writeSym}};
+  for (const auto& [name, write] : kWriters)
+    if (extension == name) return write(table, {mnemonics, table.language()});
+  return {};
+}
+
 std::string writeSymbols(const SymbolTable& table, std::string_view extension,
                          Mnemonics mnemonics) {
-  const Style style{mnemonics, table.language()};
-  const bool dos = style.language == Language::Step5;  // STEP 5 is a program of DOS
-  if (extension == ".sdf") return toCp1252(writeSdf(table, style));
-  if (extension == ".asc") return toCp1252(writeAsc(table, style));
-  if (extension == ".seq")
-    return dos ? toDos(writeSeq(table, style), Encoding::Cp437) : toCp1252(writeSeq(table, style));
-  if (extension == ".dif") return toCp1252(writeDif(table, style));
-  if (extension == ".sym") return writeSym(table, style);
-  return {};
+  const std::string text = symbolText(table, extension, mnemonics);
+  if (extension == ".sym") return text;
+  // STEP 5 is a program of DOS.
+  const bool dos = extension == ".seq" && table.language() == Language::Step5;
+  return dos ? toDos(text, Encoding::Cp437) : toCp1252(text);
 }
 
 }  // namespace merker::source
