@@ -6,6 +6,7 @@
 
 #include "mc5/constant.h"
 #include "s5d/bytes.h"
+#include "s5d/format_code.h"
 #include "source/dos_text.h"
 
 namespace merker::s5d {
@@ -32,10 +33,6 @@ struct WidthCode {
 constexpr std::array kWidths{WidthCode{0x80, Width::Bit}, WidthCode{0x40, Width::Byte},
                              WidthCode{0x20, Width::Word}, WidthCode{0x10, Width::Double}};
 
-struct FormatCode {
-  std::uint8_t code;
-  Format format;
-};
 constexpr std::array kParameterFormats{
     FormatCode{0x01, Format::Counter},    FormatCode{0x02, Format::Time},
     FormatCode{0x04, Format::Fixed},      FormatCode{0x08, Format::Float},
@@ -133,9 +130,12 @@ std::uint8_t typeCode(const Parameter& parameter) {
       return codeOf(kWidths, &WidthCode::width, parameter.width);
     case ParameterKind::Data:
       return codeOf(kParameterFormats, &FormatCode::format, parameter.format);
-    default:
-      return 0;
+    case ParameterKind::Timer:
+    case ParameterKind::Counter:
+    case ParameterKind::Block:
+      break;
   }
+  return 0;
 }
 
 void addText(std::vector<std::uint8_t>& out, const std::string& text, std::size_t width,

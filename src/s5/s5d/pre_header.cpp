@@ -5,16 +5,13 @@
 #include <cctype>
 
 #include "s5d/bytes.h"
+#include "s5d/format_code.h"
 
 namespace merker::s5d {
 namespace {
 
 using mc5::Format;
 
-struct FormatCode {
-  std::uint8_t code;
-  Format format;
-};
 // Section 2.3; a word that another code names (address, C) is a KH.
 constexpr std::array kFormats{
     FormatCode{0x01, Format::Binary},  FormatCode{0x02, Format::Hex},

@@ -7,21 +7,25 @@
 
 namespace merker::awl {
 
+namespace {
+
+// The operand that a number of this type stands for. No source can name an SDB.
+struct NumberWord {
+  TypeCode type;
+  std::string_view word;
+};
+constexpr NumberWord kNumberWords[] = {{TypeCode::Timer, "T"},
+                                       {TypeCode::Counter, "Z"},
+                                       {TypeCode::BlockFb, "FB"},
+                                       {TypeCode::BlockFc, "FC"},
+                                       {TypeCode::BlockDb, "DB"}};
+
+}  // namespace
+
 std::string numberText(TypeCode type, std::uint32_t number) {
-  switch (type) {
-    case TypeCode::Timer:
-      return fmt::format("T {}", number);
-    case TypeCode::Counter:
-      return fmt::format("Z {}", number);
-    case TypeCode::BlockFb:
-      return fmt::format("FB {}", number);
-    case TypeCode::BlockFc:
-      return fmt::format("FC {}", number);
-    case TypeCode::BlockDb:
-      return fmt::format("DB {}", number);
-    default:
-      return {};
-  }
+  for (const NumberWord& row : kNumberWords)
+    if (row.type == type) return fmt::format("{} {}", row.word, number);
+  return {};
 }
 
 std::string constantText(TypeCode type, std::uint32_t bits) {

@@ -8,6 +8,7 @@
 #include "awl/call_instance.h"
 #include "awl/call_parts.h"
 #include "base/bytes.h"
+#include "block/width.h"
 #include "mc7/operand_text.h"
 
 namespace merker::awl {
@@ -142,13 +143,13 @@ class Call {
     if (area == Area::CallerLocal && !elementary) return complexOf(parameter, address);
     if (!elementary) return {};
     if (area != Area::CallerLocal)
-      return operandOf({mc7::Operation::LOAD, mc7::memory(area, widthOf(type), address)}, -1,
+      return operandOf({mc7::Operation::LOAD, mc7::memory(area, block::widthOf(type), address)}, -1,
                        parameter.section != block::Section::Input);
     const auto in = staged_.find(address), out = copied_.find(address);
     if (in != staged_.end()) return valueText(in->second, type);
     if (out != copied_.end()) return operandOf(out->second.instruction, out->second.db, true);
-    return operandOf({mc7::Operation::LOAD, mc7::memory(Area::Local, widthOf(type), address)}, -1,
-                     false);
+    return operandOf(
+        {mc7::Operation::LOAD, mc7::memory(Area::Local, block::widthOf(type), address)}, -1, false);
   }
 
   std::string valueText(const Actual& actual, TypeCode type) const {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "block/width.h"
+
 namespace merker::awl {
 namespace {
 
@@ -80,24 +82,12 @@ std::string partAt(const std::vector<block::Variable>& variables, BitAddress add
   return {};
 }
 
-Width widthOf(TypeCode type) {
-  switch (bitWidth(type)) {
-    case 1:
-      return Width::Bit;
-    case 8:
-      return Width::Byte;
-    case 32:
-      return Width::DWord;
-    default:
-      return Width::Word;
-  }
-}
-
 void Names::add(const block::Variable& variable, const std::string& path, BitAddress at,
                 std::map<Key, std::string>& to, int depth) {
   eachElement(variable, path, at, depth,
               [&](const std::string& name, BitAddress place, const block::Type& type) {
-                if (to.size() < kMostNames) to.try_emplace({place, widthOf(type.code)}, name);
+                if (to.size() < kMostNames)
+                  to.try_emplace({place, block::widthOf(type.code)}, name);
               });
 }
 
@@ -137,9 +127,27 @@ std::string Names::of(const mc7::Operand& operand) const {
     case OperandKind::RegisterIndirect:
       return fb_ && operand.area == Area::Instance && operand.reg == 2 ? find(instance_)
                                                                        : std::string();
-    default:
-      return {};
+    case OperandKind::None:
+    case OperandKind::MemoryIndirect:
+    case OperandKind::RegisterCrossing:
+    case OperandKind::Timer:
+    case OperandKind::TimerIndirect:
+    case OperandKind::Counter:
+    case OperandKind::CounterIndirect:
+    case OperandKind::StatusBit:
+    case OperandKind::StatusWord:
+    case OperandKind::Constant:
+    case OperandKind::Pointer:
+    case OperandKind::AddressRegister:
+    case OperandKind::ShiftCount:
+    case OperandKind::Jump:
+    case OperandKind::JumpList:
+    case OperandKind::Block:
+    case OperandKind::BlockIndirect:
+    case OperandKind::DataBlockInfo:
+      break;
   }
+  return {};
 }
 
 const block::Variable* Names::local(BitAddress address) const {
@@ -161,7 +169,8 @@ std::string memberAt(const std::vector<block::Variable>& variables, BitAddress a
     if (v.section != block::Section::Temp)
       eachElement(v, v.name, v.address, 0,
                   [&](const std::string& path, BitAddress at, const block::Type& type) {
-                    if (found.empty() && at == address && widthOf(type.code) == width) found = path;
+                    if (found.empty() && at == address && block::widthOf(type.code) == width)
+                      found = path;
                   });
   return found;
 }

@@ -45,6 +45,4 @@ std::string memberAt(const std::vector<block::Variable>& variables, BitAddress a
 std::string partAt(const std::vector<block::Variable>& variables, BitAddress address,
                    const block::Type& type, bool anyType = false);
 
-Width widthOf(TypeCode type);
-
 }  // namespace merker::awl

@@ -8,16 +8,13 @@ namespace merker::mc7 {
 
 // Kind None for what has no fixed place: constants, indirect operands, parameters, blocks.
 constexpr address::Operand placeOf(const Operand& operand) {
-  switch (operand.kind) {
-    case OperandKind::Memory:
-      return address::memory(operand.area, operand.width, operand.value);
-    case OperandKind::Timer:
-      return {address::OperandKind::Timer, Area::None, operand.width, operand.value};
-    case OperandKind::Counter:
-      return {address::OperandKind::Counter, Area::None, operand.width, operand.value};
-    default:
-      return {};
-  }
+  if (operand.kind == OperandKind::Memory)
+    return address::memory(operand.area, operand.width, operand.value);
+  if (operand.kind == OperandKind::Timer)
+    return {address::OperandKind::Timer, Area::None, operand.width, operand.value};
+  if (operand.kind == OperandKind::Counter)
+    return {address::OperandKind::Counter, Area::None, operand.width, operand.value};
+  return {};
 }
 
 constexpr Operand operandAt(const address::Operand& place) {

@@ -60,20 +60,27 @@ void CallCompiler::valueIn(const Access& from, const Operand& to) {
 }
 
 void CallCompiler::valueOut(const Operand& from, const Access& to) {
-  if (wayTo(to) == Way::Pointed) return pointedOut(from, to);
-  read(machine(from));
-  switch (wayTo(to)) {
+  const Way way = wayTo(to);
+  if (way != Way::Pointed) read(machine(from));
+  switch (way) {
+    case Way::Direct:
+      write(to);
+      break;
     case Way::OwnData:
-      return write(inArea(to, Area::DataBlock));
+      write(inArea(to, Area::DataBlock));
+      break;
     case Way::OtherBlock:
       put(Operation::OPEN, otherBlock(to));
       write(inArea(to, Area::Instance));
-      return openInstance();
+      openInstance();
+      break;
+    case Way::Pointed:
+      pointedOut(from, to);
+      break;
     case Way::Entry:
       afterwards_.push_back({newPlace(from.width), to});
-      return write(machine(afterwards_.back().from));
-    default:
-      return write(to);
+      write(machine(afterwards_.back().from));
+      break;
   }
 }
 

@@ -1,61 +1,48 @@
 // Which constants an elementary type takes.
+#include <algorithm>
+#include <limits>
+
 #include "step7/initial_value.h"
 
 namespace merker::step7 {
 namespace {
 
-// Which notations an elementary type takes and how many bits they may need (S7-TYPES, S7-PAR-05).
+// The numbers that an elementary type takes (S7-TYPES, S7-PAR-05). One without a format has 16
+// bits, one with L# is too wide for WORD and INT before it comes here.
+struct IntegerRange {
+  TypeCode type;
+  std::int64_t lowest = std::numeric_limits<std::int64_t>::min();
+  std::int64_t highest = std::numeric_limits<std::int64_t>::max();
+};
+constexpr IntegerRange kIntegers[] = {{TypeCode::Bool, 0, 1}, {TypeCode::Byte, -128, 255},
+                                      {TypeCode::Word},       {TypeCode::Int},
+                                      {TypeCode::DWord},      {TypeCode::DInt}};
+
 bool acceptsInteger(TypeCode type, std::int64_t value) {
-  switch (type) {
-    case TypeCode::Bool:
-      return value == 0 || value == 1;
-    case TypeCode::Byte:
-      return value >= -128 && value <= 255;
-    case TypeCode::Word:
-    case TypeCode::Int:
-    case TypeCode::DWord:
-    case TypeCode::DInt:
-      return true;  // a number without a format has 16 bits, one with L# is too wide for the first
-                    // two
-    default:
-      return false;
-  }
+  return std::ranges::any_of(kIntegers, [&](const IntegerRange& row) {
+    return row.type == type && row.lowest <= value && value <= row.highest;
+  });
 }
 
+template <typename List, typename Value>
+bool isIn(const List& list, Value value) {
+  return std::ranges::find(list, value) != std::ranges::end(list);
+}
+
+// Types that take a pattern of bits, as long as it is not wider than they are.
+constexpr TypeCode kPatterns[] = {TypeCode::Byte,  TypeCode::Char,     TypeCode::Word,
+                                  TypeCode::Int,   TypeCode::S5Time,   TypeCode::Date,
+                                  TypeCode::DWord, TypeCode::DInt,     TypeCode::Real,
+                                  TypeCode::Time,  TypeCode::TimeOfDay};
+
 bool acceptsBits(TypeCode type, unsigned width) {
-  switch (type) {
-    case TypeCode::Byte:
-    case TypeCode::Char:
-      return width <= 8;
-    case TypeCode::Word:
-    case TypeCode::Int:
-    case TypeCode::S5Time:
-    case TypeCode::Date:
-      return width <= 16;
-    case TypeCode::DWord:
-    case TypeCode::DInt:
-    case TypeCode::Real:
-    case TypeCode::Time:
-    case TypeCode::TimeOfDay:
-      return width <= 32;
-    default:
-      return false;
-  }
+  return isIn(kPatterns, type) && width <= bitWidth(type);
 }
 
 // L#5, W#16#5, DW#16#5 and B#(1,2) say how wide they are, whatever their value (S7-PAR-05).
-bool statesWidth(ConstantFormat format) {
-  switch (format) {
-    case ConstantFormat::LongInteger:
-    case ConstantFormat::Word:
-    case ConstantFormat::DWord:
-    case ConstantFormat::Bytes:
-    case ConstantFormat::LongBytes:
-      return true;
-    default:
-      return false;
-  }
-}
+constexpr ConstantFormat kStatingWidth[] = {ConstantFormat::LongInteger, ConstantFormat::Word,
+                                            ConstantFormat::DWord, ConstantFormat::Bytes,
+                                            ConstantFormat::LongBytes};
 
 unsigned significantBits(std::uint32_t bits) {
   unsigned width = 0;
@@ -66,7 +53,7 @@ unsigned significantBits(std::uint32_t bits) {
 }  // namespace
 
 bool tooWide(ConstantFormat format, TypeCode type) {
-  return statesWidth(format) && bitWidth(format) > bitWidth(type);
+  return isIn(kStatingWidth, format) && bitWidth(format) > bitWidth(type);
 }
 
 std::optional<std::uint32_t> convertConstant(const Constant& constant, TypeCode type) {
@@ -105,7 +92,13 @@ std::optional<std::uint32_t> convertConstant(const Constant& constant, TypeCode 
                                            : type == TypeCode::DWord);
     case ConstantFormat::Pointer:
       return when(type == TypeCode::DWord || type == TypeCode::DInt);
-    default:
+    case ConstantFormat::Byte:
+    case ConstantFormat::Binary:
+    case ConstantFormat::Bytes:
+    case ConstantFormat::Word:
+    case ConstantFormat::LongBinary:
+    case ConstantFormat::LongBytes:
+    case ConstantFormat::DWord:
       break;
   }
   if (type == TypeCode::Bool) return when(constant.bits <= 1);  // 2#1

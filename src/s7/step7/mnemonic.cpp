@@ -1,6 +1,7 @@
 #include "step7/mnemonic.h"
 
 #include <algorithm>
+#include <span>
 
 #include "base/text.h"
 #include "step7/operand_words.h"
@@ -75,86 +76,96 @@ bool isJump(Operation operation) {
   return operation >= Operation::SPA && operation <= Operation::LOOP;
 }
 
+namespace {
+
 // Notations of plain bits that fill a word or a double word (S7-INSTR-12 to 17).
-static bool isBitPattern(ConstantFormat format, unsigned width) {
-  switch (format) {
-    case ConstantFormat::Byte:
-    case ConstantFormat::Binary:
-    case ConstantFormat::Integer:
-    case ConstantFormat::Characters:
-    case ConstantFormat::Bytes:
-    case ConstantFormat::Word:
-    case ConstantFormat::Counter:
-      return width == 16;
-    case ConstantFormat::LongBinary:
-    case ConstantFormat::LongInteger:
-    case ConstantFormat::LongCharacters:
-    case ConstantFormat::LongBytes:
-    case ConstantFormat::DWord:
-      return width == 32;
-    default:
-      return false;
-  }
-}
+constexpr ConstantFormat kWordPatterns[] = {ConstantFormat::Byte,    ConstantFormat::Binary,
+                                            ConstantFormat::Integer, ConstantFormat::Characters,
+                                            ConstantFormat::Bytes,   ConstantFormat::Word,
+                                            ConstantFormat::Counter};
+constexpr ConstantFormat kDoubleWordPatterns[] = {
+    ConstantFormat::LongBinary, ConstantFormat::LongInteger, ConstantFormat::LongCharacters,
+    ConstantFormat::LongBytes, ConstantFormat::DWord};
 
 // Some operations know a constant only in one notation: SLW 4, UW W#16#F0F0, + L#5, BLD 7.
+enum class Notation : std::uint8_t { Count, Word, DoubleWord, Summand, Pointer, Offset };
+
+struct FittedRow {
+  Operation operation;
+  Notation notation;
+  std::uint32_t highest = 0;  // of a count
+};
+constexpr FittedRow kFitted[] = {
+    {Operation::SLW, Notation::Count, 15},    {Operation::SRW, Notation::Count, 15},
+    {Operation::SSI, Notation::Count, 15},    {Operation::SLD, Notation::Count, 32},
+    {Operation::SRD, Notation::Count, 32},    {Operation::SSD, Notation::Count, 32},
+    {Operation::RLD, Notation::Count, 32},    {Operation::RRD, Notation::Count, 32},
+    {Operation::INC, Notation::Count, 255},   {Operation::DEC, Notation::Count, 255},
+    {Operation::BLD, Notation::Count, 255},   {Operation::AND_W, Notation::Word},
+    {Operation::OR_W, Notation::Word},        {Operation::XOR_W, Notation::Word},
+    {Operation::AND_D, Notation::DoubleWord}, {Operation::OR_D, Notation::DoubleWord},
+    {Operation::XOR_D, Notation::DoubleWord}, {Operation::ADD_CONSTANT, Notation::Summand},
+    {Operation::LAR1, Notation::Pointer},     {Operation::LAR2, Notation::Pointer},
+    {Operation::ADD_AR1, Notation::Offset},   {Operation::ADD_AR2, Notation::Offset}};
+
+Operand countOf(const FittedRow& row, Operand operand, const Position& place, Problems& problems,
+                Limits limits) {
+  // INC B#16#5: these three take a byte.
+  if (row.highest == 255 && operand.format == ConstantFormat::Byte)
+    operand.format = ConstantFormat::Integer;
+  if (limits == Limits::OfCode && operand.format == ConstantFormat::Integer)
+    return mc7::number(OperandKind::ShiftCount, operand.value);
+  if (operand.format != ConstantFormat::Integer || operand.value > row.highest)
+    problems.add(ProblemCode::P0342, place, mc7::info(row.operation).de, row.highest);
+  return mc7::number(OperandKind::ShiftCount, std::min(operand.value, row.highest));
+}
+
+Operand patternOf(std::span<const ConstantFormat> allowed, ConstantFormat format, Operand operand,
+                  const Position& place, Problems& problems) {
+  if (std::ranges::find(allowed, operand.format) == allowed.end())
+    problems.add(ProblemCode::P0343, place, bitWidth(format));
+  operand.format = format;
+  return operand;
+}
+
+// S7-INSTR-71.
+Operand summandOf(Operand operand, const Position& place, Problems& problems) {
+  if (operand.format != ConstantFormat::Integer && operand.format != ConstantFormat::LongInteger)
+    problems.add(ProblemCode::P0348, place);
+  operand.format =
+      bitWidth(operand.format) > 16 ? ConstantFormat::LongInteger : ConstantFormat::Integer;
+  return operand;
+}
+
+Operand offsetOf(const Operand& operand, const Position& place, Problems& problems, Limits limits) {
+  if (operand.format != ConstantFormat::Pointer ||
+      operand.value > (limits == Limits::OfLanguage ? 0x7FFFu : 0xFFFFu))
+    problems.add(ProblemCode::P0322, place);
+  return mc7::number(OperandKind::Pointer, operand.value & 0xFFFF);
+}
+
+}  // namespace
+
 Operand fittedConstant(Operation operation, Operand operand, const Position& place,
                        Problems& problems, Limits limits) {
-  const auto count = [&](std::uint32_t highest) {
-    if (limits == Limits::OfCode && operand.format == ConstantFormat::Integer)
-      return mc7::number(OperandKind::ShiftCount, operand.value);
-    if (operand.format != ConstantFormat::Integer || operand.value > highest)
-      problems.add(ProblemCode::P0342, place, mc7::info(operation).de, highest);
-    return mc7::number(OperandKind::ShiftCount, std::min(operand.value, highest));
-  };
-  switch (operation) {
-    case Operation::SLW:
-    case Operation::SRW:
-    case Operation::SSI:
-      return count(15);
-    case Operation::SLD:
-    case Operation::SRD:
-    case Operation::SSD:
-    case Operation::RLD:
-    case Operation::RRD:
-      return count(32);
-    case Operation::INC:
-    case Operation::DEC:
-    case Operation::BLD:
-      if (operand.format == ConstantFormat::Byte) operand.format = ConstantFormat::Integer;
-      return count(255);
-    case Operation::AND_W:
-    case Operation::OR_W:
-    case Operation::XOR_W:
-      if (!isBitPattern(operand.format, 16)) problems.add(ProblemCode::P0343, place, 16);
-      operand.format = ConstantFormat::Word;
-      return operand;
-    case Operation::AND_D:
-    case Operation::OR_D:
-    case Operation::XOR_D:
-      if (!isBitPattern(operand.format, 32)) problems.add(ProblemCode::P0343, place, 32);
-      operand.format = ConstantFormat::DWord;
-      return operand;
-    case Operation::ADD_CONSTANT:  // S7-INSTR-71
-      if (operand.format != ConstantFormat::Integer &&
-          operand.format != ConstantFormat::LongInteger)
-        problems.add(ProblemCode::P0348, place);
-      operand.format =
-          bitWidth(operand.format) > 16 ? ConstantFormat::LongInteger : ConstantFormat::Integer;
-      return operand;
-    case Operation::LAR1:
-    case Operation::LAR2:  // a pointer that cannot exist shows as DW#16#
+  const auto* const row = std::ranges::find(kFitted, operation, &FittedRow::operation);
+  if (row == std::end(kFitted)) return operand;
+  switch (row->notation) {
+    case Notation::Count:
+      return countOf(*row, operand, place, problems, limits);
+    case Notation::Word:
+      return patternOf(kWordPatterns, ConstantFormat::Word, operand, place, problems);
+    case Notation::DoubleWord:
+      return patternOf(kDoubleWordPatterns, ConstantFormat::DWord, operand, place, problems);
+    case Notation::Summand:
+      return summandOf(operand, place, problems);
+    case Notation::Pointer:  // one that cannot exist shows as DW#16#
       if (limits == Limits::OfCode) operand.format = ConstantFormat::Pointer;
       return operand;
-    case Operation::ADD_AR1:
-    case Operation::ADD_AR2:
-      if (operand.format != ConstantFormat::Pointer ||
-          operand.value > (limits == Limits::OfLanguage ? 0x7FFFu : 0xFFFFu))
-        problems.add(ProblemCode::P0322, place);
-      return mc7::number(OperandKind::Pointer, operand.value & 0xFFFF);
-    default:
-      return operand;
+    case Notation::Offset:
+      return offsetOf(operand, place, problems, limits);
   }
+  return operand;
 }
 
 namespace {
@@ -179,6 +190,7 @@ std::optional<Mnemonics> settingOf(const std::string& mnemonic) {
 }
 
 void voteOnOperand(Cursor& cursor, Votes& votes) {
+  cursor.accept('%');
   cursor.skipBlanks();
   std::string_view word = cursor.word();
   const std::size_t letters = word.find_first_of("0123456789");

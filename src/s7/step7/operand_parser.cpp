@@ -7,11 +7,6 @@ namespace merker::step7 {
 
 using mc7::OperandKind;
 
-Width widthOf(TypeCode code) {
-  const unsigned bits = bitWidth(code);
-  return bits == 1 ? Width::Bit : bits == 8 ? Width::Byte : bits == 16 ? Width::Word : Width::DWord;
-}
-
 bool isComposite(TypeCode code) {
   return code == TypeCode::Array || code == TypeCode::Struct || code == TypeCode::String ||
          code == TypeCode::DateAndTime || code == TypeCode::FunctionBlock ||
@@ -49,6 +44,8 @@ std::optional<Access> OperandParser::parse() {
 }
 
 std::optional<Access> OperandParser::dispatch() {
+  // The TIA Portal marks absolute operands: %M 0.0.
+  if (cursor_.peek() == '%' && isWordStart(cursor_.peek(1))) cursor_.take();
   const char c = cursor_.peek();
   if (c == '"') return quoted();
   if (c == '#') {
@@ -270,7 +267,8 @@ bool OperandParser::checkRange(const MemoryWord& row, BitAddress address, std::s
     case Area::Instance:
       bytes = model.dataBlockSize;
       break;
-    default:
+    case Area::None:
+    case Area::CallerLocal:
       break;
   }
   const std::uint32_t last = address / 8 + byteCount(row.width) - 1;

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "block/width.h"
 #include "step7/access.h"
 #include "step7/compiler.h"
 #include "step7/cursor.h"
@@ -61,6 +62,7 @@ class OperandParser {
   std::optional<Access> quoted();
   std::optional<Access> symbol(const std::string& name, std::size_t begin);
   bool isGlobalSymbol(std::string_view name) const;
+  bool isOwnName(std::string_view name) const;
   std::optional<Access> unquoted(std::string_view name, std::size_t begin);
   std::optional<Access> local(std::string_view name, std::size_t begin);
   std::optional<Access> localVariable(const block::Variable& variable, std::size_t begin);
@@ -104,7 +106,7 @@ class OperandParser {
   std::size_t begin_ = 0;
 };
 
-Width widthOf(TypeCode code);
+using block::widthOf;
 bool isComposite(TypeCode code);
 
 }  // namespace merker::step7

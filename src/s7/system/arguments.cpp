@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/bytes.h"
+#include "block/width.h"
 
 namespace merker::system {
 namespace {
@@ -13,19 +14,6 @@ using cpu::ErrorCode;
 // A system function has no local data of its own: L and V both are those of the block that calls
 // it.
 Area inCaller(Area area) { return area == Area::CallerLocal ? Area::Local : area; }
-
-Width widthOf(TypeCode type) {
-  switch (bitWidth(type)) {
-    case 1:
-      return Width::Bit;
-    case 8:
-      return Width::Byte;
-    case 16:
-      return Width::Word;
-    default:
-      return Width::DWord;
-  }
-}
 
 struct Block {
   std::uint8_t* data = nullptr;
@@ -75,22 +63,22 @@ Arguments::Where Arguments::placeOf(std::size_t i) const {
 bool Arguments::has(std::size_t i) {
   const Where where = placeOf(i);
   std::uint32_t ignored = 0;
-  return !cpu::read(call_.machine, where.area, widthOf(function_.parameters[i].type), where.address,
-                    ignored);
+  return !cpu::read(call_.machine, where.area, block::widthOf(function_.parameters[i].type),
+                    where.address, ignored);
 }
 
 std::uint32_t Arguments::value(std::size_t i) {
   const Where where = placeOf(i);
   std::uint32_t result = 0;
-  note(cpu::read(call_.machine, where.area, widthOf(function_.parameters[i].type), where.address,
-                 result));
+  note(cpu::read(call_.machine, where.area, block::widthOf(function_.parameters[i].type),
+                 where.address, result));
   return result;
 }
 
 void Arguments::set(std::size_t i, std::uint32_t value) {
   const Where where = placeOf(i);
-  note(cpu::write(call_.machine, where.area, widthOf(function_.parameters[i].type), where.address,
-                  value));
+  note(cpu::write(call_.machine, where.area, block::widthOf(function_.parameters[i].type),
+                  where.address, value));
 }
 
 AnyPointer Arguments::any(std::size_t i) {

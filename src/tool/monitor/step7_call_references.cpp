@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "base/bytes.h"
+#include "block/width.h"
 #include "mc7/disassembly.h"
 #include "mc7/operand_text.h"
 #include "monitor/step7_references.h"
@@ -14,11 +15,6 @@ using mc7::OperandKind;
 Use useOf(block::Section section) {
   if (section == block::Section::Input) return Use::Read;
   return section == block::Section::InOut ? Use::ReadWrite : Use::Write;
-}
-
-Width widthOf(TypeCode type) {
-  const unsigned bits = bitWidth(type);
-  return bits == 1 ? Width::Bit : bits == 8 ? Width::Byte : bits == 16 ? Width::Word : Width::DWord;
 }
 
 bool isFunction(const mc7::Operand& block) {
@@ -73,12 +69,14 @@ void Step7References::parameter(const block::Variable& formal, std::uint32_t ent
   const Use use = useOf(formal.section);
   const Area area = pointerArea(entry);
   const BitAddress address = pointerAddress(entry);
-  if (isParameterNumber(type)) return number(type, entry >> 16, use, call);
+  // A pointer instead of a number: the block was passed one itself.
+  const bool pointer = area >= Area::Peripheral && area <= Area::CallerLocal;
+  if (isParameterNumber(type)) return pointer ? void() : number(type, entry >> 16, use, call);
   if (!isElementary(type))
     return composite(formal, area == Area::CallerLocal ? Area::Local : area, address, call);
   if (area == Area::DataBlock || (area >= Area::Peripheral && area <= Area::Flag))
-    add(mc7::memory(area, widthOf(type), address), area == Area::DataBlock ? opened_.db() : -1, use,
-        call);
+    add(mc7::memory(area, block::widthOf(type), address),
+        area == Area::DataBlock ? opened_.db() : -1, use, call);
 }
 
 // Values of elementary type were read where the CALL laid them down.

@@ -31,7 +31,6 @@ VAR_IN_OUT
  x : INT; z : BOOL;
 END_VAR
 BEGIN
-RET_VAL := 0;
 END_FUNCTION
 FUNCTION FC 13 : VOID
 VAR_INPUT
@@ -80,18 +79,6 @@ BEGIN
 END_DATA_BLOCK
 )";
 
-std::string blocks() {
-  std::string text = kBlocks;
-  const std::string statement = "RET_VAL := 0;\n";
-  text.erase(text.find(statement), statement.size());
-  return text;
-}
-
-void expectAll(BlockKind kind, std::span<const Golden> rows) {
-  for (const Golden& row : rows)
-    EXPECT_EQ(compiledIn(kind, row, blocks()), row.code) << row.declarations << row.statements;
-}
-
 // S7-PAR-12: bracket, VKE and list are there also without parameters (section 2); the first byte
 // behind the declared variables is not rounded up, an OB has at least 20 (section 1).
 constexpr Golden kInFunctionPlain[] = {
@@ -106,10 +93,10 @@ constexpr Golden kInFunctionPlain[] = {
 };
 
 TEST(CallFunction, BracketAndLocalData) {
-  expectAll(BlockKind::FC, kInFunctionPlain);
-  EXPECT_EQ(compiledIn(BlockKind::OB, {"", "CALL FC 10;", ""}, blocks()),
+  expectCode(BlockKind::FC, kInFunctionPlain, kBlocks);
+  EXPECT_EQ(compiledIn(BlockKind::OB, {"", "CALL FC 10;", ""}, kBlocks),
             "BLD 1; = L 20.0; UC FC 10; SPA 2; BLD 2; BE");
-  EXPECT_EQ(compiledIn(BlockKind::FB, {"", "CALL FC 10;", ""}, blocks()),
+  EXPECT_EQ(compiledIn(BlockKind::FB, {"", "CALL FC 10;", ""}, kBlocks),
             "BLD 1; = L 4.0; TAR2 LD 0; UC FC 10; SPA 2; LAR2 LD 0; BLD 2; BE");
 }
 
@@ -160,7 +147,7 @@ constexpr Golden kElementary[] = {
      "P#V 0.2; P#V 0.3; P#V 0.4; P#V 0.5; P#V 0.6; P#V 0.7; P#V 1.0; P#V 1.1; P#V 2.0; BLD 2; BE"},
 };
 
-TEST(CallFunction, ElementaryParameters) { expectAll(BlockKind::FC, kElementary); }
+TEST(CallFunction, ElementaryParameters) { expectCode(BlockKind::FC, kElementary, kBlocks); }
 
 // S7-IND-11, S7-IND-12: in local data.
 constexpr Golden kPointers[] = {
@@ -182,7 +169,7 @@ constexpr Golden kPointers[] = {
      "UC FC 15; SPA 6; P#V 1.0; P#V 7.0; BLD 2; BE"},
 };
 
-TEST(CallFunction, PointersAndComplexParameters) { expectAll(BlockKind::FC, kPointers); }
+TEST(CallFunction, PointersAndComplexParameters) { expectCode(BlockKind::FC, kPointers, kBlocks); }
 
 // In an FB: AR2 is kept, own data are staged, pointers to them are made by AR2.
 constexpr Golden kInFunctionBlock[] = {
@@ -203,13 +190,13 @@ constexpr Golden kInFunctionBlock[] = {
      "UC FC 18; SPA 4; P#V 5.0; LAR2 LD 0; BLD 2; BE"},
 };
 
-TEST(CallFunction, FromFunctionBlock) { expectAll(BlockKind::FB, kInFunctionBlock); }
+TEST(CallFunction, FromFunctionBlock) { expectCode(BlockKind::FB, kInFunctionBlock, kBlocks); }
 
 // LOCDATALEN: highest byte used + 1, rounded up to even (section 1).
 TEST(CallFunction, LocalDataLength) {
   const auto length = [](std::string_view statements) {
-    return compileText(blocks() + "FUNCTION FC 9 : VOID\nBEGIN\n" + std::string(statements) +
-                       "\nEND_FUNCTION\n")
+    return compileText(std::string(kBlocks) + "FUNCTION FC 9 : VOID\nBEGIN\n" +
+                       std::string(statements) + "\nEND_FUNCTION\n")
         .block(BlockKind::FC, 9)
         .localBytes;
   };

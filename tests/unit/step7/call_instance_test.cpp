@@ -72,11 +72,6 @@ BEGIN
 END_DATA_BLOCK
 )";
 
-void expectCode(BlockKind kind, std::span<const Golden> rows) {
-  for (const Golden& row : rows)
-    EXPECT_EQ(compiledIn(kind, row, kInstances), row.code) << row.declarations << row.statements;
-}
-
 // S7-FB-13, S7-PAR-03: AR2, then the VKE; parameters that are not supplied are left out.
 constexpr Golden kWithDataBlock[] = {
     {"", "CALL FB 10, DB 10;",
@@ -107,7 +102,7 @@ constexpr Golden kWithDataBlock[] = {
      "AUF DI 13; TDB; BLD 4; BE"},
 };
 
-TEST(CallInstance, WithDataBlock) { expectCode(BlockKind::FC, kWithDataBlock); }
+TEST(CallInstance, WithDataBlock) { expectCode(BlockKind::FC, kWithDataBlock, kInstances); }
 
 // S7-PAR-10: own data of the calling FB are behind DB; multiple instances open the own data block
 // again.
@@ -138,7 +133,7 @@ constexpr Golden kFromFunctionBlock[] = {
      "T DIW [AR2,P#6.0]; +AR2 P#6.0; UC FB 13; LAR2 LD 0; TDB; BLD 15; BE"},
 };
 
-TEST(CallInstance, FromFunctionBlock) { expectCode(BlockKind::FB, kFromFunctionBlock); }
+TEST(CallInstance, FromFunctionBlock) { expectCode(BlockKind::FB, kFromFunctionBlock, kInstances); }
 
 // The interface of a system block may stand in the sources: those of an S7-400 (section 8). The CPU
 // does not have it, and it is not part of the program.

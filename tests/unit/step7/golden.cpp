@@ -61,4 +61,9 @@ std::string compiledIn(BlockKind kind, const Golden& row, std::string_view other
   return codeOf(compiled, kind, kind == BlockKind::OB ? 1 : 9);
 }
 
+void expectCode(BlockKind kind, std::span<const Golden> rows, std::string_view others) {
+  for (const Golden& row : rows)
+    EXPECT_EQ(compiledIn(kind, row, others), row.code) << row.declarations << row.statements;
+}
+
 }  // namespace merker::step7

@@ -1,6 +1,7 @@
 // One line of text for the code of a block: what the tests of the exact patterns compare.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -19,5 +20,7 @@ struct Golden {
 std::string codeOf(const Compiled& compiled, BlockKind kind, int number);
 // FC 9, FB 9 or OB 1 with these declarations and statements, among `others`.
 std::string compiledIn(BlockKind kind, const Golden& row, std::string_view others);
+
+void expectCode(BlockKind kind, std::span<const Golden> rows, std::string_view others);
 
 }  // namespace merker::step7
