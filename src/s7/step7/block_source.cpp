@@ -16,6 +16,9 @@ struct BlockSplitter::Frame {
 
 namespace {
 
+// Of one source: more than a CPU has, and each takes a kilobyte and a half.
+constexpr std::size_t kMostBlocks = 20'000;
+
 std::string_view firstWordOfStatement(Cursor& cursor) {
   const std::size_t start = cursor.pos();
   const std::string_view word = cursor.word();
@@ -103,6 +106,11 @@ std::vector<BlockSource> BlockSplitter::split() {
     const Frame* frame = nullptr;
     for (const Frame& candidate : kFrames)
       if (equalsIgnoreCase(word, candidate.begin)) frame = &candidate;
+    if (frame && blocks_.size() == kMostBlocks) {
+      problems_.add(ProblemCode::P0106, at(begin, cursor_.pos()), kMostBlocks,
+                    "blocks in this source");
+      break;
+    }
     if (frame) {
       block(*frame, begin);
       reported = false;

@@ -6,6 +6,7 @@
 #include "mc7/place.h"
 #include "step7/block_compiler.h"
 #include "step7/block_source.h"
+#include "step7/foreign_language.h"
 #include "step7/interfaces.h"
 #include "step7/machine_instruction.h"
 
@@ -48,6 +49,12 @@ Compilation compile(const std::vector<source::SourceFile>& sources, const Compil
   std::vector<BlockSource> blocks;
   for (const source::SourceFile& file : sources) {
     const std::size_t before = result.problems.size();
+    if (const auto foreign = foreignText(file.text())) {
+      result.problems.add(ProblemCode::P0334,
+                          file.position(foreign->begin, foreign->end - foreign->begin),
+                          foreign->refusal);
+      continue;
+    }
     std::vector<BlockSource> found = BlockSplitter(file, options.symbols, result.problems).split();
     const Mnemonics mnemonics =
         options.mnemonics ? *options.mnemonics : detectMnemonics(file.text(), found);

@@ -9,6 +9,9 @@ using mc7::OperandKind;
 std::optional<Access> OperandParser::local(std::string_view name, std::size_t begin) {
   if (const block::Variable* variable = scope_.findVariable(name))
     return localVariable(*variable, begin);
+  if (isOwnName(name))
+    if (const block::Variable* result = scope_.findVariable("RET_VAL"))
+      return localVariable(*result, begin);
   if (isGlobalSymbol(name)) return unquoted(name, begin);
   return problem(ProblemCode::P0313, begin, std::string(name),
                  scope_.block ? toString(scope_.block->id) : std::string("the block"));
@@ -42,6 +45,13 @@ std::optional<Access> OperandParser::placed(Access access, Area area, const Plac
 bool OperandParser::isGlobalSymbol(std::string_view name) const {
   const source::SymbolTable* symbols = scope_.options->symbols;
   return scope_.block && symbols && symbols->find(std::string(name));
+}
+
+// #"Scale" in the function "Scale": its return value, as the TIA Portal writes it.
+bool OperandParser::isOwnName(std::string_view name) const {
+  if (!isGlobalSymbol(name) || scope_.block->id.kind != BlockKind::FC) return false;
+  const source::SymbolAddress& address = scope_.options->symbols->find(std::string(name))->address;
+  return address.kind == source::SymbolAddress::Kind::Block && address.block == scope_.block->id;
 }
 
 std::optional<Access> OperandParser::unquoted(std::string_view name, std::size_t begin) {

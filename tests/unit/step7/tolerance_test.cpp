@@ -1,6 +1,8 @@
 // What STEP 7 compiles although it is odd: a warning at most, and the code that was meant.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "support.h"
 
 namespace merker::step7 {
@@ -172,6 +174,43 @@ TEST(Tolerance, ManyParameters) {
   EXPECT_EQ(compiled.problems(), List{});
   const std::string code = compiled.listing(BlockKind::OB, 1);
   EXPECT_NE(code.find("L     1499\nT     DIW 0\nL     1498\nT     DIW 2\n"), std::string::npos);
+}
+
+// Sources of the TIA Portal: % before absolute operands, the return value by the function's name.
+TEST(Tolerance, WordsOfTheTiaPortal) {
+  const source::SymbolTable symbols = table({{"Scale", "FC 1"}});
+  const auto compiled = [&](std::string_view code) {
+    return compileText("FUNCTION \"Scale\" : INT\nBEGIN\n" + std::string(code) +
+                           "\nEND_FUNCTION\nDATA_BLOCK DB 1\nSTRUCT\na : INT;\nEND_STRUCT\nBEGIN\n"
+                           "END_DATA_BLOCK\n",
+                       "314C-2 PtP", false, &symbols);
+  };
+  const Compiled marked = compiled("U %E0.0\nL %DB1.DBW0\nT #\"Scale\"");
+  EXPECT_EQ(marked.problems(), List{});
+  EXPECT_EQ(marked.listing(BlockKind::FC, 1),
+            compiled("U E 0.0\nL DB1.DBW 0\nT #RET_VAL").listing(BlockKind::FC, 1));
+  EXPECT_EQ(compiled("U %").problems(), (List{"3:3 P0316"}));
+}
+
+// One problem for the whole source, at the word that tells the language.
+TEST(Tolerance, SourcesInOtherLanguages) {
+  const Compiled scl = compileText(
+      "FUNCTION_BLOCK FB 1\nVAR_TEMP\ni : INT;\nEND_VAR\nBEGIN\nIF i > 5 THEN\n  i := 0;\nEND_IF;\n"
+      "END_FUNCTION_BLOCK\n");
+  EXPECT_EQ(scl.problems(), (List{"8:1 P0334"}));
+  const Compiled label = compileText(
+      "FUNCTION FC 1 : VOID\nTITLE =END_IF\n// END_IF\nBEGIN\nL 'END_IF'; // "
+      "END_IF\nEND_FUNCTION\n");
+  EXPECT_EQ(label.problems(), (List{"5:3 P0204"}));
+}
+
+// Of one source: what is above is left out, and memory stays bounded.
+TEST(Tolerance, VeryManyBlocks) {
+  std::string text;
+  for (int i = 0; i < 20'001; ++i) text += "FUNCTION FC 1 : VOID\nEND_FUNCTION\n";
+  const Compiled compiled = compileText(text);
+  const auto problems = compiled.problems();
+  EXPECT_NE(std::find(problems.begin(), problems.end(), "40001:1 P0106"), problems.end());
 }
 
 }  // namespace
