@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iostream>
 
+#include "base/code_page.h"
 #include "build.h"
 #include "command.h"
 #include "cpu_option.h"
@@ -18,7 +19,8 @@ namespace {
 
 struct ExportOptions {
   ProjectOptions project;
-  std::string path, output, codePage = "437";
+  std::string path, output;
+  unsigned codePage = 0;
   bool symbols = false, force = false;
 };
 
@@ -55,7 +57,8 @@ int exportProgram(const ExportOptions& options) {
                                 options.output, exporting::extensions(family)),
                     kUsage);
   exporting::Options chosen;
-  chosen.codePage = options.codePage == "850" ? Encoding::Cp850 : Encoding::Cp437;
+  chosen.codePage = options.codePage == 850 ? Encoding::Cp850 : Encoding::Cp437;
+  chosen.page = options.codePage;
   chosen.symbols = options.symbols;
   const exporting::Output output = format->write(built, options.output, chosen);
   for (const std::string& warning : output.warnings) std::cerr << warning << '\n';
@@ -83,8 +86,11 @@ void addExport(CLI::App& program, int& result) {
   auto options = std::make_shared<ExportOptions>();
   command->add_option("PATH", options->path, "project folder or source")->required();
   command->add_option("-o,--output", options->output, "the file")->required();
-  command->add_option("--code-page", options->codePage, "of texts in files of STEP 5: 437 or 850")
-      ->check(CLI::IsMember({"437", "850"}));
+  command
+      ->add_option("--code-page", options->codePage,
+                   "of texts: 437 or 850 for STEP 5; 1250 to 1254, 932, 936 and others for STEP 7, "
+                   "by default the one that has most of the characters")
+      ->check(CLI::IsMember(std::vector<unsigned>(std::begin(kCodePages), std::end(kCodePages))));
   command->add_flag("--symbols", options->symbols,
                     "in a source or listing: symbols where operands have them");
   command->add_flag("--force", options->force, "replace existing files");

@@ -6,6 +6,8 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
+#include "base/code_page.h"
+#include "base/visible.h"
 #include "command.h"
 
 namespace merker::app {
@@ -20,28 +22,29 @@ int importProject(const importing::Options& options) {
   const importing::Outcome outcome = importing::importSource(options);
   switch (outcome.result) {
     case importing::Result::Unreadable:
-      return refuse(kUnreadable, fmt::format("{} cannot be read", options.source));
+      return refuse(kUnreadable, fmt::format("{} cannot be read", visible(options.source)));
     case importing::Result::Nothing:
       return refuse(
           kUnreadable,
           fmt::format("{} contains nothing that can be imported: no STEP 7 project, program file "
                       "of STEP 5, source, "
                       "symbol table, block or station",
-                      options.source));
+                      visible(options.source)) +
+              (outcome.report.empty() ? "" : "\n" + outcome.report));
     case importing::Result::NoSuchProgram:
-      return refuse(
-          kUsage, outcome.programs.empty()
-                      ? fmt::format("{} contains no programs to choose from", options.source)
-                      : fmt::format("program '{}' not found; the programs are: {}", options.program,
-                                    fmt::join(outcome.programs, ", ")));
+      return refuse(kUsage, outcome.programs.empty()
+                                ? fmt::format("{} contains no programs to choose from",
+                                              visible(options.source))
+                                : fmt::format("program '{}' not found; the programs are: {}",
+                                              options.program, fmt::join(outcome.programs, ", ")));
     case importing::Result::Exists:
-      return refuse(
-          kUnreadable,
-          fmt::format("{} exists and is not empty; choose another folder with -o", outcome.folder));
+      return refuse(kUnreadable,
+                    fmt::format("{} exists and is not empty; choose another folder with -o",
+                                visible(outcome.folder)));
     case importing::Result::Imported:
       break;
   }
-  std::cout << outcome.report << "\nwritten to " << outcome.folder << '\n';
+  std::cout << outcome.report << "\nwritten to " << visible(outcome.folder) << '\n';
   return outcome.lost ? kProblems : kGood;
 }
 
@@ -60,9 +63,12 @@ void addImport(CLI::App& program, int& result) {
       "-o,--output", options->folder,
       "new folder of the project; default: named after SOURCE, in the current folder");
   command->add_option("--program", options->program, "only the program of this name");
-  auto codePage = std::make_shared<std::string>("437");
-  command->add_option("--code-page", *codePage, "of texts in files of STEP 5: 437 or 850")
-      ->check(CLI::IsMember({"437", "850"}));
+  auto codePage = std::make_shared<unsigned>(0);
+  command
+      ->add_option("--code-page", *codePage,
+                   "of texts: 437 or 850 for files of STEP 5; 1250 to 1254, 866, 932, 936 and "
+                   "others for sources, symbols and projects that do not name theirs")
+      ->check(CLI::IsMember(std::vector<unsigned>(std::begin(kCodePages), std::end(kCodePages))));
   command->footer(
       "SOURCE: a STEP 7 V5 project (*.s7p) or library folder, a zip of it, a block folder of one; "
       "AWL\n"
@@ -75,7 +81,8 @@ void addImport(CLI::App& program, int& result) {
       "Examples:\n  merker import PLANT.zip -o plant\n  merker import /old/Plant --program \"S7 "
       "Program(1)\"");
   command->callback([options, codePage, &result] {
-    options->codePage = *codePage == "850" ? Encoding::Cp850 : Encoding::Cp437;
+    options->codePage = *codePage == 850 ? Encoding::Cp850 : Encoding::Cp437;
+    options->page = *codePage;
     result = importProject(*options);
   });
 }

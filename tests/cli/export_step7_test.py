@@ -62,9 +62,17 @@ class ExportStep7(Case):
 
     def test_what_the_code_page_does_not_have_is_named(self):
         self.write("p.awl", CALLED.replace("Größe", "жук"))
-        err = self.expect(GOOD, "export", "p.awl", "-o", "out.awl").err
+        err = self.expect(GOOD, "export", "p.awl", "-o", "out.awl", "--code-page", "1252").err
         self.assertIn("p.awl:7:13: warning: 'ж' is not in code page 1252 and is written as '?' (1 time)", err)
         self.assertIn(b"// ???", self.data("out.awl"))
+
+    def test_the_code_page_is_that_of_the_characters(self):
+        self.write("p.awl", CALLED.replace("Größe", "жук"))
+        err = self.expect(GOOD, "export", "p.awl", "-o", "out.awl").err
+        self.assertIn("out.awl: texts are in code page 1251", err)
+        self.assertIn("// жук".encode("cp1251"), self.data("out.awl"))
+        self.expect(GOOD, "import", "out.awl", "-o", "back")
+        self.assertIn("// жук", self.data("back/out.awl").decode())
 
     def test_machine_code_goes_into_a_wld_file_only(self):
         self.plant()

@@ -68,8 +68,20 @@ class Import(Case):
         for length in range(0, len(content), len(content) // 12):
             with self.subTest(length):
                 (self.folder / "cut.zip").write_bytes(content[:length])
-                self.assertIn("nothing that can be imported",
-                              self.expect(UNREADABLE, "import", "cut.zip", "-o", f"out{length}").err)
+                call = self.merker("import", "cut.zip", "-o", f"out{length}")
+                self.assertIn(call.code, (PROBLEMS, UNREADABLE), call.err)
+                text = call.out if call.code == PROBLEMS else call.err
+                self.assertEqual(length > 0, "it is damaged or cut off" in text, text)
+
+    def test_a_zip_without_its_directory_comes_whole(self):
+        content = s7p.zipped(s7p.project(PROGRAM))
+        (self.folder / "cut.zip").write_bytes(content[:content.index(b"PK\1\2")])
+        call = self.expect(PROBLEMS, "import", "cut.zip", "-o", "out")
+        self.assertIn("cut.zip, from byte", call.out)
+        (self.folder / "whole.zip").write_bytes(content)
+        self.expect(GOOD, "import", "whole.zip", "-o", "whole")
+        for file in sorted(path.name for path in (self.folder / "whole").glob("*.awl")):
+            self.assertEqual((self.folder / "out" / file).read_bytes(), (self.folder / "whole" / file).read_bytes())
 
     def test_a_cut_table_is_named(self):
         files = s7p.project(PROGRAM)

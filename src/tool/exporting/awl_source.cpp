@@ -83,16 +83,12 @@ std::vector<BlockSource> blocksOf(const source::SourceFile& file, const project:
 
 // Types first: nothing needs a block before them. What others use moves up from its place.
 int rank(BlockKind kind) {
-  switch (kind) {
-    case BlockKind::UDT:
-      return 0;
-    case BlockKind::DB:
-      return 1;
-    case BlockKind::OB:
-      return 3;
-    default:
-      return 2;
-  }
+  constexpr int kBetween = 2;
+  static constexpr std::pair<BlockKind, int> kRanks[] = {
+      {BlockKind::UDT, 0}, {BlockKind::DB, 1}, {BlockKind::OB, 3}};
+  for (const auto& [ranked, place] : kRanks)
+    if (ranked == kind) return place;
+  return kBetween;
 }
 
 class Order {

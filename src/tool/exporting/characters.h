@@ -1,4 +1,4 @@
-// Characters that a code page of Windows does not have.
+// The code page that the texts of a program are written in, and characters that it does not have.
 #pragma once
 
 #include <string>
@@ -8,8 +8,11 @@
 
 namespace merker::exporting {
 
-// A warning for each such character of sources and symbols, with its first place: "file:3:7:
-// warning: …".
-std::vector<std::string> missingInCp1252(const project::Project& project);
+// The page of Windows that has most characters of sources and symbols; 1252 where it has all.
+unsigned pageOf(const project::Project& project);
+
+// A warning for each character of sources and symbols that the page does not have, with its first
+// place: "file:3:7: warning: …".
+std::vector<std::string> missingIn(unsigned page, const project::Project& project);
 
 }  // namespace merker::exporting

@@ -13,6 +13,7 @@ namespace merker::exporting {
 
 struct Options {
   Encoding codePage = Encoding::Cp437;  // of STEP 5: Cp437 or Cp850
+  unsigned page = 0;                    // of STEP 7; 0: the one that has the characters
   bool symbols = false;                 // a source with symbols instead of absolute operands
 };
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "base/code_page.h"
 #include "block/container.h"
 #include "exporting/awl_source.h"
 #include "exporting/characters.h"
@@ -140,21 +141,36 @@ void writeMachineCode(const compilation::Build& build, const std::string& path, 
   if (!blocks.empty()) output.files.push_back({path, containers(blocks, output)});
 }
 
-std::string symbolBytes(const compilation::Build& build, std::string_view extension) {
-  return source::writeSymbols(build.project.symbols, extension, mnemonicsOf(build.project));
+std::string symbolBytes(const compilation::Build& build, std::string_view extension,
+                        unsigned page) {
+  return Encoder(page).encode(
+      source::symbolText(build.project.symbols, extension, mnemonicsOf(build.project)));
+}
+
+unsigned chosenPage(const compilation::Build& build, const Options& options) {
+  return options.page != 0 ? options.page : pageOf(build.project);
+}
+
+// What the characters become; the user must choose the language of STEP 7 by it.
+std::vector<std::string> aboutCharacters(const compilation::Build& build, const std::string& path,
+                                         unsigned page) {
+  std::vector<std::string> lines = missingIn(page, build.project);
+  if (page != 1252) lines.push_back(fmt::format("{}: texts are in code page {}", path, page));
+  return lines;
 }
 
 }  // namespace
 
 Output writeAwl(const compilation::Build& build, const std::string& path, const Options& options) {
   Output output;
-  output.warnings = missingInCp1252(build.project);
+  const unsigned page = chosenPage(build, options);
+  output.warnings = aboutCharacters(build, path, page);
   const auto text = sourceOf(build, options, output);
   if (!text) return output;
-  if (!text->empty()) output.files.push_back({path, toCp1252(withCrLf(*text))});
+  if (!text->empty()) output.files.push_back({path, Encoder(page).encode(withCrLf(*text))});
   if (!output.files.empty() && !build.project.symbols.list().empty())
     output.files.push_back(
-        {fs::path(path).replace_extension(".sdf").string(), symbolBytes(build, ".sdf")});
+        {fs::path(path).replace_extension(".sdf").string(), symbolBytes(build, ".sdf", page)});
   writeMachineCode(build, fs::path(path).replace_extension(".wld").string(), output);
   return output;
 }
@@ -166,11 +182,13 @@ Output writeWld(const compilation::Build& build, const std::string& path, const 
   return output;
 }
 
-Output writeSymbolTable(const compilation::Build& build, const std::string& path, const Options&) {
+Output writeSymbolTable(const compilation::Build& build, const std::string& path,
+                        const Options& options) {
   if (build.project.symbols.list().empty()) return {};
   Output output;
-  output.warnings = missingInCp1252(build.project);
-  output.files.push_back({path, symbolBytes(build, source::extensionOf(path))});
+  const unsigned page = chosenPage(build, options);
+  output.warnings = aboutCharacters(build, path, page);
+  output.files.push_back({path, symbolBytes(build, source::extensionOf(path), page)});
   return output;
 }
 

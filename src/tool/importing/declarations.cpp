@@ -54,19 +54,16 @@ std::vector<awl::NetworkText> networksOf(const s7p::BlockComments& comments) {
   return list;
 }
 
+// Of the editors that show other than statements.
 std::string_view languageName(block::Language language) {
-  switch (language) {
-    case block::Language::Kop:
-      return "KOP";
-    case block::Language::Fup:
-      return "FUP";
-    case block::Language::Scl:
-      return "SCL";
-    case block::Language::Graph:
-      return "GRAPH";
-    default:
-      return {};
-  }
+  static constexpr std::pair<block::Language, std::string_view> kNames[] = {
+      {block::Language::Kop, "KOP"},
+      {block::Language::Fup, "FUP"},
+      {block::Language::Scl, "SCL"},
+      {block::Language::Graph, "GRAPH"}};
+  for (const auto& [shown, name] : kNames)
+    if (shown == language) return name;
+  return {};
 }
 
 // Without text: names by place. The structure of a data block without interface is an array of

@@ -3,10 +3,11 @@
 #include <algorithm>
 
 #include "base/bytes.h"
-#include "base/text.h"
+#include "base/code_page.h"
 #include "block/container.h"
 #include "importing/hardware.h"
 #include "importing/recognise.h"
+#include "step7/foreign_language.h"
 
 namespace merker::importing {
 namespace {
@@ -37,28 +38,36 @@ void addContainers(const std::string& path, const std::string& bytes, Material& 
   }
 }
 
-void add(const archive::Tree::Entry& entry, const archive::File& file, Kind kind,
+void add(const archive::Tree::Entry& entry, const archive::File& file, Kind kind, unsigned page,
          Material& material, Report& report) {
   if (file.size() > kLargest)
     return report.add(Note::LongSource, entry.path, source::kLargestSource);
   const std::string bytes = file.text(kLargest);
   if (kind == Kind::Containers) return addContainers(entry.path, bytes, material, report);
-  const std::string text = toUtf8(bytes, detectEncoding(bytes));
+  const std::string text = decoded(bytes, page).value_or(std::string());
+  const unsigned guessed = page == 0 ? contentPage(bytes) : 0;
+  if (guessed != 0 && guessed != 1252) report.add(Note::GuessedPage, entry.path, guessed);
   if (kind == Kind::Hardware) return readHardware(text, material);
   const std::string_view symbols = symbolExtension(kind);
+  if (const auto foreign = kind == Kind::AwlSource ? step7::foreignText(text) : std::nullopt) {
+    report.add(Note::ForeignFile, entry.path, foreign->language);
+    material.foreign.push_back({stem(entry.path), text, false});
+    return;
+  }
   material.files.push_back({stem(entry.path) + (symbols.empty() ? ".awl" : std::string(symbols)),
                             text, symbols.empty()});
 }
 
 }  // namespace
 
-Material materialOf(const archive::Tree& tree, const std::string& name, Report& report) {
+Material materialOf(const archive::Tree& tree, const std::string& name, unsigned page,
+                    Report& report) {
   Material material;
   material.name = name;
   for (const auto& entry : tree.files()) {
     const auto file = tree.open(entry);
     const Kind kind = file ? recognise(*file) : Kind::Unknown;
-    if (kind != Kind::Unknown) add(entry, *file, kind, material, report);
+    if (kind != Kind::Unknown) add(entry, *file, kind, page, material, report);
   }
   return material;
 }

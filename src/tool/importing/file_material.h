@@ -8,6 +8,8 @@
 namespace merker::importing {
 
 // All files of the tree that are known; the others are left out without a word.
-Material materialOf(const archive::Tree& tree, const std::string& name, Report& report);
+// `page`: of texts that are not Unicode; 0: by their content.
+Material materialOf(const archive::Tree& tree, const std::string& name, unsigned page,
+                    Report& report);
 
 }  // namespace merker::importing

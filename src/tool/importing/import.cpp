@@ -5,6 +5,7 @@
 
 #include "archive/tree.h"
 #include "base/text.h"
+#include "base/visible.h"
 #include "compilation/build.h"
 #include "importing/file_material.h"
 #include "importing/output.h"
@@ -107,7 +108,7 @@ void importPrograms(const archive::Tree& tree, const std::vector<Candidate>& cho
       importStep5(tree, candidate, options, folder, report);
     else
       importStep7(tree, candidate, folder, report);
-    if (chosen.size() > 1) outcome.report += fmt::format("{}\n", folder);
+    if (chosen.size() > 1) outcome.report += fmt::format("{}\n", visible(folder));
     finish(folder, report, outcome);
   }
 }
@@ -124,7 +125,7 @@ Outcome importSource(const Options& options) {
   }
   Report common;
   s7p::Faults faults;
-  const std::vector<s7p::Project> projects = s7p::findProjects(tree, faults);
+  const std::vector<s7p::Project> projects = s7p::findProjects(tree, faults, options.page);
   for (const s7p::Fault& fault : faults) common.add(fault);
   const std::vector<Step5Program> step5 = step5Programs(tree, projects.empty());
   reportUnused(tree, projects, common);
@@ -146,12 +147,13 @@ Outcome importSource(const Options& options) {
     return outcome;
   }
   Report report = common;
-  const Material material = materialOf(tree, stemOf(options.source), report);
+  const Material material = materialOf(tree, stemOf(options.source), options.page, report);
+  for (const archive::Refused& refused : tree.refused()) report.add(refused);
   if (material.empty()) {
     outcome.result = Result::Nothing;
+    outcome.report = report.text();
     return outcome;
   }
-  for (const archive::Refused& refused : tree.refused()) report.add(refused);
   write(material, outcome.folder, report);
   finish(outcome.folder, report, outcome);
   return outcome;

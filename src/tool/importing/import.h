@@ -14,6 +14,7 @@ struct Options {
   std::string folder;                   // empty: named after the source, in the current folder
   std::string program;                  // only this one; empty: all
   Encoding codePage = Encoding::Cp437;  // of STEP 5: Cp437 or Cp850
+  unsigned page = 0;  // of texts that are not Unicode; 0: what the project names, or by content
 };
 
 enum class Result : std::uint8_t {

@@ -33,11 +33,13 @@ struct Material {
   std::vector<TextFile> sources;
   // Files that are parts of the project as they are: sources without blocks beside, symbol tables.
   std::vector<TextFile> files;
+  std::vector<TextFile> foreign;  // in other languages, without blocks beside
   std::vector<s7p::VariableTable> tables;
   std::vector<HardwareModule> modules;
   bool fromProject = false;  // an S7P
   bool empty() const {
-    return blocks.empty() && symbols.empty() && files.empty() && modules.empty() && sources.empty();
+    return blocks.empty() && symbols.empty() && files.empty() && modules.empty() &&
+           sources.empty() && foreign.empty();
   }
 };
 

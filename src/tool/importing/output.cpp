@@ -16,7 +16,8 @@ constexpr std::size_t kLongestName = 60;
 
 bool harmless(char32_t c) {
   constexpr std::u32string_view kNot = U"<>:\"/\\|?*'`$";
-  return c >= 0x20 && c != 0x7F && c != kReplacement && kNot.find(c) == std::u32string_view::npos;
+  const bool control = c < 0x20 || (c >= 0x7F && c < 0xA0);
+  return !control && c != kReplacement && kNot.find(c) == std::u32string_view::npos;
 }
 
 }  // namespace

@@ -88,6 +88,8 @@ void writeProject(const Material& material, Output& output, Report& report) {
     const std::string name = output.unused(file.name.substr(0, point), file.name.substr(point));
     if (output.write(name, file.text)) report.add(Note::Listing, name);
   }
+  for (const TextFile& file : material.foreign)
+    output.write("sources/" + output.unused(file.name, ".txt"), file.text);
   writeTables(material, output, report);
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "base/bytes.h"
+#include "base/code_page.h"
 #include "base/text.h"
 
 namespace merker::importing {
@@ -74,25 +75,16 @@ Kind ofText(std::string_view text) {
 
 Kind recognise(const archive::File& file) {
   if (isContainer(file)) return Kind::Containers;
-  const std::string bytes = file.text(kLooked);
-  const Encoding encoding = detectEncoding(bytes);
-  if (encoding == Encoding::Binary) return Kind::Unknown;
-  return ofText(toUtf8(bytes, encoding));
+  const auto text = decoded(file.text(kLooked));
+  return text ? ofText(*text) : Kind::Unknown;
 }
 
 std::string_view symbolExtension(Kind kind) {
-  switch (kind) {
-    case Kind::Sdf:
-      return ".sdf";
-    case Kind::Asc:
-      return ".asc";
-    case Kind::Dif:
-      return ".dif";
-    case Kind::Seq:
-      return ".seq";
-    default:
-      return {};
-  }
+  static constexpr std::pair<Kind, std::string_view> kExtensions[] = {
+      {Kind::Sdf, ".sdf"}, {Kind::Asc, ".asc"}, {Kind::Dif, ".dif"}, {Kind::Seq, ".seq"}};
+  for (const auto& [table, extension] : kExtensions)
+    if (table == kind) return extension;
+  return {};
 }
 
 }  // namespace merker::importing

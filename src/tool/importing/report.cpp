@@ -2,6 +2,8 @@
 
 #include <fmt/args.h>
 
+#include "base/visible.h"
+
 namespace merker::importing {
 namespace {
 
@@ -36,6 +38,8 @@ std::string_view reason(archive::Refusal why) {
       return "it lies too deep in folders or archives";
     case Refusal::Encrypted:
       return "it is encrypted";
+    case Refusal::Damaged:
+      return "it is damaged or cut off; what lies before was read";
   }
   return "";
 }
@@ -47,7 +51,8 @@ void Report::addText(Note note, const std::vector<std::string>& arguments) {
   ++counts_[static_cast<std::size_t>(row.effect)];
   if (lines_.size() >= kMostLines) return;
   fmt::dynamic_format_arg_store<fmt::format_context> store;
-  for (const std::string& argument : arguments) store.push_back(argument);
+  // Names come from outside: control characters must reach neither a terminal nor the file.
+  for (const std::string& argument : arguments) store.push_back(visible(argument));
   lines_.push_back({row.effect, fmt::vformat(row.text, store)});
 }
 
@@ -58,6 +63,8 @@ void Report::add(const s7p::Fault& fault) {
       return add(Note::NoTable, fault.where);
     case FaultKind::CutTable:
       return add(Note::CutTable, fault.where, fault.what);
+    case FaultKind::LongTable:
+      return add(Note::LongTable, fault.where, fault.what);
     case FaultKind::NoMemo:
       return add(Note::NoMemo, fault.where);
     case FaultKind::NoLinks:
@@ -92,8 +99,13 @@ std::string Report::text() const {
     if (count(effect) == 0) continue;
     out +=
         fmt::format("{}{}:\n", out.empty() ? "" : "\n", kTitles[static_cast<std::size_t>(effect)]);
-    for (const Line& line : lines_)
-      if (line.effect == effect) out += fmt::format("  {}\n", line.text);
+    std::size_t shown = 0;
+    for (const Line& line : lines_) {
+      if (line.effect != effect) continue;
+      out += fmt::format("  {}\n", line.text);
+      ++shown;
+    }
+    if (shown < count(effect)) out += fmt::format("  and {} more\n", count(effect) - shown);
   }
   return out;
 }

@@ -157,12 +157,22 @@ TEST(AwlSource, whatGivesOtherBlocksIsNotWritten) {
 }
 
 TEST(Characters, eachMissingOneIsNamedOnceWithItsPlace) {
-  const auto warnings = missingInCp1252(projectOf("// Größe €\n// ж я\n// ж\n"));
+  const auto warnings = missingIn(1252, projectOf("// Größe €\n// ж я\n// ж\n"));
   ASSERT_EQ(warnings.size(), 2u);
   EXPECT_EQ(warnings[0],
             "a.awl:2:4: warning: 'ж' is not in code page 1252 and is written as '?' (2 times)");
   EXPECT_EQ(warnings[1],
             "a.awl:2:6: warning: 'я' is not in code page 1252 and is written as '?' (1 time)");
+}
+
+TEST(Characters, thePageIsTheOneThatHasMostOfThem) {
+  EXPECT_EQ(pageOf(projectOf("// pump\n")), 1252u);
+  EXPECT_EQ(pageOf(projectOf("// Größe €\n")), 1252u);
+  EXPECT_EQ(pageOf(projectOf("// Насос °C €\n")), 1251u);
+  EXPECT_EQ(pageOf(projectOf("// ısıtıcı ö\n")), 1254u);
+  EXPECT_EQ(pageOf(projectOf("// zawór łańcuch\n")), 1250u);
+  EXPECT_EQ(pageOf(projectOf("// 水泵\n")), 936u);
+  EXPECT_EQ(missingIn(1251, projectOf("// Насос ö\n")).size(), 1u);
 }
 
 }  // namespace

@@ -135,5 +135,45 @@ TEST(Files, nothingKnown) {
   EXPECT_EQ(importSource({folder.path("no"), folder.path("out"), ""}).result, Result::Unreadable);
 }
 
+// By its letters, or as the user says; names of sources and symbol tables come out alike.
+TEST(Files, aSourceOfAnotherCodePage) {
+  const std::string start = "\xCF\xF3\xF1\xEA";  // Пуск in 1251
+  const std::string source = "FUNCTION FC 5 : VOID\nBEGIN\nU \"" + start + "\"; // " + start +
+                             "\nL '" + start.substr(0, 2) + "';\nEND_FUNCTION\n";
+  const TestFolder folder;
+  folder.write("in/a.awl", source);
+  folder.write("in/a.seq", "\tE 1.0\t" + start + "\t\n");
+  const Outcome outcome = importSource({folder.path("in"), folder.path("out"), ""});
+  EXPECT_FALSE(outcome.lost) << outcome.report;
+  EXPECT_NE(outcome.report.find("characters are those of code page 1251"), std::string::npos);
+  EXPECT_EQ(outcome.report.find("finds"), std::string::npos) << outcome.report;
+  EXPECT_NE(folder.read("out/a.awl").find("U \"Пуск\"; // Пуск\nL 'Пу'"), std::string::npos);
+  Options named{folder.path("in"), folder.path("latin"), ""};
+  named.page = 1252;
+  EXPECT_EQ(importSource(named).report.find("1251"), std::string::npos);
+  EXPECT_NE(folder.read("latin/a.awl").find("\"Ïóñê\""), std::string::npos);
+}
+
+TEST(Files, aSourceInScl) {
+  const TestFolder folder;
+  folder.write("in/a.scl", "FUNCTION FC 1 : VOID\nBEGIN\nIF TRUE THEN\n;\nEND_IF;\nEND_FUNCTION\n");
+  const Outcome outcome = importSource({folder.path("in"), folder.path("out"), ""});
+  EXPECT_EQ(outcome.result, Result::Imported);
+  EXPECT_TRUE(outcome.lost);
+  EXPECT_NE(outcome.report.find("a.scl is a source in SCL"), std::string::npos) << outcome.report;
+  EXPECT_TRUE(folder.has("out/sources/a.txt"));
+  EXPECT_FALSE(folder.has("out/a.awl"));
+}
+
+TEST(Files, aZipWithoutAWholeFileSaysThatItIsDamaged) {
+  const TestFolder folder;
+  folder.write("p.zip", std::string("PK\3\4\x14\0\0\0", 8) + std::string(100, '\7'));
+  const Outcome outcome = importSource({folder.path("p.zip"), folder.path("out"), ""});
+  EXPECT_EQ(outcome.result, Result::Nothing);
+  EXPECT_NE(outcome.report.find("p.zip, from byte 0 on: it is damaged or cut off"),
+            std::string::npos)
+      << outcome.report;
+}
+
 }  // namespace
 }  // namespace merker::importing

@@ -26,6 +26,18 @@ TEST(Report, textsOfASourceAreNoPatterns) {
   EXPECT_NE(report.text().find("{0} { has no code"), std::string::npos);
 }
 
+TEST(Report, namesOfASourceReachNoTerminal) {
+  Report report;
+  report.add(Note::NoCode, "FC \x1B[31m\n\x9B");
+  EXPECT_NE(report.text().find("FC \\x1B[31m\\x0A\\x9B has no code"), std::string::npos);
+}
+
+TEST(Report, whatIsLeftOutIsCounted) {
+  Report report;
+  for (int i = 0; i < 20'002; ++i) report.add(Note::NoCode, "FC 1");
+  EXPECT_TRUE(report.text().ends_with("  and 2 more\n"));
+}
+
 TEST(Output, namesAreHarmlessAndUnique) {
   Report report;
   const TestFolder folder;
