@@ -2,9 +2,12 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "base/text.h"
+#include "base/visible.h"
 #include "build.h"
 #include "command.h"
 #include "cpu_option.h"
@@ -29,6 +32,27 @@ void summary(const Build& build) {
             << counted(build.problems.count(Severity::Warning), "warning") << '\n';
 }
 
+bool isSource(const std::string& path) {
+  std::error_code error;
+  return equalsIgnoreCase(std::filesystem::path(path).extension().string(), ".awl") &&
+         std::filesystem::is_regular_file(path, error);
+}
+
+// A source alone names no CPU, and was perhaps written for a larger one than the default.
+void noteLimits(const Build& checked, const std::string& path, const ProjectOptions& options) {
+  constexpr const char* kUnlimited = "generic-4";
+  if (checked.ok() || !options.cpu.empty() || !isSource(path)) return;
+  ProjectOptions other = options;
+  other.cpu = kUnlimited;
+  const std::size_t errors = build(loadProject(path, other), false).problems.count(Severity::Error);
+  if (errors < checked.problems.count(Severity::Error))
+    std::cerr << fmt::format(
+        "{}: without the limits of {}, the default, there are {}; --cpu names another model, {} "
+        "has "
+        "no limits\n",
+        visible(path), checked.project.model->name, counted(errors, "error"), kUnlimited);
+}
+
 int check(const CheckOptions& options) {
   int result = kGood;
   Problems problems;
@@ -36,6 +60,7 @@ int check(const CheckOptions& options) {
     Build checked = build(loadProject(path, options.project), false);
     noteMissingOb1(checked);
     printProblems(checked.problems, checked.files());
+    noteLimits(checked, path, options.project);
     problems.append(checked.problems);
     if (!options.json) summary(checked);
     result = std::max(result, exitCode(checked));

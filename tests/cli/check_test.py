@@ -91,6 +91,25 @@ class Check(Case):
                 self.expect(GOOD, "check", "a.awl")
 
 
+    def test_a_source_for_a_larger_cpu(self):
+        self.write("a.awl", block("      U     M 300.0\n      =     A 0.0"))
+        hint = "a.awl: without the limits of CPU 314C-2 PtP, the default, there are 0 errors"
+        err = self.expect(PROBLEMS, "check", "a.awl").err
+        self.assertIn("flag byte 300", err)
+        self.assertIn(hint, err)
+        self.assertNotIn(hint, self.expect(PROBLEMS, "check", "a.awl", "--cpu", "314C-2 PtP").err)
+        self.expect(GOOD, "check", "a.awl", "--cpu", "generic-4")
+
+    def test_code_pages_of_other_countries(self):
+        source = "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n      L     '{0}'  // {1}\n      U     \"{1}\"\nEND_ORGANIZATION_BLOCK\n"
+        for name, page in (("Пуск", "cp1251"), ("启动电机", "gbk"), ("Isıtıcı", "cp1254")):
+            for encoding in ("utf-8", "utf-16", "utf-16-le", page):
+                with self.subTest(name=name, encoding=encoding):
+                    self.write("a.awl", source.format(name[:2], name).encode(encoding))
+                    self.write("a.sym", f"\"{name}\" E 0.0 BOOL\n".encode(encoding))
+                    self.expect(GOOD, "check", "a.awl")
+
+
 class Projects(Case):
     def test_a_project_folder(self):
         self.write("p/merker.toml", "[project]\nname = \"P\"\n[cpu]\nmodel = \"generic\"\n")

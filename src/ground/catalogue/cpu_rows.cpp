@@ -17,11 +17,12 @@ constexpr std::array<std::uint8_t, 22> kObs314Pn{1,  10, 20, 21, 32, 33, 34, 35,
 constexpr std::array<std::uint8_t, 3> kObs312Ifm{1, 40, 100};
 constexpr std::array<std::uint8_t, 22> kObs318{1,  10, 11, 20, 21, 32, 35,  40,  41,  80,  81,
                                                82, 83, 84, 85, 86, 87, 100, 102, 121, 122, 60};
-// The whole table of chapter 5.1 with OB 102 (S7-OPEN-42).
-constexpr std::array<std::uint8_t, 46> kObsAll{1,  10, 11, 12, 13, 14,  15,  16,  17,  20, 21, 22,
-                                               23, 30, 31, 32, 33, 34,  35,  36,  37,  38, 40, 41,
-                                               42, 43, 44, 45, 46, 47,  50,  51,  60,  80, 81, 82,
-                                               83, 84, 85, 86, 87, 100, 101, 102, 121, 122};
+// The whole table of chapter 5.1 with OB 102 (S7-OPEN-42), and those that only other CPUs have: a
+// program for one of them compiles, and nothing starts them.
+constexpr std::array<std::uint8_t, 59> kObsAll{
+    1,  10, 11, 12, 13, 14, 15, 16, 17, 20, 21, 22, 23, 30, 31,  32,  33,  34,  35, 36,
+    37, 38, 40, 41, 42, 43, 44, 45, 46, 47, 50, 51, 55, 56, 57,  60,  61,  62,  63, 64,
+    65, 70, 72, 73, 80, 81, 82, 83, 84, 85, 86, 87, 88, 90, 100, 101, 102, 121, 122};
 
 // Compressing, parts of the process image and synchronising clocks: CPU 318-2 and S7-400.
 constexpr std::array<std::uint8_t, 4> kNotOn31x{25, 26, 27, 48};
