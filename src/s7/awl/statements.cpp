@@ -81,8 +81,10 @@ class Writer {
   bool takesList(std::size_t at) const {
     const mc7::Place& place = listing_.places[at];
     const auto& i = place.instruction;
-    return place.known && (i.operation == Operation::UC || i.operation == Operation::CC) &&
-           i.operand.kind == OperandKind::Block &&
+    const bool named = i.operand.kind == OperandKind::Block ||
+                       i.operand.kind == OperandKind::BlockParameter ||
+                       i.operand.kind == OperandKind::BlockIndirect;
+    return place.known && (i.operation == Operation::UC || i.operation == Operation::CC) && named &&
            (i.operand.blockKind == BlockKind::FC || i.operand.blockKind == BlockKind::SFC);
   }
 
