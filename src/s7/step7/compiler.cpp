@@ -49,7 +49,7 @@ Compilation compile(const std::vector<source::SourceFile>& sources, const Compil
   std::vector<BlockSource> blocks;
   for (const source::SourceFile& file : sources) {
     const std::size_t before = result.problems.size();
-    if (const auto foreign = foreignText(file.text())) {
+    if (const auto foreign = foreignText(file.text(), options.stop)) {
       result.problems.add(ProblemCode::P0334,
                           file.position(foreign->begin, foreign->end - foreign->begin),
                           foreign->refusal);

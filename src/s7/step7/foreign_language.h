@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <stop_token>
 #include <string_view>
 
 namespace merker::step7 {
@@ -13,6 +14,6 @@ struct ForeignText {
 };
 
 // Nothing if no statement begins with a word that only SCL or GRAPH has.
-std::optional<ForeignText> foreignText(std::string_view source);
+std::optional<ForeignText> foreignText(std::string_view source, const std::stop_token& stop = {});
 
 }  // namespace merker::step7
