@@ -92,15 +92,30 @@ std::vector<const block::Variable*> frame(const block::Block& block) {
 
 }  // namespace
 
+bool sameInterface(const block::Block& a, const block::Block& b) {
+  const auto first = frame(a), second = frame(b);
+  return std::equal(first.begin(), first.end(), second.begin(), second.end(),
+                    [](const block::Variable* x, const block::Variable* y) {
+                      return x->section == y->section && block::sameStructure(*x->type, *y->type);
+                    });
+}
+
+bool isSystemFunction(BlockId id) { return id.kind == BlockKind::SFC || id.kind == BlockKind::SFB; }
+
 bool isOfTheCpu(BlockId id, const block::Program& library) {
-  const bool system = id.kind == BlockKind::SFC || id.kind == BlockKind::SFB;
-  return system && library.contains(id);
+  return isSystemFunction(id) && library.contains(id);
 }
 
 Declarations::Declarations(const std::vector<s7p::StoredBlock>& blocks,
-                           const step7::CompileOptions& options, Report& report) {
+                           const step7::CompileOptions& given, Report& report)
+    : library_(*given.library) {
   for (const s7p::StoredBlock& stored : blocks)
-    if (!isOfTheCpu(stored.block.id, *options.library)) declare(stored);
+    if (!isSystemFunction(stored.block.id))
+      declare(stored);
+    else if (!isOfTheCpu(stored.block.id, *given.library))
+      library_.insert_or_assign(stored.block.id, stored.block);  // of another CPU, as it is stored
+  step7::CompileOptions options = given;
+  options.library = &library_;
   compile(blocks, options);
   bool again = false;
   for (const s7p::StoredBlock& stored : blocks) {
@@ -118,7 +133,7 @@ Declarations::Declarations(const std::vector<s7p::StoredBlock>& blocks,
   if (again) compile(blocks, options);
   for (const s7p::StoredBlock& stored : blocks)
     if (stored.block.id.kind != BlockKind::UDT && !fits(stored)) declared_.erase(stored.block.id);
-  callable_ = *options.library;
+  callable_ = library_;
   for (const auto& [id, block] : declared_) callable_.insert_or_assign(id, block);
 }
 
@@ -155,11 +170,7 @@ bool Declarations::fits(const s7p::StoredBlock& stored) const {
   if (declared == nullptr) return false;
   if (stored.block.id.kind == BlockKind::DB)
     return declared->actualData.size() == stored.block.actualData.size();
-  const auto first = frame(*declared), second = frame(stored.block);
-  return std::equal(first.begin(), first.end(), second.begin(), second.end(),
-                    [](const block::Variable* a, const block::Variable* b) {
-                      return a->section == b->section && block::sameStructure(*a->type, *b->type);
-                    });
+  return sameInterface(*declared, stored.block);
 }
 
 const block::Block* Declarations::find(BlockId id) const {

@@ -10,7 +10,11 @@
 
 namespace merker::importing {
 
-// A system function that the CPU has: it needs no source.
+// Whether both have the same sections and types, temporary data aside; names do not matter.
+bool sameInterface(const block::Block& a, const block::Block& b);
+
+bool isSystemFunction(BlockId id);
+// One that the CPU has: it needs no source.
 bool isOfTheCpu(BlockId id, const block::Program& library);
 
 class Declarations {
@@ -31,6 +35,7 @@ class Declarations {
   bool fits(const s7p::StoredBlock& stored) const;
 
   std::map<BlockId, awl::Texts> texts_;
+  block::Program library_;  // with system functions of other CPUs that are stored
   block::Program declared_, callable_;
 };
 

@@ -67,7 +67,11 @@ class Reader {
     current_ = nullptr;
     const auto slot = numberBehind(text, " SLOT "), number = numberBehind(text, "RACK ");
     const auto names = quoted(text);
-    if (!slot || !number || names.empty() || material_.modules.size() >= kMostModules) return;
+    if (!slot || !number || names.empty()) return;
+    if (material_.modules.size() >= kMostModules) {
+      ++material_.modulesLeftOut;
+      return;
+    }
     const std::uint32_t subslot = numberBehind(text, "SUBSLOT ").value_or(0);
     if (*slot == kCpuSlot && subslot == 0 && *number == 0) {
       material_.cpu = names.back();

@@ -36,7 +36,8 @@ struct Material {
   std::vector<TextFile> foreign;  // in other languages, without blocks beside
   std::vector<s7p::VariableTable> tables;
   std::vector<HardwareModule> modules;
-  bool fromProject = false;  // an S7P
+  std::size_t modulesLeftOut = 0;  // a station has less
+  bool fromProject = false;        // an S7P
   bool empty() const {
     return blocks.empty() && symbols.empty() && files.empty() && modules.empty() &&
            sources.empty() && foreign.empty();

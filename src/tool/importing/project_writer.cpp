@@ -70,6 +70,7 @@ void writeProject(const Material& material, Output& output, Report& report) {
     report.add(Note::Station, material.station, material.cpu);
   const std::string model = modelOf(material, report);
   output.write("merker.toml", settingsText(material, model, report));
+  if (material.modulesLeftOut > 0) report.add(Note::ModulesLeftOut, material.modulesLeftOut);
   if (material.fromProject && !material.cpu.empty()) report.add(Note::NoAddresses);
 
   const source::SymbolTable symbols = tableOf(material.symbols, report);

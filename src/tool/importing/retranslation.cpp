@@ -18,6 +18,12 @@ bool sameBytes(const block::Block& compiled, const block::Block& stored) {
                                    : compiled.actualData == stored.actualData;
 }
 
+// Code may be the same with other parameters, which callers would see. A block whose interface
+// could not be read has none to compare.
+bool fitsInterface(const block::Block& compiled, const block::Block& stored) {
+  return !holdsCode(stored.id.kind) || stored.variables.empty() || sameInterface(compiled, stored);
+}
+
 // From the beginning of the line with its first word to the end of the line with its last one.
 std::string cut(const source::SourceFile& file, const step7::BlockSource& block,
                 std::string_view end) {
@@ -62,7 +68,8 @@ bool Retranslation::offer(const TextFile& source) {
     const StoredBlock* wanted = stored(block.id);
     if (compiled == compilation.program.end() || wanted == nullptr || kept_.contains(block.id) ||
         wanted->block.attributes.knowHowProtect || wanted->block.id.kind == BlockKind::UDT ||
-        !sameBytes(compiled->second, wanted->block))
+        !sameBytes(compiled->second, wanted->block) ||
+        !fitsInterface(compiled->second, wanted->block))
       continue;
     std::string text = cut(file, block, awl::endWord(block.id.kind));
     std::string why;
@@ -117,7 +124,7 @@ std::string Retranslation::declarationOf(const StoredBlock& stored, bool hidden)
 std::string Retranslation::code(const StoredBlock& stored, std::string& why) {
   const block::Block* declared = declarations_.find(stored.block.id);
   if (declared == nullptr) {
-    why = "no declaration";
+    why = isSystemFunction(stored.block.id) ? "a system function of another CPU" : "no declaration";
     return {};
   }
   for (const bool calls : {true, false}) {

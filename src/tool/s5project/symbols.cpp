@@ -49,6 +49,9 @@ Symbols readAssignments(const std::string& bytes, Encoding codePage) {
     if (result.notes.size() < kMostNotes)
       result.notes.push_back(
           fmt::format("{}, line {}: {}", kName, problem.position.line, problem.message));
+  if (problems.list().size() > kMostNotes)
+    result.notes.push_back(
+        fmt::format("{}: {} more lines like these", kName, problems.list().size() - kMostNotes));
   for (source::Symbol symbol : all.list()) {
     if (!isValid(symbol)) continue;
     symbol.comment = shortened(symbol.comment);

@@ -145,6 +145,18 @@ TEST(Import, aSourceThatCompilesToTheStoredBytesIsKept) {
   EXPECT_FALSE(done.folder.has("out/sources/All.txt"));
 }
 
+// The same code with other parameters: callers would see the difference.
+TEST(Import, aSourceWithAnotherInterfaceIsNotTaken) {
+  auto stored = project();
+  std::string source = kProgram.substr(kProgram.find("FUNCTION FC 1"));
+  source.replace(source.find("IN1 : INT"), 9, "IN1 : WORD");
+  stored.sources = {{"All", source}};
+  const Import done(stored.files());
+  expectSameBlocks(done.build());
+  EXPECT_EQ(done.folder.read("out/FC1.awl").find("m1: L DB10"), std::string::npos);
+  EXPECT_NE(done.folder.read("out/FC1.awl").find("IN1 : INT"), std::string::npos);
+}
+
 // S7P section 5: respect the mark, run the code, show the interface, do not show the body.
 TEST(Import, aProtectedBlockRunsAndCanBeCalled) {
   const Import done(project(3).files());
