@@ -19,7 +19,7 @@ from web_socket import Browser, Closed, WebSocket
 LONGEST_PING = 0.1
 # Who is attacked has more threads that wait for a busy machine than who is not.
 SHARE = 3
-SECONDS = 2
+SECONDS = 1
 MEGA = 1 << 20
 # What a server may grow by while it is attacked: the messages, their values and the answers of a few browsers.
 MOST_MEMORY = 400 * MEGA
