@@ -11,6 +11,7 @@ bool OperatingState::allows(Start kind) const {
 void OperatingState::start(Start kind) {
   mode_ = Mode::Startup;
   startKind_ = kind;
+  holdNext_ = false;  // it was meant for the program that ran before
   warmInterrupted_ = false;
 }
 

@@ -87,7 +87,7 @@ bool Debugger::before(Spot& spot) {
 bool Debugger::holdAt(Spot& spot, const At& here, Breakpoint* stop) {
   if (!spot.hold()) return false;
   if (stop != nullptr) ++stop->hits;
-  leaveFrom_ = here;
+  heldAt_ = here;
   pause_.why = stop != nullptr ? Pause::Why::Breakpoint : Pause::Why::Step;
   pause_.breakpoint = stop != nullptr ? stop->number : 0;
   return true;
@@ -150,10 +150,9 @@ void Debugger::giveUpStep() {
 
 void Debugger::goOn() {
   pause_ = {};
-  if (target_.plc().mode() == Mode::Halt)
-    target_.resume();
-  else
-    leaveFrom_.reset();
+  const bool leaves = target_.plc().mode() == Mode::Halt;
+  leaveFrom_ = leaves ? heldAt_ : std::nullopt;
+  if (leaves) target_.resume();
 }
 
 bool Debugger::executing() const {

@@ -52,6 +52,8 @@ class Debugger final : private Observer {
   // then.
   Pause run(Instant limit, const std::function<bool()>& interrupted = {});
   Pause step(StepKind kind, Instant limit, const std::function<bool()>& interrupted = {});
+  // The machine has gone to STOP: what runs next begins anew.
+  void forgetHalt() { leaveFrom_.reset(); }
   // In parts: the step has begun and has not ended at this limit; the next part, the end of it.
   Pause beginStep(StepKind kind, Instant limit);
   Pause stepOn(Instant limit);
@@ -102,8 +104,8 @@ class Debugger final : private Observer {
   unsigned nextNumber_ = 1;
   std::vector<ProgramStatus> statuses_;  // of different blocks
   std::optional<Step> step_;
-  std::optional<At>
-      leaveFrom_;  // the instruction that HALT stands before: executed when it goes on
+  std::optional<At> heldAt_;     // the instruction that HALT stands before
+  std::optional<At> leaveFrom_;  // the same, out of HALT: executed before anything holds again
   Pause pause_;
 };
 

@@ -18,6 +18,7 @@ Monitor::Monitor(std::unique_ptr<Target> target, const source::SymbolTable& symb
       debugger_(*target_) {}
 
 void Monitor::reached(CyclePoint point) {
+  if (point == CyclePoint::Stop) debugger_.forgetHalt();
   for (VariableTable& table : tables_) table.reached(point);
   if (observer_) observer_(point);
 }

@@ -73,6 +73,30 @@ TYPED_TEST(EveryMachine, KeepsBreakpointsAtAMemoryReset) {
   EXPECT_EQ(this->plc.debugger().breakpoints().front().hits, 2u);
 }
 
+// Whoever else starts it: the first cycle holds, too, and M 100.0 is not written yet.
+TYPED_TEST(EveryMachine, HoldsInTheFirstCycleAfterAStopInHalt) {
+  const auto restarted = [&] {
+    this->machine().stop();
+    EXPECT_TRUE(this->machine().start());
+    EXPECT_EQ(name(this->plc->write("M 100.0", "1")), "good");
+    this->machine().advanceTo(this->plc.soon());
+    EXPECT_EQ(this->machine().mode(), controller::Mode::Halt);
+    EXPECT_EQ(this->plc.read("M 100.0"), "1");
+  };
+  this->plc.breakAt("OB 1");
+  this->plc.start();
+  EXPECT_EQ(this->plc.run().why, Pause::Why::Breakpoint);
+  restarted();
+  this->plc.debugger().run(this->machine().now());  // out of HALT, no time for an instruction
+  EXPECT_EQ(this->machine().mode(), controller::Mode::Run);
+  restarted();
+  this->machine().powerOff();
+  this->machine().powerOn();
+  if (this->machine().mode() == controller::Mode::Stop) this->plc.start();
+  this->machine().advanceTo(this->plc.soon());
+  EXPECT_EQ(this->plc.debugger().breakpoints().front().hits, 4u);
+}
+
 TYPED_TEST(EveryMachine, StopsAsAProgrammingDevice) {
   this->plc.start();
   this->machine().advanceCycles(2);
