@@ -24,7 +24,7 @@ export const cpu = {
   modeRUN: ['RUN', 'RUN'],
   modeSTOP: ['STOP', 'STOP'],
   modeSTARTUP: ['ANLAUF', 'STARTUP'],
-  modeHALT: ['HALT', 'HOLD'],
+  modeHALT: ['HALT', 'HALT'],
   modeOff: ['stromlos', 'no power'],
   emptyCpu: [
     'Die CPU ist leer: Programm laden, dann Schalter auf RUN-P.',

@@ -21,7 +21,7 @@ export const diagnosis = {
   locals: ['L-Stack', 'L stack'],
   noStacks: [
     'Kein Baustein ist unterbrochen. Die Stacks zeigen im STOP und HALT, wo das Programm unterbrochen wurde.',
-    'No block is interrupted. In STOP and HOLD the stacks show where the program was interrupted.',
+    'No block is interrupted. In STOP and HALT the stacks show where the program was interrupted.',
   ],
   block: ['Baustein', 'Block'],
   dataBlocks: ['DB / DI', 'DB / DI'],
