@@ -41,6 +41,7 @@ int importProject(const importing::Options& options) {
       return refuse(kUnreadable,
                     fmt::format("{} exists and is not empty; choose another folder with -o",
                                 visible(outcome.folder)));
+    case importing::Result::Stopped:  // nobody stops it here
     case importing::Result::Imported:
       break;
   }

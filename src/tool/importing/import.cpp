@@ -1,13 +1,13 @@
 #include "importing/import.h"
 
 #include <algorithm>
-#include <filesystem>
 
 #include "archive/tree.h"
 #include "base/text.h"
 #include "base/visible.h"
 #include "compilation/build.h"
 #include "importing/file_material.h"
+#include "importing/merker_project.h"
 #include "importing/output.h"
 #include "importing/project_writer.h"
 #include "importing/s7p_material.h"
@@ -17,38 +17,34 @@
 namespace merker::importing {
 namespace {
 
-namespace fs = std::filesystem;
-
-// "plant" for "/old/plant.zip".
-std::string stemOf(const std::string& source) {
-  std::error_code error;
-  const fs::path path = fs::weakly_canonical(source, error);
-  const fs::path name = fs::is_directory(path, error) ? path.filename() : path.stem();
-  return name.empty() ? "project" : name.string();
-}
-
-// A program of STEP 7 or of STEP 5.
+// A program of STEP 7, of STEP 5 or of Merker itself.
 struct Candidate {
   std::string name;
   const s7p::Project* project = nullptr;
   const s7p::Program* program = nullptr;
   const Step5Program* step5 = nullptr;
+  const MerkerProject* merker = nullptr;
 };
 
 std::vector<Candidate> candidates(const std::vector<s7p::Project>& projects,
-                                  const std::vector<Step5Program>& step5) {
+                                  const std::vector<Step5Program>& step5,
+                                  const std::vector<MerkerProject>& merker) {
   std::vector<Candidate> list;
   for (const s7p::Project& project : projects)
     for (const s7p::Program& program : project.programs)
-      list.push_back({program.name, &project, &program, nullptr});
+      list.push_back({program.name, &project, &program, nullptr, nullptr});
+  for (const MerkerProject& project : merker)
+    list.push_back({project.name, nullptr, nullptr, nullptr, &project});
+  if (!merker.empty()) return list;  // what lies in them is theirs
   for (const Step5Program& program : step5)
-    list.push_back({program.name, nullptr, nullptr, &program});
+    list.push_back({program.name, nullptr, nullptr, &program, nullptr});
   return list;
 }
 
 // What `merker check` will say about the new project.
-void check(const std::string& folder, Report& report) {
-  compilation::Build build = compilation::build(project::load(folder, ""), false);
+void check(const Output& output, Report& report) {
+  if (output.stopped()) return;
+  compilation::Build build = compilation::build(project::load(output.folder(), ""), false);
   if (build.ok()) return;
   for (const Problem& problem : build.problems.list())
     if (problem.severity() == Severity::Error)
@@ -58,10 +54,11 @@ void check(const std::string& folder, Report& report) {
           build.problems.count(Severity::Error) == 1 ? "error" : "errors");
 }
 
-void write(const Material& material, const std::string& folder, Report& report) {
-  Output output(folder, report);
+void write(const Material& material, const std::string& folder, const Options& options,
+           Report& report) {
+  Output output(folder, report, options.stop);
   writeProject(material, output, report);
-  check(folder, report);
+  check(output, report);
 }
 
 // The report of one folder, in it and for the terminal.
@@ -69,28 +66,39 @@ void finish(const std::string& folder, Report& report, Outcome& outcome) {
   const std::string text = report.text();
   Output(folder, report).write("import-report.txt", text);
   outcome.report += text;
+  outcome.folders.push_back(folder);
+  outcome.lines.insert(outcome.lines.end(), report.lines().begin(), report.lines().end());
   outcome.lost |= report.count(Effect::Lost) > 0;
 }
 
-void importStep7(const archive::Tree& tree, const Candidate& candidate, const std::string& folder,
-                 Report& report) {
+void importStep7(const archive::Tree& tree, const Candidate& candidate, const Options& options,
+                 const std::string& folder, Report& report) {
   report.add(Note::Program, candidate.name, candidate.project->name);
   report.add(Note::CodePage, candidate.project->page.number());
   const Material material = materialOf(tree, *candidate.project, *candidate.program, report);
   if (material.blocks.empty()) report.add(Note::EmptyProgram, candidate.name);
   for (const archive::Refused& refused : tree.refused()) report.add(refused);
-  write(material, folder, report);
+  write(material, folder, options, report);
+}
+
+void importMerker(const archive::Tree& tree, const Candidate& candidate, const Options& options,
+                  const std::string& folder, Report& report) {
+  report.add(Note::Program, candidate.name, "Merker");
+  Output output(folder, report, options.stop);
+  copyMerkerProject(tree, *candidate.merker, output, report);
+  for (const archive::Refused& refused : tree.refused()) report.add(refused);
+  check(output, report);
 }
 
 void importStep5(const archive::Tree& tree, const Candidate& candidate, const Options& options,
                  const std::string& folder, Report& report) {
   report.add(Note::Program, candidate.name, "STEP 5");
-  Output output(folder, report);
+  Output output(folder, report, options.stop);
   const bool any =
       writeStep5Project(tree, options.source, *candidate.step5, options.codePage, output, report);
   for (const archive::Refused& refused : tree.refused()) report.add(refused);
   if (any)
-    check(folder, report);
+    check(output, report);
   else
     report.add(Note::EmptyProgram, candidate.name);
 }
@@ -100,14 +108,17 @@ void importPrograms(const archive::Tree& tree, const std::vector<Candidate>& cho
   Report names;
   Output root(outcome.folder, names);
   for (const Candidate& candidate : chosen) {
+    if (options.stop.stop_requested()) return;
     Report report = common;
     const std::string folder = chosen.size() == 1
                                    ? outcome.folder
                                    : outcome.folder + "/" + root.unused(candidate.name, "");
-    if (candidate.step5 != nullptr)
+    if (candidate.merker != nullptr)
+      importMerker(tree, candidate, options, folder, report);
+    else if (candidate.step5 != nullptr)
       importStep5(tree, candidate, options, folder, report);
     else
-      importStep7(tree, candidate, folder, report);
+      importStep7(tree, candidate, options, folder, report);
     if (chosen.size() > 1) outcome.report += fmt::format("{}\n", visible(folder));
     finish(folder, report, outcome);
   }
@@ -129,7 +140,8 @@ Outcome importSource(const Options& options) {
   for (const s7p::Fault& fault : faults) common.add(fault);
   const std::vector<Step5Program> step5 = step5Programs(tree, projects.empty());
   reportUnused(tree, projects, common);
-  std::vector<Candidate> chosen = candidates(projects, step5);
+  const std::vector<MerkerProject> merker = merkerProjects(tree, options.source);
+  std::vector<Candidate> chosen = candidates(projects, step5, merker);
   for (const Candidate& candidate : chosen) outcome.programs.push_back(candidate.name);
   if (!options.program.empty())
     std::erase_if(chosen,
@@ -144,6 +156,7 @@ Outcome importSource(const Options& options) {
   }
   if (!chosen.empty()) {
     importPrograms(tree, chosen, common, options, outcome);
+    if (options.stop.stop_requested()) outcome.result = Result::Stopped;
     return outcome;
   }
   Report report = common;
@@ -154,8 +167,9 @@ Outcome importSource(const Options& options) {
     outcome.report = report.text();
     return outcome;
   }
-  write(material, outcome.folder, report);
+  write(material, outcome.folder, options, report);
   finish(outcome.folder, report, outcome);
+  if (options.stop.stop_requested()) outcome.result = Result::Stopped;
   return outcome;
 }
 

@@ -1,6 +1,7 @@
 // A foreign project, its archive or single files become Merker projects.
 #pragma once
 
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct Options {
   std::string program;                  // only this one; empty: all
   Encoding codePage = Encoding::Cp437;  // of STEP 5: Cp437 or Cp850
   unsigned page = 0;  // of texts that are not Unicode; 0: what the project names, or by content
+  std::stop_token stop{};               // what has been written by then stays
 };
 
 enum class Result : std::uint8_t {
@@ -22,14 +24,17 @@ enum class Result : std::uint8_t {
   Unreadable,     // the source
   Nothing,        // nothing in it is known
   NoSuchProgram,  // `programs` are there
-  Exists          // the folder
+  Exists,         // the folder
+  Stopped
 };
 
 struct Outcome {
   Result result = Result::Imported;
   std::string folder;
   std::vector<std::string> programs;  // names
+  std::vector<std::string> folders;   // one for each program
   std::string report;                 // also in FOLDER/import-report.txt
+  std::vector<Report::Line> lines;    // the same, one by one
   bool lost = false;                  // a block or more did not come
 };
 

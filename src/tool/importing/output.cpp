@@ -22,6 +22,13 @@ bool harmless(char32_t c) {
 
 }  // namespace
 
+std::string stemOf(const std::string& source) {
+  std::error_code error;
+  const fs::path path = fs::weakly_canonical(source, error);
+  const fs::path name = fs::is_directory(path, error) ? path.filename() : path.stem();
+  return name.empty() ? "project" : name.string();
+}
+
 bool isFree(const std::string& path) {
   std::error_code error;
   if (!fs::exists(fs::symlink_status(path, error))) return true;

@@ -3,6 +3,7 @@
 
 #include <set>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <string_view>
 
@@ -12,7 +13,11 @@ namespace merker::importing {
 
 class Output {
  public:
-  Output(std::string folder, Report& report) : folder_(std::move(folder)), report_(report) {}
+  Output(std::string folder, Report& report, std::stop_token stop = {})
+      : folder_(std::move(folder)), report_(report), stop_(std::move(stop)) {}
+
+  // Nobody waits for the import any more.
+  bool stopped() const { return stop_.stop_requested(); }
 
   // `name` may contain a folder: "sources/Main.txt". False, and a note, if it is there already.
   bool write(const std::string& name, std::string_view text);
@@ -26,8 +31,12 @@ class Output {
  private:
   std::string folder_;
   Report& report_;
+  std::stop_token stop_;
   std::set<std::string> used_;  // without case
 };
+
+// "plant" for "/old/plant.zip".
+std::string stemOf(const std::string& source);
 
 // Whether there is nothing at this path, or an empty folder.
 bool isFree(const std::string& path);

@@ -39,6 +39,7 @@ void writeBlocks(const Material& material, const step7::CompileOptions& options,
   writeSources(material, blocks, output, report);
   Counts counts;
   for (const s7p::StoredBlock& stored : material.blocks) {
+    if (output.stopped()) return;
     const BlockId id = stored.block.id;
     if (isOfTheCpu(id, *options.library) || stored.damaged) continue;
     const BlockFile file = blocks.write(stored);

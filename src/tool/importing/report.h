@@ -33,15 +33,16 @@ class Report {
   void add(const s7p::Fault& fault);
   void add(const archive::Refused& refused);
 
-  // Lines for a file or a terminal: what is lost stands last.
-  std::string text() const;
-  std::size_t count(Effect effect) const;
-
- private:
   struct Line {
     Effect effect;
     std::string text;
   };
+  // Lines for a file or a terminal: what is lost stands last.
+  std::string text() const;
+  const std::vector<Line>& lines() const { return lines_; }
+  std::size_t count(Effect effect) const;
+
+ private:
   void addText(Note note, const std::vector<std::string>& arguments);
   std::vector<Line> lines_;
   std::array<std::size_t, 3> counts_{};

@@ -4,6 +4,7 @@
 #include "block/container.h"
 #include "compilation/build.h"
 #include "importing/import.h"
+#include "importing/look.h"
 #include "importing/recognise.h"
 #include "step7/compiler.h"
 
@@ -75,6 +76,53 @@ TEST(Files, aWldFileIsAChainOfBlocks) {
   EXPECT_TRUE(build.program->contains({BlockKind::FC, 7}));
   EXPECT_EQ(build.program->at({BlockKind::DB, 3}).actualData, (std::vector<std::uint8_t>{0, 5}));
   EXPECT_FALSE(outcome.lost);
+}
+
+// A zip that the workbench gave to download: all its files, as they were.
+TEST(Files, aProjectOfMerkerComesAsItWas) {
+  const TestFolder folder;
+  const std::map<std::string, std::string> files{
+      {"plant/merker.toml", "[project]\nname = \"Plant\"\n"},
+      {"plant/main.awl", "// no block\n"},
+      {"plant/lib/picture.bin", std::string("\0\1", 2)},
+      {"plant/.git/config", "secret"},
+      {"beside.txt", "x"}};
+  folder.zip("p.zip", files);
+  const Contents found = look(folder.path("p.zip"), {});
+  EXPECT_EQ(found.programs, std::vector<std::string>{"plant"});
+  EXPECT_TRUE(found.whole);
+  const Outcome outcome = importSource({folder.path("p.zip"), folder.path("out"), ""});
+  ASSERT_EQ(outcome.result, Result::Imported);
+  EXPECT_EQ(folder.read("out/main.awl"), "// no block\n");
+  EXPECT_EQ(folder.read("out/lib/picture.bin"), std::string("\0\1", 2));
+  EXPECT_FALSE(folder.has("out/.git/config"));
+  EXPECT_FALSE(folder.has("out/beside.txt"));
+  EXPECT_EQ(outcome.folders, std::vector<std::string>{folder.path("out")});
+}
+
+TEST(Look, saysWhatWouldCome) {
+  const TestFolder folder;
+  folder.write("in/a.awl", kSource);
+  Contents found = look(folder.path("in"), {});
+  EXPECT_TRUE(found.programs.empty());
+  EXPECT_TRUE(found.step7);
+  EXPECT_FALSE(found.step5 || found.whole || found.empty());
+  folder.write("in/station.cfg", "FILEVERSION \"3.2\"\n");
+  EXPECT_TRUE(look(folder.path("in"), {}).whole);
+  folder.write("other/letter.doc", "Dear reader");
+  EXPECT_TRUE(look(folder.path("other"), {}).empty());
+  EXPECT_FALSE(look(folder.path("none"), {}).readable);
+}
+
+TEST(Files, anImportThatIsStoppedSaysSo) {
+  const TestFolder folder;
+  folder.write("in.wld", container());
+  std::stop_source stop;
+  stop.request_stop();
+  Options options{folder.path("in.wld"), folder.path("out"), ""};
+  options.stop = stop.get_token();
+  EXPECT_EQ(importSource(options).result, Result::Stopped);
+  EXPECT_FALSE(folder.has("out/FC7.awl"));
 }
 
 // The security word alone protects as well as the attribute bit (docs/formats/block.md).
