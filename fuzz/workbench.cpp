@@ -148,6 +148,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto work = [&](workbench::Work one) { works.push_back(std::move(one)); };
   bench.compileBy(work);
   bench.helpBy(work);
+  bench.importBy(work);
   bench.use({world.path("work"), {}, {}});
   bench.show(std::make_unique<workbench::Plc>(
       compilation::build(project::load(world.path("work/plant"), {}), false)));

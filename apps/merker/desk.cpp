@@ -28,6 +28,7 @@ Desk::Desk(workbench::Workbench& workbench, Watchdog& watchdog)
     : workbench_(workbench), watchdog_(watchdog) {
   workbench.compileBy([this](workbench::Work work) { compiler_.push(std::move(work)); });
   workbench.helpBy([this](workbench::Work work) { clerk_.push(std::move(work)); });
+  workbench.importBy([this](workbench::Work work) { importer_.push(std::move(work)); });
   workbench.tellPlace([this](std::string_view place) { watchdog_.enter(place, current_); });
 }
 

@@ -1,5 +1,5 @@
 // Where the threads of the workbench meet: the server's brings requests, the PLC's answers them
-// between two slices of virtual time, two more do what takes longer than a slice.
+// between two slices of virtual time, three more do what takes longer than a slice.
 #pragma once
 
 #include <condition_variable>
@@ -62,7 +62,7 @@ class Desk : public hmi::Handler {
 
   workbench::Workbench& workbench_;
   Watchdog& watchdog_;
-  WorkThread compiler_, clerk_;
+  WorkThread compiler_, clerk_, importer_;
   std::set<hmi::BrowserId> browsers_, unframed_;  // unframed_: this frame is still to be told to
   hmi::BrowserId current_ = 0, last_ = 0;         // that is served, that was served
   std::int64_t nextFrame_ = 0;

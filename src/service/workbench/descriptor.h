@@ -20,6 +20,8 @@ class Descriptor {
   }
   explicit operator bool() const { return number_ >= 0; }
   int number() const { return number_; }
+  // Whoever takes it closes it.
+  int release() { return std::exchange(number_, -1); }
 
  private:
   int number_;

@@ -67,6 +67,8 @@ std::span<const Method> modifyMethods();
 std::span<const Method> timerMethods();
 std::span<const Method> snapshotMethods();
 std::span<const Method> recordingMethods();
+std::span<const Method> downloadMethods();
+std::span<const Method> importMethods();
 
 // {} or the problem.
 Answer done(const std::optional<Problem>& problem = {});

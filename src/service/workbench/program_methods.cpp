@@ -236,20 +236,45 @@ Answer remove(const Call& call) {
       });
 }
 
+struct Shown {
+  std::string block;
+  bool cpu = false;
+  Mnemonics mnemonics = Mnemonics::German;
+};
+
+Shown shownBlock(const Fields& fields) {
+  return {fields.text("block"), online(fields),
+          static_cast<Mnemonics>(fields.choice("mnemonics", {"german", "international"}, 0))};
+}
+
+// `print`: of a block of either side, and its id.
+Answer withBlock(const Call& call,
+                 Json (*print)(const monitor::BlockCode&, const Shown&, const ProjectFolder&)) {
+  return elsewhere(
+      call, call.shared.clerk, [both = both(call), print](const Aside& aside) -> Answer {
+        const Shown shown = shownBlock(aside.fields);
+        if (!aside.fields.good()) return aside.wrong();
+        const compilation::Build& build = shown.cpu ? *both.build : *both.offline->build;
+        const monitor::ProgramCode program =
+            build.isListing() ? monitor::ProgramCode(build.listings) : both.program(shown.cpu);
+        const auto id = monitor::findBlock(shown.block, {program, both.symbols(), {}});
+        if (!id) return one(id.error());
+        return print(*program.find(*id), shown, aside.folder);
+      });
+}
+
 Answer showListing(const Call& call) {
-  return elsewhere(call, call.shared.clerk, [both = both(call)](const Aside& aside) -> Answer {
-    const std::string name = aside.fields.text("block");
-    const bool cpu = online(aside.fields);
-    const auto mnemonics =
-        static_cast<Mnemonics>(aside.fields.choice("mnemonics", {"german", "international"}, 0));
-    if (!aside.fields.good()) return aside.wrong();
-    const compilation::Build& build = cpu ? *both.build : *both.offline->build;
-    const monitor::ProgramCode program =
-        build.isListing() ? monitor::ProgramCode(build.listings) : both.program(cpu);
-    const auto id = monitor::findBlock(name, {program, both.symbols(), {}});
-    if (!id) return one(id.error());
-    return Json{{"text", listing(*program.find(*id), mnemonics)}};
-  });
+  return withBlock(call,
+                   [](const monitor::BlockCode& code, const Shown& shown, const ProjectFolder&) {
+                     return Json{{"text", listing(code, shown.mnemonics)}};
+                   });
+}
+
+Answer showMachineCode(const Call& call) {
+  return withBlock(
+      call, [](const monitor::BlockCode& code, const Shown& shown, const ProjectFolder& folder) {
+        return machineCodeRows(code, shown.mnemonics, folder);
+      });
 }
 
 Answer complete(const Call& call) {
@@ -292,6 +317,7 @@ constexpr Method kMethods[] = {
     {"program.upload", Needs::able(Feature::Download), upload, Kind::Compiled},
     {"program.delete", Needs::ableOn(Feature::Download), remove},
     {"program.listing", Needs::able(Feature::Blocks), showListing, Kind::Compiled},
+    {"program.machineCode", Needs::able(Feature::Blocks), showMachineCode, Kind::Compiled},
     {"program.completion", Needs::able(Feature::Completion), complete, Kind::Compiled},
     {"program.references", Needs::able(Feature::References), references, Kind::Compiled},
 };

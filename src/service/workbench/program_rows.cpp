@@ -8,6 +8,7 @@
 #include "mc7/disassembly.h"
 #include "mc7/listing.h"
 #include "monitor/block_list.h"
+#include "monitor/machine_code.h"
 #include "monitor/step5_code.h"
 #include "monitor/symbol_name.h"
 
@@ -205,6 +206,21 @@ std::string codeText(const mc5::Block& block) {
 
 std::string listing(const monitor::BlockCode& code, Mnemonics mnemonics) {
   return code.s7() != nullptr ? codeText(*code.s7(), mnemonics) : codeText(*code.s5());
+}
+
+// The longest block has 32,768 instructions.
+Json machineCodeRows(const monitor::BlockCode& code, Mnemonics mnemonics,
+                     const ProjectFolder& folder) {
+  Json rows = Json::array();
+  for (monitor::MachineCodeRow& row : monitor::machineCode(code, mnemonics))
+    rows.push_back({{"offset", row.offset},
+                    {"code", std::move(row.code)},
+                    {"text", std::move(row.text)},
+                    {"line", row.line}});
+  return Json{{"block", toString(code.id())},
+              {"file", folder.relative(code.file())},
+              {"unit", monitor::name(code.unit())},
+              {"rows", std::move(rows)}};
 }
 
 }  // namespace merker::workbench

@@ -22,5 +22,7 @@ Json referenceRows(const std::vector<monitor::CrossReference>& list, const Proje
 Json completion(const compilation::Build& build);
 // Machine code as instructions; of a data block its values.
 std::string listing(const monitor::BlockCode& code, Mnemonics mnemonics);
+Json machineCodeRows(const monitor::BlockCode& code, Mnemonics mnemonics,
+                     const ProjectFolder& folder);
 
 }  // namespace merker::workbench

@@ -17,7 +17,7 @@
 namespace merker::workbench {
 namespace {
 
-constexpr std::size_t kMostFiles = 5000, kLongestPath = 400;
+constexpr std::size_t kLongestPath = 400;
 constexpr int kFolder = O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC;
 constexpr std::string_view kTemporary = ".merker-saving";
 
@@ -71,11 +71,15 @@ std::optional<Stamp> stampOf(const Place& place) {
 }
 
 // O_NONBLOCK: what is a pipe by now does not wait for somebody who writes.
+Descriptor openToRead(const Place& place) {
+  return Descriptor(::openat(place.folder.number(), place.name.c_str(),
+                             O_RDONLY | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK));
+}
+
 std::optional<std::string> bytesOf(const Place& place) {
   const auto stamp = stampOf(place);
   if (!stamp || stamp->size > kLargestFile) return std::nullopt;
-  const Descriptor file(::openat(place.folder.number(), place.name.c_str(),
-                                 O_RDONLY | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK));
+  const Descriptor file = openToRead(place);
   std::string bytes(file ? stamp->size : 0, '\0');
   std::size_t done = 0;
   while (file && done < bytes.size()) {
@@ -193,16 +197,27 @@ std::string ProjectFolder::full(std::string_view path) const {
   return project::join(folder_, std::string(path));
 }
 
-Listing ProjectFolder::list() const {
+Listing ProjectFolder::list(std::size_t most) const {
   Listing files;
   const auto names = only_.empty() ? project::listFiles(folder_.empty() ? "." : folder_)
                                    : std::vector<std::string>(only_.begin(), only_.end());
   for (const std::string& name : names) {
-    if (files.size() >= kMostFiles) break;
+    if (files.size() >= most) break;
     const auto stamp = isPath(name) ? stampOf(open(folder_, name, false)) : std::nullopt;
     if (stamp) files[name] = *stamp;
   }
   return files;
+}
+
+std::unique_ptr<archive::File> ProjectFolder::file(const std::string& path) const {
+  if (check(path)) return nullptr;
+  const Place place = open(folder_, path, false);
+  if (!stampOf(place)) return nullptr;
+  Descriptor file = openToRead(place);
+  if (!file) return nullptr;
+  auto opened = archive::fileOn(archive::Handle(::fdopen(file.number(), "rb")));
+  if (opened) static_cast<void>(file.release());
+  return opened;
 }
 
 Result<ProjectFolder::Content> ProjectFolder::read(const std::string& path) const {

@@ -4,12 +4,14 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "archive/file.h"
 #include "base/result.h"
 
 namespace merker::workbench {
@@ -48,8 +50,12 @@ class ProjectFolder {
   // A text that names files of the folder, with these names relative to it.
   std::string withoutFolder(std::string text) const;
 
-  // At most 5000, sorted.
-  Listing list() const;
+  // What browsers are shown at most.
+  static constexpr std::size_t kMostFiles = 5000;
+  // Sorted.
+  Listing list(std::size_t most = kMostFiles) const;
+  // Open, whatever its length and content; null if there is no such regular file.
+  std::unique_ptr<archive::File> file(const std::string& path) const;
   Result<Content> read(const std::string& path) const;
   // Whole or not at all, with the rights that it had. `revision`: of the text it came from; P1311
   // if that is not there any more.

@@ -53,6 +53,7 @@ bool holdsUp(const Waiting& one) {
 
 void Workbench::compileBy(Worker worker) { shared_.work = std::move(worker); }
 void Workbench::helpBy(Worker worker) { shared_.clerk = std::move(worker); }
+void Workbench::importBy(Worker worker) { shared_.helper = std::move(worker); }
 
 Answer Workbench::run(Waiting& waiting) {
   Problems problems;

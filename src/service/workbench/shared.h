@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "archive/file.h"
 #include "workbench/compile_job.h"
 #include "workbench/file_watch.h"
 #include "workbench/modify_list.h"
@@ -19,6 +20,7 @@
 #include "workbench/recording.h"
 #include "workbench/status_view.h"
 #include "workbench/trend.h"
+#include "workbench/upload.h"
 #include "workbench/watch_list.h"
 #include "workbench/workspace.h"
 
@@ -43,12 +45,16 @@ struct Shared {
   // Who compiles, and who does what else takes longer than a slice.
   Worker work = [](const Work& one) { one->carryOut(); };
   Worker clerk = work;
+  // Who packs and imports projects, which takes seconds.
+  Worker helper = work;
   std::uint64_t shown = 0;  // counts the PLCs
   Recorder recorder;
   Player player;
   ProjectFolder folder;
   FileWatch files;
   BreakpointLines breakpoints;
+  std::weak_ptr<Upload> upload;                   // of all browsers one
+  std::uint64_t uploadOwner = 0;                  // the browser
   std::map<std::uint64_t, BlockId> wantedStatus;  // by browser
   std::optional<Instant> stepEnds;                // of the single step that goes on
   bool probesWait = false;  // breakpoints and program status are not those that are wanted
@@ -111,6 +117,9 @@ struct Browser {
   std::optional<StatusView> status;
   bool process = false;
   std::shared_ptr<const Json> processValues;           // as told last
+  std::shared_ptr<const archive::File> download;       // the project as a zip
+  std::shared_ptr<Upload> upload;                      // that is to be imported
+  Work importing;                                      // that looks at it
   std::int64_t lastList = -1, lastTrend = -1;          // told last
   std::set<std::pair<std::string, std::string>> held;  // plant and signal: pressed until let go
 };

@@ -11,7 +11,8 @@ const Method* findMethod(std::string_view name) {
   for (const auto group :
        {plcMethods(), variableMethods(), fileMethods(), programMethods(), debugMethods(),
         symbolMethods(), hardwareMethods(), diagnosisMethods(), processMethods(), projectMethods(),
-        trendMethods(), modifyMethods(), timerMethods(), snapshotMethods(), recordingMethods()}) {
+        trendMethods(), modifyMethods(), timerMethods(), snapshotMethods(), recordingMethods(),
+        downloadMethods(), importMethods()}) {
     const auto found = std::ranges::find(group, name, &Method::name);
     if (found != group.end()) return &*found;
   }
@@ -49,6 +50,8 @@ void Workbench::show(std::unique_ptr<Plc> plc, bool example) {
 void Workbench::closed(BrowserId browser) {
   dropWaiting(browser);
   releaseHeld(shared_, browsers_[browser]);
+  shared_.discard(std::move(browsers_[browser].download));
+  shared_.discard(std::move(browsers_[browser].upload));
   browsers_.erase(browser);
   shared_.wantedStatus.erase(browser);
   shared_.probesWait = true;

@@ -29,10 +29,11 @@ class Workbench {
   void opened(BrowserId browser) { browsers_[browser]; }
   void closed(BrowserId browser);
 
-  // Who compiles, and who does what else takes long; without them it is done at once, and no answer
-  // comes later.
+  // Who compiles, who does what else takes long, who packs and imports projects; without them it is
+  // done at once, and no answer comes later.
   void compileBy(Worker worker);
   void helpBy(Worker worker);
+  void importBy(Worker worker);
   // Hears what begins, so that somebody can say what does not end.
   void tellPlace(std::function<void(std::string_view place)> tell) { tell_ = std::move(tell); }
 

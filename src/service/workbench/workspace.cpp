@@ -80,6 +80,10 @@ bool isLetter(char32_t c) {
          (c < 0xD800 || c > 0xF8FF) && c < 0xFE00;
 }
 
+bool isNameCharacter(char32_t c) {
+  return isLetter(c) || (c >= '0' && c <= '9') || c == ' ' || c == '-' || c == '_';
+}
+
 bool isProjectName(std::string_view name) {
   constexpr std::size_t kLongest = 64;
   constexpr std::size_t kLongestName = 200;  // bytes; file systems end at 255
@@ -87,8 +91,7 @@ bool isProjectName(std::string_view name) {
       characterCount(name) > kLongest)
     return false;
   for (std::size_t at = 0; at < name.size();) {
-    const char32_t c = nextCharacter(name, at);
-    if (!isLetter(c) && !(c >= '0' && c <= '9') && c != ' ' && c != '-' && c != '_') return false;
+    if (!isNameCharacter(nextCharacter(name, at))) return false;
   }
   return true;
 }
@@ -165,6 +168,31 @@ Result<std::string> Workspace::folderToOpen(const std::string& folder) const {
   return path == canonical(given_) ? given_ : path.string();
 }
 
+Result<std::string> Workspace::makeFolder(const std::string& name) const {
+  if (!isProjectName(name)) return makeProblem(ProblemCode::P1317, nowhere(), name);
+  const fs::path folder = fs::path(folder_) / name;
+  std::error_code error;
+  fs::create_directories(folder_, error);
+  if (fs::create_directory(folder, error)) return folder.string();
+  return error ? notMade(folder.string(), error) : makeProblem(ProblemCode::P1312, nowhere(), name);
+}
+
+std::string Workspace::freeName(std::string_view wanted) const {
+  constexpr std::size_t kLongest = 60;  // bytes, with room for a number
+  std::string name;
+  for (std::size_t at = 0; at < wanted.size() && name.size() < kLongest;) {
+    const char32_t c = nextCharacter(wanted, at);
+    appendCharacter(name, isNameCharacter(c) ? c : U'_');
+  }
+  name = trim(name);
+  if (name.empty()) name = "import";
+  std::string free = name;
+  std::error_code error;
+  for (int i = 2; fs::exists(fs::symlink_status(fs::path(folder_) / free, error)); ++i)
+    free = fmt::format("{} {}", name, i);
+  return free;
+}
+
 Result<std::string> Workspace::make(const NewProject& wanted) const {
   if (!isProjectName(wanted.name)) return makeProblem(ProblemCode::P1317, nowhere(), wanted.name);
   const CpuModel* model = findCpuModel(wanted.model);
@@ -174,18 +202,14 @@ Result<std::string> Workspace::make(const NewProject& wanted) const {
     return makeProblem(ProblemCode::P0502, nowhere(), fmt::format("OB {}", wanted.ob), model->name);
   if (std::ranges::find(kTemplates, wanted.form, &Template::id) == std::end(kTemplates))
     return makeProblem(ProblemCode::P1316, nowhere(), "template", wanted.form, "");
-  const fs::path folder = fs::path(folder_) / wanted.name;
-  std::error_code error;
-  fs::create_directories(folder_, error);
-  if (!fs::create_directory(folder, error))
-    return error ? notMade(folder.string(), error)
-                 : makeProblem(ProblemCode::P1312, nowhere(), wanted.name);
-  const ProjectFolder files(folder.string());
+  const auto folder = makeFolder(wanted.name);
+  if (!folder) return folder.error();
+  const ProjectFolder files(*folder);
   for (const auto& [name, text] : {std::pair{std::string(kSettings), settingsText(wanted)},
                                    std::pair{std::string("main.awl"), sourceText(wanted, *model)},
                                    std::pair{std::string("symbols.sym"), std::string()}})
     if (auto problem = files.create(name, text)) return *problem;
-  return folder.string();
+  return *folder;
 }
 
 }  // namespace merker::workbench

@@ -42,6 +42,10 @@ class Workspace {
   Result<std::string> copyExample(const std::string& id) const;
   // A folder of a project that may be opened: P1318 for others.
   Result<std::string> folderToOpen(const std::string& folder) const;
+  // A new folder for a project: P1317, P1312.
+  Result<std::string> makeFolder(const std::string& name) const;
+  // A name like this one that a new project can have.
+  std::string freeName(std::string_view wanted) const;
   // The folder of a project that has just been made.
   Result<std::string> make(const NewProject& wanted) const;
 

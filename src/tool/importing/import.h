@@ -16,7 +16,7 @@ struct Options {
   std::string program;                  // only this one; empty: all
   Encoding codePage = Encoding::Cp437;  // of STEP 5: Cp437 or Cp850
   unsigned page = 0;  // of texts that are not Unicode; 0: what the project names, or by content
-  std::stop_token stop{};               // what has been written by then stays
+  std::stop_token stop{};  // what has been written by then stays
 };
 
 enum class Result : std::uint8_t {

@@ -178,6 +178,27 @@ TEST(Program, ShowsItsMachineCode) {
   EXPECT_EQ(bench.problem("program.listing", {{"block", "FC 9"}}), "P1206");
 }
 
+// Each instruction beside the line of its source; an offset of STEP 7 counts bytes.
+TEST(Program, ShowsMachineCodeBesideItsSource) {
+  Bench bench;
+  const Json code = bench.call("program.machineCode", {{"block", "ob1"}});
+  EXPECT_EQ(code["block"], "OB 1");
+  EXPECT_EQ(code["file"], "main.awl");
+  EXPECT_EQ(code["unit"], "byte");
+  const Json first = {{"offset", 0}, {"code", "C000"}, {"text", "U     E 0.0"}, {"line", 11}};
+  EXPECT_EQ(code["rows"][0], first);
+  EXPECT_EQ(code["rows"][2]["offset"], 4);
+  EXPECT_EQ(code["rows"][2]["line"], 13);
+  EXPECT_EQ(code["rows"][2]["code"].get<std::string>().size(), 9u);  // two words
+  EXPECT_EQ(bench.call("program.machineCode",
+                       {{"block", "OB 1"}, {"mnemonics", "international"}})["rows"][0]["text"],
+            "A     I 0.0");
+  const Json data = bench.call("program.machineCode", {{"block", "DB 1"}, {"side", "online"}});
+  EXPECT_EQ(data["rows"],
+            Json({{{"offset", 0}, {"code", "0005 3FC0 0000"}, {"text", ""}, {"line", 0}}}));
+  EXPECT_EQ(bench.problem("program.machineCode", {{"block", "FC 9"}}), "P1206");
+}
+
 TEST(Program, KnowsWhatCanBeCompleted) {
   Bench bench;
   const Json words = bench.call("program.completion");

@@ -15,7 +15,8 @@ std::vector<const Method*> allMethods() {
   for (const auto group :
        {plcMethods(), variableMethods(), fileMethods(), programMethods(), debugMethods(),
         symbolMethods(), hardwareMethods(), diagnosisMethods(), processMethods(), projectMethods(),
-        trendMethods(), modifyMethods(), timerMethods(), snapshotMethods(), recordingMethods()})
+        trendMethods(), modifyMethods(), timerMethods(), snapshotMethods(), recordingMethods(),
+        downloadMethods(), importMethods()})
     for (const Method& one : group) all.push_back(&one);
   return all;
 }

@@ -57,6 +57,18 @@ TEST_F(Sinumerik5, HoldsAtABreakpointAndSteps) {
   EXPECT_GT(*workbench.plc()->controller().read(workbench.plc()->operand("MW 40").value()), 1u);
 }
 
+// Offsets of STEP 5 count words.
+TEST_F(Sinumerik5, ShowsMachineCodeBesideItsSource) {
+  const Json code = ask({{"do", "program.machineCode"}, {"block", "PB 5"}});
+  EXPECT_EQ(code["unit"], "word");
+  EXPECT_EQ(code["file"], "main.s5");
+  ASSERT_EQ(code["rows"].size(), 5u);
+  EXPECT_EQ(code["rows"][1]["text"], "L     KF +1");
+  EXPECT_EQ(code["rows"][1]["line"], 7);
+  EXPECT_EQ(code["rows"][2]["offset"], code["rows"][1]["offset"].get<int>() + 2);
+  EXPECT_EQ(code["rows"][4]["code"], "6500");  // BE
+}
+
 // S7-EDIT-21 for a listing: STEP 5 has no address registers.
 TEST_F(Sinumerik5, ShowsProgramStatus) {
   EXPECT_EQ(ask({{"do", "status.show"}, {"file", "main.s5"}, {"line", 7}})["block"], "PB 5");

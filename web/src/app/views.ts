@@ -26,8 +26,8 @@ export const views: View[] = [
     title: ['Projekt', 'Project'],
     component: Projects,
     help: [
-      'Beispiele öffnen, ein neues Projekt anlegen, Bausteine laden, vergleichen und zurückholen.',
-      'Open examples, create a project, load, compare and upload blocks.',
+      'Beispiele öffnen, ein neues Projekt anlegen, Projekte importieren und herunterladen, Bausteine laden, vergleichen und zurückholen. Dateien lassen sich überall auf der Seite ablegen.',
+      'Open examples, create a project, import and download projects, load, compare and upload blocks. Files can be dropped anywhere on the page.',
     ],
   },
   {

@@ -21,6 +21,8 @@ export interface SymbolEntry { name: string; operand: string; type: string; comm
 export interface BlockEntry { id: string; symbol: string; title: string }
 /** OB: those of the CPU; of the others the first and the last */
 export interface BlockNumbers { OB: number[]; FB: [number, number]; FC: [number, number]; DB: [number, number] }
+/** `offset` in bytes or words; `code` is words like "7E03 0004"; `line` is 0 without a source */
+export interface MachineCodeRow { offset: number; code: string; text: string; line: number }
 /** `access` is "R", "W", "RW" or "CALL" */
 export interface Reference { operand: string; symbol: string; block: string; file: string; line: number; network: number; instruction: string; access: string }
 export interface SymbolRow { symbol: string; operand: string; type: string; comment: string }
@@ -44,6 +46,10 @@ export interface InterruptLevel { ob: number; priority: number; registers: Recor
 export interface LocalLevel { block: string; bytes: string }
 export interface PlantValue { name: string; unit: string; value: number; binary: boolean; input: boolean; writable: boolean; min: number; max: number; operand: string; symbol: string; stuck: number | null }
 export interface PlantRow { name: string; kind: string; title: string; values: PlantValue[]; faults: Fault[] }
+/** `data` is base64 */
+export interface UploadedPart { path: string; data: string }
+/** [import.md](formats/import.md#the-report) */
+export interface ReportRow { effect: 'came' | 'changed' | 'lost'; text: string }
 /** `can`: what the machine can do; `empty`: no block in the CPU; `changed`: the first 200 paths that are newer than the program of the CPU */
 export interface Project { name: string; folder: string; mpiAddress: number; can: ('breakpoints' | 'cyclePoints' | 'stacks' | 'information' | 'blocks' | 'download' | 'completion' | 'references' | 'symbols' | 'rack' | 'plants' | 'interrupts' | 'engine' | 'snapshots' | 'timersByHand' | 'modeSwitch' | 'leds')[]; family: 'S7' | 'S5'; model: string; example: boolean; empty: boolean; changed: string[] }
 export interface Lamps { SF: 'off' | 'on' | 'slow' | 'fast'; BF: 'off' | 'on' | 'slow' | 'fast'; DC5V: 'off' | 'on' | 'slow' | 'fast'; FRCE: 'off' | 'on' | 'slow' | 'fast'; RUN: 'off' | 'on' | 'slow' | 'fast'; STOP: 'off' | 'on' | 'slow' | 'fast' }
@@ -124,6 +130,8 @@ export interface Requests {
   /** from the CPU */
   'program.delete': { fields: { blocks: string[] }; result: Record<string, never> };
   'program.listing': { fields: { block: string; side?: 'offline' | 'online'; mnemonics?: 'german' | 'international' }; result: { text: string } };
+  /** the code instruction by instruction with the lines of the source; of a data block its values */
+  'program.machineCode': { fields: { block: string; side?: 'offline' | 'online'; mnemonics?: 'german' | 'international' }; result: { block: string; file: string; unit: 'byte' | 'word'; rows: MachineCodeRow[] } };
   /** a mnemonic is its word, its operands, its id */
   'program.completion': { fields: Record<string, never>; result: { symbols: SymbolEntry[]; blocks: BlockEntry[]; mnemonics: { german: [string, string, string][]; international: [string, string, string][] }; numbers: BlockNumbers } };
   /** cross reference, of one operand or all: the first 20,000 rows, and how many more */
@@ -170,6 +178,22 @@ export interface Requests {
   'projects.new': { fields: { name: string; model?: string; mpiAddress?: number; template?: string; mnemonics?: 'german' | 'international'; ob?: string }; result: Record<string, never> };
   'projects.save': { fields: Record<string, never>; result: Record<string, never> };
   'projects.close': { fields: Record<string, never>; result: Record<string, never> };
+  /** writes the project as a zip, for this browser; `left`: files that do not belong to it. P1308 beyond 256 MB */
+  'download.begin': { fields: Record<string, never>; result: { name: string; size: number; files: number; left: string[] } };
+  /** up to 1 MB of the zip from this byte on, as base64; empty behind its end */
+  'download.piece': { fields: { at: number }; result: { data: string } };
+  /** the zip is no longer needed */
+  'download.end': { fields: Record<string, never>; result: Record<string, never> };
+  /** what has been sent so far is deleted. P1308 while another browser imports */
+  'import.begin': { fields: Record<string, never>; result: Record<string, never> };
+  /** bytes to the ends of files, up to 1,000 parts a request, 20,000 files and 256 MB in all (P1314) */
+  'import.add': { fields: { files: UploadedPart[] }; result: Record<string, never> };
+  /** what was sent: its programs (none: single files), a name for a new project; `loose`: single files that can go into the open project. P1308 if nothing in it is known */
+  'import.look': { fields: Record<string, never>; result: { programs: string[]; name: string; step5: boolean; loose: boolean } };
+  /** `name`: into a new project of this name in the workspace folder, several programs into folders of it; without a name into the open project, where no file is replaced. `program`: only this one */
+  'import.run': { fields: { name?: string; program?: string; codePage?: '437' | '850' }; result: { folders: string[]; files: string[]; lost: boolean; report: ReportRow[]; more: number } };
+  /** ends the import and deletes what was sent, as when the browser disconnects */
+  'import.cancel': { fields: Record<string, never>; result: Record<string, never> };
 }
 
 /** What the server sends by itself. */

@@ -18,14 +18,19 @@ export class OpenDocument {
     readonly path: string,
     stored: Stored,
     private readonly drafts: Drafts,
-    readonly readonly = false,
+    /** The block of which this is the machine code, to read only. */
+    readonly code: { block: string; side: 'offline' | 'online' } | null = null,
   ) {
     this.stored = stored;
     this.text = stored.text;
-    const draft = readonly ? null : drafts.read(path);
+    const draft = this.readonly ? null : drafts.read(path);
     if (!draft || draft.text === stored.text) return;
     this.text = draft.text;
     if (draft.revision !== stored.revision) this.conflict = stored;
+  }
+
+  get readonly(): boolean {
+    return this.code !== null;
   }
 
   get dirty(): boolean {

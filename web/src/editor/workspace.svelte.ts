@@ -92,11 +92,11 @@ class Workspace {
     return this.documents.get(path);
   }
 
-  /** A block of the CPU as AWL, to read only. */
-  async openOnline(block: string, mnemonics: Mnemonics): Promise<void> {
-    const answer = await attempt(connection.ask('program.listing', { block, side: 'online', mnemonics }));
+  /** A block of the CPU, or one that the project has as machine code only, as AWL to read. */
+  async openCode(block: string, side: Side, mnemonics: Mnemonics, path = `CPU: ${block}`): Promise<void> {
+    const answer = await attempt(connection.ask('program.listing', { block, side, mnemonics }));
     if (!answer) return;
-    const document = new OpenDocument(`CPU: ${block}`, { text: answer.text, revision: 0 }, this.drafts, true);
+    const document = new OpenDocument(path, { text: answer.text, revision: 0 }, this.drafts, { block, side });
     this.documents.set(document.path, document);
     this.current = document;
   }

@@ -54,6 +54,15 @@ test('the alarms of a SINUMERIK are told in German', () => {
   for (const [text, german] of texts) expect(phrase(text)).toBe(german);
 });
 
+// Rows that are nothing but places say what somebody else says.
+const notes = [...read('src/tool/importing/notes.inc').matchAll(/^NOTE\(\w+, \w+, "((?:[^"\\]|\\.)*)"\)/gm)]
+  .map((row) => row[1]!.replace(/\\(.)/g, '$1').replace(/\{\d\}/g, '{}'))
+  .filter((text) => /[a-z]{2}/.test(text));
+for (const [, reason] of read('src/tool/importing/report.cpp').matchAll(/return "([a-z][^"]+)";/g))
+  notes.push(`{}: ${reason!}`);
+test('an import is reported', () => expect(notes.length).toBeGreaterThan(40));
+test.each(notes)('the report says in German: %s', (text) => expect(tables.phrases).toHaveProperty([text]));
+
 test('each instruction is explained', () => {
   const ids = [...read('src/s7/mc7/operations.inc').matchAll(/^OPERATION\((\w+)/gm)].map((one) => one[1]!);
   expect(ids.length).toBeGreaterThan(150);

@@ -86,6 +86,23 @@ export const program = {
   problems: ['Fehler', 'Problems'],
   noProblems: ['Keine Fehler.', 'No problems.'],
   references: ['Querverweise', 'Cross reference'],
+  machineCode: ['Maschinencode', 'Machine code'],
+  codeOf: ['Maschinencode von {block}', 'Machine code of {block}'],
+  codePick: ['Die Schreibmarke in einen Baustein setzen.', 'Put the cursor into a block.'],
+  codeNone: [
+    '{block} hat keinen Maschinencode; enthält das Projekt Fehler?',
+    '{block} has no machine code; does the project have problems?',
+  ],
+  codeOld: [
+    'Maschinencode des gespeicherten Textes, der inzwischen geändert wurde.',
+    'Machine code of the saved text, which has been changed since.',
+  ],
+  codeByte: ['Byte', 'Byte'],
+  codeWord: ['Wort', 'Word'],
+  codeMore: ['{count} weitere Anweisungen', '{count} more instructions'],
+  instruction: ['Anweisung', 'Instruction'],
+  codeLine: ['Zeile', 'Line'],
+  sourceText: ['Quelle', 'Source'],
   difference: ['Vergleich', 'Comparison'],
   differenceNone: [
     'Ein Baustein, der in Projekt und CPU verschieden ist, wird hier verglichen.',

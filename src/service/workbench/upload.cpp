@@ -1,0 +1,96 @@
+#include "workbench/upload.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+
+#include "project/files.h"
+#include "workbench/descriptor.h"
+#include "workbench/json.h"
+#include "workbench/project_folder.h"
+
+namespace merker::workbench {
+namespace {
+
+namespace fs = std::filesystem;
+
+Problem unwritten(const std::string& path) {
+  return makeProblem(ProblemCode::P1313, nowhere(), path, std::strerror(errno));
+}
+
+// The only thing in a folder; empty: there are more.
+fs::path onlyEntry(const fs::path& folder) {
+  fs::path found;
+  std::error_code error;
+  for (fs::directory_iterator at(folder, error); !error && at != fs::directory_iterator();
+       at.increment(error)) {
+    if (!found.empty()) return {};
+    found = at->path();
+  }
+  return found;
+}
+
+bool appendAll(int file, std::span<const std::uint8_t> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t done = ::write(file, bytes.data(), bytes.size());
+    if (done < 0) return false;
+    bytes = bytes.subspan(static_cast<std::size_t>(done));
+  }
+  return true;
+}
+
+}  // namespace
+
+std::shared_ptr<Upload> Upload::make() {
+  std::error_code error;
+  std::string folder = (fs::temp_directory_path(error) / "merker-import-XXXXXX").string();
+  if (error || ::mkdtemp(folder.data()) == nullptr) return nullptr;  // for this user only
+  return std::shared_ptr<Upload>(new Upload(std::move(folder)));
+}
+
+Upload::~Upload() {
+  std::error_code ignored;
+  fs::remove_all(folder_, ignored);
+}
+
+// The folder is ours alone, and nothing in it is a link: paths without ".." cannot leave it.
+std::optional<Problem> Upload::add(const std::string& path, std::span<const std::uint8_t> bytes) {
+  constexpr std::uint64_t kMega = 1 << 20;
+  constexpr auto kDeepest = static_cast<std::ptrdiff_t>(project::kDeepestFolder);
+  if (!ProjectFolder::isPath(path) || std::ranges::count(path, '/') > kDeepest)
+    return makeProblem(ProblemCode::P1309, nowhere(), path);
+  if (bytes_ + bytes.size() > kMostBytes)
+    return makeProblem(ProblemCode::P1314, nowhere(), kMostBytes / kMega, "MB to import at once");
+  const fs::path full = fs::path(input()) / path;
+  std::error_code error;
+  fs::create_directories(full.parent_path(), error);
+  const bool fresh = !fs::exists(full, error);
+  if (fresh && files_ >= kMostFiles)
+    return makeProblem(ProblemCode::P1314, nowhere(), kMostFiles, "files to import at once");
+  constexpr mode_t kOwn = 0600;
+  const Descriptor file(
+      ::open(full.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_NOFOLLOW | O_CLOEXEC, kOwn));
+  if (!file) return unwritten(path);
+  if (fresh) ++files_;
+  bytes_ += bytes.size();
+  return appendAll(file.number(), bytes) ? std::nullopt : std::optional(unwritten(path));
+}
+
+std::string Upload::source() const {
+  const fs::path only = onlyEntry(input());
+  return only.empty() ? input() : only.string();
+}
+
+std::string Upload::name() const {
+  const fs::path only = onlyEntry(input());
+  if (only.empty()) return {};
+  std::error_code error;
+  return (fs::is_directory(only, error) ? only.filename() : only.stem()).string();
+}
+
+}  // namespace merker::workbench
