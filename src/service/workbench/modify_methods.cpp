@@ -25,7 +25,10 @@ Answer set(const Call& call) {
   const auto trigger = triggerOf(call.fields);
   const Wishes wishes(call.fields);
   if (!call.fields.good()) return call.fields.problems();
-  if (!trigger) return refused(ProblemCode::P1306, "point", "begin, end, stop");
+  if (!trigger) {
+    const ProblemCode code = call.fields.has("point") ? ProblemCode::P1305 : ProblemCode::P1306;
+    return refused(code, "point", "one of \"begin\", \"end\", \"stop\"");
+  }
   auto& lists = call.browser.modifies;
   if (!lists.contains(number) && lists.size() >= kLists)
     return refused(ProblemCode::P1314, kLists, "lists");

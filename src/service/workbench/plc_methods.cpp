@@ -19,22 +19,22 @@ Answer notStarted(const controller::Controller& plc) {
                  reason.empty() ? std::string("it is not possible now") : reason);
 }
 
-// A SINUMERIK has no such switch: RUN and STOP are keys of the programmer.
-Answer turnControl(controller::Controller& plc, std::size_t position) {
-  constexpr std::size_t kStop = 2, kReset = 3;
+// A machine without such a switch: RUN and STOP are keys of the programmer.
+Answer pressKey(controller::Controller& plc, SwitchPosition key) {
+  if (key != SwitchPosition::Run && key != SwitchPosition::Stop)
+    return refused(ProblemCode::P1307, plc.modelName(), "mode switch, only RUN and STOP");
+  if (!plc.powered()) return refused(ProblemCode::P1308, plc.modelName(), "it is switched off");
+  if (key == SwitchPosition::Stop) return plc.stop(), empty();
   const bool runs = plc.mode() != controller::Mode::Stop;
-  if (position < kStop) return runs || plc.start() ? empty() : notStarted(plc);
-  plc.stop();
-  if (position == kReset) plc.memoryReset();
-  return empty();
+  return runs || plc.start() ? empty() : notStarted(plc);
 }
 
 Answer turnSwitch(const Call& call) {
   const std::size_t position = call.fields.choice("position", {"RUN-P", "RUN", "STOP", "MRES"});
   if (!call.fields.good()) return call.fields.problems();
-  auto* panel = controller::capability<cpu::SwitchPanel>(call.plc().controller());
-  if (panel == nullptr) return turnControl(call.plc().controller(), position);
   const auto to = static_cast<SwitchPosition>(position);
+  auto* panel = controller::capability<cpu::SwitchPanel>(call.plc().controller());
+  if (panel == nullptr) return pressKey(call.plc().controller(), to);
   const bool reset = to == SwitchPosition::Mres;
   if (reset && !call.plc().controller().powered())
     return refused(ProblemCode::P1308, "MRES", "the CPU is switched off");

@@ -30,12 +30,14 @@ cpu::Leds ledsOf(const Plc& plc) {
     return panel->leds();
   const auto light = [](bool on) { return on ? cpu::Light::On : cpu::Light::Off; };
   const controller::Controller& c = plc.controller();
+  const bool halted = c.mode() == controller::Mode::Halt;
+  const bool stopped = c.mode() == controller::Mode::Stop;
   cpu::Leds leds;
   leds.sf = light(c.stoppedByFault());
   leds.dc5v = light(c.powered());
   leds.frce = light(!plc.monitor().forces().empty());
-  leds.run = light(c.powered() && c.mode() != controller::Mode::Stop);
-  leds.stop = light(c.powered() && c.mode() == controller::Mode::Stop);
+  leds.run = halted ? cpu::Light::Slow : light(c.powered() && !stopped);
+  leds.stop = light(c.powered() && (stopped || halted));
   return leds;
 }
 

@@ -27,9 +27,11 @@ std::string extensionOf(const std::string& path) {
   return ".sym";
 }
 
-// Before the program was translated for the first time nothing says which PLC it is for.
-source::Language languageOf(const OfflineRef& offline) {
-  return offline ? offline->build->project.symbols.language() : source::Language::Step7;
+// What is offline is not compiled yet in a fresh workbench; the program of the CPU is.
+source::Language languageOf(const Call& call) {
+  const OfflineRef offline = call.shared.offlineRef();
+  const compilation::Build& build = offline ? *offline->build : call.plc().build();
+  return build.project.symbols.language();
 }
 
 Json rowsOf(const source::SymbolTable& table) {
@@ -41,11 +43,13 @@ Json rowsOf(const source::SymbolTable& table) {
 
 Answer read(const Call& call) {
   return elsewhere(
-      call, call.shared.clerk, [offline = call.shared.offlineRef()](const Aside& aside) -> Answer {
+      call, call.shared.clerk,
+      [offline = call.shared.offlineRef(),
+       language = languageOf(call)](const Aside& aside) -> Answer {
         const std::string path = symbolPath(*offline, aside.folder);
         const auto content = aside.folder.read(path);
         if (!content) return Json{{"path", path}, {"rows", Json::array()}, {"revision", 0}};
-        source::SymbolTable table(languageOf(offline));
+        source::SymbolTable table(language);
         Problems ignored;  // program.check tells them
         source::readSymbols(source::SourceFile(path, content->text), table, ignored);
         return Json{{"path", path}, {"rows", rowsOf(table)}, {"revision", content->revision}};
@@ -61,29 +65,32 @@ std::vector<SymbolRow> rows(const Fields& fields) {
 }
 
 Answer check(const Call& call) {
-  return elsewhere(
-      call, call.shared.clerk, [offline = call.shared.offlineRef()](const Aside& aside) -> Answer {
-        const auto wanted = rows(aside.fields);
-        if (!aside.fields.good()) return aside.wrong();
-        return Json{{"problems", toJson(checkRows(wanted, languageOf(offline)).problems)}};
-      });
+  return elsewhere(call, call.shared.clerk,
+                   [language = languageOf(call)](const Aside& aside) -> Answer {
+                     const auto wanted = rows(aside.fields);
+                     if (!aside.fields.good()) return aside.wrong();
+                     return Json{{"problems", toJson(checkRows(wanted, language).problems)}};
+                   });
 }
 
 Answer write(const Call& call) {
-  return changingFiles(call, [offline = call.shared.offlineRef()](const Aside& aside) -> Answer {
-    const auto wanted = rows(aside.fields);
-    const std::int64_t revision = aside.fields.integer("revision", 0, INT64_MAX, 0);
-    if (!aside.fields.good()) return aside.wrong();
-    const CheckedRows checked = checkRows(wanted, languageOf(offline));
-    if (!checked.good()) return Answer::refused(toJson(checked.problems));
-    const std::string path = symbolPath(*offline, aside.folder);
-    const std::string bytes =
-        source::writeSymbols(checked.table, extensionOf(path), Mnemonics::German);
-    const auto problem = revision == 0 ? aside.folder.create(path, bytes)
-                                       : aside.folder.write(path, bytes, revision);
-    if (problem) return one(*problem);
-    return Json{{"revision", revisionOf(bytes)}};
-  });
+  return changingFiles(
+      call,
+      [offline = call.shared.offlineRef(),
+       language = languageOf(call)](const Aside& aside) -> Answer {
+        const auto wanted = rows(aside.fields);
+        const std::int64_t revision = aside.fields.integer("revision", 0, INT64_MAX, 0);
+        if (!aside.fields.good()) return aside.wrong();
+        const CheckedRows checked = checkRows(wanted, language);
+        if (!checked.good()) return Answer::refused(toJson(checked.problems));
+        const std::string path = symbolPath(*offline, aside.folder);
+        const std::string bytes =
+            source::writeSymbols(checked.table, extensionOf(path), Mnemonics::German);
+        const auto problem = revision == 0 ? aside.folder.create(path, bytes)
+                                           : aside.folder.write(path, bytes, revision);
+        if (problem) return one(*problem);
+        return Json{{"revision", revisionOf(bytes)}};
+      });
 }
 
 std::string format(const Fields& fields) {
@@ -93,28 +100,30 @@ std::string format(const Fields& fields) {
 
 // As many rows as a table may have: more could not be saved.
 Answer import(const Call& call) {
-  const source::Language language = languageOf(call.shared.offlineRef());
-  return elsewhere(call, call.shared.clerk, [language](const Aside& aside) -> Answer {
-    const std::string extension = format(aside.fields), text = aside.fields.text("text");
-    if (!aside.fields.good()) return aside.wrong();
-    source::SymbolTable table(language);
-    Problems problems;
-    source::readSymbols(source::SourceFile("import" + extension, text), table, problems);
-    if (table.list().size() > kMostRows)
-      return refused(ProblemCode::P1314, kMostRows, "symbols in a table");
-    return Json{{"rows", rowsOf(table)}, {"problems", firstOf(problems)}};
-  });
+  return elsewhere(
+      call, call.shared.clerk, [language = languageOf(call)](const Aside& aside) -> Answer {
+        const std::string extension = format(aside.fields), text = aside.fields.text("text");
+        if (!aside.fields.good()) return aside.wrong();
+        source::SymbolTable table(language);
+        Problems problems;
+        source::readSymbols(source::SourceFile("import" + extension, text), table, problems);
+        if (table.list().size() > kMostRows)
+          return refused(ProblemCode::P1314, kMostRows, "symbols in a table");
+        return Json{{"rows", rowsOf(table)}, {"problems", firstOf(problems)}};
+      });
 }
 
 // These rows, or the table of the project. CP1252 on a disk; a text here.
 Answer exportAs(const Call& call) {
   return elsewhere(
-      call, call.shared.clerk, [offline = call.shared.offlineRef()](const Aside& aside) -> Answer {
+      call, call.shared.clerk,
+      [offline = call.shared.offlineRef(),
+       language = languageOf(call)](const Aside& aside) -> Answer {
         const std::string extension = format(aside.fields);
         const bool given = aside.fields.has("rows");
         const auto wanted = given ? rows(aside.fields) : std::vector<SymbolRow>();
         if (!aside.fields.good()) return aside.wrong();
-        const CheckedRows checked = checkRows(wanted, languageOf(offline));
+        const CheckedRows checked = checkRows(wanted, language);
         if (!checked.good()) return Answer::refused(toJson(checked.problems));
         const source::SymbolTable& table = given ? checked.table : offline->build->project.symbols;
         const std::string bytes = source::writeSymbols(table, extension, Mnemonics::German);

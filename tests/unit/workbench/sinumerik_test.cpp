@@ -23,6 +23,12 @@ struct Sinumerik5 : ::testing::Test {
     EXPECT_TRUE(answer.contains("result")) << request << answer;
     return answer.value("result", Json());
   }
+  // The code of the first problem; empty if it was not refused.
+  std::string refusal(Json request) {
+    request["id"] = ++id;
+    const Json answer = Json::parse(workbench.handle(1, request.dump()));
+    return answer.contains("problems") ? answer["problems"][0]["code"].get<std::string>() : "";
+  }
   controller::Controller& plc() { return workbench.plc()->controller(); }
   void run(Duration time) { plc().advanceTo(plc().now() + time); }
   Json event(const std::string& name) {
@@ -106,6 +112,36 @@ TEST_F(Sinumerik5, DoesNotListMacrosAsCalledBlocks) {
   workbench.show(
       std::make_unique<Plc>(compilation::build(project::load(folder.path("main.s5"), {}), false)));
   EXPECT_EQ(ask({{"do", "program.blocks"}})["blocks"][0]["calls"], Json({"PB 9"}));
+}
+
+// STOP and RUN are keys of the programmer; there is no switch that could stand at MRES.
+TEST_F(Sinumerik5, HasKeysForRunAndStopOnly) {
+  EXPECT_EQ(refusal({{"do", "cpu.switch"}, {"position", "MRES"}}), "P1307");
+  EXPECT_EQ(refusal({{"do", "cpu.switch"}, {"position", "RUN-P"}}), "P1307");
+  EXPECT_EQ(plc().mode(), controller::Mode::Run);
+  ask({{"do", "cpu.switch"}, {"position", "STOP"}});
+  EXPECT_EQ(plc().mode(), controller::Mode::Stop);
+  ask({{"do", "cpu.power"}, {"on", false}});
+  for (const char* position : {"RUN-P", "RUN", "STOP", "MRES"}) {
+    EXPECT_NE(refusal({{"do", "cpu.switch"}, {"position", position}}), "") << position;
+    EXPECT_FALSE(plc().powered()) << position;
+  }
+}
+
+// Also before anything was compiled on the disk.
+TEST_F(Sinumerik5, ChecksSymbolsByTheRulesOfStep5AtOnce) {
+  const Json rows = {{{"symbol", "WORT"}, {"operand", "DW 5"}},
+                     {{"symbol", "FOLGE"}, {"operand", "PB 5"}}};
+  EXPECT_EQ(ask({{"do", "symbols.check"}, {"rows", rows}})["problems"], Json::array());
+}
+
+// A control has no lamps for it; here it looks like an S7.
+TEST_F(Sinumerik5, ShowsHaltInItsLamps) {
+  ask({{"do", "breakpoints.set"}, {"file", "main.s5"}, {"lines", {8}}});
+  run(Duration::milliseconds(200));
+  const Json leds = event("state")["leds"];
+  EXPECT_EQ(leds["RUN"], "slow");
+  EXPECT_EQ(leds["STOP"], "on");
 }
 
 // The assignment list of the program: operands and blocks have names, an editor changes them.

@@ -101,6 +101,8 @@ TEST(Trigger, ModifiesAtTheBeginOfEachCycle) {
                                          {"point", "begin"}}),
             bench.problem("variables.write", {{"items", {{{"operand", "XX 3"}, {"value", "1"}}}}}));
   EXPECT_EQ(bench.problem("modify.set", {{"list", 1}, {"items", Json::array()}}), "P1306");
+  EXPECT_EQ(bench.problem("modify.set", {{"list", 1}, {"items", Json::array()}, {"point", "now"}}),
+            "P1305");
 }
 
 // They are read and written in every cycle: so many of each browser.

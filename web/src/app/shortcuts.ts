@@ -30,7 +30,7 @@ export const keys: Key[] = [
 ];
 
 const runs: Record<string, () => void> = {
-  KeyR: () => void attempt(connection.ask('cpu.switch', { position: 'RUN-P' })),
+  KeyR: () => void attempt(connection.ask('cpu.switch', { position: plc.lacks('modeSwitch') ? 'RUN' : 'RUN-P' })),
   KeyS: () => void attempt(connection.ask('cpu.switch', { position: 'STOP' })),
   KeyP: togglePause,
   KeyN: () => void attempt(connection.ask('time.step', { cycles: 1 })),

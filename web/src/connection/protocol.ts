@@ -57,7 +57,7 @@ export interface Playback { path: string; actions: number; done: number; state: 
 
 /** The fields and the result of each request. */
 export interface Requests {
-  /** MRES is the complete operation (memory reset) */
+  /** MRES is the complete operation (memory reset); without `modeSwitch` only RUN and STOP */
   'cpu.switch': { fields: { position: 'RUN-P' | 'RUN' | 'STOP' | 'MRES' }; result: Record<string, never> };
   'cpu.power': { fields: { on: boolean; battery?: boolean }; result: Record<string, never> };
   'cpu.start': { fields: { kind?: 'warm' | 'cold' }; result: Record<string, never> };
