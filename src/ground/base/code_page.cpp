@@ -12,12 +12,14 @@ namespace {
 
 std::string nameOf(unsigned page) { return "CP" + std::to_string(page); }
 
-class Converter {
+}  // namespace
+
+class CharacterConverter {
  public:
-  Converter(const std::string& to, const std::string& from)
+  CharacterConverter(const std::string& to, const std::string& from)
       : handle_(iconv_open(to.c_str(), from.c_str())) {}
-  Converter(const Converter&) = delete;
-  ~Converter() {
+  CharacterConverter(const CharacterConverter&) = delete;
+  ~CharacterConverter() {
     if (good()) iconv_close(handle_);
   }
   bool good() const { return handle_ != reinterpret_cast<iconv_t>(-1); }
@@ -47,6 +49,8 @@ class Converter {
   iconv_t handle_;
 };
 
+namespace {
+
 bool severalBytes(unsigned page) {
   return page == 932 || page == 936 || page == 949 || page == 950 || page == 1361;
 }
@@ -54,8 +58,8 @@ bool severalBytes(unsigned page) {
 }  // namespace
 
 CodePage::CodePage(unsigned number) : number_(number), wide_(severalBytes(number)) {
-  if (!Converter("UTF-8", nameOf(number_)).good()) number_ = 1252, wide_ = false;
-  const Converter converter("UTF-8", nameOf(number_));
+  if (!CharacterConverter("UTF-8", nameOf(number_)).good()) number_ = 1252, wide_ = false;
+  const CharacterConverter converter("UTF-8", nameOf(number_));
   for (std::size_t i = 0; i < upper_.size(); ++i) {
     const char byte = static_cast<char>(0x80 + i);
     if (converter.character({&byte, 1}, upper_[i]) == 0) appendCharacter(upper_[i], kReplacement);
@@ -72,7 +76,7 @@ std::string CodePage::toUtf8(std::string_view bytes) const {
     }
     return out;
   }
-  const Converter converter("UTF-8", nameOf(number_));
+  const CharacterConverter converter("UTF-8", nameOf(number_));
   while (!bytes.empty()) {
     std::size_t length = 1;
     if (static_cast<std::uint8_t>(bytes[0]) < 0x80)
@@ -86,7 +90,7 @@ std::string CodePage::toUtf8(std::string_view bytes) const {
 
 struct Encoder::Handle {
   explicit Handle(unsigned page) : converter(nameOf(page), "UTF-8") {}
-  Converter converter;
+  CharacterConverter converter;
 };
 
 Encoder::Encoder(unsigned page) : handle_(std::make_shared<Handle>(page)) {}
