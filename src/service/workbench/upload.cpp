@@ -61,8 +61,8 @@ Upload::~Upload() {
 // The folder is ours alone, and nothing in it is a link: paths without ".." cannot leave it.
 std::optional<Problem> Upload::add(const std::string& path, std::span<const std::uint8_t> bytes) {
   constexpr std::uint64_t kMega = 1 << 20;
-  constexpr auto kDeepest = static_cast<std::ptrdiff_t>(project::kDeepestFolder);
-  if (!ProjectFolder::isPath(path) || std::ranges::count(path, '/') > kDeepest)
+  constexpr auto kFolders = static_cast<std::ptrdiff_t>(project::kDeepestFolder);
+  if (!ProjectFolder::isPath(path) || std::ranges::count(path, '/') > kFolders)
     return makeProblem(ProblemCode::P1309, nowhere(), path);
   if (bytes_ + bytes.size() > kMostBytes)
     return makeProblem(ProblemCode::P1314, nowhere(), kMostBytes / kMega, "MB to import at once");

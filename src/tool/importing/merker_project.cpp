@@ -6,7 +6,7 @@ namespace merker::importing {
 namespace {
 
 constexpr std::string_view kSettings = "merker.toml";
-constexpr std::size_t kMega = 1 << 20, kLargest = 64 * kMega;
+constexpr std::size_t kMega = 1 << 20, kLargestCopy = 64 * kMega;
 
 // Also the folder itself.
 bool isIn(std::string_view path, const std::string& folder) {
@@ -47,9 +47,9 @@ void copyMerkerProject(const archive::Tree& tree, const MerkerProject& project, 
     if (!isPlain(path)) continue;
     const auto file = tree.open(entry);
     if (!file) continue;  // the tree says why
-    if (file->size() > kLargest)
-      report.add(Note::LongSource, path, kLargest / kMega);
-    else if (output.write(path, file->text(kLargest)))
+    if (file->size() > kLargestCopy)
+      report.add(Note::LongSource, path, kLargestCopy / kMega);
+    else if (output.write(path, file->text(kLargestCopy)))
       ++count;
   }
   report.add(Note::MerkerFiles, count);
