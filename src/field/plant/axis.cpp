@@ -21,7 +21,9 @@ Axis::Axis(const AxisSettings& settings, std::int64_t pulse)
       position_(pulse * signal::kPulse),
       pulse_(pulse),
       reference_(settings.places.reference.holds(pulse, settings.places.revolution)),
-      workpiece_(settings.places.workpiece.holds(pulse, settings.places.revolution)) {}
+      workpiece_(settings.places.workpiece.holds(pulse, settings.places.revolution)) {
+  ramp_.position = position_;
+}
 
 std::int64_t Axis::analogSpeed(const AxisInputs& inputs) const {
   const Wide scaled = Wide{inputs.nanovolts} * s_.fastest * kThousandths;

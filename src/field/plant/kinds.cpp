@@ -8,10 +8,10 @@
 namespace merker::plant {
 namespace {
 
-constexpr std::array kKinds{&kFirstOrder, &kTemperature,    &kValve,        &kTank,
-                            &kGenerator,  &kBouncingSwitch, &kSortingPlant, &kVessel,
-                            &kGarageDoor, &kTrafficLight,   &kLift,         &kPulseTrain,
-                            &kEncoder};
+constexpr std::array kKinds{
+    &kFirstOrder,     &kTemperature,  &kValve,   &kTank,       &kGenerator,
+    &kBouncingSwitch, &kSortingPlant, &kVessel,  &kGarageDoor, &kTrafficLight,
+    &kLift,           &kPulseTrain,   &kEncoder, &kAxis};
 
 template <typename Rows, typename Name>
 std::string list(const Rows& rows, Name name) {

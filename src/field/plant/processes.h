@@ -5,7 +5,7 @@
 
 namespace merker::plant {
 
-extern const Kind kBouncingSwitch, kEncoder, kFirstOrder, kGarageDoor, kGenerator, kLift,
+extern const Kind kAxis, kBouncingSwitch, kEncoder, kFirstOrder, kGarageDoor, kGenerator, kLift,
     kPulseTrain, kSortingPlant, kTank, kTemperature, kTrafficLight, kValve, kVessel;
 
 }  // namespace merker::plant

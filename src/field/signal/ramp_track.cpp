@@ -1,7 +1,5 @@
 #include "signal/ramp_track.h"
 
-#include <algorithm>
-
 namespace merker::signal {
 namespace {
 
@@ -27,45 +25,36 @@ bool RampTrack::levelIn(std::int64_t pulse) const {
   return restOf(pulse - marks_.first + beside, marks_.distance) <= 2 * beside;
 }
 
-// The first pulse on the way with another level; `pulse` if there is none.
 std::int64_t RampTrack::change(std::int64_t pulse, std::int64_t to) const {
   const int direction = to > pulse ? 1 : -1;
   const bool level = levelIn(pulse);
-  std::int64_t at = pulse;
-  if (kind_ == Kind::N && !level) {  // the next mark, then its edge
+  if (kind_ == Kind::N && !level) {  // the next mark, there its edge
     const std::int64_t edge = marks_.first - direction * (marks_.narrow ? 0 : 1);
     const std::int64_t way = restOf(direction * (edge - pulse), marks_.distance);
-    at = pulse + direction * (way == 0 ? marks_.distance : way);
+    const std::int64_t at = pulse + direction * way;
     return direction * (to - at) >= 0 ? at : pulse;
   }
-  while (at != to)
+  for (std::int64_t at = pulse; at != to;)
     if (levelIn(at += direction) != level) return at;
   return pulse;
 }
 
-Instant RampTrack::changeWithin(Instant from, Instant to, std::int64_t lastPulse) const {
-  const std::int64_t pulse = ramp_->pulseAt(from);
-  const std::int64_t changed = change(pulse, lastPulse);
-  if (changed == pulse) return Instant::never();
-  return std::min(ramp_->reaches(changed, from), to);
+bool RampZone::levelIn(std::int64_t pulse) const {
+  const std::int64_t at = revolution_ == 0 ? pulse : restOf(pulse, revolution_);
+  return at >= from_ && at < to_;
 }
 
-Instant RampTrack::next(Instant after) const {
-  const Instant end = ramp_->start + ramp_->length;
-  const Instant from = std::max(after, ramp_->start);
-  if (from >= end) return Instant::never();
-  const std::int64_t lastPulse = pulseOf(ramp_->end());
-  if (!ramp_->turns() || from >= ramp_->turningTime()) return changeWithin(from, end, lastPulse);
-  const Instant turning = ramp_->turningTime();
-  const Instant before = changeWithin(from, turning, ramp_->pulseAt(turning));
-  return before != Instant::never() ? before : changeWithin(turning, end, lastPulse);
-}
-
-// The one before: found forward, a ramp is short.
-Instant RampTrack::last(Instant at) const {
-  Instant found = kLongAgo;
-  for (Instant t = next(ramp_->start); t <= at && t != Instant::never(); t = next(t)) found = t;
-  return found;
+// The nearest border on the way; the first pulse behind it, seen in the direction.
+std::int64_t RampZone::change(std::int64_t pulse, std::int64_t to) const {
+  const int direction = to > pulse ? 1 : -1;
+  std::int64_t nearest = 0;
+  for (const std::int64_t border : {from_, to_}) {
+    std::int64_t way = direction * ((direction > 0 ? border : border - 1) - pulse);
+    if (revolution_ != 0) way = restOf(way, revolution_);
+    if (way > 0 && (nearest == 0 || way < nearest)) nearest = way;
+  }
+  const std::int64_t at = pulse + direction * nearest;
+  return nearest != 0 && direction * (to - at) >= 0 ? at : pulse;
 }
 
 }  // namespace merker::signal

@@ -2,10 +2,7 @@
 // a period of A and B; N is 1 at the zero mark, once in a revolution of the encoder (POS-PLANT-10).
 #pragma once
 
-#include <memory>
-
-#include "signal/ramp.h"
-#include "signal/signal.h"
+#include "signal/ramp_signal.h"
 
 namespace merker::signal {
 
@@ -17,30 +14,38 @@ struct ZeroMarks {
 
 enum class RampTrackKind : std::uint8_t { A, B, N };
 
-class RampTrack : public Signal {
+class RampTrack : public RampSignal {
  public:
   using Kind = RampTrackKind;
   RampTrack(std::shared_ptr<const Ramp> ramp, const ZeroMarks& marks, Kind kind)
-      : ramp_(std::move(ramp)), marks_(marks), kind_(kind) {}
+      : RampSignal(std::move(ramp)), marks_(marks), kind_(kind) {}
 
-  bool level(Instant t) const override { return levelIn(ramp_->pulseAt(t)); }
-  Instant next(Instant after) const override;
-  Instant last(Instant at) const override;
-  Rhythm rhythm(Instant) const override { return {}; }
-  Instant later(Instant edge, std::int64_t) const override { return edge; }
-
-  const std::shared_ptr<const Ramp>& ramp() const { return ramp_; }
   const ZeroMarks& marks() const { return marks_; }
   Kind kind() const { return kind_; }
 
- private:
-  bool levelIn(std::int64_t pulse) const;
-  std::int64_t change(std::int64_t pulse, std::int64_t to) const;
-  Instant changeWithin(Instant from, Instant to, std::int64_t lastPulse) const;
+ protected:
+  bool levelIn(std::int64_t pulse) const override;
+  std::int64_t change(std::int64_t pulse, std::int64_t to) const override;
 
-  std::shared_ptr<const Ramp> ramp_;
+ private:
   ZeroMarks marks_;
   Kind kind_;
+};
+
+// A switch beside the axis: 1 from one pulse up to before another one. On a rotary axis it is there
+// once in each revolution.
+class RampZone : public RampSignal {
+ public:
+  RampZone(std::shared_ptr<const Ramp> ramp, std::int64_t from, std::int64_t to,
+           std::int64_t revolution)
+      : RampSignal(std::move(ramp)), from_(from), to_(to), revolution_(revolution) {}
+
+ protected:
+  bool levelIn(std::int64_t pulse) const override;
+  std::int64_t change(std::int64_t pulse, std::int64_t to) const override;
+
+ private:
+  std::int64_t from_, to_, revolution_;
 };
 
 }  // namespace merker::signal
