@@ -4,6 +4,16 @@
 
 namespace merker::serial {
 
+Receiver::Receiver(const Wire& wire, const Settings& settings)
+    : wire_(wire),
+      frame_(settings.frame),
+      baud_(settings.baud),
+      preset_(settings.preset),
+      length_(characterTime(settings.frame, settings.baud)) {
+  for (unsigned bit = 0; bit < samples_.size(); ++bit)
+    samples_[bit] = {(bitTime(bit, baud_).ns + bitTime(bit + 1, baud_).ns) / 2};
+}
+
 // An open line has the level of the preset: R(A) 5 V / R(B) 0 V is the level of a start bit, which
 // is how a BREAK is recognised (PTP-PHY-17). Without a preset it stays idle.
 bool Receiver::level(Instant t) const {
@@ -23,10 +33,6 @@ Instant Receiver::startBit() const {
   return idle == Instant::never() ? idle : find(false, idle);
 }
 
-Instant Receiver::sampleTime(unsigned bit) const {
-  return start_ + Duration{(bitTime(bit, baud_).ns + bitTime(bit + 1, baud_).ns) / 2};
-}
-
 void Receiver::begin(Instant at) {
   state_ = State::Receiving;
   start_ = needs_ = at;
@@ -40,8 +46,21 @@ void Receiver::search(Instant from, bool needsIdle) {
   needsIdle_ = needsIdle;
 }
 
+// A character that is alone on the wire, with the rate of this receiver: the bits that sampling
+// would find.
+bool Receiver::takeWhole(Instant until) {
+  if (sampled_ > 0 || cut_ || swapped_ || until <= lastSample()) return false;
+  const auto bits = wire_.alone(start_, baud_, frame_.bits());
+  if (!bits) return false;
+  bits_ = *bits;
+  sampled_ = frame_.bits();
+  needs_ = lastSample();
+  return true;
+}
+
 // A start bit that is over before its middle was a disturbance.
 void Receiver::sample(Instant until) {
+  if (takeWhole(until)) return;
   while (sampled_ < frame_.bits() && sampleTime(sampled_) < until) {
     needs_ = sampleTime(sampled_);
     if (level(needs_)) bits_ = static_cast<std::uint16_t>(bits_ | 1U << sampled_);
@@ -68,7 +87,7 @@ Instant Receiver::next() const {
   if (state_ == State::Receiving) return end();
   if (state_ == State::Interrupted) return find(true, from_);
   const Instant at = startBit();
-  return at == Instant::never() ? at : at + characterTime(frame_, baud_);
+  return at == Instant::never() ? at : at + length_;
 }
 
 // BREAK: the level of a start bit for longer than a whole character (PTP-DIAG-10). With another
@@ -85,7 +104,7 @@ Receiver::Event Receiver::complete(Instant now) {
   if (decoded.frameFault || wire_.collided(start_, now)) c.faults |= Character::kFrame;
   if (wire_.overrun(start_, now)) c.faults |= Character::kOverrun;
   // A low line behind a wrong stop bit is the next start bit, unless it was low all the time.
-  search(sampleTime(frame_.bits() - 1), bits_ == 0);
+  search(lastSample(), bits_ == 0);
   return {Event::Kind::Character, c};
 }
 

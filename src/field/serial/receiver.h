@@ -2,6 +2,7 @@
 // own rate, and recognises characters, faults and BREAK.
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "serial/driver.h"
@@ -12,8 +13,7 @@ namespace merker::serial {
 
 class Receiver {
  public:
-  Receiver(const Wire& wire, const Settings& settings)
-      : wire_(wire), frame_(settings.frame), baud_(settings.baud), preset_(settings.preset) {}
+  Receiver(const Wire& wire, const Settings& settings);
 
   // Everything before `now` happened under the conditions that hold until now. To be called before
   // these change.
@@ -37,10 +37,12 @@ class Receiver {
   bool level(Instant t) const;
   Instant find(bool level, Instant from) const;
   Instant startBit() const;
-  Instant sampleTime(unsigned bit) const;
-  Instant end() const { return start_ + characterTime(frame_, baud_); }
+  Instant sampleTime(unsigned bit) const { return start_ + samples_[bit]; }
+  Instant lastSample() const { return sampleTime(frame_.bits() - 1); }
+  Instant end() const { return start_ + length_; }
   void begin(Instant at);
   void sample(Instant until);
+  bool takeWhole(Instant until);
   void search(Instant from, bool needsIdle);
   Event complete(Instant now);
 
@@ -48,6 +50,8 @@ class Receiver {
   Frame frame_;
   std::uint32_t baud_;
   Preset preset_;
+  Duration length_;                   // of a character
+  std::array<Duration, 12> samples_;  // the middle of each bit
   bool cut_ = false, swapped_ = false;
   State state_ = State::Searching;
   bool needsIdle_ = false;  // the line must be idle first

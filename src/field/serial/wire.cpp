@@ -31,6 +31,18 @@ bool Wire::level(Instant t, bool undriven) const {
   return driven ? !low : undriven;
 }
 
+std::optional<std::uint16_t> Wire::alone(Instant start, std::uint32_t baud, unsigned count) const {
+  const Burst* found = nullptr;
+  for (const Burst& burst : bursts_) {
+    if (burst.start == start && burst.baud == baud && burst.count == count && !burst.noise &&
+        !found)
+      found = &burst;
+    else if (burst.overlaps(start, start + bitTime(count, baud)))
+      return std::nullopt;
+  }
+  return found ? std::optional(found->bits) : std::nullopt;
+}
+
 Instant Wire::boundaryAfter(Instant t) const {
   Instant next = Instant::never();
   for (const Burst& burst : bursts_) next = std::min(next, burst.boundaryAfter(t));

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <optional>
 
 #include "clock/instant.h"
 
@@ -37,6 +38,8 @@ class Wire {
   void hold(bool holds) { holders_ += holds ? 1 : -1; }
 
   bool level(Instant t, bool undriven) const;
+  // The bits of a character that begins then, if nothing else is on the wire while it lasts.
+  std::optional<std::uint16_t> alone(Instant start, std::uint32_t baud, unsigned count) const;
   Instant boundaryAfter(Instant t) const;  // the next instant at which the level may change
   // Two senders at the same time, or a lost character, within [from, to).
   bool collided(Instant from, Instant to) const;
