@@ -39,7 +39,6 @@ void Line::swapPolarity(std::size_t port, bool swapped, Instant now) {
 
 void Line::noise(std::size_t port, std::uint16_t bits, std::uint8_t count, std::uint32_t baud,
                  Instant at) {
-  observe(at);
   heardBy(port).put({.start = at, .baud = baud, .bits = bits, .count = count, .noise = true});
 }
 

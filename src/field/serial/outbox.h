@@ -24,6 +24,7 @@ constexpr Preparation kRk512Preparation{Duration::milliseconds(14), Duration::mi
 class Outbox {
  public:
   bool busy() const { return busy_; }
+  bool free() const { return !busy_ && !ended_; }  // nobody waits for an end either
   void begin() {
     busy_ = true;
     warning_ = Event::None;

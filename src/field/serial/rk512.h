@@ -49,6 +49,7 @@ class Rk512 : public Driver, private Inbox {
   // The passive half: one call of SERVE_RK.
   void serve(LinkMemory& memory, Instant now);
   void disable(Event why);  // EN_R is FALSE, or R
+  bool serving() const { return passive_ != Passive::Idle; }
   struct Outcome {
     Event event = Event::None;  // None: the job is done
     LinkJob job;

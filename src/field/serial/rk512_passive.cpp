@@ -10,13 +10,13 @@ namespace {
 
 constexpr std::size_t kOutcomes = 16, kReplies = 8;  // a hostile partner fills no memory
 
-struct Refusal {
+struct Denial {
   Event event = Event::None;
   std::uint8_t error = 0;
 };
 
 // Numbers: PTP-OPEN-14.
-Refusal checkArea(const LinkMemory& memory, const LinkJob& job) {
+Denial checkArea(const LinkMemory& memory, const LinkJob& job) {
   const auto size = memory.size(job.type, job.block);
   const bool words = job.type == 'T' || job.type == 'Z';
   const std::size_t count = words ? job.length / 2U : job.length;
@@ -26,7 +26,7 @@ Refusal checkArea(const LinkMemory& memory, const LinkJob& job) {
   return {Event::AreaNotPermitted, error};
 }
 
-Refusal checkFlag(const LinkMemory& memory, const Flag& flag) {
+Denial checkFlag(const LinkMemory& memory, const Flag& flag) {
   if (!flag.used()) return {};
   if (flag.byte >= memory.size('M', 0).value_or(0)) return {Event::AreaNotPermitted, 0x0C};
   if (memory.flag(flag)) return {Event::Locked, 0x32};
@@ -110,9 +110,9 @@ void Rk512::serve(LinkMemory& memory, Instant now) {
 
 void Rk512::execute(LinkMemory& memory) {
   if (served_ == 0) {
-    Refusal refusal = checkArea(memory, partnerJob_);
-    if (refusal.event == Event::None) refusal = checkFlag(memory, partnerJob_.flag);
-    if (refusal.event != Event::None) return refuse(followOn_, refusal.event, refusal.error);
+    Denial denial = checkArea(memory, partnerJob_);
+    if (denial.event == Event::None) denial = checkFlag(memory, partnerJob_.flag);
+    if (denial.event != Event::None) return refuse(followOn_, denial.event, denial.error);
   }
   const bool words = partnerJob_.type == 'T' || partnerJob_.type == 'Z';
   const std::size_t at = partnerJob_.offset + (words ? served_ / 2 : served_);
