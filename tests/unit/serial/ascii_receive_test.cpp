@@ -143,7 +143,7 @@ TEST(AsciiReceive, PartnerWithAnotherParity) {
   EXPECT_EQ(number(mail.take()->event), "0810");
 }
 
-// PTP-ASCII-22, PTP-SFB61-09
+// PTP-ASCII-22, SFB61-09
 TEST(AsciiReceive, OldestTelegramFirst) {
   AsciiCpu c(byEnd());
   c.partner.send("41 03 42 03 43 03");

@@ -219,7 +219,7 @@ TEST(AsciiSend, PartnerThatIgnoresXoff) {
   EXPECT_EQ(c.take(), "none");
 }
 
-// PTP-SFB62-04
+// SFB62-04
 TEST(AsciiSend, ClearedBufferSendsXon) {
   AsciiCpu c(withFlow(byCount(1000)));
   c.partner.send(Bytes(2000, 0x41));
@@ -247,7 +247,7 @@ TEST(AsciiSend, StopOfTheCpuAbortsTheJobAndHoldsThePartner) {
   EXPECT_EQ(c.lines.seen.back().value, 0x11);
 }
 
-// PTP-SFB60-11
+// SFB60-11
 TEST(AsciiSend, OverTwoWiresItWaitsForTheEndOfAReception) {
   AsciiParameters parameters;
   parameters.twoWire = true;

@@ -22,7 +22,7 @@ std::set<unsigned> printed() {
   return numbers;
 }
 
-// PTP-ERR-65, PTP-SFBG-08
+// PTP-ERR-65, SFBG-08
 TEST(SerialEvents, AreThoseOfTheManualAndFourOfTheCp341) {
   std::set<unsigned> wanted = printed(), found;
   EXPECT_EQ(wanted.size(), 63U);
@@ -34,7 +34,7 @@ TEST(SerialEvents, AreThoseOfTheManualAndFourOfTheCp341) {
   EXPECT_EQ(found, wanted);
 }
 
-// PTP-SFBG-07
+// SFBG-07
 TEST(SerialEvents, ClassInTheHighByte) {
   for (const EventText& row : events()) {
     const unsigned eventClass = static_cast<unsigned>(row.event) >> 8U;
@@ -43,7 +43,7 @@ TEST(SerialEvents, ClassInTheHighByte) {
   EXPECT_EQ(static_cast<unsigned>(Event::Restarted), 0x0501U);
 }
 
-// PTP-ERR-64, PTP-SFBG-09
+// PTP-ERR-64, SFBG-09
 TEST(SerialEvents, WarningsAreFour) {
   std::set<unsigned> warnings;
   for (const EventText& row : events())

@@ -78,7 +78,7 @@ TEST(SerialMailbox, WarnsAboveTwoThirdsAndAgainAfterItWasEmptied) {
   EXPECT_EQ(number(mailbox.take()->event), "0B01");
 }
 
-// PTP-SFB61-10
+// SFB61-10
 TEST(SerialMailbox, ErrorsStandBetweenTheTelegramsTheOldestSixteen) {
   Mailbox mailbox;
   mailbox.put(of(1));
@@ -92,7 +92,7 @@ TEST(SerialMailbox, ErrorsStandBetweenTheTelegramsTheOldestSixteen) {
   EXPECT_EQ(shown.size(), 16U * 6 - 2);
 }
 
-// PTP-ASCII-27, PTP-SFB62-02, PTP-PARAM-20
+// PTP-ASCII-27, SFB62-02, PTP-PARAM-20
 TEST(SerialMailbox, IsClearedByAJobAndAtStartUpIfSoSet) {
   Mailbox kept, cleared({.clearAtStart = true});
   for (Mailbox* mailbox : {&kept, &cleared}) {

@@ -47,7 +47,7 @@ TEST(LinkActive, FlagAndCpuNumber) {
 }
 
 // PTP-VEC-26, PTP-VEC-27, PTP-VEC-28, PTP-RK512-07, PTP-RK512-17, PTP-RK512-21, PTP-OPEN-03,
-// PTP-SFB63-10
+// SFB63-10
 TEST(LinkActive, OddLengthOddOffsetExtendedBlock) {
   sends(sendJob(10, 0, 3), hex("01 02 03"), "00 00 41 44 0A 00 00 02 FF 1F 01 02 03 00 10 03 FE");
   sends(sendJob(10, 7, 2), hex("AA BB"), "00 00 41 44 0A 03 00 01 FF 1F AA BB 10 03 EF");
@@ -151,7 +151,7 @@ TEST(LinkActive, FetchWithFollowOnTelegrams) {
   EXPECT_TRUE(b.memory.flag({10, 3}));
 }
 
-// PTP-RK512-18, PTP-SFB64-05
+// PTP-RK512-18, SFB64-05
 TEST(LinkActive, FetchOfAnOddNumberOfBytes) {
   EXPECT_EQ(fetches(fetchJob('D', 10, 4, 3), "00 00 45 44 0A 02 00 02 FF 1F 10 03 F8",
                     "00 00 00 00 AA BB CC DD 10 03 13"),
@@ -309,7 +309,7 @@ TEST(LinkActive, AbortedJobAndItsLateReaction) {
   EXPECT_EQ(s.cpu.end(), "0501");
 }
 
-// PTP-SFB63-11, PTP-RK512-59
+// SFB63-11, PTP-RK512-59
 TEST(LinkActive, DataAreReadTelegramByTelegram) {
   LinkCpu a, b(false);
   Coupled lines(a.driver, b.driver);

@@ -67,7 +67,7 @@ TEST(LinkPassive, FollowOnWithoutAFirst) {
   EXPECT_EQ(once("FF 00 41 44 11 22", "FF 00 00 36"), "060E");
 }
 
-// PTP-RK512-23, PTP-RK512-42, PTP-SFB65-04, PTP-SFB65-05
+// PTP-RK512-23, PTP-RK512-42, SFB65-04, SFB65-05
 TEST(LinkPassive, StoresAndReports) {
   LinkedScript s;
   s.cpu.memory.db(10).resize(8);
@@ -87,7 +87,7 @@ TEST(LinkPassive, StoresAndReports) {
   EXPECT_FALSE(job.flag.used());
 }
 
-// PTP-RK512-20, PTP-SFB65-02, PTP-SFB65-11, PTP-RK512-19
+// PTP-RK512-20, SFB65-02, SFB65-11, PTP-RK512-19
 TEST(LinkPassive, ProvidesEachType) {
   EXPECT_EQ(once("00 00 45 44 0A 01 00 02 FF 1F", "00 00 00 00 03 04 05 06"), "0000");
   EXPECT_EQ(once("00 00 45 4D 00 64 00 03 FF 1F", "00 00 00 00 00 00 00"), "0000");
@@ -97,7 +97,7 @@ TEST(LinkPassive, ProvidesEachType) {
   EXPECT_EQ(once("00 00 45 5A 00 00 00 01 FF 1F", "00 00 00 00 00 25"), "0000");
 }
 
-// PTP-OPEN-14, PTP-ERR-01, PTP-ERR-16, PTP-ERR-17, PTP-SFB65-07, PTP-SFB65-09, PTP-RK512-51,
+// PTP-OPEN-14, PTP-ERR-01, PTP-ERR-16, PTP-ERR-17, SFB65-07, SFB65-09, PTP-RK512-51,
 // PTP-RK512-48
 TEST(LinkPassive, AreasThatDoNotExist) {
   EXPECT_EQ(once("00 00 41 44 00 00 00 01 FF 1F 11 22", "00 00 00 14"), "0606");
@@ -113,7 +113,7 @@ TEST(LinkPassive, AreasThatDoNotExist) {
   EXPECT_EQ(once("00 00 41 4D 0A 00 00 01 FF 1F 11 22", "00 00 00 10"), "0604");
 }
 
-// PTP-RK512-41, PTP-RK512-43, PTP-RK512-58, PTP-SFB65-08, PTP-ERR-21, PTP-RK512-54, PTP-OPEN-16
+// PTP-RK512-41, PTP-RK512-43, PTP-RK512-58, SFB65-08, PTP-ERR-21, PTP-RK512-54, PTP-OPEN-16
 TEST(LinkPassive, CoordinationFlag) {
   LinkedScript s;
   s.cpu.memory.db(101).resize(8);
@@ -178,7 +178,7 @@ TEST(LinkPassive, NoFollowOnTelegram) {
   EXPECT_EQ(s.cpu.events(), "060E");
 }
 
-// PTP-RK512-46, PTP-OPEN-13, PTP-RK512-47, PTP-RK512-53, PTP-SFB64-07
+// PTP-RK512-46, PTP-OPEN-13, PTP-RK512-47, PTP-RK512-53, SFB64-07
 TEST(LinkPassive, CpuIsNotReady) {
   const char* command = "00 00 45 4D 00 64 00 01 FF 1F";
   LinkedScript never;
@@ -214,7 +214,7 @@ TEST(LinkPassive, WaitsForTheNextCall) {
   EXPECT_EQ(s.cpu.events(), "0000");
 }
 
-// PTP-SFB65-01
+// SFB65-01
 TEST(LinkPassive, EndOfEnableAbortsTheJob) {
   LinkedScript s;
   s.cpu.memory.db(20).resize(200);
