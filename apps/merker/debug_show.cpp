@@ -91,7 +91,8 @@ void DebugSession::list(std::string_view arguments) {
 
 void DebugSession::diagnostics(std::string_view arguments) {
   const auto count = arguments.empty() ? kDiagnostics : number(arguments);
-  if (!count) return error(fmt::format("'{}' is not a valid number of entries", arguments));
+  if (!count || *count == 0)
+    return error(fmt::format("'{}' is not a valid number of entries", arguments));
   out_ << diagnosticsText(monitor_->diagnostics(), *count);
 }
 
@@ -108,8 +109,8 @@ void DebugSession::blocks(std::string_view) {
 void DebugSession::references(std::string_view arguments) {
   const auto all = monitor::crossReferences(build_.code(), build_.project.symbols,
                                             {.library = build_.library.get()});
-  const auto part =
-      monitor::filtered(all, arguments, monitor_->resolver(), monitor::filterWords(build_.code()));
+  const auto part = monitor::filtered(all, arguments, monitor_->resolver(),
+                                      monitor::filterWords(build_.code()), build_.project.symbols);
   if (!part) return error(part.error());
   if (part->empty()) out_ << "no instruction uses it\n";
   for (const monitor::CrossReference& row : *part)

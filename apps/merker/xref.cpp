@@ -131,7 +131,7 @@ int show(const XrefOptions& options, const Build& built) {
   auto list = references(built, mnemonics);
   if (!options.operand.empty()) {
     auto part = monitor::filtered(list, options.operand, built.resolver(),
-                                  monitor::filterWords(built.code()));
+                                  monitor::filterWords(built.code()), symbols);
     if (!part) {
       std::cerr << "merker xref: --operand: " << part.error().message << '\n';
       return kUsage;

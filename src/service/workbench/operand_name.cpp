@@ -7,6 +7,7 @@
 #include "monitor/symbol_name.h"
 #include "scenario/display.h"
 #include "scenario/term.h"
+#include "source/symbol_text.h"
 
 namespace merker::workbench {
 namespace {
@@ -16,16 +17,29 @@ bool isData(const address::Reference& reference) {
          reference.operand.area == Area::DataBlock;
 }
 
+// Each language has its own words for data and periphery, and counts data in its own way.
+std::string step5Text(const address::Reference& reference) {
+  const auto address = monitor::symbolAddress(reference.operand, false);
+  if (!address) return {};
+  return fmt::format("{} {}",
+                     source::operandName(*address, Mnemonics::German, source::Language::Step5),
+                     source::operandNumber(*address));
+}
+
+std::string step7Text(const address::Reference& reference) {
+  return mc7::operandText({reference.outputSide ? mc7::Operation::TRANSFER : mc7::Operation::LOAD,
+                           mc7::operandAt(reference.operand)},
+                          Mnemonics::German);
+}
+
 // A DATE_AND_TIME or STRING has no address of its own width, a local variable none at all; the
 // partner of a coupling has the same operands.
-std::string addressText(const address::Reference& reference) {
+std::string addressText(const address::Reference& reference, source::Language language) {
   const bool named = reference.bytes > 0 || reference.nc != 0 || reference.partner ||
                      reference.text.starts_with('#');
   if (named) return reference.text;
-  const mc7::Instruction access{
-      reference.outputSide ? mc7::Operation::TRANSFER : mc7::Operation::LOAD,
-      mc7::operandAt(reference.operand)};
-  const std::string text = mc7::operandText(access, Mnemonics::German);
+  const bool step5 = language == source::Language::Step5;
+  const std::string text = step5 ? step5Text(reference) : step7Text(reference);
   if (text.empty()) return reference.text;
   return isData(reference) ? fmt::format("DB{}.{}", reference.db, text) : text;
 }
@@ -55,7 +69,7 @@ std::string_view plainType(const address::Reference& reference) {
 
 OperandName operandName(const address::Reference& reference, const source::SymbolTable& symbols) {
   OperandName result;
-  result.operand = addressText(reference);
+  result.operand = addressText(reference, symbols.language());
   TypeCode type = simulator::isStep5Cell(reference) ? TypeCode::Void : reference.type;
   result.bits = reference.nc != 0     ? 32
                 : reference.bytes > 0 ? 8 * reference.bytes

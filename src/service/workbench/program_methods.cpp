@@ -171,7 +171,7 @@ Answer blocks(const Call& call) {
     if (!aside.fields.good()) return aside.wrong();
     const compilation::Build& build = cpu ? *both.build : *both.offline->build;
     if (build.isListing())
-      return Json{{"blocks", blockRows(build.listings, build.project.symbols, aside.folder)}};
+      return Json{{"blocks", blockRows(build.listings, build.project, aside.folder)}};
     return Json{{"blocks", blockRows(both.program(cpu), both.offline->sources, aside.folder)}};
   });
 }
@@ -292,8 +292,8 @@ Answer referenced(const Aside& aside, const compilation::Build& build) {
   auto list = monitor::crossReferences(build.code(), build.project.symbols,
                                        {.library = build.library.get()});
   if (!operand.empty()) {
-    auto some =
-        monitor::filtered(list, operand, build.operands(), monitor::filterWords(build.code()));
+    auto some = monitor::filtered(list, operand, build.operands(),
+                                  monitor::filterWords(build.code()), build.project.symbols);
     if (!some) return one(some.error());
     list = std::move(*some);
   }

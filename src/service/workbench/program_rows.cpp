@@ -11,6 +11,7 @@
 #include "monitor/machine_code.h"
 #include "monitor/step5_code.h"
 #include "monitor/symbol_name.h"
+#include "step5/block_source.h"
 
 namespace merker::workbench {
 namespace {
@@ -111,14 +112,27 @@ std::string titleOf(const mc5::Block& block) {
   return text.substr(std::min(text.find_first_not_of("!;/ "), text.size()));
 }
 
+// Lines of the heads, for a file and its block.
+std::map<std::pair<std::string, mc5::BlockId>, std::uint32_t> headLines(
+    const std::vector<source::SourceFile>& sources) {
+  std::map<std::pair<std::string, mc5::BlockId>, std::uint32_t> lines;
+  Problems ignored;  // program.check tells them
+  for (const source::SourceFile& file : sources)
+    for (const step5::BlockSource& one : step5::findBlocks(file, ignored))
+      lines.try_emplace({file.name(), one.id}, file.position(one.offset, one.length).line);
+  return lines;
+}
+
 }  // namespace
 
-Json blockRows(const mc5::Program& program, const source::SymbolTable& symbols,
+Json blockRows(const mc5::Program& program, const project::Project& project,
                const ProjectFolder& folder) {
+  const auto heads = headLines(project.sources);
   Json list = Json::array();
   for (const auto& [id, block] : program) {
     const monitor::BlockRow row = monitor::blockRow(block);
-    const source::Symbol* const symbol = monitor::findSymbol(row.id, symbols);
+    const auto head = heads.find({block.file, id});
+    const source::Symbol* const symbol = monitor::findSymbol(row.id, project.symbols);
     list.push_back({{"id", toString(row.id)},
                     {"symbol", symbol == nullptr ? row.symbol : symbol->name},
                     {"title", titleOf(block)},
@@ -126,7 +140,7 @@ Json blockRows(const mc5::Program& program, const source::SymbolTable& symbols,
                     {"load", 2 * row.load},
                     {"work", 2 * row.work},
                     {"file", folder.relative(block.file)},
-                    {"line", block.lines.empty() ? 0 : block.lines.front().line},
+                    {"line", head == heads.end() ? 0 : head->second},
                     {"calls", callsOf(program, block)},
                     {"version", ""},
                     {"checksum", ""}});

@@ -9,7 +9,7 @@
 namespace merker::workbench {
 
 // `sources`: where the blocks stand.
-Json blockRows(const mc5::Program& program, const source::SymbolTable& symbols,
+Json blockRows(const mc5::Program& program, const project::Project& project,
                const ProjectFolder& folder);
 Json blockRows(const block::Program& program, const std::map<BlockId, BlockSource>& sources,
                const ProjectFolder& folder);

@@ -44,11 +44,13 @@ std::vector<CrossReference> crossReferences(const ProgramCode& program,
                                             const CrossReferenceOptions& options = {});
 
 // Only operands that touch one of those in `filter`: "M 10.0", "MW 10" (overlap counts), "E", "DB
-// 1", "T", "FC 3", "\"Motor\"", "=EIN", separated by commas. P0904 if a part is no operand.
+// 1", "T", "FC 3", "\"Motor\"", of STEP 5 "-MOTOR", "=EIN", separated by commas. P0904 if a part is
+// no operand.
 Result<std::vector<CrossReference>> filtered(const std::vector<CrossReference>& list,
                                              std::string_view filter,
                                              const simulator::Resolver& resolver,
-                                             const FilterWords& words = step7Words());
+                                             const FilterWords& words = step7Words(),
+                                             const source::SymbolTable& symbols = {});
 
 // Symbols of E, A, M, P, T, Z and blocks that no instruction uses.
 std::vector<source::Symbol> unusedSymbols(const std::vector<CrossReference>& list,

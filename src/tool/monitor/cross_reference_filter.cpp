@@ -5,6 +5,7 @@
 
 #include "base/text.h"
 #include "monitor/cross_reference.h"
+#include "monitor/symbol_name.h"
 
 namespace merker::monitor {
 namespace {
@@ -53,22 +54,43 @@ std::optional<Accept> wholeArea(std::string_view text, const FilterWords& words)
   return std::nullopt;
 }
 
+Accept toBlock(BlockId id) {
+  return [id](const CrossReference& r) {
+    if (r.block) return r.formal == 0 && *r.block == id;
+    return id.kind == BlockKind::DB && r.db == id.number;
+  };
+}
+
+Accept toData(const address::Operand& operand) {
+  return [operand](const CrossReference& r) { return isData(r) && overlaps(r, operand); };
+}
+
+// The resolver knows the names of values outside data blocks.
+std::optional<Accept> symbolOf(std::string_view text, const source::SymbolTable& symbols) {
+  using Kind = source::SymbolAddress::Kind;
+  const source::Symbol* const symbol = writtenSymbol(text, symbols);
+  if (symbol == nullptr) return std::nullopt;
+  const source::SymbolAddress& at = symbol->address;
+  if (at.kind == Kind::Block) return toBlock(at.block);
+  if (at.kind != Kind::Memory || at.area != Area::DataBlock) return std::nullopt;
+  return toData(address::memory(at.area, at.width, at.address));
+}
+
 // PB 5 is the program block and the byte of the periphery: the instruction decides.
 std::optional<Accept> blockOf(std::string_view text, const FilterWords& words) {
   const auto wanted = parseBlockId(text, words.blocks);
   if (!wanted) return std::nullopt;
   const Accept byte =
       overlapping(address::memory(Area::Peripheral, Width::Byte, bitAddress(wanted->number)), -1);
-  return [id = *wanted, byte](const CrossReference& r) {
-    if (r.block) return r.formal == 0 && *r.block == id;
-    return (id.kind == BlockKind::DB && r.db == id.number) || (id.kind == BlockKind::PB && byte(r));
+  return [id = *wanted, block = toBlock(*wanted), byte](const CrossReference& r) {
+    return block(r) || (!r.block && id.kind == BlockKind::PB && byte(r));
   };
 }
 
 std::optional<Accept> dataOf(std::string_view text, const FilterWords& words) {
   const auto wanted = words.data(text);
   if (!wanted) return std::nullopt;
-  return [operand = *wanted](const CrossReference& r) { return isData(r) && overlaps(r, operand); };
+  return toData(*wanted);
 }
 
 std::optional<Accept> formalOf(std::string_view text) {
@@ -92,7 +114,8 @@ const FilterWords& filterWords(const ProgramCode& program) {
 Result<std::vector<CrossReference>> filtered(const std::vector<CrossReference>& list,
                                              std::string_view filter,
                                              const simulator::Resolver& resolver,
-                                             const FilterWords& words) {
+                                             const FilterWords& words,
+                                             const source::SymbolTable& symbols) {
   std::vector<Accept> accepts;
   for (std::size_t begin = 0; begin <= filter.size();) {
     const std::size_t end = std::min(filter.find(',', begin), filter.size());
@@ -102,6 +125,7 @@ Result<std::vector<CrossReference>> filtered(const std::vector<CrossReference>& 
     if (!accept) accept = blockOf(part, words);
     if (!accept) accept = dataOf(part, words);
     if (!accept) accept = formalOf(part);
+    if (!accept) accept = symbolOf(part, symbols);
     if (!accept) {
       const auto reference = resolver(part, Position{"", 0, 0, 0});
       if (!reference) return reference.error();

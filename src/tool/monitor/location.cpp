@@ -1,11 +1,14 @@
 #include "monitor/location.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <optional>
 
 #include "base/text.h"
 #include "monitor/nowhere.h"
+#include "monitor/symbol_name.h"
 
 namespace merker::monitor {
 namespace {
@@ -74,6 +77,14 @@ Result<SourcePlace> network(const BlockCode& block, std::uint32_t wanted) {
   return sourcePlace(block, statementAt(block, block.networkBegin(wanted - 1)).begin);
 }
 
+Result<SourcePlace> atOffset(const BlockCode& block, std::uint32_t offset) {
+  if (offset < block.length()) return sourcePlace(block, block.instructionAt(offset));
+  const std::string id = toString(block.id());
+  return makeProblem(ProblemCode::P1308, nowhere(),
+                     fmt::format("{} {} {}", id, name(block.unit()), offset),
+                     fmt::format("{} has {} {}s", id, block.length(), name(block.unit())));
+}
+
 // "network 2", "nw 2", "byte 6" or "word 6" behind a block.
 Result<SourcePlace> inside(const BlockCode& block, std::string_view rest) {
   if (rest.empty()) return sourcePlace(block, block.lineCount() > 0 ? block.line(0).offset : 0);
@@ -82,8 +93,7 @@ Result<SourcePlace> inside(const BlockCode& block, std::string_view rest) {
   const auto value = number(trim(space == std::string_view::npos ? "" : rest.substr(space)));
   if (value && (equalsIgnoreCase(word, "network") || equalsIgnoreCase(word, "nw")))
     return network(block, *value);
-  if (value && equalsIgnoreCase(word, name(block.unit())) && *value < block.length())
-    return sourcePlace(block, block.instructionAt(*value));
+  if (value && equalsIgnoreCase(word, name(block.unit()))) return atOffset(block, *value);
   return makeProblem(ProblemCode::P1201, nowhere(), std::string(rest));
 }
 
@@ -92,6 +102,8 @@ std::string_view takeBlockName(std::string_view text, std::string_view& rest) {
   std::size_t end = 0;
   if (text.starts_with('"')) {
     end = std::min(text.find('"', 1), text.size() - 1) + 1;
+  } else if (text.starts_with('-')) {
+    end = std::min(text.find_first_of(": "), text.size());
   } else {
     const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
     while (end < text.size() && !isDigit(text[end]) && text[end] != ':') ++end;
@@ -106,11 +118,9 @@ std::string_view takeBlockName(std::string_view text, std::string_view& rest) {
 Result<BlockId> findBlock(std::string_view text, const LocationContext& context) {
   text = trim(text);
   std::optional<BlockId> id = parseBlockId(text, context.program.kinds());
-  if (text.size() > 2 && text.front() == '"' && text.back() == '"') {
-    const source::Symbol* symbol = context.symbols.find(text.substr(1, text.size() - 2));
-    if (symbol != nullptr && symbol->address.kind == source::SymbolAddress::Kind::Block)
-      id = symbol->address.block;
-  }
+  const source::Symbol* symbol = writtenSymbol(text, context.symbols);
+  if (symbol != nullptr && symbol->address.kind == source::SymbolAddress::Kind::Block)
+    id = symbol->address.block;
   if (!id) return makeProblem(ProblemCode::P1201, nowhere(), std::string(text));
   if (!context.program.find(*id)) return makeProblem(ProblemCode::P1206, nowhere(), toString(*id));
   return *id;
@@ -123,7 +133,8 @@ Result<SourcePlace> findLocation(std::string_view text, const LocationContext& c
   std::string_view rest;
   const std::string_view name = takeBlockName(text, rest);
   const std::size_t colon = text.rfind(':');
-  const bool isBlock = parseBlockId(trim(name), context.program.kinds()) || name.starts_with('"');
+  const bool isBlock = parseBlockId(trim(name), context.program.kinds()) || name.starts_with('"') ||
+                       name.starts_with('-');
   if (!isBlock && colon != std::string_view::npos) {
     const auto line = number(trim(text.substr(colon + 1)));
     if (line) return lineOfFile(trim(text.substr(0, colon)), *line, context.program);

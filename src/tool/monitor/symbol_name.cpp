@@ -1,7 +1,5 @@
 #include "monitor/symbol_name.h"
 
-#include <optional>
-
 namespace merker::monitor {
 namespace {
 
@@ -24,10 +22,11 @@ Address numbered(Address::Kind kind, std::uint32_t number) {
   return address;
 }
 
+}  // namespace
+
 std::optional<Address> symbolAddress(const address::Operand& operand, bool output) {
   switch (operand.kind) {
     case address::OperandKind::Memory:
-      if (operand.area == Area::DataBlock) return std::nullopt;
       return memoryAddress(operand, output);
     case address::OperandKind::Timer:
       return numbered(Address::Kind::Timer, operand.value);
@@ -38,8 +37,6 @@ std::optional<Address> symbolAddress(const address::Operand& operand, bool outpu
   }
   return std::nullopt;
 }
-
-}  // namespace
 
 const source::Symbol* findSymbol(const address::Operand& operand, bool output,
                                  const source::SymbolTable& symbols) {
@@ -52,6 +49,13 @@ const source::Symbol* findSymbol(BlockId block, const source::SymbolTable& symbo
   address.kind = Address::Kind::Block;
   address.block = block;
   return symbols.findAddress(address);
+}
+
+const source::Symbol* writtenSymbol(std::string_view text, const source::SymbolTable& symbols) {
+  if (text.size() > 2 && text.front() == '"' && text.back() == '"')
+    return symbols.find(text.substr(1, text.size() - 2));
+  const bool step5 = symbols.language() == source::Language::Step5;
+  return step5 && text.starts_with('-') ? symbols.find(text.substr(1)) : nullptr;
 }
 
 }  // namespace merker::monitor

@@ -32,7 +32,7 @@ struct Uses : ::testing::Test {
     return result;
   }
   std::string of(const std::string& filter) {
-    const auto part = filtered(list, filter, plc.resolver());
+    const auto part = filtered(list, filter, plc.resolver(), step7Words(), plc.symbols());
     return part ? text(*part) : std::string(part.error().name());
   }
 };
@@ -55,6 +55,8 @@ TEST_F(Uses, CanBeFiltered) {
   EXPECT_EQ(of("MB 11"), "MW 10 R 29; ");
   EXPECT_EQ(of("M 33.7, \"Start\""), "E 0.0 R 25; MW 32 W 34; ");
   EXPECT_EQ(of("DB 1"), "DB1.DBW 2 W 30; DB 1 - 30; ");
+  EXPECT_EQ(of("\"Adder\""), "FC 1 - 34; ");
+  EXPECT_EQ(of("\"Main\""), "");
   EXPECT_EQ(of("DB1.DBB 3"), "DB1.DBW 2 W 30; ");
   EXPECT_EQ(of("T"), "T 5 W 31; ");
   EXPECT_EQ(of("c 3"), "Z 3 W 32; ");

@@ -61,7 +61,7 @@ TEST_F(Step5Places, ContainTheWordsOfTheirInstruction) {
 TEST_F(Step5Places, ThatAreWrongSayWhy) {
   EXPECT_EQ(find("FC 1"), "P1201");  // STEP 5 has no FC
   EXPECT_EQ(find("PB 5 byte 1"), "P1201");
-  EXPECT_EQ(find("PB 5 word 90"), "P1201");
+  EXPECT_EQ(find("PB 5 word 90"), "P1308");  // it has fewer
   EXPECT_EQ(find("other.s5:3"), "P1202");
   EXPECT_EQ(find("PB 5:18"), "P1203");
   EXPECT_EQ(find("21"), "P1204");  // a value of a data block

@@ -91,7 +91,7 @@ struct Step5Uses : ::testing::Test {
       if (const auto variable = step5::parseVariable(what)) return *variable;
       return makeProblem(ProblemCode::P1104, at, std::string(what));
     };
-    const auto part = filtered(list, filter, {resolver, {}, true}, step5Words());
+    const auto part = filtered(list, filter, {resolver, {}, true}, step5Words(), symbols);
     return part ? text(*part) : std::string(part.error().name());
   }
 };
@@ -153,6 +153,26 @@ TEST_F(Step5Uses, HaveSymbols) {
   const std::vector<std::string> without = operandsWithoutSymbol(list);
   EXPECT_EQ(without.front(), "E 1.0");
   EXPECT_EQ(without.back(), "Z 4");
+}
+
+// A datum has the same name in each block, a block that of its call and of its data.
+TEST_F(Step5Uses, AreFoundByTheirNames) {
+  symbols = source::SymbolTable(source::Language::Step5);
+  Problems problems;
+  source::readSymbols(
+      source::SourceFile("pressZ0.seq",
+                         "\tPB 5\tPUMPE\r\n\tDB 10\tDATEN\r\n\tDW 2\tANZAHL\r\n\tDW 99\tLEER\r\n"),
+      symbols, problems);
+  EXPECT_TRUE(problems.empty());
+  list = crossReferences(program, symbols);
+  EXPECT_EQ(of("-PUMPE"), "PB 5 - 16; ");
+  EXPECT_EQ(of("\"PUMPE\""), "PB 5 - 16; ");
+  EXPECT_EQ(of("-DATEN"), of("DB 10"));
+  EXPECT_EQ(of("-ANZAHL"), "DB10.DW 2 W 15; DB10.DR 2 R 17; ");
+  EXPECT_EQ(of("-NICHTS"), "P1104");
+  const auto unused = unusedSymbols(list, symbols);
+  ASSERT_EQ(unused.size(), 1u);
+  EXPECT_EQ(unused[0].name, "LEER");
 }
 
 TEST_F(Step5Uses, MakeTheAssignmentList) {

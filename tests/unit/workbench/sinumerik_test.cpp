@@ -93,6 +93,8 @@ TEST_F(Sinumerik5, ListsBlocksAndReferences) {
   EXPECT_EQ(blocks[0]["id"], "OB 1");
   EXPECT_EQ(blocks[0]["calls"], Json({"PB 5"}));
   EXPECT_EQ(blocks[1]["file"], "main.s5");
+  EXPECT_EQ(blocks[0]["line"], 1);  // of its head
+  EXPECT_EQ(blocks[1]["line"], 5);
   const Json rows = ask({{"do", "program.references"}, {"operand", "MW 40"}})["rows"];
   ASSERT_EQ(rows.size(), 2u);
   EXPECT_EQ(rows[0]["access"], "R");
@@ -126,6 +128,36 @@ TEST_F(Sinumerik5, HasKeysForRunAndStopOnly) {
     EXPECT_NE(refusal({{"do", "cpu.switch"}, {"position", position}}), "") << position;
     EXPECT_FALSE(plc().powered()) << position;
   }
+}
+
+// In its own notation, which the machine takes as input.
+TEST_F(Sinumerik5, NamesOperandsAsStep5Does) {
+  folder.write("main.s5",
+               "OB 1\n      A     DB 20\n      L     DW 5\n      BE\n"
+               "DB 20\n   0 : KH = 0000\n   5 : KH = 0000\n");
+  folder.write("mainZ0.SEQ", "\tDB 20\tDATEN\r\n\tDW 0\tANZAHL\r\n");
+  workbench.show(
+      std::make_unique<Plc>(compilation::build(project::load(folder.path("main.s5"), {}), false)));
+  const char* const kWords[][2] = {{"-DATEN.DW 5", "DB20.DW 5"},
+                                   {"DB20.D 0.12", "DB20.D 0.12"},
+                                   {"DB 20.DR0", "DB20.DR 0"},
+                                   {"DB20.DL 5", "DB20.DL 5"},
+                                   {"DB20.DD 0", "DB20.DD 0"},
+                                   {"PY 4", "PY 4"},
+                                   {"mw 10", "MW 10"},
+                                   {"e0.1", "E 0.1"},
+                                   {"T 5", "T 5"},
+                                   {"DB20.DW 0", "DB20.DW 0"}};
+  Json items = Json::array();
+  for (const auto& [written, named] : kWords) items.push_back({{"operand", written}});
+  const Json watched = ask({{"do", "watch.set"}, {"list", 1}, {"items", items}})["items"];
+  const Json curves = ask({{"do", "trend.set"}, {"list", 1}, {"items", items}})["items"];
+  for (std::size_t i = 0; i < std::size(kWords); ++i) {
+    EXPECT_EQ(watched[i]["operand"], kWords[i][1]);
+    EXPECT_EQ(curves[i]["operand"], kWords[i][1]);
+    EXPECT_TRUE(workbench.plc()->operand(watched[i]["operand"].get<std::string>()));
+  }
+  EXPECT_EQ(watched.back()["symbol"], "ANZAHL");
 }
 
 // Also before anything was compiled on the disk.
