@@ -11,13 +11,13 @@ namespace {
 // Of each browser; beyond these bytes its next request waits until some are answered.
 constexpr std::size_t kMostWaiting = 64, kMostWaitingBytes = 4 << 20;
 
-std::optional<Problems> missing(Needs needs, const Plc* plc, std::string_view method) {
+std::optional<Problems> missing(Needs needs, const Plc* plc) {
   if (needs.state == Needs::State::Nothing) return std::nullopt;
   if (plc == nullptr) return refused(ProblemCode::P1315);
   if (needs.state == Needs::State::PlcOn && !plc->controller().powered())
     return refused(ProblemCode::P1308, plc->controller().modelName(), "it is switched off");
   if (!needs.feature || plc->can(*needs.feature)) return std::nullopt;
-  return refused(ProblemCode::P1307, plc->controller().modelName(), method);
+  return refused(ProblemCode::P1307, plc->controller().modelName(), monitor::what(*needs.feature));
 }
 
 // When the program on the disk is compiled.
@@ -62,7 +62,7 @@ Answer Workbench::run(Waiting& waiting) {
   if (!fields.good()) return problems;
   waiting.method = findMethod(name);
   if (waiting.method == nullptr) return refused(ProblemCode::P1304, name.substr(0, 100));
-  if (auto why = missing(waiting.method->needs, shared_.plc.get(), name)) return *why;
+  if (auto why = missing(waiting.method->needs, shared_.plc.get())) return *why;
   enter(waiting.method->name);
   return begin(*waiting.method, {shared_, waiting.browser, browsers_[waiting.browser], fields,
                                  waiting.request.json});
@@ -75,7 +75,7 @@ Answer Workbench::settle(const Waiting& waiting) {
     return refused(ProblemCode::P1308, method.name, "a newer request of this browser replaced it");
   if (waiting.later->task->failed())
     return refused(ProblemCode::P1308, method.name, "it was cancelled");
-  if (auto why = missing(method.needs, shared_.plc.get(), method.name)) return *why;
+  if (auto why = missing(method.needs, shared_.plc.get())) return *why;
   if (method.needs.state != Needs::State::Nothing && waiting.shown != shared_.shown)
     return refused(ProblemCode::P1308, method.name, "another project was opened in the meantime");
   enter(method.name);

@@ -133,6 +133,14 @@ Problem notMade(const std::string& path, const std::error_code& error) {
   return makeProblem(ProblemCode::P1313, nowhere(), path, error.message());
 }
 
+// A new project is one of AWL.
+std::string newModels() {
+  std::string names;
+  for (const CpuModel& model : cpuModels())
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", model.keyword);
+  return names;
+}
+
 }  // namespace
 
 std::vector<Example> Workspace::examples() const {
@@ -197,7 +205,7 @@ Result<std::string> Workspace::make(const NewProject& wanted) const {
   if (!isProjectName(wanted.name)) return makeProblem(ProblemCode::P1317, nowhere(), wanted.name);
   const CpuModel* model = findCpuModel(wanted.model);
   if (model == nullptr)
-    return makeProblem(ProblemCode::P0705, nowhere(), wanted.model, project::modelNames());
+    return makeProblem(ProblemCode::P0705, nowhere(), wanted.model, newModels());
   if (!model->hasOrganizationBlock(wanted.ob))
     return makeProblem(ProblemCode::P0502, nowhere(), fmt::format("OB {}", wanted.ob), model->name);
   if (std::ranges::find(kTemplates, wanted.form, &Template::id) == std::end(kTemplates))

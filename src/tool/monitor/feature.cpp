@@ -5,23 +5,24 @@
 namespace merker::monitor {
 namespace {
 
-constexpr std::array kFeatures{FeatureName{Feature::Breakpoints, "breakpoints"},
-                               FeatureName{Feature::CyclePoints, "cyclePoints"},
-                               FeatureName{Feature::Stacks, "stacks"},
-                               FeatureName{Feature::Information, "information"},
-                               FeatureName{Feature::Blocks, "blocks"},
-                               FeatureName{Feature::Download, "download"},
-                               FeatureName{Feature::Completion, "completion"},
-                               FeatureName{Feature::References, "references"},
-                               FeatureName{Feature::Symbols, "symbols"},
-                               FeatureName{Feature::Rack, "rack"},
-                               FeatureName{Feature::Plants, "plants"},
-                               FeatureName{Feature::Interrupts, "interrupts"},
-                               FeatureName{Feature::Engine, "engine"},
-                               FeatureName{Feature::Snapshots, "snapshots"},
-                               FeatureName{Feature::TimersByHand, "timersByHand"},
-                               FeatureName{Feature::ModeSwitch, "modeSwitch"},
-                               FeatureName{Feature::Leds, "leds"}};
+constexpr std::array kFeatures{
+    FeatureName{Feature::Breakpoints, "breakpoints", "breakpoints"},
+    FeatureName{Feature::CyclePoints, "cyclePoints", "trigger points"},
+    FeatureName{Feature::Stacks, "stacks", "stacks"},
+    FeatureName{Feature::Information, "information", "module information"},
+    FeatureName{Feature::Blocks, "blocks", "list of blocks"},
+    FeatureName{Feature::Download, "download", "memory for single blocks"},
+    FeatureName{Feature::Completion, "completion", "completion of its sources"},
+    FeatureName{Feature::References, "references", "cross reference"},
+    FeatureName{Feature::Symbols, "symbols", "symbol table"},
+    FeatureName{Feature::Rack, "rack", "modules with terminals"},
+    FeatureName{Feature::Plants, "plants", "plants at terminals"},
+    FeatureName{Feature::Interrupts, "interrupts", "events that can be triggered"},
+    FeatureName{Feature::Engine, "engine", "machine code"},
+    FeatureName{Feature::Snapshots, "snapshots", "states that can be saved"},
+    FeatureName{Feature::TimersByHand, "timersByHand", "timers that stop by hand"},
+    FeatureName{Feature::ModeSwitch, "modeSwitch", "mode switch"},
+    FeatureName{Feature::Leds, "leds", "LEDs"}};
 
 constexpr bool inOrder() {
   for (std::size_t i = 0; i < kFeatures.size(); ++i)
@@ -34,5 +35,6 @@ static_assert(inOrder());
 
 std::span<const FeatureName> features() { return kFeatures; }
 std::string_view name(Feature feature) { return kFeatures[static_cast<std::size_t>(feature)].name; }
+std::string_view what(Feature feature) { return kFeatures[static_cast<std::size_t>(feature)].what; }
 
 }  // namespace merker::monitor

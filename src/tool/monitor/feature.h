@@ -31,10 +31,12 @@ enum class Feature : std::uint8_t {
 struct FeatureName {
   Feature feature;
   std::string_view name;  // as the protocol of the workbench has it
+  std::string_view what;  // completes "this PLC has no ..."
 };
 
 // In the order of the enumeration.
 std::span<const FeatureName> features();
 std::string_view name(Feature feature);
+std::string_view what(Feature feature);
 
 }  // namespace merker::monitor

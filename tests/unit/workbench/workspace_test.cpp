@@ -61,6 +61,9 @@ TEST_F(Projects, ANewOneIsMadeOnce) {
   wanted.form = "empty";
   wanted.model = "315";
   EXPECT_EQ(codeOf(workspace.make(wanted)), "P0705");
+  wanted.model = "SINUMERIK 810 GA3";  // a new project is one of AWL
+  const std::string said = workspace.make(wanted).error().message;
+  EXPECT_EQ(said.find(wanted.model), said.rfind(wanted.model)) << said;
 }
 
 TEST_F(Projects, OnlyThoseOfTheWorkspaceAndTheGivenOneAreOpened) {
