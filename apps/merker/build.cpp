@@ -15,7 +15,7 @@ int exitCode(const Build& build) {
 int refuseListing(std::string_view command) {
   std::cerr << "merker " << command
             << ": this command supports SIMATIC S7 programs only; for a SINUMERIK "
-            << "use check, run, test, list, xref, diag or bench\n";
+            << "use check, run, test, list, xref, diag, debug, workbench, export or bench\n";
   return kUsage;
 }
 

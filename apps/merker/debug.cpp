@@ -14,8 +14,8 @@ namespace {
 
 volatile std::sig_atomic_t pressed = 0;  // Ctrl-C; a signal handler reaches nothing else
 
-// While it lives, Ctrl-C stands the program still, and drops the line at the prompt, instead of
-// ending Merker.
+// While it lives, Ctrl-C pauses the program, and drops the line at the prompt, instead of ending
+// Merker.
 class InterruptKey {
  public:
   InterruptKey() {

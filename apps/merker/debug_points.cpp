@@ -32,7 +32,7 @@ std::string takeBlock(std::string_view& rest) {
   if (text.starts_with('"'))
     while (!rest.empty() && (text.size() < 2 || !text.ends_with('"')))
       text.append(" ").append(simulator::takeWord(rest));
-  else if (text.find_first_of("0123456789") == std::string::npos)
+  else if (!text.starts_with('-') && text.find_first_of("0123456789") == std::string::npos)
     text.append(" ").append(simulator::takeWord(rest));
   return text;
 }
@@ -57,18 +57,29 @@ void DebugSession::breakAt(std::string_view arguments) {
   printSource(point.place, 0);
 }
 
+void DebugSession::pointNotFound(std::string_view arguments) {
+  error(fmt::format("breakpoint '{}' not found; 'break' lists them", arguments));
+}
+
+std::optional<std::uint32_t> DebugSession::pointNumber(std::string_view arguments) {
+  const auto which = number(arguments);
+  if (arguments.empty())
+    error("the number of a breakpoint or 'all' is expected; 'break' lists them");
+  else if (!which)
+    pointNotFound(arguments);
+  return which;
+}
+
 void DebugSession::deletePoint(std::string_view arguments) {
   if (equalsIgnoreCase(arguments, "all")) return monitor_->debugger().removeBreakpoints();
-  const auto which = number(arguments);
-  if (!which || !monitor_->debugger().removeBreakpoint(*which))
-    error(fmt::format("breakpoint '{}' not found; 'break' lists them", arguments));
+  const auto which = pointNumber(arguments);
+  if (which && !monitor_->debugger().removeBreakpoint(*which)) pointNotFound(arguments);
 }
 
 void DebugSession::switchPoint(std::string_view arguments, bool on) {
   if (equalsIgnoreCase(arguments, "all")) return monitor_->debugger().enableBreakpoints(on);
-  const auto which = number(arguments);
-  if (!which || !monitor_->debugger().enableBreakpoint(*which, on))
-    error(fmt::format("breakpoint '{}' not found; 'break' lists them", arguments));
+  const auto which = pointNumber(arguments);
+  if (which && !monitor_->debugger().enableBreakpoint(*which, on)) pointNotFound(arguments);
 }
 
 void DebugSession::status(std::string_view arguments) {
@@ -97,6 +108,7 @@ bool DebugSession::showStatusOf(std::string_view rest) {
     const std::string_view word = simulator::takeWord(behind);
     const bool from = equalsIgnoreCase(word, "from"), db = equalsIgnoreCase(word, "db");
     if ((db || equalsIgnoreCase(word, "di")) && block) {
+      if (!db && !monitor_->registers().di) return error("this PLC has no DI register"), false;
       const auto value = number(simulator::takeWord(behind));
       if (!value || *value > 0xFFFF) return error("a number of a data block is expected"), false;
       (db ? environment.db : environment.di) = static_cast<std::uint16_t>(*value);
@@ -134,7 +146,10 @@ void DebugSession::printStatus(bool everything) {
   if (status == nullptr) return error("program status is off; 'status on FC 1' switches it on");
   const std::string block = toString(status->code().id());
   if (status->calls() == 0) {
-    out_ << fmt::format("{} has not been called since its program status was switched on\n", block);
+    const bool others = status->otherCalls() > 0;
+    out_ << block
+         << (others ? " has been called, but not under the conditions of its program status\n"
+                    : " has not been called since its program status was switched on\n");
     return;
   }
   out_ << fmt::format("{}, call {}\n", block, status->calls());

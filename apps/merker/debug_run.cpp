@@ -68,6 +68,9 @@ void DebugSession::cycle(std::string_view arguments) {
   while (!there() && plc_->now() < limit && pause.why == monitor::Pause::Why::Limit)
     pause = monitor_->debugger().runToCheckpoint(limit);
   report(pause);
+  if (plc_->cycles() < last && pause.why == monitor::Pause::Why::Limit && plc_->now() >= limit)
+    out_ << fmt::format("the limit of {} is reached; {} cycles are left\n",
+                        simulator::formatTime(Instant{} + kLongestRun), last - plc_->cycles());
 }
 
 void DebugSession::stepBy(monitor::StepKind kind) {

@@ -111,6 +111,10 @@ bool DebugSession::execute(std::string_view line) {
     error(makeProblem(ProblemCode::P1215, Position{}, std::string(word)));
     return true;
   }
+  if (command->arguments.empty() && !rest.empty()) {
+    error(fmt::format("'{}' takes no argument: '{}'", command->name, rest));
+    return true;
+  }
   const bool repeats = command->name == "step" || command->name == "next" ||
                        command->name == "stepi" || command->name == "list";
   lastStep_ = repeats ? std::string(command->name) : std::string();

@@ -28,7 +28,7 @@ class DebugSession {
 
  private:
   struct Command {
-    std::string_view name, alias, arguments, help;
+    std::string_view name, alias, arguments, help;  // `arguments` empty: it takes none
     void (DebugSession::*run)(std::string_view arguments);
   };
   static const std::vector<Command>& commands();
@@ -62,6 +62,8 @@ class DebugSession {
   void deletePoint(std::string_view arguments);
   void enable(std::string_view arguments) { switchPoint(arguments, true); }
   void disable(std::string_view arguments) { switchPoint(arguments, false); }
+  std::optional<std::uint32_t> pointNumber(std::string_view arguments);
+  void pointNotFound(std::string_view arguments);
   void switchPoint(std::string_view arguments, bool on);
   void status(std::string_view arguments);
   bool showStatusOf(std::string_view arguments);
@@ -87,8 +89,8 @@ class DebugSession {
   void unforce(std::string_view arguments);
   void watch(std::string_view arguments);
   void unwatch(std::string_view arguments);
-  void printOne(std::string_view text);
   void printWatches();
+  Problem whyWrong(std::string_view text, const Problem& problem) const;
   std::optional<std::vector<monitor::Wish>> wishes(std::string_view arguments);
 
   monitor::LocationContext here() const;

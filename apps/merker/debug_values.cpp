@@ -1,6 +1,8 @@
 // Commands of `merker debug` that show and change values.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <ostream>
 
 #include "base/text.h"
@@ -10,6 +12,12 @@
 
 namespace merker::app {
 namespace {
+
+bool isWord(std::string_view text) {
+  return !text.empty() && std::ranges::all_of(text, [](char c) {
+    return std::isalpha(static_cast<unsigned char>(c)) != 0;
+  });
+}
 
 // "MW 10 HEX": the operand, and the format if the last word is one.
 monitor::DisplayFormat takeFormat(std::string_view& text) {
@@ -23,16 +31,26 @@ monitor::DisplayFormat takeFormat(std::string_view& text) {
 
 }  // namespace
 
-void DebugSession::printOne(std::string_view text) {
-  const monitor::DisplayFormat format = takeFormat(text);
-  const auto value = monitor_->read(text, format);
-  if (!value) return error(value.error());
-  out_ << fmt::format("{} = {}\n", text, *value);
+// What is wrong with "MW 10 FOO": the format, if the rest is an operand.
+Problem DebugSession::whyWrong(std::string_view text, const Problem& problem) const {
+  const std::size_t space = text.rfind(' ');
+  if (space == std::string_view::npos || !isWord(text.substr(space + 1))) return problem;
+  if (!monitor_->operand(trim(text.substr(0, space)))) return problem;
+  const auto format = monitor::parseFormat(text.substr(space + 1));
+  return format ? problem : format.error();
 }
 
 void DebugSession::print(std::string_view arguments) {
   if (arguments.empty()) return error("an operand is expected: print MW 10 HEX, A 0.0");
-  for (const std::string_view part : simulator::splitList(arguments)) printOne(part);
+  std::string lines;
+  for (const std::string_view part : simulator::splitList(arguments)) {
+    std::string_view operand = part;
+    const monitor::DisplayFormat format = takeFormat(operand);
+    const auto value = monitor_->read(operand, format);
+    if (!value) return error(whyWrong(part, value.error()));
+    lines += fmt::format("{} = {}\n", operand, *value);
+  }
+  out_ << lines;
 }
 
 // "MW 10 = 5, ...": what is wrong with one of them stops all.
@@ -46,6 +64,10 @@ std::optional<std::vector<monitor::Wish>> DebugSession::wishes(std::string_view 
       return std::nullopt;
     }
     std::string_view value = trim(part.substr(sign + 1));
+    if (value.empty()) {
+      error(fmt::format("a value is expected behind '{}'", part));
+      return std::nullopt;
+    }
     const monitor::DisplayFormat format = takeFormat(value);
     list.push_back({trim(part.substr(0, sign)), value, format});
   }
@@ -83,7 +105,7 @@ void DebugSession::watch(std::string_view arguments) {
       const monitor::DisplayFormat format = takeFormat(part);
       if (const auto problem = watches_.add(part, format)) {
         watches_.shorten(before);
-        return error(*problem);
+        return error(whyWrong(part, *problem));
       }
     }
   if (watches_.rows().empty()) out_ << "nothing is watched; watch MW 10 HEX, A 0.0\n";

@@ -197,6 +197,40 @@ class Debug(Case):
         self.assertIn("no instruction uses it\n", out)
         self.assertRegex(out, r"MW 10 +R +CALL  FC 1")
 
+    def test_cross_reference_by_the_symbol_of_a_block(self):
+        """S7-EDIT-22"""
+        self.write("a.sym", '"Count boxes"  FC 1\n')
+        self.write("merker.toml", '[project]\nname = "a"\n')
+        out = self.expect(GOOD, "debug", ".", "-x", 'x "Count boxes"', "-x", "quit").out
+        self.assertRegex(out, r"FC 1 +- +CALL  FC 1")
+
+    def test_status_says_that_other_calls_came(self):
+        """S7-EDIT-21"""
+        out = self.debug("status on FC 1 db 7", "run 100ms", "status")
+        self.assertRegex(out, r"FC 1 has been called, but not under the conditions of its program status\n")
+
+    def test_a_list_is_read_to_its_end_first(self):
+        """S7-SIM-12"""
+        for line, said in (("print MW 10,", "error: "), ("print MW 10, MW 12 FOO", "'FOO' is not a valid format"),
+                           ("watch MW 12 FOO", "'FOO' is not a valid format"), ("set MW 10 =", "a value is expected behind 'MW 10 ='")):
+            out = self.debug(line, code=PROBLEMS)
+            self.assertIn(said, out, line)
+            self.assertNotIn("MW 10 = W", out, line)
+
+    def test_arguments_that_nobody_reads(self):
+        for line in ("step 3", "next 2", "info foo", "stop now", "where 1", "blocks 1"):
+            self.assertIn(" takes no argument: ", self.debug("run 100ms", line, code=PROBLEMS), line)
+        self.assertIn("'0' is not a valid number of entries", self.debug("diag 0", code=PROBLEMS))
+        for line in ("delete", "enable", "disable"):
+            self.assertIn("the number of a breakpoint or 'all' is expected", self.debug(line, code=PROBLEMS), line)
+        self.assertIn("breakpoint '7' not found", self.debug("delete 7", code=PROBLEMS))
+
+    def test_cycles_have_a_limit_of_time(self):
+        self.write("a.awl", block("      CALL  SFC 47 (WT := 30000);\n" * 4))
+        out = self.debug("restart", "cycle 900")
+        self.assertRegex(out, r"the limit of 60\S* s is reached; \d+ cycles are left\n")
+        self.assertNotIn("the limit of", self.debug("restart", "cycle 2"))
+
     def test_all_breakpoints(self):
         out = self.debug("break 5", "break 13", "disable all", "break", "run 100ms", "enable all", "continue")
         self.assertEqual(out.count(", disabled"), 2)

@@ -136,6 +136,29 @@ class Step5Debug(Case):
                              ("set DB99.DW 0 = 1", "P1213"), ("print #x", "P1216"), ("break FC 1", "P1201")):
             self.assertIn(number, self.debug("restart", "force M 130.0 = 1", line, code=PROBLEMS), line)
 
+    def test_names_of_the_assignment_list(self):
+        """S7-EDIT-22 for STEP 5: a name is written as listings write it."""
+        self.write("aZ0.SEQ", "\tPB 5\tPUMPE\r\n\tDB 10\tDATEN\r\n\tDW 1\tANZAHL\r\n\tE 0.7\tENDE\r\n")
+        for place in ("-PUMPE", "-PUMPE:17", '"PUMPE"', "-PUMPE network 1", "-PUMPE word 4"):
+            self.assertIn("breakpoint 1 at PB 5 word", self.debug("break " + place), place)
+        self.assertIn("P1201", self.debug("break -DATEN", "break -NICHTS", code=PROBLEMS))
+        self.assertIn("program status of PB 5 is on", self.debug("status on -PUMPE"))
+        for name, row in (("-PUMPE", "PB 5 +-"), ('"PUMPE"', "PB 5 +-"), ("-DATEN", "DB10.DW 1 +R"), ("-ANZAHL", "DB10.DW 1 +R"), ("-ENDE", "E 0.7 +R")):
+            self.assertRegex(self.debug("xref " + name), row, name)
+        unused = self.expect(GOOD, "xref", "a.s5", "--unused").out
+        self.assertNotIn("ANZAHL", unused.split("operands without symbol")[0])
+
+    def test_there_is_no_di(self):
+        self.assertIn("this PLC has no DI register", self.debug("status on PB 5 di 3", code=PROBLEMS))
+        out = self.debug("status on PB 5 db 7", "run 100ms", "status")
+        self.assertRegex(out, r"PB 5 has been called, but not under the conditions of its program status\n")
+
+    def test_a_word_behind_the_end(self):
+        self.assertIn("error: PB 5 word 1000: PB 5 has 10 words", self.debug("break PB 5 word 1000", code=PROBLEMS))
+
+    def test_cycles_have_a_limit_of_time(self):
+        self.assertRegex(self.debug("restart", "cycle 2000"), r"the limit of 60\S* s is reached; \d+ cycles are left\n")
+
     def test_restarts(self):
         """S5-OB-02, S5-OB-03: a warm restart keeps the flags; `run` and `restart` are Neustart."""
         for command, kept, name in (("restart warm", "7", "Wiederanlauf"), ("restart cold", "0", "Neustart"), ("restart", "0", "Neustart")):

@@ -40,7 +40,7 @@ void ProgramStatus::arrived(const Spot& spot) {
 void ProgramStatus::before(const Spot& spot) {
   if (spot.offset == 0 && running_ != spot.depth.frames) {  // a call, no jump to the beginning
     recording_ = wanted(spot);
-    if (recording_) ++calls_;
+    ++(recording_ ? calls_ : otherCalls_);
     for (auto& [begin, row] : rows_)
       if (recording_) row.reached = false, row.passes = 0;
   }

@@ -30,7 +30,8 @@ class ProgramStatus {
   explicit ProgramStatus(const BlockCode& code, CallEnvironment environment = {});
 
   const BlockCode& code() const { return kept_.code(); }
-  std::uint64_t calls() const { return calls_; }  // seen so far
+  std::uint64_t calls() const { return calls_; }            // seen so far
+  std::uint64_t otherCalls() const { return otherCalls_; }  // not in this environment
   // In the order of the code.
   std::vector<StatusRow> rows() const;
   // The row of the statement at `offset`, if the last call reached it.
@@ -54,7 +55,7 @@ class ProgramStatus {
   KeptCode kept_;  // a download may take the original away
   CallEnvironment environment_;
   bool recording_ = false;
-  std::uint64_t calls_ = 0;
+  std::uint64_t calls_ = 0, otherCalls_ = 0;
   std::size_t running_ = 0;  // depth of the call that is under way, 0 = none
   std::vector<Open> open_;
   std::map<std::uint32_t, StatusRow> rows_;  // by the beginning of the statement
