@@ -40,7 +40,14 @@ bool belongs(Format format, char c) {
 }
 
 std::string numberText(Scanner& scanner, Format format) {
+  const std::size_t start = scanner.mark();
   std::string text(scanner.take([&](char c) { return belongs(format, c); }));
+  // A second comma is that of a list: AKKU1 = KY 1,2, VKE = 0.
+  if (format == Format::Bytes && text.ends_with(',') && text.find(',') + 1 < text.size()) {
+    text.pop_back();
+    scanner.back(start + text.size());
+    return text;
+  }
   // KY 0, 160 and KM 00111110 01011011 may have a blank inside.
   const bool more = (format == Format::Bytes && text.ends_with(',')) ||
                     (format == Format::Binary && text.size() == 8);

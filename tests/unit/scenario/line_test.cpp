@@ -15,6 +15,15 @@ TEST(Line, ListsAreCutAtCommasOutsideOfQuotesAndBrackets) {
   EXPECT_EQ(splitList("a,"), (List{"a", ""}));
 }
 
+// S5-NUM-05: the two bytes of KY are one constant.
+TEST(Line, TheCommaOfKyCutsNothing) {
+  EXPECT_EQ(splitList("MW 100 = KY 1,2, MW 2=ky 003, 004,KY 5,6"),
+            (List{"MW 100 = KY 1,2", "MW 2=ky 003, 004", "KY 5,6"}));
+  EXPECT_EQ(splitList("KY 1,MW 2"), (List{"KY 1", "MW 2"}));
+  EXPECT_EQ(splitList("-SKY 1,2"), (List{"-SKY 1", "2"}));
+  EXPECT_EQ(splitList("MW 1,2"), (List{"MW 1", "2"}));
+}
+
 TEST(Line, ACommentBeginsAfterABlank) {
   EXPECT_EQ(withoutComment("  set MW 2 = W#16#5  # five"), "set MW 2 = W#16#5");
   EXPECT_EQ(withoutComment("# all"), "");

@@ -27,6 +27,16 @@ TEST(CheckComment, Terms) {
   EXPECT_EQ(terms[4].left.code, (std::vector<std::uint8_t>{0x0C, 0x01}));  // LC T 1
 }
 
+// The first comma is that of the constant, the second one begins a term.
+TEST(CheckComment, TwoBytesAreOneConstant) {
+  for (const char* text : {"AKKU1 = KY 1,2, VKE = 0", "AKKU1 = KY 1, 2,VKE = 0"}) {
+    const auto checks = checksOf(text);
+    ASSERT_EQ(checks.size(), 1u) << text;
+    ASSERT_EQ(checks[0].terms.size(), 2u) << text;
+    EXPECT_EQ(checks[0].terms[0].right.constant, 0x102u) << text;
+  }
+}
+
 TEST(CheckComment, ALineOfItsOwnBelongsToTheInstructionBefore) {
   const auto c = compileText("OB 1\n: L KB 1\n: L KB 2\n  //= AKKU2 = 1\n: BE\n", true);
   ASSERT_TRUE(c.ok());
