@@ -1,6 +1,9 @@
 #include "step5/variable.h"
 
+#include <fmt/format.h>
+
 #include "mc5/place.h"
+#include "mc5/range.h"
 #include "step5/constant_operand.h"
 #include "step5/operand.h"
 
@@ -41,24 +44,56 @@ std::optional<mc5::Operand> parseConstant(std::string_view text) {
   return constant->value;
 }
 
-std::optional<address::Reference> parseVariable(std::string_view text,
-                                                const source::SymbolTable* symbols) {
+namespace {
+
+struct Named {
+  mc5::Operand operand;
+  std::int32_t db = -1;
+};
+
+std::optional<Named> parse(std::string_view text, const source::SymbolTable* symbols) {
   Scanner scanner(text, 0);
-  address::Reference variable;
-  variable.text = text;
+  Named named;
   scanner.skipBlanks();
   auto operand = operandAt(scanner, symbols);
   const bool inBlock = operand && isDataBlock(*operand) && scanner.accept('.');
   if (inBlock) {
-    variable.db = static_cast<std::int32_t>(operand->value);
+    named.db = static_cast<std::int32_t>(operand->value);
     operand = operandAt(scanner, symbols);
   }
   scanner.skipBlanks();
   if (!operand || !scanner.atEnd() || !hasValue(*operand)) return std::nullopt;
   if ((operand->area == mc5::Area::Data) != inBlock) return std::nullopt;
-  variable.operand = mc5::placeOf(*operand);
+  named.operand = *operand;
+  return named;
+}
+
+}  // namespace
+
+std::optional<address::Reference> parseVariable(std::string_view text,
+                                                const source::SymbolTable* symbols) {
+  const auto named = parse(text, symbols);
+  if (!named) return std::nullopt;
+  address::Reference variable;
+  variable.text = text;
+  variable.db = named->db;
+  variable.operand = mc5::placeOf(named->operand);
   if (!isMemory(variable.operand)) variable.type = TypeCode::Word;  // what LC loads
   return variable;
+}
+
+std::optional<Problem> checkRange(std::string_view text, const source::SymbolTable* symbols,
+                                  const Position& at) {
+  const auto named = parse(text, symbols);
+  if (!named) return std::nullopt;
+  const mc5::Operand& operand = named->operand;
+  const mc5::Range range = mc5::rangeOf({mc5::Operation::LOAD, operand});
+  if (named->db < 0 && operand.value > range.highest)
+    return makeProblem(ProblemCode::P1112, at, "number", operand.value,
+                       fmt::format("{}..{}", range.lowest, range.highest));
+  if (operand.bit <= range.highestBit) return std::nullopt;
+  return makeProblem(ProblemCode::P1112, at, "bit", operand.bit,
+                     fmt::format("0..{}", range.highestBit));
 }
 
 std::string symbolName(std::string_view text) {

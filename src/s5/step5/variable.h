@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "address/reference.h"
+#include "base/problem.h"
 #include "mc5/operand.h"
 #include "source/symbol_table.h"
 
@@ -19,6 +20,11 @@ std::optional<mc5::Operand> parseConstant(std::string_view text);
 // Symbols: -MOTOR, "DATEN".DW 5.
 std::optional<address::Reference> parseVariable(std::string_view text,
                                                 const source::SymbolTable* symbols = nullptr);
+
+// P1112: a number or bit that this PLC does not have (E 0.8, MB 256, T 99). Nothing for others; how
+// many words a data block has is not known here.
+std::optional<Problem> checkRange(std::string_view text, const source::SymbolTable* symbols,
+                                  const Position& at);
 
 // MOTOR of -MOTOR and "MOTOR"; empty if the text names no symbol.
 std::string symbolName(std::string_view text);

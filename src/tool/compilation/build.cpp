@@ -44,6 +44,7 @@ constexpr std::string_view kPartner = "partner.";
 // Whether there is such a data block shows when it is looked at: programs make some (E DB).
 Result<address::Reference> listingOperand(std::string_view text, const Position& at,
                                           const source::SymbolTable& symbols) {
+  if (auto problem = step5::checkRange(text, &symbols, at)) return *problem;
   if (const auto variable = step5::parseVariable(text, &symbols)) return *variable;
   if (const auto datum = cnc::datumReference(text)) return *datum;
   if (nc::namesDatum(text)) return makeProblem(ProblemCode::P1154, at, text, nc::knownData(text));

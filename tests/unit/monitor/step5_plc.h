@@ -17,6 +17,7 @@ inline Result<address::Reference> step5Operand(std::string_view text, const Posi
   constexpr std::string_view kPartner = "partner ";
   const bool partner = text.starts_with(kPartner);
   const std::string_view own = partner ? text.substr(kPartner.size()) : text;
+  if (auto problem = step5::checkRange(own, nullptr, at)) return *problem;
   auto reference = step5::parseVariable(own);
   if (!reference) reference = cnc::datumReference(own);
   if (!reference) return makeProblem(ProblemCode::P1104, at, std::string(text));

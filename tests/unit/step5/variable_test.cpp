@@ -35,5 +35,19 @@ TEST(Variable, OthersAreRefused) {
     EXPECT_FALSE(parseVariable(text).has_value()) << text;
 }
 
+TEST(Variable, HasTheRangesOfThePlc) {
+  const auto problem = [](const char* text) {
+    const auto found = checkRange(text, nullptr, {});
+    return found ? found->message : "good";
+  };
+  EXPECT_EQ(problem("E 0.8"), "bit 8 is outside 0..7 of SINUMERIK 810/820");
+  EXPECT_EQ(problem("DB10.D 0.16"), "bit 16 is outside 0..15 of SINUMERIK 810/820");
+  EXPECT_EQ(problem("MB 256"), "number 256 is outside 0..255 of SINUMERIK 810/820");
+  EXPECT_EQ(problem("EW 127"), "number 127 is outside 0..126 of SINUMERIK 810/820");
+  EXPECT_EQ(problem("T 99"), "number 99 is outside 0..31 of SINUMERIK 810/820");
+  for (const char* text : {"E 127.7", "MB 255", "T 31", "DB10.DW 2000", "KH 12", "XY"})
+    EXPECT_EQ(problem(text), "good") << text;
+}
+
 }  // namespace
 }  // namespace merker::step5
