@@ -3,6 +3,7 @@
 #include <bit>
 #include <cmath>
 
+#include "mc5/s5_float.h"
 #include "scenario/long_value.h"
 #include "workbench/operand_name.h"
 
@@ -12,6 +13,7 @@ Json rawValue(const address::Reference& reference, const monitor::Value& value,
               monitor::DisplayFormat format) {
   if (reference.nc != 0) return std::stod(value.content);
   if (simulator::isLong(reference)) return nullptr;
+  if (format == monitor::DisplayFormat::Kg) return mc5::toDouble(value.bits);
   if (reference.type != TypeCode::Real && format != monitor::DisplayFormat::Real) return value.bits;
   const auto real = std::bit_cast<float>(value.bits);
   return std::isfinite(real) ? Json(real) : Json(nullptr);

@@ -5,6 +5,7 @@
 #include "address/constant.h"
 #include "base/bcd.h"
 #include "base/text.h"
+#include "mc5/constant.h"
 #include "scenario/display.h"
 #include "scenario/term.h"
 
@@ -19,6 +20,7 @@ constexpr FormatRow kDisplayFormatRows[] = {
     {Bcd, "BCD", 8, 32},        {Char, "CHAR", 8, 32},        {Real, "REAL", 32, 32},
     {S5Time, "S5TIME", 16, 16}, {Time, "TIME", 32, 32},       {Date, "DATE", 16, 16},
     {TimeOfDay, "TOD", 32, 32}, {Counter, "COUNTER", 16, 16}, {Pointer, "POINTER", 32, 32},
+    {Kg, "KG", 32, 32},
 };
 
 const FormatRow& row(DisplayFormat format) {
@@ -143,6 +145,9 @@ std::string show(const address::Reference& reference, std::uint32_t bits, Displa
       return bcd(bits, width);
     case Char:
       return characters(bits, width);
+    case Kg:
+      return mc5::constantText(
+          {.kind = mc5::OperandKind::Constant, .format = mc5::Format::Float, .value = bits});
     default:
       return std::to_string(bits);
   }

@@ -28,7 +28,8 @@ enum class DisplayFormat : std::uint8_t {
   Date,
   TimeOfDay,
   Counter,
-  Pointer
+  Pointer,
+  Kg  // floating point of STEP 5 (S5-NUM-04)
 };
 
 struct FormatRow {

@@ -1,9 +1,12 @@
 // A value as the user types it into a variable table.
 #include <charconv>
+#include <cmath>
 
 #include "address/constant.h"
 #include "base/bcd.h"
 #include "base/text.h"
+#include "mc5/constant.h"
+#include "mc5/s5_float.h"
 #include "monitor/display_format.h"
 #include "scenario/term.h"
 
@@ -191,11 +194,26 @@ Result<std::uint32_t> parseNotation(const address::Reference& reference, std::st
   return width == 32 ? adapted.bits : adapted.bits & ((1u << width) - 1);
 }
 
+// KG +1500000+01, the same without KG, or 1.5.
+Result<std::uint32_t> parseFloat(std::string_view text) {
+  const bool word = equalsIgnoreCase(text.substr(0, 2), "KG");
+  const auto bits = mc5::constantBits(mc5::Format::Float, word ? trim(text.substr(2)) : text);
+  if (bits) return *bits;
+  double value = 0;
+  const std::string_view digits = text.starts_with('+') ? text.substr(1) : text;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  const bool number = error == std::errc{} && end == digits.data() + digits.size();
+  const mc5::FloatResult result = mc5::fromDouble(number ? value : 0);
+  if (number && std::isfinite(value) && result.range == mc5::FloatRange::Fits) return result.bits;
+  return makeProblem(ProblemCode::P1210, Position{"", 0, 0, 0}, std::string(text), name(Kg));
+}
+
 }  // namespace
 
 Result<std::uint32_t> parseValue(const address::Reference& reference, std::string_view text,
                                  DisplayFormat format) {
   text = trim(text);
+  if (format == Kg) return parseFloat(text);
   const unsigned width = simulator::bitWidth(reference);
   const DisplayFormat kind = awaited(reference, format);
   // With AUTO a number is read as a constant, whose width is looked at.

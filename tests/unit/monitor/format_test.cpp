@@ -44,6 +44,7 @@ TEST(Format, ShowsAndReads) {
       {"MD 0", 64397333, TimeOfDay, "TOD#17:53:17.333"},
       {"MW 0", 0x0128, Counter, "C#128"},
       {"MD 0", 0x83000050, Pointer, "P#M10.0"},
+      {"MD 0", 0x01600000, Kg, "KG +1500000+01"},  // S5-NUM-04
       {"M 0.0", 1, Bool, "TRUE"},
       {"M 0.0", 1, Hex, "1"},
       {"M 0.0", 0, Bool, "FALSE"},

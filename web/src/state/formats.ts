@@ -15,6 +15,7 @@ export const FORMATS: [name: string, shortest: number, widest: number][] = [
   ['TOD', 32, 32],
   ['COUNTER', 16, 16],
   ['POINTER', 32, 32],
+  ['KG', 32, 32],
 ];
 
 /** The formats that fit a width; all while the width is unknown (0). */
