@@ -159,6 +159,15 @@ class Debug(Case):
         self.assertIn("nothing is watched", out)
         self.assertTrue(out.endswith("E 0.0 = 1\nA 0.0 = 1\n"))
 
+    def test_says_why_a_value_is_refused(self):
+        """S7-SIM-03"""
+        for line, text in (("set T 1 = 1000 DEC", "T 1 cannot be set: it takes S5T#0MS to S5T#2H46M30S [P0988]"),
+                           ("set T 1 = W#16#FFFF", "P0988"), ("set Z 1 = W#16#FFFF", "Z 1 cannot be set: it takes 0 to 999 [P0988]"),
+                           ("set MW 10 = 5, Z 1 = FFFF HEX", "P0988"), ("force A 0.1 = 1, A 0.1 = 0", "A 0.1 cannot be set: the list names it twice")):
+            out = self.debug(line, "print MW 10", code=PROBLEMS)
+            self.assertIn(text, out)
+            self.assertTrue(out.endswith("MW 10 = W#16#0000\n"), out)  # it goes on
+
     def test_a_forced_output_is_not_set(self):
         """S7-SIM-12, S7-CPU-31"""
         for line in ("set A 0.0 = 0", "set AW 0 = 0", "set MW 10 = 1, AB 0 = 0"):

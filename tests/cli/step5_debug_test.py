@@ -132,7 +132,7 @@ class Step5Debug(Case):
         self.assertIn("E 0.6 = 1\nM 130.0 = 1\n", out)
         self.assertTrue(out.endswith("E 0.6 = 1\nM 130.0 = 1\nno forces\n"))
         for line, number in (("set M 130.0 = 0", "P1217"), ("set MB 130 = 0", "P1217"), ("force MB 130 = 0", "P1219"),
-                             ("force DB10.DW 1 = 1", "P1211"), ("force T 1 = 1", "P1211"), ("set DB1.DW 0 = 1", "P1212"),
+                             ("force DB10.DW 1 = 1", "P1211"), ("force T 1 = 1", "P1211"), ("set DB1.DW 0 = 1", "P0988"),
                              ("set DB99.DW 0 = 1", "P1213"), ("print #x", "P1216"), ("break FC 1", "P1201")):
             self.assertIn(number, self.debug("restart", "force M 130.0 = 1", line, code=PROBLEMS), line)
 
@@ -158,6 +158,22 @@ class Step5Debug(Case):
 
     def test_cycles_have_a_limit_of_time(self):
         self.assertRegex(self.debug("restart", "cycle 2000"), r"the limit of 60\S* s is reached; \d+ cycles are left\n")
+
+    def test_says_why_a_value_is_refused(self):
+        """S5-TIMER-11, S5-NUM-04; docs/formats/nc.md"""
+        for line, text in (("set nc.R 5 = 123456789", "nc.R 5 cannot be set: it takes numbers of at most eight digits"),
+                           ("set nc.alarm 3016 = 5", "it takes whole numbers from 0 to 1"), ("set T 1 = 1000 DEC", "it takes KT 000.0 to KT 999.3"),
+                           ("set Z 1 = FFFF HEX", "it takes KZ 000 to KZ 999"), ("print E 0.8", "bit 8 is outside 0..7"),
+                           ("force EB 130 = 0", "number 130 is outside 0..127"), ("set MD 100 = 4294967296", "(32 bits)"),
+                           ("force A 0.1 = 1, A 0.1 = 0", "A 0.1 cannot be set: the list names it twice")):
+            out = self.debug(line, "print MW 120", code=PROBLEMS)
+            self.assertIn(text, out)
+            self.assertTrue(out.endswith("MW 120 = W#16#0000\n"), out)  # it goes on
+
+    def test_two_bytes_are_one_value(self):
+        """S5-NUM-05: the comma of KY"""
+        out = self.debug("set MW 110 = KY 1,2, MW 112 = KY 003,4", "force MW 114 = KY 5,6", "print MW 110, MW 112, MW 114")
+        self.assertTrue(out.endswith("MW 110 = W#16#0102\nMW 112 = W#16#0304\nMW 114 = W#16#0506\n"), out)
 
     def test_restarts(self):
         """S5-OB-02, S5-OB-03: a warm restart keeps the flags; `run` and `restart` are Neustart."""

@@ -333,7 +333,13 @@ bool Cnc::writeBytes(const address::Reference& reference, std::span<const std::u
 
 std::string Cnc::whyRefused(const address::Reference& reference) const {
   if (reference.nc != 0) return nc::whatItTakes(nc::unpack(reference.nc));
-  return sinumerik::whySystemOwned(plc().operatingSystem(), reference);
+  if (reference.partner && parts_->partner) return parts_->partner->whyRefused(own(reference));
+  return sinumerik::whyRefused(plc().operatingSystem(), reference);
+}
+
+bool Cnc::takes(const address::Reference& datum, std::string_view digits) const {
+  if (datum.partner) return parts_->partner && parts_->partner->takes(own(datum), digits);
+  return nc::takes(parts_->macros->control(), nc::unpack(datum.nc), digits);
 }
 
 std::optional<std::string> Cnc::stackField(std::string_view stack, std::string_view field) const {
@@ -354,13 +360,7 @@ std::string Cnc::stopDetails() const {
 
 std::string Cnc::whyMissing(const address::Reference& reference) const {
   if (reference.partner && parts_->partner) return parts_->partner->whyMissing(own(reference));
-  if (reference.operand.kind != address::OperandKind::Memory ||
-      reference.operand.area != Area::DataBlock)
-    return "it is outside the areas of this PLC";
-  const auto& entry =
-      plc().machine().blocks.find({mc5::BlockType::Db, static_cast<std::uint16_t>(reference.db)});
-  if (!entry.present) return "there is no DB " + std::to_string(reference.db);
-  return "DB " + std::to_string(reference.db) + " has " + std::to_string(entry.length) + " words";
+  return sinumerik::whyMissing(plc().operatingSystem(), reference);
 }
 
 const std::vector<controller::DiagnosticEntry>& Cnc::diagnostics() const {

@@ -116,6 +116,8 @@ class Cnc final : public controller::Controller,
   bool forced() const;  // anything, also of the partner
   std::string whyMissing(const address::Reference& reference) const override;
   std::string whyRefused(const address::Reference& reference) const override;
+  // Whether the NC takes these digits for a datum.
+  bool takes(const address::Reference& datum, std::string_view digits) const;
   std::optional<std::string> stackField(std::string_view stack,
                                         std::string_view field) const override;
   std::string stackFields(std::string_view stack) const override;

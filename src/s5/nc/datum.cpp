@@ -200,6 +200,13 @@ bool writeDatum(Control& control, const Datum& datum, Number number) {
   return row.put(control, datum.where, number);
 }
 
+// Tried on a copy: what a datum takes may depend on others.
+bool takes(const Control& control, const Datum& datum, std::string_view digits) {
+  const auto number = parseDecimal(digits);
+  Control copy = control;
+  return number && writeDatum(copy, datum, *number);
+}
+
 std::string whatItTakes(const Datum& datum) {
   const DatumRow& row = rowOf(datum);
   if (row.put == nullptr) return "it is only read: the NC makes it of others";

@@ -51,6 +51,8 @@ std::string formatDecimal(Number number);
 std::string readDatum(const Control& control, const Datum& datum);
 // False: it takes no such number.
 bool writeDatum(Control& control, const Datum& datum, Number number);
+// Whether it takes these digits. Nothing is changed.
+bool takes(const Control& control, const Datum& datum, std::string_view digits);
 // "it takes whole numbers from 1 to 4"
 std::string whatItTakes(const Datum& datum);
 

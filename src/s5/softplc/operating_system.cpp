@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "softplc/memory_size.h"
+#include "softplc/periphery_check.h"
 
 namespace merker::sinumerik {
 namespace {
@@ -46,6 +47,7 @@ OperatingSystem::OperatingSystem(const Options& options)
   machine_.dataInEprom = options_.dataInEprom;
   environment_.macros = options_.macros;
   environment_.variant = options_.variant;
+  mount(around_.modules, machine_.periphery);
 }
 
 void OperatingSystem::step(Instant limit) {

@@ -45,7 +45,9 @@ std::optional<std::uint32_t> Programmer::status(const Reference& variable) const
 
 std::string Programmer::control(const Reference& variable, std::uint32_t value) {
   if (std::string reason = whySystemOwned(os_, variable); !reason.empty()) return reason;
-  return writeValue(os_, variable, value) ? "" : "this operand does not exist";
+  if (writeValue(os_, variable, value)) return {};
+  std::string reason = whyRefused(os_, variable);
+  return reason.empty() ? "this operand does not exist" : reason;
 }
 
 std::uint16_t Programmer::pseudoAddress(unsigned index) const {

@@ -4,6 +4,7 @@
 
 #include <span>
 
+#include "plc/cell_value.h"
 #include "softplc/system_blocks.h"
 
 namespace merker::sinumerik {
@@ -97,9 +98,20 @@ std::optional<std::uint32_t> readCell(const Cells& cells, const Operand& operand
   return operand.width == Width::Bit ? std::uint32_t{cell.output()} : std::uint32_t{cell.coded()};
 }
 
+// Whether modules have all bytes of the terminal; those of the NC are always there.
+bool hasTerminal(const Machine& m, const Operand& operand) {
+  if (!fits(operand, kImageBytes)) return false;
+  const std::uint32_t first = byteOf(operand);
+  for (std::uint32_t byte = first; byte < first + byteCount(operand.width); ++byte)
+    if (byte < kPeripheryBytes && !m.periphery.inputPresent[byte]) return false;
+  return true;
+}
+
 // As if a start operation had seen an edge.
 bool writeCell(OperatingSystem& os, const Operand& operand, std::uint32_t value) {
-  if (operand.value >= kCells || operand.width == Width::Bit) return false;
+  if (operand.value >= kCells || operand.width == Width::Bit ||
+      !controller::isCellValue(operand.kind, value))
+    return false;
   const auto akku = static_cast<std::uint16_t>(value);
   if (operand.kind == OperandKind::Counter) {
     Counter& counter = os.machine().counters[operand.value];
@@ -121,6 +133,23 @@ std::string whySystemOwned(const OperatingSystem& os, const Reference& r) {
                        r.operand.width != Width::DWord;
   if (trigger) return {};
   return fmt::format("DB {} belongs to the system; only DW 9 of DB 1 can be written", r.db);
+}
+
+std::string whyMissing(const OperatingSystem& os, const Reference& r) {
+  if (!address::isMemory(r.operand) || r.operand.area != Area::DataBlock)
+    return "it is outside the areas of this PLC";
+  const auto& entry =
+      os.machine().blocks.find({mc5::BlockType::Db, static_cast<std::uint16_t>(r.db)});
+  return entry.present ? fmt::format("DB {} has {} words", r.db, entry.length)
+                       : fmt::format("there is no DB {}", r.db);
+}
+
+std::string whyRefused(const OperatingSystem& os, const Reference& r) {
+  if (address::isTimer(r.operand)) return "it takes KT 000.0 to KT 999.3";
+  if (address::isCounter(r.operand)) return "it takes KZ 000 to KZ 999";
+  const bool terminal = r.operand.area == Area::Input || r.operand.area == Area::Peripheral;
+  if (terminal && !hasTerminal(os.machine(), r.operand)) return "no input module has this address";
+  return whySystemOwned(os, r);
 }
 
 std::optional<std::uint32_t> readValue(const OperatingSystem& os, const Reference& r) {
@@ -160,9 +189,11 @@ bool writeValue(OperatingSystem& os, const Reference& r, std::uint32_t value) {
   switch (r.operand.area) {
     case Area::Input:
     case Area::Peripheral:
-      return eachByte(r.operand, kImageBytes, value, [&](ByteChange c) {
-        os.setTerminal(static_cast<unsigned>(c.byte), changed(m.periphery.inputs[c.byte], c));
-      });
+      return hasTerminal(m, r.operand) &&
+             eachByte(r.operand, kImageBytes, value, [&](ByteChange c) {
+               os.setTerminal(static_cast<unsigned>(c.byte),
+                              changed(m.periphery.inputs[c.byte], c));
+             });
     case Area::Output:
       return into(m.outputs);
     case Area::Flag:

@@ -46,14 +46,14 @@ std::optional<mc5::Operand> parseConstant(std::string_view text) {
 
 namespace {
 
-struct Named {
+struct NamedOperand {
   mc5::Operand operand;
   std::int32_t db = -1;
 };
 
-std::optional<Named> parse(std::string_view text, const source::SymbolTable* symbols) {
+std::optional<NamedOperand> parseNamed(std::string_view text, const source::SymbolTable* symbols) {
   Scanner scanner(text, 0);
-  Named named;
+  NamedOperand named;
   scanner.skipBlanks();
   auto operand = operandAt(scanner, symbols);
   const bool inBlock = operand && isDataBlock(*operand) && scanner.accept('.');
@@ -72,7 +72,7 @@ std::optional<Named> parse(std::string_view text, const source::SymbolTable* sym
 
 std::optional<address::Reference> parseVariable(std::string_view text,
                                                 const source::SymbolTable* symbols) {
-  const auto named = parse(text, symbols);
+  const auto named = parseNamed(text, symbols);
   if (!named) return std::nullopt;
   address::Reference variable;
   variable.text = text;
@@ -84,7 +84,7 @@ std::optional<address::Reference> parseVariable(std::string_view text,
 
 std::optional<Problem> checkRange(std::string_view text, const source::SymbolTable* symbols,
                                   const Position& at) {
-  const auto named = parse(text, symbols);
+  const auto named = parseNamed(text, symbols);
   if (!named) return std::nullopt;
   const mc5::Operand& operand = named->operand;
   const mc5::Range range = mc5::rangeOf({mc5::Operation::LOAD, operand});

@@ -299,6 +299,14 @@ std::string Station::whyMissing(const address::Reference& reference) const {
   return fmt::format("DB {} has {} bytes", reference.db, found->second.actualData.size());
 }
 
+std::string Station::whyRefused(const address::Reference& reference) const {
+  const address::Operand& operand = reference.operand;
+  if (address::isCounter(operand)) return "it takes 0 to 999";
+  if (!address::isTimer(operand)) return whyMissing(reference);
+  return operand.width == Width::Bit ? "only the program starts a timer"
+                                     : "it takes S5T#0MS to S5T#2H46M30S";
+}
+
 bool Station::mayRead(std::string_view password) const {
   const CpuParameters& parameters = parts_->cpu.parameters();
   return parameters.protection < 3 || password == parameters.password;

@@ -71,6 +71,7 @@ class Station final : public controller::Controller,
   std::string modelName() const override;
   bool hasColdRestart() const override;
   std::string whyMissing(const address::Reference& reference) const override;
+  std::string whyRefused(const address::Reference& reference) const override;
   controller::ExecutedLines executedLines() const override;
   const block::Program& program() const override;
 

@@ -2,6 +2,7 @@
 
 #include "base/bcd.h"
 #include "cpu/memory_access.h"
+#include "plc/cell_value.h"
 
 namespace merker::station {
 namespace {
@@ -151,13 +152,14 @@ bool writeValue(cpu::Cpu& cpu, Periphery* periphery, const address::Reference& r
   Machine& m = cpu.machine();
   const Operand& operand = reference.operand;
   if (operand.kind == OperandKind::Timer)
-    return operand.value < m.timers.size() && operand.width != Width::Bit && value <= 0x3999 &&
+    return operand.value < m.timers.size() && operand.width != Width::Bit &&
+           controller::isCellValue(operand.kind, value) &&
            m.timers[operand.value].modify(static_cast<std::uint16_t>(value),
                                           cpu.state().programTime());
   if (operand.kind == OperandKind::Counter) {
-    const auto count = fromBcd(value, 3);
-    if (operand.value >= m.counters.size() || value > 0x999 || !count) return false;
-    m.counters[operand.value].count = static_cast<std::uint16_t>(*count);
+    if (operand.value >= m.counters.size() || !controller::isCellValue(operand.kind, value))
+      return false;
+    m.counters[operand.value].count = static_cast<std::uint16_t>(*fromBcd(value, 3));
     return true;
   }
   if (operand.kind != OperandKind::Memory) return false;

@@ -8,12 +8,9 @@ Result<ModifyList> ModifyList::of(monitor::Monitor& monitor,
   ModifyList list;
   list.trigger_ = trigger;
   for (const monitor::Wish& wish : wishes) {
-    auto reference = monitor.operand(wish.operand);
-    if (!reference) return reference.error();
-    auto value = monitor::parse(*reference, wish.value, wish.format);
-    if (!value) return value.error();
-    if (auto problem = monitor.checkWrite(*reference)) return *problem;
-    list.rows_.emplace_back(std::move(*reference), std::move(value.value()));
+    auto change = monitor.inCycle(wish);
+    if (!change) return change.error();
+    list.rows_.push_back(std::move(change.value()));
   }
   return list;
 }

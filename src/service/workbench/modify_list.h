@@ -19,7 +19,7 @@ class ModifyList {
   std::size_t size() const { return rows_.size(); }
 
  private:
-  std::vector<std::pair<address::Reference, monitor::Value>> rows_;
+  std::vector<monitor::Change> rows_;
   monitor::Trigger trigger_;
   bool done_ = false, told_ = false;
 };

@@ -5,6 +5,7 @@
 #include "monitor/control_stacks.h"
 #include "monitor/control_target.h"
 #include "nc/datum.h"
+#include "plc/cell_value.h"
 
 namespace merker::monitor {
 namespace {
@@ -35,7 +36,7 @@ bool ControlMonitor::can(Feature feature) const {
   return std::ranges::find(kAble, feature) != std::end(kAble);
 }
 
-void ControlMonitor::modifyInCycle(const address::Reference& reference, const Value& value) {
+void ControlMonitor::writeInCycle(const address::Reference& reference, const Value& value) {
   const address::Operand& operand = reference.operand;
   const bool input = operand.kind == address::OperandKind::Memory && operand.area == Area::Input;
   if (input && !reference.partner)
@@ -102,7 +103,12 @@ bool ControlMonitor::canForce(const address::Reference& reference) const {
 
 bool ControlMonitor::canWrite(const address::Reference& reference) const {
   if (reference.nc != 0) return nc::rowOf(nc::unpack(reference.nc)).put != nullptr;
-  return monitor::read(control_, reference).has_value() && control_.whyRefused(reference).empty();
+  if (!monitor::read(control_, reference)) return false;
+  return controller::isCell(reference) || control_.whyRefused(reference).empty();
+}
+
+bool ControlMonitor::takes(const address::Reference& reference, const Value& value) const {
+  return reference.nc == 0 || control_.takes(reference, value.content);
 }
 
 bool ControlMonitor::holdsForces() const { return control_.forced(); }

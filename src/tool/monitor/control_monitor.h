@@ -17,7 +17,6 @@ class ControlMonitor final : public Monitor {
   ControlMonitor& operator=(const ControlMonitor&) = delete;
 
   bool can(Feature feature) const override;
-  void modifyInCycle(const address::Reference& reference, const Value& value) override;
   void stop() override;
   std::string clock() const override { return {}; }
   bool downloadWaits() const override { return false; }
@@ -28,8 +27,10 @@ class ControlMonitor final : public Monitor {
   std::vector<FrameVariable> variables(std::size_t depth) const override;
 
  private:
+  void writeInCycle(const address::Reference& reference, const Value& value) override;
   bool canForce(const address::Reference& reference) const override;
   bool canWrite(const address::Reference& reference) const override;
+  bool takes(const address::Reference& reference, const Value& value) const override;
   bool holdsForces() const override;
 
   cnc::Cnc& control_;

@@ -4,8 +4,15 @@
 
 #include "base/text.h"
 #include "monitor/nowhere.h"
+#include "plc/cell_value.h"
 
 namespace merker::monitor {
+
+using simulator::checkForce;
+using simulator::checkOnce;
+using simulator::overlap;
+using simulator::samePlace;
+
 Monitor::Monitor(std::unique_ptr<Target> target, const source::SymbolTable& symbols,
                  simulator::Resolver resolver)
     : target_(std::move(target)),
@@ -47,11 +54,8 @@ Result<std::string> Monitor::read(std::string_view text, DisplayFormat format) c
   return show(*reference, *value, format);
 }
 
-// A forced output or flag stays as it is; a forced input can be set at its terminal, where it
-// waits.
 bool Monitor::isForced(const address::Reference& reference) const {
-  return reference.operand.area != Area::Input &&
-         std::ranges::any_of(forces(),
+  return std::ranges::any_of(forces(),
                              [&](const Forced& one) { return overlap(one.operand, reference); });
 }
 
@@ -61,34 +65,75 @@ const std::vector<Forced>& Monitor::forces() const {
   return forces_;
 }
 
+Problem Monitor::refusal(const address::Reference& reference) const {
+  const std::string reason = plc().whyRefused(reference);
+  if (reason.empty()) return makeProblem(ProblemCode::P1212, nowhere(), reference.text);
+  return makeProblem(ProblemCode::P0988, nowhere(), reference.text, reason);
+}
+
+// A forced output or flag stays as it is; a forced input can be set at its terminal, where it
+// waits.
 std::optional<Problem> Monitor::checkWrite(const address::Reference& reference) const {
-  if (isForced(reference)) return makeProblem(ProblemCode::P1217, nowhere(), reference.text);
+  if (reference.operand.area != Area::Input && isForced(reference))
+    return makeProblem(ProblemCode::P1217, nowhere(), reference.text);
   if (canWrite(reference)) return std::nullopt;
-  const bool there = monitor::read(plc(), reference).has_value();
-  return makeProblem(there ? ProblemCode::P1212 : ProblemCode::P1213, nowhere(), reference.text);
+  if (monitor::read(plc(), reference)) return refusal(reference);
+  return makeProblem(ProblemCode::P1213, nowhere(), reference.text);
+}
+
+std::optional<Problem> Monitor::checkValue(const address::Reference& reference,
+                                           const Value& value) const {
+  if (auto problem = checkWrite(reference)) return problem;
+  const bool good = controller::isCell(reference)
+                        ? controller::isCellValue(reference.operand.kind, value.bits)
+                        : takes(reference, value);
+  return good ? std::nullopt : std::optional(refusal(reference));
+}
+
+Result<Change> Monitor::understand(const Wish& wish) const {
+  auto reference = operand(wish.operand);
+  if (!reference) return reference.error();
+  auto value = parse(*reference, wish.value, wish.format, resolver_.constants);
+  if (!value) return value.error();
+  return Change{std::move(*reference), std::move(value.value())};
+}
+
+Result<Change> Monitor::change(const Wish& wish) const {
+  auto result = understand(wish);
+  if (!result) return result;
+  if (auto problem = checkValue(result->operand, result->value)) return *problem;
+  return result;
+}
+
+Result<Change> Monitor::inCycle(const Wish& wish) const {
+  auto result = change(wish);
+  if (result && isForced(result->operand))
+    return makeProblem(ProblemCode::P1217, nowhere(), result->operand.text);
+  return result;
+}
+
+void Monitor::modifyInCycle(const address::Reference& reference, const Value& value) {
+  if (!isForced(reference)) writeInCycle(reference, value);
 }
 
 std::optional<Problem> Monitor::write(const std::vector<Wish>& wishes) {
-  struct Change {
-    address::Reference reference;
-    Value value;
+  struct Step {
+    Change change;
     std::optional<Value> before;
   };
-  std::vector<Change> good;
+  std::vector<Step> good;
   for (const Wish& wish : wishes) {
-    auto reference = operand(wish.operand);
-    if (!reference) return reference.error();
-    auto value = parse(*reference, wish.value, wish.format, resolver_.constants);
-    if (!value) return value.error();
-    if (auto problem = checkWrite(*reference)) return problem;
-    auto before = monitor::read(plc(), *reference);
-    good.push_back({std::move(*reference), std::move(value.value()), std::move(before)});
+    auto one = change(wish);
+    if (!one) return one.error();
+    auto before = monitor::read(plc(), one->operand);
+    good.push_back({std::move(one.value()), std::move(before)});
   }
   for (std::size_t i = 0; i < good.size(); ++i) {
-    if (monitor::write(plc(), good[i].reference, good[i].value)) continue;
-    while (i-- > 0)
-      if (good[i].before) monitor::write(plc(), good[i].reference, *good[i].before);
-    return makeProblem(ProblemCode::P1212, nowhere(), good[i].reference.text);
+    const auto& [operand, value] = good[i].change;
+    if (monitor::write(plc(), operand, value)) continue;
+    for (std::size_t j = i; j-- > 0;)
+      if (good[j].before) monitor::write(plc(), good[j].change.operand, *good[j].before);
+    return refusal(operand);
   }
   return std::nullopt;
 }
@@ -101,15 +146,15 @@ void Monitor::forceAgain() {
 std::optional<Problem> Monitor::force(const std::vector<Wish>& wishes) {
   std::vector<Forced> good;
   for (const Wish& wish : wishes) {
-    auto reference = operand(wish.operand);
+    const auto reference = operand(wish.operand);
     if (!reference) return reference.error();
-    const auto value = parse(*reference, wish.value, wish.format, resolver_.constants);
     if (!canForce(*reference) || !plc().read(*reference))
       return makeProblem(ProblemCode::P1211, nowhere(), std::string(wish.operand));
-    if (!value) return value.error();
+    auto one = understand(wish);
+    if (!one) return one.error();
     if (auto problem = checkForce(forces(), *reference)) return problem;
-    if (auto problem = checkForce(good, *reference)) return problem;
-    good.push_back({std::move(*reference), value->bits});
+    if (auto problem = checkOnce(good, *reference)) return problem;
+    good.push_back({std::move(one->operand), one->value.bits});
   }
   for (const Forced& one : good)
     if (!plc().force(one.operand, one.value)) {

@@ -14,19 +14,27 @@
 #include "monitor/diagnostic_list.h"
 #include "monitor/display_format.h"
 #include "monitor/feature.h"
-#include "monitor/forced.h"
 #include "monitor/frame_variables.h"
 #include "monitor/location.h"
 #include "monitor/module_information.h"
 #include "monitor/stacks.h"
 #include "monitor/variable_table.h"
+#include "scenario/forced.h"
 
 namespace merker::monitor {
+
+using simulator::Forced;
 
 // What somebody wants an operand to be: "MW 10", "00FF", HEX.
 struct Wish {
   std::string_view operand, value;
   DisplayFormat format = DisplayFormat::Automatic;
+};
+
+// A wish that can be carried out.
+struct Change {
+  address::Reference operand;
+  Value value;
 };
 
 struct CycleTimes {
@@ -72,9 +80,12 @@ class Monitor : private CycleAccess {
   // Whoever else looks and modifies at these points.
   void onPoint(std::function<void(CyclePoint)> observer) { observer_ = std::move(observer); }
   // Refused are what does not exist, what takes no value, and forced outputs and flags.
-  std::optional<Problem> checkWrite(const address::Reference& reference) const;
-  // At a cycle point. Inputs: their process image, which this cycle works with; the terminals stay.
-  void modifyInCycle(const address::Reference& reference, const Value& value) override = 0;
+  std::optional<Problem> checkWrite(const address::Reference& reference) const override;
+  std::optional<Problem> checkValue(const address::Reference& reference,
+                                    const Value& value) const override;
+  // What a wish at a cycle point comes to; there a forced input is refused, too.
+  Result<Change> inCycle(const Wish& wish) const;
+  void modifyInCycle(const address::Reference& reference, const Value& value) final;
 
   // As a programming device does it, not the mode switch.
   virtual void stop() = 0;
@@ -109,13 +120,19 @@ class Monitor : private CycleAccess {
   virtual Result<address::Reference> local(std::string_view text, const Position& at) const;
 
  private:
+  virtual void writeInCycle(const address::Reference& reference, const Value& value) = 0;
   virtual bool canForce(const address::Reference& reference) const = 0;
   // Whether `write` would do it. Nothing is changed.
   virtual bool canWrite(const address::Reference& reference) const = 0;
+  // Whether an operand that can be written takes this value, too.
+  virtual bool takes(const address::Reference&, const Value&) const { return true; }
   // Whether the machine holds anything at a value: a memory reset frees all.
   virtual bool holdsForces() const = 0;
   controller::Controller& machine() override { return plc(); }
+  Result<Change> understand(const Wish& wish) const;
+  Result<Change> change(const Wish& wish) const;
   bool isForced(const address::Reference& reference) const;
+  Problem refusal(const address::Reference& reference) const;
   void forceAgain();
 
   std::unique_ptr<Target> target_;

@@ -23,7 +23,7 @@ StationMonitor::StationMonitor(station::Station& station, const source::SymbolTa
 
 StationMonitor::~StationMonitor() { station_.cpu().onCyclePoint({}); }
 
-void StationMonitor::modifyInCycle(const address::Reference& reference, const Value& value) {
+void StationMonitor::writeInCycle(const address::Reference& reference, const Value& value) {
   const address::Operand& operand = reference.operand;
   if (isInput(operand))
     cpu::write(station_.cpu().machine(), Area::Input, operand.width, operand.value, value.bits);

@@ -14,7 +14,6 @@ class StationMonitor final : public Monitor {
 
   station::Station& station() { return station_; }
   bool can(Feature) const override { return true; }
-  void modifyInCycle(const address::Reference& reference, const Value& value) override;
   void stop() override;
   std::string clock() const override;
   bool downloadWaits() const override;
@@ -30,6 +29,7 @@ class StationMonitor final : public Monitor {
   std::vector<FrameVariable> variables(std::size_t depth) const override;
 
  private:
+  void writeInCycle(const address::Reference& reference, const Value& value) override;
   bool canForce(const address::Reference& reference) const override;
   bool canWrite(const address::Reference& reference) const override;
   bool holdsForces() const override;

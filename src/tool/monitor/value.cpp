@@ -1,7 +1,10 @@
 #include "monitor/value.h"
 
+#include "base/bcd.h"
 #include "base/text.h"
 #include "monitor/nowhere.h"
+#include "plc/cell_value.h"
+#include "scenario/long_number.h"
 #include "scenario/long_value.h"
 #include "scenario/term.h"
 
@@ -24,6 +27,18 @@ Result<Value> parseContent(const address::Reference& reference, std::string_view
     return makeProblem(ProblemCode::P0961, nowhere(), std::string(text), content->size(),
                        reference.text, longest);
   return Value{0, std::move(content.value())};
+}
+
+// A whole number is the count of a counter; of a timer it lacks the base.
+Result<Value> parseCell(const address::Reference& reference, const Constant& constant,
+                        std::string_view text) {
+  const bool number =
+      constant.format == ConstantFormat::Integer || constant.format == ConstantFormat::LongInteger;
+  if (!number) return Value{constant.bits, {}};
+  const bool counter = address::isCounter(reference.operand);
+  if (counter && constant.bits <= 999) return Value{toBcd(constant.bits, 3), {}};
+  return makeProblem(ProblemCode::P1210, nowhere(), std::string(trim(text)),
+                     name(counter ? DisplayFormat::Counter : DisplayFormat::S5Time));
 }
 
 }  // namespace
@@ -57,10 +72,9 @@ std::string show(const address::Reference& reference, const Value& value, Displa
 
 Result<Value> parse(const address::Reference& reference, std::string_view text,
                     DisplayFormat format) {
-  if (isLong(reference)) {
+  if (isLong(reference) || format == DisplayFormat::Kg)
     if (auto problem = checkFormat(reference, format)) return *problem;
-    return parseContent(reference, text);
-  }
+  if (isLong(reference)) return parseContent(reference, text);
   const auto bits = parseValue(reference, text, format);
   if (!bits) return bits.error();
   return Value{*bits, {}};
@@ -68,9 +82,12 @@ Result<Value> parse(const address::Reference& reference, std::string_view text,
 
 Result<Value> parse(const address::Reference& reference, std::string_view text,
                     DisplayFormat format, const simulator::Resolver::Constants& constants) {
-  const bool plain = constants && !isLong(reference);
+  const bool plain = constants && !isLong(reference) && format != DisplayFormat::Kg;
   const auto constant = plain ? constants(trim(text)) : std::nullopt;
+  if (plain && !constant)
+    if (auto problem = simulator::beyondDoubleWord(trim(text), nowhere())) return *problem;
   if (!constant) return parse(reference, text, format);
+  if (controller::isCell(reference)) return parseCell(reference, *constant, text);
   const unsigned width = simulator::bitWidth(reference);
   if (width < 32 && constant->bits >> width != 0)
     return makeProblem(ProblemCode::P0955, nowhere(), std::string(text), reference.text, width);

@@ -35,6 +35,7 @@ std::optional<Problem> VariableTable::setModify(std::size_t row, std::string_vie
   if (value.empty()) return std::nullopt;
   auto parsed = parse(rows_[row].operand, value, rows_[row].format, resolver_.constants);
   if (!parsed) return parsed.error();
+  if (auto problem = access_.checkValue(rows_[row].operand, *parsed)) return problem;
   rows_[row].modify = std::move(parsed.value());
   return std::nullopt;
 }
@@ -54,7 +55,8 @@ void VariableTable::monitorNow() {
 
 void VariableTable::modifyNow() {
   for (const VariableRow& row : rows_)
-    if (row.modify) write(access_.machine(), row.operand, *row.modify);
+    if (row.modify && !access_.checkWrite(row.operand))
+      write(access_.machine(), row.operand, *row.modify);
 }
 
 void VariableTable::reached(CyclePoint point) {

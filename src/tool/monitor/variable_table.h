@@ -19,7 +19,12 @@ class CycleAccess {
  public:
   virtual ~CycleAccess() = default;
   virtual controller::Controller& machine() = 0;
+  // Why this value cannot be written here; what is forced takes none.
+  virtual std::optional<Problem> checkValue(const address::Reference& reference,
+                                            const Value& value) const = 0;
+  virtual std::optional<Problem> checkWrite(const address::Reference& reference) const = 0;
   // At a cycle point. Inputs: their process image, which this cycle works with; the terminals stay.
+  // What is forced stays as it is.
   virtual void modifyInCycle(const address::Reference& reference, const Value& value) = 0;
 };
 

@@ -31,12 +31,13 @@ std::size_t longest(const address::Reference& reference) {
   return reference.type == TypeCode::String ? reference.bytes - 2 : reference.bytes;
 }
 
-// A counter takes its count in BCD (C#); a plain number means the count.
-std::uint32_t coded(const Assignment& assignment, std::uint32_t bits) {
-  const bool counter = assignment.operand.reference.operand.kind == address::OperandKind::Counter;
+// A counter takes its count in BCD (C#, KZ); all else means the count. Nothing if there is no such
+// count.
+std::optional<std::uint32_t> coded(const Assignment& assignment, std::uint32_t bits) {
   const auto& constant = assignment.value.constant;
-  const bool number = !constant || constant->format != ConstantFormat::Counter;
-  return counter && number && bits <= 999 ? toBcd(bits, 3) : bits;
+  const bool word = constant && constant->format == ConstantFormat::Counter;
+  if (!address::isCounter(assignment.operand.reference.operand) || word) return bits;
+  return bits <= 999 ? std::optional(toBcd(bits, 3)) : std::nullopt;
 }
 
 std::string refused(const Term& operand, bool force, const controller::Controller& plc) {
@@ -100,8 +101,10 @@ std::string apply(const Assignment& assignment, bool force, controller::Controll
   if (lacksBase(assignment))
     return fmt::format("{} needs value and base, for example KT 500.1 (50 s), not {}", operand.text,
                        term.text);
-  const std::uint32_t value = coded(assignment, *bits);
-  if (force ? plc.force(operand.reference, value) : plc.write(operand.reference, value)) return {};
+  const auto value = coded(assignment, *bits);
+  if (value &&
+      (force ? plc.force(operand.reference, *value) : plc.write(operand.reference, *value)))
+    return {};
   return refused(operand, force, plc);
 }
 

@@ -22,6 +22,7 @@ bool insideKy(std::string_view text, std::size_t at) {
 
 }  // namespace
 
+// KY 1,2 is one constant.
 std::vector<std::string_view> splitList(std::string_view text) {
   std::vector<std::string_view> parts;
   for (;;) {

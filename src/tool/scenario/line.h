@@ -39,7 +39,7 @@ std::size_t findOutside(std::string_view text, Match match) {
   return std::string_view::npos;
 }
 
-// The parts between commas, trimmed; one empty part for an empty text. KY 1,2 is one constant.
+// The parts between commas, trimmed; one empty part for an empty text.
 std::vector<std::string_view> splitList(std::string_view text);
 
 // The line without its comment: # at the beginning or after a blank (W#16#5 has none before it).

@@ -45,6 +45,7 @@ bool StepRun::performByPartner(const Step& step) {
   if (partner == nullptr) return noPartner();
   partner->advanceTo(plc_.now());
   const bool done = StepRun(*partner, result_).performHere(step);
+  if (std::holds_alternative<steps::MemoryReset>(step.does)) forces_.clearPartner();
   plc_.advanceTo(std::max(plc_.now(), partner->now()));
   return done;
 }

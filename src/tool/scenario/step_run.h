@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "plc/capability.h"
+#include "scenario/forced.h"
 #include "scenario/test_result.h"
 #include "signal/encoder.h"
 
@@ -29,6 +30,7 @@ class StepRun {
   // For the steps. All that has failed is false.
   controller::Controller& plc() { return plc_; }
   Axes& axes() { return axes_; }
+  ForceList& forces() { return forces_; }
   const Step& step() const { return *step_; }
   void speakOfState() { speaksOfState_ = true; }
   // "memory reset: the CPU refuses", at the step.
@@ -57,6 +59,7 @@ class StepRun {
   const Until* until_;
   const Step* step_ = nullptr;  // being performed
   Axes axes_;
+  ForceList forces_;
   bool speaksOfState_ = false;
 };
 

@@ -2,9 +2,9 @@
 
 #include <bit>
 #include <cctype>
-#include <charconv>
 
 #include "base/text.h"
+#include "scenario/long_number.h"
 #include "scenario/long_value.h"
 
 namespace merker::simulator {
@@ -45,18 +45,6 @@ std::optional<Problem> resolveOperand(Term& term, const Resolver& resolver) {
   term.reference = std::move(reference.value());
   term.reference.text = term.text;
   return std::nullopt;
-}
-
-std::optional<Problem> beyondDoubleWord(std::string_view text, const Position& at) {
-  const bool sign = text.starts_with('-') || text.starts_with('+');
-  const std::string_view digits = text.substr(sign ? 1 : 0);
-  if (digits.empty() || digits.find_first_not_of("0123456789") != std::string_view::npos)
-    return std::nullopt;
-  std::int64_t value = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  const std::int64_t most = text.starts_with('-') ? -std::int64_t{INT32_MIN} : UINT32_MAX;
-  if (error == std::errc() && value <= most) return std::nullopt;
-  return makeProblem(ProblemCode::P0955, at, std::string(text), "a double word", 32);
 }
 
 std::optional<Problem> resolveTerm(Term& term, const Resolver& resolver) {

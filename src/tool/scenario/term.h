@@ -47,8 +47,6 @@ using Reader = std::function<std::optional<std::uint32_t>(const address::Referen
 // Fills `constant` or `reference` from `text`. The problem if it is neither.
 std::optional<Problem> resolveTerm(Term& term, const Resolver& resolver);
 std::optional<Problem> resolveOperand(Term& term, const Resolver& resolver);
-// P0955 for a whole number beyond 32 bits: STEP 5 has no other notation for it.
-std::optional<Problem> beyondDoubleWord(std::string_view text, const Position& at);
 // Both sides of a comparison or assignment: beside a DATE_AND_TIME or STRING a constant is one of
 // its type.
 void resolvePair(Term& left, Term& right, const Resolver& resolver, Problems& problems);

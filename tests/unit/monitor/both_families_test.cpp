@@ -35,6 +35,65 @@ TYPED_TEST(EveryMachine, ForcesNoBitTwice) {
   EXPECT_EQ(name(monitor.write("E 0.0", "1")), "good");  // at its terminal, where it waits
 }
 
+// One list forces a bit once.
+TYPED_TEST(EveryMachine, ForcesNoBitTwiceInOneList) {
+  Monitor& monitor = *this->plc;
+  EXPECT_EQ(name(monitor.force({{"A 0.1", "1"}, {"A 0.1", "0"}})), "P0988");
+  EXPECT_TRUE(monitor.forces().empty());
+}
+
+// S7-SIM-03, S5-TIMER-11: three BCD digits, a timer with its base; the reason says so. Nothing of
+// the list is done.
+TYPED_TEST(EveryMachine, RefusesWhatNoTimerOrCounterHolds) {
+  using enum DisplayFormat;
+  Monitor& monitor = *this->plc;
+  this->plc.start();
+  for (const Wish& wish :
+       {Wish{"T 1", "W#16#FFFF"}, Wish{"T 1", "FFFF", Hex}, Wish{"T 1", "1000", Dec},
+        Wish{"T 1", "W#16#4000"}, Wish{"Z 1", "W#16#FFFF"}, Wish{"Z 1", "FFFF", Hex},
+        Wish{"Z 1", "W#16#1000"}, Wish{"Z 1", "W#16#FFFF", Char}}) {
+    const auto problem = monitor.write({{"MW 110", "5"}, wish});
+    EXPECT_EQ(name(problem), "P0988") << wish.operand << ' ' << wish.value;
+    EXPECT_NE(problem->message.find(": it takes "), std::string::npos) << problem->message;
+    EXPECT_EQ(
+        name(monitor.inCycle(wish) ? std::nullopt : std::optional(monitor.inCycle(wish).error())),
+        "P0988");
+  }
+  EXPECT_EQ(name(monitor.write("Z 1", "1000")), "P1210");
+  EXPECT_EQ(this->machine().read(*monitor.operand("MW 110")), 0u);
+  EXPECT_EQ(this->machine().read(*monitor.operand("Z 1")), 0u);
+  EXPECT_EQ(name(monitor.write({{"Z 1", "W#16#0123"}, {"T 1", "W#16#2050"}})), "good");
+  EXPECT_EQ(this->machine().read(*monitor.operand("Z 1")), 0x123u);
+  EXPECT_EQ(name(monitor.write("Z 1", "12")), "good");
+  EXPECT_EQ(this->machine().read(*monitor.operand("Z 1")), 0x12u);
+}
+
+// compatibility.md, "Forces": a force holds at a point of the cycle as well, whichever came first.
+TYPED_TEST(EveryMachine, ModifiesNothingThatIsForced) {
+  Monitor& monitor = *this->plc;
+  VariableTable& begin = monitor.addTable();
+  VariableTable& end = monitor.addTable();
+  EXPECT_EQ(name(begin.add("E 0.0")), "good");
+  EXPECT_EQ(name(begin.setModify(0, "1")), "good");
+  EXPECT_EQ(name(end.add("A 0.0")), "good");
+  EXPECT_EQ(name(end.setModify(0, "1")), "good");
+  begin.modify(Trigger{CyclePoint::Begin, false});
+  end.modify(Trigger{CyclePoint::End, false});
+  EXPECT_TRUE(monitor.inCycle({"E 0.0", "1"}));
+  EXPECT_EQ(name(monitor.force({{"E 0.0", "0"}, {"A 0.0", "0"}})), "good");
+  for (const char* operand : {"E 0.0", "EB 0", "A 0.0"}) {
+    const auto refused = monitor.inCycle({operand, "1"});
+    ASSERT_FALSE(refused) << operand;
+    EXPECT_EQ(refused.error().name(), "P1217") << operand;
+  }
+  this->plc.start();
+  this->machine().advanceCycles(3);
+  EXPECT_EQ(this->plc.read("E 0.0") + this->plc.read("M 100.0") + this->plc.read("A 0.0"), "000");
+  monitor.unforce("E 0.0");
+  this->machine().advanceCycles(3);
+  EXPECT_EQ(this->plc.read("M 100.0") + this->plc.read("A 0.0"), "10");
+}
+
 TYPED_TEST(EveryMachine, HoldsForcesUntilTheyAreTakenAway) {
   Monitor& monitor = *this->plc;
   this->plc.start();

@@ -144,7 +144,7 @@ TEST(Step5Values, AreWrittenAllOrNone) {
   SinumerikPlc plc(kPress);
   plc.start();
   EXPECT_EQ(wished(plc->write({{"MW 110", "5"}, {"DB99.DW 0", "1"}})), "P1213");
-  EXPECT_EQ(wished(plc->write({{"MW 110", "5"}, {"DB1.DW 0", "1"}})), "P1212");  // S5-DB-12
+  EXPECT_EQ(wished(plc->write({{"MW 110", "5"}, {"DB1.DW 0", "1"}})), "P0988");  // S5-DB-12
   EXPECT_EQ(plc.read("MW 110"), "W#16#0000");
   EXPECT_EQ(wished(plc->write({{"MW 110", "KF -2"}, {"DB10.DW 1", "KH 00AF"}, {"nc.R 5", "3"}})),
             "good");
@@ -154,6 +154,99 @@ TEST(Step5Values, AreWrittenAllOrNone) {
   EXPECT_EQ(wished(plc->write("MB 110", "KH 0100")), "P0955");
   EXPECT_EQ(wished(plc->write("T 5", "KT 010.2")), "good");
   EXPECT_EQ(plc.read("T 5"), "KT 10.2");
+}
+
+// docs/formats/nc.md: what the NC refuses is named with what it takes; nothing of the list stays.
+TEST(Step5Values, OfTheNcAreThoseThatItTakes) {
+  SinumerikPlc plc(kPress);
+  plc.control().couple(controlOf(kPress), nc::Side::Control);
+  plc.start();
+  for (const Wish& wish :
+       {Wish{"nc.R 5", "123456789"}, Wish{"nc.alarm 3016", "5"}, Wish{"nc.MD 5", "1.5"},
+        Wish{"nc.feed 1", "-1"}, Wish{"nc.settable_group 1", "9"}, Wish{"nc.tool 1.1", "123456789"},
+        Wish{"partner nc.R 5", "123456789"}}) {
+    const auto problem = plc->write({{"MW 110", "5"}, wish});
+    ASSERT_EQ(wished(problem), "P0988") << wish.operand;
+    EXPECT_TRUE(
+        problem->message.starts_with(std::string(wish.operand) + " cannot be set: it takes "))
+        << problem->message;
+    EXPECT_FALSE(plc->inCycle(wish)) << wish.operand;
+  }
+  EXPECT_EQ(plc.read("MW 110"), "W#16#0000");
+  // Each of them for itself would do, but a position in mm has three places.
+  EXPECT_EQ(wished(plc->write("nc.input_system", "1")), "good");
+  EXPECT_EQ(
+      wished(plc->write({{"MW 110", "5"}, {"nc.input_system", "0"}, {"nc.position 1", "1.2345"}})),
+      "P0988");
+  EXPECT_EQ(plc.read("MW 110") + plc.read("nc.input_system"), "W#16#00001");
+}
+
+// The same constants at once and at a point of the cycle; a number is the count of a counter.
+TEST(Step5Values, AreReadInOneWay) {
+  SinumerikPlc plc(kPress);
+  for (const Wish& wish :
+       {Wish{"MW 112", "KF -2"}, Wish{"MW 112", "KH 00AF"}, Wish{"MW 112", "KY 1,2"},
+        Wish{"DB10.DW 1", "KF +9"}, Wish{"MD 112", "KG +1500000+01"}, Wish{"MD 112", "70000"},
+        Wish{"T 5", "KT 010.2"}, Wish{"Z 5", "KZ 12"}, Wish{"Z 5", "KF +12"}}) {
+    const auto seen = plc->inCycle(wish);
+    ASSERT_TRUE(seen) << wish.value << ": " << seen.error().message;
+    EXPECT_EQ(wished(plc->write({wish})), "good") << wish.value;
+    EXPECT_EQ(plc.control().read(seen->operand), seen->value.bits) << wish.value;
+  }
+  EXPECT_EQ(plc.read("Z 5"), "KZ 12");
+  for (const Wish& wish : {Wish{"MW 112", "70000"}, Wish{"MB 112", "KH 0100"}}) {
+    EXPECT_EQ(wished(plc->write({wish})), "P0955") << wish.value;
+    EXPECT_EQ(plc->inCycle(wish).error().name(), "P0955") << wish.value;
+  }
+  for (const Wish& wish : {Wish{"Z 5", "KF +1000"}, Wish{"T 5", "KF +5"}})
+    EXPECT_EQ(wished(plc->write({wish})), "P1210") << wish.operand;
+}
+
+// The message names what is wrong: the bit, the number, 32 bits (S5-LOAD-01, S5-BIT-01).
+TEST(Step5Values, HaveTheRangesOfThePlc) {
+  SinumerikPlc plc(kPress);
+  for (const char* operand : {"E 0.8", "MB 256", "T 99", "EB 130", "EW 127"}) {
+    EXPECT_EQ(plc.read(operand), "P1112") << operand;
+    EXPECT_EQ(wished(plc->force(operand, "1")), "P1112") << operand;
+    EXPECT_EQ(wished(plc->write(operand, "1")), "P1112") << operand;
+  }
+  for (const char* value : {"4294967296", "-2147483649"})
+    EXPECT_EQ(wished(plc->write("MD 100", value)), "P0955") << value;
+  EXPECT_EQ(wished(plc->write("MD 100", "4294967295")), "good");
+}
+
+// S5-NUM-04: floating point as a listing writes it, typed in the same way or with a point.
+TEST(Step5Values, AreFloatingPoint) {
+  SinumerikPlc plc(kPress);
+  for (const char* value : {"KG +1500000+01", "+1500000+01", "1.5"}) {
+    EXPECT_EQ(wished(plc->write("MD 112", "0")), "good");
+    EXPECT_EQ(wished(plc->write("MD 112", value, DisplayFormat::Kg)), "good") << value;
+    EXPECT_EQ(plc.read("MD 112", DisplayFormat::Kg), "KG +1500000+01") << value;
+  }
+  EXPECT_EQ(wished(plc->write("MD 112", "70000", DisplayFormat::Kg)), "good");
+  EXPECT_EQ(plc.read("MD 112", DisplayFormat::Kg), "KG +7000000+05");
+  for (const char* value : {"KF +5", "1e99", "x"})
+    EXPECT_EQ(wished(plc->write("MD 112", value, DisplayFormat::Kg)), "P1210") << value;
+  EXPECT_EQ(plc.read("MW 112", DisplayFormat::Kg), "P1209");
+  EXPECT_EQ(wished(plc->write("MW 112", "1.5", DisplayFormat::Kg)), "P1209");
+}
+
+TEST(Step5Values, NeedATerminal) {
+  cnc::Options options;
+  options.plc.program = listing(kPress);
+  options.plc.surroundings.modules = {{.output = false, .first = 0, .bytes = 4},
+                                      {.output = false, .first = 7, .bytes = 1}};  // of OB 2
+  cnc::Cnc control(std::move(options));
+  source::SymbolTable symbols;
+  const auto monitor =
+      monitorOf(control, symbols, simulator::Resolver(step5Operand, cnc::parseConstant, true));
+  EXPECT_TRUE(control.start());
+  EXPECT_EQ(wished(monitor->write({{"EB 3", "1"}, {"PY 0", "1"}, {"EB 112", "1"}})), "good");
+  for (const char* operand : {"EB 20", "E 20.0", "ED 2", "PY 20"}) {
+    const auto problem = monitor->write(operand, "1");
+    ASSERT_EQ(wished(problem), "P0988") << operand;
+    EXPECT_NE(problem->message.find("no input module has this address"), std::string::npos);
+  }
 }
 
 TEST(Step5Values, StandInTables) {

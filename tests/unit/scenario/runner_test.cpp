@@ -177,13 +177,37 @@ TEST(Runner, DatesAndTextsInTheirOwnNotation) {
   EXPECT_EQ(failure(machine.run("force DB1.s = 'x'\n")), "1: DB1.s cannot be forced");
 }
 
+// S7-SIM-12: no bit is forced twice, and what is forced is not set; unforce and a memory reset free
+// it.
+TEST(Runner, ForcesDoNotOverlap) {
+  const Machine machine(kProgram);
+  const auto begins = [&](const char* text, const char* reason) {
+    const std::string found = failure(machine.run(text));
+    EXPECT_TRUE(found.starts_with(reason)) << text << found;
+  };
+  begins("force E 0.0 = 1\nforce EB 0 = B#16#0\n", "2: EB 0 overlaps E 0.0");
+  begins("force EB 0 = B#16#0\nrepeat 2\n  force E 0.0 = 1\nend\n", "3: E 0.0 overlaps EB 0");
+  begins("force A 0.1 = 1, A 0.1 = 0\n", "1: A 0.1 cannot be set: the list names it twice");
+  begins("force A 0.0 = 1\nset AB 0 = B#16#0\n", "2: AB 0 is forced");
+  begins("force E 0.0 = 1, E 0.1 = 1\nforce E 0.0 = 0\nset E 0.0 = 1\n", "0 failures");
+  begins("force EB 0 = B#16#0, A 0.0 = 1\nunforce\nforce E 0.0 = 1\nset AB 0 = B#16#0\n",
+         "0 failures");
+  begins("force EB 0 = B#16#0\nmemory reset\nforce E 0.0 = 1\n", "0 failures");
+}
+
 TEST(Runner, CountersAreSetByTheirCount) {
   const Machine machine(kProgram);
   EXPECT_EQ(
       failure(machine.run(
           "set Z 1 = 125\nexpect Z 1 = C#125\nset Z 1 = C#7\nexpect Z 1 = 7\nexpect Z 1 = TRUE\n")),
       "0 failures");
-  EXPECT_EQ(failure(machine.run("set T 1 = S5T#1S\n")), "1: T 1 cannot be set");
+  EXPECT_EQ(failure(machine.run("set Z 1 = 12\nexpect Z 1 = 12\nset Z 2 = Z 1\nexpect Z 2 = 12\n")),
+            "0 failures");
+  for (const char* value : {"1000", "1024", "W#16#FFFF", "-1"})
+    EXPECT_EQ(failure(machine.run("set Z 1 = " + std::string(value) + "\n")),
+              "1: Z 1 cannot be set: it takes 0 to 999");
+  EXPECT_EQ(failure(machine.run("set T 1 = S5T#1S\n")),
+            "1: T 1 cannot be set: only the program starts a timer");
 }
 
 TEST(Runner, AFaultFailsUnlessTheScenarioSpeaksOfIt) {

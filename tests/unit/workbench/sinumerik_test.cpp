@@ -1,6 +1,7 @@
 // The test functions of a SINUMERIK: what a browser asks of an S7 it may ask of a listing, too.
 
 #include <algorithm>
+#include <array>
 
 #include "bench.h"
 
@@ -73,6 +74,27 @@ TEST_F(Sinumerik5, ShowsMachineCodeBesideItsSource) {
   EXPECT_EQ(code["rows"][1]["line"], 7);
   EXPECT_EQ(code["rows"][2]["offset"], code["rows"][1]["offset"].get<int>() + 2);
   EXPECT_EQ(code["rows"][4]["code"], "6500");  // BE
+}
+
+// What is refused at once is refused at a trigger point, too, and the constants are the same.
+TEST_F(Sinumerik5, ModifiesAtAPointWhatItWrites) {
+  const auto code = [&](const char* method, const char* operand, const char* value) {
+    const Json items = {{{"operand", operand}, {"value", value}}};
+    const Json request = {
+        {"id", ++id}, {"do", method}, {"list", 1}, {"items", items}, {"point", "begin"}};
+    const Json answer = Json::parse(workbench.handle(1, request.dump()));
+    return answer.contains("problems") ? answer["problems"][0]["code"].get<std::string>() : "";
+  };
+  for (const auto& [operand, value, expected] :
+       {std::array{"nc.R 5", "123456789", "P0988"}, std::array{"T 1", "W#16#FFFF", "P0988"},
+        std::array{"MW 112", "70000", "P0955"}, std::array{"MW 112", "KF -2", ""},
+        std::array{"MD 112", "70000", ""}, std::array{"T 1", "KT 010.2", ""},
+        std::array{"nc.R 5", "12.5", ""}})
+    for (const char* method : {"variables.write", "modify.set"})
+      EXPECT_EQ(code(method, operand, value), expected) << method << operand << value;
+  ask({{"do", "variables.force"}, {"items", {{{"operand", "E 0.0"}, {"value", "0"}}}}});
+  EXPECT_EQ(code("modify.set", "E 0.0", "1"), "P1217");
+  EXPECT_EQ(code("variables.write", "E 0.0", "1"), "");  // at its terminal, where it waits
 }
 
 // S7-EDIT-21 for a listing: STEP 5 has no address registers.

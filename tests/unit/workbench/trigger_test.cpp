@@ -105,6 +105,22 @@ TEST(Trigger, ModifiesAtTheBeginOfEachCycle) {
             "P1305");
 }
 
+// A value that its operand never takes, and an operand that is forced, are refused at once.
+TEST(Trigger, RefusesWhatIsNeverModified) {
+  Bench bench(kCycle);
+  const auto items = [](const char* operand, const char* value, const char* format) -> Json {
+    return {{"list", 1},
+            {"items", {{{"operand", operand}, {"value", value}, {"format", format}}}},
+            {"point", "begin"}};
+  };
+  for (const char* method : {"variables.write", "modify.set"}) {
+    EXPECT_EQ(bench.problem(method, items("T 1", "W#16#FFFF", "AUTO")), "P0988") << method;
+    EXPECT_EQ(bench.problem(method, items("Z 1", "W#16#FFFF", "CHAR")), "P0988") << method;
+  }
+  bench.call("variables.force", {{"items", {{{"operand", "E 0.0"}, {"value", "0"}}}}});
+  EXPECT_EQ(bench.problem("modify.set", items("E 0.0", "1", "AUTO")), "P1217");
+}
+
 // They are read and written in every cycle: so many of each browser.
 TEST(Trigger, PointsHaveALimit) {
   Bench bench(kCycle);

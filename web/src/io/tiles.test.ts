@@ -31,7 +31,7 @@ test('formats fit the width (S7-SIM-12)', () => {
   expect(formatsOf(32)).toContain('REAL');
   expect(formatsOf(8)).not.toContain('S5TIME');
   expect(formatsOf(1)).toEqual(['AUTO', 'BOOL', 'BIN', 'HEX', 'UDEC']);
-  expect(formatsOf(0).length).toBe(15);
+  expect(formatsOf(0).length).toBe(16);
 });
 
 test('the slider of DEC is signed', () => {

@@ -30,11 +30,18 @@ struct Assigns {
     for (Assignment& one : assignments) simulator::resolve(one, binding.resolver, binding.problems);
   }
   bool perform(StepRun& run) const {
+    ForceList here;  // of this step: no bit twice
     for (const Assignment& one : assignments) {
-      const bool unpowered = !force && isTerminal(one.operand.reference);
+      const address::Reference& operand = one.operand.reference;
+      const bool unpowered = !force && isTerminal(operand);
       if (!unpowered && !run.powered()) return false;
-      const std::string reason = apply(one, force, run.plc());
+      std::string reason =
+          force ? run.forces().whyNotForced(operand) : run.forces().whyNotSet(operand);
+      if (force && reason.empty()) reason = here.whyNotTwice(operand);
+      if (reason.empty()) reason = apply(one, force, run.plc());
       if (!reason.empty()) return run.failAt(one.operand.position, reason);
+      if (force) here.add(operand);
+      if (force) run.forces().add(operand);
     }
     return true;
   }
@@ -48,6 +55,7 @@ struct Unforce : Bare {
   bool perform(StepRun& run) const {
     if (!run.powered()) return false;
     run.plc().unforce();
+    run.forces().clear();
     return true;
   }
 };
