@@ -92,5 +92,30 @@ class Localhost(Served):
         self.browser().until(lambda b: b.state.get("mode") == "RUN")
 
 
+class Sinumerik(Served):
+    """The same server over a STEP 5 listing."""
+    def prepare(self):
+        self.project.mkdir()
+        (self.project / "merker.toml").write_text('[project]\nname = "Press"\n[cpu]\nmodel = "SINUMERIK 810 GA3"\n', encoding="utf-8")
+        (self.project / "main.s5").write_text("OB 1\n      U     E 0.0\n      =     A 0.0\n      SPA   PB 5\n      BE\n"
+                                              "PB 5\n      U     E 0.1\n      =     A 0.1\n      BE\n", encoding="utf-8")
+
+    def test_a_breakpoint_holds_in_the_first_cycle_after_a_restart(self):
+        browser = self.browser()
+        browser.call("breakpoints.set", file="main.s5", lines=[7, 8])
+        browser.until(lambda b: b.state["mode"] == "HALT")
+        browser.call("cpu.stop")
+        browser.until(lambda b: b.state["mode"] == "STOP")
+        browser.call("cpu.start", kind="warm")
+        browser.until(lambda b: b.state["mode"] == "HALT")
+        self.assertEqual(browser.state["breakpoint"]["line"], 7)
+
+    def test_what_it_does_not_have_is_named(self):
+        browser = self.browser()
+        for do, fields, noun in (("cpu.trigger", {"ob": 40}, "events that can be triggered"), ("program.load", {}, "memory for single blocks"),
+                                 ("process.list", {}, "plants at terminals")):
+            self.assertEqual(browser.ask(do, **fields)["problems"][0]["text"], f"SINUMERIK 810 GA3 has no {noun}", do)
+
+
 if __name__ == "__main__":
     unittest.main()
