@@ -32,35 +32,59 @@ void summary(const Build& build) {
             << counted(build.problems.count(Severity::Warning), "warning") << '\n';
 }
 
-bool isSource(const std::string& path) {
+bool isFile(const std::string& path) {
   std::error_code error;
-  return equalsIgnoreCase(std::filesystem::path(path).extension().string(), ".awl") &&
-         std::filesystem::is_regular_file(path, error);
+  return std::filesystem::is_regular_file(path, error);
+}
+
+bool isSource(const std::string& path) {
+  return equalsIgnoreCase(std::filesystem::path(path).extension().string(), ".awl") && isFile(path);
+}
+
+// With the symbol files of the command line, except those that lie beside the source and are known.
+Build built(const std::string& path, const std::vector<std::string>& lists,
+            const ProjectOptions& options) {
+  project::Project project = loadProject(path, options);
+  for (const std::string& list : lists) {
+    if (project.file(list) != nullptr) continue;
+    auto file = source::readSource(list);
+    if (!file) {
+      project.problems.add(file.error());
+      continue;
+    }
+    project.otherFiles.push_back(std::move(file.value()));
+    source::readSymbols(project.otherFiles.back(), project.symbols, project.problems);
+  }
+  return build(std::move(project), false);
 }
 
 // A source alone names no CPU, and was perhaps written for a larger one than the default.
-void noteLimits(const Build& checked, const std::string& path, const ProjectOptions& options) {
+void noteLimits(const Build& checked, const std::string& path,
+                const std::vector<std::string>& lists, const ProjectOptions& options) {
   constexpr const char* kUnlimited = "generic-4";
   if (checked.ok() || !options.cpu.empty() || !isSource(path)) return;
   ProjectOptions other = options;
   other.cpu = kUnlimited;
-  const std::size_t errors = build(loadProject(path, other), false).problems.count(Severity::Error);
+  const std::size_t errors = built(path, lists, other).problems.count(Severity::Error);
   if (errors < checked.problems.count(Severity::Error))
     std::cerr << fmt::format(
         "{}: without the limits of {}, the default, there are {}; --cpu names another model, {} "
-        "has "
-        "no limits\n",
+        "has no limits\n",
         visible(path), checked.project.model->name, counted(errors, "error"), kUnlimited);
 }
 
 int check(const CheckOptions& options) {
   int result = kGood;
   Problems problems;
-  for (const std::string& path : options.paths) {
-    Build checked = build(loadProject(path, options.project), false);
+  std::vector<std::string> lists, programs;
+  for (const std::string& path : options.paths)
+    (source::isSymbolFile(path) && isFile(path) ? lists : programs).push_back(path);
+  if (programs.empty()) programs.swap(lists);  // which says that there is no program
+  for (const std::string& path : programs) {
+    Build checked = built(path, lists, options.project);
     noteMissingOb1(checked);
     printProblems(checked.problems, checked.files());
-    noteLimits(checked, path, options.project);
+    noteLimits(checked, path, lists, options.project);
     problems.append(checked.problems);
     if (!options.json) summary(checked);
     result = std::max(result, exitCode(checked));
@@ -75,11 +99,14 @@ void addCheck(CLI::App& program, int& result) {
   auto* command =
       program.add_subcommand("check", "compile and link, print all problems, run nothing");
   auto options = std::make_shared<CheckOptions>();
-  command->add_option("PATH", options->paths, "project folders or sources")->required();
+  command
+      ->add_option("PATH", options->paths, "project folders or sources, and symbol files for them")
+      ->required();
   addProjectOptions(*command, options->project);
   command->add_flag("--json", options->json, "problems as JSON on standard output, too");
   command->footer(
-      "Examples:\n  merker check examples/sorting-plant\n  merker check --cpu generic a.awl b.awl");
+      "Examples:\n  merker check examples/sorting-plant\n  merker check --cpu generic a.awl b.awl "
+      "names.sdf");
   command->callback([options, &result] { result = check(*options); });
 }
 

@@ -100,6 +100,15 @@ class Check(Case):
         self.assertNotIn(hint, self.expect(PROBLEMS, "check", "a.awl", "--cpu", "314C-2 PtP").err)
         self.expect(GOOD, "check", "a.awl", "--cpu", "generic-4")
 
+    def test_symbol_files_beside_others(self):
+        self.write("a.awl", block("      U     \"Start\"\n      =     \"Lamp\""))
+        self.write("lists/one.sdf", '"Start","E 0.0","BOOL",""\n')
+        self.write("lists/two.seq", "\tA 0.0\tLamp\t\n")
+        self.expect(PROBLEMS, "check", "a.awl", "lists/one.sdf")
+        self.expect(GOOD, "check", "a.awl", "lists/one.sdf", "lists/two.seq")
+        self.expect(GOOD, "check", "lists/two.seq", "lists/one.sdf", "a.awl")
+        self.assertIn("P0709", self.expect(UNREADABLE, "check", "lists/one.sdf").err)
+
     def test_code_pages_of_other_countries(self):
         source = "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n      L     '{0}'  // {1}\n      U     \"{1}\"\nEND_ORGANIZATION_BLOCK\n"
         for name, page in (("Пуск", "cp1251"), ("启动电机", "gbk"), ("Isıtıcı", "cp1254")):

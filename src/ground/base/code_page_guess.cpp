@@ -26,9 +26,11 @@ bool isPair(char lead, char trail) {
 }
 // The rows of usual characters, and of signs.
 bool isUsual(char lead) { return static_cast<std::uint8_t>(lead) <= 0xD7; }
+// Half of the characters have such a byte; two letters of 1252 side by side (ÇÃO) have none.
+bool isNoLetter(char c) { return static_cast<std::uint8_t>(c) < 0xC0; }
 
 struct Runs {
-  std::size_t bytes = 0, cyrillic = 0, pairs = 0, usualPairs = 0;
+  std::size_t bytes = 0, cyrillic = 0, pairs = 0, usualPairs = 0, foreignPairs = 0;
 
   void add(std::string_view run) {
     constexpr std::size_t kWord = 3;
@@ -37,7 +39,11 @@ struct Runs {
     for (std::size_t i = 0; i + 1 < run.size() && isPair(run[i], run[i + 1]); i += 2) {
       ++pairs;
       usualPairs += isUsual(run[i]) ? 1 : 0;
+      foreignPairs += isNoLetter(run[i]) || isNoLetter(run[i + 1]) ? 1 : 0;
     }
+  }
+  bool areChinese() const {
+    return pairs * 4 > bytes && usualPairs * 2 > pairs && foreignPairs * 4 >= pairs;
   }
 };
 
@@ -54,16 +60,19 @@ Runs runsOf(std::string_view text) {
   return runs;
 }
 
-// A B3, B9 or BF, in 1252 a sign, between two small letters.
+// B3, B9 or BF, in 1252 signs, between two small letters; one of them may be m3h.
 bool hasPolishLetters(std::string_view text) {
   const auto isSmall = [](char c) { return c >= 'a' && c <= 'z'; };
   std::size_t found = 0;
   for (std::size_t i = 1; i + 1 < text.size(); ++i)
     found += isOneOf(text[i], "\xB3\xB9\xBF") && isSmall(text[i - 1]) && isSmall(text[i + 1]);
-  return found > 0;
+  const bool others =
+      std::ranges::any_of(text, [](char c) { return isOneOf(c, "\x9C\x9F\xE6\xEA\xF1\xF3"); });
+  return found > 1 || (found == 1 && others);
 }
 
-constexpr std::string_view kGerman = "\xC4\xD6\xDC\xE4\xF6\xFC\xDF";
+// Letters of German and of the Nordic languages, which lists of them have side by side.
+constexpr std::string_view kNorthern = "\xC4\xD6\xDC\xE4\xF6\xFC\xDF\xC5\xC6\xD8\xE5\xE6\xF8";
 // Where 1254 has letters of Turkish and 1252 those of Icelandic; and all others of Turkish, with
 // signs of both.
 constexpr std::string_view kOnlyTurkish = "\xD0\xDD\xDE\xF0\xFD\xFE";
@@ -84,9 +93,9 @@ std::optional<Encoding> unmarkedUtf16(std::string_view bytes) {
 
 unsigned guessedPage(std::string_view bytes) {
   const Runs runs = runsOf(bytes);
-  if (runs.bytes == 0 || consistsOf(bytes, kGerman)) return 1252;
+  if (runs.bytes == 0 || consistsOf(bytes, kNorthern)) return 1252;
   if (runs.cyrillic * 2 > runs.bytes) return 1251;
-  if (runs.pairs * 4 > runs.bytes && runs.usualPairs * 2 > runs.pairs) return 936;
+  if (runs.areChinese()) return 936;
   const bool turkish = std::ranges::any_of(bytes, [](char c) { return isOneOf(c, kOnlyTurkish); });
   if (turkish && consistsOf(bytes, kTurkish)) return 1254;
   return hasPolishLetters(bytes) ? 1250 : 1252;

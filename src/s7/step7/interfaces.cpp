@@ -5,6 +5,7 @@
 
 #include "base/text.h"
 #include "step7/initial_value.h"
+#include "step7/other_cpus.h"
 #include "step7/path.h"
 
 namespace merker::step7 {
@@ -71,7 +72,9 @@ const block::Block* Interfaces::find(BlockId id) {
   if (const block::Block* own = resolve(id)) return own;
   if (!options_.library) return nullptr;
   const auto found = options_.library->find(id);
-  return found == options_.library->end() ? nullptr : &found->second;
+  if (found != options_.library->end()) return &found->second;
+  // A generic CPU stands for any.
+  return options_.model->hotRestart ? functionOfOtherCpu(id) : nullptr;
 }
 
 const BlockNames& Interfaces::names(const block::Block& block) {

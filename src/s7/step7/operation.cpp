@@ -179,7 +179,10 @@ void BlockCompiler::checkCallWithoutParameters(Operation operation, const Access
   const Position place = at(access.begin, access.end);
   const block::Block* callee = scope_.findBlock(id);
   const bool own = scope_.interfaces->program().count(id) != 0;
-  if (!callee || (!own && (id.kind == BlockKind::FC || id.kind == BlockKind::FB))) {
+  const bool system = id.kind == BlockKind::SFC || id.kind == BlockKind::SFB;
+  const block::Program* library = scope_.options->library;
+  const bool executed = own || (system && library != nullptr && library->contains(id));
+  if (!callee || !executed) {
     problems_.add(ProblemCode::P0508, place, toString(id));
     return;
   }

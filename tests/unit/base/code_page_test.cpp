@@ -21,6 +21,9 @@ const Sample kSamples[] = {
      "// d\u00e9faut de la vanne cr\u00e9\u00e9e \u00e0 l'arr\u00eat, niveau tr\u00e8s "
      "\u00e9lev\u00e9"},
     {1252, "// V\u00e4stra pumpen l\u00e5g niv\u00e5, 5 m\u00b3/h"},
+    {1252, "DESCRIÇÃO: OPERAÇÃO DAS POSIÇÕES, LIGAÇÃO"},
+    {1252, "// ÆØÅ æøå"},
+    {1252, "// Durchfluss in m\u00b3h"},
     {1251, "// Насос включен, уровень выше 5 м"},
     {1251, "\"ПУСК\" Ёлка"},
     {936, "// 水泵运行 输入 启动按钮, 速度过高"},

@@ -249,6 +249,59 @@ TEST(Import, commentsStandAtTheirStatements) {
   EXPECT_TRUE(done.build().ok());
 }
 
+// One block as it is stored and comes back: its code, and no machine code beside it.
+void expectSource(const Import& done, const block::Block& stored) {
+  const auto build = done.build();
+  ASSERT_TRUE(build.ok()) << done.outcome.report;
+  EXPECT_EQ(build.program->at(stored.id).code, stored.code) << done.outcome.report;
+  EXPECT_FALSE(done.folder.has("out/" + std::string(name(stored.id.kind)) +
+                               std::to_string(stored.id.number) + ".mc7"))
+      << done.outcome.report;
+}
+
+// Its interface is stored with the project; the block is there as machine code, its caller as
+// source.
+TEST(Import, aSystemFunctionOfAnotherCpu) {
+  const std::string interface = "VAR_INPUT\nIN0 : INT;\nEND_VAR\nBEGIN\nEND_FUNCTION\n";
+  const auto compiled =
+      step7::compile({source::SourceFile("a.awl", "FUNCTION FC 200 : VOID\n" + interface +
+                                                      "FUNCTION SFC 200 : VOID\n" + interface +
+                                                      "FUNCTION FC 3 : VOID\nBEGIN\nCALL SFC 200 "
+                                                      "(IN0 := MW 2);\nEND_FUNCTION\n")},
+                     {})
+          .program;
+  block::Block system = compiled.at({BlockKind::FC, 200});
+  system.id.kind = BlockKind::SFC;
+  auto stored = project();
+  stored.blocks = {};
+  stored.symbolRows.clear();
+  stored.blocks.add(system);
+  stored.blocks.add(compiled.at({BlockKind::FC, 3}));
+  const Import done(stored.files());
+  EXPECT_TRUE(done.folder.has("out/SFC200.mc7")) << done.outcome.report;
+  EXPECT_TRUE(hasLine(done.folder.read("out/FC3.awl"), "CALL  SFC 200", "("));
+  expectSource(done, compiled.at({BlockKind::FC, 3}));
+}
+
+// The jump over the empty list belongs to UC, also where the function's number is a parameter.
+TEST(Import, unconditionalCallsOfParameters) {
+  const auto compiled =
+      step7::compile(
+          {source::SourceFile("a.awl",
+                              "FUNCTION FC 4 : VOID\nVAR_INPUT\nf : BLOCK_FC;\nb : BLOCK_FB;\n"
+                              "END_VAR\nBEGIN\nUC #f;\nCC FC [MW 2];\nUC #b;\nU E 0.0;\n= A "
+                              "0.0;\nEND_FUNCTION\n")},
+          {})
+          .program;
+  auto stored = project();
+  stored.blocks = {};
+  stored.symbolRows.clear();
+  stored.blocks.add(compiled.at({BlockKind::FC, 4}));
+  const Import done(stored.files());
+  EXPECT_EQ(done.folder.read("out/FC4.awl").find("SPA"), std::string::npos);
+  expectSource(done, compiled.at({BlockKind::FC, 4}));
+}
+
 TEST(Import, textsOfTheHeaderCannotEndIt) {
   for (const std::string author :
        {"a'b", "'\"'", "a\nBEGIN", "a;b", "//x", "a\tb\x01", "{x}", "A:B"}) {
