@@ -98,6 +98,9 @@ Encoder::Encoder(unsigned page) : handle_(std::make_shared<Handle>(page)) {}
 const std::optional<std::string>& Encoder::bytesOf(std::string_view character) {
   const auto found = known_.find(character);
   if (found != known_.end()) return found->second;
+  // A text from outside may have every character there is.
+  constexpr std::size_t kMostKnown = 20'000;
+  if (known_.size() >= kMostKnown) known_.clear();
   std::string bytes;
   const bool has = handle_->converter.convert(character, bytes);
   return known_
