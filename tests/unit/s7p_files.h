@@ -173,6 +173,8 @@ class BlockFolder {
         return {12, 5, 19};
       case BlockKind::FB:
         return {14, 4, 18};
+      case BlockKind::SFC:
+        return {13, 7, 22};
       case BlockKind::SFB:
         return {15, 9, 21};
       default:
