@@ -11,7 +11,7 @@ using block::Section;
 
 // Parameters in the order of the interface, as a declaration writes them; a name of a section
 // begins it.
-struct Row {
+struct OtherFunction {
   BlockKind kind;
   std::uint16_t number;
   std::string_view name, parameters;
@@ -24,7 +24,7 @@ struct Row {
   "SD_10 ANY"
 
 // System software for S7-300/400, system and standard functions.
-constexpr Row kRows[] = {
+constexpr OtherFunction kOtherFunctions[] = {
     {BlockKind::SFC, 11, "DPSYC_FR",
      "IN REQ BOOL LADDR WORD GROUP BYTE MODE BYTE RETURN RET_VAL INT OUT BUSY BOOL"},
     {BlockKind::SFC, 12, "D_ACT_DP",
@@ -87,33 +87,34 @@ constexpr Row kRows[] = {
 #undef MERKER_RECEIVED
 #undef MERKER_TEN_VALUES
 
-constexpr std::pair<std::string_view, Section> kSections[] = {{"IN", Section::Input},
-                                                              {"OUT", Section::Output},
-                                                              {"INOUT", Section::InOut},
-                                                              {"RETURN", Section::Return}};
+constexpr std::pair<std::string_view, Section> kSectionWords[] = {{"IN", Section::Input},
+                                                                  {"OUT", Section::Output},
+                                                                  {"INOUT", Section::InOut},
+                                                                  {"RETURN", Section::Return}};
 
-std::string_view takeWord(std::string_view& text) {
+std::string_view takeParameterWord(std::string_view& text) {
   text = trim(text);
   const std::string_view word = text.substr(0, text.find(' '));
   text.remove_prefix(word.size());
   return word;
 }
 
-block::Block blockOf(const Row& row) {
+block::Block interfaceOf(const OtherFunction& row) {
   block::Block result;
   result.id = {row.kind, row.number};
   result.symbol = result.attributes.name = std::string(row.name);
   Section section = Section::Input;
   for (std::string_view rest = row.parameters; !trim(rest).empty();) {
-    const std::string_view word = takeWord(rest);
+    const std::string_view word = takeParameterWord(rest);
     bool begins = false;
-    for (const auto& [name, which] : kSections)
+    for (const auto& [name, which] : kSectionWords)
       if (name == word) section = which, begins = true;
     if (begins) continue;
     block::Variable variable;
     variable.name = std::string(word);
     variable.section = section;
-    variable.type = block::elementaryType(typeFromName(takeWord(rest)).value_or(TypeCode::Void));
+    variable.type =
+        block::elementaryType(typeFromName(takeParameterWord(rest)).value_or(TypeCode::Void));
     if (section == Section::Return) result.returnType = variable.type;
     result.variables.push_back(std::move(variable));
   }
@@ -127,7 +128,8 @@ block::Block blockOf(const Row& row) {
 const block::Block* functionOfOtherCpu(BlockId id) {
   static const std::map<BlockId, block::Block> kBlocks = [] {
     std::map<BlockId, block::Block> blocks;
-    for (const Row& row : kRows) blocks.emplace(BlockId{row.kind, row.number}, blockOf(row));
+    for (const OtherFunction& row : kOtherFunctions)
+      blocks.emplace(BlockId{row.kind, row.number}, interfaceOf(row));
     return blocks;
   }();
   const auto found = kBlocks.find(id);
