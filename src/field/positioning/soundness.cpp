@@ -37,7 +37,7 @@ bool limitsFit(const AxisChannel& a) {
          within(a.highLimit, -kTravelLimit, kTravelLimit);
 }
 
-struct Rule {
+struct Condition {
   bool (*holds)(const AxisChannel&);
   std::string_view text;
 };
@@ -46,7 +46,7 @@ constexpr std::int32_t kLongest = 100'000;  // ms
 
 // In the order of POS-PARAM; where a rule is of one kind of axis or output, it holds for the
 // others.
-constexpr Rule kRules[] = {
+constexpr Condition kConditions[] = {
     {[](const AxisChannel& a) { return within(a.targetRange, 0, 200'000'000); },
      "the target range must be 0 to 200000000 pulses"},
     {[](const AxisChannel& a) { return within(a.monitoringTime, 0, kLongest); },
@@ -78,8 +78,8 @@ constexpr Rule kRules[] = {
 }  // namespace
 
 std::optional<std::string_view> flaw(const AxisChannel& axis) {
-  for (const Rule& rule : kRules)
-    if (!rule.holds(axis)) return rule.text;
+  for (const Condition& condition : kConditions)
+    if (!condition.holds(axis)) return condition.text;
   return std::nullopt;
 }
 
