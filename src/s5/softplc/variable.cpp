@@ -98,12 +98,14 @@ std::optional<std::uint32_t> readCell(const Cells& cells, const Operand& operand
   return operand.width == Width::Bit ? std::uint32_t{cell.output()} : std::uint32_t{cell.coded()};
 }
 
-// Whether modules have all bytes of the terminal; those of the NC are always there.
+// Whether modules have all bytes of the terminal. Beyond the periphery the inputs of the NC are
+// always there.
 bool hasTerminal(const Machine& m, const Operand& operand) {
   if (!fits(operand, kImageBytes)) return false;
   const std::uint32_t first = byteOf(operand);
+  const bool ofNc = operand.area == Area::Input;
   for (std::uint32_t byte = first; byte < first + byteCount(operand.width); ++byte)
-    if (byte < kPeripheryBytes && !m.periphery.inputPresent[byte]) return false;
+    if (byte < kPeripheryBytes ? !m.periphery.inputPresent[byte] : !ofNc) return false;
   return true;
 }
 

@@ -242,7 +242,7 @@ TEST(Step5Values, NeedATerminal) {
       monitorOf(control, symbols, simulator::Resolver(step5Operand, cnc::parseConstant, true));
   EXPECT_TRUE(control.start());
   EXPECT_EQ(wished(monitor->write({{"EB 3", "1"}, {"PY 0", "1"}, {"EB 112", "1"}})), "good");
-  for (const char* operand : {"EB 20", "E 20.0", "ED 2", "PY 20"}) {
+  for (const char* operand : {"EB 20", "E 20.0", "ED 2", "PY 20", "PY 100"}) {
     const auto problem = monitor->write(operand, "1");
     ASSERT_EQ(wished(problem), "P0988") << operand;
     EXPECT_NE(problem->message.find("no input module has this address"), std::string::npos);
