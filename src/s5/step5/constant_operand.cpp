@@ -54,7 +54,7 @@ std::string numberText(Scanner& scanner, Format format) {
   if (!more) return text;
   const std::size_t mark = scanner.mark();
   scanner.skipBlanks();
-  const auto second = scanner.take([&](char c) { return belongs(format, c); });
+  const auto second = scanner.take([&](char c) { return c != ',' && belongs(format, c); });
   if (second.empty() || (format == Format::Binary && second.size() != 8))
     scanner.back(mark);
   else
