@@ -67,10 +67,9 @@ void noteLimits(const Build& checked, const std::string& path,
   other.cpu = kUnlimited;
   const std::size_t errors = built(path, lists, other).problems.count(Severity::Error);
   if (errors < checked.problems.count(Severity::Error))
-    std::cerr << fmt::format(
-        "{}: without the limits of {}, the default, there are {}; --cpu names another model, {} "
-        "has no limits\n",
-        visible(path), checked.project.model->name, counted(errors, "error"), kUnlimited);
+    std::cerr << fmt::format("{}: {} with --cpu {}, which has no limits; the default is {}\n",
+                             visible(path), counted(errors, "error"), kUnlimited,
+                             checked.project.model->name);
 }
 
 int check(const CheckOptions& options) {

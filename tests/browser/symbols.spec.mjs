@@ -79,7 +79,7 @@ test('export and import keep the table (S7-SYM-17)', async () => {
   assert.match(text, /^"Motor\s+","A\s+1\.0\s+","BOOL\s+","/m);
   const one = join(scratch(), 'one.sdf');
   writeFileSync(one, text.split('\n').find((line) => line.startsWith('"Motor ')).replace('Motor ', 'Horn  ').replace(/1\.0/, '1.5') + '\n');
-  await page.locator('input[type=file]').setInputFiles(one);
+  await page.locator('input[type=file][accept]').setInputFiles(one);
   await expect(() => rows.count(), 10);
   await expect(() => cell('Symbol', 10).inputValue(), 'Horn');
 });

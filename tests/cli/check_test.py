@@ -93,7 +93,7 @@ class Check(Case):
 
     def test_a_source_for_a_larger_cpu(self):
         self.write("a.awl", block("      U     M 300.0\n      =     A 0.0"))
-        hint = "a.awl: without the limits of CPU 314C-2 PtP, the default, there are 0 errors"
+        hint = "a.awl: 0 errors with --cpu generic-4"
         err = self.expect(PROBLEMS, "check", "a.awl").err
         self.assertIn("flag byte 300", err)
         self.assertIn(hint, err)
