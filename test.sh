@@ -44,11 +44,11 @@ build() {  # build PRESET OPTIONS...
   cmake --build --preset "$preset" -j "$jobs"
 }
 
-run_ctest() {  # run_ctest NAME PRESET
+run_ctest() {  # run_ctest NAME PRESET JOBS
   say "$1"
   local log="build/$2.ctest.log" summary
   # No test may hang the run. The conformance programs run once, counted below.
-  ctest --preset "$2" -E '^conformance$' --output-on-failure --timeout 600 -j "$jobs" 2>&1 | tee "$log"
+  ctest --preset "$2" -E '^conformance$' --output-on-failure --timeout 600 -j "$3" 2>&1 | tee "$log"
   # "98% tests passed, 1 tests failed out of 50"
   summary=$(sed -nE 's/^[0-9]+% tests passed, ([0-9]+) tests? failed out of ([0-9]+)$/\1 \2/p' "$log" | tail -n 1)
   if [ -z "$summary" ]; then count 0 1 "$1"; return 1; fi
@@ -99,12 +99,13 @@ mkdir -p build
 step "format" tools/format --check
 # The tests of the modules run once, with sanitizers.
 if step "release build" build release -DMERKER_UNIT_TESTS=OFF; then
-  run_ctest "release: architecture, documents, differential tests, command line, page and browser" release
+  # Browsers wait for pictures and the PLC most of their time: one test more than processors.
+  run_ctest "release: architecture, documents, differential tests, command line, page and browser" release $((jobs + 1))
   counted "examples" build/release/merker test examples
   counted "conformance programs" python3 -B tests/conformance/run.py build/release/merker
 fi
 if step "debug build with sanitizers" build debug; then
-  run_ctest "debug with sanitizers: unit tests, stored fuzzer inputs, command line" debug
+  run_ctest "debug with sanitizers: unit tests, stored fuzzer inputs, command line" debug "$jobs"
 fi
 [ "$fuzz_seconds" -eq 0 ] || fuzz
 

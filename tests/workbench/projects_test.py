@@ -53,7 +53,7 @@ class Projects(Served):
         browser.until(lambda b: not b.state["project"]["empty"] and not b.state["project"]["changed"])
         self.assertEqual(browser.state["mode"], "STOP")
         browser.call("cpu.switch", position="RUN-P")
-        browser.until(lambda b: b.state["mode"] == "RUN")
+        browser.until(lambda b: b.state.get("mode") == "RUN")
         self.assertEqual(browser.state["project"]["model"], "CPU 313C")
         blocks = {row["id"] for row in browser.call("program.blocks", side="online")["blocks"]}
         self.assertLessEqual({"OB 1", "OB 35", "OB 100", "OB 121"}, blocks)
@@ -84,11 +84,11 @@ class Given(Served):
         broken = browser.call("files.write", path="main.awl", text="FUNCTION FC 1\n", revision=read["revision"])
         self.assertEqual(browser.ask("program.load")["problems"][0]["file"], "main.awl")
         browser.call("projects.open", folder=browser.state["project"]["folder"])
-        browser.until(lambda b: b.state["mode"] == "STOP")
+        browser.until(lambda b: b.state.get("mode") == "STOP")
         browser.call("files.write", path="main.awl", text=read["text"], revision=broken["revision"])
         browser.call("program.load")
         browser.call("cpu.start", kind="warm")
-        browser.until(lambda b: b.state["mode"] == "RUN")
+        browser.until(lambda b: b.state.get("mode") == "RUN")
 
 
 if __name__ == "__main__":

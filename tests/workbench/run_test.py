@@ -26,7 +26,7 @@ class Run(Served):
         one, two = self.browser(), self.browser()
         two.until(lambda b: b.state.get("mode") == "RUN")
         one.call("cpu.switch", position="STOP")
-        two.until(lambda b: b.state["mode"] == "STOP" and b.state["switch"] == "STOP")
+        two.until(lambda b: b.state.get("mode") == "STOP" and b.state["switch"] == "STOP")
         two.call("time.pace", mode="pause")
         one.until(lambda b: b.state["pace"]["mode"] == "pause")
 
@@ -37,7 +37,7 @@ class Run(Served):
         self.assertIn("BCD", browser.state["stopReason"])
         browser.call("variables.write", items=[{"operand": "E 0.7", "value": "0"}])
         browser.call("cpu.start", kind="warm")
-        browser.until(lambda b: b.state["mode"] == "RUN")
+        browser.until(lambda b: b.state.get("mode") == "RUN")
         self.assertEqual(self.end(), 0)
 
     def test_a_connection_may_end_at_any_time(self):
@@ -103,11 +103,11 @@ class Sinumerik(Served):
     def test_a_breakpoint_holds_in_the_first_cycle_after_a_restart(self):
         browser = self.browser()
         browser.call("breakpoints.set", file="main.s5", lines=[7, 8])
-        browser.until(lambda b: b.state["mode"] == "HALT")
+        browser.until(lambda b: b.state.get("mode") == "HALT")
         browser.call("cpu.stop")
-        browser.until(lambda b: b.state["mode"] == "STOP")
+        browser.until(lambda b: b.state.get("mode") == "STOP")
         browser.call("cpu.start", kind="warm")
-        browser.until(lambda b: b.state["mode"] == "HALT")
+        browser.until(lambda b: b.state.get("mode") == "HALT")
         self.assertEqual(browser.state["breakpoint"]["line"], 7)
 
     def test_what_it_does_not_have_is_named(self):
