@@ -1,6 +1,7 @@
 """Import and download through the sockets: the PLC goes on, and nothing of what was sent stays."""
 import base64
 import io
+import json
 import os
 import pathlib
 import tempfile
@@ -69,6 +70,22 @@ class Transfer(Served):
         browser.close()
         self.gone()
         self.assertFalse((self.folder / "work").exists())
+
+    def test_what_was_added_to_the_open_project_is_taken_back(self):
+        def cancel(browser):
+            browser.send(json.dumps({"id": 1_000_000, "do": "import.cancel"}))
+
+        before = sorted(self.project.iterdir())
+        for ends in (cancel, lambda browser: browser.close()):
+            browser = self.browser()
+            browser.call("import.begin")
+            browser.call("import.add", files=[part(f"fc{number}.awl", BLOCK.format(number).encode()) for number in range(1, 1001)])
+            browser.send(json.dumps({"id": 999_999, "do": "import.run"}))
+            while not any(self.project.glob("fc*.awl")):
+                time.sleep(0.001)
+            ends(browser)
+            self.gone()
+            self.assertEqual(sorted(self.project.iterdir()), before)
 
     def test_the_end_of_the_program_leaves_nothing(self):
         browser = self.browser()

@@ -88,6 +88,23 @@ bool isOfTheImport(const std::string& path) {
   return path == "merker.toml" || path == "import-report.txt";
 }
 
+// Nothing: the file is in the open project now.
+std::optional<std::string> whyNotAdded(const ProjectFolder& folder, const ProjectFolder& made,
+                                       const std::string& path, bool listing) {
+  const auto file = fitsFamily(path, listing) ? made.file(path) : nullptr;
+  if (!file) return fmt::format("{} does not belong in a project of this PLC", path);
+  const auto problem = folder.create(path, file->text(kLargestFile));
+  if (!problem) return std::nullopt;
+  if (problem->code != ProblemCode::P1312) return problem->message;
+  return fmt::format("{} exists in the project; it was not replaced", path);
+}
+
+// A cancelled import leaves nothing behind.
+Problems takenBack(const ProjectFolder& folder, const Json& files) {
+  for (const Json& path : files) folder.remove(path.get<std::string>());
+  return notImported("it was cancelled");
+}
+
 }  // namespace
 
 Answer lookAt(const Upload& upload, const Workspace& workspace, std::optional<bool> listing,
@@ -126,19 +143,9 @@ Answer importInto(const Upload& upload, const ProjectFolder& folder, const Impor
   const ProjectFolder made(upload.output());
   for (const std::string& path : project::listFiles(upload.output())) {
     if (isOfTheImport(path)) continue;
-    const auto tell = [&](importing::Effect effect, const std::string& text) {
-      outcome.lines.push_back({effect, text});
-    };
-    const auto file = fitsFamily(path, wish.listing) ? made.file(path) : nullptr;
-    const auto problem = file ? folder.create(path, file->text(kLargestFile)) : std::nullopt;
-    if (!file)
-      tell(importing::Effect::Lost,
-           fmt::format("{} does not belong in a project of this PLC", path));
-    else if (problem && problem->code == ProblemCode::P1312)
-      tell(importing::Effect::Lost,
-           fmt::format("{} exists in the project; it was not replaced", path));
-    else if (problem)
-      tell(importing::Effect::Lost, problem->message);
+    if (stop.stop_requested()) return takenBack(folder, files);
+    if (const auto why = whyNotAdded(folder, made, path, wish.listing))
+      outcome.lines.push_back({importing::Effect::Lost, *why});
     else
       files.push_back(path);
   }
