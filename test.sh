@@ -44,6 +44,18 @@ build() {  # build PRESET OPTIONS...
   cmake --build --preset "$preset" -j "$jobs"
 }
 
+# Browsers and the PLC they watch wait most of their time: a build beside them takes what they leave, and no more.
+begin_build() {  # begin_build PRESET
+  setsid nice -n 19 bash -c "$(declare -f build); jobs=$jobs; build $1" >"build/$1.build.log" 2>&1 &
+  beside=$!
+  trap 'kill -- "-$beside" 2>/dev/null' EXIT
+}
+
+end_build() {  # end_build PRESET
+  tail -n +1 --pid="$beside" -f "build/$1.build.log"
+  wait "$beside"
+}
+
 run_ctest() {  # run_ctest NAME PRESET JOBS
   say "$1"
   local log="build/$2.ctest.log" summary
@@ -98,13 +110,16 @@ mkdir -p build
 
 step "format" tools/format --check
 # The tests of the modules run once, with sanitizers.
-if step "release build" build release -DMERKER_UNIT_TESTS=OFF; then
-  # Browsers wait for pictures and the PLC most of their time: one test more than processors.
+step "release build" build release -DMERKER_UNIT_TESTS=OFF
+released=$?
+begin_build debug
+if [ "$released" -eq 0 ]; then
+  # One test more than processors: most of these wait.
   run_ctest "release: architecture, documents, differential tests, command line, page and browser" release $((jobs + 1))
   counted "examples" build/release/merker test examples
   counted "conformance programs" python3 -B tests/conformance/run.py build/release/merker
 fi
-if step "debug build with sanitizers" build debug; then
+if step "debug build with sanitizers" end_build debug; then
   run_ctest "debug with sanitizers: unit tests, stored fuzzer inputs, command line" debug "$jobs"
 fi
 [ "$fuzz_seconds" -eq 0 ] || fuzz
