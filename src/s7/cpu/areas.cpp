@@ -15,8 +15,9 @@ struct Range {
 constexpr Range kInputs[] = {{752, 761}, {768, 783}, {784, 799}};
 constexpr Range kOutputs[] = {{752, 755}, {768, 783}, {784, 799}};
 
-void mark(std::vector<bool>& present, Range range) {
-  for (std::uint32_t i = range.first; i <= range.last && i < present.size(); ++i) present[i] = true;
+void mark(Presence& present, Range range) {
+  const std::size_t end = std::min<std::size_t>(range.last + 1, present.size());
+  if (range.first < end) std::fill(&present[range.first], present.data() + end, true);
 }
 
 }  // namespace
@@ -47,7 +48,7 @@ std::uint32_t Areas::base(Area area) const {
   return area == Area::Flag ? flagBase : 0;
 }
 
-bool Areas::answers(const std::vector<bool>& present, std::uint32_t byte, unsigned count) const {
+bool Areas::answers(const Presence& present, std::uint32_t byte, unsigned count) const {
   for (unsigned i = 0; i < count; ++i)
     if (byte + i >= present.size() || !present[byte + i]) return false;
   return true;
@@ -60,9 +61,15 @@ void Areas::readInputs() {
     std::copy_n(inputs.begin(), count, image.begin());
     return;
   }
-  for (std::size_t i = 0; i < count; ++i)
-    if (i < inputConfigured.size() && inputConfigured[i])
-      image[i] = inputPresent[i] ? inputs[i] : std::uint8_t{0};
+  // Plain pointers and no branch: the compiler takes many bytes at once.
+  std::uint8_t* const to = image.data();
+  const std::uint8_t* const from = inputs.data();
+  const std::uint8_t* const present = inputPresent.data();
+  const std::uint8_t* const configured = inputConfigured.data();
+  for (std::size_t i = 0; i < std::min(count, inputConfigured.size()); ++i) {
+    const std::uint8_t value = present[i] ? from[i] : std::uint8_t{0};
+    to[i] = configured[i] ? value : to[i];
+  }
 }
 
 void Areas::writeOutputs() {

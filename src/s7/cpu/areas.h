@@ -19,6 +19,10 @@ constexpr std::uint32_t imageLength(const CpuModel& model, Area area) {
   return area == Area::Flag ? model.flagBytes : 0;
 }
 
+// Of each byte of an address area: does something answer? A byte each, for it is asked for whole
+// images in every cycle.
+using Presence = std::vector<std::uint8_t>;
+
 struct Areas {
   explicit Areas(const CpuModel& model);
 
@@ -29,10 +33,10 @@ struct Areas {
   // Periphery: what the modules' terminals show. A byte without module does not answer
   // (S7-OPND-11).
   std::vector<std::uint8_t> inputs, outputs;
-  std::vector<bool> inputPresent, outputPresent;
+  Presence inputPresent, outputPresent;
   // Bytes that belong to a configured module, whether it answers or not; empty without a hardware
   // configuration.
-  std::vector<bool> inputConfigured, outputConfigured;
+  Presence inputConfigured, outputConfigured;
 
   std::uint8_t* input(std::uint32_t byte) { return &image[byte]; }
   std::uint8_t* output(std::uint32_t byte) { return &image[outputBase + byte]; }
@@ -42,7 +46,7 @@ struct Areas {
   std::uint32_t length(Area area) const;
   std::uint32_t base(Area area) const;
 
-  bool answers(const std::vector<bool>& present, std::uint32_t byte, unsigned count) const;
+  bool answers(const Presence& present, std::uint32_t byte, unsigned count) const;
   void readInputs();    // terminals to input image; bytes of no module stay as they are
   void writeOutputs();  // output image to terminals
   void clearImages();

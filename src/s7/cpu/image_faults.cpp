@@ -5,7 +5,7 @@
 namespace merker::cpu {
 namespace {
 
-using Bytes = std::vector<bool>;
+using Bytes = Presence;
 
 // Bytes of the image that belong to a module which does not answer.
 Bytes faulty(const Bytes& configured, const Bytes& present, std::uint32_t bytes) {

@@ -24,7 +24,7 @@ class ImageFaults {
   void compare(const Areas& areas, ImageErrors when, const Report& report);
 
  private:
-  std::vector<bool> inputs_, outputs_;  // faulty bytes at the last update
+  Presence inputs_, outputs_;  // faulty bytes at the last update
 };
 
 }  // namespace merker::cpu

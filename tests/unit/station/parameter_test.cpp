@@ -34,7 +34,9 @@ TEST(ClockMemory, EightSquareWaves) {
   const unsigned expected[8] = {200, 100, 50, 40, 25, 20, 12, 10};  // rising, in 20 s
   for (unsigned bit = 0; bit < 8; ++bit) {
     EXPECT_EQ(edges[bit], expected[bit]) << bit;
-    if (bit != 6) EXPECT_NEAR(high[bit], 2'000, 3) << bit;
+    if (bit != 6) {
+      EXPECT_NEAR(high[bit], 2'000, 3) << bit;
+    }
   }
 }
 
