@@ -33,6 +33,15 @@ bool leadsOut(std::string_view path) {
   }
 }
 
+// Of ASCII and of Latin-1, which a terminal obeys as well.
+bool hasControls(std::string_view path) {
+  for (std::size_t at = 0; at < path.size();) {
+    const char32_t c = nextCharacter(path, at);
+    if (c < 0x20 || (c >= 0x7F && c < 0xA0)) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::string folded(std::string_view path) {
@@ -59,7 +68,8 @@ void Tree::refuse(std::string path, Refusal why) const {
   if (refused_.size() < kMostRefused) refused_.push_back({std::move(path), why});
 }
 
-void Tree::addEntry(Entry entry, unsigned zips) {
+void Tree::addEntry(Entry entry, unsigned zips, const std::shared_ptr<Budget>& budget) {
+  if (hasControls(entry.path)) return refuse(std::move(entry.path), Refusal::BadName);
   if (files_.size() >= limits_.entries) {
     if (!full_) refuse(entry.path, Refusal::TooMany);
     full_ = true;
@@ -69,7 +79,8 @@ void Tree::addEntry(Entry entry, unsigned zips) {
   if (zip && zips >= limits_.zips) return refuse(entry.path, Refusal::TooDeep);
   if (zip) {
     auto file = open(entry);
-    if (file && isZip(*file) && addZip(std::move(file), entry.path, entry.path + "/", zips)) return;
+    if (file && isZip(*file) && addZip(std::move(file), entry.path, entry.path + "/", zips, budget))
+      return;
   }
   files_.push_back(std::move(entry));
 }
@@ -79,20 +90,21 @@ void Tree::addFolder(const std::string& path, const std::string& prefix, unsigne
   walkFolder(
       path, limits_.folders,
       [&](const std::string& file, std::uint64_t size) {
-        addEntry({prefix + file, size, disk, 0}, zips);
+        addEntry({prefix + file, size, disk, 0}, zips, nullptr);
         return !full_;
       },
       [&](const std::string& file, Refusal why) { refuse(prefix + file, why); });
 }
 
 bool Tree::addZip(std::shared_ptr<const File> file, const std::string& zipPath,
-                  const std::string& prefix, unsigned zips) {
+                  const std::string& prefix, unsigned zips, std::shared_ptr<Budget> budget) {
+  if (!budget) budget = std::make_shared<Budget>(Budget{file->size(), 0});
   std::vector<ZipEntry> entries;
-  auto zip = zipContainer(file, limits_, unpacked_, entries);
+  auto zip = zipContainer(file, limits_, unpacked_, budget, entries);
   if (!zip) {
     std::uint64_t end = 0;
     if (const auto whole = salvaged(file, end))
-      zip = zipContainer(whole, limits_, unpacked_, entries);
+      zip = zipContainer(whole, limits_, unpacked_, budget, entries);
     refuse(fmt::format("{}, from byte {} on", zipPath, end), Refusal::Damaged);
   }
   if (!zip) return false;
@@ -103,6 +115,8 @@ bool Tree::addZip(std::shared_ptr<const File> file, const std::string& zipPath,
     const auto depth = static_cast<unsigned>(std::count(path.begin(), path.end(), '/'));
     if (leadsOut(path))
       refuse(prefix + path.substr(0, kLongestPath), Refusal::LeadsOut);
+    else if (!entry.named)
+      refuse(prefix + path, Refusal::BadName);
     else if (entry.link)
       refuse(prefix + path, Refusal::Link);
     else if (entry.encrypted)
@@ -110,7 +124,7 @@ bool Tree::addZip(std::shared_ptr<const File> file, const std::string& zipPath,
     else if (depth >= limits_.folders)
       refuse(prefix + path, Refusal::TooDeep);
     else
-      addEntry({prefix + path, entry.size, zip, entry.index}, zips + 1);
+      addEntry({prefix + path, entry.size, zip, entry.index}, zips + 1, budget);
     if (full_) break;
   }
   return true;
@@ -130,7 +144,7 @@ Tree::Tree(const std::string& path, const Limits& limits) : limits_(limits) {
   } else if (auto file = openFile(path)) {
     const std::string name(nameOf(path));
     const std::uint64_t size = file->size();
-    if (!isZip(*file) || !addZip(std::move(file), name, "", 0)) {
+    if (!isZip(*file) || !addZip(std::move(file), name, "", 0, nullptr)) {
       single_ = true;
       const std::string folder(folderOf(path));
       const bool root = folder.empty() && path.starts_with('/');
@@ -159,7 +173,7 @@ class Held final : public Container {
 }  // namespace
 
 Tree::Tree(std::unique_ptr<File> zip, const Limits& limits) : limits_(limits), readable_(true) {
-  if (isZip(*zip)) addZip(std::move(zip), "zip", "", 0);
+  if (isZip(*zip)) addZip(std::move(zip), "zip", "", 0, nullptr);
   finish();
 }
 

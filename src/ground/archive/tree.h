@@ -16,8 +16,9 @@ struct Limits {
   std::size_t entries = 200'000;             // files of the whole tree
   std::uint64_t unpacked = 512u << 20;       // bytes of one file of a zip
   std::uint64_t unpackedInAll = 8ull << 30;  // bytes that a tree unpacks while it lives
-  std::uint64_t dense = 64u << 20;           // from here on a file may not be packed tighter than
-  std::uint64_t density = 200;               // 1 : density
+  // From here on a file, and all files of a zip, may not be packed tighter than 1 : density.
+  std::uint64_t dense = 64u << 20;
+  std::uint64_t density = 200;
   unsigned folders = 32;                     // within each other
   unsigned zips = 3;                         // within each other
 };
@@ -31,6 +32,7 @@ enum class Refusal : std::uint8_t {
   TooDense,
   TooDeep,
   Encrypted,
+  BadName,  // control characters, or not the UTF-8 that it says to be
   Damaged  // a zip: its path says from where on
 };
 struct Refused {
@@ -45,6 +47,8 @@ class Container {
   virtual std::unique_ptr<File> open(std::uint64_t index, const std::string& path,
                                      Refusal& why) = 0;
 };
+
+struct Budget;
 
 class Tree {
  public:
@@ -76,8 +80,8 @@ class Tree {
  private:
   void addFolder(const std::string& path, const std::string& prefix, unsigned depth);
   bool addZip(std::shared_ptr<const File> file, const std::string& path, const std::string& prefix,
-              unsigned depth);
-  void addEntry(Entry entry, unsigned zips);
+              unsigned depth, std::shared_ptr<Budget> budget);
+  void addEntry(Entry entry, unsigned zips, const std::shared_ptr<Budget>& budget);
   void refuse(std::string path, Refusal why) const;
   void finish();
 

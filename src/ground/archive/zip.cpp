@@ -1,6 +1,7 @@
 #include <zip.h>
 
 #include <algorithm>
+#include <map>
 
 #include "archive/container.h"
 
@@ -98,8 +99,9 @@ class Unpacked {
 
 class Zip final : public Container {
  public:
-  Zip(zip_t* zip, const Limits& limits, std::shared_ptr<std::uint64_t> unpacked)
-      : zip_(zip), limits_(limits), unpacked_(std::move(unpacked)) {}
+  Zip(zip_t* zip, const Limits& limits, std::shared_ptr<std::uint64_t> unpacked,
+      std::shared_ptr<Budget> budget)
+      : zip_(zip), limits_(limits), unpacked_(std::move(unpacked)), budget_(std::move(budget)) {}
   Zip(const Zip&) = delete;
   ~Zip() override { zip_discard(zip_); }
 
@@ -120,14 +122,34 @@ class Zip final : public Container {
       if (got == 0) return out.take();
       size += static_cast<std::uint64_t>(got);
       *unpacked_ += static_cast<std::uint64_t>(got);
-      if (!allowed(size, status.comp_size, why)) return nullptr;
+      count(index, size);
+      if (!allowed(size, status.comp_size, why)) {
+        forget(index);
+        return nullptr;
+      }
       if (!out.add({piece.data(), static_cast<std::size_t>(got)})) return nullptr;
     }
   }
 
  private:
+  // A file that is opened again does not count again.
+  void count(std::uint64_t index, std::uint64_t size) {
+    std::uint64_t& counted = sizes_[index];
+    if (size <= counted) return;
+    budget_->unpacked += size - counted;
+    counted = size;
+  }
+  // A file that is refused must not cost the others.
+  void forget(std::uint64_t index) {
+    budget_->unpacked -= sizes_[index];
+    sizes_[index] = 0;
+  }
+  bool tooDense(std::uint64_t size, std::uint64_t packed) const {
+    return size > limits_.dense && size / limits_.density > packed;
+  }
   bool allowed(std::uint64_t size, std::uint64_t packed, Refusal& why) const {
-    const bool dense = size > limits_.dense && size / limits_.density > packed;
+    // Files may share their packed bytes: what all give counts as well.
+    const bool dense = tooDense(size, packed) || tooDense(budget_->unpacked, budget_->packed);
     if (dense) why = Refusal::TooDense;
     const bool large = size > limits_.unpacked || *unpacked_ > limits_.unpackedInAll;
     if (large) why = Refusal::TooLarge;
@@ -137,12 +159,15 @@ class Zip final : public Container {
   zip_t* zip_;
   Limits limits_;
   std::shared_ptr<std::uint64_t> unpacked_;
+  std::shared_ptr<Budget> budget_;
+  std::map<std::uint64_t, std::uint64_t> sizes_;  // of the files that were opened
 };
 
-ZipEntry entryOf(zip_t* zip, std::uint64_t index, const char* name, const zip_stat_t& status) {
+ZipEntry entryOf(zip_t* zip, std::uint64_t index, const ZipName& name, const zip_stat_t& status) {
   ZipEntry entry;
   entry.index = index;
-  entry.path = name;
+  entry.path = name.text;
+  entry.named = name.valid;
   if ((status.valid & ZIP_STAT_SIZE) != 0) entry.size = status.size;
   entry.encrypted =
       (status.valid & ZIP_STAT_ENCRYPTION_METHOD) != 0 && status.encryption_method != ZIP_EM_NONE;
@@ -158,7 +183,10 @@ ZipEntry entryOf(zip_t* zip, std::uint64_t index, const char* name, const zip_st
 
 std::shared_ptr<Container> zipContainer(std::shared_ptr<const File> file, const Limits& limits,
                                         std::shared_ptr<std::uint64_t> unpacked,
+                                        std::shared_ptr<Budget> budget,
                                         std::vector<ZipEntry>& entries) {
+  std::vector<ZipName> names;
+  file = withReadableNames(file, limits.entries + 1, names);
   zip_error_t error;
   zip_error_init(&error);
   auto* state = new Source{std::move(file), 0, {}};
@@ -172,7 +200,7 @@ std::shared_ptr<Container> zipContainer(std::shared_ptr<const File> file, const 
     zip_source_free(source);
     return nullptr;
   }
-  auto container = std::make_shared<Zip>(zip, limits, std::move(unpacked));
+  auto container = std::make_shared<Zip>(zip, limits, std::move(unpacked), std::move(budget));
   const auto count =
       static_cast<std::uint64_t>(std::max<zip_int64_t>(0, zip_get_num_entries(zip, 0)));
   for (std::uint64_t i = 0; i < count && entries.size() <= limits.entries; ++i) {
@@ -180,7 +208,7 @@ std::shared_ptr<Container> zipContainer(std::shared_ptr<const File> file, const 
     zip_stat_init(&status);
     const char* name = zip_get_name(zip, i, ZIP_FL_ENC_GUESS);
     if (name == nullptr || zip_stat_index(zip, i, 0, &status) != 0) continue;
-    entries.push_back(entryOf(zip, i, name, status));
+    entries.push_back(entryOf(zip, i, i < names.size() ? names[i] : ZipName{name}, status));
   }
   return container;
 }

@@ -38,6 +38,8 @@ std::string_view reason(archive::Refusal why) {
       return "it lies too deep in folders or archives";
     case Refusal::Encrypted:
       return "it is encrypted";
+    case Refusal::BadName:
+      return "its name has control characters or is not valid UTF-8; rename it";
     case Refusal::Damaged:
       return "it is damaged or cut off; what lies before was read";
   }

@@ -86,9 +86,82 @@ TEST(Tree, aBombIsNotUnpacked) {
   const Tree dense(folder.path("p.zip"), thin);
   EXPECT_EQ(dense.open("big"), nullptr);
   EXPECT_TRUE(refused(dense, Refusal::TooDense));
+  EXPECT_EQ(textOf(dense, "small"), "s");
   const auto whole = Tree(folder.path("p.zip")).open("big");
   ASSERT_NE(whole, nullptr);
   EXPECT_EQ(whole->size(), 3'000'000u);
+}
+
+// The record of a file in the directory at the end of a zip.
+std::size_t recordOf(const std::string& zip, const std::string& name) {
+  return zip.find(name, zip.find("PK\1\2")) - 46;
+}
+
+// 62 kB may say ten thousand times that a file of a megabyte lies at one place.
+TEST(Tree, filesThatShareTheirBytesAreABombAsWell) {
+  const TestFolder folder;
+  std::map<std::string, std::string> files{{"f0", std::string(900'000, ' ')}};
+  for (int i = 1; i < 10; ++i) files["f" + std::to_string(i)] = "";
+  folder.zip("p.zip", files);
+  std::string bytes = folder.read("p.zip");
+  const std::size_t first = recordOf(bytes, "f0");
+  for (int i = 1; i < 10; ++i) {
+    const std::size_t record = recordOf(bytes, "f" + std::to_string(i));
+    bytes.replace(record + 6, 22, bytes, first + 6, 22);   // method, sum, sizes
+    bytes.replace(record + 42, 4, bytes, first + 42, 4);  // where it lies
+  }
+  folder.write("p.zip", bytes);
+  Limits limits;
+  limits.dense = 1'000'000;
+  const Tree tree(folder.path("p.zip"), limits);
+  for (int again = 0; again < 5; ++again) EXPECT_NE(tree.open("f0"), nullptr);
+  EXPECT_TRUE(tree.refused().empty());
+  EXPECT_EQ(tree.open("f1"), nullptr);
+  EXPECT_TRUE(refused(tree, Refusal::TooDense));
+  // Zips in it share what the outer one may give.
+  folder.zip("outer.zip", {{"1.zip", folder.read("p.zip")}, {"2.zip", folder.read("p.zip")}});
+  const Tree outer(folder.path("outer.zip"), limits);
+  EXPECT_NE(outer.open("1.zip/f0"), nullptr);
+  EXPECT_EQ(outer.open("2.zip/f0"), nullptr);
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& with) {
+  for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += with.size())
+    text.replace(at, what.size(), with);
+  return text;
+}
+
+TEST(Tree, aNameWithControlCharactersCostsItself) {
+  const TestFolder folder;
+  folder.zip("p.zip", {{"a~.txt", "a"}, {"\u00fc~.txt", "u"}, {"good", "g"}});
+  for (const char* control : {"\x1B", "\n", "\x7F"}) {
+    folder.write("q.zip", replaced(folder.read("p.zip"), "~", control));
+    const Tree tree(folder.path("q.zip"));
+    EXPECT_EQ(tree.files().size(), 1u);
+    EXPECT_EQ(textOf(tree, "good"), "g");
+    ASSERT_EQ(tree.refused().size(), 2u);
+    EXPECT_EQ(tree.refused()[0].path, std::string("a") + control + ".txt");
+    EXPECT_EQ(tree.refused()[1].why, Refusal::BadName);
+  }
+  folder.write("d/new\nline.txt", "x");
+  EXPECT_TRUE(refused(Tree(folder.path("d")), Refusal::BadName));
+}
+
+// libzip itself refuses the whole zip.
+TEST(Tree, aNameThatIsNotTheUtf8ThatItSaysCostsItself) {
+  const TestFolder folder;
+  folder.zip("p.zip", {{"\u00fc~.txt", "u"}, {"\u00f6.txt", "o"}, {"good", "g"}});
+  folder.write("q.zip", replaced(folder.read("p.zip"), "~", "\xFF"));
+  const Tree tree(folder.path("q.zip"));
+  EXPECT_EQ(tree.files().size(), 2u);
+  EXPECT_EQ(textOf(tree, "\u00f6.txt"), "o");
+  ASSERT_EQ(tree.refused().size(), 1u);
+  EXPECT_EQ(tree.refused()[0].why, Refusal::BadName);
+  EXPECT_EQ(tree.refused()[0].path, "\u00fc\xFF.txt");
+  // Without the flag a name that is not UTF-8 is in the code page of DOS.
+  folder.zip("dos.zip", {{"gr~n.txt", "g"}});
+  folder.write("dos.zip", replaced(folder.read("dos.zip"), "~", "\x81"));
+  EXPECT_EQ(textOf(Tree(folder.path("dos.zip")), "gr\u00fcn.txt"), "g");
 }
 
 TEST(Tree, theNumberOfFilesIsLimited) {
