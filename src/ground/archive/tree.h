@@ -19,8 +19,8 @@ struct Limits {
   // From here on a file, and all files of a zip, may not be packed tighter than 1 : density.
   std::uint64_t dense = 64u << 20;
   std::uint64_t density = 200;
-  unsigned folders = 32;                     // within each other
-  unsigned zips = 3;                         // within each other
+  unsigned folders = 32;  // within each other
+  unsigned zips = 3;      // within each other
 };
 
 enum class Refusal : std::uint8_t {
@@ -33,7 +33,7 @@ enum class Refusal : std::uint8_t {
   TooDeep,
   Encrypted,
   BadName,  // control characters, or not the UTF-8 that it says to be
-  Damaged  // a zip: its path says from where on
+  Damaged   // a zip: its path says from where on
 };
 struct Refused {
   std::string path;

@@ -42,8 +42,7 @@ std::optional<Directory> longDirectory(const File& file, std::uint64_t end) {
 }
 
 std::optional<Directory> directoryOf(const File& file) {
-  std::vector<std::uint8_t> tail(
-      std::min<std::uint64_t>(file.size(), kEndBytes + kLongestComment));
+  std::vector<std::uint8_t> tail(std::min<std::uint64_t>(file.size(), kEndBytes + kLongestComment));
   const std::uint64_t from = file.size() - tail.size();
   if (tail.size() < kEndBytes || file.read(from, tail) < tail.size()) return std::nullopt;
   for (std::size_t i = tail.size() - kEndBytes + 1; i-- > 0;) {

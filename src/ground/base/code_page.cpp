@@ -10,7 +10,7 @@
 namespace merker {
 namespace {
 
-std::string nameOf(unsigned page) { return "CP" + std::to_string(page); }
+std::string nameOf(unsigned page) { return page == 20866 ? "KOI8-R" : "CP" + std::to_string(page); }
 
 }  // namespace
 

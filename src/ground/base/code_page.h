@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/text.h"
+
 namespace merker {
 
 class CodePage {
@@ -42,9 +44,9 @@ class Encoder {
   std::map<std::string, std::optional<std::string>, std::less<>> known_;
 };
 
-// What a user may name: pages of DOS and of Windows.
-inline constexpr unsigned kCodePages[] = {437,  850,  852,  866,  932,  936,  949,  950,
-                                          1250, 1251, 1252, 1253, 1254, 1255, 1256, 1257};
+// What a user may name: pages of DOS and of Windows; 20866 is KOI8-R.
+inline constexpr unsigned kCodePages[] = {437,  850,  852,  866,  932,  936,  949,  950,  1250,
+                                          1251, 1252, 1253, 1254, 1255, 1256, 1257, 20866};
 
 // The pages of Windows that programs are written in, most usual first.
 inline constexpr unsigned kWindowsPages[] = {1252, 1251, 1254, 1250, 1253, 936};
@@ -52,15 +54,23 @@ inline constexpr unsigned kWindowsPages[] = {1252, 1251, 1254, 1250, 1253, 936};
 // if none has.
 std::optional<std::string> windowsBytes(std::string_view character);
 
-// The page of Windows that a text, which is neither UTF-8 nor of DOS, is most likely in: 1251 and
-// 936 by letters that stand side by side, 1254 and 1250 by letters of Turkish and Polish; else
-// 1252.
-unsigned guessedPage(std::string_view bytes);
+// The page of DOS or Windows that a text without ASCII alone is most likely in, by how frequent its
+// letters are in languages (languages.inc). Not certain: another one is almost as likely.
+struct PageGuess {
+  unsigned page = 0;  // 0: the text is ASCII
+  bool certain = true;
+};
+PageGuess guessedPage(std::string_view bytes);
+
+// How the characters of a file are stored.
+struct TextForm {
+  Encoding encoding = Encoding::Utf8;  // Binary: it is no text
+  PageGuess guess;                     // without a page: Unicode or ASCII
+};
+TextForm formOf(std::string_view bytes);
 
 // A text file as UTF-8: what is not Unicode is in `page`, 0: by its content. Nothing if it is
 // binary.
 std::optional<std::string> decoded(std::string_view bytes, unsigned page = 0);
-// The page that `decoded` takes by the content; 0 for Unicode and ASCII.
-unsigned contentPage(std::string_view bytes);
 
 }  // namespace merker

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "base/bytes.h"
-#include "base/code_page.h"
 #include "block/container.h"
+#include "importing/file_text.h"
 #include "importing/hardware.h"
 #include "importing/recognise.h"
 #include "step7/foreign_language.h"
@@ -38,24 +38,37 @@ void addContainers(const std::string& path, const std::string& bytes, Material& 
   }
 }
 
-void add(const archive::Tree::Entry& entry, const archive::File& file, Kind kind, unsigned page,
+void add(const archive::Tree::Entry& entry, const archive::File& file, Kind kind, const Page& page,
          Material& material, Report& report) {
   if (file.size() > kLargest)
     return report.add(Note::LongSource, entry.path, source::kLargestSource);
   const std::string bytes = file.text(kLargest);
   if (kind == Kind::Containers) return addContainers(entry.path, bytes, material, report);
-  const std::string text = decoded(bytes, page).value_or(std::string());
-  const unsigned guessed = page == 0 ? contentPage(bytes) : 0;
-  if (guessed != 0 && guessed != 1252) report.add(Note::GuessedPage, entry.path, guessed);
-  if (kind == Kind::Hardware) return readHardware(text, material);
+  const auto text = readText(entry.path, bytes, page, report);
+  if (!text) return;
+  if (kind == Kind::Hardware) return readHardware(*text, material);
   const std::string_view symbols = symbolExtension(kind);
-  if (const auto foreign = kind == Kind::AwlSource ? step7::foreignText(text) : std::nullopt) {
+  if (const auto foreign = kind == Kind::AwlSource ? step7::foreignText(*text) : std::nullopt) {
     report.add(Note::ForeignFile, entry.path, foreign->language);
-    material.foreign.push_back({stem(entry.path), text, false});
+    material.foreign.push_back({stem(entry.path), *text, false});
     return;
   }
   material.files.push_back({stem(entry.path) + (symbols.empty() ? ".awl" : std::string(symbols)),
-                            text, symbols.empty()});
+                            *text, symbols.empty()});
+}
+
+// The page of all files together that are not Unicode.
+PageGuess commonPage(const archive::Tree& tree) {
+  constexpr std::size_t kOfOne = 64u << 10, kOfAll = 1u << 20;
+  std::string all;
+  for (const auto& entry : tree.files()) {
+    const auto file = all.size() < kOfAll ? tree.open(entry) : nullptr;
+    const Kind kind = file ? recognise(*file) : Kind::Unknown;
+    if (kind == Kind::Unknown || kind == Kind::Containers || kind == Kind::Damaged) continue;
+    const std::string head = file->text(kOfOne);
+    if (formOf(head).guess.page != 0) all += head + '\n';
+  }
+  return guessedPage(all);
 }
 
 }  // namespace
@@ -64,10 +77,11 @@ Material materialOf(const archive::Tree& tree, const std::string& name, unsigned
                     Report& report) {
   Material material;
   material.name = name;
+  const Page pages{page, page == 0 ? commonPage(tree) : PageGuess{}};
   for (const auto& entry : tree.files()) {
     const auto file = tree.open(entry);
     const Kind kind = file ? recognise(*file) : Kind::Unknown;
-    if (kind != Kind::Unknown) add(entry, *file, kind, page, material, report);
+    if (kind != Kind::Unknown) add(entry, *file, kind, pages, material, report);
   }
   return material;
 }

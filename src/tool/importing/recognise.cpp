@@ -6,6 +6,7 @@
 #include "base/bytes.h"
 #include "base/code_page.h"
 #include "base/text.h"
+#include "importing/file_text.h"
 
 namespace merker::importing {
 namespace {
@@ -75,8 +76,11 @@ Kind ofText(std::string_view text) {
 
 Kind recognise(const archive::File& file) {
   if (isContainer(file)) return Kind::Containers;
-  const auto text = decoded(file.text(kLooked));
-  return text ? ofText(*text) : Kind::Unknown;
+  std::string bytes = file.text(kLooked);
+  if (const auto text = decoded(withoutZeros(bytes))) return ofText(*text);
+  std::ranges::replace_if(
+      bytes, [](char c) { return c >= 0 && c < '\t'; }, ' ');
+  return ofText(bytes) == Kind::Unknown ? Kind::Unknown : Kind::Damaged;
 }
 
 std::string_view symbolExtension(Kind kind) {

@@ -15,7 +15,8 @@ enum class Kind : std::uint8_t {
   Sdf,
   Asc,
   Dif,
-  Seq
+  Seq,
+  Damaged  // like one of the texts, but with bytes that no text has
 };
 
 // Looks at the beginning of the file.

@@ -1,6 +1,6 @@
 #include "importing/s7p_material.h"
 
-#include "base/text.h"
+#include "base/code_page.h"
 #include "s7p/sources.h"
 
 namespace merker::importing {
@@ -25,7 +25,10 @@ void readTexts(const archive::Tree& tree, const s7p::Project& project, const std
       report.add(Note::LongSource, row.name, source::kLargestSource);
     } else {
       const std::string bytes = file->text(source::kLargestSource * kMegabyte);
-      material.sources.push_back({row.name, project.page.toUtf8(bytes), row.awl});
+      // Sources of other editors may be Unicode.
+      material.sources.push_back(
+          {row.name, decoded(bytes, project.page.number()).value_or(project.page.toUtf8(bytes)),
+           row.awl});
     }
   }
 }

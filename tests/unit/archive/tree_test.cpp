@@ -107,7 +107,7 @@ TEST(Tree, filesThatShareTheirBytesAreABombAsWell) {
   const std::size_t first = recordOf(bytes, "f0");
   for (int i = 1; i < 10; ++i) {
     const std::size_t record = recordOf(bytes, "f" + std::to_string(i));
-    bytes.replace(record + 6, 22, bytes, first + 6, 22);   // method, sum, sizes
+    bytes.replace(record + 6, 22, bytes, first + 6, 22);  // method, sum, sizes
     bytes.replace(record + 42, 4, bytes, first + 42, 4);  // where it lies
   }
   folder.write("p.zip", bytes);

@@ -28,19 +28,59 @@ const Sample kSamples[] = {
     {1251, "\"ПУСК\" Ёлка"},
     {936, "// 水泵运行 输入 启动按钮, 速度过高"},
     {1254, "// Isıtıcı çalışıyor, BAŞLAT düğmesi İ"},
-    {1250, "// zawór zasilaj\u0105cy pompy, prze\u0142\u0105cznik"}};
+    {1250, "// zawór zasilaj\u0105cy pompy, prze\u0142\u0105cznik"},
+    {1250, "Čerpadlo příliš žluťoučký kůň řízení"},
+    {1250, "Szivattyú működik, hőmérséklet"},
+    {1253, "Αντλία νερού έναρξη κινητήρας"},
+    {866, "// Насос включен, уровень выше 5 м"},
+    {20866, "// Насос включен, уровень выше 5 м"},
+    {1251, "// Аварія насоса, рівень води їх є"},
+    {852, "Čerpadlo příliš žluťoučký kůň"},
+    {850, "d\u00e9faut de la vanne cr\u00e9\u00e9e \u00e0 l'arr\u00eat"},
+    {1257, "sūknis ieslēgts, līmenis augsts; siurblys įjungtas"},
+    {1252, "DÉFAUT GÉNÉRATEUR, ÉTÉ À CÔTÉ"},
+    {1252, "più è così perché"},
+    {1252, "// Öl"},
+    {1251, "// Вх"},
+    {1251, "Пуск"},
+    {1253, "ΑΝΤΛΙΑ ΝΕΡΟΥ"},
+    {1251, "НАСОС ПОДПИТКИ"},
+    {1251, "Клапан DN50 открыт, 90 °C"}};
 
 TEST(GuessedPage, ByTheLetters) {
   for (const Sample& sample : kSamples) {
     const std::string bytes = Encoder(sample.page).encode(sample.text);
-    EXPECT_EQ(guessedPage(bytes), sample.page) << sample.text;
+    EXPECT_EQ(guessedPage(bytes).page, sample.page) << sample.text;
     EXPECT_EQ(decoded(bytes), sample.text);
   }
+}
+
+// A word or two: what is likely, and whether another page is almost as likely.
+TEST(GuessedPage, SaysWhetherItIsCertain) {
+  const auto certain = [](unsigned page, const char* text) {
+    return guessedPage(Encoder(page).encode(text)).certain;
+  };
+  EXPECT_TRUE(certain(1252, "// Förderband läuft"));
+  EXPECT_TRUE(certain(1252, "Größe"));
+  EXPECT_TRUE(certain(1252, "5 °C"));
+  EXPECT_TRUE(certain(1251, "Насос включен"));
+  EXPECT_TRUE(certain(866, "Насос включен"));
+  EXPECT_FALSE(certain(1251, "Вх"));
+  EXPECT_FALSE(certain(1252, "procède"));
+  EXPECT_TRUE(certain(1252, "plain"));
+  EXPECT_EQ(guessedPage("plain").page, 0u);
+}
+
+TEST(FormOf, DamagedUtf8IsStillUtf8) {
+  const std::string text = "Förderband läuft, Größe überschritten, Öl\xFF";
+  EXPECT_EQ(formOf(text).encoding, Encoding::Utf8);
+  EXPECT_EQ(decoded(text), "Förderband läuft, Größe überschritten, Öl\uFFFD");
 }
 
 TEST(Decoded, TakesTheNamedPageForWhatIsNotUnicode) {
   EXPECT_EQ(decoded("\xE8", 1250), "č");
   EXPECT_EQ(decoded("\x8F\xE3\xE1\xAA", 866), "Пуск");
+  EXPECT_EQ(decoded("\xF0\xD5\xD3\xCB", 20866), "Пуск");
   EXPECT_EQ(decoded("ж", 1250), "ж");
   EXPECT_EQ(decoded("abc", 936), "abc");
 }

@@ -114,6 +114,25 @@ TEST(Look, saysWhatWouldCome) {
   EXPECT_FALSE(look(folder.path("none"), {}).readable);
 }
 
+// A name that is bad costs itself, in a zip of any kind.
+TEST(Files, aFileWithABadNameIsNamed) {
+  const TestFolder folder;
+  folder.zip("p.zip", {{"merker.toml", "[project]\nname = \"Plant\"\n"},
+                       {"a.awl", kSource},
+                       {"b~.awl", kSource},
+                       {"\u00fc~.awl", kSource}});
+  std::string bytes = folder.read("p.zip");
+  for (std::size_t at = 0; (at = bytes.find('~', at)) != std::string::npos;) bytes[at] = '\n';
+  folder.write("p.zip", bytes);
+  const Outcome outcome = importSource({folder.path("p.zip"), folder.path("out"), ""});
+  EXPECT_EQ(outcome.result, Result::Imported);
+  EXPECT_TRUE(outcome.lost);
+  EXPECT_TRUE(folder.has("out/a.awl"));
+  EXPECT_NE(outcome.report.find("b\\x0A.awl: its name has control characters"), std::string::npos)
+      << outcome.report;
+  EXPECT_NE(outcome.report.find("\u00fc\\x0A.awl: its name has"), std::string::npos);
+}
+
 TEST(Files, anImportThatIsStoppedSaysSo) {
   const TestFolder folder;
   folder.write("in.wld", container());
@@ -185,7 +204,7 @@ TEST(Files, nothingKnown) {
 
 // By its letters, or as the user says; names of sources and symbol tables come out alike.
 TEST(Files, aSourceOfAnotherCodePage) {
-  const std::string start = "\xCF\xF3\xF1\xEA";  // Пуск in 1251
+  const std::string start = "\xCF\xF3\xF1\xEA \xED\xE0\xF1\xEE\xF1\xE0";  // Пуск насоса in 1251
   const std::string source = "FUNCTION FC 5 : VOID\nBEGIN\nU \"" + start + "\"; // " + start +
                              "\nL '" + start.substr(0, 2) + "';\nEND_FUNCTION\n";
   const TestFolder folder;
@@ -195,11 +214,75 @@ TEST(Files, aSourceOfAnotherCodePage) {
   EXPECT_FALSE(outcome.lost) << outcome.report;
   EXPECT_NE(outcome.report.find("characters are those of code page 1251"), std::string::npos);
   EXPECT_EQ(outcome.report.find("finds"), std::string::npos) << outcome.report;
-  EXPECT_NE(folder.read("out/a.awl").find("U \"Пуск\"; // Пуск\nL 'Пу'"), std::string::npos);
+  EXPECT_NE(folder.read("out/a.awl").find("U \"Пуск насоса\"; // Пуск насоса\nL 'Пу'"),
+            std::string::npos);
   Options named{folder.path("in"), folder.path("latin"), ""};
   named.page = 1252;
   EXPECT_EQ(importSource(named).report.find("1251"), std::string::npos);
-  EXPECT_NE(folder.read("latin/a.awl").find("\"Ïóñê\""), std::string::npos);
+  EXPECT_NE(folder.read("latin/a.awl").find("\"Ïóñê íàñîñà\""), std::string::npos);
+}
+
+// Every conversion is named; a guess that is not certain is a warning.
+TEST(Files, theReportNamesTheCharacters) {
+  const TestFolder folder;
+  const auto reportOf = [&](const std::string& name, const std::string& bytes) {
+    folder.write(name + "/a.awl", bytes);
+    const Outcome outcome = importSource({folder.path(name), folder.path(name + ".out"), ""});
+    EXPECT_EQ(outcome.result, Result::Imported);
+    return outcome.report;
+  };
+  const auto has = [](const std::string& report, const char* text) {
+    return report.find(text) != std::string::npos;
+  };
+  const std::string latin = reportOf("latin", kSource + "// \xDC" + "bergabe\n");
+  EXPECT_TRUE(has(latin, "a.awl: characters are those of code page 1252 by")) << latin;
+  const std::string unsure = reportOf("unsure", kSource + "// \xC2\xF5\n");
+  EXPECT_TRUE(
+      has(unsure, "In another form:\n  a.awl: characters are perhaps those of code page 1251"))
+      << unsure;
+  std::string wide = "\xFF\xFE";
+  for (const char c : kSource) (wide += c) += '\0';
+  EXPECT_TRUE(has(reportOf("wide", wide), "a.awl: UTF-16 became UTF-8"));
+  const std::string odd = reportOf("odd", wide + "x");
+  EXPECT_TRUE(has(odd, "Not imported:\n  a.awl is UTF-16 with an odd number of bytes")) << odd;
+  EXPECT_EQ(folder.read("odd.out/a.awl"), kSource);
+  const std::string lone = reportOf("lone", wide + std::string("/\0/\0\0\xD8", 6));
+  EXPECT_TRUE(has(lone, "characters that UTF-16 does not have are shown as U+FFFD: 1")) << lone;
+  const std::string ascii = reportOf("ascii", kSource);
+  EXPECT_FALSE(has(ascii, "code page") || has(ascii, "UTF")) << ascii;
+}
+
+// One word tells nothing; the files beside it do.
+TEST(Files, aShortTextHasThePageOfTheOthers) {
+  const TestFolder folder;
+  folder.write("in/a.awl", kSource + "// \xC2\xF5\n");
+  folder.write("in/b.awl",
+               "FUNCTION FC 6 : VOID\n// \xCD\xE0\xF1\xEE\xF1 \xE2\xEA\xEB\xFE\xF7\xE5\xED\n"
+               "BEGIN\nEND_FUNCTION\n");
+  const Outcome outcome = importSource({folder.path("in"), folder.path("out"), ""});
+  EXPECT_NE(outcome.report.find("a.awl: characters are those of code page 1251"), std::string::npos)
+      << outcome.report;
+  EXPECT_EQ(outcome.report.find("perhaps"), std::string::npos);
+}
+
+TEST(Files, zeroBytesInASourceAreNamed) {
+  const TestFolder folder;
+  folder.write("in/a.awl", kSource + std::string("// a\0b\n", 7));
+  Outcome outcome = importSource({folder.path("in"), folder.path("out"), ""});
+  EXPECT_NE(outcome.report.find("a.awl: zero bytes became blanks: 1, the first at byte " +
+                                std::to_string(kSource.size() + 4)),
+            std::string::npos)
+      << outcome.report;
+  EXPECT_EQ(folder.read("out/a.awl"), kSource + "// a b\n");
+  folder.write("sector/a.awl", kSource + std::string(512, '\0'));
+  outcome = importSource({folder.path("sector"), folder.path("filled"), ""});
+  EXPECT_EQ(folder.read("filled/a.awl"), kSource);
+  folder.write("bad/a.awl", kSource + std::string(500, '\0') + "x");
+  outcome = importSource({folder.path("bad"), folder.path("none"), ""});
+  EXPECT_EQ(outcome.result, Result::Nothing);
+  EXPECT_NE(outcome.report.find("a.awl begins like a source or a table, but 500 of its"),
+            std::string::npos)
+      << outcome.report;
 }
 
 TEST(Files, aSourceInScl) {
