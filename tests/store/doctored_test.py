@@ -95,7 +95,7 @@ def instead(make, part=""):
 def many_tables(folder):
     base = sqlite3.connect(folder / "card.sqlite", isolation_level=None)
     base.execute("BEGIN")
-    for number in range(20000):
+    for number in range(6000):
         base.execute(f"CREATE TABLE t{number}(a)")
     base.execute("COMMIT")
     base.close()
