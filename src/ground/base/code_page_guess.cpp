@@ -11,7 +11,7 @@ namespace merker {
 namespace {
 
 bool isHigh(char c) { return static_cast<std::uint8_t>(c) >= 0x80; }
-bool isBlank(char c) { return static_cast<std::uint8_t>(c) <= ' '; }
+bool isSpace(char c) { return static_cast<std::uint8_t>(c) <= ' '; }
 
 // The words that have other bytes than ASCII, as many as tell enough.
 std::string foreignWords(std::string_view text) {
@@ -20,7 +20,7 @@ std::string foreignWords(std::string_view text) {
   for (std::size_t i = 0; i < text.size() && out.size() < kEnough;) {
     const std::size_t begin = i;
     bool high = false;
-    while (i < text.size() && !isBlank(text[i])) high |= isHigh(text[i++]);
+    while (i < text.size() && !isSpace(text[i])) high |= isHigh(text[i++]);
     if (high) out.append(text.substr(begin, std::min(i - begin, kEnough))).push_back(' ');
     ++i;
   }
