@@ -100,10 +100,11 @@ void Shared::take(std::uint64_t look, Listing seen) {
   if (files.take(std::move(seen))) ++filesRevision;
 }
 
-// One job does for all who ask meanwhile.
+// One job does for all who ask meanwhile; one that came to nothing is begun again.
 Job Shared::offlineJob(std::uint64_t owner) {
   if (offline_ && offline_->files == filesRevision) return nullptr;
-  if (offlineJob_ && offlineJob_->result->files == filesRevision) return offlineJob_;
+  const bool lost = offlineJob_ && offlineJob_->task->done() && offlineJob_->task->failed();
+  if (offlineJob_ && !lost && offlineJob_->result->files == filesRevision) return offlineJob_;
   offlineJob_ = makeCompileJob(owner, plc->build().project.path, {}, filesRevision);
   work(offlineJob_->task);
   return offlineJob_;

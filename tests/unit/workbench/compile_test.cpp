@@ -106,6 +106,17 @@ TEST_F(Compiling, OneCompilationDoesForAllWhoAskMeanwhile) {
   EXPECT_EQ(later()["result"]["blocks"].size(), 3u);
 }
 
+TEST_F(Compiling, WhatCameToNothingIsBegunAgain) {
+  EXPECT_EQ(ask("program.blocks"), "");
+  works.front()->cancel();
+  workOne();
+  EXPECT_EQ(later()["problems"][0]["code"], "P1308");
+  EXPECT_EQ(ask("program.blocks"), "");
+  ASSERT_EQ(works.size(), 1u);
+  workOne();
+  EXPECT_EQ(later()["result"]["blocks"].size(), 2u);
+}
+
 TEST_F(Compiling, TextsThatAreNotSavedAreChecked) {
   EXPECT_EQ(ask("program.check", {{"files", {{{"path", "main.awl"}, {"text", "nonsense"}}}}}), "");
   workOne();

@@ -31,6 +31,7 @@ class Workspace {
 
   private folder = $state('');
   private drafts = new Drafts(localStorage, '', sessionStorage);
+  private looks = 0;
   private timer: ReturnType<typeof setTimeout> | undefined;
 
   /** Whether what is here is of that project. */
@@ -69,9 +70,13 @@ class Workspace {
   async refreshBlocks(): Promise<void> {
     const ask = async (side: Side): Promise<BlockRow[]> =>
       (await quiet(connection.ask('program.blocks', { side })))?.blocks ?? [];
-    this.blocks = { offline: await ask('offline'), online: await ask('online') };
+    const look = ++this.looks;
+    const blocks = { offline: await ask('offline'), online: await ask('online') };
+    if (look !== this.looks) return; // a later look has seen more
+    this.blocks = blocks;
     if (!plc.can('download')) return;
-    this.compared = (await quiet(connection.ask('program.compare')))?.blocks ?? [];
+    const compared = (await quiet(connection.ask('program.compare')))?.blocks ?? [];
+    if (look === this.looks) this.compared = compared;
   }
 
   async open(path: string, ask: Asking = attempt): Promise<OpenDocument | undefined> {
