@@ -79,6 +79,7 @@ int serve(const std::string& command, const ServeOptions& options, workbench::Wo
   std::string reason = hmi::wrongOptions(wanted);
   if (!reason.empty()) return refused(command, reason, kUsage);
 
+  workbench::Upload::sweep();  // of those that were killed
   holdSignals();
   workbench.use({workspaceFolder(options), examplesFolder(options), options.project});
   Watchdog watchdog(command);

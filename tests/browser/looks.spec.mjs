@@ -33,6 +33,9 @@ for (const [index, look] of looks.entries()) {
       const navigation = page.locator('header nav');
       assert.ok(await navigation.evaluate((nav) => nav.scrollWidth <= nav.clientWidth), 'a view is out of sight');
       assert.ok(wide <= look.width, `${wide} px wide`);
+      // Views scroll in themselves; the page never does.
+      const high = await page.evaluate(() => document.documentElement.scrollHeight);
+      assert.ok(high <= look.height, `${high} px high`);
     });
   }
 }

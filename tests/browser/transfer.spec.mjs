@@ -170,3 +170,46 @@ test('the machine code of a source stands beside it, in bytes', async () => {
   const shown = (await first.locator('.source').innerText()).trim();
   assert.ok(sources.some((one) => one.split('\n')[line - 1]?.trim() === shown), `line ${line}: ${shown}`);
 });
+
+test('each file that was dropped has its line; the code page can be chosen', async () => {
+  const folder = join(server.workspace, 'merker', 'plant');
+  const greek = join(files, 'greek.awl');
+  writeFileSync(greek, Buffer.from('// \xC8\n' + source.replace('77', '79'), 'latin1'));
+  await quiet(page);
+  await drop(page, greek, file('Start.scn', '0s: E 0.0 = 1\n'), file('watch.vat', 'MW 20\n'), file('manual.pdf', '%PDF-1.4'));
+  await dialog(page).getByLabel('Zeichensatz der Texte').selectOption('1253');
+  await accessible(page, 'code page');
+  await dialog(page).getByRole('button', { name: 'Importieren', exact: true }).click();
+  await dialog(page).getByText('Neue Dateien: Start.scn, greek.awl, watch.vat').waitFor();
+  await dialog(page).locator('[data-effect="lost"]').getByText('manual.pdf lässt sich nicht importieren').waitFor();
+  assert.match(readFileSync(join(folder, 'greek.awl'), 'utf-8'), /^\/\/ Θ\n/);
+  await leave(page);
+});
+
+test('what is not in the zip is named until somebody has read it', async () => {
+  const folder = join(server.workspace, 'merker', 'plant');
+  mkdirSync(join(folder, 'part'));
+  writeFileSync(join(folder, 'part', 'merker.toml'), '');
+  await visit(page, server, 'projects');
+  await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Als Zip herunterladen' }).click()]);
+  await message(page, 'plant.zip heruntergeladen. Nicht im Zip: part/');
+});
+
+test('a data block shows its variables with their values', async () => {
+  await visit(page, server, 'program?block=DB%2011');
+  await page.getByRole('tab', { name: 'Maschinencode' }).click();
+  const table = page.getByRole('table', { name: 'Maschinencode von DB 11' });
+  await table.locator('th', { hasText: 'Aktualwert' }).waitFor();
+  assert.match(await table.locator('tbody tr').first().innerText(), /DB[XBWD] 0/);
+});
+
+test('a connection that is lost is told, and the import has ended', async () => {
+  const other = await serve('sorting-plant');
+  const here = await open(other, 'projects', { width: 390, height: 844 });
+  await drop(here, file('lost.awl', source));
+  await dialog(here).getByRole('radio', { name: 'Neues Projekt' }).check();
+  await other.close();
+  await message(here, 'Die Verbindung ist abgebrochen. Es wurde nichts importiert');
+  await expect(() => dialog(here).count(), 0);
+  here.complaints.length = 0; // the browser itself logs each failed try
+});

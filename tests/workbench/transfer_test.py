@@ -4,6 +4,7 @@ import io
 import json
 import os
 import pathlib
+import signal
 import tempfile
 import time
 import unittest
@@ -93,6 +94,37 @@ class Transfer(Served):
         self.send(browser, "a.awl", BLOCK.format(1).encode())
         self.end()
         self.assertEqual(self.left(), [])
+
+    def test_what_a_killed_program_left_is_deleted_by_the_next_one(self):
+        browser = self.browser()
+        browser.call("import.begin")
+        self.send(browser, "a.awl", BLOCK.format(1).encode())
+        self.process.kill()
+        self.process.wait()
+        self.assertEqual(len(self.left()), 1)
+        self.start()
+        self.assertEqual(self.left(), [])
+        # One that is in use stays.
+        second = self.browser()
+        second.call("import.begin")
+        self.send(second, "b.awl", BLOCK.format(2).encode())
+        mine, first = self.left(), self.process
+        self.start()
+        self.assertEqual(self.left(), mine)
+        self.assertEqual(second.call("import.look")["name"], "b")
+        second.close()
+        first.send_signal(signal.SIGINT)
+        first.communicate(timeout=60)
+
+    def test_many_files_into_the_open_project(self):
+        browser = self.browser()
+        browser.call("import.begin")
+        for at in range(0, 3000, 1000):
+            browser.call("import.add", files=[part(f"fc{number}.awl", BLOCK.format(number).encode())
+                                              for number in range(at + 1, at + 1001)])
+        result = browser.call("import.run")
+        self.assertEqual(len(result["files"]), 3000)
+        self.assertFalse(result["lost"], result["report"][:5])
 
     def test_the_zip_is_the_folder(self):
         browser = self.browser()

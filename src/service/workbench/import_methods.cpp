@@ -1,4 +1,5 @@
 // Import of what a browser sends: first its files, then what is in them, then the import.
+#include "base/code_page.h"
 #include "workbench/base64.h"
 #include "workbench/import_task.h"
 
@@ -55,8 +56,11 @@ Answer add(const Call& call) {
                    });
 }
 
-std::optional<bool> isListing(const Call& call) {
-  return call.shared.plc ? std::optional(call.plc().build().isListing()) : std::nullopt;
+std::optional<OpenProject> openProject(const Call& call) {
+  if (!call.shared.plc) return std::nullopt;
+  const compilation::Build& build = call.plc().build();
+  return OpenProject{build.project.path, std::string(build.project.model->keyword),
+                     build.isListing(), call.shared.folder.growing()};
 }
 
 // The answer waits for a task that import.cancel ends.
@@ -70,8 +74,8 @@ Answer look(const Call& call) {
   const auto use = std::make_shared<Upload::Use>(call.browser.upload);
   return cancellable(call, elsewhere(call, call.shared.helper,
                                      [use, workspace = call.shared.workspace,
-                                      listing = isListing(call)](const Aside& aside) {
-                                       return lookAt(**use, workspace, listing, aside.stop);
+                                      open = openProject(call)](const Aside& aside) {
+                                       return lookAt(**use, workspace, open, aside.stop);
                                      }));
 }
 
@@ -88,18 +92,30 @@ Imported imported(const Aside& aside, const Upload& upload, const Workspace& wor
   return {std::move(answer), aside.folder.list()};
 }
 
+// 0: as the source says.
+unsigned pageOf(const Fields& fields) {
+  const std::size_t chosen =
+      fields.choice("codePage",
+                    {"", "437", "850", "852", "866", "932", "936", "949", "950", "1250", "1251",
+                     "1252", "1253", "1254", "1255", "1256", "1257", "20866"},
+                    0);
+  static_assert(std::size(kCodePages) == 17);  // these
+  return chosen == 0 ? 0 : kCodePages[chosen - 1];
+}
+
 Answer run(const Call& call) {
   ImportWish wish;
   wish.name = call.fields.text("name", "");
   wish.program = call.fields.text("program", "");
-  const bool cp850 = call.fields.choice("codePage", {"437", "850"}, 0) == 1;
-  wish.codePage = cp850 ? Encoding::Cp850 : Encoding::Cp437;
+  wish.page = pageOf(call.fields);
   if (!call.fields.good()) return call.fields.problems();
   if (const auto why = missing(call)) return *why;
   if (wish.name.empty() && !call.shared.plc) return refused(ProblemCode::P1315);
-  wish.listing = isListing(call).value_or(false);
+  if (wish.name.empty() && !call.shared.folder.growing())
+    return refusedImport("the open project is a single file; choose a new project");
+  wish.open = openProject(call).value_or(OpenProject{});
   const std::uint64_t look = call.shared.nextLook(), shown = call.shared.shown;
-  return cancellable(
+  Answer answer = cancellable(
       call, elsewhere<Imported>(
                 call, call.shared.helper,
                 [use = std::make_shared<Upload::Use>(call.browser.upload),
@@ -112,6 +128,9 @@ Answer run(const Call& call) {
                   if (made.answer) now.shared.discard(std::exchange(now.browser.upload, nullptr));
                   return std::move(made.answer);
                 }));
+  // Who follows the folder would compile again and again what is not complete yet.
+  if (wish.name.empty()) call.shared.adding = call.browser.importing;
+  return answer;
 }
 
 // What has been sent is deleted; an import that is running ends, and leaves nothing behind.

@@ -1,9 +1,10 @@
 #include "workbench/import_task.h"
 
 #include <filesystem>
+#include <span>
 
 #include "importing/look.h"
-#include "project/files.h"
+#include "workbench/import_into.h"
 
 namespace merker::workbench {
 namespace {
@@ -21,6 +22,15 @@ Problems nothingKnown() {
       "symbol table, block or station");
 }
 
+// Why there is nothing: what the source holds and nobody can read.
+Problems nothingIn(const std::vector<std::string>& reasons) {
+  constexpr std::size_t kMost = 5;
+  Problems problems;
+  for (const std::string& text : std::span(reasons).first(std::min(reasons.size(), kMost)))
+    problems.add(ProblemCode::P1308, nowhere(), "the import", text);
+  return reasons.empty() ? nothingKnown() : problems;
+}
+
 // Null: it was imported.
 std::optional<Problems> whyNotImported(const importing::Outcome& outcome, const ImportWish& wish) {
   using importing::Result;
@@ -30,9 +40,12 @@ std::optional<Problems> whyNotImported(const importing::Outcome& outcome, const 
     case Result::Unreadable:
       return notImported("the files cannot be read");
     case Result::Nothing:
-      return nothingKnown();
+      return nothingIn(outcome.refused);
     case Result::NoSuchProgram:
-      return refused(ProblemCode::P1316, "program", wish.program, "");
+      return refused(ProblemCode::P1316, "program", wish.program,
+                     outcome.programs.empty()
+                         ? std::string()
+                         : fmt::format("; there are {}", fmt::join(outcome.programs, ", ")));
     case Result::Exists:
       return refused(ProblemCode::P1312, wish.name);
     case Result::Stopped:
@@ -72,49 +85,23 @@ Json importResult(const std::vector<importing::Report::Line>& lines, Json folder
 
 importing::Outcome runImport(const Upload& upload, const std::string& folder,
                              const ImportWish& wish, const std::stop_token& stop) {
-  return importing::importSource({upload.source(), folder, wish.program, wish.codePage, 0, stop});
-}
-
-// Files that a project of this family has; others would do nothing in it.
-bool fitsFamily(const std::string& path, bool listing) {
-  constexpr std::string_view kStep5[] = {".s5", ".seq", ".txt"};
-  constexpr std::string_view kStep7[] = {".awl", ".mc7", ".sym", ".sdf", ".asc",
-                                         ".dif", ".seq", ".vat", ".txt"};
-  const auto fits = [&](std::string_view ending) { return project::hasExtension(path, ending); };
-  return listing ? std::ranges::any_of(kStep5, fits) : std::ranges::any_of(kStep7, fits);
-}
-
-bool isOfTheImport(const std::string& path) {
-  return path == "merker.toml" || path == "import-report.txt";
-}
-
-// Nothing: the file is in the open project now.
-std::optional<std::string> whyNotAdded(const ProjectFolder& folder, const ProjectFolder& made,
-                                       const std::string& path, bool listing) {
-  const auto file = fitsFamily(path, listing) ? made.file(path) : nullptr;
-  if (!file) return fmt::format("{} does not belong in a project of this PLC", path);
-  const auto problem = folder.create(path, file->text(kLargestFile));
-  if (!problem) return std::nullopt;
-  if (problem->code != ProblemCode::P1312) return problem->message;
-  return fmt::format("{} exists in the project; it was not replaced", path);
-}
-
-// A cancelled import leaves nothing behind.
-Problems takenBack(const ProjectFolder& folder, const Json& files) {
-  for (const Json& path : files) folder.remove(path.get<std::string>());
-  return notImported("it was cancelled");
+  const Encoding dos = wish.page == 850 ? Encoding::Cp850 : Encoding::Cp437;
+  const std::string model = wish.name.empty() ? wish.open.model : std::string();
+  return importing::importSource(
+      {upload.source(), folder, wish.program, dos, wish.page, stop, model});
 }
 
 }  // namespace
 
-Answer lookAt(const Upload& upload, const Workspace& workspace, std::optional<bool> listing,
-              const std::stop_token& stop) {
+Answer lookAt(const Upload& upload, const Workspace& workspace,
+              const std::optional<OpenProject>& open, const std::stop_token& stop) {
   const importing::Contents contents = importing::look(upload.source(), stop);
   if (!contents.readable) return notImported("the files cannot be read");
-  if (contents.empty()) return nothingKnown();
-  const bool fits = listing && (*listing ? contents.step5 : contents.step7);
+  if (contents.empty()) return nothingIn(contents.refused);
+  const bool fits = open && open->growing && (open->listing ? contents.step5 : contents.step7);
   return Json{{"programs", contents.programs},
               {"name", workspace.freeName(upload.name())},
+              {"step7", contents.step7},
               {"step5", contents.step5},
               {"loose", fits && !contents.whole}};
 }
@@ -139,17 +126,11 @@ Answer importInto(const Upload& upload, const ProjectFolder& folder, const Impor
   importing::Outcome outcome = runImport(upload, upload.output(), wish, stop);
   if (auto problems = whyNotImported(outcome, wish)) return *problems;
   if (outcome.folders.size() > 1) return notImported("choose one of its programs");
-  Json files = Json::array();
   const ProjectFolder made(upload.output());
-  for (const std::string& path : project::listFiles(upload.output())) {
-    if (isOfTheImport(path)) continue;
-    if (stop.stop_requested()) return takenBack(folder, files);
-    if (const auto why = whyNotAdded(folder, made, path, wish.listing))
-      outcome.lines.push_back({importing::Effect::Lost, *why});
-    else
-      files.push_back(path);
-  }
-  return importResult(outcome.lines, Json::array(), std::move(files));
+  for (importing::Report::Line& line : outcome.lines) line.text = made.withoutFolder(line.text);
+  Addition addition(folder, made, wish.open);
+  if (!addition.add(outcome.lines, stop)) return notImported("it was cancelled");
+  return importResult(outcome.lines, Json::array(), addition.files());
 }
 
 }  // namespace merker::workbench

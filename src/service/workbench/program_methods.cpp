@@ -247,9 +247,26 @@ Shown shownBlock(const Fields& fields) {
           static_cast<Mnemonics>(fields.choice("mnemonics", {"german", "international"}, 0))};
 }
 
-// `print`: of a block of either side, and its id.
-Answer withBlock(const Call& call,
-                 Json (*print)(const monitor::BlockCode&, const Shown&, const ProjectFolder&)) {
+struct Printed {
+  monitor::BlockCode code;
+  Shown shown;
+  const BlockSource* source;  // null: it has none of its own
+  const ProjectFolder& folder;
+};
+
+// Blocks of the system are the CPU's; a program brings one only if it came from another CPU.
+Result<BlockId> blockOf(std::string_view text, const monitor::ProgramCode& program,
+                        const source::SymbolTable& symbols) {
+  constexpr BlockKind kSystem[] = {BlockKind::SFB, BlockKind::SFC};
+  const auto id = monitor::parseBlockId(text, kSystem);
+  if (!id) return monitor::findBlock(text, {program, symbols, {}});
+  if (program.find(*id)) return *id;
+  return makeProblem(ProblemCode::P1308, nowhere(), toString(*id),
+                     "it is a block of the CPU, which has no machine code to show");
+}
+
+// `print`: of a block of either side.
+Answer withBlock(const Call& call, Json (*print)(const Printed&)) {
   return elsewhere(
       call, call.shared.clerk, [both = both(call), print](const Aside& aside) -> Answer {
         const Shown shown = shownBlock(aside.fields);
@@ -257,24 +274,27 @@ Answer withBlock(const Call& call,
         const compilation::Build& build = shown.cpu ? *both.build : *both.offline->build;
         const monitor::ProgramCode program =
             build.isListing() ? monitor::ProgramCode(build.listings) : both.program(shown.cpu);
-        const auto id = monitor::findBlock(shown.block, {program, both.symbols(), {}});
+        const auto id = blockOf(shown.block, program, both.symbols());
         if (!id) return one(id.error());
-        return print(*program.find(*id), shown, aside.folder);
+        std::map<BlockId, BlockSource> online;
+        if (shown.cpu) online = blockSources(build.project.sources, both.symbols());
+        const auto& sources = shown.cpu ? online : both.offline->sources;
+        const auto source = sources.find(*id);
+        return print({*program.find(*id), shown,
+                      source == sources.end() ? nullptr : &source->second, aside.folder});
       });
 }
 
 Answer showListing(const Call& call) {
-  return withBlock(call,
-                   [](const monitor::BlockCode& code, const Shown& shown, const ProjectFolder&) {
-                     return Json{{"text", listing(code, shown.mnemonics)}};
-                   });
+  return withBlock(call, [](const Printed& printed) {
+    return Json{{"text", listing(printed.code, printed.shown.mnemonics)}};
+  });
 }
 
 Answer showMachineCode(const Call& call) {
-  return withBlock(
-      call, [](const monitor::BlockCode& code, const Shown& shown, const ProjectFolder& folder) {
-        return machineCodeRows(code, shown.mnemonics, folder);
-      });
+  return withBlock(call, [](const Printed& printed) {
+    return machineCodeRows(printed.code, printed.shown.mnemonics, printed.source, printed.folder);
+  });
 }
 
 Answer complete(const Call& call) {

@@ -1,5 +1,6 @@
 #include "workbench/program_rows.h"
 
+#include <algorithm>
 #include <set>
 
 #include "block/container.h"
@@ -222,15 +223,27 @@ std::string listing(const monitor::BlockCode& code, Mnemonics mnemonics) {
   return code.s7() != nullptr ? codeText(*code.s7(), mnemonics) : codeText(*code.s5());
 }
 
+// Where its END_ stands.
+static std::uint32_t lastLine(const BlockSource& source) {
+  const auto lines = static_cast<std::uint32_t>(std::ranges::count(source.text, '\n'));
+  return source.line + std::max(lines, 1u) - 1;
+}
+
 // The longest block has 32,768 instructions.
-Json machineCodeRows(const monitor::BlockCode& code, Mnemonics mnemonics,
+Json machineCodeRows(const monitor::BlockCode& code, Mnemonics mnemonics, const BlockSource* source,
                      const ProjectFolder& folder) {
+  auto list = monitor::machineCode(code, mnemonics);
+  // The BE that ends the block without a statement: its END_ is what it was made of.
+  if (source != nullptr && !list.empty() && list.back().line == 0 && list.front().line != 0)
+    list.back().line = lastLine(*source);
   Json rows = Json::array();
-  for (monitor::MachineCodeRow& row : monitor::machineCode(code, mnemonics))
+  for (monitor::MachineCodeRow& row : list)
     rows.push_back({{"offset", row.offset},
                     {"code", std::move(row.code)},
                     {"text", std::move(row.text)},
-                    {"line", row.line}});
+                    {"line", row.line},
+                    {"initial", std::move(row.initial)},
+                    {"value", std::move(row.value)}});
   return Json{{"block", toString(code.id())},
               {"file", folder.relative(code.file())},
               {"unit", monitor::name(code.unit())},

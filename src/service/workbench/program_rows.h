@@ -22,7 +22,8 @@ Json referenceRows(const std::vector<monitor::CrossReference>& list, const Proje
 Json completion(const compilation::Build& build);
 // Machine code as instructions; of a data block its values.
 std::string listing(const monitor::BlockCode& code, Mnemonics mnemonics);
-Json machineCodeRows(const monitor::BlockCode& code, Mnemonics mnemonics,
+// `source`: of the block, null if it has none.
+Json machineCodeRows(const monitor::BlockCode& code, Mnemonics mnemonics, const BlockSource* source,
                      const ProjectFolder& folder);
 
 }  // namespace merker::workbench

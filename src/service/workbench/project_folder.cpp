@@ -119,7 +119,7 @@ bool writeAll(int file, std::string_view bytes) {
     if (done < 0) return false;
     bytes.remove_prefix(static_cast<std::size_t>(done));
   }
-  return ::fsync(file) == 0;
+  return true;
 }
 
 // Into a file beside it that then takes its place: after a power failure there is the old text or
@@ -136,7 +136,7 @@ bool put(const Place& place, std::string_view bytes, unsigned how) {
                                    O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC,
                                    replaces ? kOwn : kAll));
     if (file && replaces) keepRights(folder, place.name, file.number());
-    good = file && writeAll(file.number(), bytes);
+    good = file && writeAll(file.number(), bytes) && ::fsync(file.number()) == 0;
   }
   good = good && ::renameat2(folder, temporary.c_str(), folder, place.name.c_str(), how) == 0 &&
          (::fsync(folder) == 0 || errno == EINVAL);  // a file system that syncs no folders
@@ -144,6 +144,19 @@ bool put(const Place& place, std::string_view bytes, unsigned how) {
   if (!good) ::unlinkat(folder, temporary.c_str(), 0);
   errno = error;
   return good;
+}
+
+// One of many new files, with as few calls as possible: nobody reads it before it is whole.
+bool putNew(const Place& place, std::string_view bytes) {
+  constexpr mode_t kAll = 0666;  // less the umask
+  const Descriptor file(::openat(place.folder.number(), place.name.c_str(),
+                                 O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, kAll));
+  if (!file) return false;
+  if (writeAll(file.number(), bytes)) return true;
+  const int error = errno;
+  ::unlinkat(place.folder.number(), place.name.c_str(), 0);
+  errno = error;
+  return false;
 }
 
 }  // namespace
@@ -241,12 +254,29 @@ std::optional<Problem> ProjectFolder::write(const std::string& path, std::string
   return put(place, bytes, 0) ? std::nullopt : std::optional(notWritten(path));
 }
 
-std::optional<Problem> ProjectFolder::create(const std::string& path,
-                                             std::string_view bytes) const {
+std::optional<Problem> ProjectFolder::make(const std::string& path, std::string_view bytes,
+                                           bool lasting) const {
   if (auto problem = checkNew(path)) return problem;
   const Place place = open(folder_, path, true);
-  if (place.folder && put(place, bytes, RENAME_NOREPLACE)) return std::nullopt;
+  const auto write = [&] {
+    return lasting ? put(place, bytes, RENAME_NOREPLACE) : putNew(place, bytes);
+  };
+  if (place.folder && write()) return std::nullopt;
   return errno == EEXIST ? makeProblem(ProblemCode::P1312, nowhere(), path) : notWritten(path);
+}
+
+std::optional<Problem> ProjectFolder::create(const std::string& path,
+                                             std::string_view bytes) const {
+  return make(path, bytes, true);
+}
+
+std::optional<Problem> ProjectFolder::add(const std::string& path, std::string_view bytes) const {
+  return make(path, bytes, false);
+}
+
+void ProjectFolder::flush() const {
+  const Place place = open(folder_, "", false);
+  if (place.folder) ::syncfs(place.folder.number());
 }
 
 std::optional<Problem> ProjectFolder::remove(const std::string& path) const {

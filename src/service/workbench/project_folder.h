@@ -64,6 +64,11 @@ class ProjectFolder {
   // P1312 if it is there already. Folders on the way are made; P1314 for more of them than a
   // program is looked for in.
   std::optional<Problem> create(const std::string& path, std::string_view bytes) const;
+  // The same for many: what they are after a power failure is not certain before flush().
+  std::optional<Problem> add(const std::string& path, std::string_view bytes) const;
+  void flush() const;
+  // Whether there can be new files.
+  bool growing() const { return only_.empty(); }
   // Folders that nothing is left in go too.
   std::optional<Problem> remove(const std::string& path) const;
   std::optional<Problem> rename(const std::string& from, const std::string& to) const;
@@ -72,6 +77,7 @@ class ProjectFolder {
   static bool isPath(std::string_view path);
 
  private:
+  std::optional<Problem> make(const std::string& path, std::string_view bytes, bool lasting) const;
   std::optional<Problem> check(const std::string& path) const;
   std::optional<Problem> checkNew(const std::string& path) const;
 

@@ -80,6 +80,7 @@ void Shared::remember(const std::string& opened) {
 
 void Shared::lookAtFiles() {
   if (!plc || lookTask_) return;
+  if (const Work one = adding.lock(); one && !one->done()) return;
   constexpr std::uint64_t kNobody = 0;
   lookNumber_ = nextLook();
   look_ = std::make_shared<Listing>();

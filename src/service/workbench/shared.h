@@ -55,6 +55,7 @@ struct Shared {
   BreakpointLines breakpoints;
   std::weak_ptr<Upload> upload;                   // of all browsers one
   std::uint64_t uploadOwner = 0;                  // the browser
+  std::weak_ptr<Task> adding;                     // that adds files to the project
   std::map<std::uint64_t, BlockId> wantedStatus;  // by browser
   std::optional<Instant> stepEnds;                // of the single step that goes on
   bool probesWait = false;  // breakpoints and program status are not those that are wanted

@@ -1,7 +1,9 @@
 #include "workbench/upload.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -10,7 +12,6 @@
 #include <filesystem>
 
 #include "project/files.h"
-#include "workbench/descriptor.h"
 #include "workbench/json.h"
 #include "workbench/project_folder.h"
 
@@ -35,6 +36,25 @@ fs::path onlyEntry(const fs::path& folder) {
   return found;
 }
 
+const std::string kPrefix = "merker-import-";
+constexpr std::size_t kLetters = 6;  // of mkdtemp
+
+// A folder of this user that no process uses; the lock ends with whoever holds it, however he ends.
+Descriptor locked(const std::string& folder) {
+  Descriptor one(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+  struct stat state {};
+  const bool ours = one && ::fstat(one.number(), &state) == 0 && state.st_uid == ::geteuid();
+  return ours && ::flock(one.number(), LOCK_EX | LOCK_NB) == 0 ? std::move(one) : Descriptor();
+}
+
+// Whether the name still means what was locked.
+bool isFolder(const std::string& folder, const Descriptor& lock) {
+  struct stat named {
+  }, open{};
+  return ::lstat(folder.c_str(), &named) == 0 && ::fstat(lock.number(), &open) == 0 &&
+         named.st_dev == open.st_dev && named.st_ino == open.st_ino;
+}
+
 bool appendAll(int file, std::span<const std::uint8_t> bytes) {
   while (!bytes.empty()) {
     const ssize_t done = ::write(file, bytes.data(), bytes.size());
@@ -47,10 +67,29 @@ bool appendAll(int file, std::span<const std::uint8_t> bytes) {
 }  // namespace
 
 std::shared_ptr<Upload> Upload::make() {
+  constexpr int kTries = 3;  // somebody who sweeps may have been faster
+  for (int i = 0; i < kTries; ++i) {
+    std::error_code error;
+    std::string folder = (fs::temp_directory_path(error) / (kPrefix + "XXXXXX")).string();
+    if (error || ::mkdtemp(folder.data()) == nullptr) return nullptr;  // for this user only
+    if (Descriptor lock = locked(folder); lock && isFolder(folder, lock))
+      return std::shared_ptr<Upload>(new Upload(std::move(folder), std::move(lock)));
+  }
+  return nullptr;
+}
+
+// Links are not followed, neither here nor in what is deleted.
+void Upload::sweep() {
   std::error_code error;
-  std::string folder = (fs::temp_directory_path(error) / "merker-import-XXXXXX").string();
-  if (error || ::mkdtemp(folder.data()) == nullptr) return nullptr;  // for this user only
-  return std::shared_ptr<Upload>(new Upload(std::move(folder)));
+  const fs::path all = fs::temp_directory_path(error);
+  for (fs::directory_iterator at(all, error); !error && at != fs::directory_iterator();
+       at.increment(error)) {
+    const std::string name = at->path().filename().string();
+    if (!name.starts_with(kPrefix) || name.size() != kPrefix.size() + kLetters) continue;
+    const Descriptor lock = locked(at->path().string());
+    std::error_code ignored;
+    if (lock && isFolder(at->path().string(), lock)) fs::remove_all(at->path(), ignored);
+  }
 }
 
 Upload::~Upload() {

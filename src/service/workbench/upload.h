@@ -1,4 +1,5 @@
 // What a browser sends to be imported: files in a temporary folder that is gone with its last user.
+// While it is used it is locked, so that one whose process was killed can be told from others.
 #pragma once
 
 #include <atomic>
@@ -8,6 +9,7 @@
 #include <string>
 
 #include "base/problem.h"
+#include "workbench/descriptor.h"
 
 namespace merker::workbench {
 
@@ -18,6 +20,8 @@ class Upload {
 
   // Null: there is no temporary folder.
   static std::shared_ptr<Upload> make();
+  // Deletes what processes of this user that have ended left behind.
+  static void sweep();
   ~Upload();
   Upload(const Upload&) = delete;
   Upload& operator=(const Upload&) = delete;
@@ -36,10 +40,12 @@ class Upload {
   bool used() const { return uses_ > 0; }
 
  private:
-  explicit Upload(std::string folder) : folder_(std::move(folder)) {}
+  Upload(std::string folder, Descriptor lock)
+      : folder_(std::move(folder)), lock_(std::move(lock)) {}
   std::string input() const { return folder_ + "/input"; }
 
   std::string folder_;
+  Descriptor lock_;  // of the folder, as long as it is open
   std::uint64_t bytes_ = 0;
   std::size_t files_ = 0;
   std::atomic<int> uses_ = 0;

@@ -71,6 +71,14 @@ PageGuess commonPage(const archive::Tree& tree) {
   return guessedPage(all);
 }
 
+void addOwn(const archive::Tree::Entry& entry, const archive::File& file, const Page& page,
+            Material& material, Report& report) {
+  if (file.size() > kLargest)
+    return report.add(Note::LongSource, entry.path, source::kLargestSource);
+  const auto text = readText(entry.path, file.text(kLargest), page, report);
+  if (text) material.files.push_back({std::string(archive::nameOf(entry.path)), *text, false});
+}
+
 }  // namespace
 
 Material materialOf(const archive::Tree& tree, const std::string& name, unsigned page,
@@ -80,8 +88,14 @@ Material materialOf(const archive::Tree& tree, const std::string& name, unsigned
   const Page pages{page, page == 0 ? commonPage(tree) : PageGuess{}};
   for (const auto& entry : tree.files()) {
     const auto file = tree.open(entry);
-    const Kind kind = file ? recognise(*file) : Kind::Unknown;
-    if (kind != Kind::Unknown) add(entry, *file, kind, pages, material, report);
+    if (!file) continue;  // the tree says why
+    const Kind kind = recognise(*file);
+    if (kind != Kind::Unknown)
+      add(entry, *file, kind, pages, material, report);
+    else if (isOwnFile(entry.path, *file))
+      addOwn(entry, *file, pages, material, report);
+    else
+      report.add(Note::UnknownFile, entry.path);
   }
   return material;
 }

@@ -3,62 +3,28 @@
 #include <algorithm>
 
 #include "archive/tree.h"
-#include "base/text.h"
 #include "base/visible.h"
-#include "compilation/build.h"
+#include "importing/candidates.h"
+#include "importing/check.h"
 #include "importing/file_material.h"
-#include "importing/merker_project.h"
 #include "importing/output.h"
 #include "importing/project_writer.h"
 #include "importing/s7p_material.h"
-#include "importing/step5_material.h"
 #include "importing/unused.h"
 
 namespace merker::importing {
 namespace {
 
-// A program of STEP 7, of STEP 5 or of Merker itself.
-struct Candidate {
-  std::string name;
-  const s7p::Project* project = nullptr;
-  const s7p::Program* program = nullptr;
-  const Step5Program* step5 = nullptr;
-  const MerkerProject* merker = nullptr;
-};
-
-std::vector<Candidate> candidates(const std::vector<s7p::Project>& projects,
-                                  const std::vector<Step5Program>& step5,
-                                  const std::vector<MerkerProject>& merker) {
-  std::vector<Candidate> list;
-  for (const s7p::Project& project : projects)
-    for (const s7p::Program& program : project.programs)
-      list.push_back({program.name, &project, &program, nullptr, nullptr});
-  for (const MerkerProject& project : merker)
-    list.push_back({project.name, nullptr, nullptr, nullptr, &project});
-  if (!merker.empty()) return list;  // what lies in them is theirs
-  for (const Step5Program& program : step5)
-    list.push_back({program.name, nullptr, nullptr, &program, nullptr});
-  return list;
-}
-
-// What `merker check` will say about the new project.
-void check(const Output& output, Report& report) {
-  if (output.stopped()) return;
-  compilation::Build build = compilation::build(project::load(output.folder(), ""), false);
-  if (build.ok()) return;
-  for (const Problem& problem : build.problems.list())
-    if (problem.severity() == Severity::Error)
-      return report.add(
-          Note::StillProblems, build.problems.count(Severity::Error),
-          fmt::format("{}:{}: {}", problem.position.file, problem.position.line, problem.message),
-          build.problems.count(Severity::Error) == 1 ? "error" : "errors");
+// Into a project that exists it is checked as a whole, later.
+void check(const Output& output, const Options& options, Report& report) {
+  if (!output.stopped() && options.model.empty()) reportCheck(output.folder(), report);
 }
 
 void write(const Material& material, const std::string& folder, const Options& options,
            Report& report) {
   Output output(folder, report, options.stop);
   writeProject(material, output, report);
-  check(output, report);
+  check(output, options, report);
 }
 
 // The report of one folder, in it and for the terminal.
@@ -68,14 +34,15 @@ void finish(const std::string& folder, Report& report, Outcome& outcome) {
   outcome.report += text;
   outcome.folders.push_back(folder);
   outcome.lines.insert(outcome.lines.end(), report.lines().begin(), report.lines().end());
-  outcome.lost |= report.count(Effect::Lost) > 0;
+  outcome.lost |= report.lost();
 }
 
 void importStep7(const archive::Tree& tree, const Candidate& candidate, const Options& options,
                  const std::string& folder, Report& report) {
   report.add(Note::Program, candidate.name, candidate.project->name);
   report.add(Note::CodePage, candidate.project->page.number());
-  const Material material = materialOf(tree, *candidate.project, *candidate.program, report);
+  Material material = materialOf(tree, *candidate.project, *candidate.program, report);
+  material.model = options.model;
   if (material.blocks.empty()) report.add(Note::EmptyProgram, candidate.name);
   for (const archive::Refused& refused : tree.refused()) report.add(refused);
   write(material, folder, options, report);
@@ -87,7 +54,7 @@ void importMerker(const archive::Tree& tree, const Candidate& candidate, const O
   Output output(folder, report, options.stop);
   copyMerkerProject(tree, *candidate.merker, output, report);
   for (const archive::Refused& refused : tree.refused()) report.add(refused);
-  check(output, report);
+  check(output, options, report);
 }
 
 void importStep5(const archive::Tree& tree, const Candidate& candidate, const Options& options,
@@ -98,7 +65,7 @@ void importStep5(const archive::Tree& tree, const Candidate& candidate, const Op
       writeStep5Project(tree, options.source, *candidate.step5, options.codePage, output, report);
   for (const archive::Refused& refused : tree.refused()) report.add(refused);
   if (any)
-    check(output, report);
+    check(output, options, report);
   else
     report.add(Note::EmptyProgram, candidate.name);
 }
@@ -139,13 +106,11 @@ Outcome importSource(const Options& options) {
   const std::vector<s7p::Project> projects = s7p::findProjects(tree, faults, options.page);
   for (const s7p::Fault& fault : faults) common.add(fault);
   const std::vector<Step5Program> step5 = step5Programs(tree, projects.empty());
-  reportUnused(tree, projects, common);
   const std::vector<MerkerProject> merker = merkerProjects(tree, options.source);
-  std::vector<Candidate> chosen = candidates(projects, step5, merker);
-  for (const Candidate& candidate : chosen) outcome.programs.push_back(candidate.name);
-  if (!options.program.empty())
-    std::erase_if(chosen,
-                  [&](const Candidate& c) { return !equalsIgnoreCase(c.name, options.program); });
+  reportUnused(tree, projects, step5, merker, common);
+  const std::vector<Candidate> all = candidates(projects, step5, merker);
+  outcome.programs = labels(all);
+  const std::vector<Candidate> chosen = chosenOf(all, options.program);
   if (chosen.empty() && !options.program.empty()) {
     outcome.result = Result::NoSuchProgram;
     return outcome;
@@ -160,11 +125,13 @@ Outcome importSource(const Options& options) {
     return outcome;
   }
   Report report = common;
-  const Material material = materialOf(tree, stemOf(options.source), options.page, report);
+  Material material = materialOf(tree, stemOf(options.source), options.page, report);
+  material.model = options.model;
   for (const archive::Refused& refused : tree.refused()) report.add(refused);
   if (material.empty()) {
     outcome.result = Result::Nothing;
     outcome.report = report.text();
+    outcome.refused = reasons(tree);
     return outcome;
   }
   write(material, outcome.folder, options, report);

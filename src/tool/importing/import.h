@@ -12,11 +12,12 @@ namespace merker::importing {
 
 struct Options {
   std::string source;
-  std::string folder;                   // empty: named after the source, in the current folder
-  std::string program;                  // only this one; empty: all
+  std::string folder;   // empty: named after the source, in the current folder
+  std::string program;  // only this one, by its label or a name that is unique; empty: all
   Encoding codePage = Encoding::Cp437;  // of STEP 5: Cp437 or Cp850
   unsigned page = 0;  // of texts that are not Unicode; 0: what the project names, or by content
   std::stop_token stop{};  // what has been written by then stays
+  std::string model{};     // CPU of the project that it goes into; empty: a project of its own
 };
 
 enum class Result : std::uint8_t {
@@ -31,10 +32,11 @@ enum class Result : std::uint8_t {
 struct Outcome {
   Result result = Result::Imported;
   std::string folder;
-  std::vector<std::string> programs;  // names
+  std::vector<std::string> programs;  // what tells them apart
   std::vector<std::string> folders;   // one for each program
   std::string report;                 // also in FOLDER/import-report.txt
   std::vector<Report::Line> lines;    // the same, one by one
+  std::vector<std::string> refused;   // why there is nothing: "a.awl: it is encrypted"
   bool lost = false;                  // a block or more did not come
 };
 

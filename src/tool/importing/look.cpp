@@ -1,9 +1,8 @@
 #include "importing/look.h"
 
-#include "importing/merker_project.h"
+#include "importing/candidates.h"
 #include "importing/recognise.h"
-#include "importing/step5_material.h"
-#include "s7p/catalogue.h"
+#include "importing/report.h"
 
 namespace merker::importing {
 namespace {
@@ -14,8 +13,9 @@ void addLoose(const archive::Tree& tree, Contents& contents, const std::stop_tok
     if (stop.stop_requested()) return;
     const auto file = tree.open(entry);
     const Kind kind = file ? recognise(*file) : Kind::Unknown;
-    contents.step7 |= kind != Kind::Unknown;
-    contents.step5 |= kind == Kind::Seq;
+    const bool own = file && kind == Kind::Unknown && isOwnFile(entry.path, *file);
+    contents.step7 |= own || kind != Kind::Unknown;
+    contents.step5 |= own || kind == Kind::Seq;
     contents.whole |= kind == Kind::Hardware;
   }
 }
@@ -28,18 +28,17 @@ Contents look(const std::string& source, const std::stop_token& stop) {
   contents.readable = tree.readable();
   s7p::Faults faults;
   const auto projects = s7p::findProjects(tree, faults);
-  for (const s7p::Project& project : projects)
-    for (const s7p::Program& program : project.programs) contents.programs.push_back(program.name);
-  contents.step7 = contents.whole = !contents.programs.empty();
   const auto merker = merkerProjects(tree, source);
-  for (const MerkerProject& project : merker) contents.programs.push_back(project.name);
-  contents.whole |= !merker.empty();
-  if (merker.empty())
-    for (const Step5Program& program : step5Programs(tree, projects.empty())) {
-      contents.programs.push_back(program.name);
-      contents.step5 = true;
-    }
-  if (contents.programs.empty()) addLoose(tree, contents, stop);
+  const auto step5 = step5Programs(tree, projects.empty());
+  const auto programs = candidates(projects, step5, merker);
+  contents.programs = labels(programs);
+  for (const Candidate& one : programs) {
+    contents.step7 |= one.program != nullptr;
+    contents.step5 |= one.step5 != nullptr;
+    contents.whole |= one.program != nullptr || one.merker != nullptr;
+  }
+  if (programs.empty()) addLoose(tree, contents, stop);
+  contents.refused = reasons(tree);
   return contents;
 }
 

@@ -9,9 +9,11 @@ namespace merker::importing {
 
 struct Contents {
   bool readable = false;
-  std::vector<std::string> programs;  // of STEP 7, STEP 5 and Merker: each becomes a project
+  // Of STEP 7, STEP 5 and Merker: each becomes a project. What tells them apart.
+  std::vector<std::string> programs;
   bool step7 = false, step5 = false;  // of what families they and the single files are
   bool whole = false;                 // a project of STEP 7 or Merker, or a station: no loose files
+  std::vector<std::string> refused;   // "a.awl: it is encrypted"
   bool empty() const { return programs.empty() && !step7 && !step5; }
 };
 

@@ -27,6 +27,7 @@ struct HardwareModule {
 struct Material {
   std::string name;  // of the program
   std::string station, cpu, cpuOrderNumber;
+  std::string model;  // of the project that it goes into; empty: it brings its own CPU
   std::vector<s7p::StoredBlock> blocks;
   std::vector<s7p::SymbolRow> symbols;
   // Sources that belong to stored blocks, drafts, other languages.

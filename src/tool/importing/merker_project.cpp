@@ -6,6 +6,7 @@ namespace merker::importing {
 namespace {
 
 constexpr std::string_view kSettings = "merker.toml";
+constexpr std::string_view kReport = "import-report.txt";  // of the import before; a new one comes
 constexpr std::size_t kMega = 1 << 20, kLargestCopy = 64 * kMega;
 
 // Also the folder itself.
@@ -44,7 +45,7 @@ void copyMerkerProject(const archive::Tree& tree, const MerkerProject& project, 
     if (output.stopped()) return;
     const std::string path =
         entry.path.substr(project.folder.empty() ? 0 : project.folder.size() + 1);
-    if (!isPlain(path)) continue;
+    if (!isPlain(path) || archive::folded(path) == kReport) continue;
     const auto file = tree.open(entry);
     if (!file) continue;  // the tree says why
     if (file->size() > kLargestCopy)

@@ -69,7 +69,7 @@ void writeTables(const Material& material, Output& output, Report& report) {
 void writeProject(const Material& material, Output& output, Report& report) {
   if (!material.station.empty() || !material.cpu.empty())
     report.add(Note::Station, material.station, material.cpu);
-  const std::string model = modelOf(material, report);
+  const std::string model = material.model.empty() ? modelOf(material, report) : material.model;
   output.write("merker.toml", settingsText(material, model, report));
   if (material.modulesLeftOut > 0) report.add(Note::ModulesLeftOut, material.modulesLeftOut);
   if (material.fromProject && !material.cpu.empty()) report.add(Note::NoAddresses);
@@ -88,6 +88,7 @@ void writeProject(const Material& material, Output& output, Report& report) {
   for (const TextFile& file : material.files) {
     const std::size_t point = file.name.rfind('.');
     const std::string name = output.unused(file.name.substr(0, point), file.name.substr(point));
+    if (name != file.name) report.add(Note::Renamed, file.name, name);
     if (output.write(name, file.text)) report.add(Note::Listing, name);
   }
   for (const TextFile& file : material.foreign)

@@ -83,6 +83,16 @@ Kind recognise(const archive::File& file) {
   return ofText(bytes) == Kind::Unknown ? Kind::Unknown : Kind::Damaged;
 }
 
+bool isOwnFile(std::string_view path, const archive::File& file) {
+  static constexpr std::string_view kEndings[] = {".sym", ".scn", ".vat", ".state", ".rec"};
+  const std::string name = archive::folded(archive::nameOf(path));
+  const bool named = std::ranges::any_of(kEndings, [&](std::string_view ending) {
+    return name.size() > ending.size() && name.ends_with(ending);
+  });
+  const auto text = named ? decoded(file.text(kLooked)) : std::nullopt;
+  return text && text->find('\0') == std::string::npos;
+}
+
 std::string_view symbolExtension(Kind kind) {
   static constexpr std::pair<Kind, std::string_view> kExtensions[] = {
       {Kind::Sdf, ".sdf"}, {Kind::Asc, ".asc"}, {Kind::Dif, ".dif"}, {Kind::Seq, ".seq"}};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "archive/tree.h"
 
@@ -21,6 +22,9 @@ enum class Kind : std::uint8_t {
 
 // Looks at the beginning of the file.
 Kind recognise(const archive::File& file);
+// A file that Merker has in its own projects and that only its name tells: symbols, a scenario, a
+// variable table, a stored state, a recording.
+bool isOwnFile(std::string_view path, const archive::File& file);
 // ".sdf" and the like; empty for other kinds.
 std::string_view symbolExtension(Kind kind);
 

@@ -51,11 +51,13 @@ std::string_view reason(archive::Refusal why) {
 void Report::addText(Note note, const std::vector<std::string>& arguments) {
   const Row& row = kRows[static_cast<std::size_t>(note)];
   ++counts_[static_cast<std::size_t>(row.effect)];
+  lost_ |= row.effect == Effect::Lost && note != Note::UnknownFile;
   if (lines_.size() >= kMostLines) return;
   fmt::dynamic_format_arg_store<fmt::format_context> store;
   // Names come from outside: control characters must reach neither a terminal nor the file.
   for (const std::string& argument : arguments) store.push_back(visible(argument));
-  lines_.push_back({row.effect, fmt::vformat(row.text, store)});
+  lines_.push_back({row.effect, fmt::vformat(row.text, store),
+                    note == Note::Listing ? arguments.front() : std::string()});
 }
 
 void Report::add(const s7p::Fault& fault) {
@@ -110,6 +112,14 @@ std::string Report::text() const {
     if (shown < count(effect)) out += fmt::format("  and {} more\n", count(effect) - shown);
   }
   return out;
+}
+
+std::vector<std::string> reasons(const archive::Tree& tree) {
+  Report refused;
+  for (const archive::Refused& one : tree.refused()) refused.add(one);
+  std::vector<std::string> texts;
+  for (const Report::Line& line : refused.lines()) texts.push_back(line.text);
+  return texts;
 }
 
 }  // namespace merker::importing

@@ -36,16 +36,23 @@ class Report {
   struct Line {
     Effect effect;
     std::string text;
+    std::string file{};  // that the line says to have come
   };
   // Lines for a file or a terminal: what is lost stands last.
   std::string text() const;
   const std::vector<Line>& lines() const { return lines_; }
   std::size_t count(Effect effect) const;
+  // Something did not come that an import is for: a letter beside it is named and no loss.
+  bool lost() const { return lost_; }
 
  private:
   void addText(Note note, const std::vector<std::string>& arguments);
   std::vector<Line> lines_;
   std::array<std::size_t, 3> counts_{};
+  bool lost_ = false;
 };
+
+// Sentences about what nobody can read in a tree.
+std::vector<std::string> reasons(const archive::Tree& tree);
 
 }  // namespace merker::importing

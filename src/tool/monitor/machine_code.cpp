@@ -2,6 +2,7 @@
 
 #include "mc5/disassembly.h"
 #include "mc7/disassembly.h"
+#include "monitor/data_rows.h"
 
 namespace merker::monitor {
 namespace {
@@ -22,20 +23,8 @@ std::string wordsOf(std::span<const std::uint16_t> words) {
   return text;
 }
 
-// Values of a data block: so many bytes or words a row.
-template <typename Cell>
-Rows dataRows(const std::vector<Cell>& cells, std::size_t each) {
-  Rows rows;
-  for (std::size_t at = 0; at < cells.size(); at += each) {
-    const auto part = std::span(cells).subspan(at, std::min(each, cells.size() - at));
-    rows.push_back({static_cast<std::uint32_t>(at), wordsOf(part), {}, 0});
-  }
-  return rows;
-}
-
 Rows rowsOf(const block::Block& block, Mnemonics mnemonics) {
-  constexpr std::size_t kBytes = 16;
-  if (block.code.empty()) return dataRows(block.actualData, kBytes);
+  if (block.code.empty()) return dataRows(block);
   Rows rows;
   for (const mc7::Line& line : mc7::disassemble(block.code, mnemonics))
     rows.push_back({line.offset, wordsOf(line.bytes), line.text, 0});
@@ -43,8 +32,7 @@ Rows rowsOf(const block::Block& block, Mnemonics mnemonics) {
 }
 
 Rows rowsOf(const mc5::Block& block) {
-  constexpr std::size_t kWords = 8;
-  if (block.id.type == mc5::BlockType::Db) return dataRows(block.words, kWords);
+  if (block.id.type == mc5::BlockType::Db) return dataRows(block);
   Rows rows;
   for (const mc5::Line& line : mc5::disassemble(block.words))
     rows.push_back({line.offset, wordsOf(line.words), line.text, 0});
@@ -57,11 +45,16 @@ Rows machineCode(const BlockCode& code, Mnemonics mnemonics) {
   Rows rows = code.s7() != nullptr ? rowsOf(*code.s7(), mnemonics) : rowsOf(*code.s5());
   std::size_t next = 0;
   std::uint32_t line = 0;
+  bool own = true;  // a statement of the source begins there
   for (MachineCodeRow& row : rows) {
-    for (; next < code.lineCount() && code.line(next).offset <= row.offset; ++next)
+    own = false;
+    for (; next < code.lineCount() && code.line(next).offset <= row.offset; ++next) {
       line = code.line(next).line;
+      own = true;
+    }
     row.line = line;
   }
+  if (!own && rows.back().text == "BE") rows.back().line = 0;
   return rows;
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/text.h"
 #include "project/deep_key.h"
+#include "project/files.h"
 #include "project/path_pattern.h"
 #include "project/readers.h"
 #include "project/settings_text.h"
@@ -186,15 +187,29 @@ bool finds(const toml::array& list, std::string_view path) {
   });
 }
 
+void append(View& view, const toml::array& list, std::string_view path) {
+  const toml::source_position& end = list.back().source().end;
+  view.text().replace(end.line, end.column, end.line, end.column, ", " + inQuotes(path));
+}
+
 void renameIn(View& view, const toml::array& list, std::string_view from, std::string_view to) {
   if (const toml::node* entry = entryOf(list, from)) {
     const toml::source_region& place = entry->source();
     view.text().replace(place.begin.line, place.begin.column, place.end.line, place.end.column,
                         inQuotes(to));
   } else if (finds(list, from) && !finds(list, to)) {
-    const toml::source_position& end = list.back().source().end;
-    view.text().replace(end.line, end.column, end.line, end.column, ", " + inQuotes(to));
+    append(view, list, to);
   }
+}
+
+// The list that this file would stand in.
+std::string_view listFor(std::string_view path) {
+  constexpr std::pair<std::string_view, std::string_view> kEndings[] = {
+      {".awl", "sources"}, {".mc7", "sources"}, {".s5", "sources"},  {".sym", "symbols"},
+      {".sdf", "symbols"}, {".asc", "symbols"}, {".dif", "symbols"}, {".seq", "symbols"}};
+  for (const auto& [ending, key] : kEndings)
+    if (hasExtension(path, ending)) return key;
+  return {};
 }
 
 std::string listWithout(const toml::array& list, std::string_view path) {
@@ -321,6 +336,20 @@ void SettingsEdit::removeFile(std::string_view path) {
     if (list != nullptr && entryOf(*list, path) != nullptr)
       setIn("program", key, listWithout(*list, path));
   }
+}
+
+bool SettingsEdit::addFile(std::string_view path) {
+  const std::string_view key = listFor(path);
+  View view(text_);
+  const toml::array* list = view.good() && !key.empty() ? fileList(view, key) : nullptr;
+  if (list == nullptr || finds(*list, path)) return false;
+  if (list->empty()) {
+    setIn("program", key, "[" + inQuotes(path) + "]");
+  } else {
+    append(view, *list, path);
+    take(view.text().text());
+  }
+  return true;
 }
 
 std::vector<ModuleLines> SettingsEdit::modules() const {

@@ -52,6 +52,9 @@ class SettingsEdit {
   // none would find under its new name is added.
   void renameFile(std::string_view from, std::string_view to);
   void removeFile(std::string_view path);
+  // A new file: where [program] lists files of its kind and none finds it, it is added. True: it
+  // was.
+  bool addFile(std::string_view path);
 
   // The modules in the order of their lines.
   std::vector<ModuleLines> modules() const;

@@ -97,6 +97,8 @@ TEST(Files, aProjectOfMerkerComesAsItWas) {
   EXPECT_EQ(folder.read("out/lib/picture.bin"), std::string("\0\1", 2));
   EXPECT_FALSE(folder.has("out/.git/config"));
   EXPECT_FALSE(folder.has("out/beside.txt"));
+  EXPECT_NE(outcome.report.find("beside.txt is not a file that can be imported"),
+            std::string::npos);
   EXPECT_EQ(outcome.folders, std::vector<std::string>{folder.path("out")});
 }
 

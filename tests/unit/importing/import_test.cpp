@@ -354,9 +354,26 @@ TEST(Import, filesBesideAProjectAreNamed) {
   files["plant/more.awl"] = kProgram;
   const Import done(files);
   EXPECT_TRUE(done.outcome.lost);
-  EXPECT_TRUE(hasLine(done.outcome.report, "files beside a STEP 7 project",
-                      ": 2 (extra.awl, plant/more.awl)"))
+  EXPECT_TRUE(
+      hasLine(done.outcome.report, "files beside the projects", ": 2 (extra.awl, plant/more.awl)"))
       << done.outcome.report;
+}
+
+// What the manager shows tells programs of one name apart, and if that is equal, too, their folder.
+TEST(Import, programsOfOneNameAreChosenByTheirPath) {
+  s7p_files::Files files;
+  for (const auto& [name, bytes] : project().files())
+    for (const char* folder : {"old/", "new/"}) files[folder + name] = bytes;
+  const Import all(files);
+  ASSERT_EQ(all.outcome.programs.size(), 2u);
+  EXPECT_NE(all.outcome.programs[0], all.outcome.programs[1]);
+  EXPECT_TRUE(all.outcome.programs[0].starts_with("new/")) << all.outcome.programs[0];
+  EXPECT_EQ(all.outcome.folders.size(), 2u);
+  const Import one(files, all.outcome.programs[1]);
+  ASSERT_EQ(one.outcome.result, Result::Imported);
+  EXPECT_EQ(one.outcome.folders.size(), 1u);
+  const std::string name = all.outcome.programs[0].substr(all.outcome.programs[0].rfind('/') + 1);
+  EXPECT_EQ(Import(files, name).outcome.result, Result::NoSuchProgram);
 }
 
 // S7P section 10

@@ -131,6 +131,26 @@ TEST(SettingsEdit, FilesOfTheProgramKeepTheirPlace) {
   EXPECT_EQ(three.text(), kText);
 }
 
+TEST(SettingsEdit, NewFilesAreListedWhereFilesAreListed) {
+  SettingsEdit one = edit(
+      "# plant\n[program]\nsources = [ # in this order\n  \"a.awl\",  # first\n  \"lib/*.awl\" ]  "
+      "# "
+      "end\nsymbols = []\n");
+  EXPECT_TRUE(one.addFile("b.awl"));
+  EXPECT_FALSE(one.addFile("B.AWL"));      // it is there
+  EXPECT_FALSE(one.addFile("lib/c.awl"));  // a pattern finds it
+  EXPECT_TRUE(one.addFile("FC1.mc7"));
+  EXPECT_TRUE(one.addFile("names.sdf"));
+  EXPECT_FALSE(one.addFile("letter.txt"));
+  EXPECT_EQ(
+      one.text(),
+      "# plant\n[program]\nsources = [ # in this order\n  \"a.awl\",  # first\n  \"lib/*.awl\", "
+      "\"b.awl\", \"FC1.mc7\" ]  # end\nsymbols = [\"names.sdf\"]\n");
+  SettingsEdit two = edit();
+  EXPECT_FALSE(two.addFile("b.awl"));  // no list: all are sources
+  EXPECT_EQ(two.text(), kText);
+}
+
 TEST(SettingsEdit, LinesBelongToModules) {
   const std::vector<ModuleLines> modules = edit().modules();
   const auto at = [&](std::uint32_t line) -> std::optional<ModulePlace> {

@@ -185,7 +185,8 @@ TEST(Program, ShowsMachineCodeBesideItsSource) {
   EXPECT_EQ(code["block"], "OB 1");
   EXPECT_EQ(code["file"], "main.awl");
   EXPECT_EQ(code["unit"], "byte");
-  const Json first = {{"offset", 0}, {"code", "C000"}, {"text", "U     E 0.0"}, {"line", 11}};
+  const Json first = {{"offset", 0}, {"code", "C000"}, {"text", "U     E 0.0"},
+                      {"line", 11},  {"initial", ""},  {"value", ""}};
   EXPECT_EQ(code["rows"][0], first);
   EXPECT_EQ(code["rows"][2]["offset"], 4);
   EXPECT_EQ(code["rows"][2]["line"], 13);
@@ -194,9 +195,58 @@ TEST(Program, ShowsMachineCodeBesideItsSource) {
                        {{"block", "OB 1"}, {"mnemonics", "international"}})["rows"][0]["text"],
             "A     I 0.0");
   const Json data = bench.call("program.machineCode", {{"block", "DB 1"}, {"side", "online"}});
-  EXPECT_EQ(data["rows"],
-            Json({{{"offset", 0}, {"code", "0005 3FC0 0000"}, {"text", ""}, {"line", 0}}}));
+  EXPECT_EQ(data["rows"], Json({{{"offset", 0},
+                                 {"code", "0005"},
+                                 {"text", "DBW 0  count : INT"},
+                                 {"line", 0},
+                                 {"initial", "5"},
+                                 {"value", "5"}},
+                                {{"offset", 2},
+                                 {"code", "3FC0 0000"},
+                                 {"text", "DBD 2  level : REAL"},
+                                 {"line", 0},
+                                 {"initial", "1.500000e+000"},
+                                 {"value", "1.500000e+000"}}}));
   EXPECT_EQ(bench.problem("program.machineCode", {{"block", "FC 9"}}), "P1206");
+  // Blocks of the CPU have none, and are no wrong names either.
+  EXPECT_EQ(bench.problem("program.machineCode", {{"block", "SFB 4"}}), "P1308");
+}
+
+// The BE that the compiler adds was made of the line that ends the block, one that is written of
+// its own.
+TEST(Program, TheEndOfABlockHasItsLine) {
+  Bench bench(
+      "FUNCTION FC 1 : VOID\nBEGIN\nNETWORK\n  U E 0.0;\n  = A 0.0;\nEND_FUNCTION\n"
+      "FUNCTION FC 2 : VOID\nBEGIN\nNETWORK\n  U E 0.0;\n  BE;\nEND_FUNCTION\n");
+  const auto last = [&](const char* block) {
+    return bench.call("program.machineCode", {{"block", block}})["rows"].back();
+  };
+  EXPECT_EQ(last("FC 1")["text"], "BE");
+  EXPECT_EQ(last("FC 1")["line"], 6);
+  const Json rows = bench.call("program.machineCode", {{"block", "FC 2"}})["rows"];
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_EQ(rows[1]["line"], 11);
+  EXPECT_EQ(rows[2]["line"], 12);
+}
+
+// Bits, arrays and structures by their names and addresses; what changed keeps what it began with.
+TEST(Program, ShowsTheVariablesOfADataBlock) {
+  Bench bench(
+      "DATA_BLOCK DB 2\nSTRUCT\n  run : BOOL;\n  stop : BOOL := TRUE;\n"
+      "  list : ARRAY [1..2] OF INT := 2 (7);\n  part : STRUCT\n   name : STRING [3] := 'ab';\n"
+      "  END_STRUCT;\nEND_STRUCT;\nBEGIN\n  list[2] := 8;\nEND_DATA_BLOCK\n");
+  std::string text;
+  const Json shown = bench.call("program.machineCode", {{"block", "DB 2"}});
+  for (const Json& row : shown["rows"])
+    text +=
+        fmt::format("{} {} | {} | {}\n", row["offset"].get<int>(), row["text"].get<std::string>(),
+                    row["initial"].get<std::string>(), row["value"].get<std::string>());
+  EXPECT_EQ(text,
+            "0 DBX 0.0  run : BOOL | FALSE | FALSE\n"
+            "0 DBX 0.1  stop : BOOL | TRUE | TRUE\n"
+            "2 DBW 2  list[1] : INT | 7 | 7\n"
+            "4 DBW 4  list[2] : INT | 7 | 8\n"
+            "6 DBB 6  part.name : STRING [3] | 'ab' | 'ab'\n");
 }
 
 TEST(Program, KnowsWhatCanBeCompleted) {

@@ -1,76 +1,17 @@
 // Import and download: what a browser sends becomes a project or files of one, and nothing else
 // is left behind.
 
-#include <zip.h>
+#include "transfer.h"
 
-#include <algorithm>
 #include <deque>
 
 #include "archive/tree.h"
-#include "bench.h"
-#include "workbench/base64.h"
 #include "workbench/upload.h"
 
 namespace merker::workbench::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string base64(std::string_view text) {
-  return toBase64({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
-}
-
-std::string bytesOf(const std::string& text) {
-  const auto bytes = fromBase64(text);
-  EXPECT_TRUE(bytes) << text;
-  return bytes ? std::string(bytes->begin(), bytes->end()) : "";
-}
-
-std::string zipOf(const std::map<std::string, std::string>& files) {
-  const Folder folder;
-  zip_t* zip = zip_open(folder.path("x.zip").c_str(), ZIP_CREATE, nullptr);
-  for (const auto& [name, bytes] : files)
-    zip_file_add(zip, name.c_str(), zip_source_buffer(zip, bytes.data(), bytes.size(), 0),
-                 ZIP_FL_ENC_UTF_8);
-  EXPECT_EQ(zip_close(zip), 0);
-  return folder.read("x.zip");
-}
-
-constexpr const char* kSource =
-    "FUNCTION FC 7 : VOID\nBEGIN\nNETWORK\n  U E 0.0;\n  = A 0.0;\nEND_FUNCTION\n";
-
-struct Transfer : ::testing::Test {
-  Transfer() {
-    bench.workbench.use({workspace.path(), {}, {}});
-    ::setenv("TMPDIR", temporary.path().c_str(), 1);
-  }
-  ~Transfer() override { ::unsetenv("TMPDIR"); }
-
-  void send(const std::string& path, std::string_view bytes, Workbench::BrowserId who = 1) {
-    bench.call("import.add", {{"files", {{{"path", path}, {"data", base64(bytes)}}}}}, who);
-  }
-  std::string download() {
-    const Json zip = bench.call("download.begin");
-    std::string bytes;
-    for (std::string piece; bytes.size() < zip["size"]; bytes += piece) {
-      piece = bytesOf(bench.call("download.piece", {{"at", bytes.size()}})["data"]);
-      if (piece.empty()) break;
-    }
-    EXPECT_EQ(bytes.size(), zip["size"]);
-    return bytes;
-  }
-  bool told(const Json& result, const std::string& effect, const std::string& words) {
-    return std::ranges::any_of(result["report"], [&](const Json& row) {
-      return row["effect"] == effect &&
-             row["text"].get<std::string>().find(words) != std::string::npos;
-    });
-  }
-  // Of uploads that somebody still has.
-  bool nothingLeft() { return fs::is_empty(temporary.path()); }
-
-  Bench bench;
-  Folder workspace, temporary;
-};
 
 TEST(Base64, IsThatOfTheStandard) {  // RFC 4648, 10
   const std::pair<const char*, const char*> rows[] = {{"", ""},
@@ -105,7 +46,7 @@ TEST_F(Transfer, AProjectIsDownloadedAsAZip) {
       {"merker.toml", bench.folder.read("merker.toml")},
       {"tests/one.test", std::string("\0\x1b", 2)}};
   EXPECT_EQ(files, expected);
-  EXPECT_EQ(bench.call("download.begin")["left"], Json({"card.sqlite-wal"}));
+  EXPECT_EQ(bench.call("download.begin")["left"], Json({"card.sqlite-wal", "link.awl"}));
   bench.call("download.end");
   EXPECT_EQ(bench.problem("download.piece", {{"at", 0}}), "P1308");
 }
@@ -132,14 +73,14 @@ TEST_F(Transfer, ADownloadedProjectComesBack) {
 
 TEST_F(Transfer, SingleFilesGoIntoTheOpenProject) {
   bench.call("import.begin");
-  send("motor.awl", kSource);
-  send("main.awl", kSource);
+  send("motor.awl", kMotorSource);
+  send("main.awl", kMotorSource);
   const Json found = bench.call("import.look");
   EXPECT_EQ(found["programs"], Json::array());
   EXPECT_EQ(found["loose"], true);
   const Json result = bench.call("import.run");
   EXPECT_EQ(result["files"], Json({"motor.awl"}));
-  EXPECT_EQ(bench.folder.read("motor.awl"), kSource);
+  EXPECT_EQ(bench.folder.read("motor.awl"), kMotorSource);
   EXPECT_EQ(bench.folder.read("main.awl"), kProgram);
   EXPECT_EQ(result["lost"], true);
   EXPECT_TRUE(told(result, "lost", "main.awl exists in the project"));
@@ -151,13 +92,13 @@ TEST_F(Transfer, SingleFilesGoIntoTheOpenProject) {
 TEST_F(Transfer, ANewProjectTakesNoNameThatIsTaken) {
   workspace.write("motor/mine.txt", "mine");
   bench.call("import.begin");
-  send("motor.awl", kSource);
+  send("motor.awl", kMotorSource);
   EXPECT_EQ(bench.call("import.look")["name"], "motor 2");
   EXPECT_EQ(bench.problem("import.run", {{"name", "motor"}}), "P1312");
   EXPECT_EQ(bench.problem("import.run", {{"name", "../motor"}}), "P1317");
   EXPECT_EQ(workspace.read("motor/mine.txt"), "mine");
   bench.call("import.run", {{"name", "motor 2"}});
-  EXPECT_EQ(workspace.read("motor 2/motor.awl"), kSource);
+  EXPECT_EQ(workspace.read("motor 2/motor.awl"), kMotorSource);
 }
 
 TEST_F(Transfer, WhatNobodyKnowsIsRefusedAndLeavesNothing) {
@@ -173,15 +114,15 @@ TEST_F(Transfer, WhatNobodyKnowsIsRefusedAndLeavesNothing) {
 // A zip made to leave its folder: what leads out is named, and stays where it is.
 TEST_F(Transfer, NothingLeavesTheNewFolder) {
   const std::string zip = zipOf({{"merker.toml", "[project]\nname = \"Evil\"\n"},
-                                 {"../evil.awl", kSource},
-                                 {"a/../../evil.awl", kSource},
-                                 {"/tmp/merker-evil.awl", kSource},
-                                 {"good.awl", kSource}});
+                                 {"../evil.awl", kMotorSource},
+                                 {"a/../../evil.awl", kMotorSource},
+                                 {"/tmp/merker-evil.awl", kMotorSource},
+                                 {"good.awl", kMotorSource}});
   bench.call("import.begin");
   send("evil.zip", zip);
   const Json result = bench.call("import.run", {{"name", "evil"}});
   EXPECT_TRUE(told(result, "lost", "leads out of the archive"));
-  EXPECT_EQ(workspace.read("evil/good.awl"), kSource);
+  EXPECT_EQ(workspace.read("evil/good.awl"), kMotorSource);
   EXPECT_FALSE(fs::exists(workspace.path("evil.awl")));
   EXPECT_FALSE(fs::exists("/tmp/merker-evil.awl"));
   EXPECT_TRUE(nothingLeft());
@@ -224,7 +165,7 @@ TEST_F(Transfer, ThePlcGoesOnAndTheImportCanBeCancelled) {
   std::deque<Work> works;
   bench.workbench.importBy([&](Work work) { works.push_back(std::move(work)); });
   bench.call("import.begin");
-  send("motor.awl", kSource);
+  send("motor.awl", kMotorSource);
   const auto ask = [&](const char* method, Json fields) {
     fields["id"] = 77;
     fields["do"] = method;

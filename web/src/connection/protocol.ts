@@ -21,8 +21,8 @@ export interface SymbolEntry { name: string; operand: string; type: string; comm
 export interface BlockEntry { id: string; symbol: string; title: string }
 /** OB: those of the CPU; of the others the first and the last */
 export interface BlockNumbers { OB: number[]; FB: [number, number]; FC: [number, number]; DB: [number, number] }
-/** `offset` in bytes or words; `code` is words like "7E03 0004"; `line` is 0 without a source */
-export interface MachineCodeRow { offset: number; code: string; text: string; line: number }
+/** `offset` in bytes or words; `code` is words like "7E03 0004"; `line` is 0 without a source; `initial`, `value`: of a variable or word of a data block */
+export interface MachineCodeRow { offset: number; code: string; text: string; line: number; initial: string; value: string }
 /** `access` is "R", "W", "RW" or "CALL" */
 export interface Reference { operand: string; symbol: string; block: string; file: string; line: number; network: number; instruction: string; access: string }
 export interface SymbolRow { symbol: string; operand: string; type: string; comment: string }
@@ -130,7 +130,7 @@ export interface Requests {
   /** from the CPU */
   'program.delete': { fields: { blocks: string[] }; result: Record<string, never> };
   'program.listing': { fields: { block: string; side?: 'offline' | 'online'; mnemonics?: 'german' | 'international' }; result: { text: string } };
-  /** the code instruction by instruction with the lines of the source; of a data block its values */
+  /** the code instruction by instruction with the lines of the source; of a data block its variables or words. P1308 for a block of the system, which has none */
   'program.machineCode': { fields: { block: string; side?: 'offline' | 'online'; mnemonics?: 'german' | 'international' }; result: { block: string; file: string; unit: 'byte' | 'word'; rows: MachineCodeRow[] } };
   /** a mnemonic is its word, its operands, its id */
   'program.completion': { fields: Record<string, never>; result: { symbols: SymbolEntry[]; blocks: BlockEntry[]; mnemonics: { german: [string, string, string][]; international: [string, string, string][] }; numbers: BlockNumbers } };
@@ -178,7 +178,7 @@ export interface Requests {
   'projects.new': { fields: { name: string; model?: string; mpiAddress?: number; template?: string; mnemonics?: 'german' | 'international'; ob?: string }; result: Record<string, never> };
   'projects.save': { fields: Record<string, never>; result: Record<string, never> };
   'projects.close': { fields: Record<string, never>; result: Record<string, never> };
-  /** writes the project as a zip, for this browser; `left`: files that do not belong to it. P1308 beyond 256 MB */
+  /** writes the project as a zip, for this browser; `left`: what is not in it, folders end with `/`. P1308 beyond 256 MB */
   'download.begin': { fields: Record<string, never>; result: { name: string; size: number; files: number; left: string[] } };
   /** up to 1 MB of the zip from this byte on, as base64; empty behind its end */
   'download.piece': { fields: { at: number }; result: { data: string } };
@@ -188,10 +188,10 @@ export interface Requests {
   'import.begin': { fields: Record<string, never>; result: Record<string, never> };
   /** bytes to the ends of files, up to 1,000 parts a request, 20,000 files and 256 MB in all (P1314) */
   'import.add': { fields: { files: UploadedPart[] }; result: Record<string, never> };
-  /** what was sent: its programs (none: single files), a name for a new project; `loose`: single files that can go into the open project. P1308 if nothing in it is known */
-  'import.look': { fields: Record<string, never>; result: { programs: string[]; name: string; step5: boolean; loose: boolean } };
-  /** `name`: into a new project of this name in the workspace folder, several programs into folders of it; without a name into the open project, where no file is replaced. `program`: only this one */
-  'import.run': { fields: { name?: string; program?: string; codePage?: '437' | '850' }; result: { folders: string[]; files: string[]; lost: boolean; report: ReportRow[]; more: number } };
+  /** what was sent: its programs (none: single files) by names that differ, a name for a new project; `step7`, `step5`: what family it is of; `loose`: single files that can go into the open project. P1308 if nothing in it is known */
+  'import.look': { fields: Record<string, never>; result: { programs: string[]; name: string; step7: boolean; step5: boolean; loose: boolean } };
+  /** `name`: into a new project of this name in the workspace folder, several programs into folders of it; without a name into the open project, where no file is replaced. `program`: only this one. `codePage`: of texts that are not Unicode, empty: as the source says or by their content */
+  'import.run': { fields: { name?: string; program?: string; codePage?: '' | '437' | '850' | '852' | '866' | '932' | '936' | '949' | '950' | '1250' | '1251' | '1252' | '1253' | '1254' | '1255' | '1256' | '1257' | '20866' }; result: { folders: string[]; files: string[]; lost: boolean; report: ReportRow[]; more: number } };
   /** ends the import and deletes what was sent, as when the browser disconnects */
   'import.cancel': { fields: Record<string, never>; result: Record<string, never> };
 }

@@ -3,6 +3,7 @@ import { SvelteMap } from 'svelte/reactivity';
 import { connection, Refused, type Problem } from '../connection';
 import type { BlockInterface, BlockRow, Compared, FileRow } from '../connection/protocol';
 import { attempt, messages } from '../state/messages.svelte';
+import { coalesced } from '../state/coalesced';
 import { plc } from '../state/plc.svelte';
 import { emptyCatalogue, SymbolIndex, type Catalogue } from './catalogue';
 import { OpenDocument } from './document.svelte';
@@ -54,8 +55,12 @@ class Workspace {
     this.checked = false;
   }
 
-  /** After a change of files, by any browser or on the disk. */
-  async refreshFiles(): Promise<void> {
+  /** After a change of files, by any browser or on the disk. They may come faster than a program is compiled. */
+  readonly refreshFiles = coalesced(() => this.readFiles());
+  readonly refreshBlocks = coalesced(() => this.readBlocks());
+  private readonly check = coalesced(() => this.readProblems());
+
+  private async readFiles(): Promise<void> {
     const answer = await attempt(connection.ask('files.list'));
     if (answer) this.files = answer.files;
     for (const document of [...this.documents.values()])
@@ -67,7 +72,7 @@ class Workspace {
     this.checkSoon();
   }
 
-  async refreshBlocks(): Promise<void> {
+  private async readBlocks(): Promise<void> {
     const ask = async (side: Side): Promise<BlockRow[]> =>
       (await quiet(connection.ask('program.blocks', { side })))?.blocks ?? [];
     const look = ++this.looks;
@@ -198,7 +203,7 @@ class Workspace {
     this.timer = setTimeout(() => void this.check(), CHECK_AFTER_MS);
   }
 
-  private async check(): Promise<void> {
+  private async readProblems(): Promise<void> {
     const changed = [...this.documents.values()].filter((document) => document.dirty && !document.readonly);
     const files = changed.map(({ path, text }) => ({ path, text }));
     const answer = await quiet(connection.ask('program.check', { files }));

@@ -136,4 +136,8 @@ test.each([
   ['STOP: unknown operation code: FFFF', 'STOP: unbekannter Operationscode: FFFF'],
   ['a whole number from 1 to 5', 'eine ganze Zahl von 1 bis 5'],
   ['MW 10', 'MW 10'],
+  [
+    'cut.zip, from byte 76997 on: it is damaged or cut off; what lies before was read',
+    'cut.zip, ab Byte 76997: beschädigt oder abgeschnitten; gelesen wurde, was davor liegt',
+  ],
 ])('%s', (text, german) => expect(phrase(text)).toBe(german));

@@ -7,6 +7,10 @@ export { described, said, told } from './said';
 export type Text = readonly [german: string, english: string];
 export type Texts = Record<string, Text>;
 
+/** A number in a sentence: 0,5 in German. Values of the PLC keep the point that its programs have. */
+export const decimal = (value: number, digits: number): string =>
+  language.value === 'de' ? value.toFixed(digits).replace('.', ',') : value.toFixed(digits);
+
 /** The function that a view takes its words from: t('key', {name: value}). Follows the language switch. */
 export function translator<T extends Texts>(texts: T) {
   return (key: keyof T & string, values: Record<string, string | number> = {}): string => {

@@ -25,6 +25,7 @@ interface Pattern {
   english: RegExp;
   german: string;
   weight: number; // letters of its own: the longer pattern says more
+  reason: boolean; // "{}: it is encrypted": what stands before is a name, whatever words it has
 }
 const quoted = (text: string) => text.replace(/[.*+?^${}()|[\]\\]/g, '\\$&');
 const patterns: Pattern[] = Object.entries(phrases)
@@ -33,10 +34,21 @@ const patterns: Pattern[] = Object.entries(phrases)
     english: new RegExp(`^${english.split('{}').map(quoted).join('(.+?)')}$`),
     german,
     weight: english.length,
+    reason: /: [^{}]+$/.test(english),
   }))
   .sort((a, b) => b.weight - a.weight);
 
 const part = (value: string, word: boolean): string => (word || value.trim().includes(' ') ? phrase(value) : value);
+
+const reasons = patterns.filter(({ reason }) => reason);
+
+function matched(text: string, some: readonly Pattern[]): string | undefined {
+  for (const { english, german } of some) {
+    const values = english.exec(text)?.slice(1);
+    if (values) return fill(german, values, part);
+  }
+  return undefined;
+}
 
 /** "reason: detail: place" is told part by part, the longest known beginning first. */
 function chain(text: string): string | undefined {
@@ -51,13 +63,7 @@ function chain(text: string): string | undefined {
 /** The German of a text of the program; the text itself where there is none. */
 export function phrase(text: string): string {
   if (Object.hasOwn(phrases, text)) return phrases[text]!;
-  const told = chain(text);
-  if (told !== undefined) return told;
-  for (const { english, german } of patterns) {
-    const values = english.exec(text)?.slice(1);
-    if (values) return fill(german, values, part);
-  }
-  return text;
+  return matched(text, reasons) ?? chain(text) ?? matched(text, patterns) ?? text;
 }
 
 /** The German of a problem: its code's text with its arguments; the English sentence where there is none. */

@@ -30,9 +30,10 @@ class Messages {
     for (const problem of problems.slice(0, SHOWN)) this.problem(problem, method);
   }
 
-  done(text: string): void {
+  /** `stays`: until somebody closes it. */
+  done(text: string, stays = false): void {
     const id = this.add({ kind: 'done', text, code: '', file: '', line: 0, column: 0, method: '' });
-    setTimeout(() => this.dismiss(id), DONE_MS);
+    if (!stays) setTimeout(() => this.dismiss(id), DONE_MS);
   }
 
   dismiss(id: number): void {

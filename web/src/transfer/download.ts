@@ -4,8 +4,8 @@ import { attempt } from '../state/messages.svelte';
 import { download } from '../trends/files';
 import { fromBase64 } from './base64';
 
-/** The name of the zip that the user has now; undefined if it was refused. */
-export async function downloadProject(): Promise<string | undefined> {
+/** The zip that the user has now, and what is not in it; undefined if it was refused. */
+export async function downloadProject(): Promise<{ name: string; left: string[] } | undefined> {
   const zip = await attempt(connection.ask('download.begin'));
   if (!zip) return undefined;
   const parts: Uint8Array<ArrayBuffer>[] = [];
@@ -16,5 +16,5 @@ export async function downloadProject(): Promise<string | undefined> {
   }
   connection.ask('download.end').catch(() => {});
   download(zip.name, new Blob(parts, { type: 'application/zip' }));
-  return zip.name;
+  return { name: zip.name, left: zip.left };
 }

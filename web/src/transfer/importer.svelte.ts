@@ -63,7 +63,7 @@ class Importer {
     const result = await attempt(connection.ask('import.run', fields));
     if (this.turn !== turn) return;
     this.result = result ?? null;
-    this.stage = result ? 'done' : connection.phase === 'open' ? 'choosing' : 'idle';
+    this.stage = result ? 'done' : 'choosing';
   }
 
   /** Ends it in whatever stage; nothing is left on the server. */
@@ -71,6 +71,14 @@ class Importer {
     this.turn++;
     this.stage = 'idle';
     connection.ask('import.cancel').catch(() => {});
+  }
+
+  /** The connection is gone, and with it what was sent. True: there was something to lose. */
+  disconnected(): boolean {
+    if (!this.active || this.stage === 'done') return false;
+    this.turn++;
+    this.stage = 'idle';
+    return true;
   }
 
   private leave(current: () => boolean): void {

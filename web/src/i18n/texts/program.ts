@@ -93,6 +93,9 @@ export const program = {
     '{block} hat keinen Maschinencode; enthält das Projekt Fehler?',
     '{block} has no machine code; does the project have problems?',
   ],
+  codeEmpty: ['{block} hat keinen Code und keine Daten.', '{block} has no code and no data.'],
+  codeVariable: ['Variable', 'Variable'],
+  codeValue: ['Aktualwert', 'Actual value'],
   codeOld: [
     'Maschinencode des gespeicherten Textes, der inzwischen geändert wurde.',
     'Machine code of the saved text, which has been changed since.',

@@ -5,6 +5,8 @@ export const transfer = {
   title: ['Importieren', 'Import'],
   download: ['Als Zip herunterladen', 'Download as zip'],
   downloaded: ['{name} heruntergeladen.', '{name} downloaded.'],
+  leftOut: ['Nicht im Zip: {files}', 'Not in the zip: {files}'],
+  andMore: ['{files} und {count} weitere', '{files} and {count} more'],
   drop: ['Zum Importieren hier ablegen', 'Drop here to import'],
   hint: [
     'STEP-7-Projekt als Ordner oder Zip, S5D-Datei mit Zuordnungsliste, AWL-Quelle, Symboltabelle, Baustein, WLD-Datei, HW-Konfig-Export (.cfg), Zip eines Merker-Projekts',
@@ -29,6 +31,15 @@ export const transfer = {
   program: ['Programm', 'Program'],
   all: ['alle ({count})', 'all ({count})'],
   codePage: ['Zeichensatz der Texte', 'Code page of texts'],
+  automatic: ['automatisch', 'automatic'],
+  codePageHelp: [
+    'Für Texte, die nicht Unicode sind und ihren Zeichensatz nicht nennen',
+    'For texts that are not Unicode and do not name their code page',
+  ],
+  disconnected: [
+    'Die Verbindung ist abgebrochen. Es wurde nichts importiert; bitte die Dateien noch einmal ablegen.',
+    'The connection was lost. Nothing was imported; please drop the files again.',
+  ],
   run: ['Importieren', 'Import'],
   cancel: ['Abbrechen', 'Cancel'],
   close: ['Schließen', 'Close'],
