@@ -137,6 +137,7 @@ std::string headText(const block::Block& block, const Texts& texts) {
   attribute("NAME", a.name, out);
   if (block.id.kind != BlockKind::UDT)
     out += fmt::format("VERSION : {}.{}\n", a.version >> 4, a.version & 15);
+  if (a.codeVersion1) out += "CODE_VERSION1\n";
   if (a.knowHowProtect) out += "KNOW_HOW_PROTECT\n";
   if (a.unlinked && block.id.kind == BlockKind::DB) out += "UNLINKED\n";
   if (a.nonRetain && block.id.kind == BlockKind::DB) out += "NON_RETAIN\n";
@@ -149,9 +150,12 @@ std::string headText(const block::Block& block, const Texts& texts) {
 }
 
 std::string codeText(const block::Block& block, const block::Block& declared, const Texts& texts,
-                     const Blocks& blocks, bool calls) {
+                     const Blocks& blocks, Form form) {
   const Names names(declared);
   std::string out = headText(block, texts) + "BEGIN\n";
+  if (form == Form::NetworksOfKop) out += "//# KOP\n";
+  if (form == Form::NetworksOfFup) out += "//# FUP\n";
+  const bool calls = form != Form::Instructions;
   const std::vector<Statement> list = statements(block, names, blocks, calls);
   const std::vector<std::uint32_t> starts = networkStarts(block);
   static const NetworkText kNoTexts;

@@ -35,9 +35,13 @@ struct Texts {
 std::string headText(const block::Block& block, const Texts& texts);
 std::string_view endWord(BlockKind kind);  // "END_FUNCTION"
 
+// How calls are written: as CALL, whose temporary data lie behind those of the block, or of the
+// network in a block of KOP or FUP; or as the instructions that it is made of.
+enum class Form : std::uint8_t { Calls, NetworksOfKop, NetworksOfFup, Instructions };
+
 // The whole source. `declared` is the block with the names of its variables.
 std::string codeText(const block::Block& block, const block::Block& declared, const Texts& texts,
-                     const Blocks& blocks, bool calls);
+                     const Blocks& blocks, Form form);
 
 // Lines of a comment, each behind `//`.
 std::string commentLines(std::string_view text);

@@ -104,6 +104,7 @@ void Folder::add(Table& table) {
   row.object = table.numberOr("OBJECTID", 0);
   row.language = table.numberOr("BLKLANG", 1);
   row.attribute = table.numberOr("ATTRIBUTE", 0);
+  row.reserved = table.numberOr("AGRESERVED", 1);
   row.password = table.numberOr("PASSWORD", 0);
   row.local = table.numberOr("LOCDATALEN", 0);
   row.checksum = table.numberOr("CHECKSUM", 0);
@@ -190,6 +191,8 @@ std::optional<StoredBlock> Folder::read(BlockId id) {
   block.attributes.version = row.version;
   block.attributes.unlinked = (row.attribute & kLinked) == 0;
   block.attributes.knowHowProtect = row.password == kProtected;
+  block.attributes.codeVersion1 =
+      (id.kind == BlockKind::FB || id.kind == BlockKind::FC) && row.reserved == 0;
   result.created = stampText(row.stamp);
   if (id.kind != BlockKind::UDT) readCode(row, result);
   readTexts(row, result);

@@ -39,6 +39,7 @@ class Folder {
   // A row: what is needed to find its parts in the memo.
   struct Row {
     std::uint32_t object = 0, type = 0, language = 0, attribute = 0, password = 0, local = 0;
+    std::uint32_t reserved = 0;  // AGRESERVED: 0 for CODE_VERSION1, else 1
     std::uint32_t checksum = 0;
     std::uint16_t number = 0;
     std::uint8_t version = 0;

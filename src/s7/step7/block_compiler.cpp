@@ -54,6 +54,18 @@ Problems firstUses(const Problems& problems) {
   return first;
 }
 
+// "//# KOP" behind BEGIN: STEP 7 made the block of networks in KOP. It changes nothing but the
+// places of temporary bits.
+block::Language languageOf(const BlockSource& source) {
+  Cursor cursor(source.file->text(), source.codeBegin, source.codeEnd);
+  while (!cursor.atEnd() && std::isspace(static_cast<unsigned char>(cursor.peek())) != 0)
+    cursor.take();
+  if (!cursor.accept('/') || !cursor.accept('/') || !cursor.accept('#'))
+    return block::Language::Awl;
+  if (cursor.acceptWord("KOP")) return block::Language::Kop;
+  return cursor.acceptWord("FUP") ? block::Language::Fup : block::Language::Awl;
+}
+
 }  // namespace
 
 // The first byte behind the declared temporary variables; not rounded up to a word (code patterns,
@@ -67,10 +79,11 @@ std::uint32_t BlockCompiler::firstFreeLocalByte() const {
 }
 
 void BlockCompiler::compile() {
-  const std::uint32_t declared = firstFreeLocalByte();
+  declaredTop_ = firstFreeLocalByte();
+  target_.language = languageOf(source_);
   // Absolute local data (LW 30) may lie behind the declared variables; what the macros need must
   // lie behind both.
-  if (!pass(declared)) pass(localTop_);
+  if (!pass(declaredTop_)) pass(isGraphic() ? declaredTop_ : localTop_);
   const std::uint32_t top = std::max({target_.localBytes, localTop_, localData_.top()});
   target_.localBytes = (top + 1) & ~1u;
   if (target_.localBytes > scope_.model().localBytes)  // S7-CPU-25
@@ -95,7 +108,9 @@ bool BlockCompiler::pass(std::uint32_t localBase) {
   jumps_.clear();
   relays_.clear();
   ended_ = reportedAfterEnd_ = any_ = false;
-  localData_ = LocalData(localBase);
+  networkTops_.restart();
+  if (isGraphic()) localTop_ = 0;
+  localData_ = LocalData(std::max(localBase, networkTops_.next()));
   for (;;) {
     cursor_.skipSpace();
     checks();
@@ -103,7 +118,11 @@ bool BlockCompiler::pass(std::uint32_t localBase) {
     statement();
   }
   endOfBlock();
-  return localTop_ <= localBase || !localData_.used();
+  const bool fits = localTop_ <= localBase || !localData_.used();
+  networkTops_.end(localTop_);
+  if (!isGraphic()) return fits;
+  localTop_ = networkTops_.highest();
+  return localTop_ <= localBase;
 }
 
 void BlockCompiler::skipStatement() {
@@ -175,9 +194,16 @@ void BlockCompiler::labelDefinition(std::string_view word, std::size_t begin) {
   builder_->label(std::string(word), position, problems_);  // labels keep their case
 }
 
+void BlockCompiler::nextNetwork() {
+  networkTops_.end(localTop_);
+  localTop_ = 0;
+  localData_.moveTo(std::max(declaredTop_, networkTops_.next()));
+}
+
 bool BlockCompiler::networkHeader(std::string_view word) {
   if (equalsIgnoreCase(word, "NETWORK")) {
     endOfNetwork();
+    if (isGraphic()) nextNetwork();
     builder_->network({});
     cursor_.accept(';');
     return true;

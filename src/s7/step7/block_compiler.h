@@ -49,6 +49,8 @@ class BlockCompiler {
   bool label();
   void labelDefinition(std::string_view word, std::size_t begin);
   bool networkHeader(std::string_view word);
+  bool isGraphic() const { return target_.language != block::Language::Awl; }
+  void nextNetwork();
   std::optional<mc7::Operation> operationOf(const std::string& mnemonic, std::size_t begin);
   void instruction(const std::string& mnemonic, std::size_t begin);
   void operate(mc7::Operation operation, std::size_t begin, const std::string& mnemonic);
@@ -75,7 +77,9 @@ class BlockCompiler {
   Scope scope_;
   Cursor cursor_;
   std::unique_ptr<CodeBuilder> builder_;
-  std::uint32_t localTop_ = 0;  // absolute local data used by the program
+  std::uint32_t localTop_ = 0;     // absolute local data used by the program
+  std::uint32_t declaredTop_ = 0;  // behind the declared ones
+  NetworkTops networkTops_;        // KOP and FUP
   LocalData localData_;
   std::vector<std::size_t> brackets_;  // positions of open U( … in this network
   struct Place {

@@ -84,6 +84,8 @@ class CallCompiler {
     return mc7::memory(Area::Local, width, bitAddress(byte));
   }
   bool callerIsFunctionBlock() const { return c_.scope().block->id.kind == BlockKind::FB; }
+  // An FB without multiple instances and without data of its own does not use AR2.
+  bool savesAr2() const;
   mc7::Operand newPlace(Width width);
   void read(const Access& from);
   void write(const Access& to);

@@ -1,5 +1,7 @@
 // CALL of a function: values that the parameter list cannot name are staged in local data (code
 // patterns, section 2).
+#include <algorithm>
+
 #include "step7/call_compiler.h"
 
 namespace merker::step7 {
@@ -61,17 +63,24 @@ void CallCompiler::callWithList(const std::vector<std::uint32_t>& entries, Block
   for (const std::uint32_t value : entries) c_.builder().parameterEntry(value);
 }
 
+bool CallCompiler::savesAr2() const {
+  const block::Block& caller = *c_.scope().block;
+  const bool data = std::ranges::any_of(
+      caller.variables, [](const auto& v) { return v.section != block::Section::Temp; });
+  return callerIsFunctionBlock() && (data || !caller.attributes.codeVersion1);
+}
+
 void CallCompiler::callFunction() {
   const std::uint32_t opening = target_.id.kind == BlockKind::SFC ? 7 : 1;
   mark(opening);
-  if (callerIsFunctionBlock()) ar2_ = newPlace(Width::DWord);
+  if (savesAr2()) ar2_ = newPlace(Width::DWord);
   put(Operation::ASSIGN, newPlace(Width::Bit));  // the VKE
-  if (callerIsFunctionBlock()) put(Operation::TAR2, ar2_);
+  if (savesAr2()) put(Operation::TAR2, ar2_);
   std::vector<std::uint32_t> entries;
   for (const block::Variable* formal : c_.scope().interfaces->names(*target_.block).parameters())
     entries.push_back(entry(*formal, actuals_.at(formal)));
   callWithList(entries, target_.id);
-  if (callerIsFunctionBlock()) put(Operation::LAR2, ar2_);
+  if (savesAr2()) put(Operation::LAR2, ar2_);
   for (const CopyBack& copy : afterwards_) {
     read(machine(copy.from));
     write(copy.to);

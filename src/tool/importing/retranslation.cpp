@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "awl/data_text.h"
+#include "base/text.h"
 #include "block/container.h"
 #include "step7/block_source.h"
 
@@ -34,6 +35,25 @@ std::string cut(const source::SourceFile& file, const step7::BlockSource& block,
   if (last == std::string_view::npos) last = block.codeEnd;
   last = std::min(text.find('\n', last), text.size());
   return std::string(text.substr(first, last - first)) + "\n";
+}
+
+// "FC 96" of a call with a list of parameters that no CALL shows: AWL has no statement for it.
+std::string calleeOfList(std::string_view text) {
+  constexpr std::string_view kCall = "UC    ", kList = "\n        SPA   ";
+  const std::size_t list = text.find(kList);
+  if (list == std::string_view::npos) return {};
+  const std::size_t call = text.rfind(kCall, list);
+  if (call == std::string_view::npos) return {};
+  return std::string(trim(text.substr(call + kCall.size(), list - call - kCall.size())));
+}
+
+// Most readable first.
+std::vector<awl::Form> formsOf(block::Language language) {
+  std::vector<awl::Form> forms{awl::Form::Calls};
+  if (language == block::Language::Kop) forms.push_back(awl::Form::NetworksOfKop);
+  if (language == block::Language::Fup) forms.push_back(awl::Form::NetworksOfFup);
+  forms.push_back(awl::Form::Instructions);
+  return forms;
 }
 
 }  // namespace
@@ -97,12 +117,12 @@ bool Retranslation::compilesTo(const StoredBlock& stored, const std::string& tex
 }
 
 std::string Retranslation::codeText(const StoredBlock& stored, const block::Block& declared,
-                                    bool calls) const {
+                                    awl::Form form) const {
   const awl::Blocks blocks = [this](BlockId id) -> const block::Block* {
     const auto at = declarations_.callable().find(id);
     return at == declarations_.callable().end() ? nullptr : &at->second;
   };
-  return awl::codeText(stored.block, declared, declarations_.texts(stored.block.id), blocks, calls);
+  return awl::codeText(stored.block, declared, declarations_.texts(stored.block.id), blocks, form);
 }
 
 // The machine code is in a file beside it; the statements are there to be read.
@@ -115,7 +135,7 @@ std::string Retranslation::declarationOf(const StoredBlock& stored, bool hidden)
                   id.number, awl::headText(stored.block, declarations_.texts(id)));
   if (!hidden && holdsCode(id.kind)) {
     constexpr std::string_view kBegin = "\nBEGIN\n";
-    const std::string code = codeText(stored, *declared, true);
+    const std::string code = codeText(stored, *declared, awl::Form::Calls);
     text += awl::commentLines(std::string_view(code).substr(code.find(kBegin) + kBegin.size()));
   }
   return fmt::format("{}{}\n", text, awl::endWord(id.kind));
@@ -127,11 +147,14 @@ std::string Retranslation::code(const StoredBlock& stored, std::string& why) {
     why = isSystemFunction(stored.block.id) ? "a system function of another CPU" : "no declaration";
     return {};
   }
-  for (const bool calls : {true, false}) {
-    std::string text = codeText(stored, *declared, calls);
+  for (const awl::Form form : formsOf(stored.block.language)) {
+    std::string text = codeText(stored, *declared, form);
     std::string reason;
     if (compilesTo(stored, text, reason)) return text;
-    if (calls) why = reason;
+    const std::string callee = form == awl::Form::Calls ? calleeOfList(text) : std::string();
+    if (!callee.empty())
+      reason = fmt::format("it calls {}, whose parameters are not known or are others", callee);
+    if (why.empty()) why = reason;
   }
   return {};
 }

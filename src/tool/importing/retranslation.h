@@ -30,7 +30,7 @@ class Retranslation {
  private:
   const s7p::StoredBlock* stored(BlockId id) const;
   std::string codeText(const s7p::StoredBlock& stored, const block::Block& declared,
-                       bool calls) const;
+                       awl::Form form) const;
   std::string declarationOf(const s7p::StoredBlock& stored, bool hidden) const;
   std::string code(const s7p::StoredBlock& stored, std::string& why);
   std::string data(const s7p::StoredBlock& stored);

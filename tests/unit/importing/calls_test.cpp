@@ -21,11 +21,13 @@ const std::string kCalled =
     "DATA_BLOCK DB 1\nFB 1\nBEGIN\nEND_DATA_BLOCK\n"
     "DATA_BLOCK DB 5\nSTRUCT\nA : INT;\nB : BOOL;\nW : WORD;\nEND_STRUCT;\nBEGIN\nEND_DATA_BLOCK\n";
 
-std::string imported(const std::string& block, BlockId id) {
+std::string imported(const std::string& block, BlockId id, int language = 1) {
   const auto compiled = step7::compile({source::SourceFile("a.awl", kCalled + block)}, {});
   EXPECT_TRUE(compiled.ok()) << compiled.problems.list().front().message;
   s7p_files::Project project;
-  for (const auto& [number, stored] : compiled.program) project.blocks.add(stored);
+  s7p_files::BlockFolder::Extra extra;
+  extra.language = language;
+  for (const auto& [number, stored] : compiled.program) project.blocks.add(stored, extra);
   const TestFolder folder;
   for (const auto& [name, bytes] : project.files()) folder.write("in/" + name, bytes);
   const Outcome outcome = importSource({folder.path("in"), folder.path("out"), ""});
@@ -94,6 +96,31 @@ TEST(Calls, aMultipleInstance) {
   EXPECT_TRUE(has(text, "CALL  #STAT1 (")) << text;
   EXPECT_TRUE(has(text, "IN0 := #IN0,")) << text;
   EXPECT_FALSE(has(text, "BLD")) << text;
+}
+
+// A block that is called and missing: nobody knows its parameters.
+TEST(Calls, theReportNamesAMissingCallee) {
+  const auto compiled = step7::compile(
+      {source::SourceFile("a.awl", kCalled + "FUNCTION FC 9 : VOID\nBEGIN\nCALL FC 2 (P := MW 0);\n"
+                                             "END_FUNCTION\n")},
+      {});
+  s7p_files::Project project;
+  project.blocks.add(compiled.program.at({BlockKind::FC, 9}));
+  const TestFolder folder;
+  for (const auto& [name, bytes] : project.files()) folder.write("in/" + name, bytes);
+  const Outcome outcome = importSource({folder.path("in"), folder.path("out"), ""});
+  EXPECT_TRUE(has(outcome.report, "(it calls FC 2, whose parameters are not known or are others)"))
+      << outcome.report;
+}
+
+// The places of a network in KOP are not those of a block in AWL: the source says so.
+TEST(Calls, inNetworksOfKop) {
+  const std::string text = imported(
+      "FUNCTION FC 9 : VOID\nBEGIN\n//# KOP\nNETWORK\nU M 0.0; = L 0.0; BLD 103; CALL FC 3;\n"
+      "NETWORK\nCALL FC 3;\nEND_FUNCTION\n",
+      {BlockKind::FC, 9}, 2);
+  EXPECT_TRUE(has(text, "BEGIN\n//# KOP\nNETWORK\n")) << text;
+  EXPECT_TRUE(has(text, "CALL  FC 3;")) << text;
 }
 
 }  // namespace

@@ -192,6 +192,28 @@ constexpr Golden kInFunctionBlock[] = {
 
 TEST(CallFunction, FromFunctionBlock) { expectCode(BlockKind::FB, kInFunctionBlock, kBlocks); }
 
+// KOP and FUP: the macros of each network lie behind the bits of that network (section 1).
+const Golden kInNetworks[] = {
+    {"VAR_TEMP\n t : BOOL;\nEND_VAR",
+     "//# KOP\nNETWORK\nU M 0.0; = L 2.0; BLD 103; CALL FC 10;\nNETWORK\nCALL FC 10;",
+     "U M 0.0; = L 2.0; BLD 103; BLD 1; = L 3.0; UC FC 10; SPA 2; BLD 2; "
+     "BLD 1; = L 1.0; UC FC 10; SPA 2; BLD 2; BE"},
+    {"", "//# FUP\nNETWORK\nCALL FC 10;\nNETWORK\nT LW 4; CALL FC 10;",
+     "BLD 1; = L 0.0; UC FC 10; SPA 2; BLD 2; T LW 4; BLD 1; = L 6.0; UC FC 10; SPA 2; BLD 2; BE"},
+    {"", "NETWORK\nCALL FC 10;\nNETWORK\nT LW 4; CALL FC 10;",
+     "BLD 1; = L 6.0; UC FC 10; SPA 2; BLD 2; T LW 4; BLD 1; = L 6.0; UC FC 10; SPA 2; BLD 2; BE"},
+};
+
+TEST(CallFunction, InNetworksOfKopAndFup) { expectCode(BlockKind::FC, kInNetworks, kBlocks); }
+
+// Without multiple instances AR2 is not used (FB 5 of a project in FUP, AGRESERVED 0).
+const Golden kInCodeVersion1[] = {
+    {"CODE_VERSION1\nVAR_TEMP\n t : BOOL;\nEND_VAR", "CALL FC 10;",
+     "BLD 1; = L 1.0; UC FC 10; SPA 2; BLD 2; BE"},
+};
+
+TEST(CallFunction, FromCodeVersion1) { expectCode(BlockKind::FB, kInCodeVersion1, kBlocks); }
+
 // LOCDATALEN: highest byte used + 1, rounded up to even (section 1).
 TEST(CallFunction, LocalDataLength) {
   const auto length = [](std::string_view statements) {
