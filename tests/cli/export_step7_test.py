@@ -88,6 +88,24 @@ class ExportStep7(Case):
         self.expect(GOOD, "export", "code", "-o", "code.wld", "--force")
         self.assertEqual(self.data("code.wld"), self.data("p.wld"))
 
+    # A protected block: its declaration has names, its container has none. What calls it must compile with the container.
+    def test_calls_of_machine_code_come_back(self):
+        self.plant()
+        self.expect(GOOD, "export", "plant", "-o", "p.wld")
+        (self.folder / "plant/b.awl").write_text(CALLED.replace(" U #EIN; // Größe\n = A 4.0;\n", ""))
+        protected = bytearray(self.data("p.wld"))
+        protected[protected.index(b"pp\1\1\1\x0c") + 15] = 3
+        self.write("plant/FC5.mc7", bytes(protected[protected.index(b"pp\1\1\1\x0c"):]))
+        self.expect(GOOD, "check", "plant")
+        (self.folder / "x").mkdir()
+        for option in ([], ["--symbols"]):
+            with self.subTest(option=option):
+                err = self.expect(GOOD, "export", "plant", "-o", "x/x.awl", "--force", *option).err
+                self.assertIn("calls of these blocks use IN0, OUT0 ...", err)
+                self.assertIn(b"IN0 := E 0.1", self.data("x/x.awl"))
+                self.expect(GOOD, "export", "plant", "-o", "all.wld", "--force")
+                self.assertEqual(self.again("x", "back" + "".join(option)), self.data("all.wld"))
+
     # SE is another instruction in each of the two; without it both could be compiled as one.
     def test_sources_in_both_mnemonics(self):
         for delay in ("L S5T#1S\nSE T 1\n", ""):

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "base/text.h"
 #include "exporting/awl_operands.h"
@@ -25,7 +26,41 @@ std::string absoluteText(const source::SymbolAddress& address, Mnemonics mnemoni
                      source::operandNumber(address));
 }
 
+// FC 5 of CALL FC 5, also by its symbol.
+std::optional<BlockId> calledBlock(const step7::BlockSource& block, const Statement& statement,
+                                   const source::SymbolTable& symbols) {
+  std::optional<BlockId> called;
+  const auto first = [&](const Operand& operand) {
+    const source::Symbol* symbol = operand.symbol.empty() ? nullptr : symbols.find(operand.symbol);
+    const source::SymbolAddress* address = symbol != nullptr ? &symbol->address
+                                           : operand.address ? &*operand.address
+                                                             : nullptr;
+    if (!called && address != nullptr && address->kind == source::SymbolAddress::Kind::Block)
+      called = address->block;
+  };
+  eachOperand(block.file->text(), statement.operands, statement.parameters.front().begin, first);
+  return called;
+}
+
 }  // namespace
+
+std::vector<Edit> renamedParameters(const step7::BlockSource& block,
+                                    const source::SymbolTable& symbols,
+                                    const ParameterNames& names) {
+  std::vector<Edit> edits;
+  if (names.empty() || block.id.kind == BlockKind::DB || block.id.kind == BlockKind::UDT)
+    return edits;
+  for (const Statement& statement : statements(block)) {
+    const auto called =
+        statement.parameters.empty() ? std::nullopt : calledBlock(block, statement, symbols);
+    const auto of = called ? names.find(*called) : names.end();
+    if (of == names.end()) continue;
+    for (const Statement::Name& name : statement.parameters)
+      if (const auto other = of->second.find(upper(name.text)); other != of->second.end())
+        edits.push_back({name.begin, name.end, other->second});
+  }
+  return edits;
+}
 
 std::string edited(std::string_view text, std::size_t begin, std::size_t end,
                    std::vector<Edit> edits) {

@@ -1,6 +1,7 @@
 // What changes in a source on its way to STEP 7, which is stricter than Merker.
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,5 +31,12 @@ std::vector<Edit> absoluteOperands(const step7::BlockSource& block,
 // "START" in place of E 1.0, in statements.
 std::vector<Edit> symbolicOperands(const step7::BlockSource& block,
                                    const source::SymbolTable& symbols);
+
+// For each block what its parameters, in capital letters, are called instead.
+using ParameterNames = std::map<BlockId, std::map<std::string, std::string>>;
+// The other names in the calls of these blocks.
+std::vector<Edit> renamedParameters(const step7::BlockSource& block,
+                                    const source::SymbolTable& symbols,
+                                    const ParameterNames& names);
 
 }  // namespace merker::exporting

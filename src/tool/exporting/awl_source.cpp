@@ -45,7 +45,7 @@ bool replaced(const std::vector<Edit>& edits, std::size_t at) {
 }
 
 std::vector<Edit> editsOf(const BlockSource& block, const source::SymbolTable& symbols,
-                          Style style) {
+                          const Style& style) {
   std::vector<Edit> edits;
   const Mnemonics mnemonics = style.mnemonics.value_or(block.mnemonics);
   if (style.names == Names::Absolute) edits = absoluteOperands(block, symbols, mnemonics);
@@ -54,6 +54,8 @@ std::vector<Edit> editsOf(const BlockSource& block, const source::SymbolTable& s
     if (!replaced(edits, edit.begin)) edits.push_back(std::move(edit));
   if (style.punctuation)
     for (Edit& edit : punctuation(block)) edits.push_back(std::move(edit));
+  for (Edit& edit : renamedParameters(block, symbols, style.parameters))
+    edits.push_back(std::move(edit));
   return edits;
 }
 
@@ -145,7 +147,7 @@ class Order {
 
 }  // namespace
 
-std::vector<Piece> pieces(const project::Project& project, Style style) {
+std::vector<Piece> pieces(const project::Project& project, const Style& style) {
   std::vector<Piece> list;
   for (const source::SourceFile& file : project.sources) {
     std::size_t begin = 0;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "exporting/awl_edits.h"
 #include "project/project.h"
 
 namespace merker::exporting {
@@ -23,9 +24,10 @@ struct Style {
   Names names = Names::Absolute;
   bool punctuation = true;                            // add what STEP 7 wants and Merker does not
   std::optional<Mnemonics> mnemonics = std::nullopt;  // none: as written
+  ParameterNames parameters = {};                     // of blocks that come without a source
 };
 
-std::vector<Piece> pieces(const project::Project& project, Style style);
+std::vector<Piece> pieces(const project::Project& project, const Style& style);
 
 // What a block uses stands before it, as far as blocks do not use each other; organization blocks
 // last.

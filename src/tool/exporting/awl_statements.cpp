@@ -1,5 +1,7 @@
 #include "exporting/awl_statements.h"
 
+#include <optional>
+
 #include "base/text.h"
 #include "step7/cursor.h"
 #include "step7/mnemonic.h"
@@ -119,16 +121,21 @@ class StatementReader {
   }
 
   // At "name :=", also #name and "name".
-  bool atParameter() {
+  std::optional<Statement::Name> parameterName() const {
     Cursor next = cursor_;
     next.skipSpace();
     next.accept('#');
+    Statement::Name name;
+    name.begin = next.pos();
     const bool mark = next.accept('"');
-    const bool word = !next.word().empty();
+    name.text = next.word();
     if (mark) next.accept('"');
+    name.end = next.pos();
     next.skipBlanks();
-    return word && next.peek() == ':' && next.peek(1) == '=';
+    const bool assigned = next.peek() == ':' && next.peek(1) == '=';
+    return name.text.empty() || !assigned ? std::nullopt : std::optional(std::move(name));
   }
+  bool atParameter() const { return parameterName().has_value(); }
 
   bool acceptBracket() {
     Cursor next = cursor_;
@@ -165,6 +172,7 @@ class StatementReader {
       } else {
         if (!comma) missing(last, ",");
         comma = false;
+        if (auto name = parameterName()) list_.back().parameters.push_back(std::move(*name));
         last = pass(bracket ? ",)" : ",");
       }
     }

@@ -16,6 +16,11 @@ struct Statement {
   std::size_t begin = 0, operands = 0, end = 0;  // operands: behind the mnemonic
   bool jump = false;
   std::vector<Insertion> missing;  // what STEP 7 wants and Merker does not: ; ( , )
+  struct Name {
+    std::size_t begin = 0, end = 0;  // with its quotation marks
+    std::string text;
+  };
+  std::vector<Name> parameters;  // of a CALL: before :=
 };
 
 // Between BEGIN and END_…: instructions, or the assignments of a data block.

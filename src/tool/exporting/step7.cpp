@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "base/code_page.h"
+#include "base/text.h"
 #include "block/container.h"
 #include "exporting/awl_source.h"
 #include "exporting/characters.h"
@@ -42,10 +43,14 @@ bool mixesMnemonics(const step7::Compilation& compiled) {
 }
 
 // Whether the source gives every block of the program again, with the same bytes.
-bool compilesTo(const compilation::Build& build, const std::string& text, bool oneSetting) {
+// Blocks without source are called by the names that they have in their containers, or in the
+// project.
+bool compilesTo(const compilation::Build& build, const std::string& text, bool oneSetting,
+                bool byContainers) {
   block::Program callable = *build.library;
   for (const project::MachineCode& file : build.project.machineCode)
-    callable.insert_or_assign(file.block.id, build.program->at(file.block.id));
+    callable.insert_or_assign(file.block.id,
+                              byContainers ? file.block : build.program->at(file.block.id));
   step7::CompileOptions options;
   options.model = build.project.model;
   options.library = &callable;
@@ -77,6 +82,20 @@ struct Attempt {
   std::string_view warning;
 };
 
+// What the parameters of blocks without source are called in their containers.
+ParameterNames namesInContainers(const compilation::Build& build) {
+  ParameterNames names;
+  for (const project::MachineCode& file : build.project.machineCode) {
+    const auto here = block::parameters(build.program->at(file.block.id));
+    const auto there = block::parameters(file.block);
+    if (here.size() != there.size() || file.block.id.kind == BlockKind::DB) continue;
+    for (std::size_t i = 0; i < here.size(); ++i)
+      if (here[i]->name != there[i]->name)
+        names[file.block.id].emplace(upper(here[i]->name), there[i]->name);
+  }
+  return names;
+}
+
 // Most wanted first; what gives other bytes is not written.
 std::vector<Attempt> attempts(const project::Project& project, const Options& options) {
   const Names wanted = options.symbols ? Names::Symbolic : Names::Absolute;
@@ -103,14 +122,28 @@ std::string textOf(const compilation::Build& build, const Style& style) {
   return joined(ordered(std::move(all)));
 }
 
+constexpr std::string_view kRenamed =
+    "warning: machine code does not have the names of parameters; calls of these blocks use IN0, "
+    "OUT0 ... in the source, as STEP 7 shows them";
+constexpr std::string_view kOtherNames =
+    "warning: the source names variables of blocks that it does not have; machine code does not "
+    "have the names: it does not compile with the .wld alone";
+
 // Nothing if no source gives the same blocks.
 std::optional<std::string> sourceOf(const compilation::Build& build, const Options& options,
                                     Output& output) {
-  for (const Attempt& attempt : attempts(build.project, options)) {
-    std::string text = textOf(build, attempt.style);
-    if (!compilesTo(build, text, attempt.oneSetting)) continue;
-    if (!attempt.warning.empty()) output.warnings.emplace_back(attempt.warning);
-    return text;
+  const ParameterNames names = namesInContainers(build);
+  for (const bool byContainers : {true, false}) {
+    for (Attempt attempt : attempts(build.project, options)) {
+      if (byContainers) attempt.style.parameters = names;
+      std::string text = textOf(build, attempt.style);
+      if (!compilesTo(build, text, attempt.oneSetting, byContainers)) continue;
+      if (!attempt.warning.empty()) output.warnings.emplace_back(attempt.warning);
+      if (!byContainers) output.warnings.emplace_back(kOtherNames);
+      if (byContainers && !names.empty()) output.warnings.emplace_back(kRenamed);
+      return text;
+    }
+    if (build.project.machineCode.empty()) break;
   }
   output.warnings.emplace_back("error: no source gives the same blocks again; export .wld");
   return std::nullopt;
