@@ -67,7 +67,7 @@ for (const plant of [null, ...plants])
       if (plant) await of.close();
     });
 
-const kinds = ['sorting plant', 'vessel', 'garage door', 'traffic light', 'lift', 'temperature'];
+const kinds = ['sorting plant', 'vessel', 'garage door', 'traffic light', 'lift', 'temperature', 'axis'];
 
 test('plants without wires: room for everything', async () => {
   const folder = scratch();

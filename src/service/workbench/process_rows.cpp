@@ -53,17 +53,23 @@ Json Rows::fault(std::uint32_t number) const {
           {"on", plants.stuck({plant, number}).has_value()}};
 }
 
+// As merker.toml sets them: times in seconds, true and false as 1 and 0.
+Json parametersOf(const plant::PlantSettings& settings) {
+  Json list = Json::object();
+  for (std::size_t i = 0; i < settings.parameters.size(); ++i)
+    list[std::string(settings.kind->parameters[i].key)] = settings.parameters[i];
+  return list;
+}
+
 Json rowOf(const Rows& rows) {
   Json values = Json::array(), faults = Json::array();
   for (std::uint32_t i = 0; i < rows.settings.kind->signals.size(); ++i) {
     values.push_back(rows.value(i));
     if (rows.settings.wireOf(i) != nullptr) faults.push_back(rows.fault(i));
   }
-  return {{"name", rows.settings.name},
-          {"kind", rows.settings.kind->name},
-          {"title", rows.settings.name},
-          {"values", std::move(values)},
-          {"faults", std::move(faults)}};
+  return {{"name", rows.settings.name},  {"kind", rows.settings.kind->name},
+          {"title", rows.settings.name}, {"parameters", parametersOf(rows.settings)},
+          {"values", std::move(values)}, {"faults", std::move(faults)}};
 }
 
 }  // namespace

@@ -36,6 +36,7 @@ TEST(Process, InputsAreSetAndOutputsMove) {
   const Json oven = bench.call("process.list")["plants"][0];
   EXPECT_EQ(oven["name"], "Oven");
   EXPECT_EQ(oven["kind"], "first order");
+  EXPECT_EQ(oven["parameters"]["time_constant"], 1);
   EXPECT_EQ(valueOf(oven, "LMN")["writable"], true);
   EXPECT_EQ(valueOf(oven, "PV")["writable"], false);
   EXPECT_EQ(valueOf(oven, "PV")["operand"], "PEW 256");

@@ -45,7 +45,8 @@ export interface BlockLevel { block: string; offset: number; file?: string; line
 export interface InterruptLevel { ob: number; priority: number; registers: Record<string, string>; block: string; offset: number; file?: string; line?: number; network?: number }
 export interface LocalLevel { block: string; bytes: string }
 export interface PlantValue { name: string; unit: string; value: number; binary: boolean; input: boolean; writable: boolean; min: number; max: number; operand: string; symbol: string; stuck: number | null }
-export interface PlantRow { name: string; kind: string; title: string; values: PlantValue[]; faults: Fault[] }
+/** `parameters` as in merker.toml: times in seconds, true and false as 1 and 0 */
+export interface PlantRow { name: string; kind: string; title: string; parameters: Record<string, number>; values: PlantValue[]; faults: Fault[] }
 /** `data` is base64 */
 export interface UploadedPart { path: string; data: string }
 /** [import.md](formats/import.md#the-report) */

@@ -1,7 +1,9 @@
 // What the page knows of each kind of plant: where its signals stand in the drawing, what a person operates, what is counted.
 import type { Component } from 'svelte';
 import { language, type Text, type Texts } from '../i18n';
+import { axis } from '../i18n/texts/axis';
 import { kinds } from '../i18n/texts/parts';
+import Axis from './drawings/Axis.svelte';
 import GarageDoor from './drawings/GarageDoor.svelte';
 import Lift from './drawings/Lift.svelte';
 import SortingPlant from './drawings/SortingPlant.svelte';
@@ -16,12 +18,29 @@ export interface Place {
   y: number;
 }
 
+/** A signal that is stuck, by the name that the fault has in the plant. */
+export interface KindFault {
+  signal: string;
+  /** What it is stuck at; without: what it has. */
+  at?: number;
+  title: Text;
+}
+
+export interface Drawn {
+  values: Record<string, number>;
+  name: string;
+  parameters: Record<string, number>;
+}
+
 export interface Kind {
   title: Text;
   height: number;
-  drawing: Component<{ values: Record<string, number> }>;
+  drawing: Component<Drawn>;
   /** Sensors and actuators in the drawing. */
   tags: Place[];
+  /** Those of them that a plant with these parameters does not have. */
+  without?: (parameters: Record<string, number>) => string[];
+  faults?: KindFault[];
   /** Buttons in the drawing that are 1 while they are pressed. */
   pushes: Place[];
   /** Below the drawing. */
@@ -152,6 +171,35 @@ const KINDS: Record<string, Kind> = {
       { signal: 'PV', x: 470, y: 62 },
     ],
     ranges: ['LMN', 'DISTURBANCE', 'AMBIENT'],
+  },
+  axis: {
+    ...nothing,
+    title: ['Achse mit Antrieb und Geber', 'Axis with drive and encoder'],
+    height: 400,
+    drawing: Axis,
+    tags: [
+      ...['SETPOINT', 'ENABLE', 'DIRECTION'].map((signal, index) => ({ signal, x: 88, y: 38 + index * 38 })),
+      ...['Q0', 'Q1', 'Q2', 'Q3'].map((signal, index) => ({ signal, x: 88, y: 38 + index * 34 })),
+      ...['A', 'B', 'N'].map((signal, index) => ({ signal, x: 738, y: 38 + index * 38 })),
+      ...['LOW_SWITCH', 'WORKPIECE', 'REFERENCE', 'HIGH_SWITCH'].map((signal, index) => ({
+        signal,
+        x: [130, 370, 600, 830][index]!,
+        y: 338,
+      })),
+    ],
+    without: ({ contactors, direction_signal }) =>
+      contactors
+        ? ['SETPOINT', 'ENABLE', 'DIRECTION']
+        : ['Q0', 'Q1', 'Q2', 'Q3', ...(direction_signal ? [] : ['DIRECTION'])],
+    ranges: ['HAND'],
+    toggles: ['BLOCKED', 'EMERGENCY_STOP'],
+    faults: [
+      { signal: 'A', at: 0, title: axis.brokenA },
+      { signal: 'B', at: 0, title: axis.brokenB },
+      { signal: 'N', at: 0, title: axis.brokenN },
+      { signal: 'REFERENCE', title: axis.stuckReference },
+      { signal: 'ENABLE', at: 0, title: axis.noEnable },
+    ],
   },
 };
 

@@ -9,7 +9,7 @@ export const SIGNALS: Record<string, Record<string, Text>> = {
   'traffic light': signals.trafficLightSignals,
   lift: signals.liftSignals,
   temperature: signals.temperatureSignals,
-  axis: parts.axisSignals,
+  axis: signals.axisSignals,
   'bouncing switch': parts.bouncingSwitchSignals,
   encoder: parts.encoderSignals,
   'first order': parts.firstOrderSignals,

@@ -93,3 +93,25 @@ export const temperatureSignals = {
   AMBIENT: ['Raumtemperatur', 'Room temperature'],
   PV: ['Temperatur', 'Temperature'],
 } satisfies Texts;
+
+export const axisSignals = {
+  SETPOINT: ['Sollwert', 'Set-point'],
+  ENABLE: ['Freigabe Leistungsteil', 'Enable of the power section'],
+  DIRECTION: ['Richtungssignal', 'Direction signal'],
+  Q0: ['Schütz Q0', 'Contactor Q0'],
+  Q1: ['Schütz Q1', 'Contactor Q1'],
+  Q2: ['Schütz Q2', 'Contactor Q2'],
+  Q3: ['Schütz Q3', 'Contactor Q3'],
+  HAND: ['Handrad', 'Hand wheel'],
+  BLOCKED: ['Achse blockiert', 'Axis blocked'],
+  EMERGENCY_STOP: ['Not-Halt', 'Emergency stop'],
+  A: ['Spur A', 'Track A'],
+  B: ['Spur B', 'Track B'],
+  N: ['Nullmarke N', 'Zero mark N'],
+  REFERENCE: ['Referenzpunktschalter', 'Reference point switch'],
+  WORKPIECE: ['Werkstück am Messtaster', 'Workpiece at the length sensor'],
+  LOW_SWITCH: ['Endschalter Minus', 'Limit switch minus'],
+  HIGH_SWITCH: ['Endschalter Plus', 'Limit switch plus'],
+  POSITION: ['Stellung', 'Position'],
+  SPEED: ['Geschwindigkeit', 'Speed'],
+} satisfies Texts;
