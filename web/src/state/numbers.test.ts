@@ -1,4 +1,5 @@
 import { expect, test } from 'vitest';
+import { language } from '../i18n';
 import { duration, milliseconds } from './numbers';
 
 test('virtual time is read as a clock', () => {
@@ -10,4 +11,6 @@ test('a cycle time does not pretend to be more exact than the CPU', () => {
   expect(milliseconds(0)).toBe('< 1 ms');
   expect(milliseconds(12)).toBe('12 ms');
   expect(milliseconds(1.314)).toBe('1.31 ms');
+  language.value = 'de';
+  expect(milliseconds(1.314)).toBe('1,31 ms');
 });

@@ -1,3 +1,5 @@
+import { decimal } from '../i18n';
+
 /** Virtual time as h:mm:ss.mmm, from nanoseconds. */
 export function duration(ns: number): string {
   const ms = Math.floor(ns / 1e6);
@@ -10,5 +12,5 @@ export function duration(ns: number): string {
 /** A cycle time: the CPU measures whole milliseconds, so 0 is less than one. */
 export function milliseconds(ms: number): string {
   if (ms === 0) return '< 1 ms';
-  return `${Number.isInteger(ms) ? ms : ms.toFixed(2)} ms`;
+  return `${decimal(ms, Number.isInteger(ms) ? 0 : 2)} ms`;
 }
