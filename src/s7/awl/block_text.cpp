@@ -65,11 +65,13 @@ class NetworkWriter {
       const std::string label = i == 0 && !statement.label.empty() ? statement.label + ":" : "";
       std::string line = fmt::format("{:<5} {}{}{}", label, i > 0 ? "  " : "", statement.lines[i],
                                      open ? "" : ";");
-      ownLines();
-      ++line_;
-      const std::string comment = behind();
+      const bool counted = i < statement.editorLines;
+      if (counted) ownLines(), ++line_;
+      const std::string comment = counted ? behind() : std::string();
       out_ += comment.empty() ? line + "\n" : fmt::format("{:<40}//{}\n", line, comment);
     }
+    if (statement.editorLines > count)
+      line_ += static_cast<std::uint32_t>(statement.editorLines - count);
   }
 
   void rest() {

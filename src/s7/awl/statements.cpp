@@ -47,7 +47,9 @@ class Writer {
       statement.offset = listing_.places[at].offset;
       if (const auto label = labels_.find(at); label != labels_.end())
         statement.label = label->second;
+      const std::size_t begin = at;
       at += take(at, statement);
+      statement.editorLines = editorLines(begin, statement.lines.size());
       out.push_back(std::move(statement));
     }
     if (const auto label = labels_.find(end_); label != labels_.end())
@@ -99,6 +101,15 @@ class Writer {
       return 2;
     }
     return 1;
+  }
+
+  std::size_t editorLines(std::size_t at, std::size_t written) {
+    if (calls_) return written;
+    if (at < behindCall_) return 0;
+    Statement whole;
+    const std::size_t taken = call(at, whole);
+    behindCall_ = at + taken;
+    return taken > 0 ? whole.lines.size() : written;
   }
 
   std::size_t call(std::size_t at, Statement& statement) {
@@ -162,7 +173,7 @@ class Writer {
   const Blocks& blocks_;
   bool calls_;
   mc7::Listing listing_;
-  std::size_t end_ = 0;
+  std::size_t end_ = 0, behindCall_ = 0;
   std::map<std::size_t, std::string> labels_;  // by number of the instruction
 };
 

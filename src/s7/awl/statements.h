@@ -15,6 +15,8 @@ struct Statement {
   std::uint32_t offset = 0;        // bytes, of its first instruction
   std::string label;               // "M001", empty
   std::vector<std::string> lines;  // "U     E 0.0", without the semicolon
+  // As the editor counts: those of the CALL where it is written as instructions, at its first one.
+  std::size_t editorLines = 0;
 };
 
 // The blocks that CALL can name, with the names of their interfaces; null for none.

@@ -74,7 +74,8 @@ void CallCompiler::callFunction() {
   const std::uint32_t opening = target_.id.kind == BlockKind::SFC ? 7 : 1;
   mark(opening);
   if (savesAr2()) ar2_ = newPlace(Width::DWord);
-  put(Operation::ASSIGN, newPlace(Width::Bit));  // the VKE
+  // The VKE; the old version of the code does not keep it.
+  if (!c_.scope().block->attributes.codeVersion1) put(Operation::ASSIGN, newPlace(Width::Bit));
   if (savesAr2()) put(Operation::TAR2, ar2_);
   std::vector<std::uint32_t> entries;
   for (const block::Variable* formal : c_.scope().interfaces->names(*target_.block).parameters())

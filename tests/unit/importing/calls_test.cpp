@@ -123,5 +123,29 @@ TEST(Calls, inNetworksOfKop) {
   EXPECT_TRUE(has(text, "CALL  FC 3;")) << text;
 }
 
+// The editor counts the lines of CALL, also where only its instructions give the same bytes.
+TEST(Calls, commentsBehindACallThatIsWrittenAsInstructions) {
+  const auto compiled = step7::compile(
+      {source::SourceFile("a.awl", kCalled +
+                                       "FUNCTION FC 9 : VOID\nBEGIN\n//# KOP\nNETWORK\nT LW 4;\n"
+                                       "NETWORK\nCALL FB 1, DB 1 (X := 1);\nU E 0.1;\n"
+                                       "END_FUNCTION\n")},
+      {});
+  s7p_files::BlockFolder::Extra calling;
+  calling.networks = {{"", "", {}}, {"", "", {{3, 0x80, "input"}}}};
+  s7p_files::Project project;
+  for (const auto& [id, stored] : compiled.program)
+    id.number == 9 ? project.blocks.add(stored, calling) : project.blocks.add(stored);
+  const TestFolder folder;
+  for (const auto& [name, bytes] : project.files()) folder.write("in/" + name, bytes);
+  (void)importSource({folder.path("in"), folder.path("out"), ""});
+  const std::string text = folder.read("out/FC9.awl");
+  EXPECT_TRUE(has(text, "BLD   3;")) << text;
+  const std::size_t statement = text.find("U     E 0.1;");
+  ASSERT_NE(statement, std::string::npos) << text;
+  EXPECT_TRUE(has(text.substr(statement, text.find('\n', statement) - statement), "//input"))
+      << text;
+}
+
 }  // namespace
 }  // namespace merker::importing

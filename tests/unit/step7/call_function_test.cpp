@@ -206,10 +206,11 @@ const Golden kInNetworks[] = {
 
 TEST(CallFunction, InNetworksOfKopAndFup) { expectCode(BlockKind::FC, kInNetworks, kBlocks); }
 
-// Without multiple instances AR2 is not used (FB 5 of a project in FUP, AGRESERVED 0).
+// The old version of the code keeps neither AR2 nor the VKE: two FBs of projects, whose AGRESERVED
+// is 0.
 const Golden kInCodeVersion1[] = {
     {"CODE_VERSION1\nVAR_TEMP\n t : BOOL;\nEND_VAR", "CALL FC 10;",
-     "BLD 1; = L 1.0; UC FC 10; SPA 2; BLD 2; BE"},
+     "BLD 1; UC FC 10; SPA 2; BLD 2; BE"},
 };
 
 TEST(CallFunction, FromCodeVersion1) { expectCode(BlockKind::FB, kInCodeVersion1, kBlocks); }
