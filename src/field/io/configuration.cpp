@@ -59,6 +59,19 @@ bool Configuration::hasOutput(std::uint32_t byte) const {
   });
 }
 
+const AxisChannel* Configuration::axis() const {
+  for (const Module& module : modules)
+    if (module.parameters.axis) return &*module.parameters.axis;
+  return nullptr;
+}
+
+bool isOfAxis(const Configuration& configuration, const Module& module, std::uint32_t output) {
+  constexpr std::uint32_t kAnalog = 3;  // sub-module
+  const AxisChannel* axis = configuration.axis();
+  return axis != nullptr && axis->output == AxisOutput::Analog && module.subslot == kAnalog &&
+         output == 0;
+}
+
 Channels channels(const Configuration& configuration) {
   Channels sum;
   for (const Module& module : configuration.modules) {

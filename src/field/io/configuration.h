@@ -13,6 +13,7 @@
 #include "catalogue/measuring_range.h"
 #include "catalogue/module_type.h"
 #include "clock/instant.h"
+#include "io/axis_channel.h"
 #include "io/count_channel.h"
 
 namespace merker::io {
@@ -41,6 +42,7 @@ struct Parameters {
   std::array<AnalogOutput, 8> analogOutputs;
   bool hardwareInterrupt = false;  // sub-module 2.4: interrupt selection "process" (CNT-PARAM-02)
   std::array<CountChannel, 4> counters;
+  std::optional<AxisChannel> axis;  // sub-module 2.5, if it is in use
 
   static Parameters of(const ModuleType& type);  // as HW Konfig places the module
 };
@@ -75,7 +77,11 @@ struct Configuration {
   // Whether any module answers there.
   bool hasInput(std::uint32_t byte) const;
   bool hasOutput(std::uint32_t byte) const;
+  // Of the sub-module 2.5; null if there is none.
+  const AxisChannel* axis() const;
 };
+// Whether the axis has this analog output: AO 0 on board (POS-OVW-07).
+bool isOfAxis(const Configuration& configuration, const Module& module, std::uint32_t output);
 
 // Adds the on-board sub-modules that are not mentioned, sorts, gives each module without an address
 // its slot's default (S7-HW-20 to -25) and checks all mounting rules (S7-HW-12 to -17, -28, -33,

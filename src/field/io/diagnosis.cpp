@@ -85,6 +85,23 @@ void appendChannels(std::vector<std::uint8_t>& record, const ModuleType& type,
   }
 }
 
+// Technology manual 3.6.3; the layout of the bytes before 8: POS-DIAG-07, -14.
+void appendAxis(std::vector<std::uint8_t>& record, const ModuleFaults& faults) {
+  constexpr std::uint8_t kAxisType = 0x74, kBits = 16, kChannels = 1, kParameterBit = 1;
+  constexpr std::size_t kLength = 16;
+  const bool parameters = faults.has(FaultKind::ParameterError);
+  const std::uint16_t errors = faults.axis();
+  const bool any = parameters || errors != 0;
+  for (const std::uint8_t byte : {kAxisType, kBits, kChannels, std::uint8_t{any}})
+    record.push_back(byte);
+  record.push_back(static_cast<std::uint8_t>(errors));
+  record.push_back(static_cast<std::uint8_t>(errors >> 8 | (parameters ? kParameterBit : 0)));
+  record.resize(kLength);
+  record[1] |= kChannelInformation;
+  if (any) record[0] |= kModuleDefect | kChannel;
+  if (errors != 0) record[0] |= kExternal;
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> diagnosis(const ModuleType& type, const ModuleFaults& faults) {
@@ -95,6 +112,7 @@ std::vector<std::uint8_t> diagnosis(const ModuleType& type, const ModuleFaults& 
     record[1] |= kChannelInformation;
     appendChannels(record, type, faults);
   }
+  if (type.kind == ModuleKind::Positioning) appendAxis(record, faults);
   if (faults.has(FaultKind::Defect)) {
     record[0] |= kModuleDefect | kInternal;
     if (type.kind == ModuleKind::Analog) record[3] |= kConverter;

@@ -30,8 +30,16 @@ std::uint32_t DigitalInputs::deliver(std::uint32_t levels, const Parameters& par
 }
 
 void DigitalInputs::attach(std::uint32_t channel, std::shared_ptr<const signal::Signal> signal,
-                           Instant now) {
-  signals_[channel] = {std::move(signal), now, now};
+                           Instant now, Instant held) {
+  signals_[channel] = {std::move(signal), now, now, held};
+}
+
+Instant DigitalInputs::heldSince(std::uint32_t channel, Instant now) const {
+  const auto found = signals_.find(channel);
+  if (found == signals_.end()) return now;
+  const Attached& attached = found->second;
+  const Instant last = attached.signal->last(now);
+  return last > attached.since ? last : attached.held;
 }
 
 Instant DigitalInputs::next(const Parameters& parameters) const {
@@ -61,27 +69,45 @@ std::optional<std::uint32_t> DigitalInputs::advance(Instant at, const Parameters
 bool DigitalInputs::settled(const Attached& attached, Duration delay, Instant now, bool otherwise) {
   constexpr int kMost = 64;  // signals without rhythm: enough
   const signal::Signal& signal = *attached.signal;
+  if (signal.neverLasts(delay, attached.since, now)) return otherwise;
   Instant end = now, at = now;
   for (int i = 0; i < kMost; ++i) {
-    const Instant begin = std::max(signal.last(at), attached.since);
-    if (end - begin >= delay) return signal.level(begin);
-    if (begin == attached.since) return otherwise;
-    end = begin;
-    at = begin - Duration{1};
+    const Instant last = signal.last(at);
+    const bool first = last <= attached.since;
+    if (end - (first ? attached.held : last) >= delay)
+      return signal.level(first ? attached.since : last);
+    if (first) return otherwise;
+    end = last;
+    at = last - Duration{1};
   }
   return otherwise;
 }
 
+// What is delivered with this channel as it is then.
+std::uint32_t DigitalInputs::settled(std::uint32_t channel, Attached& attached, Instant now,
+                                     const Parameters& parameters) {
+  if (follows(parameters, channel)) return delivered_;
+  const std::uint32_t bit = 1u << channel;
+  const bool passed = settled(attached, parameters.inputDelay, now, (delivered_ & bit) != 0);
+  levels_ = attached.signal->level(now) ? levels_ | bit : levels_ & ~bit;
+  skipDelay(channel);
+  return passed ? delivered_ | bit : delivered_ & ~bit;
+}
+
 std::optional<std::uint32_t> DigitalInputs::settle(Instant now, const Parameters& parameters) {
   std::uint32_t delivered = delivered_;
-  for (const auto& [channel, attached] : signals_) {
-    if (follows(parameters, channel)) continue;
+  for (auto& [channel, attached] : signals_) {
     const std::uint32_t bit = 1u << channel;
-    const bool passed = settled(attached, parameters.inputDelay, now, (delivered_ & bit) != 0);
-    delivered = passed ? delivered | bit : delivered & ~bit;
-    levels_ = attached.signal->level(now) ? levels_ | bit : levels_ & ~bit;
-    skipDelay(channel);
+    delivered = (delivered & ~bit) | (settled(channel, attached, now, parameters) & bit);
   }
+  return delivered != delivered_ ? std::optional(delivered) : std::nullopt;
+}
+
+std::optional<std::uint32_t> DigitalInputs::settle(std::uint32_t channel, Instant now,
+                                                   const Parameters& parameters) {
+  const auto found = signals_.find(channel);
+  if (found == signals_.end()) return std::nullopt;
+  const std::uint32_t delivered = settled(channel, found->second, now, parameters);
   return delivered != delivered_ ? std::optional(delivered) : std::nullopt;
 }
 

@@ -31,9 +31,13 @@ class DigitalInputs {
   std::uint32_t deliver(std::uint32_t levels, const Parameters& parameters);
 
   // Signals that are known in advance, in place of the level.
-  void attach(std::uint32_t channel, std::shared_ptr<const signal::Signal> signal, Instant now);
+  // `held`: since when its level has been there.
+  void attach(std::uint32_t channel, std::shared_ptr<const signal::Signal> signal, Instant now,
+              Instant held);
   bool attached(std::uint32_t channel) const { return signals_.contains(channel); }
   void detach(std::uint32_t channel) { signals_.erase(channel); }
+  // Since when the level of a signal has been there, at `now`; `now` without a signal.
+  Instant heldSince(std::uint32_t channel, Instant now) const;
 
   // Time: what is delivered from then on, if anything passes. `next` names the instants for
   // `advance`: an input delay ends, or a signal changes whose edges interrupt. `settle` works out
@@ -41,12 +45,17 @@ class DigitalInputs {
   Instant next(const Parameters& parameters) const;
   std::optional<std::uint32_t> advance(Instant at, const Parameters& parameters);
   std::optional<std::uint32_t> settle(Instant now, const Parameters& parameters);
+  std::optional<std::uint32_t> settle(std::uint32_t channel, Instant now,
+                                      const Parameters& parameters);
 
  private:
   struct Attached {
     std::shared_ptr<const signal::Signal> signal;
     Instant since, seen;  // `seen`: until when it has been looked at
+    Instant held;         // since when the level of its beginning has been there
   };
+  std::uint32_t settled(std::uint32_t channel, Attached& attached, Instant now,
+                        const Parameters& parameters);
   static bool settled(const Attached& attached, Duration delay, Instant now, bool otherwise);
 
   std::uint32_t levels_ = 0, delivered_ = 0;

@@ -63,6 +63,7 @@ bool possible(const ModuleType& type, FaultKind kind) {
     case FaultKind::RackPower:
       return type.kind == ModuleKind::Interface;
     case FaultKind::ParameterError:
+      return type.kind == ModuleKind::Counting || type.kind == ModuleKind::Positioning;
     case FaultKind::InterruptLost:
       return type.kind == ModuleKind::Counting;
   }

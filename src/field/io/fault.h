@@ -21,7 +21,7 @@ enum class FaultKind : std::uint8_t {
   Defect,          // the module itself: inner fault
   Removed,         // pulled out of the rack
   RackPower,       // an IM without supply: its rack fails
-  ParameterError,  // of the sub-module 2.4: it does not work with its parameters
+  ParameterError,  // of the sub-modules 2.4 and 2.5: they do not work with their parameters
   InterruptLost    // of the sub-module 2.4: a hardware interrupt came again too early
 };
 

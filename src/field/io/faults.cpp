@@ -19,6 +19,16 @@ void Rack::diagnose(std::uint32_t index) {
   reportDiagnosis(index);
 }
 
+void Rack::showAxisErrors(std::uint32_t index, std::uint16_t errors) {
+  Unit& unit = units_[index];
+  const std::uint16_t before = unit.faults.axis();
+  const bool wasFaulty = unit.faulty();
+  if (before == errors) return;
+  unit.faults.showAxis(errors);
+  unit.diagnosis = diagnosis(*of(index).type, unit.faults);
+  if ((errors & ~before) != 0 || wasFaulty != unit.faulty()) reportDiagnosis(index);
+}
+
 void Rack::reportFaults() {
   for (std::uint32_t i = 0; i < units_.size(); ++i)
     if (units_[i].faulty()) reportDiagnosis(i);

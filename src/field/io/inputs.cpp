@@ -22,11 +22,14 @@ void Rack::change(Terminal terminal, bool level, Instant now) {
 
 void Rack::attach(Terminal terminal, std::shared_ptr<const signal::Signal> signal, Instant now) {
   if (terminal.side != Side::DigitalInput) return;
-  detach(terminal, now);
+  DigitalInputs& inputs = units_[terminal.module].digital;
   const bool level = signal->level(now);
+  const Instant held =
+      level == this->level(terminal) ? inputs.heldSince(terminal.channel, now) : now;
+  detach(terminal, now);
   edges_.note({terminal, level, now, signal});
   change(terminal, level, now);
-  units_[terminal.module].digital.attach(terminal.channel, std::move(signal), now);
+  inputs.attach(terminal.channel, std::move(signal), now, held);
   ++signals_;
   findNext();
 }
@@ -34,7 +37,8 @@ void Rack::attach(Terminal terminal, std::shared_ptr<const signal::Signal> signa
 void Rack::detach(Terminal terminal, Instant now) {
   DigitalInputs& inputs = units_[terminal.module].digital;
   if (!inputs.attached(terminal.channel)) return;
-  settle(now);
+  if (const auto levels = inputs.settle(terminal.channel, now, of(terminal.module).parameters))
+    take(terminal.module, *levels);
   inputs.detach(terminal.channel);
   --signals_;
   edges_.note({terminal, level(terminal), now, nullptr});

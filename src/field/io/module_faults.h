@@ -28,10 +28,14 @@ class ModuleFaults {
     return ((put_[channel] | seen_[channel]) & bitOf(kind)) != 0;
   }
   bool hasAnywhere(FaultKind kind) const;
+  // Of an axis: bytes 8 and 9 of data record 1 (POS-DIAG-09, -10).
+  void showAxis(std::uint16_t errors) { axis_ = errors; }
+  std::uint16_t axis() const { return axis_; }
   std::uint16_t putAt(std::uint32_t channel) const { return put_[channel]; }
 
  private:
   std::uint16_t ofModule_ = 0;  // bitOf
+  std::uint16_t axis_ = 0;
   std::array<std::uint16_t, 32> put_{}, seen_{};
 };
 

@@ -19,6 +19,9 @@ double Rack::amount(Terminal terminal) const {
 
 const MeasuringRange* Rack::range(Terminal terminal) const {
   const Parameters& parameters = of(terminal.module).parameters;
+  const bool output = terminal.side == Side::AnalogOutput;
+  if (output && isOfAxis(configuration_, of(terminal.module), terminal.channel))
+    return findMeasuringRange("±10V");  // POS-WIRE-05
   if (terminal.side == Side::AnalogInput) return parameters.analogInputs[terminal.channel].range;
   if (terminal.side == Side::AnalogOutput) return parameters.analogOutputs[terminal.channel].range;
   return nullptr;
@@ -39,6 +42,7 @@ bool Rack::outputLevel(std::uint32_t index, std::uint32_t channel) const {
   if (unit.faults.has(channel, FaultKind::ShortCircuit) ||
       unit.faults.has(channel, FaultKind::WireBreak))
     return false;
+  if (unit.driven.always(channel)) return *unit.driven.level(channel);
   const OnStop onStop = module.parameters.onStop;
   if (outputs_.disabled() && onStop == OnStop::Zero) return false;  // S7-STATE-02
   if (outputs_.disabled() && onStop == OnStop::Substitute)
@@ -53,9 +57,12 @@ double Rack::outputAmount(std::uint32_t index, std::uint32_t channel) const {
   const ModuleFaults& faults = units_[index].faults;
   const AnalogOutput& output = module.parameters.analogOutputs[channel];
   const bool dead = faults.has(FaultKind::LoadVoltage) || faults.has(FaultKind::Defect);
-  if (output.range == nullptr || !outputs_.supplied() || dead || !present(index)) return 0;
+  if (!outputs_.supplied() || dead || !present(index)) return 0;
   if (faults.has(channel, FaultKind::ShortCircuit) || faults.has(channel, FaultKind::WireBreak))
     return 0;
+  const auto& driven = units_[index].amount;
+  if (driven && driven->channel == channel) return driven->volts;
+  if (output.range == nullptr) return 0;
   const OnStop onStop = module.parameters.onStop;
   if (outputs_.disabled() && onStop == OnStop::Zero) return 0;  // without voltage and current
   if (outputs_.disabled() && onStop == OnStop::Substitute) return output.substitute;
@@ -77,6 +84,9 @@ std::uint8_t Rack::putOut(std::uint32_t byte) const {
   const Module& module = of(owner);
   const std::uint32_t offset = byte - *module.outputStart;
   if (module.type->digitalOutputs > 0) return putOutBits(owner, offset);
+  const auto& driven = units_[owner].amount;
+  if (driven && driven->channel == offset / 2)
+    return static_cast<std::uint8_t>(offset % 2 == 0 ? driven->word >> 8 : driven->word);
   const bool put = !outputs_.disabled() || module.parameters.onStop == OnStop::Keep;
   if (put) return outputs_.byte(byte);
   if (module.parameters.onStop == OnStop::Zero) return 0;

@@ -56,13 +56,23 @@ class Rack {
   }
   bool present(std::uint32_t module) const;  // plugged, and its rack supplied
 
-  // For channels of `technology`, beside the input delay and the output bytes: fast inputs, outputs
-  // that a channel drives, four bytes of input data each, hardware interrupts.
-  void watch(Terminal input) { edges_.watch(input); }
-  std::vector<Edge> takeEdges() { return edges_.take(); }
+  // For channels of `technology` and `positioning`, beside the input delay and the output bytes:
+  // fast inputs, outputs that a channel drives, four bytes of input data each, interrupts.
+  void watch(Watcher who, Terminal input) { edges_.watch(who, input); }
+  std::vector<Edge> takeEdges(Watcher who) { return edges_.take(who); }
   void drive(Terminal output, bool level) {
     units_[output.module].driven.drive(output.channel, level);
   }
+  // By an axis, which stops by itself when the CPU does.
+  void driveAlways(Terminal output, bool level) {
+    units_[output.module].driven.drive(output.channel, level, true);
+  }
+  void driveAmount(Terminal output, double volts, std::int16_t word) {
+    units_[output.module].amount = {output.channel, volts, word};
+  }
+  // The errors that the diagnostic data of an axis show, bytes 8 and 9 of data record 1: one event
+  // for each that comes, one when the last has gone (POS-DIAG-03, -16).
+  void showAxisErrors(std::uint32_t module, std::uint16_t errors);
   void show(std::uint32_t module, std::uint32_t channel, std::uint32_t data);
   void interrupt(std::uint32_t module, std::uint32_t points);
 

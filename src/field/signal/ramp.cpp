@@ -12,7 +12,8 @@ constexpr std::int64_t kScale = 1'000'000;
 
 std::int64_t roundedDown(Wide a, Wide b) {
   const Wide quotient = a / b;
-  return static_cast<std::int64_t>(quotient - ((a % b != 0 && (a < 0) != (b < 0)) ? 1 : 0));
+  const bool below = quotient * b != a && (a < 0) != (b < 0);
+  return static_cast<std::int64_t>(quotient - (below ? 1 : 0));
 }
 
 }  // namespace
@@ -20,6 +21,7 @@ std::int64_t roundedDown(Wide a, Wide b) {
 // x = x0 + v t + (w - v) t^2 / 2T
 std::int64_t Ramp::at(Instant t) const {
   const std::int64_t passed = std::clamp<std::int64_t>((t - start).ns, 0, length.ns);
+  if (passed == 0 || (speed == 0 && last == 0)) return position;
   const Wide twice = 2 * Wide{length.ns};
   const Wide way = twice * speed * passed + Wide{last - speed} * passed * passed;
   return position + roundedDown(way, twice * kScale);

@@ -22,11 +22,20 @@ Instant RampSignal::next(Instant after) const {
   return before != Instant::never() ? before : changeWithin(turning, end, lastPulse);
 }
 
-// The one before: found forward, a ramp is short.
+// On a part of the ramp that goes one way: back to where the level of its end began.
+Instant RampSignal::lastWithin(Instant from, Instant to) const {
+  const std::int64_t first = ramp_->pulseAt(from), pulse = ramp_->pulseAt(to);
+  const std::int64_t before = first == pulse ? pulse : change(pulse, first);
+  if (before == pulse) return kLongAgo;
+  return ramp_->reaches(pulse > first ? before + 1 : before - 1, from);
+}
+
 Instant RampSignal::last(Instant at) const {
-  Instant found = kLongAgo;
-  for (Instant t = next(ramp_->start); t <= at && t != Instant::never(); t = next(t)) found = t;
-  return found;
+  if (at < ramp_->start) return kLongAgo;
+  const Instant to = std::min(at, ramp_->start + ramp_->length);
+  if (!ramp_->turns() || to <= ramp_->turningTime()) return lastWithin(ramp_->start, to);
+  const Instant behind = lastWithin(ramp_->turningTime(), to);
+  return behind != kLongAgo ? behind : lastWithin(ramp_->start, ramp_->turningTime());
 }
 
 }  // namespace merker::signal

@@ -27,6 +27,7 @@ class RampSignal : public Signal {
 
  private:
   Instant changeWithin(Instant from, Instant to, std::int64_t lastPulse) const;
+  Instant lastWithin(Instant from, Instant to) const;
 
   std::shared_ptr<const Ramp> ramp_;
 };

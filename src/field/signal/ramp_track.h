@@ -20,6 +20,8 @@ class RampTrack : public RampSignal {
   RampTrack(std::shared_ptr<const Ramp> ramp, const ZeroMarks& marks, Kind kind)
       : RampSignal(std::move(ramp)), marks_(marks), kind_(kind) {}
 
+  bool neverLasts(Duration length, Instant from, Instant to) const override;
+
   const ZeroMarks& marks() const { return marks_; }
   Kind kind() const { return kind_; }
 
@@ -30,6 +32,31 @@ class RampTrack : public RampSignal {
  private:
   ZeroMarks marks_;
   Kind kind_;
+};
+
+// Track A or B of an encoder that loses pulses: from one pulse on, in its direction, so many of
+// them change nothing. They are whole periods, so that the track is the usual one behind them.
+class LosingTrack : public RampSignal {
+ public:
+  struct Gap {
+    std::int64_t from = 0;
+    std::int64_t pulses = 0;  // negative: in direction minus
+    bool holds(std::int64_t pulse) const {
+      return pulses > 0 ? pulse > from && pulse <= from + pulses
+                        : pulse < from && pulse >= from + pulses;
+    }
+  };
+  LosingTrack(std::shared_ptr<const Ramp> ramp, const ZeroMarks& marks, RampTrackKind kind, Gap gap)
+      : RampSignal(std::move(ramp)), marks_(marks), kind_(kind), gap_(gap) {}
+
+ protected:
+  bool levelIn(std::int64_t pulse) const override;
+  std::int64_t change(std::int64_t pulse, std::int64_t to) const override;
+
+ private:
+  ZeroMarks marks_;
+  RampTrackKind kind_;
+  Gap gap_;
 };
 
 // A switch beside the axis: 1 from one pulse up to before another one. On a rotary axis it is there

@@ -27,6 +27,8 @@ class Signal {
   virtual Rhythm rhythm(Instant from) const = 0;
   // The change that is `periods` later than the one at `edge`; only within its rhythm.
   virtual Instant later(Instant edge, std::int64_t periods) const = 0;
+  // Whether it is known without looking at each change that no level lasts so long in between.
+  virtual bool neverLasts(Duration, Instant /*from*/, Instant /*to*/) const { return false; }
 };
 
 }  // namespace merker::signal

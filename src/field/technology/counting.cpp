@@ -41,7 +41,7 @@ void Counting::connect(std::uint32_t channel, const CountingPins& pins) {
   wires_[pins.b.channel] = {channel, Channel::TrackB};
   wires_[pins.a.channel] = {channel, Channel::TrackA};
   for (const CountingPin& pin : {pins.gate, pins.latch, pins.b, pins.a})
-    rack_.watch({digital_, io::Side::DigitalInput, pin.channel});
+    rack_.watch(io::Watcher::Counting, {digital_, io::Side::DigitalInput, pin.channel});
   outputs_[channel] = {digital_, io::Side::DigitalOutput, pins.output.channel};
   if (channels_[channel].function()->ownsOutput()) rack_.drive(outputs_[channel], false);
 }
@@ -104,7 +104,7 @@ void Counting::advanceChannels(Instant now) {
 }
 
 void Counting::takeEdges() {
-  for (const io::Edge& edge : rack_.takeEdges()) {
+  for (const io::Edge& edge : rack_.takeEdges(io::Watcher::Counting)) {
     const auto& wire = wires_[edge.terminal.channel];
     if (edge.terminal.module != digital_ || !wire) continue;
     changed_ = false;

@@ -29,8 +29,10 @@ constexpr std::array<std::uint8_t, 4> kNotOn31x{25, 26, 27, 48};
 
 // Closed-loop control: CPU 313C, 313C-2 and 314C-2; counting also CPU 312C (technology manual 1,
 // table "Übersicht technologische Funktionen"; PID-USE-01).
-constexpr std::array<std::uint8_t, 3> kNoControl{41, 42, 43};
-constexpr std::array<std::uint8_t, 6> kNoTechnology{41, 42, 43, 47, 48, 49};
+// Positioning: CPU 314C-2 only (POS-OVW-01, -02).
+constexpr std::array<std::uint8_t, 2> kNoPositioning{44, 46};
+constexpr std::array<std::uint8_t, 5> kNoControl{41, 42, 43, 44, 46};
+constexpr std::array<std::uint8_t, 8> kNoTechnology{41, 42, 43, 44, 46, 47, 48, 49};
 
 // On-board inputs and outputs by type (technology manual, table "Übersicht technologische
 // Funktionen" and connector tables 5.2.2; S7-CPU-15 to -18).
@@ -122,6 +124,7 @@ constexpr CpuModel model313(std::string_view name, std::string_view keyword,
                             std::string_view orderNumber, std::span<const std::uint8_t> obs,
                             const OnBoard& onBoard) {
   CpuModel model = model314(name, keyword, orderNumber, obs);
+  model.lacksSfbs = kNoPositioning;
   model.realTime = 3'000;
   model.workMemory = 32 * 1024;
   model.highestDb = 511;

@@ -87,6 +87,12 @@ constexpr ModuleType counting() {
   return type;
 }
 
+constexpr ModuleType positioning() {
+  ModuleType type = other("", "", "Position", Kind::Positioning, 0);
+  type.diagnosticInterrupt = true;
+  return type;
+}
+
 constexpr ModuleType position() {
   ModuleType type = other("6ES7 338-4BC01-0AB0", "SM 338", "POS-INPUT 3xSSI", Kind::Position, 160);
   type.outputBytes = 0;  // S7-HW-07
@@ -188,7 +194,7 @@ constexpr std::array kOnBoard{
     settable(digital("", "", "DI10/DO6", 10, 6, 0, kDc, kDirect), kDelaysOnBoard, 0x3FF, 1),
     compactAnalog(),
     counting(),
-    other("", "", "Position", Kind::Positioning, 0)};
+    positioning()};
 
 }  // namespace
 

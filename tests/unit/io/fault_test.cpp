@@ -263,7 +263,7 @@ TEST(Fault, possibleByKindOfModule) {
   EXPECT_EQ(onBoardCan(2), "010011100000");
   EXPECT_EQ(onBoardCan(3), "111110000000");
   EXPECT_EQ(onBoardCan(4), "000000000011");
-  EXPECT_EQ(onBoardCan(5), "000000000000");
+  EXPECT_EQ(onBoardCan(5), "000000000010");
 }
 
 TEST(Fault, namesAreInTheirOrder) {

@@ -113,12 +113,12 @@ TEST(AttachedSignal, OutputsHaveNone) {
 // Of an input that is watched each change is told, with the signal that lies there from then on.
 TEST(AttachedSignal, WatchedInputsTellTheirEdges) {
   Input input;
-  input.rack->watch(input.terminal);
+  input.rack->watch(Watcher::Counting, input.terminal);
   input.rack->setLevel(input.terminal, true, at(1));
   const auto pulses = train(100'000, 500, 0);
   input.rack->attach(input.terminal, pulses, at(6));
   input.rack->setLevel(*input.rack->terminal("2.2", Side::DigitalInput, 0), true, at(7));
-  const auto edges = input.rack->takeEdges();
+  const auto edges = input.rack->takeEdges(Watcher::Counting);
   ASSERT_EQ(edges.size(), 2u);
   EXPECT_EQ(edges[0].terminal, input.terminal);
   EXPECT_TRUE(edges[0].level);
