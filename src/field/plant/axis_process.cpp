@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "plant/axis.h"
 #include "plant/named.h"
@@ -41,6 +42,7 @@ constexpr Parameter kParameters[] = {
     {"low_switch", Form::Whole, -20'000, -kFar, kFar},
     {"high_switch", Form::Whole, 320'000, -kFar, kFar},
     {"start", Form::Whole, 0, -kFar, kFar},
+    {"swapped", Form::Flag, 0, 0, 1},
 };
 constexpr Signal kSignals[] = {
     {"SETPOINT", Signal::Side::Input, false, 0, 0, 10, "V"},
@@ -53,6 +55,8 @@ constexpr Signal kSignals[] = {
     {"HAND", Signal::Side::Input, false, 0, 0, 1000, "1/s"},
     {"BLOCKED", Signal::Side::Input, true},
     {"EMERGENCY_STOP", Signal::Side::Input, true},
+    {"SWAPPED", Signal::Side::Input, true},
+    {"LOST", Signal::Side::Input, false, 0, 0, 1000},
     {"A", Signal::Side::Output, true},
     {"B", Signal::Side::Output, true},
     {"N", Signal::Side::Output, true},
@@ -112,7 +116,9 @@ struct Unheard : AxisObserver {
 class AxisProcess : public ProcessOf<kParameters, kSignals> {
  public:
   explicit AxisProcess(Parameters parameters)
-      : settings_(settingsOf(parameters)), axis_(settings_, whole(parameters["start"])) {
+      : settings_(settingsOf(parameters)),
+        axis_(settings_, whole(parameters["start"])),
+        swapped_(parameters["swapped"] != 0) {
     follow(Instant{});
   }
 
@@ -150,7 +156,29 @@ class AxisProcess : public ProcessOf<kParameters, kSignals> {
     Unheard nobody;
     const bool stood = axis_.ramp().last == 0;
     axis_.step(inputs, nobody);
-    if (!stood || axis_.ramp().last != 0 || axis_.ramp().speed != 0) follow(end_);
+    const bool faulty = takeFaults(values);
+    if (faulty || !stood || axis_.ramp().last != 0 || axis_.ramp().speed != 0) follow(end_);
+  }
+
+  // Tracks that are swapped, and pulses that get lost from now on: whole periods of a track. True
+  // if something is new.
+  bool takeFaults(Signals values) {
+    constexpr std::int64_t kPeriod = 4;
+    const bool swapped = (values["SWAPPED"] != 0) != swappedSince_;
+    if (swapped) swapped_ = !swapped_;
+    swappedSince_ = values["SWAPPED"] != 0;
+    const std::int64_t wanted = (whole(std::abs(values["LOST"])) + kPeriod - 1) / kPeriod * kPeriod;
+    const bool lost = wanted != lost_ && wanted != 0;
+    lost_ = wanted;
+    if (lost) gap_ = {axis_.ramp().pulseAt(Instant{}), axis_.speed() < 0 ? -wanted : wanted};
+    return swapped || lost;
+  }
+
+  std::shared_ptr<const signal::Signal> trackOf(signal::RampTrackKind kind,
+                                                const signal::ZeroMarks& marks) const {
+    if (gap_ && kind != signal::RampTrackKind::N)
+      return std::make_shared<signal::LosingTrack>(ramp_, marks, kind, *gap_);
+    return std::make_shared<signal::RampTrack>(ramp_, marks, kind);
   }
 
   // The axis takes another course from `now` on.
@@ -161,9 +189,10 @@ class AxisProcess : public ProcessOf<kParameters, kSignals> {
     const AxisPlaces& places = settings_.places;
     const signal::ZeroMarks marks{places.betweenMarks, places.firstMark, false};
     using Kind = signal::RampTrackKind;
-    for (const Kind kind : {Kind::A, Kind::B, Kind::N})
-      courses_[static_cast<std::size_t>(kind)] =
-          std::make_shared<signal::RampTrack>(ramp_, marks, kind);
+    courses_[0] = trackOf(swapped_ ? Kind::B : Kind::A, marks);
+    courses_[1] = trackOf(swapped_ ? Kind::A : Kind::B, marks);
+    courses_[2] = trackOf(Kind::N, marks);
+    if (gap_ && !gap_->holds(signal::pulseOf(ramp_->end()))) gap_.reset();  // they are lost once
     const auto zone = [&](const Zone& z) {
       return std::make_shared<signal::RampZone>(ramp_, z.from, z.to, places.revolution);
     };
@@ -182,6 +211,9 @@ class AxisProcess : public ProcessOf<kParameters, kSignals> {
 
   AxisSettings settings_;
   Axis axis_;
+  bool swapped_, swappedSince_ = false;
+  std::int64_t lost_ = 0;  // as last wanted
+  std::optional<signal::LosingTrack::Gap> gap_;
   bool begun_ = false;
   Instant end_;  // of the present step
   std::shared_ptr<const signal::Ramp> ramp_;

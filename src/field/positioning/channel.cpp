@@ -22,13 +22,19 @@ std::unique_ptr<Drive> driveOf(const io::AxisChannel& parameters) {
 // With parameters that do not fit together nothing starts, so those of the default are as good.
 Channel::Channel(const io::AxisChannel& parameters)
     : p_(flaw(parameters) ? io::AxisChannel{.output = parameters.output} : parameters),
-      parametrised_(!flaw(parameters)),
+      fits_(!flaw(parameters)),
+      parametrised_(fits_),
       drive_(driveOf(p_)),
       position_(p_),
       length_(p_.lengthEdges),
       arrival_(p_),
       movement_(p_) {
   start();
+}
+
+void Channel::parametrise(bool sound) {
+  const bool before = std::exchange(parametrised_, fits_ && sound);
+  if (before && !parametrised_) abort();
 }
 
 void Channel::start() {
@@ -72,10 +78,10 @@ void Channel::referenceSwitch(bool on) {
     search->switchEdge(on, position_.direction());
 }
 
-void Channel::lengthInput(bool on) {
+void Channel::lengthInput(bool on, std::int64_t position) {
   if (on == lengthInput_) return;
   lengthInput_ = on;
-  length_.edge(on, position_.now());
+  length_.edge(on, position);
 }
 
 void Channel::cycle() {

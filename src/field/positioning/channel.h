@@ -30,6 +30,8 @@ class Channel {
  public:
   explicit Channel(const io::AxisChannel& parameters);
 
+  // Whether the parameters count (POS-PARAM-29); what does not fit together never does.
+  void parametrise(bool sound);
   void start();  // the CPU: STOP to RUN (POS-RUN-33)
   void stop();   // RUN to STOP (POS-END-08)
 
@@ -37,7 +39,8 @@ class Channel {
   void move(std::int64_t pulses);  // of the encoder, all in one direction
   void zeroMark();
   void referenceSwitch(bool on);
-  void lengthInput(bool on);
+  void lengthInput(bool on) { lengthInput(on, position()); }
+  void lengthInput(bool on, std::int64_t position);  // where the edge was
 
   void cycle();
   const Outputs& outputs() const { return outputs_; }  // they change in cycles only
@@ -54,6 +57,8 @@ class Channel {
   const io::AxisChannel& parameters() const { return p_; }
   bool working() const { return run_.has_value(); }
   Mode mode() const { return mode_; }
+  std::uint16_t errors() const { return errors_; }
+  std::int64_t position() const { return position_.now(); }  // now, not of the last cycle
   Image image() const;
 
  private:
@@ -69,7 +74,7 @@ class Channel {
   void deleteDistance();
 
   io::AxisChannel p_;
-  bool parametrised_;
+  bool fits_, parametrised_;
   std::unique_ptr<Drive> drive_;
   Position position_;
   Length length_;

@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "positioning/switch_input.h"
+
 namespace merker::positioning {
 namespace {
 
 constexpr auto A = signal::RampTrackKind::A, B = signal::RampTrackKind::B,
                N = signal::RampTrackKind::N;
-
-// A level must last so long: 8 us at 60 kHz (POS-ENC-08).
-Duration filterTime(std::uint32_t kilohertz) { return Duration::microseconds(480 / kilohertz); }
 
 }  // namespace
 

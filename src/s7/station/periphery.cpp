@@ -27,21 +27,27 @@ void Periphery::connect(cpu::Cpu& cpu) {
 
 // What happens outside, between two calls of the CPU, is told at its next instruction boundary.
 Instant Periphery::next() const {
-  return rack_.pending() ? Instant{} : std::min({rack_.next(), counting_.next(), plants_.next()});
+  return rack_.pending()
+             ? Instant{}
+             : std::min({rack_.next(), counting_.next(), positioning_.next(), plants_.next()});
 }
 
 std::string_view Periphery::due(Instant now) const {
   if (plants_.next() <= now) return "plants";
+  if (positioning_.next() <= now) return "sub-module 2.5";
   return counting_.next() <= now ? "sub-module 2.4" : "modules of the rack";
 }
 
 void Periphery::goOn(Instant now) {
-  for (Standstill loop; plants_.next() <= now && loop.moves(plants_.next());) {  // by time
-    const Instant at = plants_.next();
+  const auto next = [this] { return std::min(plants_.next(), positioning_.next()); };
+  for (Standstill loop; next() <= now && loop.moves(next());) {  // by time
+    const Instant at = next();
     rack_.advance(at);
+    positioning_.advance(at);  // the cycle at this instant acts on the step that begins here
     plants_.advance(rack_, at);
   }
   rack_.advance(now);
+  positioning_.advance(now);
 }
 
 void Periphery::advance(cpu::Cpu& cpu, Instant now) {
@@ -65,10 +71,17 @@ void Periphery::reading(cpu::Cpu& cpu) {
 
 void Periphery::acknowledged(cpu::Cpu&, std::uint32_t address) { counting_.acknowledged(address); }
 
-// CNT-GATE-10, -11
+// CNT-GATE-10, -11; POS-RUN-33, POS-END-08
 void Periphery::modeChanged(cpu::Cpu& cpu) {
-  if (cpu.mode() == cpu::Mode::Startup) counting_.start(cpu.machine().clock);
+  const Instant now = cpu.machine().clock;
+  if (cpu.mode() == cpu::Mode::Startup) counting_.start(now), positioning_.start(now);
   if (cpu.mode() == cpu::Mode::Stop) counting_.stop();
+  if (cpu.mode() == cpu::Mode::Stop || cpu.mode() == cpu::Mode::Halt) positioning_.stop(now);
+}
+
+void Periphery::supply(cpu::Cpu& cpu, bool on) {
+  if (!on) positioning_.stop(cpu.machine().clock);
+  rack_.supply(on);
 }
 
 void Periphery::written(cpu::Cpu& cpu, std::uint32_t first, std::uint32_t count) {

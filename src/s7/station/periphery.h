@@ -5,6 +5,7 @@
 #include "cpu/periphery.h"
 #include "io/rack.h"
 #include "plant/plants.h"
+#include "positioning/positioning.h"
 #include "technology/counting.h"
 
 namespace merker::station {
@@ -12,13 +13,18 @@ namespace merker::station {
 class Periphery : public cpu::Periphery {
  public:
   Periphery(io::Configuration configuration, plant::Configuration plants)
-      : rack_(std::move(configuration)), counting_(rack_), plants_(std::move(plants)) {}
-  Periphery(const Periphery&) = delete;  // `counting_` knows `rack_`
+      : rack_(std::move(configuration)),
+        counting_(rack_),
+        positioning_(rack_),
+        plants_(std::move(plants)) {}
+  Periphery(const Periphery&) = delete;  // the sub-modules know `rack_`
   Periphery& operator=(const Periphery&) = delete;
 
   io::Rack& rack() { return rack_; }
   const io::Rack& rack() const { return rack_; }
   technology::Counting& counting() { return counting_; }
+  positioning::Positioning& positioning() { return positioning_; }
+  const positioning::Positioning& positioning() const { return positioning_; }
   // What is worked out only when asked, as it is at `now`.
   void refresh(Instant now);
   plant::Plants& plants() { return plants_; }
@@ -43,7 +49,7 @@ class Periphery : public cpu::Periphery {
   void modeChanged(cpu::Cpu& cpu) override;
   void written(cpu::Cpu& cpu, std::uint32_t first, std::uint32_t count) override;
   void disableOutputs(cpu::Cpu& cpu, bool disabled) override;
-  void supply(cpu::Cpu&, bool on) override { rack_.supply(on); }
+  void supply(cpu::Cpu& cpu, bool on) override;
   void started(cpu::Cpu&) override { rack_.reportFaults(); }
 
  private:
@@ -53,6 +59,7 @@ class Periphery : public cpu::Periphery {
 
   io::Rack rack_;
   technology::Counting counting_;
+  positioning::Positioning positioning_;
   plant::Plants plants_;
 };
 

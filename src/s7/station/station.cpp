@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "cpu/cpu.h"
 #include "station/line_counts.h"
@@ -55,7 +56,7 @@ struct Station::Parts {
     periphery = std::make_unique<Periphery>(std::move(hardware), std::move(plants));
     periphery->connect(cpu);
     modules = std::make_unique<Modules>(periphery->rack());
-    services.connect(modules.get(), &periphery->counting());
+    services.connect(modules.get(), &periphery->counting(), &periphery->positioning());
   }
 
   // The start itself is the wish, whatever the switch does by its position.
@@ -257,6 +258,10 @@ plant::Plants* Station::plants() {
 }
 const plant::Plants* Station::plants() const {
   return parts_->periphery ? &parts_->periphery->plants() : nullptr;
+}
+
+const positioning::Channel* Station::axis() const {
+  return parts_->periphery ? std::as_const(*parts_->periphery).positioning().channel() : nullptr;
 }
 
 const std::vector<DiagnosticEntry>& Station::diagnostics() const {

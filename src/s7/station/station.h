@@ -27,6 +27,7 @@
 #include "plc/hot_restart.h"
 #include "plc/machine_code.h"
 #include "plc/ob1_alone.h"
+#include "positioning/axis_values.h"
 #include "station/block_cpu.h"
 
 namespace merker::station {
@@ -56,6 +57,7 @@ class Station final : public controller::Controller,
                       public controller::MachineCode,
                       public controller::Ob1Alone,
                       public plant::Field,
+                      public positioning::AxisOwner,
                       public cpu::EventsByHand,
                       public cpu::LedPanel,
                       public cpu::RamToRom,
@@ -162,6 +164,7 @@ class Station final : public controller::Controller,
   // The plants wired to them, moved by the station's time; null without a hardware configuration.
   plant::Plants* plants() override;
   const plant::Plants* plants() const override;
+  const positioning::Channel* axis() const override;
 
   const std::vector<DiagnosticEntry>& diagnostics() const override;
   const std::vector<CheckResult>& checkResults() const override;

@@ -15,6 +15,10 @@
 #include "system/modules.h"
 #include "technology/counting.h"
 
+namespace merker::positioning {
+class Positioning;
+}
+
 namespace merker::system {
 
 struct AnyPointer {
@@ -37,6 +41,7 @@ struct Region {
 struct Context {
   Modules* modules = nullptr;                // null: none
   technology::Counting* counting = nullptr;  // null: none
+  positioning::Positioning* positioning = nullptr;
   Jobs jobs;
 };
 
@@ -61,6 +66,7 @@ class Arguments {
   cpu::Machine& machine() { return call_.machine; }
   Modules* modules() { return context_.modules; }
   technology::Counting* counting() { return context_.counting; }
+  positioning::Positioning* positioning() { return context_.positioning; }
   Jobs& jobs() { return context_.jobs; }
   std::uint16_t functionNumber() const { return function_.number; }
   // SFB: whether the instance is long enough for this parameter.

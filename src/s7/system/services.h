@@ -15,9 +15,11 @@ class Services : public cpu::SystemServices {
   bool call(const cpu::SystemCall& call) override;
   void restart() override { context_.jobs.clear(); }
   // Whom the functions for modules ask; null: no modules.
-  void connect(Modules* modules, technology::Counting* counting) {
+  void connect(Modules* modules, technology::Counting* counting,
+               positioning::Positioning* positioning) {
     context_.modules = modules;
     context_.counting = counting;
+    context_.positioning = positioning;
   }
 
  private:

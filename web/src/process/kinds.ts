@@ -191,8 +191,8 @@ const KINDS: Record<string, Kind> = {
       contactors
         ? ['SETPOINT', 'ENABLE', 'DIRECTION']
         : ['Q0', 'Q1', 'Q2', 'Q3', ...(direction_signal ? [] : ['DIRECTION'])],
-    ranges: ['HAND'],
-    toggles: ['BLOCKED', 'EMERGENCY_STOP'],
+    ranges: ['HAND', 'LOST'],
+    toggles: ['BLOCKED', 'EMERGENCY_STOP', 'SWAPPED'],
     faults: [
       { signal: 'A', at: 0, title: axis.brokenA },
       { signal: 'B', at: 0, title: axis.brokenB },

@@ -105,6 +105,8 @@ export const axisSignals = {
   HAND: ['Handrad', 'Hand wheel'],
   BLOCKED: ['Achse blockiert', 'Axis blocked'],
   EMERGENCY_STOP: ['Not-Halt', 'Emergency stop'],
+  SWAPPED: ['Spuren vertauscht', 'Tracks swapped'],
+  LOST: ['Verlorene Impulse', 'Lost pulses'],
   A: ['Spur A', 'Track A'],
   B: ['Spur B', 'Track B'],
   N: ['Nullmarke N', 'Zero mark N'],
