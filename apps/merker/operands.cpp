@@ -69,6 +69,11 @@ int readWatched(const std::string& option, const std::vector<std::string>& texts
       if (!simulator::parseTerminal(name, {}, terminal, at, problems)) return;
       simulator::resolvePlace(terminal, hardware, problems);
       watched.terminals.push_back(std::move(terminal));
+    } else if (simulator::namesAxis(part)) {
+      simulator::AxisTerm term;
+      if (!simulator::parseAxis(part, {}, term, at, problems)) return;
+      simulator::resolve(term, hardware, problems);
+      watched.axis.push_back(std::move(term));
     } else {
       readOperand(part, position, resolver, watched.operands, problems);
     }

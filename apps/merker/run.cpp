@@ -102,6 +102,8 @@ void printText(const Operands& operands, const controller::Controller& plc) {
   for (const simulator::TerminalValue& terminal : operands.print.terminals)
     std::cout << "terminal " << terminal.text << " = " << actualValue(terminal, *field->rack())
               << '\n';
+  for (const simulator::AxisTerm& term : operands.print.axis)
+    std::cout << term.text << " = " << actualValue(term, simulator::axisOf(plc)) << '\n';
 }
 
 void printJson(const Operands& operands, const controller::Controller& plc) {
@@ -118,6 +120,8 @@ void printJson(const Operands& operands, const controller::Controller& plc) {
     document["plant " + signal.text] = field->plants()->value(signal.place);
   for (const simulator::TerminalValue& terminal : operands.print.terminals)
     document["terminal " + terminal.text] = presentValue(terminal, *field->rack());
+  for (const simulator::AxisTerm& term : operands.print.axis)
+    document[term.text] = positioning::read(*term.what, simulator::axisOf(plc));
   std::cout << document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
 }
 

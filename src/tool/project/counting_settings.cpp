@@ -227,14 +227,19 @@ void readCounter(Reader& r) {
 
 }  // namespace
 
-// CNT-PARAM-02
+// CNT-PARAM-02, POS-PARAM-01
 void readInterruptSelection(const Table& table, io::Module& module) {
+  if (module.type->kind == ModuleKind::Positioning) {
+    if (const auto selected = table.choice("interrupts", {"none", "diagnostics"}))
+      module.parameters.diagnosticInterrupt = *selected == 1;
+    return;
+  }
   const auto selected =
       table.choice("interrupts", {"none", "diagnostics", "process", "diagnostics and process"});
   if (!selected) return;
   if (module.type->kind != ModuleKind::Counting) {
     table.problems().add(ProblemCode::P0735, table.placeOf("interrupts"), module.title(),
-                         "interrupt selection; only the sub-module 2.4 has one");
+                         "interrupt selection; only the sub-modules 2.4 and 2.5 have one");
     return;
   }
   module.parameters.diagnosticInterrupt = *selected == 1 || *selected == 3;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "io/amount.h"
+#include "project/axis_settings.h"
 #include "project/readers.h"
 
 namespace merker::project {
@@ -123,10 +124,23 @@ std::string slotText(const toml::node& node) {
   return text == nullptr ? std::string() : text->get();
 }
 
+namespace {
+
+void allowKeys(const Table& table) {
+  std::vector<std::string_view> keys{"slot",        "rack",       "type",    "name",
+                                     "input",       "output",     "cable",   "input_delay",
+                                     "rising_edge", "range",      "on_stop", "falling_edge",
+                                     "diagnostics", "substitute", "channel", "interrupts"};
+  const toml::node* slot = table.node("slot");
+  if (slot != nullptr && slotText(*slot) == "2.5")
+    keys.insert(keys.end(), axisKeys().begin(), axisKeys().end());
+  table.allow(keys);
+}
+
+}  // namespace
+
 std::optional<io::Module> readModule(const Table& table, const CpuModel& model) {
-  table.allow({"slot", "rack", "type", "name", "input", "output", "cable", "input_delay",
-               "rising_edge", "falling_edge", "diagnostics", "range", "on_stop", "substitute",
-               "channel", "interrupts"});
+  allowKeys(table);
   io::Module module;
   module.position = table.place();
   if (!readPlace(table, model, module)) return std::nullopt;
@@ -143,6 +157,7 @@ std::optional<io::Module> readModule(const Table& table, const CpuModel& model) 
   readParameters(table, module);
   readInterruptSelection(table, module);
   if (module.type->kind == ModuleKind::Counting) readCounters(table, model, module);
+  if (module.type->kind == ModuleKind::Positioning) readAxis(table, module);
   return module;
 }
 

@@ -68,7 +68,8 @@ void readEdges(const Table& table, std::string_view key, io::Module& module, std
 void readDiagnostics(const Table& table, io::Module& module) {
   const auto wanted = table.flag("diagnostics");
   if (!wanted) return;
-  if (module.type->kind == ModuleKind::Counting)  // CNT-PARAM-02: one selection for both
+  const ModuleKind kind = module.type->kind;
+  if (kind == ModuleKind::Counting || kind == ModuleKind::Positioning)  // CNT-PARAM-02
     return hasNo(table, "diagnostics", module,
                  "'diagnostics'; its interrupts are selected by interrupts = \"diagnostics\"");
   if (*wanted && !module.type->diagnosticInterrupt)

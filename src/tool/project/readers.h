@@ -29,6 +29,9 @@ void readChannels(const Table& table, io::Module& module);
 // interrupts, [[module.channel]] of the sub-module 2.4
 void readInterruptSelection(const Table& table, io::Module& module);
 void readCounters(const Table& table, const CpuModel& model, io::Module& module);
+// drive and what belongs to it, of the sub-module 2.5; then what it needs of others (POS-PARAM)
+void readAxis(const Table& table, io::Module& module);
+void checkAxis(const Table& root, const io::Configuration& configuration);
 // "±10V, 0..10V, …": the ranges of a RangeSet, for problems
 std::string rangeNames(std::uint16_t sets);
 

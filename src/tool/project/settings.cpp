@@ -86,6 +86,7 @@ void readHardware(const Table& root, Settings& settings) {
   for (const Table& table : root.tables("module"))
     if (auto module = readModule(table, *settings.model)) modules.push_back(std::move(*module));
   settings.hardware = io::configure(std::move(modules), *settings.model, root.problems());
+  checkAxis(root, *settings.hardware);
 }
 
 void choose(Settings& settings, const Model& model) {

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <variant>
 
+#include "scenario/expectations/axis.h"
 #include "scenario/expectations/diagnostics.h"
 #include "scenario/expectations/led.h"
 #include "scenario/expectations/mode.h"
@@ -34,7 +35,7 @@ using OneExpectationOf = std::variant<E...>;
 using AnyExpectation =
     OneExpectationOf<expectations::Values, expectations::Mode, expectations::Diagnostics,
                      expectations::Terminal, expectations::Led, expectations::Plant,
-                     expectations::Stack>;
+                     expectations::Stack, expectations::Axis>;
 
 // Reads what stands behind `expect`, without the time; `ofPartner`: of the coupled control.
 bool parseExpectation(const StepLine& line, std::string_view text, bool ofPartner,

@@ -69,8 +69,9 @@ bool parseExpectation(const StepLine& line, std::string_view text, bool ofPartne
   if (ofPartner && (row == nullptr || row->of != Of::Both))
     return line.fail(ProblemCode::P0952, left.empty() ? text : left,
                      "mode, diagnostics contains, or an operand: partner.MW 10");
-  return row != nullptr ? row->parse(line, claim, expectation)
-                        : parse<expectations::Values>(line, claim, expectation);
+  if (row != nullptr) return row->parse(line, claim, expectation);
+  return namesAxis(claim.subject) ? parse<expectations::Axis>(line, claim, expectation)
+                                  : parse<expectations::Values>(line, claim, expectation);
 }
 
 }  // namespace merker::simulator

@@ -25,7 +25,10 @@ std::uint32_t channelsOf(const ModuleType& type, io::Side side) {
   return counts[static_cast<std::size_t>(side)];
 }
 
-const MeasuringRange* rangeOf(const io::Module& module, const TerminalValue& terminal) {
+const MeasuringRange* rangeOf(const io::Configuration& hardware, const io::Module& module,
+                              const TerminalValue& terminal) {
+  const bool output = terminal.side == io::Side::AnalogOutput;
+  if (output && io::isOfAxis(hardware, module, terminal.channel)) return findMeasuringRange("±10V");
   if (terminal.side == io::Side::AnalogInput)
     return module.parameters.analogInputs[terminal.channel].range;
   return module.parameters.analogOutputs[terminal.channel].range;
@@ -86,7 +89,7 @@ const io::Module* placeOf(const TerminalValue& terminal, const io::Configuration
                  "terminal " + terminal.text.substr(terminal.text.rfind('.') + 1));
     return nullptr;
   }
-  range = isDigital(terminal.side) ? nullptr : rangeOf(*module, terminal);
+  range = isDigital(terminal.side) ? nullptr : rangeOf(*hardware, *module, terminal);
   if (isDigital(terminal.side) || range != nullptr) return module;
   problems.add(ProblemCode::P0984, terminal.position, terminal.text, "range: it is off");
   return nullptr;

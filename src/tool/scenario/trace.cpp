@@ -52,7 +52,10 @@ std::string fourDigits(double value) { return fmt::format("{:.4g}", value); }
 }  // namespace
 
 Trace::Trace(std::ostream& out, Watched watched, const controller::Controller& plc)
-    : out_(out), watched_(std::move(watched)), field_(controller::capability<plant::Field>(plc)) {
+    : out_(out),
+      watched_(std::move(watched)),
+      field_(controller::capability<plant::Field>(plc)),
+      axis_(controller::capability<positioning::AxisOwner>(plc)) {
   for (address::Reference& reference : watched_.operands) {
     reference = prepared(std::move(reference));
     last_.push_back(content(reference, plc));
@@ -68,13 +71,16 @@ std::vector<std::string> Trace::outside() const {
     values.push_back(fourDigits(field_->plants()->value(signal.place)));
   for (const TerminalValue& terminal : watched_.terminals)
     values.push_back(fourDigits(presentValue(terminal, *field_->rack())));
+  for (const AxisTerm& term : watched_.axis)
+    values.push_back(fmt::format("{}", positioning::read(*term.what, *axis_->axis())));
   return values;
 }
 
 std::string Trace::nameOutside(std::size_t index) const {
-  const std::size_t signals = watched_.plants.size();
-  return index < signals ? "plant " + watched_.plants[index].text
-                         : "terminal " + watched_.terminals[index - signals].text;
+  const std::size_t signals = watched_.plants.size(), terminals = watched_.terminals.size();
+  if (index < signals) return "plant " + watched_.plants[index].text;
+  return index < signals + terminals ? "terminal " + watched_.terminals[index - signals].text
+                                     : watched_.axis[index - signals - terminals].text;
 }
 
 // 7 decimals: 100 ns, the shortest instruction of the CPU 314C-2

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "plant/field.h"
+#include "scenario/axis_term.h"
 #include "scenario/plant_value.h"
 #include "scenario/terminal_value.h"
 
@@ -17,6 +18,7 @@ struct Watched {
   std::vector<address::Reference> operands;
   std::vector<PlantValue> plants;          // resolved
   std::vector<TerminalValue> terminals{};  // the same
+  std::vector<AxisTerm> axis{};            // the same
 };
 
 class Trace {
@@ -33,8 +35,9 @@ class Trace {
   std::ostream& out_;
   Watched watched_;
   const plant::Field* field_;                     // null: nothing of it is watched
+  const positioning::AxisOwner* axis_;            // the same
   std::vector<std::optional<std::string>> last_;  // bits or content, not shown
-  std::vector<std::string> lastOutside_;          // signals of plants, then terminals
+  std::vector<std::string> lastOutside_;          // signals of plants, terminals, axis
 };
 
 }  // namespace merker::simulator
