@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "io/amount.h"
+#include "workbench/axis_rows.h"
 
 namespace merker::workbench {
 namespace {
@@ -64,7 +65,7 @@ void addInterrupts(const io::Module& module, Json& list) {
     const std::size_t chosen =
         (parameters.diagnosticInterrupt ? 1 : 0) + (parameters.hardwareInterrupt ? 2 : 0);
     list.push_back(row("interrupts", "choice", kInterrupts[chosen], {{"choices", kInterrupts}}));
-  } else if (module.type->diagnosticInterrupt) {
+  } else if (module.type->diagnosticInterrupt && module.type->kind != ModuleKind::Positioning) {
     list.push_back(row("diagnostics", "flag", parameters.diagnosticInterrupt));
   }
 }
@@ -147,6 +148,7 @@ Json parameterRows(const io::Module& module) {
     list.push_back(row("cable", "amount",
                        module.cable ? Json(fmt::format("{:g}m", *module.cable)) : Json(),
                        {{"hint", "5m"}}));
+  if (module.type->kind == ModuleKind::Positioning) addAxisRows(module.parameters, list);
   addDigital(module, list);
   addInterrupts(module, list);
   addOutputs(module, list);

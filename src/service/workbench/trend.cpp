@@ -41,6 +41,18 @@ std::optional<io::Terminal> terminalOf(std::string_view name, const Plc& plc) {
   return off ? std::nullopt : terminal;
 }
 
+const positioning::Channel* axisOf(const Plc& plc) {
+  const auto* owner = controller::capability<positioning::AxisOwner>(plc.controller());
+  return owner == nullptr ? nullptr : owner->axis();
+}
+
+// axis.position
+const positioning::AxisValue* axisValueOf(std::string_view name, const Plc& plc) {
+  constexpr std::string_view kPrefix = "axis.";
+  if (!name.starts_with(kPrefix) || axisOf(plc) == nullptr) return nullptr;
+  return positioning::findAxisValue(name.substr(kPrefix.size()));
+}
+
 Json describeTerminal(const std::string& name, io::Terminal terminal, const Plc& plc) {
   const MeasuringRange* range = plc.rack()->range(terminal);
   return {{"operand", name},
@@ -62,6 +74,11 @@ Json Trend::describe(const std::string& name, Source& source, const Plc& plc) co
   if (const auto terminal = terminalOf(name, plc)) {
     source = *terminal;
     return describeTerminal(name, *terminal, plc);
+  }
+  if (const positioning::AxisValue* value = axisValueOf(name, plc)) {
+    source = value;
+    return {
+        {"operand", name}, {"symbol", ""}, {"unit", value->unit}, {"bits", value->binary ? 1 : 0}};
   }
   auto reference = plc.operand(name);
   if (!reference)
@@ -94,6 +111,9 @@ double Trend::value(const Source& source, const Plc& plc) {
     const io::Rack& rack = *plc.rack();
     return isDigital(terminal->side) ? double(rack.level(*terminal)) : rack.amount(*terminal);
   }
+  if (const auto* axis = std::get_if<const positioning::AxisValue*>(&source))
+    return axisOf(plc) == nullptr ? kNothing
+                                  : static_cast<double>(positioning::read(**axis, *axisOf(plc)));
   const auto* reference = std::get_if<address::Reference>(&source);
   if (reference != nullptr && reference->nc != 0) {
     const auto digits = simulator::readLong(*reference, plc.controller());

@@ -10,6 +10,7 @@
 
 #include "io/rack.h"
 #include "plant/plants.h"
+#include "positioning/axis_values.h"
 #include "workbench/json.h"
 #include "workbench/plc.h"
 
@@ -35,7 +36,8 @@ class Trend {
   // Some seconds of the fastest cycles for a browser that does not read meanwhile.
   static constexpr std::size_t kMostRows = 20'000;
 
-  using Source = std::variant<std::monostate, address::Reference, plant::SignalPlace, io::Terminal>;
+  using Source = std::variant<std::monostate, address::Reference, plant::SignalPlace, io::Terminal,
+                              const positioning::AxisValue*>;
   Json describe(const std::string& name, Source& source, const Plc& plc) const;
   static double value(const Source& source, const Plc& plc);
 

@@ -30,7 +30,7 @@ export interface TypedSymbol { symbol: string; operand: string; type?: string; c
 export interface AddressRange { first: number; bytes: number }
 export interface Terminal { text: string; operand: string; symbol: string }
 export interface Fault { name: string; title: string; on: boolean }
-export interface Parameter { key: string; kind: 'text' | 'address' | 'number' | 'choice' | 'flag' | 'bits' | 'amount' | 'length'; value: string | number | boolean | number[] | null; given?: boolean; choices?: string[]; count?: number; group?: number; min?: number; max?: number; hint?: string }
+export interface Parameter { key: string; kind: 'text' | 'address' | 'number' | 'choice' | 'flag' | 'bits' | 'amount' | 'length'; value: string | number | boolean | number[] | null; given?: boolean; choices?: string[]; count?: number; group?: number; min?: number; max?: number; hint?: string; page?: string }
 export interface Channel { side: 'input' | 'output'; number: number; parameters: Parameter[] }
 /** `slot` is like "4" or "2.2"; `parameters` and `channels` only of `hardware.edit` */
 export interface Slot { slot: string; order: string; name: string; type: string; kind: string; inputs: AddressRange | null; outputs: AddressRange | null; terminals: Terminal[]; properties: [string, string][]; leds?: Record<string, string>; faults: Fault[]; present: boolean; parameters?: Parameter[]; channels?: Channel[] }

@@ -23,6 +23,8 @@ export interface Parameter {
   min?: number;
   max?: number;
   hint?: string;
+  /** Of an axis: under which heading it is shown. */
+  page?: string;
 }
 
 export interface Channel {

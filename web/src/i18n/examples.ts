@@ -108,6 +108,10 @@ export const examples: Record<string, readonly [title: string, description: stri
     'STEP 5: Werkzeugwechsler',
     'Ein Kettenmagazin mit acht Plätzen an einer Fräsmaschine mit SINUMERIK 810.',
   ],
+  'technology/axis-first-steps': [
+    'Erste Schritte mit einer Achse',
+    'Eine Achse mit Servoantrieb am Analogausgang und SFB 44 ANALOG: was das Handbuch Inbetriebnahme nennt. Das Programm ist ein Aufruf und eine Fehlerauswertung; alles wird im Instanz-Datenbaustein DB 20 eingestellt, mit der Variablentabelle oder in einem Szenario.',
+  ],
   'technology/blending-control': [
     'Mischungsregelung',
     'Drei Komponenten in festen Anteilen an einer Gesamtmenge, für jede ein Regelkreis (CONT_C, SFB 41). Die Anteile müssen zusammen 1 ergeben; sonst ist M 0.0 = 1 und alles schließt.',
@@ -119,6 +123,10 @@ export const examples: Record<string, readonly [title: string, description: stri
   'technology/comparator': [
     'Vergleicher mit Hysterese',
     'Ein Inkrementalgeber (250 Striche, vierfache Auswertung) gibt die Stellung einer Achse an Kanal 0; dessen Digitalausgang ist ab Stellung 1000 gleich 1. Mit der Hysterese 20 schaltet er erst um, wenn der Zählwert den Bereich 981 bis 1019 verlassen hat.',
+  ],
+  'technology/drilling-gantry': [
+    'Bohrportal',
+    'Ein Portal mit Schützen fährt im Eilgang und Schleichgang zu drei Bohrungen und bohrt: SFB 46 DIGITAL mit Ansteuerart 1. Der erste Start nach einem Neustart beginnt mit einer Referenzpunktfahrt.',
   ],
   'technology/fan-frequency': [
     'Frequenz eines Lüfters',
@@ -135,6 +143,10 @@ export const examples: Record<string, readonly [title: string, description: stri
   'technology/ratio-control': [
     'Verhältnisregelung',
     'Zwei Durchflüsse in festem Verhältnis, zwei Regelkreise (CONT_C, SFB 41). Der Sollwert des zweiten ist der Istwert des ersten mal einem Faktor: das Verhältnis bleibt, auch wenn der erste Durchfluss sich ändert.',
+  ],
+  'technology/rotary-table': [
+    'Rundtisch',
+    'Ein Tisch mit acht Plätzen und Servoantrieb: SFB 44 ANALOG mit einer Rundachse von 8000 Impulsen. START ohne Richtung nimmt den kürzesten Weg, auch über das Ende der Achse.',
   ],
   'technology/temperature-control': [
     'Temperaturregelung',
