@@ -267,9 +267,9 @@ void checkCounters(const Table& root, const Table& axis, const io::Parameters& c
 }  // namespace
 
 void checkAxis(const Table& root, const io::Configuration& configuration) {
-  const io::AxisChannel* axis = configuration.axis();
+  if (configuration.axis() == nullptr) return;
   const auto table = subModule(root, kAxisSlot);
-  if (axis == nullptr || !table) return;
+  if (!table) return;
   if (const io::Module* counting = configuration.find("2.4"))
     checkCounters(root, *table, counting->parameters);
   const io::Module* analog = configuration.find("2.3");
