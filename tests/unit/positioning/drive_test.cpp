@@ -113,7 +113,8 @@ TEST(AnalogOutput, ParametersOfARunAreFixed) {
   EXPECT_NEAR(b.image().position, 49'000, 8);
 }
 
-// POS-PARAM-02 to -09, -11, -16, -17, -19, -24
+// POS-PARAM-02, POS-PARAM-03, POS-PARAM-04, POS-PARAM-05, POS-PARAM-06, POS-PARAM-07, POS-PARAM-08,
+// POS-PARAM-09, POS-PARAM-11, POS-PARAM-16, POS-PARAM-17, POS-PARAM-19, POS-PARAM-24
 TEST(Parameters, AreRefused) {
   using io::AxisChannel;
   EXPECT_FALSE(flaw(AxisChannel{}));

@@ -13,7 +13,7 @@ Bench bench(io::AxisChannel p = analogAxis()) {
   return b;
 }
 
-// POS-END-05 to -07, POS-RUN-20, POS-RUN-38, POS-PARAM-07, POS-RUN-16
+// POS-END-05, POS-END-06, POS-END-07, POS-RUN-20, POS-RUN-38, POS-PARAM-07, POS-RUN-16
 TEST(Ends, AbortByTheDriveEnable) {
   for (const auto& [delay, cycles] : {std::pair{1000, 250}, {0, 0}, {5, 2}}) {
     io::AxisChannel p = analogAxis();

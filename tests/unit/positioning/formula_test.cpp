@@ -97,7 +97,8 @@ Cycles measured(const Parameters& p) {
   return cycles;
 }
 
-// POS-RUN-04 to -09, POS-RUN-14, POS-RUN-15: 199 runs, plus and minus, long and short
+// POS-RUN-04, POS-RUN-05, POS-RUN-06, POS-RUN-07, POS-RUN-08, POS-RUN-09, POS-RUN-14, POS-RUN-15:
+// 199 runs, plus and minus, long and short
 TEST(Formulas, EverySwitchingCycle) {
   std::mt19937_64 random(4711);
   const auto between = [&](std::int64_t low, std::int64_t high) {

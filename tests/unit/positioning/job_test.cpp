@@ -108,7 +108,7 @@ TEST(Jobs, ReferencePointOfAnInterruptedRun) {
   EXPECT_NEAR(static_cast<double>(b.axis.pulse()), 20'000, 25);
 }
 
-// POS-ERR-47 to -50
+// POS-ERR-47, POS-ERR-48, POS-ERR-49, POS-ERR-50
 TEST(Jobs, CoordinatesWithADistanceToGo) {
   io::AxisChannel p = analogAxis();
   p.lowLimit = -500'000'000;

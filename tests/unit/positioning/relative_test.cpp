@@ -183,7 +183,7 @@ std::int64_t way(std::int32_t end, std::int32_t from, std::int32_t target, bool 
   return b.image().distanceToGo;
 }
 
-// POS-INCA-03 to -07
+// POS-INCA-03, POS-INCA-04, POS-INCA-05, POS-INCA-06, POS-INCA-07
 TEST(Absolute, Rotary) {
   EXPECT_EQ(way(1000, 100, 900, &Command::plus), 800);
   EXPECT_EQ(way(1000, 100, 900, &Command::minus), -200);

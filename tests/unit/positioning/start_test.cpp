@@ -43,7 +43,7 @@ TEST(StartErrors, WrongBlockOrChannel) {
   EXPECT_FALSE(b.block.answer().error);
 }
 
-// POS-ERR-11 to -14, POS-INCA-14, POS-INCA-02
+// POS-ERR-11, POS-ERR-12, POS-ERR-13, POS-ERR-14, POS-INCA-14, POS-INCA-02
 TEST(StartErrors, ModeAndStartBits) {
   Bench b = at(0);
   EXPECT_EQ(b.run(2, &Command::start), 0x3003);
@@ -73,7 +73,7 @@ TEST(StartErrors, NotSynchronised) {
   EXPECT_EQ(b.run(5, &Command::start, 1000), 0x3007);
 }
 
-// POS-ERR-17 to -21, POS-PARAM-29
+// POS-ERR-17, POS-ERR-18, POS-ERR-19, POS-ERR-20, POS-ERR-21, POS-PARAM-29
 TEST(StartErrors, NoStartEnable) {
   io::AxisChannel faulty = analogAxis();
   faulty.lowLimit = 10;
@@ -113,7 +113,8 @@ TEST(StartErrors, StartEnable) {
   EXPECT_TRUE(b.image().startEnabled);
 }
 
-// POS-ERR-23 to -26, POS-REF-17, POS-IF44-11, POS-IF44-22, POS-IF44-23, POS-JOG-09
+// POS-ERR-23, POS-ERR-24, POS-ERR-25, POS-ERR-26, POS-REF-17, POS-IF44-11, POS-IF44-22,
+// POS-IF44-23, POS-JOG-09
 TEST(StartErrors, Speeds) {
   struct Row {
     std::int32_t speed, accel, decel;
@@ -139,7 +140,7 @@ TEST(StartErrors, Speeds) {
   }
 }
 
-// POS-RUN-24, POS-RUN-25, POS-ERR-27 to -30
+// POS-RUN-24, POS-RUN-25, POS-ERR-27, POS-ERR-28, POS-ERR-29, POS-ERR-30
 TEST(StartErrors, Differences) {
   struct Row {
     Differences differences;
@@ -160,7 +161,8 @@ TEST(StartErrors, Differences) {
   }
 }
 
-// POS-ERR-31, POS-ERR-33 to -36, POS-INCA-09, POS-INCR-15, POS-OPEN-08, POS-OPEN-19
+// POS-ERR-31, POS-ERR-33, POS-ERR-34, POS-ERR-35, POS-ERR-36, POS-INCA-09, POS-INCR-15,
+// POS-OPEN-08, POS-OPEN-19
 TEST(StartErrors, Targets) {
   io::AxisChannel p = analogAxis();
   p.lowLimit = -100'000;

@@ -38,7 +38,11 @@ Read digital(const std::string& keys) {
   return readFile("[[module]]\nslot = \"2.5\"\ndrive = \"digital\"\n" + keys);
 }
 
-// POS-PARAM-01 to -27: the defaults of each page; nothing else is a parameter.
+// POS-PARAM-01, POS-PARAM-02, POS-PARAM-03, POS-PARAM-04, POS-PARAM-05, POS-PARAM-06, POS-PARAM-07,
+// POS-PARAM-08, POS-PARAM-09, POS-PARAM-10, POS-PARAM-11, POS-PARAM-12, POS-PARAM-13, POS-PARAM-14,
+// POS-PARAM-15, POS-PARAM-16, POS-PARAM-17, POS-PARAM-18, POS-PARAM-19, POS-PARAM-20, POS-PARAM-21,
+// POS-PARAM-22, POS-PARAM-23, POS-PARAM-24, POS-PARAM-25, POS-PARAM-26, POS-PARAM-27: the defaults
+// of each page; nothing else is a parameter.
 TEST(AxisSettings, Defaults) {
   const Read read = analog("");
   ASSERT_FALSE(read.problems.hasErrors()) << read.first();
@@ -69,7 +73,9 @@ TEST(AxisSettings, Defaults) {
                i.targetRange);
 }
 
-// POS-PARAM-05 to -10, -16, -18, -19, -21, -24, -25: each key reaches its parameter.
+// POS-PARAM-05, POS-PARAM-06, POS-PARAM-07, POS-PARAM-08, POS-PARAM-09, POS-PARAM-10, POS-PARAM-16,
+// POS-PARAM-18, POS-PARAM-19, POS-PARAM-21, POS-PARAM-24, POS-PARAM-25: each key reaches its
+// parameter.
 TEST(AxisSettings, EveryKeyOfAnAnalogAxis) {
   const Read read = analog(
       "target_range = 51\nmonitoring_time = \"2001ms\"\nmax_speed = 10000\ncreep_speed = 500\n"
@@ -118,7 +124,10 @@ struct Wrong {
   bool digital = false;
 };
 
-// POS-PARAM-02 to -11, -15 to -19, -22 to -24, -31: each refusal has its reason.
+// POS-PARAM-02, POS-PARAM-03, POS-PARAM-04, POS-PARAM-05, POS-PARAM-06, POS-PARAM-07, POS-PARAM-08,
+// POS-PARAM-09, POS-PARAM-10, POS-PARAM-11, POS-PARAM-15, POS-PARAM-16, POS-PARAM-17, POS-PARAM-18,
+// POS-PARAM-19, POS-PARAM-22, POS-PARAM-23, POS-PARAM-24, POS-PARAM-31: each refusal has its
+// reason.
 TEST(AxisSettings, Refusals) {
   const Wrong kWrong[] = {
       {"target_range = 200000001\n", "'target_range' must be a whole number from 0 to 200000000"},

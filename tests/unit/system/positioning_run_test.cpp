@@ -226,6 +226,96 @@ TEST(PositioningRun, HaltEndsARun) {
   EXPECT_EQ(plc.read("WORKING"), 0u);
 }
 
+// POS-PARAM-09, POS-ENC-02: a pulse of 20 us at the input of the length measurement.
+TEST(PositioningRun, FilterOfTheSwitches) {
+  for (const std::uint32_t kilohertz : {10u, 60u}) {
+    AxisChannel p = analogChannel();
+    p.accompanyingFrequency = kilohertz;
+    p.lengthEdges = io::LengthEdges::RisingFalling;
+    AxisPlc plc(p);
+    io::Rack& rack = *plc.station.rack();
+    const io::Terminal input = *rack.terminal("2.2", io::Side::DigitalInput, 3);
+    rack.setLevel(input, true, plc.station.now());
+    plc.station.advanceTo(plc.station.now() + Duration::microseconds(20));
+    rack.setLevel(input, false, plc.station.now());
+    plc.wait(20);
+    EXPECT_EQ(plc.read("MSR_DONE"), kilohertz == 60 ? 1u : 0u) << kilohertz;
+  }
+}
+
+// POS-ERR-53: a data block that is too short, or write-protected, stays as it is; BIE says so.
+TEST(PositioningRun, UselessDataBlocks) {
+  const std::string more =
+      "DATA_BLOCK DB 10 STRUCT a : ARRAY [1..80] OF BYTE; END_STRUCT BEGIN END_DATA_BLOCK\n"
+      "DATA_BLOCK DB 11 READ_ONLY SFB 44 BEGIN DRV_EN := TRUE; END_DATA_BLOCK\n"
+      "FUNCTION FC 1 : VOID\nBEGIN\nAUF DI 10; UC SFB 44; U BIE; = M 102.0; AUF DI 11; UC SFB 44; "
+      "U BIE; = M 102.1; END_FUNCTION\n" +
+      ob(35, "SET; = M 102.0; = M 102.1; UC FC 1;");
+  AxisPlc plc(analogChannel(), {}, more);
+  plc.wait(300);
+  ASSERT_EQ(plc.station.mode(), Mode::Run);
+  EXPECT_EQ(plc.operand("M 102.0"), 0u);
+  EXPECT_EQ(plc.operand("M 102.1"), 0u);
+  EXPECT_EQ(plc.operand("DB11.DBX 54.0"), 0u);
+  EXPECT_EQ(plc.operand("M 101.0"), 1u);
+}
+
+// POS-DIAG-04
+TEST(PositioningRun, WithoutOb82TheCpuStops) {
+  AxisChannel p = analogChannel();
+  p.interrupts.movement = true;
+  AxisPlc plc(p, {}, {}, true);
+  ramps(plc, 5000, 5000);
+  plc.plantSet("BLOCKED", 1);
+  plc.run(1, "DIR_P");
+  plc.set("DIR_P", 1);
+  plc.wait(3000);
+  EXPECT_EQ(plc.station.mode(), Mode::Stop);
+  EXPECT_NE(plc.station.stopReason().find("diagnostic"), std::string::npos)
+      << plc.station.stopReason();
+}
+
+// POS-PARAM-01, POS-PARAM-27, POS-DIAG-02: without the interrupt selection there is no interrupt.
+TEST(PositioningRun, WithoutTheSelectionNoInterrupt) {
+  AxisChannel p = analogChannel();
+  p.interrupts.movement = true;
+  AxisPlc plc(p);
+  ramps(plc, 5000, 5000);
+  plc.plantSet("BLOCKED", 1);
+  plc.set("MODE_IN", 1);
+  plc.set("DIR_P", 1);
+  plc.wait(3000);
+  EXPECT_EQ(plc.read("ERR"), 0x2000u);
+  EXPECT_EQ(plc.station.mode(), Mode::Run);
+  EXPECT_FALSE(plc.station.rack()->faulty(*plc.station.rack()->module("2.5")));
+}
+
+// POS-WIRE-05, POS-WIRE-07, POS-RUN-17, POS-RUN-18: minus with a direction signal.
+TEST(PositioningRun, DirectionSignal) {
+  AxisChannel p = analogChannel();
+  p.analogControl = io::AnalogControl::WithDirection;
+  AxisPlc plc(p);
+  ramps(plc, 5000, 20'000);
+  start(plc, 4, "DIR_M", 10'000);
+  plc.wait(1000);
+  EXPECT_NEAR(plc.volts(), 5, 1e-9);
+  EXPECT_TRUE(plc.output(7));
+  plc.wait(5000);
+  EXPECT_FALSE(plc.output(7));
+  EXPECT_EQ(plc.number("LAST_TRG"), -10'000);
+  EXPECT_NEAR(plc.number("ACT_POS"), -10'000, 25);
+}
+
+// POS-WIRE-03, POS-WIRE-08: all other outputs are the program's.
+TEST(PositioningRun, OutputsOfTheProgram) {
+  AxisPlc analog(analogChannel(), {}, ob(35, "L W#16#FFFF; T PAW 124;"));
+  analog.wait(200);
+  for (std::uint32_t i = 0; i < 16; ++i) EXPECT_EQ(analog.output(i), i != 6) << i;
+  AxisPlc digital(digitalChannel(), {}, ob(35, "L W#16#FFFF; T PAW 124;"));
+  digital.wait(200);
+  for (std::uint32_t i = 0; i < 16; ++i) EXPECT_EQ(digital.output(i), i < 8 || i > 11) << i;
+}
+
 // The same trace on every run and with both engines (POS-PLANT-12).
 TEST(PositioningRun, SameOnEveryRunAndEngine) {
   std::vector<std::vector<std::int32_t>> traces;
