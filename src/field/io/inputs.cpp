@@ -24,9 +24,13 @@ void Rack::attach(Terminal terminal, std::shared_ptr<const signal::Signal> signa
   if (terminal.side != Side::DigitalInput) return;
   DigitalInputs& inputs = units_[terminal.module].digital;
   const bool level = signal->level(now);
+  if (inputs.attached(terminal.channel)) {  // one signal in the place of another
+    if (const auto levels = inputs.settle(terminal.channel, now, of(terminal.module).parameters))
+      take(terminal.module, *levels);
+    --signals_;
+  }
   const Instant held =
       level == this->level(terminal) ? inputs.heldSince(terminal.channel, now) : now;
-  detach(terminal, now);
   edges_.note({terminal, level, now, signal});
   change(terminal, level, now);
   inputs.attach(terminal.channel, std::move(signal), now, held);

@@ -49,6 +49,15 @@ Block blockOf(cpu::Machine& m, Area area, std::uint32_t db, Access access) {
   }
 }
 
+// An instance is read and written without a detour: SFB 44 has 44 parameters. Null: not within
+// `length` bytes.
+std::uint8_t* inInstance(const cpu::OpenBlock& instance, std::uint32_t length, Width width,
+                         BitAddress address) {
+  const std::uint32_t byte = address / 8;
+  const bool fits = byte + byteCount(width) <= length;
+  return fits && (width == Width::Bit || address % 8 == 0) ? instance.data + byte : nullptr;
+}
+
 }  // namespace
 
 Arguments::Where Arguments::placeOf(std::size_t i) const {
@@ -69,16 +78,27 @@ bool Arguments::has(std::size_t i) {
 
 std::uint32_t Arguments::value(std::size_t i) {
   const Where where = placeOf(i);
+  const Width width = block::widthOf(function_.parameters[i].type);
+  const cpu::OpenBlock& instance = call_.machine.registers.di;
+  const std::uint8_t* byte = where.area == Area::Instance
+                                 ? inInstance(instance, instance.length, width, where.address)
+                                 : nullptr;
+  if (byte != nullptr && width == Width::Bit) return *byte >> (where.address % 8) & 1u;
+  if (byte != nullptr) return cpu::loadBytes(byte, width);
   std::uint32_t result = 0;
-  note(cpu::read(call_.machine, where.area, block::widthOf(function_.parameters[i].type),
-                 where.address, result));
+  note(cpu::read(call_.machine, where.area, width, where.address, result));
   return result;
 }
 
 void Arguments::set(std::size_t i, std::uint32_t value) {
   const Where where = placeOf(i);
-  note(cpu::write(call_.machine, where.area, block::widthOf(function_.parameters[i].type),
-                  where.address, value));
+  const Width width = block::widthOf(function_.parameters[i].type);
+  const cpu::OpenBlock& instance = call_.machine.registers.di;
+  std::uint8_t* byte = where.area == Area::Instance && width != Width::Bit
+                           ? inInstance(instance, instance.writable, width, where.address)
+                           : nullptr;
+  if (byte != nullptr) return cpu::storeBytes(byte, width, value);
+  note(cpu::write(call_.machine, where.area, width, where.address, value));
 }
 
 AnyPointer Arguments::any(std::size_t i) {
