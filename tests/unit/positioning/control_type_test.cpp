@@ -31,7 +31,7 @@ std::string sequence(std::uint8_t type, bool Command::*direction, bool rapidly =
 }
 
 // POS-DIGCTRL-02, POS-DIGCTRL-03, POS-DIGCTRL-04, POS-DIGCTRL-05, POS-DIGCTRL-07, POS-DIGCTRL-09,
-// POS-DIGCTRL-10, POS-DIGCTRL-11, POS-DIGCTRL-12, POS-PARAM-11
+// POS-DIGCTRL-06, POS-DIGCTRL-10, POS-DIGCTRL-11, POS-DIGCTRL-12, POS-PARAM-11
 TEST(ControlTypes, SequenceOfARun) {
   EXPECT_EQ(sequence(1, &Command::plus), "1010 0110 0000");
   EXPECT_EQ(sequence(1, &Command::minus), "1001 0101 0000");

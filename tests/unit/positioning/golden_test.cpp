@@ -95,7 +95,7 @@ TEST(Golden, D2) {
   EXPECT_EQ(b.call(), kNoError);
 }
 
-// POS-END-04: D1 with STOP, served by cycle 300.
+// POS-END-04, POS-OPEN-14: D1 with STOP, served by cycle 300.
 TEST(Golden, DigitalStop) {
   Bench b(digitalAxis(), contactors());
   b.command.motion = rapid({3000, 100});

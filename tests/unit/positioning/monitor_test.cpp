@@ -89,7 +89,7 @@ TEST(Monitoring, Stiction) {
   }
 }
 
-// POS-MON-05, POS-MON-06, POS-JOG-12, POS-PARAM-16, POS-PARAM-23, POS-MON-17
+// POS-OPEN-18, POS-MON-05, POS-MON-06, POS-JOG-12, POS-PARAM-16, POS-PARAM-23, POS-MON-17
 TEST(Monitoring, WorkingRange) {
   io::AxisChannel p = analogAxis();
   p.lowLimit = -1000;
@@ -168,7 +168,8 @@ TEST(Monitoring, MissingPulse) {
   EXPECT_EQ(b.image().distanceToGo, 0);
 }
 
-// POS-MON-03, POS-PARAM-26: parameters that are wrong, no marks at all, one mark again and again
+// POS-MON-03, POS-PARAM-26, POS-OPEN-20: parameters that are wrong, no marks at all, one mark again
+// and again
 TEST(Monitoring, NoMissingPulse) {
   for (const std::int32_t increments : {1000, 3}) {
     io::AxisChannel p = with(&io::AxisMonitors::missingPulse);

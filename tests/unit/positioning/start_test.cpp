@@ -43,7 +43,7 @@ TEST(StartErrors, WrongBlockOrChannel) {
   EXPECT_FALSE(b.block.answer().error);
 }
 
-// POS-ERR-11, POS-ERR-12, POS-ERR-13, POS-ERR-14, POS-INCA-14, POS-INCA-02
+// POS-OVW-12, POS-ERR-11, POS-ERR-12, POS-ERR-13, POS-ERR-14, POS-INCA-14, POS-INCA-02
 TEST(StartErrors, ModeAndStartBits) {
   Bench b = at(0);
   EXPECT_EQ(b.run(2, &Command::start), 0x3003);
@@ -181,7 +181,7 @@ TEST(StartErrors, Targets) {
   EXPECT_EQ(at(0, p).run(4, &Command::plus, kFar8 - 1), kNoError);
 }
 
-// POS-ERR-32, POS-OPEN-07
+// POS-ERR-01, POS-ERR-32, POS-OPEN-07
 TEST(StartErrors, TargetsOfARotaryAxis) {
   EXPECT_EQ(at(500, rotary(1000)).run(5, &Command::start, -1), 0x3402);
   EXPECT_EQ(at(500, rotary(1000)).run(5, &Command::start, 1000), 0x3402);

@@ -38,11 +38,11 @@ Read digital(const std::string& keys) {
   return readFile("[[module]]\nslot = \"2.5\"\ndrive = \"digital\"\n" + keys);
 }
 
-// POS-PARAM-01, POS-PARAM-02, POS-PARAM-03, POS-PARAM-04, POS-PARAM-05, POS-PARAM-06, POS-PARAM-07,
-// POS-PARAM-08, POS-PARAM-09, POS-PARAM-10, POS-PARAM-11, POS-PARAM-12, POS-PARAM-13, POS-PARAM-14,
-// POS-PARAM-15, POS-PARAM-16, POS-PARAM-17, POS-PARAM-18, POS-PARAM-19, POS-PARAM-20, POS-PARAM-21,
-// POS-PARAM-22, POS-PARAM-23, POS-PARAM-24, POS-PARAM-25, POS-PARAM-26, POS-PARAM-27: the defaults
-// of each page; nothing else is a parameter.
+// POS-OVW-13, POS-PARAM-01, POS-PARAM-02, POS-PARAM-03, POS-PARAM-04, POS-PARAM-05, POS-PARAM-06,
+// POS-PARAM-07, POS-PARAM-08, POS-PARAM-09, POS-PARAM-10, POS-PARAM-11, POS-PARAM-12, POS-PARAM-13,
+// POS-PARAM-14, POS-PARAM-15, POS-PARAM-16, POS-PARAM-17, POS-PARAM-18, POS-PARAM-19, POS-PARAM-20,
+// POS-PARAM-21, POS-PARAM-22, POS-PARAM-23, POS-PARAM-24, POS-PARAM-25, POS-PARAM-26, POS-PARAM-27:
+// the defaults of each page; nothing else is a parameter.
 TEST(AxisSettings, Defaults) {
   const Read read = analog("");
   ASSERT_FALSE(read.problems.hasErrors()) << read.first();
@@ -108,7 +108,7 @@ TEST(AxisSettings, EveryKeyOfAnAnalogAxis) {
   EXPECT_TRUE(a.monitors.travel);
 }
 
-// POS-PARAM-11, POS-PARAM-17, POS-PARAM-31
+// POS-PARAM-11, POS-PARAM-17, POS-PARAM-31, POS-OPEN-09
 TEST(AxisSettings, DigitalRotaryAxis) {
   const Read read = digital("control_type = 3\naxis = \"rotary\"\nrotary_end = 3600\n");
   ASSERT_FALSE(read.problems.hasErrors()) << read.first();
@@ -117,6 +117,7 @@ TEST(AxisSettings, DigitalRotaryAxis) {
   EXPECT_TRUE(read.axis()->rotary);
   EXPECT_EQ(read.axis()->rotaryEnd, 3600);
   EXPECT_FALSE(read.axis()->monitors.workingRange);
+  EXPECT_FALSE(digital("axis = \"rotary\"\nrotary_end = 1000000000\n").problems.hasErrors());
 }
 
 struct Wrong {
@@ -255,7 +256,7 @@ TEST(AxisSettings, KeysWithoutAnAxis) {
   EXPECT_EQ(readFile("[[module]]\nslot = \"2.5\"\ndrive = \"none\"\n").axis(), nullptr);
 }
 
-// POS-PARAM-30: LADDR is the smaller address.
+// POS-PARAM-30, POS-OPEN-02: LADDR is the smaller address.
 TEST(AxisSettings, AddressesCanBeSet) {
   const Read read =
       readFile("[[module]]\nslot = \"2.5\"\ndrive = \"digital\"\ninput = 800\noutput = 816\n");
@@ -264,6 +265,7 @@ TEST(AxisSettings, AddressesCanBeSet) {
   EXPECT_EQ(module->inputStart, 800u);
   EXPECT_EQ(module->outputStart, 816u);
   EXPECT_EQ(digital("").settings.hardware->find("2.5")->inputStart, 784u);
+  EXPECT_EQ(readFile(kDigital, "314C-2 PN/DP").settings.hardware->find("2.5")->inputStart, 832u);
 }
 
 }  // namespace

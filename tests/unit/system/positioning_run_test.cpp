@@ -29,8 +29,8 @@ Instant start(AxisPlc& plc, std::int32_t mode, std::string_view bit, std::int32_
 
 class BothEngines : public testing::TestWithParam<Engine> {};
 
-// POS-RUN-30: golden run A1. POS-RUN-02: outputs change in cycles of 4 ms. POS-WIRE-06,
-// POS-WIRE-09, POS-OVW-14, POS-PLANT-18
+// POS-RUN-30: golden run A1. POS-RUN-02, POS-OPEN-01: outputs change in cycles of 4 ms.
+// POS-WIRE-06, POS-WIRE-09, POS-OVW-14, POS-PLANT-18
 TEST_P(BothEngines, GoldenRunA1) {
   AxisPlc plc(analogChannel(), {}, {}, false, GetParam());
   ramps(plc, 10'000, 1000);
@@ -120,7 +120,8 @@ struct Reference {
   std::int32_t position;
 };
 
-// POS-REF-05, POS-REF-06, POS-REF-07, POS-REF-14, POS-PLANT-14: golden runs R1 to R3.
+// POS-REF-02, POS-REF-05, POS-REF-06, POS-REF-07, POS-REF-14, POS-PLANT-14, POS-OPEN-22: golden
+// runs R1 to R3.
 TEST(PositioningRun, GoldenReferenceRuns) {
   const Reference kRuns[] = {{"DIR_P", "R1", 10'000, false, 2165, 2215, 600},
                              {"DIR_P", "R2", 10'000, true, 2115, 2165, 400},

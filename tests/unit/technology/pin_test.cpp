@@ -10,7 +10,7 @@ namespace {
 
 const CountingType& of(std::string_view name) { return *countingType(*findCpuModel(name)); }
 
-// CNT-OVW-01, CNT-OVW-03, CNT-PARAM-08
+// CNT-OVW-01, CNT-OVW-03, CNT-PARAM-08, POS-OVW-03
 TEST(CountingPins, ChannelsAndFrequencies) {
   EXPECT_EQ(of("312C").channels.size(), 2u);
   EXPECT_EQ(of("313C").channels.size(), 3u);

@@ -168,6 +168,53 @@ TEST(HardwareEdit, ParametersAreRowsAndKeys) {
   EXPECT_EQ(placed(ranged, "2.3")["channels"][1]["parameters"][0]["value"], "0..10V");
 }
 
+Json ofAxis(const char* key, Json value) {
+  return {{"change", "set"}, {"rack", 0}, {"slot", "2.5"}, {"key", key}, {"value", value}};
+}
+
+std::string pagesOf(const Json& plan) {
+  std::string pages;
+  for (const Json& row : placed(plan, "2.5")["parameters"]) {
+    const std::string page = row.value("page", "-");
+    if (pages.find(page) == std::string::npos) pages += (pages.empty() ? "" : " ") + page;
+  }
+  return pages;
+}
+
+bool hasRow(const Json& plan, const char* key) {
+  for (const Json& row : placed(plan, "2.5")["parameters"])
+    if (row["key"] == key) return true;
+  return false;
+}
+
+// POS-OVW-17, POS-OVW-18, POS-OPEN-03, POS-PARAM-22, POS-PARAM-31: AO 0 off, then the drive, then
+// the pages with what this drive and this axis have.
+TEST(HardwareEdit, PagesOfAnAxis) {
+  Bench bench;
+  const Json drive = ofAxis("drive", "analog");
+  EXPECT_EQ(bench.problem("hardware.edit", {{"text", kPlan}, {"changes", {drive}}}), "P0744");
+  const Json off = {{"change", "set"}, {"rack", 0},      {"slot", "2.3"}, {"side", "output"},
+                    {"number", 0},     {"key", "range"}, {"value", "off"}};
+  Json plan = bench.call("hardware.edit",
+                         {{"text", kPlan}, {"changes", {off, drive, ofAxis("max_speed", 10'000)}}});
+  EXPECT_EQ(plan["problems"], Json::array());
+  EXPECT_EQ(pagesOf(plan), "- basic drive axis encoder diagnosis");
+  EXPECT_TRUE(hasRow(plan, "creep_speed") && hasRow(plan, "low_limit"));
+  EXPECT_FALSE(hasRow(plan, "control_type") || hasRow(plan, "rotary_end"));
+  EXPECT_EQ(
+      bench.problem("hardware.edit", {{"text", plan["text"]},
+                                      {"changes", {ofAxis("monitor_traversing_range", false)}}}),
+      "P0704");
+  plan = bench.call(
+      "hardware.edit",
+      {{"text", plan["text"]},
+       {"changes",
+        {ofAxis("max_speed", nullptr), ofAxis("drive", "digital"), ofAxis("axis", "rotary")}}});
+  EXPECT_EQ(plan["problems"], Json::array());
+  EXPECT_TRUE(hasRow(plan, "control_type") && hasRow(plan, "rotary_end"));
+  EXPECT_FALSE(hasRow(plan, "creep_speed") || hasRow(plan, "monitor_working_range"));
+}
+
 TEST(HardwareEdit, TheCatalogueSaysWhereModulesStand) {
   Bench bench;
   const Json types = bench.call("hardware.catalogue")["types"];
