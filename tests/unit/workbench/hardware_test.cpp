@@ -174,7 +174,8 @@ Json ofAxis(const char* key, Json value) {
 
 std::string pagesOf(const Json& plan) {
   std::string pages;
-  for (const Json& row : placed(plan, "2.5")["parameters"]) {
+  const Json slot = placed(plan, "2.5");
+  for (const Json& row : slot["parameters"]) {
     const std::string page = row.value("page", "-");
     if (pages.find(page) == std::string::npos) pages += (pages.empty() ? "" : " ") + page;
   }
@@ -182,7 +183,8 @@ std::string pagesOf(const Json& plan) {
 }
 
 bool hasRow(const Json& plan, const char* key) {
-  for (const Json& row : placed(plan, "2.5")["parameters"])
+  const Json slot = placed(plan, "2.5");
+  for (const Json& row : slot["parameters"])
     if (row["key"] == key) return true;
   return false;
 }
