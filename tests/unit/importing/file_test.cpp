@@ -40,6 +40,9 @@ TEST(Recognise, byContent) {
   EXPECT_EQ(kindOf(container()), Kind::Containers);
   EXPECT_EQ(kindOf("\"Motor                   \",\"A       1.0 \",\"BOOL      \",\"drives\"\r\n"),
             Kind::Sdf);
+  EXPECT_EQ(kindOf("\"Motor                   \",\"A       1.0 \",\"BOOL      \",\"drives\"\r\n" +
+                   std::string(3, '\0')),
+            Kind::Sdf);
   EXPECT_EQ(kindOf("126,Motor                   A       1.0 BOOL      drives\r\n"), Kind::Asc);
   EXPECT_EQ(kindOf("TABLE\n0,1\n\"x\"\n"), Kind::Dif);
   EXPECT_EQ(kindOf("\tA 1.0\tMotor\tdrives\n"), Kind::Seq);
