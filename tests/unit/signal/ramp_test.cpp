@@ -20,6 +20,29 @@ TEST(Ramp, PositionInBetween) {
   EXPECT_FALSE(ramp.turns());
 }
 
+// Gentle ramps are worked out with 64 bits, hard ones with more: the same floor of the same
+// formula.
+TEST(Ramp, BothWaysOfArithmeticAgree) {
+  __extension__ typedef __int128 Wide;
+  std::uint64_t seed = 4711;
+  const auto random = [&seed](std::int64_t low, std::int64_t high) {
+    seed = seed * 6364136223846793005u + 1442695040888963407u;
+    return low +
+           static_cast<std::int64_t>((seed >> 16) % static_cast<std::uint64_t>(high - low + 1));
+  };
+  for (int i = 0; i < 20'000; ++i) {
+    Ramp ramp;
+    ramp.speed = random(-1'000'000'000, 1'000'000'000);
+    ramp.last = ramp.speed + random(-500'002, 500'002) * (i % 10 == 0 ? 100 : 1);
+    const std::int64_t passed = random(0, ramp.length.ns), twice = 2 * ramp.length.ns;
+    const Wide way =
+        Wide{twice} * ramp.speed * passed + Wide{ramp.last - ramp.speed} * passed * passed;
+    const Wide scale = Wide{twice} * 1'000'000;
+    const Wide floor = way / scale - (way % scale != 0 && way < 0 ? 1 : 0);
+    ASSERT_EQ(ramp.at(Instant{passed}), static_cast<std::int64_t>(floor)) << i;
+  }
+}
+
 // Each pulse begins at the first nanosecond at which the position has come to it.
 TEST(Ramp, TimeOfAPulse) {
   Ramp ramp;
