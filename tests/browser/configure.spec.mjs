@@ -94,6 +94,30 @@ test('parameters of modules and CPU (S7-HWCFG-08, S7-HWCFG-09)', async () => {
   await accessible(page, 'configure');
 });
 
+// POS-OVW-17, POS-OVW-18, POS-PARAM-15, POS-PARAM-31
+test('an axis: AO 0 off, the drive, and the pages of this drive', async () => {
+  const heading = (name) => page.getByRole('heading', { name, exact: true });
+  await slot('2.5').getByRole('button').click();
+  await page.getByLabel('Betriebsart', { exact: true }).selectOption('analog');
+  await says('AO 0 gehört der Achse');
+  await slot('2.3').getByRole('button').click();
+  await page.getByLabel('Kanal AO0: Messbereich').selectOption('off');
+  await slot('2.5').getByRole('button').click();
+  await page.getByLabel('Betriebsart', { exact: true }).selectOption('analog');
+  for (const name of ['Grundparameter', 'Antrieb', 'Achse', 'Geber', 'Diagnose']) await heading(name).waitFor();
+  const speed = page.getByLabel('Maximalgeschwindigkeit (Impulse/s)');
+  await speed.fill('10000');
+  await speed.press('Enter');
+  await page.getByLabel('Achsart', { exact: true }).selectOption('rotary');
+  await page.getByLabel('Rundachsenende (Impulse)').waitFor();
+  assert.equal(await page.getByLabel('Softwareendschalter Anfang').count(), 0);
+  await page.getByLabel('Betriebsart', { exact: true }).selectOption('digital');
+  await page.getByLabel('Ansteuerart 1 bis 4').waitFor();
+  assert.equal(await speed.count(), 0);
+  await page.getByLabel('Betriebsart', { exact: true }).selectOption('none');
+  await until(async () => (await heading('Antrieb').count()) === 0, 'no axis any more');
+});
+
 test('a change is taken back', async () => {
   await slot(5).getByRole('button').focus();
   await page.keyboard.press('Delete');
