@@ -21,7 +21,7 @@ def area(number):
 
 def is_due(number):
     family, name, _ = number.split("-")
-    return family in ("S5", "CNT", "PID") or (family == "S7" and name in SETTLED)
+    return family in ("S5", "CNT", "PID", "POS") or (family == "S7" and name in SETTLED)
 
 
 def defined(root=ROOT):

@@ -148,3 +148,19 @@ test('without a project the view says what to do, and no supply is shown as on',
   await page.getByText('Es ist kein Projekt offen').waitFor();
   await expect(() => page.getByRole('button', { name: 'Netz', includeHidden: true }).getAttribute('aria-pressed'), 'false');
 });
+
+// POS-PLANT-21: an axis without hardware: hand wheel, faults, what lies along it
+test('an axis is turned by hand; its faults are switches', async () => {
+  const own = await serve('technology/axis-first-steps');
+  const axis = await open(own, 'process');
+  await turn(axis, 'RUN-P');
+  for (const name of ['SETPOINT', 'ENABLE', 'A', 'B', 'N', 'REFERENCE', 'WORKPIECE', 'LOW_SWITCH', 'HIGH_SWITCH'])
+    await tag(name, axis).waitFor();
+  for (const name of ['Achse blockiert', 'Not-Halt', 'Spuren vertauscht'])
+    await axis.getByRole('switch', { name }).waitFor();
+  const wheel = axis.getByRole('slider', { name: /Handrad/ });
+  await wheel.fill('1000');
+  await wheel.dispatchEvent('change');
+  await passes('POSITION', (value) => value > 300, axis);
+  await leave(axis);
+});
