@@ -25,6 +25,7 @@ class Page {
     add(key, "length", fmt::format("{}ms", value), {{"hint", "2s"}});
   }
   void flag(const char* key, bool value) { add(key, "flag", value, Json::object()); }
+  void fixed(const char* key, bool value) { add(key, "flag", value, {{"fixed", true}}); }
   void choice(const char* key, std::size_t chosen, Json choices) {
     Json value = choices[chosen];
     add(key, "choice", std::move(value), {{"choices", std::move(choices)}});
@@ -85,7 +86,7 @@ void addAxis(const AxisChannel& a, Json& list) {
               {"off", "rising", "falling", "rising to falling", "falling to rising"});
   page.number("reference_point", a.reference, -kFar, kFar);
   page.choice("reference_location", numberOf(a.referenceBelowSwitch), {"plus", "minus"});
-  page.flag("monitor_traversing_range", a.monitors.travel);
+  page.fixed("monitor_traversing_range", a.monitors.travel);  // POS-PARAM-22
   if (!a.rotary) page.flag("monitor_working_range", a.monitors.workingRange);
 }
 
@@ -110,6 +111,7 @@ void addDiagnosis(const AxisChannel& a, Json& list) {
 }  // namespace
 
 void addAxisRows(const io::Parameters& parameters, Json& list) {
+  for (Json& row : list) row["page"] = row["key"] == "name" ? "general" : "addresses";
   const auto& axis = parameters.axis;
   Page basic(list, "basic");
   basic.choice("drive", axis ? 1 + numberOf(axis->output) : 0, {"none", "analog", "digital"});

@@ -7,6 +7,7 @@
 
 namespace merker::workbench {
 
+// Behind the rows that every module has: its name, its addresses.
 void addAxisRows(const io::Parameters& parameters, Json& list);
 
 }  // namespace merker::workbench

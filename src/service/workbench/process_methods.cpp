@@ -1,5 +1,6 @@
 // The plants beside the station: what they show, what can be set (as scenarios do with `plant`).
 #include "scenario/plant_value.h"
+#include "workbench/axis_shown.h"
 #include "workbench/method.h"
 #include "workbench/process_rows.h"
 
@@ -10,7 +11,8 @@ namespace {
 using monitor::Feature;
 
 Answer list(const Call& call) {
-  return Json{{"plants", plantRows(call.field(), call.plc().build().project.symbols)}};
+  return Json{{"plants", plantRows(call.field(), call.plc().build().project.symbols)},
+              {"axis", axisRow(call.plc())}};
 }
 
 Answer watch(const Call& call) {

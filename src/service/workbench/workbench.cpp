@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "workbench/axis_shown.h"
 #include "workbench/method.h"
 #include "workbench/process_rows.h"
 
@@ -131,7 +132,8 @@ void Workbench::readProcess() {
   auto event = std::make_shared<Json>(
       Json{{"event", "process"},
            {"plants", plants == nullptr ? Json::object() : plantValues(*plants)},
-           {"stuck", plants == nullptr ? Json::object() : plantFaults(*plants)}});
+           {"stuck", plants == nullptr ? Json::object() : plantFaults(*plants)},
+           {"axis", axisShown(*shared_.plc)}});
   if (!process_ || *event != *process_) process_ = std::move(event);
 }
 

@@ -200,7 +200,7 @@ TEST(HardwareEdit, PagesOfAnAxis) {
   Json plan = bench.call("hardware.edit",
                          {{"text", kPlan}, {"changes", {off, drive, ofAxis("max_speed", 10'000)}}});
   EXPECT_EQ(plan["problems"], Json::array());
-  EXPECT_EQ(pagesOf(plan), "- basic drive axis encoder diagnosis");
+  EXPECT_EQ(pagesOf(plan), "general addresses basic drive axis encoder diagnosis");
   EXPECT_TRUE(hasRow(plan, "creep_speed") && hasRow(plan, "low_limit"));
   EXPECT_FALSE(hasRow(plan, "control_type") || hasRow(plan, "rotary_end"));
   EXPECT_EQ(

@@ -30,7 +30,8 @@ export interface TypedSymbol { symbol: string; operand: string; type?: string; c
 export interface AddressRange { first: number; bytes: number }
 export interface Terminal { text: string; operand: string; symbol: string }
 export interface Fault { name: string; title: string; on: boolean }
-export interface Parameter { key: string; kind: 'text' | 'address' | 'number' | 'choice' | 'flag' | 'bits' | 'amount' | 'length'; value: string | number | boolean | number[] | null; given?: boolean; choices?: string[]; count?: number; group?: number; min?: number; max?: number; hint?: string; page?: string }
+/** `page` of the modules whose parameters have pages; `fixed`: cannot be changed */
+export interface Parameter { key: string; kind: 'text' | 'address' | 'number' | 'choice' | 'flag' | 'bits' | 'amount' | 'length'; value: string | number | boolean | number[] | null; given?: boolean; choices?: string[]; count?: number; group?: number; min?: number; max?: number; hint?: string; page?: string; fixed?: true }
 export interface Channel { side: 'input' | 'output'; number: number; parameters: Parameter[] }
 /** `slot` is like "4" or "2.2"; `parameters` and `channels` only of `hardware.edit` */
 export interface Slot { slot: string; order: string; name: string; type: string; kind: string; inputs: AddressRange | null; outputs: AddressRange | null; terminals: Terminal[]; properties: [string, string][]; leds?: Record<string, string>; faults: Fault[]; present: boolean; parameters?: Parameter[]; channels?: Channel[] }
@@ -47,6 +48,8 @@ export interface LocalLevel { block: string; bytes: string }
 export interface PlantValue { name: string; unit: string; value: number; binary: boolean; input: boolean; writable: boolean; min: number; max: number; operand: string; symbol: string; stuck: number | null }
 /** `parameters` as in merker.toml: times in seconds, true and false as 1 and 0 */
 export interface PlantRow { name: string; kind: string; title: string; parameters: Record<string, number>; values: PlantValue[]; faults: Fault[] }
+/** the positioning axis of the CPU: its parameters, where each signal of its plant belongs, the instance data blocks of its SFB */
+export interface Axis { output: 'analog' | 'digital'; directionSignal: boolean; controlType: number; rotary: boolean; inverted: boolean; rotaryEnd: number; lowLimit: number; highLimit: number; targetRange: number; highestSpeed: number; creepSpeed: number; wires: { signal: string; operand: string }[]; blocks: { id: string; function: number }[] }
 /** `data` is base64 */
 export interface UploadedPart { path: string; data: string }
 /** [import.md](formats/import.md#the-report) */
@@ -163,7 +166,7 @@ export interface Requests {
   'diagnosis.stacks': { fields: Record<string, never>; result: { blocks: BlockLevel[]; interrupts: InterruptLevel[]; locals: LocalLevel[] } };
   /** module information; 0 or an empty text where the PLC has none */
   'diagnosis.information': { fields: Record<string, never>; result: { model: string; mode: string; stopReason: string; clock: string; memory: Record<string, number | string>; cycle: Record<string, number | string>; limits: Record<string, number | string> } };
-  'process.list': { fields: Record<string, never>; result: { plants: PlantRow[] } };
+  'process.list': { fields: Record<string, never>; result: { plants: PlantRow[]; axis: Axis | null } };
   /** the event `process`, at most 30 a second */
   'process.watch': { fields: { on: boolean }; result: Record<string, never> };
   /** as `plant NAME.X = v` of a scenario; P0989 outside `min` and `max`; a held signal is released when this browser disconnects */
@@ -209,8 +212,8 @@ export interface Events {
   samples: { list: number; rows: (number | null)[][] };
   /** program status: line, vke, sta, or, akku1, akku2, ar1, ar2, stw, db, di of the reached lines (empty: a register that the PLC does not have); null while the block does not run */
   status: { block: string; file: string; calls: number; rows: [number, string, string, string, string, string, string, string, string, string, string][] | null };
-  /** values by plant and signal */
-  process: { time: number; plants: Record<string, Record<string, number>>; stuck: Record<string, Record<string, number>> };
+  /** values by plant and signal; `axis`: those of the positioning axis, by the names that scenarios have for them */
+  process: { time: number; plants: Record<string, Record<string, number>>; stuck: Record<string, Record<string, number>>; axis: Record<string, number> | null };
   /** see above */
   stalled: { place: string; seconds: number };
 }
