@@ -96,7 +96,7 @@ test('parameters of modules and CPU (S7-HWCFG-08, S7-HWCFG-09)', async () => {
 
 // POS-OVW-17, POS-OVW-18, POS-PARAM-15, POS-PARAM-31
 test('an axis: AO 0 off, the drive, and the pages of this drive', async () => {
-  const heading = (name) => page.getByRole('heading', { name, exact: true });
+  const mask = (name) => page.getByRole('tab', { name, exact: true });
   await slot('2.5').getByRole('button').click();
   await page.getByLabel('Betriebsart', { exact: true }).selectOption('analog');
   await says('AO 0 gehört der Achse');
@@ -104,18 +104,26 @@ test('an axis: AO 0 off, the drive, and the pages of this drive', async () => {
   await page.getByLabel('Kanal AO0: Messbereich').selectOption('off');
   await slot('2.5').getByRole('button').click();
   await page.getByLabel('Betriebsart', { exact: true }).selectOption('analog');
-  for (const name of ['Grundparameter', 'Antrieb', 'Achse', 'Geber', 'Diagnose']) await heading(name).waitFor();
+  for (const name of ['Grundparameter', 'Antrieb', 'Achse', 'Geber', 'Diagnose']) await mask(name).waitFor();
+  await mask('Antrieb').click();
   const speed = page.getByLabel('Maximalgeschwindigkeit (Impulse/s)');
   await speed.fill('10000');
   await speed.press('Enter');
+  await mask('Achse').click();
   await page.getByLabel('Achsart', { exact: true }).selectOption('rotary');
   await page.getByLabel('Rundachsenende (Impulse)').waitFor();
   assert.equal(await page.getByLabel('Softwareendschalter Anfang').count(), 0);
+  const end = page.getByLabel('Rundachsenende (Impulse)');
+  await end.fill('8000');
+  await end.press('Enter');
+  await mask('Grundparameter').click();
   await page.getByLabel('Betriebsart', { exact: true }).selectOption('digital');
+  await mask('Antrieb').click();
   await page.getByLabel('Ansteuerart 1 bis 4').waitFor();
   assert.equal(await speed.count(), 0);
+  await mask('Grundparameter').click();
   await page.getByLabel('Betriebsart', { exact: true }).selectOption('none');
-  await until(async () => (await heading('Antrieb').count()) === 0, 'no axis any more');
+  await until(async () => (await mask('Antrieb').count()) === 0, 'no axis any more');
 });
 
 test('a change is taken back', async () => {

@@ -23,8 +23,10 @@ export interface Parameter {
   min?: number;
   max?: number;
   hint?: string;
-  /** Of an axis: under which heading it is shown. */
+  /** Of a module whose parameters are pages. */
   page?: string;
+  /** Shown, but not to be changed. */
+  fixed?: boolean;
 }
 
 export interface Channel {

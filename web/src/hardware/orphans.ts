@@ -1,0 +1,34 @@
+// Parameters that have no meaning beside another value of one parameter: they leave merker.toml with the change.
+import type { Parameter } from './plan.svelte';
+
+type Value = Parameter['value'];
+
+/** In the order in which they go: creep speed is at most the maximum speed. */
+const ANALOG = ['creep_speed', 'max_speed', 'cut_off_delay', 'voltage'];
+const DIGITAL = ['control_type'];
+const LINEAR = ['report_working_range', 'monitor_working_range', 'low_limit', 'high_limit'];
+const ROTARY = ['rotary_end'];
+const ALWAYS = ['name', 'input', 'output', 'drive'];
+
+/** Keys of a module that go when one of its parameters takes a value. */
+export function orphansOf(key: string, value: Value, all: Parameter[]): string[] {
+  const keys = all.map((one) => one.key);
+  if (key === 'on_stop') return value === 'substitute' ? [] : ['substitute'].filter((one) => keys.includes(one));
+  if (key === 'drive') return ofDrive(value, keys);
+  if (key === 'axis') return (value === 'rotary' ? LINEAR : ROTARY).filter((one) => keys.includes(one));
+  if (key === 'interrupts' && value === 'none') return keys.filter((one) => one.startsWith('report_'));
+  if (key.startsWith('monitor_') && value === false) {
+    const report = key.replace('monitor_', 'report_');
+    return keys.filter((one) => one === report);
+  }
+  return [];
+}
+
+function ofDrive(value: Value, keys: string[]): string[] {
+  if (value === 'analog') return DIGITAL.filter((one) => keys.includes(one));
+  if (value === 'digital') return ANALOG.filter((one) => keys.includes(one));
+  return keys.filter((one) => !ALWAYS.includes(one)).sort((a, b) => rank(a) - rank(b));
+}
+
+/** First what needs another one, last the choice that others need. */
+const rank = (key: string) => (key === 'creep_speed' || key.startsWith('report_') ? 0 : key === 'axis' ? 2 : 1);
