@@ -1,10 +1,11 @@
-// An axis: its picture, its faults, its curves (POS-PLANT-17, -20, -21). The project drives it without the positioning channel.
+// An axis: its picture, its faults, its curves, its commissioning (POS-EX-05, POS-PLANT-17, -20, -21). The first project drives it without the
+// positioning channel.
 import assert from 'node:assert/strict';
 import { cpSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { accessible } from './axe.mjs';
-import { expect, history, launch, open, picture, root, scratch, turn, until, visit } from './harness.mjs';
+import { expect, history, launch, open, picture, root, scratch, serve, turn, until, visit } from './harness.mjs';
 
 const folder = scratch();
 const project = join(folder, 'axis');
@@ -71,7 +72,6 @@ test('position and speed over time, speed over distance', async () => {
   assert.equal(await points('position'), held, 'a paused chart');
   await page.getByRole('button', { name: 'Pause' }).last().click();
   await until(async () => (await points('position')) !== held, 'the chart goes on');
-  await picture(page, 'process-axis');
   await accessible(page, 'axis');
 });
 
@@ -108,4 +108,120 @@ test('its curves go into the trends', async () => {
   await page.getByText('plant.Axis.POSITION').first().waitFor();
   await page.getByText('plant.Axis.SETPOINT').first().waitFor();
   await visit(page, server, 'process');
+});
+
+const first = await serve('technology/axis-first-steps');
+const german = await open(first, 'process?mode=commissioning', { width: 1280, height: 720 });
+const step = (name, on = german) => on.locator(`[data-step="${name}"]`);
+const state = (name, on = german) => step(name, on).getAttribute('data-state');
+const seen = (name, what, on = german) => step(name, on).locator(`[data-seen="${what}"]`).innerText();
+const push = (name) => german.locator(`button[data-push="${name}"]`);
+const field = (name, on = german) => on.getByLabel(name, { exact: true });
+async function enter(name, value, on = german) {
+  await field(name, on).fill(String(value));
+  await field(name, on).press('Enter');
+  await expect(() => field(name, on).inputValue(), String(value), name);
+}
+/** Holds a button until something is so. */
+async function hold(name, until) {
+  await push(name).hover();
+  await german.mouse.down();
+  await until();
+  await german.mouse.up();
+}
+const plantView = async (does) => {
+  await german.getByRole('tab', { name: 'Anlage' }).click();
+  await does();
+  await german.getByRole('tab', { name: 'Inbetriebnahme' }).click();
+};
+const setSwitch = (name) => german.getByRole('switch', { name }).click();
+
+test('commissioning: requirements and wiring', async () => {
+  await turn(german, 'RUN-P');
+  await expect(() => state('prepare'), 'good');
+  assert.equal(await seen('prepare', 'SFB 44 wird aufgerufen'), 'DB 20');
+  await expect(() => state('wiring'), 'good');
+  assert.equal(await seen('wiring', 'Spur A'), 'E 124.0');
+  await expect(() => state('movement'), 'open');
+  await plantView(() => setSwitch('Drahtbruch Spur B'));
+  await expect(() => state('wiring'), 'bad');
+  assert.match(await seen('wiring', 'Spur B'), /klemmt bei 0/);
+  await plantView(() => setSwitch('Drahtbruch Spur B'));
+  await expect(() => state('wiring'), 'good');
+});
+
+test('commissioning: jogging in both directions', async () => {
+  await hold('DIR_P', () => expect(() => seen('movement', 'Richtung Plus'), 'richtig'));
+  await expect(() => state('movement'), 'good');
+  await hold('DIR_M', () => expect(() => seen('movement', 'Richtung Minus'), 'richtig'));
+  await expect(() => seen('movement', 'DIR'), '1');
+});
+
+test('commissioning: swapped tracks are found, with the parameter that mends them', async () => {
+  await plantView(() => setSwitch(/Spuren.* vertauscht/));
+  await hold('DIR_P', () => expect(() => seen('movement', 'Richtung Plus'), 'ACT_POS läuft verkehrt herum'));
+  await expect(() => state('movement'), 'bad');
+  await step('movement').getByText('„Zählrichtung“').waitFor();
+  await plantView(() => setSwitch(/Spuren.* vertauscht/));
+});
+
+test('commissioning: the reference point is set', async () => {
+  await german.getByRole('button', { name: 'Quittieren ERR_A' }).click();
+  await expect(() => seen('synchronise', 'SYNC'), '0');
+  await enter('JOB_VAL', 400_000);
+  await german.getByRole('button', { name: 'Bezugspunkt setzen' }).click();
+  await german.getByText(/JOB_STAT 4101H.*außerhalb des Arbeitsbereichs/).waitFor();
+  await expect(() => state('synchronise'), 'bad');
+  await enter('JOB_VAL', 1000);
+  await german.getByRole('button', { name: 'Bezugspunkt setzen' }).click();
+  await expect(() => state('synchronise'), 'good');
+  assert.equal(await seen('synchronise', 'ACT_POS'), '1.000');
+});
+
+async function travel(target) {
+  await enter('TARGET', target);
+  await german.getByRole('button', { name: 'Relativ +' }).click();
+}
+
+test('commissioning: the differences', async () => {
+  await enter('SPEED', 10_000);
+  await enter('CHGDIFF_P', 120);
+  await travel(20_000);
+  await expect(() => seen('differences', 'Letzte Fahrt'), 'Zielbereich erreicht');
+  await enter('CHGDIFF_P', 2000);
+  await enter('CUTOFFDIFF_P', 400);
+  await travel(20_000);
+  await expect(() => seen('differences', 'Letzte Fahrt'), 'vor dem Zielbereich stehen geblieben');
+  await step('differences').getByText(/CUTOFFDIFF_P verkleinern/).waitFor();
+  await expect(() => state('differences'), 'bad');
+});
+
+test('its picture has the target and the switching points', async () => {
+  await german.getByRole('tab', { name: 'Anlage' }).click();
+  await german.locator('path[data-axis="target"]').first().waitFor();
+  await german.getByRole('tab', { name: 'Über dem Weg' }).click();
+  for (const mark of ['Ziel', 'Umschaltpunkt', 'Abschaltpunkt']) await german.locator(`[data-mark="${mark}"]`).waitFor({ state: 'attached' });
+  await picture(german, 'process-axis');
+  await accessible(german, 'axis of a CPU');
+  await german.getByRole('tab', { name: 'Inbetriebnahme' }).click();
+  await picture(german, 'commissioning');
+  await accessible(german, 'commissioning');
+});
+
+test('its parameters are the pages of the manual', async () => {
+  await visit(german, first, 'hardware?mode=plan');
+  await german.getByRole('table', { name: 'Baugruppenträger 0' }).locator('tr[data-slot="2.5"]').getByRole('button').click();
+  const pages = german.getByRole('tablist', { name: 'Masken' }).getByRole('tab');
+  assert.deepEqual(await pages.allInnerTexts(), ['Allgemein', 'Adressen', 'Grundparameter', 'Antrieb', 'Achse', 'Geber', 'Diagnose']);
+  await pages.filter({ hasText: 'Achse' }).click();
+  assert.ok(await german.getByRole('switch', { name: 'Überwachung Verfahrbereich' }).isDisabled());
+  await german.getByLabel('Achsart').selectOption('rotary');
+  // What only the linear axis has goes with it.
+  await german.getByLabel('Rundachsenende (Impulse)').waitFor();
+  await german.getByText('nicht gespeichert').waitFor();
+  await german.getByRole('button', { name: 'Rückgängig' }).click();
+  await expect(() => german.getByLabel('Softwareendschalter Ende').inputValue(), '300000');
+  await pages.filter({ hasText: 'Geber' }).click();
+  await german.getByLabel('Zählrichtung').selectOption('inverted');
+  await expect(() => german.getByLabel('Zählrichtung').inputValue(), 'inverted');
 });

@@ -41,7 +41,7 @@ for (const [index, look] of looks.entries()) {
 }
 
 const sizes = [[1280, 800], [1180, 820], [820, 1180]];
-const plants = ['vessel-emptying', 'garage-door', 'lift', 'traffic-light', 'technology/temperature-control'];
+const plants = ['vessel-emptying', 'garage-door', 'lift', 'traffic-light', 'technology/temperature-control', 'technology/axis-first-steps'];
 
 /** Nothing is crowded, as soon as the view has what it shows. */
 async function roomy(page) {

@@ -80,8 +80,8 @@ export const views: View[] = [
     title: ['Anlage', 'Process'],
     component: Process,
     help: [
-      'Das Modell der Anlage, das die SPS steuert; ein Klick stellt eine Störung ein.',
-      'The model of the plant that the PLC controls; click to inject a fault.',
+      'Das Modell der Anlage, das die SPS steuert; ein Klick stellt eine Störung ein. Eine Achse wird hier Schritt für Schritt in Betrieb genommen.',
+      'The model of the plant that the PLC controls; click to inject a fault. An axis is commissioned here, step by step.',
     ],
   },
   {

@@ -3,6 +3,8 @@ import type { Component } from 'svelte';
 import { language, type Text, type Texts } from '../i18n';
 import { axis } from '../i18n/texts/axis';
 import { kinds } from '../i18n/texts/parts';
+import type { Axis as AxisRow } from '../connection/protocol';
+import type { Points } from './axis/points';
 import Axis from './drawings/Axis.svelte';
 import GarageDoor from './drawings/GarageDoor.svelte';
 import Lift from './drawings/Lift.svelte';
@@ -26,10 +28,18 @@ export interface KindFault {
   title: Text;
 }
 
+/** What the CPU wants of its axis. */
+export interface Scene {
+  axis: AxisRow | null;
+  shown: Record<string, number>;
+  points?: Points;
+}
+
 export interface Drawn {
   values: Record<string, number>;
   name: string;
   parameters: Record<string, number>;
+  scene: Scene;
 }
 
 export interface Kind {

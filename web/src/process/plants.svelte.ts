@@ -1,5 +1,5 @@
 import { connection, type Events, type Kept } from '../connection';
-import type { PlantRow, PlantValue } from '../connection/protocol';
+import type { Axis, PlantRow, PlantValue } from '../connection/protocol';
 import { attempt } from '../state/messages.svelte';
 import { between, type Frame, type Values } from './motion';
 
@@ -12,6 +12,9 @@ const CALM_MS = 500;
 /** The plants of the station: what they are, and their values as they move. */
 export class Plants {
   list = $state.raw<Plant[]>([]);
+  /** The positioning axis of the CPU, and what it shows by name. */
+  axis = $state.raw<Axis | null>(null);
+  axisShown = $state.raw<Values>({});
   /** False until the server has told which there are. */
   known = $state(false);
   /** What is shown: between the last two frames of the server. */
@@ -43,6 +46,7 @@ export class Plants {
   async load(): Promise<void> {
     const answer = await connection.ask('process.list').catch(() => null);
     this.list = answer?.plants ?? [];
+    this.axis = answer?.axis ?? null;
     this.known = answer !== null;
     const now: Record<string, Values> = {};
     for (const plant of this.list)
@@ -74,6 +78,7 @@ export class Plants {
     for (const [name, values] of Object.entries(message.plants)) plants[name] = { ...plants[name], ...values };
     this.before = this.latest;
     this.latest = { at: performance.now(), plants };
+    this.axisShown = message.axis ?? {};
     this.takeFaults(message.stuck);
   }
 

@@ -3,7 +3,8 @@ import { connection, type Events, type Kept } from '../../connection';
 import { append, type Columns } from '../../trends/curves';
 
 /** The list of the Trends view is 1. */
-export const CURVES = 2;
+export const CURVES = 2,
+  RUNS = 3;
 
 export class Samples {
   /** Seconds, then a column for each name; null where the PLC has no such value. */
