@@ -20,6 +20,8 @@ constexpr std::array kSingles{
     Single{"CountedEncoders", "counts of four such encoders together", Unit::Rate, Limit::AtLeast,
            24e6},
     Single{"FourAxes", "four axes with encoders of 60 kHz", Unit::RealTime, Limit::AtLeast, 100},
+    Single{"BusyComputerLink", "a 314C with a busy RK 512 line", Unit::RealTime, Limit::AtLeast,
+           1000},
     Single{"Cycles", "cycles with process image", Unit::Rate, Limit::None, 0},
     Single{"ThousandCpus", "1,000 CPUs on two threads, each", Unit::RealTime, Limit::AtLeast, 1},
     Single{"MemoryOfThousandCpus", "memory of 1,000 CPUs", Unit::Bytes, Limit::AtMost, 2e9},

@@ -19,6 +19,7 @@ void addDisassemble(CLI::App& program, int& result);
 void addAssemble(CLI::App& program, int& result);
 void addDebug(CLI::App& program, int& result);
 void addDiag(CLI::App& program, int& result);
+void addMonitor(CLI::App& program, int& result);
 void addXref(CLI::App& program, int& result);
 void addExport(CLI::App& program, int& result);
 void addPlot(CLI::App& program, int& result);

@@ -190,6 +190,7 @@ void Desk::run(hmi::Server& server, const std::function<bool()>& ended) {
     begin();
     bool more = handleSome(server, enough);
     if (over) break;
+    if (eachSlice_) eachSlice_();
     more = workbench_.advance(wallClock, kSlice) || more;
     begin();
     for (auto& [browser, text] : workbench_.laterAnswers(enough))

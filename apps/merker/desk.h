@@ -24,6 +24,8 @@ class Desk : public hmi::Handler {
   // Until `ended`, which is asked between any two pieces of work.
   void run(hmi::Server& server, const std::function<bool()>& ended);
 
+  void eachSlice(std::function<void()> action) { eachSlice_ = std::move(action); }
+
   // hmi::Handler, in the server's thread
   void opened(hmi::BrowserId browser) override;
   bool received(hmi::BrowserId browser, std::string text) override;
@@ -62,6 +64,7 @@ class Desk : public hmi::Handler {
 
   workbench::Workbench& workbench_;
   Watchdog& watchdog_;
+  std::function<void()> eachSlice_;  // in front of each slice of time
   WorkThread compiler_, clerk_, importer_;
   std::set<hmi::BrowserId> browsers_, unframed_;  // unframed_: this frame is still to be told to
   hmi::BrowserId current_ = 0, last_ = 0;         // that is served, that was served

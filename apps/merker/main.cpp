@@ -64,6 +64,7 @@ int run(int argc, char** argv) {
   merker::app::addTest(program, result);
   merker::app::addDebug(program, result);
   merker::app::addDiag(program, result);
+  merker::app::addMonitor(program, result);
   merker::app::addXref(program, result);
   merker::app::addImport(program, result);
   merker::app::addList(program, result);

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <ctime>
 
+#include "serial_link.h"
 #include "watchdog.h"
 
 namespace merker::app {
@@ -55,7 +56,7 @@ void endAtOnce() {
   std::_Exit(1);
 }
 
-void runRealTime(controller::Controller& station) {
+void runRealTime(controller::Controller& station, SerialLink* link) {
   const sigset_t signals = endSignals();
   Watchdog watchdog("merker run");
   const auto start = Clock::now();
@@ -70,7 +71,11 @@ void runRealTime(controller::Controller& station) {
     // A program that costs more than real time falls behind; it must still be able to end.
     const Instant target =
         std::min(origin + elapsed(), station.now() + Duration::milliseconds(100));
-    if (target > station.now()) station.advanceTo(target);
+    if (link != nullptr) link->exchange();
+    while (station.now() < target) {
+      station.advanceTo(link == nullptr ? target : std::min(target, link->next()));
+      if (link != nullptr && link->next() <= station.now()) link->exchange();
+    }
     if (station.mode() == controller::Mode::Stop) return;
   }
 }

@@ -16,8 +16,9 @@ bool endWaits();
 [[noreturn]] void endAtOnce();
 // From here on they end the process again by themselves.
 void releaseSignals();
+class SerialLink;
 // Lets the station run as fast as time passes, until one of these signals comes or the CPU is in
-// STOP.
-void runRealTime(controller::Controller& station);
+// STOP. `link`: of its serial interface with the outside; null: none.
+void runRealTime(controller::Controller& station, SerialLink* link = nullptr);
 
 }  // namespace merker::app

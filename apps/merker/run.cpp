@@ -16,12 +16,13 @@
 #include "operands.h"
 #include "plant/field.h"
 #include "plc/checked_start.h"
-#include "progress.h"
 #include "real_time.h"
 #include "scenario/display.h"
 #include "scenario/duration.h"
 #include "scenario/trace.h"
+#include "serial_option.h"
 #include "serve.h"
+#include "virtual_time.h"
 
 namespace merker::app {
 namespace {
@@ -29,6 +30,7 @@ namespace {
 struct RunOptions {
   ProjectOptions project;
   std::string path, card, time, trace, engine = "interpreter";
+  SerialOptions serial;
   std::uint64_t cycles = 0;
   bool hasCycles = false, copyRamToRom = false, json = false, noWorkbench = false;
   std::vector<std::string> set, print, watch;
@@ -65,27 +67,6 @@ bool applySet(const std::vector<simulator::Assignment>& assignments, controller:
     return false;
   }
   return true;
-}
-
-void runFor(controller::Controller& plc, Duration time) {
-  Progress progress("running");
-  const Instant start = plc.now(), end = start + time;
-  while (plc.now() < end) {
-    plc.advanceTo(std::min(end, plc.now() + Duration::milliseconds(100)));
-    progress.show(static_cast<double>((plc.now() - start).ns) / static_cast<double>(time.ns));
-  }
-}
-
-void runCycles(controller::Controller& plc, std::uint64_t count) {
-  Progress progress("running");
-  constexpr std::uint64_t kPortion = 1000;
-  for (std::uint64_t done = 0; done < count && plc.mode() != controller::Mode::Stop;
-       done += kPortion) {
-    const std::uint64_t portion = std::min(kPortion, count - done), end = plc.cycles() + portion;
-    plc.advanceCycles(portion);
-    if (plc.cycles() < end) return;
-    progress.show(static_cast<double>(done) / static_cast<double>(count));
-  }
 }
 
 std::string_view name(controller::Mode mode) {
@@ -167,13 +148,14 @@ int readOptions(const RunOptions& options, const Build& build, Operands& operand
                    watched("--watch", options.watch, operands.watch)});
 }
 
-void advance(const RunOptions& options, controller::Controller& plc, std::optional<Duration> time) {
+void advance(const RunOptions& options, controller::Controller& plc, std::optional<Duration> time,
+             SerialLink* link) {
   if (time)
-    runFor(plc, *time);
+    runFor(plc, *time, link);
   else if (options.hasCycles)
     runCycles(plc, options.cycles);
   else
-    runRealTime(plc);
+    runRealTime(plc, link);
 }
 
 int failed(const Problem& problem) {
@@ -240,25 +222,30 @@ int conclude(const RunOptions& options, const Build& build, const Operands& oper
 // The workbench has the PLC until Ctrl-C. Nothing is left to say of it if another one is open then.
 int runServed(const RunOptions& options, const Build& build, const Operands& operands,
               store::MemoryCard* card, CycleEnd& cycleEnd,
-              std::unique_ptr<controller::Controller> owner) {
+              std::unique_ptr<controller::Controller> owner, SerialLink* link) {
   controller::Controller* plc = owner.get();
   workbench::Workbench workbench;
   workbench.show(std::make_unique<workbench::Plc>(build, std::move(owner)));
   if (cycleEnd.needed()) workbench.plc()->onCycle(std::ref(cycleEnd));
   ServeOptions serving = options.serve;
   serving.project = options.path;
-  if (const int code = serve("merker run", serving, workbench, options.json)) return code;
+  const auto eachSlice = [&] {
+    const auto* shown = workbench.plc();
+    if (link != nullptr && shown != nullptr && &shown->controller() == plc) link->exchange();
+  };
+  if (const int code = serve("merker run", serving, workbench, options.json, eachSlice))
+    return code;
   if (workbench.plc() == nullptr || &workbench.plc()->controller() != plc) return kGood;
   return conclude(options, build, operands, card, cycleEnd, *plc, true);
 }
 
 int runAlone(const RunOptions& options, const Build& build, const Operands& operands,
              std::optional<Duration> time, store::MemoryCard* card, CycleEnd& cycleEnd,
-             controller::Controller& plc) {
+             controller::Controller& plc, SerialLink* link) {
   if (cycleEnd.needed()) plc.onCycle(std::ref(cycleEnd));
   const bool realTime = !time && !options.hasCycles;
   if (realTime) holdSignals();
-  advance(options, plc, time);
+  advance(options, plc, time, link);
   return conclude(options, build, operands, card, cycleEnd, plc, realTime);
 }
 
@@ -273,6 +260,9 @@ int runPlc(const RunOptions& options, const Build& build, const Operands& operan
     return kFault;
   }
   if (!applySet(operands.set, plc)) return kUsage;
+  std::unique_ptr<SerialLink> link;
+  const bool virtualTime = time || options.hasCycles;
+  if (const int bad = openSerial(options.serial, build, virtualTime, plc, link)) return bad;
   std::ofstream file;
   CycleEnd cycleEnd(card, file, !time && !options.hasCycles);
   if (!options.trace.empty()) {
@@ -281,8 +271,9 @@ int runPlc(const RunOptions& options, const Build& build, const Operands& operan
     cycleEnd.watch(operands.watch, plc);
   }
   const bool alone = time || options.hasCycles || options.noWorkbench;
-  const int result = alone ? runAlone(options, build, operands, time, card, cycleEnd, plc)
-                           : runServed(options, build, operands, card, cycleEnd, std::move(owner));
+  const int result =
+      alone ? runAlone(options, build, operands, time, card, cycleEnd, plc, link.get())
+            : runServed(options, build, operands, card, cycleEnd, std::move(owner), link.get());
   file.close();
   return options.trace.empty() || file ? result : cannotWrite(options.trace);
 }
@@ -379,6 +370,7 @@ void addRun(CLI::App& program, int& result) {
       ->allow_extra_args(false);
   command->add_option("--trace", options->trace,
                       "file for --watch: time, operand, value of each change");
+  addSerial(*command, options->serial);
   command->add_flag("--json", options->json, "the values at the end as one JSON object");
   command->add_flag("--no-workbench", options->noWorkbench,
                     "in real time without the workbench; ends when the CPU goes to STOP");

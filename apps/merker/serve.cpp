@@ -74,7 +74,7 @@ std::string stalled(const std::string& place, std::int64_t seconds) {
 }  // namespace
 
 int serve(const std::string& command, const ServeOptions& options, workbench::Workbench& workbench,
-          bool quiet) {
+          bool quiet, std::function<void()> eachSlice) {
   const hmi::Options wanted = toOptions(options);
   std::string reason = hmi::wrongOptions(wanted);
   if (!reason.empty()) return refused(command, reason, kUsage);
@@ -84,6 +84,7 @@ int serve(const std::string& command, const ServeOptions& options, workbench::Wo
   workbench.use({workspaceFolder(options), examplesFolder(options), options.project});
   Watchdog watchdog(command);
   Desk desk(workbench, watchdog);
+  desk.eachSlice(std::move(eachSlice));
   const auto server = hmi::Server::start(wanted, desk, reason);
   if (!server) return refused(command, reason, kUnreadable);
   (quiet ? std::cerr : std::cout) << "workbench: " << server->url() << '/'

@@ -1,6 +1,7 @@
 // The workbench behind a server: options of the command line, start, and the time until Ctrl-C.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -22,7 +23,8 @@ struct ServeOptions {
 void addServe(CLI::App& command, ServeOptions& options);
 // Serves until Ctrl-C: the exit code, 2 or 4 if it could not listen; that is told. `quiet`:
 // standard output is for something else.
+// `eachSlice`: is called in front of each slice of time.
 int serve(const std::string& command, const ServeOptions& options, workbench::Workbench& workbench,
-          bool quiet);
+          bool quiet, std::function<void()> eachSlice = {});
 
 }  // namespace merker::app

@@ -7,8 +7,12 @@
 namespace merker::io {
 namespace {
 
+constexpr std::uint32_t kSerialStart = 1023;  // as LADDR (PTP-SFBG-11)
+
 std::uint32_t onBoardStart(const OnBoard& onBoard, std::uint32_t subslot) {
   switch (subslot) {
+    case 1:
+      return kSerialStart;
     case 2:
       return onBoard.digital;
     case 3:

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/text.h"
+#include "serial/parameters.h"
 
 namespace merker::io {
 namespace {
@@ -24,6 +25,9 @@ bool covers(std::optional<std::uint32_t> start, std::uint32_t length, std::uint3
 Parameters Parameters::of(const ModuleType& type) {
   Parameters parameters;
   parameters.inputDelay = Duration::microseconds(type.inputDelay);
+  if (type.kind == ModuleKind::PointToPoint)
+    parameters.serial =
+        std::make_shared<serial::Parameters>(serial::defaults(serial::Protocol::Ascii));
   for (unsigned i = 0; i < type.analogInputs; ++i)
     parameters.analogInputs[i].range = firstOf(type.rangesOfInput(i));
   for (unsigned i = 0; i < type.analogOutputs; ++i)

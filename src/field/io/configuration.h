@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,10 @@
 #include "clock/instant.h"
 #include "io/axis_channel.h"
 #include "io/count_channel.h"
+
+namespace merker::serial {
+struct Parameters;
+}
 
 namespace merker::io {
 
@@ -42,7 +47,8 @@ struct Parameters {
   std::array<AnalogOutput, 8> analogOutputs;
   bool hardwareInterrupt = false;  // sub-module 2.4: interrupt selection "process" (CNT-PARAM-02)
   std::array<CountChannel, 4> counters;
-  std::optional<AxisChannel> axis;  // sub-module 2.5, if it is in use
+  std::optional<AxisChannel> axis;                   // sub-module 2.5, if it is in use
+  std::shared_ptr<const serial::Parameters> serial;  // sub-module 2.1; null: another one
 
   static Parameters of(const ModuleType& type);  // as HW Konfig places the module
 };
@@ -50,7 +56,7 @@ struct Parameters {
 struct Module {
   const ModuleType* type = nullptr;
   std::uint32_t rack = 0, slot = 0;
-  std::uint32_t subslot = 0;  // 2 to 5 on board of the CPU in slot 2, else 0
+  std::uint32_t subslot = 0;  // 1 to 5 on board of the CPU in slot 2, else 0
   std::string name;           // what scenarios call it; empty: its slot
   std::optional<std::uint32_t> inputStart,
       outputStart;              // logical addresses; none if it has no such

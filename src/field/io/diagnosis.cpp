@@ -8,10 +8,12 @@ namespace {
 
 // byte 0
 constexpr std::uint8_t kModuleDefect = 1, kInternal = 2, kExternal = 4, kChannel = 8,
-                       kExternalVoltage = 16, kParameters = 128;
+                       kExternalVoltage = 16, kLine = 32, kParameters = 128;
 // byte 1: module class, and that channel information follows
 constexpr std::uint8_t kAnalogClass = 0x05, kFunctionClass = 0x08, kCommunicationClass = 0x0C,
                        kDigitalClass = 0x0F, kChannelInformation = 0x10;
+// byte 2
+constexpr std::uint8_t kCommunicationFault = 0x02;
 // byte 3
 constexpr std::uint8_t kConverter = 0x10, kFuse = 0x20, kInterruptLost = 0x40;
 
@@ -24,6 +26,8 @@ std::uint8_t classOf(const ModuleType& type) {
       return kAnalogClass;
     case ModuleKind::Communication:
       return kCommunicationClass;
+    case ModuleKind::PointToPoint:
+      return 0;  // PTP-DIAG-09
     default:
       return kFunctionClass;
   }
@@ -128,6 +132,11 @@ std::vector<std::uint8_t> diagnosis(const ModuleType& type, const ModuleFaults& 
   if (faults.has(FaultKind::InterruptLost)) {
     record[0] |= kModuleDefect;
     record[3] |= kInterruptLost;
+  }
+  // technology manual 6.7.4 (PTP-DIAG-07); bit 5 is the wire break here
+  if (faults.has(FaultKind::LineBreak)) {
+    record[0] |= kModuleDefect | kExternal | kLine;
+    record[2] |= kCommunicationFault;
   }
   return record;
 }

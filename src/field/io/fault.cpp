@@ -18,7 +18,8 @@ constexpr std::array kFaults{FaultName{"wire break", FaultKind::WireBreak, true}
                              FaultName{"removed", FaultKind::Removed, false},
                              FaultName{"power", FaultKind::RackPower, false},
                              FaultName{"parameter error", FaultKind::ParameterError, false},
-                             FaultName{"interrupt lost", FaultKind::InterruptLost, false}};
+                             FaultName{"interrupt lost", FaultKind::InterruptLost, false},
+                             FaultName{"line break", FaultKind::LineBreak, false}};
 
 }  // namespace
 
@@ -66,6 +67,8 @@ bool possible(const ModuleType& type, FaultKind kind) {
       return type.kind == ModuleKind::Counting || type.kind == ModuleKind::Positioning;
     case FaultKind::InterruptLost:
       return type.kind == ModuleKind::Counting;
+    case FaultKind::LineBreak:
+      return type.kind == ModuleKind::PointToPoint;
   }
   return false;
 }

@@ -22,7 +22,8 @@ enum class FaultKind : std::uint8_t {
   Removed,         // pulled out of the rack
   RackPower,       // an IM without supply: its rack fails
   ParameterError,  // of the sub-modules 2.4 and 2.5: they do not work with their parameters
-  InterruptLost    // of the sub-module 2.4: a hardware interrupt came again too early
+  InterruptLost,   // of the sub-module 2.4: a hardware interrupt came again too early
+  LineBreak        // of the sub-module 2.1: BREAK on its receive line
 };
 
 struct FaultName {

@@ -80,7 +80,7 @@ void Interface::restored(Instant at) {
 }
 
 std::optional<bool> Interface::takeWireBreak() {
-  if (!parameters_.diagnosticInterrupt || broken_ == shown_) return std::nullopt;
+  if (!wireBreakPending()) return std::nullopt;
   shown_ = broken_;
   return broken_;
 }

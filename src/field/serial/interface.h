@@ -28,6 +28,7 @@ class Interface : public Driver {
   void cpuStarted();
   // True, false: a BREAK has begun or ended, if that causes an interrupt (PTP-DIAG-01).
   std::optional<bool> takeWireBreak();
+  bool wireBreakPending() const { return parameters_.diagnosticInterrupt && broken_ != shown_; }
 
   void start(Instant now) override { driver().start(now); }
   void received(const Character& character) override { driver().received(character); }

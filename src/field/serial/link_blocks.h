@@ -26,6 +26,7 @@ class LinkJobBlock {
  public:
   LinkJobBlock(Interface& interface, bool fetch) : interface_(interface), fetch_(fetch) {}
   void start() { state_.start(); }
+  bool running() const { return running_; }
   Answer call(const Control& control, const LinkRequest& request, const Place& data,
               DataBlocks& blocks, Instant now);
 

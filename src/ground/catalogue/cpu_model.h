@@ -21,6 +21,7 @@ struct OnBoard {
   std::uint8_t counters = 0, positioning = 0;
   // default start addresses of E and A, PEW and PAW, counting, positioning
   std::uint16_t digital = 0, analog = 0, counting = 0, positions = 0;
+  bool serial = false, computerLink = false;  // X27 (PTP-OVW-01), with RK 512
   bool operator==(const OnBoard&) const = default;
 };
 

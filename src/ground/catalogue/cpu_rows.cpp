@@ -29,10 +29,14 @@ constexpr std::array<std::uint8_t, 4> kNotOn31x{25, 26, 27, 48};
 
 // Closed-loop control: CPU 313C, 313C-2 and 314C-2; counting also CPU 312C (technology manual 1,
 // table "Übersicht technologische Funktionen"; PID-USE-01).
-// Positioning: CPU 314C-2 only (POS-OVW-01, -02).
-constexpr std::array<std::uint8_t, 2> kNoPositioning{44, 46};
-constexpr std::array<std::uint8_t, 5> kNoControl{41, 42, 43, 44, 46};
-constexpr std::array<std::uint8_t, 8> kNoTechnology{41, 42, 43, 44, 46, 47, 48, 49};
+// Positioning: CPU 314C-2 only (POS-OVW-01, -02). Point-to-point: only the two CPUs with the
+// interface X27, RK 512 only one of them (PTP-OVW-01, PTP-OPEN-28).
+constexpr std::array<std::uint8_t, 6> kNoSerial{60, 61, 62, 63, 64, 65};
+constexpr std::array<std::uint8_t, 8> kNoPositioning{44, 46, 60, 61, 62, 63, 64, 65};
+constexpr std::array<std::uint8_t, 5> kNoPositioningNoLink{44, 46, 63, 64, 65};
+constexpr std::array<std::uint8_t, 11> kNoControl{41, 42, 43, 44, 46, 60, 61, 62, 63, 64, 65};
+constexpr std::array<std::uint8_t, 14> kNoTechnology{41, 42, 43, 44, 46, 47, 48,
+                                                     49, 60, 61, 62, 63, 64, 65};
 
 // On-board inputs and outputs by type (technology manual, table "Übersicht technologische
 // Funktionen" and connector tables 5.2.2; S7-CPU-15 to -18).
@@ -68,6 +72,11 @@ constexpr OnBoard kOnBoard314Pn{.digitalInputs = 24,
                                 .analog = 800,
                                 .counting = 816,
                                 .positions = 832};
+constexpr OnBoard withSerial(OnBoard onBoard, bool computerLink) {
+  onBoard.serial = true;
+  onBoard.computerLink = computerLink;
+  return onBoard;
+}
 constexpr OnBoard kOnBoardIfm{.digitalInputs = 10, .digitalOutputs = 6, .digital = 124};
 
 // Course 2.1 (S7-CPU-02..14); 500 us per cycle: docs/compatibility.md, "cycle time of the operating
@@ -79,7 +88,7 @@ constexpr CpuModel model314(std::string_view name, std::string_view keyword,
           .orderNumber = orderNumber,
           .firmware = {2, 0, 0},
           .lacksSfcs = kNotOn31x,
-          .lacksSfbs = {},
+          .lacksSfbs = kNoSerial,
           .bitTime = 100,
           .wordTime = 200,
           .fixedTime = 2'000,
@@ -233,11 +242,19 @@ constexpr CpuModel model318() {
   return model;
 }
 
+constexpr CpuModel withPointToPoint(CpuModel model, bool computerLink) {
+  model.lacksSfbs = {};
+  if (!computerLink) model.lacksSfbs = kNoPositioningNoLink;
+  model.onBoard = withSerial(model.onBoard, computerLink);
+  return model;
+}
+
 // "An S7 CPU without a particular model's limits": the contract of the command line.
 constexpr CpuModel modelGeneric(std::string_view name, std::string_view keyword,
                                 std::uint32_t accumulators) {
   CpuModel model = model314(name, keyword, "", kObsAll);
   model.lacksSfcs = {};
+  model.lacksSfbs = {};
   model.runtimeMeters = 8;
   model.bitTime = model.wordTime = model.fixedTime = model.realTime = 100;
   model.workMemory = 64u << 20;
@@ -258,11 +275,14 @@ constexpr CpuModel modelGeneric(std::string_view name, std::string_view keyword,
 }
 
 constexpr std::array kModels{
-    model314("CPU 314C-2 PtP", "314C-2 PtP", "6ES7 314-6BF01-0AB0", kObs31xC),
+    withPointToPoint(model314("CPU 314C-2 PtP", "314C-2 PtP", "6ES7 314-6BF01-0AB0", kObs31xC),
+                     true),
     model314("CPU 314C-2 DP", "314C-2 DP", "6ES7 314-6CF01-0AB0", kObs31xCDp),
     model314Pn(),
     model313("CPU 313C", "313C", "6ES7 313-5BE01-0AB0", kObs31xC, kOnBoard313),
-    model313("CPU 313C-2 PtP", "313C-2 PtP", "6ES7 313-6BE01-0AB0", kObs31xC, kOnBoard3132),
+    withPointToPoint(
+        model313("CPU 313C-2 PtP", "313C-2 PtP", "6ES7 313-6BE01-0AB0", kObs31xC, kOnBoard3132),
+        false),
     model313("CPU 313C-2 DP", "313C-2 DP", "6ES7 313-6CE01-0AB0", kObs31xCDp, kOnBoard3132),
     model312C(),
     model312Ifm(),

@@ -93,6 +93,15 @@ constexpr ModuleType positioning() {
   return type;
 }
 
+// An address, but no bytes behind it: SFB 60 to 65 work with it (technology manual 6.4).
+constexpr ModuleType pointToPoint() {
+  ModuleType type = other("", "", "PtP", Kind::PointToPoint, 0);
+  type.inputBytes = 1;
+  type.outputBytes = 0;
+  type.diagnosticInterrupt = true;
+  return type;
+}
+
 constexpr ModuleType position() {
   ModuleType type = other("6ES7 338-4BC01-0AB0", "SM 338", "POS-INPUT 3xSSI", Kind::Position, 160);
   type.outputBytes = 0;  // S7-HW-07
@@ -194,7 +203,8 @@ constexpr std::array kOnBoard{
     settable(digital("", "", "DI10/DO6", 10, 6, 0, kDc, kDirect), kDelaysOnBoard, 0x3FF, 1),
     compactAnalog(),
     counting(),
-    positioning()};
+    positioning(),
+    pointToPoint()};
 
 }  // namespace
 

@@ -45,6 +45,7 @@ std::vector<const ModuleType*> findModuleTypes(std::string_view name) {
 // S7-CPU-15 to -17
 const ModuleType* onBoardType(const CpuModel& model, unsigned subslot) {
   const OnBoard& has = model.onBoard;
+  if (subslot == 1 && has.serial) return onBoard(ModuleKind::PointToPoint, 0);
   if (subslot == 2 && has.digitalInputs > 0) return onBoard(ModuleKind::Digital, has.digitalInputs);
   if (subslot == 3 && has.analogInputs > 0) return onBoard(ModuleKind::Analog, has.analogInputs);
   if (subslot == 4 && has.counters > 0) return onBoard(ModuleKind::Counting, 0);

@@ -22,7 +22,8 @@ enum class ModuleKind : std::uint8_t {
   Function,       // FM 35x: a placeholder with its address space
   Communication,  // CP 34x: the same
   Counting,       // sub-module 2.4 of a compact CPU
-  Positioning     // sub-module 2.5
+  Positioning,    // sub-module 2.5
+  PointToPoint    // sub-module 2.1, the serial interface X27
 };
 
 struct ModuleType {
@@ -74,7 +75,7 @@ struct ModuleType {
 
 // What a hardware catalogue lists.
 std::span<const ModuleType> moduleTypes();
-// The sub-modules 2.2 to 2.5 of compact CPUs.
+// The sub-modules 2.1 to 2.5 of compact CPUs.
 std::span<const ModuleType> onBoardTypes();
 
 // By order number or by name and text ("SM 321 DI16xDC24V"); ignores case, blanks and hyphens.

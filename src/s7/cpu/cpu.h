@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "catalogue/cpu_parameters.h"
@@ -131,6 +132,9 @@ class Cpu {
   // for engines; machine.position tells where
   AfterError synchronousError(const SyncError& error);
   bool callSystem(BlockId block, std::span<const std::uint32_t> parameters);
+  // A system function met a programming error: its call ends with it (OB 121).
+  void failSystemCall(const SyncError& error) { systemError_ = error; }
+  SyncError takeSystemError() { return std::exchange(systemError_, SyncError{}); }
   // The next instruction of a running block, in bytes of its code.
   std::uint32_t offset(const Frame& frame) const { return engine_.offset(frame); }
 
@@ -175,6 +179,7 @@ class Cpu {
   Engine& engine_;
   SystemServices& services_;
   CpuParameters parameters_;
+  SyncError systemError_;
   RealTimeClock clock_;
   std::vector<RuntimeMeter> runtimeMeters_;
   PresentFaults faults_;

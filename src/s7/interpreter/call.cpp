@@ -48,6 +48,7 @@ const Op* callSystem(cpu::Machine& m, const Op* op, std::uint32_t number) {
   const BlockId id{op->blockKind, static_cast<std::uint16_t>(number)};
   const bool known = m.cpu->callSystem(id, list);
   finish(m.registers.status);
+  if (const SyncError error = m.cpu->takeSystemError()) return fail(m, op, error);
   if (known) return op + 1;
   return fail(m, op, {.code = rowOf(op->blockKind).missing, .detail = number});
 }

@@ -27,14 +27,15 @@ void Periphery::connect(cpu::Cpu& cpu) {
 
 // What happens outside, between two calls of the CPU, is told at its next instruction boundary.
 Instant Periphery::next() const {
-  return rack_.pending()
-             ? Instant{}
-             : std::min({rack_.next(), counting_.next(), positioning_.next(), plants_.next()});
+  return rack_.pending() ? Instant{}
+                         : std::min({rack_.next(), counting_.next(), positioning_.next(),
+                                     serial_.next(), plants_.next()});
 }
 
 std::string_view Periphery::due(Instant now) const {
   if (plants_.next() <= now) return "plants";
   if (positioning_.next() <= now) return "sub-module 2.5";
+  if (serial_.next() <= now) return "sub-module 2.1";
   return counting_.next() <= now ? "sub-module 2.4" : "modules of the rack";
 }
 
@@ -53,6 +54,7 @@ void Periphery::goOn(Instant now) {
 void Periphery::advance(cpu::Cpu& cpu, Instant now) {
   goOn(now);
   counting_.advance(now);
+  serial_.advance(now);
   if (rack_.takePresenceChanged()) showPresence(cpu);
   showInputs(cpu);
   for (const ModuleEvent& event : rack_.takeEvents()) cpu.moduleEvents().happened(event);
@@ -74,14 +76,19 @@ void Periphery::acknowledged(cpu::Cpu&, std::uint32_t address) { counting_.ackno
 // CNT-GATE-10, -11; POS-RUN-33, POS-END-08
 void Periphery::modeChanged(cpu::Cpu& cpu) {
   const Instant now = cpu.machine().clock;
-  if (cpu.mode() == cpu::Mode::Startup) counting_.start(now), positioning_.start(now);
-  if (cpu.mode() == cpu::Mode::Stop) counting_.stop();
+  if (cpu.mode() == cpu::Mode::Startup) {
+    counting_.start(now);
+    positioning_.start(now);
+    serial_.start(now);
+  }
+  if (cpu.mode() == cpu::Mode::Stop) counting_.stop(), serial_.stop(now);
   if (cpu.mode() == cpu::Mode::Stop || cpu.mode() == cpu::Mode::Halt) positioning_.stop(now);
 }
 
 void Periphery::supply(cpu::Cpu& cpu, bool on) {
   if (!on) positioning_.stop(cpu.machine().clock);
   rack_.supply(on);
+  serial_.supply(on, cpu.machine().clock);
 }
 
 void Periphery::written(cpu::Cpu& cpu, std::uint32_t first, std::uint32_t count) {

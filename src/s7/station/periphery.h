@@ -6,6 +6,7 @@
 #include "io/rack.h"
 #include "plant/plants.h"
 #include "positioning/positioning.h"
+#include "station/serial_module.h"
 #include "technology/counting.h"
 
 namespace merker::station {
@@ -16,6 +17,7 @@ class Periphery : public cpu::Periphery {
       : rack_(std::move(configuration)),
         counting_(rack_),
         positioning_(rack_),
+        serial_(rack_),
         plants_(std::move(plants)) {}
   Periphery(const Periphery&) = delete;  // the sub-modules know `rack_`
   Periphery& operator=(const Periphery&) = delete;
@@ -25,6 +27,7 @@ class Periphery : public cpu::Periphery {
   technology::Counting& counting() { return counting_; }
   positioning::Positioning& positioning() { return positioning_; }
   const positioning::Positioning& positioning() const { return positioning_; }
+  SerialModule& serial() { return serial_; }
   // What is worked out only when asked, as it is at `now`.
   void refresh(Instant now);
   plant::Plants& plants() { return plants_; }
@@ -60,6 +63,7 @@ class Periphery : public cpu::Periphery {
   io::Rack rack_;
   technology::Counting counting_;
   positioning::Positioning positioning_;
+  SerialModule serial_;
   plant::Plants plants_;
 };
 

@@ -57,6 +57,8 @@ struct Station::Parts {
     periphery->connect(cpu);
     modules = std::make_unique<Modules>(periphery->rack());
     services.connect(modules.get(), &periphery->counting(), &periphery->positioning());
+    SerialModule& serial = periphery->serial();
+    if (serial.coupling() != nullptr) services.connect(serial.coupling(), serial.address());
   }
 
   // The start itself is the wish, whatever the switch does by its position.
@@ -262,6 +264,15 @@ const plant::Plants* Station::plants() const {
 
 const positioning::Channel* Station::axis() const {
   return parts_->periphery ? std::as_const(*parts_->periphery).positioning().channel() : nullptr;
+}
+
+// With the diagnostic interrupt the CPU is told at its next instruction boundary.
+serial::Coupling* Station::serial() {
+  serial::Coupling* coupling = parts_->periphery ? parts_->periphery->serial().coupling() : nullptr;
+  if (coupling == nullptr) return nullptr;
+  coupling->advance(now());
+  parts_->cpu.machine().interrupt();
+  return coupling;
 }
 
 const std::vector<DiagnosticEntry>& Station::diagnostics() const {

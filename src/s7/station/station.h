@@ -28,6 +28,7 @@
 #include "plc/machine_code.h"
 #include "plc/ob1_alone.h"
 #include "positioning/axis_values.h"
+#include "serial/serial_port.h"
 #include "station/block_cpu.h"
 
 namespace merker::station {
@@ -58,6 +59,7 @@ class Station final : public controller::Controller,
                       public controller::Ob1Alone,
                       public plant::Field,
                       public positioning::AxisOwner,
+                      public serial::SerialPort,
                       public cpu::EventsByHand,
                       public cpu::LedPanel,
                       public cpu::RamToRom,
@@ -165,6 +167,7 @@ class Station final : public controller::Controller,
   plant::Plants* plants() override;
   const plant::Plants* plants() const override;
   const positioning::Channel* axis() const override;
+  serial::Coupling* serial() override;
 
   const std::vector<DiagnosticEntry>& diagnostics() const override;
   const std::vector<CheckResult>& checkResults() const override;

@@ -4,6 +4,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -17,6 +18,9 @@
 
 namespace merker::positioning {
 class Positioning;
+}
+namespace merker::serial {
+class Coupling;
 }
 
 namespace merker::system {
@@ -42,6 +46,9 @@ struct Context {
   Modules* modules = nullptr;                // null: none
   technology::Counting* counting = nullptr;  // null: none
   positioning::Positioning* positioning = nullptr;
+  serial::Coupling* serial = nullptr;  // null: none
+  std::optional<std::uint32_t> serialAddress{};
+  std::shared_ptr<serial::Coupling> absentSerial{};  // what calls without a sub-module leave
   Jobs jobs;
 };
 
@@ -67,6 +74,9 @@ class Arguments {
   Modules* modules() { return context_.modules; }
   technology::Counting* counting() { return context_.counting; }
   positioning::Positioning* positioning() { return context_.positioning; }
+  serial::Coupling* serial() { return context_.serial; }
+  std::optional<std::uint32_t> serialAddress() const { return context_.serialAddress; }
+  std::shared_ptr<serial::Coupling>& absentSerial() { return context_.absentSerial; }
   Jobs& jobs() { return context_.jobs; }
   std::uint16_t functionNumber() const { return function_.number; }
   // SFB: whether the instance is long enough for this parameter.

@@ -13,8 +13,16 @@ class Services : public cpu::SystemServices {
  public:
   explicit Services(const CpuModel& model);
   bool call(const cpu::SystemCall& call) override;
-  void restart() override { context_.jobs.clear(); }
+  void restart() override {
+    context_.jobs.clear();
+    context_.absentSerial.reset();
+  }
   // Whom the functions for modules ask; null: no modules.
+  // The sub-module PtP and its address; null: the project has none.
+  void connect(serial::Coupling* coupling, std::uint32_t address) {
+    context_.serial = coupling;
+    context_.serialAddress = address;
+  }
   void connect(Modules* modules, technology::Counting* counting,
                positioning::Positioning* positioning) {
     context_.modules = modules;

@@ -38,7 +38,7 @@ bool readSlot(const Table& table, io::Module& module) {
 
 std::string subModules(const CpuModel& model) {
   std::string list;
-  for (unsigned subslot = 2; subslot <= 5; ++subslot)
+  for (unsigned subslot = 1; subslot <= 5; ++subslot)
     if (const ModuleType* type = onBoardType(model, subslot))
       list += fmt::format("{}2.{} {}", list.empty() ? "it has " : ", ", subslot, title(*type));
   return list.empty() ? "it has none" : list;
@@ -127,10 +127,10 @@ std::string slotText(const toml::node& node) {
 namespace {
 
 void allowKeys(const Table& table) {
-  std::vector<std::string_view> keys{"slot",        "rack",       "type",    "name",
-                                     "input",       "output",     "cable",   "input_delay",
-                                     "rising_edge", "range",      "on_stop", "falling_edge",
-                                     "diagnostics", "substitute", "channel", "interrupts"};
+  std::vector<std::string_view> keys{
+      "slot",        "rack",        "type",        "name",       "input",   "output",
+      "cable",       "input_delay", "rising_edge", "range",      "on_stop", "falling_edge",
+      "diagnostics", "substitute",  "channel",     "interrupts", "serial"};
   const toml::node* slot = table.node("slot");
   if (slot != nullptr && slotText(*slot) == "2.5")
     keys.insert(keys.end(), axisKeys().begin(), axisKeys().end());
@@ -148,6 +148,7 @@ std::optional<io::Module> readModule(const Table& table, const CpuModel& model) 
     module.name = *name;
     if (name->empty()) table.mustBe("name", "a text of at least one character");
   }
+  if (module.type->kind == ModuleKind::PointToPoint && module.name.empty()) module.name = "X27";
   readAddress(table, "input", module.type->hasInputs(), "inputs", module.inputStart,
               module.inputPosition, module);
   readAddress(table, "output", module.type->hasOutputs(), "outputs", module.outputStart,
@@ -158,6 +159,7 @@ std::optional<io::Module> readModule(const Table& table, const CpuModel& model) 
   readInterruptSelection(table, module);
   if (module.type->kind == ModuleKind::Counting) readCounters(table, model, module);
   if (module.type->kind == ModuleKind::Positioning) readAxis(table, module);
+  readSerial(table, model, module);
   return module;
 }
 

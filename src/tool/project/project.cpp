@@ -39,6 +39,7 @@ void take(Project& project, const Settings& settings) {
   project.parameters = settings.parameters;
   project.hardware = settings.hardware;
   project.plants = settings.plants;
+  project.serial = settings.serial;
   project.addressCheck = settings.addressCheck;
   project.vertical = settings.vertical;
   project.mpiAddress = settings.mpiAddress;

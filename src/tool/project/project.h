@@ -14,6 +14,7 @@
 #include "io/configuration.h"
 #include "plant/configuration.h"
 #include "project/address_check.h"
+#include "serial/connection.h"
 #include "source/source_file.h"
 #include "source/symbol_table.h"
 
@@ -38,6 +39,7 @@ struct Project {
   CpuParameters parameters = CpuParameters::of(defaultCpuModel());
   std::optional<io::Configuration> hardware;  // none: every address of the image answers
   plant::Configuration plants;
+  std::optional<serial::Connection> serial;  // of X27; none: the partner of scenarios
   AddressCheck addressCheck = AddressCheck::Standard;
   bool vertical = false;         // mounting of the racks (S7-HW-19)
   std::uint32_t mpiAddress = 2;  // as settings.h has it

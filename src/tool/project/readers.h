@@ -32,6 +32,10 @@ void readCounters(const Table& table, const CpuModel& model, io::Module& module)
 // drive and what belongs to it, of the sub-module 2.5; then what it needs of others (POS-PARAM)
 void readAxis(const Table& table, io::Module& module);
 void checkAxis(const Table& root, const io::Configuration& configuration);
+// [module.serial] of the sub-module 2.1 (PTP-PARAM)
+void readSerial(const Table& table, const CpuModel& model, io::Module& module);
+// [serial]: what X27 is connected to (PTP-LINE-12)
+std::optional<serial::Connection> readConnection(const Table& root);
 // "±10V, 0..10V, …": the ranges of a RangeSet, for problems
 std::string rangeNames(std::uint16_t sets);
 

@@ -95,10 +95,11 @@ void choose(Settings& settings, const Model& model) {
 }
 
 void readStation(const Table& root, Settings& settings) {
-  root.allow({"project", "program", "cpu", "hardware", "module", "plant"});
+  root.allow({"project", "program", "cpu", "hardware", "module", "plant", "serial"});
   if (const auto table = root.table("cpu")) readCpu(*table, settings);
   readHardware(root, settings);
   if (settings.hardware) settings.plants = readPlants(root, *settings.hardware);
+  settings.serial = readConnection(root);
 }
 
 void readAll(const Table& root, std::optional<Model> model, Settings& settings) {

@@ -12,6 +12,7 @@
 #include "io/configuration.h"
 #include "plant/configuration.h"
 #include "project/address_check.h"
+#include "serial/connection.h"
 #include "source/source_file.h"
 
 namespace merker::project {
@@ -44,6 +45,7 @@ struct Settings {
   // hardware configuration".
   std::optional<io::Configuration> hardware;
   plant::Configuration plants;
+  std::optional<serial::Connection> serial;  // of X27; none: the partner of scenarios
   AddressCheck addressCheck = AddressCheck::Standard;
   bool vertical = false;  // mounting (S7-HW-19)
   std::uint32_t mpiAddress = kCpuMpiAddress;

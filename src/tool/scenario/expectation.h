@@ -11,6 +11,7 @@
 #include "scenario/expectations/led.h"
 #include "scenario/expectations/mode.h"
 #include "scenario/expectations/plant.h"
+#include "scenario/expectations/serial.h"
 #include "scenario/expectations/stack.h"
 #include "scenario/expectations/terminal.h"
 #include "scenario/expectations/values.h"
@@ -35,7 +36,7 @@ using OneExpectationOf = std::variant<E...>;
 using AnyExpectation =
     OneExpectationOf<expectations::Values, expectations::Mode, expectations::Diagnostics,
                      expectations::Terminal, expectations::Led, expectations::Plant,
-                     expectations::Stack, expectations::Axis>;
+                     expectations::Stack, expectations::Axis, expectations::Serial>;
 
 // Reads what stands behind `expect`, without the time; `ofPartner`: of the coupled control.
 bool parseExpectation(const StepLine& line, std::string_view text, bool ofPartner,

@@ -22,6 +22,7 @@ bool parse(const StepLine& line, const Claim& claim, AnyExpectation& expectation
 
 constexpr ExpectationWord kExpectations[] = {
     {"diagnostics", parse<expectations::Diagnostics>, Of::Both, Form::Words},
+    {"serial", parse<expectations::Serial>, Of::Own, Form::Words},
     {"mode", parse<expectations::Mode>, Of::Both},
     {"terminal", parse<expectations::Terminal>},
     {"ustack", parse<expectations::Stack>},

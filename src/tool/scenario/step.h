@@ -15,6 +15,7 @@
 #include "scenario/steps/power.h"
 #include "scenario/steps/repeat.h"
 #include "scenario/steps/restart.h"
+#include "scenario/steps/serial.h"
 #include "scenario/steps/set.h"
 #include "scenario/steps/signal.h"
 #include "scenario/steps/switch.h"
@@ -37,12 +38,13 @@ concept IsStep = requires(S& step, const S& ready, const StepLine& line, const S
 template <IsStep... S>
 using OneOf = std::variant<S...>;
 
-using AnyStep = OneOf<steps::Set, steps::Wait, steps::Expect, steps::Run, steps::Stop,
-                      steps::ColdRestart, steps::WarmRestart, steps::HotRestart, steps::Switch,
-                      steps::PowerOff, steps::PowerOnUnbuffered, steps::PowerOn, steps::BatteryLow,
-                      steps::BatteryGood, steps::RemoveCard, steps::Trigger, steps::MemoryReset,
-                      steps::CopyRamToRom, steps::Force, steps::Unforce, steps::Fault,
-                      steps::Terminal, steps::Pulses, steps::Encoder, steps::Plant, steps::Repeat>;
+using AnyStep =
+    OneOf<steps::Set, steps::Wait, steps::Expect, steps::Run, steps::Stop, steps::ColdRestart,
+          steps::WarmRestart, steps::HotRestart, steps::Switch, steps::PowerOff,
+          steps::PowerOnUnbuffered, steps::PowerOn, steps::BatteryLow, steps::BatteryGood,
+          steps::RemoveCard, steps::Trigger, steps::MemoryReset, steps::CopyRamToRom, steps::Force,
+          steps::Unforce, steps::Fault, steps::Terminal, steps::Serial, steps::Pulses,
+          steps::Encoder, steps::Plant, steps::Repeat>;
 
 struct Step {
   Position position;

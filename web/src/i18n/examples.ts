@@ -132,6 +132,26 @@ export const examples: Record<string, readonly [title: string, description: stri
     'Frequenz eines Lüfters',
     'Kanal 1 misst alle 200 ms die Impulse eines Lüfters, zwei je Umdrehung (SFB 48). Außerhalb von 40 Hz bis 60 Hz ist sein Digitalausgang 1, und die erste Messung außerhalb löst einen Prozessalarm aus. MD 10 ist die Frequenz in mHz, MD 14 die Drehzahl.',
   ],
+  'technology/barcode-scanner': [
+    'Barcodeleser',
+    'Ein Leser an der seriellen Schnittstelle X27 sendet jeden Code mit CR am Ende. Der ASCII-Treiber wartet auf dieses Endezeichen, SFB 61 RCV_PTP übergibt den Code. Angenommen werden Codes, die mit 40 beginnen.',
+  ],
+  'technology/label-printer': [
+    'Etikettendrucker',
+    'Jede Flanke von E 124.0 druckt ein Etikett: PART und eine Nummer. Der ASCII-Treiber hängt CR LF an und beachtet XON/XOFF: der Drucker hält ihn an, solange er keinen Platz hat; A 124.0 zeigt, dass er innerhalb von 5 s nicht weitergemacht hat.',
+  ],
+  'technology/rs485-drive': [
+    'Antrieb an RS 485',
+    'Die CPU ist Master eines Zweidrahtbusses: alle 50 ms sendet sie ein Telegramm in der Form von USS (STX, Länge, Adresse, Steuerwort, Sollwert, Blockprüfzeichen) und bekommt eines zurück. Der ASCII-Treiber fügt nichts hinzu, das Programm berechnet das Blockprüfzeichen.',
+  ],
+  'technology/s5-host': [
+    'Host mit RK 512',
+    'Ein Host, früher eine SIMATIC S5, liest Zahlen der CPU (FETCH) und schickt ihr Aufträge (SEND) über die Rechnerkopplung RK 512. SFB 65 SERVE_RK beantwortet beides. Der Koppelmerker M 100.6 sperrt einen Auftrag, bis das Programm ihn übernommen hat.',
+  ],
+  'technology/weighing-scale': [
+    'Waage',
+    'Die CPU fragt eine Waage nach ihrem Gewicht, die Waage antwortet mit fünf Ziffern; beide sprechen die Prozedur 3964R. SFB 60 SEND_PTP endet mit DONE, wenn die Waage das Telegramm quittiert hat, SFB 61 RCV_PTP nimmt die Antwort.',
+  ],
   'technology/light-barrier': [
     'Teile zählen mit einer Lichtschranke',
     'Kanal 0 des integrierten Zählers (SFB 47) zählt die Teile auf einem Band: periodisch, Hauptzählrichtung vorwärts, Endwert 9. Mit dem neunten Teil meldet er Überlauf als Prozessalarm, und OB 40 zählt die vollen Kartons.',

@@ -1,0 +1,179 @@
+#include "serial_link.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstring>
+
+#include "serial/serial_port.h"
+
+namespace merker::app {
+namespace {
+
+using serial::Bytes;
+using End = serial::Coupling::End;
+
+constexpr std::size_t kMostUnsent = 65'536;
+constexpr std::string_view kHeader = "time,event,characters";
+
+std::string hexadecimal(const Bytes& bytes) {
+  std::string text;
+  for (const std::uint8_t byte : bytes) text += fmt::format("{:02X}", byte);
+  return text;
+}
+
+bool readHexadecimal(std::string_view text, Bytes& bytes) {
+  if (text.size() % 2 != 0) return false;
+  for (std::size_t i = 0; i < text.size(); i += 2) {
+    unsigned value = 0;
+    const auto [end, error] = std::from_chars(&text[i], &text[i] + 2, value, 16);
+    if (error != std::errc{} || end != &text[i] + 2) return false;
+    bytes.push_back(static_cast<std::uint8_t>(value));
+  }
+  return true;
+}
+
+// Its frame is wrong on the line, too.
+void sendFaulty(serial::Coupling& coupling, std::uint8_t value, Instant now) {
+  const bool parity = coupling.parameters().line.frame.parity != serial::Parity::None;
+  coupling.disturb(End::Partner, coupling.partner().queued(),
+                   {.kind = parity ? serial::Fault::Kind::Parity : serial::Fault::Kind::Stop});
+  coupling.partner().send({value}, now);
+}
+
+}  // namespace
+
+std::unique_ptr<SerialLink> SerialLink::open(const serial::Connection& connection,
+                                             const std::string& record, controller::Controller& plc,
+                                             std::string& reason) {
+  using Kind = serial::Connection::Kind;
+  if (connection.kind == Kind::Partner) return nullptr;
+  std::unique_ptr<SerialLink> link(new SerialLink(plc));
+  serial::Coupling* const coupling = link->coupling();
+  if (coupling == nullptr) {
+    reason = "the project has no serial interface ([[module]] with slot = \"2.1\")";
+    return nullptr;
+  }
+  if (connection.kind == Kind::Replay) {
+    if (!link->readRecords(connection.place, reason)) return nullptr;
+    return link;
+  }
+  link->stream_ = openStream(connection, coupling->parameters().line, reason);
+  if (!link->stream_) return nullptr;
+  if (record.empty()) return link;
+  link->record_.open(record, std::ios::binary);
+  link->record_ << kHeader << '\n';
+  if (!link->record_) {
+    reason = record + ": " + std::strerror(errno);
+    return nullptr;
+  }
+  return link;
+}
+
+// time in ns, event, characters in hexadecimal digits
+bool SerialLink::readRecords(const std::string& name, std::string& reason) {
+  std::ifstream file(name, std::ios::binary);
+  std::string line;
+  if (!std::getline(file, line) || line != kHeader) {
+    reason = name + ": this is no recording of a serial line";
+    return false;
+  }
+  for (std::size_t number = 2; std::getline(file, line); ++number) {
+    const auto first = line.find(','), second = line.find(',', first + 1);
+    Record record;
+    const bool cells = first != std::string::npos && second != std::string::npos;
+    const char* const end = line.data() + (cells ? first : 0);
+    const auto time = std::from_chars(line.data(), end, record.at.ns);
+    if (!cells || time.ec != std::errc{} || time.ptr != end ||
+        !readHexadecimal(std::string_view(line).substr(second + 1), record.bytes) ||
+        (!records_.empty() && record.at < records_.back().at)) {
+      reason = fmt::format("{}:{}: this is no line of a recording", name, number);
+      return false;
+    }
+    record.kind = line.substr(first + 1, second - first - 1);
+    records_.push_back(std::move(record));
+  }
+  return true;
+}
+
+serial::Coupling* SerialLink::coupling() {
+  auto* port = controller::capability<serial::SerialPort>(plc_);
+  return port == nullptr ? nullptr : port->serial();
+}
+
+Instant SerialLink::next() const {
+  return played_ < records_.size() ? records_[played_].at : Instant::never();
+}
+
+void SerialLink::keep(const char* kind, const Bytes& bytes) {
+  if (record_.is_open())
+    record_ << plc_.now().ns << ',' << kind << ',' << hexadecimal(bytes) << std::endl;
+}
+
+void SerialLink::connect(serial::Coupling& coupling, bool connected) {
+  if (connected == connected_) return;
+  connected_ = connected;
+  keep(connected ? "connect" : "cut", {});
+  coupling.cut(End::Cpu, !connected, plc_.now());
+  if (!connected) unsent_.clear();
+}
+
+void SerialLink::take(serial::Coupling& coupling) {
+  SerialInput input;
+  stream_->read(input, coupling.partner().room());
+  Bytes good;
+  const auto send = [&] {
+    if (good.empty()) return;
+    keep("in", good);
+    coupling.partner().send(good, plc_.now());
+    good.clear();
+  };
+  for (const SerialInput::Character& one : input.characters) {
+    if (!one.faulty) {
+      good.push_back(one.value);
+      continue;
+    }
+    send();
+    keep("faulty", {one.value});
+    sendFaulty(coupling, one.value, plc_.now());
+  }
+  send();
+  if (input.interrupted) connect(coupling, false);  // until the next exchange
+}
+
+// What nobody takes is lost at some time: the PLC does not wait, and memory has an end.
+void SerialLink::give(serial::Coupling& coupling) {
+  const Bytes fresh = coupling.partner().takeAll();
+  if (!connected_) return;
+  if (unsent_.size() + fresh.size() <= kMostUnsent)
+    unsent_.insert(unsent_.end(), fresh.begin(), fresh.end());
+  if (unsent_.empty()) return;
+  const std::size_t count = std::min(stream_->write(unsent_), unsent_.size());
+  unsent_.erase(unsent_.begin(), unsent_.begin() + static_cast<std::ptrdiff_t>(count));
+}
+
+void SerialLink::play(serial::Coupling& coupling, const Record& record) {
+  if (record.kind == "cut" || record.kind == "connect")
+    coupling.cut(End::Cpu, record.kind == "cut", plc_.now());
+  else if (record.kind == "faulty")
+    for (const std::uint8_t byte : record.bytes) sendFaulty(coupling, byte, plc_.now());
+  else
+    coupling.partner().send(record.bytes, plc_.now());
+}
+
+void SerialLink::exchange() {
+  serial::Coupling* const coupling = this->coupling();
+  if (coupling == nullptr) return;
+  if (stream_) {
+    connect(*coupling, stream_->connected());
+    give(*coupling);
+    if (connected_) take(*coupling);
+  } else {
+    coupling->partner().forget();
+    for (; next() <= plc_.now(); ++played_) play(*coupling, records_[played_]);
+  }
+  coupling->advance(plc_.now());
+}
+
+}  // namespace merker::app

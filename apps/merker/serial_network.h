@@ -1,0 +1,14 @@
+// A serial line over TCP: a raw stream of characters, one connection at a time (PTP-LINE-06).
+#pragma once
+
+#include "serial_stream.h"
+
+namespace merker::app {
+
+std::unique_ptr<SerialStream> listenAt(const std::string& host, std::uint16_t port,
+                                       std::string& reason);
+// Calls again every second while nobody answers.
+std::unique_ptr<SerialStream> connectTo(const std::string& host, std::uint16_t port,
+                                        std::string& reason);
+
+}  // namespace merker::app

@@ -1,0 +1,80 @@
+// A CPU 314C-2 PtP whose RK 512 line is always busy: it fetches 128 bytes of its partner without a
+// pause, at 9600 baud.
+#include <benchmark/benchmark.h>
+
+#include <cstdlib>
+
+#include "programs.h"
+#include "serial/coupling.h"
+#include "station/station.h"
+
+namespace merker::bench {
+namespace {
+
+constexpr std::string_view kFetching = R"(DATA_BLOCK DB 20
+STRUCT
+  D : ARRAY [0 .. 127] OF BYTE;
+END_STRUCT
+BEGIN
+END_DATA_BLOCK
+DATA_BLOCK DB 50
+STRUCT
+  S : ARRAY [0 .. 239] OF BYTE;
+END_STRUCT
+BEGIN
+END_DATA_BLOCK
+DATA_BLOCK DB 64 SFB 64
+BEGIN
+END_DATA_BLOCK
+ORGANIZATION_BLOCK OB 1
+BEGIN
+NETWORK
+      L     128
+      T     MW 12
+      CALL  SFB 64, DB 64 (SYNC_DB := 50, REQ := M 0.0, R := FALSE, LADDR := W#16#3FF, R_CPU := 1, R_TYPE := 'D', R_DBNO := 20, R_OFFSET := 0, R_CF_BYT := 255, R_CF_BIT := 0, DONE := M 1.2, ERROR := M 1.3, STATUS := MW 6, RD_1 := P#DB20.DBX0.0 BYTE 1, LEN := MW 12)
+      U     M 1.2
+      SPBN  done
+      L     MW 20
+      +     1
+      T     MW 20
+done: UN    M 1.2
+      UN    M 1.3
+      =     M 0.0
+END_ORGANIZATION_BLOCK
+)";
+
+io::Configuration computerLink() {
+  io::Module module;
+  module.type = onBoardType(defaultCpuModel(), 1);
+  module.slot = 2;
+  module.subslot = 1;
+  module.parameters = io::Parameters::of(*module.type);
+  module.parameters.serial =
+      std::make_shared<serial::Parameters>(serial::defaults(serial::Protocol::ComputerLink));
+  Problems problems;
+  return io::configure({module}, defaultCpuModel(), problems);
+}
+
+void BusyComputerLink(benchmark::State& state) {
+  station::Options options;
+  options.program = compiled(std::string(kFetching), "314C-2 PtP");
+  options.hardware = computerLink();
+  options.engine = station::Engine::Compiled;
+  station::Station station(std::move(options));
+  if (!station.warmRestart()) std::abort();
+  serial::Coupling& coupling = *station.serial();
+  serial::ProcedureParameters partner = coupling.parameters().procedure;
+  partner.highPriority = false;
+  coupling.partner().speak(serial::Partner::Speaks::ComputerLink, partner, station.now());
+  coupling.partner().memory().set('D', 20, 0, serial::Bytes(128, 0x55));
+  constexpr Duration kStep = Duration::milliseconds(500);
+  const Instant begin = station.now();
+  for (auto _ : state) station.advanceTo(station.now() + kStep);
+  state.SetItemsProcessed((station.now() - begin).ns);
+  if (station.mode() != station::Mode::Run) state.SkipWithError(station.stopReason().c_str());
+  if (coupling.seen() == 0) state.SkipWithError("nothing was on the line");
+}
+BENCHMARK(BusyComputerLink);
+
+}  // namespace
+}  // namespace merker::bench

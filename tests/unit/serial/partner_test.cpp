@@ -1,0 +1,164 @@
+// The sub-module in operation with the partner at the other end of its line.
+#include "serial/coupling.h"
+#include "serial/decoder.h"
+#include "stations.h"
+
+namespace merker::serial {
+namespace {
+
+constexpr Instant at(std::int64_t ms) { return Instant{} + Duration::milliseconds(ms); }
+
+Bytes all(Partner& partner) { return partner.takeAll(); }
+
+Parameters procedure() {
+  Parameters p = defaults(Protocol::Procedure);
+  p.procedure.preparation = {};
+  return p;
+}
+
+TEST(SerialPartner, CharactersGoBothWays) {
+  Coupling coupling(defaults(Protocol::Ascii));
+  ASSERT_TRUE(coupling.partner().send(hex("414243"), at(10)));
+  coupling.advance(at(10));
+  coupling.advance(at(100));
+  const auto entry = coupling.interface().take();
+  ASSERT_TRUE(entry);
+  EXPECT_EQ(text(entry->telegram), "41 42 43");
+  coupling.interface().send(hex("0102"), at(100));
+  coupling.advance(at(200));
+  EXPECT_TRUE(coupling.partner().take(hex("01")));
+  EXPECT_FALSE(coupling.partner().take(hex("03")));
+  EXPECT_TRUE(coupling.partner().take(hex("02")));
+  EXPECT_TRUE(coupling.partner().take({}));
+}
+
+TEST(SerialPartner, AnswersWhatEndsSo) {
+  Coupling coupling(procedure());
+  coupling.advance(at(10));
+  EXPECT_EQ(text(all(coupling.partner())), "15");
+  coupling.partner().answer({hex("02"), hex("10"), Duration::milliseconds(3)});
+  coupling.partner().answer({hex("4110 03 52"), hex("10"), {}});
+  coupling.interface().send(hex("41"), at(10));
+  coupling.advance(at(100));
+  EXPECT_EQ(text(all(coupling.partner())), "02 41 10 03 52");
+  EXPECT_EQ(number(coupling.interface().outbox().takeEnd()), "0000");
+}
+
+TEST(SerialPartner, SpeaksAProtocolOfItsOwn) {
+  Coupling coupling(procedure());
+  ProcedureParameters other = procedure().procedure;
+  other.highPriority = false;
+  coupling.partner().speak(Partner::Speaks::Procedure, other, at(0));
+  coupling.partner().answer({hex("5A"), hex("5B 10"), {}});
+  coupling.interface().send(hex("5A 01"), at(100));
+  coupling.advance(at(500));
+  EXPECT_TRUE(coupling.partner().take(hex("5A 01")));
+  const auto entry = coupling.interface().take();
+  ASSERT_TRUE(entry);
+  EXPECT_EQ(text(entry->telegram), "5B 10");
+  EXPECT_EQ(number(coupling.partner().ended()), "0000");
+}
+
+TEST(SerialPartner, ServesAndFetchesOverRk512) {
+  Parameters p = defaults(Protocol::ComputerLink);
+  Coupling coupling(p);
+  ProcedureParameters other = p.procedure;
+  other.highPriority = false;
+  coupling.partner().speak(Partner::Speaks::ComputerLink, other, at(0));
+  coupling.partner().memory().set('D', 10, 0, hex("01020304"));
+  const LinkJob job{.fetch = true, .block = 10, .length = 4};
+  coupling.interface().link()->begin(job, at(100));
+  coupling.advance(at(1'000));
+  const auto fetched = coupling.interface().link()->takeFetched(at(1'000));
+  ASSERT_TRUE(fetched);
+  EXPECT_EQ(text(*fetched), "01 02 03 04");
+}
+
+// A hostile sender fills no memory.
+TEST(SerialPartner, KeepsNoMoreThanSoMuch) {
+  Coupling coupling(defaults(Protocol::Ascii));
+  EXPECT_TRUE(coupling.partner().send(Bytes(Partner::kMost, 1), at(0)));
+  EXPECT_FALSE(coupling.partner().send(hex("01"), at(0)));
+  EXPECT_EQ(coupling.partner().room(), 0U);
+  for (std::int64_t i = 1; i <= 200; ++i) {
+    if (coupling.interface().outbox().free())
+      coupling.interface().send(Bytes(1024, 2), at(i * 1'200));
+    coupling.advance(at(i * 1'200));
+    coupling.interface().outbox().takeEnd();
+  }
+  EXPECT_LE(coupling.partner().received().size(), Partner::kMost);
+  EXPECT_LE(coupling.sightings().size(), Coupling::kMostSightings);
+  EXPECT_GT(coupling.seen(), coupling.sightings().size());
+}
+
+// An idle line costs nothing: nobody has to be called.
+TEST(SerialCoupling, AnIdleLineHasNoEvents) {
+  Parameters p = defaults(Protocol::Ascii);
+  EXPECT_EQ(Coupling(p).next(), Instant::never());
+  p.diagnosticInterrupt = true;
+  EXPECT_EQ(Coupling(p).next(), Instant::never());
+}
+
+TEST(SerialCoupling, ABreakIsToldOnceComingAndGoing) {
+  Parameters p = defaults(Protocol::Ascii);
+  p.diagnosticInterrupt = true;
+  Coupling coupling(p);
+  coupling.cut(Coupling::End::Cpu, true, at(10));
+  ASSERT_NE(coupling.next(), Instant::never());
+  coupling.advance(at(20));
+  EXPECT_EQ(coupling.takeWireBreak(), true);
+  EXPECT_EQ(coupling.takeWireBreak(), std::nullopt);
+  coupling.cut(Coupling::End::Cpu, false, at(30));
+  coupling.advance(at(40));
+  EXPECT_EQ(coupling.takeWireBreak(), false);
+}
+
+TEST(SerialCoupling, WithoutSupplyNothingIsSentAndTheBufferIsLost) {
+  Coupling coupling(procedure());
+  coupling.advance(at(10));
+  all(coupling.partner());
+  coupling.supply(false, at(10));
+  coupling.partner().send(hex("02"), at(20));
+  coupling.advance(at(1'000));
+  EXPECT_EQ(text(all(coupling.partner())), "");
+  coupling.supply(true, at(1'000));
+  coupling.advance(at(1'100));
+  EXPECT_EQ(text(all(coupling.partner())), "15");  // the driver starts anew
+}
+
+// PTP-LINE-11
+TEST(SerialDecoder, NamesWhatABlockIsMadeOf) {
+  Decoder decoder(Protocol::ComputerLink, true);
+  std::string said;
+  const auto see = [&](std::size_t port, std::string_view bytes) {
+    for (const std::uint8_t byte : hex(bytes)) {
+      const std::string meaning = decoder.meaning({.port = port, .value = byte});
+      if (!meaning.empty()) said += meaning + "\n";
+    }
+  };
+  see(0, "02");
+  see(1, "10");
+  see(0, "0000414410100000FF1F10031A");
+  EXPECT_NE(said.find("wants to send\nconnection is there\nDLE of the data, doubled"),
+            std::string::npos)
+      << said;
+  EXPECT_NE(said.find("BCC wrong"), std::string::npos) << said;
+  said.clear();
+  see(1, "15");
+  see(0, "02");
+  see(1, "10");
+  see(0, "000041440A000002FF1F010203041003FA");
+  see(1, "10");
+  see(1, "02");
+  see(0, "10");
+  see(1, "00000012100301");
+  EXPECT_EQ(said,
+            "block refused\nwants to send\nconnection is there\nend of the block\n"
+            "BCC right; SEND DB 10, byte 0, 4 bytes\nblock acknowledged\nwants to send\n"
+            "connection is there\nend of the block\nBCC right; reaction, error 12H\n");
+  EXPECT_EQ(characterName(0x10), "DLE");
+  EXPECT_EQ(characterName('A'), "'A'");
+}
+
+}  // namespace
+}  // namespace merker::serial
