@@ -18,7 +18,8 @@ constexpr std::array kFormats{
     Format{".dif", Family::Step7, "symbol table", writeSymbolTable},
     Format{".seq", Family::Step7, "symbol table", writeSymbolTable},
     Format{".s5d", Family::Step5, "program file, with its assignment list", writeS5d},
-    Format{".s5", Family::Step5, "all blocks in one listing", writeListing},
+    Format{".s5", Family::Step5, "all blocks in one listing; --symbols: with its assignment list",
+           writeListing},
     Format{".seq", Family::Step5, "assignment list", writeAssignmentList},
 };
 

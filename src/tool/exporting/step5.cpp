@@ -42,9 +42,15 @@ Output writeS5d(const compilation::Build& build, const std::string& path, const 
 
 Output writeListing(const compilation::Build& build, const std::string& path,
                     const Options& options) {
-  return {
-      {{path, step5::listing(build.listings, options.symbols ? &build.project.symbols : nullptr)}},
-      {}};
+  const source::SymbolTable& symbols = build.project.symbols;
+  const bool named = options.symbols && !symbols.list().empty();
+  std::vector<OutputFile> files{{path, step5::listing(build.listings, named ? &symbols : nullptr)}};
+  if (named) {
+    const fs::path file(path);
+    const fs::path list = file.parent_path() / (file.stem().string() + "Z0.SEQ");
+    files.push_back({list.string(), assignments(build, options.codePage)});
+  }
+  return {std::move(files), {}};
 }
 
 Output writeAssignmentList(const compilation::Build& build, const std::string& path,
