@@ -41,6 +41,8 @@ int importProject(const importing::Options& options) {
       return refuse(kUnreadable,
                     fmt::format("{} exists and is not empty; choose another folder with -o",
                                 visible(outcome.folder)));
+    case importing::Result::Unwritable:
+      return refuse(kUnreadable, outcome.report);
     case importing::Result::Stopped:  // nobody stops it here
     case importing::Result::Imported:
       break;
@@ -73,12 +75,14 @@ void addImport(CLI::App& program, int& result) {
   command->footer(
       "SOURCE: a STEP 7 V5 project (*.s7p) or library folder, a zip of it, a block folder of one; "
       "AWL\n"
-      "sources; program files of STEP 5 (*.S5D); symbol tables (.sdf .asc .dif .seq); HW Config "
+      "sources; program files (*.S5D) and listings of STEP 5; symbol tables (.sdf .asc .dif .seq); "
+      "HW Config "
       "exports (.cfg); blocks and WLD "
       "files.\n"
       "A project with several programs becomes one folder for each. The report also stands in\n"
       "FOLDER/import-report.txt. Existing files are never overwritten.\n"
-      "Exit codes: 0 all came, 1 something did not come, 4 SOURCE or FOLDER cannot be used.\n"
+      "Exit codes: 0 all came, 1 something did not come, 4 SOURCE or FOLDER cannot be used. Files\n"
+      "beside a program that are of no known kind are named and are no loss.\n"
       "Examples:\n  merker import PLANT.zip -o plant\n  merker import /old/Plant --program \"S7 "
       "Program(1)\"");
   command->callback([options, codePage, &result] {

@@ -181,7 +181,7 @@ test('each file that was dropped has its line; the code page can be chosen', asy
   await accessible(page, 'code page');
   await dialog(page).getByRole('button', { name: 'Importieren', exact: true }).click();
   await dialog(page).getByText('Neue Dateien: Start.scn, greek.awl, watch.vat').waitFor();
-  await dialog(page).locator('[data-effect="lost"]').getByText('manual.pdf lässt sich nicht importieren').waitFor();
+  await dialog(page).locator('[data-effect="beside"]').getByText('manual.pdf lässt sich nicht importieren').waitFor();
   assert.match(readFileSync(join(folder, 'greek.awl'), 'utf-8'), /^\/\/ Θ\n/);
   await leave(page);
 });

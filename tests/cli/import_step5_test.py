@@ -114,3 +114,50 @@ class ImportStep5(Case):
         self.write("old/PUMPE@Z0.SEQ", b"\tE 1.0\tT\xdcR\r\n")
         self.expect(GOOD, "import", "old", "-o", "new")
         self.assertIn("T▄R", self.read("new/symbols.sym"))
+
+
+class ImportListings(Case):
+    def code(self, path):
+        return [block["code"] for block in self.expect(GOOD, "list", path, "--code", "--json").json["blocks"]]
+
+    def setUp(self):
+        super().setUp()
+        self.write("p.s5", LISTING)
+        self.write("pZ0.SEQ", "\tE 1.0\tSTART\tTür\r\n".encode("cp437"))
+
+    def test_a_listing_is_imported_as_it_was_exported(self):
+        for flags in ((), ("--symbols",)):
+            name = f"l{len(flags)}"
+            self.expect(GOOD, "export", "p.s5", "-o", name + ".s5", *flags)
+            self.expect(GOOD, "import", name + ".s5", "-o", name)
+            self.expect(GOOD, "check", name)
+            self.assertEqual(self.code(name), self.code("p.s5"))
+            self.assertIn("SINUMERIK", self.read(name + "/merker.toml"))
+            self.assertEqual((self.folder / name / (name + "Z0.seq")).is_file(), bool(flags))
+
+    def test_an_export_with_symbols_has_its_list(self):
+        self.expect(GOOD, "export", "p.s5", "-o", "out.s5", "--symbols")
+        self.assertIn("-START", self.read("out.s5"))
+        self.assertIn(b"\tE 1.0\tSTART", (self.folder / "outZ0.SEQ").read_bytes())
+        self.expect(GOOD, "check", "out.s5")
+        self.expect(GOOD, "export", "p.s5", "-o", "plain.s5")
+        self.assertFalse((self.folder / "plainZ0.SEQ").exists())
+
+    def test_a_folder_of_listings_and_a_list_alone(self):
+        self.write("in/p.s5", LISTING)
+        self.write("in/pZ0.SEQ", "  E 1.0     START     Taster\r\n")
+        self.write("in/p.scn", "at 1s stop\n")
+        out = self.expect(GOOD, "import", "in", "-o", "new").out
+        for name in ("p.s5", "pZ0.seq", "p.scn"):
+            self.assertIn(f"{name} is copied as it is", out)
+        self.assertEqual(self.code("new"), self.code("p.s5"))
+        self.expect(GOOD, "import", "pZ0.SEQ", "-o", "list")
+        self.assertIn("SINUMERIK", self.read("list/merker.toml"))
+
+    def test_families_do_not_mix(self):
+        self.write("in/p.s5", LISTING)
+        self.write("in/a.awl", "FUNCTION FC 1 : VOID\nBEGIN\nEND_FUNCTION\n")
+        out = self.expect(PROBLEMS, "import", "in", "-o", "new").out
+        self.assertIn("p.s5 is of STEP 5 and the rest of STEP 7; import it on its own", out)
+        self.assertTrue((self.folder / "new/a.awl").is_file())
+        self.assertFalse((self.folder / "new/p.s5").exists())

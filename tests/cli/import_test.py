@@ -56,6 +56,31 @@ class Import(Case):
         self.assertIn("leads out of the archive", call.out)
         self.assertEqual([p for p in self.folder.rglob("*evil*")], [])
 
+    def test_a_file_of_another_kind_is_named_and_no_loss(self):
+        self.write("in/a.awl", "FUNCTION FC 1 : VOID\nBEGIN\nEND_FUNCTION\n")
+        self.write("in/letter.pdf", "Dear reader")
+        out = self.expect(GOOD, "import", "in", "-o", "out").out
+        self.assertIn("Beside it, not part of a program:\n  letter.pdf is not a file", out)
+        self.assertNotIn("Not imported", out)
+        self.assertIn("are no loss", self.expect(GOOD, "import", "--help").out)
+
+    def test_a_folder_that_cannot_be_written_is_one_problem(self):
+        self.files("in", s7p.project(PROGRAM))
+        self.write("a.awl", "FUNCTION FC 1 : VOID\nBEGIN\nEND_FUNCTION\n")
+        for source in ("in", "a.awl"):
+            call = self.expect(UNREADABLE, "import", source, "-o", "/proc/x")
+            self.assertRegex(call.err, "^merker import: /proc/x cannot be written: .+\n$")
+            self.assertEqual(call.out, "")
+
+    def test_an_unknown_packing_method_is_the_reason(self):
+        content = bytearray(s7p.zipped({"a.awl": b"FUNCTION FC 1 : VOID\nBEGIN\nEND_FUNCTION\n"}))
+        content[8:10] = b"\x61\0"  # WavPack
+        at = content.index(b"PK\1\2") + 10
+        content[at:at + 2] = b"\x61\0"
+        (self.folder / "odd.zip").write_bytes(content)
+        call = self.expect(UNREADABLE, "import", "odd.zip", "-o", "out")
+        self.assertIn("a.awl: its packing method is not supported", call.err)
+
     def test_a_bomb_costs_itself(self):
         bomb = b"\0" * (80 << 20)
         (self.folder / "a.zip").write_bytes(s7p.zipped({**s7p.project(PROGRAM), "hOmSave7/x/HOBJECT1.DBF": bomb}))

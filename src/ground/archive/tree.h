@@ -32,6 +32,7 @@ enum class Refusal : std::uint8_t {
   TooDense,
   TooDeep,
   Encrypted,
+  Packing,  // with a method other than those of common zips
   BadName,  // control characters, or not the UTF-8 that it says to be
   Damaged   // a zip: its path says from where on
 };

@@ -111,7 +111,10 @@ class Zip final : public Container {
     zip_stat_init(&status);
     if (zip_stat_index(zip_, index, 0, &status) != 0) return nullptr;
     const std::unique_ptr<zip_file_t, CloseEntry> file(zip_fopen_index(zip_, index, 0));
-    if (!file) return nullptr;
+    if (!file) {
+      if (zip_error_code_zip(zip_get_error(zip_)) == ZIP_ER_COMPNOTSUPP) why = Refusal::Packing;
+      return nullptr;
+    }
     // What the directory says about the length may be wrong: only what comes out counts.
     Unpacked out;
     std::vector<std::uint8_t> piece(kPiece);

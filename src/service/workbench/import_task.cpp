@@ -46,6 +46,8 @@ std::optional<Problems> whyNotImported(const importing::Outcome& outcome, const 
                      outcome.programs.empty()
                          ? std::string()
                          : fmt::format("; there are {}", fmt::join(outcome.programs, ", ")));
+    case Result::Unwritable:
+      return notImported(outcome.report);
     case Result::Exists:
       return refused(ProblemCode::P1312, wish.name);
     case Result::Stopped:
@@ -62,6 +64,8 @@ std::string_view effectWord(importing::Effect effect) {
       return "changed";
     case importing::Effect::Lost:
       return "lost";
+    case importing::Effect::Beside:
+      return "beside";
   }
   return {};
 }

@@ -6,7 +6,10 @@
 #include "block/container.h"
 #include "importing/file_text.h"
 #include "importing/hardware.h"
+#include "importing/output.h"
 #include "importing/recognise.h"
+#include "project/discovery.h"
+#include "project/files.h"
 #include "step7/foreign_language.h"
 
 namespace merker::importing {
@@ -47,14 +50,14 @@ void add(const archive::Tree::Entry& entry, const archive::File& file, Kind kind
   const auto text = readText(entry.path, bytes, page, report);
   if (!text) return;
   if (kind == Kind::Hardware) return readHardware(*text, material);
-  const std::string_view symbols = symbolExtension(kind);
   if (const auto foreign = kind == Kind::AwlSource ? step7::foreignText(*text) : std::nullopt) {
     report.add(Note::ForeignFile, entry.path, foreign->language);
     material.foreign.push_back({stem(entry.path), *text, false});
     return;
   }
-  material.files.push_back({stem(entry.path) + (symbols.empty() ? ".awl" : std::string(symbols)),
-                            *text, symbols.empty()});
+  material.files.push_back({stem(entry.path) + std::string(extensionOf(kind)), *text,
+                            kind == Kind::AwlSource,
+                            kind == Kind::Listing || kind == Kind::Assignments});
 }
 
 // The page of all files together that are not Unicode.
@@ -63,7 +66,7 @@ PageGuess commonPage(const archive::Tree& tree) {
   std::string all;
   for (const auto& entry : tree.files()) {
     const auto file = all.size() < kOfAll ? tree.open(entry) : nullptr;
-    const Kind kind = file ? recognise(*file) : Kind::Unknown;
+    const Kind kind = file ? recognise(*file, entry.path) : Kind::Unknown;
     if (kind == Kind::Unknown || kind == Kind::Containers || kind == Kind::Damaged) continue;
     const std::string head = file->text(kOfOne);
     if (formOf(head).guess.page != 0) all += head + '\n';
@@ -79,17 +82,12 @@ void addOwn(const archive::Tree::Entry& entry, const archive::File& file, const 
   if (text) material.files.push_back({std::string(archive::nameOf(entry.path)), *text, false});
 }
 
-}  // namespace
-
-Material materialOf(const archive::Tree& tree, const std::string& name, unsigned page,
-                    Report& report) {
-  Material material;
-  material.name = name;
+void addFiles(const archive::Tree& tree, unsigned page, Material& material, Report& report) {
   const Page pages{page, page == 0 ? commonPage(tree) : PageGuess{}};
   for (const auto& entry : tree.files()) {
     const auto file = tree.open(entry);
     if (!file) continue;  // the tree says why
-    const Kind kind = recognise(*file);
+    const Kind kind = recognise(*file, entry.path);
     if (kind != Kind::Unknown)
       add(entry, *file, kind, pages, material, report);
     else if (isOwnFile(entry.path, *file))
@@ -97,6 +95,41 @@ Material materialOf(const archive::Tree& tree, const std::string& name, unsigned
     else
       report.add(Note::UnknownFile, entry.path);
   }
+}
+
+// A program is of one family; what is of the other one can be a project of its own.
+void chooseFamily(Material& material, Report& report) {
+  const auto listed = [](const TextFile& file) { return file.step5; };
+  const auto of7 = std::ranges::any_of(material.files, &TextFile::awl) ||
+                   !material.blocks.empty() || !material.modules.empty() ||
+                   !material.foreign.empty();
+  material.step5 = !of7 && std::ranges::any_of(material.files, listed);
+  if (material.step5) return;
+  for (const TextFile& file : material.files)
+    if (file.step5) report.add(Note::OtherFamily, file.name);
+  std::erase_if(material.files, listed);
+}
+
+// A listing that is a file alone has its symbols where it lies.
+void addSymbolsBeside(const std::string& source, unsigned page, Material& material,
+                      Report& report) {
+  for (const std::string& name : project::symbolsBeside(source)) {
+    const archive::Tree symbols(project::join(project::folderOf(source), name));
+    if (symbols.isSingleFile()) addFiles(symbols, page, material, report);
+  }
+}
+
+}  // namespace
+
+Material materialOf(const archive::Tree& tree, const std::string& source, unsigned page,
+                    Report& report) {
+  Material material;
+  material.name = stemOf(source);
+  addFiles(tree, page, material, report);
+  const bool listing = std::ranges::any_of(
+      material.files, [](const TextFile& file) { return file.name.ends_with(".s5"); });
+  if (tree.isSingleFile() && listing) addSymbolsBeside(source, page, material, report);
+  chooseFamily(material, report);
   return material;
 }
 

@@ -7,9 +7,10 @@
 
 namespace merker::importing {
 
-// All files of the tree that are known; the others are left out without a word.
+// All files of the tree `source` that are known. A listing of STEP 5 alone brings the symbols that
+// lie beside it on the disk.
 // `page`: of texts that are not Unicode; 0: by their content.
-Material materialOf(const archive::Tree& tree, const std::string& name, unsigned page,
+Material materialOf(const archive::Tree& tree, const std::string& source, unsigned page,
                     Report& report);
 
 }  // namespace merker::importing

@@ -91,6 +91,15 @@ void importPrograms(const archive::Tree& tree, const std::vector<Candidate>& cho
   }
 }
 
+// False: nothing can be written there.
+bool makeFolder(Outcome& outcome) {
+  const std::string why = whyNotWritable(outcome.folder);
+  if (why.empty()) return true;
+  outcome.result = Result::Unwritable;
+  outcome.report = fmt::format("{} cannot be written: {}", visible(outcome.folder), why);
+  return false;
+}
+
 }  // namespace
 
 Outcome importSource(const Options& options) {
@@ -120,12 +129,13 @@ Outcome importSource(const Options& options) {
     return outcome;
   }
   if (!chosen.empty()) {
+    if (!makeFolder(outcome)) return outcome;
     importPrograms(tree, chosen, common, options, outcome);
     if (options.stop.stop_requested()) outcome.result = Result::Stopped;
     return outcome;
   }
   Report report = common;
-  Material material = materialOf(tree, stemOf(options.source), options.page, report);
+  Material material = materialOf(tree, options.source, options.page, report);
   material.model = options.model;
   for (const archive::Refused& refused : tree.refused()) report.add(refused);
   if (material.empty()) {
@@ -134,6 +144,7 @@ Outcome importSource(const Options& options) {
     outcome.refused = reasons(tree);
     return outcome;
   }
+  if (!makeFolder(outcome)) return outcome;
   write(material, outcome.folder, options, report);
   finish(outcome.folder, report, outcome);
   if (options.stop.stop_requested()) outcome.result = Result::Stopped;

@@ -26,6 +26,7 @@ enum class Result : std::uint8_t {
   Nothing,        // nothing in it is known
   NoSuchProgram,  // `programs` are there
   Exists,         // the folder
+  Unwritable,     // the folder: `report` says why
   Stopped
 };
 

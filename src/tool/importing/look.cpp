@@ -12,10 +12,11 @@ void addLoose(const archive::Tree& tree, Contents& contents, const std::stop_tok
   for (const auto& entry : tree.files()) {
     if (stop.stop_requested()) return;
     const auto file = tree.open(entry);
-    const Kind kind = file ? recognise(*file) : Kind::Unknown;
+    const Kind kind = file ? recognise(*file, entry.path) : Kind::Unknown;
     const bool own = file && kind == Kind::Unknown && isOwnFile(entry.path, *file);
-    contents.step7 |= own || kind != Kind::Unknown;
-    contents.step5 |= own || kind == Kind::Seq;
+    const bool step5 = kind == Kind::Listing || kind == Kind::Assignments;
+    contents.step7 |= own || (kind != Kind::Unknown && !step5);
+    contents.step5 |= own || step5 || kind == Kind::Seq;
     contents.whole |= kind == Kind::Hardware;
   }
 }

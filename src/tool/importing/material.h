@@ -16,6 +16,7 @@ struct TextFile {
   std::string name;  // as the manager or the disk calls it
   std::string text;  // UTF-8
   bool awl = true;
+  bool step5 = false;
 };
 
 struct HardwareModule {
@@ -39,6 +40,7 @@ struct Material {
   std::vector<HardwareModule> modules;
   std::size_t modulesLeftOut = 0;  // a station has less
   bool fromProject = false;        // an S7P
+  bool step5 = false;              // `files` are listings and their symbols; nothing of STEP 7
   bool empty() const {
     return blocks.empty() && symbols.empty() && files.empty() && modules.empty() &&
            sources.empty() && foreign.empty();

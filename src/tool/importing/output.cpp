@@ -1,5 +1,7 @@
 #include "importing/output.h"
 
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -33,6 +35,13 @@ bool isFree(const std::string& path) {
   std::error_code error;
   if (!fs::exists(fs::symlink_status(path, error))) return true;
   return fs::is_directory(path, error) && fs::is_empty(path, error) && !error;
+}
+
+std::string whyNotWritable(const std::string& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) return error.message();
+  return ::access(folder.c_str(), W_OK | X_OK) == 0 ? "" : std::strerror(errno);
 }
 
 std::string Output::unused(std::string_view wanted, std::string_view extension) {

@@ -38,6 +38,9 @@ class Output {
 // "plant" for "/old/plant.zip".
 std::string stemOf(const std::string& source);
 
+// Makes the folder. Why no file can be made in it; empty if one can.
+std::string whyNotWritable(const std::string& folder);
+
 // Whether there is nothing at this path, or an empty folder.
 bool isFree(const std::string& path);
 

@@ -6,6 +6,7 @@
 #include "importing/hardware.h"
 #include "importing/retranslation.h"
 #include "importing/symbol_rows.h"
+#include "s5project/project.h"
 #include "source/symbol_text.h"
 #include "system/library.h"
 
@@ -64,9 +65,22 @@ void writeTables(const Material& material, Output& output, Report& report) {
   if (!material.tables.empty()) report.add(Note::VariableTables, material.tables.size());
 }
 
+void writeFiles(const Material& material, Output& output, Report& report) {
+  for (const TextFile& file : material.files) {
+    const std::size_t point = file.name.rfind('.');
+    const std::string name = output.unused(file.name.substr(0, point), file.name.substr(point));
+    if (name != file.name) report.add(Note::Renamed, file.name, name);
+    if (output.write(name, file.text)) report.add(Note::Listing, name);
+  }
+}
+
 }  // namespace
 
 void writeProject(const Material& material, Output& output, Report& report) {
+  if (material.step5 && material.model.empty()) {
+    output.write("merker.toml", s5project::settings(material.name, "a listing"));
+    return writeFiles(material, output, report);
+  }
   if (!material.station.empty() || !material.cpu.empty())
     report.add(Note::Station, material.station, material.cpu);
   const std::string model = material.model.empty() ? modelOf(material, report) : material.model;
@@ -85,12 +99,7 @@ void writeProject(const Material& material, Output& output, Report& report) {
   options.library = &library;
   options.symbols = &symbols;
   writeBlocks(material, options, output, report);
-  for (const TextFile& file : material.files) {
-    const std::size_t point = file.name.rfind('.');
-    const std::string name = output.unused(file.name.substr(0, point), file.name.substr(point));
-    if (name != file.name) report.add(Note::Renamed, file.name, name);
-    if (output.write(name, file.text)) report.add(Note::Listing, name);
-  }
+  writeFiles(material, output, report);
   for (const TextFile& file : material.foreign)
     output.write("sources/" + output.unused(file.name, ".txt"), file.text);
   writeTables(material, output, report);

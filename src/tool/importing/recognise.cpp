@@ -49,14 +49,53 @@ bool isSeq(std::string_view line) {
   return line.starts_with('\t') && std::count(line.begin(), line.end(), '\t') >= 2;
 }
 
+std::string_view takeLine(std::string_view& text) {
+  const std::size_t end = std::min(text.find('\n'), text.size());
+  std::string_view line = text.substr(0, end);
+  text.remove_prefix(std::min(end + 1, text.size()));
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  return line;
+}
+
+std::size_t digitsAt(std::string_view text) {
+  return std::min(text.find_first_not_of("0123456789"), text.size());
+}
+
+// "PB 5", "FB 7 VENTIL": the first line of a block of STEP 5.
+bool headsListing(std::string_view line) {
+  static constexpr std::string_view kKinds[] = {"OB", "PB", "SB", "FB", "FX", "DB", "DX"};
+  line = trim(line);
+  if (std::ranges::none_of(kKinds, [&](std::string_view kind) {
+        return equalsIgnoreCase(line.substr(0, kind.size()), kind);
+      }))
+    return false;
+  line = trim(line.substr(2));
+  const std::size_t digits = digitsAt(line);
+  return digits > 0 && (digits == line.size() || line[digits] == ' ' || line[digits] == '\t');
+}
+
+// The end of a code block, or a word of a data block: "   0: KF +5".
+bool isOfListing(std::string_view line) {
+  line = trim(line);
+  if (line.starts_with(':')) line = trim(line.substr(1));
+  const std::size_t digits = digitsAt(line);
+  if (digits > 0) return trim(line.substr(digits)).starts_with(':');
+  const std::string_view word = firstWord(line);
+  return equalsIgnoreCase(word, "BE") || equalsIgnoreCase(word, "BEND");
+}
+
+// Behind its first line.
+bool isListing(std::string_view text) {
+  while (!text.empty())
+    if (isOfListing(takeLine(text))) return true;
+  return false;
+}
+
 Kind ofText(std::string_view text) {
   bool first = true;
   while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    std::string_view line = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    if (trim(line).empty() || trim(line).starts_with("//")) continue;
+    const std::string_view line = takeLine(text);
+    if (trim(line).empty() || trim(line).starts_with("//") || trim(line).starts_with('!')) continue;
     const std::string_view word = firstWord(line);
     if (beginsBlock(word)) return Kind::AwlSource;
     if (first) {
@@ -65,6 +104,7 @@ Kind ofText(std::string_view text) {
       if (isAsc(line)) return Kind::Asc;
       if (equalsIgnoreCase(trim(line), "TABLE")) return Kind::Dif;
       if (isSeq(line)) return Kind::Seq;
+      if (headsListing(line) && isListing(text)) return Kind::Listing;
     }
     if (equalsIgnoreCase(word, "STATION")) return Kind::Hardware;
     first = false;
@@ -72,12 +112,22 @@ Kind ofText(std::string_view text) {
   return Kind::Unknown;
 }
 
+// Its columns stand behind tabs or in fixed places.
+bool isAssignmentList(std::string_view path, Kind kind, std::string_view text) {
+  const bool list = kind == Kind::Seq || (kind == Kind::Unknown && !trim(text).empty() &&
+                                          text.find('\0') == std::string_view::npos);
+  return list && archive::folded(archive::nameOf(path)).ends_with("z0.seq");
+}
+
 }  // namespace
 
-Kind recognise(const archive::File& file) {
+Kind recognise(const archive::File& file, std::string_view path) {
   if (isContainer(file)) return Kind::Containers;
   std::string bytes = file.text(kLooked);
-  if (const auto text = decoded(withoutZeros(bytes))) return ofText(*text);
+  if (const auto text = decoded(withoutZeros(bytes))) {
+    const Kind kind = ofText(*text);
+    return isAssignmentList(path, kind, *text) ? Kind::Assignments : kind;
+  }
   std::ranges::replace_if(
       bytes, [](char c) { return c >= 0 && c < '\t'; }, ' ');
   return ofText(bytes) == Kind::Unknown ? Kind::Unknown : Kind::Damaged;
@@ -93,9 +143,11 @@ bool isOwnFile(std::string_view path, const archive::File& file) {
   return text && text->find('\0') == std::string::npos;
 }
 
-std::string_view symbolExtension(Kind kind) {
+std::string_view extensionOf(Kind kind) {
   static constexpr std::pair<Kind, std::string_view> kExtensions[] = {
-      {Kind::Sdf, ".sdf"}, {Kind::Asc, ".asc"}, {Kind::Dif, ".dif"}, {Kind::Seq, ".seq"}};
+      {Kind::AwlSource, ".awl"},  {Kind::Listing, ".s5"}, {Kind::Sdf, ".sdf"},
+      {Kind::Asc, ".asc"},        {Kind::Dif, ".dif"},    {Kind::Seq, ".seq"},
+      {Kind::Assignments, ".seq"}};
   for (const auto& [table, extension] : kExtensions)
     if (table == kind) return extension;
   return {};

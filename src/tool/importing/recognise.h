@@ -1,4 +1,4 @@
-// What a file is, by its content; its name does not matter.
+// What a file is, by its content; its name matters where two kinds look alike.
 #pragma once
 
 #include <string>
@@ -17,15 +17,17 @@ enum class Kind : std::uint8_t {
   Asc,
   Dif,
   Seq,
-  Damaged  // like one of the texts, but with bytes that no text has
+  Assignments,  // a list of symbols of STEP 5, *Z0.SEQ
+  Listing,      // blocks of STEP 5
+  Damaged       // like one of the texts, but with bytes that no text has
 };
 
-// Looks at the beginning of the file.
-Kind recognise(const archive::File& file);
+// Looks at the beginning of the file. An assignment list of STEP 5 differs by its name only.
+Kind recognise(const archive::File& file, std::string_view path);
 // A file that Merker has in its own projects and that only its name tells: symbols, a scenario, a
 // variable table, a stored state, a recording.
 bool isOwnFile(std::string_view path, const archive::File& file);
-// ".sdf" and the like; empty for other kinds.
-std::string_view symbolExtension(Kind kind);
+// Of a text in a project: ".awl", ".sdf" and the like; empty for other kinds.
+std::string_view extensionOf(Kind kind);
 
 }  // namespace merker::importing

@@ -36,6 +36,8 @@ std::string_view reason(archive::Refusal why) {
       return "it is packed more densely than real files are";
     case Refusal::TooDeep:
       return "it lies too deep in folders or archives";
+    case Refusal::Packing:
+      return "its packing method is not supported; pack it again with Deflate";
     case Refusal::Encrypted:
       return "it is encrypted";
     case Refusal::BadName:
@@ -51,7 +53,7 @@ std::string_view reason(archive::Refusal why) {
 void Report::addText(Note note, const std::vector<std::string>& arguments) {
   const Row& row = kRows[static_cast<std::size_t>(note)];
   ++counts_[static_cast<std::size_t>(row.effect)];
-  lost_ |= row.effect == Effect::Lost && note != Note::UnknownFile;
+  lost_ |= row.effect == Effect::Lost;
   if (lines_.size() >= kMostLines) return;
   fmt::dynamic_format_arg_store<fmt::format_context> store;
   // Names come from outside: control characters must reach neither a terminal nor the file.
@@ -97,9 +99,10 @@ void Report::add(const archive::Refused& refused) {
 std::size_t Report::count(Effect effect) const { return counts_[static_cast<std::size_t>(effect)]; }
 
 std::string Report::text() const {
-  static constexpr std::string_view kTitles[] = {"Imported", "In another form", "Not imported"};
+  static constexpr std::string_view kTitles[] = {"Imported", "In another form", "Not imported",
+                                                 "Beside it, not part of a program"};
   std::string out;
-  for (const Effect effect : {Effect::Info, Effect::Changed, Effect::Lost}) {
+  for (const Effect effect : {Effect::Info, Effect::Changed, Effect::Lost, Effect::Beside}) {
     if (count(effect) == 0) continue;
     out +=
         fmt::format("{}{}:\n", out.empty() ? "" : "\n", kTitles[static_cast<std::size_t>(effect)]);

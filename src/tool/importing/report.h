@@ -22,7 +22,8 @@ enum class Note : std::uint8_t {
 };
 
 // Information; what came in another form; what did not come.
-enum class Effect : std::uint8_t { Info, Changed, Lost };
+// Beside: a file of another kind, which is no part of a program and no loss.
+enum class Effect : std::uint8_t { Info, Changed, Lost, Beside };
 
 class Report {
  public:
@@ -38,7 +39,7 @@ class Report {
     std::string text;
     std::string file{};  // that the line says to have come
   };
-  // Lines for a file or a terminal: what is lost stands last.
+  // Lines for a file or a terminal: what is lost stands behind what came.
   std::string text() const;
   const std::vector<Line>& lines() const { return lines_; }
   std::size_t count(Effect effect) const;
@@ -48,7 +49,7 @@ class Report {
  private:
   void addText(Note note, const std::vector<std::string>& arguments);
   std::vector<Line> lines_;
-  std::array<std::size_t, 3> counts_{};
+  std::array<std::size_t, 4> counts_{};
   bool lost_ = false;
 };
 

@@ -101,7 +101,7 @@ bool isImportable(const Known& known, const archive::Tree& tree,
   const auto program = [&](const Step5Program& one) { return one.file == &entry; };
   if (std::ranges::any_of(known.step5, program)) return true;
   const auto file = tree.open(entry);
-  return file && (recognise(*file) != Kind::Unknown || isOwnFile(entry.path, *file));
+  return file && (recognise(*file, entry.path) != Kind::Unknown || isOwnFile(entry.path, *file));
 }
 
 void reportFiles(const archive::Tree& tree, const Known& known, Report& report) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "base/text.h"
 #include "project/files.h"
 
 namespace merker::project {
@@ -97,6 +98,26 @@ TestTarget sourceTarget(const std::string& source) {
 }
 
 }  // namespace
+
+// Only endings that are used for symbols and nothing else: a .txt may be anything.
+bool isSymbolExport(const std::string& path) {
+  for (const char* extension : {".sdf", ".asc", ".seq", ".dif", ".sym"})
+    if (hasExtension(path, extension)) return true;
+  return false;
+}
+
+std::vector<std::string> symbolsBeside(const std::string& source) {
+  std::vector<std::string> same, all;
+  for (const Entry& entry : entries(folderOf(source))) {
+    if (!isSymbolExport(entry.name)) continue;
+    all.push_back(entry.name);
+    const std::string stem = stemOf(source);
+    const bool assignments =
+        hasExtension(source, ".s5") && equalsIgnoreCase(stemOf(entry.name), stem + "Z0");
+    if (stemOf(entry.name) == stem || assignments) same.push_back(entry.name);
+  }
+  return same.empty() && all.size() == 1 ? all : same;
+}
 
 std::vector<TestTarget> findTests(const std::string& path, bool& missing) {
   std::vector<TestTarget> targets;

@@ -1,5 +1,5 @@
 // What `merker test` runs under a path: programs, each with its scenarios and whether it checks
-// itself.
+// itself. What belongs to a single source.
 #pragma once
 
 #include <string>
@@ -20,5 +20,11 @@ struct TestTarget {
 // beside it, else to all sources of its folder. Empty if nothing is found; `missing` tells whether
 // the path itself does not exist.
 std::vector<TestTarget> findTests(const std::string& path, bool& missing);
+
+// A symbol table as other tools export it, or as Merker keeps it: by its name.
+bool isSymbolExport(const std::string& path);
+// Symbol files of a single source, by name: those of its stem (STEP 5: PUMPE.s5 and PUMPEZ0.SEQ),
+// else the only one of its folder.
+std::vector<std::string> symbolsBeside(const std::string& source);
 
 }  // namespace merker::project

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "base/text.h"
+#include "project/discovery.h"
 #include "project/files.h"
 #include "project/machine_code.h"
 #include "project/path_pattern.h"
@@ -150,13 +151,6 @@ std::vector<std::string> choose(Project& project, const std::vector<std::string>
   return std::move(choice.chosen);
 }
 
-// Only endings that are used for symbols and nothing else: a .txt may be anything.
-bool isSymbolExport(const std::string& path) {
-  for (const char* extension : {".sdf", ".asc", ".seq", ".dif", ".sym"})
-    if (hasExtension(path, extension)) return true;
-  return false;
-}
-
 template <typename Predicate>
 std::vector<std::string> filter(const std::vector<std::string>& files, Predicate predicate) {
   std::vector<std::string> chosen;
@@ -205,20 +199,6 @@ const source::SourceFile* Project::file(const std::string& wanted) const {
     for (const source::SourceFile& file : *list)
       if (file.name() == wanted) return &file;
   return nullptr;
-}
-
-// Symbol files of a single source: those of its name (STEP 5: PUMPE.s5 and PUMPEZ0.SEQ), else the
-// only one of its folder.
-static std::vector<std::string> symbolsBeside(const std::string& source) {
-  std::vector<std::string> same, all;
-  for (const Entry& entry : entries(folderOf(source))) {
-    if (!isSymbolExport(entry.name)) continue;
-    all.push_back(entry.name);
-    const std::string stem = stemOf(source);
-    const bool assignments = isListing(source) && equalsIgnoreCase(stemOf(entry.name), stem + "Z0");
-    if (stemOf(entry.name) == stem || assignments) same.push_back(entry.name);
-  }
-  return same.empty() && all.size() == 1 ? all : same;
 }
 
 static Project loadSources(Project project, const std::string& path,

@@ -32,11 +32,6 @@ constexpr std::array kCompanions{Companion{"Z0.INI", "the compiled assignment li
                                  Companion{"A0.SEQ", "a source for the batch compiler"},
                                  Companion{"BP.SUB", "the bus paths"}};
 
-std::string settings(const std::string& name, std::string_view file) {
-  return fmt::format(
-      "# From {}.\n[project]\nname = \"{}\"\n\n[cpu]\nmodel = \"SINUMERIK 810 GA3\"\n", file, name);
-}
-
 std::size_t commentsOf(const mc5::Program& program) {
   std::size_t count = 0;
   for (const auto& [id, block] : program) {
@@ -108,6 +103,11 @@ class Maker {
 };
 
 }  // namespace
+
+std::string settings(const std::string& name, std::string_view file) {
+  return fmt::format(
+      "# From {}.\n[project]\nname = \"{}\"\n\n[cpu]\nmodel = \"SINUMERIK 810 GA3\"\n", file, name);
+}
 
 // Names are filled up to six characters with @.
 std::string projectName(std::string_view file) {

@@ -38,6 +38,8 @@ struct Output {
   bool usable() const { return blocks > 0; }
 };
 
+// merker.toml of a program that came from `file`.
+std::string settings(const std::string& name, std::string_view file);
 // "PUMPE" of "PUMPE@ST.S5D".
 std::string projectName(std::string_view file);
 bool recognises(std::span<const std::uint8_t> bytes);

@@ -29,8 +29,8 @@ std::string container() {
   return bytes;
 }
 
-Kind kindOf(const std::string& text) {
-  return recognise(*archive::fileOf({text.begin(), text.end()}));
+Kind kindOf(const std::string& text, std::string_view path = "file") {
+  return recognise(*archive::fileOf({text.begin(), text.end()}), path);
 }
 
 // Issue: recognised by content, not by name.
@@ -50,6 +50,17 @@ TEST(Recognise, byContent) {
   EXPECT_EQ(kindOf("Dear reader,\nthis is a letter.\n"), Kind::Unknown);
   EXPECT_EQ(kindOf(std::string("\0\1\2\3", 4)), Kind::Unknown);
   EXPECT_EQ(kindOf(""), Kind::Unknown);
+}
+
+TEST(Recognise, listingsOfStep5) {
+  EXPECT_EQ(kindOf("! a pump\r\nOB 1\r\n SPA PB 5\r\n BE\r\n"), Kind::Listing);
+  EXPECT_EQ(kindOf("FB 7 VENTIL\n : U E 1.0\n : BE\n"), Kind::Listing);
+  EXPECT_EQ(kindOf("DB10\n  0: KF +5\n"), Kind::Listing);
+  EXPECT_EQ(kindOf("PB 5\nis the pump\n"), Kind::Unknown);
+  EXPECT_EQ(kindOf("DBX 5\n : BE\n"), Kind::Unknown);
+  EXPECT_EQ(kindOf("\tE 1.0\tSTART\n", "a/PUMPEZ0.SEQ"), Kind::Assignments);
+  EXPECT_EQ(kindOf("  E 1.0     START     Taster\r\n", "PUMPEZ0.SEQ"), Kind::Assignments);
+  EXPECT_EQ(kindOf("\tE 1.0\tSTART\n", "PUMPE.SEQ"), Kind::Seq);
 }
 
 TEST(Files, sourcesAndSymbolsBecomeAProject) {

@@ -20,6 +20,14 @@ TEST(Report, whatIsLostStandsLast) {
   EXPECT_EQ(report.count(Effect::Lost), 1u);
 }
 
+TEST(Report, aFileBesideIsNoLoss) {
+  Report report;
+  report.add(Note::UnknownFile, "letter.pdf");
+  EXPECT_FALSE(report.lost());
+  EXPECT_EQ(report.text(),
+            "Beside it, not part of a program:\n  letter.pdf is not a file that can be imported\n");
+}
+
 TEST(Report, textsOfASourceAreNoPatterns) {
   Report report;
   report.add(Note::NoCode, "{0} {");

@@ -27,7 +27,7 @@ TEST_F(Transfer, EachFileHasItsLine) {
   EXPECT_EQ(bench.folder.read("start.scn"), scenario);
   for (const char* name : {"motor.awl", "names.sym", "start.scn", "watch.vat"})
     EXPECT_TRUE(told(result, "came", std::string(name) + " is copied as it is")) << name;
-  EXPECT_TRUE(told(result, "lost", "manual.pdf is not a file that can be imported"));
+  EXPECT_TRUE(told(result, "beside", "manual.pdf is not a file that can be imported"));
 }
 
 TEST_F(Transfer, TheReportIsAboutTheOpenProject) {

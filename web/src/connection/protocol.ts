@@ -53,7 +53,7 @@ export interface Axis { output: 'analog' | 'digital'; directionSignal: boolean; 
 /** `data` is base64 */
 export interface UploadedPart { path: string; data: string }
 /** [import.md](formats/import.md#the-report) */
-export interface ReportRow { effect: 'came' | 'changed' | 'lost'; text: string }
+export interface ReportRow { effect: 'came' | 'changed' | 'lost' | 'beside'; text: string }
 /** `can`: what the machine can do; `empty`: no block in the CPU; `changed`: the first 200 paths that are newer than the program of the CPU */
 export interface Project { name: string; folder: string; mpiAddress: number; can: ('breakpoints' | 'cyclePoints' | 'stacks' | 'information' | 'blocks' | 'download' | 'completion' | 'references' | 'symbols' | 'rack' | 'plants' | 'interrupts' | 'engine' | 'snapshots' | 'timersByHand' | 'modeSwitch' | 'leds')[]; family: 'S7' | 'S5'; model: string; example: boolean; empty: boolean; changed: string[] }
 export interface Lamps { SF: 'off' | 'on' | 'slow' | 'fast'; BF: 'off' | 'on' | 'slow' | 'fast'; DC5V: 'off' | 'on' | 'slow' | 'fast'; FRCE: 'off' | 'on' | 'slow' | 'fast'; RUN: 'off' | 'on' | 'slow' | 'fast'; STOP: 'off' | 'on' | 'slow' | 'fast' }

@@ -51,6 +51,7 @@ export const transfer = {
   came: ['Importiert', 'Imported'],
   changed: ['In anderer Form', 'In another form'],
   lost: ['Nicht importiert', 'Not imported'],
+  beside: ['Daneben, nicht Teil eines Programms', 'Beside it, not part of a program'],
   more: ['{count} weitere Zeilen', '{count} more lines'],
   reportFile: ['Der Bericht steht auch in import-report.txt.', 'The report is also in import-report.txt.'],
 } satisfies Texts;
