@@ -148,6 +148,30 @@ class ExportStep7(Case):
             with self.subTest(name=name, option="WLD"):
                 self.assertEqual(self.again(f"{name}.wld", name + ".code"), machine)
 
+    # Issue: values of a user-defined type came back where no source can have them
+    def test_values_of_a_type_stay_with_the_type(self):
+        self.write("t.awl", "TYPE UDT 1 STRUCT a : INT := 5; END_STRUCT END_TYPE\n"
+                   "FUNCTION FC 1 : VOID VAR_INPUT i : UDT 1; END_VAR VAR_TEMP x : UDT 1; END_VAR\n"
+                   "BEGIN NETWORK L #i.a; T #x.a; END_FUNCTION\n"
+                   "FUNCTION_BLOCK FB 1 VAR_INPUT i : UDT 1; END_VAR VAR_IN_OUT io : UDT 1; n : INT := 6; END_VAR\n"
+                   "BEGIN NETWORK L #n; L #i.a; END_FUNCTION_BLOCK\n")
+        self.expect(GOOD, "export", "t.awl", "-o", "t.wld")
+        self.assertEqual(self.again("t.wld", "tb"), self.data("t.wld"))
+        self.expect(GOOD, "check", "tb")
+        self.assertIn(":= 6", self.data("tb/FB1.awl").decode())
+
+    # Issue: a start area of 20 bytes was put in front of the variables
+    def test_short_start_information_begins_at_zero(self):
+        self.write("o.awl", "ORGANIZATION_BLOCK OB 1 VAR_TEMP OB1_EV_CLASS : BYTE; x : INT; END_VAR\n"
+                   "BEGIN NETWORK L #x; T MW 0; END_ORGANIZATION_BLOCK\n"
+                   "ORGANIZATION_BLOCK OB 35 VAR_TEMP OB35_EV_CLASS : BYTE; s : STRUCT a : INT; END_STRUCT; END_VAR\n"
+                   "BEGIN NETWORK L P##s; LAR1; L #s.a; T MW 0; END_ORGANIZATION_BLOCK\n"
+                   "ORGANIZATION_BLOCK OB 100 VAR_TEMP own : INT; END_VAR\n"
+                   "BEGIN NETWORK L #own; END_ORGANIZATION_BLOCK\n")
+        self.expect(GOOD, "export", "o.awl", "-o", "o.wld")
+        self.assertEqual(self.again("o.wld", "ob"), self.data("o.wld"))
+        self.assertIn("OB1_TEMP0 : BYTE", self.data("ob/OB1.awl").decode())
+
     # The machine code of what an import makes of `path`.
     def again(self, path, folder):
         self.expect(GOOD, "import", path, "-o", folder)

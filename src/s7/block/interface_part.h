@@ -35,4 +35,17 @@ constexpr bool isInstance(TypeCode code) {
   return code == TypeCode::FunctionBlock || code == TypeCode::SystemFunctionBlock;
 }
 
+// Start values are kept by data that are stored in an instance or a data block: not by temporary
+// variables, parameters of functions and composite in/out parameters (S7-SRC-04). A variable of a
+// user-defined type brings its values along; they are left out there, as no source can hold them.
+constexpr bool keepsStartValue(BlockKind block, Section section, bool composite) {
+  if (block == BlockKind::FC || block == BlockKind::SFC) return false;
+  if (section == Section::Temp || section == Section::Return) return false;
+  return section != Section::InOut || !composite;
+}
+
+constexpr bool isComposite(TypeCode code) {
+  return code == TypeCode::Struct || code == TypeCode::Array || code == TypeCode::String;
+}
+
 }  // namespace merker::block

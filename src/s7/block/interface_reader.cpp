@@ -52,8 +52,9 @@ bool isSimple(TypeCode code) {
 
 class Reader {
  public:
-  Reader(std::span<const std::uint8_t> declarations, std::span<const std::uint8_t> values)
-      : declarations_(declarations), values_(values) {}
+  Reader(BlockKind kind, std::span<const std::uint8_t> declarations,
+         std::span<const std::uint8_t> values)
+      : kind_(kind), declarations_(declarations), values_(values) {}
 
   bool atEnd() const { return declarations_.empty(); }
   // `fixed`: the section of the structure around it; members of an instance bring their own.
@@ -69,6 +70,7 @@ class Reader {
   void element(const Type& type, BitAddress at, std::vector<std::uint8_t>& image);
   std::string nextName(Section section);
 
+  BlockKind kind_;
   Bytes declarations_, values_;
   std::array<unsigned, 7> counters_{};
 };
@@ -191,8 +193,11 @@ std::optional<Variable> Reader::variable(std::optional<Section> fixed, unsigned 
   const bool simple = isElementary(leaf.code) || leaf.code == TypeCode::DateAndTime ||
                       leaf.code == TypeCode::String;
   if (found->hasValue && simple) {
-    v.hasInitial = true;
     v.initial = startValue(*v.type);
+    // Members of a structure name the section of the whole.
+    v.hasInitial =
+        keepsStartValue(kind_, found->section, fixed.has_value() || isComposite(v.type->code));
+    if (!v.hasInitial) v.initial.clear();
   }
   return values_.overrun() ? std::nullopt : std::optional{std::move(v)};
 }
@@ -228,7 +233,7 @@ bool readInterface(std::span<const std::uint8_t> bytes, Block& block) {
     block.instanceOf = number;
   block.instanceOfSystemBlock = kind == InterfaceKind::InstanceOfSfb;
 
-  Reader reader(bytes.subspan(kInterfaceHeader, declarationBytes),
+  Reader reader(block.id.kind, bytes.subspan(kInterfaceHeader, declarationBytes),
                 bytes.subspan(kInterfaceHeader + declarationBytes, valueBytes));
   std::vector<Variable> variables;
   while (!reader.atEnd()) {

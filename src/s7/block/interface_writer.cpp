@@ -15,17 +15,20 @@ void appendLittle(Bytes& out, std::uint32_t value) {
 // Declarations and start values grow side by side, both in the order of the variables.
 class Writer {
  public:
-  void variable(const Variable& v, Section section);
+  explicit Writer(BlockKind kind) : kind_(kind) {}
+  // `nested`: a member of a structure.
+  void variable(const Variable& v, Section section, bool nested = false);
   // Local data that begin behind 20 undeclared bytes of start information.
   void filler(std::uint32_t bytes);
   Bytes finish(InterfaceKind kind, std::uint32_t number) &&;
 
  private:
-  void entry(const Type& type, Section section, const Variable& v);
+  void entry(const Type& type, Section section, bool hasValue);
   void head(TypeCode code, Section section, bool hasValue);
   void structure(const std::vector<Variable>& members, Section section, bool instance);
   void startValue(const Type& type, const Bytes& value, BitAddress at);
 
+  BlockKind kind_;
   Bytes declarations_, values_;
 };
 
@@ -53,7 +56,8 @@ void Writer::structure(const std::vector<Variable>& members, Section section, bo
   const std::size_t count = countMembers(members);
   declarations_.push_back(static_cast<std::uint8_t>(std::min<std::size_t>(count, 0xFF)));
   if (count >= 0xFF) appendLittle(declarations_, static_cast<std::uint32_t>(count));
-  for (const Variable& member : members) variable(member, instance ? member.section : section);
+  for (const Variable& member : members)
+    variable(member, instance ? member.section : section, !instance);
 }
 
 // BOOL as one byte, numbers little-endian, DT as it is, STRING with its lengths up to the last used
@@ -74,14 +78,14 @@ void Writer::startValue(const Type& type, const Bytes& value, BitAddress at) {
   }
 }
 
-void Writer::entry(const Type& type, Section section, const Variable& v) {
+void Writer::entry(const Type& type, Section section, bool hasValue) {
   if (type.code == TypeCode::Struct) return structure(type.members, section, false);
   if (isInstance(type.code)) {
     declarations_.push_back(static_cast<std::uint8_t>(type.code));
     appendLittle(declarations_, type.length);
     return structure(type.members, section, true);
   }
-  head(type.code, section, type.code != TypeCode::Array && hasStartValue(*v.type, v));
+  head(type.code, section, type.code != TypeCode::Array && hasValue);
   if (type.code == TypeCode::String)
     declarations_.push_back(static_cast<std::uint8_t>(type.length));
   if (type.code != TypeCode::Array) return;
@@ -90,12 +94,14 @@ void Writer::entry(const Type& type, Section section, const Variable& v) {
     appendLittle(declarations_, static_cast<std::uint32_t>(d.low));
     appendLittle(declarations_, static_cast<std::uint32_t>(d.high));
   }
-  entry(*type.element, section, v);
+  entry(*type.element, section, hasValue);
 }
 
-void Writer::variable(const Variable& v, Section section) {
-  entry(*v.type, section, v);
-  if (!hasStartValue(*v.type, v)) return;
+void Writer::variable(const Variable& v, Section section, bool nested) {
+  const bool hasValue = hasStartValue(*v.type, v) &&
+                        keepsStartValue(kind_, section, nested || isComposite(v.type->code));
+  entry(*v.type, section, hasValue);
+  if (!hasValue) return;
   if (v.type->code != TypeCode::Array) return startValue(*v.type, v.initial, 0);
   for (const BitAddress offset : elementOffsets(*v.type))
     startValue(*v.type->element, v.initial, offset);
@@ -127,7 +133,7 @@ InterfaceKind kindOf(const Block& block) {
 }  // namespace
 
 std::vector<std::uint8_t> writeInterface(const Block& block) {
-  Writer writer;
+  Writer writer(block.id.kind);
   bool first = true;
   for (const Variable& v : block.variables) {
     const bool temp = v.section == Section::Temp;

@@ -78,6 +78,31 @@ void declareByInterface(const s7p::StoredBlock& stored, awl::Texts& texts) {
                                     block.actualData.size() - 1);
 }
 
+const block::Variable* firstLocal(const block::Block& block) {
+  for (const block::Variable& v : block.variables)
+    if (v.section == block::Section::Temp) return &v;
+  return nullptr;
+}
+
+// Stored local data of an OB begin with its start information, however short the part is that they
+// declare; a source says so with the name of the first variable (S7-FC-09).
+void nameStartInformation(s7p::StoredBlock& stored) {
+  block::Block& block = stored.block;
+  for (block::Variable& v : block.variables)
+    if (v.section == block::Section::Temp) {
+      v.name = fmt::format("OB{}_{}", block.id.number, v.name);
+      return;
+    }
+}
+
+// Names do not move a variable. Only those of an OB can: see above.
+bool sameLocalData(const block::Block& declared, const block::Block& stored) {
+  if (stored.id.kind != BlockKind::OB) return true;
+  const block::Variable* first = firstLocal(declared);
+  const block::Variable* wanted = firstLocal(stored);
+  return first == nullptr || wanted == nullptr || first->address == wanted->address;
+}
+
 std::string sourceOf(const block::Block& block, const awl::Texts& texts) {
   if (block.id.kind == BlockKind::UDT) return awl::headText(block, texts) + "END_TYPE\n";
   return fmt::format("{}BEGIN\n{}\n", awl::headText(block, texts), awl::endWord(block.id.kind));
@@ -127,7 +152,9 @@ Declarations::Declarations(const std::vector<s7p::StoredBlock>& blocks,
       report.add(Note::InstanceWithoutBlock, name, texts.dataType);
     else if (!stored.declaration.empty())
       report.add(Note::NoNames, name);
-    declareByInterface(stored, texts);
+    s7p::StoredBlock named = stored;
+    if (named.block.id.kind == BlockKind::OB) nameStartInformation(named);
+    declareByInterface(named, texts);
     again = true;
   }
   if (again) compile(blocks, options);
@@ -170,7 +197,7 @@ bool Declarations::fits(const s7p::StoredBlock& stored) const {
   if (declared == nullptr) return false;
   if (stored.block.id.kind == BlockKind::DB)
     return declared->actualData.size() == stored.block.actualData.size();
-  return sameInterface(*declared, stored.block);
+  return sameInterface(*declared, stored.block) && sameLocalData(*declared, stored.block);
 }
 
 const block::Block* Declarations::find(BlockId id) const {

@@ -36,6 +36,37 @@ TEST(Interface, StartValuesAreLittleEndian) {
              0x34, 0x12, 1,    4,    2,    'A',  'B',  4,    3, 2,    1,    0}));
 }
 
+// S7-SRC-04: values of a user-defined type stay out of where no source can have them.
+TEST(Interface, StartValuesAreOfStoredDataAlone) {
+  const auto typed = [](Section section) {
+    return var(structType({var(TypeCode::Int, Section::Static, {0, 5})}), section);
+  };
+  const Block fb =
+      functionBlock({typed(Section::Input), typed(Section::InOut),
+                     var(TypeCode::Int, Section::InOut, {0, 6}), typed(Section::Temp)});
+  const Bytes written = writeInterface(fb);
+  EXPECT_EQ(written, (Bytes{0x01, 0x02, 0x01, 17,   0,    4,    0,     //
+                            0x11, 0x01, 1,    0x05, 0x09,              //
+                            0x11, 0x03, 1,    0x05, 0x03, 0x05, 0x0B,  //
+                            0x11, 0x05, 1,    0x05, 0x05,              //
+                            5,    0,    6,    0}));
+}
+
+// Values stored there by others are passed over; those behind them come right.
+TEST(Interface, ForeignStartValuesArePassedOver) {
+  const Bytes bytes{1, 2,    0,    12, 0, 4, 0, 0x11, 3, 1, 5, 0x0B,
+                    5, 0x0C, 0x11, 4,  1, 5, 4, 5,    0, 6, 0};
+  Block fb = functionBlock({});
+  ASSERT_TRUE(readInterface(bytes, fb));
+  ASSERT_EQ(fb.variables.size(), 3u);
+  EXPECT_FALSE(fb.variables[0].type->members[0].hasInitial);
+  EXPECT_EQ(fb.variables[1].initial, (Bytes{0, 6}));
+  Block fc;
+  fc.id = {BlockKind::FC, 1};
+  ASSERT_TRUE(readInterface(Bytes{1, 1, 0, 2, 0, 2, 0, 5, 9, 5, 0}, fc));
+  EXPECT_FALSE(fc.variables[0].hasInitial);
+}
+
 TEST(Interface, ArraysStructuresAndInstances) {
   const TypePtr array = arrayType({{-1, 2}}, elementaryType(TypeCode::Byte));
   const TypePtr instance =
