@@ -15,7 +15,7 @@ bool isSpace(char c) { return static_cast<std::uint8_t>(c) <= ' '; }
 
 // The words that have other bytes than ASCII, as many as tell enough.
 std::string foreignWords(std::string_view text) {
-  constexpr std::size_t kEnough = 16u << 10;
+  constexpr std::size_t kEnough = 4u << 10;
   std::string out;
   for (std::size_t i = 0; i < text.size() && out.size() < kEnough;) {
     const std::size_t begin = i;
