@@ -5,11 +5,8 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "project/project.h"
+#include "compilation/build.h"
 #include "scenario/runner.h"
-#include "station/station.h"
-#include "step7/compiler.h"
-#include "system/library.h"
 
 namespace merker::bench {
 namespace {
@@ -17,31 +14,19 @@ namespace {
 constexpr const char* kFolder = MERKER_SOURCE_DIR "/examples/sorting-plant";
 
 struct Plant {
-  project::Project project = project::load(kFolder, "");
-  block::Program library = system::library(*project.model);
-  step7::CompileOptions options{
-      .model = project.model, .library = &library, .symbols = &project.symbols};
-  std::shared_ptr<const block::Program> program =
-      std::make_shared<const block::Program>(step7::compile(project.sources, options).program);
+  compilation::Build build = compilation::build(project::load(kFolder, ""), false);
 
   station::Station station(station::Engine engine) const {
-    station::Options o;
-    o.model = project.model;
-    o.parameters = project.parameters;
-    o.hardware = project.hardware;
-    o.plants = project.plants;
-    o.program = program;
-    o.engine = engine;
-    return station::Station(std::move(o));
+    station::Station result = build.station();
+    (void)result.setEngine(engine);
+    return result;
   }
   // Its texts are views into the file.
   simulator::Scenario scenario(const source::SourceFile& file) const {
     Problems problems;
     auto list = simulator::parseScenarios(file, problems);
-    const auto resolver = [this](std::string_view text, const Position& at) {
-      return step7::resolve(text, *program, options, at);
-    };
-    simulator::resolve(list.front(), resolver, problems,
+    const project::Project& project = build.project;
+    simulator::resolve(list.front(), build.operands(), problems,
                        project.hardware ? &*project.hardware : nullptr, &project.plants);
     for (const Problem& problem : problems.list()) std::cerr << problem.message << '\n';
     return list.front();

@@ -5,10 +5,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "project/project.h"
-#include "station/station.h"
-#include "step7/compiler.h"
-#include "system/library.h"
+#include "compilation/build.h"
 
 namespace merker::bench {
 namespace {
@@ -16,23 +13,11 @@ namespace {
 void FourAxes(benchmark::State& state) {
   constexpr std::size_t kAxes = 4;
   constexpr Duration kStep = Duration::milliseconds(100);
-  const project::Project project = project::load(MERKER_SOURCE_DIR "/bench/axis", "");
-  const block::Program library = system::library(*project.model);
-  step7::CompileOptions options;
-  options.model = project.model;
-  options.library = &library;
-  options.symbols = &project.symbols;
-  const auto program =
-      std::make_shared<const block::Program>(step7::compile(project.sources, options).program);
+  const compilation::Build build =
+      compilation::build(project::load(MERKER_SOURCE_DIR "/bench/axis", ""), false);
   std::vector<station::Station> stations;
   for (std::size_t i = 0; i < kAxes; ++i) {
-    station::Options o;
-    o.model = project.model;
-    o.parameters = project.parameters;
-    o.hardware = project.hardware;
-    o.plants = project.plants;
-    o.program = program;
-    station::Station& station = stations.emplace_back(std::move(o));
+    station::Station& station = stations.emplace_back(build.station());
     if (!station.warmRestart()) std::abort();
     station.advanceTo(Instant{} + Duration::seconds(5));  // the ramp is over
   }

@@ -4,8 +4,8 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "base/text.h"
 #include "build.h"
+#include "chosen_scenario.h"
 #include "command.h"
 #include "cpu_option.h"
 #include "listing_diagnosis.h"
@@ -70,38 +70,12 @@ int runFor(const DiagOptions& options, const Build& built, Duration time,
   return kGood;
 }
 
-// The scenario of --name, else the first one of the file.
-const simulator::Scenario* chosen(const DiagOptions& options,
-                                  const std::vector<simulator::Scenario>& list) {
-  for (const simulator::Scenario& one : list)
-    if (options.name.empty() || upper(one.name).find(upper(options.name)) != std::string::npos)
-      return &one;
-  return nullptr;
-}
-
 // Up to its STOP, or to the step of a line.
 int runScenario(const DiagOptions& options, const Build& built, controller::Controller& plc) {
-  auto file = source::readSource(options.scenario);
-  Problems problems;
-  if (!file) {
-    problems.add(file.error());
-    printProblems(problems, [](const std::string&) { return nullptr; });
-    return kUnreadable;
-  }
-  auto list = simulator::parseScenarios(file.value(), problems);
-  const auto& hardware = built.project.hardware;
-  for (simulator::Scenario& one : list)
-    simulator::resolve(one, built.resolver(), problems, hardware ? &*hardware : nullptr,
-                       &built.project.plants);
-  printProblems(problems, [&](const std::string&) { return &file.value(); });
-  if (problems.hasErrors()) return kProblems;
-  const simulator::Scenario* scenario = chosen(options, list);
-  if (scenario == nullptr) {
-    std::cerr << "merker diag: --name: no scenario of " << options.scenario << " has '"
-              << options.name << "' in its name\n";
-    return kUsage;
-  }
-  const auto result = simulator::runUntil(*scenario, {options.line}, plc);
+  int code = kGood;
+  const auto chosen = chooseScenario("merker diag", options.scenario, options.name, built, code);
+  if (!chosen) return code;
+  const auto result = simulator::runUntil(chosen->scenario, {options.line}, plc);
   for (const simulator::Failure& failure : result.failures)
     std::cerr << "merker diag: " << simulator::describe(failure) << '\n';
   return kGood;

@@ -8,8 +8,8 @@
 #include <fstream>
 #include <iostream>
 
-#include "base/text.h"
 #include "build.h"
+#include "chosen_scenario.h"
 #include "command.h"
 #include "cpu_option.h"
 #include "scenario/duration.h"
@@ -37,21 +37,11 @@ int monitorFails(const std::string& text, ExitCode code) {
 
 // What a scenario makes of the line, whether it fails or not; the exit code.
 int playScenario(const MonitorOptions& options, const Build& built, controller::Controller& plc) {
-  auto file = source::readSource(options.scenario);
-  if (!file) return monitorFails("--scenario: cannot read " + options.scenario, kUnreadable);
-  Problems problems;
-  auto list = simulator::parseScenarios(file.value(), problems);
-  const auto& hardware = built.project.hardware;
-  for (simulator::Scenario& one : list)
-    simulator::resolve(one, built.resolver(), problems, hardware ? &*hardware : nullptr,
-                       &built.project.plants);
-  printProblems(problems, [&](const std::string&) { return &file.value(); });
-  if (problems.hasErrors()) return kProblems;
-  const auto found = std::ranges::find_if(list, [&](const simulator::Scenario& one) {
-    return options.name.empty() || upper(one.name).find(upper(options.name)) != std::string::npos;
-  });
-  if (found == list.end()) return monitorFails("--name: no scenario has it", kUsage);
-  for (const auto& failure : simulator::runScenario(*found, plc).failures)
+  int code = kGood;
+  const auto chosen =
+      chooseScenario("merker monitor serial", options.scenario, options.name, built, code);
+  if (!chosen) return code;
+  for (const auto& failure : simulator::runScenario(chosen->scenario, plc).failures)
     std::cerr << "merker monitor serial: " << simulator::describe(failure) << '\n';
   return kGood;
 }

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/text.h"
+#include "chosen_scenario.h"
 #include "engine_option.h"
 #include "scenario/junit.h"
 #include "scenario/runner.h"
@@ -80,14 +81,7 @@ void TestSession::scenarios(const std::string& path, const Build& build) {
   }
   const FileLookup files = [&](const std::string&) { return &file.value(); };
   Problems problems;
-  std::vector<simulator::Scenario> list = simulator::parseScenarios(file.value(), problems);
-  if (build.ok()) {
-    const auto resolver = build.resolver();
-    const auto& hardware = build.project.hardware;
-    for (simulator::Scenario& one : list)
-      simulator::resolve(one, resolver, problems, hardware ? &*hardware : nullptr,
-                         &build.project.plants);
-  }
+  const std::vector<simulator::Scenario> list = boundScenarios(file.value(), build, problems);
   printProblems(problems, files);
   if (list.empty() && problems.hasErrors()) notRun(path, "scenarios", problems);
   for (std::size_t i = 0; i < list.size(); ++i) {

@@ -1,0 +1,54 @@
+#include "chosen_scenario.h"
+
+#include <algorithm>
+#include <iostream>
+
+#include "base/text.h"
+#include "command.h"
+
+namespace merker::app {
+
+std::vector<simulator::Scenario> boundScenarios(const source::SourceFile& file, const Build& built,
+                                                Problems& problems) {
+  std::vector<simulator::Scenario> list = simulator::parseScenarios(file, problems);
+  if (!built.ok()) return list;
+  const auto resolver = built.resolver();
+  const auto& hardware = built.project.hardware;
+  for (simulator::Scenario& one : list)
+    simulator::resolve(one, resolver, problems, hardware ? &*hardware : nullptr,
+                       &built.project.plants);
+  return list;
+}
+
+std::unique_ptr<const ChosenScenario> chooseScenario(const std::string& command,
+                                                     const std::string& path,
+                                                     const std::string& name, const Build& built,
+                                                     int& code) {
+  auto file = source::readSource(path);
+  Problems problems;
+  if (!file) {
+    problems.add(file.error());
+    printProblems(problems, [](const std::string&) { return nullptr; });
+    code = kUnreadable;
+    return nullptr;
+  }
+  auto chosen = std::make_unique<ChosenScenario>(std::move(file.value()));
+  const auto list = boundScenarios(chosen->file, built, problems);
+  printProblems(problems, [&](const std::string&) { return &chosen->file; });
+  code = kProblems;
+  if (problems.hasErrors()) return nullptr;
+  const auto found = std::ranges::find_if(list, [&](const simulator::Scenario& one) {
+    return upper(one.name).find(upper(name)) != std::string::npos;
+  });
+  code = kUsage;
+  if (found == list.end()) {
+    std::cerr << command << ": --name: no scenario of " << path << " has '" << name
+              << "' in its name\n";
+    return nullptr;
+  }
+  code = kGood;
+  chosen->scenario = *found;
+  return chosen;
+}
+
+}  // namespace merker::app
