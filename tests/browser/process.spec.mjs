@@ -162,5 +162,8 @@ test('an axis is turned by hand; its faults are switches', async () => {
   await wheel.fill('1000');
   await wheel.dispatchEvent('change');
   await passes('POSITION', (value) => value > 300, axis);
+  await wheel.fill('-1000');
+  await wheel.dispatchEvent('change');
+  await passes('POSITION', (value) => value < 0, axis);
   await leave(axis);
 });

@@ -20,8 +20,10 @@ Axis::Axis(const AxisSettings& settings, std::int64_t pulse)
     : s_(settings),
       position_(pulse * signal::kPulse),
       pulse_(pulse),
+      load_(pulse),
       reference_(settings.places.reference.holds(pulse, settings.places.revolution)),
-      workpiece_(settings.places.workpiece.holds(pulse, settings.places.revolution)) {
+      workpiece_(settings.places.workpiece.holds(pulse, settings.places.revolution)),
+      loadBefore_(position_) {
   ramp_.position = position_;
 }
 
@@ -34,7 +36,7 @@ std::int64_t Axis::analogSpeed(const AxisInputs& inputs) const {
 
 // A limit switch acts on the power section; the opposite direction stays possible (POS-PLANT-13).
 bool Axis::blockedTowards(std::int64_t speed) const {
-  return (speed > 0 && pulse_ > s_.highSwitch) || (speed < 0 && pulse_ < s_.lowSwitch);
+  return (speed > 0 && load_ > s_.highSwitch) || (speed < 0 && load_ < s_.lowSwitch);
 }
 
 // Not enabled: it coasts; then it drifts, or somebody turns it.
@@ -77,6 +79,7 @@ void Axis::step(const AxisInputs& inputs, AxisObserver& observer) {
   const std::int64_t most = kStep * wanted.acceleration * kRatedLoad / s_.load;
   std::int64_t change = wanted.speed - speed_;
   if (s_.lag != 0 && inputs.enable) change = change * s_.lag / kWhole;
+  if (s_.places.backlash != 0) loadBefore_ = loadRamp().end();
   ramp_.position = position_;
   ramp_.speed = faults.blocked ? 0 : speed_;
   ramp_.last = faults.blocked ? 0 : speed_ + std::clamp(change, -most, most);
@@ -86,11 +89,19 @@ void Axis::step(const AxisInputs& inputs, AxisObserver& observer) {
   travel(signal::pulseOf(position_), observer);
 }
 
+signal::Ramp Axis::loadRamp() const {
+  signal::Ramp ramp = ramp_;
+  ramp.play = s_.places.backlash * signal::kPulse;
+  ramp.load = loadBefore_;
+  return ramp;
+}
+
 void Axis::travel(std::int64_t to, AxisObserver& observer) {
   while (pulse_ != to) {
     const std::int64_t next = s_.places.next(pulse_, to);
     count(next - pulse_, observer);
     pulse_ = next;
+    load_ = s_.places.loadAt(load_, pulse_);
     arrive(observer);
   }
 }
@@ -108,12 +119,12 @@ void Axis::arrive(AxisObserver& observer) {
   const bool slow = std::abs(speed_) <= s_.fastestMark * kThousandths;
   if (s_.places.isMark(pulse_) && slow && !faults.markBroken && !faults.trackBroken)
     observer.zeroMark();
-  const bool reference = s_.places.reference.holds(pulse_, s_.places.revolution);
+  const bool reference = s_.places.reference.holds(load_, s_.places.revolution);
   if (reference != reference_ && !faults.switchStuck) {
     reference_ = reference;
     observer.referenceSwitch(reference);
   }
-  const bool workpiece = s_.places.workpiece.holds(pulse_, s_.places.revolution);
+  const bool workpiece = s_.places.workpiece.holds(load_, s_.places.revolution);
   if (workpiece != workpiece_) {
     workpiece_ = workpiece;
     observer.lengthInput(workpiece);

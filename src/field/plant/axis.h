@@ -49,12 +49,16 @@ class Axis {
   // By hand, while it stands and is not enabled: pulses/s.
   void turn(std::int64_t speed) { hand_ = speed; }
 
+  // Of the motor and of the encoder at its shaft.
   std::int64_t position() const { return position_; }  // millionths of a pulse
   std::int64_t pulse() const { return pulse_; }
+  // Of what it drives, which the switches see.
+  std::int64_t load() const { return load_; }  // pulse
   std::int64_t speed() const { return speed_; }
   bool onReference() const { return reference_; }
   // Of the last step; it begins at instant 0.
   const signal::Ramp& ramp() const { return ramp_; }
+  signal::Ramp loadRamp() const;
   AxisFaults faults;
 
  private:
@@ -71,10 +75,11 @@ class Axis {
   void arrive(AxisObserver& observer);
 
   AxisSettings s_;
-  std::int64_t position_, pulse_;
+  std::int64_t position_, pulse_, load_;
   std::int64_t speed_ = 0, hand_ = 0;
   bool reference_, workpiece_;
   signal::Ramp ramp_;
+  std::int64_t loadBefore_;  // at the start of the ramp, millionths of a pulse
 };
 
 }  // namespace merker::plant

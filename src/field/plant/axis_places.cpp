@@ -34,13 +34,18 @@ bool AxisPlaces::isMark(std::int64_t pulse) const {
   return modulo(pulse - firstMark, betweenMarks) == 0;
 }
 
+std::int64_t AxisPlaces::loadAt(std::int64_t load, std::int64_t pulse) const {
+  return std::clamp(load, pulse, pulse + backlash);
+}
+
 std::int64_t AxisPlaces::next(std::int64_t pulse, std::int64_t to) const {
   const bool forward = to > pulse;
   std::int64_t best = to;
   consider(following(firstMark, betweenMarks, pulse, forward), pulse, best);
   for (const Zone& zone : {reference, workpiece})
     for (const std::int64_t border : {zone.from, zone.to}) {
-      const std::int64_t place = forward ? border : border - 1;  // the first pulse behind it
+      const std::int64_t place =
+          forward ? border : border - 1 - backlash;  // the first pulse behind it
       consider(following(place, revolution, pulse, forward), pulse, best);
     }
   return best;

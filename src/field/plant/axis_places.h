@@ -29,9 +29,14 @@ struct AxisPlaces {
   std::int64_t revolution = 0;  // of a rotary axis; 0: linear
   Zone reference{30'300, 35'300};
   Zone workpiece{1000, 1250};
+  std::int64_t backlash = 0;  // pulses of the motor after a turn before the load moves
 
+  // Where the load is when the motor, with the encoder, has come to a pulse. The motor pushes it in
+  // direction plus and draws it at the other end of the play (POS-PLANT-22).
+  std::int64_t loadAt(std::int64_t load, std::int64_t pulse) const;
   bool isMark(std::int64_t pulse) const;
-  // The next pulse in a direction where something changes; `to` if nothing does before.
+  // The next pulse of the motor in a direction where something changes; `to` if nothing does
+  // before.
   std::int64_t next(std::int64_t pulse, std::int64_t to) const;
 };
 

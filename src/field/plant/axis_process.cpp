@@ -34,6 +34,7 @@ constexpr Parameter kParameters[] = {
     {"drift", Form::Whole, 0, -kFast, kFast},
     {"increments", Form::Whole, 500, 1, 1 << 23},
     {"zero_mark", Form::Whole, 0, -kFar, kFar},
+    {"backlash", Form::Whole, 0, 0, 1e6},
     {"revolution", Form::Whole, 0, 0, 1e9},
     {"reference_from", Form::Whole, 30'300, -kFar, kFar},
     {"reference_to", Form::Whole, 35'300, -kFar, kFar},
@@ -52,7 +53,7 @@ constexpr Signal kSignals[] = {
     {"Q1", Signal::Side::Input, true},
     {"Q2", Signal::Side::Input, true},
     {"Q3", Signal::Side::Input, true},
-    {"HAND", Signal::Side::Input, false, 0, 0, 1000, "1/s"},
+    {"HAND", Signal::Side::Input, false, 0, -1000, 1000, "1/s"},
     {"BLOCKED", Signal::Side::Input, true},
     {"EMERGENCY_STOP", Signal::Side::Input, true},
     {"SWAPPED", Signal::Side::Input, true},
@@ -66,6 +67,7 @@ constexpr Signal kSignals[] = {
     {"HIGH_SWITCH", Signal::Side::Output, true},
     {"POSITION", Signal::Side::Output, false, 0, 0, 100'000},
     {"SPEED", Signal::Side::Output, false, 0, 0, 10'000, "1/s"},
+    {"ENCODER", Signal::Side::Output, false, 0, 0, 100'000},
 };
 
 using Parameters = Named<kParameters, const double>;
@@ -99,6 +101,7 @@ AxisSettings settingsOf(Parameters p) {
   s.highSwitch = whole(p["high_switch"]);
   s.places.betweenMarks = 4 * whole(p["increments"]);
   s.places.firstMark = whole(p["zero_mark"]);
+  s.places.backlash = whole(p["backlash"]);
   s.places.revolution = whole(p["revolution"]);
   s.places.reference = {whole(p["reference_from"]), whole(p["reference_to"])};
   s.places.workpiece = {whole(p["workpiece_from"]), whole(p["workpiece_to"])};
@@ -181,11 +184,15 @@ class AxisProcess : public ProcessOf<kParameters, kSignals> {
     return std::make_shared<signal::RampTrack>(ramp_, marks, kind);
   }
 
+  static std::shared_ptr<const signal::Ramp> from(Instant now, signal::Ramp ramp) {
+    ramp.start = now;
+    return std::make_shared<const signal::Ramp>(ramp);
+  }
+
   // The axis takes another course from `now` on.
   void follow(Instant now) {
-    signal::Ramp next = axis_.ramp();
-    next.start = now;
-    ramp_ = std::make_shared<const signal::Ramp>(next);
+    ramp_ = from(now, axis_.ramp());
+    load_ = settings_.places.backlash == 0 ? ramp_ : from(now, axis_.loadRamp());
     const AxisPlaces& places = settings_.places;
     const signal::ZeroMarks marks{places.betweenMarks, places.firstMark, false};
     using Kind = signal::RampTrackKind;
@@ -194,18 +201,19 @@ class AxisProcess : public ProcessOf<kParameters, kSignals> {
     courses_[2] = trackOf(Kind::N, marks);
     if (gap_ && !gap_->holds(signal::pulseOf(ramp_->end()))) gap_.reset();  // they are lost once
     const auto zone = [&](const Zone& z) {
-      return std::make_shared<signal::RampZone>(ramp_, z.from, z.to, places.revolution);
+      return std::make_shared<signal::RampZone>(load_, z.from, z.to, places.revolution);
     };
     courses_[3] = zone(places.reference);
     courses_[4] = zone(places.workpiece);
   }
 
   void show(Instant now, Signals values) const {
-    const std::int64_t pulse = ramp_->pulseAt(now);
+    const std::int64_t pulse = load_->pulseAt(now);
     for (std::size_t i = 0; i < kCourses; ++i) values.from("A")[i] = courses_[i]->level(now);
     values["LOW_SWITCH"] = pulse < settings_.lowSwitch;
     values["HIGH_SWITCH"] = pulse > settings_.highSwitch;
-    values["POSITION"] = static_cast<double>(ramp_->at(now)) / signal::kPulse;
+    values["POSITION"] = static_cast<double>(load_->at(now)) / signal::kPulse;
+    values["ENCODER"] = static_cast<double>(ramp_->at(now)) / signal::kPulse;
     values["SPEED"] = static_cast<double>(axis_.speed()) / 1000;
   }
 
@@ -215,8 +223,8 @@ class AxisProcess : public ProcessOf<kParameters, kSignals> {
   std::int64_t lost_ = 0;  // as last wanted
   std::optional<signal::LosingTrack::Gap> gap_;
   bool begun_ = false;
-  Instant end_;  // of the present step
-  std::shared_ptr<const signal::Ramp> ramp_;
+  Instant end_;                                      // of the present step
+  std::shared_ptr<const signal::Ramp> ramp_, load_;  // of the motor, of what it drives
   std::array<std::shared_ptr<const signal::Signal>, kCourses> courses_;
 };
 

@@ -41,8 +41,16 @@ std::int64_t gentleWay(const Ramp& ramp, std::int64_t passed) {
 
 }  // namespace
 
-// x = x0 + v t + (w - v) t^2 / 2T
+// The motor takes the load along where it meets it; before a turn it may have pushed it away.
 std::int64_t Ramp::at(Instant t) const {
+  const std::int64_t motor = motorAt(t);
+  if (play == 0) return motor;
+  const bool turned = turns() && t > turningTime();
+  return std::clamp(turned ? loadAt(turningPoint()) : load, motor, motor + play);
+}
+
+// x = x0 + v t + (w - v) t^2 / 2T
+std::int64_t Ramp::motorAt(Instant t) const {
   const std::int64_t passed = std::clamp<std::int64_t>((t - start).ns, 0, length.ns);
   if (passed == 0 || (speed == 0 && last == 0)) return position;
   if (isGentle(*this)) return position + gentleWay(*this, passed);

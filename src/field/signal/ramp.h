@@ -3,6 +3,7 @@
 // second, so that a ramp of whole milliseconds ends on whole numbers (POS-PLANT-02).
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "clock/instant.h"
@@ -22,6 +23,9 @@ struct Ramp {
   Duration length = Duration::milliseconds(4);
   std::int64_t position = 0;         // at the start
   std::int64_t speed = 0, last = 0;  // at the start and at the end
+  // With a play the ramp is that of a load behind it: `position` and `speed` are those of the
+  // motor, `load` is the load at the start, from 0 up to `play` beyond the motor (POS-PLANT-22).
+  std::int64_t play = 0, load = 0;
 
   // Rounded down; from the end on the axis stands there.
   std::int64_t at(Instant t) const;
@@ -30,12 +34,15 @@ struct Ramp {
   bool turns() const { return (speed < 0 && last > 0) || (speed > 0 && last < 0); }
   // Where and when it turns, rounded down.
   std::int64_t turningPoint() const;
+  // Where the load is when the motor has come to a position by this ramp.
+  std::int64_t loadAt(std::int64_t motor) const { return std::clamp(load, motor, motor + play); }
   Instant turningTime() const;
   // When it is in this pulse first, from an instant on; never() if it does not come there.
   Instant reaches(std::int64_t pulse, Instant from) const;
   Instant reaches(std::int64_t pulse) const { return reaches(pulse, start); }
 
  private:
+  std::int64_t motorAt(Instant t) const;
   Instant first(std::int64_t pulse, Instant from, Instant to) const;
 };
 

@@ -87,6 +87,31 @@ TEST(AxisPlant, Switches) {
   EXPECT_EQ(axis["SPEED"], -1000);
 }
 
+// POS-PLANT-22: after a turn the encoder moves alone; the edges of a switch at their nanosecond
+TEST(AxisPlant, Backlash) {
+  Machine axis({{"start", 990}, {"workpiece_to", 1010}, {"backlash", 20}});
+  auto &workpiece = axis.watch("WORKPIECE"), &a = axis.watch("A");
+  axis["SETPOINT"] = 1;
+  axis["ENABLE"] = 1;
+  axis.steps(26);
+  ASSERT_EQ(workpiece.size(), 2u);
+  EXPECT_EQ((workpiece[1] - workpiece[0]).ns, 10'000'000);
+  EXPECT_EQ(axis["POSITION"], axis["ENCODER"]);
+  axis["SETPOINT"] = -1;
+  axis.steps(4);
+  const double turned = axis["POSITION"];
+  EXPECT_GT(turned, axis["ENCODER"]);
+  EXPECT_LT(turned, axis["ENCODER"] + 20);
+  const std::size_t counted = a.size();
+  axis.steps(2);
+  EXPECT_EQ(axis["POSITION"], turned) << "within the play";
+  EXPECT_GE(a.size(), counted + 2);
+  axis.steps(30);
+  EXPECT_DOUBLE_EQ(axis["POSITION"], axis["ENCODER"] + 20);
+  ASSERT_EQ(workpiece.size(), 4u);
+  EXPECT_EQ((workpiece[3] - workpiece[2]).ns, 10'000'000);
+}
+
 // Contactors, hand wheel, emergency stop, blocked axis
 TEST(AxisPlant, Inputs) {
   Machine axis({{"contactors", 1}});

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -162,6 +163,48 @@ TEST(Axis, PlacesThereAndBack) {
               (Edges{{true, 30'300}, {false, 35'300}, {true, 35'299}, {false, 30'299}}));
     EXPECT_EQ(rig.log.lengths, (Edges{{true, 1000}, {false, 1250}, {true, 1249}, {false, 999}}));
   }
+}
+
+// POS-PLANT-22: the encoder is at the motor; the switches see the load, behind the play on the way
+// back
+TEST(Axis, BacklashThereAndBack) {
+  for (const std::int64_t fastest : {1000, 10'000, 200'000}) {
+    AxisSettings settings;
+    settings.fastest = fastest;
+    settings.acceleration = settings.coast = 10'000'000;
+    settings.places.backlash = 100;
+    Rig rig(settings, -500);
+    while (rig.axis.pulse() < 36'500) rig.run(volts(10 * kVolt), 1);
+    EXPECT_EQ(rig.axis.load(), rig.axis.pulse());
+    while (rig.axis.pulse() > -700) rig.run(volts(-10 * kVolt), 1);
+    EXPECT_EQ(rig.axis.load(), rig.axis.pulse() + 100);
+    using Edges = std::vector<std::pair<bool, std::int64_t>>;
+    EXPECT_EQ(rig.log.switches,
+              (Edges{{true, 30'300}, {false, 35'300}, {true, 35'199}, {false, 30'199}}));
+    EXPECT_EQ(rig.log.lengths, (Edges{{true, 1000}, {false, 1250}, {true, 1149}, {false, 899}}));
+    EXPECT_EQ(std::count(rig.log.marks.begin(), rig.log.marks.end(), 2000), 2);
+  }
+}
+
+// POS-PLANT-22: within the play only the motor moves, and the limit switch follows the load.
+TEST(Axis, BacklashAtALimitSwitch) {
+  AxisSettings settings;
+  settings.highSwitch = 1000;
+  settings.places.backlash = 150;
+  Rig rig(settings);
+  rig.run(volts(kVolt), 1000);
+  const std::int64_t overrun = rig.axis.pulse();
+  ASSERT_EQ(rig.axis.load(), overrun);
+  while (rig.axis.pulse() > overrun - 150) rig.run(volts(-kVolt / 10), 1);
+  EXPECT_NEAR(static_cast<double>(rig.axis.load()), static_cast<double>(overrun), 5);
+  while (rig.axis.pulse() > 920) rig.run(volts(-kVolt / 10), 1);
+  rig.stop();
+  const std::int64_t load = rig.axis.load();
+  ASSERT_GT(load, 1000);
+  ASSERT_LT(rig.axis.pulse(), 1000);
+  rig.run(volts(kVolt), 10);
+  EXPECT_EQ(rig.axis.speed(), 0) << "the motor is below the switch, the load is not";
+  EXPECT_EQ(rig.axis.load(), load);
 }
 
 // POS-PLANT-15: each revolution of a rotary axis

@@ -4,6 +4,7 @@ import type { Texts } from '..';
 export const axis = {
   pulses: ['{count} Impulse', '{count} pulses'],
   perSecond: ['{count} Impulse/s', '{count} pulses/s'],
+  encoder: ['Geber {count} Impulse', 'encoder {count} pulses'],
   pitch: ['mm je Geberumdrehung', 'mm per encoder revolution'],
   pitchHint: [
     'Nur für dieses Bild: die SFBs rechnen in Impulsen.',

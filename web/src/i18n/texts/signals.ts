@@ -116,4 +116,5 @@ export const axisSignals = {
   HIGH_SWITCH: ['Endschalter Plus', 'Limit switch plus'],
   POSITION: ['Stellung', 'Position'],
   SPEED: ['Geschwindigkeit', 'Speed'],
+  ENCODER: ['Stellung des Gebers', 'Position of the encoder'],
 } satisfies Texts;

@@ -3,7 +3,7 @@
 /** Samples in the order of time; what the PLC does not have is null. */
 export interface Row {
   time: number;
-  /** Where the plant really is, in pulses, and how fast. */
+  /** Where the encoder of the plant really is, in pulses, and how fast. */
   plant: number;
   speed: number;
   /** As the CPU counts it. */

@@ -17,7 +17,7 @@ export interface Seen {
 
 /** Names of the samples that a `Row` is made of. */
 export const sampled = (plant: string, block: string): string[] => [
-  ...['POSITION', 'SPEED'].map((signal) => `plant.${plant}.${signal}`),
+  ...['ENCODER', 'SPEED'].map((signal) => `plant.${plant}.${signal}`),
   ...['position', 'distance_to_go', 'mode', 'working', 'changed_over', 'cut_off', 'reached', 'errors'].map(
     (name) => `axis.${name}`,
   ),
