@@ -40,6 +40,8 @@ export interface Drawn {
   name: string;
   parameters: Record<string, number>;
   scene: Scene;
+  /** Whether a terminal has the signal. */
+  wired: (signal: string) => boolean;
 }
 
 export interface Kind {
@@ -50,6 +52,8 @@ export interface Kind {
   tags: Place[];
   /** Those of them that a plant with these parameters does not have. */
   without?: (parameters: Record<string, number>) => string[];
+  /** Those that nothing is drawn of as long as they are at no terminal. */
+  ifWired?: string[];
   faults?: KindFault[];
   /** Buttons in the drawing that are 1 while they are pressed. */
   pushes: Place[];
@@ -189,7 +193,7 @@ const KINDS: Record<string, Kind> = {
     drawing: Axis,
     tags: [
       ...['SETPOINT', 'ENABLE', 'DIRECTION'].map((signal, index) => ({ signal, x: 88, y: 38 + index * 38 })),
-      ...['Q0', 'Q1', 'Q2', 'Q3'].map((signal, index) => ({ signal, x: 88, y: 38 + index * 34 })),
+      ...['Q0', 'Q1', 'Q2', 'Q3'].map((signal, index) => ({ signal, x: 88, y: 30 + index * 33 })),
       ...['A', 'B', 'N'].map((signal, index) => ({ signal, x: 738, y: 38 + index * 38 })),
       ...['LOW_SWITCH', 'WORKPIECE', 'REFERENCE', 'HIGH_SWITCH'].map((signal, index) => ({
         signal,
@@ -201,6 +205,7 @@ const KINDS: Record<string, Kind> = {
       contactors
         ? ['SETPOINT', 'ENABLE', 'DIRECTION']
         : ['Q0', 'Q1', 'Q2', 'Q3', ...(direction_signal ? [] : ['DIRECTION'])],
+    ifWired: ['WORKPIECE'],
     ranges: ['HAND', 'LOST'],
     toggles: ['BLOCKED', 'EMERGENCY_STOP', 'SWAPPED'],
     faults: [
