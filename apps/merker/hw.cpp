@@ -53,7 +53,7 @@ nlohmann::json range(std::optional<std::uint32_t> start, unsigned bytes) {
   return {{"first", *start}, {"last", *start + bytes - 1}};
 }
 
-nlohmann::json toJson(const io::Module& module) {
+nlohmann::json moduleJson(const io::Module& module) {
   const ModuleType& type = *module.type;
   return {{"slot", module.slotText()},
           {"rack", module.rack},
@@ -67,7 +67,7 @@ nlohmann::json toJson(const io::Module& module) {
 }
 
 // The CPU stands in slot 2 of rack 0, whatever it has on board.
-nlohmann::json toJson(const CpuModel& model) {
+nlohmann::json cpuJson(const CpuModel& model) {
   return {{"slot", "2"},         {"rack", 0},
           {"type", model.name},  {"order_number", model.orderNumber},
           {"name", ""},          {"inputs", nullptr},
@@ -79,13 +79,13 @@ nlohmann::json modulesOf(const io::Configuration& hardware, std::uint32_t rack) 
   nlohmann::json modules = nlohmann::json::array();
   bool cpu = rack != 0;
   const auto addCpu = [&] {
-    if (!cpu) modules.push_back(toJson(*hardware.model));
+    if (!cpu) modules.push_back(cpuJson(*hardware.model));
     cpu = true;
   };
   for (const io::Module& module : hardware.modules) {
     if (module.rack != rack) continue;
     if (module.slot >= 2) addCpu();
-    modules.push_back(toJson(module));
+    modules.push_back(moduleJson(module));
   }
   addCpu();
   return modules;
@@ -124,7 +124,7 @@ void printJson(const Build& build) {
          {"mounting", project.vertical ? "vertical" : "horizontal"},
          {"racks", racks(hardwareOf(build))},
          {"utilisation", usages(project::usage(*build.program, *project.model, project.hardware))},
-         {"problems", app::toJson(build.problems)}});
+         {"problems", toJson(build.problems)}});
 }
 
 std::string channelsOf(const ModuleType& type) {
