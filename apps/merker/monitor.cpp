@@ -98,7 +98,9 @@ bool writeLine(const serial::Coupling& coupling, const std::string& path) {
 int monitorSerial(const MonitorOptions& options) {
   const auto time = simulator::parseDuration(options.time);
   if (!time) return monitorFails("--for: '" + options.time + "' is not a valid duration", kUsage);
-  const Build built = build(loadProject(options.path, options.project), false);
+  project::Project project = loadProject(options.path, options.project);
+  if (!options.serial.empty()) project.stations.clear();
+  const Build built = build(std::move(project), false);
   if (!built.ok()) return report(built, false);
   const auto plc = built.controller();
   auto* port = controller::capability<serial::SerialPort>(*plc);

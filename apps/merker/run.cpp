@@ -304,11 +304,13 @@ std::string whyRefused(const RunOptions& options, const Build& built) {
 
 // A program that cannot run does not touch the card (S7-CPU-02: the old one stays).
 int runPath(const RunOptions& options, std::optional<Duration> time) {
-  Build built = build(loadProject(options.path, options.project), false);
+  project::Project project = loadProject(options.path, options.project);
+  if (const int bad = connectSerial(options.serial, project); bad != kGood) return bad;
+  Build built = build(std::move(project), false);
   if (!ready(options, built)) return exitCode(built);
   if (options.card.empty()) return runBuild(options, built, time, nullptr);
   if (const auto why = whyRefused(options, built); !why.empty()) return wrongUsage(why);
-  if (built.partner) return wrongUsage("--card: two coupled controls cannot share one card");
+  if (built.partner) return wrongUsage("--card: two coupled PLCs cannot share one card");
   auto card = openCard(options.card, false);
   if (!card) return failed(card.error());
   return runBuild(options, built, time, &*card);
@@ -318,6 +320,7 @@ int runFromCard(const RunOptions& options, std::optional<Duration> time) {
   auto card = openCard(options.card, true);
   if (!card) return failed(card.error());
   Build built = buildFromCard(*card, options.card, options.project.cpu);
+  if (const int bad = connectSerial(options.serial, built.project); bad != kGood) return bad;
   if (!ready(options, built)) return exitCode(built);
   if (const auto why = whyRefused(options, built); !why.empty()) return wrongUsage(why);
   return runBuild(options, built, time, &*card);

@@ -28,20 +28,28 @@ void addSerial(CLI::App& command, SerialOptions& options) {
       ->needs(serial);
 }
 
-// A run in virtual time has the partner, whatever merker.toml says: nobody outside is so fast.
-int openSerial(const SerialOptions& options, const Build& build, bool virtualTime,
-               controller::Controller& plc, std::unique_ptr<SerialLink>& link) {
-  auto connection = build.project.serial;
-  const bool given = !options.connection.empty();
-  if (given) connection = serial::parseConnection(options.connection);
-  if (given && !connection)
+int connectSerial(const SerialOptions& options, project::Project& project) {
+  if (options.connection.empty()) return kGood;
+  const auto connection = serial::parseConnection(options.connection);
+  if (!connection)
     return serialFails("--serial: '" + options.connection + "' is not a valid connection; " +
                            std::string(serial::connectionForms()),
                        kUsage);
-  if (!connection) return kGood;
+  if (connection->kind == Kind::Station)
+    return serialFails("--serial: a station is connected in merker.toml, with [[station]]", kUsage);
+  project.serial = connection;
+  project.stations.clear();
+  return kGood;
+}
+
+// A run in virtual time has the partner, whatever merker.toml says: nobody outside is so fast.
+int openSerial(const SerialOptions& options, const Build& build, bool virtualTime,
+               controller::Controller& plc, std::unique_ptr<SerialLink>& link) {
+  const auto& connection = build.project.serial;
+  if (!connection || connection->kind == Kind::Station) return kGood;
   const bool outside = connection->kind != Kind::Partner && connection->kind != Kind::Replay;
   if (outside && virtualTime) {
-    if (!given) return kGood;
+    if (options.connection.empty()) return kGood;
     return serialFails("--serial: the outside needs real time; --for and --cycles take replay:FILE",
                        kUsage);
   }

@@ -17,6 +17,8 @@ struct SerialOptions {
   std::string connection, record;
 };
 void addSerial(CLI::App& command, SerialOptions& options);
+// What the command line connects X27 to, in place of what the project says. The exit code.
+int connectSerial(const SerialOptions& options, project::Project& project);
 // The connection of the command line, else that of merker.toml; null: the partner of scenarios. The
 // exit code; what is wrong is told.
 int openSerial(const SerialOptions& options, const Build& build, bool virtualTime,

@@ -21,6 +21,7 @@ std::unique_ptr<SerialStream> openStream(const serial::Connection& connection,
     case Kind::Connect:
       return connectTo(connection.place, connection.port, reason);
     case Kind::Partner:
+    case Kind::Station:
     case Kind::Replay:
       break;
   }

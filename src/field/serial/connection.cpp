@@ -10,7 +10,7 @@ using Kind = Connection::Kind;
 
 constexpr std::pair<std::string_view, Kind> kKinds[] = {
     {"pty:", Kind::Pty},         {"device:", Kind::Device}, {"listen:", Kind::Listen},
-    {"connect:", Kind::Connect}, {"replay:", Kind::Replay},
+    {"connect:", Kind::Connect}, {"replay:", Kind::Replay}, {"station:", Kind::Station},
 };
 
 bool isNetwork(Kind kind) { return kind == Kind::Listen || kind == Kind::Connect; }
@@ -48,7 +48,7 @@ std::optional<Connection> parseConnection(std::string_view text) {
 
 std::string_view connectionForms() {
   return "valid forms: pty:PATH, device:PATH, listen:PORT, listen:HOST:PORT, connect:HOST:PORT, "
-         "replay:FILE, partner";
+         "replay:FILE, station:NAME, partner";
 }
 
 }  // namespace merker::serial

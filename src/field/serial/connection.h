@@ -16,7 +16,8 @@ struct Connection {
     Device,   // a serial device of this computer
     Listen,   // TCP, this side waits; `place` is HOST or empty
     Connect,  // TCP, this side calls
-    Replay    // a recording of an earlier run
+    Replay,   // a recording of an earlier run
+    Station   // another station of the project; `place` is its name
   };
   Kind kind = Kind::Partner;
   std::string place;  // path or host
@@ -25,7 +26,8 @@ struct Connection {
 };
 
 // "pty:/tmp/x27", "device:/dev/ttyUSB0", "listen:4000", "listen:127.0.0.1:4000",
-// "connect:host:4000", "replay:line.csv", "partner"; nothing if it is none of these.
+// "connect:host:4000", "replay:line.csv", "station:Press", "partner"; nothing if it is none of
+// these.
 std::optional<Connection> parseConnection(std::string_view text);
 std::string_view connectionForms();  // for messages
 

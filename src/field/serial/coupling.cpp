@@ -1,6 +1,7 @@
 #include "serial/coupling.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace merker::serial {
 namespace {
@@ -36,38 +37,82 @@ Coupling::Coupling(const Parameters& parameters)
     : parameters_(parameters),
       partnerSettings_(opposite(parameters.line)),
       operation_(std::make_unique<Operation>(parameters)) {
-  connect(Instant{});
+  build(Instant{});
   interface().start(Instant{});
   line_->advance(Instant{});
 }
 
-// A line with the present settings of both ends; what was on it is lost.
-void Coupling::connect(Instant now) {
+// Without supply it drives nothing.
+Settings Coupling::wired() const {
   Settings own = parameters_.line;
-  if (!powered_ && own.mode != Mode::TwoWire) own.mode = Mode::MultipointSlave;  // drives nothing
-  line_ = std::make_unique<Line>(own.mode == Mode::TwoWire);
-  Driver& driver = powered_ ? static_cast<Driver&>(interface()) : silence_;
-  line_->join(driver, own);
-  line_->join(partner_, partnerSettings_);
+  if (!powered_ && own.mode != Mode::TwoWire) own.mode = Mode::MultipointSlave;
+  return own;
+}
+
+// A line with the present settings of both ends; what was on it is lost. A BREAK goes on, except at
+// an end that begins anew.
+void Coupling::connect(Instant now, bool anew) {
+  std::array<bool, 2> broken{};
+  if (owner().line_)
+    for (std::size_t i = 0; i < broken.size(); ++i)
+      broken[i] = line().port(i).receiver().interrupted() && !(anew && i == portOf(End::Cpu));
+  owner().build(now);
+  for (std::size_t i = 0; i < broken.size(); ++i)
+    if (broken[i]) line().port(i).receiver().interrupt(now);
+}
+
+void Coupling::build(Instant now) {
+  line_ = std::make_unique<Line>(parameters_.line.mode == Mode::TwoWire);
+  line_->join(driver(), wired());
+  if (joined())
+    line_->join(other_->driver(), other_->wired());
+  else
+    line_->join(partner_, partnerSettings_);
   for (std::size_t i = 0; i < wiring_.size(); ++i) {
     if (wiring_[i].cut) line_->cut(i, true, now);
     if (wiring_[i].swapped) line_->swapPolarity(i, true, now);
-    line_->port(i).listen([this](const Sighting& sighting) { see(sighting); });
+    line_->port(i).listen([this](const Sighting& sighting) {
+      see(sighting);
+      if (joined()) other_->see(sighting);
+    });
   }
 }
 
-void Coupling::see(const Sighting& sighting) {
+void Coupling::join(Coupling& other, Follow follow, Follow followed) {
+  other_ = &other;
+  follow_ = std::move(follow);
+  other.other_ = this;
+  other.follow_ = std::move(followed);
+  other.ownsLine_ = false;
+  for (Coupling* end : {this, &other})
+    end->operation_ = std::make_unique<Operation>(end->parameters_);
+  build(Instant{});
+  for (Coupling* end : {this, &other}) end->sightings_.clear(), end->seen_ = 0;
+  for (Coupling* end : {this, &other}) end->interface().start(Instant{});
+  line_->advance(Instant{});
+}
+
+// For each station its own port is 0.
+void Coupling::see(Sighting sighting) {
   ++seen_;
+  if (!ownsLine_) sighting.port = 1 - sighting.port;
   sightings_.push_back(sighting);
   if (sightings_.size() > kMostSightings) sightings_.pop_front();
 }
 
 Instant Coupling::next() const {
   if (!parameters_.diagnosticInterrupt || !powered_) return Instant::never();
-  return operation_->interface.wireBreakPending() ? Instant{} : line_->next();
+  return operation_->interface.wireBreakPending() ? Instant{} : owner().line_->next();
 }
 
-void Coupling::advance(Instant now) { line_->advance(now); }
+void Coupling::advance(Instant now) {
+  bool& following = owner().following_;
+  if (joined() && !std::exchange(following, true)) {
+    follow_(now);
+    following = false;
+  }
+  line().advance(now);
+}
 
 void Coupling::cpuStarted(Instant now) {
   advance(now);
@@ -88,7 +133,7 @@ void Coupling::supply(bool on, Instant now) {
   advance(now);
   powered_ = on;
   operation_ = std::make_unique<Operation>(parameters_);
-  connect(now);
+  connect(now, true);
   if (on) interface().start(now);
   advance(now);
 }
@@ -101,27 +146,30 @@ void Coupling::setPartner(const Settings& settings, Instant now) {
 }
 
 void Coupling::cut(End end, bool open, Instant now) {
-  wiring_[portOf(end)].cut = open;
-  line_->cut(portOf(end), open, now);
+  advance(now);
+  owner().wiring_[portOf(end)].cut = open;
+  line().cut(portOf(end), open, now);
   advance(now);
 }
 
 void Coupling::swapPolarity(End end, bool swapped, Instant now) {
-  wiring_[portOf(end)].swapped = swapped;
-  line_->swapPolarity(portOf(end), swapped, now);
+  advance(now);
+  owner().wiring_[portOf(end)].swapped = swapped;
+  line().swapPolarity(portOf(end), swapped, now);
   advance(now);
 }
 
 void Coupling::noise(End end, std::uint16_t bits, Instant now) {
-  const Settings& settings = end == End::Cpu ? parameters_.line : partnerSettings_;
+  const Settings& far = joined() ? other_->parameters_.line : partnerSettings_;
+  const Settings& settings = end == End::Cpu ? parameters_.line : far;
   advance(now);
-  line_->noise(portOf(end), bits, static_cast<std::uint8_t>(settings.frame.bits()), settings.baud,
+  line().noise(portOf(end), bits, static_cast<std::uint8_t>(settings.frame.bits()), settings.baud,
                now);
   advance(now);
 }
 
 void Coupling::disturb(End end, std::uint64_t after, const Fault& fault) {
-  Port& port = line_->port(portOf(end));
+  Port& port = line().port(portOf(end));
   port.disturb(port.characters() + after, fault);
 }
 

@@ -1,8 +1,10 @@
 // The sub-module PtP in operation: the interface, the blocks that work with it, its line and the
-// partner at the other end. It moves when somebody looks: an idle or unobserved line costs nothing.
+// partner or the other station at the other end. It moves when somebody looks: an idle or
+// unobserved line costs nothing.
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <memory>
 
 #include "serial/line.h"
@@ -31,6 +33,14 @@ class Coupling {
   };
   Blocks& blocks() { return operation_->blocks; }
   Partner& partner() { return partner_; }
+
+  // From now on the interface of another station is at the other end, in place of the partner; both
+  // begin anew. Whoever looks takes the other one along to its time before the line moves, so
+  // everything happens in the order of time: `follow` moves the other station, `followed` this one.
+  // `other` must live as long as this one moves.
+  using Follow = std::function<void(Instant)>;
+  void join(Coupling& other, Follow follow, Follow followed);
+  bool joined() const { return other_ != nullptr; }
 
   // When the CPU has to be told something: only with the diagnostic interrupt.
   Instant next() const;
@@ -73,15 +83,28 @@ class Coupling {
     Instant due() const override { return Instant::never(); }
     void expire(Instant) override {}
   };
-  static std::size_t portOf(End end) { return static_cast<std::size_t>(end); }
-  void connect(Instant now);
-  void see(const Sighting& sighting);
+  // Of two stations the first has the line.
+  Coupling& owner() { return ownsLine_ ? *this : *other_; }
+  const Coupling& owner() const { return ownsLine_ ? *this : *other_; }
+  Line& line() { return *owner().line_; }
+  std::size_t portOf(End end) const {
+    return ownsLine_ ? static_cast<std::size_t>(end) : 1 - static_cast<std::size_t>(end);
+  }
+  Driver& driver() { return powered_ ? static_cast<Driver&>(interface()) : silence_; }
+  Settings wired() const;
+  void connect(Instant now, bool anew = false);
+  void build(Instant now);
+  void see(Sighting sighting);
 
   Parameters parameters_;
   Settings partnerSettings_;
   std::unique_ptr<Operation> operation_;
   Silence silence_;
   Partner partner_;
+  Coupling* other_ = nullptr;
+  Follow follow_;
+  bool ownsLine_ = true;
+  bool following_ = false;  // of the line's owner: one station waits for the other
   std::unique_ptr<Line> line_;
   bool powered_ = true;
   struct Wiring {

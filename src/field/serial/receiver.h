@@ -20,6 +20,12 @@ class Receiver {
   void observe(Instant now);
   void cut(bool open) { cut_ = open; }
   void swapPolarity(bool swapped) { swapped_ = swapped; }
+  // A BREAK that began at another line goes on.
+  bool interrupted() const { return state_ == State::Interrupted; }
+  void interrupt(Instant now) {
+    state_ = State::Interrupted;
+    from_ = needs_ = now;
+  }
   // Hears nothing from now on until then (half duplex).
   void mute(Instant until);
 

@@ -5,13 +5,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "cpu/cpu.h"
 #include "station/line_counts.h"
-#include "station/mixed_engine.h"
-#include "station/modules.h"
-#include "station/periphery.h"
-#include "station/values.h"
-#include "system/services.h"
+#include "station/parts.h"
 
 namespace merker::station {
 namespace {
@@ -28,50 +23,6 @@ std::string placeText(const cpu::Place& place, const block::Program& program) {
 }
 
 }  // namespace
-
-struct Station::Parts {
-  explicit Parts(Options options)
-      : model(options.model),
-        program(options.program ? options.program : std::make_shared<const block::Program>()),
-        engine(*model, options.engine == Engine::Compiled),
-        services(*model),
-        cpu(*model, engine, services, options.startOfClock,
-            options.parameters.value_or(CpuParameters::of(*model))) {
-    engine.interpreter().countCoverage(options.coverage);
-    cpu.load(program);
-    if (options.hardware) plug(std::move(*options.hardware), std::move(options.plants));
-  }
-
-  const CpuModel* model;
-  std::shared_ptr<const block::Program> program;
-  MixedEngine engine;
-  system::Services services;
-  std::unique_ptr<Periphery> periphery;  // null without a hardware configuration
-  std::unique_ptr<Modules> modules;
-  cpu::Cpu cpu;
-  Station* self = nullptr;  // whom the observer gets to see; moves along
-  std::function<void(controller::Controller&)> observer;
-
-  void plug(io::Configuration hardware, plant::Configuration plants) {
-    periphery = std::make_unique<Periphery>(std::move(hardware), std::move(plants));
-    periphery->connect(cpu);
-    modules = std::make_unique<Modules>(periphery->rack());
-    services.connect(modules.get(), &periphery->counting(), &periphery->positioning());
-    SerialModule& serial = periphery->serial();
-    if (serial.coupling() != nullptr) services.connect(serial.coupling(), serial.address());
-  }
-
-  // The start itself is the wish, whatever the switch does by its position.
-  bool restart(cpu::Restart how) {
-    cpu.releaseSwitch();
-    return cpu.restart(how);
-  }
-
-  block::RetentiveData kept;
-  std::vector<DiagnosticEntry> diagnostics;
-  std::uint64_t diagnosticsSeen = 0;
-  std::vector<CheckResult> checks;
-};
 
 Station::Station(Options options) : parts_(std::make_unique<Parts>(std::move(options))) {
   parts_->self = this;
@@ -95,6 +46,7 @@ const block::Program& Station::program() const { return *parts_->program; }
 
 bool Station::setEngine(Engine engine) {
   const bool compiled = engine == Engine::Compiled;
+  if (parts_->partner) parts_->partner->setEngine(engine);
   if (compiled && !MixedEngine::canCompile()) return false;
   parts_->engine.compile(compiled, parts_->cpu);
   return true;
@@ -192,12 +144,18 @@ bool Station::settle(Duration longest) {
   const Instant latest = now() + longest;
   const auto ended = [&cpu] { return cpu.betweenCycles() || !cpu::executes(cpu.mode()); };
   while (!ended() && now() < latest) cpu.step(latest);
+  parts_->takeAlong();
   return ended();
 }
 
-void Station::advanceTo(Instant t) {
+void Station::moveTo(Instant t) {
   while (now() < t) parts_->cpu.step(t);
   if (!powered() && parts_->periphery) parts_->periphery->goOn(now());
+}
+
+void Station::advanceTo(Instant t) {
+  moveTo(t);
+  parts_->takeAlong();
 }
 
 bool Station::advanceToCheckpoint(Instant limit) {
@@ -205,6 +163,7 @@ bool Station::advanceToCheckpoint(Instant limit) {
   const std::uint64_t before = cpu.cycle().checkpoints();
   while (now() < limit && cpu.cycle().checkpoints() == before) cpu.step(limit);
   if (!powered() && parts_->periphery) parts_->periphery->goOn(now());
+  parts_->takeAlong();
   return cpu.cycle().checkpoints() != before;
 }
 
@@ -215,36 +174,13 @@ void Station::advanceCycles(std::uint64_t count) {
     const Instant latest = now() + kLongestCycle;
     while (cycles() == before && cpu::executes(cpu.mode()) && now() < latest)
       parts_->cpu.step(latest);
-    if (cycles() == before) return;  // STOP, or a startup OB that does not end
+    if (cycles() == before) break;  // STOP, or a startup OB that does not end
     settle();
   }
+  parts_->takeAlong();
 }
 
 bool Station::runOb1(Duration most) { return parts_->cpu.runOb1(most); }
-
-std::optional<std::uint32_t> Station::read(const address::Reference& reference) const {
-  return readValue(parts_->cpu, parts_->periphery.get(), reference);
-}
-bool Station::write(const address::Reference& reference, std::uint32_t value) {
-  return writeValue(parts_->cpu, parts_->periphery.get(), reference, value);
-}
-bool Station::force(const address::Reference& reference, std::uint32_t value) {
-  return forceValue(parts_->cpu, reference, value);
-}
-void Station::unforce() { parts_->cpu.forces().release(); }
-
-std::optional<std::vector<std::uint8_t>> Station::readBytes(
-    const address::Reference& reference) const {
-  const auto bytes = bytesAt(parts_->cpu, reference);
-  if (bytes.empty()) return std::nullopt;
-  return std::vector<std::uint8_t>(bytes.begin(), bytes.end());
-}
-bool Station::writeBytes(const address::Reference& reference, std::span<const std::uint8_t> bytes) {
-  const auto place = bytesAt(parts_->cpu, reference);
-  if (place.empty() || place.size() != bytes.size()) return false;
-  std::copy(bytes.begin(), bytes.end(), place.begin());
-  return true;
-}
 
 io::Rack* Station::rack() {
   if (!parts_->periphery) return nullptr;
@@ -268,7 +204,7 @@ const positioning::Channel* Station::axis() const {
 
 // With the diagnostic interrupt the CPU is told at its next instruction boundary.
 serial::Coupling* Station::serial() {
-  serial::Coupling* coupling = parts_->periphery ? parts_->periphery->serial().coupling() : nullptr;
+  serial::Coupling* coupling = parts_->serial();
   if (coupling == nullptr) return nullptr;
   coupling->advance(now());
   parts_->cpu.machine().interrupt();
@@ -304,23 +240,6 @@ bool Station::hasColdRestart() const { return model().coldRestart; }
 
 controller::ExecutedLines Station::executedLines() const {
   return lineCounts(program(), executed());
-}
-
-std::string Station::whyMissing(const address::Reference& reference) const {
-  const bool data = reference.operand.kind == address::OperandKind::Memory &&
-                    reference.operand.area == Area::DataBlock;
-  if (!data) return "no module answers at this address";
-  const auto found = program().find({BlockKind::DB, static_cast<std::uint16_t>(reference.db)});
-  if (found == program().end()) return fmt::format("there is no DB {}", reference.db);
-  return fmt::format("DB {} has {} bytes", reference.db, found->second.actualData.size());
-}
-
-std::string Station::whyRefused(const address::Reference& reference) const {
-  const address::Operand& operand = reference.operand;
-  if (address::isCounter(operand)) return "it takes 0 to 999";
-  if (!address::isTimer(operand)) return whyMissing(reference);
-  return operand.width == Width::Bit ? "only the program starts a timer"
-                                     : "it takes S5T#0MS to S5T#2H46M30S";
 }
 
 bool Station::mayRead(std::string_view password) const {
@@ -361,7 +280,9 @@ void Station::onCycle(std::function<void(controller::Controller&)> observer) {
   parts_->observer = std::move(observer);
   Parts* parts = parts_.get();
   parts->cpu.onCheckpoint([parts] {
-    if (parts->observer) parts->observer(*parts->self);
+    if (!parts->observer) return;
+    parts->takeAlong();
+    parts->observer(*parts->self);
   });
 }
 

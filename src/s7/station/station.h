@@ -71,6 +71,11 @@ class Station final : public controller::Controller,
   Station(Station&&) noexcept;
   Station& operator=(Station&&) noexcept;
 
+  // From now on another station is at the other end of X27; it starts, and the two move through
+  // time together (PTP-LINE-03). Both have a serial interface.
+  void couple(std::unique_ptr<Station> partner);
+  controller::Controller* partner() override;
+
   const CpuModel& model() const override;
   std::string modelName() const override;
   bool hasColdRestart() const override;
@@ -195,6 +200,7 @@ class Station final : public controller::Controller,
 
  private:
   struct Parts;
+  void moveTo(Instant t);
   std::unique_ptr<Parts> parts_;
 };
 

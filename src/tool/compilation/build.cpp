@@ -9,6 +9,7 @@
 #include "block/memory.h"
 #include "compilation/existence.h"
 #include "compilation/machine_code.h"
+#include "compilation/stations.h"
 #include "control/memory.h"
 #include "control/reference.h"
 #include "nc/datum.h"
@@ -77,22 +78,37 @@ monitor::ProgramCode Build::code() const {
   return *program;
 }
 
-simulator::Resolver Build::operands() const {
-  if (isListing()) return listingResolver(*this);
-  return [this](std::string_view text, const Position& at) {
-    return step7::resolve(text, *program, options(*this), at);
+namespace {
+
+simulator::Resolver programOperands(const Build& build) {
+  return [&build](std::string_view text, const Position& at) {
+    return step7::resolve(text, *build.program, options(build), at);
   };
 }
 
-simulator::Resolver Build::resolver() const {
-  if (isListing()) return listingResolver(*this);
-  const auto existence = std::make_shared<const Existence>(station());
-  return [existence, all = operands()](std::string_view text, const Position& at) {
+simulator::Resolver existingOperands(const Build& build) {
+  const auto existence = std::make_shared<const Existence>(build.station());
+  return [existence, all = programOperands(build)](
+             std::string_view text, const Position& at) -> Result<address::Reference> {
     Result<address::Reference> reference = all(text, at);
     if (!reference) return reference;
     const auto problem = existence->problem(reference.value(), at);
     return problem ? Result<address::Reference>(*problem) : reference;
   };
+}
+
+}  // namespace
+
+simulator::Resolver Build::operands() const {
+  if (isListing()) return listingResolver(*this);
+  const simulator::Resolver own = programOperands(*this);
+  return partner ? withStation(*this, own, partner->operands()) : own;
+}
+
+simulator::Resolver Build::resolver() const {
+  if (isListing()) return listingResolver(*this);
+  const simulator::Resolver own = existingOperands(*this);
+  return partner ? withStation(*this, own, partner->resolver()) : own;
 }
 
 station::Station Build::station(bool coverage) const {
@@ -115,7 +131,9 @@ cnc::Options Build::controlOptions() const {
 
 std::unique_ptr<controller::Controller> Build::controller(bool coverage) const {
   if (isListing()) return control(coverage);
-  return std::make_unique<station::Station>(station(coverage));
+  auto result = std::make_unique<station::Station>(station(coverage));
+  if (partner) result->couple(std::make_unique<station::Station>(partner->station()));
+  return result;
 }
 
 std::unique_ptr<cnc::Cnc> Build::control(bool coverage) const {
@@ -250,6 +268,7 @@ Build build(project::Project project, bool checks) {
     addPartner(result);
   } else {
     buildProgram(result, checks);
+    addStation(result);
   }
   if (result.problems.cancelled()) cancel(result);
   result.problems.tellRest(Position{result.project.path});

@@ -22,7 +22,7 @@ struct Build {
   Problems problems;                              // of loading and compiling
   std::shared_ptr<const block::Program> program;  // of a SIMATIC S7, else empty
   mc5::Program listings;                          // of a SINUMERIK
-  std::shared_ptr<const Build> partner;           // the control that is coupled with it, if any
+  std::shared_ptr<const Build> partner;           // the PLC that is coupled with it, if any
   bool isListing() const { return project.control.has_value(); }
   std::size_t blocks() const { return isListing() ? listings.size() : program->size(); }
   bool ok() const { return !problems.hasErrors(); }

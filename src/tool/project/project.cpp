@@ -41,6 +41,7 @@ void take(Project& project, const Settings& settings) {
   project.hardware = settings.hardware;
   project.plants = settings.plants;
   project.serial = settings.serial;
+  project.stations = settings.stations;
   project.addressCheck = settings.addressCheck;
   project.vertical = settings.vertical;
   project.mpiAddress = settings.mpiAddress;

@@ -14,6 +14,7 @@
 #include "io/configuration.h"
 #include "plant/configuration.h"
 #include "project/address_check.h"
+#include "project/other_station.h"
 #include "serial/connection.h"
 #include "source/source_file.h"
 #include "source/symbol_table.h"
@@ -40,6 +41,7 @@ struct Project {
   std::optional<io::Configuration> hardware;  // none: every address of the image answers
   plant::Configuration plants;
   std::optional<serial::Connection> serial;  // of X27; none: the partner of scenarios
+  std::vector<OtherStation> stations;        // that it is connected to
   AddressCheck addressCheck = AddressCheck::Standard;
   bool vertical = false;         // mounting of the racks (S7-HW-19)
   std::uint32_t mpiAddress = 2;  // as settings.h has it

@@ -95,11 +95,12 @@ void choose(Settings& settings, const Model& model) {
 }
 
 void readStation(const Table& root, Settings& settings) {
-  root.allow({"project", "program", "cpu", "hardware", "module", "plant", "serial"});
+  root.allow({"project", "program", "cpu", "hardware", "module", "plant", "serial", "station"});
   if (const auto table = root.table("cpu")) readCpu(*table, settings);
   readHardware(root, settings);
   if (settings.hardware) settings.plants = readPlants(root, *settings.hardware);
   settings.serial = readConnection(root);
+  settings.stations = readStations(root, settings.serial);
 }
 
 void readAll(const Table& root, std::optional<Model> model, Settings& settings) {

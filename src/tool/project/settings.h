@@ -12,6 +12,7 @@
 #include "io/configuration.h"
 #include "plant/configuration.h"
 #include "project/address_check.h"
+#include "project/other_station.h"
 #include "serial/connection.h"
 #include "source/source_file.h"
 
@@ -46,6 +47,7 @@ struct Settings {
   std::optional<io::Configuration> hardware;
   plant::Configuration plants;
   std::optional<serial::Connection> serial;  // of X27; none: the partner of scenarios
+  std::vector<OtherStation> stations;
   AddressCheck addressCheck = AddressCheck::Standard;
   bool vertical = false;  // mounting (S7-HW-19)
   std::uint32_t mpiAddress = kCpuMpiAddress;

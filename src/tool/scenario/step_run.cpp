@@ -68,7 +68,7 @@ bool StepRun::lacks(std::string_view what) {
 }
 
 bool StepRun::noPartner() {
-  return fail("there is no coupled control ([coupling] in merker.toml)");
+  return fail("there is no coupled control or station ([coupling] or [[station]] in merker.toml)");
 }
 
 }  // namespace merker::simulator

@@ -148,6 +148,14 @@ export const examples: Record<string, readonly [title: string, description: stri
     'Host mit RK 512',
     'Ein Host, früher eine SIMATIC S5, liest Zahlen der CPU (FETCH) und schickt ihr Aufträge (SEND) über die Rechnerkopplung RK 512. SFB 65 SERVE_RK beantwortet beides. Der Koppelmerker M 100.6 sperrt einen Auftrag, bis das Programm ihn übernommen hat.',
   ],
+  'technology/two-stations/filling': [
+    'Zwei Stationen mit RK 512: die Abfüllstation',
+    'Zwei CPUs 314C-2 PtP, X27 an X27. Die Abfüllstation holt ihr Rezept aus dem Lager (SFB 64 FETCH_RK) und meldet jede Charge (SFB 63 SEND_RK); im Lager beantwortet SFB 65 SERVE_RK beides. Der Koppelmerker M 100.6 sperrt eine Meldung, bis das Lager sie übernommen hat.',
+  ],
+  'technology/two-stations/store': [
+    'Zwei Stationen mit RK 512: das Lager',
+    'Das Lager hält das Rezept in DB 10 und nimmt Meldungen in DB 11 entgegen, beides über SFB 65 SERVE_RK. Es läuft allein mit einem Partner, für den ein Szenario spricht, und mit der Abfüllstation am anderen Ende von X27.',
+  ],
   'technology/weighing-scale': [
     'Waage',
     'Die CPU fragt eine Waage nach ihrem Gewicht, die Waage antwortet mit fünf Ziffern; beide sprechen die Prozedur 3964R. SFB 60 SEND_PTP endet mit DONE, wenn die Waage das Telegramm quittiert hat, SFB 61 RCV_PTP nimmt die Antwort.',

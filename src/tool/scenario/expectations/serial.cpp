@@ -73,6 +73,7 @@ bool Serial::holds(controller::Controller& plc) const {
 std::string Serial::actual(controller::Controller& plc) const {
   serial::Coupling* coupling = steps::couplingOf(plc);
   if (coupling == nullptr) return "there is no serial interface";
+  if (coupling->joined()) return "X27 is connected to another station";
   const serial::Partner& partner = coupling->partner();
   switch (of) {
     case Of::Received:

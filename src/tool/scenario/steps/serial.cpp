@@ -50,6 +50,13 @@ std::optional<std::uint32_t> numberOf(std::string_view text) {
   return value;
 }
 
+// What only the partner of scenarios does; the wires and characters of a station are its own.
+bool ofPartner(Does does) {
+  constexpr Does kOfLine[] = {Does::Cut,      Does::Connect, Does::Swap,
+                              Does::Straight, Does::Noise,   Does::Disturb};
+  return std::ranges::find(kOfLine, does) == std::end(kOfLine);
+}
+
 // The text up to a word that stands alone outside of quotation marks, which is taken off.
 std::string_view before(std::string_view& text, std::string_view word) {
   const auto place = findOutside(text, [word](std::string_view tail) {
@@ -279,6 +286,7 @@ bool Serial::begin(StepRun& run, serial::Coupling& coupling) const {
 }
 
 bool Serial::act(StepRun& run, serial::Coupling& coupling) const {
+  if (coupling.joined() && ofPartner(does)) return run.fail("X27 is connected to another station");
   const Instant now = run.plc().now();
   switch (does) {
     case Does::Send:

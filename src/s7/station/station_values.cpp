@@ -1,0 +1,91 @@
+// Values of a station, or of the other one at its line, as seen from outside.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "station/parts.h"
+#include "station/values.h"
+
+namespace merker::station {
+
+void Station::couple(std::unique_ptr<Station> partner) {
+  Parts *own = parts_.get(), *other = partner->parts_.get();
+  if (own->serial() == nullptr || other->serial() == nullptr) return;
+  own->partner = std::move(partner);
+  own->serial()->join(
+      *other->serial(), [other](Instant t) { other->follow(t); },
+      [own](Instant t) { own->follow(t); });
+  own->partner->memoryReset();
+  own->partner->start();
+}
+
+controller::Controller* Station::partner() {
+  parts_->takeAlong();
+  return parts_->partner.get();
+}
+
+namespace {
+
+// The reference as the partner itself would have it.
+address::Reference own(address::Reference reference) {
+  reference.partner = false;
+  return reference;
+}
+
+}  // namespace
+
+std::optional<std::uint32_t> Station::read(const address::Reference& reference) const {
+  if (reference.partner)
+    return parts_->partner ? parts_->partner->read(own(reference)) : std::nullopt;
+  return readValue(parts_->cpu, parts_->periphery.get(), reference);
+}
+bool Station::write(const address::Reference& reference, std::uint32_t value) {
+  if (reference.partner) return parts_->partner && parts_->partner->write(own(reference), value);
+  return writeValue(parts_->cpu, parts_->periphery.get(), reference, value);
+}
+bool Station::force(const address::Reference& reference, std::uint32_t value) {
+  if (reference.partner) return parts_->partner && parts_->partner->force(own(reference), value);
+  return forceValue(parts_->cpu, reference, value);
+}
+void Station::unforce() {
+  parts_->cpu.forces().release();
+  if (parts_->partner) parts_->partner->unforce();
+}
+
+std::optional<std::vector<std::uint8_t>> Station::readBytes(
+    const address::Reference& reference) const {
+  if (reference.partner)
+    return parts_->partner ? parts_->partner->readBytes(own(reference)) : std::nullopt;
+  const auto bytes = bytesAt(parts_->cpu, reference);
+  if (bytes.empty()) return std::nullopt;
+  return std::vector<std::uint8_t>(bytes.begin(), bytes.end());
+}
+bool Station::writeBytes(const address::Reference& reference, std::span<const std::uint8_t> bytes) {
+  if (reference.partner)
+    return parts_->partner && parts_->partner->writeBytes(own(reference), bytes);
+  const auto place = bytesAt(parts_->cpu, reference);
+  if (place.empty() || place.size() != bytes.size()) return false;
+  std::copy(bytes.begin(), bytes.end(), place.begin());
+  return true;
+}
+
+std::string Station::whyMissing(const address::Reference& reference) const {
+  if (reference.partner && parts_->partner) return parts_->partner->whyMissing(own(reference));
+  const bool data = reference.operand.kind == address::OperandKind::Memory &&
+                    reference.operand.area == Area::DataBlock;
+  if (!data) return "no module answers at this address";
+  const auto found = program().find({BlockKind::DB, static_cast<std::uint16_t>(reference.db)});
+  if (found == program().end()) return fmt::format("there is no DB {}", reference.db);
+  return fmt::format("DB {} has {} bytes", reference.db, found->second.actualData.size());
+}
+
+std::string Station::whyRefused(const address::Reference& reference) const {
+  if (reference.partner && parts_->partner) return parts_->partner->whyRefused(own(reference));
+  const address::Operand& operand = reference.operand;
+  if (address::isCounter(operand)) return "it takes 0 to 999";
+  if (!address::isTimer(operand)) return whyMissing(reference);
+  return operand.width == Width::Bit ? "only the program starts a timer"
+                                     : "it takes S5T#0MS to S5T#2H46M30S";
+}
+
+}  // namespace merker::station
