@@ -1,0 +1,14 @@
+#include "graph/network.h"
+
+namespace merker::graph {
+
+// Where it stands among the statements and how its operands are named is not looked at.
+bool Node::operator==(const Node& other) const {
+  return kind == other.kind && join == other.join && bracketed == other.bracketed &&
+         negated == other.negated && falling == other.falling && operand == other.operand &&
+         memory == other.memory && children == other.children && element == other.element &&
+         pins == other.pins && continues == other.continues && eno == other.eno &&
+         enable == other.enable && parameters == other.parameters;
+}
+
+}  // namespace merker::graph

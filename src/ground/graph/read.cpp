@@ -1,0 +1,158 @@
+#include "graph/read.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "graph/bld.h"
+#include "graph/expression_reader.h"
+#include "graph/write.h"
+
+namespace merker::graph {
+namespace {
+
+constexpr std::size_t kLongestWork = 12;  // statements of a box without logic
+
+bool isJump(Op op) { return op == Op::SPA || op == Op::SPB || op == Op::SPBN || op == Op::SPBNB; }
+
+// A jump that stays inside the network, or comes into it.
+std::optional<Refusal> misledJump(std::span<const Statement> statements) {
+  for (std::size_t i = 0; i < statements.size(); ++i)
+    if (isJump(statements[i].op) && statements[i].operand.kind == OperandKind::Forbidden)
+      return Refusal{i, Reason::Jump};
+  for (std::size_t i = 0; i < statements.size(); ++i)
+    if (statements[i].intruded) return Refusal{i, Reason::JumpInto};
+  return std::nullopt;
+}
+
+class NetworkReader {
+ public:
+  NetworkReader(std::span<const Statement> statements, const Rules& rules)
+      : cursor_(statements), rules_(rules), expressions_(cursor_, rules) {}
+
+  Result<Network, Refusal> read() {
+    while (!cursor_.atEnd())
+      if (!rung()) return cursor_.refusal();
+    return std::move(network_);
+  }
+
+ private:
+  bool rung() {
+    cursor_.forget();
+    auto logic = expressions_.read(true);
+    if (!logic) return false;
+    Rung rung;
+    if (logic->node) rung.logic.push_back(std::move(*logic->node));
+    if (!logic->ended) {
+      rung.straight = cursor_.isBld(bld::kStraight) && cursor_.takeIf(Op::BLD);
+      while (coil(rung)) {
+      }
+      if (rung.coils.empty()) return blame(rung);
+    }
+    network_.rungs.push_back(std::move(rung));
+    return true;
+  }
+
+  bool coil(Rung& rung) {
+    if (cursor_.atEnd()) return false;
+    for (const Element& element : rules_.elements->elements()) {
+      const ElementClass kind = element.row.kind;
+      if (kind != (rung.logic.empty() ? ElementClass::RailCoil : ElementClass::Coil)) continue;
+      if (rung.logic.empty() && !rung.coils.empty()) return false;
+      if (coil(element, rung)) return true;
+    }
+    return false;
+  }
+
+  bool coil(const Element& element, Rung& rung) {
+    Coil coil;
+    coil.element = &element;
+    coil.first = cursor_.at();
+    coil.values.resize(element.pins.size());
+    for (const Item& item : element.items)
+      if (!take(item, coil)) {
+        cursor_.back(coil.first);
+        return false;
+      }
+    coil.last = cursor_.at();
+    rung.coils.push_back(std::move(coil));
+    return true;
+  }
+
+  bool take(const Item& item, Coil& coil) {
+    if (!cursor_.is(item.op)) return false;
+    const Statement& statement = cursor_.look();
+    const Operand& operand = statement.operand;
+    if (operand.kind == OperandKind::Forbidden || statement.target >= 0) return false;
+    if (item.kind == ItemKind::Own)
+      coil.operand = operand;
+    else if (item.kind == ItemKind::Value)
+      coil.values[item.pin] = operand;
+    else if (operand.kind != OperandKind::None)
+      return false;
+    cursor_.take();
+    return true;
+  }
+
+  // Why it does not go on here.
+  bool blame(const Rung& rung) {
+    if (cursor_.atEnd()) return cursor_.refuse(Reason::NoCoil, cursor_.at() - 1);
+    const Op op = cursor_.op();
+    if (unknown(0)) return false;
+    if (op == Op::CLOSE) return cursor_.refuse(Reason::Brackets);
+    if (op == Op::LOAD || op == Op::LOAD_BCD || op == Op::TRANSFER) return accumulator();
+    if (!rung.logic.empty()) return cursor_.refuse(Reason::Box);
+    return cursor_.refuse(isCoil(op) ? Reason::NoLogic : Reason::Operation);
+  }
+
+  // What no picture has, so many statements ahead.
+  bool unknown(std::size_t ahead) {
+    const std::size_t at = cursor_.at() + ahead;
+    const Statement& statement = cursor_.look(ahead);
+    const bool forbidden = statement.operand.kind == OperandKind::Forbidden;
+    if (statement.op == Op::OTHER)
+      cursor_.refuse(Reason::Operation, at);
+    else if (forbidden)
+      cursor_.refuse(isJump(statement.op) ? Reason::Jump : Reason::Operand, at);
+    return forbidden || statement.op == Op::OTHER;
+  }
+
+  // A value is loaded and no box takes it: an operation on it that has no box, or its end is
+  // missing.
+  bool accumulator() {
+    for (std::size_t ahead = 1; cursor_.op(ahead) != Op::NOP0 && ahead < kLongestWork; ++ahead)
+      if (cursor_.has(ahead) && unknown(ahead)) return false;
+    return cursor_.refuse(Reason::Accumulator);
+  }
+
+  bool isCoil(Op op) const {
+    const auto elements = rules_.elements->elements();
+    return std::any_of(elements.begin(), elements.end(), [op](const Element& element) {
+      return element.row.kind == ElementClass::Coil && element.items.front().op == op;
+    });
+  }
+
+  Cursor cursor_;
+  const Rules& rules_;
+  ExpressionReader expressions_;
+  Network network_;
+};
+
+std::size_t firstDifference(std::span<const Statement> a, const Statements& b) {
+  const auto [at, ignored] = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
+  return static_cast<std::size_t>(at - a.begin());
+}
+
+}  // namespace
+
+Result<Network, Refusal> read(std::span<const Statement> statements, const Rules& rules) {
+  if (const auto refusal = misledJump(statements)) return *refusal;
+  auto network = NetworkReader(statements, rules).read();
+  if (!network) return network;
+  const Statements written = write(*network, rules);
+  if (std::equal(statements.begin(), statements.end(), written.begin(), written.end()))
+    return network;
+  const std::size_t at = firstDifference(statements, written);
+  return Refusal{std::min(at, statements.size() - 1), Reason::Order};
+}
+
+}  // namespace merker::graph

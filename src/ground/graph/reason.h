@@ -1,0 +1,23 @@
+// Why a network has no picture.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace merker::graph {
+
+enum class Reason : std::uint8_t {
+#define REASON(id, text) id,
+#include "graph/reasons.inc"
+#undef REASON
+};
+
+std::string_view text(Reason reason);
+
+struct Refusal {
+  std::size_t statement = 0;  // number of the statement that is to blame
+  Reason reason = Reason::Operation;
+};
+
+}  // namespace merker::graph

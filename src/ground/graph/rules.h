@@ -1,0 +1,15 @@
+// What a family allows, and the operands that only it can name.
+#pragma once
+
+#include "graph/element.h"
+
+namespace merker::graph {
+
+struct Rules {
+  const ElementTable* elements = nullptr;
+  int deepestBrackets = 7;  // places in the stack of brackets
+  Operand binaryResult;     // BIE: ENO of the box before
+  Operand overflow;         // OV
+};
+
+}  // namespace merker::graph

@@ -1,0 +1,16 @@
+// A network in words, as a screen reader says it: "A 4.0 = E 0.0 and not E 0.1, or M 1.0".
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "graph/network.h"
+
+namespace merker::graph {
+
+enum class Language : std::uint8_t { German, English };
+
+// One sentence for each coil and each box that ends a rung.
+std::vector<std::string> sentences(const Network& network, Language language);
+
+}  // namespace merker::graph

@@ -1,0 +1,99 @@
+// Each pattern of KOP and FUP as a network of networks.awl: what it says in words, and that its
+// machine code comes back byte for byte.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "../rows.h"
+#include "graph/read.h"
+#include "graph/sentence.h"
+#include "graph/write.h"
+#include "graph7/network_code.h"
+#include "graph7/rules.h"
+#include "source/source_file.h"
+#include "step7/compiler.h"
+
+namespace merker::graph7 {
+namespace {
+
+const step7::Compilation& compilation() {
+  static const step7::Compilation result = [] {
+    std::ifstream file(MERKER_SOURCE_DIR "/tests/unit/graph7/networks.awl");
+    std::stringstream text;
+    text << file.rdbuf();
+    step7::CompileOptions options;
+    options.model = findCpuModel("generic");
+    return step7::compile({source::SourceFile("networks.awl", text.str())}, options);
+  }();
+  return result;
+}
+
+const block::Block* findBlock(BlockId id) {
+  const auto at = compilation().program.find(id);
+  return at == compilation().program.end() ? nullptr : &at->second;
+}
+
+std::vector<NetworkCode> networksOf(const block::Block& block) {
+  const awl::Names names(block);
+  return networks(block, names, findBlock, Mnemonics::German);
+}
+
+std::string described(const NetworkCode& code, graph::Language language) {
+  const auto network = graph::read(code.statements, rules());
+  if (!network)
+    return fmt::format("  AWL: {} {}: {}\n", network.error().statement,
+                       graph::name(code.statements[network.error().statement].op),
+                       graph::text(network.error().reason));
+  std::string out;
+  for (const std::string& sentence : graph::sentences(*network, language))
+    out += "  " + sentence + "\n";
+  return out;
+}
+
+std::string allDescribed(graph::Language language) {
+  std::string out;
+  for (const auto& [id, block] : compilation().program) {
+    if (block.code.empty()) continue;
+    const auto codes = networksOf(block);
+    EXPECT_EQ(codes.size(), block.networks.size());
+    for (std::size_t i = 0; i < codes.size(); ++i)
+      out += fmt::format("{} {}: {}\n{}", toString(id), i + 1, block.networks[i].title,
+                         described(codes[i], language));
+  }
+  return out;
+}
+
+TEST(Networks, TheSourceHasNoProblems) {
+  for (const Problem& problem : compilation().problems.list())
+    ADD_FAILURE() << problem.position.line << ": " << problem.message;
+}
+
+// S7-EDIT-09, S7-EDIT-10, S7-SETRESET-05, S7-CNT-11, S7-TMR-09
+TEST(Networks, SayInGermanWhatTheyDo) {
+  test::expectRows("graph7/networks.de.txt", allDescribed(graph::Language::German));
+}
+
+// S7-MNE-13
+TEST(Networks, SayInEnglishWhatTheyDo) {
+  test::expectRows("graph7/networks.en.txt", allDescribed(graph::Language::English));
+}
+
+TEST(Networks, ComeBackByteForByte) {
+  int shown = 0;
+  for (const auto& [id, block] : compilation().program) {
+    if (block.code.empty()) continue;
+    for (const NetworkCode& code : networksOf(block)) {
+      const auto network = graph::read(code.statements, rules());
+      if (!network) continue;
+      ++shown;
+      const auto bytes = encode(graph::write(*network, rules()));
+      ASSERT_TRUE(bytes);
+      EXPECT_EQ(*bytes, std::vector<std::uint8_t>(block.code.begin() + code.begin,
+                                                  block.code.begin() + code.end))
+          << toString(id) << " at " << code.begin;
+    }
+  }
+  EXPECT_GE(shown, 80);
+}
+
+}  // namespace
+}  // namespace merker::graph7
