@@ -115,7 +115,7 @@ const german = await open(first, 'process?mode=commissioning', { width: 1280, he
 const step = (name, on = german) => on.locator(`[data-step="${name}"]`);
 const state = (name, on = german) => step(name, on).getAttribute('data-state');
 const seen = (name, what, on = german) => step(name, on).locator(`[data-seen="${what}"]`).innerText();
-const push = (name) => german.locator(`button[data-push="${name}"]`);
+const push = (name, on = german) => on.locator(`button[data-push="${name}"]`);
 const field = (name, on = german) => on.getByLabel(name, { exact: true });
 async function enter(name, value, on = german) {
   await field(name, on).fill(String(value));
@@ -123,11 +123,11 @@ async function enter(name, value, on = german) {
   await expect(() => field(name, on).inputValue(), String(value), name);
 }
 /** Holds a button until something is so. */
-async function hold(name, until) {
-  await push(name).hover();
-  await german.mouse.down();
+async function hold(name, until, on = german) {
+  await push(name, on).hover();
+  await on.mouse.down();
   await until();
-  await german.mouse.up();
+  await on.mouse.up();
 }
 const plantView = async (does) => {
   await german.getByRole('tab', { name: 'Anlage' }).click();
@@ -224,4 +224,73 @@ test('its parameters are the pages of the manual', async () => {
   await pages.filter({ hasText: 'Geber' }).click();
   await german.getByLabel('Zählrichtung').selectOption('inverted');
   await expect(() => german.getByLabel('Zählrichtung').inputValue(), 'inverted');
+});
+
+// SFB 46, contactors, a play between motor and load.
+const second = await serve('technology/axis-first-steps-contactors');
+const english = await open(second, 'process?mode=commissioning', { language: 'en', width: 1280, height: 720 });
+const press = (name) => english.getByRole('button', { name, exact: true }).click();
+
+test('SFB 46: requirements, contactors, jogging', async () => {
+  await turn(english, 'RUN-P');
+  await expect(() => state('prepare', english), 'good');
+  assert.equal(await seen('prepare', 'SFB 46 is called', english), 'DB 22');
+  await expect(() => state('wiring', english), 'good');
+  assert.equal(await seen('wiring', 'Contactor Q0', english), 'A 125.0');
+  await hold('DIR_P', () => expect(() => seen('movement', 'Plus direction', english), 'right'), english);
+  await hold('DIR_M', () => expect(() => seen('movement', 'Minus direction', english), 'right'), english);
+  await expect(() => state('movement', english), 'good');
+});
+
+test('SFB 46: the reference point, then a run in rapid with the differences', async () => {
+  await enter('JOB_VAL', 0, english);
+  await press('Set reference point');
+  await expect(() => state('synchronise', english), 'good');
+  await english.getByRole('switch', { name: 'Rapid (SPEED)' }).click();
+  await enter('TARGET', 20_000, english);
+  await enter('CHGDIFF_P', 1000, english);
+  await press('Relative +');
+  await expect(() => seen('differences', 'Last run', english), 'cut off above creep speed');
+  await expect(() => state('differences', english), 'bad');
+  await press('Acknowledge ERR_A');
+  await enter('CHGDIFF_P', 3500, english);
+  await press('Relative +');
+  await expect(() => seen('differences', 'Last run', english), 'target range reached');
+});
+
+test('the picture: contactors, the encoder beside the load, no workpiece without its sensor', async () => {
+  await english.getByRole('tab', { name: 'Plant' }).click();
+  await until(async () => /^encoder [\d,]+ pulses$/.test(await english.locator('[data-axis="encoder"]').textContent()), 'the encoder');
+  await english.locator('button[data-signal="Q3"]').waitFor();
+  await english.locator('button[data-signal="WORKPIECE"]').waitFor();
+  const gantry = await serve('technology/drilling-gantry');
+  const other = await open(gantry, 'process', { language: 'en', width: 1280, height: 720 });
+  await other.locator('button[data-signal="REFERENCE"]').waitFor();
+  assert.equal(await other.locator('button[data-signal="WORKPIECE"]').count(), 0);
+  const box = await other.locator('button[data-signal="Q3"]').boundingBox();
+  const numbers = await other.locator('svg text.soft').first().boundingBox();
+  assert.ok(numbers.y >= box.y + box.height, 'the contactors leave the scale free');
+});
+
+test('jogging ends when the connection is lost', async () => {
+  const speedNow = async () => Number((await english.locator('[data-axis="speed"]').textContent()).replace(/[^-\d]/g, ''));
+  // What the button sends, from a connection that goes while it is down.
+  await english.getByRole('tab', { name: 'Commissioning' }).click();
+  await english.evaluate(() => {
+    const send = WebSocket.prototype.send;
+    WebSocket.prototype.send = function (data) {
+      if (JSON.parse(data).do === 'variables.write') (globalThis.sent ??= []).push(data);
+      send.call(this, data);
+    };
+  });
+  await hold('DIR_M', () => until(() => english.evaluate(() => globalThis.sent?.length > 0), 'the request'), english);
+  await english.getByRole('tab', { name: 'Plant' }).click();
+  await expect(speedNow, 0);
+  await english.evaluate(() => {
+    globalThis.other = new WebSocket(new URL('ws', location.href).href.replace(/^http/, 'ws').replace(/#.*/, ''));
+    globalThis.other.onopen = () => globalThis.other.send(globalThis.sent[0]);
+  });
+  await until(async () => (await speedNow()) < 0, 'the axis moves');
+  await english.evaluate(() => globalThis.other.close());
+  await expect(speedNow, 0);
 });

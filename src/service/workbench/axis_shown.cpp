@@ -56,15 +56,38 @@ Json wiresOf(const Plc& plc, const AxisChannel& axis) {
   return list;
 }
 
-// Instance data blocks of SFB 44 and SFB 46.
-Json instancesOf(const Plc& plc) {
+bool isOfAxis(std::int32_t systemBlock) {
   constexpr std::int32_t kAnalog = 44, kDigital = 46;
+  return systemBlock == kAnalog || systemBlock == kDigital;
+}
+
+void add(Json& list, const std::string& id, std::int32_t function) {
+  constexpr std::size_t kMost = 256;
+  if (list.size() < kMost) list.push_back({{"id", id}, {"function", function}});
+}
+
+// Multiple instances: "DB 30.Axis", also within that of another function block.
+void addWithin(Json& list, const std::string& path, const std::vector<block::Variable>& variables) {
+  for (const block::Variable& variable : variables) {
+    const std::string name = path + "." + variable.name;
+    const block::Type& type = *variable.type;
+    if (type.code == TypeCode::SystemFunctionBlock && isOfAxis(type.length))
+      add(list, name, type.length);
+    else if (type.code == TypeCode::FunctionBlock)
+      addWithin(list, name, type.members);
+  }
+}
+
+// Instances of SFB 44 and SFB 46, as they are named in an operand.
+Json instancesOf(const Plc& plc) {
   Json list = Json::array();
   if (plc.program() == nullptr) return list;
   for (const auto& [id, block] : *plc.program()) {
-    const std::int32_t function = block.instanceOf;
-    if (block.instanceOfSystemBlock && (function == kAnalog || function == kDigital))
-      list.push_back({{"id", toString(id)}, {"function", function}});
+    if (id.kind != BlockKind::DB || block.instanceOf < 0) continue;
+    if (!block.instanceOfSystemBlock)
+      addWithin(list, toString(id), block.variables);
+    else if (isOfAxis(block.instanceOf))
+      add(list, toString(id), block.instanceOf);
   }
   return list;
 }

@@ -13,6 +13,7 @@
 #include "archive/file.h"
 #include "workbench/compile_job.h"
 #include "workbench/file_watch.h"
+#include "workbench/held_bits.h"
 #include "workbench/modify_list.h"
 #include "workbench/pace.h"
 #include "workbench/plc.h"
@@ -123,6 +124,7 @@ struct Browser {
   Work importing;                                      // that looks at it
   std::int64_t lastList = -1, lastTrend = -1;          // told last
   std::set<std::pair<std::string, std::string>> held;  // plant and signal: pressed until let go
+  HeldBits heldBits;
 };
 
 // Operands that this browser has at trigger points, besides those of these lists.

@@ -66,8 +66,18 @@ constexpr std::size_t kMostForces = 500;
 
 Answer write(const Call& call) {
   const Wishes wishes(call.fields);
+  const bool held = call.fields.flag("held", false);
   if (!call.fields.good()) return call.fields.problems();
-  return done(call.monitor().write(wishes.list()));
+  const std::vector<monitor::Wish> list = wishes.list();
+  HeldBits& bits = call.browser.heldBits;
+  if (held && bits.size() + list.size() > kItems)
+    return refused(ProblemCode::P1314, kItems, "held operands");
+  if (auto problem = call.monitor().write(list)) return one(std::move(*problem));
+  std::vector<address::Reference> written;
+  for (const monitor::Wish& wish : list)
+    if (auto reference = call.plc().operand(wish.operand)) written.push_back(std::move(*reference));
+  bits.note(written, held);
+  return empty();
 }
 
 Answer force(const Call& call) {

@@ -44,6 +44,7 @@ void Workbench::sampleTrends() {
 }
 
 void Workbench::show(std::unique_ptr<Plc> plc, bool example) {
+  for (auto& [id, browser] : browsers_) browser.heldBits = {};
   Listing seen = plc ? folderOf(plc->build().project).list() : Listing();
   shared_.show(std::move(plc), example, std::move(seen));
 }
@@ -51,6 +52,7 @@ void Workbench::show(std::unique_ptr<Plc> plc, bool example) {
 void Workbench::closed(BrowserId browser) {
   dropWaiting(browser);
   releaseHeld(shared_, browsers_[browser]);
+  if (shared_.plc) browsers_[browser].heldBits.release(shared_.plc->monitor());
   shared_.discard(std::move(browsers_[browser].download));
   shared_.discard(std::move(browsers_[browser].upload));
   browsers_.erase(browser);

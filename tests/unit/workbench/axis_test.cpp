@@ -63,6 +63,51 @@ TEST(AxisView, TellsParametersWiresAndInstances) {
   EXPECT_EQ(wires, expected);
 }
 
+// A multiple instance is named as its operands are, also one in the instance of another FB.
+TEST(AxisView, FindsMultipleInstances) {
+  Bench bench(R"(FUNCTION_BLOCK FB 1
+VAR
+  Table : SFB 44;
+  Count : INT;
+END_VAR
+BEGIN
+NETWORK
+      CALL  #Table;
+END_FUNCTION_BLOCK
+FUNCTION_BLOCK FB 2
+VAR
+  Machine : FB 1;
+END_VAR
+BEGIN
+NETWORK
+      CALL  #Machine;
+END_FUNCTION_BLOCK
+DATA_BLOCK DB 30
+FB 1
+BEGIN
+END_DATA_BLOCK
+DATA_BLOCK DB 31
+FB 2
+BEGIN
+END_DATA_BLOCK
+ORGANIZATION_BLOCK OB 1
+BEGIN
+NETWORK
+      CALL  FB 1, DB 30;
+      CALL  FB 2, DB 31;
+END_ORGANIZATION_BLOCK
+)",
+              std::string(kAnalogOff) + kAxis);
+  const Json blocks = bench.call("process.list")["axis"]["blocks"];
+  EXPECT_EQ(blocks, (Json{{{"id", "DB 30.Table"}, {"function", 44}},
+                          {{"id", "DB 31.Machine.Table"}, {"function", 44}}}));
+  for (const char* operand : {"DB30.Table.DIR_P", "DB31.Machine.Table.DIR_P"}) {
+    bench.call("variables.write", {{"items", {{{"operand", operand}, {"value", "1"}}}}});
+    const Json items = {{{"operand", operand}, {"format", "AUTO"}}};
+    EXPECT_EQ(bench.call("variables.read", {{"items", items}})["items"][0]["raw"], 1) << operand;
+  }
+}
+
 TEST(AxisView, DigitalOutputsAndDirectionSignalHaveTheirWires) {
   const auto signalsOf = [](const std::string& settings) {
     Bench bench(kCalled, kAnalogOff + settings);

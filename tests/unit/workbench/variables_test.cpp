@@ -37,6 +37,48 @@ TEST(Variables, AreWrittenAllOrNone) {
   EXPECT_EQ(read["items"][1]["raw"], 1);
 }
 
+// As long as a finger holds it: nobody does when the page is gone. What is no bit stays.
+TEST(Variables, AHeldBitIsZeroWhenItsBrowserHasGone) {
+  for (const bool held : {true, false}) {
+    Bench bench;
+    Json wanted = items({wish("MW 40", "7"), wish("M 50.0", "1"), wish("M 50.1", "1")});
+    wanted["held"] = held;
+    bench.call("variables.write", wanted);
+    bench.call("variables.write", items({wish("M 50.1", "1")}));  // no longer held
+    bench.workbench.closed(1);
+    const Json read =
+        bench.call("variables.read", items({item("MW 40"), item("M 50.0"), item("M 50.1")}));
+    EXPECT_EQ(read["items"][0]["raw"], 7);
+    EXPECT_EQ(read["items"][1]["raw"], held ? 0 : 1);
+    EXPECT_EQ(read["items"][2]["raw"], 1);
+  }
+}
+
+// The bits of a project that is closed are not those of the next one.
+TEST(Variables, HoldingEndsWithTheProject) {
+  Bench bench;
+  Json wanted = items({wish("M 50.0", "1")});
+  wanted["held"] = true;
+  bench.call("variables.write", wanted);
+  bench.workbench.show(
+      std::make_unique<Plc>(compilation::build(project::load(bench.folder.path(), {}), false)));
+  bench.call("variables.write", items({wish("M 50.0", "1")}));
+  bench.workbench.closed(1);
+  EXPECT_EQ(bench.call("variables.read", items({item("M 50.0")}))["items"][0]["raw"], 1);
+}
+
+TEST(Variables, HeldBitsAreLimited) {
+  Bench bench;
+  const auto hold = [&](int from, int count) {
+    Json list = Json::array();
+    for (int i = from; i < from + count; ++i)
+      list.push_back(wish("M " + std::to_string(i / 8) + "." + std::to_string(i % 8), "1"));
+    return bench.ask("variables.write", {{"items", list}, {"held", true}});
+  };
+  EXPECT_TRUE(hold(0, 1000).contains("result"));
+  EXPECT_EQ(hold(1000, 1)["problems"][0]["code"], "P1314");
+}
+
 TEST(Variables, AreForcedAndReleased) {
   Bench bench;
   bench.call("variables.force", items({wish("A 0.0", "1"), wish("E 0.5", "1")}));

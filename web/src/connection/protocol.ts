@@ -99,8 +99,8 @@ export interface Requests {
   'watch.set': { fields: { list: number; items: WatchItem[]; everyMs?: number; point?: 'begin' | 'end' | 'stop' | 'now'; once?: boolean }; result: { items: WatchedItem[] } };
   'watch.drop': { fields: { list: number }; result: Record<string, never> };
   'variables.read': { fields: { items: WatchItem[] }; result: { items: { text: string; raw: number | null; problem?: Problem }[] } };
-  /** all or none; an input sets its terminal */
-  'variables.write': { fields: { items: ModifyItem[] }; result: Record<string, never> };
+  /** all or none; an input sets its terminal; a held bit is 0 again when this browser disconnects */
+  'variables.write': { fields: { items: ModifyItem[]; held?: boolean }; result: Record<string, never> };
   /** writes at that point of the cycle: once, or each time until it is dropped */
   'modify.set': { fields: { list: number; items: ModifyItem[]; point: 'begin' | 'end' | 'stop'; once?: boolean }; result: Record<string, never> };
   'modify.drop': { fields: { list: number }; result: Record<string, never> };

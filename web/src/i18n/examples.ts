@@ -112,6 +112,10 @@ export const examples: Record<string, readonly [title: string, description: stri
     'Erste Schritte mit einer Achse',
     'Eine Achse mit Servoantrieb am Analogausgang und SFB 44 ANALOG: was das Handbuch Inbetriebnahme nennt. Das Programm ist ein Aufruf und eine Fehlerauswertung; alles wird im Instanz-Datenbaustein DB 20 eingestellt, mit der Variablentabelle oder in einem Szenario.',
   ],
+  'technology/axis-first-steps-contactors': [
+    'Erste Schritte mit einer Achse an Schützen',
+    'Eine Achse mit polumschaltbarem Motor an vier Schützen und SFB 46 DIGITAL: was das Handbuch Inbetriebnahme nennt (4.5). Das Programm ist ein Aufruf und eine Fehlerauswertung; alles wird im Instanz-Datenbaustein DB 22 eingestellt, mit der Inbetriebnahme des Programms, der Variablentabelle oder in einem Szenario.',
+  ],
   'technology/blending-control': [
     'Mischungsregelung',
     'Drei Komponenten in festen Anteilen an einer Gesamtmenge, für jede ein Regelkreis (CONT_C, SFB 41). Die Anteile müssen zusammen 1 ergeben; sonst ist M 0.0 = 1 und alles schließt.',

@@ -67,19 +67,20 @@ export class AxisBlock {
     return this.digital && name === 'SPEED' ? item.raw : signed(name, item.raw);
   }
 
-  async write(values: Record<string, number | boolean>): Promise<void> {
+  /** `held`: bits that are 1 as long as somebody holds them; the server lets go when this page is gone. */
+  async write(values: Record<string, number | boolean>, held = false): Promise<void> {
     const items = Object.entries(values).map(([name, value]) => ({
       operand: this.operand(name),
       value: literal(name, value, this.digital),
     }));
-    await attempt(connection.ask('variables.write', { items }));
+    await attempt(connection.ask('variables.write', { items, held }));
   }
 
   /** A positive edge: the block sees 0 in a call before and 1 in one behind, however short the cycle is. */
   async pulse(name: string, beside: Record<string, number | boolean> = {}): Promise<void> {
     await this.write({ ...beside, [name]: false });
     await pause();
-    await this.write({ [name]: true });
+    await this.write({ [name]: true }, true);
     await pause();
     await this.write({ [name]: false });
   }
