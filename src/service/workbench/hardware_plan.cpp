@@ -7,6 +7,7 @@
 #include "io/configuration.h"
 #include "workbench/hardware_rows.h"
 #include "workbench/parameter_rows.h"
+#include "workbench/serial_rows.h"
 
 namespace merker::workbench {
 namespace {
@@ -70,7 +71,11 @@ void set(SettingsEdit& edit, const Fields& change) {
   const ModulePlace at = placeIn(change);
   if (!change.good()) return;
   if (value && !edit.has(at)) edit.add(at, "");
-  if (!change.has("side")) return edit.set(at, key, value);
+  if (!change.has("side")) {
+    edit.set(at, key, value);
+    if (key == "serial.baud") raiseSerialTimes(edit, at);
+    return;
+  }
   const std::string side = keyIn(change, "side");
   const auto number = static_cast<std::uint32_t>(change.integer("number", 0, 31));
   if (change.good()) edit.setChannel(at, side, number, key, value);
@@ -187,15 +192,12 @@ Json planRows(const Plan& plan, const SettingsEdit& edit, const source::SymbolTa
 }
 
 Json catalogueRows() {
-  constexpr std::string_view kKinds[] = {"power supply",  "interface", "digital",
-                                         "analog",        "position",  "function",
-                                         "communication", "counting",  "positioning"};
   Json types = Json::array();
   for (const ModuleType& type : moduleTypes())
     types.push_back({{"order", type.orderNumber},
                      {"name", type.name},
                      {"text", type.text},
-                     {"kind", kKinds[static_cast<std::size_t>(type.kind)]},
+                     {"kind", kindOf(type.kind)},
                      {"slots", slotsOf(type)},
                      {"inputBytes", type.inputBytes},
                      {"outputBytes", type.outputBytes},

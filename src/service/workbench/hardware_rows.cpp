@@ -11,13 +11,6 @@ constexpr io::FaultKind kFaults[] = {
     io::FaultKind::ShortCircuit, io::FaultKind::SensorSupply, io::FaultKind::Fuse,
     io::FaultKind::RackPower,    io::FaultKind::Defect,       io::FaultKind::ParameterError};
 
-std::string_view kindOf(ModuleKind kind) {
-  constexpr std::string_view kNames[] = {"power supply",  "interface", "digital",
-                                         "analog",        "position",  "function",
-                                         "communication", "counting",  "positioning"};
-  return kNames[static_cast<std::size_t>(kind)];
-}
-
 Json rangeOf(std::optional<std::uint32_t> first, unsigned bytes) {
   if (!first || bytes == 0) return nullptr;
   return {{"first", *first}, {"bytes", bytes}};
@@ -135,6 +128,14 @@ Json cpuRow(const CpuModel& model) {
 }
 
 }  // namespace
+
+std::string_view kindOf(ModuleKind kind) {
+  constexpr std::string_view kNames[] = {
+      "power supply", "interface",     "digital",  "analog",      "position",
+      "function",     "communication", "counting", "positioning", "point to point"};
+  static_assert(std::size(kNames) == static_cast<std::size_t>(ModuleKind::PointToPoint) + 1);
+  return kNames[static_cast<std::size_t>(kind)];
+}
 
 Json hardwareRows(const io::Configuration& configuration, const io::Rack* rack,
                   const source::SymbolTable& symbols) {

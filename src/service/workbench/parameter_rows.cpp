@@ -4,6 +4,7 @@
 
 #include "io/amount.h"
 #include "workbench/axis_rows.h"
+#include "workbench/serial_rows.h"
 
 namespace merker::workbench {
 namespace {
@@ -152,6 +153,7 @@ Json parameterRows(const io::Module& module) {
   addDigital(module, list);
   addInterrupts(module, list);
   addOutputs(module, list);
+  if (module.type->kind == ModuleKind::PointToPoint) addSerialRows(module.parameters, list);
   return list;
 }
 

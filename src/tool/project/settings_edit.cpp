@@ -47,11 +47,14 @@ class View {
   // Behind the table and those below it.
   std::uint32_t behind(const toml::table& table) const {
     std::uint32_t line = lineOf(table);
-    for (const auto& [key, value] : table)
+    for (const auto& [key, value] : table) {
+      if (const auto* one = value.as_table(); one != nullptr && hasHeader(*one))
+        line = std::max(line, lineOf(*one));
       if (const auto* list = value.as_array())
         for (const toml::node& one : *list)
           if (one.is_table() && hasHeader(*one.as_table()))
             line = std::max(line, lineOf(*one.as_table()));
+    }
     return withComment(nextHeader(line));
   }
   // The first line of the comment right above a header.
@@ -152,8 +155,8 @@ const toml::table* channelOf(const toml::table& module, std::string_view side,
   return nullptr;
 }
 
-const toml::table* tableOf(const View& view, std::string_view path) {
-  const toml::table* table = &view.root();
+const toml::table* tableOf(const toml::table& root, std::string_view path) {
+  const toml::table* table = &root;
   while (table != nullptr && !path.empty()) {
     const auto point = path.find('.');
     const toml::node* node = table->get(path.substr(0, point));
@@ -166,7 +169,7 @@ const toml::table* tableOf(const View& view, std::string_view path) {
 constexpr std::string_view kFileLists[] = {"sources", "symbols"};
 
 const toml::array* fileList(const View& view, std::string_view key) {
-  const toml::table* program = tableOf(view, "program");
+  const toml::table* program = tableOf(view.root(), "program");
   return program == nullptr ? nullptr : listOf(*program, key);
 }
 
@@ -220,12 +223,20 @@ std::string listWithout(const toml::array& list, std::string_view path) {
   return "[" + text + "]";
 }
 
+// A table below a module: [module.serial].
+bool hasHeaders(const View& view, const toml::table& module) {
+  return std::all_of(module.begin(), module.end(), [&](const auto& one) {
+    return !one.second.is_table() || view.hasHeader(*one.second.as_table());
+  });
+}
+
 bool writtenAsTables(const View& view) {
   const toml::node* modules = view.root().get("module");
   if (modules == nullptr) return true;
   const auto* list = modules->as_array();
   return list != nullptr && std::all_of(list->begin(), list->end(), [&](const toml::node& one) {
-           return one.is_table() && view.hasHeader(*one.as_table());
+           return one.is_table() && view.hasHeader(*one.as_table()) &&
+                  hasHeaders(view, *one.as_table());
          });
 }
 
@@ -247,8 +258,9 @@ void SettingsEdit::take(std::string text) {
     problem_ = makeProblem(ProblemCode::P0702, Position{file_, place.line, place.column},
                            std::string(view.error().description()));
   } else if (!writtenAsTables(view)) {
-    problem_ = makeProblem(ProblemCode::P1308, Position{file_}, file_,
-                           "only modules written as [[module]] can be changed here");
+    problem_ =
+        makeProblem(ProblemCode::P1308, Position{file_}, file_,
+                    "only modules written as [[module]] and [module.serial] can be changed here");
   }
 }
 
@@ -285,7 +297,16 @@ void SettingsEdit::set(const ModulePlace& place, std::string_view key, const Val
   View view(text_);
   const toml::table* module = project::moduleAt(view, place);
   if (module == nullptr) return;
-  setKey(view, *module, key, value);
+  const auto point = key.find('.');
+  const std::string_view inner = key.substr(0, point);
+  if (point == std::string_view::npos)
+    setKey(view, *module, key, value);
+  else if (const toml::table* below = tableOf(*module, inner))
+    setKey(view, *below, key.substr(point + 1), value);
+  else if (value)
+    insertTable(
+        view.text(), view.behind(*module),
+        {fmt::format("[module.{}]", inner), fmt::format("{} = {}", key.substr(point + 1), *value)});
   take(view.text().text());
 }
 
@@ -305,11 +326,11 @@ void SettingsEdit::setChannel(const ModulePlace& place, std::string_view side, s
 
 void SettingsEdit::setIn(std::string_view name, std::string_view key, const Value& value) {
   View view(text_);
-  const toml::table* table = tableOf(view, name);
+  const toml::table* table = tableOf(view.root(), name);
   if (table != nullptr && view.hasHeader(*table)) {
     setKey(view, *table, key, value);
   } else if (value) {
-    const toml::table* outer = tableOf(view, name.substr(0, name.find('.')));
+    const toml::table* outer = tableOf(view.root(), name.substr(0, name.find('.')));
     const std::uint32_t before = outer != nullptr && view.hasHeader(*outer)
                                      ? view.lastLine(View::lineOf(*outer)) + 1
                                      : endOfModules(view);

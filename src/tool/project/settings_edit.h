@@ -41,6 +41,7 @@ class SettingsEdit {
   // With the comment right above it.
   void remove(const ModulePlace& place);
   void move(const ModulePlace& place, const ModulePlace& to);
+  // "serial.baud" is a key of [module.serial].
   void set(const ModulePlace& place, std::string_view key, const Value& value);
   // A [[module.channel]] that `side` ("input", "output", "number") and its number name.
   void setChannel(const ModulePlace& place, std::string_view side, std::uint32_t number,

@@ -68,6 +68,26 @@ TEST(SettingsEdit, ANewKeyStandsBehindTheOthersOfItsTable) {
   EXPECT_EQ(four.text(), with("PtP\"\n", "PtP\"\n\n[cpu.OB35]\ninterval = \"50ms\"\n"));
 }
 
+// The table below a module comes with its first key, changes, and goes with its module.
+TEST(SettingsEdit, TheTableBelowAModule) {
+  SettingsEdit one = edit();
+  one.add({0, "2.1"}, "");
+  one.set({0, "2.1"}, "serial.baud", "19200");
+  one.set({0, "2.1"}, "serial.protocol", "\"3964R\"");
+  one.set({0, "2.1"}, "diagnostics", "true");
+  one.set({0, "2.1"}, "serial.baud", "4800");
+  EXPECT_EQ(one.text(), with("bar\n\n",
+                             "bar\n\n[[module]]\nslot = \"2.1\"\ndiagnostics = true\n\n"
+                             "[module.serial]\nbaud = 4800\nprotocol = \"3964R\"\n\n"));
+  const ModuleLines serial = one.modules().back();
+  EXPECT_EQ(serial.place, (ModulePlace{0, "2.1"}));
+  EXPECT_EQ(serial.behind - serial.first, 8U);
+  one.set({0, "2.1"}, "serial.baud", std::nullopt);
+  EXPECT_EQ(one.text().find("baud"), std::string::npos);
+  one.remove({0, "2.1"});
+  EXPECT_EQ(one.text(), kText);
+}
+
 TEST(SettingsEdit, AKeyGoesWithItsLines) {
   SettingsEdit one = edit();
   one.set({0, "4"}, "rising_edge", std::nullopt);
@@ -168,6 +188,8 @@ TEST(SettingsEdit, WhatItCannotChangeItSays) {
   EXPECT_EQ(edit("a = = 1").problem()->name(), "P0702");
   EXPECT_EQ(edit("module = [{slot = 4}]").problem()->name(), "P1308");
   EXPECT_EQ(edit("module = 1").problem()->name(), "P1308");
+  EXPECT_EQ(edit("[[module]]\nslot = 4\nserial.baud = 300\n").problem()->name(), "P1308");
+  EXPECT_EQ(edit("[[module]]\nslot = 4\nserial = {baud = 300}\n").problem()->name(), "P1308");
   EXPECT_FALSE(edit().problem());
   std::string deep = "[a";
   for (int i = 0; i < 300'000; ++i) deep += ".a";

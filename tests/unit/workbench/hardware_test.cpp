@@ -34,6 +34,12 @@ TEST(Hardware, WithoutConfigurationIsTheCpuAlone) {
             "P1307");
 }
 
+TEST(Hardware, EachSubmoduleHasItsKind) {
+  Bench bench(kProgram, "[cpu]\nmodel = \"314C-2 PtP\"\n[[module]]\nslot = \"2.1\"\n");
+  EXPECT_EQ(slot(bench, "2.1")["kind"], "point to point");
+  EXPECT_EQ(slot(bench, "2.5")["kind"], "positioning");
+}
+
 // S7-HWCFG-01, S7-HWCFG-02
 TEST(Hardware, ModulesHaveAddressesTerminalsAndFaults) {
   Bench bench(kProgram, kSettings);

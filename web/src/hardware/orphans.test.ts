@@ -55,3 +55,19 @@ test('an interrupt needs its monitor and the selection', () => {
   expect(orphansOf('interrupts', 'none', all)).toEqual(['report_actual_value', 'report_target_range']);
   expect(orphansOf('interrupts', 'diagnostics', all)).toEqual([]);
 });
+
+test('another protocol: what only the one before has goes, and a character delay that may be too short', () => {
+  const ascii = rows('serial.mode', 'serial.character_delay', 'serial.end', 'serial.telegrams', 'serial.data_bits');
+  expect(orphansOf('serial.protocol', '3964R', ascii)).toEqual(['serial.character_delay', 'serial.mode', 'serial.end']);
+  expect(orphansOf('serial.protocol', 'RK512', ascii)).toContain('serial.telegrams');
+  expect(orphansOf('serial.protocol', 'RK512', ascii)).toContain('serial.data_bits');
+  const procedure = rows('serial.priority', 'serial.acknowledge_delay', 'serial.telegrams');
+  expect(orphansOf('serial.protocol', 'ASCII', procedure)).toEqual(['serial.priority', 'serial.acknowledge_delay']);
+  expect(orphansOf('serial.protocol', '3964', procedure)).toEqual([]);
+});
+
+test('another mode has another preset, and only four wires have flow control', () => {
+  const all = rows('serial.mode', 'serial.preset', 'serial.flow_control');
+  expect(orphansOf('serial.mode', 'RS485', all)).toEqual(['serial.preset', 'serial.flow_control']);
+  expect(orphansOf('serial.mode', 'RS422', all)).toEqual(['serial.preset']);
+});

@@ -12,11 +12,11 @@ export const LAST_SLOT = 11;
 
 export interface Parameter {
   key: string;
-  kind: 'text' | 'address' | 'number' | 'choice' | 'flag' | 'bits' | 'amount' | 'length';
+  kind: 'text' | 'address' | 'number' | 'choice' | 'flag' | 'bits' | 'amount' | 'length' | 'characters';
   value: string | number | boolean | number[] | null;
   /** Of an address: the file names it. */
   given?: boolean;
-  choices?: string[];
+  choices?: string[] | number[];
   count?: number;
   /** Channels that share an edge. */
   group?: number;
