@@ -20,6 +20,7 @@
 #include "scenario/display.h"
 #include "scenario/duration.h"
 #include "scenario/trace.h"
+#include "serial_desk.h"
 #include "serial_option.h"
 #include "serve.h"
 #include "virtual_time.h"
@@ -222,19 +223,16 @@ int conclude(const RunOptions& options, const Build& build, const Operands& oper
 // The workbench has the PLC until Ctrl-C. Nothing is left to say of it if another one is open then.
 int runServed(const RunOptions& options, const Build& build, const Operands& operands,
               store::MemoryCard* card, CycleEnd& cycleEnd,
-              std::unique_ptr<controller::Controller> owner, SerialLink* link) {
+              std::unique_ptr<controller::Controller> owner, std::unique_ptr<SerialLink> link) {
   controller::Controller* plc = owner.get();
   workbench::Workbench workbench;
   workbench.show(std::make_unique<workbench::Plc>(build, std::move(owner)));
   if (cycleEnd.needed()) workbench.plc()->onCycle(std::ref(cycleEnd));
   ServeOptions serving = options.serve;
   serving.project = options.path;
-  const auto eachSlice = [&] {
-    const auto* shown = workbench.plc();
-    if (link != nullptr && shown != nullptr && &shown->controller() == plc) link->exchange();
-  };
-  if (const int code = serve("merker run", serving, workbench, options.json, eachSlice))
-    return code;
+  SerialDesk serial(workbench, build.project.serial);
+  serial.use(std::move(link));
+  if (const int code = serve("merker run", serving, workbench, options.json, serial)) return code;
   if (workbench.plc() == nullptr || &workbench.plc()->controller() != plc) return kGood;
   return conclude(options, build, operands, card, cycleEnd, *plc, true);
 }
@@ -272,8 +270,9 @@ int runPlc(const RunOptions& options, const Build& build, const Operands& operan
   }
   const bool alone = time || options.hasCycles || options.noWorkbench;
   const int result =
-      alone ? runAlone(options, build, operands, time, card, cycleEnd, plc, link.get())
-            : runServed(options, build, operands, card, cycleEnd, std::move(owner), link.get());
+      alone
+          ? runAlone(options, build, operands, time, card, cycleEnd, plc, link.get())
+          : runServed(options, build, operands, card, cycleEnd, std::move(owner), std::move(link));
   file.close();
   return options.trace.empty() || file ? result : cannotWrite(options.trace);
 }

@@ -25,6 +25,7 @@ class SerialLink {
   void exchange();
   // When a recording has the next characters; never otherwise.
   Instant next() const;
+  bool connected() const { return connected_; }
   bool realTime() const { return stream_ != nullptr; }
   std::string name() const { return stream_ ? stream_->name() : "recording"; }
 

@@ -9,6 +9,7 @@
 #include "desk.h"
 #include "page.h"
 #include "real_time.h"
+#include "serial_desk.h"
 
 namespace merker::app {
 
@@ -74,7 +75,7 @@ std::string stalled(const std::string& place, std::int64_t seconds) {
 }  // namespace
 
 int serve(const std::string& command, const ServeOptions& options, workbench::Workbench& workbench,
-          bool quiet, std::function<void()> eachSlice) {
+          bool quiet, SerialDesk& serial) {
   const hmi::Options wanted = toOptions(options);
   std::string reason = hmi::wrongOptions(wanted);
   if (!reason.empty()) return refused(command, reason, kUsage);
@@ -84,7 +85,8 @@ int serve(const std::string& command, const ServeOptions& options, workbench::Wo
   workbench.use({workspaceFolder(options), examplesFolder(options), options.project});
   Watchdog watchdog(command);
   Desk desk(workbench, watchdog);
-  desk.eachSlice(std::move(eachSlice));
+  desk.eachSlice([&] { serial.exchange(); });
+  workbench.serialBy([&] { return serial.outside(); });
   const auto server = hmi::Server::start(wanted, desk, reason);
   if (!server) return refused(command, reason, kUnreadable);
   (quiet ? std::cerr : std::cout) << "workbench: " << server->url() << '/'
@@ -95,6 +97,7 @@ int serve(const std::string& command, const ServeOptions& options, workbench::Wo
   });
   desk.run(*server, endAsked);
   watchdog.tellBy({});
+  workbench.serialBy([] { return workbench::SerialOutside(); });
   releaseSignals();  // whoever asks twice does not want to wait
   return kGood;
 }

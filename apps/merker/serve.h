@@ -23,8 +23,9 @@ struct ServeOptions {
 void addServe(CLI::App& command, ServeOptions& options);
 // Serves until Ctrl-C: the exit code, 2 or 4 if it could not listen; that is told. `quiet`:
 // standard output is for something else.
-// `eachSlice`: is called in front of each slice of time.
+// The serial interface of the PLC that is shown is connected in front of each slice of time.
+class SerialDesk;
 int serve(const std::string& command, const ServeOptions& options, workbench::Workbench& workbench,
-          bool quiet, std::function<void()> eachSlice = {});
+          bool quiet, SerialDesk& serial);
 
 }  // namespace merker::app

@@ -3,6 +3,7 @@
 
 #include "build.h"
 #include "command.h"
+#include "serial_desk.h"
 #include "serve.h"
 
 namespace merker::app {
@@ -18,7 +19,10 @@ int run(const ServeOptions& options) {
     if (built.project.unreadable) return kUnreadable;
     workbench.show(std::make_unique<workbench::Plc>(std::move(built)));
   }
-  return serve("merker workbench", options, workbench, false);
+  SerialDesk serial(workbench, workbench.plc() == nullptr
+                                   ? std::nullopt
+                                   : workbench.plc()->build().project.serial);
+  return serve("merker workbench", options, workbench, false, serial);
 }
 
 }  // namespace

@@ -47,16 +47,6 @@ Answer fault(const Call& call) {
   return empty();
 }
 
-// A rejected edit has no source position to report.
-Problems withoutPlace(const Problems& problems) {
-  Problems list;
-  for (Problem problem : problems.list()) {
-    problem.position = nowhere();
-    list.add(std::move(problem));
-  }
-  return list;
-}
-
 Answer planned(const Aside& aside, const source::SymbolTable& symbols) {
   constexpr std::size_t kMostChanges = 100;
   const std::string text = aside.fields.text("text");

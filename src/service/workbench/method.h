@@ -69,9 +69,12 @@ std::span<const Method> snapshotMethods();
 std::span<const Method> recordingMethods();
 std::span<const Method> downloadMethods();
 std::span<const Method> importMethods();
+std::span<const Method> serialMethods();
 
 // {} or the problem.
 Answer done(const std::optional<Problem>& problem = {});
 Answer empty();
+// Of a request: what it names is no place in a file.
+Problems withoutPlace(const Problems& problems);
 
 }  // namespace merker::workbench

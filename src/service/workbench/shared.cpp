@@ -29,6 +29,7 @@ void Shared::show(std::unique_ptr<Plc> fresh, bool isExample, Listing seen) {
   offlineJob_ = nullptr;
   recorder.stop();
   player.stop();
+  serialView = {};
   ++shown;
   ++programRevision;
   ++filesRevision;

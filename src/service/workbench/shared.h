@@ -19,6 +19,7 @@
 #include "workbench/plc.h"
 #include "workbench/project_folder.h"
 #include "workbench/recording.h"
+#include "workbench/serial_view.h"
 #include "workbench/status_view.h"
 #include "workbench/trend.h"
 #include "workbench/upload.h"
@@ -51,6 +52,8 @@ struct Shared {
   std::uint64_t shown = 0;  // counts the PLCs
   Recorder recorder;
   Player player;
+  SerialView serialView;
+  std::function<SerialOutside()> serialOutside = [] { return SerialOutside{}; };
   ProjectFolder folder;
   FileWatch files;
   BreakpointLines breakpoints;
@@ -118,7 +121,12 @@ struct Browser {
   std::map<std::int64_t, ModifyList> modifies;
   std::optional<StatusView> status;
   bool process = false;
-  std::shared_ptr<const Json> processValues;           // as told last
+  std::shared_ptr<const Json> processValues;  // as told last
+  struct Serial {
+    bool on = false;
+    std::uint64_t told = 0, shown = 0;  // characters; `shown` of Shared
+    Json line{};                        // as told last
+  } serial;
   std::shared_ptr<const archive::File> download;       // the project as a zip
   std::shared_ptr<Upload> upload;                      // that is to be imported
   Work importing;                                      // that looks at it

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 
 #include "cpu/led_panel.h"
@@ -97,6 +98,15 @@ Json abilities(const Plc& plc) {
   return list;
 }
 
+// Whether there is an interface X27 in operation.
+bool hasSerial(const Plc& plc) {
+  const io::Rack* rack = plc.rack();
+  return rack != nullptr &&
+         std::ranges::any_of(rack->configuration().modules, [](const io::Module& one) {
+           return one.type->kind == ModuleKind::PointToPoint && one.parameters.serial != nullptr;
+         });
+}
+
 Json project(const Shared& shared) {
   const project::Project& project = shared.plc->build().project;
   return {{"name", project.name},
@@ -106,6 +116,7 @@ Json project(const Shared& shared) {
           {"family", shared.plc->build().isListing() ? "S5" : "S7"},
           {"model", shared.plc->controller().modelName()},
           {"example", shared.example},
+          {"serial", hasSerial(*shared.plc)},
           {"empty", shared.plc->program() != nullptr && shared.plc->program()->empty()},
           {"changed", shared.files.changed()}};
 }

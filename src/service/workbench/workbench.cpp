@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "scenario/steps/serial.h"
 #include "workbench/axis_shown.h"
 #include "workbench/method.h"
 #include "workbench/process_rows.h"
@@ -13,7 +14,7 @@ const Method* findMethod(std::string_view name) {
        {plcMethods(), variableMethods(), fileMethods(), programMethods(), debugMethods(),
         symbolMethods(), hardwareMethods(), diagnosisMethods(), processMethods(), projectMethods(),
         trendMethods(), modifyMethods(), timerMethods(), snapshotMethods(), recordingMethods(),
-        downloadMethods(), importMethods()}) {
+        downloadMethods(), importMethods(), serialMethods()}) {
     const auto found = std::ranges::find(group, name, &Method::name);
     if (found != group.end()) return &*found;
   }
@@ -21,6 +22,14 @@ const Method* findMethod(std::string_view name) {
 }
 
 Answer empty() { return Json(Json::object()); }
+Problems withoutPlace(const Problems& problems) {
+  Problems list;
+  for (Problem problem : problems.list()) {
+    problem.position = nowhere();
+    list.add(std::move(problem));
+  }
+  return list;
+}
 Answer done(const std::optional<Problem>& problem) {
   return problem ? Answer(one(*problem)) : empty();
 }
@@ -68,6 +77,7 @@ void Workbench::beginFrame(std::int64_t nowMs) {
   shared_.placeProbes();
   state_ = state(shared_);
   readProcess();
+  readSerial();
 }
 
 std::vector<std::string> Workbench::events(BrowserId id, const Enough& enough) {
@@ -86,6 +96,7 @@ std::vector<std::string> Workbench::events(BrowserId id, const Enough& enough) {
   }
   addLists(browser, texts, enough);
   addProcess(browser, texts);
+  addSerial(browser, texts);
   return texts;
 }
 
@@ -145,6 +156,34 @@ void Workbench::addProcess(Browser& browser, std::vector<std::string>& texts) {
   Json event = *process_;
   event["time"] = shared_.plc->controller().now().ns;
   texts.push_back(dump(event));
+}
+
+// A few times a second, for all browsers: a busy line costs the PLC little.
+void Workbench::readSerial() {
+  constexpr std::int64_t kBetweenLooks = 200;
+  const bool watched =
+      std::ranges::any_of(browsers_, [](const auto& one) { return one.second.serial.on; });
+  if (!watched || !shared_.plc || nowMs_ < nextSerial_) return;
+  nextSerial_ = nowMs_ + kBetweenLooks;
+  serialLine_ = nullptr;
+  auto* const coupling = simulator::steps::couplingOf(shared_.plc->controller());
+  if (coupling == nullptr) return;
+  shared_.serialView.look(*coupling);
+  serialLine_ = serialLine(*coupling, shared_.serialOutside());
+}
+
+void Workbench::addSerial(Browser& browser, std::vector<std::string>& texts) {
+  Browser::Serial& seen = browser.serial;
+  if (!seen.on || serialLine_.is_null()) return;
+  if (seen.shown != shared_.shown) seen = {.on = true, .shown = shared_.shown};
+  const std::uint64_t end = shared_.serialView.end();
+  if (seen.told == end && seen.line == serialLine_) return;
+  Json rows = shared_.serialView.rows(seen.told);
+  seen.line = serialLine_;
+  texts.push_back(dump({{"event", "serial"},
+                        {"first", seen.told - rows.size()},
+                        {"rows", std::move(rows)},
+                        {"line", serialLine_}}));
 }
 
 // A single step that takes long: part by part, whatever the pace is.

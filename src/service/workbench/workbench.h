@@ -34,6 +34,10 @@ class Workbench {
   void compileBy(Worker worker);
   void helpBy(Worker worker);
   void importBy(Worker worker);
+  // Says what the serial interface is connected to.
+  void serialBy(std::function<SerialOutside()> tell) { shared_.serialOutside = std::move(tell); }
+  // Counts the PLCs that were shown.
+  std::uint64_t shown() const { return shared_.shown; }
   // Hears what begins, so that somebody can say what does not end.
   void tellPlace(std::function<void(std::string_view place)> tell) { tell_ = std::move(tell); }
 
@@ -76,6 +80,8 @@ class Workbench {
   void addLists(Browser& browser, std::vector<std::string>& texts, const Enough& enough);
   void readProcess();
   void addProcess(Browser& browser, std::vector<std::string>& texts);
+  void readSerial();
+  void addSerial(Browser& browser, std::vector<std::string>& texts);
 
   Shared shared_;
   std::map<BrowserId, Browser> browsers_;
@@ -84,7 +90,8 @@ class Workbench {
   std::function<void(std::string_view)> tell_;
   Json state_;
   std::shared_ptr<const Json> process_;  // as read last
-  std::int64_t nowMs_ = 0, nextLook_ = 0;
+  Json serialLine_;
+  std::int64_t nowMs_ = 0, nextLook_ = 0, nextSerial_ = 0;
 };
 
 }  // namespace merker::workbench

@@ -13,7 +13,7 @@ interface Key {
 /** What the help dialog lists. */
 export const keys: Key[] = [
   { keys: 'F1', text: 'keyHelp' },
-  { keys: 'Alt 1…9', text: 'keyView' },
+  { keys: 'Alt 1…9, 0', text: 'keyView' },
   { keys: 'Alt R', text: 'keyRun' },
   { keys: 'Alt S', text: 'keyStop' },
   { keys: 'Alt P', text: 'keyPause' },
@@ -47,8 +47,8 @@ export function shortcut(
 ): Action | undefined {
   if (event.key === 'F1') return { kind: 'help' };
   if (!event.altKey || event.ctrlKey || event.metaKey) return undefined;
-  const digit = /^Digit([1-9])$/.exec(event.code);
-  if (digit) return { kind: 'view', number: Number(digit[1]) - 1 };
+  const digit = /^Digit(\d)$/.exec(event.code);
+  if (digit) return { kind: 'view', number: (Number(digit[1]) + 9) % 10 };
   const run = runs[event.code];
   return run && { kind: 'run', run };
 }

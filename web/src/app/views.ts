@@ -6,6 +6,8 @@ import type { Text } from '../i18n';
 import InputsOutputs from '../io/InputsOutputs.svelte';
 import Process from '../process/Process.svelte';
 import Projects from '../projects/Projects.svelte';
+import Serial from '../serial/Serial.svelte';
+import { plc } from '../state/plc.svelte';
 import Symbols from '../symbols/Symbols.svelte';
 import Trends from '../trends/Trends.svelte';
 import Variables from '../variables/Variables.svelte';
@@ -17,6 +19,8 @@ export interface View {
   component: Component;
   /** What F1 says about it. */
   help: Text;
+  /** Whether it has something to show; always, if there is no such question. */
+  used?: () => boolean;
 }
 
 /** The views in the order of the work: define a project, hardware, symbols, program, test, look for causes. */
@@ -98,5 +102,15 @@ export const views: View[] = [
       'Diagnosepuffer, Stacks und Baugruppenzustand; „Baustein öffnen“ führt zur Ursache.',
       'Diagnostic buffer, stacks and module information; “open block” leads to the cause.',
     ],
+  },
+  {
+    id: 'serial',
+    title: ['Seriell', 'Serial'],
+    component: Serial,
+    help: [
+      'Die Zeichen auf der Leitung von X27 mit Zeit und Bedeutung, ihr Zustand, und der Partner am anderen Ende, der sendet und antwortet.',
+      'The characters on the line of X27 with time and meaning, its state, and the partner at the other end, which sends and answers.',
+    ],
+    used: () => plc.project?.serial === true,
   },
 ];

@@ -52,10 +52,12 @@ export interface PlantRow { name: string; kind: string; title: string; parameter
 export interface Axis { output: 'analog' | 'digital'; directionSignal: boolean; controlType: number; rotary: boolean; inverted: boolean; rotaryEnd: number; lowLimit: number; highLimit: number; targetRange: number; highestSpeed: number; creepSpeed: number; wires: { signal: string; operand: string }[]; blocks: { id: string; function: number }[] }
 /** `data` is base64 */
 export interface UploadedPart { path: string; data: string }
-/** [import.md](formats/import.md#the-report) */
-export interface ReportRow { effect: 'came' | 'changed' | 'lost' | 'beside'; text: string }
-/** `can`: what the machine can do; `empty`: no block in the CPU; `changed`: the first 200 paths that are newer than the program of the CPU */
-export interface Project { name: string; folder: string; mpiAddress: number; can: ('breakpoints' | 'cyclePoints' | 'stacks' | 'information' | 'blocks' | 'download' | 'completion' | 'references' | 'symbols' | 'rack' | 'plants' | 'interrupts' | 'engine' | 'snapshots' | 'timersByHand' | 'modeSwitch' | 'leds')[]; family: 'S7' | 'S5'; model: string; example: boolean; empty: boolean; changed: string[] }
+/** `quoted`: a problem whose sentence the text contains. [import.md](formats/import.md#the-report) */
+export interface ReportRow { effect: 'came' | 'changed' | 'lost' | 'beside'; text: string; quoted?: { code: string; text: string; arguments: string[] } }
+/** `can`: what the machine can do; `serial`: it has an interface X27; `empty`: no block in the CPU; `changed`: the first 200 paths that are newer than the program of the CPU */
+export interface Project { name: string; folder: string; mpiAddress: number; can: ('breakpoints' | 'cyclePoints' | 'stacks' | 'information' | 'blocks' | 'download' | 'completion' | 'references' | 'symbols' | 'rack' | 'plants' | 'interrupts' | 'engine' | 'snapshots' | 'timersByHand' | 'modeSwitch' | 'leds')[]; family: 'S7' | 'S5'; model: string; example: boolean; serial: boolean; empty: boolean; changed: string[] }
+/** `frame` is like "8E1"; `partner`: what the simulated partner speaks, `waiting`: bytes that it is still to send; `connection` as in `[serial]` of merker.toml, empty: the partner, `place` where that is, `problem` why it could not be opened; `seen`: all characters so far */
+export interface SerialLine { protocol: 'ASCII' | '3964' | '3964R' | 'RK512'; mode: 'RS422' | 'RS422 master' | 'RS485'; baud: number; frame: string; powered: boolean; partner: 'characters' | '3964' | 'RK512'; partnerBaud: number; partnerFrame: string; waiting: number; connection: string; place: string; connected: boolean; problem: string; seen: number }
 export interface Lamps { SF: 'off' | 'on' | 'slow' | 'fast'; BF: 'off' | 'on' | 'slow' | 'fast'; DC5V: 'off' | 'on' | 'slow' | 'fast'; FRCE: 'off' | 'on' | 'slow' | 'fast'; RUN: 'off' | 'on' | 'slow' | 'fast'; STOP: 'off' | 'on' | 'slow' | 'fast' }
 export interface Playback { path: string; actions: number; done: number; state: 'playing' | 'paused' | 'ended' | 'failed'; problem?: Problem }
 
@@ -147,14 +149,15 @@ export interface Requests {
   'breakpoints.set': { fields: { file: string; lines: number[] }; result: { lines: number[] } };
   'debug.go': { fields: Record<string, never>; result: Record<string, never> };
   'debug.step': { fields: { kind?: 'into' | 'over' | 'out' }; result: Record<string, never> };
-  'symbols.read': { fields: Record<string, never>; result: { path: string; rows: SymbolRow[]; revision: number } };
+  /** `problems` of the lines that are no rows: they would be lost with `symbols.write` */
+  'symbols.read': { fields: Record<string, never>; result: { path: string; rows: SymbolRow[]; revision: number; problems: Problem[] } };
   /** problems have `row` (from 0) and `field` */
   'symbols.check': { fields: { rows: TypedSymbol[] }; result: { problems: Problem[] } };
   /** with problems nothing is saved (S7-SYM-03) */
   'symbols.write': { fields: { rows: TypedSymbol[]; revision?: number }; result: { revision: number } };
   'symbols.import': { fields: { format: 'asc' | 'sdf' | 'dif' | 'seq' | 'sym'; text: string }; result: { rows: SymbolRow[]; problems: Problem[] } };
-  /** these rows, or the table of the project */
-  'symbols.export': { fields: { format: 'asc' | 'sdf' | 'dif' | 'seq' | 'sym'; rows?: TypedSymbol[] }; result: { text: string } };
+  /** these rows, or the table of the project: the text, and as base64 the bytes of the file in the code page of Windows that has most of its characters (437 for STEP 5, 65001 is UTF-8); `missing` of them are '?' in the file */
+  'symbols.export': { fields: { format: 'asc' | 'sdf' | 'dif' | 'seq' | 'sym'; rows?: TypedSymbol[] }; result: { text: string; data: string; codePage: number; missing: number } };
   'hardware.read': { fields: Record<string, never>; result: { racks: Rack[] } };
   /** remove/insert, wire break, load voltage ... (as in scenarios) */
   'hardware.fault': { fields: { rack: number; slot: string; fault: string; on: boolean }; result: Record<string, never> };
@@ -175,6 +178,10 @@ export interface Requests {
   'process.fault': { fields: { plant: string; fault: string; on: boolean; to?: number }; result: Record<string, never> };
   /** back to its start */
   'process.reset': { fields: { plant: string }; result: Record<string, never> };
+  /** the event `serial`, at most 5 a second; null without X27 */
+  'serial.watch': { fields: { on: boolean }; result: { line: SerialLine | null } };
+  /** what the partner or the line does, a step of a scenario without `serial X27`: `send "ABC" CR`, `answer "W" with "01250"`, `partner 3964R`; P0993 without X27 */
+  'serial.do': { fields: { step: string }; result: Record<string, never> };
   'projects.list': { fields: Record<string, never>; result: { examples: { id: string; title: string; description: string }[]; templates: { id: string; title: string }[]; models: string[]; recent: string[]; folder: string } };
   /** one of them. It is opened for all browsers; an example as a copy in the workspace folder so that it can be changed */
   'projects.open': { fields: { example?: string; folder?: string }; result: Record<string, never> };
@@ -214,6 +221,8 @@ export interface Events {
   status: { block: string; file: string; calls: number; rows: [number, string, string, string, string, string, string, string, string, string, string][] | null };
   /** values by plant and signal; `axis`: those of the positioning axis, by the names that scenarios have for them */
   process: { time: number; plants: Record<string, Record<string, number>>; stuck: Record<string, Record<string, number>>; axis: Record<string, number> | null };
+  /** characters on the line of X27, numbered from `first` on: from (0 X27, 1 its partner), value, name, meaning, first and last instant. At most 1,000; what nobody fetched in time is lost, and `first` leaves a gap */
+  serial: { first: number; rows: [number, number, string, string, number, number][]; line: SerialLine };
   /** see above */
   stalled: { place: string; seconds: number };
 }

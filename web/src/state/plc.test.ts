@@ -10,6 +10,7 @@ const project: Project = {
   family: 'S7',
   model: '',
   example: false,
+  serial: false,
   empty: false,
   changed: [],
 };

@@ -24,7 +24,7 @@ export const app = {
   error: ['Fehler', 'Error'],
   done: ['Erledigt', 'Done'],
   keyHelp: ['Hilfe zur Ansicht', 'Help for the view'],
-  keyView: ['Ansicht 1 bis 9', 'View 1 to 9'],
+  keyView: ['Ansicht 1 bis 10', 'View 1 to 10'],
   keyRun: ['CPU nach RUN-P', 'CPU to RUN-P'],
   keyStop: ['CPU nach STOP', 'CPU to STOP'],
   keyPause: ['Zeit anhalten und weiterlaufen lassen', 'Pause and resume time'],
