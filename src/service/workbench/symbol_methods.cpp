@@ -2,7 +2,10 @@
 #include <algorithm>
 
 #include "project/files.h"
+#include "source/symbol_text.h"
+#include "workbench/base64.h"
 #include "workbench/elsewhere.h"
+#include "workbench/symbol_bytes.h"
 #include "workbench/symbol_rows.h"
 
 namespace merker::workbench {
@@ -42,18 +45,24 @@ Json rowsOf(const source::SymbolTable& table) {
 }
 
 Answer read(const Call& call) {
-  return elsewhere(
-      call, call.shared.clerk,
-      [offline = call.shared.offlineRef(),
-       language = languageOf(call)](const Aside& aside) -> Answer {
-        const std::string path = symbolPath(*offline, aside.folder);
-        const auto content = aside.folder.read(path);
-        if (!content) return Json{{"path", path}, {"rows", Json::array()}, {"revision", 0}};
-        source::SymbolTable table(language);
-        Problems ignored;  // program.check tells them
-        source::readSymbols(source::SourceFile(path, content->text), table, ignored);
-        return Json{{"path", path}, {"rows", rowsOf(table)}, {"revision", content->revision}};
-      });
+  return elsewhere(call, call.shared.clerk,
+                   [offline = call.shared.offlineRef(),
+                    language = languageOf(call)](const Aside& aside) -> Answer {
+                     const std::string path = symbolPath(*offline, aside.folder);
+                     const auto content = aside.folder.read(path);
+                     if (!content)
+                       return Json{{"path", path},
+                                   {"rows", Json::array()},
+                                   {"revision", 0},
+                                   {"problems", Json::array()}};
+                     source::SymbolTable table(language);
+                     Problems problems;
+                     source::readSymbols(source::SourceFile(path, content->text), table, problems);
+                     return Json{{"path", path},
+                                 {"rows", rowsOf(table)},
+                                 {"revision", content->revision},
+                                 {"problems", firstOf(problems)}};
+                   });
 }
 
 std::vector<SymbolRow> rows(const Fields& fields) {
@@ -84,8 +93,7 @@ Answer write(const Call& call) {
         const CheckedRows checked = checkRows(wanted, language);
         if (!checked.good()) return Answer::refused(toJson(checked.problems));
         const std::string path = symbolPath(*offline, aside.folder);
-        const std::string bytes =
-            source::writeSymbols(checked.table, extensionOf(path), Mnemonics::German);
+        const std::string bytes = storedSymbols(checked.table, extensionOf(path));
         const auto problem = revision == 0 ? aside.folder.create(path, bytes)
                                            : aside.folder.write(path, bytes, revision);
         if (problem) return one(*problem);
@@ -113,7 +121,7 @@ Answer import(const Call& call) {
       });
 }
 
-// These rows, or the table of the project. CP1252 on a disk; a text here.
+// These rows, or the table of the project: the text, and the bytes of the file.
 Answer exportAs(const Call& call) {
   return elsewhere(
       call, call.shared.clerk,
@@ -126,8 +134,12 @@ Answer exportAs(const Call& call) {
         const CheckedRows checked = checkRows(wanted, language);
         if (!checked.good()) return Answer::refused(toJson(checked.problems));
         const source::SymbolTable& table = given ? checked.table : offline->build->project.symbols;
-        const std::string bytes = source::writeSymbols(table, extension, Mnemonics::German);
-        return Json{{"text", toUtf8(bytes, detectEncoding(bytes))}};
+        const SymbolBytes made = symbolBytes(table, extension);
+        return Json{{"text", source::symbolText(table, extension, Mnemonics::German)},
+                    {"data", toBase64({reinterpret_cast<const std::uint8_t*>(made.bytes.data()),
+                                       made.bytes.size()})},
+                    {"codePage", made.page},
+                    {"missing", made.missing}};
       });
 }
 

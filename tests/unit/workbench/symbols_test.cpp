@@ -1,4 +1,5 @@
 #include "bench.h"
+#include "workbench/base64.h"
 
 namespace merker::workbench::test {
 namespace {
@@ -82,6 +83,51 @@ TEST(Symbols, GoOutAndComeBackInTheFormatsOfStep7) {
     EXPECT_EQ(back[2]["operand"], "MW 20");
   }
   EXPECT_EQ(bench.problem("symbols.export", {{"format", "xls"}}), "P1305");
+}
+
+// The file is in a page that has the characters; the text always has all.
+TEST(Symbols, GoOutInAPageThatHasTheirCharacters) {
+  Bench bench;
+  const auto exported = [&](const char* name, const char* format) {
+    return bench.call("symbols.export",
+                      {{"format", format}, {"rows", {row(name, "M 0.1", "BOOL")}}});
+  };
+  EXPECT_EQ(exported("Motor", "sdf")["codePage"], 1252);
+  const Json russian = exported("Мотор", "sdf");
+  EXPECT_EQ(russian["codePage"], 1251);
+  EXPECT_EQ(russian["missing"], 0);
+  EXPECT_NE(russian["text"].get<std::string>().find("Мотор"), std::string::npos);
+  const auto bytes = fromBase64(russian["data"].get<std::string>());
+  EXPECT_EQ(std::string(bytes->begin() + 1, bytes->begin() + 6), "\xCC\xEE\xF2\xEE\xF0");
+  EXPECT_EQ(exported("Мотор Größe", "sdf")["missing"], 2);
+  EXPECT_EQ(exported("Мотор Größe", "sym")["codePage"], 65'001);
+}
+
+// What is no row is named with its line, not left out in silence.
+TEST(Symbols, LinesThatAreNoRowsAreNamed) {
+  Bench bench;
+  bench.folder.write("main.sym", "\"Start\"  E 0.0  BOOL\nhello\n");
+  const Json read = bench.call("symbols.read");
+  EXPECT_EQ(read["rows"].size(), 1U);
+  ASSERT_EQ(read["problems"].size(), 1U);
+  EXPECT_EQ(read["problems"][0]["file"], "main.sym");
+  EXPECT_EQ(read["problems"][0]["line"], 2);
+}
+
+// A table that is saved in a format of STEP 7 keeps its characters.
+TEST(Symbols, AreSavedWithAllCharacters) {
+  for (const std::string name : {"Größe", "Мотор"}) {
+    Bench bench;
+    std::filesystem::remove(bench.folder.path("main.sym"));
+    bench.folder.write("main.sdf", "\"Start\",\"E 0.0\",\"BOOL\",\"\"\r\n");
+    bench.call("files.list");
+    const Json before = bench.call("symbols.read");
+    ASSERT_EQ(before["path"], "main.sdf");
+    bench.call("symbols.write",
+               {{"rows", {row(name.c_str(), "E 0.0", "BOOL")}}, {"revision", before["revision"]}});
+    EXPECT_EQ(bench.call("symbols.read")["rows"][0]["symbol"], name);
+    EXPECT_EQ(bench.folder.read("main.sdf").find("\xD0") != std::string::npos, name == "Мотор");
+  }
 }
 
 }  // namespace

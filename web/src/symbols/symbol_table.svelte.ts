@@ -33,6 +33,11 @@ class SymbolTable {
     const answer = await attempt(connection.ask('symbols.read'));
     if (!answer) return;
     this.path = answer.path;
+    // A line that is no row would be gone when the table is saved.
+    messages.problems(
+      answer.problems.filter((one) => one.severity === 'error'),
+      'symbols.read',
+    );
     const stored = { text: toText(answer.rows), revision: answer.revision };
     if (!this.document || folder !== this.folder) {
       this.folder = folder;
@@ -95,9 +100,9 @@ class SymbolTable {
   }
 
   /** The table as it is shown, as a file of STEP 7. */
-  async export(format: Format): Promise<string | undefined> {
+  async export(format: Format) {
     const rows = $state.snapshot(meaningful(this.rows));
-    return (await attempt(connection.ask('symbols.export', { format, rows })))?.text;
+    return await attempt(connection.ask('symbols.export', { format, rows }));
   }
 
   problemsOf(row: number, field: Field): Problem[] {

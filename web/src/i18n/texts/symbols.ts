@@ -25,6 +25,11 @@ export const symbols = {
     'A symbol file ends in .asc, .sdf, .dif or .seq: {file}',
   ],
   export: ['Exportieren', 'Export'],
+  exportPage: ['Die Datei ist in Codepage {codePage} geschrieben.', 'The file is written in code page {codePage}.'],
+  exportLost: [
+    'Die Datei ist in Codepage {codePage} geschrieben; Zeichen, die es dort nicht gibt, stehen als „?“ da: {missing}. Das Format .sym hat alle Zeichen.',
+    'The file is written in code page {codePage}; characters that it does not have became “?”: {missing}. The format .sym has all characters.',
+  ],
   row: ['Zeile', 'Row'],
   ok: ['in Ordnung', 'correct'],
   conflict: [
