@@ -124,6 +124,16 @@ class ExportStep7(Case):
         self.assertEqual(self.data("x.awl").count(b"A I 0.0;"), 2)
         self.assertEqual(self.data("x.awl").count(b"SD T 1;"), 1 if delay else 0)
 
+    # The type of an instance follows from nothing else; that of a flag from its address.
+    def test_types_that_a_format_does_not_have(self):
+        self.write("p/merker.toml", '[project]\nname = "p"\n')
+        self.write("p/a.sym", '"Motor data" DB 7 FB 3\n"Lamp" A 4.0 BOOL\n')
+        self.write("p/a.awl", "FUNCTION_BLOCK FB 3\nBEGIN\nNETWORK\nEND_FUNCTION_BLOCK\nDATA_BLOCK DB 7\nFB 3\nBEGIN\nEND_DATA_BLOCK\n")
+        err = self.expect(GOOD, "export", "p", "-o", "x.seq").err
+        self.assertIn("x.seq: warning: the type of Motor data (FB 3) is lost: .seq has no types; .sdf keeps it", err)
+        self.assertNotIn("Lamp", err)
+        self.assertEqual(self.expect(GOOD, "export", "p", "-o", "x.sdf").err, "")
+
     def test_what_cannot_be_written_is_told(self):
         self.plant()
         self.assertIn("write one of .awl, .wld, .sdf, .asc, .dif, .seq",

@@ -215,12 +215,28 @@ Output writeWld(const compilation::Build& build, const std::string& path, const 
   return output;
 }
 
+namespace {
+
+// .seq is of STEP 5: it has no column for types. Those of addresses follow from these, those of
+// data blocks do not.
+void nameLostTypes(const compilation::Build& build, const std::string& path, Output& output) {
+  if (source::extensionOf(path) != ".seq") return;
+  for (const source::Symbol& symbol : build.project.symbols.list())
+    if (symbol.blockType && *symbol.blockType != symbol.address.block)
+      output.warnings.push_back(
+          fmt::format("{}: warning: the type of {} ({}) is lost: .seq has no types; .sdf keeps it",
+                      path, symbol.name, toString(*symbol.blockType)));
+}
+
+}  // namespace
+
 Output writeSymbolTable(const compilation::Build& build, const std::string& path,
                         const Options& options) {
   if (build.project.symbols.list().empty()) return {};
   Output output;
   const unsigned page = chosenPage(build, options);
   output.warnings = aboutCharacters(build, path, page);
+  nameLostTypes(build, path, output);
   output.files.push_back({path, symbolBytes(build, source::extensionOf(path), page)});
   return output;
 }
