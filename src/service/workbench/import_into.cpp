@@ -62,8 +62,8 @@ bool Addition::add(Lines& lines, const std::stop_token& stop) {
   }
   if (!stop.stop_requested()) {
     to_.flush();
-    list(lines);
-    check(lines);
+    list(lines, stop);
+    check(lines, stop);
   }
   if (!stop.stop_requested()) return true;
   for (const std::string& path : files_) to_.remove(path);
@@ -71,13 +71,15 @@ bool Addition::add(Lines& lines, const std::stop_token& stop) {
 }
 
 // A merker.toml that lists its sources or symbols lists the new ones, too.
-void Addition::list(Lines& lines) const {
+void Addition::list(Lines& lines, const std::stop_token& stop) const {
   const auto settings = to_.read(kMerkerToml);
   if (!settings || settings->text.size() > kLongestSettings) return;
   project::SettingsEdit edit(kMerkerToml, settings->text);
   std::vector<std::string> listed;
-  for (const std::string& path : files_)
+  for (const std::string& path : files_) {
+    if (stop.stop_requested()) return;
     if (edit.addFile(path)) listed.push_back(path);
+  }
   if (listed.empty()) return;
   const auto problem = to_.write(kMerkerToml, edit.text(), settings->revision);
   lines.push_back(
@@ -86,10 +88,10 @@ void Addition::list(Lines& lines) const {
                     Effect::Info, fmt::format("merker.toml lists {}", fmt::join(listed, ", "))});
 }
 
-void Addition::check(Lines& lines) const {
-  if (files_.empty()) return;
+void Addition::check(Lines& lines, const std::stop_token& stop) const {
+  if (files_.empty() || stop.stop_requested()) return;
   importing::Report report;
-  importing::reportCheck(open_.path, report);
+  importing::reportCheck(open_.path, stop, report);
   for (importing::Report::Line line : report.lines()) {
     line.text = to_.withoutFolder(line.text);
     lines.push_back(std::move(line));

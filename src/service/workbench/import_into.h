@@ -18,8 +18,8 @@ class Addition {
 
  private:
   std::optional<std::string> whyNot(const std::string& path);
-  void list(std::vector<importing::Report::Line>& lines) const;
-  void check(std::vector<importing::Report::Line>& lines) const;
+  void list(std::vector<importing::Report::Line>& lines, const std::stop_token& stop) const;
+  void check(std::vector<importing::Report::Line>& lines, const std::stop_token& stop) const;
 
   const ProjectFolder& to_;
   const ProjectFolder& made_;

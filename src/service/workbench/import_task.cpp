@@ -70,6 +70,11 @@ std::string_view effectWord(importing::Effect effect) {
   return {};
 }
 
+// The sentence that the line has, with what it is made of.
+Json quoted(const Problem& problem) {
+  return {{"code", problem.name()}, {"text", problem.message}, {"arguments", problem.arguments}};
+}
+
 // What a browser is told of an import.
 Json importResult(const std::vector<importing::Report::Line>& lines, Json folders, Json files) {
   constexpr std::size_t kMost = 5'000;
@@ -77,8 +82,9 @@ Json importResult(const std::vector<importing::Report::Line>& lines, Json folder
   bool lost = false;
   for (const auto& line : lines) {
     lost |= line.effect == importing::Effect::Lost;
-    if (rows.size() < kMost)
-      rows.push_back({{"effect", effectWord(line.effect)}, {"text", line.text}});
+    if (rows.size() >= kMost) continue;
+    rows.push_back({{"effect", effectWord(line.effect)}, {"text", line.text}});
+    if (line.problem) rows.back()["quoted"] = quoted(*line.problem);
   }
   return {{"folders", std::move(folders)},
           {"files", std::move(files)},

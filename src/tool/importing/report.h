@@ -5,12 +5,14 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "archive/tree.h"
+#include "base/problem.h"
 #include "s7p/fault.h"
 
 namespace merker::importing {
@@ -31,13 +33,18 @@ class Report {
   void add(Note note, const Arguments&... arguments) {
     addText(note, {fmt::format("{}", arguments)...});
   }
+  // The last line quotes it: a program in another language has the sentence in its own.
+  void quotes(const Problem& problem) {
+    if (!lines_.empty()) lines_.back().problem = problem;
+  }
   void add(const s7p::Fault& fault);
   void add(const archive::Refused& refused);
 
   struct Line {
     Effect effect;
     std::string text;
-    std::string file{};  // that the line says to have come
+    std::string file{};                // that the line says to have come
+    std::optional<Problem> problem{};  // whose sentence it quotes
   };
   // Lines for a file or a terminal: what is lost stands behind what came.
   std::string text() const;
