@@ -112,6 +112,7 @@ test('a scale answers over 3964R: procedure and telegrams are told in German', a
   for (const wanted of ['X27 02 STX will senden', 'Partner 10 DLE Verbindung steht', "X27 57 'W'", 'Partner 10 DLE Block quittiert'])
     assert.ok(rows.some((row) => row.includes(wanted)), `${wanted} in\n${rows.join('\n')}`);
   assert.deepEqual(await english(weighing), []);
+  await weighing.getByLabel('Zeitraum').selectOption('0.1');
   await picture(weighing, 'serial');
 });
 
