@@ -1,6 +1,7 @@
 #include "signal/ramp.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 namespace merker::signal {
@@ -33,6 +34,7 @@ bool isGentle(const Ramp& ramp) {
 // v t and what is left of it together with (w - v) t^2 / 2T.
 std::int64_t gentleWay(const Ramp& ramp, std::int64_t passed) {
   const std::int64_t even = ramp.speed * passed, whole = floored(even, kScale);
+  if (ramp.last == ramp.speed) return whole;
   const std::int64_t twice = 2 * ramp.length.ns;
   const std::int64_t rest =
       twice * (even - whole * kScale) + (ramp.last - ramp.speed) * passed * passed;
@@ -47,6 +49,17 @@ std::int64_t Ramp::at(Instant t) const {
   if (play == 0) return motor;
   const bool turned = turns() && t > turningTime();
   return std::clamp(turned ? loadAt(turningPoint()) : load, motor, motor + play);
+}
+
+// About when the motor comes to a position that lies ahead of it before it turns: ns from the
+// start.
+double timeOf(const Ramp& ramp, double position) {
+  const double way = (position - static_cast<double>(ramp.position)) * kScale;
+  const auto v = static_cast<double>(ramp.speed);
+  const double change = 2 * static_cast<double>(ramp.last - ramp.speed) * way;
+  const double root = std::sqrt(std::max(v * v + change / static_cast<double>(ramp.length.ns), 0.));
+  const double sum = v + (ramp.speed + ramp.last < 0 ? -root : root);
+  return sum == 0 ? 0 : 2 * way / sum;
 }
 
 // x = x0 + v t + (w - v) t^2 / 2T
@@ -77,11 +90,18 @@ Instant Ramp::reaches(std::int64_t pulse, Instant from) const {
   return std::min(first(pulse, from, turning), first(pulse, turning, to));
 }
 
-// On a part of the ramp that goes one way: by halves.
+// On a part of the ramp that goes one way: by halves, of the few ns around the calculated time if
+// it is among them.
 Instant Ramp::first(std::int64_t pulse, Instant from, Instant to) const {
   const bool rises = at(from) < at(to);
   const auto there = [&](Instant t) { return rises ? pulseAt(t) >= pulse : pulseAt(t) <= pulse; };
   if (from >= to || there(from) || !there(to)) return Instant::never();
+  const double edge = static_cast<double>(rises ? pulse : pulse + 1) * kPulse;
+  const double about = std::clamp(timeOf(*this, edge), 0., static_cast<double>(length.ns));
+  const Instant near = start + Duration{static_cast<std::int64_t>(about)};
+  constexpr Duration kBeside{2};
+  if (near - kBeside > from && !there(near - kBeside)) from = near - kBeside;
+  if (near + kBeside < to && there(near + kBeside)) to = near + kBeside;
   while ((to - from).ns > 1) {
     const Instant middle = from + Duration{(to - from).ns / 2};
     (there(middle) ? to : from) = middle;
