@@ -11,6 +11,24 @@ bool isValue(const Operand& operand) {
 
 }  // namespace
 
+bool BoxReader::couldBegin(const Element& element, const Cursor& cursor) {
+  std::size_t ahead = cursor.is(Op::SPBNB) ? 1 : 0;
+  if (element.row.kind == ElementClass::Call) return cursor.is(Op::CALL, ahead);
+  bool first = true, optional = false;
+  for (const Item& item : element.items) {
+    if (item.kind == ItemKind::Begin && first)
+      optional = true;
+    else if (item.kind == ItemKind::Logic ? !first : item.kind >= ItemKind::Begin)
+      break;
+    if (item.kind == ItemKind::Begin || item.kind == ItemKind::Logic) continue;
+    const Op op = item.kind == ItemKind::Bld ? Op::BLD : item.op;
+    if (!cursor.is(op, ahead)) return optional && first && cursor.is(Op::NOP0, ahead);
+    first = false;
+    ++ahead;
+  }
+  return true;
+}
+
 bool BoxReader::read(const Element& element, std::optional<Node>& before,
                      std::vector<Pin>& parameters, Node& box) {
   const std::size_t begin = cursor_.at();
@@ -20,7 +38,7 @@ bool BoxReader::read(const Element& element, std::optional<Node>& before,
   box_.element = &element;
   box_.pins.resize(element.pins.size());
   box_.first = before ? before->first : begin;
-  before_ = before;
+  before_ = &before;
   beforeUsed_ = false;
   const bool works =
       element.row.kind == ElementClass::Move || element.row.kind == ElementClass::Call;
@@ -73,8 +91,8 @@ bool BoxReader::item(const Item& item) {
 }
 
 bool BoxReader::logic(std::size_t pin) {
-  if (before_ && !beforeUsed_) {
-    box_.pins[pin].logic.push_back(*before_);
+  if (*before_ && !beforeUsed_) {
+    box_.pins[pin].logic.push_back(**before_);
     beforeUsed_ = true;
     return true;
   }
@@ -135,10 +153,10 @@ bool BoxReader::output(const Item& item) {
 // [SPBNB] the work of the box, its end.
 bool BoxReader::working(std::vector<Pin>& parameters) {
   std::int32_t target = -1;
-  if (before_) {
+  if (*before_) {
     if (!cursor_.is(Op::SPBNB) || cursor_.look().target < 0) return false;
     target = cursor_.take().target;
-    box_.enable.push_back(*before_);
+    box_.enable.push_back(**before_);
     beforeUsed_ = true;
   }
   const bool done = element_->row.kind == ElementClass::Call ? call(parameters)

@@ -14,6 +14,10 @@ class BoxReader {
   BoxReader(Cursor& cursor, ExpressionReader& expressions, const Rules& rules)
       : cursor_(cursor), expressions_(expressions), rules_(rules) {}
 
+  // Whether the next statements could be the first ones of the element behind its first logic: a
+  // quick look, so that only few elements are tried.
+  static bool couldBegin(const Element& element, const Cursor& cursor);
+
   // `before`: the signal read so far, which is the logic of the first pin that has some. False: the
   // cursor is where it was. On success the signal is in the box.
   bool read(const Element& element, std::optional<Node>& before, std::vector<Pin>& parameters,
@@ -38,7 +42,7 @@ class BoxReader {
   const Rules& rules_;
   const Element* element_ = nullptr;
   Node box_;
-  std::optional<Node> before_;
+  const std::optional<Node>* before_ = nullptr;
   bool beforeUsed_ = false;
 };
 

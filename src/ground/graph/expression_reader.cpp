@@ -1,5 +1,7 @@
 #include "graph/expression_reader.h"
 
+#include <utility>
+
 #include "graph/bit_operation.h"
 #include "graph/bld.h"
 #include "graph/box_reader.h"
@@ -24,6 +26,9 @@ bool isContact(const Operand& operand) {
   return false;
 }
 
+// Trees within trees and boxes behind boxes, besides brackets: more than anybody draws.
+constexpr int kMostNested = 100;
+
 bool isUnbracketedGroup(const Node& node) {
   return !node.bracketed && (node.kind == NodeKind::Series || node.kind == NodeKind::Parallel ||
                              node.kind == NodeKind::Xor || node.kind == NodeKind::Box);
@@ -47,11 +52,13 @@ Node inBracket(Node inner, Join join) {
 std::optional<ExpressionReader::Logic> ExpressionReader::read(bool boxes) {
   std::vector<Pin> outer;
   std::swap(outer, parameters_);
+  const int outerChain = std::exchange(chained_, 0);
   Signal signal;
   Logic logic;
   bool refused = false;
   while (!cursor_.atEnd() && !logic.ended) {
-    if (cursor_.exhausted()) refused = !cursor_.refuse(Reason::Size);
+    if (cursor_.exhausted() || signal.nesting() + chained_ > kMostNested)
+      refused = !cursor_.refuse(Reason::Size);
     if (refused) break;
     const std::size_t at = cursor_.at();
     refused = !item(signal);
@@ -62,6 +69,7 @@ std::optional<ExpressionReader::Logic> ExpressionReader::read(bool boxes) {
   }
   if (!parameters_.empty() && !refused) refused = !cursor_.refuse(Reason::Parameter);
   std::swap(outer, parameters_);
+  chained_ = outerChain;
   if (refused) return std::nullopt;
   if (logic.ended || signal.empty()) return logic;
   logic.node = signal.take();
@@ -186,25 +194,23 @@ bool ExpressionReader::parameter(Signal& signal) {
 
 // The first element that fits takes what stands before it. False: none does.
 bool ExpressionReader::box(Logic& logic, Signal& signal, bool compareOnly) {
-  const bool empty = signal.empty();
-  Signal kept = signal;
-  std::optional<Node> before = empty ? std::nullopt : signal.take();
-  if (empty || before) {
-    for (const Element& element : rules_.elements->elements()) {
-      const ElementClass kind = element.row.kind;
-      if (kind == ElementClass::Coil || kind == ElementClass::RailCoil) continue;
-      if (kind == ElementClass::Compare ? !empty : compareOnly) continue;
-      Node node;
-      if (!BoxReader(cursor_, *this, rules_).read(element, before, parameters_, node)) continue;
+  for (const Element& element : rules_.elements->elements()) {
+    const ElementClass kind = element.row.kind;
+    if (kind == ElementClass::Coil || kind == ElementClass::RailCoil) continue;
+    if (kind == ElementClass::Compare ? !signal.empty() : compareOnly) continue;
+    if (!BoxReader::couldBegin(element, cursor_)) continue;
+    Signal kept = signal;
+    std::optional<Node> before = signal.empty() ? std::nullopt : signal.take();
+    Node node;
+    if (BoxReader(cursor_, *this, rules_).read(element, before, parameters_, node)) {
+      ++chained_;
       logic.ended = !node.continues;
-      if (logic.ended)
-        logic.node = std::move(node);
-      else if (!signal.join(std::move(node)))
-        return false;
+      if (!logic.ended) return signal.join(std::move(node));
+      logic.node = std::move(node);
       return true;
     }
+    signal = std::move(kept);
   }
-  signal = std::move(kept);
   return false;
 }
 

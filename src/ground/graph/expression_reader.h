@@ -34,6 +34,7 @@ class ExpressionReader {
   Cursor& cursor_;
   const Rules& rules_;
   int depth_ = 0;
+  int chained_ = 0;              // boxes in the expression, each behind the one before
   std::vector<Pin> parameters_;  // of the CALL that must follow
 };
 

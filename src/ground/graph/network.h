@@ -42,11 +42,11 @@ struct Node {
   std::vector<Node> children;
 
   const Element* element = nullptr;
-  std::vector<Pin> pins;            // as the element's row has them
-  bool continues = false;           // something follows its output, or its ENO
-  Eno eno = Eno::None;              // how ENO comes about, if something follows it
-  std::vector<Node> enable;         // EN, at most one; none: EN is open
-  std::vector<Pin> parameters;      // CALL: logic at BOOL parameters with the Wire it goes to
+  std::vector<Pin> pins;        // as the element's row has them
+  bool continues = false;       // something follows its output, or its ENO; drawing: from a branch
+  Eno eno = Eno::None;          // how ENO comes about, if something follows it
+  std::vector<Node> enable;     // EN, at most one; none: EN is open
+  std::vector<Pin> parameters;  // CALL: logic at BOOL parameters with the Wire it goes to
   std::vector<Argument> arguments;  // CALL
 
   std::size_t first = 0, last = 0;  // its statements: [first, last)

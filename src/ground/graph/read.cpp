@@ -100,7 +100,7 @@ class NetworkReader {
     if (unknown(0)) return false;
     if (op == Op::CLOSE) return cursor_.refuse(Reason::Brackets);
     if (op == Op::LOAD || op == Op::LOAD_BCD || op == Op::TRANSFER) return accumulator();
-    if (!rung.logic.empty()) return cursor_.refuse(Reason::Box);
+    if (!rung.logic.empty() || op == Op::CALL) return cursor_.refuse(Reason::Box);
     return cursor_.refuse(isCoil(op) ? Reason::NoLogic : Reason::Operation);
   }
 

@@ -80,6 +80,7 @@ bool Signal::beginTerm() {
 void Signal::closeTerms() {
   if (!collecting_) return;
   closeTerm();
+  ++nesting_;
   whole_ = std::move(terms_);
   terms_ = {};
   collecting_ = false;

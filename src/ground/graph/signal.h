@@ -16,6 +16,8 @@ class Signal {
   bool beginTerm();
   // What acts on the whole signal: NOT, an edge, a connector.
   bool append(Node node);
+  // So many trees stand within each other by what acted on the whole signal.
+  int nesting() const { return nesting_; }
   // The signal as one node; the bare O must have been followed by something.
   std::optional<Node> take();
 
@@ -31,6 +33,7 @@ class Signal {
   bool collecting_ = false, termOpen_ = false;
   // NOT leaves the OR bit as it is: a U behind it would still be joined to the first AND term.
   bool notBehindTerm_ = false;
+  int nesting_ = 0;
 };
 
 }  // namespace merker::graph

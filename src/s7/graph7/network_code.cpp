@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "awl/call_text.h"
 #include "base/bytes.h"
@@ -86,8 +87,20 @@ class Lexer {
     begins_.push_back(end);
   }
 
-  bool beginsNetwork(std::size_t place) const {
-    return std::find(begins_.begin(), begins_.end() - 1, place) != begins_.end() - 1;
+  std::size_t networkOf(std::size_t place) const {
+    return static_cast<std::size_t>(std::upper_bound(begins_.begin(), begins_.end() - 1, place) -
+                                    begins_.begin());
+  }
+
+  // Jumps of other networks, and all but SPBNB of the same one, may only lead to a beginning.
+  void reach(std::size_t from, std::size_t to) {
+    const std::size_t network = networkOf(to);
+    const bool box = listing_.places[from].instruction.operation == mc7::Operation::SPBNB &&
+                     networkOf(from) == network;
+    if (to < begins_.back() && begins_[network - 1] == to)
+      labels_.try_emplace(to);
+    else if (!box)
+      intruded_.insert(to);
   }
 
   // Of a jump; -1 for what is none, as the jump over a parameter list.
@@ -105,8 +118,7 @@ class Lexer {
   void findTargets() {
     for (std::size_t at = 0; at < listing_.places.size(); ++at)
       if (const std::int32_t target = targetOf(at); target >= 0)
-        if (beginsNetwork(static_cast<std::size_t>(target)))
-          labels_.try_emplace(static_cast<std::size_t>(target));
+        reach(at, static_cast<std::size_t>(target));
     std::size_t number = 0;
     for (auto& [place, name] : labels_) name = fmt::format("M{:03}", ++number);
   }
@@ -118,13 +130,14 @@ class Lexer {
       numbers[at] = out.size();
       Statement& statement = out.emplace_back();
       statement.offset = offset(at);
+      statement.intruded = intruded_.contains(at);
       const std::size_t taken = take(at, end, statement);
       if (!comesBack(statement, at, at + taken)) statement.op = Op::OTHER;
       if (isJump(listing_.places[at]) && !isListJump(at)) jumps.emplace_back(at, out.size() - 1);
       at += taken;
     }
-    for (const auto& [at, number] : jumps) jump(at, numbers, out[number]);
-    markIntrusions(begin, end, numbers, out);
+    std::size_t label = 0;
+    for (const auto& [at, number] : jumps) jump(at, numbers, ++label, out[number]);
   }
 
   // A code that the assembler would write otherwise stays AWL.
@@ -133,7 +146,7 @@ class Lexer {
     return bytes && *bytes == code(from, to);
   }
 
-  void jump(std::size_t at, const std::map<std::size_t, std::size_t>& numbers,
+  void jump(std::size_t at, const std::map<std::size_t, std::size_t>& numbers, std::size_t number,
             Statement& statement) const {
     const std::int32_t target = listing_.target(listing_.places[at]);
     statement.operand.kind = OperandKind::Forbidden;
@@ -143,25 +156,11 @@ class Lexer {
     if (statement.op == Op::SPBNB && inside != numbers.end() && place > at) {
       statement.operand = {};
       statement.operand.kind = OperandKind::Label;
+      statement.operand.text = fmt::format("_{:03}", number);
       statement.target = static_cast<std::int32_t>(inside->second);
     } else if (const auto label = labels_.find(place); label != labels_.end()) {
       statement.operand.kind = OperandKind::Label;
       statement.operand.text = label->second;
-    }
-  }
-
-  // Jumps of other networks, and all but SPBNB of this one, may only lead to its beginning.
-  void markIntrusions(std::size_t begin, std::size_t end,
-                      const std::map<std::size_t, std::size_t>& numbers,
-                      graph::Statements& out) const {
-    for (std::size_t at = 0; at < listing_.places.size(); ++at) {
-      const std::int32_t target = targetOf(at);
-      const bool own = at >= begin && at < end;
-      if (own && listing_.places[at].instruction.operation == mc7::Operation::SPBNB) continue;
-      if (target <= static_cast<std::int32_t>(begin) || target >= static_cast<std::int32_t>(end))
-        continue;
-      const auto statement = numbers.find(static_cast<std::size_t>(target));
-      if (statement != numbers.end()) out[statement->second].intruded = true;
     }
   }
 
@@ -241,6 +240,7 @@ class Lexer {
   BitAddress wires_;
   std::vector<std::size_t> begins_;
   std::map<std::size_t, std::string> labels_;  // by place
+  std::set<std::size_t> intruded_;             // places that jumps lead to inside networks
 };
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "../rows.h"
+#include "graph/fup.h"
+#include "graph/kop.h"
 #include "graph/read.h"
 #include "graph/sentence.h"
 #include "graph/write.h"
@@ -75,6 +77,45 @@ TEST(Networks, SayInGermanWhatTheyDo) {
 // S7-MNE-13
 TEST(Networks, SayInEnglishWhatTheyDo) {
   test::expectRows("graph7/networks.en.txt", allDescribed(graph::Language::English));
+}
+
+std::string drawn(const NetworkCode& code, graph::Language language, bool kop) {
+  const auto network = graph::read(code.statements, rules());
+  if (!network) return {};
+  const graph::Style style{language};
+  if (kop && !graph::fitsKop(*network)) return "(FUP)\n";
+  std::string out;
+  for (const std::string& line :
+       graph::toText(kop ? graph::kop(*network, style) : graph::fup(*network, style)))
+    out += line + "\n";
+  return out;
+}
+
+std::string allDrawn(graph::Language language, bool kop) {
+  std::string out;
+  for (const auto& [id, block] : compilation().program) {
+    if (block.code.empty()) continue;
+    const auto codes = networksOf(block);
+    for (std::size_t i = 0; i < codes.size(); ++i)
+      out += fmt::format("{} {}: {}\n{}\n", toString(id), i + 1, block.networks[i].title,
+                         drawn(codes[i], language, kop));
+  }
+  return out;
+}
+
+// S7-EDIT-08, S7-EDIT-15
+TEST(Networks, AreDrawnAsLadder) {
+  test::expectRows("graph7/networks.kop.txt", allDrawn(graph::Language::German, true));
+}
+
+// S7-EDIT-13, S7-EDIT-14
+TEST(Networks, AreDrawnAsFunctionBlocks) {
+  test::expectRows("graph7/networks.fup.txt", allDrawn(graph::Language::German, false));
+}
+
+// S7-MNE-13
+TEST(Networks, AreDrawnInEnglish) {
+  test::expectRows("graph7/networks.lad.txt", allDrawn(graph::Language::English, true));
 }
 
 TEST(Networks, ComeBackByteForByte) {

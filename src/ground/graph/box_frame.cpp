@@ -1,0 +1,79 @@
+#include "graph/box_frame.h"
+
+namespace merker::graph {
+namespace {
+
+class BoxFramer {
+ public:
+  BoxFramer(const Node& box, const Style& style, const DrawPin& draw)
+      : box_(box), german_(style.language == Language::German), draw_(draw) {}
+
+  FrameText frame() {
+    const ElementRow& row = box_.element->row;
+    out_.title = german_ ? row.kop : row.kopEnglish;
+    out_.statement = box_.first;
+    out_.hasOut = box_.continues;
+    const bool call = row.kind == ElementClass::Call;
+    if (call)
+      out_.title = box_.operand.text;
+    else
+      out_.above = box_.operand.text;
+    const bool works = call || row.kind == ElementClass::Move;
+    if (works) {
+      out_.left.push_back(logicPin("EN", box_.enable));
+      out_.right.push_back({.name = "ENO"});
+    } else if (row.kind == ElementClass::Compare) {
+      out_.right.push_back({});
+    }
+    pins();
+    for (const Argument& argument : box_.arguments) this->argument(argument);
+    return std::move(out_);
+  }
+
+ private:
+  FramePin logicPin(std::string_view name, const std::vector<Node>& logic) const {
+    FramePin pin;
+    if (!logic.empty()) pin = draw_(logic.front());
+    pin.name = name;
+    return pin;
+  }
+
+  // The signal goes out at the first pin on the right.
+  void pins() {
+    for (std::size_t i = 0; i < box_.pins.size(); ++i) {
+      const PinRow& row = box_.element->pins[i];
+      const std::string_view name = german_ ? row.name : row.english;
+      const Pin& pin = box_.pins[i];
+      if (row.kind == PinKind::Logic)
+        out_.left.push_back(logicPin(name, pin.logic));
+      else if (row.kind == PinKind::Output)
+        out_.right.insert(out_.right.begin(), {.name = std::string(name)});
+      else
+        side(row.kind == PinKind::ValueOut)
+            .push_back({.name = std::string(name), .text = pin.operand.text});
+    }
+  }
+
+  void argument(const Argument& argument) {
+    FramePin pin{.name = argument.name, .text = argument.text};
+    for (const Pin& parameter : box_.parameters)
+      if (parameter.operand.number == argument.wire && !parameter.logic.empty())
+        pin = logicPin(argument.name, parameter.logic);
+    side(argument.output).push_back(std::move(pin));
+  }
+
+  std::vector<FramePin>& side(bool right) { return right ? out_.right : out_.left; }
+
+  const Node& box_;
+  bool german_;
+  const DrawPin& draw_;
+  FrameText out_;
+};
+
+}  // namespace
+
+FrameText boxFrame(const Node& box, const Style& style, const DrawPin& draw) {
+  return BoxFramer(box, style, draw).frame();
+}
+
+}  // namespace merker::graph

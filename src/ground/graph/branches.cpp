@@ -1,0 +1,132 @@
+#include "graph/branches.h"
+
+#include <map>
+#include <optional>
+#include <set>
+
+#include "graph/wires.h"
+
+namespace merker::graph {
+namespace {
+
+// Wires that a contact in the middle of some logic reads: they need their name in the picture.
+using Named = std::set<std::uint32_t>;
+
+bool isBranch(const Node& node, const Named& named) {
+  return node.kind == NodeKind::Connector && node.operand.kind == OperandKind::Wire &&
+         !named.contains(node.operand.number);
+}
+
+Node contactOf(const Node& connector) {
+  Node node;
+  node.kind = NodeKind::Contact;
+  node.operand = connector.operand;
+  node.continues = true;
+  node.first = connector.first;
+  node.last = connector.last;
+  return node;
+}
+
+// The one node that stands first in it, or null.
+template <typename N>
+N* leading(N& node) {
+  if (node.kind == NodeKind::Series && !node.children.empty()) return &node.children.front();
+  if (node.kind != NodeKind::Box) return nullptr;
+  if (!node.enable.empty()) return &node.enable.front();
+  return !node.pins.empty() && !node.pins.front().logic.empty() ? &node.pins.front().logic.front()
+                                                                : nullptr;
+}
+
+// The contact in which the node begins.
+template <typename N>
+N* firstOf(N& node) {
+  if (node.kind == NodeKind::Contact) return &node;
+  N* first = leading(node);
+  if (first == nullptr && !node.children.empty()) first = &node.children.front();
+  return first == nullptr ? nullptr : firstOf(*first);
+}
+
+// Divides the node at its first branch: what stands before it is returned, the node keeps what goes
+// on from there. Nothing if there is no branch.
+std::optional<Node> splitAtBranch(Node& node, const Named& named) {
+  if (Node* first = leading(node))
+    if (auto head = splitAtBranch(*first, named)) return head;
+  if (node.kind != NodeKind::Series) return std::nullopt;
+  for (std::size_t i = 1; i < node.children.size(); ++i) {
+    if (!isBranch(node.children[i], named)) continue;
+    Node head = node, wire = contactOf(node.children[i]);
+    const auto at = static_cast<std::ptrdiff_t>(i);
+    head.children.assign(node.children.begin(), node.children.begin() + at);
+    node.children.erase(node.children.begin(), node.children.begin() + at);
+    node.children.front() = std::move(wire);
+    return head;
+  }
+  return std::nullopt;
+}
+
+// Branches within each other; deeper ones are drawn as connectors.
+constexpr int kDeepest = 50;
+
+class Builder {
+ public:
+  std::vector<std::unique_ptr<Path>> build(const Network& network) {
+    for (const Rung& rung : network.rungs)
+      for (const Node& node : rung.logic) findNamed(node);
+    for (const Rung& rung : network.rungs) {
+      std::vector<Node> logic = rung.logic;
+      auto& siblings = siblingsOf(logic);
+      siblings.push_back(path(std::move(logic), rung.coils));
+    }
+    return std::move(roots_);
+  }
+
+ private:
+  void findNamed(const Node& logic) {
+    const Node* first = firstContact(logic);
+    visit(logic, [this, first](const Node& node) {
+      if (&node != first && node.kind == NodeKind::Contact &&
+          node.operand.kind == OperandKind::Wire)
+        named_.insert(node.operand.number);
+    });
+  }
+
+  // The branch from which the logic goes on; its first contact is marked then.
+  std::vector<std::unique_ptr<Path>>& siblingsOf(std::vector<Node>& logic) {
+    Node* first = logic.empty() ? nullptr : firstOf(logic.front());
+    if (first == nullptr || first->operand.kind != OperandKind::Wire) return roots_;
+    const auto branch = branches_.find(first->operand.number);
+    if (branch == branches_.end()) return roots_;
+    first->continues = true;
+    return branch->second->tails;
+  }
+
+  std::unique_ptr<Path> path(std::vector<Node> logic, const std::vector<Coil>& coils,
+                             int depth = 0) {
+    auto out = std::make_unique<Path>();
+    if (!logic.empty() && depth < kDeepest)
+      if (auto head = splitAtBranch(logic.front(), named_)) {
+        const std::uint32_t wire = firstContact(logic.front())->operand.number;
+        out->logic.push_back(std::move(*head));
+        branches_[wire] = out.get();
+        out->tails.push_back(path(std::move(logic), coils, depth + 1));
+        return out;
+      }
+    out->logic = std::move(logic);
+    out->coils = coils;
+    return out;
+  }
+
+  std::vector<std::unique_ptr<Path>> roots_;
+  std::map<std::uint32_t, Path*> branches_;
+  Named named_;
+};
+
+}  // namespace
+
+const Node* firstContact(const Node& node) { return firstOf(node); }
+
+std::vector<std::unique_ptr<Path>> paths(const Network& network) {
+  return Builder().build(network);
+}
+
+}  // namespace merker::graph

@@ -1,0 +1,27 @@
+// A box with its pins, as both languages draw it.
+#pragma once
+
+#include <optional>
+
+#include "graph/picture.h"
+
+namespace merker::graph {
+
+struct FramePin {
+  std::string name = {}, text = {};   // text: the operand at the pin; empty: open
+  std::optional<Picture> logic = {};  // what comes in, drawn to the left of the box
+  bool negated = false, fromRail = false;
+};
+
+struct FrameText {
+  std::string above, title;  // the operand above it, its name inside
+  std::vector<FramePin> left,
+      right;             // left[0]: where the signal comes in, right[0]: where it goes out
+  bool outLast = false;  // the output is at the last input: gates
+  bool hasOut = true;
+  std::size_t statement = 0;
+};
+
+Picture frame(const FrameText& text);
+
+}  // namespace merker::graph

@@ -1,0 +1,223 @@
+#include "graph/kop.h"
+
+#include <algorithm>
+
+#include "graph/box_frame.h"
+#include "graph/branches.h"
+
+namespace merker::graph {
+namespace {
+
+class Ladder {
+ public:
+  explicit Ladder(const Style& style) : style_(style) {}
+
+  Picture draw(const Network& network) {
+    Picture picture;
+    const auto roots = paths(network);
+    int width = 0, bottom = 0;
+    for (const auto& root : roots) width = std::max(width, widthOf(*root));
+    for (const auto& root : roots) {
+      const Picture rung = path(*root, width);
+      picture.place(rung, 1, picture.h);
+      bottom = picture.h;
+      picture.h += kGap;
+    }
+    picture.add({ShapeKind::Rail, 0, 0, 0, std::max(bottom - 1, 1), {}, 0});
+    picture.h = std::max(bottom, 2);
+    return picture;
+  }
+
+ private:
+  // Logic, coils
+
+  Picture symbol(ShapeKind kind, const std::string& text, const std::string& above,
+                 std::size_t statement) {
+    Picture out;
+    const int inside = std::max(3, columns(text) + 2);
+    const int textWidth = columns(above);
+    out.w = std::max(inside + 4, textWidth + 2);
+    out.h = 2;
+    out.in = out.out = 1;
+    const int at = (out.w - inside) / 2;
+    out.add({ShapeKind::Text, (out.w - textWidth) / 2, 0, textWidth, 0, above, statement});
+    out.wire(0, 1, at);
+    out.add({kind, at, 1, inside, 0, text, statement});
+    out.wire(at + inside, 1, out.w - at - inside);
+    return out;
+  }
+
+  Picture node(const Node& node) {
+    switch (node.kind) {
+      case NodeKind::Series:
+        return series(node);
+      case NodeKind::Parallel:
+      case NodeKind::Xor:
+        return parallel(node);
+      case NodeKind::Contact:
+        if (node.continues) return node.negated ? negation(node) : wire();
+        return symbol(ShapeKind::Contact, node.negated ? "/" : "", node.operand.text, node.first);
+      case NodeKind::Not:
+        return negation(node);
+      case NodeKind::Edge:
+        return symbol(ShapeKind::Coil, node.falling ? "N" : "P", node.memory.text, node.first);
+      case NodeKind::OperandEdge:
+        return operandEdge(node);
+      case NodeKind::Connector:
+        return symbol(ShapeKind::Coil, "#", node.operand.text, node.first);
+      case NodeKind::Box:
+        return box(node);
+    }
+    return {};
+  }
+
+  static Picture wire() {
+    Picture out;
+    out.w = 2;
+    out.h = 1;
+    out.in = out.out = 0;
+    out.wire(0, 0, 2);
+    return out;
+  }
+
+  Picture negation(const Node& node) { return symbol(ShapeKind::Contact, "NOT", "", node.first); }
+
+  Picture operandEdge(const Node& node) {
+    FrameText text;
+    text.above = node.operand.text;
+    text.title = node.falling ? "NEG" : "POS";
+    text.left = {{}, {.name = "M_BIT", .text = node.memory.text}};
+    text.right = {{.name = "Q"}};
+    text.statement = node.first;
+    return through(frame(text));
+  }
+
+  // A box that the signal goes through has its wire at the left, above its operands.
+  static Picture through(Picture box) {
+    int left = box.w;
+    for (const Shape& shape : box.shapes)
+      if (shape.kind == ShapeKind::Frame) left = std::min(left, shape.x);
+    box.wire(0, box.out, left);
+    box.in = box.out;
+    return box;
+  }
+
+  Picture box(const Node& box) {
+    const DrawPin draw = [this](const Node& logic) {
+      FramePin pin;
+      pin.logic = node(logic);
+      return pin;
+    };
+    FrameText text = boxFrame(box, style_, draw);
+    if (box.element->row.kind == ElementClass::Compare) {
+      text.left.insert(text.left.begin(), FramePin{});
+      return through(frame(text));
+    }
+    const Node* first = firstContact(box);
+    const bool atBranch = first != nullptr && first->continues;
+    for (std::size_t i = 1; i < text.left.size(); ++i)
+      text.left[i].fromRail = (atBranch || parallels_ > 0) && text.left[i].logic.has_value();
+    Picture out = frame(text);
+    if (out.in < 0 && !text.left.empty() && !text.left.front().logic) return through(out);
+    return out;
+  }
+
+  Picture series(const Node& series) {
+    Picture out;
+    int above = 0;
+    std::vector<Picture> parts;
+    for (const Node& child : series.children) parts.push_back(node(child));
+    for (const Picture& part : parts)
+      above = std::max(above, &part == &parts.front() ? part.out : std::max(part.in, 0));
+    for (const Picture& part : parts) {
+      const int row = &part == &parts.front() ? part.out : std::max(part.in, 0);
+      if (&part == &parts.front()) out.in = part.in < 0 ? -1 : above - row + part.in;
+      out.place(part, out.w, above - row);
+      above += part.out - row;
+    }
+    out.out = above;
+    return out;
+  }
+
+  // Its branches below each other, joined at both ends.
+  Picture parallel(const Node& parallel) {
+    std::vector<Picture> parts;
+    int widest = 0;
+    ++parallels_;
+    for (const Node& child : parallel.children) {
+      parts.push_back(node(child));
+      widest = std::max(widest, parts.back().w);
+    }
+    --parallels_;
+    Picture out;
+    std::vector<int> rowsIn, rowsOut;
+    for (const Picture& part : parts) {
+      const int y = out.h;
+      out.place(part, 1, y);
+      rowsIn.push_back(y + std::max(part.in, 0));
+      rowsOut.push_back(y + part.out);
+      out.wire(1 + part.w, rowsOut.back(), widest - part.w);
+    }
+    out.w = widest + 2;
+    for (const int row : rowsIn)
+      out.wire(0, row, 1, row == rowsIn.front() ? Ends::AtEdges : Ends::BeginsInside);
+    for (const int row : rowsOut)
+      out.wire(widest + 1, row, 1, row == rowsOut.front() ? Ends::AtEdges : Ends::EndsInside);
+    out.down(0, rowsIn.front(), rowsIn.back() - rowsIn.front());
+    out.down(widest + 1, rowsOut.front(), rowsOut.back() - rowsOut.front());
+    out.in = rowsIn.front();
+    out.out = rowsOut.front();
+    return out;
+  }
+
+  Picture coil(const Coil& coil) {
+    const ElementRow& row = coil.element->row;
+    std::string name(style_.language == Language::German ? row.kop : row.kopEnglish);
+    name = name.size() > 2 ? name.substr(1, name.size() - 2) : "";
+    Picture out = symbol(ShapeKind::Coil, name == " " ? "" : name, coil.operand.text, coil.first);
+    for (const Operand& value : coil.values) {
+      const int width = columns(value.text);
+      out.w = std::max(out.w, width);
+      out.add({ShapeKind::Text, std::max(0, (out.w - width) / 2), out.h++, width, 0, value.text,
+               coil.first});
+    }
+    return out;
+  }
+
+  // Paths
+
+  int widthOf(const Path& path) {
+    const int logic = path.logic.empty() ? 0 : node(path.logic.front()).w;
+    int behind = 0;
+    for (const auto& tail : path.tails) behind = std::max(behind, kJoint + widthOf(*tail));
+    for (const Coil& coil : path.coils) behind = std::max(behind, kJoint + this->coil(coil).w);
+    return logic + behind;
+  }
+
+  Picture path(const Path& path, int width) {
+    Picture out;
+    if (!path.logic.empty()) out = node(path.logic.front());
+    const int left = width - out.w - kJoint;
+    std::vector<Picture> parts;
+    for (const auto& tail : path.tails) parts.push_back(this->path(*tail, left));
+    for (const Coil& coil : path.coils) parts.push_back(atEnd(this->coil(coil), left));
+    return parts.empty() ? out : attached(out, parts);
+  }
+
+  static Picture atEnd(const Picture& coil, int width) {
+    Picture out;
+    out.place(coil, width - coil.w, 0);
+    out.wire(0, coil.in, width - coil.w);
+    out.in = coil.in;
+    return out;
+  }
+
+  const Style& style_;
+  int parallels_ = 0;  // around what is being drawn
+};
+
+}  // namespace
+
+Picture kop(const Network& network, const Style& style) { return Ladder(style).draw(network); }
+
+}  // namespace merker::graph

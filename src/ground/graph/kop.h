@@ -1,0 +1,16 @@
+// A network as ladder.
+#pragma once
+
+#include "graph/network.h"
+#include "graph/picture.h"
+#include "graph/style.h"
+
+namespace merker::graph {
+
+// Ladder has no exclusive OR; a box must be the first thing behind the rail or a branch; NOT turns
+// round all that stands before it. What does not fit is drawn as FUP.
+bool fitsKop(const Network& network);
+
+Picture kop(const Network& network, const Style& style);
+
+}  // namespace merker::graph

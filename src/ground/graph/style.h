@@ -1,0 +1,12 @@
+// How a picture is to be drawn.
+#pragma once
+
+#include "graph/sentence.h"
+
+namespace merker::graph {
+
+struct Style {
+  Language language = Language::German;
+};
+
+}  // namespace merker::graph
