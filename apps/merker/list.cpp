@@ -1,4 +1,4 @@
-// merker list PATH [--code]
+// merker list PATH [--code] [--view kop|fup]
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -8,6 +8,7 @@
 #include "build.h"
 #include "command.h"
 #include "cpu_option.h"
+#include "list_view.h"
 #include "listing_blocks.h"
 #include "mc7/disassembly.h"
 #include "memory_report.h"
@@ -18,13 +19,16 @@ namespace {
 
 struct ListOptions {
   ProjectOptions project;
-  std::string path, mnemonics = "de";
+  std::string path, mnemonics = "de", view, svg;
   bool code = false, memory = false, listing = false, symbols = false, json = false;
 };
 
+Mnemonics mnemonicsOf(const ListOptions& options) {
+  return options.mnemonics == "en" ? Mnemonics::International : Mnemonics::German;
+}
+
 std::vector<mc7::Line> lines(const block::Block& block, const ListOptions& options) {
-  return mc7::disassemble(block.code,
-                          options.mnemonics == "en" ? Mnemonics::International : Mnemonics::German);
+  return mc7::disassemble(block.code, mnemonicsOf(options));
 }
 
 void printRow(const monitor::BlockRow& r) {
@@ -77,10 +81,23 @@ int listListings(const Build& built, const ListOptions& options) {
   return exitCode(built);
 }
 
+int listView(const Build& built, const ListOptions& options) {
+  const diagram::View view = options.view == "kop" ? diagram::View::Kop : diagram::View::Fup;
+  const Mnemonics mnemonics = mnemonicsOf(options);
+  if (!options.svg.empty()) return writeView(built, view, mnemonics, options.svg);
+  if (options.json)
+    print({{"networks", viewToJson(built, view, mnemonics)}, {"problems", toJson(built.problems)}});
+  else
+    printView(built, view, mnemonics);
+  return exitCode(built);
+}
+
 int list(const ListOptions& options) {
   const Build built = build(loadProject(options.path, options.project), false);
   printProblems(built.problems, built.files());
+  if (built.isListing() && !options.view.empty()) return refuseListing("list --view");
   if (built.isListing()) return listListings(built, options);
+  if (!options.view.empty()) return listView(built, options);
   if (options.json)
     printJson(built, options);
   else if (options.memory)
@@ -100,6 +117,11 @@ void addList(CLI::App& program, int& result) {
   command->add_flag("--code", options->code, "each block disassembled, with its machine code");
   command->add_flag("--memory", options->memory,
                     "load, work and system memory, and how much of the CPU is in use");
+  auto* view = command->add_option("--view", options->view,
+                                   "the networks as ladder (kop) or function blocks (fup)");
+  view->check(CLI::IsMember({"kop", "fup"}));
+  command->add_option("--svg", options->svg, "with --view: as a picture into this file")
+      ->needs(view);
   command->add_flag("--listing", options->listing,
                     "STEP 5: the program as a listing that compiles to the same machine code");
   command->add_flag("--symbols", options->symbols,
@@ -113,7 +135,8 @@ void addList(CLI::App& program, int& result) {
       "local = local data;\n"
       "STEP 5: words = length of the block with its header.\n"
       "Examples:\n  merker list examples/sorting-plant\n  merker list blink.awl --code --mnemonics "
-      "en");
+      "en\n"
+      "  merker list blink.awl --view kop --svg blink.svg");
   command->callback([options, &result] { result = list(*options); });
 }
 

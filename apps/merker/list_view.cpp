@@ -1,0 +1,108 @@
+#include "list_view.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "graph/sentence.h"
+
+namespace merker::app {
+namespace {
+
+using diagram::BlockDiagram;
+using diagram::NetworkDiagram;
+using diagram::View;
+
+constexpr std::string_view kViews[] = {"KOP", "FUP", "AWL"};
+
+std::string_view name(View view) { return kViews[static_cast<std::size_t>(view)]; }
+
+// What stands behind the title where it is not what was asked for.
+std::string remark(const NetworkDiagram& network, View wanted, View shown) {
+  if (shown == View::Awl) return fmt::format("AWL, {}", diagram::whyAwl(network));
+  if (shown != wanted) return fmt::format("{}, which {} cannot show", name(shown), name(wanted));
+  return {};
+}
+
+void print(const NetworkDiagram& network, View wanted, Mnemonics mnemonics) {
+  const View shown = diagram::shownAs(network, wanted);
+  std::cout << fmt::format("Network {}: {}\n", network.number, network.title);
+  if (const std::string text = remark(network, wanted, shown); !text.empty())
+    std::cout << fmt::format("({})\n", text);
+  if (!network.label.empty()) std::cout << network.label << ":\n";
+  if (shown == View::Awl)
+    for (const std::string& statement : network.statements) std::cout << "  " << statement << '\n';
+  else
+    for (const std::string& line : graph::toText(diagram::draw(network, shown, mnemonics)))
+      std::cout << line << '\n';
+  std::cout << '\n';
+}
+
+using Counts = std::array<std::size_t, 3>;
+
+void print(const Counts& counts) {
+  const std::size_t all = counts[0] + counts[1] + counts[2];
+  std::string text = fmt::format("{} network{}", all, all == 1 ? "" : "s");
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    if (counts[i] > 0) text += fmt::format(", {} {}", counts[i], kViews[i]);
+  std::cout << text << '\n';
+}
+
+nlohmann::json toJson(const BlockDiagram& block, const NetworkDiagram& network, View wanted,
+                      Mnemonics mnemonics) {
+  const View shown = diagram::shownAs(network, wanted);
+  nlohmann::json out = {{"block", block.name},
+                        {"network", network.number},
+                        {"title", network.title},
+                        {"view", name(shown)}};
+  if (shown == View::Awl) {
+    out["reason"] = diagram::whyAwl(network);
+    out["lines"] = network.statements;
+    return out;
+  }
+  out["lines"] = graph::toText(diagram::draw(network, shown, mnemonics));
+  out["sentences"] =
+      graph::sentences(*network.network, mnemonics == Mnemonics::German ? graph::Language::German
+                                                                        : graph::Language::English);
+  return out;
+}
+
+}  // namespace
+
+void printView(const Build& build, View view, Mnemonics mnemonics) {
+  Counts counts{};
+  for (const BlockDiagram& block : diagram::diagrams(build, mnemonics)) {
+    std::cout << fmt::format("{}{}\n\n", block.name,
+                             block.symbol.empty() ? "" : fmt::format(" \"{}\"", block.symbol));
+    for (const NetworkDiagram& network : block.networks) {
+      print(network, view, mnemonics);
+      ++counts[static_cast<std::size_t>(diagram::shownAs(network, view))];
+    }
+  }
+  print(counts);
+}
+
+nlohmann::json viewToJson(const Build& build, View view, Mnemonics mnemonics) {
+  nlohmann::json out = nlohmann::json::array();
+  for (const BlockDiagram& block : diagram::diagrams(build, mnemonics))
+    for (const NetworkDiagram& network : block.networks)
+      out.push_back(toJson(block, network, view, mnemonics));
+  return out;
+}
+
+int writeView(const Build& build, View view, Mnemonics mnemonics, const std::string& path) {
+  const auto picture = diagram::drawAll(diagram::diagrams(build, mnemonics), view, mnemonics);
+  std::ofstream file(path, std::ios::binary);
+  file << graph::toSvg(picture, name(view));
+  file.close();
+  if (file) return exitCode(build);
+  std::cerr << "merker list: cannot write " << path << ": " << std::strerror(errno) << '\n';
+  return 4;
+}
+
+}  // namespace merker::app

@@ -1,0 +1,133 @@
+#include "diagram/diagram.h"
+
+#include <fmt/format.h>
+
+#include "graph/fup.h"
+#include "graph/kop.h"
+#include "graph/read.h"
+#include "graph7/network_code.h"
+#include "graph7/rules.h"
+#include "mc7/disassembly.h"
+
+namespace merker::diagram {
+namespace {
+
+graph::Style styleOf(Mnemonics mnemonics) {
+  return {mnemonics == Mnemonics::German ? graph::Language::German : graph::Language::English};
+}
+
+// The mnemonic of a statement is that of its last instruction: before it stands the way to its
+// operand. A CALL shows what it calls.
+std::string statementText(const block::Block& block, const graph::Statement& statement,
+                          std::uint32_t end, Mnemonics mnemonics) {
+  if (statement.op == graph::Op::CALL) return "CALL  " + statement.operand.text;
+  const auto code = std::span(block.code).subspan(statement.offset, end - statement.offset);
+  const auto lines = mc7::disassemble(code, mnemonics);
+  std::string mnemonic;
+  for (const mc7::Line& line : lines)
+    if (line.kind != mc7::LineKind::Parameter) mnemonic = line.text;
+  if (lines.size() == 1 && statement.operand.text.empty()) return mnemonic;
+  return fmt::format("{:<5} {}", mnemonic.substr(0, mnemonic.find(' ')), statement.operand.text);
+}
+
+NetworkDiagram diagramOf(const block::Block& block, const graph7::NetworkCode& code,
+                         Mnemonics mnemonics) {
+  NetworkDiagram out;
+  out.label = code.label;
+  auto network = graph::read(code.statements, graph7::rules());
+  if (network)
+    out.network = std::move(*network);
+  else
+    out.refusal = network.error();
+  for (std::size_t i = 0; i < code.statements.size(); ++i) {
+    const bool last = i + 1 == code.statements.size();
+    out.statements.push_back(statementText(
+        block, code.statements[i], last ? code.end : code.statements[i + 1].offset, mnemonics));
+  }
+  return out;
+}
+
+BlockDiagram diagramOf(const compilation::Build& build, const block::Block& block,
+                       Mnemonics mnemonics) {
+  const awl::Blocks blocks = [&build](BlockId id) -> const block::Block* {
+    for (const auto* program : {build.program.get(), build.library.get()})
+      if (program != nullptr)
+        if (const auto at = program->find(id); at != program->end()) return &at->second;
+    return nullptr;
+  };
+  const awl::Names names(block);
+  BlockDiagram out{toString(block.id), block.symbol, {}};
+  for (const graph7::NetworkCode& code : graph7::networks(block, names, blocks, mnemonics)) {
+    NetworkDiagram& network = out.networks.emplace_back(diagramOf(block, code, mnemonics));
+    network.number = out.networks.size();
+    if (network.number <= block.networks.size())
+      network.title = block.networks[network.number - 1].title;
+  }
+  return out;
+}
+
+std::string withSingleBlanks(std::string_view text) {
+  std::string out;
+  for (const char c : text)
+    if (c != ' ' || (!out.empty() && out.back() != ' ')) out += c;
+  return out;
+}
+
+void write(graph::Picture& picture, const std::string& text) {
+  picture.add({graph::ShapeKind::Text, 0, picture.h, graph::columns(text), 0, text, 0});
+  picture.h += 2;
+}
+
+}  // namespace
+
+std::vector<BlockDiagram> diagrams(const compilation::Build& build, Mnemonics mnemonics) {
+  std::vector<BlockDiagram> out;
+  if (build.program == nullptr) return out;
+  for (const auto& [id, block] : *build.program)
+    if (!block.code.empty()) out.push_back(diagramOf(build, block, mnemonics));
+  return out;
+}
+
+View shownAs(const NetworkDiagram& network, View wanted) {
+  if (!network.network) return View::Awl;
+  return wanted == View::Kop && !graph::fitsKop(*network.network) ? View::Fup : wanted;
+}
+
+graph::Picture draw(const NetworkDiagram& network, View view, Mnemonics mnemonics) {
+  const graph::Style style = styleOf(mnemonics);
+  return view == View::Kop ? graph::kop(*network.network, style)
+                           : graph::fup(*network.network, style);
+}
+
+std::string whyAwl(const NetworkDiagram& network) {
+  const std::size_t at = network.refusal.statement;
+  const std::string_view text = at < network.statements.size()
+                                    ? std::string_view(network.statements[at])
+                                    : std::string_view();
+  return fmt::format("statement {} ({}): {}", at + 1, withSingleBlanks(text),
+                     graph::text(network.refusal.reason));
+}
+
+graph::Picture drawAll(const std::vector<BlockDiagram>& blocks, View view, Mnemonics mnemonics) {
+  graph::Picture out;
+  for (const BlockDiagram& block : blocks) {
+    write(out,
+          block.symbol.empty() ? block.name : fmt::format("{} \"{}\"", block.name, block.symbol));
+    for (const NetworkDiagram& network : block.networks) {
+      write(out, fmt::format("Network {}: {}", network.number, network.title));
+      const View shown = shownAs(network, view);
+      if (shown == View::Awl) {
+        for (const std::string& statement : network.statements) {
+          write(out, statement);
+          --out.h;
+        }
+      } else {
+        out.place(draw(network, shown, mnemonics), 0, out.h);
+      }
+      ++out.h;
+    }
+  }
+  return out;
+}
+
+}  // namespace merker::diagram

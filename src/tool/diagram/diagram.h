@@ -1,0 +1,46 @@
+// The networks of a compiled program as pictures: KOP, FUP, or AWL where they have none.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "address/area.h"
+#include "compilation/build.h"
+#include "graph/network.h"
+#include "graph/picture.h"
+#include "graph/reason.h"
+#include "graph/style.h"
+
+namespace merker::diagram {
+
+enum class View : std::uint8_t { Kop, Fup, Awl };
+
+struct NetworkDiagram {
+  std::size_t number = 1;  // in its block
+  std::string title;
+  std::string label;                      // where another network jumps to it
+  std::optional<graph::Network> network;  // none: it stays AWL
+  graph::Refusal refusal;                 // then the reason
+  std::vector<std::string> statements;    // "U     E 0.0", one for each statement of `graph`
+};
+
+struct BlockDiagram {
+  std::string name, symbol;  // "FB 1"
+  std::vector<NetworkDiagram> networks;
+};
+
+// All code blocks of a SIMATIC S7 in their order.
+std::vector<BlockDiagram> diagrams(const compilation::Build& build, Mnemonics mnemonics);
+
+// How the network is drawn if `wanted` is asked for: what KOP cannot draw is FUP.
+View shownAs(const NetworkDiagram& network, View wanted);
+// Of a network that has a picture.
+graph::Picture draw(const NetworkDiagram& network, View view, Mnemonics mnemonics);
+// "statement 2 (TAK): KOP and FUP have no element for this operation"
+std::string whyAwl(const NetworkDiagram& network);
+
+// KOP and FUP below each other, with their titles, as one picture.
+graph::Picture drawAll(const std::vector<BlockDiagram>& blocks, View view, Mnemonics mnemonics);
+
+}  // namespace merker::diagram

@@ -1,0 +1,75 @@
+"""merker list --view: the networks of a program as KOP and FUP, as text, JSON and picture."""
+import json
+import xml.etree.ElementTree as xml
+
+from harness import *
+
+NETWORKS = """ORGANIZATION_BLOCK OB 1
+BEGIN
+NETWORK
+TITLE = The worked example
+      U     E 0.0;
+      U     E 0.1;
+      O     A 1.0;
+      =     A 3.0;
+NETWORK
+TITLE = Exclusive
+      X     E 0.0;
+      X     E 0.1;
+      =     A 3.1;
+NETWORK
+TITLE = No box
+      L     EB 1;
+      T     MB 1;
+END_ORGANIZATION_BLOCK
+"""
+NO_BOX = "(AWL, statement 1 (L EB 1): the value in the accumulator belongs to no box)"
+
+
+class ListView(Case):
+    def view(self, *options, code=GOOD):
+        self.write("main.awl", NETWORKS)
+        return self.expect(code, "list", "main.awl", *options).out
+
+    # S7-EDIT-15
+    def test_the_worked_example_as_ladder(self):
+        text = self.view("--view", "kop")
+        self.assertIn("├┬──┤ ├────┤ ├──┬───( )──\n", text)
+        self.assertIn("│└──┤ ├─────────┘\n", text)
+        self.assertIn("(FUP, which KOP cannot show)", text)
+        self.assertIn("3 networks, 1 KOP, 1 FUP, 1 AWL\n", text)
+
+    # S7-EDIT-14
+    def test_the_worked_example_as_function_blocks(self):
+        text = self.view("--view", "fup")
+        self.assertRegex(text, r"E 0.0─┤ +│")
+        self.assertRegex(text, r"A 1.0─┤ +├──┤ = │")
+        self.assertIn("3 networks, 2 FUP, 1 AWL\n", text)
+
+    # S7-EDIT-09
+    def test_a_network_without_picture_says_which_statement(self):
+        self.assertIn(NO_BOX, self.view("--view", "fup"))
+
+    def test_english(self):
+        self.assertIn(" I 0.0 ", self.view("--view", "kop", "--mnemonics", "en"))
+
+    def test_json_has_lines_and_sentences(self):
+        networks = json.loads(self.view("--view", "kop", "--json"))["networks"]
+        self.assertEqual([network["view"] for network in networks], ["KOP", "FUP", "AWL"])
+        self.assertEqual(networks[0]["sentences"], ["A 3.0 = E 0.0 und E 0.1, oder A 1.0"])
+
+    def test_the_picture_is_well_formed_and_names_statements(self):
+        self.view("--view", "kop", "--svg", "main.svg")
+        shapes = [node.get("data-statement") for node in xml.parse(self.folder / "main.svg").iter()]
+        self.assertIn("3", shapes)
+
+    def test_wrong_usage(self):
+        self.view("--svg", "main.svg", code=USAGE)
+        self.view("--view", "ladder", code=USAGE)
+        self.view("--view", "kop", "--svg", "no/main.svg", code=UNREADABLE)
+        self.write("main.s5", "OB 1\n      BE\n")
+        self.expect(USAGE, "list", "main.s5", "--view", "kop")
+
+
+if __name__ == "__main__":
+    unittest.main()
