@@ -86,10 +86,27 @@ void remove(SettingsEdit& edit, const Fields& change) {
   if (change.good()) edit.remove(at);
 }
 
-enum ChangeKind : std::size_t { Place, Remove, Move, Set };
+SettingsEdit::Pairs pairsIn(const Fields& change, const char* list) {
+  constexpr std::size_t kMost = 100;
+  SettingsEdit::Pairs pairs;
+  if (!change.has(list)) return pairs;
+  for (const Fields& one : change.objects(list, kMost))
+    pairs.emplace_back(keyIn(one), one.literal("value"));
+  return pairs;
+}
+
+void addPlant(SettingsEdit& edit, const Fields& change) {
+  (void)change.name("name"), (void)change.name("kind");
+  const std::string name = change.literal("name"), kind = change.literal("kind");
+  const SettingsEdit::Pairs parameters = pairsIn(change, "parameters");
+  const SettingsEdit::Pairs wires = pairsIn(change, "wires");
+  if (change.good()) edit.addPlant(name, kind, parameters, wires);
+}
+
+enum ChangeKind : std::size_t { Place, Remove, Move, Set, AddPlant };
 
 std::size_t kindOf(const Fields& change) {
-  return change.choice("change", {"place", "remove", "move", "set"});
+  return change.choice("change", {"place", "remove", "move", "set", "plant"});
 }
 
 // Errors that were not there before, wherever they stand now.
@@ -152,7 +169,7 @@ Json slotsOf(const ModuleType& type) {
 }  // namespace
 
 void applyChange(SettingsEdit& edit, const Fields& change) {
-  constexpr void (*kChanges[])(SettingsEdit&, const Fields&) = {place, remove, move, set};
+  constexpr void (*kChanges[])(SettingsEdit&, const Fields&) = {place, remove, move, set, addPlant};
   const std::size_t kind = kindOf(change);
   if (change.good()) kChanges[kind](edit, change);
 }

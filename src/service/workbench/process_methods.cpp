@@ -15,6 +15,8 @@ Answer list(const Call& call) {
               {"axis", axisRow(call.plc())}};
 }
 
+Answer kinds(const Call&) { return Json{{"kinds", plantKindRows()}}; }
+
 Answer watch(const Call& call) {
   const bool on = call.fields.flag("on");
   if (!call.fields.good()) return call.fields.problems();
@@ -100,6 +102,7 @@ Answer reset(const Call& call) {
 
 constexpr Method kMethods[] = {
     {"process.list", Needs::able(Feature::Plants), list},
+    {"process.kinds", Needs::able(Feature::Rack), kinds},
     {"process.watch", Needs::able(Feature::Plants), watch},
     {"process.set", Needs::able(Feature::Plants), set, Kind::Action},
     {"process.fault", Needs::able(Feature::Plants), fault, Kind::Action},

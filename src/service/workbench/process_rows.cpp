@@ -84,6 +84,29 @@ Json plantRows(const plant::Field& field, const source::SymbolTable& symbols) {
   return list;
 }
 
+Json plantKindRows() {
+  constexpr std::string_view kForms[] = {"number", "time", "whole", "flag"};
+  Json rows = Json::array();
+  for (const plant::Kind* kind : plant::kinds()) {
+    Json parameters = Json::array(), signals = Json::array();
+    for (const plant::Parameter& one : kind->parameters)
+      parameters.push_back({{"key", one.key},
+                            {"form", kForms[static_cast<std::size_t>(one.form)]},
+                            {"standard", one.standard},
+                            {"min", one.low},
+                            {"max", one.high}});
+    for (const plant::Signal& one : kind->signals)
+      signals.push_back({{"name", one.name},
+                         {"input", one.side == plant::Signal::Side::Input},
+                         {"binary", one.binary},
+                         {"unit", one.unit}});
+    rows.push_back({{"name", kind->name},
+                    {"parameters", std::move(parameters)},
+                    {"signals", std::move(signals)}});
+  }
+  return rows;
+}
+
 Json plantValues(const plant::Plants& plants) {
   Json result = Json::object();
   const auto& all = plants.configuration().plants;

@@ -11,6 +11,8 @@ struct Shared;
 struct Browser;
 
 Json plantRows(const plant::Field& field, const source::SymbolTable& symbols);
+// What a plant can be.
+Json plantKindRows();
 // {name: {value: number}}
 Json plantValues(const plant::Plants& plants);
 // Of the signals that are stuck, what they are stuck at: {name: {signal: number}}

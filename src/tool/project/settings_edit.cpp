@@ -5,83 +5,13 @@
 #include <algorithm>
 
 #include "base/text.h"
-#include "project/deep_key.h"
 #include "project/files.h"
 #include "project/path_pattern.h"
 #include "project/readers.h"
-#include "project/settings_text.h"
+#include "project/settings_view.h"
 
 namespace merker::project {
 namespace {
-
-// One look at the text: its tables, and in which lines their headers stand.
-class View {
- public:
-  // What is too deep for the library is an error like any other; take() says which.
-  explicit View(const std::string& text)
-      : text_(text), parsed_(toml::parse(deepKey(text) ? "=" : text)) {
-    if (parsed_) collect(parsed_.table());
-    std::sort(headers_.begin(), headers_.end());
-  }
-
-  bool good() const { return static_cast<bool>(parsed_); }
-  const toml::parse_error& error() const { return parsed_.error(); }
-  const toml::table& root() const { return parsed_.table(); }
-  SettingsText& text() { return text_; }
-
-  static std::uint32_t lineOf(const toml::table& table) { return table.source().begin.line; }
-  bool hasHeader(const toml::table& table) const {
-    return std::binary_search(headers_.begin(), headers_.end(), lineOf(table));
-  }
-  // The header behind this line, or the line behind the last one.
-  std::uint32_t nextHeader(std::uint32_t line) const {
-    const auto next = std::upper_bound(headers_.begin(), headers_.end(), line);
-    return next == headers_.end() ? text_.lines() + 1 : *next;
-  }
-  // The last line of what stands directly in the table.
-  std::uint32_t lastLine(std::uint32_t header) const {
-    std::uint32_t line = nextHeader(header) - 1;
-    while (line > header && (text_.isBlank(line) || text_.isComment(line))) --line;
-    return line;
-  }
-  // Behind the table and those below it.
-  std::uint32_t behind(const toml::table& table) const {
-    std::uint32_t line = lineOf(table);
-    for (const auto& [key, value] : table) {
-      if (const auto* one = value.as_table(); one != nullptr && hasHeader(*one))
-        line = std::max(line, lineOf(*one));
-      if (const auto* list = value.as_array())
-        for (const toml::node& one : *list)
-          if (one.is_table() && hasHeader(*one.as_table()))
-            line = std::max(line, lineOf(*one.as_table()));
-    }
-    return withComment(nextHeader(line));
-  }
-  // The first line of the comment right above a header.
-  std::uint32_t withComment(std::uint32_t header) const {
-    while (header > 1 && header <= text_.lines() && text_.isComment(header - 1)) --header;
-    return header;
-  }
-
- private:
-  void collect(const toml::table& table) {
-    for (const auto& [key, value] : table) {
-      if (const auto* one = value.as_table()) note(*one);
-      if (const auto* list = value.as_array())
-        for (const toml::node& item : *list)
-          if (const auto* one = item.as_table()) note(*one);
-    }
-  }
-  void note(const toml::table& table) {
-    if (!table.is_inline() && trim(text_.line(lineOf(table))).starts_with('['))
-      headers_.push_back(lineOf(table));
-    collect(table);
-  }
-
-  SettingsText text_;
-  toml::parse_result parsed_;
-  std::vector<std::uint32_t> headers_;
-};
 
 const toml::array* listOf(const toml::table& table, std::string_view key) {
   const toml::node* node = table.get(key);
@@ -95,7 +25,7 @@ ModulePlace placeOf(const toml::table& table) {
   return {static_cast<std::uint32_t>(number), slot == nullptr ? "" : slotText(*slot)};
 }
 
-const toml::table* moduleAt(const View& view, const ModulePlace& place) {
+const toml::table* moduleAt(const SettingsView& view, const ModulePlace& place) {
   const toml::array* modules = listOf(view.root(), "module");
   if (modules == nullptr) return nullptr;
   for (const toml::node& node : *modules)
@@ -109,12 +39,12 @@ std::string slotValue(const std::string& slot) {
 }
 
 // A key of a table that stands under this header; `table` may be null where the header is new.
-void setKey(View& view, const toml::table& table, std::string_view key,
+void setKey(SettingsView& view, const toml::table& table, std::string_view key,
             const SettingsEdit::Value& value) {
   const toml::node* old = table.get(key);
   if (old == nullptr) {
     if (value)
-      view.text().insert(view.lastLine(View::lineOf(table)) + 1,
+      view.text().insert(view.lastLine(SettingsView::lineOf(table)) + 1,
                          {fmt::format("{} = {}", key, *value)});
     return;
   }
@@ -127,13 +57,13 @@ void setKey(View& view, const toml::table& table, std::string_view key,
 }
 
 // Before the plants, which come last in most files.
-std::uint32_t endOfModules(const View& view) {
+std::uint32_t endOfModules(const SettingsView& view) {
   if (const auto* modules = listOf(view.root(), "module"); modules && !modules->empty())
     return view.behind(*modules->back().as_table());
   const toml::array* plants = listOf(view.root(), "plant");
   return plants == nullptr || plants->empty()
              ? view.nextHeader(UINT32_MAX)
-             : view.withComment(View::lineOf(*plants->front().as_table()));
+             : view.withComment(SettingsView::lineOf(*plants->front().as_table()));
 }
 
 // A table of its own, with a blank line on both sides.
@@ -168,7 +98,7 @@ const toml::table* tableOf(const toml::table& root, std::string_view path) {
 
 constexpr std::string_view kFileLists[] = {"sources", "symbols"};
 
-const toml::array* fileList(const View& view, std::string_view key) {
+const toml::array* fileList(const SettingsView& view, std::string_view key) {
   const toml::table* program = tableOf(view.root(), "program");
   return program == nullptr ? nullptr : listOf(*program, key);
 }
@@ -190,12 +120,13 @@ bool finds(const toml::array& list, std::string_view path) {
   });
 }
 
-void append(View& view, const toml::array& list, std::string_view path) {
+void append(SettingsView& view, const toml::array& list, std::string_view path) {
   const toml::source_position& end = list.back().source().end;
   view.text().replace(end.line, end.column, end.line, end.column, ", " + inQuotes(path));
 }
 
-void renameIn(View& view, const toml::array& list, std::string_view from, std::string_view to) {
+void renameIn(SettingsView& view, const toml::array& list, std::string_view from,
+              std::string_view to) {
   if (const toml::node* entry = entryOf(list, from)) {
     const toml::source_region& place = entry->source();
     view.text().replace(place.begin.line, place.begin.column, place.end.line, place.end.column,
@@ -224,13 +155,13 @@ std::string listWithout(const toml::array& list, std::string_view path) {
 }
 
 // A table below a module: [module.serial].
-bool hasHeaders(const View& view, const toml::table& module) {
+bool hasHeaders(const SettingsView& view, const toml::table& module) {
   return std::all_of(module.begin(), module.end(), [&](const auto& one) {
     return !one.second.is_table() || view.hasHeader(*one.second.as_table());
   });
 }
 
-bool writtenAsTables(const View& view) {
+bool writtenAsTables(const SettingsView& view) {
   const toml::node* modules = view.root().get("module");
   if (modules == nullptr) return true;
   const auto* list = modules->as_array();
@@ -248,7 +179,7 @@ SettingsEdit::SettingsEdit(std::string file, std::string text) : file_(std::move
 
 void SettingsEdit::take(std::string text) {
   text_ = std::move(text);
-  const View view(text_);
+  const SettingsView view(text_);
   problem_.reset();
   if (deepKey(text_)) {
     problem_ = makeProblem(ProblemCode::P0202, Position{file_}, "the nesting of keys",
@@ -265,12 +196,12 @@ void SettingsEdit::take(std::string text) {
 }
 
 bool SettingsEdit::has(const ModulePlace& place) const {
-  const View view(text_);
+  const SettingsView view(text_);
   return view.good() && project::moduleAt(view, place) != nullptr;
 }
 
 void SettingsEdit::add(const ModulePlace& place, std::string_view type) {
-  View view(text_);
+  SettingsView view(text_);
   std::vector<std::string> lines = {"[[module]]"};
   if (place.rack != 0) lines.push_back(fmt::format("rack = {}", place.rack));
   lines.push_back(fmt::format("slot = {}", slotValue(place.slot)));
@@ -279,12 +210,27 @@ void SettingsEdit::add(const ModulePlace& place, std::string_view type) {
   take(view.text().text());
 }
 
+void SettingsEdit::addPlant(std::string_view name, std::string_view kind, const Pairs& parameters,
+                            const Pairs& wires) {
+  SettingsView view(text_);
+  std::vector<std::string> lines = {"[[plant]]"};
+  const auto add = [&](const Pairs& pairs) {
+    for (const auto& [key, value] : pairs) lines.push_back(fmt::format("{} = {}", key, value));
+  };
+  add({{"name", std::string(name)}, {"kind", std::string(kind)}});
+  add(parameters);
+  if (!wires.empty()) lines.insert(lines.end(), {"", "[plant.wire]"});
+  add(wires);
+  insertTable(view.text(), view.text().lines() + 1, std::move(lines));
+  take(view.text().text());
+}
+
 void SettingsEdit::remove(const ModulePlace& place) {
-  View view(text_);
+  SettingsView view(text_);
   const toml::table* module = project::moduleAt(view, place);
   if (module == nullptr) return;
   const std::uint32_t behind = view.behind(*module);
-  view.text().erase(view.withComment(View::lineOf(*module)), behind);
+  view.text().erase(view.withComment(SettingsView::lineOf(*module)), behind);
   take(view.text().text());
 }
 
@@ -294,7 +240,7 @@ void SettingsEdit::move(const ModulePlace& place, const ModulePlace& to) {
 }
 
 void SettingsEdit::set(const ModulePlace& place, std::string_view key, const Value& value) {
-  View view(text_);
+  SettingsView view(text_);
   const toml::table* module = project::moduleAt(view, place);
   if (module == nullptr) return;
   const auto point = key.find('.');
@@ -312,7 +258,7 @@ void SettingsEdit::set(const ModulePlace& place, std::string_view key, const Val
 
 void SettingsEdit::setChannel(const ModulePlace& place, std::string_view side, std::uint32_t number,
                               std::string_view key, const Value& value) {
-  View view(text_);
+  SettingsView view(text_);
   const toml::table* module = project::moduleAt(view, place);
   if (module == nullptr) return;
   if (const toml::table* channel = channelOf(*module, side, number))
@@ -325,14 +271,14 @@ void SettingsEdit::setChannel(const ModulePlace& place, std::string_view side, s
 }
 
 void SettingsEdit::setIn(std::string_view name, std::string_view key, const Value& value) {
-  View view(text_);
+  SettingsView view(text_);
   const toml::table* table = tableOf(view.root(), name);
   if (table != nullptr && view.hasHeader(*table)) {
     setKey(view, *table, key, value);
   } else if (value) {
     const toml::table* outer = tableOf(view.root(), name.substr(0, name.find('.')));
     const std::uint32_t before = outer != nullptr && view.hasHeader(*outer)
-                                     ? view.lastLine(View::lineOf(*outer)) + 1
+                                     ? view.lastLine(SettingsView::lineOf(*outer)) + 1
                                      : endOfModules(view);
     insertTable(view.text(), before,
                 {fmt::format("[{}]", name), fmt::format("{} = {}", key, *value)});
@@ -342,7 +288,7 @@ void SettingsEdit::setIn(std::string_view name, std::string_view key, const Valu
 
 void SettingsEdit::renameFile(std::string_view from, std::string_view to) {
   for (const std::string_view key : kFileLists) {
-    View view(text_);
+    SettingsView view(text_);
     const toml::array* list = view.good() ? fileList(view, key) : nullptr;
     if (list == nullptr || list->empty()) continue;
     renameIn(view, *list, from, to);
@@ -352,7 +298,7 @@ void SettingsEdit::renameFile(std::string_view from, std::string_view to) {
 
 void SettingsEdit::removeFile(std::string_view path) {
   for (const std::string_view key : kFileLists) {
-    const View view(text_);
+    const SettingsView view(text_);
     const toml::array* list = view.good() ? fileList(view, key) : nullptr;
     if (list != nullptr && entryOf(*list, path) != nullptr)
       setIn("program", key, listWithout(*list, path));
@@ -361,7 +307,7 @@ void SettingsEdit::removeFile(std::string_view path) {
 
 bool SettingsEdit::addFile(std::string_view path) {
   const std::string_view key = listFor(path);
-  View view(text_);
+  SettingsView view(text_);
   const toml::array* list = view.good() && !key.empty() ? fileList(view, key) : nullptr;
   if (list == nullptr || finds(*list, path)) return false;
   if (list->empty()) {
@@ -374,13 +320,13 @@ bool SettingsEdit::addFile(std::string_view path) {
 }
 
 std::vector<ModuleLines> SettingsEdit::modules() const {
-  const View view(text_);
+  const SettingsView view(text_);
   const toml::array* modules = view.good() ? listOf(view.root(), "module") : nullptr;
   std::vector<ModuleLines> list;
   if (modules == nullptr) return list;
   for (const toml::node& node : *modules)
     if (const auto* table = node.as_table())
-      list.push_back({View::lineOf(*table), view.behind(*table), placeOf(*table)});
+      list.push_back({SettingsView::lineOf(*table), view.behind(*table), placeOf(*table)});
   std::ranges::sort(list, {}, &ModuleLines::first);
   return list;
 }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/problem.h"
@@ -48,6 +49,11 @@ class SettingsEdit {
                   std::string_view key, const Value& value);
   // Of a table with a name: "cpu", "cpu.OB35".
   void setIn(std::string_view table, std::string_view key, const Value& value);
+
+  // A [[plant]] behind everything else; all values as TOML.
+  using Pairs = std::vector<std::pair<std::string, std::string>>;
+  void addPlant(std::string_view name, std::string_view kind, const Pairs& parameters,
+                const Pairs& wires);
 
   // Files that [program] lists by name: another name, or none. A file that a pattern found and that
   // none would find under its new name is added.

@@ -184,6 +184,16 @@ TEST(SettingsEdit, LinesBelongToModules) {
   EXPECT_EQ(at(25), std::nullopt);
 }
 
+TEST(SettingsEdit, APlantComesLast) {
+  SettingsEdit one = edit("[cpu]\nmodel = \"314C-2 PtP\"  # ours\n");
+  one.addPlant("\"Axis\"", "\"axis\"", {{"speed", "2000"}}, {{"A", "\"2.2.DI0\""}});
+  EXPECT_EQ(one.text(),
+            "[cpu]\nmodel = \"314C-2 PtP\"  # ours\n\n[[plant]]\nname = \"Axis\"\nkind = \"axis\"\n"
+            "speed = 2000\n\n[plant.wire]\nA = \"2.2.DI0\"\n");
+  one.addPlant("\"Tank\"", "\"tank\"", {}, {});
+  EXPECT_TRUE(one.text().ends_with("\n\n[[plant]]\nname = \"Tank\"\nkind = \"tank\"\n"));
+}
+
 TEST(SettingsEdit, WhatItCannotChangeItSays) {
   EXPECT_EQ(edit("a = = 1").problem()->name(), "P0702");
   EXPECT_EQ(edit("module = [{slot = 4}]").problem()->name(), "P1308");

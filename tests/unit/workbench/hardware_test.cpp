@@ -117,6 +117,31 @@ TEST(HardwareEdit, AModuleIsPlacedAddressedAndMoved) {
             "[project]\nname = \"Test\"\n");  // nothing is written
 }
 
+TEST(HardwareEdit, APlantIsPutBesideTheCpu) {
+  Bench bench;
+  const auto plant = [](const char* name, const char* terminal, Json parameters = Json::array()) {
+    const Json wire = {{"key", "ENABLE"}, {"value", terminal}};
+    const Json one = {{"change", "plant"},
+                      {"name", name},
+                      {"kind", "axis"},
+                      {"parameters", std::move(parameters)},
+                      {"wires", {wire}}};
+    return Json{{"text", "[project]\nname = \"Test\"\n"}, {"changes", {one}}};
+  };
+  const Json plan = bench.call("hardware.edit",
+                               plant("Axis", "2.2.DO6", {{{"key", "increments"}, {"value", 4}}}));
+  EXPECT_EQ(plan["text"],
+            "[project]\nname = \"Test\"\n\n[[plant]]\nname = \"Axis\"\nkind = \"axis\"\n"
+            "increments = 4\n\n[plant.wire]\nENABLE = \"2.2.DO6\"\n");
+  EXPECT_EQ(plan["problems"], Json::array());
+  EXPECT_EQ(bench.problem("hardware.edit", plant("Axis", "2.2.DO60")), "P0765");
+  EXPECT_EQ(bench.problem("hardware.edit", plant("My axis", "2.2.DO6")), "P0703");
+  EXPECT_EQ(bench.problem("hardware.edit", plant("A\"\n[x]", "2.2.DO6")), "P0703");
+  const Json kinds = bench.call("process.kinds");
+  ASSERT_EQ(kinds["kinds"].size(), plant::kinds().size());
+  EXPECT_EQ(kinds["kinds"][0]["name"], plant::kinds()[0]->name);
+}
+
 // S7-HWCFG-07: slot and cause
 TEST(HardwareEdit, WhatCannotStandThereIsRefused) {
   Bench bench;

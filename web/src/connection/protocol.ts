@@ -37,8 +37,9 @@ export interface Channel { side: 'input' | 'output'; number: number; parameters:
 export interface Slot { slot: string; order: string; name: string; type: string; kind: string; inputs: AddressRange | null; outputs: AddressRange | null; terminals: Terminal[]; properties: [string, string][]; leds?: Record<string, string>; faults: Fault[]; present: boolean; parameters?: Parameter[]; channels?: Channel[] }
 export interface Rack { rack: number; slots: Slot[] }
 export interface ModuleType { order: string; name: string; text: string; kind: string; slots: [number, number]; inputBytes: number; outputBytes: number; current: number }
+export interface KeyValue { key: string; value: string | number | boolean }
 /** see below */
-export interface Change { change: 'place' | 'remove' | 'move' | 'set'; rack?: number; slot?: string; type?: string; toRack?: number; toSlot?: string; table?: string; key?: string; value?: string | number | boolean | unknown[] | null; side?: string; number?: number }
+export interface Change { change: 'place' | 'remove' | 'move' | 'set' | 'plant'; rack?: number; slot?: string; type?: string; toRack?: number; toSlot?: string; table?: string; key?: string; value?: string | number | boolean | unknown[] | null; side?: string; number?: number; name?: string; kind?: string; parameters?: KeyValue[]; wires?: KeyValue[] }
 /** `event` is like "16#2521"; `clock` is empty where the PLC has no clock */
 export interface DiagnosticEntry { number: number; event: string; time: number; clock: string; text: string; help: string; block?: string; offset?: number; file?: string; line?: number; network?: number }
 export interface BlockLevel { block: string; offset: number; file?: string; line?: number; network?: number; db: string; di: string }
@@ -46,6 +47,8 @@ export interface BlockLevel { block: string; offset: number; file?: string; line
 export interface InterruptLevel { ob: number; priority: number; registers: Record<string, string>; block: string; offset: number; file?: string; line?: number; network?: number }
 export interface LocalLevel { block: string; bytes: string }
 export interface PlantValue { name: string; unit: string; value: number; binary: boolean; input: boolean; writable: boolean; min: number; max: number; operand: string; symbol: string; stuck: number | null }
+/** of "time" in seconds */
+export interface PlantKind { name: string; parameters: { key: string; form: 'number' | 'time' | 'whole' | 'flag'; standard: number; min: number; max: number }[]; signals: { name: string; input: boolean; binary: boolean; unit: string }[] }
 /** `parameters` as in merker.toml: times in seconds, true and false as 1 and 0 */
 export interface PlantRow { name: string; kind: string; title: string; parameters: Record<string, number>; values: PlantValue[]; faults: Fault[] }
 /** the positioning axis of the CPU: its parameters, where each signal of its plant belongs, the instance data blocks of its SFB */
@@ -170,6 +173,8 @@ export interface Requests {
   /** module information; 0 or an empty text where the PLC has none */
   'diagnosis.information': { fields: Record<string, never>; result: { model: string; mode: string; stopReason: string; clock: string; memory: Record<string, number | string>; cycle: Record<string, number | string>; limits: Record<string, number | string> } };
   'process.list': { fields: Record<string, never>; result: { plants: PlantRow[]; axis: Axis | null } };
+  /** what can be put beside the CPU */
+  'process.kinds': { fields: Record<string, never>; result: { kinds: PlantKind[] } };
   /** the event `process`, at most 30 a second */
   'process.watch': { fields: { on: boolean }; result: Record<string, never> };
   /** as `plant NAME.X = v` of a scenario; P0989 outside `min` and `max`; a held signal is released when this browser disconnects */

@@ -79,7 +79,13 @@ export type Change =
   | ({ change: 'remove' } & Place)
   | ({ change: 'move'; toRack: number; toSlot: string } & Place)
   | ({ change: 'set'; key: string; value: Parameter['value']; side?: string; number?: number } & Place)
-  | { change: 'set'; table: string; key: string; value: Parameter['value'] };
+  | { change: 'set'; table: string; key: string; value: Parameter['value'] }
+  | { change: 'plant'; name: string; kind: string; parameters: Pair[]; wires: Pair[] };
+
+export interface Pair {
+  key: string;
+  value: string | number | boolean;
+}
 
 /** The slot in its rack: rows of other racks are named "1/4". */
 export const slotOf = (slot: Slot): string => slot.slot.replace(/^\d+\//, '');

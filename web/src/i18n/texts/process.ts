@@ -5,8 +5,8 @@ export const process = {
   plants: ['Anlagen des Projekts', 'Plants of the project'],
   drawing: ['Zeichnung: {name}', 'Drawing: {name}'],
   none: [
-    'Zu diesem Projekt gehört keine Anlage. Die Beispiele „Sortieranlage“, „Aufzug“ und andere haben eine.',
-    'This project has no plant. The examples “Sorting plant”, “Lift” and others have one.',
+    'Zu diesem Projekt gehört noch keine Anlage. Mit „Anlage hinzufügen …“ bekommt es eine simulierte; die Beispiele „Sortieranlage“, „Aufzug“ und andere haben eine.',
+    'This project has no plant yet. “Add a plant …” puts a simulated one beside the CPU; the examples “Sorting plant”, “Lift” and others have one.',
   ],
   noProject: [
     'Es ist kein Projekt offen. Ein Beispiel oder ein eigenes Projekt öffnen:',

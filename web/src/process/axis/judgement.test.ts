@@ -52,6 +52,39 @@ test('what is wrong with a jog', () => {
   expect(judgeJog(jog(1, 0, 0, 0.2), 1)).toBeUndefined();
 });
 
+/** A jog with these speeds, a sample every tenth of a second, as the CPU counts it too. */
+function speeds(direction: 1 | -1, ...list: number[]): Row[] {
+  let position = 0;
+  return list.map((speed, index) => ({
+    ...rest,
+    time: index / 10,
+    speed,
+    plant: (position += speed / 10),
+    position,
+    mode: JOG,
+    working: true,
+    plus: direction > 0,
+    minus: direction < 0,
+  }));
+}
+
+test('an axis that still moves from the jog before', () => {
+  const slowing = [1000, 800, 600, 400, 200];
+  expect(judgeJog(speeds(-1, ...slowing), -1)).toBeUndefined();
+  expect(judgeJog(speeds(-1, ...slowing, -200, -400), -1)).toBe('good');
+  expect(judgeJog(speeds(-1, ...slowing, 0, 200, 400), -1)).toBe('reversedDrive');
+  expect(judgeJog(speeds(-1, 0, 200, 400, 600), -1)).toBe('reversedDrive');
+  // The drive is reversed, and the axis came from the other side.
+  expect(judgeJog(speeds(-1, -1000, -500, 0, 200, 400), -1)).toBe('reversedDrive');
+  expect(judgeJog(speeds(1, 1000, 900, 950, 1000), 1)).toBe('good');
+});
+
+test('a short touch does not forget what the jog before has shown', () => {
+  const pause = { ...rest, plant: 1000, position: 1000 };
+  const touch = { ...pause, mode: JOG, working: true, plus: true };
+  expect(judgeJog([...jog(1, 1000, 1000), pause, touch, pause], 1)).toBe('good');
+});
+
 /** A run to a target: travels to the changeover point, creeps, is cut off, coasts. */
 function run({
   speed = 1000,

@@ -41,13 +41,24 @@ const ENOUGH = 8;
 /** A drive that starts is waited for, in seconds. */
 const PATIENCE = 0.5;
 
-/** Of a jog in one direction; undefined: there was none, or it has just begun. */
+/** Of the last jog in one direction that says something; undefined: there was none. */
 export function judgeJog(rows: Row[], direction: 1 | -1): Movement | undefined {
   const wanted = (row: Row) => row.mode === JOG && row.working && (direction > 0 ? row.plus : row.minus);
-  const stretch = lastStretch(rows, wanted);
-  if (!stretch) return undefined;
-  const from = rows[stretch[0]]!,
-    to = rows[Math.min(stretch[1], rows.length - 1)]!;
+  let before = rows;
+  for (let found = lastStretch(before, wanted); found; found = lastStretch(before, wanted)) {
+    const said = judgeStretch(rows.slice(found[0], found[1] + 1), direction);
+    if (said) return said;
+    before = rows.slice(0, found[0]);
+  }
+  return undefined;
+}
+
+/** Its last row may be the one behind the jog. */
+function judgeStretch(rows: Row[], direction: 1 | -1): Movement | undefined {
+  const turned = turningPoint(rows);
+  if (turned === undefined) return undefined;
+  const from = rows[turned]!,
+    to = rows.at(-1)!;
   const moved = (to.plant - from.plant) * direction,
     counted = (to.position - from.position) * direction;
   if (Math.abs(moved) < ENOUGH) return to.time - from.time < PATIENCE ? undefined : 'stands';
@@ -55,6 +66,23 @@ export function judgeJog(rows: Row[], direction: 1 | -1): Movement | undefined {
   if (counted === 0) return 'notCounted';
   return counted < 0 ? 'reversedCount' : 'good';
 }
+
+/**
+ * Where the jog itself begins: an axis that still moves from the jog before first comes to rest, which is no answer to this
+ * one. Undefined: it still does.
+ */
+function turningPoint(rows: Row[]): number | undefined {
+  const moves = rows.filter((row) => row.speed !== 0);
+  if (moves.length === 0) return 0;
+  const way = Math.sign(moves.at(-1)!.speed);
+  let other = rows.length - 2;
+  while (other >= 0 && Math.sign(rows[other]!.speed) === way) --other;
+  if (other >= 0) return other;
+  const slowest = rows.reduce((least, row, index) => (slower(row, rows[least]!) ? index : least), 0);
+  return slower(rows.at(-1)!, rows[0]!) && slowest === rows.length - 1 ? undefined : slowest;
+}
+
+const slower = (one: Row, than: Row) => Math.abs(one.speed) < Math.abs(than.speed);
 
 export type Outcome = 'good' | 'aborted' | 'tooFast' | 'short' | 'over' | 'tooShortPath';
 
