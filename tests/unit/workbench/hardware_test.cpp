@@ -134,9 +134,9 @@ TEST(HardwareEdit, APlantIsPutBesideTheCpu) {
             "[project]\nname = \"Test\"\n\n[[plant]]\nname = \"Axis\"\nkind = \"axis\"\n"
             "increments = 4\n\n[plant.wire]\nENABLE = \"2.2.DO6\"\n");
   EXPECT_EQ(plan["problems"], Json::array());
-  EXPECT_EQ(bench.problem("hardware.edit", plant("Axis", "2.2.DO60")), "P0765");
-  EXPECT_EQ(bench.problem("hardware.edit", plant("My axis", "2.2.DO6")), "P0703");
-  EXPECT_EQ(bench.problem("hardware.edit", plant("A\"\n[x]", "2.2.DO6")), "P0703");
+  EXPECT_EQ(bench.problem("hardware.edit", plant("Axis", "2.2.DO60")), "P0984");
+  EXPECT_EQ(bench.problem("hardware.edit", plant("My axis", "2.2.DO6")), "P0704");
+  EXPECT_EQ(bench.problem("hardware.edit", plant("A\"\n[x]", "2.2.DO6")), "P0704");
   const Json kinds = bench.call("process.kinds");
   ASSERT_EQ(kinds["kinds"].size(), plant::kinds().size());
   EXPECT_EQ(kinds["kinds"][0]["name"], plant::kinds()[0]->name);

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import type { BlockNumbers } from './catalogue';
-import { blockId, blockText, fileOf, otherNumbers, typeName } from './new_block';
+import { blockId, blockText, fileOf, otherNumbers, typeName, calledInstance } from './new_block';
 import { outline } from './outline';
 
 test.each([
@@ -49,3 +49,11 @@ test.each([
   ['"Box"', null],
   ['', null],
 ])('instead of %s: %s', (id, others) => expect(otherNumbers(id, numbers)).toBe(others));
+
+test('a data block that a CALL names is the instance of what is called', () => {
+  const texts = ['L MW 1', '  call sfb 44 , db20 (\n', 'CALL FB 1, DB 200'];
+  expect(calledInstance('DB 20', texts)).toBe('SFB 44');
+  expect(calledInstance('DB 200', texts)).toBe('FB 1');
+  expect(calledInstance('DB 2', texts)).toBe('');
+  expect(calledInstance('FB 20', texts)).toBe('');
+});

@@ -37,6 +37,18 @@ export function typeName(text: string): string | null {
   return /^\s*"[^"]+"\s*$/.test(text) ? text.trim() : null;
 }
 
+/** Whose instance a data block has to be, as the open texts call it: "SFB 44"; empty: nobody calls it. */
+export function calledInstance(id: string, texts: Iterable<string>): string {
+  const number = /^DB (\d+)$/.exec(id)?.[1];
+  if (!number) return '';
+  const call = new RegExp(`\\bCALL\\s+(S?FB)\\s*(\\d+)\\s*,\\s*DB\\s*${number}\\b`, 'i');
+  for (const text of texts) {
+    const [, kind, block] = call.exec(text) ?? [];
+    if (kind) return `${kind.toUpperCase()} ${Number(block)}`;
+  }
+  return '';
+}
+
 const structure = 'STRUCT\n  Value : INT ;\nEND_STRUCT ;\n';
 
 const code = (head: string, end: string, sections = ''): string => `${head}

@@ -93,6 +93,19 @@ export const commissioning = {
     'Set-point with wrong polarity; direction signal CONV_DIR or control type does not fit the power section (contactors swapped).',
   ],
 
+  causeStandsDigital: [
+    'Kein Start: DRV_EN, STATUS und ERR ansehen. Sonst: die Schütze an Q0 bis Q3 passen nicht zur Ansteuerart, Not-Halt, Hardwareendschalter, Achse blockiert.',
+    'No start: see DRV_EN, STATUS and ERR. Otherwise: the contactors at Q0 to Q3 do not fit the control type, emergency stop, hardware limit switch, axis blocked.',
+  ],
+  causeReversedDriveDigital: [
+    'Die Schütze an Q0 bis Q3 sind vertauscht, oder die Ansteuerart passt nicht zu ihnen.',
+    'The contactors at Q0 to Q3 are swapped, or the control type does not fit them.',
+  ],
+  causeTooFastDigital: [
+    'Umschaltdifferenz CHGDIFF_{direction} vergrößern, bis der Antrieb sichtbar im Schleichgang zum Abschaltpunkt fährt.',
+    'Enlarge the changeover difference CHGDIFF_{direction} until the drive visibly creeps to the cut-off point.',
+  ],
+
   synchronise: ['Synchronisieren der Achse', 'Synchronisation of the axis'],
   synchroniseTodo: [
     'Den Auftrag „Bezugspunkt setzen“ (JOB_ID 1) ausführen: die Koordinate der aktuellen Position als JOB_VAL eintragen, JOB_REQ setzen.',

@@ -48,6 +48,9 @@ test('what is wrong with a jog', () => {
   expect(judgeJog(jog(1, -1000, -1000), 1)).toBe('reversedDrive');
   expect(judgeJog(jog(-1, 1000, 1000), -1)).toBe('reversedDrive');
   expect(judgeJog(jog(1, 1000, 0), 1)).toBe('notCounted');
+  expect(judgeJog(jog(1, 1000, 1), 1)).toBe('notCounted');
+  expect(judgeJog(jog(1, 1000, -1), 1)).toBe('notCounted');
+  expect(judgeJog(jog(1, 1000, 990), 1)).toBe('good');
   expect(judgeJog(jog(1, 0, 0), 1)).toBe('stands');
   expect(judgeJog(jog(1, 0, 0, 0.2), 1)).toBeUndefined();
 });

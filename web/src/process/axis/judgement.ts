@@ -63,7 +63,8 @@ function judgeStretch(rows: Row[], direction: 1 | -1): Movement | undefined {
     counted = (to.position - from.position) * direction;
   if (Math.abs(moved) < ENOUGH) return to.time - from.time < PATIENCE ? undefined : 'stands';
   if (moved < 0) return 'reversedDrive';
-  if (counted === 0) return 'notCounted';
+  // With one track alone a pulse is counted up and down again.
+  if (Math.abs(counted) < moved / 2) return 'notCounted';
   return counted < 0 ? 'reversedCount' : 'good';
 }
 

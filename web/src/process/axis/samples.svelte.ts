@@ -10,6 +10,9 @@ export class Samples {
   /** Seconds, then a column for each name; null where the PLC has no such value. */
   columns = $state.raw<Columns>([[]]);
   private names: string[] = [];
+  /** What the last one of each list saw: another view or language in between forgets no verdict. */
+  private static readonly before = new Map<number, { of: string; columns: Columns }>();
+  private of = '';
   private kept: Kept<'trend.set'> | null = null;
   private readonly forget: () => void;
 
@@ -17,15 +20,24 @@ export class Samples {
     this.forget = connection.on('samples', (message) => this.receive(message));
   }
 
-  follow(names: string[], everyMs: number): void {
+  /** `project`: whose PLC it is. */
+  follow(names: string[], everyMs: number, project: string): void {
+    this.keep();
     this.names = names;
-    this.columns = [[], ...names.map(() => [])];
+    this.of = JSON.stringify([project, names]);
+    const seen = Samples.before.get(this.list);
+    this.columns = seen?.of === this.of ? seen.columns : [[], ...names.map(() => [])];
     const fields = { list: this.list, items: names.map((operand) => ({ operand })), everyMs };
     if (this.kept) this.kept.update(fields);
     else this.kept = connection.keep('trend.set', fields, undefined, 'trend.drop', { list: this.list });
   }
 
+  private keep(): void {
+    if (this.of) Samples.before.set(this.list, { of: this.of, columns: this.columns });
+  }
+
   drop(): void {
+    this.keep();
     this.kept?.drop();
     this.kept = null;
     this.forget();

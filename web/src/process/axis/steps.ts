@@ -86,9 +86,26 @@ export const OUTCOMES: Record<Outcome, { text: Word; cause: Word }> = {
   tooShortPath: { text: 'runTooShortPath', cause: 'causeTooShortPath' },
 };
 
+/** SFB 46 has neither CONV_EN nor DECEL. */
+const DIGITAL: Partial<Record<Word, Word>> = {
+  causeStands: 'causeStandsDigital',
+  causeReversedDrive: 'causeReversedDriveDigital',
+  causeTooFast: 'causeTooFastDigital',
+};
+const ofOutput = (cause: Word, digital: boolean): Word => (digital && DIGITAL[cause]) || cause;
+
+export function causeOf(movement: Movement, digital: boolean): Word | undefined {
+  const { cause } = MOVEMENTS[movement];
+  return cause && ofOutput(cause, digital);
+}
+
 /** A few pulses with creep speed are needed: as many as it travels in some cycles. */
-export function adviceOf(run: RunJudgement, creepSpeed: number): Word {
+export function adviceOf(run: RunJudgement, creepSpeed: number, digital: boolean): Word {
   const least = Math.ceil(creepSpeed * 0.02);
+  return ofOutput(causeOfRun(run, least), digital);
+}
+
+function causeOfRun(run: RunJudgement, least: number): Word {
   return run.outcome === 'good' && run.spare <= least ? 'causeTight' : OUTCOMES[run.outcome].cause;
 }
 
