@@ -12,6 +12,8 @@
 #include "chosen_scenario.h"
 #include "command.h"
 #include "cpu_option.h"
+#include "engine_option.h"
+#include "pcap.h"
 #include "scenario/duration.h"
 #include "scenario/junit.h"
 #include "scenario/runner.h"
@@ -27,7 +29,7 @@ namespace {
 
 struct MonitorOptions {
   ProjectOptions project;
-  std::string path, time = "10s", scenario, name, csv, serial;
+  std::string path, time = "10s", scenario, name, csv, pcap, serial, engine = "interpreter";
 };
 
 int monitorFails(const std::string& text, ExitCode code) {
@@ -80,6 +82,13 @@ void printLine(const serial::Coupling& coupling) {
               << '\n';
 }
 
+bool writeCapture(const serial::Coupling& coupling, const std::string& path) {
+  std::ofstream file(path, std::ios::binary);
+  writePcap(coupling.sightings(), file);
+  file.close();
+  return static_cast<bool>(file);
+}
+
 bool writeLine(const serial::Coupling& coupling, const std::string& path) {
   const serial::Parameters& p = coupling.parameters();
   serial::Decoder decoder(p.protocol, p.procedure.blockCheck);
@@ -95,6 +104,10 @@ bool writeLine(const serial::Coupling& coupling, const std::string& path) {
   return static_cast<bool>(file);
 }
 
+int cannotWriteLine(const std::string& path) {
+  return monitorFails("cannot write " + path + ": " + std::strerror(errno), kUnreadable);
+}
+
 int monitorSerial(const MonitorOptions& options) {
   const auto time = simulator::parseDuration(options.time);
   if (!time) return monitorFails("--for: '" + options.time + "' is not a valid duration", kUsage);
@@ -103,6 +116,7 @@ int monitorSerial(const MonitorOptions& options) {
   const Build built = build(std::move(project), false);
   if (!built.ok()) return report(built, false);
   const auto plc = built.controller();
+  if (const auto problem = useEngine(options.engine, *plc)) return monitorFails(*problem, kUsage);
   auto* port = controller::capability<serial::SerialPort>(*plc);
   if (port == nullptr || port->serial() == nullptr)
     return monitorFails("the project has no serial interface ([[module]] with slot = \"2.1\")",
@@ -111,9 +125,12 @@ int monitorSerial(const MonitorOptions& options) {
                                               : playScenario(options, built, *plc);
   if (played != kGood) return played;
   const serial::Coupling& coupling = *port->serial();
-  if (options.csv.empty()) return printLine(coupling), kGood;
-  if (writeLine(coupling, options.csv)) return kGood;
-  return monitorFails("cannot write " + options.csv + ": " + std::strerror(errno), kUnreadable);
+  if (!options.csv.empty() && !writeLine(coupling, options.csv))
+    return cannotWriteLine(options.csv);
+  if (!options.pcap.empty() && !writeCapture(coupling, options.pcap))
+    return cannotWriteLine(options.pcap);
+  if (options.csv.empty() && options.pcap.empty()) printLine(coupling);
+  return kGood;
 }
 
 }  // namespace
@@ -130,8 +147,11 @@ void addMonitor(CLI::App& program, int& result) {
       ->excludes(time);
   command->add_option("--name", options->name, "part of the scenario's name; without: the first");
   command->add_option("--csv", options->csv, "file for the characters, instead of the list");
+  command->add_option("--pcap", options->pcap,
+                      "the same as a capture file for network analysers (RTAC serial)");
   command->add_option("--serial", options->serial, "recording that plays the partner: replay:FILE");
   addProjectOptions(*command, options->project);
+  addEngine(*command, options->engine);
   command->footer(
       "Examples:\n"
       "  merker monitor serial examples/technology/scale --scenario "

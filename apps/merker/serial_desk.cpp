@@ -14,9 +14,11 @@ using serial::Connection;
 using Kind = Connection::Kind;
 
 std::string toText(const Connection& connection) {
-  constexpr const char* kKinds[] = {"partner", "pty", "device", "listen", "connect", "replay", "station"};
+  constexpr const char* kKinds[] = {"partner", "pty",     "device", "listen",
+                                    "connect", "rfc2217", "replay", "station"};
   const char* kind = kKinds[static_cast<std::size_t>(connection.kind)];
-  const bool network = connection.kind == Kind::Listen || connection.kind == Kind::Connect;
+  const bool network = connection.kind == Kind::Listen || connection.kind == Kind::Connect ||
+                       connection.kind == Kind::ComPort;
   if (connection.kind == Kind::Partner) return kind;
   if (!network) return fmt::format("{}:{}", kind, connection.place);
   return fmt::format("{}:{}{}{}", kind, connection.place, connection.place.empty() ? "" : ":",
@@ -40,6 +42,7 @@ bool staysHere(const Connection& connection) {
       return isPlainName(connection.place);
     case Kind::Device:
     case Kind::Connect:
+    case Kind::ComPort:
       return false;
   }
   return false;

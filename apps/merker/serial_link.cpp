@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstring>
+#include <iostream>
 
 #include "serial/serial_port.h"
 
@@ -169,6 +170,8 @@ void SerialLink::exchange() {
     connect(*coupling, stream_->connected());
     give(*coupling);
     if (connected_) take(*coupling);
+    if (const std::string notice = stream_->takeNotice(); !notice.empty())
+      std::cerr << "serial interface X27: " << notice << std::endl;
   } else {
     coupling->partner().forget();
     for (; next() <= plc_.now(); ++played_) play(*coupling, records_[played_]);

@@ -10,12 +10,14 @@
 #include <array>
 #include <chrono>
 
+#include "com_port.h"
 #include "serial_file.h"
 
 namespace merker::app {
 namespace {
 
 constexpr std::size_t kNetworkChunk = 4'096;
+constexpr int kCallsAtOnce = 16;
 
 struct Address {
   sockaddr_storage storage{};
@@ -88,8 +90,11 @@ class Listener : public Network {
       : Network(std::move(name)), socket_(std::move(socket)) {}
 
   bool connected() override {
-    SerialFile caller(::accept4(socket_.number(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
-    if (caller.open() && !connection_.open()) {
+    for (int calls = 0; calls < kCallsAtOnce; ++calls) {
+      SerialFile caller(
+          ::accept4(socket_.number(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
+      if (!caller.open()) break;
+      if (connection_.open()) continue;
       hurry(caller.number());
       connection_ = std::move(caller);
     }
@@ -111,12 +116,15 @@ class Caller : public Network {
     if (now < again_) return false;
     again_ = now + std::chrono::seconds(1);
     pending_.reset(newSocket(address_));
-    const bool begun =
+    const bool calling =
         pending_.open() && (::connect(pending_.number(), address_.get(), address_.length) == 0 ||
                             errno == EINPROGRESS);
-    if (!begun) pending_.reset();
+    if (!calling) pending_.reset();
     return false;
   }
+
+ protected:
+  virtual void begun() {}
 
  private:
   bool answered() {
@@ -128,12 +136,56 @@ class Caller : public Network {
     if (error != 0) return pending_.reset(), false;
     hurry(pending_.number());
     connection_ = std::move(pending_);
+    begun();
     return true;
   }
 
   Address address_;
   SerialFile pending_;
   std::chrono::steady_clock::time_point again_;
+};
+
+// Characters and commands of telnet in one stream: what is encoded is sent before more is taken.
+class ComPortCaller : public Caller {
+ public:
+  ComPortCaller(const Address& address, std::string name, const serial::Settings& settings)
+      : Caller(address, std::move(name)), port_(settings) {}
+
+  void read(SerialInput& input, std::size_t most) override {
+    SerialInput raw;
+    Caller::read(raw, most);
+    for (const SerialInput::Character& one : raw.characters)
+      if (!port_.take(one.value, input)) return connection_.reset();
+    flush();
+  }
+  std::size_t write(const std::vector<std::uint8_t>& bytes) override {
+    if (!connection_.open()) return bytes.size();
+    std::size_t taken = 0;
+    for (; taken < bytes.size() && waiting_.size() < kNetworkChunk; ++taken)
+      ComPort::encode(bytes[taken], waiting_);
+    flush();
+    return taken;
+  }
+  std::string takeNotice() override { return port_.takeNotice(); }
+
+ private:
+  void begun() override {
+    waiting_.clear();
+    port_.start();
+    flush();
+  }
+  void flush() {
+    std::vector<std::uint8_t>& commands = port_.commands();
+    waiting_.insert(waiting_.end(), commands.begin(), commands.end());
+    commands.clear();
+    if (waiting_.size() > kNetworkChunk + ComPort::kMostCommands) return connection_.reset();
+    const std::size_t sent = waiting_.empty() ? 0 : Caller::write(waiting_);
+    waiting_.erase(waiting_.begin(),
+                   waiting_.begin() + static_cast<std::ptrdiff_t>(std::min(sent, waiting_.size())));
+  }
+
+  ComPort port_;
+  std::vector<std::uint8_t> waiting_;
 };
 
 std::uint16_t portOf(int file) {
@@ -155,7 +207,7 @@ std::unique_ptr<SerialStream> listenAt(const std::string& host, std::uint16_t po
   const bool good = socket.open() &&
                     ::setsockopt(socket.number(), SOL_SOCKET, SO_REUSEADDR, &on, sizeof on) == 0 &&
                     ::bind(socket.number(), address.get(), address.length) == 0 &&
-                    ::listen(socket.number(), 1) == 0;
+                    ::listen(socket.number(), kCallsAtOnce) == 0;
   if (!good) {
     reason = whyNot("port " + std::to_string(port));
     return nullptr;
@@ -170,6 +222,14 @@ std::unique_ptr<SerialStream> connectTo(const std::string& host, std::uint16_t p
   Address address;
   if (!resolve(host, port, false, address, reason)) return nullptr;
   return std::make_unique<Caller>(address, host + ":" + std::to_string(port));
+}
+
+std::unique_ptr<SerialStream> connectToComPort(const std::string& host, std::uint16_t port,
+                                               const serial::Settings& settings,
+                                               std::string& reason) {
+  Address address;
+  if (!resolve(host, port, false, address, reason)) return nullptr;
+  return std::make_unique<ComPortCaller>(address, host + ":" + std::to_string(port), settings);
 }
 
 }  // namespace merker::app

@@ -21,7 +21,7 @@ void addSerial(CLI::App& command, SerialOptions& options) {
   auto* serial = command.add_option(
       "--serial", options.connection,
       "what the interface X27 is connected to: pty:PATH, device:PATH, listen:PORT, "
-      "connect:HOST:PORT, replay:FILE");
+      "connect:HOST:PORT, rfc2217:HOST:PORT, replay:FILE");
   command
       .add_option("--serial-record", options.record,
                   "file for what comes in over --serial, to be played again")

@@ -20,6 +20,8 @@ std::unique_ptr<SerialStream> openStream(const serial::Connection& connection,
       return listenAt(connection.place, connection.port, reason);
     case Kind::Connect:
       return connectTo(connection.place, connection.port, reason);
+    case Kind::ComPort:
+      return connectToComPort(connection.place, connection.port, settings, reason);
     case Kind::Partner:
     case Kind::Station:
     case Kind::Replay:

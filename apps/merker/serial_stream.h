@@ -30,6 +30,8 @@ class SerialStream {
   virtual std::size_t write(const std::vector<std::uint8_t>& bytes) = 0;
   // Whether somebody is there; begins anew what was lost.
   virtual bool connected() = 0;
+  // What a person should know of the other side, once; empty: nothing.
+  virtual std::string takeNotice() { return {}; }
   virtual std::string name() const = 0;  // for people: "/dev/pts/3", "127.0.0.1:4000"
 };
 

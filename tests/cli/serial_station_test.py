@@ -1,6 +1,7 @@
 """X27 of two stations of one project (PTP-LINE-03): each protocol from 314C to 314C in virtual time, exact to the nanosecond, the
 same in every run and with both engines; their operands in scenarios; what is wrong with such a project."""
 import csv
+import struct
 
 from harness import *
 
@@ -191,6 +192,47 @@ class Stations(Case):
             traces.append((self.folder / f"{engine}.csv").read_text())
         self.assertEqual(traces[0], traces[1])
         self.assertIn("Press/MW 22,W#16#0001", traces[0])
+
+    # PTP-LINE-11: read by the format of the file and of the link type alone
+    def test_a_capture_file_has_the_same_characters(self):
+        self.pair("3964R")
+        rows = list(csv.DictReader(self.line("line.csv").splitlines()))
+        self.expect(GOOD, "monitor", "serial", "cell", "--scenario", "cell/cell.scn", "--pcap", "line.pcap")
+        data = (self.folder / "line.pcap").read_bytes()
+        magic, major, minor, _, _, _, link = struct.unpack_from("<IHHiIII", data)
+        self.assertEqual((magic, major, minor, link), (0xA1B23C4D, 2, 4, 250))
+        place, seen, sides = 24, [], {1: "X27", 2: "partner"}
+        while place < len(data):
+            seconds, rest, length, whole = struct.unpack_from("<IIII", data, place)
+            self.assertEqual(length, whole)
+            again, micro, event, lines, footer = struct.unpack_from(">IIBBH", data, place + 16)
+            self.assertEqual((again, micro, lines, footer), (seconds, rest // 1000, 0, 0))
+            first = rows[len(seen)]
+            self.assertEqual(int(first["begin_ns"]), seconds * 10 ** 9 + rest)
+            seen += [(sides[event], f"{one:02X}") for one in data[place + 28:place + 16 + length]]
+            place += 16 + length
+        self.assertEqual(seen, [(row["from"], row["character"]) for row in rows])
+
+    # PTP-LINE-07
+    def test_without_pacing_characters_take_no_time_and_timers_theirs(self):
+        sends = """scenario "1000 bytes"
+  wait 100ms
+  set MW 30 = 1000, M 0.0 = 1
+  expect Press/MW 22 = {}
+scenario "nobody answers"
+  wait 100ms
+  serial X27 cut at partner
+  set MW 30 = 4, M 0.0 = 1
+  expect MW 24 = 0 for 11s
+  expect MW 24 = 1 within 2s
+"""
+        for pacing, result in (("unlimited", "1 within 60ms"), ("rate", "0 for 1.1s")):
+            self.pair("3964R", sends.format(result))
+            path = self.folder / "cell/merker.toml"
+            path.write_text(path.read_text() + f'pacing = "{pacing}"\n')
+            self.expect(GOOD, "test", "cell")
+        path.write_text(path.read_text().replace('"rate"', '"quick"'))
+        self.assertIn("'pacing' must be", self.expect(PROBLEMS, "check", "cell").err)
 
     def test_what_is_wrong_is_told(self):
         def fails(change, text, scenario="  expect M 0.0 = 0\n", code=PROBLEMS):

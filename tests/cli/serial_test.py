@@ -61,6 +61,58 @@ END_ORGANIZATION_BLOCK
 """
 
 
+IAC, SUB_END, SUB, WILL, WONT, DO, DONT, COM_PORT = 255, 240, 250, 251, 252, 253, 254, 44
+
+
+class ComPortServer:
+    """A server of one serial port (RFC 2217), written from the RFC alone: keeps what it is told to set, echoes characters."""
+
+    def __init__(self, answers=lambda what, value: value):
+        self.answers, self.told, self.characters, self.commands = answers, {}, bytearray(), []
+        self.listener = socket.socket()
+        self.listener.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+        self.listener.bind(("127.0.0.1", 0))
+        self.listener.listen()
+        self.port = self.listener.getsockname()[1]
+        self.buffer = bytearray()
+
+    def accept(self):
+        self.listener.settimeout(10)
+        self.client = self.listener.accept()[0]
+        self.client.settimeout(10)
+        self.client.sendall(bytes([IAC, DO, COM_PORT, IAC, WILL, 1, IAC, DO, 24]))
+
+    def byte(self):
+        if not self.buffer:
+            self.buffer += self.client.recv(4096)
+            if not self.buffer:
+                raise EOFError
+        return self.buffer.pop(0)
+
+    def step(self):
+        """One character or one command."""
+        one = self.byte()
+        if one != IAC:
+            return self.echo(one)
+        command = self.byte()
+        if command == IAC:
+            return self.echo(IAC)
+        if command != SUB:
+            return self.commands.append((command, self.byte()))
+        content = bytearray()
+        while True:
+            one = self.byte()
+            if one == IAC and (one := self.byte()) == SUB_END:
+                break
+            content.append(one)
+        what, value = content[1], bytes(content[2:])
+        self.told[what] = value
+        self.client.sendall(bytes([IAC, SUB, COM_PORT, what + 100]) + self.answers(what, value).replace(b"\xff", b"\xff\xff") + bytes([IAC, SUB_END]))
+
+    def echo(self, one):
+        self.characters.append(one)
+
+
 class Serial(SerialCase):
     # PTP-LINE-05, PTP-LINE-12, PTP-CABLE-05
     def test_a_foreign_partner_speaks_3964R_over_a_pseudo_terminal(self):
@@ -114,6 +166,50 @@ class Serial(SerialCase):
         second, address = self.run_it(server, "listen:0")
         first, _ = self.run_it(sender, "connect:" + address)
         self.exchange(first, second)
+
+    ASCII = '[cpu]\nmodel = "314C-2 PtP"\n\n[[module]]\nslot = "2.1"\ndiagnostics = true\n\n[module.serial]\nprotocol = "ASCII"\nbaud = 19200\nparity = "odd"\nstop_bits = 2\n'
+
+    def com_port(self, server):
+        self.write("ascii/merker.toml", self.ASCII)
+        self.write("ascii/main.awl", ECHO + "ORGANIZATION_BLOCK OB 82\nBEGIN\nNETWORK\n      L     MW 30\n      +     1\n      T     MW 30\nEND_ORGANIZATION_BLOCK\n")
+        process, _ = self.run_it("ascii", f"rfc2217:127.0.0.1:{server.port}")
+        self.addCleanup(server.listener.close)
+        server.accept()
+        self.addCleanup(server.client.close)
+        return process
+
+    # PTP-LINE-06, RFC 2217
+    def test_a_server_of_serial_ports_is_set_as_the_interface_is(self):
+        server = ComPortServer()
+        process = self.com_port(server)
+        while len(server.told) < 6:
+            server.step()
+        self.assertEqual(server.told, {1: (19200).to_bytes(4, "big"), 2: b"\x08", 3: b"\x02", 4: b"\x02", 5: b"\x01", 10: b"\x10"})
+        self.assertEqual([number for command, number in server.commands if command == WILL], [0, 3, COM_PORT])
+        text = bytes([0, 255, 255, 240, 250, 1, 13, 255])
+        server.client.sendall(text.replace(b"\xff", b"\xff\xff"))
+        while len(server.characters) < len(text):
+            server.step()
+        self.assertEqual(bytes(server.characters), text)
+        self.assertIn((WONT, 24), server.commands)
+        self.assertIn((DONT, 1), server.commands)
+        server.client.sendall(bytes([IAC, SUB, COM_PORT, 106, 16, IAC, SUB_END]))  # BREAK
+        time.sleep(0.3)
+        self.assertGreaterEqual(self.end(process)["MW 20"], 1)
+
+    def test_a_server_that_does_not_do_it_is_told_and_one_that_floods_is_left(self):
+        server = ComPortServer(lambda what, value: (9600).to_bytes(4, "big") if what == 1 else value)
+        process = self.com_port(server)
+        while len(server.told) < 6:
+            server.step()
+        self.assertIn("did not set its rate", process.stderr.readline())
+        server.client.sendall(bytes([IAC, SUB, COM_PORT]) + bytes(100_000) + bytes([IAC, SUB_END]))
+        server.client.settimeout(60)
+        with self.assertRaises(ConnectionError):  # each asks for an answer, and nobody reads these
+            while True:
+                server.client.sendall(bytes([IAC, DO, 24]) * 10_000)
+        server.accept()  # it calls again
+        self.end(process)
 
     def test_what_is_wrong_is_told(self):
         self.project("echo", "3964R", ECHO)

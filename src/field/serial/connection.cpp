@@ -11,9 +11,11 @@ using Kind = Connection::Kind;
 constexpr std::pair<std::string_view, Kind> kKinds[] = {
     {"pty:", Kind::Pty},         {"device:", Kind::Device}, {"listen:", Kind::Listen},
     {"connect:", Kind::Connect}, {"replay:", Kind::Replay}, {"station:", Kind::Station},
+    {"rfc2217:", Kind::ComPort},
 };
 
-bool isNetwork(Kind kind) { return kind == Kind::Listen || kind == Kind::Connect; }
+bool calls(Kind kind) { return kind == Kind::Connect || kind == Kind::ComPort; }
+bool isNetwork(Kind kind) { return kind == Kind::Listen || calls(kind); }
 
 // HOST:PORT, for a side that waits also PORT alone. An IPv6 address stands in brackets.
 bool readPort(std::string_view text, Connection& connection) {
@@ -26,7 +28,7 @@ bool readPort(std::string_view text, Connection& connection) {
   if (error != std::errc{} || end != port.data() + port.size() || number > 65'535) return false;
   if (host.size() > 1 && host.front() == '[' && host.back() == ']')
     host = host.substr(1, host.size() - 2);
-  if (connection.kind == Kind::Connect && (host.empty() || number == 0)) return false;
+  if (calls(connection.kind) && (host.empty() || number == 0)) return false;
   connection.place = host;
   connection.port = static_cast<std::uint16_t>(number);
   return true;
@@ -48,6 +50,7 @@ std::optional<Connection> parseConnection(std::string_view text) {
 
 std::string_view connectionForms() {
   return "valid forms: pty:PATH, device:PATH, listen:PORT, listen:HOST:PORT, connect:HOST:PORT, "
+         "rfc2217:HOST:PORT, "
          "replay:FILE, station:NAME, partner";
 }
 

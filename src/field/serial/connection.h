@@ -16,6 +16,7 @@ struct Connection {
     Device,   // a serial device of this computer
     Listen,   // TCP, this side waits; `place` is HOST or empty
     Connect,  // TCP, this side calls
+    ComPort,  // TCP, this side calls a server of serial ports (RFC 2217)
     Replay,   // a recording of an earlier run
     Station   // another station of the project; `place` is its name
   };
@@ -26,8 +27,8 @@ struct Connection {
 };
 
 // "pty:/tmp/x27", "device:/dev/ttyUSB0", "listen:4000", "listen:127.0.0.1:4000",
-// "connect:host:4000", "replay:line.csv", "station:Press", "partner"; nothing if it is none of
-// these.
+// "connect:host:4000", "rfc2217:host:4000", "replay:line.csv", "station:Press", "partner"; nothing
+// if it is none of these.
 std::optional<Connection> parseConnection(std::string_view text);
 std::string_view connectionForms();  // for messages
 

@@ -42,9 +42,17 @@ Coupling::Coupling(const Parameters& parameters)
   line_->advance(Instant{});
 }
 
+// A line without pacing: a character takes about a microsecond, the times of the drivers are those
+// of the rate that is set (PTP-LINE-07).
+Settings Coupling::onWire(Settings settings) const {
+  constexpr std::uint32_t kUnlimited = 10'000'000;
+  if (!owner().parameters_.paced) settings.baud = kUnlimited;
+  return settings;
+}
+
 // Without supply it drives nothing.
 Settings Coupling::wired() const {
-  Settings own = parameters_.line;
+  Settings own = onWire(parameters_.line);
   if (!powered_ && own.mode != Mode::TwoWire) own.mode = Mode::MultipointSlave;
   return own;
 }
@@ -67,7 +75,7 @@ void Coupling::build(Instant now) {
   if (joined())
     line_->join(other_->driver(), other_->wired());
   else
-    line_->join(partner_, partnerSettings_);
+    line_->join(partner_, onWire(partnerSettings_));
   for (std::size_t i = 0; i < wiring_.size(); ++i) {
     if (wiring_[i].cut) line_->cut(i, true, now);
     if (wiring_[i].swapped) line_->swapPolarity(i, true, now);
@@ -161,7 +169,7 @@ void Coupling::swapPolarity(End end, bool swapped, Instant now) {
 
 void Coupling::noise(End end, std::uint16_t bits, Instant now) {
   const Settings& far = joined() ? other_->parameters_.line : partnerSettings_;
-  const Settings& settings = end == End::Cpu ? parameters_.line : far;
+  const Settings settings = onWire(end == End::Cpu ? parameters_.line : far);
   advance(now);
   line().noise(portOf(end), bits, static_cast<std::uint8_t>(settings.frame.bits()), settings.baud,
                now);

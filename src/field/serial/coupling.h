@@ -91,6 +91,7 @@ class Coupling {
     return ownsLine_ ? static_cast<std::size_t>(end) : 1 - static_cast<std::size_t>(end);
   }
   Driver& driver() { return powered_ ? static_cast<Driver&>(interface()) : silence_; }
+  Settings onWire(Settings settings) const;
   Settings wired() const;
   void connect(Instant now, bool anew = false);
   void build(Instant now);

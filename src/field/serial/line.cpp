@@ -48,7 +48,8 @@ Instant Line::next() const {
   return first;
 }
 
-// At one instant: what has left, what has arrived, timers, what is sent next.
+// At one instant: what has left, what has arrived, timers, what is sent next. Where nothing happens
+// nobody samples: what begins at `to` does not change what was before.
 void Line::advance(Instant to) {
   Standstill standstill;
   for (Instant now = next(); now <= to && standstill.moves(now); now = next()) {
@@ -57,7 +58,6 @@ void Line::advance(Instant to) {
     observe(now);
     for (Port& port : ports_) port.run(now);
   }
-  observe(to);
   for (Port& port : ports_) port.run(to);
 }
 

@@ -21,6 +21,8 @@ struct Parameters {
   AsciiParameters ascii;
   ProcedureParameters procedure;
   MailboxParameters mailbox;
+  // Of the simulator: characters take the time of their rate, or none to speak of (PTP-LINE-07).
+  bool paced = true;
 };
 
 // What a protocol begins with. The preset follows the mode (PTP-PARAM-25), the acknowledgement

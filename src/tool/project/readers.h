@@ -36,6 +36,8 @@ void checkAxis(const Table& root, const io::Configuration& configuration);
 void readSerial(const Table& table, const CpuModel& model, io::Module& module);
 // [serial]: what X27 is connected to (PTP-LINE-12)
 std::optional<serial::Connection> readConnection(const Table& root);
+// [serial] pacing
+void readPacing(const Table& root, io::Configuration& configuration);
 // [[station]]: other stations, which something must be connected to
 std::vector<OtherStation> readStations(const Table& root,
                                        const std::optional<serial::Connection>& serial);

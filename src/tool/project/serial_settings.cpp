@@ -217,13 +217,26 @@ void readSerial(const Table& table, const CpuModel& model, io::Module& module) {
 std::optional<serial::Connection> readConnection(const Table& root) {
   const auto table = root.table("serial");
   if (!table) return std::nullopt;
-  table->allow({"X27"});
+  table->allow({"X27", "pacing"});
   const auto text = table->text("X27", "a connection: \"listen:4000\"");
   if (!text) return std::nullopt;
   auto connection = serial::parseConnection(*text);
   if (!connection)
     table->problems().add(ProblemCode::P0770, table->at("X27"), *text, serial::connectionForms());
   return connection;
+}
+
+// The line is no part of the S7 project, but it is the sub-module's (PTP-LINE-07).
+void readPacing(const Table& root, io::Configuration& configuration) {
+  const auto table = root.table("serial");
+  const auto pacing = table ? table->choice("pacing", {"unlimited", "rate"}) : std::nullopt;
+  if (!pacing) return;
+  for (io::Module& module : configuration.modules) {
+    if (!module.parameters.serial) continue;
+    auto parameters = std::make_shared<serial::Parameters>(*module.parameters.serial);
+    parameters->paced = *pacing == 1;
+    module.parameters.serial = std::move(parameters);
+  }
 }
 
 }  // namespace merker::project

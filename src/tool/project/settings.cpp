@@ -100,6 +100,7 @@ void readStation(const Table& root, Settings& settings) {
   readHardware(root, settings);
   if (settings.hardware) settings.plants = readPlants(root, *settings.hardware);
   settings.serial = readConnection(root);
+  if (settings.hardware) readPacing(root, *settings.hardware);
   settings.stations = readStations(root, settings.serial);
 }
 

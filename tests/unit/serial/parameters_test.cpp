@@ -186,5 +186,25 @@ TEST(SerialParameters, AttemptsAndBuffer) {
   }
 }
 
+// PTP-PARAM-13, PTP-PARAM-16
+TEST(SerialParameters, OneOrTwoEndCharactersAndTheRateWhereItMatters) {
+  for (const std::uint8_t count : {std::uint8_t{0}, std::uint8_t{3}})
+    EXPECT_EQ(refusedWith(Protocol::Ascii,
+                          [count](Parameters& p) {
+                            p.ascii.end = AsciiParameters::End::Characters;
+                            p.ascii.endCharacters = count;
+                          }),
+              "number of end characters must be 1 to 2");
+  const auto delay = [](std::uint32_t baud) {
+    return refusedWith(Protocol::Ascii, [baud](Parameters& p) {
+      p.line.baud = baud;
+      p.ascii.delay = Duration::milliseconds(0);
+    });
+  };
+  EXPECT_EQ(delay(300),
+            "character delay time must be 130 to 65535 ms in steps of 1 ms at 300 baud");
+  EXPECT_EQ(delay(38'400), "character delay time must be 1 to 65535 ms in steps of 1 ms");
+}
+
 }  // namespace
 }  // namespace merker::serial

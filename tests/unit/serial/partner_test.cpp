@@ -160,5 +160,18 @@ TEST(SerialDecoder, NamesWhatABlockIsMadeOf) {
   EXPECT_EQ(characterName('A'), "'A'");
 }
 
+TEST(SerialPartner, HasOneJobAtATime) {
+  Parameters parameters = defaults(Protocol::ComputerLink);
+  Coupling coupling(parameters);
+  ProcedureParameters other = parameters.procedure;
+  other.highPriority = false;
+  coupling.partner().speak(Partner::Speaks::ComputerLink, other, at(0));
+  const LinkJob job{.fetch = true, .type = 'D', .block = 10, .length = 2};
+  EXPECT_TRUE(coupling.partner().begin(job, {}, at(10)));
+  EXPECT_FALSE(coupling.partner().begin(job, {}, at(10)));
+  coupling.partner().speak(Partner::Speaks::Characters, other, at(20));
+  EXPECT_FALSE(coupling.partner().begin(job, {}, at(20)));
+}
+
 }  // namespace
 }  // namespace merker::serial
