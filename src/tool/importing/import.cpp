@@ -17,7 +17,8 @@ namespace {
 
 // Into a project that exists it is checked as a whole, later.
 void check(const Output& output, const Options& options, Report& report) {
-  if (!output.stopped() && options.model.empty()) reportCheck(output.folder(), options.stop, report);
+  if (!output.stopped() && options.model.empty())
+    reportCheck(output.folder(), options.stop, report);
 }
 
 void write(const Material& material, const std::string& folder, const Options& options,
