@@ -5,10 +5,9 @@
 
 #include <cstdlib>
 #include <fstream>
-#include <thread>
 
 #include "programs.h"
-#include "station/station.h"
+#include "together.h"
 
 namespace merker::bench {
 namespace {
@@ -54,13 +53,7 @@ double residentBytes() {
   return static_cast<double>(resident) * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
-void advance(std::vector<Station>& stations, std::size_t first, std::size_t end, Duration by) {
-  constexpr Duration kSlice = Duration::milliseconds(100);
-  for (Duration gone{}; gone < by; gone = gone + kSlice)
-    for (std::size_t i = first; i < end; ++i) stations[i].advanceTo(stations[i].now() + kSlice);
-}
-
-// Two threads, half of the CPUs each; all of them together one virtual second.
+// All of them together one virtual second.
 void ThousandCpus(benchmark::State& state) {
   constexpr std::size_t kCpus = 1000;
   constexpr Duration kTime = Duration::seconds(1);
@@ -68,11 +61,7 @@ void ThousandCpus(benchmark::State& state) {
   const double before = residentBytes();
   std::vector<Station> stations;
   for (std::size_t i = 0; i < kCpus; ++i) stations.push_back(started(program, Engine::Compiled));
-  for (auto _ : state) {
-    std::thread half([&] { advance(stations, 0, kCpus / 2, kTime); });
-    advance(stations, kCpus / 2, kCpus, kTime);
-    half.join();
-  }
+  for (auto _ : state) advanceTogether(stations, kTime);
   state.SetItemsProcessed(state.iterations() * kTime.ns);
   state.counters["bytes"] = residentBytes() - before;
 }

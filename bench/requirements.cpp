@@ -24,6 +24,8 @@ constexpr std::array kSingles{
            1000},
     Single{"Cycles", "cycles with process image", Unit::Rate, Limit::None, 0},
     Single{"ThousandCpus", "1,000 CPUs on two threads, each", Unit::RealTime, Limit::AtLeast, 1},
+    Single{"ThousandComputerLinks", "1,000 CPUs with a busy RK 512 line on two threads, each",
+           Unit::RealTime, Limit::AtLeast, 1},
     Single{"MemoryOfThousandCpus", "memory of 1,000 CPUs", Unit::Bytes, Limit::AtMost, 2e9},
 };
 

@@ -1,12 +1,12 @@
 // A CPU 314C-2 PtP whose RK 512 line is always busy: it fetches 128 bytes of its partner without a
-// pause, at 9600 baud.
+// pause, at 9600 baud; and a thousand of them in one process.
 #include <benchmark/benchmark.h>
 
 #include <cstdlib>
 
 #include "programs.h"
 #include "serial/coupling.h"
-#include "station/station.h"
+#include "together.h"
 
 namespace merker::bench {
 namespace {
@@ -55,26 +55,55 @@ io::Configuration computerLink() {
   return io::configure({module}, defaultCpuModel(), problems);
 }
 
-void BusyComputerLink(benchmark::State& state) {
+using station::Station;
+
+Station busy(const std::shared_ptr<const block::Program>& program) {
   station::Options options;
-  options.program = compiled(std::string(kFetching), "314C-2 PtP");
+  options.program = program;
   options.hardware = computerLink();
   options.engine = station::Engine::Compiled;
-  station::Station station(std::move(options));
+  Station station(std::move(options));
   if (!station.warmRestart()) std::abort();
   serial::Coupling& coupling = *station.serial();
   serial::ProcedureParameters partner = coupling.parameters().procedure;
   partner.highPriority = false;
   coupling.partner().speak(serial::Partner::Speaks::ComputerLink, partner, station.now());
   coupling.partner().memory().set('D', 20, 0, serial::Bytes(128, 0x55));
+  return station;
+}
+
+// It runs, and jobs have ended.
+void check(Station& station, benchmark::State& state) {
+  if (station.mode() != station::Mode::Run) state.SkipWithError(station.stopReason().c_str());
+  if (station.serial()->seen() == 0) state.SkipWithError("nothing was on the line");
+}
+
+std::shared_ptr<const block::Program> fetching() {
+  return compiled(std::string(kFetching), "314C-2 PtP");
+}
+
+void BusyComputerLink(benchmark::State& state) {
+  Station station = busy(fetching());
   constexpr Duration kStep = Duration::milliseconds(500);
   const Instant begin = station.now();
   for (auto _ : state) station.advanceTo(station.now() + kStep);
   state.SetItemsProcessed((station.now() - begin).ns);
-  if (station.mode() != station::Mode::Run) state.SkipWithError(station.stopReason().c_str());
-  if (coupling.seen() == 0) state.SkipWithError("nothing was on the line");
+  check(station, state);
 }
 BENCHMARK(BusyComputerLink);
+
+// All of them together one virtual second.
+void ThousandComputerLinks(benchmark::State& state) {
+  constexpr std::size_t kCpus = 1000;
+  constexpr Duration kTime = Duration::seconds(1);
+  const auto program = fetching();
+  std::vector<Station> stations;
+  for (std::size_t i = 0; i < kCpus; ++i) stations.push_back(busy(program));
+  for (auto _ : state) advanceTogether(stations, kTime);
+  state.SetItemsProcessed(state.iterations() * kTime.ns);
+  for (Station& station : stations) check(station, state);
+}
+BENCHMARK(ThousandComputerLinks)->UseRealTime()->Iterations(3);
 
 }  // namespace
 }  // namespace merker::bench
