@@ -40,8 +40,6 @@ FileLookup Build::files() const {
 
 namespace {
 
-constexpr std::string_view kPartner = "partner.";
-
 // Whether there is such a data block shows when it is looked at: programs make some (E DB).
 Result<address::Reference> listingOperand(std::string_view text, const Position& at,
                                           const source::SymbolTable& symbols) {

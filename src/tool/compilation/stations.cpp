@@ -9,8 +9,6 @@
 namespace merker::compilation {
 namespace {
 
-constexpr std::string_view kPartner = "partner.";
-
 const io::Module* serialModule(const project::Project& project) {
   if (!project.hardware) return nullptr;
   const auto& modules = project.hardware->modules;

@@ -1,9 +1,14 @@
 // The other station of a project ([[station]]) and the operands that are named after it.
 #pragma once
 
+#include <string_view>
+
 #include "compilation/build.h"
 
 namespace merker::compilation {
+
+// In front of the operands of the control or station at the other end: "partner.MW 10".
+inline constexpr std::string_view kPartner = "partner.";
 
 // Compiles the station that X27 is connected to; its problems are those of the project, too.
 void addStation(Build& build);
