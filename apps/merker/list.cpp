@@ -95,9 +95,8 @@ int listView(const Build& built, const ListOptions& options) {
 int list(const ListOptions& options) {
   const Build built = build(loadProject(options.path, options.project), false);
   printProblems(built.problems, built.files());
-  if (built.isListing() && !options.view.empty()) return refuseListing("list --view");
-  if (built.isListing()) return listListings(built, options);
   if (!options.view.empty()) return listView(built, options);
+  if (built.isListing()) return listListings(built, options);
   if (options.json)
     printJson(built, options);
   else if (options.memory)

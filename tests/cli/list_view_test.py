@@ -63,12 +63,30 @@ class ListView(Case):
         shapes = [node.get("data-statement") for node in xml.parse(self.folder / "main.svg").iter()]
         self.assertIn("3", shapes)
 
+    # S5-KOPFUP-01, S5-KOPFUP-10
+    def test_a_listing(self):
+        self.write("main.s5", """OB 1
+NETZWERK 1 Lamp
+      U     E 0.0
+      U(
+      O     E 0.1
+      O     E 0.2
+      )
+      =     A 0.0
+NETZWERK 2 Number
+      L     KF +1
+      T     MW 102
+      BE
+""")
+        text = self.expect(GOOD, "list", "main.s5", "--view", "kop").out
+        self.assertIn("├──┤ ├──┬──┤ ├──┬───( )──\n", text)
+        self.assertIn("(AWL, statement 1 (L KF +1): the value in the accumulator", text)
+        self.assertIn("2 networks, 1 KOP, 1 AWL\n", text)
+
     def test_wrong_usage(self):
         self.view("--svg", "main.svg", code=USAGE)
         self.view("--view", "ladder", code=USAGE)
         self.view("--view", "kop", "--svg", "no/main.svg", code=UNREADABLE)
-        self.write("main.s5", "OB 1\n      BE\n")
-        self.expect(USAGE, "list", "main.s5", "--view", "kop")
 
 
 if __name__ == "__main__":

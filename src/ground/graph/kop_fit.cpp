@@ -15,7 +15,7 @@ bool takesSignal(const Node& node) {
 
 class Fitter {
  public:
-  explicit Fitter(const Network& network) : network_(network) {
+  Fitter(const Network& network, const Rules& rules) : network_(network), rules_(rules) {
     for (const Rung& rung : network.rungs)
       for (const Node& node : rung.logic) collectWires(node, wires_);
   }
@@ -41,7 +41,8 @@ class Fitter {
       case NodeKind::Series:
         return series(node, first);
       case NodeKind::Parallel:  // all its branches begin at the same place
-        return all(node.children, first) && !anyBeginsAtBranch(node.children);
+        return all(node.children, first) && !anyBeginsAtBranch(node.children) &&
+               (rules_.boxBeforeOr || !hasBox(node));
       case NodeKind::Box:
         return box(node, first);
       case NodeKind::Xor:
@@ -69,6 +70,12 @@ class Fitter {
     return first && all(box.enable, true) && all(box.pins) && all(box.parameters);
   }
 
+  static bool hasBox(const Node& node) {
+    bool found = false;
+    visit(node, [&found](const Node& below) { found = found || below.kind == NodeKind::Box; });
+    return found;
+  }
+
   bool anyBeginsAtBranch(const std::vector<Node>& nodes) const {
     return std::any_of(nodes.begin(), nodes.end(), [this](const Node& node) {
       const Node* contact = firstContact(node);
@@ -78,11 +85,12 @@ class Fitter {
   }
 
   const Network& network_;
+  const Rules& rules_;
   std::vector<std::uint32_t> wires_;
 };
 
 }  // namespace
 
-bool fitsKop(const Network& network) { return Fitter(network).fits(); }
+bool fitsKop(const Network& network, const Rules& rules) { return Fitter(network, rules).fits(); }
 
 }  // namespace merker::graph

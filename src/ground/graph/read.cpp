@@ -5,6 +5,7 @@
 
 #include "graph/bld.h"
 #include "graph/expression_reader.h"
+#include "graph/wires.h"
 #include "graph/write.h"
 
 namespace merker::graph {
@@ -142,12 +143,26 @@ std::size_t firstDifference(std::span<const Statement> a, const Statements& b) {
   return static_cast<std::size_t>(at - a.begin());
 }
 
+// The second box of a network.
+std::optional<std::size_t> secondBox(const Network& network) {
+  std::vector<std::size_t> boxes;
+  for (const Rung& rung : network.rungs)
+    for (const Node& logic : rung.logic)
+      visit(logic, [&boxes](const Node& node) {
+        if (node.kind == NodeKind::Box) boxes.push_back(node.last - 1);
+      });
+  std::sort(boxes.begin(), boxes.end());
+  return boxes.size() < 2 ? std::nullopt : std::optional(boxes[1]);
+}
+
 }  // namespace
 
 Result<Network, Refusal> read(std::span<const Statement> statements, const Rules& rules) {
   if (const auto refusal = misledJump(statements)) return *refusal;
   auto network = NetworkReader(statements, rules).read();
   if (!network) return network;
+  if (const auto box = rules.oneBox ? secondBox(*network) : std::nullopt)
+    return Refusal{*box, Reason::OneBox};
   const Statements written = write(*network, rules);
   if (std::equal(statements.begin(), statements.end(), written.begin(), written.end()))
     return network;

@@ -10,6 +10,8 @@ struct Rules {
   int deepestBrackets = 7;  // places in the stack of brackets
   Operand binaryResult;     // BIE: ENO of the box before
   Operand overflow;         // OV
+  bool oneBox = false;      // a network has at most one
+  bool boxBeforeOr = true;  // ladder shows a box in a branch that is joined to others
 };
 
 }  // namespace merker::graph

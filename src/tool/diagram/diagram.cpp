@@ -5,8 +5,12 @@
 #include "graph/fup.h"
 #include "graph/kop.h"
 #include "graph/read.h"
+#include "graph5/network_code.h"
+#include "graph5/rules.h"
 #include "graph7/network_code.h"
 #include "graph7/rules.h"
+#include "mc5/block_id.h"
+#include "mc5/disassembly.h"
 #include "mc7/disassembly.h"
 
 namespace merker::diagram {
@@ -30,15 +34,21 @@ std::string statementText(const block::Block& block, const graph::Statement& sta
   return fmt::format("{:<5} {}", mnemonic.substr(0, mnemonic.find(' ')), statement.operand.text);
 }
 
-NetworkDiagram diagramOf(const block::Block& block, const graph7::NetworkCode& code,
-                         Mnemonics mnemonics) {
+NetworkDiagram read(const graph::Statements& statements, const graph::Rules& rules) {
   NetworkDiagram out;
-  out.label = code.label;
-  auto network = graph::read(code.statements, graph7::rules());
+  out.rules = &rules;
+  auto network = graph::read(statements, rules);
   if (network)
     out.network = std::move(*network);
   else
     out.refusal = network.error();
+  return out;
+}
+
+NetworkDiagram diagramOf(const block::Block& block, const graph7::NetworkCode& code,
+                         Mnemonics mnemonics) {
+  NetworkDiagram out = read(code.statements, graph7::rules());
+  out.label = code.label;
   for (std::size_t i = 0; i < code.statements.size(); ++i) {
     const bool last = i + 1 == code.statements.size();
     out.statements.push_back(statementText(
@@ -66,6 +76,29 @@ BlockDiagram diagramOf(const compilation::Build& build, const block::Block& bloc
   return out;
 }
 
+NetworkDiagram diagramOf(const mc5::Block& block, const graph5::NetworkCode& code) {
+  NetworkDiagram out = read(code.statements, graph5::rules());
+  for (std::size_t i = 0; i < code.statements.size(); ++i) {
+    const bool last = i + 1 == code.statements.size();
+    const std::uint32_t at = code.statements[i].offset,
+                        end = last ? code.end : code.statements[i + 1].offset;
+    const auto lines = mc5::disassemble(std::span(block.words).subspan(at, end - at));
+    out.statements.push_back(lines.empty() ? std::string() : lines.front().text);
+  }
+  return out;
+}
+
+BlockDiagram diagramOf(const mc5::Block& block) {
+  BlockDiagram out{mc5::toString(block.id), block.name, {}};
+  for (const graph5::NetworkCode& code : graph5::networks(block)) {
+    NetworkDiagram& network = out.networks.emplace_back(diagramOf(block, code));
+    network.number = out.networks.size();
+    if (network.number <= block.networks.size())
+      network.title = block.networks[network.number - 1].title;
+  }
+  return out;
+}
+
 std::string withSingleBlanks(std::string_view text) {
   std::string out;
   for (const char c : text)
@@ -82,15 +115,18 @@ void write(graph::Picture& picture, const std::string& text) {
 
 std::vector<BlockDiagram> diagrams(const compilation::Build& build, Mnemonics mnemonics) {
   std::vector<BlockDiagram> out;
-  if (build.program == nullptr) return out;
-  for (const auto& [id, block] : *build.program)
-    if (!block.code.empty()) out.push_back(diagramOf(build, block, mnemonics));
+  if (build.program != nullptr)
+    for (const auto& [id, block] : *build.program)
+      if (!block.code.empty()) out.push_back(diagramOf(build, block, mnemonics));
+  for (const auto& [id, block] : build.listings)
+    if (id.type != mc5::BlockType::Db) out.push_back(diagramOf(block));
   return out;
 }
 
 View shownAs(const NetworkDiagram& network, View wanted) {
   if (!network.network) return View::Awl;
-  return wanted == View::Kop && !graph::fitsKop(*network.network) ? View::Fup : wanted;
+  return wanted == View::Kop && !graph::fitsKop(*network.network, *network.rules) ? View::Fup
+                                                                                  : wanted;
 }
 
 graph::Picture draw(const NetworkDiagram& network, View view, Mnemonics mnemonics) {

@@ -10,6 +10,7 @@
 #include "graph/network.h"
 #include "graph/picture.h"
 #include "graph/reason.h"
+#include "graph/rules.h"
 #include "graph/style.h"
 
 namespace merker::diagram {
@@ -21,6 +22,7 @@ struct NetworkDiagram {
   std::string title;
   std::string label;                      // where another network jumps to it
   std::optional<graph::Network> network;  // none: it stays AWL
+  const graph::Rules* rules = nullptr;    // of its family
   graph::Refusal refusal;                 // then the reason
   std::vector<std::string> statements;    // "U     E 0.0", one for each statement of `graph`
 };
@@ -30,7 +32,7 @@ struct BlockDiagram {
   std::vector<NetworkDiagram> networks;
 };
 
-// All code blocks of a SIMATIC S7 in their order.
+// All code blocks in their order; `mnemonics` and names are those of STEP 7 only.
 std::vector<BlockDiagram> diagrams(const compilation::Build& build, Mnemonics mnemonics);
 
 // How the network is drawn if `wanted` is asked for: what KOP cannot draw is FUP.

@@ -83,7 +83,7 @@ std::string drawn(const NetworkCode& code, graph::Language language, bool kop) {
   const auto network = graph::read(code.statements, rules());
   if (!network) return {};
   const graph::Style style{language};
-  if (kop && !graph::fitsKop(*network)) return "(FUP)\n";
+  if (kop && !graph::fitsKop(*network, rules())) return "(FUP)\n";
   std::string out;
   for (const std::string& line :
        graph::toText(kop ? graph::kop(*network, style) : graph::fup(*network, style)))
