@@ -43,6 +43,14 @@ constexpr std::array kTypes{
     Row{TypeCode::DateAndTime, "DT", 64},
 };
 
+// By code: a call of a system function asks for each of its parameters.
+constexpr auto kBits = [] {
+  std::array<std::uint8_t, 256> bits{};
+  for (const Row& row : kTypes)
+    bits[static_cast<std::uint8_t>(row.code)] = static_cast<std::uint8_t>(row.bits);
+  return bits;
+}();
+
 const Row* find(TypeCode code) {
   const auto* const row =
       std::find_if(kTypes.begin(), kTypes.end(), [code](const Row& r) { return r.code == code; });
@@ -62,9 +70,6 @@ std::optional<TypeCode> typeFromName(std::string_view keyword) {
   return std::nullopt;
 }
 
-unsigned bitWidth(TypeCode code) {
-  const Row* const row = find(code);
-  return row ? row->bits : 0;
-}
+unsigned bitWidth(TypeCode code) { return kBits[static_cast<std::uint8_t>(code)]; }
 
 }  // namespace merker

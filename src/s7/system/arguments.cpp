@@ -94,9 +94,14 @@ void Arguments::set(std::size_t i, std::uint32_t value) {
   const Where where = placeOf(i);
   const Width width = block::widthOf(function_.parameters[i].type);
   const cpu::OpenBlock& instance = call_.machine.registers.di;
-  std::uint8_t* byte = where.area == Area::Instance && width != Width::Bit
+  std::uint8_t* byte = where.area == Area::Instance
                            ? inInstance(instance, instance.writable, width, where.address)
                            : nullptr;
+  if (byte != nullptr && width == Width::Bit) {
+    const auto bit = static_cast<std::uint8_t>(1u << where.address % 8);
+    *byte = static_cast<std::uint8_t>(value != 0 ? *byte | bit : *byte & ~bit);
+    return;
+  }
   if (byte != nullptr) return cpu::storeBytes(byte, width, value);
   note(cpu::write(call_.machine, where.area, width, where.address, value));
 }
