@@ -307,8 +307,7 @@ block::TypePtr Interfaces::blockType(const BlockSource& source, const TypeSyntax
 void Interfaces::missing(const BlockSource& source, const Position& place, BlockId id) {
   if (!missing_.emplace(source.id, toString(id)).second) return;
   if (id.kind == BlockKind::SFB)
-    problems_.add(ProblemCode::P0433, place, fmt::format("CPU {}", options_.model->name),
-                  toString(id));
+    problems_.add(ProblemCode::P0433, place, options_.model->name, toString(id));
   else
     problems_.add(ProblemCode::P0428, place, toString(id));
 }

@@ -44,6 +44,14 @@ TEST(Problem, StringsWithQuotationMarks) {
   EXPECT_EQ(compiled.block(BlockKind::DB, 1).actualData, expected);
 }
 
+// POS-OVW-01: the name of the CPU as it is called, once
+TEST(Problem, CpuWithoutTheFunctionBlock) {
+  const Compiled compiled =
+      compileText("DATA_BLOCK DB 22\nSFB 46\nBEGIN\nEND_DATA_BLOCK\n", "313C");
+  ASSERT_EQ(compiled.problems(), List{"2:1 P0433"});
+  EXPECT_EQ(compiled.result.problems.list().front().message, "CPU 313C has no SFB 46");
+}
+
 TEST(Problem, DeepNestingIsRefused) {
   std::string nested = "DATA_BLOCK DB 1\n", udts;
   for (int i = 0; i < 20'000; ++i) nested += "STRUCT a : ";
