@@ -108,6 +108,14 @@ AxisSettings settingsOf(Parameters p) {
   return s;
 }
 
+// In pulses/s, of the same instant as the position: within a step it changes evenly.
+double speedAt(const signal::Ramp& ramp, Instant t) {
+  const std::int64_t passed = std::clamp<std::int64_t>((t - ramp.start).ns, 0, ramp.length.ns);
+  const double share = static_cast<double>(passed) / static_cast<double>(ramp.length.ns);
+  const auto speed = static_cast<double>(ramp.speed), last = static_cast<double>(ramp.last);
+  return (speed + share * (last - speed)) / 1000;
+}
+
 // The tracks say everything.
 struct Unheard : AxisObserver {
   void moved(std::int64_t) override {}
@@ -214,7 +222,7 @@ class AxisProcess : public ProcessOf<kParameters, kSignals> {
     values["HIGH_SWITCH"] = pulse > settings_.highSwitch;
     values["POSITION"] = static_cast<double>(load_->at(now)) / signal::kPulse;
     values["ENCODER"] = static_cast<double>(ramp_->at(now)) / signal::kPulse;
-    values["SPEED"] = static_cast<double>(axis_.speed()) / 1000;
+    values["SPEED"] = speedAt(*ramp_, now);
   }
 
   AxisSettings settings_;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstring>
 #include <ostream>
 
@@ -46,8 +47,13 @@ std::string operandText(const address::Reference& reference, const std::string& 
   return formatOperand(reference, bits);
 }
 
-// Four digits, so that a curve is told in some hundred changes.
-std::string fourDigits(double value) { return fmt::format("{:.4g}", value); }
+// Four digits, so that a curve is told in some hundred changes; a way of thousands of pulses in the
+// seven digits of a message, never with an exponent (POS-PLANT-20).
+std::string digits(double value) {
+  const double amount = std::abs(value);
+  if (amount < 1000) return fmt::format("{:.4g}", value);
+  return amount < 1e6 ? fmt::format("{:.7g}", value) : fmt::format("{:.0f}", value);
+}
 
 }  // namespace
 
@@ -68,9 +74,9 @@ Trace::Trace(std::ostream& out, Watched watched, const controller::Controller& p
 std::vector<std::string> Trace::outside() const {
   std::vector<std::string> values;
   for (const PlantValue& signal : watched_.plants)
-    values.push_back(fourDigits(field_->plants()->value(signal.place)));
+    values.push_back(digits(field_->plants()->value(signal.place)));
   for (const TerminalValue& terminal : watched_.terminals)
-    values.push_back(fourDigits(presentValue(terminal, *field_->rack())));
+    values.push_back(digits(presentValue(terminal, *field_->rack())));
   for (const AxisTerm& term : watched_.axis)
     values.push_back(fmt::format("{}", positioning::read(*term.what, *axis_->axis())));
   return values;

@@ -33,6 +33,10 @@ class Machine {
       now_ = to;
     }
   }
+  void pass(Duration time) {  // less than a step
+    process_->advance(now_, now_ + time, values_);
+    now_ = now_ + time;
+  }
   std::vector<Instant>& watch(const std::string& signal) { return watched_[signal]; }
 
  private:
@@ -65,6 +69,19 @@ TEST(AxisPlant, Tracks) {
   axis.steps(10);
   EXPECT_EQ(axis.course("A"), standing);
   EXPECT_EQ(standing->next(Instant{}), standing->next(Instant{}));
+}
+
+// Of the same instant as the position, not of the end of its step
+TEST(AxisPlant, SpeedWithinAStep) {
+  Machine axis;
+  axis["SETPOINT"] = 1;
+  axis["ENABLE"] = 1;
+  axis.steps(2);
+  EXPECT_DOUBLE_EQ(axis["SPEED"], 400);
+  EXPECT_DOUBLE_EQ(axis["POSITION"], 0.8);
+  axis.pass(Duration::milliseconds(1));
+  EXPECT_DOUBLE_EQ(axis["SPEED"], 500);
+  EXPECT_DOUBLE_EQ(axis["POSITION"], 1.25);
 }
 
 // The switches at their pulses, not at the next step
