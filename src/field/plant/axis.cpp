@@ -73,12 +73,17 @@ Axis::Demand Axis::demand(const AxisInputs& inputs) const {
   return idle();
 }
 
+bool Axis::drives(const AxisInputs& inputs) const {
+  if (s_.section != PowerSection::Contactors) return inputs.enable;
+  return stageOf(s_.controlType, inputs.contactors) != Stage::Off;
+}
+
 // POS-PLANT-04, -05, -09
 void Axis::step(const AxisInputs& inputs, AxisObserver& observer) {
   const Demand wanted = demand(inputs);
   const std::int64_t most = kStep * wanted.acceleration * kRatedLoad / s_.load;
   std::int64_t change = wanted.speed - speed_;
-  if (s_.lag != 0 && inputs.enable) change = change * s_.lag / kWhole;
+  if (s_.lag != 0 && drives(inputs)) change = change * s_.lag / kWhole;
   if (s_.places.backlash != 0) loadBefore_ = loadRamp().end();
   ramp_.position = position_;
   ramp_.speed = faults.blocked ? 0 : speed_;

@@ -68,6 +68,7 @@ class Axis {
   Demand demand(const AxisInputs& inputs) const;
   Demand moved(std::int64_t speed, std::int64_t acceleration) const;
   Demand idle() const;
+  bool drives(const AxisInputs& inputs) const;  // else it coasts
   std::int64_t analogSpeed(const AxisInputs& inputs) const;
   bool blockedTowards(std::int64_t speed) const;
   void travel(std::int64_t to, AxisObserver& observer);

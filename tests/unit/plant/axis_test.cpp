@@ -110,6 +110,20 @@ TEST(Axis, Lag) {
   EXPECT_NEAR(static_cast<double>(rig.axis.speed()), 6'321'000, 5000);
 }
 
+// POS-PLANT-05: a motor on contactors, too; without them it coasts as ever
+TEST(Axis, LagOnContactors) {
+  AxisSettings settings;
+  settings.section = PowerSection::Contactors;
+  settings.lag = 11'880;
+  settings.contactorAcceleration = 100'000'000;
+  Rig rig(settings);
+  rig.run({.contactors = 0b0101}, 5);
+  EXPECT_NEAR(static_cast<double>(rig.axis.speed()), 6'321'000, 5000);
+  const std::int64_t before = rig.axis.speed();
+  rig.run({}, 1);
+  EXPECT_EQ(rig.axis.speed(), before - 20'000);
+}
+
 // POS-PLANT-06: from 0.5 V on; once it moves it follows down to 0
 TEST(Axis, Stiction) {
   AxisSettings settings;
