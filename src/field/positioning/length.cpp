@@ -9,17 +9,8 @@ using io::LengthEdges;
 void Length::reset() { running_ = done_ = false; }
 
 bool Length::begins(bool rising) const {
-  switch (edges_) {
-    case LengthEdges::Off:
-      return false;
-    case LengthEdges::Rising:
-    case LengthEdges::RisingFalling:
-      return rising;
-    case LengthEdges::Falling:
-    case LengthEdges::FallingRising:
-      return !rising;
-  }
-  return false;
+  const bool byRising = edges_ == LengthEdges::Rising || edges_ == LengthEdges::RisingFalling;
+  return rising == byRising;
 }
 
 bool Length::ends(bool rising) const {

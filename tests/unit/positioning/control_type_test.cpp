@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "bench.h"
+#include "positioning/digital_drive.h"
 
 namespace merker::positioning {
 namespace {
@@ -49,6 +50,18 @@ TEST(ControlTypes, CreepFromTheStart) {
   EXPECT_EQ(sequence(2, &Command::minus, false), "0001 0000 0100");
   EXPECT_EQ(sequence(3, &Command::plus, false), "0110 0000");
   EXPECT_EQ(sequence(4, &Command::minus, false), "0001 0000");
+}
+
+// POS-RUN-21, POS-END-04: creep in the changeover point, off behind the whole way of creep
+TEST(ControlTypes, SwitchesInThePoint) {
+  DigitalDrive drive(digitalAxis());
+  drive.start(1, rapid({3000, 100}));
+  drive.travel({1, 2901});
+  EXPECT_EQ(text(drive.outputs(false).digital), "1010");
+  drive.travel({0, 2900});
+  EXPECT_EQ(text(drive.outputs(false).digital), "0110");
+  EXPECT_FALSE(drive.rampDown(2899));
+  EXPECT_TRUE(drive.rampDown(2900));
 }
 
 // POS-RUN-22: the changeover point is shown all the same.

@@ -140,6 +140,16 @@ TEST(Parameters, AreRefused) {
   EXPECT_FALSE(refused([](AxisChannel& p) { p.reference = p.highLimit; }));
   EXPECT_TRUE(refused([](AxisChannel& p) { p.increments = 0; }));
   EXPECT_TRUE(refused([](AxisChannel& p) { p.increments = (1 << 23) + 1; }));
+  const auto between = [&](std::int32_t limit, std::int32_t range) {
+    return refused([&](AxisChannel& p) {
+      p.lowLimit = -limit;
+      p.highLimit = limit;
+      p.targetRange = range;
+    });
+  };
+  EXPECT_TRUE(between(0, 0));
+  EXPECT_FALSE(between(100, 200));
+  EXPECT_TRUE(between(100, 201));
   const auto round = [&](std::int32_t end, std::int32_t reference, std::int32_t range) {
     return refused([&](AxisChannel& p) {
       p.rotary = true;

@@ -90,6 +90,37 @@ TEST(Ends, AnalogStop) {
   EXPECT_EQ(b.axis.position() - position, 50'000'000'000);
 }
 
+// A run that ramps down ends at its cut-off point if that comes first.
+TEST(Ends, StopNearTheCutOffPoint) {
+  Bench b = bench();
+  b.command.motion = motion(10'000, 10'000);
+  b.run(4, &Command::plus, 5000);
+  b.until([&] { return b.image().position >= 4870; });
+  b.command.stop = true;
+  b.call();
+  b.cycle();
+  EXPECT_TRUE(b.image().working);
+  b.untilReset(&Image::working);
+  EXPECT_TRUE(b.image().cutOff);
+  EXPECT_NEAR(b.image().position, 4900, 4);
+}
+
+// POS-RUN-13: without creep speed it goes on until the set-point is 0.
+TEST(Ends, StopWithoutCreepSpeed) {
+  Bench b = bench();
+  b.command.motion = motion(10'000, 100'000, {184, 249});
+  b.command.motion.deceleration = 1000;
+  b.run(4, &Command::plus, 1650);
+  b.cycles(6);
+  b.command.stop = true;
+  b.call();
+  b.until([&] { return b.image().position > 1650 - 249; });
+  EXPECT_TRUE(b.image().working);
+  EXPECT_GT(b.channel.outputs().setPoint, 0);
+  b.untilReset(&Image::working);
+  EXPECT_FALSE(b.image().cutOff);
+}
+
 // POS-END-11: behind the cut-off point STOP changes nothing
 TEST(Ends, StopWhileCoasting) {
   Bench b = bench();

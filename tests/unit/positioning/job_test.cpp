@@ -237,6 +237,19 @@ TEST(Length, Edges) {
   }
 }
 
+// POS-JOB-20: the edge that ends a measurement does not begin the next one.
+TEST(Length, OneAfterTheOther) {
+  Bench b = measuring(io::LengthEdges::Rising);
+  std::string done;
+  for (int i = 0; i < 8; ++i) {
+    edge(b, i % 2 == 0, 10);
+    done += b.image().measured ? '1' : '0';
+  }
+  EXPECT_EQ(done, "00110011");
+  EXPECT_EQ(b.image().measureBegin, 50);
+  EXPECT_EQ(b.image().measureEnd, 70);
+}
+
 // POS-JOB-22, POS-JOB-24, POS-JOB-25
 TEST(Length, ShiftAndTurn) {
   Bench b = measuring(io::LengthEdges::Rising);

@@ -21,17 +21,20 @@ io::AxisChannel with(bool io::AxisMonitors::*monitor) {
 
 // POS-MON-08, POS-PARAM-04, POS-MON-09: 2000 ms after the last pulse, rounded up to 4 ms
 TEST(Monitoring, BlockedAxis) {
-  for (const auto& [time, cycles] : {std::pair{2000, 500}, {2001, 501}, {4, 1}}) {
-    io::AxisChannel p = analogAxis();
-    p.monitoringTime = time;
-    Bench b = bench(p);
-    b.run(4, &Command::plus, 100'000);
-    b.cycles(250);
-    b.axis.faults.blocked = true;
-    const int last = b.number;
-    EXPECT_EQ(b.untilError(kMovement), last + cycles);
-    EXPECT_FALSE(b.image().working);
-  }
+  for (const auto& [time, cycles] : {std::pair{2000, 500}, {2001, 501}, {4, 1}})
+    for (const auto direction : {&Command::plus, &Command::minus}) {
+      io::AxisChannel p = analogAxis();
+      p.monitoringTime = time;
+      plant::AxisSettings settings;
+      settings.lowSwitch = -100'000;
+      Bench b = bench(p, settings);
+      b.run(4, direction, 100'000);
+      b.cycles(250);
+      b.axis.faults.blocked = true;
+      const int last = b.number;
+      EXPECT_EQ(b.untilError(kMovement), last + cycles);
+      EXPECT_FALSE(b.image().working);
+    }
   io::AxisChannel off = analogAxis();
   off.monitoringTime = 0;
   Bench b = bench(off);
@@ -225,16 +228,17 @@ TEST(Monitoring, NextRunEndsTheApproach) {
 
 // POS-MON-13, POS-MON-14, POS-PARAM-02, POS-PARAM-14, POS-PLANT-16, POS-RUN-10
 TEST(Monitoring, TargetRange) {
-  for (const std::int32_t range : {50, 51}) {
+  for (const auto& [range, drift, rest] :
+       {std::tuple{50, 10, -26}, {51, 10, -27}, {50, -10, 26}, {51, -10, 27}}) {
     io::AxisChannel p = with(&io::AxisMonitors::targetRange);
     p.targetRange = range;
     plant::AxisSettings settings;
-    settings.drift = 10;
+    settings.drift = drift;
     Bench b = bench(p, settings);
     b.run(4, &Command::plus, 5000);
     b.untilSet(&Image::positionReached);
     b.untilError(kTargetRange);
-    EXPECT_EQ(b.image().distanceToGo, -(range + 1) / 2 - 1);
+    EXPECT_EQ(b.image().distanceToGo, rest);
     EXPECT_TRUE(b.image().positionReached);
     EXPECT_EQ(b.image().lastTarget, 5000);
     b.acknowledge();
@@ -257,6 +261,25 @@ TEST(Monitoring, TargetRangeOfZero) {
     EXPECT_EQ(b.image().positionReached, cutOff < 100);
     EXPECT_EQ(b.image().errors, cutOff < 100 ? kTargetRange : 0);
   }
+}
+
+// POS-RUN-12: a target that is passed within a cycle has been reached, wherever the axis is at its
+// end.
+TEST(Monitoring, TargetPassedWithinACycle) {
+  io::AxisChannel p = with(&io::AxisMonitors::approach);
+  p.targetRange = 0;
+  Bench b = bench(p);
+  b.command.motion = motion(1000, 100'000, {1000, 500});
+  b.run(4, &Command::plus, 5000);
+  b.untilSet(&Image::cutOff);
+  b.untilStands();
+  EXPECT_FALSE(b.image().positionReached);
+  const std::int32_t rest = b.image().distanceToGo;
+  b.channel.move(rest);
+  b.channel.move(-rest);
+  b.cycle();
+  EXPECT_TRUE(b.image().positionReached);
+  EXPECT_EQ(b.image().distanceToGo, rest);
 }
 
 // POS-PLANT-09: twice the load overruns the target range

@@ -77,6 +77,18 @@ TEST(Reference, StopAndAbort) {
   }
 }
 
+// POS-REF-18: a mark that is passed while it ramps down is no reference point any more
+TEST(Reference, StopBeforeTheMark) {
+  Bench b = bench(10'000, false);
+  b.run(3, &Command::plus);
+  b.until([&] { return b.axis.pulse() > 35'980; });
+  b.command.stop = true;
+  b.call();
+  b.untilReset(&Image::working);
+  EXPECT_GT(b.axis.pulse(), 36'000);
+  EXPECT_FALSE(b.image().synchronous);
+}
+
 // POS-REF-10: creep at the switch, off at the mark; rapid only with SPEED = TRUE
 TEST(Reference, Digital) {
   for (const bool quickly : {true, false}) {
