@@ -154,6 +154,17 @@ class Trace(Case):
         self.assertIn("P0984", self.expect(USAGE, "run", ".", "--for", "1s", "--print", "terminal D.DO99").err)
         self.assertIn("P0981", self.expect(USAGE, "run", ".", "--for", "1s", "--trace", "t.csv", "--watch", "terminal X.DO0").err)
 
+    # The way of an axis to the pulse, and beyond; small values in four digits
+    def test_a_position_is_traced_to_the_pulse(self):
+        places = {"200003": "200003", "1234567": "1234567", "-999": "-999"}
+        plants = [f'[[plant]]\nname = "A{i}"\nkind = "axis"\nstart = {place}\n' for i, place in enumerate(places)]
+        self.write("merker.toml", '[project]\nname = "t"\n' + "".join(plants) + '[[plant]]\nname = "F"\nkind = "first order"\nstart = 12.34567\n')
+        self.write("a.awl", PROGRAM)
+        watched = ", ".join(f"plant A{i}.POSITION" for i in range(len(places))) + ", plant F.PV"
+        self.expect(GOOD, "run", ".", "--for", "10ms", "--trace", "t.csv", "--watch", watched)
+        values = [line.split(",")[2] for line in self.read("t.csv").splitlines()]
+        self.assertEqual(values[:4], [*places.values(), "12.35"])
+
     def test_two_runs_are_the_same_byte_for_byte(self):
         self.assertEqual(self.trace("1.csv"), self.trace("2.csv"))
 
