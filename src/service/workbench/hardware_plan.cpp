@@ -105,7 +105,7 @@ void addPlant(SettingsEdit& edit, const Fields& change) {
 
 enum ChangeKind : std::size_t { Place, Remove, Move, Set, AddPlant };
 
-std::size_t kindOf(const Fields& change) {
+std::size_t changeKind(const Fields& change) {
   return change.choice("change", {"place", "remove", "move", "set", "plant"});
 }
 
@@ -170,7 +170,7 @@ Json slotsOf(const ModuleType& type) {
 
 void applyChange(SettingsEdit& edit, const Fields& change) {
   constexpr void (*kChanges[])(SettingsEdit&, const Fields&) = {place, remove, move, set, addPlant};
-  const std::size_t kind = kindOf(change);
+  const std::size_t kind = changeKind(change);
   if (change.good()) kChanges[kind](edit, change);
 }
 
@@ -182,7 +182,7 @@ Plan Plan::of(const SettingsEdit& edit) {
 }
 
 Problems reasonsAgainst(const Plan& before, const Plan& after, const Fields& change) {
-  const std::size_t kind = kindOf(change);
+  const std::size_t kind = changeKind(change);
   if (kind == Remove) return {};
   const bool placed = kind == Place  ? stands(after.project, placeIn(change))
                       : kind == Move ? stands(after.project, placeIn(change, "toRack", "toSlot"))
