@@ -67,6 +67,11 @@ int playTime(const MonitorOptions& options, Duration time, controller::Controlle
 
 constexpr const char* kEnds[] = {"X27", "partner"};
 
+// A BREAK is no character.
+std::string valueOf(const serial::Sighting& one) {
+  return one.isCharacter() ? fmt::format("{:02X}", one.value) : "";
+}
+
 void printLine(const serial::Coupling& coupling) {
   const serial::Parameters& p = coupling.parameters();
   serial::Decoder decoder(p.protocol, p.procedure.blockCheck);
@@ -75,10 +80,10 @@ void printLine(const serial::Coupling& coupling) {
               << " older characters are not shown\n";
   std::cout << "      begins         ends  from     character\n";
   for (const serial::Sighting& one : coupling.sightings())
-    std::cout << fmt::format("{:>12} {:>12}  {:<7}  {:02X} {:<5} {}",
+    std::cout << fmt::format("{:>12} {:>12}  {:<7}  {:<2} {:<5} {}",
                              simulator::formatSeconds(one.start.ns, 6),
-                             simulator::formatSeconds(one.end.ns, 6), kEnds[one.port], one.value,
-                             serial::characterName(one.value), decoder.meaning(one))
+                             simulator::formatSeconds(one.end.ns, 6), kEnds[one.port], valueOf(one),
+                             serial::nameOf(one), decoder.meaning(one))
               << '\n';
 }
 
@@ -93,12 +98,12 @@ bool writeLine(const serial::Coupling& coupling, const std::string& path) {
   const serial::Parameters& p = coupling.parameters();
   serial::Decoder decoder(p.protocol, p.procedure.blockCheck);
   std::ofstream file(path, std::ios::binary);
-  file << "begin_ns,end_ns,from,character,name,meaning\n";
+  file << "begin_ns,end_ns,from,character,name,meaning,fault\n";
   for (const serial::Sighting& one : coupling.sightings()) {
-    std::string name = serial::characterName(one.value);
+    std::string name = serial::nameOf(one);
     if (name == "'\"'") name = "'\"\"'";
-    file << fmt::format("{},{},{},{:02X},\"{}\",\"{}\"\n", one.start.ns, one.end.ns,
-                        kEnds[one.port], one.value, name, decoder.meaning(one));
+    file << fmt::format("{},{},{},{},\"{}\",\"{}\",{}\n", one.start.ns, one.end.ns, kEnds[one.port],
+                        valueOf(one), name, decoder.meaning(one), serial::faultsOf(one));
   }
   file.close();
   return static_cast<bool>(file);
@@ -154,8 +159,8 @@ void addMonitor(CLI::App& program, int& result) {
   addEngine(*command, options->engine);
   command->footer(
       "Examples:\n"
-      "  merker monitor serial examples/technology/scale --scenario "
-      "examples/technology/scale/scale.scn\n"
+      "  merker monitor serial examples/technology/weighing-scale --scenario "
+      "examples/technology/weighing-scale/scale.scn\n"
       "  merker monitor serial plant --for 1m --serial replay:line.csv --csv line-decoded.csv");
   command->callback([options, &result] { result = monitorSerial(*options); });
 }

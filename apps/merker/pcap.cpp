@@ -36,9 +36,10 @@ void packet(std::ostream& out, const serial::Sighting& first, const std::string&
   out << content;
 }
 
-// Without a pause in between.
+// A BREAK has no characters; without a pause in between.
 bool follows(const serial::Sighting& before, const serial::Sighting& one) {
-  return one.port == before.port && one.start - before.end < before.end - before.start;
+  return one.isCharacter() && one.port == before.port &&
+         one.start - before.end < before.end - before.start;
 }
 
 }  // namespace
@@ -53,10 +54,11 @@ void writePcap(const std::deque<serial::Sighting>& sightings, std::ostream& out)
   put(out, kRtacSerial);
   for (std::size_t i = 0; i < sightings.size();) {
     const std::size_t first = i;
-    std::string characters;
-    do characters += static_cast<char>(sightings[i++].value);
+    if (!sightings[i++].isCharacter()) continue;
+    std::string characters(1, static_cast<char>(sightings[first].value));
     while (i < sightings.size() && characters.size() < kMostCharacters &&
-           follows(sightings[i - 1], sightings[i]));
+           follows(sightings[i - 1], sightings[i]))
+      characters += static_cast<char>(sightings[i++].value);
     packet(out, sightings[first], characters);
   }
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "serial/telegram.h"
 
 namespace merker::serial {
@@ -11,6 +13,10 @@ constexpr std::array<const char*, 32> kControls{
     "NUL", "SOH", "STX", "ETX", "EOT", "ENQ", "ACK", "BEL", "BS",   "HT",  "LF",
     "VT",  "FF",  "CR",  "SO",  "SI",  "DLE", "XON", "DC2", "XOFF", "DC4", "NAK",
     "SYN", "ETB", "CAN", "EM",  "SUB", "ESC", "FS",  "GS",  "RS",   "US"};
+
+constexpr std::pair<std::uint8_t, const char*> kFaults[] = {{Character::kParity, "parity fault"},
+                                                            {Character::kFrame, "frame fault"},
+                                                            {Character::kOverrun, "overrun"}};
 
 constexpr std::size_t kLongestBlock = 2'100;
 
@@ -47,18 +53,47 @@ std::string characterName(std::uint8_t value) {
   return value == 0x20 ? "SP" : value == 0x7F ? "DEL" : "";
 }
 
+std::string nameOf(const Sighting& sighting) {
+  return sighting.isCharacter() ? characterName(sighting.value) : "BREAK";
+}
+
+std::string faultsOf(const Sighting& sighting) {
+  if (!sighting.isCharacter()) return "BREAK";
+  std::string text;
+  for (const auto& [fault, name] : kFaults)
+    if ((sighting.faults & fault) != 0) text += (text.empty() ? "" : "; ") + std::string(name);
+  return text;
+}
+
 std::string Decoder::end() {
   state_ = State::Ended;
-  if (protocol_ == Protocol::ComputerLink) return "; " + telegramText(data_);
-  return fmt::format("; {} bytes", data_.size());
+  const char* const faulty = faulty_ ? ", faulty characters among them" : "";
+  if (protocol_ == Protocol::ComputerLink) return "; " + telegramText(data_) + faulty;
+  return fmt::format("; {} byte{}{}", data_.size(), data_.size() == 1 ? "" : "s", faulty);
+}
+
+// The block begins behind the DLE that answers STX.
+std::string Decoder::open(const char* text) {
+  state_ = State::Block;
+  check_ = 0;
+  faulty_ = false;
+  data_.clear();
+  return text;
 }
 
 std::string Decoder::ofSender(std::uint8_t value) {
   switch (state_) {
     case State::Called:
+      if (conflict_ && value == Procedure::kDle) {  // the other one sends first
+        sender_ = 1 - sender_;
+        return open("gives way; connection is there");
+      }
+      [[fallthrough]];
     case State::Ended:
+    case State::Failed:
     case State::Idle:
-      return value == Procedure::kNak ? "breaks off" : "unexpected";
+      if (value != Procedure::kNak) return "unexpected";
+      return state_ = State::Idle, "breaks off";
     case State::Block:
       check_ ^= value;
       if (value == Procedure::kDle) return state_ = State::AfterDle, "";
@@ -82,32 +117,47 @@ std::string Decoder::ofSender(std::uint8_t value) {
 
 std::string Decoder::ofOther(std::uint8_t value) {
   const State before = state_;
-  if (before == State::Called && value == Procedure::kDle) {
-    state_ = State::Block;
-    check_ = 0;
-    data_.clear();
-    return "connection is there";
-  }
+  if (before == State::Called && value == Procedure::kDle) return open("connection is there");
   if (before == State::Ended) {
-    state_ = State::Idle;
-    return value == Procedure::kDle ? "block acknowledged" : "block refused";
+    const bool good = value == Procedure::kDle;
+    state_ = good ? State::Idle : State::Failed;
+    return good ? "block acknowledged" : "block refused";
   }
-  if (before == State::Called && value == Procedure::kStx) return "initialisation conflict";
-  state_ = State::Idle;
+  if (before == State::Called && value == Procedure::kStx)
+    return conflict_ = true, "initialisation conflict";
+  state_ = State::Failed;
   return value == Procedure::kNak ? "refused" : "disturbs";
 }
 
-std::string Decoder::meaning(const Sighting& sighting) {
-  if (protocol_ == Protocol::Ascii) return {};
+// NAK says that its sender is there, or refuses what nobody expected.
+std::string Decoder::inIdle(const Sighting& sighting) {
+  if (sighting.value != Procedure::kNak) return stray_ = true, "unexpected";
+  return std::exchange(stray_, false) ? "refused" : "ready";
+}
+
+std::string Decoder::role(const Sighting& sighting) {
   const bool mine = sighting.port == sender_;
   const bool open = state_ == State::Block || state_ == State::AfterDle || state_ == State::Check;
   if (sighting.value == Procedure::kStx && !open && (mine || state_ != State::Called)) {
     sender_ = sighting.port;
     state_ = State::Called;
+    conflict_ = stray_ = false;
     return "wants to send";
   }
-  if (state_ == State::Idle) return sighting.value == Procedure::kNak ? "ready" : "unexpected";
+  if (open) faulty_ = faulty_ || (mine && sighting.faults != 0);
+  if (state_ == State::Idle) return inIdle(sighting);
   return mine ? ofSender(sighting.value) : ofOther(sighting.value);
+}
+
+std::string Decoder::meaning(const Sighting& sighting) {
+  if (!sighting.isCharacter()) {
+    state_ = State::Idle;
+    stray_ = false;
+    return sighting.kind == Sighting::Kind::Interrupted ? "BREAK begins" : "BREAK ends";
+  }
+  const std::string part = protocol_ == Protocol::Ascii ? "" : role(sighting);
+  if (sighting.faults == 0) return part;
+  return part.empty() ? faultsOf(sighting) : faultsOf(sighting) + "; " + part;
 }
 
 }  // namespace merker::serial

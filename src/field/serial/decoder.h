@@ -12,15 +12,23 @@ namespace merker::serial {
 
 // "STX", "41", "'A'"
 std::string characterName(std::uint8_t value);
+// The same of all that a monitor sees: "BREAK"
+std::string nameOf(const Sighting& sighting);
+// What is wrong with it on the line, for a column of its own: "parity fault", "" if nothing
+std::string faultsOf(const Sighting& sighting);
 
 class Decoder {
  public:
   Decoder(Protocol protocol, bool blockCheck) : protocol_(protocol), blockCheck_(blockCheck) {}
   // The characters in the order of their ends. What this one is; empty: its name says it all.
+  // What is wrong with it is said first.
   std::string meaning(const Sighting& sighting);
 
  private:
-  enum class State : std::uint8_t { Idle, Called, Block, AfterDle, Check, Ended };
+  enum class State : std::uint8_t { Idle, Called, Block, AfterDle, Check, Ended, Failed };
+  std::string role(const Sighting& sighting);
+  std::string inIdle(const Sighting& sighting);
+  std::string open(const char* text);
   std::string ofSender(std::uint8_t value);
   std::string ofOther(std::uint8_t value);
   std::string end();
@@ -29,6 +37,9 @@ class Decoder {
   bool blockCheck_;
   State state_ = State::Idle;
   std::size_t sender_ = 0;  // who called with STX
+  bool conflict_ = false;   // both did
+  bool stray_ = false;      // characters that nobody expected
+  bool faulty_ = false;     // a character of the block
   std::uint8_t check_ = 0;
   std::vector<std::uint8_t> data_;
 };

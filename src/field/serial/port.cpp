@@ -27,8 +27,10 @@ void Port::receive(Instant now) {
     case Receiver::Event::Kind::Character:
       return driver_.received(event->character);
     case Receiver::Event::Kind::Interrupted:
+      see(Sighting::Kind::Interrupted, now);
       return driver_.interrupted(now);
     case Receiver::Event::Kind::Restored:
+      see(Sighting::Kind::Restored, now);
       return driver_.restored(now);
   }
 }
@@ -67,8 +69,20 @@ void Port::emit(std::uint16_t bits, Instant at, bool overrun) {
             .count = static_cast<std::uint8_t>(frame.bits()),
             .sender = static_cast<std::uint8_t>(number_),
             .overrun = overrun});
-  if (monitor_)
-    monitor_({number_, decode(frame, bits).value, at, at + characterTime(frame, settings_.baud)});
+  if (!monitor_) return;
+  const Decoded seen = decode(frame, bits);
+  Sighting sighting{number_, seen.value, at, at + characterTime(frame, settings_.baud)};
+  if (seen.parityFault) sighting.faults |= Character::kParity;
+  if (seen.frameFault) sighting.faults |= Character::kFrame;
+  if (overrun) sighting.faults |= Character::kOverrun;
+  monitor_(sighting);
+}
+
+// The first port hears the others, these hear the first.
+void Port::see(Sighting::Kind kind, Instant now) const {
+  if (!monitor_) return;
+  const std::size_t far = number_ == 0 ? 1 : 0;
+  monitor_({.port = far, .start = now, .end = now, .kind = kind});
 }
 
 void Port::send(std::uint8_t value, Instant now) {

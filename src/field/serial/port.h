@@ -9,11 +9,16 @@
 
 namespace merker::serial {
 
-// A character as it leaves a sender, for a monitor of the line.
+// For a monitor of the line: a character as it leaves a sender, or a BREAK, which begins and ends
+// where a receiver sees it; `port` is then the side that should drive the pair.
 struct Sighting {
+  enum class Kind : std::uint8_t { Character, Interrupted, Restored };
   std::size_t port = 0;
   std::uint8_t value = 0;
   Instant start, end;
+  std::uint8_t faults = 0;  // as Character has them
+  Kind kind = Kind::Character;
+  bool isCharacter() const { return kind == Kind::Character; }
 };
 
 class Port {
@@ -37,6 +42,7 @@ class Port {
   void send(std::uint8_t value, Instant now);
   Emission shape(std::uint8_t value);
   void emit(std::uint16_t bits, Instant at, bool overrun);
+  void see(Sighting::Kind kind, Instant now) const;
   void begin(Instant now);
   void finished(Duration extra);
 

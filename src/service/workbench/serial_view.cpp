@@ -29,8 +29,7 @@ Json SerialView::rows(std::uint64_t& from) const {
   Json list = Json::array();
   std::for_each(first, first + count, [&list](const Row& row) {
     const serial::Sighting& s = row.sighting;
-    list.push_back(
-        {s.port, s.value, serial::characterName(s.value), row.meaning, s.start.ns, s.end.ns});
+    list.push_back({s.port, s.value, serial::nameOf(s), row.meaning, s.start.ns, s.end.ns});
   });
   from += static_cast<std::uint64_t>(count);
   return list;

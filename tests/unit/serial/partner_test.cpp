@@ -160,6 +160,91 @@ TEST(SerialDecoder, NamesWhatABlockIsMadeOf) {
   EXPECT_EQ(characterName('A'), "'A'");
 }
 
+// What a decoder says of "A 02 10", "B 15", separated by " | "; "." where a name says it all.
+class Saying {
+ public:
+  void see(std::size_t port, std::string_view bytes, std::uint8_t faults = 0) {
+    for (const std::uint8_t byte : hex(bytes))
+      add(decoder_.meaning({.port = port, .value = byte, .faults = faults}));
+  }
+  void see(Sighting::Kind kind) { add(decoder_.meaning({.port = 1, .kind = kind})); }
+  std::string said() { return std::exchange(said_, {}); }
+
+ private:
+  void add(const std::string& meaning) {
+    said_ += (said_.empty() ? "" : " | ") + (meaning.empty() ? "." : meaning);
+  }
+  Decoder decoder_{Protocol::Procedure, true};
+  std::string said_;
+};
+
+// PTP-LINE-11, PTP-P3964-13: both call; the one of low priority receives first.
+TEST(SerialDecoder, AConflictAndWhoGivesWay) {
+  Saying line;
+  line.see(0, "02");
+  line.see(1, "02");
+  line.see(0, "10");
+  line.see(1, "44100357");
+  line.see(0, "10 02");
+  EXPECT_EQ(line.said(),
+            "wants to send | initialisation conflict | gives way; connection is there | . | . | "
+            "end of the block | BCC right; 1 byte | block acknowledged | wants to send");
+  line.see(1, "10");
+  line.see(0, "4142");
+  EXPECT_EQ(line.said(), "connection is there | . | .");
+}
+
+// PTP-LINE-11: NAK behind the last attempt, however that one failed; NAK of a receiver.
+TEST(SerialDecoder, WhatANakIs) {
+  Saying line;
+  line.see(0, "15 02 15");
+  EXPECT_EQ(line.said(), "ready | wants to send | breaks off");
+  line.see(0, "02");
+  line.see(1, "15");
+  line.see(0, "15");
+  EXPECT_EQ(line.said(), "wants to send | refused | breaks off");
+  line.see(1, "41");
+  line.see(0, "15");
+  line.see(0, "15");
+  EXPECT_EQ(line.said(), "unexpected | refused | ready");
+}
+
+// PTP-LINE-11, PTP-LINE-09
+TEST(SerialDecoder, FaultyCharactersAndBreaks) {
+  Saying line;
+  line.see(0, "02");
+  line.see(1, "10");
+  line.see(0, "41", Character::kParity | Character::kFrame);
+  line.see(0, "100352");
+  line.see(1, "15");
+  EXPECT_EQ(line.said(),
+            "wants to send | connection is there | parity fault; frame fault | . | end of the "
+            "block | BCC right; 1 byte, faulty characters among them | block refused");
+  line.see(0, "02");
+  line.see(Sighting::Kind::Interrupted);
+  line.see(Sighting::Kind::Restored);
+  line.see(1, "02");
+  line.see(0, "10");
+  EXPECT_EQ(line.said(),
+            "wants to send | BREAK begins | BREAK ends | wants to send | connection is there");
+}
+
+// PTP-LINE-01, PTP-LINE-11
+TEST(SerialCoupling, SeesFaultsAndBreaks) {
+  Coupling coupling(defaults(Protocol::Ascii));
+  coupling.disturb(Coupling::End::Partner, 1, {.kind = Fault::Kind::Parity});
+  coupling.partner().send(hex("4142"), at(10));
+  coupling.advance(at(100));
+  coupling.cut(Coupling::End::Cpu, true, at(100));
+  coupling.advance(at(200));
+  coupling.cut(Coupling::End::Cpu, false, at(200));
+  coupling.advance(at(300));
+  std::string seen;
+  for (const Sighting& one : coupling.sightings())
+    seen += fmt::format("{} {} {}\n", one.port, nameOf(one), faultsOf(one));
+  EXPECT_EQ(seen, "1 'A' \n1 'B' parity fault\n1 BREAK BREAK\n1 BREAK BREAK\n");
+}
+
 TEST(SerialPartner, HasOneJobAtATime) {
   Parameters parameters = defaults(Protocol::ComputerLink);
   Coupling coupling(parameters);

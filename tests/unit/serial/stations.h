@@ -127,7 +127,9 @@ class Coupled {
     line.join(a, ofA);
     line.join(b, ofB);
     for (std::size_t i = 0; i < 2; ++i)
-      line.port(i).listen([this](const Sighting& s) { seen.push_back(s); });
+      line.port(i).listen([this](const Sighting& s) {
+        if (s.isCharacter()) seen.push_back(s);
+      });
   }
   void run(std::int64_t ms) {
     poke();

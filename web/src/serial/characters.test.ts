@@ -21,6 +21,12 @@ const all = [
 test('both directions, blocks and faults are counted', () =>
   expect(count(all)).toEqual({ sent: [2, 3], acknowledged: 1, bad: 1 }));
 
+test('a BREAK is a fault and no character', () => {
+  const line = [one(0, 1, 'BREAK', 'BREAK begins'), one(1, 1, "'A'", 'parity fault')];
+  expect(count(line)).toEqual({ sent: [0, 1], acknowledged: 0, bad: 2 });
+  expect(csv(line, false, (text) => text)).toContain('partner,,"BREAK"');
+});
+
 test('a reaction telegram without error is no fault', () => {
   expect(isBad(one(0, 0, 'ETX', 'end of the block; reaction, no error, 0 bytes'))).toBe(false);
   expect(isBad(one(0, 0, 'ETX', 'end of the block; reaction, error 0AH'))).toBe(true);

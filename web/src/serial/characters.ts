@@ -11,10 +11,13 @@ export interface Character {
   end: number;
 }
 
+/** BREAK begins and ends, without a character. */
+export const isBreak = ({ name }: Pick<Character, 'name'>): boolean => name === 'BREAK';
+
 export const hex = (value: number): string => value.toString(16).toUpperCase().padStart(2, '0');
 
 /** What goes wrong says so in English whatever the language of the page is. */
-const BAD = /wrong|refused|breaks off|unexpected|disturbs|neither|conflict|error|too short/;
+const BAD = /wrong|refused|breaks off|unexpected|disturbs|neither|conflict|error|too short|fault|overrun|BREAK/;
 export const isBad = ({ meaning }: Character): boolean => BAD.test(meaning.replace('no error', ''));
 
 export interface Counts {
@@ -26,7 +29,7 @@ export interface Counts {
 export function count(all: readonly Character[]): Counts {
   const counts: Counts = { sent: [0, 0], acknowledged: 0, bad: 0 };
   for (const one of all) {
-    counts.sent[one.from] += 1;
+    if (!isBreak(one)) counts.sent[one.from] += 1;
     if (one.meaning === 'block acknowledged') counts.acknowledged += 1;
     if (isBad(one)) counts.bad += 1;
   }
@@ -49,7 +52,7 @@ export function csv(all: readonly Character[], german: boolean, say: (text: stri
     seconds(one.begin),
     seconds(one.end),
     one.from === 0 ? 'X27' : german ? 'Partner' : 'partner',
-    hex(one.value),
+    isBreak(one) ? '' : hex(one.value),
     quoted(one.name),
     quoted(say(one.meaning)),
   ]);
