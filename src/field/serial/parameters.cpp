@@ -58,14 +58,14 @@ class Checker {
     refuse(value < least || value > most, parameter,
            fmt::format("{} must be {} to {}", parameter, least, most));
   }
-  void time(Duration value, std::int64_t least, Grid grid, std::string_view parameter) {
+  void time(Duration value, std::int64_t least, Grid grid, std::string_view parameter,
+            bool ofRate) {
     const bool wrong = value < Duration::milliseconds(least) ||
                        value > Duration::milliseconds(grid.most) ||
                        value.ns % (grid.step * 1'000'000) != 0;
-    refuse(
-        wrong, parameter,
-        fmt::format("{} must be {} to {} ms in steps of {} ms{}", parameter, least, grid.most,
-                    grid.step, least > grid.step ? fmt::format(" at {} baud", p_.line.baud) : ""));
+    refuse(wrong, parameter,
+           fmt::format("{} must be {} to {} ms in steps of {} ms{}", parameter, least, grid.most,
+                       grid.step, ofRate ? fmt::format(" at {} baud", p_.line.baud) : ""));
   }
 
   void line() {
@@ -98,8 +98,8 @@ class Checker {
   void ascii() {
     const AsciiParameters& a = p_.ascii;
     const Rate* rate = rateOf(p_.line.baud);
-    time(a.delay, rate != nullptr ? rate->ascii : 1, gridOf(Protocol::Ascii),
-         "character delay time");
+    const std::int64_t least = rate != nullptr ? rate->ascii : 1;
+    time(a.delay, least, gridOf(Protocol::Ascii), "character delay time", least > 1);
     if (a.end == AsciiParameters::End::Count) range(a.length, 1, 1024, "telegram length");
     if (a.end == AsciiParameters::End::Characters) {
       range(a.endCharacters, 1, 2, "number of end characters");
@@ -111,14 +111,19 @@ class Checker {
     character(a.xon, "XON");
     character(a.xoff, "XOFF");
     refuse(a.xon == a.xoff, "XOFF", "XON and XOFF must be different characters");
-    time(a.xonWait, 20, {10, 65'530}, "waiting time for XON");
+    time(a.xonWait, 20, {10, 65'530}, "waiting time for XON", false);
+    if (a.end != AsciiParameters::End::Characters) return;
+    const auto steers = [&a](std::uint8_t end) { return end == a.xon || end == a.xoff; };
+    refuse(steers(a.end1) || (a.endCharacters == 2 && steers(a.end2)), "end character 1",
+           "XON and XOFF cannot be end characters");
   }
 
   void procedure() {
     const Rate* rate = rateOf(p_.line.baud);
     const std::int64_t least = rate != nullptr ? rate->procedure : 20;
-    time(p_.procedure.characterDelay, least, gridOf(p_.protocol), "character delay time");
-    time(p_.procedure.acknowledgeDelay, least, gridOf(p_.protocol), "acknowledgement delay time");
+    time(p_.procedure.characterDelay, least, gridOf(p_.protocol), "character delay time", true);
+    time(p_.procedure.acknowledgeDelay, least, gridOf(p_.protocol), "acknowledgement delay time",
+         true);
     range(p_.procedure.setups, 1, 255, "set-up attempts");
     range(p_.procedure.transmissions, 1, 255, "transmission attempts");
   }

@@ -22,6 +22,26 @@ const Keys kAscii{
 const Keys kProcedure{"priority", "character_delay", "acknowledge_delay", "setup_attempts",
                       "transmission_attempts"};
 
+// Keys that mean nothing without a choice (PTP-PARAM-11, -14 to -18, -23).
+struct Need {
+  std::string_view key, choice;
+  bool (*holds)(const serial::Parameters&);
+};
+using End = serial::AsciiParameters::End;
+constexpr auto kCounted = [](const serial::Parameters& p) { return p.ascii.end == End::Count; };
+constexpr auto kMarked = [](const serial::Parameters& p) { return p.ascii.end == End::Characters; };
+constexpr auto kFlowControl = [](const serial::Parameters& p) { return p.ascii.flowControl; };
+constexpr auto kLimited = [](const serial::Parameters& p) { return !p.mailbox.wholeBuffer; };
+constexpr Need kNeeds[] = {{"length", "end = \"count\"", kCounted},
+                           {"pause", "end = \"count\"", kCounted},
+                           {"end_characters", "end = \"characters\"", kMarked},
+                           {"check_characters", "end = \"characters\"", kMarked},
+                           {"sending", "end = \"characters\"", kMarked},
+                           {"xon", "flow_control = \"XON/XOFF\"", kFlowControl},
+                           {"xoff", "flow_control = \"XON/XOFF\"", kFlowControl},
+                           {"xon_wait", "flow_control = \"XON/XOFF\"", kFlowControl},
+                           {"telegrams", "whole_buffer = false", kLimited}};
+
 // What a refusal speaks of, and the key that sets it.
 struct KeyOf {
   std::string_view parameter, key;
@@ -67,6 +87,7 @@ struct SerialReader {
   void endCharacters();
   void procedure();
   void buffer();
+  void needs(const Keys& allowed);
   void refuse();
 };
 
@@ -143,21 +164,29 @@ void SerialReader::buffer() {
   flag("prevent_overwriting", p.mailbox.preventOverwriting);
   flag("whole_buffer", p.mailbox.wholeBuffer);
   integer("telegrams", 0, 255, p.mailbox.telegrams);
-  if (table.has("telegrams") && p.mailbox.wholeBuffer)
-    table.problems().add(ProblemCode::P0744, table.placeOf("telegrams"), "telegrams",
-                         "whole_buffer = false");
 }
 
-// What the manual refuses, and the time that would be right (PTP-PARAM-36).
+void SerialReader::needs(const Keys& allowed) {
+  for (const Need& need : kNeeds)
+    if (table.has(need.key) && !need.holds(p) && std::ranges::count(allowed, need.key) > 0)
+      table.problems().add(ProblemCode::P0744, table.placeOf(need.key), need.key, need.choice);
+}
+
+// What the manual refuses, and the time that would be right (PTP-PARAM-36). The waiting time for
+// XON has the limits that the procedure has at the usual rates.
 void SerialReader::refuse() {
+  constexpr std::uint32_t kAnyRate = 9600;
   for (const serial::Refusal& refusal : check(p)) {
     std::string text = refusal.text;
     const std::string_view key = keyOf(refusal.parameter);
-    const bool delay = key == "character_delay" || key == "acknowledge_delay";
+    const bool wait = key == "xon_wait";
+    const bool time = wait || key == "character_delay" || key == "acknowledge_delay";
     if (const auto given =
-            delay ? table.length(key, Duration{}, Duration::seconds(100)) : std::nullopt)
-      text += fmt::format("; {} is possible",
-                          io::formatLength(serial::settable(p.protocol, p.line.baud, *given)));
+            time ? table.length(key, Duration{}, Duration::seconds(100)) : std::nullopt)
+      text += fmt::format(
+          "; {} is possible",
+          io::formatLength(wait ? serial::settable(Protocol::Procedure, kAnyRate, *given)
+                                : serial::settable(p.protocol, p.line.baud, *given)));
     table.problems().add(ProblemCode::P0769, table.at(key), text);
   }
 }
@@ -197,6 +226,7 @@ void readSerialTable(const Table& table, const CpuModel& model, serial::Paramete
   if (p.protocol != Protocol::ComputerLink) reader.buffer();
   p.line.preset = serial::defaultPreset(p.line.mode);
   reader.choice("preset", {"none", "break", "idle"}, p.line.preset);
+  reader.needs(keysOf(p.protocol));
   reader.refuse();
 }
 

@@ -123,6 +123,9 @@ TEST(SerialSettings, TimesFollowTheRateAndTheGrid) {
             "6 P0769: the serial interface cannot be set so: character delay time must be 20 to "
             "65530 ms in steps of 10 ms at 9600 baud; 230ms is possible");
   EXPECT_EQ(readSerial("baud = 300\ncharacter_delay = \"130ms\"").problem, "");
+  EXPECT_EQ(readSerial("flow_control = \"XON/XOFF\"\nxon_wait = \"25ms\"").problem,
+            "6 P0769: the serial interface cannot be set so: waiting time for XON must be 20 to "
+            "65530 ms in steps of 10 ms; 30ms is possible");
 }
 
 // PTP-OVW-04, PTP-OPEN-27, PTP-PARAM-07
@@ -144,6 +147,8 @@ TEST(SerialSettings, WhatTheManualRefusesIsRefused) {
                            "flow_control = \"XON/XOFF\"\nxon = 0x13",
                            "flow_control = \"XON/XOFF\"\nxon_wait = \"25ms\"",
                            "flow_control = \"XON/XOFF\"\ndata_bits = 7\nxon = 0x80",
+                           "flow_control = \"XON/XOFF\"\nend = \"characters\"\n"
+                           "end_characters = [13, 0x11]",
                            "protocol = \"3964R\"\nmode = \"RS485\"",
                            "protocol = \"3964R\"\nflow_control = \"none\"",
                            "protocol = \"X\"",
@@ -171,10 +176,31 @@ TEST(SerialSettings, EndsOfTelegrams) {
   EXPECT_EQ(two.end2, 10);
   EXPECT_EQ(two.checkCharacters, 2);
   EXPECT_EQ(two.sending, Sending::Append);
-  EXPECT_EQ(readSerial("end_characters = [1, 2, 3]").problems, 1U);
-  EXPECT_EQ(readSerial("end_characters = [256]").problems, 1U);
+  const std::string marked = "end = \"characters\"\n";
+  EXPECT_EQ(readSerial(marked + "end_characters = [1, 2, 3]").problems, 1U);
+  EXPECT_EQ(readSerial(marked + "end_characters = [256]").problems, 1U);
   EXPECT_EQ(readSerial("end = \"characters\"\ndata_bits = 7\nend_characters = [0x80]").problems,
             1U);
+}
+
+// PTP-PARAM-11, PTP-PARAM-14 to -18, PTP-PARAM-23: what means nothing with the choice is no slip of
+// the pen that stays unseen.
+TEST(SerialSettings, WhatTheChoiceMakesMeaninglessIsRefused) {
+  constexpr std::pair<const char*, const char*> kRefused[] = {
+      {"length = 10", "'length' needs end = \"count\""},
+      {"end = \"characters\"\npause = false", "'pause' needs end = \"count\""},
+      {"end_characters = [13]", "'end_characters' needs end = \"characters\""},
+      {"end = \"count\"\ncheck_characters = 2", "'check_characters' needs end = \"characters\""},
+      {"sending = \"append\"", "'sending' needs end = \"characters\""},
+      {"xon = 2", "'xon' needs flow_control = \"XON/XOFF\""},
+      {"xoff = 2", "'xoff' needs flow_control = \"XON/XOFF\""},
+      {"xon_wait = \"5s\"", "'xon_wait' needs flow_control = \"XON/XOFF\""},
+      {"telegrams = 5", "'telegrams' needs whole_buffer = false"}};
+  for (const auto& [keys, text] : kRefused) {
+    const auto read = readSerial(keys);
+    EXPECT_EQ(read.problems, 1U) << keys;
+    EXPECT_NE(read.problem.find(text), std::string::npos) << read.problem;
+  }
 }
 
 // PTP-PARAM-20, PTP-PARAM-21, PTP-PARAM-22, PTP-PARAM-23, PTP-PARAM-02

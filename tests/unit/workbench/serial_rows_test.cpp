@@ -87,14 +87,15 @@ TEST(SerialRows, OnlyWhatCanBeSelectedIsOffered) {
 
 TEST(SerialRows, AChangeIsALineOfTheTable) {
   Bench bench;
-  const Json plan = bench.call(
-      "hardware.edit", {{"text", kPlain},
-                        {"changes",
-                         {change("serial.end", "characters"),
-                          change("serial.end_characters", {13, 10}), change("serial.xon", 2)}}});
-  EXPECT_EQ(plan["text"],
-            std::string(kPlain) +
-                "\n[module.serial]\nend = \"characters\"\nend_characters = [13,10]\nxon = 2\n");
+  const Json plan =
+      bench.call("hardware.edit",
+                 {{"text", kPlain},
+                  {"changes",
+                   {change("serial.end", "characters"), change("serial.end_characters", {13, 10}),
+                    change("serial.flow_control", "XON/XOFF"), change("serial.xon", 2)}}});
+  EXPECT_EQ(plan["text"], std::string(kPlain) +
+                              "\n[module.serial]\nend = \"characters\"\nend_characters = [13,10]\n"
+                              "flow_control = \"XON/XOFF\"\nxon = 2\n");
   EXPECT_EQ(rowsOf(plan)["serial.end_characters"]["value"], (Json{13, 10}));
   EXPECT_EQ(rowsOf(plan)["serial.end_characters"]["kind"], "characters");
 }

@@ -66,6 +66,14 @@ test('another protocol: what only the one before has goes, and a character delay
   expect(orphansOf('serial.protocol', '3964', procedure)).toEqual([]);
 });
 
+test('another end of telegrams, or no flow control: what belongs to the one before has no meaning', () => {
+  const all = rows('serial.end', 'serial.length', 'serial.end_characters', 'serial.xon', 'serial.telegrams');
+  expect(orphansOf('serial.end', 'count', all)).toEqual(['serial.end_characters']);
+  expect(orphansOf('serial.end', 'delay', all)).toEqual(['serial.length', 'serial.end_characters']);
+  expect(orphansOf('serial.flow_control', 'none', all)).toEqual(['serial.xon']);
+  expect(orphansOf('serial.flow_control', 'XON/XOFF', all)).toEqual([]);
+});
+
 test('another mode has another preset, and only four wires have flow control', () => {
   const all = rows('serial.mode', 'serial.preset', 'serial.flow_control');
   expect(orphansOf('serial.mode', 'RS485', all)).toEqual(['serial.preset', 'serial.flow_control']);

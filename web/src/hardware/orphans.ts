@@ -16,6 +16,12 @@ const PROCEDURE = ['priority', 'acknowledge_delay', 'setup_attempts', 'transmiss
   (key) => `serial.${key}`,
 );
 const BUFFER = ['telegrams', 'whole_buffer', 'clear_at_start', 'prevent_overwriting'].map((key) => `serial.${key}`);
+/** Of ASCII: what belongs to one end of telegrams, and to XON/XOFF. */
+const OF_END: Record<string, string[]> = {
+  count: ['serial.length', 'serial.pause'],
+  characters: ['serial.end_characters', 'serial.check_characters', 'serial.sending'],
+};
+const FLOW_CONTROL = ['serial.xon', 'serial.xoff', 'serial.xon_wait'];
 const ALWAYS = ['name', 'input', 'output', 'drive'];
 
 /** Keys of a module that go when one of its parameters takes a value. */
@@ -42,7 +48,10 @@ function ofDrive(value: Value, keys: string[]): string[] {
 // The shortest times differ, and RK 512 has 8 data bits.
 function ofSerial(key: string, value: Value, keys: string[]): string[] {
   if (key === 'serial.whole_buffer') return value === true ? ['serial.telegrams'] : [];
-  if (key === 'serial.mode') return value === 'RS422' ? ['serial.preset'] : ['serial.preset', 'serial.flow_control'];
+  if (key === 'serial.end') return Object.entries(OF_END).flatMap(([end, some]) => (end === value ? [] : some));
+  if (key === 'serial.flow_control') return value === 'none' ? FLOW_CONTROL : [];
+  if (key === 'serial.mode')
+    return value === 'RS422' ? ['serial.preset'] : ['serial.preset', 'serial.flow_control', ...FLOW_CONTROL];
   if (key !== 'serial.protocol') return [];
   if (value === 'ASCII') return ['serial.character_delay', 'serial.block_check', ...PROCEDURE];
   const fromAscii = keys.includes('serial.end') ? ['serial.character_delay', ...ASCII] : [];

@@ -3,6 +3,9 @@ export const unchanged = [
   // values that a user writes in merker.toml
   'RS422 master',
   'whole_buffer = false',
+  'end = "count"',
+  'end = "characters"',
+  'flow_control = "XON/XOFF"',
   ', off',
   'range = "4..20mA"',
   'main_direction = "forward"',
