@@ -17,6 +17,8 @@ using End = serial::Coupling::End;
 
 constexpr std::size_t kMostUnsent = 65'536;
 constexpr std::string_view kHeader = "time,event,characters";
+// What a recording may be: a line has what the partner may send at a time, all of them a day's.
+constexpr std::size_t kLongestLine = 2 * serial::Partner::kMost + 64, kMostRead = 512'000'000;
 
 std::string hexadecimal(const Bytes& bytes) {
   std::string text;
@@ -34,6 +36,26 @@ bool readHexadecimal(std::string_view text, Bytes& bytes) {
   }
   return true;
 }
+
+// The lines of a file; one that is too long is not read to its end.
+class Lines {
+ public:
+  explicit Lines(const std::string& name) : file_(name, std::ios::binary), buffer_(kLongestLine) {}
+  // False: no more, or too long.
+  bool next(std::string_view& line) {
+    file_.getline(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+    const auto count = static_cast<std::size_t>(file_.gcount());
+    ended_ = file_.eof() && count == 0;
+    line = {buffer_.data(), file_.eof() || count == 0 ? count : count - 1};
+    return static_cast<bool>(file_);
+  }
+  bool ended() const { return ended_; }  // nothing stands behind the last line
+
+ private:
+  std::ifstream file_;
+  std::vector<char> buffer_;
+  bool ended_ = false;
+};
 
 // Its frame is wrong on the line, too.
 void sendFaulty(serial::Coupling& coupling, std::uint8_t value, Instant now) {
@@ -73,29 +95,43 @@ std::unique_ptr<SerialLink> SerialLink::open(const serial::Connection& connectio
 }
 
 // time in ns, event, characters in hexadecimal digits
+bool SerialLink::readRecord(std::string_view line) {
+  constexpr std::string_view kKinds[] = {"in", "faulty", "cut", "connect"};
+  const auto first = line.find(','), second = line.find(',', first + 1);
+  if (first == std::string_view::npos || second == std::string_view::npos) return false;
+  Record record;
+  const char* const end = line.data() + first;
+  const auto time = std::from_chars(line.data(), end, record.at.ns);
+  const Instant before = records_.empty() ? Instant{} : records_.back().at;
+  const auto* kind = std::ranges::find(kKinds, line.substr(first + 1, second - first - 1));
+  if (time.ec != std::errc{} || time.ptr != end || record.at < before || kind == std::end(kKinds) ||
+      !readHexadecimal(line.substr(second + 1), record.bytes))
+    return false;
+  record.kind = static_cast<Record::Kind>(kind - std::begin(kKinds));
+  records_.push_back(std::move(record));
+  return true;
+}
+
 bool SerialLink::readRecords(const std::string& name, std::string& reason) {
-  std::ifstream file(name, std::ios::binary);
-  std::string line;
-  if (!std::getline(file, line) || line != kHeader) {
+  Lines lines(name);
+  std::string_view line;
+  if (!lines.next(line) || line != kHeader) {
     reason = name + ": this is no recording of a serial line";
     return false;
   }
-  for (std::size_t number = 2; std::getline(file, line); ++number) {
-    const auto first = line.find(','), second = line.find(',', first + 1);
-    Record record;
-    const bool cells = first != std::string::npos && second != std::string::npos;
-    const char* const end = line.data() + (cells ? first : 0);
-    const auto time = std::from_chars(line.data(), end, record.at.ns);
-    if (!cells || time.ec != std::errc{} || time.ptr != end ||
-        !readHexadecimal(std::string_view(line).substr(second + 1), record.bytes) ||
-        (!records_.empty() && record.at < records_.back().at)) {
-      reason = fmt::format("{}:{}: this is no line of a recording", name, number);
+  std::size_t number = 2;
+  for (std::size_t total = 0; lines.next(line); ++number) {
+    total += line.size() + 1;
+    if (total > kMostRead) {
+      reason = fmt::format("{}:{}: the recording is longer than {} MB", name, number,
+                           kMostRead / 1'000'000);
       return false;
     }
-    record.kind = line.substr(first + 1, second - first - 1);
-    records_.push_back(std::move(record));
+    if (!readRecord(line)) break;
   }
-  return true;
+  if (lines.ended()) return true;
+  reason = fmt::format("{}:{}: this is no line of a recording", name, number);
+  return false;
 }
 
 serial::Coupling* SerialLink::coupling() {
@@ -155,9 +191,10 @@ void SerialLink::give(serial::Coupling& coupling) {
 }
 
 void SerialLink::play(serial::Coupling& coupling, const Record& record) {
-  if (record.kind == "cut" || record.kind == "connect")
-    coupling.cut(End::Cpu, record.kind == "cut", plc_.now());
-  else if (record.kind == "faulty")
+  using Kind = Record::Kind;
+  if (record.kind == Kind::Cut || record.kind == Kind::Connect)
+    coupling.cut(End::Cpu, record.kind == Kind::Cut, plc_.now());
+  else if (record.kind == Kind::Faulty)
     for (const std::uint8_t byte : record.bytes) sendFaulty(coupling, byte, plc_.now());
   else
     coupling.partner().send(record.bytes, plc_.now());

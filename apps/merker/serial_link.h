@@ -33,10 +33,11 @@ class SerialLink {
   explicit SerialLink(controller::Controller& plc) : plc_(plc) {}
   struct Record {
     Instant at;
-    std::string kind;  // "in", "faulty", "cut", "connect"
+    enum class Kind : std::uint8_t { In, Faulty, Cut, Connect } kind = Kind::In;
     serial::Bytes bytes;
   };
   bool readRecords(const std::string& file, std::string& reason);
+  bool readRecord(std::string_view line);
   serial::Coupling* coupling();
   void take(serial::Coupling& coupling);
   void give(serial::Coupling& coupling);

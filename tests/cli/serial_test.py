@@ -1,5 +1,6 @@
 """X27 and the outside: a foreign partner that speaks 3964R (written from the technology manual 6.9.2 alone) over a pseudo
 terminal and over TCP, two programs that talk RK 512 with each other, and a recording."""
+import csv
 import os
 import socket
 import time
@@ -224,6 +225,53 @@ class Serial(SerialCase):
                 (["echo", "--serial", "replay:main.awl", "--for", "1s"], UNREADABLE, "no recording")):
             call = self.expect(code, "run", *arguments)
             self.assertIn(text, call.err)
+
+    def scenario(self, protocol, steps):
+        self.write("line/merker.toml", f'[cpu]\nmodel = "314C-2 PtP"\n\n[[module]]\nslot = "2.1"\n\n[module.serial]\nprotocol = "{protocol}"\n')
+        self.write("line/main.awl", block("      NOP 0"))
+        self.write("line/line.scn", 'scenario "line"\n' + "".join(f"  {step}\n" for step in steps))
+
+    # PTP-LINE-01, PTP-LINE-11
+    def test_the_monitor_shows_faults_and_breaks(self):
+        self.scenario("3964R", ["wait 50ms", "serial X27 send STX", "wait 10ms", "serial X27 disturb parity character 2", 'serial X27 send "ABC" DLE ETX 53',
+                                "wait 50ms", "serial X27 cut", "wait 50ms", "serial X27 connect", "wait 50ms"])
+        self.expect(GOOD, "monitor", "serial", "line", "--scenario", "line/line.scn", "--csv", "line.csv", "--pcap", "line.pcap")
+        rows = list(csv.DictReader(self.read("line.csv").splitlines()))
+        faults = [(row["character"], row["meaning"], row["fault"]) for row in rows if row["fault"]]
+        self.assertEqual(faults, [("42", "parity fault", "parity fault"), ("", "BREAK begins", "BREAK"), ("", "BREAK ends", "BREAK")])
+        self.assertIn("block refused", [row["meaning"] for row in rows])
+        data, place, characters = (self.folder / "line.pcap").read_bytes(), 24, 0
+        while place < len(data):
+            length = int.from_bytes(data[place + 8:place + 12], "little")
+            characters, place = characters + length - 12, place + 16 + length
+        self.assertEqual(characters, len(rows) - 2)
+        text = self.expect(GOOD, "monitor", "serial", "line", "--scenario", "line/line.scn").out
+        self.assertRegex(text, r"partner  42 'B'   parity fault")
+        self.assertRegex(text, r"partner     BREAK BREAK begins")
+
+    def test_steps_that_a_partner_cannot_do_are_told(self):
+        for steps, code, text in (
+                (["serial X27 partner RK512", "serial X27 send 41"], PROBLEMS, "a partner RK 512 has jobs only"),
+                (["serial X27 partner RK512", "serial X27 answer 41 with 42"], PROBLEMS, "a partner RK 512 has jobs only"),
+                (["serial X27 disturb replace character 1"], PROBLEMS, "replace 41"),
+                (["serial X27 disturb delay of X27"], PROBLEMS, "delay 5ms")):
+            self.scenario("RK512", steps)
+            call = self.expect(code, "test", "line")
+            self.assertIn(text, call.out + call.err)
+
+    def test_a_recording_is_checked(self):
+        self.project("echo", "3964R", ECHO)
+        head = "time,event,characters\n"
+        for content, text in (
+                (head + "0,in,02\n1,bang,\n", "line.csv:3: this is no line"), (head + "-1,in,02\n", "line.csv:2: this is no line"),
+                (head + "0,in,0\n", "line.csv:2: this is no line"), (head + "5,in,02\n4,in,02\n", "line.csv:3: this is no line"),
+                (head + "0,in," + "02" * 70_000 + "\n", "line.csv:2: this is no line"), ("", "no recording"), ("x" * 200_000, "no recording")):
+            self.write("line.csv", content)
+            self.assertIn(text, self.expect(UNREADABLE, "run", "echo", "--serial", "replay:line.csv", "--for", "1s").err)
+        self.assertIn("no recording", self.expect(UNREADABLE, "run", "echo", "--serial", "replay:/dev/zero", "--for", "1s").err)
+        for content in (head, head + "0,in,02", head + "0,cut,\n1,connect,\n2,faulty,41\n"):
+            self.write("line.csv", content)
+            self.expect(GOOD, "run", "echo", "--serial", "replay:line.csv", "--for", "1s")
 
 
 if __name__ == "__main__":

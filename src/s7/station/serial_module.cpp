@@ -28,15 +28,19 @@ void SerialModule::supply(bool on, Instant now) {
   rack_.fault(module_, io::FaultKind::LineBreak, std::nullopt, false);
 }
 
-Instant SerialModule::next() const { return coupling_ ? coupling_->next() : Instant::never(); }
+bool SerialModule::put() const { return rack_.has(module_, io::FaultKind::LineBreak); }
+
+Instant SerialModule::next() const {
+  if (!coupling_) return Instant::never();
+  return put() != broken_ ? Instant{} : coupling_->next();
+}
 
 // A line break that somebody else puts there cuts the line (`fault X27 line break`); one that the
 // interface sees is told.
 void SerialModule::advance(Instant now) {
   if (!coupling_) return;
-  const bool put = rack_.has(module_, io::FaultKind::LineBreak);
-  if (put != broken_) coupling_->cut(serial::Coupling::End::Cpu, put, now);
-  broken_ = put;
+  if (put() != broken_) coupling_->cut(serial::Coupling::End::Cpu, put(), now);
+  broken_ = put();
   if (next() <= now) coupling_->advance(now);
   const auto change = coupling_->takeWireBreak();
   if (!change) return;

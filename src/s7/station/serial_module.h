@@ -23,6 +23,8 @@ class SerialModule {
   void advance(Instant now);
 
  private:
+  bool put() const;  // the rack has a line break
+
   io::Rack& rack_;
   std::uint32_t module_ = 0, address_ = 0;
   std::unique_ptr<serial::Coupling> coupling_;

@@ -223,6 +223,9 @@ bool Serial::parseDisturb(const StepLine& line, std::string_view text) {
   end = End::Partner;
   constexpr std::uint16_t kFirstDataBit = 2;
   fault.pattern = kFirstDataBit;
+  using Kind = serial::Fault::Kind;
+  const bool takes = fault.kind == Kind::Replace || fault.kind == Kind::Insert;
+  bool missing = takes || fault.kind == Kind::Delay;
   const auto fails = [&](std::string_view word) {
     return line.fail(ProblemCode::P0952, word.empty() ? line.rest() : word,
                      "character N, of X27, a character to put there, or a time");
@@ -235,19 +238,20 @@ bool Serial::parseDisturb(const StepLine& line, std::string_view text) {
     } else if (equalsIgnoreCase(word, "of")) {
       if (!equalsIgnoreCase(takeWord(text), port)) return fails(word);
       end = End::Cpu;
-    } else if (fault.kind == serial::Fault::Kind::Delay) {
+    } else if (fault.kind == Kind::Delay) {
       const auto delay = parseDuration(word);
       if (!delay) return line.fail(ProblemCode::P0953, word, word);
       fault.delay = *delay;
+      missing = false;
     } else {
       serial::Bytes one;
-      const bool takes =
-          fault.kind == serial::Fault::Kind::Replace || fault.kind == serial::Fault::Kind::Insert;
       if (!takes || !parseCharacters(line, word, one) || one.size() != 1) return fails(word);
       fault.pattern = one[0];
+      missing = false;
     }
   }
-  return true;
+  if (!missing) return true;
+  return line.fail(ProblemCode::P0952, kind, takes ? "replace 41, insert 41" : "delay 5ms");
 }
 
 bool hasSerialPort(const StepBinding& binding, const std::string& port, const Position& position) {
@@ -288,6 +292,10 @@ bool Serial::begin(StepRun& run, serial::Coupling& coupling) const {
 bool Serial::act(StepRun& run, serial::Coupling& coupling) const {
   if (coupling.joined() && ofPartner(does)) return run.fail("X27 is connected to another station");
   const Instant now = run.plc().now();
+  const bool sends = does == Does::Send || does == Does::Answer;
+  if (sends && coupling.partner().speaks() == serial::Partner::Speaks::ComputerLink)
+    return run.fail(
+        "a partner RK 512 has jobs only: serial X27 job; partner 3964R sends telegrams");
   switch (does) {
     case Does::Send:
       return coupling.partner().send(bytes, now) || run.fail("too much waits to be sent");
