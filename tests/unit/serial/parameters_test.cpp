@@ -161,8 +161,11 @@ TEST(SerialParameters, CharactersAndCounts) {
     };
   };
   EXPECT_EQ(refusedWith(Protocol::Ascii, with(End::Characters, 0, 0xFF, 0x13, false)), "");
-  EXPECT_EQ(refusedWith(Protocol::Ascii, with(End::Characters, 0, 0x80, 0x80, true)),
+  EXPECT_EQ(refusedWith(Protocol::Ascii, with(End::Characters, 0, 0x80, 0x81, true)),
             "end character 1 must be 0 to 127; XOFF must be 0 to 127");
+  for (const std::uint8_t end : {std::uint8_t{0x11}, std::uint8_t{0x13}})
+    EXPECT_EQ(refusedWith(Protocol::Ascii, with(End::Characters, 0, end, 0x13, false)),
+              "XON and XOFF cannot be end characters");
   EXPECT_EQ(refusedWith(Protocol::Ascii, with(End::Delay, 0, 3, 0x11, false)),
             "XON and XOFF must be different characters");
   EXPECT_EQ(refusedWith(Protocol::Ascii, with(End::Count, 0, 3, 0x13, false)),

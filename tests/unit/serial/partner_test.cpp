@@ -234,6 +234,7 @@ TEST(SerialCoupling, SeesFaultsAndBreaks) {
   Coupling coupling(defaults(Protocol::Ascii));
   coupling.disturb(Coupling::End::Partner, 1, {.kind = Fault::Kind::Parity});
   coupling.partner().send(hex("4142"), at(10));
+  coupling.advance(at(10));
   coupling.advance(at(100));
   coupling.cut(Coupling::End::Cpu, true, at(100));
   coupling.advance(at(200));
