@@ -11,6 +11,7 @@ namespace merker::serial {
 class PartnerMemory : public LinkMemory {
  public:
   std::optional<std::size_t> size(char type, std::uint8_t block) const override;
+  bool writable(std::uint8_t) const override { return true; }
   Bytes read(char type, std::uint8_t block, std::size_t offset, std::size_t count) const override;
   void write(std::uint8_t block, std::size_t offset, std::span<const std::uint8_t> data) override;
   bool flag(const Flag& flag) const override;

@@ -15,6 +15,7 @@ class LinkMemory {
   virtual ~LinkMemory() = default;
   // Bytes of a data block or area, nothing if it does not exist.
   virtual std::optional<std::size_t> size(char type, std::uint8_t block) const = 0;
+  virtual bool writable(std::uint8_t block) const = 0;  // a data block that exists
   virtual Bytes read(char type, std::uint8_t block, std::size_t offset,
                      std::size_t count) const = 0;
   virtual void write(std::uint8_t block, std::size_t offset,
@@ -85,6 +86,9 @@ class Rk512 : public Driver, private Inbox {
   void endJob(Event event);
   void commandSent(Event event, Instant now);
   void takeReaction(const Bytes& telegram);
+  bool ofAbortedJob(const Bytes& telegram);
+  void useReaction(const Bytes& telegram);
+  void reactionOverdue();
   std::size_t part() const;
 
   // rk512_passive.cpp
@@ -93,6 +97,7 @@ class Rk512 : public Driver, private Inbox {
   void refuse(bool followOn, Event event, std::uint8_t error);
   void outcome(Event event);
   std::size_t partnerPart() const;
+  Denial check(const LinkMemory& memory) const;
   void execute(LinkMemory& memory);
   void reactionSent(Event event, Instant now);
   void passiveExpired();
@@ -109,11 +114,19 @@ class Rk512 : public Driver, private Inbox {
   bool commandReady_ = false;
   std::size_t done_ = 0;  // bytes of the active job
   Instant activeTimer_ = Instant::never();
+  struct Owed {  // the reaction to a command whose job was aborted
+    Instant until;
+    bool followOn = false;
+    std::size_t data = 0;
+  };
+  std::deque<Owed> owed_;
+  std::optional<Bytes> doubtful_;  // a reaction: of this job, or of one that was aborted
 
   Passive passive_ = Passive::Idle;
   Service service_ = Service::Never;
   bool stopped_ = false;
   LinkJob partnerJob_;
+  Denial header_;  // what is wrong with its header behind the address
   bool followOn_ = false;
   Bytes data_;  // that came with the command
   std::size_t served_ = 0;

@@ -10,20 +10,25 @@ namespace {
 
 constexpr std::size_t kOutcomes = 16, kReplies = 8;  // a hostile partner fills no memory
 
-struct Denial {
-  Event event = Event::None;
-  std::uint8_t error = 0;
-};
+std::uint8_t errorOf(const LinkJob& job) { return job.type == 'D' ? 0x14 : 0x0C; }
 
-// Numbers: PTP-OPEN-14.
-Denial checkArea(const LinkMemory& memory, const LinkJob& job) {
+// Bytes 5 and 6. Numbers: PTP-OPEN-14.
+Denial checkAddress(const LinkMemory& memory, const LinkJob& job) {
   const auto size = memory.size(job.type, job.block);
+  if (size && job.offset < *size) return {};
+  return {job.type == 'D' ? Event::AreaNotPermitted : Event::HeaderAddress, errorOf(job)};
+}
+
+// Up to its end, and that a SEND can be stored.
+Denial checkArea(const LinkMemory& memory, const LinkJob& job) {
+  const Denial address = checkAddress(memory, job);
+  if (address.event != Event::None) return address;
   const bool words = job.type == 'T' || job.type == 'Z';
   const std::size_t count = words ? job.length / 2U : job.length;
-  const std::uint8_t error = job.type == 'D' ? 0x14 : 0x0C;
-  if (size && job.offset + count <= *size) return {};
-  if (job.type != 'D' && (!size || job.offset >= *size)) return {Event::HeaderAddress, error};
-  return {Event::AreaNotPermitted, error};
+  if (job.offset + count > memory.size(job.type, job.block))
+    return {Event::AreaNotPermitted, errorOf(job)};
+  if (!job.fetch && !memory.writable(job.block)) return {Event::NoAccess, errorOf(job)};
+  return {};
 }
 
 Denial checkFlag(const LinkMemory& memory, const Flag& flag) {
@@ -59,7 +64,9 @@ void Rk512::refuse(bool followOn, Event event, std::uint8_t error) {
 void Rk512::takeCommand(const Bytes& telegram) {
   constexpr std::uint8_t kNotStarted = 0x2A, kNotReady = 0x0A, kSequence = 0x36;
   const Command command = read(telegram);
-  if (command.event != Event::None) return refuse(command.followOn, command.event, command.error);
+  const bool served = !stopped_ && service_ == Service::Enabled && passive_ == Passive::Idle;
+  if (command.event != Event::None && !(command.addressed && served))
+    return refuse(command.followOn, command.event, command.error);
   if (stopped_ || service_ == Service::Disabled)
     return refuse(command.followOn, Event::None, kNotReady);
   if (service_ == Service::Never) return refuse(command.followOn, Event::None, kNotStarted);
@@ -69,6 +76,7 @@ void Rk512::takeCommand(const Bytes& telegram) {
     if (!continues(telegram)) return;
   } else {
     partnerJob_ = command.job;
+    header_ = {command.event, command.error};
     served_ = 0;
   }
   followOn_ = command.followOn;
@@ -108,12 +116,19 @@ void Rk512::serve(LinkMemory& memory, Instant now) {
   pump(now);
 }
 
+// In the order of the bytes (PTP-RK512-40). The area may have changed since the last telegram.
+Denial Rk512::check(const LinkMemory& memory) const {
+  const Denial address = checkAddress(memory, partnerJob_);
+  if (address.event != Event::None) return address;
+  if (header_.event != Event::None) return header_;
+  const Denial area = checkArea(memory, partnerJob_);
+  if (area.event != Event::None || served_ > 0) return area;
+  return checkFlag(memory, partnerJob_.flag);
+}
+
 void Rk512::execute(LinkMemory& memory) {
-  if (served_ == 0) {
-    Denial denial = checkArea(memory, partnerJob_);
-    if (denial.event == Event::None) denial = checkFlag(memory, partnerJob_.flag);
-    if (denial.event != Event::None) return refuse(followOn_, denial.event, denial.error);
-  }
+  const Denial denial = check(memory);
+  if (denial.event != Event::None) return refuse(followOn_, denial.event, denial.error);
   const bool words = partnerJob_.type == 'T' || partnerJob_.type == 'Z';
   const std::size_t at = partnerJob_.offset + (words ? served_ / 2 : served_);
   const std::size_t count = partnerPart();

@@ -70,6 +70,7 @@ Command readFirst(std::span<const std::uint8_t> t, Command command) {
   unsigned count = 0;
   readArea(t, job, count);
   if (job.inBlock() && job.block == 0) return refused(command, Event::HeaderByte5, 0x14);
+  command.addressed = true;
   const std::size_t bytes = std::size_t{count} * (job.inWords() ? 2 : 1);
   const std::size_t data = job.fetch ? 0 : std::min(bytes, kPart);
   if (bytes == 0 || bytes > kLongest || t.size() != command.header + data)

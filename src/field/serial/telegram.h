@@ -39,12 +39,19 @@ Bytes firstCommand(const LinkJob& job);
 Bytes followOnCommand(const LinkJob& job);
 Bytes reaction(bool followOn, std::uint8_t error);
 
+// What a command is refused with: the number at STATUS and the one in the reaction telegram.
+struct Denial {
+  Event event = Event::None;
+  std::uint8_t error = 0;
+};
+
 // A command of the partner: its job, or what is wrong with it and the number it is answered with.
 struct Command {
   LinkJob job;
   bool followOn = false;
   Event event = Event::None;
   std::uint8_t error = 0;
+  bool addressed = false;   // nothing is wrong up to byte 6: the area can be looked at first
   std::size_t header = 10;  // bytes in front of the data
 };
 bool isReaction(std::span<const std::uint8_t> telegram);

@@ -44,6 +44,10 @@ std::optional<std::size_t> ProgramMemory::size(char type, std::uint8_t block) co
   return m_.areas.length(areaOf(type));
 }
 
+bool ProgramMemory::writable(std::uint8_t block) const {
+  return ProgramBlocks(m_, cpu::Access::Write).size(block).value_or(0) > 0;
+}
+
 Bytes ProgramMemory::read(char type, std::uint8_t block, std::size_t offset,
                           std::size_t count) const {
   if (type == 'D')
@@ -59,14 +63,9 @@ Bytes ProgramMemory::read(char type, std::uint8_t block, std::size_t offset,
   return bytes;
 }
 
-// What is write-protected stays as it is.
 void ProgramMemory::write(std::uint8_t block, std::size_t offset,
                           std::span<const std::uint8_t> data) {
-  ProgramBlocks blocks(m_, cpu::Access::Write);
-  const std::size_t size = blocks.size(block).value_or(0);
-  if (offset < size)
-    blocks.write({block, static_cast<std::uint32_t>(offset)},
-                 data.first(std::min(data.size(), size - offset)));
+  ProgramBlocks(m_, cpu::Access::Write).write({block, static_cast<std::uint32_t>(offset)}, data);
 }
 
 bool ProgramMemory::flag(const serial::Flag& flag) const {

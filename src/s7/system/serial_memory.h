@@ -25,6 +25,7 @@ class ProgramMemory : public serial::LinkMemory {
  public:
   explicit ProgramMemory(cpu::Machine& machine) : m_(machine) {}
   std::optional<std::size_t> size(char type, std::uint8_t block) const override;
+  bool writable(std::uint8_t block) const override;
   serial::Bytes read(char type, std::uint8_t block, std::size_t offset,
                      std::size_t count) const override;
   void write(std::uint8_t block, std::size_t offset, std::span<const std::uint8_t> data) override;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 
 #include "serial/rk512.h"
 #include "stations.h"
@@ -16,6 +17,7 @@ class Areas : public LinkMemory {
     if (found == bytes.end()) return std::nullopt;
     return type == 'T' || type == 'Z' ? found->second.size() / 2 : found->second.size();
   }
+  bool writable(std::uint8_t block) const override { return !locked.contains(block); }
   Bytes read(char type, std::uint8_t block, std::size_t offset, std::size_t count) const override {
     const Bytes& area = bytes.at({type, block});
     const auto at = static_cast<std::ptrdiff_t>(type == 'T' || type == 'Z' ? offset * 2 : offset);
@@ -36,6 +38,7 @@ class Areas : public LinkMemory {
   Bytes& area(char type) { return bytes[{type, std::uint8_t{0}}]; }
 
   std::map<std::pair<char, std::uint8_t>, Bytes> bytes;
+  std::set<std::uint8_t> locked;  // write-protected data blocks
 };
 
 inline LinkParameters link(bool high) {

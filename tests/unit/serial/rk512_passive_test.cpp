@@ -53,6 +53,50 @@ TEST(LinkPassive, ErrorsInTheHeader) {
   EXPECT_EQ(once("00 00 41 44 0A 00 00 03 FF 1F 11 22 33 44", "00 00 00 34"), "0611");
 }
 
+// PTP-RK512-40: bytes 5 and 6 go before what is behind them
+TEST(LinkPassive, TheFirstErrorInTheOrderOfTheBytes) {
+  EXPECT_EQ(once("00 00 45 4D 01 00 00 01 64 18", "00 00 00 0C"), "0607");
+  EXPECT_EQ(once("00 00 45 5A 01 CB B1 D3 FF 1F", "00 00 00 0C"), "0607");
+  EXPECT_EQ(once("00 00 41 44 63 00 00 01 FF 5F 11 22", "00 00 00 14"), "0301");
+  EXPECT_EQ(once("00 00 41 44 0A 04 00 00 FF 5F", "00 00 00 14"), "0301");
+  EXPECT_EQ(once("00 00 41 44 0A 00 00 09 FF 5F 11 22", "00 00 00 34"), "0611");
+  EXPECT_EQ(once("00 00 41 44 00 00 00 01 FF 5F 11 22", "00 00 00 14"), "0606");
+}
+
+// PTP-RK512-40: without SERVE_RK nobody knows the areas
+TEST(LinkPassive, HeaderErrorsWithoutService) {
+  LinkedScript s;
+  s.cpu.serves = false;
+  EXPECT_EQ(serves(s, "00 00 41 44 63 00 00 01 FF 5F 11 22", "00 00 00 0C"), "060A");
+}
+
+// PTP-ERR-02, PTP-SFB65-01
+TEST(LinkPassive, WriteProtectedBlock) {
+  LinkedScript s;
+  s.cpu.memory.db(10).resize(8);
+  s.cpu.memory.locked = {10};
+  s.run(1);
+  EXPECT_EQ(serves(s, "00 00 41 44 0A 00 00 01 FF 1F 11 22", "00 00 00 14"), "0303");
+  EXPECT_EQ(s.cpu.memory.db(10), Bytes(8));
+  EXPECT_EQ(serves(s, "00 00 45 44 0A 00 00 01 FF 1F", "00 00 00 00 00 00"), "0000");
+}
+
+// PTP-RK512-44, PTP-ERR-01: deleted, or made read-only, between two telegrams
+TEST(LinkPassive, BlockThatGoesBetweenTelegrams) {
+  for (const bool locked : {true, false}) {
+    LinkedScript s;
+    s.cpu.memory.db(10).resize(200);
+    s.run(1);
+    const std::string data = text(Bytes(128, 0x41)), rest = text(Bytes(2, 0x42));
+    EXPECT_EQ(serves(s, "00 00 41 44 0A 00 00 41 FF 1F " + data, "00 00 00 00"), "");
+    if (locked)
+      s.cpu.memory.locked = {10};
+    else
+      s.cpu.memory.bytes.erase({'D', 10});
+    EXPECT_EQ(serves(s, "FF 00 41 44 " + rest, "FF 00 00 14"), locked ? "0303" : "0301");
+  }
+}
+
 // PTP-RK512-40, PTP-OPEN-15
 TEST(LinkPassive, WrongLengths) {
   EXPECT_EQ(once("00 00 41 44 0A 00", "00 00 00 34"), "0610");
