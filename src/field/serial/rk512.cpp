@@ -40,7 +40,7 @@ void Rk512::expire(Instant now) {
     if (active_ == Active::Prepares)
       commandReady_ = true;
     else if (active_ == Active::Waits)
-      endJob(Event::NoReaction);
+      reactionOverdue();
   }
   if (passiveTimer_ <= now) passiveExpired();
   pump(now);

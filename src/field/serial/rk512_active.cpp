@@ -5,12 +5,18 @@
 #include "serial/rk512.h"
 
 namespace merker::serial {
+namespace {
+
+constexpr std::size_t kOwed = 8;  // a program that aborts all the time fills no memory
+
+}  // namespace
 
 void Rk512::begin(const LinkJob& job, Instant now) {
   outbox_.begin();
   job_ = job;
   done_ = 0;
   fetched_.clear();
+  doubtful_.reset();
   if (!job.fetch) {
     active_ = Active::NeedsData;
     return;
@@ -50,8 +56,11 @@ void Rk512::endJob(Event event) {
   outbox_.end(event);
 }
 
+// The partner reacts to a command that it has acknowledged, even if nobody waits any more.
 void Rk512::abort(Event why) {
   if (!outbox_.busy()) return;
+  if (active_ == Active::Waits && owed_.size() < kOwed)
+    owed_.push_back({activeTimer_, done_ > 0, job_.fetch ? part() : 0});
   if (output_ == Output::CommandTelegram) procedure_.abort(why);
   endJob(why);
 }
@@ -64,9 +73,36 @@ void Rk512::commandSent(Event event, Instant now) {
   activeTimer_ = now + parameters_.reactionTime;
 }
 
-// Without a job that waits for it a reaction is discarded (PTP-RK512-29, -39).
+// It comes within its monitoring time, with the data of the aborted job or an error.
+bool Rk512::ofAbortedJob(const Bytes& telegram) {
+  while (!owed_.empty() && owed_.front().until < now_) owed_.pop_front();
+  if (owed_.empty() || telegram.size() < 4) return false;
+  const bool followOn = telegram[0] == 0xFF;
+  const std::size_t data = telegram[3] == 0 ? owed_.front().data : 0;
+  if (followOn != owed_.front().followOn || telegram.size() != 4 + data) return false;
+  owed_.pop_front();
+  return true;
+}
+
+// Without a job that waits for it a reaction is discarded (PTP-RK512-29, -39). Each command is
+// answered once, in turn: if one more reaction comes, that is the one of this job.
 void Rk512::takeReaction(const Bytes& telegram) {
+  const bool doubtful = ofAbortedJob(telegram);
   if (active_ != Active::Waits) return;
+  if (doubtful)
+    doubtful_ = telegram;
+  else
+    useReaction(telegram);
+}
+
+// The partner has answered only once: it did not know of the aborted job any more.
+void Rk512::reactionOverdue() {
+  if (const auto telegram = std::exchange(doubtful_, std::nullopt)) return useReaction(*telegram);
+  endJob(Event::NoReaction);
+}
+
+void Rk512::useReaction(const Bytes& telegram) {
+  doubtful_.reset();
   const bool followOn = telegram[0] == 0xFF;
   if (telegram[0] != 0x00 && !followOn) return endJob(Event::ReactionByte1);
   if (followOn != (done_ > 0)) return endJob(Event::ReactionSequence);

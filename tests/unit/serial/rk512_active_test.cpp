@@ -309,6 +309,66 @@ TEST(LinkActive, AbortedJobAndItsLateReaction) {
   EXPECT_EQ(s.cpu.end(), "0501");
 }
 
+// A FETCH of two bytes is aborted while its partner thinks, then another one is started.
+struct AbortedFetch {
+  AbortedFetch() {
+    s.partner.expect("02").send("10").expect("00 00 45 44 0A 00 00 01 FF 1F 10 03 F9");
+    s.partner.send("10").wait(100);
+    s.begin(fetchJob('D', 10, 0, 2));
+    s.run(60);
+    s.cpu.driver.abort(Event::Reset);
+    EXPECT_EQ(s.cpu.end(), "051D");
+  }
+  void fetchNext() {
+    s.partner.expect("02").send("10").expect("00 00 45 44 0B 00 00 01 FF 1F 10 03 F8").send("10");
+    s.begin(fetchJob('D', 11, 0, 2));
+  }
+  LinkedScript s;
+};
+
+// PTP-RK512-39: while the next job waits for its own
+TEST(LinkActive, LateReactionOfAnAbortedJob) {
+  for (const char* late : {"00 00 00 00 11 22 10 03 20", "00 00 00 0A 10 03 19"}) {
+    AbortedFetch f;
+    f.fetchNext();
+    f.s.partner.wait(20).send("02").expect("10").send(late).expect("10").wait(20);
+    f.s.partner.send("02").expect("10").send("00 00 00 00 33 44 10 03 64").expect("10");
+    f.s.run(1'000);
+    EXPECT_TRUE(f.s.partner.done());
+    EXPECT_EQ(f.s.cpu.end(), "0000");
+    EXPECT_EQ(text(f.s.cpu.target), "33 44");
+  }
+}
+
+// PTP-RK512-39: a partner that has forgotten the aborted job
+TEST(LinkActive, OnlyReactionBehindAnAbortedJob) {
+  AbortedFetch f;
+  f.fetchNext();
+  f.s.partner.send("02").expect("10").send("00 00 00 00 33 44 10 03 64").expect("10");
+  f.s.run(19'000);
+  EXPECT_TRUE(f.s.partner.done());
+  EXPECT_EQ(f.s.cpu.end(), "none");
+  f.s.run(2'000);
+  EXPECT_EQ(f.s.cpu.end(), "0000");
+  EXPECT_EQ(text(f.s.cpu.target), "33 44");
+}
+
+// PTP-RK512-39: what cannot be meant for the aborted job, or comes too late for it
+TEST(LinkActive, ReactionThatIsNoneOfTheAbortedJob) {
+  AbortedFetch f;
+  f.s.partner.expect("02").send("10").expect("00 00 41 44 0A 00 00 01 FF 1F 11 22 10 03 CE");
+  f.s.partner.send("10").send("02").expect("10").send("00 00 00 00 10 03 13").expect("10");
+  f.s.begin(sendJob(10, 0, 2), hex("11 22"));
+  f.s.run(500);
+  EXPECT_EQ(f.s.cpu.end(), "0000");
+  AbortedFetch late;
+  late.s.run(20'000);
+  late.fetchNext();
+  late.s.partner.send("02").expect("10").send("00 00 00 00 33 44 10 03 64").expect("10");
+  late.s.run(500);
+  EXPECT_EQ(late.s.cpu.end(), "0000");
+}
+
 // SFB63-11, PTP-RK512-59
 TEST(LinkActive, DataAreReadTelegramByTelegram) {
   LinkCpu a, b(false);
