@@ -66,6 +66,7 @@ class Procedure : public Driver {
     std::size_t closing = 0;  // where DLE ETX (BCC) begins
     Instant ready;
     unsigned setup = 1, transmission = 1, conflicts = 0;
+    bool conflict = false;  // in this attempt
     Event first = Event::None;
   };
   struct Reception {

@@ -47,16 +47,18 @@ void Procedure::endJob(Event event) {
 }
 
 void Procedure::connect() {
+  job_->conflict = false;
   control(kStx);
   enter(State::Connect);  // QVZ begins when STX has left
 }
 
-// S3, S4, S8: the next STX, until the attempts are used up.
+// S3, S4, S8: the next STX, until the attempts are used up. Both high: a conflict that lasted in
+// each of them, and no error before (PTP-P3964-18, -53).
 void Procedure::retrySetup(Event event) {
   if (job_->first == Event::None) job_->first = event;
   if (++job_->setup <= parameters_.setups) return connect();
   control(kNak);
-  const bool bothHigh = job_->conflicts >= parameters_.setups;
+  const bool bothHigh = job_->transmission == 1 && job_->conflicts >= parameters_.setups;
   enter(State::Idle);
   endJob(bothHigh ? Event::BothHigh : job_->first);
 }
@@ -78,7 +80,7 @@ void Procedure::retryBlock(Event event, bool quiet) {
 // What comes before STX has left the line is not its answer, except the partner's own STX.
 void Procedure::inConnect(const Character& c) {
   if (c.is(kStx)) {
-    ++job_->conflicts;
+    job_->conflict = true;
     if (parameters_.highPriority) return;  // S5
     reception_ = {};
     reception_.afterConflict = true;
@@ -105,7 +107,10 @@ void Procedure::inClose(const Character& c) {
   endJob(Event::None);
 }
 
-void Procedure::connectExpired(Instant) { retrySetup(Event::SetupTimeout); }
+void Procedure::connectExpired(Instant) {
+  if (job_->conflict) ++job_->conflicts;
+  retrySetup(Event::SetupTimeout);
+}
 
 void Procedure::disturbedExpired(Instant) {
   control(kNak);

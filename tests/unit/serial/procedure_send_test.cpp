@@ -206,6 +206,26 @@ TEST(ProcedureSend, BothHigh) {
   EXPECT_EQ(p.endOfB(), "070B");
 }
 
+// PTP-P3964-13, PTP-P3964-18, PTP-P3964-53: a conflict that does not last, or is not the first
+// error
+TEST(ProcedureSend, ConflictBesideOtherErrors) {
+  Scripted refused(attempts(1, 2));
+  refused.partner.expect("02").send("02").wait(20).send("15");
+  refused.send(hex("41"));
+  refused.lines.run(3'000);
+  EXPECT_EQ(refused.end(), "0702");
+  Scripted later(attempts(1, 2));
+  later.partner.expect("02").send("10").expect("41 10 03 52").send("15").expect("02").send("02");
+  later.send(hex("41"));
+  later.lines.run(3'000);
+  EXPECT_EQ(later.end(), "0706");
+  Scripted once(attempts(2, 1));
+  once.partner.expect("02").send("02 02");
+  once.send(hex("41"));
+  once.lines.run(5'000);
+  EXPECT_EQ(once.end(), "0703");
+}
+
 // PTP-P3964-18, PTP-PARAM-27, PTP-ERR-33
 TEST(ProcedureSend, BothLow) {
   Procedures p(low(), low());
