@@ -103,8 +103,10 @@ Receiver::Event Receiver::complete(Instant now) {
   if (decoded.parityFault) c.faults |= Character::kParity;
   if (decoded.frameFault || wire_.collided(start_, now)) c.faults |= Character::kFrame;
   if (wire_.overrun(start_, now)) c.faults |= Character::kOverrun;
-  // A low line behind a wrong stop bit is the next start bit, unless it was low all the time.
-  search(lastSample(), bits_ == 0);
+  // A low line behind a wrong stop bit is the next start bit, unless it was low all the time. Its
+  // middle is the end of this character: behind it, however both were rounded.
+  constexpr Duration kRounding{2};
+  search(lastSample() + (decoded.frameFault ? kRounding : Duration{}), bits_ == 0);
   return {Event::Kind::Character, c};
 }
 

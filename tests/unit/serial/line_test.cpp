@@ -41,6 +41,20 @@ TEST(SerialFrame, BitsInTheOrderOfTime) {
   EXPECT_EQ(bitsOf(k7O1, 0x43), "0110000101");
 }
 
+// PTP-ASCII-21, PTP-LINE-09: no character begins where a wrong stop bit ends
+TEST(SerialLine, WrongLastStopBitIsOneFaultyCharacter) {
+  constexpr Frame k8N1{8, Parity::None, 1}, k7E1{7, Parity::Even, 1}, k8E2{8, Parity::Even, 2};
+  for (const std::uint32_t baud : {300U, 1200U, 2400U, 4800U, 9600U, 19200U, 38400U})
+    for (const Frame& frame : {k8N1, k7E1, k7O1, k8E1, k8E2}) {
+      Hearing h(with(baud, frame), with(baud, frame));
+      h.lines.line.port(0).disturb(1, {Fault::Kind::Stop});
+      h.sender.send("42 15").wait(300).send("43");
+      h.lines.run(1'000);
+      EXPECT_EQ(h.heard(), "42 15 43") << baud << ' ' << frame.bits();
+      EXPECT_EQ(h.faults, 1U);
+    }
+}
+
 // PTP-PHY-13
 TEST(SerialFrame, LengthOfAllTenFrames) {
   struct Row {
