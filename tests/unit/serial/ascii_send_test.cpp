@@ -208,6 +208,27 @@ TEST(AsciiSend, XoffAtTheNumberOfTelegrams) {
   EXPECT_EQ(c.sent(0), "13 11");
 }
 
+// PTP-ASCII-30, PTP-ERR-47: what fills the buffer to its last byte is stored, one byte more is not
+TEST(AsciiSend, TelegramThatEndsBehindTheBuffer) {
+  for (const std::size_t rest : {45U, 46U, 1100U}) {
+    AsciiCpu c(withFlow(byEnd()));
+    for (const std::size_t size : {std::size_t{1000}, std::size_t{1000}, rest}) {
+      Bytes telegram(size, 0x41);
+      telegram.push_back(0x03);
+      c.partner.send(telegram).wait(10);
+    }
+    c.lines.run(4'000);
+    EXPECT_EQ(c.take(), "0B01");
+    if (rest > 45) {
+      EXPECT_EQ(c.take(), "0812");
+    }
+    EXPECT_EQ(c.take().size(), 1001 * 3 - 1U);
+    EXPECT_EQ(c.take().size(), 1001 * 3 - 1U);
+    EXPECT_EQ(c.take(), rest > 45 ? "none" : text(Bytes(45, 0x41)) + " 03");
+    EXPECT_EQ(c.take(), "none");
+  }
+}
+
 // PTP-ASCII-30, PTP-ERR-47
 TEST(AsciiSend, PartnerThatIgnoresXoff) {
   AsciiCpu c(withFlow(byCount(512)));

@@ -126,6 +126,31 @@ TEST(SerialCoupling, WithoutSupplyNothingIsSentAndTheBufferIsLost) {
   EXPECT_EQ(text(all(coupling.partner())), "15");  // the driver starts anew
 }
 
+// A BREAK that a missing supply was ends with it, at the other end too.
+TEST(SerialCoupling, PartnerSendsAgainWhenTheSupplyIsBack) {
+  Coupling coupling(procedure());
+  ProcedureParameters other = procedure().procedure;
+  other.highPriority = false;
+  coupling.partner().speak(Partner::Speaks::Procedure, other, at(0));
+  coupling.supply(false, at(100));
+  coupling.supply(true, at(300));
+  coupling.partner().send(hex("41"), at(500));
+  coupling.advance(at(1'000));
+  EXPECT_EQ(number(coupling.partner().ended()), "0000");
+  ASSERT_TRUE(coupling.interface().take());
+}
+
+// PTP-P3964-26: at once, not when the line is there again
+TEST(SerialPartner, BreakEndsItsTelegram) {
+  Coupling coupling(procedure());
+  coupling.partner().speak(Partner::Speaks::Procedure, procedure().procedure, at(0));
+  coupling.advance(at(50));
+  coupling.partner().send(Bytes(100, 0x41), at(50));
+  coupling.cut(Coupling::End::Partner, true, at(100));
+  coupling.advance(at(110));
+  EXPECT_EQ(number(coupling.partner().ended()), "080D");
+}
+
 // PTP-LINE-11
 TEST(SerialDecoder, NamesWhatABlockIsMadeOf) {
   Decoder decoder(Protocol::ComputerLink, true);
