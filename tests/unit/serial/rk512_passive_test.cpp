@@ -70,7 +70,7 @@ TEST(LinkPassive, HeaderErrorsWithoutService) {
   EXPECT_EQ(serves(s, "00 00 41 44 63 00 00 01 FF 5F 11 22", "00 00 00 0C"), "060A");
 }
 
-// PTP-ERR-02, PTP-SFB65-01
+// PTP-ERR-02
 TEST(LinkPassive, WriteProtectedBlock) {
   LinkedScript s;
   s.cpu.memory.db(10).resize(8);
