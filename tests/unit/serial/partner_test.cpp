@@ -140,12 +140,12 @@ TEST(SerialCoupling, PartnerSendsAgainWhenTheSupplyIsBack) {
   ASSERT_TRUE(coupling.interface().take());
 }
 
-// PTP-P3964-26: at once, not when the line is there again
+// PTP-P3964-26: at once, also while nothing is being sent: the CPU does not hear its STX
 TEST(SerialPartner, BreakEndsItsTelegram) {
   Coupling coupling(procedure());
   coupling.partner().speak(Partner::Speaks::Procedure, procedure().procedure, at(0));
-  coupling.advance(at(50));
-  coupling.partner().send(Bytes(100, 0x41), at(50));
+  coupling.cut(Coupling::End::Cpu, true, at(50));
+  coupling.partner().send(hex("41"), at(50));
   coupling.cut(Coupling::End::Partner, true, at(100));
   coupling.advance(at(110));
   EXPECT_EQ(number(coupling.partner().ended()), "080D");
