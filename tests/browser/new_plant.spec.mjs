@@ -58,7 +58,7 @@ test('an axis is wired as the manual says, and set as the CPU is', async () => {
   await picture(page, 'new-plant');
   await dialog.getByLabel('Terminal of N').fill('2.2.DI99');
   await dialog.getByRole('button', { name: 'Add and download' }).click();
-  await page.getByText('2.2.DI99').last().waitFor();
+  await dialog.getByText('has no terminal DI99').waitFor();
   assert.equal(readFileSync(join(project, 'merker.toml'), 'utf8'), settings, 'what cannot be is not written');
   await dialog.getByLabel('Terminal of N').fill('2.2.DI2');
   await dialog.getByRole('button', { name: 'Add and download' }).click();
