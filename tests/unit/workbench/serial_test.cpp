@@ -42,7 +42,7 @@ TEST_F(Line, EachCharacterHasItsTimeAndMeaning) {
   EXPECT_EQ(meanings(seen),
             "NAK: ready\nNAK: ready\nSTX: wants to send\nDLE: connection is there\n'A'\nDLE\nETX: "
             "end of the "
-            "block\n'R': BCC right; 1 bytes\nDLE: block acknowledged\n");
+            "block\n'R': BCC right; 1 byte\nDLE: block acknowledged\n");
   EXPECT_EQ(seen["first"], 0);
   EXPECT_EQ(seen["line"]["seen"], 9);
   EXPECT_EQ(seen["rows"][2][0], 1);  // the partner
