@@ -56,8 +56,8 @@ export class Plants {
   }
 
   /** `held`: pressed as long as somebody holds it; the server lets go when this page is gone. */
-  set(plant: string, value: string, to: number, held = false): void {
-    void attempt(connection.ask('process.set', { plant, value, to, held }));
+  set(plant: string, value: string, to: number, held = false): Promise<unknown> {
+    return attempt(connection.ask('process.set', { plant, value, to, held }));
   }
 
   /** Stuck at a value, at the one it has (`'here'`), or working again (null). */
