@@ -5,6 +5,7 @@
 #include "graph/bit_operation.h"
 #include "graph/bld.h"
 #include "graph/box_reader.h"
+#include "graph/missing.h"
 
 namespace merker::graph {
 namespace {
@@ -162,7 +163,8 @@ bool ExpressionReader::acts(Signal& signal) {
 
 bool ExpressionReader::beginsConnector() const {
   return cursor_.is(Op::ASSIGN) && cursor_.is(Op::AND, 1) && isContact(cursor_.look().operand) &&
-         cursor_.look().operand == cursor_.look(1).operand;
+         cursor_.look().operand == cursor_.look(1).operand &&
+         cursor_.look().operand.text != kMissingBit;
 }
 
 bool ExpressionReader::connector(Signal& signal) {

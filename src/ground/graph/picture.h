@@ -7,16 +7,27 @@
 #include <string>
 #include <vector>
 
+#include "graph/selection.h"
+
 namespace merker::graph {
 
 enum class ShapeKind : std::uint8_t {
-  Wire,     // from (x, y), `w` columns to the right or `h` rows down
-  Rail,     // as a wire down: what the current comes from
-  Frame,    // of a box: corners at (x, y) and (x + w - 1, y + h - 1)
-  Text,     // begins at (x, y)
-  Contact,  // three columns at (x, y); text: "", "/" or "NOT"
-  Coil,     // text between its brackets: "", "S", "#"
-  Negation  // one column: the signal is turned round where it enters a box
+  Wire,      // from (x, y), `w` columns to the right or `h` rows down
+  Rail,      // as a wire down: what the current comes from
+  Frame,     // of a box: corners at (x, y) and (x + w - 1, y + h - 1)
+  Text,      // begins at (x, y)
+  Contact,   // three columns at (x, y); text: "", "/" or "NOT"
+  Coil,      // text between its brackets: "", "S", "#"
+  Negation,  // one column: the signal is turned round where it enters a box
+  Field      // where an operand or logic can be put that is not there; nothing is drawn
+};
+
+// The signal of a wire is 1 if all of these status bits are; with none it is power.
+enum class FlowBit : std::uint8_t { Vke, Sta, NotSta };
+struct Flow {
+  std::size_t statement = 0;
+  FlowBit bit = FlowBit::Vke;
+  bool operator==(const Flow&) const = default;
 };
 
 // Where a wire to the right begins and ends: at the edges of its columns, or in the middle of the
@@ -29,6 +40,8 @@ struct Shape {
   std::string text;
   std::size_t statement = 0;
   Ends ends = Ends::AtEdges;
+  Selection of = {};            // whose shape it is; of.pin: an operand field of it
+  std::vector<Flow> flow = {};  // Wire
 };
 
 // Part of a drawing with the rows at which the signal comes in at its left and goes out at its

@@ -99,6 +99,8 @@ class Drawing {
             "stroke=\"currentColor\" stroke-width=\"1.5\"/>\n",
             left(shape.x + 1) - 4.5, y);
         break;
+      case ShapeKind::Field:
+        break;
     }
   }
 

@@ -65,6 +65,7 @@ class Canvas {
   void symbol(const Shape& shape) {
     switch (shape.kind) {
       case ShapeKind::Wire:
+      case ShapeKind::Field:
         break;
       case ShapeKind::Rail:
         for (int i = 0; i <= shape.h; ++i) write(shape.x, shape.y + i, rail(shape.x, shape.y + i));

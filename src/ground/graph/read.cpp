@@ -27,8 +27,11 @@ std::optional<Refusal> misledJump(std::span<const Statement> statements) {
 
 class NetworkReader {
  public:
-  NetworkReader(std::span<const Statement> statements, const Rules& rules)
-      : cursor_(statements), rules_(rules), expressions_(cursor_, rules) {}
+  NetworkReader(std::span<const Statement> statements, const Rules& rules, Unfinished unfinished)
+      : cursor_(statements),
+        rules_(rules),
+        unfinished_(unfinished == Unfinished::Allowed),
+        expressions_(cursor_, rules) {}
 
   Result<Network, Refusal> read() {
     while (!cursor_.atEnd())
@@ -47,7 +50,7 @@ class NetworkReader {
       rung.straight = cursor_.isBld(bld::kStraight) && cursor_.takeIf(Op::BLD);
       while (coil(rung)) {
       }
-      if (rung.coils.empty()) return blame(rung);
+      if (rung.coils.empty() && !(unfinished_ && cursor_.atEnd())) return blame(rung);
     }
     network_.rungs.push_back(std::move(rung));
     return true;
@@ -55,13 +58,20 @@ class NetworkReader {
 
   bool coil(Rung& rung) {
     if (cursor_.atEnd()) return false;
-    for (const Element& element : rules_.elements->elements()) {
-      const ElementClass kind = element.row.kind;
-      if (kind != (rung.logic.empty() ? ElementClass::RailCoil : ElementClass::Coil)) continue;
-      if (rung.logic.empty() && !rung.coils.empty()) return false;
-      if (coil(element, rung)) return true;
-    }
+    for (const Element& element : rules_.elements->elements())
+      if (canFollow(element.row.kind, rung) && coil(element, rung)) return true;
     return false;
+  }
+
+  // Coils without logic, if they may be unfinished: only as the first rung, else they would belong
+  // to the one before.
+  bool canFollow(ElementClass kind, const Rung& rung) const {
+    if (kind == ElementClass::RailCoil) return rung.logic.empty() && rung.coils.empty();
+    if (kind != ElementClass::Coil) return false;
+    if (!rung.logic.empty()) return true;
+    const bool atRail =
+        !rung.coils.empty() && rung.coils.front().element->row.kind == ElementClass::RailCoil;
+    return unfinished_ && network_.rungs.empty() && !atRail;
   }
 
   bool coil(const Element& element, Rung& rung) {
@@ -134,6 +144,7 @@ class NetworkReader {
 
   Cursor cursor_;
   const Rules& rules_;
+  bool unfinished_;
   ExpressionReader expressions_;
   Network network_;
 };
@@ -157,9 +168,10 @@ std::optional<std::size_t> secondBox(const Network& network) {
 
 }  // namespace
 
-Result<Network, Refusal> read(std::span<const Statement> statements, const Rules& rules) {
+Result<Network, Refusal> read(std::span<const Statement> statements, const Rules& rules,
+                              Unfinished unfinished) {
   if (const auto refusal = misledJump(statements)) return *refusal;
-  auto network = NetworkReader(statements, rules).read();
+  auto network = NetworkReader(statements, rules, unfinished).read();
   if (!network) return network;
   if (const auto box = rules.oneBox ? secondBox(*network) : std::nullopt)
     return Refusal{*box, Reason::OneBox};

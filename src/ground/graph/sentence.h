@@ -4,11 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "graph/language.h"
 #include "graph/network.h"
 
 namespace merker::graph {
-
-enum class Language : std::uint8_t { German, English };
 
 // One sentence for each coil and each box that ends a rung.
 std::vector<std::string> sentences(const Network& network, Language language);

@@ -46,6 +46,8 @@ struct Argument {
   std::string name, text;
   bool output = false;
   std::int64_t wire = -1;  // bit address of the temporary bit that is given
+  bool bit = false;        // a BOOL that is read: logic may be given
+  bool operator==(const Argument&) const = default;
 };
 
 struct Statement {

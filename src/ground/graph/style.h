@@ -1,7 +1,7 @@
 // How a picture is to be drawn.
 #pragma once
 
-#include "graph/sentence.h"
+#include "graph/language.h"
 
 namespace merker::graph {
 
