@@ -10,10 +10,12 @@
 namespace merker::graph {
 
 // Where a statement is written. A line may hold several statements, a statement several lines.
-struct Place {
-  std::uint32_t line = 1, end = 2;  // lines [line, end)
-  std::string label;                // in front of it
-  std::string text;                 // "U     E 0.0", without label and comment
+struct Written {
+  std::uint32_t line = 1, end = 2;      // lines [line, end), a label in front of it included
+  std::size_t start = 0, begin = 0;     // bytes of the file: of the label, of the statement
+  std::size_t operand = 0, length = 0;  // where its operand begins; how long it is, with its `;`
+  std::string label;                    // in front of it
+  std::string text;                     // "U     E 0.0", without label, `;` and comment
 };
 
 // Lines count from 1. Statements that no picture shows are there, too, as OTHER.
@@ -25,7 +27,7 @@ struct SourceNetwork {
   std::uint32_t end = 1;             // behind its last line
   bool headed = true;                // a line begins it: NETWORK, NETZWERK 2, …
   Statements statements;
-  std::vector<Place> places;  // one for each statement
+  std::vector<Written> places;  // one for each statement
 };
 
 }  // namespace merker::graph

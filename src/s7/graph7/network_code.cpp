@@ -12,6 +12,7 @@
 #include "graph7/call.h"
 #include "graph7/operand_code.h"
 #include "graph7/operand_kind.h"
+#include "graph7/source_operand.h"
 #include "mc7/disassembly.h"
 #include "mc7/listing.h"
 #include "mc7/operand_text.h"
@@ -25,15 +26,6 @@ using graph::Statement;
 
 bool isJump(const mc7::Place& place) {
   return place.known && place.instruction.operand.kind == mc7::OperandKind::Jump;
-}
-
-// The first bit behind the declared temporary variables.
-BitAddress behindTemps(const block::Block& block) {
-  BitAddress end = 0;
-  for (const block::Variable& v : block.variables)
-    if (v.section == block::Section::Temp)
-      end = std::max(end, v.address + block::sizeInBits(*v.type));
-  return end;
 }
 
 class Lexer {

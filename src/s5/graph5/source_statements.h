@@ -1,0 +1,19 @@
+// The networks of a block as its listing has them: statements for `graph`, and their places.
+#pragma once
+
+#include <vector>
+
+#include "graph/source_network.h"
+#include "source/symbol_table.h"
+#include "step5/block_source.h"
+
+namespace merker::graph5 {
+
+// A block has at least one network. The BE at its end is no statement.
+std::vector<graph::SourceNetwork> sourceNetworks(const step5::BlockSource& source,
+                                                 const source::SymbolTable* symbols);
+
+// An operand that is no part of a listing.
+graph::Operand sourceOperand(std::string_view text, const source::SymbolTable* symbols);
+
+}  // namespace merker::graph5

@@ -1,0 +1,49 @@
+#include "graph5/rules.h"
+#include "graph5/source_statements.h"
+#include "networks/text.h"
+
+namespace merker::networks {
+namespace {
+
+class Step5Text : public Text {
+ public:
+  Step5Text(const source::SourceFile& file, const Surroundings& around)
+      : file_(file), symbols_(around.symbols), sources_(step5::findBlocks(file, problems_)) {
+    for (std::size_t i = 0; i < sources_.size(); ++i)
+      if (sources_[i].id.type != mc5::BlockType::Db) add(i);
+  }
+
+  const std::vector<Block>& blocks() const override { return blocks_; }
+
+  std::vector<graph::SourceNetwork> networks(std::size_t block) override {
+    return graph5::sourceNetworks(sources_[of_[block]], symbols_);
+  }
+
+ private:
+  void add(std::size_t index) {
+    const step5::BlockSource& source = sources_[index];
+    Block& block = blocks_.emplace_back();
+    block.name = mc5::toString(source.id);
+    block.symbol = source.name;
+    block.line = file_.position(source.offset).line;
+    block.end = index + 1 < sources_.size() ? file_.position(sources_[index + 1].offset).line
+                                            : file_.lineCount() + 1;
+    block.rules = &graph5::rules();
+    of_.push_back(index);
+  }
+
+  const source::SourceFile& file_;
+  const source::SymbolTable* symbols_;
+  Problems problems_;  // nobody sees them: the compiler tells them
+  std::vector<step5::BlockSource> sources_;
+  std::vector<Block> blocks_;
+  std::vector<std::size_t> of_;  // which source is this block
+};
+
+}  // namespace
+
+std::unique_ptr<Text> step5Text(const source::SourceFile& file, const Surroundings& around) {
+  return std::make_unique<Step5Text>(file, around);
+}
+
+}  // namespace merker::networks

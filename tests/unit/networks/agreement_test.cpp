@@ -1,0 +1,159 @@
+// Two ways to the same trees: the text of a program, and the machine code that it compiles to.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <set>
+
+#include "compilation/build.h"
+#include "graph/read.h"
+#include "graph5/network_code.h"
+#include "graph5/rules.h"
+#include "graph7/network_code.h"
+#include "graph7/rules.h"
+#include "networks/source_networks.h"
+
+namespace merker::networks {
+namespace {
+
+using graph::Op;
+using graph::OperandKind;
+
+// Operands are named in the order in which they appear; what the two ways keep in `code` differs.
+class Outline {
+ public:
+  std::string of(const graph::Statements& statements) {
+    std::string out;
+    for (const graph::Statement& statement : statements) {
+      out += fmt::format("{}{} {}", statement.intruded ? "!" : "", graph::name(statement.op),
+                         operand(statement));
+      if (statement.target >= 0) out += fmt::format(" -> {}", statement.target);
+      out += "\n";
+    }
+    return out;
+  }
+
+ private:
+  std::string operand(const graph::Statement& statement) {
+    const graph::Operand& operand = statement.operand;
+    if (statement.op == Op::OTHER || statement.op == Op::CALL) return {};
+    if (operand.kind == OperandKind::None) return {};
+    if (operand.kind == OperandKind::Forbidden) return "?";
+    if (operand.kind == OperandKind::Label) return "label";
+    const bool byNumber = operand.kind == OperandKind::Wire ||
+                          operand.kind == OperandKind::Status || operand.kind == OperandKind::Count;
+    const std::string key =
+        fmt::format("{} {} ", static_cast<int>(operand.kind), byNumber ? operand.number : 0) +
+        operand.code;
+    return fmt::format("{}.{}", static_cast<int>(operand.kind),
+                       names_.try_emplace(key, names_.size()).first->second);
+  }
+  std::map<std::string, std::size_t> names_;
+};
+
+struct Compiled {
+  graph::Statements statements;
+  const graph::Rules* rules = nullptr;
+};
+
+struct Difference {
+  std::size_t networks = 0, pictures = 0;
+  std::string texts;
+};
+
+void compare(const std::string& name, const Network& network, const Compiled& compiled,
+             Difference& out) {
+  ++out.networks;
+  const auto tree = graph::read(compiled.statements, *compiled.rules);
+  const auto written = graph::read(network.source.statements, *compiled.rules);
+  out.pictures += tree ? 1 : 0;
+  const bool same = Outline().of(network.source.statements) == Outline().of(compiled.statements);
+  const bool sameTree = static_cast<bool>(tree) == static_cast<bool>(written);
+  // The machine code of UC MW 10 has one statement more: an empty list.
+  const bool sameLength = network.source.statements.size() == compiled.statements.size();
+  const bool sameReason =
+      tree || written || !sameLength || tree.error().reason == written.error().reason;
+  if ((tree ? same : true) && sameTree && sameReason) return;
+  out.texts += fmt::format("{} network {} (line {}):\n", name, network.number, network.source.code);
+  if (!tree) out.texts += fmt::format("compiled: {}\n", graph::text(tree.error().reason));
+  if (!written) out.texts += fmt::format("text: {}\n", graph::text(written.error().reason));
+  out.texts += fmt::format("--- text\n{}--- compiled\n{}", Outline().of(network.source.statements),
+                           Outline().of(compiled.statements));
+}
+
+std::vector<Compiled> compiledNetworks(const compilation::Build& build, const std::string& name) {
+  std::vector<Compiled> out;
+  const awl::Blocks blocks = [&build](BlockId id) -> const block::Block* {
+    for (const auto* program : {build.program.get(), build.library.get()})
+      if (program != nullptr)
+        if (const auto at = program->find(id); at != program->end()) return &at->second;
+    return nullptr;
+  };
+  if (build.program != nullptr)
+    for (const auto& [id, block] : *build.program)
+      if (toString(id) == name)
+        for (graph7::NetworkCode& code :
+             graph7::networks(block, awl::Names(block), blocks, Mnemonics::German))
+          out.push_back({std::move(code.statements), &graph7::rules()});
+  for (const auto& [id, block] : build.listings)
+    if (mc5::toString(id) == name)
+      for (graph5::NetworkCode& code : graph5::networks(block))
+        out.push_back({std::move(code.statements), &graph5::rules()});
+  return out;
+}
+
+void compare(const compilation::Build& build, Difference& out) {
+  if (!build.ok()) return;
+  Surroundings around;
+  around.language = build.isListing() ? source::Language::Step5 : source::Language::Step7;
+  around.symbols = &build.project.symbols;
+  around.program = build.program.get();
+  around.library = build.library.get();
+  around.mnemonics = build.project.mnemonics;
+  for (const source::SourceFile& file : build.project.sources)
+    for (const Block& found : blocks(file, around)) {
+      const auto compiled = compiledNetworks(build, found.name);
+      if (compiled.empty()) continue;
+      const auto block = blockAt(file, found.line, around);
+      ASSERT_TRUE(block) << file.name() << found.name;
+      const std::string name = file.name() + " " + found.name;
+      // Machine code does not tell where the first network ends if it has no head.
+      const bool headed = block->networks.front().source.headed;
+      if (!headed && block->networks.size() == compiled.size() + 1) continue;
+      if (block->networks.size() != compiled.size())
+        out.texts +=
+            fmt::format("{}: {} networks, not {}\n", name, block->networks.size(), compiled.size());
+      else
+        for (std::size_t i = 0; i < compiled.size(); ++i)
+          compare(name, block->networks[i], compiled[i], out);
+    }
+}
+
+Difference compareAll(const std::string& folder, const std::string& extension) {
+  Difference out;
+  std::set<std::string> paths;
+  for (const auto& entry :
+       std::filesystem::recursive_directory_iterator(MERKER_SOURCE_DIR "/" + folder)) {
+    if (entry.path().extension() != extension) continue;
+    const auto project = entry.path().parent_path() / "merker.toml";
+    paths.insert(std::filesystem::exists(project) ? entry.path().parent_path().string()
+                                                  : entry.path().string());
+  }
+  for (const std::string& path : paths)
+    compare(compilation::build(project::load(path, ""), false), out);
+  return out;
+}
+
+void expectAgreement(const char* folder, const char* extension, std::size_t pictures) {
+  const Difference difference = compareAll(folder, extension);
+  EXPECT_EQ(difference.texts, "");
+  EXPECT_GE(difference.pictures, pictures) << "of " << difference.networks << " networks";
+}
+
+TEST(Agreement, ofTheExamplesOfStep7) { expectAgreement("examples", ".awl", 100); }
+TEST(Agreement, ofTheExamplesOfStep5) { expectAgreement("examples", ".s5", 20); }
+TEST(Agreement, ofTheTestsOfStep7) { expectAgreement("tests", ".awl", 150); }
+TEST(Agreement, ofTheTestsOfStep5) { expectAgreement("tests", ".s5", 20); }
+
+}  // namespace
+}  // namespace merker::networks
