@@ -20,8 +20,8 @@ class Writer {
  public:
   explicit Writer(const Rules& rules) : rules_(rules) {}
 
-  Statements write(const Network& network) {
-    for (const Rung& rung : network.rungs) this->rung(rung);
+  Statements write(Network& network) {
+    for (Rung& rung : network.rungs) this->rung(rung);
     return std::move(out_);
   }
 
@@ -38,13 +38,14 @@ class Writer {
     add(Op::BLD, operand);
   }
 
-  void rung(const Rung& rung) {
+  void rung(Rung& rung) {
     if (!rung.logic.empty()) node(rung.logic.front());
     if (rung.straight) addBld(bld::kStraight);
-    for (const Coil& coil : rung.coils) this->coil(coil);
+    for (Coil& coil : rung.coils) this->coil(coil);
   }
 
-  void coil(const Coil& coil) {
+  void coil(Coil& coil) {
+    coil.first = out_.size();
     for (const Item& item : coil.element->items) {
       if (item.kind == ItemKind::Own)
         add(item.op, coil.operand);
@@ -53,19 +54,22 @@ class Writer {
       else
         add(item.op);
     }
+    coil.last = out_.size();
   }
 
-  void node(const Node& node) {
+  void node(Node& node) {
+    node.first = out_.size();
     if (node.bracketed) add(operationFor(node.join, false, true));
     inside(node);
     if (node.bracketed) add(Op::CLOSE);
+    node.last = out_.size();
   }
 
-  void inside(const Node& node) {
+  void inside(Node& node) {
     switch (node.kind) {
       case NodeKind::Series:
       case NodeKind::Xor:
-        for (const Node& child : node.children) this->node(child);
+        for (Node& child : node.children) this->node(child);
         break;
       case NodeKind::Parallel:
         parallel(node);
@@ -95,17 +99,17 @@ class Writer {
   }
 
   // The bare O stands before an AND term.
-  void parallel(const Node& node) {
+  void parallel(Node& node) {
     for (std::size_t i = 0; i < node.children.size(); ++i) {
       if (i > 0 && firstJoin(node.children[i]) == Join::And) add(Op::AND_BEFORE_OR);
       this->node(node.children[i]);
     }
   }
 
-  void box(const Node& node) {
+  void box(Node& node) {
     const ElementClass kind = node.element->row.kind;
     if (kind != ElementClass::Move && kind != ElementClass::Call) return items(node);
-    for (const Pin& parameter : node.parameters) {
+    for (Pin& parameter : node.parameters) {
       this->node(parameter.logic.front());
       add(Op::ASSIGN, parameter.operand);
       addBld(bld::kParameter);
@@ -123,7 +127,7 @@ class Writer {
   }
 
   // Returns the number of the jump.
-  std::size_t enable(const Node& node) {
+  std::size_t enable(Node& node) {
     if (node.enable.empty()) return 0;
     this->node(node.enable.front());
     Operand label;
@@ -139,7 +143,7 @@ class Writer {
     add(Op::CLR);
   }
 
-  void items(const Node& node) {
+  void items(Node& node) {
     const std::vector<Item>& items = node.element->items;
     for (std::size_t i = 0; i < items.size(); ++i) {
       if (items[i].kind != ItemKind::Begin) {
@@ -162,7 +166,7 @@ class Writer {
     return false;
   }
 
-  void item(const Node& node, const Item& item) {
+  void item(Node& node, const Item& item) {
     switch (item.kind) {
       case ItemKind::Logic:
         this->node(node.pins[item.pin].logic.front());
@@ -195,6 +199,11 @@ class Writer {
 }  // namespace
 
 Statements write(const Network& network, const Rules& rules) {
+  Network copy = network;
+  return Writer(rules).write(copy);
+}
+
+Statements writeNumbered(Network& network, const Rules& rules) {
   return Writer(rules).write(network);
 }
 

@@ -7,5 +7,7 @@
 namespace merker::graph {
 
 Statements write(const Network& network, const Rules& rules);
+// The nodes and coils get the numbers of their statements.
+Statements writeNumbered(Network& network, const Rules& rules);
 
 }  // namespace merker::graph

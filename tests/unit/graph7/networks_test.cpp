@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "../rows.h"
+#include "graph/canonical.h"
 #include "graph/fup.h"
 #include "graph/kop.h"
 #include "graph/read.h"
@@ -116,6 +117,37 @@ TEST(Networks, AreDrawnAsFunctionBlocks) {
 // S7-MNE-13
 TEST(Networks, AreDrawnInEnglish) {
   test::expectRows("graph7/networks.lad.txt", allDrawn(graph::Language::English, true));
+}
+
+// The first temporary bit of a network is the first one that it uses.
+std::uint32_t firstWire(const graph::Statements& statements) {
+  std::uint32_t first = ~0u;
+  for (const graph::Statement& statement : statements)
+    if (statement.operand.kind == graph::OperandKind::Wire)
+      first = std::min(first, statement.operand.number);
+  return first;
+}
+
+TEST(Networks, AreInTheFormThatIsStored) {
+  std::string others;
+  for (const auto& [id, block] : compilation().program) {
+    if (block.code.empty()) continue;
+    const auto codes = networksOf(block);
+    for (std::size_t i = 0; i < codes.size(); ++i) {
+      const graph::Statements& statements = codes[i].statements;
+      const auto network = graph::read(statements, rules());
+      if (!network) continue;
+      const auto stored = graph::canonical(*network, rules(), firstWire(statements));
+      if (graph::write(stored, rules()) != statements)
+        others += fmt::format("{} {}: {}\n", toString(id), i + 1, block.networks[i].title);
+    }
+  }
+  // What the programmers of these networks wrote in their own way.
+  EXPECT_EQ(others,
+            "OB 1 6: a single contact as an AND term\n"
+            "OB 1 8: OR that begins with U\n"
+            "OB 1 9: brackets in brackets\n"
+            "FB 1 1: own data of an FB\n");
 }
 
 TEST(Networks, ComeBackByteForByte) {

@@ -84,6 +84,29 @@ Node logic(int depth) {
   }
 }
 
+Node unmarked(int depth) {
+  const int kind = depth < kDeepest ? below(4) : 0;
+  if (kind == 0) return contact(Join::And);
+  constexpr NodeKind kKinds[] = {NodeKind::Series, NodeKind::Parallel, NodeKind::Xor};
+  Node node;
+  node.kind = kKinds[kind - 1];
+  for (int count = 1 + below(3); count > 0; --count) node.children.push_back(unmarked(depth + 1));
+  if (node.kind == NodeKind::Series && below(3) == 0) {
+    Node negation;
+    negation.kind = NodeKind::Not;
+    node.children.insert(node.children.begin() + 1, negation);
+  }
+  return node;
+}
+
+graph::Network withCoil(Node logic) {
+  graph::Network network;
+  graph::Rung& rung = network.rungs.emplace_back();
+  rung.logic.push_back(std::move(logic));
+  rung.coils.push_back({rules().elements->find("COIL"), flag(10, 0), {}, 0, 0});
+  return network;
+}
+
 bool value(const Node& node, unsigned inputs) {
   const auto isOn = [inputs](const Node& child) { return value(child, inputs); };
   bool signal = true;
@@ -119,13 +142,11 @@ graph::Operand flag(unsigned byte, unsigned bit) {
 }
 
 rc::Gen<graph::Network> networks() {
-  return rc::gen::exec([] {
-    graph::Network network;
-    graph::Rung& rung = network.rungs.emplace_back();
-    rung.logic.push_back(logic(0));
-    rung.coils.push_back({rules().elements->find("COIL"), flag(10, 0), {}, 0, 0});
-    return network;
-  });
+  return rc::gen::exec([] { return withCoil(logic(0)); });
+}
+
+rc::Gen<graph::Network> unmarkedNetworks() {
+  return rc::gen::exec([] { return withCoil(unmarked(0)); });
 }
 
 bool evaluate(const graph::Network& network, unsigned inputs) {
