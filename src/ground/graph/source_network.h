@@ -24,7 +24,7 @@ struct SourceNetwork {
   std::vector<std::string> comment;  // lines behind the title, without //
   std::uint32_t line = 1;            // of its head, or of its first statement if it has no head
   std::uint32_t code = 1;            // the first line behind head, title and comment
-  std::uint32_t end = 1;             // behind its last line
+  std::uint32_t end = 1;             // behind its last line; a BE that ends the block is not in it
   bool headed = true;                // a line begins it: NETWORK, NETZWERK 2, …
   Statements statements;
   std::vector<Written> places;  // one for each statement

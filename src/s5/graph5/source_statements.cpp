@@ -55,6 +55,7 @@ class Reader {
     networks_.back().end = end();
     std::vector<graph::Statement>& last = networks_.back().statements;
     if (ended_ && !last.empty()) {
+      networks_.back().end = networks_.back().places.back().line;
       last.pop_back();
       networks_.back().places.pop_back();
     }
@@ -246,7 +247,8 @@ std::vector<SourceNetwork> sourceNetworks(const step5::BlockSource& source,
   return Reader(source, symbols).read();
 }
 
-graph::Operand sourceOperand(std::string_view text, const source::SymbolTable* symbols) {
+std::optional<graph::Operand> sourceOperand(std::string_view text,
+                                            const source::SymbolTable* symbols) {
   Scanner scanner(text, 0);
   scanner.skipBlanks();
   const std::size_t begin = scanner.mark();
@@ -258,7 +260,8 @@ graph::Operand sourceOperand(std::string_view text, const source::SymbolTable* s
     return out;
   }
   scanner.back(begin);
-  return unresolved(scanner);
+  graph::Operand unknown = unresolved(scanner);
+  return scanner.atEnd() ? std::optional(std::move(unknown)) : std::nullopt;
 }
 
 }  // namespace merker::graph5

@@ -1,6 +1,7 @@
 // The networks of a block as its listing has them: statements for `graph`, and their places.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "graph/source_network.h"
@@ -13,7 +14,8 @@ namespace merker::graph5 {
 std::vector<graph::SourceNetwork> sourceNetworks(const step5::BlockSource& source,
                                                  const source::SymbolTable* symbols);
 
-// An operand that is no part of a listing.
-graph::Operand sourceOperand(std::string_view text, const source::SymbolTable* symbols);
+// An operand that is no part of a listing; nothing if more than an operand stands there.
+std::optional<graph::Operand> sourceOperand(std::string_view text,
+                                            const source::SymbolTable* symbols);
 
 }  // namespace merker::graph5

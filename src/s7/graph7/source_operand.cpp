@@ -77,6 +77,13 @@ graph::Operand unresolved(std::string_view text) {
 
 }  // namespace
 
+BitAddress behindLocal(const graph::Operand& operand) {
+  if (operand.kind == OperandKind::Wire) return operand.number + 1;
+  const mc7::Operand machine = unpack(operand.code).operand;
+  const bool local = machine.kind == mc7::OperandKind::Memory && machine.area == Area::Local;
+  return local ? machine.value + byteCount(machine.width) * 8 : 0;
+}
+
 bool isStatusWord(const graph::Operand& operand) {
   return unpack(operand.code).operand.kind == mc7::OperandKind::StatusWord;
 }
@@ -167,12 +174,13 @@ graph::Operand SourceOperands::resolved(const Access& access, mc7::Operation ope
   return operand;
 }
 
-graph::Operand SourceOperands::of(std::string_view text) const {
+std::optional<graph::Operand> SourceOperands::of(std::string_view text) const {
   const source::SourceFile file("", std::string(text));
   SourceOperands here = *this;
   here.scope_.file = &file;
   step7::Cursor cursor(file.text(), 0, file.text().size());
-  return here.read(cursor, mc7::Operation::LOAD);
+  graph::Operand operand = here.read(cursor, mc7::Operation::LOAD);
+  return cursor.atEnd() ? std::optional(std::move(operand)) : std::nullopt;
 }
 
 }  // namespace merker::graph7

@@ -21,8 +21,8 @@ class SourceOperands {
   graph::Operand read(step7::Cursor& cursor, mc7::Operation operation) const;
   // Nothing if no operand that can be resolved stands at the cursor.
   std::optional<step7::Access> parse(step7::Cursor& cursor) const;
-  // As `read`, of a text that is no part of the file.
-  graph::Operand of(std::string_view text) const;
+  // As `read`, of a text that is no part of the file; nothing if more than an operand stands there.
+  std::optional<graph::Operand> of(std::string_view text) const;
 
   const step7::Scope& scope() const { return scope_; }
   BitAddress wires() const { return wires_; }
@@ -35,6 +35,8 @@ class SourceOperands {
   BitAddress wires_;
 };
 
+// The bit behind an absolute operand of the local data; 0 for others.
+BitAddress behindLocal(const graph::Operand& operand);
 // L STW and T STW are operations of their own.
 bool isStatusWord(const graph::Operand& operand);
 // The data block that AUF DB 5 opens.

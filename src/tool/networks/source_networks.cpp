@@ -30,17 +30,30 @@ std::vector<Block> blocks(const source::SourceFile& file, const Surroundings& ar
   return textOf(file, around)->blocks();
 }
 
-std::optional<Block> blockAt(const source::SourceFile& file, std::uint32_t line,
-                             const Surroundings& around) {
-  const auto text = textOf(file, around);
-  for (std::size_t i = 0; i < text->blocks().size(); ++i) {
-    const Block& found = text->blocks()[i];
-    if (line < found.line || line >= found.end) continue;
-    Block block = found;
-    read(block, text->networks(i));
-    return block;
+std::optional<Found> findBlock(const source::SourceFile& file, std::uint32_t line,
+                               const Surroundings& around) {
+  Found found{textOf(file, around), 0, {}};
+  const std::vector<Block>& all = found.text->blocks();
+  for (; found.index < all.size(); ++found.index) {
+    const Block& block = all[found.index];
+    if (line < block.line || line >= block.end) continue;
+    found.block = block;
+    read(found.block, found.text->networks(found.index));
+    return found;
   }
   return std::nullopt;
+}
+
+std::optional<Block> blockAt(const source::SourceFile& file, std::uint32_t line,
+                             const Surroundings& around) {
+  auto found = findBlock(file, line, around);
+  return found ? std::optional(std::move(found->block)) : std::nullopt;
+}
+
+std::vector<graph::Argument> parametersOf(std::string_view called, const source::SourceFile& file,
+                                          std::uint32_t line, const Surroundings& around) {
+  const auto found = findBlock(file, line, around);
+  return found ? found->text->parameters(found->index, called) : std::vector<graph::Argument>();
 }
 
 }  // namespace merker::networks

@@ -49,29 +49,9 @@ std::vector<Block> blocks(const source::SourceFile& file, const Surroundings& ar
 std::optional<Block> blockAt(const source::SourceFile& file, std::uint32_t line,
                              const Surroundings& around);
 
-// Lines [from, to) of the text become `lines`; from == to: inserted before that line.
-struct TextEdit {
-  std::uint32_t from = 1, to = 1;
-  std::vector<std::string> lines;
-  std::size_t network = 1;  // to select: its number, and the number of a statement in it (-1: none)
-  std::int64_t node = -1;
-  bool operator==(const TextEdit&) const = default;
-};
-
-// Head, title and comment of a network.
-struct Heading {
-  std::string title;
-  std::vector<std::string> comment;
-};
-
-// Nothing: the block has no such network.
-std::optional<TextEdit> insertNetwork(const source::SourceFile& file, const Block& block,
-                                      std::size_t number, bool before, const Heading& heading = {});
-std::optional<TextEdit> removeNetwork(const source::SourceFile& file, const Block& block,
-                                      std::size_t number);
-std::optional<TextEdit> changeHeading(const source::SourceFile& file, const Block& block,
-                                      std::size_t number, const Heading& heading);
-
-// What `edit` of a tree makes of the text: graph/edit.h.
+// The parameters of the block that a CALL names ("FB 1, DB 1", "#instance", "Motor"), as the block
+// at the line sees it; none if nobody knows it.
+std::vector<graph::Argument> parametersOf(std::string_view called, const source::SourceFile& file,
+                                          std::uint32_t line, const Surroundings& around);
 
 }  // namespace merker::networks

@@ -1,5 +1,9 @@
+#include <fmt/format.h>
+
+#include "base/text.h"
 #include "graph5/rules.h"
 #include "graph5/source_statements.h"
+#include "graph5/statement_text.h"
 #include "networks/text.h"
 
 namespace merker::networks {
@@ -17,6 +21,29 @@ class Step5Text : public Text {
 
   std::vector<graph::SourceNetwork> networks(std::size_t block) override {
     return graph5::sourceNetworks(sources_[of_[block]], symbols_);
+  }
+
+  std::optional<graph::Operand> operand(std::size_t, std::string_view text) override {
+    return graph5::sourceOperand(trim(text), symbols_);
+  }
+
+  std::vector<graph::Argument> parameters(std::size_t, std::string_view) override { return {}; }
+
+  std::uint32_t firstWire(const Block&, std::size_t, std::size_t) override { return 0; }
+
+  Style style() const override { return {" : ", 5, ""}; }
+
+  WriteStatement writer(const Style& style) const override {
+    return [column = style.operandAt](const graph::Statement& statement, const std::string&) {
+      return graph5::statementText(statement, column);
+    };
+  }
+
+  std::vector<std::string> heading(std::size_t network, const Heading& heading) const override {
+    std::vector<std::string> lines{fmt::format("NETZWERK {}", network)};
+    if (!heading.title.empty()) lines[0] += "  " + heading.title;
+    for (const std::string& line : heading.comment) lines.push_back("!" + line);
+    return lines;
   }
 
  private:

@@ -1,11 +1,19 @@
+#include <algorithm>
+
+#include "base/text.h"
 #include "graph7/rules.h"
+#include "graph7/source_call.h"
 #include "graph7/source_statements.h"
+#include "graph7/statement_text.h"
 #include "networks/text.h"
 #include "step7/interfaces.h"
 #include "step7/mnemonic.h"
 
 namespace merker::networks {
 namespace {
+
+// Of an OB: what the operating system writes to its local data (S7-OBI-01), in bytes.
+constexpr BitAddress kStartInformation = 20;
 
 bool hasCode(BlockId id) { return id.kind != BlockKind::DB && id.kind != BlockKind::UDT; }
 
@@ -40,14 +48,57 @@ class Step7Text : public Text {
   const std::vector<Block>& blocks() const override { return blocks_; }
 
   std::vector<graph::SourceNetwork> networks(std::size_t block) override {
-    const step7::BlockSource& source = sources_[of_[block]];
-    const block::Block* declared = interfaces_->find(source.id);
-    if (declared == nullptr) return {};
-    const graph7::SourceOperands operands(file_, *declared, mnemonics_, *interfaces_, options_);
-    return graph7::sourceNetworks(source, operands);
+    const auto operands = operandsOf(block);
+    if (!operands) return {};
+    return graph7::sourceNetworks(sources_[of_[block]], *operands);
+  }
+
+  std::optional<graph::Operand> operand(std::size_t block, std::string_view text) override {
+    const auto operands = operandsOf(block);
+    return operands ? operands->of(trim(text)) : std::nullopt;
+  }
+
+  std::vector<graph::Argument> parameters(std::size_t block, std::string_view called) override {
+    const auto operands = operandsOf(block);
+    return operands ? graph7::parametersOf(trim(called), *operands)
+                    : std::vector<graph::Argument>();
+  }
+
+  // Behind what is declared and behind what other networks use without a picture.
+  std::uint32_t firstWire(const Block& block, std::size_t index, std::size_t network) override {
+    const auto operands = operandsOf(index);
+    const bool start = sources_[of_[index]].id.kind == BlockKind::OB;
+    BitAddress first = start ? kStartInformation * 8 : 0;
+    if (operands) first = std::max(first, operands->wires());
+    for (const Network& other : block.networks)
+      for (const graph::Statement& statement : other.source.statements)
+        if (other.number != network && !other.tree)
+          first = std::max(first, graph7::behindLocal(statement.operand));
+    return first;
+  }
+
+  Style style() const override { return {"      ", 6, ";"}; }
+
+  WriteStatement writer(const Style& style) const override {
+    const graph7::StatementStyle own{mnemonics_, style.operandAt, style.indent};
+    return [own](const graph::Statement& statement, const std::string& label) {
+      return graph7::statementText(statement, own, label);
+    };
+  }
+
+  std::vector<std::string> heading(std::size_t, const Heading& heading) const override {
+    std::vector<std::string> lines{"NETWORK", "TITLE = " + heading.title};
+    for (const std::string& line : heading.comment) lines.push_back("//" + line);
+    return lines;
   }
 
  private:
+  std::optional<graph7::SourceOperands> operandsOf(std::size_t block) {
+    const block::Block* declared = interfaces_->find(sources_[of_[block]].id);
+    if (declared == nullptr) return std::nullopt;
+    return graph7::SourceOperands(file_, *declared, mnemonics_, *interfaces_, options_);
+  }
+
   const block::Program* blocksElsewhere(const Surroundings& around) {
     if (around.program == nullptr || around.library == nullptr)
       return around.program != nullptr ? around.program : around.library;

@@ -2,16 +2,12 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <set>
-
-#include "compilation/build.h"
 #include "graph/read.h"
 #include "graph5/network_code.h"
 #include "graph5/rules.h"
 #include "graph7/network_code.h"
 #include "graph7/rules.h"
-#include "networks/source_networks.h"
+#include "projects.h"
 
 namespace merker::networks {
 namespace {
@@ -104,12 +100,7 @@ std::vector<Compiled> compiledNetworks(const compilation::Build& build, const st
 
 void compare(const compilation::Build& build, Difference& out) {
   if (!build.ok()) return;
-  Surroundings around;
-  around.language = build.isListing() ? source::Language::Step5 : source::Language::Step7;
-  around.symbols = &build.project.symbols;
-  around.program = build.program.get();
-  around.library = build.library.get();
-  around.mnemonics = build.project.mnemonics;
+  const Surroundings around = surroundingsOf(build);
   for (const source::SourceFile& file : build.project.sources)
     for (const Block& found : blocks(file, around)) {
       const auto compiled = compiledNetworks(build, found.name);
@@ -129,23 +120,10 @@ void compare(const compilation::Build& build, Difference& out) {
     }
 }
 
-Difference compareAll(const std::string& folder, const std::string& extension) {
-  Difference out;
-  std::set<std::string> paths;
-  for (const auto& entry :
-       std::filesystem::recursive_directory_iterator(MERKER_SOURCE_DIR "/" + folder)) {
-    if (entry.path().extension() != extension) continue;
-    const auto project = entry.path().parent_path() / "merker.toml";
-    paths.insert(std::filesystem::exists(project) ? entry.path().parent_path().string()
-                                                  : entry.path().string());
-  }
-  for (const std::string& path : paths)
-    compare(compilation::build(project::load(path, ""), false), out);
-  return out;
-}
-
 void expectAgreement(const char* folder, const char* extension, std::size_t pictures) {
-  const Difference difference = compareAll(folder, extension);
+  Difference difference;
+  forEachProject(folder, extension,
+                 [&](const compilation::Build& build) { compare(build, difference); });
   EXPECT_EQ(difference.texts, "");
   EXPECT_GE(difference.pictures, pictures) << "of " << difference.networks << " networks";
 }

@@ -1,0 +1,116 @@
+#include "networks/source_edit.h"
+
+#include <algorithm>
+
+#include "networks/alignment.h"
+#include "networks/text.h"
+
+namespace merker::networks {
+namespace {
+
+bool isJump(graph::Op op) {
+  using enum graph::Op;
+  return op == SPA || op == SPB || op == SPBN || op == SPBNB;
+}
+
+// Whatever has been written behind a jump is a label.
+void nameLabels(graph::Statements& statements) {
+  for (graph::Statement& statement : statements) {
+    if (!isJump(statement.op) || statement.target >= 0) continue;
+    statement.operand.kind = graph::OperandKind::Label;
+    statement.operand.number = 0;
+    statement.operand.code = statement.operand.text;
+  }
+}
+
+std::set<std::string> labelsOf(const Block& block) {
+  std::set<std::string> labels;
+  for (const Network& network : block.networks) {
+    for (const graph::Written& place : network.source.places) labels.insert(place.label);
+    for (const graph::Statement& statement : network.source.statements)
+      if (isJump(statement.op)) labels.insert(statement.operand.text);
+  }
+  return labels;
+}
+
+// A statement that stands alone on its line and has an operand shows how the others are written.
+std::optional<Style> styleOf(const source::SourceFile& file, const graph::SourceNetwork& network) {
+  for (std::size_t i = 0; i < network.places.size(); ++i) {
+    const graph::Written& place = network.places[i];
+    const std::string_view line = file.line(place.line);
+    const auto start = static_cast<std::size_t>(line.data() - file.text().data());
+    const bool alone = (i == 0 || network.places[i - 1].end <= place.line) &&
+                       place.end == place.line + 1 && place.label.empty();
+    const bool call = network.statements[i].op == graph::Op::CALL;
+    if (!alone || call || place.operand <= place.begin || place.begin < start) continue;
+    const bool semicolon = file.text().substr(place.begin, place.length).ends_with(';');
+    return Style{std::string(line.substr(0, place.begin - start)), place.operand - place.begin,
+                 semicolon ? ";" : ""};
+  }
+  return std::nullopt;
+}
+
+Style styleOf(const source::SourceFile& file, const Found& found, const Network& network) {
+  if (auto style = styleOf(file, network.source)) return *style;
+  for (const Network& other : found.block.networks)
+    if (auto style = styleOf(file, other.source)) return *style;
+  return found.text->style();
+}
+
+// What a CALL is about stands in its text and its arguments.
+bool reads(const graph::Statement& wanted, graph::Statement read) {
+  if (wanted.op == graph::Op::CALL && read.op == graph::Op::CALL) {
+    read.operand.code = wanted.operand.code;
+    return wanted.operand.text == read.operand.text;
+  }
+  return sameStatement(wanted, read) && wanted.target == read.target;
+}
+
+bool reads(const graph::Statements& wanted, const graph::Statements& read) {
+  return std::equal(wanted.begin(), wanted.end(), read.begin(), read.end(),
+                    [](const auto& a, const auto& b) { return reads(a, b); });
+}
+
+// The network with the operands of an edit as the text would have them.
+std::optional<graph::Edit> resolved(graph::Edit edit, Found& found) {
+  for (graph::Operand& operand : edit.operands) {
+    if (operand.text.empty()) continue;
+    auto read = found.text->operand(found.index, operand.text);
+    if (!read) return std::nullopt;
+    operand = std::move(*read);
+  }
+  const bool call = edit.element == "CALL_BOX" && !edit.operands.empty();
+  if (call && edit.arguments.empty())
+    edit.arguments = found.text->parameters(found.index, edit.operands.front().text);
+  return edit;
+}
+
+}  // namespace
+
+Edited edit(const source::SourceFile& file, std::uint32_t line, std::size_t network,
+            const graph::Edit& wish, const Surroundings& around) {
+  auto found = findBlock(file, line, around);
+  if (!found || network == 0 || network > found->block.networks.size()) return Refusal{};
+  const Network& old = found->block.networks[network - 1];
+  if (!old.tree) return Refusal{Obstacle::Awl};
+  const auto own = resolved(wish, *found);
+  if (!own) return Refusal{Obstacle::Text};
+  auto done = graph::apply(*old.tree, *own, *found->block.rules,
+                           found->text->firstWire(found->block, found->index, network));
+  if (!done) return Refusal{Obstacle::Tree, done.error()};
+  nameLabels(done->statements);
+  const Style style = styleOf(file, *found, old);
+  TextEdit out = spliced({file, old.source, done->statements, style, found->text->writer(style),
+                          labelsOf(found->block)});
+  out.network = network;
+  out.select = done->select;
+  // What cannot be read again as what it is must not be written.
+  const source::SourceFile after(file.name(), applied(file, out));
+  const auto block = blockAt(after, found->block.line, around);
+  const bool good = block && block->networks.size() == found->block.networks.size() &&
+                    reads(done->statements, block->networks[network - 1].source.statements);
+  if (!good) return Refusal{Obstacle::Tree, graph::EditProblem::Ambiguous};
+  return out;
+}
+
+}  // namespace merker::networks
