@@ -37,11 +37,12 @@ Edited insertNetwork(const source::SourceFile& file, std::uint32_t line, std::si
   if (at == nullptr) return Refusal{};
   if (!isGood(heading)) return Refusal{Obstacle::Text};
   TextEdit out;
-  out.network = before ? network : network + 1;
+  const bool replaces = !at->source.headed && at->source.statements.empty();
+  out.network = before || replaces ? network : network + 1;
   out.lines = found->text->heading(out.network, heading);
   if (before) {
     // Code without a head would belong to the new network.
-    if (!at->source.headed && !at->source.statements.empty())
+    if (!at->source.headed && !replaces)
       for (std::string& own : found->text->heading(network + 1, {})) out.lines.push_back(own);
     out.from = out.to = at->source.line;
   } else {

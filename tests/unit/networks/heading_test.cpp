@@ -1,0 +1,105 @@
+// Networks come and go, and their titles change, as lines of the text.
+#include <gtest/gtest.h>
+
+#include "networks/source_edit.h"
+
+namespace merker::networks {
+namespace {
+
+const char* const kBlock =
+    "FUNCTION FC 1 : VOID\n"
+    "BEGIN\n"
+    "NETWORK\n"
+    "TITLE = one\n"
+    "// first\n"
+    "// second\n"
+    "      U     E 0.0;\n"
+    "      =     A 0.0;\n"
+    "\n"
+    "NETWORK\n"
+    "TITLE = two\n"
+    "      U     E 0.1;\n"
+    "      =     A 0.1;\n"
+    "END_FUNCTION\n";
+
+source::SourceFile fileOf(const std::string& text) { return {"a.awl", text}; }
+
+std::string done(const source::SourceFile& file, const Edited& edit) {
+  return edit ? applied(file, *edit) : std::string(text(edit.error(), graph::Language::English));
+}
+
+std::string titles(const std::string& text, const Surroundings& around = {}) {
+  const auto block = blockAt(fileOf(text), 1, around);
+  if (!block) return "no block";
+  std::string out;
+  for (const Network& network : block->networks) {
+    out += network.source.title + "(";
+    for (const std::string& line : network.source.comment) out += line + "|";
+    out += std::to_string(network.source.statements.size()) + ") ";
+  }
+  return out;
+}
+
+// S7-EDIT-08
+TEST(Headings, ofANetworkAreRead) { EXPECT_EQ(titles(kBlock), "one( first| second|2) two(2) "); }
+
+TEST(Headings, areChanged) {
+  const auto file = fileOf(kBlock);
+  const auto edit = changeHeading(file, 8, 1, {"new", {" only"}}, {});
+  ASSERT_TRUE(edit);
+  EXPECT_EQ(titles(done(file, edit)), "new( only|2) two(2) ");
+  EXPECT_EQ(edit->from, 3u);
+  EXPECT_EQ(edit->to, 7u);
+}
+
+TEST(Headings, mustBeOneLineEach) {
+  const auto file = fileOf(kBlock);
+  EXPECT_EQ(changeHeading(file, 8, 1, {"a\nNETWORK", {}}, {}).error().obstacle, Obstacle::Text);
+  EXPECT_EQ(changeHeading(file, 8, 1, {"a", {"= A 0.0 = 1"}}, {}).error().obstacle, Obstacle::Text);
+  EXPECT_EQ(changeHeading(file, 8, 3, {"a", {}}, {}).error().obstacle, Obstacle::NoNetwork);
+}
+
+TEST(Networks, comeBeforeAndBehind) {
+  const auto file = fileOf(kBlock);
+  const auto before = insertNetwork(file, 1, 1, true, {"zero", {}}, {});
+  EXPECT_EQ(titles(done(file, before)), "zero(0) one( first| second|2) two(2) ");
+  const auto behind = insertNetwork(file, 1, 2, false, {"three", {" x"}}, {});
+  EXPECT_EQ(titles(done(file, behind)), "one( first| second|2) two(2) three( x|0) ");
+  EXPECT_EQ(behind->network, 3u);
+}
+
+TEST(Networks, goAway) {
+  const auto file = fileOf(kBlock);
+  EXPECT_EQ(titles(done(file, removeNetwork(file, 1, 1, {}))), "two(2) ");
+  EXPECT_EQ(titles(done(file, removeNetwork(file, 1, 2, {}))), "one( first| second|2) ");
+}
+
+TEST(Networks, ofABlockWithoutHeadsGetThem) {
+  const auto file = fileOf("FUNCTION FC 1 : VOID\nBEGIN\n U E 0.0;\n = A 0.0;\nEND_FUNCTION\n");
+  EXPECT_EQ(titles(done(file, changeHeading(file, 1, 1, {"now", {}}, {}))), "now(2) ");
+  EXPECT_EQ(titles(done(file, insertNetwork(file, 1, 1, true, {"new", {}}, {}))), "new(0) (2) ");
+}
+
+TEST(Networks, ofAnEmptyBlockAreOne) {
+  const auto file = fileOf("FUNCTION FC 1 : VOID\nBEGIN\nEND_FUNCTION\n");
+  EXPECT_EQ(titles(std::string(file.text())), "(0) ");
+  const auto first = insertNetwork(file, 1, 1, false, {"new", {}}, {});
+  EXPECT_EQ(titles(done(file, first)), "new(0) ");
+  EXPECT_EQ(first->network, 1u);
+}
+
+// S5-KOPFUP-01
+TEST(Networks, ofStep5ComeBeforeTheEndOfTheBlock) {
+  Surroundings around;
+  around.language = source::Language::Step5;
+  const source::SourceFile file(
+      "a.s5", "PB 1\nNETZWERK 1  one\n! why\n : U    E 0.0\n : =    A 0.0\n : BE\n");
+  EXPECT_EQ(titles(std::string(file.text()), around), "one( why|2) ");
+  const std::string more = done(file, insertNetwork(file, 1, 1, false, {"two", {" new"}}, around));
+  EXPECT_EQ(titles(more, around), "one( why|2) two( new|0) ");
+  EXPECT_TRUE(more.ends_with(" : BE\n"));
+  EXPECT_EQ(titles(done(file, removeNetwork(file, 1, 1, around)), around), "(0) ");
+}
+
+}  // namespace
+}  // namespace merker::networks
