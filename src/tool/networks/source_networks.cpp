@@ -1,5 +1,7 @@
 #include "networks/source_networks.h"
 
+#include <algorithm>
+
 #include "graph/read.h"
 #include "networks/text.h"
 
@@ -16,6 +18,10 @@ void read(Block& block, std::vector<graph::SourceNetwork> written) {
       network.tree = std::move(*tree);
     else
       network.refusal = tree.error();
+    // What is missing at the end is told of the last statement.
+    const std::size_t count = network.source.statements.size();
+    if (!network.tree && count > 0)
+      network.refusal.statement = std::min(network.refusal.statement, count - 1);
   }
 }
 

@@ -169,9 +169,8 @@ class Splicer {
 
   void statement(std::size_t now, const Written* old) {
     std::string text = lead(now, old);
-    text += old != nullptr && same(now) >= 0 && !changed_[now]
-                ? old->text
-                : s_.write(s_.now[now], target_[now]);
+    const bool stays = same(now) >= 0 && (s_.now[now].target < 0 || !changed_[now]);
+    text += old != nullptr && stays ? old->text : s_.write(s_.now[now], target_[now]);
     text += s_.style.end;
     if (old != nullptr) text = withComment(std::move(text), *old);
     append(text);
