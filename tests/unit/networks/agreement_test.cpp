@@ -2,55 +2,12 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "compiled.h"
 #include "graph/read.h"
-#include "graph5/network_code.h"
-#include "graph5/rules.h"
-#include "graph7/network_code.h"
-#include "graph7/rules.h"
 #include "projects.h"
 
 namespace merker::networks {
 namespace {
-
-using graph::Op;
-using graph::OperandKind;
-
-// Operands are named in the order in which they appear; what the two ways keep in `code` differs.
-class Outline {
- public:
-  std::string of(const graph::Statements& statements) {
-    std::string out;
-    for (const graph::Statement& statement : statements) {
-      out += fmt::format("{}{} {}", statement.intruded ? "!" : "", graph::name(statement.op),
-                         operand(statement));
-      if (statement.target >= 0) out += fmt::format(" -> {}", statement.target);
-      out += "\n";
-    }
-    return out;
-  }
-
- private:
-  std::string operand(const graph::Statement& statement) {
-    const graph::Operand& operand = statement.operand;
-    if (statement.op == Op::OTHER || statement.op == Op::CALL) return {};
-    if (operand.kind == OperandKind::None) return {};
-    if (operand.kind == OperandKind::Forbidden) return "?";
-    if (operand.kind == OperandKind::Label) return "label";
-    const bool byNumber = operand.kind == OperandKind::Wire ||
-                          operand.kind == OperandKind::Status || operand.kind == OperandKind::Count;
-    const std::string key =
-        fmt::format("{} {} ", static_cast<int>(operand.kind), byNumber ? operand.number : 0) +
-        operand.code;
-    return fmt::format("{}.{}", static_cast<int>(operand.kind),
-                       names_.try_emplace(key, names_.size()).first->second);
-  }
-  std::map<std::string, std::size_t> names_;
-};
-
-struct Compiled {
-  graph::Statements statements;
-  const graph::Rules* rules = nullptr;
-};
 
 struct Difference {
   std::size_t networks = 0, pictures = 0;
@@ -75,27 +32,6 @@ void compare(const std::string& name, const Network& network, const Compiled& co
   if (!written) out.texts += fmt::format("text: {}\n", graph::text(written.error().reason));
   out.texts += fmt::format("--- text\n{}--- compiled\n{}", Outline().of(network.source.statements),
                            Outline().of(compiled.statements));
-}
-
-std::vector<Compiled> compiledNetworks(const compilation::Build& build, const std::string& name) {
-  std::vector<Compiled> out;
-  const awl::Blocks blocks = [&build](BlockId id) -> const block::Block* {
-    for (const auto* program : {build.program.get(), build.library.get()})
-      if (program != nullptr)
-        if (const auto at = program->find(id); at != program->end()) return &at->second;
-    return nullptr;
-  };
-  if (build.program != nullptr)
-    for (const auto& [id, block] : *build.program)
-      if (toString(id) == name)
-        for (graph7::NetworkCode& code :
-             graph7::networks(block, awl::Names(block), blocks, Mnemonics::German))
-          out.push_back({std::move(code.statements), &graph7::rules()});
-  for (const auto& [id, block] : build.listings)
-    if (mc5::toString(id) == name)
-      for (graph5::NetworkCode& code : graph5::networks(block))
-        out.push_back({std::move(code.statements), &graph5::rules()});
-  return out;
 }
 
 void compare(const compilation::Build& build, Difference& out) {

@@ -3,6 +3,7 @@
 
 #include <random>
 
+#include "compiled.h"
 #include "graph/write.h"
 #include "networks/alignment.h"
 #include "networks/text.h"
@@ -77,8 +78,21 @@ void expectWritten(const source::SourceFile& file, const Surroundings& around, c
                 block->networks[i].source.statements == found.block.networks[i].source.statements);
 }
 
+// The new text compiles to these statements. Most random ones do not compile: brackets.
+bool compiles(const compilation::Build& build, const source::SourceFile& file, const Found& found,
+              std::size_t network, const Statements& now) {
+  const std::string text = applied(file, splicedInto(file, found, network, now));
+  const auto again =
+      compilation::build(project::load(build.project.path, "", {{file.name(), text}}), false);
+  if (!again.ok()) return false;
+  const auto compiled = compiledNetworks(again, found.block.name);
+  if (compiled.size() != found.block.networks.size()) return false;
+  EXPECT_EQ(Outline().of(compiled[network].statements), Outline().of(now)) << text;
+  return true;
+}
+
 void checkAll(const char* extension, std::size_t atLeast) {
-  std::size_t count = 0;
+  std::size_t count = 0, compiled = 0;
   std::mt19937 random(1);
   forEachProject("examples", extension, [&](const compilation::Build& build) {
     const Surroundings around = surroundingsOf(build);
@@ -98,14 +112,17 @@ void checkAll(const char* extension, std::size_t atLeast) {
               splicedInto(file, *found, i, graph::write(*network.tree, *block.rules));
           EXPECT_EQ(same.from, same.to);
           EXPECT_TRUE(same.lines.empty());
-          for (int n = 0; n < 10; ++n)
-            expectWritten(file, around, *found, i,
-                          changed(network.source.statements, others, random));
+          for (int n = 0; n < 10; ++n) {
+            const Statements now = changed(network.source.statements, others, random);
+            expectWritten(file, around, *found, i, now);
+            if (n == 0 && compiles(build, file, *found, i, now)) ++compiled;
+          }
           ++count;
         }
       }
   });
   EXPECT_GE(count, atLeast);
+  EXPECT_GE(compiled, atLeast / 2);
 }
 
 TEST(Splice, writesAnyStatementsOfStep7) { checkAll(".awl", 100); }
