@@ -16,7 +16,7 @@ struct TextEdit {
   bool operator==(const TextEdit&) const = default;
 };
 
-enum class Obstacle : std::uint8_t { NoNetwork, Awl, Text, Tree };
+enum class Obstacle : std::uint8_t { NoNetwork, Awl, Text, Label, Tree };
 
 struct Refusal {
   Obstacle obstacle = Obstacle::NoNetwork;
@@ -44,6 +44,10 @@ Edited removeNetwork(const source::SourceFile& file, std::uint32_t line, std::si
                      const Surroundings& around);
 Edited changeHeading(const source::SourceFile& file, std::uint32_t line, std::size_t network,
                      const Heading& heading, const Surroundings& around);
+
+// What jumps of STEP 7 lead to; empty: none. Jumps that name the old one are not changed.
+Edited changeLabel(const source::SourceFile& file, std::uint32_t line, std::size_t network,
+                   const std::string& label, const Surroundings& around);
 
 // The text with the edit done.
 std::string applied(const source::SourceFile& file, const TextEdit& edit);

@@ -12,7 +12,13 @@ constexpr Row kTexts[] = {
     {Obstacle::NoNetwork, "the network was not found", "das Netzwerk wurde nicht gefunden"},
     {Obstacle::Awl, "the network can only be changed as AWL",
      "das Netzwerk kann nur als AWL geändert werden"},
-    {Obstacle::Text, "the text must be one operand", "der Text muss ein Operand sein"}};
+    {Obstacle::Text, "the text must be one operand", "der Text muss ein Operand sein"},
+    {Obstacle::Label,
+     "a label must be a letter and at most three more letters or digits, once in the block, "
+     "before a statement",
+     "eine Marke muss ein Buchstabe und höchstens drei weitere Buchstaben oder Ziffern sein, "
+     "einmal im "
+     "Baustein, vor einer Anweisung"}};
 
 }  // namespace
 

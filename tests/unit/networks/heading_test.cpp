@@ -88,6 +88,33 @@ TEST(Networks, ofAnEmptyBlockAreOne) {
   EXPECT_EQ(first->network, 1u);
 }
 
+std::string labelled(const std::string& text, const std::string& label) {
+  const auto file = fileOf("FUNCTION FC 1 : VOID\nBEGIN\nNETWORK\n" + text + "END_FUNCTION\n");
+  const auto edit = changeLabel(file, 1, 1, label, {});
+  if (!edit) return done(file, edit);
+  const std::string after = done(file, edit);
+  const auto block = blockAt(fileOf(after), 1, {});
+  EXPECT_EQ(block->networks[0].source.places[0].label, label) << after;
+  return edit->lines.empty() ? "" : edit->lines.front();
+}
+
+// S7-EDIT-08
+TEST(Labels, standBeforeTheFirstStatement) {
+  EXPECT_EQ(labelled("      U     E 0.0; // go\n", "M001"), "M001: U     E 0.0; // go");
+  EXPECT_EQ(labelled("  U E 0.0;\n", "M001"), "M001: U E 0.0;");
+  EXPECT_EQ(labelled("M1:   U E 0.0;\n", "Ende"), "Ende: U E 0.0;");
+  EXPECT_EQ(labelled("M1:   U E 0.0;\n", ""), "      U E 0.0;");
+  EXPECT_EQ(labelled("M1:\n      U E 0.0;\n", "M2"), "M2:   U E 0.0;");
+  EXPECT_EQ(labelled("M1:   U E 0.0;\n", "M1"), "");
+}
+
+TEST(Labels, areRefusedThatAreNoneOrTaken) {
+  for (const char* label : {"toolong", "1a", "a b", "M2", "a:", "a\n"})
+    EXPECT_NE(labelled(" U E 0.0;\nM2: = A 0.0;\n", label).find("a label must be"),
+              std::string::npos)
+        << label;
+}
+
 // S5-KOPFUP-01
 TEST(Networks, ofStep5ComeBeforeTheEndOfTheBlock) {
   Surroundings around;

@@ -1,0 +1,62 @@
+// The label at the beginning of a network.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/text.h"
+#include "networks/source_edit.h"
+#include "networks/text.h"
+#include "step7/cursor.h"
+
+namespace merker::networks {
+namespace {
+
+constexpr std::size_t kLongest = 4;  // characters
+
+bool isLabel(std::string_view text) {
+  return !text.empty() && characterCount(text) <= kLongest && step7::isWordStart(text.front()) &&
+         std::all_of(text.begin(), text.end(), step7::isWordChar);
+}
+
+bool isTaken(const Block& block, const std::string& label) {
+  for (const Network& network : block.networks)
+    for (const graph::Written& place : network.source.places)
+      if (place.label == label) return true;
+  return false;
+}
+
+}  // namespace
+
+Edited changeLabel(const source::SourceFile& file, std::uint32_t line, std::size_t network,
+                   const std::string& label, const Surroundings& around) {
+  const auto found = findBlock(file, line, around);
+  if (!found || network == 0 || network > found->block.networks.size()) return Refusal{};
+  const graph::SourceNetwork& source = found->block.networks[network - 1].source;
+  if (around.language != source::Language::Step7 || source.places.empty())
+    return Refusal{Obstacle::Label};
+  const graph::Written& first = source.places.front();
+  TextEdit out;
+  out.network = network;
+  out.from = out.to = first.line;
+  if (label == first.label) return out;
+  if (!label.empty() && (!isLabel(label) || isTaken(found->block, label)))
+    return Refusal{Obstacle::Label};
+  // From the beginning of the label's line to the end of that of the statement's first word.
+  const std::uint32_t last = file.position(first.begin).line;
+  const auto start = [&](std::uint32_t number) {
+    return static_cast<std::size_t>(file.line(number).data() - file.text().data());
+  };
+  const std::string_view before =
+      file.text().substr(start(first.line), first.start - start(first.line));
+  const std::string_view rest = file.line(last).substr(first.begin - start(last));
+  const std::size_t width = first.begin - start(last) - (last == first.line ? before.size() : 0);
+  const bool indented = trim(before).empty() && last == first.line;
+  const std::size_t column = indented ? width + before.size() : width;
+  const std::string mark = label.empty() ? std::string() : label + ": ";
+  out.to = last + 1;
+  out.lines.push_back(
+      fmt::format("{}{:<{}}{}", indented ? std::string_view() : before, mark, column, rest));
+  return out;
+}
+
+}  // namespace merker::networks
