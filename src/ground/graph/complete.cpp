@@ -80,17 +80,6 @@ class BoxCompleter {
   const std::vector<Item>& items_;
 };
 
-// A parameter whose logic is gone is not given any more.
-void dropParameters(Node& call) {
-  std::erase_if(call.parameters, [&call](const Pin& parameter) {
-    if (!parameter.logic.empty()) return false;
-    for (Argument& argument : call.arguments)
-      if (argument.wire == parameter.operand.number)
-        argument = {argument.name, {}, false, -1, true};
-    return true;
-  });
-}
-
 void complete(std::vector<Node>& nodes) {
   for (Node& node : nodes) merker::graph::complete(node);
 }
@@ -118,11 +107,23 @@ void complete(Node& node) {
     if (node.operand.text == kMissingBit) node.operand = missing(kMissingConnector);
   }
   if (node.kind == NodeKind::Box) BoxCompleter(node).complete();
-  dropParameters(node);
+  dropEmptyParameters(node);
   complete(node.children);
   complete(node.enable);
   complete(node.pins);
   complete(node.parameters);
+}
+
+void dropEmptyParameters(Node& call) {
+  std::erase_if(call.parameters, [&call](const Pin& parameter) {
+    if (!parameter.logic.empty()) return false;
+    for (Argument& argument : call.arguments)
+      if (argument.wire == parameter.operand.number) {
+        argument.wire = -1;
+        argument.text.clear();
+      }
+    return true;
+  });
 }
 
 void complete(Coil& coil) {

@@ -18,7 +18,8 @@ enum class Action : std::uint8_t {
   Negate,       // a contact; behind anything else a NOT is put in or taken out
   CloseBranch,  // the end of the branch in which the node stands goes one element further right
   SetOperand,   // the field `pin` gets operands[0]; of a CALL that leaves it out: None
-  Delete,       // a node, a coil, the logic of a pin (pin >= kFirstPin or kEnable)
+  Delete,       // a node, a coil, what is at a pin (pin >= kFirstPin or kEnable)
+  DeleteRung,   // the one of the node, with the branches that go out from it
   NewRung  // below the rung of the node, or below all: a contact and a coil, both without operand
 };
 

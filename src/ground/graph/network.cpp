@@ -8,7 +8,7 @@ bool Node::operator==(const Node& other) const {
          negated == other.negated && falling == other.falling && operand == other.operand &&
          memory == other.memory && children == other.children && element == other.element &&
          pins == other.pins && continues == other.continues && eno == other.eno &&
-         enable == other.enable && parameters == other.parameters;
+         enable == other.enable && parameters == other.parameters && arguments == other.arguments;
 }
 
 }  // namespace merker::graph

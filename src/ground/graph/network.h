@@ -50,6 +50,7 @@ struct Node {
   std::vector<Argument> arguments;  // CALL
 
   std::size_t first = 0, last = 0;  // its statements: [first, last)
+  bool selected = false;            // by the edit that is done
   bool operator==(const Node& other) const;
 };
 
@@ -58,6 +59,7 @@ struct Coil {
   Operand operand;
   std::vector<Operand> values;
   std::size_t first = 0, last = 0;
+  bool selected = false;
   bool operator==(const Coil& other) const {
     return element == other.element && operand == other.operand && values == other.values;
   }

@@ -12,6 +12,8 @@ struct Rules {
   Operand overflow;         // OV
   bool oneBox = false;      // a network has at most one
   bool boxBeforeOr = true;  // ladder shows a box in a branch that is joined to others
+  bool branches = true;     // by temporary bits
+  bool extended = true;     // NOT, edges, exclusive OR
 };
 
 }  // namespace merker::graph

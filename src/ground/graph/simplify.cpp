@@ -33,15 +33,18 @@ bool simplify(Node& node) {
   std::vector<Node> children;
   for (Node& child : node.children) {
     if (!simplify(child)) continue;
-    if (dissolves(child, node, children.empty()))
-      std::move(child.children.begin(), child.children.end(), std::back_inserter(children));
-    else
+    if (!dissolves(child, node, children.empty())) {
       children.push_back(std::move(child));
+      continue;
+    }
+    if (child.selected) child.children.back().selected = true;
+    std::move(child.children.begin(), child.children.end(), std::back_inserter(children));
   }
   if (children.empty()) return false;
   if (actsOnSignal(children.front())) children.insert(children.begin(), missingContact());
   if (children.size() == 1) {
     Node only = std::move(children.front());
+    only.selected = only.selected || node.selected;
     node = std::move(only);
   } else {
     node.children = std::move(children);

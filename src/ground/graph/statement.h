@@ -58,7 +58,8 @@ struct Statement {
   bool intruded = false;            // a jump leads here that no box explains
   std::uint32_t offset = 0;         // where it begins in the code of its block
   bool operator==(const Statement& other) const {
-    return op == other.op && operand == other.operand && target == other.target;
+    return op == other.op && operand == other.operand && target == other.target &&
+           arguments == other.arguments;
   }
 };
 

@@ -23,7 +23,7 @@ constexpr int kLevels = 8;  // S5-KOPFUP-03
 
 const graph::Rules& rules() {
   static const graph::ElementTable table(kRows);
-  static const graph::Rules kRules{&table, kLevels, {}, {}, true, false};
+  static const graph::Rules kRules{&table, kLevels, {}, {}, true, false, false, false};
   return kRules;
 }
 

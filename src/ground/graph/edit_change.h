@@ -1,0 +1,14 @@
+// Changes and takes out elements of a network.
+#pragma once
+
+#include <optional>
+
+#include "graph/edit.h"
+#include "graph/locate.h"
+
+namespace merker::graph {
+
+// The problem if it cannot be; then the network is spoilt.
+std::optional<EditProblem> change(Network& network, const Location& at, const Edit& edit);
+
+}  // namespace merker::graph

@@ -1,0 +1,16 @@
+// Takes elements and rungs out of a network.
+#pragma once
+
+#include <optional>
+
+#include "graph/edit.h"
+#include "graph/locate.h"
+
+namespace merker::graph {
+
+// The problem if there is nothing to delete. Branches are to be tidied then.
+std::optional<EditProblem> remove(Network& network, const Location& at, int pin);
+void removeRung(Network& network, const Rung& rung);
+void newRung(Network& network, const std::optional<Location>& at, const Rules& rules);
+
+}  // namespace merker::graph

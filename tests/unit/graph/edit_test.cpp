@@ -1,0 +1,256 @@
+// Elements put in, changed and taken out: each row is a network, an edit, and what it is then.
+#include "graph/edit.h"
+
+#include <gtest/gtest.h>
+
+#include "graph/missing.h"
+#include "graph/read.h"
+#include "graph5/rules.h"
+#include "graph7/rules.h"
+#include "random_networks.h"
+#include "statement_text.h"
+
+namespace merker::graph {
+namespace {
+
+using test::kFirstWire;
+using test::operand;
+using test::statements;
+
+Network networkOf(const std::string& text, const Rules& rules = graph7::rules()) {
+  const auto network = read(statements(text), rules, Unfinished::Allowed);
+  EXPECT_TRUE(network) << text;
+  return network ? *network : Network{};
+}
+
+std::string edited(const std::string& before, const Edit& edit,
+                   const Rules& rules = graph7::rules()) {
+  const auto after = apply(networkOf(before, rules), edit, rules, kFirstWire);
+  if (!after) return "refused: " + std::string(text(after.error(), Language::English));
+  return fmt::format("{} [{}:{}]", test::text(after->statements), after->select.node,
+                     after->select.pin);
+}
+
+// `at`: "3", "3:1" with a pin, "0-3" a gate from its first statement to its last.
+Selection selection(const std::string& text) {
+  Selection out;
+  if (text.empty()) return out;
+  out.node = std::stoi(text);
+  if (const auto mark = text.find(':'); mark != std::string::npos)
+    out.pin = std::stoi(text.substr(mark + 1));
+  else if (const auto dash = text.find('-'); dash != std::string::npos) {
+    out.first = out.node;
+    out.node = std::stoi(text.substr(dash + 1));
+  }
+  return out;
+}
+
+Edit insert(const std::string& at, Place place, const std::string& element,
+            std::vector<std::string> operands = {}) {
+  Edit edit;
+  edit.at = selection(at);
+  edit.place = place;
+  edit.element = element;
+  for (const std::string& text : operands)
+    edit.operands.push_back(text.empty() ? Operand{} : operand(text));
+  return edit;
+}
+Edit act(Action action, const std::string& at, const std::string& field = "") {
+  Edit edit;
+  edit.action = action;
+  edit.at = selection(at);
+  if (!field.empty()) edit.operands.push_back(operand(field));
+  return edit;
+}
+
+struct Row {
+  std::string before;
+  Edit edit;
+  std::string after;
+};
+void expectAll(const std::vector<Row>& rows, const Rules& rules = graph7::rules()) {
+  for (const Row& row : rows)
+    EXPECT_EQ(edited(row.before, row.edit, rules), row.after) << row.before;
+}
+
+constexpr auto kBehind = Place::Behind, kBefore = Place::Before, kParallel = Place::Parallel,
+               kBranch = Place::Branch, kAtPin = Place::AtPin;
+
+// S7-EDIT-08, S7-EDIT-14: U E 0.0; U E 0.1; O; U A 1.0; = A 3.0 from an empty network.
+TEST(Edit, DrawsALatchFromNothing) {
+  expectAll({
+      {"", insert("", kBehind, "CONTACT"), "U ??.? [0:0]"},
+      {"U ??.?", act(Action::SetOperand, "0:0", "E 0.0"), "U E 0.0 [0:0]"},
+      {"U E 0.0", insert("0", kBehind, "CONTACT"), "U E 0.0; U ??.? [1:0]"},
+      {"U E 0.0; U E 0.1", insert("1", kBehind, "COIL"), "U E 0.0; U E 0.1; = ??.? [2:0]"},
+      {"U E 0.0; U E 0.1; = A 3.0", insert("0", kParallel, "CONTACT", {"A 1.0"}),
+       "U(; O E 0.0; O A 1.0; ); U E 0.1; = A 3.0 [2:-1]"},
+      {"U(; O E 0.0; O A 1.0; ); U E 0.1; = A 3.0", act(Action::CloseBranch, "2"),
+       "U E 0.0; U E 0.1; O A 1.0; = A 3.0 [2:-1]"},
+      {"", insert("", kBehind, "COIL"), "= ??.? [0:0]"},
+      {"= A 3.0", insert("0", kBefore, "CONTACT_NOT", {"E 0.0"}), "UN E 0.0; = A 3.0 [0:-1]"},
+  });
+}
+
+TEST(Edit, PutsElementsBeforeAndBehind) {
+  expectAll({
+      {"U E 0.0; = A 0.0", insert("0", kBefore, "CONTACT"), "U ??.?; U E 0.0; = A 0.0 [0:0]"},
+      {"U E 0.0; = A 0.0", insert("1", kBefore, "NOT"), "U E 0.0; NOT; = A 0.0 [1:-1]"},
+      {"U E 0.0; = A 0.0", insert("0", kBehind, "P", {"M 1.0"}),
+       "U E 0.0; FP M 1.0; = A 0.0 [1:-1]"},
+      {"U E 0.0; U E 0.1; = A 0.0", insert("1", kBefore, "CONNECTOR"),
+       "U E 0.0; = ??.#; U ??.#; U E 0.1; = A 0.0 [2:0]"},
+      {"U E 0.0; = A 0.0", insert("0", kBehind, "POS", {"E 0.1", "M 1.1"}),
+       "U E 0.0; U(; U E 0.1; BLD 100; FP M 1.1; ); = A 0.0 [4:-1]"},
+      {"O E 0.0; O E 0.1; = A 0.0", insert("2", kBefore, "CONTACT"),
+       "U(; O E 0.0; O E 0.1; ); U ??.?; = A 0.0 [4:0]"},
+      {"O E 0.0; O E 0.1; = A 0.0", insert("1", kBehind, "CONTACT"),
+       "O E 0.0; O; U E 0.1; U ??.?; = A 0.0 [3:0]"},
+      {"U E 0.0; = A 0.0", insert("0", kBefore, "NOT"),
+       "refused: there must be logic before this element"},
+      {"U E 0.0; = A 0.0", insert("1", kBehind, "CONTACT"),
+       "refused: nothing but coils can stand behind a coil"},
+      {"U E 0.0; = A 0.0", insert("7", kBehind, "CONTACT"),
+       "refused: the element was not found in the network"},
+      {"U E 0.0; = A 0.0", insert("0", kBehind, "NONSENSE"), "refused: the element is unknown"},
+  });
+}
+
+TEST(Edit, PutsBoxesIntoTheSignal) {
+  expectAll({
+      {"U E 0.0; = A 0.0", insert("0", kBehind, "SR", {"M 1.0"}),
+       "U E 0.0; S M 1.0; U ??.?; R M 1.0; U M 1.0; = A 0.0 [4:-1]"},
+      {"U E 0.0", insert("0", kBehind, "S_ODT", {"T 1", "", "S5T#2S"}),
+       "U E 0.0; L S5T#2S; SE T 1; NOP; NOP; NOP; NOP [6:-1]"},
+      {"U E 0.0; L S5T#2S; SE T 1; NOP; NOP; NOP; NOP", insert("6:3", kAtPin, "CONTACT", {"E 0.1"}),
+       "U E 0.0; L S5T#2S; SE T 1; U E 0.1; R T 1; NOP; NOP; NOP [3:-1]"},
+      {"U E 0.0; L S5T#2S; SE T 1; NOP; NOP; NOP; NOP", insert("6", kBehind, "COIL", {"A 1.0"}),
+       "U E 0.0; L S5T#2S; SE T 1; NOP; NOP; NOP; U T 1; = A 1.0 [7:-1]"},
+      {"", insert("", kBehind, "MOVE"), "L ???; T ???; NOP [2:1]"},
+      {"L MW 1; T MW 2; NOP", insert("2:-2", kAtPin, "CONTACT", {"E 0.0"}),
+       "U E 0.0; SPBNB ->4; L MW 1; T MW 2; NOP [0:-1]"},
+      {"L MW 1; T MW 2; NOP", insert("2:1", kAtPin, "CONTACT"), "refused: this pin takes no logic"},
+      {"U E 0.0; = A 0.0", insert("0", kParallel, "EQ_I", {"", "MW 1", "5"}),
+       "O E 0.0; O(; L MW 1; L 5; ==I; ); = A 0.0 [5:-1]"},
+      {"L MW 1; T MW 2; NOP", act(Action::SetOperand, "2:2", "MW 8"), "L MW 1; T MW 8; NOP [2:2]"},
+  });
+}
+
+TEST(Edit, GivesLogicToTheParametersOfACall) {
+  Edit call = insert("", kBehind, "CALL_BOX", {"FC 1"});
+  call.arguments = {
+      {"ON", "", false, -1, true}, {"N", "MW 1", false, -1, false}, {"OFF", "", false, -1, true}};
+  const auto first = apply({}, call, graph7::rules(), kFirstWire);
+  ASSERT_TRUE(first);
+  EXPECT_EQ(test::text(first->statements), "CALL FC 1; NOP");
+  const auto second = apply(first->network, insert("1:3", kAtPin, "CONTACT", {"E 0.1"}),
+                            graph7::rules(), kFirstWire);
+  ASSERT_TRUE(second);
+  EXPECT_EQ(test::text(second->statements), "U E 0.1; = L 20.0; BLD 103; CALL FC 1; NOP");
+  const auto third =
+      apply(second->network, act(Action::SetOperand, "4:1", "E 0.0"), graph7::rules(), kFirstWire);
+  ASSERT_TRUE(third);
+  EXPECT_EQ(test::text(third->statements),
+            "U E 0.0; = L 20.0; BLD 103; U E 0.1; = L 20.1; BLD 103; CALL FC 1; NOP");
+  EXPECT_EQ(third->statements[6].arguments[0].wire, 160);
+  EXPECT_EQ(third->statements[6].arguments[2].text, "L 20.1");
+  EXPECT_EQ(edited("U E 0.0; = A 0.0", insert("1", kBehind, "CALL_BOX")),
+            "refused: nothing but coils can stand behind a coil");
+}
+
+TEST(Edit, LetsRungsBranch) {
+  expectAll({
+      {"U E 0.0; = A 0.0", insert("1", kBehind, "S", {"A 0.1"}),
+       "U E 0.0; = A 0.0; S A 0.1 [2:-1]"},
+      {"U E 0.0; U E 0.1; = A 0.0", insert("0", kBehind, "COIL", {"A 0.1"}),
+       "U E 0.0; = L 20.0; U L 20.0; U E 0.1; = A 0.0; U L 20.0; BLD 102; = A 0.1 [7:-1]"},
+      {"U E 0.0; = A 0.0", insert("1", kBranch, "CONTACT"),
+       "U E 0.0; = L 20.0; U L 20.0; BLD 102; = A 0.0; U L 20.0; U ??.?; = ??.? [6:0]"},
+      {"U E 0.0; = L 20.0; U L 20.0; U E 0.1; = A 0.0; U L 20.0; BLD 102; = A 0.1",
+       insert("3", kBranch, "R", {"A 0.2"}),
+       "U E 0.0; = L 20.0; U L 20.0; U E 0.1; = L 20.1; U L 20.1; BLD 102; = A 0.0; U L 20.1; "
+       "BLD 102; R A 0.2; U L 20.0; BLD 102; = A 0.1 [10:-1]"},
+      {"O E 0.0; O E 0.1; = A 0.0", insert("0", kBranch, "COIL"),
+       "refused: a branch cannot begin here"},
+      {"U E 0.0; = L 20.0; U L 20.0; BLD 102; = A 0.0; U L 20.0; BLD 102; = A 0.1",
+       act(Action::DeleteRung, "7"), "U E 0.0; = A 0.0 [-1:-1]"},
+      {"U E 0.0; = L 20.0; U L 20.0; BLD 102; = A 0.0; U L 20.0; BLD 102; = A 0.1",
+       act(Action::DeleteRung, "0"), " [-1:-1]"},
+  });
+}
+
+// S7-EDIT-13: FUP
+TEST(Edit, BuildsGates) {
+  expectAll({
+      {"", insert("", kBehind, "AND"), "U ??.?; U ??.? [0:0]"},
+      {"U E 0.0; U E 0.1; = A 0.0", act(Action::AddInput, "0-1"),
+       "U E 0.0; U E 0.1; U ??.?; = A 0.0 [2:0]"},
+      {"U E 0.0; U E 0.1; NOT; = A 0.0", act(Action::AddInput, "0-1"),
+       "U E 0.0; U E 0.1; U ??.?; NOT; = A 0.0 [2:0]"},
+      {"O E 0.0; O E 0.1; = A 0.0", act(Action::AddInput, "0"),
+       "O E 0.0; O ??.?; O E 0.1; = A 0.0 [1:0]"},
+      {"U E 0.0; U E 0.1; = A 0.0", insert("0-1", kBehind, "OR"),
+       "U E 0.0; U E 0.1; O ??.?; = A 0.0 [2:0]"},
+      {"U E 0.0; NOT; U E 0.1; = A 0.0", insert("0-1", kBehind, "XOR"),
+       "U(; X(; U E 0.0; NOT; ); X ??.?; ); U E 0.1; = A 0.0 [5:0]"},
+      {"U E 0.0; = A 0.0", act(Action::AddInput, "0"), "refused: the element is no gate"},
+  });
+}
+
+TEST(Edit, TurnsRound) {
+  expectAll({
+      {"U E 0.0; = A 0.0", act(Action::Negate, "0"), "UN E 0.0; = A 0.0 [0:-1]"},
+      {"U E 0.0; U E 0.1; = A 0.0", act(Action::Negate, "0-1"),
+       "U E 0.0; U E 0.1; NOT; = A 0.0 [1:-1]"},
+      {"U E 0.0; U E 0.1; NOT; = A 0.0", act(Action::Negate, "2"),
+       "U E 0.0; U E 0.1; = A 0.0 [1:-1]"},
+      {"U E 0.0; U(; O E 0.1; O E 0.2; ); = A 0.0", act(Action::Negate, "4"),
+       "U E 0.0; U(; U(; O E 0.1; O E 0.2; ); NOT; ); = A 0.0 [5:-1]"},
+      {"U E 0.0; U(; U(; O E 0.1; O E 0.2; ); NOT; ); = A 0.0", act(Action::Negate, "7"),
+       "U E 0.0; U(; O E 0.1; O E 0.2; ); = A 0.0 [4:-1]"},
+      {"U E 0.0; U E 0.1; = A 0.0", act(Action::Negate, "2"),
+       "U E 0.0; U E 0.1; NOT; = A 0.0 [3:-1]"},
+  });
+}
+
+TEST(Edit, TakesOut) {
+  expectAll({
+      {"U E 0.0; U E 0.1; = A 0.0", act(Action::Delete, "0"), "U E 0.1; = A 0.0 [0:-1]"},
+      {"U(; O E 0.0; O M 1.0; ); U E 0.1; = A 0.0", act(Action::Delete, "2"),
+       "U E 0.0; U E 0.1; = A 0.0 [0:-1]"},
+      {"U(; O E 0.0; O M 1.0; ); U E 0.1; = A 0.0", act(Action::Delete, "3"),
+       "U E 0.1; = A 0.0 [0:-1]"},
+      {"U E 0.0; NOT; = A 0.0", act(Action::Delete, "0"), "U ??.?; NOT; = A 0.0 [1:-1]"},
+      {"U E 0.0; = A 0.0", act(Action::Delete, "1"), "U E 0.0 [0:-1]"},
+      {"U E 0.0; = A 0.0", act(Action::Delete, "0"), "= A 0.0 [0:-1]"},
+      {"U E 0.0; = A 0.0; U E 0.1; = A 0.1", act(Action::Delete, "1"),
+       "U E 0.0; = ??.?; U E 0.1; = A 0.1 [0:-1]"},
+      {"U ??.?; = ??.?; U E 0.1; = A 0.1", act(Action::Delete, "1"), "U E 0.1; = A 0.1 [-1:-1]"},
+      {"U E 0.0; L S5T#2S; SE T 1; U E 0.1; R T 1; NOP; NOP; NOP", act(Action::Delete, "7:3"),
+       "U E 0.0; L S5T#2S; SE T 1; NOP; NOP; NOP; NOP [6:-1]"},
+      {"U E 0.0; = A 0.0", act(Action::NewRung, "0"), "U E 0.0; = A 0.0; U ??.?; = ??.? [2:0]"},
+  });
+}
+
+TEST(Edit, KeepsTheRulesOfStep5) {
+  const std::string box = "U E 0.0; S M 1.0; U E 0.1; R M 1.0; NOP";
+  expectAll(
+      {
+          {box, insert("4", kBehind, "SR"), "refused: a network has at most one box"},
+          {box, insert("0", kBehind, "NOT"), "refused: the element is unknown"},
+          {box, insert("0", kBehind, "XOR"), "refused: the element is unknown"},
+          {"U E 0.0; = A 0.0", insert("1", kBranch, "CONTACT"),
+           "refused: a branch cannot begin here"},
+      },
+      graph5::rules());
+}
+
+TEST(Edit, EveryProblemHasItsSentences) {
+  for (int i = 0; i <= static_cast<int>(EditProblem::Ambiguous); ++i) {
+    const auto problem = static_cast<EditProblem>(i);
+    EXPECT_NE(text(problem, Language::German), text(problem, Language::English));
+  }
+}
+
+}  // namespace
+}  // namespace merker::graph
