@@ -85,7 +85,7 @@ Selection selected(const Network& network) {
 
 // `= M 1.0` and the `U M 1.0` of the next rung are one element, a connector.
 Selection found(Network& network, Selection selection) {
-  if (locate(network, selection)) return selection;
+  if (selection.node < 0 || locate(network, selection)) return selection;
   ++selection.node;
   return locate(network, selection) ? selection : Selection{};
 }
