@@ -1,6 +1,7 @@
 #include "cpu/areas.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace merker::cpu {
 namespace {
@@ -18,6 +19,22 @@ constexpr Range kOutputs[] = {{752, 755}, {768, 783}, {784, 799}};
 void mark(Presence& present, Range range) {
   const std::size_t end = std::min<std::size_t>(range.last + 1, present.size());
   if (range.first < end) std::fill(&present[range.first], present.data() + end, true);
+}
+
+constexpr std::size_t kTogether = sizeof(std::uint64_t);
+
+// From a byte of the image on; at most kTogether bytes, and as many as the compiler knows.
+inline void readTogether(Areas& areas, std::size_t first, std::size_t count) {
+  constexpr std::uint64_t kWholeByte = 0xFF;
+  std::uint64_t to = 0, from = 0, present = 0, configured = 0;
+  std::memcpy(&configured, &areas.inputConfigured[first], count);
+  if (configured == 0) return;
+  std::memcpy(&to, &areas.image[first], count);
+  std::memcpy(&from, &areas.inputs[first], count);
+  std::memcpy(&present, &areas.inputPresent[first], count);
+  const std::uint64_t theirs = configured * kWholeByte;  // each byte is 0 or 1: nothing is carried
+  to = (to & ~theirs) | (from & present * kWholeByte & theirs);
+  std::memcpy(&areas.image[first], &to, count);
 }
 
 }  // namespace
@@ -61,15 +78,10 @@ void Areas::readInputs() {
     std::copy_n(inputs.begin(), count, image.begin());
     return;
   }
-  // Plain pointers and no branch: the compiler takes many bytes at once.
-  std::uint8_t* const to = image.data();
-  const std::uint8_t* const from = inputs.data();
-  const std::uint8_t* const present = inputPresent.data();
-  const std::uint8_t* const configured = inputConfigured.data();
-  for (std::size_t i = 0; i < std::min(count, inputConfigured.size()); ++i) {
-    const std::uint8_t value = present[i] ? from[i] : std::uint8_t{0};
-    to[i] = configured[i] ? value : to[i];
-  }
+  const std::size_t end = std::min(count, inputConfigured.size());
+  std::size_t i = 0;
+  for (; i + kTogether <= end; i += kTogether) readTogether(*this, i, kTogether);
+  if (i < end) readTogether(*this, i, end - i);
 }
 
 void Areas::writeOutputs() {

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "base/bytes.h"
-#include "block/width.h"
 
 namespace merker::system {
 namespace {
@@ -62,7 +61,7 @@ std::uint8_t* inInstance(const cpu::OpenBlock& instance, std::uint32_t length, W
 
 Arguments::Where Arguments::placeOf(std::size_t i) const {
   if (call_.block.kind == BlockKind::SFB)
-    return {Area::Instance, (call_.machine.registers.ar2 & 0xFFFFFF) + places_[i]};
+    return {Area::Instance, (call_.machine.registers.ar2 & 0xFFFFFF) + places_[i].address};
   const std::size_t entry = function_.parameters[i].entry;
   if (entry >= call_.parameters.size()) return {};
   const std::uint32_t pointer = call_.parameters[entry];
@@ -72,13 +71,12 @@ Arguments::Where Arguments::placeOf(std::size_t i) const {
 bool Arguments::has(std::size_t i) {
   const Where where = placeOf(i);
   std::uint32_t ignored = 0;
-  return !cpu::read(call_.machine, where.area, block::widthOf(function_.parameters[i].type),
-                    where.address, ignored);
+  return !cpu::read(call_.machine, where.area, places_[i].width, where.address, ignored);
 }
 
 std::uint32_t Arguments::value(std::size_t i) {
   const Where where = placeOf(i);
-  const Width width = block::widthOf(function_.parameters[i].type);
+  const Width width = places_[i].width;
   const cpu::OpenBlock& instance = call_.machine.registers.di;
   const std::uint8_t* byte = where.area == Area::Instance
                                  ? inInstance(instance, instance.length, width, where.address)
@@ -92,7 +90,7 @@ std::uint32_t Arguments::value(std::size_t i) {
 
 void Arguments::set(std::size_t i, std::uint32_t value) {
   const Where where = placeOf(i);
-  const Width width = block::widthOf(function_.parameters[i].type);
+  const Width width = places_[i].width;
   const cpu::OpenBlock& instance = call_.machine.registers.di;
   std::uint8_t* byte = where.area == Area::Instance
                            ? inInstance(instance, instance.writable, width, where.address)

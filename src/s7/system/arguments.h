@@ -52,11 +52,17 @@ struct Context {
   Jobs jobs;
 };
 
+// Of a parameter: its width, and for an SFB where it lies in the instance.
+struct ParameterPlace {
+  BitAddress address = 0;
+  Width width = Width::Bit;
+};
+
 // A call and the row of the function that answers it.
 struct Invocation {
   const cpu::SystemCall& call;
   const Function& function;
-  const std::vector<BitAddress>& places;  // SFB: of the parameters in the instance
+  const std::vector<ParameterPlace>& places;  // of its parameters
   Context& context;
 };
 
@@ -124,7 +130,7 @@ class Arguments {
 
   const cpu::SystemCall& call_;
   const Function& function_;
-  const std::vector<BitAddress>& places_;
+  const std::vector<ParameterPlace>& places_;
   Context& context_;
   bool good_ = true;
 };

@@ -1,5 +1,6 @@
 #include "system/services.h"
 
+#include "block/width.h"
 #include "system/library.h"
 
 namespace merker::system {
@@ -13,8 +14,10 @@ Services::Services(const CpuModel& model) : functions_(allFunctions(model)) {
     if (table.size() <= function.number) table.resize(function.number + 1u);
     Entry& entry = table[function.number];
     entry.function = &function;
-    for (const block::Variable& variable : blocks.at({function.kind, function.number}).variables)
-      entry.places.push_back(variable.address);
+    const auto& variables = blocks.at({function.kind, function.number}).variables;
+    for (std::size_t i = 0; i < function.parameters.size(); ++i)
+      entry.places.push_back({i < variables.size() ? variables[i].address : 0,
+                              block::widthOf(function.parameters[i].type)});
   }
 }
 

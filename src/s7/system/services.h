@@ -33,7 +33,7 @@ class Services : public cpu::SystemServices {
  private:
   struct Entry {
     const Function* function = nullptr;
-    std::vector<BitAddress> places;  // SFB: of the parameters in the instance
+    std::vector<ParameterPlace> places;
   };
   const Entry* find(BlockId id) const;
 

@@ -28,6 +28,29 @@ TEST(Areas, TheGenericCpuAnswersEverywhere) {
   EXPECT_FALSE(areas.answers(areas.inputPresent, 65'533, 4));
 }
 
+// S7-OPND-11: a configured byte follows its module, or is 0 while the module does not answer.
+// Bytes of no module stay, also beside others and at the end of an image of odd length.
+TEST(Areas, InputsAreReadByteByByte) {
+  for (std::uint32_t length = 1; length <= 18; ++length) {
+    Areas areas(defaultCpuModel());
+    areas.imageBytes = length;
+    areas.inputConfigured.assign(length, false);
+    const auto before = [](std::uint32_t i) { return static_cast<std::uint8_t>(0x80 + i); };
+    for (std::uint32_t i = 0; i < length + 2; ++i) {
+      if (i < length) areas.inputConfigured[i] = i % 3 != 0;
+      areas.inputPresent[i] = i % 4 != 1;
+      areas.inputs[i] = static_cast<std::uint8_t>(0x11 + i);
+      *areas.input(i) = before(i);
+    }
+    areas.readInputs();
+    for (std::uint32_t i = 0; i < length + 2; ++i) {
+      const bool module = i < length && i % 3 != 0;
+      const std::uint8_t terminal = i % 4 != 1 ? areas.inputs[i] : 0;
+      EXPECT_EQ(*areas.input(i), module ? terminal : before(i)) << i << " of " << length;
+    }
+  }
+}
+
 // S7-BLK-07 … -15
 TEST(Priorities, FollowTheTable) {
   const struct {
