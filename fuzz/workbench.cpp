@@ -4,14 +4,13 @@
 // short input can be a long request.
 #include "workbench/workbench.h"
 
-#include <time.h>
 #include <unistd.h>
 
 #include <deque>
 #include <filesystem>
 #include <fstream>
 
-#include "harness.h"
+#include "time_limit.h"
 
 using namespace merker;
 namespace fs = std::filesystem;
@@ -50,34 +49,19 @@ class World {
   fs::path folder_;
 };
 
-// Seconds of the processor that this thread has used: other programs do not count.
-double used() {
-  timespec now{};
-  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
-}
-
-// How much slower this program is than one that is built for users, on a usual machine: sanitizers
-// and the fuzzer's own marks cost a multiple.
 double slowness() {
-  static const double factor = [] {
-    constexpr double kUsual = 0.010;  // s, for what follows, with -O2
+  static const double factor = fuzz::slowness(0.010, [] {
     std::string text = "[0";
     for (int i = 0; i < 20'000; ++i) text += R"(,{"operand": "MW 10", "value": "16#00FF"})";
-    const double begin = used();
     fuzz::require(workbench::dump(workbench::Json::parse(text + "]")).size() > text.size() / 2,
                   "the reference is JSON");
-    return std::max(1.0, (used() - begin) / kUsual);
-  }();
+  });
   return factor;
 }
 
 template <typename Do>
 auto within(double seconds, const char* property, Do&& work) {
-  const double begin = used();
-  auto result = work();
-  fuzz::require(used() - begin < seconds * slowness(), property);
-  return result;
+  return fuzz::within(seconds * slowness(), property, std::forward<Do>(work));
 }
 
 constexpr double kRequest = 0.050, kWork = 1.0;
@@ -133,7 +117,8 @@ void look(workbench::Workbench& bench) {
     bench.advance([] { return wall += 100'000; }, Duration::milliseconds(1));
     bench.beginFrame(wall / 1'000'000);
     constexpr double kSlice = 0.005;  // as the program gives it
-    return bench.events(1, [end = used() + kSlice * slowness()] { return used() > end; });
+    return bench.events(1,
+                        [end = fuzz::used() + kSlice * slowness()] { return fuzz::used() > end; });
   };
   for (const std::string& text : within(kRequest, "a frame takes no longer than 50 ms", frame))
     fuzz::require(workbench::Json::accept(text), "an event is JSON");
