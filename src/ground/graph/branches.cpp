@@ -4,6 +4,7 @@
 #include <optional>
 #include <set>
 
+#include "graph/kinds.h"
 #include "graph/wires.h"
 
 namespace merker::graph {
@@ -12,9 +13,8 @@ namespace {
 // Wires that a contact in the middle of some logic reads: they need their name in the picture.
 using Named = std::set<std::uint32_t>;
 
-bool isBranch(const Node& node, const Named& named) {
-  return node.kind == NodeKind::Connector && node.operand.kind == OperandKind::Wire &&
-         !named.contains(node.operand.number);
+bool isJoint(const Node& node, const Named& named) {
+  return isBranch(node) && !named.contains(node.operand.number);
 }
 
 Node contactOf(const Node& connector) {
@@ -53,7 +53,7 @@ std::optional<Node> splitAtBranch(Node& node, const Named& named) {
     if (auto head = splitAtBranch(*first, named)) return head;
   if (node.kind != NodeKind::Series) return std::nullopt;
   for (std::size_t i = 1; i < node.children.size(); ++i) {
-    if (!isBranch(node.children[i], named)) continue;
+    if (!isJoint(node.children[i], named)) continue;
     Node head = node, wire = contactOf(node.children[i]);
     const auto at = static_cast<std::ptrdiff_t>(i);
     head.children.assign(node.children.begin(), node.children.begin() + at);

@@ -3,15 +3,12 @@
 #include <algorithm>
 
 #include "graph/complete.h"
+#include "graph/kinds.h"
 #include "graph/simplify.h"
 #include "graph/wire_numbers.h"
 
 namespace merker::graph {
 namespace {
-
-bool isCompare(const Node& node) {
-  return node.kind == NodeKind::Box && node.element->row.kind == ElementClass::Compare;
-}
 
 // Sets how nodes join each other, what stands in brackets and what goes on behind its output. Only
 // contacts, and what acts on the signal, stand without brackets in a series and at a pin.
@@ -52,8 +49,7 @@ class Marker {
 
   // To the first branch of a rung goes what would go to its coil.
   static bool branchesAtOnce(const Node& node) {
-    return node.kind == NodeKind::Series && node.children[1].kind == NodeKind::Connector &&
-           node.children[1].operand.kind == OperandKind::Wire;
+    return node.kind == NodeKind::Series && isBranch(node.children[1]);
   }
 
   void series(Node& node, bool firstAlone = false) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "graph/kinds.h"
 #include "graph/missing.h"
 #include "graph/simplify.h"
 
@@ -88,13 +89,6 @@ void complete(std::vector<Pin>& pins) {
   for (Pin& pin : pins) complete(pin.logic);
 }
 
-bool isBox(const std::vector<Node>& logic) {
-  return logic.front().kind == NodeKind::Box &&
-         logic.front().element->row.kind != ElementClass::Compare;
-}
-
-bool isRail(const Coil& coil) { return coil.element->row.kind == ElementClass::RailCoil; }
-
 }  // namespace
 
 void complete(Node& node) {
@@ -139,7 +133,7 @@ void complete(Network& network, const Rules& rules) {
     const bool first = &rung == &network.rungs.front(), last = &rung == &network.rungs.back();
     if (rung.logic.empty() && !first && !isRail(rung.coils.front()))
       rung.logic.push_back(missingContact());
-    if (rung.coils.empty() && !last && !isBox(rung.logic))
+    if (rung.coils.empty() && !last && !takesSignal(rung.logic.front()))
       rung.coils.push_back({rules.elements->find("COIL"), {}, {}, 0, 0});
     complete(rung.logic);
     for (Coil& coil : rung.coils) complete(coil);

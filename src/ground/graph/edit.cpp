@@ -7,10 +7,10 @@
 #include "graph/edit_change.h"
 #include "graph/edit_delete.h"
 #include "graph/edit_insert.h"
+#include "graph/kinds.h"
 #include "graph/locate.h"
 #include "graph/missing.h"
 #include "graph/read.h"
-#include "graph/simplify.h"
 #include "graph/wires.h"
 #include "graph/write.h"
 
@@ -75,7 +75,7 @@ Selection selected(const Network& network) {
       visit(logic, [&take, &out](const Node& node) {
         if (!node.selected) return;
         take(node.last, emptyField(node));
-        if (isGroup(node) && !node.bracketed) out.first = static_cast<int>(node.first);
+        if (isUnbracketedGroup(node)) out.first = static_cast<int>(node.first);
       });
     for (const Coil& coil : rung.coils)
       if (coil.selected) take(coil.last, emptyField(coil));

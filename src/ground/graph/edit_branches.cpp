@@ -4,6 +4,7 @@
 #include <set>
 
 #include "graph/branches.h"
+#include "graph/kinds.h"
 #include "graph/missing.h"
 #include "graph/simplify.h"
 #include "graph/wires.h"
@@ -12,9 +13,6 @@ namespace merker::graph {
 namespace {
 
 using Wires = std::set<std::uint32_t>;
-
-bool isWire(const Operand& operand) { return operand.kind == OperandKind::Wire; }
-bool isBranch(const Node& node) { return node.kind == NodeKind::Connector && isWire(node.operand); }
 
 void addWritten(const Rung& rung, Wires& wires) {
   std::vector<std::uint32_t> some;

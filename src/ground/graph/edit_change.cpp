@@ -3,16 +3,13 @@
 #include <algorithm>
 
 #include "graph/edit_operand.h"
+#include "graph/kinds.h"
 #include "graph/simplify.h"
 
 namespace merker::graph {
 namespace {
 
 using Refused = std::optional<EditProblem>;
-
-auto iterator(std::vector<Node>& list, std::size_t at) {
-  return list.begin() + static_cast<std::ptrdiff_t>(at);
-}
 
 Node negation() {
   Node node;
@@ -72,7 +69,7 @@ void negateLogic(std::vector<Node>& logic) {
 
 Refused negateAt(const Location& at, int pin) {
   if (at.coil != nullptr) {
-    if (at.coil->element->row.kind == ElementClass::RailCoil) return EditProblem::Rail;
+    if (isRail(*at.coil)) return EditProblem::Rail;
     negateLogic(at.rung->logic);
     return std::nullopt;
   }
@@ -102,10 +99,7 @@ std::optional<Branch> branchAround(const Location& at) {
 }
 
 // What a branch cannot go around.
-bool endsBranch(const Node& node) {
-  if (node.kind == NodeKind::Connector) return node.operand.kind == OperandKind::Wire;
-  return node.kind == NodeKind::Box && node.element->row.kind != ElementClass::Compare;
-}
+bool endsBranch(const Node& node) { return isBranch(node) || takesSignal(node); }
 
 // a parallel to b, then c: b parallel to a and c.
 Refused closeBranch(const Location& at) {

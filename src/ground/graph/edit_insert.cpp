@@ -1,6 +1,7 @@
 #include "graph/edit_insert.h"
 
 #include "graph/edit_branches.h"
+#include "graph/kinds.h"
 #include "graph/new_element.h"
 #include "graph/simplify.h"
 
@@ -8,13 +9,6 @@ namespace merker::graph {
 namespace {
 
 using Refused = std::optional<EditProblem>;
-
-// A box that takes the signal before it; a comparison makes one.
-bool takesSignal(const Node& node) {
-  return node.kind == NodeKind::Box && node.element->row.kind != ElementClass::Compare;
-}
-
-bool isRail(const Coil& coil) { return coil.element->row.kind == ElementClass::RailCoil; }
 
 // Where the signal goes into a box; null: it takes none.
 std::vector<Node>* firstLogic(Node& box) {

@@ -5,6 +5,7 @@
 #include "graph/bit_operation.h"
 #include "graph/bld.h"
 #include "graph/box_reader.h"
+#include "graph/kinds.h"
 #include "graph/missing.h"
 
 namespace merker::graph {
@@ -30,14 +31,9 @@ bool isContact(const Operand& operand) {
 // Trees within trees and boxes behind boxes, besides brackets: more than anybody draws.
 constexpr int kMostNested = 100;
 
-bool isUnbracketedGroup(const Node& node) {
-  return !node.bracketed && (node.kind == NodeKind::Series || node.kind == NodeKind::Parallel ||
-                             node.kind == NodeKind::Xor || node.kind == NodeKind::Box);
-}
-
 // A bracket around what has one already, or around a single contact, is a series of one.
 Node inBracket(Node inner, Join join) {
-  if (!isUnbracketedGroup(inner)) {
+  if (inner.bracketed || !(isGroup(inner) || inner.kind == NodeKind::Box)) {
     Node series;
     series.first = inner.first;
     series.children.push_back(std::move(inner));

@@ -1,17 +1,12 @@
 #include <algorithm>
 
 #include "graph/branches.h"
+#include "graph/kinds.h"
 #include "graph/kop.h"
 #include "graph/wires.h"
 
 namespace merker::graph {
 namespace {
-
-// NOT, an edge and a connector take the signal so far: in ladder that is all from the rail on.
-bool takesSignal(const Node& node) {
-  return node.kind == NodeKind::Not || node.kind == NodeKind::Edge ||
-         node.kind == NodeKind::Connector;
-}
 
 class Fitter {
  public:
@@ -57,16 +52,17 @@ class Fitter {
     return true;
   }
 
+  // What acts on the signal so far: in ladder that is all from the rail on.
   bool series(const Node& node, bool first) const {
     for (const Node& child : node.children) {
       const bool leads = &child == &node.children.front();
-      if (takesSignal(child) ? !first : !fits(child, first && leads)) return false;
+      if (actsOnSignal(child) ? !first : !fits(child, first && leads)) return false;
     }
     return true;
   }
 
   bool box(const Node& box, bool first) const {
-    if (box.element->row.kind == ElementClass::Compare) return true;
+    if (isCompare(box)) return true;
     return first && all(box.enable, true) && all(box.pins) && all(box.parameters);
   }
 

@@ -2,7 +2,7 @@
 
 #include <iterator>
 
-#include "graph/simplify.h"
+#include "graph/kinds.h"
 
 namespace merker::graph {
 namespace {
@@ -57,7 +57,7 @@ class Finder {
   bool isMeant(const Node& node) const {
     if (node.last != last_) return false;
     if (first_ >= 0) return node.first == static_cast<std::size_t>(first_);
-    return node.bracketed || !isGroup(node);
+    return !isUnbracketedGroup(node);
   }
   Location at(std::vector<Node>& list, std::size_t from, std::size_t count, Node* parent) {
     return {&rung_, nullptr, &list, from, count, parent, around_};
@@ -69,11 +69,11 @@ class Finder {
   std::vector<Step> around_;
 };
 
-auto iterator(std::vector<Node>& list, std::size_t at) {
+}  // namespace
+
+std::vector<Node>::iterator iterator(std::vector<Node>& list, std::size_t at) {
   return list.begin() + static_cast<std::ptrdiff_t>(at);
 }
-
-}  // namespace
 
 std::optional<Location> locate(Network& network, const Selection& selection) {
   if (selection.node < 0) return std::nullopt;

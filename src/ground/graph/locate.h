@@ -37,6 +37,7 @@ Location wholeLogic(Rung& rung);
 // Whether a branch may go out there: what is in the list comes straight from the rail.
 bool isTrunk(Rung& rung, const std::vector<Node>* list);
 
+std::vector<Node>::iterator iterator(std::vector<Node>& list, std::size_t at);
 // Takes the nodes out, as one.
 Node takeOut(const Location& at);
 void insertBehind(const Location& at, Node node);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "graph/kinds.h"
 #include "graph/missing.h"
 
 namespace merker::graph {
@@ -53,16 +54,6 @@ bool simplify(Node& node) {
 }
 
 }  // namespace
-
-bool actsOnSignal(const Node& node) {
-  return node.kind == NodeKind::Not || node.kind == NodeKind::Edge ||
-         node.kind == NodeKind::Connector;
-}
-
-bool isGroup(const Node& node) {
-  return node.kind == NodeKind::Series || node.kind == NodeKind::Parallel ||
-         node.kind == NodeKind::Xor;
-}
 
 Node missingContact() {
   Node node;

@@ -5,9 +5,6 @@
 
 namespace merker::graph {
 
-// NOT, an edge and a connector act on all of the signal before them.
-bool actsOnSignal(const Node& node);
-bool isGroup(const Node& node);
 Node missingContact();
 
 // In the trees, in their boxes, in what is at their pins. What acts on a signal that is not there

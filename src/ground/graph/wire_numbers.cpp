@@ -5,12 +5,11 @@
 #include <map>
 #include <set>
 
+#include "graph/kinds.h"
 #include "graph/wires.h"
 
 namespace merker::graph {
 namespace {
-
-bool isWire(const Operand& operand) { return operand.kind == OperandKind::Wire; }
 
 class Numberer {
  public:

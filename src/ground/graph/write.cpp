@@ -2,18 +2,15 @@
 
 #include "graph/bit_operation.h"
 #include "graph/bld.h"
+#include "graph/kinds.h"
 
 namespace merker::graph {
 namespace {
 
-bool isGroup(const Node& node) {
-  return !node.bracketed && (node.kind == NodeKind::Series || node.kind == NodeKind::Parallel ||
-                             node.kind == NodeKind::Xor);
-}
-
 // How the first statement of the node joins what stands before it.
 Join firstJoin(const Node& node) {
-  return isGroup(node) && !node.children.empty() ? firstJoin(node.children.front()) : node.join;
+  return isUnbracketedGroup(node) && !node.children.empty() ? firstJoin(node.children.front())
+                                                            : node.join;
 }
 
 class Writer {

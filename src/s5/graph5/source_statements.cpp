@@ -14,7 +14,7 @@ namespace {
 using graph::SourceNetwork;
 using step5::Scanner;
 
-constexpr std::uint32_t kNetworkEnd = 255;  // BLD 255 (S5-MISC-04)
+constexpr std::uint32_t kNetworkEndNumber = 255;  // BLD 255 (S5-MISC-04)
 
 bool isMark(const Scanner& scanner) {
   const char c = scanner.peek();
@@ -181,7 +181,7 @@ class Reader {
     written.line = lineOf(written.start);
     written.end = written.line + 1;
     const bool separator =
-        statement.op == graph::Op::BLD && statement.operand.number == kNetworkEnd;
+        statement.op == graph::Op::BLD && statement.operand.number == kNetworkEndNumber;
     if (separator) return endNetwork({{}, written.begin});
     networks_.back().statements.push_back(std::move(statement));
     networks_.back().places.push_back(std::move(written));

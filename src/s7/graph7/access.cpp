@@ -12,10 +12,10 @@ namespace {
 
 using mc7::Operation;
 
-class Reader {
+class AccessReader {
  public:
-  Reader(const mc7::Listing& listing, std::size_t at, std::size_t end, const awl::Names& names,
-         Mnemonics mnemonics)
+  AccessReader(const mc7::Listing& listing, std::size_t at, std::size_t end,
+               const awl::Names& names, Mnemonics mnemonics)
       : listing_(listing), at_(at), end_(end), names_(names), mnemonics_(mnemonics) {}
 
   Access read() const {
@@ -108,7 +108,7 @@ class Reader {
 Access accessAt(const mc7::Listing& listing, std::size_t at, std::size_t end,
                 const awl::Names& names, Mnemonics mnemonics) {
   if (!listing.places[at].known) return {};
-  return Reader(listing, at, end, names, mnemonics).read();
+  return AccessReader(listing, at, end, names, mnemonics).read();
 }
 
 }  // namespace merker::graph7

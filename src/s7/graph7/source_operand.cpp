@@ -14,21 +14,20 @@ namespace merker::graph7 {
 namespace {
 
 using graph::OperandKind;
-using step7::Access;
 
 // As the machine code has them (access.h): a number that an instance holds is reached through a
 // word of local data, which only timers and counters have a picture for.
-OperandKind kindOfAccess(const Access& access) {
+OperandKind kindOfAccess(const step7::Access& access) {
   const mc7::Operand& operand = access.operand;
   switch (access.kind) {
-    case Access::Kind::Number:
+    case step7::Access::Kind::Number:
       return operand.kind == mc7::OperandKind::BlockIndirect ? OperandKind::Forbidden
                                                              : OperandKind::Number;
-    case Access::Kind::Descriptor:
+    case step7::Access::Kind::Descriptor:
       return operand.width == Width::Bit ? OperandKind::Bit : OperandKind::Value;
-    case Access::Kind::Machine:
-    case Access::Kind::Address:
-    case Access::Kind::BlockName:
+    case step7::Access::Kind::Machine:
+    case step7::Access::Kind::Address:
+    case step7::Access::Kind::BlockName:
       break;
   }
   return kindOf(operand);
@@ -36,7 +35,7 @@ OperandKind kindOfAccess(const Access& access) {
 
 // Two texts with the same code mean the same operand: "Motor" and A 4.0. What stands before the
 // machine operand: how it is reached, the data block that is opened, the parameter it belongs to.
-std::string codeOf(Access::Kind kind, std::int32_t db, std::string_view name,
+std::string codeOf(step7::Access::Kind kind, std::int32_t db, std::string_view name,
                    const mc7::Operand& operand) {
   std::vector<std::uint8_t> before{
       static_cast<std::uint8_t>(kind), static_cast<std::uint8_t>((db + 1) >> 16),
@@ -45,9 +44,9 @@ std::string codeOf(Access::Kind kind, std::int32_t db, std::string_view name,
   return pack(before, operand);
 }
 
-std::string codeOf(const Access& access) {
+std::string codeOf(const step7::Access& access) {
   const bool byName =
-      access.kind == Access::Kind::Number || access.kind == Access::Kind::Descriptor;
+      access.kind == step7::Access::Kind::Number || access.kind == step7::Access::Kind::Descriptor;
   return codeOf(access.kind, access.openDb,
                 byName && access.variable ? upper(access.variable->name) : std::string(),
                 access.operand);
@@ -99,9 +98,9 @@ bool openDataBlock(graph::Operand& operand, std::uint32_t db) {
   const mc7::Operand machine = unpack(operand.code).operand;
   if (machine.kind != mc7::OperandKind::Memory || machine.area != Area::DataBlock) return false;
   const auto number = static_cast<std::int32_t>(db);
-  const std::string code = codeOf(Access::Kind::Machine, -1, {}, machine);
+  const std::string code = codeOf(step7::Access::Kind::Machine, -1, {}, machine);
   if (operand.code != code) return false;  // it opens one itself
-  operand.code = codeOf(Access::Kind::Machine, number, {}, machine);
+  operand.code = codeOf(step7::Access::Kind::Machine, number, {}, machine);
   operand.text = fmt::format("DB{}.{}", db, operand.text);
   return true;
 }
@@ -139,7 +138,7 @@ bool SourceOperands::isWire(const mc7::Operand& operand) const {
          operand.width == Width::Bit && operand.value >= wires_;
 }
 
-std::optional<Access> SourceOperands::parse(step7::Cursor& cursor) const {
+std::optional<step7::Access> SourceOperands::parse(step7::Cursor& cursor) const {
   Problems problems;
   std::uint32_t localTop = 0;
   return step7::OperandParser(cursor, scope_, problems, localTop).parse();
@@ -158,7 +157,8 @@ graph::Operand SourceOperands::read(step7::Cursor& cursor, mc7::Operation operat
   return unresolved(rest(cursor));
 }
 
-graph::Operand SourceOperands::resolved(const Access& access, mc7::Operation operation) const {
+graph::Operand SourceOperands::resolved(const step7::Access& access,
+                                        mc7::Operation operation) const {
   mc7::Operand machine = access.operand;
   Problems ignored;
   if (machine.kind == mc7::OperandKind::Constant)
