@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "graph/canonical.h"
+#include "graph/write.h"
 #include "networks/alignment.h"
 #include "networks/text.h"
 
@@ -85,6 +87,15 @@ std::optional<graph::Edit> resolved(graph::Edit edit, Found& found) {
   return edit;
 }
 
+// The network is another one only if its tree is: then it is written as STEP 7 would.
+TextEdit unchanged(const Network& network, const graph::Edit& wish) {
+  TextEdit out;
+  out.from = out.to = network.source.code;
+  out.network = network.number;
+  out.select = wish.at;
+  return out;
+}
+
 }  // namespace
 
 Edited edit(const source::SourceFile& file, std::uint32_t line, std::size_t network,
@@ -95,9 +106,12 @@ Edited edit(const source::SourceFile& file, std::uint32_t line, std::size_t netw
   if (!old.tree) return Refusal{Obstacle::Awl};
   const auto own = resolved(wish, *found);
   if (!own) return Refusal{Obstacle::Text};
-  auto done = graph::apply(*old.tree, *own, *found->block.rules,
-                           found->text->firstWire(found->block, found->index, network));
+  const graph::Rules& rules = *found->block.rules;
+  const std::uint32_t wire = found->text->firstWire(found->block, found->index, network);
+  auto done = graph::apply(*old.tree, *own, rules, wire);
   if (!done) return Refusal{Obstacle::Tree, done.error()};
+  if (done->statements == graph::write(graph::canonical(*old.tree, rules, wire), rules))
+    return unchanged(old, wish);
   nameLabels(done->statements);
   const Style style = styleOf(file, *found, old);
   TextEdit out = spliced({file, old.source, done->statements, style, found->text->writer(style),

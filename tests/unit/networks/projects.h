@@ -21,7 +21,7 @@ inline Surroundings surroundingsOf(const compilation::Build& build) {
 }
 
 inline void forEachProject(const std::string& folder, const std::string& extension,
-                           const std::function<void(const compilation::Build&)>& visit) {
+                           const std::function<void(compilation::Build)>& visit) {
   std::set<std::string> paths;
   for (const auto& entry :
        std::filesystem::recursive_directory_iterator(MERKER_SOURCE_DIR "/" + folder)) {
