@@ -34,9 +34,11 @@ class Inserter {
 
   Refused insert(const std::optional<Location>& at) {
     if (const auto kind = gateKind(edit_.element, rules_)) return insertGate(at, *kind);
-    if (auto coil = newCoil(edit_, rules_)) return insertCoil(at, std::move(*coil));
+    if (auto coil = newCoil(edit_, rules_))
+      return fits(*coil) ? insertCoil(at, std::move(*coil)) : Refused(EditProblem::NoOperand);
     auto node = newNode(edit_, rules_);
     if (!node) return EditProblem::NoElement;
+    if (!fits(*node)) return EditProblem::NoOperand;
     node->selected = true;
     if (!at) return atEnd(std::move(*node));
     if (edit_.place == Place::AtPin) return atPin(*at, std::move(*node));

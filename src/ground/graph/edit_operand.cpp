@@ -18,7 +18,7 @@ Refused set(Operand& field, const Operand& operand, bool fits) {
 
 Refused setOnCoil(Coil& coil, int pin, const Operand& operand) {
   const auto value = static_cast<std::size_t>(pin - kFirstPin);
-  if (pin == kOwn) return set(coil.operand, operand, operand.kind != OperandKind::Forbidden);
+  if (pin == kOwn) return set(coil.operand, operand, fitsOwn(*coil.element, operand));
   if (pin < kFirstPin || value >= coil.values.size()) return EditProblem::NoPin;
   return set(coil.values[value], operand, fitsValue(operand));
 }
@@ -63,7 +63,7 @@ Refused setArgument(const Network& network, Node& call, std::size_t number,
 }
 
 Refused setOnBox(const Network& network, Node& box, int pin, const Operand& operand) {
-  if (pin == kOwn) return set(box.operand, operand, operand.kind != OperandKind::Forbidden);
+  if (pin == kOwn) return set(box.operand, operand, fitsOwn(*box.element, operand));
   if (pin == kEnable) return setLogic(box.enable, operand);
   const bool call = box.element->row.kind == ElementClass::Call;
   const auto number = static_cast<std::size_t>(pin - kFirstPin);

@@ -1,5 +1,7 @@
 #include "graph/new_element.h"
 
+#include <algorithm>
+
 namespace merker::graph {
 namespace {
 
@@ -65,6 +67,16 @@ bool isCoil(const Element& element) {
   return element.row.kind == ElementClass::Coil || element.row.kind == ElementClass::RailCoil;
 }
 
+// Blocks and labels are called as their author likes.
+bool namesBlockOrLabel(const Element& element) {
+  const auto free = [](const Item& item) {
+    return item.op == Op::OPEN || item.op == Op::UC || item.op == Op::CC || item.op == Op::SPA ||
+           item.op == Op::SPB || item.op == Op::SPBN;
+  };
+  return element.row.kind == ElementClass::Call ||
+         std::any_of(element.items.begin(), element.items.end(), free);
+}
+
 }  // namespace
 
 std::optional<Node> newNode(const Edit& edit, const Rules& rules) {
@@ -101,6 +113,24 @@ bool fitsContact(const Operand& operand) {
 bool fitsValue(const Operand& operand) {
   return operand.kind == OperandKind::None || operand.kind == OperandKind::Value ||
          operand.kind == OperandKind::Number;
+}
+
+bool fitsOwn(const Element& element, const Operand& operand) {
+  if (operand.kind == OperandKind::Forbidden) return false;
+  return namesBlockOrLabel(element) || fitsContact(operand);
+}
+
+bool fits(const Node& made) {
+  if (!fitsContact(made.memory)) return false;
+  if (made.kind != NodeKind::Box) return fitsContact(made.operand);
+  return fitsOwn(*made.element, made.operand) &&
+         std::all_of(made.pins.begin(), made.pins.end(),
+                     [](const Pin& pin) { return fitsValue(pin.operand); });
+}
+
+bool fits(const Coil& made) {
+  return fitsOwn(*made.element, made.operand) &&
+         std::all_of(made.values.begin(), made.values.end(), fitsValue);
 }
 
 }  // namespace merker::graph

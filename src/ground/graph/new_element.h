@@ -14,8 +14,12 @@ std::optional<Coil> newCoil(const Edit& edit, const Rules& rules);
 // AND, OR, XOR.
 std::optional<NodeKind> gateKind(std::string_view element, const Rules& rules);
 
-// Whether the operand can stand at a contact, or with L or T.
+// Whether the operand can stand at a contact, with L or T, above a box or coil of the element.
 bool fitsContact(const Operand& operand);
 bool fitsValue(const Operand& operand);
+bool fitsOwn(const Element& element, const Operand& operand);
+// Whether what it was made with can stand in its fields.
+bool fits(const Node& made);
+bool fits(const Coil& made);
 
 }  // namespace merker::graph

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "graph/locate.h"
 #include "graph/missing.h"
 #include "graph/read.h"
 #include "graph5/rules.h"
@@ -243,6 +244,60 @@ TEST(Edit, KeepsTheRulesOfStep5) {
            "refused: a branch cannot begin here"},
       },
       graph5::rules());
+}
+
+// A rung for each element of the family: it can be put in, and stands there with all its pins.
+void expectEveryElement(const Rules& rules) {
+  const Network network = networkOf("U E 0.0", rules);
+  for (const Element& element : rules.elements->elements()) {
+    Edit edit = insert("0", kBehind, std::string(element.row.id));
+    if (element.row.kind == ElementClass::Call) edit.operands = {operand("FC 1")};
+    const auto after = apply(network, edit, rules, kFirstWire);
+    ASSERT_TRUE(after) << element.row.id << ": " << text(after.error(), Language::English);
+    Network whole = after->network;
+    const auto at = locate(whole, {after->select.node});
+    ASSERT_TRUE(at) << element.row.id;
+    const Element* found = at->coil != nullptr ? at->coil->element : at->node().element;
+    EXPECT_EQ(found->row.id, element.row.id);
+  }
+}
+
+TEST(Edit, PutsEveryElementOfStep7IntoARung) { expectEveryElement(graph7::rules()); }
+TEST(Edit, PutsEveryElementOfStep5IntoARung) { expectEveryElement(graph5::rules()); }
+
+std::string series(int contacts) {
+  std::string out;
+  for (int i = 0; i < contacts; ++i) out += "U E 0.0; ";
+  return out + "= A 0.0";
+}
+
+constexpr const char* kSevenDeep =
+    "U E 0.0; U(; X E 0.1; X(; U E 0.2; U(; X E 0.3; X(; U E 0.4; U(; X E 0.5; X(; U E 0.6; U(; "
+    "X E 0.7; X E 1.0; ); ); ); ); ); ); ); = A 0.0";
+
+TEST(Edit, SaysWhatCannotBe) {
+  const std::string refused = "refused: ", timer = "U E 0.0; L S5T#2S; SE T 1; NOP; NOP; NOP; NOP";
+  expectAll({
+      {timer, act(Action::SetOperand, "6:9", "M 1.0"), refused + "the element has no such pin"},
+      {timer, act(Action::SetOperand, "6:2", "M 1.0"), refused + "this operand cannot stand here"},
+      {timer, act(Action::SetOperand, "6:0", "MW 1"), refused + "this operand cannot stand here"},
+      {"U E 0.0; = A 0.0", act(Action::SetOperand, "1:0", "MW 1"),
+       refused + "this operand cannot stand here"},
+      {"U E 0.0; = A 0.0", insert("0", kBehind, "CONTACT", {"MW 1"}),
+       refused + "this operand cannot stand here"},
+      {"", insert("", kBehind, "MOVE", {"", "M 1.0"}), refused + "this operand cannot stand here"},
+      {"U E 0.0; U E 0.1; = A 0.0", insert("0", kBefore, "COIL"),
+       refused + "a coil cannot stand here"},
+      {"O E 0.0; O E 0.1; = A 0.0", insert("0", kBehind, "COIL"),
+       refused + "a coil cannot stand here"},
+      {"U E 0.0; U E 0.1; = A 0.0", act(Action::CloseBranch, "0"),
+       refused + "the element stands in no branch that could be closed further right"},
+      {"U(; O E 0.0; O E 0.1; ); = A 0.0", act(Action::CloseBranch, "1"),
+       refused + "the element stands in no branch that could be closed further right"},
+      {kSevenDeep, insert("14", kBehind, "CONTACT"),
+       refused + "the network would be nested too deeply"},
+      {series(3999), insert("0", kBehind, "CONTACT"), refused + "the network would be too large"},
+  });
 }
 
 TEST(Edit, EveryProblemHasItsSentences) {

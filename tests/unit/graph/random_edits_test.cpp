@@ -8,6 +8,7 @@
 #include "graph/kop.h"
 #include "graph/locate.h"
 #include "graph/read.h"
+#include "graph/wires.h"
 #include "graph/write.h"
 #include "graph5/rules.h"
 #include "graph7/rules.h"
@@ -36,16 +37,32 @@ Operand anyOperand() {
   return operand;
 }
 
-Edit anyEdit(const Statements& statements, const Rules& rules) {
+// Mostly of something that is there.
+Selection anySelection(const Network& network) {
+  std::vector<Selection> all{{}};
+  const auto add = [&all](std::size_t first, std::size_t last) {
+    all.push_back({static_cast<int>(last) - 1, kNoPin, -1});
+    all.push_back({static_cast<int>(last) - 1, kNoPin, static_cast<int>(first)});
+  };
+  for (const Rung& rung : network.rungs) {
+    for (const Node& logic : rung.logic)
+      visit(logic, [&add](const Node& node) { add(node.first, node.last); });
+    for (const Coil& coil : rung.coils) all.push_back({static_cast<int>(coil.last) - 1});
+  }
+  Selection out = all[static_cast<std::size_t>(below(static_cast<int>(all.size())))];
+  if (below(10) == 0) out.node += below(3) - 1;
+  if (below(3) == 0) out.pin = below(6) - 2;
+  return out;
+}
+
+Edit anyEdit(const Network& network, const Rules& rules) {
   Edit edit;
-  const int size = static_cast<int>(statements.size());
   constexpr Action kActions[] = {Action::Insert,     Action::Insert, Action::Insert,
                                  Action::AddInput,   Action::Negate, Action::CloseBranch,
                                  Action::SetOperand, Action::Delete, Action::NewRung,
                                  Action::DeleteRung, Action::Insert};
   edit.action = kActions[below(below(4) == 0 ? std::size(kActions) : 9)];
-  edit.at = {below(size + 1) - 1, below(6) - 2, -1};
-  if (below(4) == 0) edit.at.first = below(size + 1);
+  edit.at = anySelection(network);
   edit.place = static_cast<Place>(below(5));
   edit.element = element(rules);
   for (int i = below(4); i > 0; --i) edit.operands.push_back(anyOperand());
@@ -73,7 +90,7 @@ void editAtRandom(const Rules& rules) {
   network = start ? *start : Network{};
   if (!start) statements.clear();
   for (int count = below(20); count > 0; --count) {
-    const Edit edit = anyEdit(statements, rules);
+    const Edit edit = anyEdit(network, rules);
     RC_LOG() << test::text(statements) << "\n  action " << static_cast<int>(edit.action) << " at "
              << edit.at.node << ":" << edit.at.pin << "/" << edit.at.first << " place "
              << static_cast<int>(edit.place) << " " << edit.element << "\n";
