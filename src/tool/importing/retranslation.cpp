@@ -47,12 +47,12 @@ std::string calleeOfList(std::string_view text) {
   return std::string(trim(text.substr(call + kCall.size(), list - call - kCall.size())));
 }
 
-// Most readable first.
+// Most readable first; one that keeps the language of the block comes before one that loses it.
 std::vector<awl::Form> formsOf(block::Language language) {
-  std::vector<awl::Form> forms{awl::Form::Calls};
+  std::vector<awl::Form> forms;
   if (language == block::Language::Kop) forms.push_back(awl::Form::NetworksOfKop);
   if (language == block::Language::Fup) forms.push_back(awl::Form::NetworksOfFup);
-  forms.push_back(awl::Form::Instructions);
+  forms.insert(forms.end(), {awl::Form::Calls, awl::Form::Instructions});
   return forms;
 }
 

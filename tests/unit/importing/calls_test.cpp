@@ -123,6 +123,14 @@ TEST(Calls, inNetworksOfKop) {
   EXPECT_TRUE(has(text, "CALL  FC 3;")) << text;
 }
 
+// Where both forms give the same bytes, the source keeps the language.
+TEST(Calls, ofABlockInFup) {
+  const std::string text =
+      imported("FUNCTION FC 9 : VOID\nBEGIN\n//# FUP\nNETWORK\nU M 0.0; = M 0.1;\nEND_FUNCTION\n",
+               {BlockKind::FC, 9}, 3);
+  EXPECT_TRUE(has(text, "BEGIN\n//# FUP\nNETWORK\n")) << text;
+}
+
 // The editor counts the lines of CALL, also where only its instructions give the same bytes.
 TEST(Calls, commentsBehindACallThatIsWrittenAsInstructions) {
   const auto compiled = step7::compile(
