@@ -1,5 +1,7 @@
 #include "graph/box_frame.h"
 
+#include "graph/flow.h"
+
 namespace merker::graph {
 namespace {
 
@@ -12,6 +14,8 @@ class BoxFramer {
     const ElementRow& row = box_.element->row;
     out_.title = german_ ? row.kop : row.kopEnglish;
     out_.statement = box_.first;
+    out_.of = selectionOf(box_);
+    out_.ownInside = row.kind == ElementClass::Call;
     out_.hasOut = box_.continues;
     const bool call = row.kind == ElementClass::Call;
     if (call)
@@ -20,7 +24,7 @@ class BoxFramer {
       out_.above = box_.operand.text;
     const bool works = call || row.kind == ElementClass::Move;
     if (works) {
-      out_.left.push_back(logicPin("EN", box_.enable));
+      out_.left.push_back(logicPin("EN", box_.enable, kEnable));
       out_.right.push_back({.name = "ENO"});
     } else if (row.kind == ElementClass::Compare) {
       out_.right.push_back({});
@@ -31,10 +35,11 @@ class BoxFramer {
   }
 
  private:
-  FramePin logicPin(std::string_view name, const std::vector<Node>& logic) const {
+  FramePin logicPin(std::string_view name, const std::vector<Node>& logic, int field) const {
     FramePin pin;
     if (!logic.empty()) pin = draw_(logic.front());
     pin.name = name;
+    pin.field = field;
     return pin;
   }
 
@@ -44,21 +49,26 @@ class BoxFramer {
       const PinRow& row = box_.element->pins[i];
       const std::string_view name = german_ ? row.name : row.english;
       const Pin& pin = box_.pins[i];
+      const int field = kFirstPin + static_cast<int>(i);
       if (row.kind == PinKind::Logic)
-        out_.left.push_back(logicPin(name, pin.logic));
+        out_.left.push_back(logicPin(name, pin.logic, field));
       else if (row.kind == PinKind::Output)
         out_.right.insert(out_.right.begin(), {.name = std::string(name)});
       else
         side(row.kind == PinKind::ValueOut)
-            .push_back({.name = std::string(name), .text = pin.operand.text});
+            .push_back({.name = std::string(name),
+                        .text = pin.operand.text,
+                        .field = field,
+                        .value = true});
     }
   }
 
   void argument(const Argument& argument) {
-    FramePin pin{.name = argument.name, .text = argument.text};
+    const int field = kFirstPin + static_cast<int>(&argument - box_.arguments.data());
+    FramePin pin{.name = argument.name, .text = argument.text, .field = field, .value = true};
     for (const Pin& parameter : box_.parameters)
       if (parameter.operand.number == argument.wire && !parameter.logic.empty())
-        pin = logicPin(argument.name, parameter.logic);
+        pin = logicPin(argument.name, parameter.logic, field);
     side(argument.output).push_back(std::move(pin));
   }
 

@@ -17,6 +17,7 @@ class Framer {
     for (std::size_t i = 0; i < text_.left.size(); ++i) left(text_.left[i], rows_[i]);
     for (std::size_t i = 0; i < text_.right.size(); ++i) right(text_.right[i], outRow(i));
     box();
+    picture_.flow = text_.flow;
     picture_.w = x_ + width_;
     for (const FramePin& pin : text_.right)
       if (!pin.text.empty()) picture_.w = std::max(picture_.w, x_ + width_ + 1 + columns(pin.text));
@@ -76,37 +77,77 @@ class Framer {
   void left(const FramePin& pin, int row) {
     const bool alone = text_.title.empty() && &pin == text_.left.data();  // "=" in its small box
     if (!pin.name.empty()) write(alone ? centred(pin.name) : x_ + 1, row, pin.name);
+    if (isOpen(pin)) field(x_ + 1, row, pin);
     const int end = pin.negated ? x_ - 1 : x_;
-    if (pin.negated) picture_.add({ShapeKind::Negation, end, row, 1, 0, {}, text_.statement});
+    if (pin.negated)
+      picture_.add(
+          {ShapeKind::Negation, end, row, 1, 0, {}, text_.statement, Ends::AtEdges, {}, pin.flow});
     if (pin.logic) {
       const Picture& logic = *pin.logic;
       picture_.place(logic, 0, row - logic.out);
+      picture_.flow = logic.flow;
       picture_.wire(logic.w, row, end - logic.w);
       if (&pin == text_.left.data() && logic.in >= 0) picture_.in = row - logic.out + logic.in;
       if (pin.fromRail)
         picture_.add({ShapeKind::Rail, 0, row - logic.out + std::max(logic.in, 0), 0, 0, {}, 0});
     } else if (!pin.text.empty()) {
       const int begin = end - 1 - columns(pin.text);
-      write(begin, row, pin.text);
-      picture_.wire(end - 1, row, 1);
+      write(begin, row, pin.text, selection(pin));
+      wire(end - 1, row, pin);
     }
+  }
+
+  static bool isOpen(const FramePin& pin) {
+    return pin.field != kNoPin && !pin.logic && pin.text.empty();
+  }
+  void field(int x, int row, const FramePin& pin) {
+    picture_.add({ShapeKind::Field,
+                  x,
+                  row,
+                  std::max(columns(pin.name), 1),
+                  0,
+                  {},
+                  text_.statement,
+                  Ends::AtEdges,
+                  selection(pin)});
+  }
+  Selection selection(const FramePin& pin) const {
+    if (pin.of.node >= 0 || pin.field == kNoPin) return pin.of;
+    return {text_.of.node, pin.field, text_.of.first};
+  }
+  void wire(int x, int row, const FramePin& pin) {
+    picture_.flow = pin.flow;
+    picture_.wire(x, row, 1);
+    picture_.shapes.back().value = pin.value;
   }
 
   void right(const FramePin& pin, int row) {
     if (!pin.name.empty()) write(x_ + width_ - 1 - columns(pin.name), row, pin.name);
+    if (isOpen(pin)) field(x_ + width_ - 1 - columns(pin.name), row, pin);
     if (pin.text.empty()) return;
-    picture_.wire(x_ + width_, row, 1);
-    write(x_ + width_ + 1, row, pin.text);
+    wire(x_ + width_, row, pin);
+    write(x_ + width_ + 1, row, pin.text, selection(pin));
   }
 
   void box() {
-    picture_.add({ShapeKind::Frame, x_, top_, width_, bottom_ - top_ + 1, {}, text_.statement});
-    if (!text_.title.empty()) write(centred(text_.title), top_ + 1, text_.title);
-    if (hasAbove()) write(std::max(0, centred(text_.above)), top_ - 1, text_.above);
+    picture_.add({ShapeKind::Frame,
+                  x_,
+                  top_,
+                  width_,
+                  bottom_ - top_ + 1,
+                  {},
+                  text_.statement,
+                  Ends::AtEdges,
+                  text_.of});
+    if (!text_.title.empty())
+      write(centred(text_.title), top_ + 1, text_.title, text_.ownInside ? own() : Selection{});
+    if (hasAbove()) write(std::max(0, centred(text_.above)), top_ - 1, text_.above, own());
   }
   int centred(const std::string& text) const { return x_ + (width_ - columns(text)) / 2; }
-  void write(int x, int y, const std::string& text) {
-    picture_.add({ShapeKind::Text, x, y, columns(text), 0, text, text_.statement});
+  Selection own() const { return {text_.of.node, kOwn, text_.of.first}; }
+  void write(int x, int y, const std::string& text, const Selection& of = {}) {
+    picture_.add(
+        {ShapeKind::Text, x, y, columns(text), 0, text, text_.statement, Ends::AtEdges, of});
   }
 
   const FrameText& text_;

@@ -11,6 +11,10 @@ struct FramePin {
   std::string name = {}, text = {};   // text: the operand at the pin; empty: open
   std::optional<Picture> logic = {};  // what comes in, drawn to the left of the box
   bool negated = false, fromRail = false;
+  int field = kNoPin;  // where its operand, or logic, is put
+  bool value = false;  // no signal
+  Flows flow = {};     // the signal of its operand
+  Selection of = {};   // whose operand the text is; none: of the box, at `field`
 };
 
 struct FrameText {
@@ -19,7 +23,10 @@ struct FrameText {
       right;             // left[0]: where the signal comes in, right[0]: where it goes out
   bool outLast = false;  // the output is at the last input: gates
   bool hasOut = true;
+  bool ownInside = false;  // its title is its operand: the block of a CALL
   std::size_t statement = 0;
+  Selection of = {};
+  Flows flow = {};  // behind it
 };
 
 Picture frame(const FrameText& text);

@@ -1,9 +1,12 @@
 #include "graph/kop.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "graph/box_frame.h"
 #include "graph/branches.h"
+#include "graph/flow.h"
+#include "graph/kinds.h"
 
 namespace merker::graph {
 namespace {
@@ -31,48 +34,81 @@ class Ladder {
  private:
   // Logic, coils
 
+  // Between the signal at which it stands and the one behind it.
   Picture symbol(ShapeKind kind, const std::string& text, const std::string& above,
-                 std::size_t statement) {
+                 std::size_t statement, const Selection& of, const Flows& behind) {
     Picture out;
+    out.flow = signals_.now();
     const int inside = std::max(3, columns(text) + 2);
     const int textWidth = columns(above);
     out.w = std::max(inside + 4, textWidth + 2);
     out.h = 2;
     out.in = out.out = 1;
     const int at = (out.w - inside) / 2;
-    out.add({ShapeKind::Text, (out.w - textWidth) / 2, 0, textWidth, 0, above, statement});
+    out.add({ShapeKind::Text,
+             (out.w - textWidth) / 2,
+             0,
+             textWidth,
+             0,
+             above,
+             statement,
+             Ends::AtEdges,
+             {of.node, kOwn}});
     out.wire(0, 1, at);
-    out.add({kind, at, 1, inside, 0, text, statement});
+    out.add({kind, at, 1, inside, 0, text, statement, Ends::AtEdges, of});
+    out.flow = behind;
     out.wire(at + inside, 1, out.w - at - inside);
     return out;
   }
 
+  Picture symbol(ShapeKind kind, const std::string& text, const std::string& above,
+                 const Node& node) {
+    Signals behind = signals_;
+    behind.pass(node);
+    return symbol(kind, text, above, node.first, selectionOf(node), behind.now());
+  }
+
+  // Where the signal is behind it.
   Picture node(const Node& node) {
+    if (isGroup(node)) {
+      Signals outer = signals_.enter(node);
+      Picture out = node.kind == NodeKind::Series ? series(node) : parallel(node, outer);
+      signals_.leave(node, std::move(outer));
+      out.flow = signals_.now();
+      return out;
+    }
+    Picture out = single(node);
+    signals_.pass(node);
+    out.flow = signals_.now();
+    return out;
+  }
+
+  Picture single(const Node& node) {
     switch (node.kind) {
       case NodeKind::Series:
-        return series(node);
       case NodeKind::Parallel:
       case NodeKind::Xor:
-        return parallel(node);
+        break;
       case NodeKind::Contact:
         if (node.continues) return node.negated ? negation(node) : wire();
-        return symbol(ShapeKind::Contact, node.negated ? "/" : "", node.operand.text, node.first);
+        return symbol(ShapeKind::Contact, node.negated ? "/" : "", node.operand.text, node);
       case NodeKind::Not:
         return negation(node);
       case NodeKind::Edge:
-        return symbol(ShapeKind::Coil, node.falling ? "N" : "P", node.memory.text, node.first);
+        return symbol(ShapeKind::Coil, node.falling ? "N" : "P", node.memory.text, node);
       case NodeKind::OperandEdge:
         return operandEdge(node);
       case NodeKind::Connector:
-        return symbol(ShapeKind::Coil, "#", node.operand.text, node.first);
+        return symbol(ShapeKind::Coil, "#", node.operand.text, node);
       case NodeKind::Box:
         return box(node);
     }
     return {};
   }
 
-  static Picture wire() {
+  Picture wire() const {
     Picture out;
+    out.flow = signals_.now();
     out.w = 2;
     out.h = 1;
     out.in = out.out = 0;
@@ -80,45 +116,64 @@ class Ladder {
     return out;
   }
 
-  Picture negation(const Node& node) { return symbol(ShapeKind::Contact, "NOT", "", node.first); }
+  Picture negation(const Node& node) { return symbol(ShapeKind::Contact, "NOT", "", node); }
 
   Picture operandEdge(const Node& node) {
     FrameText text;
     text.above = node.operand.text;
     text.title = node.falling ? "NEG" : "POS";
-    text.left = {{}, {.name = "M_BIT", .text = node.memory.text}};
+    text.left = {{},
+                 {.name = "M_BIT", .text = node.memory.text, .field = kFirstPin, .value = true}};
     text.right = {{.name = "Q"}};
     text.statement = node.first;
-    return through(frame(text));
+    text.of = selectionOf(node);
+    text.flow = behind(node);
+    return through(frame(text), signals_.now());
   }
 
   // A box that the signal goes through has its wire at the left, above its operands.
-  static Picture through(Picture box) {
+  static Picture through(Picture box, const Flows& before) {
+    const Flows behind = std::exchange(box.flow, before);
     int left = box.w;
     for (const Shape& shape : box.shapes)
       if (shape.kind == ShapeKind::Frame) left = std::min(left, shape.x);
     box.wire(0, box.out, left);
+    box.flow = behind;
     box.in = box.out;
     return box;
   }
 
+  Flows behind(const Node& node) const {
+    Signals signals = signals_;
+    signals.pass(node);
+    return signals.now();
+  }
+
+  // The logic of the first pin goes on from where the box stands, that of the others from the rail.
   Picture box(const Node& box) {
-    const DrawPin draw = [this](const Node& logic) {
+    const Signals here = signals_;
+    bool first = true;
+    const DrawPin draw = [&](const Node& logic) {
+      signals_.beginAt(first ? here.now() : Flows{});
+      first = false;
       FramePin pin;
       pin.logic = node(logic);
       return pin;
     };
     FrameText text = boxFrame(box, style_, draw);
+    signals_ = here;
+    text.flow = behind(box);
     if (box.element->row.kind == ElementClass::Compare) {
       text.left.insert(text.left.begin(), FramePin{});
-      return through(frame(text));
+      return through(frame(text), signals_.now());
     }
-    const Node* first = firstContact(box);
-    const bool atBranch = first != nullptr && first->continues;
+    const Node* contact = firstContact(box);
+    const bool atBranch = contact != nullptr && contact->continues;
     for (std::size_t i = 1; i < text.left.size(); ++i)
       text.left[i].fromRail = (atBranch || parallels_ > 0) && text.left[i].logic.has_value();
     Picture out = frame(text);
-    if (out.in < 0 && !text.left.empty() && !text.left.front().logic) return through(out);
+    if (out.in < 0 && !text.left.empty() && !text.left.front().logic)
+      return through(out, signals_.now());
     return out;
   }
 
@@ -140,11 +195,12 @@ class Ladder {
   }
 
   // Its branches below each other, joined at both ends.
-  Picture parallel(const Node& parallel) {
+  Picture parallel(const Node& parallel, const Signals& outer) {
     std::vector<Picture> parts;
     int widest = 0;
     ++parallels_;
     for (const Node& child : parallel.children) {
+      signals_.branch(outer);
       parts.push_back(node(child));
       widest = std::max(widest, parts.back().w);
     }
@@ -156,14 +212,19 @@ class Ladder {
       out.place(part, 1, y);
       rowsIn.push_back(y + std::max(part.in, 0));
       rowsOut.push_back(y + part.out);
+      out.flow = part.flow;
       out.wire(1 + part.w, rowsOut.back(), widest - part.w);
     }
     out.w = widest + 2;
+    out.flow = outer.now();
     for (const int row : rowsIn)
       out.wire(0, row, 1, row == rowsIn.front() ? Ends::AtEdges : Ends::BeginsInside);
+    out.down(0, rowsIn.front(), rowsIn.back() - rowsIn.front());
+    Signals behind = outer;
+    behind.pass(parallel);
+    out.flow = behind.now();
     for (const int row : rowsOut)
       out.wire(widest + 1, row, 1, row == rowsOut.front() ? Ends::AtEdges : Ends::EndsInside);
-    out.down(0, rowsIn.front(), rowsIn.back() - rowsIn.front());
     out.down(widest + 1, rowsOut.front(), rowsOut.back() - rowsOut.front());
     out.in = rowsIn.front();
     out.out = rowsOut.front();
@@ -174,12 +235,21 @@ class Ladder {
     const ElementRow& row = coil.element->row;
     std::string name(style_.language == Language::German ? row.kop : row.kopEnglish);
     name = name.size() > 2 ? name.substr(1, name.size() - 2) : "";
-    Picture out = symbol(ShapeKind::Coil, name == " " ? "" : name, coil.operand.text, coil.first);
+    Picture out = symbol(ShapeKind::Coil, name == " " ? "" : name, coil.operand.text, coil.first,
+                         selectionOf(coil), signals_.now());
+    int field = kFirstPin;
     for (const Operand& value : coil.values) {
       const int width = columns(value.text);
       out.w = std::max(out.w, width);
-      out.add({ShapeKind::Text, std::max(0, (out.w - width) / 2), out.h++, width, 0, value.text,
-               coil.first});
+      out.add({ShapeKind::Text,
+               std::max(0, (out.w - width) / 2),
+               out.h++,
+               width,
+               0,
+               value.text,
+               coil.first,
+               Ends::AtEdges,
+               {selectionOf(coil).node, field++}});
     }
     return out;
   }
@@ -196,16 +266,21 @@ class Ladder {
 
   Picture path(const Path& path, int width) {
     Picture out;
+    signals_.begin();
     if (!path.logic.empty()) out = node(path.logic.front());
+    const Signals here = signals_;
     const int left = width - out.w - kJoint;
     std::vector<Picture> parts;
     for (const auto& tail : path.tails) parts.push_back(this->path(*tail, left));
+    signals_ = here;
     for (const Coil& coil : path.coils) parts.push_back(atEnd(this->coil(coil), left));
+    out.flow = here.now();
     return parts.empty() ? out : attached(out, parts);
   }
 
   static Picture atEnd(const Picture& coil, int width) {
     Picture out;
+    out.flow = coil.flow;
     out.place(coil, width - coil.w, 0);
     out.wire(0, coil.in, width - coil.w);
     out.in = coil.in;
@@ -213,6 +288,7 @@ class Ladder {
   }
 
   const Style& style_;
+  Signals signals_;
   int parallels_ = 0;  // around what is being drawn
 };
 

@@ -11,11 +11,11 @@ int columns(std::string_view text) { return static_cast<int>(characterCount(text
 void Picture::add(Shape shape) { shapes.push_back(std::move(shape)); }
 
 void Picture::wire(int x, int y, int count, Ends ends) {
-  if (count > 0) add({ShapeKind::Wire, x, y, count, 0, {}, 0, ends});
+  if (count > 0) add({ShapeKind::Wire, x, y, count, 0, {}, 0, ends, {}, flow});
 }
 
 void Picture::down(int x, int y, int rows) {
-  if (rows > 0) add({ShapeKind::Wire, x, y, 0, rows, {}, 0});
+  if (rows > 0) add({ShapeKind::Wire, x, y, 0, rows, {}, 0, Ends::AtEdges, {}, flow});
 }
 
 void Picture::place(const Picture& other, int x, int y) {
@@ -33,6 +33,7 @@ Picture attached(const Picture& before, const std::vector<Picture>& parts) {
   const int row = std::max(before.h == 0 ? 0 : before.out, need);
   const int lower = before.h == 0 ? 0 : row - before.out, x = before.w;
   Picture out;
+  out.flow = before.flow;
   out.place(before, 0, lower);
   out.in = before.in < 0 ? -1 : before.in + lower;
   if (before.h == 0) out.in = row;

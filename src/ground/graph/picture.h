@@ -29,6 +29,7 @@ struct Flow {
   FlowBit bit = FlowBit::Vke;
   bool operator==(const Flow&) const = default;
 };
+using Flows = std::vector<Flow>;
 
 // Where a wire to the right begins and ends: at the edges of its columns, or in the middle of the
 // first or the last one, where a wire goes down.
@@ -40,15 +41,17 @@ struct Shape {
   std::string text;
   std::size_t statement = 0;
   Ends ends = Ends::AtEdges;
-  Selection of = {};            // whose shape it is; of.pin: an operand field of it
-  std::vector<Flow> flow = {};  // Wire
+  Selection of = {};   // whose shape it is; of.pin: an operand field of it
+  Flows flow = {};     // Wire, Negation
+  bool value = false;  // Wire: what it carries is no signal
 };
 
 // Part of a drawing with the rows at which the signal comes in at its left and goes out at its
 // right. `in` -1: it begins here, at the rail or with operands.
 struct Picture {
   int w = 0, h = 0, in = -1, out = 0;
-  std::vector<Shape> shapes;
+  std::vector<Shape> shapes = {};
+  Flows flow = {};  // the signal that goes on, which the next wires get
 
   void add(Shape shape);
   void wire(int x, int y, int columns, Ends ends = Ends::AtEdges);
