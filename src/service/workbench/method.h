@@ -70,6 +70,7 @@ std::span<const Method> recordingMethods();
 std::span<const Method> downloadMethods();
 std::span<const Method> importMethods();
 std::span<const Method> serialMethods();
+std::span<const Method> networkMethods();
 
 // {} or the problem.
 Answer done(const std::optional<Problem>& problem = {});

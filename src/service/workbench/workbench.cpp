@@ -14,7 +14,7 @@ const Method* findMethod(std::string_view name) {
        {plcMethods(), variableMethods(), fileMethods(), programMethods(), debugMethods(),
         symbolMethods(), hardwareMethods(), diagnosisMethods(), processMethods(), projectMethods(),
         trendMethods(), modifyMethods(), timerMethods(), snapshotMethods(), recordingMethods(),
-        downloadMethods(), importMethods(), serialMethods()}) {
+        downloadMethods(), importMethods(), serialMethods(), networkMethods()}) {
     const auto found = std::ranges::find(group, name, &Method::name);
     if (found != group.end()) return &*found;
   }

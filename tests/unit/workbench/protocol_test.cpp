@@ -16,7 +16,7 @@ std::vector<const Method*> allMethods() {
        {plcMethods(), variableMethods(), fileMethods(), programMethods(), debugMethods(),
         symbolMethods(), hardwareMethods(), diagnosisMethods(), processMethods(), projectMethods(),
         trendMethods(), modifyMethods(), timerMethods(), snapshotMethods(), recordingMethods(),
-        downloadMethods(), importMethods(), serialMethods()})
+        downloadMethods(), importMethods(), serialMethods(), networkMethods()})
     for (const Method& one : group) all.push_back(&one);
   return all;
 }

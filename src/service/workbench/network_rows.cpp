@@ -1,0 +1,131 @@
+#include "workbench/network_rows.h"
+
+#include "graph/fup.h"
+#include "graph/kop.h"
+#include "graph/sentence.h"
+#include "workbench/shown_operands.h"
+
+namespace merker::workbench {
+namespace {
+
+constexpr std::string_view kKinds[] = {"wire",    "rail", "frame",    "text",
+                                       "contact", "coil", "negation", "field"};
+constexpr std::string_view kEnds[] = {"", "begins", "ends"};
+constexpr std::string_view kBits[] = {"vke", "sta", "notSta"};
+
+template <typename Enum>
+std::string_view word(std::span<const std::string_view> words, Enum value) {
+  return words[static_cast<std::size_t>(value)];
+}
+
+class NetworkRow {
+ public:
+  NetworkRow(const networks::Network& network, const graph::Rules& rules,
+             const NetworkDisplay& display)
+      : network_(network), source_(network.source), rules_(rules), display_(display) {}
+
+  Json row() {
+    Json row = {{"number", network_.number},
+                {"title", source_.title},
+                {"comment", comment()},
+                {"label", source_.label},
+                {"line", source_.line},
+                {"end", source_.end - 1},
+                {"first", source_.places.empty() ? 0 : source_.places.front().line},
+                {"shapes", Json::array()},
+                {"sentences", Json::array()},
+                {"w", 0},
+                {"h", 0}};
+    if (network_.tree)
+      draw(row);
+    else
+      refuse(row);
+    return row;
+  }
+
+ private:
+  std::string comment() const {
+    std::string text;
+    for (const std::string& line : source_.comment) text += (text.empty() ? "" : "\n") + line;
+    return text;
+  }
+
+  // Counted from the first line of the network, so that it looks the same wherever it stands.
+  std::int64_t lineOf(std::size_t statement) const {
+    if (statement >= source_.places.size()) return 0;
+    return std::int64_t{source_.places[statement].line} - source_.line;
+  }
+
+  void refuse(Json& row) const {
+    row["view"] = "awl";
+    row["reason"] = graph::text(network_.refusal.reason);
+    if (network_.refusal.statement < source_.places.size())
+      row["reasonLine"] = lineOf(network_.refusal.statement);
+  }
+
+  // What KOP cannot draw is FUP.
+  void draw(Json& row) {
+    graph::Network shown = *network_.tree;
+    written_ = showOperands(shown, display_);
+    const bool kop = display_.view == NetworkView::Kop && graph::fitsKop(shown, rules_);
+    const graph::Style style{display_.language};
+    const graph::Picture picture = kop ? graph::kop(shown, style) : graph::fup(shown, style);
+    row["view"] = kop ? "kop" : "fup";
+    row["h"] = picture.h;
+    int right = picture.w;
+    for (const graph::Shape& shape : picture.shapes) {
+      right = std::max(right, shape.x + shape.w);
+      row["shapes"].push_back(shapeRow(shape));
+    }
+    row["w"] = right;
+    row["sentences"] = graph::sentences(shown, display_.language);
+  }
+
+  Json shapeRow(const graph::Shape& shape) const {
+    Json row = {{"kind", word(kKinds, shape.kind)},
+                {"x", shape.x},
+                {"y", shape.y},
+                {"w", shape.w},
+                {"h", shape.h}};
+    if (!shape.text.empty()) row["text"] = shape.text;
+    if (const auto at = written_.find(shape.text); at != written_.end())
+      row["written"] = at->second;
+    if (shape.ends != graph::Ends::AtEdges) row["ends"] = word(kEnds, shape.ends);
+    if (shape.of.node >= 0) name(row, shape);
+    if (shape.kind == graph::ShapeKind::Wire || shape.kind == graph::ShapeKind::Negation)
+      row["flow"] = flow(shape);
+    return row;
+  }
+
+  void name(Json& row, const graph::Shape& shape) const {
+    row["node"] = shape.of.node;
+    if (shape.of.first >= 0) row["first"] = shape.of.first;
+    const bool element = shape.of.pin == graph::kNoPin;
+    if (!element) row["pin"] = shape.of.pin;
+    row["line"] = lineOf(element ? static_cast<std::size_t>(shape.of.node) : shape.statement);
+  }
+
+  Json flow(const graph::Shape& shape) const {
+    Json list = Json::array();
+    for (const graph::Flow& flow : shape.flow)
+      list.push_back({lineOf(flow.statement), word(kBits, flow.bit)});
+    return list;
+  }
+
+  const networks::Network& network_;
+  const graph::SourceNetwork& source_;
+  const graph::Rules& rules_;
+  const NetworkDisplay& display_;
+  WrittenOperands written_;
+};
+
+}  // namespace
+
+Json networkRows(const networks::Block& block, const NetworkDisplay& display) {
+  Json rows = Json::array();
+  for (const networks::Network& network : block.networks)
+    rows.push_back(NetworkRow(network, *block.rules, display).row());
+  return rows;
+}
+
+}  // namespace merker::workbench

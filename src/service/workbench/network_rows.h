@@ -1,0 +1,25 @@
+// The networks of a block as pictures for browsers.
+#pragma once
+
+#include "graph/language.h"
+#include "networks/source_networks.h"
+#include "workbench/json.h"
+
+namespace merker::workbench {
+
+enum class NetworkView : std::uint8_t { Kop, Fup };
+// How operands are shown: as the text has them, by their symbols, by their addresses.
+enum class OperandDisplay : std::uint8_t { Written, Symbolic, Absolute };
+
+struct NetworkDisplay {
+  NetworkView view = NetworkView::Kop;
+  graph::Language language = graph::Language::German;
+  OperandDisplay operands = OperandDisplay::Written;
+  const source::SymbolTable* symbols = nullptr;
+  Mnemonics mnemonics = Mnemonics::German;
+};
+
+// Of all networks of the block.
+Json networkRows(const networks::Block& block, const NetworkDisplay& display);
+
+}  // namespace merker::workbench

@@ -1,0 +1,175 @@
+#include "bench.h"
+
+namespace merker::workbench::test {
+namespace {
+
+// The worked example of the course (S7-EDIT-14) in a block with a network that stays AWL.
+constexpr const char* kText = R"(FUNCTION FC 1 : VOID
+TITLE = Motor
+BEGIN
+NETWORK
+TITLE = Start
+// With self-holding
+      U     E 0.0; // the button
+      U     E 0.1;
+      O     A 1.0;
+      =     A 3.0;
+NETWORK
+      L     MW 2;
+      TAK   ;
+END_FUNCTION
+)";
+
+Json asked(const Json& more = Json::object()) {
+  Json fields = {{"file", "fc1.awl"}, {"text", kText}, {"line", 2}};
+  fields.update(more);
+  return fields;
+}
+
+// "contact 0", "coil 3": what has a symbol and can be selected.
+std::vector<std::string> symbols(const Json& network) {
+  std::vector<std::string> found;
+  for (const Json& shape : network["shapes"])
+    if (shape["kind"] == "contact" || shape["kind"] == "coil")
+      found.push_back(shape["kind"].get<std::string>() + " " + shape["node"].dump());
+  return found;
+}
+
+std::vector<std::string> operands(const Json& network) {
+  std::vector<std::string> found;
+  for (const Json& shape : network["shapes"])
+    if (shape["kind"] == "text" && shape.contains("pin")) found.push_back(shape["text"]);
+  return found;
+}
+
+// S7-EDIT-08
+TEST(Networks, OfATextThatIsNotSavedAreShownAsLadder) {
+  Bench bench;
+  const Json answer = bench.call("networks.show", asked());
+  EXPECT_EQ(answer["block"], "FC 1");
+  EXPECT_EQ(answer["line"], 1);
+  ASSERT_EQ(answer["networks"].size(), 2u);
+  const Json& network = answer["networks"][0];
+  EXPECT_EQ(network["view"], "kop");
+  EXPECT_EQ(network["title"], "Start");
+  EXPECT_EQ(network["comment"], " With self-holding");
+  EXPECT_EQ(network["line"], 4);
+  EXPECT_EQ(network["first"], 7);
+  EXPECT_EQ(network["end"], 10);
+  EXPECT_EQ(symbols(network),
+            (std::vector<std::string>{"contact 0", "contact 1", "contact 2", "coil 3"}));
+  EXPECT_EQ(network["sentences"][0], "A 3.0 = E 0.0 und E 0.1, oder A 1.0");
+}
+
+TEST(Networks, ThatStayAwlNameTheirStatement) {
+  Bench bench;
+  const Json network = bench.call("networks.show", asked())["networks"][1];
+  EXPECT_EQ(network["view"], "awl");
+  EXPECT_EQ(network["reasonLine"], 2) << "TAK, counted from NETWORK";
+  EXPECT_FALSE(network["reason"].get<std::string>().empty());
+}
+
+// Lines of a network count from its first one, so that it looks the same wherever it stands.
+TEST(Networks, HaveWiresThatNameTheStatementsOfTheirSignal) {
+  Bench bench;
+  const Json network = bench.call("networks.show", asked())["networks"][0];
+  bool coil = false;
+  for (const Json& shape : network["shapes"]) {
+    if (shape["kind"] != "wire") continue;
+    for (const Json& flow : shape["flow"]) {
+      EXPECT_GE(flow[0], 3);
+      EXPECT_LE(flow[0], 6);
+      coil = coil || (flow[0] == 5 && flow[1] == "vke");
+    }
+  }
+  EXPECT_TRUE(coil) << "the VKE behind O A 1.0 goes to the coil";
+}
+
+TEST(Networks, ShowSymbolsOrAddressesButKnowWhatIsWritten) {
+  Bench bench;
+  const Json symbolic =
+      bench.call("networks.show", asked({{"display", "symbolic"}}))["networks"][0];
+  EXPECT_EQ(operands(symbolic), (std::vector<std::string>{"\"Start\"", "E 0.1", "A 1.0", "A 3.0"}));
+  const auto start = std::ranges::find_if(
+      symbolic["shapes"], [](const Json& shape) { return shape.value("text", "") == "\"Start\""; });
+  EXPECT_EQ((*start)["written"], "E 0.0");
+  std::string text = kText;
+  text.replace(text.find("E 0.0"), 5, "\"Start\"");
+  const Json absolute =
+      bench.call("networks.show", asked({{"text", text}, {"display", "absolute"}}))["networks"][0];
+  EXPECT_EQ(operands(absolute).front(), "E 0.0");
+}
+
+TEST(Networks, OfAFileAreReadFromTheDisk) {
+  Bench bench;
+  const Json answer = bench.call("networks.show", {{"file", "main.awl"}, {"line", 10}});
+  EXPECT_EQ(answer["block"], "OB 1");
+  EXPECT_EQ(bench.problem("networks.show", {{"file", "none.awl"}, {"line", 1}}), "P1310");
+  EXPECT_EQ(bench.problem("networks.show", {{"file", "main.awl"}, {"line", 1}}), "P1308")
+      << "a data block has no networks";
+}
+
+Json edited(Bench& bench, const Json& edit) {
+  return bench.call("networks.edit", asked({{"network", 1}, {"edit", edit}}));
+}
+
+// S7-EDIT-13
+TEST(Networks, AreEditedAsLinesOfTheText) {
+  Bench bench;
+  const Json answer =
+      edited(bench, {{"action", "setOperand"}, {"node", 1}, {"pin", 0}, {"operands", {"E 7.7"}}});
+  EXPECT_EQ(answer["from"], 8);
+  EXPECT_EQ(answer["to"], 9);
+  EXPECT_EQ(answer["lines"], Json({"      U     E 7.7;"}));
+  EXPECT_EQ(answer["network"], 1);
+  EXPECT_EQ(answer["node"], 1);
+}
+
+TEST(Networks, WithAnElementMoreSelectIt) {
+  Bench bench;
+  const Json answer = edited(
+      bench, {{"action", "insert"}, {"node", 0}, {"place", "behind"}, {"element", "CONTACT_NOT"}});
+  EXPECT_EQ(answer["lines"], Json({"      UN    ??.?;"}));
+  EXPECT_EQ(answer["node"], 1);
+}
+
+TEST(Networks, RefuseWhatCannotBeThere) {
+  Bench bench;
+  const Json wrong = {
+      {"action", "insert"}, {"node", 3}, {"place", "behind"}, {"element", "CONTACT"}};
+  const Json problem =
+      bench.ask("networks.edit", asked({{"network", 1}, {"edit", wrong}}))["problems"][0];
+  EXPECT_EQ(problem["code"], "P1308");
+  EXPECT_EQ(problem["arguments"][1], "hinter einer Spule dürfen nur Spulen stehen");
+  EXPECT_EQ(bench.problem("networks.edit", asked({{"network", 9}, {"edit", wrong}})), "P1308");
+}
+
+TEST(Networks, AreInsertedNamedAndDeleted) {
+  Bench bench;
+  Json answer = edited(bench, {{"action", "newNetwork"}, {"title", "Stop"}});
+  EXPECT_EQ(answer["network"], 2);
+  EXPECT_EQ(answer["from"], answer["to"]);
+  answer = edited(bench, {{"action", "heading"}, {"title", "Run"}, {"comment", {"One", "Two"}}});
+  EXPECT_EQ(answer["lines"], Json({"NETWORK", "TITLE = Run", "//One", "//Two"}));
+  answer = edited(bench, {{"action", "deleteNetwork"}});
+  EXPECT_EQ(answer["from"], 4);
+  EXPECT_EQ(answer["to"], 11);
+}
+
+TEST(Networks, HaveTheElementsOfTheirFamily) {
+  Bench bench;
+  const auto find = [&](const std::string& id, const std::string& language = "german") -> Json {
+    const Json answer = bench.call("networks.elements", {{"language", language}});
+    for (const Json& element : answer["elements"])
+      if (element["id"] == id) return element;
+    return nullptr;
+  };
+  EXPECT_EQ(find("CONTACT")["key"], "F2");
+  EXPECT_EQ(find("CONTACT")["fup"], "") << "FUP has inputs of gates";
+  EXPECT_EQ(find("S_PULSE")["kop"], "S_IMPULS");
+  EXPECT_EQ(find("S_PULSE", "english")["kop"], "S_PULSE");
+  EXPECT_EQ(find("COIL")["group"], "coil");
+}
+
+}  // namespace
+}  // namespace merker::workbench::test
