@@ -56,8 +56,8 @@ test('the wizard makes a project with CPU, MPI address, OB 1 and representation 
   await expect(() => page.getByLabel('MPI-Adresse').inputValue(), '2');
   await page.getByLabel('MPI-Adresse').fill('5');
   await expect(() => page.getByLabel('Einsprung-OB').inputValue(), 'OB 1');
-  // KOP and FUP are named as what is not there yet.
-  await page.getByLabel('Darstellung').locator('option:disabled', { hasText: 'KOP' }).waitFor({ state: 'attached' });
+  await expect(async () => (await page.getByLabel('Darstellung').locator('option').allInnerTexts()).join(' | '),
+    'AWL, deutsche Mnemonik | AWL, internationale Mnemonik | KOP | FUP');
   await page.getByLabel('Darstellung').selectOption('german');
   await picture(page, 'projects-wizard');
   await page.getByRole('button', { name: 'Anlegen' }).click();

@@ -6,7 +6,7 @@ import {
   completionKeymap,
   startCompletion,
 } from '@codemirror/autocomplete';
-import { defaultKeymap, history, historyKeymap, indentWithTab } from '@codemirror/commands';
+import { defaultKeymap, history, historyKeymap, indentWithTab, isolateHistory, redo, undo } from '@codemirror/commands';
 import { bracketMatching, indentUnit } from '@codemirror/language';
 import { setDiagnostics } from '@codemirror/lint';
 import { gotoLine, highlightSelectionMatches, search, searchKeymap } from '@codemirror/search';
@@ -85,6 +85,28 @@ export class CodeEditor {
       changes: { from: start, to: old.length - end, insert: text.slice(start, text.length - end) },
       annotations: fromOutside.of(true),
     });
+  }
+
+  /** Lines [from, to) become these, as one step that can be undone by itself. */
+  replaceLines(from: number, to: number, lines: readonly string[]): void {
+    const { doc } = this.view.state;
+    const begin = from > doc.lines ? doc.length : doc.line(Math.max(from, 1)).from;
+    const end = to > doc.lines ? doc.length : doc.line(Math.max(to, 1)).from;
+    const text = lines.map((line) => `${line}\n`).join('');
+    // Behind a last line without its end.
+    const gap = from > doc.lines && doc.length > 0 && !doc.toString().endsWith('\n') ? '\n' : '';
+    this.view.dispatch({
+      changes: { from: begin, to: end, insert: gap + text },
+      annotations: isolateHistory.of('full'),
+    });
+  }
+
+  undo(): void {
+    undo(this.view);
+  }
+
+  redo(): void {
+    redo(this.view);
   }
 
   goTo(line: number, column = 1): void {

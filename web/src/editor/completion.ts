@@ -82,6 +82,13 @@ const keywords = [
   'END_DATA_BLOCK',
 ].map((label): Completion => ({ label, type: 'keyword' }));
 
+/** What may be an operand: local variables, symbols, blocks. */
+export const operandOptions = (block: BlockOutline | undefined, catalogue: Catalogue): Completion[] => [
+  ...localOptions(block),
+  ...symbolOptions(catalogue),
+  ...blockOptions(catalogue),
+];
+
 /** All that fits at `offset` of `text`; `word` is what has been typed of it. */
 export function optionsAt(text: string, offset: number, word: string, catalogue: Catalogue): Completion[] {
   const place = placeOf(text, offset - word.length);

@@ -1,0 +1,24 @@
+// The palette as groups, filtered by what was typed.
+import type { NetworkElement } from '../connection/protocol';
+
+type Group = NetworkElement['group'];
+
+export interface PaletteGroup {
+  id: Group;
+  elements: { id: string; name: string; key: string | undefined }[];
+}
+
+const order: readonly Group[] = ['bit', 'coil', 'box', 'compare', 'move', 'call'];
+
+export function grouped(elements: readonly NetworkElement[], view: 'kop' | 'fup', filter: string): PaletteGroup[] {
+  const typed = filter.trim().toLowerCase();
+  const found = elements
+    .map((element) => ({ ...element, name: element[view] }))
+    .filter(({ id, name }) => name !== '' && `${id} ${name}`.toLowerCase().includes(typed));
+  return order
+    .map((id) => ({
+      id,
+      elements: found.filter(({ group }) => group === id).map(({ id, name, key }) => ({ id, name, key })),
+    }))
+    .filter((group) => group.elements.length > 0);
+}

@@ -1,0 +1,11 @@
+// How this browser shows programs: the text, ladder, function blocks.
+import { kept } from '../state/kept.svelte';
+import type { View } from './networks.svelte';
+
+export const representation = kept<View>('program.view', 'awl');
+
+// STEP 7's keys. A browser that keeps Ctrl and a digit for its tabs leaves them with Shift.
+const views: Record<string, View> = { Digit1: 'kop', Digit2: 'awl', Digit3: 'fup' };
+
+export const viewOf = (event: KeyboardEvent): View | undefined =>
+  event.ctrlKey && !event.altKey ? views[event.code] : undefined;

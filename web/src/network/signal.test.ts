@@ -1,0 +1,69 @@
+import { expect, test } from 'vitest';
+import type { StatusRow } from '../editor/status_columns';
+import { linesOf, signalOf, valueAt } from './signal';
+
+const row = (line: number, vke: string, sta: string, akku1 = '00000000'): StatusRow => [line, vke, sta, '0', akku1];
+const lines = linesOf([
+  row(10, '0', '1'),
+  row(11, '1', '0'),
+  row(12, '1', '1', 'FFFFFFFE'),
+  row(13, '1', '1', '3FC00000'),
+]);
+
+test('a wire has the bit of its statement', () => {
+  expect(signalOf([[1, 'vke']], lines, 10)).toBe('on');
+  expect(signalOf([[0, 'vke']], lines, 10)).toBe('off');
+  expect(signalOf([[0, 'sta']], lines, 10)).toBe('on');
+  expect(signalOf([[0, 'notSta']], lines, 10)).toBe('off');
+  expect(signalOf([[1, 'notSta']], lines, 10)).toBe('on');
+});
+
+test('several are ANDed; none is power', () => {
+  expect(
+    signalOf(
+      [
+        [0, 'sta'],
+        [1, 'sta'],
+      ],
+      lines,
+      10,
+    ),
+  ).toBe('off');
+  expect(
+    signalOf(
+      [
+        [0, 'sta'],
+        [2, 'sta'],
+      ],
+      lines,
+      10,
+    ),
+  ).toBe('on');
+  expect(signalOf([], lines, 10)).toBe('on');
+});
+
+test('a statement that was not processed leaves the wire without a signal, even beside a 0', () => {
+  expect(
+    signalOf(
+      [
+        [1, 'sta'],
+        [7, 'sta'],
+      ],
+      lines,
+      10,
+    ),
+  ).toBe('unknown');
+  expect(signalOf([[0, 'vke']], null, 10)).toBe('unknown');
+});
+
+test('of several rows of a line the last counts', () => {
+  expect(signalOf([[0, 'vke']], linesOf([row(1, '0', '0'), row(1, '1', '0')]), 1)).toBe('on');
+});
+
+test('a value is shown as its box reads it', () => {
+  expect(valueAt(12, 'ADD_I', lines)).toBe('-2');
+  expect(valueAt(12, 'CMP >D', lines)).toBe('-2');
+  expect(valueAt(13, 'MUL_R', lines)).toBe('1.5');
+  expect(valueAt(12, 'WAND_DW', lines)).toBe('16#FFFFFFFE');
+  expect(valueAt(99, 'ADD_I', lines)).toBe('');
+});

@@ -1,0 +1,48 @@
+// What the program status says of a wire or a value (S7-EDIT-21): bits of real statements, never a second calculation.
+import type { NetworkShape } from '../connection/protocol';
+import type { StatusRow } from '../editor/status_columns';
+
+/** The last status row of each line. */
+export type StatusLines = ReadonlyMap<number, StatusRow>;
+
+export type Signal = 'on' | 'off' | 'unknown';
+
+export const linesOf = (rows: readonly StatusRow[] | null): StatusLines | null =>
+  rows && new Map(rows.map((row) => [row[0], row]));
+
+const VKE = 1;
+const STA = 2;
+const AKKU1 = 4;
+
+type Flow = NonNullable<NetworkShape['flow']>;
+
+/** All have to be 1; one that was not processed leaves the wire without a colour. `first`: line of the network. */
+export function signalOf(flow: Flow | undefined, lines: StatusLines | null, first: number): Signal {
+  if (!lines || !flow) return 'unknown';
+  let on = true;
+  for (const [line, bit] of flow) {
+    const row = lines.get(first + line);
+    if (!row) return 'unknown';
+    const is = String(row[bit === 'vke' ? VKE : STA]) === '1';
+    if (is === (bit === 'notSta')) on = false;
+  }
+  return on ? 'on' : 'off';
+}
+
+const real = (bits: number): string => {
+  const view = new DataView(new ArrayBuffer(4));
+  view.setUint32(0, bits);
+  return Number(view.getFloat32(0).toPrecision(6)).toString();
+};
+
+/** AKKU 1 behind the statement of a value, as the box reads it: `title` is "ADD_R", "CMP >D". */
+export function valueAt(line: number, title: string, lines: StatusLines | null): string {
+  const row = lines?.get(line);
+  if (!row) return '';
+  const bits = Number.parseInt(String(row[AKKU1]), 16);
+  if (Number.isNaN(bits)) return '';
+  if (/(_R|[<>=]R|R)$/.test(title)) return real(bits);
+  if (/D?(DI|[<>=]D|_D)$/.test(title)) return String(bits | 0);
+  if (/(I|[<>=]I)$/.test(title)) return String((bits << 16) >> 16);
+  return bits > 0xffff ? `16#${bits.toString(16).toUpperCase()}` : String(bits);
+}
