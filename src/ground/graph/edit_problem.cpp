@@ -5,10 +5,7 @@
 namespace merker::graph {
 namespace {
 
-struct Row {
-  std::string_view english, german;
-};
-constexpr Row kRows[] = {
+constexpr Sentence kProblems[] = {
 #define EDIT_PROBLEM(id, english, german) {english, german},
 #include "graph/edit_problems.inc"
 #undef EDIT_PROBLEM
@@ -17,8 +14,7 @@ constexpr Row kRows[] = {
 }  // namespace
 
 std::string_view text(EditProblem problem, Language language) {
-  const Row& row = kRows[static_cast<std::size_t>(problem)];
-  return language == Language::German ? row.german : row.english;
+  return kProblems[static_cast<std::size_t>(problem)].in(language);
 }
 
 }  // namespace merker::graph

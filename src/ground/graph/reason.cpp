@@ -3,14 +3,16 @@
 namespace merker::graph {
 namespace {
 
-constexpr std::string_view kTexts[] = {
-#define REASON(id, text) text,
+constexpr Sentence kReasons[] = {
+#define REASON(id, english, german) {english, german},
 #include "graph/reasons.inc"
 #undef REASON
 };
 
 }  // namespace
 
-std::string_view text(Reason reason) { return kTexts[static_cast<std::size_t>(reason)]; }
+std::string_view text(Reason reason, Language language) {
+  return kReasons[static_cast<std::size_t>(reason)].in(language);
+}
 
 }  // namespace merker::graph
