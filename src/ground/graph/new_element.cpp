@@ -116,8 +116,8 @@ bool fitsValue(const Operand& operand) {
 }
 
 bool fitsOwn(const Element& element, const Operand& operand) {
-  if (operand.kind == OperandKind::Forbidden) return false;
-  return namesBlockOrLabel(element) || fitsContact(operand);
+  if (!namesBlockOrLabel(element)) return fitsContact(operand);
+  return fitsValue(operand) || operand.kind == OperandKind::Label;
 }
 
 bool fits(const Node& made) {

@@ -285,6 +285,8 @@ TEST(Edit, SaysWhatCannotBe) {
        refused + "this operand cannot stand here"},
       {"U E 0.0; = A 0.0", insert("0", kBehind, "CONTACT", {"MW 1"}),
        refused + "this operand cannot stand here"},
+      {"CALL FC 1; NOP", act(Action::SetOperand, "1:0", "BIE"),
+       refused + "this operand cannot stand here"},
       {"", insert("", kBehind, "MOVE", {"", "M 1.0"}), refused + "this operand cannot stand here"},
       {"U E 0.0; U E 0.1; = A 0.0", insert("0", kBefore, "COIL"),
        refused + "a coil cannot stand here"},
@@ -304,6 +306,13 @@ TEST(Edit, EveryProblemHasItsSentences) {
   for (int i = 0; i <= static_cast<int>(EditProblem::Ambiguous); ++i) {
     const auto problem = static_cast<EditProblem>(i);
     EXPECT_NE(text(problem, Language::German), text(problem, Language::English));
+  }
+}
+
+TEST(Reasons, AreSaidInBothLanguages) {
+  for (int i = 0; i <= static_cast<int>(Reason::Size); ++i) {
+    const auto reason = static_cast<Reason>(i);
+    EXPECT_NE(text(reason, Language::German), text(reason, Language::English));
   }
 }
 

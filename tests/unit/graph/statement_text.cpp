@@ -48,6 +48,7 @@ Operand operand(const std::string& text) {
   if (text.starts_with(kMissingBegin)) return missing(text);
   Operand out;
   out.code = out.text = text;
+  if (text == "BIE" || text == "OV") return {OperandKind::Status, 0, {}, text};
   unsigned byte = 0, number = 0;
   if (std::sscanf(text.c_str(), "L %u.%u", &byte, &number) == 2 && byte >= 20) {
     out = {OperandKind::Wire, byte * 8 + number, {}, text};
@@ -76,8 +77,6 @@ Statements statements(const std::string& text) {
           OperandKind::Count, static_cast<std::uint32_t>(std::stoul(rest)), {}, {}};
     else if (statement.op == Op::SPBNB)
       statement.target = std::stoi(rest.substr(2));
-    else if (rest == "BIE" || rest == "OV")
-      statement.operand = {OperandKind::Status, 0, {}, rest};
     else if (!rest.empty())
       statement.operand = operand(rest);
     if (statement.op == Op::SPBNB) statement.operand.kind = OperandKind::Label;
