@@ -16,6 +16,7 @@ namespace {
 
 using diagram::BlockDiagram;
 using diagram::NetworkDiagram;
+using diagram::Shown;
 using diagram::View;
 
 constexpr std::string_view kViews[] = {"KOP", "FUP", "AWL"};
@@ -23,23 +24,20 @@ constexpr std::string_view kViews[] = {"KOP", "FUP", "AWL"};
 std::string_view name(View view) { return kViews[static_cast<std::size_t>(view)]; }
 
 // What stands behind the title where it is not what was asked for.
-std::string remark(const NetworkDiagram& network, View wanted, View shown) {
-  if (shown == View::Awl) return fmt::format("AWL, {}", diagram::whyAwl(network));
-  if (shown != wanted) return fmt::format("{}, which {} cannot show", name(shown), name(wanted));
+std::string remark(const Shown& shown, View wanted) {
+  if (shown.view == View::Awl) return fmt::format("AWL, {}", shown.why);
+  if (shown.view != wanted)
+    return fmt::format("{}, which {} cannot show", name(shown.view), name(wanted));
   return {};
 }
 
-void print(const NetworkDiagram& network, View wanted, Mnemonics mnemonics) {
-  const View shown = diagram::shownAs(network, wanted);
+void print(const NetworkDiagram& network, const Shown& shown, View wanted) {
   std::cout << fmt::format("Network {}: {}\n", network.number, network.title);
-  if (const std::string text = remark(network, wanted, shown); !text.empty())
+  if (const std::string text = remark(shown, wanted); !text.empty())
     std::cout << fmt::format("({})\n", text);
   if (!network.label.empty()) std::cout << network.label << ":\n";
-  if (shown == View::Awl)
-    for (const std::string& statement : network.statements) std::cout << "  " << statement << '\n';
-  else
-    for (const std::string& line : graph::toText(diagram::draw(network, shown, mnemonics)))
-      std::cout << line << '\n';
+  for (const std::string& line : shown.lines)
+    std::cout << (shown.view == View::Awl ? "  " : "") << line << '\n';
   std::cout << '\n';
 }
 
@@ -55,17 +53,16 @@ void print(const Counts& counts) {
 
 nlohmann::json toJson(const BlockDiagram& block, const NetworkDiagram& network, View wanted,
                       Mnemonics mnemonics) {
-  const View shown = diagram::shownAs(network, wanted);
+  const Shown shown = diagram::asText(network, wanted, mnemonics);
   nlohmann::json out = {{"block", block.name},
                         {"network", network.number},
                         {"title", network.title},
-                        {"view", name(shown)}};
-  if (shown == View::Awl) {
-    out["reason"] = diagram::whyAwl(network);
-    out["lines"] = network.statements;
+                        {"view", name(shown.view)},
+                        {"lines", shown.lines}};
+  if (shown.view == View::Awl) {
+    out["reason"] = shown.why;
     return out;
   }
-  out["lines"] = graph::toText(diagram::draw(network, shown, mnemonics));
   out["sentences"] =
       graph::sentences(*network.network, mnemonics == Mnemonics::German ? graph::Language::German
                                                                         : graph::Language::English);
@@ -80,8 +77,9 @@ void printView(const Build& build, View view, Mnemonics mnemonics) {
     std::cout << fmt::format("{}{}\n\n", block.name,
                              block.symbol.empty() ? "" : fmt::format(" \"{}\"", block.symbol));
     for (const NetworkDiagram& network : block.networks) {
-      print(network, view, mnemonics);
-      ++counts[static_cast<std::size_t>(diagram::shownAs(network, view))];
+      const Shown shown = diagram::asText(network, view, mnemonics);
+      print(network, shown, view);
+      ++counts[static_cast<std::size_t>(shown.view)];
     }
   }
   print(counts);

@@ -83,6 +83,14 @@ NETZWERK 2 Number
         self.assertIn("(AWL, statement 1 (L KF +1): the value in the accumulator", text)
         self.assertIn("2 networks, 1 KOP, 1 AWL\n", text)
 
+    def test_a_picture_too_large_for_text(self):
+        beside = "\n".join(["U(", *["O E 0.0"] * 1500, ")"])
+        behind = "\n".join(["U E 0.1"] * 1500)
+        self.write("main.s5", f"OB 1\n{beside}\n{behind}\n= A 0.0\nBE\n")
+        text = self.expect(GOOD, "list", "main.s5", "--view", "kop").out
+        self.assertIn("(AWL, statement 1 (U(): the network is too large)\n", text)
+        self.assertEqual(3003, text.count("\n  "))
+
     def test_wrong_usage(self):
         self.view("--svg", "main.svg", code=USAGE)
         self.view("--view", "ladder", code=USAGE)

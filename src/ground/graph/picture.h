@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "base/result.h"
+#include "graph/reason.h"
 #include "graph/selection.h"
 
 namespace merker::graph {
@@ -70,8 +72,10 @@ constexpr int kGap = 1;
 // Characters that a text takes.
 int columns(std::string_view text);
 
-// The drawing as lines, without blanks at their ends.
-std::vector<std::string> toText(const Picture& picture);
+// The drawing as lines, without blanks at their ends. Refused if it has more cells than anybody
+// reads: nothing is left out.
+constexpr std::int64_t kMostCells = 250'000;
+Result<std::vector<std::string>, Reason> toText(const Picture& picture);
 // A whole document.
 std::string toSvg(const Picture& picture, std::string_view title);
 

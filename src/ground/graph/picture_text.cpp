@@ -12,9 +12,6 @@ enum Direction : unsigned { Left = 1, Right = 2, Up = 4, Down = 8 };
 constexpr std::string_view kLines[] = {" ", "─", "─", "─", "│", "┘", "└", "┴",
                                        "│", "┐", "┌", "┬", "│", "┤", "├", "┼"};
 
-// A drawing larger than this is cut off.
-constexpr int kWidest = 4000, kHighest = 100'000;
-
 class Canvas {
  public:
   void draw(const Picture& picture) {
@@ -45,7 +42,7 @@ class Canvas {
   };
 
   Cell* at(int x, int y) {
-    if (x < 0 || y < 0 || x >= kWidest || y >= kHighest) return nullptr;
+    if (x < 0 || y < 0) return nullptr;
     return &rows_[y][x];
   }
   void join(int x, int y, unsigned directions) {
@@ -144,7 +141,8 @@ class Canvas {
 
 }  // namespace
 
-std::vector<std::string> toText(const Picture& picture) {
+Result<std::vector<std::string>, Reason> toText(const Picture& picture) {
+  if (std::int64_t{picture.w} * picture.h > kMostCells) return Reason::Size;
   Canvas canvas;
   canvas.draw(picture);
   return canvas.lines();

@@ -106,6 +106,30 @@ std::string withSingleBlanks(std::string_view text) {
   return out;
 }
 
+// How the network is drawn if `wanted` is asked for: what KOP cannot draw is FUP.
+View shownAs(const NetworkDiagram& network, View wanted) {
+  if (!network.network) return View::Awl;
+  return wanted == View::Kop && !graph::fitsKop(*network.network, *network.rules) ? View::Fup
+                                                                                  : wanted;
+}
+
+// Of a network that has a picture.
+graph::Picture draw(const NetworkDiagram& network, View view, Mnemonics mnemonics) {
+  const graph::Style style = styleOf(mnemonics);
+  return view == View::Kop ? graph::kop(*network.network, style)
+                           : graph::fup(*network.network, style);
+}
+
+Shown asAwl(const NetworkDiagram& network, graph::Refusal refusal) {
+  const std::size_t at = refusal.statement;
+  const std::string_view text = at < network.statements.size()
+                                    ? std::string_view(network.statements[at])
+                                    : std::string_view();
+  return {View::Awl, network.statements,
+          fmt::format("statement {} ({}): {}", at + 1, withSingleBlanks(text),
+                      graph::text(refusal.reason))};
+}
+
 void write(graph::Picture& picture, const std::string& text) {
   picture.add({graph::ShapeKind::Text, 0, picture.h, graph::columns(text), 0, text, 0});
   picture.h += 2;
@@ -123,25 +147,12 @@ std::vector<BlockDiagram> diagrams(const compilation::Build& build, Mnemonics mn
   return out;
 }
 
-View shownAs(const NetworkDiagram& network, View wanted) {
-  if (!network.network) return View::Awl;
-  return wanted == View::Kop && !graph::fitsKop(*network.network, *network.rules) ? View::Fup
-                                                                                  : wanted;
-}
-
-graph::Picture draw(const NetworkDiagram& network, View view, Mnemonics mnemonics) {
-  const graph::Style style = styleOf(mnemonics);
-  return view == View::Kop ? graph::kop(*network.network, style)
-                           : graph::fup(*network.network, style);
-}
-
-std::string whyAwl(const NetworkDiagram& network) {
-  const std::size_t at = network.refusal.statement;
-  const std::string_view text = at < network.statements.size()
-                                    ? std::string_view(network.statements[at])
-                                    : std::string_view();
-  return fmt::format("statement {} ({}): {}", at + 1, withSingleBlanks(text),
-                     graph::text(network.refusal.reason));
+Shown asText(const NetworkDiagram& network, View wanted, Mnemonics mnemonics) {
+  const View view = shownAs(network, wanted);
+  if (view == View::Awl) return asAwl(network, network.refusal);
+  auto lines = graph::toText(draw(network, view, mnemonics));
+  if (!lines) return asAwl(network, {0, lines.error()});
+  return {view, std::move(*lines), {}};
 }
 
 graph::Picture drawAll(const std::vector<BlockDiagram>& blocks, View view, Mnemonics mnemonics) {

@@ -35,12 +35,14 @@ struct BlockDiagram {
 // All code blocks in their order; `mnemonics` and names are those of STEP 7 only.
 std::vector<BlockDiagram> diagrams(const compilation::Build& build, Mnemonics mnemonics);
 
-// How the network is drawn if `wanted` is asked for: what KOP cannot draw is FUP.
-View shownAs(const NetworkDiagram& network, View wanted);
-// Of a network that has a picture.
-graph::Picture draw(const NetworkDiagram& network, View view, Mnemonics mnemonics);
-// "statement 2 (TAK): KOP and FUP have no element for this operation"
-std::string whyAwl(const NetworkDiagram& network);
+// A network as text. What KOP cannot draw is FUP, what no text can hold stays AWL.
+struct Shown {
+  View view = View::Awl;
+  std::vector<std::string> lines;
+  std::string
+      why;  // it is AWL: "statement 2 (TAK): KOP and FUP have no element for this operation"
+};
+Shown asText(const NetworkDiagram& network, View wanted, Mnemonics mnemonics);
 
 // KOP and FUP below each other, with their titles, as one picture.
 graph::Picture drawAll(const std::vector<BlockDiagram>& blocks, View view, Mnemonics mnemonics);

@@ -79,8 +79,8 @@ void expectWhole(const Edited& edited, const Rules& rules) {
   RC_ASSERT(*again == edited.network);
   Network copy = edited.network;
   if (edited.select.node >= 0) RC_ASSERT(locate(copy, edited.select).has_value());
-  RC_ASSERT(!toText(fup(copy, {})).empty() || edited.statements.empty());
-  if (fitsKop(copy, rules)) RC_ASSERT(!toText(kop(copy, {})).empty());
+  RC_ASSERT(!toText(fup(copy, {}))->empty() || edited.statements.empty());
+  if (fitsKop(copy, rules)) RC_ASSERT(!toText(kop(copy, {}))->empty());
 }
 
 void editAtRandom(const Rules& rules) {

@@ -36,10 +36,9 @@ std::string shown(const NetworkCode& code, bool kop) {
                        graph::text(network.error().reason));
   if (kop && !graph::fitsKop(*network, rules())) return "FUP only\n";
   const graph::Style style;
+  const auto lines = graph::toText(kop ? graph::kop(*network, style) : graph::fup(*network, style));
   std::string out;
-  for (const std::string& line :
-       graph::toText(kop ? graph::kop(*network, style) : graph::fup(*network, style)))
-    out += line + "\n";
+  for (const std::string& line : *lines) out += line + "\n";
   return out;
 }
 

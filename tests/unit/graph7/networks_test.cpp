@@ -85,10 +85,9 @@ std::string drawn(const NetworkCode& code, graph::Language language, bool kop) {
   if (!network) return {};
   const graph::Style style{language};
   if (kop && !graph::fitsKop(*network, rules())) return "(FUP)\n";
+  const auto lines = graph::toText(kop ? graph::kop(*network, style) : graph::fup(*network, style));
   std::string out;
-  for (const std::string& line :
-       graph::toText(kop ? graph::kop(*network, style) : graph::fup(*network, style)))
-    out += line + "\n";
+  for (const std::string& line : *lines) out += line + "\n";
   return out;
 }
 

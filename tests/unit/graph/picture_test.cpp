@@ -1,0 +1,67 @@
+// Drawings of large networks: nothing is left out, and they grow with what they show.
+#include "graph/picture.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "graph/fup.h"
+#include "graph/kop.h"
+#include "graph/read.h"
+#include "graph7/rules.h"
+#include "random_networks.h"
+
+namespace merker::graph {
+namespace {
+
+constexpr std::uint32_t kMany = 3900;
+
+// A rung of so many contacts, joined by `op`, before them contacts beside each other.
+Network contacts(Op op, std::uint32_t count, std::uint32_t beside = 0) {
+  Statements statements;
+  const auto add = [&statements](Op what, Operand operand) {
+    Statement& statement = statements.emplace_back();
+    statement.op = what;
+    statement.operand = std::move(operand);
+  };
+  if (beside > 0) add(Op::AND_OPEN, {});
+  for (std::uint32_t i = 0; i < beside; ++i) add(Op::OR, test::bit(i));
+  if (beside > 0) add(Op::CLOSE, {});
+  for (std::uint32_t i = 0; i < count; ++i) add(op, test::bit(i));
+  add(Op::ASSIGN, test::bit(count));
+  return read(statements, graph7::rules()).value();
+}
+
+std::size_t contactsIn(const std::vector<std::string>& lines) {
+  std::size_t found = 0;
+  for (const std::string& line : lines)
+    for (auto at = line.find("┤ ├"); at != std::string::npos; at = line.find("┤ ├", at + 1))
+      ++found;
+  return found;
+}
+
+TEST(Pictures, ShowEveryContactOfALargeNetwork) {
+  for (const Op op : {Op::AND, Op::OR}) {
+    const auto lines = toText(kop(contacts(op, kMany), {}));
+    ASSERT_TRUE(lines);
+    EXPECT_EQ(contactsIn(*lines), kMany);
+  }
+}
+
+TEST(Pictures, GrowWithWhatTheyShow) {
+  for (const Op op : {Op::AND, Op::OR})
+    for (const auto draw : {kop, fup}) {
+      const auto small = draw(contacts(op, kMany / 10), {}).shapes.size();
+      EXPECT_LE(draw(contacts(op, kMany), {}).shapes.size(), 10 * small);
+    }
+}
+
+TEST(Pictures, AreRefusedAsTextWhereTheyAreTooLarge) {
+  const auto lines = toText(kop(contacts(Op::AND, kMany / 2, kMany / 2), {}));
+  ASSERT_FALSE(lines);
+  EXPECT_EQ(lines.error(), Reason::Size);
+}
+
+}  // namespace
+}  // namespace merker::graph
