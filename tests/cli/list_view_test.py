@@ -63,7 +63,7 @@ class ListView(Case):
         shapes = [node.get("data-statement") for node in xml.parse(self.folder / "main.svg").iter()]
         self.assertIn("3", shapes)
 
-    # S5-KOPFUP-01, S5-KOPFUP-10
+    # S5-KOPFUP-01, S5-KOPFUP-10, S5-OB-20
     def test_a_listing(self):
         self.write("main.s5", """OB 1
 NETZWERK 1 Lamp
@@ -82,6 +82,11 @@ NETZWERK 2 Number
         self.assertIn("├──┤ ├──┬──┤ ├──┬───( )──\n", text)
         self.assertIn("(AWL, statement 1 (L KF +1): the value in the accumulator", text)
         self.assertIn("2 networks, 1 KOP, 1 AWL\n", text)
+        text = self.expect(GOOD, "list", "main.s5", "--view", "fup").out
+        self.assertRegex(text, r"E 0.2─┤ +├──┤ +├──┤ = │")
+        self.assertIn("2 networks, 1 FUP, 1 AWL\n", text)
+        text = self.expect(GOOD, "list", "main.s5", "--listing").out
+        self.assertRegex(text, r"O +E 0.2")
 
     def test_a_picture_too_large_for_text(self):
         beside = "\n".join(["U(", *["O E 0.0"] * 1500, ")"])

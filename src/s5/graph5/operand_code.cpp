@@ -23,7 +23,8 @@ constexpr Pair kPairs[] = {
     {Op::LT_D, mc5::Operation::LESS_D},    {Op::LE_D, mc5::Operation::LESS_EQUAL_D},
     {Op::EQ_R, mc5::Operation::EQUAL_G},   {Op::NE_R, mc5::Operation::UNEQUAL_G},
     {Op::GT_R, mc5::Operation::GREATER_G}, {Op::GE_R, mc5::Operation::GREATER_EQUAL_G},
-    {Op::LT_R, mc5::Operation::LESS_G},    {Op::LE_R, mc5::Operation::LESS_EQUAL_G}};
+    {Op::LT_R, mc5::Operation::LESS_G},    {Op::LE_R, mc5::Operation::LESS_EQUAL_G},
+    {Op::UC, mc5::Operation::CALL},        {Op::CC, mc5::Operation::CALL_IF}};
 
 // Basic operations that mean the same and that KOP and FUP of STEP 5 use.
 constexpr Op kSame[] = {
@@ -31,6 +32,11 @@ constexpr Op kSame[] = {
     Op::CLOSE,    Op::AND_BEFORE_OR, Op::ASSIGN,     Op::SET_BIT,  Op::RESET_BIT, Op::LOAD,
     Op::LOAD_BCD, Op::TRANSFER,      Op::TIMER_SI,   Op::TIMER_SV, Op::TIMER_SE,  Op::TIMER_SS,
     Op::TIMER_SA, Op::COUNT_UP,      Op::COUNT_DOWN, Op::NOP0,     Op::BLD};
+
+// Behind the call of a function block stands the list of its parameters.
+bool isCalledAlone(mc5::BlockType type) {
+  return type == mc5::BlockType::Ob || type == mc5::BlockType::Pb || type == mc5::BlockType::Sb;
+}
 
 graph::OperandKind kindOf(const mc5::Operand& operand) {
   switch (operand.kind) {
@@ -45,8 +51,10 @@ graph::OperandKind kindOf(const mc5::Operand& operand) {
       return graph::OperandKind::Value;
     case mc5::OperandKind::Count:
       return graph::OperandKind::Count;
-    case mc5::OperandKind::Jump:
     case mc5::OperandKind::Block:
+      if (isCalledAlone(operand.block)) return graph::OperandKind::Number;
+      break;
+    case mc5::OperandKind::Jump:
     case mc5::OperandKind::Formal:
       break;
   }

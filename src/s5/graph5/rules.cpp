@@ -12,9 +12,12 @@ constexpr ElementRow kRows[] = {
   {id, name, name, name, name, ElementClass::kind, Eno::None, pattern, "", ""},
 #define COIL(id, kop, fup, pattern, say, sayEnglish) \
   {id, kop, kop, fup, fup, ElementClass::Coil, Eno::None, pattern, say, sayEnglish},
+#define RAIL(id, kop, fup, pattern, say, sayEnglish) \
+  {id, kop, kop, fup, fup, ElementClass::RailCoil, Eno::None, pattern, say, sayEnglish},
 #include "graph5/elements.inc"
 #undef BOX
 #undef COIL
+#undef RAIL
 };
 
 constexpr int kLevels = 8;  // S5-KOPFUP-03

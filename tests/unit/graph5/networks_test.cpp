@@ -52,7 +52,8 @@ std::string allShown(bool kop) {
 }
 
 // S5-KOPFUP-01, S5-KOPFUP-05, S5-KOPFUP-06, S5-KOPFUP-07, S5-KOPFUP-08, S5-KOPFUP-09, S5-KOPFUP-10,
-// S5-KOPFUP-11, S5-KOPFUP-13, S5-KOPFUP-14, S5-KOPFUP-19, S5-KOPFUP-21, S5-KOPFUP-22
+// S5-KOPFUP-11, S5-KOPFUP-13, S5-KOPFUP-14, S5-KOPFUP-19, S5-KOPFUP-21, S5-KOPFUP-22, S5-LOAD-10,
+// S5-CALL-05
 TEST(Networks, AreShownAsLadder) { test::expectRows("graph5/networks.kop.txt", allShown(true)); }
 
 // S5-KOPFUP-12, S5-KOPFUP-15, S5-KOPFUP-16, S5-KOPFUP-17, S5-KOPFUP-18, S5-KOPFUP-20
@@ -72,7 +73,7 @@ TEST(Networks, ComeBackWordForWord) {
     EXPECT_EQ(*words, std::vector<std::uint16_t>(block().words.begin() + code.begin,
                                                  block().words.begin() + code.end));
   }
-  EXPECT_EQ(count, 15);
+  EXPECT_EQ(count, 16);
 }
 
 graph::Statement statement(graph::Op op, std::uint32_t bit = 0) {
@@ -109,6 +110,29 @@ TEST(Networks, HaveEightLevels) {
   const auto refused = graph::read(nested(9), rules());
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().reason, graph::Reason::Brackets);
+}
+
+bool isForListsOnly(mc5::Operation operation) {
+  using mc5::Operation;
+  return mc5::info(operation).level == mc5::Level::Supplementary || operation == Operation::STP ||
+         (operation >= Operation::ADD_F && operation <= Operation::DIV_G);
+}
+
+// S5-STMT-03: the supplementary operations, arithmetic and STP
+TEST(Networks, HaveNoElementForMostOperations) {
+  int count = 0;
+  for (std::size_t i = 0; i < mc5::operations().size(); ++i) {
+    const auto operation = static_cast<mc5::Operation>(i);
+    if (!isForListsOnly(operation)) continue;
+    ++count;
+    const graph::Statements list{statement(graph::Op::AND), statement(operationOf(operation)),
+                                 statement(graph::Op::ASSIGN)};
+    const auto refused = graph::read(list, rules());
+    ASSERT_FALSE(refused) << mc5::info(operation).id;
+    EXPECT_EQ(refused.error().statement, 1u) << mc5::info(operation).id;
+    EXPECT_EQ(refused.error().reason, graph::Reason::Operation) << mc5::info(operation).id;
+  }
+  EXPECT_GT(count, 50);
 }
 
 }  // namespace

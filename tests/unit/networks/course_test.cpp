@@ -1,5 +1,5 @@
-// What the course shows as KOP and FUP, drawn element by element in a text that has no statement
-// yet: the text is then the statement list of the course, with what STEP 7 stores for open pins.
+// What the course and the manual show as KOP and FUP, drawn element by element in a text that has
+// no statement yet: the text is then their statement list, with what is stored for open pins.
 #include <gtest/gtest.h>
 
 #include "networks/source_edit.h"
@@ -12,10 +12,14 @@ constexpr std::string_view kNothingDrawn =
     "FUNCTION FC 2 : VOID\nVAR_INPUT\n  First : INT ;\nEND_VAR\n"
     "VAR_OUTPUT\n  Sum : INT ;\nEND_VAR\nBEGIN\nNETWORK\nEND_FUNCTION\n";
 
-// The network of FC 1, while somebody draws it.
+constexpr std::string_view kNothingDrawnInStep5 = "PB 1\nNETZWERK 1 Timer\n      BE\n";
+
+// The network of the first block, while somebody draws it.
 class Drawing {
  public:
   Drawing() : file_("course.awl", std::string(kNothingDrawn)) {}
+  explicit Drawing(source::Language language)
+      : file_("manual.s5", std::string(kNothingDrawnInStep5)), around_{language} {}
 
   // Behind all that is there.
   Drawing& add(const std::string& element, const std::vector<std::string>& operands) {
@@ -57,7 +61,7 @@ class Drawing {
 
  private:
   Network network() const {
-    const auto block = blockAt(file_, 1, {});
+    const auto block = blockAt(file_, 1, around_);
     return block ? block->networks.front() : Network{};
   }
   graph::Selection last(int pin = graph::kNoPin) const {
@@ -69,7 +73,7 @@ class Drawing {
                  graph::Place place = {}) {
     graph::Edit edit{action, at, place, element, {}, {}};
     for (const std::string& operand : operands) edit.operands.emplace_back().text = operand;
-    const auto done = networks::edit(file_, 1, 1, edit, {});
+    const auto done = networks::edit(file_, 1, 1, edit, around_);
     if (!done) {
       refusal_ = networks::text(done.error(), graph::Language::English);
       return *this;
@@ -80,6 +84,7 @@ class Drawing {
   }
 
   source::SourceFile file_;
+  Surroundings around_;
   graph::Selection selected_;
   std::string refusal_;
 };
@@ -180,6 +185,15 @@ TEST(Course, loadsInBoxesOnly) {
     const std::string after = Drawing().add("MOVE", {"", operand, "MW 12"}).text();
     EXPECT_EQ(after.find(operand), std::string::npos) << after;
   }
+}
+
+// S5-CODE-02, S5-LOAD-11: what stands at DU and DE is loaded from the timer
+TEST(Manual, timers) {
+  EXPECT_EQ(Drawing(source::Language::Step5)
+                .add("CONTACT", {"E 5.0"})
+                .add("SI", {"T 10", "", "EW 22", "", "AW 64", "AW 50"})
+                .text(),
+            "U E 5.0; L EW 22; SI T 10; NOP 0; L T 10; T AW 64; LC T 10; T AW 50; NOP 0");
 }
 
 }  // namespace
