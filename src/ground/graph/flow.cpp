@@ -26,10 +26,10 @@ void Signals::pass(const Node& node) {
   if (inTerm_ && !actsOnSignal(node)) {
     const bool contact = node.kind == NodeKind::Contact;
     const FlowBit bit = !contact ? FlowBit::Vke : node.negated ? FlowBit::NotSta : FlowBit::Sta;
-    now_.push_back({inside(node), bit});
+    if (isKnown(now_)) now_.push_back({inside(node), bit});
   } else {
     now_ = before_;
-    now_.push_back({node.last - 1, FlowBit::Vke});
+    if (isKnown(now_)) now_.push_back({node.last - 1, FlowBit::Vke});
   }
 }
 

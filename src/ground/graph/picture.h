@@ -32,6 +32,10 @@ struct Flow {
   bool operator==(const Flow&) const = default;
 };
 using Flows = std::vector<Flow>;
+// More than anybody draws in one branch. Of a longer list only so much is kept that it is known to
+// be longer: the signal is not known.
+constexpr std::size_t kMostFlows = 64;
+inline bool isKnown(const Flows& flows) { return flows.size() <= kMostFlows; }
 
 // Where a wire to the right begins and ends: at the edges of its columns, or in the middle of the
 // first or the last one, where a wire goes down.

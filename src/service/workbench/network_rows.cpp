@@ -58,7 +58,7 @@ class NetworkRow {
 
   void refuse(Json& row) const {
     row["view"] = "awl";
-    row["reason"] = graph::text(network_.refusal.reason);
+    row["reason"] = graph::text(network_.refusal.reason, display_.language);
     if (network_.refusal.statement < source_.places.size())
       row["reasonLine"] = lineOf(network_.refusal.statement);
   }
@@ -92,8 +92,9 @@ class NetworkRow {
       row["written"] = at->second;
     if (shape.ends != graph::Ends::AtEdges) row["ends"] = word(kEnds, shape.ends);
     if (shape.of.node >= 0) name(row, shape);
-    if (shape.kind == graph::ShapeKind::Wire || shape.kind == graph::ShapeKind::Negation)
-      row["flow"] = flow(shape);
+    const bool carries =
+        shape.kind == graph::ShapeKind::Wire || shape.kind == graph::ShapeKind::Negation;
+    if (carries && graph::isKnown(shape.flow)) row["flow"] = flow(shape);
     return row;
   }
 

@@ -17,8 +17,9 @@ namespace {
 
 constexpr std::uint32_t kMany = 3900;
 
-// A rung of so many contacts, joined by `op`, before them contacts beside each other.
-Network contacts(Op op, std::uint32_t count, std::uint32_t beside = 0) {
+// A rung of so many contacts, joined by `op`, before them contacts beside each other. `term`: all
+// of this has one more beside it.
+Network contacts(Op op, std::uint32_t count, std::uint32_t beside = 0, bool term = false) {
   Statements statements;
   const auto add = [&statements](Op what, Operand operand) {
     Statement& statement = statements.emplace_back();
@@ -29,6 +30,8 @@ Network contacts(Op op, std::uint32_t count, std::uint32_t beside = 0) {
   for (std::uint32_t i = 0; i < beside; ++i) add(Op::OR, test::bit(i));
   if (beside > 0) add(Op::CLOSE, {});
   for (std::uint32_t i = 0; i < count; ++i) add(op, test::bit(i));
+  if (term) add(Op::AND_BEFORE_OR, {});
+  if (term) add(Op::AND, test::bit(0));
   add(Op::ASSIGN, test::bit(count));
   return read(statements, graph7::rules()).value();
 }
@@ -55,6 +58,18 @@ TEST(Pictures, GrowWithWhatTheyShow) {
       const auto small = draw(contacts(op, kMany / 10), {}).shapes.size();
       EXPECT_LE(draw(contacts(op, kMany), {}).shapes.size(), 10 * small);
     }
+}
+
+// The signal within a branch is that of all elements so far.
+TEST(Pictures, KnowNoSignalBehindTooManyElementsOfABranch) {
+  for (const std::uint32_t count : {std::uint32_t{kMostFlows}, kMany}) {
+    std::size_t unknown = 0;
+    for (const Shape& shape : kop(contacts(Op::AND, count, 0, true), {}).shapes) {
+      EXPECT_LE(shape.flow.size(), kMostFlows + 1);
+      if (!isKnown(shape.flow)) ++unknown;
+    }
+    EXPECT_EQ(unknown > 0, count > kMostFlows);
+  }
 }
 
 TEST(Pictures, AreRefusedAsTextWhereTheyAreTooLarge) {

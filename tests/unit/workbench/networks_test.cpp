@@ -85,6 +85,18 @@ TEST(Networks, HaveWiresThatNameTheStatementsOfTheirSignal) {
   EXPECT_TRUE(coil) << "the VKE behind O A 1.0 goes to the coil";
 }
 
+TEST(Networks, SaveWordsWhereTheSignalIsNotKnown) {
+  Bench bench;
+  std::string text = kText, branch;
+  for (int i = 0; i < 100; ++i) branch += "      U     E 0.1;\n";
+  text.insert(text.find("      O     A 1.0"), branch);
+  const Json network = bench.call("networks.show", asked({{"text", text}}))["networks"][0];
+  std::size_t unknown = 0;
+  for (const Json& shape : network["shapes"])
+    if (shape["kind"] == "wire" && !shape.contains("flow")) ++unknown;
+  EXPECT_GT(unknown, 30u);
+}
+
 TEST(Networks, ShowSymbolsOrAddressesButKnowWhatIsWritten) {
   Bench bench;
   const Json symbolic =
