@@ -31,7 +31,7 @@ class Network:
 
 
 def text(x, y, said, kind=""):
-    return (f'<text x="{x}" y="{y * ROW + 15}" textLength="{len(said) * COLUMN}"' + (f' class="{kind}"' if kind else "")
+    return (f'<text x="{x}" y="{y * ROW + 15:g}" textLength="{len(said) * COLUMN}"' + (f' class="{kind}"' if kind else "")
             + f">{escape(said, quote=False)}</text>")
 
 
@@ -41,6 +41,15 @@ def lines(x, y, said, kind=""):
 
 def attributes(tag):
     return dict(re.findall(r'(\w+)="([^"]*)"', tag))
+
+
+def lifted(tag, top):
+    """As if the network were the first one of its program: what stands before it changes nothing."""
+    def y(found):
+        return f"{found[1]}{float(found[2]) - top:g}"
+
+    tag = re.sub(r'(\b(?:y[12]?|cy)=")([\d.]+)', y, tag)
+    return re.sub(r' d="[^"]*"', lambda path: re.sub(r"([\d.]+ )([\d.]+)", y, path[0]), tag)
 
 
 def shape(tag):
@@ -56,7 +65,7 @@ def shape(tag):
 def picture(x, y, view):
     """The shapes of a network, moved to where they stand in the table."""
     paths, out = {}, []
-    for tag in view["shapes"].splitlines():
+    for tag in (lifted(line, view["top"]) for line in view["shapes"].splitlines()):
         if re.match("<(line|rect|path)", tag):
             kind, d = shape(tag)
             paths[kind] = paths.get(kind, "") + d
@@ -66,7 +75,7 @@ def picture(x, y, view):
             a = attributes(tag)
             out.append(f'<circle cx="{a["cx"]}" cy="{a["cy"]}" r="{a["r"]}"/>')
     drawn = [f'<path class="{kind}" d="{d}"/>' if kind else f'<path d="{d}"/>' for kind, d in paths.items()]
-    return [f'<g transform="translate({x - 12} {y * ROW - view["top"]})">', *drawn, *out, "</g>"]
+    return [f'<g transform="translate({x - 12} {y * ROW:g})">', *drawn, *out, "</g>"]
 
 
 def width(views, wanted):

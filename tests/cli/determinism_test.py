@@ -9,7 +9,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 RUNS = 20
 CASES = {
     "examples/sorting-plant": (["--watch", "E 0.0, E 0.1, E 0.2, A 1.0, A 1.1, A 1.2, T 1, T 10, T 20"],
-                               "e74a707845c654843e7a8ab9c1ffbe3bde3932e2a4fe6c8913ddd3f06c1fedba"),
+                               "afa624f07a8d4fd0c57b19887a7e422e0ef2c5578c52d61b055388dff13c1367"),
     "tests/scenario/interrupts": (["--watch", "M 200.0, M 200.5, MW 20, MW 40"], "da56a9b6eec36c8d99aa5ee75b09f69ce95e77c51efdecc015749159a05d2bd5"),
 }
 
