@@ -1,6 +1,6 @@
 #include "graph7/source_call.h"
 
-#include <algorithm>
+#include <unordered_map>
 
 #include "base/text.h"
 
@@ -26,13 +26,6 @@ const block::Block* calledBlock(step7::Cursor& cursor, const SourceOperands& ope
       {access->operand.blockKind, static_cast<std::uint16_t>(access->operand.value)});
 }
 
-const block::Variable* formal(const block::Block* callee, std::string_view name) {
-  if (callee == nullptr) return nullptr;
-  for (const block::Variable& v : callee->variables)
-    if (equalsIgnoreCase(v.name, name)) return &v;
-  return nullptr;
-}
-
 graph::Argument unsupplied(const block::Variable& formal) {
   graph::Argument argument;
   argument.name = formal.name;
@@ -54,12 +47,35 @@ std::vector<graph::Argument> parametersOf(const block::Block* callee) {
   return out;
 }
 
+// The parameters of a CALL in the order of the declaration, also those that the list leaves out;
+// behind them what its block does not have.
+class Arguments {
+ public:
+  explicit Arguments(const block::Block* callee) : all_(parametersOf(callee)) {
+    for (std::size_t i = 0; i < all_.size(); ++i) numbers_.try_emplace(upper(all_[i].name), i);
+  }
+
+  void give(std::string_view name, std::string text, std::int64_t wire) {
+    const auto [at, added] = numbers_.try_emplace(upper(name), all_.size());
+    if (added) all_.emplace_back();
+    graph::Argument& argument = all_[at->second];
+    argument.name = name;
+    argument.text = std::move(text);
+    argument.wire = wire;
+  }
+
+  std::vector<graph::Argument> all() { return std::move(all_); }
+
+ private:
+  std::vector<graph::Argument> all_;
+  std::unordered_map<std::string, std::size_t> numbers_;  // by name
+};
+
 // Reads the list behind the name of the block.
 class List {
  public:
-  List(step7::Cursor& cursor, const SourceOperands& operands, const block::Block* callee,
-       std::vector<graph::Argument>& out)
-      : cursor_(cursor), operands_(operands), callee_(callee), out_(out) {}
+  List(step7::Cursor& cursor, const SourceOperands& operands, Arguments& out)
+      : cursor_(cursor), operands_(operands), out_(out) {}
 
   void read() {
     const bool bracketed = acceptBracket();
@@ -107,14 +123,10 @@ class List {
     if (word.empty()) return false;
     cursor_.seek(cursor_.pos() + 2);
     cursor_.skipBlanks();
-    graph::Argument argument;
-    if (const block::Variable* declared = formal(callee_, word)) argument = unsupplied(*declared);
-    argument.name = word;
     const std::size_t begin = cursor_.pos();
     actual();
-    argument.text = trim(cursor_.slice(begin, cursor_.pos()));
-    argument.wire = wireOf(begin);
-    out_.push_back(std::move(argument));
+    std::string text(trim(cursor_.slice(begin, cursor_.pos())));
+    out_.give(word, std::move(text), wireOf(begin));
     return true;
   }
 
@@ -147,25 +159,8 @@ class List {
 
   step7::Cursor& cursor_;
   const SourceOperands& operands_;
-  const block::Block* callee_;
-  std::vector<graph::Argument>& out_;
+  Arguments& out_;
 };
-
-// In the order of the declaration, with those that the list leaves out.
-std::vector<graph::Argument> completed(std::vector<graph::Argument> given,
-                                       const block::Block* callee) {
-  std::vector<graph::Argument> out = parametersOf(callee);
-  for (graph::Argument& argument : given) {
-    const auto at = std::find_if(out.begin(), out.end(), [&](const graph::Argument& parameter) {
-      return equalsIgnoreCase(parameter.name, argument.name);
-    });
-    if (at == out.end())
-      out.push_back(std::move(argument));
-    else
-      *at = std::move(argument);
-  }
-  return out;
-}
 
 // What is between the word CALL and the list.
 std::string_view head(step7::Cursor& cursor) {
@@ -178,17 +173,18 @@ std::string_view head(step7::Cursor& cursor) {
 
 }  // namespace
 
-void readCall(step7::Cursor& cursor, const SourceOperands& operands, graph::Statement& statement) {
+void readCall(step7::Cursor& cursor, const SourceOperands& operands, bool complete,
+              graph::Statement& statement) {
   cursor.skipSpace();
   const std::size_t begin = cursor.pos();
-  const block::Block* callee = calledBlock(cursor, operands);
+  const block::Block* callee = complete ? calledBlock(cursor, operands) : nullptr;
   cursor.seek(begin);
   graph::Operand& operand = statement.operand;
   operand.text = head(cursor);
-  std::vector<graph::Argument> given;
-  List(cursor, operands, callee, given).read();
+  Arguments arguments(callee);
+  List(cursor, operands, arguments).read();
   statement.op = graph::Op::CALL;
-  statement.arguments = completed(std::move(given), callee);
+  statement.arguments = arguments.all();
   operand.kind = graph::OperandKind::Number;
   operand.code = normalized(operand.text);
   for (const graph::Argument& argument : statement.arguments)

@@ -144,7 +144,7 @@ class Reader {
     const std::string name = step7::readMnemonic(cursor_);
     const auto operation = operationOf(name);
     if (name == "CALL")
-      readCall(cursor_, operands_, statement);
+      call(statement);
     else if (operation)
       operate(*operation, statement, written);
     const std::size_t end = endOfStatement(operation);
@@ -153,6 +153,16 @@ class Reader {
     written.line = lineOf(written.start);
     written.end = lineOf(std::max(cursor_.pos(), begin + 1) - 1) + 1;
     if (network.statements.size() > 1) joinDataBlock(network);
+  }
+
+  // A block of a CPU has far fewer parameters in all its CALLs; with more of them a CALL has no
+  // picture.
+  void call(graph::Statement& statement) {
+    constexpr std::size_t kMostArguments = 100'000;
+    const bool few = arguments_ < kMostArguments;
+    readCall(cursor_, operands_, few, statement);
+    arguments_ += statement.arguments.size();
+    if (!few) statement.op = Op::OTHER;
   }
 
   // Where the statement ends without its semicolon.
@@ -240,6 +250,7 @@ class Reader {
   Labels labels_;
   std::string label_;  // that waits for its statement
   std::size_t labelBegin_ = 0;
+  std::size_t arguments_ = 0;  // of all CALLs
 };
 
 }  // namespace

@@ -37,7 +37,7 @@ struct Network {
 // A block with code: data blocks and types have no networks.
 struct Block {
   std::string name, symbol;         // "FB 1"
-  std::uint32_t line = 1, end = 1;  // lines [line, end)
+  std::uint32_t line = 1, end = 1;  // lines [line, end), each of one block only
   const graph::Rules* rules = nullptr;
   Mnemonics mnemonics = Mnemonics::German;  // of its text
   std::vector<Network> networks;

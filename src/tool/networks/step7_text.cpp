@@ -109,10 +109,12 @@ class Step7Text : public Text {
 
   void add(std::size_t index) {
     const step7::BlockSource& source = sources_[index];
+    const std::uint32_t line = file_.position(source.name.begin).line;
+    if (!blocks_.empty()) blocks_.back().end = std::min(blocks_.back().end, line);
     Block& block = blocks_.emplace_back();
     block.name = toString(source.id);
     block.symbol = source.name.symbol;
-    block.line = file_.position(source.name.begin).line;
+    block.line = line;
     block.end = file_.position(source.codeEnd).line + 1;
     block.rules = &graph7::rules();
     block.mnemonics = mnemonics_;
