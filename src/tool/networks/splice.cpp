@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "base/text.h"
 #include "networks/alignment.h"
@@ -67,10 +68,11 @@ class Splicer {
       if (s_.now[i].target < 0) continue;
       const auto target = static_cast<std::size_t>(s_.now[i].target);
       const std::int64_t jump = same(i);
-      const bool stays = jump >= 0 && same(target) >= 0 &&
-                         old[static_cast<std::size_t>(jump)].target == same(target);
-      target_[i] = stays ? old[static_cast<std::size_t>(jump)].operand.text : newLabel();
-      label_[target] = target_[i];
+      const graph::Statement* before = jump >= 0 ? &old[static_cast<std::size_t>(jump)] : nullptr;
+      label_[target] = labelOf(target, before);
+      target_[i] = label_[target];
+      const bool stays = before != nullptr && same(target) >= 0 && before->target == same(target) &&
+                         before->operand.text == target_[i];
       if (!stays) changed_[i] = changed_[target] = true;
     }
     for (std::size_t i = 0; i < s_.now.size(); ++i) {
@@ -80,6 +82,14 @@ class Splicer {
       if (!boxLabel_[from] && label_[i].empty()) label_[i] = places_[from].label;
       if (label_[i] != places_[from].label) changed_[i] = true;
     }
+  }
+
+  // The box of a jump that stays keeps its label, also where its last statement is another one.
+  std::string labelOf(std::size_t target, const graph::Statement* before) {
+    if (!label_[target].empty()) return label_[target];
+    const bool keeps = before != nullptr &&
+                       labelled_.try_emplace(before->operand.text, target).first->second == target;
+    return keeps ? before->operand.text : newLabel();
   }
 
   std::string newLabel() {
@@ -242,12 +252,13 @@ class Splicer {
   const std::vector<Written>& places_;
   Alignment alignment_;
   std::vector<Chunk> chunks_;
-  std::vector<std::size_t> chunkOf_;  // by old statement
-  std::vector<bool> boxLabel_;        // by old statement: a box jumps to it
-  std::vector<std::string> label_;    // by new statement: in front of it
-  std::vector<std::string> target_;   // by new statement: where it jumps to
-  std::vector<bool> changed_;         // by new statement: label or target differ
-  std::size_t reached_ = 0;           // chunks
+  std::vector<std::size_t> chunkOf_;             // by old statement
+  std::map<std::string, std::size_t> labelled_;  // new statements by the labels that stay
+  std::vector<bool> boxLabel_;                   // by old statement: a box jumps to it
+  std::vector<std::string> label_;               // by new statement: in front of it
+  std::vector<std::string> target_;              // by new statement: where it jumps to
+  std::vector<bool> changed_;                    // by new statement: label or target differ
+  std::size_t reached_ = 0;                      // chunks
   std::vector<std::string> lines_;
 };
 

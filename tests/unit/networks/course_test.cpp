@@ -2,7 +2,7 @@
 // no statement yet: the text is then their statement list, with what is stored for open pins.
 #include <gtest/gtest.h>
 
-#include "networks/source_edit.h"
+#include "drawing.h"
 
 namespace merker::networks {
 namespace {
@@ -14,86 +14,11 @@ constexpr std::string_view kNothingDrawn =
 
 constexpr std::string_view kNothingDrawnInStep5 = "PB 1\nNETZWERK 1 Timer\n      BE\n";
 
-// The network of the first block, while somebody draws it.
-class Drawing {
- public:
-  Drawing() : file_("course.awl", std::string(kNothingDrawn)) {}
-  explicit Drawing(source::Language language)
-      : file_("manual.s5", std::string(kNothingDrawnInStep5)), around_{language} {}
-
-  // Behind all that is there.
-  Drawing& add(const std::string& element, const std::vector<std::string>& operands) {
-    return insert(last(), graph::Place::Behind, element, operands);
-  }
-  // Before a pin of the box that stands last: numbers as it shows them, inputs first; 0: EN.
-  Drawing& add(int pin, const std::string& contact) {
-    return insert(last(pin == 0 ? graph::kEnable : graph::kFirstPin + pin - 1), graph::Place::AtPin,
-                  "CONTACT", {contact});
-  }
-  Drawing& insert(graph::Selection at, graph::Place place, const std::string& element,
-                  const std::vector<std::string>& operands) {
-    return apply(graph::Action::Insert, at, operands, element, place);
-  }
-  Drawing& closeBranch() { return apply(graph::Action::CloseBranch, {selected_.node}, {}); }
-  // What waits for an operand: of the element that was put in last, of another contact, at a pin.
-  Drawing& name(const std::string& operand) {
-    return apply(graph::Action::SetOperand, selected_, {operand});
-  }
-  Drawing& name(int contact, const std::string& operand) {
-    return apply(graph::Action::SetOperand, {contact, graph::kOwn}, {operand});
-  }
-  Drawing& give(int pin, const std::string& operand) {
-    return apply(graph::Action::SetOperand, last(graph::kFirstPin + pin - 1), {operand});
-  }
-
-  // "U E 0.0; = A 0.0", as the text has them; or why it was refused.
-  std::string text() const {
-    if (!refusal_.empty()) return refusal_;
-    std::string out;
-    for (const graph::Written& place : network().source.places) {
-      out += out.empty() ? "" : "; ";
-      if (!place.label.empty()) out += place.label + ": ";
-      for (const char c : place.text)
-        if ((c != ' ' && c != '\n') || out.back() != ' ') out += c == '\n' ? ' ' : c;
-    }
-    return out;
-  }
-
- private:
-  Network network() const {
-    const auto block = blockAt(file_, 1, around_);
-    return block ? block->networks.front() : Network{};
-  }
-  graph::Selection last(int pin = graph::kNoPin) const {
-    return {static_cast<int>(network().source.statements.size()) - 1, pin};
-  }
-
-  Drawing& apply(graph::Action action, graph::Selection at,
-                 const std::vector<std::string>& operands, const std::string& element = {},
-                 graph::Place place = {}) {
-    graph::Edit edit{action, at, place, element, {}, {}};
-    for (const std::string& operand : operands) edit.operands.emplace_back().text = operand;
-    const auto done = networks::edit(file_, 1, 1, edit, around_);
-    if (!done) {
-      refusal_ = networks::text(done.error(), graph::Language::English);
-      return *this;
-    }
-    file_ = source::SourceFile(file_.name(), applied(file_, *done));
-    selected_ = done->select;
-    return *this;
-  }
-
-  source::SourceFile file_;
-  Surroundings around_;
-  graph::Selection selected_;
-  std::string refusal_;
-};
-
 constexpr std::string_view kWorkedExample = "U E 0.0; U E 0.1; O A 1.0; = A 3.0";
 
 // S7-EDIT-15: two rungs of a ladder
 TEST(Course, workedExampleAsLadder) {
-  EXPECT_EQ(Drawing()
+  EXPECT_EQ(Drawing(kNothingDrawn)
                 .add("CONTACT", {"E 0.0"})
                 .add("CONTACT", {"E 0.1"})
                 .add("COIL", {"A 3.0"})
@@ -105,7 +30,7 @@ TEST(Course, workedExampleAsLadder) {
 
 // S7-EDIT-14: AND box, OR box, assignment
 TEST(Course, workedExampleAsFunctionBlocks) {
-  EXPECT_EQ(Drawing()
+  EXPECT_EQ(Drawing(kNothingDrawn)
                 .insert({}, graph::Place::Behind, "AND", {})
                 .name("E 0.0")
                 .name(1, "E 0.1")
@@ -118,15 +43,17 @@ TEST(Course, workedExampleAsFunctionBlocks) {
 
 // S7-SETRESET-05: R below S, S below R
 TEST(Course, latches) {
-  EXPECT_EQ(Drawing().add("CONTACT", {"E 0.1"}).add("SR", {"A 0.1"}).name(2, "E 0.2").text(),
-            "U E 0.1; S A 0.1; U E 0.2; R A 0.1; NOP 0");
-  EXPECT_EQ(Drawing().add("CONTACT", {"E 0.2"}).add("RS", {"A 0.2"}).name(2, "E 0.1").text(),
-            "U E 0.2; R A 0.2; U E 0.1; S A 0.2; NOP 0");
+  EXPECT_EQ(
+      Drawing(kNothingDrawn).add("CONTACT", {"E 0.1"}).add("SR", {"A 0.1"}).name(2, "E 0.2").text(),
+      "U E 0.1; S A 0.1; U E 0.2; R A 0.1; NOP 0");
+  EXPECT_EQ(
+      Drawing(kNothingDrawn).add("CONTACT", {"E 0.2"}).add("RS", {"A 0.2"}).name(2, "E 0.1").text(),
+      "U E 0.2; R A 0.2; U E 0.1; S A 0.2; NOP 0");
 }
 
 // S7-CNT-11: the operands of 15.4, and boxes with one count input
 TEST(Course, counters) {
-  EXPECT_EQ(Drawing()
+  EXPECT_EQ(Drawing(kNothingDrawn)
                 .add("CONTACT", {"E 0.0"})
                 .add("S_CUD", {"Z 1", "", "", "", "", "", "MW 0", "MW 2"})
                 .add(2, "E 0.1")
@@ -137,15 +64,16 @@ TEST(Course, counters) {
                 .text(),
             "U E 0.0; ZV Z 1; U E 0.1; ZR Z 1; U E 0.2; L C#25; S Z 1; U E 0.3; R Z 1; "
             "L Z 1; T MW 0; LC Z 1; T MW 2; U Z 1; = M 10.0");
-  EXPECT_EQ(Drawing().add("CONTACT", {"E 0.0"}).add("S_CU", {"Z 1"}).text(),
+  EXPECT_EQ(Drawing(kNothingDrawn).add("CONTACT", {"E 0.0"}).add("S_CU", {"Z 1"}).text(),
             "U E 0.0; ZV Z 1; BLD 101; NOP 0; NOP 0; NOP 0; NOP 0; NOP 0; NOP 0");
-  EXPECT_EQ(Drawing().add("CONTACT", {"E 0.0"}).add("S_CD", {"Z 1"}).add(4, "E 0.3").text(),
-            "U E 0.0; ZR Z 1; BLD 101; NOP 0; NOP 0; U E 0.3; R Z 1; NOP 0; NOP 0; NOP 0");
+  EXPECT_EQ(
+      Drawing(kNothingDrawn).add("CONTACT", {"E 0.0"}).add("S_CD", {"Z 1"}).add(4, "E 0.3").text(),
+      "U E 0.0; ZR Z 1; BLD 101; NOP 0; NOP 0; U E 0.3; R Z 1; NOP 0; NOP 0; NOP 0");
 }
 
 // S7-TMR-09: the operands of 16.3, and the other kinds
 TEST(Course, timers) {
-  EXPECT_EQ(Drawing()
+  EXPECT_EQ(Drawing(kNothingDrawn)
                 .add("CONTACT", {"E 0.0"})
                 .add("S_ODT", {"T 1", "", "S5T#10S", "", "MW 0", "MW 2"})
                 .add(3, "E 0.1")
@@ -156,7 +84,7 @@ TEST(Course, timers) {
   const std::pair<std::string, std::string> kinds[] = {
       {"S_PULSE", "SI"}, {"S_PEXT", "SV"}, {"S_ODTS", "SS"}, {"S_OFFDT", "SA"}};
   for (const auto& [box, operation] : kinds)
-    EXPECT_EQ(Drawing()
+    EXPECT_EQ(Drawing(kNothingDrawn)
                   .add("CONTACT", {"E 0.0"})
                   .add(box, {"T 1", "", "S5T#5S"})
                   .add("COIL", {"A 0.0"})
@@ -166,30 +94,31 @@ TEST(Course, timers) {
 
 // S7-PAR-08: EN and ENO of a box that calls
 TEST(Course, calls) {
-  EXPECT_EQ(Drawing()
+  EXPECT_EQ(Drawing(kNothingDrawn)
                 .add("CALL_BOX", {"FC 2"})
                 .give(1, "MW 20")
                 .give(2, "MW 44")
                 .add(0, "E 0.1")
                 .add("COIL", {"A 4.0"})
                 .text(),
-            "U E 0.1; SPBNB _002; CALL FC 2 ( First := MW 20, Sum := MW 44); _002: U BIE; = A 4.0");
+            "U E 0.1; SPBNB _001; CALL FC 2 ( First := MW 20, Sum := MW 44); _001: U BIE; = A 4.0");
 }
 
 // S7-EDIT-10: nothing but a box loads, and it loads no indirect operand
 TEST(Course, loadsInBoxesOnly) {
   for (const std::string operation : {"L", "T", "LOAD", "TRANSFER"})
-    EXPECT_EQ(Drawing().add(operation, {"MW 10"}).text(), "the element is unknown");
-  EXPECT_EQ(Drawing().add("MOVE", {"", "MW 10", "MW 12"}).text(), "L MW 10; T MW 12; NOP 0");
+    EXPECT_EQ(Drawing(kNothingDrawn).add(operation, {"MW 10"}).text(), "the element is unknown");
+  EXPECT_EQ(Drawing(kNothingDrawn).add("MOVE", {"", "MW 10", "MW 12"}).text(),
+            "L MW 10; T MW 12; NOP 0");
   for (const std::string operand : {"MW [MD 10]", "W [AR1,P#0.0]"}) {
-    const std::string after = Drawing().add("MOVE", {"", operand, "MW 12"}).text();
+    const std::string after = Drawing(kNothingDrawn).add("MOVE", {"", operand, "MW 12"}).text();
     EXPECT_EQ(after.find(operand), std::string::npos) << after;
   }
 }
 
 // S5-CODE-02, S5-LOAD-11: what stands at DU and DE is loaded from the timer
 TEST(Manual, timers) {
-  EXPECT_EQ(Drawing(source::Language::Step5)
+  EXPECT_EQ(Drawing(kNothingDrawnInStep5, source::Language::Step5)
                 .add("CONTACT", {"E 5.0"})
                 .add("SI", {"T 10", "", "EW 22", "", "AW 64", "AW 50"})
                 .text(),
