@@ -77,6 +77,9 @@ class Ladder {
       out.flow = signals_.now();
       return out;
     }
+    // A branch goes on with what its temporary bit holds.
+    if (node.continues && node.kind == NodeKind::Contact)
+      signals_.beginAt({{node.last - 1, FlowBit::Sta}});
     Picture out = single(node);
     signals_.pass(node);
     out.flow = signals_.now();
@@ -268,13 +271,12 @@ class Ladder {
     Picture out;
     signals_.begin();
     if (!path.logic.empty()) out = node(path.logic.front());
-    const Signals here = signals_;
+    const Flows flow = signals_.now();
     const int left = width - out.w - kJoint;
     std::vector<Picture> parts;
-    for (const auto& tail : path.tails) parts.push_back(this->path(*tail, left));
-    signals_ = here;
     for (const Coil& coil : path.coils) parts.push_back(atEnd(this->coil(coil), left));
-    out.flow = here.now();
+    for (const auto& tail : path.tails) parts.push_back(this->path(*tail, left));
+    out.flow = flow;
     return parts.empty() ? out : attached(out, parts);
   }
 

@@ -8,8 +8,8 @@
 namespace merker::workbench {
 namespace {
 
-constexpr std::string_view kKinds[] = {"wire",    "rail", "frame",    "text",
-                                       "contact", "coil", "negation", "field"};
+constexpr std::string_view kShapeKinds[] = {"wire",    "rail", "frame",    "text",
+                                            "contact", "coil", "negation", "field"};
 constexpr std::string_view kEnds[] = {"", "begins", "ends"};
 constexpr std::string_view kBits[] = {"vke", "sta", "notSta"};
 
@@ -82,7 +82,7 @@ class NetworkRow {
   }
 
   Json shapeRow(const graph::Shape& shape) const {
-    Json row = {{"kind", word(kKinds, shape.kind)},
+    Json row = {{"kind", word(kShapeKinds, shape.kind)},
                 {"x", shape.x},
                 {"y", shape.y},
                 {"w", shape.w},

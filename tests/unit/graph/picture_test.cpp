@@ -11,6 +11,7 @@
 #include "graph/read.h"
 #include "graph7/rules.h"
 #include "random_networks.h"
+#include "statement_text.h"
 
 namespace merker::graph {
 namespace {
@@ -58,6 +59,18 @@ TEST(Pictures, GrowWithWhatTheyShow) {
       const auto small = draw(contacts(op, kMany / 10), {}).shapes.size();
       EXPECT_LE(draw(contacts(op, kMany), {}).shapes.size(), 10 * small);
     }
+}
+
+// Behind a branch goes what its temporary bit holds, never power.
+TEST(Pictures, HavePowerAtTheRailAlone) {
+  for (const char* text :
+       {"U E 0.0; = L 20.0; U L 20.0; U E 0.1; = A 4.0; UN L 20.0; U E 0.2; = A 4.1; U L 20.0; "
+        "BLD 102; = A 4.2",
+        "U E 0.0; = A 4.0; = L 20.0; U L 20.0; BLD 102; = A 4.2; U L 20.0; U E 0.1; = A 4.3"}) {
+    const Picture picture = kop(read(test::statements(text), graph7::rules()).value(), {});
+    for (const Shape& shape : picture.shapes)
+      EXPECT_TRUE(shape.kind != ShapeKind::Wire || !shape.flow.empty() || shape.x == 1) << text;
+  }
 }
 
 // The signal within a branch is that of all elements so far.
