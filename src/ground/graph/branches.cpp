@@ -67,20 +67,81 @@ std::optional<Node> splitAtBranch(Node& node, const Named& named) {
 // Branches within each other; deeper ones are drawn as connectors.
 constexpr int kDeepest = 50;
 
+// The contact with which a rung goes on where another one branches, if it does.
+const Node* trunkContact(const Rung& rung) {
+  const Node* node = rung.logic.empty() ? nullptr : &rung.logic.front();
+  while (node != nullptr && node->kind != NodeKind::Contact) node = leading(*node);
+  return node != nullptr && isWire(node->operand) ? node : nullptr;
+}
+
+std::optional<std::uint32_t> assignedWire(const Coil& coil) {
+  if (coil.element->items.front().op != Op::ASSIGN || !isWire(coil.operand)) return std::nullopt;
+  return coil.operand.number;
+}
+
+// Wires that a coil writes and with which later rungs begin, and nothing else is done with: the
+// rung branches there, too, as it does where its first branch is in brackets.
+class CoilBranches {
+ public:
+  explicit CoilBranches(const Network& network) {
+    for (const Rung& rung : network.rungs) {
+      reads(rung);
+      for (const Node& logic : rung.logic) collectWires(logic, connected_);
+      for (const Coil& coil : rung.coils)
+        if (const auto wire = assignedWire(coil)) ++written_[*wire];
+    }
+    for (const std::uint32_t wire : connected_) ++written_[wire];
+  }
+
+  bool contains(const Coil& coil) const {
+    const auto wire = assignedWire(coil);
+    if (!wire || elsewhere_.contains(*wire) || !continued_.contains(*wire)) return false;
+    return written_.at(*wire) == 1;
+  }
+
+ private:
+  // A wire that is read before it is written holds what the last cycle left.
+  void reads(const Rung& rung) {
+    const Node* trunk = trunkContact(rung);
+    for (const Node& logic : rung.logic)
+      visit(logic, [this, trunk](const Node& node) {
+        if (node.kind != NodeKind::Contact || !isWire(node.operand)) return;
+        const std::uint32_t wire = node.operand.number;
+        (&node == trunk && written_.contains(wire) ? continued_ : elsewhere_).insert(wire);
+      });
+  }
+
+  std::map<std::uint32_t, int> written_;
+  std::set<std::uint32_t> continued_, elsewhere_;
+  std::vector<std::uint32_t> connected_;
+};
+
 class Builder {
  public:
   std::vector<std::unique_ptr<Path>> build(const Network& network) {
+    const CoilBranches branches(network);
     for (const Rung& rung : network.rungs)
       for (const Node& node : rung.logic) findNamed(node);
     for (const Rung& rung : network.rungs) {
       std::vector<Node> logic = rung.logic;
       auto& siblings = siblingsOf(logic);
       siblings.push_back(path(std::move(logic), rung.coils));
+      branchAtCoils(*siblings.back(), branches);
     }
     return std::move(roots_);
   }
 
  private:
+  // What stands at the end of the rung is where others go on.
+  void branchAtCoils(Path& path, const CoilBranches& branches) {
+    if (!path.tails.empty()) return branchAtCoils(*path.tails.front(), branches);
+    std::erase_if(path.coils, [&](const Coil& coil) {
+      const bool branch = branches.contains(coil);
+      if (branch) branches_[coil.operand.number] = &path;
+      return branch;
+    });
+  }
+
   void findNamed(const Node& logic) {
     const Node* first = firstContact(logic);
     visit(logic, [this, first](const Node& node) {

@@ -217,9 +217,9 @@ class Diagram {
     Picture before = signal ? picture(*signal) : Picture{};
     before.flow = flow;
     std::vector<Picture> parts;
-    for (const auto& tail : path.tails) parts.push_back(this->path(*tail));
     for (const Coil& coil : path.coils)
       parts.push_back(this->coil(coil, FramePin{.logic = wire(flow)}));
+    for (const auto& tail : path.tails) parts.push_back(this->path(*tail));
     return parts.empty() ? before : attached(before, parts);
   }
 

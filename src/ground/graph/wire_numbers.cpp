@@ -32,8 +32,9 @@ class Numberer {
     for (const Rung& rung : network_.rungs) {
       for (const Node& node : rung.logic) collectWires(node, written);
       for (const Coil& coil : rung.coils)
-        if (isWire(coil.operand)) foreign_.insert(coil.operand.number);
+        if (isWire(coil.operand)) assigned_.insert(coil.operand.number);
     }
+    foreign_ = assigned_;
     const std::set<std::uint32_t> own(written.begin(), written.end());
     for (const Rung& rung : network_.rungs)
       for (const Node& node : rung.logic)
@@ -54,7 +55,7 @@ class Numberer {
     if (!isWire(last.operand)) return false;
     if (last.kind == NodeKind::Connector) return true;
     return &last == &logic && last.kind == NodeKind::Contact && !last.negated &&
-           numbers_.contains(last.operand.number);
+           (numbers_.contains(last.operand.number) || assigned_.contains(last.operand.number));
   }
 
   // In the order of the statements.
@@ -94,7 +95,7 @@ class Numberer {
   Network& network_;
   std::uint32_t next_;
   std::map<std::uint32_t, std::uint32_t> numbers_;  // by the number it had
-  std::set<std::uint32_t> foreign_;
+  std::set<std::uint32_t> foreign_, assigned_;      // `assigned_`: by coils, which are foreign, too
   std::set<const Argument*> done_;
 };
 
