@@ -22,8 +22,9 @@ struct Side {
 
 class InstanceCall {
  public:
-  InstanceCall(const Body& body, std::size_t call, const block::Block& callee, const Names& names)
-      : body_(body), call_(call), callee_(callee), names_(names) {}
+  InstanceCall(const Body& body, std::size_t call, const block::Block& callee, const Names& names,
+               Mnemonics mnemonics)
+      : body_(body), call_(call), callee_(callee), names_(names), mnemonics_(mnemonics) {}
 
   std::vector<std::string> text() {
     std::size_t at = 0;
@@ -149,7 +150,7 @@ class InstanceCall {
       if (found->second.instruction.operand.kind != OperandKind::Constant) return {};
       parts[i] = found->second.instruction.operand.value;
     }
-    return anyText(parts[0], parts[1], parts[2], parts[3]);
+    return anyText(parts[0], parts[1], parts[2], parts[3], mnemonics_);
   }
 
   std::string textOf(const Side& side, TypeCode type, bool written) const {
@@ -157,7 +158,7 @@ class InstanceCall {
     if (i.operation == Operation::SET) return "TRUE";
     if (i.operation == Operation::CLR) return "FALSE";
     if (i.operand.kind == OperandKind::Constant)
-      return isParameterNumber(type) ? numberText(type, i.operand.value)
+      return isParameterNumber(type) ? numberText(type, i.operand.value, mnemonics_)
                                      : constantText(type, i.operand.value);
     // The caller's own data are reached through DB within the sequence.
     if (i.operand.kind == OperandKind::RegisterIndirect && i.operand.area == Area::DataBlock)
@@ -168,15 +169,16 @@ class InstanceCall {
     if (i.operand.area == Area::Instance) {
       if (side.db < 0) return {};
       i.operand.area = Area::DataBlock;
-      return fmt::format("DB{}.{}", side.db, mc7::operandText(i, Mnemonics::German));
+      return fmt::format("DB{}.{}", side.db, mc7::operandText(i, mnemonics_));
     }
-    return side.db < 0 ? mc7::operandText(i, Mnemonics::German) : std::string();
+    return side.db < 0 ? mc7::operandText(i, mnemonics_) : std::string();
   }
 
   const Body& body_;
   std::size_t call_;
   const block::Block& callee_;
   const Names& names_;
+  Mnemonics mnemonics_;
   std::int32_t db_ = -1;
   BitAddress offset_ = 0;
   Sides before_, behind_;
@@ -185,8 +187,9 @@ class InstanceCall {
 }  // namespace
 
 std::vector<std::string> instanceCall(const Body& body, std::size_t call,
-                                      const block::Block& callee, const Names& names) {
-  return InstanceCall(body, call, callee, names).text();
+                                      const block::Block& callee, const Names& names,
+                                      Mnemonics mnemonics) {
+  return InstanceCall(body, call, callee, names, mnemonics).text();
 }
 
 }  // namespace merker::awl

@@ -9,6 +9,7 @@ namespace merker::awl {
 // `body`: the bracket without its BLD; `call`: its UC. Empty if it has another form than the known
 // ones.
 std::vector<std::string> instanceCall(const Body& body, std::size_t call,
-                                      const block::Block& callee, const Names& names);
+                                      const block::Block& callee, const Names& names,
+                                      Mnemonics mnemonics);
 
 }  // namespace merker::awl

@@ -27,13 +27,13 @@ inline bool stores(const mc7::Instruction& i) {
 }
 
 // "T 5", "FB 3" for a parameter that takes a number; empty for other types.
-std::string numberText(TypeCode type, std::uint32_t number);
+std::string numberText(TypeCode type, std::uint32_t number, Mnemonics mnemonics);
 // A constant in the notation of its type.
 std::string constantText(TypeCode type, std::uint32_t bits);
 // P#DB5.DBX 0.0, P#M 10.0; V is L of the caller.
-std::string pointerOf(std::uint32_t db, std::uint32_t pointer);
+std::string pointerOf(std::uint32_t db, std::uint32_t pointer, Mnemonics mnemonics);
 // P#DB5.DBX 0.0 BYTE 10; empty if the head is none of an ANY.
 std::string anyText(std::uint32_t head, std::uint32_t count, std::uint32_t db,
-                    std::uint32_t pointer);
+                    std::uint32_t pointer, Mnemonics mnemonics);
 
 }  // namespace merker::awl

@@ -42,8 +42,8 @@ using Places = std::map<BitAddress, Actual>;
 class Call {
  public:
   Call(const mc7::Listing& listing, std::size_t at, std::size_t count, const Names& names,
-       const Blocks& blocks)
-      : listing_(listing), names_(names), blocks_(blocks) {
+       const Blocks& blocks, Mnemonics mnemonics)
+      : listing_(listing), names_(names), blocks_(blocks), mnemonics_(mnemonics) {
     for (std::size_t i = at + 1; i + 1 < at + count; ++i) body_.push_back(&listing.places[i]);
   }
 
@@ -57,7 +57,7 @@ class Call {
     const block::Block* callee =
         blocks_({called.blockKind, static_cast<std::uint16_t>(called.value)});
     if (callee == nullptr) return {};
-    return fc ? function(call, *callee) : instanceCall(body_, call, *callee, names_);
+    return fc ? function(call, *callee) : instanceCall(body_, call, *callee, names_, mnemonics_);
   }
 
  private:
@@ -136,7 +136,7 @@ class Call {
 
   std::string actualOf(const block::Variable& parameter, std::uint32_t entry) const {
     const TypeCode type = parameter.type->code;
-    if (isParameterNumber(type)) return numberText(type, entry >> 16);
+    if (isParameterNumber(type)) return numberText(type, entry >> 16, mnemonics_);
     const Area area = pointerArea(entry);
     const BitAddress address = pointerAddress(entry);
     const bool elementary = isElementary(type);
@@ -165,7 +165,7 @@ class Call {
     if (const std::string name = names_.of(instruction.operand); !name.empty()) return name;
     instruction.operation = written ? Operation::TRANSFER : Operation::LOAD;
     if (instruction.operand.kind != OperandKind::Memory) return {};
-    const std::string text = mc7::operandText(instruction, Mnemonics::German);
+    const std::string text = mc7::operandText(instruction, mnemonics_);
     return db < 0 ? text : fmt::format("DB{}.{}", db, text);
   }
 
@@ -195,10 +195,10 @@ class Call {
     if (any) {
       const auto head = constantAt(address), count = constantAt(address + 16);
       const auto db = constantAt(address + 32), pointer = constantAt(address + 48);
-      if (head && count && db && pointer) return anyText(*head, *count, *db, *pointer);
+      if (head && count && db && pointer) return anyText(*head, *count, *db, *pointer, mnemonics_);
     } else if (const auto db = constantAt(address), pointer = constantAt(address + 16);
                db && pointer) {
-      if (parameter.type->code == TypeCode::Pointer) return pointerOf(*db, *pointer);
+      if (parameter.type->code == TypeCode::Pointer) return pointerOf(*db, *pointer, mnemonics_);
       return variableAt(*db, *pointer, *parameter.type);
     }
     if (staged_.contains(address)) return {};
@@ -221,6 +221,7 @@ class Call {
   const mc7::Listing& listing_;
   const Names& names_;
   const Blocks& blocks_;
+  Mnemonics mnemonics_;
   std::vector<const mc7::Place*> body_;
   Places staged_, copied_;
 };
@@ -241,8 +242,8 @@ std::size_t callLength(const mc7::Listing& listing, std::size_t at, std::size_t 
 }
 
 std::vector<std::string> callText(const mc7::Listing& listing, std::size_t at, std::size_t count,
-                                  const Names& names, const Blocks& blocks) {
-  return Call(listing, at, count, names, blocks).text();
+                                  const Names& names, const Blocks& blocks, Mnemonics mnemonics) {
+  return Call(listing, at, count, names, blocks, mnemonics).text();
 }
 
 std::string parameterEntry(std::span<const std::uint8_t> entry) {

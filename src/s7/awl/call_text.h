@@ -17,7 +17,7 @@ std::size_t callLength(const mc7::Listing& listing, std::size_t at, std::size_t 
 
 // "CALL FC 1 (", "IN := M 0.0,", ")". Empty if the bracket has another form than the known ones.
 std::vector<std::string> callText(const mc7::Listing& listing, std::size_t at, std::size_t count,
-                                  const Names& names, const Blocks& blocks);
+                                  const Names& names, const Blocks& blocks, Mnemonics mnemonics);
 
 // "P#M 50.0" or a number.
 std::string parameterEntry(std::span<const std::uint8_t> entry);

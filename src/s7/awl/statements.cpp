@@ -117,7 +117,7 @@ class Writer {
     if (taken == 0) return 0;
     for (std::size_t i = at + 1; i < at + taken; ++i)
       if (labels_.contains(i)) return 0;
-    auto lines = callText(listing_, at, taken, names_, blocks_);
+    auto lines = callText(listing_, at, taken, names_, blocks_, Mnemonics::German);
     if (lines.empty()) return 0;
     statement.lines = std::move(lines);
     return taken;

@@ -54,13 +54,14 @@ const mc7::Operand* calledBlock(const mc7::Listing& listing, std::size_t at, std
 }  // namespace
 
 void describeCall(const mc7::Listing& listing, std::size_t at, std::size_t count,
-                  const awl::Names& names, const awl::Blocks& blocks, graph::Statement& statement) {
+                  const awl::Names& names, const awl::Blocks& blocks, Mnemonics mnemonics,
+                  graph::Statement& statement) {
   const mc7::Operand* called = calledBlock(listing, at, count);
   const BlockId id = called == nullptr
                          ? BlockId{}
                          : BlockId{called->blockKind, static_cast<std::uint16_t>(called->value)};
   statement.operand.text = called == nullptr ? "?" : toString(id);
-  const auto lines = awl::callText(listing, at, count, names, blocks);
+  const auto lines = awl::callText(listing, at, count, names, blocks, mnemonics);
   if (lines.empty()) return;
   std::string_view head = lines.front();  // "CALL  FB 1, DB 1 ("
   head.remove_prefix(head.find(' '));

@@ -8,6 +8,7 @@
 namespace merker::graph7 {
 
 void describeCall(const mc7::Listing& listing, std::size_t at, std::size_t count,
-                  const awl::Names& names, const awl::Blocks& blocks, graph::Statement& statement);
+                  const awl::Names& names, const awl::Blocks& blocks, Mnemonics mnemonics,
+                  graph::Statement& statement);
 
 }  // namespace merker::graph7

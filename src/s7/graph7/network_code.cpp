@@ -198,7 +198,7 @@ class Lexer {
     statement.operand.kind = OperandKind::Number;
     const auto bytes = code(at, at + count);
     statement.operand.code.assign(bytes.begin(), bytes.end());
-    describeCall(listing_, at, count, names_, blocks_, statement);
+    describeCall(listing_, at, count, names_, blocks_, mnemonics_, statement);
   }
 
   void fill(const mc7::Instruction& instruction, const std::vector<std::uint8_t>& before,

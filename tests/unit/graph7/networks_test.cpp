@@ -35,9 +35,12 @@ const block::Block* findBlock(BlockId id) {
   return at == compilation().program.end() ? nullptr : &at->second;
 }
 
-std::vector<NetworkCode> networksOf(const block::Block& block) {
+std::vector<NetworkCode> networksOf(const block::Block& block,
+                                    graph::Language language = graph::Language::German) {
   const awl::Names names(block);
-  return networks(block, names, findBlock, Mnemonics::German);
+  return networks(
+      block, names, findBlock,
+      language == graph::Language::German ? Mnemonics::German : Mnemonics::International);
 }
 
 std::string described(const NetworkCode& code, graph::Language language) {
@@ -56,7 +59,7 @@ std::string allDescribed(graph::Language language) {
   std::string out;
   for (const auto& [id, block] : compilation().program) {
     if (block.code.empty()) continue;
-    const auto codes = networksOf(block);
+    const auto codes = networksOf(block, language);
     EXPECT_EQ(codes.size(), block.networks.size());
     for (std::size_t i = 0; i < codes.size(); ++i)
       out += fmt::format("{} {}: {}\n{}", toString(id), i + 1, block.networks[i].title,
@@ -95,7 +98,7 @@ std::string allDrawn(graph::Language language, bool kop) {
   std::string out;
   for (const auto& [id, block] : compilation().program) {
     if (block.code.empty()) continue;
-    const auto codes = networksOf(block);
+    const auto codes = networksOf(block, language);
     for (std::size_t i = 0; i < codes.size(); ++i)
       out += fmt::format("{} {}: {}\n{}\n", toString(id), i + 1, block.networks[i].title,
                          drawn(codes[i], language, kop));
