@@ -47,12 +47,14 @@ Refused setLogic(std::vector<Node>& logic, const Operand& operand) {
   return std::nullopt;
 }
 
-// A BOOL that is read gets a contact; a constant and all others are given as they are.
+// A BOOL that is read gets a contact, unless another operand has been given without one; a constant
+// and all others are given as they are.
 Refused setArgument(const Network& network, Node& call, std::size_t number,
                     const Operand& operand) {
   Argument& argument = call.arguments[number];
+  const bool direct = !argument.text.empty() && argument.wire < 0;
   const bool contact = operand.kind == OperandKind::Bit || operand.kind == OperandKind::Wire;
-  if (contact)
+  if (contact && !direct)
     if (std::vector<Node>* logic = logicOfArgument(network, call, number))
       return setLogic(*logic, operand);
   if (std::vector<Node>* logic = logicOfPin(call, kFirstPin + static_cast<int>(number)))

@@ -4,6 +4,7 @@
 #include "graph/missing.h"
 #include "graph5/operand_code.h"
 #include "step5/declaration.h"
+#include "step5/line_end.h"
 #include "step5/line_start.h"
 #include "step5/operation_word.h"
 #include "step5/statement.h"
@@ -169,14 +170,16 @@ class Reader {
     written.begin = written.operand = scanner.offset();
     graph::Statement statement;
     step5::Failure failure;
-    const auto parsed = step5::parseStatement(scanner, failure, symbols_);
+    auto parsed = step5::parseStatement(scanner, failure, symbols_);
+    const std::string_view own = trim(scanner.since(start));
+    if (parsed && !step5::commentFollows(scanner, failure)) parsed.reset();
     if (parsed) {
       resolved(*parsed, statement, written);
     } else {
       scanner.back(start);
       unknown(scanner, statement, written);
     }
-    written.text = trim(scanner.since(start));
+    written.text = parsed ? own : trim(scanner.since(start));
     written.length = written.text.size();
     written.line = lineOf(written.start);
     written.end = written.line + 1;

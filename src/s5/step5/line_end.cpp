@@ -43,7 +43,8 @@ bool commentFollows(Scanner& scanner, Failure& failure) {
   const std::string text(
       scanner.rest().substr(0, scanner.rest().find_first_of("!;")).substr(0, 12));
   if (c == '.' && (isBlank(scanner.peek(1)) || scanner.peek(1) == '\0')) return true;
-  if (blanks == 0 || isDigit(c) || c == '.' || c == '=' || c == ',')
+  const bool missing = c == '?' && scanner.peek(1) == '?';  // an operand that is still to come
+  if (blanks == 0 || missing || isDigit(c) || c == '.' || c == '=' || c == ',')
     failure = {ProblemCode::P1111, scanner.offset(), 1, text, ""};
   else if (isOperand(scanner) || isStatement(scanner))
     failure = {ProblemCode::P1152, scanner.offset(), text.size(), text, ""};

@@ -50,7 +50,7 @@ std::string callText(const graph::Statement& call, const StatementStyle& style) 
     list += fmt::format("{}\n{}  {} := {}", list.empty() ? "" : ",", style.indent, argument.name,
                         actual);
   }
-  const std::string head = fmt::format("{:<{}}{}", "CALL", style.operandAt, call.operand.text);
+  const std::string head = fmt::format("{:<{}}{}", "CALL ", style.operandAt, call.operand.text);
   return list.empty() ? head : fmt::format("{} ({})", head, list);
 }
 

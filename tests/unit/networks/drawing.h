@@ -5,15 +5,28 @@
 
 namespace merker::networks {
 
-// The network of the first block, while somebody draws it.
+// The first network of the first block, or another one, while somebody draws it.
 class Drawing {
  public:
   explicit Drawing(std::string_view text, source::Language language = source::Language::Step7)
       : file_("drawing", std::string(text)), around_{language} {}
+  Drawing(source::SourceFile file, const Surroundings& around)
+      : file_(std::move(file)), around_(around) {}
+
+  Drawing& at(std::string_view block, std::size_t network) {
+    for (const Block& one : blocks(file_, around_))
+      if (one.symbol == block || one.name == block) line_ = one.line;
+    network_ = network;
+    return *this;
+  }
 
   // Behind all that is there.
   Drawing& add(const std::string& element, const std::vector<std::string>& operands) {
     return insert(last(), graph::Place::Behind, element, operands);
+  }
+  // As the first element of a rung of its own.
+  Drawing& rung(const std::string& element, const std::vector<std::string>& operands) {
+    return insert({}, graph::Place::Behind, element, operands);
   }
   // Before a pin of the box that stands last: numbers as it shows them, inputs first; 0: EN.
   Drawing& add(int pin, const std::string& contact) {
@@ -24,6 +37,8 @@ class Drawing {
                   const std::vector<std::string>& operands) {
     return apply(graph::Action::Insert, at, operands, element, place);
   }
+  Drawing& negate(int contact) { return apply(graph::Action::Negate, {contact}, {}); }
+  Drawing& addInput() { return apply(graph::Action::AddInput, selected_, {}); }
   Drawing& closeBranch() { return apply(graph::Action::CloseBranch, {selected_.node}, {}); }
   // What waits for an operand: of the element that was put in last, of another contact, at a pin.
   Drawing& name(const std::string& operand) {
@@ -36,6 +51,12 @@ class Drawing {
     return apply(graph::Action::SetOperand, last(graph::kFirstPin + pin - 1), {operand});
   }
 
+  Drawing& label(const std::string& label) {
+    return take(changeLabel(file_, line_, network_, label, around_));
+  }
+
+  const source::SourceFile& file() const { return file_; }
+  const std::string& refusal() const { return refusal_; }
   // "U E 0.0; = A 0.0", as the text has them; or why it was refused.
   std::string text() const {
     if (!refusal_.empty()) return refusal_;
@@ -51,8 +72,8 @@ class Drawing {
 
  private:
   Network network() const {
-    const auto block = blockAt(file_, 1, around_);
-    return block ? block->networks.front() : Network{};
+    const auto block = blockAt(file_, line_, around_);
+    return block ? block->networks[network_ - 1] : Network{};
   }
   graph::Selection last(int pin = graph::kNoPin) const {
     return {static_cast<int>(network().source.statements.size()) - 1, pin};
@@ -63,7 +84,9 @@ class Drawing {
                  graph::Place place = {}) {
     graph::Edit edit{action, at, place, element, {}, {}};
     for (const std::string& operand : operands) edit.operands.emplace_back().text = operand;
-    const auto done = networks::edit(file_, 1, 1, edit, around_);
+    return take(networks::edit(file_, line_, network_, edit, around_));
+  }
+  Drawing& take(const Edited& done) {
     if (!done) {
       refusal_ = networks::text(done.error(), graph::Language::English);
       return *this;
@@ -75,6 +98,8 @@ class Drawing {
 
   source::SourceFile file_;
   Surroundings around_;
+  std::uint32_t line_ = 1;  // of the block
+  std::size_t network_ = 1;
   graph::Selection selected_;
   std::string refusal_;
 };

@@ -29,6 +29,9 @@ TEST(LineEnd, ASecondStatement) {
   EXPECT_EQ(statement("= A 3.6 = A 3.7"), "P1111@4:11");
 }
 
+// O without operand with a comment would be another operation.
+TEST(LineEnd, AnOperandThatIsMissing) { EXPECT_EQ(statement("O ??.?"), "P1111@4:5"); }
+
 // 6.3, 9.4.10, 9.4.11: comments without a mark as they are printed.
 TEST(LineEnd, PrintedComments) {
   EXPECT_EQ(statement("T MB 254 ZIEL, DB-Nr. FB 61 KOMMANDO TOS"), "");
