@@ -10,6 +10,7 @@
 #include "compilation/existence.h"
 #include "compilation/machine_code.h"
 #include "compilation/stations.h"
+#include "compilation/system_block_calls.h"
 #include "control/memory.h"
 #include "control/reference.h"
 #include "nc/datum.h"
@@ -218,6 +219,7 @@ void buildProgram(Build& result, bool checks) {
   result.program = std::make_shared<const block::Program>(std::move(compilation.program));
   if (result.problems.cancelled()) return;
   project::checkAddresses(result.project, *result.program, result.problems);
+  noteSystemBlockCalls(*result.program, result.problems);
 }
 
 // Half a program is none, and its problems are not those of the sources.

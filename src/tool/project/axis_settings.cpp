@@ -16,6 +16,7 @@ namespace {
 using io::AxisChannel;
 using io::AxisOutput;
 
+constexpr std::int64_t kCountsEachPeriod = 4;                        // fourfold evaluation
 constexpr std::uint32_t kAxisFrequencies[] = {60, 30, 10, 5, 2, 1};  // kHz
 
 // What a key needs beside it (POS-PARAM-15, -23, -31).
@@ -175,6 +176,16 @@ void checkTogether(const Table& table, const AxisChannel& a) {
     table.mustBe("target_range", fmt::format("at most the range of the axis, {}", range));
 }
 
+// What works, but hardly as it is meant.
+void noteDoubts(const Table& table, const AxisChannel& a) {
+  const std::int64_t turn = std::int64_t{a.increments} * kCountsEachPeriod;
+  if (a.rotary && a.rotaryEnd % turn != 0 && turn % a.rotaryEnd != 0)  // POS-PARAM-28
+    table.problems().add(ProblemCode::P0772, table.placeOf("rotary_end"), turn);
+  const std::int64_t countable = std::int64_t{a.maxFrequency} * 1000 * kCountsEachPeriod;
+  if (isAnalog(a) && a.highestSpeed > countable)  // POS-ENC-10
+    table.problems().add(ProblemCode::P0773, table.placeOf("max_speed"), a.maxFrequency, countable);
+}
+
 }  // namespace
 
 const std::vector<std::string_view>& axisKeys() {
@@ -227,6 +238,7 @@ void readAxis(const Table& table, io::Module& module) {
   readAxis(reader);
   readMonitors(reader, module);
   if (fits && table.problems().list().size() == before) checkTogether(table, axis);
+  noteDoubts(table, axis);
   module.parameters.axis = axis;
 }
 

@@ -247,6 +247,37 @@ TEST(AxisSettings, ReportsThatNeverCome) {
   EXPECT_EQ(warned("interrupts = \"diagnostics\"\nreport_actual_value = true\n"), "");
 }
 
+// POS-PARAM-28: one turn of the encoder and one of the axis are in an integer ratio.
+TEST(AxisSettings, ZeroMarksThatWander) {
+  const auto rotary = [](int end, int increments) {
+    const Read read = digital(
+        fmt::format("axis = \"rotary\"\nrotary_end = {}\nincrements = {}\n", end, increments));
+    EXPECT_FALSE(read.problems.hasErrors()) << read.first();
+    return read.first();
+  };
+  EXPECT_EQ(rotary(4000, 1000), "");
+  EXPECT_EQ(rotary(16'000, 1000), "");
+  EXPECT_EQ(rotary(1000, 1000), "");
+  EXPECT_NE(rotary(1001, 1000).find("rotary_end should be a multiple of 4000 pulses"),
+            std::string::npos);
+}
+
+// POS-ENC-10: four counts each period of the encoder.
+TEST(AxisSettings, SpeedsThatTheInputsCannotFollow) {
+  const auto warned = [](const std::string& keys) {
+    const Read read = analog(keys);
+    EXPECT_FALSE(read.problems.hasErrors()) << read.first();
+    return read.first();
+  };
+  EXPECT_EQ(warned("max_speed = 240000\n"), "");
+  EXPECT_NE(
+      warned("max_speed = 240001\n").find("at 60 kHz the encoder inputs count at most 240000"),
+      std::string::npos);
+  EXPECT_EQ(warned("max_speed = 40000\nmax_frequency = \"10kHz\"\n"), "");
+  EXPECT_NE(warned("max_speed = 40001\nmax_frequency = \"10kHz\"\n").find("10 kHz"),
+            std::string::npos);
+}
+
 // Keys of an axis without one, and in another slot.
 TEST(AxisSettings, KeysWithoutAnAxis) {
   const Read none = readFile("[[module]]\nslot = \"2.5\"\nincrements = 500\n");
