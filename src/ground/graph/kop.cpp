@@ -1,12 +1,12 @@
 #include "graph/kop.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "graph/box_frame.h"
 #include "graph/branches.h"
 #include "graph/flow.h"
 #include "graph/kinds.h"
+#include "graph/ladder_parts.h"
 
 namespace merker::graph {
 namespace {
@@ -19,9 +19,10 @@ class Ladder {
     Picture picture;
     const auto roots = paths(network);
     int width = 0, bottom = 0;
-    for (const auto& root : roots) width = std::max(width, widthOf(*root));
+    for (const auto& root : roots) width = std::max(width, widthOfRung(*root));
+    lines_ = 0;
     for (const auto& root : roots) {
-      const Picture rung = path(*root, width);
+      const Picture rung = this->rung(*root, width);
       picture.place(rung, 1, picture.h);
       bottom = picture.h;
       picture.h += kGap;
@@ -134,18 +135,6 @@ class Ladder {
     return through(frame(text), signals_.now());
   }
 
-  // A box that the signal goes through has its wire at the left, above its operands.
-  static Picture through(Picture box, const Flows& before) {
-    const Flows behind = std::exchange(box.flow, before);
-    int left = box.w;
-    for (const Shape& shape : box.shapes)
-      if (shape.kind == ShapeKind::Frame) left = std::min(left, shape.x);
-    box.wire(0, box.out, left);
-    box.flow = behind;
-    box.in = box.out;
-    return box;
-  }
-
   Flows behind(const Node& node) const {
     Signals signals = signals_;
     signals.pass(node);
@@ -181,20 +170,9 @@ class Ladder {
   }
 
   Picture series(const Node& series) {
-    Picture out;
-    int above = 0;
     std::vector<Picture> parts;
     for (const Node& child : series.children) parts.push_back(node(child));
-    for (const Picture& part : parts)
-      above = std::max(above, &part == &parts.front() ? part.out : std::max(part.in, 0));
-    for (const Picture& part : parts) {
-      const int row = &part == &parts.front() ? part.out : std::max(part.in, 0);
-      if (&part == &parts.front()) out.in = part.in < 0 ? -1 : above - row + part.in;
-      out.place(part, out.w, above - row);
-      above += part.out - row;
-    }
-    out.out = above;
-    return out;
+    return beside(parts);
   }
 
   // Its branches below each other, joined at both ends.
@@ -259,18 +237,37 @@ class Ladder {
 
   // Paths
 
-  int widthOf(const Path& path) {
-    const int logic = path.logic.empty() ? 0 : node(path.logic.front()).w;
+  int widthBehind(const Path& path) {
     int behind = 0;
     for (const auto& tail : path.tails) behind = std::max(behind, kJoint + widthOf(*tail));
     for (const Coil& coil : path.coils) behind = std::max(behind, kJoint + this->coil(coil).w);
-    return logic + behind;
+    return behind;
+  }
+  int widthOf(const Path& path) {
+    return (path.logic.empty() ? 0 : node(path.logic.front()).w) + widthBehind(path);
+  }
+  int widthOfRung(const Path& path) {
+    const Lines lines = linesOf(path);
+    int width = lines.last.w + widthBehind(path);
+    for (const Picture& line : lines.full) width = std::max(width, line.w);
+    return width;
   }
 
   Picture path(const Path& path, int width) {
-    Picture out;
     signals_.begin();
-    if (!path.logic.empty()) out = node(path.logic.front());
+    return ended(path.logic.empty() ? Picture{} : node(path.logic.front()), path, width);
+  }
+
+  Picture rung(const Path& path, int width) {
+    const Lines lines = linesOf(path);
+    Picture out;
+    for (const Picture& line : lines.full) out.place(line, 0, out.h);
+    out.place(ended(lines.last, path, width), 0, out.h);
+    return out;
+  }
+
+  // `out` with what goes on behind it.
+  Picture ended(Picture out, const Path& path, int width) {
     const Flows flow = signals_.now();
     const int left = width - out.w - kJoint;
     std::vector<Picture> parts;
@@ -280,17 +277,51 @@ class Ladder {
     return parts.empty() ? out : attached(out, parts);
   }
 
-  static Picture atEnd(const Picture& coil, int width) {
-    Picture out;
-    out.flow = coil.flow;
-    out.place(coil, width - coil.w, 0);
-    out.wire(0, coil.in, width - coil.w);
-    out.in = coil.in;
+  // Lines
+
+  // The logic of a rung that is wider than the page.
+  struct Lines {
+    std::vector<Picture> full;  // each ends with a mark, with which the next one begins
+    Picture last;
+  };
+
+  Lines linesOf(const Path& path) {
+    Lines out;
+    const int room = style_.widest - widthBehind(path) - 2 * kMark;
+    signals_.begin();
+    if (path.logic.empty()) return out;
+    const Node& logic = path.logic.front();
+    if (style_.widest == 0 || logic.kind != NodeKind::Series || logic.bracketed)
+      out.last = node(logic);
+    else
+      wrap(logic, room, out);
     return out;
+  }
+
+  void wrap(const Node& series, int room, Lines& out) {
+    Signals outer = signals_.enter(series);
+    std::vector<Picture> parts;
+    int width = 0;
+    for (const Node& child : series.children) {
+      const Flows before = signals_.now();
+      Picture part = node(child);
+      if (width > 0 && width + part.w > room) {
+        parts.push_back(goesOn(++lines_, before));
+        out.full.push_back(beside(parts));
+        parts = {comesFrom(lines_, before)};
+        width = 0;
+      }
+      width += part.w;
+      parts.push_back(std::move(part));
+    }
+    signals_.leave(series, std::move(outer));
+    out.last = beside(parts);
+    out.last.flow = signals_.now();
   }
 
   const Style& style_;
   Signals signals_;
+  int lines_ = 0;      // that go on below, so far
   int parallels_ = 0;  // around what is being drawn
 };
 

@@ -7,6 +7,7 @@ namespace merker::graph {
 
 struct Style {
   Language language = Language::German;
+  int widest = 0;  // columns of ladder; a rung that is wider goes on below; 0: as wide as it is
 };
 
 }  // namespace merker::graph

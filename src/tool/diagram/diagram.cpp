@@ -17,7 +17,9 @@ namespace merker::diagram {
 namespace {
 
 graph::Style styleOf(Mnemonics mnemonics) {
-  return {mnemonics == Mnemonics::German ? graph::Language::German : graph::Language::English};
+  constexpr int kPage = 100;  // columns
+  return {mnemonics == Mnemonics::German ? graph::Language::German : graph::Language::English,
+          kPage};
 }
 
 // The mnemonic of a statement is that of its last instruction: before it stands the way to its

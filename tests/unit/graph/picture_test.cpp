@@ -53,6 +53,29 @@ TEST(Pictures, ShowEveryContactOfALargeNetwork) {
   }
 }
 
+// S7-EDIT-15
+TEST(Pictures, GoOnBelowWhereARungIsWiderThanThePage) {
+  constexpr const char* kSixContacts =
+      "U M 0.1; U M 0.2; U M 0.3; U M 0.4; U M 0.5; U M 0.6; = A 1.0; = A 1.1";
+  const Network network = read(test::statements(kSixContacts), graph7::rules()).value();
+  const std::vector<std::string> expected = {"│ M 0.1  M 0.2",
+                                             "├──┤ ├────┤ ├────>1",
+                                             "│     M 0.3  M 0.4",
+                                             "│1>────┤ ├────┤ ├────>2",
+                                             "│     M 0.5  M 0.6   A 1.0",
+                                             "│2>────┤ ├────┤ ├──┬──( )──",
+                                             "│                  │ A 1.1",
+                                             "│                  └──( )──"};
+  EXPECT_EQ(toText(kop(network, {Language::German, 36})).value(), expected);
+}
+
+TEST(Pictures, AreNotWiderThanThePage) {
+  const auto lines = toText(kop(contacts(Op::AND, kMany), {Language::German, 100}));
+  ASSERT_TRUE(lines);
+  EXPECT_EQ(contactsIn(*lines), kMany);
+  for (const std::string& line : *lines) EXPECT_LE(columns(line), 100) << line;
+}
+
 TEST(Pictures, GrowWithWhatTheyShow) {
   for (const Op op : {Op::AND, Op::OR})
     for (const auto draw : {kop, fup}) {

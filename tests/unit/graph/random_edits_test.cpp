@@ -72,6 +72,15 @@ Edit anyEdit(const Network& network, const Rules& rules) {
   return edit;
 }
 
+// What can be selected, in its order.
+std::vector<int> symbolsIn(const Picture& picture) {
+  std::vector<int> found;
+  for (const Shape& shape : picture.shapes)
+    if (shape.kind == ShapeKind::Contact || shape.kind == ShapeKind::Coil)
+      found.push_back(shape.of.node);
+  return found;
+}
+
 void expectWhole(const Edited& edited, const Rules& rules) {
   RC_ASSERT(write(edited.network, rules) == edited.statements);
   const auto again = read(edited.statements, rules, Unfinished::Allowed);
@@ -80,7 +89,10 @@ void expectWhole(const Edited& edited, const Rules& rules) {
   Network copy = edited.network;
   if (edited.select.node >= 0) RC_ASSERT(locate(copy, edited.select).has_value());
   RC_ASSERT(!toText(fup(copy, {}))->empty() || edited.statements.empty());
-  if (fitsKop(copy, rules)) RC_ASSERT(!toText(kop(copy, {}))->empty());
+  if (!fitsKop(copy, rules)) return;
+  const Picture wide = kop(copy, {});
+  RC_ASSERT(!toText(wide)->empty());
+  RC_ASSERT(symbolsIn(kop(copy, {Language::German, 30})) == symbolsIn(wide));
 }
 
 void editAtRandom(const Rules& rules) {
