@@ -1,0 +1,213 @@
+#include "graph/ladder_elements.h"
+
+#include <algorithm>
+
+#include "graph/box_frame.h"
+#include "graph/branches.h"
+#include "graph/kinds.h"
+#include "graph/ladder_parts.h"
+
+namespace merker::graph {
+
+// Between the signal at which it stands and the one behind it.
+Picture LadderElements::symbol(ShapeKind kind, const std::string& text, const std::string& above,
+                               std::size_t statement, const Selection& of, const Flows& behind) {
+  Picture out;
+  out.flow = signals_.now();
+  const int inside = std::max(3, columns(text) + 2);
+  const int textWidth = columns(above);
+  out.w = std::max(inside + 4, textWidth + 2);
+  out.h = 2;
+  out.in = out.out = 1;
+  const int at = (out.w - inside) / 2;
+  out.add({ShapeKind::Text,
+           (out.w - textWidth) / 2,
+           0,
+           textWidth,
+           0,
+           above,
+           statement,
+           Ends::AtEdges,
+           {of.node, kOwn}});
+  out.wire(0, 1, at);
+  out.add({kind, at, 1, inside, 0, text, statement, Ends::AtEdges, of});
+  out.flow = behind;
+  out.wire(at + inside, 1, out.w - at - inside);
+  return out;
+}
+
+Picture LadderElements::symbol(ShapeKind kind, const std::string& text, const std::string& above,
+                               const Node& node) {
+  Signals behind = signals_;
+  behind.pass(node);
+  return symbol(kind, text, above, node.first, selectionOf(node), behind.now());
+}
+
+// Where the signal is behind it.
+Picture LadderElements::node(const Node& node) {
+  if (isGroup(node)) {
+    Signals outer = signals_.enter(node);
+    Picture out = node.kind == NodeKind::Series ? series(node) : parallel(node, outer);
+    signals_.leave(node, std::move(outer));
+    out.flow = signals_.now();
+    return out;
+  }
+  // A branch goes on with what its temporary bit holds.
+  if (node.continues && node.kind == NodeKind::Contact)
+    signals_.beginAt({{node.last - 1, FlowBit::Sta}});
+  Picture out = single(node);
+  signals_.pass(node);
+  out.flow = signals_.now();
+  return out;
+}
+
+Picture LadderElements::single(const Node& node) {
+  switch (node.kind) {
+    case NodeKind::Series:
+    case NodeKind::Parallel:
+    case NodeKind::Xor:
+      break;
+    case NodeKind::Contact:
+      if (node.continues) return node.negated ? negation(node) : wire();
+      return symbol(ShapeKind::Contact, node.negated ? "/" : "", node.operand.text, node);
+    case NodeKind::Not:
+      return negation(node);
+    case NodeKind::Edge:
+      return symbol(ShapeKind::Coil, node.falling ? "N" : "P", node.memory.text, node);
+    case NodeKind::OperandEdge:
+      return operandEdge(node);
+    case NodeKind::Connector:
+      return symbol(ShapeKind::Coil, "#", node.operand.text, node);
+    case NodeKind::Box:
+      return box(node);
+  }
+  return {};
+}
+
+Picture LadderElements::wire() const {
+  Picture out;
+  out.flow = signals_.now();
+  out.w = 2;
+  out.h = 1;
+  out.in = out.out = 0;
+  out.wire(0, 0, 2);
+  return out;
+}
+
+Picture LadderElements::negation(const Node& node) {
+  return symbol(ShapeKind::Contact, "NOT", "", node);
+}
+
+Picture LadderElements::operandEdge(const Node& node) {
+  FrameText text;
+  text.above = node.operand.text;
+  text.title = node.falling ? "NEG" : "POS";
+  text.left = {{}, {.name = "M_BIT", .text = node.memory.text, .field = kFirstPin, .value = true}};
+  text.right = {{.name = "Q"}};
+  text.statement = node.first;
+  text.of = selectionOf(node);
+  text.flow = behind(node);
+  return through(frame(text), signals_.now());
+}
+
+Flows LadderElements::behind(const Node& node) const {
+  Signals signals = signals_;
+  signals.pass(node);
+  return signals.now();
+}
+
+// The logic of the first pin goes on from where the box stands, that of the others from the rail.
+Picture LadderElements::box(const Node& box) {
+  const Signals here = signals_;
+  bool first = true;
+  const DrawPin draw = [&](const Node& logic) {
+    signals_.beginAt(first ? here.now() : Flows{});
+    first = false;
+    FramePin pin;
+    pin.logic = node(logic);
+    return pin;
+  };
+  FrameText text = boxFrame(box, style_, draw);
+  signals_ = here;
+  text.flow = behind(box);
+  if (box.element->row.kind == ElementClass::Compare) {
+    text.left.insert(text.left.begin(), FramePin{});
+    return through(frame(text), signals_.now());
+  }
+  const Node* contact = firstContact(box);
+  const bool atBranch = contact != nullptr && contact->continues;
+  for (std::size_t i = 1; i < text.left.size(); ++i)
+    text.left[i].fromRail = (atBranch || parallels_ > 0) && text.left[i].logic.has_value();
+  Picture out = frame(text);
+  if (out.in < 0 && !text.left.empty() && !text.left.front().logic)
+    return through(out, signals_.now());
+  return out;
+}
+
+Picture LadderElements::series(const Node& series) {
+  std::vector<Picture> parts;
+  for (const Node& child : series.children) parts.push_back(node(child));
+  return beside(parts);
+}
+
+// Its branches below each other, joined at both ends.
+Picture LadderElements::parallel(const Node& parallel, const Signals& outer) {
+  std::vector<Picture> parts;
+  int widest = 0;
+  ++parallels_;
+  for (const Node& child : parallel.children) {
+    signals_.branch(outer);
+    parts.push_back(node(child));
+    widest = std::max(widest, parts.back().w);
+  }
+  --parallels_;
+  Picture out;
+  std::vector<int> rowsIn, rowsOut;
+  for (const Picture& part : parts) {
+    const int y = out.h;
+    out.place(part, 1, y);
+    rowsIn.push_back(y + std::max(part.in, 0));
+    rowsOut.push_back(y + part.out);
+    out.flow = part.flow;
+    out.wire(1 + part.w, rowsOut.back(), widest - part.w);
+  }
+  out.w = widest + 2;
+  out.flow = outer.now();
+  for (const int row : rowsIn)
+    out.wire(0, row, 1, row == rowsIn.front() ? Ends::AtEdges : Ends::BeginsInside);
+  out.down(0, rowsIn.front(), rowsIn.back() - rowsIn.front());
+  Signals behind = outer;
+  behind.pass(parallel);
+  out.flow = behind.now();
+  for (const int row : rowsOut)
+    out.wire(widest + 1, row, 1, row == rowsOut.front() ? Ends::AtEdges : Ends::EndsInside);
+  out.down(widest + 1, rowsOut.front(), rowsOut.back() - rowsOut.front());
+  out.in = rowsIn.front();
+  out.out = rowsOut.front();
+  return out;
+}
+
+Picture LadderElements::coil(const Coil& coil) {
+  const ElementRow& row = coil.element->row;
+  std::string name(style_.language == Language::German ? row.kop : row.kopEnglish);
+  name = name.size() > 2 ? name.substr(1, name.size() - 2) : "";
+  Picture out = symbol(ShapeKind::Coil, name == " " ? "" : name, coil.operand.text, coil.first,
+                       selectionOf(coil), signals_.now());
+  int field = kFirstPin;
+  for (const Operand& value : coil.values) {
+    const int width = columns(value.text);
+    out.w = std::max(out.w, width);
+    out.add({ShapeKind::Text,
+             std::max(0, (out.w - width) / 2),
+             out.h++,
+             width,
+             0,
+             value.text,
+             coil.first,
+             Ends::AtEdges,
+             {selectionOf(coil).node, field++}});
+  }
+  return out;
+}
+
+}  // namespace merker::graph
