@@ -75,12 +75,12 @@ TEST(Networks, TheSourceHasNoProblems) {
 
 // S7-EDIT-09, S7-EDIT-10, S7-SETRESET-05, S7-CNT-11, S7-TMR-09
 TEST(Networks, SayInGermanWhatTheyDo) {
-  test::expectRows("graph7/networks.de.txt", allDescribed(graph::Language::German));
+  merker::test::expectRows("graph7/networks.de.txt", allDescribed(graph::Language::German));
 }
 
 // S7-MNE-13
 TEST(Networks, SayInEnglishWhatTheyDo) {
-  test::expectRows("graph7/networks.en.txt", allDescribed(graph::Language::English));
+  merker::test::expectRows("graph7/networks.en.txt", allDescribed(graph::Language::English));
 }
 
 std::string drawn(const NetworkCode& code, graph::Language language, bool kop) {
@@ -108,17 +108,17 @@ std::string allDrawn(graph::Language language, bool kop) {
 
 // S7-EDIT-08, S7-EDIT-15
 TEST(Networks, AreDrawnAsLadder) {
-  test::expectRows("graph7/networks.kop.txt", allDrawn(graph::Language::German, true));
+  merker::test::expectRows("graph7/networks.kop.txt", allDrawn(graph::Language::German, true));
 }
 
 // S7-EDIT-13, S7-EDIT-14
 TEST(Networks, AreDrawnAsFunctionBlocks) {
-  test::expectRows("graph7/networks.fup.txt", allDrawn(graph::Language::German, false));
+  merker::test::expectRows("graph7/networks.fup.txt", allDrawn(graph::Language::German, false));
 }
 
 // S7-MNE-13
 TEST(Networks, AreDrawnInEnglish) {
-  test::expectRows("graph7/networks.lad.txt", allDrawn(graph::Language::English, true));
+  merker::test::expectRows("graph7/networks.lad.txt", allDrawn(graph::Language::English, true));
 }
 
 // The first temporary bit of a network is the first one that it uses.
