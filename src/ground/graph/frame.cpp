@@ -116,7 +116,7 @@ class Framer {
     return {text_.of.node, pin.field, text_.of.first};
   }
   void wire(int x, int row, const FramePin& pin) {
-    picture_.flow = pin.flow;
+    picture_.flow = pin.negated ? pin.before : pin.flow;
     picture_.wire(x, row, 1);
     picture_.shapes.back().value = pin.value;
   }

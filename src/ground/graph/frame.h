@@ -13,7 +13,8 @@ struct FramePin {
   bool negated = false, fromRail = false;
   int field = kNoPin;  // where its operand, or logic, is put
   bool value = false;  // no signal
-  Flows flow = {};     // the signal of its operand
+  Flows flow = {};     // its signal, as the box gets it
+  Flows before = {};   // of its operand, if a circle turns it round
   Selection of = {};   // whose operand the text is; none: of the box, at `field`
 };
 

@@ -60,6 +60,7 @@ class Diagram {
                 .negated = node.negated,
                 .field = kOwn,
                 .flow = bit(node),
+                .before = {{node.last - 1, FlowBit::Sta}},
                 .of = {selectionOf(node).node, kOwn}};
       case NodeKind::Series:
         return series(node);

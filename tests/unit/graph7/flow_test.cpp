@@ -7,6 +7,7 @@
 
 #include "../interpreter/rig.h"
 #include "graph/canonical.h"
+#include "graph/fup.h"
 #include "graph/kop.h"
 #include "graph/read.h"
 #include "graph/write.h"
@@ -52,6 +53,14 @@ class Signals {
     }
   }
 
+  // What comes to a box at its only input; a circle before it turns it round.
+  bool into(const Shape& frame) const {
+    for (const auto& [place, on] : ends_)
+      if (place.first > frame.y && place.first < frame.y + frame.h)
+        if (place.second == frame.x || place.second == frame.x - 1)
+          return on != (place.second == frame.x - 1);
+    return ends_.at({frame.y, frame.x});
+  }
   bool before(const Shape& symbol) const { return ends_.at({symbol.y, symbol.x}); }
   bool behind(const Shape& symbol) const { return begins_.at({symbol.y, symbol.x + symbol.w}); }
 
@@ -80,6 +89,23 @@ void expectCurrent(const graph::Network& network, unsigned inputs) {
     const bool closed = (((inputs >> operand.number) & 1u) != 0) != (shape.text == "/");
     RC_ASSERT(signals.behind(shape) == (shape.text == "NOT" ? !before : before && closed));
   }
+}
+
+// What comes to the box of the coil.
+void expectSignal(const graph::Network& network, unsigned inputs) {
+  const graph::Statements statements = graph::write(network, rules());
+  const graph::Picture picture = graph::fup(network, {});
+  const Signals signals(picture, statusOf(statements, inputs));
+  for (const Shape& shape : picture.shapes)
+    if (shape.kind == ShapeKind::Frame && shape.of.node == static_cast<int>(statements.size()) - 1)
+      RC_ASSERT(signals.into(shape) == test::evaluate(network, inputs));
+}
+
+RC_GTEST_PROP(Flow, ComesToTheCoilOfFunctionBlocks, ()) {
+  const graph::Network network = graph::canonical(*test::unmarkedNetworks(), rules(), 0);
+  const auto numbered = graph::read(graph::write(network, rules()), rules());
+  RC_ASSERT(numbered.has_value());
+  for (unsigned inputs = 0; inputs < 1u << test::kInputs; ++inputs) expectSignal(*numbered, inputs);
 }
 
 RC_GTEST_PROP(Flow, IsTheCurrentOfTheLadder, ()) {

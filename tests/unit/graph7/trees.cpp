@@ -1,5 +1,7 @@
 #include "trees.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "graph7/operand_code.h"
@@ -138,6 +140,7 @@ graph::Operand flag(unsigned byte, unsigned bit) {
   operand.kind = graph::OperandKind::Bit;
   operand.number = bitAddress(byte, bit);
   operand.code = pack({}, mc7::memory(Area::Flag, Width::Bit, operand.number));
+  operand.text = fmt::format("M {}.{}", byte, bit);
   return operand;
 }
 
