@@ -46,6 +46,11 @@ Refused change(Network& network, const std::optional<Location>& at, const Edit& 
   return std::nullopt;
 }
 
+bool has(const Statements& statements, Op op) {
+  return std::any_of(statements.begin(), statements.end(),
+                     [op](const Statement& statement) { return statement.op == op; });
+}
+
 EditProblem problemOf(Reason reason) {
   if (reason == Reason::Brackets) return EditProblem::Brackets;
   if (reason == Reason::OneBox) return EditProblem::OneBox;
@@ -102,6 +107,7 @@ Result<Edited, EditProblem> apply(const Network& network, const Edit& edit, cons
   Edited out;
   out.statements = writeNumbered(changed, rules);
   if (out.statements.size() > kMostStatements) return EditProblem::Size;
+  if (!rules.extended && has(out.statements, Op::NOT)) return EditProblem::NoNegation;
   out.select = selected(changed);
   if (edit.action == Action::SetOperand) out.select.pin = edit.at.pin;
   auto again = read(out.statements, rules, Unfinished::Allowed);

@@ -45,7 +45,7 @@ struct Edit {
   Place place = Place::Behind;
   std::string element;              // Insert: one of the above, or the id of a row
   std::vector<Operand> operands;    // by field: kOwn, kFirstPin...; what is left out is missing
-  std::vector<Argument> arguments;  // Insert of a CALL box
+  std::vector<Argument> arguments;  // of a CALL box: Insert, SetOperand of its block
 };
 
 struct Edited {

@@ -212,6 +212,10 @@ class Inserter {
     if (edit_.place == Place::AtPin) return EditProblem::CoilPlace;
     if (at->coil != nullptr) return besideCoil(*at, std::move(coil));
     if (edit_.place != Place::Behind) return EditProblem::CoilPlace;
+    if (at->rung->coils.empty()) {  // whatever is selected, it ends here
+      at->rung->coils.push_back(std::move(coil));
+      return std::nullopt;
+    }
     if (!isTrunk(*at->rung, at->list)) return EditProblem::CoilPlace;
     const bool last =
         at->list == &at->rung->logic ||

@@ -1,5 +1,7 @@
 #include "graph/edit_operand.h"
 
+#include <algorithm>
+
 #include "graph/complete.h"
 #include "graph/edit_branches.h"
 #include "graph/new_element.h"
@@ -64,7 +66,25 @@ Refused setArgument(const Network& network, Node& call, std::size_t number,
   return std::nullopt;
 }
 
-Refused setOnBox(const Network& network, Node& box, int pin, const Operand& operand) {
+// Parameters that the other block has, too, keep what is given to them.
+void takeParameters(Node& call, std::vector<Argument> others) {
+  for (Argument& other : others)
+    for (Argument& old : call.arguments)
+      if (old.name == other.name && (old.wire < 0 || other.bit)) {
+        other.text = std::move(old.text);
+        other.wire = old.wire;
+      }
+  call.arguments = std::move(others);
+  std::erase_if(call.parameters, [&call](const Pin& parameter) {
+    return std::none_of(
+        call.arguments.begin(), call.arguments.end(),
+        [&parameter](const Argument& one) { return one.wire == parameter.operand.number; });
+  });
+}
+
+Refused setOnBox(const Network& network, Node& box, const Edit& edit, const Operand& operand) {
+  const int pin = edit.at.pin;
+  if (pin == kOwn && !edit.arguments.empty()) takeParameters(box, edit.arguments);
   if (pin == kOwn) return set(box.operand, operand, fitsOwn(*box.element, operand));
   if (pin == kEnable) return setLogic(box.enable, operand);
   const bool call = box.element->row.kind == ElementClass::Call;
@@ -97,7 +117,7 @@ Refused setOperand(const Network& network, const Location& at, const Edit& edit)
   if (at.coil != nullptr) return setOnCoil(*at.coil, edit.at.pin, operand);
   if (at.count > 1) return EditProblem::NoPin;
   Node& node = at.node();
-  return node.kind == NodeKind::Box ? setOnBox(network, node, edit.at.pin, operand)
+  return node.kind == NodeKind::Box ? setOnBox(network, node, edit, operand)
                                     : setOnLeaf(node, edit.at.pin, operand);
 }
 

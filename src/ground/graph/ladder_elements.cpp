@@ -20,15 +20,10 @@ Picture LadderElements::symbol(ShapeKind kind, const std::string& text, const st
   out.h = 2;
   out.in = out.out = 1;
   const int at = (out.w - inside) / 2;
-  out.add({ShapeKind::Text,
-           (out.w - textWidth) / 2,
-           0,
-           textWidth,
-           0,
-           above,
-           statement,
-           Ends::AtEdges,
-           {of.node, kOwn}});
+  const Selection operand{of.node, kOwn};
+  if (textWidth > 0)
+    out.add({ShapeKind::Text, (out.w - textWidth) / 2, 0, textWidth, 0, above, statement,
+             Ends::AtEdges, operand});
   out.wire(0, 1, at);
   out.add({kind, at, 1, inside, 0, text, statement, Ends::AtEdges, of});
   out.flow = behind;

@@ -13,8 +13,6 @@ namespace {
 
 constexpr std::size_t kLongestWork = 12;  // statements of a box without logic
 
-bool isJump(Op op) { return op == Op::SPA || op == Op::SPB || op == Op::SPBN || op == Op::SPBNB; }
-
 // A jump that stays inside the network, or comes into it.
 std::optional<Refusal> misledJump(std::span<const Statement> statements) {
   for (std::size_t i = 0; i < statements.size(); ++i)

@@ -22,4 +22,6 @@ std::optional<Op> findOp(std::string_view name) {
   return static_cast<Op>(at - std::begin(kNames));
 }
 
+bool isJump(Op op) { return op == Op::SPA || op == Op::SPB || op == Op::SPBN || op == Op::SPBNB; }
+
 }  // namespace merker::graph

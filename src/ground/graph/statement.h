@@ -18,6 +18,7 @@ enum class Op : std::uint8_t {
 
 std::string_view name(Op op);  // "AND_BEFORE_OR"
 std::optional<Op> findOp(std::string_view name);
+bool isJump(Op op);  // to a label
 
 enum class OperandKind : std::uint8_t {
   None,

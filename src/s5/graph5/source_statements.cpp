@@ -250,6 +250,18 @@ std::vector<SourceNetwork> sourceNetworks(const step5::BlockSource& source,
   return Reader(source, symbols).read();
 }
 
+std::optional<graph::Operand> sourceBlock(std::string_view text,
+                                          const source::SymbolTable* symbols) {
+  const std::string call = "SPA " + std::string(text);
+  Scanner scanner(call, 0);
+  step5::Failure ignored;
+  const auto statement = step5::parseStatement(scanner, ignored, symbols);
+  if (!statement || !trim(scanner.rest()).empty()) return std::nullopt;
+  graph::Operand out = operandOf(statement->instruction.operand);
+  out.text = text;
+  return out;
+}
+
 std::optional<graph::Operand> sourceOperand(std::string_view text,
                                             const source::SymbolTable* symbols) {
   Scanner scanner(text, 0);

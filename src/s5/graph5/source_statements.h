@@ -18,4 +18,8 @@ std::vector<graph::SourceNetwork> sourceNetworks(const step5::BlockSource& sourc
 std::optional<graph::Operand> sourceOperand(std::string_view text,
                                             const source::SymbolTable* symbols);
 
+// A block as operations that call it name it.
+std::optional<graph::Operand> sourceBlock(std::string_view text,
+                                          const source::SymbolTable* symbols);
+
 }  // namespace merker::graph5

@@ -3,27 +3,13 @@
 #include <algorithm>
 
 #include "graph/canonical.h"
+#include "graph/locate.h"
 #include "graph/write.h"
 #include "networks/alignment.h"
 #include "networks/text.h"
 
 namespace merker::networks {
 namespace {
-
-bool isJump(graph::Op op) {
-  using enum graph::Op;
-  return op == SPA || op == SPB || op == SPBN || op == SPBNB;
-}
-
-// Whatever has been written behind a jump is a label.
-void nameLabels(graph::Statements& statements) {
-  for (graph::Statement& statement : statements) {
-    if (!isJump(statement.op) || statement.target >= 0) continue;
-    statement.operand.kind = graph::OperandKind::Label;
-    statement.operand.number = 0;
-    statement.operand.code = statement.operand.text;
-  }
-}
 
 std::set<std::string> labelsOf(const Block& block) {
   std::set<std::string> labels;
@@ -73,16 +59,28 @@ bool reads(const graph::Statements& wanted, const graph::Statements& read) {
                     [](const auto& a, const auto& b) { return reads(a, b); });
 }
 
-// The network with the operands of an edit as the text would have them.
-std::optional<graph::Edit> resolved(graph::Edit edit, Found& found) {
+bool same(const graph::Statements& wanted, const graph::Statements& old) {
+  const auto arguments = [](const auto& a, const auto& b) { return a.arguments == b.arguments; };
+  return reads(wanted, old) && std::equal(wanted.begin(), wanted.end(), old.begin(), arguments);
+}
+
+bool renamesCall(const graph::Edit& edit, graph::Network tree) {
+  if (edit.action != graph::Action::SetOperand || edit.at.pin != graph::kOwn) return false;
+  const auto at = graph::locate(tree, edit.at);
+  return at && at->coil == nullptr && at->node().kind == graph::NodeKind::Box &&
+         at->node().element->row.kind == graph::ElementClass::Call;
+}
+
+// The edit with its operands as the text would have them.
+std::optional<graph::Edit> resolved(graph::Edit edit, const graph::Network& tree, Found& found) {
   for (graph::Operand& operand : edit.operands) {
     if (operand.text.empty()) continue;
     auto read = found.text->operand(found.index, operand.text);
     if (!read) return std::nullopt;
     operand = std::move(*read);
   }
-  const bool call = edit.element == "CALL_BOX" && !edit.operands.empty();
-  if (call && edit.arguments.empty())
+  const bool call = edit.element == "CALL_BOX" || renamesCall(edit, tree);
+  if (call && !edit.operands.empty() && edit.arguments.empty())
     edit.arguments = found.text->parameters(found.index, edit.operands.front().text);
   return edit;
 }
@@ -104,15 +102,15 @@ Edited edit(const source::SourceFile& file, std::uint32_t line, std::size_t netw
   if (!found || network == 0 || network > found->block.networks.size()) return Refusal{};
   const Network& old = found->block.networks[network - 1];
   if (!old.tree) return Refusal{Obstacle::Awl};
-  const auto own = resolved(wish, *found);
+  const auto own = resolved(wish, *old.tree, *found);
   if (!own) return Refusal{Obstacle::Text};
   const graph::Rules& rules = *found->block.rules;
   const std::uint32_t wire = found->text->firstWire(found->block, found->index, network);
   auto done = graph::apply(*old.tree, *own, rules, wire);
   if (!done) return Refusal{Obstacle::Tree, done.error()};
-  if (done->statements == graph::write(graph::canonical(*old.tree, rules, wire), rules))
+  for (graph::Statement& statement : done->statements) found->text->fit(statement);
+  if (same(done->statements, graph::write(graph::canonical(*old.tree, rules, wire), rules)))
     return unchanged(old, wish);
-  nameLabels(done->statements);
   const Style style = styleOf(file, *found, old);
   TextEdit out = spliced({file, old.source, done->statements, style, found->text->writer(style),
                           labelsOf(found->block)});

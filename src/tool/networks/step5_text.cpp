@@ -27,6 +27,13 @@ class Step5Text : public Text {
     return graph5::sourceOperand(trim(text), symbols_);
   }
 
+  void fit(graph::Statement& statement) override {
+    const bool calls = statement.op == graph::Op::UC || statement.op == graph::Op::CC;
+    if (!calls) return;
+    if (auto block = graph5::sourceBlock(statement.operand.text, symbols_))
+      statement.operand = std::move(*block);
+  }
+
   std::vector<graph::Argument> parameters(std::size_t, std::string_view) override { return {}; }
 
   std::uint32_t firstWire(const Block&, std::size_t, std::size_t) override { return 0; }

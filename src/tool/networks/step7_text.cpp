@@ -58,6 +58,13 @@ class Step7Text : public Text {
     return operands ? operands->of(trim(text)) : std::nullopt;
   }
 
+  void fit(graph::Statement& statement) override {
+    if (!isJump(statement.op) || statement.target >= 0) return;
+    statement.operand.kind = graph::OperandKind::Label;
+    statement.operand.number = 0;
+    statement.operand.code = statement.operand.text;
+  }
+
   std::vector<graph::Argument> parameters(std::size_t block, std::string_view called) override {
     const auto operands = operandsOf(block);
     return operands ? graph7::parametersOf(trim(called), *operands)

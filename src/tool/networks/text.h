@@ -20,6 +20,9 @@ class Text {
 
   // An operand that a user writes; nothing if it is none, or more than one.
   virtual std::optional<graph::Operand> operand(std::size_t block, std::string_view text) = 0;
+  // Its operand, which came without an operation, as its operation takes it: PB 5 is a byte or a
+  // block.
+  virtual void fit(graph::Statement& statement) = 0;
   // The parameters of a block that is called.
   virtual std::vector<graph::Argument> parameters(std::size_t block, std::string_view called) = 0;
   // The first temporary bit that no other network of the block needs.

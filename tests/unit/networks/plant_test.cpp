@@ -168,6 +168,16 @@ TEST(Plant, callsOfFunctionBlocks) {
             "CALL #Motor ( Speed := 5); NOP 0");
 }
 
+// Of the other block: parameters with the same names keep what is given.
+TEST(Plant, callsOfAnotherBlock) {
+  Drawing drawing(
+      "FUNCTION FC 1 : VOID\nBEGIN\nNETWORK\nCALL FC 2 (A := MW 10, B := 5); NOP 0;\nEND_FUNCTION\n"
+      "FUNCTION FC 2 : VOID\nVAR_INPUT\n A : INT ;\n B : INT ;\nEND_VAR\nBEGIN\nEND_FUNCTION\n"
+      "FUNCTION FC 3 : VOID\nVAR_INPUT\n B : INT ;\n C : INT ;\nEND_VAR\nBEGIN\nEND_FUNCTION\n");
+  EXPECT_EQ(drawing.name(1, "FC 3").text(), "CALL FC 3 ( B := 5); NOP 0");
+  EXPECT_EQ(drawing.give(2, "7").text(), "CALL FC 3 ( B := 5, C := 7); NOP 0");
+}
+
 // What is given without a contact stays so.
 TEST(Plant, parametersKeepTheirForm) {
   Drawing drawing(
@@ -203,6 +213,36 @@ TEST(Plant, branchesOfARung) {
 }
 
 Drawing listing() { return Drawing("PB 1\nNETZWERK 1\n : BE\n", source::Language::Step5); }
+
+// S5-CALL-05: PB 5 is a block here, not a byte
+TEST(Plant, callsOfStep5) {
+  EXPECT_EQ(listing().rung("CALL_RAIL", {"PB 5"}).name(0, "PB 6").text(), "SPA PB 6");
+  EXPECT_EQ(listing().add("CONTACT", {"E 0.0"}).add("CALL_IF", {"PB 5"}).text(),
+            "U E 0.0; SPB PB 5");
+}
+
+TEST(Plant, negationsOfStep5) {
+  EXPECT_EQ(listing().add("CONTACT", {"E 0.0"}).negate(0).add("COIL", {"A 0.0"}).text(),
+            "UN E 0.0; = A 0.0");
+  EXPECT_EQ(listing()
+                .add("CONTACT", {"E 0.0"})
+                .add("CONTACT", {"E 0.1"})
+                .add("COIL", {"A 0.0"})
+                .negate(2)
+                .text(),
+            "only contacts can be negated here");
+}
+
+// F7 while the cursor stands in a branch: the rung ends.
+TEST(Plant, coilsEndRungsWithoutOne) {
+  EXPECT_EQ(ladder()
+                .add("CONTACT", {"E 0.0"})
+                .add("CONTACT", {"E 0.1"})
+                .insert({0}, kParallel, "CONTACT", {"A 1.0"})
+                .insert({2}, graph::Place::Behind, "COIL", {"A 3.0"})
+                .text(),
+            "U(; O E 0.0; O A 1.0; ); U E 0.1; = A 3.0");
+}
 
 // S5-KOPFUP-01, -02, -03: the worked example of the course in STEP 5
 TEST(Plant, laddersOfStep5) {
