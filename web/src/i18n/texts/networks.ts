@@ -32,5 +32,10 @@ export const networks = {
   groupCompare: ['Vergleicher', 'Compare'],
   groupMove: ['Übertragen, Rechnen', 'Move, math'],
   groupCall: ['Aufrufe', 'Calls'],
+  callTitle: ['Baustein aufrufen', 'Call a block'],
+  callBlock: ['Baustein, z. B. FC 1', 'Block, e.g. FC 1'],
+  callInstance: ['Instanz-DB', 'Instance DB'],
+  callInsert: ['Einfügen', 'Insert'],
+  cancel: ['Abbrechen', 'Cancel'],
   words: ['In Worten', 'In words'],
 } satisfies Texts;
