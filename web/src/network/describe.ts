@@ -13,6 +13,6 @@ export function describe(item: Item, view: View): string {
     return t(name === '/' ? 'closer' : 'contact', { operand });
   }
   if (kind === 'coil') return t('coil', { name: name.trim() || '=', operand });
-  if (kind === 'frame') return t('box', { name });
+  if (kind === 'frame') return t('box', { name: item.operand === undefined ? name : `${name}, ${operand}` });
   return t(view === 'fup' && pin === 0 ? 'input' : 'operand', { operand: operand || '…' });
 }

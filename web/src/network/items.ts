@@ -52,10 +52,13 @@ const around = (a: Rect, b: Rect): Rect => {
 
 const written = (shape: NetworkShape): string => shape.written ?? shape.text ?? '';
 
-/** The operand above a contact or coil belongs to it; all others are places of their own. */
+/** What has an operand above it: contacts, coils, boxes with a timer, "=" of FUP. A gate has none: it is named by its contact. */
+const hasOwn = (shape: NetworkShape) => isSymbol(shape) || (shape.kind === 'frame' && shape.first === undefined);
+
+/** The operand above an element belongs to it; all others are places of their own. */
 export function itemsOf(shapes: readonly NetworkShape[]): Item[] {
   const known = shapes.filter((shape) => shape.node !== undefined);
-  const symbols = new Set(known.filter(isSymbol).map(({ node }) => node));
+  const owners = new Set(known.filter(hasOwn).map(({ node }) => node));
   const own = new Map(known.filter((one) => one.kind === 'text' && one.pin === OWN).map((one) => [one.node, one]));
   const items: Item[] = [];
   for (const shape of known) {
@@ -63,9 +66,10 @@ export function itemsOf(shapes: readonly NetworkShape[]): Item[] {
     const rect = rectOf(shape);
     const plain = { node, pin, first, kind, rect, line, place: rect, name: text };
     if (isSymbol(shape)) items.push({ ...plain, ...operandAbove(own.get(node), rect) });
-    else if (kind === 'frame')
-      items.push({ ...plain, pin: NO_PIN, operand: undefined, field: NO_PIN, name: titleOf(shapes, shape) });
-    else if ((kind === 'text' || kind === 'field') && pin !== NO_PIN && !(pin === OWN && symbols.has(node)))
+    else if (kind === 'frame') {
+      const above = hasOwn(shape) ? own.get(node) : undefined;
+      items.push({ ...plain, pin: NO_PIN, name: titleOf(shapes, shape), ...operandAbove(above, rect) });
+    } else if ((kind === 'text' || kind === 'field') && pin !== NO_PIN && !(pin === OWN && owners.has(node)))
       items.push({ ...plain, operand: written(shape), field: pin });
   }
   return items;
