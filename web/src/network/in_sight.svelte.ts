@@ -1,21 +1,26 @@
 // Which networks are in sight: only these are drawn, a block may have hundreds.
 export class InSight {
   numbers = $state.raw<ReadonlySet<number>>(new Set());
+  private observer: IntersectionObserver | undefined;
 
-  /** For use: on the place of a network; `root` scrolls. */
-  watch = (node: HTMLElement, { number, root }: { number: number; root: () => HTMLElement }) => {
-    const observer = new IntersectionObserver((entries) => this.change(number, entries.at(-1)!.isIntersecting), {
+  /** For use: on the place of a network (`data-card`); `root` scrolls. */
+  watch = (node: HTMLElement, root: () => HTMLElement) => {
+    this.observer ??= new IntersectionObserver((entries) => this.change(entries), {
       root: root(),
       rootMargin: '600px',
     });
+    const { observer } = this;
     observer.observe(node);
-    return { destroy: () => observer.disconnect() };
+    return { destroy: () => observer.unobserve(node) };
   };
 
-  private change(number: number, visible: boolean): void {
+  private change(entries: IntersectionObserverEntry[]): void {
     const now = new Set(this.numbers);
-    if (visible) now.add(number);
-    else now.delete(number);
+    for (const { target, isIntersecting } of entries) {
+      const number = Number((target as HTMLElement).dataset.card);
+      if (isIntersecting) now.add(number);
+      else now.delete(number);
+    }
     this.numbers = now;
   }
 }

@@ -85,8 +85,8 @@ describe('the arrow keys', () => {
 });
 
 test('Enter goes to the next operand that is missing, and round', () => {
-  expect(nextMissing(items, { node: 0, pin: -1, first: -1 })?.node).toBe(2);
-  expect(nextMissing(items, { node: 2, pin: 0, first: -1 })?.node).toBe(3);
-  expect(nextMissing(items, { node: 3, pin: 0, first: -1 })?.node).toBe(2);
+  expect(nextMissing(items, { node: 0, field: -1 })?.node).toBe(2);
+  expect(nextMissing(items, { node: 2, field: 0 })?.node).toBe(3);
+  expect(nextMissing(items, { node: 3, field: 0 })?.node).toBe(2);
   expect(missing('E 0.0')).toBe(false);
 });

@@ -123,8 +123,8 @@ export function next(items: readonly Item[], from: Item, direction: Direction): 
 export const inOrder = (items: readonly Item[]): Item[] =>
   [...items].sort((a, b) => a.rect.y - b.rect.y || a.rect.x - b.rect.x);
 
-/** The next operand to type: one that is missing, behind this place and then from the beginning. */
-export function nextMissing(items: readonly Item[], from: Place): Item | undefined {
-  const order = [...items].filter((item) => missing(item.operand)).sort((a, b) => a.node - b.node || a.pin - b.pin);
-  return order.find((item) => item.node > from.node || (item.node === from.node && item.pin > from.pin)) ?? order[0];
+/** The next operand to type: one that is missing, behind this field and then from the beginning. */
+export function nextMissing(items: readonly Item[], from: Pick<Item, 'node' | 'field'>): Item | undefined {
+  const order = items.filter((item) => missing(item.operand)).sort((a, b) => a.node - b.node || a.field - b.field);
+  return order.find(({ node, field }) => node > from.node || (node === from.node && field > from.field)) ?? order[0];
 }

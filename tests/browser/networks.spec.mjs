@@ -1,0 +1,167 @@
+// Programs as KOP and FUP: shown, built with the keyboard alone, watched (S7-EDIT-08, -09, -13, -14, -15).
+import assert from 'node:assert/strict';
+import { mkdirSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { accessible } from './axe.mjs';
+import { content, replaceAll, text } from './editor.mjs';
+import { expect, launch, message, open, picture, scratch, serve, turn, until, visit } from './harness.mjs';
+
+const server = await serve('sorting-plant');
+const page = await open(server, 'projects', { height: 720 });
+const press = async (...keys) => { for (const key of keys) await page.keyboard.press(key); };
+const network = (number = 1) => page.locator(`[data-network="${number}"]`);
+const elements = (number = 1) => network(number).getByRole('button').and(page.locator('[data-node]'))
+  .evaluateAll((all) => all.map((one) => one.getAttribute('aria-label')).join(' | '));
+const statements = async () => (await text(page)).split('\n').filter((line) => line.endsWith(';')).map((line) => line.trim().replace(/\s+/g, ' ')).join(' ');
+const field = () => page.getByRole('combobox').and(page.locator('.networks input'));
+
+async function newProject(name, view) {
+  await visit(page, server, 'projects');
+  await page.getByRole('button', { name: 'Neues Projekt …' }).click();
+  await page.getByLabel('Projektname').fill(name);
+  await page.getByLabel('Darstellung').selectOption(view);
+  await page.getByRole('button', { name: 'Anlegen' }).click();
+  await network().waitFor();
+  await until(() => network().evaluate((card) => card.contains(document.activeElement)), 'the keyboard in the network');
+}
+
+/** The field opens by itself. */
+async function operand(name) {
+  await field().waitFor();
+  await page.keyboard.type(name);
+  await press('Enter');
+}
+
+const EXAMPLE = 'U E 0.0; U E 0.1; O A 1.0; = A 3.0;';
+
+test('the worked example as ladder, with the keyboard alone (S7-EDIT-15)', async () => {
+  await newProject('Kop', 'kop');
+  await press('F2');
+  await operand('E 0.0');
+  await press('F2');
+  await operand('E 0.1');
+  await press('Home', 'F8');
+  await operand('A 1.0');
+  await press('F9', 'F7');
+  await operand('A 3.0');
+  await expect(statements, EXAMPLE);
+  await expect(elements, 'Schließerkontakt E 0.0 | Schließerkontakt E 0.1 | Schließerkontakt A 1.0 | Spule =, A 3.0');
+});
+
+test('the same as function blocks, with the keyboard alone (S7-EDIT-13, -14)', async () => {
+  await newProject('Fup', 'fup');
+  await press('F2');
+  await operand('E 0.0');
+  await operand('E 0.1');
+  await press('ArrowRight', 'F3');
+  await operand('A 1.0');
+  await press('F7');
+  await operand('A 3.0');
+  await expect(statements, EXAMPLE);
+  await expect(elements, 'Eingang E 0.0 | Eingang E 0.1 | Box & | Eingang A 1.0 | Box >=1 | Box =, A 3.0');
+  await picture(page, 'networks-fup');
+});
+
+const undone = async (key, wanted) => (await press(key), expect(statements, wanted));
+
+test('each edit is undone and done again by itself', async () => {
+  await undone('Control+z', 'U E 0.0; U E 0.1; O A 1.0; = ??.?;');
+  await undone('Control+z', 'U E 0.0; U E 0.1; O A 1.0;');
+  await undone('Control+y', 'U E 0.0; U E 0.1; O A 1.0; = ??.?;');
+  await undone('Control+y', EXAMPLE);
+});
+
+/** As a variable table does. */
+const write = (items) =>
+  page.evaluate(
+    (items) =>
+      new Promise((done, failed) => {
+        const socket = new WebSocket(new URL('ws', location.href).href.replace(/^http/, 'ws').replace(/#.*/, ''));
+        socket.onopen = () => socket.send(JSON.stringify({ id: 1, do: 'variables.write', items }));
+        socket.onmessage = ({ data }) => {
+          const answer = JSON.parse(data);
+          if (answer.id !== 1) return;
+          socket.close();
+          answer.problems ? failed(new Error(data)) : done(0);
+        };
+      }),
+    Object.entries(items).map(([operand, value]) => ({ operand, value: String(value) })),
+  );
+
+const symbols = () => network().locator('.symbol').evaluateAll((all) => all.map((one) => (one.classList.contains('on') ? 1 : one.classList.contains('off') ? 0 : '-')).join(''));
+/** Signals behind E 0.0, E 0.1, A 1.0, and that of the coil. */
+const flow = (a, b, c) => [a, a & b, c, (a & b) | c].join('');
+
+test('the signal flow has the status of each row of the truth table (S7-EDIT-14, S7-EDIT-21)', async () => {
+  await press('Control+s');
+  await message(page, 'main.awl gespeichert');
+  await press('Control+l');
+  await message(page, 'Programm geladen');
+  await turn(page, 'RUN-P');
+  await page.getByRole('button', { name: 'KOP', exact: true }).click();
+  await page.getByRole('switch', { name: 'Status' }).click();
+  for (let row = 0; row < 8; ++row) {
+    const [a, b, c] = [row >> 2, (row >> 1) & 1, row & 1];
+    await write({ 'E 0.0': a, 'E 0.1': b, 'A 1.0': c });
+    await expect(symbols, flow(a, b, c), `row ${row}`);
+  }
+  await write({ 'E 0.1': 0 });
+  await expect(symbols, '1011');
+  await picture(page, 'networks-status');
+});
+
+test('all views show the same program: text and machine code stay as they are (S7-EDIT-08)', async () => {
+  await page.getByRole('tab', { name: 'Maschinencode' }).click();
+  const code = () => page.getByRole('table', { name: /^Maschinencode von / }).locator('tbody').innerText();
+  await until(async () => /D883|A 3\.0/.test(await code()), 'the machine code');
+  const [before, source] = [await code(), await text(page)];
+  for (const [key, view] of [['2', 'AWL'], ['3', 'FUP'], ['1', 'KOP'], ['2', 'AWL'], ['1', 'KOP']]) {
+    await press(`Control+${key}`);
+    await expect(() => page.getByRole('button', { name: view, exact: true }).getAttribute('aria-pressed'), 'true');
+    if (view === 'AWL') await content(page).waitFor();
+    else await until(() => network().evaluate((card) => card.contains(document.activeElement)), 'the keyboard in the network');
+    assert.equal(await text(page), source, view);
+    await expect(code, before, view);
+  }
+});
+
+test('a network that stays AWL names its statement (S7-EDIT-09)', async () => {
+  await press('Control+2');
+  await replaceAll(page, (await text(page)).replace('END_ORG', 'NETWORK\n      L     EB 1;\n      T     MB 1;\nEND_ORG'));
+  await press('Control+1');
+  await network(2).getByText(/^bleibt AWL: Zeile \d+: /).waitFor();
+  await expect(() => network(2).locator('.blamed').innerText(), '      L     EB 1;');
+  await press('Control+3');
+  await network(2).getByText(/^bleibt AWL: /).waitFor();
+});
+
+test('a new network and elements from the palette: by its search, by dragging (S7-EDIT-13)', async () => {
+  await press('Control+1');
+  await network(1).locator('[data-head]').click();
+  await press('Control+r');
+  await until(async () => (await network(2).innerText()).includes('Netzwerk 2'), 'the new network');
+  await press('Alt+F9');
+  await page.keyboard.type('s_impuls');
+  await press('Enter');
+  await operand('T 1');
+  await operand('S5T#2S');
+  await operand('E 1.0');
+  await until(async () => /SI\s+T 1;/.test(await text(page)), () => 'the timer');
+  const contact = page.locator('[data-element="CONTACT_NOT"]');
+  await contact.dragTo(network(1).locator('[data-node="0"]').first());
+  await operand('E 7.7');
+  await expect(async () => (await statements()).slice(0, 18), 'U E 0.0; UN E 7.7;');
+});
+
+test('in English, in the dark and on a phone: nothing is hidden, nothing is wider than the page', async () => {
+  for (const [width, height, theme] of [[1280, 720, 'light'], [1280, 720, 'dark'], [390, 844, 'dark']]) {
+    const other = await open(server, 'program?file=main.awl', { width, height, theme, language: 'en' });
+    await other.getByRole('button', { name: 'LAD', exact: true }).click();
+    await other.locator('[data-network="1"] [data-node]').first().waitFor();
+    await accessible(other, `LAD, ${width} px, ${theme}`);
+    const [wide, page] = await other.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
+    assert.ok(wide <= page, `${wide} px in ${page} px`);
+    await other.context().close();
+  }
+});
