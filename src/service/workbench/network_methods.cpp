@@ -158,8 +158,10 @@ Answer edited(const Aside& aside, const compilation::Build& build) {
   const networks::Edited result = changed(*text, edit, line, network);
   if (!fields.good()) return aside.wrong();
   if (!result)
-    return refused(ProblemCode::P1308, fmt::format("network {}", network),
-                   networks::text(result.error(), language));
+    return refused(
+        ProblemCode::P1308,
+        fmt::format("{} {}", language == graph::Language::German ? "Netzwerk" : "network", network),
+        networks::text(result.error(), language));
   return editRow(*result);
 }
 

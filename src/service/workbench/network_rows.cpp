@@ -92,10 +92,25 @@ class NetworkRow {
       row["written"] = at->second;
     if (shape.ends != graph::Ends::AtEdges) row["ends"] = word(kEnds, shape.ends);
     if (shape.of.node >= 0) name(row, shape);
+    if (const auto at = valueOf(shape)) row["value"] = lineOf(*at);
     const bool carries =
         shape.kind == graph::ShapeKind::Wire || shape.kind == graph::ShapeKind::Negation;
     if (carries && graph::isKnown(shape.flow)) row["flow"] = flow(shape);
     return row;
+  }
+
+  // Which statement of the box loads or transfers what stands at its pin.
+  std::optional<std::size_t> valueOf(const graph::Shape& shape) const {
+    if (shape.kind != graph::ShapeKind::Text || shape.of.pin < graph::kFirstPin) return {};
+    const auto shown = written_.find(shape.text);
+    const std::string& text = shown == written_.end() ? shape.text : shown->second;
+    const std::size_t end = static_cast<std::size_t>(shape.of.node) + 1;
+    for (std::size_t i = shape.statement; i < std::min(end, source_.statements.size()); ++i) {
+      const graph::Statement& one = source_.statements[i];
+      const bool moves = one.op == graph::Op::LOAD || one.op == graph::Op::TRANSFER;
+      if (moves && one.operand.text == text) return i;
+    }
+    return {};
   }
 
   void name(Json& row, const graph::Shape& shape) const {

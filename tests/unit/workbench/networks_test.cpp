@@ -1,3 +1,5 @@
+#include <map>
+
 #include "bench.h"
 
 namespace merker::workbench::test {
@@ -95,6 +97,18 @@ TEST(Networks, SaveWordsWhereTheSignalIsNotKnown) {
   for (const Json& shape : network["shapes"])
     if (shape["kind"] == "wire" && !shape.contains("flow")) ++unknown;
   EXPECT_GT(unknown, 30u);
+}
+
+// AKKU 1 behind these statements is what stands at the pins of a box.
+TEST(Networks, NameTheStatementsOfTheirValues) {
+  Bench bench;
+  const char* const text =
+      "FUNCTION FC 1 : VOID\nBEGIN\nNETWORK\n L MW 2;\n T MW 4;\n NOP 0;\nEND_FUNCTION\n";
+  const Json answer = bench.call("networks.show", asked({{"text", text}}));
+  std::map<std::string, int> values;
+  for (const Json& shape : answer["networks"][0]["shapes"])
+    if (shape.contains("value")) values[shape["text"]] = shape["value"];
+  EXPECT_EQ(values, (std::map<std::string, int>{{"MW 2", 1}, {"MW 4", 2}}));
 }
 
 TEST(Networks, ShowSymbolsOrAddressesButKnowWhatIsWritten) {
