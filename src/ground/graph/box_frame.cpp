@@ -59,7 +59,8 @@ class BoxFramer {
             .push_back({.name = std::string(name),
                         .text = pin.operand.text,
                         .field = field,
-                        .value = true});
+                        .value = true,
+                        .moved = pin.statement});
     }
   }
 

@@ -117,6 +117,7 @@ bool BoxReader::own(Op op) {
 
 bool BoxReader::value(const Item& item) {
   if (!cursor_.is(item.op) || !isValue(cursor_.look().operand)) return false;
+  box_.pins[item.pin].statement = cursor_.at();
   box_.pins[item.pin].operand = cursor_.take().operand;
   return true;
 }

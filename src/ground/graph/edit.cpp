@@ -35,7 +35,7 @@ Refused change(Network& network, const std::optional<Location>& at, const Edit& 
     case Action::Negate:
     case Action::CloseBranch:
     case Action::SetOperand:
-      return at ? change(network, *at, edit) : EditProblem::NoNode;
+      return at ? change(*at, edit) : EditProblem::NoNode;
     case Action::Delete:
       return at ? remove(network, *at, edit.at.pin) : EditProblem::NoNode;
     case Action::DeleteRung:

@@ -125,11 +125,11 @@ Refused closeBranch(const Location& at) {
 
 }  // namespace
 
-std::optional<EditProblem> change(Network& network, const Location& at, const Edit& edit) {
+std::optional<EditProblem> change(const Location& at, const Edit& edit) {
   if (edit.action == Action::AddInput) return addInput(at);
   (at.coil != nullptr ? at.coil->selected : at.node().selected) = true;
   if (edit.action == Action::Negate) return negateAt(at, edit.at.pin);
-  if (edit.action == Action::SetOperand) return setOperand(network, at, edit);
+  if (edit.action == Action::SetOperand) return setOperand(at, edit);
   return closeBranch(at);
 }
 

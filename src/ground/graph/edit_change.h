@@ -9,6 +9,6 @@
 namespace merker::graph {
 
 // The problem if it cannot be; then the network is spoilt.
-std::optional<EditProblem> change(Network& network, const Location& at, const Edit& edit);
+std::optional<EditProblem> change(const Location& at, const Edit& edit);
 
 }  // namespace merker::graph

@@ -49,18 +49,13 @@ Refused setLogic(std::vector<Node>& logic, const Operand& operand) {
   return std::nullopt;
 }
 
-// A BOOL that is read gets a contact, unless another operand has been given without one; a constant
-// and all others are given as they are.
-Refused setArgument(const Network& network, Node& call, std::size_t number,
-                    const Operand& operand) {
+// Given as it is, as STEP 7 stores it: "a := E 0.5". Where a contact is drawn, it gets the operand.
+Refused setArgument(Node& call, std::size_t number, const Operand& operand) {
   Argument& argument = call.arguments[number];
-  const bool direct = !argument.text.empty() && argument.wire < 0;
   const bool contact = operand.kind == OperandKind::Bit || operand.kind == OperandKind::Wire;
-  if (contact && !direct)
-    if (std::vector<Node>* logic = logicOfArgument(network, call, number))
-      return setLogic(*logic, operand);
-  if (std::vector<Node>* logic = logicOfPin(call, kFirstPin + static_cast<int>(number)))
-    logic->clear();
+  std::vector<Node>* logic = logicOfPin(call, kFirstPin + static_cast<int>(number));
+  if (contact && logic != nullptr && !logic->empty()) return setLogic(*logic, operand);
+  if (logic != nullptr) logic->clear();
   dropEmptyParameters(call);
   argument.text = operand.text;
   return std::nullopt;
@@ -82,7 +77,7 @@ void takeParameters(Node& call, std::vector<Argument> others) {
   });
 }
 
-Refused setOnBox(const Network& network, Node& box, const Edit& edit, const Operand& operand) {
+Refused setOnBox(Node& box, const Edit& edit, const Operand& operand) {
   const int pin = edit.at.pin;
   if (pin == kOwn && !edit.arguments.empty()) takeParameters(box, edit.arguments);
   if (pin == kOwn) return set(box.operand, operand, fitsOwn(*box.element, operand));
@@ -91,7 +86,7 @@ Refused setOnBox(const Network& network, Node& box, const Edit& edit, const Oper
   const auto number = static_cast<std::size_t>(pin - kFirstPin);
   if (pin < kFirstPin || number >= (call ? box.arguments.size() : box.pins.size()))
     return EditProblem::NoPin;
-  if (call) return setArgument(network, box, number, operand);
+  if (call) return setArgument(box, number, operand);
   const PinKind kind = box.element->pins[number].kind;
   if (kind == PinKind::Output) return EditProblem::NoPin;
   if (kind == PinKind::Logic) return setLogic(box.pins[number].logic, operand);
@@ -112,12 +107,12 @@ std::vector<Node>* logicOfPin(Node& box, int pin) {
   return nullptr;
 }
 
-Refused setOperand(const Network& network, const Location& at, const Edit& edit) {
+Refused setOperand(const Location& at, const Edit& edit) {
   const Operand operand = edit.operands.empty() ? Operand{} : edit.operands.front();
   if (at.coil != nullptr) return setOnCoil(*at.coil, edit.at.pin, operand);
   if (at.count > 1) return EditProblem::NoPin;
   Node& node = at.node();
-  return node.kind == NodeKind::Box ? setOnBox(network, node, edit, operand)
+  return node.kind == NodeKind::Box ? setOnBox(node, edit, operand)
                                     : setOnLeaf(node, edit.at.pin, operand);
 }
 

@@ -11,6 +11,6 @@ namespace merker::graph {
 // The logic that is at the pin of a box; null: none can be, or none is.
 std::vector<Node>* logicOfPin(Node& box, int pin);
 
-std::optional<EditProblem> setOperand(const Network& network, const Location& at, const Edit& edit);
+std::optional<EditProblem> setOperand(const Location& at, const Edit& edit);
 
 }  // namespace merker::graph

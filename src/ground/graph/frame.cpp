@@ -92,9 +92,16 @@ class Framer {
         picture_.add({ShapeKind::Rail, 0, row - logic.out + std::max(logic.in, 0), 0, 0, {}, 0});
     } else if (!pin.text.empty()) {
       const int begin = end - 1 - columns(pin.text);
-      write(begin, row, pin.text, selection(pin));
+      operand(begin, row, pin);
       wire(end - 1, row, pin);
     }
+  }
+
+  void operand(int x, int row, const FramePin& pin) {
+    write(x, row, pin.text, selection(pin));
+    if (!pin.moved) return;
+    picture_.shapes.back().value = true;
+    picture_.shapes.back().statement = *pin.moved;
   }
 
   static bool isOpen(const FramePin& pin) {
@@ -126,7 +133,7 @@ class Framer {
     if (isOpen(pin)) field(x_ + width_ - 1 - columns(pin.name), row, pin);
     if (pin.text.empty()) return;
     wire(x_ + width_, row, pin);
-    write(x_ + width_ + 1, row, pin.text, selection(pin));
+    operand(x_ + width_ + 1, row, pin);
   }
 
   void box() {

@@ -11,11 +11,12 @@ struct FramePin {
   std::string name = {}, text = {};   // text: the operand at the pin; empty: open
   std::optional<Picture> logic = {};  // what comes in, drawn to the left of the box
   bool negated = false, fromRail = false;
-  int field = kNoPin;  // where its operand, or logic, is put
-  bool value = false;  // no signal
-  Flows flow = {};     // its signal, as the box gets it
-  Flows before = {};   // of its operand, if a circle turns it round
-  Selection of = {};   // whose operand the text is; none: of the box, at `field`
+  int field = kNoPin;                     // where its operand, or logic, is put
+  bool value = false;                     // no signal
+  Flows flow = {};                        // its signal, as the box gets it
+  Flows before = {};                      // of its operand, if a circle turns it round
+  Selection of = {};                      // whose operand the text is; none: of the box, at `field`
+  std::optional<std::size_t> moved = {};  // the statement that loads or transfers the operand
 };
 
 struct FrameText {

@@ -186,7 +186,11 @@ class Diagram {
     text.left.push_back(std::move(first));
     int field = kFirstPin;
     for (const Operand& value : coil.values)
-      text.left.push_back({.text = value.text, .field = field++, .value = true});
+      text.left.push_back(
+          {.text = value.text,
+           .field = field++,
+           .value = true,
+           .moved = coil.first + static_cast<std::size_t>(&value - coil.values.data())});
     return frame(text);
   }
 

@@ -189,6 +189,7 @@ Picture LadderElements::coil(const Coil& coil) {
   Picture out = symbol(ShapeKind::Coil, name == " " ? "" : name, coil.operand.text, coil.first,
                        selectionOf(coil), signals_.now());
   int field = kFirstPin;
+  std::size_t loaded = coil.first;  // one statement each, before that of the coil
   for (const Operand& value : coil.values) {
     const int width = columns(value.text);
     out.w = std::max(out.w, width);
@@ -198,9 +199,11 @@ Picture LadderElements::coil(const Coil& coil) {
              width,
              0,
              value.text,
-             coil.first,
+             loaded++,
              Ends::AtEdges,
-             {selectionOf(coil).node, field++}});
+             {selectionOf(coil).node, field++},
+             {},
+             true});
   }
   return out;
 }

@@ -31,7 +31,10 @@ struct Pin {
   bool open = false;
   std::vector<Node> logic;  // at most one
   Operand operand;
-  bool operator==(const Pin&) const = default;
+  std::size_t statement = 0;  // that loads or transfers the operand
+  bool operator==(const Pin& other) const {
+    return open == other.open && logic == other.logic && operand == other.operand;
+  }
 };
 
 struct Node {

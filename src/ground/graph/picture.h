@@ -47,9 +47,10 @@ struct Shape {
   std::string text;
   std::size_t statement = 0;
   Ends ends = Ends::AtEdges;
-  Selection of = {};   // whose shape it is; of.pin: an operand field of it
-  Flows flow = {};     // Wire, Negation
-  bool value = false;  // Wire: what it carries is no signal
+  Selection of = {};  // whose shape it is; of.pin: an operand field of it
+  Flows flow = {};    // Wire, Negation
+  bool value =
+      false;  // Wire: what it carries is no signal; Text: AKKU 1 of `statement` is its value
 };
 
 // Part of a drawing with the rows at which the signal comes in at its left and goes out at its

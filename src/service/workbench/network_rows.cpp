@@ -92,25 +92,25 @@ class NetworkRow {
       row["written"] = at->second;
     if (shape.ends != graph::Ends::AtEdges) row["ends"] = word(kEnds, shape.ends);
     if (shape.of.node >= 0) name(row, shape);
-    if (const auto at = valueOf(shape)) row["value"] = lineOf(*at);
+    if (shape.kind == graph::ShapeKind::Text && shape.value) value(row, shape.statement);
     const bool carries =
         shape.kind == graph::ShapeKind::Wire || shape.kind == graph::ShapeKind::Negation;
-    if (carries && graph::isKnown(shape.flow)) row["flow"] = flow(shape);
+    if (carries && !shape.value && graph::isKnown(shape.flow)) row["flow"] = flow(shape);
     return row;
   }
 
-  // Which statement of the box loads or transfers what stands at its pin.
-  std::optional<std::size_t> valueOf(const graph::Shape& shape) const {
-    if (shape.kind != graph::ShapeKind::Text || shape.of.pin < graph::kFirstPin) return {};
-    const auto shown = written_.find(shape.text);
-    const std::string& text = shown == written_.end() ? shape.text : shown->second;
-    const std::size_t end = static_cast<std::size_t>(shape.of.node) + 1;
-    for (std::size_t i = shape.statement; i < std::min(end, source_.statements.size()); ++i) {
-      const graph::Statement& one = source_.statements[i];
-      const bool moves = one.op == graph::Op::LOAD || one.op == graph::Op::TRANSFER;
-      if (moves && one.operand.text == text) return i;
-    }
-    return {};
+  // The value of a constant is its text: "5", "-1", "S5T#2S", "'A'".
+  static bool isConstant(std::string_view text) {
+    const std::size_t mark = text.find('#');
+    return text.find_first_of("0123456789+-'") == 0 || (mark != text.npos && mark > 0);
+  }
+
+  // What LC gives is BCD.
+  void value(Json& row, std::size_t index) const {
+    const graph::Statements& all = source_.statements;
+    if (index >= all.size() || isConstant(all[index].operand.text)) return;
+    row["value"] = lineOf(index);
+    if (index > 0 && all[index - 1].op == graph::Op::LOAD_BCD) row["bcd"] = true;
   }
 
   void name(Json& row, const graph::Shape& shape) const {

@@ -148,8 +148,13 @@ TEST(Edit, GivesLogicToTheParametersOfACall) {
                             graph7::rules(), kFirstWire);
   ASSERT_TRUE(second);
   EXPECT_EQ(test::text(second->statements), "U E 0.1; = L 20.0; BLD 103; CALL FC 1; NOP");
-  const auto third =
+  const auto direct =
       apply(second->network, act(Action::SetOperand, "4:1", "E 0.0"), graph7::rules(), kFirstWire);
+  ASSERT_TRUE(direct);
+  EXPECT_EQ(direct->statements[3].arguments[0].text, "E 0.0");
+  EXPECT_EQ(direct->statements.size(), second->statements.size());
+  const auto third = apply(second->network, insert("4:1", kAtPin, "CONTACT", {"E 0.0"}),
+                           graph7::rules(), kFirstWire);
   ASSERT_TRUE(third);
   EXPECT_EQ(test::text(third->statements),
             "U E 0.0; = L 20.0; BLD 103; U E 0.1; = L 20.1; BLD 103; CALL FC 1; NOP");

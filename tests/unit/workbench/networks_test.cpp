@@ -1,5 +1,3 @@
-#include <map>
-
 #include "bench.h"
 
 namespace merker::workbench::test {
@@ -99,16 +97,59 @@ TEST(Networks, SaveWordsWhereTheSignalIsNotKnown) {
   EXPECT_GT(unknown, 30u);
 }
 
-// AKKU 1 behind these statements is what stands at the pins of a box.
+// "MW 10 at 4": operands whose value shows, with the line that moves it.
+std::vector<std::string> values(const Json& network) {
+  std::vector<std::string> found;
+  for (const Json& shape : network["shapes"])
+    if (shape.contains("value"))
+      found.push_back(shape["text"].get<std::string>() + " at " + shape["value"].dump() +
+                      (shape.contains("bcd") ? " bcd" : ""));
+  return found;
+}
+
+// Each value is AKKU 1 behind the statement that moves it; of constants and blocks there is none.
+// The wires at values carry no signal.
 TEST(Networks, NameTheStatementsOfTheirValues) {
   Bench bench;
-  const char* const text =
-      "FUNCTION FC 1 : VOID\nBEGIN\nNETWORK\n L MW 2;\n T MW 4;\n NOP 0;\nEND_FUNCTION\n";
-  const Json answer = bench.call("networks.show", asked({{"text", text}}));
-  std::map<std::string, int> values;
-  for (const Json& shape : answer["networks"][0]["shapes"])
-    if (shape.contains("value")) values[shape["text"]] = shape["value"];
-  EXPECT_EQ(values, (std::map<std::string, int>{{"MW 2", 1}, {"MW 4", 2}}));
+  const Json answer = bench.call("networks.show", asked({{"text", R"(FUNCTION FC 1 : VOID
+BEGIN
+NETWORK
+      U     E 0.1;
+      L     S5T#2S;
+      SE    T 1;
+      NOP   0;
+      L     T 1;
+      T     MW 20;
+      LC    T 1;
+      T     MW 22;
+      U     T 1;
+      =     A 4.4;
+NETWORK
+      U(;
+      L     MW 10;
+      L     5;
+      ==I;
+      );
+      =     A 4.5;
+NETWORK
+      L     MW 2;
+      T     MW 2;
+      NOP   0;
+NETWORK
+      U     E 0.0;
+      L     MW 6;
+      SE    T 2;
+END_FUNCTION
+)"}}));
+  using Texts = std::vector<std::string>;
+  EXPECT_EQ(values(answer["networks"][0]), (Texts{"MW 20 at 6", "MW 22 at 8 bcd"}));
+  EXPECT_EQ(values(answer["networks"][1]), (Texts{"MW 10 at 2"}));
+  EXPECT_EQ(values(answer["networks"][2]), (Texts{"MW 2 at 1", "MW 2 at 2"}));
+  EXPECT_EQ(values(answer["networks"][3]), (Texts{"MW 6 at 2"}));
+  for (const Json& shape : answer["networks"][2]["shapes"])
+    EXPECT_FALSE(shape["kind"] == "wire" && shape["h"] == 0 && shape["w"] == 1 &&
+                 shape.contains("flow"))
+        << shape;
 }
 
 TEST(Networks, ShowSymbolsOrAddressesButKnowWhatIsWritten) {

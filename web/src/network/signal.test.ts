@@ -61,9 +61,12 @@ test('of several rows of a line the last counts', () => {
 });
 
 test('a value is shown as its box reads it', () => {
-  expect(valueAt(12, 'ADD_I', lines)).toBe('-2');
-  expect(valueAt(12, 'CMP >D', lines)).toBe('-2');
-  expect(valueAt(13, 'MUL_R', lines)).toBe('1.5');
-  expect(valueAt(12, 'WAND_DW', lines)).toBe('16#FFFFFFFE');
-  expect(valueAt(99, 'ADD_I', lines)).toBe('');
+  expect(valueAt(12, false, 'ADD_I', lines)).toBe('-2');
+  expect(valueAt(12, false, 'CMP >D', lines)).toBe('-2');
+  expect(valueAt(13, false, 'MUL_R', lines)).toBe('1.5');
+  expect(valueAt(12, false, 'WAND_DW', lines)).toBe('16#FFFFFFFE');
+  expect(valueAt(99, false, 'ADD_I', lines)).toBe('');
+  const bcd = linesOf([[14, 0, 0, 0, '00002123']]);
+  expect(valueAt(14, true, 'S_EVERZ', bcd)).toBe('S5T#123s');
+  expect(valueAt(14, true, 'ZAEHLER', bcd)).toBe('123');
 });

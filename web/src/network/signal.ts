@@ -35,12 +35,21 @@ const real = (bits: number): string => {
   return Number(view.getFloat32(0).toPrecision(6)).toString();
 };
 
+/** As LC gives it: three digits, of a timer with its base above them. */
+function bcdOf(bits: number, title: string): string {
+  const digits = Number.parseInt((bits & 0xfff).toString(16), 10);
+  if (!/^S_/.test(title)) return String(digits);
+  const milliseconds = digits * 10 ** (((bits >> 12) & 3) + 1);
+  return `S5T#${milliseconds / 1000}s`;
+}
+
 /** AKKU 1 behind the statement of a value, as the box reads it: `title` is "ADD_R", "CMP >D". */
-export function valueAt(line: number, title: string, lines: StatusLines | null): string {
+export function valueAt(line: number, bcd: boolean, title: string, lines: StatusLines | null): string {
   const row = lines?.get(line);
   if (!row) return '';
   const bits = Number.parseInt(String(row[AKKU1]), 16);
   if (Number.isNaN(bits)) return '';
+  if (bcd) return bcdOf(bits, title);
   if (/(_R|[<>=]R|R)$/.test(title)) return real(bits);
   if (/D?(DI|[<>=]D|_D)$/.test(title)) return String(bits | 0);
   if (/(I|[<>=]I)$/.test(title)) return String((bits << 16) >> 16);
