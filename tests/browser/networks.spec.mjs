@@ -140,7 +140,8 @@ test('a new network and elements from the palette: by its search, by dragging (S
   await press('Control+1');
   await network(1).locator('[data-head]').click();
   await press('Control+r');
-  await until(async () => (await network(2).innerText()).includes('Netzwerk 2'), 'the new network');
+  await expect(() => page.locator('[data-network]').count(), 3);
+  await until(() => network(2).evaluate((card) => card.contains(document.activeElement)), 'the keyboard in the new network');
   await press('Alt+F9');
   await page.keyboard.type('s_impuls');
   await press('Enter');
@@ -164,4 +165,49 @@ test('in English, in the dark and on a phone: nothing is hidden, nothing is wide
     assert.ok(wide <= page, `${wide} px in ${page} px`);
     await other.context().close();
   }
+});
+
+/** A server with a project of one file. */
+function project(model, file, source) {
+  const workspace = scratch();
+  const folder = join(workspace, 'project');
+  mkdirSync(folder);
+  writeFileSync(join(folder, 'merker.toml'), `[cpu]\nmodel = "${model}"\n`);
+  writeFileSync(join(folder, file), source);
+  return launch(folder, workspace);
+}
+
+test('of 500 networks only those in sight are drawn', async () => {
+  const one = (_, i) => `NETWORK\nTITLE = Number ${i + 1}\n      U     M ${i % 100}.0;\n      =     M ${i % 100}.2;\n`;
+  const plc = await project('314C-2 PtP', 'main.awl', `ORGANIZATION_BLOCK OB 1\nBEGIN\n${Array.from({ length: 500 }, one).join('')}END_ORGANIZATION_BLOCK\n`);
+  const many = await open(plc, 'program?file=main.awl', { height: 720 });
+  await many.getByRole('button', { name: 'KOP', exact: true }).click();
+  await expect(() => many.locator('[data-network]').count(), 500);
+  await until(async () => (await many.locator('.drawing').count()) > 1, 'drawings');
+  assert.ok((await many.locator('.drawing').count()) < 50);
+  const last = many.locator('[data-network="500"]');
+  await last.scrollIntoViewIfNeeded();
+  await last.locator('[data-node]').first().waitFor();
+});
+
+test('STEP 5: the worked example in a listing, with the keyboard alone', async () => {
+  const control = await project('SINUMERIK 810 GA3', 'main.s5', 'OB 1\nNETZWERK 1  example\n : BE\n');
+  const listing = await open(control, 'program?file=main.s5', { height: 720 });
+  await listing.getByRole('button', { name: 'FUP', exact: true }).click();
+  await listing.locator('[data-head="1"]').click();
+  const type = async (name) => {
+    await listing.locator('.networks input').waitFor();
+    await listing.keyboard.type(name);
+    await listing.keyboard.press('Enter');
+  };
+  const keys = async (...all) => { for (const key of all) await listing.keyboard.press(key); };
+  await keys('F2');
+  await type('E 0.0');
+  await type('E 0.1');
+  await keys('ArrowRight', 'F3');
+  await type('A 1.0');
+  await keys('F7');
+  await type('A 3.0');
+  const lines = async () => (await text(listing)).split('\n').filter((line) => line.startsWith(' :')).map((line) => line.trim().replace(/\s+/g, ' ')).join(' ');
+  await expect(lines, ': U E 0.0 : U E 0.1 : O A 1.0 : = A 3.0 : BE');
 });
