@@ -34,8 +34,8 @@ class ListView(Case):
     # S7-EDIT-15
     def test_the_worked_example_as_ladder(self):
         text = self.view("--view", "kop")
-        self.assertIn("├┬──┤ ├────┤ ├──┬───( )──\n", text)
-        self.assertIn("│└──┤ ├─────────┘\n", text)
+        self.assertIn("├──┤ ├────┤ ├──┬───( )──\n", text)
+        self.assertIn("├──┤ ├─────────┘\n", text)
         self.assertIn("(FUP, which KOP cannot show)", text)
         self.assertIn("3 networks, 1 KOP, 1 FUP, 1 AWL\n", text)
 

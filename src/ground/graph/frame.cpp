@@ -64,11 +64,12 @@ class Framer {
     int names = 0, outNames = 0;
     for (const FramePin& pin : text_.left) {
       names = std::max(names, columns(pin.name));
-      int needs = pin.text.empty() ? 0 : columns(pin.text) + 1;
+      int needs = pin.text.empty() ? 0 : text_.blank + columns(pin.text) + 1;
       if (pin.logic) needs = pin.logic->w + kShortestWire;
       x_ = std::max(x_, needs + (pin.negated ? 1 : 0));
     }
     for (const FramePin& pin : text_.right) outNames = std::max(outNames, columns(pin.name));
+    if (text_.title.empty()) names += 2;
     const int inside =
         std::max(names + outNames + (outNames > 0 ? 1 : 0), columns(text_.title) + 2);
     width_ = std::max({inside, 3, columns(text_.above) - 2}) + 2;

@@ -25,6 +25,7 @@ struct FrameText {
       right;             // left[0]: where the signal comes in, right[0]: where it goes out
   bool outLast = false;  // the output is at the last input: gates
   bool hasOut = true;
+  int blank = 0;           // columns left of operands that stay free
   bool ownInside = false;  // its title is its operand: the block of a CALL
   std::size_t statement = 0;
   Selection of = {};

@@ -18,6 +18,8 @@ Picture wire(const Flows& flow) {
   return out;
 }
 
+constexpr int kLead = 1;  // columns from a box to where its signal branches
+
 class Diagram {
  public:
   explicit Diagram(const Style& style) : style_(style) {}
@@ -225,7 +227,9 @@ class Diagram {
     for (const Coil& coil : path.coils)
       parts.push_back(this->coil(coil, FramePin{.logic = wire(flow)}));
     for (const auto& tail : path.tails) parts.push_back(this->path(*tail));
-    return parts.empty() ? before : attached(before, parts);
+    if (parts.empty()) return before;
+    if (signal && (signal->logic || signal->negated)) before.wire(before.w++, before.out, kLead);
+    return attached(before, parts);
   }
 
   const Style& style_;

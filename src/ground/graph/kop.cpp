@@ -88,7 +88,7 @@ class Ladder {
     if (path.logic.empty()) return out;
     const Node& logic = path.logic.front();
     if (style_.widest == 0 || logic.kind != NodeKind::Series || logic.bracketed)
-      out.last = elements_.node(logic);
+      out.last = elements_.node(logic, Begin::AtRail);
     else
       wrap(logic, room, out);
     return out;
@@ -100,7 +100,8 @@ class Ladder {
     int width = 0;
     for (const Node& child : series.children) {
       const Flows before = elements_.signals().now();
-      Picture part = elements_.node(child);
+      Picture part =
+          elements_.node(child, &child == &series.children.front() ? Begin::AtRail : Begin::Inside);
       if (width > 0 && width + part.w > room) {
         parts.push_back(goesOn(++lines_, before));
         out.full.push_back(beside(parts));

@@ -8,15 +8,21 @@
 #include "graph/ladder_parts.h"
 
 namespace merker::graph {
+namespace {
 
-// Between the signal at which it stands and the one behind it.
+constexpr int kBlank = 1;  // left of the operands of a box: the rail, or what stands before it
+
+}  // namespace
+
+// Between the signal at which it stands and the one behind it; `least` columns of text have room.
 Picture LadderElements::symbol(ShapeKind kind, const std::string& text, const std::string& above,
-                               std::size_t statement, const Selection& of, const Flows& behind) {
+                               std::size_t statement, const Selection& of, const Flows& behind,
+                               int least) {
   Picture out;
   out.flow = signals_.now();
   const int inside = std::max(3, columns(text) + 2);
   const int textWidth = columns(above);
-  out.w = std::max(inside + 4, textWidth + 2);
+  out.w = std::max(inside + 4, std::max(textWidth, least) + 2);
   out.h = 2;
   out.in = out.out = 1;
   const int at = (out.w - inside) / 2;
@@ -39,10 +45,11 @@ Picture LadderElements::symbol(ShapeKind kind, const std::string& text, const st
 }
 
 // Where the signal is behind it.
-Picture LadderElements::node(const Node& node) {
+Picture LadderElements::node(const Node& node, Begin begin) {
   if (isGroup(node)) {
     Signals outer = signals_.enter(node);
-    Picture out = node.kind == NodeKind::Series ? series(node) : parallel(node, outer);
+    Picture out =
+        node.kind == NodeKind::Series ? series(node, begin) : parallel(node, outer, begin);
     signals_.leave(node, std::move(outer));
     out.flow = signals_.now();
     return out;
@@ -50,13 +57,13 @@ Picture LadderElements::node(const Node& node) {
   // A branch goes on with what its temporary bit holds.
   if (node.continues && node.kind == NodeKind::Contact)
     signals_.beginAt({{node.last - 1, FlowBit::Sta}});
-  Picture out = single(node);
+  Picture out = single(node, begin);
   signals_.pass(node);
   out.flow = signals_.now();
   return out;
 }
 
-Picture LadderElements::single(const Node& node) {
+Picture LadderElements::single(const Node& node, Begin begin) {
   switch (node.kind) {
     case NodeKind::Series:
     case NodeKind::Parallel:
@@ -74,7 +81,7 @@ Picture LadderElements::single(const Node& node) {
     case NodeKind::Connector:
       return symbol(ShapeKind::Coil, "#", node.operand.text, node);
     case NodeKind::Box:
-      return box(node);
+      return box(node, begin);
   }
   return {};
 }
@@ -102,6 +109,7 @@ Picture LadderElements::operandEdge(const Node& node) {
   text.statement = node.first;
   text.of = selectionOf(node);
   text.flow = behind(node);
+  text.blank = kBlank;
   return through(frame(text), signals_.now());
 }
 
@@ -112,19 +120,20 @@ Flows LadderElements::behind(const Node& node) const {
 }
 
 // The logic of the first pin goes on from where the box stands, that of the others from the rail.
-Picture LadderElements::box(const Node& box) {
+Picture LadderElements::box(const Node& box, Begin begin) {
   const Signals here = signals_;
   bool first = true;
   const DrawPin draw = [&](const Node& logic) {
     signals_.beginAt(first ? here.now() : Flows{});
     first = false;
     FramePin pin;
-    pin.logic = node(logic);
+    pin.logic = node(logic, begin);
     return pin;
   };
   FrameText text = boxFrame(box, style_, draw);
   signals_ = here;
   text.flow = behind(box);
+  text.blank = kBlank;
   if (box.element->row.kind == ElementClass::Compare) {
     text.left.insert(text.left.begin(), FramePin{});
     return through(frame(text), signals_.now());
@@ -139,44 +148,46 @@ Picture LadderElements::box(const Node& box) {
   return out;
 }
 
-Picture LadderElements::series(const Node& series) {
+Picture LadderElements::series(const Node& series, Begin begin) {
   std::vector<Picture> parts;
-  for (const Node& child : series.children) parts.push_back(node(child));
+  for (const Node& child : series.children)
+    parts.push_back(node(child, parts.empty() ? begin : Begin::Inside));
   return beside(parts);
 }
 
-// Its branches below each other, joined at both ends.
-Picture LadderElements::parallel(const Node& parallel, const Signals& outer) {
+// Its branches below each other, joined at both ends; at the left the rail may do that.
+Picture LadderElements::parallel(const Node& parallel, const Signals& outer, Begin begin) {
   std::vector<Picture> parts;
   int widest = 0;
-  ++parallels_;
+  const int joint = begin == Begin::AtRail ? 0 : 1;
+  parallels_ += joint;
   for (const Node& child : parallel.children) {
     signals_.branch(outer);
-    parts.push_back(node(child));
+    parts.push_back(node(child, begin));
     widest = std::max(widest, parts.back().w);
   }
-  --parallels_;
+  parallels_ -= joint;
   Picture out;
   std::vector<int> rowsIn, rowsOut;
   for (const Picture& part : parts) {
     const int y = out.h;
-    out.place(part, 1, y);
+    out.place(part, joint, y);
     rowsIn.push_back(y + std::max(part.in, 0));
     rowsOut.push_back(y + part.out);
     out.flow = part.flow;
-    out.wire(1 + part.w, rowsOut.back(), widest - part.w);
+    out.wire(joint + part.w, rowsOut.back(), widest - part.w);
   }
-  out.w = widest + 2;
+  out.w = joint + widest + 1;
   out.flow = outer.now();
   for (const int row : rowsIn)
-    out.wire(0, row, 1, row == rowsIn.front() ? Ends::AtEdges : Ends::BeginsInside);
-  out.down(0, rowsIn.front(), rowsIn.back() - rowsIn.front());
+    out.wire(0, row, joint, row == rowsIn.front() ? Ends::AtEdges : Ends::BeginsInside);
+  if (joint > 0) out.down(0, rowsIn.front(), rowsIn.back() - rowsIn.front());
   Signals behind = outer;
   behind.pass(parallel);
   out.flow = behind.now();
   for (const int row : rowsOut)
-    out.wire(widest + 1, row, 1, row == rowsOut.front() ? Ends::AtEdges : Ends::EndsInside);
-  out.down(widest + 1, rowsOut.front(), rowsOut.back() - rowsOut.front());
+    out.wire(out.w - 1, row, 1, row == rowsOut.front() ? Ends::AtEdges : Ends::EndsInside);
+  out.down(out.w - 1, rowsOut.front(), rowsOut.back() - rowsOut.front());
   out.in = rowsIn.front();
   out.out = rowsOut.front();
   return out;
@@ -186,15 +197,16 @@ Picture LadderElements::coil(const Coil& coil) {
   const ElementRow& row = coil.element->row;
   std::string name(style_.language == Language::German ? row.kop : row.kopEnglish);
   name = name.size() > 2 ? name.substr(1, name.size() - 2) : "";
+  int widest = 0;
+  for (const Operand& value : coil.values) widest = std::max(widest, columns(value.text));
   Picture out = symbol(ShapeKind::Coil, name == " " ? "" : name, coil.operand.text, coil.first,
-                       selectionOf(coil), signals_.now());
+                       selectionOf(coil), signals_.now(), widest);
   int field = kFirstPin;
   std::size_t loaded = coil.first;  // one statement each, before that of the coil
   for (const Operand& value : coil.values) {
     const int width = columns(value.text);
-    out.w = std::max(out.w, width);
     out.add({ShapeKind::Text,
-             std::max(0, (out.w - width) / 2),
+             (out.w - width) / 2,
              out.h++,
              width,
              0,

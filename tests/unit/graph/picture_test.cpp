@@ -69,6 +69,59 @@ TEST(Pictures, GoOnBelowWhereARungIsWiderThanThePage) {
   EXPECT_EQ(toText(kop(network, {Language::German, 36})).value(), expected);
 }
 
+using Lines = std::vector<std::string>;
+Lines drawn(Picture (*draw)(const Network&, const Style&), const char* statements) {
+  const auto network = read(test::statements(statements), graph7::rules());
+  return toText(draw(network.value(), {})).value();
+}
+
+TEST(Pictures, JoinBranchesAtTheRailByTheRail) {
+  EXPECT_EQ(drawn(kop, "U M 0.0; U M 0.1; O; U(; O M 0.2; O M 0.3; ); U M 0.4; O M 0.5; = A 1.0"),
+            (Lines{"│ M 0.0  M 0.1     A 1.0",   //
+                   "├──┤ ├────┤ ├───┬───( )──",  //
+                   "│ M 0.2   M 0.4 │",          //
+                   "├──┤ ├──┬──┤ ├──┤",          //
+                   "│ M 0.3 │       │",          //
+                   "├──┤ ├──┘       │",          //
+                   "│ M 0.5         │",          //
+                   "├──┤ ├──────────┘"}));
+}
+
+// What is wider than the contacts above it does not touch the rail.
+TEST(Pictures, LeaveAColumnBetweenTheRailAndOperands) {
+  for (const std::string& line : drawn(kop, "L EB 2; L MW 100; ==I; = A 1.0"))
+    EXPECT_TRUE(line.starts_with("│ ") || line.starts_with("├─")) << line;
+}
+
+TEST(Pictures, EndAllCoilsAtOneColumn) {
+  EXPECT_EQ(drawn(kop, "U M 0.0; = A 1.0; L S5T#2H46M30S; SE T 1"),
+            (Lines{"│ M 0.0          A 1.0",   //
+                   "├──┤ ├──┬─────────( )──",  //
+                   "│       │     T 1",        //
+                   "│       └─────(SE)─────",  //
+                   "│         S5T#2H46M30S"}));
+}
+
+TEST(Pictures, BranchAColumnBehindABox) {
+  EXPECT_EQ(drawn(fup, "U M 0.0; U M 0.1; = A 1.0; S A 1.1"), (Lines{"      ┌───┐",             //
+                                                                     "      │ & │      A 1.0",  //
+                                                                     "M 0.0─┤   │      ┌───┐",  //
+                                                                     "M 0.1─┤   ├─┬────┤ = │",  //
+                                                                     "      └───┘ │    └───┘",  //
+                                                                     "            │    A 1.1",  //
+                                                                     "            │    ┌───┐",  //
+                                                                     "            └────┤ S │",  //
+                                                                     "                 └───┘"}));
+}
+
+TEST(Pictures, NameEachCoilInTheMiddle) {
+  EXPECT_EQ(drawn(fup, "U M 0.0; L S5T#2S; SE T 1"), (Lines{"        T 1",    //
+                                                            "       ┌────┐",  //
+                                                            " M 0.0─┤ SE │",  //
+                                                            "S5T#2S─┤    │",  //
+                                                            "       └────┘"}));
+}
+
 TEST(Pictures, AreNotWiderThanThePage) {
   const auto lines = toText(kop(contacts(Op::AND, kMany), {Language::German, 100}));
   ASSERT_TRUE(lines);
