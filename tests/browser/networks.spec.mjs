@@ -155,6 +155,102 @@ test('a new network and elements from the palette: by its search, by dragging (S
   await expect(async () => (await statements()).slice(0, 18), 'U E 0.0; UN E 7.7;');
 });
 
+const OF = (statements, rest = '') => `ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n${statements.map((one) => `      ${one}\n`).join('')}${rest}END_ORGANIZATION_BLOCK\n`;
+const inside = () => until(() => page.evaluate(() => document.activeElement?.closest('.networks') !== null), 'the keyboard in the networks');
+const marked = (label) => expect(() => page.evaluate(() => document.activeElement?.getAttribute('aria-label') ?? document.activeElement?.id), label);
+
+async function drawn(view, source) {
+  await press('Control+2');
+  await replaceAll(page, source);
+  await press(view === 'kop' ? 'Control+1' : 'Control+3');
+  await inside();
+}
+
+/** Edits wait for their answer until `release`. */
+const hold = () => page.evaluate(() => {
+  const { send } = WebSocket.prototype;
+  const held = [];
+  WebSocket.prototype.send = function (data) {
+    if (String(data).includes('"networks.edit"')) held.push(() => send.call(this, data));
+    else send.call(this, data);
+  };
+  window.release = () => ((WebSocket.prototype.send = send), held.forEach((go) => go()));
+});
+const release = () => page.evaluate(() => window.release());
+
+test('what is typed while an edit is on its way is for what the edit makes', async () => {
+  for (const [view, place, made] of [['kop', 'Schließerkontakt E 0.1', 'U E 0.0; S M 1.0; U E 0.1; R M 1.0; U M 1.0; = A 4.0;'], ['fup', 'Eingang E 0.1', 'U E 0.0; S M 1.0; U E 0.1; R M 1.0; U M 1.0; = A 4.0;']]) {
+    await drawn(view, OF(['U E 0.0;', 'S M 1.0;', 'U E 0.1;', 'R M 1.0;', 'NOP 0;']));
+    await page.locator(`[aria-label="${place}"]`).click();
+    await hold();
+    await press('F7', ...'A 4.0', 'Enter');
+    await release();
+    await expect(statements, made, view);
+    await inside();
+  }
+});
+
+test('a refused key says why, and the text typed behind it overwrites nothing', async () => {
+  const before = 'U E 0.0; = A 1.0;';
+  await drawn('kop', OF(['U E 0.0;', '= A 1.0;']));
+  for (const slow of [true, false]) {
+    await page.locator('[aria-label="Spule =, A 1.0"]').click();
+    if (slow) await hold();
+    await press('F2', ...(slow ? [...'E 4.0', 'Enter'] : []));
+    if (slow) await release();
+    await message(page, 'Netzwerk 1: hinter einer Spule dürfen nur Spulen stehen');
+    await marked('Spule =, A 1.0');
+    await press(...'E 4.0', 'Enter');
+    assert.equal(await statements(), before);
+    await marked('Spule =, A 1.0');
+  }
+  await press(...'A 2.0', 'Enter');
+  await expect(statements, 'U E 0.0; = A 2.0;');
+});
+
+test('an operand that is refused can be mended where it was typed', async () => {
+  await drawn('kop', OF(['L MW 2;', 'T MW 4;', 'NOP 0;']));
+  await page.locator('[aria-label$="MW 2"]').click();
+  await press(...'E 4.0', 'Enter');
+  await message(page, 'dieser Operand darf hier nicht stehen');
+  await expect(() => field().inputValue(), 'E 4.0');
+  await press('Control+a');
+  await operand('MW 6');
+  await expect(statements, 'L MW 6; T MW 4; NOP 0;');
+});
+
+test('each action leaves the keyboard in the networks', async () => {
+  await drawn('kop', OF(['U E 0.0;', 'U E 0.1;', '= A 1.0;'], 'NETWORK\n      U E 1.0;\n      = A 1.1;\n'));
+  const at = async (keys, label) => (await press(...keys), await marked(label));
+  await at(['Home'], 'Schließerkontakt E 0.0');
+  await at(['Delete'], 'Schließerkontakt E 0.1');
+  await at(['Control+z'], 'Schließerkontakt E 0.0');
+  await at(['Control+y'], 'Schließerkontakt E 0.1');
+  await at(['Control+z'], 'Schließerkontakt E 0.0');
+  await press('Control+r');
+  await expect(() => page.locator('[data-network]').count(), 3);
+  await marked('network-2');
+  await press('Control+Delete');
+  await expect(() => page.locator('[data-network]').count(), 2);
+  await inside();
+  await press('Control+z');
+  await expect(() => page.locator('[data-network]').count(), 3);
+  await inside();
+  await press('Control+z');
+  await expect(() => page.locator('[data-network]').count(), 2);
+  await inside();
+  for (const key of ['Control+3', 'Control+1']) {
+    await press('Control+2');
+    await content(page).waitFor();
+    await press(key);
+    await inside();
+  }
+  await press('F2');
+  await field().waitFor();
+  await press('Escape');
+  await inside();
+});
+
 test('in English, in the dark and on a phone: nothing is hidden, nothing is wider than the page', async () => {
   for (const [width, height, theme] of [[1280, 720, 'light'], [1280, 720, 'dark'], [390, 844, 'dark']]) {
     const other = await open(server, 'program?file=main.awl', { width, height, theme, language: 'en' });

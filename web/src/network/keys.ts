@@ -1,9 +1,11 @@
 // The keys of STEP 7's ladder and function block editors, as edits at the selected place.
 import type { FieldsOf } from '../connection';
+import type { Requests } from '../connection/protocol';
 import { OWN, type Direction, type Item } from './items';
 import type { View } from './networks.svelte';
 
 export type Edit = FieldsOf<'networks.edit'>['edit'];
+export type Edited = Requests['networks.edit']['result'];
 /** An edit without its place. */
 export type Change = Omit<Edit, 'node' | 'pin' | 'first'>;
 
@@ -65,6 +67,9 @@ export function typedInto(text: string, key: Key): string {
   if (key.key === 'Backspace') return text.slice(0, -1);
   return key.key.length === 1 && !key.ctrl ? text + key.key : text;
 }
+
+/** Nothing by itself, or the way out. */
+export const isModifier = (key: Key): boolean => /^(Shift|Control|Alt|AltGraph|Meta|CapsLock|Tab)$/.test(key.key);
 
 /** A character that begins an operand. */
 export const isTyped = (key: Key): boolean => key.key.length === 1 && key.key !== ' ' && !key.ctrl && !key.alt;
