@@ -180,6 +180,19 @@ test('in RUN loading is refused with the words of the CPU, in RUN-P it is done (
   await quiet(page);
 });
 
+test('save and load pressed at once save once, and nobody else is suspected', async () => {
+  const source = saved().replace('SA    #FilterTime', 'SS    #FilterTime');
+  await replaceAll(page, source);
+  await page.keyboard.press('Control+s');
+  await page.keyboard.press('Control+l');
+  await expect(saved, source);
+  await says(/geladen/);
+  assert.equal(await page.getByText('anderswo').count(), 0);
+  await replaceAll(page, source.replace('SS    #FilterTime', 'SA    #FilterTime'));
+  await page.keyboard.press('Control+s');
+  await expect(saved, source.replace('SS    #FilterTime', 'SA    #FilterTime'));
+});
+
 test('compare shows what differs between project and CPU, side by side (S7-MGR-15)', async () => {
   await replaceAll(page, saved().replace('SA    #FilterTime', 'SE    #FilterTime'));
   await page.keyboard.press('Control+s');

@@ -32,6 +32,7 @@ class Workspace {
 
   private folder = $state('');
   private drafts = new Drafts(localStorage, '', sessionStorage);
+  private saving = new WeakMap<OpenDocument, Promise<boolean>>();
   private looks = 0;
   private timer: ReturnType<typeof setTimeout> | undefined;
 
@@ -144,8 +145,15 @@ class Workspace {
     this.checkSoon();
   }
 
-  /** False if it could not be saved; the text stays as it is. */
-  async save(document: OpenDocument): Promise<boolean> {
+  /** False if it could not be saved; the text stays as it is. One save of a text follows the other: each names the revision that the last one made. */
+  save(document: OpenDocument): Promise<boolean> {
+    const before = this.saving.get(document) ?? Promise.resolve(true);
+    const now = before.then(() => this.write(document));
+    this.saving.set(document, now);
+    return now;
+  }
+
+  private async write(document: OpenDocument): Promise<boolean> {
     if (document.readonly || document.conflict) return false;
     if (!document.dirty) return true;
     const { path, text, revision } = document;
