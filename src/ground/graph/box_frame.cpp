@@ -1,9 +1,19 @@
 #include "graph/box_frame.h"
 
+#include "base/text.h"
 #include "graph/flow.h"
 
 namespace merker::graph {
 namespace {
+
+std::size_t outsideQuotes(std::string_view text, char wanted) {
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '"') quoted = !quoted;
+    if (text[i] == wanted && !quoted) return i;
+  }
+  return std::string::npos;
+}
 
 class BoxFramer {
  public:
@@ -19,7 +29,7 @@ class BoxFramer {
     out_.hasOut = box_.continues;
     const bool call = row.kind == ElementClass::Call;
     if (call)
-      out_.title = box_.operand.text;
+      called(box_.operand.text);
     else
       out_.above = box_.operand.text;
     const bool works = call || row.kind == ElementClass::Move;
@@ -35,6 +45,15 @@ class BoxFramer {
   }
 
  private:
+  // "FB 1, DB 1": the instance stands above the box, as in STEP 7.
+  void called(const std::string& operand) {
+    const std::size_t comma = outsideQuotes(operand, ',');
+    out_.title = trim(std::string_view(operand).substr(0, comma));
+    if (comma == std::string::npos) return;
+    out_.above = trim(std::string_view(operand).substr(comma + 1));
+    out_.whole = operand;
+  }
+
   FramePin logicPin(std::string_view name, const std::vector<Node>& logic, int field) const {
     FramePin pin;
     if (!logic.empty()) pin = draw_(logic.front());

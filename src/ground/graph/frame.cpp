@@ -149,7 +149,9 @@ class Framer {
                   text_.of});
     if (!text_.title.empty())
       write(centred(text_.title), top_ + 1, text_.title, text_.ownInside ? own() : Selection{});
+    if (text_.ownInside) picture_.shapes.back().whole = text_.whole;
     if (hasAbove()) write(std::max(0, centred(text_.above)), top_ - 1, text_.above, own());
+    if (hasAbove()) picture_.shapes.back().whole = text_.whole;
   }
   int centred(const std::string& text) const { return x_ + (width_ - columns(text)) / 2; }
   Selection own() const { return {text_.of.node, kOwn, text_.of.first}; }

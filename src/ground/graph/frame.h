@@ -27,6 +27,7 @@ struct FrameText {
   bool hasOut = true;
   int blank = 0;           // columns left of operands that stay free
   bool ownInside = false;  // its title is its operand: the block of a CALL
+  std::string whole = {};  // its operand, if one part of it is above and one inside
   std::size_t statement = 0;
   Selection of = {};
   Flows flow = {};  // behind it

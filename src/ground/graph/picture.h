@@ -51,6 +51,7 @@ struct Shape {
   Flows flow = {};    // Wire, Negation
   bool value =
       false;  // Wire: what it carries is no signal; Text: AKKU 1 of `statement` is its value
+  std::string whole = {};  // Text: the operand of which it shows a part
 };
 
 // Part of a drawing with the rows at which the signal comes in at its left and goes out at its

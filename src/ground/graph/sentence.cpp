@@ -2,6 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdint>
+
+#include "graph/branches.h"
+
 namespace merker::graph {
 namespace {
 
@@ -12,22 +17,47 @@ constexpr Words kGerman{" und ",
                         " oder ",
                         " exklusiv oder ",
                         "nicht ",
-                        "steigende Flanke von {}",
-                        "fallende Flanke von {}",
+                        "steigende Flanke von {} (Flankenmerker {})",
+                        "fallende Flanke von {} (Flankenmerker {})",
                         "nicht ({})"};
-constexpr Words kEnglish{
-    " and ",   " or ", " exclusive or ", "not ", "rising edge of {}", "falling edge of {}",
-    "not ({})"};
+constexpr Words kEnglish{" and ",
+                         " or ",
+                         " exclusive or ",
+                         "not ",
+                         "rising edge of {} (edge memory bit {})",
+                         "falling edge of {} (edge memory bit {})",
+                         "not ({})"};
+
+// What holds the words together, the closest first.
+enum class Bond : std::uint8_t { Word, Chain, Choice };
+
+struct Phrase {
+  std::string text = {};
+  Bond bond = Bond::Word;
+};
+
+// In brackets if something looser than `most` holds it together.
+std::string closed(const Phrase& phrase, Bond most) {
+  return phrase.bond > most ? fmt::format("({})", phrase.text) : phrase.text;
+}
 
 class Speaker {
  public:
   explicit Speaker(Language language)
       : german_(language == Language::German), words_(german_ ? kGerman : kEnglish) {}
 
-  std::string logic(const std::vector<Node>& nodes) const {
-    return nodes.empty() ? std::string() : text(nodes.front());
+  // A branch goes on with what stands before it: nobody hears of its temporary bit.
+  void path(const Path& path, const Phrase& before) {
+    before_ = before;
+    const Phrase logic = path.logic.empty() ? Phrase{} : phrase(path.logic.front());
+    for (const Coil& coil : path.coils) said_.push_back(this->coil(coil, logic.text));
+    for (const auto& tail : path.tails) this->path(*tail, logic);
+    if (path.coils.empty() && path.tails.empty()) said_.push_back(logic.text);
   }
 
+  std::vector<std::string> said() { return std::move(said_); }
+
+ private:
   std::string coil(const Coil& coil, const std::string& logic) const {
     const std::string value = coil.values.empty() ? std::string() : coil.values.front().text;
     const ElementRow& row = coil.element->row;
@@ -35,22 +65,24 @@ class Speaker {
                        value);
   }
 
-  std::string text(const Node& node) const {
+  std::string text(const Node& node) const { return phrase(node).text; }
+
+  Phrase phrase(const Node& node) const {
     switch (node.kind) {
       case NodeKind::Series:
         return series(node);
       case NodeKind::Parallel:
         return parallel(node);
       case NodeKind::Xor:
-        return joined(node, words_.exclusive);
+        return joined(phrases(node.children), words_.exclusive, Bond::Word);
       case NodeKind::Contact:
-        return fmt::format("{}{}", node.negated ? words_.negation : "", node.operand.text);
+        return contact(node);
       case NodeKind::OperandEdge:
-        return edge(node, node.operand.text);
+        return {edge(node, node.operand.text)};
       case NodeKind::Connector:
-        return node.operand.text;
+        return {node.operand.text};
       case NodeKind::Box:
-        return box(node);
+        return {box(node)};
       case NodeKind::Not:
       case NodeKind::Edge:
         break;
@@ -58,56 +90,65 @@ class Speaker {
     return {};
   }
 
- private:
+  Phrase contact(const Node& node) const {
+    if (!node.continues)
+      return {fmt::format("{}{}", node.negated ? words_.negation : "", node.operand.text)};
+    return node.negated ? opposite(before_) : before_;
+  }
+  Phrase opposite(const Phrase& phrase) const {
+    if (phrase.bond == Bond::Word && !phrase.text.starts_with(words_.negation))
+      return {fmt::format("{}{}", words_.negation, phrase.text)};
+    return {fmt::format(fmt::runtime(words_.opposite), phrase.text)};
+  }
+
   std::string edge(const Node& node, const std::string& of) const {
-    return fmt::format(fmt::runtime(node.falling ? words_.falling : words_.rising), of);
+    return fmt::format(fmt::runtime(node.falling ? words_.falling : words_.rising), of,
+                       node.memory.text);
   }
 
-  static bool isChoice(const Node& node) {
-    return (node.kind == NodeKind::Parallel || node.kind == NodeKind::Xor) &&
-           node.children.size() > 1;
-  }
-  static bool isChain(const Node& node) {
-    return node.kind == NodeKind::Series && node.children.size() > 1;
-  }
-
-  // NOT and an edge speak of everything before them.
-  std::string series(const Node& node) const {
-    std::string out;
-    bool several = false;
+  // NOT, an edge and a connector speak of everything before them.
+  Phrase series(const Node& node) const {
+    Phrase out;
     for (const Node& child : node.children) {
-      if (child.kind == NodeKind::Not) {
-        out = fmt::format(fmt::runtime(words_.opposite), out);
-        several = false;
-      } else if (child.kind == NodeKind::Edge) {
-        out = edge(child, several ? fmt::format("({})", out) : out);
-        several = false;
-      } else if (child.kind == NodeKind::Connector) {
-        out = fmt::format("({} = {})", child.operand.text, out);
-      } else {
-        several = !out.empty();
-        if (!out.empty()) out += words_.conjunction;
-        out += isChoice(child) && node.children.size() > 1 ? fmt::format("({})", text(child))
-                                                           : text(child);
-      }
+      if (child.kind == NodeKind::Not)
+        out = opposite(out);
+      else if (child.kind == NodeKind::Edge)
+        out = {edge(child, closed(out, Bond::Word))};
+      else if (child.kind == NodeKind::Connector)
+        out = {fmt::format("({} = {})", child.operand.text, out.text)};
+      else
+        out = both(out, phrase(child));
     }
     return out;
   }
 
-  // "E 0.0 and E 0.1, or M 1.0": a comma where a term has several words of its own.
-  std::string parallel(const Node& node) const {
-    bool chains = false;
-    for (const Node& child : node.children) chains = chains || isChain(child);
-    return joined(
-        node, chains ? fmt::format(",{}", words_.disjunction) : std::string(words_.disjunction));
+  Phrase both(const Phrase& first, const Phrase& second) const {
+    if (first.text.empty()) return second;
+    return {fmt::format("{}{}{}", closed(first, Bond::Chain), words_.conjunction,
+                        closed(second, Bond::Chain)),
+            Bond::Chain};
   }
 
-  std::string joined(const Node& node, std::string_view word) const {
-    std::string out;
-    for (const Node& child : node.children) {
-      if (!out.empty()) out += word;
-      const bool apart = isChoice(child) || (node.kind == NodeKind::Xor && isChain(child));
-      out += apart ? fmt::format("({})", text(child)) : text(child);
+  std::vector<Phrase> phrases(const std::vector<Node>& nodes) const {
+    std::vector<Phrase> out;
+    for (const Node& node : nodes) out.push_back(phrase(node));
+    return out;
+  }
+
+  // "E 0.0 and E 0.1, or M 1.0": a comma where a term has several words of its own.
+  Phrase parallel(const Node& node) const {
+    const std::vector<Phrase> terms = phrases(node.children);
+    const bool chains = std::any_of(terms.begin(), terms.end(),
+                                    [](const Phrase& term) { return term.bond == Bond::Chain; });
+    return joined(terms, fmt::format("{}{}", chains ? "," : "", words_.disjunction), Bond::Chain);
+  }
+
+  static Phrase joined(const std::vector<Phrase>& terms, std::string_view word, Bond most) {
+    if (terms.size() == 1) return terms.front();
+    Phrase out{{}, Bond::Choice};
+    for (const Phrase& term : terms) {
+      if (!out.text.empty()) out.text += word;
+      out.text += closed(term, most);
     }
     return out;
   }
@@ -120,7 +161,7 @@ class Speaker {
     const auto add = [&pins](std::string_view name, const std::string& value) {
       pins += fmt::format("{}{}: {}", pins.empty() ? "" : ", ", name, value);
     };
-    if (!node.enable.empty()) add("EN", logic(node.enable));
+    if (!node.enable.empty()) add("EN", text(node.enable.front()));
     for (std::size_t i = 0; i < node.pins.size(); ++i)
       if (const std::string value = pin(node.pins[i]); !value.empty())
         add(german_ ? node.element->pins[i].name : node.element->pins[i].english, value);
@@ -150,19 +191,16 @@ class Speaker {
 
   bool german_;
   const Words& words_;
+  Phrase before_;  // the branch from which the path goes on
+  std::vector<std::string> said_;
 };
 
 }  // namespace
 
 std::vector<std::string> sentences(const Network& network, Language language) {
-  const Speaker speaker(language);
-  std::vector<std::string> out;
-  for (const Rung& rung : network.rungs) {
-    const std::string logic = speaker.logic(rung.logic);
-    for (const Coil& coil : rung.coils) out.push_back(speaker.coil(coil, logic));
-    if (rung.coils.empty()) out.push_back(logic);
-  }
-  return out;
+  Speaker speaker(language);
+  for (const auto& path : paths(network)) speaker.path(*path, {});
+  return speaker.said();
 }
 
 }  // namespace merker::graph

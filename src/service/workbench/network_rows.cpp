@@ -88,8 +88,11 @@ class NetworkRow {
                 {"w", shape.w},
                 {"h", shape.h}};
     if (!shape.text.empty()) row["text"] = shape.text;
-    if (const auto at = written_.find(shape.text); at != written_.end())
+    const std::string& operand = shape.whole.empty() ? shape.text : shape.whole;
+    if (const auto at = written_.find(operand); at != written_.end())
       row["written"] = at->second;
+    else if (!shape.whole.empty())
+      row["written"] = shape.whole;
     if (shape.ends != graph::Ends::AtEdges) row["ends"] = word(kEnds, shape.ends);
     if (shape.of.node >= 0) name(row, shape);
     if (shape.kind == graph::ShapeKind::Text && shape.value) value(row, shape.statement);

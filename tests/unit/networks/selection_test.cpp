@@ -48,7 +48,7 @@ void expectOperands(const char* extension, std::size_t atLeast) {
     graph::Edit edit;
     edit.action = graph::Action::SetOperand;
     edit.at = shape.of;
-    edit.operands.emplace_back().text = shape.text;
+    edit.operands.emplace_back().text = shape.whole.empty() ? shape.text : shape.whole;
     const auto done = networks::edit(file, block.line, network.number, edit, around);
     ASSERT_TRUE(done) << where(file, network, shape) << ": "
                       << text(done.error(), graph::Language::English);

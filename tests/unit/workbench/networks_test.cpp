@@ -69,6 +69,30 @@ TEST(Networks, ThatStayAwlNameTheirStatement) {
   EXPECT_FALSE(network["reason"].get<std::string>().empty());
 }
 
+// The instance stands above the box, its block inside; both are one operand for who types it.
+TEST(Networks, ShowTheInstanceAboveTheBoxOfACall) {
+  Bench bench;
+  const Json network = bench.call("networks.show", asked({{"text", R"(FUNCTION FC 1 : VOID
+BEGIN
+NETWORK
+      CALL FB 1, DB 1 ;
+      NOP   0;
+END_FUNCTION
+)"}}))["networks"][0];
+  std::map<std::string, Json> texts;
+  Json frame;
+  for (const Json& shape : network["shapes"]) {
+    if (shape["kind"] == "text") texts[shape["text"]] = shape;
+    if (shape["kind"] == "frame") frame = shape;
+  }
+  EXPECT_LT(texts["DB 1"]["y"], frame["y"]);
+  EXPECT_GT(texts["FB 1"]["y"], frame["y"]);
+  for (const char* part : {"FB 1", "DB 1"}) {
+    EXPECT_EQ(texts[part]["written"], "FB 1, DB 1");
+    EXPECT_EQ(texts[part]["pin"], 0);
+  }
+}
+
 // Lines of a network count from its first one, so that it looks the same wherever it stands.
 TEST(Networks, HaveWiresThatNameTheStatementsOfTheirSignal) {
   Bench bench;
