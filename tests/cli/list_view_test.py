@@ -50,6 +50,45 @@ class ListView(Case):
     def test_a_network_without_picture_says_which_statement(self):
         self.assertIn(NO_BOX, self.view("--view", "fup"))
 
+    def test_jumps_name_the_labels_of_the_source(self):
+        self.write("jumps.awl", """FUNCTION FC 1 : VOID
+BEGIN
+NETWORK
+      U     E 0.0;
+      SPBN  end;
+NETWORK
+      U     E 0.0;
+      SPB   on;
+      TAK   ;
+on:   NOP   0;
+NETWORK
+end:  U     E 0.2;
+      =     A 0.2;
+END_FUNCTION
+""")
+        text = self.expect(GOOD, "list", "jumps.awl", "--view", "kop").out
+        self.assertRegex(text, r"E 0.0 +end\n├──┤ ├─+\(JMPN\)")
+        self.assertIn("\nend:\n│ E 0.2", text)
+        self.assertIn("(AWL, statement 2 (SPB on): a jump must lead to the beginning of a network)", text)
+        self.assertIn("\n  on: NOP 0\n", text)
+
+    # What compiles of it would be an empty rung.
+    def test_a_block_with_errors_is_shown_as_it_is_written(self):
+        self.write("main.awl", """ORGANIZATION_BLOCK OB 1
+BEGIN
+NETWORK
+      U     "missing";
+      =     A 0.1;
+NETWORK
+      L     "missing too";
+      TAK   ;
+END_ORGANIZATION_BLOCK
+""")
+        text = self.expect(PROBLEMS, "list", "main.awl", "--view", "kop").out
+        self.assertRegex(text, r'"missing" +A 0.1\n├─+┤ ├─+\( \)')
+        self.assertIn('(AWL, statement 2 (TAK): KOP and FUP have no element for this operation)', text)
+        self.assertIn("2 networks, 1 KOP, 1 AWL\n", text)
+
     def test_english(self):
         self.assertIn(" I 0.0 ", self.view("--view", "kop", "--mnemonics", "en"))
 

@@ -48,9 +48,8 @@ class Lexer {
       NetworkCode& network = out.emplace_back();
       network.begin = offset(begins_[i]);
       network.end = offset(begins_[i + 1]);
-      if (const auto label = labels_.find(begins_[i]); label != labels_.end())
-        network.label = label->second;
-      read(begins_[i], begins_[i + 1], network.statements);
+      network.label = nameOf(begins_[i]);
+      read(begins_[i], begins_[i + 1], network);
     }
     return out;
   }
@@ -90,7 +89,7 @@ class Lexer {
     const bool box = listing_.places[from].instruction.operation == mc7::Operation::SPBNB &&
                      networkOf(from) == network;
     if (to < begins_.back() && begins_[network - 1] == to)
-      labels_.try_emplace(to);
+      labels_.insert(to);
     else if (!box)
       intruded_.insert(to);
   }
@@ -108,20 +107,44 @@ class Lexer {
   }
 
   void findTargets() {
-    for (std::size_t at = 0; at < listing_.places.size(); ++at)
-      if (const std::int32_t target = targetOf(at); target >= 0)
+    std::set<std::size_t> targets;
+    for (std::size_t at = 0; at < listing_.places.size(); ++at) {
+      if (const std::int32_t target = targetOf(at); target >= 0) {
+        targets.insert(static_cast<std::size_t>(target));
         reach(at, static_cast<std::size_t>(target));
-    std::size_t number = 0;
-    for (auto& [place, name] : labels_) name = fmt::format("M{:03}", ++number);
+      }
+      const mc7::Place& place = listing_.places[at];
+      if (place.known && place.instruction.operand.kind == mc7::OperandKind::JumpList)
+        targets.insert(at + place.instruction.operand.value + 1);
+    }
+    nameTargets(targets);
   }
 
-  void read(std::size_t begin, std::size_t end, graph::Statements& out) {
+  // As the source names them. Machine code of another origin has no names.
+  void nameTargets(const std::set<std::size_t>& targets) {
+    const bool named = block_.labels.size() == targets.size();
+    auto name = block_.labels.begin();
+    std::size_t number = 0;
+    for (const std::size_t place : targets)
+      if (named)
+        targets_[place] = *name++;
+      else if (labels_.contains(place) || intruded_.contains(place))
+        targets_[place] = fmt::format("M{:03}", ++number);
+  }
+  std::string nameOf(std::size_t place) const {
+    const auto name = targets_.find(place);
+    return name == targets_.end() ? std::string() : name->second;
+  }
+
+  void read(std::size_t begin, std::size_t end, NetworkCode& network) {
+    graph::Statements& out = network.statements;
     std::map<std::size_t, std::size_t> numbers;  // by place: which statement begins there
     std::vector<std::pair<std::size_t, std::size_t>> jumps;
     for (std::size_t at = begin; at < end;) {
       numbers[at] = out.size();
       Statement& statement = out.emplace_back();
       statement.offset = offset(at);
+      network.labels.push_back(at == begin ? std::string() : nameOf(at));
       statement.intruded = intruded_.contains(at);
       const std::size_t taken = take(at, end, statement);
       if (!comesBack(statement, at, at + taken)) statement.op = Op::OTHER;
@@ -144,15 +167,15 @@ class Lexer {
     statement.operand.kind = OperandKind::Forbidden;
     if (target < 0) return;
     const auto place = static_cast<std::size_t>(target);
+    if (const std::string name = nameOf(place); !name.empty()) statement.operand.text = name;
     const auto inside = numbers.find(place);
     if (statement.op == Op::SPBNB && inside != numbers.end() && place > at) {
       statement.operand = {};
       statement.operand.kind = OperandKind::Label;
       statement.operand.text = fmt::format("_{:03}", number);
       statement.target = static_cast<std::int32_t>(inside->second);
-    } else if (const auto label = labels_.find(place); label != labels_.end()) {
+    } else if (labels_.contains(place)) {
       statement.operand.kind = OperandKind::Label;
-      statement.operand.text = label->second;
     }
   }
 
@@ -231,8 +254,9 @@ class Lexer {
   mc7::Listing listing_;
   BitAddress wires_;
   std::vector<std::size_t> begins_;
-  std::map<std::size_t, std::string> labels_;  // by place
-  std::set<std::size_t> intruded_;             // places that jumps lead to inside networks
+  std::map<std::size_t, std::string> targets_;  // of the targets of jumps, by place
+  std::set<std::size_t> labels_;                // beginnings of networks that jumps lead to
+  std::set<std::size_t> intruded_;              // places that jumps lead to inside networks
 };
 
 }  // namespace

@@ -14,6 +14,7 @@ struct NetworkCode {
   std::uint32_t begin = 0, end = 0;  // bytes, without the BE at the end of the block
   std::string label;                 // where another network jumps to this one
   graph::Statements statements;
+  std::vector<std::string> labels;  // of each statement, where jumps lead inside the network
 };
 
 // `names`: of the block with the names of its variables.

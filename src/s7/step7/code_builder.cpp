@@ -23,7 +23,6 @@ void CodeBuilder::jumpList(std::string label, Position position) {
 }
 
 bool CodeBuilder::label(std::string name, Position position, Problems& problems) {
-  labelNames_.push_back(name);
   if (labels_.try_emplace(name, offset()).second) return true;
   problems.add(ProblemCode::P0327, std::move(position), name);
   return false;
@@ -77,12 +76,22 @@ void CodeBuilder::resolveJumps(Problems& problems) {
   }
 }
 
+std::vector<std::string> CodeBuilder::jumpTargets() const {
+  std::map<std::uint32_t, std::string> names;
+  for (const Fixup& fixup : fixups_)
+    if (const auto target = labels_.find(fixup.label); target != labels_.end())
+      names.try_emplace(target->second, fixup.label);
+  std::vector<std::string> out;
+  for (auto& [offset, name] : names) out.push_back(std::move(name));
+  return out;
+}
+
 void CodeBuilder::moveInto(block::Block& block) {
   block.jumps = mc7::jumpPositions(code_);
   block.code = std::move(code_);
   block.lines = std::move(lines_);
   block.networks = std::move(networks_);
-  block.labels = std::move(labelNames_);
+  block.labels = jumpTargets();
   block.checks = std::move(checks_);
 }
 

@@ -34,6 +34,7 @@ class CodeBuilder {
   std::uint32_t lastInstruction() const { return last_; }
   const std::vector<std::uint8_t>& code() const { return code_; }
   std::vector<block::Check>& checks() { return checks_; }
+  // The labels of the block: one name for each place that jumps lead to, in their order.
   void moveInto(block::Block& block);
 
  private:
@@ -43,6 +44,7 @@ class CodeBuilder {
     Position position;
     bool list;
   };
+  std::vector<std::string> jumpTargets() const;
   void patch(const Fixup& fixup, std::uint32_t target, Problems& problems);
 
   std::vector<std::uint8_t> code_;
@@ -50,7 +52,6 @@ class CodeBuilder {
   std::vector<block::LineEntry> lines_;
   std::vector<block::Network> networks_;
   std::map<std::string, std::uint32_t> labels_;
-  std::vector<std::string> labelNames_;
   std::vector<Fixup> fixups_;
   std::vector<block::Check> checks_;
 };

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "diagram/faulty_blocks.h"
 #include "graph/fup.h"
 #include "graph/kop.h"
 #include "graph/read.h"
@@ -53,8 +54,10 @@ NetworkDiagram diagramOf(const block::Block& block, const graph7::NetworkCode& c
   out.label = code.label;
   for (std::size_t i = 0; i < code.statements.size(); ++i) {
     const bool last = i + 1 == code.statements.size();
-    out.statements.push_back(statementText(
-        block, code.statements[i], last ? code.end : code.statements[i + 1].offset, mnemonics));
+    const std::string text = statementText(
+        block, code.statements[i], last ? code.end : code.statements[i + 1].offset, mnemonics);
+    out.statements.push_back(code.labels[i].empty() ? text
+                                                    : fmt::format("{}: {}", code.labels[i], text));
   }
   return out;
 }
@@ -141,11 +144,18 @@ void write(graph::Picture& picture, const std::string& text) {
 
 std::vector<BlockDiagram> diagrams(const compilation::Build& build, Mnemonics mnemonics) {
   std::vector<BlockDiagram> out;
+  auto written = faultyBlocks(build);
+  const auto add = [&](BlockDiagram block) {
+    const auto at = written.find(block.name);
+    out.push_back(at == written.end() ? std::move(block) : std::move(at->second));
+    if (at != written.end()) written.erase(at);
+  };
   if (build.program != nullptr)
     for (const auto& [id, block] : *build.program)
-      if (!block.code.empty()) out.push_back(diagramOf(build, block, mnemonics));
+      if (!block.code.empty()) add(diagramOf(build, block, mnemonics));
   for (const auto& [id, block] : build.listings)
-    if (id.type != mc5::BlockType::Db) out.push_back(diagramOf(block));
+    if (id.type != mc5::BlockType::Db) add(diagramOf(block));
+  for (auto& [name, block] : written) out.push_back(std::move(block));
   return out;
 }
 
