@@ -131,12 +131,17 @@ void complete(Network& network, const Rules& rules) {
                 [](const Rung& rung) { return rung.logic.empty() && rung.coils.empty(); });
   for (Rung& rung : network.rungs) {
     const bool first = &rung == &network.rungs.front(), last = &rung == &network.rungs.back();
+    if (rung.logic.empty() && rung.coils.size() == 1)
+      rung.coils.front().element = &rules.elements->counterpart(*rung.coils.front().element, false);
     if (rung.logic.empty() && !first && !isRail(rung.coils.front()))
       rung.logic.push_back(missingContact());
     if (rung.coils.empty() && !last && !takesSignal(rung.logic.front()))
       rung.coils.push_back({rules.elements->find("COIL"), {}, {}, 0, 0});
     complete(rung.logic);
-    for (Coil& coil : rung.coils) complete(coil);
+    for (Coil& coil : rung.coils) {
+      if (!rung.logic.empty()) coil.element = &rules.elements->counterpart(*coil.element, true);
+      complete(coil);
+    }
   }
 }
 

@@ -1,7 +1,11 @@
 #include "graph/edit_insert.h"
 
+#include <algorithm>
+
 #include "graph/edit_branches.h"
+#include "graph/edit_place.h"
 #include "graph/kinds.h"
+#include "graph/missing.h"
 #include "graph/new_element.h"
 #include "graph/simplify.h"
 
@@ -10,21 +14,8 @@ namespace {
 
 using Refused = std::optional<EditProblem>;
 
-// Where the signal goes into a box; null: it takes none.
-std::vector<Node>* firstLogic(Node& box) {
-  const ElementClass kind = box.element->row.kind;
-  if (kind == ElementClass::Move || kind == ElementClass::Call) return &box.enable;
-  for (std::size_t i = 0; i < box.pins.size(); ++i)
-    if (box.element->pins[i].kind == PinKind::Logic) return &box.pins[i].logic;
-  return nullptr;
-}
-
-Node gate(NodeKind kind, Node first, Node second) {
-  Node group;
-  group.kind = kind;
-  group.children.push_back(std::move(first));
-  group.children.push_back(std::move(second));
-  return group;
+bool isMissingContact(const Node& node) {
+  return node.kind == NodeKind::Contact && isMissing(node.operand);
 }
 
 class Inserter {
@@ -55,13 +46,20 @@ class Inserter {
                           std::move(rung));
   }
 
+  // It waits for its coil; behind a box none is needed.
+  static bool isUnfinished(const Rung& rung) {
+    return rung.coils.empty() && !takesSignal(rung.logic.front());
+  }
+
   // Nodes
 
   // To a rung that is not finished, or as a new one.
   Refused atEnd(Node node) {
-    if (!network_.rungs.empty() && network_.rungs.back().coils.empty())
-      if (Rung& last = network_.rungs.back(); !takesSignal(last.logic.front()))
-        return behind(wholeLogic(last), std::move(node));
+    if (edit_.place == Place::Before && !network_.rungs.empty() &&
+        !network_.rungs.front().logic.empty())
+      return before(wholeLogic(network_.rungs.front()), std::move(node));
+    if (!network_.rungs.empty() && isUnfinished(network_.rungs.back()))
+      return behind(wholeLogic(network_.rungs.back()), std::move(node));
     if (actsOnSignal(node)) return EditProblem::Rail;
     Rung rung;
     rung.logic.push_back(std::move(node));
@@ -72,6 +70,7 @@ class Inserter {
   Refused atCoil(const Location& at, Node node) {
     if (edit_.place == Place::Behind) return EditProblem::BehindCoil;
     if (edit_.place == Place::Parallel) return EditProblem::BranchPlace;
+    at.coil->element = &rules_.elements->counterpart(*at.coil->element, true);
     if (isRail(*at.coil)) return EditProblem::CoilPlace;
     if (!at.rung->logic.empty()) return behind(wholeLogic(*at.rung), std::move(node));
     if (actsOnSignal(node)) return EditProblem::Rail;
@@ -79,7 +78,32 @@ class Inserter {
     return std::nullopt;
   }
 
+  // NOT at an input of a gate is the circle of this input; in a series it turns all before it.
+  bool isNegation(const Location& at, const Node& node) const {
+    if (node.kind != NodeKind::Not || at.count > 1 || at.node().kind != NodeKind::Contact)
+      return false;
+    const bool joined = at.parent != nullptr &&
+                        (at.parent->kind == NodeKind::Parallel || at.parent->kind == NodeKind::Xor);
+    return joined || edit_.at.pin == kOwn;
+  }
+  static Refused negate(Node& contact) {
+    contact.negated = !contact.negated;
+    contact.selected = true;
+    return std::nullopt;
+  }
+
+  // At a pin where the signal does not come from the rail.
+  static bool isMissingAtPin(const Location& at) {
+    return at.parent != nullptr && at.parent->kind == NodeKind::Box && at.count == 1 &&
+           isMissingContact(at.node()) && !isTrunk(*at.rung, at.list);
+  }
+
   Refused atNode(const Location& at, Node node) {
+    if (isNegation(at, node)) return negate(at.node());
+    if (edit_.place == Place::Behind && node.kind == NodeKind::Contact && isMissingAtPin(at)) {
+      at.node() = std::move(node);
+      return std::nullopt;
+    }
     if (edit_.place == Place::Behind) return behind(at, std::move(node));
     if (edit_.place == Place::Before) return before(at, std::move(node));
     if (actsOnSignal(node)) return EditProblem::Rail;
@@ -89,46 +113,12 @@ class Inserter {
     return std::nullopt;
   }
 
-  static void put(const Location& at, Node node) {
-    at.list->insert(at.list->begin() + static_cast<std::ptrdiff_t>(at.from), std::move(node));
-  }
-
-  // What stands before it in its series goes into a box that takes the signal.
-  static Refused behind(const Location& at, Node node) {
-    if (!takesSignal(node)) {
-      insertBehind(at, std::move(node));
-      return std::nullopt;
-    }
-    std::vector<Node>* pin = firstLogic(node);
-    if (pin == nullptr) return EditProblem::BoxPlace;
-    Location all = at;
-    if (at.inSeries()) {
-      all.from = 0;
-      all.count = at.end();
-    }
-    pin->push_back(takeOut(all));
-    put(all, std::move(node));
-    return std::nullopt;
-  }
-
-  static Refused before(const Location& at, Node node) {
-    if (at.inSeries() && at.from > 0) {
-      Location left = at;
-      left.from = at.from - 1;
-      left.count = 1;
-      return behind(left, std::move(node));
-    }
-    if (actsOnSignal(node) || (at.count == 1 && actsOnSignal(at.node()))) return EditProblem::Rail;
-    Node series = gate(NodeKind::Series, std::move(node), takeOut(at));
-    put(at, std::move(series));
-    return std::nullopt;
-  }
-
   // Pins
 
   Refused atPin(const Location& at, Node node) {
     std::vector<Node>* logic = nullptr;
     if (const Refused refused = logicOfPin(at, logic)) return refused;
+    if (!logic->empty() && !actsOnSignal(node) && isMissingContact(logic->front())) logic->clear();
     if (!logic->empty()) {
       Location whole{.rung = at.rung, .list = logic, .parent = &at.node()};
       return behind(whole, std::move(node));
@@ -162,6 +152,11 @@ class Inserter {
 
   Refused insertGate(const std::optional<Location>& at, NodeKind kind) {
     Node input = missingContact();
+    if (!at && !network_.rungs.empty() && isUnfinished(network_.rungs.back())) {
+      input.selected = true;
+      wrap(wholeLogic(network_.rungs.back()), kind, std::move(input));
+      return std::nullopt;
+    }
     if (!at) {
       Rung rung;
       rung.logic.push_back(gate(kind, missingContact(), std::move(input)));
@@ -206,6 +201,7 @@ class Inserter {
 
   Refused insertCoil(const std::optional<Location>& at, Coil coil) {
     coil.selected = true;
+    coil.element = &rules_.elements->counterpart(*coil.element, true);
     if (isRail(coil)) return atRail(at, std::move(coil));
     if (!at) return coilAtEnd(std::move(coil));
     if (edit_.place == Place::Branch) return branch(*at, std::nullopt, std::move(coil));
@@ -230,6 +226,7 @@ class Inserter {
     rung.coils.push_back(std::move(coil));
     const std::size_t behind =
         at ? behindBranches(network_, numberOf(*at->rung)) : network_.rungs.size();
+    if (behind > 0 && isUnfinished(network_.rungs[behind - 1])) return EditProblem::AtRail;
     addRung(behind, std::move(rung));
     return std::nullopt;
   }

@@ -79,4 +79,13 @@ const Element* ElementTable::find(std::string_view id) const {
   return at == elements_.end() ? nullptr : &*at;
 }
 
+const Element& ElementTable::counterpart(const Element& element, bool behindLogic) const {
+  if (!isCoil(element)) return element;
+  const ElementClass kind = behindLogic ? ElementClass::Coil : ElementClass::RailCoil;
+  const auto at = std::find_if(elements_.begin(), elements_.end(), [&](const Element& e) {
+    return e.row.kind == kind && e.row.kop == element.row.kop;
+  });
+  return at == elements_.end() ? element : *at;
+}
+
 }  // namespace merker::graph

@@ -59,12 +59,19 @@ struct Element {
   std::vector<Item> items;
 };
 
+inline bool isCoil(const Element& element) {
+  return element.row.kind == ElementClass::Coil || element.row.kind == ElementClass::RailCoil;
+}
+
 // The elements of a family, their patterns taken apart, in the order in which they are tried.
 class ElementTable {
  public:
   explicit ElementTable(std::span<const ElementRow> rows);
   std::span<const Element> elements() const { return elements_; }
   const Element* find(std::string_view id) const;
+  // A coil has the name of one at the rail: JMP is conditional behind logic, else unconditional.
+  // The one of them behind logic, or at the rail; any other is its own counterpart.
+  const Element& counterpart(const Element& element, bool behindLogic) const;
 
  private:
   std::vector<Element> elements_;

@@ -63,10 +63,6 @@ Node box(const Element& element, const Edit& edit) {
   return node;
 }
 
-bool isCoil(const Element& element) {
-  return element.row.kind == ElementClass::Coil || element.row.kind == ElementClass::RailCoil;
-}
-
 // Blocks and labels are called as their author likes.
 bool namesBlockOrLabel(const Element& element) {
   const auto free = [](const Item& item) {

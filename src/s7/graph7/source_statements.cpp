@@ -234,11 +234,19 @@ class Reader {
     const std::size_t end = cursor_.pos();
     if (cursor_.atLineEnd()) cursor_.skipSpace();
     written.operand = cursor_.pos();
-    const std::string_view word = cursor_.word();
+    std::string_view word = cursor_.word();
+    if (word.empty()) word = missingLabel();
     if (!cursor_.atStatementEnd()) cursor_.seek(end);
     statement.operand.kind = graph::OperandKind::Label;
     statement.operand.text = statement.operand.code = word;
     if (operation != Operation::SPL) labels_.jump(networks_);
+  }
+
+  // Where the user has not yet written one.
+  std::string_view missingLabel() {
+    const std::size_t begin = cursor_.pos();
+    while (cursor_.peek() == '?') cursor_.take();
+    return cursor_.slice(begin, cursor_.pos());
   }
 
   const source::SourceFile& file_;

@@ -217,8 +217,10 @@ Answer elements(const Call& call) {
   Json rows = Json::array();
   for (const BitElement& bit : kBits)
     rows.push_back(elementRow(bit.id, bit.kop, bit.fup, "bit", bit.key));
+  // JMP and CALL are one entry each: what stands before them decides.
   for (const graph::Element& element : rules.elements->elements())
-    rows.push_back(elementRow(element.row, german));
+    if (&rules.elements->counterpart(element, true) == &element)
+      rows.push_back(elementRow(element.row, german));
   return Json{{"elements", std::move(rows)}};
 }
 

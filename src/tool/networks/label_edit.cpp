@@ -9,14 +9,14 @@
 #include "step7/cursor.h"
 
 namespace merker::networks {
-namespace {
-
-constexpr std::size_t kLongest = 4;  // characters
 
 bool isLabel(std::string_view text) {
+  constexpr std::size_t kLongest = 4;  // characters
   return !text.empty() && characterCount(text) <= kLongest && step7::isWordStart(text.front()) &&
          std::all_of(text.begin(), text.end(), step7::isWordChar);
 }
+
+namespace {
 
 bool isTaken(const Block& block, const std::string& label) {
   for (const Network& network : block.networks)

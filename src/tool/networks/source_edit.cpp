@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/text.h"
 #include "graph/canonical.h"
 #include "graph/locate.h"
 #include "graph/write.h"
@@ -71,10 +72,41 @@ bool renamesCall(const graph::Edit& edit, graph::Network tree) {
          at->node().element->row.kind == graph::ElementClass::Call;
 }
 
+// What is put in, or whose field is set; null: none of the rows.
+const graph::Element* elementOf(const graph::Edit& edit, graph::Network tree,
+                                const graph::Rules& rules) {
+  if (edit.action == graph::Action::Insert) return rules.elements->find(edit.element);
+  const auto at = graph::locate(tree, edit.at);
+  return at && at->coil != nullptr ? at->coil->element : nullptr;
+}
+
+bool jumps(const graph::Element* element) {
+  return element != nullptr && std::any_of(element->items.begin(), element->items.end(),
+                                           [](const auto& item) { return graph::isJump(item.op); });
+}
+
+bool areLabels(const std::vector<graph::Operand>& operands) {
+  return std::all_of(operands.begin(), operands.end(), [](const graph::Operand& operand) {
+    return operand.kind != graph::OperandKind::Label || isLabel(operand.text);
+  });
+}
+
+graph::Operand labelOperand(const std::string& text) {
+  graph::Operand operand;
+  operand.kind = graph::OperandKind::Label;
+  operand.code = operand.text = trim(text);
+  return operand;
+}
+
 // The edit with its operands as the text would have them.
 std::optional<graph::Edit> resolved(graph::Edit edit, const graph::Network& tree, Found& found) {
+  const bool label = jumps(elementOf(edit, tree, *found.block.rules));
   for (graph::Operand& operand : edit.operands) {
     if (operand.text.empty()) continue;
+    if (label) {
+      operand = labelOperand(operand.text);
+      continue;
+    }
     auto read = found.text->operand(found.index, operand.text);
     if (!read) return std::nullopt;
     operand = std::move(*read);
@@ -104,6 +136,7 @@ Edited edit(const source::SourceFile& file, std::uint32_t line, std::size_t netw
   if (!old.tree) return Refusal{Obstacle::Awl};
   const auto own = resolved(wish, *old.tree, *found);
   if (!own) return Refusal{Obstacle::Text};
+  if (!areLabels(own->operands)) return Refusal{Obstacle::Label};
   const graph::Rules& rules = *found->block.rules;
   const std::uint32_t wire = found->text->firstWire(found->block, found->index, network);
   auto done = graph::apply(*old.tree, *own, rules, wire);

@@ -38,6 +38,9 @@ class Text {
 std::unique_ptr<Text> step7Text(const source::SourceFile& file, const Surroundings& around);
 std::unique_ptr<Text> step5Text(const source::SourceFile& file, const Surroundings& around);
 
+// What a jump of STEP 7 may lead to.
+bool isLabel(std::string_view text);
+
 // The block at a line with its networks.
 struct Found {
   std::unique_ptr<Text> text;

@@ -238,6 +238,76 @@ TEST(Edit, TakesOut) {
   });
 }
 
+// JMP and CALL: conditional behind logic, unconditional at the rail.
+TEST(Edit, ChoosesJumpsByWhatStandsBefore) {
+  expectAll({
+      {"U E 0.0", insert("0", kBehind, "JMP"), "U E 0.0; SPB ??? [1:0]"},
+      {"U E 0.0", insert("0", kBehind, "JMP_RAIL"), "U E 0.0; SPB ??? [1:0]"},
+      {"U E 0.0", insert("", kBehind, "JMP"), "U E 0.0; SPB ??? [1:0]"},
+      {"", insert("", kBehind, "JMP"), "SPA ??? [0:0]"},
+      {"U E 0.0; = A 0.0", insert("", kBehind, "JMP"), "U E 0.0; = A 0.0; SPA ??? [2:0]"},
+      {"U E 0.0", insert("0", kBehind, "CALL_RAIL"), "U E 0.0; CC ??? [1:0]"},
+      {"UC FC 1", insert("0", kBefore, "CONTACT"), "U ??.?; CC FC 1 [0:0]"},
+      {"U E 0.0; CC FC 1", act(Action::Delete, "0"), "UC FC 1 [0:-1]"},
+  });
+}
+
+TEST(Edit, LetsCoilsAtTheRailStandAlone) {
+  const std::string refused =
+      "refused: this coil stands alone at the rail: the rung above it needs a coil first";
+  expectAll({
+      {"U E 0.0; = A 0.0", insert("0", kBehind, "OPN"), "U E 0.0; = A 0.0; AUF ??? [2:0]"},
+      {"U E 0.0", insert("0", kBehind, "OPN"), refused},
+      {"U E 0.0", insert("", kBehind, "MCRA"), refused},
+      {"U E 0.0", insert("0", kBehind, "MCR_OFF"), refused},
+  });
+}
+
+TEST(Edit, NegatesInputsOfGates) {
+  expectAll({
+      {"O E 0.0; O E 0.1; = A 0.0", insert("0", kBehind, "NOT"),
+       "ON E 0.0; O E 0.1; = A 0.0 [0:-1]"},
+      {"O E 0.0; O E 0.1; = A 0.0", insert("0:0", kBehind, "NOT"),
+       "ON E 0.0; O E 0.1; = A 0.0 [0:-1]"},
+      {"U E 0.0; U E 0.1; = A 0.0", insert("1:0", kBehind, "NOT"),
+       "U E 0.0; UN E 0.1; = A 0.0 [1:-1]"},
+      {"U E 0.0; U E 0.1; = A 0.0", insert("1", kBehind, "NOT"),
+       "U E 0.0; U E 0.1; NOT; = A 0.0 [2:-1]"},
+  });
+}
+
+// A gate takes up the rung that waits for its coil.
+TEST(Edit, GatesGoOnWithARungWithoutCoil) {
+  expectAll({
+      {"U E 0.0", insert("", kBehind, "OR"), "O E 0.0; O ??.? [1:0]"},
+      {"U E 0.0; = A 0.0", insert("", kBehind, "AND"), "U E 0.0; = A 0.0; U ??.?; U ??.? [2:0]"},
+  });
+}
+
+TEST(Edit, ReplacesMissingOperandsAtPins) {
+  const std::string box = "U E 0.0; S M 1.0; U ??.?; R M 1.0; NOP";
+  const std::string named = "U E 0.0; S M 1.0; UN E 0.1; R M 1.0; NOP [2:-1]";
+  expectAll({
+      {box, insert("4:2", kAtPin, "CONTACT_NOT", {"E 0.1"}), named},
+      {box, insert("2", kBehind, "CONTACT_NOT", {"E 0.1"}), named},
+      {"U ??.?; = A 0.0", insert("0", kBehind, "CONTACT"), "U ??.?; U ??.?; = A 0.0 [1:0]"},
+  });
+}
+
+TEST(Edit, PutsContactsBeforeARung) {
+  expectAll({
+      {"O E 0.0; O E 0.1; = A 0.0", insert("0", kBefore, "CONTACT"),
+       "U ??.?; U(; O E 0.0; O E 0.1; ); = A 0.0 [0:0]"},
+      {"U(; O E 0.0; O E 0.1; ); U E 0.2; = A 0.0", insert("1", kBefore, "CONTACT"),
+       "U ??.?; U(; O E 0.0; O E 0.1; ); U E 0.2; = A 0.0 [0:0]"},
+      {"U E 0.0; = A 0.0", insert("", kBefore, "CONTACT"), "U ??.?; U E 0.0; = A 0.0 [0:0]"},
+      {"L MW 1; T MW 2; NOP", insert("2", kBefore, "CONTACT", {"E 0.0"}),
+       "U E 0.0; SPBNB ->4; L MW 1; T MW 2; NOP [0:-1]"},
+      {"U E 0.0; S M 1.0; U E 0.1; R M 1.0; NOP", insert("4", kBefore, "CONTACT", {"E 0.2"}),
+       "U E 0.0; U E 0.2; S M 1.0; U E 0.1; R M 1.0; NOP [1:-1]"},
+  });
+}
+
 TEST(Edit, KeepsTheRulesOfStep5) {
   const std::string box = "U E 0.0; S M 1.0; U E 0.1; R M 1.0; NOP";
   expectAll(
@@ -253,8 +323,11 @@ TEST(Edit, KeepsTheRulesOfStep5) {
 
 // A rung for each element of the family: it can be put in, and stands there with all its pins.
 void expectEveryElement(const Rules& rules) {
-  const Network network = networkOf("U E 0.0", rules);
+  const Network unfinished = networkOf("U E 0.0", rules);
+  const Network finished = networkOf("U E 0.0; = A 0.0", rules);
   for (const Element& element : rules.elements->elements()) {
+    const bool rail = element.row.kind == ElementClass::RailCoil;
+    const Network& network = rail ? finished : unfinished;
     Edit edit = insert("0", kBehind, std::string(element.row.id));
     if (element.row.kind == ElementClass::Call) edit.operands = {operand("FC 1")};
     const auto after = apply(network, edit, rules, kFirstWire);
@@ -263,7 +336,7 @@ void expectEveryElement(const Rules& rules) {
     const auto at = locate(whole, {after->select.node});
     ASSERT_TRUE(at) << element.row.id;
     const Element* found = at->coil != nullptr ? at->coil->element : at->node().element;
-    EXPECT_EQ(found->row.id, element.row.id);
+    EXPECT_EQ(found->row.id, rules.elements->counterpart(element, true).row.id);
   }
 }
 

@@ -26,6 +26,8 @@ constexpr Word kWords[] = {
     {Op::BLD, "BLD"},     {Op::SPBNB, "SPBNB"}, {Op::AND_NOT, "UN"},
     {Op::SET, "SET"},     {Op::SAVE, "SAVE"},   {Op::CLR, "CLR"},
     {Op::CALL, "CALL"},   {Op::OPEN, "AUF"},    {Op::EDGE_NEGATIVE, "FN"},
+    {Op::SPA, "SPA"},     {Op::SPB, "SPB"},     {Op::UC, "UC"},
+    {Op::CC, "CC"},
 };
 
 Op operation(const std::string& word, bool bare) {

@@ -193,6 +193,15 @@ TEST(Plant, jumps) {
   EXPECT_EQ(drawing.at("FC 1", 2).label("M001").text(), "M001: U E 7.7; = A 7.7");
   EXPECT_EQ(drawing.at("FC 1", 1).text(), "U E 0.0; SPB M001");
   EXPECT_EQ(ladder().rung("JMP_RAIL", {"M001"}).text(), "SPA M001");
+  // The label is typed afterwards; it need not be there yet, and may look like an address.
+  for (const char* jump : {"JMP", "JMP_RAIL", "JMPN"}) {
+    Drawing later = ladder();
+    const std::string word = jump == std::string("JMPN") ? "SPBN " : "SPB ";
+    EXPECT_EQ(later.add("CONTACT", {"E 0.0"}).add(jump, {}).text(), "U E 0.0; " + word + "???");
+    EXPECT_EQ(later.name("e1").text(), "U E 0.0; " + word + "e1");
+    EXPECT_EQ(later.name("toolong").text().substr(0, 7), "a label");
+  }
+  EXPECT_EQ(ladder().rung("JMP", {}).text(), "SPA ???");
 }
 
 TEST(Plant, branchesOfARung) {

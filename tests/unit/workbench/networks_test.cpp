@@ -260,6 +260,11 @@ TEST(Networks, HaveTheElementsOfTheirFamily) {
   EXPECT_EQ(find("S_PULSE")["kop"], "S_IMPULS");
   EXPECT_EQ(find("S_PULSE", "english")["kop"], "S_PULSE");
   EXPECT_EQ(find("COIL")["group"], "coil");
+  // One JMP: what stands before it decides whether it is conditional.
+  EXPECT_EQ(find("JMP")["kop"], "(JMP)");
+  EXPECT_EQ(find("JMP_RAIL"), nullptr);
+  EXPECT_EQ(find("CALL_RAIL"), nullptr);
+  EXPECT_EQ(find("OPN")["kop"], "(OPN)");
 }
 
 }  // namespace
