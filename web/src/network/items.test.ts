@@ -37,6 +37,17 @@ describe('what can be selected', () => {
     ]);
   });
 
+  test('a call is one operand, with its instance above the box', () => {
+    const part = { node: 4, pin: 0, line: 4, written: 'FB 1, DB 1' };
+    const call = itemsOf([
+      shape('text', 4, 2, { text: 'FB 1', w: 4, ...part }),
+      shape('text', 4, 0, { text: 'DB 1', w: 4, ...part }),
+      shape('frame', 2, 1, { w: 8, h: 4, node: 4, line: 4 }),
+    ]);
+    expect(call.map(({ name, operand, field }) => [name, operand, field])).toEqual([['FB 1', 'FB 1, DB 1', 0]]);
+    expect(call[0].place.y).toBeLessThan(call[0].rect.y + call[0].rect.height / 2);
+  });
+
   test('a box has its pins beside it, and open ones', () => {
     const box = itemsOf([
       shape('frame', 5, 0, { node: 4, w: 9, h: 4 }),
