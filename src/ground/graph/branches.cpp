@@ -124,9 +124,9 @@ class Builder {
       for (const Node& node : rung.logic) findNamed(node);
     for (const Rung& rung : network.rungs) {
       std::vector<Node> logic = rung.logic;
-      auto& siblings = siblingsOf(logic);
-      siblings.push_back(path(std::move(logic), rung.coils));
-      branchAtCoils(*siblings.back(), branches);
+      const auto [siblings, depth] = siblingsOf(logic);
+      siblings->push_back(path(std::move(logic), rung.coils, depth));
+      branchAtCoils(*siblings->back(), branches);
     }
     return std::move(roots_);
   }
@@ -135,6 +135,7 @@ class Builder {
   // What stands at the end of the rung is where others go on.
   void branchAtCoils(Path& path, const CoilBranches& branches) {
     if (!path.tails.empty()) return branchAtCoils(*path.tails.front(), branches);
+    if (path.depth >= kDeepest) return;
     std::erase_if(path.coils, [&](const Coil& coil) {
       const bool branch = branches.contains(coil);
       if (branch) branches_[coil.operand.number] = &path;
@@ -151,19 +152,24 @@ class Builder {
     });
   }
 
+  struct Siblings {
+    std::vector<std::unique_ptr<Path>>* paths;
+    int depth;
+  };
+
   // The branch from which the logic goes on; its first contact is marked then.
-  std::vector<std::unique_ptr<Path>>& siblingsOf(std::vector<Node>& logic) {
+  Siblings siblingsOf(std::vector<Node>& logic) {
     Node* first = logic.empty() ? nullptr : firstOf(logic.front());
-    if (first == nullptr || first->operand.kind != OperandKind::Wire) return roots_;
+    if (first == nullptr || first->operand.kind != OperandKind::Wire) return {&roots_, 0};
     const auto branch = branches_.find(first->operand.number);
-    if (branch == branches_.end()) return roots_;
+    if (branch == branches_.end()) return {&roots_, 0};
     first->continues = true;
-    return branch->second->tails;
+    return {&branch->second->tails, branch->second->depth + 1};
   }
 
-  std::unique_ptr<Path> path(std::vector<Node> logic, const std::vector<Coil>& coils,
-                             int depth = 0) {
+  std::unique_ptr<Path> path(std::vector<Node> logic, const std::vector<Coil>& coils, int depth) {
     auto out = std::make_unique<Path>();
+    out->depth = depth;
     if (!logic.empty() && depth < kDeepest)
       if (auto head = splitAtBranch(logic.front(), named_)) {
         const std::uint32_t wire = firstContact(logic.front())->operand.number;

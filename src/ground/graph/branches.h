@@ -13,6 +13,7 @@ struct Path {
   std::vector<Node> logic;  // none, or one; behind a branch its first contact `continues`
   std::vector<Coil> coils;
   std::vector<std::unique_ptr<Path>> tails;
+  int depth = 0;  // branches that it stands in
 };
 
 std::vector<std::unique_ptr<Path>> paths(const Network& network);

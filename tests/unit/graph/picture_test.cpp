@@ -167,5 +167,22 @@ TEST(Pictures, AreRefusedAsTextWhereTheyAreTooLarge) {
   EXPECT_EQ(lines.error(), Reason::Size);
 }
 
+int widthOfNestedBranches(int count) {
+  std::string text = "U E 0.0; = L 20.0; U L 20.0; BLD 102; = A 0.0";
+  for (int i = 0; i < count; ++i) {
+    const auto wire = [](int n) { return fmt::format("L {}.{}", 20 + n / 8, n % 8); };
+    text += fmt::format("; U {0}; U E 0.1; = {1}; U {1}; BLD 102; = A 0.0", wire(i), wire(i + 1));
+  }
+  const auto network = read(test::statements(text), graph7::rules(), Unfinished::Allowed);
+  EXPECT_TRUE(network);
+  return network ? fup(*network, {}).w : 0;
+}
+
+// The deeper ones begin anew at the rail: drawing takes no longer than the network is.
+TEST(Picture, BranchesAreNestedSoDeep) {
+  EXPECT_LT(widthOfNestedBranches(5), widthOfNestedBranches(20));
+  EXPECT_EQ(widthOfNestedBranches(200), widthOfNestedBranches(400));
+}
+
 }  // namespace
 }  // namespace merker::graph
