@@ -59,7 +59,7 @@ test('the same as function blocks, with the keyboard alone (S7-EDIT-13, -14)', a
   await press('F7');
   await operand('A 3.0');
   await expect(statements, EXAMPLE);
-  await expect(elements, 'Box >=1 | Box & | Box =, A 3.0 | Eingang E 0.0 | Eingang E 0.1 | Eingang A 1.0');
+  await expect(elements, 'Box >=1 | Box & | Ausgang =, A 3.0 | Eingang E 0.0 | Eingang E 0.1 | Eingang A 1.0');
   await picture(page, 'networks-fup');
 });
 
@@ -179,7 +179,7 @@ const hold = () => page.evaluate(() => {
 const release = () => page.evaluate(() => window.release());
 
 test('what is typed while an edit is on its way is for what the edit makes', async () => {
-  for (const [view, place, made] of [['kop', 'Schließerkontakt E 0.1', 'U E 0.0; S M 1.0; U E 0.1; R M 1.0; U M 1.0; = A 4.0;'], ['fup', 'Eingang E 0.1', 'U E 0.0; S M 1.0; U E 0.1; R M 1.0; U M 1.0; = A 4.0;']]) {
+  for (const [view, place, made] of [['kop', 'Schließerkontakt E 0.1', 'U E 0.0; S M 1.0; U E 0.1; R M 1.0; U M 1.0; = A 4.0;'], ['fup', 'R, Eingang von SR M 1.0: E 0.1', 'U E 0.0; S M 1.0; U E 0.1; R M 1.0; U M 1.0; = A 4.0;']]) {
     await drawn(view, OF(['U E 0.0;', 'S M 1.0;', 'U E 0.1;', 'R M 1.0;', 'NOP 0;']));
     await page.locator(`[aria-label="${place}"]`).click();
     await hold();
@@ -251,6 +251,15 @@ test('each action leaves the keyboard in the networks', async () => {
   await inside();
 });
 
+test('the help lists the keys of KOP and FUP', async () => {
+  await press('F1');
+  const keys = page.getByRole('dialog');
+  await keys.getByRole('heading', { name: 'Tasten in KOP und FUP' }).waitFor();
+  await keys.getByText('KOP: Zweig weiter rechts schließen; FUP: Eingang negieren').waitFor();
+  await press('Escape');
+  await expect(() => page.getByRole('dialog').count(), 0);
+});
+
 test('in English, in the dark and on a phone: nothing is hidden, nothing is wider than the page', async () => {
   for (const [width, height, theme] of [[1280, 720, 'light'], [1280, 720, 'dark'], [390, 844, 'dark']]) {
     const other = await open(server, 'program?file=main.awl', { width, height, theme, language: 'en' });
@@ -306,4 +315,13 @@ test('STEP 5: the worked example in a listing, with the keyboard alone', async (
   await type('A 3.0');
   const lines = async () => (await text(listing)).split('\n').filter((line) => line.startsWith(' :')).map((line) => line.trim().replace(/\s+/g, ' ')).join(' ');
   await expect(lines, ': U E 0.0 : U E 0.1 : O A 1.0 : = A 3.0 : BE');
+  await listing.getByRole('button', { name: 'KOP', exact: true }).click();
+  await listing.locator('[data-element="CONTACT"]').waitFor();
+  const offered = (id) => listing.locator(`[data-element="${id}"]`).count();
+  for (const none of ['NOT', 'P', 'N', 'POS', 'NEG']) assert.equal(await offered(none), 0, none);
+  await listing.locator('[data-head="1"]').click();
+  await keys('F2');
+  await listing.locator('.networks input').waitFor();
+  await keys('Escape');
+  await listing.locator('#program-panel').getByText(/U braucht einen Operanden|U .*Operand/).first().waitFor();
 });

@@ -98,7 +98,8 @@ std::string shown(const Operand& operand, std::string_view text) {
 std::optional<Statement> withOperand(Scanner& scanner, const std::string& word, std::size_t offset,
                                      Failure& failure, const source::SymbolTable* symbols) {
   scanner.skipBlanks();
-  if (scanner.atEnd() || scanner.peek() == '!') {
+  // Question marks stand where an operand of KOP and FUP is not yet written.
+  if (scanner.atEnd() || scanner.peek() == '!' || scanner.peek() == '?') {
     failure = {ProblemCode::P1110, offset, word.size(), word, hint(word)};
     return std::nullopt;
   }

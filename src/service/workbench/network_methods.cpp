@@ -172,22 +172,23 @@ Answer edit(const Call& call) {
                    });
 }
 
-// What is no row of a family's table: in KOP, in FUP, its key in STEP 7.
+// What is no row of a family's table: in KOP, in FUP, its key in STEP 7; whether STEP 5 lacks it.
 struct BitElement {
   std::string_view id, kop, fup, key;
+  bool extended = false;
 };
 constexpr BitElement kBits[] = {
     {graph::element::kContact, "-| |-", "", "F2"},
     {graph::element::kContactNot, "-|/|-", "", "F3"},
     {graph::element::kAnd, "", "&", "F2"},
     {graph::element::kOr, "", ">=1", "F3"},
-    {graph::element::kXor, "", "XOR", ""},
-    {graph::element::kNot, "-|NOT|-", "NOT", ""},
+    {graph::element::kXor, "", "XOR", "", true},
+    {graph::element::kNot, "-|NOT|-", "NOT", "", true},
     {graph::element::kConnector, "-(#)-", "#", ""},
-    {graph::element::kRisingEdge, "-(P)-", "P", ""},
-    {graph::element::kFallingEdge, "-(N)-", "N", ""},
-    {graph::element::kRisingOperand, "POS", "POS", ""},
-    {graph::element::kFallingOperand, "NEG", "NEG", ""},
+    {graph::element::kRisingEdge, "-(P)-", "P", "", true},
+    {graph::element::kFallingEdge, "-(N)-", "N", "", true},
+    {graph::element::kRisingOperand, "POS", "POS", "", true},
+    {graph::element::kFallingOperand, "NEG", "NEG", "", true},
 };
 
 std::string_view groupOf(graph::ElementClass kind) {
@@ -216,7 +217,8 @@ Answer elements(const Call& call) {
   const graph::Rules& rules = call.plc().build().isListing() ? graph5::rules() : graph7::rules();
   Json rows = Json::array();
   for (const BitElement& bit : kBits)
-    rows.push_back(elementRow(bit.id, bit.kop, bit.fup, "bit", bit.key));
+    if (rules.extended || !bit.extended)
+      rows.push_back(elementRow(bit.id, bit.kop, bit.fup, "bit", bit.key));
   // JMP and CALL are one entry each: what stands before them decides.
   for (const graph::Element& element : rules.elements->elements())
     if (&rules.elements->counterpart(element, true) == &element)

@@ -1,5 +1,6 @@
 import { connection } from '../connection';
 import type { app } from '../i18n/texts/app';
+import type { networks } from '../i18n/texts/networks';
 import { attempt } from '../state/messages.svelte';
 import { plc } from '../state/plc.svelte';
 
@@ -27,6 +28,26 @@ export const keys: Key[] = [
   { keys: 'F10', text: 'keyOver' },
   { keys: 'F11', text: 'keyInto' },
   { keys: 'F12', text: 'keyGoTo' },
+];
+
+/** The same for KOP and FUP. */
+export const networkKeys: { keys: string; text: keyof typeof networks }[] = [
+  { keys: 'Ctrl 2', text: 'awlHelp' },
+  { keys: 'Ctrl 1', text: 'kopHelp' },
+  { keys: 'Ctrl 3', text: 'fupHelp' },
+  { keys: 'F2', text: 'keyF2' },
+  { keys: 'F3', text: 'keyF3' },
+  { keys: 'F7', text: 'keyF7' },
+  { keys: 'F8', text: 'keyF8' },
+  { keys: 'F9', text: 'keyF9' },
+  { keys: 'Alt F9', text: 'keyPalette' },
+  { keys: 'Enter', text: 'keyEnter' },
+  { keys: '← ↑ → ↓', text: 'keyArrows' },
+  { keys: 'Home End', text: 'keyEnds' },
+  { keys: 'Del', text: 'keyDelete' },
+  { keys: 'Ctrl R', text: 'keyNetwork' },
+  { keys: 'Ctrl Del', text: 'deleteNetwork' },
+  { keys: 'Ctrl Z Y', text: 'keyUndo' },
 ];
 
 const runs: Record<string, () => void> = {

@@ -6,13 +6,25 @@ import type { View } from './networks.svelte';
 
 const t = translator(networks);
 
-export function describe(item: Item, view: View): string {
-  const { kind, name, operand = '', pin } = item;
+/** What FUP draws as a box though it takes what comes out. */
+const outputs = /^(=|S|R|#)$/;
+
+const boxName = ({ name, operand }: Item): string =>
+  operand === undefined || name === operand ? name : `${name} ${operand}`;
+
+/** `items`: of the network, for the names of its boxes. */
+export function describe(item: Item, view: View, items: readonly Item[]): string {
+  const { kind, name, operand = '', pin, of } = item;
   if (kind === 'contact') {
     if (name === 'NOT') return t('not');
     return t(name === '/' ? 'closer' : 'contact', { operand });
   }
   if (kind === 'coil') return t('coil', { name: name.trim() || '=', operand });
-  if (kind === 'frame') return t('box', { name: item.operand === undefined ? name : `${name}, ${operand}` });
+  if (kind === 'frame') {
+    if (item.operand !== undefined && outputs.test(name.trim())) return t('output', { name: name.trim(), operand });
+    return t('box', { name: item.operand === undefined || name === operand ? name : `${name}, ${operand}` });
+  }
+  const box = of && items.find((one) => one.kind === 'frame' && one.node === of.box);
+  if (box && of) return t(of.side, { pin: of.pin, box: boxName(box), operand: operand || t('nothing') });
   return t(view === 'fup' && pin === 0 ? 'input' : 'operand', { operand: operand || '…' });
 }

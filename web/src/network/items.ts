@@ -31,6 +31,15 @@ export interface Item extends Place {
   place: Rect;
   /** What stands inside: "", "/", "S", "&". */
   name: string;
+  /** The pin of a box that has its operand here. */
+  of?: PinName | undefined;
+}
+
+export interface PinName {
+  side: 'inputOf' | 'outputOf';
+  pin: string;
+  /** Node of the box. */
+  box: number;
 }
 
 export const same = (a: Place | null, b: Place | null): boolean =>
@@ -74,7 +83,7 @@ export function itemsOf(shapes: readonly NetworkShape[]): Item[] {
       const above = hasOwn(shape) ? own.get(node) : undefined;
       items.push({ ...plain, pin: NO_PIN, name: titleOf(shapes, shape), ...operandAbove(above, rect) });
     } else if ((kind === 'text' || kind === 'field') && pin !== NO_PIN && !(pin === OWN && owners.has(node)))
-      items.push({ ...plain, operand: written(shape), field: pin });
+      items.push({ ...plain, operand: written(shape), field: pin, of: pinOf(shapes, shape) });
   }
   return items;
 }
@@ -85,12 +94,25 @@ function operandAbove(text: NetworkShape | undefined, rect: Rect): Pick<Item, 'r
   return { rect: around(rect, place), operand: written(text), field: OWN, place };
 }
 
+const within = ({ x, y, w, h }: NetworkShape, at: NetworkShape): boolean =>
+  at.kind === 'text' && at.x >= x && at.x + at.w <= x + w && at.y >= y && at.y < y + h;
+
+/** An open pin lies on its name, an operand in its row beside the box; a gate has no names. */
+function pinOf(shapes: readonly NetworkShape[], { x, y, w }: NetworkShape): PinName | undefined {
+  const away = (one: NetworkShape) => Math.max(one.x - (x + w), x - (one.x + one.w));
+  const [box] = shapes
+    .filter((one) => one.kind === 'frame' && one.y <= y && y < one.y + one.h)
+    .sort((a, b) => away(a) - away(b));
+  if (!box) return undefined;
+  const isLeft = 2 * x + w < 2 * box.x + box.w;
+  const names = shapes.filter((one) => one.y === y && within(box, one)).sort((a, b) => a.x - b.x);
+  const pin = names.at(isLeft ? 0 : -1)?.text ?? '';
+  return pin ? { side: isLeft ? 'inputOf' : 'outputOf', pin, box: box.node ?? -1 } : undefined;
+}
+
 /** The first text inside a frame. */
 function titleOf(shapes: readonly NetworkShape[], frame: NetworkShape): string {
-  const inside = shapes.filter(
-    ({ kind, x, y, w }) =>
-      kind === 'text' && x >= frame.x && x + w <= frame.x + frame.w && y >= frame.y && y < frame.y + frame.h,
-  );
+  const inside = shapes.filter((one) => within(frame, one));
   return (
     inside.reduce<NetworkShape | undefined>((best, one) => (best && best.y <= one.y ? best : one), undefined)?.text ??
     ''

@@ -9,3 +9,6 @@ const views: Record<string, View> = { Digit1: 'kop', Digit2: 'awl', Digit3: 'fup
 
 export const viewOf = (event: KeyboardEvent): View | undefined =>
   event.ctrlKey && !event.altKey ? views[event.code] : undefined;
+
+/** Whether the comments of networks are shown. */
+export const comments = kept('program.comments', true);

@@ -1,6 +1,25 @@
 import type { Texts } from '..';
 
 export const networks = {
+  keys: ['Tasten in KOP und FUP', 'Keys in LAD and FBD'],
+  keyF2: ['KOP: Schließerkontakt; FUP: UND', 'LAD: normally open contact; FBD: AND'],
+  keyF3: ['KOP: Öffnerkontakt; FUP: ODER', 'LAD: normally closed contact; FBD: OR'],
+  keyF7: ['Spule, Zuweisung', 'coil, assignment'],
+  keyF8: [
+    'KOP: Zweig parallel zum Element; FUP: ein Eingang mehr',
+    'LAD: branch beside the element; FBD: one more input',
+  ],
+  keyF9: [
+    'KOP: Zweig weiter rechts schließen; FUP: Eingang negieren',
+    'LAD: close the branch further right; FBD: negate the input',
+  ],
+  keyPalette: ['Element suchen und einfügen', 'find and insert an element'],
+  keyEnter: ['Operand eingeben, weiter zum nächsten', 'type the operand, on to the next one'],
+  keyArrows: ['Leitung entlang, von Netzwerk zu Netzwerk', 'along the wire, from network to network'],
+  keyEnds: ['erstes, letztes Element des Netzwerks', 'first, last element of the network'],
+  keyDelete: ['Element löschen', 'delete the element'],
+  keyNetwork: ['neues Netzwerk dahinter', 'new network behind this one'],
+  keyUndo: ['rückgängig, wiederholen', 'undo, redo'],
   awlHelp: ['Anweisungsliste (Strg 2)', 'Statement list (Ctrl 2)'],
   kopHelp: ['Kontaktplan (Strg 1)', 'Ladder (Ctrl 1)'],
   fupHelp: ['Funktionsplan (Strg 3)', 'Function block diagram (Ctrl 3)'],
@@ -16,7 +35,11 @@ export const networks = {
   coil: ['Spule {name}, {operand}', 'Coil {name}, {operand}'],
   box: ['Box {name}', 'Box {name}'],
   input: ['Eingang {operand}', 'Input {operand}'],
+  output: ['Ausgang {name}, {operand}', 'Output {name}, {operand}'],
   operand: ['Operand {operand}', 'Operand {operand}'],
+  inputOf: ['{pin}, Eingang von {box}: {operand}', '{pin}, input of {box}: {operand}'],
+  outputOf: ['{pin}, Ausgang von {box}: {operand}', '{pin}, output of {box}: {operand}'],
+  nothing: ['offen', 'open'],
   stays: ['bleibt AWL: {reason}', 'stays STL: {reason}'],
   staysLine: ['Zeile {line}: {reason}', 'Line {line}: {reason}'],
   otherView: ['als {view} gezeigt', 'shown as {view}'],
@@ -43,5 +66,6 @@ export const networks = {
   callInstance: ['Instanz-DB', 'Instance DB'],
   callInsert: ['Einfügen', 'Insert'],
   cancel: ['Abbrechen', 'Cancel'],
+  comments: ['Kommentare', 'Comments'],
   words: ['In Worten', 'In words'],
 } satisfies Texts;
