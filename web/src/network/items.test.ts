@@ -45,7 +45,7 @@ describe('what can be selected', () => {
       shape('frame', 2, 1, { w: 8, h: 4, node: 4, line: 4 }),
     ]);
     expect(call.map(({ name, operand, field }) => [name, operand, field])).toEqual([['FB 1', 'FB 1, DB 1', 0]]);
-    expect(call[0].place.y).toBeLessThan(call[0].rect.y + call[0].rect.height / 2);
+    expect(call[0]!.place.y).toBeLessThan(call[0]!.rect.y + call[0]!.rect.height / 2);
   });
 
   test('a box has its pins beside it, and open ones', () => {
