@@ -22,3 +22,10 @@ export function grouped(elements: readonly NetworkElement[], view: 'kop' | 'fup'
     }))
     .filter((group) => group.elements.length > 0);
 }
+
+/** What Enter takes: the element of that name, otherwise the first one. */
+export function bestOf(groups: readonly PaletteGroup[], filter: string): PaletteGroup['elements'][number] | undefined {
+  const typed = filter.trim().toLowerCase();
+  const all = groups.flatMap(({ elements }) => elements);
+  return all.find(({ name }) => name.toLowerCase() === typed) ?? all[0];
+}

@@ -4,6 +4,12 @@ import type { View } from './networks.svelte';
 
 export const representation = kept<View>('program.view', 'awl');
 
+/** Whether the declaration table is shown: beside drawings it takes the room of the networks. */
+export const declarationsShown = {
+  text: kept('program.declarations', true),
+  drawing: kept('program.drawnDeclarations', false),
+};
+
 // STEP 7's keys. A browser that keeps Ctrl and a digit for its tabs leaves them with Shift.
 const views: Record<string, View> = { Digit1: 'kop', Digit2: 'awl', Digit3: 'fup' };
 
