@@ -22,7 +22,11 @@ async function newProject(name, view) {
   await page.getByLabel('Projektname').fill(name);
   await page.getByLabel('Darstellung').selectOption(view);
   await page.getByRole('button', { name: 'Anlegen' }).click();
+  // The project before stays on the page until this one has been read.
+  await until(async () => (await page.title()).includes(name), 'the project');
+  await page.getByRole('group', { name: view.toUpperCase(), exact: true }).waitFor();
   await network().waitFor();
+  await expect(elements, '');
   await until(() => network().evaluate((card) => card.contains(document.activeElement)), 'the keyboard in the network');
 }
 
@@ -217,6 +221,19 @@ test('an operand that is refused can be mended where it was typed', async () => 
   await press('Control+a');
   await operand('MW 6');
   await expect(statements, 'L MW 6; T MW 4; NOP 0;');
+});
+
+test('a block opened from the list has the keyboard', async () => {
+  await drawn('kop', `${OF(['U E 0.0;', '= A 1.0;'])}FUNCTION FC 1 : VOID\nBEGIN\nNETWORK\n      U     E 2.0;\n      =     A 2.0;\nEND_FUNCTION\n`);
+  await press('Control+s');
+  const block = page.locator('[role=treeitem]').filter({ hasText: 'FC 1' }).first();
+  await block.focus();
+  await press('Enter');
+  await expect(elements, 'Schließerkontakt E 2.0 | Spule =, A 2.0');
+  await inside();
+  await press('F2');
+  await operand('E 2.1');
+  await expect(async () => (await statements()).includes('U E 2.1;'), true);
 });
 
 test('each action leaves the keyboard in the networks', async () => {

@@ -23,9 +23,18 @@ export function grouped(elements: readonly NetworkElement[], view: 'kop' | 'fup'
     .filter((group) => group.elements.length > 0);
 }
 
-/** What Enter takes: the element of that name, otherwise the first one. */
+// "(R)" is found by "r" as well.
+const plain = (name: string) => name.toLowerCase().replace(/[^a-z0-9]/g, '');
+
+/** What Enter takes: the element of that name, as a box or as a coil, then one that begins so, otherwise the first one. */
 export function bestOf(groups: readonly PaletteGroup[], filter: string): PaletteGroup['elements'][number] | undefined {
   const typed = filter.trim().toLowerCase();
   const all = groups.flatMap(({ elements }) => elements);
-  return all.find(({ name }) => name.toLowerCase() === typed) ?? all[0];
+  const short = plain(typed);
+  return (
+    all.find(({ name }) => name.toLowerCase() === typed) ??
+    (short === '' ? undefined : all.find(({ name }) => plain(name) === short)) ??
+    (short === '' ? undefined : all.find(({ name }) => plain(name).startsWith(short))) ??
+    all[0]
+  );
 }
