@@ -16,12 +16,16 @@ export async function toLine(page, line) {
   await page.keyboard.press('Home');
 }
 
-/** Replaces the whole text by typing nothing: as from the clipboard. */
+/** Replaces the whole text by typing nothing: as from the clipboard. Again, if an answer of the page has moved the cursor meanwhile. */
 export async function replaceAll(page, source) {
-  await content(page).focus();
-  await page.keyboard.press('Control+a');
-  await page.keyboard.insertText(source);
-  await until(async () => (await text(page)) === source, 'the new text');
+  const isThere = async () => (await text(page)) === source;
+  await until(async () => {
+    await content(page).focus();
+    await page.keyboard.press('Control+a');
+    await page.keyboard.insertText(source);
+    for (let looks = 0; looks < 40 && !(await isThere()); looks++) await page.waitForTimeout(50);
+    return isThere();
+  }, 'the new text');
 }
 
 export const problems = (page) => page.locator('#program-panel li');

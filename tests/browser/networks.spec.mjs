@@ -154,7 +154,12 @@ test('a new network and elements from the palette: by its search, by dragging (S
   await operand('E 1.0');
   await until(async () => /SI\s+T 1;/.test(await text(page)), () => 'the timer');
   const contact = page.locator('[data-element="CONTACT_NOT"]');
-  await contact.dragTo(network(1).locator('[data-node="0"]').first());
+  // A mouse that lets go while the timer is still being put in drops it beside.
+  await until(async () => {
+    await contact.dragTo(network(1).locator('[data-node="0"]').first());
+    for (let looks = 0; looks < 50 && (await field().count()) === 0; looks++) await page.waitForTimeout(100);
+    return (await field().count()) > 0;
+  }, 'the field of the contact');
   await operand('E 7.7');
   await expect(async () => (await statements()).slice(0, 18), 'U E 0.0; UN E 7.7;');
 });
