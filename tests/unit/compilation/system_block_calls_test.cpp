@@ -17,12 +17,13 @@ std::string ob(int number, const std::string& statements) {
 }
 
 // Code and text of each warning, with the lines of `text` counted behind the instances.
-std::vector<std::string> warnings(const std::string& text) {
+std::vector<std::string> warnings(const std::string& text,
+                                  const std::string& instances = kInstances) {
   const Build build =
-      compilation::build(project::load("a.awl", {}, {{"a.awl", kInstances + text}}, {}), false);
+      compilation::build(project::load("a.awl", {}, {{"a.awl", instances + text}}, {}), false);
   EXPECT_TRUE(build.ok());
   std::vector<std::string> result;
-  const auto before = std::ranges::count(kInstances, '\n');
+  const auto before = std::ranges::count(instances, '\n');
   for (const Problem& problem : build.problems.list())
     result.push_back(std::to_string(problem.position.line - before) + " " +
                      std::string(problem.name()) + " " + problem.message);
@@ -74,8 +75,23 @@ TEST(SystemBlockCalls, MultipleInstances) {
       "FUNCTION_BLOCK FB 1\nVAR\naxis : SFB 46;\nEND_VAR\nBEGIN\nNETWORK\nCALL #axis;\n"
       "END_FUNCTION_BLOCK\nDATA_BLOCK DB 1\nFB 1\nBEGIN\nEND_DATA_BLOCK\n";
   const std::string call = "CALL FB 1, DB 1;\n";
-  EXPECT_EQ(warnings(sender + ob(1, call)), Texts{});
-  EXPECT_EQ(warnings(sender + ob(1, call) + ob(40, call)).size(), 1u);
+  EXPECT_EQ(warnings(sender + ob(1, call), ""), Texts{});
+  EXPECT_EQ(warnings(sender + ob(1, call) + ob(40, call), "").size(), 1u);
+}
+
+// CNT-IF47-13: each technological SFB of the CPU, and no other.
+TEST(SystemBlockCalls, EachTechnologicalBlock) {
+  for (const int number : {3, 4, 5, 41, 42, 43, 44, 46, 47, 48, 49, 60, 61, 62, 63, 64, 65}) {
+    const std::string sfb = "SFB " + std::to_string(number);
+    const std::string call = "CALL " + sfb + ", DB 1;\n";
+    const bool technology = number >= 44;
+    EXPECT_EQ(warnings("DATA_BLOCK DB 1\n" + sfb + "\nBEGIN\nEND_DATA_BLOCK\n" + ob(1, call) +
+                           ob(35, call),
+                       "")
+                  .size(),
+              technology ? 1u : 0u)
+        << sfb;
+  }
 }
 
 }  // namespace
