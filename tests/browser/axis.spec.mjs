@@ -5,7 +5,7 @@ import { cpSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { accessible } from './axe.mjs';
-import { expect, history, launch, open, picture, root, scratch, serve, turn, until, visit } from './harness.mjs';
+import { expect, history, launch, open, picture, root, scratch, serve, turn, until, visit, write } from './harness.mjs';
 
 const folder = scratch();
 const project = join(folder, 'axis');
@@ -21,28 +21,11 @@ const speed = async () => Number((await says('speed')).replace(/[^-\d]/g, ''));
 const toggle = (name) => page.getByRole('switch', { name });
 const points = (name) => page.locator(`[data-profile="${name}"]`).getAttribute('data-points');
 
-/** As a program or a variable table does. */
-const write = (items) =>
-  page.evaluate(
-    (items) =>
-      new Promise((done, failed) => {
-        const socket = new WebSocket(new URL('ws', location.href).href.replace(/^http/, 'ws').replace(/#.*/, ''));
-        socket.onopen = () => socket.send(JSON.stringify({ id: 1, do: 'variables.write', items }));
-        socket.onmessage = ({ data }) => {
-          const answer = JSON.parse(data);
-          if (answer.id !== 1) return;
-          socket.close();
-          answer.problems ? failed(new Error(data)) : done(0);
-        };
-      }),
-    items.map(([operand, value]) => ({ operand, value })),
-  );
-
 test('the axis moves: pulses, mm and speed', async () => {
   await turn(page, 'RUN-P');
   const tracks = await history(tag('A'), 'data-value');
   // 13824 are 5 V: half of 10 000 pulses/s.
-  await write([['MW 20', '13824'], ['M 0.0', '1']]);
+  await write(page, { 'MW 20': 13824, 'M 0.0': 1 });
   await expect(speed, 5000);
   await expect(() => shows('ENABLE'), '1');
   assert.equal(await shows('SETPOINT'), '5 V');
@@ -50,7 +33,7 @@ test('the axis moves: pulses, mm and speed', async () => {
   await until(async () => (await tracks()).includes('1'), 'track A');
   // 2000 pulses are a turn of the encoder, which is 10 mm.
   await expect(() => page.locator('#axis-pitch').inputValue(), '10');
-  await write([['M 0.0', '0']]);
+  await write(page, { 'M 0.0': 0 });
   await expect(speed, 0);
   const at = await pulses();
   assert.equal(await says('way'), `${new Intl.NumberFormat('en-GB', { minimumFractionDigits: 1, maximumFractionDigits: 1 }).format(at / 200)} mm`);
@@ -67,7 +50,7 @@ test('position and speed over time, speed over distance', async () => {
   await page.getByRole('tab', { name: 'Over time' }).click();
   await page.getByRole('button', { name: 'Pause' }).last().click();
   const held = await points('position');
-  await write([['M 0.0', '1']]);
+  await write(page, { 'M 0.0': 1 });
   await expect(speed, 5000);
   assert.equal(await points('position'), held, 'a paused chart');
   await page.getByRole('button', { name: 'Pause' }).last().click();

@@ -190,3 +190,20 @@ export async function picture(page, name) {
   mkdirSync(join(root, 'docs/images/workbench'), { recursive: true });
   await page.screenshot({ path: join(root, 'docs/images/workbench', `${name}.png`) });
 }
+
+/** Writes operands, as a variable table does: from a connection of its own. */
+export const write = (page, values) =>
+  page.evaluate(
+    (items) =>
+      new Promise((done, failed) => {
+        const socket = new WebSocket(new URL('ws', location.href).href.replace(/^http/, 'ws').replace(/#.*/, ''));
+        socket.onopen = () => socket.send(JSON.stringify({ id: 1, do: 'variables.write', items }));
+        socket.onmessage = ({ data }) => {
+          const answer = JSON.parse(data);
+          if (answer.id !== 1) return;
+          socket.close();
+          answer.problems ? failed(new Error(data)) : done(0);
+        };
+      }),
+    Object.entries(values).map(([operand, value]) => ({ operand, value: String(value) })),
+  );

@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import { test } from 'node:test';
 import { accessible } from './axe.mjs';
 import { content, replaceAll, text } from './editor.mjs';
-import { expect, launch, message, open, picture, scratch, serve, turn, until, visit } from './harness.mjs';
+import { expect, launch, message, open, picture, scratch, serve, turn, until, visit, write } from './harness.mjs';
 
 const server = await serve('sorting-plant');
 const page = await open(server, 'projects', { height: 720 });
@@ -76,23 +76,6 @@ test('each edit is undone and done again by itself', async () => {
   await undone('Control+y', EXAMPLE);
 });
 
-/** As a variable table does. */
-const write = (items) =>
-  page.evaluate(
-    (items) =>
-      new Promise((done, failed) => {
-        const socket = new WebSocket(new URL('ws', location.href).href.replace(/^http/, 'ws').replace(/#.*/, ''));
-        socket.onopen = () => socket.send(JSON.stringify({ id: 1, do: 'variables.write', items }));
-        socket.onmessage = ({ data }) => {
-          const answer = JSON.parse(data);
-          if (answer.id !== 1) return;
-          socket.close();
-          answer.problems ? failed(new Error(data)) : done(0);
-        };
-      }),
-    Object.entries(items).map(([operand, value]) => ({ operand, value: String(value) })),
-  );
-
 const symbols = () => network().locator('.symbol').evaluateAll((all) => all.map((one) => (one.classList.contains('on') ? 1 : one.classList.contains('off') ? 0 : '-')).join(''));
 /** Each contact by itself, and the signal of the coil. */
 const flow = (a, b, c) => [a, b, c, (a & b) | c].join('');
@@ -107,10 +90,10 @@ test('the signal flow has the status of each row of the truth table (S7-EDIT-14,
   await page.getByRole('switch', { name: 'Status' }).click();
   for (let row = 0; row < 8; ++row) {
     const [a, b, c] = [row >> 2, (row >> 1) & 1, row & 1];
-    await write({ 'E 0.0': a, 'E 0.1': b, 'A 1.0': c });
+    await write(page, { 'E 0.0': a, 'E 0.1': b, 'A 1.0': c });
     await expect(symbols, flow(a, b, c), `row ${row}`);
   }
-  await write({ 'E 0.1': 0 });
+  await write(page, { 'E 0.1': 0 });
   await expect(symbols, '1011');
   await picture(page, 'networks-status');
 });

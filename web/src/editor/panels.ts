@@ -1,0 +1,2 @@
+// What stands below the text.
+export type Panel = 'problems' | 'references' | 'code' | 'difference';

@@ -1,0 +1,219 @@
+// The selection in the networks of a block, the operand that is being typed, and its edits: one after the other, each of what
+// the one before has made.
+import { tick } from 'svelte';
+import { connection } from '../connection';
+import type { NetworkPicture } from '../connection/protocol';
+import { attempt } from '../state/messages.svelte';
+import { elementAt } from './element_at';
+import { inOrder, itemsOf, nextMissing, NO_PIN, same, type Direction, type Item, type Place } from './items';
+import { placed, type Change, type Edited } from './keys';
+import type { NetworkViewProps } from './network_view';
+import { Networks, type Wanted } from './networks.svelte';
+import { Turn } from './turn';
+import { stepFrom } from './walking';
+
+const BEGINNING = { node: -1, field: NO_PIN };
+
+export class Editing {
+  readonly networks = new Networks();
+  readonly turn = new Turn();
+  chosen = $state(1);
+  selected = $state.raw<Place | null>(null);
+  field = $state.raw<{ item: Item; text: string } | null>(null);
+  private entering = true;
+
+  /** `host` holds the networks; `wanted` is what is shown in it. */
+  constructor(
+    private readonly given: () => NetworkViewProps,
+    private readonly host: () => HTMLElement,
+    private readonly wanted: () => Wanted | undefined,
+  ) {}
+
+  get props(): NetworkViewProps {
+    return this.given();
+  }
+  get picture(): NetworkPicture | undefined {
+    return this.networks.list.find((one) => one.number === this.chosen);
+  }
+  get items(): Item[] {
+    return this.picture ? itemsOf(this.picture.shapes) : [];
+  }
+  get current(): Item | null {
+    return this.items.find((item) => same(item, this.selected)) ?? null;
+  }
+  private get readonly(): boolean {
+    return this.props.document.readonly;
+  }
+
+  /** The cursor of the text moves the selection, unless it is there already. */
+  follow(): void {
+    const { line } = this.props;
+    const at = this.networks.at(line);
+    if (!at || this.turn.busy) return;
+    const items = itemsOf(at.shapes);
+    const here = at.number === this.chosen && this.selected && items.find((item) => same(item, this.selected));
+    if (here && at.line + here.line === line) return;
+    const found = items.find((item) => at.line + item.line === line && item.kind !== 'field');
+    if (at.number === this.chosen && !found) return;
+    this.chosen = at.number;
+    this.selected = found ?? null;
+  }
+
+  async show(): Promise<void> {
+    const wanted = this.wanted();
+    if (wanted) await this.networks.show(wanted);
+  }
+
+  /** The keyboard goes to the network of the cursor, as soon as it is drawn. */
+  async enter(): Promise<void> {
+    this.entering = true;
+    await this.show();
+    await this.arrived();
+  }
+
+  async arrived(): Promise<void> {
+    this.follow();
+    if (!this.entering || this.networks.line !== this.props.block?.line) return; // of the block before
+    this.entering = false;
+    if (this.networks.list.length > 0) await this.focus(this.chosen, this.selected);
+    else this.host().focus({ preventScroll: true });
+  }
+
+  async focus(number: number, place: Place | null): Promise<void> {
+    this.chosen = number;
+    this.selected = place;
+    await tick();
+    // Meanwhile another view may have been chosen.
+    const host = this.host();
+    const there = host && elementAt(host, number, place);
+    there?.focus({ preventScroll: true });
+    there?.scrollIntoView({ block: 'nearest', inline: 'nearest' });
+  }
+
+  select(number: number, item: Item | null): void {
+    this.chosen = number;
+    this.selected = item;
+    const at = this.networks.list.find((one) => one.number === number);
+    if (at) this.props.ongoto(at.line + (item?.line ?? 0));
+  }
+
+  go(number: number, item: Item | null): void {
+    void this.focus(number, item).then(() => this.select(number, item));
+  }
+
+  walk(direction: Direction): void {
+    const to = stepFrom(this.networks.list, this.chosen, this.current, direction);
+    if (to) this.go(to.network, to.item);
+  }
+
+  toEnd(first: boolean): void {
+    const to = inOrder(this.items).at(first ? 0 : -1);
+    if (to) this.go(this.chosen, to);
+  }
+
+  open(item: Item, text: string): void {
+    if (!this.readonly && item.operand !== undefined) this.field = { item, text };
+  }
+
+  close(): void {
+    const at = this.field?.item ?? null;
+    this.field = null;
+    void this.focus(this.chosen, at);
+  }
+
+  /** `onwards`: to the next operand that is missing. */
+  finish(text: string, onwards: boolean): void {
+    if (!this.field) return;
+    const { item } = this.field;
+    this.field = null;
+    if (text === '' || text === item.operand) {
+      if (onwards) void this.turn.take(() => this.further(item));
+    } else void this.edit({ action: 'setOperand', operands: [text] }, { ...item, pin: item.field }, onwards);
+  }
+
+  private async further(from: Place & { field: number }): Promise<void> {
+    const list = this.items;
+    const to = nextMissing(list, from);
+    const stays = list.find((item) => same(item, from)) ?? list.find(({ node }) => node === from.node);
+    await this.focus(this.chosen, to ?? stays ?? null);
+    if (to) this.open(to, to.operand ?? '');
+  }
+
+  undo(again: boolean): void {
+    void this.turn.take(async () => {
+      this.host().focus({ preventScroll: true });
+      this.props.onundo(again);
+      await tick();
+      await this.enter();
+    });
+  }
+
+  async edit(change: Change, at: Place | null, onwards = false): Promise<void> {
+    if (this.turn.busy || this.readonly || !this.props.block) return;
+    await this.turn.take(() => this.ask(change, at, onwards));
+  }
+
+  private async ask(change: Change, at: Place | null, onwards: boolean): Promise<void> {
+    this.host().focus({ preventScroll: true });
+    const { document, block } = this.props;
+    const place = at ? { node: at.node, pin: at.pin, first: at.first } : {};
+    const answer = await attempt(
+      connection.ask('networks.edit', {
+        file: document.path,
+        text: document.text,
+        line: block!.line,
+        network: this.picture?.number ?? 0,
+        edit: { ...placed(change, this.current), ...place },
+        language: this.wanted()?.language ?? 'german',
+      }),
+    );
+    if (answer) await this.changedTo(answer, change, at, onwards);
+    else await this.refused(change, at, onwards);
+  }
+
+  private async refused(change: Change, at: Place | null, onwards: boolean): Promise<void> {
+    this.turn.forget();
+    const isThere = (item: Item) => same(item, at) || (item.node === at?.node && item.field === at.pin);
+    const typed = onwards && this.items.find(isThere);
+    if (typed) return this.open(typed, change.operands?.[0] ?? '');
+    this.turn.deaf = true;
+    await this.focus(this.chosen, at);
+  }
+
+  private async changedTo(answer: Edited, change: Change, at: Place | null, onwards: boolean): Promise<void> {
+    this.props.onedit(answer.from, answer.to, answer.lines);
+    await tick();
+    await this.show();
+    this.chosen = answer.network;
+    const list = this.items;
+    const to = list.find((item) => same(item, answer)) ?? list.find((item) => item.node === answer.node);
+    this.selected = to ?? null;
+    if (onwards) await this.further({ ...answer, field: at?.pin ?? NO_PIN });
+    else {
+      await this.focus(this.chosen, to ?? null);
+      const gap = nextMissing(
+        list.filter(({ node }) => node === answer.node),
+        BEGINNING,
+      );
+      if (gap && change.action === 'insert') this.open(gap, gap.operand ?? '');
+    }
+    if (this.picture) this.props.ongoto(this.picture.line + (to?.line ?? 0));
+  }
+
+  /** Title, comment, label of a network. */
+  async changeAll(number: number, changes: Change[]): Promise<void> {
+    for (const change of changes) {
+      this.chosen = number;
+      await this.edit(change, null);
+    }
+    if (changes.length === 0) await this.focus(number, null);
+  }
+
+  /** Enter, or a letter: the operand of the selection, otherwise the first one that is missing. False: there is none. */
+  type(text?: string): boolean {
+    const item = this.current;
+    const at = item?.operand === undefined ? nextMissing(this.items, item ?? BEGINNING) : item;
+    if (at) this.open(at, text ?? at.operand ?? '');
+    return at !== undefined;
+  }
+}

@@ -1,0 +1,69 @@
+// What a key does in the networks: walk, command, edit.
+import { plc } from '../state/plc.svelte';
+import type { Editing } from './editing.svelte';
+import { inOrder } from './items';
+import { changeOf, directionOf, isTyped, typedInto, type Key } from './keys';
+
+/** False: a key of somebody else. `target`: where it was pressed; null: it waited for an edit. */
+export function press(editing: Editing, key: Key, target: Element | null, onpalette: () => void): boolean {
+  if (editing.field) return typed(editing, key);
+  if (editing.turn.unheard(key)) return true;
+  if (key.key === 'F8' && plc.breakpoint) return false;
+  const button = target?.closest('button');
+  if (button && key.key === 'Enter' && !button.matches('[data-head]')) return false;
+  return moves(editing, key) || commands(editing, key, onpalette) || edits(editing, key);
+}
+
+/** A key that came while the operand field was on its way. */
+function typed(editing: Editing, key: Key): boolean {
+  const { field } = editing;
+  if (!field) return false;
+  if (key.key === 'Enter') editing.finish(field.text, true);
+  else if (key.key === 'Escape') editing.close();
+  else editing.field = { ...field, text: typedInto(field.text === field.item.operand ? '' : field.text, key) };
+  return true;
+}
+
+function moves(editing: Editing, key: Key): boolean {
+  const direction = directionOf(key);
+  if (direction) return (editing.walk(direction), true);
+  if (key.ctrl || key.alt || (key.key !== 'Home' && key.key !== 'End')) return false;
+  editing.toEnd(key.key === 'Home');
+  return true;
+}
+
+const commandKeys: Record<string, (editing: Editing) => void> = {
+  s: ({ props }) => props.onsave(),
+  l: ({ props }) => props.onload(),
+  z: (editing) => editing.undo(false),
+  y: (editing) => editing.undo(true),
+  Z: (editing) => editing.undo(true),
+  r: (editing) => void editing.edit({ action: 'newNetwork' }, null),
+  Delete: (editing) => void editing.edit({ action: 'deleteNetwork' }, null),
+};
+
+function commands(editing: Editing, key: Key, onpalette: () => void): boolean {
+  const command = key.ctrl && !key.alt && !editing.props.document.readonly ? commandKeys[key.key] : undefined;
+  if (command) command(editing);
+  else if (key.alt && key.key === 'F9') onpalette();
+  else return false;
+  return true;
+}
+
+function edits(editing: Editing, key: Key): boolean {
+  const item = editing.current;
+  const { view, document } = editing.props;
+  if (document.readonly || !editing.picture) return false;
+  if (key.key === 'Enter') return editing.type();
+  if (isTyped(key) && item?.operand !== undefined) return editing.type(key.key);
+  const change = changeOf(key, view);
+  if (!change) return false;
+  // A network is deleted at its head, with Ctrl; what is in it, by its elements.
+  if (change.action === 'delete' && !item) return false;
+  // At the heading one stands before the first element.
+  const first = item ? undefined : inOrder(editing.items).find(({ kind }) => kind === 'contact');
+  if (first && view === 'kop' && /^CONTACT/.test(change.element ?? ''))
+    void editing.edit({ ...change, place: 'before' }, first);
+  else void editing.edit(change, item);
+  return true;
+}
