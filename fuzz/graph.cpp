@@ -36,7 +36,7 @@ void readAndWrite(const block::Block& block, const graph7::NetworkCode& code) {
                                     block.code.begin() + code.end),
                 "a network gives its bytes back");
   for (const graph::Language language : {graph::Language::German, graph::Language::English}) {
-    (void)graph::sentences(*network, language);
+    (void)graph::sentences(*network, language, language);
     const graph::Style style{language};
     for (const graph::Picture& picture :
          {graph::kop(*network, style), graph::fup(*network, style)}) {

@@ -71,7 +71,7 @@ graph::Edit editOf(Numbers& numbers, std::size_t statements) {
 
 void draw(const networks::Network& network) {
   for (const graph::Language language : {graph::Language::German, graph::Language::English}) {
-    (void)graph::sentences(*network.tree, language);
+    (void)graph::sentences(*network.tree, language, language);
     (void)graph::kop(*network.tree, {language});
     (void)graph::fup(*network.tree, {language});
   }

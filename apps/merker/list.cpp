@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "build.h"
 #include "command.h"
@@ -19,7 +20,7 @@ namespace {
 
 struct ListOptions {
   ProjectOptions project;
-  std::string path, mnemonics = "de", view, svg;
+  std::string path, mnemonics, view, svg;
   bool code = false, memory = false, listing = false, symbols = false, json = false;
 };
 
@@ -83,7 +84,8 @@ int listListings(const Build& built, const ListOptions& options) {
 
 int listView(const Build& built, const ListOptions& options) {
   const diagram::View view = options.view == "kop" ? diagram::View::Kop : diagram::View::Fup;
-  const Mnemonics mnemonics = mnemonicsOf(options);
+  std::optional<Mnemonics> mnemonics;
+  if (!options.mnemonics.empty()) mnemonics = mnemonicsOf(options);
   if (!options.svg.empty()) return writeView(built, view, mnemonics, options.svg);
   if (options.json)
     print({{"networks", viewToJson(built, view, mnemonics)}, {"problems", toJson(built.problems)}});
@@ -125,7 +127,9 @@ void addList(CLI::App& program, int& result) {
                     "STEP 5: the program as a listing that compiles to the same machine code");
   command->add_flag("--symbols", options->symbols,
                     "in a listing: -NAME where an operand has a symbol");
-  command->add_option("--mnemonics", options->mnemonics, "de or en")
+  command
+      ->add_option("--mnemonics", options->mnemonics,
+                   "de or en; otherwise de, of a --view as the source has it")
       ->check(CLI::IsMember({"de", "en"}));
   addProjectOptions(*command, options->project);
   command->add_flag("--json", options->json, "as one JSON object");

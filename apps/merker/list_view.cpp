@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "graph/sentence.h"
+#include "graph7/rules.h"
 
 namespace merker::app {
 namespace {
@@ -51,9 +52,8 @@ void print(const Counts& counts) {
   std::cout << text << '\n';
 }
 
-nlohmann::json toJson(const BlockDiagram& block, const NetworkDiagram& network, View wanted,
-                      Mnemonics mnemonics) {
-  const Shown shown = diagram::asText(network, wanted, mnemonics);
+nlohmann::json toJson(const BlockDiagram& block, const NetworkDiagram& network, View wanted) {
+  const Shown shown = diagram::asText(network, wanted);
   nlohmann::json out = {{"block", block.name},
                         {"network", network.number},
                         {"title", network.title},
@@ -63,21 +63,20 @@ nlohmann::json toJson(const BlockDiagram& block, const NetworkDiagram& network, 
     out["reason"] = shown.why;
     return out;
   }
-  out["sentences"] =
-      graph::sentences(*network.network, mnemonics == Mnemonics::German ? graph::Language::German
-                                                                        : graph::Language::English);
+  const graph::Language language = graph7::namesIn(network.mnemonics);
+  out["sentences"] = graph::sentences(*network.network, language, language);
   return out;
 }
 
 }  // namespace
 
-void printView(const Build& build, View view, Mnemonics mnemonics) {
+void printView(const Build& build, View view, std::optional<Mnemonics> mnemonics) {
   Counts counts{};
   for (const BlockDiagram& block : diagram::diagrams(build, mnemonics)) {
     std::cout << fmt::format("{}{}\n\n", block.name,
                              block.symbol.empty() ? "" : fmt::format(" \"{}\"", block.symbol));
     for (const NetworkDiagram& network : block.networks) {
-      const Shown shown = diagram::asText(network, view, mnemonics);
+      const Shown shown = diagram::asText(network, view);
       print(network, shown, view);
       ++counts[static_cast<std::size_t>(shown.view)];
     }
@@ -85,16 +84,17 @@ void printView(const Build& build, View view, Mnemonics mnemonics) {
   print(counts);
 }
 
-nlohmann::json viewToJson(const Build& build, View view, Mnemonics mnemonics) {
+nlohmann::json viewToJson(const Build& build, View view, std::optional<Mnemonics> mnemonics) {
   nlohmann::json out = nlohmann::json::array();
   for (const BlockDiagram& block : diagram::diagrams(build, mnemonics))
     for (const NetworkDiagram& network : block.networks)
-      out.push_back(toJson(block, network, view, mnemonics));
+      out.push_back(toJson(block, network, view));
   return out;
 }
 
-int writeView(const Build& build, View view, Mnemonics mnemonics, const std::string& path) {
-  const auto picture = diagram::drawAll(diagram::diagrams(build, mnemonics), view, mnemonics);
+int writeView(const Build& build, View view, std::optional<Mnemonics> mnemonics,
+              const std::string& path) {
+  const auto picture = diagram::drawAll(diagram::diagrams(build, mnemonics), view);
   std::ofstream file(path, std::ios::binary);
   file << graph::toSvg(picture, name(view));
   file.close();

@@ -1,7 +1,8 @@
-// merker list PATH --view kop|fup [--svg FILE]
+// merker list PATH --view kop|fup [--svg FILE], in the mnemonics of each block if none are given
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 
 #include "build.h"
@@ -9,9 +10,11 @@
 
 namespace merker::app {
 
-void printView(const Build& build, diagram::View view, Mnemonics mnemonics);
-nlohmann::json viewToJson(const Build& build, diagram::View view, Mnemonics mnemonics);
+void printView(const Build& build, diagram::View view, std::optional<Mnemonics> mnemonics);
+nlohmann::json viewToJson(const Build& build, diagram::View view,
+                          std::optional<Mnemonics> mnemonics);
 // All networks as one picture. The exit code.
-int writeView(const Build& build, diagram::View view, Mnemonics mnemonics, const std::string& path);
+int writeView(const Build& build, diagram::View view, std::optional<Mnemonics> mnemonics,
+              const std::string& path);
 
 }  // namespace merker::app

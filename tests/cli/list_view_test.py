@@ -92,6 +92,16 @@ END_ORGANIZATION_BLOCK
     def test_english(self):
         self.assertIn(" I 0.0 ", self.view("--view", "kop", "--mnemonics", "en"))
 
+    # S7-MNE-03: SE is an on-delay in German, an extended pulse in English
+    def test_names_and_operands_are_those_of_the_source_unless_others_are_asked_for(self):
+        self.write("english.awl", "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\nA I 0.0;\nL S5T#2S;\nSE T 1;\nEND_ORGANIZATION_BLOCK\n")
+        for options, operand, name in (((), "I 0.0", "SE"), (("--mnemonics", "de"), "E 0.0", "SV")):
+            text = self.expect(GOOD, "list", "english.awl", "--view", "kop", *options).out
+            self.assertIn(f" {operand} ", text)
+            self.assertIn(f"({name})", text)
+        self.write("faulty.awl", (self.folder / "english.awl").read_text().replace("I 0.0", '"missing"'))
+        self.assertIn("(SE)", self.expect(PROBLEMS, "list", "faulty.awl", "--view", "kop", "--mnemonics", "de").out)
+
     def test_json_has_lines_and_sentences(self):
         networks = json.loads(self.view("--view", "kop", "--json"))["networks"]
         self.assertEqual([network["view"] for network in networks], ["KOP", "FUP", "AWL"])

@@ -18,7 +18,7 @@ std::size_t outsideQuotes(std::string_view text, char wanted) {
 class BoxFramer {
  public:
   BoxFramer(const Node& box, const Style& style, const DrawPin& draw)
-      : box_(box), german_(style.language == Language::German), draw_(draw) {}
+      : box_(box), german_(style.names == Language::German), draw_(draw) {}
 
   FrameText frame() {
     const ElementRow& row = box_.element->row;

@@ -184,7 +184,7 @@ class Diagram {
     text.of = selectionOf(coil);
     text.hasOut = false;
     FramePin first = signal ? std::move(*signal) : FramePin{};
-    first.name = style_.language == Language::German ? row.fup : row.fupEnglish;
+    first.name = style_.names == Language::German ? row.fup : row.fupEnglish;
     text.left.push_back(std::move(first));
     int field = kFirstPin;
     for (const Operand& value : coil.values)

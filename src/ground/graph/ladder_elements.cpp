@@ -195,7 +195,7 @@ Picture LadderElements::parallel(const Node& parallel, const Signals& outer, Beg
 
 Picture LadderElements::coil(const Coil& coil) {
   const ElementRow& row = coil.element->row;
-  std::string name(style_.language == Language::German ? row.kop : row.kopEnglish);
+  std::string name(style_.names == Language::German ? row.kop : row.kopEnglish);
   name = name.size() > 2 ? name.substr(1, name.size() - 2) : "";
   int widest = 0;
   for (const Operand& value : coil.values) widest = std::max(widest, columns(value.text));

@@ -43,8 +43,10 @@ std::string closed(const Phrase& phrase, Bond most) {
 
 class Speaker {
  public:
-  explicit Speaker(Language language)
-      : german_(language == Language::German), words_(german_ ? kGerman : kEnglish) {}
+  Speaker(Language language, Language names)
+      : german_(language == Language::German),
+        germanNames_(names == Language::German),
+        words_(german_ ? kGerman : kEnglish) {}
 
   // A branch goes on with what stands before it: nobody hears of its temporary bit.
   void path(const Path& path, const Phrase& before) {
@@ -164,9 +166,9 @@ class Speaker {
     if (!node.enable.empty()) add("EN", text(node.enable.front()));
     for (std::size_t i = 0; i < node.pins.size(); ++i)
       if (const std::string value = pin(node.pins[i]); !value.empty())
-        add(german_ ? node.element->pins[i].name : node.element->pins[i].english, value);
+        add(germanNames_ ? node.element->pins[i].name : node.element->pins[i].english, value);
     for (const Argument& argument : node.arguments) add(argument.name, given(node, argument));
-    std::string_view name = german_ ? row.kop : row.kopEnglish;
+    std::string_view name = germanNames_ ? row.kop : row.kopEnglish;
     return fmt::format("{}{}{}{}", name, name.empty() || node.operand.text.empty() ? "" : " ",
                        node.operand.text, pins.empty() ? "" : fmt::format(" ({})", pins));
   }
@@ -189,7 +191,7 @@ class Speaker {
     return argument.text;
   }
 
-  bool german_;
+  bool german_, germanNames_;
   const Words& words_;
   Phrase before_;  // the branch from which the path goes on
   std::vector<std::string> said_;
@@ -197,8 +199,8 @@ class Speaker {
 
 }  // namespace
 
-std::vector<std::string> sentences(const Network& network, Language language) {
-  Speaker speaker(language);
+std::vector<std::string> sentences(const Network& network, Language language, Language names) {
+  Speaker speaker(language, names);
   for (const auto& path : paths(network)) speaker.path(*path, {});
   return speaker.said();
 }

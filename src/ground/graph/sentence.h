@@ -9,7 +9,7 @@
 
 namespace merker::graph {
 
-// One sentence for each coil and each box that ends a rung.
-std::vector<std::string> sentences(const Network& network, Language language);
+// One sentence for each coil and each box that ends a rung. `names`: of elements and pins.
+std::vector<std::string> sentences(const Network& network, Language language, Language names);
 
 }  // namespace merker::graph

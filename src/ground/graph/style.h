@@ -6,7 +6,7 @@
 namespace merker::graph {
 
 struct Style {
-  Language language = Language::German;
+  Language names = Language::German;  // of elements and pins: those of the mnemonics
   int widest = 0;  // columns of ladder; a rung that is wider goes on below; 0: as wide as it is
 };
 

@@ -33,7 +33,7 @@ Result<Text, Problems> readText(const Aside& aside, const compilation::Build& bu
                                 .symbols = &build.project.symbols,
                                 .program = build.program.get(),
                                 .library = build.library.get(),
-                                .mnemonics = {}};
+                                .mnemonics = build.project.mnemonics};
   if (build.isListing()) around.language = source::Language::Step5;
   return Text{source::SourceFile(path, std::move(*text)), around};
 }
@@ -54,6 +54,8 @@ graph::Language languageOf(const Fields& fields) {
   return static_cast<graph::Language>(fields.choice("language", {"german", "english"}, 0));
 }
 
+constexpr std::string_view kMnemonics[] = {"german", "international"};
+
 NetworkDisplay displayOf(const Fields& fields, const source::SymbolTable& symbols) {
   return {
       static_cast<NetworkView>(fields.choice("view", {"kop", "fup"}, 0)), languageOf(fields),
@@ -72,6 +74,7 @@ Answer shown(const Aside& aside, const compilation::Build& build) {
   return Json{{"block", block->name},
               {"line", block->line},
               {"end", block->end - 1},
+              {"mnemonics", kMnemonics[static_cast<std::size_t>(block->mnemonics)]},
               {"networks", networkRows(*block, display)}};
 }
 
@@ -203,16 +206,21 @@ Json elementRow(std::string_view id, std::string_view kop, std::string_view fup,
   return row;
 }
 
-Json elementRow(const graph::ElementRow& row, bool german) {
-  const bool call = row.kind == graph::ElementClass::Call;
-  const std::string_view kop = german ? row.kop : row.kopEnglish,
-                         fup = german ? row.fup : row.fupEnglish;
-  return elementRow(row.id, call ? "CALL" : kop, call ? "CALL" : fup, groupOf(row.kind),
-                    row.id == "COIL" ? "F7" : "");
+// With its names in the other mnemonics, for who knows only those.
+Json elementRow(const graph::ElementRow& row, Mnemonics mnemonics) {
+  const std::string_view group = groupOf(row.kind);
+  if (row.kind == graph::ElementClass::Call) return elementRow(row.id, "CALL", "CALL", group, "");
+  std::pair german{row.kop, row.fup}, english{row.kopEnglish, row.fupEnglish};
+  if (mnemonics != Mnemonics::German) std::swap(german, english);
+  const auto& [own, other] = std::pair{german, english};
+  Json out = elementRow(row.id, own.first, own.second, group, row.id == "COIL" ? "F7" : "");
+  if (own != other) out["other"] = {{"kop", other.first}, {"fup", other.second}};
+  return out;
 }
 
 Answer elements(const Call& call) {
-  const bool german = call.fields.choice("language", {"german", "english"}, 0) == 0;
+  const auto mnemonics =
+      static_cast<Mnemonics>(call.fields.choice("mnemonics", {kMnemonics[0], kMnemonics[1]}, 0));
   if (!call.fields.good()) return call.fields.problems();
   const graph::Rules& rules = call.plc().build().isListing() ? graph5::rules() : graph7::rules();
   Json rows = Json::array();
@@ -222,7 +230,7 @@ Answer elements(const Call& call) {
   // JMP and CALL are one entry each: what stands before them decides.
   for (const graph::Element& element : rules.elements->elements())
     if (&rules.elements->counterpart(element, true) == &element)
-      rows.push_back(elementRow(element.row, german));
+      rows.push_back(elementRow(element.row, mnemonics));
   return Json{{"elements", std::move(rows)}};
 }
 

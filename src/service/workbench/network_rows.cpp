@@ -3,6 +3,7 @@
 #include "graph/fup.h"
 #include "graph/kop.h"
 #include "graph/sentence.h"
+#include "graph7/rules.h"
 #include "workbench/shown_operands.h"
 
 namespace merker::workbench {
@@ -68,7 +69,7 @@ class NetworkRow {
     graph::Network shown = *network_.tree;
     written_ = showOperands(shown, display_);
     const bool kop = display_.view == NetworkView::Kop && graph::fitsKop(shown, rules_);
-    const graph::Style style{display_.language};
+    const graph::Style style{graph7::namesIn(display_.mnemonics)};
     const graph::Picture picture = kop ? graph::kop(shown, style) : graph::fup(shown, style);
     row["view"] = kop ? "kop" : "fup";
     row["h"] = picture.h;
@@ -78,7 +79,7 @@ class NetworkRow {
       row["shapes"].push_back(shapeRow(shape));
     }
     row["w"] = right;
-    row["sentences"] = graph::sentences(shown, display_.language);
+    row["sentences"] = graph::sentences(shown, display_.language, style.names);
   }
 
   Json shapeRow(const graph::Shape& shape) const {

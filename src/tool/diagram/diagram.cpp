@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "diagram/faulty_blocks.h"
+#include "diagram/written_blocks.h"
 #include "graph/fup.h"
 #include "graph/kop.h"
 #include "graph/read.h"
@@ -19,8 +19,7 @@ namespace {
 
 graph::Style styleOf(Mnemonics mnemonics) {
   constexpr int kPage = 100;  // columns
-  return {mnemonics == Mnemonics::German ? graph::Language::German : graph::Language::English,
-          kPage};
+  return {graph7::namesIn(mnemonics), kPage};
 }
 
 // The mnemonic of a statement is that of its last instruction: before it stands the way to its
@@ -52,6 +51,7 @@ NetworkDiagram diagramOf(const block::Block& block, const graph7::NetworkCode& c
                          Mnemonics mnemonics) {
   NetworkDiagram out = read(code.statements, graph7::rules());
   out.label = code.label;
+  out.mnemonics = mnemonics;
   for (std::size_t i = 0; i < code.statements.size(); ++i) {
     const bool last = i + 1 == code.statements.size();
     const std::string text = statementText(
@@ -119,8 +119,8 @@ View shownAs(const NetworkDiagram& network, View wanted) {
 }
 
 // Of a network that has a picture.
-graph::Picture draw(const NetworkDiagram& network, View view, Mnemonics mnemonics) {
-  const graph::Style style = styleOf(mnemonics);
+graph::Picture draw(const NetworkDiagram& network, View view) {
+  const graph::Style style = styleOf(network.mnemonics);
   return view == View::Kop ? graph::kop(*network.network, style)
                            : graph::fup(*network.network, style);
 }
@@ -142,32 +142,37 @@ void write(graph::Picture& picture, const std::string& text) {
 
 }  // namespace
 
-std::vector<BlockDiagram> diagrams(const compilation::Build& build, Mnemonics mnemonics) {
+std::vector<BlockDiagram> diagrams(const compilation::Build& build,
+                                   std::optional<Mnemonics> mnemonics) {
   std::vector<BlockDiagram> out;
-  auto written = faultyBlocks(build);
+  auto written = writtenBlocks(build);
+  const auto in = [&](const std::string& block) {
+    const auto own = written.mnemonics.find(block);
+    return mnemonics.value_or(own == written.mnemonics.end() ? Mnemonics::German : own->second);
+  };
   const auto add = [&](BlockDiagram block) {
-    const auto at = written.find(block.name);
-    out.push_back(at == written.end() ? std::move(block) : std::move(at->second));
-    if (at != written.end()) written.erase(at);
+    const auto at = written.faulty.find(block.name);
+    out.push_back(at == written.faulty.end() ? std::move(block) : std::move(at->second));
+    if (at != written.faulty.end()) written.faulty.erase(at);
   };
   if (build.program != nullptr)
     for (const auto& [id, block] : *build.program)
-      if (!block.code.empty()) add(diagramOf(build, block, mnemonics));
+      if (!block.code.empty()) add(diagramOf(build, block, in(toString(id))));
   for (const auto& [id, block] : build.listings)
     if (id.type != mc5::BlockType::Db) add(diagramOf(block));
-  for (auto& [name, block] : written) out.push_back(std::move(block));
+  for (auto& [name, block] : written.faulty) out.push_back(std::move(block));
   return out;
 }
 
-Shown asText(const NetworkDiagram& network, View wanted, Mnemonics mnemonics) {
+Shown asText(const NetworkDiagram& network, View wanted) {
   const View view = shownAs(network, wanted);
   if (view == View::Awl) return asAwl(network, network.refusal);
-  auto lines = graph::toText(draw(network, view, mnemonics));
+  auto lines = graph::toText(draw(network, view));
   if (!lines) return asAwl(network, {0, lines.error()});
   return {view, std::move(*lines), {}};
 }
 
-graph::Picture drawAll(const std::vector<BlockDiagram>& blocks, View view, Mnemonics mnemonics) {
+graph::Picture drawAll(const std::vector<BlockDiagram>& blocks, View view) {
   graph::Picture out;
   for (const BlockDiagram& block : blocks) {
     write(out,
@@ -181,7 +186,7 @@ graph::Picture drawAll(const std::vector<BlockDiagram>& blocks, View view, Mnemo
           --out.h;
         }
       } else {
-        out.place(draw(network, shown, mnemonics), 0, out.h);
+        out.place(draw(network, shown), 0, out.h);
       }
       ++out.h;
     }

@@ -20,11 +20,12 @@ enum class View : std::uint8_t { Kop, Fup, Awl };
 struct NetworkDiagram {
   std::size_t number = 1;  // in its block
   std::string title;
-  std::string label;                      // where another network jumps to it
-  std::optional<graph::Network> network;  // none: it stays AWL
-  const graph::Rules* rules = nullptr;    // of its family
-  graph::Refusal refusal;                 // then the reason
-  std::vector<std::string> statements;    // "U     E 0.0", one for each statement of `graph`
+  std::string label;                        // where another network jumps to it
+  std::optional<graph::Network> network;    // none: it stays AWL
+  const graph::Rules* rules = nullptr;      // of its family
+  graph::Refusal refusal;                   // then the reason
+  std::vector<std::string> statements;      // "U     E 0.0", one for each statement of `graph`
+  Mnemonics mnemonics = Mnemonics::German;  // of all of it
 };
 
 struct BlockDiagram {
@@ -32,8 +33,9 @@ struct BlockDiagram {
   std::vector<NetworkDiagram> networks;
 };
 
-// All code blocks in their order; `mnemonics` and names are those of STEP 7 only.
-std::vector<BlockDiagram> diagrams(const compilation::Build& build, Mnemonics mnemonics);
+// All code blocks in their order, in these mnemonics (STEP 7); nothing: in those of each text.
+std::vector<BlockDiagram> diagrams(const compilation::Build& build,
+                                   std::optional<Mnemonics> mnemonics);
 
 // A network as text. What KOP cannot draw is FUP, what no text can hold stays AWL.
 struct Shown {
@@ -42,9 +44,9 @@ struct Shown {
   std::string
       why;  // it is AWL: "statement 2 (TAK): KOP and FUP have no element for this operation"
 };
-Shown asText(const NetworkDiagram& network, View wanted, Mnemonics mnemonics);
+Shown asText(const NetworkDiagram& network, View wanted);
 
 // KOP and FUP below each other, with their titles, as one picture.
-graph::Picture drawAll(const std::vector<BlockDiagram>& blocks, View view, Mnemonics mnemonics);
+graph::Picture drawAll(const std::vector<BlockDiagram>& blocks, View view);
 
 }  // namespace merker::diagram

@@ -50,7 +50,7 @@ std::string described(const NetworkCode& code, graph::Language language) {
                        graph::name(code.statements[network.error().statement].op),
                        graph::text(network.error().reason));
   std::string out;
-  for (const std::string& sentence : graph::sentences(*network, language))
+  for (const std::string& sentence : graph::sentences(*network, language, language))
     out += "  " + sentence + "\n";
   return out;
 }

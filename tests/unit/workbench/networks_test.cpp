@@ -191,6 +191,51 @@ TEST(Networks, ShowSymbolsOrAddressesButKnowWhatIsWritten) {
   EXPECT_EQ(operands(absolute).front(), "E 0.0");
 }
 
+// "SE T 1", and the pins of a box.
+std::vector<std::string> names(const Json& network) {
+  std::vector<std::string> found;
+  for (const Json& shape : network["shapes"])
+    if (shape.contains("text") && (shape["kind"] == "coil" || !shape.contains("node")))
+      found.push_back(shape["text"]);
+  return found;
+}
+
+// S7-MNE-03, S7-MNE-13: SE is an on-delay in German, an extended pulse in English.
+TEST(Networks, NameElementsAsTheTextDoesInEachLanguageOfThePage) {
+  Bench bench;
+  const auto shown = [&](const std::string& body, const std::string& language) {
+    const std::string text = "FUNCTION FC 1 : VOID\nBEGIN\nNETWORK\n" + body + "END_FUNCTION\n";
+    return bench.call("networks.show", asked({{"text", text}, {"language", language}}));
+  };
+  const std::string german =
+      "U E 0.0;\nL S5T#2S;\nSE T 1;\nU E 0.1;\nL S5T#2S;\nSE T 2;\n"
+      "NOP 0;\nNOP 0;\nNOP 0;\nU T 2;\n= A 0.0;\n";
+  const std::string english =
+      "A I 0.0;\nL S5T#2S;\nSE T 1;\nA I 0.1;\nL S5T#2S;\nSE T 2;\n"
+      "NOP 0;\nNOP 0;\nNOP 0;\nA T 2;\n= Q 0.0;\n";
+  const std::vector<std::string> kGerman{"SE", "S", "TW", "R", "Q", "DUAL", "DEZ", "S_EVERZ"};
+  const std::vector<std::string> kEnglish{"SE", "S", "TV", "R", "Q", "BI", "BCD", "S_PEXT"};
+  for (const char* language : {"german", "english"}) {
+    const Json one = shown(german, language), other = shown(english, language);
+    EXPECT_EQ(one["mnemonics"], "german");
+    EXPECT_EQ(other["mnemonics"], "international");
+    EXPECT_EQ(names(one["networks"][0]), kGerman) << language;
+    EXPECT_EQ(names(other["networks"][0]), kEnglish) << language;
+  }
+  const Json sentences = shown(german, "english")["networks"][0]["sentences"];
+  EXPECT_EQ(sentences[0], "start T 1 as on-delay of S5T#2S with E 0.0")
+      << "in the language of the page";
+  EXPECT_EQ(sentences[1], "A 0.0 = S_EVERZ T 2 (S: E 0.1, TW: S5T#2S)");
+}
+
+TEST(Networks, WithoutStatementsHaveTheMnemonicsOfTheProject) {
+  const char* kEmpty = "FUNCTION FC 1 : VOID\nBEGIN\nNETWORK\nEND_FUNCTION\n";
+  Bench german, english(kProgram, "[program]\nmnemonics = \"english\"\n");
+  const Json asking = asked({{"text", kEmpty}});
+  EXPECT_EQ(german.call("networks.show", asking)["mnemonics"], "german");
+  EXPECT_EQ(english.call("networks.show", asking)["mnemonics"], "international");
+}
+
 TEST(Networks, OfAFileAreReadFromTheDisk) {
   Bench bench;
   const Json answer = bench.call("networks.show", {{"file", "main.awl"}, {"line", 10}});
@@ -249,8 +294,8 @@ TEST(Networks, AreInsertedNamedAndDeleted) {
 
 TEST(Networks, HaveTheElementsOfTheirFamily) {
   Bench bench;
-  const auto find = [&](const std::string& id, const std::string& language = "german") -> Json {
-    const Json answer = bench.call("networks.elements", {{"language", language}});
+  const auto find = [&](const std::string& id, const std::string& mnemonics = "german") -> Json {
+    const Json answer = bench.call("networks.elements", {{"mnemonics", mnemonics}});
     for (const Json& element : answer["elements"])
       if (element["id"] == id) return element;
     return nullptr;
@@ -258,7 +303,13 @@ TEST(Networks, HaveTheElementsOfTheirFamily) {
   EXPECT_EQ(find("CONTACT")["key"], "F2");
   EXPECT_EQ(find("CONTACT")["fup"], "") << "FUP has inputs of gates";
   EXPECT_EQ(find("S_PULSE")["kop"], "S_IMPULS");
-  EXPECT_EQ(find("S_PULSE", "english")["kop"], "S_PULSE");
+  EXPECT_EQ(find("S_PULSE", "international")["kop"], "S_PULSE");
+  // SE is another timer in the other mnemonics; those names are told too.
+  EXPECT_EQ(find("SD")["kop"], "(SE)");
+  EXPECT_EQ(find("SD")["other"], Json({{"kop", "(SD)"}, {"fup", "SD"}}));
+  EXPECT_EQ(find("SE", "international")["kop"], "(SE)");
+  EXPECT_EQ(find("SE", "international")["other"], Json({{"kop", "(SV)"}, {"fup", "SV"}}));
+  EXPECT_FALSE(find("S").contains("other"));
   EXPECT_EQ(find("COIL")["group"], "coil");
   // One JMP: what stands before it decides whether it is conditional.
   EXPECT_EQ(find("JMP")["kop"], "(JMP)");

@@ -23,8 +23,8 @@ export interface NetworkShape { kind: 'wire' | 'rail' | 'frame' | 'text' | 'cont
 export interface NetworkPicture { number: number; title: string; comment: string; label: string; line: number; end: number; first: number; view: 'kop' | 'fup' | 'awl'; reason?: string; reasonLine?: number; w: number; h: number; shapes: NetworkShape[]; sentences: string[] }
 /** at the element or operand that `node`, `pin` and `first` name; -1: the network. `insert`: of an `element` of `networks.elements`; `title` and `comment` of `newNetwork` and `heading`; `label`: what jumps lead to, empty: none */
 export interface NetworkEdit { action: 'insert' | 'addInput' | 'negate' | 'closeBranch' | 'setOperand' | 'delete' | 'newRung' | 'newNetwork' | 'deleteNetwork' | 'heading' | 'label'; node?: number; pin?: number; first?: number; place?: 'before' | 'behind' | 'parallel' | 'branch' | 'atPin'; element?: string; operands?: string[]; title?: string; comment?: string[]; label?: string }
-/** names in KOP and FUP; empty: not in this view */
-export interface NetworkElement { id: string; kop: string; fup: string; group: 'bit' | 'compare' | 'box' | 'move' | 'call' | 'coil'; key?: string }
+/** names in KOP and FUP; empty: not in this view; `other`: in the other mnemonics */
+export interface NetworkElement { id: string; kop: string; fup: string; group: 'bit' | 'compare' | 'box' | 'move' | 'call' | 'coil'; key?: string; other?: { kop: string; fup: string } }
 export interface SymbolEntry { name: string; operand: string; type: string; comment: string }
 export interface BlockEntry { id: string; symbol: string; title: string }
 /** OB: those of the CPU; of the others the first and the last */
@@ -153,12 +153,12 @@ export interface Requests {
   'program.completion': { fields: Record<string, never>; result: { symbols: SymbolEntry[]; blocks: BlockEntry[]; mnemonics: { german: [string, string, string][]; international: [string, string, string][] }; numbers: BlockNumbers } };
   /** cross reference, of one operand or all: the first 20,000 rows, and how many more */
   'program.references': { fields: { operand?: string }; result: { rows: Reference[]; more: number } };
-  /** the networks of the block at this line as KOP or FUP; `text`: unsaved, in place of the file. A network without ladder is shown as function blocks, one without either as AWL. P1308 if there is no block */
-  'networks.show': { fields: { file: string; text?: string; line: number; view?: 'kop' | 'fup'; language?: 'german' | 'english'; display?: 'written' | 'symbolic' | 'absolute' }; result: { block: string; line: number; end: number; networks: NetworkPicture[] } };
+  /** the networks of the block at this line as KOP or FUP; `text`: unsaved, in place of the file. Elements have the names of `mnemonics`, those of the text; reasons and sentences are in `language`. A network without ladder is shown as function blocks, one without either as AWL. P1308 if there is no block */
+  'networks.show': { fields: { file: string; text?: string; line: number; view?: 'kop' | 'fup'; language?: 'german' | 'english'; display?: 'written' | 'symbolic' | 'absolute' }; result: { block: string; line: number; end: number; mnemonics: 'german' | 'international'; networks: NetworkPicture[] } };
   /** an element put in, taken out, changed in this network of the block at `line`: lines `from` to before `to` of the text become `lines`, which the browser puts into it; then the element of `network` is selected. P1308 says why it is not possible */
   'networks.edit': { fields: { file: string; text: string; line: number; network: number; edit: NetworkEdit; language?: 'german' | 'english' }; result: { from: number; to: number; lines: string[]; network: number; node: number; pin: number; first: number } };
   /** what can be put into a network */
-  'networks.elements': { fields: { language?: 'german' | 'english' }; result: { elements: NetworkElement[] } };
+  'networks.elements': { fields: { mnemonics?: 'german' | 'international' }; result: { elements: NetworkElement[] } };
   /** `block`, or `file` and `line`; each browser has one */
   'status.show': { fields: { block?: string; file?: string; line?: number }; result: { block: string } };
   'status.hide': { fields: Record<string, never>; result: Record<string, never> };

@@ -2,6 +2,7 @@
 // that only what an edit has changed is drawn again.
 import { connection, type FieldsOf } from '../connection';
 import type { NetworkPicture } from '../connection/protocol';
+import type { Mnemonics } from '../editor/mnemonics';
 import { coalesced } from '../state/coalesced';
 
 export type Wanted = FieldsOf<'networks.show'>;
@@ -23,6 +24,8 @@ export function merged(old: readonly NetworkPicture[], fresh: readonly NetworkPi
 
 export class Networks {
   list = $state.raw<readonly NetworkPicture[]>([]);
+  /** Of the text, and so of the names of elements. */
+  mnemonics = $state<Mnemonics>('german');
   /** Lines of the block. */
   line = $state(0);
   end = $state(0);
@@ -53,6 +56,7 @@ export class Networks {
       const answer = await connection.ask('networks.show', wanted);
       if (this.wanted?.file !== wanted.file) return;
       this.refused = '';
+      this.mnemonics = answer.mnemonics;
       this.line = answer.line;
       this.end = answer.end;
       this.list = merged(this.list, answer.networks);

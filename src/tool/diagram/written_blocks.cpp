@@ -1,4 +1,4 @@
-#include "diagram/faulty_blocks.h"
+#include "diagram/written_blocks.h"
 
 #include <set>
 
@@ -7,13 +7,14 @@
 namespace merker::diagram {
 namespace {
 
-NetworkDiagram asWritten(networks::Network network, const graph::Rules* rules) {
+NetworkDiagram asWritten(networks::Network network, const networks::Block& block) {
   NetworkDiagram out;
   out.number = network.number;
   out.title = std::move(network.source.title);
   out.label = std::move(network.source.label);
   out.network = std::move(network.tree);
-  out.rules = rules;
+  out.rules = block.rules;
+  out.mnemonics = block.mnemonics;
   out.refusal = network.refusal;
   for (const graph::Written& place : network.source.places)
     out.statements.push_back(place.label.empty() || &place == network.source.places.data()
@@ -23,9 +24,9 @@ NetworkDiagram asWritten(networks::Network network, const graph::Rules* rules) {
 }
 
 BlockDiagram asWritten(networks::Block block) {
-  BlockDiagram out{std::move(block.name), std::move(block.symbol), {}};
+  BlockDiagram out{block.name, block.symbol, {}};
   for (networks::Network& network : block.networks)
-    out.networks.push_back(asWritten(std::move(network), block.rules));
+    out.networks.push_back(asWritten(std::move(network), block));
   return out;
 }
 
@@ -39,22 +40,22 @@ std::set<std::uint32_t> linesWithErrors(const compilation::Build& build, const s
 
 }  // namespace
 
-std::map<std::string, BlockDiagram> faultyBlocks(const compilation::Build& build) {
-  std::map<std::string, BlockDiagram> out;
+WrittenBlocks writtenBlocks(const compilation::Build& build) {
+  WrittenBlocks out;
   const networks::Surroundings around{
       .language = build.isListing() ? source::Language::Step5 : build.project.symbols.language(),
       .symbols = &build.project.symbols,
       .program = build.program.get(),
       .library = build.library.get(),
-      .mnemonics = {}};
+      .mnemonics = build.project.mnemonics};
   for (const source::SourceFile& file : build.project.sources) {
     const auto lines = linesWithErrors(build, file.name());
-    if (lines.empty()) continue;
     for (const networks::Block& block : networks::blocks(file, around)) {
+      out.mnemonics.try_emplace(block.name, block.mnemonics);
       const auto line = lines.lower_bound(block.line);
       if (line == lines.end() || *line >= block.end) continue;
       if (auto found = networks::blockAt(file, block.line, around))
-        out.try_emplace(block.name, asWritten(std::move(*found)));
+        out.faulty.try_emplace(block.name, asWritten(std::move(*found)));
     }
   }
   return out;
