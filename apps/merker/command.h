@@ -22,6 +22,7 @@ void addDiag(CLI::App& program, int& result);
 void addMonitor(CLI::App& program, int& result);
 void addXref(CLI::App& program, int& result);
 void addExport(CLI::App& program, int& result);
+void addTags(CLI::App& program, int& result);
 void addPlot(CLI::App& program, int& result);
 void addBench(CLI::App& program, int& result);
 void addImport(CLI::App& program, int& result);

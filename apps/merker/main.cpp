@@ -72,6 +72,7 @@ int run(int argc, char** argv) {
   merker::app::addDisassemble(program, result);
   merker::app::addAssemble(program, result);
   merker::app::addExport(program, result);
+  merker::app::addTags(program, result);
   merker::app::addPlot(program, result);
   merker::app::addBench(program, result);
   if (isUnknownCommand(program, argc, argv)) return merker::app::kUsage;

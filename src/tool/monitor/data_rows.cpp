@@ -1,10 +1,11 @@
 #include "monitor/data_rows.h"
 
-#include <fmt/ranges.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 
 #include "awl/declaration_text.h"
+#include "block/elements.h"
 #include "mc5/constant.h"
 
 namespace merker::monitor {
@@ -28,55 +29,27 @@ std::string placeOf(const block::Type& type, BitAddress at) {
   return fmt::format("{} {}", size == 2 ? "DBW" : size == 4 ? "DBD" : "DBB", at / 8);
 }
 
-class VariableRows {
- public:
-  explicit VariableRows(const block::Block& block)
-      : initial_(block.initialData), actual_(block.actualData) {
-    variables(block.variables, "", 0);
-  }
-
+// Rows of the variables that lie within the block; `end` becomes the byte behind the last one.
+std::vector<MachineCodeRow> variableRows(const block::Block& block, std::size_t& end) {
+  const DataBytes initial = block.initialData, actual = block.actualData;
   std::vector<MachineCodeRow> rows;
-  std::size_t end = 0;  // bytes that have a row
-
- private:
-  void variables(const std::vector<block::Variable>& list, const std::string& path,
-                 BitAddress base) {
-    for (const block::Variable& v : list)
-      if (v.section != block::Section::Temp) value(*v.type, path + v.name, base + v.address);
-  }
-
-  void value(const block::Type& type, const std::string& path, BitAddress at) {
-    if (full_) return;
-    if (type.code == TypeCode::Array) return array(type, path, at);
-    if (!type.members.empty()) return variables(type.members, path + ".", at);
-    const std::size_t size = block::sizeInBytes(type), first = at / 8;
-    full_ = rows.size() >= kMostVariables || first + size > actual_.size();
-    if (full_) return;
-    const DataBytes now = actual_.subspan(first, size);
-    const bool begins = first + size <= initial_.size();
-    rows.push_back({static_cast<std::uint32_t>(first), hex(now),
-                    fmt::format("{}  {} : {}", placeOf(type, at), path, awl::typeText(type)), 0,
-                    begins ? awl::valueText(type, initial_.subspan(first, size), at % 8) : "",
-                    awl::valueText(type, now, at % 8)});
+  block::forEachElement(block.variables, [&](const block::Element& element) {
+    const block::Type& type = element.type;
+    const std::size_t size = block::sizeInBytes(type), first = element.at / 8;
+    if (rows.size() >= kMostVariables || first + size > actual.size()) return false;
+    const DataBytes now = actual.subspan(first, size);
+    const unsigned bit = element.at % 8;
+    const bool begins = first + size <= initial.size();
+    rows.push_back(
+        {static_cast<std::uint32_t>(first), hex(now),
+         fmt::format("{}  {} : {}", placeOf(type, element.at), element.path, awl::typeText(type)),
+         0, begins ? awl::valueText(type, initial.subspan(first, size), bit) : "",
+         awl::valueText(type, now, bit)});
     end = first + size;
-  }
-
-  void array(const block::Type& type, const std::string& path, BitAddress at) {
-    std::vector<std::int32_t> index;
-    for (const block::Dimension& d : type.dimensions) index.push_back(d.low);
-    for (const BitAddress offset : block::elementOffsets(type)) {
-      if (full_) return;
-      value(*type.element, fmt::format("{}[{}]", path, fmt::join(index, ",")), at + offset);
-      for (std::size_t d = index.size(); d-- > 0;) {
-        if (++index[d] <= type.dimensions[d].high) break;
-        index[d] = type.dimensions[d].low;
-      }
-    }
-  }
-
-  DataBytes initial_, actual_;
-  bool full_ = false;
-};
+    return true;
+  });
+  return rows;
+}
 
 class WordRows {
  public:
@@ -127,17 +100,18 @@ class WordRows {
 
 std::vector<MachineCodeRow> dataRows(const block::Block& block) {
   constexpr std::size_t kBytes = 16;
-  VariableRows list(block);
+  std::size_t end = 0;
+  std::vector<MachineCodeRow> rows = variableRows(block, end);
   const DataBytes all = block.actualData;
-  const std::size_t rest = (list.end + 1) / 2 * 2;  // a block has an even length
+  const std::size_t rest = (end + 1) / 2 * 2;  // a block has an even length
   for (std::size_t at = rest; at < all.size(); at += kBytes)
-    list.rows.push_back({static_cast<std::uint32_t>(at),
-                         hex(all.subspan(at, std::min(kBytes, all.size() - at))),
-                         {},
-                         0,
-                         {},
-                         {}});
-  return std::move(list.rows);
+    rows.push_back({static_cast<std::uint32_t>(at),
+                    hex(all.subspan(at, std::min(kBytes, all.size() - at))),
+                    {},
+                    0,
+                    {},
+                    {}});
+  return rows;
 }
 
 std::vector<MachineCodeRow> dataRows(const mc5::Block& block) {
