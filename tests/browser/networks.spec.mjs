@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import { test } from 'node:test';
 import { accessible } from './axe.mjs';
 import { content, replaceAll, text } from './editor.mjs';
-import { expect, launch, message, open, picture, scratch, serve, turn, until, visit, write } from './harness.mjs';
+import { expect, launch, message, open, picture, quiet, scratch, serve, turn, until, visit, write } from './harness.mjs';
 
 const server = await serve('sorting-plant');
 const page = await open(server, 'projects', { height: 720 });
@@ -212,7 +212,7 @@ test('an operand that is refused can be mended where it was typed', async () => 
 });
 
 test('a block opened from the list has the keyboard', async () => {
-  await drawn('kop', `${OF(['U E 0.0;', '= A 1.0;'])}FUNCTION FC 1 : VOID\nBEGIN\nNETWORK\n      U     E 2.0;\n      =     A 2.0;\nEND_FUNCTION\n`);
+  await drawn('kop', `${OF(['U E 0.0;', '= A 1.0;'])}FUNCTION FC 1 : VOID\nBEGIN\nNETWORK\n      U     E 2.0;\n      =     A 2.0;\nEND_FUNCTION\nFUNCTION FC 2 : VOID\nBEGIN\nEND_FUNCTION\n`);
   await press('Control+s');
   const block = page.locator('[role=treeitem]').filter({ hasText: 'FC 1' }).first();
   await block.focus();
@@ -222,6 +222,65 @@ test('a block opened from the list has the keyboard', async () => {
   await press('F2');
   await operand('E 2.1');
   await expect(async () => (await statements()).includes('U E 2.1;'), true);
+  // One without a network as well: there the first one is made.
+  const empty = page.locator('[role=treeitem]').filter({ hasText: 'FC 2' }).first();
+  await empty.focus();
+  await press('Enter');
+  await inside();
+  await press('Control+r');
+  await expect(() => page.locator('[data-network]').count(), 1);
+  await inside();
+  await page.locator('[role=treeitem]').filter({ hasText: 'OB 1' }).first().click();
+  await expect(elements, 'Schließerkontakt E 0.0 | Spule =, A 1.0');
+  await inside();
+});
+
+test('keys pressed in the list save, and change nothing else', async () => {
+  await page.evaluate(() => (window.same = true));
+  const [source, list] = [await text(page), page.getByRole('tree')];
+  await page.locator('[aria-label="Schließerkontakt E 0.0"]').click();
+  await press('F2');
+  await operand('E 0.7');
+  await expect(async () => (await text(page)) !== source, true);
+  const changed = await text(page);
+  for (const key of ['F2', 'F3', 'F7', 'Delete']) {
+    await list.getByRole('treeitem').first().focus();
+    await press(key);
+    assert.equal(await text(page), changed, key);
+    assert.ok(await list.evaluate((tree) => tree.contains(document.activeElement)), key);
+  }
+  await quiet(page);
+  await press('Control+s');
+  await message(page, 'main.awl gespeichert');
+  await press('Control+r');
+  await inside();
+  await press('F2');
+  await field().waitFor();
+  await press('Control+r');
+  await inside();
+  await page.getByRole('button', { name: 'Titel und Kommentar von Netzwerk 1' }).click();
+  await press('Control+r');
+  await inside();
+  await page.getByRole('searchbox', { name: 'Element suchen' }).focus();
+  await press('Control+r');
+  await inside();
+  assert.ok(await page.evaluate(() => window.same), 'the page was loaded anew');
+});
+
+test('a block opened while an edit is on its way stays open', async () => {
+  await drawn('kop', `${OF(['U E 0.0;', '= A 1.0;'])}FUNCTION FC 1 : VOID\nBEGIN\nNETWORK\n      U     E 2.0;\n      =     A 2.0;\nEND_FUNCTION\n`);
+  await press('Control+s');
+  await page.getByRole('treeitem', { name: 'OB 1' }).first().click();
+  await expect(elements, 'Schließerkontakt E 0.0 | Spule =, A 1.0');
+  await inside();
+  await hold();
+  await press('Home', 'F3');
+  await page.getByRole('treeitem', { name: 'FC 1' }).first().click();
+  await expect(elements, 'Schließerkontakt E 2.0 | Spule =, A 2.0');
+  await release();
+  await expect(async () => (await statements()).includes('UN ??.?;'), true);
+  await expect(elements, 'Schließerkontakt E 2.0 | Spule =, A 2.0');
+  await inside();
 });
 
 test('each action leaves the keyboard in the networks', async () => {

@@ -3,6 +3,8 @@
 import { tick } from 'svelte';
 import { connection } from '../connection';
 import type { NetworkPicture } from '../connection/protocol';
+import type { OpenDocument } from '../editor/document.svelte';
+import { workspace } from '../editor/workspace.svelte';
 import { attempt } from '../state/messages.svelte';
 import { elementAt } from './element_at';
 import { inOrder, itemsOf, nextMissing, NO_PIN, same, type Direction, type Item, type Place } from './items';
@@ -71,7 +73,16 @@ export class Editing {
     await this.arrived();
   }
 
-  async arrived(): Promise<void> {
+  /** What was selected may be gone; the keyboard stays. */
+  async refresh(): Promise<void> {
+    const had = this.host().contains(document.activeElement);
+    await this.show();
+    await this.arrived();
+    await tick();
+    if (had && document.activeElement === document.body) await this.focus(this.chosen, this.selected);
+  }
+
+  private async arrived(): Promise<void> {
     this.follow();
     if (!this.entering || this.networks.line !== this.props.block?.line) return; // of the block before
     this.entering = false;
@@ -86,7 +97,7 @@ export class Editing {
     // Meanwhile another view may have been chosen.
     const host = this.host();
     const there = host && elementAt(host, number, place);
-    there?.focus({ preventScroll: true });
+    (there ?? host)?.focus({ preventScroll: true });
     there?.scrollIntoView({ block: 'nearest', inline: 'nearest' });
   }
 
@@ -157,18 +168,21 @@ export class Editing {
     this.host().focus({ preventScroll: true });
     const { document, block } = this.props;
     const place = at ? { node: at.node, pin: at.pin, first: at.first } : {};
+    const { path, text } = document;
     const answer = await attempt(
       connection.ask('networks.edit', {
-        file: document.path,
-        text: document.text,
+        file: path,
+        text,
         line: block!.line,
         network: this.picture?.number ?? 0,
         edit: { ...placed(change, this.current), ...place },
         language: this.wanted()?.language ?? 'german',
       }),
     );
-    if (answer) await this.changedTo(answer, change, at, onwards);
-    else await this.refused(change, at, onwards);
+    if (!answer || document.text !== text) return this.refused(change, at, onwards);
+    if (this.props.document !== document || this.props.block?.name !== block!.name)
+      return this.changedElsewhere(document, answer);
+    await this.changedTo(answer, change, at, onwards);
   }
 
   private async refused(change: Change, at: Place | null, onwards: boolean): Promise<void> {
@@ -178,6 +192,15 @@ export class Editing {
     if (typed) return this.open(typed, change.operands?.[0] ?? '');
     this.turn.deaf = true;
     await this.focus(this.chosen, at);
+  }
+
+  /** Another block has been opened meanwhile: the keyboard belongs there. */
+  private async changedElsewhere(document: OpenDocument, { from, to, lines }: Edited): Promise<void> {
+    const all = document.text.split('\n');
+    all.splice(from - 1, to - from, ...lines);
+    workspace.edit(document, all.join('\n'));
+    await tick();
+    await this.enter();
   }
 
   private async changedTo(answer: Edited, change: Change, at: Place | null, onwards: boolean): Promise<void> {
