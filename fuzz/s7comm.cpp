@@ -1,0 +1,87 @@
+// PDUs of S7 communication, one behind the other: whatever comes, each answer is a PDU of at most
+// the agreed length, nobody asks the PLC for more than that, and a job is answered once.
+#include <utility>
+
+#include "harness.h"
+#include "s7comm/request.h"
+
+using namespace merker;
+using s7comm::Bytes;
+using s7comm::View;
+
+namespace {
+
+// Everything is there and 0; every third order is carried out later.
+class Zeros : public s7comm::Plc {
+ public:
+  std::vector<std::function<void()>> waiting;
+
+  void read(const std::vector<s7comm::Range>& ranges, ReadDone done) override {
+    std::vector<s7comm::Value> values;
+    std::size_t octets = 0;
+    for (const s7comm::Range& range : ranges) {
+      octets += range.octets;
+      fuzz::require(octets <= s7comm::Offer{}.pdu, "no more is read than an answer holds");
+      values.push_back({s7comm::ItemCode::Done, Bytes(range.octets)});
+    }
+    order([done = std::move(done), values = std::move(values)] { done(values); });
+  }
+  void write(std::vector<s7comm::Write> writes, WriteDone done) override {
+    for (const s7comm::Write& one : writes)
+      fuzz::require(one.octets.size() == one.range.octets, "a value is as long as its range");
+    order([done = std::move(done), count = writes.size()] {
+      done(std::vector(count, s7comm::ItemCode::Done));
+    });
+  }
+
+ private:
+  void order(std::function<void()> what) {
+    if (++orders_ % 3 != 0) return what();
+    waiting.push_back(std::move(what));
+  }
+  unsigned orders_ = 0;
+};
+
+// What a client does with an answer.
+void take(View answer, std::size_t most) {
+  const auto pdu = s7comm::readPdu(answer);
+  fuzz::require(pdu.has_value(), "an answer is a PDU");
+  fuzz::require(answer.size() <= most, "an answer is as long as agreed");
+  fuzz::require(pdu->parameters.size() + pdu->data.size() <= answer.size(), "its lengths are true");
+  static_cast<void>(s7comm::setupAnswer(*pdu));
+  if (const auto values = s7comm::readAnswer(*pdu))
+    fuzz::require(!values->empty(), "values are read");
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  Zeros plc;
+  View rest(data, size);
+  if (const auto pdu = s7comm::readPdu(rest)) {  // as an answer, too
+    static_cast<void>(s7comm::setupAnswer(*pdu));
+    static_cast<void>(s7comm::readAnswer(*pdu));
+    static_cast<void>(s7comm::writeAnswer(*pdu));
+  }
+  std::size_t answers = 0, requests = 0;
+  std::shared_ptr<s7comm::Session> session;
+  session = std::make_shared<s7comm::Session>(plc, [&](const Bytes& pdu) {
+    ++answers;
+    take(pdu, s7comm::Offer{}.pdu);
+  });
+  bool good = true;
+  while (good && !rest.empty()) {
+    const std::size_t length = std::min<std::size_t>(rest[0], rest.size() - 1);
+    const View pdu = rest.subspan(1, length);
+    rest = rest.subspan(1 + length);
+    if (session->busy())
+      for (const auto& one : std::exchange(plc.waiting, {})) one();
+    if (session->busy()) continue;
+    good = session->receive(pdu);
+    requests += good && pdu[1] != 2 && pdu[1] != 3 ? 1u : 0u;
+  }
+  while (!plc.waiting.empty())
+    for (const auto& one : std::exchange(plc.waiting, {})) one();
+  fuzz::require(answers == requests, "each request is answered once");
+  return 0;
+}

@@ -1,0 +1,30 @@
+#include "s7comm/data_item.h"
+
+#include <algorithm>
+
+#include "base/bytes.h"
+
+namespace merker::s7comm {
+
+std::optional<DataItem> readDataItem(View& bytes) {
+  if (bytes.size() < kDataItemHeader) return std::nullopt;
+  const std::uint32_t length = octets(bytes[1], loadWord(&bytes[2]));
+  const View rest = bytes.subspan(kDataItemHeader);
+  if (rest.size() < length) return std::nullopt;
+  const DataItem item{.code = static_cast<ItemCode>(bytes[0]),
+                      .unit = static_cast<DataUnit>(bytes[1]),
+                      .octets = rest.first(length)};
+  bytes = rest.subspan(std::min<std::size_t>(rest.size(), length + length % 2));
+  return item;
+}
+
+void writeDataItem(Bytes& out, const DataItem& item) {
+  if (out.size() % 2 != 0) out.push_back(0);
+  const auto count = static_cast<std::uint32_t>(item.octets.size());
+  out.insert(out.end(),
+             {static_cast<std::uint8_t>(item.code), static_cast<std::uint8_t>(item.unit)});
+  appendWord(out, item.unit == DataUnit::None ? 0 : lengthField(item.unit, count));
+  out.insert(out.end(), item.octets.begin(), item.octets.end());
+}
+
+}  // namespace merker::s7comm

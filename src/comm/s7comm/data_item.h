@@ -1,0 +1,24 @@
+// Values as they stand in data: return code, transport size, length, octets. Each but the last one
+// has an even number of octets; the one that fills up does not count in its length.
+#pragma once
+
+#include <optional>
+
+#include "s7comm/item.h"
+
+namespace merker::s7comm {
+
+struct DataItem {
+  ItemCode code = ItemCode::Requested;
+  DataUnit unit = DataUnit::None;
+  View octets{};
+};
+
+constexpr std::size_t kDataItemHeader = 4;
+
+// Takes the next one off `bytes`. Nothing: it goes beyond them.
+std::optional<DataItem> readDataItem(View& bytes);
+// Behind the ones that are there.
+void writeDataItem(Bytes& out, const DataItem& item);
+
+}  // namespace merker::s7comm

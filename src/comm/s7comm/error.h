@@ -1,0 +1,27 @@
+// What a PLC answers when it does not do what was asked: of a whole job in the header of the
+// answer, and of each item of a variable job.
+#pragma once
+
+#include <cstdint>
+
+namespace merker::s7comm {
+
+// Error class in the high byte, error code in the low one.
+enum class Error : std::uint16_t {
+  None = 0,
+  FunctionNotAvailable = 0x8104,  // no such function, or before the setup
+  WrongPduSize = 0x8500           // the PDU, or its answer, is too long or its lengths are wrong
+};
+
+enum class ItemCode : std::uint8_t {
+  Requested = 0x00,  // of a write job
+  HardwareFault = 0x01,
+  AccessDenied = 0x03,
+  OutOfRange = 0x05,
+  TypeNotSupported = 0x06,
+  TypeMismatch = 0x07,
+  Missing = 0x0A,  // the data block does not exist
+  Done = 0xFF
+};
+
+}  // namespace merker::s7comm

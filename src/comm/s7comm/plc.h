@@ -1,0 +1,64 @@
+// What a server of S7 communication asks of a PLC. All calls come from the thread of the
+// connections and return at once; `done` is called in the same thread, within the call or later.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "s7comm/pdu.h"
+
+namespace merker::s7comm {
+
+enum class Memory : std::uint8_t {
+  Counter = 0x1C,
+  Timer = 0x1D,
+  Peripheral = 0x80,  // read: PE, written: PA
+  Input = 0x81,
+  Output = 0x82,
+  Flag = 0x83,
+  DataBlock = 0x84
+};
+
+// Bytes one behind the other, or timers and counters of two bytes each, as LC loads them.
+struct Range {
+  Memory memory = Memory::Flag;
+  std::uint16_t block = 0;   // number of the data block
+  std::uint32_t begin = 0;   // byte, or number of the timer or counter
+  std::uint32_t octets = 0;  // of the value
+  std::uint8_t bit = 0;
+  bool oneBit = false;  // the value is one octet, 0 or 1
+  bool operator==(const Range&) const = default;
+};
+
+constexpr bool isCell(Memory memory) {
+  return memory == Memory::Timer || memory == Memory::Counter;
+}
+
+struct Value {
+  ItemCode code = ItemCode::Done;
+  Bytes octets{};  // as many as the range has; none unless it is done
+};
+
+struct Write {
+  Range range;
+  Bytes octets;
+};
+
+class Plc {
+ public:
+  virtual ~Plc() = default;
+
+  using ReadDone = std::function<void(std::vector<Value>)>;
+  using WriteDone = std::function<void(std::vector<ItemCode>)>;
+  // As they are at the end of a cycle, all of the same one.
+  virtual void read(const std::vector<Range>& ranges, ReadDone done) = 0;
+  // In this order, between two cycles.
+  virtual void write(std::vector<Write> writes, WriteDone done) = 0;
+
+ protected:
+  Plc() = default;
+  Plc(const Plc&) = default;
+  Plc& operator=(const Plc&) = default;
+};
+
+}  // namespace merker::s7comm

@@ -1,0 +1,36 @@
+#include "s7comm/services.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace merker::s7comm {
+namespace {
+
+constexpr Service kServices[] = {
+    // function, name, waits, before the setup
+    {0xF0, "setup communication", true, true, serveSetup},
+    {0x04, "read variables", true, false, serveRead},
+    {0x05, "write variables", false, false, serveWrite},
+};
+
+}  // namespace
+
+const Service* findService(std::uint8_t function) {
+  const auto* const found = std::ranges::find(kServices, function, &Service::function);
+  return found == std::end(kServices) ? nullptr : found;
+}
+
+void Job::answer(View answerParameters, View answerData, Error error) const {
+  session->send_(writePdu({PduType::Answer, reference, error, answerParameters, answerData}));
+}
+
+void Job::refuse(Error error) const {
+  session->send_(writePdu({PduType::Acknowledge, reference, error, {}, {}}));
+}
+
+void Job::userdata(View answerParameters, View answerData) const {
+  session->send_(
+      writePdu({PduType::Userdata, reference, Error::None, answerParameters, answerData}));
+}
+
+}  // namespace merker::s7comm

@@ -1,0 +1,65 @@
+#include "s7comm/session.h"
+
+#include <utility>
+
+#include "s7comm/services.h"
+
+namespace merker::s7comm {
+namespace {
+
+// What the first PDU of a connection may have.
+constexpr std::uint16_t kBeforeSetup = 240;
+
+}  // namespace
+
+Session::Session(Plc& plc, Send send, Offer offer)
+    : plc_(plc), send_(std::move(send)), offer_(offer), pdu_(kBeforeSetup) {}
+
+void Session::agree(std::uint16_t pdu, std::uint16_t jobs) {
+  pdu_ = pdu;
+  jobs_ = jobs;
+  setUp_ = true;
+}
+
+bool Session::receive(View bytes) {
+  inside_ = true;
+  const bool good = take(bytes);
+  inside_ = false;
+  return good;
+}
+
+// Answers to what this side asked would be handled here; it asks nothing.
+bool Session::take(View bytes) {
+  const auto pdu = readPdu(bytes);
+  if (!pdu) return false;
+  if (pdu->type == PduType::Acknowledge || pdu->type == PduType::Answer) return true;
+  Job job{.session = shared_from_this(),
+          .type = pdu->type,
+          .reference = pdu->reference,
+          .function = pdu->parameters.empty() ? std::uint8_t{0} : pdu->parameters[0],
+          .parameters = pdu->parameters,
+          .data = pdu->data};
+  if (bytes.size() > pdu_ || pdu->parameters.empty()) return job.refuse(Error::WrongPduSize), true;
+  if (pdu->type == PduType::Userdata && setUp_) return serveUserdata(job), true;
+  const Service* const service =
+      pdu->type == PduType::Userdata ? nullptr : findService(job.function);
+  if (service == nullptr || (!setUp_ && !service->beforeSetup))
+    return job.refuse(Error::FunctionNotAvailable), true;
+  if (service->waits && waiting_ > 0)
+    held_.assign(bytes.begin(), bytes.end());
+  else
+    service->serve(job);
+  return true;
+}
+
+void Session::answered() {
+  --waiting_;
+  if (inside_) return;
+  if (waiting_ == 0 && !held_.empty()) {
+    const Bytes held = std::exchange(held_, {});
+    take(held);
+  }
+  if (!busy() && ready_) ready_();
+}
+
+}  // namespace merker::s7comm

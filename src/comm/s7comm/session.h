@@ -1,0 +1,53 @@
+// An S7 connection of the side that is asked: PDUs in, answers out. A job that the PLC carries out
+// later is answered then; reads behind a write of the same connection see what it wrote, and
+// answers come in the order of their jobs.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+#include "s7comm/plc.h"
+
+namespace merker::s7comm {
+
+// What a CPU of the S7-300 offers.
+struct Offer {
+  std::uint16_t pdu = 240;  // octets
+  std::uint16_t jobs = 8;   // at the same time
+};
+
+class Session : public std::enable_shared_from_this<Session> {
+ public:
+  using Send = std::function<void(Bytes pdu)>;
+
+  // `plc` outlives it.
+  Session(Plc& plc, Send send, Offer offer = {});
+
+  // False: this is no S7 communication, the connection is to be closed. Not while busy().
+  bool receive(View bytes);
+  // As many jobs wait as were agreed on, or one that has to wait for them.
+  bool busy() const { return !held_.empty() || waiting_ >= jobs_; }
+  // Hears that it is not busy any more.
+  void whenReady(std::function<void()> ready) { ready_ = std::move(ready); }
+
+  std::uint16_t pdu() const { return pdu_; }
+  bool isSetUp() const { return setUp_; }
+
+ private:
+  friend struct Job;
+  void agree(std::uint16_t pdu, std::uint16_t jobs);
+  bool take(View bytes);
+  void answered();
+
+  Plc& plc_;
+  Send send_;
+  Offer offer_;
+  std::function<void()> ready_;
+  std::uint16_t pdu_, jobs_ = 1;
+  bool setUp_ = false, inside_ = false;  // inside_: receive() is running
+  std::size_t waiting_ = 0;              // jobs that the PLC has and has not answered
+  Bytes held_;                           // a PDU that waits for these
+};
+
+}  // namespace merker::s7comm

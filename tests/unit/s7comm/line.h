@@ -1,0 +1,122 @@
+// A session over a PLC that is a few bytes, and PDUs as they are on the wire, written by hand.
+#pragma once
+
+#include <charconv>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "s7comm/session.h"
+
+namespace merker::s7comm {
+
+inline Bytes hex(std::string_view text) {
+  Bytes bytes;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == ' ') continue;
+    unsigned value = 0;
+    std::from_chars(text.data() + i, text.data() + i + 2, value, 16);
+    bytes.push_back(static_cast<std::uint8_t>(value));
+    ++i;
+  }
+  return bytes;
+}
+
+inline std::string toHex(View bytes) {
+  constexpr char kDigits[] = "0123456789ABCDEF";
+  std::string text;
+  for (const std::uint8_t byte : bytes) {
+    if (!text.empty()) text += ' ';
+    text += {kDigits[byte >> 4], kDigits[byte & 15]};
+  }
+  return text;
+}
+
+// 16 bytes of each area, DB 1 alone, timers and counters 0 to 7. What it is asked it does at once,
+// or when it is told to.
+class FewBytes : public Plc {
+ public:
+  using Key = std::pair<Memory, std::uint16_t>;
+  std::map<Key, Bytes> memory{
+      {{Memory::Peripheral, 0}, Bytes(16)}, {{Memory::Input, 0}, Bytes(16)},
+      {{Memory::Output, 0}, Bytes(16)},     {{Memory::Flag, 0}, Bytes(16)},
+      {{Memory::Timer, 0}, Bytes(16)},      {{Memory::Counter, 0}, Bytes(16)},
+      {{Memory::DataBlock, 1}, Bytes(16)}};
+  bool later = false;
+  std::vector<std::function<void()>> waiting;
+  std::size_t largest = 0;  // octets that were asked for at once
+
+  void read(const std::vector<Range>& ranges, ReadDone done) override {
+    std::vector<Value> values;
+    for (const Range& range : ranges) values.push_back(value(range));
+    carryOut([values = std::move(values), done = std::move(done)] { done(values); });
+  }
+  void write(std::vector<Write> writes, WriteDone done) override {
+    carryOut([this, writes = std::move(writes), done = std::move(done)] {
+      std::vector<ItemCode> codes;
+      for (const Write& one : writes) codes.push_back(put(one));
+      done(codes);
+    });
+  }
+  void carryOutAll() {
+    for (const auto& one : std::exchange(waiting, {})) one();
+  }
+
+ private:
+  void carryOut(std::function<void()> order) {
+    if (later) return waiting.push_back(std::move(order));
+    order();
+  }
+  std::uint8_t* place(const Range& range) {
+    largest = std::max<std::size_t>(largest, range.octets);
+    const auto found = memory.find({range.memory, range.block});
+    if (found == memory.end()) return nullptr;
+    const std::size_t begin = range.begin * (isCell(range.memory) ? 2u : 1u);
+    return begin + range.octets <= 16 ? &found->second[begin] : nullptr;
+  }
+  ItemCode whyNot(const Range& range) const {
+    return memory.contains({range.memory, range.block}) ? ItemCode::OutOfRange : ItemCode::Missing;
+  }
+  Value value(const Range& range) {
+    const std::uint8_t* const bytes = place(range);
+    if (bytes == nullptr) return {whyNot(range), {}};
+    if (range.oneBit) return {ItemCode::Done, {static_cast<std::uint8_t>(*bytes >> range.bit & 1)}};
+    return {ItemCode::Done, Bytes(bytes, bytes + range.octets)};
+  }
+  ItemCode put(const Write& one) {
+    std::uint8_t* const bytes = place(one.range);
+    if (bytes == nullptr) return whyNot(one.range);
+    const auto mask = static_cast<std::uint8_t>(1u << one.range.bit);
+    if (one.range.oneBit)
+      *bytes = static_cast<std::uint8_t>(one.octets[0] != 0 ? *bytes | mask : *bytes & ~mask);
+    else
+      std::copy(one.octets.begin(), one.octets.end(), bytes);
+    return ItemCode::Done;
+  }
+};
+
+class Line {
+ public:
+  explicit Line(bool setUp = true) {
+    if (setUp) say("32 01 00 00 00 01 00 08 00 00 F0 00 00 08 00 08 01 E0");
+  }
+  // What comes back; several PDUs with " | " between them.
+  std::string say(std::string_view pdu) { return say(hex(pdu)); }
+  std::string say(const Bytes& pdu) {
+    good = session->receive(pdu);
+    return heard();
+  }
+  std::string heard() { return std::exchange(answers_, {}); }
+
+  FewBytes plc;
+  bool good = true;
+  std::shared_ptr<Session> session = std::make_shared<Session>(plc, [this](const Bytes& pdu) {
+    if (!answers_.empty()) answers_ += " | ";
+    answers_ += toHex(pdu);
+  });
+
+ private:
+  std::string answers_;
+};
+
+}  // namespace merker::s7comm
