@@ -11,6 +11,7 @@
 
 #include "cpu/cpu.h"
 #include "cpu/memory_access.h"
+#include "system/alarms.h"
 #include "system/function.h"
 #include "system/jobs.h"
 #include "system/modules.h"
@@ -50,6 +51,7 @@ struct Context {
   std::optional<std::uint32_t> serialAddress{};
   std::shared_ptr<serial::Coupling> absentSerial{};  // what calls without a sub-module leave
   Jobs jobs;
+  Alarms alarms;
 };
 
 // Of a parameter: its width, and for an SFB where it lies in the instance.
@@ -84,6 +86,7 @@ class Arguments {
   std::optional<std::uint32_t> serialAddress() const { return context_.serialAddress; }
   std::shared_ptr<serial::Coupling>& absentSerial() { return context_.absentSerial; }
   Jobs& jobs() { return context_.jobs; }
+  Alarms& alarms() { return context_.alarms; }
   std::uint16_t functionNumber() const { return function_.number; }
   // SFB: whether the instance is long enough for this parameter.
   bool has(std::size_t i);

@@ -15,8 +15,10 @@ class Services : public cpu::SystemServices {
   bool call(const cpu::SystemCall& call) override;
   void restart() override {
     context_.jobs.clear();
+    context_.alarms.clear();
     context_.absentSerial.reset();
   }
+  Alarms& alarms() { return context_.alarms; }
   // Whom the functions for modules ask; null: no modules.
   // The sub-module PtP and its address; null: the project has none.
   void connect(serial::Coupling* coupling, std::uint32_t address) {
