@@ -183,9 +183,14 @@ void Shared::placeProbes() {
     return removeBreakpoints(plc->monitor().debugger(), folder, breakpoints);
   probesWait = false;
   monitor::Debugger& debugger = plc->monitor().debugger();
-  debugger.hideStatus();
+  const bool same = placedProgram_ == programRevision;
+  // While time stands, what was recorded is all there is.
+  debugger.keepStatus([&](BlockId block) {
+    return same && std::ranges::any_of(wantedStatus,
+                                       [block](const auto& one) { return one.second == block; });
+  });
   for (const auto& [browser, block] : wantedStatus) debugger.addStatus(block);
-  if (placedProgram_ == programRevision && placed_ == breakpoints) return;
+  if (same && placed_ == breakpoints) return;
   placeBreakpoints(plc->monitor(), folder, breakpoints);
   placed_ = breakpoints;
   placedProgram_ = programRevision;

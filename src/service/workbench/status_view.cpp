@@ -43,7 +43,9 @@ Json StatusView::changes(monitor::Monitor& monitor, const ProjectFolder& folder,
   const monitor::ProgramStatus* status = monitor.debugger().status(block_);
   if (status == nullptr) return nullptr;
   const Instant now = monitor.plc().now();
-  const bool stands = monitor.plc().mode() == controller::Mode::Halt || now == at_;
+  const controller::Mode mode = monitor.plc().mode();
+  const bool stands =
+      mode == controller::Mode::Halt || mode == controller::Mode::Stop || now == at_;
   at_ = now;
   if (status->calls() != calls_ || stands) calls_ = status->calls(), since_ = nowMs;
   const bool quiet = calls_ == 0 || nowMs - since_ > kQuiet;

@@ -219,7 +219,11 @@ bool Debugger::addStatus(BlockId block, CallEnvironment environment) {
 }
 
 void Debugger::hideStatus() {
-  statuses_.clear();
+  keepStatus([](BlockId) { return false; });
+}
+
+void Debugger::keepStatus(const std::function<bool(BlockId)>& wanted) {
+  std::erase_if(statuses_, [&](const ProgramStatus& one) { return !wanted(one.code().id()); });
   place();
 }
 

@@ -69,6 +69,8 @@ class Debugger final : private Observer {
   // And of this one: everybody who looks on has a block of his own.
   bool addStatus(BlockId block, CallEnvironment environment = {});
   void hideStatus();
+  // Only those of these blocks stay, with what they have recorded.
+  void keepStatus(const std::function<bool(BlockId)>& wanted);
   // Of the block that was shown first; null if none is.
   const ProgramStatus* status() const { return statuses_.empty() ? nullptr : &statuses_.front(); }
   const ProgramStatus* status(BlockId block) const;

@@ -134,6 +134,29 @@ TEST_F(Debugging, StatusOfOneCycleStays) {
   for (int frame = 0; frame < 30; ++frame) EXPECT_TRUE(bench.event("status").is_null());
 }
 
+TEST_F(Debugging, StatusStaysWhenSomebodyLooksAtAnotherBlockWhileTimeStands) {
+  bench.workbench.opened(2);
+  bench.call("status.show", {{"block", "OB 1"}});
+  EXPECT_EQ(status()["rows"].size(), 3u);
+  bench.call("time.pace", {{"mode", "pause"}});
+  bench.events();
+  bench.call("status.show", {{"block", "FC 1"}}, 2);
+  for (int frame = 0; frame < 30; ++frame) EXPECT_TRUE(bench.event("status").is_null());
+  // who comes now sees it too
+  bench.call("status.show", {{"block", "OB 1"}}, 2);
+  EXPECT_EQ(bench.event("status", 2)["rows"].size(), 3u);
+}
+
+TEST_F(Debugging, StatusStaysInStop) {
+  bench.call("status.show", {{"block", "OB 1"}});
+  EXPECT_EQ(status()["rows"].size(), 3u);
+  bench.call("cpu.stop");
+  for (int frame = 0; frame < 30; ++frame) {
+    bench.run(Duration::milliseconds(33));
+    EXPECT_TRUE(bench.event("status").is_null());
+  }
+}
+
 TEST_F(Debugging, NothingStepsInStop) {
   bench.call("cpu.stop");
   EXPECT_EQ(bench.problem("debug.step"), "P1308");

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import type { StatusRow } from '../editor/status_columns';
-import { linesOf, signalOf, valueAt } from './signal';
+import { isProcessed, linesOf, signalOf, valueAt } from './signal';
 
 const row = (line: number, vke: string, sta: string, akku1 = '00000000'): StatusRow => [line, vke, sta, '0', akku1];
 const lines = linesOf([
@@ -54,6 +54,17 @@ test('a statement that was not processed leaves the wire without a signal, even 
     ),
   ).toBe('unknown');
   expect(signalOf([[0, 'vke']], null, 10)).toBe('unknown');
+});
+
+test('a CALL that was processed has power at its EN, whose wire names no statement', () => {
+  const place = { x: 0, y: 0, w: 2, h: 0 };
+  const shapes = [
+    { kind: 'wire' as const, ...place, flow: [] },
+    { kind: 'frame' as const, ...place, node: 0, line: 2 },
+  ];
+  expect(isProcessed({ line: 10, shapes }, lines)).toBe(true);
+  expect(isProcessed({ line: 20, shapes }, lines)).toBe(false);
+  expect(isProcessed({ line: 10, shapes }, null)).toBe(false);
 });
 
 test('of several rows of a line the last counts', () => {

@@ -1,5 +1,5 @@
 // What the program status says of a wire or a value (S7-EDIT-21): bits of real statements, never a second calculation.
-import type { NetworkShape } from '../connection/protocol';
+import type { NetworkPicture, NetworkShape } from '../connection/protocol';
 import type { StatusRow } from '../editor/status_columns';
 
 /** The last status row of each line. */
@@ -15,6 +15,16 @@ const STA = 2;
 const AKKU1 = 4;
 
 type Flow = NonNullable<NetworkShape['flow']>;
+
+/**
+ * Whether any of it has been processed: only then there is power at its rail. A CALL without logic has no wire that names a
+ * statement, but a box that does.
+ */
+export const isProcessed = (picture: Pick<NetworkPicture, 'line' | 'shapes'>, lines: StatusLines | null): boolean =>
+  lines !== null &&
+  picture.shapes.some(({ flow = [], line }) =>
+    [...flow.map(([at]) => at), line].some((at) => at !== undefined && lines.has(picture.line + at)),
+  );
 
 /** All have to be 1; one that was not processed leaves the wire without a colour. `first`: line of the network. */
 export function signalOf(flow: Flow | undefined, lines: StatusLines | null, first: number): Signal {

@@ -54,6 +54,11 @@ export class Plc implements State {
     return this.project !== null && !this.can(ability);
   }
 
+  /** No block is processed now, and none is until somebody does something. */
+  get stands(): boolean {
+    return this.mode === 'STOP' || this.mode === 'HALT' || this.pace.mode === 'pause';
+  }
+
   /** Whether an operand is forced, by its text or its address. */
   isForced(...names: string[]): boolean {
     return this.forces.some((force) => names.includes(force.operand));

@@ -70,6 +70,10 @@ export const program = {
     'Die CPU hat einen anderen Stand dieses Textes. Nach dem Laden ist der Status wieder da.',
     'The CPU has another version of this text. Load it to see the status again.',
   ],
+  statusStands: [
+    'Die CPU steht; dieser Baustein hat einen Status, sobald er bearbeitet wird.',
+    'The CPU stands still; this block has a status as soon as it is processed.',
+  ],
   statusNotRunning: ['Der Baustein wird nicht bearbeitet.', 'The block is not being processed.'],
   declarations: ['Deklaration', 'Declarations'],
   address: ['Adresse', 'Address'],
