@@ -84,13 +84,13 @@ int listListings(const Build& built, const ListOptions& options) {
 
 int listView(const Build& built, const ListOptions& options) {
   const diagram::View view = options.view == "kop" ? diagram::View::Kop : diagram::View::Fup;
-  std::optional<Mnemonics> mnemonics;
-  if (!options.mnemonics.empty()) mnemonics = mnemonicsOf(options);
-  if (!options.svg.empty()) return writeView(built, view, mnemonics, options.svg);
+  diagram::Options chosen{.mnemonics = {}, .symbols = options.symbols};
+  if (!options.mnemonics.empty()) chosen.mnemonics = mnemonicsOf(options);
+  if (!options.svg.empty()) return writeView(built, view, chosen, options.svg);
   if (options.json)
-    print({{"networks", viewToJson(built, view, mnemonics)}, {"problems", toJson(built.problems)}});
+    print({{"networks", viewToJson(built, view, chosen)}, {"problems", toJson(built.problems)}});
   else
-    printView(built, view, mnemonics);
+    printView(built, view, chosen);
   return exitCode(built);
 }
 
@@ -126,7 +126,7 @@ void addList(CLI::App& program, int& result) {
   command->add_flag("--listing", options->listing,
                     "STEP 5: the program as a listing that compiles to the same machine code");
   command->add_flag("--symbols", options->symbols,
-                    "in a listing: -NAME where an operand has a symbol");
+                    "in a view or a listing: the symbol where an operand has one");
   command
       ->add_option("--mnemonics", options->mnemonics,
                    "de or en; otherwise de, of a --view as the source has it")
@@ -139,7 +139,8 @@ void addList(CLI::App& program, int& result) {
       "STEP 5: words = length of the block with its header.\n"
       "Examples:\n  merker list examples/sorting-plant\n  merker list blink.awl --code --mnemonics "
       "en\n"
-      "  merker list blink.awl --view kop --svg blink.svg");
+      "  merker list blink.awl --view kop --svg blink.svg\n"
+      "  merker list examples/vessel-emptying --view fup --symbols");
   command->callback([options, &result] { result = list(*options); });
 }
 

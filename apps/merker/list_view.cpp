@@ -70,9 +70,9 @@ nlohmann::json toJson(const BlockDiagram& block, const NetworkDiagram& network, 
 
 }  // namespace
 
-void printView(const Build& build, View view, std::optional<Mnemonics> mnemonics) {
+void printView(const Build& build, View view, const diagram::Options& options) {
   Counts counts{};
-  for (const BlockDiagram& block : diagram::diagrams(build, mnemonics)) {
+  for (const BlockDiagram& block : diagram::diagrams(build, options)) {
     std::cout << fmt::format("{}{}\n\n", block.name,
                              block.symbol.empty() ? "" : fmt::format(" \"{}\"", block.symbol));
     for (const NetworkDiagram& network : block.networks) {
@@ -84,17 +84,17 @@ void printView(const Build& build, View view, std::optional<Mnemonics> mnemonics
   print(counts);
 }
 
-nlohmann::json viewToJson(const Build& build, View view, std::optional<Mnemonics> mnemonics) {
+nlohmann::json viewToJson(const Build& build, View view, const diagram::Options& options) {
   nlohmann::json out = nlohmann::json::array();
-  for (const BlockDiagram& block : diagram::diagrams(build, mnemonics))
+  for (const BlockDiagram& block : diagram::diagrams(build, options))
     for (const NetworkDiagram& network : block.networks)
       out.push_back(toJson(block, network, view));
   return out;
 }
 
-int writeView(const Build& build, View view, std::optional<Mnemonics> mnemonics,
+int writeView(const Build& build, View view, const diagram::Options& options,
               const std::string& path) {
-  const auto picture = diagram::drawAll(diagram::diagrams(build, mnemonics), view);
+  const auto picture = diagram::drawAll(diagram::diagrams(build, options), view);
   std::ofstream file(path, std::ios::binary);
   file << graph::toSvg(picture, name(view));
   file.close();

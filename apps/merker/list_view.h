@@ -10,11 +10,10 @@
 
 namespace merker::app {
 
-void printView(const Build& build, diagram::View view, std::optional<Mnemonics> mnemonics);
-nlohmann::json viewToJson(const Build& build, diagram::View view,
-                          std::optional<Mnemonics> mnemonics);
+void printView(const Build& build, diagram::View view, const diagram::Options& options);
+nlohmann::json viewToJson(const Build& build, diagram::View view, const diagram::Options& options);
 // All networks as one picture. The exit code.
-int writeView(const Build& build, diagram::View view, std::optional<Mnemonics> mnemonics,
+int writeView(const Build& build, diagram::View view, const diagram::Options& options,
               const std::string& path);
 
 }  // namespace merker::app

@@ -137,6 +137,43 @@ NETZWERK 2 Number
         text = self.expect(GOOD, "list", "main.s5", "--listing").out
         self.assertRegex(text, r"O +E 0.2")
 
+    # S7-EDIT-18: symbols in place of addresses, of blocks and their instances too
+    def test_symbols(self):
+        self.write("plant/merker.toml", "")
+        self.write("plant/a.awl", """FUNCTION_BLOCK FB 1
+VAR_INPUT
+  on : BOOL;
+END_VAR
+BEGIN
+END_FUNCTION_BLOCK
+DATA_BLOCK DB 1
+FB 1
+BEGIN
+END_DATA_BLOCK
+ORGANIZATION_BLOCK OB 1
+BEGIN
+NETWORK
+      U     "Start";
+      U     E 0.7;
+      =     A 1.0;
+NETWORK
+      CALL  FB 1, DB 1 (on := E 0.0);
+      NOP   0;
+NETWORK
+      L     MW 4;
+      T     MW 6;
+      TAK   ;
+END_ORGANIZATION_BLOCK
+""")
+        self.write("plant/a.sym", "Start E 0.0\nLamp A 1.0\nMixer FB 1\n\"Mixer 1\" DB 1\nSpeed MW 4 INT\n")
+        text = self.expect(GOOD, "list", "plant", "--view", "fup", "--symbols").out
+        for part in ('"Start"─┤', "  E 0.7─┤", '"Lamp"', '"Mixer 1"', '│ "Mixer"', '  L     "Speed"\n'):
+            self.assertIn(part, text)
+        self.assertNotIn("FB 1", text.replace("FB 1\n", "", 1))
+        self.write("p.s5", "OB 1\n U -START\n = A 1.0\n BE\n")
+        self.write("pZ0.SEQ", "\tE 1.0\tSTART\tButton\r\n".encode("cp437"))
+        self.assertIn("-START─┤", self.expect(GOOD, "list", "p.s5", "--view", "fup", "--symbols").out)
+
     def test_a_picture_too_large_for_text(self):
         beside = "\n".join(["U(", *["O E 0.0"] * 1500, ")"])
         behind = "\n".join(["U E 0.1"] * 1500)

@@ -2,14 +2,14 @@
 #pragma once
 
 #include "graph/language.h"
+#include "networks/operand_names.h"
 #include "networks/source_networks.h"
 #include "workbench/json.h"
 
 namespace merker::workbench {
 
 enum class NetworkView : std::uint8_t { Kop, Fup };
-// How operands are shown: as the text has them, by their symbols, by their addresses.
-enum class OperandDisplay : std::uint8_t { Written, Symbolic, Absolute };
+using OperandDisplay = networks::OperandForm;
 
 struct NetworkDisplay {
   NetworkView view = NetworkView::Kop;

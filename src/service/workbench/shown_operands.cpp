@@ -1,15 +1,12 @@
 #include "workbench/shown_operands.h"
 
-#include <fmt/format.h>
-
-#include "source/symbol_text.h"
-
 namespace merker::workbench {
 namespace {
 
 class Showing {
  public:
-  explicit Showing(const NetworkDisplay& display) : display_(display) {}
+  explicit Showing(const NetworkDisplay& display)
+      : names_{display.operands, display.symbols, display.mnemonics} {}
 
   void rung(graph::Rung& rung) {
     for (graph::Node& node : rung.logic) this->node(node);
@@ -35,31 +32,13 @@ class Showing {
   }
 
   void text(std::string& text) {
-    std::string other =
-        display_.operands == OperandDisplay::Symbolic ? symbolOf(text) : addressOf(text);
+    std::string other = names_.of(text);
     if (other.empty() || other == text) return;
     written_.emplace(other, text);
     text = std::move(other);
   }
 
-  std::string symbolOf(std::string_view text) const {
-    if (text.empty() || text.front() == '"' || text.front() == '#') return {};
-    const auto address = source::parseSymbolAddress(text, nowhere(), display_.symbols->language());
-    const source::Symbol* symbol = address ? display_.symbols->findAddress(*address) : nullptr;
-    return symbol == nullptr ? std::string() : '"' + symbol->name + '"';
-  }
-
-  std::string addressOf(std::string_view text) const {
-    if (text.size() < 2 || text.front() != '"' || text.back() != '"') return {};
-    const source::Symbol* symbol = display_.symbols->find(text.substr(1, text.size() - 2));
-    return symbol == nullptr ? std::string()
-                             : fmt::format("{} {}",
-                                           source::operandName(symbol->address, display_.mnemonics,
-                                                               display_.symbols->language()),
-                                           source::operandNumber(symbol->address));
-  }
-
-  const NetworkDisplay& display_;
+  const networks::OperandNames names_;
   WrittenOperands written_;
 };
 

@@ -13,6 +13,7 @@
 #include "mc5/block_id.h"
 #include "mc5/disassembly.h"
 #include "mc7/disassembly.h"
+#include "networks/operand_names.h"
 
 namespace merker::diagram {
 namespace {
@@ -62,8 +63,13 @@ NetworkDiagram diagramOf(const block::Block& block, const graph7::NetworkCode& c
   return out;
 }
 
+networks::OperandNames namesOf(const compilation::Build& build, const Options& options) {
+  using networks::OperandForm;
+  return {options.symbols ? OperandForm::Symbolic : OperandForm::Written, &build.project.symbols};
+}
+
 BlockDiagram diagramOf(const compilation::Build& build, const block::Block& block,
-                       Mnemonics mnemonics) {
+                       Mnemonics mnemonics, const networks::OperandNames& symbols) {
   const awl::Blocks blocks = [&build](BlockId id) -> const block::Block* {
     for (const auto* program : {build.program.get(), build.library.get()})
       if (program != nullptr)
@@ -72,7 +78,8 @@ BlockDiagram diagramOf(const compilation::Build& build, const block::Block& bloc
   };
   const awl::Names names(block);
   BlockDiagram out{toString(block.id), block.symbol, {}};
-  for (const graph7::NetworkCode& code : graph7::networks(block, names, blocks, mnemonics)) {
+  for (graph7::NetworkCode& code : graph7::networks(block, names, blocks, mnemonics)) {
+    networks::rename(code.statements, symbols);
     NetworkDiagram& network = out.networks.emplace_back(diagramOf(block, code, mnemonics));
     network.number = out.networks.size();
     if (network.number <= block.networks.size())
@@ -93,9 +100,10 @@ NetworkDiagram diagramOf(const mc5::Block& block, const graph5::NetworkCode& cod
   return out;
 }
 
-BlockDiagram diagramOf(const mc5::Block& block) {
+BlockDiagram diagramOf(const mc5::Block& block, const networks::OperandNames& symbols) {
   BlockDiagram out{mc5::toString(block.id), block.name, {}};
-  for (const graph5::NetworkCode& code : graph5::networks(block)) {
+  for (graph5::NetworkCode& code : graph5::networks(block)) {
+    networks::rename(code.statements, symbols);
     NetworkDiagram& network = out.networks.emplace_back(diagramOf(block, code));
     network.number = out.networks.size();
     if (network.number <= block.networks.size())
@@ -142,13 +150,14 @@ void write(graph::Picture& picture, const std::string& text) {
 
 }  // namespace
 
-std::vector<BlockDiagram> diagrams(const compilation::Build& build,
-                                   std::optional<Mnemonics> mnemonics) {
+std::vector<BlockDiagram> diagrams(const compilation::Build& build, const Options& options) {
+  const networks::OperandNames names = namesOf(build, options);
   std::vector<BlockDiagram> out;
   auto written = writtenBlocks(build);
   const auto in = [&](const std::string& block) {
     const auto own = written.mnemonics.find(block);
-    return mnemonics.value_or(own == written.mnemonics.end() ? Mnemonics::German : own->second);
+    return options.mnemonics.value_or(own == written.mnemonics.end() ? Mnemonics::German
+                                                                     : own->second);
   };
   const auto add = [&](BlockDiagram block) {
     const auto at = written.faulty.find(block.name);
@@ -157,9 +166,9 @@ std::vector<BlockDiagram> diagrams(const compilation::Build& build,
   };
   if (build.program != nullptr)
     for (const auto& [id, block] : *build.program)
-      if (!block.code.empty()) add(diagramOf(build, block, in(toString(id))));
+      if (!block.code.empty()) add(diagramOf(build, block, in(toString(id)), names));
   for (const auto& [id, block] : build.listings)
-    if (id.type != mc5::BlockType::Db) add(diagramOf(block));
+    if (id.type != mc5::BlockType::Db) add(diagramOf(block, names));
   for (auto& [name, block] : written.faulty) out.push_back(std::move(block));
   return out;
 }

@@ -33,9 +33,12 @@ struct BlockDiagram {
   std::vector<NetworkDiagram> networks;
 };
 
-// All code blocks in their order, in these mnemonics (STEP 7); nothing: in those of each text.
-std::vector<BlockDiagram> diagrams(const compilation::Build& build,
-                                   std::optional<Mnemonics> mnemonics);
+struct Options {
+  std::optional<Mnemonics> mnemonics;  // STEP 7; nothing: those of each text
+  bool symbols = false;                // operands by their symbols, where they have one
+};
+// All code blocks in their order.
+std::vector<BlockDiagram> diagrams(const compilation::Build& build, const Options& options);
 
 // A network as text. What KOP cannot draw is FUP, what no text can hold stays AWL.
 struct Shown {
