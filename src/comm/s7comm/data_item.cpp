@@ -8,7 +8,9 @@ namespace merker::s7comm {
 
 std::optional<DataItem> readDataItem(View& bytes) {
   if (bytes.size() < kDataItemHeader) return std::nullopt;
-  const std::uint32_t length = octets(bytes[1], loadWord(&bytes[2]));
+  // An item that has failed has no value; some servers say a length all the same.
+  const bool none = bytes[1] == static_cast<std::uint8_t>(DataUnit::None);
+  const std::uint32_t length = none ? 0 : octets(bytes[1], loadWord(&bytes[2]));
   const View rest = bytes.subspan(kDataItemHeader);
   if (rest.size() < length) return std::nullopt;
   const DataItem item{.code = static_cast<ItemCode>(bytes[0]),

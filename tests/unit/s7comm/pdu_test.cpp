@@ -89,5 +89,16 @@ TEST(Pdu, bothSidesUnderstandEachOther) {
   EXPECT_EQ((*back)[1].octets, values[1]);
 }
 
+// Snap7's server gives an item that has failed a length of 4 and no octets.
+TEST(Pdu, anItemThatHasFailedHasNoOctets) {
+  const Bytes parameters = {4, 2};
+  const Bytes data = {0x0A, 0, 0, 4, 0xFF, 4, 0, 8, 0x55};
+  const auto values = readAnswer({.type = PduType::Answer, .parameters = parameters, .data = data});
+  ASSERT_TRUE(values);
+  EXPECT_EQ((*values)[0].code, ItemCode::Missing);
+  EXPECT_EQ((*values)[0].octets, Bytes{});
+  EXPECT_EQ((*values)[1].octets, Bytes{0x55});
+}
+
 }  // namespace
 }  // namespace merker::s7comm
