@@ -18,8 +18,8 @@ namespace {
 
 constexpr std::size_t kLongest = 64 << 10;  // bytes
 constexpr std::size_t kMostBlocks = 3, kMostNetworks = 20;
-constexpr std::size_t kActions = 8;  // of graph/edit.h
-constexpr int kEdits = 24;           // of each block
+constexpr std::size_t kActions = 10;  // of graph/edit.h
+constexpr int kEdits = 24;            // of each block
 constexpr double kTime = 0.5;
 
 double slowness() {
@@ -63,6 +63,7 @@ graph::Edit editOf(Numbers& numbers, std::size_t statements) {
   if (numbers.below(3) == 0) edit.action = graph::Action::Insert;
   edit.place = static_cast<graph::Place>(numbers.below(5));
   edit.at = {number(-1, static_cast<int>(statements)), number(-2, 3), -1};
+  edit.from = {number(-1, static_cast<int>(statements)), -1, -1};
   edit.element = kElements[numbers.below(std::size(kElements))];
   for (int count = number(0, 3); count > 0; --count)
     edit.operands.emplace_back().text = kOperands[numbers.below(std::size(kOperands))];
@@ -102,10 +103,27 @@ void look(const source::SourceFile& file, const networks::Found& found) {
   }
 }
 
+// An element comes from the clipboard again, with a line that is in the text.
+networks::Edited pasted(const source::SourceFile& file, const networks::Block& block,
+                        std::size_t at, const graph::Edit& edit,
+                        const networks::Surroundings& around) {
+  const std::size_t number = block.networks[at].number;
+  const auto lines = networks::copy(file, block.line, number, {edit.from}, around);
+  if (!lines) return lines.error();
+  std::string text;
+  for (const std::string& line : *lines) text += line + "\n";
+  const auto elements = networks::paste(file, block.line, number, edit, text, around);
+  const std::string_view any =
+      file.line(1 + static_cast<std::uint32_t>(edit.at.node + 1) % file.lineCount());
+  (void)networks::paste(file, block.line, number, edit, any, around);
+  return elements;
+}
+
 // The text after one edit of a network; empty: it was refused.
 std::string changed(const source::SourceFile& file, const networks::Block& block, std::size_t at,
                     const graph::Edit& edit, const networks::Surroundings& around) {
   const auto done = within("an edit takes no longer than half a second", [&] {
+    if (edit.action == graph::Action::Paste) return pasted(file, block, at, edit, around);
     return networks::edit(file, block.line, block.networks[at].number, edit, around);
   });
   if (!done) return {};

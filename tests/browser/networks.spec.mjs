@@ -188,9 +188,9 @@ test('a refused key says why, and the text typed behind it overwrites nothing', 
   for (const slow of [true, false]) {
     await page.locator('[aria-label="Spule =, A 1.0"]').click();
     if (slow) await hold();
-    await press('F2', ...(slow ? [...'E 4.0', 'Enter'] : []));
+    await press('F8', ...(slow ? [...'E 4.0', 'Enter'] : []));
     if (slow) await release();
-    await message(page, 'Netzwerk 1: hinter einer Spule dürfen nur Spulen stehen');
+    await message(page, 'Netzwerk 1: hier darf kein Abzweig beginnen');
     await marked('Spule =, A 1.0');
     await press(...'E 4.0', 'Enter');
     assert.equal(await statements(), before);

@@ -7,6 +7,7 @@
 #include "graph/edit_change.h"
 #include "graph/edit_delete.h"
 #include "graph/edit_insert.h"
+#include "graph/edit_paste.h"
 #include "graph/kinds.h"
 #include "graph/locate.h"
 #include "graph/missing.h"
@@ -27,7 +28,11 @@ Refused change(Network& network, const std::optional<Location>& at, const Edit& 
   if (!at && edit.at.node >= 0) return EditProblem::NoNode;
   switch (edit.action) {
     case Action::Insert:
-      return insert(network, at, edit, rules);
+      return insert({network, edit, rules}, at);
+    case Action::Paste:
+      return paste({network, edit, rules}, at);
+    case Action::Move:
+      return move({network, edit, rules});
     case Action::NewRung:
       newRung(network, at, rules);
       return std::nullopt;
@@ -115,6 +120,16 @@ Result<Edited, EditProblem> apply(const Network& network, const Edit& edit, cons
   out.network = std::move(*again);
   out.select = found(out.network, out.select);
   return out;
+}
+
+Result<Statements, EditProblem> copy(const Network& network, std::span<const Selection> elements,
+                                     const Rules& rules, std::uint32_t firstWire) {
+  const auto copy = copied(network, elements, rules, firstWire);
+  if (!copy) return EditProblem::NoNode;
+  Statements statements = write(*copy, rules);
+  if (const auto again = read(statements, rules, Unfinished::Allowed); !again)
+    return problemOf(again.error().reason);
+  return statements;
 }
 
 }  // namespace merker::graph

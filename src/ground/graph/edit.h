@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "base/result.h"
 #include "graph/edit_problem.h"
@@ -20,11 +21,13 @@ enum class Action : std::uint8_t {
   SetOperand,   // the field `pin` gets operands[0]; of a CALL that leaves it out: None
   Delete,       // a node, a coil, what is at a pin (pin >= kFirstPin or kEnable)
   DeleteRung,   // the one of the node, with the branches that go out from it
-  NewRung  // below the rung of the node, or below all: a contact and a coil, both without operand
+  NewRung,  // below the rung of the node, or below all: a contact and a coil, both without operand
+  Move,     // the element `from` to `place` of the node
+  Paste     // `pasted` at `place` of the node; rungs with coils: below that of the node
 };
 
-// Where an element goes. A coil goes `Behind` another coil or the last node of a rung, or as
-// `Branch` with a temporary bit behind any node.
+// Where an element goes. Behind a coil, which ends its rung, is before it. A coil goes `Behind`
+// another coil or the last node of a rung, or as `Branch` with a temporary bit behind any node.
 enum class Place : std::uint8_t { Before, Behind, Parallel, Branch, AtPin };
 
 // What is no row of a family's table.
@@ -46,6 +49,8 @@ struct Edit {
   std::string element;              // Insert: one of the above, or the id of a row
   std::vector<Operand> operands;    // by field: kOwn, kFirstPin...; what is left out is missing
   std::vector<Argument> arguments;  // of a CALL box: Insert, SetOperand of its block
+  Selection from = {};              // Move
+  Network pasted = {};              // Paste
 };
 
 struct Edited {
@@ -58,5 +63,13 @@ struct Edited {
 // `network` as `read` gave it. `firstWire`: the first temporary bit that is free in the network.
 Result<Edited, EditProblem> apply(const Network& network, const Edit& edit, const Rules& rules,
                                   std::uint32_t firstWire);
+
+// The elements as a network of their own, each without what comes to it. `firstWire`: as of
+// `apply`.
+Result<Statements, EditProblem> copy(const Network& network, std::span<const Selection> elements,
+                                     const Rules& rules, std::uint32_t firstWire);
+
+// Whether a branch begins in the element: then it cannot be moved.
+bool carriesBranch(const Network& network, const Selection& element);
 
 }  // namespace merker::graph

@@ -55,9 +55,11 @@ std::optional<std::uint32_t> beginsAt(const Rung& rung) {
   return first->operand.number;
 }
 
-// A number that no wire has yet; it is counted again afterwards.
+// Wires of an edit; they are counted again afterwards.
+constexpr std::uint32_t kBehindAll = 0x4000'0000;
+
+// A number that no wire has yet.
 std::uint32_t freshWire(const Network& network) {
-  constexpr std::uint32_t kBehindAll = 0x4000'0000;
   std::uint32_t fresh = kBehindAll;
   for (const Wires& wires : {written(network), readWires(network), givenWires(network)})
     if (!wires.empty()) fresh = std::max(fresh, *wires.rbegin() + 1);
@@ -81,6 +83,12 @@ void change(std::vector<Node>& nodes, const std::function<void(std::vector<Node>
     for (std::vector<Pin>* pins : {&node.pins, &node.parameters})
       for (Pin& pin : *pins) change(pin.logic, what);
   }
+}
+
+void changeNodes(Network& network, const std::function<void(Node&)>& what) {
+  for (Rung& rung : network.rungs)
+    change(rung.logic,
+           [&what](std::vector<Node>& nodes) { std::for_each(nodes.begin(), nodes.end(), what); });
 }
 
 // Contacts that read what nobody writes any more.
@@ -166,6 +174,30 @@ std::size_t behindBranch(const Network& network, std::size_t rung, const Operand
   Wires wires(at, all.end());
   wires.insert(wire.number);
   return behind(network, rung, std::move(wires));
+}
+
+Network withFreshWires(Network fragment, const Network& network) {
+  dropReads(fragment, difference(readWires(fragment), written(fragment)));
+  const std::uint32_t offset = freshWire(network) + kBehindAll;
+  const auto renumber = [offset](Operand& operand) {
+    if (isWire(operand)) operand.number += offset;
+  };
+  for (Rung& rung : fragment.rungs)
+    for (Coil& coil : rung.coils) renumber(coil.operand);
+  changeNodes(fragment, [&](Node& node) {
+    renumber(node.operand);
+    for (Pin& parameter : node.parameters) parameter.operand.number += offset;
+    for (Argument& argument : node.arguments)
+      if (argument.wire >= 0) argument.wire += offset;
+  });
+  return fragment;
+}
+
+Network separated(Network fragment) {
+  dropReads(fragment, readWires(fragment));
+  for (Rung& rung : fragment.rungs)
+    change(rung.logic, [](std::vector<Node>& nodes) { std::erase_if(nodes, isBranch); });
+  return fragment;
 }
 
 void tidyBranches(Network& network, const Network& before) {

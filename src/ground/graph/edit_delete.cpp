@@ -4,6 +4,7 @@
 
 #include "graph/edit_branches.h"
 #include "graph/edit_operand.h"
+#include "graph/edit_place.h"
 #include "graph/missing.h"
 #include "graph/simplify.h"
 
@@ -40,7 +41,10 @@ Refused removeFromPin(Node& box, int pin) {
 
 // What the user goes on with when these are gone.
 void selectBeside(const Location& at) {
-  if (at.from > 0)
+  std::vector<Node>* signal = at.count == 1 ? signalInto(at.node()) : nullptr;
+  if (signal != nullptr && !signal->empty())
+    signal->front().selected = true;
+  else if (at.from > 0)
     (*at.list)[at.from - 1].selected = true;
   else if (at.end() < at.list->size())
     (*at.list)[at.end()].selected = true;
@@ -61,17 +65,28 @@ std::optional<EditProblem> remove(Network& network, const Location& at, int pin)
   if (isBlank(*at.rung)) {
     removeRung(network, *at.rung);
   } else if (at.coil != nullptr) {
-    std::vector<Coil>& coils = at.rung->coils;
-    coils.erase(coils.begin() + (at.coil - coils.data()));
+    const std::vector<Coil>& coils = at.rung->coils;
+    takeElement(at);
     if (!coils.empty())
-      coils.front().selected = true;
+      at.rung->coils.front().selected = true;
     else if (!at.rung->logic.empty())
       at.rung->logic.front().selected = true;
   } else {
     selectBeside(at);
-    takeOut(at);
+    takeElement(at);
   }
   return std::nullopt;
+}
+
+void takeElement(const Location& at) {
+  if (at.coil != nullptr) {
+    std::vector<Coil>& coils = at.rung->coils;
+    coils.erase(coils.begin() + (at.coil - coils.data()));
+    return;
+  }
+  Node element = takeOut(at);
+  std::vector<Node>* signal = signalInto(element);
+  if (signal != nullptr && !signal->empty()) put(at, std::move(signal->front()));
 }
 
 void removeRung(Network& network, const Rung& rung) { network.rungs.erase(placeOf(network, rung)); }

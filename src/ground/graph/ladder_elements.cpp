@@ -185,9 +185,12 @@ Picture LadderElements::parallel(const Node& parallel, const Signals& outer, Beg
   Signals behind = outer;
   behind.pass(parallel);
   out.flow = behind.now();
+  const std::size_t closing = out.shapes.size();
   for (const int row : rowsOut)
     out.wire(out.w - 1, row, 1, row == rowsOut.front() ? Ends::AtEdges : Ends::EndsInside);
   out.down(out.w - 1, rowsOut.front(), rowsOut.back() - rowsOut.front());
+  for (std::size_t i = closing; i < out.shapes.size(); ++i)
+    out.shapes[i].of = selectionOf(parallel);
   out.in = rowsIn.front();
   out.out = rowsOut.front();
   return out;

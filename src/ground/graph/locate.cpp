@@ -114,13 +114,22 @@ Node takeOut(const Location& at) {
 }
 
 void insertBehind(const Location& at, Node node) {
+  std::vector<Node> nodes;
+  if (node.kind == NodeKind::Series && !node.bracketed) {
+    if (node.selected) node.children.back().selected = true;
+    nodes = std::move(node.children);
+  } else {
+    nodes.push_back(std::move(node));
+  }
+  const auto first = std::make_move_iterator(nodes.begin()),
+             last = std::make_move_iterator(nodes.end());
   if (at.inSeries()) {
-    at.list->insert(iterator(*at.list, at.end()), std::move(node));
+    at.list->insert(iterator(*at.list, at.end()), first, last);
     return;
   }
   Node series;
   series.children.push_back(takeOut(at));
-  series.children.push_back(std::move(node));
+  series.children.insert(series.children.end(), first, last);
   at.list->insert(iterator(*at.list, at.from), std::move(series));
 }
 

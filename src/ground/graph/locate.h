@@ -40,6 +40,7 @@ bool isTrunk(Rung& rung, const std::vector<Node>* list);
 std::vector<Node>::iterator iterator(std::vector<Node>& list, std::size_t at);
 // Takes the nodes out, as one.
 Node takeOut(const Location& at);
+// A series comes element by element, one in brackets as a whole.
 void insertBehind(const Location& at, Node node);
 
 }  // namespace merker::graph

@@ -47,8 +47,9 @@ struct Shape {
   std::string text;
   std::size_t statement = 0;
   Ends ends = Ends::AtEdges;
-  Selection of = {};  // whose shape it is; of.pin: an operand field of it
-  Flows flow = {};    // Wire, Negation
+  // Whose shape it is; of.pin: an operand field of it. A wire where branches end is their group's.
+  Selection of = {};
+  Flows flow = {};  // Wire, Negation
   bool value =
       false;  // Wire: what it carries is no signal; Text: AKKU 1 of `statement` is its value
   std::string whole = {};  // Text: the operand of which it shows a part

@@ -7,10 +7,14 @@
 namespace merker::graph5 {
 
 std::string statementText(const graph::Statement& statement, std::size_t operandAt) {
-  const std::string operation(mc5::info(machineOperation(statement.op)).name);
+  std::string operation(mc5::info(machineOperation(statement.op)).name);
   const graph::Operand& operand = statement.operand;
-  const std::string text =
+  std::string text =
       operand.kind == graph::OperandKind::Count ? std::to_string(operand.number) : operand.text;
+  if (const auto blank = operation.find(' '); blank != std::string::npos) {  // NOP 0
+    text = operation.substr(blank + 1);
+    operation.resize(blank);
+  }
   return text.empty() ? operation : fmt::format("{:<{}}{}", operation + " ", operandAt, text);
 }
 

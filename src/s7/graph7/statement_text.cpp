@@ -60,8 +60,12 @@ std::string statementText(const graph::Statement& statement, const StatementStyl
                           const std::string& label) {
   if (statement.op == graph::Op::CALL) return callText(statement, style);
   const mc7::OperationInfo& row = mc7::info(operationOf(statement.op));
-  const std::string mnemonic(style.mnemonics == Mnemonics::German ? row.de : row.en);
-  const std::string operand = operandText(statement, style.mnemonics, label);
+  std::string mnemonic(style.mnemonics == Mnemonics::German ? row.de : row.en);
+  std::string operand = operandText(statement, style.mnemonics, label);
+  if (const auto blank = mnemonic.find(' '); blank != std::string::npos) {  // NOP 0
+    operand = mnemonic.substr(blank + 1);
+    mnemonic.resize(blank);
+  }
   if (operand.empty()) return mnemonic;
   // A mnemonic that is longer than its column keeps a blank behind it.
   return fmt::format("{:<{}}{}", mnemonic + " ", style.operandAt, operand);

@@ -1,7 +1,5 @@
 // Networks that come and go, and what is written above them.
-#include "base/text.h"
-#include "networks/source_edit.h"
-#include "networks/text.h"
+#include "networks/whole_edit.h"
 
 namespace merker::networks {
 namespace {
@@ -16,18 +14,6 @@ bool isGood(const Heading& heading) {
   return isOneLine(heading.title);
 }
 
-const Network* networkOf(const std::optional<Found>& found, std::size_t network) {
-  if (!found || network == 0 || network > found->block.networks.size()) return nullptr;
-  return &found->block.networks[network - 1];
-}
-
-// Empty lines at the end of a network stand between it and the next one.
-std::uint32_t behind(const source::SourceFile& file, const graph::SourceNetwork& network) {
-  std::uint32_t end = network.end;
-  while (end > network.code && trim(file.line(end - 1)).empty()) --end;
-  return end;
-}
-
 }  // namespace
 
 Edited insertNetwork(const source::SourceFile& file, std::uint32_t line, std::size_t network,
@@ -37,7 +23,7 @@ Edited insertNetwork(const source::SourceFile& file, std::uint32_t line, std::si
   if (at == nullptr) return Refusal{};
   if (!isGood(heading)) return Refusal{Obstacle::Text};
   TextEdit out;
-  const bool replaces = !at->source.headed && at->source.statements.empty();
+  const bool replaces = isReplaced(at->source);
   out.network = before || replaces ? network : network + 1;
   out.lines = found->text->heading(out.network, heading);
   if (before) {
@@ -46,9 +32,9 @@ Edited insertNetwork(const source::SourceFile& file, std::uint32_t line, std::si
       for (std::string& own : found->text->heading(network + 1, {})) out.lines.push_back(own);
     out.from = out.to = at->source.line;
   } else {
-    out.from = out.to = behind(file, at->source);
+    out.from = out.to = behindNetwork(file, at->source);
   }
-  return out;
+  return withNumbers(file, *found, std::move(out), around);
 }
 
 Edited removeNetwork(const source::SourceFile& file, std::uint32_t line, std::size_t network,
@@ -61,7 +47,7 @@ Edited removeNetwork(const source::SourceFile& file, std::uint32_t line, std::si
   out.to = at->source.end;
   out.network = network < found->block.networks.size() ? network : network - 1;
   if (found->block.networks.size() == 1) out.network = 1;
-  return out;
+  return withNumbers(file, *found, std::move(out), around);
 }
 
 Edited changeHeading(const source::SourceFile& file, std::uint32_t line, std::size_t network,

@@ -30,8 +30,9 @@ bool isTaken(const Block& block, const std::string& label) {
 Edited changeLabel(const source::SourceFile& file, std::uint32_t line, std::size_t network,
                    const std::string& label, const Surroundings& around) {
   const auto found = findBlock(file, line, around);
-  if (!found || network == 0 || network > found->block.networks.size()) return Refusal{};
-  const graph::SourceNetwork& source = found->block.networks[network - 1].source;
+  const Network* at = networkOf(found, network);
+  if (at == nullptr) return Refusal{};
+  const graph::SourceNetwork& source = at->source;
   if (around.language != source::Language::Step7 || source.places.empty())
     return Refusal{Obstacle::Label};
   const graph::Written& first = source.places.front();

@@ -16,7 +16,7 @@ struct TextEdit {
   bool operator==(const TextEdit&) const = default;
 };
 
-enum class Obstacle : std::uint8_t { NoNetwork, Awl, Text, Label, Tree };
+enum class Obstacle : std::uint8_t { NoNetwork, Awl, Text, Label, Clipboard, Tree };
 
 struct Refusal {
   Obstacle obstacle = Obstacle::NoNetwork;
@@ -48,6 +48,26 @@ Edited changeHeading(const source::SourceFile& file, std::uint32_t line, std::si
 // What jumps of STEP 7 lead to; empty: none. Jumps that name the old one are not changed.
 Edited changeLabel(const source::SourceFile& file, std::uint32_t line, std::size_t network,
                    const std::string& label, const Surroundings& around);
+
+// Elements of a network as lines of AWL, each without what comes to it; with none the whole network
+// with its title and comment.
+Result<std::vector<std::string>, Refusal> copy(const source::SourceFile& file, std::uint32_t line,
+                                               std::size_t network,
+                                               const std::vector<graph::Selection>& elements,
+                                               const Surroundings& around);
+
+// Lines of AWL: elements go to `place.place` of `place.at`, as new ones do; whole networks come
+// before or behind the network, with labels that are free in the block.
+Edited paste(const source::SourceFile& file, std::uint32_t line, std::size_t network,
+             const graph::Edit& place, std::string_view lines, const Surroundings& around);
+
+// What is moved: an element, or a whole network.
+struct Origin {
+  std::size_t network = 1;
+  graph::Selection element = {};  // node -1: the network
+};
+Edited move(const source::SourceFile& file, std::uint32_t line, std::size_t network,
+            const graph::Edit& place, const Origin& from, const Surroundings& around);
 
 // The text with the edit done.
 std::string applied(const source::SourceFile& file, const TextEdit& edit);

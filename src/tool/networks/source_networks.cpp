@@ -50,6 +50,11 @@ std::optional<Found> findBlock(const source::SourceFile& file, std::uint32_t lin
   return std::nullopt;
 }
 
+const Network* networkOf(const std::optional<Found>& found, std::size_t network) {
+  if (!found || network == 0 || network > found->block.networks.size()) return nullptr;
+  return &found->block.networks[network - 1];
+}
+
 std::optional<Block> blockAt(const source::SourceFile& file, std::uint32_t line,
                              const Surroundings& around) {
   auto found = findBlock(file, line, around);

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/text.h"
 #include "graph5/rules.h"
 #include "graph5/source_statements.h"
@@ -51,6 +53,15 @@ class Step5Text : public Text {
     if (!heading.title.empty()) lines[0] += "  " + heading.title;
     for (const std::string& line : heading.comment) lines.push_back("!" + line);
     return lines;
+  }
+
+  std::string numbered(std::string_view line, std::size_t network) const override {
+    const std::size_t word = line.find_first_not_of(" \t");
+    const std::size_t behind = std::min(line.find_first_of(" \t", word), line.size());
+    const std::size_t number = std::min(line.find_first_not_of(" \t", behind), line.size());
+    const std::size_t end = std::min(line.find_first_not_of("0123456789", number), line.size());
+    if (end == number) return std::string(line);
+    return fmt::format("{}{}{}", line.substr(0, number), network, line.substr(end));
   }
 
  private:

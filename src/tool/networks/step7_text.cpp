@@ -99,6 +99,10 @@ class Step7Text : public Text {
     return lines;
   }
 
+  std::string numbered(std::string_view line, std::size_t) const override {
+    return std::string(line);
+  }
+
  private:
   std::optional<graph7::SourceOperands> operandsOf(std::size_t block) {
     const block::Block* declared = interfaces_->find(sources_[of_[block]].id);

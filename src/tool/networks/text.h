@@ -33,6 +33,8 @@ class Text {
   virtual WriteStatement writer(const Style& style) const = 0;
   // The lines that begin a network.
   virtual std::vector<std::string> heading(std::size_t network, const Heading& heading) const = 0;
+  // The line that begins a network, with its number, if it has one.
+  virtual std::string numbered(std::string_view line, std::size_t network) const = 0;
 };
 
 std::unique_ptr<Text> step7Text(const source::SourceFile& file, const Surroundings& around);
@@ -49,6 +51,8 @@ struct Found {
 };
 std::optional<Found> findBlock(const source::SourceFile& file, std::uint32_t line,
                                const Surroundings& around);
+// null: there is none of this number.
+const Network* networkOf(const std::optional<Found>& found, std::size_t network);
 std::unique_ptr<Text> textOf(const source::SourceFile& file, const Surroundings& around);
 
 }  // namespace merker::networks

@@ -18,7 +18,10 @@ constexpr Row kTexts[] = {
      "before a statement",
      "eine Marke muss ein Buchstabe und höchstens drei weitere Buchstaben oder Ziffern sein, "
      "einmal im "
-     "Baustein, vor einer Anweisung"}};
+     "Baustein, vor einer Anweisung"},
+    {Obstacle::Clipboard, "what is pasted must be statements that can be drawn, or whole networks",
+     "was eingefügt wird, muss aus Anweisungen, die dargestellt werden können, oder aus ganzen "
+     "Netzwerken bestehen"}};
 
 }  // namespace
 

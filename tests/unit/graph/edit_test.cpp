@@ -3,79 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include "edits.h"
 #include "graph/locate.h"
 #include "graph/missing.h"
-#include "graph/read.h"
 #include "graph5/rules.h"
 #include "graph7/rules.h"
-#include "random_networks.h"
-#include "statement_text.h"
 
 namespace merker::graph {
 namespace {
 
-using test::kFirstWire;
-using test::operand;
-using test::statements;
-
-Network networkOf(const std::string& text, const Rules& rules = graph7::rules()) {
-  const auto network = read(statements(text), rules, Unfinished::Allowed);
-  EXPECT_TRUE(network) << text;
-  return network ? *network : Network{};
-}
-
-std::string edited(const std::string& before, const Edit& edit,
-                   const Rules& rules = graph7::rules()) {
-  const auto after = apply(networkOf(before, rules), edit, rules, kFirstWire);
-  if (!after) return "refused: " + std::string(text(after.error(), Language::English));
-  return fmt::format("{} [{}:{}]", test::text(after->statements), after->select.node,
-                     after->select.pin);
-}
-
-// `at`: "3", "3:1" with a pin, "0-3" a gate from its first statement to its last.
-Selection selection(const std::string& text) {
-  Selection out;
-  if (text.empty()) return out;
-  out.node = std::stoi(text);
-  if (const auto mark = text.find(':'); mark != std::string::npos)
-    out.pin = std::stoi(text.substr(mark + 1));
-  else if (const auto dash = text.find('-'); dash != std::string::npos) {
-    out.first = out.node;
-    out.node = std::stoi(text.substr(dash + 1));
-  }
-  return out;
-}
-
-Edit insert(const std::string& at, Place place, const std::string& element,
-            std::vector<std::string> operands = {}) {
-  Edit edit;
-  edit.at = selection(at);
-  edit.place = place;
-  edit.element = element;
-  for (const std::string& text : operands)
-    edit.operands.push_back(text.empty() ? Operand{} : operand(text));
-  return edit;
-}
-Edit act(Action action, const std::string& at, const std::string& field = "") {
-  Edit edit;
-  edit.action = action;
-  edit.at = selection(at);
-  if (!field.empty()) edit.operands.push_back(operand(field));
-  return edit;
-}
-
-struct Row {
-  std::string before;
-  Edit edit;
-  std::string after;
-};
-void expectAll(const std::vector<Row>& rows, const Rules& rules = graph7::rules()) {
-  for (const Row& row : rows)
-    EXPECT_EQ(edited(row.before, row.edit, rules), row.after) << row.before;
-}
-
-constexpr auto kBehind = Place::Behind, kBefore = Place::Before, kParallel = Place::Parallel,
-               kBranch = Place::Branch, kAtPin = Place::AtPin;
+using namespace edits;
 
 // S7-EDIT-08, S7-EDIT-14: U E 0.0; U E 0.1; O; U A 1.0; = A 3.0 from an empty network.
 TEST(Edit, DrawsALatchFromNothing) {
@@ -109,8 +46,6 @@ TEST(Edit, PutsElementsBeforeAndBehind) {
        "O E 0.0; O; U E 0.1; U ??.?; = A 0.0 [3:0]"},
       {"U E 0.0; = A 0.0", insert("0", kBefore, "NOT"),
        "refused: there must be logic before this element"},
-      {"U E 0.0; = A 0.0", insert("1", kBehind, "CONTACT"),
-       "refused: nothing but coils can stand behind a coil"},
       {"U E 0.0; = A 0.0", insert("7", kBehind, "CONTACT"),
        "refused: the element was not found in the network"},
       {"U E 0.0; = A 0.0", insert("0", kBehind, "NONSENSE"), "refused: the element is unknown"},
@@ -161,7 +96,7 @@ TEST(Edit, GivesLogicToTheParametersOfACall) {
   EXPECT_EQ(third->statements[6].arguments[0].wire, 160);
   EXPECT_EQ(third->statements[6].arguments[2].text, "L 20.1");
   EXPECT_EQ(edited("U E 0.0; = A 0.0", insert("1", kBehind, "CALL_BOX")),
-            "refused: nothing but coils can stand behind a coil");
+            "U E 0.0; SPBNB ->3; CALL ???; U BIE; = A 0.0 [3:0]");
 }
 
 TEST(Edit, LetsRungsBranch) {
@@ -260,6 +195,44 @@ TEST(Edit, LetsCoilsAtTheRailStandAlone) {
       {"U E 0.0", insert("0", kBehind, "OPN"), refused},
       {"U E 0.0", insert("", kBehind, "MCRA"), refused},
       {"U E 0.0", insert("0", kBehind, "MCR_OFF"), refused},
+  });
+}
+
+// A coil ends its rung: what is put behind it stands before it, in series with all of the rung.
+TEST(Edit, PutsBeforeACoilWhatIsPutBehindIt) {
+  expectAll({
+      {"O E 0.0; O E 0.1; = A 0.0", insert("2", kBehind, "CONTACT"),
+       "U(; O E 0.0; O E 0.1; ); U ??.?; = A 0.0 [4:0]"},
+      {"O E 0.0; O E 0.1; = A 0.0", insert("2", kBehind, "S_ODT", {"T 1", "", "S5T#2S"}),
+       "U(; O E 0.0; O E 0.1; ); L S5T#2S; SE T 1; NOP; NOP; NOP; U T 1; = A 0.0 [9:-1]"},
+      {"U E 0.0; = L 20.0; U L 20.0; U E 0.1; = A 0.0; U L 20.0; BLD 102; = A 0.1",
+       insert("4", kBehind, "CONTACT", {"E 0.2"}),
+       "U E 0.0; = L 20.0; U L 20.0; U E 0.1; U E 0.2; = A 0.0; U L 20.0; BLD 102; = A 0.1 "
+       "[4:-1]"},
+      {"U E 0.0; = L 20.0; U L 20.0; U E 0.1; = A 0.0; U L 20.0; BLD 102; = A 0.1",
+       insert("7", kBehind, "CONTACT", {"E 0.2"}),
+       "U E 0.0; = L 20.0; U L 20.0; U E 0.1; = A 0.0; U L 20.0; U E 0.2; = A 0.1 [6:-1]"},
+      {"O E 0.0; O E 0.1; SPB ???", insert("2", kBehind, "CONTACT"),
+       "U(; O E 0.0; O E 0.1; ); U ??.?; SPB ??? [4:0]"},
+      {"SPA ???", insert("0", kBehind, "CONTACT"), "U ??.?; SPB ??? [0:0]"},
+      {"O E 0.0; O E 0.1; SAVE", insert("2", kBehind, "CONTACT"),
+       "U(; O E 0.0; O E 0.1; ); U ??.?; SAVE [4:0]"},
+      {"O E 0.0; O E 0.1; = A 0.0", insert("2", kBehind, "AND"),
+       "U(; O E 0.0; O E 0.1; ); U ??.?; = A 0.0 [4:0]"},
+      {"AUF ???", insert("0", kBehind, "CONTACT"),
+       "refused: this coil stands alone at the rail: nothing can stand before it"},
+      {"AUF ???", insert("0", kBehind, "AND"),
+       "refused: this coil stands alone at the rail: nothing can stand before it"},
+  });
+}
+
+// Behind the group, not in one of its branches.
+TEST(Edit, PutsElementsBehindAGroup) {
+  expectAll({
+      {"O E 0.0; O E 0.1; = A 0.0", insert("0-1", kBehind, "CONTACT"),
+       "U(; O E 0.0; O E 0.1; ); U ??.?; = A 0.0 [4:0]"},
+      {"U(; O E 0.0; O E 0.1; ); U E 0.2; = A 0.0", insert("3", kBehind, "CONTACT"),
+       "U(; O E 0.0; O E 0.1; ); U ??.?; U E 0.2; = A 0.0 [4:0]"},
   });
 }
 

@@ -55,16 +55,30 @@ Selection anySelection(const Network& network) {
   return out;
 }
 
+// What could be on the clipboard: a copy, or another network.
+Network anyPasted(const Network& network, const Rules& rules) {
+  if (below(2) == 0) return canonical(*test::networks(rules), rules, kFirstWire);
+  std::vector<Selection> some;
+  for (int i = 1 + below(3); i > 0; --i) some.push_back(anySelection(network));
+  const auto copied = copy(network, some, rules, kFirstWire);
+  if (!copied) return {};
+  const auto again = read(*copied, rules, Unfinished::Allowed);
+  RC_ASSERT(again.has_value());
+  return *again;
+}
+
 Edit anyEdit(const Network& network, const Rules& rules) {
   Edit edit;
-  constexpr Action kActions[] = {Action::Insert,     Action::Insert, Action::Insert,
-                                 Action::AddInput,   Action::Negate, Action::CloseBranch,
-                                 Action::SetOperand, Action::Delete, Action::NewRung,
-                                 Action::DeleteRung, Action::Insert};
-  edit.action = kActions[below(below(4) == 0 ? std::size(kActions) : 9)];
+  constexpr Action kActions[] = {
+      Action::Insert,      Action::Insert,     Action::Insert, Action::AddInput, Action::Negate,
+      Action::CloseBranch, Action::SetOperand, Action::Delete, Action::Paste,    Action::Move,
+      Action::NewRung,     Action::DeleteRung, Action::Insert};
+  edit.action = kActions[below(below(4) == 0 ? std::size(kActions) : 11)];
   edit.at = anySelection(network);
   edit.place = static_cast<Place>(below(5));
   edit.element = element(rules);
+  edit.from = anySelection(network);
+  if (edit.action == Action::Paste) edit.pasted = anyPasted(network, rules);
   for (int i = below(4); i > 0; --i) edit.operands.push_back(anyOperand());
   if (edit.element == "CALL_BOX")
     edit.arguments = {

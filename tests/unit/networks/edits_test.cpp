@@ -62,9 +62,10 @@ graph::Edit anyEdit(const graph::Statements& statements, const graph::Rules& rul
                                               "AND",       "OR",          "XOR",  "COIL", "S",
                                               "CONNECTOR", "SR",          "EQ_I", "EQ_F", "MOVE"};
   graph::Edit edit;
-  edit.action = static_cast<graph::Action>(below(8));
+  edit.action = static_cast<graph::Action>(below(9));  // but for Paste
   if (below(3) == 0) edit.action = graph::Action::Insert;
   edit.at = {below(statements.size() + 1) - 1, below(5) - 2, -1};
+  edit.from = {below(statements.size() + 1) - 1, -1, -1};
   edit.place = static_cast<graph::Place>(below(5));
   edit.element = kElements[below(std::size(kElements))];
   const auto rows = rules.elements->elements();
@@ -128,7 +129,9 @@ class Draughtsman {
     RC_LOG() << text(*block) << "action " << static_cast<int>(wish.action) << " at " << wish.at.node
              << ":" << wish.at.pin << " place " << static_cast<int>(wish.place) << " "
              << wish.element << "\n";
-    const auto done = networks::edit(file_, place_.line, place_.network, wish, around_);
+    const auto done = below(6) == 0 && wish.at.node >= 0
+                          ? copied(wish)
+                          : networks::edit(file_, place_.line, place_.network, wish, around_);
     if (!done) return false;
     source::SourceFile after(file_.name(), applied(file_, *done));
     const auto now = blockAt(after, place_.line, around_);
@@ -145,6 +148,16 @@ class Draughtsman {
   }
 
  private:
+  // An element comes from the clipboard again.
+  Edited copied(const graph::Edit& wish) const {
+    const auto lines = copy(file_, place_.line, place_.network, {wish.from}, around_);
+    if (!lines) return lines.error();
+    std::string text;
+    for (const std::string& line : *lines) text += line + "\n";
+    RC_LOG() << "pastes " << text;
+    return paste(file_, place_.line, place_.network, wish, text, around_);
+  }
+
   std::string text(const Block& block) const {
     const graph::SourceNetwork& network = block.networks[place_.network - 1].source;
     std::string out = file_.name() + " " + block.name + "\n";

@@ -74,7 +74,7 @@ TEST(Lines, keepTheLabelAtTheBeginning) {
 TEST(Lines, ofBoxesGetLabelsThatAreFree) {
   EXPECT_EQ(changed("      U     E 0.0;\n      =     A 0.0;\n",
                     "U E 0.0; SPBNB x; L 1; T MW 2; x: NOP 0;"),
-            "2-3\n      SPBNB _002;\n      L     1;\n      T     MW 2;\n_002: NOP 0;\n");
+            "2-3\n      SPBNB _002;\n      L     1;\n      T     MW 2;\n_002: NOP   0;\n");
 }
 
 TEST(Lines, ofBoxesLoseLabelsThatNobodyNeeds) {
@@ -86,7 +86,7 @@ TEST(Lines, ofBoxesLoseLabelsThatNobodyNeeds) {
 
 TEST(Lines, ofACallStayTogether) {
   const std::string call = "      CALL  FC 2 (\n        A := E 0.0, // in\n        B := A 0.0);\n";
-  EXPECT_EQ(changed(call, "CALL FC 2 (A := E 0.0, B := A 0.0); NOP 0;"), "4-4\n      NOP 0;\n");
+  EXPECT_EQ(changed(call, "CALL FC 2 (A := E 0.0, B := A 0.0); NOP 0;"), "4-4\n      NOP   0;\n");
   EXPECT_EQ(changed(call, "CALL FC 2 (A := E 0.7, B := A 0.0);"), "2-3\n        A := E 0.7,\n");
 }
 

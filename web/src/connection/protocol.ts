@@ -21,8 +21,11 @@ export interface Compared { id: string; state: 'same' | 'different' | 'onlyOffli
 export interface NetworkShape { kind: 'wire' | 'rail' | 'frame' | 'text' | 'contact' | 'coil' | 'negation' | 'field'; x: number; y: number; w: number; h: number; text?: string; written?: string; ends?: 'begins' | 'ends'; node?: number; pin?: number; first?: number; line?: number; value?: number; bcd?: true; flow?: [number, 'vke' | 'sta' | 'notSta'][] }
 /** `label`: what jumps lead to; `line`, `end`: its lines in the text; `first`: that of its first statement, 0: none. `reason`: why it stays AWL, and the line of the statement; `sentences`: the network in words */
 export interface NetworkPicture { number: number; title: string; comment: string; label: string; line: number; end: number; first: number; view: 'kop' | 'fup' | 'awl'; reason?: string; reasonLine?: number; w: number; h: number; shapes: NetworkShape[]; sentences: string[] }
-/** at the element or operand that `node`, `pin` and `first` name; -1: the network. `insert`: of an `element` of `networks.elements`; `title` and `comment` of `newNetwork` and `heading`; `label`: what jumps lead to, empty: none */
-export interface NetworkEdit { action: 'insert' | 'addInput' | 'negate' | 'closeBranch' | 'setOperand' | 'delete' | 'newRung' | 'newNetwork' | 'deleteNetwork' | 'heading' | 'label'; node?: number; pin?: number; first?: number; place?: 'before' | 'behind' | 'parallel' | 'branch' | 'atPin'; element?: string; operands?: string[]; title?: string; comment?: string[]; label?: string }
+export interface NetworkElementPlace { node?: number; first?: number }
+/** an element; `node` -1: the whole network */
+export interface NetworkOrigin { network: number; node?: number; first?: number }
+/** at the element or operand that `node`, `pin` and `first` name; -1: the network. `insert`: of an `element` of `networks.elements`; `title` and `comment` of `newNetwork` and `heading`; `label`: what jumps lead to, empty: none. `paste`: the AWL `text`; elements go where `insert` puts one, whole networks (they begin with NETWORK or NETZWERK) before or behind the network, rungs with coils below the one of `node`. `move`: what `from` names */
+export interface NetworkEdit { action: 'insert' | 'addInput' | 'negate' | 'closeBranch' | 'setOperand' | 'delete' | 'newRung' | 'paste' | 'move' | 'newNetwork' | 'deleteNetwork' | 'heading' | 'label'; node?: number; pin?: number; first?: number; place?: 'before' | 'behind' | 'parallel' | 'branch' | 'atPin'; element?: string; operands?: string[]; title?: string; comment?: string[]; label?: string; text?: string; from?: NetworkOrigin }
 /** names in KOP and FUP; empty: not in this view; `other`: in the other mnemonics */
 export interface NetworkElement { id: string; kop: string; fup: string; group: 'bit' | 'compare' | 'box' | 'move' | 'call' | 'coil'; key?: string; other?: { kop: string; fup: string } }
 export interface SymbolEntry { name: string; operand: string; type: string; comment: string }
@@ -157,6 +160,8 @@ export interface Requests {
   'networks.show': { fields: { file: string; text?: string; line: number; view?: 'kop' | 'fup'; language?: 'german' | 'english'; display?: 'written' | 'symbolic' | 'absolute' }; result: { block: string; line: number; end: number; mnemonics: 'german' | 'international'; networks: NetworkPicture[] } };
   /** an element put in, taken out, changed in this network of the block at `line`: lines `from` to before `to` of the text become `lines`, which the browser puts into it; then the element of `network` is selected. P1308 says why it is not possible */
   'networks.edit': { fields: { file: string; text: string; line: number; network: number; edit: NetworkEdit; language?: 'german' | 'english' }; result: { from: number; to: number; lines: string[]; network: number; node: number; pin: number; first: number } };
+  /** elements of this network as AWL for `paste`, a box without what comes to it; without `elements` the whole network with its title and comment. P1308 says why it is not possible */
+  'networks.copy': { fields: { file: string; text: string; line: number; network: number; elements?: NetworkElementPlace[]; language?: 'german' | 'english' }; result: { lines: string[] } };
   /** what can be put into a network */
   'networks.elements': { fields: { mnemonics?: 'german' | 'international' }; result: { elements: NetworkElement[] } };
   /** `block`, or `file` and `line`; each browser has one */
