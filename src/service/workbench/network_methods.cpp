@@ -28,6 +28,13 @@ NetworkDisplay displayOf(const Fields& fields, const source::SymbolTable& symbol
       &symbols};
 }
 
+const block::Block* compiledBlock(const compilation::Build& build, std::string_view name) {
+  if (build.program == nullptr) return nullptr;
+  const auto at = std::ranges::find_if(
+      *build.program, [name](const auto& one) { return toString(one.first) == name; });
+  return at == build.program->end() ? nullptr : &at->second;
+}
+
 Answer shown(const Aside& aside, const compilation::Build& build) {
   const std::int64_t line = networkLine(aside.fields);
   NetworkDisplay display = displayOf(aside.fields, build.project.symbols);
@@ -36,6 +43,7 @@ Answer shown(const Aside& aside, const compilation::Build& build) {
   const auto block = blockAt(*text, line);
   if (!block) return block.error();
   display.mnemonics = block->mnemonics;
+  display.compiled = compiledBlock(build, block->name);
   return Json{{"block", block->name},
               {"line", block->line},
               {"end", block->end - 1},

@@ -4,6 +4,7 @@
 #include "graph/kop.h"
 #include "graph/sentence.h"
 #include "graph7/rules.h"
+#include "workbench/declared_types.h"
 #include "workbench/shown_operands.h"
 
 namespace merker::workbench {
@@ -23,7 +24,11 @@ class NetworkRow {
  public:
   NetworkRow(const networks::Network& network, const graph::Rules& rules,
              const NetworkDisplay& display)
-      : network_(network), source_(network.source), rules_(rules), display_(display) {}
+      : network_(network),
+        source_(network.source),
+        rules_(rules),
+        display_(display),
+        types_(display.symbols, display.compiled) {}
 
   Json row() {
     Json row = {{"number", network_.number},
@@ -103,10 +108,11 @@ class NetworkRow {
     return row;
   }
 
-  // The value of a constant is its text: "5", "-1", "S5T#2S", "'A'".
+  // The value of a constant is its text: "5", "-1", "S5T#2S", "'A'", "KT 10.1".
   static bool isConstant(std::string_view text) {
     const std::size_t mark = text.find('#');
-    return text.find_first_of("0123456789+-'") == 0 || (mark != text.npos && mark > 0);
+    const bool step5 = text.size() > 2 && text[0] == 'K' && text[2] == ' ';
+    return step5 || text.find_first_of("0123456789+-'") == 0 || (mark != text.npos && mark > 0);
   }
 
   // What LC gives is BCD.
@@ -114,6 +120,7 @@ class NetworkRow {
     const graph::Statements& all = source_.statements;
     if (index >= all.size() || isConstant(all[index].operand.text)) return;
     row["value"] = lineOf(index);
+    if (const auto type = types_.of(all[index].operand.text)) row["type"] = merker::name(*type);
     if (index > 0 && all[index - 1].op == graph::Op::LOAD_BCD) row["bcd"] = true;
   }
 
@@ -136,6 +143,7 @@ class NetworkRow {
   const graph::SourceNetwork& source_;
   const graph::Rules& rules_;
   const NetworkDisplay& display_;
+  DeclaredTypes types_;
   WrittenOperands written_;
 };
 

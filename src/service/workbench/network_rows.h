@@ -17,6 +17,7 @@ struct NetworkDisplay {
   OperandDisplay operands = OperandDisplay::Written;
   const source::SymbolTable* symbols = nullptr;
   Mnemonics mnemonics = Mnemonics::German;
+  const block::Block* compiled = nullptr;  // the block as it was compiled last, for its types
 };
 
 // Of all networks of the block.

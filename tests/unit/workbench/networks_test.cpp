@@ -176,6 +176,65 @@ END_FUNCTION
         << shape;
 }
 
+// "#t S5TIME": what has a value, with its type where it is declared.
+std::vector<std::string> types(const Json& network) {
+  std::vector<std::string> found;
+  for (const Json& shape : network["shapes"])
+    if (shape.contains("value"))
+      found.push_back(shape["text"].get<std::string>() + " " + shape.value("type", "-"));
+  return found;
+}
+
+TEST(Networks, TellTheDeclaredTypesOfTheirValues) {
+  const std::string program = std::string(kProgram) + R"(FUNCTION FC 1 : VOID
+VAR_TEMP
+  t : S5TIME;
+  list : ARRAY [1..3] OF STRUCT
+    a : REAL;
+    n : INT;
+  END_STRUCT;
+END_VAR
+BEGIN
+NETWORK
+      L     #t;
+      T     #list[2].n;
+      NOP   0;
+NETWORK
+      L     MW 20;
+      T     "Counted";
+      NOP   0;
+NETWORK
+      L     MD 30;
+      T     #LIST[1].A;
+      NOP   0;
+END_FUNCTION
+)";
+  Bench bench(program);
+  using Types = std::vector<std::string>;
+  const Json networks =
+      bench.call("networks.show", {{"file", "main.awl"}, {"line", 40}})["networks"];
+  ASSERT_EQ(networks.size(), 3u);
+  EXPECT_EQ(types(networks[0]), (Types{"#t S5TIME", "#list[2].n INT"}));
+  EXPECT_EQ(types(networks[1]), (Types{"MW 20 INT", "\"Counted\" INT"})) << "by its symbol";
+  EXPECT_EQ(types(networks[2]), (Types{"MD 30 -", "#LIST[1].A REAL"}));
+}
+
+TEST(Networks, OfStep5ShowNoValueOfAConstant) {
+  Bench bench;
+  bench.folder.write("main.s5",
+                     "OB 1\nNETZWERK 1\n      U     E 0.0\n      L     KT 10.1\n      SE    T 1\n"
+                     "      NOP 0\n      NOP 0\n      NOP 0\n      NOP 0\n"
+                     "NETZWERK 2\n      U     E 0.1\n      L     MW 2\n      SE    T 2\n"
+                     "      NOP 0\n      NOP 0\n      NOP 0\n      NOP 0\n      BE\n");
+  bench.workbench.show(std::make_unique<Plc>(
+      compilation::build(project::load(bench.folder.path("main.s5"), {}), false)));
+  const Json answer = bench.call("networks.show", {{"file", "main.s5"}, {"line", 1}});
+  ASSERT_EQ(answer["networks"].size(), 2u);
+  for (const Json& network : answer["networks"]) EXPECT_EQ(network["view"], "kop");
+  EXPECT_EQ(types(answer["networks"][0]), (std::vector<std::string>{}));
+  EXPECT_EQ(types(answer["networks"][1]), (std::vector<std::string>{"MW 2 -"}));
+}
+
 TEST(Networks, ShowSymbolsOrAddressesButKnowWhatIsWritten) {
   Bench bench;
   const Json symbolic =

@@ -25,6 +25,7 @@ const item = (kind: Item['kind'], name: string): Item => ({
   field: 0,
   value: undefined,
   bcd: false,
+  type: undefined,
 });
 const labels = (kind: Item['kind'], name: string) => offersAt(item(kind, name), 'kop', all).map(({ label }) => label);
 

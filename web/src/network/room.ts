@@ -11,16 +11,16 @@ const GAP = 3;
 const apart = (a: Rect, b: Rect): boolean =>
   a.x + a.width <= b.x || b.x + b.width <= a.x || a.y + a.height <= b.y || b.y + b.height <= a.y;
 
-/** Left, right, below, above. */
+/** Above, behind, below: where nobody reads it as a part of the operand. */
 function places({ x, y, width }: Rect, wide: number): Rect[] {
   const at = (x: number, y: number): Rect => ({ x, y, width: wide, height: HEIGHT });
   const level = y + (ROW - HEIGHT) / 2;
   return [
-    at(x - wide - GAP, level),
-    at(x + width + GAP, level),
-    at(x, y + ROW),
     at(x, y - HEIGHT),
     at(x + width - wide, y - HEIGHT),
+    at(x + width + GAP, level),
+    at(x, y + ROW),
+    at(x - wide - GAP, level),
   ];
 }
 
@@ -40,7 +40,7 @@ export function roomFor(shapes: readonly NetworkShape[], values: readonly { text
   const lines = shapes.filter(({ kind }) => kind === 'wire' || kind === 'rail').map(lineRect);
   const frames = shapes.filter(({ kind }) => kind === 'frame').map(rectOf);
   return values.map(({ text, beside }) => {
-    const choice = places(beside, Math.max(text.length, LEAST) * CHARACTER).filter(({ x, y }) => x >= 0 && y >= 0);
+    const choice = places(beside, Math.max(text.length, LEAST) * CHARACTER + 4).filter(({ x, y }) => x >= 0 && y >= 0);
     const free = (over: readonly Rect[]) => choice.find((place) => over.every((one) => apart(place, one)));
     const place = free([...taken, ...lines, ...frames]) ?? free([...taken, ...frames]) ?? free(taken) ?? choice[0]!;
     taken.push(place);

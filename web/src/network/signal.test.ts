@@ -71,13 +71,9 @@ test('of several rows of a line the last counts', () => {
   expect(signalOf([[0, 'vke']], linesOf([row(1, '0', '0'), row(1, '1', '0')]), 1)).toBe('on');
 });
 
-test('a value is shown as its box reads it', () => {
-  expect(valueAt(12, false, 'ADD_I', lines)).toBe('-2');
-  expect(valueAt(12, false, 'CMP >D', lines)).toBe('-2');
-  expect(valueAt(13, false, 'MUL_R', lines)).toBe('1.5');
-  expect(valueAt(12, false, 'WAND_DW', lines)).toBe('16#FFFFFFFE');
-  expect(valueAt(99, false, 'ADD_I', lines)).toBe('');
-  const bcd = linesOf([[14, 0, 0, 0, '00002123']]);
-  expect(valueAt(14, true, 'S_EVERZ', bcd)).toBe('S5T#123s');
-  expect(valueAt(14, true, 'ZAEHLER', bcd)).toBe('123');
+test('a value is AKKU 1 in the notation of its type', () => {
+  expect(valueAt(12, 'INT', lines)).toBe('-2');
+  expect(valueAt(13, 'REAL', lines)).toBe('1.5');
+  expect(valueAt(99, 'INT', lines)).toBe('');
+  expect(valueAt(12, 'INT', null)).toBe('');
 });

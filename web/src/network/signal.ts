@@ -1,6 +1,7 @@
 // What the program status says of a wire or a value (S7-EDIT-21): bits of real statements, never a second calculation.
 import type { NetworkPicture, NetworkShape } from '../connection/protocol';
 import type { StatusRow } from '../editor/status_columns';
+import { formOf, type ValueType } from './value_form';
 
 /** The last status row of each line. */
 export type StatusLines = ReadonlyMap<number, StatusRow>;
@@ -39,29 +40,8 @@ export function signalOf(flow: Flow | undefined, lines: StatusLines | null, firs
   return on ? 'on' : 'off';
 }
 
-const real = (bits: number): string => {
-  const view = new DataView(new ArrayBuffer(4));
-  view.setUint32(0, bits);
-  return Number(view.getFloat32(0).toPrecision(6)).toString();
-};
-
-/** As LC gives it: three digits, of a timer with its base above them. */
-function bcdOf(bits: number, title: string): string {
-  const digits = Number.parseInt((bits & 0xfff).toString(16), 10);
-  if (!/^S_/.test(title)) return String(digits);
-  const milliseconds = digits * 10 ** (((bits >> 12) & 3) + 1);
-  return `S5T#${milliseconds / 1000}s`;
-}
-
-/** AKKU 1 behind the statement of a value, as the box reads it: `title` is "ADD_R", "CMP >D". */
-export function valueAt(line: number, bcd: boolean, title: string, lines: StatusLines | null): string {
-  const row = lines?.get(line);
-  if (!row) return '';
-  const bits = Number.parseInt(String(row[AKKU1]), 16);
-  if (Number.isNaN(bits)) return '';
-  if (bcd) return bcdOf(bits, title);
-  if (/(_R|[<>=]R|R)$/.test(title)) return real(bits);
-  if (/D?(DI|[<>=]D|_D)$/.test(title)) return String(bits | 0);
-  if (/(I|[<>=]I)$/.test(title)) return String((bits << 16) >> 16);
-  return bits > 0xffff ? `16#${bits.toString(16).toUpperCase()}` : String(bits);
+/** AKKU 1 behind the statement that loads or transfers the operand. */
+export function valueAt(line: number, type: ValueType, lines: StatusLines | null): string {
+  const bits = Number.parseInt(String(lines?.get(line)?.[AKKU1]), 16);
+  return Number.isNaN(bits) ? '' : formOf(bits, type);
 }
