@@ -57,8 +57,8 @@ export const views: View[] = [
     title: ['Programm', 'Program'],
     component: Program,
     help: [
-      'Bausteine in AWL schreiben, prüfen, laden; Programmstatus und Haltepunkte.',
-      'Write, check and load blocks in STL; program status and breakpoints.',
+      'Bausteine in AWL, KOP oder FUP schreiben, prüfen, laden; Programmstatus und Haltepunkte.',
+      'Write, check and load blocks in STL, LAD or FBD; program status and breakpoints.',
     ],
   },
   {

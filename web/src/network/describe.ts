@@ -9,8 +9,9 @@ const t = translator(networks);
 /** What FUP draws as a box though it takes what comes out. */
 const outputs = /^(=|S|R|#)$/;
 
-const boxName = ({ name, operand }: Item): string =>
-  operand === undefined || name === operand ? name : `${name} ${operand}`;
+/** `FB 1, DB 1` names its block itself. */
+const boxName = ({ name, operand }: Item, between = ' '): string =>
+  operand === undefined ? name : operand.startsWith(name) ? operand : `${name}${between}${operand}`;
 
 /** `items`: of the network, for the names of its boxes. */
 export function describe(item: Item, view: View, items: readonly Item[]): string {
@@ -22,7 +23,7 @@ export function describe(item: Item, view: View, items: readonly Item[]): string
   if (kind === 'coil') return t('coil', { name: name.trim() || '=', operand });
   if (kind === 'frame') {
     if (item.operand !== undefined && outputs.test(name.trim())) return t('output', { name: name.trim(), operand });
-    return t('box', { name: item.operand === undefined || name === operand ? name : `${name}, ${operand}` });
+    return t('box', { name: boxName(item, ', ') });
   }
   const box = of && items.find((one) => one.kind === 'frame' && one.node === of.box);
   if (box && of) return t(of.side, { pin: of.pin, box: boxName(box), operand: operand || t('nothing') });

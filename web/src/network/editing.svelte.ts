@@ -6,6 +6,7 @@ import type { NetworkPicture } from '../connection/protocol';
 import type { OpenDocument } from '../editor/document.svelte';
 import { workspace } from '../editor/workspace.svelte';
 import { attempt } from '../state/messages.svelte';
+import { nextPin } from './boxes';
 import { elementAt } from './element_at';
 import { inOrder, itemsOf, nextMissing, NO_PIN, same, type Direction, type Item, type Place } from './items';
 import { placed, type Change, type Edited } from './keys';
@@ -144,7 +145,7 @@ export class Editing {
 
   private async further(from: Place & { field: number }): Promise<void> {
     const list = this.items;
-    const to = nextMissing(list, from);
+    const to = nextPin(list, from) ?? nextMissing(list, from);
     const stays = list.find((item) => same(item, from)) ?? list.find(({ node }) => node === from.node);
     await this.focus(this.chosen, to ?? stays ?? null);
     if (to) this.open(to, to.operand ?? '');
@@ -179,16 +180,16 @@ export class Editing {
         language: this.wanted()?.language ?? 'german',
       }),
     );
-    if (!answer || document.text !== text) return this.refused(change, at, onwards);
+    if (!answer || document.text !== text) return this.refused(change, at);
     if (this.props.document !== document || this.props.block?.name !== block!.name)
       return this.changedElsewhere(document, answer);
     await this.changedTo(answer, change, at, onwards);
   }
 
-  private async refused(change: Change, at: Place | null, onwards: boolean): Promise<void> {
+  private async refused(change: Change, at: Place | null): Promise<void> {
     this.turn.forget();
     const isThere = (item: Item) => same(item, at) || (item.node === at?.node && item.field === at.pin);
-    const typed = onwards && this.items.find(isThere);
+    const typed = change.action === 'setOperand' && this.items.find(isThere);
     if (typed) return this.open(typed, change.operands?.[0] ?? '');
     this.turn.deaf = true;
     await this.focus(this.chosen, at);
@@ -214,10 +215,8 @@ export class Editing {
     if (onwards) await this.further({ ...answer, field: at?.pin ?? NO_PIN });
     else {
       await this.focus(this.chosen, to ?? null);
-      const gap = nextMissing(
-        list.filter(({ node }) => node === answer.node),
-        BEGINNING,
-      );
+      const made = list.filter(({ node }) => node === answer.node);
+      const gap = nextPin(list, { ...BEGINNING, node: answer.node }) ?? nextMissing(made, BEGINNING);
       if (gap && change.action === 'insert') this.open(gap, gap.operand ?? '');
     }
     if (this.picture) this.props.ongoto(this.picture.line + (to?.line ?? 0));

@@ -33,6 +33,8 @@ export interface Item extends Place {
   place: Rect;
   /** What stands inside: "", "/", "S", "&". */
   name: string;
+  /** A box that calls a block. */
+  calls?: boolean;
   /** The pin of a box that has its operand here. */
   of?: PinName | undefined;
 }
@@ -83,7 +85,8 @@ export function itemsOf(shapes: readonly NetworkShape[]): Item[] {
     if (isSymbol(shape)) items.push({ ...plain, ...operandAbove(own.get(node), rect) });
     else if (kind === 'frame') {
       const above = hasOwn(shape) ? own.get(node) : undefined;
-      items.push({ ...plain, pin: NO_PIN, name: titleOf(shapes, shape), ...operandAbove(above, rect) });
+      const calls = above !== undefined && shapes.some((one) => one.text === 'EN' && within(shape, one));
+      items.push({ ...plain, calls, pin: NO_PIN, name: titleOf(shapes, shape), ...operandAbove(above, rect) });
     } else if ((kind === 'text' || kind === 'field') && pin !== NO_PIN && !(pin === OWN && owners.has(node)))
       items.push({ ...plain, operand: written(shape), field: pin, of: pinOf(shapes, shape) });
   }

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import type { Item } from './items';
-import { offersAt } from './offers';
+import { meant, offersAt } from './offers';
 
 const all = [
   { label: '#start', detail: 'IN  BOOL', type: 'local' },
@@ -41,4 +41,18 @@ test('boxes of timers and counters are offered these', () => {
 test('a call is offered blocks, a pin anything else', () => {
   expect(labels('coil', 'CALL')).toEqual(['"Classify"', 'DB 1']);
   expect(labels('text', '')).toEqual(['#start', '#speed', '"Start"', '"Level"', '"Delay"', '"Parts"']);
+});
+
+test.each([
+  ['start', '#start'],
+  ['"Lev', '"Level"'],
+  ['#spe', '#speed'],
+  ['T 1', undefined],
+  ['s', undefined],
+  ['', undefined],
+])('%s is completed to %s', (typed, wanted) => {
+  const offered = all.filter(
+    ({ label }) => typed.length < 3 || label.toLowerCase().includes(typed.replace(/["#]/g, '').toLowerCase()),
+  );
+  expect(meant(typed, offered)).toBe(wanted);
 });

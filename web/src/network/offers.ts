@@ -48,3 +48,16 @@ const fits: Record<Wanted, (offer: Offer) => boolean> = {
 
 export const offersAt = (item: Item, view: 'kop' | 'fup', all: readonly Offer[]): Offer[] =>
   all.filter(fits[wantedAt(item, view)]);
+
+/** "T 1", "MW10", "S5T#2S": an operand, though a name may begin like it. */
+const isOperand = /^[A-Z]{1,4}\s*\d|^\d|^[A-Z0-9]+#./i;
+const plain = (name: string): string => name.toLowerCase().replace(/["#]/g, '');
+
+/** What a typed name is completed to: the offer of this name, or the only one whose name it begins. */
+export function meant(text: string, found: readonly Offer[]): string | undefined {
+  const typed = plain(text.trim());
+  const exact = found.find(({ label }) => plain(label) === typed);
+  if (exact || typed === '' || isOperand.test(typed)) return exact?.label;
+  const begun = found.filter(({ label }) => plain(label).includes(typed));
+  return found.length === 1 ? begun[0]?.label : undefined;
+}

@@ -1,8 +1,13 @@
 // What a key does in the networks: walk, command, edit.
+import { translator } from '../i18n';
+import { networks as texts } from '../i18n/texts/networks';
+import { messages } from '../state/messages.svelte';
 import { plc } from '../state/plc.svelte';
 import type { Editing } from './editing.svelte';
 import { inOrder } from './items';
 import { changeOf, directionOf, isTyped, typedInto, type Key } from './keys';
+
+const t = translator(texts);
 
 /** False: a key of somebody else. `target`: where it was pressed; null: it waited for an edit. */
 export function press(editing: Editing, key: Key, target: Element | null, onpalette: () => void): boolean {
@@ -50,12 +55,19 @@ function commands(editing: Editing, key: Key, onpalette: () => void): boolean {
   return true;
 }
 
+/** A text without a place says so: nothing that is typed is lost unseen. */
+function typedAt(editing: Editing, key: Key): void {
+  if (editing.type(key.key)) return;
+  messages.problem({ text: t('noOperand') }, 'networks.edit');
+  editing.turn.deaf = true;
+}
+
 function edits(editing: Editing, key: Key): boolean {
   const item = editing.current;
   const { view, document } = editing.props;
   if (document.readonly || !editing.picture) return false;
   if (key.key === 'Enter') return editing.type();
-  if (isTyped(key) && item?.operand !== undefined) return editing.type(key.key);
+  if (isTyped(key)) return (typedAt(editing, key), true);
   const change = changeOf(key, view);
   if (!change) return false;
   // A network is deleted at its head, with Ctrl; what is in it, by its elements.
