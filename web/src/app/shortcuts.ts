@@ -45,6 +45,7 @@ export const networkKeys: { keys: string; text: keyof typeof networks }[] = [
   { keys: '← ↑ → ↓', text: 'keyArrows' },
   { keys: 'Home End', text: 'keyEnds' },
   { keys: 'Del', text: 'keyDelete' },
+  { keys: 'Ctrl C X V', text: 'keyCopy' },
   { keys: 'Ctrl R', text: 'keyNetwork' },
   { keys: 'Ctrl Del', text: 'deleteNetwork' },
   { keys: 'Ctrl Z Y', text: 'keyUndo' },

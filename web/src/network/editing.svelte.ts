@@ -44,6 +44,15 @@ export class Editing {
   get current(): Item | null {
     return this.items.find((item) => same(item, this.selected)) ?? null;
   }
+  /** Of what the server says. */
+  get language() {
+    return this.wanted()?.language ?? 'german';
+  }
+  /** At the heading of a ladder one stands before its first element. */
+  first(): Item | undefined {
+    if (this.current || this.props.view !== 'kop') return undefined;
+    return inOrder(this.items).find(({ kind }) => kind === 'contact');
+  }
   private get readonly(): boolean {
     return this.props.document.readonly;
   }
@@ -165,7 +174,7 @@ export class Editing {
     await this.turn.take(() => this.ask(change, at, onwards));
   }
 
-  private async ask(change: Change, at: Place | null, onwards: boolean): Promise<void> {
+  async ask(change: Change, at: Place | null, onwards: boolean): Promise<void> {
     this.host().focus({ preventScroll: true });
     const { document, block } = this.props;
     const place = at ? { node: at.node, pin: at.pin, first: at.first } : {};
@@ -177,7 +186,7 @@ export class Editing {
         line: block!.line,
         network: this.picture?.number ?? 0,
         edit: { ...placed(change, this.current), ...place },
-        language: this.wanted()?.language ?? 'german',
+        language: this.language,
       }),
     );
     if (!answer || document.text !== text) return this.refused(change, at);

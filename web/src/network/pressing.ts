@@ -3,8 +3,8 @@ import { translator } from '../i18n';
 import { networks as texts } from '../i18n/texts/networks';
 import { messages } from '../state/messages.svelte';
 import { plc } from '../state/plc.svelte';
+import { copy } from './clipboard';
 import type { Editing } from './editing.svelte';
-import { inOrder } from './items';
 import { changeOf, directionOf, isTyped, typedInto, type Key } from './keys';
 
 const t = translator(texts);
@@ -37,17 +37,23 @@ function moves(editing: Editing, key: Key): boolean {
   return true;
 }
 
+/** The browser copies and pastes what is selected as text. */
+const isText = (): boolean => !(window.getSelection()?.isCollapsed ?? true);
+
 const commandKeys: Record<string, (editing: Editing) => void> = {
   s: ({ props }) => props.onsave(),
   l: ({ props }) => props.onload(),
   z: (editing) => editing.undo(false),
   y: (editing) => editing.undo(true),
   Z: (editing) => editing.undo(true),
+  c: (editing) => void copy(editing, false),
+  x: (editing) => void copy(editing, true),
   r: (editing) => void editing.edit({ action: 'newNetwork' }, null),
   Delete: (editing) => void editing.edit({ action: 'deleteNetwork' }, null),
 };
 
 function commands(editing: Editing, key: Key, onpalette: () => void): boolean {
+  if (key.ctrl && key.key === 'c' && isText()) return false;
   const command = key.ctrl && !key.alt && !editing.props.document.readonly ? commandKeys[key.key] : undefined;
   if (command) command(editing);
   else if (key.alt && key.key === 'F9') onpalette();
@@ -72,10 +78,8 @@ function edits(editing: Editing, key: Key): boolean {
   if (!change) return false;
   // A network is deleted at its head, with Ctrl; what is in it, by its elements.
   if (change.action === 'delete' && !item) return false;
-  // At the heading one stands before the first element.
-  const first = item ? undefined : inOrder(editing.items).find(({ kind }) => kind === 'contact');
-  if (first && view === 'kop' && /^CONTACT/.test(change.element ?? ''))
-    void editing.edit({ ...change, place: 'before' }, first);
+  const first = /^CONTACT/.test(change.element ?? '') ? editing.first() : undefined;
+  if (first) void editing.edit({ ...change, place: 'before' }, first);
   else void editing.edit(change, item);
   return true;
 }

@@ -18,6 +18,10 @@ export const networks = {
   keyArrows: ['Leitung entlang, von Netzwerk zu Netzwerk', 'along the wire, from network to network'],
   keyEnds: ['erstes, letztes Element des Netzwerks', 'first, last element of the network'],
   keyDelete: ['Element löschen', 'delete the element'],
+  keyCopy: [
+    'Element, am Titel das Netzwerk: kopieren, ausschneiden, einfügen',
+    'element, at the title the network: copy, cut, paste',
+  ],
   keyNetwork: ['neues Netzwerk dahinter', 'new network behind this one'],
   keyUndo: ['rückgängig, wiederholen', 'undo, redo'],
   awlHelp: ['Anweisungsliste (Strg 2)', 'Statement list (Ctrl 2)'],
@@ -61,6 +65,10 @@ export const networks = {
   label: ['Sprungmarke', 'Label'],
   apply: ['Übernehmen', 'Apply'],
   deleteNetwork: ['Netzwerk löschen', 'Delete network'],
+  notCopied: [
+    'ein Operand allein wird nicht kopiert: das Element auswählen, zu dem er gehört',
+    'an operand alone cannot be copied: select the element it belongs to',
+  ],
   noOperand: [
     'hier wird kein Operand eingegeben: erst ein Element einfügen, z. B. mit F2',
     'there is no operand to type here: insert an element first, e.g. with F2',
