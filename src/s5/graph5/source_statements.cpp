@@ -1,8 +1,11 @@
 #include "graph5/source_statements.h"
 
+#include <fmt/format.h>
+
 #include "base/text.h"
 #include "graph/missing.h"
 #include "graph5/operand_code.h"
+#include "mc5/operand_text.h"
 #include "step5/declaration.h"
 #include "step5/line_end.h"
 #include "step5/line_start.h"
@@ -271,10 +274,13 @@ std::optional<graph::Operand> sourceOperand(std::string_view text,
   const auto operand = step5::parseOperand(scanner, ignored, symbols);
   if (operand && operand->name.empty() && trim(scanner.rest()).empty()) {
     graph::Operand out = operandOf(operand->value);
-    out.text = trim(scanner.since(begin));
+    out.text = operand->symbol ? std::string(trim(scanner.since(begin)))
+                               : mc5::operandText(operand->value);
     return out;
   }
   scanner.back(begin);
+  if (symbols != nullptr && symbols->find(trim(text)) != nullptr)
+    return sourceOperand(fmt::format("-{}", trim(text)), symbols);
   graph::Operand unknown = unresolved(scanner);
   return scanner.atEnd() ? std::optional(std::move(unknown)) : std::nullopt;
 }

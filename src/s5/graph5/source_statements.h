@@ -14,7 +14,8 @@ namespace merker::graph5 {
 std::vector<graph::SourceNetwork> sourceNetworks(const step5::BlockSource& source,
                                                  const source::SymbolTable* symbols);
 
-// An operand that is no part of a listing; nothing if more than an operand stands there.
+// An operand that is no part of a listing, as a user types it: "e0.0" is "E 0.0", a symbol gets its
+// hyphen. Nothing if more than an operand stands there.
 std::optional<graph::Operand> sourceOperand(std::string_view text,
                                             const source::SymbolTable* symbols);
 

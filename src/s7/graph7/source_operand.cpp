@@ -183,4 +183,14 @@ std::optional<graph::Operand> SourceOperands::of(std::string_view text) const {
   return cursor.atEnd() ? std::optional(std::move(operand)) : std::nullopt;
 }
 
+std::optional<step7::Access> SourceOperands::alone(std::string_view text) const {
+  const source::SourceFile file("", std::string(text));
+  SourceOperands here = *this;
+  here.scope_.file = &file;
+  step7::Cursor cursor(file.text(), 0, file.text().size());
+  auto access = here.parse(cursor);
+  cursor.skipBlanks();
+  return cursor.atEnd() ? std::move(access) : std::nullopt;
+}
+
 }  // namespace merker::graph7

@@ -23,6 +23,8 @@ class SourceOperands {
   std::optional<step7::Access> parse(step7::Cursor& cursor) const;
   // As `read`, of a text that is no part of the file; nothing if more than an operand stands there.
   std::optional<graph::Operand> of(std::string_view text) const;
+  // As `parse`, of such a text.
+  std::optional<step7::Access> alone(std::string_view text) const;
 
   const step7::Scope& scope() const { return scope_; }
   BitAddress wires() const { return wires_; }

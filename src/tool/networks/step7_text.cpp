@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "base/text.h"
+#include "graph7/operand_spelling.h"
 #include "graph7/rules.h"
 #include "graph7/source_call.h"
 #include "graph7/source_statements.h"
@@ -55,7 +56,7 @@ class Step7Text : public Text {
 
   std::optional<graph::Operand> operand(std::size_t block, std::string_view text) override {
     const auto operands = operandsOf(block);
-    return operands ? operands->of(trim(text)) : std::nullopt;
+    return operands ? operands->of(graph7::spelled(trim(text), *operands)) : std::nullopt;
   }
 
   void fit(graph::Statement& statement) override {
@@ -67,7 +68,7 @@ class Step7Text : public Text {
 
   std::vector<graph::Argument> parameters(std::size_t block, std::string_view called) override {
     const auto operands = operandsOf(block);
-    return operands ? graph7::parametersOf(trim(called), *operands)
+    return operands ? graph7::parametersOf(graph7::spelled(trim(called), *operands), *operands)
                     : std::vector<graph::Argument>();
   }
 
