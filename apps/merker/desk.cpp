@@ -37,6 +37,11 @@ void Desk::wake() {
   arrived_.notify_one();
 }
 
+void Desk::hurry() {
+  const std::lock_guard lock(mutex_);
+  wake();
+}
+
 void Desk::opened(hmi::BrowserId browser) {
   const std::lock_guard lock(mutex_);
   inboxes_[browser];

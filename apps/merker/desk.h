@@ -25,6 +25,8 @@ class Desk : public hmi::Handler {
   void run(hmi::Server& server, const std::function<bool()>& ended);
 
   void eachSlice(std::function<void()> action) { eachSlice_ = std::move(action); }
+  // From any thread: there is something to do in front of the next slice.
+  void hurry();
 
   // hmi::Handler, in the server's thread
   void opened(hmi::BrowserId browser) override;

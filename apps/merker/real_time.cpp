@@ -56,7 +56,8 @@ void endAtOnce() {
   std::_Exit(1);
 }
 
-void runRealTime(controller::Controller& station, SerialLink* link) {
+void runRealTime(controller::Controller& station, SerialLink* link,
+                 const std::function<void()>& slice) {
   const sigset_t signals = endSignals();
   Watchdog watchdog("merker run");
   const auto start = Clock::now();
@@ -72,11 +73,12 @@ void runRealTime(controller::Controller& station, SerialLink* link) {
     const Instant target =
         std::min(origin + elapsed(), station.now() + Duration::milliseconds(100));
     if (link != nullptr) link->exchange();
+    if (slice) slice();
     while (station.now() < target) {
       station.advanceTo(link == nullptr ? target : std::min(target, link->next()));
       if (link != nullptr && link->next() <= station.now()) link->exchange();
     }
-    if (station.mode() == controller::Mode::Stop) return;
+    if (!slice && station.mode() == controller::Mode::Stop) return;
   }
 }
 

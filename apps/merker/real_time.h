@@ -1,6 +1,8 @@
 // Virtual time tied to the wall clock.
 #pragma once
 
+#include <functional>
+
 #include "plc/controller.h"
 
 namespace merker::app {
@@ -18,7 +20,9 @@ bool endWaits();
 void releaseSignals();
 class SerialLink;
 // Lets the station run as fast as time passes, until one of these signals comes or the CPU is in
-// STOP. `link`: of its serial interface with the outside; null: none.
-void runRealTime(controller::Controller& station, SerialLink* link = nullptr);
+// STOP. `link`: of its serial interface with the outside; null: none. `slice`: in front of each
+// slice of time; with it somebody outside can start the CPU, so that its STOP is no end.
+void runRealTime(controller::Controller& station, SerialLink* link = nullptr,
+                 const std::function<void()>& slice = {});
 
 }  // namespace merker::app

@@ -11,12 +11,14 @@
 #include "command.h"
 #include "compilation/existence.h"
 #include "cpu_option.h"
+#include "cycle_end.h"
 #include "engine_option.h"
 #include "input.h"
 #include "operands.h"
 #include "plant/field.h"
 #include "plc/checked_start.h"
 #include "real_time.h"
+#include "s7_desk.h"
 #include "scenario/display.h"
 #include "scenario/duration.h"
 #include "scenario/trace.h"
@@ -166,35 +168,6 @@ int failed(const Problem& problem) {
   return kUnreadable;
 }
 
-// What happens at the end of each cycle: first it is kept on the card, then it is seen outside.
-class CycleEnd {
- public:
-  CycleEnd(store::MemoryCard* card, std::ofstream& file, bool realTime)
-      : file_(file), realTime_(realTime) {
-    if (card != nullptr) keeper_.emplace(*card);
-  }
-  void watch(const simulator::Watched& watched, const controller::Controller& plc) {
-    trace_.emplace(file_, watched, plc);
-  }
-  void operator()(controller::Controller& plc) {
-    if (keeper_ && !keeper_->save(plc)) return plc.stop();
-    if (!trace_) return;
-    trace_->sample(plc);
-    if (keeper_ || realTime_)
-      file_.flush();  // who reads along sees the cycle as soon as it is kept
-  }
-  bool needed() const { return keeper_ || trace_; }
-  const Problem* problem() const {
-    return keeper_ && keeper_->problem() ? &*keeper_->problem() : nullptr;
-  }
-
- private:
-  std::ofstream& file_;
-  bool realTime_;
-  std::optional<CardKeeper> keeper_;
-  std::optional<simulator::Trace> trace_;
-};
-
 std::optional<Problem> start(const Build& build, store::MemoryCard* card,
                              controller::Controller& plc) {
   if (card != nullptr) return switchOn(*card, build, plc);
@@ -237,13 +210,31 @@ int runServed(const RunOptions& options, const Build& build, const Operands& ope
   return conclude(options, build, operands, card, cycleEnd, *plc, true);
 }
 
+// In real time, with clients of S7 communication.
+void advanceServed(const Build& build, CycleEnd& cycleEnd, controller::Controller& plc,
+                   SerialLink* link, S7Desk& s7) {
+  const auto monitor = monitor::monitorOf(plc, build.project.symbols, build.resolver());
+  plc.onCycle([&, served = s7.cycleObserver(*monitor)](controller::Controller& moved) {
+    if (cycleEnd.needed()) cycleEnd(moved);
+    served(moved);
+  });
+  runRealTime(plc, link, [&] { s7.exchange(*monitor); });
+  plc.onCycle([&](controller::Controller& moved) { cycleEnd(moved); });
+}
+
 int runAlone(const RunOptions& options, const Build& build, const Operands& operands,
              std::optional<Duration> time, store::MemoryCard* card, CycleEnd& cycleEnd,
              controller::Controller& plc, SerialLink* link) {
   if (cycleEnd.needed()) plc.onCycle(std::ref(cycleEnd));
   const bool realTime = !time && !options.hasCycles;
   if (realTime) holdSignals();
-  advance(options, plc, time, link);
+  S7Desk s7;
+  // The loop in real time looks every few milliseconds by itself.
+  if (const int bad = s7.open("merker run", options.serve.s7, [] {})) return bad;
+  if (s7.isOpen())
+    advanceServed(build, cycleEnd, plc, link, s7);
+  else
+    advance(options, plc, time, link);
   return conclude(options, build, operands, card, cycleEnd, plc, realTime);
 }
 
@@ -337,6 +328,8 @@ int run(const RunOptions& options) {
     return wrongUsage("--trace and --watch must be used together");
   if (options.path.empty() && options.card.empty())
     return wrongUsage("PATH is missing; it is optional only with --card (program on the card)");
+  if (!options.serve.s7.place.empty() && (time || options.hasCycles))
+    return wrongUsage("--s7 needs real time: leave --for and --cycles out");
   if (options.copyRamToRom && options.card.empty())
     return wrongUsage("--copy-ram-to-rom needs --card");
   return options.path.empty() ? runFromCard(options, time) : runPath(options, time);

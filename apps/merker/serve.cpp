@@ -9,6 +9,7 @@
 #include "desk.h"
 #include "page.h"
 #include "real_time.h"
+#include "s7_desk.h"
 #include "serial_desk.h"
 
 namespace merker::app {
@@ -26,6 +27,7 @@ void addServe(CLI::App& command, ServeOptions& options) {
   command.add_option("--workspace", options.workspace,
                      "folder for projects of the workbench (merker in your home)");
   command.add_option("--examples", options.examples, "folder of the examples");
+  addS7(command, options.s7);
 }
 
 namespace {
@@ -85,10 +87,15 @@ int serve(const std::string& command, const ServeOptions& options, workbench::Wo
   workbench.use({workspaceFolder(options), examplesFolder(options), options.project});
   Watchdog watchdog(command);
   Desk desk(workbench, watchdog);
-  desk.eachSlice([&] { serial.exchange(); });
+  S7Desk s7;
+  desk.eachSlice([&] {
+    serial.exchange();
+    s7.exchange(workbench);
+  });
   workbench.serialBy([&] { return serial.outside(); });
   const auto server = hmi::Server::start(wanted, desk, reason);
   if (!server) return refused(command, reason, kUnreadable);
+  if (const int bad = s7.open(command, options.s7, [&] { desk.hurry(); })) return bad;
   (quiet ? std::cerr : std::cout) << "workbench: " << server->url() << '/'
                                   << (options.token.empty() ? "" : "?token=" + options.token)
                                   << "  (Ctrl-C ends it)" << std::endl;

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "s7_option.h"
 #include "server/server.h"
 #include "workbench/workbench.h"
 
@@ -18,6 +19,7 @@ struct ServeOptions {
   std::uint16_t port = 8080;
   std::string listen = "127.0.0.1", token, certificate, key, workspace, examples;
   std::string project;  // of the command line
+  S7Option s7;
 };
 
 void addServe(CLI::App& command, ServeOptions& options);

@@ -10,6 +10,7 @@
 #include "plc/checked_start.h"
 #include "plc/machine_code.h"
 #include "plc/ob1_alone.h"
+#include "plc/operand_memory.h"
 #include "plc/stop_screens.h"
 #include "softplc/plc.h"
 #include "softplc/sinumerik_model.h"
@@ -50,6 +51,7 @@ class Cnc final : public controller::Controller,
                   public controller::CheckedStart,
                   public controller::MachineCode,
                   public controller::Ob1Alone,
+                  public controller::OperandMemory,
                   public controller::StopScreens {
  public:
   explicit Cnc(Options options);
@@ -125,6 +127,8 @@ class Cnc final : public controller::Controller,
   // Data of the NC as digits with a point (nc/datum.h).
   std::optional<std::vector<std::uint8_t>> readBytes(const address::Reference& r) const override;
   bool writeBytes(const address::Reference& r, std::span<const std::uint8_t> digits) override;
+  // Data blocks as bytes, the left one of each word first.
+  void copyOperands(controller::OperandImage& image) const override;
 
   const std::vector<controller::DiagnosticEntry>& diagnostics() const override;
   const std::vector<controller::CheckResult>& checkResults() const override;

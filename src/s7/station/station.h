@@ -27,6 +27,7 @@
 #include "plc/hot_restart.h"
 #include "plc/machine_code.h"
 #include "plc/ob1_alone.h"
+#include "plc/operand_memory.h"
 #include "positioning/axis_values.h"
 #include "serial/serial_port.h"
 #include "station/block_cpu.h"
@@ -57,6 +58,7 @@ class Station final : public controller::Controller,
                       public controller::HotRestart,
                       public controller::MachineCode,
                       public controller::Ob1Alone,
+                      public controller::OperandMemory,
                       public plant::Field,
                       public positioning::AxisOwner,
                       public serial::SerialPort,
@@ -163,6 +165,7 @@ class Station final : public controller::Controller,
       const address::Reference& reference) const override;
   bool writeBytes(const address::Reference& reference,
                   std::span<const std::uint8_t> bytes) override;
+  void copyOperands(controller::OperandImage& image) const override;
 
   // The modules and their terminals, with station.now() as the time; null without a hardware
   // configuration. Changes reach the CPU at its next instruction boundary.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/bytes.h"
 #include "station/parts.h"
 #include "station/values.h"
 
@@ -67,6 +68,48 @@ bool Station::writeBytes(const address::Reference& reference, std::span<const st
   if (place.empty() || place.size() != bytes.size()) return false;
   std::copy(bytes.begin(), bytes.end(), place.begin());
   return true;
+}
+
+namespace {
+
+template <typename Cells, typename Word>
+void copyCells(const Cells& cells, std::vector<std::uint8_t>& bytes, Word word) {
+  bytes.resize(2 * cells.size());
+  std::uint8_t* at = bytes.data();
+  for (const auto& cell : cells) {
+    storeWord(at, word(cell));
+    at += 2;
+  }
+}
+
+void copyDataBlocks(const cpu::DataBlocks& blocks, controller::OperandImage& image) {
+  image.data.clear();
+  image.dataBlocks.clear();
+  for (std::size_t number = 1; number < blocks.all().size(); ++number) {
+    const cpu::DataBlock& block = blocks.all()[number];
+    if (!block.loaded) continue;
+    image.dataBlocks.push_back({static_cast<std::uint16_t>(number),
+                                static_cast<std::uint32_t>(image.data.size()),
+                                static_cast<std::uint32_t>(block.data.size())});
+    image.data.insert(image.data.end(), block.data.begin(), block.data.end());
+  }
+}
+
+}  // namespace
+
+void Station::copyOperands(controller::OperandImage& image) const {
+  const cpu::Machine& m = parts_->cpu.machine();
+  const auto area = [&](Area which, std::vector<std::uint8_t>& bytes) {
+    const std::uint8_t* const begin = m.image + m.areas.base(which);
+    bytes.assign(begin, begin + m.areas.length(which));
+  };
+  area(Area::Input, image.inputs);
+  area(Area::Output, image.outputs);
+  area(Area::Flag, image.flags);
+  const Instant now = parts_->cpu.state().programTime();
+  copyCells(m.timers, image.timers, [&](const cpu::S5Timer& timer) { return timer.s5time(now); });
+  copyCells(m.counters, image.counters, [](const cpu::S5Counter& one) { return one.bcd(); });
+  copyDataBlocks(m.dataBlocks, image);
 }
 
 std::string Station::whyMissing(const address::Reference& reference) const {

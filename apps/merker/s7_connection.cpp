@@ -1,0 +1,178 @@
+#include "s7_connection.h"
+
+#include <boost/asio/buffer.hpp>
+#include <boost/asio/write.hpp>
+
+namespace merker::app {
+namespace {
+
+// Of answers that wait for the client; beyond that nothing more is read from it.
+constexpr std::size_t kMostAnswers = 64 << 10;
+
+constexpr std::chrono::seconds kClientLimits[] = {
+    std::chrono::seconds(5),   // Request: of the transport connection
+    std::chrono::seconds(30),  // Setup
+    std::chrono::seconds(5),   // RestOfMessage
+    std::chrono::seconds(20),  // Reading what it has asked for
+};
+
+}  // namespace
+
+S7Connection::S7Connection(Socket socket, S7Surroundings& around)
+    : socket_(std::move(socket)), around_(around) {
+  boost::system::error_code ignored;
+  socket_.set_option(boost::asio::ip::tcp::no_delay(true), ignored);
+  // Who has vanished without a word is found by the operating system.
+  socket_.set_option(boost::asio::socket_base::keep_alive(true), ignored);
+}
+
+S7Connection::~S7Connection() { close(); }
+
+void S7Connection::begin() {
+  expect(true);
+  read();
+}
+
+void S7Connection::close() {
+  if (closed_) return;
+  closed_ = true;
+  boost::system::error_code ignored;
+  socket_.close(ignored);
+  if (!session_) return;
+  session_.reset();
+  around_.resources.release(resource_);
+  around_.exchange.closed();
+}
+
+void S7Connection::breakOff() {
+  ++around_.counts.broken;
+  close();
+}
+
+S7Connection::Expected S7Connection::expected() const {
+  if (!sending_.empty()) return Expected::Reading;
+  if (!transport_.open()) return Expected::Request;
+  if (session_ && !session_->isSetUp()) return Expected::Setup;
+  // Bytes that wait because it is this side that is busy are no fault of the client.
+  if (reading_ && transport_.unfinished()) return Expected::RestOfMessage;
+  return Expected::Nothing;
+}
+
+// `moved`: what was expected has come, at least a part that counts.
+void S7Connection::expect(bool moved) {
+  const Expected now = expected();
+  if (now == expected_ && !moved) return;
+  expected_ = now;
+  due_ = now == Expected::Nothing ? Clock::time_point::max()
+                                  : Clock::now() + kClientLimits[static_cast<std::size_t>(now)];
+}
+
+void S7Connection::read() {
+  if (reading_ || closed_) return;
+  reading_ = true;
+  socket_.async_read_some(
+      boost::asio::buffer(buffer_),
+      [self = shared_from_this()](boost::system::error_code error, std::size_t count) {
+        self->reading_ = false;
+        if (error) return self->close();
+        self->received(count);
+      });
+}
+
+void S7Connection::received(std::size_t count) {
+  if (closed_) return;
+  transport_.feed(iso::View(buffer_).first(count));
+  pump();
+}
+
+// As long as the session takes more and the client reads its answers. What is left stays where it
+// is; nothing more is read meanwhile.
+void S7Connection::pump() {
+  if (pumping_ || closed_ || ending_) return;
+  pumping_ = true;
+  bool moved = false, all = false;
+  while (!closed_ && !ending_ && out_.size() < kMostAnswers && !(session_ && session_->busy())) {
+    auto event = transport_.next();
+    all = !event;
+    if (all) break;
+    moved = true;
+    handle(*event);
+  }
+  pumping_ = false;
+  flush();
+  if (all && !closed_) read();
+  if (!closed_) expect(moved);
+}
+
+void S7Connection::handle(iso::Event& event) {
+  using Kind = iso::Event::Kind;
+  switch (event.kind) {
+    case Kind::Requested:
+      return requested(event.parameters);
+    case Kind::Message:
+      ++around_.counts.requests;
+      if (!session_->receive(event.message)) breakOff();
+      return;
+    case Kind::Violated:
+      ++around_.counts.broken;
+      out_.insert(out_.end(), event.answer.begin(), event.answer.end());
+      ending_ = true;
+      return;
+    case Kind::Confirmed:  // this side has asked nothing
+    case Kind::Disconnected:
+      return close();
+  }
+}
+
+void S7Connection::requested(const iso::ConnectParameters& parameters) {
+  resource_ = served::resourceOf(parameters.called);
+  if (!around_.resources.take(resource_)) {
+    ++around_.counts.refused;
+    out_ = transport_.refuse(iso::Reason::Congestion);
+    ending_ = true;
+    return;
+  }
+  ++around_.counts.connections;
+  around_.exchange.opened();
+  session_ = std::make_shared<s7comm::Session>(around_.exchange,
+                                               [weak = weak_from_this()](const iso::Bytes& pdu) {
+                                                 if (const auto self = weak.lock()) self->send(pdu);
+                                               });
+  session_->whenReady([weak = weak_from_this()] {
+    if (const auto self = weak.lock()) self->pump();
+  });
+  const iso::Bytes answer = transport_.confirm();
+  out_.insert(out_.end(), answer.begin(), answer.end());
+}
+
+void S7Connection::send(iso::View pdu) {
+  if (closed_) return;
+  transport_.write(out_, pdu);
+  if (!pumping_) flush();
+}
+
+void S7Connection::flush() {
+  if (closed_ || !sending_.empty()) return;
+  if (out_.empty()) {
+    if (ending_) close();
+    return;
+  }
+  sending_.swap(out_);
+  boost::asio::async_write(
+      socket_, boost::asio::buffer(sending_),
+      [self = shared_from_this()](boost::system::error_code error, std::size_t) {
+        if (error) return self->close();
+        self->sent();
+      });
+  expect(true);
+}
+
+void S7Connection::sent() {
+  sending_.clear();
+  flush();
+  if (closed_) return;
+  expect(true);
+  pump();
+}
+
+}  // namespace merker::app

@@ -1,0 +1,77 @@
+// A client of the S7 server: its socket, its transport connection, its session. Everything in the
+// thread of the server.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <boost/asio/ip/tcp.hpp>
+#include <chrono>
+#include <memory>
+
+#include "iso/transport.h"
+#include "s7comm/session.h"
+#include "served/exchange.h"
+#include "served/resources.h"
+
+namespace merker::app {
+
+// Since the server began.
+struct S7Counts {
+  std::atomic<std::uint64_t> connections = 0;  // that were confirmed
+  std::atomic<std::uint64_t> refused = 0;      // sockets and connection requests
+  std::atomic<std::uint64_t> broken = 0;       // ended because they broke the protocol or a limit
+  std::atomic<std::uint64_t> requests = 0;
+};
+
+// What all clients share; it outlives them.
+struct S7Surroundings {
+  served::Exchange exchange{};
+  served::Resources resources{};
+  S7Counts counts{};
+};
+
+class S7Connection : public std::enable_shared_from_this<S7Connection> {
+ public:
+  using Clock = std::chrono::steady_clock;
+  using Socket = boost::asio::ip::tcp::socket;
+
+  S7Connection(Socket socket, S7Surroundings& around);
+  ~S7Connection();
+  S7Connection(const S7Connection&) = delete;
+  S7Connection& operator=(const S7Connection&) = delete;
+
+  void begin();
+  bool closed() const { return closed_; }
+  // It took too long for what is expected of it.
+  bool overdue(Clock::time_point now) const { return now >= due_; }
+  void breakOff();
+  void close();
+
+ private:
+  // What is expected of the client.
+  enum class Expected : std::uint8_t { Request, Setup, RestOfMessage, Reading, Nothing };
+
+  void read();
+  void received(std::size_t count);
+  void pump();
+  void handle(iso::Event& event);
+  void requested(const iso::ConnectParameters& parameters);
+  void send(iso::View pdu);
+  void flush();
+  void sent();
+  void expect(bool moved);
+  Expected expected() const;
+
+  Socket socket_;
+  S7Surroundings& around_;
+  iso::Transport transport_{iso::Transport::Side::Called};
+  std::shared_ptr<s7comm::Session> session_;  // once it is connected
+  served::Resource resource_ = served::Resource::Basic;
+  std::array<std::uint8_t, 16'384> buffer_{};
+  iso::Bytes out_, sending_;
+  bool reading_ = false, pumping_ = false, ending_ = false, closed_ = false;
+  Expected expected_ = Expected::Nothing;
+  Clock::time_point due_ = Clock::time_point::max();
+};
+
+}  // namespace merker::app

@@ -1,0 +1,54 @@
+#include "s7_desk.h"
+
+#include <iostream>
+
+#include "command.h"
+
+namespace merker::app {
+
+int S7Desk::open(const std::string& command, const S7Option& option, std::function<void()> wake) {
+  if (option.place.empty()) return kGood;
+  std::string reason;
+  const auto place = s7Place(option, reason);
+  if (place) server_ = S7Server::start(*place, std::move(wake), reason);
+  if (!server_) {
+    std::cerr << command << ": " << reason << '\n';
+    return place ? kUnreadable : kUsage;
+  }
+  std::cerr << "S7 communication: " << server_->place() << std::endl;
+  if (const std::string warning = server_->warning(); !warning.empty())
+    std::cerr << command << ": warning: " << warning << std::endl;
+  return kGood;
+}
+
+S7Desk::~S7Desk() {
+  if (server_) std::cerr << "S7 communication: " << server_->summary() << std::endl;
+}
+
+void S7Desk::follow(workbench::Workbench& workbench) {
+  shown_ = workbench.shown();
+  server_->exchange().forget();
+  workbench::Plc* const plc = workbench.plc();
+  if (plc == nullptr) return;
+  plc->onCycle(cycleObserver(plc->monitor()));
+}
+
+void S7Desk::exchange(workbench::Workbench& workbench) {
+  if (!server_) return;
+  if (workbench.shown() != shown_) follow(workbench);
+  workbench::Plc* const plc = workbench.plc();
+  server_->exchange().look(plc == nullptr ? nullptr : &plc->monitor());
+}
+
+void S7Desk::exchange(monitor::Monitor& monitor) {
+  if (server_) server_->exchange().look(&monitor);
+}
+
+std::function<void(controller::Controller&)> S7Desk::cycleObserver(
+    monitor::Monitor& monitor) const {
+  return [server = std::weak_ptr(server_), &monitor](controller::Controller&) {
+    if (const auto there = server.lock()) there->exchange().cycleEnded(monitor);
+  };
+}
+
+}  // namespace merker::app

@@ -1,0 +1,33 @@
+// The S7 server and the PLC that it serves: the one that the workbench shows, or the one of a run
+// without it.
+#pragma once
+
+#include "s7_server.h"
+#include "workbench/workbench.h"
+
+namespace merker::app {
+
+class S7Desk {
+ public:
+  // Nothing without the option. The exit code; what is wrong is told.
+  int open(const std::string& command, const S7Option& option, std::function<void()> wake);
+  bool isOpen() const { return server_ != nullptr; }
+  S7Desk() = default;
+  ~S7Desk();
+  S7Desk(const S7Desk&) = delete;
+  S7Desk& operator=(const S7Desk&) = delete;
+
+  // In front of each slice of time.
+  void exchange(workbench::Workbench& workbench);
+  void exchange(monitor::Monitor& monitor);
+  // For each end of a cycle of this PLC; it may be called when the server has gone.
+  std::function<void(controller::Controller&)> cycleObserver(monitor::Monitor& monitor) const;
+
+ private:
+  void follow(workbench::Workbench& workbench);
+
+  std::shared_ptr<S7Server> server_;
+  std::uint64_t shown_ = UINT64_MAX;
+};
+
+}  // namespace merker::app

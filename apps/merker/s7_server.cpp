@@ -1,0 +1,138 @@
+#include "s7_server.h"
+
+#include <fmt/format.h>
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <set>
+#include <thread>
+
+#include "server/guard.h"
+
+namespace merker::app {
+
+namespace net = boost::asio;
+using net::ip::tcp;
+
+namespace {
+
+// Sockets at the same time: the connections of a CPU, and some that have not asked for one yet.
+constexpr std::size_t kMostSockets = 64;
+constexpr std::chrono::milliseconds kBetweenChecks(250);
+
+std::string plural(std::uint64_t count, const char* what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+// The clients go before what they share, and the calls that wait for the thread with them.
+struct S7Server::Parts {
+  explicit Parts(S7Place wanted) : place(std::move(wanted)) {}
+
+  S7Place place;
+  S7Surroundings around;
+  net::io_context context{1};
+  tcp::acceptor acceptor{context};
+  net::steady_timer timer{context};
+  std::set<std::shared_ptr<S7Connection>> clients;
+  std::thread thread;
+
+  bool listen(std::string& reason);
+  void accept();
+  void take(tcp::socket socket);
+  void check();
+};
+
+bool S7Server::Parts::listen(std::string& reason) {
+  boost::system::error_code error;
+  const tcp::endpoint endpoint(net::ip::make_address(place.address), place.port);
+  acceptor.open(endpoint.protocol(), error);
+  if (!error) acceptor.set_option(tcp::acceptor::reuse_address(true), error);
+  if (!error) acceptor.bind(endpoint, error);
+  if (!error) acceptor.listen(tcp::acceptor::max_listen_connections, error);
+  if (!error) place.port = acceptor.local_endpoint(error).port();
+  if (error)
+    reason = fmt::format("--s7: port {} of {} cannot be used: {}", place.port, place.address,
+                         error.message());
+  return !error;
+}
+
+void S7Server::Parts::accept() {
+  acceptor.async_accept([this](boost::system::error_code error, tcp::socket socket) {
+    if (error == net::error::operation_aborted) return;
+    if (!error) take(std::move(socket));
+    accept();
+  });
+}
+
+void S7Server::Parts::take(tcp::socket socket) {
+  std::erase_if(clients, [](const auto& client) { return client->closed(); });
+  if (clients.size() >= kMostSockets) {
+    ++around.counts.refused;
+    return;
+  }
+  const auto client = std::make_shared<S7Connection>(std::move(socket), around);
+  clients.insert(client);
+  client->begin();
+}
+
+// Time limits, and those that have gone.
+void S7Server::Parts::check() {
+  timer.expires_after(kBetweenChecks);
+  timer.async_wait([this](boost::system::error_code error) {
+    if (error) return;
+    const auto now = S7Connection::Clock::now();
+    for (const auto& client : clients)
+      if (!client->closed() && client->overdue(now)) client->breakOff();
+    std::erase_if(clients, [](const auto& client) { return client->closed(); });
+    check();
+  });
+}
+
+std::unique_ptr<S7Server> S7Server::start(const S7Place& place, std::function<void()> wake,
+                                          std::string& reason) {
+  auto parts = std::make_unique<Parts>(place);
+  if (!parts->listen(reason)) return nullptr;
+  parts->around.exchange.connectBy(
+      [context = &parts->context](served::Exchange::Call call) {
+        net::post(*context, std::move(call));
+      },
+      std::move(wake));
+  parts->accept();
+  parts->check();
+  parts->thread = std::thread([context = &parts->context] { context->run(); });
+  return std::unique_ptr<S7Server>(new S7Server(std::move(parts)));
+}
+
+S7Server::S7Server(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+
+S7Server::~S7Server() {
+  parts_->context.stop();
+  parts_->thread.join();
+  for (const auto& client : parts_->clients) client->close();
+}
+
+served::Exchange& S7Server::exchange() { return parts_->around.exchange; }
+
+std::string S7Server::place() const {
+  const bool six = parts_->place.address.find(':') != std::string::npos;
+  return fmt::format("{}{}{}:{}", six ? "[" : "", parts_->place.address, six ? "]" : "",
+                     parts_->place.port);
+}
+
+std::string S7Server::summary() const {
+  const S7Counts& counts = parts_->around.counts;
+  return fmt::format("{}, {} refused, {} broken off, {}", plural(counts.connections, "connection"),
+                     counts.refused.load(), counts.broken.load(),
+                     plural(counts.requests, "request"));
+}
+
+std::string S7Server::warning() const {
+  if (hmi::isLocalAddress(parts_->place.address)) return {};
+  return "S7 communication has no encryption: whoever reaches " + place() +
+         " can read and change this PLC";
+}
+
+}  // namespace merker::app

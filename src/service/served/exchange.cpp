@@ -1,0 +1,150 @@
+#include "served/exchange.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "plc/capability.h"
+#include "served/values.h"
+
+namespace merker::served {
+namespace {
+
+using s7comm::ItemCode;
+using s7comm::Range;
+using s7comm::Value;
+using s7comm::Write;
+
+// A cycle or a startup that does not end for so long refuses what waits for its end.
+constexpr Duration kLongestWait = Duration::seconds(5);
+
+bool allCopied(const std::vector<Range>& ranges) { return std::ranges::all_of(ranges, isCopied); }
+
+std::vector<Value> valuesOf(const controller::OperandImage& image,
+                            const std::vector<Range>& ranges) {
+  std::vector<Value> values;
+  values.reserve(ranges.size());
+  for (const Range& range : ranges) values.push_back(valueOf(image, range));
+  return values;
+}
+
+std::vector<Value> valuesNow(const controller::Controller& plc, const std::vector<Range>& ranges) {
+  controller::OperandImage image;
+  if (const auto* memory = controller::capability<controller::OperandMemory>(plc))
+    memory->copyOperands(image);
+  std::vector<Value> values;
+  for (const Range& range : ranges)
+    values.push_back(isCopied(range) ? valueOf(image, range) : peripheralValue(plc, range));
+  return values;
+}
+
+}  // namespace
+
+void Exchange::connectBy(std::function<void(Call)> post, Call wake) {
+  post_ = std::move(post);
+  wake_ = std::move(wake);
+}
+
+void Exchange::opened() {
+  ++connections_;
+  wake_();
+}
+
+// The next one to connect gets no old values.
+void Exchange::closed() {
+  if (--connections_ > 0) return;
+  const std::lock_guard lock(mutex_);
+  image_.reset();
+}
+
+std::shared_ptr<const Exchange::Image> Exchange::image() const {
+  const std::lock_guard lock(mutex_);
+  return image_;
+}
+
+void Exchange::order(Order order) {
+  {
+    const std::lock_guard lock(mutex_);
+    orders_.push_back(std::move(order));
+    ordered_ = true;
+  }
+  wake_();
+}
+
+void Exchange::read(const std::vector<Range>& ranges, ReadDone done) {
+  if (const auto copy = image(); copy && allCopied(ranges)) return done(valuesOf(*copy, ranges));
+  order([ranges, done = std::move(done)](monitor::Monitor* monitor) -> Call {
+    std::vector<Value> values(ranges.size(), {ItemCode::HardwareFault, {}});
+    if (monitor != nullptr) values = valuesNow(monitor->plc(), ranges);
+    return [values = std::move(values), done] { done(values); };
+  });
+}
+
+void Exchange::write(std::vector<Write> writes, WriteDone done) {
+  order([writes = std::move(writes), done = std::move(done)](monitor::Monitor* monitor) -> Call {
+    std::vector<ItemCode> codes(writes.size(), ItemCode::HardwareFault);
+    for (std::size_t i = 0; monitor != nullptr && i < writes.size(); ++i)
+      codes[i] = put(*monitor, writes[i]);
+    return [codes = std::move(codes), done] { done(codes); };
+  });
+}
+
+// Orders first: who is told that its value was written reads it then.
+void Exchange::cycleEnded(monitor::Monitor& monitor) {
+  if (connections_ == 0) return;
+  carryOut(&monitor);
+  publish(monitor.plc());
+}
+
+void Exchange::carryOut(monitor::Monitor* monitor) {
+  waitingSince_ = Instant::never();
+  if (!ordered_.exchange(false)) return;
+  std::deque<Order> orders;
+  {
+    const std::lock_guard lock(mutex_);
+    orders.swap(orders_);
+  }
+  std::vector<Call> answers;
+  for (const Order& order : orders) answers.push_back(order(monitor));
+  if (monitor != nullptr) publish(monitor->plc());
+  for (Call& answer : answers) post_(std::move(answer));
+}
+
+// A copy that nobody reads any more is the place of the next one.
+void Exchange::publish(const controller::Controller& plc) {
+  const auto* const memory = controller::capability<controller::OperandMemory>(plc);
+  if (memory == nullptr) return;
+  if (!spare_ || spare_.use_count() > 1) spare_ = std::make_shared<Image>();
+  std::atomic_thread_fence(std::memory_order_acquire);  // what its last reader did is over
+  memory->copyOperands(*spare_);
+  const std::lock_guard lock(mutex_);
+  if (connections_ > 0) image_.swap(spare_);
+}
+
+// STOP, HALT, or time that somebody holds.
+bool Exchange::stands(const controller::Controller& plc) {
+  using controller::Mode;
+  const Mode mode = plc.mode();
+  const bool held = plc.now() == std::exchange(lastLook_, plc.now());
+  return held || mode == Mode::Stop || mode == Mode::Halt;
+}
+
+void Exchange::look(monitor::Monitor* monitor) {
+  if (connections_ == 0) return;
+  if (monitor == nullptr) {
+    carryOut(nullptr);
+    return forget();
+  }
+  const controller::Controller& plc = std::as_const(*monitor).plc();
+  if (stands(plc)) return cycleEnded(*monitor);
+  if (!ordered_) return;
+  if (waitingSince_ == Instant::never()) waitingSince_ = plc.now();
+  if (plc.now() - waitingSince_ > kLongestWait) carryOut(nullptr);
+}
+
+void Exchange::forget() {
+  lastLook_ = waitingSince_ = Instant::never();
+  const std::lock_guard lock(mutex_);
+  image_.reset();
+}
+
+}  // namespace merker::served

@@ -1,0 +1,65 @@
+// Where the thread of the connections and that of the PLC meet. Reads are answered from a copy of
+// the last cycle's end; what changes the PLC, or needs it, is an order that the PLC's thread
+// carries out at the end of a cycle, or at once while no cycle runs. The answer goes back to the
+// thread of the connections.
+#pragma once
+
+#include <atomic>
+#include <deque>
+#include <memory>
+#include <mutex>
+
+#include "monitor/monitor.h"
+#include "plc/operand_memory.h"
+#include "s7comm/plc.h"
+
+namespace merker::served {
+
+class Exchange final : public s7comm::Plc {
+ public:
+  using Call = std::function<void()>;
+
+  // `post` carries a call into the thread of the connections; `wake` tells that of the PLC that
+  // there are orders. Before anybody connects.
+  void connectBy(std::function<void(Call)> post, Call wake);
+
+  // In the thread of the connections.
+  void opened();
+  void closed();
+  void read(const std::vector<s7comm::Range>& ranges, ReadDone done) override;
+  void write(std::vector<s7comm::Write> writes, WriteDone done) override;
+
+  // In the thread of the PLC. At each end of a cycle:
+  void cycleEnded(monitor::Monitor& monitor);
+  // In front of each slice of time: where no cycle will end, what waits is done now. Null: there is
+  // no PLC.
+  void look(monitor::Monitor* monitor);
+  // Another PLC is there from now on.
+  void forget();
+
+ private:
+  // Null: it cannot be carried out. What it returns is called in the thread of the connections.
+  using Order = std::function<Call(monitor::Monitor*)>;
+  using Image = controller::OperandImage;
+
+  void order(Order order);
+  void carryOut(monitor::Monitor* monitor);
+  void publish(const controller::Controller& plc);
+  bool stands(const controller::Controller& plc);
+  std::shared_ptr<const Image> image() const;
+
+  std::function<void(Call)> post_ = [](const Call& call) { call(); };
+  Call wake_ = [] {};
+  std::atomic<unsigned> connections_ = 0;
+  std::atomic<bool> ordered_ = false;
+
+  mutable std::mutex mutex_;  // of what follows
+  std::shared_ptr<Image> image_;
+  std::deque<Order> orders_;
+
+  // of the thread of the PLC
+  std::shared_ptr<Image> spare_;
+  Instant lastLook_ = Instant::never(), waitingSince_ = Instant::never();
+};
+
+}  // namespace merker::served

@@ -1,0 +1,100 @@
+"""A client of S7 communication made of bytes, and the program that it calls."""
+import os
+import re
+import signal
+import socket
+import struct
+import subprocess
+import time
+
+from harness import *
+
+CONNECT = bytes.fromhex("0300001611E00000000500C0010AC1020100C2020102")
+SETUP = "32 01 00 00 00 01 00 08 00 00 F0 00 00 08 00 08 01 E0"
+BYTE, WORD, BIT = 2, 4, 1
+INPUTS, OUTPUTS, FLAGS, DATA_AREA, TIMERS = 0x81, 0x82, 0x83, 0x84, 0x1D
+
+
+class Client:
+    """One connection. `kind`: first byte of the called TSAP: 1 PG, 2 OP, 3 others."""
+    def __init__(self, port, kind=1, setup=True):
+        self.socket = socket.create_connection(("127.0.0.1", port), timeout=20)
+        self.number = 1
+        self.socket.sendall(CONNECT[:-2] + bytes([kind, 2]))
+        self.confirmed = self.tpdu()[1:2] == b"\xD0"
+        if self.confirmed and setup:
+            self.pdu = struct.unpack(">H", self.ask(SETUP)[-2:])[0]
+
+    def some(self, count):
+        data = b""
+        while len(data) < count:
+            more = self.socket.recv(count - len(data))
+            if not more:
+                raise ConnectionError("the server has closed the connection")
+            data += more
+        return data
+
+    def tpdu(self):
+        return self.some(struct.unpack(">H", self.some(4)[2:])[0] - 4)
+
+    def send(self, pdu):
+        pdu = bytes.fromhex(pdu) if isinstance(pdu, str) else pdu
+        self.socket.sendall(struct.pack(">BBH", 3, 0, len(pdu) + 7) + b"\x02\xF0\x80" + pdu)
+
+    def hear(self):
+        return self.tpdu()[3:]
+
+    def ask(self, pdu):
+        self.send(pdu)
+        return self.hear()
+
+    def item(self, area, address, count, size, block):
+        address = address if area == TIMERS else address * 8
+        return struct.pack(">BBBBHHI", 0x12, 10, 0x10, size, count, block, area << 24 | int(address))
+
+    def job(self, function, item, data=b""):
+        self.number += 1
+        return struct.pack(">BBHHHHBB", 0x32, 1, 0, self.number, 2 + len(item), len(data), function, 1) + item + data
+
+    def read(self, area, address, count=1, size=BYTE, block=0):
+        """The bytes, or the code of the item."""
+        answer = self.ask(self.job(4, self.item(area, address, count, size, block)))
+        return answer[18:] if answer[14] == 0xFF else answer[14]
+
+    def write(self, area, address, value, size=BYTE, block=0):
+        """The code of the item."""
+        unit, length = (3, 1) if size == BIT else (4, 8 * len(value))
+        count = len(value) // (2 if size == WORD else 1)
+        item = self.item(area, address, count, size, block)
+        return self.ask(self.job(5, item, struct.pack(">BBH", 0, unit, length) + value))[14]
+
+    def close(self):
+        self.socket.close()
+
+
+class S7Case(Case):
+    def start(self, path="a.awl", *more):
+        command = [os.environ["MERKER"], "run", path, "--s7", "0", *more]
+        process = subprocess.Popen(command, cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.addCleanup(lambda: (process.kill(), process.communicate()))
+        first = process.stderr.readline()
+        self.port = int(re.fullmatch(r"S7 communication: 127\.0\.0\.1:(\d+)\n", first).group(1))
+        return process
+
+    def client(self, *arguments, **more):
+        client = Client(self.port, *arguments, **more)
+        self.addCleanup(client.close)
+        return client
+
+    def end(self, process):
+        """What is said of the connections at the end."""
+        process.send_signal(signal.SIGINT)
+        _, told = process.communicate(timeout=20)
+        self.code = process.returncode
+        return re.search(r"S7 communication: (.*)\n", told).group(1)
+
+    def until(self, true, seconds=20):
+        end = time.monotonic() + seconds
+        while not true():
+            self.assertLess(time.monotonic(), end)
+            time.sleep(0.01)

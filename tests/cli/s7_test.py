@@ -1,0 +1,168 @@
+"""S7 communication with the built program: values of both families, connections, what clients do to harm."""
+import os
+import random
+
+from s7_client import *
+
+LISTING = "DB 5\n 0: KH = 0102\nOB 1\n U E 0.0\n = A 0.0\n L MB 110\n L KF +1\n +F\n T MB 110\n BE\n"
+
+
+class Values(S7Case):
+    # S7-NET-26: MW 20 counts cycles, DB 1 begins with 5 and 1.5.
+    def served(self, *more):
+        self.write("a.awl", PROGRAM + DATA)
+        process = self.start("a.awl", *more)
+        client = self.client()
+        self.assertEqual(client.pdu, 240)
+        self.assertEqual(client.read(DATA_AREA, 0, 6, BYTE, 1).hex(), "00053fc00000")
+        self.assertEqual(client.write(DATA_AREA, 0, b"\x12\x34", WORD, 1), 0xFF)
+        self.assertEqual(client.read(DATA_AREA, 0, 1, WORD, 1).hex(), "1234")
+        self.assertEqual(client.read(DATA_AREA, 0, 1, WORD, 7), 0x0A)
+        self.assertEqual(client.read(FLAGS, 4000), 0x05)
+        before = client.read(FLAGS, 20, 1, WORD)
+        self.until(lambda: client.read(FLAGS, 20, 1, WORD) != before)
+        self.assertEqual(client.write(INPUTS, 0, b"\x01", BIT), 0xFF)
+        self.until(lambda: client.read(OUTPUTS, 0) == b"\x03")  # A 0.1: two seconds later
+        client.close()
+        self.assertRegex(self.end(process), r"^1 connection, 0 refused, 0 broken off, \d+ requests$")
+        self.assertEqual(self.code, GOOD)
+
+    def test_without_workbench(self):
+        self.served("--no-workbench")
+
+    def test_with_workbench(self):
+        self.served("--port", "0")
+
+    # In STOP values are still there, and the program does not end.
+    def test_a_fault_stops_the_plc_and_not_the_server(self):
+        self.write("a.awl", PROGRAM)
+        process = self.start("a.awl", "--no-workbench")
+        client = self.client()
+        client.write(INPUTS, 0, b"\x80")
+        old = b""
+        def stands():
+            nonlocal old
+            last, old = old, client.read(FLAGS, 20, 1, WORD)
+            time.sleep(0.05)
+            return last == old
+        self.until(stands)
+        self.assertEqual(client.write(FLAGS, 30, b"\x55"), 0xFF)
+        self.assertEqual(client.read(FLAGS, 30), b"\x55")
+        self.end(process)
+        self.assertEqual(self.code, FAULT)
+
+    def test_a_sinumerik(self):
+        self.write("a.s5", LISTING)
+        process = self.start("a.s5", "--no-workbench")
+        client = self.client()
+        self.assertEqual(client.read(DATA_AREA, 0, 2, BYTE, 5).hex(), "0102")
+        self.assertEqual(client.write(DATA_AREA, 1, b"\x77", BYTE, 5), 0xFF)
+        self.assertEqual(client.read(DATA_AREA, 0, 1, WORD, 5).hex(), "0177")
+        before = client.read(FLAGS, 110)
+        self.until(lambda: client.read(FLAGS, 110) != before)
+        self.end(process)
+
+
+class Places(S7Case):
+    def test_wrong_places(self):
+        self.write("a.awl", PROGRAM)
+        for place in ("x", "70000", "-1", "127.0.0.1:", "nowhere:102", "1.2.3:4"):
+            self.assertIn(f"'{place}' is not a valid place", self.expect(USAGE, "run", "a.awl", "--s7", place).err)
+        self.assertIn("--s7 needs real time", self.expect(USAGE, "run", "a.awl", "--s7", "0", "--for", "1s").err)
+        with socket.create_server(("127.0.0.1", 0)) as other:
+            port = other.getsockname()[1]
+            said = self.expect(UNREADABLE, "run", "a.awl", "--no-workbench", "--s7", str(port)).err
+        self.assertIn(f"--s7: port {port} of 127.0.0.1 cannot be used", said)
+
+    def test_only_a_wish_opens_it_to_others_and_that_is_said(self):
+        self.write("a.awl", PROGRAM)
+        command = [os.environ["MERKER"], "run", "a.awl", "--no-workbench", "--s7", "0.0.0.0:0"]
+        process = subprocess.Popen(command, cwd=self.folder, stderr=subprocess.PIPE, text=True)
+        self.addCleanup(lambda: (process.kill(), process.communicate()))
+        self.assertIn("0.0.0.0:", process.stderr.readline())
+        self.assertIn("warning: S7 communication has no encryption", process.stderr.readline())
+
+
+class Hostile(S7Case):
+    def setUp(self):
+        super().setUp()
+        self.write("a.awl", PROGRAM)
+        self.process = self.start("a.awl", "--no-workbench")
+
+    def memory(self):
+        """Resident bytes."""
+        return int(pathlib.Path(f"/proc/{self.process.pid}/statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE")
+
+    def well(self):
+        """A well-behaved client is served, and the PLC works."""
+        client = self.client()
+        before = client.read(FLAGS, 20, 1, WORD)
+        self.until(lambda: client.read(FLAGS, 20, 1, WORD) != before)
+        client.close()
+
+    # S7-LIM-05
+    def test_the_thirteenth_connection_is_refused(self):
+        clients = [self.client(kind) for kind in [1, 2] + 10 * [3]]
+        self.assertTrue(all(client.confirmed for client in clients))
+        for kind in (1, 2, 3):
+            self.assertFalse(self.client(kind).confirmed)
+        clients[3].close()
+        self.until(lambda: self.client(3).confirmed)
+        self.assertRegex(self.end(self.process), r"^13 connections, [3-9]\d* refused, ")
+
+    def test_a_client_that_never_reads(self):
+        before = self.memory()
+        for _ in range(3):
+            client = self.client(3)
+            request = client.job(4, client.item(FLAGS, 0, 200, BYTE, 0))
+            frame = struct.pack(">BBH", 3, 0, len(request) + 7) + b"\x02\xF0\x80" + request
+            client.socket.settimeout(1)
+            with self.assertRaises(TimeoutError):
+                while True:
+                    client.socket.sendall(100 * frame)
+        self.well()
+        self.assertLess(self.memory(), before + (16 << 20))
+
+    def test_counts_that_are_too_large(self):
+        client = self.client()
+        for size in (BYTE, WORD, 8):
+            self.assertEqual(client.ask(client.job(4, client.item(DATA_AREA, 0, 0xFFFF, size, 1)))[10:12].hex(),
+                             "8500" if size == BYTE else "0000")
+        self.assertEqual(client.read(FLAGS, 0, 2).hex(), "0000")
+
+    def test_half_open_connections(self):
+        idle = [socket.create_connection(("127.0.0.1", self.port), timeout=20) for _ in range(20)]
+        half = self.client(3)
+        half.socket.sendall(bytes.fromhex("0300001F02F080"))
+        for one in idle:
+            self.assertEqual(one.recv(1), b"")
+            one.close()
+        self.assertEqual(half.socket.recv(1), b"")
+        self.well()
+        self.assertRegex(self.end(self.process), "^2 connections, 0 refused, 21 broken off")
+
+    def test_storms_and_noise(self):
+        before, noise = self.memory(), random.Random(20)
+        reset = struct.pack("ii", 1, 0)
+        for number in range(200):
+            client = socket.create_connection(("127.0.0.1", self.port), timeout=20)
+            if number % 3:
+                client.sendall(CONNECT + noise.randbytes(noise.randrange(400)))
+            if number % 2:
+                client.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, reset)
+            client.close()
+        for _ in range(50):
+            client = self.client(3)
+            client.send(b"\x32" + noise.randbytes(noise.randrange(300)))
+            client.close()
+        self.well()
+        self.assertLess(self.memory(), before + (16 << 20))
+
+    def test_no_s7_at_all(self):
+        with socket.create_connection(("127.0.0.1", self.port), timeout=20) as client:
+            client.sendall(b"GET / HTTP/1.1\r\nHost: localhost\r\n\r\n")
+            try:
+                self.assertEqual(client.recv(100), b"")
+            except ConnectionResetError:
+                pass
+        self.well()
