@@ -53,3 +53,35 @@ test('what cannot be there is refused with a sentence, and nothing changes', asy
   assert.equal(await text(page), before);
   await inside();
 });
+
+async function drag(from, to) {
+  const middle = async (locator) => {
+    const { x, y, width, height } = await locator.boundingBox();
+    return [x + width / 2, y + height / 2];
+  };
+  await page.mouse.move(...(await middle(from)));
+  await page.mouse.down();
+  await page.mouse.move(...(await middle(to)), { steps: 5 });
+  await page.mouse.up();
+}
+
+test('an element is moved with the mouse, also behind a group of branches', async () => {
+  await drawn('kop', OF(['U E 0.0;', 'O E 0.1;', '= A 1.0;'], 'NETWORK\n      U     E 1.0;\n      U     E 1.1;\n      =     A 1.1;\n'));
+  await drag(at('Schließerkontakt E 1.1'), at('Leitung hinter den Zweigen'));
+  await expect(statements, 'U(; O E 0.0; O E 0.1; ); U E 1.1; = A 1.0; U E 1.0; = A 1.1;');
+  await inside();
+});
+
+test('a network is moved by its title', async () => {
+  await drawn('kop', TWO);
+  await drag(network(1).locator('[data-head]'), network(2).locator('[data-head]'));
+  await expect(() => elements(1), 'Schließerkontakt E 1.0 | Spule =, A 1.1');
+  await expect(() => elements(2), 'Schließerkontakt E 0.0 | Schließerkontakt E 0.1 | Spule =, A 1.0');
+});
+
+test('a mark behind the branches takes the next contact', async () => {
+  await drawn('kop', OF(['U E 0.0;', 'O E 0.1;', '= A 1.0;']));
+  await at('Leitung hinter den Zweigen').click();
+  await press('F2', ...'E 0.7', 'Enter');
+  await expect(statements, 'U(; O E 0.0; O E 0.1; ); U E 0.7; = A 1.0;');
+});

@@ -11,7 +11,7 @@ export function networksOf(page) {
   const press = async (...keys) => { for (const key of keys) await page.keyboard.press(key); };
   const network = (number = 1) => page.locator(`[data-network="${number}"]`);
   const field = () => page.getByRole('combobox').and(page.locator('.networks input'));
-  const elements = (number = 1) => network(number).getByRole('button').and(page.locator('[data-node]'))
+  const elements = (number = 1) => network(number).getByRole('button').and(page.locator('[data-node]:not(.junction)'))
     .evaluateAll((all) => all.map((one) => one.getAttribute('aria-label')).join(' | '));
   const statements = async () => (await text(page)).split('\n').filter((line) => line.endsWith(';')).map((line) => line.trim().replace(/\s+/g, ' ')).join(' ');
   const inside = () => until(() => page.evaluate(() => document.activeElement?.closest('.networks') !== null), 'the keyboard in the networks');

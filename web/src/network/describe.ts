@@ -20,6 +20,7 @@ export function describe(item: Item, view: View, items: readonly Item[]): string
     if (name === 'NOT') return t('not');
     return t(name === '/' ? 'closer' : 'contact', { operand });
   }
+  if (kind === 'wire') return t('junction');
   if (kind === 'coil') return t('coil', { name: name.trim() || '=', operand });
   if (kind === 'frame') {
     if (item.operand !== undefined && outputs.test(name.trim())) return t('output', { name: name.trim(), operand });

@@ -8,7 +8,7 @@ import { workspace } from '../editor/workspace.svelte';
 import { attempt } from '../state/messages.svelte';
 import { nextPin } from './boxes';
 import { elementAt } from './element_at';
-import { inOrder, itemsOf, nextMissing, NO_PIN, same, type Direction, type Item, type Place } from './items';
+import { inOrder, itemAt, itemsOf, nextMissing, NO_PIN, same, type Direction, type Item, type Place } from './items';
 import { placed, type Change, type Edited } from './keys';
 import type { NetworkViewProps } from './network_view';
 import { Networks, type Wanted } from './networks.svelte';
@@ -42,7 +42,7 @@ export class Editing {
     return this.picture ? itemsOf(this.picture.shapes) : [];
   }
   get current(): Item | null {
-    return this.items.find((item) => same(item, this.selected)) ?? null;
+    return this.picture ? itemAt(this.picture.shapes, this.selected) : null;
   }
   /** Of what the server says. */
   get language() {
@@ -63,7 +63,7 @@ export class Editing {
     const at = this.networks.at(line);
     if (!at || this.turn.busy) return;
     const items = itemsOf(at.shapes);
-    const here = at.number === this.chosen && this.selected && items.find((item) => same(item, this.selected));
+    const here = at.number === this.chosen && itemAt(at.shapes, this.selected);
     if (here && at.line + here.line === line) return;
     const found = items.find((item) => at.line + item.line === line && item.kind !== 'field');
     if (at.number === this.chosen && !found) return;

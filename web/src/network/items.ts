@@ -99,6 +99,21 @@ function operandAbove(text: NetworkShape | undefined, rect: Rect): Pick<Item, 'r
   return { rect: around(rect, place), operand: written(text), field: OWN, place };
 }
 
+/** The wires where branches end, one a group: what is put there stands behind it. */
+export function junctionsOf(shapes: readonly NetworkShape[]): Item[] {
+  const wires = shapes.filter(({ kind, node }) => kind === 'wire' && node !== undefined).sort((a, b) => a.w - b.w);
+  const widest = new Map(wires.map((wire) => [`${wire.node} ${wire.first}`, wire]));
+  const nothing = { operand: undefined, field: NO_PIN, value: undefined, bcd: false, type: undefined, name: '' };
+  return [...widest.values()].map((wire) => {
+    const { node = -1, first = -1, line = 0, kind } = wire;
+    const rect = rectOf(wire);
+    return { ...nothing, node, pin: NO_PIN, first, kind, rect, line, place: rect };
+  });
+}
+
+export const itemAt = (shapes: readonly NetworkShape[], place: Place | null): Item | null =>
+  [...itemsOf(shapes), ...junctionsOf(shapes)].find((item) => same(item, place)) ?? null;
+
 const within = ({ x, y, w, h }: NetworkShape, at: NetworkShape): boolean =>
   at.kind === 'text' && at.x >= x && at.x + at.w <= x + w && at.y >= y && at.y < y + h;
 

@@ -36,6 +36,7 @@ export const networks = {
   contact: ['Schließerkontakt {operand}', 'Normally open contact {operand}'],
   closer: ['Öffnerkontakt {operand}', 'Normally closed contact {operand}'],
   not: ['Negation', 'Negation'],
+  junction: ['Leitung hinter den Zweigen', 'Wire behind the branches'],
   coil: ['Spule {name}, {operand}', 'Coil {name}, {operand}'],
   box: ['Box {name}', 'Box {name}'],
   input: ['Eingang {operand}', 'Input {operand}'],
