@@ -102,6 +102,7 @@ class NetworkRow {
     if (shape.ends != graph::Ends::AtEdges) row["ends"] = word(kEnds, shape.ends);
     if (shape.of.node >= 0) name(row, shape);
     if (shape.kind == graph::ShapeKind::Text && shape.value) value(row, shape.statement);
+    if (shape.kind == graph::ShapeKind::Text && !shape.value) argument(row, shape.of);
     const bool carries =
         shape.kind == graph::ShapeKind::Wire || shape.kind == graph::ShapeKind::Negation;
     if (carries && !shape.value && graph::isKnown(shape.flow)) row["flow"] = flow(shape);
@@ -122,6 +123,25 @@ class NetworkRow {
     row["value"] = lineOf(index);
     if (const auto type = types_.of(all[index].operand.text)) row["type"] = merker::name(*type);
     if (index > 0 && all[index - 1].op == graph::Op::LOAD_BCD) row["bcd"] = true;
+  }
+
+  // A box of CALL ends with it, or with what the jump to its end needs.
+  const graph::Statement* callOf(int node, std::size_t& index) const {
+    const graph::Statements& all = source_.statements;
+    for (int at = node; at >= 0 && at >= node - 1; --at)
+      if (index = static_cast<std::size_t>(at);
+          index < all.size() && all[index].op == graph::Op::CALL)
+        return &all[index];
+    return nullptr;
+  }
+
+  void argument(Json& row, const graph::Selection& of) const {
+    std::size_t index = 0;
+    const int number = of.pin - graph::kFirstPin;
+    const graph::Statement* call = number < 0 ? nullptr : callOf(of.node, index);
+    if (call == nullptr || static_cast<std::size_t>(number) >= call->arguments.size()) return;
+    row["value"] = lineOf(index);
+    row["parameter"] = call->arguments[static_cast<std::size_t>(number)].name;
   }
 
   void name(Json& row, const graph::Shape& shape) const {

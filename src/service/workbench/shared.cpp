@@ -177,6 +177,21 @@ void placeBreakpoints(monitor::Monitor& monitor, const ProjectFolder& folder,
 
 }  // namespace
 
+namespace {
+
+void addStatus(Plc& plc, BlockId block) {
+  monitor::Monitor& monitor = plc.monitor();
+  const compilation::Build& build = plc.build();
+  const auto code = monitor.program().find(block);
+  if (!code || monitor.debugger().status(block) != nullptr) return;
+  std::vector<monitor::CallValues> calls;
+  if (build.program != nullptr && build.library != nullptr)
+    calls = monitor::callsOf(*code, *build.program, *build.library, monitor.resolver());
+  monitor.debugger().addStatus(block, {}, std::move(calls));
+}
+
+}  // namespace
+
 void Shared::placeProbes() {
   if (!probesWait || !plc) return;
   if (plc->monitor().downloadWaits())
@@ -189,7 +204,7 @@ void Shared::placeProbes() {
     return same && std::ranges::any_of(wantedStatus,
                                        [block](const auto& one) { return one.second == block; });
   });
-  for (const auto& [browser, block] : wantedStatus) debugger.addStatus(block);
+  for (const auto& [browser, block] : wantedStatus) addStatus(*plc, block);
   if (same && placed_ == breakpoints) return;
   placeBreakpoints(plc->monitor(), folder, breakpoints);
   placed_ = breakpoints;

@@ -1,5 +1,9 @@
 #include "workbench/status_view.h"
 
+#include <algorithm>
+
+#include "address/constant.h"
+
 namespace merker::workbench {
 namespace {
 
@@ -12,7 +16,7 @@ std::string pointer(const std::optional<std::uint32_t>& value) {
   return value ? formatConstant({ConstantFormat::Pointer, *value}) : "";
 }
 
-// [line, vke, sta, or, akku1, akku2, ar1, ar2, stw, db, di]
+// [line, vke, sta, or, akku1, akku2, ar1, ar2, stw, db, di, values of a CALL]
 Json rowOf(const monitor::StatusRow& row) {
   const monitor::Registers& r = row.after;
   const auto bit = [](bool value) { return value ? "1" : "0"; };
@@ -29,10 +33,25 @@ Json rowOf(const monitor::StatusRow& row) {
           r.di ? number(*r.di) : ""};
 }
 
+// What the operands of a CALL held, by parameter; of any other statement nothing.
+Json valuesAt(const monitor::ProgramStatus& status, std::uint32_t offset) {
+  Json values = Json::object();
+  const auto& calls = status.callValues();
+  const auto call = std::ranges::lower_bound(calls, offset, {}, &monitor::CallValues::first);
+  if (call == calls.end() || call->first != offset) return values;
+  for (std::size_t i = 0; i < call->operands.size(); ++i)
+    if (call->values[i])
+      values[call->operands[i].parameter] = formatValue(call->operands[i].type, *call->values[i]);
+  return values;
+}
+
 Json rowsOf(const monitor::ProgramStatus& status) {
   Json rows = Json::array();
-  for (const monitor::StatusRow& row : status.rows())
-    if (row.reached) rows.push_back(rowOf(row));
+  for (const monitor::StatusRow& row : status.rows()) {
+    if (!row.reached) continue;
+    rows.push_back(rowOf(row));
+    rows.back().push_back(valuesAt(status, row.statement.begin));
+  }
   return rows;
 }
 

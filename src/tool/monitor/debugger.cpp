@@ -210,10 +210,11 @@ bool Debugger::showStatus(BlockId block, CallEnvironment environment) {
   return addStatus(block, environment);
 }
 
-bool Debugger::addStatus(BlockId block, CallEnvironment environment) {
+bool Debugger::addStatus(BlockId block, CallEnvironment environment,
+                         std::vector<CallValues> values) {
   const auto code = target_.program().find(block);
   if (!code || code->length() == 0) return false;
-  if (statusOf(block) == nullptr) statuses_.emplace_back(*code, environment);
+  if (statusOf(block) == nullptr) statuses_.emplace_back(*code, environment, std::move(values));
   place();
   return true;
 }

@@ -67,7 +67,8 @@ class Debugger final : private Observer {
   // Program status of this block alone. False: no such block, or it has no code.
   bool showStatus(BlockId block, CallEnvironment environment = {});
   // And of this one: everybody who looks on has a block of his own.
-  bool addStatus(BlockId block, CallEnvironment environment = {});
+  bool addStatus(BlockId block, CallEnvironment environment = {},
+                 std::vector<CallValues> values = {});
   void hideStatus();
   // Only those of these blocks stay, with what they have recorded.
   void keepStatus(const std::function<bool(BlockId)>& wanted);

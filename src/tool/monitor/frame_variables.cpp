@@ -113,7 +113,29 @@ class Reader {
     return std::move(rows_);
   }
 
+  std::optional<std::uint32_t> bits(const std::string& name) const {
+    const block::Block& block = *frame_.code->source;
+    const auto at = std::ranges::find_if(
+        block.variables, [&name](const block::Variable& one) { return one.name == name; });
+    if (at == block.variables.end() || !at->type || !isElementary(at->type->code))
+      return std::nullopt;
+    const Home home = homeOf(block, *at);
+    const auto bytes = bytesAt(home, block::sizeInBytes(*at->type));
+    if (bytes.empty()) return std::nullopt;
+    if (at->type->code == TypeCode::Bool) return bytes[0] >> (home.address & 7) & 1u;
+    return cpu::loadBytes(bytes.data(), widthOf(bitWidth(at->type->code)));
+  }
+
  private:
+  Home homeOf(const block::Block& block, const block::Variable& variable) const {
+    if (variable.section == block::Section::Temp)
+      return {localOf(frame_, Area::Local), variable.address};
+    if (block.id.kind != BlockKind::FC)
+      return {of(open_.di), pointerAddress(open_.ar2) + variable.address};
+    const auto list = block::parameters(block);
+    const auto at = std::ranges::find(list, &variable);
+    return at == list.end() ? Home{} : parameter(static_cast<std::size_t>(at - list.begin()));
+  }
   // The pointer behind the call (S7-PAR-01).
   Home parameter(std::size_t number) const {
     if (number >= frame_.parameterCount) return {};
@@ -208,6 +230,11 @@ class Reader {
 };
 
 }  // namespace
+
+std::optional<std::uint32_t> localBits(const cpu::Machine& machine, const std::string& name) {
+  if (machine.frames.empty() || machine.frames.back().code == nullptr) return std::nullopt;
+  return Reader(machine, machine.frames.size() - 1, 0).bits(name);
+}
 
 std::vector<FrameVariable> frameVariables(const cpu::Cpu& cpu, std::size_t depth,
                                           std::size_t most) {

@@ -27,4 +27,7 @@ struct FrameVariable {
 std::vector<FrameVariable> frameVariables(const cpu::Cpu& cpu, std::size_t depth,
                                           std::size_t most = 256);
 
+// An elementary variable of the running block by its name; nothing: its place cannot be reached.
+std::optional<std::uint32_t> localBits(const cpu::Machine& machine, const std::string& name);
+
 }  // namespace merker::monitor

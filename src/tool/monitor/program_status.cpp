@@ -1,9 +1,12 @@
 #include "monitor/program_status.h"
 
+#include <algorithm>
+
 namespace merker::monitor {
 
-ProgramStatus::ProgramStatus(const BlockCode& code, CallEnvironment environment)
-    : kept_(code), environment_(environment) {
+ProgramStatus::ProgramStatus(const BlockCode& code, CallEnvironment environment,
+                             std::vector<CallValues> values)
+    : kept_(code), environment_(environment), callValues_(std::move(values)) {
   for (std::size_t i = 0; i < code.lineCount(); ++i) {
     const Statement statement = statementAt(code, code.line(i).offset);
     rows_[statement.begin].statement = statement;
@@ -44,6 +47,7 @@ void ProgramStatus::before(const Spot& spot) {
     for (auto& [begin, row] : rows_)
       if (recording_) row.reached = false, row.passes = 0;
   }
+  if (recording_) readValues(spot, false);
   running_ = spot.depth.frames;
   if (recording_) open_.push_back({spot.depth.frames, spot.offset, spot.registers()});
 }
@@ -54,9 +58,19 @@ void ProgramStatus::after(const Spot& spot) {
   const bool known = !open_.empty();
   const Registers found = known ? open_.back().found : spot.registers();
   if (known) open_.pop_back();
+  if (recording_ && !ended) readValues(spot, true);
   if (recording_ && !ended) record(found, spot.registers(), spot.offset);
   if (recording_ && ended && beginsStatement(code(), spot.offset)) recordOne(found, spot.offset);
   if (ended || spot.stopped) running_ = 0;
+}
+
+// What goes in before the first instruction of a CALL, what comes out behind its last one.
+void ProgramStatus::readValues(const Spot& spot, bool behind) {
+  const auto offset = behind ? &CallValues::last : &CallValues::first;
+  const auto call = std::ranges::lower_bound(callValues_, spot.offset, {}, offset);
+  if (call == callValues_.end() || (*call).*offset != spot.offset) return;
+  for (std::size_t i = 0; i < call->operands.size(); ++i)
+    if (call->operands[i].output == behind) call->values[i] = spot.value(call->operands[i]);
 }
 
 // B of STEP 5 leaves everything as it found it; what it processes stands in the next row.

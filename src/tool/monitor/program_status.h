@@ -27,7 +27,8 @@ struct StatusRow {
 
 class ProgramStatus {
  public:
-  explicit ProgramStatus(const BlockCode& code, CallEnvironment environment = {});
+  explicit ProgramStatus(const BlockCode& code, CallEnvironment environment = {},
+                         std::vector<CallValues> values = {});
 
   const BlockCode& code() const { return kept_.code(); }
   std::uint64_t calls() const { return calls_; }            // seen so far
@@ -36,6 +37,9 @@ class ProgramStatus {
   std::vector<StatusRow> rows() const;
   // The row of the statement at `offset`, if the last call reached it.
   const StatusRow* at(std::uint32_t offset) const;
+
+  // Of the CALLs of the block, with the values of their operands.
+  const std::vector<CallValues>& callValues() const { return callValues_; }
 
   // From the probe of this block: an instruction is next, it is executed now, it is done.
   void arrived(const Spot& spot);
@@ -57,7 +61,10 @@ class ProgramStatus {
   bool recording_ = false;
   std::uint64_t calls_ = 0, otherCalls_ = 0;
   std::size_t running_ = 0;  // depth of the call that is under way, 0 = none
+  void readValues(const Spot& spot, bool behind);
+
   std::vector<Open> open_;
+  std::vector<CallValues> callValues_;       // ascending by offset
   std::map<std::uint32_t, StatusRow> rows_;  // by the beginning of the statement
 };
 

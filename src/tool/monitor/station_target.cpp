@@ -1,6 +1,7 @@
 #include "monitor/station_target.h"
 
 #include "cpu/cpu.h"
+#include "monitor/frame_variables.h"
 
 namespace merker::monitor {
 namespace {
@@ -9,8 +10,9 @@ Depth depthOf(const cpu::Machine& m) { return {m.frames.size(), m.levels.size()}
 
 class StationSpot final : public Spot {
  public:
-  StationSpot(cpu::Machine& m, const cpu::Code& loaded, std::uint32_t at)
-      : Spot(*loaded.source, &loaded, at, depthOf(m)), m_(m) {
+  StationSpot(const station::Station& station, cpu::Machine& m, const cpu::Code& loaded,
+              std::uint32_t at)
+      : Spot(*loaded.source, &loaded, at, depthOf(m)), station_(station), m_(m) {
     errorLevel = !m.levels.empty() && m.levels.back().errorOb;
     levelEnded = m.levelEnded;
     stopped = m.cpu->mode() == cpu::Mode::Stop;
@@ -22,8 +24,12 @@ class StationSpot final : public Spot {
     return frame == nullptr ? std::nullopt : std::optional(frame->code->source->id);
   }
   bool hold() override { return m_.cpu->halt(); }
+  std::optional<std::uint32_t> value(const ActualOperand& operand) const override {
+    return operand.local.empty() ? station_.read(operand.reference) : localBits(m_, operand.local);
+  }
 
  private:
+  const station::Station& station_;
   cpu::Machine& m_;
 };
 
@@ -95,12 +101,12 @@ std::optional<SourcePlace> StationTarget::position() const {
 }
 
 bool StationTarget::before(cpu::Machine& machine, std::uint32_t offset) {
-  StationSpot spot(machine, *machine.top->code, offset);
+  StationSpot spot(station_, machine, *machine.top->code, offset);
   return observer_->before(spot);
 }
 
 void StationTarget::after(cpu::Machine& machine, const cpu::Code& code, std::uint32_t offset) {
-  observer_->after(StationSpot(machine, code, offset));
+  observer_->after(StationSpot(station_, machine, code, offset));
 }
 
 }  // namespace merker::monitor

@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 
+#include "monitor/call_values.h"
 #include "monitor/code_map.h"
 #include "monitor/registers.h"
 #include "plc/controller.h"
@@ -37,6 +38,8 @@ class Spot {
 
   virtual Registers registers() const = 0;
   virtual std::optional<BlockId> caller() const = 0;
+  // What it holds now; the variables are those of the block that runs.
+  virtual std::optional<std::uint32_t> value(const ActualOperand&) const { return std::nullopt; }
   // Before: the machine stops in front of this instruction. False: it cannot just now.
   virtual bool hold() = 0;
 };

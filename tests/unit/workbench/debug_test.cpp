@@ -147,6 +147,92 @@ TEST_F(Debugging, StatusStaysWhenSomebodyLooksAtAnotherBlockWhileTimeStands) {
   EXPECT_EQ(bench.event("status", 2)["rows"].size(), 3u);
 }
 
+// Inputs as they are handed over, outputs as they come back: at the CALL, not at the end of the
+// cycle.
+TEST(Debug, StatusOfACallHasTheValuesOfItsOperands) {
+  Bench bench(R"(FUNCTION_BLOCK FB 90
+VAR_INPUT
+  a : BOOL;
+  t : S5TIME;
+  n : INT;
+END_VAR
+VAR_OUTPUT
+  q : BOOL;
+  r : REAL;
+END_VAR
+BEGIN
+NETWORK
+      U     #a;
+      =     #q;
+      L     2.5;
+      T     #r;
+      L     99;
+      T     MW 10;
+END_FUNCTION_BLOCK
+DATA_BLOCK DB 90
+FB 90
+BEGIN
+END_DATA_BLOCK
+FUNCTION FC 90 : VOID
+VAR_INPUT
+  x : WORD;
+END_VAR
+VAR_OUTPUT
+  y : INT;
+END_VAR
+BEGIN
+NETWORK
+      L     7;
+      T     #y;
+END_FUNCTION
+ORGANIZATION_BLOCK OB 1
+VAR_TEMP
+  info : ARRAY [0..19] OF BYTE;
+  rest : INT;
+END_VAR
+BEGIN
+NETWORK
+      L     5;
+      T     MW 10;
+      L     W#16#FF;
+      T     MW 30;
+      CALL  FB 90, DB 90 (
+       a := E 0.0,
+       t := S5T#50MS,
+       n := MW 10,
+       q := A 4.0,
+       r := MD 20);
+      CALL  FC 90 (
+       x := MW 30,
+       y := #rest);
+      L     0;
+      T     MD 20;
+      T     #rest;
+      U     E 0.7;
+      SPB   end;
+      CALL  FC 90 (
+       x := MW 30,
+       y := MW 32);
+end:  NOP   0;
+END_ORGANIZATION_BLOCK
+)");
+  bench.call("variables.write", {{"items", {{{"operand", "E 0.0"}, {"value", "1"}}}}});
+  bench.call("status.show", {{"block", "OB 1"}});
+  Json rows;
+  for (int frame = 0; frame < 4; ++frame) {
+    const Json event = bench.event("status");
+    if (!event.is_null() && event["rows"].is_array()) rows = event["rows"];
+    bench.run(Duration::milliseconds(20));
+  }
+  std::vector<Json> values;
+  for (const Json& row : rows)
+    if (!row.back().empty()) values.push_back(row.back());
+  ASSERT_EQ(values.size(), 3u) << rows;
+  EXPECT_EQ(values[0], Json({{"a", "TRUE"}, {"n", "5"}, {"q", "TRUE"}, {"r", "2.500000e+000"}}));
+  EXPECT_EQ(values[1], Json({{"x", "W#16#00FF"}, {"y", "7"}}));
+  EXPECT_EQ(values[2], Json({{"x", "W#16#00FF"}, {"y", "7"}}));
+}
+
 TEST_F(Debugging, StatusStaysInStop) {
   bench.call("status.show", {{"block", "OB 1"}});
   EXPECT_EQ(status()["rows"].size(), 3u);

@@ -196,6 +196,39 @@ END_FUNCTION
   EXPECT_EQ(types(networks[2]), (Types{"MD 30 -", "#LIST[1].A REAL"}));
 }
 
+TEST(Networks, NameTheParametersWhoseOperandsHaveAValue) {
+  Bench bench;
+  const Json network =
+      bench.call("networks.show", asked({{"line", 15}, {"text", R"(FUNCTION FC 2 : VOID
+VAR_INPUT
+  x : INT;
+END_VAR
+VAR_OUTPUT
+  y : INT;
+END_VAR
+BEGIN
+NETWORK
+      NOP   0;
+END_FUNCTION
+FUNCTION FC 1 : VOID
+BEGIN
+NETWORK
+      U     E 0.0;
+      SPBNB _001;
+      CALL  FC 2 (
+       x := MW 10,
+       y := MW 12);
+_001: NOP   0;
+END_FUNCTION
+)"}}))["networks"][0];
+  std::vector<std::string> found;
+  for (const Json& shape : network["shapes"])
+    if (shape.contains("parameter"))
+      found.push_back(shape["parameter"].get<std::string>() + " = " +
+                      shape["text"].get<std::string>() + " at " + shape["value"].dump());
+  EXPECT_EQ(found, (std::vector<std::string>{"x = MW 10 at 3", "y = MW 12 at 3"}));
+}
+
 TEST(Networks, OfStep5ShowNoValueOfAConstant) {
   Bench bench;
   bench.folder.write("main.s5",

@@ -23,7 +23,8 @@ export const statusColumns: readonly StatusColumn[] = [
 ];
 export const standardColumns = ['vke', 'sta', 'akku1'];
 
-export type StatusRow = [line: number, ...values: (string | number)[]];
+/** Behind the columns: of a CALL what its operands held, by parameter. */
+export type StatusRow = [line: number, ...values: (string | number | Record<string, string>)[]];
 
 /** A machine without address registers leaves theirs empty in each row. */
 export const unusedColumns = (rows: readonly StatusRow[]): string[] =>

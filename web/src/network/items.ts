@@ -27,6 +27,8 @@ export interface Item extends Place {
   value: number | undefined;
   /** The value is BCD, as LC gives it. */
   bcd: boolean;
+  /** Of the CALL whose operand it is. */
+  parameter: string | undefined;
   /** As the operand is declared. */
   type: string | undefined;
   /** Where it is typed. */
@@ -79,9 +81,20 @@ export function itemsOf(shapes: readonly NetworkShape[]): Item[] {
   const own = new Map(known.filter((one) => one.kind === 'text' && one.pin === OWN).map((one) => [one.node, one]));
   const items: Item[] = [];
   for (const shape of known) {
-    const { node = -1, pin = NO_PIN, first = -1, kind, line = 0, text = '', value, bcd = false, type } = shape;
+    const {
+      node = -1,
+      pin = NO_PIN,
+      first = -1,
+      kind,
+      line = 0,
+      text = '',
+      value,
+      bcd = false,
+      type,
+      parameter,
+    } = shape;
     const rect = rectOf(shape);
-    const plain = { node, pin, first, kind, rect, line, value, bcd, type, place: rect, name: text };
+    const plain = { node, pin, first, kind, rect, line, value, bcd, type, parameter, place: rect, name: text };
     if (isSymbol(shape)) items.push({ ...plain, ...operandAbove(own.get(node), rect) });
     else if (kind === 'frame') {
       const above = hasOwn(shape) ? own.get(node) : undefined;

@@ -26,6 +26,7 @@ const item = (kind: Item['kind'], name: string): Item => ({
   value: undefined,
   bcd: false,
   type: undefined,
+  parameter: undefined,
 });
 const labels = (kind: Item['kind'], name: string) => offersAt(item(kind, name), 'kop', all).map(({ label }) => label);
 

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import type { StatusRow } from '../editor/status_columns';
-import { isProcessed, linesOf, signalOf, valueAt } from './signal';
+import { givenAt, isProcessed, linesOf, signalOf, valueAt } from './signal';
 
 const row = (line: number, vke: string, sta: string, akku1 = '00000000'): StatusRow => [line, vke, sta, '0', akku1];
 const lines = linesOf([
@@ -76,4 +76,12 @@ test('a value is AKKU 1 in the notation of its type', () => {
   expect(valueAt(13, 'REAL', lines)).toBe('1.5');
   expect(valueAt(99, 'INT', lines)).toBe('');
   expect(valueAt(12, 'INT', null)).toBe('');
+});
+
+test('the values of a CALL are those of its parameters', () => {
+  const call: StatusRow = [20, '1', '1', '0', '00000000', '', '', '', '', '', '', { n: '5', t: 'S5T#50MS' }];
+  expect(givenAt(20, 't', linesOf([call]))).toBe('S5T#50MS');
+  expect(givenAt(20, 'x', linesOf([call]))).toBe('');
+  expect(givenAt(21, 't', linesOf([call]))).toBe('');
+  expect(givenAt(10, 't', lines)).toBe('');
 });

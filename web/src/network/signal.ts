@@ -14,6 +14,7 @@ export const linesOf = (rows: readonly StatusRow[] | null): StatusLines | null =
 const VKE = 1;
 const STA = 2;
 const AKKU1 = 4;
+const OF_CALL = 11;
 
 type Flow = NonNullable<NetworkShape['flow']>;
 
@@ -38,6 +39,12 @@ export function signalOf(flow: Flow | undefined, lines: StatusLines | null, firs
     if (is === (bit === 'notSta')) on = false;
   }
   return on ? 'on' : 'off';
+}
+
+/** What the operand of a CALL held, as the server writes it. */
+export function givenAt(line: number, parameter: string, lines: StatusLines | null): string {
+  const values = lines?.get(line)?.[OF_CALL];
+  return typeof values === 'object' ? (values[parameter] ?? '') : '';
 }
 
 /** AKKU 1 behind the statement that loads or transfers the operand. */

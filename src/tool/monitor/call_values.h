@@ -1,0 +1,36 @@
+// What was given to the parameters of the CALLs of a block, and what came back: the values of the
+// actual operands as the program status shows them at the pins of a box.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "address/reference.h"
+#include "block/block.h"
+#include "monitor/code.h"
+#include "scenario/term.h"
+
+namespace merker::monitor {
+
+// An elementary parameter with an operand whose value can be read.
+struct ActualOperand {
+  std::string parameter;
+  bool output = false;             // read behind the call, otherwise before it
+  TypeCode type = TypeCode::Void;  // of the parameter
+  std::string local;               // a variable of the calling block; empty: `reference`
+  address::Reference reference;
+};
+
+struct CallValues {
+  std::uint32_t first = 0, last = 0;  // offsets of the first and the last instruction of the CALL
+  std::vector<ActualOperand> operands;
+  std::vector<std::optional<std::uint32_t>> values = {};  // of the last pass; one for each operand
+};
+
+// Of a block of STEP 7, as many as have operands of this kind.
+std::vector<CallValues> callsOf(const BlockCode& code, const block::Program& program,
+                                const block::Program& library, const simulator::Resolver& resolver);
+
+}  // namespace merker::monitor
