@@ -21,6 +21,7 @@ struct Written {
 // Lines count from 1. Statements that no picture shows are there, too, as OTHER.
 struct SourceNetwork {
   std::string title, label;          // label: at its beginning, where jumps lead to
+  std::uint32_t labelLine = 0;       // of a label that waits for the first statement; 0: none
   std::vector<std::string> comment;  // lines behind the title, without //
   std::uint32_t line = 1;            // of its head, or of its first statement if it has no head
   std::uint32_t code = 1;            // the first line behind head, title and comment

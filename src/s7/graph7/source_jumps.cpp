@@ -26,8 +26,9 @@ Labels::Place Labels::following(Place place, const std::vector<SourceNetwork>& n
 // a beginning. A label that is nowhere may still be written.
 void Labels::resolve(std::vector<SourceNetwork>& networks) const {
   for (const auto& [name, at] : labels_)
-    if (const Place place = following(at, networks);
-        place.statement == 0 && place.network < networks.size())
+    if (const Place place = following(at, networks); place.statement == 0 &&
+                                                     place.network < networks.size() &&
+                                                     networks[at.network].labelLine == 0)
       networks[place.network].label = name;
   for (const Place& at : jumps_) {
     graph::Statement& jump = networks[at.network].statements[at.statement];

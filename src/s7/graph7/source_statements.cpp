@@ -124,6 +124,10 @@ class Reader {
     labels_.add(word, networks_);
     if (label_.empty()) labelBegin_ = begin;
     label_ = word;
+    SourceNetwork& network = networks_.back();
+    if (!network.statements.empty()) return true;
+    network.label = word;
+    network.labelLine = lineOf(begin);
     return true;
   }
 
@@ -136,6 +140,7 @@ class Reader {
 
   void instruction(std::size_t begin) {
     SourceNetwork& network = networks_.back();
+    network.labelLine = 0;
     graph::Statement& statement = network.statements.emplace_back();
     graph::Written& written = network.places.emplace_back();
     written.begin = written.operand = begin;

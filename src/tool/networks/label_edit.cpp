@@ -19,10 +19,23 @@ bool isLabel(std::string_view text) {
 namespace {
 
 bool isTaken(const Block& block, const std::string& label) {
-  for (const Network& network : block.networks)
+  for (const Network& network : block.networks) {
+    if (network.source.label == label) return true;
     for (const graph::Written& place : network.source.places)
       if (place.label == label) return true;
+  }
   return false;
+}
+
+// Without a statement it stands alone on its line, and waits.
+TextEdit waiting(const graph::SourceNetwork& source, std::size_t network,
+                 const std::string& label) {
+  TextEdit out;
+  out.network = network;
+  out.from = source.labelLine > 0 ? source.labelLine : source.code;
+  out.to = source.labelLine > 0 ? out.from + 1 : out.from;
+  if (!label.empty()) out.lines.push_back(label + ":");
+  return out;
 }
 
 }  // namespace
@@ -33,15 +46,16 @@ Edited changeLabel(const source::SourceFile& file, std::uint32_t line, std::size
   const Network* at = networkOf(found, network);
   if (at == nullptr) return Refusal{};
   const graph::SourceNetwork& source = at->source;
-  if (around.language != source::Language::Step7 || source.places.empty())
-    return Refusal{Obstacle::Label};
-  const graph::Written& first = source.places.front();
+  if (around.language != source::Language::Step7) return Refusal{Obstacle::Label};
   TextEdit out;
   out.network = network;
-  out.from = out.to = first.line;
-  if (label == first.label) return out;
+  out.from = out.to = source.places.empty() ? source.code : source.places.front().line;
+  const bool waits = source.places.empty();
+  if (label == (waits ? source.label : source.places.front().label)) return out;
   if (!label.empty() && (!isLabel(label) || isTaken(found->block, label)))
     return Refusal{Obstacle::Label};
+  if (waits) return waiting(source, network, label);
+  const graph::Written& first = source.places.front();
   // From the beginning of the label's line to the end of that of the statement's first word.
   const std::uint32_t last = file.position(first.begin).line;
   const auto start = [&](std::uint32_t number) {

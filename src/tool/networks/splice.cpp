@@ -75,6 +75,7 @@ class Splicer {
                          before->operand.text == target_[i];
       if (!stays) changed_[i] = changed_[target] = true;
     }
+    if (places_.empty() && !s_.now.empty() && label_[0].empty()) label_[0] = s_.network.label;
     for (std::size_t i = 0; i < s_.now.size(); ++i) {
       const std::int64_t origin = alignment_.origin(i);
       if (origin < 0) continue;
@@ -232,11 +233,17 @@ class Splicer {
     }
   }
 
+  // Of a network that is empty, but for a label.
+  std::uint32_t firstLine() const {
+    return s_.network.labelLine > 0 ? s_.network.labelLine : s_.network.code;
+  }
+
   // Without the lines that are the same before and behind.
   TextEdit trimmed() {
     TextEdit out;
-    out.from = chunks_.empty() ? s_.network.code : chunks_.front().line;
-    out.to = chunks_.empty() ? s_.network.code : chunks_.back().end;
+    out.from = chunks_.empty() ? firstLine() : chunks_.front().line;
+    out.to = chunks_.empty() ? out.from : chunks_.back().end;
+    if (chunks_.empty() && s_.network.labelLine > 0) ++out.to;
     std::size_t first = 0, last = lines_.size();
     for (; first < last && out.from < out.to && s_.file.line(out.from) == lines_[first]; ++first)
       ++out.from;

@@ -12,6 +12,7 @@ namespace {
 std::set<std::string> labelsOf(const Block& block) {
   std::set<std::string> labels;
   for (const Network& network : block.networks) {
+    labels.insert(network.source.label);
     for (const graph::Written& place : network.source.places) labels.insert(place.label);
     for (const graph::Statement& statement : network.source.statements)
       if (isJump(statement.op)) labels.insert(statement.operand.text);

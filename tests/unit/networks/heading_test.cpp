@@ -115,6 +115,33 @@ TEST(Labels, areRefusedThatAreNoneOrTaken) {
         << label;
 }
 
+// It stands alone on its line until the first statement comes.
+TEST(Labels, waitInAnEmptyNetwork) {
+  const std::string head = "FUNCTION FC 1 : VOID\nBEGIN\nNETWORK\nTITLE = one\n",
+                    rest = "NETWORK\n      U     E 1.0;\n      SPB   M001;\nEND_FUNCTION\n";
+  const auto labelOf = [](const std::string& text, std::size_t network) {
+    return blockAt(fileOf(text), 1, {})->networks[network - 1].source.label;
+  };
+  const std::string waits =
+      done(fileOf(head + rest), changeLabel(fileOf(head + rest), 1, 1, "M001", {}));
+  EXPECT_EQ(waits, head + "M001:\n" + rest);
+  EXPECT_EQ(labelOf(waits, 1), "M001");
+  EXPECT_EQ(labelOf(waits, 2), "") << "it is that of the network above";
+  const auto file = fileOf(waits);
+  EXPECT_EQ(changeLabel(file, 1, 2, "M001", {}).error().obstacle, Obstacle::Label) << "it is taken";
+  EXPECT_EQ(done(file, changeLabel(file, 1, 1, "M002", {})), head + "M002:\n" + rest);
+  EXPECT_EQ(done(file, changeLabel(file, 1, 1, "", {})), head + rest);
+  EXPECT_EQ(done(file, changeLabel(file, 1, 1, "M001", {})), waits);
+  graph::Edit contact;
+  contact.element = "CONTACT";
+  const std::string drawn = done(file, edit(file, 1, 1, contact, {}));
+  EXPECT_EQ(drawn, head + "M001: U     ??.?;\n" + rest);
+  graph::Edit away;
+  away.action = graph::Action::Delete;
+  away.at.node = 0;
+  EXPECT_EQ(done(fileOf(drawn), edit(fileOf(drawn), 1, 1, away, {})), waits);
+}
+
 // S5-KOPFUP-01
 TEST(Networks, ofStep5ComeBeforeTheEndOfTheBlock) {
   Surroundings around;
