@@ -116,7 +116,15 @@ function operandAbove(text: NetworkShape | undefined, rect: Rect): Pick<Item, 'r
 export function junctionsOf(shapes: readonly NetworkShape[]): Item[] {
   const wires = shapes.filter(({ kind, node }) => kind === 'wire' && node !== undefined).sort((a, b) => a.w - b.w);
   const widest = new Map(wires.map((wire) => [`${wire.node} ${wire.first}`, wire]));
-  const nothing = { operand: undefined, field: NO_PIN, value: undefined, bcd: false, type: undefined, name: '' };
+  const nothing = {
+    operand: undefined,
+    field: NO_PIN,
+    value: undefined,
+    bcd: false,
+    type: undefined,
+    parameter: undefined,
+    name: '',
+  };
   return [...widest.values()].map((wire) => {
     const { node = -1, first = -1, line = 0, kind } = wire;
     const rect = rectOf(wire);
