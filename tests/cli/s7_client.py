@@ -16,9 +16,9 @@ INPUTS, OUTPUTS, FLAGS, DATA_AREA, TIMERS = 0x81, 0x82, 0x83, 0x84, 0x1D
 
 
 class Client:
-    """One connection. `kind`: first byte of the called TSAP: 1 PG, 2 OP, 3 others."""
-    def __init__(self, port, kind=1, setup=True):
-        self.socket = socket.create_connection(("127.0.0.1", port), timeout=20)
+    """One connection. `kind`: first byte of the called TSAP: 1 PG, 2 OP, 3 others. `record`: sees its socket."""
+    def __init__(self, port, kind=1, setup=True, record=lambda socket: socket):
+        self.socket = record(socket.create_connection(("127.0.0.1", port), timeout=20))
         self.number = 1
         self.socket.sendall(CONNECT[:-2] + bytes([kind, 2]))
         self.confirmed = self.tpdu()[1:2] == b"\xD0"

@@ -1,0 +1,68 @@
+"""Wireshark's dissector judges what the S7 server answers: nothing is malformed, and it is what Wireshark calls it."""
+from s7_client import *
+from wireshark import BAD, Capture, Recorded
+
+
+class Judged(S7Case):
+    def setUp(self):
+        super().setUp()
+        self.write("a.awl", PROGRAM + DATA)
+        self.start("a.awl", "--no-workbench")
+        self.capture = Capture(self.folder / "s7.pcap")
+        self.addCleanup(self.capture.close)
+
+    def recorded(self, kind=1):
+        client = Client(self.port, kind, record=lambda socket: Recorded(socket, self.capture))
+        self.addCleanup(client.close)
+        return client
+
+    def judge(self, expected):
+        """So many frames of S7 communication, none of them wrong."""
+        self.assertEqual(self.capture.ask(BAD), [])
+        self.assertEqual(len(self.capture.ask("s7comm")), expected)
+
+    def test_variables(self):
+        client = self.recorded()
+        for area in (INPUTS, OUTPUTS, FLAGS, 0x80):
+            client.read(area, 0, 3)
+        client.read(TIMERS, 1, 2, TIMERS)
+        for size in (1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12):
+            client.read(DATA_AREA, 0, 1, size, 1)
+        client.write(FLAGS, 30, b"\x01", BIT)
+        client.write(FLAGS, 30, b"\x01\x02\x03")
+        client.read(DATA_AREA, 0, 1, BYTE, 7)
+        client.ask(client.job(4, client.item(DATA_AREA, 0, 0xFFFF, BYTE, 1)))
+        client.ask("32 01 00 00 00 02 00 32 00 00 04 04 12 0A 10 01 00 01 00 00 81 00 00 07 "
+                   "12 0A 10 02 00 01 00 00 81 00 00 00 12 0A 10 1D 00 01 00 00 1D 00 00 01 12 0A 10 02 00 03 00 01 84 00 00 00")
+        client.close()
+        self.judge(2 * 23)
+        codes = self.capture.ask("s7comm.header.rosctr == 3 && s7comm.param.func == 4", "s7comm.data.returncode")
+        self.assertEqual(codes[:4], ["0xff", "0xff", "0xff", "0xff"])
+        self.assertEqual(codes[-1], "0xff,0xff,0xff,0xff")
+
+    def test_what_is_refused(self):
+        client = self.recorded()
+        client.ask("32 01 00 00 00 02 00 10 00 00 29 00 00 00 00 00 09 50 5F 50 52 4F 47 52 41 4D")  # stop
+        client.ask("32 07 00 00 05 00 00 08 00 08 00 01 12 04 11 44 01 00 FF 09 00 04 00 11 00 00")  # SZL
+        client.close()
+        self.judge(6)
+        self.assertEqual(self.capture.ask("s7comm.header.rosctr == 2", "s7comm.header.errcod"), ["0x04"])
+
+    def test_connections(self):
+        clients = [self.recorded(kind) for kind in [1, 2] + 10 * [3]]
+        before = self.capture.frames
+        refused = self.recorded(3)
+        self.assertFalse(refused.confirmed)
+        refused.close()
+        self.assertGreater(self.capture.frames, before)
+        for client in clients:
+            client.close()
+        self.assertEqual(self.capture.ask(BAD), [])
+        self.assertEqual(len(self.capture.ask("cotp.type == 0x0d")), 12)
+        self.assertEqual(len(self.capture.ask("cotp.type == 0x08")), 1)
+
+    def test_the_judge_sees_what_is_wrong(self):
+        self.capture.add(False, bytes.fromhex("0300001f02f080320100000002000e00000401120a10020001000083000000"))
+        self.capture.add(True, bytes.fromhex("0300001a02f0803203000000020002000500000401ff04010812"))  # 33 octets
+        self.assertEqual(len(self.capture.ask("s7comm")), 2)
+        self.assertNotEqual(self.capture.ask(BAD), [])

@@ -1,0 +1,89 @@
+// The client of Snap7: areas, several variables in a request, timers and counters (S7-NET-26).
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+
+import { Plc, require, until } from './plc.mjs';
+
+const snap7 = require('node-snap7');
+let plc, client;
+
+// Errors are numbers; the client says what they mean.
+const call = (method, ...values) =>
+  new Promise((resolve, reject) =>
+    client[method](...values, (error, result) =>
+      error ? reject(new Error(client.ErrorText(error))) : resolve(result),
+    ),
+  );
+
+before(async () => {
+  plc = await Plc.start();
+  client = new snap7.S7Client();
+  client.SetParam(client.RemotePort, plc.port);
+  await call('ConnectTo', '127.0.0.1', 0, 2);
+});
+
+after(async () => {
+  client.Disconnect();
+  assert.match(await plc.end(), / 0 refused, 0 broken off, /);
+});
+
+test('a PDU has 240 bytes', () => {
+  assert.equal(client.PDULength(), 240);
+});
+
+test('areas', { timeout: 30_000 }, async () => {
+  assert.equal((await call('DBRead', 1, 0, 10)).toString('hex'), '00053fc00000fffeee90');
+  await call('DBWrite', 1, 0, 2, Buffer.from('1234', 'hex'));
+  assert.equal((await call('DBRead', 1, 0, 2)).toString('hex'), '1234');
+  await call('MBWrite', 200, 4, Buffer.from('deadbeef', 'hex'));
+  assert.equal((await call('MBRead', 200, 4)).toString('hex'), 'deadbeef');
+  await call('EBWrite', 0, 1, Buffer.from([1]));
+  await until(() => call('ABRead', 0, 1), (outputs) => outputs[0] === 1);
+  assert.equal((await call('EBRead', 0, 1))[0], 1);
+});
+
+// All flags are more than a PDU holds: the client asks several times.
+test('more than a PDU', { timeout: 30_000 }, async () => {
+  const flags = await call('MBRead', 0, 256);
+  assert.equal(flags.length, 256);
+  assert.equal(flags.subarray(200, 204).toString('hex'), 'deadbeef');
+  const other = Buffer.alloc(256 - 100, 0x5a);
+  await call('MBWrite', 100, other.length, other);
+  assert.deepEqual((await call('MBRead', 0, 256)).subarray(100), other);
+});
+
+// Snap7 gives both as they are on the wire: BCD, a timer with its base (S5TIME).
+test('timers and counters', { timeout: 30_000 }, async () => {
+  assert.equal((await call('CTRead', 1, 1)).toString('hex'), '0042');
+  const timer = await call('TMRead', 1, 1);
+  assert.equal(timer[0] >> 4, 1); // 100 ms
+  await call('CTWrite', 2, 1, Buffer.from('0123', 'hex'));
+  assert.equal((await call('CTRead', 2, 1)).toString('hex'), '0123');
+});
+
+test('several variables in a request', { timeout: 30_000 }, async () => {
+  const variable = (Area, WordLen, DBNumber, Start, Amount, Data) => ({ Area, WordLen, DBNumber, Start, Amount, Data });
+  const db = client.S7AreaDB, flags = client.S7AreaMK, byte = client.S7WLByte, bit = client.S7WLBit;
+  const written = await call('WriteMultiVars', [
+    variable(flags, byte, 0, 100, 3, Buffer.from([1, 2, 3])),
+    variable(db, bit, 1, 81, 1, Buffer.from([1])),
+    variable(db, byte, 7, 0, 1, Buffer.from([1])),
+  ]);
+  assert.deepEqual(written.map((one) => one.Result === 0), [true, true, false]);
+  const read = await call('ReadMultiVars', [
+    variable(flags, byte, 0, 100, 3),
+    variable(db, bit, 1, 81, 1),
+    variable(db, byte, 7, 0, 1),
+    variable(client.S7AreaCT, client.S7WLCounter, 0, 2, 1),
+  ]);
+  assert.deepEqual([...read[0].Data], [1, 2, 3]);
+  assert.equal(read[1].Data[0], 1);
+  assert.match(client.ErrorText(read[2].Result), /Item not available/);
+  assert.equal(read[3].Data.toString('hex'), '0123');
+});
+
+test('what is not there has a code', { timeout: 30_000 }, async () => {
+  await assert.rejects(call('DBRead', 7, 0, 1), /Item not available/);
+  await assert.rejects(call('MBRead', 4000, 1), /Address out of range/);
+  await assert.rejects(call('DBRead', 1, 20, 10), /Address out of range/);
+});
