@@ -1,0 +1,133 @@
+/* libmerker-s7: reads and writes the inputs, outputs, flags, data blocks, timers and counters of an S7 CPU, or of Merker, over
+ * ISO on TCP (RFC 1006). Plain C; names, numbers and layouts are those of Snap7's client where they mean the same, so that a
+ * program written for one needs no change of its sources for the other.
+ *
+ *   S7Object plc = Cli_Create();
+ *   uint8_t words[4];
+ *   if (Cli_ConnectTo(plc, "192.168.0.10", 0, 2) == 0 && Cli_DBRead(plc, 10, 0, sizeof words, words) == 0) ...
+ *   Cli_Destroy(&plc);
+ *
+ * Values are as the CPU has them: the high byte first. Functions wait for the answer. A client may be used by several threads,
+ * which then wait for each other. Each function returns 0 or an error, see Cli_ErrorText.
+ */
+#ifndef MERKER_S7_H
+#define MERKER_S7_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#if defined(__GNUC__)
+#pragma GCC visibility push(default)
+#endif
+
+typedef uintptr_t S7Object;
+
+/* Areas */
+enum { S7AreaPE = 0x81, S7AreaPA = 0x82, S7AreaMK = 0x83, S7AreaDB = 0x84, S7AreaCT = 0x1C, S7AreaTM = 0x1D };
+
+/* Elements: "WordLen". Start counts bits for S7WLBit, numbers for timers and counters, else bytes. */
+enum {
+  S7WLBit = 0x01,
+  S7WLByte = 0x02,
+  S7WLChar = 0x03,
+  S7WLWord = 0x04,
+  S7WLInt = 0x05,
+  S7WLDWord = 0x06,
+  S7WLDInt = 0x07,
+  S7WLReal = 0x08,
+  S7WLCounter = 0x1C,
+  S7WLTimer = 0x1D
+};
+
+/* Connection resources of the CPU */
+enum { CONNTYPE_PG = 1, CONNTYPE_OP = 2, CONNTYPE_BASIC = 3 };
+
+/* Parameters: port (uint16_t, 102), times in milliseconds (int32_t, 3000 to receive, 10 to send, 750 to connect), length of the
+ * PDU that is asked for (int32_t, 480). */
+enum { p_u16_RemotePort = 2, p_i32_PingTimeout = 3, p_i32_SendTimeout = 4, p_i32_RecvTimeout = 5, p_i32_PDURequest = 10 };
+
+/* Errors: TCP in the low word, then ISO, then the client and the CPU. */
+enum {
+  errTCPSocketCreation = 0x0001,
+  errTCPConnectionTimeout = 0x0002,
+  errTCPConnectionFailed = 0x0003,
+  errTCPReceiveTimeout = 0x0004,
+  errTCPDataReceive = 0x0005,
+  errTCPSendTimeout = 0x0006,
+  errTCPDataSend = 0x0007,
+  errTCPConnectionReset = 0x0008,
+  errTCPNotConnected = 0x0009,
+  errIsoConnect = 0x00010000,
+  errIsoInvalidPDU = 0x00030000,
+  errCliNegotiatingPDU = 0x00100000,
+  errCliInvalidParams = 0x00200000,
+  errCliTooManyItems = 0x00400000,
+  errCliInvalidWordLen = 0x00500000,
+  errCliSizeOverPDU = 0x00700000,
+  errCliInvalidPlcAnswer = 0x00800000,
+  errCliAddressOutOfRange = 0x00900000,
+  errCliInvalidTransportSize = 0x00A00000,
+  errCliWriteDataSizeMismatch = 0x00B00000,
+  errCliItemNotAvailable = 0x00C00000,
+  errCliInvalidValue = 0x00D00000,
+  errCliFunNotAvailable = 0x01400000,
+  errCliNeedPassword = 0x01D00000,
+  errCliFunctionRefused = 0x02300000,
+  errLibInvalidObject = -2
+};
+
+/* One variable of Cli_ReadMultiVars and Cli_WriteMultiVars; Result is its own error. */
+typedef struct {
+  int Area;
+  int WordLen;
+  int Result;
+  int DBNumber;
+  int Start;
+  int Amount;
+  void *pdata;
+} TS7DataItem, *PS7DataItem;
+
+S7Object Cli_Create(void);
+void Cli_Destroy(S7Object *client); /* disconnects; *client becomes 0 */
+
+int Cli_SetConnectionType(S7Object client, uint16_t type); /* CONNTYPE_...; before connecting */
+int Cli_ConnectTo(S7Object client, const char *address, int rack, int slot);
+int Cli_Connect(S7Object client); /* again, to where it was */
+int Cli_Disconnect(S7Object client);
+int Cli_GetConnected(S7Object client, int *connected);
+int Cli_GetParam(S7Object client, int number, void *value);
+int Cli_SetParam(S7Object client, int number, void *value); /* before connecting */
+int Cli_GetPduLength(S7Object client, int *requested, int *negotiated);
+int Cli_GetLastError(S7Object client, int *error);
+int Cli_ErrorText(int error, char *text, int size); /* a sentence, with its zero, in `size` bytes at most */
+
+/* Any length: what one PDU cannot hold is asked in several. `data` has as many bytes as the elements. */
+int Cli_ReadArea(S7Object client, int area, int db, int start, int amount, int wordLen, void *data);
+int Cli_WriteArea(S7Object client, int area, int db, int start, int amount, int wordLen, void *data);
+int Cli_ReadMultiVars(S7Object client, PS7DataItem items, int count);  /* 20 items, one PDU */
+int Cli_WriteMultiVars(S7Object client, PS7DataItem items, int count); /* 20 items, one PDU */
+
+/* The same in bytes: data blocks, inputs (E), outputs (A), flags (M); timers and counters in words. */
+int Cli_DBRead(S7Object client, int db, int start, int size, void *data);
+int Cli_DBWrite(S7Object client, int db, int start, int size, void *data);
+int Cli_EBRead(S7Object client, int start, int size, void *data);
+int Cli_EBWrite(S7Object client, int start, int size, void *data);
+int Cli_ABRead(S7Object client, int start, int size, void *data);
+int Cli_ABWrite(S7Object client, int start, int size, void *data);
+int Cli_MBRead(S7Object client, int start, int size, void *data);
+int Cli_MBWrite(S7Object client, int start, int size, void *data);
+int Cli_TMRead(S7Object client, int start, int amount, void *data);
+int Cli_TMWrite(S7Object client, int start, int amount, void *data);
+int Cli_CTRead(S7Object client, int start, int amount, void *data);
+int Cli_CTWrite(S7Object client, int start, int amount, void *data);
+
+#if defined(__GNUC__)
+#pragma GCC visibility pop
+#endif
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,143 @@
+"""libmerker-s7 from C and Python against `merker run --s7` (lib/merker-s7/merker_s7.h, S7-NET-21)."""
+import ctypes
+import os
+import pathlib
+import struct
+import subprocess
+
+from s7_client import S7Case
+
+EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "examples"
+SAMPLE = pathlib.Path(os.environ["MERKER"]).parent / "lib" / "merker-s7" / "s7_vessel"
+LIBRARY = pathlib.Path(os.environ["MERKER"]).parent / "libmerker-s7.so"
+PE, PA, MK, DB, CT, TM = 0x81, 0x82, 0x83, 0x84, 0x1C, 0x1D
+BIT, BYTE, WORD, REAL = 1, 2, 4, 8
+PORT, RECEIVE_TIMEOUT, PDU = 2, 5, 10
+PLANT = """DATA_BLOCK DB 1
+STRUCT
+  row : ARRAY [0..999] OF BYTE;
+END_STRUCT
+BEGIN
+END_DATA_BLOCK
+ORGANIZATION_BLOCK OB 1
+BEGIN
+NETWORK
+      U     M 10.1
+      =     A 4.0
+      UN    M 10.2
+      L     S5T#5S
+      SE    T 3
+      U     M 10.3
+      L     C#42
+      S     Z 7
+END_ORGANIZATION_BLOCK
+"""
+
+
+class Item(ctypes.Structure):
+    _fields_ = [(name, ctypes.c_int) for name in ("area", "word_len", "result", "db", "start", "amount")]
+    _fields_ += [("data", ctypes.c_void_p)]
+
+
+class Client:
+    def __init__(self, port, **parameters):
+        self.library = ctypes.CDLL(str(LIBRARY))
+        self.library.Cli_Create.restype = ctypes.c_size_t
+        self.object = ctypes.c_size_t(self.library.Cli_Create())
+        self.set(PORT, ctypes.c_uint16(port))
+
+    def set(self, number, value):
+        assert self.call("SetParam", number, ctypes.byref(value)) == 0
+
+    def call(self, name, *arguments):
+        return getattr(self.library, "Cli_" + name)(self.object, *arguments)
+
+    def read(self, name, *arguments, size):
+        data = ctypes.create_string_buffer(size)
+        error = self.call(name, *arguments, data)
+        assert error == 0, hex(error)
+        return data.raw
+
+    def close(self):
+        self.library.Cli_Destroy(ctypes.byref(self.object))
+
+
+class Library(S7Case):
+    def setUp(self):
+        super().setUp()
+        self.write("plant.awl", PLANT)
+        self.process = self.start("plant.awl", "--no-workbench")
+        self.plc = self.library()
+        self.assertEqual(self.plc.call("ConnectTo", b"127.0.0.1", 0, 2), 0)
+
+    def library(self):
+        client = Client(self.port)
+        self.addCleanup(client.close)
+        return client
+
+    def test_data_blocks_longer_than_a_pdu(self):
+        requested, agreed = ctypes.c_int(), ctypes.c_int()
+        self.plc.call("GetPduLength", ctypes.byref(requested), ctypes.byref(agreed))
+        self.assertEqual((requested.value, agreed.value), (480, 240))
+        text = bytes(i * 7 % 256 for i in range(1000))
+        self.assertEqual(self.plc.call("DBWrite", 1, 0, 1000, text), 0)
+        self.assertEqual(self.plc.read("DBRead", 1, 0, 1000, size=1000), text)
+        self.assertEqual(self.plc.read("ReadArea", DB, 1, 995, 1, REAL, size=4), text[995:999])
+
+    def test_every_area(self):
+        bit = ctypes.c_uint8(1)
+        self.assertEqual(self.plc.call("WriteArea", MK, 0, 81, 1, BIT, ctypes.byref(bit)), 0)
+        self.until(lambda: self.plc.read("ABRead", 4, 1, size=1) == b"\1")
+        self.assertEqual(self.plc.call("MBWrite", 10, 1, b"\x0a"), 0)  # M 10.1 and M 10.3
+        self.until(lambda: self.plc.read("CTRead", 7, 1, size=2) == b"\0\x42")
+        self.assertNotEqual(self.plc.read("TMRead", 3, 1, size=2), b"\0\0")
+        self.assertEqual(self.plc.read("EBRead", 0, 2, size=2), b"\0\0")
+        self.assertEqual(self.plc.read("MBRead", 10, 1, size=1), b"\x0a")
+
+    def test_many_variables_in_one_request(self):
+        first, second, third = (ctypes.create_string_buffer(n) for n in (4, 1, 1))
+        struct.pack_into(">f", first, 0, 1.5)
+        items = (Item * 3)(Item(DB, REAL, -1, 1, 8, 1, ctypes.addressof(first)),
+                           Item(MK, BYTE, -1, 0, 30, 1, ctypes.addressof(second)),
+                           Item(DB, BYTE, -1, 99, 0, 1, ctypes.addressof(third)))
+        self.assertEqual(self.plc.call("WriteMultiVars", items, 3), 0)
+        self.assertEqual([item.result for item in items], [0, 0, 0x00C00000])
+        first.value = b""
+        self.assertEqual(self.plc.call("ReadMultiVars", items, 3), 0)
+        self.assertEqual(struct.unpack(">f", first.raw)[0], 1.5)
+        self.assertEqual(self.plc.call("ReadMultiVars", items, 21), 0x00400000)
+
+    def test_errors_are_sentences(self):
+        text = ctypes.create_string_buffer(100)
+        one = ctypes.create_string_buffer(8)
+        for error, call in ((0x00C00000, ("DBRead", 2, 0, 4, one)), (0x00900000, ("DBRead", 1, 998, 4, one)),
+                            (0x00200000, ("ReadArea", 0x99, 0, 0, 1, BYTE, one)),
+                            (0x00500000, ("ReadArea", MK, 0, 0, 2, BIT, one)),
+                            (0x00200000, ("MBRead", -1, 1, one)), (0x00200000, ("DBRead", 1, 0, 70000, one))):
+            self.assertEqual(self.plc.call(*call), error, call)
+            self.plc.library.Cli_ErrorText(error, text, len(text))
+            self.assertNotIn(b"unknown", text.value)
+        self.plc.library.Cli_ErrorText(0x00C00000, text, 9)
+        self.assertEqual(text.value, b"the data")
+
+    def test_who_is_not_there(self):
+        other = self.library()
+        one = ctypes.create_string_buffer(1)
+        self.assertEqual(other.call("MBRead", 0, 1, one), 9)
+        other.set(PORT, ctypes.c_uint16(1))
+        self.assertEqual(other.call("ConnectTo", b"127.0.0.1", 0, 2), 3)
+        self.process.kill()
+        self.process.wait()
+        self.assertIn(self.plc.call("MBRead", 0, 1, one), (5, 7, 8))
+        self.assertEqual(self.plc.call("MBRead", 0, 1, one), 9)
+
+
+class Sample(S7Case):
+    def test_the_vessel(self):
+        self.start(str(EXAMPLES / "vessel-emptying"), "--no-workbench")
+        done = subprocess.run([SAMPLE, "127.0.0.1", str(self.port), "3"], capture_output=True, text=True, timeout=60)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("Stop           1\n", done.stdout)
+        nobody = subprocess.run([SAMPLE, "127.0.0.1", "1", "1"], capture_output=True, text=True, timeout=60)
+        self.assertEqual(nobody.returncode, 1)
+        self.assertEqual(nobody.stderr, "connecting: no connection: address not found, or nobody listens at the port\n")
