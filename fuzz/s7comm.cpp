@@ -1,5 +1,6 @@
 // PDUs of S7 communication, one behind the other: whatever comes, each answer is a PDU of at most
 // the agreed length, nobody asks the PLC for more than that, and a job is answered once.
+#include <optional>
 #include <utility>
 
 #include "harness.h"
@@ -32,6 +33,23 @@ class Zeros : public s7comm::Plc {
     order([done = std::move(done), count = writes.size()] {
       done(std::vector(count, s7comm::ItemCode::Done));
     });
+  }
+  void status(std::uint16_t list, std::uint16_t index, StatusDone done) override {
+    s7comm::StatusList found{1, index, Bytes(index)};
+    order([done = std::move(done), list, found = std::move(found)] {
+      done(list % 2 == 0 ? std::nullopt : std::optional(found));
+    });
+  }
+  void clock(ClockDone done) override {
+    order([done = std::move(done)] { done(s7comm::ClockTime{}); });
+  }
+  void setClock(const s7comm::ClockTime& time, Done done) override {
+    order([done = std::move(done), good = time[0] < 0x99] {
+      done(good ? s7comm::Error::None : s7comm::Error::WrongTime);
+    });
+  }
+  void control(s7comm::Control wish, std::function<void(s7comm::Controlled)> done) override {
+    order([done = std::move(done), wish] { done(static_cast<s7comm::Controlled>(wish)); });
   }
 
  private:

@@ -63,6 +63,34 @@ class Values(S7Case):
         self.end(process)
 
 
+class Control(S7Case):
+    STOP = "32 01 00 00 00 02 00 10 00 00 29 00 00 00 00 00 09 50 5F 50 52 4F 47 52 41 4D"
+    START = "32 01 00 00 00 02 00 14 00 00 28 00 00 00 00 00 00 FD 00 00 09 50 5F 50 52 4F 47 52 41 4D"
+
+    # S7-NET-26
+    def test_stop_and_start(self):
+        self.write("a.awl", PROGRAM)
+        for workbench in ("--no-workbench", "--port=0"):
+            process = self.start("a.awl", workbench)
+            client = self.client()
+            self.assertEqual(client.ask(self.STOP)[10:].hex(), "000029")
+            before = client.read(FLAGS, 20, 1, WORD)
+            self.assertEqual(client.read(FLAGS, 20, 1, WORD), before)
+            self.assertEqual(client.ask(self.STOP)[10:].hex(), "84042907")
+            self.assertEqual(client.ask(self.START)[10:].hex(), "000028")
+            self.until(lambda: client.read(FLAGS, 20, 1, WORD) != before)
+            self.end(process)
+
+    # S7-MEM-05: variables are not protected.
+    def test_a_protected_cpu_is_not_stopped(self):
+        self.write("plant/merker.toml", '[cpu]\nprotection = 2\npassword = "secret"\n')
+        self.write("plant/a.awl", PROGRAM)
+        self.start("plant", "--no-workbench")
+        client = self.client()
+        self.assertEqual(client.ask(self.STOP)[10:12].hex(), "d241")
+        self.assertEqual(client.write(FLAGS, 30, b"\x55"), 0xFF)
+
+
 class Places(S7Case):
     def test_wrong_places(self):
         self.write("a.awl", PROGRAM)

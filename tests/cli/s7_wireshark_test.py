@@ -42,11 +42,34 @@ class Judged(S7Case):
 
     def test_what_is_refused(self):
         client = self.recorded()
-        client.ask("32 01 00 00 00 02 00 10 00 00 29 00 00 00 00 00 09 50 5F 50 52 4F 47 52 41 4D")  # stop
-        client.ask("32 07 00 00 05 00 00 08 00 08 00 01 12 04 11 44 01 00 FF 09 00 04 00 11 00 00")  # SZL
+        client.ask("32 01 00 00 00 02 00 08 00 00 1E 00 00 00 00 00 00 07")  # upload
+        client.ask("32 07 00 00 05 00 00 08 00 04 00 01 12 04 11 43 01 00 0A 00 00 00")  # number of blocks
         client.close()
         self.judge(6)
         self.assertEqual(self.capture.ask("s7comm.header.rosctr == 2", "s7comm.header.errcod"), ["0x04"])
+
+    # Every list, its parts, the clock, stop and start.
+    def test_programming_devices(self):
+        client = self.recorded()
+        szl = "32 07 00 00 05 00 00 08 00 08 00 01 12 04 11 44 01 00 FF 09 00 04"
+        lists = client.ask(f"{szl} 00 00 00 00")[34:]
+        numbers = [lists[i:i + 2].hex() for i in range(0, len(lists), 2)]
+        self.assertIn("0424", numbers)
+        requests = 1
+        for number in numbers:
+            answer = client.ask(f"{szl} {number} 00 00")
+            requests += 1
+            while answer[19]:
+                answer = client.ask(f"32 07 00 00 05 00 00 0C 00 04 00 01 12 08 12 44 01 {answer[17]:02X} 00 00 00 00 0A 00 00 00")
+                requests += 1
+        client.ask("32 07 00 00 01 00 00 08 00 04 00 01 12 04 11 47 01 00 0A 00 00 00")
+        client.ask("32 07 00 00 02 00 00 08 00 0E 00 01 12 04 11 47 02 00 FF 09 00 0A 00 19 24 12 31 23 59 59 99 93")
+        for _ in range(2):
+            client.ask("32 01 00 00 00 02 00 10 00 00 29 00 00 00 00 00 09 50 5F 50 52 4F 47 52 41 4D")
+        for _ in range(2):
+            client.ask("32 01 00 00 00 02 00 14 00 00 28 00 00 00 00 00 00 FD 00 00 09 50 5F 50 52 4F 47 52 41 4D")
+        client.close()
+        self.judge(2 * (1 + requests + 6))
 
     def test_connections(self):
         clients = [self.recorded(kind) for kind in [1, 2] + 10 * [3]]

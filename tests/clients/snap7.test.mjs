@@ -87,3 +87,46 @@ test('what is not there has a code', { timeout: 30_000 }, async () => {
   await assert.rejects(call('MBRead', 4000, 1), /Address out of range/);
   await assert.rejects(call('DBRead', 1, 20, 10), /Address out of range/);
 });
+
+test('what it is and what it does', { timeout: 30_000 }, async () => {
+  assert.equal((await call('GetOrderCode')).Code.trim(), '6ES7 314-6BF01-0AB0');
+  const names = await call('GetCpuInfo');
+  assert.equal(names.ModuleTypeName, 'CPU 314C-2 PtP');
+  assert.equal(names.ModuleName, 'CPU 314C-2 PtP');
+  assert.equal(names.ASName, 'Merker');
+  const communication = await call('GetCpInfo');
+  assert.deepEqual([communication.MaxPduLength, communication.MaxConnections], [240, 12]);
+  assert.equal((await call('GetProtection')).sch_rel, 1);
+  assert.equal(await call('PlcStatus'), client.S7CpuStatusRun);
+});
+
+// The diagnostic buffer has more than a PDU holds: it comes in parts.
+test('lists', { timeout: 30_000 }, async () => {
+  const numbers = await call('ReadSZLList');
+  assert.ok(numbers.includes(0x0424), `${numbers}`);
+  const memory = await call('ReadSZL', 0x0014, 0);
+  assert.equal(memory.length, 4 + 8 * 8); // behind length and number of the records
+  await assert.rejects(call('ReadSZL', 0x0999, 0));
+});
+
+// The addon leaves open whether it is daylight saving time: hours may differ by one.
+test('the clock', { timeout: 30_000 }, async () => {
+  const time = new Date(2024, 11, 31, 23, 59, 30);
+  await call('SetPlcDateTime', time);
+  const shown = await call('GetPlcDateTime');
+  const hour = 3_600_000, passed = (shown - time + 2 * hour) % hour;
+  assert.ok(Math.abs(shown - time) < 1.5 * hour && passed < 20_000, `${shown}`);
+});
+
+test('stop and start', { timeout: 30_000 }, async () => {
+  await call('PlcStop');
+  assert.equal(await call('PlcStatus'), client.S7CpuStatusStop);
+  const count = await call('MBRead', 20, 2);
+  assert.deepEqual(await call('MBRead', 20, 2), count);
+  await assert.rejects(call('PlcStop'), /already STOP/);
+  const diagnostics = await call('ReadSZL', 0x00a0, 0);
+  assert.equal(diagnostics.subarray(4, 6).toString('hex'), '4304'); // STOP by a programming device
+  await call('PlcHotStart');
+  assert.equal(await until(() => call('PlcStatus'), (mode) => mode === client.S7CpuStatusRun), client.S7CpuStatusRun);
+  await assert.rejects(call('PlcHotStart'), /already RUN/);
+});

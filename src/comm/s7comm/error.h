@@ -10,7 +10,11 @@ namespace merker::s7comm {
 enum class Error : std::uint16_t {
   None = 0,
   FunctionNotAvailable = 0x8104,  // no such function, or before the setup
-  WrongPduSize = 0x8500           // the PDU, or its answer, is too long or its lengths are wrong
+  CannotBeDone = 0x8404,          // not in this state
+  WrongPduSize = 0x8500,          // the PDU, or its answer, is too long or its lengths are wrong
+  NeedsPassword = 0xD241,
+  NoInformation = 0xD402,  // no such list, or not of this PLC
+  WrongTime = 0xDC01
 };
 
 enum class ItemCode : std::uint8_t {

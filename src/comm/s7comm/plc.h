@@ -2,7 +2,9 @@
 // connections and return at once; `done` is called in the same thread, within the call or later.
 #pragma once
 
+#include <array>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "s7comm/pdu.h"
@@ -44,6 +46,18 @@ struct Write {
   Bytes octets;
 };
 
+// Of the system status list (SZL): records of one length, one behind the other.
+struct StatusList {
+  std::uint16_t recordLength = 0, records = 0;
+  Bytes data{};
+};
+
+// BCD: year of two digits, month, day, hour, minute, second, milliseconds, day of the week.
+using ClockTime = std::array<std::uint8_t, 8>;
+
+enum class Control : std::uint8_t { WarmRestart, ColdRestart, Stop };
+enum class Controlled : std::uint8_t { Done, Already, Refused, Protected };
+
 class Plc {
  public:
   virtual ~Plc() = default;
@@ -54,6 +68,16 @@ class Plc {
   virtual void read(const std::vector<Range>& ranges, ReadDone done) = 0;
   // In this order, between two cycles.
   virtual void write(std::vector<Write> writes, WriteDone done) = 0;
+
+  using StatusDone = std::function<void(const std::optional<StatusList>&)>;
+  // Nothing: there is no such list.
+  virtual void status(std::uint16_t list, std::uint16_t index, StatusDone done) = 0;
+  using ClockDone = std::function<void(const std::optional<ClockTime>&)>;
+  // Nothing: it has none.
+  virtual void clock(ClockDone done) = 0;
+  using Done = std::function<void(Error)>;
+  virtual void setClock(const ClockTime& time, Done done) = 0;
+  virtual void control(Control wish, std::function<void(Controlled)> done) = 0;
 
  protected:
   Plc() = default;

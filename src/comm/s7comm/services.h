@@ -21,6 +21,7 @@ struct Job {
   void answer(View answerParameters, View answerData = {}, Error error = Error::None) const;
   void refuse(Error error) const;
   void userdata(View answerParameters, View answerData) const;
+  Session::Rest& rest() const { return session->rest_; }
 
   // The PLC carries it out: what waits for its answer, then that it was given.
   Job begun() const {
@@ -47,5 +48,7 @@ void serveSetup(const Job& job);
 void serveRead(const Job& job);
 void serveWrite(const Job& job);
 void serveUserdata(const Job& job);
+void serveProgramInvocation(const Job& job);
+void serveStop(const Job& job);
 
 }  // namespace merker::s7comm

@@ -40,9 +40,9 @@ bool Session::take(View bytes) {
           .parameters = pdu->parameters,
           .data = pdu->data};
   if (bytes.size() > pdu_ || pdu->parameters.empty()) return job.refuse(Error::WrongPduSize), true;
-  if (pdu->type == PduType::Userdata && setUp_) return serveUserdata(job), true;
+  constexpr static Service kUserdata{0, "userdata", true, false, serveUserdata};
   const Service* const service =
-      pdu->type == PduType::Userdata ? nullptr : findService(job.function);
+      pdu->type == PduType::Userdata ? &kUserdata : findService(job.function);
   if (service == nullptr || (!setUp_ && !service->beforeSetup))
     return job.refuse(Error::FunctionNotAvailable), true;
   if (service->waits && waiting_ > 0)

@@ -21,6 +21,12 @@ class Session : public std::enable_shared_from_this<Session> {
  public:
   using Send = std::function<void(Bytes pdu)>;
 
+  // What is left of an answer of several PDUs: the client asks for them one by one.
+  struct Rest {
+    std::uint8_t sequence = 0, unit = 0;
+    Bytes octets{};
+  };
+
   // `plc` outlives it.
   Session(Plc& plc, Send send, Offer offer = {});
 
@@ -48,6 +54,7 @@ class Session : public std::enable_shared_from_this<Session> {
   bool setUp_ = false, inside_ = false;  // inside_: receive() is running
   std::size_t waiting_ = 0;              // jobs that the PLC has and has not answered
   Bytes held_;                           // a PDU that waits for these
+  Rest rest_;
 };
 
 }  // namespace merker::s7comm

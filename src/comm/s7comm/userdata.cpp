@@ -1,12 +1,24 @@
-// Userdata: the services of programming devices, by group and subfunction.
+#include "s7comm/userdata.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
 #include "base/bytes.h"
-#include "s7comm/services.h"
+#include "s7comm/data_item.h"
 
 namespace merker::s7comm {
 namespace {
 
+// group, subfunction, name
+constexpr UserdataService kUserdataServices[] = {
+    {4, 1, "read SZL", serveStatusList}, {7, 1, "read clock", serveReadClock},
+    {7, 2, "set clock", serveSetClock},  {7, 3, "read clock", serveReadClock},
+    {7, 4, "set clock", serveSetClock},
+};
+
 // 00 01 12, length, method, type and group, subfunction, sequence number.
-constexpr std::size_t kUserdataHead = 8;
+constexpr std::size_t kUserdataHead = 8, kAnswerParameters = 12;
 constexpr std::uint8_t kAnswerMethod = 0x12, kAnswerType = 0x80, kAnswerLength = 8;
 
 bool isUserdata(View p) {
@@ -14,22 +26,77 @@ bool isUserdata(View p) {
          p.size() - 4 >= p[3] && p[3] >= 4;
 }
 
-// No data unit, no more of them, and why.
-void refuseUserdata(const Job& job, Error error) {
-  const View p = job.parameters;
-  Bytes answer = {p[0], p[1], p[2], kAnswerLength, kAnswerMethod};
-  answer.insert(answer.end(),
-                {static_cast<std::uint8_t>(kAnswerType | (p[5] & 0x0F)), p[6], p[7], 0, 0});
-  appendWord(answer, static_cast<std::uint32_t>(error));
-  constexpr std::uint8_t kNothing[] = {static_cast<std::uint8_t>(ItemCode::Missing), 0, 0, 0};
-  job.userdata(answer, kNothing);
-}
+// The client wants the next part of an answer.
+bool wantsMore(View p) { return p[3] == kAnswerLength && p[4] == kAnswerMethod; }
 
 }  // namespace
 
+void Request::send(std::uint8_t unit, bool last, Error error, View octets) const {
+  Bytes parameters = {0, 1, kAnswerMethod, kAnswerLength, kAnswerMethod};
+  parameters.insert(parameters.end(), {static_cast<std::uint8_t>(kAnswerType | group), subfunction,
+                                       sequence, unit, static_cast<std::uint8_t>(last ? 0 : 1)});
+  appendWord(parameters, static_cast<std::uint32_t>(error));
+  Bytes item;
+  if (octets.empty())
+    writeDataItem(item, {ItemCode::Missing, DataUnit::None, {}});
+  else
+    writeDataItem(item, {ItemCode::Done, DataUnit::Octets, octets});
+  job.userdata(parameters, item);
+}
+
+void Request::refuse(Error error) const { send(0, true, error, {}); }
+void Request::done() const { send(0, true, Error::None, {}); }
+
+Request Request::begun() const {
+  Request kept = *this;
+  kept.job = job.begun();
+  kept.data = {};
+  return kept;
+}
+
+// Takes from `rest` what a PDU holds.
+void Request::part(Session::Rest& rest) const {
+  const std::size_t most = job.pdu() - kHeader - kAnswerParameters - kDataItemHeader;
+  const std::size_t count = std::min(most, rest.octets.size());
+  const Bytes octets(rest.octets.begin(), rest.octets.begin() + static_cast<std::ptrdiff_t>(count));
+  rest.octets.erase(rest.octets.begin(), rest.octets.begin() + static_cast<std::ptrdiff_t>(count));
+  send(rest.unit, rest.octets.empty(), Error::None, octets);
+}
+
+// One answer at a time: who asks for something else gives up what is left.
+void Request::answer(Bytes octets) const {
+  Session::Rest& rest = job.rest();
+  rest.octets = std::move(octets);
+  rest.sequence = static_cast<std::uint8_t>(rest.sequence % 0xFF + 1);  // never 0
+  const bool whole =
+      rest.octets.size() + kHeader + kAnswerParameters + kDataItemHeader <= job.pdu();
+  rest.unit = whole ? 0 : rest.sequence;
+  Request first = *this;
+  first.sequence = rest.sequence;
+  first.part(rest);
+}
+
 void serveUserdata(const Job& job) {
-  if (!isUserdata(job.parameters)) return job.refuse(Error::WrongPduSize);
-  refuseUserdata(job, Error::FunctionNotAvailable);
+  const View p = job.parameters;
+  if (!isUserdata(p)) return job.refuse(Error::WrongPduSize);
+  Request request{.job = job,
+                  .group = static_cast<std::uint8_t>(p[5] & 0x0F),
+                  .subfunction = p[6],
+                  .sequence = p[7]};
+  if (wantsMore(p)) {
+    const bool rest = request.sequence == job.rest().sequence && !job.rest().octets.empty();
+    return rest ? request.part(job.rest()) : request.refuse(Error::NoInformation);
+  }
+  const auto* const service =
+      std::ranges::find_if(kUserdataServices, [&](const UserdataService& one) {
+        return one.group == request.group && one.subfunction == request.subfunction;
+      });
+  View data = job.data;
+  const auto item = readDataItem(data);
+  if (service == std::end(kUserdataServices)) return request.refuse(Error::FunctionNotAvailable);
+  if (!item) return request.refuse(Error::WrongPduSize);
+  request.data = item->octets;
+  service->serve(request);
 }
 
 }  // namespace merker::s7comm

@@ -33,7 +33,7 @@ constexpr Row kRows[] = {
     {0x0119, 4, Part::One, szlLeds},
     {0x0024, 20, Part::All, szlAllModes},
     {0x0124, 20, Part::All, szlLastMode},
-    {0x0424, 20, Part::All, szlLastMode},
+    {0x0424, 20, Part::All, szlCurrentMode},
     {0x0524, 20, Part::One, szlOneMode},
     {0x0132, 40, Part::One, szlCommunication},
     {0x0074, 4, Part::All, szlLeds},
@@ -43,6 +43,10 @@ constexpr Row kRows[] = {
     {0x00B1, 4, Part::One, szlRecord0},
     {0x00B2, 0, Part::One, szlRecord1BySlot},
     {0x00B3, 0, Part::One, szlRecord1ByAddress},
+    {0x001C, 34, Part::All, szlNames},
+    {0x011C, 34, Part::One, szlNames},
+    {0x0131, 40, Part::One, szlConnections},
+    {0x0232, 40, Part::One, szlProtection},
 };
 
 constexpr std::uint32_t kExtract = 0x0F00;

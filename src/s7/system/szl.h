@@ -1,4 +1,4 @@
-// The system status list (SZL): what SFC 51 reads, and later the protocol (S7-DIAG-05). A list is
+// The system status list (SZL): what SFC 51 and S7 communication read (S7-DIAG-05). A list is
 // one or more records of equal length.
 #pragma once
 
@@ -40,9 +40,13 @@ void szlAreas(const SzlSource&, std::uint32_t index, SzlList&);              // 
 void szlBlockTypes(const SzlSource&, std::uint32_t index, SzlList&);         // 16#xy15
 void szlLeds(const SzlSource&, std::uint32_t index, SzlList&);               // 16#xy19, 16#xy74
 void szlAllModes(const SzlSource&, std::uint32_t index, SzlList&);           // 16#0024
-void szlLastMode(const SzlSource&, std::uint32_t index, SzlList&);           // 16#0124, 16#0424
+void szlLastMode(const SzlSource&, std::uint32_t index, SzlList&);           // 16#0124
+void szlCurrentMode(const SzlSource&, std::uint32_t index, SzlList&);        // 16#0424
 void szlOneMode(const SzlSource&, std::uint32_t index, SzlList&);            // 16#0524
 void szlCommunication(const SzlSource&, std::uint32_t index, SzlList&);      // 16#0132
+void szlConnections(const SzlSource&, std::uint32_t index, SzlList&);        // 16#0131
+void szlProtection(const SzlSource&, std::uint32_t index, SzlList&);         // 16#0232
+void szlNames(const SzlSource&, std::uint32_t index, SzlList&);              // 16#xy1C
 void szlDiagnostics(const SzlSource&, std::uint32_t index, SzlList&);        // 16#00A0
 void szlLatestDiagnostics(const SzlSource&, std::uint32_t index, SzlList&);  // 16#01A0
 void szlRecord0(const SzlSource&, std::uint32_t index, SzlList&);            // 16#00B1

@@ -64,6 +64,24 @@ void szlIdentification(const SzlSource& source, std::uint32_t index, SzlList& li
     identify(list, kFirmware, {}, kV | static_cast<std::uint32_t>(model.firmware[0]), rest);
 }
 
+// Clients find a name by its place among the records: this order is that of the CPU.
+void szlNames(const SzlSource& source, std::uint32_t index, SzlList& list) {
+  constexpr std::size_t kCharacters = 32;
+  const std::string_view model = source.cpu.machine().model->name;
+  struct Name {
+    std::uint32_t number;
+    std::string_view text;
+  };
+  // station, module, plant identification, copyright, serial number, type of the module
+  for (const Name& name : {Name{1, "Merker"}, Name{2, model}, Name{3, ""}, Name{4, "Merker"},
+                           Name{5, "SIMULATED"}, Name{7, model}}) {
+    if (!asked(index, name.number)) continue;
+    list.word(name.number);
+    for (std::size_t i = 0; i < kCharacters; ++i)
+      list.byte(i < name.text.size() ? static_cast<std::uint8_t>(name.text[i]) : 0);
+  }
+}
+
 // INDEX: the group, 16#0000, 0100, 0200, 0300. The whole list is asked for with group 0 as well, so
 // that the group of the processing unit cannot be told from it; it has one member.
 void szlCharacteristics(const SzlSource& source, std::uint32_t index, SzlList& list) {

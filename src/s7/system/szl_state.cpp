@@ -104,6 +104,17 @@ void szlLastMode(const SzlSource& source, std::uint32_t, SzlList& list) {
   if (!all.empty()) transition(list, all.back());
 }
 
+// The mode alone, as an S7-300 answers programming devices: they look at the whole byte.
+void szlCurrentMode(const SzlSource& source, std::uint32_t, SzlList& list) {
+  const std::vector<Transition> all = transitions(source.cpu);
+  list.word(all.empty() ? 0u : all.back().event->event);
+  list.byte(0xFF);
+  list.byte(all.empty() ? std::uint8_t{kStop} : all.back().to);
+  list.dword(0);
+  list.dword(0);
+  for (std::size_t i = 0; i < 8; ++i) list.byte(all.empty() ? 0u : all.back().event->stamp[i]);
+}
+
 // INDEX: the mode in its low byte.
 void szlOneMode(const SzlSource& source, std::uint32_t index, SzlList& list) {
   const std::vector<Transition> all = transitions(source.cpu);
@@ -116,6 +127,20 @@ void szlCommunication(const SzlSource& source, std::uint32_t index, SzlList& lis
   if (index == 4) protection(source.cpu, list);
   if (index == 8) timeSystem(source, list);
   if (!list.data.empty()) list.data.resize(list.recordLength);
+}
+
+void szlProtection(const SzlSource& source, std::uint32_t index, SzlList& list) {
+  if (index == 4) szlCommunication(source, index, list);
+}
+
+// INDEX 1: bytes of a PDU, connections, bit/s of MPI; of a CPU 314C-2 (S7-LIM-01, -05, S7-NET-25).
+void szlConnections(const SzlSource&, std::uint32_t index, SzlList& list) {
+  if (index != 1) return;
+  list.word(1);
+  list.word(240);
+  list.word(12);
+  list.dword(187'500);
+  list.data.resize(list.recordLength);
 }
 
 // The newest entry first.

@@ -28,6 +28,10 @@ class Exchange final : public s7comm::Plc {
   void closed();
   void read(const std::vector<s7comm::Range>& ranges, ReadDone done) override;
   void write(std::vector<s7comm::Write> writes, WriteDone done) override;
+  void status(std::uint16_t list, std::uint16_t index, StatusDone done) override;
+  void clock(ClockDone done) override;
+  void setClock(const s7comm::ClockTime& time, Done done) override;
+  void control(s7comm::Control wish, std::function<void(s7comm::Controlled)> done) override;
 
   // In the thread of the PLC. At each end of a cycle:
   void cycleEnded(monitor::Monitor& monitor);

@@ -58,6 +58,34 @@ class FewBytes : public Plc {
       done(codes);
     });
   }
+  // As many octets as are wished for.
+  std::size_t listOctets = 8;
+  void status(std::uint16_t list, std::uint16_t index, StatusDone done) override {
+    std::optional<StatusList> found;
+    if (list == 0x0011)
+      found = StatusList{4, 2, Bytes(listOctets, static_cast<std::uint8_t>(index))};
+    carryOut([found, done = std::move(done)] { done(found); });
+  }
+  std::optional<ClockTime> time = ClockTime{5, 9, 1, 8, 0, 0, 0, 5};
+  void clock(ClockDone done) override {
+    carryOut([this, done = std::move(done)] { done(time); });
+  }
+  void setClock(const ClockTime& now, Done done) override {
+    carryOut([this, now, done = std::move(done)] {
+      const bool good = now[1] <= 0x12;
+      if (good) time = now;
+      done(good ? Error::None : Error::WrongTime);
+    });
+  }
+  bool runs = true;
+  void control(Control wish, std::function<void(Controlled)> done) override {
+    carryOut([this, wish, done = std::move(done)] {
+      if (wish == Control::ColdRestart) return done(Controlled::Refused);
+      const bool already = runs == (wish == Control::WarmRestart);
+      runs = wish == Control::WarmRestart;
+      done(already ? Controlled::Already : Controlled::Done);
+    });
+  }
   void carryOutAll() {
     for (const auto& one : std::exchange(waiting, {})) one();
   }

@@ -37,11 +37,11 @@ TEST(Pdu, anUnknownFunctionIsRefused) {
   EXPECT_EQ(Line().say("32 01 00 00 12 34 00 00 00 00"), "32 02 00 00 12 34 00 00 00 00 85 00");
 }
 
-// Read SZL, as Wireshark shows the request; the answer has type, group and sequence number of it.
+// Block information; the answer has type, group and sequence number of it.
 TEST(Pdu, userdataThatNobodyServesIsRefusedInItsOwnForm) {
   EXPECT_EQ(
-      Line().say("32 07 00 00 05 00 00 08 00 08 00 01 12 04 11 47 03 07 FF 09 00 04 00 11 00 00"),
-      "32 07 00 00 05 00 00 0C 00 04 00 01 12 08 12 87 03 07 00 00 81 04 0A 00 00 00");
+      Line().say("32 07 00 00 05 00 00 08 00 08 00 01 12 04 11 43 03 07 FF 09 00 04 00 11 00 00"),
+      "32 07 00 00 05 00 00 0C 00 04 00 01 12 08 12 83 03 07 00 00 81 04 0A 00 00 00");
   EXPECT_EQ(Line().say("32 07 00 00 05 00 00 08 00 00 00 01 12 09 11 44 01 00"),
             "32 02 00 00 05 00 00 00 00 00 85 00");
 }

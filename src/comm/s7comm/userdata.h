@@ -1,0 +1,39 @@
+// Userdata: the services of programming devices, by group and subfunction, one row each.
+#pragma once
+
+#include "s7comm/services.h"
+
+namespace merker::s7comm {
+
+// A request of userdata; what its answer needs is kept while the PLC works.
+struct Request {
+  Job job;
+  std::uint8_t group = 0, subfunction = 0, sequence = 0;
+  View data{};  // behind its head, while it is served
+
+  void refuse(Error error) const;
+  // All of it, in as many PDUs as it takes: the client asks for all but the first.
+  void answer(Bytes octets) const;
+  void done() const;  // without data
+
+  // The PLC carries it out: what waits for its answer.
+  Request begun() const;
+  void ended() const { job.ended(); }
+
+ private:
+  friend void serveUserdata(const Job& job);
+  void part(Session::Rest& rest) const;
+  void send(std::uint8_t unit, bool last, Error error, View octets) const;
+};
+
+struct UserdataService {
+  std::uint8_t group, subfunction;
+  const char* name;
+  void (*serve)(const Request& request);
+};
+
+void serveStatusList(const Request& request);
+void serveReadClock(const Request& request);
+void serveSetClock(const Request& request);
+
+}  // namespace merker::s7comm

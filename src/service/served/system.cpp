@@ -1,0 +1,74 @@
+#include "served/system.h"
+
+#include <algorithm>
+
+#include "cpu/cpu.h"
+#include "station/block_cpu.h"
+#include "system/szl.h"
+
+namespace merker::served {
+namespace {
+
+using controller::Controller;
+using controller::Mode;
+using s7comm::Controlled;
+using s7comm::Error;
+
+// Null: a machine without SZL and clock.
+cpu::Cpu* cpuOf(Controller& plc) {
+  auto* const one = controller::capability<station::BlockCpu>(plc);
+  return one == nullptr ? nullptr : &one->cpu();
+}
+
+// Protection levels 2 and 3 refuse what is more than reading and writing variables (S7-MEM-05).
+bool isProtected(Controller& plc) {
+  const cpu::Cpu* const cpu = cpuOf(plc);
+  return cpu != nullptr && cpu->parameters().protection >= 2 && !cpu->parameters().password.empty();
+}
+
+Controlled stop(monitor::Monitor& monitor) {
+  if (monitor.plc().mode() == Mode::Stop) return Controlled::Already;
+  monitor.stop();
+  return Controlled::Done;
+}
+
+Controlled restart(Controller& plc, bool cold) {
+  if (plc.mode() != Mode::Stop) return Controlled::Already;
+  if (cold && !plc.hasColdRestart()) return Controlled::Refused;
+  return (cold ? plc.coldRestart() : plc.start()) ? Controlled::Done : Controlled::Refused;
+}
+
+}  // namespace
+
+std::optional<s7comm::StatusList> statusList(Controller& plc, std::uint16_t list,
+                                             std::uint16_t index) {
+  cpu::Cpu* const cpu = cpuOf(plc);
+  if (cpu == nullptr) return std::nullopt;
+  const system::SzlList found = system::readSzl({*cpu}, list, index);
+  if (found.error != 0) return std::nullopt;
+  return s7comm::StatusList{found.recordLength, found.records, found.data};
+}
+
+std::optional<s7comm::ClockTime> clockOf(Controller& plc) {
+  const cpu::Cpu* const cpu = cpuOf(plc);
+  if (cpu == nullptr) return std::nullopt;
+  return cpu::toDateAndTime(cpu->clock().milliseconds(plc.now()));
+}
+
+Error setClock(Controller& plc, const s7comm::ClockTime& time) {
+  cpu::Cpu* const cpu = cpuOf(plc);
+  if (cpu == nullptr) return Error::FunctionNotAvailable;
+  if (isProtected(plc)) return Error::NeedsPassword;
+  const auto milliseconds = cpu::fromDateAndTime(time.data());
+  if (!milliseconds) return Error::WrongTime;
+  cpu->setClock(*milliseconds);
+  return Error::None;
+}
+
+Controlled control(monitor::Monitor& monitor, s7comm::Control wish) {
+  if (isProtected(monitor.plc())) return Controlled::Protected;
+  if (wish == s7comm::Control::Stop) return stop(monitor);
+  return restart(monitor.plc(), wish == s7comm::Control::ColdRestart);
+}
+
+}  // namespace merker::served

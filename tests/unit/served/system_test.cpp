@@ -1,0 +1,69 @@
+#include "served/system.h"
+
+#include "served_plc.h"
+
+namespace merker::served {
+namespace {
+
+using s7comm::ClockTime;
+using s7comm::Control;
+using s7comm::Controlled;
+using s7comm::Error;
+
+class EachSystem : public EachFamily {
+ protected:
+  Controlled control(Control wish) {
+    Controlled how = Controlled::Refused;
+    plc.exchange.control(wish, [&](Controlled answer) { how = answer; });
+    if (plc.plc().mode() == controller::Mode::Stop)
+      plc.look();
+    else
+      plc.cycles(1);
+    return how;
+  }
+};
+INSTANTIATE_TEST_SUITE_P(Families, EachSystem, ::testing::Values(Family::Station, Family::Control));
+
+TEST_P(EachSystem, stopsAndStarts) {
+  plc.exchange.opened();
+  plc.cycles(1);
+  EXPECT_EQ(control(Control::WarmRestart), Controlled::Already);
+  EXPECT_EQ(control(Control::Stop), Controlled::Done);
+  EXPECT_EQ(plc.plc().mode(), controller::Mode::Stop);
+  EXPECT_EQ(control(Control::Stop), Controlled::Already);
+  EXPECT_EQ(control(Control::WarmRestart), Controlled::Done);
+  plc.cycles(2);
+  EXPECT_EQ(plc.plc().mode(), controller::Mode::Run);
+}
+
+// The byte that clients look at is in the first record (0424).
+TEST(System, theListsAreThoseOfTheCpu) {
+  ServedPlc plc = ServedPlc::station();
+  plc.cycles(1);
+  const auto mode = statusList(plc.plc(), 0x0424, 0);
+  ASSERT_TRUE(mode);
+  EXPECT_EQ(mode->recordLength, 20);
+  EXPECT_EQ(mode->data.at(3), 8);
+  plc.monitor().stop();
+  EXPECT_EQ(statusList(plc.plc(), 0x0424, 0)->data.at(3), 4);
+  EXPECT_EQ(statusList(plc.plc(), 0x00A0, 0)->data.at(1), 0x04);  // 4304: by a programming device
+  EXPECT_FALSE(statusList(plc.plc(), 0x0999, 0));
+}
+
+TEST(System, theClockIsThatOfTheCpu) {
+  ServedPlc plc = ServedPlc::station();
+  const ClockTime time = {0x24, 0x12, 0x31, 0x23, 0x59, 0x58, 0x12, 0x33};
+  EXPECT_EQ(setClock(plc.plc(), time), Error::None);
+  EXPECT_EQ(clockOf(plc.plc()), time);
+  EXPECT_EQ(setClock(plc.plc(), {0x24, 0x13}), Error::WrongTime);
+}
+
+TEST(System, aSinumerikHasNeitherListsNorAClock) {
+  ServedPlc plc = ServedPlc::control();
+  EXPECT_FALSE(statusList(plc.plc(), 0x0011, 0));
+  EXPECT_FALSE(clockOf(plc.plc()));
+  EXPECT_EQ(setClock(plc.plc(), {}), Error::FunctionNotAvailable);
+}
+
+}  // namespace
+}  // namespace merker::served
