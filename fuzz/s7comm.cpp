@@ -48,6 +48,13 @@ class Zeros : public s7comm::Plc {
       done(good ? s7comm::Error::None : s7comm::Error::WrongTime);
     });
   }
+  void blocks(BlocksDone done) override {
+    order([done = std::move(done)] { done(std::vector<s7comm::BlockEntry>(200)); });
+  }
+  void block(s7comm::BlockType, std::uint16_t number, bool, BlockDone done) override {
+    const auto error = number % 2 == 0 ? s7comm::Error::NoSuchBlock : s7comm::Error::None;
+    order([done = std::move(done), error] { done(error, Bytes(500)); });
+  }
   void control(s7comm::Control wish, std::function<void(s7comm::Controlled)> done) override {
     order([done = std::move(done), wish] { done(static_cast<s7comm::Controlled>(wish)); });
   }

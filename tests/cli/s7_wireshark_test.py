@@ -42,8 +42,8 @@ class Judged(S7Case):
 
     def test_what_is_refused(self):
         client = self.recorded()
-        client.ask("32 01 00 00 00 02 00 08 00 00 1E 00 00 00 00 00 00 07")  # upload
-        client.ask("32 07 00 00 05 00 00 08 00 04 00 01 12 04 11 43 01 00 0A 00 00 00")  # number of blocks
+        client.ask("32 01 00 00 00 02 00 10 00 00 28 00 00 00 00 00 00 FD 00 00 05 5F 47 41 52 42")  # compress
+        client.ask("32 07 00 00 05 00 00 08 00 0C 00 01 12 04 11 43 03 00 FF 09 00 08 30 38 30 30 30 30 32 41")  # there is no OB 2
         client.close()
         self.judge(6)
         self.assertEqual(self.capture.ask("s7comm.header.rosctr == 2", "s7comm.header.errcod"), ["0x04"])
@@ -70,6 +70,20 @@ class Judged(S7Case):
             client.ask("32 01 00 00 00 02 00 14 00 00 28 00 00 00 00 00 00 FD 00 00 09 50 5F 50 52 4F 47 52 41 4D")
         client.close()
         self.judge(2 * (1 + requests + 6))
+
+    def test_blocks(self):
+        client = self.recorded()
+        client.ask("32 07 00 00 05 00 00 08 00 04 00 01 12 04 11 43 01 00 0A 00 00 00")
+        client.ask("32 07 00 00 05 00 00 08 00 06 00 01 12 04 11 43 02 00 FF 09 00 02 30 38")
+        client.ask("32 07 00 00 05 00 00 08 00 0C 00 01 12 04 11 43 03 00 FF 09 00 08 30 38 30 30 30 30 31 41")
+        client.ask("32 01 00 00 00 02 00 12 00 00 1D 00 00 00 00 00 00 00 09 5F 30 38 30 30 30 30 31 41")
+        pieces = 0
+        while client.ask("32 01 00 00 00 03 00 08 00 00 1E 00 00 00 00 00 00 01")[13]:
+            pieces += 1
+        client.ask("32 01 00 00 00 04 00 08 00 00 1F 00 00 00 00 00 00 01")
+        client.close()
+        self.judge(2 * (1 + 4 + pieces + 2))
+        self.assertEqual(self.capture.ask("s7comm.blockinfo.blocktype", "s7comm.blockinfo.block_num")[-1:], ["1"])
 
     def test_connections(self):
         clients = [self.recorded(kind) for kind in [1, 2] + 10 * [3]]

@@ -130,3 +130,17 @@ test('stop and start', { timeout: 30_000 }, async () => {
   assert.equal(await until(() => call('PlcStatus'), (mode) => mode === client.S7CpuStatusRun), client.S7CpuStatusRun);
   await assert.rejects(call('PlcHotStart'), /already RUN/);
 });
+
+test('blocks', { timeout: 30_000 }, async () => {
+  const counts = await call('ListBlocks');
+  assert.deepEqual([counts.OBCount, counts.DBCount, counts.FCCount], [1, 1, 0]);
+  assert.deepEqual([...(await call('ListBlocksOfType', client.Block_DB))], [1]);
+  const information = await call('GetAgBlockInfo', client.Block_OB, 1);
+  assert.deepEqual([information.BlkNumber, information.BlkLang], [1, 1]); // AWL
+  const container = await call('FullUpload', client.Block_OB, 1, 4096);
+  assert.equal(container.length, information.LoadSize);
+  assert.equal(container.subarray(0, 2).toString('hex'), '7070');
+  assert.equal((await call('Upload', client.Block_OB, 1, 4096)).length, information.MC7Size);
+  assert.equal((await call('DBGet', 1)).toString('hex', 0, 2), '1234');
+  await assert.rejects(call('FullUpload', client.Block_FC, 1, 4096));
+});

@@ -12,6 +12,8 @@ enum class Error : std::uint16_t {
   FunctionNotAvailable = 0x8104,  // no such function, or before the setup
   CannotBeDone = 0x8404,          // not in this state
   WrongPduSize = 0x8500,          // the PDU, or its answer, is too long or its lengths are wrong
+  NoSuchBlock = 0xD209,
+  NoBlocks = 0xD20E,  // of this type
   NeedsPassword = 0xD241,
   NoInformation = 0xD402,  // no such list, or not of this PLC
   WrongTime = 0xDC01

@@ -55,6 +55,23 @@ struct StatusList {
 // BCD: year of two digits, month, day, hour, minute, second, milliseconds, day of the week.
 using ClockTime = std::array<std::uint8_t, 8>;
 
+// A block by the character of its type and its number.
+enum class BlockType : std::uint8_t {
+  Ob = '8',
+  Db = 'A',
+  Sdb = 'B',
+  Fc = 'C',
+  Sfc = 'D',
+  Fb = 'E',
+  Sfb = 'F'
+};
+
+struct BlockEntry {
+  BlockType type = BlockType::Ob;
+  std::uint16_t number = 0;
+  std::uint8_t attributes = 0, language = 0;  // as in its container (docs/formats/block.md)
+};
+
 enum class Control : std::uint8_t { WarmRestart, ColdRestart, Stop };
 enum class Controlled : std::uint8_t { Done, Already, Refused, Protected };
 
@@ -77,6 +94,12 @@ class Plc {
   virtual void clock(ClockDone done) = 0;
   using Done = std::function<void(Error)>;
   virtual void setClock(const ClockTime& time, Done done) = 0;
+  using BlocksDone = std::function<void(const std::optional<std::vector<BlockEntry>>&)>;
+  // All of them, each type with ascending numbers. Nothing: it does not tell.
+  virtual void blocks(BlocksDone done) = 0;
+  using BlockDone = std::function<void(Error, const Bytes& container)>;
+  // `wholly`: for an upload, which a protection may forbid.
+  virtual void block(BlockType type, std::uint16_t number, bool wholly, BlockDone done) = 0;
   virtual void control(Control wish, std::function<void(Controlled)> done) = 0;
 
  protected:

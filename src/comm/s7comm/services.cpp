@@ -11,6 +11,9 @@ constexpr Service kServices[] = {
     {0xF0, "setup communication", true, true, serveSetup},
     {0x04, "read variables", true, false, serveRead},
     {0x05, "write variables", false, false, serveWrite},
+    {0x1D, "start upload", true, false, serveStartUpload},
+    {0x1E, "upload", true, false, serveUpload},
+    {0x1F, "end upload", true, false, serveEndUpload},
     {0x28, "program invocation", true, false, serveProgramInvocation},
     {0x29, "stop", true, false, serveStop},
 };

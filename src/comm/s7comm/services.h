@@ -22,6 +22,7 @@ struct Job {
   void refuse(Error error) const;
   void userdata(View answerParameters, View answerData) const;
   Session::Rest& rest() const { return session->rest_; }
+  Session::Upload& upload() const { return session->upload_; }
 
   // The PLC carries it out: what waits for its answer, then that it was given.
   Job begun() const {
@@ -50,5 +51,8 @@ void serveWrite(const Job& job);
 void serveUserdata(const Job& job);
 void serveProgramInvocation(const Job& job);
 void serveStop(const Job& job);
+void serveStartUpload(const Job& job);
+void serveUpload(const Job& job);
+void serveEndUpload(const Job& job);
 
 }  // namespace merker::s7comm

@@ -25,6 +25,14 @@ class Session : public std::enable_shared_from_this<Session> {
   struct Rest {
     std::uint8_t sequence = 0, unit = 0;
     Bytes octets{};
+    std::size_t record = 1;
+  };
+
+  // A block that the client fetches, piece by piece.
+  struct Upload {
+    std::uint32_t number = 0;
+    Bytes octets{};
+    std::size_t sent = 0;
   };
 
   // `plc` outlives it.
@@ -55,6 +63,7 @@ class Session : public std::enable_shared_from_this<Session> {
   std::size_t waiting_ = 0;              // jobs that the PLC has and has not answered
   Bytes held_;                           // a PDU that waits for these
   Rest rest_;
+  Upload upload_;
 };
 
 }  // namespace merker::s7comm

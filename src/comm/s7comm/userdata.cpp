@@ -12,8 +12,13 @@ namespace {
 
 // group, subfunction, name
 constexpr UserdataService kUserdataServices[] = {
-    {4, 1, "read SZL", serveStatusList}, {7, 1, "read clock", serveReadClock},
-    {7, 2, "set clock", serveSetClock},  {7, 3, "read clock", serveReadClock},
+    {3, 1, "number of blocks", serveBlockCounts},
+    {3, 2, "list of blocks", serveBlockList},
+    {3, 3, "block information", serveBlockInformation},
+    {4, 1, "read SZL", serveStatusList},
+    {7, 1, "read clock", serveReadClock},
+    {7, 2, "set clock", serveSetClock},
+    {7, 3, "read clock", serveReadClock},
     {7, 4, "set clock", serveSetClock},
 };
 
@@ -57,16 +62,17 @@ Request Request::begun() const {
 // Takes from `rest` what a PDU holds.
 void Request::part(Session::Rest& rest) const {
   const std::size_t most = job.pdu() - kHeader - kAnswerParameters - kDataItemHeader;
-  const std::size_t count = std::min(most, rest.octets.size());
+  const std::size_t count = std::min(most - most % rest.record, rest.octets.size());
   const Bytes octets(rest.octets.begin(), rest.octets.begin() + static_cast<std::ptrdiff_t>(count));
   rest.octets.erase(rest.octets.begin(), rest.octets.begin() + static_cast<std::ptrdiff_t>(count));
   send(rest.unit, rest.octets.empty(), Error::None, octets);
 }
 
 // One answer at a time: who asks for something else gives up what is left.
-void Request::answer(Bytes octets) const {
+void Request::answer(Bytes octets, std::size_t record) const {
   Session::Rest& rest = job.rest();
   rest.octets = std::move(octets);
+  rest.record = record;
   rest.sequence = static_cast<std::uint8_t>(rest.sequence % 0xFF + 1);  // never 0
   const bool whole =
       rest.octets.size() + kHeader + kAnswerParameters + kDataItemHeader <= job.pdu();

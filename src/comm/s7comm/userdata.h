@@ -12,8 +12,9 @@ struct Request {
   View data{};  // behind its head, while it is served
 
   void refuse(Error error) const;
-  // All of it, in as many PDUs as it takes: the client asks for all but the first.
-  void answer(Bytes octets) const;
+  // All of it, in as many PDUs as it takes: the client asks for all but the first. A record is
+  // never cut.
+  void answer(Bytes octets, std::size_t record = 1) const;
   void done() const;  // without data
 
   // The PLC carries it out: what waits for its answer.
@@ -35,5 +36,8 @@ struct UserdataService {
 void serveStatusList(const Request& request);
 void serveReadClock(const Request& request);
 void serveSetClock(const Request& request);
+void serveBlockCounts(const Request& request);
+void serveBlockList(const Request& request);
+void serveBlockInformation(const Request& request);
 
 }  // namespace merker::s7comm

@@ -31,6 +31,8 @@ class Exchange final : public s7comm::Plc {
   void status(std::uint16_t list, std::uint16_t index, StatusDone done) override;
   void clock(ClockDone done) override;
   void setClock(const s7comm::ClockTime& time, Done done) override;
+  void blocks(BlocksDone done) override;
+  void block(s7comm::BlockType type, std::uint16_t number, bool wholly, BlockDone done) override;
   void control(s7comm::Control wish, std::function<void(s7comm::Controlled)> done) override;
 
   // In the thread of the PLC. At each end of a cycle:

@@ -1,4 +1,5 @@
 // What programming devices want of a PLC, as orders.
+#include "served/blocks.h"
 #include "served/exchange.h"
 #include "served/system.h"
 
@@ -27,6 +28,22 @@ void Exchange::setClock(const s7comm::ClockTime& time, Done done) {
     const Error error =
         monitor == nullptr ? Error::CannotBeDone : served::setClock(monitor->plc(), time);
     return [error, done] { done(error); };
+  });
+}
+
+void Exchange::blocks(BlocksDone done) {
+  order([done = std::move(done)](monitor::Monitor* monitor) -> Call {
+    std::optional<std::vector<s7comm::BlockEntry>> all;
+    if (monitor != nullptr) all = blocksOf(monitor->plc());
+    return [all = std::move(all), done] { done(all); };
+  });
+}
+
+void Exchange::block(s7comm::BlockType type, std::uint16_t number, bool wholly, BlockDone done) {
+  order([type, number, wholly, done = std::move(done)](monitor::Monitor* monitor) -> Call {
+    Uploaded found;
+    if (monitor != nullptr) found = blockOf(monitor->plc(), type, number, wholly);
+    return [found = std::move(found), done] { done(found.error, found.container); };
   });
 }
 

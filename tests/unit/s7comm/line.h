@@ -77,6 +77,24 @@ class FewBytes : public Plc {
       done(good ? Error::None : Error::WrongTime);
     });
   }
+  // OB 1 and as many DBs as are wished for; a block is 36 octets of head, 300 of code, 36 behind
+  // it.
+  std::uint16_t dataBlocks = 2;
+  void blocks(BlocksDone done) override {
+    std::vector<BlockEntry> all = {{BlockType::Ob, 1, 1, 2}};
+    for (std::uint16_t i = 1; i <= dataBlocks; ++i) all.push_back({BlockType::Db, i, 0, 5});
+    carryOut([all, done = std::move(done)] { done(all); });
+  }
+  void block(BlockType type, std::uint16_t number, bool wholly, BlockDone done) override {
+    Bytes container(372, 0xCC);
+    std::fill_n(container.begin(), 36, std::uint8_t{0xAA});
+    std::fill_n(container.end() - 36, 36, std::uint8_t{0xEE});
+    const bool found = type == BlockType::Ob && number == 1;
+    const Error error = !found            ? Error::NoSuchBlock
+                        : wholly && !runs ? Error::NeedsPassword
+                                          : Error::None;
+    carryOut([error, container, done = std::move(done)] { done(error, container); });
+  }
   bool runs = true;
   void control(Control wish, std::function<void(Controlled)> done) override {
     carryOut([this, wish, done = std::move(done)] {

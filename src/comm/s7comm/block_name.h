@@ -1,0 +1,34 @@
+// How requests name blocks: the character of the type, five digits, the file system.
+#pragma once
+
+#include <optional>
+
+#include "s7comm/plc.h"
+
+namespace merker::s7comm {
+
+struct BlockName {
+  BlockType type = BlockType::Ob;
+  std::uint16_t number = 0;
+};
+
+inline std::optional<BlockType> blockTypeOf(std::uint8_t character) {
+  const bool known = character == '8' || (character >= 'A' && character <= 'F');
+  return known ? std::optional(static_cast<BlockType>(character)) : std::nullopt;
+}
+
+// "0", type, number, file system: 8 characters. Nothing: it is no name.
+inline std::optional<BlockName> blockNameOf(View text) {
+  constexpr std::size_t kName = 8, kDigits = 2, kFileSystem = 7;
+  if (text.size() != kName || text[0] != '0') return std::nullopt;
+  const auto type = blockTypeOf(text[1]);
+  std::uint32_t number = 0;
+  for (const std::uint8_t digit : text.subspan(kDigits, kFileSystem - kDigits)) {
+    if (digit < '0' || digit > '9') return std::nullopt;
+    number = number * 10 + digit - '0';
+  }
+  if (!type || number > 0xFFFF) return std::nullopt;
+  return BlockName{*type, static_cast<std::uint16_t>(number)};
+}
+
+}  // namespace merker::s7comm

@@ -1,0 +1,69 @@
+#include "served/blocks.h"
+
+#include "block/container.h"
+#include "cpu/cpu.h"
+#include "station/block_cpu.h"
+
+namespace merker::served {
+namespace {
+
+using s7comm::BlockEntry;
+using s7comm::BlockType;
+using s7comm::Error;
+
+constexpr std::size_t kAttributesAt = 3, kLanguageAt = 4;  // in a container
+
+// The character of a type is the digit of its code: OB 08h, DB 0Ah … SFB 0Fh.
+std::optional<BlockType> typeOf(BlockKind kind) {
+  const auto code = static_cast<std::uint8_t>(kind);
+  if (code == 0x08) return BlockType::Ob;
+  if (code < 0x0A || code > 0x0F) return std::nullopt;
+  return static_cast<BlockType>('A' + code - 0x0A);
+}
+
+BlockKind kindOf(BlockType type) {
+  const auto character = static_cast<std::uint8_t>(type);
+  return static_cast<BlockKind>(type == BlockType::Ob ? 0x08 : character - 'A' + 0x0A);
+}
+
+bool mayUpload(const cpu::Cpu& cpu) {
+  return cpu.parameters().protection < 3 || cpu.parameters().password.empty();
+}
+
+s7comm::Bytes containerOf(const station::BlockCpu& cpu, block::Block copy) {
+  const auto* const values =
+      copy.id.kind == BlockKind::DB ? cpu.cpu().machine().dataBlocks.find(copy.id.number) : nullptr;
+  if (values != nullptr && values->data.size() == copy.actualData.size())
+    copy.actualData = values->data;
+  return block::writeContainer(copy);
+}
+
+}  // namespace
+
+std::optional<std::vector<BlockEntry>> blocksOf(controller::Controller& plc) {
+  const auto* const cpu = controller::capability<station::BlockCpu>(plc);
+  if (cpu == nullptr) return std::nullopt;
+  std::vector<BlockEntry> all;
+  for (const auto& [id, one] : cpu->program()) {
+    const auto type = typeOf(id.kind);
+    // What is asked for stands in the head; a checksum over all code would hold up the PLC.
+    block::Block head;
+    head.id = id, head.attributes = one.attributes, head.language = one.language;
+    const s7comm::Bytes container = type ? block::writeContainer(head) : s7comm::Bytes();
+    if (!container.empty())
+      all.push_back({*type, id.number, container[kAttributesAt], container[kLanguageAt]});
+  }
+  return all;
+}
+
+Uploaded blockOf(controller::Controller& plc, BlockType type, std::uint16_t number, bool wholly) {
+  const auto* const cpu = controller::capability<station::BlockCpu>(plc);
+  if (cpu == nullptr) return {Error::FunctionNotAvailable, {}};
+  if (wholly && !mayUpload(cpu->cpu())) return {Error::NeedsPassword, {}};
+  const auto found = cpu->program().find({kindOf(type), number});
+  if (found == cpu->program().end()) return {};
+  Uploaded uploaded{Error::None, containerOf(*cpu, found->second)};
+  return uploaded.container.empty() ? Uploaded{} : uploaded;
+}
+
+}  // namespace merker::served

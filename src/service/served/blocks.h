@@ -1,0 +1,25 @@
+// The blocks of a CPU as programming devices fetch them, in its thread.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "plc/controller.h"
+#include "s7comm/plc.h"
+
+namespace merker::served {
+
+// Nothing: a machine without blocks of this kind.
+std::optional<std::vector<s7comm::BlockEntry>> blocksOf(controller::Controller& plc);
+
+struct Uploaded {
+  s7comm::Error error = s7comm::Error::NoSuchBlock;
+  s7comm::Bytes container{};
+};
+
+// A data block has the values that it has now. `wholly`: with its code, which protection level 3
+// forbids.
+Uploaded blockOf(controller::Controller& plc, s7comm::BlockType type, std::uint16_t number,
+                 bool wholly);
+
+}  // namespace merker::served

@@ -1,0 +1,51 @@
+#include "served/blocks.h"
+
+#include "block/container.h"
+#include "served_plc.h"
+
+namespace merker::served {
+namespace {
+
+using s7comm::BlockType;
+using s7comm::Error;
+
+block::Block uploaded(ServedPlc& plc, BlockType type, std::uint16_t number) {
+  const Uploaded block = blockOf(plc.plc(), type, number, true);
+  EXPECT_EQ(block.error, Error::None);
+  auto read = block::readContainer(block.container, {});
+  EXPECT_TRUE(read);
+  return read ? *read : block::Block{};
+}
+
+TEST(Blocks, theDirectoryHasWhatWasLoaded) {
+  ServedPlc plc = ServedPlc::station();
+  const auto all = blocksOf(plc.plc());
+  ASSERT_TRUE(all);
+  ASSERT_EQ(all->size(), 2u);
+  EXPECT_EQ(all->at(0).type, BlockType::Ob);
+  EXPECT_EQ(all->at(1).type, BlockType::Db);
+  EXPECT_EQ(all->at(1).number, 5);
+  EXPECT_EQ(all->at(1).language, 5);
+}
+
+// MC7 of OB 1; DB 5 with the values that it has now.
+TEST(Blocks, anUploadIsAContainer) {
+  ServedPlc plc = ServedPlc::station();
+  plc.exchange.opened();
+  plc.cycles(1);
+  EXPECT_FALSE(uploaded(plc, BlockType::Ob, 1).code.empty());
+  EXPECT_EQ(uploaded(plc, BlockType::Db, 5).actualData, (Bytes{1, 2, 3, 4}));
+  plc.writeNow({.memory = Memory::DataBlock, .block = 5, .begin = 0, .octets = 1}, {9});
+  EXPECT_EQ(uploaded(plc, BlockType::Db, 5).actualData, (Bytes{9, 2, 3, 4}));
+}
+
+TEST(Blocks, whatIsNotThere) {
+  ServedPlc plc = ServedPlc::station();
+  EXPECT_EQ(blockOf(plc.plc(), BlockType::Fc, 1, true).error, Error::NoSuchBlock);
+  ServedPlc control = ServedPlc::control();
+  EXPECT_FALSE(blocksOf(control.plc()));
+  EXPECT_EQ(blockOf(control.plc(), BlockType::Db, 5, true).error, Error::FunctionNotAvailable);
+}
+
+}  // namespace
+}  // namespace merker::served
