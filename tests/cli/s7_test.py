@@ -149,7 +149,7 @@ class Hostile(S7Case):
                 while True:
                     client.socket.sendall(100 * frame)
         self.well()
-        self.assertLess(self.memory(), before + (16 << 20))
+        self.assertLess(self.memory(), before + (32 << 20))
 
     def test_counts_that_are_too_large(self):
         client = self.client()
@@ -184,7 +184,7 @@ class Hostile(S7Case):
             client.send(b"\x32" + noise.randbytes(noise.randrange(300)))
             client.close()
         self.well()
-        self.assertLess(self.memory(), before + (16 << 20))
+        self.assertLess(self.memory(), before + (32 << 20))
 
     def test_no_s7_at_all(self):
         with socket.create_connection(("127.0.0.1", self.port), timeout=20) as client:
