@@ -349,6 +349,10 @@ test('STEP 5: the worked example in a listing, with the keyboard alone', async (
   await listing.locator('[data-element="CONTACT"]').waitFor();
   const offered = (id) => listing.locator(`[data-element="${id}"]`).count();
   for (const none of ['NOT', 'P', 'N', 'POS', 'NEG']) assert.equal(await offered(none), 0, none);
+  await listing.locator('[aria-label="Schließerkontakt A 1.0"]').click();
+  await listing.locator('[data-element="SR"]').click();
+  await message(listing, 'KOP kann das nicht darstellen: das Netzwerk wäre nur noch als FUP darstellbar');
+  await expect(lines, ': U E 0.0 : U E 0.1 : O A 1.0 : = A 3.0 : BE');
   await listing.locator('[data-head="1"]').click();
   await keys('F2');
   await listing.locator('.networks input').waitFor();

@@ -9,6 +9,7 @@
 #include "graph/edit_insert.h"
 #include "graph/edit_paste.h"
 #include "graph/kinds.h"
+#include "graph/kop.h"
 #include "graph/locate.h"
 #include "graph/missing.h"
 #include "graph/read.h"
@@ -118,6 +119,8 @@ Result<Edited, EditProblem> apply(const Network& network, const Edit& edit, cons
   auto again = read(out.statements, rules, Unfinished::Allowed);
   if (!again) return problemOf(again.error().reason);
   out.network = std::move(*again);
+  if (edit.ladder && fitsKop(network, rules) && !fitsKop(out.network, rules))
+    return EditProblem::Ladder;
   out.select = found(out.network, out.select);
   return out;
 }

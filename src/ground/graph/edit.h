@@ -51,6 +51,7 @@ struct Edit {
   std::vector<Argument> arguments;  // of a CALL box: Insert, SetOperand of its block
   Selection from = {};              // Move
   Network pasted = {};              // Paste
+  bool ladder = false;              // a ladder must stay one: what only FUP can draw is refused
 };
 
 struct Edited {

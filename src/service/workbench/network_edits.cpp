@@ -43,11 +43,12 @@ graph::Selection elementOf(const Fields& fields) {
   return {statementField(fields, "node"), graph::kNoPin, statementField(fields, "first")};
 }
 
-graph::Edit editOf(const Fields& fields, graph::Action action) {
+graph::Edit editOf(const Fields& fields, graph::Action action, bool ladder) {
   constexpr std::int64_t kMostPins = 1000;
   constexpr std::size_t kMostOperands = 1000;
   graph::Edit edit;
   edit.action = action;
+  edit.ladder = ladder;
   edit.at = elementOf(fields);
   edit.at.pin = static_cast<int>(fields.integer("pin", -2, kMostPins, -1));
   edit.place = static_cast<graph::Place>(
@@ -81,18 +82,33 @@ Json editRow(const networks::TextEdit& edit) {
           {"first", edit.select.first}};
 }
 
-networks::Edited changed(const NetworkText& text, const Fields& fields, std::uint32_t line,
-                         std::size_t network) {
+// The network of a request.
+struct Asked {
+  std::uint32_t line;  // of its block
+  std::size_t network;
+  graph::Language language;
+  bool ladder = false;  // it is edited in
+};
+Asked askedOf(const Fields& fields) {
+  fields.text("text");
+  return {static_cast<std::uint32_t>(networkLine(fields)),
+          static_cast<std::size_t>(fields.integer("network", 0, kMostNetworks)),
+          networkLanguage(fields)};
+}
+
+networks::Edited changed(const NetworkText& text, const Fields& fields, const Asked& asked) {
   const ActionRow row = actionOf(fields);
+  const std::uint32_t line = asked.line;
+  const std::size_t network = asked.network;
+  const auto wish = [&] { return editOf(fields, row.action, asked.ladder); };
   switch (row.wish) {
     case Wish::Tree:
-      return networks::edit(text.file, line, network, editOf(fields, row.action), text.around);
+      return networks::edit(text.file, line, network, wish(), text.around);
     case Wish::Paste:
-      return networks::paste(text.file, line, network, editOf(fields, row.action),
-                             fields.text("text", ""), text.around);
+      return networks::paste(text.file, line, network, wish(), fields.text("text", ""),
+                             text.around);
     case Wish::Move:
-      return networks::move(text.file, line, network, editOf(fields, row.action), originOf(fields),
-                            text.around);
+      return networks::move(text.file, line, network, wish(), originOf(fields), text.around);
     case Wish::NewNetwork:
       return networks::insertNetwork(text.file, line, network,
                                      fields.choice("place", {"before", "behind"}, 1) == 0,
@@ -107,19 +123,6 @@ networks::Edited changed(const NetworkText& text, const Fields& fields, std::uin
   return networks::Refusal{};
 }
 
-// The network of a request.
-struct Asked {
-  std::uint32_t line;  // of its block
-  std::size_t network;
-  graph::Language language;
-};
-Asked askedOf(const Fields& fields) {
-  fields.text("text");
-  return {static_cast<std::uint32_t>(networkLine(fields)),
-          static_cast<std::size_t>(fields.integer("network", 0, kMostNetworks)),
-          networkLanguage(fields)};
-}
-
 Problems impossible(const Asked& asked, const networks::Refusal& refusal) {
   const bool german = asked.language == graph::Language::German;
   return refused(ProblemCode::P1308,
@@ -128,11 +131,12 @@ Problems impossible(const Asked& asked, const networks::Refusal& refusal) {
 }
 
 Answer edited(const Aside& aside, const compilation::Build& build) {
-  const Asked asked = askedOf(aside.fields);
+  Asked asked = askedOf(aside.fields);
+  asked.ladder = aside.fields.choice("view", {"kop", "fup"}, 1) == 0;
   const Fields edit = aside.fields.object("edit");
   const auto text = networkText(aside, build);
   if (!text) return text.error();
-  const auto result = changed(*text, edit, asked.line, asked.network);
+  const auto result = changed(*text, edit, asked);
   if (!aside.fields.good()) return aside.wrong();
   if (!result) return impossible(asked, result.error());
   return editRow(*result);

@@ -57,6 +57,7 @@ Edited move(const source::SourceFile& file, std::uint32_t line, std::size_t netw
   if (!lines) return lines.error();
   graph::Edit taken;
   taken.action = graph::Action::Delete;
+  taken.ladder = place.ladder;
   taken.at = {from.element.node, graph::kNoPin, from.element.first};
   return moved(file, networks::edit(file, line, from.network, taken, around), line, network, place,
                *lines, around);

@@ -294,6 +294,23 @@ TEST(Edit, KeepsTheRulesOfStep5) {
       graph5::rules());
 }
 
+// S5-KOPFUP-05: before OR STEP 5 has boxes only in FUP.
+TEST(Edit, LeavesALadderALadder) {
+  const std::string rung = "O E 0.0; O E 0.1; = A 0.0";
+  const std::string refused =
+      "refused: ladder cannot show this: only function blocks could show the network then";
+  const Edit box = insert("1", kBehind, "SR", {"M 1.0"});
+  Edit inLadder = box;
+  inLadder.ladder = true;
+  EXPECT_EQ(edited(rung, inLadder, graph5::rules()), refused);
+  EXPECT_TRUE(edited(rung, box, graph5::rules()).starts_with("O E 0.0; O(; U E 0.1; S M 1.0"));
+  // What was no ladder before is no worse.
+  const std::string gates = "X E 0.0; X E 0.1; = A 0.0";
+  Edit more = act(Action::Negate, "0");
+  more.ladder = true;
+  EXPECT_EQ(edited(gates, more).find("refused"), std::string::npos);
+}
+
 // A rung for each element of the family: it can be put in, and stands there with all its pins.
 void expectEveryElement(const Rules& rules) {
   const Network unfinished = networkOf("U E 0.0", rules);

@@ -135,6 +135,25 @@ TEST(Pastes, PutNetworksBehindANetwork) {
             exchanged(kJumping, "NETWORK\n", "NETWORK\nTITLE = zero\nNETWORK\n"));
 }
 
+TEST(Pastes, LeaveALadderALadder) {
+  const std::string text =
+      exchanged(kTwoOfStep5, "      U     E 0.0\n", "      O     E 0.0\n      O     E 0.2\n");
+  const char* box = "U E 1.0\nS M 1.0\nU E 1.1\nR M 1.0\nU M 1.0\n";
+  const std::string refused =
+      "ladder cannot show this: only function blocks could show the network then";
+  graph::Edit place = at(1, graph::Place::Behind);
+  EXPECT_NE(pasted(1, place, box, text, kStep5), refused);
+  place.ladder = true;
+  EXPECT_EQ(pasted(1, place, box, text, kStep5), refused);
+  const std::string two = exchanged(text, "      U     E 0.1\n",
+                                    "      U     E 0.1\n      S     M 1.0\n      U     E 0.4\n"
+                                    "      R     M 1.0\n      U     M 1.0\n");
+  place.ladder = false;
+  EXPECT_NE(moved(1, place, {2, {4}}, two, kStep5), refused);
+  place.ladder = true;
+  EXPECT_EQ(moved(1, place, {2, {4}}, two, kStep5), refused);
+}
+
 TEST(Pastes, FillAnEmptyBlock) {
   const std::string empty = "FUNCTION FC 1 : VOID\nBEGIN\nEND_FUNCTION\n";
   EXPECT_EQ(pasted(1, at(-1, graph::Place::Behind), "NETWORK\n U E 0.0;\n", empty),

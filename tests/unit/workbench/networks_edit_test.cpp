@@ -39,6 +39,23 @@ TEST(Networks, RefuseWhatCannotBeThere) {
   EXPECT_EQ(bench.problem("networks.edit", asked({{"network", 9}, {"edit", wrong}})), "P1308");
 }
 
+// The view decides: what only FUP shows is refused in KOP.
+TEST(Networks, StayLadderInKop) {
+  Bench bench;
+  const Json edit = {{"action", "insert"}, {"node", 0}, {"place", "parallel"}, {"element", "XOR"}};
+  const auto inView = [&](const Json& more) {
+    Json fields = asked({{"network", 1}, {"edit", edit}});
+    fields.update(more);
+    return bench.ask("networks.edit", fields);
+  };
+  EXPECT_FALSE(inView(Json::object()).contains("problems"));
+  EXPECT_FALSE(inView({{"view", "fup"}}).contains("problems"));
+  EXPECT_EQ(inView({{"view", "kop"}})["problems"][0]["arguments"][1],
+            "KOP kann das nicht darstellen: das Netzwerk wäre nur noch als FUP darstellbar");
+  EXPECT_EQ(inView({{"view", "kop"}, {"language", "english"}})["problems"][0]["arguments"][1],
+            "ladder cannot show this: only function blocks could show the network then");
+}
+
 // S7-EDIT-08
 TEST(Networks, AreCopiedAndPasted) {
   Bench bench;

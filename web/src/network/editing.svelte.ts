@@ -186,6 +186,7 @@ export class Editing {
         line: block!.line,
         network: this.picture?.number ?? 0,
         edit: { ...placed(change, this.current), ...place },
+        view: this.props.view,
         language: this.language,
       }),
     );
