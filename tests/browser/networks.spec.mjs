@@ -217,6 +217,8 @@ test('keys pressed in the list save, and change nothing else', async () => {
   await page.locator('[aria-label="Schließerkontakt E 0.0"]').click();
   await press('F2');
   await operand('E 0.7');
+  // The edit may still be on its way to the drawing: the keyboard stays where it goes now.
+  await list.getByRole('treeitem').first().focus();
   await expect(async () => (await statements()).includes('U E 0.7;'), true);
   const changed = await text(page);
   for (const key of ['F2', 'F3', 'F7', 'Delete']) {

@@ -100,6 +100,13 @@ export class Editing {
     else this.host().focus({ preventScroll: true });
   }
 
+  /** Somebody has gone elsewhere, or to another view, while the answer was on its way: the keyboard stays there. */
+  private left(): boolean {
+    const host: HTMLElement | null = this.host();
+    const { activeElement } = document;
+    return !host || (activeElement !== null && activeElement !== document.body && !host.contains(activeElement));
+  }
+
   async focus(number: number, place: Place | null): Promise<void> {
     this.chosen = number;
     this.selected = place;
@@ -222,6 +229,7 @@ export class Editing {
     const list = this.items;
     const to = list.find((item) => same(item, answer)) ?? list.find((item) => item.node === answer.node);
     this.selected = to ?? null;
+    if (this.left()) return;
     if (onwards) await this.further({ ...answer, field: at?.pin ?? NO_PIN });
     else {
       await this.focus(this.chosen, to ?? null);
