@@ -43,7 +43,12 @@ class Zeros : public s7comm::Plc {
   void clock(ClockDone done) override {
     order([done = std::move(done)] { done(s7comm::ClockTime{}); });
   }
-  void setClock(const s7comm::ClockTime& time, Done done) override {
+  void enter(const std::string& password, Done done) override {
+    order([done = std::move(done), good = !password.empty()] {
+      done(good ? s7comm::Error::None : s7comm::Error::WrongPassword);
+    });
+  }
+  void setClock(const s7comm::ClockTime& time, const std::string&, Done done) override {
     order([done = std::move(done), good = time[0] < 0x99] {
       done(good ? s7comm::Error::None : s7comm::Error::WrongTime);
     });
@@ -51,11 +56,15 @@ class Zeros : public s7comm::Plc {
   void blocks(BlocksDone done) override {
     order([done = std::move(done)] { done(std::vector<s7comm::BlockEntry>(200)); });
   }
-  void block(s7comm::BlockType, std::uint16_t number, bool, BlockDone done) override {
+  void blockHead(s7comm::BlockType type, std::uint16_t number, BlockDone done) override {
+    block(type, number, {}, std::move(done));
+  }
+  void block(s7comm::BlockType, std::uint16_t number, const std::string&, BlockDone done) override {
     const auto error = number % 2 == 0 ? s7comm::Error::NoSuchBlock : s7comm::Error::None;
     order([done = std::move(done), error] { done(error, Bytes(500)); });
   }
-  void control(s7comm::Control wish, std::function<void(s7comm::Controlled)> done) override {
+  void control(s7comm::Control wish, const std::string&,
+               std::function<void(s7comm::Controlled)> done) override {
     order([done = std::move(done), wish] { done(static_cast<s7comm::Controlled>(wish)); });
   }
 

@@ -68,8 +68,8 @@ void serveBlockList(const Request& request) {
 void serveBlockInformation(const Request& request) {
   const auto name = blockNameOf(request.data);
   if (!name) return request.refuse(Error::NoSuchBlock);
-  request.job.plc().block(
-      name->type, name->number, false,
+  request.job.plc().blockHead(
+      name->type, name->number,
       [begun = request.begun(), type = name->type](Error error, const Bytes& container) {
         error == Error::None ? begun.answer(informationOf(type, container)) : begun.refuse(error);
         begun.ended();

@@ -27,7 +27,7 @@ void serveSetClock(const Request& request) {
   if (request.data.size() != kClockOctets) return request.refuse(Error::WrongTime);
   ClockTime time{};
   std::copy_n(request.data.begin() + 2, time.size(), time.begin());
-  request.job.plc().setClock(time, [begun = request.begun()](Error error) {
+  request.job.plc().setClock(time, request.job.password(), [begun = request.begun()](Error error) {
     error == Error::None ? begun.done() : begun.refuse(error);
     begun.ended();
   });

@@ -35,7 +35,7 @@ std::optional<Invocation> invocationOf(View p) {
 }
 
 void control(const Job& job, Control wish) {
-  job.plc().control(wish, [begun = job.begun(), wish](Controlled how) {
+  job.plc().control(wish, job.password(), [begun = job.begun(), wish](Controlled how) {
     const std::uint8_t already = wish == Control::Stop ? kAlreadyStopped : kAlreadyRuns;
     const std::uint8_t answer[] = {begun.function, how == Controlled::Already ? already : kCannot};
     if (how == Controlled::Done)

@@ -16,6 +16,9 @@ enum class Error : std::uint16_t {
   NoBlocks = 0xD20E,  // of this type
   NeedsPassword = 0xD241,
   NoInformation = 0xD402,  // no such list, or not of this PLC
+  WrongPassword = 0xD602,
+  PasswordStands = 0xD604,  // it was entered before; or none was, to be cancelled
+  NoPassword = 0xD605,      // the PLC has none
   WrongTime = 0xDC01
 };
 

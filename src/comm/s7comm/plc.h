@@ -5,6 +5,7 @@
 #include <array>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "s7comm/pdu.h"
@@ -93,14 +94,20 @@ class Plc {
   // Nothing: it has none.
   virtual void clock(ClockDone done) = 0;
   using Done = std::function<void(Error)>;
-  virtual void setClock(const ClockTime& time, Done done) = 0;
+  // What a protection may forbid comes with the password that the client has entered, or none.
+  virtual void setClock(const ClockTime& time, const std::string& password, Done done) = 0;
+  // Whether this is the password of the PLC.
+  virtual void enter(const std::string& password, Done done) = 0;
   using BlocksDone = std::function<void(const std::optional<std::vector<BlockEntry>>&)>;
   // All of them, each type with ascending numbers. Nothing: it does not tell.
   virtual void blocks(BlocksDone done) = 0;
   using BlockDone = std::function<void(Error, const Bytes& container)>;
-  // `wholly`: for an upload, which a protection may forbid.
-  virtual void block(BlockType type, std::uint16_t number, bool wholly, BlockDone done) = 0;
-  virtual void control(Control wish, std::function<void(Controlled)> done) = 0;
+  // What its head says, and all of it.
+  virtual void blockHead(BlockType type, std::uint16_t number, BlockDone done) = 0;
+  virtual void block(BlockType type, std::uint16_t number, const std::string& password,
+                     BlockDone done) = 0;
+  virtual void control(Control wish, const std::string& password,
+                       std::function<void(Controlled)> done) = 0;
 
  protected:
   Plc() = default;

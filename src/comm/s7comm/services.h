@@ -22,6 +22,7 @@ struct Job {
   void refuse(Error error) const;
   void userdata(View answerParameters, View answerData) const;
   Session::Rest& rest() const { return session->rest_; }
+  std::string& password() const { return session->password_; }
   Session::Upload& upload() const { return session->upload_; }
 
   // The PLC carries it out: what waits for its answer, then that it was given.

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <string>
 
 #include "s7comm/plc.h"
 
@@ -64,6 +65,7 @@ class Session : public std::enable_shared_from_this<Session> {
   Bytes held_;                           // a PDU that waits for these
   Rest rest_;
   Upload upload_;
+  std::string password_;  // that was entered and was right
 };
 
 }  // namespace merker::s7comm

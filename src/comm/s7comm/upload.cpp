@@ -41,7 +41,7 @@ void serveStartUpload(const Job& job) {
   const bool named = p.size() > kNameBegins && p[kLength] == p.size() - kLength - 1 && p[9] == '_';
   const auto name = named ? blockNameOf(p.subspan(kNameBegins)) : std::nullopt;
   if (!name) return job.refuse(Error::NoSuchBlock);
-  job.plc().block(name->type, name->number, true,
+  job.plc().block(name->type, name->number, job.password(),
                   [begun = job.begun()](Error error, const Bytes& container) {
                     Session::Upload& upload = begun.upload();
                     upload = {upload.number % 0xFF + 1, {}, 0};

@@ -16,6 +16,8 @@ constexpr UserdataService kUserdataServices[] = {
     {3, 2, "list of blocks", serveBlockList},
     {3, 3, "block information", serveBlockInformation},
     {4, 1, "read SZL", serveStatusList},
+    {5, 1, "enter password", serveEnterPassword},
+    {5, 2, "cancel password", serveCancelPassword},
     {7, 1, "read clock", serveReadClock},
     {7, 2, "set clock", serveSetClock},
     {7, 3, "read clock", serveReadClock},

@@ -36,6 +36,8 @@ struct UserdataService {
 void serveStatusList(const Request& request);
 void serveReadClock(const Request& request);
 void serveSetClock(const Request& request);
+void serveEnterPassword(const Request& request);
+void serveCancelPassword(const Request& request);
 void serveBlockCounts(const Request& request);
 void serveBlockList(const Request& request);
 void serveBlockInformation(const Request& request);

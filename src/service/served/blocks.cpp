@@ -26,10 +26,6 @@ BlockKind kindOf(BlockType type) {
   return static_cast<BlockKind>(type == BlockType::Ob ? 0x08 : character - 'A' + 0x0A);
 }
 
-bool mayUpload(const cpu::Cpu& cpu) {
-  return cpu.parameters().protection < 3 || cpu.parameters().password.empty();
-}
-
 s7comm::Bytes containerOf(const station::BlockCpu& cpu, block::Block copy) {
   const auto* const values =
       copy.id.kind == BlockKind::DB ? cpu.cpu().machine().dataBlocks.find(copy.id.number) : nullptr;
@@ -56,14 +52,22 @@ std::optional<std::vector<BlockEntry>> blocksOf(controller::Controller& plc) {
   return all;
 }
 
-Uploaded blockOf(controller::Controller& plc, BlockType type, std::uint16_t number, bool wholly) {
+Uploaded blockOf(controller::Controller& plc, BlockType type, std::uint16_t number) {
   const auto* const cpu = controller::capability<station::BlockCpu>(plc);
   if (cpu == nullptr) return {Error::FunctionNotAvailable, {}};
-  if (wholly && !mayUpload(cpu->cpu())) return {Error::NeedsPassword, {}};
   const auto found = cpu->program().find({kindOf(type), number});
   if (found == cpu->program().end()) return {};
   Uploaded uploaded{Error::None, containerOf(*cpu, found->second)};
   return uploaded.container.empty() ? Uploaded{} : uploaded;
+}
+
+Uploaded upload(controller::Controller& plc, BlockType type, std::uint16_t number,
+                std::string_view password) {
+  const auto* const cpu = controller::capability<station::BlockCpu>(plc);
+  if (cpu != nullptr && cpu->cpu().parameters().protection >= 3 &&
+      cpu->cpu().parameters().password != password)
+    return {Error::NeedsPassword, {}};
+  return blockOf(plc, type, number);
 }
 
 }  // namespace merker::served

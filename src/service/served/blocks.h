@@ -17,9 +17,10 @@ struct Uploaded {
   s7comm::Bytes container{};
 };
 
-// A data block has the values that it has now. `wholly`: with its code, which protection level 3
-// forbids.
-Uploaded blockOf(controller::Controller& plc, s7comm::BlockType type, std::uint16_t number,
-                 bool wholly);
+// A data block has the values that it has now.
+Uploaded blockOf(controller::Controller& plc, s7comm::BlockType type, std::uint16_t number);
+// The same for somebody who wants its code: protection level 3 asks for the password.
+Uploaded upload(controller::Controller& plc, s7comm::BlockType type, std::uint16_t number,
+                std::string_view password = {});
 
 }  // namespace merker::served

@@ -30,10 +30,14 @@ class Exchange final : public s7comm::Plc {
   void write(std::vector<s7comm::Write> writes, WriteDone done) override;
   void status(std::uint16_t list, std::uint16_t index, StatusDone done) override;
   void clock(ClockDone done) override;
-  void setClock(const s7comm::ClockTime& time, Done done) override;
+  void setClock(const s7comm::ClockTime& time, const std::string& password, Done done) override;
+  void enter(const std::string& password, Done done) override;
   void blocks(BlocksDone done) override;
-  void block(s7comm::BlockType type, std::uint16_t number, bool wholly, BlockDone done) override;
-  void control(s7comm::Control wish, std::function<void(s7comm::Controlled)> done) override;
+  void blockHead(s7comm::BlockType type, std::uint16_t number, BlockDone done) override;
+  void block(s7comm::BlockType type, std::uint16_t number, const std::string& password,
+             BlockDone done) override;
+  void control(s7comm::Control wish, const std::string& password,
+               std::function<void(s7comm::Controlled)> done) override;
 
   // In the thread of the PLC. At each end of a cycle:
   void cycleEnded(monitor::Monitor& monitor);

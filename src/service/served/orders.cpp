@@ -23,10 +23,10 @@ void Exchange::clock(ClockDone done) {
   });
 }
 
-void Exchange::setClock(const s7comm::ClockTime& time, Done done) {
-  order([time, done = std::move(done)](monitor::Monitor* monitor) -> Call {
+void Exchange::setClock(const s7comm::ClockTime& time, const std::string& password, Done done) {
+  order([time, password, done = std::move(done)](monitor::Monitor* monitor) -> Call {
     const Error error =
-        monitor == nullptr ? Error::CannotBeDone : served::setClock(monitor->plc(), time);
+        monitor == nullptr ? Error::CannotBeDone : served::setClock(monitor->plc(), time, password);
     return [error, done] { done(error); };
   });
 }
@@ -39,18 +39,36 @@ void Exchange::blocks(BlocksDone done) {
   });
 }
 
-void Exchange::block(s7comm::BlockType type, std::uint16_t number, bool wholly, BlockDone done) {
-  order([type, number, wholly, done = std::move(done)](monitor::Monitor* monitor) -> Call {
+void Exchange::blockHead(s7comm::BlockType type, std::uint16_t number, BlockDone done) {
+  order([type, number, done = std::move(done)](monitor::Monitor* monitor) -> Call {
     Uploaded found;
-    if (monitor != nullptr) found = blockOf(monitor->plc(), type, number, wholly);
+    if (monitor != nullptr) found = blockOf(monitor->plc(), type, number);
     return [found = std::move(found), done] { done(found.error, found.container); };
   });
 }
 
-void Exchange::control(s7comm::Control wish, std::function<void(Controlled)> done) {
-  order([wish, done = std::move(done)](monitor::Monitor* monitor) -> Call {
+void Exchange::block(s7comm::BlockType type, std::uint16_t number, const std::string& password,
+                     BlockDone done) {
+  order([type, number, password, done = std::move(done)](monitor::Monitor* monitor) -> Call {
+    Uploaded found;
+    if (monitor != nullptr) found = upload(monitor->plc(), type, number, password);
+    return [found = std::move(found), done] { done(found.error, found.container); };
+  });
+}
+
+void Exchange::enter(const std::string& password, Done done) {
+  order([password, done = std::move(done)](monitor::Monitor* monitor) -> Call {
+    const Error error =
+        monitor == nullptr ? Error::CannotBeDone : checkPassword(monitor->plc(), password);
+    return [error, done] { done(error); };
+  });
+}
+
+void Exchange::control(s7comm::Control wish, const std::string& password,
+                       std::function<void(Controlled)> done) {
+  order([wish, password, done = std::move(done)](monitor::Monitor* monitor) -> Call {
     const Controlled how =
-        monitor == nullptr ? Controlled::Refused : served::control(*monitor, wish);
+        monitor == nullptr ? Controlled::Refused : served::control(*monitor, wish, password);
     return [how, done] { done(how); };
   });
 }

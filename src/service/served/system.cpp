@@ -21,9 +21,10 @@ cpu::Cpu* cpuOf(Controller& plc) {
 }
 
 // Protection levels 2 and 3 refuse what is more than reading and writing variables (S7-MEM-05).
-bool isProtected(Controller& plc) {
+bool isProtected(Controller& plc, std::string_view password) {
   const cpu::Cpu* const cpu = cpuOf(plc);
-  return cpu != nullptr && cpu->parameters().protection >= 2 && !cpu->parameters().password.empty();
+  return cpu != nullptr && cpu->parameters().protection >= 2 &&
+         cpu->parameters().password != password;
 }
 
 Controlled stop(monitor::Monitor& monitor) {
@@ -55,18 +56,24 @@ std::optional<s7comm::ClockTime> clockOf(Controller& plc) {
   return cpu::toDateAndTime(cpu->clock().milliseconds(plc.now()));
 }
 
-Error setClock(Controller& plc, const s7comm::ClockTime& time) {
+Error setClock(Controller& plc, const s7comm::ClockTime& time, std::string_view password) {
   cpu::Cpu* const cpu = cpuOf(plc);
   if (cpu == nullptr) return Error::FunctionNotAvailable;
-  if (isProtected(plc)) return Error::NeedsPassword;
+  if (isProtected(plc, password)) return Error::NeedsPassword;
   const auto milliseconds = cpu::fromDateAndTime(time.data());
   if (!milliseconds) return Error::WrongTime;
   cpu->setClock(*milliseconds);
   return Error::None;
 }
 
-Controlled control(monitor::Monitor& monitor, s7comm::Control wish) {
-  if (isProtected(monitor.plc())) return Controlled::Protected;
+Error checkPassword(Controller& plc, std::string_view password) {
+  const cpu::Cpu* const cpu = cpuOf(plc);
+  if (cpu == nullptr || cpu->parameters().password.empty()) return Error::NoPassword;
+  return cpu->parameters().password == password ? Error::None : Error::WrongPassword;
+}
+
+Controlled control(monitor::Monitor& monitor, s7comm::Control wish, std::string_view password) {
+  if (isProtected(monitor.plc(), password)) return Controlled::Protected;
   if (wish == s7comm::Control::Stop) return stop(monitor);
   return restart(monitor.plc(), wish == s7comm::Control::ColdRestart);
 }

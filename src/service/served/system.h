@@ -10,7 +10,11 @@ namespace merker::served {
 std::optional<s7comm::StatusList> statusList(controller::Controller& plc, std::uint16_t list,
                                              std::uint16_t index);
 std::optional<s7comm::ClockTime> clockOf(controller::Controller& plc);
-s7comm::Error setClock(controller::Controller& plc, const s7comm::ClockTime& time);
-s7comm::Controlled control(monitor::Monitor& monitor, s7comm::Control wish);
+s7comm::Error setClock(controller::Controller& plc, const s7comm::ClockTime& time,
+                       std::string_view password = {});
+// Whether it is the one of the CPU.
+s7comm::Error checkPassword(controller::Controller& plc, std::string_view password);
+s7comm::Controlled control(monitor::Monitor& monitor, s7comm::Control wish,
+                           std::string_view password = {});
 
 }  // namespace merker::served

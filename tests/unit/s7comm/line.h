@@ -70,7 +70,14 @@ class FewBytes : public Plc {
   void clock(ClockDone done) override {
     carryOut([this, done = std::move(done)] { done(time); });
   }
-  void setClock(const ClockTime& now, Done done) override {
+  std::string secret = "hidden";
+  void enter(const std::string& password, Done done) override {
+    const Error error = secret.empty()       ? Error::NoPassword
+                        : password == secret ? Error::None
+                                             : Error::WrongPassword;
+    carryOut([error, done = std::move(done)] { done(error); });
+  }
+  void setClock(const ClockTime& now, const std::string&, Done done) override {
     carryOut([this, now, done = std::move(done)] {
       const bool good = now[1] <= 0x12;
       if (good) time = now;
@@ -85,18 +92,23 @@ class FewBytes : public Plc {
     for (std::uint16_t i = 1; i <= dataBlocks; ++i) all.push_back({BlockType::Db, i, 0, 5});
     carryOut([all, done = std::move(done)] { done(all); });
   }
-  void block(BlockType type, std::uint16_t number, bool wholly, BlockDone done) override {
+  bool locked = false;  // without the password no upload
+  void blockHead(BlockType type, std::uint16_t number, BlockDone done) override {
+    block(type, number, secret, std::move(done));
+  }
+  void block(BlockType type, std::uint16_t number, const std::string& password,
+             BlockDone done) override {
     Bytes container(372, 0xCC);
     std::fill_n(container.begin(), 36, std::uint8_t{0xAA});
     std::fill_n(container.end() - 36, 36, std::uint8_t{0xEE});
     const bool found = type == BlockType::Ob && number == 1;
-    const Error error = !found            ? Error::NoSuchBlock
-                        : wholly && !runs ? Error::NeedsPassword
-                                          : Error::None;
+    const Error error = !found                         ? Error::NoSuchBlock
+                        : locked && password != secret ? Error::NeedsPassword
+                                                       : Error::None;
     carryOut([error, container, done = std::move(done)] { done(error, container); });
   }
   bool runs = true;
-  void control(Control wish, std::function<void(Controlled)> done) override {
+  void control(Control wish, const std::string&, std::function<void(Controlled)> done) override {
     carryOut([this, wish, done = std::move(done)] {
       if (wish == Control::ColdRestart) return done(Controlled::Refused);
       const bool already = runs == (wish == Control::WarmRestart);

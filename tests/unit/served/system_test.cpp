@@ -14,7 +14,7 @@ class EachSystem : public EachFamily {
  protected:
   Controlled control(Control wish) {
     Controlled how = Controlled::Refused;
-    plc.exchange.control(wish, [&](Controlled answer) { how = answer; });
+    plc.exchange.control(wish, {}, [&](Controlled answer) { how = answer; });
     if (plc.plc().mode() == controller::Mode::Stop)
       plc.look();
     else
