@@ -32,6 +32,7 @@ std::vector<Value> valuesNow(const controller::Controller& plc, const std::vecto
   if (const auto* memory = controller::capability<controller::OperandMemory>(plc))
     memory->copyOperands(image);
   std::vector<Value> values;
+  values.reserve(ranges.size());
   for (const Range& range : ranges)
     values.push_back(isCopied(range) ? valueOf(image, range) : peripheralValue(plc, range));
   return values;
@@ -104,6 +105,7 @@ void Exchange::carryOut(monitor::Monitor* monitor) {
     orders.swap(orders_);
   }
   std::vector<Call> answers;
+  answers.reserve(orders.size());
   for (const Order& order : orders) answers.push_back(order(monitor));
   if (monitor != nullptr) publish(monitor->plc());
   for (Call& answer : answers) post_(std::move(answer));
