@@ -136,3 +136,38 @@ test('a text where there is no operand says so', async () => {
   await message(page, 'hier wird kein Operand eingegeben');
   assert.equal(await elements(), '');
 });
+
+test('LABEL of the palette opens the label of the network; a refused one stays in its field', async () => {
+  await drawn('kop', OF(['U E 0.0;', 'SPB M001;'], 'NETWORK\n'));
+  const label = (number = 2) => network(number).getByLabel('Sprungmarke');
+  await network(2).locator('[data-head]').click();
+  await press('Alt+F9', ...'label', 'Enter');
+  await expect(() => label().evaluate((input) => input === document.activeElement), true);
+  await network(2).getByLabel('Titel', { exact: true }).fill('Ende');
+  await label().focus();
+  await press(...'M00001', 'Enter');
+  await message(page, 'eine Marke muss ein Buchstabe und höchstens drei weitere Buchstaben oder Ziffern sein');
+  await expect(() => label().inputValue(), 'M00001');
+  await expect(() => label().evaluate((input) => input === document.activeElement), true);
+  assert.ok(!(await text(page)).includes('TITLE'), 'half of it was written');
+  await press('Control+a', ...'M001', 'Enter');
+  await expect(() => label().count(), 0);
+  await inside();
+  await expect(async () => (await text(page)).replace(/\s+/g, ' '), 'ORGANIZATION_BLOCK OB 1 BEGIN NETWORK U E 0.0; SPB M001; NETWORK TITLE = Ende M001: END_ORGANIZATION_BLOCK ');
+  await network(2).locator('[data-head]').getByText('M001:').waitFor();
+  // Its first element takes it.
+  await press('F2');
+  await operand('E 0.1');
+  await press('F7');
+  await operand('A 0.1');
+  await expect(statements, 'U E 0.0; SPB M001; M001: U E 0.1; = A 0.1;');
+});
+
+test('LABEL is drawn onto a network as well', async () => {
+  await drawn('fup', OF(['U E 0.0;', '= A 1.0;']));
+  await page.locator('[data-element="LABEL"]').dragTo(network().locator('[data-node="1"]').first());
+  await expect(() => network().getByLabel('Sprungmarke').evaluate((input) => input === document.activeElement), true);
+  await press(...'END', 'Enter');
+  await expect(statements, 'END: U E 0.0; = A 1.0;');
+  await inside();
+});

@@ -77,6 +77,9 @@ constexpr BitElement kBits[] = {
     {graph::element::kFallingOperand, "NEG", "NEG", "", true},
 };
 
+// What jumps lead to: no element of the network's tree, but its label.
+constexpr std::string_view kLabel = "LABEL";
+
 std::string_view groupOf(graph::ElementClass kind) {
   constexpr std::string_view kGroups[] = {"compare", "box", "move", "call", "coil", "coil"};
   return kGroups[static_cast<std::size_t>(kind)];
@@ -111,9 +114,11 @@ Answer elements(const Call& call) {
     if (rules.extended || !bit.extended)
       rows.push_back(elementRow(bit.id, bit.kop, bit.fup, "bit", bit.key));
   // JMP and CALL are one entry each: what stands before them decides.
-  for (const graph::Element& element : rules.elements->elements())
-    if (&rules.elements->counterpart(element, true) == &element)
-      rows.push_back(elementRow(element.row, mnemonics));
+  for (const graph::Element& element : rules.elements->elements()) {
+    if (&rules.elements->counterpart(element, true) != &element) continue;
+    rows.push_back(elementRow(element.row, mnemonics));
+    if (element.row.id == "JMPN") rows.push_back(elementRow(kLabel, "LABEL", "LABEL", "coil", ""));
+  }
   return Json{{"elements", std::move(rows)}};
 }
 

@@ -338,6 +338,7 @@ TEST(Networks, HaveTheElementsOfTheirFamily) {
   EXPECT_EQ(find("JMP_RAIL"), nullptr);
   EXPECT_EQ(find("CALL_RAIL"), nullptr);
   EXPECT_EQ(find("OPN")["kop"], "(OPN)");
+  EXPECT_EQ(find("LABEL")["group"], find("JMP")["group"]);
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ export interface NetworkElementPlace { node?: number; first?: number }
 export interface NetworkOrigin { network: number; node?: number; first?: number }
 /** at the element or operand that `node`, `pin` and `first` name; -1: the network. `insert`: of an `element` of `networks.elements`; `title` and `comment` of `newNetwork` and `heading`; `label`: what jumps lead to, empty: none. `paste`: the AWL `text`; elements go where `insert` puts one, whole networks (they begin with NETWORK or NETZWERK) before or behind the network, rungs with coils below the one of `node`. `move`: what `from` names */
 export interface NetworkEdit { action: 'insert' | 'addInput' | 'negate' | 'closeBranch' | 'setOperand' | 'delete' | 'newRung' | 'paste' | 'move' | 'newNetwork' | 'deleteNetwork' | 'heading' | 'label'; node?: number; pin?: number; first?: number; place?: 'before' | 'behind' | 'parallel' | 'branch' | 'atPin'; element?: string; operands?: string[]; title?: string; comment?: string[]; label?: string; text?: string; from?: NetworkOrigin }
-/** names in KOP and FUP; empty: not in this view; `other`: in the other mnemonics */
+/** names in KOP and FUP; empty: not in this view; `other`: in the other mnemonics. LABEL stands for the action `label` */
 export interface NetworkElement { id: string; kop: string; fup: string; group: 'bit' | 'compare' | 'box' | 'move' | 'call' | 'coil'; key?: string; other?: { kop: string; fup: string } }
 export interface SymbolEntry { name: string; operand: string; type: string; comment: string }
 export interface BlockEntry { id: string; symbol: string; title: string }

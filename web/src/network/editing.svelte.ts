@@ -8,6 +8,7 @@ import { workspace } from '../editor/workspace.svelte';
 import { attempt } from '../state/messages.svelte';
 import { nextPin } from './boxes';
 import { elementAt } from './element_at';
+import { Headings } from './headings.svelte';
 import { inOrder, itemAt, itemsOf, nextMissing, NO_PIN, same, type Direction, type Item, type Place } from './items';
 import { placed, type Change, type Edited } from './keys';
 import type { NetworkViewProps } from './network_view';
@@ -20,6 +21,7 @@ const BEGINNING = { node: -1, field: NO_PIN };
 export class Editing {
   readonly networks = new Networks();
   readonly turn = new Turn();
+  readonly headings = new Headings();
   chosen = $state(1);
   selected = $state.raw<Place | null>(null);
   field = $state.raw<{ item: Item; text: string } | null>(null);
@@ -176,12 +178,15 @@ export class Editing {
     });
   }
 
-  async edit(change: Change, at: Place | null, onwards = false): Promise<void> {
-    if (this.turn.busy || this.readonly || !this.props.block) return;
-    await this.turn.take(() => this.ask(change, at, onwards));
+  /** False: it was refused. */
+  async edit(change: Change, at: Place | null, onwards = false): Promise<boolean> {
+    if (this.turn.busy || this.readonly || !this.props.block) return false;
+    let done = false;
+    await this.turn.take(async () => void (done = await this.ask(change, at, onwards)));
+    return done;
   }
 
-  async ask(change: Change, at: Place | null, onwards: boolean): Promise<void> {
+  async ask(change: Change, at: Place | null, onwards: boolean): Promise<boolean> {
     this.host().focus({ preventScroll: true });
     const { document, block } = this.props;
     const place = at ? { node: at.node, pin: at.pin, first: at.first } : {};
@@ -197,14 +202,17 @@ export class Editing {
         language: this.language,
       }),
     );
-    if (!answer || document.text !== text) return this.refused(change, at);
-    if (this.props.document !== document || this.props.block?.name !== block!.name)
-      return this.changedElsewhere(document, answer);
-    await this.changedTo(answer, change, at, onwards);
+    const done = answer !== undefined && document.text === text;
+    if (!done) await this.refused(change, at);
+    else if (this.props.document !== document || this.props.block?.name !== block!.name)
+      await this.changedElsewhere(document, answer);
+    else await this.changedTo(answer, change, at, onwards);
+    return done;
   }
 
   private async refused(change: Change, at: Place | null): Promise<void> {
     this.turn.forget();
+    if (change.action === 'label' || change.action === 'heading') return; // its form stays open
     const isThere = (item: Item) => same(item, at) || (item.node === at?.node && item.field === at.pin);
     const typed = change.action === 'setOperand' && this.items.find(isThere);
     if (typed) return this.open(typed, change.operands?.[0] ?? '');
@@ -240,12 +248,19 @@ export class Editing {
     if (this.picture) this.props.ongoto(this.picture.line + (to?.line ?? 0));
   }
 
+  /** To the label of the chosen network; a block without one gets it. */
+  async label(): Promise<void> {
+    if (this.picture || (await this.edit({ action: 'newNetwork' }, null))) this.headings.show(this.chosen, 'label');
+  }
+
   /** Title, comment, label of a network. */
   async changeAll(number: number, changes: Change[]): Promise<void> {
     for (const change of changes) {
       this.chosen = number;
-      await this.edit(change, null);
+      if (await this.edit(change, null)) continue;
+      return this.headings.show(number, change.action === 'label' ? 'label' : 'title');
     }
+    this.headings.close(number);
     if (changes.length === 0) await this.focus(number, null);
   }
 
