@@ -245,6 +245,41 @@ test('keys pressed in the list save, and change nothing else', async () => {
   assert.ok(await page.evaluate(() => window.same), 'the page was loaded anew');
 });
 
+test('who stands at the heading of a network is in it', async () => {
+  await drawn('kop', OF(['U E 0.0;', '= A 1.0;'], 'NETWORK\n      U     E 0.1;\n      =     A 1.1;\nNETWORK\n      U     E 0.2;\n      =     A 1.2;\n'));
+  await network(1).locator('[data-node]').first().click();
+  await network(2).locator('[data-head]').focus();
+  await press('F2');
+  await operand('E 0.7');
+  await expect(async () => (await statements()).includes('U E 0.7; U E 0.1; = A 1.1;'), true);
+  await network(3).locator('[data-head]').focus();
+  await press('Control+Delete');
+  await expect(() => page.locator('[data-network]').count(), 2);
+  await expect(async () => (await statements()).includes('E 0.2'), false);
+  // Undone, there is a network to go on with.
+  await press('Control+z');
+  await expect(() => page.locator('[data-network]').count(), 3);
+  await press('Home', 'F2');
+  await operand('E 0.6');
+  await expect(async () => (await statements()).includes('E 0.6'), true);
+});
+
+test('a block that was never open has the keyboard in its first network', async () => {
+  await drawn('kop', `${OF(['U E 0.0;', '= A 1.0;'])}FUNCTION FC 1 : VOID\nVAR_TEMP\n  x : BOOL;\nEND_VAR\nBEGIN\nNETWORK\n      U     E 2.0;\n      =     A 2.0;\nEND_FUNCTION\n`);
+  await press('Control+s');
+  await page.getByRole('treeitem', { name: 'FC 1' }).first().click();
+  await expect(elements, 'Schließerkontakt E 2.0 | Spule =, A 2.0');
+  await inside();
+  await press('F2');
+  await operand('E 2.1');
+  await expect(async () => (await statements()).includes('U E 2.1; U E 2.0;'), true);
+  // Other mnemonics, the same block.
+  await page.getByRole('combobox', { name: 'Mnemonik' }).selectOption('international');
+  await expect(elements, 'Schließerkontakt I 2.1 | Schließerkontakt I 2.0 | Spule =, Q 2.0');
+  await page.getByRole('combobox', { name: 'Mnemonik' }).selectOption('german');
+  await expect(elements, 'Schließerkontakt E 2.1 | Schließerkontakt E 2.0 | Spule =, A 2.0');
+});
+
 test('a block opened while an edit is on its way stays open', async () => {
   await drawn('kop', `${OF(['U E 0.0;', '= A 1.0;'])}FUNCTION FC 1 : VOID\nBEGIN\nNETWORK\n      U     E 2.0;\n      =     A 2.0;\nEND_FUNCTION\n`);
   await press('Control+s');

@@ -10,7 +10,7 @@ import { defaultKeymap, history, historyKeymap, indentWithTab, isolateHistory, r
 import { bracketMatching, indentUnit } from '@codemirror/language';
 import { setDiagnostics } from '@codemirror/lint';
 import { gotoLine, highlightSelectionMatches, search, searchKeymap } from '@codemirror/search';
-import { Annotation, Compartment, EditorState, type Extension } from '@codemirror/state';
+import { Annotation, Compartment, EditorState, type Extension, type Text } from '@codemirror/state';
 import {
   drawSelection,
   EditorView,
@@ -45,6 +45,13 @@ export interface EditorHooks extends HoverHooks {
 const operandKinds = new Set(['operand', 'symbol', 'local', 'name']);
 const fromOutside = Annotation.define<boolean>();
 
+/** The place in the line of this number, as far behind its beginning. */
+function sameLine(before: Text, at: number, after: Text): number {
+  const { number, from } = before.lineAt(at);
+  const line = after.line(Math.min(number, after.lines));
+  return Math.min(line.from + at - from, line.to);
+}
+
 export class CodeEditor {
   readonly view: EditorView;
   private readonly display = new Compartment();
@@ -72,17 +79,26 @@ export class CodeEditor {
     this.view.setState(state);
   }
 
-  /** Changes the text where it differs, as one step that can be undone; the cursor stays at its word. */
+  /** Changes the text where it differs, as one step that can be undone; the cursor stays at its word, or in its line. */
   replace(text: string): void {
-    const old = this.view.state.doc.toString();
+    const { doc, selection } = this.view.state;
+    const old = doc.toString();
     if (old === text) return;
     const shorter = Math.min(old.length, text.length);
     let start = 0;
     while (start < shorter && old[start] === text[start]) start++;
     let end = 0;
     while (end < shorter - start && old[old.length - 1 - end] === text[text.length - 1 - end]) end++;
+    const changes = this.view.state.changes({
+      from: start,
+      to: old.length - end,
+      insert: text.slice(start, text.length - end),
+    });
+    const { head } = selection.main;
+    const isInside = start < head && head < old.length - end;
     this.view.dispatch({
-      changes: { from: start, to: old.length - end, insert: text.slice(start, text.length - end) },
+      changes,
+      ...(isInside && { selection: { anchor: sameLine(doc, head, changes.apply(doc)) } }),
       annotations: fromOutside.of(true),
     });
   }

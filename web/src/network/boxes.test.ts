@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import type { NetworkShape } from '../connection/protocol';
-import { blamedAt, nextPin, withinBox } from './boxes';
+import { blamedAt, nextPin, outside, withinBox } from './boxes';
 import { itemsOf } from './items';
 
 const at = (kind: NetworkShape['kind'], x: number, y: number, more: Partial<NetworkShape> = {}): NetworkShape => ({
@@ -47,6 +47,12 @@ test('the arrows go through the inputs, open ones too, then to the outputs', () 
 
 test('across, at the same height, and out of the box', () => {
   expect([step(1, 'right'), step(4, 'left'), step(4, 'right'), step(1, 'left')]).toEqual([4, 1, undefined, undefined]);
+});
+
+test('up from a box leads out of it, not to its pins', () => {
+  const frame = items.find(({ kind }) => kind === 'frame')!;
+  expect(outside(items, frame, 'up')).toEqual([]);
+  expect(outside(items, frame, 'left')).toHaveLength(items.length);
 });
 
 test('Enter goes to the next open pin of a call, never to EN', () => {

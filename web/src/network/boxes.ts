@@ -24,9 +24,12 @@ export function withinBox(items: readonly Item[], from: Item, direction: Directi
   return pins.filter(({ of }) => of?.side !== side).sort((a, b) => away(a) - away(b))[0];
 }
 
-/** What lies outside of the box of a pin. */
-export const outside = (items: readonly Item[], { of }: Item): readonly Item[] =>
-  of ? items.filter((item) => item.of?.box !== of.box && !(isFrame(item) && item.node === of.box)) : items;
+/** What lies outside of a box, or of the box of a pin. */
+export function outside(items: readonly Item[], from: Item, direction: Direction): readonly Item[] {
+  const box = from.of?.box ?? (isFrame(from) && direction === 'up' ? from.node : undefined);
+  if (box === undefined) return items;
+  return items.filter((item) => item.of?.box !== box && !(isFrame(item) && item.node === box));
+}
 
 const isOpen = (item: Item): boolean => missing(item.operand) || (item.kind === 'field' && item.pin > 0);
 

@@ -16,6 +16,11 @@ test('each block that can be called is offered once', () => {
   expect(blocks.map(({ id }) => id)).toEqual(['FB 1', 'FC 1', 'SFC 20']);
 });
 
+test('a block of the program is offered, not the one of the library with its number', () => {
+  const named = (symbol: string) => ({ id: 'FC 1', symbol, title: '' });
+  expect(blocksOf({ blocks: [named('Count boxes'), named('AD_DT_TM')] }, /^FC /)).toEqual([named('Count boxes')]);
+});
+
 test.each([
   ['fc1', 'FC 1'],
   ['SFC 20', 'SFC 20'],

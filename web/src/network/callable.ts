@@ -3,9 +3,10 @@ import type { BlockEntry, Catalogue, SymbolIndex } from '../editor/catalogue';
 
 const id = (typed: string): string => /^(S?F[BC]|DB)\s*(\d+)$/i.exec(typed)?.slice(1).join(' ').toUpperCase() ?? '';
 
-/** Each block once. */
+/** Each block once: one of the program stands in the place of the block of the library with its number. */
 export function blocksOf({ blocks }: Pick<Catalogue, 'blocks'>, kinds: RegExp): BlockEntry[] {
-  const known = new Map(blocks.filter((one) => kinds.test(one.id)).map((one) => [one.id, one]));
+  const known = new Map<string, BlockEntry>();
+  for (const one of blocks) if (kinds.test(one.id) && !known.has(one.id)) known.set(one.id, one);
   return [...known.values()];
 }
 

@@ -76,6 +76,15 @@ export class Editing {
   async show(): Promise<void> {
     const wanted = this.wanted();
     if (wanted) await this.networks.show(wanted);
+    const { list } = this.networks;
+    if (!this.picture && list.length > 0) this.stand(Math.min(this.chosen, list.length));
+  }
+
+  /** At the heading of a network. */
+  stand(number: number): void {
+    if (this.chosen === number && !this.selected) return;
+    this.chosen = number;
+    this.selected = null;
   }
 
   /** The keyboard goes to the network of the cursor, as soon as it is drawn. */
@@ -98,6 +107,7 @@ export class Editing {
     this.follow();
     if (!this.entering || this.networks.line !== this.props.block?.line) return; // of the block before
     this.entering = false;
+    if (!this.networks.at(this.props.line)) this.stand(1); // the declarations
     if (this.networks.list.length > 0) await this.focus(this.chosen, this.selected);
     else this.host().focus({ preventScroll: true });
   }

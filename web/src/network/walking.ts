@@ -10,7 +10,7 @@ export interface Step {
 }
 
 const stepIn = (items: readonly Item[], from: Item, direction: Direction): Item | undefined =>
-  withinBox(items, from, direction) ?? next(outside(items, from), from, direction);
+  withinBox(items, from, direction) ?? next(outside(items, from, direction), from, direction);
 
 /** `from`: where the selection is in `network`; undefined: there is nothing in this direction. */
 export function stepFrom(
