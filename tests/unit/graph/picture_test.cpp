@@ -184,5 +184,17 @@ TEST(Picture, BranchesAreNestedSoDeep) {
   EXPECT_EQ(widthOfNestedBranches(200), widthOfNestedBranches(400));
 }
 
+// A bit that is read in the middle of a rung is an operand; where rungs only begin with it, a wire.
+TEST(Pictures, NameALocalBitOnlyWhereItIsAContact) {
+  const auto named = [](const std::string& second) {
+    const auto network = read(
+        test::statements("U E 0.0; = L 20.0; U L 20.0; U E 0.1; = A 0.0; " + second + "; = A 0.1"),
+        graph7::rules());
+    return std::ranges::count(kop(network.value(), {}).shapes, "L 20.0", &Shape::text);
+  };
+  EXPECT_EQ(named("U L 20.0; U E 0.3"), 0);
+  EXPECT_EQ(named("U E 0.3; U L 20.0"), 2) << "connector and contact";
+}
+
 }  // namespace
 }  // namespace merker::graph
