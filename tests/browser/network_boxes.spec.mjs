@@ -41,7 +41,13 @@ const plc = await project('314C-2 PtP', 'main.awl', blocks + OF(['U E 0.0;', '= 
 const page = await open(plc, 'program?file=main.awl', { height: 720 });
 const { press, network, field, elements, statements, inside, marked, operand, drawn } = networksOf(page);
 const dialog = page.getByRole('dialog');
-const call = async () => (await press('Alt+F9', ...'call'), await press('Enter'), await dialog.waitFor());
+const call = async () => {
+  await press('Alt+F9');
+  // An edit may still be on its way: the palette opens behind it.
+  await expect(() => page.evaluate(() => Boolean(document.activeElement?.closest('.palette'))), true);
+  await press(...'call', 'Enter');
+  await dialog.waitFor();
+};
 
 test('a call asks for its block: it offers those there are, and refuses what is none', async () => {
   await drawn('kop', blocks + OF(['U E 0.0;', '= A 1.0;']));
@@ -58,7 +64,7 @@ test('a call asks for its block: it offers those there are, and refuses what is 
   await press('ArrowDown', 'Enter');
   await expect(() => dialog.getByRole('combobox').first().inputValue(), 'FB 1');
   await press('Enter');
-  await dialog.getByText('??? ist kein Instanz-DB').waitFor();
+  await dialog.getByText('Ein FB braucht einen Instanz-DB: DB 1').waitFor();
   await press('Tab', ...'db1', 'Enter');
   await expect(() => dialog.count(), 0);
 });

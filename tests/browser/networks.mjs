@@ -32,6 +32,21 @@ export function networksOf(page) {
   return { press, network, field, elements, statements, inside, marked, operand, drawn };
 }
 
+export function holder(page) {
+  /** Edits wait for their answer until `release`. */
+  const hold = () => page.evaluate(() => {
+    const { send } = WebSocket.prototype;
+    const held = [];
+    WebSocket.prototype.send = function (data) {
+      if (String(data).includes('"networks.edit"')) held.push(() => send.call(this, data));
+      else send.call(this, data);
+    };
+    window.release = () => ((WebSocket.prototype.send = send), held.forEach((go) => go()));
+  });
+  const release = () => page.evaluate(() => window.release());
+  return { hold, release };
+}
+
 /** A server with a project of one file. */
 export function project(model, file, source) {
   const workspace = scratch();

@@ -3,8 +3,8 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { accessible } from './axe.mjs';
 import { content, replaceAll, text } from './editor.mjs';
-import { expect, message, open, picture, quiet, serve, turn, until, visit, write } from './harness.mjs';
-import { networksOf, OF, project } from './networks.mjs';
+import { expect, message, open, picture, serve, turn, until, visit, write } from './harness.mjs';
+import { holder, networksOf, OF, project } from './networks.mjs';
 
 const server = await serve('sorting-plant');
 const page = await open(server, 'projects', { height: 720 });
@@ -133,18 +133,7 @@ test('a new network and elements from the palette: by its search, by dragging (S
   await operand('E 7.7');
   await expect(async () => (await statements()).slice(0, 18), 'U E 0.0; UN E 7.7;');
 });
-
-/** Edits wait for their answer until `release`. */
-const hold = () => page.evaluate(() => {
-  const { send } = WebSocket.prototype;
-  const held = [];
-  WebSocket.prototype.send = function (data) {
-    if (String(data).includes('"networks.edit"')) held.push(() => send.call(this, data));
-    else send.call(this, data);
-  };
-  window.release = () => ((WebSocket.prototype.send = send), held.forEach((go) => go()));
-});
-const release = () => page.evaluate(() => window.release());
+const { hold, release } = holder(page);
 
 test('what is typed while an edit is on its way is for what the edit makes', async () => {
   for (const [view, place, made] of [['kop', 'Schließerkontakt E 0.1', 'U E 0.0; S M 1.0; U E 0.1; R M 1.0; U M 1.0; = A 4.0;'], ['fup', 'R, Eingang von SR M 1.0: E 0.1', 'U E 0.0; S M 1.0; U E 0.1; R M 1.0; U M 1.0; = A 4.0;']]) {
@@ -185,115 +174,6 @@ test('an operand that is refused can be mended where it was typed', async () => 
   await press('Control+a');
   await operand('MW 6');
   await expect(statements, 'L MW 6; T MW 4; NOP 0;');
-});
-
-test('a block opened from the list has the keyboard', async () => {
-  await drawn('kop', `${OF(['U E 0.0;', '= A 1.0;'])}FUNCTION FC 1 : VOID\nBEGIN\nNETWORK\n      U     E 2.0;\n      =     A 2.0;\nEND_FUNCTION\nFUNCTION FC 2 : VOID\nBEGIN\nEND_FUNCTION\n`);
-  await press('Control+s');
-  const block = page.locator('[role=treeitem]').filter({ hasText: 'FC 1' }).first();
-  await block.focus();
-  await press('Enter');
-  await expect(elements, 'Schließerkontakt E 2.0 | Spule =, A 2.0');
-  await inside();
-  await press('F2');
-  await operand('E 2.1');
-  await expect(async () => (await statements()).includes('U E 2.1;'), true);
-  // One without a network as well: there the first one is made.
-  const empty = page.locator('[role=treeitem]').filter({ hasText: 'FC 2' }).first();
-  await empty.focus();
-  await press('Enter');
-  await inside();
-  await press('Control+r');
-  await expect(() => page.locator('[data-network]').count(), 1);
-  await inside();
-  await page.locator('[role=treeitem]').filter({ hasText: 'OB 1' }).first().click();
-  await expect(elements, 'Schließerkontakt E 0.0 | Spule =, A 1.0');
-  await inside();
-});
-
-test('keys pressed in the list save, and change nothing else', async () => {
-  await page.evaluate(() => (window.same = true));
-  const list = page.getByRole('tree');
-  await page.locator('[aria-label="Schließerkontakt E 0.0"]').click();
-  await press('F2');
-  await operand('E 0.7');
-  // The edit may still be on its way to the drawing: the keyboard stays where it goes now.
-  await list.getByRole('treeitem').first().focus();
-  await expect(async () => (await statements()).includes('U E 0.7;'), true);
-  const changed = await text(page);
-  for (const key of ['F2', 'F3', 'F7', 'Delete']) {
-    await list.getByRole('treeitem').first().focus();
-    await press(key);
-    assert.equal(await text(page), changed, key);
-    assert.ok(await list.evaluate((tree) => tree.contains(document.activeElement)), key);
-  }
-  await quiet(page);
-  await press('Control+s');
-  await message(page, 'main.awl gespeichert');
-  await press('Control+r');
-  await inside();
-  await press('F2');
-  await field().waitFor();
-  await press('Control+r');
-  await inside();
-  await page.getByRole('button', { name: 'Titel und Kommentar von Netzwerk 1' }).click();
-  await press('Control+r');
-  await inside();
-  await page.getByRole('searchbox', { name: 'Element suchen' }).focus();
-  await press('Control+r');
-  await inside();
-  assert.ok(await page.evaluate(() => window.same), 'the page was loaded anew');
-});
-
-test('who stands at the heading of a network is in it', async () => {
-  await drawn('kop', OF(['U E 0.0;', '= A 1.0;'], 'NETWORK\n      U     E 0.1;\n      =     A 1.1;\nNETWORK\n      U     E 0.2;\n      =     A 1.2;\n'));
-  await network(1).locator('[data-node]').first().click();
-  await network(2).locator('[data-head]').focus();
-  await press('F2');
-  await operand('E 0.7');
-  await expect(async () => (await statements()).includes('U E 0.7; U E 0.1; = A 1.1;'), true);
-  await network(3).locator('[data-head]').focus();
-  await press('Control+Delete');
-  await expect(() => page.locator('[data-network]').count(), 2);
-  await expect(async () => (await statements()).includes('E 0.2'), false);
-  // Undone, there is a network to go on with.
-  await press('Control+z');
-  await expect(() => page.locator('[data-network]').count(), 3);
-  await press('Home', 'F2');
-  await operand('E 0.6');
-  await expect(async () => (await statements()).includes('E 0.6'), true);
-});
-
-test('a block that was never open has the keyboard in its first network', async () => {
-  await drawn('kop', `${OF(['U E 0.0;', '= A 1.0;'])}FUNCTION FC 1 : VOID\nVAR_TEMP\n  x : BOOL;\nEND_VAR\nBEGIN\nNETWORK\n      U     E 2.0;\n      =     A 2.0;\nEND_FUNCTION\n`);
-  await press('Control+s');
-  await page.getByRole('treeitem', { name: 'FC 1' }).first().click();
-  await expect(elements, 'Schließerkontakt E 2.0 | Spule =, A 2.0');
-  await inside();
-  await press('F2');
-  await operand('E 2.1');
-  await expect(async () => (await statements()).includes('U E 2.1; U E 2.0;'), true);
-  // Other mnemonics, the same block.
-  await page.getByRole('combobox', { name: 'Mnemonik' }).selectOption('international');
-  await expect(elements, 'Schließerkontakt I 2.1 | Schließerkontakt I 2.0 | Spule =, Q 2.0');
-  await page.getByRole('combobox', { name: 'Mnemonik' }).selectOption('german');
-  await expect(elements, 'Schließerkontakt E 2.1 | Schließerkontakt E 2.0 | Spule =, A 2.0');
-});
-
-test('a block opened while an edit is on its way stays open', async () => {
-  await drawn('kop', `${OF(['U E 0.0;', '= A 1.0;'])}FUNCTION FC 1 : VOID\nBEGIN\nNETWORK\n      U     E 2.0;\n      =     A 2.0;\nEND_FUNCTION\n`);
-  await press('Control+s');
-  await page.getByRole('treeitem', { name: 'OB 1' }).first().click();
-  await expect(elements, 'Schließerkontakt E 0.0 | Spule =, A 1.0');
-  await inside();
-  await hold();
-  await press('Home', 'F3');
-  await page.getByRole('treeitem', { name: 'FC 1' }).first().click();
-  await expect(elements, 'Schließerkontakt E 2.0 | Spule =, A 2.0');
-  await release();
-  await expect(async () => (await statements()).includes('UN ??.?;'), true);
-  await expect(elements, 'Schließerkontakt E 2.0 | Spule =, A 2.0');
-  await inside();
 });
 
 test('each action leaves the keyboard in the networks', async () => {

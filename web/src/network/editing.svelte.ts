@@ -26,6 +26,10 @@ export class Editing {
   selected = $state.raw<Place | null>(null);
   field = $state.raw<{ item: Item; text: string } | null>(null);
   private entering = true;
+  /** The keyboard goes where the program wants it. */
+  private moving = false;
+  /** Where somebody has gone while an edit was on its way. */
+  private gone: number | undefined;
 
   /** `host` holds the networks; `wanted` is what is shown in it. */
   constructor(
@@ -112,11 +116,20 @@ export class Editing {
     else this.host().focus({ preventScroll: true });
   }
 
+  /** Who goes to a heading stands in its network; while an edit is on its way, as soon as it is there. */
+  headed(number: number): void {
+    if (this.moving) return;
+    if (this.turn.busy) this.gone = number;
+    else this.stand(number);
+  }
+
   /** Somebody has gone elsewhere, or to another view, while the answer was on its way: the keyboard stays there. */
   private left(): boolean {
     const host: HTMLElement | null = this.host();
     const { activeElement } = document;
-    return !host || (activeElement !== null && activeElement !== document.body && !host.contains(activeElement));
+    if (this.gone !== undefined) this.stand(this.gone);
+    const isHere = !activeElement || activeElement === document.body || host?.contains(activeElement);
+    return !host || !isHere || this.gone !== undefined;
   }
 
   async focus(number: number, place: Place | null): Promise<void> {
@@ -126,7 +139,9 @@ export class Editing {
     // Meanwhile another view may have been chosen.
     const host = this.host();
     const there = host && elementAt(host, number, place);
+    this.moving = true;
     (there ?? host)?.focus({ preventScroll: true });
+    this.moving = false;
     there?.scrollIntoView({ block: 'nearest', inline: 'nearest' });
   }
 
@@ -197,6 +212,7 @@ export class Editing {
   }
 
   async ask(change: Change, at: Place | null, onwards: boolean): Promise<boolean> {
+    this.gone = undefined;
     this.host().focus({ preventScroll: true });
     const { document, block } = this.props;
     const place = at ? { node: at.node, pin: at.pin, first: at.first } : {};

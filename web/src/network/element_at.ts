@@ -9,3 +9,9 @@ export function elementAt(host: Element, number: number, place: Place | null): H
   const { node, pin, first } = place;
   return card?.querySelector<SVGElement>(`[data-node="${node}"][data-pin="${pin}"][data-first="${first}"]`) ?? head;
 }
+
+/** The network at whose heading this stands. */
+export function headingOf(element: Element): number | undefined {
+  const card = element.closest('header')?.closest<HTMLElement>('[data-card]');
+  return card ? Number(card.dataset['card']) : undefined;
+}
