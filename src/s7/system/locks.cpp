@@ -6,7 +6,7 @@
 namespace merker::system {
 namespace {
 
-constexpr std::uint32_t kWrongOb = 0x8090, kWrongMode = 0x8091, kNotDelayed = 0x8080;
+constexpr std::uint32_t kWrongOb = 0x8090, kWrongModeOfLock = 0x8091, kNotDelayed = 0x8080;
 
 // MODE 0 all, 1 the class that begins with OB_NR (10, 20, 30, 40 …), 2 the one OB; + 80 hex:
 // without an entry in the diagnostic buffer.
@@ -20,7 +20,7 @@ Selection selection(A& a) {
   const std::uint32_t mode = a.value("MODE") & 0x7F;
   const std::int32_t ob = a.integer("OB_NR");
   if (mode == 0) return {10, 87};
-  if (mode > 2) return {.error = kWrongMode};
+  if (mode > 2) return {.error = kWrongModeOfLock};
   if (ob < 10 || ob > 87) return {.error = kWrongOb};
   const auto first = static_cast<std::uint8_t>(ob);
   if (mode == 2) return {first, first};

@@ -39,9 +39,10 @@ Output kepware(const std::vector<Tag>& tags, const FormatOptions&) {
       output.left.push_back(fullName(tag));
       continue;
     }
-    output.text += fmt::format("{},{},{},1,{},{},,,,,,,,,,{}\r\n", quoted(unique(nameOf(tag))),
-                               quoted(*place), kKepware.tagType(tag.type),
-                               tag.writable ? "R/W" : "RO", kScanMilliseconds, quoted(tag.comment));
+    output.text +=
+        fmt::format("{},{},{},1,{},{},,,,,,,,,,{}\r\n", inQuotes(unique(nameOf(tag))),
+                    inQuotes(*place), kKepware.tagType(tag.type), tag.writable ? "R/W" : "RO",
+                    kScanMilliseconds, inQuotes(tag.comment));
   }
   return output;
 }
