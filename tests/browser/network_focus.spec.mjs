@@ -120,6 +120,22 @@ test('a block is found in a text that was not saved', async () => {
   }
 });
 
+test('undo that leads to another block marks it in the list', async () => {
+  await drawn('kop', `${OF(['U E 0.0;', '= A 1.0;'])}FUNCTION FC 1 : VOID\nBEGIN\nNETWORK\n      U     E 2.0;\n      =     A 2.0;\nEND_FUNCTION\n`);
+  await press('Control+s');
+  await page.getByRole('treeitem', { name: 'OB 1' }).first().click();
+  await expect(elements, 'Schließerkontakt E 0.0 | Spule =, A 1.0');
+  await inside();
+  await press('Home', 'F2');
+  await operand('E 0.7');
+  await expect(async () => (await statements()).includes('U E 0.7;'), true);
+  await page.getByRole('treeitem', { name: 'FC 1' }).first().click();
+  await expect(elements, 'Schließerkontakt E 2.0 | Spule =, A 2.0');
+  await press('Control+z');
+  await expect(async () => (await elements()).startsWith('Schließerkontakt E 0.0'), true);
+  await expect(() => page.locator('[role=treeitem][aria-selected=true]').innerText().then((text) => text.slice(0, 4)), 'OB 1');
+});
+
 test('a block opened while an edit is on its way stays open', async () => {
   await drawn('kop', `${OF(['U E 0.0;', '= A 1.0;'])}FUNCTION FC 1 : VOID\nBEGIN\nNETWORK\n      U     E 2.0;\n      =     A 2.0;\nEND_FUNCTION\n`);
   await press('Control+s');
