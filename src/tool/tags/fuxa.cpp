@@ -1,10 +1,9 @@
 #include "tags/fuxa.h"
 
-#include <fmt/format.h>
-
 #include <nlohmann/json.hpp>
 
 #include "tags/address.h"
+#include "tags/names.h"
 
 namespace merker::tags {
 namespace {
@@ -25,12 +24,9 @@ std::string addressOf(const Tag& tag) {
   return text;
 }
 
-// Tags have identifiers that stay the same when the list is made again.
-std::string identifier(const Tag& tag) { return fmt::format("t_{}", fullName(tag)); }
-
-Json tagJson(const Tag& tag) {
-  return {{"id", identifier(tag)},
-          {"name", fullName(tag)},
+Json tagJson(const Tag& tag, const std::string& identifier, const std::string& name) {
+  return {{"id", identifier},
+          {"name", name},
           {"type", fuxaType(tag.type)},
           {"address", addressOf(tag)},
           {"description", tag.comment},
@@ -42,19 +38,24 @@ Json tagJson(const Tag& tag) {
 // A CPU 31x stands in rack 0, slot 2.
 Output fuxa(const std::vector<Tag>& tags, const FormatOptions& options) {
   Output output;
-  Json list = Json::object();
-  for (const Tag& tag : tags)
-    if (known(tag))
-      list[identifier(tag)] = tagJson(tag);
-    else
+  UniqueNames unique;
+  Json::object_t list;  // its operator[] and emplace() look through all of it
+  for (const Tag& tag : tags) {
+    if (!known(tag)) {
       output.left.push_back(fullName(tag));
+      continue;
+    }
+    // Identifiers stay the same when the list is made again.
+    const std::string name = unique(fullName(tag)), identifier = "t_" + name;
+    list.push_back({identifier, tagJson(tag, identifier, name)});
+  }
   const Json device{{"id", "d_" + options.device},
                     {"name", options.device},
                     {"enabled", true},
                     {"type", "SiemensS7"},
                     {"polling", 1000},
                     {"property", {{"address", options.address}, {"rack", "0"}, {"slot", "2"}}},
-                    {"tags", list}};
+                    {"tags", std::move(list)}};
   output.text = Json::array({device}).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
   return output;
 }

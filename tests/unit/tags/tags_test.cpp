@@ -159,5 +159,18 @@ TEST(Tags, DeviceOfFuxa) {
   EXPECT_EQ(output.left, (std::vector<std::string>{"Zeit", "DB10.name", "DB10.when"}));
 }
 
+// A symbol may have the name of a variable: neither takes the place of the other.
+TEST(Tags, TheSameNameTwice) {
+  std::vector<Tag> list = {tag(TagArea::Flag, TypeCode::Bool, 0),
+                           tag(TagArea::Data, TypeCode::Int, 0, 1)};
+  list[0].path = {"Recipe.speed"};
+  list[1].path = {"Recipe", "speed"};
+  const auto tags = nlohmann::json::parse(fuxa(list, {}).text)[0]["tags"];
+  ASSERT_EQ(tags.size(), 2u);
+  EXPECT_EQ(tags["t_Recipe.speed"]["address"], "M0.0");
+  EXPECT_EQ(tags["t_Recipe.speed_2"]["address"], "DB1.DBW0");
+  EXPECT_EQ(tags["t_Recipe.speed_2"]["name"], "Recipe.speed_2");
+}
+
 }  // namespace
 }  // namespace merker::tags
