@@ -8,6 +8,8 @@ namespace {
 
 // Of answers that wait for the client; beyond that nothing more is read from it.
 constexpr std::size_t kMostAnswers = 64 << 10;
+// And what the PLC says unasked waits in its own place then.
+constexpr std::size_t kMostIndicated = 16 << 10;
 
 constexpr std::chrono::seconds kClientLimits[] = {
     std::chrono::seconds(5),   // Request: of the transport connection
@@ -39,6 +41,7 @@ void S7Connection::close() {
   boost::system::error_code ignored;
   socket_.close(ignored);
   if (!session_) return;
+  session_->end();
   session_.reset();
   around_.resources.release(resource_);
   around_.exchange.closed();
@@ -141,6 +144,7 @@ void S7Connection::requested(const iso::ConnectParameters& parameters) {
   session_->whenReady([weak = weak_from_this()] {
     if (const auto self = weak.lock()) self->pump();
   });
+  session_->roomBy([this] { return !closed_ && out_.size() < kMostIndicated; });
   const iso::Bytes answer = transport_.confirm();
   out_.insert(out_.end(), answer.begin(), answer.end());
 }
@@ -169,6 +173,7 @@ void S7Connection::flush() {
 
 void S7Connection::sent() {
   sending_.clear();
+  if (session_) session_->deliver();
   flush();
   if (closed_) return;
   expect(true);

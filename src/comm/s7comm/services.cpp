@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "s7comm/userdata.h"
+
 namespace merker::s7comm {
 namespace {
 
@@ -33,9 +35,8 @@ void Job::refuse(Error error) const {
   session->send_(writePdu({PduType::Acknowledge, reference, error, {}, {}}));
 }
 
-void Job::userdata(View answerParameters, View answerData) const {
-  session->send_(
-      writePdu({PduType::Userdata, reference, Error::None, answerParameters, answerData}));
+void Job::userdata(const UserdataHead& head, View octets) const {
+  session->send_(writeUserdata(head, reference, octets));
 }
 
 }  // namespace merker::s7comm

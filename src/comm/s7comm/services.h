@@ -5,6 +5,8 @@
 
 namespace merker::s7comm {
 
+struct UserdataHead;
+
 // A request, and what its answer needs. Copies may wait for the PLC.
 struct Job {
   std::shared_ptr<Session> session;
@@ -20,7 +22,8 @@ struct Job {
 
   void answer(View answerParameters, View answerData = {}, Error error = Error::None) const;
   void refuse(Error error) const;
-  void userdata(View answerParameters, View answerData) const;
+  void userdata(const UserdataHead& head, View octets) const;
+  const std::shared_ptr<Outlet>& outlet() const { return session->outlet(); }
   Session::Rest& rest() const { return session->rest_; }
   std::string& password() const { return session->password_; }
   Session::Upload& upload() const { return session->upload_; }

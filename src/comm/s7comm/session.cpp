@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "s7comm/services.h"
+#include "s7comm/userdata.h"
 
 namespace merker::s7comm {
 namespace {
@@ -13,12 +14,17 @@ constexpr std::uint16_t kBeforeSetup = 240;
 }  // namespace
 
 Session::Session(Plc& plc, Send send, Offer offer)
-    : plc_(plc), send_(std::move(send)), offer_(offer), pdu_(kBeforeSetup) {}
+    : plc_(plc), send_(std::move(send)), offer_(offer), pdu_(kBeforeSetup) {
+  outlet_->deliverBy([this] { deliver(); });
+}
+
+Session::~Session() { outlet_->close(); }
 
 void Session::agree(std::uint16_t pdu, std::uint16_t jobs) {
   pdu_ = pdu;
   jobs_ = jobs;
   setUp_ = true;
+  outlet_->setRoom(pdu_ - kUserdataOverhead);
 }
 
 bool Session::receive(View bytes) {

@@ -8,6 +8,7 @@
 #include <memory>
 #include <string>
 
+#include "s7comm/outlet.h"
 #include "s7comm/plc.h"
 
 namespace merker::s7comm {
@@ -38,6 +39,9 @@ class Session : public std::enable_shared_from_this<Session> {
 
   // `plc` outlives it.
   Session(Plc& plc, Send send, Offer offer = {});
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
 
   // False: this is no S7 communication, the connection is to be closed. Not while busy().
   bool receive(View bytes);
@@ -45,6 +49,14 @@ class Session : public std::enable_shared_from_this<Session> {
   bool busy() const { return !held_.empty() || waiting_ >= jobs_; }
   // Hears that it is not busy any more.
   void whenReady(std::function<void()> ready) { ready_ = std::move(ready); }
+
+  // Whether the line takes what the PLC says unasked; deliver() when it does again.
+  void roomBy(std::function<bool()> room) { room_ = std::move(room); }
+  void deliver();
+  // Where the PLC sends what it says later, unasked; it outlives the connection.
+  const std::shared_ptr<Outlet>& outlet() const { return outlet_; }
+  // The connection has gone; whatever waits for the PLC still keeps the session.
+  void end() { outlet_->close(); }
 
   std::uint16_t pdu() const { return pdu_; }
   bool isSetUp() const { return setUp_; }
@@ -59,6 +71,8 @@ class Session : public std::enable_shared_from_this<Session> {
   Send send_;
   Offer offer_;
   std::function<void()> ready_;
+  std::function<bool()> room_;
+  std::shared_ptr<Outlet> outlet_ = std::make_shared<Outlet>();
   std::uint16_t pdu_, jobs_ = 1;
   bool setUp_ = false, inside_ = false;  // inside_: receive() is running
   std::size_t waiting_ = 0;              // jobs that the PLC has and has not answered

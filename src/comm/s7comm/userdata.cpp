@@ -25,8 +25,8 @@ constexpr UserdataService kUserdataServices[] = {
 };
 
 // 00 01 12, length, method, type and group, subfunction, sequence number.
-constexpr std::size_t kUserdataHead = 8, kAnswerParameters = 12;
-constexpr std::uint8_t kAnswerMethod = 0x12, kAnswerType = 0x80, kAnswerLength = 8;
+constexpr std::size_t kUserdataHead = 8;
+constexpr std::uint8_t kAnswerMethod = 0x12, kAnswerLength = 8;
 
 bool isUserdata(View p) {
   return p.size() >= kUserdataHead && p[0] == 0 && p[1] == 1 && p[2] == kAnswerMethod &&
@@ -38,17 +38,24 @@ bool wantsMore(View p) { return p[3] == kAnswerLength && p[4] == kAnswerMethod; 
 
 }  // namespace
 
-void Request::send(std::uint8_t unit, bool last, Error error, View octets) const {
+Bytes writeUserdata(const UserdataHead& head, std::uint16_t reference, View octets) {
   Bytes parameters = {0, 1, kAnswerMethod, kAnswerLength, kAnswerMethod};
-  parameters.insert(parameters.end(), {static_cast<std::uint8_t>(kAnswerType | group), subfunction,
-                                       sequence, unit, static_cast<std::uint8_t>(last ? 0 : 1)});
-  appendWord(parameters, static_cast<std::uint32_t>(error));
+  parameters.insert(
+      parameters.end(),
+      {static_cast<std::uint8_t>(static_cast<unsigned>(head.kind) | head.group), head.subfunction,
+       head.sequence, head.unit, static_cast<std::uint8_t>(head.last ? 0 : 1)});
+  appendWord(parameters, static_cast<std::uint32_t>(head.error));
   Bytes item;
   if (octets.empty())
     writeDataItem(item, {ItemCode::Missing, DataUnit::None, {}});
   else
     writeDataItem(item, {ItemCode::Done, DataUnit::Octets, octets});
-  job.userdata(parameters, item);
+  return writePdu({PduType::Userdata, reference, Error::None, parameters, item});
+}
+
+void Request::send(std::uint8_t unit, bool last, Error error, View octets) const {
+  job.userdata({UserdataHead::Kind::Answer, group, subfunction, sequence, unit, last, error},
+               octets);
 }
 
 void Request::refuse(Error error) const { send(0, true, error, {}); }
@@ -63,7 +70,7 @@ Request Request::begun() const {
 
 // Takes from `rest` what a PDU holds.
 void Request::part(Session::Rest& rest) const {
-  const std::size_t most = job.pdu() - kHeader - kAnswerParameters - kDataItemHeader;
+  const std::size_t most = job.pdu() - kUserdataOverhead;
   const std::size_t count = std::min(most - most % rest.record, rest.octets.size());
   const Bytes octets(rest.octets.begin(), rest.octets.begin() + static_cast<std::ptrdiff_t>(count));
   rest.octets.erase(rest.octets.begin(), rest.octets.begin() + static_cast<std::ptrdiff_t>(count));
@@ -76,8 +83,7 @@ void Request::answer(Bytes octets, std::size_t record) const {
   rest.octets = std::move(octets);
   rest.record = record;
   rest.sequence = static_cast<std::uint8_t>(rest.sequence % 0xFF + 1);  // never 0
-  const bool whole =
-      rest.octets.size() + kHeader + kAnswerParameters + kDataItemHeader <= job.pdu();
+  const bool whole = rest.octets.size() + kUserdataOverhead <= job.pdu();
   rest.unit = whole ? 0 : rest.sequence;
   Request first = *this;
   first.sequence = rest.sequence;

@@ -5,6 +5,19 @@
 
 namespace merker::s7comm {
 
+// The parameters of what a PLC says, as an answer or unasked.
+struct UserdataHead {
+  enum class Kind : std::uint8_t { Indication = 0x00, Answer = 0x80 } kind = Kind::Answer;
+  std::uint8_t group = 0, subfunction = 0, sequence = 0;
+  std::uint8_t unit = 0;  // of an answer of several PDUs
+  bool last = true;
+  Error error = Error::None;
+};
+
+// Header, parameters and the head of the data.
+constexpr std::size_t kUserdataOverhead = kHeader + 12 + 4;
+Bytes writeUserdata(const UserdataHead& head, std::uint16_t reference, View octets);
+
 // A request of userdata; what its answer needs is kept while the PLC works.
 struct Request {
   Job job;

@@ -91,8 +91,9 @@ void Exchange::write(std::vector<Write> writes, WriteDone done) {
 
 // Orders first: who is told that its value was written reads it then.
 void Exchange::cycleEnded(monitor::Monitor& monitor) {
-  if (connections_ == 0) return;
+  if (connections_ == 0) return tasks_.clear(monitor);
   carryOut(&monitor);
+  tasks_.run(monitor, post_);
   publish(monitor.plc());
 }
 
@@ -131,7 +132,8 @@ bool Exchange::stands(const controller::Controller& plc) {
 }
 
 void Exchange::look(monitor::Monitor* monitor) {
-  if (connections_ == 0) return;
+  if (connections_ == 0 && monitor != nullptr) return tasks_.clear(*monitor);
+  if (connections_ == 0) return tasks_.forget();
   if (monitor == nullptr) {
     carryOut(nullptr);
     return forget();
@@ -145,6 +147,7 @@ void Exchange::look(monitor::Monitor* monitor) {
 
 void Exchange::forget() {
   lastLook_ = waitingSince_ = Instant::never();
+  tasks_.forget();
   const std::lock_guard lock(mutex_);
   image_.reset();
 }

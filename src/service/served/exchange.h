@@ -12,6 +12,7 @@
 #include "monitor/monitor.h"
 #include "plc/operand_memory.h"
 #include "s7comm/plc.h"
+#include "served/tasks.h"
 
 namespace merker::served {
 
@@ -69,6 +70,7 @@ class Exchange final : public s7comm::Plc {
 
   // of the thread of the PLC
   std::shared_ptr<Image> spare_;
+  Tasks tasks_;
   Instant lastLook_ = Instant::never(), waitingSince_ = Instant::never();
 };
 
