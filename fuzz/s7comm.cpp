@@ -35,9 +35,9 @@ class Zeros : public s7comm::Plc {
     });
   }
   void status(std::uint16_t list, std::uint16_t index, StatusDone done) override {
-    s7comm::StatusList found{1, index, Bytes(index)};
+    s7comm::StatusList found{s7comm::Error::None, 1, index, Bytes(index)};
     order([done = std::move(done), list, found = std::move(found)] {
-      done(list % 2 == 0 ? std::nullopt : std::optional(found));
+      done(list % 2 == 0 ? s7comm::StatusList{} : found);
     });
   }
   void clock(ClockDone done) override {

@@ -106,6 +106,8 @@ test('lists', { timeout: 30_000 }, async () => {
   assert.ok(numbers.includes(0x0424), `${numbers}`);
   const memory = await call('ReadSZL', 0x0014, 0);
   assert.equal(memory.length, 4 + 8 * 8); // behind length and number of the records
+  const rack = await call('ReadSZL', 0x0d91, 0);
+  assert.equal(rack.subarray(4, 20).toString('hex'), '000002007fff00c000c00000b4020011'); // the CPU itself
   await assert.rejects(call('ReadSZL', 0x0999, 0));
 });
 

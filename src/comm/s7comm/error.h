@@ -15,7 +15,8 @@ enum class Error : std::uint16_t {
   NoSuchBlock = 0xD209,
   NoBlocks = 0xD20E,  // of this type
   NeedsPassword = 0xD241,
-  NoInformation = 0xD402,  // no such list, or not of this PLC
+  NoSuchList = 0xD401,     // of the system status
+  NoInformation = 0xD402,  // there is none with this index, or nothing is left of it
   WrongPassword = 0xD602,
   PasswordStands = 0xD604,  // it was entered before; or none was, to be cancelled
   NoPassword = 0xD605,      // the PLC has none

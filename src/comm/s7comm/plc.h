@@ -49,6 +49,8 @@ struct Write {
 
 // Of the system status list (SZL): records of one length, one behind the other.
 struct StatusList {
+  Error error = Error::NoSuchList;  // None: the rest holds
+
   std::uint16_t recordLength = 0, records = 0;
   Bytes data{};
 };
@@ -87,8 +89,7 @@ class Plc {
   // In this order, between two cycles.
   virtual void write(std::vector<Write> writes, WriteDone done) = 0;
 
-  using StatusDone = std::function<void(const std::optional<StatusList>&)>;
-  // Nothing: there is no such list.
+  using StatusDone = std::function<void(const StatusList&)>;
   virtual void status(std::uint16_t list, std::uint16_t index, StatusDone done) = 0;
   using ClockDone = std::function<void(const std::optional<ClockTime>&)>;
   // Nothing: it has none.

@@ -16,6 +16,10 @@ class Cpu;
 struct Snapshot;
 }  // namespace merker::cpu
 
+namespace merker::system {
+struct SzlList;
+}
+
 namespace merker::station {
 
 class Translations;
@@ -28,6 +32,8 @@ class BlockCpu : public controller::Capability {
   virtual const block::Program& program() const = 0;
   virtual cpu::Cpu& cpu() = 0;
   virtual const cpu::Cpu& cpu() const = 0;
+  // A list of the system status, as SFC 51 gives it.
+  virtual system::SzlList systemStatus(std::uint32_t list, std::uint32_t index) = 0;
   // In RUN at the next cycle checkpoint, all blocks at once. The reason if the CPU refuses.
   virtual std::string download(std::shared_ptr<const block::Program> program,
                                std::string_view password) = 0;

@@ -7,6 +7,7 @@
 
 #include "station/line_counts.h"
 #include "station/parts.h"
+#include "system/szl.h"
 
 namespace merker::station {
 namespace {
@@ -39,6 +40,9 @@ Station& Station::operator=(Station&& other) noexcept {
 }
 
 cpu::Cpu& Station::cpu() { return parts_->cpu; }
+system::SzlList Station::systemStatus(std::uint32_t list, std::uint32_t index) {
+  return system::readSzl({parts_->cpu, parts_->modules.get()}, list, index);
+}
 const cpu::Cpu& Station::cpu() const { return parts_->cpu; }
 
 const CpuModel& Station::model() const { return *parts_->model; }

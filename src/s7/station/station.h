@@ -196,6 +196,7 @@ class Station final : public controller::Controller,
 
   // The CPU itself, for the monitor: stacks, probes, forces.
   cpu::Cpu& cpu() override;
+  system::SzlList systemStatus(std::uint32_t list, std::uint32_t index) override;
   const cpu::Cpu& cpu() const override;
 
   // Called after each change of simulated time at a cycle checkpoint: traces look at values here.

@@ -9,12 +9,12 @@
 namespace merker::system {
 namespace {
 
-enum class Part : std::uint8_t { All, One };
+enum class Part : std::uint8_t { All, One, Some };
 
 struct Row {
   std::uint16_t number;
   std::uint16_t recordLength;
-  Part part;  // One: the record (or group of records) that INDEX names
+  Part part;  // One: the records that INDEX names, which must exist; Some: if there are any
   void (*fill)(const SzlSource&, std::uint32_t index, SzlList&);
 };
 
@@ -22,31 +22,50 @@ constexpr Row kRows[] = {
     {0x0011, 28, Part::All, szlIdentification},
     {0x0111, 28, Part::One, szlIdentification},
     {0x0012, 2, Part::All, szlCharacteristics},
-    {0x0112, 2, Part::One, szlCharacteristics},
+    {0x0112, 2, Part::Some, szlCharacteristics},
     {0x0013, 36, Part::All, szlMemory},
     {0x0113, 36, Part::One, szlMemory},
     {0x0014, 8, Part::All, szlAreas},
     {0x0114, 8, Part::One, szlAreas},
     {0x0015, 10, Part::All, szlBlockTypes},
     {0x0115, 10, Part::One, szlBlockTypes},
+    {0x0018, 4, Part::All, szlExpansion},
+    {0x0118, 4, Part::One, szlOneExpansion},
     {0x0019, 4, Part::All, szlLeds},
     {0x0119, 4, Part::One, szlLeds},
+    {0x001C, 34, Part::All, szlNames},
+    {0x011C, 34, Part::One, szlNames},
+    {0x0021, 4, Part::All, szlStartEvents},
+    {0x0A21, 4, Part::All, szlLoadedEvents},
+    {0x0222, 28, Part::One, szlInterruptStatus},
     {0x0024, 20, Part::All, szlAllModes},
     {0x0124, 20, Part::All, szlLastMode},
     {0x0424, 20, Part::All, szlCurrentMode},
     {0x0524, 20, Part::One, szlOneMode},
+    {0x0025, 4, Part::All, szlProcessImages},
+    {0x0125, 4, Part::Some, szlProcessImage},
+    {0x0225, 4, Part::Some, szlProcessImageOfOb},
+    {0x0131, 40, Part::One, szlConnections},
     {0x0132, 40, Part::One, szlCommunication},
+    {0x0232, 40, Part::One, szlProtection},
     {0x0074, 4, Part::All, szlLeds},
     {0x0174, 4, Part::One, szlLeds},
+    {0x0591, 16, Part::All, szlSubmodules},
+    {0x0A91, 16, Part::All, szlMasterSystems},
+    {0x0C91, 16, Part::One, szlModuleByAddress},
+    {0x0D91, 16, Part::One, szlModulesOfRack},
+    {0x0092, 16, Part::One, szlRacks},
+    {0x0292, 16, Part::One, szlRacks},
+    {0x0692, 16, Part::One, szlFaultyRacks},
+    {0x0094, 258, Part::One, szlStations},
+    {0x0294, 258, Part::One, szlStations},
+    {0x0694, 258, Part::One, szlFaultyStations},
+    {0x0794, 258, Part::One, szlFaultyStations},
     {0x00A0, 20, Part::All, szlDiagnostics},
-    {0x01A0, 20, Part::One, szlLatestDiagnostics},
+    {0x01A0, 20, Part::Some, szlLatestDiagnostics},
     {0x00B1, 4, Part::One, szlRecord0},
     {0x00B2, 0, Part::One, szlRecord1BySlot},
     {0x00B3, 0, Part::One, szlRecord1ByAddress},
-    {0x001C, 34, Part::All, szlNames},
-    {0x011C, 34, Part::One, szlNames},
-    {0x0131, 40, Part::One, szlConnections},
-    {0x0232, 40, Part::One, szlProtection},
 };
 
 constexpr std::uint32_t kExtract = 0x0F00;

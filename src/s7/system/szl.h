@@ -49,6 +49,22 @@ void szlProtection(const SzlSource&, std::uint32_t index, SzlList&);         // 
 void szlNames(const SzlSource&, std::uint32_t index, SzlList&);              // 16#xy1C
 void szlDiagnostics(const SzlSource&, std::uint32_t index, SzlList&);        // 16#00A0
 void szlLatestDiagnostics(const SzlSource&, std::uint32_t index, SzlList&);  // 16#01A0
+void szlExpansion(const SzlSource&, std::uint32_t index, SzlList&);          // 16#0018
+void szlOneExpansion(const SzlSource&, std::uint32_t index, SzlList&);       // 16#0118
+void szlStartEvents(const SzlSource&, std::uint32_t index, SzlList&);        // 16#0021
+void szlLoadedEvents(const SzlSource&, std::uint32_t index, SzlList&);       // 16#0A21
+void szlInterruptStatus(const SzlSource&, std::uint32_t index, SzlList&);    // 16#0222
+void szlProcessImages(const SzlSource&, std::uint32_t index, SzlList&);      // 16#0025
+void szlProcessImage(const SzlSource&, std::uint32_t index, SzlList&);       // 16#0125
+void szlProcessImageOfOb(const SzlSource&, std::uint32_t index, SzlList&);   // 16#0225
+void szlSubmodules(const SzlSource&, std::uint32_t index, SzlList&);         // 16#0591
+void szlMasterSystems(const SzlSource&, std::uint32_t index, SzlList&);      // 16#0A91
+void szlModuleByAddress(const SzlSource&, std::uint32_t index, SzlList&);    // 16#0C91
+void szlModulesOfRack(const SzlSource&, std::uint32_t index, SzlList&);      // 16#0D91
+void szlRacks(const SzlSource&, std::uint32_t index, SzlList&);              // 16#0092, 16#0292
+void szlFaultyRacks(const SzlSource&, std::uint32_t index, SzlList&);        // 16#0692
+void szlStations(const SzlSource&, std::uint32_t index, SzlList&);           // 16#0094, 16#0294
+void szlFaultyStations(const SzlSource&, std::uint32_t index, SzlList&);     // 16#0694, 16#0794
 void szlRecord0(const SzlSource&, std::uint32_t index, SzlList&);            // 16#00B1
 void szlRecord1BySlot(const SzlSource&, std::uint32_t index, SzlList&);      // 16#00B2
 void szlRecord1ByAddress(const SzlSource&, std::uint32_t index, SzlList&);   // 16#00B3

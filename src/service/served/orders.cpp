@@ -10,7 +10,7 @@ using s7comm::Error;
 
 void Exchange::status(std::uint16_t list, std::uint16_t index, StatusDone done) {
   order([list, index, done = std::move(done)](monitor::Monitor* monitor) -> Call {
-    std::optional<s7comm::StatusList> found;
+    s7comm::StatusList found;
     if (monitor != nullptr) found = statusList(monitor->plc(), list, index);
     return [found = std::move(found), done] { done(found); };
   });

@@ -41,13 +41,13 @@ Controlled restart(Controller& plc, bool cold) {
 
 }  // namespace
 
-std::optional<s7comm::StatusList> statusList(Controller& plc, std::uint16_t list,
-                                             std::uint16_t index) {
-  cpu::Cpu* const cpu = cpuOf(plc);
-  if (cpu == nullptr) return std::nullopt;
-  const system::SzlList found = system::readSzl({*cpu}, list, index);
-  if (found.error != 0) return std::nullopt;
-  return s7comm::StatusList{found.recordLength, found.records, found.data};
+s7comm::StatusList statusList(Controller& plc, std::uint16_t list, std::uint16_t index) {
+  auto* const one = controller::capability<station::BlockCpu>(plc);
+  if (one == nullptr) return {};
+  const system::SzlList found = one->systemStatus(list, index);
+  if (found.error == system::kSzlUnknown) return {};
+  if (found.error != 0) return {.error = Error::NoInformation};
+  return {Error::None, found.recordLength, found.records, found.data};
 }
 
 std::optional<s7comm::ClockTime> clockOf(Controller& plc) {

@@ -7,8 +7,7 @@
 
 namespace merker::served {
 
-std::optional<s7comm::StatusList> statusList(controller::Controller& plc, std::uint16_t list,
-                                             std::uint16_t index);
+s7comm::StatusList statusList(controller::Controller& plc, std::uint16_t list, std::uint16_t index);
 std::optional<s7comm::ClockTime> clockOf(controller::Controller& plc);
 s7comm::Error setClock(controller::Controller& plc, const s7comm::ClockTime& time,
                        std::string_view password = {});

@@ -61,9 +61,9 @@ class FewBytes : public Plc {
   // As many octets as are wished for.
   std::size_t listOctets = 8;
   void status(std::uint16_t list, std::uint16_t index, StatusDone done) override {
-    std::optional<StatusList> found;
+    StatusList found;
     if (list == 0x0011)
-      found = StatusList{4, 2, Bytes(listOctets, static_cast<std::uint8_t>(index))};
+      found = {Error::None, 4, 2, Bytes(listOctets, static_cast<std::uint8_t>(index))};
     carryOut([found, done = std::move(done)] { done(found); });
   }
   std::optional<ClockTime> time = ClockTime{5, 9, 1, 8, 0, 0, 0, 5};

@@ -41,13 +41,14 @@ TEST(System, theListsAreThoseOfTheCpu) {
   ServedPlc plc = ServedPlc::station();
   plc.cycles(1);
   const auto mode = statusList(plc.plc(), 0x0424, 0);
-  ASSERT_TRUE(mode);
-  EXPECT_EQ(mode->recordLength, 20);
-  EXPECT_EQ(mode->data.at(3), 8);
+  ASSERT_EQ(mode.error, Error::None);
+  EXPECT_EQ(mode.recordLength, 20);
+  EXPECT_EQ(mode.data.at(3), 8);
   plc.monitor().stop();
-  EXPECT_EQ(statusList(plc.plc(), 0x0424, 0)->data.at(3), 4);
-  EXPECT_EQ(statusList(plc.plc(), 0x00A0, 0)->data.at(1), 0x04);  // 4304: by a programming device
-  EXPECT_FALSE(statusList(plc.plc(), 0x0999, 0));
+  EXPECT_EQ(statusList(plc.plc(), 0x0424, 0).data.at(3), 4);
+  EXPECT_EQ(statusList(plc.plc(), 0x00A0, 0).data.at(1), 0x04);  // 4304: by a programming device
+  EXPECT_EQ(statusList(plc.plc(), 0x0999, 0).error, Error::NoSuchList);
+  EXPECT_EQ(statusList(plc.plc(), 0x0111, 0x77).error, Error::NoInformation);
 }
 
 TEST(System, theClockIsThatOfTheCpu) {
@@ -60,7 +61,7 @@ TEST(System, theClockIsThatOfTheCpu) {
 
 TEST(System, aSinumerikHasNeitherListsNorAClock) {
   ServedPlc plc = ServedPlc::control();
-  EXPECT_FALSE(statusList(plc.plc(), 0x0011, 0));
+  EXPECT_EQ(statusList(plc.plc(), 0x0011, 0).error, Error::NoSuchList);
   EXPECT_FALSE(clockOf(plc.plc()));
   EXPECT_EQ(setClock(plc.plc(), {}), Error::FunctionNotAvailable);
 }
