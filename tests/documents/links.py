@@ -13,7 +13,7 @@ MENTION = re.compile(r"\bdocs/[\w/-]+\.md\b")
 
 def pages():
     yield from ROOT.glob("*.md")
-    for folder in ("docs", "src", "apps", "examples", "tests", "fuzz", "bench", "tools"):
+    for folder in ("docs", "src", "apps", "lib", "examples", "tests", "fuzz", "bench", "tools"):
         yield from sorted((ROOT / folder).rglob("*.md"))
 
 
@@ -34,6 +34,7 @@ def missing_pages():
                     yield f"{path.relative_to(ROOT)}: {page} does not exist"
 
 
-findings = [finding for page in pages() for finding in broken(page)] + list(missing_pages())
-print("\n".join(findings) if findings else "every link leads somewhere")
-sys.exit(1 if findings else 0)
+if __name__ == "__main__":
+    findings = [finding for page in pages() for finding in broken(page)] + list(missing_pages())
+    print("\n".join(findings) if findings else "every link leads somewhere")
+    sys.exit(1 if findings else 0)
