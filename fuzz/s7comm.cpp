@@ -67,6 +67,23 @@ class Zeros : public s7comm::Plc {
                std::function<void(s7comm::Controlled)> done) override {
     order([done = std::move(done), wish] { done(static_cast<s7comm::Controlled>(wish)); });
   }
+  // Every second job also says something.
+  void test(s7comm::TestRequest request, std::shared_ptr<s7comm::Outlet> client,
+            TestDone done) override {
+    std::vector<s7comm::Value> values;
+    for (const s7comm::TestItem& item : request.job.items) {
+      fuzz::require(item.value.empty() || item.value.size() == item.range.octets ||
+                        item.code != s7comm::ItemCode::Done,
+                    "a value is as long as its range");
+      values.push_back({item.code, Bytes(std::min<std::size_t>(item.range.octets, 4))});
+    }
+    if (request.other.number % 2 == 0)
+      client->send({.group = 1, .octets = s7comm::testOctets(s7comm::statusData(values))});
+    order([done = std::move(done), number = request.other.number, client] {
+      if (client->announce()) client->deliver();
+      done({number % 3 == 0 ? s7comm::Error::NoSuchJob : s7comm::Error::None, number, {}});
+    });
+  }
 
  private:
   void order(std::function<void()> what) {
@@ -75,6 +92,9 @@ class Zeros : public s7comm::Plc {
   }
   unsigned orders_ = 0;
 };
+
+// What the PLC says unasked: userdata of type 0.
+bool isIndication(View answer) { return answer.size() > 15 && answer[1] == 7 && answer[15] < 0x10; }
 
 // What a client does with an answer.
 void take(View answer, std::size_t most) {
@@ -100,7 +120,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::size_t answers = 0, requests = 0;
   std::shared_ptr<s7comm::Session> session;
   session = std::make_shared<s7comm::Session>(plc, [&](const Bytes& pdu) {
-    ++answers;
+    answers += isIndication(pdu) ? 0u : 1u;
     take(pdu, s7comm::Offer{}.pdu);
   });
   bool good = true;

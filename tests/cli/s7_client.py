@@ -68,8 +68,21 @@ class Client:
         item = self.item(area, address, count, size, block)
         return self.ask(self.job(5, item, struct.pack(">BBH", 0, unit, length) + value))[14]
 
+    def test(self, function, parameters, data):
+        """A request of test and installation: words behind the first one, and data. What comes back first."""
+        parameters, data = bytes.fromhex(parameters), bytes.fromhex(data)
+        job = struct.pack(">HH", len(parameters), len(data)) + parameters + data
+        self.number += 1
+        head = struct.pack(">BBHHHH", 0x32, 7, 0, self.number, 12, 4 + len(job)) + bytes.fromhex("00 01 12 08 12 41")
+        return self.ask(head + bytes([function, 0, 0, 0, 0, 0]) + struct.pack(">BBH", 0xFF, 9, len(job)) + job)
+
     def close(self):
         self.socket.close()
+
+
+def job_words(how, often, event):
+    """Parameters of a job: how, how often, length of the answer, five ones, event."""
+    return struct.pack(">10H", 0, how, often, 14, 1, 1, 1, 1, 1, event).hex()
 
 
 class S7Case(Case):

@@ -85,6 +85,26 @@ class Judged(S7Case):
         self.judge(2 * (1 + 4 + pieces + 2))
         self.assertEqual(self.capture.ask("s7comm.blockinfo.blocktype", "s7comm.blockinfo.block_num")[-1:], ["1"])
 
+    # A variable table that is looked at, modified and forced: values and codes come as indications.
+    def test_variable_tables(self):
+        client = self.recorded()
+        client.test(0x02, job_words(1, 0, 0x0300), "0003 02010000 0014 73010001 0000 00010000 0000")
+        client.test(0x0E, job_words(0, 1, 0), "0201")
+        self.assertEqual(client.hear()[15:18], b"\x01\x02\x01")
+        client.test(0x08, job_words(0, 1, 0), "0001 01010000001E 0009 0001 5500")
+        self.assertEqual(client.hear()[-4:], b"\x00\x01\xFF\x00")
+        client.test(0x09, "0000 0100 0002 0004 0001 0001 0001 0001 0001 0000", "0001 200100000002 0009 0001 0100")
+        client.hear()
+        for function, data in ((0x10, "0000 0000"), (0x11, "0201"), (0x0D, "0201"), (0x0F, "00010201"), (0x0F, "00010202")):
+            client.test(function, job_words(0, 1, 0), data)
+        client.close()
+        self.judge(2 * 10)  # what comes together is one frame
+        values = self.capture.ask("s7comm.param.userdata.type == 0 && s7comm.param.userdata.subfunc == 2",
+                                  "s7comm.data.returncode", "s7comm.resp.data")
+        self.assertRegex(values[0], r"^0xff(,0xff)+\t[0-9a-f]{4},00053fc0,")
+        jobs = self.capture.ask("s7comm.param.userdata.type == 8 && s7comm.param.userdata.subfunc == 16", "s7comm.tis.job.function")
+        self.assertEqual(jobs, ["9,2"])
+
     def test_connections(self):
         clients = [self.recorded(kind) for kind in [1, 2] + 10 * [3]]
         before = self.capture.frames

@@ -32,8 +32,9 @@ class Capture:
         if tshark is None:
             raise RuntimeError("tshark is missing (Debian package tshark)")
         command = [tshark, "-n", "-r", str(self.path), "-Y", expression]
+        command += ["-T", "fields"] if fields else []
         for field in fields:
-            command += ["-T", "fields", "-e", field]
+            command += ["-e", field]
         return subprocess.run(command, capture_output=True, text=True, check=True).stdout.splitlines()
 
     def close(self):

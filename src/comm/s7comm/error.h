@@ -12,6 +12,24 @@ enum class Error : std::uint16_t {
   FunctionNotAvailable = 0x8104,  // no such function, or before the setup
   CannotBeDone = 0x8404,          // not in this state
   WrongPduSize = 0x8500,          // the PDU, or its answer, is too long or its lengths are wrong
+  // of test and installation
+  TestNotOffered = 0xD003,  // by this PLC
+  WrongTrigger = 0xD00A,
+  NoBlockToTest = 0xD011,
+  WrongTestAddress = 0xD012,  // in a block
+  WrongJobLength = 0xD033,
+  WrongTestVariable = 0xD042,
+  WrongTestValue = 0xD044,
+  WrongTestData = 0xD05F,
+  NoRoomForJob = 0xD061,
+  TooManyJobs = 0xD062,
+  ResultTooLong = 0xD064,  // for one PDU
+  NotInThisMode = 0xD081,
+  TestProtected = 0xD0A1,
+  ForcedAlready = 0xD0A4,
+  NoSuchJob = 0xD0A5,
+  NotToBeEnabled = 0xD0A6,
+  JobOfAnother = 0xD0AE,  // of another connection
   NoSuchBlock = 0xD209,
   NoBlocks = 0xD20E,  // of this type
   NeedsPassword = 0xD241,

@@ -12,6 +12,25 @@ namespace {
 
 // group, subfunction, name
 constexpr UserdataService kUserdataServices[] = {
+    {1, 0x01, "block status", serveTest},
+    {1, 0x02, "variable status", serveTest},
+    {1, 0x03, "interrupt stack", serveTest},
+    {1, 0x04, "block stack", serveTest},
+    {1, 0x05, "local stack", serveTest},
+    {1, 0x06, "time measurement", serveTest},
+    {1, 0x07, "force selection", serveTest},
+    {1, 0x08, "modify variables", serveTest},
+    {1, 0x09, "force", serveTest},
+    {1, 0x0A, "breakpoint", serveTest},
+    {1, 0x0B, "exit HALT", serveTest},
+    {1, 0x0D, "disable job", serveTest},
+    {1, 0x0E, "enable job", serveTest},
+    {1, 0x0F, "delete job", serveTest},
+    {1, 0x10, "read job list", serveTest},
+    {1, 0x11, "read job", serveTest},
+    {1, 0x12, "replace job", serveTest},
+    {1, 0x13, "program status", serveTest},
+    {1, 0x16, "flash LED", serveTest},
     {3, 1, "number of blocks", serveBlockCounts},
     {3, 2, "list of blocks", serveBlockList},
     {3, 3, "block information", serveBlockInformation},
@@ -33,8 +52,9 @@ bool isUserdata(View p) {
          p.size() - 4 >= p[3] && p[3] >= 4;
 }
 
-// The client wants the next part of an answer.
-bool wantsMore(View p) { return p[3] == kAnswerLength && p[4] == kAnswerMethod; }
+// The client wants the next part of an answer, and names it. Requests of group 1 look the same and
+// name none.
+bool wantsMore(View p) { return p[3] == kAnswerLength && p[4] == kAnswerMethod && p[7] != 0; }
 
 }  // namespace
 

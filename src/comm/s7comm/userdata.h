@@ -28,7 +28,8 @@ struct Request {
   // All of it, in as many PDUs as it takes: the client asks for all but the first. A record is
   // never cut.
   void answer(Bytes octets, std::size_t record = 1) const;
-  void done() const;  // without data
+  void done() const;                                                     // without data
+  void whole(View octets) const { send(0, true, Error::None, octets); }  // they fit
 
   // The PLC carries it out: what waits for its answer.
   Request begun() const;
@@ -54,5 +55,6 @@ void serveCancelPassword(const Request& request);
 void serveBlockCounts(const Request& request);
 void serveBlockList(const Request& request);
 void serveBlockInformation(const Request& request);
+void serveTest(const Request& request);
 
 }  // namespace merker::s7comm

@@ -2,6 +2,7 @@
 
 #include "block/container.h"
 #include "cpu/cpu.h"
+#include "served/system.h"
 #include "station/block_cpu.h"
 
 namespace merker::served {
@@ -63,10 +64,7 @@ Uploaded blockOf(controller::Controller& plc, BlockType type, std::uint16_t numb
 
 Uploaded upload(controller::Controller& plc, BlockType type, std::uint16_t number,
                 std::string_view password) {
-  const auto* const cpu = controller::capability<station::BlockCpu>(plc);
-  if (cpu != nullptr && cpu->cpu().parameters().protection >= 3 &&
-      cpu->cpu().parameters().password != password)
-    return {Error::NeedsPassword, {}};
+  if (isProtected(plc, password, 3)) return {Error::NeedsPassword, {}};
   return blockOf(plc, type, number);
 }
 

@@ -27,17 +27,6 @@ std::vector<Value> valuesOf(const controller::OperandImage& image,
   return values;
 }
 
-std::vector<Value> valuesNow(const controller::Controller& plc, const std::vector<Range>& ranges) {
-  controller::OperandImage image;
-  if (const auto* memory = controller::capability<controller::OperandMemory>(plc))
-    memory->copyOperands(image);
-  std::vector<Value> values;
-  values.reserve(ranges.size());
-  for (const Range& range : ranges)
-    values.push_back(isCopied(range) ? valueOf(image, range) : peripheralValue(plc, range));
-  return values;
-}
-
 }  // namespace
 
 void Exchange::connectBy(std::function<void(Call)> post, Call wake) {

@@ -12,6 +12,7 @@
 #include "monitor/monitor.h"
 #include "plc/operand_memory.h"
 #include "s7comm/plc.h"
+#include "served/bench.h"
 #include "served/tasks.h"
 
 namespace merker::served {
@@ -39,6 +40,8 @@ class Exchange final : public s7comm::Plc {
              BlockDone done) override;
   void control(s7comm::Control wish, const std::string& password,
                std::function<void(s7comm::Controlled)> done) override;
+  void test(s7comm::TestRequest request, std::shared_ptr<s7comm::Outlet> client,
+            TestDone done) override;
 
   // In the thread of the PLC. At each end of a cycle:
   void cycleEnded(monitor::Monitor& monitor);
@@ -71,6 +74,7 @@ class Exchange final : public s7comm::Plc {
   // of the thread of the PLC
   std::shared_ptr<Image> spare_;
   Tasks tasks_;
+  Bench bench_{tasks_};
   Instant lastLook_ = Instant::never(), waitingSince_ = Instant::never();
 };
 

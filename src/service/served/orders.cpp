@@ -73,4 +73,17 @@ void Exchange::control(s7comm::Control wish, const std::string& password,
   });
 }
 
+void Exchange::test(s7comm::TestRequest request, std::shared_ptr<s7comm::Outlet> client,
+                    TestDone done) {
+  order([this, request = std::move(request), client = std::move(client),
+         done = std::move(done)](monitor::Monitor* monitor) -> Call {
+    s7comm::TestAnswer answer{Error::CannotBeDone, 0, {}};
+    if (monitor != nullptr) answer = bench_.carryOut(*monitor, request, client);
+    return [answer = std::move(answer), done, client] {
+      done(answer);
+      if (client->announce()) client->deliver();
+    };
+  });
+}
+
 }  // namespace merker::served

@@ -20,13 +20,6 @@ cpu::Cpu* cpuOf(Controller& plc) {
   return one == nullptr ? nullptr : &one->cpu();
 }
 
-// Protection levels 2 and 3 refuse what is more than reading and writing variables (S7-MEM-05).
-bool isProtected(Controller& plc, std::string_view password) {
-  const cpu::Cpu* const cpu = cpuOf(plc);
-  return cpu != nullptr && cpu->parameters().protection >= 2 &&
-         cpu->parameters().password != password;
-}
-
 Controlled stop(monitor::Monitor& monitor) {
   if (monitor.plc().mode() == Mode::Stop) return Controlled::Already;
   monitor.stop();
@@ -40,6 +33,12 @@ Controlled restart(Controller& plc, bool cold) {
 }
 
 }  // namespace
+
+bool isProtected(Controller& plc, std::string_view password, int level) {
+  const cpu::Cpu* const cpu = cpuOf(plc);
+  return cpu != nullptr && cpu->parameters().protection >= level &&
+         cpu->parameters().password != password;
+}
 
 s7comm::StatusList statusList(Controller& plc, std::uint16_t list, std::uint16_t index) {
   auto* const one = controller::capability<station::BlockCpu>(plc);

@@ -13,6 +13,9 @@ s7comm::Error setClock(controller::Controller& plc, const s7comm::ClockTime& tim
                        std::string_view password = {});
 // Whether it is the one of the CPU.
 s7comm::Error checkPassword(controller::Controller& plc, std::string_view password);
+// Protection levels 2 and 3 refuse what is more than reading and writing variables, level 3 also to
+// read more (S7-MEM-05).
+bool isProtected(controller::Controller& plc, std::string_view password, int level = 2);
 s7comm::Controlled control(monitor::Monitor& monitor, s7comm::Control wish,
                            std::string_view password = {});
 

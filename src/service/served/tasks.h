@@ -47,6 +47,7 @@ class Tasks {
   template <class Kind>
   std::size_t count(const s7comm::Outlet& client) const;
   void remove(const Task& task, monitor::Monitor& monitor);
+  const std::vector<std::shared_ptr<Task>>& all() const { return tasks_; }
 
   void run(monitor::Monitor& monitor, const Post& post);
   void clear(monitor::Monitor& monitor);

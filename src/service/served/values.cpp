@@ -1,8 +1,11 @@
 #include "served/values.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "base/bytes.h"
+#include "plc/capability.h"
 
 namespace merker::served {
 namespace {
@@ -77,6 +80,14 @@ ItemCode whyNot(const monitor::Monitor& monitor, const address::Reference& refer
   return missing ? ItemCode::Missing : ItemCode::OutOfRange;
 }
 
+// "E 1.0", as a person reads it where what is forced is listed.
+std::string nameOf(const address::Operand& operand) {
+  const char area = operand.area == Area::Input ? 'E' : operand.area == Area::Output ? 'A' : 'M';
+  return operand.width == Width::Bit
+             ? fmt::format("{} {}.{}", area, operand.value / 8, operand.value % 8)
+             : fmt::format("{}B {}", area, operand.value / 8);
+}
+
 // One byte, bit, timer or counter of a range.
 struct Element {
   address::Reference reference;
@@ -139,6 +150,35 @@ ItemCode put(monitor::Monitor& monitor, const s7comm::Write& write) {
       return whyNot(monitor, element.reference);
   }
   return ItemCode::Done;
+}
+
+std::vector<Value> valuesNow(const controller::Controller& plc, const std::vector<Range>& ranges) {
+  OperandImage image;
+  if (const auto* memory = controller::capability<controller::OperandMemory>(plc))
+    memory->copyOperands(image);
+  std::vector<Value> values;
+  values.reserve(ranges.size());
+  for (const Range& range : ranges)
+    values.push_back(isCopied(range) ? valueOf(image, range) : peripheralValue(plc, range));
+  return values;
+}
+
+ItemCode putInCycle(monitor::Monitor& monitor, const s7comm::Write& write) {
+  std::vector<Element> elements = elementsOf(write);
+  for (Element& element : elements)
+    if (const ItemCode code = check(monitor, element); code != ItemCode::Done) return code;
+  for (const Element& element : elements) monitor.modifyInCycle(element.reference, element.value);
+  return ItemCode::Done;
+}
+
+bool force(monitor::Monitor& monitor, const std::vector<s7comm::Write>& writes) {
+  std::vector<monitor::Change> changes;
+  for (const s7comm::Write& write : writes)
+    for (Element& element : elementsOf(write)) {
+      element.reference.text = nameOf(element.reference.operand);
+      changes.push_back({std::move(element.reference), std::move(element.value)});
+    }
+  return !monitor.force(std::move(changes));
 }
 
 }  // namespace merker::served

@@ -28,6 +28,10 @@ void Monitor::reached(CyclePoint point) {
   if (point == CyclePoint::Stop) debugger_.forgetHalt();
   for (VariableTable& table : tables_) table.reached(point);
   if (observer_) observer_(point);
+  std::erase_if(watchers_, [](const auto& one) { return one.expired(); });
+  const auto watchers = watchers_;  // one may end itself
+  for (const auto& watcher : watchers)
+    if (const auto one = watcher.lock()) one->reached(point);
 }
 
 LocationContext Monitor::locations(std::string currentFile) const {
@@ -143,18 +147,32 @@ void Monitor::forceAgain() {
   for (const Forced& one : forces_) plc().force(one.operand, one.value);
 }
 
+bool Monitor::isForceable(const address::Reference& reference) const {
+  return canForce(reference) && plc().read(reference).has_value();
+}
+
 std::optional<Problem> Monitor::force(const std::vector<Wish>& wishes) {
-  std::vector<Forced> good;
+  std::vector<Change> changes;
   for (const Wish& wish : wishes) {
     const auto reference = operand(wish.operand);
     if (!reference) return reference.error();
-    if (!canForce(*reference) || !plc().read(*reference))
+    if (!isForceable(*reference))
       return makeProblem(ProblemCode::P1211, nowhere(), std::string(wish.operand));
     auto one = understand(wish);
     if (!one) return one.error();
-    if (auto problem = checkForce(forces(), *reference)) return problem;
-    if (auto problem = checkOnce(good, *reference)) return problem;
-    good.push_back({std::move(one->operand), one->value.bits});
+    changes.push_back(std::move(one.value()));
+  }
+  return force(std::move(changes));
+}
+
+std::optional<Problem> Monitor::force(std::vector<Change> changes) {
+  std::vector<Forced> good;
+  for (Change& one : changes) {
+    if (!isForceable(one.operand))
+      return makeProblem(ProblemCode::P1211, nowhere(), one.operand.text);
+    if (auto problem = checkForce(forces(), one.operand)) return problem;
+    if (auto problem = checkOnce(good, one.operand)) return problem;
+    good.push_back({std::move(one.operand), one.value.bits});
   }
   for (const Forced& one : good)
     if (!plc().force(one.operand, one.value)) {

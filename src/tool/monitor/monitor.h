@@ -70,6 +70,7 @@ class Monitor : private CycleAccess {
     return force({{operand, value}});
   }
   std::optional<Problem> force(const std::vector<Wish>& wishes);
+  std::optional<Problem> force(std::vector<Change> changes);
   std::optional<Problem> unforce(std::string_view operand) { return unforce(std::vector{operand}); }
   std::optional<Problem> unforce(const std::vector<std::string_view>& operands);
   void unforceAll();
@@ -79,6 +80,8 @@ class Monitor : private CycleAccess {
   void removeTable(const VariableTable& table);
   // Whoever else looks and modifies at these points.
   void onPoint(std::function<void(CyclePoint)> observer) { observer_ = std::move(observer); }
+  // The same for those who come and go.
+  void watch(std::weak_ptr<PointWatcher> watcher) { watchers_.push_back(std::move(watcher)); }
   // Refused are what does not exist, what takes no value, and forced outputs and flags.
   std::optional<Problem> checkWrite(const address::Reference& reference) const override;
   std::optional<Problem> checkValue(const address::Reference& reference,
@@ -122,6 +125,7 @@ class Monitor : private CycleAccess {
  private:
   virtual void writeInCycle(const address::Reference& reference, const Value& value) = 0;
   virtual bool canForce(const address::Reference& reference) const = 0;
+  bool isForceable(const address::Reference& reference) const;
   // Whether `write` would do it. Nothing is changed.
   virtual bool canWrite(const address::Reference& reference) const = 0;
   // Whether an operand that can be written takes this value, too.
@@ -142,6 +146,7 @@ class Monitor : private CycleAccess {
   std::list<VariableTable> tables_;
   mutable std::vector<Forced> forces_;  // as last seen: the machine holds them
   std::function<void(CyclePoint)> observer_;
+  std::vector<std::weak_ptr<PointWatcher>> watchers_;
 };
 
 // Of the kind of this machine (factory.cpp): the only place that asks for it.

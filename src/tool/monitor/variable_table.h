@@ -28,6 +28,13 @@ class CycleAccess {
   virtual void modifyInCycle(const address::Reference& reference, const Value& value) = 0;
 };
 
+// Hears that the CPU has come to a point.
+class PointWatcher {
+ public:
+  virtual ~PointWatcher() = default;
+  virtual void reached(CyclePoint point) = 0;
+};
+
 struct VariableRow {
   address::Reference operand;
   DisplayFormat format = DisplayFormat::Automatic;

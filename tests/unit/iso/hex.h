@@ -1,35 +1,10 @@
-// Bytes as they are on the wire, written by hand: "03 00 00 16".
+// A connection request and its confirmation.
 #pragma once
 
-#include <charconv>
-#include <string>
-#include <string_view>
-
+#include "../hex.h"
 #include "iso/tpdu.h"
 
 namespace merker::iso {
-
-inline Bytes hex(std::string_view text) {
-  Bytes bytes;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == ' ') continue;
-    unsigned value = 0;
-    std::from_chars(text.data() + i, text.data() + i + 2, value, 16);
-    bytes.push_back(static_cast<std::uint8_t>(value));
-    ++i;
-  }
-  return bytes;
-}
-
-inline std::string toHex(View bytes) {
-  constexpr char kDigits[] = "0123456789ABCDEF";
-  std::string text;
-  for (const std::uint8_t byte : bytes) {
-    if (!text.empty()) text += ' ';
-    text += {kDigits[byte >> 4], kDigits[byte & 15]};
-  }
-  return text;
-}
 
 // What S7 clients ask with: TPDU size 1024, TSAPs of a PG and of rack 0 slot 2.
 constexpr std::string_view kRequest =

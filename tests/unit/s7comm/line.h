@@ -1,36 +1,14 @@
 // A session over a PLC that is a few bytes, and PDUs as they are on the wire, written by hand.
 #pragma once
 
-#include <charconv>
 #include <map>
 #include <string>
 #include <string_view>
 
+#include "../hex.h"
 #include "s7comm/session.h"
 
 namespace merker::s7comm {
-
-inline Bytes hex(std::string_view text) {
-  Bytes bytes;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == ' ') continue;
-    unsigned value = 0;
-    std::from_chars(text.data() + i, text.data() + i + 2, value, 16);
-    bytes.push_back(static_cast<std::uint8_t>(value));
-    ++i;
-  }
-  return bytes;
-}
-
-inline std::string toHex(View bytes) {
-  constexpr char kDigits[] = "0123456789ABCDEF";
-  std::string text;
-  for (const std::uint8_t byte : bytes) {
-    if (!text.empty()) text += ' ';
-    text += {kDigits[byte >> 4], kDigits[byte & 15]};
-  }
-  return text;
-}
 
 // 16 bytes of each area, DB 1 alone, timers and counters 0 to 7. What it is asked it does at once,
 // or when it is told to.
@@ -115,6 +93,13 @@ class FewBytes : public Plc {
       runs = wish == Control::WarmRestart;
       done(already ? Controlled::Already : Controlled::Done);
     });
+  }
+  // Group 1: what was asked last, and a short answer with the number 9.
+  TestRequest tested;
+  Error testError = Error::None;
+  void test(TestRequest request, std::shared_ptr<Outlet>, TestDone done) override {
+    tested = std::move(request);
+    carryOut([this, done = std::move(done)] { done({testError, 9, {}}); });
   }
   void carryOutAll() {
     for (const auto& one : std::exchange(waiting, {})) one();
