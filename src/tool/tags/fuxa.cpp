@@ -54,7 +54,7 @@ Output fuxa(const std::vector<Tag>& tags, const FormatOptions& options) {
                     {"enabled", true},
                     {"type", "SiemensS7"},
                     {"polling", 1000},
-                    {"property", {{"address", options.address}, {"rack", "0"}, {"slot", "2"}}},
+                    {"property", {{"address", options.address}, {"rack", 0}, {"slot", 2}}},
                     {"tags", std::move(list)}};
   output.text = Json::array({device}).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
   return output;

@@ -151,7 +151,7 @@ TEST(Tags, DeviceOfFuxa) {
   const auto device = nlohmann::json::parse(output.text)[0];
   EXPECT_EQ(device["type"], "SiemensS7");
   EXPECT_EQ(device["property"]["address"], "10.0.0.9");
-  EXPECT_EQ(device["property"]["slot"], "2");
+  EXPECT_EQ(device["property"]["slot"], 2);
   EXPECT_EQ(device["tags"]["t_Start"]["address"], "I0.0");
   EXPECT_EQ(device["tags"]["t_Start"]["type"], "Bool");
   EXPECT_EQ(device["tags"]["t_DB10.second"]["address"], "DB10.DBX0.1");
