@@ -35,6 +35,12 @@ DATA_BLOCK DB 1
 FB 1
 BEGIN
 END_DATA_BLOCK
+DATA_BLOCK DB 2
+STRUCT
+  level : INT;
+END_STRUCT;
+BEGIN
+END_DATA_BLOCK
 `;
 const blocks = FC + FB;
 const plc = await project('314C-2 PtP', 'main.awl', blocks + OF(['U E 0.0;', '= A 1.0;']));
@@ -49,23 +55,42 @@ const call = async () => {
   await dialog.waitFor();
 };
 
+/** The field of the dialog that has the keyboard. */
+const asked = (label) => expect(() => page.evaluate(() => document.activeElement?.labels?.[0]?.textContent), label);
+const offers = (label) => dialog.getByRole('listbox').nth(label === 'Instanz-DB' ? 1 : 0).getByRole('option').locator('.mono').allInnerTexts();
+
 test('a call asks for its block: it offers those there are, and refuses what is none', async () => {
   await drawn('kop', blocks + OF(['U E 0.0;', '= A 1.0;']));
   await press('Control+r');
   await expect(() => page.locator('[data-network]').count(), 2);
   await call();
-  const offers = () => dialog.getByRole('option').locator('.mono').allInnerTexts();
   assert.deepEqual((await offers()).slice(0, 2).sort(), ['FB 1', 'FC 1']);
-  await page.keyboard.type('Cl');
+  await page.keyboard.type('Qx');
   await press('Enter');
-  await dialog.getByText('Cl ist kein Baustein, der aufgerufen werden kann').waitFor();
+  await dialog.getByText('Qx ist kein Baustein, der aufgerufen werden kann').waitFor();
+  await asked('Baustein, z. B. FC 1');
   await accessible(page, 'call dialog');
-  await press('Control+a', ...'fb');
-  await press('ArrowDown', 'Enter');
-  await expect(() => dialog.getByRole('combobox').first().inputValue(), 'FB 1');
+  // What is typed next corrects it; Enter takes the first one that fits.
+  await press(...'fb 1', 'Enter');
+  await asked('Instanz-DB');
+  await expect(() => dialog.getByRole('combobox').first().inputValue(), 'fb 1');
+});
+
+test('a call takes an instance of its function block, or a new one', async () => {
+  assert.deepEqual(await offers('Instanz-DB'), ['DB 1', 'DB 3']);
+  await press(...'db2', 'Enter');
+  await dialog.getByText('db2 ist kein Instanz-DB von FB 1').waitFor();
+  await asked('Instanz-DB');
+  await press(...'db1', 'Enter');
+  await expect(() => dialog.count(), 0);
+  await field().waitFor();
+  await press('Escape', 'Control+z');
+  await expect(async () => (await statements()).includes('CALL'), false);
+  // By Enter alone: a part of the name, then the instance that is offered first.
+  await call();
+  await press(...'fb', 'Enter');
+  await asked('Instanz-DB');
   await press('Enter');
-  await dialog.getByText('Ein FB braucht einen Instanz-DB: DB 1').waitFor();
-  await press('Tab', ...'db1', 'Enter');
   await expect(() => dialog.count(), 0);
 });
 

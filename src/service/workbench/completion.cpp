@@ -75,6 +75,20 @@ Json numbers(const CpuModel& model) {
           {"DB", {1, model.highestDb}}};
 }
 
+// Of a data block with the parameters and static variables of a function block, this one.
+std::string instanceOf(const block::Block& block) {
+  if (block.instanceOf < 0) return {};
+  return (block.instanceOfSystemBlock ? "SFB " : "FB ") + std::to_string(block.instanceOf);
+}
+
+Json blockEntry(BlockId id, const block::Block& block) {
+  Json entry = {{"id", toString(id)},
+                {"symbol", block.symbol.empty() ? block.attributes.name : block.symbol},
+                {"title", block.attributes.title}};
+  if (std::string own = instanceOf(block); !own.empty()) entry["instanceOf"] = std::move(own);
+  return entry;
+}
+
 }  // namespace
 
 Json completion(const compilation::Build& build) {
@@ -89,10 +103,7 @@ Json completion(const compilation::Build& build) {
                        {"comment", row.comment}});
   }
   for (const auto* program : {build.program.get(), build.library.get()})
-    for (const auto& [id, block] : *program)
-      blocks.push_back({{"id", toString(id)},
-                        {"symbol", block.symbol.empty() ? block.attributes.name : block.symbol},
-                        {"title", block.attributes.title}});
+    for (const auto& [id, block] : *program) blocks.push_back(blockEntry(id, block));
   return {{"symbols", std::move(symbols)},
           {"blocks", std::move(blocks)},
           {"mnemonics", words},

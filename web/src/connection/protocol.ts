@@ -29,7 +29,8 @@ export interface NetworkEdit { action: 'insert' | 'addInput' | 'negate' | 'close
 /** names in KOP and FUP; empty: not in this view; `other`: in the other mnemonics. LABEL stands for the action `label` */
 export interface NetworkElement { id: string; kop: string; fup: string; group: 'bit' | 'compare' | 'box' | 'move' | 'call' | 'coil'; key?: string; other?: { kop: string; fup: string } }
 export interface SymbolEntry { name: string; operand: string; type: string; comment: string }
-export interface BlockEntry { id: string; symbol: string; title: string }
+/** `instanceOf`: the function block of an instance data block */
+export interface BlockEntry { id: string; symbol: string; title: string; instanceOf?: string }
 /** OB: those of the CPU; of the others the first and the last */
 export interface BlockNumbers { OB: number[]; FB: [number, number]; FC: [number, number]; DB: [number, number] }
 /** `offset` in bytes or words; `code` is words like "7E03 0004"; `line` is 0 without a source; `initial`, `value`: of a variable or word of a data block */

@@ -12,6 +12,8 @@ export interface BlockEntry {
   id: string;
   symbol: string;
   title: string;
+  /** Of a data block: its function block. */
+  instanceOf?: string;
 }
 
 export type MnemonicRow = readonly [word: string, operands: string, id: string];

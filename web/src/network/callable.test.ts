@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import { SymbolIndex } from '../editor/catalogue';
-import { blocksOf, instanceOf, needsInstance, spelled } from './callable';
+import { blocksOf, instanceOf, instancesFor, needsInstance, spelled } from './callable';
 
 const symbols = new SymbolIndex([
   { name: 'Classifier', operand: 'FB 1', type: 'FB 1', comment: '' },
@@ -8,7 +8,13 @@ const symbols = new SymbolIndex([
   { name: 'Start', operand: 'E 0.0', type: 'BOOL', comment: '' },
 ]);
 const block = (id: string) => ({ id, symbol: '', title: '' });
-const catalogue = { blocks: ['OB 1', 'FB 1', 'FC 1', 'FC 1', 'SFC 20', 'DB 4'].map(block) };
+const catalogue = {
+  blocks: [
+    ...['OB 1', 'FB 1', 'FC 1', 'FC 1', 'SFC 20', 'DB 1', 'DB 2'].map(block),
+    { ...block('DB 4'), instanceOf: 'FB 1' },
+    { ...block('DB 5'), instanceOf: 'SFB 4' },
+  ],
+};
 const blocks = blocksOf(catalogue, /^S?F[BC] /);
 const data = blocksOf(catalogue, /^DB /);
 
@@ -40,9 +46,25 @@ test.each([
   ['', false],
 ])('whether %s needs a data block', (typed, wanted) => expect(needsInstance(typed, symbols)).toBe(wanted));
 
+const offered = (typed: string) => instancesFor(typed, data, symbols, 'new');
+
+test.each([
+  ['fb1', ['DB 4', 'DB 3']],
+  ['Classifier', ['DB 4', 'DB 3']],
+  ['SFB 4', ['DB 5', 'DB 3']],
+  ['FB 2', ['DB 3']],
+])('the instances of %s, and a number that is free', (typed, wanted) =>
+  expect(offered(typed).map(({ id }) => id)).toEqual(wanted),
+);
+
 test.each([
   ['Belt', '"Belt"'],
+  ['db 4', 'DB 4'],
   ['db 77', 'DB 77'],
+  ['DB 2', ''],
+  ['DB 5', ''],
   ['FC 1', ''],
   ['x', ''],
-])('the instance %s', (typed, wanted) => expect(instanceOf(typed, data, symbols)).toBe(wanted));
+])('the instance %s of FB 1', (typed, wanted) =>
+  expect(instanceOf(typed, offered('FB 1'), data, symbols)).toBe(wanted),
+);

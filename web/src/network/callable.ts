@@ -1,7 +1,11 @@
-// Which blocks a CALL box can call, and how what was typed is spelled in the text.
+// Which blocks a CALL box can call, which data blocks can be their instances, and how what was typed is spelled in the text.
 import type { BlockEntry, Catalogue, SymbolIndex } from '../editor/catalogue';
 
 const id = (typed: string): string => /^(S?F[BC]|DB)\s*(\d+)$/i.exec(typed)?.slice(1).join(' ').toUpperCase() ?? '';
+
+/** "FB 1" of "fb1" and of the name of FB 1. */
+const idOf = (typed: string, symbols: SymbolIndex): string =>
+  id(symbols.ofName(typed)?.operand.replace(/\s+/g, ' ') ?? typed);
 
 /** Each block once: one of the program stands in the place of the block of the library with its number. */
 export function blocksOf({ blocks }: Pick<Catalogue, 'blocks'>, kinds: RegExp): BlockEntry[] {
@@ -19,10 +23,29 @@ export function spelled(typed: string, offered: readonly BlockEntry[], symbols: 
   return offered.find((one) => one.id === id(typed))?.id ?? '';
 }
 
-export function needsInstance(typed: string, symbols: SymbolIndex): boolean {
-  return /^S?FB\b/i.test((symbols.ofName(typed)?.operand ?? typed).replace(/(\d)/, ' $1'));
+export const needsInstance = (typed: string, symbols: SymbolIndex): boolean => /^S?FB /.test(idOf(typed, symbols));
+
+/** The instances of a function block there are, then the first number that is free (its title). */
+export function instancesFor(
+  typed: string,
+  data: readonly BlockEntry[],
+  symbols: SymbolIndex,
+  title: string,
+): BlockEntry[] {
+  const block = idOf(typed, symbols);
+  const taken = new Set(data.map((one) => one.id));
+  let free = 1;
+  while (taken.has(`DB ${free}`)) ++free;
+  return [...data.filter((one) => one.instanceOf === block), { id: `DB ${free}`, symbol: '', title }];
 }
 
-/** A data block may be made later: any number is one. */
-export const instanceOf = (typed: string, offered: readonly BlockEntry[], symbols: SymbolIndex): string =>
-  spelled(typed, offered, symbols) || id(typed).replace(/^(?!DB).*/, '');
+/** A data block may be made later: any number that is free is one. `data` are all there are, `offered` those of the block. */
+export function instanceOf(
+  typed: string,
+  offered: readonly BlockEntry[],
+  data: readonly BlockEntry[],
+  symbols: SymbolIndex,
+): string {
+  const own = spelled(typed, offered, symbols);
+  return own || spelled(typed, data, symbols) ? own : id(typed).replace(/^(?!DB).*/, '');
+}

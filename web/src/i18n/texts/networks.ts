@@ -78,6 +78,8 @@ export const networks = {
   callBlock: ['Baustein, z. B. FC 1', 'Block, e.g. FC 1'],
   callUnknown: ['{name} ist kein Baustein, der aufgerufen werden kann', '{name} is not a block that can be called'],
   callNoInstance: ['{name} ist kein Instanz-DB', '{name} is not an instance DB'],
+  callOtherInstance: ['{name} ist kein Instanz-DB von {block}', '{name} is not an instance DB of {block}'],
+  callNew: ['neu', 'new'],
   callNeedsInstance: ['Ein FB braucht einen Instanz-DB: DB 1', 'An FB needs an instance DB: DB 1'],
   callInstance: ['Instanz-DB', 'Instance DB'],
   callInsert: ['Einfügen', 'Insert'],
