@@ -4,7 +4,7 @@ import { test } from 'node:test';
 import { accessible } from './axe.mjs';
 import { text } from './editor.mjs';
 import { expect, message, open } from './harness.mjs';
-import { networksOf, OF, project } from './networks.mjs';
+import { holder, networksOf, OF, project } from './networks.mjs';
 
 const FC = `FUNCTION FC 1 : VOID
 VAR_INPUT
@@ -46,6 +46,7 @@ const blocks = FC + FB;
 const plc = await project('314C-2 PtP', 'main.awl', blocks + OF(['U E 0.0;', '= A 1.0;']));
 const page = await open(plc, 'program?file=main.awl', { height: 720 });
 const { press, network, field, elements, statements, inside, marked, operand, drawn } = networksOf(page);
+const { hold, release } = holder(page);
 const dialog = page.getByRole('dialog');
 const call = async () => {
   await press('Alt+F9');
@@ -116,6 +117,16 @@ test('the arrows go through the inputs in their order, then to the outputs, and 
   await marked(pin('Eingang', 'first', 'MW 10'));
   await press('ArrowRight');
   await marked(pin('Ausgang', 'sum', 'MW 14'));
+});
+
+test('what is typed behind Alt+F9 while an edit is on its way goes to the palette', async () => {
+  await drawn('kop', OF(['U E 0.0;', '= A 1.0;']));
+  await hold();
+  await press('Home', 'F3', ...'E 0.1', 'Enter', 'Alt+F9', ...'sr', 'Enter');
+  await release();
+  await operand('M 1.0');
+  await expect(statements, 'U E 0.0; UN E 0.1; S M 1.0; U ??.?; R M 1.0; U M 1.0; = A 1.0;');
+  assert.equal(await page.getByRole('searchbox', { name: 'Element suchen' }).inputValue(), '');
 });
 
 test('only what is missing has the frame of an error', async () => {

@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import type { NetworkShape } from '../connection/protocol';
 import { rectOf } from './geometry';
-import { roomFor } from './room';
+import { ASIDE, roomFor } from './room';
 
 const word = (x: number, y: number, text: string): NetworkShape => ({ kind: 'text', x, y, w: text.length, h: 0, text });
 const overlap = (a: DOMRectLike, b: DOMRectLike) =>
@@ -28,4 +28,21 @@ test('at the left edge a value goes below', () => {
   const wire: NetworkShape = { kind: 'wire', x: 5, y: 0, w: 4, h: 0 };
   const [value] = roomFor([operand, wire], [{ text: '5', beside: rectOf(operand) }]);
   expect(value!.y).toBeGreaterThanOrEqual(rectOf(operand).y + 20);
+});
+
+test.each(['inputOf', 'outputOf'] as const)('the value of an %s stands in the row of its pin', (side) => {
+  const operands = [word(2, 2, 'MW 10'), word(2, 3, 'MW 12')];
+  const rail: NetworkShape = { kind: 'rail', x: 0, y: 1, w: 0, h: 4 };
+  const values = roomFor(
+    [...operands, rail],
+    operands.map((one) => ({ text: 'W#16#0000', beside: rectOf(one), side })),
+  );
+  values.forEach((value, index) => {
+    const row = rectOf(operands[index]!);
+    expect(value.y - row.y).toBeGreaterThanOrEqual(0);
+    expect(value.y + value.height).toBeLessThanOrEqual(row.y + row.height);
+    expect(overlap(value, row)).toBe(false);
+    expect(value.x).toBeGreaterThanOrEqual(-ASIDE);
+    if (side === 'inputOf') expect(value.x + value.width).toBeLessThan(8);
+  });
 });
