@@ -30,6 +30,8 @@ class BlockCpu : public controller::Capability {
 
   virtual const CpuModel& model() const = 0;
   virtual const block::Program& program() const = 0;
+  // The same to be kept: whoever loads blocks makes a new one, this one never changes.
+  virtual std::shared_ptr<const block::Program> loaded() const = 0;
   virtual cpu::Cpu& cpu() = 0;
   virtual const cpu::Cpu& cpu() const = 0;
   // A list of the system status, as SFC 51 gives it.

@@ -47,6 +47,7 @@ const cpu::Cpu& Station::cpu() const { return parts_->cpu; }
 
 const CpuModel& Station::model() const { return *parts_->model; }
 const block::Program& Station::program() const { return *parts_->program; }
+std::shared_ptr<const block::Program> Station::loaded() const { return parts_->program; }
 
 bool Station::setEngine(Engine engine) {
   const bool compiled = engine == Engine::Compiled;

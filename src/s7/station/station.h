@@ -85,6 +85,7 @@ class Station final : public controller::Controller,
   std::string whyRefused(const address::Reference& reference) const override;
   controller::ExecutedLines executedLines() const override;
   const block::Program& program() const override;
+  std::shared_ptr<const block::Program> loaded() const override;
 
   bool setEngine(Engine engine) override;
   Engine engine() const override;

@@ -37,10 +37,6 @@ Plc::Plc(BuildRef build, std::unique_ptr<controller::Controller> controller)
       simulator::Resolver(
           [this](std::string_view text, const Position& at) { return operands_(text, at); },
           operands_.constants));
-  const station::BlockCpu* cpu = blockCpu();
-  if (cpu == nullptr) return;
-  const bool loaded = &cpu->program() == build_->program.get();
-  program_ = loaded ? build_->program : std::make_shared<block::Program>(cpu->program());
 }
 
 Plc::~Plc() = default;
@@ -65,15 +61,17 @@ void Plc::onCycle(Observer observer) {
   });
 }
 
+ProgramRef Plc::program() const {
+  const auto* cpu = controller::capability<station::BlockCpu>(std::as_const(*controller_));
+  return cpu == nullptr ? nullptr : cpu->loaded();
+}
+
 std::string Plc::download(ProgramRef program) {
-  std::string reason = blockCpu()->download(program, {});
-  if (reason.empty()) program_ = std::move(program);
-  return reason;
+  return blockCpu()->download(std::move(program), {});
 }
 
 void Plc::take(const cpu::Snapshot& from, ProgramRef program) {
-  blockCpu()->take(from, program);
-  program_ = std::move(program);
+  blockCpu()->take(from, std::move(program));
 }
 
 void Plc::replace(BuildRef build, source::SymbolTable& symbols) {

@@ -57,8 +57,8 @@ class Plc {
 
   // At each cycle checkpoint, in the order in which they came.
   void onCycle(Observer observer);
-  // What a CPU with single blocks was given last; workers look at it, too.
-  const ProgramRef& program() const { return program_; }
+  // What a CPU with single blocks was given last, by whomever; workers look at it, too.
+  ProgramRef program() const;
   // As the CPU has them.
   std::string download(ProgramRef program);
   void take(const cpu::Snapshot& from, ProgramRef program);
@@ -71,7 +71,6 @@ class Plc {
   source::SymbolTable symbols_;  // the monitor keeps looking at it
   simulator::Resolver operands_;
   std::unique_ptr<controller::Controller> controller_;
-  ProgramRef program_;
   std::unique_ptr<monitor::Monitor> monitor_;
   std::vector<Observer> observers_;
 };

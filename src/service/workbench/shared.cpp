@@ -141,6 +141,17 @@ void Shared::loaded(BuildRef build, source::SymbolTable symbols) {
   probesWait = true;
 }
 
+void Shared::lookAtProgram() {
+  ProgramRef now = plc ? plc->program() : nullptr;
+  const bool changed = now != seenProgram_;
+  if (changed && seenRevision_ == programRevision) {
+    ++programRevision;
+    probesWait = true;
+  }
+  seenRevision_ = programRevision;
+  if (changed) discard(std::exchange(seenProgram_, std::move(now)));
+}
+
 void Shared::discard(std::shared_ptr<const void> what) {
   constexpr std::uint64_t kNobody = 0;
   if (what) clerk(std::make_shared<Task>(kNobody, [what = std::move(what)](const auto&) {}));

@@ -93,6 +93,8 @@ struct Shared {
   void loaded(BuildRef build, source::SymbolTable symbols);
   // Where it is let go nobody waits: what is large takes its time to be freed.
   void discard(std::shared_ptr<const void> what);
+  // Others load blocks, too (S7 communication).
+  void lookAtProgram();
   // As soon as the CPU works with the program that it was given last.
   void placeProbes();
 
@@ -107,7 +109,9 @@ struct Shared {
   std::uint64_t looks_ = 0, taken_ = 0, lookNumber_ = 0;
   BreakpointLines placed_;  // in the CPU, of this program
   std::uint64_t placedProgram_ = 0;
-  std::shared_ptr<Listing> look_;  // that is on its way
+  ProgramRef seenProgram_;
+  std::uint64_t seenRevision_ = 0;  // of `programRevision`
+  std::shared_ptr<Listing> look_;   // that is on its way
   Work lookTask_;
 };
 

@@ -74,6 +74,7 @@ void Workbench::beginFrame(std::int64_t nowMs) {
   constexpr std::int64_t kBetweenLooks = 1000;
   if (nowMs >= nextLook_) nextLook_ = nowMs + kBetweenLooks, shared_.lookAtFiles();
   shared_.takeLook();
+  shared_.lookAtProgram();
   shared_.placeProbes();
   state_ = state(shared_);
   readProcess();

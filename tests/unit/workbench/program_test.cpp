@@ -77,6 +77,24 @@ TEST(Program, IsLoadedWhileTheCpuRuns) {
   EXPECT_EQ(number(bench), 3);
 }
 
+// S7 communication loads beside the workbench, which shows what the CPU has.
+TEST(Program, OthersLoadBlocks) {
+  Bench bench(program(1));
+  station::BlockCpu& cpu = *bench.workbench.plc()->blockCpu();
+  const auto before = bench.state()["program"];
+  auto changed = std::make_shared<block::Program>(cpu.program());
+  changed->erase({BlockKind::FC, 1});
+  changed->at({BlockKind::OB, 1}).code = {0x65, 0x00};  // BE
+  EXPECT_EQ(cpu.download(changed, {}), "");
+  bench.run(Duration::milliseconds(20));
+  EXPECT_NE(bench.state()["program"], before);
+  EXPECT_EQ(states(bench),
+            (std::map<std::string, std::string>{{"FC 1", "onlyOffline"}, {"OB 1", "different"}}));
+  const auto seen = bench.state()["program"];
+  bench.run(Duration::milliseconds(20));
+  EXPECT_EQ(bench.state()["program"], seen);
+}
+
 TEST(Program, WithErrorsStaysOutOfTheCpu) {
   Bench bench(program(1));
   save(bench, "FUNCTION FC 1 : VOID\nBEGIN\n L MW 300;\nEND_FUNCTION\n");
