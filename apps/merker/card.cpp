@@ -4,6 +4,7 @@
 
 #include "plc/buffered_memory.h"
 #include "project/settings.h"
+#include "station/block_cpu.h"
 #include "store/step5_blocks.h"
 #include "system/library.h"
 
@@ -87,7 +88,19 @@ std::optional<Problem> copyRamToRom(store::MemoryCard& card, const Build& build,
 
 bool CardKeeper::save(controller::Controller& plc) {
   auto* const memory = controller::capability<controller::BufferedMemory>(plc);
-  if (!problem_ && memory != nullptr) problem_ = card_.save(memory->kept());
+  if (saveProgram(plc) && memory != nullptr) problem_ = card_.save(memory->kept());
+  return !problem_;
+}
+
+bool CardKeeper::saveProgram(controller::Controller& plc) {
+  const auto* const cpu = controller::capability<station::BlockCpu>(plc);
+  if (problem_ || cpu == nullptr) return !problem_;
+  const auto before = std::exchange(program_, cpu->loaded());
+  if (before == nullptr || before == program_) return true;
+  store::LoadMemory memory = card_.loadMemory();
+  memory.program = *program_;
+  const auto done = card_.download(std::move(memory));
+  if (!done) problem_ = done.error();
   return !problem_;
 }
 

@@ -33,10 +33,13 @@ class CardKeeper {
  public:
   explicit CardKeeper(store::MemoryCard& card) : card_(card) {}
   bool save(controller::Controller& plc);  // false: it failed now or before
+  // What programming devices load, delete or copy goes into load memory (S7-MEM-03): the card.
+  bool saveProgram(controller::Controller& plc);
   const std::optional<Problem>& problem() const { return problem_; }
 
  private:
   store::MemoryCard& card_;
+  std::shared_ptr<const block::Program> program_;  // that is on it; nothing: nobody has looked
   std::optional<Problem> problem_;
 };
 

@@ -26,6 +26,10 @@ class CycleEnd {
     if (keeper_ || realTime_)
       file_.flush();  // who reads along sees the cycle as soon as it is kept
   }
+  // While no cycle ends.
+  void standing(controller::Controller& plc) {
+    if (keeper_ && plc.mode() == controller::Mode::Stop) keeper_->saveProgram(plc);
+  }
   bool needed() const { return keeper_ || trace_; }
   const Problem* problem() const {
     return keeper_ && keeper_->problem() ? &*keeper_->problem() : nullptr;

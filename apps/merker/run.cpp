@@ -218,7 +218,10 @@ void advanceServed(const Build& build, CycleEnd& cycleEnd, controller::Controlle
     if (cycleEnd.needed()) cycleEnd(moved);
     served(moved);
   });
-  runRealTime(plc, link, [&] { s7.exchange(*monitor); });
+  runRealTime(plc, link, [&] {
+    s7.exchange(*monitor);
+    cycleEnd.standing(plc);
+  });
   plc.onCycle([&](controller::Controller& moved) { cycleEnd(moved); });
 }
 
