@@ -56,16 +56,36 @@ class Zeros : public s7comm::Plc {
   void blocks(BlocksDone done) override {
     order([done = std::move(done)] { done(std::vector<s7comm::BlockEntry>(200)); });
   }
-  void blockHead(s7comm::BlockType type, std::uint16_t number, BlockDone done) override {
-    block(type, number, {}, std::move(done));
+  void blockHead(const s7comm::BlockName& name, BlockDone done) override {
+    block(name, {}, std::move(done));
   }
-  void block(s7comm::BlockType, std::uint16_t number, const std::string&, BlockDone done) override {
-    const auto error = number % 2 == 0 ? s7comm::Error::NoSuchBlock : s7comm::Error::None;
+  void block(const s7comm::BlockName& name, const std::string&, BlockDone done) override {
+    const auto error = name.number % 2 == 0 ? s7comm::Error::NoSuchBlock : s7comm::Error::None;
     order([done = std::move(done), error] { done(error, Bytes(500)); });
+  }
+  void admit(const s7comm::BlockName& name, std::size_t octets, const std::string&,
+             Done done) override {
+    const auto error = octets > 2000 ? s7comm::Error::NoMemory : s7comm::Error::None;
+    fuzz::require(name.files == s7comm::FileSystem::Passive, "what comes is passive");
+    order([done = std::move(done), error] { done(error); });
+  }
+  void keep(const s7comm::BlockName&, Bytes container, const std::string&, Done done) override {
+    fuzz::require(container.size() <= 2000, "no more is kept than was admitted");
+    order([done = std::move(done)] { done(s7comm::Error::None); });
+  }
+  void link(const std::vector<s7comm::BlockName>& names, const std::string&, Done done) override {
+    fuzz::require(!names.empty(), "somebody is linked");
+    order([done = std::move(done)] { done(s7comm::Error::None); });
+  }
+  void remove(const std::vector<s7comm::BlockName>& names, const std::string& password,
+              Done done) override {
+    link(names, password, std::move(done));
   }
   void control(s7comm::Control wish, const std::string&,
                std::function<void(s7comm::Controlled)> done) override {
-    order([done = std::move(done), wish] { done(static_cast<s7comm::Controlled>(wish)); });
+    order([done = std::move(done), wish] {
+      done(static_cast<s7comm::Controlled>(static_cast<unsigned>(wish) % 4));
+    });
   }
   // Every second job also says something.
   void test(s7comm::TestRequest request, std::shared_ptr<s7comm::Outlet> client,
@@ -120,7 +140,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::size_t answers = 0, requests = 0;
   std::shared_ptr<s7comm::Session> session;
   session = std::make_shared<s7comm::Session>(plc, [&](const Bytes& pdu) {
-    answers += isIndication(pdu) ? 0u : 1u;
+    answers += isIndication(pdu) || pdu[1] == 1 ? 0u : 1u;  // 1: it is this side that asks
     take(pdu, s7comm::Offer{}.pdu);
   });
   bool good = true;

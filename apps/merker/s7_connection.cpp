@@ -16,6 +16,7 @@ constexpr std::chrono::seconds kClientLimits[] = {
     std::chrono::seconds(30),  // Setup
     std::chrono::seconds(5),   // RestOfMessage
     std::chrono::seconds(20),  // Reading what it has asked for
+    std::chrono::seconds(5),   // Answer to what this side has asked
 };
 
 }  // namespace
@@ -58,7 +59,7 @@ S7Connection::Expected S7Connection::expected() const {
   if (session_ && !session_->isSetUp()) return Expected::Setup;
   // Bytes that wait because it is this side that is busy are no fault of the client.
   if (reading_ && transport_.unfinished()) return Expected::RestOfMessage;
-  return Expected::Nothing;
+  return session_ && session_->asks() ? Expected::Answer : Expected::Nothing;
 }
 
 // `moved`: what was expected has come, at least a part that counts.

@@ -49,7 +49,7 @@ class S7Connection : public std::enable_shared_from_this<S7Connection> {
 
  private:
   // What is expected of the client.
-  enum class Expected : std::uint8_t { Request, Setup, RestOfMessage, Reading, Nothing };
+  enum class Expected : std::uint8_t { Request, Setup, RestOfMessage, Reading, Answer, Nothing };
 
   void read();
   void received(std::size_t count);

@@ -76,6 +76,48 @@ class Client:
         head = struct.pack(">BBHHHH", 0x32, 7, 0, self.number, 12, 4 + len(job)) + bytes.fromhex("00 01 12 08 12 41")
         return self.ask(head + bytes([function, 0, 0, 0, 0, 0]) + struct.pack(">BBH", 0xFF, 9, len(job)) + job)
 
+    def enter(self, password):
+        """The error of a password, 8 characters at most."""
+        coded = b""
+        for index, character in enumerate(password.ljust(8).encode()):
+            coded += bytes([character ^ 0x55 ^ (coded[index - 2] if index > 1 else 0)])
+        return self.ask(bytes.fromhex("32 07 00 00 01 00 00 08 00 0C 00 01 12 04 11 45 01 00 FF 09 00 08") + coded)[20:22].hex()
+
+    def upload(self, name):
+        """The container of a block ("0A00001A"), or the error."""
+        begun = self.ask(b"\x32\x01\0\0\0\2\0\x12\0\0\x1D" + 7 * b"\0" + b"\x09_" + name.encode())
+        if begun[1] == 2:
+            return begun[10:12].hex()
+        container, more, number = b"", True, begun[16:20]
+        while more:
+            piece = self.ask(b"\x32\x01\0\0\0\3\0\x08\0\0\x1E\0\0\0" + number)
+            container, more = container + piece[18:], piece[13]
+        self.ask(b"\x32\x01\0\0\0\4\0\x08\0\0\x1F\0\0\0" + number)
+        return container
+
+    def download(self, name, container, pieces=lambda number: True):
+        """The error that the PLC tells, "0000" if there is none; `pieces` says whether to answer what it asks."""
+        lengths = f"1{len(container):06}{0:06}".encode()
+        begun = self.ask(b"\x32\x01\0\0\0\2\0\x20\0\0\x1A" + 7 * b"\0" + b"\x09_" + name.encode() + b"\x0D" + lengths)
+        if begun[1] == 2:
+            return begun[10:12].hex()
+        asked, number = self.hear(), 0
+        while asked[10] == 0x1B and pieces(number):
+            piece, container, number = container[:222], container[222:], number + 1
+            self.send(b"\x32\x03\0\0" + asked[4:6] + struct.pack(">HHHBBHBB", 2, 4 + len(piece), 0, 0x1B, len(container) > 0,
+                                                                  len(piece), 0, 0xFB) + piece)
+            asked = self.hear()
+        self.send(b"\x32\x03\0\0" + asked[4:6] + b"\0\1\0\0\0\0\x1C")
+        return asked[12:14].hex()
+
+    def service(self, name, argument=b""):
+        """The error of a named service. Names of blocks are its argument: see `names`."""
+        parameters = b"\x28" + 6 * b"\0" + b"\xFD" + struct.pack(">H", len(argument)) + argument + bytes([len(name)]) + name.encode()
+        return self.ask(b"\x32\x01\0\0\0\5" + struct.pack(">HH", len(parameters), 0) + parameters)[10:12].hex()
+
+    def names(self, *blocks):
+        return bytes([len(blocks), 0]) + "".join(blocks).encode()
+
     def close(self):
         self.socket.close()
 

@@ -42,7 +42,7 @@ class Judged(S7Case):
 
     def test_what_is_refused(self):
         client = self.recorded()
-        client.ask("32 01 00 00 00 02 00 10 00 00 28 00 00 00 00 00 00 FD 00 00 05 5F 47 41 52 42")  # compress
+        client.ask("32 01 00 00 00 02 00 10 00 00 28 00 00 00 00 00 00 FD 00 00 05 5F 47 41 52 43")  # no such service
         client.ask("32 07 00 00 05 00 00 08 00 0C 00 01 12 04 11 43 03 00 FF 09 00 08 30 38 30 30 30 30 32 41")  # there is no OB 2
         client.close()
         self.judge(6)
@@ -104,6 +104,26 @@ class Judged(S7Case):
         self.assertRegex(values[0], r"^0xff(,0xff)+\t[0-9a-f]{4},00053fc0,")
         jobs = self.capture.ask("s7comm.param.userdata.type == 8 && s7comm.param.userdata.subfunc == 16", "s7comm.tis.job.function")
         self.assertEqual(jobs, ["9,2"])
+
+    # A block down, linked, deleted; what is refused; the tests of a service at a time.
+    def test_blocks_for_the_plc(self):
+        client = self.recorded()
+        container = client.upload("0800001A")
+        self.assertEqual(client.download("0800001P", container), "0000")
+        self.assertEqual(client.service("_INSE", client.names("0800001P")), "0000")
+        self.assertEqual(client.download("0800001P", container[:-10] + b"\xff" + container[-9:]), "d235")
+        self.assertEqual(client.service("_INSE", client.names("0800001P")), "d209")
+        self.assertEqual(client.service("_GARB"), "0000")
+        self.assertEqual(client.service("_MODU", b"EP"), "8404")
+        client.ask("32 07 00 00 05 00 00 08 00 04 00 01 12 04 11 41 0C 00 0A 00 00 00")
+        self.assertEqual(client.service("_DELE", client.names("0A00001B")), "0000")
+        client.close()
+        self.assertEqual(self.capture.ask(BAD), [])
+        said = self.capture.ask("s7comm.param.func == 0x1C && s7comm.header.rosctr == 1", "s7comm.data.blockcontrol.errorcode")
+        self.assertEqual(said, ["0x0000", "0xd235"])
+        self.assertEqual(len(self.capture.ask("s7comm.param.func == 0x1B && s7comm.header.rosctr == 1")),
+                         2 * -(-len(container) // 222))
+        self.assertEqual(self.capture.ask("s7comm.header.rosctr == 2", "s7comm.header.errcls"), ["0xd2"])
 
     def test_connections(self):
         clients = [self.recorded(kind) for kind in [1, 2] + 10 * [3]]

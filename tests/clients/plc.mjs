@@ -27,11 +27,13 @@ END_ORGANIZATION_BLOCK
 `;
 
 export class Plc {
-  static async start() {
+  // `path`: a project, in place of the program above; `files`: a project by the names and texts of its files.
+  static async start({ path, files = { 'a.awl': PROGRAM } } = {}) {
     const plc = new Plc();
     plc.folder = mkdtempSync(join(tmpdir(), 'merker-'));
-    writeFileSync(join(plc.folder, 'a.awl'), PROGRAM);
-    plc.process = spawn(process.env.MERKER, ['run', 'a.awl', '--no-workbench', '--s7', '0'], {
+    for (const [name, text] of Object.entries(files)) writeFileSync(join(plc.folder, name), text);
+    const program = path ?? (files['merker.toml'] ? '.' : 'a.awl');
+    plc.process = spawn(process.env.MERKER, ['run', program, '--no-workbench', '--s7', '0'], {
       cwd: plc.folder,
       stdio: ['ignore', 'ignore', 'pipe'],
     });
@@ -55,6 +57,20 @@ export class Plc {
     rmSync(this.folder, { recursive: true });
     return this.told.at(-1);
   }
+}
+
+// A client of Snap7, connected. `call(method, …)`: errors are numbers; the client says what they mean.
+export async function snap7Client(plc) {
+  const client = new (require('node-snap7').S7Client)();
+  client.SetParam(client.RemotePort, plc.port);
+  client.call = (method, ...values) =>
+    new Promise((resolve, reject) =>
+      client[method](...values, (error, result) =>
+        error ? reject(new Error(client.ErrorText(error))) : resolve(result),
+      ),
+    );
+  await client.call('ConnectTo', '127.0.0.1', 0, 2);
+  return client;
 }
 
 // Calls until the value is as wanted; the test itself has a limit of time.

@@ -2,24 +2,14 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 
-import { Plc, require, until } from './plc.mjs';
+import { Plc, snap7Client, until } from './plc.mjs';
 
-const snap7 = require('node-snap7');
-let plc, client;
-
-// Errors are numbers; the client says what they mean.
-const call = (method, ...values) =>
-  new Promise((resolve, reject) =>
-    client[method](...values, (error, result) =>
-      error ? reject(new Error(client.ErrorText(error))) : resolve(result),
-    ),
-  );
+let plc, client, call;
 
 before(async () => {
   plc = await Plc.start();
-  client = new snap7.S7Client();
-  client.SetParam(client.RemotePort, plc.port);
-  await call('ConnectTo', '127.0.0.1', 0, 2);
+  client = await snap7Client(plc);
+  call = client.call;
 });
 
 after(async () => {
@@ -118,31 +108,4 @@ test('the clock', { timeout: 30_000 }, async () => {
   const shown = await call('GetPlcDateTime');
   const hour = 3_600_000, passed = (shown - time + 2 * hour) % hour;
   assert.ok(Math.abs(shown - time) < 1.5 * hour && passed < 20_000, `${shown}`);
-});
-
-test('stop and start', { timeout: 30_000 }, async () => {
-  await call('PlcStop');
-  assert.equal(await call('PlcStatus'), client.S7CpuStatusStop);
-  const count = await call('MBRead', 20, 2);
-  assert.deepEqual(await call('MBRead', 20, 2), count);
-  await assert.rejects(call('PlcStop'), /already STOP/);
-  const diagnostics = await call('ReadSZL', 0x00a0, 0);
-  assert.equal(diagnostics.subarray(4, 6).toString('hex'), '4304'); // STOP by a programming device
-  await call('PlcHotStart');
-  assert.equal(await until(() => call('PlcStatus'), (mode) => mode === client.S7CpuStatusRun), client.S7CpuStatusRun);
-  await assert.rejects(call('PlcHotStart'), /already RUN/);
-});
-
-test('blocks', { timeout: 30_000 }, async () => {
-  const counts = await call('ListBlocks');
-  assert.deepEqual([counts.OBCount, counts.DBCount, counts.FCCount], [1, 1, 0]);
-  assert.deepEqual([...(await call('ListBlocksOfType', client.Block_DB))], [1]);
-  const information = await call('GetAgBlockInfo', client.Block_OB, 1);
-  assert.deepEqual([information.BlkNumber, information.BlkLang], [1, 1]); // AWL
-  const container = await call('FullUpload', client.Block_OB, 1, 4096);
-  assert.equal(container.length, information.LoadSize);
-  assert.equal(container.subarray(0, 2).toString('hex'), '7070');
-  assert.equal((await call('Upload', client.Block_OB, 1, 4096)).length, information.MC7Size);
-  assert.equal((await call('DBGet', 1)).toString('hex', 0, 2), '1234');
-  await assert.rejects(call('FullUpload', client.Block_FC, 1, 4096));
 });

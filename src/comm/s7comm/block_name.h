@@ -2,19 +2,20 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
-#include "s7comm/plc.h"
+#include "s7comm/block_store.h"
 
 namespace merker::s7comm {
-
-struct BlockName {
-  BlockType type = BlockType::Ob;
-  std::uint16_t number = 0;
-};
 
 inline std::optional<BlockType> blockTypeOf(std::uint8_t character) {
   const bool known = character == '8' || (character >= 'A' && character <= 'F');
   return known ? std::optional(static_cast<BlockType>(character)) : std::nullopt;
+}
+
+inline std::optional<FileSystem> fileSystemOf(std::uint8_t character) {
+  const bool known = character == 'A' || character == 'B' || character == 'P';
+  return known ? std::optional(static_cast<FileSystem>(character)) : std::nullopt;
 }
 
 // "0", type, number, file system: 8 characters. Nothing: it is no name.
@@ -27,8 +28,16 @@ inline std::optional<BlockName> blockNameOf(View text) {
     if (digit < '0' || digit > '9') return std::nullopt;
     number = number * 10 + digit - '0';
   }
-  if (!type || number > 0xFFFF) return std::nullopt;
-  return BlockName{*type, static_cast<std::uint16_t>(number)};
+  const auto files = fileSystemOf(text[kFileSystem]);
+  if (!type || !files || number > 0xFFFF) return std::nullopt;
+  return BlockName{*type, static_cast<std::uint16_t>(number), *files};
+}
+
+// The same text: "0A00001P".
+inline std::string textOf(const BlockName& name) {
+  const std::string digits = std::to_string(100'000 + name.number);
+  return std::string{'0', static_cast<char>(name.type)} + digits.substr(1) +
+         static_cast<char>(name.files);
 }
 
 }  // namespace merker::s7comm

@@ -67,10 +67,9 @@ void serveBlockList(const Request& request) {
 
 void serveBlockInformation(const Request& request) {
   const auto name = blockNameOf(request.data);
-  if (!name) return request.refuse(Error::NoSuchBlock);
+  if (!name) return request.refuse(Error::WrongBlockName);
   request.job.plc().blockHead(
-      name->type, name->number,
-      [begun = request.begun(), type = name->type](Error error, const Bytes& container) {
+      *name, [begun = request.begun(), type = name->type](Error error, const Bytes& container) {
         error == Error::None ? begun.answer(informationOf(type, container)) : begun.refuse(error);
         begun.ended();
       });

@@ -1,8 +1,10 @@
-// 28h and 29h: restarts and stop. Functions are named: "P_PROGRAM" is the user program.
+// 28h and 29h: services that are named, with an argument ("P_PROGRAM" is the user program), and
+// stop.
 #include <optional>
 #include <string_view>
 
 #include "base/bytes.h"
+#include "s7comm/block_name.h"
 #include "s7comm/services.h"
 
 namespace merker::s7comm {
@@ -47,14 +49,64 @@ void control(const Job& job, Control wish) {
   });
 }
 
+struct ControlService {
+  std::string_view name, argument;
+  Control wish;
+};
+
+constexpr ControlService kControlServices[] = {
+    {kProgram, "", Control::WarmRestart},
+    {kProgram, "C ", Control::ColdRestart},
+    {"_MODU", "EP", Control::CopyRamToRom},
+    {"_GARB", "", Control::Compress},
+};
+
+struct BlockService {
+  std::string_view name;
+  void (BlockStore::*order)(const std::vector<BlockName>&, const std::string& password,
+                            BlockStore::Done);
+};
+
+constexpr BlockService kBlockServices[] = {
+    {"_INSE", &BlockStore::link},
+    {"_INS2", &BlockStore::link},
+    {"_DELE", &BlockStore::remove},
+};
+
+// How many, 0, their names. Nothing: there is none, or one that is no name.
+std::vector<BlockName> namesOf(std::string_view argument) {
+  constexpr std::size_t kNamesBegin = 2, kNameLength = 8;
+  const View octets(reinterpret_cast<const std::uint8_t*>(argument.data()), argument.size());
+  if (octets.size() < kNamesBegin || octets.size() != kNamesBegin + octets[0] * kNameLength)
+    return {};
+  std::vector<BlockName> names;
+  for (std::size_t at = kNamesBegin; at < octets.size(); at += kNameLength) {
+    const auto name = blockNameOf(octets.subspan(at, kNameLength));
+    if (!name) return {};
+    names.push_back(*name);
+  }
+  return names;
+}
+
+void order(const Job& job, const BlockService& service, std::string_view argument) {
+  const std::vector<BlockName> names = namesOf(argument);
+  if (names.empty()) return job.refuse(Error::WrongBlockName);
+  (job.plc().*service.order)(names, job.password(), [begun = job.begun()](Error error) {
+    error == Error::None ? begun.answer(View(&begun.function, 1)) : begun.refuse(error);
+    begun.ended();
+  });
+}
+
 }  // namespace
 
 void serveProgramInvocation(const Job& job) {
   const auto invocation = invocationOf(job.parameters);
   if (!invocation) return job.refuse(Error::WrongPduSize);
   const auto& [argument, name] = *invocation;
-  if (name == kProgram && argument.empty()) return control(job, Control::WarmRestart);
-  if (name == kProgram && argument == "C ") return control(job, Control::ColdRestart);
+  for (const ControlService& one : kControlServices)
+    if (name == one.name && argument == one.argument) return control(job, one.wish);
+  for (const BlockService& one : kBlockServices)
+    if (name == one.name) return order(job, one, argument);
   job.refuse(Error::FunctionNotAvailable);
 }
 

@@ -9,7 +9,9 @@ namespace merker::s7comm {
 // Error class in the high byte, error code in the low one.
 enum class Error : std::uint16_t {
   None = 0,
+  TransferFailed = 0x8003,        // a piece of a block was not what was asked for
   FunctionNotAvailable = 0x8104,  // no such function, or before the setup
+  NoMemory = 0x8301,              // load or work memory
   CannotBeDone = 0x8404,          // not in this state
   WrongPduSize = 0x8500,          // the PDU, or its answer, is too long or its lengths are wrong
   // of test and installation
@@ -30,8 +32,15 @@ enum class Error : std::uint16_t {
   NoSuchJob = 0xD0A5,
   NotToBeEnabled = 0xD0A6,
   JobOfAnother = 0xD0AE,  // of another connection
+  WrongBlockName = 0xD201,
   NoSuchBlock = 0xD209,
   NoBlocks = 0xD20E,  // of this type
+  BlockTooLarge = 0xD20F,
+  WrongBlockNumber = 0xD210,
+  WrongBlockFiles = 0xD218,  // active or passive
+  WrongBlockLength = 0xD219,
+  WrongBlockStructure = 0xD226,
+  WrongChecksum = 0xD235,
   NeedsPassword = 0xD241,
   NoSuchList = 0xD401,     // of the system status
   NoInformation = 0xD402,  // there is none with this index, or nothing is left of it

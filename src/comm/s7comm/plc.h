@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "s7comm/block_store.h"
 #include "s7comm/range.h"
 #include "s7comm/test_job.h"
 
@@ -29,27 +30,17 @@ struct StatusList {
 // BCD: year of two digits, month, day, hour, minute, second, milliseconds, day of the week.
 using ClockTime = std::array<std::uint8_t, 8>;
 
-// A block by the character of its type and its number.
-enum class BlockType : std::uint8_t {
-  Ob = '8',
-  Db = 'A',
-  Sdb = 'B',
-  Fc = 'C',
-  Sfc = 'D',
-  Fb = 'E',
-  Sfb = 'F'
+enum class Control : std::uint8_t {
+  WarmRestart,
+  ColdRestart,
+  Stop,
+  CopyRamToRom,
+  Compress,
+  MemoryReset
 };
-
-struct BlockEntry {
-  BlockType type = BlockType::Ob;
-  std::uint16_t number = 0;
-  std::uint8_t attributes = 0, language = 0;  // as in its container (docs/formats/block.md)
-};
-
-enum class Control : std::uint8_t { WarmRestart, ColdRestart, Stop };
 enum class Controlled : std::uint8_t { Done, Already, Refused, Protected };
 
-class Plc {
+class Plc : public BlockStore {
  public:
   virtual ~Plc() = default;
 
@@ -65,19 +56,10 @@ class Plc {
   using ClockDone = std::function<void(const std::optional<ClockTime>&)>;
   // Nothing: it has none.
   virtual void clock(ClockDone done) = 0;
-  using Done = std::function<void(Error)>;
   // What a protection may forbid comes with the password that the client has entered, or none.
   virtual void setClock(const ClockTime& time, const std::string& password, Done done) = 0;
   // Whether this is the password of the PLC.
   virtual void enter(const std::string& password, Done done) = 0;
-  using BlocksDone = std::function<void(const std::optional<std::vector<BlockEntry>>&)>;
-  // All of them, each type with ascending numbers. Nothing: it does not tell.
-  virtual void blocks(BlocksDone done) = 0;
-  using BlockDone = std::function<void(Error, const Bytes& container)>;
-  // What its head says, and all of it.
-  virtual void blockHead(BlockType type, std::uint16_t number, BlockDone done) = 0;
-  virtual void block(BlockType type, std::uint16_t number, const std::string& password,
-                     BlockDone done) = 0;
   virtual void control(Control wish, const std::string& password,
                        std::function<void(Controlled)> done) = 0;
   using TestDone = std::function<void(const TestAnswer&)>;

@@ -13,6 +13,7 @@ constexpr Service kServices[] = {
     {0xF0, "setup communication", true, true, serveSetup},
     {0x04, "read variables", true, false, serveRead},
     {0x05, "write variables", false, false, serveWrite},
+    {0x1A, "request download", true, false, serveRequestDownload},
     {0x1D, "start upload", true, false, serveStartUpload},
     {0x1E, "upload", true, false, serveUpload},
     {0x1F, "end upload", true, false, serveEndUpload},

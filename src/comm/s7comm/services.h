@@ -27,6 +27,9 @@ struct Job {
   Session::Rest& rest() const { return session->rest_; }
   std::string& password() const { return session->password_; }
   Session::Upload& upload() const { return session->upload_; }
+  Session::Download& download() const { return session->download_; }
+  // A job of this side; its answer comes later, or never.
+  void ask(View jobParameters, Session::Heard heard) const { session->ask(jobParameters, heard); }
 
   // The PLC carries it out: what waits for its answer, then that it was given.
   Job begun() const {
@@ -55,6 +58,7 @@ void serveWrite(const Job& job);
 void serveUserdata(const Job& job);
 void serveProgramInvocation(const Job& job);
 void serveStop(const Job& job);
+void serveRequestDownload(const Job& job);
 void serveStartUpload(const Job& job);
 void serveUpload(const Job& job);
 void serveEndUpload(const Job& job);

@@ -34,11 +34,10 @@ bool Session::receive(View bytes) {
   return good;
 }
 
-// Answers to what this side asked would be handled here; it asks nothing.
 bool Session::take(View bytes) {
   const auto pdu = readPdu(bytes);
   if (!pdu) return false;
-  if (pdu->type == PduType::Acknowledge || pdu->type == PduType::Answer) return true;
+  if (pdu->type == PduType::Acknowledge || pdu->type == PduType::Answer) return hear(*pdu), true;
   Job job{.session = shared_from_this(),
           .type = pdu->type,
           .reference = pdu->reference,
@@ -56,6 +55,18 @@ bool Session::take(View bytes) {
   else
     service->serve(job);
   return true;
+}
+
+// One at a time. An answer to nothing is nothing.
+void Session::hear(const Pdu& answer) {
+  if (heard_ == nullptr || answer.reference != asked_) return;
+  const Heard heard = std::exchange(heard_, nullptr);
+  heard(Job{.session = shared_from_this()}, answer);
+}
+
+void Session::ask(View parameters, Heard heard) {
+  heard_ = heard;
+  send_(writePdu({.type = PduType::Job, .reference = ++asked_, .parameters = parameters}));
 }
 
 void Session::answered() {

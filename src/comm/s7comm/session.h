@@ -6,12 +6,15 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "s7comm/outlet.h"
 #include "s7comm/plc.h"
 
 namespace merker::s7comm {
+
+struct Job;
 
 // What a CPU of the S7-300 offers.
 struct Offer {
@@ -37,6 +40,16 @@ class Session : public std::enable_shared_from_this<Session> {
     std::size_t sent = 0;
   };
 
+  // A block that the client hands over, piece by piece: this side asks for each.
+  struct Download {
+    std::optional<BlockName> name{};  // nothing: none comes
+    std::size_t announced = 0;        // octets
+    Bytes octets{};
+  };
+
+  // Hears the answer to a job of this side.
+  using Heard = void (*)(const Job& job, const Pdu& answer);
+
   // `plc` outlives it.
   Session(Plc& plc, Send send, Offer offer = {});
   ~Session();
@@ -47,6 +60,8 @@ class Session : public std::enable_shared_from_this<Session> {
   bool receive(View bytes);
   // As many jobs wait as were agreed on, or one that has to wait for them.
   bool busy() const { return !held_.empty() || waiting_ >= jobs_; }
+  // The client has not answered what this side asked.
+  bool asks() const { return heard_ != nullptr; }
   // Hears that it is not busy any more.
   void whenReady(std::function<void()> ready) { ready_ = std::move(ready); }
 
@@ -65,6 +80,8 @@ class Session : public std::enable_shared_from_this<Session> {
   friend struct Job;
   void agree(std::uint16_t pdu, std::uint16_t jobs);
   bool take(View bytes);
+  void hear(const Pdu& answer);
+  void ask(View parameters, Heard heard);
   void answered();
 
   Plc& plc_;
@@ -79,7 +96,10 @@ class Session : public std::enable_shared_from_this<Session> {
   Bytes held_;                           // a PDU that waits for these
   Rest rest_;
   Upload upload_;
-  std::string password_;  // that was entered and was right
+  Download download_;
+  Heard heard_ = nullptr;
+  std::uint16_t asked_ = 0;  // reference of the last job of this side
+  std::string password_;     // that was entered and was right
 };
 
 }  // namespace merker::s7comm

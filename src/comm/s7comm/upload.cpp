@@ -40,8 +40,8 @@ void serveStartUpload(const Job& job) {
   constexpr std::size_t kLength = 8;  // of the name and its "_"
   const bool named = p.size() > kNameBegins && p[kLength] == p.size() - kLength - 1 && p[9] == '_';
   const auto name = named ? blockNameOf(p.subspan(kNameBegins)) : std::nullopt;
-  if (!name) return job.refuse(Error::NoSuchBlock);
-  job.plc().block(name->type, name->number, job.password(),
+  if (!name) return job.refuse(Error::WrongBlockName);
+  job.plc().block(*name, job.password(),
                   [begun = job.begun()](Error error, const Bytes& container) {
                     Session::Upload& upload = begun.upload();
                     upload = {upload.number % 0xFF + 1, {}, 0};

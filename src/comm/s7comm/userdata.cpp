@@ -23,6 +23,7 @@ constexpr UserdataService kUserdataServices[] = {
     {1, 0x09, "force", serveTest},
     {1, 0x0A, "breakpoint", serveTest},
     {1, 0x0B, "exit HALT", serveTest},
+    {1, 0x0C, "memory reset", serveMemoryReset},
     {1, 0x0D, "disable job", serveTest},
     {1, 0x0E, "enable job", serveTest},
     {1, 0x0F, "delete job", serveTest},

@@ -47,6 +47,7 @@ struct UserdataService {
   void (*serve)(const Request& request);
 };
 
+void serveMemoryReset(const Request& request);
 void serveStatusList(const Request& request);
 void serveReadClock(const Request& request);
 void serveSetClock(const Request& request);

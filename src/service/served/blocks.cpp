@@ -2,6 +2,7 @@
 
 #include "block/container.h"
 #include "cpu/cpu.h"
+#include "served/container_check.h"
 #include "served/system.h"
 #include "station/block_cpu.h"
 
@@ -11,6 +12,7 @@ namespace {
 using s7comm::BlockEntry;
 using s7comm::BlockType;
 using s7comm::Error;
+using s7comm::FileSystem;
 
 constexpr std::size_t kAttributesAt = 3, kLanguageAt = 4;  // in a container
 
@@ -20,11 +22,6 @@ std::optional<BlockType> typeOf(BlockKind kind) {
   if (code == 0x08) return BlockType::Ob;
   if (code < 0x0A || code > 0x0F) return std::nullopt;
   return static_cast<BlockType>('A' + code - 0x0A);
-}
-
-BlockKind kindOf(BlockType type) {
-  const auto character = static_cast<std::uint8_t>(type);
-  return static_cast<BlockKind>(type == BlockType::Ob ? 0x08 : character - 'A' + 0x0A);
 }
 
 s7comm::Bytes containerOf(const station::BlockCpu& cpu, block::Block copy) {
@@ -53,19 +50,24 @@ std::optional<std::vector<BlockEntry>> blocksOf(controller::Controller& plc) {
   return all;
 }
 
-Uploaded blockOf(controller::Controller& plc, BlockType type, std::uint16_t number) {
+Uploaded blockOf(controller::Controller& plc, const PassiveBlocks& passive,
+                 const s7comm::BlockName& name) {
   const auto* const cpu = controller::capability<station::BlockCpu>(plc);
   if (cpu == nullptr) return {Error::FunctionNotAvailable, {}};
-  const auto found = cpu->program().find({kindOf(type), number});
-  if (found == cpu->program().end()) return {};
-  Uploaded uploaded{Error::None, containerOf(*cpu, found->second)};
-  return uploaded.container.empty() ? Uploaded{} : uploaded;
+  s7comm::Bytes container;
+  const auto found = cpu->program().find(idOf(name));
+  const block::Block* const waiting = passive.find(idOf(name));
+  if (name.files != FileSystem::Passive && found != cpu->program().end())
+    container = containerOf(*cpu, found->second);
+  else if (name.files != FileSystem::Active && waiting != nullptr)
+    container = block::writeContainer(*waiting);
+  return container.empty() ? Uploaded{} : Uploaded{Error::None, std::move(container)};
 }
 
-Uploaded upload(controller::Controller& plc, BlockType type, std::uint16_t number,
-                std::string_view password) {
+Uploaded upload(controller::Controller& plc, const PassiveBlocks& passive,
+                const s7comm::BlockName& name, std::string_view password) {
   if (isProtected(plc, password, 3)) return {Error::NeedsPassword, {}};
-  return blockOf(plc, type, number);
+  return blockOf(plc, passive, name);
 }
 
 }  // namespace merker::served

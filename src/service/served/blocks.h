@@ -6,6 +6,7 @@
 
 #include "plc/controller.h"
 #include "s7comm/plc.h"
+#include "served/passive_blocks.h"
 
 namespace merker::served {
 
@@ -18,9 +19,10 @@ struct Uploaded {
 };
 
 // A data block has the values that it has now.
-Uploaded blockOf(controller::Controller& plc, s7comm::BlockType type, std::uint16_t number);
+Uploaded blockOf(controller::Controller& plc, const PassiveBlocks& passive,
+                 const s7comm::BlockName& name);
 // The same for somebody who wants its code: protection level 3 asks for the password.
-Uploaded upload(controller::Controller& plc, s7comm::BlockType type, std::uint16_t number,
-                std::string_view password = {});
+Uploaded upload(controller::Controller& plc, const PassiveBlocks& passive,
+                const s7comm::BlockName& name, std::string_view password = {});
 
 }  // namespace merker::served

@@ -137,6 +137,7 @@ void Exchange::look(monitor::Monitor* monitor) {
 void Exchange::forget() {
   lastLook_ = waitingSince_ = Instant::never();
   tasks_.forget();
+  passive_.clear();
   const std::lock_guard lock(mutex_);
   image_.reset();
 }

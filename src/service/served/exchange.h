@@ -13,6 +13,7 @@
 #include "plc/operand_memory.h"
 #include "s7comm/plc.h"
 #include "served/bench.h"
+#include "served/passive_blocks.h"
 #include "served/tasks.h"
 
 namespace merker::served {
@@ -35,9 +36,16 @@ class Exchange final : public s7comm::Plc {
   void setClock(const s7comm::ClockTime& time, const std::string& password, Done done) override;
   void enter(const std::string& password, Done done) override;
   void blocks(BlocksDone done) override;
-  void blockHead(s7comm::BlockType type, std::uint16_t number, BlockDone done) override;
-  void block(s7comm::BlockType type, std::uint16_t number, const std::string& password,
-             BlockDone done) override;
+  void blockHead(const s7comm::BlockName& name, BlockDone done) override;
+  void block(const s7comm::BlockName& name, const std::string& password, BlockDone done) override;
+  void admit(const s7comm::BlockName& name, std::size_t octets, const std::string& password,
+             Done done) override;
+  void keep(const s7comm::BlockName& name, s7comm::Bytes container, const std::string& password,
+            Done done) override;
+  void link(const std::vector<s7comm::BlockName>& names, const std::string& password,
+            Done done) override;
+  void remove(const std::vector<s7comm::BlockName>& names, const std::string& password,
+              Done done) override;
   void control(s7comm::Control wish, const std::string& password,
                std::function<void(s7comm::Controlled)> done) override;
   void test(s7comm::TestRequest request, std::shared_ptr<s7comm::Outlet> client,
@@ -57,6 +65,11 @@ class Exchange final : public s7comm::Plc {
   using Image = controller::OperandImage;
 
   void order(Order order);
+  // Planned in the thread of the PLC, made ready in that of the connections, carried out.
+  using Plan = std::function<ProgramChange(controller::Controller&)>;
+  void changeProgram(Plan plan, Done done);
+  // The same of an order of which only its error is told.
+  void orderError(std::function<s7comm::Error(monitor::Monitor&)> what, Done done);
   void carryOut(monitor::Monitor* monitor);
   void publish(const controller::Controller& plc);
   bool stands(const controller::Controller& plc);
@@ -75,6 +88,7 @@ class Exchange final : public s7comm::Plc {
   std::shared_ptr<Image> spare_;
   Tasks tasks_;
   Bench bench_{tasks_};
+  PassiveBlocks passive_;
   Instant lastLook_ = Instant::never(), waitingSince_ = Instant::never();
 };
 

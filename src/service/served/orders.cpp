@@ -1,5 +1,4 @@
 // What programming devices want of a PLC, as orders.
-#include "served/blocks.h"
 #include "served/exchange.h"
 #include "served/system.h"
 
@@ -31,31 +30,6 @@ void Exchange::setClock(const s7comm::ClockTime& time, const std::string& passwo
   });
 }
 
-void Exchange::blocks(BlocksDone done) {
-  order([done = std::move(done)](monitor::Monitor* monitor) -> Call {
-    std::optional<std::vector<s7comm::BlockEntry>> all;
-    if (monitor != nullptr) all = blocksOf(monitor->plc());
-    return [all = std::move(all), done] { done(all); };
-  });
-}
-
-void Exchange::blockHead(s7comm::BlockType type, std::uint16_t number, BlockDone done) {
-  order([type, number, done = std::move(done)](monitor::Monitor* monitor) -> Call {
-    Uploaded found;
-    if (monitor != nullptr) found = blockOf(monitor->plc(), type, number);
-    return [found = std::move(found), done] { done(found.error, found.container); };
-  });
-}
-
-void Exchange::block(s7comm::BlockType type, std::uint16_t number, const std::string& password,
-                     BlockDone done) {
-  order([type, number, password, done = std::move(done)](monitor::Monitor* monitor) -> Call {
-    Uploaded found;
-    if (monitor != nullptr) found = upload(monitor->plc(), type, number, password);
-    return [found = std::move(found), done] { done(found.error, found.container); };
-  });
-}
-
 void Exchange::enter(const std::string& password, Done done) {
   order([password, done = std::move(done)](monitor::Monitor* monitor) -> Call {
     const Error error =
@@ -66,9 +40,10 @@ void Exchange::enter(const std::string& password, Done done) {
 
 void Exchange::control(s7comm::Control wish, const std::string& password,
                        std::function<void(Controlled)> done) {
-  order([wish, password, done = std::move(done)](monitor::Monitor* monitor) -> Call {
+  order([this, wish, password, done = std::move(done)](monitor::Monitor* monitor) -> Call {
     const Controlled how =
         monitor == nullptr ? Controlled::Refused : served::control(*monitor, wish, password);
+    if (wish == s7comm::Control::MemoryReset && how == Controlled::Done) passive_.clear();
     return [how, done] { done(how); };
   });
 }

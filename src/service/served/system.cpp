@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "cpu/cpu.h"
+#include "cpu/ram_to_rom.h"
+#include "cpu/switch_panel.h"
 #include "station/block_cpu.h"
 #include "system/szl.h"
 
@@ -32,12 +34,30 @@ Controlled restart(Controller& plc, bool cold) {
   return (cold ? plc.coldRestart() : plc.start()) ? Controlled::Done : Controlled::Refused;
 }
 
+Controlled copyRamToRom(Controller& plc, std::string_view password) {
+  auto* const memory = controller::capability<cpu::RamToRom>(plc);
+  const bool copied = memory != nullptr && memory->copyRamToRom(password).empty();
+  return copied ? Controlled::Done : Controlled::Refused;
+}
+
+Controlled memoryReset(Controller& plc) {
+  if (plc.mode() != Mode::Stop || !plc.powered()) return Controlled::Refused;
+  plc.memoryReset();
+  return Controlled::Done;
+}
+
 }  // namespace
 
 bool isProtected(Controller& plc, std::string_view password, int level) {
   const cpu::Cpu* const cpu = cpuOf(plc);
   return cpu != nullptr && cpu->parameters().protection >= level &&
          cpu->parameters().password != password;
+}
+
+bool mayLoad(Controller& plc, std::string_view password) {
+  const auto* const panel = controller::capability<cpu::SwitchPanel>(plc);
+  const bool locked = panel != nullptr && panel->switchPosition() == cpu::SwitchPosition::Run;
+  return !locked && !isProtected(plc, password);
 }
 
 s7comm::StatusList statusList(Controller& plc, std::uint16_t list, std::uint16_t index) {
@@ -72,9 +92,23 @@ Error checkPassword(Controller& plc, std::string_view password) {
 }
 
 Controlled control(monitor::Monitor& monitor, s7comm::Control wish, std::string_view password) {
-  if (isProtected(monitor.plc(), password)) return Controlled::Protected;
-  if (wish == s7comm::Control::Stop) return stop(monitor);
-  return restart(monitor.plc(), wish == s7comm::Control::ColdRestart);
+  using s7comm::Control;
+  Controller& plc = monitor.plc();
+  if (isProtected(plc, password)) return Controlled::Protected;
+  switch (wish) {
+    case Control::Stop:
+      return stop(monitor);
+    case Control::WarmRestart:
+    case Control::ColdRestart:
+      return restart(plc, wish == Control::ColdRestart);
+    case Control::CopyRamToRom:
+      return copyRamToRom(plc, password);
+    case Control::Compress:  // there are no gaps
+      return cpuOf(plc) == nullptr ? Controlled::Refused : Controlled::Done;
+    case Control::MemoryReset:
+      return memoryReset(plc);
+  }
+  return Controlled::Refused;
 }
 
 }  // namespace merker::served

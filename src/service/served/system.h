@@ -16,6 +16,8 @@ s7comm::Error checkPassword(controller::Controller& plc, std::string_view passwo
 // Protection levels 2 and 3 refuse what is more than reading and writing variables, level 3 also to
 // read more (S7-MEM-05).
 bool isProtected(controller::Controller& plc, std::string_view password, int level = 2);
+// Whether blocks may be changed: also not while the mode switch is at RUN (S7-SIM-11).
+bool mayLoad(controller::Controller& plc, std::string_view password);
 s7comm::Controlled control(monitor::Monitor& monitor, s7comm::Control wish,
                            std::string_view password = {});
 

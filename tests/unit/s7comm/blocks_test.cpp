@@ -83,7 +83,7 @@ TEST(Upload, whatIsNotThereOrNotAllowedIsRefused) {
   EXPECT_EQ(
       line.say(
           "32 01 00 00 00 02 00 12 00 00 1D 00 00 00 00 00 00 00 09 5F 30 38 30 30 2F 30 31 41"),
-      "32 02 00 00 00 02 00 00 00 00 D2 09");
+      "32 02 00 00 00 02 00 00 00 00 D2 01");
   line.plc.locked = true;
   EXPECT_EQ(line.say(kStart), "32 02 00 00 00 02 00 00 00 00 D2 41");
   EXPECT_EQ(line.say(kNext), kRefused);

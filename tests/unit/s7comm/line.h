@@ -70,25 +70,50 @@ class FewBytes : public Plc {
     for (std::uint16_t i = 1; i <= dataBlocks; ++i) all.push_back({BlockType::Db, i, 0, 5});
     carryOut([all, done = std::move(done)] { done(all); });
   }
-  bool locked = false;  // without the password no upload
-  void blockHead(BlockType type, std::uint16_t number, BlockDone done) override {
-    block(type, number, secret, std::move(done));
+  bool locked = false;  // without the password no upload, no download
+  void blockHead(const BlockName& name, BlockDone done) override {
+    block(name, secret, std::move(done));
   }
-  void block(BlockType type, std::uint16_t number, const std::string& password,
-             BlockDone done) override {
+  void block(const BlockName& name, const std::string& password, BlockDone done) override {
     Bytes container(372, 0xCC);
     std::fill_n(container.begin(), 36, std::uint8_t{0xAA});
     std::fill_n(container.end() - 36, 36, std::uint8_t{0xEE});
-    const bool found = type == BlockType::Ob && number == 1;
+    const bool found = name.type == BlockType::Ob && name.number == 1;
     const Error error = !found                         ? Error::NoSuchBlock
                         : locked && password != secret ? Error::NeedsPassword
                                                        : Error::None;
     carryOut([error, container, done = std::move(done)] { done(error, container); });
   }
+  // Of blocks that come: not more than 1000 octets, and the first of them is 70h.
+  std::vector<std::pair<BlockName, Bytes>> kept;
+  void admit(const BlockName&, std::size_t octets, const std::string& password,
+             Done done) override {
+    const Error error = locked && password != secret ? Error::NeedsPassword
+                        : octets > 1000              ? Error::NoMemory
+                                                     : Error::None;
+    carryOut([error, done = std::move(done)] { done(error); });
+  }
+  void keep(const BlockName& name, Bytes container, const std::string&, Done done) override {
+    const Error error = container[0] == 0x70 ? Error::None : Error::WrongBlockStructure;
+    if (error == Error::None) kept.emplace_back(name, std::move(container));
+    carryOut([error, done = std::move(done)] { done(error); });
+  }
+  std::vector<BlockName> linked, removed;
+  void link(const std::vector<BlockName>& names, const std::string&, Done done) override {
+    linked = names;
+    const Error error = kept.empty() ? Error::NoSuchBlock : Error::None;
+    carryOut([error, done = std::move(done)] { done(error); });
+  }
+  void remove(const std::vector<BlockName>& names, const std::string&, Done done) override {
+    removed = names;
+    carryOut([done = std::move(done)] { done(Error::None); });
+  }
   bool runs = true;
   void control(Control wish, const std::string&, std::function<void(Controlled)> done) override {
     carryOut([this, wish, done = std::move(done)] {
       if (wish == Control::ColdRestart) return done(Controlled::Refused);
+      if (wish == Control::Compress) return done(Controlled::Done);
+      if (wish >= Control::CopyRamToRom) return done(runs ? Controlled::Refused : Controlled::Done);
       const bool already = runs == (wish == Control::WarmRestart);
       runs = wish == Control::WarmRestart;
       done(already ? Controlled::Already : Controlled::Done);

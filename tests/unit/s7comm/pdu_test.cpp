@@ -33,7 +33,7 @@ TEST(Pdu, nothingIsServedBeforeTheSetup) {
 }
 
 TEST(Pdu, anUnknownFunctionIsRefused) {
-  EXPECT_EQ(Line().say("32 01 00 00 12 34 00 01 00 00 1A"), "32 02 00 00 12 34 00 00 00 00 81 04");
+  EXPECT_EQ(Line().say("32 01 00 00 12 34 00 01 00 00 2A"), "32 02 00 00 12 34 00 00 00 00 81 04");
   EXPECT_EQ(Line().say("32 01 00 00 12 34 00 00 00 00"), "32 02 00 00 12 34 00 00 00 00 85 00");
 }
 

@@ -10,7 +10,7 @@ using s7comm::BlockType;
 using s7comm::Error;
 
 block::Block uploaded(ServedPlc& plc, BlockType type, std::uint16_t number) {
-  const Uploaded block = upload(plc.plc(), type, number);
+  const Uploaded block = upload(plc.plc(), {}, {type, number});
   EXPECT_EQ(block.error, Error::None);
   auto read = block::readContainer(block.container, {});
   EXPECT_TRUE(read);
@@ -41,10 +41,10 @@ TEST(Blocks, anUploadIsAContainer) {
 
 TEST(Blocks, whatIsNotThere) {
   ServedPlc plc = ServedPlc::station();
-  EXPECT_EQ(upload(plc.plc(), BlockType::Fc, 1).error, Error::NoSuchBlock);
+  EXPECT_EQ(upload(plc.plc(), {}, {BlockType::Fc, 1}).error, Error::NoSuchBlock);
   ServedPlc control = ServedPlc::control();
   EXPECT_FALSE(blocksOf(control.plc()));
-  EXPECT_EQ(upload(control.plc(), BlockType::Db, 5).error, Error::FunctionNotAvailable);
+  EXPECT_EQ(upload(control.plc(), {}, {BlockType::Db, 5}).error, Error::FunctionNotAvailable);
 }
 
 }  // namespace

@@ -1,0 +1,29 @@
+#include "served/program_change.h"
+
+#include "block/memory.h"
+#include "station/translations.h"
+
+namespace merker::served {
+namespace {
+
+// System data are no part of the program that runs.
+bool fitsWorkMemory(const CpuModel& model, const block::Program& program) {
+  std::size_t work = 0;
+  for (const auto& [id, block] : program)
+    if (id.kind != BlockKind::SDB) work += block::workMemory(block);
+  return work <= model.workMemory;
+}
+
+}  // namespace
+
+void ProgramChange::makeReady() {
+  if (error != s7comm::Error::None || !changesProgram()) return;
+  auto program = std::make_shared<block::Program>(*before);
+  for (const auto& block : linked) program->insert_or_assign(block->id, *block);
+  for (const BlockId id : deleted) program->erase(id);
+  if (!linked.empty() && !fitsWorkMemory(*model, *program)) error = s7comm::Error::NoMemory;
+  translations = std::make_shared<station::Translations>(*model, engine, program, before.get());
+  after = std::move(program);
+}
+
+}  // namespace merker::served
