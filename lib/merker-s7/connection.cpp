@@ -83,21 +83,38 @@ int Connection::nextEvent(iso::Event& event) {
   }
 }
 
+// It lies in the connection until the next one.
+int Connection::nextPdu(s7comm::Pdu& pdu) {
+  iso::Event event;
+  if (const int error = nextEvent(event)) return error;
+  if (event.kind != iso::Event::Kind::Message)
+    return event.kind == iso::Event::Kind::Disconnected ? errTCPConnectionReset : errIsoInvalidPDU;
+  message_ = std::move(event.message);
+  const auto read = s7comm::readPdu(message_);
+  if (!read) return errIsoInvalidPDU;
+  pdu = *read;
+  return 0;
+}
+
 int Connection::exchangeOpen(s7comm::View request, std::uint16_t reference, s7comm::Pdu& answer) {
   if (const int error = send(request)) return error;
-  for (;;) {
-    iso::Event event;
-    if (const int error = nextEvent(event)) return error;
-    if (event.kind != iso::Event::Kind::Message)
-      return event.kind == iso::Event::Kind::Disconnected ? errTCPConnectionReset
-                                                          : errIsoInvalidPDU;
-    message_ = std::move(event.message);
-    const auto pdu = s7comm::readPdu(message_);
-    if (!pdu) return errIsoInvalidPDU;
-    if (pdu->reference != reference) continue;
-    answer = *pdu;
-    return 0;
-  }
+  do {
+    if (const int error = nextPdu(answer)) return error;
+  } while (answer.reference != reference || answer.type == s7comm::PduType::Job);
+  return 0;
+}
+
+int Connection::heard(s7comm::Pdu& pdu) {
+  if (!isOpen()) return errTCPNotConnected;
+  const int error = nextPdu(pdu);
+  if (error != 0) close();
+  return error;
+}
+
+int Connection::reply(s7comm::View answer) {
+  const int error = isOpen() ? send(answer) : static_cast<int>(errTCPNotConnected);
+  if (error != 0) close();
+  return error;
 }
 
 // After an error of the connection nobody knows what comes next: it is closed.

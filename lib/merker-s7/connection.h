@@ -30,12 +30,16 @@ class Connection {
   // Answers with another reference are of requests that took too long, and are dropped. The answer
   // lies in the connection until the next exchange.
   int exchange(s7comm::View request, std::uint16_t reference, s7comm::Pdu& answer);
+  // The CPU asks, too: its next PDU, and the answer to it.
+  int heard(s7comm::Pdu& pdu);
+  int reply(s7comm::View answer);
 
  private:
   int call();
   int setUp();
   int send(s7comm::View message);
   int nextEvent(iso::Event& event);
+  int nextPdu(s7comm::Pdu& pdu);
   int exchangeOpen(s7comm::View request, std::uint16_t reference, s7comm::Pdu& answer);
 
   Settings settings_;

@@ -1,9 +1,11 @@
 #include "merker_s7.h"
 
+#include <algorithm>
 #include <cstring>
 #include <mutex>
 #include <new>
 
+#include "blocks.h"
 #include "connection.h"
 #include "error_text.h"
 #include "variables.h"
@@ -65,6 +67,34 @@ int parameter(S7Object object, int number, void* value, bool set) {
   if (value == nullptr) return errCliInvalidParams;
   return with(object,
               [&](Client& client) { return clientParameter(client, number, value, set); });
+}
+
+// All of the container, or its code or values alone.
+int fetch(Client& client, const BlockNumber& block, bool full, std::uint8_t* data, int* size) {
+  constexpr std::size_t kHead = 36, kCodeLengthAt = 34;
+  merker::s7comm::Bytes container;
+  if (const int error = upload(client.connection, block, container)) return error;
+  if (container.size() < kHead) return errCliUploadSequenceFailed;
+  const std::size_t begin = full ? 0 : kHead;
+  const std::size_t code = static_cast<std::size_t>(container[kCodeLengthAt]) << 8 | container[kCodeLengthAt + 1];
+  const std::size_t count = full ? container.size() : std::min(code, container.size() - kHead);
+  if (count > static_cast<std::size_t>(*size)) return errCliBufferTooSmall;
+  std::memcpy(data, container.data() + begin, count);
+  *size = static_cast<int>(count);
+  return 0;
+}
+
+int fetched(S7Object object, const BlockNumber& block, bool full, void* data, int* size) {
+  if (data == nullptr || size == nullptr || *size < 0) return errCliInvalidParams;
+  return with(object, [&](Client& client) {
+    return fetch(client, block, full, static_cast<std::uint8_t*>(data), size);
+  });
+}
+
+int service(S7Object object, std::string_view name, std::string_view argument, int refused) {
+  return with(object, [&](Client& client) {
+    return callService(client.connection, name, argument, refused);
+  });
 }
 
 }  // namespace
@@ -193,3 +223,38 @@ AREA(MB, S7AreaMK, S7WLByte)
 AREA(TM, S7AreaTM, S7WLTimer)
 AREA(CT, S7AreaCT, S7WLCounter)
 #undef AREA
+
+int Cli_FullUpload(S7Object object, int type, int number, void* data, int* size) {
+  return fetched(object, {type, number}, true, data, size);
+}
+int Cli_Upload(S7Object object, int type, int number, void* data, int* size) {
+  return fetched(object, {type, number}, false, data, size);
+}
+int Cli_Download(S7Object object, int number, void* data, int size) {
+  if (data == nullptr || size < 0) return errCliInvalidParams;
+  const auto* const bytes = static_cast<const std::uint8_t*>(data);
+  return with(object, [&](Client& client) {
+    return download(client.connection, number, {bytes, bytes + size});
+  });
+}
+int Cli_Delete(S7Object object, int type, int number) {
+  return with(object, [&](Client& client) {
+    return removeBlock(client.connection, {type, number});
+  });
+}
+
+int Cli_PlcHotStart(S7Object object) {
+  return service(object, "P_PROGRAM", "", errCliCannotStartPLC);
+}
+int Cli_PlcColdStart(S7Object object) {
+  return service(object, "P_PROGRAM", "C ", errCliCannotStartPLC);
+}
+int Cli_PlcStop(S7Object object) {
+  return with(object, [](Client& client) { return stopPlc(client.connection); });
+}
+int Cli_CopyRamToRom(S7Object object, int) {
+  return service(object, "_MODU", "EP", errCliCannotCopyRamToRom);
+}
+int Cli_Compress(S7Object object, int) {
+  return service(object, "_GARB", "", errCliCannotCompress);
+}

@@ -73,10 +73,34 @@ enum {
   errCliWriteDataSizeMismatch = 0x00B00000,
   errCliItemNotAvailable = 0x00C00000,
   errCliInvalidValue = 0x00D00000,
+  errCliCannotStartPLC = 0x00E00000,
+  errCliAlreadyRun = 0x00F00000,
+  errCliCannotStopPLC = 0x01000000,
+  errCliCannotCopyRamToRom = 0x01100000,
+  errCliCannotCompress = 0x01200000,
+  errCliAlreadyStop = 0x01300000,
   errCliFunNotAvailable = 0x01400000,
+  errCliUploadSequenceFailed = 0x01500000,
+  errCliInvalidBlockNumber = 0x01800000,
+  errCliInvalidBlockSize = 0x01900000,
+  errCliDownloadSequenceFailed = 0x01A00000,
+  errCliInsertRefused = 0x01B00000,
+  errCliDeleteRefused = 0x01C00000,
   errCliNeedPassword = 0x01D00000,
+  errCliBufferTooSmall = 0x02200000,
   errCliFunctionRefused = 0x02300000,
   errLibInvalidObject = -2
+};
+
+/* Types of blocks */
+enum {
+  Block_OB = 0x38,
+  Block_DB = 0x41,
+  Block_SDB = 0x42,
+  Block_FC = 0x43,
+  Block_SFC = 0x44,
+  Block_FB = 0x45,
+  Block_SFB = 0x46
 };
 
 /* One variable of Cli_ReadMultiVars and Cli_WriteMultiVars; Result is its own error. */
@@ -123,6 +147,19 @@ int Cli_TMRead(S7Object client, int start, int amount, void *data);
 int Cli_TMWrite(S7Object client, int start, int amount, void *data);
 int Cli_CTRead(S7Object client, int start, int amount, void *data);
 int Cli_CTWrite(S7Object client, int start, int amount, void *data);
+
+/* Blocks as they lie in the CPU, a header of 36 bytes in front. `size`: of `data`, then of the block; Cli_Upload leaves out what is
+ * not code or values. A block that is handed over is active at once; number -1: that of its header. */
+int Cli_FullUpload(S7Object client, int type, int number, void *data, int *size);
+int Cli_Upload(S7Object client, int type, int number, void *data, int *size);
+int Cli_Download(S7Object client, int number, void *data, int size);
+int Cli_Delete(S7Object client, int type, int number);
+
+int Cli_PlcHotStart(S7Object client); /* a warm restart on CPUs that have no other one */
+int Cli_PlcColdStart(S7Object client);
+int Cli_PlcStop(S7Object client);
+int Cli_CopyRamToRom(S7Object client, int timeout); /* in STOP; the time limit is that of all answers */
+int Cli_Compress(S7Object client, int timeout);
 
 #if defined(__GNUC__)
 #pragma GCC visibility pop

@@ -120,6 +120,37 @@ class Library(S7Case):
         self.plc.library.Cli_ErrorText(0x00C00000, text, 9)
         self.assertEqual(text.value, b"the data")
 
+    DB_BLOCK = 0x41
+
+    def test_blocks(self):
+        size, container = ctypes.c_int(4096), ctypes.create_string_buffer(4096)
+        self.assertEqual(self.plc.call("FullUpload", self.DB_BLOCK, 1, container, ctypes.byref(size)), 0)
+        self.assertEqual(container.raw[:2], b"\x70\x70")
+        self.assertEqual(self.plc.call("Download", 9, container, size), 0)
+        self.assertEqual(self.plc.call("DBWrite", 9, 998, 2, b"\x12\x34"), 0)
+        length = ctypes.c_int(1000)
+        values = ctypes.create_string_buffer(1000)
+        self.assertEqual(self.plc.call("Upload", self.DB_BLOCK, 9, values, ctypes.byref(length)), 0)
+        self.assertEqual((length.value, values.raw[-2:]), (1000, b"\x12\x34"))
+        self.assertEqual(self.plc.call("Upload", self.DB_BLOCK, 9, values, ctypes.byref(ctypes.c_int(999))), 0x02200000)
+        self.assertEqual(self.plc.call("Delete", self.DB_BLOCK, 9), 0)
+        self.assertEqual(self.plc.call("Delete", self.DB_BLOCK, 9), 0x01C00000)
+        self.assertEqual(self.plc.call("FullUpload", self.DB_BLOCK, 9, container, ctypes.byref(size)), 0x01500000)
+        container[40] = b"\xAA"  # its checksum is wrong
+        self.assertEqual(self.plc.call("Download", 9, container, size), 0x01A00000)
+        self.assertEqual(self.plc.call("Download", -1, container, 10), 0x01900000)
+        self.assertEqual(self.plc.call("Delete", 0x99, 9), 0x01800000)
+
+    def test_control(self):
+        self.assertEqual(self.plc.call("Compress", 1000), 0)
+        self.assertEqual(self.plc.call("CopyRamToRom", 1000), 0x01100000)
+        self.assertEqual(self.plc.call("PlcHotStart"), 0x00F00000)
+        self.assertEqual(self.plc.call("PlcStop"), 0)
+        self.assertEqual(self.plc.call("PlcStop"), 0x01300000)
+        self.assertEqual(self.plc.call("CopyRamToRom", 1000), 0)
+        self.assertEqual(self.plc.call("PlcColdStart"), 0x00E00000)
+        self.assertEqual(self.plc.call("PlcHotStart"), 0)
+
     def test_who_is_not_there(self):
         other = self.library()
         one = ctypes.create_string_buffer(1)
