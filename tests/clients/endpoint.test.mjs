@@ -59,6 +59,9 @@ test('blocks', { timeout: 30_000 }, async () => {
     assert.equal(block.readUInt16BE(0), 0x7070);
     assert.equal(block.readUInt32BE(8), block.length); // the length that its head names
   }
+  assert.equal((await endpoint.listBlocks('SFC')).length, counts.SFC); // more than a PDU holds
+  assert.ok((await endpoint.getBlockInfo('SFC', 51)).length > 70);
+  await assert.rejects(endpoint.uploadBlock('SFC', 51)); // the CPU's own
   await assert.rejects(endpoint.uploadBlock('FB', 9));
   await assert.rejects(endpoint.getBlockInfo('FB', 9));
 });

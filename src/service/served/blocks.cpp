@@ -4,6 +4,7 @@
 #include "cpu/cpu.h"
 #include "served/container_check.h"
 #include "served/system.h"
+#include "served/system_blocks.h"
 #include "station/block_cpu.h"
 
 namespace merker::served {
@@ -32,13 +33,8 @@ s7comm::Bytes containerOf(const station::BlockCpu& cpu, block::Block copy) {
   return block::writeContainer(copy);
 }
 
-}  // namespace
-
-std::optional<std::vector<BlockEntry>> blocksOf(controller::Controller& plc) {
-  const auto* const cpu = controller::capability<station::BlockCpu>(plc);
-  if (cpu == nullptr) return std::nullopt;
-  std::vector<BlockEntry> all;
-  for (const auto& [id, one] : cpu->program()) {
+void listBlocks(const block::Program& program, std::vector<BlockEntry>& all) {
+  for (const auto& [id, one] : program) {
     const auto type = typeOf(id.kind);
     // What is asked for stands in the head; a checksum over all code would hold up the PLC.
     block::Block head;
@@ -47,6 +43,25 @@ std::optional<std::vector<BlockEntry>> blocksOf(controller::Controller& plc) {
     if (!container.empty())
       all.push_back({*type, id.number, container[kAttributesAt], container[kLanguageAt]});
   }
+}
+
+bool isSystemBlock(BlockType type) { return type == BlockType::Sfc || type == BlockType::Sfb; }
+
+Uploaded systemBlock(const CpuModel& model, BlockId id) {
+  const block::Program& all = systemBlocks(model);
+  const auto found = all.find(id);
+  if (found == all.end()) return {};
+  return {Error::None, block::writeContainer(found->second)};
+}
+
+}  // namespace
+
+std::optional<std::vector<BlockEntry>> blocksOf(controller::Controller& plc) {
+  const auto* const cpu = controller::capability<station::BlockCpu>(plc);
+  if (cpu == nullptr) return std::nullopt;
+  std::vector<BlockEntry> all;
+  listBlocks(cpu->program(), all);
+  listBlocks(systemBlocks(cpu->model()), all);
   return all;
 }
 
@@ -54,6 +69,7 @@ Uploaded blockOf(controller::Controller& plc, const PassiveBlocks& passive,
                  const s7comm::BlockName& name) {
   const auto* const cpu = controller::capability<station::BlockCpu>(plc);
   if (cpu == nullptr) return {Error::FunctionNotAvailable, {}};
+  if (isSystemBlock(name.type)) return systemBlock(cpu->model(), idOf(name));
   s7comm::Bytes container;
   const auto found = cpu->program().find(idOf(name));
   const block::Block* const waiting = passive.find(idOf(name));
@@ -67,6 +83,7 @@ Uploaded blockOf(controller::Controller& plc, const PassiveBlocks& passive,
 Uploaded upload(controller::Controller& plc, const PassiveBlocks& passive,
                 const s7comm::BlockName& name, std::string_view password) {
   if (isProtected(plc, password, 3)) return {Error::NeedsPassword, {}};
+  if (isSystemBlock(name.type)) return {};  // they stay in the operating system
   return blockOf(plc, passive, name);
 }
 

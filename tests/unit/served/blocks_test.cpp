@@ -1,5 +1,7 @@
 #include "served/blocks.h"
 
+#include <algorithm>
+
 #include "block/container.h"
 #include "served_plc.h"
 
@@ -21,7 +23,7 @@ TEST(Blocks, theDirectoryHasWhatWasLoaded) {
   ServedPlc plc = ServedPlc::station();
   const auto all = blocksOf(plc.plc());
   ASSERT_TRUE(all);
-  ASSERT_EQ(all->size(), 2u);
+  ASSERT_GT(all->size(), 2u);
   EXPECT_EQ(all->at(0).type, BlockType::Ob);
   EXPECT_EQ(all->at(1).type, BlockType::Db);
   EXPECT_EQ(all->at(1).number, 5);
@@ -37,6 +39,28 @@ TEST(Blocks, anUploadIsAContainer) {
   EXPECT_EQ(uploaded(plc, BlockType::Db, 5).actualData, (Bytes{1, 2, 3, 4}));
   plc.writeNow({.memory = Memory::DataBlock, .block = 5, .begin = 0, .octets = 1}, {9});
   EXPECT_EQ(uploaded(plc, BlockType::Db, 5).actualData, (Bytes{9, 2, 3, 4}));
+}
+
+// What the CPU brings is listed and described beside the program, and stays in it.
+TEST(Blocks, systemFunctionsAreBlocks) {
+  ServedPlc plc = ServedPlc::station();
+  const auto all = blocksOf(plc.plc());
+  ASSERT_TRUE(all);
+  const auto has = [&](BlockType type, std::uint16_t number) {
+    return std::ranges::any_of(
+        *all, [=](const auto& one) { return one.type == type && one.number == number; });
+  };
+  EXPECT_TRUE(has(BlockType::Sfc, 51));
+  EXPECT_TRUE(has(BlockType::Sfb, 4));
+  EXPECT_FALSE(has(BlockType::Sfc, 26));  // of larger CPUs
+  EXPECT_FALSE(has(BlockType::Fc, 1));    // of the library
+  const Uploaded head = blockOf(plc.plc(), {}, {BlockType::Sfc, 51});
+  ASSERT_EQ(head.error, Error::None);
+  const auto block = block::readContainer(head.container, {});
+  ASSERT_TRUE(block);
+  EXPECT_EQ(block->id.number, 51);
+  EXPECT_EQ(upload(plc.plc(), {}, {BlockType::Sfc, 51}).error, Error::NoSuchBlock);
+  EXPECT_EQ(blockOf(plc.plc(), {}, {BlockType::Sfc, 26}).error, Error::NoSuchBlock);
 }
 
 TEST(Blocks, whatIsNotThere) {
