@@ -43,7 +43,7 @@ test('the status follows the input', async () => {
 
 test('columns of registers that the PLC does not have are not offered', async () => {
   await page.locator('summary', { hasText: 'Spalten' }).click();
-  const offered = page.locator('details .check');
+  const offered = page.locator('details label');
   await expect(async () => (await offered.allInnerTexts()).map((one) => one.trim()).join(' '), 'VKE STA OR AKKU 1 AKKU 2 STW DB');
   await page.getByRole('checkbox', { name: 'STW' }).check();
   await expect(async () => (await columns()).join(' '), 'VKE STA AKKU 1 STW');

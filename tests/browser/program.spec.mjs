@@ -33,6 +33,7 @@ test('a block opens where it begins (S7-MGR-10)', async () => {
 
 test('the declaration table shows address, declaration, name, type, initial value, comment (S7-EDIT-01, -02)', async () => {
   await block('FB 1').click();
+  await page.locator('.work .head button').click();
   const row = page.locator('.frame tr').filter({ has: page.getByLabel('Name Filter', { exact: true }) });
   await expect(() => row.locator('td').nth(0).innerText(), '2.0');
   await expect(() => row.locator('td').nth(1).innerText(), 'in');

@@ -28,6 +28,7 @@ export const keys: Key[] = [
   { keys: 'F10', text: 'keyOver' },
   { keys: 'F11', text: 'keyInto' },
   { keys: 'F12', text: 'keyGoTo' },
+  { keys: 'Alt F10', text: 'keyWhole' },
 ];
 
 /** The same for KOP and FUP. */

@@ -8,7 +8,7 @@ export const codeTheme = EditorView.theme({
   '&': { height: '100%', color: 'var(--ink)', backgroundColor: 'var(--raised)', fontSize: 'var(--text)' },
   '&.cm-focused': focus,
   '.cm-scroller': { fontFamily: 'var(--mono)', lineHeight: '20px', overflowY: 'scroll' },
-  '.cm-content': { caretColor: 'var(--ink)', paddingBlock: 'var(--s2)' },
+  '.cm-content': { caretColor: 'var(--ink)', paddingBlock: 'var(--s1)' },
   '.cm-cursor': { borderLeftColor: 'var(--ink)', borderLeftWidth: '2px' },
   '.cm-gutters': { backgroundColor: 'var(--plate)', color: 'var(--ink-soft)', borderRight: '1px solid var(--line)' },
   '.cm-gutters-after': { borderRight: '0', borderLeft: '1px solid var(--line-strong)' },

@@ -5,7 +5,7 @@ import { plc } from '../state/plc.svelte';
 
 /** False: a key of somebody else. */
 export function debugKey(event: KeyboardEvent): boolean {
-  if (!plc.breakpoint) return false;
+  if (!plc.breakpoint || event.altKey) return false;
   const keys: Record<string, () => Promise<unknown>> = {
     F8: () => connection.ask('debug.go'),
     F10: () => connection.ask('debug.step', { kind: 'over' }),

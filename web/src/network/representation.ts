@@ -4,9 +4,9 @@ import type { View } from './networks.svelte';
 
 export const representation = kept<View>('program.view', 'awl');
 
-/** Whether the declaration table is shown: beside drawings it takes the room of the networks. */
+/** Whether the declaration table is shown: it takes the room of the program. */
 export const declarationsShown = {
-  text: kept('program.declarations', true),
+  text: kept('program.declarations', false),
   drawing: kept('program.drawnDeclarations', false),
 };
 

@@ -36,6 +36,7 @@ export const app = {
   keyGo: ['im HALT: fortsetzen', 'in HALT: resume'],
   keyOver: ['im HALT: eine Anweisung', 'in HALT: step over'],
   keyInto: ['im HALT: in den Baustein, mit ⇧ hinaus', 'in HALT: step into, with ⇧ out'],
+  keyWhole: ['Programm: nur das Programm zeigen', 'Program: show only the program'],
   keyGoTo: ['Gehe zur Definition', 'Go to definition'],
   keyEscape: [
     'Dialog schließen; im Programmtext führt Tab danach hinaus',

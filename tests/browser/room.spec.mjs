@@ -1,0 +1,121 @@
+// How much of the program is in sight, and that nothing pushes its text: edges, folding parts, the program alone.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { accessible } from './axe.mjs';
+import { toLine } from './editor.mjs';
+import { expect, open, serve, turn, until } from './harness.mjs';
+import { crowding } from './layout.mjs';
+
+const server = await serve('sorting-plant');
+const page = await open(server, 'program?file=sorting.awl');
+const edge = (name) => page.getByRole('separator', { name });
+const button = (name) => page.getByRole('button', { name, exact: true });
+/** Lines of the text that can be read from top to bottom. */
+const lines = () => page.locator('.code .cm-scroller').evaluate((scroller) => {
+  const head = scroller.parentElement.querySelector('.cm-panels-top, .cm-status-head')?.getBoundingClientRect().bottom ?? 0;
+  const { top, bottom } = scroller.getBoundingClientRect();
+  const numbers = [...scroller.querySelectorAll('.cm-lineNumbers .cm-gutterElement')].map((one) => one.getBoundingClientRect());
+  return numbers.filter((one) => one.height > 0 && one.top >= Math.max(top, head) - 1 && one.bottom <= bottom + 1).length;
+});
+const top = () => page.locator('.code').evaluate((code) => Math.round(code.getBoundingClientRect().top));
+const height = (selector) => page.locator(selector).first().evaluate((one) => Math.round(one.getBoundingClientRect().height));
+const roomy = async () => {
+  let found;
+  await until(async () => (found = await crowding(page)).length === 0, () => found.join('\n'));
+};
+
+test('26 lines of program with status at 1280x800, 18 at 1024x768', async () => {
+  await turn(page, 'RUN-P');
+  await page.getByRole('switch', { name: 'Status' }).click();
+  await page.locator('.code .cm-status-head').waitFor();
+  await expect(() => page.locator('.note').count(), 0, 'notes');
+  for (const [width, height, wanted] of [[1280, 800, 26], [1024, 768, 18]]) {
+    await page.setViewportSize({ width, height });
+    let seen;
+    await until(async () => (seen = await lines()) >= wanted, () => `${wanted} lines at ${width}x${height}, seen ${seen}`);
+    await accessible(page, `program at ${width}x${height}`);
+    await roomy();
+  }
+  await page.setViewportSize({ width: 1280, height: 800 });
+});
+
+test('the text stays where it is while the cursor walks, with its declarations or without', async () => {
+  const walked = async () => {
+    const tops = new Set();
+    for (const line of [1, 40, 120, 200, 5]) {
+      await toLine(page, line);
+      await expect(() => page.locator('.code .cm-lineNumbers .cm-activeLineGutter').innerText(), String(line));
+      tops.add(await top());
+    }
+    return tops.size;
+  };
+  assert.equal(await walked(), 1);
+  await toLine(page, 40);
+  await page.locator('.work .head button').first().click();
+  await page.getByRole('region', { name: 'Deklaration' }).waitFor();
+  assert.equal(await walked(), 1);
+  await accessible(page, 'declarations');
+});
+
+test('edges move with the keyboard and the pointer, and are remembered', async () => {
+  await edge('Höhe der Deklaration').focus();
+  const before = await height('.declarations');
+  await page.keyboard.press('ArrowDown');
+  await expect(() => height('.declarations'), before + 20);
+  await edge('Breite der Liste').focus();
+  await page.keyboard.press('Home');
+  await expect(() => edge('Breite der Liste').getAttribute('aria-valuenow'), '140');
+  const drawer = await edge('Höhe der Meldungen').boundingBox();
+  await page.mouse.move(drawer.x + 200, drawer.y + 3);
+  await page.mouse.down();
+  await page.mouse.move(drawer.x + 200, drawer.y - 97, { steps: 4 });
+  await page.mouse.up();
+  await expect(() => height('#program-panel'), 126);
+  const before3 = await top();
+  await button('Meldungen und Ergebnisse').click();
+  await expect(() => page.locator('#program-panel').isVisible(), false);
+  assert.equal(await top(), before3, 'the drawer pushes the text');
+  await page.reload();
+  await page.locator('[data-phase="open"]').waitFor();
+  await expect(() => edge('Breite der Liste').getAttribute('aria-valuenow'), '140');
+  await expect(() => height('.declarations'), before + 20);
+  assert.equal(await page.locator('#program-panel').isVisible(), false);
+  // What is asked for opens the drawer.
+  await page.getByRole('tab', { name: 'Querverweise' }).click();
+  await page.getByLabel('Operand oder Symbol').waitFor();
+  await page.getByRole('tab', { name: /^Fehler/ }).click();
+  await edge('Höhe der Meldungen').dblclick();
+  await expect(() => height('#program-panel'), 26);
+});
+
+test('the list is folded away; the program alone has the whole page', async () => {
+  await page.locator('.work .head button').first().click();
+  const seen = await lines();
+  await button('Liste der Bausteine und Dateien').click();
+  await expect(() => page.getByRole('tree').isVisible(), false);
+  await page.keyboard.press('Alt+F10');
+  await expect(() => page.locator('header nav').count(), 0);
+  let whole;
+  await until(async () => (whole = await lines()) >= seen + 2, () => `${seen + 2} lines, seen ${whole}`);
+  await accessible(page, 'program alone');
+  await roomy();
+  await page.keyboard.press('Alt+F10');
+  await page.locator('header nav').waitFor();
+  await button('Liste der Bausteine und Dateien').click();
+  await page.getByRole('tree').waitFor();
+});
+
+test('HALT leaves the text where it is', async () => {
+  const before = await top();
+  await toLine(page, 47);
+  await page.keyboard.press('F9');
+  await page.locator('[data-mode="HALT"]').waitFor();
+  await page.getByText('F10').waitFor();
+  assert.equal(await top(), before);
+  assert.ok((await lines()) >= 20, `${await lines()} lines`);
+  // The cursor stands at the breakpoint: it goes, and so does the CPU.
+  await page.keyboard.press('F9');
+  await page.locator('.halt').getByRole('button', { name: 'F8' }).click();
+  await page.locator('[data-mode="RUN"]').waitFor();
+  assert.equal(await top(), before);
+});
