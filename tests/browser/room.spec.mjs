@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { accessible } from './axe.mjs';
 import { toLine } from './editor.mjs';
-import { expect, open, serve, turn, until } from './harness.mjs';
+import { expect, open, serve, turn, until, visit } from './harness.mjs';
 import { crowding } from './layout.mjs';
 
 const server = await serve('sorting-plant');
@@ -103,6 +103,34 @@ test('the list is folded away; the program alone has the whole page', async () =
   await page.locator('header nav').waitFor();
   await button('Liste der Bausteine und Dateien').click();
   await page.getByRole('tree').waitFor();
+});
+
+test('rows of tables are dense, with room for fingers on demand', async () => {
+  const rows = {
+    program: () => height('[role=treeitem]'),
+    symbols: () => height('.table tbody tr'),
+    variables: () => height('.table tbody tr'),
+  };
+  for (const [view, row] of Object.entries(rows)) {
+    await visit(page, server, view);
+    await page.locator(view === 'program' ? '[role=treeitem]' : '.table tbody tr').first().waitFor();
+    const dense = await row();
+    assert.ok(dense >= 22 && dense <= 26, `${view}: ${dense} px`);
+    await accessible(page, `${view}, dense`);
+  }
+  const finger = async () => {
+    await page.keyboard.press('F1');
+    await page.getByRole('switch', { name: 'Finger' }).click();
+    await page.keyboard.press('Escape');
+  };
+  await visit(page, server, 'symbols');
+  await page.locator('.table tbody tr').first().waitFor();
+  await finger();
+  await until(async () => (await rows.symbols()) >= 40, 'rows for a finger');
+  await finger();
+  await until(async () => (await rows.symbols()) <= 26, 'dense rows');
+  await visit(page, server, 'program?file=sorting.awl');
+  await page.locator('.code').waitFor();
 });
 
 test('HALT leaves the text where it is', async () => {

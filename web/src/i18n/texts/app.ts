@@ -10,6 +10,7 @@ export const app = {
   themeDark: ['dunkel', 'dark'],
   help: ['Hilfe', 'Help'],
   helpFor: ['Diese Ansicht: {view}', 'This view: {view}'],
+  comfortable: ['Zeilen für die Bedienung mit dem Finger', 'Rows for use with a finger'],
   shortcuts: ['Tasten', 'Keys'],
   close: ['Schließen', 'Close'],
   connecting: ['Verbindung wird aufgebaut', 'Connecting'],
