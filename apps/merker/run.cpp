@@ -193,6 +193,12 @@ int conclude(const RunOptions& options, const Build& build, const Operands& oper
   return finish(options, operands, plc);
 }
 
+// Of the command line, else of merker.toml.
+S7Option s7Of(const RunOptions& options, const Build& build) {
+  if (!options.serve.s7.place.empty()) return options.serve.s7;
+  return {build.project.communication.address};
+}
+
 // The workbench has the PLC until Ctrl-C. Nothing is left to say of it if another one is open then.
 int runServed(const RunOptions& options, const Build& build, const Operands& operands,
               store::MemoryCard* card, CycleEnd& cycleEnd,
@@ -203,6 +209,7 @@ int runServed(const RunOptions& options, const Build& build, const Operands& ope
   if (cycleEnd.needed()) workbench.plc()->onCycle(std::ref(cycleEnd));
   ServeOptions serving = options.serve;
   serving.project = options.path;
+  serving.s7 = s7Of(options, build);
   SerialDesk serial(workbench, build.project.serial);
   serial.use(std::move(link));
   if (const int code = serve("merker run", serving, workbench, options.json, serial)) return code;
@@ -233,7 +240,8 @@ int runAlone(const RunOptions& options, const Build& build, const Operands& oper
   if (realTime) holdSignals();
   S7Desk s7;
   // The loop in real time looks every few milliseconds by itself.
-  if (const int bad = s7.open("merker run", options.serve.s7, [] {})) return bad;
+  const S7Option wanted = realTime ? s7Of(options, build) : S7Option{};
+  if (const int bad = s7.open("merker run", wanted, build.project.communication, [] {})) return bad;
   if (s7.isOpen())
     advanceServed(build, cycleEnd, plc, link, s7);
   else

@@ -45,6 +45,7 @@ void S7Connection::close() {
   session_->end();
   session_.reset();
   around_.resources.release(resource_);
+  around_.exchange.inUse(around_.resources.counts());
   around_.exchange.closed();
 }
 
@@ -128,20 +129,26 @@ void S7Connection::handle(iso::Event& event) {
   }
 }
 
+void S7Connection::refuse(iso::Reason reason) {
+  ++around_.counts.refused;
+  out_ = transport_.refuse(reason);
+  ending_ = true;
+}
+
 void S7Connection::requested(const iso::ConnectParameters& parameters) {
   resource_ = served::resourceOf(parameters.called);
-  if (!around_.resources.take(resource_)) {
-    ++around_.counts.refused;
-    out_ = transport_.refuse(iso::Reason::Congestion);
-    ending_ = true;
-    return;
-  }
+  if (around_.parameters.strictSlot && !served::namesTheCpu(parameters.called))
+    return refuse(iso::Reason::UnknownAddress);
+  if (!around_.resources.take(resource_)) return refuse(iso::Reason::Congestion);
   ++around_.counts.connections;
+  around_.exchange.inUse(around_.resources.counts());
   around_.exchange.opened();
-  session_ = std::make_shared<s7comm::Session>(around_.exchange,
-                                               [weak = weak_from_this()](const iso::Bytes& pdu) {
-                                                 if (const auto self = weak.lock()) self->send(pdu);
-                                               });
+  session_ = std::make_shared<s7comm::Session>(
+      around_.exchange,
+      [weak = weak_from_this()](const iso::Bytes& pdu) {
+        if (const auto self = weak.lock()) self->send(pdu);
+      },
+      s7comm::Offer{.pdu = around_.parameters.pdu});
   session_->whenReady([weak = weak_from_this()] {
     if (const auto self = weak.lock()) self->pump();
   });

@@ -27,6 +27,11 @@ struct S7Counts {
 struct S7Surroundings {
   served::Exchange exchange{};
   served::Resources resources{};
+  CommunicationParameters parameters{};
+  void use(const CommunicationParameters& wanted) {
+    parameters = wanted;
+    resources.limit(wanted);
+  }
   S7Counts counts{};
 };
 
@@ -55,6 +60,7 @@ class S7Connection : public std::enable_shared_from_this<S7Connection> {
   void received(std::size_t count);
   void pump();
   void handle(iso::Event& event);
+  void refuse(iso::Reason reason);
   void requested(const iso::ConnectParameters& parameters);
   void send(iso::View pdu);
   void flush();

@@ -6,11 +6,12 @@
 
 namespace merker::app {
 
-int S7Desk::open(const std::string& command, const S7Option& option, std::function<void()> wake) {
+int S7Desk::open(const std::string& command, const S7Option& option,
+                 const CommunicationParameters& parameters, std::function<void()> wake) {
   if (option.place.empty()) return kGood;
   std::string reason;
   const auto place = s7Place(option, reason);
-  if (place) server_ = S7Server::start(*place, std::move(wake), reason);
+  if (place) server_ = S7Server::start(*place, parameters, std::move(wake), reason);
   if (!server_) {
     std::cerr << command << ": " << reason << '\n';
     return place ? kUnreadable : kUsage;
@@ -30,6 +31,7 @@ void S7Desk::follow(workbench::Workbench& workbench) {
   server_->exchange().forget();
   workbench::Plc* const plc = workbench.plc();
   if (plc == nullptr) return;
+  server_->use(plc->build().project.communication);
   plc->onCycle(cycleObserver(plc->monitor()));
 }
 

@@ -10,7 +10,8 @@ namespace merker::app {
 class S7Desk {
  public:
   // Nothing without the option. The exit code; what is wrong is told.
-  int open(const std::string& command, const S7Option& option, std::function<void()> wake);
+  int open(const std::string& command, const S7Option& option,
+           const CommunicationParameters& parameters, std::function<void()> wake);
   bool isOpen() const { return server_ != nullptr; }
   S7Desk() = default;
   ~S7Desk();

@@ -18,7 +18,8 @@ using net::ip::tcp;
 namespace {
 
 // Sockets at the same time: the connections of a CPU, and some that have not asked for one yet.
-constexpr std::size_t kMostSockets = 64;
+constexpr std::size_t kMoreSockets = 52;
+constexpr std::size_t kMostSockets = 512;  // for unlimited connections
 constexpr std::chrono::milliseconds kBetweenChecks(250);
 
 std::string plural(std::uint64_t count, const char* what) {
@@ -69,7 +70,8 @@ void S7Server::Parts::accept() {
 
 void S7Server::Parts::take(tcp::socket socket) {
   std::erase_if(clients, [](const auto& client) { return client->closed(); });
-  if (clients.size() >= kMostSockets) {
+  const auto& connections = around.parameters.connections;
+  if (clients.size() >= (connections ? *connections + kMoreSockets : kMostSockets)) {
     ++around.counts.refused;
     return;
   }
@@ -91,9 +93,11 @@ void S7Server::Parts::check() {
   });
 }
 
-std::unique_ptr<S7Server> S7Server::start(const S7Place& place, std::function<void()> wake,
-                                          std::string& reason) {
+std::unique_ptr<S7Server> S7Server::start(const S7Place& place,
+                                          const CommunicationParameters& parameters,
+                                          std::function<void()> wake, std::string& reason) {
   auto parts = std::make_unique<Parts>(place);
+  parts->around.use(parameters);
   if (!parts->listen(reason)) return nullptr;
   parts->around.exchange.connectBy(
       [context = &parts->context](served::Exchange::Call call) {
@@ -112,6 +116,10 @@ S7Server::~S7Server() {
   parts_->context.stop();
   parts_->thread.join();
   for (const auto& client : parts_->clients) client->close();
+}
+
+void S7Server::use(const CommunicationParameters& parameters) {
+  net::post(parts_->context, [&around = parts_->around, parameters] { around.use(parameters); });
 }
 
 served::Exchange& S7Server::exchange() { return parts_->around.exchange; }

@@ -12,13 +12,16 @@ namespace merker::app {
 class S7Server {
  public:
   // Null, and the reason, if it cannot listen. `wake`: the thread of the PLC has something to do.
-  static std::unique_ptr<S7Server> start(const S7Place& place, std::function<void()> wake,
-                                         std::string& reason);
+  static std::unique_ptr<S7Server> start(const S7Place& place,
+                                         const CommunicationParameters& parameters,
+                                         std::function<void()> wake, std::string& reason);
   ~S7Server();  // all connections are closed
   S7Server(const S7Server&) = delete;
   S7Server& operator=(const S7Server&) = delete;
 
   served::Exchange& exchange();
+  // For connections from now on; those that stand stay.
+  void use(const CommunicationParameters& parameters);
   std::string place() const;    // "127.0.0.1:10102"
   std::string summary() const;  // "3 connections, 1 refused, 0 broken off, 120 requests"
   // What people must know of an address beyond this computer; else empty.

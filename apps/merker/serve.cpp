@@ -95,7 +95,11 @@ int serve(const std::string& command, const ServeOptions& options, workbench::Wo
   workbench.serialBy([&] { return serial.outside(); });
   const auto server = hmi::Server::start(wanted, desk, reason);
   if (!server) return refused(command, reason, kUnreadable);
-  if (const int bad = s7.open(command, options.s7, [&] { desk.hurry(); })) return bad;
+  const auto communication = workbench.plc() == nullptr
+                                 ? CommunicationParameters::of(defaultCpuModel())
+                                 : workbench.plc()->build().project.communication;
+  if (const int bad = s7.open(command, options.s7, communication, [&] { desk.hurry(); }))
+    return bad;
   (quiet ? std::cerr : std::cout) << "workbench: " << server->url() << '/'
                                   << (options.token.empty() ? "" : "?token=" + options.token)
                                   << "  (Ctrl-C ends it)" << std::endl;

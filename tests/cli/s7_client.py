@@ -17,10 +17,10 @@ INPUTS, OUTPUTS, FLAGS, DATA_AREA, TIMERS = 0x81, 0x82, 0x83, 0x84, 0x1D
 
 class Client:
     """One connection. `kind`: first byte of the called TSAP: 1 PG, 2 OP, 3 others. `record`: sees its socket."""
-    def __init__(self, port, kind=1, setup=True, record=lambda socket: socket):
+    def __init__(self, port, kind=1, setup=True, record=lambda socket: socket, slot=2):
         self.socket = record(socket.create_connection(("127.0.0.1", port), timeout=20))
         self.number = 1
-        self.socket.sendall(CONNECT[:-2] + bytes([kind, 2]))
+        self.socket.sendall(CONNECT[:-2] + bytes([kind, slot]))
         self.confirmed = self.tpdu()[1:2] == b"\xD0"
         if self.confirmed and setup:
             self.pdu = struct.unpack(">H", self.ask(SETUP)[-2:])[0]
@@ -128,8 +128,8 @@ def job_words(how, often, event):
 
 
 class S7Case(Case):
-    def start(self, path="a.awl", *more):
-        command = [os.environ["MERKER"], "run", path, "--s7", "0", *more]
+    def start(self, path="a.awl", *more, s7=("--s7", "0")):
+        command = [os.environ["MERKER"], "run", path, *s7, *more]
         # What is free is free at once, with sanitizers, too: tests look at the memory.
         environment = {**os.environ, "ASAN_OPTIONS": "quarantine_size_mb=1:thread_local_quarantine_size_kb=64"}
         process = subprocess.Popen(command, cwd=self.folder, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)

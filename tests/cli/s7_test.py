@@ -115,6 +115,45 @@ class Places(S7Case):
         self.assertIn("warning: S7 communication has no encryption", process.stderr.readline())
 
 
+class Settings(S7Case):
+    def project(self, *lines):
+        self.write("plant/merker.toml", "[communication]\n" + "\n".join(lines) + "\n")
+        self.write("plant/a.awl", PROGRAM)
+
+    # S7-LIM-05
+    def test_connections_of_the_project(self):
+        self.project("connections = 3", "pg = 1", "op = 1", "pdu = 480")
+        for workbench in ("--no-workbench", "--port=0"):
+            self.start("plant", workbench)
+            clients = [self.client(kind) for kind in (3, 3, 1, 2)]
+            self.assertEqual([client.confirmed for client in clients], [True, False, True, True])
+            self.assertEqual(clients[0].pdu, 480)
+
+    def test_connections_of_another_model_and_unlimited_ones(self):
+        self.write("a.awl", PROGRAM)
+        self.start("a.awl", "--no-workbench", "--cpu", "312C")
+        self.assertEqual([self.client(3).confirmed for _ in range(5)], 4 * [True] + [False])
+        self.project('connections = "unlimited"')
+        self.start("plant", "--no-workbench")
+        self.assertTrue(all(self.client(3).confirmed for _ in range(100)))
+
+    def test_another_rack_or_slot(self):
+        self.project("strict_slot = true")
+        self.start("plant", "--no-workbench")
+        self.assertFalse(self.client(slot=3).confirmed)
+        self.assertFalse(self.client(slot=0x22).confirmed)
+        self.assertTrue(self.client().confirmed)
+
+    # A file opens no port to others.
+    def test_the_address_of_the_project(self):
+        self.project('address = "127.0.0.1:0"')
+        self.start("plant", "--no-workbench", s7=())
+        self.assertEqual(self.client().read(FLAGS, 30).hex(), "00")
+        self.project('address = "0.0.0.0:0"')
+        self.assertIn("merker.toml:2:11: error: 'address' must be a port of this computer",
+                      self.expect(PROBLEMS, "check", "plant").err)
+
+
 class Hostile(S7Case):
     def setUp(self):
         super().setUp()

@@ -26,6 +26,7 @@ enum class TpduKind : std::uint8_t {
 // Of a disconnect request (RFC 905, 13.5.3 d).
 enum class Reason : std::uint8_t {
   NotSpecified = 0,
+  UnknownAddress = 3,
   Normal = 128,
   Congestion = 129,  // at the time of the request
   ClassNotSupported = 130,

@@ -17,8 +17,10 @@ struct Snapshot;
 }  // namespace merker::cpu
 
 namespace merker::system {
+class Alarms;
+struct Communication;
 struct SzlList;
-}
+}  // namespace merker::system
 
 namespace merker::station {
 
@@ -36,6 +38,10 @@ class BlockCpu : public controller::Capability {
   virtual const cpu::Cpu& cpu() const = 0;
   // A list of the system status, as SFC 51 gives it.
   virtual system::SzlList systemStatus(std::uint32_t list, std::uint32_t index) = 0;
+  // Block-related messages, for display devices that log on.
+  virtual system::Alarms& alarms() = 0;
+  // What the system status list says of connections.
+  virtual system::Communication& communication() = 0;
   // In RUN at the next cycle checkpoint, all blocks at once. The reason if the CPU refuses.
   virtual std::string download(std::shared_ptr<const block::Program> program,
                                std::string_view password) = 0;

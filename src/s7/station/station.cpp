@@ -41,9 +41,11 @@ Station& Station::operator=(Station&& other) noexcept {
 
 cpu::Cpu& Station::cpu() { return parts_->cpu; }
 system::SzlList Station::systemStatus(std::uint32_t list, std::uint32_t index) {
-  return system::readSzl({parts_->cpu, parts_->modules.get()}, list, index);
+  return system::readSzl({parts_->cpu, parts_->modules.get(), &communication()}, list, index);
 }
 const cpu::Cpu& Station::cpu() const { return parts_->cpu; }
+system::Alarms& Station::alarms() { return parts_->services.alarms(); }
+system::Communication& Station::communication() { return parts_->services.communication(); }
 
 const CpuModel& Station::model() const { return *parts_->model; }
 const block::Program& Station::program() const { return *parts_->program; }

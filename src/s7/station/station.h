@@ -14,6 +14,7 @@
 
 #include "address/reference.h"
 #include "block/block.h"
+#include "catalogue/communication.h"
 #include "catalogue/cpu_model.h"
 #include "catalogue/cpu_parameters.h"
 #include "clock/instant.h"
@@ -42,6 +43,7 @@ using controller::Mode;
 struct Options {
   const CpuModel* model = &defaultCpuModel();
   std::optional<CpuParameters> parameters{};  // without: the model's defaults
+  std::optional<CommunicationParameters> communication{};
   // Without it: docs/compatibility.md, "Without a hardware configuration".
   std::optional<io::Configuration> hardware{};
   plant::Configuration plants{};  // only with a hardware configuration
@@ -199,6 +201,8 @@ class Station final : public controller::Controller,
   cpu::Cpu& cpu() override;
   system::SzlList systemStatus(std::uint32_t list, std::uint32_t index) override;
   const cpu::Cpu& cpu() const override;
+  system::Alarms& alarms() override;
+  system::Communication& communication() override;
 
   // Called after each change of simulated time at a cycle checkpoint: traces look at values here.
   void onCycle(std::function<void(controller::Controller&)> observer) override;

@@ -12,6 +12,7 @@
 #include "cpu/cpu.h"
 #include "cpu/memory_access.h"
 #include "system/alarms.h"
+#include "system/communication.h"
 #include "system/function.h"
 #include "system/jobs.h"
 #include "system/modules.h"
@@ -52,6 +53,7 @@ struct Context {
   std::shared_ptr<serial::Coupling> absentSerial{};  // what calls without a sub-module leave
   Jobs jobs;
   Alarms alarms;
+  Communication communication{};
 };
 
 // Of a parameter: its width, and for an SFB where it lies in the instance.
@@ -87,6 +89,7 @@ class Arguments {
   std::shared_ptr<serial::Coupling>& absentSerial() { return context_.absentSerial; }
   Jobs& jobs() { return context_.jobs; }
   Alarms& alarms() { return context_.alarms; }
+  const Communication& communication() const { return context_.communication; }
   std::uint16_t functionNumber() const { return function_.number; }
   // SFB: whether the instance is long enough for this parameter.
   bool has(std::size_t i);

@@ -6,6 +6,7 @@
 namespace merker::system {
 
 Services::Services(const CpuModel& model) : functions_(allFunctions(model)) {
+  context_.communication.parameters = CommunicationParameters::of(model);
   const block::Program blocks = library(model);
   for (const Function& function : functions_) {
     auto& table = function.kind == BlockKind::FC    ? fcs_

@@ -19,6 +19,7 @@ class Services : public cpu::SystemServices {
     context_.absentSerial.reset();
   }
   Alarms& alarms() { return context_.alarms; }
+  Communication& communication() { return context_.communication; }
   // Whom the functions for modules ask; null: no modules.
   // The sub-module PtP and its address; null: the project has none.
   void connect(serial::Coupling* coupling, std::uint32_t address) {

@@ -108,7 +108,8 @@ void readSystemStatus(Sfc<51>& a) {
   constexpr std::uint32_t kPart = 0x0081, kTooShort = 0x8081;
   a.set("BUSY", 0);
   if (!a.flag("REQ")) return a.status(kNoJob);
-  const SzlList list = readSzl({a.cpu(), a.modules()}, a.value("SZL_ID"), a.value("INDEX"));
+  const SzlList list =
+      readSzl({a.cpu(), a.modules(), &a.communication()}, a.value("SZL_ID"), a.value("INDEX"));
   if (list.error != 0) return a.status(list.error);
   const Region header = a.structure("SZL_HEADER", 4);
   if (!header) return a.parameterError("SZL_HEADER", header.error);

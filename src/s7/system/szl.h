@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cpu/cpu.h"
+#include "system/communication.h"
 #include "system/modules.h"
 
 namespace merker::system {
@@ -14,6 +15,7 @@ namespace merker::system {
 struct SzlSource {
   cpu::Cpu& cpu;
   Modules* modules = nullptr;
+  const Communication* communication = nullptr;  // null: as the model has it, nobody connected
 };
 
 struct SzlList {

@@ -93,6 +93,30 @@ void protection(const cpu::Cpu& cpu, SzlList& list) {
   list.word(position == Run ? 1 : position == RunP ? 2 : position == Stop ? 3 : 4);
 }
 
+Communication communicationOf(const SzlSource& source) {
+  if (source.communication != nullptr) return *source.communication;
+  return {CommunicationParameters::of(*source.cpu.machine().model), {}};
+}
+
+// INDEX 1: connections kept for PG and OP, those that each of them has, configured ones and how
+// many of these stand, free ones and how many of these are in use, communication load.
+void connectionStatus(const SzlSource& source, SzlList& list) {
+  const Communication now = communicationOf(source);
+  const CommunicationParameters& set = now.parameters;
+  const auto beyond = [](std::uint32_t used, std::uint32_t kept) {
+    return used > kept ? used - kept : 0;
+  };
+  const std::uint32_t kept = set.pg + set.op + set.basic;
+  list.word(1);
+  list.word(set.pg), list.word(set.op);
+  list.word(now.used[0]), list.word(now.used[1]);
+  list.word(0), list.word(0);
+  list.word(beyond(now.connections(), kept));
+  list.word(beyond(now.used[0], set.pg) + beyond(now.used[1], set.op) +
+            beyond(now.used[2], set.basic));
+  list.word(source.cpu.parameters().communicationLoad);
+}
+
 }  // namespace
 
 void szlAllModes(const SzlSource& source, std::uint32_t, SzlList& list) {
@@ -124,6 +148,7 @@ void szlOneMode(const SzlSource& source, std::uint32_t index, SzlList& list) {
 }
 
 void szlCommunication(const SzlSource& source, std::uint32_t index, SzlList& list) {
+  if (index == 1) connectionStatus(source, list);
   if (index == 4) protection(source.cpu, list);
   if (index == 8) timeSystem(source, list);
   if (!list.data.empty()) list.data.resize(list.recordLength);
@@ -133,12 +158,13 @@ void szlProtection(const SzlSource& source, std::uint32_t index, SzlList& list) 
   if (index == 4) szlCommunication(source, index, list);
 }
 
-// INDEX 1: bytes of a PDU, connections, bit/s of MPI; of a CPU 314C-2 (S7-LIM-01, -05, S7-NET-25).
-void szlConnections(const SzlSource&, std::uint32_t index, SzlList& list) {
+// INDEX 1: bytes of a PDU, connections, bit/s of MPI (S7-LIM-01, -05, S7-NET-25).
+void szlConnections(const SzlSource& source, std::uint32_t index, SzlList& list) {
   if (index != 1) return;
+  const Communication now = communicationOf(source);
   list.word(1);
-  list.word(240);
-  list.word(12);
+  list.word(now.parameters.pdu);
+  list.word(now.connections());
   list.dword(187'500);
   list.data.resize(list.recordLength);
 }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "plc/capability.h"
+#include "served/system.h"
 #include "served/values.h"
 
 namespace merker::served {
@@ -46,6 +47,18 @@ void Exchange::closed() {
   image_.reset();
 }
 
+void Exchange::inUse(const Resources::Counts& connections) {
+  const std::lock_guard lock(mutex_);
+  inUse_ = connections;
+  counted_ = true;
+}
+
+void Exchange::tellConnections(controller::Controller& plc) {
+  if (!counted_.exchange(false)) return;
+  const std::lock_guard lock(mutex_);
+  setConnections(plc, inUse_);
+}
+
 std::shared_ptr<const Exchange::Image> Exchange::image() const {
   const std::lock_guard lock(mutex_);
   return image_;
@@ -80,6 +93,7 @@ void Exchange::write(std::vector<Write> writes, WriteDone done) {
 
 // Orders first: who is told that its value was written reads it then.
 void Exchange::cycleEnded(monitor::Monitor& monitor) {
+  tellConnections(monitor.plc());
   if (connections_ == 0) return tasks_.clear(monitor);
   carryOut(&monitor);
   tasks_.run(monitor, post_);
@@ -121,6 +135,7 @@ bool Exchange::stands(const controller::Controller& plc) {
 }
 
 void Exchange::look(monitor::Monitor* monitor) {
+  if (monitor != nullptr) tellConnections(monitor->plc());
   if (connections_ == 0 && monitor != nullptr) return tasks_.clear(*monitor);
   if (connections_ == 0) return tasks_.forget();
   if (monitor == nullptr) {
@@ -140,6 +155,7 @@ void Exchange::forget() {
   passive_.clear();
   const std::lock_guard lock(mutex_);
   image_.reset();
+  counted_ = true;  // what it has to know, too
 }
 
 }  // namespace merker::served

@@ -14,6 +14,7 @@
 #include "s7comm/plc.h"
 #include "served/bench.h"
 #include "served/passive_blocks.h"
+#include "served/resources.h"
 #include "served/tasks.h"
 
 namespace merker::served {
@@ -29,6 +30,8 @@ class Exchange final : public s7comm::Plc {
   // In the thread of the connections.
   void opened();
   void closed();
+  // How many connections of each kind there are: the system status list has it.
+  void inUse(const Resources::Counts& connections);
   void read(const std::vector<s7comm::Range>& ranges, ReadDone done) override;
   void write(std::vector<s7comm::Write> writes, WriteDone done) override;
   void status(std::uint16_t list, std::uint16_t index, StatusDone done) override;
@@ -72,17 +75,19 @@ class Exchange final : public s7comm::Plc {
   void orderError(std::function<s7comm::Error(monitor::Monitor&)> what, Done done);
   void carryOut(monitor::Monitor* monitor);
   void publish(const controller::Controller& plc);
+  void tellConnections(controller::Controller& plc);
   bool stands(const controller::Controller& plc);
   std::shared_ptr<const Image> image() const;
 
   std::function<void(Call)> post_ = [](const Call& call) { call(); };
   Call wake_ = [] {};
   std::atomic<unsigned> connections_ = 0;
-  std::atomic<bool> ordered_ = false;
+  std::atomic<bool> ordered_ = false, counted_ = false;
 
   mutable std::mutex mutex_;  // of what follows
   std::shared_ptr<Image> image_;
   std::deque<Order> orders_;
+  Resources::Counts inUse_{};
 
   // of the thread of the PLC
   std::shared_ptr<Image> spare_;

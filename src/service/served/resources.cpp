@@ -9,19 +9,26 @@ Resource resourceOf(std::span<const std::uint8_t> called) {
   return called[0] == 1 ? Resource::Pg : called[0] == 2 ? Resource::Op : Resource::Basic;
 }
 
-unsigned Resources::inUse() const { return std::accumulate(used_.begin(), used_.end(), 0u); }
-
-// By others: the one of a programming device or panel that has not come.
-unsigned Resources::keptFor(Resource kind) const {
-  return kind != Resource::Basic && used_[static_cast<std::size_t>(kind)] == 0 ? 1 : 0;
+bool namesTheCpu(std::span<const std::uint8_t> called) {
+  constexpr std::uint8_t kRack0Slot2 = 2;
+  return called.size() == 2 && called[1] == kRack0Slot2;
 }
 
+void Resources::limit(const CommunicationParameters& parameters) {
+  connections_ = parameters.connections;
+  reserved_ = {parameters.pg, parameters.op, parameters.basic};
+}
+
+unsigned Resources::inUse() const { return std::accumulate(used_.begin(), used_.end(), 0u); }
+
+// What is kept for other kinds and not in use yet is not free.
 bool Resources::take(Resource kind) {
-  unsigned free = kConnections - inUse();
-  for (const Resource other : {Resource::Pg, Resource::Op})
-    if (other != kind) free -= keptFor(other);
-  if (free == 0) return false;
-  ++used(kind);
+  const auto own = static_cast<std::size_t>(kind);
+  std::uint32_t taken = inUse();
+  for (std::size_t other = 0; other < used_.size(); ++other)
+    if (other != own && reserved_[other] > used_[other]) taken += reserved_[other] - used_[other];
+  if (connections_ && taken >= *connections_) return false;
+  ++used_[own];
   return true;
 }
 

@@ -6,6 +6,7 @@
 #include "cpu/ram_to_rom.h"
 #include "cpu/switch_panel.h"
 #include "station/block_cpu.h"
+#include "system/communication.h"
 #include "system/szl.h"
 
 namespace merker::served {
@@ -67,6 +68,11 @@ s7comm::StatusList statusList(Controller& plc, std::uint16_t list, std::uint16_t
   if (found.error == system::kSzlUnknown) return {};
   if (found.error != 0) return {.error = Error::NoInformation};
   return {Error::None, found.recordLength, found.records, found.data};
+}
+
+void setConnections(Controller& plc, const Resources::Counts& inUse) {
+  if (auto* const one = controller::capability<station::BlockCpu>(plc))
+    one->communication().used = inUse;
 }
 
 std::optional<s7comm::ClockTime> clockOf(Controller& plc) {

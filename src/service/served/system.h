@@ -4,10 +4,13 @@
 
 #include "monitor/monitor.h"
 #include "s7comm/plc.h"
+#include "served/resources.h"
 
 namespace merker::served {
 
 s7comm::StatusList statusList(controller::Controller& plc, std::uint16_t list, std::uint16_t index);
+// What its lists say of connections.
+void setConnections(controller::Controller& plc, const Resources::Counts& inUse);
 std::optional<s7comm::ClockTime> clockOf(controller::Controller& plc);
 s7comm::Error setClock(controller::Controller& plc, const s7comm::ClockTime& time,
                        std::string_view password = {});

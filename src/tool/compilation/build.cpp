@@ -118,6 +118,7 @@ station::Station Build::station(bool coverage) const {
   options.plants = project.plants;
   options.program = program;
   options.startOfClock = project.startOfClock;
+  options.communication = project.communication;
   options.coverage = coverage;
   return station::Station(std::move(options));
 }

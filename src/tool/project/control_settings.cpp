@@ -136,7 +136,7 @@ void readAlarmTexts(const Table& table, cnc::Options& options) {
 
 void readControl(const Table& root, cnc::Options& options) {
   root.allow({"project", "program", "cpu", "machine_data", "plc", "alarm_texts", "nc", "module",
-              "coupling"});
+              "coupling", "communication"});
   if (const auto table = root.table("cpu")) table->allow({"model"});
   if (const auto table = root.table("machine_data")) readMachineData(*table, options);
   if (const auto table = root.table("plc")) readPlc(*table, options);

@@ -38,6 +38,7 @@ void take(Project& project, const Settings& settings) {
   project.control = settings.control;
   project.startOfClock = settings.startOfClock;
   project.parameters = settings.parameters;
+  project.communication = settings.communication;
   project.hardware = settings.hardware;
   project.plants = settings.plants;
   project.serial = settings.serial;
@@ -214,6 +215,7 @@ static Project loadSources(Project project, const std::string& path,
   if (!model && std::all_of(sources.begin(), sources.end(), isListing)) project.control.emplace();
   chooseLanguage(project);
   project.parameters = CpuParameters::of(*project.model);
+  project.communication = CommunicationParameters::of(*project.model);
   for (const std::string& source : sources)
     for (const std::string& name : symbolsBeside(source))
       readSymbolFile(project, join(folderOf(source), name));

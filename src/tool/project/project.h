@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "catalogue/communication.h"
 #include "catalogue/cpu_parameters.h"
 #include "control/cnc.h"
 #include "io/configuration.h"
@@ -38,6 +39,7 @@ struct Project {
   std::optional<Mnemonics> mnemonics;  // of AWL sources; each shows its own without it
   std::int64_t startOfClock = 0;       // milliseconds since 1990-01-01
   CpuParameters parameters = CpuParameters::of(defaultCpuModel());
+  CommunicationParameters communication = CommunicationParameters::of(defaultCpuModel());
   std::optional<io::Configuration> hardware;  // none: every address of the image answers
   plant::Configuration plants;
   std::optional<serial::Connection> serial;  // of X27; none: the partner of scenarios

@@ -38,6 +38,8 @@ void readSerial(const Table& table, const CpuModel& model, io::Module& module);
 std::optional<serial::Connection> readConnection(const Table& root);
 // [serial] pacing
 void readPacing(const Table& root, io::Configuration& configuration);
+// [communication]; of a SINUMERIK as if it had the connections of a CPU 314C-2
+CommunicationParameters readCommunication(const Table& root, const CpuModel& model);
 // [[station]]: other stations, which something must be connected to
 std::vector<OtherStation> readStations(const Table& root,
                                        const std::optional<serial::Connection>& serial);

@@ -95,7 +95,8 @@ void choose(Settings& settings, const Model& model) {
 }
 
 void readStation(const Table& root, Settings& settings) {
-  root.allow({"project", "program", "cpu", "hardware", "module", "plant", "serial", "station"});
+  root.allow({"project", "program", "cpu", "hardware", "module", "plant", "serial", "station",
+              "communication"});
   if (const auto table = root.table("cpu")) readCpu(*table, settings);
   readHardware(root, settings);
   if (settings.hardware) settings.plants = readPlants(root, *settings.hardware);
@@ -111,6 +112,7 @@ void readAll(const Table& root, std::optional<Model> model, Settings& settings) 
   settings.parameters = CpuParameters::of(*settings.model);
   if (const auto table = root.table("project")) readProject(*table, settings);
   if (const auto table = root.table("program")) readProgram(*table, settings);
+  settings.communication = readCommunication(root, *settings.model);
   settings.control ? readControl(root, *settings.control) : readStation(root, settings);
 }
 
@@ -148,6 +150,7 @@ Settings readSettings(const source::SourceFile& file, Problems& problems,
   settings.startOfClock = defaultStartOfClock();
   if (model) choose(settings, *model);
   settings.parameters = CpuParameters::of(*settings.model);
+  settings.communication = CommunicationParameters::of(*settings.model);
   constexpr std::size_t kMegabyte = 1024 * 1024, kLargest = 1;
   if (file.text().size() > kLargest * kMegabyte) {
     problems.add(ProblemCode::P0103, Position{file.name()}, kLargest, "a project file");

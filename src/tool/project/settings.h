@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "catalogue/communication.h"
 #include "catalogue/cpu_parameters.h"
 #include "control/cnc.h"
 #include "io/configuration.h"
@@ -42,6 +43,7 @@ struct Settings {
   std::optional<std::vector<Pattern>> sources, symbols;
   std::optional<Mnemonics> mnemonics;  // of the sources; each shows its own without it
   CpuParameters parameters;
+  CommunicationParameters communication{};
   // Without [hardware], [[module]] and [[plant]] there is none: docs/compatibility.md, "Without a
   // hardware configuration".
   std::optional<io::Configuration> hardware;

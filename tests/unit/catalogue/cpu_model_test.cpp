@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "catalogue/communication.h"
+
 namespace merker {
 namespace {
 
@@ -33,6 +35,17 @@ TEST(CpuModel, limitsOfThe314C) {
   EXPECT_EQ(cpu.retentiveFlags, 16u);
   EXPECT_EQ(cpu.retentiveCounters, 8u);
   EXPECT_FALSE(cpu.hotRestart);  // S7-OPEN-43
+}
+
+// S7-LIM-05: every model has a row.
+TEST(CpuModel, connections) {
+  const auto of = [](std::string_view name) { return connectionLimits(model(name)).connections; };
+  EXPECT_EQ(of("314C-2 PtP"), 12u);
+  EXPECT_EQ(of("313C-2 DP"), 8u);
+  EXPECT_EQ(of("312C"), 6u);
+  EXPECT_EQ(of("312 IFM"), 4u);
+  EXPECT_EQ(of("318-2"), 32u);
+  EXPECT_EQ(of("generic"), 64u);
 }
 
 // S7-CPU-04

@@ -61,6 +61,44 @@ clock = "DT#1990-01-02-00:00:01.500"
   EXPECT_EQ(r.settings.startOfClock, 86'400'000 + 1'500);
 }
 
+// S7-LIM-05, S7-LIM-01
+TEST(Settings, CommunicationHasTheConnectionsOfTheModel) {
+  EXPECT_EQ(read("").settings.communication.connections, 12u);
+  EXPECT_EQ(read("[cpu]\nmodel = \"312C\"").settings.communication.connections, 6u);
+  EXPECT_EQ(read("[cpu]\nmodel = \"SINUMERIK 810 GA3\"").settings.communication.connections, 12u);
+  const auto own = read(
+      "[communication]\nconnections = 8\npg = 2\nop = 3\nbasic = 3\npdu = 480\n"
+      "strict_slot = true\naddress = \"10102\"\n");
+  EXPECT_TRUE(own.problems.empty());
+  const CommunicationParameters wanted{8, 2, 3, 3, 480, true, "10102"};
+  EXPECT_EQ(own.settings.communication, wanted);
+  const auto all = read("[communication]\nconnections = \"unlimited\"\n");
+  EXPECT_TRUE(all.problems.empty());
+  EXPECT_FALSE(all.settings.communication.connections);
+}
+
+TEST(Settings, WrongCommunication) {
+  const auto wrong = [](const std::string& line) {
+    return read("[communication]\n" + line + "\n").problem();
+  };
+  EXPECT_EQ(wrong("conections = 3").substr(0, 9), "2:1 P0703");
+  EXPECT_EQ(wrong("connections = 13"), "2:15 P0704");
+  EXPECT_EQ(wrong("connections = 0"), "2:15 P0704");
+  EXPECT_EQ(wrong("connections = \"all\""), "2:15 P0704");
+  EXPECT_EQ(wrong("connections = true"), "2:15 P0704");
+  EXPECT_EQ(wrong("pg = 13"), "2:6 P0704");
+  EXPECT_EQ(wrong("basic = 9"), "2:9 P0704");
+  EXPECT_EQ(wrong("pg = 6\nop = 6\nbasic = 1"), "2:6 P0704");
+  EXPECT_EQ(wrong("pdu = 111"), "2:7 P0704");
+  EXPECT_EQ(wrong("pdu = 961"), "2:7 P0704");
+  EXPECT_EQ(wrong("strict_slot = 1"), "2:15 P0704");
+  for (const char* place :
+       {"0.0.0.0:102", "192.168.0.1:102", "102x", "", ":102", "127.0.0.1", "[::]:102"})
+    EXPECT_EQ(wrong("address = \"" + std::string(place) + "\""), "2:11 P0704") << place;
+  for (const char* place : {"102", "0", "127.0.0.1:102", "localhost:102", "[::1]:102"})
+    EXPECT_EQ(wrong("address = \"" + std::string(place) + "\""), "0 problems") << place;
+}
+
 TEST(Settings, UnknownKeysHaveTheirPlace) {
   EXPECT_EQ(read("[projekt]\n").problem().substr(0, 9), "1:2 P0703");
   EXPECT_EQ(read("[cpu]\n  modell = \"x\"\n").problem(), "2:3 P0703");

@@ -1,5 +1,7 @@
 #include "served/system.h"
 
+#include <fmt/format.h>
+
 #include "served_plc.h"
 
 namespace merker::served {
@@ -49,6 +51,26 @@ TEST(System, theListsAreThoseOfTheCpu) {
   EXPECT_EQ(statusList(plc.plc(), 0x00A0, 0).data.at(1), 0x04);  // 4304: by a programming device
   EXPECT_EQ(statusList(plc.plc(), 0x0999, 0).error, Error::NoSuchList);
   EXPECT_EQ(statusList(plc.plc(), 0x0111, 0x77).error, Error::NoInformation);
+}
+
+// What stands of a connection and what is free, also when the last one has gone (S7-LIM-05).
+TEST(System, theListsHaveTheConnections) {
+  ServedPlc plc = ServedPlc::station();
+  const auto words = [&](std::uint16_t list) {
+    const auto found = statusList(plc.plc(), list, 1);
+    std::string text;
+    for (std::size_t i = 0; i < 20; ++i)
+      text += fmt::format("{}{:02X}", i % 2 ? "" : " ", found.data.at(i));
+    return text;
+  };
+  EXPECT_EQ(words(0x0131), " 0001 00F0 000C 0002 DC6C 0000 0000 0000 0000 0000");
+  EXPECT_EQ(words(0x0132), " 0001 0001 0001 0000 0000 0000 0000 000A 0000 0014");
+  plc.exchange.inUse({3, 1, 2});
+  plc.cycles(1);
+  EXPECT_EQ(words(0x0132), " 0001 0001 0001 0003 0001 0000 0000 000A 0004 0014");
+  plc.exchange.inUse({});
+  plc.look();
+  EXPECT_EQ(words(0x0132), " 0001 0001 0001 0000 0000 0000 0000 000A 0000 0014");
 }
 
 TEST(System, theClockIsThatOfTheCpu) {
