@@ -40,6 +40,42 @@ class Zeros : public s7comm::Plc {
       done(list % 2 == 0 ? s7comm::StatusList{} : found);
     });
   }
+  void subscribe(const std::shared_ptr<s7comm::Outlet>& client, std::optional<std::uint8_t>,
+                 s7comm::CyclicRead read, SubscribeDone done) override {
+    std::vector<s7comm::Value> values;
+    for (const s7comm::Range& range : read.ranges)
+      values.push_back({s7comm::ItemCode::Done, Bytes(range.octets)});
+    const Bytes data = read.data(values);
+    fuzz::require(data.size() <= client->room(), "an indication fits the PDU");
+    fuzz::require(read.milliseconds > 0, "there is time between two indications");
+    client->send({.group = 2, .subfunction = read.subfunction, .octets = data});
+    order([done = std::move(done), values = std::move(values)] {
+      done(s7comm::Error::None, 1, values);
+    });
+  }
+  void unsubscribe(const std::shared_ptr<s7comm::Outlet>& client, std::uint8_t,
+                   s7comm::CyclicReads::Done done) override {
+    client->deliver();
+    order([done = std::move(done)] { done(s7comm::Error::None); });
+  }
+  void listen(const std::shared_ptr<s7comm::Outlet>&, std::uint8_t,
+              s7comm::Messages::Done done) override {
+    order([done = std::move(done)] { done(s7comm::Error::None); });
+  }
+  void acknowledge(std::vector<std::uint32_t> numbers, CodesDone done) override {
+    order([done = std::move(done), count = numbers.size()] {
+      done(std::vector(count, s7comm::ItemCode::Done));
+    });
+  }
+  void lock(std::vector<std::uint32_t> numbers, bool, CodesDone done) override {
+    acknowledge(std::move(numbers), std::move(done));
+  }
+  void alarms(AlarmsDone done) override {
+    order([done = std::move(done)] {
+      s7comm::AlarmState one{.number = 7, .comingValue = Bytes(12), .goingValue = Bytes(12)};
+      done(std::vector(40, one));
+    });
+  }
   void clock(ClockDone done) override {
     order([done = std::move(done)] { done(s7comm::ClockTime{}); });
   }

@@ -104,6 +104,64 @@ class Judged(S7Case):
         self.assertRegex(values[0], r"^0xff(,0xff)+\t[0-9a-f]{4},00053fc0,")
         jobs = self.capture.ask("s7comm.param.userdata.type == 8 && s7comm.param.userdata.subfunc == 16", "s7comm.tis.job.function")
         self.assertEqual(jobs, ["9,2"])
+    # S7-NET-26: MW 20 counts cycles.
+    def test_cyclic_reads(self):
+        client = self.recorded()
+        items = client.item(FLAGS, 20, 1, WORD, 0) + client.item(DATA_AREA, 0, 4, BYTE, 1)
+        subscribe = "32 07 00 00 05 00 00 08 00 20 00 01 12 04 11 42 {:02X} 00 FF 09 00 1C 00 02 00 01" + items.hex()
+        answers = [client.ask(subscribe.format(1))]
+        answers += [client.hear() for _ in range(3)]
+        self.assertEqual([answer[15:18].hex() for answer in answers], ["820101"] + 3 * ["020101"])
+        self.assertGreater(len({answer[32:34] for answer in answers}), 2)
+        on_change = client.ask(subscribe.format(5))
+        while on_change[15] != 0x82:  # the first job goes on
+            on_change = client.hear()
+        self.assertEqual(on_change[16:18].hex(), "0502")
+        for job in (1, 2):
+            client.send(f"32 07 00 00 05 00 00 08 00 06 00 01 12 04 11 42 04 00 FF 09 00 02 05 {job:02X}")
+            while client.hear()[15] != 0x82:
+                pass
+        client.close()
+        self.assertEqual(self.capture.ask(BAD), [])
+        self.assertGreaterEqual(len(self.capture.ask("s7comm.param.userdata.type == 0 && s7comm.param.itemcount == 2")), 3)
+
+    def test_messages(self):
+        self.write("b.awl", """ORGANIZATION_BLOCK OB 1
+BEGIN
+NETWORK
+      L     MW 20;
+      T     MW 22;
+      U     M 0.0;
+      X     M 0.1;
+      SPBN  end;
+      U     M 0.0;
+      =     M 0.1;
+      CALL  SFC 17 (SIG := M 0.0, ID := W#16#EEEE, EV_ID := DW#16#1234, SD := P#M 20.0 BYTE 3, RET_VAL := MW 30);
+end:  NOP   0;
+END_ORGANIZATION_BLOCK
+""")
+        self.start("b.awl", "--no-workbench")
+        client, writer = self.recorded(), self.client()
+        head = "32 07 00 00 05 00 00 08 00 {:02X} 00 01 12 04 11 44 {} 00 FF 09 00 {:02X} "
+        def ask(subfunction, data):
+            length = len(bytes.fromhex(data))
+            return client.ask(head.format(length + 4, subfunction, length) + data)
+        ask("13", "00 01 12 08 1A 00 01 34 00 00 00 04")
+        ask("02", "83 00 4D 65 72 6B 65 72 20 20 09 00")
+        writer.write(FLAGS, 0, b"\x01")
+        coming = client.hear()
+        self.assertEqual(coming[15:17].hex(), "0411")
+        self.assertEqual(ask("13", "00 01 12 08 1A 00 03 34 00 00 12 34")[15:17].hex(), "8413")
+        client.ask("32 07 00 00 05 00 00 0C 00 04 00 01 12 08 12 44 13 03 00 00 00 00 0A 00 00 00")
+        client.send(head.format(16, "0B", 12) + "09 01 12 08 19 00 00 00 12 34 00 01")
+        self.assertEqual(sorted(client.hear()[15:17].hex() for _ in range(2)), ["040c", "840b"])
+        writer.ask("32 01 00 00 00 02 00 10 00 00 29 00 00 00 00 00 09 50 5F 50 52 4F 47 52 41 4D")
+        self.assertEqual(sorted(client.hear()[15:17].hex() for _ in range(2)), ["0000", "0403"])  # STOP, its entry
+        client.close()
+        self.assertEqual(self.capture.ask(BAD), [])
+        self.assertEqual(len(self.capture.ask("s7comm")), 2 * 6 + 1 + 1 + 2)
+        self.assertEqual(self.capture.ask("s7comm.param.userdata.subfunc == 0x11", "s7comm.alarm.event_id"), ["4660"])
+        self.assertEqual(self.capture.ask("s7comm.alarm.query.dataset_length", "s7comm.alarm.event_id"), ["4660"])
 
     # A block down, linked, deleted; what is refused; the tests of a service at a time.
     def test_blocks_for_the_plc(self):

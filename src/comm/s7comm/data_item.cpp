@@ -29,4 +29,36 @@ void writeDataItem(Bytes& out, const DataItem& item) {
   out.insert(out.end(), item.octets.begin(), item.octets.end());
 }
 
+std::uint64_t dataItemOctets(std::span<const Wanted> items) {
+  std::uint64_t size = 0;
+  for (const Wanted& item : items) {
+    size += size % 2 + kDataItemHeader;
+    if (item.code == ItemCode::Done) size += item.octets();
+  }
+  return size;
+}
+
+static void writeValue(Bytes& out, const Wanted& item, std::vector<Value>::const_iterator& value) {
+  ItemCode code = item.code;
+  Bytes octets;
+  for (std::size_t i = 0; i < item.ranges.size(); ++i, ++value) {
+    if (value->code != ItemCode::Done && code == ItemCode::Done) code = value->code;
+    octets.insert(octets.end(), value->octets.begin(), value->octets.end());
+  }
+  if (code == ItemCode::Done) return writeDataItem(out, {code, item.unit, octets});
+  writeDataItem(out, {code, DataUnit::None, {}});
+}
+
+void writeValues(Bytes& out, std::span<const Wanted> items, const std::vector<Value>& values) {
+  auto value = values.begin();
+  for (const Wanted& item : items) writeValue(out, item, value);
+}
+
+std::vector<Range> rangesOf(std::span<const Wanted> items) {
+  std::vector<Range> ranges;
+  for (const Wanted& item : items)
+    ranges.insert(ranges.end(), item.ranges.begin(), item.ranges.end());
+  return ranges;
+}
+
 }  // namespace merker::s7comm

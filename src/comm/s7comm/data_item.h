@@ -21,4 +21,12 @@ std::optional<DataItem> readDataItem(View& bytes);
 // Behind the ones that are there.
 void writeDataItem(Bytes& out, const DataItem& item);
 
+// What the values of items take, one behind the other; counted before anything is read: 65535
+// double words are counted, never allocated.
+std::uint64_t dataItemOctets(std::span<const Wanted> items);
+// A value for each range of them. Those of one item are one value; one that is not there refuses
+// them all.
+void writeValues(Bytes& out, std::span<const Wanted> items, const std::vector<Value>& values);
+std::vector<Range> rangesOf(std::span<const Wanted> items);
+
 }  // namespace merker::s7comm

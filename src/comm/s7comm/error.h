@@ -44,9 +44,14 @@ enum class Error : std::uint16_t {
   NeedsPassword = 0xD241,
   NoSuchList = 0xD401,     // of the system status
   NoInformation = 0xD402,  // there is none with this index, or nothing is left of it
+  WrongFunctionParameters = 0xD405,
   WrongPassword = 0xD602,
   PasswordStands = 0xD604,  // it was entered before; or none was, to be cancelled
   NoPassword = 0xD605,      // the PLC has none
+  WrongVariable = 0xD801,   // of a cyclic job
+  NoSuchReading = 0xD802,
+  WrongInterval = 0xD804,
+  TooManyReadings = 0xD805,
   WrongTime = 0xDC01
 };
 

@@ -86,6 +86,19 @@ std::optional<Wanted> readItem(View& bytes) {
   return refusedItem(ItemCode::TypeNotSupported);
 }
 
+std::optional<std::vector<Wanted>> readItems(View& bytes, std::size_t count) {
+  std::vector<Wanted> items;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t before = bytes.size();
+    auto item = readItem(bytes);
+    if (!item) return std::nullopt;
+    items.push_back(std::move(*item));
+    const bool odd = (before - bytes.size()) % 2 != 0;
+    if (odd && i + 1 < count && !bytes.empty()) bytes = bytes.subspan(1);
+  }
+  return items;
+}
+
 void writeItem(Bytes& out, const AnyItem& item) {
   out.insert(out.end(), {kVariable, kAnyLength, kAny, static_cast<std::uint8_t>(item.type)});
   appendWord(out, item.count);

@@ -28,6 +28,9 @@ struct Wanted {
 
 // Takes the next item off `bytes`, whatever its syntax. Nothing: it goes beyond them.
 std::optional<Wanted> readItem(View& bytes);
+// So many; behind one with an odd number of octets one fills up, but not behind the last. Nothing:
+// they go beyond `bytes`.
+std::optional<std::vector<Wanted>> readItems(View& bytes, std::size_t count);
 void writeItem(Bytes& out, const AnyItem& item);
 
 }  // namespace merker::s7comm

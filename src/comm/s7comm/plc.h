@@ -4,6 +4,7 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,10 +41,64 @@ enum class Control : std::uint8_t {
 };
 enum class Controlled : std::uint8_t { Done, Already, Refused, Protected };
 
-class Plc : public BlockStore {
- public:
-  virtual ~Plc() = default;
+class Outlet;
 
+// Values that the PLC sends by itself, at the interval in its own time.
+struct CyclicRead {
+  std::uint8_t subfunction = 0;  // of its indications
+  bool onChange = false;         // only when a value is another than the one sent last
+  std::uint32_t milliseconds = 0;
+  std::vector<Range> ranges{};
+  // What an indication says of them; called in the thread of the PLC.
+  std::function<Bytes(const std::vector<Value>&)> data{};
+};
+
+class CyclicReads {
+ public:
+  virtual ~CyclicReads() = default;
+  // The number of the job, and the values as they are now.
+  using SubscribeDone = std::function<void(Error, std::uint8_t job, const std::vector<Value>&)>;
+  using Done = std::function<void(Error)>;
+  // Nothing for `job`: a new one; else this one has these values from now on.
+  virtual void subscribe(const std::shared_ptr<Outlet>& client, std::optional<std::uint8_t> job,
+                         CyclicRead read, SubscribeDone done) = 0;
+  virtual void unsubscribe(const std::shared_ptr<Outlet>& client, std::uint8_t job, Done done) = 0;
+};
+
+// What a client wants to be told of, as bits of its request.
+enum MessageKind : std::uint8_t {
+  kModes = 0x01,
+  kSystemEvents = 0x02,
+  kUserEvents = 0x04,
+  kAlarms = 0x80
+};
+
+// A block-related message (ALARM_S, ALARM_SQ), or its state.
+struct AlarmState {
+  std::uint32_t number = 0;
+  bool waits = false;  // for an acknowledgement: ALARM_SQ
+  bool signal = false, acknowledged = false;
+  ClockTime coming{}, going{};  // 0: not yet
+  Bytes comingValue{}, goingValue{};
+};
+
+class Messages {
+ public:
+  virtual ~Messages() = default;
+  using Done = std::function<void(Error)>;
+  using CodesDone = std::function<void(const std::vector<ItemCode>&)>;
+  using AlarmsDone = std::function<void(const std::optional<std::vector<AlarmState>>&)>;
+  // From now on these kinds and no others (messages.h has what is sent); 0: none.
+  virtual void listen(const std::shared_ptr<Outlet>& client, std::uint8_t kinds, Done done) = 0;
+  // A code for each.
+  virtual void acknowledge(std::vector<std::uint32_t> numbers, CodesDone done) = 0;
+  virtual void lock(std::vector<std::uint32_t> numbers, bool locked, CodesDone done) = 0;
+  // Nothing: the machine has no messages.
+  virtual void alarms(AlarmsDone done) = 0;
+};
+
+class Plc : public BlockStore, public CyclicReads, public Messages {
+ public:
   using ReadDone = std::function<void(std::vector<Value>)>;
   using WriteDone = std::function<void(std::vector<ItemCode>)>;
   // As they are at the end of a cycle, all of the same one.
@@ -57,6 +112,7 @@ class Plc : public BlockStore {
   // Nothing: it has none.
   virtual void clock(ClockDone done) = 0;
   // What a protection may forbid comes with the password that the client has entered, or none.
+  using Done = CyclicReads::Done;
   virtual void setClock(const ClockTime& time, const std::string& password, Done done) = 0;
   // Whether this is the password of the PLC.
   virtual void enter(const std::string& password, Done done) = 0;

@@ -35,6 +35,7 @@ constexpr bool isCell(Memory memory) {
 struct Value {
   ItemCode code = ItemCode::Done;
   Bytes octets{};  // as many as the range has; none unless it is done
+  bool operator==(const Value&) const = default;
 };
 
 }  // namespace merker::s7comm

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -31,6 +32,7 @@ class Session : public std::enable_shared_from_this<Session> {
     std::uint8_t sequence = 0, unit = 0;
     Bytes octets{};
     std::size_t record = 1;
+    std::deque<std::size_t> parts{};  // how long each is, unless that follows from the PDU
   };
 
   // A block that the client fetches, piece by piece.

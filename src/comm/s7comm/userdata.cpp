@@ -32,10 +32,19 @@ constexpr UserdataService kUserdataServices[] = {
     {1, 0x12, "replace job", serveTest},
     {1, 0x13, "program status", serveTest},
     {1, 0x16, "flash LED", serveTest},
+    {2, 1, "subscribe", serveSubscribe},
+    {2, 4, "unsubscribe", serveUnsubscribe},
+    {2, 5, "subscribe on change", serveSubscribe},
+    {2, 7, "modify a subscription", serveModifySubscription},
     {3, 1, "number of blocks", serveBlockCounts},
     {3, 2, "list of blocks", serveBlockList},
     {3, 3, "block information", serveBlockInformation},
     {4, 1, "read SZL", serveStatusList},
+    {4, 2, "message service", serveMessageService},
+    {4, 7, "lock messages", serveLockAlarms},
+    {4, 8, "unlock messages", serveLockAlarms},
+    {4, 0x0B, "acknowledge messages", serveAcknowledgeAlarms},
+    {4, 0x13, "query messages", serveAlarmQuery},
     {5, 1, "enter password", serveEnterPassword},
     {5, 2, "cancel password", serveCancelPassword},
     {7, 1, "read clock", serveReadClock},
@@ -80,6 +89,12 @@ void Request::send(std::uint8_t unit, bool last, Error error, View octets) const
 }
 
 void Request::refuse(Error error) const { send(0, true, error, {}); }
+void Request::answerAs(std::uint8_t number, View octets) const {
+  Request numbered = *this;
+  numbered.sequence = number;
+  numbered.send(0, true, Error::None, octets);
+}
+
 void Request::done() const { send(0, true, Error::None, {}); }
 
 Request Request::begun() const {
@@ -92,7 +107,9 @@ Request Request::begun() const {
 // Takes from `rest` what a PDU holds.
 void Request::part(Session::Rest& rest) const {
   const std::size_t most = job.pdu() - kUserdataOverhead;
-  const std::size_t count = std::min(most - most % rest.record, rest.octets.size());
+  const std::size_t part = rest.parts.empty() ? most - most % rest.record : rest.parts.front();
+  const std::size_t count = std::min({part, most, rest.octets.size()});
+  if (!rest.parts.empty()) rest.parts.pop_front();
   const Bytes octets(rest.octets.begin(), rest.octets.begin() + static_cast<std::ptrdiff_t>(count));
   rest.octets.erase(rest.octets.begin(), rest.octets.begin() + static_cast<std::ptrdiff_t>(count));
   send(rest.unit, rest.octets.empty(), Error::None, octets);
@@ -101,10 +118,23 @@ void Request::part(Session::Rest& rest) const {
 // One answer at a time: who asks for something else gives up what is left.
 void Request::answer(Bytes octets, std::size_t record) const {
   Session::Rest& rest = job.rest();
-  rest.octets = std::move(octets);
-  rest.record = record;
-  rest.sequence = static_cast<std::uint8_t>(rest.sequence % 0xFF + 1);  // never 0
+  rest = {.sequence = rest.sequence, .octets = std::move(octets), .record = record};
   const bool whole = rest.octets.size() + kUserdataOverhead <= job.pdu();
+  firstPart(rest, whole);
+}
+
+void Request::answerParts(const std::vector<Bytes>& parts) const {
+  Session::Rest& rest = job.rest();
+  rest = {.sequence = rest.sequence};
+  for (const Bytes& part : parts) {
+    rest.octets.insert(rest.octets.end(), part.begin(), part.end());
+    rest.parts.push_back(part.size());
+  }
+  firstPart(rest, parts.size() == 1);
+}
+
+void Request::firstPart(Session::Rest& rest, bool whole) const {
+  rest.sequence = static_cast<std::uint8_t>(rest.sequence % 0xFF + 1);  // never 0
   rest.unit = whole ? 0 : rest.sequence;
   Request first = *this;
   first.sequence = rest.sequence;

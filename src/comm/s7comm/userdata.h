@@ -30,6 +30,10 @@ struct Request {
   void answer(Bytes octets, std::size_t record = 1) const;
   void done() const;                                                     // without data
   void whole(View octets) const { send(0, true, Error::None, octets); }  // they fit
+  // The same, cut as said.
+  void answerParts(const std::vector<Bytes>& parts) const;
+  // In one PDU, with the number of a job for its sequence number.
+  void answerAs(std::uint8_t number, View octets) const;
 
   // The PLC carries it out: what waits for its answer.
   Request begun() const;
@@ -37,6 +41,7 @@ struct Request {
 
  private:
   friend void serveUserdata(const Job& job);
+  void firstPart(Session::Rest& rest, bool whole) const;
   void part(Session::Rest& rest) const;
   void send(std::uint8_t unit, bool last, Error error, View octets) const;
 };
@@ -53,6 +58,13 @@ void serveReadClock(const Request& request);
 void serveSetClock(const Request& request);
 void serveEnterPassword(const Request& request);
 void serveCancelPassword(const Request& request);
+void serveSubscribe(const Request& request);
+void serveModifySubscription(const Request& request);
+void serveUnsubscribe(const Request& request);
+void serveMessageService(const Request& request);
+void serveAcknowledgeAlarms(const Request& request);
+void serveLockAlarms(const Request& request);
+void serveAlarmQuery(const Request& request);
 void serveBlockCounts(const Request& request);
 void serveBlockList(const Request& request);
 void serveBlockInformation(const Request& request);

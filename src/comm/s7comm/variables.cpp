@@ -15,14 +15,9 @@ using Items = std::vector<Wanted>;
 std::optional<Items> itemsOf(const Job& job) {
   View bytes = job.parameters.subspan(1);
   if (bytes.empty() || bytes[0] == 0) return std::nullopt;
-  Items items(bytes[0]);
+  const std::size_t count = bytes[0];
   bytes = bytes.subspan(1);
-  for (Wanted& item : items) {
-    auto read = readItem(bytes);
-    if (!read) return std::nullopt;
-    item = std::move(*read);
-  }
-  return items;
+  return readItems(bytes, count);
 }
 
 void refuseVariables(const Job& job, Error error) {
@@ -30,32 +25,13 @@ void refuseVariables(const Job& job, Error error) {
   job.answer(parameters, {}, error);
 }
 
-// Before anything is read: 65535 double words are counted, never allocated.
 bool fits(const Items& items, std::size_t pdu) {
-  std::uint64_t size = kAnswerHeader + kFunctionAndCount;
-  for (const Wanted& item : items) {
-    size += size % 2 + kDataItemHeader;
-    if (item.code == ItemCode::Done) size += item.octets();
-  }
-  return size <= pdu;
-}
-
-// The values of its ranges are one value; one that is not there refuses them all.
-void writeItemValue(Bytes& data, const Wanted& item, std::vector<Value>::const_iterator& value) {
-  ItemCode code = item.code;
-  Bytes octets;
-  for (std::size_t i = 0; i < item.ranges.size(); ++i, ++value) {
-    if (value->code != ItemCode::Done && code == ItemCode::Done) code = value->code;
-    octets.insert(octets.end(), value->octets.begin(), value->octets.end());
-  }
-  if (code == ItemCode::Done) return writeDataItem(data, {code, item.unit, octets});
-  writeDataItem(data, {code, DataUnit::None, {}});
+  return kAnswerHeader + kFunctionAndCount + dataItemOctets(items) <= pdu;
 }
 
 void answerRead(const Job& job, const Items& items, const std::vector<Value>& values) {
   Bytes data;
-  auto value = values.begin();
-  for (const Wanted& item : items) writeItemValue(data, item, value);
+  writeValues(data, items, values);
   const std::uint8_t parameters[] = {job.function, static_cast<std::uint8_t>(items.size())};
   job.answer(parameters, data);
   job.ended();
@@ -88,9 +64,7 @@ void answerWrite(const Job& job, std::vector<ItemCode> codes, const std::vector<
 void serveRead(const Job& job) {
   auto items = itemsOf(job);
   if (!items || !fits(*items, job.pdu())) return refuseVariables(job, Error::WrongPduSize);
-  std::vector<Range> ranges;
-  for (const Wanted& item : *items)
-    ranges.insert(ranges.end(), item.ranges.begin(), item.ranges.end());
+  const std::vector<Range> ranges = rangesOf(*items);
   job.plc().read(
       ranges, [begun = job.begun(), items = std::move(*items)](const std::vector<Value>& values) {
         answerRead(begun, items, values);

@@ -26,9 +26,10 @@ Alarms::Result Alarms::report(const Report& report) {
   alarm.function = report.function;
   alarm.component = report.component;
   alarm.last = report.signal;
+  if (report.signal.state) alarm.coming = report.signal;
   if (report.signal.state) alarm.acknowledged = !alarm.waitsForAcknowledgement();
   const bool heard = listeners_ > 0;
-  if (heard) queue_.push_back({alarm, report.signal, false});
+  if (heard && !locked_.contains(report.number)) queue_.push_back({alarm, report.signal, false});
   forget(report.number);
   return heard ? Result::Good : Result::NobodyListens;
 }
@@ -59,6 +60,13 @@ bool Alarms::acknowledge(std::uint32_t number) {
   return true;
 }
 
+bool Alarms::lock(std::uint32_t number, bool locked) {
+  if (!locked) locked_.erase(number);
+  if (locked && locked_.size() >= kMost && !locked_.contains(number)) return false;
+  if (locked) locked_.insert(number);
+  return true;
+}
+
 std::vector<AlarmMessage> Alarms::take() {
   std::vector<AlarmMessage> result(queue_.begin(), queue_.end());
   for (AlarmMessage& message : result)
@@ -73,6 +81,7 @@ std::vector<AlarmMessage> Alarms::take() {
 
 void Alarms::clear() {
   list_.clear();
+  locked_.clear();
   queue_.clear();
 }
 

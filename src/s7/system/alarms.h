@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <deque>
 #include <map>
+#include <set>
 #include <vector>
 
 namespace merker::system {
@@ -30,6 +31,7 @@ struct Alarm {
   std::uint16_t function = 0;   // 17, 18, 107, 108
   std::uint32_t component = 0;  // CMP_ID of SFC 107 and 108
   AlarmSignal last;             // of the last call
+  AlarmSignal coming;           // of the last one with 1
   bool acknowledged = false;    // the last coming message
   bool overflow = false;        // transitions were lost since the last message that was sent
   // SFC 17 and 107 wait for an acknowledgement, SFC 18 and 108 are always acknowledged.
@@ -74,8 +76,13 @@ class Alarms {
   // Display devices that get messages.
   void logOn() { ++listeners_; }
   void logOff();
+  // And stations that get the entries of the program in the diagnostic buffer (SFC 52).
+  void eventsWanted(bool more) { more ? ++eventListeners_ : --eventListeners_; }
+  bool areEventsHeard() const { return eventListeners_ > 0; }
   // False if there is no coming message to be acknowledged.
   bool acknowledge(std::uint32_t number);
+  // Messages of this number are sent no more, or again. False: too many are locked.
+  bool lock(std::uint32_t number, bool locked);
   // Takes what waits to be sent, the oldest first.
   std::vector<AlarmMessage> take();
   // A restart forgets everything but who is logged on.
@@ -86,8 +93,9 @@ class Alarms {
   std::size_t unsent(std::uint32_t number) const;
 
   std::map<std::uint32_t, Alarm> list_;
+  std::set<std::uint32_t> locked_;
   std::deque<AlarmMessage> queue_;
-  unsigned listeners_ = 0;
+  unsigned listeners_ = 0, eventListeners_ = 0;
 };
 
 }  // namespace merker::system

@@ -46,7 +46,7 @@ void writeUserMessage(Sfc<52>& a) {
   if (const auto error = fetch(a, kSecond, &info[4])) return a.status(error);
   a.cpu().log().note(static_cast<std::uint16_t>(event), fmt::format("user entry 16#{:04X}", event),
                      info);
-  a.status(a.flag("SEND") ? kNobodyListens : 0);
+  a.status(a.flag("SEND") && !a.alarms().areEventsHeard() ? kNobodyListens : 0);
 }
 
 }  // namespace merker::system

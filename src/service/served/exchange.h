@@ -13,6 +13,7 @@
 #include "plc/operand_memory.h"
 #include "s7comm/plc.h"
 #include "served/bench.h"
+#include "served/messages.h"
 #include "served/passive_blocks.h"
 #include "served/resources.h"
 #include "served/tasks.h"
@@ -37,6 +38,15 @@ class Exchange final : public s7comm::Plc {
   void status(std::uint16_t list, std::uint16_t index, StatusDone done) override;
   void clock(ClockDone done) override;
   void setClock(const s7comm::ClockTime& time, const std::string& password, Done done) override;
+  void subscribe(const std::shared_ptr<s7comm::Outlet>& client, std::optional<std::uint8_t> job,
+                 s7comm::CyclicRead read, SubscribeDone done) override;
+  void unsubscribe(const std::shared_ptr<s7comm::Outlet>& client, std::uint8_t job,
+                   Done done) override;
+  void listen(const std::shared_ptr<s7comm::Outlet>& client, std::uint8_t kinds,
+              Done done) override;
+  void acknowledge(std::vector<std::uint32_t> numbers, CodesDone done) override;
+  void lock(std::vector<std::uint32_t> numbers, bool locked, CodesDone done) override;
+  void alarms(AlarmsDone done) override;
   void enter(const std::string& password, Done done) override;
   void blocks(BlocksDone done) override;
   void blockHead(const s7comm::BlockName& name, BlockDone done) override;
@@ -91,6 +101,7 @@ class Exchange final : public s7comm::Plc {
 
   // of the thread of the PLC
   std::shared_ptr<Image> spare_;
+  MessageLog messages_;
   Tasks tasks_;
   Bench bench_{tasks_};
   PassiveBlocks passive_;

@@ -1,4 +1,7 @@
 // What programming devices want of a PLC, as orders.
+#include <utility>
+
+#include "served/cyclic.h"
 #include "served/exchange.h"
 #include "served/system.h"
 
@@ -27,6 +30,62 @@ void Exchange::setClock(const s7comm::ClockTime& time, const std::string& passwo
     const Error error =
         monitor == nullptr ? Error::CannotBeDone : served::setClock(monitor->plc(), time, password);
     return [error, done] { done(error); };
+  });
+}
+
+void Exchange::subscribe(const std::shared_ptr<s7comm::Outlet>& client,
+                         std::optional<std::uint8_t> job, s7comm::CyclicRead read,
+                         SubscribeDone done) {
+  order([this, client, job, read = std::move(read),
+         done = std::move(done)](monitor::Monitor* monitor) -> Call {
+    Subscribed made{Error::CannotBeDone};
+    if (monitor != nullptr)
+      made = served::subscribe(tasks_, std::as_const(*monitor).plc(), client, job, read);
+    return [made = std::move(made), done] { done(made.error, made.job, made.values); };
+  });
+}
+
+void Exchange::unsubscribe(const std::shared_ptr<s7comm::Outlet>& client, std::uint8_t job,
+                           Done done) {
+  order([this, client, job, done = std::move(done)](monitor::Monitor* monitor) -> Call {
+    const Error error = monitor == nullptr ? Error::CannotBeDone
+                                           : served::unsubscribe(tasks_, *monitor, *client, job);
+    return [error, done] { done(error); };
+  });
+}
+
+void Exchange::listen(const std::shared_ptr<s7comm::Outlet>& client, std::uint8_t kinds,
+                      Done done) {
+  order([this, client, kinds, done = std::move(done)](monitor::Monitor* monitor) -> Call {
+    const Error error = monitor == nullptr
+                            ? Error::CannotBeDone
+                            : served::listen(tasks_, messages_, *monitor, client, kinds);
+    return [error, done] { done(error); };
+  });
+}
+
+void Exchange::acknowledge(std::vector<std::uint32_t> numbers, CodesDone done) {
+  order([numbers = std::move(numbers), done = std::move(done)](monitor::Monitor* monitor) -> Call {
+    std::vector<s7comm::ItemCode> codes(numbers.size(), s7comm::ItemCode::HardwareFault);
+    if (monitor != nullptr) codes = acknowledgeAlarms(monitor->plc(), numbers);
+    return [codes = std::move(codes), done] { done(codes); };
+  });
+}
+
+void Exchange::lock(std::vector<std::uint32_t> numbers, bool locked, CodesDone done) {
+  order([numbers = std::move(numbers), locked,
+         done = std::move(done)](monitor::Monitor* monitor) -> Call {
+    std::vector<s7comm::ItemCode> codes(numbers.size(), s7comm::ItemCode::HardwareFault);
+    if (monitor != nullptr) codes = lockAlarms(monitor->plc(), numbers, locked);
+    return [codes = std::move(codes), done] { done(codes); };
+  });
+}
+
+void Exchange::alarms(AlarmsDone done) {
+  order([done = std::move(done)](monitor::Monitor* monitor) -> Call {
+    std::optional<std::vector<s7comm::AlarmState>> all;
+    if (monitor != nullptr) all = alarmsOf(monitor->plc());
+    return [all = std::move(all), done] { done(all); };
   });
 }
 

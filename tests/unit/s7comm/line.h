@@ -1,6 +1,7 @@
 // A session over a PLC that is a few bytes, and PDUs as they are on the wire, written by hand.
 #pragma once
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <string_view>
@@ -35,6 +36,48 @@ class FewBytes : public Plc {
       for (const Write& one : writes) codes.push_back(put(one));
       done(codes);
     });
+  }
+  // Jobs 1, 2 … of all clients; the last one that was asked for.
+  std::map<std::uint8_t, CyclicRead> cyclic;
+  void subscribe(const std::shared_ptr<Outlet>&, std::optional<std::uint8_t> job, CyclicRead wanted,
+                 SubscribeDone done) override {
+    const auto number = job.value_or(static_cast<std::uint8_t>(cyclic.size() + 1));
+    std::vector<Value> values;
+    for (const Range& range : wanted.ranges) values.push_back(value(range));
+    const Error error = job && !cyclic.contains(*job) ? Error::NoSuchReading : Error::None;
+    cyclic[number] = std::move(wanted);
+    carryOut([=, done = std::move(done)] { done(error, number, values); });
+  }
+  void unsubscribe(const std::shared_ptr<Outlet>&, std::uint8_t job,
+                   CyclicReads::Done done) override {
+    const bool found = cyclic.erase(job) > 0;
+    carryOut([found, done = std::move(done)] { done(found ? Error::None : Error::NoSuchReading); });
+  }
+  std::uint8_t listened = 0;
+  void listen(const std::shared_ptr<Outlet>&, std::uint8_t kinds, Messages::Done done) override {
+    listened = kinds;
+    carryOut([done = std::move(done)] { done(Error::None); });
+  }
+  // Those there are; locked ones.
+  std::vector<AlarmState> alarmList;
+  std::map<std::uint32_t, bool> locked_;
+  void acknowledge(std::vector<std::uint32_t> numbers, CodesDone done) override {
+    std::vector<ItemCode> codes;
+    for (const std::uint32_t number : numbers) {
+      const bool found =
+          std::ranges::find(alarmList, number, &AlarmState::number) != alarmList.end();
+      codes.push_back(found ? ItemCode::Done : ItemCode::Missing);
+    }
+    carryOut([codes, done = std::move(done)] { done(codes); });
+  }
+  void lock(std::vector<std::uint32_t> numbers, bool locked, CodesDone done) override {
+    for (const std::uint32_t number : numbers) locked_[number] = locked;
+    carryOut([count = numbers.size(), done = std::move(done)] {
+      done(std::vector(count, ItemCode::Done));
+    });
+  }
+  void alarms(AlarmsDone done) override {
+    carryOut([all = alarmList, done = std::move(done)] { done(all); });
   }
   // As many octets as are wished for.
   std::size_t listOctets = 8;

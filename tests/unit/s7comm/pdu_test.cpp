@@ -40,8 +40,8 @@ TEST(Pdu, anUnknownFunctionIsRefused) {
 // Cyclic reading; the answer has type, group and sequence number of it.
 TEST(Pdu, userdataThatNobodyServesIsRefusedInItsOwnForm) {
   EXPECT_EQ(
-      Line().say("32 07 00 00 05 00 00 08 00 08 00 01 12 04 11 42 01 07 FF 09 00 04 00 11 00 00"),
-      "32 07 00 00 05 00 00 0C 00 04 00 01 12 08 12 82 01 07 00 00 81 04 0A 00 00 00");
+      Line().say("32 07 00 00 05 00 00 08 00 08 00 01 12 04 11 42 08 07 FF 09 00 04 00 11 00 00"),
+      "32 07 00 00 05 00 00 0C 00 04 00 01 12 08 12 82 08 07 00 00 81 04 0A 00 00 00");
   EXPECT_EQ(Line().say("32 07 00 00 05 00 00 08 00 00 00 01 12 09 11 44 01 00"),
             "32 02 00 00 05 00 00 00 00 00 85 00");
 }

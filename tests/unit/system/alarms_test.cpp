@@ -55,6 +55,30 @@ TEST(Alarms, AMessageWaitsForItsAcknowledgement) {
   }
 }
 
+TEST(Alarms, ALockedMessageIsNotSent) {
+  Alarms alarms;
+  alarms.logOn();
+  EXPECT_TRUE(alarms.lock(7, true));
+  EXPECT_EQ(call(alarms, 18, 7, true), Good);
+  EXPECT_EQ(call(alarms, 18, 8, true), Good);
+  EXPECT_EQ(taken(alarms), "8:1+");
+  EXPECT_TRUE(alarms.lock(7, false));
+  EXPECT_EQ(call(alarms, 18, 7, false), Good);
+  EXPECT_EQ(taken(alarms), "7:0+");
+  for (std::uint32_t number = 1; number <= Alarms::kMost; ++number)
+    EXPECT_TRUE(alarms.lock(number, true));
+  EXPECT_FALSE(alarms.lock(100, true));
+  EXPECT_TRUE(alarms.lock(7, true));
+}
+
+TEST(Alarms, ItsComingIsKept) {
+  Alarms alarms;
+  call(alarms, 17, 5, true, 1000);
+  call(alarms, 17, 5, false, 2000);
+  EXPECT_EQ(alarms.find(5)->coming.milliseconds, 1000);
+  EXPECT_EQ(alarms.find(5)->last.milliseconds, 2000);
+}
+
 TEST(Alarms, AnAcknowledgementCountsForOneComing) {
   Alarms alarms;
   alarms.logOn();
