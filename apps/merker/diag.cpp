@@ -12,6 +12,9 @@
 #include "monitor_text.h"
 #include "operands.h"
 #include "plc/checked_start.h"
+#include "real_time.h"
+#include "s7_desk.h"
+#include "s7_text.h"
 #include "scenario/duration.h"
 #include "scenario/junit.h"
 #include "scenario/runner.h"
@@ -26,6 +29,7 @@ struct DiagOptions {
   std::uint32_t line = 0;
   bool json = false;
   std::vector<std::string> set;
+  S7Option s7;
 };
 
 void printBuffer(const monitor::Monitor& monitor) {
@@ -52,9 +56,26 @@ void printJson(const monitor::Monitor& monitor, const nlohmann::ordered_json& sc
   std::cout << document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
 }
 
+// In real time, with clients of S7 communication; who is connected at the end.
+int runWithClients(const DiagOptions& options, const Build& built, Duration time,
+                   controller::Controller& plc, workbench::S7Outside& outside) {
+  const auto monitor = monitor::monitorOf(plc, built.project.symbols, built.resolver());
+  holdSignals();
+  S7Desk s7;
+  if (const int bad = s7.open("merker diag", options.s7, built.project.communication, [] {}))
+    return bad;
+  plc.onCycle(s7.cycleObserver(*monitor));
+  runRealTime(
+      plc, nullptr, [&] { s7.exchange(*monitor); }, plc.now() + time);
+  plc.onCycle({});
+  outside = s7.outside();
+  releaseSignals();
+  return kGood;
+}
+
 // Starts, sets and runs. A start that is refused stands in the diagnostic buffer.
 int runFor(const DiagOptions& options, const Build& built, Duration time,
-           controller::Controller& plc) {
+           controller::Controller& plc, workbench::S7Outside& outside) {
   std::vector<simulator::Assignment> assignments;
   const int wrong = readAssignments("--set", options.set, built.resolver(), assignments);
   if (wrong != kGood) return wrong;
@@ -65,7 +86,11 @@ int runFor(const DiagOptions& options, const Build& built, Duration time,
     std::cerr << "merker diag: --set: " << reason << '\n';
     return kUsage;
   }
-  if (plc.mode() != controller::Mode::Startup) plc.advanceTo(plc.now() + time);
+  if (!options.s7.place.empty()) {
+    if (const int bad = runWithClients(options, built, time, plc, outside)) return bad;
+  } else if (plc.mode() != controller::Mode::Startup) {
+    plc.advanceTo(plc.now() + time);
+  }
   plc.settle();
   return kGood;
 }
@@ -82,8 +107,8 @@ int runScenario(const DiagOptions& options, const Build& built, controller::Cont
 }
 
 int carryOut(const DiagOptions& options, const Build& built, Duration time,
-             controller::Controller& plc) {
-  return options.scenario.empty() ? runFor(options, built, time, plc)
+             controller::Controller& plc, workbench::S7Outside& outside) {
+  return options.scenario.empty() ? runFor(options, built, time, plc, outside)
                                   : runScenario(options, built, plc);
 }
 
@@ -98,13 +123,16 @@ int endCode(const controller::Controller& plc) {
 int show(const DiagOptions& options, const Build& built, Duration time, controller::Controller& plc,
          cnc::Cnc* control) {
   const auto monitor = monitor::monitorOf(plc, built.project.symbols, built.resolver());
-  if (const int wrong = carryOut(options, built, time, plc); wrong != kGood) return wrong;
+  workbench::S7Outside outside;
+  if (const int wrong = carryOut(options, built, time, plc, outside); wrong != kGood) return wrong;
   if (options.json) {
-    printJson(*monitor,
-              control != nullptr ? diagnosisToJson(*control) : nlohmann::ordered_json::object());
+    auto more = control != nullptr ? diagnosisToJson(*control) : nlohmann::ordered_json::object();
+    if (!outside.place.empty()) more["communication"] = workbench::s7Json(outside);
+    printJson(*monitor, more);
   } else {
     control != nullptr ? printDiagnosis(*control) : printBuffer(*monitor);
     printStacks(*monitor);
+    if (!outside.place.empty()) std::cout << '\n' << s7Text(outside);
   }
   return endCode(plc);
 }
@@ -114,6 +142,10 @@ int diag(const DiagOptions& options) {
   if (!time) {
     std::cerr << "merker diag: --for: '" << options.time
               << "' is not a valid duration; write 250ms, 7.5s, 2m or T#1S\n";
+    return kUsage;
+  }
+  if (!options.s7.place.empty() && !options.scenario.empty()) {
+    std::cerr << "merker diag: --s7 needs real time: leave --scenario out\n";
     return kUsage;
   }
   const Build built = build(loadProject(options.path, options.project), false);
@@ -138,11 +170,13 @@ void addDiag(CLI::App& program, int& result) {
                       "instead of --for and --set: run a scenario (*.scn) up to its STOP");
   command->add_option("--name", options->name, "the scenario whose name contains this text");
   command->add_option("--line", options->line, "end behind the step of this line, in STOP or not");
+  addS7(*command, options->s7);
   addProjectOptions(*command, options->project);
   command->add_flag("--json", options->json, "as one JSON object");
   command->footer(
       "The B stack shows the blocks that ran when the CPU stopped, the I stack the registers of\n"
       "each priority class, the L stack local data.\n"
+      "With --s7 it runs in real time and shows at last which clients are connected.\n"
       "Examples:\n"
       "  merker diag examples/sorting-plant\n"
       "  merker diag faulty.awl --for 1s --set \"E 0.7=1\" --json\n"

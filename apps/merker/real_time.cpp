@@ -57,7 +57,7 @@ void endAtOnce() {
 }
 
 void runRealTime(controller::Controller& station, SerialLink* link,
-                 const std::function<void()>& slice) {
+                 const std::function<void()>& slice, Instant end) {
   const sigset_t signals = endSignals();
   Watchdog watchdog("merker run");
   const auto start = Clock::now();
@@ -71,13 +71,14 @@ void runRealTime(controller::Controller& station, SerialLink* link,
     watchdog.enter("the PLC");
     // A program that costs more than real time falls behind; it must still be able to end.
     const Instant target =
-        std::min(origin + elapsed(), station.now() + Duration::milliseconds(100));
+        std::min({origin + elapsed(), station.now() + Duration::milliseconds(100), end});
     if (link != nullptr) link->exchange();
     if (slice) slice();
     while (station.now() < target) {
       station.advanceTo(link == nullptr ? target : std::min(target, link->next()));
       if (link != nullptr && link->next() <= station.now()) link->exchange();
     }
+    if (station.now() >= end) return;
     if (!slice && station.mode() == controller::Mode::Stop) return;
   }
 }

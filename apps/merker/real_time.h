@@ -21,8 +21,9 @@ void releaseSignals();
 class SerialLink;
 // Lets the station run as fast as time passes, until one of these signals comes or the CPU is in
 // STOP. `link`: of its serial interface with the outside; null: none. `slice`: in front of each
-// slice of time; with it somebody outside can start the CPU, so that its STOP is no end.
+// slice of time; with it somebody outside can start the CPU, so that its STOP is no end. Not beyond
+// `end`.
 void runRealTime(controller::Controller& station, SerialLink* link = nullptr,
-                 const std::function<void()>& slice = {});
+                 const std::function<void()>& slice = {}, Instant end = Instant::never());
 
 }  // namespace merker::app

@@ -1,5 +1,7 @@
 #include "s7_connection.h"
 
+#include <fmt/format.h>
+
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/write.hpp>
 
@@ -19,11 +21,36 @@ constexpr std::chrono::seconds kClientLimits[] = {
     std::chrono::seconds(5),   // Answer to what this side has asked
 };
 
+constexpr const char* kResourceNames[] = {"PG", "OP", "other"};  // of Resource
+
 }  // namespace
+
+std::string partnerOf(const S7Connection::Socket& socket) {
+  boost::system::error_code gone;
+  const auto endpoint = socket.remote_endpoint(gone);
+  if (gone) return "?";
+  const bool six = endpoint.address().is_v6();
+  return fmt::format("{}{}{}:{}", six ? "[" : "", endpoint.address().to_string(), six ? "]" : "",
+                     endpoint.port());
+}
+
+std::optional<workbench::S7ClientRow> S7Connection::row(Clock::time_point now) const {
+  if (!session_) return std::nullopt;
+  return workbench::S7ClientRow{
+      .partner = partner_,
+      .kind = kResourceNames[static_cast<std::size_t>(resource_)],
+      .pdu = session_->pdu(),
+      .seconds = std::chrono::duration_cast<std::chrono::seconds>(now - since_).count(),
+      .requests = requests_,
+      .received = received_,
+      .sent = sent_,
+      .lost = session_->outlet()->lost()};
+}
 
 S7Connection::S7Connection(Socket socket, S7Surroundings& around)
     : socket_(std::move(socket)), around_(around) {
   boost::system::error_code ignored;
+  partner_ = partnerOf(socket_);
   socket_.set_option(boost::asio::ip::tcp::no_delay(true), ignored);
   // Who has vanished without a word is found by the operating system.
   socket_.set_option(boost::asio::socket_base::keep_alive(true), ignored);
@@ -86,6 +113,7 @@ void S7Connection::read() {
 
 void S7Connection::received(std::size_t count) {
   if (closed_) return;
+  received_ += count;
   transport_.feed(iso::View(buffer_).first(count));
   pump();
 }
@@ -116,6 +144,7 @@ void S7Connection::handle(iso::Event& event) {
       return requested(event.parameters);
     case Kind::Message:
       ++around_.counts.requests;
+      ++requests_;
       if (!session_->receive(event.message)) breakOff();
       return;
     case Kind::Violated:
@@ -129,8 +158,8 @@ void S7Connection::handle(iso::Event& event) {
   }
 }
 
-void S7Connection::refuse(iso::Reason reason) {
-  ++around_.counts.refused;
+void S7Connection::refuse(iso::Reason reason, const char* why) {
+  around_.refuse(partner_, why);
   out_ = transport_.refuse(reason);
   ending_ = true;
 }
@@ -138,8 +167,9 @@ void S7Connection::refuse(iso::Reason reason) {
 void S7Connection::requested(const iso::ConnectParameters& parameters) {
   resource_ = served::resourceOf(parameters.called);
   if (around_.parameters.strictSlot && !served::namesTheCpu(parameters.called))
-    return refuse(iso::Reason::UnknownAddress);
-  if (!around_.resources.take(resource_)) return refuse(iso::Reason::Congestion);
+    return refuse(iso::Reason::UnknownAddress, "slot");
+  if (!around_.resources.take(resource_)) return refuse(iso::Reason::Congestion, "resource");
+  since_ = Clock::now();
   ++around_.counts.connections;
   around_.exchange.inUse(around_.resources.counts());
   around_.exchange.opened();
@@ -170,6 +200,7 @@ void S7Connection::flush() {
     return;
   }
   sending_.swap(out_);
+  sent_ += sending_.size();
   boost::asio::async_write(
       socket_, boost::asio::buffer(sending_),
       [self = shared_from_this()](boost::system::error_code error, std::size_t) {

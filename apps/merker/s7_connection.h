@@ -6,12 +6,14 @@
 #include <atomic>
 #include <boost/asio/ip/tcp.hpp>
 #include <chrono>
+#include <deque>
 #include <memory>
 
 #include "iso/transport.h"
 #include "s7comm/session.h"
 #include "served/exchange.h"
 #include "served/resources.h"
+#include "workbench/communication_view.h"
 
 namespace merker::app {
 
@@ -23,8 +25,15 @@ struct S7Counts {
   std::atomic<std::uint64_t> requests = 0;
 };
 
+struct S7Refused {
+  std::string partner, why;
+  std::chrono::steady_clock::time_point when;
+};
+
 // What all clients share; it outlives them.
 struct S7Surroundings {
+  static constexpr std::size_t kMostRefused = 16;  // remembered
+
   served::Exchange exchange{};
   served::Resources resources{};
   CommunicationParameters parameters{};
@@ -33,6 +42,12 @@ struct S7Surroundings {
     resources.limit(wanted);
   }
   S7Counts counts{};
+  std::deque<S7Refused> refused{};  // the newest first
+  void refuse(std::string partner, std::string why) {
+    ++counts.refused;
+    refused.push_front({std::move(partner), std::move(why), std::chrono::steady_clock::now()});
+    if (refused.size() > kMostRefused) refused.pop_back();
+  }
 };
 
 class S7Connection : public std::enable_shared_from_this<S7Connection> {
@@ -51,6 +66,8 @@ class S7Connection : public std::enable_shared_from_this<S7Connection> {
   bool overdue(Clock::time_point now) const { return now >= due_; }
   void breakOff();
   void close();
+  // Nothing: it is not connected.
+  std::optional<workbench::S7ClientRow> row(Clock::time_point now) const;
 
  private:
   // What is expected of the client.
@@ -60,7 +77,7 @@ class S7Connection : public std::enable_shared_from_this<S7Connection> {
   void received(std::size_t count);
   void pump();
   void handle(iso::Event& event);
-  void refuse(iso::Reason reason);
+  void refuse(iso::Reason reason, const char* why);
   void requested(const iso::ConnectParameters& parameters);
   void send(iso::View pdu);
   void flush();
@@ -72,6 +89,9 @@ class S7Connection : public std::enable_shared_from_this<S7Connection> {
   S7Surroundings& around_;
   iso::Transport transport_{iso::Transport::Side::Called};
   std::shared_ptr<s7comm::Session> session_;  // once it is connected
+  std::string partner_;
+  Clock::time_point since_{};  // it is connected
+  std::uint64_t requests_ = 0, received_ = 0, sent_ = 0;
   served::Resource resource_ = served::Resource::Basic;
   std::array<std::uint8_t, 16'384> buffer_{};
   iso::Bytes out_, sending_;
@@ -79,5 +99,8 @@ class S7Connection : public std::enable_shared_from_this<S7Connection> {
   Expected expected_ = Expected::Nothing;
   Clock::time_point due_ = Clock::time_point::max();
 };
+
+// Its address and port.
+std::string partnerOf(const S7Connection::Socket& socket);
 
 }  // namespace merker::app

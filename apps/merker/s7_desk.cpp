@@ -22,6 +22,10 @@ int S7Desk::open(const std::string& command, const S7Option& option,
   return kGood;
 }
 
+workbench::S7Outside S7Desk::outside() const {
+  return server_ ? server_->outside() : workbench::S7Outside{};
+}
+
 S7Desk::~S7Desk() {
   if (server_) std::cerr << "S7 communication: " << server_->summary() << std::endl;
 }

@@ -12,6 +12,8 @@ class S7Desk {
   // Nothing without the option. The exit code; what is wrong is told.
   int open(const std::string& command, const S7Option& option,
            const CommunicationParameters& parameters, std::function<void()> wake);
+  // Without a place if it is not open.
+  workbench::S7Outside outside() const;
   bool isOpen() const { return server_ != nullptr; }
   S7Desk() = default;
   ~S7Desk();

@@ -5,6 +5,7 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
+#include <mutex>
 #include <set>
 #include <thread>
 
@@ -39,7 +40,10 @@ struct S7Server::Parts {
   net::steady_timer timer{context};
   std::set<std::shared_ptr<S7Connection>> clients;
   std::thread thread;
+  mutable std::mutex outsideMutex;
+  workbench::S7Outside outside;
 
+  void tell();
   bool listen(std::string& reason);
   void accept();
   void take(tcp::socket socket);
@@ -72,7 +76,7 @@ void S7Server::Parts::take(tcp::socket socket) {
   std::erase_if(clients, [](const auto& client) { return client->closed(); });
   const auto& connections = around.parameters.connections;
   if (clients.size() >= (connections ? *connections + kMoreSockets : kMostSockets)) {
-    ++around.counts.refused;
+    around.refuse(partnerOf(socket), "socket");
     return;
   }
   const auto client = std::make_shared<S7Connection>(std::move(socket), around);
@@ -89,8 +93,30 @@ void S7Server::Parts::check() {
     for (const auto& client : clients)
       if (!client->closed() && client->overdue(now)) client->breakOff();
     std::erase_if(clients, [](const auto& client) { return client->closed(); });
+    tell();
     check();
   });
+}
+
+void S7Server::Parts::tell() {
+  const auto now = S7Connection::Clock::now();
+  const CommunicationParameters& set = around.parameters;
+  workbench::S7Outside told{.connections = set.connections,
+                            .pg = set.pg,
+                            .op = set.op,
+                            .basic = set.basic,
+                            .confirmed = around.counts.connections,
+                            .refused = around.counts.refused,
+                            .broken = around.counts.broken,
+                            .requests = around.counts.requests};
+  for (const auto& client : clients)
+    if (auto row = client->row(now)) told.clients.push_back(std::move(*row));
+  for (const S7Refused& one : around.refused)
+    told.refusals.push_back(
+        {one.partner, one.why,
+         std::chrono::duration_cast<std::chrono::seconds>(now - one.when).count()});
+  const std::lock_guard lock(outsideMutex);
+  outside = std::move(told);
 }
 
 std::unique_ptr<S7Server> S7Server::start(const S7Place& place,
@@ -105,6 +131,7 @@ std::unique_ptr<S7Server> S7Server::start(const S7Place& place,
       },
       std::move(wake));
   parts->accept();
+  parts->tell();
   parts->check();
   parts->thread = std::thread([context = &parts->context] { context->run(); });
   return std::unique_ptr<S7Server>(new S7Server(std::move(parts)));
@@ -123,6 +150,15 @@ void S7Server::use(const CommunicationParameters& parameters) {
 }
 
 served::Exchange& S7Server::exchange() { return parts_->around.exchange; }
+
+workbench::S7Outside S7Server::outside() const {
+  std::unique_lock lock(parts_->outsideMutex);
+  workbench::S7Outside told = parts_->outside;
+  lock.unlock();
+  told.place = place();
+  told.warning = warning();
+  return told;
+}
 
 std::string S7Server::place() const {
   const bool six = parts_->place.address.find(':') != std::string::npos;

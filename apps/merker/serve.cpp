@@ -93,6 +93,7 @@ int serve(const std::string& command, const ServeOptions& options, workbench::Wo
     s7.exchange(workbench);
   });
   workbench.serialBy([&] { return serial.outside(); });
+  workbench.s7By([&] { return s7.outside(); });
   const auto server = hmi::Server::start(wanted, desk, reason);
   if (!server) return refused(command, reason, kUnreadable);
   const auto communication = workbench.plc() == nullptr
@@ -109,6 +110,7 @@ int serve(const std::string& command, const ServeOptions& options, workbench::Wo
   desk.run(*server, endAsked);
   watchdog.tellBy({});
   workbench.serialBy([] { return workbench::SerialOutside(); });
+  workbench.s7By([] { return workbench::S7Outside(); });
   releaseSignals();  // whoever asks twice does not want to wait
   return kGood;
 }

@@ -1,5 +1,6 @@
 // Diagnostic buffer with help and the way to the block, stacks, module information (S7-MGR-16).
 import { mkdirSync, writeFileSync } from 'node:fs';
+import { connect } from 'node:net';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { launch, open, serve, turn, until, visit } from './harness.mjs';
@@ -37,6 +38,32 @@ test('each change of the operating state is an entry, newest first', async () =>
 test('module information shows the CPU and its memory', async () => {
   await page.getByRole('tab', { name: 'Baugruppenzustand' }).click();
   await has(page.getByRole('tabpanel'), /314C-2 PtP/);
+});
+
+test('without an S7 server nobody can be connected', async () => {
+  await page.getByRole('tab', { name: 'Verbindungen' }).click();
+  await has(page.getByRole('tabpanel'), /Kein S7-Server/);
+});
+
+// S7-LIM-05: the connections, who was refused, and a warning that stays where other computers can come.
+test('clients of S7 communication are seen', async () => {
+  const folder = join(server.workspace, 'served');
+  mkdirSync(folder);
+  writeFileSync(join(folder, 'merker.toml'), '[communication]\nconnections = 3\n');
+  writeFileSync(join(folder, 'main.awl'), 'ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\nNOP 0;\nEND_ORGANIZATION_BLOCK\n');
+  const served = await launch(folder, server.workspace, 0, ['--s7', '0.0.0.0:0']);
+  const port = Number(served.said().match(/S7 communication: 0\.0\.0\.0:(\d+)/)[1]);
+  const clients = [1, 2].map(() => connect(port, '127.0.0.1'));
+  for (const client of clients) client.write(Buffer.from('0300001611E00000000500C0010AC1020100C2020302', 'hex'));
+  const view = await open(served, 'diagnosis');
+  await view.getByRole('link', { name: /für andere Rechner offen/ }).click();
+  const panel = view.getByRole('tabpanel');
+  await has(panel, /1 von 3 Verbindungen belegt/);
+  await has(panel, /127\.0\.0\.1:\d+\s+übrige\s+240/);
+  await has(panel, /keine Verbindung dieser Art frei/);
+  await has(view.getByRole('alert'), /nicht verschlüsselt/);
+  for (const client of clients) client.destroy();
+  await has(panel, /0 von 3 Verbindungen belegt/);
 });
 
 test('in RUN nothing is interrupted', async () => {

@@ -51,9 +51,9 @@ export async function serve(example = 'sorting-plant', port = 0) {
   return launch(project, workspace, port);
 }
 
-export async function launch(project, workspace, port = 0) {
+export async function launch(project, workspace, port = 0, more = []) {
   // The workspace of a user is below the home folder.
-  const child = spawn(merker, ['run', project, '--port', String(port)], { env: { ...process.env, HOME: workspace } });
+  const child = spawn(merker, ['run', project, '--port', String(port), ...more], { env: { ...process.env, HOME: workspace } });
   let said = '';
   const collect = (data) => (said += data);
   child.stdout.on('data', collect);
@@ -66,7 +66,7 @@ export async function launch(project, workspace, port = 0) {
     () => `an address in the output of the server, which said: ${said}`);
   // A network that goes away: the server is there and says nothing.
   const freeze = (on) => child.kill(on ? 'SIGSTOP' : 'SIGCONT');
-  return { address, project, workspace, close, freeze, port: Number(new URL(address).port) };
+  return { address, project, workspace, close, freeze, said: () => said, port: Number(new URL(address).port) };
 }
 
 function fail(said) {

@@ -1,4 +1,5 @@
 """S7 communication with the built program: values of both families, connections, what clients do to harm."""
+import json
 import os
 import random
 
@@ -152,6 +153,41 @@ class Settings(S7Case):
         self.project('address = "0.0.0.0:0"')
         self.assertIn("merker.toml:2:11: error: 'address' must be a port of this computer",
                       self.expect(PROBLEMS, "check", "plant").err)
+
+
+class Diagnosis(S7Case):
+    # S7-LIM-05: who is connected at the end, who was refused and why.
+    def test_connections(self):
+        self.write("plant/merker.toml", "[communication]\nconnections = 3\nstrict_slot = true\n")
+        self.write("plant/a.awl", PROGRAM)
+        said = {}
+        for form in ("--json", "--cpu=314C-2 PtP"):
+            command = [os.environ["MERKER"], "diag", "plant", "--s7", "127.0.0.1:0", "--for", "3s", form]
+            process = subprocess.Popen(command, cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+            self.addCleanup(lambda: (process.kill(), process.communicate()))
+            self.port = int(process.stderr.readline().rsplit(":", 1)[1])
+            client = self.client()
+            self.assertEqual(len(client.read(FLAGS, 0, 10)), 10)
+            self.assertFalse(self.client(slot=3).confirmed)
+            self.assertTrue(self.client(3).confirmed)
+            self.assertFalse(self.client(3).confirmed)
+            said[form], _ = process.communicate(timeout=60)
+            self.assertEqual(process.returncode, GOOD)
+        told = json.loads(said["--json"])["communication"]
+        self.assertEqual((told["connections"], told["refused"], told["confirmed"], told["beyond"]), (3, 2, 2, False))
+        self.assertEqual([one["why"] for one in told["refusals"]], ["resource", "slot"])
+        mine = [one for one in told["clients"] if one["kind"] == "PG"]
+        self.assertEqual((mine[0]["pdu"], mine[0]["requests"]), (240, 2))
+        self.assertGreater(mine[0]["received"], 40)
+        text = said["--cpu=314C-2 PtP"]
+        self.assertRegex(text, r"S7 communication at 127\.0\.0\.1:\d+: 2 of 3 connections in use; kept: PG 1, OP 1, others 0\n")
+        self.assertRegex(text, r"\n127\.0\.0\.1:\d+ +PG +240 +\d+ +2 ")
+        self.assertRegex(text, r"refused \d+ s ago: 127\.0\.0\.1:\d+: it called another rack or slot\n")
+
+    def test_wrong_use(self):
+        self.write("a.awl", PROGRAM)
+        self.write("a.scn", 'scenario "a"\n  wait 1s\n')
+        self.assertIn("--s7 needs real time", self.expect(USAGE, "diag", "a.awl", "--s7", "0", "--scenario", "a.scn").err)
 
 
 class Hostile(S7Case):

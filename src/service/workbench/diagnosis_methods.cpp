@@ -109,8 +109,11 @@ Answer information(const Call& call) {
                 {"counters", info.counters}}}};
 }
 
+Answer connections(const Call& call) { return s7Json(call.shared.s7Outside()); }
+
 constexpr Method kMethods[] = {
     {"diagnosis.buffer", Needs::Plc, buffer},
+    {"diagnosis.connections", Needs::Nothing, connections},
     {"diagnosis.stacks", Needs::able(Feature::Stacks), stacks},
     {"diagnosis.information", Needs::able(Feature::Information), information},
 };

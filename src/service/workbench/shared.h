@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "archive/file.h"
+#include "workbench/communication_view.h"
 #include "workbench/compile_job.h"
 #include "workbench/file_watch.h"
 #include "workbench/held_bits.h"
@@ -54,6 +55,7 @@ struct Shared {
   Player player;
   SerialView serialView;
   std::function<SerialOutside()> serialOutside = [] { return SerialOutside{}; };
+  std::function<S7Outside()> s7Outside = [] { return S7Outside{}; };
   ProjectFolder folder;
   FileWatch files;
   BreakpointLines breakpoints;

@@ -35,6 +35,7 @@ class Workbench {
   void helpBy(Worker worker);
   void importBy(Worker worker);
   // Says what the serial interface is connected to.
+  void s7By(std::function<S7Outside()> tell) { shared_.s7Outside = std::move(tell); }
   void serialBy(std::function<SerialOutside()> tell) { shared_.serialOutside = std::move(tell); }
   // Counts the PLCs that were shown.
   std::uint64_t shown() const { return shared_.shown; }

@@ -73,6 +73,10 @@ export interface ReportRow { effect: 'came' | 'changed' | 'lost' | 'beside'; tex
 export interface Project { name: string; folder: string; mpiAddress: number; can: ('breakpoints' | 'cyclePoints' | 'stacks' | 'information' | 'blocks' | 'download' | 'completion' | 'references' | 'symbols' | 'rack' | 'plants' | 'interrupts' | 'engine' | 'snapshots' | 'timersByHand' | 'modeSwitch' | 'leds')[]; family: 'S7' | 'S5'; model: string; example: boolean; serial: boolean; empty: boolean; changed: string[] }
 /** `frame` is like "8E1"; `partner`: what the simulated partner speaks, `waiting`: bytes that it is still to send; `connection` as in `[serial]` of merker.toml, empty: the partner, `place` where that is, `problem` why it could not be opened; `seen`: all characters so far */
 export interface SerialLine { protocol: 'ASCII' | '3964' | '3964R' | 'RK512'; mode: 'RS422' | 'RS422 master' | 'RS485'; baud: number; frame: string; powered: boolean; partner: 'characters' | '3964' | 'RK512'; partnerBaud: number; partnerFrame: string; waiting: number; connection: string; place: string; connected: boolean; problem: string; seen: number }
+/** `seconds` since it was connected; octets; `lost`: indications that it did not read */
+export interface S7Client { partner: string; kind: 'PG' | 'OP' | 'other'; pdu: number; seconds: number; requests: number; received: number; sent: number; lost: number }
+/** `seconds` ago; no connection was free for its kind, it called another rack or slot, or too many sockets were open */
+export interface S7Refusal { partner: string; why: 'resource' | 'slot' | 'socket'; seconds: number }
 export interface Lamps { SF: 'off' | 'on' | 'slow' | 'fast'; BF: 'off' | 'on' | 'slow' | 'fast'; DC5V: 'off' | 'on' | 'slow' | 'fast'; FRCE: 'off' | 'on' | 'slow' | 'fast'; RUN: 'off' | 'on' | 'slow' | 'fast'; STOP: 'off' | 'on' | 'slow' | 'fast' }
 export interface Playback { path: string; actions: number; done: number; state: 'playing' | 'paused' | 'ended' | 'failed'; problem?: Problem }
 
@@ -192,6 +196,8 @@ export interface Requests {
   'diagnosis.stacks': { fields: Record<string, never>; result: { blocks: BlockLevel[]; interrupts: InterruptLevel[]; locals: LocalLevel[] } };
   /** module information; 0 or an empty text where the PLC has none */
   'diagnosis.information': { fields: Record<string, never>; result: { model: string; mode: string; stopReason: string; clock: string; memory: Record<string, number | string>; cycle: Record<string, number | string>; limits: Record<string, number | string> } };
+  /** S7 communication: an empty place, nobody is served; `beyond`: other computers can come; `connections` null: unlimited; `pg`, `op`, `basic` of them kept */
+  'diagnosis.connections': { fields: Record<string, never>; result: { place: string; beyond: boolean; connections: number | null; pg: number; op: number; basic: number; confirmed: number; refused: number; broken: number; requests: number; clients: S7Client[]; refusals: S7Refusal[] } };
   'process.list': { fields: Record<string, never>; result: { plants: PlantRow[]; axis: Axis | null } };
   /** what can be put beside the CPU */
   'process.kinds': { fields: Record<string, never>; result: { kinds: PlantKind[] } };

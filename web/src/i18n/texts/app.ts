@@ -18,6 +18,7 @@ export const app = {
   stalled: ['Verbunden, aber die SPS antwortet nicht', 'Connected, but the PLC does not answer'],
   lost: ['Verbindung verloren, neuer Versuch läuft', 'Connection lost, trying again'],
   retry: ['Jetzt versuchen', 'Try now'],
+  s7Open: ['S7-Server {place} ist für andere Rechner offen', 'S7 server {place} is open to other computers'],
   stale: ['Alle Werte sind veraltet.', 'All values are out of date.'],
   messages: ['Meldungen', 'Messages'],
   dismiss: ['Meldung schließen', 'Dismiss message'],

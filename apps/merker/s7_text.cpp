@@ -1,0 +1,50 @@
+#include "s7_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+namespace merker::app {
+namespace {
+
+constexpr struct {
+  std::string_view code, text;
+} kReasons[] = {{"resource", "no connection was free for its kind"},
+                {"slot", "it called another rack or slot"},
+                {"socket", "too many sockets were open"}};
+
+std::string_view reasonText(std::string_view code) {
+  const auto* const found =
+      std::ranges::find(kReasons, code, [](const auto& row) { return row.code; });
+  return found == std::end(kReasons) ? code : found->text;
+}
+
+std::string headText(const workbench::S7Outside& outside) {
+  const std::string all =
+      outside.connections ? fmt::format(" of {}", *outside.connections) : std::string();
+  return fmt::format(
+      "S7 communication at {}: {}{} connections in use; kept: PG {}, OP {}, others {}\n"
+      "{} requests, {} refused, {} broken off\n",
+      outside.place, outside.clients.size(), all, outside.pg, outside.op, outside.basic,
+      outside.requests, outside.refused, outside.broken);
+}
+
+}  // namespace
+
+std::string s7Text(const workbench::S7Outside& outside) {
+  std::string text = headText(outside);
+  if (!outside.warning.empty()) text += "warning: " + outside.warning + '\n';
+  if (!outside.clients.empty())
+    text += fmt::format("{:<24}{:<7}{:>5}{:>10}{:>10}{:>12}{:>12}\n", "partner", "kind", "PDU",
+                        "seconds", "requests", "octets in", "octets out");
+  for (const auto& row : outside.clients)
+    text += fmt::format("{:<24}{:<7}{:>5}{:>10}{:>10}{:>12}{:>12}\n", row.partner, row.kind,
+                        row.pdu, row.seconds, row.requests, row.received, row.sent);
+  for (const auto& row : outside.refusals)
+    text +=
+        fmt::format("refused {} s ago: {}: {}\n", row.seconds, row.partner, reasonText(row.why));
+  return text;
+}
+
+}  // namespace merker::app
