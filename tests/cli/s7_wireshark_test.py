@@ -183,6 +183,28 @@ END_ORGANIZATION_BLOCK
                          2 * -(-len(container) // 222))
         self.assertEqual(self.capture.ask("s7comm.header.rosctr == 2", "s7comm.header.errcls"), ["0xd2"])
 
+    # Block status in its two forms; the stacks of a CPU that a fault has stopped.
+    def test_blocks_are_watched(self):
+        client = self.recorded()
+        block = "0000 0001 0000 00FF 0001 0001 0001 0001 0001 0600 0008 0001 0000 0040"
+        for number, function, lines in ((1, 0x13, "8002007F 0000007F 00020001"), (3, 0x01, "800F 800F 8001")):
+            client.test(function, block, lines)
+            client.test(0x0E, job_words(0, 1, 0), f"{function:02X}{number:02X}")
+            self.assertEqual(client.hear()[15:18], bytes([1, function, number]))
+        client.test(0x03, job_words(0, 1, 0), "0000")
+        client.write(INPUTS, 0, b"\x80")
+        self.until(lambda: client.test(0x03, job_words(0, 1, 0), "0000")[20:22] == b"\0\0")
+        client.test(0x04, job_words(0, 1, 0), "0000")
+        client.test(0x05, job_words(0, 1, 0), "0100")
+        client.close()
+        self.assertEqual(self.capture.ask(BAD), [])
+        told = self.capture.ask("s7comm.param.userdata.type == 0", "s7comm.diagdata.req.startaddr_awl")
+        self.assertEqual(told, ["0", "0"])
+        stopped = self.capture.ask("s7comm.tis.stw", "s7comm.tis.continued.blocktype", "s7comm.ob.number")
+        self.assertEqual(len(stopped), 1)
+        local = self.capture.ask("s7comm.tis.lstack.size && s7comm.param.userdata.type == 8", "s7comm.tis.interrupted.blocktype")
+        self.assertEqual(local, ["8"])
+
     def test_connections(self):
         clients = [self.recorded(kind) for kind in [1, 2] + 10 * [3]]
         before = self.capture.frames

@@ -31,6 +31,7 @@ enum class Error : std::uint16_t {
   ForcedAlready = 0xD0A4,
   NoSuchJob = 0xD0A5,
   NotToBeEnabled = 0xD0A6,
+  NotToBeReplaced = 0xD0A8,
   JobOfAnother = 0xD0AE,  // of another connection
   WrongBlockName = 0xD201,
   NoSuchBlock = 0xD209,

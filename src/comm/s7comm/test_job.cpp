@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "base/bytes.h"
+#include "s7comm/block_watch.h"
 #include "s7comm/data_item.h"
 
 namespace merker::s7comm {
@@ -86,6 +87,9 @@ Error readJob(TestFunction function, View parameters, View data, TestJob& job) {
     case TestFunction::Modify:
     case TestFunction::Force:
       return readItems(data, true, job.items);
+    case TestFunction::BlockStatus:
+    case TestFunction::ProgramStatus:
+      return readBlockWatch(function, parameters, data, job.block);
     default:
       return Error::None;
   }

@@ -37,6 +37,7 @@ enum class TestFunction : std::uint8_t {
 
 enum class TriggerEvent : std::uint16_t {
   Now = 0x0000,
+  System = 0x0100,
   CycleBegin = 0x0200,
   CycleEnd = 0x0300,
   Stop = 0x0400,            // the transition to it
@@ -57,12 +58,48 @@ struct TestName {
   bool operator==(const TestName&) const = default;
 };
 
+// The registers that a line shows, as a mask; in this order they are told.
+enum TestRegister : std::uint8_t {
+  kStatusWord = 0x01,
+  kAccu1 = 0x02,
+  kAccu2 = 0x04,
+  kAr1 = 0x08,
+  kAr2 = 0x10,
+  kDb = 0x20,
+  kDi = 0x40
+};
+
+struct TestRegisters {
+  std::uint16_t status = 0;
+  std::uint32_t accu1 = 0, accu2 = 0, ar1 = 0, ar2 = 0;
+  std::uint16_t db = 0, di = 0;  // that are open; 0: none
+};
+
+// Code of a block whose execution is watched: the registers behind each of these instructions.
+struct BlockWatch {
+  struct Line {
+    std::uint16_t address = 0;
+    std::uint8_t registers = 0;
+  };
+  std::uint16_t type = 0, number = 0;  // OB 08, DB 0A, FC 0C, FB 0E, as in a container
+  std::uint16_t begin = 0;
+  std::uint8_t registers = 0;  // before the first instruction
+  std::vector<Line> lines{};
+  // Only calls by this block, or with these open.
+  struct Block {
+    std::uint16_t type = 0, number = 0;
+  };
+  std::optional<Block> caller{};
+  std::optional<std::uint16_t> db{}, di{};
+};
+
 struct TestJob {
   TestName name{};
   std::uint16_t how = 0;    // 0 at once, 1 when it is enabled, 2 time and again
   std::uint16_t often = 0;  // 0 in each cycle, 1 once, 2 always
   std::uint16_t event = 0;  // TriggerEvent
   std::vector<TestItem> items{};
+  BlockWatch block{};
   Bytes parameters{}, data{};  // as they came: a job can be read
 };
 
@@ -86,6 +123,10 @@ Error readTest(View octets, TestRequest& request);
 Bytes testOctets(View data);
 Bytes statusData(const std::vector<Value>& values);
 Bytes modifiedData(const std::vector<ItemCode>& codes);
+// Types and numbers of the open data blocks: 6 octets.
+void appendOpenBlocks(Bytes& data, std::uint16_t db, std::uint16_t di);
+std::size_t registerOctets(std::uint8_t registers);
+void appendRegisters(Bytes& data, const TestRegisters& values, std::uint8_t registers);
 Bytes jobData(const TestJob& job);  // all that it said
 // What a job says that forces these, for who reads it.
 TestJob forceJob(std::uint8_t number, std::vector<TestItem> items);

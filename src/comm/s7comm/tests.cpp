@@ -2,6 +2,17 @@
 #include "s7comm/userdata.h"
 
 namespace merker::s7comm {
+namespace {
+
+// A long one is answered in parts, under the number of its parts.
+void answerTest(const Request& request, const TestAnswer& answer) {
+  if (answer.error != Error::None) return request.refuse(answer.error);
+  Bytes octets = testOctets(answer.data);
+  const bool whole = octets.size() + kUserdataOverhead <= request.job.pdu();
+  whole ? request.whole(octets) : request.answer(std::move(octets));
+}
+
+}  // namespace
 
 void serveTest(const Request& request) {
   TestRequest test{.function = static_cast<TestFunction>(request.subfunction),
@@ -12,8 +23,7 @@ void serveTest(const Request& request) {
                          [begun = request.begun()](const TestAnswer& answer) {
                            Request named = begun;
                            named.sequence = answer.number;
-                           answer.error == Error::None ? named.whole(testOctets(answer.data))
-                                                       : named.refuse(answer.error);
+                           answerTest(named, answer);
                            begun.ended();
                          });
 }

@@ -45,7 +45,7 @@ constexpr Row kRows[] = {
     {0x0025, 4, Part::All, szlProcessImages},
     {0x0125, 4, Part::Some, szlProcessImage},
     {0x0225, 4, Part::Some, szlProcessImageOfOb},
-    {0x0131, 40, Part::One, szlConnections},
+    {0x0131, 40, Part::One, szlOffers},
     {0x0132, 40, Part::One, szlCommunication},
     {0x0232, 40, Part::One, szlProtection},
     {0x0074, 4, Part::All, szlLeds},

@@ -46,7 +46,8 @@ void szlLastMode(const SzlSource&, std::uint32_t index, SzlList&);           // 
 void szlCurrentMode(const SzlSource&, std::uint32_t index, SzlList&);        // 16#0424
 void szlOneMode(const SzlSource&, std::uint32_t index, SzlList&);            // 16#0524
 void szlCommunication(const SzlSource&, std::uint32_t index, SzlList&);      // 16#0132
-void szlConnections(const SzlSource&, std::uint32_t index, SzlList&);        // 16#0131
+void szlConnections(const SzlSource&, std::uint32_t index, SzlList&);        // 16#0131, INDEX 1
+void szlOffers(const SzlSource&, std::uint32_t index, SzlList&);             // 16#0131
 void szlProtection(const SzlSource&, std::uint32_t index, SzlList&);         // 16#0232
 void szlNames(const SzlSource&, std::uint32_t index, SzlList&);              // 16#xy1C
 void szlDiagnostics(const SzlSource&, std::uint32_t index, SzlList&);        // 16#00A0

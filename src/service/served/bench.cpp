@@ -5,6 +5,7 @@
 
 #include "served/force_job.h"
 #include "served/system.h"
+#include "served/test_call.h"
 #include "served/test_task.h"
 
 namespace merker::served {
@@ -15,116 +16,65 @@ using s7comm::TestFunction;
 using s7comm::TestJob;
 using s7comm::TestName;
 
-// A request that is carried out.
-struct TestCall {
-  Bench& bench;
-  monitor::Monitor& monitor;
-  const s7comm::TestRequest& request;
-  const Bench::Client& client;
-  std::uint8_t number = 0;
-
-  Tasks& tasks() const { return bench.tasks_; }
-  TestJob numbered() const {
-    TestJob job = request.job;
-    job.name.number = number;
-    return job;
-  }
-  std::uint8_t forceNumber() const { return bench.forceNumber(monitor); }
-  void forced() const { bench.force_ = number; }
-};
-
 namespace {
-
-// Of one connection; a variable table of 30 rows is two.
-constexpr std::size_t kMostJobs = 8;
 
 bool isForce(TestName name) {
   return name.function == static_cast<std::uint8_t>(TestFunction::Force);
 }
 
-// The job that is meant, of whomever; null: there is none.
+// The job that is meant, of whomever; null: there is none. Recorded requests name numbers that
+// another CPU gave: they mean the connection's last job of that function.
 TestTask* taskOf(const TestCall& call, TestName name) {
-  for (const auto& task : call.tasks().all())
-    if (auto* const one = dynamic_cast<TestTask*>(task.get());
-        one != nullptr && one->job().name == name)
-      return one;
-  return nullptr;
+  TestTask* last = nullptr;
+  for (const auto& task : call.tasks().all()) {
+    auto* const one = dynamic_cast<TestTask*>(task.get());
+    if (one == nullptr || one->job().name.function != name.function) continue;
+    if (one->job().name == name) return one;
+    if (&one->client() == call.client.get()) last = one;
+  }
+  return last;
 }
 
 // Does it with the job that the request names.
-TestAnswer withTask(const TestCall& call, void (*act)(const TestCall&, TestTask&)) {
+TestAnswer withTask(const TestCall& call, Error (*act)(const TestCall&, TestTask&)) {
   TestTask* const task = taskOf(call, call.request.other);
   if (task == nullptr) return {Error::NoSuchJob};
   if (&task->client() != call.client.get()) return {Error::JobOfAnother};
-  act(call, *task);
-  return {};
+  return {act(call, *task)};
 }
 
 bool isForceJob(const TestCall& call) {
-  return isForce(call.request.other) && call.request.other.number == call.forceNumber() &&
-         !call.monitor.forces().empty();
-}
-
-// As long as what an indication says of them.
-Error checkRoom(const TestCall& call) {
-  std::size_t octets = s7comm::testOctets({}).size() + 2;
-  for (const s7comm::TestItem& item : call.request.job.items)
-    octets += 4 + item.range.octets + item.range.octets % 2;
-  return octets <= call.client->room() ? Error::None : Error::ResultTooLong;
-}
-
-Error checkTrigger(const TestJob& job) {
-  using enum s7comm::TriggerEvent;
-  constexpr s7comm::TriggerEvent kOffered[] = {Now, CycleBegin, CycleEnd, Stop};
-  const auto event = static_cast<s7comm::TriggerEvent>(job.event);
-  return std::ranges::find(kOffered, event) == std::end(kOffered) ? Error::WrongTrigger
-                                                                  : Error::None;
-}
-
-TestAnswer beginVariables(const TestCall& call) {
-  if (const Error error = checkTrigger(call.request.job); error != Error::None) return {error};
-  if (const Error error = checkRoom(call); error != Error::None) return {error};
-  if (call.tasks().count<TestTask>(*call.client) >= kMostJobs) return {Error::TooManyJobs};
-  const auto task = std::make_shared<VariableTask>(call.client, call.numbered(), call.monitor);
-  call.monitor.watch(task);
-  call.tasks().begin(task);
-  return {};
-}
-
-TestAnswer beginForce(const TestCall& call) {
-  if (!call.monitor.forces().empty()) return {Error::ForcedAlready};
-  const Error error = forceAll(call.monitor, call.request.job.items);
-  if (error != Error::None) return {error};
-  call.forced();
-  const std::vector codes(call.request.job.items.size(), s7comm::ItemCode::Done);
-  call.client->send({.group = 1,
-                     .subfunction = static_cast<std::uint8_t>(TestFunction::Force),
-                     .sequence = call.number,
-                     .octets = s7comm::testOctets(s7comm::modifiedData(codes))});
-  return {};
+  return isForce(call.request.other) && !call.monitor.forces().empty();
 }
 
 TestAnswer enable(const TestCall& call) {
   if (isForceJob(call)) return {Error::NotToBeEnabled};
-  return withTask(call, [](const TestCall&, TestTask& task) { task.enable(true); });
+  return withTask(call,
+                  [](const TestCall&, TestTask& task) { return task.enable(true), Error::None; });
 }
 
 TestAnswer disable(const TestCall& call) {
   if (isForceJob(call)) return {Error::NotToBeEnabled};
-  return withTask(call, [](const TestCall&, TestTask& task) { task.enable(false); });
+  return withTask(call,
+                  [](const TestCall&, TestTask& task) { return task.enable(false), Error::None; });
 }
 
 TestAnswer removeJob(const TestCall& call) {
   if (isForceJob(call)) return call.monitor.unforceAll(), TestAnswer{};
-  return withTask(
-      call, [](const TestCall& from, TestTask& task) { from.tasks().remove(task, from.monitor); });
+  return withTask(call, [](const TestCall& from, TestTask& task) {
+    from.tasks().remove(task, from.monitor);
+    return Error::None;
+  });
 }
 
 TestAnswer replaceJob(const TestCall& call) {
   if (isForceJob(call)) return {forceInstead(call.monitor, call.request.job.items)};
-  if (const Error error = checkRoom(call); error != Error::None) return {error};
-  return withTask(call,
-                  [](const TestCall& from, TestTask& task) { task.replace(from.request.job); });
+  return withTask(call, [](const TestCall& from, TestTask& task) {
+    if (!task.isReplaceable()) return Error::NotToBeReplaced;
+    const Error error = checkVariables(from);
+    if (error == Error::None) task.replace(from.request.job);
+    return error;
+  });
 }
 
 // Function, number, 1 while it is enabled, 0.
@@ -165,6 +115,11 @@ struct TestService {
 constexpr TestService kTestServices[] = {
     {TestFunction::VariableStatus, 3, beginVariables},
     {TestFunction::Modify, 2, beginVariables},
+    {TestFunction::BlockStatus, 3, beginBlock},
+    {TestFunction::ProgramStatus, 3, beginBlock},
+    {TestFunction::InterruptStack, 3, interruptStack},
+    {TestFunction::BlockStack, 3, blockStack},
+    {TestFunction::LocalStack, 3, localStack},
     {TestFunction::Force, 2, beginForce},
     {TestFunction::Disable, 3, disable},
     {TestFunction::Enable, 3, enable},

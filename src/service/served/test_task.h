@@ -13,7 +13,8 @@ class TestTask : public Task {
 
   const s7comm::TestJob& job() const { return job_; }
   bool enabled() const { return enabled_; }
-  void enable(bool on) { enabled_ = on; }
+  virtual void enable(bool on) { enabled_ = on; }
+  virtual bool isReplaceable() const { return false; }
   virtual void replace(s7comm::TestJob job) {
     job.name = job_.name;
     job_ = std::move(job);
@@ -41,6 +42,7 @@ class VariableTask final : public TestTask, public monitor::PointWatcher {
 
   bool run(monitor::Monitor& monitor) override;
   void reached(monitor::CyclePoint point) override;
+  bool isReplaceable() const override { return true; }
   void replace(s7comm::TestJob job) override;
 
  private:

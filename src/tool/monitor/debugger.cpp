@@ -24,6 +24,10 @@ void Debugger::place() {
   for (const Breakpoint& one : breakpoints_)
     if (one.enabled) looked.insert(one.place.block);
   for (const ProgramStatus& one : statuses_) looked.insert(one.code().id());
+  std::erase_if(watchers_, [](const auto& one) { return one.expired(); });
+  for (const auto& one : watchers_)
+    if (const auto watcher = one.lock(); watcher && watcher->wanted())
+      looked.insert(watcher->watched);
   target_.probe([&](BlockId id) { return step_ || looked.contains(id); }, *this);
 }
 
@@ -81,6 +85,7 @@ bool Debugger::before(Spot& spot) {
   const bool stepped = !leaving && step_ && stepEnds(spot);
   if ((stop != nullptr || stepped) && holdAt(spot, here, stop)) return true;
   if (shown != nullptr) shown->before(spot);
+  tellWatchers(spot, &InstructionWatcher::before);
   return false;
 }
 
@@ -95,6 +100,7 @@ bool Debugger::holdAt(Spot& spot, const At& here, Breakpoint* stop) {
 
 void Debugger::after(const Spot& spot) {
   if (ProgramStatus* shown = statusOf(spot.code.id())) shown->after(spot);
+  tellWatchers(spot, &InstructionWatcher::after);
   // The OB has ended: what runs next is as good as the caller.
   if (step_ && spot.levelEnded && spot.depth.levels <= step_->depth.levels)
     step_->kind = StepKind::Into;
@@ -217,6 +223,17 @@ bool Debugger::addStatus(BlockId block, CallEnvironment environment,
   if (statusOf(block) == nullptr) statuses_.emplace_back(*code, environment, std::move(values));
   place();
   return true;
+}
+
+void Debugger::watch(const std::shared_ptr<InstructionWatcher>& watcher) {
+  watchers_.push_back(watcher);
+  place();
+}
+
+void Debugger::tellWatchers(const Spot& spot, void (InstructionWatcher::*what)(const Spot&)) {
+  for (const auto& one : watchers_)
+    if (const auto watcher = one.lock(); watcher && watcher->watched == spot.code.id())
+      ((*watcher).*what)(spot);
 }
 
 void Debugger::hideStatus() {

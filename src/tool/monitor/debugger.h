@@ -32,6 +32,18 @@ struct Pause {
   unsigned breakpoint = 0;  // its number
 };
 
+// Sees each instruction of a block: before it, unless the machine holds there, and after it, as
+// Observer has it.
+class InstructionWatcher {
+ public:
+  explicit InstructionWatcher(BlockId block) : watched(block) {}
+  virtual ~InstructionWatcher() = default;
+  virtual void before(const Spot& spot) = 0;
+  virtual void after(const Spot& spot) = 0;
+  virtual bool wanted() const { return true; }
+  const BlockId watched;
+};
+
 class Debugger final : private Observer {
  public:
   // The target outlives the debugger.
@@ -72,6 +84,9 @@ class Debugger final : private Observer {
   void hideStatus();
   // Only those of these blocks stay, with what they have recorded.
   void keepStatus(const std::function<bool(BlockId)>& wanted);
+  // From now on, as long as it is there; again after a download, and when one has gone.
+  void watch(const std::shared_ptr<InstructionWatcher>& watcher);
+  void placeWatchers() { place(); }
   // Of the block that was shown first; null if none is.
   const ProgramStatus* status() const { return statuses_.empty() ? nullptr : &statuses_.front(); }
   const ProgramStatus* status(BlockId block) const;
@@ -101,11 +116,13 @@ class Debugger final : private Observer {
   Breakpoint* breakpointAt(BlockId block, std::uint32_t offset);
   ProgramStatus* statusOf(BlockId block);
   void place();  // probes where they are needed
+  void tellWatchers(const Spot& spot, void (InstructionWatcher::*what)(const Spot&));
 
   Target& target_;
   std::vector<Breakpoint> breakpoints_;
   unsigned nextNumber_ = 1;
   std::vector<ProgramStatus> statuses_;  // of different blocks
+  std::vector<std::weak_ptr<InstructionWatcher>> watchers_;
   std::optional<Step> step_;
   std::optional<At> heldAt_;     // the instruction that HALT stands before
   std::optional<At> leaveFrom_;  // the same, out of HALT: executed before anything holds again

@@ -79,8 +79,8 @@ TEST(TestJob, everyOctetMayBeWrong) {
       line.plc.tested = {};
       EXPECT_NE(line.say(changed), "");
       for (const TestItem& item : line.plc.tested.job.items)
-        if (item.code == ItemCode::Done && !item.value.empty())
-          EXPECT_EQ(item.value.size(), item.range.octets);
+        EXPECT_TRUE(item.code != ItemCode::Done || item.value.empty() ||
+                    item.value.size() == item.range.octets);
     }
 }
 

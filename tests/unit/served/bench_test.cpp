@@ -181,6 +181,16 @@ TEST_F(TestBench, jobsOfOthersAndOfThoseWhoHaveGone) {
   EXPECT_EQ(line.ask(kList, words(0, 1, 0), "00 00 00 00"), "answer 10 04 00 00");
 }
 
+// A recorded conversation has the numbers of another CPU.
+TEST_F(TestBench, anotherNumberIsTheLastJobOfThatFunction) {
+  line.ask(kStatus, words(1, 0, kEnd), kCounters);
+  line.ask(kStatus, words(1, 0, kEnd), "00 01 01 01 00 00 00 0A");
+  EXPECT_EQ(line.ask(kEnable, words(0, 1, 0), "02 77"), "answer 0E 03 00 00");
+  plc.cycles(2);
+  EXPECT_TRUE(line.heard().starts_with("says 02 02 00 00"));
+  EXPECT_EQ(line.ask(kEnable, words(0, 1, 0), "08 77"), "answer 0E 04 D0 A5");
+}
+
 TEST_F(TestBench, limits) {
   EXPECT_EQ(line.ask(kStatus, words(1, 0, kEnd), "00 01 01 C8 00 00 00 00"), "answer 02 01 00 00");
   EXPECT_EQ(line.ask(kStatus, words(1, 0, kEnd), "00 01 01 C9 00 00 00 00"), "answer 02 02 D0 64");

@@ -1,0 +1,11 @@
+// Block status and program status on the wire.
+#pragma once
+
+#include "s7comm/test_job.h"
+
+namespace merker::s7comm {
+
+// The parameters behind the common ones, and the data.
+Error readBlockWatch(TestFunction function, View parameters, View data, BlockWatch& watch);
+
+}  // namespace merker::s7comm
