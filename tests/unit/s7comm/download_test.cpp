@@ -112,6 +112,16 @@ TEST(Download, answersBelongToQuestions) {
   EXPECT_EQ(line.say(piece(2, 4, false)), asks("03", "1C"));
 }
 
+TEST(Download, anAnswerMayComeBetweenTwoDownloads) {
+  Line line;
+  line.say(request("0008"));
+  line.plc.later = true;
+  EXPECT_EQ(line.say(request("0004")), "");
+  EXPECT_EQ(line.say(piece(1, 4, true)), "");
+  line.plc.carryOutAll();
+  EXPECT_EQ(line.heard(), std::string(kAccepted) + asks("02", "1B"));
+}
+
 TEST(Download, itMayEndWhileNobodyIsThere) {
   FewBytes plc;
   auto session = std::make_shared<Session>(plc, [](const Bytes&) {});

@@ -182,6 +182,25 @@ TEST_F(Loading, workMemoryIsFinite) {
   }
 }
 
+TEST_F(Loading, loadMemoryAndBlocksAreFinite) {
+  const CpuModel& model = controller::capability<station::BlockCpu>(plc.plc())->model();
+  PassiveBlocks passive;
+  const auto block = std::make_shared<block::Block>(*block::readContainer(fc1(), {}));
+  const auto keepSo = [&](std::uint16_t number, std::size_t octets, std::size_t code) {
+    auto other = std::make_shared<block::Block>(*block);
+    other->id.number = number;
+    other->code.resize(code);
+    return passive.keep(plc.plc(), other, octets, {});
+  };
+  EXPECT_EQ(keepSo(1, model.loadMemory - 10, 2), Error::None);
+  EXPECT_EQ(keepSo(2, 11, 2), Error::NoMemory);
+  EXPECT_EQ(passive.admit(plc.plc(), {BlockType::Fc, 2, FileSystem::Passive}, 11, {}),
+            Error::NoMemory);
+  EXPECT_EQ(keepSo(2, 10, 2), Error::None);
+  EXPECT_EQ(keepSo(1, 20, 2), Error::None);  // in place of the old one
+  EXPECT_EQ(keepSo(3, 20, model.blockSize + 2), Error::BlockTooLarge);
+}
+
 // docs/safety.md: code is translated in the thread of the connections.
 TEST_F(Loading, thePlcTranslatesNothing) {
   PassiveBlocks passive;
