@@ -104,6 +104,7 @@ class Judged(S7Case):
         self.assertRegex(values[0], r"^0xff(,0xff)+\t[0-9a-f]{4},00053fc0,")
         jobs = self.capture.ask("s7comm.param.userdata.type == 8 && s7comm.param.userdata.subfunc == 16", "s7comm.tis.job.function")
         self.assertEqual(jobs, ["9,2"])
+
     # S7-NET-26: MW 20 counts cycles.
     def test_cyclic_reads(self):
         client = self.recorded()
@@ -123,7 +124,8 @@ class Judged(S7Case):
                 pass
         client.close()
         self.assertEqual(self.capture.ask(BAD), [])
-        self.assertGreaterEqual(len(self.capture.ask("s7comm.param.userdata.type == 0 && s7comm.param.itemcount == 2")), 3)
+        counts = ",".join(self.capture.ask("s7comm.param.userdata.type == 0", "s7comm.param.itemcount")).split(",")
+        self.assertGreaterEqual(counts.count("2"), 4)  # indications of the first job, and those of the second
 
     def test_messages(self):
         self.write("b.awl", """ORGANIZATION_BLOCK OB 1
@@ -159,9 +161,9 @@ END_ORGANIZATION_BLOCK
         self.assertEqual(sorted(client.hear()[15:17].hex() for _ in range(2)), ["0000", "0403"])  # STOP, its entry
         client.close()
         self.assertEqual(self.capture.ask(BAD), [])
-        self.assertEqual(len(self.capture.ask("s7comm")), 2 * 6 + 1 + 1 + 2)
-        self.assertEqual(self.capture.ask("s7comm.param.userdata.subfunc == 0x11", "s7comm.alarm.event_id"), ["4660"])
-        self.assertEqual(self.capture.ask("s7comm.alarm.query.dataset_length", "s7comm.alarm.event_id"), ["4660"])
+        self.assertEqual(len(self.capture.ask("s7comm")), 2 * 6)  # what comes together is one frame
+        self.assertEqual(self.capture.ask("s7comm.param.userdata.subfunc == 0x11", "s7comm.alarm.event_id"), ["0x00001234"])
+        self.assertEqual(self.capture.ask("s7comm.alarm.query.dataset_length", "s7comm.alarm.event_id"), ["0x00001234"])
 
     # A block down, linked, deleted; what is refused; the tests of a service at a time.
     def test_blocks_for_the_plc(self):
