@@ -54,7 +54,7 @@ TestItem testItem(View address) {
 }
 
 // How many, their addresses, and their values if they are to be modified.
-Error readItems(View data, bool values, std::vector<TestItem>& items) {
+Error readTestItems(View data, bool values, std::vector<TestItem>& items) {
   const auto count = taken(data, 2);
   if (!count) return Error::WrongJobLength;
   for (std::size_t i = loadWord(count->data()); i > 0; --i) {
@@ -83,10 +83,10 @@ Error readJob(TestFunction function, View parameters, View data, TestJob& job) {
   job.data = copied(data);
   switch (function) {
     case TestFunction::VariableStatus:
-      return readItems(data, false, job.items);
+      return readTestItems(data, false, job.items);
     case TestFunction::Modify:
     case TestFunction::Force:
-      return readItems(data, true, job.items);
+      return readTestItems(data, true, job.items);
     case TestFunction::BlockStatus:
     case TestFunction::ProgramStatus:
       return readBlockWatch(function, parameters, data, job.block);
