@@ -51,6 +51,8 @@ class TestLine {
 
  private:
   void hear(const Bytes& pdu) {
+    constexpr std::uint8_t kUserdata = 7;
+    if (pdu[1] != kUserdata) return;  // the answer to the setup
     if (!heard_.empty()) heard_ += " | ";
     const auto p = std::span(pdu).subspan(10, 12);
     heard_ += p[5] >> 4 == 8 ? "answer " : "says ";
