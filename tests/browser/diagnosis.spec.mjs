@@ -1,4 +1,5 @@
 // Diagnostic buffer with help and the way to the block, stacks, module information (S7-MGR-16).
+import assert from 'node:assert/strict';
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { connect } from 'node:net';
 import { join } from 'node:path';
@@ -43,6 +44,8 @@ test('module information shows the CPU and its memory', async () => {
 test('without an S7 server nobody can be connected', async () => {
   await page.getByRole('tab', { name: 'Verbindungen' }).click();
   await has(page.getByRole('tabpanel'), /Kein S7-Server/);
+  const weight = await page.locator('footer .phase').evaluate((phase) => getComputedStyle(phase).fontWeight);
+  assert.equal(weight, '400'); // only what must be noticed stands out
 });
 
 // S7-LIM-05: the connections, who was refused, and a warning that stays where other computers can come.
