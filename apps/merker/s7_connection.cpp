@@ -1,6 +1,8 @@
 #include "s7_connection.h"
 
 #include <fmt/format.h>
+#include <netinet/tcp.h>
+#include <sys/socket.h>
 
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/write.hpp>
@@ -15,11 +17,15 @@ constexpr std::size_t kMostIndicated = 16 << 10;
 
 constexpr std::chrono::seconds kClientLimits[] = {
     std::chrono::seconds(5),   // Request: of the transport connection
-    std::chrono::seconds(30),  // Setup
+    std::chrono::seconds(5),   // Setup
     std::chrono::seconds(5),   // RestOfMessage
     std::chrono::seconds(20),  // Reading what it has asked for
     std::chrono::seconds(5),   // Answer to what this side has asked
 };
+
+// It asks one that has been silent for 30 s, three times at intervals of 5 s.
+constexpr std::pair<int, int> kKeepAlive[] = {
+    {TCP_KEEPIDLE, 30}, {TCP_KEEPINTVL, 5}, {TCP_KEEPCNT, 3}};
 
 constexpr const char* kResourceNames[] = {"PG", "OP", "other"};  // of Resource
 
@@ -54,6 +60,8 @@ S7Connection::S7Connection(Socket socket, S7Surroundings& around)
   socket_.set_option(boost::asio::ip::tcp::no_delay(true), ignored);
   // Who has vanished without a word is found by the operating system.
   socket_.set_option(boost::asio::socket_base::keep_alive(true), ignored);
+  for (const auto& [option, value] : kKeepAlive)
+    setsockopt(socket_.native_handle(), IPPROTO_TCP, option, &value, sizeof value);
 }
 
 S7Connection::~S7Connection() { close(); }

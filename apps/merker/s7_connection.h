@@ -64,6 +64,9 @@ class S7Connection : public std::enable_shared_from_this<S7Connection> {
   bool closed() const { return closed_; }
   // It took too long for what is expected of it.
   bool overdue(Clock::time_point now) const { return now >= due_; }
+  // Nothing has been agreed with it yet.
+  bool isNew() const { return expected_ == Expected::Request || expected_ == Expected::Setup; }
+  Clock::time_point due() const { return due_; }
   void breakOff();
   void close();
   // Nothing: it is not connected.

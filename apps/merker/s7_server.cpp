@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
@@ -47,6 +48,7 @@ struct S7Server::Parts {
   bool listen(std::string& reason);
   void accept();
   void take(tcp::socket socket);
+  bool makeRoom();
   void check();
 };
 
@@ -72,10 +74,23 @@ void S7Server::Parts::accept() {
   });
 }
 
-void S7Server::Parts::take(tcp::socket socket) {
+// False: every socket belongs to a client that has set up its connection. Else the one that has
+// waited longest to do so goes: nobody keeps others out by saying nothing.
+bool S7Server::Parts::makeRoom() {
   std::erase_if(clients, [](const auto& client) { return client->closed(); });
   const auto& connections = around.parameters.connections;
-  if (clients.size() >= (connections ? *connections + kMoreSockets : kMostSockets)) {
+  if (clients.size() < (connections ? *connections + kMoreSockets : kMostSockets)) return true;
+  const auto oldest = std::ranges::min_element(clients, {}, [](const auto& client) {
+    return client->isNew() ? client->due() : S7Connection::Clock::time_point::max();
+  });
+  if (!(*oldest)->isNew()) return false;
+  (*oldest)->breakOff();
+  clients.erase(oldest);
+  return true;
+}
+
+void S7Server::Parts::take(tcp::socket socket) {
+  if (!makeRoom()) {
     around.refuse(partnerOf(socket), "socket");
     return;
   }

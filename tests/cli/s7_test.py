@@ -248,6 +248,14 @@ class Hostile(S7Case):
         self.well()
         self.assertRegex(self.end(self.process), "^2 connections, 0 refused, 21 broken off")
 
+    # Whoever has waited longest without a setup makes room for the next one.
+    def test_silent_sockets_keep_nobody_out(self):
+        silent = [socket.create_connection(("127.0.0.1", self.port), timeout=20) for _ in range(100)]
+        self.assertEqual(silent[0].recv(1), b"")
+        self.well()
+        for one in silent:
+            one.close()
+
     def test_storms_and_noise(self):
         before, noise = self.memory(), random.Random(20)
         reset = struct.pack("ii", 1, 0)
