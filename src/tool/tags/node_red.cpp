@@ -6,6 +6,13 @@
 #include "tags/names.h"
 
 namespace merker::tags {
+namespace {
+
+// Timers and counters: @st-one-io/nodes7 asks for them as data of another area, and loses all
+// values of the group when it is refused.
+bool readable(const Tag& tag) { return tag.area != TagArea::Timer && tag.area != TagArea::Counter; }
+
+}  // namespace
 
 // The import splits lines at ";" and at tabs.
 Output nodeRed(const std::vector<Tag>& tags, const FormatOptions&) {
@@ -13,7 +20,7 @@ Output nodeRed(const std::vector<Tag>& tags, const FormatOptions&) {
   UniqueNames unique;
   for (const Tag& tag : tags) {
     const auto place = address(tag, kNodeRed);
-    if (!place) {
+    if (!place || !readable(tag)) {
       output.left.push_back(fullName(tag));
       continue;
     }
