@@ -9,6 +9,7 @@ import time
 import tty
 
 from harness import *
+from s7_client import FLAGS, WORD, Client
 
 STX, ETX, DLE, NAK = 0x02, 0x03, 0x10, 0x15
 
@@ -136,15 +137,25 @@ class SerialCase(Case):
     def run_it(self, project, serial, *more):
         held = lambda: signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT, signal.SIGTERM})
         process = subprocess.Popen([os.environ["MERKER"], "run", project, "--no-workbench", "--json", "--print", "MW 20, DB20.DBW 0, DB20.DBW 198" if "rk" in project
-                                    else "MW 20", "--serial", serial, *more],
+                                    else "MW 20", "--serial", serial, "--s7", "0", *more],
                                    cwd=self.folder, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE, preexec_fn=held)
         self.addCleanup(process.kill)
         self.addCleanup(process.stdout.close)
         self.addCleanup(process.stderr.close)
-        line = process.stderr.readline()
-        where = re.match(r"serial interface X27: (.*)", line)
-        self.assertTrue(where, line)
+        said = process.stderr.readline() + process.stderr.readline()
+        where = re.search(r"^serial interface X27: (.*)$", said, re.MULTILINE)
+        port = re.search(r"^S7 communication: 127\.0\.0\.1:(\d+)$", said, re.MULTILINE)
+        self.assertTrue(where and port, said)
+        process.port = int(port.group(1))
         return process, where.group(1)
+
+    def jobs(self, process, count):
+        """Waits until so many jobs have ended well: MW 20 counts them, in the cycle after the last character."""
+        client, end = Client(process.port), time.monotonic() + 60
+        while int.from_bytes(client.read(FLAGS, 20, 1, WORD), "big") < count:
+            self.assertLess(time.monotonic(), end, f"fewer than {count} jobs")
+            time.sleep(0.01)
+        client.close()
 
     def end(self, process):
         process.send_signal(signal.SIGTERM)
@@ -164,6 +175,15 @@ class SerialCase(Case):
         client.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         self.addCleanup(client.close)
         return client
+
+    def call_again(self, address):
+        """The connection after one that was closed: whoever comes before the program has seen its end is sent away."""
+        end = time.monotonic() + 60
+        while time.monotonic() < end:
+            client = self.call(address)
+            if not select.select([client], [], [], 0.5)[0] or client.recv(1):
+                return client
+        self.fail("nobody is let in")
 
     def talk(self, partner):
         partner.idle(0.5)  # NAK of the start
