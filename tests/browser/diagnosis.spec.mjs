@@ -34,6 +34,8 @@ test('each change of the operating state is an entry, newest first', async () =>
   await has(entries.first(), /STOP/);
   await turn(page, 'RUN-P');
   await has(entries.first(), /16#[0-9A-F]{4}[^]*RUN/);
+  const heights = await entries.evaluateAll((rows) => rows.map((row) => row.getBoundingClientRect().height));
+  assert.ok(Math.max(...heights) <= 26, `each event has one line: ${heights}`);
 });
 
 test('module information shows the CPU and its memory', async () => {

@@ -147,3 +147,19 @@ test('HALT leaves the text where it is', async () => {
   await page.locator('[data-mode="RUN"]').waitFor();
   assert.equal(await top(), before);
 });
+
+test('on a tablet held upright the front plate of the CPU is one row until it is unfolded', async () => {
+  const tablet = await open(server, 'io', { width: 768, height: 1024 });
+  const high = () => tablet.locator('aside[aria-label="CPU"]').evaluate((plate) => plate.getBoundingClientRect().height);
+  await until(async () => (await high()) <= 48, 'one row');
+  await tablet.getByRole('status', { name: 'Betriebszustand' }).waitFor();
+  assert.equal(await tablet.getByRole('radio', { name: 'STOP' }).count(), 0);
+  await accessible(tablet, 'folded');
+  await tablet.getByRole('button', { name: 'Frontplatte der CPU' }).press('Enter');
+  await turn(tablet, 'STOP');
+  await turn(tablet, 'RUN-P');
+  await tablet.reload();
+  await until(async () => (await high()) > 100, 'it stays unfolded');
+  await tablet.getByRole('button', { name: 'Frontplatte der CPU' }).press('Enter');
+  await until(async () => (await high()) <= 48, 'one row again');
+});

@@ -2,6 +2,7 @@ import type { Texts } from '..';
 
 export const cpu = {
   title: ['CPU', 'CPU'],
+  plate: ['Frontplatte der CPU', 'Front plate of the CPU'],
   leds: ['Anzeigen', 'LEDs'],
   ledOff: ['{name}: aus', '{name}: off'],
   ledOn: ['{name}: leuchtet', '{name}: on'],
