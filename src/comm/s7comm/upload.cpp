@@ -1,6 +1,7 @@
 // 1Dh to 1Fh: a block as it lies in the CPU, in pieces.
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "base/bytes.h"
 #include "s7comm/block_name.h"
@@ -13,6 +14,11 @@ namespace {
 constexpr std::size_t kPiecePdu = 240, kPieceHead = 4;
 constexpr std::uint8_t kPieceMark = 0xFB;
 constexpr std::size_t kUploadParameters = 8, kNameBegins = 10;
+
+// What stands in front of a name, as Wireshark's dissector has it: all of the block, or its head up
+// to the code.
+constexpr std::uint8_t kWholeBlock = '_', kHeadOnly = '$';
+constexpr std::size_t kBlockHead = 36;
 
 // The number of the upload: the last of 7 octets behind the function.
 std::uint32_t uploadNumber(const Job& job) { return loadDWord(&job.parameters[4]); }
@@ -32,26 +38,29 @@ Bytes startAnswer(const Job& job, const Session::Upload& upload) {
   return answer;
 }
 
+void beginUpload(const Job& job, Error error, Bytes octets) {
+  Session::Upload& upload = job.upload();
+  upload = {upload.number % 0xFF + 1, std::move(octets), 0};
+  error == Error::None ? job.answer(startAnswer(job, upload)) : job.refuse(error);
+}
+
 }  // namespace
 
 // One at a time: a new one ends the one before.
 void serveStartUpload(const Job& job) {
   const View p = job.parameters;
-  constexpr std::size_t kLength = 8;  // of the name and its "_"
-  const bool named = p.size() > kNameBegins && p[kLength] == p.size() - kLength - 1 && p[9] == '_';
+  constexpr std::size_t kLength = 8;  // of the name and what stands in front of it
+  const bool named = p.size() > kNameBegins && p[kLength] == p.size() - kLength - 1 &&
+                     (p[9] == kWholeBlock || p[9] == kHeadOnly);
   const auto name = named ? blockNameOf(p.subspan(kNameBegins)) : std::nullopt;
   if (!name) return job.refuse(Error::WrongBlockName);
-  job.plc().block(*name, job.password(),
-                  [begun = job.begun()](Error error, const Bytes& container) {
-                    Session::Upload& upload = begun.upload();
-                    upload = {upload.number % 0xFF + 1, {}, 0};
-                    if (error == Error::None) upload.octets = container;
-                    if (error == Error::None)
-                      begun.answer(startAnswer(begun, upload));
-                    else
-                      begun.refuse(error);
-                    begun.ended();
-                  });
+  const bool head = p[9] == kHeadOnly;
+  const auto done = [begun = job.begun(), head](Error error, const Bytes& container) {
+    const auto end = head ? container.begin() + kBlockHead : container.end();
+    beginUpload(begun, error, error == Error::None ? Bytes(container.begin(), end) : Bytes());
+    begun.ended();
+  };
+  head ? job.plc().blockHead(*name, done) : job.plc().block(*name, job.password(), done);
 }
 
 void serveUpload(const Job& job) {

@@ -52,8 +52,8 @@ TEST(Blocks, informationIsHeadAndEndOfTheContainer) {
 constexpr std::string_view kStart =
     "32 01 00 00 00 02 00 12 00 00 1D 00 00 00 00 00 00 00 09 5F 30 38 30 30 30 30 31 41";
 constexpr std::string_view kNext = "32 01 00 00 00 03 00 08 00 00 1E 00 00 00 00 00 00 01";
-constexpr std::string_view kEnd = "32 01 00 00 00 04 00 08 00 00 1F 00 00 00 00 00 00 01";
-constexpr std::string_view kRefused = "32 02 00 00 00 03 00 00 00 00 84 04";
+constexpr std::string_view kEndUpload = "32 01 00 00 00 04 00 08 00 00 1F 00 00 00 00 00 00 01";
+constexpr std::string_view kUploadRefused = "32 02 00 00 00 03 00 00 00 00 84 04";
 
 // 372 octets: 222 and 150.
 TEST(Upload, aBlockComesInPieces) {
@@ -67,26 +67,42 @@ TEST(Upload, aBlockComesInPieces) {
   EXPECT_TRUE(
       last.ends_with("CC EE EE EE EE EE EE EE EE EE EE EE EE EE EE EE EE EE EE EE EE EE EE EE EE "
                      "EE EE EE EE EE EE EE EE EE EE EE EE"));
-  EXPECT_EQ(line.say(kNext), kRefused);
-  EXPECT_EQ(line.say(kEnd), "32 03 00 00 00 04 00 01 00 00 00 00 1F");
-  EXPECT_EQ(line.say(kNext), kRefused);
+  EXPECT_EQ(line.say(kNext), kUploadRefused);
+  EXPECT_EQ(line.say(kEndUpload), "32 03 00 00 00 04 00 01 00 00 00 00 1F");
+  EXPECT_EQ(line.say(kNext), kUploadRefused);
+}
+
+// "$" in place of "_".
+TEST(Upload, aHeadAlone) {
+  Line line;
+  EXPECT_EQ(
+      line.say(
+          "32 01 00 00 00 02 00 12 00 00 1D 00 00 00 00 00 00 00 09 24 30 38 30 30 30 30 31 41"),
+      "32 03 00 00 00 02 00 10 00 00 00 00 1D 00 01 00 00 00 00 01 07 30 30 30 30 30 33 36");
+  const std::string only = line.say(kNext);
+  EXPECT_TRUE(only.starts_with("32 03 00 00 00 03 00 02 00 28 00 00 1E 00 00 24 00 FB AA"));
+  EXPECT_TRUE(only.ends_with("AA AA AA"));
+  EXPECT_EQ(
+      line.say(
+          "32 01 00 00 00 02 00 12 00 00 1D 00 00 00 00 00 00 00 09 24 30 41 30 30 30 30 31 41"),
+      "32 02 00 00 00 02 00 00 00 00 D2 09");
 }
 
 TEST(Upload, whatIsNotThereOrNotAllowedIsRefused) {
   Line line;
-  EXPECT_EQ(line.say(kNext), kRefused);
+  EXPECT_EQ(line.say(kNext), kUploadRefused);
   EXPECT_EQ(
       line.say(
           "32 01 00 00 00 02 00 12 00 00 1D 00 00 00 00 00 00 00 09 5F 30 41 30 30 30 30 31 41"),
       "32 02 00 00 00 02 00 00 00 00 D2 09");
-  EXPECT_EQ(line.say(kNext), kRefused);
+  EXPECT_EQ(line.say(kNext), kUploadRefused);
   EXPECT_EQ(
       line.say(
           "32 01 00 00 00 02 00 12 00 00 1D 00 00 00 00 00 00 00 09 5F 30 38 30 30 2F 30 31 41"),
       "32 02 00 00 00 02 00 00 00 00 D2 01");
   line.plc.locked = true;
   EXPECT_EQ(line.say(kStart), "32 02 00 00 00 02 00 00 00 00 D2 41");
-  EXPECT_EQ(line.say(kNext), kRefused);
+  EXPECT_EQ(line.say(kNext), kUploadRefused);
 }
 
 }  // namespace

@@ -70,8 +70,8 @@ class FewBytes : public Plc {
     }
     carryOut([codes, done = std::move(done)] { done(codes); });
   }
-  void lock(std::vector<std::uint32_t> numbers, bool locked, CodesDone done) override {
-    for (const std::uint32_t number : numbers) locked_[number] = locked;
+  void lock(std::vector<std::uint32_t> numbers, bool on, CodesDone done) override {
+    for (const std::uint32_t number : numbers) locked_[number] = on;
     carryOut([count = numbers.size(), done = std::move(done)] {
       done(std::vector(count, ItemCode::Done));
     });
