@@ -50,19 +50,27 @@ test('items of a group', { timeout: 30_000 }, async () => {
 });
 
 test('blocks', { timeout: 30_000 }, async () => {
-  const counts = await endpoint.blockCount();
-  assert.deepEqual([counts.OB, counts.DB, counts.FC, counts.SDB], [1, 1, 0, 0]);
-  for (const type of ['OB', 'DB']) {
-    assert.deepEqual((await endpoint.listBlocks(type)).map((block) => block.number), [1]);
-    assert.ok((await endpoint.getBlockInfo(type, 1)).length > 70);
-    const block = await endpoint.uploadBlock(type, 1);
+  const { SFC, SFB, ...counts } = await endpoint.blockCount();
+  assert.deepEqual(counts, { OB: 1, FB: 1, FC: 1, DB: 1, SDB: 2 });
+  const all = await endpoint.listAllBlocks();
+  const numbers = Object.fromEntries(Object.entries(all).map(([type, list]) => [type, list.map((block) => block.number)]));
+  assert.deepEqual([numbers.OB, numbers.FB, numbers.FC, numbers.DB, numbers.SDB], [[1], [1], [1], [1], [0, 2]]);
+  assert.deepEqual([numbers.SFC.length, numbers.SFB.length], [SFC, SFB]); // more than a PDU holds
+  const information = await endpoint.getAllBlockInfo();
+  assert.equal(information.length, 6 + SFC + SFB);
+  assert.ok(information.every((one) => one.length > 70));
+  const blocks = await endpoint.uploadAllBlocks(); // SFC and SFB are the CPU's own
+  assert.deepEqual(blocks.map((block) => `${block[5].toString(16)} ${block.readUInt16BE(6)}`), ['8 1', 'a 1', 'b 0', 'b 2', 'c 1', 'e 1']);
+  for (const block of blocks) {
     assert.equal(block.readUInt16BE(0), 0x7070);
     assert.equal(block.readUInt32BE(8), block.length); // the length that its head names
   }
-  assert.equal((await endpoint.listBlocks('SFC')).length, counts.SFC); // more than a PDU holds
-  assert.ok((await endpoint.getBlockInfo('SFC', 51)).length > 70);
-  await assert.rejects(endpoint.uploadBlock('SFC', 51)); // the CPU's own
+  const head = await endpoint.uploadBlock('OB', 1, true);
+  assert.deepEqual(head, blocks[0].subarray(0, 36));
+  assert.equal((await endpoint.uploadBlock('SFC', 51, true)).readUInt16BE(6), 51);
+  await assert.rejects(endpoint.uploadBlock('SFC', 51));
   await assert.rejects(endpoint.uploadBlock('FB', 9));
+  await assert.rejects(endpoint.uploadBlock('FB', 9, true));
   await assert.rejects(endpoint.getBlockInfo('FB', 9));
 });
 

@@ -8,7 +8,7 @@ import { createInterface } from 'node:readline';
 
 export const require = createRequire(join(process.env.MERKER_CLIENTS, 'package.json'));
 
-// DB 1: an INT, a REAL, a DINT, bits and a text; MW 20 counts cycles, A 0.0 follows E 0.0, T 1 runs, Z 0 and Z 1 are 42.
+// DB 1: an INT, a REAL, a DINT, bits and a text; MW 20 counts cycles, A 0.0 follows E 0.0, T 1 runs, Z 0 and Z 1 are 42; FC 1 and FB 1 are not called.
 const PROGRAM = `DATA_BLOCK DB 1
 STRUCT
  number : INT := 5; level : REAL := 1.5; large : DINT := L#-70000; on : BOOL := TRUE; off : BOOL;
@@ -16,6 +16,16 @@ STRUCT
 END_STRUCT
 BEGIN
 END_DATA_BLOCK
+FUNCTION FC 1 : VOID
+BEGIN
+NETWORK
+ L 7; T MW 30;
+END_FUNCTION
+FUNCTION_BLOCK FB 1
+BEGIN
+NETWORK
+ L 8; T MW 30;
+END_FUNCTION_BLOCK
 ORGANIZATION_BLOCK OB 1
 BEGIN
 NETWORK

@@ -42,11 +42,11 @@ test('a cold restart is not of this CPU', limit, async () => {
 
 test('directory', limit, async () => {
   const counts = await call('ListBlocks');
-  assert.deepEqual([counts.OBCount, counts.DBCount, counts.FCCount], [1, 1, 0]);
+  assert.deepEqual([counts.OBCount, counts.DBCount, counts.FCCount], [1, 1, 1]);
   assert.deepEqual([...(await call('ListBlocksOfType', client.Block_DB))], [1]);
   const information = await call('GetAgBlockInfo', client.Block_OB, 1);
   assert.deepEqual([information.BlkNumber, information.BlkLang], [1, 1]); // AWL
-  await assert.rejects(call('GetAgBlockInfo', client.Block_FC, 1));
+  await assert.rejects(call('GetAgBlockInfo', client.Block_FC, 9));
 });
 
 test('upload', limit, async () => {
@@ -56,7 +56,7 @@ test('upload', limit, async () => {
   assert.equal(container.subarray(0, 2).toString('hex'), '7070');
   assert.deepEqual(client.GetPgBlockInfo(container).MC7Size, information.MC7Size);
   assert.equal((await call('Upload', client.Block_OB, 1, 4096)).length, information.MC7Size);
-  await assert.rejects(call('FullUpload', client.Block_FC, 1, 4096));
+  await assert.rejects(call('FullUpload', client.Block_FC, 9, 4096));
 });
 
 test('download and delete', limit, async () => {

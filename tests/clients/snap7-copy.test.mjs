@@ -11,7 +11,7 @@ const EMPTY = 'ORGANIZATION_BLOCK OB 1\nBEGIN\nEND_ORGANIZATION_BLOCK\n';
 // Containers by type and number, in the order in which blocks are loaded: OBs last.
 async function blocksOf(client) {
   const all = new Map();
-  for (const type of ['DB', 'FC', 'FB', 'OB']) {
+  for (const type of ['SDB', 'DB', 'FC', 'FB', 'OB']) {
     const kind = client[`Block_${type}`];
     const counts = await client.call('ListBlocks');
     if (counts[`${type}Count`] === 0) continue;
@@ -47,5 +47,5 @@ async function copied(example, contains) {
   }
 }
 
-test('the lift', { timeout: 60_000 }, () => copied('lift', ['OB 1']));
-test('the sorting plant', { timeout: 60_000 }, () => copied('sorting-plant', ['OB 1']));
+test('the lift', { timeout: 60_000 }, () => copied('lift', ['OB 1', 'SDB 0']));
+test('the sorting plant', { timeout: 60_000 }, () => copied('sorting-plant', ['OB 1', 'SDB 1']));

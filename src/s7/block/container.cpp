@@ -182,7 +182,8 @@ std::uint16_t checksum(const Block& block) {
 std::vector<std::uint8_t> writeContainer(const Block& block) {
   if (block.id.kind == BlockKind::UDT) return {};
   const Bytes& code = content(block);
-  const Bytes interface = writeInterface(block);
+  const Bytes interface =
+      block.id.kind == BlockKind::SDB ? Bytes{} : writeInterface(block);  // system data have none
   const Bytes segments = holdsData(block.id.kind) ? Bytes{} : writeSegmentTable(block);
   if (std::max({code.size(), interface.size(), segments.size()}) > kLongestPart) return {};
   Bytes out(kHeader);

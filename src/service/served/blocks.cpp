@@ -1,10 +1,15 @@
 #include "served/blocks.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "block/container.h"
 #include "cpu/cpu.h"
+#include "plant/field.h"
 #include "served/container_check.h"
 #include "served/system.h"
 #include "served/system_blocks.h"
+#include "served/system_data.h"
 #include "station/block_cpu.h"
 
 namespace merker::served {
@@ -47,11 +52,35 @@ void listBlocks(const block::Program& program, std::vector<BlockEntry>& all) {
 
 bool isSystemBlock(BlockType type) { return type == BlockType::Sfc || type == BlockType::Sfb; }
 
+const block::Block* findBlock(const block::Program& program, BlockId id) {
+  const auto found = program.find(id);
+  return found == program.end() ? nullptr : &found->second;
+}
+
 Uploaded systemBlock(const CpuModel& model, BlockId id) {
-  const block::Program& all = systemBlocks(model);
-  const auto found = all.find(id);
-  if (found == all.end()) return {};
-  return {Error::None, block::writeContainer(found->second)};
+  const block::Block* const found = findBlock(systemBlocks(model), id);
+  return found == nullptr ? Uploaded{} : Uploaded{Error::None, block::writeContainer(*found)};
+}
+
+// Without those in whose place a client has loaded others.
+block::Program systemDataOf(const controller::Controller& plc, const station::BlockCpu& cpu) {
+  const auto* const field = controller::capability<plant::Field>(plc);
+  const io::Rack* const rack = field == nullptr ? nullptr : field->rack();
+  block::Program made = systemData(cpu.model(), cpu.cpu().parameters(),
+                                   rack == nullptr ? nullptr : &rack->configuration());
+  std::erase_if(made, [&](const auto& one) { return cpu.program().contains(one.first); });
+  return made;
+}
+
+// Empty: there is no such block.
+s7comm::Bytes activeContainer(const controller::Controller& plc, const station::BlockCpu& cpu,
+                              BlockId id) {
+  if (const block::Block* const found = findBlock(cpu.program(), id))
+    return containerOf(cpu, *found);
+  if (id.kind != BlockKind::SDB) return {};
+  const block::Program made = systemDataOf(plc, cpu);
+  const block::Block* const found = findBlock(made, id);
+  return found == nullptr ? s7comm::Bytes{} : block::writeContainer(*found);
 }
 
 }  // namespace
@@ -61,7 +90,9 @@ std::optional<std::vector<BlockEntry>> blocksOf(controller::Controller& plc) {
   if (cpu == nullptr) return std::nullopt;
   std::vector<BlockEntry> all;
   listBlocks(cpu->program(), all);
+  listBlocks(systemDataOf(plc, *cpu), all);
   listBlocks(systemBlocks(cpu->model()), all);
+  std::ranges::sort(all, {}, [](const BlockEntry& one) { return std::pair(one.type, one.number); });
   return all;
 }
 
@@ -70,12 +101,11 @@ Uploaded blockOf(controller::Controller& plc, const PassiveBlocks& passive,
   const auto* const cpu = controller::capability<station::BlockCpu>(plc);
   if (cpu == nullptr) return {Error::FunctionNotAvailable, {}};
   if (isSystemBlock(name.type)) return systemBlock(cpu->model(), idOf(name));
+  const BlockId id = idOf(name);
   s7comm::Bytes container;
-  const auto found = cpu->program().find(idOf(name));
-  const block::Block* const waiting = passive.find(idOf(name));
-  if (name.files != FileSystem::Passive && found != cpu->program().end())
-    container = containerOf(*cpu, found->second);
-  else if (name.files != FileSystem::Active && waiting != nullptr)
+  if (name.files != FileSystem::Passive) container = activeContainer(plc, *cpu, id);
+  const block::Block* const waiting = passive.find(id);
+  if (container.empty() && name.files != FileSystem::Active && waiting != nullptr)
     container = block::writeContainer(*waiting);
   return container.empty() ? Uploaded{} : Uploaded{Error::None, std::move(container)};
 }
