@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "harness.h"
+#include "s7comm/partner.h"
 #include "s7comm/request.h"
 
 using namespace merker;
@@ -152,6 +153,44 @@ class Zeros : public s7comm::Plc {
 // What the PLC says unasked: userdata of type 0.
 bool isIndication(View answer) { return answer.size() > 15 && answer[1] == 7 && answer[15] < 0x10; }
 
+// A program with a receiving block, and one that sends and reads.
+class FewJobs : public s7comm::PartnerProgram {
+ public:
+  void connected(bool) override {}
+  void finished(s7comm::PartnerResult) override { ++results; }
+  void begun(std::uint32_t, std::size_t octets) override {
+    fuzz::require(octets < s7comm::kLongestTelegram, "what has begun is shorter than the longest");
+  }
+  void arrived(s7comm::Telegram telegram) override {
+    ++telegrams;
+    fuzz::require(telegram.octets.size() <= s7comm::kLongestTelegram, "a telegram has a limit");
+  }
+  std::size_t results = 0, telegrams = 0;
+};
+
+// The same PDUs as those of a partner: every job ends once, nothing is longer than agreed.
+void hearPartner(View rest) {
+  constexpr std::uint16_t kPdu = 240;
+  FewJobs program;
+  s7comm::Partner partner(program);
+  partner.attach([](const Bytes& pdu) {
+    fuzz::require(pdu.size() <= kPdu && s7comm::readPdu(pdu), "a partner gets a PDU as agreed");
+  });
+  partner.agreed(kPdu);
+  partner.order({.receivers = {{0, true}},
+                 .jobs = {{.number = 1, .values = {Bytes(1000)}},
+                          {.kind = s7comm::PartnerJob::Kind::Get, .number = 2, .items = {{}}}}});
+  for (auto heard = s7comm::Partner::Heard::Done;
+       !rest.empty() && heard != s7comm::Partner::Heard::Wrong;) {
+    const std::size_t length = std::min<std::size_t>(rest[0], rest.size() - 1);
+    heard = partner.receive(rest.subspan(1, length));
+    rest = rest.subspan(1 + length);
+  }
+  fuzz::require(program.telegrams <= 1, "no second telegram before the first is taken");
+  partner.detach();
+  fuzz::require(program.results == 2, "a job ends once");
+}
+
 // What a client does with an answer.
 void take(View answer, std::size_t most) {
   const auto pdu = s7comm::readPdu(answer);
@@ -168,6 +207,7 @@ void take(View answer, std::size_t most) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   Zeros plc;
   View rest(data, size);
+  hearPartner(rest);
   if (const auto pdu = s7comm::readPdu(rest)) {  // as an answer, too
     static_cast<void>(s7comm::setupAnswer(*pdu));
     static_cast<void>(s7comm::readAnswer(*pdu));

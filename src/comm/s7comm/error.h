@@ -12,8 +12,13 @@ enum class Error : std::uint16_t {
   TransferFailed = 0x8003,        // a piece of a block was not what was asked for
   FunctionNotAvailable = 0x8104,  // no such function, or before the setup
   NoMemory = 0x8301,              // load or work memory
+  WrongSequence = 0x8401,         // of services, or of segments
+  WrongObjectState = 0x8402,      // of what was addressed
   CannotBeDone = 0x8404,          // not in this state
+  BlockDisabled = 0x8405,         // a receiving block of the program
   WrongPduSize = 0x8500,          // the PDU, or its answer, is too long or its lengths are wrong
+  NoSuchObject = 0x8701,          // at this address
+  AccessRefused = 0x8703,         // to an object
   // of test and installation
   TestNotOffered = 0xD003,  // by this PLC
   WrongTrigger = 0xD00A,

@@ -77,6 +77,8 @@ class Session : public std::enable_shared_from_this<Session> {
 
   std::uint16_t pdu() const { return pdu_; }
   bool isSetUp() const { return setUp_; }
+  // The other side has agreed to what this one asked.
+  void agreed(std::uint16_t pdu) { agree(pdu, offer_.jobs); }
 
  private:
   friend struct Job;

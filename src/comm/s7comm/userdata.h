@@ -5,9 +5,13 @@
 
 namespace merker::s7comm {
 
-// The parameters of what a PLC says, as an answer or unasked.
+// The parameters of what a PLC says: as an answer, unasked, or to its partner.
 struct UserdataHead {
-  enum class Kind : std::uint8_t { Indication = 0x00, Answer = 0x80 } kind = Kind::Answer;
+  enum class Kind : std::uint8_t {
+    Indication = 0x00,
+    Request = 0x40,
+    Answer = 0x80
+  } kind = Kind::Answer;
   std::uint8_t group = 0, subfunction = 0, sequence = 0;
   std::uint8_t unit = 0;  // of an answer of several PDUs
   bool last = true;
