@@ -114,13 +114,13 @@ step "release build" build release -DMERKER_UNIT_TESTS=OFF
 released=$?
 begin_build debug
 if [ "$released" -eq 0 ]; then
-  # One test more than processors: most of these wait.
+  # One test more than processors, here and below: most of these wait.
   run_ctest "release: architecture, documents, differential tests, command line, page and browser" release $((jobs + 1))
   counted "examples" build/release/merker test examples
   counted "conformance programs" python3 -B tests/conformance/run.py build/release/merker
 fi
 if step "debug build with sanitizers" end_build debug; then
-  run_ctest "debug with sanitizers: unit tests, stored fuzzer inputs, command line" debug "$jobs"
+  run_ctest "debug with sanitizers: unit tests, stored fuzzer inputs, command line" debug $((jobs + 1))
 fi
 [ "$fuzz_seconds" -eq 0 ] || fuzz
 
