@@ -31,18 +31,6 @@ std::string digits(std::size_t number, int count) {
          text;
 }
 
-// "0A00001P"
-std::string nameOf(const BlockNumber& block, char files) {
-  return std::string{'0', static_cast<char>(block.type)} +
-         digits(static_cast<std::size_t>(block.number), 5) + files;
-}
-
-bool isBlock(const BlockNumber& block) {
-  constexpr std::string_view kTypes = "8ABCDEF";
-  return kTypes.find(static_cast<char>(block.type)) != std::string_view::npos &&
-         block.number >= 0 && block.number <= 0xFFFF;
-}
-
 // Head of a function: octets up to `length`, then a text with its length.
 Bytes parametersOf(std::uint8_t function, std::size_t length, std::string_view text = {}) {
   Bytes parameters(length);
@@ -111,16 +99,27 @@ int handOver(Connection& connection, const Bytes& container) {
 
 int blockService(Connection& connection, std::string_view name, const BlockNumber& block,
                  char files, int refused) {
-  return callService(connection, name, std::string("\1\0", 2) + nameOf(block, files), refused);
+  return callService(connection, name, std::string("\1\0", 2) + blockName(block, files), refused);
 }
 
 }  // namespace
+
+std::string blockName(const BlockNumber& block, char files) {
+  return std::string{'0', static_cast<char>(block.type)} +
+         digits(static_cast<std::size_t>(block.number), 5) + files;
+}
+
+bool isBlock(const BlockNumber& block) {
+  constexpr std::string_view kTypes = "8ABCDEF";
+  return kTypes.find(static_cast<char>(block.type)) != std::string_view::npos &&
+         block.number >= 0 && block.number <= 0xFFFF;
+}
 
 int upload(Connection& connection, const BlockNumber& block, Bytes& container) {
   if (!isBlock(block)) return errCliInvalidBlockNumber;
   constexpr std::size_t kNumberAt = 4;
   Pdu answer;
-  const Bytes start = parametersOf(kStartUpload, 8, '_' + nameOf(block, 'A'));
+  const Bytes start = parametersOf(kStartUpload, 8, '_' + blockName(block, 'A'));
   if (const int error = ask(connection, start, errCliUploadSequenceFailed, answer)) return error;
   if (answer.parameters.size() < 2 * kNumberAt) return errCliUploadSequenceFailed;
   Bytes next = parametersOf(kUpload, 8);
@@ -144,7 +143,7 @@ int download(Connection& connection, int number, Bytes container) {
   const int kind = container[kKindAt];
   const BlockNumber block{kind == 8 ? '8' : 'A' + kind - 0x0A, loadWord(&container[kNumberAt])};
   if (number > 0xFFFF || !isBlock(block)) return errCliInvalidBlockNumber;
-  Bytes request = parametersOf(kRequestDownload, 8, '_' + nameOf(block, 'P'));
+  Bytes request = parametersOf(kRequestDownload, 8, '_' + blockName(block, 'P'));
   const std::string lengths =
       '1' + digits(container.size(), 6) + digits(loadWord(&container[kCodeLengthAt]), 6);
   request.push_back(static_cast<std::uint8_t>(lengths.size()));

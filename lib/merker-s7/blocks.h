@@ -1,6 +1,7 @@
 // Blocks of the CPU: fetched, handed over, deleted; and what is done with the CPU as a whole.
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "connection.h"
@@ -11,6 +12,9 @@ struct BlockNumber {
   int type = 0, number = 0;
 };
 
+bool isBlock(const BlockNumber& block);
+// "0A00001P"
+std::string blockName(const BlockNumber& block, char files);
 // The container of a block (docs/formats/block.md). 0, or an error of merker_s7.h, as all of them.
 int upload(Connection& connection, const BlockNumber& block, s7comm::Bytes& container);
 // Under this number, or that of the container if it is negative; it is active then.

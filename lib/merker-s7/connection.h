@@ -24,6 +24,9 @@ class Connection {
   int open(const Settings& settings);
   void close();
   bool isOpen() const { return socket_.isOpen(); }
+  // How long the CPU may take for an answer, ms.
+  int patience() const { return settings_.receiveMilliseconds; }
+  void setPatience(int milliseconds) { settings_.receiveMilliseconds = milliseconds; }
   std::uint16_t pdu() const { return pdu_; }
 
   std::uint16_t nextReference() { return ++reference_; }

@@ -48,6 +48,9 @@ constexpr Text kTexts[] = {
     {errCliBufferTooSmall, "the block is longer than the buffer"},
     {errCliFunNotAvailable, "the PLC does not know this function"},
     {errCliNeedPassword, "the PLC asks for a password"},
+    {errCliInvalidPassword, "the password is wrong"},
+    {errCliNoPasswordToSetOrClear,
+     "the PLC has no password, or it was entered before, or none was entered"},
     {errCliFunctionRefused, "the PLC refused the function"},
     {errLibInvalidObject, "this is not a client"},
 };

@@ -2,37 +2,15 @@
 
 #include <algorithm>
 #include <cstring>
-#include <mutex>
-#include <new>
 
 #include "blocks.h"
-#include "connection.h"
+#include "client.h"
 #include "error_text.h"
 #include "variables.h"
 
 using namespace merker::s7client;
 
 namespace {
-
-struct Client {
-  std::mutex lock;
-  Settings settings;
-  Connection connection;
-  int lastError = 0;
-};
-
-// Runs `body(client)`; nothing is thrown into C.
-template <typename Body>
-int with(S7Object object, Body body) {
-  if (object == 0) return errLibInvalidObject;
-  auto& client = *reinterpret_cast<Client*>(object);
-  const std::lock_guard guard(client.lock);
-  try {
-    return client.lastError = body(client);
-  } catch (const std::bad_alloc&) {
-    return client.lastError = errCliFunctionRefused;
-  }
-}
 
 int readArea(S7Object object, const Elements& elements, void* data) {
   if (data == nullptr) return errCliInvalidParams;
@@ -91,8 +69,26 @@ int fetched(S7Object object, const BlockNumber& block, bool full, void* data, in
   });
 }
 
-int service(S7Object object, std::string_view name, std::string_view argument, int refused) {
+// The time limit of one answer is another one as long as this lives.
+class Patience {
+ public:
+  Patience(Connection& connection, int milliseconds)
+      : connection_(connection), before_(connection.patience()) {
+    if (milliseconds > 0) connection.setPatience(milliseconds);
+  }
+  ~Patience() { connection_.setPatience(before_); }
+  Patience(const Patience&) = delete;
+
+ private:
+  Connection& connection_;
+  const int before_;
+};
+
+// `timeout` in ms; 0: that of all answers.
+int service(S7Object object, std::string_view name, std::string_view argument, int refused,
+            int timeout = 0) {
   return with(object, [&](Client& client) {
+    const Patience patience(client.connection, timeout);
     return callService(client.connection, name, argument, refused);
   });
 }
@@ -252,9 +248,9 @@ int Cli_PlcColdStart(S7Object object) {
 int Cli_PlcStop(S7Object object) {
   return with(object, [](Client& client) { return stopPlc(client.connection); });
 }
-int Cli_CopyRamToRom(S7Object object, int) {
-  return service(object, "_MODU", "EP", errCliCannotCopyRamToRom);
+int Cli_CopyRamToRom(S7Object object, int timeout) {
+  return service(object, "_MODU", "EP", errCliCannotCopyRamToRom, timeout);
 }
-int Cli_Compress(S7Object object, int) {
-  return service(object, "_GARB", "", errCliCannotCompress);
+int Cli_Compress(S7Object object, int timeout) {
+  return service(object, "_GARB", "", errCliCannotCompress, timeout);
 }

@@ -14,6 +14,7 @@
 #define MERKER_S7_H
 
 #include <stdint.h>
+#include <time.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -87,6 +88,8 @@ enum {
   errCliInsertRefused = 0x01B00000,
   errCliDeleteRefused = 0x01C00000,
   errCliNeedPassword = 0x01D00000,
+  errCliInvalidPassword = 0x01E00000,
+  errCliNoPasswordToSetOrClear = 0x01F00000,
   errCliBufferTooSmall = 0x02200000,
   errCliFunctionRefused = 0x02300000,
   errLibInvalidObject = -2
@@ -103,6 +106,9 @@ enum {
   Block_SFB = 0x46
 };
 
+/* States of Cli_GetPlcStatus */
+enum { S7CpuStatusUnknown = 0x00, S7CpuStatusRun = 0x08, S7CpuStatusStop = 0x04 };
+
 /* One variable of Cli_ReadMultiVars and Cli_WriteMultiVars; Result is its own error. */
 typedef struct {
   int Area;
@@ -113,6 +119,52 @@ typedef struct {
   int Amount;
   void *pdata;
 } TS7DataItem, *PS7DataItem;
+
+typedef struct {
+  int OBCount, FBCount, FCCount, SFBCount, SFCCount, DBCount, SDBCount;
+} TS7BlocksList;
+
+/* The head of a block; dates as "YYYY/MM/DD". */
+typedef struct {
+  int BlkType, BlkNumber, BlkLang, BlkFlags;
+  int MC7Size, LoadSize, LocalData, SBBLength; /* bytes */
+  int CheckSum, Version;
+  char CodeDate[11], IntfDate[11];
+  char Author[9], Family[9], Header[9];
+} TS7BlockInfo;
+
+typedef uint16_t TS7BlocksOfType[0x2000];
+
+typedef struct {
+  char Code[21];
+  uint8_t V1, V2, V3;
+} TS7OrderCode;
+
+typedef struct {
+  char ModuleTypeName[33], SerialNumber[25], ASName[25], Copyright[27], ModuleName[25];
+} TS7CpuInfo;
+
+typedef struct {
+  int MaxPduLengt, MaxConnections, MaxMpiRate, MaxBusRate;
+} TS7CpInfo;
+
+/* A list of the system status: length of a record and their number, then the records, the high byte first. */
+typedef struct {
+  uint16_t LENTHDR, N_DR;
+} SZL_HEADER;
+typedef struct {
+  SZL_HEADER Header;
+  uint8_t Data[0x4000 - 4];
+} TS7SZL;
+typedef struct {
+  SZL_HEADER Header;
+  uint16_t List[0x2000 - 2];
+} TS7SZLList;
+
+/* Protection levels by the mode switch, by parameters, the one that counts; positions of the mode switch and the startup switch */
+typedef struct {
+  uint16_t sch_schal, sch_par, sch_rel, bart_sch, anl_sch;
+} TS7Protection;
 
 S7Object Cli_Create(void);
 void Cli_Destroy(S7Object *client); /* disconnects; *client becomes 0 */
@@ -155,10 +207,37 @@ int Cli_Upload(S7Object client, int type, int number, void *data, int *size);
 int Cli_Download(S7Object client, int number, void *data, int size);
 int Cli_Delete(S7Object client, int type, int number);
 
+/* How many blocks there are, which of a type (*count: of `numbers`, then of the blocks; what is beyond is left out), what the head
+ * of one says, in the CPU or in `block`. */
+int Cli_ListBlocks(S7Object client, TS7BlocksList *counts);
+int Cli_ListBlocksOfType(S7Object client, int type, TS7BlocksOfType *numbers, int *count);
+int Cli_GetAgBlockInfo(S7Object client, int type, int number, TS7BlockInfo *info);
+int Cli_GetPgBlockInfo(S7Object client, void *block, TS7BlockInfo *info, int size);
+
+/* A whole data block: its values (*size: of `data`, then of the block); the same byte everywhere. */
+int Cli_DBGet(S7Object client, int db, void *data, int *size);
+int Cli_DBFill(S7Object client, int db, int value);
+
+/* What the CPU is and how it is. *size: of `list` in bytes, then of what it has; *count: numbers likewise. */
+int Cli_ReadSZL(S7Object client, int number, int index, TS7SZL *list, int *size);
+int Cli_ReadSZLList(S7Object client, TS7SZLList *list, int *count);
+int Cli_GetOrderCode(S7Object client, TS7OrderCode *code);
+int Cli_GetCpuInfo(S7Object client, TS7CpuInfo *info);
+int Cli_GetCpInfo(S7Object client, TS7CpInfo *info);
+int Cli_GetProtection(S7Object client, TS7Protection *levels);
+int Cli_GetPlcStatus(S7Object client, int *status);
+
+/* The clock of the CPU, as it stands there; the password of the CPU for this connection, 8 characters at most. */
+int Cli_GetPlcDateTime(S7Object client, struct tm *time);
+int Cli_SetPlcDateTime(S7Object client, struct tm *time);
+int Cli_SetPlcSystemDateTime(S7Object client); /* that of this computer, local time */
+int Cli_SetSessionPassword(S7Object client, char *password);
+int Cli_ClearSessionPassword(S7Object client);
+
 int Cli_PlcHotStart(S7Object client); /* a warm restart on CPUs that have no other one */
 int Cli_PlcColdStart(S7Object client);
 int Cli_PlcStop(S7Object client);
-int Cli_CopyRamToRom(S7Object client, int timeout); /* in STOP; the time limit is that of all answers */
+int Cli_CopyRamToRom(S7Object client, int timeout); /* in STOP; the answer may take so many ms */
 int Cli_Compress(S7Object client, int timeout);
 
 #if defined(__GNUC__)

@@ -141,6 +141,93 @@ class Library(S7Case):
         self.assertEqual(self.plc.call("Download", -1, container, 10), 0x01900000)
         self.assertEqual(self.plc.call("Delete", 0x99, 9), 0x01800000)
 
+    def test_directory(self):
+        counts = (ctypes.c_int * 7)()  # OB FB FC SFB SFC DB SDB
+        self.assertEqual(self.plc.call("ListBlocks", counts), 0)
+        self.assertEqual((counts[0], counts[1], counts[5], counts[6]), (1, 0, 1, 2))
+        numbers, count = (ctypes.c_uint16 * 8192)(), ctypes.c_int(8192)
+        self.assertEqual(self.plc.call("ListBlocksOfType", 0x44, numbers, ctypes.byref(count)), 0)
+        self.assertEqual(count.value, counts[4])  # more than a PDU holds
+        self.assertIn(51, numbers[:count.value])
+        self.assertEqual(self.plc.call("ListBlocksOfType", 0x45, numbers, ctypes.byref(count)), 0x00C00000)
+        size, container = ctypes.c_int(4096), ctypes.create_string_buffer(4096)
+        self.assertEqual(self.plc.call("FullUpload", self.DB_BLOCK, 1, container, ctypes.byref(size)), 0)
+        there, here = (ctypes.create_string_buffer(92) for _ in range(2))
+        self.assertEqual(self.plc.call("GetAgBlockInfo", self.DB_BLOCK, 1, there), 0)
+        self.assertEqual(struct.unpack_from("10i", there)[:6], (0x0A, 1, 5, 1, 1000, size.value))
+        self.assertEqual(there.raw[40:51], b"1984/01/01\0")
+        self.assertEqual(self.plc.call("GetPgBlockInfo", container, here, size), 0)
+        self.assertEqual(here.raw, there.raw)
+        self.assertEqual(self.plc.call("GetPgBlockInfo", container, here, 10), 0x01900000)
+        self.assertEqual(self.plc.call("GetAgBlockInfo", self.DB_BLOCK, 7, there), 0x00C00000)
+
+    def test_whole_data_blocks(self):
+        self.assertEqual(self.plc.call("DBFill", 1, 0xA5), 0)
+        size, values = ctypes.c_int(2000), ctypes.create_string_buffer(2000)
+        self.assertEqual(self.plc.call("DBGet", 1, values, ctypes.byref(size)), 0)
+        self.assertEqual((size.value, values.raw[:1000]), (1000, b"\xA5" * 1000))
+        self.assertEqual(self.plc.call("DBGet", 1, values, ctypes.byref(ctypes.c_int(999))), 0x02200000)
+        self.assertEqual(self.plc.call("DBFill", 2, 0), 0x00C00000)
+
+    def test_what_the_cpu_is(self):
+        code, cpu, cp, levels = (ctypes.create_string_buffer(size) for size in (24, 135, 16, 10))
+        self.assertEqual(self.plc.call("GetOrderCode", code), 0)
+        self.assertEqual((code.value, code.raw[21:]), (b"6ES7 314-6BF01-0AB0", b"\2\0\0"))
+        self.assertEqual(self.plc.call("GetCpuInfo", cpu), 0)
+        self.assertEqual([cpu.raw[at:].split(b"\0")[0] for at in (0, 33, 58, 83, 110)],
+                         [b"CPU 314C-2 PtP", b"SIMULATED", b"Merker", b"Merker", b"CPU 314C-2 PtP"])
+        self.assertEqual(self.plc.call("GetCpInfo", cp), 0)
+        self.assertEqual(struct.unpack("4i", cp), (240, 12, 187500, 0))
+        self.assertEqual(self.plc.call("GetProtection", levels), 0)
+        self.assertEqual(struct.unpack("5H", levels), (1, 0, 1, 2, 0))
+        status = ctypes.c_int()
+        for stop, expected in ((False, 8), (True, 4)):
+            if stop:
+                self.plc.call("PlcStop")
+            self.assertEqual(self.plc.call("GetPlcStatus", ctypes.byref(status)), 0)
+            self.assertEqual(status.value, expected)
+
+    def test_system_status_lists(self):
+        found, size = ctypes.create_string_buffer(0x4000), ctypes.c_int(0x4000)
+        self.assertEqual(self.plc.call("ReadSZL", 0x001C, 0, found, ctypes.byref(size)), 0)
+        length, records = struct.unpack_from("2H", found)
+        self.assertEqual((length, size.value), (34, 4 + 34 * records))
+        self.assertGreaterEqual(records, 6)
+        self.assertEqual(found.raw[4:8], b"\0\1Me")
+        self.assertEqual(self.plc.call("ReadSZL", 0x001C, 0, found, ctypes.byref(ctypes.c_int(size.value - 1))), 0x02200000)
+        self.assertEqual(self.plc.call("ReadSZL", 0x0037, 0, found, ctypes.byref(size)), 0x00C00000)
+        count = ctypes.c_int(0x1FFE)
+        self.assertEqual(self.plc.call("ReadSZLList", found, ctypes.byref(count)), 0)
+        self.assertIn(0x0132, struct.unpack_from(f"{count.value}H", found, 4))
+
+    def test_the_clock(self):
+        time = (ctypes.c_int * 16)(5, 4, 3, 24, 11, 124, 2)  # Tuesday, 24 December 2024, 03:04:05
+        self.assertEqual(self.plc.call("SetPlcDateTime", time), 0)
+        read = (ctypes.c_int * 16)()
+        self.assertEqual(self.plc.call("GetPlcDateTime", read), 0)
+        self.assertEqual(read[2:7], time[2:7])
+        time[4] = 12  # there is no such month
+        self.assertEqual(self.plc.call("SetPlcDateTime", time), 0x00D00000)
+        self.assertEqual(self.plc.call("SetPlcSystemDateTime"), 0)
+        self.assertEqual(self.plc.call("GetPlcDateTime", read), 0)
+        self.assertGreaterEqual(read[5], 126)
+
+    def test_a_password(self):
+        self.end(self.process)
+        self.write("plant/merker.toml", '[cpu]\nprotection = 3\npassword = "secret"\n')
+        self.write("plant/plant.awl", PLANT)
+        self.process = self.start("plant", "--no-workbench")
+        plc = self.library()
+        self.assertEqual(plc.call("ConnectTo", b"127.0.0.1", 0, 2), 0)
+        self.assertEqual(plc.call("ClearSessionPassword"), 0x01F00000)
+        self.assertEqual(plc.call("PlcStop"), 0x01D00000)
+        self.assertEqual(plc.call("SetSessionPassword", b"other"), 0x01E00000)
+        self.assertEqual(plc.call("SetSessionPassword", b"too long for it"), 0x00200000)
+        self.assertEqual(plc.call("SetSessionPassword", b"secret"), 0)
+        self.assertEqual(plc.call("PlcStop"), 0)
+        self.assertEqual(plc.call("ClearSessionPassword"), 0)
+        self.assertEqual(plc.call("PlcHotStart"), 0x01D00000)
+
     def test_control(self):
         self.assertEqual(self.plc.call("Compress", 1000), 0)
         self.assertEqual(self.plc.call("CopyRamToRom", 1000), 0x01100000)
