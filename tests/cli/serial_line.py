@@ -68,7 +68,7 @@ class Partner:
     def __init__(self, file):
         self.file, self.waiting = file, b""
 
-    def get(self, seconds=5.0):
+    def get(self, seconds=60.0):
         end = time.monotonic() + seconds
         while not self.waiting:
             left = end - time.monotonic()
@@ -171,7 +171,7 @@ class SerialCase(Case):
 
     def call(self, address):
         host, port = address.rsplit(":", 1)
-        client = socket.create_connection((host, int(port)), timeout=10)
+        client = socket.create_connection((host, int(port)), timeout=60)
         client.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         self.addCleanup(client.close)
         return client

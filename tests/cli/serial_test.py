@@ -78,9 +78,9 @@ class ComPortServer:
         self.buffer = bytearray()
 
     def accept(self):
-        self.listener.settimeout(10)
+        self.listener.settimeout(60)
         self.client = self.listener.accept()[0]
-        self.client.settimeout(10)
+        self.client.settimeout(60)
         self.client.sendall(bytes([IAC, DO, COM_PORT, IAC, WILL, 1, IAC, DO, 24]))
 
     def byte(self):
@@ -129,7 +129,7 @@ class Serial(SerialCase):
         client = self.call(address)
         self.talk(Partner(client.fileno()))
         second = self.call(address)  # one connection at a time: this one is sent away
-        second.settimeout(5)
+        second.settimeout(60)
         self.assertEqual(second.recv(1), b"")
         client.close()
         self.talk(Partner(self.call_again(address).fileno()))

@@ -67,9 +67,10 @@ class Test(Case):
                             "  repeat 1000000000\n    repeat 1000000000\n      set E 0.0 = 1\n    end\n  end\n")
         process = subprocess.Popen([os.environ["MERKER"], "test", "a.scn"], cwd=self.folder, text=True,
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        self.addCleanup(lambda: (process.kill(), process.communicate()))
         self.assertEqual(process.stdout.readline(), "ok      a.scn: short\n")
         process.send_signal(signal.SIGINT)
-        self.assertEqual(process.communicate(timeout=10), ("", ""))
+        self.assertEqual(process.communicate(timeout=60), ("", ""))
         self.assertEqual(process.returncode, -signal.SIGINT)
 
     def test_filter_picks_scenarios(self):
