@@ -69,8 +69,9 @@ export class Plc {
   }
 }
 
-// A client of Snap7, connected. `call(method, …)`: errors are numbers; the client says what they mean.
-export async function snap7Client(plc) {
+// A client of Snap7, connected. `call(method, …)`: errors are numbers; the client says what they mean. `prepare`: what it
+// does before; with SetConnectionParams it already knows whom to call.
+export async function snap7Client(plc, prepare = () => {}) {
   const client = new (require('node-snap7').S7Client)();
   client.SetParam(client.RemotePort, plc.port);
   client.call = (method, ...values) =>
@@ -79,7 +80,8 @@ export async function snap7Client(plc) {
         error ? reject(new Error(client.ErrorText(error))) : resolve(result),
       ),
     );
-  await client.call('ConnectTo', '127.0.0.1', 0, 2);
+  if (prepare(client) === 'knows') await client.call('Connect');
+  else await client.call('ConnectTo', '127.0.0.1', 0, 2);
   return client;
 }
 

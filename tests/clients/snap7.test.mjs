@@ -30,6 +30,8 @@ test('areas', { timeout: 30_000 }, async () => {
   await call('EBWrite', 0, 1, Buffer.from([1]));
   await until(() => call('ABRead', 0, 1), (outputs) => outputs[0] === 1);
   assert.equal((await call('EBRead', 0, 1))[0], 1);
+  await call('ABWrite', 100, 2, Buffer.from('a55a', 'hex'));
+  assert.equal((await call('ABRead', 100, 2)).toString('hex'), 'a55a');
 });
 
 // All flags are more than a PDU holds: the client asks several times.
@@ -49,6 +51,8 @@ test('timers and counters', { timeout: 30_000 }, async () => {
   assert.equal(timer[0] >> 4, 1); // 100 ms
   await call('CTWrite', 2, 1, Buffer.from('0123', 'hex'));
   assert.equal((await call('CTRead', 2, 1)).toString('hex'), '0123');
+  await call('TMWrite', 2, 1, Buffer.from('2050', 'hex'));
+  assert.equal((await call('TMRead', 2, 1)).toString('hex'), '2050');
 });
 
 test('several variables in a request', { timeout: 30_000 }, async () => {
@@ -108,4 +112,23 @@ test('the clock', { timeout: 30_000 }, async () => {
   const shown = await call('GetPlcDateTime');
   const hour = 3_600_000, passed = (shown - time + 2 * hour) % hour;
   assert.ok(Math.abs(shown - time) < 1.5 * hour && passed < 20_000, `${shown}`);
+  await call('SetPlcSystemDateTime');
+  assert.ok(Math.abs((await call('GetPlcDateTime')) - Date.now()) < 1.5 * hour);
+});
+
+// A panel is a client of another kind; with the TSAPs given one by one it is let in as well.
+test('kinds of connections', { timeout: 30_000 }, async () => {
+  for (const prepare of [
+    (one) => one.SetConnectionType(one.CONNTYPE_OP),
+    (one) => one.SetConnectionType(one.CONNTYPE_BASIC),
+    (one) => one.SetConnectionParams('127.0.0.1', 0x0100, 0x0102) && 'knows',
+  ]) {
+    const other = await snap7Client(plc, prepare);
+    assert.equal(await other.call('PlcStatus'), other.S7CpuStatusRun);
+    assert.equal(other.GetParam(other.PDURequest), 480);
+    assert.equal(other.PDURequested(), 480);
+    assert.equal(other.LastError(), 0);
+    assert.ok(other.ExecTime() < 30_000);
+    other.Disconnect();
+  }
 });
