@@ -1,9 +1,9 @@
 #include "directory.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <cstring>
 #include <ctime>
+#include <string>
 
 #include "base/bytes.h"
 #include "userdata.h"
@@ -26,6 +26,10 @@ constexpr Counter kCounters[] = {
     {Block_SFC, &TS7BlocksList::SFCCount}, {Block_DB, &TS7BlocksList::DBCount},
     {Block_SDB, &TS7BlocksList::SDBCount}};
 
+std::string twoDigits(int value) {
+  return {static_cast<char>('0' + value / 10 % 10), static_cast<char>('0' + value % 10)};
+}
+
 // Days since 1984-01-01 as YYYY/MM/DD.
 template <std::size_t size>
 void writeDate(char (&text)[size], std::uint16_t days) {
@@ -33,8 +37,10 @@ void writeDate(char (&text)[size], std::uint16_t days) {
   const std::time_t time = k1984 + days * kDay;
   std::tm date{};
   gmtime_r(&time, &date);
-  std::snprintf(text, size, "%04d/%02d/%02d", date.tm_year % 10'000 + 1900, date.tm_mon % 100 + 1,
-                date.tm_mday % 100);
+  std::string words = std::to_string(date.tm_year + 1900) + '/' + twoDigits(date.tm_mon + 1) +
+                      '/' + twoDigits(date.tm_mday);
+  words.resize(size - 1);
+  std::memcpy(text, words.c_str(), size);
 }
 
 template <std::size_t size>
