@@ -94,8 +94,10 @@ std::optional<Event> Transport::takeData(const Tpdu& tpdu) {
   if (state_ != State::Open) return violated("data before the connection is confirmed");
   if (tpdu.data.size() > kMostMessage - message_.size())
     return violated("a message must have at most 1 MiB");
+  if (++parts_ > kMostParts) return violated("a message must have at most 10000 parts");
   message_.insert(message_.end(), tpdu.data.begin(), tpdu.data.end());
   if (!tpdu.last) return std::nullopt;
+  parts_ = 0;
   return Event{.kind = Event::Kind::Message, .message = std::exchange(message_, {})};
 }
 

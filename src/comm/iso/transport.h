@@ -29,6 +29,7 @@ class Transport {
  public:
   enum class Side : std::uint8_t { Calling, Called };
   static constexpr std::size_t kMostMessage = 1 << 20;  // octets of all parts together
+  static constexpr std::size_t kMostParts = 10'000;  // empty ones are sent by programming devices
 
   explicit Transport(Side side) : side_(side) {}
 
@@ -66,6 +67,7 @@ class Transport {
   State state_ = State::Idle;
   Bytes buffer_, message_;
   std::size_t read_ = 0;               // of buffer_
+  std::size_t parts_ = 0;              // of message_
   std::uint16_t own_ = 1, other_ = 0;  // references
   ConnectParameters asked_;
   std::size_t tpduSize_ = kMostPacket - kTpktHeader;

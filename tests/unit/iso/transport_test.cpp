@@ -78,6 +78,29 @@ TEST(Transport, aMessageHasAtMostOneMebibyte) {
   EXPECT_EQ(event->why, "a message must have at most 1 MiB");
 }
 
+// Programming devices send empty parts now and then.
+TEST(Transport, aMessageHasAtMostTenThousandParts) {
+  Transport transport = opened();
+  Bytes part;
+  writeData(part, {}, false);
+  Bytes parts;
+  for (int i = 0; i < 9'999; ++i) parts.insert(parts.end(), part.begin(), part.end());
+  for (int i = 0; i < 2; ++i) {
+    transport.feed(parts);
+    EXPECT_FALSE(transport.next());
+    transport.feed(hex("03 00 00 08 02 F0 80 AA"));
+    const auto event = transport.next();
+    ASSERT_TRUE(event);
+    EXPECT_EQ(event->message, Bytes{0xAA});
+  }
+  parts.insert(parts.end(), part.begin(), part.end());
+  parts.insert(parts.end(), part.begin(), part.end());
+  transport.feed(parts);
+  const auto event = transport.next();
+  ASSERT_TRUE(event);
+  EXPECT_EQ(event->why, "a message must have at most 10000 parts");
+}
+
 TEST(Transport, answersAreCutToTheAgreedSize) {
   Bytes out;
   opened("03 00 00 0E 09 E0 00 00 00 05 00 C0 01 07").write(out, Bytes(130, 0xAA));
