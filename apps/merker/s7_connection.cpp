@@ -5,6 +5,7 @@
 #include <sys/socket.h>
 
 #include <boost/asio/buffer.hpp>
+#include <boost/asio/steady_timer.hpp>
 #include <boost/asio/write.hpp>
 
 namespace merker::app {
@@ -40,6 +41,12 @@ std::string partnerOf(const S7Connection::Socket& socket) {
                      endpoint.port());
 }
 
+std::string addressOf(const S7Connection::Socket& socket) {
+  boost::system::error_code gone;
+  const auto endpoint = socket.remote_endpoint(gone);
+  return gone ? "?" : endpoint.address().to_string();
+}
+
 std::optional<workbench::S7ClientRow> S7Connection::row(Clock::time_point now) const {
   if (!session_) return std::nullopt;
   return workbench::S7ClientRow{
@@ -57,6 +64,7 @@ S7Connection::S7Connection(Socket socket, S7Surroundings& around)
     : socket_(std::move(socket)), around_(around) {
   boost::system::error_code ignored;
   partner_ = partnerOf(socket_);
+  address_ = addressOf(socket_);
   socket_.set_option(boost::asio::ip::tcp::no_delay(true), ignored);
   // Who has vanished without a word is found by the operating system.
   socket_.set_option(boost::asio::socket_base::keep_alive(true), ignored);
@@ -84,8 +92,8 @@ void S7Connection::close() {
   around_.exchange.closed();
 }
 
-void S7Connection::breakOff() {
-  ++around_.counts.broken;
+void S7Connection::breakOff(S7Why why) {
+  note(why);
   close();
 }
 
@@ -151,12 +159,12 @@ void S7Connection::handle(iso::Event& event) {
     case Kind::Requested:
       return requested(event.parameters);
     case Kind::Message:
-      ++around_.counts.requests;
+      ++around_.incidents.counts.requests;
       ++requests_;
-      if (!session_->receive(event.message)) breakOff();
+      if (!session_->receive(event.message)) breakOff(S7Why::NoS7);
       return;
     case Kind::Violated:
-      ++around_.counts.broken;
+      note(S7Why::WrongTransport);
       out_.insert(out_.end(), event.answer.begin(), event.answer.end());
       ending_ = true;
       return;
@@ -166,8 +174,8 @@ void S7Connection::handle(iso::Event& event) {
   }
 }
 
-void S7Connection::refuse(iso::Reason reason, const char* why) {
-  around_.refuse(partner_, why);
+void S7Connection::refuse(iso::Reason reason, S7Why why) {
+  note(why);
   out_ = transport_.refuse(reason);
   ending_ = true;
 }
@@ -175,10 +183,10 @@ void S7Connection::refuse(iso::Reason reason, const char* why) {
 void S7Connection::requested(const iso::ConnectParameters& parameters) {
   resource_ = served::resourceOf(parameters.called);
   if (around_.parameters.strictSlot && !served::namesTheCpu(parameters.called))
-    return refuse(iso::Reason::UnknownAddress, "slot");
-  if (!around_.resources.take(resource_)) return refuse(iso::Reason::Congestion, "resource");
+    return refuse(iso::Reason::UnknownAddress, S7Why::OtherSlot);
+  if (!around_.resources.take(resource_)) return refuse(iso::Reason::Congestion, S7Why::NoResource);
   since_ = Clock::now();
-  ++around_.counts.connections;
+  ++around_.incidents.counts.connections;
   around_.exchange.inUse(around_.resources.counts());
   around_.exchange.opened();
   session_ = std::make_shared<s7comm::Session>(
@@ -190,9 +198,41 @@ void S7Connection::requested(const iso::ConnectParameters& parameters) {
   session_->whenReady([weak = weak_from_this()] {
     if (const auto self = weak.lock()) self->pump();
   });
+  session_->guardBy(guard());
   session_->roomBy([this] { return !closed_ && out_.size() < kMostIndicated; });
   const iso::Bytes answer = transport_.confirm();
   out_.insert(out_.end(), answer.begin(), answer.end());
+}
+
+s7comm::Session::Guard S7Connection::guard() {
+  const auto weak = weak_from_this();
+  return {.refused =
+              [weak](s7comm::Error error) {
+                if (const auto self = weak.lock()) self->denied(error);
+              },
+          .mayTry =
+              [weak] {
+                const auto self = weak.lock();
+                return self && self->around_.passwords.mayTry(self->address_, Clock::now());
+              },
+          .wrong =
+              [weak](std::function<void()> answer) {
+                if (const auto self = weak.lock()) self->answerLater(std::move(answer));
+              }};
+}
+
+void S7Connection::denied(s7comm::Error error) {
+  using s7comm::Error;
+  if (session_ && !session_->isSetUp()) return note(S7Why::WrongSetup);
+  if (error == Error::NeedsPassword || error == Error::TestProtected) note(S7Why::Protected);
+  if (error == Error::WrongPassword) note(S7Why::WrongPassword);
+}
+
+// Nothing else of this client is served meanwhile.
+void S7Connection::answerLater(std::function<void()> answer) {
+  const auto timer = std::make_shared<boost::asio::steady_timer>(
+      socket_.get_executor(), around_.passwords.wrong(address_, Clock::now()));
+  timer->async_wait([timer, answer = std::move(answer)](boost::system::error_code) { answer(); });
 }
 
 void S7Connection::send(iso::View pdu) {

@@ -3,37 +3,22 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <boost/asio/ip/tcp.hpp>
 #include <chrono>
-#include <deque>
 #include <memory>
 
 #include "iso/transport.h"
+#include "s7_incidents.h"
 #include "s7comm/session.h"
 #include "served/exchange.h"
+#include "served/password_guard.h"
 #include "served/resources.h"
 #include "workbench/communication_view.h"
 
 namespace merker::app {
 
-// Since the server began.
-struct S7Counts {
-  std::atomic<std::uint64_t> connections = 0;  // that were confirmed
-  std::atomic<std::uint64_t> refused = 0;      // sockets and connection requests
-  std::atomic<std::uint64_t> broken = 0;       // ended because they broke the protocol or a limit
-  std::atomic<std::uint64_t> requests = 0;
-};
-
-struct S7Refused {
-  std::string partner, why;
-  std::chrono::steady_clock::time_point when;
-};
-
 // What all clients share; it outlives them.
 struct S7Surroundings {
-  static constexpr std::size_t kMostRefused = 16;  // remembered
-
   served::Exchange exchange{};
   served::Resources resources{};
   CommunicationParameters parameters{};
@@ -41,13 +26,8 @@ struct S7Surroundings {
     parameters = wanted;
     resources.limit(wanted);
   }
-  S7Counts counts{};
-  std::deque<S7Refused> refused{};  // the newest first
-  void refuse(std::string partner, std::string why) {
-    ++counts.refused;
-    refused.push_front({std::move(partner), std::move(why), std::chrono::steady_clock::now()});
-    if (refused.size() > kMostRefused) refused.pop_back();
-  }
+  S7Incidents incidents{};
+  served::PasswordGuard passwords{};
 };
 
 class S7Connection : public std::enable_shared_from_this<S7Connection> {
@@ -67,7 +47,11 @@ class S7Connection : public std::enable_shared_from_this<S7Connection> {
   // Nothing has been agreed with it yet.
   bool isNew() const { return expected_ == Expected::Request || expected_ == Expected::Setup; }
   Clock::time_point due() const { return due_; }
-  void breakOff();
+  void breakOff(S7Why why);
+  // What was expected of it has not come.
+  void breakOffLate() {
+    breakOff(expected_ == Expected::Reading ? S7Why::ReadsNothing : S7Why::TooLate);
+  }
   void close();
   // Nothing: it is not connected.
   std::optional<workbench::S7ClientRow> row(Clock::time_point now) const;
@@ -80,7 +64,11 @@ class S7Connection : public std::enable_shared_from_this<S7Connection> {
   void received(std::size_t count);
   void pump();
   void handle(iso::Event& event);
-  void refuse(iso::Reason reason, const char* why);
+  void refuse(iso::Reason reason, S7Why why);
+  void note(S7Why why) { around_.incidents.note(address_, why); }
+  s7comm::Session::Guard guard();
+  void denied(s7comm::Error error);
+  void answerLater(std::function<void()> answer);
   void requested(const iso::ConnectParameters& parameters);
   void send(iso::View pdu);
   void flush();
@@ -92,7 +80,7 @@ class S7Connection : public std::enable_shared_from_this<S7Connection> {
   S7Surroundings& around_;
   iso::Transport transport_{iso::Transport::Side::Called};
   std::shared_ptr<s7comm::Session> session_;  // once it is connected
-  std::string partner_;
+  std::string partner_, address_;
   Clock::time_point since_{};  // it is connected
   std::uint64_t requests_ = 0, received_ = 0, sent_ = 0;
   served::Resource resource_ = served::Resource::Basic;
@@ -103,7 +91,8 @@ class S7Connection : public std::enable_shared_from_this<S7Connection> {
   Clock::time_point due_ = Clock::time_point::max();
 };
 
-// Its address and port.
+// Its address and port; its address.
 std::string partnerOf(const S7Connection::Socket& socket);
+std::string addressOf(const S7Connection::Socket& socket);
 
 }  // namespace merker::app

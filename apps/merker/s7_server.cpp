@@ -38,7 +38,7 @@ struct S7Server::Parts {
   S7Surroundings around;
   net::io_context context{1};
   tcp::acceptor acceptor{context};
-  net::steady_timer timer{context};
+  net::steady_timer timer{context}, pause{context};
   std::set<std::shared_ptr<S7Connection>> clients;
   std::thread thread;
   mutable std::mutex outsideMutex;
@@ -47,6 +47,7 @@ struct S7Server::Parts {
   void tell();
   bool listen(std::string& reason);
   void accept();
+  void acceptLater();
   void take(tcp::socket socket);
   bool makeRoom();
   void check();
@@ -69,8 +70,17 @@ bool S7Server::Parts::listen(std::string& reason) {
 void S7Server::Parts::accept() {
   acceptor.async_accept([this](boost::system::error_code error, tcp::socket socket) {
     if (error == net::error::operation_aborted) return;
-    if (!error) take(std::move(socket));
+    if (error) return acceptLater();
+    take(std::move(socket));
     accept();
+  });
+}
+
+// The process has no more descriptors, say: whoever waits goes on waiting.
+void S7Server::Parts::acceptLater() {
+  pause.expires_after(kBetweenChecks);
+  pause.async_wait([this](boost::system::error_code error) {
+    if (!error) accept();
   });
 }
 
@@ -84,14 +94,14 @@ bool S7Server::Parts::makeRoom() {
     return client->isNew() ? client->due() : S7Connection::Clock::time_point::max();
   });
   if (!(*oldest)->isNew()) return false;
-  (*oldest)->breakOff();
+  (*oldest)->breakOff(S7Why::MadeRoom);
   clients.erase(oldest);
   return true;
 }
 
 void S7Server::Parts::take(tcp::socket socket) {
   if (!makeRoom()) {
-    around.refuse(partnerOf(socket), "socket");
+    around.incidents.note(addressOf(socket), S7Why::NoSocket);
     return;
   }
   const auto client = std::make_shared<S7Connection>(std::move(socket), around);
@@ -106,7 +116,7 @@ void S7Server::Parts::check() {
     if (error) return;
     const auto now = S7Connection::Clock::now();
     for (const auto& client : clients)
-      if (!client->closed() && client->overdue(now)) client->breakOff();
+      if (!client->closed() && client->overdue(now)) client->breakOffLate();
     std::erase_if(clients, [](const auto& client) { return client->closed(); });
     tell();
     check();
@@ -116,20 +126,19 @@ void S7Server::Parts::check() {
 void S7Server::Parts::tell() {
   const auto now = S7Connection::Clock::now();
   const CommunicationParameters& set = around.parameters;
+  const S7Counts& counts = around.incidents.counts;
   workbench::S7Outside told{.connections = set.connections,
                             .pg = set.pg,
                             .op = set.op,
                             .basic = set.basic,
-                            .confirmed = around.counts.connections,
-                            .refused = around.counts.refused,
-                            .broken = around.counts.broken,
-                            .requests = around.counts.requests};
+                            .confirmed = counts.connections,
+                            .refused = counts.refused,
+                            .broken = counts.broken,
+                            .requests = counts.requests,
+                            .denied = counts.denied,
+                            .refusals = around.incidents.rows(now)};
   for (const auto& client : clients)
     if (auto row = client->row(now)) told.clients.push_back(std::move(*row));
-  for (const S7Refused& one : around.refused)
-    told.refusals.push_back(
-        {one.partner, one.why,
-         std::chrono::duration_cast<std::chrono::seconds>(now - one.when).count()});
   const std::lock_guard lock(outsideMutex);
   outside = std::move(told);
 }
@@ -182,10 +191,12 @@ std::string S7Server::place() const {
 }
 
 std::string S7Server::summary() const {
-  const S7Counts& counts = parts_->around.counts;
-  return fmt::format("{}, {} refused, {} broken off, {}", plural(counts.connections, "connection"),
-                     counts.refused.load(), counts.broken.load(),
-                     plural(counts.requests, "request"));
+  const S7Counts& counts = parts_->around.incidents.counts;
+  const std::uint64_t denied = counts.denied;
+  return fmt::format("{}, {} refused, {} broken off, {}{}",
+                     plural(counts.connections, "connection"), counts.refused.load(),
+                     counts.broken.load(), plural(counts.requests, "request"),
+                     denied > 0 ? fmt::format(", {} denied", denied) : std::string());
 }
 
 std::string S7Server::warning() const {

@@ -23,7 +23,7 @@ class S7Server {
   // For connections from now on; those that stand stay.
   void use(const CommunicationParameters& parameters);
   std::string place() const;    // "127.0.0.1:10102"
-  std::string summary() const;  // "3 connections, 1 refused, 0 broken off, 120 requests"
+  std::string summary() const;  // "3 connections, 1 refused, 0 broken off, 120 requests, 2 denied"
   // Who is connected, at most a quarter of a second ago; from any thread.
   workbench::S7Outside outside() const;
   // What people must know of an address beyond this computer; else empty.

@@ -12,7 +12,15 @@ constexpr struct {
   std::string_view code, text;
 } kReasons[] = {{"resource", "no connection was free for its kind"},
                 {"slot", "it called another rack or slot"},
-                {"socket", "too many sockets were open"}};
+                {"socket", "too many sockets were open"},
+                {"transport", "broken off, no ISO on TCP"},
+                {"protocol", "broken off, no S7 communication"},
+                {"late", "broken off, something did not come in time"},
+                {"unread", "broken off, it did not read its answers"},
+                {"room", "broken off without a setup, to make room for another one"},
+                {"protection", "a request needed the password"},
+                {"password", "wrong password, or too many of them"},
+                {"setup", "its setup was wrong or missing"}};
 
 std::string_view reasonText(std::string_view code) {
   const auto* const found =
@@ -25,9 +33,9 @@ std::string headText(const workbench::S7Outside& outside) {
       outside.connections ? fmt::format(" of {}", *outside.connections) : std::string();
   return fmt::format(
       "S7 communication at {}: {}{} connections in use; kept: PG {}, OP {}, others {}\n"
-      "{} requests, {} refused, {} broken off\n",
+      "{} requests, {} of them denied; connections: {} refused, {} broken off\n",
       outside.place, outside.clients.size(), all, outside.pg, outside.op, outside.basic,
-      outside.requests, outside.refused, outside.broken);
+      outside.requests, outside.denied, outside.refused, outside.broken);
 }
 
 }  // namespace
@@ -43,7 +51,8 @@ std::string s7Text(const workbench::S7Outside& outside) {
                         row.pdu, row.seconds, row.requests, row.received, row.sent);
   for (const auto& row : outside.refusals)
     text +=
-        fmt::format("refused {} s ago: {}: {}\n", row.seconds, row.partner, reasonText(row.why));
+        fmt::format("refused {} s ago: {}: {}{}\n", row.seconds, row.partner, reasonText(row.why),
+                    row.times > 1 ? fmt::format(" ({} times)", row.times) : std::string());
   return text;
 }
 

@@ -1,5 +1,6 @@
 """Blocks that clients load into the built program and delete from it: protection, half downloads, the memory card."""
 import signal
+import threading
 
 from s7_client import *
 
@@ -53,6 +54,26 @@ class Blocks(S7Case):
         self.runs(other, 1)
         self.assertEqual(other.download(OB1, self.other), "0000")
         self.assertRegex(self.end(process), "^2 connections, 0 refused, 1 broken off")
+
+    # What is linked is one of both as a whole.
+    def test_two_clients_load_the_same_block(self):
+        mine = self.container(55)
+        self.start("a.awl", "--no-workbench")
+        told = []
+
+        def load(container):
+            client = self.client()
+            for _ in range(20):
+                told.append(client.download(OB1, container))
+                told.append(client.service("_INSE", client.names(OB1)))
+
+        threads = [threading.Thread(target=load, args=(container,)) for container in (mine, self.other)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual((len(told), set(told) - {"0000", "d209"}), (80, set()))
+        self.assertIn(self.client().upload("0800001A"), (mine, self.other))
 
     # S7-MEM-05
     def test_protection(self):

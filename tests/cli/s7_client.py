@@ -16,9 +16,9 @@ INPUTS, OUTPUTS, FLAGS, DATA_AREA, TIMERS = 0x81, 0x82, 0x83, 0x84, 0x1D
 
 
 class Client:
-    """One connection. `kind`: first byte of the called TSAP: 1 PG, 2 OP, 3 others. `record`: sees its socket."""
-    def __init__(self, port, kind=1, setup=True, record=lambda socket: socket, slot=2):
-        self.socket = record(socket.create_connection(("127.0.0.1", port), timeout=20))
+    """One connection. `kind`: first byte of the called TSAP: 1 PG, 2 OP, 3 others. `record`: sees its socket; `own`: its address."""
+    def __init__(self, port, kind=1, setup=True, record=lambda socket: socket, slot=2, own="127.0.0.1"):
+        self.socket = record(socket.create_connection(("127.0.0.1", port), timeout=20, source_address=(own, 0)))
         self.number = 1
         self.socket.sendall(CONNECT[:-2] + bytes([kind, slot]))
         self.confirmed = self.tpdu()[1:2] == b"\xD0"
@@ -78,10 +78,14 @@ class Client:
 
     def enter(self, password):
         """The error of a password, 8 characters at most."""
+        self.send_password(password)
+        return self.hear()[20:22].hex()
+
+    def send_password(self, password):
         coded = b""
         for index, character in enumerate(password.ljust(8).encode()):
             coded += bytes([character ^ 0x55 ^ (coded[index - 2] if index > 1 else 0)])
-        return self.ask(bytes.fromhex("32 07 00 00 01 00 00 08 00 0C 00 01 12 04 11 45 01 00 FF 09 00 08") + coded)[20:22].hex()
+        self.send(bytes.fromhex("32 07 00 00 01 00 00 08 00 0C 00 01 12 04 11 45 01 00 FF 09 00 08") + coded)
 
     def upload(self, name):
         """The container of a block ("0A00001A"), or the error."""
@@ -97,7 +101,8 @@ class Client:
 
     def download(self, name, container, pieces=lambda number: True):
         """The error that the PLC tells, "0000" if there is none; `pieces` says whether to answer what it asks."""
-        lengths = f"1{len(container):06}{0:06}".encode()
+        code = int.from_bytes(container[34:36], "big") or 1
+        lengths = f"1{len(container):06}{code:06}".encode()
         begun = self.ask(b"\x32\x01\0\0\0\2\0\x20\0\0\x1A" + 7 * b"\0" + b"\x09_" + name.encode() + b"\x0D" + lengths)
         if begun[1] == 2:
             return begun[10:12].hex()

@@ -2,6 +2,7 @@
 import json
 import os
 import random
+import resource
 
 from s7_client import *
 
@@ -182,7 +183,38 @@ class Diagnosis(S7Case):
         text = said["--cpu=314C-2 PtP"]
         self.assertRegex(text, r"S7 communication at 127\.0\.0\.1:\d+: 2 of 3 connections in use; kept: PG 1, OP 1, others 0\n")
         self.assertRegex(text, r"\n127\.0\.0\.1:\d+ +PG +240 +\d+ +2 ")
-        self.assertRegex(text, r"refused \d+ s ago: 127\.0\.0\.1:\d+: it called another rack or slot\n")
+        self.assertRegex(text, r"refused \d+ s ago: 127\.0\.0\.1: it called another rack or slot\n")
+
+    # S7-MEM-05: who is denied what it asks, and who is broken off, with the reason; one row for each.
+    def test_incidents(self):
+        self.write("plant/merker.toml", '[cpu]\nprotection = 3\npassword = "secret"\n')
+        self.write("plant/a.awl", PROGRAM)
+        command = [os.environ["MERKER"], "diag", "plant", "--s7", "127.0.0.1:0", "--for", "3s"]
+        said = {}
+        for form in ("--json", "--cpu=314C-2 PtP"):
+            process = subprocess.Popen([*command, form], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+            self.addCleanup(lambda: (process.kill(), process.communicate()))
+            self.port = int(process.stderr.readline().rsplit(":", 1)[1])
+            client = self.client()
+            self.assertEqual(client.upload("0800001A"), "d241")
+            self.assertEqual(client.service("_GARB"), "d241")
+            self.assertEqual(client.enter("wrong"), "d602")
+            self.assertEqual(self.client(setup=False).ask(SETUP[:-5] + "00 32")[10:12].hex(), "8500")
+            for words in (b"GET / HTTP/1.0\r\n\r\n", CONNECT + bytes.fromhex("03 00 00 09 02 F0 80 00 00")):
+                with socket.create_connection(("127.0.0.1", self.port), timeout=20) as other:
+                    other.sendall(words)
+                    while other.recv(100):
+                        pass
+            said[form], _ = process.communicate(timeout=60)
+        told = json.loads(said["--json"])["communication"]
+        self.assertEqual((told["refused"], told["broken"], told["denied"]), (0, 2, 4))
+        self.assertEqual({one["why"]: one["times"] for one in told["refusals"]},
+                         {"protection": 2, "password": 1, "setup": 1, "transport": 1, "protocol": 1})
+        self.assertEqual({one["partner"] for one in told["refusals"]}, {"127.0.0.1"})
+        text = said["--cpu=314C-2 PtP"]
+        self.assertIn(" requests, 4 of them denied; connections: 0 refused, 2 broken off\n", text)
+        self.assertRegex(text, r"refused \d+ s ago: 127\.0\.0\.1: a request needed the password \(2 times\)\n")
+        self.assertRegex(text, r"refused \d+ s ago: 127\.0\.0\.1: broken off, no ISO on TCP\n")
 
     def test_wrong_use(self):
         self.write("a.awl", PROGRAM)
@@ -247,6 +279,32 @@ class Hostile(S7Case):
         self.assertEqual(half.socket.recv(1), b"")
         self.well()
         self.assertRegex(self.end(self.process), "^2 connections, 0 refused, 21 broken off")
+
+    # The eleventh password within a minute is not looked at; another address may try.
+    def test_guessing_passwords(self):
+        self.end(self.process)
+        self.write("plant/merker.toml", '[cpu]\nprotection = 3\npassword = "secret"\n')
+        self.write("plant/a.awl", PROGRAM)
+        self.process = self.start("plant", "--no-workbench")
+        guessing = [self.client(3) for _ in range(10)]
+        for client in guessing:
+            client.send_password("wrong")
+        self.assertEqual({client.hear()[20:22].hex() for client in guessing}, {"d602"})
+        self.assertEqual(guessing[0].enter("secret"), "d602")
+        self.assertEqual(self.client(own="127.0.0.2").enter("secret"), "0000")
+        self.assertRegex(self.end(self.process), ", 11 denied$")
+
+    # Without descriptors nobody comes in; with some again who waits does.
+    def test_no_descriptors_left(self):
+        used = len(os.listdir(f"/proc/{self.process.pid}/fd"))
+        before = resource.prlimit(self.process.pid, resource.RLIMIT_NOFILE)
+        resource.prlimit(self.process.pid, resource.RLIMIT_NOFILE, (used + 2, before[1]))
+        waiting = [socket.create_connection(("127.0.0.1", self.port), timeout=20) for _ in range(6)]
+        time.sleep(0.5)
+        resource.prlimit(self.process.pid, resource.RLIMIT_NOFILE, before)
+        self.well()
+        for one in waiting:
+            one.close()
 
     # Whoever has waited longest without a setup makes room for the next one.
     def test_silent_sockets_keep_nobody_out(self):

@@ -38,13 +38,16 @@ std::optional<Invocation> invocationOf(View p) {
 
 void control(const Job& job, Control wish) {
   job.plc().control(wish, job.password(), [begun = job.begun(), wish](Controlled how) {
+    if (how == Controlled::Protected) {
+      begun.refuse(Error::NeedsPassword);
+      return begun.ended();
+    }
     const std::uint8_t already = wish == Control::Stop ? kAlreadyStopped : kAlreadyRuns;
     const std::uint8_t answer[] = {begun.function, how == Controlled::Already ? already : kCannot};
     if (how == Controlled::Done)
       begun.answer(View(answer).first(1));
     else
-      begun.answer(answer, {},
-                   how == Controlled::Protected ? Error::NeedsPassword : Error::CannotBeDone);
+      begun.answer(answer, {}, Error::CannotBeDone);
     begun.ended();
   });
 }

@@ -14,7 +14,7 @@ constexpr std::size_t kDigits = 6;
 
 struct Announced {
   BlockName name;
-  std::size_t octets = 0;  // load memory
+  std::size_t octets = 0, code = 0;  // in load memory; of these what runs
 };
 
 std::optional<std::size_t> numberIn(View digits) {
@@ -35,8 +35,9 @@ std::optional<Announced> announced(View p) {
     return std::nullopt;
   const auto name = blockNameOf(p.subspan(kName, kNameLength));
   const auto octets = numberIn(p.subspan(kLengths + 2, kDigits));
-  if (!name || !octets || !numberIn(p.last(kDigits))) return std::nullopt;
-  return Announced{*name, *octets};
+  const auto code = numberIn(p.last(kDigits));
+  if (!name || !octets || !code) return std::nullopt;
+  return Announced{*name, *octets, *code};
 }
 
 // Function, status, error, 4 octets, length of the name, "_", name.
@@ -93,6 +94,7 @@ void pieceHeard(const Job& job, const Pdu& answer) {
 void serveRequestDownload(const Job& job) {
   const auto wish = announced(job.parameters);
   if (!wish) return job.refuse(Error::WrongBlockName);
+  if (wish->code == 0 || wish->code > wish->octets) return job.refuse(Error::WrongBlockLength);
   if (wish->name.files != FileSystem::Passive) return job.refuse(Error::WrongBlockFiles);
   job.download() = {};
   job.plc().admit(wish->name, wish->octets, job.password(),

@@ -23,11 +23,15 @@ std::string decoded(View octets) {
 void serveEnterPassword(const Request& request) {
   if (request.data.size() != kPasswordOctets) return request.refuse(Error::WrongPassword);
   if (!request.job.password().empty()) return request.refuse(Error::PasswordStands);
+  if (!request.job.guard().mayTry()) return request.refuse(Error::WrongPassword);
   const std::string text = decoded(request.data);
   request.job.plc().enter(text, [begun = request.begun(), text](Error error) {
     if (error == Error::None) begun.job.password() = text;
-    error == Error::None ? begun.done() : begun.refuse(error);
-    begun.ended();
+    const auto answer = [begun, error] {
+      error == Error::None ? begun.done() : begun.refuse(error);
+      begun.ended();
+    };
+    error == Error::WrongPassword ? begun.job.guard().wrong(answer) : answer();
   });
 }
 

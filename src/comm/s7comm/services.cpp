@@ -29,14 +29,18 @@ const Service* findService(std::uint8_t function) {
 }
 
 void Job::answer(View answerParameters, View answerData, Error error) const {
+  if (error != Error::None) guard().refused(error);
   session->send_(writePdu({PduType::Answer, reference, error, answerParameters, answerData}));
 }
 
+// S7 CPUs acknowledge what they refuse, without parameters (seen: 32 02 … 00 00 00 00 81 04).
 void Job::refuse(Error error) const {
+  guard().refused(error);
   session->send_(writePdu({PduType::Acknowledge, reference, error, {}, {}}));
 }
 
 void Job::userdata(const UserdataHead& head, View octets) const {
+  if (head.error != Error::None) guard().refused(head.error);
   session->send_(writeUserdata(head, reference, octets));
 }
 

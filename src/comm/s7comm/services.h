@@ -25,6 +25,7 @@ struct Job {
   void userdata(const UserdataHead& head, View octets) const;
   const std::shared_ptr<Outlet>& outlet() const { return session->outlet(); }
   Session::Rest& rest() const { return session->rest_; }
+  const Session::Guard& guard() const { return session->guard_; }
   std::string& password() const { return session->password_; }
   Session::Upload& upload() const { return session->upload_; }
   Session::Download& download() const { return session->download_; }

@@ -52,6 +52,17 @@ class Session : public std::enable_shared_from_this<Session> {
   // Hears the answer to a job of this side.
   using Heard = void (*)(const Job& job, const Pdu& answer);
 
+  // Watches over the connection; what is called outlives it.
+  struct Guard {
+    // Hears each error that is answered.
+    std::function<void(Error)> refused = [](Error) {};
+    // Whether a password is looked at; else it is a wrong one.
+    std::function<bool()> mayTry = [] { return true; };
+    // Gives the answer to a wrong password, now or later.
+    std::function<void(std::function<void()> answer)> wrong =
+        [](const std::function<void()>& answer) { answer(); };
+  };
+
   // `plc` outlives it.
   Session(Plc& plc, Send send, Offer offer = {});
   ~Session();
@@ -66,6 +77,8 @@ class Session : public std::enable_shared_from_this<Session> {
   bool asks() const { return heard_ != nullptr; }
   // Hears that it is not busy any more.
   void whenReady(std::function<void()> ready) { ready_ = std::move(ready); }
+
+  void guardBy(Guard guard) { guard_ = std::move(guard); }
 
   // Whether the line takes what the PLC says unasked; deliver() when it does again.
   void roomBy(std::function<bool()> room) { room_ = std::move(room); }
@@ -91,6 +104,7 @@ class Session : public std::enable_shared_from_this<Session> {
   Plc& plc_;
   Send send_;
   Offer offer_;
+  Guard guard_;
   std::function<void()> ready_;
   std::function<bool()> room_;
   std::shared_ptr<Outlet> outlet_ = std::make_shared<Outlet>();

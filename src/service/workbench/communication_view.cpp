@@ -10,7 +10,8 @@ Json clientJson(const S7ClientRow& row) {
 }
 
 Json refusalJson(const S7RefusedRow& row) {
-  return {{"partner", row.partner}, {"why", row.why}, {"seconds", row.seconds}};
+  return {
+      {"partner", row.partner}, {"why", row.why}, {"times", row.times}, {"seconds", row.seconds}};
 }
 
 template <typename Rows, typename Write>
@@ -33,6 +34,7 @@ Json s7Json(const S7Outside& outside) {
           {"refused", outside.refused},
           {"broken", outside.broken},
           {"requests", outside.requests},
+          {"denied", outside.denied},
           {"clients", listOf(outside.clients, clientJson)},
           {"refusals", listOf(outside.refusals, refusalJson)}};
 }

@@ -19,10 +19,12 @@ struct S7ClientRow {
   std::uint64_t requests = 0, received = 0, sent = 0, lost = 0;  // octets; indications
 };
 
+// What was refused to an address, or why its connections were broken off.
 struct S7RefusedRow {
-  std::string partner;
-  std::string why;  // "resource": none is free for its kind; "slot": of another one; "socket"
-  std::int64_t seconds = 0;  // ago
+  std::string partner;  // "127.0.0.1"
+  std::string why;      // a code of docs/workbench-protocol.md, S7Refusal
+  std::uint64_t times = 0;
+  std::int64_t seconds = 0;  // ago, the last one
 };
 
 struct S7Outside {
@@ -30,7 +32,7 @@ struct S7Outside {
   std::string warning{};                       // other computers can come; empty: they cannot
   std::optional<std::uint32_t> connections{};  // none: unlimited
   std::uint32_t pg = 0, op = 0, basic = 0;     // kept for a kind
-  std::uint64_t confirmed = 0, refused = 0, broken = 0, requests = 0;
+  std::uint64_t confirmed = 0, refused = 0, broken = 0, requests = 0, denied = 0;
   std::vector<S7ClientRow> clients{};
   std::vector<S7RefusedRow> refusals{};  // the last ones, newest first
 };

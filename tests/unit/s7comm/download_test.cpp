@@ -6,12 +6,12 @@
 namespace merker::s7comm {
 namespace {
 
-// DB 1, so many octets as its lengths say: of 4 digits.
-std::string request(const std::string& octets, const std::string& files = "50") {
+// DB 1, so many octets as its lengths say: of 4 digits; of these a digit of values.
+std::string request(const std::string& octets, const std::string& files = "50", char code = '4') {
   std::string digits;
   for (const char digit : octets) digits += std::string(" 3") + digit;
   return "32 01 00 00 00 02 00 20 00 00 1A 00 01 00 00 00 00 00 09 5F 30 41 30 30 30 30 31 " +
-         files + " 0D 31 30 30" + digits + " 30 30 30 30 33 36";
+         files + " 0D 31 30 30" + digits + " 30 30 30 30 30 3" + code;
 }
 constexpr std::string_view kAccepted = "32 03 00 00 00 02 00 01 00 00 00 00 1A | ";
 
@@ -70,6 +70,8 @@ TEST(Download, whatIsRefusedAtOnce) {
   EXPECT_EQ(line.say(request("1001")), refused("83 01"));
   EXPECT_EQ(line.say(request("0300", "41")), refused("D2 18"));
   EXPECT_EQ(line.say(request("03:0")), refused("D2 01"));
+  EXPECT_EQ(line.say(request("0300", "50", '0')), refused("D2 19"));
+  EXPECT_EQ(line.say(request("0004", "50", '5')), refused("D2 19"));
   EXPECT_EQ(line.say("32 01 00 00 00 02 00 02 00 00 1A 00"), refused("D2 01"));
   line.plc.locked = true;
   EXPECT_EQ(line.say(request("0300")), refused("D2 41"));

@@ -40,5 +40,29 @@ TEST(Password, aWrongOneIsRefused) {
             answer("01", "D6 02"));
 }
 
+// A wrong one is answered when the guard says so; what comes behind it waits. One that the guard
+// does not admit is not looked at.
+TEST(Password, aGuardHoldsBackAnswers) {
+  Line line;
+  std::vector<std::function<void()>> held;
+  std::vector<Error> refused;
+  bool mayTry = true;
+  line.session->guardBy({.refused = [&](Error error) { refused.push_back(error); },
+                         .mayTry = [&] { return mayTry; },
+                         .wrong = [&](auto answer) { held.push_back(answer); }});
+  EXPECT_EQ(line.say(kEnter), answer("01", "00 00"));
+  line.say(kCancel);
+  line.plc.secret = "other";
+  EXPECT_EQ(line.say(kEnter), "");
+  ASSERT_EQ(held.size(), 1u);
+  EXPECT_TRUE(refused.empty());
+  held[0]();
+  EXPECT_EQ(line.heard(), answer("01", "D6 02"));
+  line.plc.secret = "hidden";
+  mayTry = false;
+  EXPECT_EQ(line.say(kEnter), answer("01", "D6 02"));
+  EXPECT_EQ(refused, (std::vector{Error::WrongPassword, Error::WrongPassword}));
+}
+
 }  // namespace
 }  // namespace merker::s7comm
