@@ -13,6 +13,7 @@ namespace merker::system {
 struct Communication {
   CommunicationParameters parameters{};
   std::array<std::uint32_t, 3> used{};  // PG, OP, others
+  std::uint32_t testJobs = 0;           // of test and installation
 
   // A number for what has no limit, as the lists have 16 bits.
   std::uint32_t connections() const { return parameters.connections.value_or(0xFFFF); }

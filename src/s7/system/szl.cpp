@@ -77,11 +77,22 @@ void listOfLists(SzlList& list) {
   for (const Row& row : kRows) list.word(row.number);
 }
 
+// The row of a list; of a head alone, any extract of it that there is.
+const Row* findRow(std::uint32_t number) {
+  const bool headOnly = (number & kExtract) == kExtract;
+  const auto is = [&](std::uint32_t wanted, std::uint32_t mask) {
+    return std::ranges::find_if(
+        kRows, [=](const Row& row) { return (row.number & mask) == (wanted & mask); });
+  };
+  const Row* row = is(headOnly ? number & ~kExtract : number, 0xFFFF);
+  if (row == std::end(kRows) && headOnly) row = is(number, ~kExtract);
+  return row == std::end(kRows) ? nullptr : row;
+}
+
 void fillList(const SzlSource& source, std::uint32_t number, std::uint32_t index, SzlList& list) {
-  if (number == 0) return listOfLists(list);
-  const Row* row = std::find_if(std::begin(kRows), std::end(kRows),
-                                [&](const Row& r) { return r.number == number; });
-  if (row == std::end(kRows)) {
+  if (number == 0 || number == kExtract) return listOfLists(list);
+  const Row* const row = findRow(number);
+  if (row == nullptr) {
     list.error = kSzlUnknown;
     return;
   }
@@ -96,7 +107,7 @@ void fillList(const SzlSource& source, std::uint32_t number, std::uint32_t index
 SzlList readSzl(const SzlSource& source, std::uint32_t number, std::uint32_t index) {
   SzlList list;
   const bool headOnly = (number & kExtract) == kExtract;
-  fillList(source, headOnly ? number & ~kExtract : number, index, list);
+  fillList(source, number, index, list);
   if (list.recordLength != 0)
     list.records = static_cast<std::uint16_t>(list.data.size() / list.recordLength);
   if (list.error != 0 || headOnly) list.data.clear();

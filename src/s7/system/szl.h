@@ -34,6 +34,10 @@ constexpr std::uint32_t kSzlUnknown = 0x8082, kSzlIndex = 0x8083;
 // Bits 11..8 of the number say which extract of the list is meant; 16#0Fxy: only its size.
 SzlList readSzl(const SzlSource& source, std::uint32_t number, std::uint32_t index);
 
+// As the source says, or as the model has it.
+Communication communicationOf(const SzlSource& source);
+void szlConnections(const SzlSource&, SzlList&);  // 16#0131, INDEX 1
+
 // The lists: each adds its records.
 void szlIdentification(const SzlSource&, std::uint32_t index, SzlList&);     // 16#xy11
 void szlCharacteristics(const SzlSource&, std::uint32_t index, SzlList&);    // 16#xy12
@@ -46,7 +50,6 @@ void szlLastMode(const SzlSource&, std::uint32_t index, SzlList&);           // 
 void szlCurrentMode(const SzlSource&, std::uint32_t index, SzlList&);        // 16#0424
 void szlOneMode(const SzlSource&, std::uint32_t index, SzlList&);            // 16#0524
 void szlCommunication(const SzlSource&, std::uint32_t index, SzlList&);      // 16#0132
-void szlConnections(const SzlSource&, std::uint32_t index, SzlList&);        // 16#0131, INDEX 1
 void szlOffers(const SzlSource&, std::uint32_t index, SzlList&);             // 16#0131
 void szlProtection(const SzlSource&, std::uint32_t index, SzlList&);         // 16#0232
 void szlNames(const SzlSource&, std::uint32_t index, SzlList&);              // 16#xy1C

@@ -72,9 +72,12 @@ void szlNames(const SzlSource& source, std::uint32_t index, SzlList& list) {
     std::uint32_t number;
     std::string_view text;
   };
-  // station, module, plant identification, copyright, serial number, type of the module
+  // station, module, plant identification, copyright, serial number, type of the module, memory
+  // card, manufacturer (no registered one, generic device, CPU), OEM, location
+  constexpr std::string_view kManufacturer("\0\0\xF6\0\0\1", 6);
   for (const Name& name : {Name{1, "Merker"}, Name{2, model}, Name{3, ""}, Name{4, "Merker"},
-                           Name{5, "SIMULATED"}, Name{7, model}}) {
+                           Name{5, "SIMULATED"}, Name{7, model}, Name{8, "MMC SIMULATED"},
+                           Name{9, kManufacturer}, Name{10, ""}, Name{11, ""}}) {
     if (!asked(index, name.number)) continue;
     list.word(name.number);
     for (std::size_t i = 0; i < kCharacters; ++i)
@@ -136,6 +139,7 @@ void szlBlockTypes(const SzlSource& source, std::uint32_t index, SzlList& list) 
   const Kind kinds[] = {
       {0x0800, static_cast<std::int64_t>(m.organizationBlocks.size()), m.blockSize},
       {0x0A00, m.highestDb, m.dataBlockSize},
+      {0x0B00, 0xFFFF, 0xFFFE},
       {0x0C00, m.highestFc + 1, m.blockSize},
       {0x0E00, m.highestFb + 1, m.blockSize}};
   for (const Kind& kind : kinds) {

@@ -1,4 +1,4 @@
-// What a CPU does: operating modes, communication status, diagnostic buffer (S7-DIAG-05).
+// What a CPU does: operating modes, diagnostic buffer, LEDs (S7-DIAG-05).
 #include <algorithm>
 
 #include "base/bytes.h"
@@ -60,63 +60,6 @@ void diagnosticEvent(SzlList& list, const cpu::DiagnosticEvent& event) {
   for (const std::uint8_t byte : event.stamp) list.byte(byte);
 }
 
-void timeSystem(const SzlSource& source, SzlList& list) {
-  cpu::Cpu& cpu = source.cpu;
-  const Instant now = cpu.machine().clock;
-  std::uint32_t running = 0, overflow = 0;
-  list.word(8);
-  list.dword(0);  // cycle of synchronisation, correction
-  for (std::size_t i = 0; i < 8; ++i) {
-    const bool exists = i < cpu.runtimeMeters().size();
-    const cpu::RuntimeMeter meter = exists ? cpu.runtimeMeters()[i] : cpu::RuntimeMeter{};
-    list.word(static_cast<std::uint32_t>(meter.hours(now)));
-    running |= static_cast<std::uint32_t>(meter.running) << i;
-    overflow |= static_cast<std::uint32_t>(meter.overflow(now)) << i;
-  }
-  for (const std::uint8_t byte : cpu::toDateAndTime(cpu.clock().milliseconds(now))) list.byte(byte);
-  list.word(running << 8);
-  list.word(overflow << 8);
-}
-
-// Protection levels by the switch, by parameters (0: no password) and the one that counts; position
-// of the mode switch.
-void protection(const cpu::Cpu& cpu, SzlList& list) {
-  using enum cpu::SwitchPosition;
-  const cpu::SwitchPosition position = cpu.modeSwitch().position();
-  const std::uint32_t bySwitch = position == Run ? 2 : 1;
-  const auto& parameters = cpu.parameters();
-  const std::uint32_t byPassword = parameters.password.empty() ? 0u : parameters.protection;
-  list.word(4);
-  list.word(bySwitch);
-  list.word(byPassword);
-  list.word(std::max(bySwitch, byPassword));
-  list.word(position == Run ? 1 : position == RunP ? 2 : position == Stop ? 3 : 4);
-}
-
-Communication communicationOf(const SzlSource& source) {
-  if (source.communication != nullptr) return *source.communication;
-  return {CommunicationParameters::of(*source.cpu.machine().model), {}};
-}
-
-// INDEX 1: connections kept for PG and OP, those that each of them has, configured ones and how
-// many of these stand, free ones and how many of these are in use, communication load.
-void connectionStatus(const SzlSource& source, SzlList& list) {
-  const Communication now = communicationOf(source);
-  const CommunicationParameters& set = now.parameters;
-  const auto beyond = [](std::uint32_t used, std::uint32_t kept) {
-    return used > kept ? used - kept : 0;
-  };
-  const std::uint32_t kept = set.pg + set.op + set.basic;
-  list.word(1);
-  list.word(set.pg), list.word(set.op);
-  list.word(now.used[0]), list.word(now.used[1]);
-  list.word(0), list.word(0);
-  list.word(beyond(now.connections(), kept));
-  list.word(beyond(now.used[0], set.pg) + beyond(now.used[1], set.op) +
-            beyond(now.used[2], set.basic));
-  list.word(source.cpu.parameters().communicationLoad);
-}
-
 }  // namespace
 
 void szlAllModes(const SzlSource& source, std::uint32_t, SzlList& list) {
@@ -145,28 +88,6 @@ void szlOneMode(const SzlSource& source, std::uint32_t index, SzlList& list) {
   const auto last = std::find_if(all.rbegin(), all.rend(),
                                  [&](const Transition& t) { return t.to == (index & 0xFF); });
   if (last != all.rend()) transition(list, *last);
-}
-
-void szlCommunication(const SzlSource& source, std::uint32_t index, SzlList& list) {
-  if (index == 1) connectionStatus(source, list);
-  if (index == 4) protection(source.cpu, list);
-  if (index == 8) timeSystem(source, list);
-  if (!list.data.empty()) list.data.resize(list.recordLength);
-}
-
-void szlProtection(const SzlSource& source, std::uint32_t index, SzlList& list) {
-  if (index == 4) szlCommunication(source, index, list);
-}
-
-// INDEX 1: bytes of a PDU, connections, bit/s of MPI (S7-LIM-01, -05, S7-NET-25).
-void szlConnections(const SzlSource& source, std::uint32_t index, SzlList& list) {
-  if (index != 1) return;
-  const Communication now = communicationOf(source);
-  list.word(1);
-  list.word(now.parameters.pdu);
-  list.word(now.connections());
-  list.dword(187'500);
-  list.data.resize(list.recordLength);
 }
 
 // The newest entry first.

@@ -43,7 +43,7 @@ TEST(System, offersWhatABenchServes) {
   ServedPlc plc = ServedPlc::station();
   const auto list = statusList(plc.plc(), 0x0131, 2);
   ASSERT_EQ(list.data.size(), 40u);
-  EXPECT_EQ(Bytes(list.data.begin(), list.data.begin() + 5), (Bytes{0, 2, 0x3E, 0xF3, 0x0F}));
+  EXPECT_EQ(Bytes(list.data.begin(), list.data.begin() + 5), (Bytes{0, 2, 0x3E, 0xFF, 0x0F}));
   EXPECT_EQ(Bytes(list.data.begin() + 20, list.data.begin() + 23), (Bytes{0x5F, 0, 0}));
 }
 
