@@ -61,11 +61,17 @@ Error readLines(View data, BlockWatch& watch) {
 
 }  // namespace
 
-Error readBlockWatch(TestFunction function, View parameters, View data, BlockWatch& watch) {
-  if (parameters.size() < kShortest) return Error::WrongJobLength;
+Error readBreakpoint(View parameters, BlockWatch& watch) {
+  if (parameters.size() < kBlockAt + 6) return Error::WrongJobLength;
   watch.type = loadWord(&parameters[kBlockAt]);
   watch.number = loadWord(&parameters[kBlockAt + 2]);
   watch.begin = loadWord(&parameters[kBlockAt + 4]);
+  return Error::None;
+}
+
+Error readBlockWatch(TestFunction function, View parameters, View data, BlockWatch& watch) {
+  if (parameters.size() < kShortest) return Error::WrongJobLength;
+  readBreakpoint(parameters, watch);
   if (parameters.size() >= kEnvironment) readEnvironment(parameters, watch);
   return function == TestFunction::BlockStatus ? readOldLines(data, watch) : readLines(data, watch);
 }

@@ -6,6 +6,7 @@
 namespace merker::s7comm {
 
 // The parameters behind the common ones, and the data.
+Error readBreakpoint(View parameters, BlockWatch& watch);  // the block and its address alone
 Error readBlockWatch(TestFunction function, View parameters, View data, BlockWatch& watch);
 
 }  // namespace merker::s7comm

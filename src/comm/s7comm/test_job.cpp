@@ -73,8 +73,17 @@ Error readTestItems(View data, bool values, std::vector<TestItem>& items) {
   return items.empty() ? Error::WrongTestData : Error::None;
 }
 
-Error readJob(TestFunction function, View parameters, View data, TestJob& job) {
-  if (parameters.size() < kJobWords) return Error::WrongJobLength;
+// What is done at once needs no trigger.
+bool isAtOnce(TestFunction function) {
+  return function == TestFunction::InterruptStack || function == TestFunction::BlockStack ||
+         function == TestFunction::LocalStack || function == TestFunction::ExitHold;
+}
+
+Error readJob(TestFunction function, View given, View data, TestJob& job) {
+  if (given.size() < kJobWords && !isAtOnce(function)) return Error::WrongJobLength;
+  Bytes whole = copied(given);
+  whole.resize(std::max(whole.size(), kJobWords));
+  const View parameters = whole;
   job.name.function = static_cast<std::uint8_t>(function);
   job.how = loadWord(&parameters[2]);
   job.often = loadWord(&parameters[4]);
@@ -90,6 +99,8 @@ Error readJob(TestFunction function, View parameters, View data, TestJob& job) {
     case TestFunction::BlockStatus:
     case TestFunction::ProgramStatus:
       return readBlockWatch(function, parameters, data, job.block);
+    case TestFunction::Breakpoint:
+      return readBreakpoint(parameters, job.block);
     default:
       return Error::None;
   }

@@ -121,6 +121,8 @@ constexpr TestService kTestServices[] = {
     {TestFunction::BlockStack, 3, blockStack},
     {TestFunction::LocalStack, 3, localStack},
     {TestFunction::Force, 2, beginForce},
+    {TestFunction::Breakpoint, 2, beginBreakpoint},
+    {TestFunction::ExitHold, 2, exitHold},
     {TestFunction::Disable, 3, disable},
     {TestFunction::Enable, 3, enable},
     {TestFunction::Delete, 2, removeJob},
@@ -143,6 +145,13 @@ std::uint8_t Bench::freshNumber(const monitor::Monitor& monitor) {
   do last_ = static_cast<std::uint8_t>(last_ % 0xFF + 1);
   while (used(last_));
   return last_;
+}
+
+std::size_t Bench::jobs(const monitor::Monitor& monitor) const {
+  const auto tests = std::ranges::count_if(tasks_.all(), [](const auto& task) {
+    return dynamic_cast<const TestTask*>(task.get()) != nullptr;
+  });
+  return static_cast<std::size_t>(tests) + (monitor.forces().empty() ? 0 : 1);
 }
 
 // Others may have forced it: whoever sees it gives it a number.

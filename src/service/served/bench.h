@@ -14,6 +14,8 @@ class Bench {
   explicit Bench(Tasks& tasks) : tasks_(tasks) {}
   s7comm::TestAnswer carryOut(monitor::Monitor& monitor, const s7comm::TestRequest& request,
                               const Client& client);
+  // Of everybody.
+  std::size_t jobs(const monitor::Monitor& monitor) const;
 
  private:
   friend struct TestCall;

@@ -11,9 +11,12 @@ using s7comm::Controlled;
 using s7comm::Error;
 
 void Exchange::status(std::uint16_t list, std::uint16_t index, StatusDone done) {
-  order([list, index, done = std::move(done)](monitor::Monitor* monitor) -> Call {
+  order([this, list, index, done = std::move(done)](monitor::Monitor* monitor) -> Call {
     s7comm::StatusList found;
-    if (monitor != nullptr) found = statusList(monitor->plc(), list, index);
+    if (monitor != nullptr) {
+      setTestJobs(monitor->plc(), bench_.jobs(*monitor));
+      found = statusList(monitor->plc(), list, index);
+    }
     return [found = std::move(found), done] { done(found); };
   });
 }

@@ -75,6 +75,11 @@ void setConnections(Controller& plc, const Resources::Counts& inUse) {
     one->communication().used = inUse;
 }
 
+void setTestJobs(Controller& plc, std::size_t jobs) {
+  if (auto* const one = controller::capability<station::BlockCpu>(plc))
+    one->communication().testJobs = static_cast<std::uint32_t>(jobs);
+}
+
 std::optional<s7comm::ClockTime> clockOf(Controller& plc) {
   const cpu::Cpu* const cpu = cpuOf(plc);
   if (cpu == nullptr) return std::nullopt;

@@ -11,6 +11,7 @@ namespace merker::served {
 s7comm::StatusList statusList(controller::Controller& plc, std::uint16_t list, std::uint16_t index);
 // What its lists say of connections.
 void setConnections(controller::Controller& plc, const Resources::Counts& inUse);
+void setTestJobs(controller::Controller& plc, std::size_t jobs);
 std::optional<s7comm::ClockTime> clockOf(controller::Controller& plc);
 s7comm::Error setClock(controller::Controller& plc, const s7comm::ClockTime& time,
                        std::string_view password = {});

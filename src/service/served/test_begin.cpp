@@ -3,6 +3,7 @@
 #include <span>
 
 #include "served/block_task.h"
+#include "served/breakpoint_task.h"
 #include "served/force_job.h"
 #include "served/test_call.h"
 #include "served/test_stacks.h"
@@ -31,8 +32,12 @@ Error checkRoom(const TestCall& call, std::size_t octets) {
   return fits ? Error::None : Error::ResultTooLong;
 }
 
+bool hasAllJobs(const TestCall& call) {
+  return call.tasks().count<TestTask>(*call.client) >= kMostJobs;
+}
+
 TestAnswer begin(const TestCall& call, const std::shared_ptr<TestTask>& task) {
-  if (call.tasks().count<TestTask>(*call.client) >= kMostJobs) return {Error::TooManyJobs};
+  if (hasAllJobs(call)) return {Error::TooManyJobs};
   call.tasks().begin(task);
   return {};
 }
@@ -43,6 +48,15 @@ std::size_t octetsOf(const BlockWatch& watch) {
     octets += 2 + s7comm::registerOctets(line.registers);
   return octets;
 }
+
+bool isInstruction(const monitor::BlockCode& code, std::uint32_t offset) {
+  for (std::size_t i = 0; i < code.lineCount(); ++i)
+    if (code.line(i).offset == offset) return true;
+  return false;
+}
+
+// Of what a breakpoint tells.
+constexpr std::size_t kBreakpointOctets = 38;
 
 Error checkBlock(const TestCall& call) {
   constexpr TriggerEvent kOffered[] = {TriggerEvent::Addresses, TriggerEvent::CalledAddresses};
@@ -103,6 +117,31 @@ TestAnswer beginBlock(const TestCall& call) {
   const TestAnswer answer = begin(call, task);
   if (answer.error == Error::None) call.monitor.debugger().watch(task);
   return answer;
+}
+
+TestAnswer beginBreakpoint(const TestCall& call) {
+  if (!call.monitor.can(monitor::Feature::Breakpoints)) return {Error::TestNotOffered};
+  const BlockWatch& watch = call.request.job.block;
+  const auto code = call.monitor.program().find(watchedBlock(watch));
+  if (!code || code->length() == 0) return {Error::NoBlockToTest};
+  if (!isInstruction(*code, watch.begin)) return {Error::WrongTestAddress};
+  if (const Error error = checkRoom(call, kBreakpointOctets); error != Error::None) return {error};
+  if (hasAllJobs(call)) return {Error::TooManyJobs};
+  return begin(call, std::make_shared<BreakpointTask>(call.client, call.numbered(), call.monitor));
+}
+
+// Its first octet of data: 0 to the next breakpoint, 1 to the next statement.
+TestAnswer exitHold(const TestCall& call) {
+  const s7comm::Bytes& until = call.request.job.data;
+  if (until.empty()) return {Error::WrongJobLength};
+  if (until[0] > 1) return {Error::WrongTestData};
+  if (call.monitor.plc().mode() != controller::Mode::Halt) return {Error::NotInThisMode};
+  for (const auto& task : call.tasks().all())
+    if (auto* const one = dynamic_cast<BreakpointTask*>(task.get())) one->goOn();
+  const Instant now = call.monitor.plc().now();
+  monitor::Debugger& debugger = call.monitor.debugger();
+  until[0] == 0 ? debugger.run(now) : debugger.beginStep(monitor::StepKind::Into, now);
+  return {};
 }
 
 TestAnswer interruptStack(const TestCall& call) {

@@ -27,6 +27,9 @@ s7comm::Error checkVariables(const TestCall& call);
 s7comm::TestAnswer beginVariables(const TestCall& call);
 s7comm::TestAnswer beginForce(const TestCall& call);
 s7comm::TestAnswer beginBlock(const TestCall& call);
+s7comm::TestAnswer beginBreakpoint(const TestCall& call);
+// Out of HALT, up to the next breakpoint or statement.
+s7comm::TestAnswer exitHold(const TestCall& call);
 s7comm::TestAnswer interruptStack(const TestCall& call);
 s7comm::TestAnswer blockStack(const TestCall& call);
 s7comm::TestAnswer localStack(const TestCall& call);

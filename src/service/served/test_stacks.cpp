@@ -13,13 +13,6 @@ using s7comm::Bytes;
 // The start information of an OB: 12 octets, then when it was started.
 constexpr std::size_t kStartInformation = 20, kStartedAt = 12;
 
-// Type, number, address.
-void appendPlace(Bytes& data, const monitor::SourcePlace& place) {
-  appendWord(data, static_cast<std::uint32_t>(place.block.kind));
-  appendWord(data, place.block.number);
-  appendWord(data, place.offset);
-}
-
 void appendZeros(Bytes& data, std::size_t count) { data.resize(data.size() + count); }
 
 Bytes startInformation(const Stacks& stacks, std::size_t block) {
@@ -49,6 +42,12 @@ void appendClass(Bytes& data, const Stacks& stacks, std::size_t block) {
 }
 
 }  // namespace
+
+void appendPlace(Bytes& data, const monitor::SourcePlace& place) {
+  appendWord(data, static_cast<std::uint32_t>(place.block.kind));
+  appendWord(data, place.block.number);
+  appendWord(data, place.offset);
+}
 
 Bytes interruptStackData(const Stacks& stacks) {
   Bytes data;

@@ -6,6 +6,8 @@
 
 namespace merker::served {
 
+// Type, number, address.
+void appendPlace(s7comm::Bytes& data, const monitor::SourcePlace& place);
 // The registers of the priority class that was running, and the start information of its OB.
 s7comm::Bytes interruptStackData(const monitor::Stacks& stacks);
 // Every block, the running one first; an OB ends its priority class.
