@@ -81,8 +81,12 @@ class Judged(S7Case):
         while client.ask("32 01 00 00 00 03 00 08 00 00 1E 00 00 00 00 00 00 01")[13]:
             pieces += 1
         client.ask("32 01 00 00 00 04 00 08 00 00 1F 00 00 00 00 00 00 01")
+        # the head of SDB 0, in one piece
+        client.ask("32 01 00 00 00 05 00 12 00 00 1D 00 00 00 00 00 00 00 09 24 30 42 30 30 30 30 30 41")
+        self.assertEqual(client.ask("32 01 00 00 00 06 00 08 00 00 1E 00 00 00 00 00 00 02")[13:22].hex(), "00002400fb70700101")
+        client.ask("32 01 00 00 00 07 00 08 00 00 1F 00 00 00 00 00 00 02")
         client.close()
-        self.judge(2 * (1 + 4 + pieces + 2))
+        self.judge(2 * (1 + 4 + pieces + 2 + 3))
         self.assertEqual(self.capture.ask("s7comm.blockinfo.blocktype", "s7comm.blockinfo.block_num")[-1:], ["1"])
 
     # A variable table that is looked at, modified and forced: values and codes come as indications.
@@ -206,6 +210,26 @@ END_ORGANIZATION_BLOCK
         self.assertEqual(len(stopped), 1)
         local = self.capture.ask("s7comm.tis.lstack.size && s7comm.param.userdata.type == 8", "s7comm.tis.interrupted.blocktype")
         self.assertEqual(local, ["8"])
+
+    # S7-STATE-07: in HALT at the first instruction, then at the one behind it.
+    def test_breakpoints(self):
+        client = self.recorded()
+        place = "0000 0000 0000 0026 0001 0001 0001 0001 0001 0600 0008 0001 0000"
+        client.test(0x0A, place, "0000")
+        self.assertEqual(client.hear()[15:18], b"\x01\x0A\x01")
+        client.test(0x0B, "0000 0000", "0100")
+        self.assertEqual(client.hear()[15:18], b"\x01\x0A\x01")
+        client.test(0x0F, job_words(0, 1, 0), "0001 0A01")
+        client.test(0x0B, "0000 0000", "0000")
+        before = client.read(FLAGS, 20, 1, WORD)
+        self.until(lambda: client.read(FLAGS, 20, 1, WORD) != before)
+        client.close()
+        self.assertEqual(self.capture.ask(BAD), [])
+        told = self.capture.ask("s7comm.param.userdata.type == 0 && s7comm.param.userdata.subfunc == 10", "s7comm.tis.interrupted.blocktype",
+                                "s7comm.tis.interrupted.address", "s7comm.tis.breakpoint.blocktype", "s7comm.tis.breakpoint.address")
+        self.assertEqual([row.split("\t")[0] for row in told], ["8", "8"])
+        self.assertEqual(told[0].split("\t")[1:], ["0", "8", "0"])
+        self.assertNotEqual(told[1].split("\t")[1], "0")
 
     def test_connections(self):
         clients = [self.recorded(kind) for kind in [1, 2] + 10 * [3]]

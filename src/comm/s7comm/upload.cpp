@@ -56,8 +56,9 @@ void serveStartUpload(const Job& job) {
   if (!name) return job.refuse(Error::WrongBlockName);
   const bool head = p[9] == kHeadOnly;
   const auto done = [begun = job.begun(), head](Error error, const Bytes& container) {
-    const auto end = head ? container.begin() + kBlockHead : container.end();
-    beginUpload(begun, error, error == Error::None ? Bytes(container.begin(), end) : Bytes());
+    Bytes octets = error == Error::None ? container : Bytes();
+    if (head) octets.resize(std::min(octets.size(), kBlockHead));
+    beginUpload(begun, error, std::move(octets));
     begun.ended();
   };
   head ? job.plc().blockHead(*name, done) : job.plc().block(*name, job.password(), done);

@@ -80,6 +80,24 @@ TEST_F(Breakpoints, whatIsRefused) {
   EXPECT_TRUE(plc.monitor().debugger().breakpoints().empty());
 }
 
+// SZL 0132, INDEX 2.
+TEST_F(Breakpoints, jobsAreCounted) {
+  const auto jobs = [this] {
+    std::uint8_t count = 0xFF;
+    plc.exchange.status(0x0132, 2,
+                        [&](const s7comm::StatusList& list) { count = list.data.at(3); });
+    plc.cycles(1);
+    return count;
+  };
+  EXPECT_EQ(jobs(), 0);
+  std::string job = breakAt("00 06");
+  job.replace(6, 5, "00 01");
+  line.ask(kSetBreakpoint, job, "00 00");
+  EXPECT_EQ(jobs(), 1);
+  line.ask(kDeleteIt, words(0, 1, 0), "00 01 0A 01");
+  EXPECT_EQ(jobs(), 0);
+}
+
 // Whoever set it has gone: nothing holds the CPU any more.
 TEST_F(Breakpoints, theyGoWithTheirConnection) {
   {
