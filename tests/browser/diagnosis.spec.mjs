@@ -66,6 +66,8 @@ test('clients of S7 communication are seen', async () => {
   await has(panel, /1 von 3 Verbindungen belegt/);
   await has(panel, /127\.0\.0\.1:\d+\s+übrige\s+240/);
   await has(panel, /keine Verbindung dieser Art frei/);
+  for (let i = 0; i < 2; i++) connect(port, '127.0.0.1').end('GET / HTTP/1.0\r\n\r\n');
+  await has(panel, /127\.0\.0\.1: abgebrochen, kein ISO-on-TCP\s+\(2-mal, zuletzt vor \d+ s\)/);
   await has(view.getByRole('alert'), /nicht verschlüsselt/);
   for (const client of clients) client.destroy();
   await has(panel, /0 von 3 Verbindungen belegt/);
