@@ -48,7 +48,7 @@ std::string addressOf(const S7Connection::Socket& socket) {
 }
 
 std::optional<workbench::S7ClientRow> S7Connection::row(Clock::time_point now) const {
-  if (!session_) return std::nullopt;
+  if (!session_ || configured_) return std::nullopt;
   return workbench::S7ClientRow{
       .partner = partner_,
       .kind = kResourceNames[static_cast<std::size_t>(resource_)],
@@ -61,7 +61,11 @@ std::optional<workbench::S7ClientRow> S7Connection::row(Clock::time_point now) c
 }
 
 S7Connection::S7Connection(Socket socket, S7Surroundings& around)
-    : socket_(std::move(socket)), around_(around) {
+    : socket_(std::move(socket)), around_(around), transport_(iso::Transport::Side::Called) {
+  prepare();
+}
+
+void S7Connection::prepare() {
   boost::system::error_code ignored;
   partner_ = partnerOf(socket_);
   address_ = addressOf(socket_);
@@ -84,10 +88,11 @@ void S7Connection::close() {
   closed_ = true;
   boost::system::error_code ignored;
   socket_.close(ignored);
+  if (attached_) partner().detach();
   if (!session_) return;
   session_->end();
   session_.reset();
-  around_.resources.release(resource_);
+  if (!configured_) around_.resources.release(resource_);
   around_.exchange.inUse(around_.resources.counts());
   around_.exchange.closed();
 }
@@ -103,7 +108,8 @@ S7Connection::Expected S7Connection::expected() const {
   if (session_ && !session_->isSetUp()) return Expected::Setup;
   // Bytes that wait because it is this side that is busy are no fault of the client.
   if (reading_ && transport_.unfinished()) return Expected::RestOfMessage;
-  return session_ && session_->asks() ? Expected::Answer : Expected::Nothing;
+  const bool asks = session_ && (session_->asks() || (attached_ && partnerAsks()));
+  return asks ? Expected::Answer : Expected::Nothing;
 }
 
 // `moved`: what was expected has come, at least a part that counts.
@@ -161,14 +167,15 @@ void S7Connection::handle(iso::Event& event) {
     case Kind::Message:
       ++around_.incidents.counts.requests;
       ++requests_;
-      if (!session_->receive(event.message)) breakOff(S7Why::NoS7);
+      if (!hear(event.message)) breakOff(S7Why::NoS7);
       return;
     case Kind::Violated:
       note(S7Why::WrongTransport);
       out_.insert(out_.end(), event.answer.begin(), event.answer.end());
       ending_ = true;
       return;
-    case Kind::Confirmed:  // this side has asked nothing
+    case Kind::Confirmed:
+      return confirmed();
     case Kind::Disconnected:
       return close();
   }
@@ -182,9 +189,15 @@ void S7Connection::refuse(iso::Reason reason, S7Why why) {
 
 void S7Connection::requested(const iso::ConnectParameters& parameters) {
   resource_ = served::resourceOf(parameters.called);
+  if (takesConfigured(parameters)) return serve();
   if (around_.parameters.strictSlot && !served::namesTheCpu(parameters.called))
     return refuse(iso::Reason::UnknownAddress, S7Why::OtherSlot);
   if (!around_.resources.take(resource_)) return refuse(iso::Reason::Congestion, S7Why::NoResource);
+  serve();
+}
+
+// It has been called, or has called and was confirmed.
+void S7Connection::serve() {
   since_ = Clock::now();
   ++around_.incidents.counts.connections;
   around_.exchange.inUse(around_.resources.counts());
@@ -200,8 +213,11 @@ void S7Connection::requested(const iso::ConnectParameters& parameters) {
   });
   session_->guardBy(guard());
   session_->roomBy([this] { return !closed_ && out_.size() < kMostIndicated; });
-  const iso::Bytes answer = transport_.confirm();
-  out_.insert(out_.end(), answer.begin(), answer.end());
+  if (!transport_.open()) {
+    const iso::Bytes answer = transport_.confirm();
+    out_.insert(out_.end(), answer.begin(), answer.end());
+  }
+  if (configured_) attachPartner();
 }
 
 s7comm::Session::Guard S7Connection::guard() {

@@ -25,6 +25,7 @@ struct S7Surroundings {
   void use(const CommunicationParameters& wanted) {
     parameters = wanted;
     resources.limit(wanted);
+    exchange.partners().configure(wanted.configured);
   }
   S7Incidents incidents{};
   served::PasswordGuard passwords{};
@@ -34,13 +35,18 @@ class S7Connection : public std::enable_shared_from_this<S7Connection> {
  public:
   using Clock = std::chrono::steady_clock;
   using Socket = boost::asio::ip::tcp::socket;
+  using Endpoint = boost::asio::ip::tcp::endpoint;
 
+  // Of a client that has called.
   S7Connection(Socket socket, S7Surroundings& around);
+  // Of the partner of a configured connection that is called.
+  S7Connection(Socket socket, S7Surroundings& around, std::size_t configured);
   ~S7Connection();
   S7Connection(const S7Connection&) = delete;
   S7Connection& operator=(const S7Connection&) = delete;
 
   void begin();
+  void call(const Endpoint& there);
   bool closed() const { return closed_; }
   // It took too long for what is expected of it.
   bool overdue(Clock::time_point now) const { return now >= due_; }
@@ -53,7 +59,9 @@ class S7Connection : public std::enable_shared_from_this<S7Connection> {
     breakOff(expected_ == Expected::Reading ? S7Why::ReadsNothing : S7Why::TooLate);
   }
   void close();
-  // Nothing: it is not connected.
+  // The place of its configured connection; nothing: it is a client.
+  const std::optional<std::size_t>& configured() const { return configured_; }
+  // Nothing: it is not connected, or it is the partner of a configured connection.
   std::optional<workbench::S7ClientRow> row(Clock::time_point now) const;
 
  private:
@@ -70,15 +78,26 @@ class S7Connection : public std::enable_shared_from_this<S7Connection> {
   void denied(s7comm::Error error);
   void answerLater(std::function<void()> answer);
   void requested(const iso::ConnectParameters& parameters);
+  void confirmed();
+  void serve();
+  bool hear(iso::View pdu);
+  bool hearPartner(iso::View pdu);
+  void attachPartner();
+  s7comm::Partner& partner() { return around_.exchange.partners().partner(*configured_); }
+  bool takesConfigured(const iso::ConnectParameters& parameters);
+  void prepare();
   void send(iso::View pdu);
   void flush();
   void sent();
   void expect(bool moved);
   Expected expected() const;
+  bool partnerAsks() const;
 
   Socket socket_;
   S7Surroundings& around_;
-  iso::Transport transport_{iso::Transport::Side::Called};
+  iso::Transport transport_;
+  std::optional<std::size_t> configured_;
+  bool attached_ = false;                     // its partner has this transport connection
   std::shared_ptr<s7comm::Session> session_;  // once it is connected
   std::string partner_, address_;
   Clock::time_point since_{};  // it is connected

@@ -10,6 +10,7 @@
 #include <set>
 #include <thread>
 
+#include "s7_calls.h"
 #include "server/guard.h"
 
 namespace merker::app {
@@ -40,6 +41,7 @@ struct S7Server::Parts {
   tcp::acceptor acceptor{context};
   net::steady_timer timer{context}, pause{context};
   std::set<std::shared_ptr<S7Connection>> clients;
+  S7Calls calls{context, around, !hmi::isLocalAddress(place.address)};
   std::thread thread;
   mutable std::mutex outsideMutex;
   workbench::S7Outside outside;
@@ -51,6 +53,8 @@ struct S7Server::Parts {
   void take(tcp::socket socket);
   bool makeRoom();
   void check();
+  void use(const CommunicationParameters& parameters);
+  void callPartners();
 };
 
 bool S7Server::Parts::listen(std::string& reason) {
@@ -118,9 +122,23 @@ void S7Server::Parts::check() {
     for (const auto& client : clients)
       if (!client->closed() && client->overdue(now)) client->breakOffLate();
     std::erase_if(clients, [](const auto& client) { return client->closed(); });
+    callPartners();
     tell();
     check();
   });
+}
+
+void S7Server::Parts::callPartners() {
+  calls.look(S7Connection::Clock::now(), [this](auto call) { clients.insert(std::move(call)); });
+}
+
+// Partners of connections that another project has configured go.
+void S7Server::Parts::use(const CommunicationParameters& parameters) {
+  for (const auto& client : clients)
+    if (client->configured()) client->close();
+  calls.forget();
+  around.use(parameters);
+  callPartners();
 }
 
 void S7Server::Parts::tell() {
@@ -139,6 +157,7 @@ void S7Server::Parts::tell() {
                             .refusals = around.incidents.rows(now)};
   for (const auto& client : clients)
     if (auto row = client->row(now)) told.clients.push_back(std::move(*row));
+  told.partners = calls.rows();
   const std::lock_guard lock(outsideMutex);
   outside = std::move(told);
 }
@@ -147,13 +166,13 @@ std::unique_ptr<S7Server> S7Server::start(const S7Place& place,
                                           const CommunicationParameters& parameters,
                                           std::function<void()> wake, std::string& reason) {
   auto parts = std::make_unique<Parts>(place);
-  parts->around.use(parameters);
   if (!parts->listen(reason)) return nullptr;
   parts->around.exchange.connectBy(
       [context = &parts->context](served::Exchange::Call call) {
         net::post(*context, std::move(call));
       },
       std::move(wake));
+  parts->use(parameters);
   parts->accept();
   parts->tell();
   parts->check();
@@ -170,7 +189,7 @@ S7Server::~S7Server() {
 }
 
 void S7Server::use(const CommunicationParameters& parameters) {
-  net::post(parts_->context, [&around = parts_->around, parameters] { around.use(parameters); });
+  net::post(parts_->context, [parts = parts_.get(), parameters] { parts->use(parameters); });
 }
 
 served::Exchange& S7Server::exchange() { return parts_->around.exchange; }

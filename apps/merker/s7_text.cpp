@@ -28,14 +28,23 @@ std::string_view reasonText(std::string_view code) {
   return found == std::end(kReasons) ? code : found->text;
 }
 
+std::string partnerText(const workbench::S7PartnerRow& row) {
+  return row.port == 0 ? row.host : fmt::format("{}:{}", row.host, row.port);
+}
+
+// A partner on another computer is called only if clients may come from there, too.
+std::string_view stateText(std::string_view code) {
+  return code == "outside" ? "not called" : code;
+}
+
 std::string headText(const workbench::S7Outside& outside) {
   const std::string all =
       outside.connections ? fmt::format(" of {}", *outside.connections) : std::string();
   return fmt::format(
       "S7 communication at {}: {}{} connections in use; kept: PG {}, OP {}, others {}\n"
       "{} requests, {} of them denied; connections: {} refused, {} broken off\n",
-      outside.place, outside.clients.size(), all, outside.pg, outside.op, outside.basic,
-      outside.requests, outside.denied, outside.refused, outside.broken);
+      outside.place, outside.clients.size() + outside.partners.size(), all, outside.pg, outside.op,
+      outside.basic, outside.requests, outside.denied, outside.refused, outside.broken);
 }
 
 }  // namespace
@@ -49,6 +58,12 @@ std::string s7Text(const workbench::S7Outside& outside) {
   for (const auto& row : outside.clients)
     text += fmt::format("{:<24}{:<7}{:>5}{:>10}{:>10}{:>12}{:>12}\n", row.partner, row.kind,
                         row.pdu, row.seconds, row.requests, row.received, row.sent);
+  if (!outside.partners.empty())
+    text += fmt::format("{:<12}{:<24}{:<9}{:<11}{:>5}\n", "connection", "partner", "active",
+                        "state", "PDU");
+  for (const auto& row : outside.partners)
+    text += fmt::format("{:<12}{:<24}{:<9}{:<11}{:>5}\n", row.id, partnerText(row),
+                        row.active ? "yes" : "no", stateText(row.state), row.pdu);
   for (const auto& row : outside.refusals)
     text +=
         fmt::format("refused {} s ago: {}: {}{}\n", row.seconds, row.partner, reasonText(row.why),

@@ -5,6 +5,8 @@
 namespace merker::s7comm {
 
 void BlockReceivers::set(const Receiver& receiver) {
+  if (receiver.removed) receivers_.erase(receiver.rid);
+  if (receiver.removed) return;
   if (!receivers_.contains(receiver.rid) && receivers_.size() >= kMost) return;
   One& one = receivers_[receiver.rid];
   one.enabled = receiver.enabled;

@@ -47,6 +47,7 @@ struct PartnerResult {
 struct Receiver {
   std::uint32_t rid = 0;
   bool enabled = false;
+  bool removed = false;  // it is there no more
 };
 
 struct Telegram {

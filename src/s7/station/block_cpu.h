@@ -18,6 +18,7 @@ struct Snapshot;
 
 namespace merker::system {
 class Alarms;
+class Connections;
 struct Communication;
 struct SzlList;
 }  // namespace merker::system
@@ -42,6 +43,8 @@ class BlockCpu : public controller::Capability {
   virtual system::Alarms& alarms() = 0;
   // What the system status list says of connections.
   virtual system::Communication& communication() = 0;
+  // Configured connections, for whoever carries them.
+  virtual system::Connections& connections() = 0;
   // In RUN at the next cycle checkpoint, all blocks at once. The reason if the CPU refuses.
   virtual std::string download(std::shared_ptr<const block::Program> program,
                                std::string_view password) = 0;

@@ -19,7 +19,7 @@ struct Station::Parts {
         cpu(*model, engine, services, options.startOfClock,
             options.parameters.value_or(CpuParameters::of(*model))) {
     engine.interpreter().countCoverage(options.coverage);
-    if (options.communication) services.communication().parameters = *options.communication;
+    if (options.communication) services.configure(*options.communication);
     cpu.load(program);
     if (options.hardware) plug(std::move(*options.hardware), std::move(options.plants));
   }

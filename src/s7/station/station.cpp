@@ -46,6 +46,7 @@ system::SzlList Station::systemStatus(std::uint32_t list, std::uint32_t index) {
 const cpu::Cpu& Station::cpu() const { return parts_->cpu; }
 system::Alarms& Station::alarms() { return parts_->services.alarms(); }
 system::Communication& Station::communication() { return parts_->services.communication(); }
+system::Connections& Station::connections() { return parts_->services.connections(); }
 
 const CpuModel& Station::model() const { return *parts_->model; }
 const block::Program& Station::program() const { return *parts_->program; }

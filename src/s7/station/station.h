@@ -203,6 +203,7 @@ class Station final : public controller::Controller,
   const cpu::Cpu& cpu() const override;
   system::Alarms& alarms() override;
   system::Communication& communication() override;
+  system::Connections& connections() override;
 
   // Called after each change of simulated time at a cycle checkpoint: traces look at values here.
   void onCycle(std::function<void(controller::Controller&)> observer) override;

@@ -27,6 +27,8 @@ class Coupling;
 
 namespace merker::system {
 
+class Connections;
+
 struct AnyPointer {
   std::uint8_t syntax = 0x10;  // byte 0 of every ANY (S7-IND-12)
   TypeCode type = TypeCode::Void;
@@ -54,6 +56,7 @@ struct Context {
   Jobs jobs;
   Alarms alarms;
   Communication communication{};
+  std::shared_ptr<Connections> connections;  // configured ones
 };
 
 // Of a parameter: its width, and for an SFB where it lies in the instance.
@@ -90,6 +93,7 @@ class Arguments {
   Jobs& jobs() { return context_.jobs; }
   Alarms& alarms() { return context_.alarms; }
   const Communication& communication() const { return context_.communication; }
+  Connections& connections() { return *context_.connections; }
   std::uint16_t functionNumber() const { return function_.number; }
   // SFB: whether the instance is long enough for this parameter.
   bool has(std::size_t i);

@@ -1,12 +1,14 @@
 #include "system/services.h"
 
 #include "block/width.h"
+#include "system/connections.h"
 #include "system/library.h"
 
 namespace merker::system {
 
 Services::Services(const CpuModel& model) : functions_(allFunctions(model)) {
   context_.communication.parameters = CommunicationParameters::of(model);
+  context_.connections = std::make_shared<Connections>();
   const block::Program blocks = library(model);
   for (const Function& function : functions_) {
     auto& table = function.kind == BlockKind::FC    ? fcs_
@@ -20,6 +22,18 @@ Services::Services(const CpuModel& model) : functions_(allFunctions(model)) {
       entry.places.push_back({i < variables.size() ? variables[i].address : 0,
                               block::widthOf(function.parameters[i].type)});
   }
+}
+
+void Services::restart() {
+  context_.jobs.clear();
+  context_.alarms.clear();
+  context_.absentSerial.reset();
+  context_.connections->restart();
+}
+
+void Services::configure(const CommunicationParameters& parameters) {
+  context_.communication.parameters = parameters;
+  context_.connections->configure(parameters.configured);
 }
 
 const Services::Entry* Services::find(BlockId id) const {

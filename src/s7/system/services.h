@@ -13,13 +13,11 @@ class Services : public cpu::SystemServices {
  public:
   explicit Services(const CpuModel& model);
   bool call(const cpu::SystemCall& call) override;
-  void restart() override {
-    context_.jobs.clear();
-    context_.alarms.clear();
-    context_.absentSerial.reset();
-  }
+  void restart() override;
   Alarms& alarms() { return context_.alarms; }
   Communication& communication() { return context_.communication; }
+  void configure(const CommunicationParameters& parameters);
+  Connections& connections() { return *context_.connections; }
   // Whom the functions for modules ask; null: no modules.
   // The sub-module PtP and its address; null: the project has none.
   void connect(serial::Coupling* coupling, std::uint32_t address) {

@@ -31,6 +31,7 @@ std::vector<Value> valuesOf(const controller::OperandImage& image,
 }  // namespace
 
 void Exchange::connectBy(std::function<void(Call)> post, Call wake) {
+  partners_.connectBy(post, wake);
   post_ = std::move(post);
   wake_ = std::move(wake);
 }
@@ -94,6 +95,7 @@ void Exchange::write(std::vector<Write> writes, WriteDone done) {
 // Orders first: who is told that its value was written reads it then.
 void Exchange::cycleEnded(monitor::Monitor& monitor) {
   tellConnections(monitor.plc());
+  partners_.exchange(monitor.plc());
   if (connections_ == 0) return tasks_.clear(monitor);
   carryOut(&monitor);
   tasks_.run(monitor, post_);
@@ -136,7 +138,10 @@ bool Exchange::stands(const controller::Controller& plc) {
 
 void Exchange::look(monitor::Monitor* monitor) {
   if (monitor != nullptr) tellConnections(monitor->plc());
-  if (connections_ == 0 && monitor != nullptr) return tasks_.clear(*monitor);
+  if (connections_ == 0 && monitor != nullptr) {
+    if (stands(std::as_const(*monitor).plc())) partners_.exchange(monitor->plc());
+    return tasks_.clear(*monitor);
+  }
   if (connections_ == 0) return tasks_.forget();
   if (monitor == nullptr) {
     carryOut(nullptr);
@@ -151,6 +156,7 @@ void Exchange::look(monitor::Monitor* monitor) {
 
 void Exchange::forget() {
   lastLook_ = waitingSince_ = Instant::never();
+  partners_.forget();
   tasks_.forget();
   passive_.clear();
   const std::lock_guard lock(mutex_);

@@ -14,6 +14,7 @@
 #include "s7comm/plc.h"
 #include "served/bench.h"
 #include "served/messages.h"
+#include "served/partners.h"
 #include "served/passive_blocks.h"
 #include "served/resources.h"
 #include "served/tasks.h"
@@ -31,6 +32,8 @@ class Exchange final : public s7comm::Plc {
   // In the thread of the connections.
   void opened();
   void closed();
+  // Configured connections; they do without opened() and closed().
+  Partners& partners() { return partners_; }
   // How many connections of each kind there are: the system status list has it.
   void inUse(const Resources::Counts& connections);
   void read(const std::vector<s7comm::Range>& ranges, ReadDone done) override;
@@ -93,6 +96,8 @@ class Exchange final : public s7comm::Plc {
   Call wake_ = [] {};
   std::atomic<unsigned> connections_ = 0;
   std::atomic<bool> ordered_ = false, counted_ = false;
+
+  Partners partners_;
 
   mutable std::mutex mutex_;  // of what follows
   std::shared_ptr<Image> image_;

@@ -1,5 +1,6 @@
 #include "served/resources.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace merker::served {
@@ -15,7 +16,9 @@ bool namesTheCpu(std::span<const std::uint8_t> called) {
 }
 
 void Resources::limit(const CommunicationParameters& parameters) {
-  connections_ = parameters.connections;
+  connections_ = parameters.connections;  // those that are configured are taken, used or not
+  const auto configured = static_cast<std::uint32_t>(parameters.configured.size());
+  if (connections_) *connections_ -= std::min(*connections_, configured);
   reserved_ = {parameters.pg, parameters.op, parameters.basic};
 }
 

@@ -9,6 +9,11 @@ Json clientJson(const S7ClientRow& row) {
           {"sent", row.sent},       {"lost", row.lost}};
 }
 
+Json partnerJson(const S7PartnerRow& row) {
+  return {{"id", row.id},         {"host", row.host},   {"port", row.port},
+          {"active", row.active}, {"state", row.state}, {"pdu", row.pdu}};
+}
+
 Json refusalJson(const S7RefusedRow& row) {
   return {
       {"partner", row.partner}, {"why", row.why}, {"times", row.times}, {"seconds", row.seconds}};
@@ -36,6 +41,7 @@ Json s7Json(const S7Outside& outside) {
           {"requests", outside.requests},
           {"denied", outside.denied},
           {"clients", listOf(outside.clients, clientJson)},
+          {"partners", listOf(outside.partners, partnerJson)},
           {"refusals", listOf(outside.refusals, refusalJson)}};
 }
 

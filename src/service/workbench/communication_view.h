@@ -27,6 +27,16 @@ struct S7RefusedRow {
   std::int64_t seconds = 0;  // ago, the last one
 };
 
+// A configured connection of this PLC.
+struct S7PartnerRow {
+  std::string id;          // "W#16#1"
+  std::string host;        // of the partner
+  std::uint32_t port = 0;  // there; 0: it is the partner that calls
+  bool active = false;     // this side calls
+  std::string state;       // "connected"; "calls", "waits"; "outside": must not be called
+  std::uint32_t pdu = 0;
+};
+
 struct S7Outside {
   std::string place{};                         // "127.0.0.1:10102"; empty: nobody is served
   std::string warning{};                       // other computers can come; empty: they cannot
@@ -34,6 +44,7 @@ struct S7Outside {
   std::uint32_t pg = 0, op = 0, basic = 0;     // kept for a kind
   std::uint64_t confirmed = 0, refused = 0, broken = 0, requests = 0, denied = 0;
   std::vector<S7ClientRow> clients{};
+  std::vector<S7PartnerRow> partners{};
   std::vector<S7RefusedRow> refusals{};  // the last ones, newest first
 };
 

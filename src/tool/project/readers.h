@@ -40,6 +40,8 @@ std::optional<serial::Connection> readConnection(const Table& root);
 void readPacing(const Table& root, io::Configuration& configuration);
 // [communication]; of a SINUMERIK as if it had the connections of a CPU 314C-2
 CommunicationParameters readCommunication(const Table& root, const CpuModel& model);
+// [[connection]]: configured S7 connections, of those that [communication] has
+void readConfigured(const Table& root, CommunicationParameters& parameters);
 // [[station]]: other stations, which something must be connected to
 std::vector<OtherStation> readStations(const Table& root,
                                        const std::optional<serial::Connection>& serial);

@@ -96,8 +96,9 @@ void choose(Settings& settings, const Model& model) {
 
 void readStation(const Table& root, Settings& settings) {
   root.allow({"project", "program", "cpu", "hardware", "module", "plant", "serial", "station",
-              "communication"});
+              "communication", "connection"});
   if (const auto table = root.table("cpu")) readCpu(*table, settings);
+  readConfigured(root, settings.communication);
   readHardware(root, settings);
   if (settings.hardware) settings.plants = readPlants(root, *settings.hardware);
   settings.serial = readConnection(root);

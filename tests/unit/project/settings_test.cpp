@@ -99,6 +99,53 @@ TEST(Settings, WrongCommunication) {
     EXPECT_EQ(wrong("address = \"" + std::string(place) + "\""), "0 problems") << place;
 }
 
+// S7-NETPRO-08
+TEST(Settings, ConfiguredConnections) {
+  const auto read1 = read(
+      "[[connection]]\nid = \"W#16#A\"\npartner = \"tcp://127.0.0.1:10102\"\nslot = 3\n"
+      "[[connection]]\nid = 2\npartner = \"tcp://192.168.0.9\"\nactive = false\n"
+      "local_tsap = \"11.02\"\npartner_tsap = \"1F.63\"\n"
+      "[[connection]]\nid = 3\npartner = \"tcp://[::1]:102\"\nrack = 1\n");
+  EXPECT_EQ(read1.problem(), "0 problems");
+  const std::vector<ConnectionParameters> wanted = {
+      {.id = 10, .port = 10102, .partner = {0x10, 3}},
+      {.id = 2,
+       .host = "192.168.0.9",
+       .active = false,
+       .local = {0x11, 2},
+       .partner = {0x1F, 0x63}},
+      {.id = 3, .host = "::1", .partner = {0x10, 34}}};
+  EXPECT_EQ(read1.settings.communication.configured, wanted);
+}
+
+TEST(Settings, WrongConnections) {
+  const auto wrong = [](const std::string& lines) {
+    return read("[[connection]]\n" + lines + "\n").problem();
+  };
+  const std::string id = "id = 1\n", partner = "partner = \"tcp://127.0.0.1:102\"\n";
+  EXPECT_EQ(wrong(partner + "id = \"W#16#0\""), "3:6 P0704");
+  EXPECT_EQ(wrong(partner + "id = \"1\""), "3:6 P0704");
+  EXPECT_EQ(wrong(partner + "id = 4096"), "3:6 P0704");
+  EXPECT_EQ(wrong(partner), "1:1 P0704");
+  EXPECT_EQ(wrong(id), "1:1 P0704");
+  for (const char* place : {"127.0.0.1:102", "tcp://127.0.0.1", "tcp://plc:102", "tcp://1.2.3:102",
+                            "tcp://1.2.3.256:1", "tcp://127.0.0.1:0", "tcp://127.0.0.1:65536",
+                            "tcp://1.2.3.4.5:1", "tcp://1.2.3.:1", "tcp://"})
+    EXPECT_EQ(wrong(id + "partner = \"" + place + "\""), "3:11 P0704") << place;
+  EXPECT_EQ(wrong(id + partner + "active = 1"), "4:10 P0704");
+  EXPECT_EQ(wrong(id + partner + "slot = 32"), "4:8 P0704");
+  EXPECT_EQ(wrong(id + partner + "local_tsap = \"1002\""), "4:14 P0704");
+  EXPECT_EQ(wrong(id + partner + "partner_tsap = \"10.0G\""), "4:16 P0704");
+  EXPECT_EQ(wrong(id + partner + "port = 3").substr(0, 9), "4:1 P0703");
+  EXPECT_EQ(wrong(id + partner + "[[connection]]\n" + id + partner), "5:6 P0704");
+  const std::string passive = "active = false\nlocal_tsap = \"10.02\"\n";
+  EXPECT_EQ(wrong(id + partner + passive + "[[connection]]\nid = 2\n" + partner + passive),
+            "10:14 P0704");
+  std::string many = "[communication]\nconnections = 4\n";
+  for (int i = 1; i <= 3; ++i) many += "[[connection]]\nid = " + std::to_string(i) + "\n" + partner;
+  EXPECT_EQ(read(many).problem(), "10:6 P0704");
+}
+
 TEST(Settings, UnknownKeysHaveTheirPlace) {
   EXPECT_EQ(read("[projekt]\n").problem().substr(0, 9), "1:2 P0703");
   EXPECT_EQ(read("[cpu]\n  modell = \"x\"\n").problem(), "2:3 P0703");

@@ -198,6 +198,22 @@ TEST_F(PartnerLine, ARestartForgetsJobsAndReceivers) {
   EXPECT_TRUE(called.told.telegrams.empty());
 }
 
+TEST_F(PartnerLine, AReceiverThatHasGoneMakesRoom) {
+  connect();
+  for (std::uint32_t rid = 0; rid < 2 * BlockReceivers::kMost; ++rid) {
+    called.partner.order(receiver(true, rid));
+    calling.partner.order(telegram(rid, 1, rid));
+    move();
+    called.partner.order({.receivers = {{.rid = rid, .removed = true}}});
+  }
+  EXPECT_EQ(called.told.telegrams.size(), 2 * BlockReceivers::kMost);
+  for (std::uint32_t rid = 0; rid <= BlockReceivers::kMost; ++rid)
+    called.partner.order(receiver(true, rid));
+  calling.partner.order(telegram(1, 1, BlockReceivers::kMost));
+  move();
+  EXPECT_EQ(calling.told.results.back().second, PartnerStatus::UnknownReceiver);
+}
+
 TEST_F(PartnerLine, GetAndPut) {
   connect();
   const AnyItem word{.type = ElementType::Byte,

@@ -75,6 +75,8 @@ export interface Project { name: string; folder: string; mpiAddress: number; can
 export interface SerialLine { protocol: 'ASCII' | '3964' | '3964R' | 'RK512'; mode: 'RS422' | 'RS422 master' | 'RS485'; baud: number; frame: string; powered: boolean; partner: 'characters' | '3964' | 'RK512'; partnerBaud: number; partnerFrame: string; waiting: number; connection: string; place: string; connected: boolean; problem: string; seen: number }
 /** `seconds` since it was connected; octets; `lost`: indications that it did not read */
 export interface S7Client { partner: string; kind: 'PG' | 'OP' | 'other'; pdu: number; seconds: number; requests: number; received: number; sent: number; lost: number }
+/** of a configured connection; `port` 0: it is the partner that calls; `outside`: on another computer, where clients may not come from */
+export interface S7Partner { id: string; host: string; port: number; active: boolean; state: 'connected' | 'calls' | 'waits' | 'outside'; pdu: number }
 /** of an address, the last time `seconds` ago; connections refused: none was free for its kind, it called another rack or slot, too many sockets were open; broken off: no ISO on TCP, no S7 communication, something did not come in time, answers were not read, another one needed its socket; requests denied: protection, wrong password, wrong setup */
 export interface S7Refusal { partner: string; why: 'resource' | 'slot' | 'socket' | 'transport' | 'protocol' | 'late' | 'unread' | 'room' | 'protection' | 'password' | 'setup'; times: number; seconds: number }
 export interface Lamps { SF: 'off' | 'on' | 'slow' | 'fast'; BF: 'off' | 'on' | 'slow' | 'fast'; DC5V: 'off' | 'on' | 'slow' | 'fast'; FRCE: 'off' | 'on' | 'slow' | 'fast'; RUN: 'off' | 'on' | 'slow' | 'fast'; STOP: 'off' | 'on' | 'slow' | 'fast' }
@@ -197,7 +199,7 @@ export interface Requests {
   /** module information; 0 or an empty text where the PLC has none */
   'diagnosis.information': { fields: Record<string, never>; result: { model: string; mode: string; stopReason: string; clock: string; memory: Record<string, number | string>; cycle: Record<string, number | string>; limits: Record<string, number | string> } };
   /** S7 communication: an empty place, nobody is served; `beyond`: other computers can come; `connections` null: unlimited; `pg`, `op`, `basic` of them kept */
-  'diagnosis.connections': { fields: Record<string, never>; result: { place: string; beyond: boolean; connections: number | null; pg: number; op: number; basic: number; confirmed: number; refused: number; broken: number; requests: number; denied: number; clients: S7Client[]; refusals: S7Refusal[] } };
+  'diagnosis.connections': { fields: Record<string, never>; result: { place: string; beyond: boolean; connections: number | null; pg: number; op: number; basic: number; confirmed: number; refused: number; broken: number; requests: number; denied: number; clients: S7Client[]; partners: S7Partner[]; refusals: S7Refusal[] } };
   'process.list': { fields: Record<string, never>; result: { plants: PlantRow[]; axis: Axis | null } };
   /** what can be put beside the CPU */
   'process.kinds': { fields: Record<string, never>; result: { kinds: PlantKind[] } };

@@ -1,0 +1,115 @@
+#include "system/connections.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace merker::system {
+namespace {
+
+template <typename Map>
+typename Map::mapped_type* instanceOf(Map& map, Connections::Instance instance) {
+  if (!map.contains(instance) && map.size() >= Connections::kMostInstances) return nullptr;
+  return &map[instance];
+}
+
+}  // namespace
+
+void Connections::configure(const std::vector<ConnectionParameters>& connections) {
+  connections_.clear();
+  for (const ConnectionParameters& one : connections) connections_.push_back({.id = one.id});
+}
+
+void Connections::restart() {
+  senders_.clear();
+  receivers_.clear();
+  for (Connection& one : connections_) one.orders = {.restart = true};
+}
+
+std::optional<std::size_t> Connections::find(std::uint32_t id) const {
+  const auto found = std::ranges::find(connections_, id, &Connection::id);
+  if (found == connections_.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - connections_.begin());
+}
+
+Connections::Sender* Connections::sender(Instance instance) {
+  return instanceOf(senders_, instance);
+}
+Connections::Receiver* Connections::receiver(Instance instance) {
+  return instanceOf(receivers_, instance);
+}
+
+void Connections::begin(Sender& sender, std::size_t connection, s7comm::PartnerJob job) {
+  sender.job = job.number = ++jobs_;
+  sender.connection = connection;
+  sender.result.reset();
+  connections_[connection].orders.jobs.push_back(std::move(job));
+}
+
+void Connections::abort(const Sender& sender) {
+  connections_[sender.connection].orders.aborted.push_back(*sender.job);
+}
+
+Connections::Receiver* Connections::receiverOf(std::size_t connection, std::uint32_t rid) {
+  const auto found = std::ranges::find_if(receivers_, [&](const auto& entry) {
+    return entry.second.connection == connection && entry.second.rid == rid;
+  });
+  return found == receivers_.end() ? nullptr : &found->second;
+}
+
+bool Connections::bind(Receiver& receiver, std::size_t connection, std::uint32_t rid) {
+  if (receiverOf(connection, rid) != nullptr) return false;
+  receiver.connection = connection;
+  receiver.rid = rid;
+  return true;
+}
+
+// The last state of each counts; there is a limit to those that nobody carries.
+void Connections::tell(std::size_t connection, const s7comm::Receiver& state) {
+  auto& list = connections_[connection].orders.receivers;
+  std::erase_if(list, [&](const s7comm::Receiver& other) { return other.rid == state.rid; });
+  if (list.size() < kMostInstances) list.push_back(state);
+}
+
+void Connections::release(Receiver& receiver) {
+  tell(*receiver.connection, {.rid = receiver.rid, .removed = true});
+  receiver = {};
+}
+
+// One that has not been taken keeps others away.
+void Connections::enable(Receiver& receiver, bool enabled) {
+  if (receiver.enabled == enabled) return;
+  receiver.enabled = enabled;
+  if (!enabled || receiver.telegrams.empty()) tell(*receiver.connection, {receiver.rid, enabled});
+}
+
+s7comm::Bytes Connections::take(Receiver& receiver) {
+  s7comm::Bytes telegram = std::move(receiver.telegrams.front());
+  receiver.telegrams.pop_front();
+  if (receiver.telegrams.empty()) tell(*receiver.connection, {receiver.rid, true});
+  return telegram;
+}
+
+s7comm::ToPartner Connections::ordered(std::size_t connection) {
+  return std::exchange(connections_[connection].orders, {});
+}
+
+void Connections::bring(std::size_t connection, s7comm::FromPartner news) {
+  if (news.connected) connections_[connection].connected = *news.connected;
+  for (s7comm::PartnerResult& result : news.results) {
+    const auto found = std::ranges::find_if(
+        senders_, [&](const auto& entry) { return entry.second.job == result.number; });
+    if (found != senders_.end()) found->second.result = std::move(result);
+  }
+  for (auto& [instance, receiver] : receivers_)
+    if (news.connected && receiver.connection == connection) receiver.begun = 0;
+  for (const auto& [rid, octets] : news.begun)
+    if (Receiver* const receiver = receiverOf(connection, rid)) receiver->begun = octets;
+  for (s7comm::Telegram& telegram : news.telegrams) {
+    Receiver* const receiver = receiverOf(connection, telegram.rid);
+    if (receiver == nullptr) continue;
+    receiver->begun = 0;
+    receiver->telegrams.push_back(std::move(telegram.octets));
+  }
+}
+
+}  // namespace merker::system

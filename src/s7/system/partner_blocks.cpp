@@ -1,0 +1,204 @@
+// SFB 12 BSEND, 13 BRCV, 14 GET, 15 PUT (S7-SFB-10; System and Standard Functions, volume 2/2,
+// chapter 21). What they begin is carried at the end of the cycle; a result is shown in one call.
+#include "system/call.h"
+#include "system/connections.h"
+#include "system/partner_memory.h"
+
+namespace merker::system {
+namespace {
+
+using s7comm::PartnerJob;
+using s7comm::PartnerStatus;
+
+// STATUS with ERROR = 0.
+constexpr std::uint32_t kStillRuns = 11, kBytesCome = 17, kJobRuns = 25;
+
+Connections::Instance instanceOfCall(Arguments& a) {
+  const cpu::Registers& r = a.machine().registers;
+  return static_cast<std::uint32_t>(r.di.number) << 16 | (r.ar2 >> 3 & 0xFFFF);
+}
+
+// `done`: DONE or NDR.
+template <typename A>
+void showDone(A& a, NameIn<A> done, bool is, std::uint32_t status = 0) {
+  a.set(done, is);
+  a.set("ERROR", 0);
+  a.set("STATUS", status);
+}
+
+template <typename A>
+void showFailed(A& a, NameIn<A> done, PartnerStatus status) {
+  a.set(done, 0);
+  a.set("ERROR", 1);
+  a.set("STATUS", static_cast<std::uint32_t>(status));
+  a.fail();
+}
+
+// A job as its block makes it, or why it cannot.
+struct Made {
+  PartnerStatus status = PartnerStatus::Done;
+  PartnerJob job{};
+};
+
+template <typename A>
+void beginJob(A& a, NameIn<A> done, Connections::Sender& sender, Made (*make)(A&)) {
+  const auto connection = a.connections().find(a.value("ID"));
+  if (!connection || !a.connections().connected(*connection))
+    return showFailed(a, done, PartnerStatus::NoConnection);
+  Made made = make(a);
+  if (made.status != PartnerStatus::Done) return showFailed(a, done, made.status);
+  a.connections().begin(sender, *connection, std::move(made.job));
+  showDone(a, done, false, kJobRuns);
+}
+
+// An edge of REQ that comes with the result begins the next job in the next call.
+template <typename A>
+void endJob(A& a, NameIn<A> done, Connections::Sender& sender, bool edge,
+            PartnerStatus (*store)(A&, const std::vector<s7comm::Bytes>&)) {
+  const s7comm::PartnerResult result = std::move(*sender.result);
+  sender.job.reset();
+  sender.result.reset();
+  if (edge) sender.request = false;
+  const PartnerStatus status =
+      result.status == PartnerStatus::Done ? store(a, result.values) : result.status;
+  status == PartnerStatus::Done ? showDone(a, done, true) : showFailed(a, done, status);
+}
+
+template <typename A>
+void carryOutJob(A& a, NameIn<A> done, bool reset, Made (*make)(A&),
+                 PartnerStatus (*store)(A&, const std::vector<s7comm::Bytes>&)) {
+  Connections::Sender* const sender = a.connections().sender(instanceOfCall(a));
+  if (sender == nullptr) return showFailed(a, done, PartnerStatus::TooManyJobs);
+  const bool request = a.flag("REQ");
+  const bool edge = request && !std::exchange(sender->request, request);
+  const bool resetEdge = reset && !std::exchange(sender->reset, reset);
+  sender->request = request;
+  sender->reset = reset;
+  if (sender->result) return endJob(a, done, *sender, edge, store);
+  if (sender->job) {
+    if (resetEdge) a.connections().abort(*sender);
+    return showDone(a, done, false, edge ? kStillRuns : kJobRuns);
+  }
+  if (!edge) return showDone(a, done, false);
+  beginJob(a, done, *sender, make);
+}
+
+template <typename A>
+PartnerStatus nothingToStore(A&, const std::vector<s7comm::Bytes>&) {
+  return PartnerStatus::Done;
+}
+
+// LEN replaces the length of SD_1.
+Made blockSendJob(Sfb<12>& a) {
+  Taken taken = takeValue(a, a.any("SD_1"));
+  if (taken.status != PartnerStatus::Done) return {taken.status};
+  const std::uint32_t length = a.value("LEN");
+  if (length == 0 || length > taken.octets.size()) return {PartnerStatus::WrongLength};
+  taken.octets.resize(length);
+  return {.job = {.rid = a.value("R_ID"), .values = {std::move(taken.octets)}}};
+}
+
+constexpr Sfb<14>::Name kGetAddresses[] = {"ADDR_1", "ADDR_2", "ADDR_3", "ADDR_4"};
+constexpr Sfb<14>::Name kGetTargets[] = {"RD_1", "RD_2", "RD_3", "RD_4"};
+constexpr Sfb<15>::Name kPutAddresses[] = {"ADDR_1", "ADDR_2", "ADDR_3", "ADDR_4"};
+constexpr Sfb<15>::Name kPutSources[] = {"SD_1", "SD_2", "SD_3", "SD_4"};
+
+// The pairs of ADDR_i and RD_i or SD_i: those from the first unused one on are none. Each has the
+// same length on both sides.
+template <typename A>
+std::optional<std::vector<s7comm::AnyItem>> itemsOf(A& a, std::span<const NameIn<A>> addresses,
+                                                    std::span<const NameIn<A>> places) {
+  std::vector<s7comm::AnyItem> items;
+  for (std::size_t i = 0; i < addresses.size(); ++i) {
+    const AnyPointer there = a.any(addresses[i]), here = a.any(places[i]);
+    if (isNil(there) && isNil(here)) break;
+    const auto item = itemOf(there);
+    if (!item || byteCount(there) != byteCount(here)) return std::nullopt;
+    items.push_back(*item);
+  }
+  if (items.empty()) return std::nullopt;
+  return items;
+}
+
+Made getJob(Sfb<14>& a) {
+  auto items = itemsOf<Sfb<14>>(a, kGetAddresses, kGetTargets);
+  if (!items) return {PartnerStatus::WrongLength};
+  return {.job = {.kind = PartnerJob::Kind::Get, .items = std::move(*items)}};
+}
+
+Made putJob(Sfb<15>& a) {
+  auto items = itemsOf<Sfb<15>>(a, kPutAddresses, kPutSources);
+  if (!items) return {PartnerStatus::WrongLength};
+  Made made{.job = {.kind = PartnerJob::Kind::Put, .items = std::move(*items)}};
+  for (std::size_t i = 0; i < made.job.items.size(); ++i) {
+    Taken taken = takeValue(a, a.any(kPutSources[i]));
+    if (taken.status != PartnerStatus::Done) return {taken.status};
+    made.job.values.push_back(std::move(taken.octets));
+  }
+  return made;
+}
+
+PartnerStatus storeGot(Sfb<14>& a, const std::vector<s7comm::Bytes>& values) {
+  for (std::size_t i = 0; i < values.size() && i < std::size(kGetTargets); ++i) {
+    const auto status = storeValue(a, a.any(kGetTargets[i]), values[i], true);
+    if (status != PartnerStatus::Done) return status;
+  }
+  return PartnerStatus::Done;
+}
+
+// The connection and R_ID of a receiver, as they are in this call; Done: it has them.
+PartnerStatus bindReceiver(Sfb<13>& a, Connections::Receiver& receiver) {
+  Connections& all = a.connections();
+  const auto connection = all.find(a.value("ID"));
+  const std::uint32_t rid = a.value("R_ID");
+  const bool same = receiver.connection == connection && receiver.rid == rid;
+  if (receiver.connection && !same) all.release(receiver);
+  if (!connection) return PartnerStatus::NoConnection;
+  const bool bound = receiver.connection || all.bind(receiver, *connection, rid);
+  return bound ? PartnerStatus::Done : PartnerStatus::Occupied;
+}
+
+void takeTelegram(Sfb<13>& a, Connections::Receiver& receiver) {
+  const s7comm::Bytes telegram = a.connections().take(receiver);
+  const auto status = storeValue(a, a.any("RD_1"), telegram, false);
+  if (status != PartnerStatus::Done) return showFailed(a, "NDR", status);
+  a.set("LEN", static_cast<std::uint32_t>(telegram.size()));
+  showDone(a, "NDR", true);
+}
+
+// Nothing is there to be taken.
+void awaitTelegram(Sfb<13>& a, const Connections::Receiver& receiver) {
+  if (!a.connections().connected(*receiver.connection))
+    return showFailed(a, "NDR", PartnerStatus::NoConnection);
+  if (receiver.begun == 0) return showDone(a, "NDR", false, kJobRuns);
+  a.set("LEN", static_cast<std::uint32_t>(receiver.begun));
+  showDone(a, "NDR", false, kBytesCome);
+}
+
+}  // namespace
+
+void sendBlocks(Sfb<12>& a) {
+  carryOutJob<Sfb<12>>(a, "DONE", a.flag("R"), blockSendJob, nothingToStore<Sfb<12>>);
+}
+
+void getFromConnection(Sfb<14>& a) { carryOutJob<Sfb<14>>(a, "NDR", false, getJob, storeGot); }
+
+void putToConnection(Sfb<15>& a) {
+  carryOutJob<Sfb<15>>(a, "DONE", false, putJob, nothingToStore<Sfb<15>>);
+}
+
+void receiveBlocks(Sfb<13>& a) {
+  Connections::Receiver* const receiver = a.connections().receiver(instanceOfCall(a));
+  if (receiver == nullptr) return showFailed(a, "NDR", PartnerStatus::TooManyJobs);
+  const bool enabled = a.flag("EN_R");
+  if (!enabled) {
+    if (receiver->connection) a.connections().enable(*receiver, false);
+    return showDone(a, "NDR", false);
+  }
+  const PartnerStatus bound = bindReceiver(a, *receiver);
+  if (bound != PartnerStatus::Done) return showFailed(a, "NDR", bound);
+  a.connections().enable(*receiver, true);
+  receiver->telegrams.empty() ? awaitTelegram(a, *receiver) : takeTelegram(a, *receiver);
+}
+
+}  // namespace merker::system
