@@ -1,6 +1,7 @@
 // The rack as a picture, properties, faults (S7-HWCFG-01, S7-HWCFG-02).
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { accessible } from './axe.mjs';
 import { open, serve, until, visit } from './harness.mjs';
 
 const server = await serve('03-hardware');
@@ -19,9 +20,26 @@ test('a chosen module shows terminals and properties', async () => {
 test('a pulled module is a diagnostic event', async () => {
   const module = page.getByRole('button', { name: /SM 321/ }).first();
   await module.click();
-  const before = await page.getByRole('switch').first().getAttribute('aria-checked');
-  await page.getByRole('switch').first().click();
-  await until(async () => (await page.getByRole('switch').first().getAttribute('aria-checked')) !== before, 'the fault');
+  const before = await page.getByRole('switch', { name: 'gezogen' }).getAttribute('aria-checked');
+  await page.getByRole('switch', { name: 'gezogen' }).click();
+  await until(async () => (await page.getByRole('switch', { name: 'gezogen' }).getAttribute('aria-checked')) !== before, 'the fault');
   await visit(page, server, 'diagnosis');
   await page.getByRole('table').locator('tbody tr').first().waitFor();
+});
+
+test('the event leads to the module, which looks pulled (S7-DIAG-01)', async () => {
+  const event = page.getByRole('table').locator('tbody tr').filter({ hasText: '16#3961' }).first();
+  await event.getByRole('button').press('Enter');
+  let seen;
+  const told = page.locator('[data-module="0/4"]');
+  await until(async () => /Limit switches, Baugruppenträger 0, Steckplatz 4, Adresse 0/.test((seen = await told.innerText())), () => `the module, seen ${seen}`);
+  await accessible(page, 'event of a module');
+  await page.getByRole('button', { name: 'Baugruppe zeigen' }).press('Enter');
+  await until(() => decodeURIComponent(page.url()).endsWith('hardware?module=0/4'), 'the module in the address');
+  const front = page.getByRole('button', { name: /SM 321[^]*gezogen/ });
+  await until(async () => (await front.getAttribute('aria-pressed')) === 'true', 'the chosen module');
+  assert.equal(await front.locator('.lamp.on').count(), 0);
+  const values = await page.getByRole('table', { name: 'Klemmen' }).locator('td.number').allInnerTexts();
+  assert.deepEqual([...new Set(values)], ['']);
+  await accessible(page, 'pulled module');
 });

@@ -124,7 +124,7 @@ test('the tree has the blocks in their order and what they call; none can be loa
 });
 
 test('the cross reference leads to the line', async () => {
-  await page.getByRole('tab', { name: 'Querverweise' }).click();
+  await page.getByRole('tab', { name: 'Referenzdaten' }).click();
   await page.getByRole('searchbox', { name: 'Operand oder Symbol' }).fill('M 140.0');
   await page.locator('#program-panel button', { hasText: 'main.s5:' }).first().click();
   await page.locator('.work .head').getByText('PB 1', { exact: true }).waitFor();

@@ -212,7 +212,7 @@ test('one block is loaded alone (S7-EDIT-07)', async () => {
 });
 
 test('where an operand is used (S7-EDIT-22)', async () => {
-  await page.getByRole('tab', { name: 'Querverweise' }).click();
+  await page.getByRole('tab', { name: 'Referenzdaten' }).click();
   await page.getByLabel('Operand oder Symbol').fill('A 1.0');
   const rows = page.locator('#program-panel tbody tr');
   await until(async () => /A 1\.0/.test((await rows.first().innerText().catch(() => '')) ?? ''), 'a row');

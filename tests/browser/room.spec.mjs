@@ -81,7 +81,7 @@ test('edges move with the keyboard and the pointer, and are remembered', async (
   await expect(() => height('.declarations'), before + 20);
   assert.equal(await page.locator('#program-panel').isVisible(), false);
   // What is asked for opens the drawer.
-  await page.getByRole('tab', { name: 'Querverweise' }).click();
+  await page.getByRole('tab', { name: 'Referenzdaten' }).click();
   await page.getByLabel('Operand oder Symbol').waitFor();
   await page.getByRole('tab', { name: /^Fehler/ }).click();
   await edge('Höhe der Meldungen').dblclick();

@@ -64,6 +64,8 @@ const FaultRow* faultRow(std::uint8_t fault) {
   return at == std::end(kFaults) ? nullptr : at;
 }
 
+constexpr std::uint8_t kGoing = 0x38, kComing = 0x39;  // event classes
+
 std::string detailOf(const FaultRow& row, const StartInformation& start) {
   if (row.detail == Detail::Address) return fmt::format(": address {}", loadWord(&start[6]));
   std::string racks;
@@ -84,11 +86,17 @@ std::optional<Event> stopWithout(std::uint8_t ob) {
 
 bool comesFromModule(std::uint8_t ob) { return (ob >= 81 && ob <= 84) || ob == 86; }
 
+bool namesModule(std::uint16_t event) {
+  const FaultRow* row = faultRow(static_cast<std::uint8_t>(event));
+  const auto eventClass = event >> 8;
+  return (eventClass == kGoing || eventClass == kComing) && row != nullptr &&
+         row->detail == Detail::Address;
+}
+
 std::string describe(const StartInformation& start) {
   if (start[3] == 80) return std::string(text(static_cast<Event>(loadWord(start.data()))));
   const FaultRow* row = faultRow(start[1]);
   std::string words(row == nullptr ? "asynchronous error" : row->text);
-  constexpr std::uint8_t kGoing = 0x38, kComing = 0x39;
   if (start[0] == kGoing) words += ", going";
   if (start[0] == kComing) words += ", coming";
   return row == nullptr ? words : words + detailOf(*row, start);

@@ -13,6 +13,8 @@ namespace merker::cpu {
 std::optional<Event> stopWithout(std::uint8_t ob);
 // OB 81 to 84, 86: a fault of hardware that comes and goes, not one of the program.
 bool comesFromModule(std::uint8_t ob);
+// Whether bytes 6 and 7 of its start information are the address of a module.
+bool namesModule(std::uint16_t event);
 // "module fault, coming: address 256"
 std::string describe(const StartInformation& start);
 

@@ -49,21 +49,40 @@ Answer blank(const Request& request, status code) {
   return result;
 }
 
+// Whether `Accept-Encoding: deflate, gzip;q=0.8` names gzip and does not refuse it.
+bool takesGzip(std::string_view accepted) {
+  for (std::size_t begin = 0; begin < accepted.size();) {
+    const std::size_t end = std::min(accepted.find(',', begin), accepted.size());
+    std::string one;
+    for (const char c : accepted.substr(begin, end - begin))
+      if (c != ' ' && c != '\t') one += c;
+    if (one == "gzip" ||
+        (one.starts_with("gzip;q=") && one.find_first_of("123456789", 7) != one.npos))
+      return true;
+    begin = end + 1;
+  }
+  return false;
+}
+
 // The names of everything under /assets/ change with its content.
 bool neverChanges(std::string_view path) { return path.starts_with("/assets/"); }
 
 Answer fileAnswer(const Request& request, const Guard& guard, const Asset& asset) {
-  const std::string tag = fmt::format("\"{}\"", asset.tag);
+  const bool packed = !asset.packed.empty() && takesGzip(view(request[field::accept_encoding]));
+  const std::string tag = fmt::format("\"{}{}\"", asset.tag, packed ? "-gzip" : "");
   const bool known = view(request[field::if_none_match]) == tag;
   Answer result = blank(request, known ? status::not_modified : status::ok);
   result.set(field::etag, tag);
   result.set(field::cache_control,
              neverChanges(asset.path) ? "public, max-age=31536000, immutable" : "no-cache");
   result.set("Content-Security-Policy", contentPolicy(view(request[field::host]), guard.tls()));
+  if (!asset.packed.empty()) result.set(field::vary, "Accept-Encoding");
   if (known) return result;
   result.set(field::content_type, std::string(asset.type));
-  result.content_length(asset.bytes.size());
-  if (request.method() != http::verb::head) setBody(result, asset.bytes);
+  if (packed) result.set(field::content_encoding, "gzip");
+  const std::string_view bytes = packed ? asset.packed : asset.bytes;
+  result.content_length(bytes.size());
+  if (request.method() != http::verb::head) setBody(result, bytes);
   return result;
 }
 

@@ -10,6 +10,7 @@ struct Asset {
   std::string_view type;  // "text/html; charset=utf-8"
   std::string_view tag;   // ETag without quotation marks
   std::string_view bytes;
+  std::string_view packed{};  // the same with gzip; empty: it becomes no smaller
 };
 
 }  // namespace merker::hmi

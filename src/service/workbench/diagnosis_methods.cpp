@@ -19,19 +19,34 @@ void addPlace(Json& json, const monitor::SourcePlace& place, const ProjectFolder
   json["network"] = place.network;
 }
 
-Json entryOf(const monitor::DiagnosticLine& line, const ProjectFolder& folder) {
+// The module at an address, where there is one; an access error says the side, others do not.
+Json moduleRow(const monitor::DiagnosticLine::ModuleAddress& at, const io::Rack* rack) {
+  Json row = {{"address", at.address}, {"output", at.output}};
+  if (rack == nullptr) return row;
+  const io::Module* module = rack->at(at.address, at.output);
+  if (module == nullptr && !at.output) module = rack->at(at.address, true);
+  if (module == nullptr) return row;
+  row["rack"] = module->rack;
+  row["slot"] = module->slotText();
+  row["name"] = module->name.empty() ? module->title() : module->name;
+  return row;
+}
+
+Json entryOf(const monitor::DiagnosticLine& line, const ProjectFolder& folder,
+             const io::Rack* rack) {
   Json entry = {
       {"number", line.number}, {"event", line.eventText},
       {"time", line.time.ns},  {"clock", line.clock ? monitor::clockText(*line.clock) : ""},
       {"text", line.text},     {"help", line.help}};
   if (line.place) addPlace(entry, *line.place, folder);
+  if (line.module) entry["module"] = moduleRow(*line.module, rack);
   return entry;
 }
 
 Answer buffer(const Call& call) {
   Json list = Json::array();
   for (const monitor::DiagnosticLine& line : call.monitor().diagnostics())
-    list.push_back(entryOf(line, call.shared.folder));
+    list.push_back(entryOf(line, call.shared.folder, call.plc().rack()));
   return Json{{"entries", std::move(list)}};
 }
 

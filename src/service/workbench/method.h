@@ -56,6 +56,7 @@ std::span<const Method> plcMethods();
 std::span<const Method> variableMethods();
 std::span<const Method> fileMethods();
 std::span<const Method> programMethods();
+std::span<const Method> dataMethods();
 std::span<const Method> debugMethods();
 std::span<const Method> symbolMethods();
 std::span<const Method> hardwareMethods();

@@ -11,10 +11,11 @@ namespace merker::workbench {
 
 const Method* findMethod(std::string_view name) {
   for (const auto group :
-       {plcMethods(), variableMethods(), fileMethods(), programMethods(), debugMethods(),
-        symbolMethods(), hardwareMethods(), diagnosisMethods(), processMethods(), projectMethods(),
-        trendMethods(), modifyMethods(), timerMethods(), snapshotMethods(), recordingMethods(),
-        downloadMethods(), importMethods(), serialMethods(), networkMethods()}) {
+       {plcMethods(),       variableMethods(), fileMethods(),     programMethods(),
+        dataMethods(),      debugMethods(),    symbolMethods(),   hardwareMethods(),
+        diagnosisMethods(), processMethods(),  projectMethods(),  trendMethods(),
+        modifyMethods(),    timerMethods(),    snapshotMethods(), recordingMethods(),
+        downloadMethods(),  importMethods(),   serialMethods(),   networkMethods()}) {
     const auto found = std::ranges::find(group, name, &Method::name);
     if (found != group.end()) return &*found;
   }

@@ -29,26 +29,38 @@ std::string placeOf(const block::Type& type, BitAddress at) {
   return fmt::format("{} {}", size == 2 ? "DBW" : size == 4 ? "DBD" : "DBB", at / 8);
 }
 
-// Rows of the variables that lie within the block; `end` becomes the byte behind the last one.
-std::vector<MachineCodeRow> variableRows(const block::Block& block, std::size_t& end) {
-  const DataBytes initial = block.initialData, actual = block.actualData;
-  std::vector<MachineCodeRow> rows;
-  block::forEachElement(block.variables, [&](const block::Element& element) {
-    const block::Type& type = element.type;
-    const std::size_t size = block::sizeInBytes(type), first = element.at / 8;
-    if (rows.size() >= kMostVariables || first + size > actual.size()) return false;
-    const DataBytes now = actual.subspan(first, size);
-    const unsigned bit = element.at % 8;
-    const bool begins = first + size <= initial.size();
-    rows.push_back(
-        {static_cast<std::uint32_t>(first), hex(now),
-         fmt::format("{}  {} : {}", placeOf(type, element.at), element.path, awl::typeText(type)),
-         0, begins ? awl::valueText(type, initial.subspan(first, size), bit) : "",
-         awl::valueText(type, now, bit)});
-    end = first + size;
-    return true;
-  });
-  return rows;
+// Of the variable of the block that the path begins with.
+const block::Variable* outermost(const block::Block& block, std::string_view path) {
+  const std::string_view name = path.substr(0, path.find_first_of(".["));
+  const auto at = std::ranges::find(block.variables, name, &block::Variable::name);
+  return at == block.variables.end() ? nullptr : &*at;
+}
+
+// Only a block with parameters shows what is one.
+std::string sectionOf(const block::Block& block, std::string_view path) {
+  constexpr std::string_view kNames[] = {"", "IN", "OUT", "IN_OUT", "STAT", "TEMP", "RETURN"};
+  if (block.instanceOf < 0) return {};
+  const block::Variable* variable = outermost(block, path);
+  return variable == nullptr ? ""
+                             : std::string(kNames[static_cast<std::size_t>(variable->section)]);
+}
+
+DataValue valueOf(const block::Block& block, const block::Element& element, DataBytes now) {
+  const block::Type& type = element.type;
+  const std::uint32_t first = element.at / 8, bit = element.at % 8;
+  const DataBytes initial = block.initialData;
+  const bool begins = first + now.size() <= initial.size();
+  return {.byte = first,
+          .bit = bit,
+          .bytes = static_cast<std::uint32_t>(now.size()),
+          .place = placeOf(type, element.at),
+          .path = element.path,
+          .type = awl::typeText(type),
+          .section = sectionOf(block, element.path),
+          .comment = element.name.comment,
+          .code = hex(now),
+          .initial = begins ? awl::valueText(type, initial.subspan(first, now.size()), bit) : "",
+          .actual = awl::valueText(type, now, bit)};
 }
 
 class WordRows {
@@ -58,7 +70,7 @@ class WordRows {
       at = block.texts.contains(at) ? characters(at) : constant(at);
   }
 
-  std::vector<MachineCodeRow> rows;
+  std::vector<DataValue> values;
 
  private:
   std::uint32_t add(std::uint32_t at, std::uint32_t count, std::string value) {
@@ -66,7 +78,11 @@ class WordRows {
     std::string code;
     for (std::size_t i = at; i < end; ++i)
       code += fmt::format("{}{:04X}", i == at ? "" : " ", block_.words[i]);
-    rows.push_back({at, std::move(code), fmt::format("DW {}", at), 0, {}, std::move(value)});
+    values.push_back({.byte = at,
+                      .place = fmt::format("DW {}", at),
+                      .type = value.substr(0, value.find(' ')),
+                      .code = std::move(code),
+                      .actual = std::move(value)});
     return static_cast<std::uint32_t>(end);
   }
 
@@ -96,12 +112,42 @@ class WordRows {
   const mc5::Block& block_;
 };
 
+// Without a type the place says all.
+MachineCodeRow machineCodeRow(DataValue value) {
+  std::string text = value.path.empty()
+                         ? value.place
+                         : fmt::format("{}  {} : {}", value.place, value.path, value.type);
+  return {value.byte, std::move(value.code),    std::move(text),
+          0,          std::move(value.initial), std::move(value.actual)};
+}
+
 }  // namespace
 
+DataValues dataValues(const block::Block& block, DataBytes actual) {
+  DataValues result;
+  block::forEachElement(block.variables, [&](const block::Element& element) {
+    const std::size_t size = block::sizeInBytes(element.type), first = element.at / 8;
+    if (first + size > actual.size()) return false;
+    if (result.values.size() >= kMostVariables)
+      ++result.more;
+    else
+      result.values.push_back(valueOf(block, element, actual.subspan(first, size)));
+    return true;
+  });
+  return result;
+}
+
+DataValues dataValues(const mc5::Block& block) { return {std::move(WordRows(block).values)}; }
+
+// What no variable names comes behind the variables, in hex.
 std::vector<MachineCodeRow> dataRows(const block::Block& block) {
   constexpr std::size_t kBytes = 16;
+  std::vector<MachineCodeRow> rows;
   std::size_t end = 0;
-  std::vector<MachineCodeRow> rows = variableRows(block, end);
+  for (DataValue& value : dataValues(block, block.actualData).values) {
+    end = value.byte + value.bytes;
+    rows.push_back(machineCodeRow(std::move(value)));
+  }
   const DataBytes all = block.actualData;
   const std::size_t rest = (end + 1) / 2 * 2;  // a block has an even length
   for (std::size_t at = rest; at < all.size(); at += kBytes)
@@ -115,7 +161,10 @@ std::vector<MachineCodeRow> dataRows(const block::Block& block) {
 }
 
 std::vector<MachineCodeRow> dataRows(const mc5::Block& block) {
-  return std::move(WordRows(block).rows);
+  std::vector<MachineCodeRow> rows;
+  for (DataValue& value : dataValues(block).values)
+    rows.push_back(machineCodeRow(std::move(value)));
+  return rows;
 }
 
 }  // namespace merker::monitor

@@ -21,6 +21,12 @@ struct DiagnosticLine {
   std::string text;
   std::string help;  // what the event means and what to do; empty if nothing needs doing
   std::optional<SourcePlace> place;
+  // Of a module, or of a part of the periphery that did not answer.
+  struct ModuleAddress {
+    std::uint16_t address = 0;
+    bool output = false;
+  };
+  std::optional<ModuleAddress> module{};
 };
 
 std::vector<DiagnosticLine> diagnosticList(const station::Station& station);

@@ -23,7 +23,8 @@ struct Nobody : Handler {
   void closed(BrowserId) override {}
 };
 
-const Asset kPage[] = {{"/index.html", "text/html", "t1", "<p>"}};
+const Asset kPage[] = {{"/index.html", "text/html", "t1", "<p>"},
+                       {"/a.js", "text/javascript", "t2", "whole", "small"}};
 
 Options local() {
   Options options;
@@ -86,6 +87,36 @@ TEST(Server, GivesThePage) {
   EXPECT_TRUE(ended);
   EXPECT_TRUE(answer.starts_with("HTTP/1.1 200")) << answer;
   EXPECT_TRUE(answer.ends_with("\r\n\r\n<p>")) << answer;
+}
+
+// Packed for who takes that, whole for the others, each known by a tag of its own.
+TEST(Server, GivesFilesPacked) {
+  Nobody nobody;
+  std::string reason;
+  const auto server = Server::start(local(), nobody, reason);
+  ASSERT_TRUE(server) << reason;
+  const auto ask = [&](const std::string& field) {
+    const Socket socket(portOf(*server));
+    socket.send("GET /a.js HTTP/1.1\r\nHost: 127.0.0.1\r\nConnection: close\r\n" + field + "\r\n");
+    bool ended = false;
+    return socket.rest(ended);
+  };
+  for (const char* const takes : {"gzip", "deflate, gzip", "br;q=1, gzip; q=0.5"}) {
+    const std::string answer = ask(std::string("Accept-Encoding: ") + takes + "\r\n");
+    EXPECT_TRUE(answer.ends_with("\r\n\r\nsmall")) << takes << '\n' << answer;
+    EXPECT_NE(answer.find("Content-Encoding: gzip\r\n"), std::string::npos) << answer;
+    EXPECT_NE(answer.find("Content-Length: 5\r\n"), std::string::npos) << answer;
+    EXPECT_NE(answer.find("Vary: Accept-Encoding\r\n"), std::string::npos) << answer;
+  }
+  for (const char* const refuses : {"", "Accept-Encoding: br\r\n", "Accept-Encoding: gzip;q=0\r\n",
+                                    "Accept-Encoding: xgzip\r\n"}) {
+    const std::string answer = ask(refuses);
+    EXPECT_TRUE(answer.ends_with("\r\n\r\nwhole")) << refuses << '\n' << answer;
+    EXPECT_EQ(answer.find("Content-Encoding"), std::string::npos) << answer;
+  }
+  const std::string known = ask("Accept-Encoding: gzip\r\nIf-None-Match: \"t2-gzip\"\r\n");
+  EXPECT_TRUE(known.starts_with("HTTP/1.1 304")) << known;
+  EXPECT_TRUE(ask("If-None-Match: \"t2-gzip\"\r\n").starts_with("HTTP/1.1 200"));
 }
 
 TEST(Server, SaysThatThePortIsTaken) {

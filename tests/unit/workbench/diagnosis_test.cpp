@@ -27,6 +27,23 @@ TEST(Diagnosis, TheBufferLeadsToTheLine) {
   EXPECT_NE(reason.find("(main.awl:23)"), std::string::npos) << reason;
 }
 
+// S7-DIAG-01: the module that an event is about, by its address.
+TEST(Diagnosis, AnEventLeadsToItsModule) {
+  Bench bench(kProgram, "[[module]]\nslot = 4\ntype = \"6ES7 321-1BH02-0AA0\"\n");
+  bench.call("hardware.fault", {{"rack", 0}, {"slot", "4"}, {"fault", "removed"}, {"on", true}});
+  bench.run(Duration::milliseconds(1500));
+  const Json entries = bench.call("diagnosis.buffer")["entries"];
+  const auto removed =
+      std::ranges::find_if(entries, [](const Json& entry) { return entry["event"] == "16#3961"; });
+  ASSERT_NE(removed, entries.end()) << entries.dump();
+  EXPECT_EQ((*removed)["module"], Json({{"address", 0},
+                                        {"output", false},
+                                        {"rack", 0},
+                                        {"slot", "4"},
+                                        {"name", "SM 321 DI16xDC24V"}}));
+  EXPECT_FALSE(entries.back().contains("module"));
+}
+
 // S7-DIAG-04
 TEST(Diagnosis, StacksShowWhereItStopped) {
   Bench bench;

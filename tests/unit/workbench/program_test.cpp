@@ -267,6 +267,51 @@ TEST(Program, ShowsTheVariablesOfADataBlock) {
             "6 DBB 6  part.name : STRING [3] | 'ab' | 'ab'\n");
 }
 
+// What the CPU has is written as the source would say it, and by its name.
+TEST(Program, ShowsTheDataViewOfABlock) {
+  Bench bench(
+      "FUNCTION_BLOCK FB 1\nVAR_INPUT\n run : BOOL;\nEND_VAR\nVAR\n list : ARRAY [1..2] OF INT := "
+      "7, 8; "
+      "// two\nEND_VAR\nBEGIN\nEND_FUNCTION_BLOCK\n"
+      "DATA_BLOCK DB 2 FB 1\nBEGIN\n list[2] := 9;\nEND_DATA_BLOCK\n");
+  const Json offline = bench.call("program.data", {{"block", "db2"}});
+  EXPECT_EQ(offline["block"], "DB 2");
+  EXPECT_EQ(offline["instanceOf"], "FB 1");
+  ASSERT_EQ(offline["rows"].size(), 3u);
+  const Json run = {{"operand", "DB2.run"}, {"format", "AUTO"},  {"address", "0.0"},
+                    {"path", "run"},        {"type", "BOOL"},    {"section", "IN"},
+                    {"initial", "FALSE"},   {"actual", "FALSE"}, {"comment", ""}};
+  EXPECT_EQ(offline["rows"][0], run);
+  EXPECT_EQ(offline["rows"][2]["initial"], "8");
+  EXPECT_EQ(offline["rows"][2]["actual"], "9");
+  EXPECT_EQ(offline["rows"][2]["section"], "STAT");
+  EXPECT_EQ(offline["rows"][2]["comment"], "two");
+  EXPECT_EQ(offline["assignments"], "  list[2] := 9;\n");
+  const Json write = {{"operand", offline["rows"][1]["operand"]}, {"value", "-4"}};
+  bench.call("variables.write", {{"items", {write}}});
+  const Json online = bench.call("program.data", {{"block", "DB 2"}, {"side", "online"}});
+  EXPECT_EQ(online["rows"][1]["actual"], "-4");
+  EXPECT_EQ(online["assignments"], "  list[1] := -4;\n  list[2] := 9;\n");
+  EXPECT_EQ(bench.problem("program.data", {{"block", "FB 1"}}), "P1308");
+  EXPECT_EQ(bench.problem("program.data", {{"block", "DB 9"}}), "P1206");
+}
+
+// S7-EDIT-22
+TEST(Program, ListsWhatIsAssignedAndWhatNothingUses) {
+  Bench bench;
+  const Json answer = bench.call("program.assignments");
+  const Json input = {{"area", "E"},     {"byte", 0},       {"bits", 0x81},
+                      {"byByte", false}, {"byWord", false}, {"byDWord", false}};
+  EXPECT_EQ(answer["bytes"][0], input);
+  EXPECT_EQ(answer["timers"], Json({1}));
+  EXPECT_EQ(answer["counters"], Json::array());
+  bench.folder.write("main.sym", std::string(kSymbols) + "\"Nobody\" M 99.0\n");
+  bool found = false;
+  const Json later = bench.call("program.assignments");
+  for (const Json& row : later["unused"]) found |= row["symbol"] == "Nobody";
+  EXPECT_TRUE(found) << later.dump();
+}
+
 TEST(Program, KnowsWhatCanBeCompleted) {
   Bench bench;
   const Json words = bench.call("program.completion");

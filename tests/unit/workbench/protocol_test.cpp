@@ -13,10 +13,11 @@ using Form = Shape::Kind;
 std::vector<const Method*> allMethods() {
   std::vector<const Method*> all;
   for (const auto group :
-       {plcMethods(), variableMethods(), fileMethods(), programMethods(), debugMethods(),
-        symbolMethods(), hardwareMethods(), diagnosisMethods(), processMethods(), projectMethods(),
-        trendMethods(), modifyMethods(), timerMethods(), snapshotMethods(), recordingMethods(),
-        downloadMethods(), importMethods(), serialMethods(), networkMethods()})
+       {plcMethods(),       variableMethods(), fileMethods(),     programMethods(),
+        dataMethods(),      debugMethods(),    symbolMethods(),   hardwareMethods(),
+        diagnosisMethods(), processMethods(),  projectMethods(),  trendMethods(),
+        modifyMethods(),    timerMethods(),    snapshotMethods(), recordingMethods(),
+        downloadMethods(),  importMethods(),   serialMethods(),   networkMethods()})
     for (const Method& one : group) all.push_back(&one);
   return all;
 }

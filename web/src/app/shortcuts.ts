@@ -1,8 +1,10 @@
 import { connection } from '../connection';
+import { searching } from '../editor/searching.svelte';
 import type { app } from '../i18n/texts/app';
 import type { networks } from '../i18n/texts/networks';
 import { attempt } from '../state/messages.svelte';
 import { plc } from '../state/plc.svelte';
+import { go, route } from './route.svelte';
 
 export type Action = { kind: 'help' } | { kind: 'view'; number: number } | { kind: 'run'; run: () => void };
 
@@ -23,6 +25,7 @@ export const keys: Key[] = [
   { keys: 'Ctrl S', text: 'keySave' },
   { keys: 'Ctrl L', text: 'keyLoad' },
   { keys: 'Ctrl J', text: 'keySymbol' },
+  { keys: 'Ctrl Shift F', text: 'keySearch' },
   { keys: 'F9', text: 'keyBreakpoint' },
   { keys: 'F8', text: 'keyGo' },
   { keys: 'F10', text: 'keyOver' },
@@ -59,6 +62,11 @@ const runs: Record<string, () => void> = {
   KeyN: () => void attempt(connection.ask('time.step', { cycles: 1 })),
 };
 
+function startSearch(): void {
+  searching.wanted = true;
+  if (route.view !== 'program') go('program');
+}
+
 export function togglePause(): void {
   const mode = plc.pace.mode === 'pause' ? 'real' : 'pause';
   void attempt(connection.ask('time.pace', { mode, factor: plc.pace.factor }));
@@ -66,9 +74,11 @@ export function togglePause(): void {
 
 /** What a key does on the whole page; undefined leaves it to the element that has the focus. */
 export function shortcut(
-  event: Pick<KeyboardEvent, 'key' | 'code' | 'altKey' | 'ctrlKey' | 'metaKey'>,
+  event: Pick<KeyboardEvent, 'key' | 'code' | 'altKey' | 'ctrlKey' | 'shiftKey' | 'metaKey'>,
 ): Action | undefined {
   if (event.key === 'F1') return { kind: 'help' };
+  if (event.ctrlKey && event.shiftKey && !event.altKey && event.code === 'KeyF')
+    return { kind: 'run', run: startSearch };
   if (!event.altKey || event.ctrlKey || event.metaKey) return undefined;
   const digit = /^Digit(\d)$/.exec(event.code);
   if (digit) return { kind: 'view', number: (Number(digit[1]) + 9) % 10 };

@@ -1,22 +1,13 @@
 import type { Component } from 'svelte';
-import Diagnosis from '../diagnosis/Diagnosis.svelte';
-import Program from '../editor/Program.svelte';
-import Hardware from '../hardware/Hardware.svelte';
 import type { Text } from '../i18n';
-import InputsOutputs from '../io/InputsOutputs.svelte';
-import Process from '../process/Process.svelte';
-import Projects from '../projects/Projects.svelte';
-import Serial from '../serial/Serial.svelte';
 import { plc } from '../state/plc.svelte';
-import Symbols from '../symbols/Symbols.svelte';
-import Trends from '../trends/Trends.svelte';
-import Variables from '../variables/Variables.svelte';
 
 export interface View {
   /** Its name in the address line. */
   id: string;
   title: Text;
-  component: Component;
+  /** Fetched when the view is opened for the first time. */
+  load: () => Promise<{ default: Component }>;
   /** What F1 says about it. */
   help: Text;
   /** Whether it has something to show; always, if there is no such question. */
@@ -28,7 +19,7 @@ export const views: View[] = [
   {
     id: 'projects',
     title: ['Projekt', 'Project'],
-    component: Projects,
+    load: () => import('../projects/Projects.svelte'),
     help: [
       'Beispiele öffnen, ein neues Projekt anlegen, Projekte importieren und herunterladen, Bausteine laden, vergleichen und zurückholen. Dateien lassen sich überall auf der Seite ablegen.',
       'Open examples, create a project, import and download projects, load, compare and upload blocks. Files can be dropped anywhere on the page.',
@@ -37,7 +28,7 @@ export const views: View[] = [
   {
     id: 'hardware',
     title: ['Hardware', 'Hardware'],
-    component: Hardware,
+    load: () => import('../hardware/Hardware.svelte'),
     help: [
       'Der Aufbau als Bild: Baugruppen, Adressen, Klemmen, Eigenschaften; Störungen werden hier eingestellt.',
       'The racks as a picture: modules, addresses, terminals, properties; inject faults here.',
@@ -46,7 +37,7 @@ export const views: View[] = [
   {
     id: 'symbols',
     title: ['Symbole', 'Symbols'],
-    component: Symbols,
+    load: () => import('../symbols/Symbols.svelte'),
     help: [
       'Die Symboltabelle: Symbol, Operand, Datentyp, Kommentar; jedes Symbol nur einmal.',
       'The symbol table: symbol, operand, data type, comment; each symbol only once.',
@@ -55,7 +46,7 @@ export const views: View[] = [
   {
     id: 'program',
     title: ['Programm', 'Program'],
-    component: Program,
+    load: () => import('../editor/Program.svelte'),
     help: [
       'Bausteine in AWL, KOP oder FUP schreiben, prüfen, laden; Programmstatus und Haltepunkte.',
       'Write, check and load blocks in STL, LAD or FBD; program status and breakpoints.',
@@ -64,7 +55,7 @@ export const views: View[] = [
   {
     id: 'io',
     title: ['E/A', 'I/O'],
-    component: InputsOutputs,
+    load: () => import('../io/InputsOutputs.svelte'),
     help: [
       'Kacheln für Ein- und Ausgänge, Merker, Zeiten, Zähler und Datenwörter. Ein Klick auf ein Bit schaltet es.',
       'Tiles for inputs, outputs, flags, timers, counters and data words. A click on a bit toggles it.',
@@ -73,7 +64,7 @@ export const views: View[] = [
   {
     id: 'variables',
     title: ['Variablen', 'Variables'],
-    component: Variables,
+    load: () => import('../variables/Variables.svelte'),
     help: [
       'Die Variablentabelle: beobachten, steuern, forcen. Ein rotes F kennzeichnet geforcte Operanden.',
       'The variable table: monitor, modify, force. A red F marks forced operands.',
@@ -82,7 +73,7 @@ export const views: View[] = [
   {
     id: 'process',
     title: ['Anlage', 'Process'],
-    component: Process,
+    load: () => import('../process/Process.svelte'),
     help: [
       'Das Modell der Anlage, das die SPS steuert; ein Klick stellt eine Störung ein. Eine Achse wird hier Schritt für Schritt in Betrieb genommen.',
       'The model of the plant that the PLC controls; click to inject a fault. An axis is commissioned here, step by step.',
@@ -91,13 +82,13 @@ export const views: View[] = [
   {
     id: 'trends',
     title: ['Kurven', 'Trends'],
-    component: Trends,
+    load: () => import('../trends/Trends.svelte'),
     help: ['Variablen über der Zeit, anhalten, vergrößern, exportieren.', 'Variables over time, pause, zoom, export.'],
   },
   {
     id: 'diagnosis',
     title: ['Diagnose', 'Diagnosis'],
-    component: Diagnosis,
+    load: () => import('../diagnosis/Diagnosis.svelte'),
     help: [
       'Diagnosepuffer, Stacks und Baugruppenzustand; „Baustein öffnen“ führt zur Ursache.',
       'Diagnostic buffer, stacks and module information; “open block” leads to the cause.',
@@ -106,7 +97,7 @@ export const views: View[] = [
   {
     id: 'serial',
     title: ['Seriell', 'Serial'],
-    component: Serial,
+    load: () => import('../serial/Serial.svelte'),
     help: [
       'Die Zeichen auf der Leitung von X27 mit Zeit und Bedeutung, ihr Zustand, und der Partner am anderen Ende, der sendet und antwortet.',
       'The characters on the line of X27 with time and meaning, its state, and the partner at the other end, which sends and answers.',

@@ -35,6 +35,10 @@ export interface BlockEntry { id: string; symbol: string; title: string; instanc
 export interface BlockNumbers { OB: number[]; FB: [number, number]; FC: [number, number]; DB: [number, number] }
 /** `offset` in bytes or words; `code` is words like "7E03 0004"; `line` is 0 without a source; `initial`, `value`: of a variable or word of a data block */
 export interface MachineCodeRow { offset: number; code: string; text: string; line: number; initial: string; value: string }
+/** a variable of a data block: `operand` and `format` for `watch.set` and `variables.write`; `address` is like "4.3", of STEP 5 a word; `path` like "Setpoint[2].Speed"; `section` "IN", "OUT", "IN_OUT" or "STAT" of an instance */
+export interface DataRow { operand: string; format: string; address: string; path: string; type: string; section: string; initial: string; actual: string; comment: string }
+/** `bits`: which of its bits are used as bits */
+export interface AssignedByte { area: string; byte: number; bits: number; byByte: boolean; byWord: boolean; byDWord: boolean }
 /** `access` is "R", "W", "RW" or "CALL" */
 export interface Reference { operand: string; symbol: string; block: string; file: string; line: number; network: number; instruction: string; access: string }
 export interface SymbolRow { symbol: string; operand: string; type: string; comment: string }
@@ -52,8 +56,10 @@ export interface ModuleType { order: string; name: string; text: string; kind: s
 export interface KeyValue { key: string; value: string | number | boolean }
 /** see below */
 export interface Change { change: 'place' | 'remove' | 'move' | 'set' | 'plant'; rack?: number; slot?: string; type?: string; toRack?: number; toSlot?: string; table?: string; key?: string; value?: string | number | boolean | unknown[] | null; side?: string; number?: number; name?: string; kind?: string; parameters?: KeyValue[]; wires?: KeyValue[] }
+/** `rack`, `slot` and `name` where a module has this address */
+export interface EventModule { address: number; output: boolean; rack?: number; slot?: string; name?: string }
 /** `event` is like "16#2521"; `clock` is empty where the PLC has no clock */
-export interface DiagnosticEntry { number: number; event: string; time: number; clock: string; text: string; help: string; block?: string; offset?: number; file?: string; line?: number; network?: number }
+export interface DiagnosticEntry { number: number; event: string; time: number; clock: string; text: string; help: string; block?: string; offset?: number; file?: string; line?: number; network?: number; module?: EventModule }
 export interface BlockLevel { block: string; offset: number; file?: string; line?: number; network?: number; db: string; di: string }
 /** `registers`: AKKU1 ..., those that the PLC has */
 export interface InterruptLevel { ob: number; priority: number; registers: Record<string, string>; block: string; offset: number; file?: string; line?: number; network?: number }
@@ -163,6 +169,10 @@ export interface Requests {
   'program.completion': { fields: Record<string, never>; result: { symbols: SymbolEntry[]; blocks: BlockEntry[]; mnemonics: { german: [string, string, string][]; international: [string, string, string][] }; numbers: BlockNumbers } };
   /** cross reference, of one operand or all: the first 20,000 rows, and how many more */
   'program.references': { fields: { operand?: string }; result: { rows: Reference[]; more: number } };
+  /** the variables of a data block: the first 20,000, and how many more. Actual values of the project, or with `online` those that the CPU has now. `assignments`: what BEGIN says of them; P1308 for a block without data */
+  'program.data': { fields: { block: string; side?: 'offline' | 'online' }; result: { block: string; file: string; instanceOf?: string; assignments: string; rows: DataRow[]; more: number } };
+  /** the assignment list; symbols that nothing uses, operands that have none */
+  'program.assignments': { fields: Record<string, never>; result: { bytes: AssignedByte[]; timers: number[]; counters: number[]; unused: SymbolRow[]; withoutSymbol: string[] } };
   /** the networks of the block at this line as KOP or FUP; `text`: unsaved, in place of the file. Elements have the names of `mnemonics`, those of the text; reasons and sentences are in `language`. A network without ladder is shown as function blocks, one without either as AWL. P1308 if there is no block */
   'networks.show': { fields: { file: string; text?: string; line: number; view?: 'kop' | 'fup'; language?: 'german' | 'english'; display?: 'written' | 'symbolic' | 'absolute' }; result: { block: string; line: number; end: number; mnemonics: 'german' | 'international'; networks: NetworkPicture[] } };
   /** an element put in, taken out, changed in this network of the block at `line`: lines `from` to before `to` of the text become `lines`, which the browser puts into it; then the element of `network` is selected. In the `view` KOP a network that KOP can draw stays one. P1308 says why an edit is not possible */

@@ -4,3 +4,4 @@ export { default as Led } from './Led.svelte';
 export { default as Splitter } from './Splitter.svelte';
 export { default as Tabs } from './Tabs.svelte';
 export { default as Toggle } from './Toggle.svelte';
+export { default as VirtualBody } from './VirtualBody.svelte';

@@ -16,7 +16,9 @@ export const ranges = {
 /** Of what stands in the drawer below the text. A line of problems is enough: the text needs its room. */
 export const drawerRanges: Record<Panel, Range> = {
   problems: { least: 26, most: 480, otherwise: 26 },
-  references: { least: 60, most: 480, otherwise: 180 },
+  watch: { least: 60, most: 560, otherwise: 180 },
+  search: { least: 60, most: 560, otherwise: 240 },
+  references: { least: 60, most: 560, otherwise: 240 },
   code: { least: 60, most: 480, otherwise: 260 },
   difference: { least: 60, most: 560, otherwise: 300 },
 };

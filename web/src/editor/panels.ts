@@ -1,2 +1,2 @@
 // What stands below the text.
-export type Panel = 'problems' | 'references' | 'code' | 'difference';
+export type Panel = 'problems' | 'watch' | 'search' | 'references' | 'code' | 'difference';

@@ -47,10 +47,11 @@ export class WatchList {
 
   set(items: WatchItem[], { point, once }: WatchTrigger = { point: 'now', once: false }): void {
     const wanted = items.map(({ operand, format }) => ({ operand, format: format ?? 'AUTO' }));
-    this.items = wanted.map(
-      (item, index): Watched =>
-        this.items[index]?.operand === item.operand ? { ...this.items[index], format: item.format } : unknown(item),
-    );
+    const known = new Map(this.items.map((item) => [item.operand, item]));
+    this.items = wanted.map((item): Watched => {
+      const before = known.get(item.operand);
+      return before ? { ...before, format: item.format } : unknown(item);
+    });
     const fields = { list: this.list, items: wanted, everyMs: this.everyMs, point, once };
     if (this.kept) this.kept.update(fields);
     else

@@ -1,12 +1,15 @@
 // Variable tables as text files of the project, one row a line: operand ; format ; modify value
 // docs/formats/variable-table.md
 
+import { FORMATS } from '../state/formats';
+
 export interface Row {
   operand: string;
   format: string;
   modify: string;
 }
 
+const known = new Set(FORMATS.map(([name]) => name));
 const HEAD = '// operand ; format ; modify value';
 
 /** `triggers`: a line about them, or none. */
@@ -28,6 +31,37 @@ export function parseTable(text: string): Row[] {
         line.match(/(?:"[^"]*"|'[^']*'|[^;])+|;/g)?.reduce(fields, ['']) ?? [];
       return { operand: operand.trim(), format: format.trim() || 'AUTO', modify: modify.join(';').trim() };
     });
+}
+
+/** Rows from the clipboard: one a line, columns by tabs or semicolons; none for a single operand, which is typed text. */
+export function pastedRows(text: string): Row[] {
+  if (!/[\t\n;]/.test(text.trim())) return [];
+  return parseTable(text.replace(/[ ]*\t[ ]*/g, ' ; ')).map(({ operand, format, modify }) =>
+    known.has(format.toUpperCase())
+      ? { operand, format: format.toUpperCase(), modify }
+      : { operand, format: 'AUTO', modify },
+  );
+}
+
+const MOST_OF_A_RANGE = 1000;
+const widths: Record<string, number> = { B: 8, W: 16, D: 32 };
+
+/** "MW 10..20" and "E 0.0..1.7" are an operand each 16 bits and each bit; nothing for what is no range, or one of more than 1,000. */
+export function rangeOf(text: string): string[] {
+  const match = /^\s*((?:DB\s?\d+\.)?[A-Z]+)\s*(\d+)(?:\.([0-7]))?\s*\.\.\s*(\d+)(?:\.([0-7]))?\s*$/i.exec(text);
+  if (!match) return [];
+  const [, area = '', first = '', firstBit, last = '', lastBit] = match;
+  const bits = firstBit !== undefined;
+  if (bits !== (lastBit !== undefined)) return [];
+  const begin = bits ? Number(first) * 8 + Number(firstBit) : Number(first);
+  const end = bits ? Number(last) * 8 + Number(lastBit) : Number(last);
+  const step = bits || /^[TZC]$/i.test(area) ? 1 : (widths[area.slice(-1).toUpperCase()] ?? 0) / 8;
+  const count = step > 0 ? Math.floor((end - begin) / step) + 1 : 0;
+  if (count < 1 || count > MOST_OF_A_RANGE) return [];
+  return Array.from({ length: count }, (_, index) => {
+    const at = begin + index * step;
+    return bits ? `${area} ${Math.floor(at / 8)}.${at % 8}` : `${area} ${at}`;
+  });
 }
 
 function fields(list: string[], part: string): string[] {

@@ -3,7 +3,7 @@ import { connection } from '../connection';
 import { kept } from '../state/kept.svelte';
 import { attempt } from '../state/messages.svelte';
 import { plc } from '../state/plc.svelte';
-import { parseTable, printTable, type Row } from './table';
+import { parseTable, printTable, rangeOf, type Row } from './table';
 import { atOnce, parseTriggers, printTriggers, type Trigger } from './triggers';
 
 interface Draft {
@@ -40,6 +40,31 @@ export class Table {
   /** The last row is always empty: to type the next operand into. */
   complete(): void {
     if (this.rows[this.rows.length - 1]?.operand !== '') this.rows.push(emptyRow());
+  }
+
+  /** An operand has been typed: a range becomes its rows. */
+  settle(row: Row): void {
+    const operands = rangeOf(row.operand);
+    if (operands.length > 1)
+      this.paste(
+        row,
+        operands.map((operand) => ({ ...row, operand, modify: '' })),
+      );
+    else this.complete();
+  }
+
+  /** Rows in place of this one if it is empty or a range, else below it. */
+  paste(at: Row, rows: Row[]): void {
+    const index = this.rows.indexOf(at);
+    const gone = at.operand.trim() === '' || rangeOf(at.operand).length > 1;
+    this.rows = [...this.rows.slice(0, gone ? index : index + 1), ...rows, ...this.rows.slice(index + 1)];
+    this.complete();
+  }
+
+  append(operands: string[]): void {
+    const there = this.rows.filter((row) => row.operand.trim() !== '');
+    this.rows = [...there, ...operands.map((operand) => ({ ...emptyRow(), operand }))];
+    this.complete();
   }
 
   keep(): void {

@@ -13,6 +13,13 @@ export const diagnosis = {
   text: ['Ereignis', 'Event'],
   details: ['Zu Ereignis {event}', 'Details of event {event}'],
   place: ['Stelle', 'Place'],
+  module: ['Baugruppe', 'Module'],
+  moduleAt: [
+    '{name}, Baugruppenträger {rack}, Steckplatz {slot}, Adresse {address}',
+    '{name}, rack {rack}, slot {slot}, address {address}',
+  ],
+  moduleNone: ['keine an Adresse {address}', 'none at address {address}'],
+  openModule: ['Baugruppe zeigen', 'Show module'],
   open: ['Baustein öffnen', 'Open block'],
   noEntries: ['Der Diagnosepuffer ist leer.', 'The diagnostic buffer is empty.'],
   chooseEntry: ['Ein Ereignis wählen, um die Hilfe dazu zu lesen.', 'Select an event to read its help.'],

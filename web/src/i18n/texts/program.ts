@@ -95,7 +95,6 @@ export const program = {
   network: ['Netzwerk {number}', 'Network {number}'],
   problems: ['Fehler', 'Problems'],
   noProblems: ['Keine Fehler.', 'No problems.'],
-  references: ['Querverweise', 'Cross reference'],
   machineCode: ['Maschinencode', 'Machine code'],
   codeOf: ['Maschinencode von {block}', 'Machine code of {block}'],
   codePick: ['Die Schreibmarke in einen Baustein setzen.', 'Put the cursor into a block.'],

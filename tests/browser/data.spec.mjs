@@ -1,0 +1,125 @@
+// The data view of a data block: what its variables begin with and have, folded, live, modified, taken over (S7-MGR-16).
+import assert from 'node:assert/strict';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { accessible } from './axe.mjs';
+import { text } from './editor.mjs';
+import { expect, launch, message, open, scratch, turn, until, write } from './harness.mjs';
+import { crowding } from './layout.mjs';
+
+const PROGRAM = `FUNCTION_BLOCK FB 1
+VAR_INPUT
+  Start : BOOL ;
+END_VAR
+VAR
+  Count : INT := 3 ;  // pieces
+END_VAR
+BEGIN
+END_FUNCTION_BLOCK
+DATA_BLOCK DB 1
+  FB 1
+BEGIN
+END_DATA_BLOCK
+DATA_BLOCK DB 2
+  STRUCT
+    Speed : REAL := 1.5 ;
+    Recipe : STRUCT
+      Name : STRING [8] := 'pale' ;
+      Step : ARRAY [1..1000] OF INT ;
+    END_STRUCT ;
+    Run : BOOL ;
+  END_STRUCT ;
+BEGIN
+END_DATA_BLOCK
+ORGANIZATION_BLOCK OB 1
+BEGIN
+NETWORK
+      L     DB2.DBW 20;
+      T     MW 10;
+END_ORGANIZATION_BLOCK
+`;
+
+const workspace = scratch();
+const project = join(workspace, 'data');
+mkdirSync(project);
+writeFileSync(join(project, 'merker.toml'), '[project]\nname = "Data"\n');
+writeFileSync(join(project, 'main.awl'), PROGRAM);
+const server = await launch(project, workspace);
+const page = await open(server, 'program');
+const row = (path) => page.locator(`tr[data-path='${path}']`);
+const actual = (path) => row(path).locator('.actual').innerText();
+const block = (id) => page.getByRole('treeitem', { name: new RegExp(`^${id}\\b`) });
+const folded = (path) => row(path).getByRole('button');
+
+test('a data block as its variables, structures folded', async () => {
+  await turn(page, 'RUN-P');
+  await block('DB 2').click();
+  await page.getByRole('button', { name: 'Datensicht' }).press('Enter');
+  await expect(async () => (await page.locator('tr[data-path]').count()), 3);
+  await expect(() => actual('Speed'), '1.500000e+000');
+  assert.match(await row('Speed').innerText(), /^0\.0\s+Speed\s+REAL\s+1\.500000e\+000/);
+  await folded('Recipe').press('Enter');
+  await expect(() => folded('Recipe').getAttribute('aria-expanded'), 'true');
+  await expect(() => actual('Recipe.Name'), "'pale'");
+  await accessible(page, 'data view');
+});
+
+test('a thousand elements are a few rows of the page; the last one is reached', async () => {
+  await folded('Recipe.Step').press('Enter');
+  await row('Recipe.Step[1]').waitFor();
+  const there = await page.locator('tr[data-path]').count();
+  assert.ok(there < 120, `${there} rows`);
+  await page.locator('.data .frame').evaluate((frame) => frame.scrollTo(0, frame.scrollHeight));
+  await row('Recipe.Step[1000]').waitFor();
+  await row('Run').waitFor();
+  await page.locator('.data .frame').evaluate((frame) => frame.scrollTo(0, 0));
+  await row('Speed').waitFor();
+});
+
+test('values are those of the CPU, and are modified by name', async () => {
+  await write(page, { 'DB2.DBW 20': 77 });
+  const field = row('Recipe.Step[2]').getByLabel('Steuerwert von Recipe.Step[2]');
+  const at = await row('Recipe.Step[5]').locator('td').first().innerText();
+  assert.equal(at, '22.0');
+  await expect(() => actual('Recipe.Step[4]'), '77');
+  await field.fill('-5');
+  await field.press('ArrowDown');
+  await page.keyboard.type('6');
+  await page.getByRole('button', { name: 'Steuern', exact: true }).click();
+  await expect(() => actual('Recipe.Step[2]'), '-5');
+  await expect(() => actual('Recipe.Step[3]'), '6');
+  await field.fill('40000');
+  await field.press('Enter');
+  await message(page, /40000/);
+});
+
+test('actual values become those that the block begins with', async () => {
+  await page.getByRole('button', { name: 'Aktualwerte übernehmen' }).press('Enter');
+  await message(page, /DB 2: 3 Aktualwerte/);
+  await until(async () => /BEGIN\n\s+Recipe\.Step\[2\] := -5;\n\s+Recipe\.Step\[3\] := 6;\n\s+Recipe\.Step\[4\] := 77;\nEND_DATA_BLOCK/.test(await text(page)), 'BEGIN');
+  await page.getByRole('button', { name: 'Speichern', exact: true }).click();
+  await until(() => readFileSync(join(project, 'main.awl'), 'utf-8').includes('Recipe.Step[2] := -5;'), 'the file');
+});
+
+test('an instance shows what its parameters are; the source comes back', async () => {
+  await block('DB 1').click();
+  await expect(() => actual('Count'), '3');
+  assert.match(await row('Count').innerText(), /STAT[^]*pieces/);
+  assert.match(await row('Start').innerText(), /IN\s[^]*FALSE\s+FALSE/);
+  await page.locator('.data').getByText('Instanz von FB 1').waitFor();
+  await page.getByRole('button', { name: 'Datensicht' }).click();
+  await page.locator('.code').waitFor();
+});
+
+test('a block of the CPU is shown so', async () => {
+  await page.getByRole('tab', { name: 'Online' }).click();
+  await block('DB 2').click();
+  await expect(() => actual('Speed'), '1.500000e+000');
+  for (const [width, height] of [[1280, 800]]) {
+    await page.setViewportSize({ width, height });
+    let found;
+    await until(async () => (found = await crowding(page)).length === 0, () => found.join('\n'));
+    await accessible(page, `data view at ${width}`);
+  }
+});

@@ -1,0 +1,106 @@
+// Finding: one search over the whole project with replacing, and the reference data (S7-EDIT-22).
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { accessible } from './axe.mjs';
+import { text } from './editor.mjs';
+import { expect, message, open, serve, until } from './harness.mjs';
+import { crowding } from './layout.mjs';
+
+const server = await serve('sorting-plant');
+const page = await open(server, 'io');
+const panel = page.locator('#program-panel');
+const field = panel.getByLabel('Text, auch ein Teil eines Wortes');
+const found = () => panel.getByRole('status').innerText();
+const hits = panel.locator('tr[data-hit]');
+const roomy = async () => {
+  let crowded;
+  await until(async () => (crowded = await crowding(page)).length === 0, () => crowded.join('\n'));
+};
+const reference = async (name) => page.getByRole('tab', { name }).click();
+
+test('Ctrl Shift F looks for a part of a word in all files, from any view', async () => {
+  await page.keyboard.press('Control+Shift+F');
+  await until(() => field.evaluate((one) => one.getRootNode().activeElement === one), 'the focus');
+  await page.keyboard.type('lider sm');
+  await until(async () => /^[1-9]\d* Stellen in \d+ Dateien, 0 Bausteine/.test(await found()), 'places');
+  const files = await hits.locator('button').allInnerTexts();
+  for (const file of ['sorting.awl', 'sorting.sym', 'sizes.scn']) assert.ok(files.some((one) => one.startsWith(file)), `${file} in ${files}`);
+  assert.match(await hits.first().locator('mark').innerText(), /^lider sm$/i);
+  await roomy();
+  await accessible(page, 'search');
+});
+
+test('blocks and comments are found; a place opens', async () => {
+  await field.fill('classif');
+  await until(async () => /, [1-9]\d* Bausteine/.test(await found()), 'blocks');
+  await panel.getByRole('button', { name: 'FB 1' }).waitFor();
+  await field.fill('boxes pushed since');
+  await expect(() => hits.count(), 1);
+  await hits.getByRole('button').press('Enter');
+  await until(async () => (await page.locator('.code .cm-activeLine').innerText()).includes('boxes pushed'), 'the line');
+  await field.fill('KLEIN UND GROSS IST GLEICH');
+  await panel.getByText('Nichts gefunden.').waitFor();
+});
+
+test('what is replaced is seen before, left out where one wants, and saved at once', async () => {
+  await field.fill('TravelSmall');
+  await panel.getByLabel('Ganzes Wort').check();
+  await until(async () => (await hits.count()) >= 2, 'places');
+  const all = await hits.count();
+  await panel.getByLabel('Ersetzen durch').fill('WaySmall');
+  await panel.getByLabel('Vorschau').check();
+  await expect(() => hits.first().locator('ins').innerText(), 'WaySmall');
+  await hits.last().getByRole('checkbox').uncheck();
+  await accessible(page, 'replace');
+  const kept = (await hits.last().locator('button').innerText()).split(':');
+  await panel.getByRole('button', { name: `${all - 1} ersetzen` }).press('Enter');
+  await message(page, new RegExp(`^.*${all - 1} Stellen in \\d Dateien ersetzt`));
+  await expect(() => hits.count(), 1);
+  assert.match(await text(page), /WaySmall +: S5TIME/);
+  await panel.getByRole('button', { name: /Dateien speichern$/ }).press('Enter');
+  await until(() => readFileSync(join(server.project, 'sorting.awl'), 'utf-8').includes('WaySmall'), 'the file');
+  assert.ok(readFileSync(join(server.project, kept[0]), 'utf-8').split('\n')[kept[1] - 1].includes('TravelSmall'), 'what was left out stays');
+  // As it was: the program is to be compiled again.
+  await panel.getByLabel('Vorschau').uncheck();
+  await field.fill('WaySmall');
+  await panel.getByLabel('Ersetzen durch').fill('TravelSmall');
+  await panel.getByLabel('Vorschau').check();
+  await until(async () => (await hits.count()) === all - 1, 'the new name');
+  await panel.getByRole('button', { name: `${all - 1} ersetzen` }).click();
+  await panel.getByRole('button', { name: /Dateien speichern$/ }).click();
+  await until(() => !readFileSync(join(server.project, 'sorting.awl'), 'utf-8').includes('WaySmall'), 'the old name');
+});
+
+test('the cross reference finds a part of a symbol', async () => {
+  await reference('Referenzdaten');
+  const operand = panel.getByLabel('Operand oder Symbol');
+  await operand.fill('slider');
+  const rows = panel.locator('tbody tr');
+  await until(async () => (await rows.count()) > 3 && /slider/i.test(await rows.first().innerText()), 'rows');
+  // An operand means what it touches, as before.
+  await operand.fill('AB 1');
+  await until(async () => /^A 1\.0/.test(await rows.first().innerText()), 'its bits');
+});
+
+test('assignment list, program structure, unused symbols', async () => {
+  await reference('Belegungsplan');
+  const byte = panel.locator('tr[data-byte="AB 1"]');
+  await until(async () => /AB 1[^×]*×\s*×\s*×/.test(await byte.innerText()), 'bits 2 to 0');
+  await accessible(page, 'assignment list');
+  await byte.getByRole('button').press('Enter');
+  await expect(() => panel.getByLabel('Operand oder Symbol').inputValue(), 'AB 1');
+  await reference('Programmstruktur');
+  const structure = panel.getByRole('table', { name: 'Programmstruktur' });
+  await until(async () => /^\s*OB 1\b[^]*FB 1/.test(await structure.locator('tbody').innerText()), 'the calls of OB 1');
+  await accessible(page, 'program structure');
+  await reference('Nicht verwendet');
+  await panel.getByRole('table', { name: 'Nicht verwendete Symbole' }).waitFor();
+  await panel.getByRole('table', { name: 'Operanden ohne Symbol' }).waitFor();
+  await accessible(page, 'unused');
+  for (const [width, height] of [[1024, 768], [768, 1024], [1280, 800]]) {
+    await page.setViewportSize({ width, height });
+    await roomy();
+  }
+});

@@ -1,0 +1,61 @@
+// The variables of a data block as a tree: structures and arrays hold theirs, folded until somebody looks into them.
+import type { DataRow } from '../connection/protocol';
+
+export interface DataNode {
+  /** The path of the variable, or as much of it as names the structure. */
+  key: string;
+  name: string;
+  depth: number;
+  /** Missing of a structure or array. */
+  row?: DataRow;
+  kind?: 'STRUCT' | 'ARRAY';
+  expanded: boolean;
+  /** Where it begins. */
+  address: string;
+}
+
+/** "a.b[1,2].c" is a, b, [1,2], c; each with the path up to it. */
+export function partsOf(path: string): { name: string; key: string }[] {
+  const parts: { name: string; key: string }[] = [];
+  for (const match of path.matchAll(/\[[^\]]*\]|[^.[]+/g))
+    parts.push({ name: match[0], key: path.slice(0, match.index + match[0].length) });
+  return parts;
+}
+
+export function dataTree(rows: readonly DataRow[], expanded: ReadonlySet<string>): DataNode[] {
+  const nodes: DataNode[] = [];
+  let open: string[] = [];
+  for (const row of rows) {
+    const parts = partsOf(row.path);
+    const groups = parts.slice(0, -1);
+    let folded = false;
+    for (const [depth, { name, key }] of groups.entries()) {
+      const isNew = open[depth] !== key;
+      if (isNew && !folded)
+        nodes.push({
+          key,
+          name,
+          depth,
+          kind: parts[depth + 1]!.name.startsWith('[') ? 'ARRAY' : 'STRUCT',
+          expanded: expanded.has(key),
+          address: row.address,
+        });
+      folded ||= !expanded.has(key);
+    }
+    open = groups.map(({ key }) => key);
+    const { name, key } = parts.at(-1) ?? { name: row.path, key: row.path };
+    if (!folded) nodes.push({ key, name, depth: groups.length, row, expanded: false, address: row.address });
+  }
+  return nodes;
+}
+
+/** Whether there is something to fold. */
+export const groupsOf = (rows: readonly DataRow[]): string[] => [
+  ...new Set(
+    rows.flatMap((row) =>
+      partsOf(row.path)
+        .slice(0, -1)
+        .map(({ key }) => key),
+    ),
+  ),
+];

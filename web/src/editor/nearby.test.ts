@@ -1,0 +1,39 @@
+import { expect, test } from 'vitest';
+import { networkLines, operandsIn } from './nearby';
+import { outline } from './outline';
+
+const source = `FUNCTION FC 1 : VOID
+BEGIN
+NETWORK
+TITLE = about M 99.0
+      U     E 0.0;   // not M 1.1
+      UN    "Motor";
+      L     "Plant data".Small; T MW   10;
+NETWORK
+M001: L     S5T#2S;
+      SE    T   5;
+      SPB   M001;
+      CALL  "Slider", "Small boxes" (
+           Travel := "Plant data".List[2].Time,
+           Out    := #out.part[1].x );
+      T     DB5.DBX 0.3;
+END_FUNCTION
+`;
+const lines = source.split('\n');
+const isBlock = (symbol: string) => /Slider|boxes/.test(symbol);
+const [block] = outline(source);
+const at = (line: number) => {
+  const { first, last } = networkLines(block!, line);
+  return operandsIn(lines.slice(first - 1, last), isBlock);
+};
+
+test('the operands of the network with the cursor, each once', () => {
+  expect(at(5)).toEqual(['E 0.0', '"Motor"', '"Plant data".Small', 'MW 10']);
+  expect(at(11)).toEqual(['T 5', '"Plant data".List[2].Time', '#out.part[1].x', 'DB5.DBX 0.3']);
+  expect(at(1)).toEqual(at(5));
+});
+
+test('a block without networks is one', () => {
+  const [db] = outline('DATA_BLOCK DB 1\nSTRUCT\n a : INT ;\nEND_STRUCT\nBEGIN\nEND_DATA_BLOCK\n');
+  expect(networkLines(db!, 3)).toEqual({ first: 1, last: 6 });
+});

@@ -1,0 +1,29 @@
+// The operands around the cursor, for a list of values that follows it: those of its network.
+import type { BlockOutline } from './outline';
+
+const comment = /\/\/.*$/;
+// A symbol with the way into its data, a local variable, data of a named block, a bit or a wider operand, a timer or counter.
+const operand =
+  /"[^"]+"(?:\.[A-Za-z_]\w*(?:\[[^\]]*\])?)*|#[A-Za-z_][\w.]*(?:\[[^\]]*\][\w.]*)*|\bDB\s?\d+\.DB(?:X\s*\d+\.[0-7]|[BWD]\s*\d+)|\b[EIAQM]\s*\d+\.[0-7]\b|\b[EIAQM][BWD]\s*\d+\b|\b[TZC]\s+\d+\b/gi;
+
+/** First and last line of the network at the cursor; of the block where it has none. */
+export function networkLines(block: BlockOutline, line: number): { first: number; last: number } {
+  const before = block.networks.filter((one) => one.line <= line).at(-1) ?? block.networks[0];
+  if (!before) return { first: block.line, last: block.end };
+  const next = block.networks[block.networks.indexOf(before) + 1];
+  return { first: before.line, last: next ? next.line - 1 : block.end };
+}
+
+/** Each once, in the order of the text, as it is written. `isBlock`: a symbol that names no value. */
+export function operandsIn(lines: readonly string[], isBlock: (symbol: string) => boolean): string[] {
+  const found = new Map<string, string>();
+  for (const line of lines) {
+    if (/^\s*(TITLE|NETWORK|NETZWERK)\b/i.test(line)) continue;
+    for (const [written] of line.replace(comment, '').matchAll(operand)) {
+      if (/^"[^"]+"$/.test(written) && isBlock(written)) continue;
+      const key = written.toUpperCase().replace(/\s+/g, '');
+      if (!found.has(key)) found.set(key, written.replace(/\s+/g, written.startsWith('"') ? '$&' : ' '));
+    }
+  }
+  return [...found.values()];
+}

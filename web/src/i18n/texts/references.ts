@@ -1,0 +1,25 @@
+import type { Texts } from '..';
+
+export const references = {
+  title: ['Referenzdaten', 'Reference data'],
+  cross: ['Querverweisliste', 'Cross reference list'],
+  assigned: ['Belegungsplan', 'Assignment list'],
+  structure: ['Programmstruktur', 'Program structure'],
+  unusedPage: ['Nicht verwendet', 'Not used'],
+  unused: ['wird nicht aufgerufen', 'is not called'],
+  count: ['{count} Verwendungen', '{count} uses'],
+  more: ['und {count} weitere: den Operanden genauer angeben', 'and {count} more: name the operand more exactly'],
+  work: ['Arbeitsspeicher', 'Work memory'],
+  remark: ['Bemerkung', 'Remark'],
+  recursive: ['ruft sich selbst auf', 'calls itself'],
+  above: ['Aufrufe siehe oben', 'calls see above'],
+  ofCpu: ['der CPU, oder fehlt', 'of the CPU, or missing'],
+  byte: ['Byte', 'Byte'],
+  asByte: ['Zugriff als Byte', 'Access as byte'],
+  asWord: ['Teil eines Wortzugriffs', 'Part of a word access'],
+  asDWord: ['Teil eines Doppelwortzugriffs', 'Part of a double word access'],
+  timers: ['Zeiten', 'Timers'],
+  counters: ['Zähler', 'Counters'],
+  unusedSymbols: ['Nicht verwendete Symbole', 'Unused symbols'],
+  withoutSymbol: ['Operanden ohne Symbol', 'Operands without symbol'],
+} satisfies Texts;
