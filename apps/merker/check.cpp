@@ -10,6 +10,7 @@
 #include "base/visible.h"
 #include "build.h"
 #include "command.h"
+#include "compilation/network.h"
 #include "cpu_option.h"
 
 namespace merker::app {
@@ -42,9 +43,7 @@ bool isSource(const std::string& path) {
 }
 
 // With the symbol files of the command line, except those that lie beside the source and are known.
-Build built(const std::string& path, const std::vector<std::string>& lists,
-            const ProjectOptions& options) {
-  project::Project project = loadProject(path, options);
+Build built(project::Project project, const std::vector<std::string>& lists) {
   for (const std::string& list : lists) {
     if (project.file(list) != nullptr) continue;
     auto file = source::readSource(list);
@@ -65,11 +64,28 @@ void noteLimits(const Build& checked, const std::string& path,
   if (checked.ok() || !options.cpu.empty() || !isSource(path)) return;
   ProjectOptions other = options;
   other.cpu = kUnlimited;
-  const std::size_t errors = built(path, lists, other).problems.count(Severity::Error);
+  const std::size_t errors = built(loadProject(path, other), lists).problems.count(Severity::Error);
   if (errors < checked.problems.count(Severity::Error))
     std::cerr << fmt::format("{}: {} with --cpu {}, which has no limits; the default is {}\n",
                              visible(path), counted(errors, "error"), kUnlimited,
                              checked.project.model->name);
+}
+
+void summary(const compilation::NetworkBuild& build) {
+  std::cout << build.project.path << ": " << counted(build.stations.size(), "station") << ", "
+            << counted(build.blocks(), "block") << ", "
+            << counted(build.problems.count(Severity::Error), "error") << ", "
+            << counted(build.problems.count(Severity::Warning), "warning") << '\n';
+}
+
+// The exit code; what is wrong is added to `problems`, too.
+int checkNetwork(project::Project project, bool json, Problems& problems) {
+  const auto checked = compilation::buildNetwork(std::move(project), false);
+  printProblems(checked.problems, checked.files());
+  problems.append(checked.problems);
+  if (!json) summary(checked);
+  if (checked.unreadable) return kUnreadable;
+  return checked.ok() ? kGood : kProblems;
 }
 
 int check(const CheckOptions& options) {
@@ -80,7 +96,12 @@ int check(const CheckOptions& options) {
     (source::isSymbolFile(path) && isFile(path) ? lists : programs).push_back(path);
   if (programs.empty()) programs.swap(lists);  // which says that there is no program
   for (const std::string& path : programs) {
-    Build checked = built(path, lists, options.project);
+    project::Project project = loadProject(path, options.project);
+    if (project.network) {
+      result = std::max(result, checkNetwork(std::move(project), options.json, problems));
+      continue;
+    }
+    Build checked = built(std::move(project), lists);
     noteMissingOb1(checked);
     printProblems(checked.problems, checked.files());
     noteLimits(checked, path, lists, options.project);

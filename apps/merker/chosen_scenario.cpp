@@ -20,6 +20,22 @@ std::vector<simulator::Scenario> boundScenarios(const source::SourceFile& file, 
   return list;
 }
 
+std::vector<simulator::Scenario> boundScenarios(const source::SourceFile& file,
+                                                const compilation::NetworkBuild& built,
+                                                Problems& problems) {
+  std::vector<simulator::Scenario> list = simulator::parseScenarios(file, problems);
+  if (!built.ok()) return list;
+  const compilation::NetworkOperands operands(built);
+  std::vector<simulator::StationBinding> stations;
+  for (std::size_t i = 0; i < built.stations.size(); ++i) {
+    const project::Project& own = built.stations[i].build->project;
+    stations.push_back({built.stations[i].name, operands.resolver(i),
+                        own.hardware ? &*own.hardware : nullptr, &own.plants});
+  }
+  for (simulator::Scenario& one : list) simulator::resolve(one, stations, problems);
+  return list;
+}
+
 std::unique_ptr<const ChosenScenario> chooseScenario(const std::string& command,
                                                      const std::string& path,
                                                      const std::string& name, const Build& built,

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "build.h"
+#include "compilation/network.h"
 #include "scenario/scenario.h"
 #include "source/source_file.h"
 
@@ -18,6 +19,10 @@ struct ChosenScenario {
 
 // The scenarios of a file, bound to the operands, modules and plants of `built`.
 std::vector<simulator::Scenario> boundScenarios(const source::SourceFile& file, const Build& built,
+                                                Problems& problems);
+
+std::vector<simulator::Scenario> boundScenarios(const source::SourceFile& file,
+                                                const compilation::NetworkBuild& built,
                                                 Problems& problems);
 
 // The first scenario whose name contains `name`, in any case; all names contain an empty one.

@@ -1,7 +1,10 @@
 #include "cpu_option.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
 
+#include "base/text.h"
 #include "project/settings.h"
 
 namespace merker::app {
@@ -22,14 +25,39 @@ project::Project withMnemonics(project::Project project, const std::string& word
 
 void addProjectOptions(CLI::App& command, ProjectOptions& options) {
   command.add_option("--cpu", options.cpu, "CPU model instead of the project's")->check(checkCpu);
+  command.add_option("--station", options.station,
+                     "of a project of several stations this one alone");
   command
       .add_option("--source-mnemonics", options.mnemonics,
                   "language of the AWL sources, german or english, instead of the project's")
       ->check(CLI::IsMember({"german", "english"}));
 }
 
+namespace {
+
+// The one that --station names, as if its folder had been given.
+project::Project narrowed(project::Project project, const ProjectOptions& options) {
+  if (options.station.empty()) return project;
+  const auto refuse = [&](const std::string& what) {
+    project.problems.add(ProblemCode::P0704, Position{project.path}, "--station", what);
+    return std::move(project);
+  };
+  if (project.unreadable) return project;
+  if (!project.network) return refuse("left out: the project has one station only");
+  const auto& stations = project.network->stations;
+  const auto found = std::ranges::find_if(stations, [&](const project::OtherStation& one) {
+    return equalsIgnoreCase(one.name, options.station);
+  });
+  if (found == stations.end())
+    return refuse("the name of a station: " + stationNames(*project.network));
+  const auto folder = std::filesystem::path(project.folder) / found->folder;
+  return project::load(folder.lexically_normal().string(), options.cpu);
+}
+
+}  // namespace
+
 project::Project loadProject(const std::string& path, const ProjectOptions& options) {
-  return withMnemonics(project::load(path, options.cpu), options.mnemonics);
+  return withMnemonics(narrowed(project::load(path, options.cpu), options), options.mnemonics);
 }
 
 project::Project loadSources(const std::vector<std::string>& sources,

@@ -1,4 +1,4 @@
-// --cpu NAME and --source-mnemonics LANGUAGE of every command that compiles.
+// --cpu NAME, --station NAME and --source-mnemonics LANGUAGE of every command that compiles.
 #pragma once
 
 #include <string>
@@ -14,6 +14,7 @@ namespace merker::app {
 // What stands on the command line in place of what the project says.
 struct ProjectOptions {
   std::string cpu, mnemonics;  // empty: as the project has it
+  std::string station;         // empty: all, where the project has several
 };
 
 // An unknown name is wrong usage.

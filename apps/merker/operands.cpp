@@ -50,33 +50,84 @@ void readOperand(std::string_view part, const Position& position,
   operands.push_back(term.reference);
 }
 
+// What the parts of a list can name.
+struct Watchable {
+  const simulator::Resolver& resolver;
+  const plant::Configuration& plants;
+  const io::Configuration* hardware;
+};
+
+void readPart(std::string_view part, const Position& position, const Watchable& from,
+              simulator::Watched& watched, Problems& problems) {
+  const auto at = [&](std::string_view) { return position; };
+  std::string_view name = part;
+  const std::string_view word = simulator::takeWord(name);
+  if (equalsIgnoreCase(word, "plant") && !name.empty()) {
+    simulator::PlantValue signal;
+    if (!simulator::parsePlant(name, "0", signal, at, problems)) return;
+    simulator::resolve(signal, &from.plants, problems);
+    watched.plants.push_back(std::move(signal));
+  } else if (equalsIgnoreCase(word, "terminal") && !name.empty()) {
+    simulator::TerminalValue terminal;
+    if (!simulator::parseTerminal(name, {}, terminal, at, problems)) return;
+    simulator::resolvePlace(terminal, from.hardware, problems);
+    watched.terminals.push_back(std::move(terminal));
+  } else if (simulator::namesAxis(part)) {
+    simulator::AxisTerm term;
+    if (!simulator::parseAxis(part, {}, term, at, problems)) return;
+    simulator::resolve(term, from.hardware, problems);
+    watched.axis.push_back(std::move(term));
+  } else {
+    readOperand(part, position, from.resolver, watched.operands, problems);
+  }
+}
+
+// "plant Press/Oven.PV" without the station, which is named by what is in front of the slash.
+std::string withoutStation(std::string_view part, const compilation::NetworkOperands& operands,
+                           std::optional<std::size_t>& station) {
+  std::string_view name = part;
+  const std::string_view word = simulator::takeWord(name);
+  const bool outside = equalsIgnoreCase(word, "plant") || equalsIgnoreCase(word, "terminal");
+  std::string_view rest = outside ? name : part;
+  station = operands.takeStation(rest);
+  return outside ? std::string(word) + ' ' + std::string(rest) : std::string(rest);
+}
+
+void nameStation(const std::string& station, simulator::Watched& watched) {
+  const auto add = [&](auto& list) {
+    for (auto& one : list) one.text = station + '/' + one.text;
+  };
+  add(watched.operands);
+  add(watched.plants);
+  add(watched.terminals);
+  add(watched.axis);
+}
+
 }  // namespace
 
 int readWatched(const std::string& option, const std::vector<std::string>& texts,
                 const simulator::Resolver& resolver, const plant::Configuration& plants,
                 const io::Configuration* hardware, simulator::Watched& watched) {
   return readLists(option, texts, [&](auto part, const Position& position, Problems& problems) {
-    const auto at = [&](std::string_view) { return position; };
-    std::string_view name = part;
-    const std::string_view word = simulator::takeWord(name);
-    if (equalsIgnoreCase(word, "plant") && !name.empty()) {
-      simulator::PlantValue signal;
-      if (!simulator::parsePlant(name, "0", signal, at, problems)) return;
-      simulator::resolve(signal, &plants, problems);
-      watched.plants.push_back(std::move(signal));
-    } else if (equalsIgnoreCase(word, "terminal") && !name.empty()) {
-      simulator::TerminalValue terminal;
-      if (!simulator::parseTerminal(name, {}, terminal, at, problems)) return;
-      simulator::resolvePlace(terminal, hardware, problems);
-      watched.terminals.push_back(std::move(terminal));
-    } else if (simulator::namesAxis(part)) {
-      simulator::AxisTerm term;
-      if (!simulator::parseAxis(part, {}, term, at, problems)) return;
-      simulator::resolve(term, hardware, problems);
-      watched.axis.push_back(std::move(term));
-    } else {
-      readOperand(part, position, resolver, watched.operands, problems);
-    }
+    readPart(part, position, {resolver, plants, hardware}, watched, problems);
+  });
+}
+
+int readWatched(const std::string& option, const std::vector<std::string>& texts,
+                const compilation::NetworkBuild& build,
+                const compilation::NetworkOperands& operands,
+                std::vector<StationWatched>& watched) {
+  return readLists(option, texts, [&](auto part, const Position& position, Problems& problems) {
+    std::optional<std::size_t> station;
+    const std::string own = withoutStation(part, operands, station);
+    if (!station) return problems.add(operands.unknown(part, position));
+    const compilation::NamedBuild& one = build.stations[*station];
+    const auto& hardware = one.build->project.hardware;
+    const auto resolver = operands.resolver(*station);
+    watched.push_back({*station, {}});
+    readPart(own, position, {resolver, one.build->project.plants, hardware ? &*hardware : nullptr},
+             watched.back().what, problems);
+    nameStation(one.name, watched.back().what);
   });
 }
 

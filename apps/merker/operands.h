@@ -6,6 +6,7 @@
 
 #include "address/reference.h"
 #include "base/problem.h"
+#include "compilation/network.h"
 #include "scenario/assignment.h"
 #include "scenario/trace.h"
 
@@ -18,6 +19,14 @@ namespace merker::app {
 int readWatched(const std::string& option, const std::vector<std::string>& texts,
                 const simulator::Resolver& resolver, const plant::Configuration& plants,
                 const io::Configuration* hardware, simulator::Watched& watched);
+// The same of several stations: Press/A 0.0, plant Press/Oven.PV; each part by itself.
+struct StationWatched {
+  std::size_t station = 0;
+  simulator::Watched what;
+};
+int readWatched(const std::string& option, const std::vector<std::string>& texts,
+                const compilation::NetworkBuild& build,
+                const compilation::NetworkOperands& operands, std::vector<StationWatched>& watched);
 int readAssignments(const std::string& option, const std::vector<std::string>& texts,
                     const simulator::Resolver& resolver,
                     std::vector<simulator::Assignment>& assignments);

@@ -9,36 +9,26 @@
 #include "build.h"
 #include "card.h"
 #include "command.h"
-#include "compilation/existence.h"
 #include "cpu_option.h"
 #include "cycle_end.h"
 #include "engine_option.h"
 #include "input.h"
+#include "network_run.h"
 #include "operands.h"
-#include "plant/field.h"
 #include "plc/checked_start.h"
 #include "real_time.h"
+#include "run_options.h"
 #include "s7_desk.h"
-#include "scenario/display.h"
 #include "scenario/duration.h"
 #include "scenario/trace.h"
 #include "serial_desk.h"
 #include "serial_option.h"
 #include "serve.h"
+#include "values.h"
 #include "virtual_time.h"
 
 namespace merker::app {
 namespace {
-
-struct RunOptions {
-  ProjectOptions project;
-  std::string path, card, time, trace, engine = "interpreter";
-  SerialOptions serial;
-  std::uint64_t cycles = 0;
-  bool hasCycles = false, copyRamToRom = false, json = false, noWorkbench = false;
-  std::vector<std::string> set, print, watch;
-  ServeOptions serve;
-};
 
 struct Operands {
   std::vector<simulator::Assignment> set;
@@ -72,53 +62,11 @@ bool applySet(const std::vector<simulator::Assignment>& assignments, controller:
   return true;
 }
 
-std::string_view name(controller::Mode mode) {
-  constexpr std::string_view kNames[] = {"STOP", "STARTUP", "RUN", "HALT"};
-  return kNames[static_cast<std::size_t>(mode)];
-}
-
-void printText(const Operands& operands, const controller::Controller& plc) {
-  for (const address::Reference& operand : operands.print.operands)
-    std::cout << operand.text << " = " << simulator::show(operand, plc).value_or("?") << '\n';
-  const auto* field = controller::capability<plant::Field>(plc);
-  for (const simulator::PlantValue& signal : operands.print.plants)
-    std::cout << "plant " << signal.text << " = " << actualValue(signal, *field->plants()) << '\n';
-  for (const simulator::TerminalValue& terminal : operands.print.terminals)
-    std::cout << "terminal " << terminal.text << " = " << actualValue(terminal, *field->rack())
-              << '\n';
-  for (const simulator::AxisTerm& term : operands.print.axis)
-    std::cout << term.text << " = " << actualValue(term, simulator::axisOf(plc)) << '\n';
-}
-
 void printJson(const Operands& operands, const controller::Controller& plc) {
-  nlohmann::ordered_json document = {{"mode", name(plc.mode())},
-                                     {"fault", plc.stoppedByFault()},
-                                     {"seconds", static_cast<double>(plc.now().ns) / 1e9},
-                                     {"cycles", plc.cycles()},
-                                     {"instructions", plc.instructions()}};
-  if (plc.mode() == controller::Mode::Stop) document["stop_reason"] = plc.stopReason();
-  for (const address::Reference& operand : operands.print.operands)
-    document[operand.text] = toJson(operand, plc);
-  const auto* field = controller::capability<plant::Field>(plc);
-  for (const simulator::PlantValue& signal : operands.print.plants)
-    document["plant " + signal.text] = field->plants()->value(signal.place);
-  for (const simulator::TerminalValue& terminal : operands.print.terminals)
-    document["terminal " + terminal.text] = presentValue(terminal, *field->rack());
-  for (const simulator::AxisTerm& term : operands.print.axis)
-    document[term.text] = positioning::read(*term.what, simulator::axisOf(plc));
+  nlohmann::ordered_json document;
+  addState(plc, document);
+  addValues(operands.print, plc, document);
   std::cout << document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
-}
-
-// Data blocks that the program was to make (SFC 22) and did not.
-bool allExist(const std::vector<address::Reference>& operands, const controller::Controller& plc) {
-  bool all = true;
-  for (const address::Reference& operand : operands) {
-    if (compilation::exists(operand, plc)) continue;
-    std::cerr << "merker run: --print: " << operand.text
-              << " does not exist: " << plc.whyMissing(operand) << '\n';
-    all = false;
-  }
-  return all;
 }
 
 // Cycle monitoring does not watch the startup (S7-STATE-11), so that the real CPU would hang, too.
@@ -133,7 +81,7 @@ bool cyclesMissing(const RunOptions& options, const controller::Controller& plc)
 }
 
 int finish(const RunOptions& options, const Operands& operands, const controller::Controller& plc) {
-  options.json ? printJson(operands, plc) : printText(operands, plc);
+  options.json ? printJson(operands, plc) : printValues(operands.print, plc);
   const bool all = allExist(operands.print.operands, plc);
   if (!plc.stoppedByFault()) return cyclesMissing(options, plc) || !all ? kProblems : kGood;
   std::cerr << "merker run: the CPU went to STOP: " << plc.stopReason() << '\n';
@@ -306,6 +254,8 @@ std::string whyRefused(const RunOptions& options, const Build& built) {
 // A program that cannot run does not touch the card (S7-CPU-02: the old one stays).
 int runPath(const RunOptions& options, std::optional<Duration> time) {
   project::Project project = loadProject(options.path, options.project);
+  if (project.network) return runNetwork(options, std::move(project), time);
+  if (options.threads) return wrongUsage("--threads is for a project of several stations");
   if (const int bad = connectSerial(options.serial, project); bad != kGood) return bad;
   Build built = build(std::move(project), false);
   if (!ready(options, built)) return exitCode(built);
@@ -376,6 +326,10 @@ void addRun(CLI::App& program, int& result) {
       ->allow_extra_args(false);
   command->add_option("--trace", options->trace,
                       "file for --watch: time, operand, value of each change");
+  command
+      ->add_option("--threads", options->threads,
+                   "for several stations: as many threads, with the same results")
+      ->check(CLI::Range(1u, kMostThreads));
   addSerial(*command, options->serial);
   command->add_flag("--json", options->json, "the values at the end as one JSON object");
   command->add_flag("--no-workbench", options->noWorkbench,
@@ -387,6 +341,7 @@ void addRun(CLI::App& program, int& result) {
       "  merker run plant --card plant.card      (continues after a power failure)\n"
       "  merker run --card plant.card --for 1s   (the program that is on the card)\n"
       "  merker run blink.awl --for 10s --print \"A 0.0, MW 10\"\n"
+      "  merker run lab --for 10s --print \"Press/MW 10, Belt/A 0.0\"   (several stations)\n"
       "  merker run plant --for 1m --set \"E 0.0=1\" --trace plant.csv --watch \"E 0.0, A 1.0\"");
   command->callback([options, cycles, &result] {
     options->hasCycles = cycles->count() > 0;

@@ -39,8 +39,9 @@ Problems between(Problems all, std::uint32_t first, std::uint32_t end) {
 }  // namespace
 
 bool TestSession::run(const project::TestTarget& target) {
-  const project::Project project = loadTarget(target, options_.project);
+  project::Project project = loadTarget(target, options_.project);
   unreadable_ |= project.unreadable;
+  if (project.network) return runNetwork(target, std::move(project));
   const bool checks = target.selfChecks && checksItself(project);
   if (checks && chosen(target.path, "self-checks")) selfChecks(target, project);
   if (target.scenarios.empty()) return checks;
@@ -48,12 +49,39 @@ bool TestSession::run(const project::TestTarget& target) {
   requireOb1(built);
   requireWorkMemory(built);
   printProblems(built.problems, built.files());
-  for (const std::string& file : target.scenarios) scenarios(file, built);
+  const Bench bench{built.problems,
+                    [&](const source::SourceFile& file, Problems& problems) {
+                      return boundScenarios(file, built, problems);
+                    },
+                    [&](const simulator::Scenario& one) { scenario(one, built); }};
+  for (const std::string& file : target.scenarios) scenarios(file, bench);
+  return true;
+}
+
+// The stations' own scenarios and checks are found in their folders.
+bool TestSession::runNetwork(const project::TestTarget& target, project::Project project) {
+  if (target.scenarios.empty()) return false;
+  const auto built = compilation::buildNetwork(std::move(project), true);
+  unreadable_ |= built.unreadable;
+  printProblems(built.problems, built.files());
+  const Bench bench{built.problems,
+                    [&](const source::SourceFile& file, Problems& problems) {
+                      return boundScenarios(file, built, problems);
+                    },
+                    [&](const simulator::Scenario& one) { scenario(one, built); }};
+  for (const std::string& file : target.scenarios) scenarios(file, bench);
   return true;
 }
 
 void TestSession::compile(const project::TestTarget& target) {
-  const Build built = build(loadTarget(target, options_.project), false);
+  project::Project project = loadTarget(target, options_.project);
+  if (project.network) {
+    const auto several = compilation::buildNetwork(std::move(project), false);
+    printProblems(several.problems, several.files());
+    broken_ |= !several.ok();
+    return;
+  }
+  const Build built = build(std::move(project), false);
   printProblems(built.problems, built.files());
   broken_ |= !built.ok();
 }
@@ -70,7 +98,7 @@ void TestSession::selfChecks(const project::TestTarget& target, const project::P
   if (options_.coverage) coverage_.add(*plc);
 }
 
-void TestSession::scenarios(const std::string& path, const Build& build) {
+void TestSession::scenarios(const std::string& path, const Bench& bench) {
   auto file = source::readSource(path);
   if (!file) {
     unreadable_ |= file.error().code == ProblemCode::P0101;
@@ -81,7 +109,7 @@ void TestSession::scenarios(const std::string& path, const Build& build) {
   }
   const FileLookup files = [&](const std::string&) { return &file.value(); };
   Problems problems;
-  const std::vector<simulator::Scenario> list = boundScenarios(file.value(), build, problems);
+  const std::vector<simulator::Scenario> list = bench.read(file.value(), problems);
   printProblems(problems, files);
   if (list.empty() && problems.hasErrors()) notRun(path, "scenarios", problems);
   for (std::size_t i = 0; i < list.size(); ++i) {
@@ -90,10 +118,10 @@ void TestSession::scenarios(const std::string& path, const Build& build) {
                                  i + 1 < list.size() ? list[i + 1].position.line : kNoLine);
     if (own.hasErrors())
       notRun(path, list[i].name, own);
-    else if (!build.ok())
-      notRun(path, list[i].name, build.problems);
+    else if (bench.problems.hasErrors())
+      notRun(path, list[i].name, bench.problems);
     else
-      scenario(list[i], build);
+      bench.run(list[i]);
   }
 }
 
@@ -107,6 +135,19 @@ void TestSession::scenario(const simulator::Scenario& scenario, const Build& bui
   const auto plc = controller(build);
   add(simulator::runScenario(scenario, *plc));
   if (options_.coverage) coverage_.add(*plc);
+}
+
+void TestSession::scenario(const simulator::Scenario& scenario,
+                           const compilation::NetworkBuild& build) {
+  const auto network = build.network(1, options_.coverage);
+  std::vector<simulator::NamedPlc> plcs;
+  for (std::size_t i = 0; i < network->size(); ++i) {
+    (void)useEngine(options_.engine, network->itself(i));
+    plcs.push_back({network->name(i), &network->station(i)});
+  }
+  add(simulator::runScenario(scenario, plcs));
+  for (std::size_t i = 0; options_.coverage && i < network->size(); ++i)
+    coverage_.add(network->itself(i));
 }
 
 // A test that could not run has failed, with the first error as the reason.

@@ -1,11 +1,13 @@
 // What `merker test` does with the programs, scenarios and self-checks that were found.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "build.h"
+#include "compilation/network.h"
 #include "cpu_option.h"
 #include "project/discovery.h"
 #include "scenario/coverage.h"
@@ -39,8 +41,16 @@ class TestSession {
  private:
   std::unique_ptr<controller::Controller> controller(const Build& build) const;
   void selfChecks(const project::TestTarget& target, const project::Project& project);
-  void scenarios(const std::string& file, const Build& build);
+  bool runNetwork(const project::TestTarget& target, project::Project project);
+  // What a file of scenarios is read for and run with: one PLC or several.
+  struct Bench {
+    const Problems& problems;  // of the program
+    std::function<std::vector<simulator::Scenario>(const source::SourceFile&, Problems&)> read;
+    std::function<void(const simulator::Scenario&)> run;
+  };
+  void scenarios(const std::string& file, const Bench& bench);
   void scenario(const simulator::Scenario& scenario, const Build& build);
+  void scenario(const simulator::Scenario& scenario, const compilation::NetworkBuild& build);
   void notRun(const std::string& file, const std::string& name, const Problems& problems);
   void add(simulator::TestResult result);
   bool chosen(const std::string& file, const std::string& name) const;

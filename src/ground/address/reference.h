@@ -48,6 +48,8 @@ struct Reference {
   std::uint32_t bytes = 0;  // of a DATE_AND_TIME or STRING, which no `operand.width` holds; else 0
   std::uint32_t nc = 0;     // a datum of the NC of a SINUMERIK, packed (nc/datum.h); else 0
   bool partner = false;     // of the control that is coupled with this one
+  std::uint16_t station =
+      0;  // of a project of several: counted from 1; 0: of the PLC that is asked
 };
 
 constexpr bool isTimer(const Operand& operand) { return operand.kind == OperandKind::Timer; }

@@ -6,6 +6,7 @@
 #include "station/modules.h"
 #include "station/periphery.h"
 #include "station/station.h"
+#include "system/global_data.h"
 #include "system/services.h"
 
 namespace merker::station {
@@ -49,12 +50,32 @@ struct Station::Parts {
     return cpu.restart(how);
   }
 
+  system::GlobalDataExchange globalData;
   block::RetentiveData kept;
   std::vector<DiagnosticEntry> diagnostics;
   std::uint64_t diagnosticsSeen = 0;
   std::vector<CheckResult> checks;
 
   serial::Coupling* serial() { return periphery ? periphery->serial().coupling() : nullptr; }
+  // One step of the CPU. In STOP it answers its partners at the instant at which they ask.
+  void step(Instant limit) {
+    system::BasicCommunication& partners = services.partners();
+    if (!partners.joined() || cpu.mode() != cpu::Mode::Stop) return cpu.step(limit);
+    partners.rest(cpu, cpu.machine().clock, cpu.powered());
+    cpu.step(std::min(limit, partners.next()));
+    partners.rest(cpu, cpu.machine().clock, cpu.powered());
+    globalData.rest(partners);
+  }
+  // At the end of a cycle: partners first, then who looks on.
+  void checkpoint() {
+    if (services.partners().joined()) {
+      services.partners().serve(cpu, cpu.machine().clock);
+      globalData.exchange(cpu, services.partners());
+    }
+    if (!observer) return;
+    takeAlong();
+    observer(*self);
+  }
   // To the same time as the other station, which looks at the line or is looked at.
   void follow(Instant t) {
     if (serial()->next() != Instant::never()) cpu.machine().interrupt();

@@ -151,13 +151,13 @@ bool Station::settle(Duration longest) {
   cpu::Cpu& cpu = parts_->cpu;
   const Instant latest = now() + longest;
   const auto ended = [&cpu] { return cpu.betweenCycles() || !cpu::executes(cpu.mode()); };
-  while (!ended() && now() < latest) cpu.step(latest);
+  while (!ended() && now() < latest) parts_->step(latest);
   parts_->takeAlong();
   return ended();
 }
 
 void Station::moveTo(Instant t) {
-  while (now() < t) parts_->cpu.step(t);
+  while (now() < t) parts_->step(t);
   if (!powered() && parts_->periphery) parts_->periphery->goOn(now());
 }
 
@@ -169,7 +169,7 @@ void Station::advanceTo(Instant t) {
 bool Station::advanceToCheckpoint(Instant limit) {
   cpu::Cpu& cpu = parts_->cpu;
   const std::uint64_t before = cpu.cycle().checkpoints();
-  while (now() < limit && cpu.cycle().checkpoints() == before) cpu.step(limit);
+  while (now() < limit && cpu.cycle().checkpoints() == before) parts_->step(limit);
   if (!powered() && parts_->periphery) parts_->periphery->goOn(now());
   parts_->takeAlong();
   return cpu.cycle().checkpoints() != before;
@@ -180,8 +180,7 @@ void Station::advanceCycles(std::uint64_t count) {
   for (; count > 0 && cpu::executes(cpu.mode()); --count) {
     const std::uint64_t before = cycles();
     const Instant latest = now() + kLongestCycle;
-    while (cycles() == before && cpu::executes(cpu.mode()) && now() < latest)
-      parts_->cpu.step(latest);
+    while (cycles() == before && cpu::executes(cpu.mode()) && now() < latest) parts_->step(latest);
     if (cycles() == before) break;  // STOP, or a startup OB that does not end
     settle();
   }
@@ -286,12 +285,13 @@ std::string Station::copyRamToRom(std::string_view password) {
 
 void Station::onCycle(std::function<void(controller::Controller&)> observer) {
   parts_->observer = std::move(observer);
-  Parts* parts = parts_.get();
-  parts->cpu.onCheckpoint([parts] {
-    if (!parts->observer) return;
-    parts->takeAlong();
-    parts->observer(*parts->self);
-  });
+  parts_->cpu.onCheckpoint([parts = parts_.get()] { parts->checkpoint(); });
+}
+
+void Station::join(network::Node& node, const network::GlobalData& globalData) {
+  parts_->services.partners().join(node, connectionLimits(model()).basic);
+  parts_->globalData = system::GlobalDataExchange(globalData);
+  parts_->cpu.onCheckpoint([parts = parts_.get()] { parts->checkpoint(); });
 }
 
 }  // namespace merker::station

@@ -22,6 +22,7 @@
 #include "cpu/led_panel.h"
 #include "cpu/ram_to_rom.h"
 #include "cpu/switch_panel.h"
+#include "network/node.h"
 #include "plant/field.h"
 #include "plc/buffered_memory.h"
 #include "plc/card_slot.h"
@@ -61,6 +62,7 @@ class Station final : public controller::Controller,
                       public controller::MachineCode,
                       public controller::Ob1Alone,
                       public controller::OperandMemory,
+                      public network::Connectable,
                       public plant::Field,
                       public positioning::AxisOwner,
                       public serial::SerialPort,
@@ -79,6 +81,9 @@ class Station final : public controller::Controller,
   // time together (PTP-LINE-03). Both have a serial interface.
   void couple(std::unique_ptr<Station> partner);
   controller::Controller* partner() override;
+
+  // From now on the CPU is a node of an MPI subnet.
+  void join(network::Node& node, const network::GlobalData& globalData) override;
 
   const CpuModel& model() const override;
   std::string modelName() const override;

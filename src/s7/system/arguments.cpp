@@ -132,9 +132,13 @@ Region Arguments::composite(std::size_t i, std::uint32_t bytes, Access access) {
 }
 
 Region Arguments::region(const AnyPointer& where, std::uint32_t bytes, Access access) {
+  return regionOf(call_.machine, where, bytes, access);
+}
+
+Region regionOf(cpu::Machine& machine, const AnyPointer& where, std::uint32_t bytes,
+                Access access) {
   const bool reads = access == Access::Read;
-  const Block block =
-      blockOf(call_.machine, inCaller(pointerArea(where.pointer)), where.db, access);
+  const Block block = blockOf(machine, inCaller(pointerArea(where.pointer)), where.db, access);
   if (block.error != ErrorCode::None) return {.error = block.error};
   const std::uint32_t address = where.pointer & 0xFFFFFF, byte = address / 8;
   if (address % 8 != 0)

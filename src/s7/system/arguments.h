@@ -12,6 +12,8 @@
 #include "cpu/cpu.h"
 #include "cpu/memory_access.h"
 #include "system/alarms.h"
+#include "system/any_pointer.h"
+#include "system/basic_communication.h"
 #include "system/communication.h"
 #include "system/function.h"
 #include "system/jobs.h"
@@ -29,14 +31,6 @@ namespace merker::system {
 
 class Connections;
 
-struct AnyPointer {
-  std::uint8_t syntax = 0x10;  // byte 0 of every ANY (S7-IND-12)
-  TypeCode type = TypeCode::Void;
-  std::uint32_t count = 0;
-  std::uint16_t db = 0;
-  std::uint32_t pointer = 0;
-};
-
 // Bytes in the CPU's memory, or why they cannot be reached.
 struct Region {
   std::uint8_t* data = nullptr;
@@ -44,6 +38,10 @@ struct Region {
   cpu::ErrorCode error = cpu::ErrorCode::None;
   explicit operator bool() const { return error == cpu::ErrorCode::None; }
 };
+
+// The `bytes` bytes that `where` points to; L and V are those of the block that runs.
+Region regionOf(cpu::Machine& machine, const AnyPointer& where, std::uint32_t bytes,
+                cpu::Access access);
 
 // What calls share besides the CPU.
 struct Context {
@@ -57,6 +55,7 @@ struct Context {
   Alarms alarms;
   Communication communication{};
   std::shared_ptr<Connections> connections;  // configured ones
+  BasicCommunication partners{};
 };
 
 // Of a parameter: its width, and for an SFB where it lies in the instance.
@@ -94,6 +93,7 @@ class Arguments {
   Alarms& alarms() { return context_.alarms; }
   const Communication& communication() const { return context_.communication; }
   Connections& connections() { return *context_.connections; }
+  BasicCommunication& partners() { return context_.partners; }
   std::uint16_t functionNumber() const { return function_.number; }
   // SFB: whether the instance is long enough for this parameter.
   bool has(std::size_t i);
@@ -144,8 +144,5 @@ class Arguments {
   Context& context_;
   bool good_ = true;
 };
-
-// Bytes of an ANY: type and repetition factor. 0 for types that have no size (timers, blocks).
-std::uint32_t byteCount(const AnyPointer& any);
 
 }  // namespace merker::system

@@ -28,6 +28,7 @@ void Services::restart() {
   context_.jobs.clear();
   context_.alarms.clear();
   context_.absentSerial.reset();
+  context_.partners.restart();
   context_.connections->restart();
 }
 

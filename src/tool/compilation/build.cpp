@@ -9,6 +9,7 @@
 #include "block/memory.h"
 #include "compilation/existence.h"
 #include "compilation/machine_code.h"
+#include "compilation/network.h"
 #include "compilation/stations.h"
 #include "compilation/system_block_calls.h"
 #include "control/memory.h"
@@ -264,7 +265,10 @@ Build build(project::Project project, bool checks) {
   result.project = std::move(project);
   result.program = std::make_shared<const block::Program>();
   result.problems = result.project.problems;
-  if (result.project.control) {
+  if (result.project.network) {
+    result.library = result.program;
+    result.problems.add(needsOneStation(result.project));
+  } else if (result.project.control) {
     buildListings(result, checks);
     addPartner(result);
   } else {

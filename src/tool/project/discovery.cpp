@@ -73,9 +73,25 @@ void addLoose(std::vector<TestTarget>& targets, const std::string& scenario,
   targets.push_back(std::move(target));
 }
 
+void addFolder(std::vector<TestTarget>& targets, const std::string& folder, std::size_t depth);
+
+// The stations of a project of several are projects below it.
+void addProjectsBelow(std::vector<TestTarget>& targets, const std::string& folder,
+                      std::size_t depth) {
+  for (const Entry& entry : entries(folder)) {
+    const std::string path = join(folder, entry.name);
+    if (!entry.folder) continue;
+    if (isProject(path))
+      addFolder(targets, path, depth + 1);
+    else if (depth < kDeepestFolder)
+      addProjectsBelow(targets, path, depth + 1);
+  }
+}
+
 void addFolder(std::vector<TestTarget>& targets, const std::string& folder, std::size_t depth) {
   if (isProject(folder)) {
     targets.push_back(projectTarget(folder));
+    if (depth < kDeepestFolder) addProjectsBelow(targets, folder, depth);
     return;
   }
   const Content content(folder);

@@ -15,10 +15,10 @@ struct TestTarget {
   bool selfChecks = true;              // run //= checks, if the sources contain any
 };
 
-// Path: a project folder, a folder with such folders and loose files below it, a single source, a
-// single *.scn. A *.scn belongs to the project it lies in, else to the source of the same stem
-// beside it, else to all sources of its folder. Empty if nothing is found; `missing` tells whether
-// the path itself does not exist.
+// Path: a project folder with those below it, a folder with such folders and loose files below it,
+// a single source, a single *.scn. A *.scn belongs to the project it lies in, else to the source of
+// the same stem beside it, else to all sources of its folder. Empty if nothing is found; `missing`
+// tells whether the path itself does not exist.
 std::vector<TestTarget> findTests(const std::string& path, bool& missing);
 
 // A symbol table as other tools export it, or as Merker keeps it: by its name.

@@ -43,6 +43,7 @@ void take(Project& project, const Settings& settings) {
   project.plants = settings.plants;
   project.serial = settings.serial;
   project.stations = settings.stations;
+  project.network = settings.network;
   project.addressCheck = settings.addressCheck;
   project.vertical = settings.vertical;
   project.mpiAddress = settings.mpiAddress;
@@ -166,6 +167,7 @@ void loadFolder(Project& project, const std::string& cpu) {
   const Settings settings =
       settingsFile ? readSettings(*settingsFile, project.problems, model) : Settings{};
   take(project, settings);
+  if (project.network) return;
   const std::vector<std::string> files = listFiles(project.folder, &project.problems);
   const auto sources = settings.sources ? choose(project, files, *settings.sources)
                                         : filter(files, [&project](const std::string& f) {

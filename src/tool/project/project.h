@@ -15,6 +15,7 @@
 #include "io/configuration.h"
 #include "plant/configuration.h"
 #include "project/address_check.h"
+#include "project/network.h"
 #include "project/other_station.h"
 #include "serial/connection.h"
 #include "source/source_file.h"
@@ -44,6 +45,7 @@ struct Project {
   plant::Configuration plants;
   std::optional<serial::Connection> serial;  // of X27; none: the partner of scenarios
   std::vector<OtherStation> stations;        // that it is connected to
+  std::optional<Network> network;            // it has several stations and no program itself
   AddressCheck addressCheck = AddressCheck::Standard;
   bool vertical = false;         // mounting of the racks (S7-HW-19)
   std::uint32_t mpiAddress = 2;  // as settings.h has it

@@ -42,7 +42,16 @@ void readPacing(const Table& root, io::Configuration& configuration);
 CommunicationParameters readCommunication(const Table& root, const CpuModel& model);
 // [[connection]]: configured S7 connections, of those that [communication] has
 void readConfigured(const Table& root, CommunicationParameters& parameters);
-// [[station]]: other stations, which something must be connected to
+// A [[station]]; nothing if its name or folder is wrong
+std::optional<OtherStation> readStation(const Table& table);
+// Whether it is the project of several stations; then what it says of them
+bool namesOnlyStations(const Table& root);
+Network readNetwork(const Table& root);
+// [[subnet]] and its nodes
+void readSubnets(const Table& root, Network& network);
+// [[global_data]]
+void readGlobalData(const Table& root, Network& network);
+// [[station]] of a station: another one, which X27 must be connected to
 std::vector<OtherStation> readStations(const Table& root,
                                        const std::optional<serial::Connection>& serial);
 // "±10V, 0..10V, …": the ranges of a RangeSet, for problems

@@ -107,6 +107,11 @@ void readStation(const Table& root, Settings& settings) {
 }
 
 void readAll(const Table& root, std::optional<Model> model, Settings& settings) {
+  if (namesOnlyStations(root)) {
+    if (const auto table = root.table("project")) readProject(*table, settings);
+    settings.network = readNetwork(root);
+    return;
+  }
   const auto named = readModel(root);
   if (!model) model = named;
   if (model) choose(settings, *model);

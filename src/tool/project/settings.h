@@ -13,6 +13,7 @@
 #include "io/configuration.h"
 #include "plant/configuration.h"
 #include "project/address_check.h"
+#include "project/network.h"
 #include "project/other_station.h"
 #include "serial/connection.h"
 #include "source/source_file.h"
@@ -50,6 +51,7 @@ struct Settings {
   plant::Configuration plants;
   std::optional<serial::Connection> serial;  // of X27; none: the partner of scenarios
   std::vector<OtherStation> stations;
+  std::optional<Network> network;  // a project of several stations: only the name counts then
   AddressCheck addressCheck = AddressCheck::Standard;
   bool vertical = false;  // mounting (S7-HW-19)
   std::uint32_t mpiAddress = kCpuMpiAddress;

@@ -1,4 +1,4 @@
-// [[station]]: another station, and that X27 is connected to it (PTP-LINE-03).
+// [[station]]: another station; of a station itself the one that X27 is connected to (PTP-LINE-03).
 #include <fmt/format.h>
 
 #include "base/text.h"
@@ -17,7 +17,9 @@ bool isName(std::string_view name) {
          name.find_first_not_of(kCharacters) == std::string_view::npos;
 }
 
-std::optional<OtherStation> readOther(const Table& table) {
+}  // namespace
+
+std::optional<OtherStation> readStation(const Table& table) {
   table.allow({"name", "folder"});
   OtherStation other;
   for (const auto& [key, target] : {std::pair{"name", &other.name}, {"folder", &other.folder}}) {
@@ -34,8 +36,6 @@ std::optional<OtherStation> readOther(const Table& table) {
   return std::nullopt;
 }
 
-}  // namespace
-
 std::vector<OtherStation> readStations(const Table& root,
                                        const std::optional<serial::Connection>& serial) {
   const bool wanted = serial && serial->kind == serial::Connection::Kind::Station;
@@ -45,12 +45,14 @@ std::vector<OtherStation> readStations(const Table& root,
   std::vector<OtherStation> others;
   bool complete = true;
   for (const Table& table : root.tables("station")) {
-    auto other = readOther(table);
+    auto other = readStation(table);
     complete &= other.has_value();
     if (!other) continue;
     if (!connected(*other) || !others.empty())
-      table.mustBe("name", "one station that X27 is connected to: [serial] X27 = \"station:" +
-                               other->name + "\"");
+      table.mustBe("name",
+                   "one station that X27 is connected to: [serial] X27 = \"station:" + other->name +
+                       "\"; a project of several stations has no [cpu], [program], "
+                       "[hardware] of its own");
     else
       others.push_back(std::move(*other));
   }

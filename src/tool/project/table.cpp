@@ -10,9 +10,6 @@
 namespace merker::project {
 namespace {
 
-// Of one kind; a station has a tenth of it.
-constexpr std::size_t kMostTables = 500;
-
 template <typename Words>
 std::string list(const Words& words, std::string_view quote = "") {
   std::string text;
@@ -194,7 +191,7 @@ std::optional<Table> Table::table(std::string_view key) const {
   return std::nullopt;
 }
 
-std::vector<Table> Table::tables(std::string_view key) const {
+std::vector<Table> Table::tables(std::string_view key, std::size_t most) const {
   std::vector<Table> found;
   const toml::node* value = table_.get(key);
   if (value == nullptr) return found;
@@ -208,8 +205,8 @@ std::vector<Table> Table::tables(std::string_view key) const {
     return found;
   }
   for (const toml::node& element : *array) {
-    if (found.size() == kMostTables) {
-      problems_.add(ProblemCode::P0106, position(element.source()), kMostTables, title);
+    if (found.size() == most) {
+      problems_.add(ProblemCode::P0106, position(element.source()), most, title);
       break;
     }
     found.emplace_back(*element.as_table(), title, position(element.source()), problems_);

@@ -64,9 +64,11 @@ class Table {
   std::optional<std::vector<Text>> texts(std::string_view key, std::string_view what) const;
 
   std::optional<Table> table(std::string_view key) const;  // [title.key]
-  std::vector<Table> tables(std::string_view key) const;   // [[title.key]]
-  std::vector<std::string> keys() const;                   // as written, in the order of the file
-  Position placeOf(std::string_view key) const;            // of the key itself
+  static constexpr std::size_t kMostTables = 500;  // of one kind; a station has a tenth of it
+  // [[title.key]]
+  std::vector<Table> tables(std::string_view key, std::size_t most = kMostTables) const;
+  std::vector<std::string> keys() const;         // as written, in the order of the file
+  Position placeOf(std::string_view key) const;  // of the key itself
   const toml::node* node(std::string_view key) const { return table_.get(key); }
 
  private:

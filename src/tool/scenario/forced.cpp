@@ -14,12 +14,13 @@ std::uint32_t bitsOf(const address::Reference& reference) {
 }  // namespace
 
 bool samePlace(const address::Reference& a, const address::Reference& b) {
-  return a.operand == b.operand && a.db == b.db && a.nc == b.nc && a.partner == b.partner;
+  return a.operand == b.operand && a.db == b.db && a.nc == b.nc && a.partner == b.partner &&
+         a.station == b.station;
 }
 
 bool overlap(const address::Reference& a, const address::Reference& b) {
-  return a.partner == b.partner && a.nc == b.nc && a.operand.kind == b.operand.kind &&
-         a.operand.area == b.operand.area && a.db == b.db &&
+  return a.partner == b.partner && a.station == b.station && a.nc == b.nc &&
+         a.operand.kind == b.operand.kind && a.operand.area == b.operand.area && a.db == b.db &&
          a.operand.value < b.operand.value + bitsOf(b) &&
          b.operand.value < a.operand.value + bitsOf(a);
 }
@@ -68,6 +69,12 @@ std::string ForceList::whyNotSet(const address::Reference& operand) const {
 void ForceList::add(const address::Reference& operand) {
   const auto same = [&](const Forced& one) { return samePlace(one.operand, operand); };
   if (std::ranges::none_of(list_, same)) list_.push_back({operand, 0});
+}
+
+void ForceList::clear(std::size_t station) {
+  std::erase_if(list_, [&](const Forced& one) {
+    return one.operand.station == 0 || one.operand.station == station + 1;
+  });
 }
 
 void ForceList::clearPartner() {

@@ -36,7 +36,7 @@ class ForceList {
   // A forced input can be set at its terminal, where it waits.
   std::string whyNotSet(const address::Reference& operand) const;
   void add(const address::Reference& operand);
-  void clear() { list_.clear(); }
+  void clear(std::size_t station);  // of this one, the first is 0
   // A memory reset of the coupled control alone.
   void clearPartner();
 

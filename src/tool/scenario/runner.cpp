@@ -9,20 +9,37 @@ namespace merker::simulator {
 using controller::Controller;
 using controller::Mode;
 
+namespace {
+
+// "the CPU", "the CPU of Press"
+std::string cpuOf(const NamedPlc& plc) {
+  return plc.name.empty() ? "the CPU" : "the CPU of " + plc.name;
+}
+
+}  // namespace
+
 TestResult runScenario(const Scenario& scenario, Controller& plc) {
+  return runScenario(scenario, {NamedPlc{{}, &plc}});
+}
+
+TestResult runScenario(const Scenario& scenario, const std::vector<NamedPlc>& plcs) {
   TestResult result{scenario.position.file, scenario.name, {}, {}};
-  const auto fail = [&](const Position& position, const std::string& message) {
-    result.failures.push_back({position, plc.now(), message});
+  const auto fail = [&](const NamedPlc& plc, const Position& position, const std::string& message) {
+    result.failures.push_back({position, plc.plc->now(), message});
   };
-  StepRun run(plc, result);
-  const std::string reason = refusal(plc);
+  StepRun run(plcs, result);
+  const std::vector<std::string> reasons = refusals(plcs);
   // A fault that ends the start is a state that a scenario may expect; a refused start is not.
-  const bool refused = !reason.empty() && !plc.stoppedByFault();
-  if (refused) fail(scenario.position, reason);
-  if (!refused && run.run(scenario.steps) && plc.stoppedByFault() && !run.speaksOfState())
-    fail(scenario.steps.empty() ? scenario.position : scenario.steps.back().position,
-         "expected no fault, the CPU went to STOP: " + stopText(plc));
-  result.end = plc.now();
+  for (std::size_t i = 0; i < plcs.size(); ++i)
+    if (!reasons[i].empty() && !plcs[i].plc->stoppedByFault())
+      fail(plcs[i], scenario.position,
+           (plcs[i].name.empty() ? "" : plcs[i].name + ": ") + reasons[i]);
+  const bool done = result.passed() && run.run(scenario.steps);
+  for (std::size_t i = 0; done && i < plcs.size(); ++i)
+    if (plcs[i].plc->stoppedByFault() && !run.speaksOfState(i))
+      fail(plcs[i], scenario.steps.empty() ? scenario.position : scenario.steps.back().position,
+           "expected no fault, " + cpuOf(plcs[i]) + " went to STOP: " + stopText(*plcs[i].plc));
+  result.end = plcs.front().plc->now();
   return result;
 }
 

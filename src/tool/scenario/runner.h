@@ -4,6 +4,7 @@
 #include <string>
 
 #include "scenario/scenario.h"
+#include "scenario/start.h"
 #include "scenario/test_result.h"
 
 namespace merker::simulator {
@@ -11,6 +12,8 @@ namespace merker::simulator {
 // `scenario` is resolved against the station's program. Ends at the first failure. A STOP through a
 // fault that the scenario does not speak of (expect mode, expect diagnostics) is a failure too.
 TestResult runScenario(const Scenario& scenario, controller::Controller& plc);
+// The same with several PLCs, at least one, which move through time together and start together.
+TestResult runScenario(const Scenario& scenario, const std::vector<NamedPlc>& plcs);
 
 // Behind which step a scenario is left: that of this line or, with 0, the one after which the PLC
 // is in STOP. A failure leaves it, too.

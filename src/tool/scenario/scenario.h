@@ -24,5 +24,7 @@ std::vector<Scenario> parseScenarios(const source::SourceFile& file, Problems& p
 void resolve(Scenario& scenario, const Resolver& resolver, Problems& problems,
              const io::Configuration* hardware = nullptr,
              const plant::Configuration* plants = nullptr);
+// The same for several stations, at least one; the first is that of steps without `station`.
+void resolve(Scenario& scenario, const std::vector<StationBinding>& stations, Problems& problems);
 
 }  // namespace merker::simulator

@@ -18,6 +18,7 @@
 #include "scenario/steps/serial.h"
 #include "scenario/steps/set.h"
 #include "scenario/steps/signal.h"
+#include "scenario/steps/station.h"
 #include "scenario/steps/switch.h"
 #include "scenario/steps/terminal.h"
 #include "scenario/steps/trigger.h"
@@ -44,13 +45,14 @@ using AnyStep =
           steps::PowerOnUnbuffered, steps::PowerOn, steps::BatteryLow, steps::BatteryGood,
           steps::RemoveCard, steps::Trigger, steps::MemoryReset, steps::CopyRamToRom, steps::Force,
           steps::Unforce, steps::Fault, steps::Terminal, steps::Serial, steps::Pulses,
-          steps::Encoder, steps::Plant, steps::Repeat>;
+          steps::Encoder, steps::Plant, steps::Station, steps::Repeat>;
 
 struct Step {
   Position position;
   std::string text;      // as written
   bool partner = false;  // the coupled control does it
   AnyStep does;
+  std::size_t station = 0;  // of a project of several, which one does it
 };
 
 }  // namespace merker::simulator

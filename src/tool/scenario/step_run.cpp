@@ -12,7 +12,12 @@ using controller::Controller;
 using controller::Mode;
 
 StepRun::StepRun(Controller& plc, TestResult& result, const Until* until)
-    : plc_(plc), result_(result), until_(until) {}
+    : StepRun({NamedPlc{{}, &plc}}, result, until) {}
+
+StepRun::StepRun(std::vector<NamedPlc> plcs, TestResult& result, const Until* until)
+    : result_(result), until_(until) {
+  for (NamedPlc& plc : plcs) stations_.push_back({std::move(plc), {}, false});
+}
 
 bool StepRun::run(const std::vector<Step>& steps) {
   for (const Step& step : steps) {
@@ -23,12 +28,13 @@ bool StepRun::run(const std::vector<Step>& steps) {
 }
 
 // A step ends in STOP, or is the one that was asked for.
-bool StepRun::reached(const Step& step) const {
+bool StepRun::reached(const Step& step) {
   if (until_->line != 0) return step.position.line >= until_->line;
-  return plc_.mode() == Mode::Stop && plc_.powered();
+  return plc().mode() == Mode::Stop && plc().powered();
 }
 
 bool StepRun::perform(const Step& step) {
+  at_ = step.station;
   return step.partner ? performByPartner(step) : performHere(step);
 }
 
@@ -41,17 +47,17 @@ bool StepRun::performHere(const Step& step) {
 // Both move through time: a start of the one lasts as long for the other.
 bool StepRun::performByPartner(const Step& step) {
   step_ = &step;
-  Controller* const partner = plc_.partner();
+  Controller* const partner = plc().partner();
   if (partner == nullptr) return noPartner();
-  partner->advanceTo(plc_.now());
+  partner->advanceTo(plc().now());
   const bool done = StepRun(*partner, result_).performHere(step);
   if (std::holds_alternative<steps::MemoryReset>(step.does)) forces_.clearPartner();
-  plc_.advanceTo(std::max(plc_.now(), partner->now()));
+  plc().advanceTo(std::max(plc().now(), partner->now()));
   return done;
 }
 
 bool StepRun::failAt(const Position& position, std::string message) {
-  result_.failures.push_back({position, plc_.now(), std::move(message)});
+  result_.failures.push_back({position, plc().now(), std::move(message)});
   return false;
 }
 
@@ -60,11 +66,11 @@ bool StepRun::fail(std::string_view reason) {
 }
 
 bool StepRun::powered() {
-  return plc_.powered() || fail("the CPU is switched off; use 'power on' first");
+  return plc().powered() || fail("the CPU is switched off; use 'power on' first");
 }
 
 bool StepRun::lacks(std::string_view what) {
-  return fail(fmt::format("{} has no {}", plc_.modelName(), what));
+  return fail(fmt::format("{} has no {}", plc().modelName(), what));
 }
 
 bool StepRun::noPartner() {

@@ -8,6 +8,7 @@
 
 #include "plc/capability.h"
 #include "scenario/forced.h"
+#include "scenario/start.h"
 #include "scenario/test_result.h"
 #include "signal/encoder.h"
 
@@ -22,17 +23,19 @@ using Axes = std::map<std::string, signal::Motion>;
 class StepRun {
  public:
   StepRun(controller::Controller& plc, TestResult& result, const Until* until = nullptr);
+  StepRun(std::vector<NamedPlc> plcs, TestResult& result, const Until* until = nullptr);
 
   // Up to the first failure or where the run is to end; false then.
   bool run(const std::vector<Step>& steps);
-  bool speaksOfState() const { return speaksOfState_; }
+  bool speaksOfState(std::size_t station) const { return stations_[station].speaksOfState; }
 
   // For the steps. All that has failed is false.
-  controller::Controller& plc() { return plc_; }
-  Axes& axes() { return axes_; }
+  controller::Controller& plc() { return *here().plc.plc; }
+  Axes& axes() { return here().axes; }
   ForceList& forces() { return forces_; }
+  void clearForces() { forces_.clear(at_); }  // of the station
   const Step& step() const { return *step_; }
-  void speakOfState() { speaksOfState_ = true; }
+  void speakOfState() { here().speaksOfState = true; }
   // "memory reset: the CPU refuses", at the step.
   bool fail(std::string_view reason);
   bool failAt(const Position& position, std::string message);
@@ -43,24 +46,29 @@ class StepRun {
   // What the step works on; null if this PLC has none, which is then the failure.
   template <controller::IsCapability C>
   C* need() {
-    C* const found = controller::capability<C>(plc_);
+    C* const found = controller::capability<C>(plc());
     if (found == nullptr) lacks(C::kName);
     return found;
   }
 
  private:
-  bool reached(const Step& step) const;
+  struct Station {
+    NamedPlc plc;
+    Axes axes;
+    bool speaksOfState = false;
+  };
+  Station& here() { return stations_[at_]; }
+  bool reached(const Step& step);
   bool perform(const Step& step);
   bool performHere(const Step& step);
   bool performByPartner(const Step& step);
 
-  controller::Controller& plc_;
+  std::vector<Station> stations_;
+  std::size_t at_ = 0;  // the one that performs
   TestResult& result_;
   const Until* until_;
   const Step* step_ = nullptr;  // being performed
-  Axes axes_;
   ForceList forces_;
-  bool speaksOfState_ = false;
 };
 
 }  // namespace merker::simulator

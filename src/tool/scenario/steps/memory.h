@@ -17,7 +17,7 @@ struct MemoryReset : Bare {
     if (!run.powered()) return false;
     if (run.plc().mode() != controller::Mode::Stop) run.plc().stop();
     run.plc().memoryReset();
-    run.forces().clear();
+    run.clearForces();
     return true;
   }
 };

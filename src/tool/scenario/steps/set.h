@@ -55,7 +55,7 @@ struct Unforce : Bare {
   bool perform(StepRun& run) const {
     if (!run.powered()) return false;
     run.plc().unforce();
-    run.forces().clear();
+    run.clearForces();
     return true;
   }
 };

@@ -1,0 +1,109 @@
+#include "network/network.h"
+
+#include <algorithm>
+
+#include "network/member.h"
+
+namespace merker::network {
+
+using controller::Controller;
+using controller::Mode;
+
+Network::Network(std::vector<Station> stations, unsigned threads)
+    : stations_(std::move(stations)),
+      workers_(static_cast<unsigned>(std::min<std::size_t>(threads, stations_.size()))) {
+  for (std::size_t i = 0; i < stations_.size(); ++i)
+    members_.push_back(std::make_unique<Member>(*this, i));
+}
+
+Network::~Network() = default;
+
+Controller& Network::station(std::size_t i) { return *members_[i]; }
+
+Subnet& Network::addSubnet(std::int64_t rate) {
+  return *subnets_.emplace_back(std::make_unique<Subnet>(rate));
+}
+
+void Network::join(std::size_t i, Subnet& subnet, std::uint8_t address,
+                   const GlobalData& globalData) {
+  controller::capability<Connectable>(itself(i))->join(subnet.add(address), globalData);
+}
+
+// What is sent from now on arrives after it at the earliest.
+Instant Network::windowEnd(Instant wanted) const {
+  for (const auto& subnet : subnets_) wanted = std::min(wanted, now_ + subnet->lookahead());
+  return wanted;
+}
+
+// All have moved up to `end`: what they sent before it is known.
+void Network::close(Instant end) {
+  now_ = std::max(now_, end);
+  for (const auto& subnet : subnets_) subnet->carry(now_);
+}
+
+void Network::advanceTo(Instant t) {
+  while (now_ < t) {
+    const Instant end = windowEnd(t);
+    workers_.each(size(), [&](std::size_t i) { stations_[i].plc->advanceTo(end); });
+    close(end);
+  }
+}
+
+void Network::othersTo(std::size_t i, Instant end) {
+  workers_.each(size(), [&](std::size_t other) {
+    if (other != i) stations_[other].plc->advanceTo(end);
+  });
+  close(end);
+}
+
+bool Network::advanceToCheckpoint(std::size_t i, Instant limit) {
+  Controller& plc = itself(i);
+  while (now_ < limit) {
+    const Instant end = windowEnd(limit);
+    const bool reached = plc.advanceToCheckpoint(end);
+    othersTo(i, reached ? std::min(end, plc.now()) : end);
+    if (reached) return true;
+  }
+  return false;
+}
+
+bool Network::settle(std::size_t i, Duration longest) {
+  Controller& plc = itself(i);
+  const Instant latest = now_ + longest;
+  for (;;) {
+    const Instant end = windowEnd(latest);
+    const bool ended = plc.settle(end - plc.now());
+    othersTo(i, ended ? std::min(end, plc.now()) : end);
+    if (ended || now_ >= latest) return ended;
+  }
+}
+
+void Network::advanceCycles(std::size_t i, std::uint64_t count) {
+  const Controller& plc = itself(i);
+  const auto executes = [&] { return plc.mode() == Mode::Startup || plc.mode() == Mode::Run; };
+  for (; count > 0 && executes(); --count) {
+    const std::uint64_t before = plc.cycles();
+    const Instant latest = plc.now() + Controller::kLongestCycle;
+    while (plc.cycles() == before && executes() && plc.now() < latest)
+      advanceToCheckpoint(i, latest);
+    if (plc.cycles() == before) return;  // STOP, or a startup OB that does not end
+  }
+}
+
+// Whoever has come to the end of its cycle waits there.
+bool Network::settle(Duration longest) {
+  const Instant latest = now_ + longest;
+  std::vector<char> ended(size());
+  const auto all = [&] { return std::ranges::count(ended, 0) == 0; };
+  do {
+    const Instant end = windowEnd(latest);
+    workers_.each(size(), [&](std::size_t i) {
+      Controller& plc = itself(i);
+      if (ended[i] == 0) ended[i] = plc.settle(end - plc.now()) ? 1 : 0;
+    });
+    close(end);
+  } while (!all() && now_ < latest);
+  return all();
+}
+
+}  // namespace merker::network

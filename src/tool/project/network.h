@@ -1,0 +1,53 @@
+// A project of several stations: its merker.toml names their folders, each an ordinary project, and
+// the subnets between them.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "project/other_station.h"
+
+namespace merker::project {
+
+// Of one project: as many as fit into the memory of an ordinary computer.
+constexpr std::size_t kMostStations = 1000;
+
+// A station on a subnet.
+struct SubnetNode {
+  std::size_t station = 0;  // its number in the list of stations
+  std::uint32_t address = 0;
+  Position named;  // of the station
+};
+
+struct MpiSubnet {
+  std::string name;
+  std::int64_t rate = 187'500;  // bits per second
+  std::uint32_t highest = 0;    // MPI address (S7-NET-02)
+  std::vector<SubnetNode> nodes;
+};
+
+// A packet of a GD circle (S7-NET-27). Operands as written: Press/MB 100:8.
+struct GlobalDataRow {
+  struct Place {
+    std::string text;
+    Position position;
+  };
+  std::uint32_t circle = 1, rate = 8;
+  Position circleAt;
+  Place from;
+  std::vector<Place> to, status, groupStatus;
+};
+
+struct Network {
+  std::vector<OtherStation> stations;
+  std::vector<MpiSubnet> subnets;
+  std::vector<GlobalDataRow> globalData;
+};
+
+// "Press, Belt", for problems; of many the first ones.
+std::string stationNames(const Network& network);
+// Its number in the list; case does not matter.
+std::optional<std::size_t> findStation(const Network& network, std::string_view name);
+
+}  // namespace merker::project

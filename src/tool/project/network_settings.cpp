@@ -1,0 +1,57 @@
+// merker.toml of a project of several stations.
+#include <algorithm>
+
+#include "base/text.h"
+#include "project/readers.h"
+
+namespace merker::project {
+namespace {
+
+// What makes a merker.toml one of several stations: it describes none itself.
+constexpr std::string_view kNetworkKeys[] = {"project", "station", "subnet", "global_data"};
+
+void readStations(const Table& root, Network& network) {
+  for (const Table& table : root.tables("station", kMostStations)) {
+    auto station = readStation(table);
+    if (!station) continue;
+    if (findStation(network, station->name))
+      table.problems().add(ProblemCode::P0742, table.at("name"), station->name,
+                           "another station above");
+    else
+      network.stations.push_back(std::move(*station));
+  }
+}
+
+}  // namespace
+
+bool namesOnlyStations(const Table& root) {
+  const auto known = [](const std::string& key) {
+    return std::ranges::find(kNetworkKeys, key) != std::end(kNetworkKeys);
+  };
+  return root.has("station") && std::ranges::all_of(root.keys(), known);
+}
+
+Network readNetwork(const Table& root) {
+  Network network;
+  readStations(root, network);
+  readSubnets(root, network);
+  readGlobalData(root, network);
+  return network;
+}
+
+std::optional<std::size_t> findStation(const Network& network, std::string_view name) {
+  const auto found = std::ranges::find_if(
+      network.stations, [&](const OtherStation& one) { return equalsIgnoreCase(one.name, name); });
+  if (found == network.stations.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - network.stations.begin());
+}
+
+std::string stationNames(const Network& network) {
+  constexpr std::size_t kShown = 10;
+  std::string list;
+  for (std::size_t i = 0; i < network.stations.size() && i < kShown; ++i)
+    list += (i == 0 ? "" : ", ") + network.stations[i].name;
+  return network.stations.size() > kShown ? list + ", …" : list;
+}
+
+}  // namespace merker::project
