@@ -111,7 +111,7 @@ class BasicCommunication {
   void fulfil(cpu::Cpu& cpu, const Wish& wish, Instant now);
 
   network::Node* node_ = nullptr;
-  std::size_t connections_ = 1;  // a CPU without a subnet tries in vain
+  std::size_t connections_ = 127;  // a CPU without a subnet tries in vain
   std::map<std::uint8_t, Link> links_;
   std::set<std::uint8_t> partners_;  // that have a connection to this CPU
   std::deque<Received> queue_;

@@ -4,13 +4,12 @@
 #include <algorithm>
 
 #include "system/call.h"
+#include "system/partner_memory.h"
 
 namespace merker::system {
 namespace {
 
 using cpu::Access;
-
-bool isNil(const AnyPointer& any) { return any.type == TypeCode::Void && any.count == 0; }
 
 template <typename A>
 void answerPartnerJob(A& a, std::uint32_t code) {
