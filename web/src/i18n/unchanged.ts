@@ -3,6 +3,9 @@ export const unchanged = [
   // values that a user writes in merker.toml
   'RS422 master',
   'whole_buffer = false',
+  'kind = "mpi"',
+  'connection W#16#{:X}', // part of a sentence
+  'station = "Press" and address = 3',
   'end = "count"',
   'end = "characters"',
   'flow_control = "XON/XOFF"',
