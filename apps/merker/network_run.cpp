@@ -87,7 +87,6 @@ void runNetworkFor(network::Network& network, Duration time, NetworkTrace* trace
 
 // Until Ctrl-C.
 void runNetworkInRealTime(network::Network& network, std::ofstream& file, NetworkTrace* trace) {
-  holdSignals();
   runRealTime(network.station(0), nullptr, [&] {
     if (trace == nullptr) return;
     trace->write(network.now());
@@ -172,6 +171,7 @@ int runNetwork(const RunOptions& options, project::Project project, std::optiona
     if (options.json) print({{"problems", toJson(build.problems)}});
     return build.unreadable ? kUnreadable : kProblems;
   }
+  if (!time) holdSignals();  // before threads of the network begin: a signal ends none of them
   if (!time && !options.noWorkbench)
     std::cerr << "merker run: several stations run without the workbench, until Ctrl-C; "
                  "--station NAME shows one of them in it\n";

@@ -1,6 +1,9 @@
 """A project of several stations (S7-MGR-13): checked, run and tested as one, with their operands by name, the same on any number of
 threads; what is wrong with such a project; one station of it alone."""
 import csv
+import signal
+import subprocess
+import time
 
 from harness import *
 
@@ -48,6 +51,23 @@ class Network(Case):
         self.assertGreater(values["Mill/MW 100"], 10)
         self.assertEqual(values["stations"]["Belt"]["cycles"], values["Belt/MW 20"])
         self.assertTrue(all(1 <= one["seconds"] < 1.1 for one in values["stations"].values()), values)
+
+    def test_in_real_time_until_ctrl_c(self):
+        self.lab()
+        process = subprocess.Popen([os.environ["MERKER"], "run", "lab", "--json", "--print", "Belt/MW 20", "--watch", "Belt/MW 20",
+                                    "--trace", "t.csv"], cwd=self.folder, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        self.addCleanup(lambda: (process.kill(), process.communicate()))
+        self.assertIn("--station NAME", process.stderr.readline())
+        trace = self.folder / "t.csv"
+        while not trace.exists() or trace.read_text().count("\n") < 9:  # it is written while they run
+            self.assertIsNone(process.poll())
+            time.sleep(0.02)
+        process.send_signal(signal.SIGINT)
+        out, err = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, GOOD, err)
+        values = json.loads(out)
+        self.assertEqual(values["stations"]["Belt"]["cycles"], values["Belt/MW 20"])
+        self.assertEqual([one["mode"] for one in values["stations"].values()], ["RUN", "RUN", "RUN"])
 
     def test_each_runs_as_alone(self):
         self.lab()
