@@ -211,5 +211,6 @@ test('a connection that is lost is told, and the import has ended', async () => 
   await other.close();
   await message(here, 'Die Verbindung ist abgebrochen. Es wurde nichts importiert');
   await expect(() => dialog(here).count(), 0);
+  await here.close(); // it tries again for ever
   here.complaints.length = 0; // the browser itself logs each failed try
 });
