@@ -5,6 +5,9 @@
 //   send R_ID COUNT    so many bytes, 1, 2, 3 … 255, 0, 1 …: "sent" or "failed CODE"
 //   receive            "got R_ID COUNT SUM", the sum of byte * (1 + place % 7); "none" after 10 s
 //   leave              the connection is given up: "left"
+// And Snap7's server, what GET and PUT are judged with:
+//   server PORT          DB 1 is 400 bytes, 0, 1, 2 …, the flags are 100, 101 …
+//   bytes PLACE COUNT    of DB 1, hexadecimal
 #include <dlfcn.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
@@ -15,6 +18,7 @@
 #include <vector>
 
 #include "s7_partner.h"
+#include "s7_server.h"
 
 // A passive partner always waits at port 102, which not everybody may use: it gets another one.
 static unsigned short placeToWait = 0;
@@ -66,10 +70,36 @@ static void receiveBytes(TSnap7Partner& partner) {
   std::cout << "got " << rid << ' ' << count << ' ' << sum << std::endl;
 }
 
+static unsigned char dataBlock[400], flags[100];
+
+static void serve() {
+  unsigned short port = 0;
+  std::cin >> port;
+  for (unsigned i = 0; i < sizeof dataBlock; ++i) dataBlock[i] = static_cast<unsigned char>(i);
+  for (unsigned i = 0; i < sizeof flags; ++i) flags[i] = static_cast<unsigned char>(100 + i);
+  auto* const server = new TSnap7Server;
+  server->SetParam(p_u16_LocalPort, &port);
+  server->RegisterArea(srvAreaDB, 1, dataBlock, sizeof dataBlock);
+  server->RegisterArea(srvAreaMK, 0, flags, sizeof flags);
+  std::cout << "started " << std::hex << server->StartTo("127.0.0.1") << std::dec << std::endl;
+}
+
+static void showBytes() {
+  unsigned place = 0, count = 0;
+  std::cin >> place >> count;
+  for (unsigned i = place; i < place + count && i < sizeof dataBlock; ++i)
+    std::printf("%02x", dataBlock[i]);
+  std::printf("\n");
+  std::fflush(stdout);
+}
+
 int main() {
   TSnap7Partner* partner = nullptr;
   for (std::string word; std::cin >> word;) {
     if (word == "active" || word == "passive") partner = start(word == "active");
+    if (word == "server") serve();
+    if (word == "bytes") showBytes();
+    if (word == "server" || word == "bytes") continue;
     if (partner == nullptr) return 2;
     if (word == "send") sendBytes(*partner);
     if (word == "receive") receiveBytes(*partner);
