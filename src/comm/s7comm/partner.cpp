@@ -39,6 +39,7 @@ Bytes requestOf(const PartnerJob& job, std::uint16_t reference) {
 void Partner::setUp(const Offer& wanted) {
   reference_ = kFirstReference;
   setupAsked_ = true;
+  wanted_ = wanted.pdu;
   send_(setupRequest(reference_, wanted));
 }
 
@@ -155,7 +156,7 @@ Partner::Heard Partner::hearSetup(const Pdu& pdu) {
   setupAsked_ = false;
   const auto offer = setupAnswer(pdu);
   if (!offer || offer->pdu < kShortest) return Heard::Wrong;
-  agreed(offer->pdu);
+  agreed(std::min(offer->pdu, wanted_));  // an answer that offers more does not count
   return Heard::Done;
 }
 

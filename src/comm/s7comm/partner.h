@@ -71,6 +71,7 @@ class Partner {
   BlockReceivers receivers_;
   std::uint16_t pdu_ = 0, reference_ = 0;
   bool setupAsked_ = false;
+  std::uint16_t wanted_ = 0;     // PDU that was asked for
   std::deque<PartnerJob> jobs_;  // the first one runs if busy_
   bool busy_ = false;
   bool dropped_ = false;  // what runs is for nobody: R, or a restart

@@ -98,6 +98,16 @@ TEST_F(PartnerLine, AgreesOnThePdu) {
   EXPECT_FALSE(calling.partner.asks());
 }
 
+TEST_F(PartnerLine, AnAnswerOffersNoMoreThanWasAskedFor) {
+  calling.partner.attach([this](Bytes bytes) { calling.sent.push_back(std::move(bytes)); });
+  calling.partner.setUp({.pdu = 240});
+  const Bytes& asked = calling.sent.front();
+  const Bytes answer = {0x32, 3, 0,    0, asked[4], asked[5], 0, 8, 0,    0,
+                        0,    0, 0xF0, 0, 0,        1,        0, 1, 0xFF, 0xFF};
+  EXPECT_EQ(calling.partner.receive(answer), Partner::Heard::Done);
+  EXPECT_EQ(calling.partner.pdu(), 240);
+}
+
 TEST_F(PartnerLine, TelegramsOfEveryLength) {
   connect();
   for (const std::size_t octets : {1u, 203u, 204u, 205u, 206u, 480u, 65'000u, 65'534u}) {
