@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "build.h"
+#include "card.h"
 #include "command.h"
 #include "cpu_option.h"
 #include "list_view.h"
@@ -20,7 +21,7 @@ namespace {
 
 struct ListOptions {
   ProjectOptions project;
-  std::string path, mnemonics, view, svg;
+  std::string path, card, mnemonics, view, svg;
   bool code = false, memory = false, listing = false, symbols = false, json = false;
 };
 
@@ -94,9 +95,27 @@ int listView(const Build& built, const ListOptions& options) {
   return exitCode(built);
 }
 
+Build unusable(const Problem& problem) {
+  Build none;
+  none.problems.add(problem);
+  none.project.unreadable = true;
+  return none;
+}
+
+Build buildOf(const ListOptions& options) {
+  if (options.card.empty()) return build(loadProject(options.path, options.project), false);
+  const auto card = openCard(options.card, true);
+  return card ? buildFromCard(*card, options.card, options.project.cpu) : unusable(card.error());
+}
+
 int list(const ListOptions& options) {
-  const Build built = build(loadProject(options.path, options.project), false);
+  if (options.path.empty() == options.card.empty()) {
+    std::cerr << "merker list: either PATH or --card must be given\n";
+    return kUsage;
+  }
+  const Build built = buildOf(options);
   printProblems(built.problems, built.files());
+  if (built.program == nullptr) return exitCode(built);
   if (!options.view.empty()) return listView(built, options);
   if (built.isListing()) return listListings(built, options);
   if (options.json)
@@ -114,7 +133,8 @@ void addList(CLI::App& program, int& result) {
   auto* command =
       program.add_subcommand("list", "blocks with name, lengths in bytes, version and checksum");
   auto options = std::make_shared<ListOptions>();
-  command->add_option("PATH", options->path, "project folder or source")->required();
+  command->add_option("PATH", options->path, "project folder or source");
+  command->add_option("--card", options->card, "instead of PATH: the program on this memory card");
   command->add_flag("--code", options->code, "each block disassembled, with its machine code");
   command->add_flag("--memory", options->memory,
                     "load, work and system memory, and how much of the CPU is in use");
@@ -140,6 +160,7 @@ void addList(CLI::App& program, int& result) {
       "Examples:\n  merker list examples/sorting-plant\n  merker list blink.awl --code --mnemonics "
       "en\n"
       "  merker list blink.awl --view kop --svg blink.svg\n"
+      "  merker list --card plant.card\n"
       "  merker list examples/vessel-emptying --view fup --symbols");
   command->callback([options, &result] { result = list(*options); });
 }

@@ -192,7 +192,8 @@ void S7Connection::requested(const iso::ConnectParameters& parameters) {
   if (takesConfigured(parameters)) return serve();
   if (around_.parameters.strictSlot && !served::namesTheCpu(parameters.called))
     return refuse(iso::Reason::UnknownAddress, S7Why::OtherSlot);
-  if (!around_.resources.take(resource_)) return refuse(iso::Reason::Congestion, S7Why::NoResource);
+  while (!around_.resources.take(resource_))
+    if (!around_.makeRoom(resource_)) return refuse(iso::Reason::Congestion, S7Why::NoResource);
   serve();
 }
 

@@ -29,6 +29,8 @@ struct S7Surroundings {
   }
   S7Incidents incidents{};
   served::PasswordGuard passwords{};
+  // Takes a connection resource of this kind from whoever has one and never set up its connection.
+  std::function<bool(served::Resource kind)> makeRoom{};
 };
 
 class S7Connection : public std::enable_shared_from_this<S7Connection> {
@@ -53,6 +55,7 @@ class S7Connection : public std::enable_shared_from_this<S7Connection> {
   // Nothing has been agreed with it yet.
   bool isNew() const { return expected_ == Expected::Request || expected_ == Expected::Setup; }
   Clock::time_point due() const { return due_; }
+  bool holds(served::Resource kind) const { return session_ && !configured_ && resource_ == kind; }
   void breakOff(S7Why why);
   // What was expected of it has not come.
   void breakOffLate() {

@@ -33,7 +33,11 @@ std::string plural(std::uint64_t count, const char* what) {
 
 // The clients go before what they share, and the calls that wait for the thread with them.
 struct S7Server::Parts {
-  explicit Parts(S7Place wanted) : place(std::move(wanted)) {}
+  explicit Parts(S7Place wanted) : place(std::move(wanted)) {
+    around.makeRoom = [this](served::Resource kind) {
+      return breakOffNew([kind](const S7Connection& client) { return client.holds(kind); });
+    };
+  }
 
   S7Place place;
   S7Surroundings around;
@@ -52,6 +56,7 @@ struct S7Server::Parts {
   void acceptLater();
   void take(tcp::socket socket);
   bool makeRoom();
+  bool breakOffNew(const std::function<bool(const S7Connection&)>& helps);
   void check();
   void use(const CommunicationParameters& parameters);
   void callPartners();
@@ -88,18 +93,23 @@ void S7Server::Parts::acceptLater() {
   });
 }
 
-// False: every socket belongs to a client that has set up its connection. Else the one that has
-// waited longest to do so goes: nobody keeps others out by saying nothing.
+// False: every socket belongs to a client that has set up its connection.
 bool S7Server::Parts::makeRoom() {
   std::erase_if(clients, [](const auto& client) { return client->closed(); });
   const auto& connections = around.parameters.connections;
   if (clients.size() < (connections ? *connections + kMoreSockets : kMostSockets)) return true;
-  const auto oldest = std::ranges::min_element(clients, {}, [](const auto& client) {
-    return client->isNew() ? client->due() : S7Connection::Clock::time_point::max();
+  return breakOffNew([](const S7Connection&) { return true; });
+}
+
+// Of those that have not set up their connection the one that has waited longest goes: nobody keeps
+// others out by saying nothing.
+bool S7Server::Parts::breakOffNew(const std::function<bool(const S7Connection&)>& helps) {
+  const auto goes = [&](const auto& one) { return !one->closed() && one->isNew() && helps(*one); };
+  const auto oldest = std::ranges::min_element(clients, {}, [&](const auto& client) {
+    return goes(client) ? client->due() : S7Connection::Clock::time_point::max();
   });
-  if (!(*oldest)->isNew()) return false;
+  if (oldest == clients.end() || !goes(*oldest)) return false;
   (*oldest)->breakOff(S7Why::MadeRoom);
-  clients.erase(oldest);
   return true;
 }
 

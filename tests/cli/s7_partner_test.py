@@ -75,7 +75,12 @@ class Partners(S7Case):
 
     # S7-SFB-10: three segments, and one; a wrong R_ID; both judged by Wireshark.
     def test_bsend_both_ways(self):
-        process = self.start("plant", "--no-workbench")
+        for engine in ("interpreter", "jit"):
+            with self.subTest(engine):
+                self.both_ways(engine)
+
+    def both_ways(self, engine):
+        process = self.start("plant", "--no-workbench", "--engine", engine)
         capture = Capture(self.folder / "s7.pcap")
         self.addCleanup(capture.close)
         peer = Peer(self.port, lambda socket: Recorded(socket, capture))

@@ -78,7 +78,7 @@ class Control(S7Case):
             self.assertEqual(client.ask(self.STOP)[10:].hex(), "000029")
             before = client.read(FLAGS, 20, 1, WORD)
             self.assertEqual(client.read(FLAGS, 20, 1, WORD), before)
-            self.assertEqual(client.ask(self.STOP)[10:].hex(), "84042907")
+            self.assertEqual(client.ask(self.STOP)[10:].hex(), "84022907")
             self.assertEqual(client.ask(self.START)[10:].hex(), "000028")
             self.until(lambda: client.read(FLAGS, 20, 1, WORD) != before)
             self.end(process)
@@ -313,6 +313,16 @@ class Hostile(S7Case):
         self.well()
         for one in silent:
             one.close()
+
+    # Nor by asking for a connection without setting it up.
+    def test_connections_without_a_setup_keep_nobody_out(self):
+        waiting = [self.client(3, setup=False) for _ in range(30)]
+        self.assertTrue(all(client.confirmed for client in waiting))
+        self.well()
+        with self.assertRaises(ConnectionError):
+            waiting[0].hear()
+        for client in waiting:
+            client.close()
 
     def test_storms_and_noise(self):
         before, noise = self.memory(), random.Random(20)

@@ -37,13 +37,14 @@ END_ORGANIZATION_BLOCK
 `;
 
 export class Plc {
-  // `path`: a project, in place of the program above; `files`: a project by the names and texts of its files.
-  static async start({ path, files = { 'a.awl': PROGRAM } } = {}) {
+  // `path`: a project, in place of the program above; `files`: a project by the names and texts of its files;
+  // `card`: the folder of its memory card.
+  static async start({ path, files = { 'a.awl': PROGRAM }, card } = {}) {
     const plc = new Plc();
     plc.folder = mkdtempSync(join(tmpdir(), 'merker-'));
     for (const [name, text] of Object.entries(files)) writeFileSync(join(plc.folder, name), text);
     const program = path ?? (files['merker.toml'] ? '.' : 'a.awl');
-    plc.process = spawn(process.env.MERKER, ['run', program, '--no-workbench', '--s7', '0'], {
+    plc.process = spawn(process.env.MERKER, ['run', program, '--no-workbench', '--s7', '0', ...(card ? ['--card', card] : [])], {
       cwd: plc.folder,
       stdio: ['ignore', 'ignore', 'pipe'],
     });

@@ -1,12 +1,24 @@
-// Up from one Merker, down into another: all blocks of a program (S7-NET-26, S7-LIM-04).
+// Up from one Merker, down into another: all blocks of a program (S7-NET-26, S7-LIM-04), also as their memory cards have them.
 import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { test } from 'node:test';
+import { after, test } from 'node:test';
 
 import { Plc, snap7Client, until } from './plc.mjs';
 
 const EXAMPLES = join(import.meta.dirname ?? new URL('.', import.meta.url).pathname, '../../examples');
 const EMPTY = 'ORGANIZATION_BLOCK OB 1\nBEGIN\nEND_ORGANIZATION_BLOCK\n';
+
+const cards = mkdtempSync(join(tmpdir(), 'merker-'));
+after(() => rmSync(cards, { recursive: true }));
+
+// Each PLC has its configuration of its own.
+function list(card) {
+  const { blocks } = JSON.parse(execFileSync(process.env.MERKER, ['list', '--card', card, '--json']));
+  return blocks.filter(({ block }) => !block.startsWith('SDB'));
+}
 
 // Containers by type and number, in the order in which blocks are loaded: OBs last.
 async function blocksOf(client) {
@@ -29,9 +41,11 @@ async function stopped(options) {
 }
 
 async function copied(example, contains) {
-  const from = await stopped({ path: join(EXAMPLES, example) });
-  const into = await stopped({ files: { 'a.awl': EMPTY } });
+  const [oldCard, newCard] = ['old', 'new'].map((name) => join(cards, `${example}.${name}`));
+  const from = await stopped({ path: join(EXAMPLES, example), card: oldCard });
+  const into = await stopped({ files: { 'a.awl': EMPTY }, card: newCard });
   try {
+    await from.client.call('CopyRamToRom', 10_000); // the values that an upload has
     const blocks = await blocksOf(from.client);
     for (const name of contains) assert.ok(blocks.has(name), `${[...blocks.keys()]}`);
     for (const { number, container } of blocks.values()) await into.client.call('Download', number, Buffer.from(container));
@@ -45,6 +59,8 @@ async function copied(example, contains) {
       await plc.end();
     }
   }
+  assert.ok(list(oldCard).some(({ block }) => block === contains[0]));
+  assert.deepEqual(list(newCard), list(oldCard));
 }
 
 test('the lift', { timeout: 60_000 }, () => copied('lift', ['OB 1', 'SDB 0']));

@@ -34,7 +34,7 @@ struct BlockName {
 struct BlockEntry {
   BlockType type = BlockType::Ob;
   std::uint16_t number = 0;
-  std::uint8_t attributes = 0, language = 0;  // as in its container (docs/formats/block.md)
+  std::uint8_t language = 0;  // as in its container (docs/formats/block.md)
 };
 
 class BlockStore {

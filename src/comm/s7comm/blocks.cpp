@@ -24,12 +24,18 @@ Bytes counts(const std::vector<BlockEntry>& all) {
 
 constexpr std::size_t kListRecord = 4;
 
+// As a CPU 315-2 PN/DP flags what was loaded and what is part of its operating system.
+std::uint8_t flagsOf(BlockType type) {
+  constexpr std::uint8_t kLoaded = 0x22, kOperatingSystem = 0x42;
+  return type == BlockType::Sfc || type == BlockType::Sfb ? kOperatingSystem : kLoaded;
+}
+
 Bytes listOf(const std::vector<BlockEntry>& all, BlockType type) {
   Bytes octets;
   for (const BlockEntry& one : all) {
     if (one.type != type) continue;
     appendWord(octets, one.number);
-    octets.insert(octets.end(), {one.attributes, one.language});
+    octets.insert(octets.end(), {flagsOf(type), one.language});
   }
   return octets;
 }
@@ -37,7 +43,7 @@ Bytes listOf(const std::vector<BlockEntry>& all, BlockType type) {
 // The head of the container up to the code, and its end behind the networks.
 Bytes informationOf(BlockType type, const Bytes& container) {
   constexpr std::size_t kPart = 36;
-  Bytes octets = {1, static_cast<std::uint8_t>(type), 0, 2 + 2 * kPart, 0x22, 0};
+  Bytes octets = {1, 0, 0, 2 + 2 * kPart, flagsOf(type), 0};
   octets.insert(octets.end(), container.begin(), container.begin() + kPart);
   octets.insert(octets.end(), container.end() - kPart, container.end());
   return octets;

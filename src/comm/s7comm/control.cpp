@@ -36,6 +36,12 @@ std::optional<Invocation> invocationOf(View p) {
                     lastText(p.subspan(kArgument + length))};
 }
 
+// With the function and why, as CPUs answer (8402h 29 07 in STOP, D209h 28 02 of a missing block).
+void refuse(const Job& job, Error error, std::uint8_t why) {
+  const std::uint8_t answer[] = {job.function, why};
+  job.answer(answer, {}, error);
+}
+
 void control(const Job& job, Control wish) {
   job.plc().control(wish, job.password(), [begun = job.begun(), wish](Controlled how) {
     if (how == Controlled::Protected) {
@@ -43,11 +49,12 @@ void control(const Job& job, Control wish) {
       return begun.ended();
     }
     const std::uint8_t already = wish == Control::Stop ? kAlreadyStopped : kAlreadyRuns;
-    const std::uint8_t answer[] = {begun.function, how == Controlled::Already ? already : kCannot};
     if (how == Controlled::Done)
-      begun.answer(View(answer).first(1));
+      begun.answer(View(&begun.function, 1));
+    else if (how == Controlled::Already)
+      refuse(begun, Error::WrongObjectState, already);
     else
-      begun.answer(answer, {}, Error::CannotBeDone);
+      refuse(begun, Error::CannotBeDone, kCannot);
     begun.ended();
   });
 }
@@ -95,7 +102,7 @@ void order(const Job& job, const BlockService& service, std::string_view argumen
   const std::vector<BlockName> names = namesOf(argument);
   if (names.empty()) return job.refuse(Error::WrongBlockName);
   (job.plc().*service.order)(names, job.password(), [begun = job.begun()](Error error) {
-    error == Error::None ? begun.answer(View(&begun.function, 1)) : begun.refuse(error);
+    error == Error::None ? begun.answer(View(&begun.function, 1)) : refuse(begun, error, kCannot);
     begun.ended();
   });
 }

@@ -40,7 +40,8 @@ enum class Error : std::uint16_t {
   JobOfAnother = 0xD0AE,  // of another connection
   WrongBlockName = 0xD201,
   NoSuchBlock = 0xD209,
-  NoBlocks = 0xD20E,  // of this type
+  NotForUpload = 0xD20C,  // a CPU has no block of this number
+  NoBlocks = 0xD20E,      // of this type
   BlockTooLarge = 0xD20F,
   WrongBlockNumber = 0xD210,
   WrongBlockFiles = 0xD218,  // active or passive

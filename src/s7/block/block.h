@@ -39,6 +39,9 @@ struct Attributes {
   bool readOnly = false, unlinked = false, nonRetain = false;  // DB
   bool codeVersion1 = false;                                // FB: not capable of multiple instances
   std::vector<std::pair<std::string, std::string>> system;  // { S7_m_c := 'true' }
+  // As a container had them: the security word, and when code and interface were changed.
+  std::uint32_t security = 0;
+  std::array<std::uint8_t, 12> changed{};
 };
 
 struct Network {

@@ -29,6 +29,7 @@ enum Offset : std::size_t {
   NumberAt = 6,
   LengthAt = 8,
   SecurityAt = 12,
+  ChangedAt = 16,
   InterfaceLengthAt = 28,
   SegmentLengthAt = 30,
   LocalLengthAt = 32,
@@ -83,7 +84,9 @@ void writeHeader(const Block& block, std::size_t interfaceBytes, std::size_t seg
   out[TypeAt] = static_cast<std::uint8_t>(block.id.kind);
   storeWord(&out[NumberAt], block.id.number);
   storeDWord(&out[LengthAt], static_cast<std::uint32_t>(out.size()));
-  storeDWord(&out[SecurityAt], block.attributes.knowHowProtect ? kProtected : 0);
+  const std::uint32_t security = block.attributes.security;
+  storeDWord(&out[SecurityAt], block.attributes.knowHowProtect ? kProtected : security);
+  std::ranges::copy(block.attributes.changed, out.begin() + ChangedAt);
   storeWord(&out[InterfaceLengthAt], static_cast<std::uint32_t>(interfaceBytes));
   storeWord(&out[SegmentLengthAt], static_cast<std::uint32_t>(segmentBytes));
   storeWord(&out[LocalLengthAt], block.localBytes);
@@ -143,6 +146,9 @@ void readHeader(std::span<const std::uint8_t> bytes, Block& block) {
   block.attributes.knowHowProtect =
       (attributes & kKnowHow) != 0 || loadDWord(&bytes[SecurityAt]) == kProtected;
   block.attributes.nonRetain = (attributes & kNotRetentive) != 0;
+  block.attributes.security = loadDWord(&bytes[SecurityAt]);
+  std::copy_n(bytes.begin() + ChangedAt, block.attributes.changed.size(),
+              block.attributes.changed.begin());
   block.language = static_cast<Language>(bytes[LanguageAt]);
   block.id = {static_cast<BlockKind>(bytes[TypeAt]), loadWord(&bytes[NumberAt])};
   block.localBytes = loadWord(&bytes[LocalLengthAt]);

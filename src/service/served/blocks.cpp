@@ -20,8 +20,6 @@ using s7comm::BlockType;
 using s7comm::Error;
 using s7comm::FileSystem;
 
-constexpr std::size_t kAttributesAt = 3, kLanguageAt = 4;  // in a container
-
 // The character of a type is the digit of its code: OB 08h, DB 0Ah … SFB 0Fh.
 std::optional<BlockType> typeOf(BlockKind kind) {
   const auto code = static_cast<std::uint8_t>(kind);
@@ -41,12 +39,7 @@ s7comm::Bytes containerOf(const station::BlockCpu& cpu, block::Block copy) {
 void listBlocks(const block::Program& program, std::vector<BlockEntry>& all) {
   for (const auto& [id, one] : program) {
     const auto type = typeOf(id.kind);
-    // What is asked for stands in the head; a checksum over all code would hold up the PLC.
-    block::Block head;
-    head.id = id, head.attributes = one.attributes, head.language = one.language;
-    const s7comm::Bytes container = type ? block::writeContainer(head) : s7comm::Bytes();
-    if (!container.empty())
-      all.push_back({*type, id.number, container[kAttributesAt], container[kLanguageAt]});
+    if (type) all.push_back({*type, id.number, static_cast<std::uint8_t>(one.language)});
   }
 }
 
@@ -85,6 +78,18 @@ s7comm::Bytes activeContainer(const controller::Controller& plc, const station::
 
 }  // namespace
 
+bool hasNumber(const CpuModel& model, BlockId id) {
+  switch (id.kind) {
+    case BlockKind::SDB:
+      return true;
+    case BlockKind::SFC:
+    case BlockKind::SFB:
+      return false;
+    default:
+      return model.allows(id);
+  }
+}
+
 std::optional<std::vector<BlockEntry>> blocksOf(controller::Controller& plc) {
   const auto* const cpu = controller::capability<station::BlockCpu>(plc);
   if (cpu == nullptr) return std::nullopt;
@@ -114,6 +119,8 @@ Uploaded upload(controller::Controller& plc, const PassiveBlocks& passive,
                 const s7comm::BlockName& name, std::string_view password) {
   if (isProtected(plc, password, 3)) return {Error::NeedsPassword, {}};
   if (isSystemBlock(name.type)) return {};  // they stay in the operating system
+  const auto* const cpu = controller::capability<station::BlockCpu>(plc);
+  if (cpu != nullptr && !hasNumber(cpu->model(), idOf(name))) return {Error::NotForUpload, {}};
   return blockOf(plc, passive, name);
 }
 

@@ -4,6 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "address/block_id.h"
+#include "catalogue/cpu_model.h"
 #include "plc/controller.h"
 #include "s7comm/plc.h"
 #include "served/passive_blocks.h"
@@ -12,6 +14,9 @@ namespace merker::served {
 
 // Nothing: a machine without blocks of this kind.
 std::optional<std::vector<s7comm::BlockEntry>> blocksOf(controller::Controller& plc);
+
+// That the CPU can hold: system data have numbers of their own, SFC and SFB are its own.
+bool hasNumber(const CpuModel& model, BlockId id);
 
 struct Uploaded {
   s7comm::Error error = s7comm::Error::NoSuchBlock;

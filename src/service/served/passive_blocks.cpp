@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "cpu/cpu.h"
+#include "served/blocks.h"
 #include "served/container_check.h"
 #include "served/system.h"
 #include "station/block_cpu.h"
@@ -20,19 +21,6 @@ constexpr std::size_t kLongestContainer = 72 + 3 * 0xFFFF;
 Error whyNotLoaded(controller::Controller& plc, std::string_view password) {
   if (controller::capability<station::BlockCpu>(plc) == nullptr) return Error::FunctionNotAvailable;
   return mayLoad(plc, password) ? Error::None : Error::NeedsPassword;
-}
-
-// System data have numbers of their own; the CPU keeps them.
-bool hasNumber(const CpuModel& model, BlockId id) {
-  switch (id.kind) {
-    case BlockKind::SDB:
-      return true;
-    case BlockKind::SFC:
-    case BlockKind::SFB:
-      return false;
-    default:
-      return model.allows(id);
-  }
 }
 
 bool tooLarge(const CpuModel& model, const block::Block& block) {
@@ -115,7 +103,10 @@ ProgramChange PassiveBlocks::remove(controller::Controller& plc, const Names& na
     const bool passive = name.files != FileSystem::Active && blocks_.contains(id);
     if (active) change.deleted.push_back(id);
     if (passive) change.noLongerPassive.push_back(id);
-    if (!active && !passive) change.error = Error::NoSuchBlock;
+    if (active || passive) continue;
+    // One that is listed all the same belongs to the configuration or the operating system.
+    const bool listed = blockOf(plc, *this, name).error == Error::None;
+    change.error = listed ? Error::AccessRefused : Error::NoSuchBlock;
   }
   return change;
 }

@@ -49,10 +49,10 @@ std::size_t octetsOf(const BlockWatch& watch) {
   return octets;
 }
 
-bool isInstruction(const monitor::BlockCode& code, std::uint32_t offset) {
-  for (std::size_t i = 0; i < code.lineCount(); ++i)
-    if (code.line(i).offset == offset) return true;
-  return false;
+// With a source: a statement. A block that was downloaded has none, but instructions all the same.
+bool canHoldAt(const monitor::BlockCode& code, std::uint32_t offset) {
+  return offset < code.length() && code.instructionAt(offset) == offset &&
+         monitor::beginsStatement(code, offset);
 }
 
 // Of what a breakpoint tells.
@@ -124,7 +124,7 @@ TestAnswer beginBreakpoint(const TestCall& call) {
   const BlockWatch& watch = call.request.job.block;
   const auto code = call.monitor.program().find(watchedBlock(watch));
   if (!code || code->length() == 0) return {Error::NoBlockToTest};
-  if (!isInstruction(*code, watch.begin)) return {Error::WrongTestAddress};
+  if (!canHoldAt(*code, watch.begin)) return {Error::WrongTestAddress};
   if (const Error error = checkRoom(call, kBreakpointOctets); error != Error::None) return {error};
   if (hasAllJobs(call)) return {Error::TooManyJobs};
   return begin(call, std::make_shared<BreakpointTask>(call.client, call.numbered(), call.monitor));

@@ -141,6 +141,16 @@ TEST(Container, ADataBlockKeepsStartAndActualValues) {
 }
 
 // A CPU hands data blocks over without a checksum; a wrong one is refused as that of code.
+// Whoever loads a block finds it again as it was: its security word and its time stamps.
+TEST(Container, WhatOthersWroteIntoTheHeadStays) {
+  std::vector<std::uint8_t> container = writeContainer(example());
+  for (std::size_t at = 16; at < 28; ++at) container[at] = static_cast<std::uint8_t>(at);
+  container[15] = 1;
+  const auto read = readContainer(container, {});
+  ASSERT_TRUE(read);
+  EXPECT_EQ(writeContainer(*read), container);
+}
+
 TEST(Container, ADataBlockMayHaveNoChecksum) {
   Block db;
   db.id = {BlockKind::DB, 1};

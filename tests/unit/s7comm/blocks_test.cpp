@@ -18,7 +18,7 @@ TEST(Blocks, countsOfEachType) {
 TEST(Blocks, aListOfOneType) {
   EXPECT_EQ(Line().say(kListDb),
             "32 07 00 00 05 00 00 0C 00 0C 00 01 12 08 12 83 02 01 00 00 00 00 FF 09 00 08 "
-            "00 01 00 05 00 02 00 05");
+            "00 01 22 05 00 02 22 05");
   EXPECT_EQ(Line().say("32 07 00 00 05 00 00 08 00 06 00 01 12 04 11 43 02 00 FF 09 00 02 30 45"),
             "32 07 00 00 05 00 00 0C 00 04 00 01 12 08 12 83 02 00 00 00 D2 0E 0A 00 00 00");
 }
@@ -32,7 +32,7 @@ TEST(Blocks, aLongListIsCutBetweenEntries) {
   EXPECT_TRUE(
       line.say("32 07 00 00 05 00 00 0C 00 04 00 01 12 08 12 43 02 01 00 00 00 00 0A 00 00 00")
           .starts_with("32 07 00 00 05 00 00 0C 00 20 00 01 12 08 12 83 02 01 01 00 00 00 "
-                       "FF 09 00 1C 00 36 00 05"));
+                       "FF 09 00 1C 00 36 22 05"));
 }
 
 TEST(Blocks, informationIsHeadAndEndOfTheContainer) {
@@ -40,7 +40,7 @@ TEST(Blocks, informationIsHeadAndEndOfTheContainer) {
       "32 07 00 00 05 00 00 08 00 0C 00 01 12 04 11 43 03 00 FF 09 00 08 30 38 30 30 30 30 31 41");
   EXPECT_TRUE(
       answer.starts_with("32 07 00 00 05 00 00 0C 00 52 00 01 12 08 12 83 03 01 00 00 00 00 "
-                         "FF 09 00 4E 01 38 00 4A 22 00 AA AA"));
+                         "FF 09 00 4E 01 00 00 4A 22 00 AA AA"));
   EXPECT_TRUE(
       answer.ends_with("AA EE EE EE EE EE EE EE EE EE EE EE EE EE EE EE EE EE EE EE EE EE EE EE EE "
                        "EE EE EE EE EE EE EE EE EE EE EE EE"));

@@ -92,7 +92,7 @@ TEST(Download, aBadBlockIsNotKept) {
   lies[15] = 5;
   EXPECT_EQ(line.say(lies), asks("08", "1C", "80 03"));
   EXPECT_TRUE(line.plc.kept.empty());
-  EXPECT_EQ(line.say(kInsert), "32 02 00 00 00 09 00 00 00 00 D2 09");
+  EXPECT_EQ(line.say(kInsert), "32 03 00 00 00 09 00 02 00 00 D2 09 28 02");
 }
 
 TEST(Download, theClientMayGiveUp) {

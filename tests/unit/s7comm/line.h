@@ -109,8 +109,8 @@ class FewBytes : public Plc {
   // it.
   std::uint16_t dataBlocks = 2;
   void blocks(BlocksDone done) override {
-    std::vector<BlockEntry> all = {{BlockType::Ob, 1, 1, 2}};
-    for (std::uint16_t i = 1; i <= dataBlocks; ++i) all.push_back({BlockType::Db, i, 0, 5});
+    std::vector<BlockEntry> all = {{BlockType::Ob, 1, 2}};
+    for (std::uint16_t i = 1; i <= dataBlocks; ++i) all.push_back({BlockType::Db, i, 5});
     carryOut([all, done = std::move(done)] { done(all); });
   }
   bool locked = false;  // without the password no upload, no download

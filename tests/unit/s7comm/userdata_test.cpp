@@ -84,9 +84,9 @@ TEST(Control, stopAndRestart) {
   Line line;
   EXPECT_EQ(line.say(kStop), "32 03 00 00 00 02 00 01 00 00 00 00 29");
   EXPECT_FALSE(line.plc.runs);
-  EXPECT_EQ(line.say(kStop), "32 03 00 00 00 02 00 02 00 00 84 04 29 07");
+  EXPECT_EQ(line.say(kStop), "32 03 00 00 00 02 00 02 00 00 84 02 29 07");
   EXPECT_EQ(line.say(kWarm), "32 03 00 00 00 02 00 01 00 00 00 00 28");
-  EXPECT_EQ(line.say(kWarm), "32 03 00 00 00 02 00 02 00 00 84 04 28 03");
+  EXPECT_EQ(line.say(kWarm), "32 03 00 00 00 02 00 02 00 00 84 02 28 03");
   EXPECT_EQ(line.say("32 01 00 00 00 02 00 16 00 00 28 00 00 00 00 00 00 FD 00 02 43 20 "
                      "09 50 5F 50 52 4F 47 52 41 4D"),
             "32 03 00 00 00 02 00 02 00 00 84 04 28 02");

@@ -59,6 +59,7 @@ TEST(Blocks, systemFunctionsAreBlocks) {
   const auto block = block::readContainer(head.container, {});
   ASSERT_TRUE(block);
   EXPECT_EQ(block->id.number, 51);
+  EXPECT_EQ(block->attributes.author, "SIMATIC");
   EXPECT_EQ(upload(plc.plc(), {}, {BlockType::Sfc, 51}).error, Error::NoSuchBlock);
   EXPECT_EQ(blockOf(plc.plc(), {}, {BlockType::Sfc, 26}).error, Error::NoSuchBlock);
 }
@@ -66,6 +67,7 @@ TEST(Blocks, systemFunctionsAreBlocks) {
 TEST(Blocks, whatIsNotThere) {
   ServedPlc plc = ServedPlc::station();
   EXPECT_EQ(upload(plc.plc(), {}, {BlockType::Fc, 1}).error, Error::NoSuchBlock);
+  EXPECT_EQ(upload(plc.plc(), {}, {BlockType::Ob, 0}).error, Error::NotForUpload);
   ServedPlc control = ServedPlc::control();
   EXPECT_FALSE(blocksOf(control.plc()));
   EXPECT_EQ(upload(control.plc(), {}, {BlockType::Db, 5}).error, Error::FunctionNotAvailable);

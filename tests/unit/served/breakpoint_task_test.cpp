@@ -1,6 +1,8 @@
 // Breakpoints of a programming device (S7-STATE-07), in bytes.
 #include "served/breakpoint_task.h"
 
+#include "block/container.h"
+#include "station/block_cpu.h"
 #include "test_line.h"
 
 namespace merker::served {
@@ -57,6 +59,24 @@ TEST_F(Breakpoints, theRegistersAreToldInHalt) {
   EXPECT_EQ(look(), "answer 0F 04 00 00 | answer 0B 05 00 00");
   EXPECT_FALSE(isHeld());
   EXPECT_TRUE(plc.monitor().debugger().breakpoints().empty());
+}
+
+// A block as it was downloaded, or lies on a card: every instruction can hold.
+TEST_F(Breakpoints, ofABlockWithoutSource) {
+  auto* const cpu = controller::capability<station::BlockCpu>(plc.plc());
+  auto program = std::make_shared<block::Program>(cpu->program());
+  block::Block& ob1 = program->at({BlockKind::OB, 1});
+  ob1 = *block::readContainer(block::writeContainer(ob1), {});
+  ASSERT_TRUE(ob1.lines.empty());
+  EXPECT_EQ(cpu->download(program, {}), "");
+  plc.cycles(2);
+  EXPECT_EQ(line.ask(kSetBreakpoint, breakAt("00 05"), "00 00"), "answer 0A 01 D0 12");
+  EXPECT_EQ(line.ask(kSetBreakpoint, breakAt("00 0E"), "00 00"), "answer 0A 02 D0 12");
+  line.send(kSetBreakpoint, breakAt("00 06"), "00 00");
+  plc.cycles(1);
+  EXPECT_EQ(line.heard(), "answer 0A 03 00 00");
+  EXPECT_TRUE(look().starts_with("says 0A 03 00 00: 00 08 00 01 00 06 00 08 00 01 00 06 "));
+  EXPECT_TRUE(isHeld());
 }
 
 TEST_F(Breakpoints, oneWaitsUntilItIsEnabled) {

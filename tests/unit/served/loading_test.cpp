@@ -133,6 +133,13 @@ TEST_F(Loading, deletedBlocksAreGone) {
   EXPECT_EQ(link({kFc1}), Error::NoSuchBlock);
 }
 
+// Listed, but made from the configuration, or part of the operating system.
+TEST_F(Loading, whatBelongsToTheCpuIsNotDeleted) {
+  EXPECT_EQ(remove({{BlockType::Sdb, 2, FileSystem::Both}}), Error::AccessRefused);
+  EXPECT_EQ(remove({{BlockType::Sfc, 14, FileSystem::Both}}), Error::AccessRefused);
+  EXPECT_EQ(remove({{BlockType::Sdb, 99, FileSystem::Both}}), Error::NoSuchBlock);
+}
+
 TEST_F(Loading, whatMayNotCome) {
   EXPECT_EQ(admit(kFc1, 100), Error::None);
   EXPECT_EQ(admit({BlockType::Ob, 2, FileSystem::Passive}, 100), Error::WrongBlockNumber);
@@ -180,6 +187,27 @@ TEST_F(Loading, workMemoryIsFinite) {
     last = link({name});
     EXPECT_EQ(last, number == 13 ? Error::NoMemory : Error::None);
   }
+}
+
+// System data take no work memory, but load memory.
+TEST_F(Loading, linkedBlocksTakeLoadMemory) {
+  const CpuModel& model = controller::capability<station::BlockCpu>(plc.plc())->model();
+  ProgramChange change{.engine = {}, .model = &model};
+  const auto makeReady = [&](std::size_t blocks) {
+    block::Program program;
+    for (std::uint16_t number = 0; number < blocks; ++number) {
+      block::Block& one = program[{BlockKind::SDB, number}];
+      one.id = {BlockKind::SDB, number};
+      one.actualData.resize(60'000);
+    }
+    change.error = Error::None;
+    change.before = std::make_shared<const block::Program>(std::move(program));
+    change.linked = {std::make_shared<block::Block>(*block::readContainer(fc1(), {}))};
+    change.makeReady();
+    return change.error;
+  };
+  EXPECT_EQ(makeReady(model.loadMemory / 60'100), Error::None);
+  EXPECT_EQ(makeReady(model.loadMemory / 60'000 + 1), Error::NoMemory);
 }
 
 TEST_F(Loading, loadMemoryAndBlocksAreFinite) {
