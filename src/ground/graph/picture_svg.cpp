@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/xml.h"
 #include "graph/picture.h"
 
 namespace merker::graph {
@@ -26,7 +27,7 @@ class Drawing {
     return fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" "
         "height=\"{1}\" role=\"img\">\n<title>{2}</title>\n<style>{3}</style>\n{4}</svg>\n",
-        width, height, escaped(title), kStyle, out_);
+        width, height, xmlText(title), kStyle, out_);
   }
 
  private:
@@ -34,21 +35,6 @@ class Drawing {
   static double centre(int x) { return left(x) + kColumn / 2.0; }
   static int top(int y) { return kMargin + y * kRow; }
   static int middle(int y) { return top(y) + kRow / 2; }
-
-  static std::string escaped(std::string_view text) {
-    std::string out;
-    for (const char c : text) {
-      if (c == '<')
-        out += "&lt;";
-      else if (c == '>')
-        out += "&gt;";
-      else if (c == '&')
-        out += "&amp;";
-      else if (static_cast<unsigned char>(c) >= 0x20)
-        out += c;
-    }
-    return out;
-  }
 
   void line(double x1, double y1, double x2, double y2, std::string_view more = "") {
     out_ +=
@@ -59,7 +45,7 @@ class Drawing {
     out_ += fmt::format(
         "<text x=\"{}\" y=\"{}\" font-size=\"{}\" textLength=\"{}\" "
         "lengthAdjust=\"spacingAndGlyphs\">{}</text>\n",
-        left(x), middle(y) + 5, kTextSize, columnCount * kColumn, escaped(text));
+        left(x), middle(y) + 5, kTextSize, columnCount * kColumn, xmlText(text));
   }
 
   // Its statement stands in the picture, so that whoever shows it can tell them apart.

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/xml.h"
+
 namespace merker::simulator {
 namespace {
 
@@ -23,21 +25,6 @@ struct Range {
 
 bool isBits(const PlotRow& row) {
   return std::all_of(row.begin(), row.end(), [](const PlotCurve& c) { return c.curve.binary; });
-}
-
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&')
-      result += "&amp;";
-    else if (c == '<')
-      result += "&lt;";
-    else if (c == '>')
-      result += "&gt;";
-    else
-      result += c;
-  }
-  return result;
 }
 
 Range rangeOf(const PlotRow& row, const Plot& plot) {
@@ -146,7 +133,7 @@ std::string legend(const PlotRow& row, double y) {
   for (std::size_t i = 0; i < row.size(); ++i) {
     text += fmt::format(
         "<text x=\"{:.0f}\" y=\"{:.1f}\" style=\"fill:{};font-weight:bold\">{}</text>\n", x, y,
-        kColours[i % kColours.size()], escaped(row[i].label));
+        kColours[i % kColours.size()], xmlText(row[i].label));
     x += 24 + 7.5 * static_cast<double>(row[i].label.size());
   }
   return text;
@@ -222,7 +209,7 @@ std::string drawSvg(const Plot& plot) {
   text += "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
   if (!plot.title.empty())
     text += fmt::format("<text class=\"title\" x=\"{}\" y=\"26\">{}</text>\n", kLeft,
-                        escaped(plot.title));
+                        xmlText(plot.title));
   return text + body + "</svg>\n";
 }
 
