@@ -7,6 +7,17 @@
 #include "command.h"
 
 namespace merker::app {
+namespace {
+
+std::vector<std::string> subnetsOf(std::size_t station, const project::Network& network) {
+  std::vector<std::string> names;
+  for (const project::MpiSubnet& subnet : network.subnets)
+    if (std::ranges::count(subnet.nodes, station, &project::SubnetNode::station) > 0)
+      names.push_back(subnet.name);
+  return names;
+}
+
+}  // namespace
 
 std::vector<simulator::Scenario> boundScenarios(const source::SourceFile& file, const Build& built,
                                                 Problems& problems) {
@@ -30,7 +41,8 @@ std::vector<simulator::Scenario> boundScenarios(const source::SourceFile& file,
   for (std::size_t i = 0; i < built.stations.size(); ++i) {
     const project::Project& own = built.stations[i].build->project;
     stations.push_back({built.stations[i].name, operands.resolver(i),
-                        own.hardware ? &*own.hardware : nullptr, &own.plants});
+                        own.hardware ? &*own.hardware : nullptr, &own.plants,
+                        subnetsOf(i, *built.project.network)});
   }
   for (simulator::Scenario& one : list) simulator::resolve(one, stations, problems);
   return list;

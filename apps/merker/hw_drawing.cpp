@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "base/text.h"
+#include "io/slave.h"
+#include "profibus/bus_cycle.h"
 
 namespace merker::app {
 namespace {
@@ -124,6 +126,24 @@ std::string cable(const io::Configuration& configuration, std::uint32_t rack) {
   return {};
 }
 
+// "DP master 2, bus cycle 1.234 ms", then a line for each slave and each module of it.
+std::string slavesText(const io::Configuration& configuration) {
+  if (!configuration.dp) return {};
+  const io::DpMaster& master = *configuration.dp;
+  std::string text = fmt::format("PROFIBUS-DP: master {}, {} kbit/s, bus cycle {:.3f} ms\n",
+                                 master.address, static_cast<double>(master.rate) / 1e3,
+                                 static_cast<double>(profibus::busCycle(master).length.ns) / 1e6);
+  for (const io::Slave& slave : master.slaves) {
+    text += fmt::format("  {:>3} {} ({}), diagnostic address {}\n", slave.address, slave.name,
+                        slave.model, slave.diagnosis);
+    for (const io::Module& module : slave.modules)
+      text += fmt::format("      {:<8} {:<32} {}{}{}\n", module.slotText(), module.title(),
+                          inputText(module), module.inputStart && module.outputStart ? ", " : "",
+                          outputText(module));
+  }
+  return text + '\n';
+}
+
 }  // namespace
 
 std::string inputText(const io::Module& module) {
@@ -140,7 +160,8 @@ std::string outputText(const io::Module& module) {
 
 std::string drawRacks(const io::Configuration& configuration) {
   std::uint32_t last = 0;
-  for (const io::Module& module : configuration.modules) last = std::max(last, module.rack);
+  for (const io::Module& module : configuration.modules)
+    if (module.rack < io::kSlaveRack) last = std::max(last, module.rack);
   std::string text;
   for (std::uint32_t rack = 0; rack <= last; ++rack) {
     const std::vector<Box> row = boxes(configuration, rack);
@@ -149,7 +170,7 @@ std::string drawRacks(const io::Configuration& configuration) {
     text += fmt::format("Rack {}{}\n{}backplane bus: {} of {} mA\n\n", rack,
                         cable(configuration, rack), drawAll(row), current.taken, current.possible);
   }
-  return text;
+  return text + slavesText(configuration);
 }
 
 }  // namespace merker::app

@@ -69,6 +69,8 @@ int run(int argc, char** argv) {
   merker::app::addImport(program, result);
   merker::app::addList(program, result);
   merker::app::addHw(program, result);
+  merker::app::addGsd(program, result);
+  merker::app::addNetwork(program, result);
   merker::app::addDisassemble(program, result);
   merker::app::addAssemble(program, result);
   merker::app::addExport(program, result);

@@ -13,6 +13,7 @@
 #include "command.h"
 #include "engine_option.h"
 #include "network_trace.h"
+#include "network_workbench.h"
 #include "output.h"
 #include "progress.h"
 #include "real_time.h"
@@ -162,9 +163,19 @@ int runBuilt(const RunOptions& options, const NetworkBuild& build, std::optional
 
 }  // namespace
 
+// What only a run without the page can do: it starts the stations itself.
+bool showsNothing(const RunOptions& options) {
+  return options.set.empty() && options.print.empty() && options.trace.empty();
+}
+
 int runNetwork(const RunOptions& options, project::Project project, std::optional<Duration> time) {
   if (const auto option = ofOneStation(options); !option.empty())
     return told(fmt::format("{} is for one station: name it with --station", option), kUsage);
+  if (!time && !options.noWorkbench && showsNothing(options)) {
+    ServeOptions serving = options.serve;
+    serving.project = options.path;
+    return runNetworkWorkbench("merker run", serving, std::move(project));
+  }
   const NetworkBuild build = compilation::buildNetwork(std::move(project), true);
   printProblems(build.problems, build.files());
   if (!build.ok()) {
@@ -173,7 +184,8 @@ int runNetwork(const RunOptions& options, project::Project project, std::optiona
   }
   if (!time) holdSignals();  // before threads of the network begin: a signal ends none of them
   if (!time && !options.noWorkbench)
-    std::cerr << "merker run: several stations run without the workbench, until Ctrl-C; "
+    std::cerr << "merker run: with --set, --print or --trace several stations run without the "
+                 "workbench, until Ctrl-C; "
                  "--station NAME shows one of them in it\n";
   return runBuilt(options, build, time);
 }

@@ -3,6 +3,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <thread>
 
 #include "command.h"
 #include "cpu_option.h"
@@ -18,6 +19,7 @@ struct TestOptions {
   std::vector<std::string> paths;
   ProjectOptions project;
   std::string filter, junit, coverage, engine = "interpreter";
+  unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
   bool json = false;
 };
 
@@ -77,8 +79,8 @@ int test(const TestOptions& options) {
     std::cerr << "merker test: " << *problem << '\n';
     return kUsage;
   }
-  TestSession session(
-      {options.project, options.filter, options.engine, !options.coverage.empty(), options.json});
+  TestSession session({options.project, options.filter, options.engine, !options.coverage.empty(),
+                       options.json, options.jobs});
   bool unreadable = false;
   for (const std::string& path : options.paths) unreadable |= !testPath(path, session);
   const bool nothing = session.results().empty();
@@ -104,6 +106,10 @@ void addTest(CLI::App& program, int& result) {
   command->add_option("--junit", options->junit, "write the results as JUnit XML");
   command->add_option("--coverage", options->coverage,
                       "write which source lines ran (lcov format)");
+  command
+      ->add_option("-j,--jobs", options->jobs,
+                   "scenarios that run at the same time; otherwise one for each processor")
+      ->check(CLI::Range(1u, 256u));
   addProjectOptions(*command, options->project);
   addEngine(*command, options->engine);
   command->add_flag("--json", options->json, "the results as one JSON object");

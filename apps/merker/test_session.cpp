@@ -36,7 +36,30 @@ Problems between(Problems all, std::uint32_t first, std::uint32_t end) {
   return own;
 }
 
+// A test that could not run has failed, with the first error as the reason.
+simulator::TestResult notRun(const std::string& file, const std::string& name,
+                             const Problems& problems) {
+  simulator::TestResult result{file, name, {}, {}};
+  for (const Problem& problem : problems.list()) {
+    if (problem.severity() != Severity::Error) continue;
+    result.failures.push_back({problem.position, {}, "not run: " + problem.message});
+    break;
+  }
+  return result;
+}
+
 }  // namespace
+
+template <typename Built>
+void TestSession::scenarios(const project::TestTarget& target, const Built& built) {
+  printProblems(built.problems, built.files());
+  const Bench bench{built.problems,
+                    [&](const source::SourceFile& file, Problems& problems) {
+                      return boundScenarios(file, built, problems);
+                    },
+                    [&](const simulator::Scenario& one) { return scenario(one, built); }};
+  for (const std::string& file : target.scenarios) scenarios(file, bench);
+}
 
 bool TestSession::run(const project::TestTarget& target) {
   project::Project project = loadTarget(target, options_.project);
@@ -48,13 +71,7 @@ bool TestSession::run(const project::TestTarget& target) {
   Build built = build(project, false);
   requireOb1(built);
   requireWorkMemory(built);
-  printProblems(built.problems, built.files());
-  const Bench bench{built.problems,
-                    [&](const source::SourceFile& file, Problems& problems) {
-                      return boundScenarios(file, built, problems);
-                    },
-                    [&](const simulator::Scenario& one) { scenario(one, built); }};
-  for (const std::string& file : target.scenarios) scenarios(file, bench);
+  scenarios(target, built);
   return true;
 }
 
@@ -63,13 +80,7 @@ bool TestSession::runNetwork(const project::TestTarget& target, project::Project
   if (target.scenarios.empty()) return false;
   const auto built = compilation::buildNetwork(std::move(project), true);
   unreadable_ |= built.unreadable;
-  printProblems(built.problems, built.files());
-  const Bench bench{built.problems,
-                    [&](const source::SourceFile& file, Problems& problems) {
-                      return boundScenarios(file, built, problems);
-                    },
-                    [&](const simulator::Scenario& one) { scenario(one, built); }};
-  for (const std::string& file : target.scenarios) scenarios(file, bench);
+  scenarios(target, built);
   return true;
 }
 
@@ -92,10 +103,10 @@ void TestSession::selfChecks(const project::TestTarget& target, const project::P
   requireWorkMemory(built);
   // the scenarios' build prints the same problems
   if (target.scenarios.empty() || !built.ok()) printProblems(built.problems, built.files());
-  if (!built.ok()) return notRun(target.path, "self-checks", built.problems);
+  if (!built.ok()) return add(notRun(target.path, "self-checks", built.problems));
   const auto plc = controller(built);
   add(simulator::runSelfChecks(target.path, *plc));
-  if (options_.coverage) coverage_.add(*plc);
+  count(*plc);
 }
 
 void TestSession::scenarios(const std::string& path, const Bench& bench) {
@@ -105,24 +116,24 @@ void TestSession::scenarios(const std::string& path, const Bench& bench) {
     Problems problems;
     problems.add(file.error());
     printProblems(problems, [](const std::string&) { return nullptr; });
-    return notRun(path, "scenarios", problems);
+    return add(notRun(path, "scenarios", problems));
   }
   const FileLookup files = [&](const std::string&) { return &file.value(); };
   Problems problems;
   const std::vector<simulator::Scenario> list = bench.read(file.value(), problems);
   printProblems(problems, files);
-  if (list.empty() && problems.hasErrors()) notRun(path, "scenarios", problems);
+  if (list.empty() && problems.hasErrors()) add(notRun(path, "scenarios", problems));
   for (std::size_t i = 0; i < list.size(); ++i) {
     if (!chosen(path, list[i].name)) continue;
     const Problems own = between(problems, list[i].position.line,
                                  i + 1 < list.size() ? list[i + 1].position.line : kNoLine);
-    if (own.hasErrors())
-      notRun(path, list[i].name, own);
-    else if (bench.problems.hasErrors())
-      notRun(path, list[i].name, bench.problems);
+    const Problems& why = own.hasErrors() ? own : bench.problems;
+    if (why.hasErrors())
+      queue_.add([result = notRun(path, list[i].name, why)] { return result; });
     else
-      bench.run(list[i]);
+      queue_.add([&, i] { return bench.run(list[i]); });
   }
+  queue_.run();
 }
 
 std::unique_ptr<controller::Controller> TestSession::controller(const Build& build) const {
@@ -131,35 +142,31 @@ std::unique_ptr<controller::Controller> TestSession::controller(const Build& bui
   return plc;
 }
 
-void TestSession::scenario(const simulator::Scenario& scenario, const Build& build) {
-  const auto plc = controller(build);
-  add(simulator::runScenario(scenario, *plc));
-  if (options_.coverage) coverage_.add(*plc);
+void TestSession::count(const controller::Controller& plc) {
+  if (!options_.coverage) return;
+  const std::lock_guard lock(coverageMutex_);
+  coverage_.add(plc);
 }
 
-void TestSession::scenario(const simulator::Scenario& scenario,
-                           const compilation::NetworkBuild& build) {
+simulator::TestResult TestSession::scenario(const simulator::Scenario& scenario,
+                                            const Build& build) {
+  const auto plc = controller(build);
+  simulator::TestResult result = simulator::runScenario(scenario, *plc);
+  count(*plc);
+  return result;
+}
+
+simulator::TestResult TestSession::scenario(const simulator::Scenario& scenario,
+                                            const compilation::NetworkBuild& build) {
   const auto network = build.network(1, options_.coverage);
   std::vector<simulator::NamedPlc> plcs;
   for (std::size_t i = 0; i < network->size(); ++i) {
     (void)useEngine(options_.engine, network->itself(i));
     plcs.push_back({network->name(i), &network->station(i)});
   }
-  add(simulator::runScenario(scenario, plcs));
-  for (std::size_t i = 0; options_.coverage && i < network->size(); ++i)
-    coverage_.add(network->itself(i));
-}
-
-// A test that could not run has failed, with the first error as the reason.
-void TestSession::notRun(const std::string& file, const std::string& name,
-                         const Problems& problems) {
-  simulator::TestResult result{file, name, {}, {}};
-  for (const Problem& problem : problems.list()) {
-    if (problem.severity() != Severity::Error) continue;
-    result.failures.push_back({problem.position, {}, "not run: " + problem.message});
-    break;
-  }
-  add(std::move(result));
+  simulator::TestResult result = simulator::runScenario(scenario, plcs);
+  for (std::size_t i = 0; i < network->size(); ++i) count(network->itself(i));
+  return result;
 }
 
 void TestSession::add(simulator::TestResult result) {

@@ -13,6 +13,7 @@
 #include "scenario/coverage.h"
 #include "scenario/scenario.h"
 #include "scenario/test_result.h"
+#include "test_queue.h"
 
 namespace merker::app {
 
@@ -24,8 +25,11 @@ class TestSession {
     std::string engine = "interpreter";
     bool coverage = false;
     bool quiet = false;  // no line per test
+    unsigned jobs = 1;   // threads
   };
-  explicit TestSession(Options options) : options_(std::move(options)) {}
+  explicit TestSession(Options options)
+      : options_(std::move(options)),
+        queue_(options_.jobs, [this](auto result) { add(std::move(result)); }) {}
 
   // False if the target holds no test.
   bool run(const project::TestTarget& target);
@@ -46,17 +50,22 @@ class TestSession {
   struct Bench {
     const Problems& problems;  // of the program
     std::function<std::vector<simulator::Scenario>(const source::SourceFile&, Problems&)> read;
-    std::function<void(const simulator::Scenario&)> run;
+    std::function<simulator::TestResult(const simulator::Scenario&)> run;
   };
+  template <typename Built>  // of one PLC or of several
+  void scenarios(const project::TestTarget& target, const Built& built);
   void scenarios(const std::string& file, const Bench& bench);
-  void scenario(const simulator::Scenario& scenario, const Build& build);
-  void scenario(const simulator::Scenario& scenario, const compilation::NetworkBuild& build);
-  void notRun(const std::string& file, const std::string& name, const Problems& problems);
+  simulator::TestResult scenario(const simulator::Scenario& scenario, const Build& build);
+  simulator::TestResult scenario(const simulator::Scenario& scenario,
+                                 const compilation::NetworkBuild& build);
+  void count(const controller::Controller& plc);
   void add(simulator::TestResult result);
   bool chosen(const std::string& file, const std::string& name) const;
 
   Options options_;
+  TestQueue queue_;
   std::vector<simulator::TestResult> results_;
+  std::mutex coverageMutex_;
   simulator::Coverage coverage_;
   bool unreadable_ = false, broken_ = false;
 };

@@ -3,6 +3,7 @@
 
 #include "build.h"
 #include "command.h"
+#include "network_workbench.h"
 #include "serial_desk.h"
 #include "serve.h"
 
@@ -13,7 +14,10 @@ namespace {
 int run(const ServeOptions& options) {
   workbench::Workbench workbench;
   if (!options.project.empty()) {
-    Build built = build(project::load(options.project, {}), false);
+    project::Project project = project::load(options.project, {});
+    if (project.network)
+      return runNetworkWorkbench("merker workbench", options, std::move(project));
+    Build built = build(std::move(project), false);
     requireWorkMemory(built);
     report(built, false);
     if (built.project.unreadable) return kUnreadable;

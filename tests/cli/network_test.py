@@ -245,7 +245,7 @@ scenario "the partner is in STOP"
                                ('{station = "Belt"', '{station = "Press"', "a CPU has one MPI interface"),
                                ('{station = "Belt"', '{station = "Mill"', "a SINUMERIK has no MPI interface"),
                                ('"187.5k"', '"12M"', "'baud' must be one of"), ('kind = "mpi"\n', "", 'needs kind = "mpi"'),
-                               ('"mpi"', '"profibus"', "'kind' must be one of"), ("highest = 15", "foo = 1", "unknown key 'foo'")):
+                               ('"mpi"', '"modbus"', "'kind' must be one of"), ("highest = 15", "foo = 1", "unknown key 'foo'")):
             self.wrong(self.MPI.replace(old, new, 1), what)
 
     def test_wrong_global_data(self):

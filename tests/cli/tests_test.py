@@ -31,6 +31,21 @@ class Test(Case):
             self.assertEqual(interpreted.out, compiled.out)
             self.assertEqual(interpreted.code, compiled.code)
 
+    # Results, their order and what was counted do not depend on how many run at the same time.
+    def test_several_at_the_same_time(self):
+        self.write("plant/a.awl", block("      U     E 0.0\n      =     A 0.0"))
+        steps = "scenario \"number {0}\"\n  set E 0.0 = {1}\n  run 100ms\n  check A 0.0 = {2}\n"
+        self.write("plant/a.scn", "".join(steps.format(i, i % 2, int(i % 7 == 0)) for i in range(40)))
+        self.write("plant/b.scn", steps.format(40, 1, 1) + steps.format(41, "nonsense", 1) + steps.format(42, 0, 0))
+        said = {}
+        for jobs in ("1", "2", "8"):
+            call = self.merker("test", "plant", "-j", jobs, "--coverage", jobs)
+            self.assertEqual(call.code, PROBLEMS)
+            said[jobs] = (call.out, call.err, self.read(jobs))
+        self.assertEqual(said["2"], said["1"])
+        self.assertEqual(said["8"], said["1"])
+        self.assertIn("number 41", said["1"][0])
+
     def test_every_check_must_be_reached(self):
         self.write("a.awl", block("      SPA   over\n      L     5   //= AKKU1 = 5\nover: CALL  SFC 46"))
         call = self.expect(PROBLEMS, "test", "a.awl")

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/text.h"
+#include "io/slave.h"
 #include "serial/parameters.h"
 
 namespace merker::io {
@@ -36,6 +37,7 @@ Parameters Parameters::of(const ModuleType& type) {
 }
 
 std::string Module::slotText() const {
+  if (rack >= kSlaveRack) return fmt::format("DP{}/{}", rack - kSlaveRack, slot);
   if (onBoard()) return fmt::format("{}.{}", slot, subslot);
   return rack == 0 ? fmt::format("{}", slot) : fmt::format("{}/{}", rack, slot);
 }
@@ -46,7 +48,8 @@ const Module* Configuration::find(std::string_view name) const {
   for (const Module& module : modules)
     if (!module.name.empty() && equalsIgnoreCase(module.name, name)) return &module;
   for (const Module& module : modules)
-    if (module.slotText() == name || (module.rack == 0 && "0/" + module.slotText() == name))
+    if (equalsIgnoreCase(module.slotText(), name) ||
+        (module.rack == 0 && "0/" + module.slotText() == name))
       return &module;
   return nullptr;
 }

@@ -23,6 +23,8 @@ struct Parameters;
 
 namespace merker::io {
 
+struct DpMaster;  // io/slave.h
+
 // What outputs do while the CPU is not in RUN (S7-STATE-02, S7-HWCFG-09).
 enum class OnStop : std::uint8_t { Zero, Keep, Substitute };
 
@@ -65,8 +67,13 @@ struct Module {
   // Where it stands in merker.toml: the table and, if they are there, its keys. Line 0 of
   // `position`: the module is on board and not mentioned.
   Position position, slotPosition, rackPosition, inputPosition, outputPosition, cablePosition;
+  // Of a DP slave: `type` if it is in no catalogue; of its head what OB 86 says of it, the
+  // diagnostic address of the master and RACKS_FLTD.
+  std::shared_ptr<const ModuleType> own{};
+  std::uint16_t master = 0;
+  std::uint32_t station = 0;
 
-  std::string slotText() const;  // "4", "1/4", "2.2"
+  std::string slotText() const;  // "4", "1/4", "2.2", "DP3/4" of the slave with address 3
   std::string title() const;     // "SM 321 DI16xDC24V", "DI24/DO16 on board"
   std::uint32_t inputEnd() const { return *inputStart + type->inputBytes - 1; }
   std::uint32_t outputEnd() const { return *outputStart + type->outputBytes - 1; }
@@ -77,6 +84,7 @@ struct Module {
 struct Configuration {
   std::vector<Module> modules;
   const CpuModel* model = nullptr;
+  std::shared_ptr<const DpMaster> dp{};  // null: no DP slaves
 
   // By name or slot ("Conveyor", "4", "1/4", "2.2"), ignoring case; null if there is none.
   const Module* find(std::string_view name) const;

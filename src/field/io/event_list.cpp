@@ -7,13 +7,21 @@ namespace {
 
 using Kind = ModuleEvent::Kind;
 
+// Its address and RACKS_FLTD (S7-OBI-11): a bit for each rack; a DP station has those of its
+// master.
+ModuleEvent rackEvent(const Module& module, bool failed) {
+  if (module.station == 0)
+    return {.kind = failed ? Kind::RackFailed : Kind::RackReturned, .points = 1u << module.rack};
+  return {.kind = failed ? Kind::StationFailed : Kind::StationReturned,
+          .address = module.master,
+          .points = module.station};
+}
+
 ModuleEvent event(const Module& module, Kind kind) {
   ModuleEvent event{.kind = kind};
   event.output = !module.inputStart && module.outputStart;
   event.address =
       static_cast<std::uint16_t>(module.inputStart.value_or(module.outputStart.value_or(0)));
-  if (kind == Kind::RackFailed || kind == Kind::RackReturned)
-    event.points = 1u << module.rack;  // RACKS_FLTD (S7-OBI-11)
   return event;
 }
 
@@ -39,7 +47,8 @@ void EventList::diagnosis(const Module& module, const std::vector<std::uint8_t>&
 
 void EventList::presence(const Module& module, Kind kind) {
   presenceChanged_ = true;
-  events_.push_back(event(module, kind));
+  const bool rack = kind == Kind::RackFailed || kind == Kind::RackReturned;
+  events_.push_back(rack ? rackEvent(module, kind == Kind::RackFailed) : event(module, kind));
 }
 
 }  // namespace merker::io

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "base/text.h"
+#include "io/slave.h"
 
 namespace merker::io {
 namespace {
@@ -41,6 +42,9 @@ std::string faultNames() {
 }
 
 bool possible(const ModuleType& type, FaultKind kind) {
+  if (isHead(type))
+    return kind == FaultKind::RackPower || kind == FaultKind::LineBreak ||
+           kind == FaultKind::ShortCircuit;
   const bool signals = type.kind == ModuleKind::Digital || type.kind == ModuleKind::Analog;
   const bool plugged = !type.orderNumber.empty() && type.signalModule();
   switch (kind) {

@@ -1,8 +1,10 @@
 // Faults of the modules, and what the rack tells the CPU of them.
+#include <set>
 #include <utility>
 
 #include "io/diagnosis.h"
 #include "io/rack.h"
+#include "io/slave.h"
 
 namespace merker::io {
 
@@ -53,16 +55,43 @@ void Rack::presence(std::uint32_t index, ModuleEvent::Kind kind) {
 
 bool Rack::fault(std::uint32_t index, FaultKind kind, std::optional<std::uint32_t> channel,
                  bool there) {
-  using Kind = ModuleEvent::Kind;
   if (!possible(*of(index).type, kind)) return false;
   if (!units_[index].faults.put(kind, channel, there)) return true;
-  if (kind == FaultKind::Removed)
-    presence(index, there ? Kind::Removed : Kind::Inserted);
-  else if (kind == FaultKind::RackPower)
-    presence(index, there ? Kind::RackFailed : Kind::RackReturned);
+  const bool line = isHead(*of(index).type);
+  if (kind == FaultKind::Removed || kind == FaultKind::RackPower || line)
+    presenceFault(index, kind, there);
   else
     refresh(index);
   return true;
+}
+
+// A rack is there while its interface module has power; the rack of a slave, moreover, while the
+// line is whole from the master to its head, and shorted nowhere.
+std::vector<char> Rack::presentNow() const {
+  std::set<std::uint32_t> lost;
+  bool broken = false, shorted = false;
+  for (std::uint32_t i = 0; i < units_.size(); ++i) {
+    if (isHead(*of(i).type)) {
+      broken |= units_[i].faults.has(FaultKind::LineBreak);
+      shorted |= units_[i].faults.hasAnywhere(FaultKind::ShortCircuit);
+      if (broken) lost.insert(of(i).rack);
+    }
+    if (units_[i].faults.has(FaultKind::RackPower)) lost.insert(of(i).rack);
+  }
+  std::vector<char> present(units_.size());
+  for (std::uint32_t i = 0; i < units_.size(); ++i)
+    present[i] = !units_[i].faults.has(FaultKind::Removed) && !lost.contains(of(i).rack) &&
+                 !(shorted && of(i).rack >= kSlaveRack);
+  return present;
+}
+
+void Rack::presenceFault(std::uint32_t index, FaultKind kind, bool there) {
+  using Kind = ModuleEvent::Kind;
+  const std::vector<char> before = std::exchange(present_, presentNow());
+  if (kind == FaultKind::Removed) return presence(index, there ? Kind::Removed : Kind::Inserted);
+  for (std::uint32_t i = 0; i < units_.size(); ++i)
+    if (of(i).type->kind == ModuleKind::Interface && before[i] != present_[i])
+      presence(i, present_[i] != 0 ? Kind::RackReturned : Kind::RackFailed);
 }
 
 bool Rack::faulty(std::uint32_t index) const { return !present(index) || units_[index].faulty(); }

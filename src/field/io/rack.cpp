@@ -33,6 +33,7 @@ double amountAtRest(const MeasuringRange* range) {
 Rack::Rack(Configuration configuration)
     : configuration_(std::move(configuration)),
       units_(configuration_.modules.size()),
+      present_(units_.size(), 1),
       inputs_(configuration_),
       outputs_(configuration_),
       edges_(units_.size()) {
@@ -62,13 +63,6 @@ std::optional<Terminal> Rack::terminal(std::string_view name, Side side,
   const auto found = module(name);
   if (!found || channel >= channelsOf(*of(*found).type, side)) return std::nullopt;
   return Terminal{*found, side, channel};
-}
-
-bool Rack::present(std::uint32_t index) const {
-  if (units_[index].faults.has(FaultKind::Removed)) return false;
-  for (std::uint32_t i = 0; i < units_.size(); ++i)
-    if (of(i).rack == of(index).rack && units_[i].faults.has(FaultKind::RackPower)) return false;
-  return true;
 }
 
 const Module* Rack::at(std::uint32_t address, bool output) const {

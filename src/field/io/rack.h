@@ -54,7 +54,8 @@ class Rack {
   bool hasAnywhere(std::uint32_t module, FaultKind kind) const {
     return units_[module].faults.hasAnywhere(kind);
   }
-  bool present(std::uint32_t module) const;  // plugged, and its rack supplied
+  // Plugged, its rack supplied, and a slave reached by its master.
+  bool present(std::uint32_t module) const { return present_[module] != 0; }
 
   // For channels of `technology` and `positioning`, beside the input delay and the output bytes:
   // fast inputs, outputs that a channel drives, four bytes of input data each, interrupts.
@@ -126,13 +127,16 @@ class Rack {
   void reportDiagnosis(std::uint32_t index);
   void diagnose(std::uint32_t index);
   void presence(std::uint32_t index, ModuleEvent::Kind kind);
+  void presenceFault(std::uint32_t index, FaultKind kind, bool there);
+  std::vector<char> presentNow() const;
   void refresh(std::uint32_t index);  // after a fault came or went
   // rack.cpp
   void advance(std::uint32_t index, Instant at);
   void findNext();
 
   Configuration configuration_;
-  std::vector<Unit> units_;  // by module
+  std::vector<Unit> units_;    // by module
+  std::vector<char> present_;  // by module
   InputBytes inputs_;
   OutputBytes outputs_;
   EventList events_;

@@ -11,6 +11,7 @@ class Member final : public controller::Controller, public controller::Deputy {
  public:
   Member(Network& network, std::size_t number) : network_(network), number_(number) {}
 
+  Network& network() const { return network_; }
   controller::Controller& itself() const override { return network_.itself(number_); }
 
   std::string modelName() const override { return itself().modelName(); }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/text.h"
 #include "network/member.h"
 
 namespace merker::network {
@@ -20,12 +21,31 @@ Network::~Network() = default;
 
 Controller& Network::station(std::size_t i) { return *members_[i]; }
 
-Subnet& Network::addSubnet(std::int64_t rate) {
-  return *subnets_.emplace_back(std::make_unique<Subnet>(rate));
+Subnet& Network::addSubnet(std::int64_t rate, std::string name) {
+  return *subnets_.emplace_back(std::make_unique<Subnet>(rate, std::move(name)));
+}
+
+Subnet* Network::subnet(std::string_view name) {
+  const auto found = std::ranges::find_if(
+      subnets_, [&](const auto& one) { return equalsIgnoreCase(one->name(), name); });
+  return found == subnets_.end() ? nullptr : found->get();
+}
+
+std::optional<std::uint8_t> Network::addressOf(std::size_t station, const Subnet& subnet) const {
+  for (const Place& place : places_)
+    if (place.station == station && place.subnet == &subnet) return place.address;
+  return std::nullopt;
+}
+
+std::optional<std::size_t> Network::find(std::string_view station) const {
+  for (std::size_t i = 0; i < size(); ++i)
+    if (equalsIgnoreCase(name(i), station)) return i;
+  return std::nullopt;
 }
 
 void Network::join(std::size_t i, Subnet& subnet, std::uint8_t address,
                    const GlobalData& globalData) {
+  places_.push_back({i, &subnet, address});
   controller::capability<Connectable>(itself(i))->join(subnet.add(address), globalData);
 }
 

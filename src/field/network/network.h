@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,7 +28,12 @@ class Network {
 
   // Station `i` is a node of the subnet from now on. It can be one.
   void join(std::size_t i, Subnet& subnet, std::uint8_t address, const GlobalData& globalData = {});
-  Subnet& addSubnet(std::int64_t rate);
+  Subnet& addSubnet(std::int64_t rate, std::string name = {});
+  // By name; case does not matter. Null: there is none.
+  Subnet* subnet(std::string_view name);
+  // Of a station on this subnet; nothing if it is not on it.
+  std::optional<std::uint8_t> addressOf(std::size_t station, const Subnet& subnet) const;
+  std::optional<std::size_t> find(std::string_view station) const;
 
   std::size_t size() const { return stations_.size(); }
   const std::string& name(std::size_t i) const { return stations_[i].name; }
@@ -51,6 +57,12 @@ class Network {
   void close(Instant end);
   Instant windowEnd(Instant wanted) const;
 
+  struct Place {
+    std::size_t station = 0;
+    const Subnet* subnet = nullptr;
+    std::uint8_t address = 0;
+  };
+  std::vector<Place> places_;
   std::vector<std::unique_ptr<Subnet>> subnets_;  // they outlive the stations
   std::vector<Station> stations_;
   std::vector<std::unique_ptr<controller::Controller>> members_;

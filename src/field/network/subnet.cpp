@@ -35,19 +35,35 @@ Instant Subnet::occupy(Instant from, std::int64_t bits) {
   return free_;
 }
 
+void Subnet::mend() {
+  interrupted_ = false;
+  pulled_.clear();
+  delay_ = {};
+}
+
+bool Subnet::reaches(std::uint8_t from, std::uint8_t to) const {
+  return !interrupted_ && !pulled_.contains(from) && !pulled_.contains(to);
+}
+
+void Subnet::deliver(Node& node, Telegram telegram) {
+  telegram.at = arrived_ = std::max(arrived_, telegram.at + delay_);
+  node.deliver(std::move(telegram));
+}
+
 void Subnet::put(Telegram telegram) {
   const std::int64_t bits = telegramBits(telegram.data.size());
   Node* const receiver = find(telegram.to);
   if (telegram.to == kEveryone) {
     telegram.at = occupy(telegram.at, bits);
     for (const auto& node : nodes_)
-      if (node->address() != telegram.from) node->deliver(telegram);
-  } else if (receiver != nullptr) {
+      if (node->address() != telegram.from && reaches(telegram.from, node->address()))
+        deliver(*node, telegram);
+  } else if (receiver != nullptr && reaches(telegram.from, telegram.to)) {
     telegram.at = occupy(telegram.at, bits);
-    receiver->deliver(std::move(telegram));
+    deliver(*receiver, std::move(telegram));
   } else {
     const Instant end = occupy(telegram.at, kTries * (bits + kSlotTime));
-    find(telegram.from)->deliver({end, telegram.to, telegram.from, {}});
+    deliver(*find(telegram.from), {end, telegram.to, telegram.from, {}});
   }
 }
 

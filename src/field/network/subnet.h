@@ -3,6 +3,7 @@
 
 #include <deque>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,8 @@ constexpr std::int64_t telegramBits(std::size_t bytes) {
 class Subnet {
  public:
   // bits per second
-  explicit Subnet(std::int64_t rate) : rate_(rate) {}
+  explicit Subnet(std::int64_t rate, std::string name = {}) : name_(std::move(name)), rate_(rate) {}
+  const std::string& name() const { return name_; }
 
   Node& add(std::uint8_t address);
   Duration duration(std::int64_t bits) const;  // rounded up to a nanosecond
@@ -34,12 +36,32 @@ class Subnet {
   // How long the line was busy so far.
   Duration busy() const { return busy_; }
 
+  // Faults of the line, for what is sent from now on; what is on it arrives. The whole line is
+  // broken or shorted: nobody reaches anybody.
+  void interrupt() { interrupted_ = true; }
+  // The plug of this station is pulled; the others reach each other.
+  void interrupt(std::uint8_t address) { pulled_.insert(address); }
+  // Telegrams arrive so much later, as over a slow coupling between two segments.
+  void delay(Duration time) { delay_ = time; }
+  void mend();
+  void mend(std::uint8_t address) { pulled_.erase(address); }
+  bool interrupted() const { return interrupted_; }
+  bool interrupted(std::uint8_t address) const { return pulled_.contains(address); }
+  Duration delayed() const { return delay_; }
+
  private:
+  bool reaches(std::uint8_t from, std::uint8_t to) const;
+  void deliver(Node& node, Telegram telegram);
   void put(Telegram telegram);
   Node* find(std::uint8_t address);
   Instant occupy(Instant from, std::int64_t bits);
 
+  std::string name_;
   std::int64_t rate_;
+  bool interrupted_ = false;
+  std::set<std::uint8_t> pulled_;
+  Duration delay_{};
+  Instant arrived_;  // the last one: none overtakes another when the delay becomes less
   std::vector<std::unique_ptr<Node>> nodes_;  // ascending addresses
   Instant free_;
   Duration busy_{};

@@ -26,7 +26,8 @@ struct FaultRow {
   enum class Detail : std::uint8_t {
     None,
     Address,  // logical address in bytes 6 and 7
-    Racks     // a bit for each rack in bytes 8 to 11
+    Racks,    // a bit for each rack in bytes 8 to 11
+    Station   // DP station and its master system in bytes 11 and 10
   } detail = Detail::None;
 };
 using Detail = FaultRow::Detail;
@@ -53,7 +54,7 @@ constexpr FaultRow kFaults[] = {
     {0xB3, "I/O access error while updating the input image"},
     {0xB4, "I/O access error while writing the output image"},
     {0xC1, "rack failed", Detail::Racks},
-    {0xC4, "DP station failed", Detail::Address},
+    {0xC4, "DP station failed", Detail::Station},
     {0xD2, "diagnostic entries cannot be sent"},
     {0xE1, "wrong frame identification in global data communication"},
 };
@@ -68,6 +69,8 @@ constexpr std::uint8_t kGoing = 0x38, kComing = 0x39;  // event classes
 
 std::string detailOf(const FaultRow& row, const StartInformation& start) {
   if (row.detail == Detail::Address) return fmt::format(": address {}", loadWord(&start[6]));
+  if (row.detail == Detail::Station)
+    return fmt::format(": station {} of DP master system {}", start[11], start[10]);
   std::string racks;
   const std::uint32_t bits = row.detail == Detail::Racks ? loadDWord(&start[8]) : 0;
   for (unsigned rack = 0; rack < 32; ++rack)

@@ -24,6 +24,8 @@ constexpr Row kRows[] = {
     {Kind::Inserted, 83, 0x38, 0x61, Kind::Removed},
     {Kind::RackFailed, 86, 0x39, 0xC1, Kind::RackFailed},
     {Kind::RackReturned, 86, 0x38, 0xC1, Kind::RackFailed},
+    {Kind::StationFailed, 86, 0x39, 0xC4, Kind::StationFailed},
+    {Kind::StationReturned, 86, 0x38, 0xC4, Kind::StationFailed},
 };
 
 const Row& rowOf(Kind kind) {

@@ -23,8 +23,10 @@ struct PresentFaults {
 
   bool any() const { return battery || program || !modules.empty(); }
   bool racks() const {
-    return std::any_of(modules.begin(), modules.end(),
-                       [](const Module& m) { return m.kind == ModuleEvent::Kind::RackFailed; });
+    using Kind = ModuleEvent::Kind;
+    return std::any_of(modules.begin(), modules.end(), [](const Module& m) {
+      return m.kind == Kind::RackFailed || m.kind == Kind::StationFailed;
+    });
   }
   void come(const Module& module) {
     if (std::find(modules.begin(), modules.end(), module) == modules.end())

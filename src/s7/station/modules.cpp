@@ -1,5 +1,8 @@
 #include "station/modules.h"
 
+#include "io/slave.h"
+#include "profibus/slave_diagnosis.h"
+
 namespace merker::station {
 namespace {
 
@@ -7,7 +10,14 @@ using system::ModuleInfo;
 using system::ModulePlace;
 using system::RecordResult;
 
+// Places of slaves differ from those of racks by a sub-slot that no CPU has.
+constexpr std::uint8_t kSlaveSubslot = 0xFF;
+
 ModulePlace placeOf(const io::Module& module) {
+  const bool slave = module.rack >= io::kSlaveRack;
+  if (slave)
+    return {static_cast<std::uint8_t>(module.rack - io::kSlaveRack),
+            static_cast<std::uint8_t>(module.slot), kSlaveSubslot};
   return {static_cast<std::uint8_t>(module.rack), static_cast<std::uint8_t>(module.slot),
           static_cast<std::uint8_t>(module.subslot)};
 }
@@ -47,6 +57,7 @@ std::vector<ModuleInfo> Modules::all() const {
     info.type = typeCode(*module.type);
     info.plugged = answers(module);
     info.diagnostics = module.type->diagnosticInterrupt;
+    info.distributed = module.rack >= io::kSlaveRack;
     list.push_back(info);
   }
   return list;
@@ -81,6 +92,36 @@ RecordResult Modules::writeRecord(const ModulePlace& place, std::uint8_t,
 }
 
 std::vector<std::uint8_t> Modules::configuredRecords(const ModulePlace&) const { return {}; }
+
+std::optional<std::vector<std::uint8_t>> Modules::slaveDiagnosis(std::uint32_t address) const {
+  if (!rack_.configuration().dp) return std::nullopt;
+  for (const io::Slave& slave : rack_.configuration().dp->slaves)
+    if (slave.diagnosis == address) return profibus::slaveDiagnosis(rack_, slave);
+  return std::nullopt;
+}
+
+// The telegram goes out with the next turns of the slaves.
+std::uint32_t Modules::command(const SlaveCommand& command, Instant now) {
+  constexpr std::uint32_t kNoMaster = 0x8090, kNoGroup = 0x80B0, kNoSync = 0x80B2,
+                          kNoFreeze = 0x80B3;
+  if (!exchange_.any() || command.master != exchange_.master().diagnosis) return kNoMaster;
+  const auto wants = [&](profibus::Control one) {
+    return (command.commands & static_cast<std::uint8_t>(one)) != 0;
+  };
+  unsigned groups = 0;
+  bool sync = true, freeze = true;
+  for (const io::Slave& slave : exchange_.master().slaves) {
+    groups |= slave.groups;
+    if ((slave.groups & command.groups) == 0) continue;
+    sync &= slave.sync;
+    freeze &= slave.freeze;
+  }
+  if ((command.groups & ~groups) != 0) return kNoGroup;
+  if (wants(profibus::Control::Sync) && !sync) return kNoSync;
+  if (wants(profibus::Control::Freeze) && !freeze) return kNoFreeze;
+  exchange_.control(command.groups, command.commands, now);
+  return 0;
+}
 
 std::optional<std::vector<std::uint8_t>> Modules::configuredRecord(const ModulePlace&,
                                                                    std::uint8_t) const {

@@ -38,7 +38,7 @@ struct Station::Parts {
   void plug(io::Configuration hardware, plant::Configuration plants) {
     periphery = std::make_unique<Periphery>(std::move(hardware), std::move(plants));
     periphery->connect(cpu);
-    modules = std::make_unique<Modules>(periphery->rack());
+    modules = std::make_unique<Modules>(periphery->rack(), periphery->exchange());
     services.connect(modules.get(), &periphery->counting(), &periphery->positioning());
     SerialModule& serial = periphery->serial();
     if (serial.coupling() != nullptr) services.connect(serial.coupling(), serial.address());

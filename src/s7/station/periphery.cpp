@@ -29,11 +29,12 @@ void Periphery::connect(cpu::Cpu& cpu) {
 Instant Periphery::next() const {
   return rack_.pending() ? Instant{}
                          : std::min({rack_.next(), counting_.next(), positioning_.next(),
-                                     serial_.next(), plants_.next()});
+                                     serial_.next(), exchange_.next(), plants_.next()});
 }
 
 std::string_view Periphery::due(Instant now) const {
   if (plants_.next() <= now) return "plants";
+  if (exchange_.next() <= now) return "DP master";
   if (positioning_.next() <= now) return "sub-module 2.5";
   if (serial_.next() <= now) return "sub-module 2.1";
   return counting_.next() <= now ? "sub-module 2.4" : "modules of the rack";
@@ -56,6 +57,7 @@ void Periphery::advance(cpu::Cpu& cpu, Instant now) {
   counting_.advance(now);
   serial_.advance(now);
   if (rack_.takePresenceChanged()) showPresence(cpu);
+  exchangeData(cpu, now);
   showInputs(cpu);
   for (const ModuleEvent& event : rack_.takeEvents()) cpu.moduleEvents().happened(event);
 }
@@ -92,7 +94,11 @@ void Periphery::supply(cpu::Cpu& cpu, bool on) {
 }
 
 void Periphery::written(cpu::Cpu& cpu, std::uint32_t first, std::uint32_t count) {
-  rack_.written(first, &cpu.machine().areas.outputs[first], count);
+  const std::uint8_t* const bytes = &cpu.machine().areas.outputs[first];
+  if (!exchange_.any()) return rack_.written(first, bytes, count);
+  for (std::uint32_t i = 0; i < count; ++i)
+    exchange_.ownsOutput(first + i) ? exchange_.written(first + i, bytes[i], cpu.machine().clock)
+                                    : rack_.written(first + i, &bytes[i], 1);
 }
 
 void Periphery::disableOutputs(cpu::Cpu&, bool disabled) { rack_.disableOutputs(disabled); }
@@ -140,8 +146,24 @@ void Periphery::showPresence(cpu::Cpu& cpu) {
 
 void Periphery::showInputs(cpu::Cpu& cpu) {
   const io::Bytes changed = rack_.takeChanged();
-  std::copy_n(rack_.inputs().begin() + changed.first, changed.count,
-              cpu.machine().areas.inputs.begin() + changed.first);
+  auto& shown = cpu.machine().areas.inputs;
+  if (!exchange_.any()) {
+    std::copy_n(rack_.inputs().begin() + changed.first, changed.count,
+                shown.begin() + changed.first);
+    return;
+  }
+  for (std::uint32_t i = changed.first; i < changed.first + changed.count; ++i)
+    if (exchange_.ownsInput(i))
+      exchange_.inputChanged(i, cpu.machine().clock);
+    else
+      shown[i] = rack_.inputs()[i];
+}
+
+// What slaves have changed comes with their turns on the bus.
+void Periphery::exchangeData(cpu::Cpu& cpu, Instant now) {
+  for (const io::Bytes& seen : exchange_.advance(now))
+    std::copy_n(rack_.inputs().begin() + seen.first, seen.count,
+                cpu.machine().areas.inputs.begin() + seen.first);
 }
 
 }  // namespace merker::station

@@ -6,6 +6,7 @@
 #include "io/rack.h"
 #include "plant/plants.h"
 #include "positioning/positioning.h"
+#include "profibus/exchange.h"
 #include "station/serial_module.h"
 #include "technology/counting.h"
 
@@ -18,6 +19,7 @@ class Periphery : public cpu::Periphery {
         counting_(rack_),
         positioning_(rack_),
         serial_(rack_),
+        exchange_(rack_),
         plants_(std::move(plants)) {}
   Periphery(const Periphery&) = delete;  // the sub-modules know `rack_`
   Periphery& operator=(const Periphery&) = delete;
@@ -28,6 +30,7 @@ class Periphery : public cpu::Periphery {
   positioning::Positioning& positioning() { return positioning_; }
   const positioning::Positioning& positioning() const { return positioning_; }
   SerialModule& serial() { return serial_; }
+  profibus::Exchange& exchange() { return exchange_; }
   // What is worked out only when asked, as it is at `now`.
   void refresh(Instant now);
   plant::Plants& plants() { return plants_; }
@@ -59,11 +62,13 @@ class Periphery : public cpu::Periphery {
   std::uint8_t drivenBits(std::uint32_t byte) const;
   void showPresence(cpu::Cpu& cpu);
   void showInputs(cpu::Cpu& cpu);
+  void exchangeData(cpu::Cpu& cpu, Instant now);
 
   io::Rack rack_;
   technology::Counting counting_;
   positioning::Positioning positioning_;
   SerialModule serial_;
+  profibus::Exchange exchange_;
   plant::Plants plants_;
 };
 

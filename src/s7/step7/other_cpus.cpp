@@ -25,8 +25,6 @@ struct OtherFunction {
 
 // System software for S7-300/400, system and standard functions.
 constexpr OtherFunction kOtherFunctions[] = {
-    {BlockKind::SFC, 11, "DPSYC_FR",
-     "IN REQ BOOL LADDR WORD GROUP BYTE MODE BYTE RETURN RET_VAL INT OUT BUSY BOOL"},
     {BlockKind::SFC, 12, "D_ACT_DP",
      "IN REQ BOOL MODE BYTE LADDR WORD RETURN RET_VAL INT OUT BUSY BOOL"},
     {BlockKind::SFC, 17, "ALARM_SQ", "IN SIG BOOL ID WORD EV_ID DWORD SD ANY RETURN RET_VAL INT"},

@@ -12,9 +12,18 @@ namespace {
 using cpu::Access;
 using cpu::ErrorCode;
 
-// In front of the data on the line: what it is, circle, packet, whether the sender was restarted.
-constexpr std::uint8_t kGlobal = 0x47;
+// In front of the data on the line: what it is and the high bits of its number, circle, packet,
+// whether the sender was restarted and the low bits of its number.
+constexpr std::uint8_t kGlobal = 0x40, kGlobalKind = 0xF0, kRestarted = 0x80;
 constexpr std::size_t kGlobalHead = 4;
+constexpr std::uint16_t kNumbers = 1 << 11;
+
+bool isGlobal(const std::vector<std::uint8_t>& data) {
+  return data.size() >= kGlobalHead && (data[0] & kGlobalKind) == kGlobal;
+}
+std::uint16_t numberOf(const std::vector<std::uint8_t>& data) {
+  return static_cast<std::uint16_t>((data[0] & 0x0F) << 7 | (data[3] & 0x7F));
+}
 
 Region globalRegion(cpu::Cpu& cpu, const network::GlobalArea& where, Access access) {
   const std::uint32_t pointer = static_cast<std::uint32_t>(where.area) << 24 | where.byte * 8;
@@ -45,30 +54,38 @@ GlobalDataExchange::GlobalDataExchange(const network::GlobalData& data)
 // Of several packets since the last checkpoint the newest one counts.
 void GlobalDataExchange::sort(BasicCommunication& interface) {
   for (network::Telegram& telegram : interface.others()) {
-    if (telegram.data.size() < kGlobalHead || telegram.data[0] != kGlobal) continue;
+    if (!isGlobal(telegram.data)) continue;
     for (Packet& packet : packets_) {
       if (packet.row.sends || packet.row.circle != telegram.data[1] ||
           packet.row.packet != telegram.data[2])
         continue;
-      const bool restarted = packet.fresh && packet.data[3] != 0;
-      packet.data = telegram.data;
-      if (restarted) packet.data[3] = 1;
-      packet.lost = packet.fresh;
-      packet.fresh = true;
+      packet.arrive(telegram.data);
     }
   }
   interface.others().clear();
 }
 
+// The one before it was not taken, or did not come at all.
+void GlobalDataExchange::Packet::arrive(const std::vector<std::uint8_t>& telegram) {
+  const std::uint16_t itsNumber = numberOf(telegram);
+  const bool begins = (telegram[3] & kRestarted) != 0;
+  const bool gap = expected && !begins && itsNumber != *expected;
+  lost = fresh || gap;
+  otherStart = (fresh && otherStart) || begins;
+  fresh = true;
+  expected = static_cast<std::uint16_t>((itsNumber + 1) % kNumbers);
+  data.assign(telegram.begin() + kGlobalHead, telegram.end());
+}
+
 std::uint32_t GlobalDataExchange::take(cpu::Cpu& cpu, Packet& packet) const {
   if (!std::exchange(packet.fresh, false)) return 0;
   std::uint32_t bits = packet.lost ? gds::kLost : 0;
-  if (packet.data[3] != 0) bits |= gds::kSenderRestarted;
-  if (packet.data.size() - kGlobalHead != packet.row.data.length) return bits | gds::kOtherLength;
+  if (packet.otherStart) bits |= gds::kSenderRestarted;
+  if (packet.data.size() != packet.row.data.length) return bits | gds::kOtherLength;
   const Region region = globalRegion(cpu, packet.row.data, Access::Write);
   if (!region)
     return bits | (region.error == ErrorCode::DbMissing ? gds::kReceiverDb : gds::kReceiverLength);
-  std::copy(packet.data.begin() + kGlobalHead, packet.data.end(), region.data);
+  std::ranges::copy(packet.data, region.data);
   return bits | gds::kNewData;
 }
 
@@ -78,8 +95,11 @@ std::uint32_t GlobalDataExchange::send(cpu::Cpu& cpu, Packet& packet,
   packet.cycles = 0;
   const Region region = globalRegion(cpu, packet.row.data, Access::Read);
   if (!region) return region.error == ErrorCode::DbMissing ? gds::kSenderDb : gds::kSenderLength;
-  std::vector<std::uint8_t> data = {kGlobal, packet.row.circle, packet.row.packet,
-                                    static_cast<std::uint8_t>(packet.restarted ? 1 : 0)};
+  const std::uint16_t number =
+      std::exchange(packet.number, static_cast<std::uint16_t>((packet.number + 1) % kNumbers));
+  std::vector<std::uint8_t> data = {
+      static_cast<std::uint8_t>(kGlobal | number >> 7), packet.row.circle, packet.row.packet,
+      static_cast<std::uint8_t>((packet.restarted ? kRestarted : 0) | (number & 0x7F))};
   data.insert(data.end(), region.data, region.data + region.length);
   packet.restarted = false;
   interface.sendToAll(std::move(data), cpu.machine().clock);
@@ -101,6 +121,7 @@ void GlobalDataExchange::rest(BasicCommunication& interface) {
   interface.others().clear();
   for (Packet& packet : packets_) {
     packet.fresh = false;
+    packet.expected.reset();
     packet.cycles = 0;
     packet.restarted = true;
   }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "network/global_data.h"
@@ -30,10 +31,15 @@ class GlobalDataExchange {
  private:
   struct Packet {
     network::GlobalPacket row;
-    std::uint32_t cycles = 0;          // since it was sent
-    bool restarted = true;             // it was not sent since then
-    std::vector<std::uint8_t> data;    // what has come, with its head
-    bool fresh = false, lost = false;  // it has come; another one before it was not taken
+    std::uint32_t cycles = 0;               // since it was sent
+    bool restarted = true;                  // it was not sent since then
+    std::uint16_t number = 0;               // of the next one that is sent
+    std::optional<std::uint16_t> expected;  // the number of the next one that comes
+    std::vector<std::uint8_t> data;         // what has come
+    bool fresh = false, lost = false;       // it has come; another one before it was not taken
+    bool otherStart = false;                // the sender was restarted
+
+    void arrive(const std::vector<std::uint8_t>& telegram);
   };
   void sort(BasicCommunication& interface);
   std::uint32_t take(cpu::Cpu& cpu, Packet& packet) const;

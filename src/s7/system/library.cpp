@@ -20,11 +20,19 @@ void setInitial(block::Variable& variable, std::uint32_t value) {
   variable.hasInitial = true;
 }
 
+// SFB 0 to 5, IEC counters and timers, as a CPU 315-2 PN/DP has them; others: own decision.
+std::string familyOf(const Function& function) {
+  constexpr std::uint16_t kLastIec = 5;
+  if (function.kind == BlockKind::FC) return "IEC";
+  return function.kind == BlockKind::SFB && function.number <= kLastIec ? "IEC_TC" : "SYSTEM";
+}
+
 block::Block blockOf(const Function& function) {
   block::Block result;
   result.id = {function.kind, function.number};
   result.symbol = result.attributes.name = std::string(function.name);
-  result.attributes.family = function.kind == BlockKind::FC ? "IEC" : "SYSTEM";
+  result.attributes.author = "SIMATIC";
+  result.attributes.family = familyOf(function);
   for (const Parameter& parameter : function.parameters) {
     block::Variable variable;
     variable.name = std::string(parameter.name);

@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "clock/instant.h"
+
 namespace merker::system {
 
 // User data of one direction: bytes first … first + count - 1 of the periphery; count 0: none.
@@ -54,6 +56,20 @@ class Modules {
   virtual std::vector<std::uint8_t> configuredRecords(const ModulePlace& place) const = 0;
   virtual std::optional<std::vector<std::uint8_t>> configuredRecord(const ModulePlace& place,
                                                                     std::uint8_t number) const = 0;
+
+  // Of the DP slave with this diagnostic address; none if there is no such slave (SFC 13).
+  virtual std::optional<std::vector<std::uint8_t>> slaveDiagnosis(std::uint32_t /*address*/) const {
+    return std::nullopt;
+  }
+  // SFC 11: SYNC, FREEZE and their ends (bits 2 to 5) for all slaves of these groups; RET_VAL.
+  struct SlaveCommand {
+    std::uint32_t master = 0;  // diagnostic address
+    std::uint8_t groups = 0, commands = 0;
+  };
+  virtual std::uint32_t command(const SlaveCommand& /*command*/, Instant /*now*/) {
+    constexpr std::uint32_t kNoMaster = 0x8090;
+    return kNoMaster;
+  }
 };
 
 }  // namespace merker::system

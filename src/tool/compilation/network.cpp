@@ -18,15 +18,25 @@ class NetworkStations {
   void add(const project::OtherStation& station) {
     const auto path = std::filesystem::path(result_.project.folder) / station.folder;
     const std::string folder = path.lexically_normal().string();
-    auto known = builds_.find(folder);
-    if (known == builds_.end()) known = builds_.emplace(folder, built(folder, station)).first;
+    const project::DpSubnet* const slaves = slavesOf(result_.stations.size());
+    // A DP master is a program of its own, whatever others share its folder.
+    const std::string key = slaves == nullptr ? folder : folder + '\n' + station.name;
+    auto known = builds_.find(key);
+    if (known == builds_.end()) known = builds_.emplace(key, built(folder, station, slaves)).first;
     if (known->second) result_.stations.push_back({station.name, known->second});
   }
 
  private:
+  const project::DpSubnet* slavesOf(std::size_t station) const {
+    for (const project::DpSubnet& subnet : result_.project.network->profibus)
+      if (subnet.station == station) return &subnet;
+    return nullptr;
+  }
+
   // Null: it cannot be a station.
   std::shared_ptr<const Build> built(const std::string& folder,
-                                     const project::OtherStation& station) {
+                                     const project::OtherStation& station,
+                                     const project::DpSubnet* slaves) {
     const auto refuse = [&](std::string_view what) {
       result_.problems.add(ProblemCode::P0704, station.named, "folder", what);
       return nullptr;
@@ -41,6 +51,9 @@ class NetworkStations {
       return refuse(
           "the folder of a project without [[station]]; its X27 needs another connection");
     if (result_.project.mnemonics) own.mnemonics = result_.project.mnemonics;
+    if (slaves != nullptr && own.control)
+      return refuse("a SIMATIC S7; a SINUMERIK has no DP interface");
+    if (slaves != nullptr) project::plugSlaves(*slaves, *own.model, own.hardware, result_.problems);
     auto made = std::make_shared<Build>(build(std::move(own), false));
     judge(*made);
     result_.problems.append(made->problems);
@@ -93,7 +106,7 @@ std::unique_ptr<network::Network> NetworkBuild::network(unsigned threads, bool c
     list.push_back({station.name, station.build->controller(coverage)});
   auto result = std::make_unique<network::Network>(std::move(list), threads);
   for (const project::MpiSubnet& one : project.network->subnets) {
-    network::Subnet& subnet = result->addSubnet(one.rate);
+    network::Subnet& subnet = result->addSubnet(one.rate, one.name);
     for (const project::SubnetNode& node : one.nodes)
       result->join(node.station, subnet, static_cast<std::uint8_t>(node.address),
                    globalData[node.station]);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "project/dp_subnet.h"
 #include "project/other_station.h"
 
 namespace merker::project {
@@ -18,6 +19,13 @@ struct SubnetNode {
   std::size_t station = 0;  // its number in the list of stations
   std::uint32_t address = 0;
   Position named;  // of the station
+  bool grounded = true;
+};
+
+// A bus line between two terminating resistors (S7-NET-08).
+struct Segment {
+  std::uint32_t length = 0;         // metres
+  std::vector<std::string> places;  // stations and repeaters in the order of the cable
 };
 
 struct MpiSubnet {
@@ -25,6 +33,8 @@ struct MpiSubnet {
   std::int64_t rate = 187'500;  // bits per second
   std::uint32_t highest = 0;    // MPI address (S7-NET-02)
   std::vector<SubnetNode> nodes;
+  std::vector<std::string> repeaters{};  // RS 485, each between two segments (S7-NET-09)
+  std::vector<Segment> segments{};       // without any, nothing is known of the cable
 };
 
 // A packet of a GD circle (S7-NET-27). Operands as written: Press/MB 100:8.
@@ -42,6 +52,7 @@ struct GlobalDataRow {
 struct Network {
   std::vector<OtherStation> stations;
   std::vector<MpiSubnet> subnets;
+  std::vector<DpSubnet> profibus;
   std::vector<GlobalDataRow> globalData;
 };
 

@@ -8,7 +8,8 @@ namespace merker::project {
 namespace {
 
 // What makes a merker.toml one of several stations: it describes none itself.
-constexpr std::string_view kNetworkKeys[] = {"project", "station", "subnet", "global_data"};
+constexpr std::string_view kNetworkKeys[] = {"project", "station", "subnet", "global_data",
+                                             "slave"};
 
 void readStations(const Table& root, Network& network) {
   for (const Table& table : root.tables("station", kMostStations)) {
@@ -35,6 +36,7 @@ Network readNetwork(const Table& root) {
   Network network;
   readStations(root, network);
   readSubnets(root, network);
+  network.profibus = readDpSubnets(root, &network);
   readGlobalData(root, network);
   return network;
 }

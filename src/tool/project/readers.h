@@ -49,6 +49,12 @@ bool namesOnlyStations(const Table& root);
 Network readNetwork(const Table& root);
 // [[subnet]] and its nodes
 void readSubnets(const Table& root, Network& network);
+// Repeaters and segments of a [[subnet]] whose nodes are known
+void readSegments(const Table& table, const Network& network, MpiSubnet& subnet);
+// [[subnet]] of PROFIBUS with its [[slave]]s; `network` null: of a project of one station
+bool isDpSubnet(const Table& table);
+std::vector<DpSubnet> readDpSubnets(const Table& root, const Network* network);
+void readSlaves(const Table& root, std::vector<DpSubnet>& subnets);
 // [[global_data]]
 void readGlobalData(const Table& root, Network& network);
 // [[station]] of a station: another one, which X27 must be connected to

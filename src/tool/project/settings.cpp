@@ -81,12 +81,16 @@ void readHardware(const Table& root, Settings& settings) {
     if (const auto way = hardware->choice("mounting", {"horizontal", "vertical"}))
       settings.vertical = *way == 1;
   }
-  if (!root.has("hardware") && !root.has("module") && !root.has("plant")) return;
+  if (!root.has("hardware") && !root.has("module") && !root.has("plant") && !root.has("slave") &&
+      !root.has("subnet"))
+    return;
   std::vector<io::Module> modules;
   for (const Table& table : root.tables("module"))
     if (auto module = readModule(table, *settings.model)) modules.push_back(std::move(*module));
   settings.hardware = io::configure(std::move(modules), *settings.model, root.problems());
   checkAxis(root, *settings.hardware);
+  for (const DpSubnet& subnet : readDpSubnets(root, nullptr))
+    plugSlaves(subnet, *settings.model, settings.hardware, root.problems());
 }
 
 void choose(Settings& settings, const Model& model) {
@@ -96,7 +100,7 @@ void choose(Settings& settings, const Model& model) {
 
 void readStation(const Table& root, Settings& settings) {
   root.allow({"project", "program", "cpu", "hardware", "module", "plant", "serial", "station",
-              "communication", "connection"});
+              "communication", "connection", "subnet", "slave"});
   if (const auto table = root.table("cpu")) readCpu(*table, settings);
   readConfigured(root, settings.communication);
   readHardware(root, settings);

@@ -225,6 +225,34 @@ void SettingsEdit::addPlant(std::string_view name, std::string_view kind, const 
   take(view.text().text());
 }
 
+void SettingsEdit::addTable(std::string_view title, const Pairs& values) {
+  SettingsView view(text_);
+  std::vector<std::string> lines = {fmt::format("[[{}]]", title)};
+  for (const auto& [key, value] : values) lines.push_back(fmt::format("{} = {}", key, value));
+  insertTable(view.text(), view.text().lines() + 1, std::move(lines));
+  take(view.text().text());
+}
+
+bool SettingsEdit::addNode(std::string_view subnet, std::string_view node) {
+  SettingsView view(text_);
+  const toml::array* const subnets = view.root()["subnet"].as_array();
+  if (subnets == nullptr) return false;
+  for (const toml::node& one : *subnets) {
+    const toml::table* const table = one.as_table();
+    if (table == nullptr || (*table)["name"].value_or(std::string_view("MPI")) != subnet) continue;
+    const toml::array* const nodes = (*table)["nodes"].as_array();
+    if (nodes == nullptr || nodes->empty()) {
+      setKey(view, *table, "nodes", fmt::format("[{}]", node));
+    } else {
+      const toml::source_position& end = nodes->back().source().end;
+      view.text().replace(end.line, end.column, end.line, end.column, fmt::format(", {}", node));
+    }
+    take(view.text().text());
+    return true;
+  }
+  return false;
+}
+
 void SettingsEdit::remove(const ModulePlace& place) {
   SettingsView view(text_);
   const toml::table* module = project::moduleAt(view, place);

@@ -55,6 +55,11 @@ class SettingsEdit {
   void addPlant(std::string_view name, std::string_view kind, const Pairs& parameters,
                 const Pairs& wires);
 
+  // A [[title]] behind everything else; all values as TOML.
+  void addTable(std::string_view title, const Pairs& values);
+  // `node` as TOML to the nodes of the [[subnet]] of this name; false: there is none.
+  bool addNode(std::string_view subnet, std::string_view node);
+
   // Files that [program] lists by name: another name, or none. A file that a pattern found and that
   // none would find under its new name is added.
   void renameFile(std::string_view from, std::string_view to);

@@ -44,7 +44,7 @@ std::optional<std::size_t> readNodeStation(const Table& table, const Network& ne
 }
 
 void readNode(const Table& table, const Network& network, MpiSubnet& subnet) {
-  table.allow({"station", "address"});
+  table.allow({"station", "address", "grounded"});
   const auto station = readNodeStation(table, network, subnet);
   if (!table.has("address"))
     table.problems().add(ProblemCode::P0744, table.place(), table.title(), "address = 3");
@@ -57,21 +57,24 @@ void readNode(const Table& table, const Network& network, MpiSubnet& subnet) {
   if (*address > subnet.highest)
     return table.mustBe(
         "address", fmt::format("at most the highest address of the subnet, {}", subnet.highest));
-  subnet.nodes.push_back({*station, *address, table.at("station")});
+  subnet.nodes.push_back(
+      {*station, *address, table.at("station"), table.flag("grounded").value_or(true)});
 }
 
 }  // namespace
 
 void readSubnets(const Table& root, Network& network) {
   for (const Table& table : root.tables("subnet")) {
-    table.allow({"name", "kind", "baud", "highest", "nodes"});
+    if (isDpSubnet(table)) continue;
+    table.allow({"name", "kind", "baud", "highest", "nodes", "repeaters", "segments"});
     MpiSubnet subnet{table.text("name", "a text").value_or("MPI"), kRates[1], 31, {}};
     if (!table.has("kind"))
       table.problems().add(ProblemCode::P0744, table.place(), table.title(), "kind = \"mpi\"");
-    (void)table.choice("kind", {"mpi"});
+    (void)table.choice("kind", {"mpi", "profibus"});
     if (const auto rate = table.choice("baud", {"19.2k", "187.5k"})) subnet.rate = kRates[*rate];
     readHighest(table, subnet);
     for (const Table& node : table.tables("nodes", kMostStations)) readNode(node, network, subnet);
+    readSegments(table, network, subnet);
     network.subnets.push_back(std::move(subnet));
   }
 }

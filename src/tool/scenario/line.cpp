@@ -54,4 +54,13 @@ std::string_view takeWord(std::string_view& text) {
   return word;
 }
 
+std::string_view takeName(std::string_view& text) {
+  if (!text.starts_with('"')) return takeWord(text);
+  const auto end = text.find('"', 1);
+  if (end == std::string_view::npos) return takeWord(text);
+  const std::string_view name = text.substr(1, end - 1);
+  text = trim(text.substr(end + 1));
+  return name;
+}
+
 }  // namespace merker::simulator

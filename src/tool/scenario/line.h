@@ -47,5 +47,7 @@ std::string_view withoutComment(std::string_view line);
 
 // Takes the first word (up to a blank) off `text`, which is trimmed before and after.
 std::string_view takeWord(std::string_view& text);
+// The same of a name, which may stand in quotation marks.
+std::string_view takeName(std::string_view& text);
 
 }  // namespace merker::simulator

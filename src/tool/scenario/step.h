@@ -10,6 +10,7 @@
 #include "scenario/steps/battery.h"
 #include "scenario/steps/expect.h"
 #include "scenario/steps/fault.h"
+#include "scenario/steps/line_fault.h"
 #include "scenario/steps/memory.h"
 #include "scenario/steps/plant.h"
 #include "scenario/steps/power.h"
@@ -45,7 +46,8 @@ using AnyStep =
           steps::PowerOnUnbuffered, steps::PowerOn, steps::BatteryLow, steps::BatteryGood,
           steps::RemoveCard, steps::Trigger, steps::MemoryReset, steps::CopyRamToRom, steps::Force,
           steps::Unforce, steps::Fault, steps::Terminal, steps::Serial, steps::Pulses,
-          steps::Encoder, steps::Plant, steps::Station, steps::Repeat>;
+          steps::Encoder, steps::Plant, steps::Break, steps::Short, steps::Delay, steps::Mend,
+          steps::Station, steps::Repeat>;
 
 struct Step {
   Position position;

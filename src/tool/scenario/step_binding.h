@@ -23,6 +23,7 @@ struct StationBinding {
   Resolver resolver;  // also of the others, with their names in front
   const io::Configuration* hardware = nullptr;
   const plant::Configuration* plants = nullptr;
+  std::vector<std::string> subnets{};  // it is a node of these
 };
 
 struct StepBinding {

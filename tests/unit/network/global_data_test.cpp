@@ -18,6 +18,7 @@ struct Pair {
   Pair(GlobalPacket sent, GlobalPacket taken, const std::string& taker = "NOP 0;")
       : network(stations(taker)) {
     Subnet& subnet = network.addSubnet(187'500);
+    line = &subnet;
     sent.sends = true;
     network.join(0, subnet, 2, {{sent}, GlobalArea{Area::Flag, 0, 80, 4}});
     network.join(1, subnet, 3, {{taken}, GlobalArea{Area::Flag, 0, 80, 4}});
@@ -35,6 +36,7 @@ struct Pair {
   }
 
   Network network;
+  Subnet* line = nullptr;
 };
 
 GlobalPacket packet(unsigned byte, std::uint32_t length, std::uint32_t rate = 1) {
@@ -119,6 +121,26 @@ TEST(GlobalData, NothingInStop) {
   pair.network.itself(1).write(flagLong(84), 0);
   pair.run(50);
   EXPECT_EQ(pair.status(1, 84), 0u);
+}
+
+// What was lost on the line is seen at the first packet that comes again.
+TEST(GlobalData, ALineThatWasBroken) {
+  Pair pair(packet(20, 2, 20), packet(40, 2));
+  pair.run(50);
+  const auto reset = [&] { pair.network.itself(1).write(flagLong(84), 0); };
+  reset();
+  pair.run(50);
+  EXPECT_EQ(pair.status(1, 84), kNew);
+  pair.line->interrupt();
+  pair.run(50);
+  reset();
+  const std::uint32_t before = word(pair.network, 1, 40);
+  pair.run(50);
+  EXPECT_EQ(word(pair.network, 1, 40), before);
+  EXPECT_EQ(pair.status(1, 84), 0u);
+  pair.line->mend();
+  pair.run(50);
+  EXPECT_EQ(pair.status(1, 84), kNew | kLost);
 }
 
 // Each CPU adds one to what it takes and sends it in every 14th cycle. All begin together, so their

@@ -12,16 +12,6 @@
 namespace merker::simulator::steps {
 namespace {
 
-// A name in quotation marks or up to the next blank.
-std::string_view takeName(std::string_view& text) {
-  if (!text.starts_with('"')) return takeWord(text);
-  const auto end = text.find('"', 1);
-  if (end == std::string_view::npos) return takeWord(text);
-  const std::string_view name = text.substr(1, end - 1);
-  text = trim(text.substr(end + 1));
-  return name;
-}
-
 // Takes `word` off the end.
 bool takeLast(std::string_view& text, std::string_view word) {
   const auto blank = text.find_last_of(" \t");

@@ -1,0 +1,45 @@
+// What a project of several stations holds, as far as it could be read: for drawings and lists.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "compilation/network.h"
+
+namespace merker::compilation {
+
+struct PlannedNode {
+  std::size_t station = 0;
+  std::uint32_t address = 0;
+};
+
+struct PlannedSubnet {
+  std::string name, kind;  // kind: as in merker.toml
+  std::string rate;        // "187.5 kbit/s"
+  std::uint32_t highest = 0;
+  std::vector<PlannedNode> nodes;  // ascending addresses
+  std::vector<project::Segment> segments;
+};
+
+struct PlannedStation {
+  std::string name, folder, model;  // model: empty if its folder could not be read
+};
+
+struct PlannedConnection {
+  std::size_t station = 0;
+  std::uint16_t id = 1;
+  bool active = true;
+  std::string partner;  // "127.0.0.1:10102"
+};
+
+struct NetworkPlan {
+  std::string name;
+  std::vector<PlannedStation> stations;
+  std::vector<PlannedSubnet> subnets;
+  std::vector<project::GlobalDataRow> circles;
+  std::vector<PlannedConnection> connections;
+};
+
+NetworkPlan planOf(const NetworkBuild& build);
+
+}  // namespace merker::compilation

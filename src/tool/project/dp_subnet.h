@@ -1,0 +1,26 @@
+// A PROFIBUS-DP subnet: one master and its slaves.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/slave.h"
+
+namespace merker::project {
+
+struct DpSubnet {
+  std::string name;
+  std::uint32_t highest = 126;         // PROFIBUS address (S7-NET-06)
+  std::optional<std::size_t> station;  // whose DP interface is the master, in a list of stations
+  Position named;                      // of the master
+  Position position;
+  io::DpMaster master;
+};
+
+// Gives the station that is the master its slaves.
+void plugSlaves(const DpSubnet& subnet, const CpuModel& model,
+                std::optional<io::Configuration>& hardware, Problems& problems);
+
+}  // namespace merker::project

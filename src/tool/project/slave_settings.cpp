@@ -1,0 +1,250 @@
+// [[slave]]: what is connected to a DP master, from its GSD file or as ET 200M with modules of the
+// catalogue, and the rules of its maker (S7-NET-04 to -06).
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "base/text.h"
+#include "gsd/configuration.h"
+#include "gsd/read.h"
+#include "project/files.h"
+#include "project/readers.h"
+
+namespace merker::project {
+namespace {
+
+constexpr std::uint32_t kLongestData = 244;  // bytes each way in a telegram
+constexpr std::string_view kEt200M = "ET 200M";
+constexpr std::uint16_t kEt200MIdent = 0x801D;  // IM 153-1
+constexpr std::uint32_t kFirstEt200MSlot = 4, kEt200MModules = 8;
+
+// What a slave may have.
+struct SlaveLimits {
+  std::int64_t modules = kEt200MModules, input = 128, output = 128, data = 256;
+};
+
+std::optional<gsd::Device> readGsd(const Table& table) {
+  const auto name = table.text("gsd", "the name of a GSD file");
+  if (!name) return std::nullopt;
+  const std::string path = join(folderOf(table.place().file), *name);
+  std::error_code error;
+  const auto size = std::filesystem::file_size(path, error);
+  std::ifstream file(path, std::ios::binary);
+  if (error || !file || !isFile(path) || size > gsd::kLargestFile) {
+    table.mustBe("gsd", fmt::format("a GSD file of at most 1 MB; {} cannot be read", path));
+    return std::nullopt;
+  }
+  std::string bytes(size, '\0');
+  file.read(bytes.data(), static_cast<std::streamsize>(size));
+  gsd::Reading reading = gsd::read(gsd::decode(path, std::move(bytes)));
+  if (reading.isGsd) return std::move(reading.device);
+  table.mustBe("gsd", "a GSD file; this one has no line #Profibus_DP");
+  return std::nullopt;
+}
+
+std::string moduleNames(const gsd::Device& device) {
+  constexpr std::size_t kShown = 10;
+  std::string list;
+  for (std::size_t i = 0; i < device.modules.size() && i < kShown; ++i)
+    list += fmt::format("{}\"{}\"", i == 0 ? "" : ", ", device.modules[i].name);
+  return device.modules.size() > kShown ? list + ", …" : list;
+}
+
+io::Module moduleOf(const gsd::Module& module) {
+  const gsd::Areas areas = gsd::readIdentifiers(module.configuration);
+  io::Module made;
+  made.own = io::slaveModule(module.name, std::min(areas.input(), kLongestData),
+                             std::min(areas.output(), kLongestData));
+  made.type = made.own.get();
+  made.parameters = io::Parameters::of(*made.type);
+  return made;
+}
+
+void readStart(const Table& table, std::string_view key, bool has,
+               std::optional<std::uint32_t>& start, Position& position) {
+  const auto address = table.number(key, 0, 65'535);
+  if (!address) return;
+  if (!has) return table.mustBe(key, "omitted; the module has no such bytes");
+  start = *address;
+  position = table.at(key);
+}
+
+std::optional<io::Module> readGsdModule(const Table& table, const gsd::Device& device) {
+  table.allow({"slot", "type", "input", "output", "name"});
+  const auto type = table.text("type", "the name of a module in the GSD file");
+  if (!table.has("type"))
+    table.problems().add(ProblemCode::P0744, table.place(), table.title(),
+                         "type = " + moduleNames(device));
+  if (!type) return std::nullopt;
+  const auto found = std::ranges::find_if(device.modules, [&](const gsd::Module& module) {
+    return equalsIgnoreCase(module.name, trim(*type));
+  });
+  if (found == device.modules.end()) {
+    table.mustBe("type", "the name of a module in the GSD file: " + moduleNames(device));
+    return std::nullopt;
+  }
+  io::Module module = moduleOf(*found);
+  module.position = table.place();
+  module.name = table.text("name", "a text").value_or("");
+  readStart(table, "input", module.type->hasInputs(), module.inputStart, module.inputPosition);
+  readStart(table, "output", module.type->hasOutputs(), module.outputStart, module.outputPosition);
+  return module;
+}
+
+// Slots follow each other where none is named.
+void readSlaveSlot(const Table& table, std::uint32_t first, std::uint32_t count, io::Module& module,
+                   std::uint32_t& next) {
+  module.slot = table.number("slot", first, first + count - 1).value_or(next);
+  next = module.slot + 1;
+}
+
+bool isTaken(const io::Slave& slave, const io::Module& module) {
+  return std::ranges::any_of(slave.modules,
+                             [&](const io::Module& one) { return one.slot == module.slot; });
+}
+
+class SlaveReader {
+ public:
+  SlaveReader(const Table& table, io::Slave& slave) : table_(table), slave_(slave) {}
+
+  void fromGsd(const gsd::Device& device, std::int64_t rate) {
+    slave_.model = device.model;
+    slave_.ident = static_cast<std::uint16_t>(device.ident);
+    slave_.sync = device.sync;
+    slave_.freeze = device.freeze;
+    limits_ = {device.modular ? std::max<std::int64_t>(device.maxModules, 1) : 1,
+               device.modular && device.maxInput > 0 ? device.maxInput : kLongestData,
+               device.modular && device.maxOutput > 0 ? device.maxOutput : kLongestData,
+               device.modular && device.maxData > 0 ? device.maxData : 2 * kLongestData};
+    checkRate(device, rate);
+    // A compact slave has one module, which need not be named.
+    if (!device.modular && !table_.has("modules") && !device.modules.empty())
+      add(moduleOf(device.modules.front()), 1, table_);
+    std::uint32_t next = 1;
+    for (const Table& table : table_.tables("modules"))
+      if (auto module = readGsdModule(table, device)) {
+        readSlaveSlot(table, 1, static_cast<std::uint32_t>(kLongestData), *module, next);
+        add(std::move(*module), module->slot, table);
+      }
+    checkLengths();
+  }
+
+  void et200M() {
+    slave_.model = kEt200M;
+    slave_.ident = kEt200MIdent;
+    slave_.sync = slave_.freeze = true;
+    std::uint32_t next = kFirstEt200MSlot;
+    for (const Table& table : table_.tables("modules"))
+      if (auto module = readModule(table, *findCpuModel("generic"))) {
+        readSlaveSlot(table, kFirstEt200MSlot, kEt200MModules, *module, next);
+        if (!module->type->signalModule())
+          table.mustBe("type", "a signal module; ET 200M has its interface module itself");
+        else
+          add(std::move(*module), module->slot, table);
+      }
+    checkLengths();
+  }
+
+ private:
+  void add(io::Module module, std::uint32_t slot, const Table& table) {
+    module.rack = io::kSlaveRack + slave_.address;
+    module.slot = slot;
+    if (module.position.line == 0) module.position = table.place();
+    if (isTaken(slave_, module)) return table.mustBe("slot", "unique in the slave");
+    slave_.modules.push_back(std::move(module));
+  }
+
+  void checkRate(const gsd::Device& device, std::int64_t rate) const {
+    const auto known = std::ranges::find(device.rates, rate, &gsd::BaudRate::rate);
+    if (known != device.rates.end() && !known->supported)
+      table_.mustBe("subnet", fmt::format("a subnet with a baud rate that {} knows; {} is none",
+                                          device.model, known->name));
+  }
+
+  void checkLengths() const {
+    std::int64_t input = 0, output = 0;
+    for (const io::Module& module : slave_.modules)
+      input += module.type->inputBytes, output += module.type->outputBytes;
+    const auto most = [&](std::int64_t is, std::int64_t limit, std::string_view what) {
+      if (is > limit)
+        table_.mustBe("modules", fmt::format("at most {} {}; these are {}", limit, what, is));
+    };
+    most(static_cast<std::int64_t>(slave_.modules.size()), limits_.modules, "modules");
+    most(input, limits_.input, "bytes of inputs");
+    most(output, limits_.output, "bytes of outputs");
+    most(input + output, limits_.data, "bytes in all");
+  }
+
+  const Table& table_;
+  io::Slave& slave_;
+  SlaveLimits limits_{};
+};
+
+DpSubnet* subnetOf(const Table& table, std::vector<DpSubnet>& subnets) {
+  const auto name = table.text("subnet", "the name of a [[subnet]] with kind = \"profibus\"");
+  const auto found = std::ranges::find_if(subnets, [&](const DpSubnet& one) {
+    return name ? equalsIgnoreCase(one.name, *name) : subnets.size() == 1;
+  });
+  if (found != subnets.end()) return &*found;
+  table.mustBe("subnet", "the name of a [[subnet]] with kind = \"profibus\"");
+  return nullptr;
+}
+
+// 1 to the highest, and no other one's.
+bool readAddressOnBus(const Table& table, const DpSubnet& subnet, io::Slave& slave) {
+  if (!table.has("address"))
+    table.problems().add(ProblemCode::P0744, table.place(), table.title(), "address = 4");
+  const auto address = table.number("address", 1, 125);
+  if (!address) return false;
+  slave.address = static_cast<std::uint8_t>(*address);
+  const bool taken = slave.address == subnet.master.address ||
+                     std::ranges::any_of(subnet.master.slaves, [&](const io::Slave& one) {
+                       return one.address == slave.address;
+                     });
+  if (taken)
+    table.mustBe("address", fmt::format("unique on the subnet; {} is another node's", *address));
+  else if (*address > subnet.highest)
+    table.mustBe("address",
+                 fmt::format("at most the highest address of the subnet, {}", subnet.highest));
+  return true;
+}
+
+void readGroups(const Table& table, io::Slave& slave) {
+  constexpr std::uint32_t kGroups = 8;
+  for (const Table::Number& group : table.numbers("groups", "groups from 1 to 8: [1, 2]")) {
+    if (group.value < 1 || group.value > kGroups)
+      table.mustBe("groups", "groups from 1 to 8: [1, 2]");
+    else
+      slave.groups = static_cast<std::uint8_t>(slave.groups | 1u << (group.value - 1));
+  }
+}
+
+}  // namespace
+
+void readSlaves(const Table& root, std::vector<DpSubnet>& subnets) {
+  constexpr std::size_t kMost = 125;
+  for (const Table& table : root.tables("slave", kMost)) {
+    table.allow({"name", "subnet", "address", "gsd", "type", "groups", "modules"});
+    DpSubnet* const subnet = subnetOf(table, subnets);
+    io::Slave slave;
+    slave.position = table.place();
+    if (subnet == nullptr || !readAddressOnBus(table, *subnet, slave)) continue;
+    slave.name = table.text("name", "a text").value_or(fmt::format("DP{}", slave.address));
+    readGroups(table, slave);
+    SlaveReader reader(table, slave);
+    if (table.has("type")) {
+      (void)table.choice("type", {kEt200M});
+      reader.et200M();
+    } else if (!table.has("gsd")) {
+      table.problems().add(ProblemCode::P0744, table.place(), table.title(),
+                           "gsd = \"valves.gsd\" or type = \"ET 200M\"");
+    } else if (const auto device = readGsd(table)) {
+      reader.fromGsd(*device, subnet->master.rate);
+    }
+    subnet->master.slaves.push_back(std::move(slave));
+  }
+}
+
+}  // namespace merker::project

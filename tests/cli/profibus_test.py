@@ -1,0 +1,106 @@
+"""PROFIBUS-DP in projects: slaves from GSD files and of the catalogue, what is wrong with them, a station that fails at any instant."""
+import pathlib
+import random
+import re
+
+from harness import *
+
+EXAMPLE = pathlib.Path(__file__).resolve().parents[2] / "examples" / "networks" / "profibus"
+SUBNET = '[[subnet]]\nname = "DP"\nkind = "profibus"\nnodes = [ {address = 2, master = true} ]\n'
+SLAVE = '[[slave]]\nname = "V"\naddress = 4\ngsd = "v.gsd"\nmodules = [ {type = "8 sensors", input = 10}, {type = "8 valves", output = 10} ]\n'
+COUNTING = block("      NOP   0") + block(
+    "      L     LB 0\n      L     B#16#39\n      ==I\n      SPBN  back\n      L     MD 100\n      +     1\n      T     MD 100\n"
+    "      BEA\nback: L     MD 104\n      +     1\n      T     MD 104", 86)
+
+
+class Profibus(Case):
+    def setUp(self):
+        super().setUp()
+        self.write("p/v.gsd", (EXAMPLE / "gsd" / "valves.gsd").read_bytes())
+        self.write("p/main.awl", COUNTING)
+
+    def project(self, text, model="314C-2 DP"):
+        self.write("p/merker.toml", f'[cpu]\nmodel = "{model}"\n{text}')
+
+    def refused(self, text, message, model="314C-2 DP"):
+        self.project(text, model)
+        self.assertIn(message, self.expect(PROBLEMS, "check", "p").err)
+
+    def test_values_of_slaves_are_set_and_shown(self):
+        self.project(SUBNET + SLAVE)
+        run = self.expect(GOOD, "run", "p", "--for", "1s", "--set", "E 10.3 = 1, PAB 10 = 5", "--print", "EB 10, PEB 10")
+        self.assertEqual(run.lines[:2], ["EB 10 = B#16#08", "PEB 10 = B#16#08"])
+        hardware = self.expect(GOOD, "hw", "p").out
+        self.assertIn("PROFIBUS-DP: master 2, 1500 kbit/s, bus cycle 0.426 ms\n", hardware)
+        self.assertIn("    4 V (Valve island), diagnostic address 1022\n", hardware)
+        self.assertRegex(hardware, r"DP4/1 +8 sensors +E 10")
+
+    # S7-NET-04, S7-NET-05, S7-NET-06, S7-NET-10, S7-NET-25
+    def test_rules_of_the_bus(self):
+        self.refused(SUBNET, "[[subnet]]' needs a [[slave]]")
+        self.refused(SLAVE, "'slave' must be on a [[subnet]] with kind = \"profibus\"")
+        self.refused(SUBNET + SLAVE.replace("address = 4", "address = 126"), "'address' must be")
+        self.refused(SUBNET + SLAVE.replace("address = 4", "address = 2"), "'address' must be unique on the subnet; 2 is another node's")
+        self.refused(SUBNET + SLAVE + SLAVE.replace('"V"', '"W"').replace("10", "12"), "4 is another node's")
+        self.refused(SUBNET + "highest = 3\n" + SLAVE, "at most the highest address of the subnet, 3")
+        self.refused(SUBNET + 'baud = "12M"\n' + SLAVE, "a baud rate that Valve island knows; 12M is none")
+        self.refused(SUBNET + 'baud = "31.25k"\n' + SLAVE, "'baud' must be one of 9.6k")
+        self.refused(SUBNET.replace("{address = 2, master = true}", "") + SLAVE, "one station, the DP master")
+        self.refused(SUBNET + SLAVE, "CPU 314C-2 PtP has no DP interface", "314C-2 PtP")
+
+    def test_rules_of_the_slave(self):
+        self.refused(SUBNET + SLAVE.replace("8 sensors", "9 sensors"), 'the name of a module in the GSD file: "8 valves", "8 sensors"')
+        self.refused(SUBNET + SLAVE.replace("input = 10", "output = 10"), "'output' must be omitted; the module has no such bytes")
+        self.refused(SUBNET + SLAVE.replace("input = 10", "input = 124"), "overlap")
+        self.refused(SUBNET + SLAVE.replace("input = 10", "slot = 7").replace("output = 10", "slot = 7"), "'slot' must be unique in the slave")
+        five = ", ".join(['{type = "8 valves"}'] * 5)
+        self.refused(SUBNET + re.sub(r"modules = .*", f"modules = [ {five} ]", SLAVE), "at most 4 modules; these are 5")
+        three = ", ".join(['{type = "Scale, 8 bytes"}'] * 3)
+        self.refused(SUBNET + re.sub(r"modules = .*", f"modules = [ {three} ]", SLAVE), "at most 16 bytes of inputs; these are 24")
+        self.refused(SUBNET + SLAVE.replace("v.gsd", "w.gsd"), "p/w.gsd cannot be read")
+        self.refused(SUBNET + SLAVE.replace("v.gsd", "main.awl"), "a GSD file; this one has no line #Profibus_DP")
+        self.refused(SUBNET + SLAVE.replace('gsd = "v.gsd"', ""), "needs gsd = ")
+        self.refused(SUBNET + SLAVE.replace('name = "V"', 'name = "V"\ncolour = 1'), "colour")
+
+    # S7-OBI-11
+    def test_a_station_fails_at_any_instant(self):
+        self.project(SUBNET + SLAVE)
+        seed = 20260
+        chance = random.Random(seed)
+        steps = []
+        for _ in range(5000):
+            for end in "", " off":
+                steps.append(f"  wait {chance.randrange(1, 3_000_000) / 1e6:.6f}ms\n  fault V power{end}\n")
+        self.write("p/main.scn", 'scenario "ten thousand times"\n' + "".join(steps) +
+                   "  wait 10ms\n  expect MD 100 = 5000\n  expect MD 104 = 5000\n  expect mode = RUN\n")
+        self.expect(GOOD, "test", "p")
+
+    def test_a_master_among_several_stations(self):
+        self.write("lab/merker.toml", '[[station]]\nname = "A"\nfolder = "../p"\n[[station]]\nname = "B"\nfolder = "../p"\n' +
+                   SUBNET.replace("{address", '{station = "B", address') + SLAVE.replace("v.gsd", "../p/v.gsd"))
+        self.project("")
+        self.write("lab/main.scn", 'scenario "B has the slaves"\n  set B/E 10.0 = 1\n  expect B/PEB 10 = 1 within 10ms\n')
+        self.expect(GOOD, "test", "lab")
+        traces = []
+        for threads in "1", "2", "4", "8":
+            self.expect(GOOD, "run", "lab", "--for", "300ms", "--set", "B/E 10.0 = 1", "--watch", "B/PEB 10, A/MD 100", "--trace", "t.csv",
+                        "--threads", threads)
+            traces.append((self.folder / "t.csv").read_text())
+        self.assertEqual(len(set(traces)), 1)
+
+    # SFC 11: outputs of a group are held until the next SYNC or UNSYNC; FREEZE does the same with inputs.
+    def test_sync_and_freeze(self):
+        self.project(SUBNET + SLAVE.replace("address = 4", "address = 4\ngroups = [1]"))
+        self.write("p/main.awl", COUNTING.split("ORGANIZATION_BLOCK OB 86")[0].replace(
+            "      NOP   0",
+            "      L     MB 8\n      T     PAB 10\n      CALL  SFC 11 (REQ := M 0.0, LADDR := W#16#3FF, GROUP := MB 3, MODE := MB 2,\n"
+            "                RET_VAL := MW 4, BUSY := M 0.1)"))
+        command = "  set MB 2 = {}\n  set M 0.0 = 1\n  wait 2 cycles\n  set M 0.0 = 0\n  wait 10ms\n"
+        self.write("p/main.scn", 'scenario "held"\n  set MB 3 = 1\n  set MB 8 = 1\n  wait 10ms\n  expect PAB 10 = 1\n' +
+                   command.format("16#20") + "  set MB 8 = 2\n  wait 10ms\n  expect PAB 10 = 1\n" +
+                   command.format("16#10") + "  expect PAB 10 = 2\n" +
+                   command.format("16#08") + "  set PEB 10 = 7\n  wait 10ms\n  expect EB 10 = 0\n" +
+                   command.format("16#04") + "  expect EB 10 = 7\n  set MB 3 = 2\n  set M 0.0 = 1\n  wait 1 cycles\n"
+                   "  expect MW 4 = W#16#7001 within 5ms\n  expect MW 4 = W#16#80B0 within 5ms\n"
+                   "  set MB 2 = 16#30\n  expect MW 4 = W#16#8425 within 5ms\n")
+        self.expect(GOOD, "test", "p")
