@@ -40,6 +40,37 @@ class Projects(Served):
         browser.call("projects.open", folder="sorting-plant")
         browser.until(lambda b: b.state["project"] is not None)
 
+    def test_a_copy_of_the_open_project_and_the_way_back_to_an_untouched_example(self):
+        browser = self.browser()
+        browser.call("projects.open", example="sorting-plant")
+        browser.until(lambda b: b.state.get("project"))
+        settings = self.workspace / "sorting-plant" / "merker.toml"
+        (self.workspace / "sorting-plant" / "old.bak").write_text("x")
+        settings.write_text(settings.read_text() + "# mine\n")
+        made = browser.call("projects.copy", name="Second one")
+        self.assertEqual(made["left"], ["old.bak"])
+        copy = self.workspace / "Second one"
+        self.assertEqual(made["folder"], str(copy))
+        self.assertTrue((copy / "merker.toml").read_text().endswith("# mine\n"))
+        self.assertEqual(made["files"], sum(1 for path in copy.rglob("*") if path.is_file()))
+        self.assertEqual(browser.problems("projects.copy", name="Second one"), ["P1312"])
+        self.assertEqual(browser.problems("projects.copy", name="../out"), ["P1317"])
+        browser.call("projects.open", example="sorting-plant", fresh=True)
+        browser.until(lambda b: b.state["project"]["folder"].endswith("sorting-plant 2"))
+        self.assertFalse((self.workspace / "sorting-plant 2" / "merker.toml").read_text().endswith("# mine\n"))
+        listed = browser.call("projects.list")
+        self.assertEqual([name for name in listed["projects"] if name.startswith("s")], ["sorting-plant", "sorting-plant 2"])
+        self.assertIn("Second one", listed["projects"])
+        self.assertTrue(next(row for row in listed["examples"] if row["id"] == "sorting-plant")["copied"])
+
+    def test_each_browser_knows_how_many_there_are(self):
+        browser = self.browser()
+        browser.until(lambda b: b.state.get("browsers") == 1)
+        other = self.browser()
+        browser.until(lambda b: b.state["browsers"] == 2)
+        other.close()
+        browser.until(lambda b: b.state["browsers"] == 1)
+
     def test_the_wizard_makes_a_project_whose_cpu_waits_for_its_program(self):
         """S7-MGR-01; S7-SIM-08, -09: a new CPU is empty and in STOP until somebody loads and turns its switch."""
         browser = self.browser()

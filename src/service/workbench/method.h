@@ -72,6 +72,7 @@ std::span<const Method> downloadMethods();
 std::span<const Method> importMethods();
 std::span<const Method> serialMethods();
 std::span<const Method> networkMethods();
+std::span<const Method> stationMethods();
 
 // {} or the problem.
 Answer done(const std::optional<Problem>& problem = {});

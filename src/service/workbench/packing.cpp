@@ -19,6 +19,8 @@ Problems notPacked(std::string_view why) {
   return refused(ProblemCode::P1308, "the project cannot be packed", why);
 }
 
+std::string tooLarge() { return fmt::format("it has more than {} MB", kMostMegabytes); }
+
 // What belongs to this computer and not to the project: a memory card that is in use, copies that
 // editors make.
 bool isLeft(std::string_view path) {
@@ -59,6 +61,30 @@ class Rest {
   std::size_t seen_ = 0;
 };
 
+std::string tooMany() {
+  return fmt::format("it has more than {} files and folders", project::kMostEntries);
+}
+
+// Null: all that can be read is there.
+std::optional<Problems> copyFiles(const ProjectFolder& from, const ProjectFolder& to,
+                                  Choice& choice, const std::stop_token& stop) {
+  std::uint64_t bytes = 0;
+  for (const auto& [path, stamp] : Listing(choice.files)) {
+    if (stop.stop_requested()) break;
+    const auto file = from.file(path);
+    bytes += file ? file->size() : 0;
+    if (bytes > kLargestProject) return notPacked(tooLarge());
+    if (!file) {
+      choice.files.erase(path);
+      choice.left.insert(visible(path));
+    } else if (auto problem = to.add(path, file->text(file->size()))) {
+      return one(std::move(*problem));
+    }
+  }
+  to.flush();
+  return std::nullopt;
+}
+
 constexpr std::int64_t kSecond = 1'000'000'000;  // ns
 
 archive::Zipped zipOf(const ProjectFolder& folder, const Listing& listing,
@@ -89,7 +115,7 @@ std::optional<Problems> whyNot(const archive::Zipped& zip) {
     case ZipFailure::None:
       return std::nullopt;
     case ZipFailure::TooLarge:
-      return notPacked(fmt::format("it has more than {} MB", kMostMegabytes));
+      return notPacked(tooLarge());
     case ZipFailure::Unreadable:
       return refused(ProblemCode::P1310, zip.path);
     case ZipFailure::Unwritable:
@@ -115,11 +141,22 @@ Choice choose(const ProjectFolder& folder) {
   return choice;
 }
 
+Answer copyProject(const ProjectFolder& from, const Workspace& workspace, const std::string& name,
+                   const std::stop_token& stop) {
+  Choice choice = choose(from);
+  if (choice.tooMany) return notPacked(tooMany());
+  const auto folder = workspace.makeFolder(name);
+  if (!folder) return one(folder.error());
+  const ProjectFolder to(*folder);
+  auto problem = copyFiles(from, to, choice, stop);
+  if (!problem && stop.stop_requested()) problem = notPacked("it was cancelled");
+  std::error_code ignored;
+  if (problem) return fs::remove_all(*folder, ignored), *problem;
+  return Json{{"folder", *folder}, {"files", choice.files.size()}, {"left", choice.left}};
+}
+
 Packing pack(const ProjectFolder& folder, Choice choice, const std::stop_token& stop) {
-  if (choice.tooMany)
-    return {notPacked(fmt::format("it has more than {} files and folders", project::kMostEntries)),
-            nullptr,
-            {}};
+  if (choice.tooMany) return {notPacked(tooMany()), nullptr, {}};
   archive::Zipped zip = zipOf(folder, choice, stop);
   Packing packing{whyNot(zip), nullptr, {}};
   if (packing.wrong) return packing;

@@ -4,8 +4,7 @@
 #include <stop_token>
 
 #include "archive/file.h"
-#include "workbench/json.h"
-#include "workbench/project_folder.h"
+#include "workbench/method.h"
 
 namespace merker::workbench {
 
@@ -23,6 +22,10 @@ struct Packing {
   std::shared_ptr<const archive::File> file;
   Json result;  // {name, size, files, left}
 };
+
+// All of them into a new folder of the workspace: {folder, files, left}. P1312, P1317.
+Answer copyProject(const ProjectFolder& from, const Workspace& workspace, const std::string& name,
+                   const std::stop_token& stop);
 
 Packing pack(const ProjectFolder& folder, Choice choice, const std::stop_token& stop);
 

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "compilation/build.h"
@@ -48,6 +49,8 @@ class Plc {
   const plant::Plants* plants() const { return field() == nullptr ? nullptr : field()->plants(); }
   const io::Rack* rack() const { return field() == nullptr ? nullptr : field()->rack(); }
 
+  // True the first time: somebody observes it from now on.
+  bool attach() { return !std::exchange(attached_, true); }
   // If there is a wish, and a choice.
   void use(std::optional<station::Engine> engine);
 
@@ -73,6 +76,7 @@ class Plc {
   std::unique_ptr<controller::Controller> controller_;
   std::unique_ptr<monitor::Monitor> monitor_;
   std::vector<Observer> observers_;
+  bool attached_ = false;
 };
 
 }  // namespace merker::workbench

@@ -131,6 +131,10 @@ Answer loadConfiguration(const Call& call, Download& load) {
   if (call.plc().controller().mode() != controller::Mode::Stop)
     return refusedLoad(
         "merker.toml has changed; the hardware configuration is loaded in STOP only");
+  if (call.shared.lab)
+    return refusedLoad(
+        "merker.toml has changed; several stations are loaded anew together, in the view of the "
+        "network");
   call.shared.show(std::move(load.plc), call.shared.example, std::move(load.seen));
   return empty();
 }

@@ -3,6 +3,8 @@
 
 #include "catalogue/cpu_model.h"
 #include "workbench/elsewhere.h"
+#include "workbench/look.h"
+#include "workbench/packing.h"
 
 namespace merker::workbench {
 namespace project_methods {
@@ -11,13 +13,17 @@ namespace {
 Answer rows(const Workspace& workspace, const std::vector<std::string>& recent) {
   Json examples = Json::array(), templates = Json::array(), models = Json::array();
   for (const Example& one : workspace.examples())
-    examples.push_back({{"id", one.id}, {"title", one.title}, {"description", one.description}});
+    examples.push_back({{"id", one.id},
+                        {"title", one.title},
+                        {"description", one.description},
+                        {"copied", one.copied}});
   for (const Template& one : Workspace::templates())
     templates.push_back({{"id", one.id}, {"title", one.title}});
   for (const CpuModel& model : cpuModels()) models.push_back(model.keyword);
   return Json{{"examples", std::move(examples)},
               {"templates", std::move(templates)},
               {"models", std::move(models)},
+              {"projects", workspace.projects()},
               {"recent", recent},
               {"folder", workspace.folder()}};
 }
@@ -45,14 +51,32 @@ struct Opened {
   std::optional<Answer> refused;
   std::string folder;
   std::unique_ptr<Plc> plc;
+  std::shared_ptr<Laboratory> lab;  // in place of it
   Listing seen;
 };
+
+Opened openedNetwork(project::Project project, std::optional<station::Engine> engine) {
+  Opened ready;
+  Problems problems;
+  const ProjectFolder folder(project.folder);
+  ready.lab = makeLaboratory(std::move(project), engine, problems);
+  if (ready.lab)
+    ready.seen = folderOf(ready.lab->plcs[0]->build().project).list();
+  else
+    ready.refused = written(problems, folder);
+  return ready;
+}
 
 Opened opened(const Result<std::string>& folder, Origin origin,
               std::optional<station::Engine> engine, const std::stop_token& stop) {
   Opened ready;
   if (!folder) {
     ready.refused = one(folder.error());
+    return ready;
+  }
+  if (project::Project all = project::load(*folder, {}, {}, stop); all.network) {
+    ready = openedNetwork(std::move(all), engine);
+    ready.folder = *folder;
     return ready;
   }
   const Offline offline = offlineOf(*folder, {}, 0, stop);
@@ -79,7 +103,11 @@ Answer openFolder(const Call& call, Origin origin,
       },
       [origin](const Call& now, Opened& ready) -> Answer {
         if (ready.refused) return std::move(*ready.refused);
-        now.shared.show(std::move(ready.plc), origin == Origin::Example, std::move(ready.seen));
+        const bool example = origin == Origin::Example;
+        if (ready.lab)
+          now.shared.show(std::move(ready.lab), 0, example, std::move(ready.seen));
+        else
+          now.shared.show(std::move(ready.plc), example, std::move(ready.seen));
         if (origin == Origin::New) now.shared.files.nothingLoaded();
         now.shared.remember(ready.folder);
         return empty();
@@ -89,11 +117,44 @@ Answer openFolder(const Call& call, Origin origin,
 Answer open(const Call& call) {
   const bool example = call.fields.has("example");
   const std::string name = call.fields.text(example ? "example" : "folder");
+  const bool fresh = call.fields.flag("fresh", false);
   if (!call.fields.good()) return call.fields.problems();
   return openFolder(call, example ? Origin::Example : Origin::Own,
-                    [example, name](const Workspace& workspace) {
-                      return example ? workspace.copyExample(name) : workspace.folderToOpen(name);
+                    [example, name, fresh](const Workspace& workspace) {
+                      return example ? workspace.copyExample(name, fresh)
+                                     : workspace.folderToOpen(name);
                     });
+}
+
+Answer copy(const Call& call) {
+  return elsewhere(call, call.shared.helper,
+                   [workspace = call.shared.workspace](const Aside& aside) -> Answer {
+                     const std::string name = aside.fields.text("name");
+                     if (!aside.fields.good()) return aside.wrong();
+                     return copyProject(aside.folder, workspace, name, aside.stop);
+                   });
+}
+
+// Of the open project, of the CPU, or of another project of the workspace.
+Answer look(const Call& call) {
+  return elsewhere(call, call.shared.helper,
+                   [workspace = call.shared.workspace, offline = call.shared.offlineRef(),
+                    build = call.plc().buildRef(),
+                    program = call.plc().program()](const Aside& aside) -> Answer {
+                     const std::string folder = aside.fields.text("folder", "");
+                     const bool cpu = aside.fields.choice("side", {"offline", "online"}, 0) == 1;
+                     const auto mnemonics = static_cast<Mnemonics>(
+                         aside.fields.choice("mnemonics", {"german", "international"}, 0));
+                     if (!aside.fields.good()) return aside.wrong();
+                     if (cpu) return lookOf(*build, program.get(), mnemonics);
+                     if (folder.empty()) return lookOf(*offline->build, nullptr, mnemonics);
+                     const auto path = workspace.folderToOpen(folder);
+                     if (!path) return one(path.error());
+                     const Offline other = offlineOf(*path, {}, 0, aside.stop);
+                     if (other.build->project.unreadable)
+                       return written(other.build->problems, ProjectFolder(*path));
+                     return lookOf(*other.build, nullptr, mnemonics);
+                   });
 }
 
 // "OB 1", "ob35".
@@ -139,6 +200,8 @@ Answer close(const Call& call) {
 constexpr Method kMethods[] = {
     {"projects.list", Needs::Nothing, list},
     {"projects.open", Needs::Nothing, open, Kind::Compiles},
+    {"projects.look", Needs::Plc, look, Kind::Compiled},
+    {"projects.copy", Needs::Plc, copy, Kind::Compiles},
     {"projects.new", Needs::Nothing, make, Kind::Compiles},
     {"projects.save", Needs::Nothing, save},
     {"projects.close", Needs::Nothing, close},

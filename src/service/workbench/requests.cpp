@@ -2,6 +2,7 @@
 // recording.
 #include <algorithm>
 
+#include "base/text.h"
 #include "workbench/elsewhere.h"
 #include "workbench/workbench.h"
 
@@ -18,6 +19,16 @@ std::optional<Problems> missing(Needs needs, const Plc* plc) {
     return refused(ProblemCode::P1308, plc->controller().modelName(), "it is switched off");
   if (!needs.feature || plc->can(*needs.feature)) return std::nullopt;
   return refused(ProblemCode::P1307, plc->controller().modelName(), monitor::what(*needs.feature));
+}
+
+// A request may say which station it is meant for: another browser may show another one by now.
+std::optional<Problems> ofAnother(std::string_view method, const Fields& fields,
+                                  const Shared& shared) {
+  if (method.starts_with("stations.") || !shared.lab || !fields.has("station")) return std::nullopt;
+  const std::string wanted = fields.text("station"), shown = shared.stationName();
+  if (!fields.good()) return fields.problems();
+  if (equalsIgnoreCase(wanted, shown)) return std::nullopt;
+  return refused(ProblemCode::P1308, wanted, "another station is shown now: " + shown);
 }
 
 // When the program on the disk is compiled.
@@ -63,6 +74,7 @@ Answer Workbench::run(Waiting& waiting) {
   waiting.method = findMethod(name);
   if (waiting.method == nullptr) return refused(ProblemCode::P1304, name.substr(0, 100));
   if (auto why = missing(waiting.method->needs, shared_.plc.get())) return *why;
+  if (auto why = ofAnother(name, fields, shared_)) return *why;
   enter(waiting.method->name);
   return begin(*waiting.method, {shared_, waiting.browser, browsers_[waiting.browser], fields,
                                  waiting.request.json});

@@ -16,13 +16,47 @@ ProjectFolder folderOf(const project::Project& project) {
   return ProjectFolder(project.folder, std::move(only));
 }
 
-void Shared::show(std::unique_ptr<Plc> fresh, bool isExample, Listing seen) {
+void Shared::show(std::shared_ptr<Plc> fresh, bool isExample, Listing seen) {
   engine_ = engine();
-  dropWorks();
-  discard(std::shared_ptr<Plc>(std::exchange(plc, std::move(fresh))));
+  discard(std::exchange(lab, nullptr));
+  exchange(std::move(fresh));
   example = isExample;
+  take(nextLook(), std::move(seen));
+  files.loaded();
+}
+
+void Shared::show(std::shared_ptr<Laboratory> fresh, std::size_t first, bool isExample,
+                  Listing seen) {
+  show(std::shared_ptr<Plc>(fresh, fresh->plcs[first].get()), isExample, std::move(seen));
+  lab = std::move(fresh);
+  station = first;
+}
+
+void Shared::showStation(std::size_t number) {
+  if (number == station) return;
+  station = number;
+  leave();
+  const Pace kept = pacer.pace();
+  exchange(std::shared_ptr<Plc>(lab, lab->plcs[number].get()));
+  pacer.set(kept);
+  take(nextLook(), folder.list());
+  files.loaded();
+}
+
+// Nobody looks at it any more, and it goes on: without breakpoints, not in HALT.
+void Shared::leave() {
+  monitor::Debugger& debugger = plc->monitor().debugger();
+  placed_.place(plc->monitor(), folder, {});
+  debugger.keepStatus([](BlockId) { return false; });
+  if (plc->controller().mode() == controller::Mode::Halt) debugger.run(plc->controller().now(), {});
+}
+
+void Shared::exchange(std::shared_ptr<Plc> fresh) {
+  dropWorks();
+  discard(std::exchange(plc, std::move(fresh)));
   pacer.restart();
   breakpoints.clear();
+  placed_ = {};
   wantedStatus.clear();
   stepEnds.reset();
   discard(std::exchange(offline_, nullptr));
@@ -36,10 +70,16 @@ void Shared::show(std::unique_ptr<Plc> fresh, bool isExample, Listing seen) {
   files = {};
   folder = plc ? folderOf(plc->build().project) : ProjectFolder();
   lookTask_ = nullptr;
-  take(nextLook(), std::move(seen));
-  files.loaded();
-  if (plc && onCycle) plc->onCycle([this](controller::Controller&) { onCycle(); });
-  if (plc && onPoint) plc->monitor().onPoint(onPoint);
+  if (!plc || !plc->attach()) return;
+  const Plc* const here = plc.get();
+  if (onCycle)
+    plc->onCycle([this, here](controller::Controller&) {
+      if (plc.get() == here) onCycle();
+    });
+  if (onPoint)
+    plc->monitor().onPoint([this, here](monitor::CyclePoint point) {
+      if (plc.get() == here) onPoint(point);
+    });
 }
 
 std::optional<station::Engine> Shared::engine() const {
@@ -159,37 +199,6 @@ void Shared::discard(std::shared_ptr<const void> what) {
 
 namespace {
 
-bool isWanted(const monitor::Breakpoint& one, const ProjectFolder& folder,
-              const BreakpointLines& wanted) {
-  const auto lines = wanted.find(folder.relative(one.place.file));
-  return lines != wanted.end() && lines->second.contains(one.place.line);
-}
-
-// Until the download takes effect, only remove breakpoints that are no longer requested.
-void removeBreakpoints(monitor::Debugger& debugger, const ProjectFolder& folder,
-                       const BreakpointLines& wanted) {
-  const std::vector<monitor::Breakpoint> all = debugger.breakpoints();
-  for (const monitor::Breakpoint& one : all)
-    if (!isWanted(one, folder, wanted)) debugger.removeBreakpoint(one.number);
-}
-
-// Symbols mean what they mean in the program that was loaded.
-void placeBreakpoints(monitor::Monitor& monitor, const ProjectFolder& folder,
-                      const BreakpointLines& wanted) {
-  monitor::Debugger& debugger = monitor.debugger();
-  debugger.removeBreakpoints();
-  for (const auto& [file, lines] : wanted)
-    for (const std::uint32_t line : lines) {
-      const auto place =
-          monitor::findLocation(std::to_string(line), monitor.locations(folder.full(file)));
-      if (place) debugger.setBreakpoint(*place);
-    }
-}
-
-}  // namespace
-
-namespace {
-
 void addStatus(Plc& plc, BlockId block) {
   monitor::Monitor& monitor = plc.monitor();
   const compilation::Build& build = plc.build();
@@ -206,7 +215,7 @@ void addStatus(Plc& plc, BlockId block) {
 void Shared::placeProbes() {
   if (!probesWait || !plc) return;
   if (plc->monitor().downloadWaits())
-    return removeBreakpoints(plc->monitor().debugger(), folder, breakpoints);
+    return placed_.keep(plc->monitor().debugger(), folder, breakpoints);
   probesWait = false;
   monitor::Debugger& debugger = plc->monitor().debugger();
   const bool same = placedProgram_ == programRevision;
@@ -216,9 +225,8 @@ void Shared::placeProbes() {
                                        [block](const auto& one) { return one.second == block; });
   });
   for (const auto& [browser, block] : wantedStatus) addStatus(*plc, block);
-  if (same && placed_ == breakpoints) return;
-  placeBreakpoints(plc->monitor(), folder, breakpoints);
-  placed_ = breakpoints;
+  if (same && placed_.are(breakpoints)) return;
+  placed_.place(plc->monitor(), folder, breakpoints);
   placedProgram_ = programRevision;
 }
 

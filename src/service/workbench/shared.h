@@ -15,8 +15,10 @@
 #include "workbench/compile_job.h"
 #include "workbench/file_watch.h"
 #include "workbench/held_bits.h"
+#include "workbench/laboratory.h"
 #include "workbench/modify_list.h"
 #include "workbench/pace.h"
+#include "workbench/page_breakpoints.h"
 #include "workbench/plc.h"
 #include "workbench/project_folder.h"
 #include "workbench/recording.h"
@@ -33,12 +35,11 @@ constexpr std::size_t kLists = 64, kItems = 1000;  // of each browser, of each l
 // Of each browser, in all lists: they are read or written in every cycle.
 constexpr std::size_t kPointItems = 2000;
 
-// Lines with breakpoints by file, relative to the project folder.
-using BreakpointLines = std::map<std::string, std::set<std::uint32_t>>;
-
 struct Shared {
-  std::unique_ptr<Plc> plc;  // null: no project is open
-  bool example = false;      // it is a copy of one
+  std::shared_ptr<Plc> plc;         // null: no project is open
+  std::shared_ptr<Laboratory> lab;  // null: it has one station only
+  std::size_t station = 0;          // of these, the one that `plc` is
+  bool example = false;             // it is a copy of one
   Pacer pacer;
   std::uint64_t programRevision = 1, filesRevision = 1;
   Workspace workspace;
@@ -51,6 +52,7 @@ struct Shared {
   // Who packs and imports projects, which takes seconds.
   Worker helper = work;
   std::uint64_t shown = 0;  // counts the PLCs
+  std::size_t browsers = 0;
   Recorder recorder;
   Player player;
   SerialView serialView;
@@ -67,7 +69,13 @@ struct Shared {
   bool probesWait = false;  // breakpoints and program status are not those that are wanted
 
   // `seen`: what stands in its folder.
-  void show(std::unique_ptr<Plc> fresh, bool isExample, Listing seen);
+  void show(std::shared_ptr<Plc> fresh, bool isExample, Listing seen);
+  // Of several stations this one.
+  void show(std::shared_ptr<Laboratory> fresh, std::size_t shown, bool isExample, Listing seen);
+  // Another one of them; all go on.
+  void showStation(std::size_t number);
+  // Empty: there is only one.
+  std::string stationName() const { return lab ? lab->build.stations[station].name : ""; }
   void remember(const std::string& opened);
   // Looks at the folder, elsewhere; what is seen counts from `takeLook` on.
   void lookAtFiles();
@@ -103,13 +111,15 @@ struct Shared {
  private:
   OfflineRef offline_;
   void dropWorks();
+  void leave();
+  void exchange(std::shared_ptr<Plc> fresh);
 
   std::optional<station::Engine> engine_;  // of the PLC before
   std::vector<Work> works_;                // that wait for the end of the cycle
   Instant worksLatest_;
   Job offlineJob_;
   std::uint64_t looks_ = 0, taken_ = 0, lookNumber_ = 0;
-  BreakpointLines placed_;  // in the CPU, of this program
+  PageBreakpoints placed_;  // in the CPU, of this program
   std::uint64_t placedProgram_ = 0;
   ProgramRef seenProgram_;
   std::uint64_t seenRevision_ = 0;  // of `programRevision`
@@ -127,6 +137,8 @@ struct Browser {
   std::map<std::int64_t, ModifyList> modifies;
   std::optional<StatusView> status;
   bool process = false;
+  bool stations = false;                      // it wants the event of this name
+  Json stationsSeen = nullptr;                // as told last
   std::shared_ptr<const Json> processValues;  // as told last
   struct Serial {
     bool on = false;
@@ -144,6 +156,9 @@ struct Browser {
 // Operands that this browser has at trigger points, besides those of these lists.
 std::size_t pointItems(const Browser& browser, std::int64_t exceptWatch, std::int64_t exceptModify);
 
+// Of a CPU, or what stands for it: "RUN", and its LEDs.
+std::string_view modeOf(const Plc& plc);
+Json lampsOf(const Plc& plc);
 // All of the event "state".
 Json state(Shared& shared);
 // What differs; null stands for a field that is now null.

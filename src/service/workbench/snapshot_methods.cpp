@@ -168,6 +168,9 @@ Answer take(const Call& call, const SavedCpu& saved) {
 }
 
 Answer load(const Call& call) {
+  if (call.shared.lab)
+    return refused(ProblemCode::P1308, call.shared.stationName(),
+                   "the state of one of several stations cannot be loaded: they share their time");
   return elsewhere<Read>(
       call, call.shared.clerk,
       [online = call.plc().program(), build = call.plc().buildRef()](const Aside& aside) {

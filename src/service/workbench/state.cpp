@@ -19,7 +19,7 @@ std::string_view word(const auto& names, E value) {
   return names[static_cast<std::size_t>(value)];
 }
 
-Json leds(const cpu::Leds& leds) {
+Json lampRows(const cpu::Leds& leds) {
   const auto text = [](cpu::Light light) { return word(kLights, light); };
   return {{"SF", text(leds.sf)},     {"BF", text(leds.bf)},   {"DC5V", text(leds.dc5v)},
           {"FRCE", text(leds.frce)}, {"RUN", text(leds.run)}, {"STOP", text(leds.stop)}};
@@ -118,10 +118,15 @@ Json project(const Shared& shared) {
           {"example", shared.example},
           {"serial", hasSerial(*shared.plc)},
           {"empty", shared.plc->program() != nullptr && shared.plc->program()->empty()},
-          {"changed", shared.files.changed()}};
+          {"changed", shared.files.changed()},
+          {"station", shared.stationName()},
+          {"network", shared.lab ? shared.lab->path : ""}};
 }
 
 }  // namespace
+
+std::string_view modeOf(const Plc& plc) { return word(kModes, plc.controller().mode()); }
+Json lampsOf(const Plc& plc) { return lampRows(ledsOf(plc)); }
 
 Json state(Shared& shared) {
   const Pace& pace = shared.pacer.pace();
@@ -129,15 +134,16 @@ Json state(Shared& shared) {
                {"project", nullptr},
                {"pace", {{"mode", word(kPaces, pace.mode)}, {"factor", pace.factor}}},
                {"reached", shared.pacer.reached()},
+               {"browsers", shared.browsers},
                {"program", shared.programRevision},
                {"files", shared.filesRevision}};
   if (!shared.plc) return json;
   Plc& plc = *shared.plc;
   const controller::Controller& c = plc.controller();
   json["project"] = project(shared);
-  json["mode"] = word(kModes, c.mode());
+  json["mode"] = modeOf(plc);
   json["powered"] = c.powered();
-  json["leds"] = leds(ledsOf(plc));
+  json["leds"] = lampsOf(plc);
   json["stopReason"] = shared.folder.withoutFolder(c.stopReason());
   json["time"] = c.now().ns;
   json["cycles"] = c.cycles();

@@ -6,6 +6,7 @@
 #include "workbench/axis_shown.h"
 #include "workbench/method.h"
 #include "workbench/process_rows.h"
+#include "workbench/station_rows.h"
 
 namespace merker::workbench {
 
@@ -15,7 +16,8 @@ const Method* findMethod(std::string_view name) {
         dataMethods(),      debugMethods(),    symbolMethods(),   hardwareMethods(),
         diagnosisMethods(), processMethods(),  projectMethods(),  trendMethods(),
         modifyMethods(),    timerMethods(),    snapshotMethods(), recordingMethods(),
-        downloadMethods(),  importMethods(),   serialMethods(),   networkMethods()}) {
+        downloadMethods(),  importMethods(),   serialMethods(),   networkMethods(),
+        stationMethods()}) {
     const auto found = std::ranges::find(group, name, &Method::name);
     if (found != group.end()) return &*found;
   }
@@ -40,6 +42,12 @@ Workbench::Workbench() {
   shared_.onPoint = [this](monitor::CyclePoint point) { reached(point); };
 }
 
+// The way back to the project of the command line is a click.
+void Workbench::use(Workspace workspace) {
+  shared_.workspace = std::move(workspace);
+  if (!shared_.workspace.given().empty()) shared_.remember(shared_.workspace.given());
+}
+
 // Modify before sampling, so that watch lists see the values in the same cycle.
 void Workbench::reached(monitor::CyclePoint point) {
   for (auto& [id, browser] : browsers_)
@@ -53,7 +61,12 @@ void Workbench::sampleTrends() {
     for (auto& [number, trend] : browser.trends) trend.sample(*shared_.plc);
 }
 
-void Workbench::show(std::unique_ptr<Plc> plc, bool example) {
+void Workbench::show(std::shared_ptr<Laboratory> lab) {
+  Listing seen = folderOf(lab->plcs[0]->build().project).list();
+  shared_.show(std::move(lab), 0, false, std::move(seen));
+}
+
+void Workbench::show(std::shared_ptr<Plc> plc, bool example) {
   for (auto& [id, browser] : browsers_) browser.heldBits = {};
   Listing seen = plc ? folderOf(plc->build().project).list() : Listing();
   shared_.show(std::move(plc), example, std::move(seen));
@@ -77,9 +90,11 @@ void Workbench::beginFrame(std::int64_t nowMs) {
   shared_.takeLook();
   shared_.lookAtProgram();
   shared_.placeProbes();
+  shared_.browsers = browsers_.size();
   state_ = state(shared_);
   readProcess();
   readSerial();
+  readStations();
 }
 
 std::vector<std::string> Workbench::events(BrowserId id, const Enough& enough) {
@@ -99,6 +114,7 @@ std::vector<std::string> Workbench::events(BrowserId id, const Enough& enough) {
   addLists(browser, texts, enough);
   addProcess(browser, texts);
   addSerial(browser, texts);
+  addStations(browser, texts);
   return texts;
 }
 
@@ -188,6 +204,23 @@ void Workbench::addSerial(Browser& browser, std::vector<std::string>& texts) {
                         {"line", serialLine_}}));
 }
 
+// Ten times a second, for all browsers.
+void Workbench::readStations() {
+  constexpr std::int64_t kBetweenLooks = 100;
+  const bool watched =
+      std::ranges::any_of(browsers_, [](const auto& one) { return one.second.stations; });
+  if (!watched || !shared_.lab || nowMs_ < nextStations_) return;
+  nextStations_ = nowMs_ + kBetweenLooks;
+  stations_ = stationsNow(*shared_.lab);
+}
+
+void Workbench::addStations(Browser& browser, std::vector<std::string>& texts) {
+  if (!browser.stations || !shared_.lab || stations_.is_null()) return;
+  if (browser.stationsSeen == stations_) return;
+  browser.stationsSeen = stations_;
+  texts.push_back(dump(stations_));
+}
+
 // A single step that takes long: part by part, whatever the pace is.
 void Workbench::stepOn(const Enough& enough) {
   constexpr Duration kStepPart = Duration::milliseconds(10);
@@ -199,6 +232,7 @@ void Workbench::stepOn(const Enough& enough) {
   if (debugger.stepping() && now() < end) return;
   if (debugger.stepping()) debugger.giveUpStep();
   shared_.stepEnds.reset();
+  shared_.plc->controller().advanceTo(now());  // other stations come along
   shared_.pacer.rebase();
 }
 

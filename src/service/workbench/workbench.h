@@ -21,9 +21,10 @@ class Workbench {
   Workbench();
   Workbench(const Workbench&) = delete;
   Workbench& operator=(const Workbench&) = delete;
-  void use(Workspace workspace) { shared_.workspace = std::move(workspace); }
+  void use(Workspace workspace);
   // The PLC that everybody sees from now on.
-  void show(std::unique_ptr<Plc> plc, bool example = false);
+  void show(std::shared_ptr<Plc> plc, bool example = false);
+  void show(std::shared_ptr<Laboratory> lab);
   Plc* plc() { return shared_.plc.get(); }
 
   void opened(BrowserId browser) { browsers_[browser]; }
@@ -81,6 +82,8 @@ class Workbench {
   void addLists(Browser& browser, std::vector<std::string>& texts, const Enough& enough);
   void readProcess();
   void addProcess(Browser& browser, std::vector<std::string>& texts);
+  void readStations();
+  void addStations(Browser& browser, std::vector<std::string>& texts);
   void readSerial();
   void addSerial(Browser& browser, std::vector<std::string>& texts);
 
@@ -91,8 +94,8 @@ class Workbench {
   std::function<void(std::string_view)> tell_;
   Json state_;
   std::shared_ptr<const Json> process_;  // as read last
-  Json serialLine_;
-  std::int64_t nowMs_ = 0, nextLook_ = 0, nextSerial_ = 0;
+  Json serialLine_, stations_;
+  std::int64_t nowMs_ = 0, nextLook_ = 0, nextSerial_ = 0, nextStations_ = 0;
 };
 
 }  // namespace merker::workbench

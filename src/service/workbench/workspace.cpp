@@ -73,6 +73,28 @@ void collect(const fs::path& root, const std::string& below, std::vector<Example
   }
 }
 
+std::string copyName(std::string id) {
+  std::ranges::replace(id, '/', '-');
+  return id;
+}
+
+// An import of several programs has a folder for each.
+void findProjects(const fs::path& root, const std::string& below, int depth,
+                  std::vector<std::string>& found) {
+  constexpr int kDeepest = 2;
+  constexpr std::size_t kMost = 500;
+  for (const project::Entry& entry : project::entries((root / below).string())) {
+    if (found.size() == kMost) return;
+    if (!entry.folder) continue;
+    const std::string path = below.empty() ? entry.name : fmt::format("{}/{}", below, entry.name);
+    if (!isValidUtf8(path)) continue;
+    if (isProject(root / path))
+      found.push_back(path);
+    else if (depth < kDeepest)
+      findProjects(root, path, depth + 1, found);
+  }
+}
+
 // From Latin-1 on letters, but for signs, spaces that look like none, and what changes direction.
 bool isLetter(char32_t c) {
   if (c < 0x80) return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
@@ -146,19 +168,25 @@ std::string newModels() {
 std::vector<Example> Workspace::examples() const {
   std::vector<Example> list;
   if (!examples_.empty()) collect(examples_, "", list);
+  for (Example& one : list) one.copied = isProject(fs::path(folder_) / copyName(one.id));
   return list;
+}
+
+std::vector<std::string> Workspace::projects() const {
+  std::vector<std::string> found;
+  if (!folder_.empty()) findProjects(folder_, "", 0, found);
+  return found;
 }
 
 std::span<const Template> Workspace::templates() { return kTemplates; }
 
-Result<std::string> Workspace::copyExample(const std::string& id) const {
+Result<std::string> Workspace::copyExample(const std::string& id, bool fresh) const {
   const auto all = examples();
   if (std::ranges::find(all, id, &Example::id) == all.end())
     return makeProblem(ProblemCode::P1316, nowhere(), "example", id, "");
-  std::string name = id;
-  std::ranges::replace(name, '/', '-');
-  const fs::path to = fs::path(folder_) / name;
-  if (isProject(to)) return to.string();
+  fs::path to = fs::path(folder_) / copyName(id);
+  if (isProject(to) && !fresh) return to.string();
+  if (isProject(to)) to = fs::path(folder_) / freeName(copyName(id));
   std::error_code error;
   fs::create_directories(to, error);
   if (!error) fs::copy(fs::path(examples_) / id, to, fs::copy_options::recursive, error);
@@ -201,8 +229,7 @@ std::string Workspace::freeName(std::string_view wanted) const {
   return free;
 }
 
-Result<std::string> Workspace::make(const NewProject& wanted) const {
-  if (!isProjectName(wanted.name)) return makeProblem(ProblemCode::P1317, nowhere(), wanted.name);
+std::optional<Problem> Workspace::wrong(const NewProject& wanted) {
   const CpuModel* model = findCpuModel(wanted.model);
   if (model == nullptr)
     return makeProblem(ProblemCode::P0705, nowhere(), wanted.model, newModels());
@@ -210,13 +237,25 @@ Result<std::string> Workspace::make(const NewProject& wanted) const {
     return makeProblem(ProblemCode::P0502, nowhere(), fmt::format("OB {}", wanted.ob), model->name);
   if (std::ranges::find(kTemplates, wanted.form, &Template::id) == std::end(kTemplates))
     return makeProblem(ProblemCode::P1316, nowhere(), "template", wanted.form, "");
+  return std::nullopt;
+}
+
+std::optional<Problem> Workspace::fill(const std::string& folder, const NewProject& wanted) {
+  const ProjectFolder files(folder);
+  const CpuModel& model = *findCpuModel(wanted.model);
+  for (const auto& [name, text] : {std::pair{std::string(kSettings), settingsText(wanted)},
+                                   std::pair{std::string("main.awl"), sourceText(wanted, model)},
+                                   std::pair{std::string("symbols.sym"), std::string()}})
+    if (auto problem = files.create(name, text)) return problem;
+  return std::nullopt;
+}
+
+Result<std::string> Workspace::make(const NewProject& wanted) const {
+  if (!isProjectName(wanted.name)) return makeProblem(ProblemCode::P1317, nowhere(), wanted.name);
+  if (auto problem = wrong(wanted)) return *problem;
   const auto folder = makeFolder(wanted.name);
   if (!folder) return folder.error();
-  const ProjectFolder files(*folder);
-  for (const auto& [name, text] : {std::pair{std::string(kSettings), settingsText(wanted)},
-                                   std::pair{std::string("main.awl"), sourceText(wanted, *model)},
-                                   std::pair{std::string("symbols.sym"), std::string()}})
-    if (auto problem = files.create(name, text)) return *problem;
+  if (auto problem = fill(*folder, wanted)) return *problem;
   return *folder;
 }
 

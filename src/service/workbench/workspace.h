@@ -14,6 +14,7 @@ namespace merker::workbench {
 struct Example {
   std::string id;  // path below the folder of examples
   std::string title, description;
+  bool copied = false;  // into the workspace
 };
 
 struct Template {
@@ -35,17 +36,23 @@ class Workspace {
       : folder_(std::move(folder)), examples_(std::move(examples)), given_(std::move(given)) {}
 
   const std::string& folder() const { return folder_; }
+  const std::string& given() const { return given_; }
   std::vector<Example> examples() const;
+  // Folders of projects below that of the workspace, relative to it.
+  std::vector<std::string> projects() const;
   static std::span<const Template> templates();
 
-  // The copy of an example in the workspace, made at the first time.
-  Result<std::string> copyExample(const std::string& id) const;
+  // The copy of an example in the workspace, made at the first time; `fresh`: one more.
+  Result<std::string> copyExample(const std::string& id, bool fresh = false) const;
   // A folder of a project that may be opened: P1318 for others.
   Result<std::string> folderToOpen(const std::string& folder) const;
   // A new folder for a project: P1317, P1312.
   Result<std::string> makeFolder(const std::string& name) const;
   // A name like this one that a new project can have.
   std::string freeName(std::string_view wanted) const;
+  // What is wrong with this wish apart from its name; and its files, into a folder that is empty.
+  static std::optional<Problem> wrong(const NewProject& wanted);
+  static std::optional<Problem> fill(const std::string& folder, const NewProject& wanted);
   // The folder of a project that has just been made.
   Result<std::string> make(const NewProject& wanted) const;
 

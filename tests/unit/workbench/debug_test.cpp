@@ -101,6 +101,17 @@ TEST_F(Debugging, BreakpointsStopAndStepsGoOn) {
   EXPECT_EQ(bench.state()["mode"], "RUN");
 }
 
+// Clients of S7 communication set breakpoints, too.
+TEST_F(Debugging, BreakpointsOfOthersStay) {
+  monitor::Debugger& debugger = bench.workbench.plc()->monitor().debugger();
+  debugger.setBreakpoint({.block = {BlockKind::FC, 1}, .offset = 0, .file = "main.awl"});
+  bench.call("breakpoints.set", {{"file", "main.awl"}, {"lines", {10}}});
+  EXPECT_EQ(debugger.breakpoints().size(), 2u);
+  bench.call("breakpoints.set", {{"file", "main.awl"}, {"lines", Json::array()}});
+  ASSERT_EQ(debugger.breakpoints().size(), 1u);
+  EXPECT_EQ(debugger.breakpoints()[0].place.block, (BlockId{BlockKind::FC, 1}));
+}
+
 TEST_F(Debugging, BreakpointsStayThroughALoad) {
   bench.call("breakpoints.set", {{"file", "main.awl"}, {"lines", {4}}});
   std::string text = kSource;

@@ -101,6 +101,7 @@ TEST(State, EachBrowserHasItsOwnView) {
   EXPECT_FALSE(bench.event("state").is_null());
   bench.workbench.opened(2);
   EXPECT_EQ(bench.event("state", 2)["mode"], "RUN");
+  EXPECT_EQ(bench.event("state", 1), Json({{"event", "state"}, {"browsers", 2}}));
   EXPECT_TRUE(bench.event("state", 1).is_null());
 }
 

@@ -45,6 +45,25 @@ TEST_F(Projects, AnExampleIsCopiedOnce) {
     EXPECT_EQ(codeOf(workspace.copyExample(none)), "P1316") << none;
 }
 
+TEST_F(Projects, AFreshCopyOfAnExampleLiesBesideTheOldOne) {
+  EXPECT_FALSE(workspace.examples()[0].copied);
+  ASSERT_TRUE(workspace.copyExample("course/two", true));
+  EXPECT_TRUE(workspace.examples()[0].copied);
+  folder.write("mine/course-two/merker.toml", "[project]\nname = \"changed\"\n");
+  EXPECT_EQ(codeOf(workspace.copyExample("course/two", true)),
+            "made " + folder.path("mine/course-two 2"));
+  EXPECT_EQ(folder.read("mine/course-two 2/merker.toml"), "[project]\n");
+  EXPECT_EQ(folder.read("mine/course-two/merker.toml"), "[project]\nname = \"changed\"\n");
+}
+
+TEST_F(Projects, ThoseOfTheWorkspaceAreListed) {
+  folder.write("mine/lift/merker.toml", "[project]\n");
+  folder.write("mine/plant/mill/merker.toml", "[project]\n");
+  folder.write("mine/lift/inner/merker.toml", "[project]\n");
+  folder.write("mine/notes/text.txt", "x");
+  EXPECT_EQ(workspace.projects(), (std::vector<std::string>{"lift", "plant/mill"}));
+}
+
 // S7-MGR-01
 TEST_F(Projects, ANewOneIsMadeOnce) {
   NewProject wanted{.name = "Press", .model = "314C-2 PtP", .form = "empty", .mpiAddress = 4};

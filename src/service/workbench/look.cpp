@@ -1,0 +1,56 @@
+#include "workbench/look.h"
+
+#include "block/container.h"
+#include "workbench/hardware_rows.h"
+#include "workbench/program_rows.h"
+#include "workbench/symbol_rows.h"
+
+namespace merker::workbench {
+namespace {
+
+// `source` is empty for a block that has none of its own.
+Json blockTexts(const monitor::ProgramCode& code, const project::Project& project,
+                Mnemonics mnemonics) {
+  const auto sources = blockSources(project.sources, project.symbols);
+  Json rows = Json::array();
+  for (const monitor::BlockCode& block : code.blocks()) {
+    const auto source = sources.find(block.id());
+    const bool s7 = block.s7() != nullptr;
+    rows.push_back({{"id", toString(block.id())},
+                    {"code", listing(block, mnemonics)},
+                    {"checksum", s7 ? fmt::format("{:04X}", checksum(*block.s7())) : ""},
+                    {"source", source == sources.end() ? "" : source->second.text}});
+  }
+  return rows;
+}
+
+Json symbolTexts(const source::SymbolTable& symbols) {
+  Json rows = Json::array();
+  for (const source::Symbol& symbol : symbols.list())
+    rows.push_back(toJson(symbolRow(symbol, symbols.language())));
+  return rows;
+}
+
+// A SINUMERIK has none that are chosen.
+Json racksOf(const project::Project& project) {
+  if (project.control) return Json::array();
+  Problems none;
+  return hardwareRows(
+      project.hardware ? *project.hardware : io::configure({}, *project.model, none), nullptr,
+      project.symbols);
+}
+
+}  // namespace
+
+Json lookOf(const compilation::Build& build, const block::Program* program, Mnemonics mnemonics) {
+  const project::Project& project = build.project;
+  const monitor::ProgramCode code = build.isListing()    ? monitor::ProgramCode(build.listings)
+                                    : program != nullptr ? monitor::ProgramCode(*program)
+                                                         : monitor::ProgramCode(*build.program);
+  return {{"name", project.name},
+          {"blocks", blockTexts(code, project, mnemonics)},
+          {"symbols", symbolTexts(project.symbols)},
+          {"racks", racksOf(project)}};
+}
+
+}  // namespace merker::workbench

@@ -1,0 +1,168 @@
+#include "workbench/new_station.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "base/text.h"
+#include "compilation/network.h"
+#include "project/files.h"
+#include "project/settings_edit.h"
+#include "workbench/json.h"
+#include "workbench/project_folder.h"
+
+namespace merker::workbench {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kNetworkFile = "merker.toml";
+
+// TOML of a text; names and operands have no control characters that would need more.
+std::string tomlText(std::string_view text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    if (static_cast<unsigned char>(c) >= 0x20) out += c;
+  }
+  return out + "\"";
+}
+
+std::string nodeText(std::string_view station, std::uint32_t address) {
+  return fmt::format("{{station = {}, address = {}}}", tomlText(station), address);
+}
+
+// In small letters: the name of its folder.
+std::string folderName(std::string_view station) {
+  std::string name(station);
+  std::ranges::transform(name, name.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c | 0x20) : c;
+  });
+  return name;
+}
+
+bool isStationName(std::string_view name) {
+  constexpr std::string_view kCharacters =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-";
+  return !name.empty() && name.find_first_not_of(kCharacters) == std::string_view::npos;
+}
+
+Problem wrongName() {
+  return makeProblem(ProblemCode::P1305, nowhere(), "name",
+                     "at most 32 letters, digits, '-' and '_'");
+}
+
+// The merker.toml of several stations while it is changed.
+class NetworkFile {
+ public:
+  explicit NetworkFile(const std::string& path)
+      : folder_(project::load(path, {}).folder), read_(folder_.read(kNetworkFile)) {}
+
+  std::optional<Problem> problem() const {
+    if (!read_) return read_.error();
+    return std::nullopt;
+  }
+  project::SettingsEdit edit() const { return {folder_.full(kNetworkFile), read_->text}; }
+  // The project as it would be with this text.
+  project::Project with(const std::string& text) const {
+    return project::load(folder_.folder(), {}, {{folder_.full(kNetworkFile), text}});
+  }
+  std::optional<Problem> write(const std::string& text) const {
+    return folder_.write(kNetworkFile, text, read_->revision);
+  }
+  const ProjectFolder& folder() const { return folder_; }
+
+ private:
+  ProjectFolder folder_;
+  Result<ProjectFolder::Content> read_;
+};
+
+std::optional<Problem> firstError(const Problems& problems) {
+  for (const Problem& one : problems.list())
+    if (one.severity() == Severity::Error) return one;
+  return std::nullopt;
+}
+
+std::string withStation(const NetworkFile& file, const NewStation& wanted) {
+  project::SettingsEdit edit = file.edit();
+  edit.addTable("station",
+                {{"name", tomlText(wanted.name)}, {"folder", tomlText(folderName(wanted.name))}});
+  const std::string node = nodeText(wanted.name, wanted.address);
+  if (!wanted.subnet.empty() && !edit.addNode(wanted.subnet, node))
+    edit.addTable("subnet", {{"name", tomlText(wanted.subnet)},
+                             {"kind", "\"mpi\""},
+                             {"highest", wanted.address > 31 ? "126" : "31"},
+                             {"nodes", fmt::format("[{}]", node)}});
+  return edit.text();
+}
+
+std::uint32_t freeCircle(const project::Network& network) {
+  std::set<std::uint32_t> used;
+  for (const project::GlobalDataRow& row : network.globalData) used.insert(row.circle);
+  std::uint32_t number = 1;
+  while (used.contains(number)) ++number;
+  return number;
+}
+
+}  // namespace
+
+Result<std::string> addStation(const std::string& path, const NewStation& wanted) {
+  if (!isStationName(wanted.name)) return wrongName();
+  const NewProject own{wanted.name, wanted.model, wanted.form, wanted.mnemonics, 1, wanted.address};
+  if (auto problem = Workspace::wrong(own)) return *problem;
+  const NetworkFile file(path);
+  if (auto problem = file.problem()) return *problem;
+  const std::string text = withStation(file, wanted);
+  if (auto problem = firstError(file.with(text).problems)) return *problem;
+  const fs::path folder = fs::path(file.folder().folder()) / folderName(wanted.name);
+  std::error_code error;
+  if (!fs::create_directory(folder, error))
+    return error ? makeProblem(ProblemCode::P1313, nowhere(), folder.string(), error.message())
+                 : makeProblem(ProblemCode::P1312, nowhere(), folder.string());
+  if (auto problem = Workspace::fill(folder.string(), own)) return *problem;
+  if (auto problem = file.write(text)) return *problem;
+  return path;
+}
+
+Result<std::string> addCircle(const std::string& path, const NewCircle& wanted) {
+  const NetworkFile file(path);
+  if (auto problem = file.problem()) return *problem;
+  const project::Project before = file.with(file.edit().text());
+  if (!before.network) return path;
+  std::string to;
+  for (const std::string& one : wanted.to) to += (to.empty() ? "" : ", ") + tomlText(one);
+  project::SettingsEdit edit = file.edit();
+  edit.addTable("global_data", {{"circle", std::to_string(freeCircle(*before.network))},
+                                {"from", tomlText(wanted.from)},
+                                {"to", fmt::format("[{}]", to)},
+                                {"rate", std::to_string(wanted.rate)}});
+  const auto build = compilation::buildNetwork(file.with(edit.text()), false);
+  if (auto problem = firstError(build.problems)) return *problem;
+  if (auto problem = file.write(edit.text())) return *problem;
+  return path;
+}
+
+Result<std::string> makeNetwork(const Workspace& workspace, const std::string& name,
+                                const std::string& station, const std::string& from,
+                                std::uint32_t address) {
+  if (!isStationName(station)) return wrongName();
+  if (!project::isFile(project::join(from, kNetworkFile)))
+    return makeProblem(ProblemCode::P1308, nowhere(), from,
+                       "a single source is no station; it needs a project folder");
+  const auto made = workspace.makeFolder(name);
+  if (!made) return made.error();
+  std::error_code error;
+  fs::copy(from, fs::path(*made) / folderName(station), fs::copy_options::recursive, error);
+  if (error) return makeProblem(ProblemCode::P1313, nowhere(), from, error.message());
+  const std::string text = fmt::format(
+      "[project]\nname = {}\n\n[[station]]\nname = {}\nfolder = {}\n\n[[subnet]]\nname = "
+      "\"MPI(1)\"\nkind = \"mpi\"\nbaud = \"187.5k\"\nhighest = {}\nnodes = [{}]\n",
+      tomlText(name), tomlText(station), tomlText(folderName(station)), address > 31 ? 126 : 31,
+      nodeText(station, address));
+  if (auto problem = ProjectFolder(*made).create(kNetworkFile, text)) return *problem;
+  return *made;
+}
+
+}  // namespace merker::workbench

@@ -1,0 +1,97 @@
+// Several stations: the picture of the network, live; stations and lines by click and by keyboard; a second station and its connection
+// (S7-MGR-13, S7-NETPRO-02 to S7-NETPRO-08).
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { accessible } from './axe.mjs';
+import { expect, open, picture, serve, until, visit } from './harness.mjs';
+import { crowding } from './layout.mjs';
+
+const ring = await serve('networks/token-ring');
+const page = await open(ring, 'stations');
+const card = (name, on = page) => on.locator(`[data-station='${name}']`);
+const button = (name, on = page) => on.getByRole('button', { name, exact: true });
+
+test('all stations run, with their addresses', async () => {
+  await page.getByRole('heading', { name: 'Netz Token ring' }).waitFor();
+  for (const name of ['Cell1', 'Cell2', 'Cell3', 'Cell4', 'Cell5'])
+    await expect(() => card(name).getAttribute('data-state'), 'RUN');
+  assert.deepEqual((await page.locator(".canvas text").allTextContents()).filter((text) => /^\d$/.test(text)), ['2', '3', '4', '5', '6']);
+  await until(async () => !(await page.getByRole('table', { name: 'Subnetze' }).innerText()).includes('\t0 %'), 'the line is busy');
+});
+
+test('a click opens a station; all views are about it', async () => {
+  await button('Cell3 CPU 314C-2 PtP').click();
+  await page.locator('header').getByText('Cell3').waitFor();
+  await expect(() => button('Cell3 CPU 314C-2 PtP').getAttribute('aria-current'), 'true');
+});
+
+test('one is stopped and goes on', async () => {
+  await button('Cell2: STOP').click();
+  await expect(() => card('Cell2').getAttribute('data-state'), 'STOP');
+  await expect(() => card('Cell1').getAttribute('data-state'), 'RUN');
+  await button('Cell2: RUN').focus();
+  await page.keyboard.press('Enter');
+  await expect(() => card('Cell2').getAttribute('data-state'), 'RUN');
+  await button('Cell2: Netz').click();
+  await expect(() => card('Cell2').getAttribute('data-state'), 'AUS');
+  await button('Cell2: Netz').click();
+  await expect(() => card('Cell2').getAttribute('data-state'), 'RUN');
+});
+
+test('a plug is pulled and put in again', async () => {
+  const plug = button('Cell4: Stecker an MPI(1)');
+  await plug.click();
+  await expect(() => plug.getAttribute('aria-pressed'), 'false');
+  await page.waitForTimeout(300);
+  await plug.click();
+  await expect(() => plug.getAttribute('aria-pressed'), 'true');
+  await until(async () => (await page.getByRole('table', { name: 'Globaldaten' }).innerText()).includes('Paket verloren'), 'GDS tells of it');
+});
+
+test('the line is broken and mended', async () => {
+  await button('MPI(1) unterbrechen').click();
+  await page.getByText('unterbrochen', { exact: true }).waitFor();
+  await button('MPI(1) reparieren').click();
+  await page.getByText('in Ordnung', { exact: true }).waitFor();
+});
+
+test('a station is added and connected', async () => {
+  await button('Station hinzufügen').click();
+  await page.getByLabel('Name', { exact: true }).fill('Office');
+  await expect(() => page.getByLabel('MPI-Adresse').inputValue(), '7');
+  await page.keyboard.press('Enter');
+  await card('Office').waitFor();
+  await page.locator('header').getByText('Office').waitFor();
+  await button('Globaldaten verbinden').click();
+  await page.getByLabel('Empfänger', { exact: true }).selectOption('Office');
+  await page.getByLabel('Sender: Bereich').fill('MW 104');
+  await page.getByLabel('Empfänger: Bereich').fill('MW 10');
+  await page.getByRole('dialog').getByRole('button', { name: 'Globaldaten verbinden' }).click();
+  await page.getByText('Office/MW 10').waitFor();
+  const text = readFileSync(join(ring.project, 'merker.toml'), 'utf8');
+  assert.match(text, /\{station = "Office", address = 7\}/);
+  assert.match(text, /from = "Cell1\/MW 104"\nto = \["Office\/MW 10"\]/);
+});
+
+test('a project of one station becomes one of several', async () => {
+  const plant = await serve('vessel-emptying');
+  const other = await open(plant, 'projects');
+  await other.getByRole('button', { name: /^MPI\(1\)/ }).click();
+  await other.getByLabel('Name des neuen Projekts').fill('Two vessels');
+  await other.getByLabel('Name dieser Station').fill('Vessel');
+  await button('Projekt mit mehreren Stationen', other).click();
+  await visit(other, plant, 'stations');
+  await expect(() => card('Vessel', other).getAttribute('data-state'), 'RUN');
+});
+
+for (const theme of ['light', 'dark'])
+  for (const [width, height] of [[1280, 800], [1024, 768], [768, 1024]])
+    test(`it is accessible and has room at ${width}x${height}, ${theme}`, async () => {
+      const small = await open(ring, 'stations', { theme, width, height });
+      await card('Cell5', small).waitFor();
+      await accessible(small);
+      assert.deepEqual(await crowding(small), []);
+      if (theme === 'light' && width === 1280) await picture(small, 'stations-light');
+    });
