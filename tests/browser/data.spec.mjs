@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import { test } from 'node:test';
 import { accessible } from './axe.mjs';
 import { text } from './editor.mjs';
-import { expect, launch, message, open, scratch, turn, until, write } from './harness.mjs';
+import { expect, launch, message, open, scratch, turn, until, visit, write } from './harness.mjs';
 import { crowding } from './layout.mjs';
 
 const PROGRAM = `FUNCTION_BLOCK FB 1
@@ -112,11 +112,26 @@ test('an instance shows what its parameters are; the source comes back', async (
   await page.locator('.code').waitFor();
 });
 
+test('the list marks the block whose data are shown', async () => {
+  const marked = () => page.getByRole('treeitem', { selected: true }).innerText();
+  const source = readFileSync(join(project, 'main.awl'), 'utf-8');
+  const lineOf = (words) => source.split('\n').findIndex((one) => one.startsWith(words)) + 1;
+  for (const id of ['OB 1', 'DB 2', 'DB 1']) {
+    await visit(page, server, `program?file=main.awl&line=${lineOf(`${id.startsWith('OB') ? 'ORGANIZATION' : 'DATA'}_BLOCK ${id}`) + 1}`);
+    await until(async () => (await marked()).startsWith(id), `${id} marked`);
+  }
+  await page.getByRole('button', { name: 'Datensicht' }).click();
+  await page.getByText('Instanz von FB 1').waitFor();
+  await visit(page, server, `program?file=main.awl&line=${lineOf('DATA_BLOCK DB 2') + 1}`);
+  await until(async () => (await marked()).startsWith('DB 2') && (await row('Speed').count()) === 1, 'DB 2 marked with its data');
+  await page.getByRole('button', { name: 'Datensicht' }).click();
+});
+
 test('a block of the CPU is shown so', async () => {
   await page.getByRole('tab', { name: 'Online' }).click();
   await block('DB 2').click();
   await expect(() => actual('Speed'), '1.500000e+000');
-  for (const [width, height] of [[1280, 800]]) {
+  for (const [width, height] of [[1024, 768], [768, 1024], [1280, 800]]) {
     await page.setViewportSize({ width, height });
     let found;
     await until(async () => (found = await crowding(page)).length === 0, () => found.join('\n'));

@@ -4,6 +4,8 @@ import { mkdirSync, writeFileSync } from 'node:fs';
 import { connect } from 'node:net';
 import { join } from 'node:path';
 import { test } from 'node:test';
+import { accessible } from './axe.mjs';
+import { statusOf, toLine } from './editor.mjs';
 import { launch, open, serve, turn, until, visit } from './harness.mjs';
 
 /** FC 1 stops the CPU in line 8: BTI of what is no BCD number. */
@@ -22,6 +24,10 @@ NETWORK
       CALL  FC 1;
 END_ORGANIZATION_BLOCK
 `;
+
+/** Kind 3 (others), rack 0, slot 2; a setup with PDUs of 480 bytes. */
+const CONNECTION_REQUEST = '0300001611E00000000500C0010AC1020100C2020302';
+const SETUP = '0300001902F08032010000000000080000F0000001000101E0';
 
 const server = await serve();
 const page = await open(server, 'diagnosis');
@@ -59,7 +65,14 @@ test('clients of S7 communication are seen', async () => {
   const served = await launch(folder, server.workspace, 0, ['--s7', '0.0.0.0:0']);
   const port = Number(served.said().match(/S7 communication: 0\.0\.0\.0:(\d+)/)[1]);
   const clients = [1, 2].map(() => connect(port, '127.0.0.1'));
-  for (const client of clients) client.write(Buffer.from('0300001611E00000000500C0010AC1020100C2020302', 'hex'));
+  const ask = (client, hex) => new Promise((answered) => {
+    client.once('data', answered).once('close', answered);
+    client.write(Buffer.from(hex, 'hex'));
+  });
+  // The first one has set up its connection: only such a one keeps its place.
+  await ask(clients[0], CONNECTION_REQUEST);
+  await ask(clients[0], SETUP);
+  await ask(clients[1], CONNECTION_REQUEST);
   const view = await open(served, 'diagnosis');
   await view.getByRole('link', { name: /für andere Rechner offen/ }).click();
   const panel = view.getByRole('tabpanel');
@@ -91,6 +104,21 @@ test('after a fault: "open block" leads to its line (S7-MGR-16)', async () => {
   await fault.locator('.code .cm-content').waitFor();
   await until(() => /file=main\.awl&line=8/.test(fault.url()), 'the line in the address');
   await until(async () => (await fault.locator('.code .cm-activeLine').innerText()).includes('BTI'), 'the line');
+});
+
+test('the statement that stopped the CPU is marked, with the registers of that instant', async () => {
+  const mark = fault.locator('.code .cm-failed-line');
+  await until(async () => (await mark.innerText()).includes('BTI'), 'the mark');
+  const bar = fault.getByRole('status').filter({ hasText: 'STOP in FC 1, Zeile 8' });
+  await has(bar, /AKKU1 0000FFFF/);
+  assert.equal(await bar.getByRole('button').count(), 0, 'it is in sight');
+  await fault.getByRole('switch', { name: 'Status' }).click();
+  await until(async () => (await statusOf(fault, 8)).includes('0000FFFF'), 'AKKU 1 beside the statement');
+  await accessible(fault, 'failed statement');
+  await toLine(fault, 1);
+  await bar.getByRole('button', { name: 'Zur Anweisung' }).press('Enter');
+  await until(async () => (await fault.locator('.code .cm-activeLine').innerText()).includes('BTI'), 'the line');
+  await fault.getByRole('switch', { name: 'Status' }).click();
 });
 
 test('B stack, I stack and L stack show where it was (S7-MGR-16)', async () => {

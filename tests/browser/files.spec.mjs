@@ -32,6 +32,12 @@ test('a source is renamed with what was typed in it', async () => {
   await expect(errors, 0, 'problems');
 });
 
+test('the open file is downloaded as it is shown', async () => {
+  const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Datei herunterladen' }).press('Enter')]);
+  assert.equal(download.suggestedFilename(), 'antrieb.awl');
+  assert.equal(readFileSync(await download.path(), 'utf-8'), await text(page));
+});
+
 test('a name that is taken is refused, and the file stays', async () => {
   await page.getByRole('button', { name: 'Datei umbenennen' }).click();
   await page.getByLabel('Dateiname').fill('main.awl');

@@ -4,7 +4,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { accessible } from './axe.mjs';
-import { text } from './editor.mjs';
+import { text, toLine } from './editor.mjs';
 import { expect, message, open, serve, until } from './harness.mjs';
 import { crowding } from './layout.mjs';
 
@@ -38,6 +38,7 @@ test('blocks and comments are found; a place opens', async () => {
   await panel.getByRole('button', { name: 'FB 1' }).waitFor();
   await field.fill('boxes pushed since');
   await expect(() => hits.count(), 1);
+  await expect(found, '1 Stelle in 1 Datei, 0 Bausteine');
   await hits.getByRole('button').press('Enter');
   await until(async () => (await page.locator('.code .cm-activeLine').innerText()).includes('boxes pushed'), 'the line');
   await field.fill('KLEIN UND GROSS IST GLEICH');
@@ -71,6 +72,24 @@ test('what is replaced is seen before, left out where one wants, and saved at on
   await panel.getByRole('button', { name: `${all - 1} ersetzen` }).click();
   await panel.getByRole('button', { name: /Dateien speichern$/ }).click();
   await until(() => !readFileSync(join(server.project, 'sorting.awl'), 'utf-8').includes('WaySmall'), 'the old name');
+});
+
+test('the values of the operands follow the cursor, and are modified beside the program', async () => {
+  const watched = () => panel.locator('tr[data-nearby]').evaluateAll((rows) => rows.map((one) => one.dataset.nearby).join(' '));
+  const lineOf = async (words) => (await text(page)).split('\n').findIndex((one) => one.includes(words)) + 1;
+  await page.getByRole('tab', { name: 'Beobachten' }).click();
+  await toLine(page, await lineOf(':= "Light barrier small"'));
+  await until(async () => (await watched()).includes('"Light barrier small"'), 'the operands of the network');
+  const barrier = panel.locator(`tr[data-nearby='"Light barrier small"']`);
+  await expect(() => barrier.locator('.value.number').innerText(), '1');
+  await accessible(page, 'values beside the program');
+  const before = await watched();
+  await panel.getByRole('switch').press('Space');
+  await toLine(page, await lineOf('FUNCTION_BLOCK "Slider"') + 40);
+  await expect(() => page.locator('.code .cm-lineNumbers .cm-activeLineGutter').count(), 1);
+  assert.equal(await watched(), before);
+  await panel.getByRole('switch').press('Space');
+  await until(async () => (await watched()) !== before, 'the operands of this network');
 });
 
 test('the cross reference finds a part of a symbol', async () => {

@@ -43,3 +43,18 @@ test('the event leads to the module, which looks pulled (S7-DIAG-01)', async () 
   assert.deepEqual([...new Set(values)], ['']);
   await accessible(page, 'pulled module');
 });
+
+test('a faulty module looks so until its fault is gone', async () => {
+  await visit(page, server, 'hardware?module=0/4');
+  const front = page.getByRole('button', { name: /, gestört$/ });
+  const fault = page.getByRole('switch', { name: 'Lastspannung fehlt' });
+  await page.getByRole('switch', { name: 'gezogen' }).press('Space');
+  await page.getByRole('button', { name: /SM 321[^]*gezogen/ }).waitFor({ state: 'detached' });
+  await fault.press('Space');
+  await front.waitFor();
+  await accessible(page, 'faulty module');
+  await fault.press('Space');
+  await front.waitFor({ state: 'detached' });
+  await page.getByRole('switch', { name: 'gezogen' }).press('Space');
+  await page.getByRole('button', { name: /SM 321[^]*gezogen/ }).waitFor();
+});

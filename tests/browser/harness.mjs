@@ -15,7 +15,7 @@ export const tool = (path) => join(modules, path);
 const { chromium } = createRequire(tool('index.js'))('playwright-core');
 const merker = resolve(process.env.MERKER ?? join(root, 'build/release/merker'));
 // A busy machine is slow; who waits for a state loses nothing by patience.
-const PATIENCE = 60_000;
+const PATIENCE = Number(process.env.MERKER_PATIENCE ?? 60_000);
 
 /** What has to be done when all tests of the file are over: pages go before what they talk to, each newest first. */
 const endings = { page: [], judgement: [], program: [], folder: [] };

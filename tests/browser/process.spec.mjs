@@ -51,6 +51,25 @@ test('a box of each size goes into its bin', async () => {
   assert.equal(await count('WRONG'), '0');
 });
 
+test('the plates have names in place of operands, and room for a finger', async () => {
+  const text = () => tag('BARRIER_LARGE').innerText();
+  await until(async () => (await text()).startsWith('E 0.2'), 'the operand');
+  await page.getByRole('switch', { name: 'Namen' }).press('Space');
+  await until(async () => /^Lichtschranke/.test(await text()), 'the name');
+  await accessible(page, 'names on plates');
+  const height = () => tag('BARRIER_LARGE').evaluate((one) => one.getBoundingClientRect().height);
+  const finger = async () => {
+    await page.keyboard.press('F1');
+    await page.getByRole('switch', { name: 'Finger' }).click();
+    await page.keyboard.press('Escape');
+  };
+  await finger();
+  await until(async () => (await height()) >= 40, '40 px');
+  await finger();
+  await page.getByRole('switch', { name: 'Namen' }).press('Space');
+  await until(async () => (await text()).startsWith('E 0.2'), 'the operand again');
+});
+
 test('a stuck light barrier takes a large box for a middle one', async () => {
   await tag('BARRIER_LARGE').click();
   await page.getByRole('button', { name: 'Klemmt bei 1' }).click();

@@ -1,8 +1,9 @@
 // Projects: tree, examples, wizard, folders, compare, load, upload (S7-MGR-01 to S7-MGR-11, S7-MGR-15).
 import assert from 'node:assert/strict';
-import { existsSync, readFileSync } from 'node:fs';
+import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
+import { accessible } from './axe.mjs';
 import { expect, leave, message, open, picture, quiet, serve, turn, until } from './harness.mjs';
 
 const server = await serve('sorting-plant');
@@ -88,6 +89,67 @@ test('a folder below the workspace is opened again, others are refused', async (
   await page.locator('#folder').fill(server.project);
   await page.getByRole('dialog').getByRole('button', { name: 'Öffnen', exact: true }).click();
   await expect(name, 'Sorting plant');
+});
+
+test('the project of the command line and those of the workspace are in the list of folders', async () => {
+  await page.getByRole('button', { name: 'Ordner öffnen …' }).click();
+  const dialog = page.getByRole('dialog');
+  const names = (list) => dialog.getByRole('list', { name: list }).getByRole('listitem').allInnerTexts();
+  await until(async () => (await names('Im Arbeitsordner')).includes('Manfred'), 'Manfred');
+  assert.ok((await names('Zuletzt geöffnet')).includes(server.project), 'the way back');
+  await accessible(page, 'folders');
+  await dialog.getByRole('list', { name: 'Im Arbeitsordner' }).getByRole('button', { name: 'Manfred' }).press('Enter');
+  await expect(name, 'Manfred');
+});
+
+test('an example that was changed is opened again as it was', async () => {
+  const changed = join(server.workspace, 'merker', 'traffic-light', 'merker.toml');
+  writeFileSync(changed, `${readFileSync(changed, 'utf-8')}# mine\n`);
+  await page.getByRole('searchbox').fill('traffic');
+  await page.getByRole('button', { name: /^Neue Kopie: / }).first().press('Enter');
+  await until(async () => (await page.locator('.folder').innerText()).endsWith('/traffic-light 2'), 'the new copy');
+  assert.doesNotMatch(readFileSync(join(server.workspace, 'merker', 'traffic-light 2', 'merker.toml'), 'utf-8'), /# mine/);
+  assert.match(readFileSync(changed, 'utf-8'), /# mine/);
+});
+
+test('the project is copied into a folder of its own', async () => {
+  await page.getByRole('button', { name: 'Kopieren …' }).press('Enter');
+  const dialog = page.getByRole('dialog');
+  await expect(() => dialog.getByLabel('Projektname').inputValue(), 'traffic-light 2 Kopie');
+  await dialog.getByLabel('Projektname').fill('Manfred');
+  await page.keyboard.press('Enter');
+  await message(page, 'P1312');
+  await dialog.getByLabel('Projektname').fill('Kreuzung');
+  await dialog.getByLabel('Die Kopie öffnen').press('Space');
+  await accessible(page, 'copy');
+  await dialog.getByLabel('Projektname').press('Enter');
+  await until(async () => (await page.locator('.folder').innerText()).endsWith('/Kreuzung'), 'the copy');
+  await expect(() => dialog.count(), 0);
+});
+
+test('a running PLC is not taken from another page without a question, and that page is told', async () => {
+  await turn(page, 'RUN-P');
+  const other = await open(server, 'io');
+  await page.getByRole('searchbox').fill('lift');
+  const wish = page.getByRole('button', { name: /^Öffnen: Aufzug/ });
+  const question = page.getByRole('dialog', { name: 'Projekt wechseln' });
+  await wish.click();
+  await question.getByText('und 1 weitere Seite arbeitet damit.').waitFor();
+  await accessible(page, 'question');
+  await question.getByRole('button', { name: 'Abbrechen' }).press('Enter');
+  await expect(() => question.count(), 0);
+  assert.ok((await page.locator('.folder').innerText()).endsWith('/Kreuzung'));
+  await wish.click();
+  await question.getByRole('button', { name: 'Wechseln' }).press('Enter');
+  await until(async () => (await page.locator('.folder').innerText()).endsWith('/lift'), 'the lift');
+  await message(other, /Eine andere Seite hat das Projekt .* geöffnet/);
+  await expect(() => page.locator('.message').filter({ hasText: 'Eine andere Seite' }).count(), 0);
+  // In STOP nothing is taken from anybody.
+  await turn(page, 'STOP');
+  await page.getByRole('button', { name: 'Ordner öffnen …' }).click();
+  await page.getByRole('dialog').getByRole('list', { name: 'Zuletzt geöffnet' }).getByRole('button', { name: server.project, exact: true }).click();
+  await expect(name, 'Sorting plant');
+  await other.context().close();
 });
 
 test('blocks are uploaded from the CPU as sources (S7-MGR-15)', async () => {

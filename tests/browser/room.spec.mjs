@@ -133,6 +133,15 @@ test('rows of tables are dense, with room for fingers on demand', async () => {
   await page.locator('.code').waitFor();
 });
 
+test('the tabs of the drawer are in one line on a tablet held upright', async () => {
+  await page.setViewportSize({ width: 768, height: 1024 });
+  const lines = () => page.locator('.panel [role=tab]').evaluateAll((tabs) => new Set(tabs.map((tab) => tab.offsetTop)).size);
+  await expect(lines, 1);
+  await edge('Breite der Liste').dblclick();
+  await roomy();
+  await page.setViewportSize({ width: 1280, height: 800 });
+});
+
 test('HALT leaves the text where it is', async () => {
   const before = await top();
   await toLine(page, 47);

@@ -25,6 +25,9 @@ const below = (folder) =>
     .map((entry) => join(entry.parentPath ?? entry.path, entry.name).slice(folder.length + 1))
     .sort();
 
+/** The PLC of the other page runs. */
+const take = () => page.getByRole('dialog', { name: 'Projekt wechseln' }).getByRole('button', { name: 'Wechseln' }).click();
+
 /** As if somebody dropped these files of the disk on the page. */
 async function drop(of, ...paths) {
   const list = paths.map((path) => ({ name: path.split('/').at(-1), data: readFileSync(path).toString('base64') }));
@@ -73,6 +76,7 @@ test('a zip that is dropped becomes a new project, which can be opened', async (
   const folder = join(server.workspace, 'merker', 'plant');
   assert.deepEqual(below(folder).filter((name) => name !== 'import-report.txt'), below(server.project));
   await dialog(page).getByRole('button', { name: 'plant öffnen' }).click();
+  await take();
   await until(async () => (await page.locator('.folder').innerText()).endsWith('/merker/plant'), 'the new folder');
   await expect(() => project(page), 'Sorting plant');
   await until(() => uploads().length === 0, 'no file that was sent');
@@ -117,6 +121,7 @@ test('what merker export writes comes back: blocks of STEP 7, a program of STEP 
   await dialog(page).getByText(/STEP-5-Bausteine als Listen/).waitFor();
   await dialog(page).getByText('die Zeichen sind die der Codepage 850').waitFor();
   await dialog(page).getByRole('button', { name: 'Pumpe öffnen' }).click();
+  await take();
   await page.locator('.root').getByText('SINUMERIK').first().waitFor();
   await until(() => uploads().length === 0, 'no file that was sent');
 });
@@ -157,6 +162,7 @@ test('the machine code of a source stands beside it, in bytes', async () => {
   await english.getByRole('button', { name: 'Open folder …' }).click();
   await english.locator('#folder').fill('plant');
   await dialog(english).getByRole('button', { name: 'Open', exact: true }).click();
+  await english.getByRole('dialog', { name: 'Change the project' }).getByRole('button', { name: 'Change' }).click();
   await expect(() => project(english), 'Sorting plant');
   await visit(english, server, 'program?block=OB%201');
   await english.getByRole('tab', { name: 'Machine code' }).click();

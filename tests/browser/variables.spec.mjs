@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { existsSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
+import { accessible } from './axe.mjs';
 import { expect, open, serve, turn, until } from './harness.mjs';
 
 const server = await serve();
@@ -62,6 +63,59 @@ test('monitored and modified at a trigger point (S7-MGR-16)', async () => {
   await row('MW 20').locator('.modify input').fill('W#16#1234');
   await page.getByRole('button', { name: 'Steuern', exact: true }).click();
   await expect(async () => (await status('MW 20')).includes('1234'), true);
+});
+
+const operands = (which = page) => which.locator('tbody tr[data-operand]').evaluateAll((rows) => rows.map((one) => one.dataset.operand));
+const lists = async (...wanted) => {
+  let seen;
+  await until(async () => wanted.every((one) => seen?.includes(one)) || (seen = await operands(), false), () => `${wanted} in ${seen}`);
+};
+
+test('a range becomes a row for each of its operands', async () => {
+  await type('MW 100..106');
+  await lists('MW 100', 'MW 102', 'MW 104', 'MW 106');
+  await type('A 1.6..2.1');
+  await lists('A 1.6', 'A 1.7', 'A 2.0', 'A 2.1');
+});
+
+test('lines of a spreadsheet become rows, with format and modify value', async () => {
+  const field = page.locator('tbody tr').last().locator('input').first();
+  await field.focus();
+  await field.evaluate((one) => {
+    const clipboardData = new DataTransfer();
+    clipboardData.setData('text/plain', 'MW 200\tHEX\tW#16#12\nMD 204\nMB 210\tBIN');
+    one.dispatchEvent(new ClipboardEvent('paste', { clipboardData, bubbles: true, cancelable: true }));
+  });
+  await lists('MW 200', 'MD 204', 'MB 210');
+  await expect(() => row('MW 200').locator('select').inputValue(), 'HEX');
+  await expect(() => row('MW 200').locator('.modify input').inputValue(), 'W#16#12');
+  await expect(() => row('MB 210').locator('select').inputValue(), 'BIN');
+});
+
+test('symbols are chosen from their list with the keyboard alone', async () => {
+  await page.getByRole('button', { name: 'Aus den Symbolen …' }).press('Enter');
+  const dialog = page.getByRole('dialog');
+  await dialog.getByRole('searchbox').fill('slider l');
+  await dialog.getByLabel('Slider large').press('Space');
+  await accessible(page, 'symbols to choose from');
+  await dialog.getByRole('button', { name: '1 einfügen' }).press('Enter');
+  await lists('"Slider large"');
+  await expect(() => dialog.count(), 0);
+});
+
+test('a thousand rows are some rows of the page; the last one is reached', async () => {
+  await type('M 100.0..200.7');
+  await lists('M 100.0');
+  await expect(async () => (await operands()).length < 120, true, 'few rows');
+  await page.locator('main').evaluate((main) => {
+    for (const one of [main, ...main.querySelectorAll('*')]) one.scrollTop = one.scrollHeight;
+  });
+  await lists('M 200.7');
+  assert.ok((await operands()).length < 120, `${(await operands()).length} rows`);
+  await page.getByRole('button', { name: 'Neu', exact: true }).click();
+  await expect(() => page.locator('tbody tr').count(), 1);
+  await type('MW 20');
+  await row('MW 20').locator('.modify input').fill('W#16#1234');
 });
 
 test('an operand that does not exist is told in its row', async () => {

@@ -104,4 +104,36 @@ export const views: View[] = [
     ],
     used: () => plc.project?.serial === true,
   },
+  {
+    id: 'pictures',
+    title: ['Bilder', 'Pictures'],
+    load: () => import('../hmi/Pictures.svelte'),
+    help: [
+      'Bilder der eigenen Anlage zeichnen, an Operanden binden und bedienen; Vollbild zeigt nur das Bild.',
+      'Draw pictures of your own plant, bind them to operands and operate them; full screen shows only the picture.',
+    ],
+    // Reached from the process.
+    used: () => false,
+  },
+  {
+    id: 'compare',
+    title: ['Vergleich', 'Comparison'],
+    load: () => import('../compare/Compare.svelte'),
+    help: [
+      'Projekt, CPU oder ein anderes Projekt nebeneinander: Bausteine mit ihren Quellen, Symbole, Hardware. F7 geht zum nächsten Unterschied.',
+      'Project, CPU or another project side by side: blocks with their sources, symbols, hardware. F7 goes to the next difference.',
+    ],
+    // Reached from project and program.
+    used: () => false,
+  },
+  {
+    id: 'stations',
+    title: ['Netz', 'Network'],
+    load: () => import('../stations/Stations.svelte'),
+    help: [
+      'Alle Stationen des Projekts mit ihren Subnetzen: Zustände, Globaldaten, gezogene Stecker; ein Klick auf eine Station öffnet sie. Neue Stationen und Verbindungen.',
+      'All stations of the project with their subnets: states, global data, pulled plugs; a click on a station opens it. New stations and connections.',
+    ],
+    used: () => !!plc.project?.network,
+  },
 ];

@@ -55,6 +55,8 @@ export class Connection {
   onPhase: (phase: Phase) => void = () => {};
   /** Something that was asked for has been done. */
   onDone: (method: string) => void = () => {};
+  /** Of several stations the one that the page shows: requests say it, so that none is done to another one. */
+  station = '';
 
   private socket: Socket | null = null;
   private nextId = 1;
@@ -121,7 +123,8 @@ export class Connection {
     const id = this.nextId++;
     return new Promise<T>((resolve, reject) => {
       this.waiting.set(id, { method, resolve: resolve as (result: unknown) => void, reject });
-      socket.send(JSON.stringify({ ...fields, id, do: method }));
+      const shown = this.station && !method.startsWith('stations.') ? { station: this.station } : {};
+      socket.send(JSON.stringify({ ...shown, ...fields, id, do: method }));
     });
   }
 

@@ -37,6 +37,8 @@ export interface BlockNumbers { OB: number[]; FB: [number, number]; FC: [number,
 export interface MachineCodeRow { offset: number; code: string; text: string; line: number; initial: string; value: string }
 /** a variable of a data block: `operand` and `format` for `watch.set` and `variables.write`; `address` is like "4.3", of STEP 5 a word; `path` like "Setpoint[2].Speed"; `section` "IN", "OUT", "IN_OUT" or "STAT" of an instance */
 export interface DataRow { operand: string; format: string; address: string; path: string; type: string; section: string; initial: string; actual: string; comment: string }
+/** `code`: the machine code as instructions; `checksum`: of a block of STEP 7 with its interface, else empty; `source`: from its keyword to its END_, empty for a block without one */
+export interface BlockText { id: string; code: string; checksum: string; source: string }
 /** `bits`: which of its bits are used as bits */
 export interface AssignedByte { area: string; byte: number; bits: number; byByte: boolean; byWord: boolean; byDWord: boolean }
 /** `access` is "R", "W", "RW" or "CALL" */
@@ -75,8 +77,12 @@ export interface Axis { output: 'analog' | 'digital'; directionSignal: boolean; 
 export interface UploadedPart { path: string; data: string }
 /** `quoted`: a problem whose sentence the text contains. [import.md](formats/import.md#the-report) */
 export interface ReportRow { effect: 'came' | 'changed' | 'lost' | 'beside'; text: string; quoted?: { code: string; text: string; arguments: string[] } }
-/** `can`: what the machine can do; `serial`: it has an interface X27; `empty`: no block in the CPU; `changed`: the first 200 paths that are newer than the program of the CPU */
-export interface Project { name: string; folder: string; mpiAddress: number; can: ('breakpoints' | 'cyclePoints' | 'stacks' | 'information' | 'blocks' | 'download' | 'completion' | 'references' | 'symbols' | 'rack' | 'plants' | 'interrupts' | 'engine' | 'snapshots' | 'timersByHand' | 'modeSwitch' | 'leds')[]; family: 'S7' | 'S5'; model: string; example: boolean; serial: boolean; empty: boolean; changed: string[] }
+/** `can`: what the machine can do; `serial`: it has an interface X27; `empty`: no block in the CPU; `changed`: the first 200 paths that are newer than the program of the CPU; of several stations `station` is the one that is shown and `network` their project, else both are empty */
+export interface Project { name: string; folder: string; mpiAddress: number; can: ('breakpoints' | 'cyclePoints' | 'stacks' | 'information' | 'blocks' | 'download' | 'completion' | 'references' | 'symbols' | 'rack' | 'plants' | 'interrupts' | 'engine' | 'snapshots' | 'timersByHand' | 'modeSwitch' | 'leds')[]; family: 'S7' | 'S5'; model: string; example: boolean; serial: boolean; empty: boolean; changed: string[]; station: string; network: string }
+/** `rate` is like "187.5 kbit/s" */
+export interface PlannedSubnet { name: string; kind: string; rate: string; highest: number; nodes: { station: string; address: number }[] }
+/** a project of several stations as its merker.toml has it: `shown` is the station that the other requests are about; `model` is empty if a station cannot be read; `circles`: global data, operands with their stations; `connections`: configured S7 connections */
+export interface StationsPlan { name: string; shown: string; stations: { name: string; folder: string; model: string }[]; subnets: PlannedSubnet[]; circles: { circle: number; rate: number; from: string; to: string[]; status: string[] }[]; connections: { station: string; id: number; active: boolean; partner: string }[]; problems: Problem[] }
 /** `frame` is like "8E1"; `partner`: what the simulated partner speaks, `waiting`: bytes that it is still to send; `connection` as in `[serial]` of merker.toml, empty: the partner, `place` where that is, `problem` why it could not be opened; `seen`: all characters so far */
 export interface SerialLine { protocol: 'ASCII' | '3964' | '3964R' | 'RK512'; mode: 'RS422' | 'RS422 master' | 'RS485'; baud: number; frame: string; powered: boolean; partner: 'characters' | '3964' | 'RK512'; partnerBaud: number; partnerFrame: string; waiting: number; connection: string; place: string; connected: boolean; problem: string; seen: number }
 /** `seconds` since it was connected; octets; `lost`: indications that it did not read */
@@ -225,13 +231,36 @@ export interface Requests {
   'serial.watch': { fields: { on: boolean }; result: { line: SerialLine | null } };
   /** what the partner or the line does, a step of a scenario without `serial X27`: `send "ABC" CR`, `answer "W" with "01250"`, `partner 3964R`; P0993 without X27 */
   'serial.do': { fields: { step: string }; result: Record<string, never> };
-  'projects.list': { fields: Record<string, never>; result: { examples: { id: string; title: string; description: string }[]; templates: { id: string; title: string }[]; models: string[]; recent: string[]; folder: string } };
-  /** one of them. It is opened for all browsers; an example as a copy in the workspace folder so that it can be changed */
-  'projects.open': { fields: { example?: string; folder?: string }; result: Record<string, never> };
+  /** `copied`: there is a copy of it in the workspace folder; `projects`: folders below it, relative to it, at most 500 */
+  'projects.list': { fields: Record<string, never>; result: { examples: { id: string; title: string; description: string; copied: boolean }[]; templates: { id: string; title: string }[]; models: string[]; projects: string[]; recent: string[]; folder: string } };
+  /** one of them. It is opened for all browsers; an example as a copy in the workspace folder so that it can be changed, `fresh`: as one more copy, untouched */
+  'projects.open': { fields: { example?: string; folder?: string; fresh?: boolean }; result: Record<string, never> };
+  /** the files of the open project into a new folder of the workspace; it stays open. `left` as of `download.begin` */
+  'projects.copy': { fields: { name: string }; result: { folder: string; files: number; left: string[] } };
   /** wizard (S7-MGR-01); the CPU is in STOP and empty until `program.load` */
   'projects.new': { fields: { name: string; model?: string; mpiAddress?: number; template?: string; mnemonics?: 'german' | 'international'; ob?: string }; result: Record<string, never> };
+  /** what programs are compared by: of the open project, with `side` of the CPU, with `folder` of another project of the workspace. P1308 beyond 8 MB */
+  'projects.look': { fields: { folder?: string; side?: 'offline' | 'online'; mnemonics?: 'german' | 'international' }; result: { name: string; blocks: BlockText[]; symbols: SymbolRow[]; racks: Rack[] } };
   'projects.save': { fields: Record<string, never>; result: Record<string, never> };
   'projects.close': { fields: Record<string, never>; result: Record<string, never> };
+  /** null: the project has one station */
+  'stations.list': { fields: Record<string, never>; result: { network: StationsPlan | null } };
+  /** all browsers see this one from now on; all stations go on, this one without breakpoints so far */
+  'stations.show': { fields: { station: string }; result: Record<string, never> };
+  /** the event `stations`, at most 10 a second */
+  'stations.watch': { fields: { on: boolean }; result: Record<string, never> };
+  /** to any of them: warm restart, STOP, power supply, memory reset */
+  'stations.command': { fields: { station: string; command: 'run' | 'stop' | 'powerOn' | 'powerOff' | 'reset' }; result: Record<string, never> };
+  /** the line is broken, or the plug of the `station` pulled; `mend` ends that, without a station all of it. `delay`: telegrams arrive so many nanoseconds later */
+  'stations.fault': { fields: { subnet: string; station?: string; fault: 'break' | 'mend' | 'delay'; delay?: number }; result: Record<string, never> };
+  /** all are loaded from the disk and started */
+  'stations.reload': { fields: Record<string, never>; result: Record<string, never> };
+  /** a new station with its folder, on the subnet of this name; then as `stations.reload`, and it is shown */
+  'stations.add': { fields: { name: string; model?: string; subnet?: string; address?: number; template?: string; mnemonics?: 'german' | 'international' }; result: Record<string, never> };
+  /** global data in a GD circle of their own, operands like `Press/MB 100:8`; then as `stations.reload` */
+  'stations.connect': { fields: { from: string; to: string[]; rate?: number }; result: Record<string, never> };
+  /** a new project in the workspace folder whose first station is a copy of the project that is open */
+  'stations.make': { fields: { name: string; station: string }; result: Record<string, never> };
   /** writes the project as a zip, for this browser; `left`: what is not in it, folders end with `/`. P1308 beyond 256 MB */
   'download.begin': { fields: Record<string, never>; result: { name: string; size: number; files: number; left: string[] } };
   /** up to 1 MB of the zip from this byte on, as base64; empty behind its end */
@@ -253,7 +282,7 @@ export interface Requests {
 /** What the server sends by itself. */
 export interface Events {
   /** what changed; see above */
-  state: { project?: Project | null; mode?: 'RUN' | 'STOP' | 'STARTUP' | 'HALT'; powered?: boolean; switch?: 'RUN-P' | 'RUN' | 'STOP' | 'MRES'; leds?: Lamps; stopReason?: string; time?: number; clock?: string; cycles?: number; cycle?: { last: number; min: number; max: number } | null; pace?: { mode: 'real' | 'fast' | 'pause'; factor: number }; reached?: number; engine?: 'interpreter' | 'jit'; forces?: { operand: string; value: string }[]; breakpoint?: { file: string; line: number; block: string; why: string } | null; breakpoints?: Record<string, number[]>; timersByHand?: boolean; recording?: { since: number; actions: number; full: boolean } | null; playback?: Playback | null; diagnostics?: number; program?: number; files?: number };
+  state: { project?: Project | null; mode?: 'RUN' | 'STOP' | 'STARTUP' | 'HALT'; powered?: boolean; switch?: 'RUN-P' | 'RUN' | 'STOP' | 'MRES'; leds?: Lamps; stopReason?: string; time?: number; clock?: string; cycles?: number; cycle?: { last: number; min: number; max: number } | null; pace?: { mode: 'real' | 'fast' | 'pause'; factor: number }; reached?: number; engine?: 'interpreter' | 'jit'; forces?: { operand: string; value: string }[]; breakpoint?: { file: string; line: number; block: string; why: string } | null; breakpoints?: Record<string, number[]>; timersByHand?: boolean; recording?: { since: number; actions: number; full: boolean } | null; playback?: Playback | null; diagnostics?: number; program?: number; files?: number; browsers?: number };
   /** only changed items (all the first time): index, text, value as a number (unsigned bits, REAL as a number). `done` marks the last event of a list that is triggered once */
   values: { list: number; time: number; values: [number, string, number | null][]; done?: true };
   /** follows each modification of `modify.set` */
@@ -266,9 +295,11 @@ export interface Events {
   process: { time: number; plants: Record<string, Record<string, number>>; stuck: Record<string, Record<string, number>>; axis: Record<string, number> | null };
   /** characters on the line of X27, numbered from `first` on: from (0 X27, 1 its partner), value, name, meaning, first and last instant. At most 1,000; what nobody fetched in time is lost, and `first` leaves a gap */
   serial: { first: number; rows: [number, number, string, string, number, number][]; line: SerialLine };
+  /** in the order of `stations.list`: `busy`: nanoseconds that the line was busy so far, `pulled`: stations whose plug is pulled; `circles`: the status words of global data in the order of `status` */
+  stations: { time: number; stations: { mode: 'RUN' | 'STOP' | 'STARTUP' | 'HALT'; powered: boolean; leds: Lamps; reason: string }[]; subnets: { busy: number; interrupted: boolean; pulled: string[]; delay: number }[]; circles: number[][] };
   /** see above */
   stalled: { place: string; seconds: number };
 }
 
 /** The fields of the state, by their names. */
-export const stateFields = ['project', 'mode', 'powered', 'switch', 'leds', 'stopReason', 'time', 'clock', 'cycles', 'cycle', 'pace', 'reached', 'engine', 'forces', 'breakpoint', 'breakpoints', 'timersByHand', 'recording', 'playback', 'diagnostics', 'program', 'files'] as const;
+export const stateFields = ['project', 'mode', 'powered', 'switch', 'leds', 'stopReason', 'time', 'clock', 'cycles', 'cycle', 'pace', 'reached', 'engine', 'forces', 'breakpoint', 'breakpoints', 'timersByHand', 'recording', 'playback', 'diagnostics', 'program', 'files', 'browsers'] as const;

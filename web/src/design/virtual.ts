@@ -18,9 +18,19 @@ export function rowsInSight(hidden: number, height: number, rowHeight: number, c
   return { first: Math.max(0, Math.min(top - SPARE, end)), end };
 }
 
-/** What scrolls the element: the nearest one around it that can. */
-export function scrollerOf(element: Element): Element {
+/** What may scroll the element, the nearest first. */
+export function scrollersOf(element: Element): Element[] {
+  const found: Element[] = [];
   for (let up = element.parentElement; up; up = up.parentElement)
-    if (/auto|scroll/.test(getComputedStyle(up).overflowY)) return up;
-  return document.documentElement;
+    if (/auto|scroll/.test(getComputedStyle(up).overflowY)) found.push(up);
+  return [...found, document.documentElement];
+}
+
+/** The part of the window in which the element can be seen: a frame that is as high as its content hides nothing. */
+export function windowOf(scrollers: readonly Element[]): { top: number; bottom: number } {
+  const rects = scrollers.slice(0, -1).map((one) => one.getBoundingClientRect());
+  return {
+    top: Math.max(0, ...rects.map(({ top }) => top)),
+    bottom: Math.min(innerHeight, ...rects.map(({ bottom }) => bottom)),
+  };
 }

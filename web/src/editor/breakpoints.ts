@@ -1,10 +1,10 @@
 // Breakpoints beside the line numbers (S7-EDIT-22): a click or F9 sets and clears them; the line where the program stands
 // in HALT is marked.
-import { RangeSet, StateEffect, StateField, type Extension } from '@codemirror/state';
+import { RangeSet, StateEffect, StateField, type Extension, type StateEffectType } from '@codemirror/state';
 import { Decoration, EditorView, gutter, GutterMarker, keymap } from '@codemirror/view';
 
 class Dot extends GutterMarker {
-  constructor(readonly kind: 'point' | 'halt') {
+  constructor(readonly kind: 'point' | 'halt' | 'failed') {
     super();
   }
   override eq(other: Dot): boolean {
@@ -13,16 +13,19 @@ class Dot extends GutterMarker {
   override toDOM(): HTMLElement {
     const element = document.createElement('span');
     element.className = `cm-${this.kind}-mark`;
-    element.textContent = this.kind === 'halt' ? '▶' : '●';
+    element.textContent = { point: '●', halt: '▶', failed: '✖' }[this.kind];
     return element;
   }
 }
 
 const point = new Dot('point');
 const here = new Dot('halt');
+const failed = new Dot('failed');
 
 export const setBreakpoints = StateEffect.define<readonly number[]>();
 export const setHaltLine = StateEffect.define<number | null>();
+/** The statement that stopped the CPU. */
+export const setFailedLine = StateEffect.define<number | null>();
 
 /** Points move with the text until the server says where they are. */
 export const breakpointField = StateField.define<RangeSet<GutterMarker>>({
@@ -42,17 +45,25 @@ export const breakpointField = StateField.define<RangeSet<GutterMarker>>({
   },
 });
 
-const haltField = StateField.define<number | null>({
-  create: () => null,
-  update: (line, transaction) =>
-    transaction.effects.reduce((value, effect) => (effect.is(setHaltLine) ? effect.value : value), line),
-  provide: (field) =>
-    EditorView.decorations.compute([field, 'doc'], (state) => {
-      const line = state.field(field);
-      if (line === null || line < 1 || line > state.doc.lines) return Decoration.none;
-      return Decoration.set(Decoration.line({ class: 'cm-halt-line' }).range(state.doc.line(line).from));
-    }),
-});
+/** A line that has a look of its own. */
+const lineField = (effect: StateEffectType<number | null>, look: string) =>
+  StateField.define<number | null>({
+    create: () => null,
+    update: (line, transaction) =>
+      transaction.effects.reduce((value, one) => (one.is(effect) ? one.value : value), line),
+    provide: (field) =>
+      EditorView.decorations.compute([field, 'doc'], (state) => {
+        const line = state.field(field);
+        if (line === null || line < 1 || line > state.doc.lines) return Decoration.none;
+        return Decoration.set(Decoration.line({ class: look }).range(state.doc.line(line).from));
+      }),
+  });
+const haltField = lineField(setHaltLine, 'cm-halt-line');
+const failedField = lineField(setFailedLine, 'cm-failed-line');
+const markers = [
+  { field: haltField, marker: here },
+  { field: failedField, marker: failed },
+];
 
 export function breakpointLines(view: EditorView): number[] {
   const lines: number[] = [];
@@ -71,11 +82,15 @@ export function breakpointGutter(changed: (lines: number[]) => void): Extension 
   return [
     breakpointField,
     haltField,
+    failedField,
     gutter({
       class: 'cm-breakpoint-gutter',
-      lineMarker: (view, block) =>
-        view.state.doc.lineAt(block.from).number === view.state.field(haltField) ? here : null,
-      lineMarkerChange: (update) => update.startState.field(haltField) !== update.state.field(haltField),
+      lineMarker: (view, block) => {
+        const line = view.state.doc.lineAt(block.from).number;
+        return markers.find(({ field }) => view.state.field(field) === line)?.marker ?? null;
+      },
+      lineMarkerChange: (update) =>
+        markers.some(({ field }) => update.startState.field(field) !== update.state.field(field)),
       markers: (view) => view.state.field(breakpointField),
       domEventHandlers: {
         mousedown: (view, block) => toggle(view, view.state.doc.lineAt(block.from).number),

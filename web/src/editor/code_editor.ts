@@ -21,7 +21,7 @@ import {
   type KeyBinding,
 } from '@codemirror/view';
 import type { Problem } from '../connection';
-import { breakpointGutter, setBreakpoints, setHaltLine } from './breakpoints';
+import { breakpointGutter, setBreakpoints, setFailedLine, setHaltLine } from './breakpoints';
 import type { Catalogue } from './catalogue';
 import { codeTheme } from './code_theme';
 import { completionSource } from './completion';
@@ -180,6 +180,10 @@ export class CodeEditor {
 
   showHalt(line: number | null): void {
     this.view.dispatch({ effects: setHaltLine.of(line) });
+  }
+
+  showFailed(line: number | null): void {
+    this.view.dispatch({ effects: setFailedLine.of(line) });
   }
 
   destroy(): void {

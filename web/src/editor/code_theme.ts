@@ -27,6 +27,12 @@ export const codeTheme = EditorView.theme({
     boxShadow: 'inset 0 1px var(--warning), inset 0 -1px var(--warning)',
   },
 
+  '.cm-failed-mark': { position: 'absolute', left: '16px', color: 'var(--danger)' },
+  '.cm-failed-line': {
+    backgroundColor: 'var(--danger-soft)',
+    boxShadow: 'inset 0 1px var(--danger), inset 0 -1px var(--danger)',
+  },
+
   '.cm-status-head': {
     display: 'flex',
     justifyContent: 'flex-end',

@@ -13,6 +13,8 @@ export interface Titled {
 export interface Pair {
   left: Titled;
   right: Titled;
+  /** Of project and CPU. */
+  block?: string;
 }
 const t = translator(program);
 
@@ -21,7 +23,14 @@ export async function compared(id: string, mnemonics: Mnemonics): Promise<Pair> 
   const listing = async (of: Side) =>
     (await attempt(connection.ask('program.listing', { block: id, side: of, mnemonics })))?.text ?? '';
   return {
+    block: id,
     left: { title: `${t('compareProject')}: ${id}`, text: await listing('offline') },
     right: { title: `${t('compareCpu')}: ${id}`, text: await listing('online') },
   };
 }
+
+/** Our text and that of another browser. */
+export const ofConflict = (mine: string, theirs: string): Pair => ({
+  left: { title: t('compareMine'), text: mine },
+  right: { title: t('compareTheirs'), text: theirs },
+});

@@ -60,6 +60,22 @@ export const examples: Record<string, readonly [title: string, description: stri
     'Aufzug mit drei Etagen',
     'Ruftaster auf jeder Etage und in der Kabine, ein Sensor je Etage, eine Tür. Der Aufzug fährt in seiner Richtung weiter, solange dort jemand wartet, hält unterwegs und kehrt dann um.',
   ],
+  'networks/laboratory': [
+    'Das Labor, Topologie 1 (Kapitel 2.3)',
+    'Acht Stationen bilden ein MPI-Subnetz und ein Segment. Die Station des Lehrers sendet die Nummer der Aufgabe als Globaldaten an alle Plätze, ein Paket für sieben Empfänger. Ein Platz meldet mit SFC 68 X_PUT, ob die Hand oben ist: eine CPU empfängt höchstens vier Pakete Globaldaten, sieben Plätze könnten so nicht antworten.',
+  ],
+  'networks/profibus': [
+    'PROFIBUS-DP',
+    'Eine CPU 314C-2 DP als Master von zwei Slaves: eine Ventilinsel, die ihre GSD-Datei beschreibt, und eine ET 200M mit Baugruppen des Katalogs. Das Programm benutzt ihre Ein- und Ausgänge wie die der CPU, liest und schreibt mit SFC 14 und SFC 15 acht Bytes, die zusammengehören, liest mit SFC 13 die Diagnose eines Slaves und läuft weiter, wenn eine Station ausfällt: OB 86 zählt die Ausfälle, OB 122 die Zugriffe auf das, was fehlt.',
+  ],
+  'networks/recipes': [
+    'Rezepte: zwei Stationen mit SFC 65 bis 69',
+    'Ein Mischer holt sein Rezept aus einem Lager, schreibt die Nummer seiner Chargen dorthin und sendet zu jeder Charge eine Meldung. Das Programm des Lagers hat einen Aufruf, X_RCV; Rezept und Nummer werden ohne ihn gelesen und geschrieben.',
+  ],
+  'networks/token-ring': [
+    'Token-Ring: fünf Stationen mit Globaldaten',
+    'Fünf Zellen mit je einer Presse, die so viel Strom braucht, dass nur eine arbeiten darf. Jede sendet ihre Nummer MW 102 als Globaldaten an die nächste, die letzte an die erste. Die erste Zelle hat das Token, solange sie ihre eigene Nummer empfängt, jede andere, solange sie eine andere als die eigene empfängt; das Token ist kein Telegramm, das verloren gehen könnte (E. W. Dijkstra, 1974). So findet ein Ring, in dem mehrere Zellen es zu haben glauben, von selbst zu einem Token zurück.',
+  ],
   'ring-buffer': [
     'Ringpuffer: Zeiger und indirekte Adressierung',
     'Ein Datenbaustein merkt sich die letzten Werte in der Reihenfolge, in der sie kamen. Vier Funktionen arbeiten damit, jede zeigt eine Art der indirekten Adressierung.',

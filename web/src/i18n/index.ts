@@ -3,7 +3,7 @@ import { language } from './language.svelte';
 export { language, type Language } from './language.svelte';
 export { described, said, told } from './said';
 
-/** German and English of one text. `{name}` stands for a value. */
+/** German and English of one text. `{name}` stands for a value, `{name|one|many}` for the word that its number takes. */
 export type Text = readonly [german: string, english: string];
 export type Texts = Record<string, Text>;
 
@@ -11,10 +11,15 @@ export type Texts = Record<string, Text>;
 export const decimal = (value: number, digits: number): string =>
   language.value === 'de' ? value.toFixed(digits).replace('.', ',') : value.toFixed(digits);
 
+export const filled = (text: string, values: Record<string, string | number>): string =>
+  text.replace(/\{(\w+)(?:\|([^|}]*)\|([^|}]*))?\}/g, (whole, name: string, one?: string, many?: string) =>
+    String((one === undefined ? values[name] : String(values[name]) === '1' ? one : many) ?? whole),
+  );
+
 /** The function that a view takes its words from: t('key', {name: value}). Follows the language switch. */
 export function translator<T extends Texts>(texts: T) {
   return (key: keyof T & string, values: Record<string, string | number> = {}): string => {
     const text = texts[key]![language.value === 'de' ? 0 : 1];
-    return text.replace(/\{(\w+)\}/g, (whole, name: string) => String(values[name] ?? whole));
+    return filled(text, values);
   };
 }

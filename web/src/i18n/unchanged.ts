@@ -1,5 +1,8 @@
 // For the tests: English literals of the program's sources that need no German.
 export const unchanged = [
+  'nodes = ["Press", "Belt"]',
+  '{{station = {}, address = {}}}',
+  '[project] name = {}  [[station]] name = {} folder = {}  [[subnet]] name = "MPI(1)" kind = "mpi" baud = "187.5k" highest = {} nodes = [{}]',
   // values that a user writes in merker.toml
   'RS422 master',
   'whole_buffer = false',

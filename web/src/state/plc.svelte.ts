@@ -38,6 +38,8 @@ export class Plc implements State {
   playback = $state.raw<Playback | null>(null);
   program = $state(0);
   files = $state(0);
+  /** Connected, this one included. */
+  browsers = $state(1);
 
   /** False until the first state came, and while the connection is lost: everything shown is old then. */
   live = $state(false);
@@ -94,7 +96,8 @@ export function followPlc(): void {
   let known: string | undefined;
   connection.on('state', (message) => {
     plc.receive(message);
-    const now = `${plc.project?.folder} ${plc.program}`;
+    connection.station = plc.project?.station ?? '';
+    const now = `${plc.project?.folder} ${plc.project?.station} ${plc.program}`;
     if (known !== undefined && known !== now) connection.renew();
     known = now;
   });

@@ -13,6 +13,8 @@ const project: Project = {
   serial: false,
   empty: false,
   changed: [],
+  station: '',
+  network: '',
 };
 
 test('only the fields that came change', () => {

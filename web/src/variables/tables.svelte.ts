@@ -14,6 +14,7 @@ interface Draft {
 }
 
 const drafts = kept<Record<string, Draft>>('variables', {});
+const KEEP_AFTER_MS = 300;
 const emptyRow = (): Row => ({ operand: '', format: 'AUTO', modify: '' });
 
 /** The table that is being edited; this browser keeps it per project until it is saved as a file of the project. */
@@ -24,10 +25,12 @@ export class Table {
   monitor = $state.raw<Trigger>(atOnce);
   modify = $state.raw<Trigger>(atOnce);
   private project = '';
+  private timer: ReturnType<typeof setTimeout> | undefined;
 
   /** Shows what this browser kept of the project. */
   follow(project: string): void {
     if (project === this.project) return;
+    this.keep();
     this.project = project;
     const draft = untrack(() => drafts.value[project]);
     this.path = draft?.path ?? '';
@@ -67,7 +70,14 @@ export class Table {
     this.complete();
   }
 
+  /** After the last of several changes: a long table is not written with each key. */
+  keepSoon(): void {
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => this.keep(), KEEP_AFTER_MS);
+  }
+
   keep(): void {
+    clearTimeout(this.timer);
     if (!this.project) return;
     const { path, monitor, modify } = this;
     const draft = { path, rows: $state.snapshot(this.rows), monitor, modify };

@@ -2,7 +2,7 @@ import type { Texts } from '..';
 
 /** The picture of an axis, its curves, its faults. */
 export const axis = {
-  pulses: ['{count} Impulse', '{count} pulses'],
+  pulses: ['{count} {count|Impuls|Impulse}', '{count} {count|pulse|pulses}'],
   perSecond: ['{count} Impulse/s', '{count} pulses/s'],
   encoder: ['Geber {count} Impulse', 'encoder {count} pulses'],
   pitch: ['mm je Geberumdrehung', 'mm per encoder revolution'],

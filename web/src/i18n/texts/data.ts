@@ -17,8 +17,8 @@ export const data = {
     'Write the actual values of the CPU into the source (BEGIN): the block begins with them after the next download.',
   ],
   taken: [
-    '{block}: {count} Aktualwerte stehen in der Quelle. Speichern und laden, damit der Baustein mit ihnen beginnt.',
-    '{block}: {count} actual values are in the source. Save and load, so that the block begins with them.',
+    '{block}: {count} {count|Aktualwert steht|Aktualwerte stehen} in der Quelle. Speichern und laden, damit der Baustein mit ihnen beginnt.',
+    '{block}: {count} actual {count|value is|values are} in the source. Save and load, so that the block begins with them.',
   ],
   noBegin: ['{block} hat kein BEGIN in seiner Quelle.', '{block} has no BEGIN in its source.'],
   fold: ['Alles zuklappen', 'Fold all'],
@@ -31,5 +31,8 @@ export const data = {
     'Die CPU hat einen anderen Aufbau dieses Bausteins: Werte des Projekts.',
     'The CPU has another structure of this block: values of the project.',
   ],
-  more: ['{count} weitere Variablen stehen im Maschinencode.', '{count} more variables stand in the machine code.'],
+  more: [
+    '{count} weitere {count|Variable steht|Variablen stehen} im Maschinencode.',
+    '{count} more {count|variable stands|variables stand} in the machine code.',
+  ],
 } satisfies Texts;

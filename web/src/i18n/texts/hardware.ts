@@ -12,6 +12,7 @@ export const hardware = {
   symbol: ['Symbol', 'Symbol'],
   value: ['Wert', 'Value'],
   faults: ['Störungen', 'Faults'],
+  faulty: ['gestört', 'faulty'],
   pulled: ['gezogen', 'pulled'],
   noTerminals: ['Diese Baugruppe hat keine Klemmen.', 'This module has no terminals.'],
   noFaults: ['Für diese Baugruppe gibt es keine Störungen.', 'There are no faults for this module.'],

@@ -14,7 +14,7 @@ export const hardwarePlan = {
   compiled: ['Gespeichert und übersetzt, keine Fehler.', 'Saved and compiled, no errors.'],
   errors: [
     'Übersetzt: {count} Fehler. Die Liste steht in der Ansicht Programm.',
-    'Compiled: {count} errors. The Program view lists them.',
+    'Compiled: {count} {count|error|errors}. The Program view lists them.',
   ],
   loaded: ['Konfiguration geladen. Die CPU steht in STOP.', 'Configuration loaded. The CPU is in STOP.'],
   loadAsk: ['Konfiguration laden', 'Load the configuration'],
@@ -70,7 +70,7 @@ export const hardwarePlan = {
   onBoard: ['In die CPU integriert.', 'Integrated in the CPU.'],
   consistency: ['Konsistenz', 'Consistency'],
   consistent: ['Die Konfiguration ist konsistent.', 'The configuration is consistent.'],
-  programToo: ['{count} Meldungen zum Programm', '{count} problems in the program'],
+  programToo: ['{count} {count|Meldung|Meldungen} zum Programm', '{count} {count|problem|problems} in the program'],
   automatic: ['vom Steckplatz', 'from the slot'],
 } satisfies Texts;
 

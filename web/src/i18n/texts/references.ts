@@ -7,7 +7,7 @@ export const references = {
   structure: ['Programmstruktur', 'Program structure'],
   unusedPage: ['Nicht verwendet', 'Not used'],
   unused: ['wird nicht aufgerufen', 'is not called'],
-  count: ['{count} Verwendungen', '{count} uses'],
+  count: ['{count} {count|Verwendung|Verwendungen}', '{count} {count|use|uses}'],
   more: ['und {count} weitere: den Operanden genauer angeben', 'and {count} more: name the operand more exactly'],
   work: ['Arbeitsspeicher', 'Work memory'],
   remark: ['Bemerkung', 'Remark'],

@@ -10,12 +10,15 @@ export const search = {
   replace: ['{count} ersetzen', 'Replace {count}'],
   replaceHere: ['Ersetzen in {place}', 'Replace in {place}'],
   replaced: [
-    '{count} Stellen in {files} Dateien ersetzt, noch nicht gespeichert.',
-    '{count} places in {files} files replaced, not yet saved.',
+    '{count} {count|Stelle|Stellen} in {files} {files|Datei|Dateien} ersetzt, noch nicht gespeichert.',
+    '{count} {count|place|places} in {files} {files|file|files} replaced, not yet saved.',
   ],
-  saveAll: ['{count} Dateien speichern', 'Save {count} files'],
+  saveAll: ['{count} {count|Datei|Dateien} speichern', 'Save {count} {count|file|files}'],
   saved: ['Alles gespeichert.', 'Everything saved.'],
-  count: ['{count} Stellen in {files} Dateien, {blocks} Bausteine', '{count} places in {files} files, {blocks} blocks'],
+  count: [
+    '{count} {count|Stelle|Stellen} in {files} {files|Datei|Dateien}, {blocks} {blocks|Baustein|Bausteine}',
+    '{count} {count|place|places} in {files} {files|file|files}, {blocks} {blocks|block|blocks}',
+  ],
   results: ['Gefundene Stellen', 'Places found'],
   nothing: ['Nichts gefunden.', 'Nothing found.'],
   hint: [

@@ -36,7 +36,10 @@ export const serial = {
   hex: ['Hex', 'Hex'],
   name: ['Zeichen', 'Character'],
   meaning: ['Bedeutung', 'Meaning'],
-  more: ['{count} frühere Zeichen des Bildes: vergrößern.', '{count} earlier characters of the picture: zoom in.'],
+  more: [
+    '{count} {count|früheres|frühere} Zeichen des Bildes: vergrößern.',
+    '{count} earlier {count|character|characters} of the picture: zoom in.',
+  ],
   none: ['In diesem Zeitraum war die Leitung still.', 'The line was quiet in this time.'],
   partnerTitle: ['Partner am anderen Ende', 'Partner at the other end'],
   outside: [

@@ -30,7 +30,7 @@ export const simulator = {
     'Operations on the CPU with their virtual times. Playback follows the pace: faster, slower, pause.',
   ],
   record: ['Aufzeichnen', 'Record'],
-  recorded: ['{count} Aktionen aufgezeichnet', '{count} actions recorded'],
+  recorded: ['{count} {count|Aktion|Aktionen} aufgezeichnet', '{count} {count|action|actions} recorded'],
   recordName: ['Name der Aufzeichnung', 'Name of the recording'],
   finish: ['Beenden und sichern', 'Finish and save'],
   discard: ['Verwerfen', 'Discard'],

@@ -52,6 +52,6 @@ export const transfer = {
   changed: ['In anderer Form', 'In another form'],
   lost: ['Nicht importiert', 'Not imported'],
   beside: ['Daneben, nicht Teil eines Programms', 'Beside it, not part of a program'],
-  more: ['{count} weitere Zeilen', '{count} more lines'],
+  more: ['{count} weitere {count|Zeile|Zeilen}', '{count} more {count|line|lines}'],
   reportFile: ['Der Bericht steht auch in import-report.txt.', 'The report is also in import-report.txt.'],
 } satisfies Texts;

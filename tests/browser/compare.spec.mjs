@@ -1,0 +1,91 @@
+// Two programs beside each other: project and CPU, two projects; blocks, symbols, hardware (S7-MGR-15).
+import assert from 'node:assert/strict';
+import { cpSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { accessible } from './axe.mjs';
+import { expect, launch, open, root, scratch, until } from './harness.mjs';
+import { crowding } from './layout.mjs';
+
+const workspace = scratch();
+const project = join(workspace, 'plant');
+cpSync(join(root, 'examples/sorting-plant'), project, { recursive: true });
+// Another project of the workspace: two places of one block, a symbol, a module.
+const other = join(workspace, 'merker', 'plant 2');
+mkdirSync(join(workspace, 'merker'));
+cpSync(project, other, { recursive: true });
+const change = (folder, file, ...changes) => {
+  const path = join(folder, file);
+  let text = readFileSync(path, 'utf-8');
+  for (const [from, to] of changes) {
+    assert.ok(text.includes(from), `${file} has ${from}`);
+    text = text.replace(from, to);
+  }
+  writeFileSync(path, text);
+};
+change(other, 'sorting.awl', ['BeamSmall  : BOOL := TRUE', 'BeamSmall  : BOOL := FALSE'], ['      FN    #Edge;', '      FP    #Edge;']);
+change(other, 'sorting.sym', ['"Light barrier small"', '"Barrier small"']);
+change(other, 'sorting.awl', ['"Light barrier small"', '"Barrier small"']);
+
+const server = await launch(project, workspace);
+const page = await open(server, 'compare');
+const blocks = page.getByRole('list', { name: 'Bausteine' }).getByRole('button');
+const names = async () => (await blocks.allInnerTexts()).map((one) => one.replace(/\s+/g, ' ').trim());
+const status = () => page.locator('.comparison [role=status]').innerText();
+const rows = (name) => page.getByRole('table', { name }).locator('tbody tr[data-state]');
+
+test('project and CPU are the same; what is changed is seen at once', async () => {
+  await page.getByText('Kein Unterschied.').waitFor();
+  change(project, 'sorting.awl', ['TITLE = Size of a box', 'TITLE = Width of a box']);
+  await expect(async () => (await names()).join(), 'FB 1 nur der Text');
+  await expect(status, 'Unterschied 1 von 1');
+  await accessible(page, 'comparison');
+});
+
+test('two projects: the sources of a block, from difference to difference with the keyboard', async () => {
+  await page.getByLabel('Rechts').selectOption('plant 2');
+  let seen;
+  await until(async () => (seen = await names()).includes('FB 1 verschieden'), () => `FB 1 in ${seen}`);
+  await blocks.filter({ hasText: 'FB 1' }).focus();
+  await page.keyboard.press('Enter');
+  await until(async () => / von [3-9]$/.test(await status()), status);
+  await page.keyboard.press('F7');
+  await until(async () => /^Unterschied 2 von/.test(await status()), 'the second');
+  await page.keyboard.press('Shift+F7');
+  await page.keyboard.press('Shift+F7');
+  await until(async () => /^Unterschied (\d) von \1$/.test(await status()), 'the last');
+  const inSight = () => page.locator('.comparison').evaluate((one) => {
+    const host = one.querySelector('.texts');
+    const frame = host.getBoundingClientRect();
+    return [...host.shadowRoot.querySelectorAll('.cm-changedLine')].some((line) => {
+      const { top, bottom } = line.getBoundingClientRect();
+      return top >= frame.top && bottom <= frame.bottom;
+    });
+  });
+  await expect(inSight, true, 'the difference in sight');
+  await page.getByRole('switch', { name: 'Maschinencode' }).press('Space');
+  await until(async () => (await page.locator('.comparison').evaluate((one) => one.querySelector('.texts').shadowRoot.textContent)).includes('FP '), 'the code');
+});
+
+test('symbols and hardware row by row; the sides are swapped', async () => {
+  await page.getByRole('tab', { name: /^Symbole \(2\)/ }).click();
+  await expect(async () => (await rows('Symbole').allInnerTexts()).map((one) => one.split('\t').slice(0, 2).join(': ').trim()).join(', '),
+    'Barrier small: nur rechts, Light barrier small: nur links');
+  await accessible(page, 'symbols compared');
+  await page.getByRole('button', { name: 'Seiten tauschen' }).press('Enter');
+  await until(async () => /^Barrier small\s+nur links/.test(await rows('Symbole').first().innerText()), 'swapped');
+  await page.getByRole('tab', { name: /^Hardware \(0\)/ }).click();
+  await page.getByText('Kein Unterschied.').waitFor();
+  await page.getByRole('switch', { name: 'auch was gleich ist' }).press('Space');
+  await until(async () => (await rows('Hardware').count()) > 3, 'modules');
+});
+
+test('there is room for it on every screen', async () => {
+  await page.getByRole('tab', { name: /^Bausteine/ }).click();
+  for (const [width, height] of [[1024, 768], [768, 1024], [1280, 800]]) {
+    await page.setViewportSize({ width, height });
+    let found;
+    await until(async () => (found = await crowding(page)).length === 0, () => found.join('\n'));
+    await accessible(page, `comparison at ${width}`);
+  }
+});

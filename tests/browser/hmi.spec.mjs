@@ -1,0 +1,116 @@
+// Pictures that people draw: inserted, bound, moved, saved in the project, operated full screen (S7-VIS-01).
+import assert from 'node:assert/strict';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { accessible } from './axe.mjs';
+import { expect, launch, open, scratch, turn, until, write } from './harness.mjs';
+import { crowding } from './layout.mjs';
+
+const PROGRAM = `ORGANIZATION_BLOCK OB 1
+BEGIN
+NETWORK
+      U     M 0.0;
+      =     A 0.0;
+END_ORGANIZATION_BLOCK
+`;
+const workspace = scratch();
+const project = join(workspace, 'press');
+mkdirSync(project);
+writeFileSync(join(project, 'merker.toml'), '[project]\nname = "Press"\n');
+writeFileSync(join(project, 'main.awl'), PROGRAM);
+writeFileSync(join(project, 'main.sym'), '"Level"  MW 10  INT\n"Motor on"  A 0.0  BOOL\n');
+const server = await launch(project, workspace);
+const page = await open(server, 'process');
+const file = () => readFileSync(join(project, 'Presse.hmi'), 'utf-8');
+const saved = (line) => until(() => file().split('\n').includes(line), () => `${line} in\n${file()}`);
+const insert = (kind) => page.getByRole('toolbar', { name: 'Symbole zum Einfügen' }).getByRole('button', { name: kind, exact: true }).press('Enter');
+const set = async (label, value) => {
+  const field = page.getByRole('region', { name: 'Eigenschaften' }).getByLabel(label, { exact: true });
+  await field.fill(value);
+  await field.press('Enter');
+};
+const item = (kind, on = page) => on.locator(`[data-item=${kind}]`);
+const grip = (kind) => item(kind).getByRole('button');
+
+test('a picture of the project begins empty', async () => {
+  await turn(page, 'RUN-P');
+  await page.getByRole('button', { name: 'Bilder …' }).press('Enter');
+  await page.getByText('Dieses Projekt hat noch kein Bild.').waitFor();
+  await page.getByRole('button', { name: 'Neues Bild …' }).press('Enter');
+  await page.getByLabel('Name').fill('Presse');
+  await page.keyboard.press('Enter');
+  await page.getByRole('toolbar', { name: 'Symbole zum Einfügen' }).waitFor();
+  await accessible(page, 'empty picture');
+});
+
+test('symbols are inserted, bound and moved with the keyboard; each change is saved', async () => {
+  await insert('Behälter');
+  await set('Operand oder Symbol', '"Level"');
+  await set('Beschriftung', 'Öl');
+  await set('Voll bei', '200');
+  await saved('tank ; 20 ; 20 ; 90 ; 140 ; "Level" ; Öl ; 0 ; 200');
+  await insert('Motor');
+  await set('Operand oder Symbol', '"Motor on"');
+  await grip('motor').focus();
+  await page.keyboard.press('ArrowDown');
+  await page.keyboard.press('Shift+ArrowRight');
+  await saved('motor ; 130 ; 30 ; 70 ; 60 ; "Motor on"');
+  await page.keyboard.press('Control+z');
+  await saved('motor ; 130 ; 30 ; 60 ; 60 ; "Motor on"');
+  for (const [kind, operand] of [['Taster', 'M 0.0'], ['Zahl', 'MW 10'], ['Lampe', 'A 0.0'], ['Balken', 'MW 10'], ['Band', 'A 0.0'], ['Ventil', 'A 0.0']]) {
+    await insert(kind);
+    await set('Operand oder Symbol', operand);
+  }
+  await insert('Lampe');
+  await grip('lamp').last().focus();
+  await page.keyboard.press('Delete');
+  await expect(() => item('lamp').count(), 1);
+  await accessible(page, 'picture being edited');
+});
+
+test('a symbol is dragged to its place', async () => {
+  const box = await grip('lamp').boundingBox();
+  const before = /lamp ; (\d+) ; (\d+)/.exec(file());
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2 + 120, { steps: 4 });
+  await page.mouse.up();
+  await until(() => {
+    const [, x, y] = /lamp ; (\d+) ; (\d+)/.exec(file());
+    return x === before[1] && Number(y) >= Number(before[2]) + 60;
+  }, 'another place');
+});
+
+test('in operation it shows what the operands have, full screen at an address of its own', async () => {
+  const panel = await open(server, 'pictures?file=Presse.hmi&full=1', { width: 1024, height: 768 });
+  await write(page, { 'MW 10': 50 });
+  await expect(() => item('tank', panel).getAttribute('data-value'), '50');
+  await until(() => panel.locator('[data-item=tank] .fill').evaluate((fill) => Math.abs(fill.getAttribute('height') - 33) < 1), 'a quarter full');
+  assert.equal(await panel.locator('header nav').count(), 0);
+  await panel.getByRole('button', { name: 'M 0.0' }).focus();
+  await panel.keyboard.down('Space');
+  await expect(() => item('lamp', panel).getAttribute('data-value'), '1');
+  await panel.locator('.state.on').first().waitFor();
+  await panel.keyboard.up('Space');
+  await expect(() => item('lamp', panel).getAttribute('data-value'), '0');
+  const field = panel.getByLabel('Neuer Wert von MW 10');
+  await field.fill('-7');
+  await field.press('Enter');
+  await expect(() => item('number', panel).getAttribute('data-value'), '-7');
+  for (const [width, height] of [[768, 1024], [1280, 800], [1024, 768]]) {
+    await panel.setViewportSize({ width, height });
+    await accessible(panel, `picture, ${width}`);
+    let found;
+    await until(async () => (found = await crowding(panel)).length === 0, () => found.join('\n'));
+  }
+  await panel.keyboard.press('Escape');
+  await panel.locator('header nav').waitFor();
+  await panel.context().close();
+});
+
+test('what another browser draws is seen; a line that is no symbol is named', async () => {
+  writeFileSync(join(project, 'Presse.hmi'), 'tank ; 20 ; 20 ; 90 ; 140 ; MW 10\nwheel ; 1 ; 2 ; 3 ; 4\n');
+  await page.getByText('Zeile 2 der Datei ist kein Symbol.').waitFor();
+  await expect(() => page.locator('[data-item]').count(), 1);
+});

@@ -1,0 +1,45 @@
+// Sources, data blocks, symbols and hardware on paper: all of it, and nothing of the page around it (S7-EDIT-22).
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { expect, open, serve, until, visit } from './harness.mjs';
+
+const server = await serve('sorting-plant');
+const page = await open(server, 'program?file=sorting.awl');
+const paper = page.locator('.on-paper');
+
+/** What is on paper, until it says that. */
+async function printed(words) {
+  await page.emulateMedia({ media: 'print' });
+  let text;
+  await until(async () => words.test((text = await paper.innerText())), () => `${words} in ${text}`);
+  for (const hidden of ['header', 'footer', 'main h1:not(.on-paper h1)']) await expect(() => page.locator(hidden).first().isVisible(), false, hidden);
+  assert.ok((await page.pdf()).length > 1000);
+  await page.emulateMedia({ media: null });
+  await expect(() => paper.count(), 0, 'papers on the screen');
+  return text;
+}
+
+test('a source from its first line to its last', async () => {
+  await page.locator('.code .cm-content').waitFor();
+  const source = readFileSync(join(server.project, 'sorting.awl'), 'utf-8');
+  const text = await printed(/END_ORGANIZATION_BLOCK/);
+  for (const line of source.split('\n').filter((one) => one.trim())) assert.ok(text.includes(line.trim()), line);
+});
+
+test('a data block with its values, the symbols, the modules', async () => {
+  await visit(page, server, 'program?block=DB%2020');
+  await page.getByRole('button', { name: 'Datensicht' }).click();
+  await page.locator('.data tr[data-path]').first().waitFor();
+  await printed(/^Daten von DB 20[^]*Name/m);
+  await page.getByRole('button', { name: 'Datensicht' }).click();
+  await visit(page, server, 'symbols');
+  await page.locator('.table tbody tr').first().waitFor();
+  const symbols = readFileSync(join(server.project, 'sorting.sym'), 'utf-8').match(/^"[^"]+"/gm);
+  const text = await printed(/Light barrier small/);
+  for (const name of symbols) assert.ok(text.includes(name.slice(1, -1)), name);
+  await visit(page, server, 'hardware');
+  await page.getByRole('button', { name: /SM 321/ }).waitFor();
+  await printed(/0\/4\s+[^]*E 0\.0…1\.7/);
+});

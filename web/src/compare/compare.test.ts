@@ -1,0 +1,63 @@
+import { expect, test } from 'vitest';
+import { compareBlocks, compareModules, compareSymbols, textsOf, type Look } from './compare';
+
+const look = (some: Partial<Look>): Look => ({ name: '', blocks: [], symbols: [], racks: [], ...some });
+const block = (id: string, code: string, source = '') => ({ id, code, checksum: '', source });
+
+test('blocks differ by their code; another text of the same code is less', () => {
+  const left = look({ blocks: [block('FC 10', 'A'), block('OB 1', 'U', '// old\nU'), block('FC 2', 'S', 'S \n')] });
+  const right = look({
+    blocks: [block('OB 1', 'U', '// new\nU'), block('FC 2', 'S', 'S'), block('FC 10', 'B'), block('DB 1', '0')],
+  });
+  expect(compareBlocks(left, right).map(({ id, state }) => `${id} ${state}`)).toEqual([
+    'OB 1 text',
+    'FC 2 same',
+    'FC 10 different',
+    'DB 1 onlyRight',
+  ]);
+  expect(compareBlocks(right, left).at(-1)!.state).toBe('onlyLeft');
+  // The same instructions behind another interface.
+  const declared = (checksum: string) => look({ blocks: [{ ...block('FB 1', 'U'), checksum }] });
+  expect(compareBlocks(declared('0001'), declared('0002'))[0]!.state).toBe('different');
+});
+
+test('sources are shown where they tell the difference, else the code', () => {
+  const pair = (left?: ReturnType<typeof block>, right?: ReturnType<typeof block>) =>
+    compareBlocks(look({ blocks: left ? [left] : [] }), look({ blocks: right ? [right] : [] }))[0]!;
+  expect(textsOf(pair(block('FC 1', 'a', 'A'), block('FC 1', 'b', 'B')), false)).toEqual({
+    left: 'A',
+    right: 'B',
+    code: false,
+  });
+  expect(textsOf(pair(block('FC 1', 'a', 'A'), block('FC 1', 'b', 'B')), true)).toEqual({
+    left: 'a',
+    right: 'b',
+    code: true,
+  });
+  // The same text with another symbol table is other code.
+  expect(textsOf(pair(block('FC 1', 'a', 'A'), block('FC 1', 'b', 'A')), false).code).toBe(true);
+  expect(textsOf(pair(block('FC 1', 'a', 'A'), block('FC 1', 'b')), false).code).toBe(true);
+  expect(textsOf(pair(block('FC 1', 'a', 'A')), false)).toEqual({ left: 'A', right: '', code: false });
+});
+
+test('symbols by name, modules by place', () => {
+  const symbol = (name: string, operand: string, comment = '') => ({ symbol: name, operand, type: 'BOOL', comment });
+  const rows = compareSymbols(
+    look({ symbols: [symbol('Start', 'E 0.0'), symbol('Stop', 'E 0.1')] }),
+    look({ symbols: [symbol('Stop', 'E 0.2'), symbol('Lamp', 'A 0.0')] }),
+  );
+  expect(rows.map(({ key, state }) => `${key} ${state}`)).toEqual([
+    'Lamp onlyRight',
+    'Start onlyLeft',
+    'Stop different',
+  ]);
+  expect(rows[2]!.left).toEqual(['E 0.1', 'BOOL', '']);
+  const slot = (at: string, name: string, first: number) =>
+    ({ slot: at, name, order: '', properties: [], inputs: { first, bytes: 2 }, outputs: null }) as never;
+  const modules = compareModules(
+    look({ racks: [{ rack: 0, slots: [slot('4', 'SM 321', 0), slot('10', 'SM 321', 4)] }] }),
+    look({ racks: [{ rack: 0, slots: [slot('4', 'SM 321', 8), slot('10', 'SM 321', 4)] }] }),
+  );
+  expect(modules.map(({ key, state }) => `${key} ${state}`)).toEqual(['0/4 different', '0/10 same']);
+  expect(modules[0]!.left).toEqual(['SM 321', 'E 0…1', '']);
+});

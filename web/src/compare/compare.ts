@@ -1,0 +1,91 @@
+// What differs between two programs: blocks by their code and text, symbols by name, modules by place.
+import type { BlockText, Rack, Requests, SymbolRow } from '../connection/protocol';
+import { compareIds } from '../editor/block_tree';
+
+export type Look = Requests['projects.look']['result'];
+/** `text`: the same code from another source, a comment for example. */
+export type State = 'same' | 'text' | 'different' | 'onlyLeft' | 'onlyRight';
+
+export interface BlockPair {
+  id: string;
+  state: State;
+  left?: BlockText;
+  right?: BlockText;
+}
+export interface RowPair {
+  key: string;
+  state: State;
+  /** One text per column; empty on a side that has no such row. */
+  left: string[];
+  right: string[];
+}
+
+function pairs<T>(left: readonly T[], right: readonly T[], keyOf: (one: T) => string): [string, T?, T?][] {
+  const rights = new Map(right.map((one) => [keyOf(one), one]));
+  const lefts = new Map(left.map((one) => [keyOf(one), one]));
+  return [...new Set([...lefts.keys(), ...rights.keys()])].map((key) => [key, lefts.get(key), rights.get(key)]);
+}
+
+/** Trailing space and empty lines at the end mean nothing. */
+const plain = (text: string): string => text.replace(/[ \t]+$/gm, '').trimEnd();
+
+function blockState(left?: BlockText, right?: BlockText): State {
+  if (!left) return 'onlyRight';
+  if (!right) return 'onlyLeft';
+  if (left.code !== right.code || left.checksum !== right.checksum) return 'different';
+  return left.source && right.source && plain(left.source) !== plain(right.source) ? 'text' : 'same';
+}
+
+export const compareBlocks = (left: Look, right: Look): BlockPair[] =>
+  pairs(left.blocks, right.blocks, ({ id }) => id)
+    .map(([id, a, b]) => ({ id, state: blockState(a, b), left: a, right: b }))
+    .sort((a, b) => compareIds(a.id, b.id));
+
+function rowPairs(left: Map<string, string[]>, right: Map<string, string[]>): RowPair[] {
+  return pairs([...left.keys()], [...right.keys()], (key) => key).map(([key]) => {
+    const a = left.get(key);
+    const b = right.get(key);
+    const state = !a ? 'onlyRight' : !b ? 'onlyLeft' : a.join('\n') === b.join('\n') ? 'same' : 'different';
+    return { key, state, left: a ?? [], right: b ?? [] };
+  });
+}
+
+/** By their names, as everything in a program uses them. */
+export function compareSymbols(left: Look, right: Look): RowPair[] {
+  const rows = (list: readonly SymbolRow[]) =>
+    new Map(list.map(({ symbol, operand, type, comment }) => [symbol, [operand, type, comment]]));
+  return rowPairs(rows(left.symbols), rows(right.symbols)).sort((a, b) => a.key.localeCompare(b.key));
+}
+
+const range = (what: string, area: { first: number; bytes: number } | null): string =>
+  area ? `${what} ${area.first}…${area.first + area.bytes - 1}` : '';
+
+/** By rack and slot: module, addresses, parameters. */
+export function compareModules(left: Look, right: Look): RowPair[] {
+  const rows = (racks: readonly Rack[]) =>
+    new Map(
+      racks.flatMap(({ rack, slots }) =>
+        slots.map((slot): [string, string[]] => [
+          `${rack}/${slot.slot}`,
+          [
+            [slot.name, slot.order].filter(Boolean).join(' '),
+            [range('E', slot.inputs), range('A', slot.outputs)].filter(Boolean).join(', '),
+            slot.properties.map(([name, value]) => `${name}: ${value}`).join('; '),
+          ],
+        ]),
+      ),
+    );
+  return rowPairs(rows(left.racks), rows(right.racks)).sort((a, b) =>
+    a.key.localeCompare(b.key, 'en', { numeric: true }),
+  );
+}
+
+/** The two texts of a block that show its difference: the sources, unless only the code is known or differs. */
+export function textsOf(pair: BlockPair, code: boolean): { left: string; right: string; code: boolean } {
+  const { left, right } = pair;
+  const sources = (left ? left.source !== '' : true) && (right ? right.source !== '' : true);
+  const differ = !left || !right || pair.state === 'same' || plain(left.source) !== plain(right.source);
+  const ofCode = code || !sources || !differ;
+  const text = (one?: BlockText) => (one ? (ofCode ? one.code : one.source) : '');
+  return { left: text(left), right: text(right), code: ofCode };
+}

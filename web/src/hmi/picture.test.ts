@@ -1,0 +1,73 @@
+import { expect, test } from 'vitest';
+import {
+  fresh,
+  HEIGHT,
+  level,
+  parsePicture,
+  picturePath,
+  placed,
+  plainNumber,
+  printPicture,
+  signed,
+  WIDTH,
+  type Item,
+} from './picture';
+
+const tank: Item = {
+  kind: 'tank',
+  x: 40,
+  y: 20,
+  width: 90,
+  height: 140,
+  operand: '"Level"',
+  text: 'Tank 1',
+  from: 0,
+  to: 27648,
+};
+const lamp: Item = { kind: 'lamp', x: 200, y: 20, width: 40, height: 40, operand: 'A 1.0', text: '', from: 0, to: 100 };
+
+test('a picture comes back as it was written', () => {
+  const text = printPicture([tank, lamp]);
+  expect(text).toBe(
+    '// kind ; x ; y ; width ; height ; operand ; text ; from ; to\n' +
+      'tank ; 40 ; 20 ; 90 ; 140 ; "Level" ; Tank 1 ; 0 ; 27648\nlamp ; 200 ; 20 ; 40 ; 40 ; A 1.0\n',
+  );
+  expect(parsePicture(text)).toEqual({ items: [tank, lamp], wrong: [] });
+  const odd = { ...lamp, operand: '"a;b"', text: 'one; two "three"\nfour' };
+  expect(parsePicture(printPicture([odd])).items[0]).toMatchObject({ operand: '"a;b"', text: "one; two 'three' four" });
+});
+
+test('what is no symbol is named by its line; what is out of the picture is brought in', () => {
+  expect(parsePicture('// head\n\ntank ; 1\nwheel ; 0 ; 0 ; 10 ; 10\nlamp ; 5000 ; -20 ; 44 ; 3\n')).toEqual({
+    items: [{ ...lamp, operand: '', x: WIDTH - 40, y: 0, height: 20 }],
+    wrong: [3, 4],
+  });
+  expect(placed({ ...tank, y: 9999 }).y).toBe(HEIGHT - 140);
+});
+
+test('a new symbol lies on no other one', () => {
+  const items: Item[] = [];
+  for (let count = 0; count < 12; count++) items.push(fresh('tank', items));
+  const overlap = items.some((a, index) =>
+    items.some(
+      (b, other) =>
+        other > index && a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height,
+    ),
+  );
+  expect(overlap).toBe(false);
+});
+
+test('levels and numbers', () => {
+  expect(level(tank, 13824)).toBe(0.5);
+  expect(level(tank, -5)).toBe(0);
+  expect(level(tank, 1e9)).toBe(1);
+  expect(level(tank, null)).toBe(0);
+  expect(level({ from: 100, to: 0 }, 25)).toBe(0.75);
+  expect(signed(65535, 16, 'INT')).toBe(-1);
+  expect(signed(65535, 16, 'WORD')).toBe(65535);
+  expect(signed(1.5, 32, 'REAL')).toBe(1.5);
+  expect(plainNumber('W#16#FFF9', 65529, 16)).toBe('-7');
+  expect(plainNumber('DW#16#0000_0010', 16, 32)).toBe('16');
+  expect(plainNumber('1.5', 1.5, 32)).toBe('1.5');
+  expect(picturePath(' press 1/2 ')).toBe('press 1-2.hmi');
+});

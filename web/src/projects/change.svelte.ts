@@ -1,0 +1,58 @@
+// Another project is another PLC for all pages: who takes a running one from others is asked first, and the others are told.
+import { untrack } from 'svelte';
+import { translator } from '../i18n';
+import { projects } from '../i18n/texts/projects';
+import { attempt, messages } from '../state/messages.svelte';
+import { plc } from '../state/plc.svelte';
+
+const t = translator(projects);
+/** The state that follows an answer is not later than this. */
+const FOLLOWS_MS = 3000;
+
+class ProjectChange {
+  /** What the user is asked, and who waits for the answer. */
+  asking = $state.raw<{ name: string; mode: string; others: number; decide: (go: boolean) => void } | null>(null);
+  private own = 0;
+
+  /** Undefined: it was refused, or the user thought better of it. */
+  async run<T>(request: () => Promise<T>): Promise<T | undefined> {
+    if (this.takesFromOthers() && !(await this.confirmed())) return undefined;
+    this.own++;
+    try {
+      return await attempt(request());
+    } finally {
+      setTimeout(() => this.own--, FOLLOWS_MS);
+    }
+  }
+
+  decide(go: boolean): void {
+    this.asking?.decide(go);
+    this.asking = null;
+  }
+
+  /** As long as the calling component lives: says when another page has changed the project. */
+  follow(): void {
+    let known: string | undefined;
+    $effect(() => {
+      if (!plc.live) return;
+      const folder = plc.project?.folder ?? '';
+      const name = plc.project?.name ?? '';
+      if (known !== undefined && known !== folder && this.own === 0)
+        untrack(() => messages.done(name ? t('changedByOther', { name }) : t('closedByOther'), true));
+      known = folder;
+    });
+  }
+
+  private takesFromOthers(): boolean {
+    return plc.project !== null && plc.powered && plc.mode !== 'STOP' && plc.browsers > 1;
+  }
+
+  private confirmed(): Promise<boolean> {
+    this.decide(false);
+    return new Promise((decide) => {
+      this.asking = { name: plc.project?.name ?? '', mode: plc.mode, others: plc.browsers - 1, decide };
+    });
+  }
+}
+
+export const projectChange = new ProjectChange();

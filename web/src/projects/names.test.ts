@@ -1,0 +1,15 @@
+import { expect, test } from 'vitest';
+import { copyName, fileName } from './names';
+
+test('a copy is named after its folder, and not like another project', () => {
+  expect(copyName('/srv/merker/press', 'Kopie', [])).toBe('press Kopie');
+  expect(copyName('/srv/merker/press/', 'Kopie', ['press Kopie', 'press Kopie 2'])).toBe('press Kopie 3');
+  expect(copyName('/tmp/first.awl', 'copy', [])).toBe('first copy');
+  expect(copyName('/tmp/a+b', 'copy', [])).toBe('a_b copy');
+  expect(copyName('', 'copy', [])).toBe('copy');
+});
+
+test('a file keeps its name', () => {
+  expect(fileName('sub/main.awl')).toBe('main.awl');
+  expect(fileName('CPU: OB 1')).toBe('OB 1.awl');
+});
