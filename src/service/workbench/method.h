@@ -49,6 +49,8 @@ struct Method {
   Kind kind = Kind::Plain;
 };
 
+// All of them, in groups of a subject.
+std::span<const std::span<const Method>> methodGroups();
 // Null: there is none.
 const Method* findMethod(std::string_view name);
 

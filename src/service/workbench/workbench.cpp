@@ -1,6 +1,7 @@
 #include "workbench/workbench.h"
 
 #include <algorithm>
+#include <array>
 
 #include "scenario/steps/serial.h"
 #include "workbench/axis_shown.h"
@@ -10,14 +11,19 @@
 
 namespace merker::workbench {
 
+std::span<const std::span<const Method>> methodGroups() {
+  static const std::array kGroups = {plcMethods(),       variableMethods(), fileMethods(),
+                                     programMethods(),   dataMethods(),     debugMethods(),
+                                     symbolMethods(),    hardwareMethods(), diagnosisMethods(),
+                                     processMethods(),   projectMethods(),  trendMethods(),
+                                     modifyMethods(),    timerMethods(),    snapshotMethods(),
+                                     recordingMethods(), downloadMethods(), importMethods(),
+                                     serialMethods(),    networkMethods(),  stationMethods()};
+  return kGroups;
+}
+
 const Method* findMethod(std::string_view name) {
-  for (const auto group :
-       {plcMethods(),       variableMethods(), fileMethods(),     programMethods(),
-        dataMethods(),      debugMethods(),    symbolMethods(),   hardwareMethods(),
-        diagnosisMethods(), processMethods(),  projectMethods(),  trendMethods(),
-        modifyMethods(),    timerMethods(),    snapshotMethods(), recordingMethods(),
-        downloadMethods(),  importMethods(),   serialMethods(),   networkMethods(),
-        stationMethods()}) {
+  for (const auto group : methodGroups()) {
     const auto found = std::ranges::find(group, name, &Method::name);
     if (found != group.end()) return &*found;
   }

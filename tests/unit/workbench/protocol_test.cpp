@@ -12,12 +12,7 @@ using Form = Shape::Kind;
 
 std::vector<const Method*> allMethods() {
   std::vector<const Method*> all;
-  for (const auto group :
-       {plcMethods(),       variableMethods(), fileMethods(),     programMethods(),
-        dataMethods(),      debugMethods(),    symbolMethods(),   hardwareMethods(),
-        diagnosisMethods(), processMethods(),  projectMethods(),  trendMethods(),
-        modifyMethods(),    timerMethods(),    snapshotMethods(), recordingMethods(),
-        downloadMethods(),  importMethods(),   serialMethods(),   networkMethods()})
+  for (const auto group : methodGroups())
     for (const Method& one : group) all.push_back(&one);
   return all;
 }
