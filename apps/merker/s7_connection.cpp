@@ -227,14 +227,14 @@ s7comm::Session::Guard S7Connection::guard() {
               [weak](s7comm::Error error) {
                 if (const auto self = weak.lock()) self->denied(error);
               },
-          .mayTry =
-              [weak] {
-                const auto self = weak.lock();
-                return self && self->around_.passwords.mayTry(self->address_, Clock::now());
+          .turn =
+              [weak](const std::function<void(bool)>& look) {
+                if (const auto self = weak.lock()) self->whenItsTurn(look);
               },
           .wrong =
-              [weak](std::function<void()> answer) {
-                if (const auto self = weak.lock()) self->answerLater(std::move(answer));
+              [weak] {
+                if (const auto self = weak.lock())
+                  self->around_.passwords.wrong(self->address_, Clock::now());
               }};
 }
 
@@ -246,10 +246,11 @@ void S7Connection::denied(s7comm::Error error) {
 }
 
 // Nothing else of this client is served meanwhile.
-void S7Connection::answerLater(std::function<void()> answer) {
-  const auto timer = std::make_shared<boost::asio::steady_timer>(
-      socket_.get_executor(), around_.passwords.wrong(address_, Clock::now()));
-  timer->async_wait([timer, answer = std::move(answer)](boost::system::error_code) { answer(); });
+void S7Connection::whenItsTurn(const std::function<void(bool)>& look) {
+  const auto wait = around_.passwords.turn(address_, Clock::now());
+  if (!wait || *wait == Clock::duration::zero()) return look(wait.has_value());
+  const auto timer = std::make_shared<boost::asio::steady_timer>(socket_.get_executor(), *wait);
+  timer->async_wait([timer, look](boost::system::error_code) { look(true); });
 }
 
 void S7Connection::send(iso::View pdu) {

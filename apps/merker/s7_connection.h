@@ -79,7 +79,7 @@ class S7Connection : public std::enable_shared_from_this<S7Connection> {
   void note(S7Why why) { around_.incidents.note(address_, why); }
   s7comm::Session::Guard guard();
   void denied(s7comm::Error error);
-  void answerLater(std::function<void()> answer);
+  void whenItsTurn(const std::function<void(bool)>& look);
   void requested(const iso::ConnectParameters& parameters);
   void confirmed();
   void serve();

@@ -18,20 +18,26 @@ std::string decoded(View octets) {
   return text;
 }
 
+void end(const Request& begun, Error error) {
+  error == Error::None ? begun.done() : begun.refuse(error);
+  begun.ended();
+}
+
+void look(const Request& begun, const std::string& text) {
+  begun.job.plc().enter(text, [begun, text](Error error) {
+    if (error == Error::None) begun.job.password() = text;
+    if (error == Error::WrongPassword) begun.job.guard().wrong();
+    end(begun, error);
+  });
+}
+
 }  // namespace
 
 void serveEnterPassword(const Request& request) {
   if (request.data.size() != kPasswordOctets) return request.refuse(Error::WrongPassword);
   if (!request.job.password().empty()) return request.refuse(Error::PasswordStands);
-  if (!request.job.guard().mayTry()) return request.refuse(Error::WrongPassword);
-  const std::string text = decoded(request.data);
-  request.job.plc().enter(text, [begun = request.begun(), text](Error error) {
-    if (error == Error::None) begun.job.password() = text;
-    const auto answer = [begun, error] {
-      error == Error::None ? begun.done() : begun.refuse(error);
-      begun.ended();
-    };
-    error == Error::WrongPassword ? begun.job.guard().wrong(answer) : answer();
+  request.job.guard().turn([begun = request.begun(), text = decoded(request.data)](bool mayLook) {
+    mayLook ? look(begun, text) : end(begun, Error::WrongPassword);
   });
 }
 

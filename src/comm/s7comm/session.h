@@ -56,11 +56,11 @@ class Session : public std::enable_shared_from_this<Session> {
   struct Guard {
     // Hears each error that is answered.
     std::function<void(Error)> refused = [](Error) {};
-    // Whether a password is looked at; else it is a wrong one.
-    std::function<bool()> mayTry = [] { return true; };
-    // Gives the answer to a wrong password, now or later.
-    std::function<void(std::function<void()> answer)> wrong =
-        [](const std::function<void()>& answer) { answer(); };
+    // Has a password looked at when it is its turn, now or later; false: it counts as wrong.
+    std::function<void(std::function<void(bool mayLook)> look)> turn =
+        [](const std::function<void(bool)>& look) { look(true); };
+    // Hears of each wrong password.
+    std::function<void()> wrong = [] {};
   };
 
   // `plc` outlives it.

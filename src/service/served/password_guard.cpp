@@ -1,25 +1,32 @@
 #include "served/password_guard.h"
 
+#include <algorithm>
+
 namespace merker::served {
 
 void PasswordGuard::forget(Time now) {
-  for (auto& [address, times] : wrong_)
-    while (!times.empty() && now - times.front() >= std::chrono::minutes(1)) times.pop_front();
-  std::erase_if(wrong_, [](const auto& one) { return one.second.empty(); });
+  for (auto& [address, one] : addresses_)
+    while (!one.wrong.empty() && now - one.wrong.front() >= std::chrono::minutes(1))
+      one.wrong.pop_front();
+  std::erase_if(addresses_, [now](const auto& entry) {
+    return entry.second.wrong.empty() && entry.second.next <= now;
+  });
 }
 
-bool PasswordGuard::mayTry(const std::string& address, Time now) {
+std::optional<PasswordGuard::Time::duration> PasswordGuard::turn(const std::string& address,
+                                                                 Time now) {
   forget(now);
-  const auto found = wrong_.find(address);
-  if (found == wrong_.end()) return wrong_.size() < kMostAddresses;
-  return found->second.size() < kMostWrong;
+  if (!addresses_.contains(address) && addresses_.size() >= kMostAddresses) return std::nullopt;
+  One& one = addresses_[address];
+  const Time begin = std::max(now, one.next);
+  if (begin - now > kLongestWait) return std::nullopt;
+  one.next = begin + kStep * (one.wrong.size() + 1);
+  return begin - now;
 }
 
-std::chrono::milliseconds PasswordGuard::wrong(const std::string& address, Time now) {
+void PasswordGuard::wrong(const std::string& address, Time now) {
   forget(now);
-  auto& times = wrong_[address];
-  times.push_back(now);
-  return kStep * times.size();
+  addresses_[address].wrong.push_back(now);
 }
 
 }  // namespace merker::served

@@ -1,10 +1,12 @@
-// Whoever guesses passwords: each wrong one makes the next answers from its address later, and so
-// many within a minute end it. Others notice nothing. Time is an argument.
+// Whoever guesses passwords: those of an address are looked at one after the other, and each wrong
+// one of the last minute makes the next one wait longer. The right one always has its turn; other
+// addresses notice nothing. Time is an argument.
 #pragma once
 
 #include <chrono>
 #include <deque>
 #include <map>
+#include <optional>
 #include <string>
 
 namespace merker::served {
@@ -12,17 +14,21 @@ namespace merker::served {
 class PasswordGuard {
  public:
   using Time = std::chrono::steady_clock::time_point;
-  static constexpr std::size_t kMostWrong = 10;        // a minute, of an address
   static constexpr std::size_t kMostAddresses = 1024;  // remembered; beyond that nobody may try
   static constexpr std::chrono::milliseconds kStep{100};
+  static constexpr std::chrono::seconds kLongestWait{30};
 
-  bool mayTry(const std::string& address, Time now);
-  // How long the answer to this wrong one is to wait.
-  std::chrono::milliseconds wrong(const std::string& address, Time now);
+  // How long a password of this address has to wait; nothing: too many of them wait already.
+  std::optional<Time::duration> turn(const std::string& address, Time now);
+  void wrong(const std::string& address, Time now);
 
  private:
+  struct One {
+    std::deque<Time> wrong{};  // of the last minute
+    Time next{};               // when the next one has its turn
+  };
   void forget(Time now);
-  std::map<std::string, std::deque<Time>> wrong_;  // of the last minute
+  std::map<std::string, One> addresses_;
 };
 
 }  // namespace merker::served

@@ -40,27 +40,30 @@ TEST(Password, aWrongOneIsRefused) {
             answer("01", "D6 02"));
 }
 
-// A wrong one is answered when the guard says so; what comes behind it waits. One that the guard
-// does not admit is not looked at.
-TEST(Password, aGuardHoldsBackAnswers) {
+// One is looked at when the guard says so; what comes behind it waits. One that the guard does not
+// admit is not looked at.
+TEST(Password, aGuardLetsThemWait) {
   Line line;
-  std::vector<std::function<void()>> held;
+  std::vector<std::function<void(bool)>> held;
   std::vector<Error> refused;
-  bool mayTry = true;
+  int wrong = 0;
   line.session->guardBy({.refused = [&](Error error) { refused.push_back(error); },
-                         .mayTry = [&] { return mayTry; },
-                         .wrong = [&](auto answer) { held.push_back(answer); }});
-  EXPECT_EQ(line.say(kEnter), answer("01", "00 00"));
-  line.say(kCancel);
-  line.plc.secret = "other";
+                         .turn = [&](auto look) { held.push_back(look); },
+                         .wrong = [&] { ++wrong; }});
   EXPECT_EQ(line.say(kEnter), "");
-  ASSERT_EQ(held.size(), 1u);
-  EXPECT_TRUE(refused.empty());
-  held[0]();
+  EXPECT_EQ(line.say(kCancel), "");
+  held.at(0)(true);
+  EXPECT_EQ(line.heard(), answer("01", "00 00") + " | " + answer("02", "00 00"));
+  line.plc.secret = "other";
+  line.say(kEnter);
+  held.at(1)(true);
   EXPECT_EQ(line.heard(), answer("01", "D6 02"));
+  EXPECT_EQ(wrong, 1);
   line.plc.secret = "hidden";
-  mayTry = false;
-  EXPECT_EQ(line.say(kEnter), answer("01", "D6 02"));
+  line.say(kEnter);
+  held.at(2)(false);
+  EXPECT_EQ(line.heard(), answer("01", "D6 02"));
+  EXPECT_EQ(wrong, 1);
   EXPECT_EQ(refused, (std::vector{Error::WrongPassword, Error::WrongPassword}));
 }
 

@@ -11,32 +11,36 @@ using std::chrono::seconds;
 
 const PasswordGuard::Time kFirstGuess{};
 
-TEST(PasswordGuard, eachAnswerIsLater) {
+TEST(PasswordGuard, oneAfterTheOther) {
   PasswordGuard guard;
-  EXPECT_EQ(guard.wrong("10.0.0.1", kFirstGuess), milliseconds(100));
-  EXPECT_EQ(guard.wrong("10.0.0.1", kFirstGuess + seconds(1)), milliseconds(200));
-  EXPECT_EQ(guard.wrong("10.0.0.2", kFirstGuess + seconds(1)), milliseconds(100));
-  EXPECT_EQ(guard.wrong("10.0.0.1", kFirstGuess + seconds(61)), milliseconds(100));
+  EXPECT_EQ(guard.turn("10.0.0.1", kFirstGuess), milliseconds(0));
+  EXPECT_EQ(guard.turn("10.0.0.1", kFirstGuess), milliseconds(100));
+  EXPECT_EQ(guard.turn("10.0.0.1", kFirstGuess), milliseconds(200));
+  EXPECT_EQ(guard.turn("10.0.0.2", kFirstGuess), milliseconds(0));
+  EXPECT_EQ(guard.turn("10.0.0.1", kFirstGuess + milliseconds(250)), milliseconds(50));
+  EXPECT_EQ(guard.turn("10.0.0.1", kFirstGuess + seconds(2)), milliseconds(0));
 }
 
-TEST(PasswordGuard, tenWithinAMinute) {
+// Behind ten wrong ones the right one waits 1.1 s.
+TEST(PasswordGuard, wrongOnesMakeTheNextOnesWait) {
   PasswordGuard guard;
-  for (int i = 0; i < 10; ++i) {
-    EXPECT_TRUE(guard.mayTry("10.0.0.1", kFirstGuess + seconds(i)));
-    guard.wrong("10.0.0.1", kFirstGuess + seconds(i));
-  }
-  EXPECT_FALSE(guard.mayTry("10.0.0.1", kFirstGuess + seconds(59)));
-  EXPECT_TRUE(guard.mayTry("10.0.0.2", kFirstGuess + seconds(59)));
-  EXPECT_TRUE(guard.mayTry("10.0.0.1", kFirstGuess + seconds(60)));
+  for (int i = 0; i < 10; ++i) guard.wrong("10.0.0.1", kFirstGuess + seconds(i));
+  EXPECT_EQ(guard.turn("10.0.0.1", kFirstGuess + seconds(10)), milliseconds(0));
+  EXPECT_EQ(guard.turn("10.0.0.1", kFirstGuess + seconds(10)), milliseconds(1'100));
+  EXPECT_EQ(guard.turn("10.0.0.1", kFirstGuess + seconds(65)), milliseconds(0));
+  EXPECT_EQ(guard.turn("10.0.0.1", kFirstGuess + seconds(65)), milliseconds(500));
 }
 
-TEST(PasswordGuard, addressesAreBounded) {
+TEST(PasswordGuard, whatIsRememberedIsBounded) {
   PasswordGuard guard;
-  for (std::size_t i = 0; i < PasswordGuard::kMostAddresses; ++i)
+  int admitted = 0;
+  while (guard.turn("10.0.0.1", kFirstGuess)) ++admitted;
+  EXPECT_EQ(admitted, 301);  // 30 s
+  for (std::size_t i = 1; i < PasswordGuard::kMostAddresses; ++i)
     guard.wrong(std::to_string(i), kFirstGuess);
-  EXPECT_FALSE(guard.mayTry("new", kFirstGuess));
-  EXPECT_TRUE(guard.mayTry("7", kFirstGuess));
-  EXPECT_TRUE(guard.mayTry("new", kFirstGuess + seconds(60)));
+  EXPECT_FALSE(guard.turn("new", kFirstGuess));
+  EXPECT_TRUE(guard.turn("7", kFirstGuess));
+  EXPECT_TRUE(guard.turn("new", kFirstGuess + seconds(60)));
 }
 
 }  // namespace
