@@ -10,6 +10,7 @@
 #include <set>
 #include <thread>
 
+#include "ethernet.h"
 #include "s7_calls.h"
 #include "server/guard.h"
 
@@ -183,6 +184,7 @@ std::unique_ptr<S7Server> S7Server::start(const S7Place& place,
       },
       std::move(wake));
   parts->use(parameters);
+  parts->around.exchange.reachedBy(ethernetAt(parts->place.address));
   parts->accept();
   parts->tell();
   parts->check();

@@ -74,9 +74,12 @@ Error readTestItems(View data, bool values, std::vector<TestItem>& items) {
 }
 
 // What is done at once needs no trigger.
+constexpr TestFunction kAtOnce[] = {TestFunction::InterruptStack, TestFunction::BlockStack,
+                                    TestFunction::LocalStack, TestFunction::ExitHold,
+                                    TestFunction::FlashLed};
+
 bool isAtOnce(TestFunction function) {
-  return function == TestFunction::InterruptStack || function == TestFunction::BlockStack ||
-         function == TestFunction::LocalStack || function == TestFunction::ExitHold;
+  return std::ranges::find(kAtOnce, function) != std::end(kAtOnce);
 }
 
 Error readJob(TestFunction function, View given, View data, TestJob& job) {

@@ -102,7 +102,9 @@ std::string Station::stopReason() const {
 
 void Station::setSwitch(cpu::SwitchPosition position) { parts_->cpu.turnSwitch(position); }
 cpu::SwitchPosition Station::switchPosition() const { return parts_->cpu.modeSwitch().position(); }
-cpu::Leds Station::leds() const { return parts_->cpu.leds(); }
+cpu::Leds Station::leds() const {
+  return parts_->services.communication().seen(parts_->cpu.leds());
+}
 void Station::memoryReset() { parts_->cpu.memoryReset(); }
 bool Station::warmRestart() { return parts_->restart(cpu::Restart::ManualWarm); }
 bool Station::hasHotRestart() const { return model().hotRestart; }

@@ -48,6 +48,8 @@ constexpr Row kRows[] = {
     {0x0131, 40, Part::One, szlOffers},
     {0x0132, 40, Part::One, szlCommunication},
     {0x0232, 40, Part::One, szlProtection},
+    {0x0037, 48, Part::All, szlEthernet},
+    {0x0137, 48, Part::One, szlEthernet},
     {0x0074, 4, Part::All, szlLeds},
     {0x0174, 4, Part::One, szlLeds},
     {0x0591, 16, Part::All, szlSubmodules},

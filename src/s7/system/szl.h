@@ -63,6 +63,7 @@ void szlInterruptStatus(const SzlSource&, std::uint32_t index, SzlList&);    // 
 void szlProcessImages(const SzlSource&, std::uint32_t index, SzlList&);      // 16#0025
 void szlProcessImage(const SzlSource&, std::uint32_t index, SzlList&);       // 16#0125
 void szlProcessImageOfOb(const SzlSource&, std::uint32_t index, SzlList&);   // 16#0225
+void szlEthernet(const SzlSource&, std::uint32_t index, SzlList&);           // 16#xy37
 void szlSubmodules(const SzlSource&, std::uint32_t index, SzlList&);         // 16#0591
 void szlMasterSystems(const SzlSource&, std::uint32_t index, SzlList&);      // 16#0A91
 void szlModuleByAddress(const SzlSource&, std::uint32_t index, SzlList&);    // 16#0C91

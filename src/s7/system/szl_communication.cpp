@@ -134,6 +134,22 @@ void szlConnections(const SzlSource& source, SzlList& list) {
   list.dword(kMpiRate);
 }
 
+// Reference manual "System Software for S7-300/400", 33.20. The logical base address is that of a
+// CPU 315-2 PN/DP. Without a router the own address stands for it; ports are not known.
+void szlEthernet(const SzlSource& source, std::uint32_t index, SzlList& list) {
+  constexpr std::uint32_t kBase = 0x07FE, kConfigured = 1;
+  const auto ethernet = communicationOf(source).ethernet;
+  if (!ethernet || (index != 0 && index != kBase)) return;
+  const auto bytes = [&list](const auto& all) {
+    for (const std::uint8_t byte : all) list.byte(byte);
+  };
+  list.word(kBase);
+  bytes(ethernet->address), bytes(ethernet->mask), bytes(ethernet->address);
+  bytes(ethernet->hardware);
+  list.byte(kConfigured);
+  list.data.resize(list.recordLength);
+}
+
 Communication communicationOf(const SzlSource& source) {
   if (source.communication != nullptr) return *source.communication;
   return {CommunicationParameters::of(*source.cpu.machine().model), {}, 0};

@@ -24,7 +24,7 @@ void addBits(SzlList& list, Bits bits, std::size_t bytes) {
 void testOffers(const SzlSource&, SzlList& list) {
   constexpr std::size_t kFunctions = 6, kSegments = 12, kEvents = 3;
   constexpr std::uint8_t kTestFunctions[] = {0x01, 0x02, 0x03, 0x04, 0x05, 0x08, 0x09, 0x0A, 0x0B,
-                                             0x0C, 0x0D, 0x0E, 0x0F, 0x10, 0x11, 0x12, 0x13};
+                                             0x0C, 0x0D, 0x0E, 0x0F, 0x10, 0x11, 0x12, 0x13, 0x16};
   constexpr std::uint8_t kTriggers[] = {0, 1, 2, 3, 4, 6};
   addBits(list, kTestFunctions, kFunctions);
   list.data.resize(list.data.size() + kSegments);

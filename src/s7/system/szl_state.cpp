@@ -103,7 +103,7 @@ void szlDiagnostics(const SzlSource& source, std::uint32_t, SzlList& list) {
 
 // LED number, on, blinking: 1 = 2 Hz, 2 = 0.5 Hz.
 void szlLeds(const SzlSource& source, std::uint32_t index, SzlList& list) {
-  const cpu::Leds leds = source.cpu.leds();
+  const cpu::Leds leds = communicationOf(source).seen(source.cpu.leds());
   struct Led {
     std::uint32_t number;
     cpu::Light light;

@@ -129,6 +129,7 @@ constexpr TestService kTestServices[] = {
     {TestFunction::List, 3, listJobs},
     {TestFunction::Read, 3, readJob},
     {TestFunction::Replace, 2, replaceJob},
+    {TestFunction::FlashLed, 3, beginFlash},
 };
 
 }  // namespace

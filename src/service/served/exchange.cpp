@@ -54,10 +54,16 @@ void Exchange::inUse(const Resources::Counts& connections) {
   counted_ = true;
 }
 
+void Exchange::reachedBy(const std::optional<system::EthernetInterface>& ethernet) {
+  const std::lock_guard lock(mutex_);
+  ethernet_ = ethernet;
+  counted_ = true;
+}
+
 void Exchange::tellConnections(controller::Controller& plc) {
   if (!counted_.exchange(false)) return;
   const std::lock_guard lock(mutex_);
-  setConnections(plc, inUse_);
+  setConnections(plc, inUse_, ethernet_);
 }
 
 std::shared_ptr<const Exchange::Image> Exchange::image() const {

@@ -18,6 +18,7 @@
 #include "served/passive_blocks.h"
 #include "served/resources.h"
 #include "served/tasks.h"
+#include "system/communication.h"
 
 namespace merker::served {
 
@@ -36,6 +37,8 @@ class Exchange final : public s7comm::Plc {
   Partners& partners() { return partners_; }
   // How many connections of each kind there are: the system status list has it.
   void inUse(const Resources::Counts& connections);
+  // The interface that clients come by; nothing: it is none of IP version 4.
+  void reachedBy(const std::optional<system::EthernetInterface>& ethernet);
   void read(const std::vector<s7comm::Range>& ranges, ReadDone done) override;
   void write(std::vector<s7comm::Write> writes, WriteDone done) override;
   void status(std::uint16_t list, std::uint16_t index, StatusDone done) override;
@@ -103,6 +106,7 @@ class Exchange final : public s7comm::Plc {
   std::shared_ptr<Image> image_;
   std::deque<Order> orders_;
   Resources::Counts inUse_{};
+  std::optional<system::EthernetInterface> ethernet_{};
 
   // of the thread of the PLC
   std::shared_ptr<Image> spare_;

@@ -70,9 +70,12 @@ s7comm::StatusList statusList(Controller& plc, std::uint16_t list, std::uint16_t
   return {Error::None, found.recordLength, found.records, found.data};
 }
 
-void setConnections(Controller& plc, const Resources::Counts& inUse) {
-  if (auto* const one = controller::capability<station::BlockCpu>(plc))
-    one->communication().used = inUse;
+void setConnections(Controller& plc, const Resources::Counts& inUse,
+                    const std::optional<system::EthernetInterface>& ethernet) {
+  auto* const one = controller::capability<station::BlockCpu>(plc);
+  if (one == nullptr) return;
+  one->communication().used = inUse;
+  one->communication().ethernet = ethernet;
 }
 
 void setTestJobs(Controller& plc, std::size_t jobs) {

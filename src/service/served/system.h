@@ -5,12 +5,14 @@
 #include "monitor/monitor.h"
 #include "s7comm/plc.h"
 #include "served/resources.h"
+#include "system/communication.h"
 
 namespace merker::served {
 
 s7comm::StatusList statusList(controller::Controller& plc, std::uint16_t list, std::uint16_t index);
-// What its lists say of connections.
-void setConnections(controller::Controller& plc, const Resources::Counts& inUse);
+// What its lists say of connections, and of the interface they come by.
+void setConnections(controller::Controller& plc, const Resources::Counts& inUse,
+                    const std::optional<system::EthernetInterface>& ethernet);
 void setTestJobs(controller::Controller& plc, std::size_t jobs);
 std::optional<s7comm::ClockTime> clockOf(controller::Controller& plc);
 s7comm::Error setClock(controller::Controller& plc, const s7comm::ClockTime& time,

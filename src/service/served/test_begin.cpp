@@ -4,9 +4,11 @@
 
 #include "served/block_task.h"
 #include "served/breakpoint_task.h"
+#include "served/flash_task.h"
 #include "served/force_job.h"
 #include "served/test_call.h"
 #include "served/test_stacks.h"
+#include "station/block_cpu.h"
 
 namespace merker::served {
 
@@ -142,6 +144,12 @@ TestAnswer exitHold(const TestCall& call) {
   monitor::Debugger& debugger = call.monitor.debugger();
   until[0] == 0 ? debugger.run(now) : debugger.beginStep(monitor::StepKind::Into, now);
   return {};
+}
+
+TestAnswer beginFlash(const TestCall& call) {
+  if (controller::capability<station::BlockCpu>(call.monitor.plc()) == nullptr)
+    return {Error::TestNotOffered};
+  return begin(call, std::make_shared<FlashTask>(call.client, call.numbered(), call.monitor));
 }
 
 TestAnswer interruptStack(const TestCall& call) {

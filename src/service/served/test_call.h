@@ -30,6 +30,7 @@ s7comm::TestAnswer beginBlock(const TestCall& call);
 s7comm::TestAnswer beginBreakpoint(const TestCall& call);
 // Out of HALT, up to the next breakpoint or statement.
 s7comm::TestAnswer exitHold(const TestCall& call);
+s7comm::TestAnswer beginFlash(const TestCall& call);
 s7comm::TestAnswer interruptStack(const TestCall& call);
 s7comm::TestAnswer blockStack(const TestCall& call);
 s7comm::TestAnswer localStack(const TestCall& call);

@@ -1,13 +1,15 @@
 // Variable tables and forces of a programming device (S7-SIM-12), in bytes.
 #include "served/bench.h"
 
+#include "cpu/led_panel.h"
+#include "served/flash_task.h"
 #include "test_line.h"
 
 namespace merker::served {
 namespace {
 
 constexpr unsigned kStatus = 0x02, kModify = 0x08, kForce = 0x09, kDisable = 0x0D, kEnable = 0x0E,
-                   kDelete = 0x0F, kList = 0x10, kRead = 0x11, kReplace = 0x12;
+                   kDelete = 0x0F, kList = 0x10, kRead = 0x11, kReplace = 0x12, kFlash = 0x16;
 constexpr unsigned kNow = 0, kBegin = 2, kEnd = 3, kStop = 4;
 
 constexpr std::string_view kCounters = "00 01 02 01 00 00 00 0A";  // MW 10
@@ -204,6 +206,21 @@ TEST_F(TestBench, limits) {
   EXPECT_EQ(line.ask(kModify, words(0, 0, 0), "00 01 02 01 00 00 00 00 00 09 00 01 0F 00"),
             "answer 08 00 D0 44");
   EXPECT_EQ(line.ask(0x06, words(0, 0, 0), ""), "answer 06 0C D0 03");
+}
+
+// FRCE flashes until the job is deleted or its connection ends, at most ten seconds.
+TEST_F(TestBench, anLedFlashes) {
+  const auto frce = [&] { return controller::capability<cpu::LedPanel>(plc.plc())->leds().frce; };
+  EXPECT_EQ(line.ask(kFlash, words(0, 0, 0), ""), "answer 16 01 00 00");
+  plc.cycles(1);
+  EXPECT_EQ(frce(), cpu::Light::Fast);
+  EXPECT_EQ(line.ask(kDelete, words(0, 1, 0), "00 01 16 01"), "answer 0F 02 00 00");
+  EXPECT_EQ(frce(), cpu::Light::Off);
+  EXPECT_EQ(line.ask(kFlash, "", ""), "answer 16 03 00 00");
+  plc.cycles(2);
+  EXPECT_EQ(frce(), cpu::Light::Fast);
+  plc.plc().advanceTo(plc.plc().now() + FlashTask::kLength);
+  EXPECT_EQ(frce(), cpu::Light::Off);
 }
 
 }  // namespace

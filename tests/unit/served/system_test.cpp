@@ -43,7 +43,7 @@ TEST(System, offersWhatABenchServes) {
   ServedPlc plc = ServedPlc::station();
   const auto list = statusList(plc.plc(), 0x0131, 2);
   ASSERT_EQ(list.data.size(), 40u);
-  EXPECT_EQ(Bytes(list.data.begin(), list.data.begin() + 5), (Bytes{0, 2, 0x3E, 0xFF, 0x0F}));
+  EXPECT_EQ(Bytes(list.data.begin(), list.data.begin() + 5), (Bytes{0, 2, 0x3E, 0xFF, 0x4F}));
   EXPECT_EQ(Bytes(list.data.begin() + 20, list.data.begin() + 23), (Bytes{0x5F, 0, 0}));
 }
 
@@ -80,6 +80,25 @@ TEST(System, theListsHaveTheConnections) {
   plc.exchange.inUse({});
   plc.look();
   EXPECT_EQ(words(0x0132), " 0001 0001 0001 0000 0000 0000 0000 000A 0000 0014");
+}
+
+// The interface that clients come by (0037); without one there is no record.
+TEST(System, theListsHaveTheInterface) {
+  ServedPlc plc = ServedPlc::station();
+  EXPECT_EQ(statusList(plc.plc(), 0x0037, 0).records, 0);
+  EXPECT_EQ(statusList(plc.plc(), 0x0137, 0x07FE).error, Error::NoInformation);
+  plc.exchange.opened();
+  plc.exchange.reachedBy(
+      system::EthernetInterface{{192, 168, 1, 10}, {255, 255, 255, 0}, {8, 0, 6, 1, 2, 3}});
+  plc.cycles(1);
+  const auto all = statusList(plc.plc(), 0x0037, 0), one = statusList(plc.plc(), 0x0137, 0x07FE);
+  ASSERT_EQ(all.data.size(), 48u);
+  EXPECT_EQ(
+      Bytes(all.data.begin(), all.data.begin() + 21),
+      (Bytes{0x07, 0xFE, 192, 168, 1, 10, 255, 255, 255, 0, 192, 168, 1, 10, 8, 0, 6, 1, 2, 3, 1}));
+  EXPECT_EQ(one.data, all.data);
+  EXPECT_EQ(statusList(plc.plc(), 0x0137, 0x07FF).error, Error::NoInformation);
+  plc.exchange.closed();
 }
 
 TEST(System, theClockIsThatOfTheCpu) {
