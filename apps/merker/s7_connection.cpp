@@ -97,6 +97,15 @@ void S7Connection::close() {
   around_.exchange.closed();
 }
 
+// Who does not answer what this side has asked (a piece of a block) loses that, and stays; a
+// partner that does not answer has gone.
+void S7Connection::breakOffLate() {
+  if (expected_ != Expected::Answer || attached_)
+    return breakOff(expected_ == Expected::Reading ? S7Why::ReadsNothing : S7Why::TooLate);
+  session_->giveUp();
+  expect(true);
+}
+
 void S7Connection::breakOff(S7Why why) {
   note(why);
   close();

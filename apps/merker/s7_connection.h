@@ -58,9 +58,7 @@ class S7Connection : public std::enable_shared_from_this<S7Connection> {
   bool holds(served::Resource kind) const { return session_ && !configured_ && resource_ == kind; }
   void breakOff(S7Why why);
   // What was expected of it has not come.
-  void breakOffLate() {
-    breakOff(expected_ == Expected::Reading ? S7Why::ReadsNothing : S7Why::TooLate);
-  }
+  void breakOffLate();
   void close();
   // The place of its configured connection; nothing: it is a client.
   const std::optional<std::size_t>& configured() const { return configured_; }

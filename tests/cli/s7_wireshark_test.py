@@ -101,8 +101,9 @@ class Judged(S7Case):
         client.hear()
         for function, data in ((0x10, "0000 0000"), (0x11, "0201"), (0x0D, "0201"), (0x0F, "00010201"), (0x0F, "00010202")):
             client.test(function, job_words(0, 1, 0), data)
+        self.assertEqual(client.test(0x16, job_words(0, 0, 0), "")[20:22].hex(), "0000")
         client.close()
-        self.judge(2 * 10)  # what comes together is one frame
+        self.judge(2 * 11)  # what comes together is one frame
         values = self.capture.ask("s7comm.param.userdata.type == 0 && s7comm.param.userdata.subfunc == 2",
                                   "s7comm.data.returncode", "s7comm.resp.data")
         self.assertRegex(values[0], r"^0xff(,0xff)+\t[0-9a-f]{4},00053fc0,")
@@ -122,7 +123,11 @@ class Judged(S7Case):
         while on_change[15] != 0x82:  # the first job goes on
             on_change = client.hear()
         self.assertEqual(on_change[16:18].hex(), "0502")
-        for job in (1, 2):
+        areas = client.ask("32 07 00 00 05 00 00 08 00 16 00 01 12 04 11 42 05 00 FF 09 00 12 00 01 00 01 12 0C B0 02 02 00 01 00 00 02 00 01 00 02")
+        while areas[15] != 0x82:
+            areas = client.hear()
+        self.assertEqual(areas[26:].hex(), "0001" "ff090006" "ff0005" "ff3fc0")
+        for job in (1, 2, 3):
             client.send(f"32 07 00 00 05 00 00 08 00 06 00 01 12 04 11 42 04 00 FF 09 00 02 05 {job:02X}")
             while client.hear()[15] != 0x82:
                 pass

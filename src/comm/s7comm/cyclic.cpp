@@ -10,16 +10,24 @@
 namespace merker::s7comm {
 namespace {
 
-constexpr std::uint8_t kOnChange = 0x05;
+constexpr std::uint8_t kCyclic = 0x01, kOnChange = 0x05;
 constexpr std::size_t kCyclicHead = 4;                    // count, base, factor
 constexpr std::uint32_t kBases[] = {100, 1'000, 10'000};  // milliseconds
 
-// What is sent has its count before it. Of values that are sent on change the length is in bytes.
+// What is sent has its count before it.
 Bytes cyclicData(std::span<const Wanted> items, const std::vector<Value>& values) {
   Bytes data;
   appendWord(data, static_cast<std::uint32_t>(items.size()));
   writeValues(data, items, values);
   return data;
+}
+
+// On change an S7-400 answers a DBREAD item with octets, the code of each area in front of it (seen
+// of its talk with WinCC: areas of 5, 29 and 22 octets are 59).
+void codeAreas(Wanted& item) {
+  if (!item.areas) return;
+  item.coded = true;
+  item.unit = DataUnit::Octets;
 }
 
 // The items of a request; nothing, and why.
@@ -31,6 +39,7 @@ std::optional<std::vector<Wanted>> cyclicItems(const Request& request, Error& er
   bytes = bytes.subspan(kCyclicHead);
   auto items = readItems(bytes, count);
   if (!items || items->empty()) return std::nullopt;
+  if (request.subfunction != kCyclic) std::ranges::for_each(*items, codeAreas);
   if (2 + dataItemOctets(*items) > request.job.outlet()->room()) return std::nullopt;
   error = Error::WrongVariable;
   const bool good =

@@ -34,6 +34,7 @@ std::uint64_t dataItemOctets(std::span<const Wanted> items) {
   for (const Wanted& item : items) {
     size += size % 2 + kDataItemHeader;
     if (item.code == ItemCode::Done) size += item.octets();
+    if (item.coded) size += item.ranges.size();
   }
   return size;
 }
@@ -42,7 +43,8 @@ static void writeValue(Bytes& out, const Wanted& item, std::vector<Value>::const
   ItemCode code = item.code;
   Bytes octets;
   for (std::size_t i = 0; i < item.ranges.size(); ++i, ++value) {
-    if (value->code != ItemCode::Done && code == ItemCode::Done) code = value->code;
+    if (item.coded) octets.push_back(static_cast<std::uint8_t>(value->code));
+    if (value->code != ItemCode::Done && !item.coded && code == ItemCode::Done) code = value->code;
     octets.insert(octets.end(), value->octets.begin(), value->octets.end());
   }
   if (code == ItemCode::Done) return writeDataItem(out, {code, item.unit, octets});

@@ -58,7 +58,7 @@ Wanted dbRead(View item) {
   const std::size_t count = item.empty() ? 0 : item[0];
   if (count == 0 || item.size() != 1 + count * kDbReadArea)
     return refusedItem(ItemCode::TypeNotSupported);
-  Wanted wanted{.unit = DataUnit::Byte};
+  Wanted wanted{.unit = DataUnit::Byte, .areas = true};
   for (std::size_t i = 1; i < item.size(); i += kDbReadArea)
     wanted.ranges.push_back({.memory = Memory::DataBlock,
                              .block = loadWord(&item[i + 1]),

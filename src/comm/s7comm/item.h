@@ -23,6 +23,8 @@ struct Wanted {
   ItemCode code = ItemCode::Done;  // else why it is refused
   std::vector<Range> ranges{};
   DataUnit unit = DataUnit::None;  // of the answer
+  bool areas = false;              // a DBREAD item
+  bool coded = false;              // each range has its own code in front of it
   std::uint32_t octets() const;
 };
 

@@ -24,7 +24,7 @@ struct Job {
   void refuse(Error error) const;
   void userdata(const UserdataHead& head, View octets) const;
   const std::shared_ptr<Outlet>& outlet() const { return session->outlet(); }
-  Session::Rest& rest() const { return session->rest_; }
+  Rests& rests() const { return session->rests_; }
   const Session::Guard& guard() const { return session->guard_; }
   std::string& password() const { return session->password_; }
   Session::Upload& upload() const { return session->upload_; }

@@ -57,16 +57,30 @@ bool Session::take(View bytes) {
   return true;
 }
 
-// One at a time. An answer to nothing is nothing.
+// One question at a time. A reference that this side has not used is of a recorded conversation,
+// whose PLC had others: the function says what it is about.
+bool Session::isAnswer(const Pdu& pdu) const {
+  if (heard_ == nullptr || pdu.reference == asked_) return heard_ != nullptr;
+  const View p = pdu.parameters;
+  return pdu.reference > asked_ && !p.empty() && p[0] == askedFunction_;
+}
+
+// An answer to nothing is nothing.
 void Session::hear(const Pdu& answer) {
-  if (heard_ == nullptr || answer.reference != asked_) return;
+  if (!isAnswer(answer)) return;
   const Heard heard = std::exchange(heard_, nullptr);
   heard(Job{.session = shared_from_this()}, answer);
 }
 
 void Session::ask(View parameters, Heard heard) {
   heard_ = heard;
+  askedFunction_ = parameters[0];
   send_(writePdu({.type = PduType::Job, .reference = ++asked_, .parameters = parameters}));
+}
+
+void Session::giveUp() {
+  heard_ = nullptr;
+  download_ = {};
 }
 
 void Session::answered() {

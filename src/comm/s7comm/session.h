@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -12,6 +11,7 @@
 
 #include "s7comm/outlet.h"
 #include "s7comm/plc.h"
+#include "s7comm/rest.h"
 
 namespace merker::s7comm {
 
@@ -26,14 +26,6 @@ struct Offer {
 class Session : public std::enable_shared_from_this<Session> {
  public:
   using Send = std::function<void(Bytes pdu)>;
-
-  // What is left of an answer of several PDUs: the client asks for them one by one.
-  struct Rest {
-    std::uint8_t sequence = 0, unit = 0;
-    Bytes octets{};
-    std::size_t record = 1;
-    std::deque<std::size_t> parts{};  // how long each is, unless that follows from the PDU
-  };
 
   // A block that the client fetches, piece by piece.
   struct Upload {
@@ -75,6 +67,8 @@ class Session : public std::enable_shared_from_this<Session> {
   bool busy() const { return !held_.empty() || waiting_ >= jobs_; }
   // The client has not answered what this side asked.
   bool asks() const { return heard_ != nullptr; }
+  // It will not any more: a block that was on its way is given up.
+  void giveUp();
   // Hears that it is not busy any more.
   void whenReady(std::function<void()> ready) { ready_ = std::move(ready); }
 
@@ -97,6 +91,7 @@ class Session : public std::enable_shared_from_this<Session> {
   friend struct Job;
   void agree(std::uint16_t pdu, std::uint16_t jobs);
   bool take(View bytes);
+  bool isAnswer(const Pdu& pdu) const;
   void hear(const Pdu& answer);
   void ask(View parameters, Heard heard);
   void answered();
@@ -112,12 +107,13 @@ class Session : public std::enable_shared_from_this<Session> {
   bool setUp_ = false, inside_ = false;  // inside_: receive() is running
   std::size_t waiting_ = 0;              // jobs that the PLC has and has not answered
   Bytes held_;                           // a PDU that waits for these
-  Rest rest_;
+  Rests rests_;
   Upload upload_;
   Download download_;
   Heard heard_ = nullptr;
   std::uint16_t asked_ = 0;  // reference of the last job of this side
-  std::string password_;     // that was entered and was right
+  std::uint8_t askedFunction_ = 0;
+  std::string password_;  // that was entered and was right
 };
 
 }  // namespace merker::s7comm

@@ -20,12 +20,10 @@ constexpr std::size_t kUploadParameters = 8, kNameBegins = 10;
 constexpr std::uint8_t kWholeBlock = '_', kHeadOnly = '$';
 constexpr std::size_t kBlockHead = 36;
 
-// The number of the upload: the last of 7 octets behind the function.
-std::uint32_t uploadNumber(const Job& job) { return loadDWord(&job.parameters[4]); }
-
+// Behind the function stands the number of the upload. A connection has one alone: it is not
+// looked at, since recorded conversations have the number that another PLC gave.
 bool isOpen(const Job& job) {
-  return job.parameters.size() == kUploadParameters && job.upload().number != 0 &&
-         !job.upload().octets.empty() && uploadNumber(job) == job.upload().number;
+  return job.parameters.size() == kUploadParameters && !job.upload().octets.empty();
 }
 
 // Function, status, 2 octets, number, length of the length, 7 digits.
@@ -64,9 +62,10 @@ void serveStartUpload(const Job& job) {
   head ? job.plc().blockHead(*name, done) : job.plc().block(*name, job.password(), done);
 }
 
+// Behind the last piece there is an empty one.
 void serveUpload(const Job& job) {
   Session::Upload& upload = job.upload();
-  if (!isOpen(job) || upload.sent == upload.octets.size()) return job.refuse(Error::CannotBeDone);
+  if (!isOpen(job)) return job.refuse(Error::CannotBeDone);
   const std::size_t pdu = std::min<std::size_t>(job.pdu(), kPiecePdu);
   const std::size_t most = pdu - kAnswerHeader - 2 - kPieceHead;
   const std::size_t count = std::min(most, upload.octets.size() - upload.sent);

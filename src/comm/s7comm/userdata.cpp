@@ -105,7 +105,7 @@ Request Request::begun() const {
 }
 
 // Takes from `rest` what a PDU holds.
-void Request::part(Session::Rest& rest) const {
+void Request::part(Rest& rest) const {
   const std::size_t most = job.pdu() - kUserdataOverhead;
   const std::size_t part = rest.parts.empty() ? most - most % rest.record : rest.parts.front();
   const std::size_t count = std::min({part, most, rest.octets.size()});
@@ -115,30 +115,38 @@ void Request::part(Session::Rest& rest) const {
   send(rest.unit, rest.octets.empty(), Error::None, octets);
 }
 
-// One answer at a time: who asks for something else gives up what is left.
 void Request::answer(Bytes octets, std::size_t record) const {
-  Session::Rest& rest = job.rest();
-  rest = {.sequence = rest.sequence, .octets = std::move(octets), .record = record};
-  const bool whole = rest.octets.size() + kUserdataOverhead <= job.pdu();
-  firstPart(rest, whole);
+  const bool whole = octets.size() + kUserdataOverhead <= job.pdu();
+  first({.unit = whole ? std::uint8_t{0} : std::uint8_t{1},
+         .octets = std::move(octets),
+         .record = record});
 }
 
 void Request::answerParts(const std::vector<Bytes>& parts) const {
-  Session::Rest& rest = job.rest();
-  rest = {.sequence = rest.sequence};
+  Rest rest{.unit = parts.size() == 1 ? std::uint8_t{0} : std::uint8_t{1}};
   for (const Bytes& part : parts) {
     rest.octets.insert(rest.octets.end(), part.begin(), part.end());
     rest.parts.push_back(part.size());
   }
-  firstPart(rest, parts.size() == 1);
+  first(std::move(rest));
 }
 
-void Request::firstPart(Session::Rest& rest, bool whole) const {
-  rest.sequence = static_cast<std::uint8_t>(rest.sequence % 0xFF + 1);  // never 0
-  rest.unit = whole ? 0 : rest.sequence;
-  Request first = *this;
-  first.sequence = rest.sequence;
-  first.part(rest);
+// The unit of an answer in one PDU is 0, else the number of the answer.
+void Request::first(Rest rest) const {
+  Request numbered = *this;
+  numbered.sequence = rest.sequence = job.rests().number();
+  if (rest.unit != 0) rest.unit = rest.sequence;
+  numbered.part(rest);
+  if (!rest.octets.empty()) job.rests().keep(std::move(rest));
+}
+
+// Who asks for more than there is gets an empty last part.
+void Request::next() const {
+  Rests& rests = job.rests();
+  Rest* const rest = rests.find(sequence);
+  if (rest == nullptr) return rests.isLost(sequence) ? refuse(Error::NoInformation) : done();
+  part(*rest);
+  if (rest->octets.empty()) rests.end(sequence);
 }
 
 void serveUserdata(const Job& job) {
@@ -148,10 +156,7 @@ void serveUserdata(const Job& job) {
                   .group = static_cast<std::uint8_t>(p[5] & 0x0F),
                   .subfunction = p[6],
                   .sequence = p[7]};
-  if (wantsMore(p)) {
-    const bool rest = request.sequence == job.rest().sequence && !job.rest().octets.empty();
-    return rest ? request.part(job.rest()) : request.refuse(Error::NoInformation);
-  }
+  if (wantsMore(p)) return request.next();
   const auto* const service =
       std::ranges::find_if(kUserdataServices, [&](const UserdataService& one) {
         return one.group == request.group && one.subfunction == request.subfunction;

@@ -45,8 +45,9 @@ struct Request {
 
  private:
   friend void serveUserdata(const Job& job);
-  void firstPart(Session::Rest& rest, bool whole) const;
-  void part(Session::Rest& rest) const;
+  void first(Rest rest) const;
+  void next() const;
+  void part(Rest& rest) const;
   void send(std::uint8_t unit, bool last, Error error, View octets) const;
 };
 

@@ -15,6 +15,14 @@ CyclicTask* cyclicJob(const Tasks& tasks, const Outlet& client, std::uint8_t num
                                 [&](const CyclicTask& task) { return task.number() == number; });
 }
 
+// Recorded requests name numbers that another CPU gave: they mean the connection's last job.
+CyclicTask* namedJob(const Tasks& tasks, const Outlet& client, std::uint8_t number) {
+  if (CyclicTask* const job = cyclicJob(tasks, client, number)) return job;
+  CyclicTask* last = nullptr;
+  tasks.find<CyclicTask>(client, [&](CyclicTask& task) { return last = &task, false; });
+  return last;
+}
+
 }  // namespace
 
 std::vector<s7comm::Value> CyclicTask::set(s7comm::CyclicRead read,
@@ -47,9 +55,9 @@ Subscribed subscribe(Tasks& tasks, const controller::Controller& plc,
                      const std::shared_ptr<Outlet>& client, std::optional<std::uint8_t> number,
                      const s7comm::CyclicRead& read) {
   if (number) {
-    CyclicTask* const job = cyclicJob(tasks, *client, *number);
+    CyclicTask* const job = namedJob(tasks, *client, *number);
     if (job == nullptr || !job->onChange()) return {Error::NoSuchReading};
-    return {Error::None, *number, job->set(read, plc)};
+    return {Error::None, job->number(), job->set(read, plc)};
   }
   if (tasks.count<CyclicTask>(*client) >= CyclicTask::kMost) return {Error::TooManyReadings};
   std::uint8_t free = 1;
@@ -62,7 +70,7 @@ Subscribed subscribe(Tasks& tasks, const controller::Controller& plc,
 
 Error unsubscribe(Tasks& tasks, monitor::Monitor& monitor, const Outlet& client,
                   std::uint8_t number) {
-  const CyclicTask* const job = cyclicJob(tasks, client, number);
+  const CyclicTask* const job = namedJob(tasks, client, number);
   if (job == nullptr) return Error::NoSuchReading;
   tasks.remove(*job, monitor);
   return Error::None;

@@ -43,7 +43,7 @@ class Tasks {
   void begin(std::shared_ptr<Task> task) { tasks_.push_back(std::move(task)); }
   // The first one of this client of this kind for which `is` holds; null: there is none.
   template <class Kind>
-  Kind* find(const s7comm::Outlet& client, const std::function<bool(const Kind&)>& is) const;
+  Kind* find(const s7comm::Outlet& client, const std::function<bool(Kind&)>& is) const;
   template <class Kind>
   std::size_t count(const s7comm::Outlet& client) const;
   void remove(const Task& task, monitor::Monitor& monitor);
@@ -58,7 +58,7 @@ class Tasks {
 };
 
 template <class Kind>
-Kind* Tasks::find(const s7comm::Outlet& client, const std::function<bool(const Kind&)>& is) const {
+Kind* Tasks::find(const s7comm::Outlet& client, const std::function<bool(Kind&)>& is) const {
   for (const auto& task : tasks_) {
     auto* const one = &task->client() == &client ? dynamic_cast<Kind*>(task.get()) : nullptr;
     if (one != nullptr && is(*one)) return one;
@@ -69,7 +69,7 @@ Kind* Tasks::find(const s7comm::Outlet& client, const std::function<bool(const K
 template <class Kind>
 std::size_t Tasks::count(const s7comm::Outlet& client) const {
   std::size_t found = 0;
-  find<Kind>(client, [&](const Kind&) { return ++found, false; });
+  find<Kind>(client, [&](Kind&) { return ++found, false; });
   return found;
 }
 

@@ -67,9 +67,19 @@ TEST(Upload, aBlockComesInPieces) {
   EXPECT_TRUE(
       last.ends_with("CC EE EE EE EE EE EE EE EE EE EE EE EE EE EE EE EE EE EE EE EE EE EE EE EE "
                      "EE EE EE EE EE EE EE EE EE EE EE EE"));
-  EXPECT_EQ(line.say(kNext), kUploadRefused);
+  EXPECT_EQ(line.say(kNext), "32 03 00 00 00 03 00 02 00 04 00 00 1E 00 00 00 00 FB");
   EXPECT_EQ(line.say(kEndUpload), "32 03 00 00 00 04 00 01 00 00 00 00 1F");
   EXPECT_EQ(line.say(kNext), kUploadRefused);
+}
+
+// A connection has one upload; a recorded conversation has the number that another CPU gave.
+TEST(Upload, itsNumberIsToldAndNotLookedAt) {
+  Line line;
+  line.say(kStart);
+  EXPECT_TRUE(line.say("32 01 00 00 00 03 00 08 00 00 1E 00 00 00 00 00 00 09")
+                  .starts_with("32 03 00 00 00 03 00 02 00 E2 00 00 1E 01 00 DE 00 FB AA"));
+  EXPECT_EQ(line.say("32 01 00 00 00 04 00 08 00 00 1F 00 00 00 00 00 00 09"),
+            "32 03 00 00 00 04 00 01 00 00 00 00 1F");
 }
 
 // "$" in place of "_".

@@ -78,6 +78,18 @@ TEST(Cyclic, whatIsWrongIsRefused) {
   EXPECT_TRUE(line.plc.cyclic.empty());
 }
 
+// On change the areas of a DBREAD item have their own codes.
+TEST(Cyclic, areasOnChange) {
+  Line line;
+  line.plc.memory[{Memory::DataBlock, 1}][3] = 0x77;
+  EXPECT_TRUE(
+      line.say("32 07 00 00 05 00 00 08 00 16 00 01 12 04 11 42 05 00 FF 09 00 12 00 01 00 02 "
+               "12 0C B0 02 01 00 01 00 03 02 00 01 00 04")
+          .ends_with("FF 09 00 0B 00 01 FF 09 00 05 FF 77 FF 00 00"));
+  EXPECT_EQ(toHex(line.plc.cyclic[1].data({{ItemCode::Missing, {}}, {ItemCode::Done, {1, 2}}})),
+            "00 01 FF 09 00 04 0A FF 01 02");
+}
+
 // An item of odd length, DBREAD of one area, has an octet behind it.
 TEST(Cyclic, itemsOfOddLength) {
   Line line;

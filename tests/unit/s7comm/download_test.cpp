@@ -108,10 +108,29 @@ TEST(Download, answersBelongToQuestions) {
   Line line;
   EXPECT_EQ(line.say(piece(1, 4, true)), "");
   line.say(request("0008"));
-  EXPECT_EQ(line.say(piece(7, 4, true)), "");
   EXPECT_EQ(line.say(request("0004")), std::string(kAccepted) + asks("02", "1B"));
   EXPECT_EQ(line.say(piece(1, 4, true)), "");
   EXPECT_EQ(line.say(piece(2, 4, false)), asks("03", "1C"));
+}
+
+// A recorded conversation has the references that another CPU gave.
+TEST(Download, anAnswerIsKnownByItsFunction) {
+  Line line;
+  line.say(request("0008"));
+  EXPECT_EQ(line.say("32 03 00 00 30 00 00 01 00 00 00 00 1C"), "");
+  EXPECT_EQ(line.say(piece(0x30, 4, true)), asks("02", "1B"));
+  EXPECT_EQ(line.say(piece(0x31, 4, false)), asks("03", "1C"));
+}
+
+// The connection goes on without it.
+TEST(Download, aSilentClientLosesIt) {
+  Line line;
+  line.say(request("0008"));
+  EXPECT_TRUE(line.session->asks());
+  line.session->giveUp();
+  EXPECT_FALSE(line.session->asks());
+  EXPECT_EQ(line.say(piece(1, 4, true)), "");
+  EXPECT_EQ(line.say(request("0004")), std::string(kAccepted) + asks("02", "1B"));
 }
 
 TEST(Download, anAnswerMayComeBetweenTwoDownloads) {

@@ -11,6 +11,9 @@ constexpr std::string_view kSzl =
 constexpr std::string_view kMore =
     "32 07 00 00 05 00 00 0C 00 04 00 01 12 08 12 44 01 01 00 00 00 00 0A 00 00 00";
 
+constexpr std::string_view kNothingLeft =
+    "32 07 00 00 05 00 00 0C 00 04 00 01 12 08 12 84 01 01 00 00 00 00 0A 00 00 00";
+
 TEST(Userdata, aListHasItsHeadAndItsRecords) {
   EXPECT_EQ(Line().say(kSzl),
             "32 07 00 00 05 00 00 0C 00 14 00 01 12 08 12 84 01 01 00 00 00 00 "
@@ -37,17 +40,28 @@ TEST(Userdata, aLongListComesInParts) {
       "32 07 00 00 05 00 00 0C 00 DA 00 01 12 08 12 84 01 01 01 01 00 00 FF 09 00 D6 07"));
   EXPECT_TRUE(third.starts_with(
       "32 07 00 00 05 00 00 0C 00 54 00 01 12 08 12 84 01 01 01 00 00 00 FF 09 00 50 07"));
+  EXPECT_EQ(line.say(kMore), kNothingLeft);
+}
+
+// As many as a client may have jobs.
+TEST(Userdata, partsOfSeveralAnswers) {
+  Line line;
+  line.plc.listOctets = 500;
+  for (std::size_t i = 0; i < Rests::kMost; ++i) line.say(kSzl);
+  const std::string second = line.say(kMore);
+  EXPECT_TRUE(second.starts_with(
+      "32 07 00 00 05 00 00 0C 00 DA 00 01 12 08 12 84 01 01 01 01 00 00 FF 09 00 D6 07"));
+  line.say(kSzl);
   EXPECT_EQ(line.say(kMore),
             "32 07 00 00 05 00 00 0C 00 04 00 01 12 08 12 84 01 01 00 00 D4 02 0A 00 00 00");
 }
 
-TEST(Userdata, theRestOfAnOlderAnswerIsGone) {
+// A recorded conversation asks for more of an answer that is shorter here.
+TEST(Userdata, nothingIsLeftOfAWholeAnswer) {
   Line line;
-  line.plc.listOctets = 500;
   line.say(kSzl);
-  line.say(kSzl);
-  EXPECT_EQ(line.say(kMore),
-            "32 07 00 00 05 00 00 0C 00 04 00 01 12 08 12 84 01 01 00 00 D4 02 0A 00 00 00");
+  EXPECT_EQ(line.say(kMore), kNothingLeft);
+  EXPECT_EQ(Line().say(kMore), kNothingLeft);
 }
 
 TEST(Userdata, theClockIsReadAndSet) {

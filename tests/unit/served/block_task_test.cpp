@@ -141,16 +141,23 @@ TEST_F(BlockStatus, inItsOldForm) {
 
 TEST_F(BlockStatus, whatIsRefused) {
   EXPECT_EQ(line.ask(kNewStatus, blockWords(0x0C, 9), "80 00 00 01"), "answer 13 01 D0 11");
-  EXPECT_EQ(line.ask(kNewStatus, blockWords(0x0C, 1), "80 01 00 01 40 00 00 01"),
-            "answer 13 02 D0 12");
   EXPECT_EQ(line.ask(kNewStatus, blockWords(0x0C, 1), "80 02 00 01 00 00 00 01"),
             "answer 13 00 D0 33");
   EXPECT_EQ(line.ask(kNewStatus, blockWords(0x0C, 1), lines({0, 2, 0, 2, 0, 2, 0, 2, 0, 2}, "7F")),
-            "answer 13 03 D0 64");
+            "answer 13 02 D0 64");
   line.ask(kNewStatus, blockWords(0x0C, 1), "80 00 00 01");
   EXPECT_EQ(line.ask(0x12, words(0, 1, 0),
                      "00 00 13 04 00 1C 00 04 " + blockWords(0x0C, 1) + "80 00 00 01"),
-            "answer 12 05 D0 A8");
+            "answer 12 04 D0 A8");
+}
+
+// Another version of the block: the lines of the old one that are none here are not told.
+TEST_F(BlockStatus, linesBehindTheEnd) {
+  EXPECT_EQ(line.ask(kNewStatus, blockWords(0x0C, 1), "80 01 00 01 40 00 00 01"),
+            "answer 13 01 00 00");
+  const std::string heard = told("13 01");
+  EXPECT_TRUE(heard.starts_with("says 13 01 00 00: 00 00 ")) << heard;
+  EXPECT_EQ(heard.find("40 00"), std::string::npos) << heard;
 }
 
 // Nothing of it is left in the CPU.

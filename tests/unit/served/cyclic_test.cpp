@@ -92,6 +92,16 @@ TEST_P(EachCyclic, aJobIsModified) {
             Error::NoSuchReading);  // not on change
 }
 
+// Recorded requests have the number that another CPU gave: the last job is meant.
+TEST_P(EachCyclic, aNumberThatNoJobHas) {
+  subscribe(reading(flags(200, 1), true));
+  EXPECT_EQ(subscribe(reading(flags(202, 2), true), 9).job, 1);
+  subscribe(reading(flags(200, 1)));
+  EXPECT_EQ(unsubscribe(9), Error::None);
+  EXPECT_EQ(unsubscribe(2), Error::None);  // 2 had gone: 1
+  EXPECT_EQ(unsubscribe(1), Error::NoSuchReading);
+}
+
 TEST_P(EachCyclic, jobsOfAConnectionAreLimited) {
   for (std::size_t i = 1; i <= CyclicTask::kMost; ++i)
     EXPECT_EQ(subscribe(reading(flags(200, 1))).job, i);
