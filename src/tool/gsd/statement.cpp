@@ -35,6 +35,7 @@ class Lexer {
         skipComment();
       } else if (!skipBlank(c)) {
         words.push_back(word(c));
+        continued_ = false;
       }
     }
     return words;
@@ -52,6 +53,7 @@ class Lexer {
   // Blanks, and a backslash with the end of the line behind it.
   bool skipBlank(char c) {
     if (c == '\\' && continues(at_)) {
+      continued_ = true;
       skipComment();
       if (at_ < text_.size() && text_[at_++] == '\r' && at_ < text_.size() && text_[at_] == '\n')
         ++at_;
@@ -75,8 +77,10 @@ class Lexer {
     std::size_t i = at_;
     while (i < text_.size() && isBlank(text_[i])) ++i;
     if (i >= text_.size() || text_[i] < '0' || text_[i] > '9') return false;
-    remarks_.push_back(remarkAt(file_, words.back().offset,
-                                "the list goes on in the next line; this line must end with \\"));
+    if (!continued_)
+      remarks_.push_back(remarkAt(file_, words.back().offset,
+                                  "the list goes on in the next line; this line must end with \\"));
+    continued_ = true;  // said once, whatever ends the line
     return true;
   }
 
@@ -125,6 +129,7 @@ class Lexer {
   std::string_view text_;
   std::vector<Remark>& remarks_;
   std::size_t at_ = 0;
+  bool continued_ = false;  // a backslash stands behind the last word
 };
 
 bool isSign(const std::vector<Word>& words, std::size_t i, char sign) {

@@ -124,6 +124,10 @@ TEST(GsdRead, AListMayGoOnWithoutItsBackslash) {
   EXPECT_EQ(read.device.modules[0].configuration, (Bytes{0x10, 0x20}));
   EXPECT_EQ(remarksOf(read),
             Texts{"4: the list goes on in the next line; this line must end with \\"});
+  EXPECT_EQ(remarksOf(device("Module = \"A\" 0x10,\r\n\r\n0x20\r\nEndModule\r\n")).size(), 1u);
+  const Reading commented = device("Module = \"A\" 0x10,\\\n ; why\n 0x20\nEndModule\n");
+  EXPECT_EQ(commented.device.modules[0].configuration, (Bytes{0x10, 0x20}));
+  EXPECT_EQ(remarksOf(commented), Texts{});
   EXPECT_EQ(
       remarksOf(device("Module = \"A\" 0x10 0x20 0x1FF\nEndModule\n")),
       (Texts{"4: there must be a comma before 0x20", "4: '0x1FF' must be a byte, 0 to 0xFF"}));
