@@ -21,8 +21,8 @@ Network::~Network() = default;
 
 Controller& Network::station(std::size_t i) { return *members_[i]; }
 
-Subnet& Network::addSubnet(std::int64_t rate, std::string name) {
-  return *subnets_.emplace_back(std::make_unique<Subnet>(rate, std::move(name)));
+Subnet& Network::addSubnet(const Medium& medium, std::string name) {
+  return *subnets_.emplace_back(std::make_unique<Subnet>(medium, std::move(name)));
 }
 
 Subnet* Network::subnet(std::string_view name) {
@@ -31,10 +31,15 @@ Subnet* Network::subnet(std::string_view name) {
   return found == subnets_.end() ? nullptr : found->get();
 }
 
-std::optional<std::uint8_t> Network::addressOf(std::size_t station, const Subnet& subnet) const {
+const Network::Place* Network::placeOf(std::size_t station, const Subnet& subnet) const {
   for (const Place& place : places_)
-    if (place.station == station && place.subnet == &subnet) return place.address;
-  return std::nullopt;
+    if (place.station == station && place.subnet == &subnet) return &place;
+  return nullptr;
+}
+
+std::optional<std::uint8_t> Network::addressOf(std::size_t station, const Subnet& subnet) const {
+  const Place* const place = placeOf(station, subnet);
+  return place == nullptr ? std::nullopt : std::optional(place->node->address());
 }
 
 std::optional<std::size_t> Network::find(std::string_view station) const {
@@ -45,8 +50,24 @@ std::optional<std::size_t> Network::find(std::string_view station) const {
 
 void Network::join(std::size_t i, Subnet& subnet, std::uint8_t address,
                    const GlobalData& globalData) {
-  places_.push_back({i, &subnet, address});
-  controller::capability<Connectable>(itself(i))->join(subnet.add(address), globalData);
+  attach(i, subnet, address);
+  controller::capability<Connectable>(itself(i))->join(*places_.back().node, globalData);
+}
+
+void Network::attach(std::size_t i, Subnet& subnet, std::uint8_t address) {
+  places_.push_back({i, &subnet, &subnet.add(address)});
+}
+
+void Network::connect(const Subnet& subnet, const Partner& calling, const Partner& called) {
+  Node& from = *placeOf(calling.station, subnet)->node;
+  Node& to = *placeOf(called.station, subnet)->node;
+  const std::uint16_t number = ++connections_;
+  const auto join = [&](const Partner& one, Node& own, const Node& other, bool active) {
+    controller::capability<Connectable>(itself(one.station))
+        ->connect({&own, other.address(), number, one.id, active});
+  };
+  join(calling, from, to, true);
+  join(called, to, from, false);
 }
 
 // What is sent from now on arrives after it at the earliest.

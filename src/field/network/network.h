@@ -26,9 +26,20 @@ class Network {
   Network(const Network&) = delete;
   Network& operator=(const Network&) = delete;
 
-  // Station `i` is a node of the subnet from now on. It can be one.
+  // Station `i` is a node of the MPI subnet from now on. It can be one.
   void join(std::size_t i, Subnet& subnet, std::uint8_t address, const GlobalData& globalData = {});
-  Subnet& addSubnet(std::int64_t rate, std::string name = {});
+  // The same on an Ethernet: only configured connections use it.
+  void attach(std::size_t i, Subnet& subnet, std::uint8_t address);
+  struct Partner {
+    std::size_t station = 0;
+    std::optional<std::uint16_t> id{};  // as ConnectionEnd
+  };
+  // A configured connection; both are on the subnet.
+  void connect(const Subnet& subnet, const Partner& calling, const Partner& called);
+  Subnet& addSubnet(const Medium& medium, std::string name = {});
+  Subnet& addSubnet(std::int64_t rate, std::string name = {}) {
+    return addSubnet(mpi(rate), std::move(name));
+  }
   // By name; case does not matter. Null: there is none.
   Subnet* subnet(std::string_view name);
   // Of a station on this subnet; nothing if it is not on it.
@@ -60,9 +71,11 @@ class Network {
   struct Place {
     std::size_t station = 0;
     const Subnet* subnet = nullptr;
-    std::uint8_t address = 0;
+    Node* node = nullptr;
   };
+  const Place* placeOf(std::size_t station, const Subnet& subnet) const;
   std::vector<Place> places_;
+  std::uint16_t connections_ = 0;
   std::vector<std::unique_ptr<Subnet>> subnets_;  // they outlive the stations
   std::vector<Station> stations_;
   std::vector<std::unique_ptr<controller::Controller>> members_;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "clock/instant.h"
+#include "network/connection.h"
 #include "network/global_data.h"
 #include "plc/capability.h"
 
@@ -46,13 +47,15 @@ class Node {
   std::deque<Telegram> out_, in_;
 };
 
-// A PLC that can be a node of an MPI subnet.
+// A PLC that can be a node of subnets.
 class Connectable : public controller::Capability {
  public:
   static constexpr std::string_view kName = "MPI interface";
 
   // The node outlives the PLC.
   virtual void join(Node& node, const GlobalData& globalData) = 0;
+  // One more configured connection, over any subnet.
+  virtual void connect(const ConnectionEnd& end) = 0;
 };
 
 }  // namespace merker::network

@@ -19,7 +19,7 @@ Node& Subnet::add(std::uint8_t address) {
 
 Duration Subnet::duration(std::int64_t bits) const {
   constexpr std::int64_t kSecond = 1'000'000'000;
-  return {(bits * kSecond + rate_ - 1) / rate_};
+  return {(bits * kSecond + medium_.rate - 1) / medium_.rate};
 }
 
 Node* Subnet::find(std::uint8_t address) {
@@ -46,12 +46,12 @@ bool Subnet::reaches(std::uint8_t from, std::uint8_t to) const {
 }
 
 void Subnet::deliver(Node& node, Telegram telegram) {
-  telegram.at = arrived_ = std::max(arrived_, telegram.at + delay_);
+  telegram.at = arrived_ = std::max(arrived_, telegram.at + medium_.latency + delay_);
   node.deliver(std::move(telegram));
 }
 
 void Subnet::put(Telegram telegram) {
-  const std::int64_t bits = telegramBits(telegram.data.size());
+  const std::int64_t bits = telegramBits(medium_, telegram.data.size());
   Node* const receiver = find(telegram.to);
   if (telegram.to == kEveryone) {
     telegram.at = occupy(telegram.at, bits);
@@ -61,7 +61,7 @@ void Subnet::put(Telegram telegram) {
   } else if (receiver != nullptr && reaches(telegram.from, telegram.to)) {
     telegram.at = occupy(telegram.at, bits);
     deliver(*receiver, std::move(telegram));
-  } else {
+  } else if (medium_.acknowledged) {
     const Instant end = occupy(telegram.at, kTries * (bits + kSlotTime));
     deliver(*find(telegram.from), {end, telegram.to, telegram.from, {}});
   }

@@ -1,4 +1,4 @@
-// An MPI subnet in virtual time: one telegram after another, each as long as its bits.
+// A subnet, MPI or Ethernet, in virtual time: one telegram after another, each as long as its bits.
 #pragma once
 
 #include <deque>
@@ -7,29 +7,23 @@
 #include <string>
 #include <vector>
 
+#include "network/medium.h"
 #include "network/node.h"
 
 namespace merker::network {
 
-// Bits of a telegram with this much data on the line, with the pause in front of it (docs/
-// compatibility.md, "Several stations").
-constexpr std::int64_t telegramBits(std::size_t bytes) {
-  constexpr std::int64_t kPause = 33;     // SYN of PROFIBUS (DIN 19245-1)
-  constexpr std::int64_t kFrame = 9 + 2;  // SD2 LE LEr SD2 DA SA FC FCS ED, and two SAPs
-  constexpr std::int64_t kPerByte = 11;   // start, 8 bits, parity, stop
-  return kPause + kPerByte * (kFrame + static_cast<std::int64_t>(bytes));
-}
-
 class Subnet {
  public:
-  // bits per second
-  explicit Subnet(std::int64_t rate, std::string name = {}) : name_(std::move(name)), rate_(rate) {}
+  explicit Subnet(const Medium& medium, std::string name = {})
+      : name_(std::move(name)), medium_(medium) {}
+  // MPI; bits per second
+  explicit Subnet(std::int64_t rate, std::string name = {}) : Subnet(mpi(rate), std::move(name)) {}
   const std::string& name() const { return name_; }
 
   Node& add(std::uint8_t address);
   Duration duration(std::int64_t bits) const;  // rounded up to a nanosecond
   // The least time between a telegram's sending and its arrival.
-  Duration lookahead() const { return duration(telegramBits(1)); }
+  Duration lookahead() const { return duration(telegramBits(medium_, 1)) + medium_.latency; }
   // Everything that was sent before `end` is known now: on the line in the order of virtual time,
   // at the same instant the lower address first, whenever the line is free.
   void carry(Instant end);
@@ -57,7 +51,7 @@ class Subnet {
   Instant occupy(Instant from, std::int64_t bits);
 
   std::string name_;
-  std::int64_t rate_;
+  Medium medium_;
   bool interrupted_ = false;
   std::set<std::uint8_t> pulled_;
   Duration delay_{};

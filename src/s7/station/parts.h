@@ -8,6 +8,7 @@
 #include "station/station.h"
 #include "system/global_data.h"
 #include "system/services.h"
+#include "system/subnet_links.h"
 
 namespace merker::station {
 
@@ -51,6 +52,7 @@ struct Station::Parts {
   }
 
   system::GlobalDataExchange globalData;
+  system::SubnetLinks links{cpu};
   block::RetentiveData kept;
   std::vector<DiagnosticEntry> diagnostics;
   std::uint64_t diagnosticsSeen = 0;
@@ -59,17 +61,23 @@ struct Station::Parts {
   serial::Coupling* serial() { return periphery ? periphery->serial().coupling() : nullptr; }
   // One step of the CPU. In STOP it answers its partners at the instant at which they ask.
   void step(Instant limit) {
+    if (!onSubnet() || cpu.mode() != cpu::Mode::Stop) return cpu.step(limit);
+    rest();
+    cpu.step(std::min({limit, services.partners().next(), links.next()}));
+    rest();
+  }
+  bool onSubnet() const { return services.partners().joined() || !links.empty(); }
+  void rest() {
     system::BasicCommunication& partners = services.partners();
-    if (!partners.joined() || cpu.mode() != cpu::Mode::Stop) return cpu.step(limit);
     partners.rest(cpu, cpu.machine().clock, cpu.powered());
-    cpu.step(std::min(limit, partners.next()));
-    partners.rest(cpu, cpu.machine().clock, cpu.powered());
+    links.rest(partners, cpu.machine().clock, cpu.powered());
     globalData.rest(partners);
   }
   // At the end of a cycle: partners first, then who looks on.
   void checkpoint() {
-    if (services.partners().joined()) {
+    if (onSubnet()) {
       services.partners().serve(cpu, cpu.machine().clock);
+      links.serve(services.partners(), services.connections(), cpu.machine().clock);
       globalData.exchange(cpu, services.partners());
     }
     if (!observer) return;

@@ -296,4 +296,11 @@ void Station::join(network::Node& node, const network::GlobalData& globalData) {
   parts_->cpu.onCheckpoint([parts = parts_.get()] { parts->checkpoint(); });
 }
 
+void Station::connect(const network::ConnectionEnd& end) {
+  system::Services& services = parts_->services;
+  parts_->links.add(end, services.communication().parameters.pdu, services.connections(),
+                    services.partners());
+  parts_->cpu.onCheckpoint([parts = parts_.get()] { parts->checkpoint(); });
+}
+
 }  // namespace merker::station

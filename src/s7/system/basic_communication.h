@@ -63,6 +63,8 @@ class BasicCommunication {
   // `connections`: of this CPU at most, to and from partners.
   void join(network::Node& node, std::size_t connections);
   bool joined() const { return node_ != nullptr; }
+  const network::Node* node() const { return node_; }
+  bool reads(const network::Node& node) const { return node_ == &node; }
 
   // RET_VAL. Of SFC 67 with 0: `answer` is what the partner sent.
   std::uint32_t call(const Order& order, Instant now, std::vector<std::uint8_t>& answer);

@@ -61,12 +61,14 @@ void BasicCommunication::receive(Instant now) {
   while (node_ != nullptr) {
     auto telegram = node_->receive(now);
     if (!telegram) return;
-    if (telegram->data.empty())
+    if (telegram->data.empty()) {
       over(telegram->from, basic::kUnreachable);
-    else if (auto message = decodeBasicMessage(telegram->data))
-      handle(telegram->from, std::move(*message), now);
-    else
       others_.push_back(std::move(*telegram));
+    } else if (auto message = decodeBasicMessage(telegram->data)) {
+      handle(telegram->from, std::move(*message), now);
+    } else {
+      others_.push_back(std::move(*telegram));
+    }
   }
 }
 

@@ -19,6 +19,11 @@ void Connections::configure(const std::vector<ConnectionParameters>& connections
   for (const ConnectionParameters& one : connections) connections_.push_back({.id = one.id});
 }
 
+std::size_t Connections::add(std::uint16_t id) {
+  connections_.push_back({.id = id});
+  return connections_.size() - 1;
+}
+
 void Connections::restart() {
   senders_.clear();
   receivers_.clear();

@@ -36,6 +36,8 @@ class Connections {
   };
 
   void configure(const std::vector<ConnectionParameters>& connections);
+  // One more, behind them; its place.
+  std::size_t add(std::uint16_t id);
   // The program begins anew.
   void restart();
 

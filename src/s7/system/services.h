@@ -19,6 +19,7 @@ class Services : public cpu::SystemServices {
   void configure(const CommunicationParameters& parameters);
   Connections& connections() { return *context_.connections; }
   BasicCommunication& partners() { return context_.partners; }
+  const BasicCommunication& partners() const { return context_.partners; }
   // Whom the functions for modules ask; null: no modules.
   // The sub-module PtP and its address; null: the project has none.
   void connect(serial::Coupling* coupling, std::uint32_t address) {

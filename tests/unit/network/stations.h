@@ -12,12 +12,13 @@
 
 namespace merker::network::test {
 
-// `lines`: the statements of OB 1; `more`: other blocks.
+// `lines`: the statements of OB 1; `more`: other blocks; `cpu`: its model, else the usual one.
 inline std::unique_ptr<controller::Controller> station(const std::string& lines,
-                                                       const std::string& more = {}) {
+                                                       const std::string& more = {},
+                                                       const std::string& cpu = {}) {
   const std::string text =
       more + "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n" + lines + "\nEND_ORGANIZATION_BLOCK\n";
-  const auto build = compilation::build(project::load("a.awl", {}, {{"a.awl", text}}), false);
+  const auto build = compilation::build(project::load("a.awl", cpu, {{"a.awl", text}}), false);
   for (const Problem& problem : build.problems.list())
     ADD_FAILURE() << problem.message << " line " << problem.position.line;
   return build.controller();

@@ -12,7 +12,7 @@ Instant at(std::int64_t ns) { return {ns}; }
 
 // 33 bits of pause, 11 bytes around the data, 11 bits a byte: 12 bytes are 33 + 23 * 11 = 286 bits.
 TEST(Subnet, ATelegramTakesItsBits) {
-  EXPECT_EQ(telegramBits(12), 286);
+  EXPECT_EQ(telegramBits(mpi(187'500), 12), 286);
   Subnet fast(187'500), slow(19'200);
   EXPECT_EQ(fast.duration(286).ns, 1'525'334);  // 286 / 187500 s, rounded up
   EXPECT_EQ(slow.duration(286).ns, 14'895'834);
