@@ -12,6 +12,7 @@
 
 #include "command.h"
 #include "engine_option.h"
+#include "network_s7.h"
 #include "network_trace.h"
 #include "network_workbench.h"
 #include "output.h"
@@ -41,7 +42,6 @@ std::string_view ofOneStation(const RunOptions& options) {
   if (!options.card.empty()) return "--card";
   if (options.hasCycles) return "--cycles";
   if (!options.serial.connection.empty() || !options.serial.record.empty()) return "--serial";
-  if (!options.serve.s7.place.empty()) return "--s7";
   return {};
 }
 
@@ -87,8 +87,10 @@ void runNetworkFor(network::Network& network, Duration time, NetworkTrace* trace
 }
 
 // Until Ctrl-C.
-void runNetworkInRealTime(network::Network& network, std::ofstream& file, NetworkTrace* trace) {
+void runNetworkInRealTime(network::Network& network, std::ofstream& file, NetworkTrace* trace,
+                          NetworkS7& s7) {
   runRealTime(network.station(0), nullptr, [&] {
+    s7.look();
     if (trace == nullptr) return;
     trace->write(network.now());
     file.flush();
@@ -150,10 +152,13 @@ int runBuilt(const RunOptions& options, const NetworkBuild& build, std::optional
     trace.emplace(file, *network, wishes.watch);
   }
   NetworkTrace* const seen = trace ? &*trace : nullptr;
-  if (time)
+  if (time) {
     runNetworkFor(*network, *time, seen);
-  else
-    runNetworkInRealTime(*network, file, seen);
+  } else {
+    NetworkS7 s7;
+    if (const int bad = s7.open("merker run", options.serve.s7, build, *network)) return bad;
+    runNetworkInRealTime(*network, file, seen, s7);
+  }
   network->settle(time ? controller::Controller::kLongestCycle : Duration::seconds(1));
   if (trace) trace->write(Instant::never());
   file.close();
@@ -165,12 +170,16 @@ int runBuilt(const RunOptions& options, const NetworkBuild& build, std::optional
 
 // What only a run without the page can do: it starts the stations itself.
 bool showsNothing(const RunOptions& options) {
-  return options.set.empty() && options.print.empty() && options.trace.empty();
+  return options.set.empty() && options.print.empty() && options.trace.empty() &&
+         options.serve.s7.place.empty();
 }
 
 int runNetwork(const RunOptions& options, project::Project project, std::optional<Duration> time) {
   if (const auto option = ofOneStation(options); !option.empty())
     return told(fmt::format("{} is for one station: name it with --station", option), kUsage);
+  // A station has one observer of its cycles.
+  if (!options.serve.s7.place.empty() && !options.trace.empty())
+    return told("--s7 and --trace exclude each other with several stations", kUsage);
   if (!time && !options.noWorkbench && showsNothing(options)) {
     ServeOptions serving = options.serve;
     serving.project = options.path;
@@ -184,9 +193,10 @@ int runNetwork(const RunOptions& options, project::Project project, std::optiona
   }
   if (!time) holdSignals();  // before threads of the network begin: a signal ends none of them
   if (!time && !options.noWorkbench)
-    std::cerr << "merker run: with --set, --print or --trace several stations run without the "
-                 "workbench, until Ctrl-C; "
-                 "--station NAME shows one of them in it\n";
+    std::cerr
+        << "merker run: with --set, --print, --trace or --s7 several stations run without the "
+           "workbench, until Ctrl-C; "
+           "--station NAME shows one of them in it\n";
   return runBuilt(options, build, time);
 }
 

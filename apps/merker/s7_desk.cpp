@@ -7,8 +7,10 @@
 namespace merker::app {
 
 int S7Desk::open(const std::string& command, const S7Option& option,
-                 const CommunicationParameters& parameters, std::function<void()> wake) {
+                 const CommunicationParameters& parameters, std::function<void()> wake,
+                 std::string station) {
   if (option.place.empty()) return kGood;
+  if (!station.empty()) title_ += " of " + std::move(station);
   std::string reason;
   const auto place = s7Place(option, reason);
   if (place) server_ = S7Server::start(*place, parameters, std::move(wake), reason);
@@ -16,7 +18,7 @@ int S7Desk::open(const std::string& command, const S7Option& option,
     std::cerr << command << ": " << reason << '\n';
     return place ? kUnreadable : kUsage;
   }
-  std::cerr << "S7 communication: " << server_->place() << std::endl;
+  std::cerr << title_ << ": " << server_->place() << std::endl;
   if (const std::string warning = server_->warning(); !warning.empty())
     std::cerr << command << ": warning: " << warning << std::endl;
   return kGood;
@@ -27,7 +29,7 @@ workbench::S7Outside S7Desk::outside() const {
 }
 
 S7Desk::~S7Desk() {
-  if (server_) std::cerr << "S7 communication: " << server_->summary() << std::endl;
+  if (server_) std::cerr << title_ << ": " << server_->summary() << std::endl;
 }
 
 void S7Desk::follow(workbench::Workbench& workbench) {

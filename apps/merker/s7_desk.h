@@ -9,9 +9,11 @@ namespace merker::app {
 
 class S7Desk {
  public:
-  // Nothing without the option. The exit code; what is wrong is told.
+  // Nothing without the option. `station`: its name, if it is one of several. The exit code; what
+  // is wrong is told.
   int open(const std::string& command, const S7Option& option,
-           const CommunicationParameters& parameters, std::function<void()> wake);
+           const CommunicationParameters& parameters, std::function<void()> wake,
+           std::string station = {});
   // Without a place if it is not open.
   workbench::S7Outside outside() const;
   bool isOpen() const { return server_ != nullptr; }
@@ -30,6 +32,7 @@ class S7Desk {
   void follow(workbench::Workbench& workbench);
 
   std::shared_ptr<S7Server> server_;
+  std::string title_ = "S7 communication";
   std::uint64_t shown_ = UINT64_MAX;
 };
 

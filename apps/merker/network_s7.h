@@ -1,0 +1,40 @@
+// S7 servers of several stations: each station has its own, at ports one behind the other in the
+// order of the stations, as programming devices reach each CPU of a subnet (S7-NET-01).
+#pragma once
+
+#include <deque>
+
+#include "compilation/network.h"
+#include "s7_desk.h"
+
+namespace merker::app {
+
+class NetworkS7 {
+ public:
+  static constexpr std::size_t kMostServed = 64;  // each has a thread
+
+  // `network` outlives it. Nothing without the option. The exit code; what is wrong is told.
+  int open(const std::string& command, const S7Option& option,
+           const compilation::NetworkBuild& build, network::Network& network);
+  NetworkS7() = default;
+  ~NetworkS7();  // nobody looks at the stations any more
+  NetworkS7(const NetworkS7&) = delete;
+  NetworkS7& operator=(const NetworkS7&) = delete;
+
+  // In front of each slice of time.
+  void look();
+
+ private:
+  struct Served {
+    Served(controller::Controller& of, std::unique_ptr<monitor::Monitor> by)
+        : plc(of), monitor(std::move(by)) {}
+    controller::Controller& plc;
+    std::unique_ptr<monitor::Monitor> monitor;
+    S7Desk desk;
+  };
+  int serve(const std::string& command, const S7Option& option, const compilation::NamedBuild& one,
+            controller::Controller& plc);
+  std::deque<Served> served_;
+};
+
+}  // namespace merker::app
