@@ -11,7 +11,7 @@ namespace {
 
 std::vector<std::string> subnetsOf(std::size_t station, const project::Network& network) {
   std::vector<std::string> names;
-  for (const project::MpiSubnet& subnet : network.subnets)
+  for (const project::Subnet& subnet : network.subnets)
     if (std::ranges::count(subnet.nodes, station, &project::SubnetNode::station) > 0)
       names.push_back(subnet.name);
   return names;

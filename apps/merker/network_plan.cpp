@@ -50,10 +50,12 @@ std::string segmentLine(const project::Segment& segment, std::size_t number) {
 }
 
 std::string subnetLines(const NetworkPlan& plan, const PlannedSubnet& subnet) {
-  std::string text = fmt::format("{}: {}, {}, highest address {}\n", subnet.name,
-                                 upper(subnet.kind), subnet.rate, subnet.highest);
+  const bool ethernet = subnet.kind == "ethernet";
+  std::string text = fmt::format("{}: {}, {}", subnet.name,
+                                 ethernet ? "Ethernet" : upper(subnet.kind), subnet.rate);
+  text += ethernet ? "\n" : fmt::format(", highest address {}\n", subnet.highest);
   for (const PlannedNode& node : subnet.nodes)
-    text += fmt::format("  {:>3}  {}\n", node.address, plan.stations[node.station].name);
+    text += fmt::format("  {:>3}  {}\n", addressText(node), plan.stations[node.station].name);
   for (std::size_t i = 0; i < subnet.segments.size(); ++i)
     text += segmentLine(subnet.segments[i], i + 1);
   return text;
@@ -67,7 +69,9 @@ std::string connectionLine(const NetworkPlan& plan, const PlannedConnection& one
 ordered_json subnetJson(const NetworkPlan& plan, const PlannedSubnet& subnet) {
   ordered_json nodes = ordered_json::array(), segments = ordered_json::array();
   for (const PlannedNode& node : subnet.nodes)
-    nodes.push_back({{"station", plan.stations[node.station].name}, {"address", node.address}});
+    nodes.push_back(
+        {{"station", plan.stations[node.station].name},
+         {"address", node.ip.empty() ? ordered_json(node.address) : ordered_json(node.ip)}});
   for (const project::Segment& one : subnet.segments)
     segments.push_back({{"length_m", one.length}, {"nodes", one.places}});
   return {{"name", subnet.name},       {"kind", subnet.kind}, {"baud", subnet.rate},
@@ -88,6 +92,10 @@ ordered_json arrayOf(const List& list, const Convert& convert) {
 }
 
 }  // namespace
+
+std::string addressText(const PlannedNode& node) {
+  return node.ip.empty() ? fmt::format("{}", node.address) : node.ip;
+}
 
 std::string circleText(const project::GlobalDataRow& row) {
   return fmt::format("GD circle {}, every {} cycles: {} → {}", row.circle, row.rate, row.from.text,

@@ -105,7 +105,7 @@ class NetworkDrawing {
     line(x, bottom, x, lineY(subnet), colour, 3);
     out_ += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"16\" height=\"12\" fill=\"{}\"/>\n", x - 8,
                         bottom - 12, colour);
-    text(x + 6, bottom + 14, fmt::format("{}", node.address), " font-size=\"12\"");
+    text(x + 6, bottom + 14, addressText(node), " font-size=\"12\"");
   }
 
   static int trunkX(std::size_t subnet) { return kLabel + 6 * static_cast<int>(subnet % 3); }

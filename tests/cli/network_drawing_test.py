@@ -116,7 +116,7 @@ S7 connections
         self.assertIn(what, self.expect(PROBLEMS, "check", "lab").err)
 
     def test_a_good_cable(self):
-        # S7-NET-09, S7-NET-11: a repeater couples a grounded and an ungrounded segment
+        # S7-NET-09, S7-NET-11, S7-HW-11: a repeater couples a grounded and an ungrounded segment
         self.lab(CABLE)
         self.expect(GOOD, "check", "lab")
 

@@ -267,6 +267,72 @@ scenario "the partner is in STOP"
         self.assertIn("the project has one station only", self.expect(PROBLEMS, "run", "lab/belt", "--station", "Belt", "--for", "1s").err)
         self.assertIn("OB 35", self.expect(GOOD, "list", "lab", "--station", "Belt").out)
 
+    # S7-NETPRO-08: what is wrong with connections and Ethernet subnets.
+    LINKS = LAB + """
+[[subnet]]
+name = "MPI(1)"
+kind = "mpi"
+nodes = [ {station = "Press", address = 2}, {station = "Belt", address = 3} ]
+
+[[subnet]]
+name = "Net"
+kind = "ethernet"
+nodes = [ {station = "Press", address = "192.168.0.1"}, {station = "Belt", address = "192.168.0.2"} ]
+
+[[connection]]
+id = "W#16#1"
+local = "Press"
+partner = "Belt"
+"""
+
+    def linked(self, settings=LINKS, press="generic", belt="314C-2 PN/DP", more=""):
+        self.lab(settings)
+        self.write("lab/press/merker.toml", f'[cpu]\nmodel = "{press}"\n{more}')
+        self.write("lab/belt/merker.toml", f'[cpu]\nmodel = "{belt}"\n')
+        return self.merker("check", "lab")
+
+    def test_wrong_connections(self):
+        self.assertEqual(self.linked().code, GOOD)
+        link = self.LINKS[self.LINKS.index("[[connection]]"):]
+        for old, new, what in (
+                ('id = "W#16#1"', 'id = "W#16#0"', "merker.toml:27:6: error: 'id' must be the local ID as blocks name it"),
+                ('local = "Press"', 'local = "Pres"', "merker.toml:28:9: error: 'local' must be the name of a [[station]]: Press, Belt, Mill"),
+                ('local = "Press"\n', "", "merker.toml:26:1: error: '[[connection]]' needs id = "),
+                ('partner = "Belt"\n', 'partner = "press"\n', "'partner' must be another station than local"),
+                ('partner = "Belt"\n', 'partner = "Mill"\n', "'partner' must be on a subnet of Press; Mill is on none of them"),
+                ('partner = "Belt"\n', 'partner = "Belt"\nsubnet = "Lan"\n', "'subnet' must be a subnet of both stations: MPI(1), Net"),
+                ('partner = "Belt"\n', 'partner = "Belt"\nport = 1\n', "unknown key 'port'"),
+                ('partner = "Belt"\n', 'partner = "Belt"\n' + link, "'id' must be another one: Press has a connection W#16#1 above"),
+                ('partner = "Belt"\n', 'partner = "Belt"\npartner_id = 1\n', "'partner' must be a station whose CPU has SFB 12 to 15"),
+                ('"192.168.0.2"', '"192.168.0.1"', "'address' must be unique on the subnet; 192.168.0.1 has another station"),
+                ('"192.168.0.2"', '"10.0.0.2"', "'address' must be of the subnet of the others: 192.168.0.1 to 192.168.0.254"),
+                ('"192.168.0.2"', '"192.168.0.256"', "'address' must be an IP address"),
+                ('"192.168.0.2"', "2", "'address' must be an IP address"),
+                ('kind = "ethernet"', 'kind = "ethernet"\nbaud = "1G"', "'baud' must be")):
+            self.assertIn(old, self.LINKS)
+            self.assertIn(what, self.linked(self.LINKS.replace(old, new)).err)
+        self.assertIn("'local' must be a station whose CPU has SFB 12 to 15", self.linked(press="314C-2 PN/DP").err)
+        self.assertIn("'station' must be a station with an Ethernet interface; the CPU 314C-2 DP has none", self.linked(belt="314C-2 DP").err)
+        own = '[[connection]]\nid = 1\npartner = "tcp://127.0.0.1:1"\n'
+        self.assertIn("Press has a connection W#16#1 in its own merker.toml", self.linked(more=own).err)
+        many = "".join(link.replace("W#16#1", f"W#16#{i:X}") for i in range(1, 12))
+        self.assertIn("'connection' must be left out: Belt has 12 connections, of which 2 are kept",
+                      self.linked(self.LINKS.replace(link, many)).err)
+
+    def test_a_processor_brings_an_ethernet_interface(self):
+        self.linked(belt="314C-2 DP")
+        self.write("lab/belt/merker.toml", '[cpu]\nmodel = "314C-2 DP"\n[[module]]\nslot = 4\ntype = "CP 343-1"\n')
+        self.assertEqual(self.merker("check", "lab").err.count("Ethernet interface"), 0)
+
+    def test_connections_are_shown(self):
+        self.linked(self.LINKS.replace('partner = "Belt"\n', 'partner = "Belt"\nsubnet = "net"\n'))
+        text = self.expect(GOOD, "network", "lab").out
+        self.assertIn("Net: Ethernet, 100 Mbit/s\n  192.168.0.1  Press\n  192.168.0.2  Belt\n", text)
+        self.assertIn("S7 connections\n  Press W#16#1 calls Belt (Net)\n", text)
+        document = self.expect(GOOD, "network", "lab", "--json").json
+        self.assertEqual(document["subnets"][1]["nodes"][0], {"station": "Press", "address": "192.168.0.1"})
+        self.assertEqual(document["connections"], [{"station": "Press", "id": 1, "active": True, "partner": "Belt (Net)"}])
+
     def test_commands_of_one_station(self):
         self.lab()
         for command in (("list",), ("xref",), ("hw",), ("bench", "--for", "1s"), ("diag", "--for", "1s"), ("debug",), ("tags",),

@@ -46,6 +46,7 @@ class Profibus(Case):
         self.refused(SUBNET + 'baud = "12M"\n' + SLAVE, "a baud rate that Valve island knows; 12M is none")
         self.refused(SUBNET + 'baud = "31.25k"\n' + SLAVE, "'baud' must be one of 9.6k")
         self.refused(SUBNET.replace("{address = 2, master = true}", "") + SLAVE, "one station, the DP master")
+        # S7-NET-24
         self.refused(SUBNET + SLAVE, "CPU 314C-2 PtP has no DP interface", "314C-2 PtP")
 
     def test_rules_of_the_slave(self):

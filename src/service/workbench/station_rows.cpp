@@ -64,7 +64,7 @@ Json problemsOf(const Laboratory& lab) {
   return rows;
 }
 
-Json lineNow(const Laboratory& lab, const project::MpiSubnet& row) {
+Json lineNow(const Laboratory& lab, const project::Subnet& row) {
   network::Subnet* const subnet = lab.network->subnet(row.name);
   if (subnet == nullptr)
     return {{"busy", 0}, {"interrupted", false}, {"pulled", Json::array()}, {"delay", 0}};
@@ -107,7 +107,7 @@ Json stationsNow(const Laboratory& lab) {
                     {"leds", lampsOf(*plc)},
                     {"reason", plc->controller().stopReason()}});
   Json lines = Json::array();
-  for (const project::MpiSubnet& row : lab.build.project.network->subnets)
+  for (const project::Subnet& row : lab.build.project.network->subnets)
     lines.push_back(lineNow(lab, row));
   return {{"event", "stations"},
           {"time", lab.network->now().ns},

@@ -120,10 +120,12 @@ class GlobalTable {
     put(row, place, to->station, packet);
   }
 
-  const project::MpiSubnet* subnetOf(std::size_t station) const {
-    for (const project::MpiSubnet& subnet : build_.project.network->subnets)
+  const project::Subnet* subnetOf(std::size_t station) const {
+    for (const project::Subnet& subnet : build_.project.network->subnets) {
+      if (subnet.kind != project::SubnetKind::Mpi) continue;
       for (const project::SubnetNode& node : subnet.nodes)
         if (node.station == station) return &subnet;
+    }
     return nullptr;
   }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "catalogue/ethernet.h"
 #include "project/files.h"
 
 namespace merker::compilation {
@@ -76,11 +77,72 @@ class NetworkStations {
 
 namespace {
 
+bool isOnEthernet(const project::Project& station) {
+  const auto isEthernet = [](const io::Module& module) { return hasEthernet(*module.type); };
+  return hasEthernet(*station.model) ||
+         (station.hardware && std::ranges::any_of(station.hardware->modules, isEthernet));
+}
+
 // A SINUMERIK has none. Without problems so far the stations have the numbers of their list.
-void requireInterface(const project::SubnetNode& node, NetworkBuild& build) {
-  if (!build.ok() || !build.stations[node.station].build->isListing()) return;
-  build.problems.add(ProblemCode::P0704, node.named, "station",
-                     "a SIMATIC S7; a SINUMERIK has no MPI interface");
+void requireInterface(const project::Subnet& subnet, const project::SubnetNode& node,
+                      NetworkBuild& build) {
+  if (!build.ok()) return;
+  const Build& station = *build.stations[node.station].build;
+  const bool ethernet = subnet.kind == project::SubnetKind::Ethernet;
+  if (station.isListing())
+    build.problems.add(ProblemCode::P0704, node.named, "station",
+                       ethernet ? "a SIMATIC S7; a SINUMERIK has no Ethernet interface"
+                                : "a SIMATIC S7; a SINUMERIK has no MPI interface");
+  else if (ethernet && !isOnEthernet(station.project))
+    build.problems.add(ProblemCode::P0704, node.named, "station",
+                       fmt::format("a station with an Ethernet interface; the {} has none: plug a "
+                                   "CP 343-1 ([[module]])",
+                                   station.project.model->name));
+}
+
+// Blocks name a connection only where the CPU has such blocks (S7-SFB-10).
+void requireBlocks(NetworkBuild& build, std::size_t station, const Position& at,
+                   std::string_view key) {
+  constexpr BlockId kGet{BlockKind::SFB, 14};
+  const Build& own = *build.stations[station].build;
+  if (own.library->contains(kGet)) return;
+  build.problems.add(ProblemCode::P0704, at, key,
+                     fmt::format("a station whose CPU has SFB 12 to 15; the {} only serves others: "
+                                 "it can be the partner, without partner_id",
+                                 own.project.model->name));
+}
+
+// Ids that the station's own merker.toml has, and how many connections there are (S7-LIM-05).
+void requireConnection(NetworkBuild& build, std::size_t station, std::optional<std::uint16_t> id,
+                       const Position& at, std::vector<std::size_t>& counts) {
+  const CommunicationParameters& own = build.stations[station].build->project.communication;
+  const std::string& name = build.stations[station].name;
+  if (id && std::ranges::count(own.configured, *id, &ConnectionParameters::id) > 0)
+    build.problems.add(ProblemCode::P0704, at, "id",
+                       fmt::format("another one: {} has a connection W#16#{:X} in its own "
+                                   "merker.toml",
+                                   name, *id));
+  const std::size_t all = ++counts[station] + own.configured.size();
+  if (!own.connections || all + own.pg + own.op + own.basic <= *own.connections) return;
+  build.problems.add(ProblemCode::P0704, at, "connection",
+                     fmt::format("left out: {} has {} connections, of which {} are kept", name,
+                                 *own.connections, own.pg + own.op + own.basic));
+}
+
+void checkConnections(NetworkBuild& build) {
+  std::vector<std::size_t> counts(build.stations.size());
+  for (const project::StationConnection& one : build.project.network->connections) {
+    if (!build.ok()) return;
+    requireBlocks(build, one.local, one.localAt, "local");
+    if (one.partnerId) requireBlocks(build, one.partner, one.partnerAt, "partner");
+    requireConnection(build, one.local, one.id, one.position, counts);
+    requireConnection(build, one.partner, one.partnerId, one.position, counts);
+  }
+}
+
+network::Medium mediumOf(const project::Subnet& subnet) {
+  return subnet.kind == project::SubnetKind::Ethernet ? network::ethernet(subnet.rate)
+                                                      : network::mpi(subnet.rate);
 }
 
 }  // namespace
@@ -105,12 +167,20 @@ std::unique_ptr<network::Network> NetworkBuild::network(unsigned threads, bool c
   for (const NamedBuild& station : stations)
     list.push_back({station.name, station.build->controller(coverage)});
   auto result = std::make_unique<network::Network>(std::move(list), threads);
-  for (const project::MpiSubnet& one : project.network->subnets) {
-    network::Subnet& subnet = result->addSubnet(one.rate, one.name);
-    for (const project::SubnetNode& node : one.nodes)
-      result->join(node.station, subnet, static_cast<std::uint8_t>(node.address),
-                   globalData[node.station]);
+  std::vector<network::Subnet*> subnets;
+  for (const project::Subnet& one : project.network->subnets) {
+    network::Subnet& subnet = result->addSubnet(mediumOf(one), one.name);
+    subnets.push_back(&subnet);
+    for (const project::SubnetNode& node : one.nodes) {
+      const auto address = static_cast<std::uint8_t>(node.address);
+      if (one.kind == project::SubnetKind::Mpi)
+        result->join(node.station, subnet, address, globalData[node.station]);
+      else
+        result->attach(node.station, subnet, address);
+    }
   }
+  for (const project::StationConnection& one : project.network->connections)
+    result->connect(*subnets[one.subnet], {one.local, one.id}, {one.partner, one.partnerId});
   return result;
 }
 
@@ -122,8 +192,9 @@ NetworkBuild buildNetwork(project::Project project, bool toRun) {
   NetworkStations stations(result, toRun);
   for (const project::OtherStation& station : result.project.network->stations)
     stations.add(station);
-  for (const project::MpiSubnet& subnet : result.project.network->subnets)
-    for (const project::SubnetNode& node : subnet.nodes) requireInterface(node, result);
+  for (const project::Subnet& subnet : result.project.network->subnets)
+    for (const project::SubnetNode& node : subnet.nodes) requireInterface(subnet, node, result);
+  checkConnections(result);
   if (result.ok()) result.globalData = globalDataOf(result);
   result.problems.tellRest(Position{result.project.path});
   return result;

@@ -18,12 +18,19 @@ std::string modelOf(const Build& build) {
   return std::string(build.project.model->name);
 }
 
-PlannedSubnet planned(const project::MpiSubnet& subnet) {
+std::string rateText(const project::Subnet& subnet) {
+  constexpr std::int64_t kMega = 1'000'000;
+  return subnet.rate >= kMega ? fmt::format("{} Mbit/s", subnet.rate / kMega)
+                              : fmt::format("{} kbit/s", static_cast<double>(subnet.rate) / 1000);
+}
+
+PlannedSubnet planned(const project::Subnet& subnet) {
+  const bool ethernet = subnet.kind == project::SubnetKind::Ethernet;
   PlannedSubnet result{
-      subnet.name,    "mpi", fmt::format("{} kbit/s", static_cast<double>(subnet.rate) / 1000),
-      subnet.highest, {},    subnet.segments};
+      subnet.name,    ethernet ? "ethernet" : "mpi", rateText(subnet), subnet.highest, {},
+      subnet.segments};
   for (const project::SubnetNode& node : subnet.nodes)
-    result.nodes.push_back({node.station, node.address});
+    result.nodes.push_back({node.station, node.address, node.ip});
   std::ranges::sort(result.nodes, {}, &PlannedNode::address);
   return result;
 }
@@ -32,6 +39,18 @@ void addConnections(const Build& build, std::size_t station, NetworkPlan& plan) 
   for (const ConnectionParameters& one : build.project.communication.configured)
     plan.connections.push_back({station, one.id, one.active,
                                 one.active ? fmt::format("{}:{}", one.host, one.port) : one.host});
+}
+
+// Once for each station whose blocks name it.
+void addConnection(const project::Network& network, const project::StationConnection& one,
+                   NetworkPlan& plan) {
+  const std::string& subnet = network.subnets[one.subnet].name;
+  const auto at = [&](std::size_t station) {
+    return fmt::format("{} ({})", network.stations[station].name, subnet);
+  };
+  plan.connections.push_back({one.local, one.id, true, at(one.partner)});
+  if (one.partnerId)
+    plan.connections.push_back({one.partner, *one.partnerId, false, at(one.local)});
 }
 
 }  // namespace
@@ -45,7 +64,9 @@ NetworkPlan planOf(const NetworkBuild& build) {
     plan.stations.push_back({station.name, station.folder, own != nullptr ? modelOf(*own) : ""});
     if (own != nullptr) addConnections(*own, plan.stations.size() - 1, plan);
   }
-  for (const project::MpiSubnet& subnet : network.subnets) plan.subnets.push_back(planned(subnet));
+  for (const project::Subnet& subnet : network.subnets) plan.subnets.push_back(planned(subnet));
+  for (const project::StationConnection& one : network.connections)
+    addConnection(network, one, plan);
   plan.circles = network.globalData;
   return plan;
 }

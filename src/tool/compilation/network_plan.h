@@ -11,6 +11,7 @@ namespace merker::compilation {
 struct PlannedNode {
   std::size_t station = 0;
   std::uint32_t address = 0;
+  std::string ip{};  // on Ethernet
 };
 
 struct PlannedSubnet {

@@ -57,23 +57,6 @@ bool readPartner(std::string_view text, ConnectionParameters& connection) {
   return true;
 }
 
-// "W#16#1" or 1
-void readId(const Table& table, ConnectionParameters& connection) {
-  constexpr std::string_view kPrefix = "W#16#";
-  const auto* const node = table.node("id");
-  std::optional<std::uint32_t> id;
-  if (node != nullptr && node->is_integer())
-    id = static_cast<std::uint32_t>(std::clamp<std::int64_t>(node->as_integer()->get(), 0, 0xFFFF));
-  if (node != nullptr && node->is_string()) {
-    std::string_view text = node->as_string()->get();
-    if (text.starts_with(kPrefix)) id = wholeNumber(text.substr(kPrefix.size()), 16, 0xFFFF);
-  }
-  if (id && *id >= 1 && *id <= ConnectionParameters::kHighestId)
-    connection.id = static_cast<std::uint16_t>(*id);
-  else
-    table.mustBe("id", "the local ID as blocks name it, from \"W#16#1\" to \"W#16#FFF\"");
-}
-
 // "10.02": connection resource, and rack * 32 + slot.
 void readTsap(const Table& table, std::string_view key, ConnectionParameters::Tsap& tsap) {
   constexpr std::string_view kWhat = "two hexadecimal bytes like \"10.02\"";
@@ -91,7 +74,7 @@ void readTsap(const Table& table, std::string_view key, ConnectionParameters::Ts
 ConnectionParameters readS7Connection(const Table& table) {
   table.allow({"id", "partner", "active", "rack", "slot", "local_tsap", "partner_tsap"});
   ConnectionParameters connection;
-  readId(table, connection);
+  connection.id = readConnectionId(table, "id").value_or(connection.id);
   connection.active = table.flag("active").value_or(true);
   constexpr std::string_view kPartner =
       "an address and a port like \"tcp://192.168.0.2:102\"; without active no port is needed";
@@ -128,6 +111,22 @@ void checkUnique(const Table& table, const ConnectionParameters& added,
 }
 
 }  // namespace
+
+std::optional<std::uint16_t> readConnectionId(const Table& table, std::string_view key) {
+  constexpr std::string_view kPrefix = "W#16#";
+  const auto* const node = table.node(key);
+  std::optional<std::uint32_t> id;
+  if (node != nullptr && node->is_integer())
+    id = static_cast<std::uint32_t>(std::clamp<std::int64_t>(node->as_integer()->get(), 0, 0xFFFF));
+  if (node != nullptr && node->is_string()) {
+    std::string_view text = node->as_string()->get();
+    if (text.starts_with(kPrefix)) id = wholeNumber(text.substr(kPrefix.size()), 16, 0xFFFF);
+  }
+  if (id && *id >= 1 && *id <= ConnectionParameters::kHighestId)
+    return static_cast<std::uint16_t>(*id);
+  table.mustBe(key, "the local ID as blocks name it, from \"W#16#1\" to \"W#16#FFF\"");
+  return std::nullopt;
+}
 
 void readConfigured(const Table& root, CommunicationParameters& parameters) {
   const std::uint32_t kept = parameters.pg + parameters.op + parameters.basic;

@@ -20,6 +20,7 @@ struct SubnetNode {
   std::uint32_t address = 0;
   Position named;  // of the station
   bool grounded = true;
+  std::string ip{};  // on Ethernet; its last number is the address
 };
 
 // A bus line between two terminating resistors (S7-NET-08).
@@ -28,11 +29,14 @@ struct Segment {
   std::vector<std::string> places;  // stations and repeaters in the order of the cable
 };
 
-struct MpiSubnet {
+enum class SubnetKind : std::uint8_t { Mpi, Ethernet };
+
+struct Subnet {
   std::string name;
+  SubnetKind kind = SubnetKind::Mpi;
   std::int64_t rate = 187'500;  // bits per second
-  std::uint32_t highest = 0;    // MPI address (S7-NET-02)
-  std::vector<SubnetNode> nodes;
+  std::uint32_t highest = 31;   // MPI address (S7-NET-02)
+  std::vector<SubnetNode> nodes{};
   std::vector<std::string> repeaters{};  // RS 485, each between two segments (S7-NET-09)
   std::vector<Segment> segments{};       // without any, nothing is known of the cable
 };
@@ -49,11 +53,21 @@ struct GlobalDataRow {
   std::vector<Place> to, status, groupStatus;
 };
 
+// An S7 connection between two stations (S7-NETPRO-08).
+struct StationConnection {
+  std::uint16_t id = 1;                      // as blocks of `local` name it; `local` calls
+  std::optional<std::uint16_t> partnerId{};  // the same of `partner`; none: it only serves
+  std::size_t local = 0, partner = 0;        // numbers in the list of stations
+  std::size_t subnet = 0;                    // number in the list of subnets
+  Position position, localAt, partnerAt;
+};
+
 struct Network {
   std::vector<OtherStation> stations;
-  std::vector<MpiSubnet> subnets;
+  std::vector<Subnet> subnets;
   std::vector<DpSubnet> profibus;
   std::vector<GlobalDataRow> globalData;
+  std::vector<StationConnection> connections;
 };
 
 // "Press, Belt", for problems; of many the first ones.

@@ -8,8 +8,8 @@ namespace merker::project {
 namespace {
 
 // What makes a merker.toml one of several stations: it describes none itself.
-constexpr std::string_view kNetworkKeys[] = {"project", "station", "subnet", "global_data",
-                                             "slave"};
+constexpr std::string_view kNetworkKeys[] = {"project",     "station", "subnet",
+                                             "global_data", "slave",   "connection"};
 
 void readStations(const Table& root, Network& network) {
   for (const Table& table : root.tables("station", kMostStations)) {
@@ -38,6 +38,7 @@ Network readNetwork(const Table& root) {
   readSubnets(root, network);
   network.profibus = readDpSubnets(root, &network);
   readGlobalData(root, network);
+  readStationConnections(root, network);
   return network;
 }
 

@@ -42,6 +42,10 @@ void readPacing(const Table& root, io::Configuration& configuration);
 CommunicationParameters readCommunication(const Table& root, const CpuModel& model);
 // [[connection]]: configured S7 connections, of those that [communication] has
 void readConfigured(const Table& root, CommunicationParameters& parameters);
+// "W#16#1" or 1; nothing, and a problem, if it is no local ID
+std::optional<std::uint16_t> readConnectionId(const Table& table, std::string_view key);
+// [[connection]] between two stations of a project of several
+void readStationConnections(const Table& root, Network& network);
 // A [[station]]; nothing if its name or folder is wrong
 std::optional<OtherStation> readStation(const Table& table);
 // Whether it is the project of several stations; then what it says of them
@@ -50,7 +54,7 @@ Network readNetwork(const Table& root);
 // [[subnet]] and its nodes
 void readSubnets(const Table& root, Network& network);
 // Repeaters and segments of a [[subnet]] whose nodes are known
-void readSegments(const Table& table, const Network& network, MpiSubnet& subnet);
+void readSegments(const Table& table, const Network& network, Subnet& subnet);
 // [[subnet]] of PROFIBUS with its [[slave]]s; `network` null: of a project of one station
 bool isDpSubnet(const Table& table);
 std::vector<DpSubnet> readDpSubnets(const Table& root, const Network* network);

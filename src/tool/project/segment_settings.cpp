@@ -40,7 +40,7 @@ std::optional<std::uint32_t> metres(std::string_view text) {
 // The segments of one subnet; who is where.
 class Cable {
  public:
-  Cable(const Table& table, const Network& network, MpiSubnet& subnet)
+  Cable(const Table& table, const Network& network, Subnet& subnet)
       : table_(table), network_(network), subnet_(subnet) {}
 
   void readRepeaters() {
@@ -185,12 +185,12 @@ class Cable {
 
   const Table& table_;
   const Network& network_;
-  MpiSubnet& subnet_;
+  Subnet& subnet_;
 };
 
 }  // namespace
 
-void readSegments(const Table& table, const Network& network, MpiSubnet& subnet) {
+void readSegments(const Table& table, const Network& network, Subnet& subnet) {
   Cable cable(table, network, subnet);
   cable.readRepeaters();
   const auto segments = table.tables("segments");
