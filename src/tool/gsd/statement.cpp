@@ -70,18 +70,25 @@ class Lexer {
     return i >= text_.size() || isEnd(text_[i]) || text_[i] == ';';
   }
 
-  // A list whose line ends with a comma and whose next line begins with a number: the backslash was
+  // A list whose line ends with a comma and whose next line has more of it: the backslash was
   // forgotten.
   bool goesOn(const std::vector<Word>& words) {
     if (words.back().text != "," || words.back().kind != Word::Kind::Sign) return false;
     std::size_t i = at_;
     while (i < text_.size() && isBlank(text_[i])) ++i;
-    if (i >= text_.size() || text_[i] < '0' || text_[i] > '9') return false;
-    if (!continued_)
-      remarks_.push_back(remarkAt(file_, words.back().offset,
-                                  "the list goes on in the next line; this line must end with \\"));
+    const std::string_view next = text_.substr(i, text_.find_first_of("\r\n;", i) - i);
+    if (next.empty() || next[0] < '0' || next[0] > '9') return false;
+    if (continued_) return true;
+    if (equalsIgnoreCase(words[0].text, "Module") && isReference(next)) return false;
+    remarks_.push_back(remarkAt(file_, words.back().offset,
+                                "the list goes on in the next line; this line must end with \\"));
     continued_ = true;  // said once, whatever ends the line
     return true;
+  }
+
+  // A decimal number that stands alone: the reference of a module, behind a comma too many.
+  static bool isReference(std::string_view line) {
+    return trim(line).find_first_not_of("0123456789") == std::string_view::npos;
   }
 
   Word word(char c) {

@@ -125,6 +125,9 @@ TEST(GsdRead, AListMayGoOnWithoutItsBackslash) {
   EXPECT_EQ(remarksOf(read),
             Texts{"4: the list goes on in the next line; this line must end with \\"});
   EXPECT_EQ(remarksOf(device("Module = \"A\" 0x10,\r\n\r\n0x20\r\nEndModule\r\n")).size(), 1u);
+  const Reading ended = device("Module = \"A\" 0x10,\n7\nEndModule\n");
+  EXPECT_EQ(ended.device.modules[0].configuration, Bytes{0x10});
+  EXPECT_EQ(ended.device.modules[0].reference, 7);
   const Reading commented = device("Module = \"A\" 0x10,\\\n ; why\n 0x20\nEndModule\n");
   EXPECT_EQ(commented.device.modules[0].configuration, (Bytes{0x10, 0x20}));
   EXPECT_EQ(remarksOf(commented), Texts{});
