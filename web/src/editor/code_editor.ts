@@ -27,6 +27,7 @@ import { codeTheme } from './code_theme';
 import { completionSource } from './completion';
 import { initialState, tokenizeLine } from './lexer';
 import { supportFor } from './language';
+import { operandValueDisplay, setOperandValues, type OperandValues } from './operand_values';
 import { operandHover, type HoverHooks } from './hover';
 import { phrases } from './phrases';
 import { diagnostics } from './problems';
@@ -38,6 +39,8 @@ export interface EditorHooks extends HoverHooks {
   catalogue: () => Catalogue;
   edited: (text: string) => void;
   moved: (line: number) => void;
+  /** The lines that can be read. */
+  sighted: (lines: string[]) => void;
   breakpoints: (lines: number[]) => void;
   keys: KeyBinding[];
 }
@@ -174,6 +177,10 @@ export class CodeEditor {
     this.view.dispatch({ effects: setStatus.of(rows) });
   }
 
+  showValues(values: OperandValues): void {
+    this.view.dispatch({ effects: setOperandValues.of(values) });
+  }
+
   showBreakpoints(lines: readonly number[]): void {
     this.view.dispatch({ effects: setBreakpoints.of(lines) });
   }
@@ -212,6 +219,7 @@ export class CodeEditor {
       this.display.of([]),
       symbolicDisplay,
       operandHover(this.hooks),
+      operandValueDisplay(this.hooks.sighted),
       statusField,
       this.status.of([]),
       this.writable.of(EditorState.readOnly.of(readOnly)),

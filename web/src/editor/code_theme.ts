@@ -17,6 +17,15 @@ export const codeTheme = EditorView.theme({
   '.cm-matchingBracket': { backgroundColor: 'var(--accent-soft)', outline: '1px solid var(--accent)' },
   '.cm-shown-operand': { color: 'var(--code-operand)', borderBottom: '1px dotted var(--line-strong)' },
 
+  '.cm-operand-value': {
+    marginLeft: '1ch',
+    padding: '0 4px',
+    backgroundColor: 'var(--accent-soft)',
+    color: 'var(--ink)',
+    borderRadius: 'var(--radius)',
+    fontWeight: '600',
+  },
+
   '.cm-breakpoint-gutter': { width: '32px', cursor: 'pointer' },
   '.cm-breakpoint-gutter .cm-gutterElement': { position: 'relative', paddingLeft: '4px' },
   '.cm-breakpoint-gutter .cm-gutterElement:hover': { backgroundColor: 'var(--sunken)' },

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { networkLines, operandsIn } from './nearby';
+import { networkLines, operandKey, operandsIn, operandsOf } from './nearby';
 import { outline } from './outline';
 
 const source = `FUNCTION FC 1 : VOID
@@ -31,6 +31,16 @@ test('the operands of the network with the cursor, each once', () => {
   expect(at(5)).toEqual(['E 0.0', '"Motor"', '"Plant data".Small', 'MW 10']);
   expect(at(11)).toEqual(['T 5', '"Plant data".List[2].Time', '#out.part[1].x', 'DB5.DBX 0.3']);
   expect(at(1)).toEqual(at(5));
+});
+
+test('where the operands of a line end', () => {
+  const line = '      L     "Plant data".Small; T MW   10; // MW 20';
+  expect(operandsOf(line).map(({ written, end }) => [written, line.slice(end, end + 1)])).toEqual([
+    ['"Plant data".Small', ';'],
+    ['MW   10', ';'],
+  ]);
+  expect(operandsOf('TITLE = about M 99.0')).toEqual([]);
+  expect(operandKey('mw   10')).toBe(operandKey('MW 10'));
 });
 
 test('a block without networks is one', () => {

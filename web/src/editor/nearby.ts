@@ -14,15 +14,25 @@ export function networkLines(block: BlockOutline, line: number): { first: number
   return { first: before.line, last: next ? next.line - 1 : block.end };
 }
 
+/** How the server is asked for an operand, and by what it is found again. */
+const spelled = (written: string): string => written.replace(/\s+/g, written.startsWith('"') ? '$&' : ' ');
+export const operandKey = (written: string): string => written.toUpperCase().replace(/\s+/g, '');
+
+/** The operands of one line and where they end; none of a heading, of a comment. */
+export function operandsOf(line: string): { written: string; end: number }[] {
+  if (/^\s*(TITLE|NETWORK|NETZWERK)\b/i.test(line)) return [];
+  const found = line.replace(comment, '').matchAll(operand);
+  return [...found].map((match) => ({ written: match[0], end: match.index + match[0].length }));
+}
+
 /** Each once, in the order of the text, as it is written. `isBlock`: a symbol that names no value. */
 export function operandsIn(lines: readonly string[], isBlock: (symbol: string) => boolean): string[] {
   const found = new Map<string, string>();
   for (const line of lines) {
-    if (/^\s*(TITLE|NETWORK|NETZWERK)\b/i.test(line)) continue;
-    for (const [written] of line.replace(comment, '').matchAll(operand)) {
+    for (const { written } of operandsOf(line)) {
       if (/^"[^"]+"$/.test(written) && isBlock(written)) continue;
-      const key = written.toUpperCase().replace(/\s+/g, '');
-      if (!found.has(key)) found.set(key, written.replace(/\s+/g, written.startsWith('"') ? '$&' : ' '));
+      const key = operandKey(written);
+      if (!found.has(key)) found.set(key, spelled(written));
     }
   }
   return [...found.values()];

@@ -66,6 +66,7 @@ export const program = {
   symbolic: ['symbolisch', 'symbolic'],
   absolute: ['absolut', 'absolute'],
   status: ['Status', 'Status'],
+  besideOperand: ['Wert am Operanden', 'Value beside the operand'],
   columns: ['Spalten', 'Columns'],
   statusOld: [
     'Die CPU hat einen anderen Stand dieses Textes. Nach dem Laden ist der Status wieder da.',
