@@ -1,0 +1,10 @@
+// Operands in the words of the page's language. The server's are German (S7-MNE-11); sources stay as they are written.
+import { language } from './language.svelte';
+
+const ENGLISH: Record<string, string> = { E: 'I', A: 'Q', Z: 'C' };
+
+/** "EB 0" is "IB 0", "PAW 752" is "PQW 752" and "Z 1" is "C 1" in English; symbols and data stay. */
+export const inEnglish = (operand: string): string =>
+  operand.replace(/^(P?)([EAZ])(?=[BWD]?\s?\d|$)/, (_, outside: string, area: string) => outside + ENGLISH[area]!);
+
+export const operandText = (operand: string): string => (language.value === 'en' ? inEnglish(operand) : operand);
