@@ -68,7 +68,7 @@ export function tilesOfSymbols(operands: string[]): Tile[] {
   });
   const order = (tile: Tile) => 'EIAQTZC'.indexOf(tile.operand[0]!);
   const unique = new Map(found.filter((tile) => tile !== undefined).map((tile) => [tile.operand, tile]));
-  return [...unique.values()].sort((a, b) => order(a) - order(b) || number(a) - number(b)).slice(0, 8);
+  return [...unique.values()].sort((a, b) => order(a) - order(b) || number(a) - number(b));
 }
 
 const number = (tile: Tile) => Number(/\d+$/.exec(tile.operand)![0]);

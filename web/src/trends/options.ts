@@ -49,6 +49,7 @@ function nameLanes(curves: Curve[]): (plot: uPlot) => void {
     ctx.save();
     ctx.font = `${12 * devicePixelRatio}px "Liberation Mono", "DejaVu Sans Mono", monospace`;
     ctx.textBaseline = 'bottom';
+    ctx.textAlign = 'left'; // the axes have left another one
     names.forEach((name, lane) => {
       const y = plot.valToPos(names.length - lane - 1 + 0.125, 'bits', true);
       ctx.fillStyle = colour('--line-strong');

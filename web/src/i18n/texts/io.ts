@@ -23,4 +23,8 @@ export const io = {
   ],
   registers: ['Register', 'Registers'],
   defaults: ['Aus den Symbolen', 'From the symbols'],
+  moreTiles: [
+    'Die ersten {most} Kacheln aus den Symbolen; {more} weitere lassen sich oben eingeben.',
+    'The first {most} tiles of the symbols; enter {more} more above.',
+  ],
 } satisfies Texts;
