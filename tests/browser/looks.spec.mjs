@@ -1,4 +1,4 @@
-// Each view in both themes, both languages and both sizes: no serious accessibility problem, nothing sticks out or lies on something else, in no view and
+// Each view in both themes and three sizes: no serious accessibility problem, nothing sticks out or lies on something else, in no view and
 // in no plant's picture, also on a tablet held upright.
 import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
@@ -9,36 +9,50 @@ import { launch, open, scratch, serve, until, visit } from './harness.mjs';
 import { crowding } from './layout.mjs';
 
 const views = ['projects', 'hardware', 'hardware?mode=plan', 'symbols', 'program', 'io', 'variables', 'process', 'trends', 'diagnosis'];
-// Every pair of theme, language and size.
-const looks = [
-  { theme: 'light', language: 'en', width: 1280, height: 800 },
-  { theme: 'dark', language: 'de', width: 1280, height: 800 },
-  { theme: 'dark', language: 'en', width: 1024, height: 768 },
-  { theme: 'light', language: 'de', width: 1024, height: 768 },
-];
 const server = await serve();
+const several = await serve('networks/token-ring');
 // All before the first test: the runner ends when it knows of no more.
-const pages = [];
-for (const look of looks) pages.push(await open(server, 'io', look));
+const pages = { de: await open(server, 'io'), en: await open(server, 'io', { language: 'en' }) };
+const networked = await open(several, 'stations');
 
-for (const [index, look] of looks.entries()) {
-  const page = pages[index];
-  for (const view of views) {
-    test(`${view}, ${look.theme}, ${look.language}, ${look.width} x ${look.height}`, async () => {
-      await visit(page, server, view);
-      await page.locator('main h1').waitFor();
-      await page.locator(`nav a[href="#/${view.split('?')[0]}"][aria-current]`).waitFor();
-      await accessible(page, view);
-      const wide = await page.evaluate(() => document.documentElement.scrollWidth);
-      const navigation = page.locator('header nav');
-      assert.ok(await navigation.evaluate((nav) => nav.scrollWidth <= nav.clientWidth), 'a view is out of sight');
-      assert.ok(wide <= look.width, `${wide} px wide`);
-      // Views scroll in themselves; the page never does.
-      const high = await page.evaluate(() => document.documentElement.scrollHeight);
-      assert.ok(high <= look.height, `${high} px high`);
-    });
-  }
+/** The page itself never scrolls, its views do; each view can be reached. */
+async function fits(page, width, height) {
+  await page.setViewportSize({ width, height });
+  const [wide, high] = await page.evaluate(() => [document.documentElement.scrollWidth, document.documentElement.scrollHeight]);
+  assert.ok(wide <= width, `${wide} of ${width} px wide`);
+  assert.ok(high <= height, `${high} of ${height} px high`);
+  const navigation = page.locator('header nav');
+  assert.ok(await navigation.evaluate((nav) => nav.scrollWidth <= nav.clientWidth), `a view is out of sight at ${width} px`);
 }
+
+/** In this size: all rules, and again those of colours in the other theme. */
+async function goodLooking(page, view) {
+  await page.evaluate(() => (document.documentElement.dataset.theme = 'light'));
+  await accessible(page, `${view}, light`);
+  await page.evaluate(() => (document.documentElement.dataset.theme = 'dark'));
+  await accessible(page, `${view}, dark`, ['color-contrast']);
+}
+
+async function arrive(page, of, view) {
+  await visit(page, of, view);
+  await page.locator('main h1').waitFor();
+  await page.locator(`nav a[href="#/${view.split('?')[0]}"][aria-current]`).waitFor();
+}
+
+for (const [view, of, page] of [...views, 'compare', 'pictures'].map((one) => [one, server, pages.de]).concat([['stations', several, networked]]))
+  test(`${view}: both themes, three sizes`, async () => {
+    await arrive(page, of, view);
+    for (const [width, height] of [[1280, 800], [1024, 768], [768, 1024]]) {
+      await fits(page, width, height);
+      await goodLooking(page, `${view} at ${width} x ${height}`);
+    }
+  });
+
+for (const view of views)
+  test(`${view}: three sizes in English`, async () => {
+    await arrive(pages.en, server, view);
+    for (const [width, height] of [[1280, 800], [1024, 768], [768, 1024]]) await fits(pages.en, width, height);
+  });
 
 const sizes = [[1280, 800], [1180, 820], [820, 1180]];
 const plants = ['vessel-emptying', 'garage-door', 'lift', 'traffic-light', 'technology/temperature-control', 'technology/axis-first-steps'];
