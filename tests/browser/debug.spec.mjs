@@ -1,6 +1,7 @@
 // Program status beside the text, breakpoints and single step (S7-EDIT-21, -22).
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { accessible } from './axe.mjs';
 import { content, statusOf, toLine } from './editor.mjs';
 import { expect, open, picture, serve, turn, until } from './harness.mjs';
 
@@ -31,6 +32,19 @@ test('more columns on demand (S7-EDIT-21)', async () => {
   const line = await lineOf('UN    #BeamSmall;');
   await until(async () => (await statusOf(page, line)).length === 4, 'a fourth column');
   await until(async () => /STW/.test(await page.locator('.code .cm-status-head').innerText()), 'its heading');
+  await page.locator('summary', { hasText: 'Spalten' }).click();
+});
+
+test('the value of an operand stands behind it in the text', async () => {
+  await page.locator('summary', { hasText: 'Spalten' }).click();
+  const beside = page.getByRole('button', { name: 'Wert am Operanden' });
+  await beside.press('Space');
+  await toLine(page, await lineOf('"Plant data".TravelMiddle'));
+  const shown = () => page.locator('.code .cm-activeLine .cm-operand-value').allInnerTexts();
+  await until(async () => (await shown()).includes('S5T#5S'), 'the travel time');
+  await accessible(page, 'values in the text');
+  await beside.press('Space');
+  await expect(() => page.locator('.code .cm-operand-value').count(), 0);
   await page.locator('summary', { hasText: 'Spalten' }).click();
 });
 

@@ -91,3 +91,10 @@ test('the slider writes', async () => {
   await page.getByLabel('Schieber für MW 10').press('ArrowRight');
   await expect(async () => (await value('MW 10')).includes('0100'), true);
 });
+
+test('in English inputs and outputs are I and Q', async () => {
+  const english = await open(server, 'io', { language: 'en' });
+  await expect(() => english.locator('button[data-operand="E 0.0"] .address').innerText(), 'I 0.0');
+  await english.getByRole('heading', { name: 'QB 1' }).waitFor();
+  await expect(() => page.locator('button[data-operand="E 0.0"] .address').innerText(), 'E 0.0');
+});
