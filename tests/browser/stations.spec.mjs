@@ -75,6 +75,22 @@ test('a station is added and connected', async () => {
   assert.match(text, /from = "Cell1\/MW 104"\nto = \["Office\/MW 10"\]/);
 });
 
+test('a connection is made', async () => {
+  const line = await serve('networks/connections');
+  const other = await open(line, 'stations');
+  await button('S7-Verbindung anlegen', other).click();
+  const dialog = other.getByRole('dialog');
+  await dialog.getByLabel('Von').selectOption('Office');
+  await dialog.getByLabel('Zu', { exact: true }).selectOption('Belt');
+  await button('Hinzufügen', dialog).click();
+  await other.getByText('Belt is on none of them').waitFor();
+  await dialog.getByLabel('Zu', { exact: true }).selectOption('Lead');
+  await button('Hinzufügen', dialog).click();
+  const row = other.getByRole('table', { name: 'S7-Verbindungen' }).getByRole('row', { name: 'Office W#16#2 ruft Lead (Ethernet(1))' });
+  await row.waitFor();
+  assert.match(readFileSync(join(line.project, 'merker.toml'), 'utf8'), /id = "W#16#2"\nlocal = "Office"\npartner = "Lead"\n/);
+});
+
 test('a project of one station becomes one of several', async () => {
   const plant = await serve('vessel-emptying');
   const other = await open(plant, 'projects');

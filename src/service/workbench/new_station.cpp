@@ -106,6 +106,23 @@ std::uint32_t freeCircle(const project::Network& network) {
   return number;
 }
 
+// The lowest local ID that no connection of the station has.
+std::string freeId(const compilation::NetworkBuild& build, std::string_view station) {
+  const project::Network& network = *build.project.network;
+  const auto number = findStation(network, station);
+  std::set<std::uint32_t> used;
+  for (const project::StationConnection& one : network.connections) {
+    if (one.local == number) used.insert(one.id);
+    if (one.partner == number && one.partnerId) used.insert(*one.partnerId);
+  }
+  if (number && *number < build.stations.size())
+    for (const auto& one : build.stations[*number].build->project.communication.configured)
+      used.insert(one.id);
+  std::uint32_t id = 1;
+  while (used.contains(id)) ++id;
+  return fmt::format("\"W#16#{:X}\"", id);
+}
+
 }  // namespace
 
 Result<std::string> addStation(const std::string& path, const NewStation& wanted) {
@@ -138,6 +155,24 @@ Result<std::string> addCircle(const std::string& path, const NewCircle& wanted) 
                                 {"from", tomlText(wanted.from)},
                                 {"to", fmt::format("[{}]", to)},
                                 {"rate", std::to_string(wanted.rate)}});
+  const auto build = compilation::buildNetwork(file.with(edit.text()), false);
+  if (auto problem = firstError(build.problems)) return *problem;
+  if (auto problem = file.write(edit.text())) return *problem;
+  return path;
+}
+
+Result<std::string> addLink(const std::string& path, const NewLink& wanted) {
+  const NetworkFile file(path);
+  if (auto problem = file.problem()) return *problem;
+  project::SettingsEdit edit = file.edit();
+  const auto before = compilation::buildNetwork(file.with(edit.text()), false);
+  if (auto problem = firstError(before.problems)) return *problem;
+  std::vector<std::pair<std::string, std::string>> rows = {{"id", freeId(before, wanted.local)},
+                                                           {"local", tomlText(wanted.local)},
+                                                           {"partner", tomlText(wanted.partner)}};
+  if (wanted.both) rows.emplace_back("partner_id", freeId(before, wanted.partner));
+  if (!wanted.subnet.empty()) rows.emplace_back("subnet", tomlText(wanted.subnet));
+  edit.addTable("connection", rows);
   const auto build = compilation::buildNetwork(file.with(edit.text()), false);
   if (auto problem = firstError(build.problems)) return *problem;
   if (auto problem = file.write(edit.text())) return *problem;

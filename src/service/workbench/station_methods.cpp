@@ -176,6 +176,19 @@ Answer connect(const Call& call) {
       call.shared.stationName());
 }
 
+Answer link(const Call& call) {
+  NewLink wanted;
+  wanted.local = call.fields.name("local", 32);
+  wanted.partner = call.fields.name("partner", 32);
+  wanted.subnet = call.fields.text("subnet", "");
+  wanted.both = call.fields.flag("both", false);
+  if (!call.fields.good()) return call.fields.problems();
+  if (!call.shared.lab) return noLaboratory();
+  return reopened(
+      call, [wanted, path = call.shared.lab->path](const Aside&) { return addLink(path, wanted); },
+      call.shared.stationName());
+}
+
 // A new project whose first station is a copy of the one that is open.
 Answer make(const Call& call) {
   const std::string name = call.fields.name("name"), station = call.fields.name("station", 32);
@@ -201,6 +214,7 @@ constexpr Method kMethods[] = {
     {"stations.reload", Needs::Nothing, reload, Kind::Compiles},
     {"stations.add", Needs::Nothing, add, Kind::Compiles},
     {"stations.connect", Needs::Nothing, connect, Kind::Compiles},
+    {"stations.link", Needs::Nothing, link, Kind::Compiles},
     {"stations.make", Needs::Plc, make, Kind::Compiles},
 };
 

@@ -134,6 +134,29 @@ TEST_F(Stations, ANewOneIsAddedAndConnected) {
   EXPECT_GT(value("MW 60"), 10);
 }
 
+// S7-NETPRO-08
+TEST_F(Stations, AConnectionIsAddedWithFreeIds) {
+  const std::string before = text();
+  const Json wanted = {{"local", "Press"}, {"partner", "Belt"}};
+  EXPECT_EQ(bench.problem("stations.link", wanted), "P0704");  // no blocks in a 314C-2
+  EXPECT_EQ(bench.problem("stations.link", {{"local", "Press"}, {"partner", "Foo"}}), "P0704");
+  EXPECT_EQ(text(), before);
+  for (const char* name : {"press", "belt"})
+    bench.folder.write(std::string("projects/lab/") + name + "/merker.toml",
+                       "[cpu]\nmodel = \"generic\"\n");
+  bench.call("stations.link", wanted);
+  bench.call("stations.link", {{"local", "Press"}, {"partner", "Belt"}, {"both", true}});
+  EXPECT_NE(text().find("# the first one"), std::string::npos);
+  const Json rows = network()["connections"];
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_EQ(
+      rows[1],
+      (Json{{"station", "Press"}, {"id", 2}, {"active", true}, {"partner", "Belt (MPI(1))"}}));
+  EXPECT_EQ(
+      rows[2],
+      (Json{{"station", "Belt"}, {"id", 1}, {"active", false}, {"partner", "Press (MPI(1))"}}));
+}
+
 TEST_F(Stations, WhatIsWrongWithANewOneChangesNothing) {
   const std::string before = text();
   const auto add = [&](const char* name, int address) {

@@ -259,6 +259,8 @@ export interface Requests {
   'stations.add': { fields: { name: string; model?: string; subnet?: string; address?: number; template?: string; mnemonics?: 'german' | 'international' }; result: Record<string, never> };
   /** global data in a GD circle of their own, operands like `Press/MB 100:8`; then as `stations.reload` */
   'stations.connect': { fields: { from: string; to: string[]; rate?: number }; result: Record<string, never> };
+  /** an S7 connection that `local` builds up, over the `subnet` or the first one of both, with the lowest free local IDs; `both`: blocks of the partner name it, too; then as `stations.reload` */
+  'stations.link': { fields: { local: string; partner: string; subnet?: string; both?: boolean }; result: Record<string, never> };
   /** a new project in the workspace folder whose first station is a copy of the project that is open */
   'stations.make': { fields: { name: string; station: string }; result: Record<string, never> };
   /** writes the project as a zip, for this browser; `left`: what is not in it, folders end with `/`. P1308 beyond 256 MB */

@@ -8,6 +8,17 @@ export const stations = {
   ],
   add: ['Station hinzufügen', 'Add station'],
   connect: ['Globaldaten verbinden', 'Connect global data'],
+  link: ['S7-Verbindung anlegen', 'New S7 connection'],
+  linkFrom: ['Von', 'From'],
+  linkTo: ['Zu', 'To'],
+  linkOver: ['Über', 'Over'],
+  linkFirst: ['das erste gemeinsame Subnetz', 'the first subnet of both'],
+  linkBoth: ['Bausteine des Partners benutzen sie auch', 'blocks of the partner use it, too'],
+  linkHelp: [
+    'Die lokale ID wird vergeben. Wer die Verbindung aufbaut, braucht SFB 12 bis 15; ein Partner ohne sie beantwortet GET und PUT.',
+    'The local ID is chosen. Whoever builds the connection up needs SFB 12 to 15; a partner without them answers GET and PUT.',
+  ],
+  linked: ['S7-Verbindung angelegt', 'S7 connection made'],
   reload: ['Neu laden', 'Reload'],
   reloadHelp: [
     'Alle Stationen werden mit dem, was auf der Platte steht, neu geladen und gestartet.',
