@@ -60,6 +60,10 @@ export const examples: Record<string, readonly [title: string, description: stri
     'Aufzug mit drei Etagen',
     'Ruftaster auf jeder Etage und in der Kabine, ein Sensor je Etage, eine Tür. Der Aufzug fährt in seiner Richtung weiter, solange dort jemand wartet, hält unterwegs und kehrt dann um.',
   ],
+  'networks/connections': [
+    'S7-Verbindungen: PUT, GET und BSEND zwischen Stationen',
+    'Eine Leitstation gibt einem Band über MPI die Geschwindigkeit vor und holt seine Stückzahl; die CPU des Bandes hat dafür keinen Baustein, auf ihre Variablen wird zugegriffen. Meldungen von 300 Bytes gehen über Ethernet an ein Büro, wo ein Baustein sie annimmt. Die [[connection]] stehen in merker.toml; Bausteine nennen sie mit ID.',
+  ],
   'networks/laboratory': [
     'Das Labor, Topologie 1 (Kapitel 2.3)',
     'Acht Stationen bilden ein MPI-Subnetz und ein Segment. Die Station des Lehrers sendet die Nummer der Aufgabe als Globaldaten an alle Plätze, ein Paket für sieben Empfänger. Ein Platz meldet mit SFC 68 X_PUT, ob die Hand oben ist: eine CPU empfängt höchstens vier Pakete Globaldaten, sieben Plätze könnten so nicht antworten.',
