@@ -83,7 +83,7 @@ test('a connection is made', async () => {
   await dialog.getByLabel('Von').selectOption('Office');
   await dialog.getByLabel('Zu', { exact: true }).selectOption('Belt');
   await button('Hinzufügen', dialog).click();
-  await other.getByText('Belt is on none of them').waitFor();
+  await other.getByText('Belt ist an keinem davon').waitFor();
   await dialog.getByLabel('Zu', { exact: true }).selectOption('Lead');
   await button('Hinzufügen', dialog).click();
   const row = other.getByRole('table', { name: 'S7-Verbindungen' }).getByRole('row', { name: 'Office W#16#2 ruft Lead (Ethernet(1))' });
