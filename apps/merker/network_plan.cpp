@@ -49,6 +49,10 @@ std::string segmentLine(const project::Segment& segment, std::size_t number) {
   return fmt::format("  segment {}{}: {}\n", number, length, fmt::join(segment.places, " - "));
 }
 
+std::string addressText(const PlannedNode& node) {
+  return node.ip.empty() ? fmt::format("{}", node.address) : node.ip;
+}
+
 std::string subnetLines(const NetworkPlan& plan, const PlannedSubnet& subnet) {
   const bool ethernet = subnet.kind == "ethernet";
   std::string text = fmt::format("{}: {}, {}", subnet.name,
@@ -92,10 +96,6 @@ ordered_json arrayOf(const List& list, const Convert& convert) {
 }
 
 }  // namespace
-
-std::string addressText(const PlannedNode& node) {
-  return node.ip.empty() ? fmt::format("{}", node.address) : node.ip;
-}
 
 std::string circleText(const project::GlobalDataRow& row) {
   return fmt::format("GD circle {}, every {} cycles: {} → {}", row.circle, row.rate, row.from.text,

@@ -15,8 +15,6 @@ using compilation::PlannedStation;
 using compilation::PlannedSubnet;
 
 // "every 8 cycles: Press/MB 100:8 → Belt/MB 200"
-// "3", "192.168.0.1"
-std::string addressText(const PlannedNode& node);
 std::string circleText(const project::GlobalDataRow& row);
 std::string toText(const NetworkPlan& plan);
 nlohmann::ordered_json toJson(const NetworkPlan& plan);

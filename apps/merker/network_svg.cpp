@@ -29,6 +29,11 @@ std::string_view colourOf(std::string_view kind) {
   return found == std::end(kKindColours) ? "#444444" : found->colour;
 }
 
+// "3"; of an IP address its last number, there is no room for more: ".3".
+std::string shortAddress(const PlannedNode& node) {
+  return fmt::format("{}{}", node.ip.empty() ? "" : ".", node.address);
+}
+
 class NetworkDrawing {
  public:
   explicit NetworkDrawing(const NetworkPlan& plan) : plan_(plan) {}
@@ -105,7 +110,7 @@ class NetworkDrawing {
     line(x, bottom, x, lineY(subnet), colour, 3);
     out_ += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"16\" height=\"12\" fill=\"{}\"/>\n", x - 8,
                         bottom - 12, colour);
-    text(x + 6, bottom + 14, addressText(node), " font-size=\"12\"");
+    text(x + 6, bottom + 14, shortAddress(node), " font-size=\"12\"");
   }
 
   static int trunkX(std::size_t subnet) { return kLabel + 6 * static_cast<int>(subnet % 3); }

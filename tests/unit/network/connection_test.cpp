@@ -52,15 +52,17 @@ std::string program(const std::string& there = "P#M200.0 BYTE 4") {
          "SET; R M 0.0; R M 0.1; R M 0.2;";
 }
 
+constexpr std::uint32_t kCycle = 10;
+
 class Connected : public testing::TestWithParam<bool> {
  protected:
   void make(const std::string& own = program(), bool oneSided = false, unsigned threads = 1) {
     std::vector<Station> list;
-    list.push_back({"A", station(own, instances(), "generic")});
+    list.push_back({"A", station(own, instances(), "generic", kCycle)});
     if (oneSided)
-      list.push_back({"B", station("L MW 200; T MW 202;", data())});  // a 314C-2
+      list.push_back({"B", station("L MW 200; T MW 202;", data(), {}, kCycle)});  // a 314C-2
     else
-      list.push_back({"B", station(program(), instances(), "generic")});
+      list.push_back({"B", station(program(), instances(), "generic", kCycle)});
     network = std::make_unique<Network>(std::move(list), threads);
     line = &network->addSubnet(GetParam() ? ethernet(100'000'000) : mpi(187'500));
     for (std::size_t i = 0; i < 2; ++i) {
@@ -187,7 +189,7 @@ TEST_P(Connected, ABrokenLineEndsItUntilItIsMended) {
 TEST_P(Connected, APlugThatIsPulledAtAnyInstantHangsNothing) {
   make();
   std::uint32_t seed = 1;
-  for (int i = 0; i < 4; ++i) {
+  for (int i = 0; i < 8; ++i) {
     seed = seed * 1'103'515'245 + 12'345;
     set(1, 0, kReceive << 8);
     set(0, 0, (kSend | kGet) << 8);

@@ -12,15 +12,18 @@
 
 namespace merker::network::test {
 
-// `lines`: the statements of OB 1; `more`: other blocks; `cpu`: its model, else the usual one.
+// `lines`: the statements of OB 1; `more`: other blocks; `cpu`: its model, else the usual one;
+// `cycle`: the shortest one in milliseconds, for tests of seconds.
 inline std::unique_ptr<controller::Controller> station(const std::string& lines,
                                                        const std::string& more = {},
-                                                       const std::string& cpu = {}) {
+                                                       const std::string& cpu = {},
+                                                       std::uint32_t cycle = 0) {
   const std::string text =
       more + "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n" + lines + "\nEND_ORGANIZATION_BLOCK\n";
-  const auto build = compilation::build(project::load("a.awl", cpu, {{"a.awl", text}}), false);
+  auto build = compilation::build(project::load("a.awl", cpu, {{"a.awl", text}}), false);
   for (const Problem& problem : build.problems.list())
     ADD_FAILURE() << problem.message << " line " << problem.position.line;
+  build.project.parameters.minimumCycle = cycle;
   return build.controller();
 }
 
