@@ -9,7 +9,7 @@
 namespace merker::app {
 namespace {
 
-int refused(const std::string& command, const std::string& reason) {
+int s7Refused(const std::string& command, const std::string& reason) {
   std::cerr << command << ": " << reason << '\n';
   return kUsage;
 }
@@ -40,16 +40,16 @@ int NetworkS7::open(const std::string& command, const S7Option& option,
   if (option.place.empty()) return kGood;
   std::string reason;
   const auto first = s7Place(option, reason);
-  if (!first) return refused(command, reason);
+  if (!first) return s7Refused(command, reason);
   if (network.size() > kMostServed)
-    return refused(
+    return s7Refused(
         command,
         fmt::format("--s7 serves at most {} stations; --station NAME serves one", kMostServed));
   constexpr std::size_t kHighestPort = 65'535;
   if (first->port + network.size() - 1 > kHighestPort)
-    return refused(command, fmt::format("--s7: each of the {} stations has a port, the first one "
-                                        "must be at most {}",
-                                        network.size(), kHighestPort + 1 - network.size()));
+    return s7Refused(command, fmt::format("--s7: each of the {} stations has a port, the first one "
+                                          "must be at most {}",
+                                          network.size(), kHighestPort + 1 - network.size()));
   for (std::size_t i = 0; i < network.size(); ++i)
     if (const int bad = serve(command, placeOf(*first, i), build.stations[i], network.itself(i)))
       return bad;

@@ -10,7 +10,7 @@ namespace {
 
 // A partner that does not answer for so long is gone; then it is called again
 // (docs/compatibility.md).
-constexpr Duration kPatience = Duration::seconds(2), kPause = Duration::seconds(1);
+constexpr Duration kLinkPatience = Duration::seconds(2), kLinkPause = Duration::seconds(1);
 
 }  // namespace
 
@@ -27,7 +27,7 @@ void SubnetLink::send(LinkMessage message, s7comm::View octets) {
   appendWord(data, end_.number);
   data.insert(data.end(), octets.begin(), octets.end());
   end_.node->send(now_, end_.partner, std::move(data));
-  deadline_ = now_ + kPatience;
+  deadline_ = now_ + kLinkPatience;
 }
 
 void SubnetLink::open() {
@@ -42,7 +42,7 @@ void SubnetLink::close() {
   session_.reset();
   partner_.detach();
   state_ = State::Idle;
-  retry_ = now_ + kPause;
+  retry_ = now_ + kLinkPause;
 }
 
 void SubnetLink::fall() {
@@ -91,7 +91,7 @@ void SubnetLink::hear(LinkMessage message, s7comm::View octets, Instant now) {
 }
 
 void SubnetLink::takePdu(s7comm::View pdu) {
-  deadline_ = now_ + kPatience;
+  deadline_ = now_ + kLinkPatience;
   if (serves(pdu)) return;
   send(LinkMessage::End);
   close();

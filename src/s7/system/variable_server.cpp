@@ -30,26 +30,26 @@ bool isServed(const s7comm::Range& range) {
   return !s7comm::isCell(range.memory) && range.memory != Memory::Peripheral;
 }
 
-Region regionOf(cpu::Cpu& cpu, const s7comm::Range& range, cpu::Access access) {
+Region servedRegion(cpu::Cpu& cpu, const s7comm::Range& range, cpu::Access access) {
   const std::uint32_t start = pointer(static_cast<Area>(range.memory), bitAddress(range.begin));
-  return system::regionOf(
+  return regionOf(
       cpu.machine(),
       {.type = TypeCode::Byte, .count = range.octets, .db = range.block, .pointer = start},
       range.octets, access);
 }
 
-s7comm::Value readRange(cpu::Cpu& cpu, const s7comm::Range& range) {
+s7comm::Value readServed(cpu::Cpu& cpu, const s7comm::Range& range) {
   if (!isServed(range)) return {ItemCode::TypeNotSupported, {}};
-  const Region region = regionOf(cpu, range, cpu::Access::Read);
+  const Region region = servedRegion(cpu, range, cpu::Access::Read);
   if (!region) return {itemCodeOf(region.error), {}};
   if (range.oneBit)
     return {ItemCode::Done, {static_cast<std::uint8_t>(*region.data >> range.bit & 1)}};
   return {ItemCode::Done, {region.data, region.data + region.length}};
 }
 
-ItemCode writeRange(cpu::Cpu& cpu, const s7comm::Write& write) {
+ItemCode writeServed(cpu::Cpu& cpu, const s7comm::Write& write) {
   if (!isServed(write.range)) return ItemCode::TypeNotSupported;
-  const Region region = regionOf(cpu, write.range, cpu::Access::Write);
+  const Region region = servedRegion(cpu, write.range, cpu::Access::Write);
   if (!region) return itemCodeOf(region.error);
   if (!write.range.oneBit) {
     std::ranges::copy(write.octets, region.data);
@@ -65,13 +65,13 @@ ItemCode writeRange(cpu::Cpu& cpu, const s7comm::Write& write) {
 
 void VariableServer::read(const std::vector<s7comm::Range>& ranges, ReadDone done) {
   std::vector<s7comm::Value> values;
-  for (const s7comm::Range& range : ranges) values.push_back(readRange(cpu_, range));
+  for (const s7comm::Range& range : ranges) values.push_back(readServed(cpu_, range));
   done(std::move(values));
 }
 
 void VariableServer::write(std::vector<s7comm::Write> writes, WriteDone done) {
   std::vector<ItemCode> codes;
-  for (const s7comm::Write& one : writes) codes.push_back(writeRange(cpu_, one));
+  for (const s7comm::Write& one : writes) codes.push_back(writeServed(cpu_, one));
   done(std::move(codes));
 }
 

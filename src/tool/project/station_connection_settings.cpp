@@ -51,7 +51,7 @@ std::optional<std::size_t> readCommonSubnet(const Table& table, const Network& n
 }
 
 // A local ID names one connection of its station.
-bool isTaken(const Network& network, std::size_t station, std::uint16_t id) {
+bool hasId(const Network& network, std::size_t station, std::uint16_t id) {
   return std::ranges::any_of(network.connections, [&](const StationConnection& one) {
     return (one.local == station && one.id == id) ||
            (one.partner == station && one.partnerId == id);
@@ -60,7 +60,7 @@ bool isTaken(const Network& network, std::size_t station, std::uint16_t id) {
 
 void checkId(const Table& table, std::string_view key, const Network& network, std::size_t station,
              std::uint16_t id) {
-  if (isTaken(network, station, id))
+  if (hasId(network, station, id))
     table.mustBe(key, fmt::format("another one: {} has a connection W#16#{:X} above",
                                   network.stations[station].name, id));
 }
