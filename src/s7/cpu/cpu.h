@@ -99,7 +99,9 @@ class Cpu {
   void requestMemoryReset();
   // Test operation (S7-STATE-07): HALT stops before the next instruction. False: not possible now.
   bool halt();
-  bool resume();
+  // A step that comes back to HALT is no event; one that never does is told when it is given up.
+  bool resume(bool step = false);
+  void stepGivenUp() { state_.tellHaltLeft(); }
   // In HALT: one instruction, and HALT again.
   bool singleStep();
   // retentive memory (S7-MEM-02): as it is now, into `data`, whose events stay if none was added

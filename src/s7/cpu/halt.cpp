@@ -27,11 +27,10 @@ bool Cpu::halt() {
   return true;
 }
 
-bool Cpu::resume() {
+bool Cpu::resume(bool step) {
   if (mode() != Mode::Halt) return false;
   shiftProgramTime(state_.standing());
-  log_.report(Event::HaltLeft);
-  state_.endHalt();
+  state_.endHalt(step);
   if (mode() != Mode::Run) return true;
   modules_.disableOutputs(false);
   skipTimesOfDay(0x06);  // S7-OBI-07

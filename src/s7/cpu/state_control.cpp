@@ -27,6 +27,7 @@ void StateControl::standStill() {
 void StateControl::goToStop(Event why, std::string reason, Place place, bool fault) {
   stopEvent_ = parts_.log.entry(static_cast<std::uint16_t>(why), std::move(reason), place);
   parts_.log.add(stopEvent_);
+  stepping_ = false;
   if (executing()) frozenAt_ = machine_.clock;
   if (mode_ != Mode::Stop) {
     resumable_ = mode_ == Mode::Run && !fault;
@@ -60,12 +61,22 @@ void StateControl::startup() {
 }
 
 void StateControl::halt(Place next) {
-  parts_.log.report(Event::HaltReached, next);
+  if (!std::exchange(stepping_, false)) parts_.log.report(Event::HaltReached, next);
   beforeHalt_ = mode_;
   change(Mode::Halt);
   frozenAt_ = machine_.clock;
   parts_.modules.disableOutputs(true);
   machine_.interrupt();
+}
+
+void StateControl::endHalt(bool step) {
+  stepping_ = step;
+  if (!step) parts_.log.report(Event::HaltLeft);
+  change(beforeHalt_);
+}
+
+void StateControl::tellHaltLeft() {
+  if (std::exchange(stepping_, false)) parts_.log.report(Event::HaltLeft);
 }
 
 void StateControl::endStep() {

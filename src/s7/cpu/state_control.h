@@ -46,7 +46,9 @@ class StateControl {
   void refuseStart(std::string why);
   // HALT, in front of the instruction at `next`; then back to the state before, true if it is RUN.
   void halt(Place next);
-  void endHalt() { change(beforeHalt_); }
+  // `step`: it is about to come back, and neither is told.
+  void endHalt(bool step);
+  void tellHaltLeft();
   // A single step leaves HALT and comes back to it; modules do not notice.
   void beginStep() { mode_ = beforeHalt_; }
   void endStep();
@@ -72,7 +74,7 @@ class StateControl {
   Mode mode_ = Mode::Stop, beforeHalt_ = Mode::Run;
   Instant frozenAt_;
   DiagnosticEvent stopEvent_;
-  bool stoppedByFault_ = false, resumable_ = false;
+  bool stoppedByFault_ = false, resumable_ = false, stepping_ = false;
 };
 
 }  // namespace merker::cpu

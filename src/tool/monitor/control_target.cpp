@@ -107,7 +107,8 @@ void ControlTarget::removeProbes() {
   for (const auto& [id, block] : control_.plc().program()) control_.plc().probe(id, nullptr);
 }
 
-void ControlTarget::resume() { control_.resume(); }
+void ControlTarget::resume(bool) { control_.resume(); }
+void ControlTarget::stepGivenUp() {}
 void ControlTarget::run(Instant limit) { control_.runTo(limit); }
 void ControlTarget::runToCheckpoint(Instant limit) { control_.runToCheckpoint(limit); }
 

@@ -21,7 +21,8 @@ class ControlTarget final : public Target, private sinumerik::Probe {
   ProgramCode program() const override;
   void probe(const std::function<bool(BlockId)>& wanted, Observer& observer) override;
   void removeProbes() override;
-  void resume() override;
+  void resume(bool step) override;
+  void stepGivenUp() override;
   void run(Instant limit) override;
   void runToCheckpoint(Instant limit) override;
   Depth depth() const override;

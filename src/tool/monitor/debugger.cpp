@@ -150,6 +150,7 @@ Pause Debugger::stepOn(Instant limit) {
 }
 
 void Debugger::giveUpStep() {
+  if (step_ && executing()) target_.stepGivenUp();
   step_.reset();
   place();
 }
@@ -158,7 +159,7 @@ void Debugger::goOn() {
   pause_ = {};
   const bool leaves = target_.plc().mode() == Mode::Halt;
   leaveFrom_ = leaves ? heldAt_ : std::nullopt;
-  if (leaves) target_.resume();
+  if (leaves) target_.resume(step_.has_value());
 }
 
 bool Debugger::executing() const {

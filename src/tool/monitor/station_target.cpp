@@ -67,7 +67,8 @@ void StationTarget::removeProbes() {
   for (const auto& [id, block] : station_.program()) station_.cpu().loadMemory().probe(id, nullptr);
 }
 
-void StationTarget::resume() { station_.cpu().resume(); }
+void StationTarget::resume(bool step) { station_.cpu().resume(step); }
+void StationTarget::stepGivenUp() { station_.cpu().stepGivenUp(); }
 
 bool StationTarget::executing() const {
   const cpu::Mode mode = station_.cpu().mode();

@@ -19,7 +19,8 @@ class StationTarget final : public Target, private cpu::Probe {
   ProgramCode program() const override;
   void probe(const std::function<bool(BlockId)>& wanted, Observer& observer) override;
   void removeProbes() override;
-  void resume() override;
+  void resume(bool step) override;
+  void stepGivenUp() override;
   void run(Instant limit) override;
   void runToCheckpoint(Instant limit) override;
   Depth depth() const override;

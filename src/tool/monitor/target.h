@@ -65,7 +65,10 @@ class Target {
   // The blocks that `wanted` names are looked at from now on, the others no more.
   virtual void probe(const std::function<bool(BlockId)>& wanted, Observer& observer) = 0;
   virtual void removeProbes() = 0;
-  virtual void resume() = 0;  // out of HALT
+  // Out of HALT; of a step, which comes back to it, the diagnostic buffer says nothing.
+  virtual void resume(bool step) = 0;
+  // The step goes on without an end.
+  virtual void stepGivenUp() = 0;
   // To HALT or STOP, at most to `limit`; and at most to the next end of a cycle or change to RUN.
   virtual void run(Instant limit) = 0;
   virtual void runToCheckpoint(Instant limit) = 0;

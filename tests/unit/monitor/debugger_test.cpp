@@ -36,6 +36,21 @@ TEST(Breakpoint, IsThePlaceOfTheEntry) {
   EXPECT_EQ(entry.place->line, 12u);
 }
 
+// S7-STATE-07: a step that comes back to HALT is no event; docs/compatibility.md.
+TEST(Step, WritesNothingIntoTheDiagnosticBuffer) {
+  Plc plc(kProgram);
+  plc.breakAt("FC 1:12");
+  plc.start();
+  plc.run();
+  const auto added = plc->diagnosticsAdded();
+  for (int i = 0; i < 3; ++i) plc.step(StepKind::Over);
+  EXPECT_EQ(plc.station().mode(), station::Mode::Halt);
+  EXPECT_EQ(plc->diagnosticsAdded(), added);
+  plc.debugger().removeBreakpoints();
+  plc.run();
+  EXPECT_EQ(plc->diagnostics().front().event, 0x4306);
+}
+
 // S7-STATE-07: one stop per pass; the instruction is executed once.
 TEST(Breakpoint, GoesOnAndComesAgain) {
   Plc plc(kProgram);
