@@ -172,6 +172,9 @@ Result<SymbolAddress> parseSymbolAddress(std::string_view text, const Position& 
     return makeProblem(step5 ? ProblemCode::P1104 : ProblemCode::P0804, at, written);
 
   SymbolAddress address = row->address;
+  // S7-SYM-06: DB100.DBW10 is no block, and no symbol can stand for it.
+  if (address.kind == Kind::Block && rest.find('.') != std::string_view::npos)
+    return makeProblem(step5 ? ProblemCode::P1104 : ProblemCode::P0804, at, written);
   const bool isBit = address.kind == Kind::Memory && address.width == Width::Bit;
   const auto number = takeNumber(rest);
   std::optional<std::uint16_t> bit = 0;

@@ -80,7 +80,7 @@ TEST(SymbolAddress, refusedOperands) {
         "5", "", "PE 0.0", "PA 0.0", "SDB 0", "AR1", "V 0.0"})
     EXPECT_NE(problem(text), "accepted") << text;
   EXPECT_EQ(problem("LW 2"), "P0804");
-  EXPECT_EQ(problem("DB100.DBW10"), "P0805");
+  EXPECT_EQ(problem("DB100.DBW10"), "P0804");
 }
 
 // S7-ADDR-02
