@@ -24,12 +24,14 @@ std::int64_t wallClock() {
 
 }  // namespace
 
-Desk::Desk(workbench::Workbench& workbench, Watchdog& watchdog)
-    : workbench_(workbench), watchdog_(watchdog) {
-  workbench.compileBy([this](workbench::Work work) { compiler_.push(std::move(work)); });
-  workbench.helpBy([this](workbench::Work work) { clerk_.push(std::move(work)); });
-  workbench.importBy([this](workbench::Work work) { importer_.push(std::move(work)); });
-  workbench.tellPlace([this](std::string_view place) { watchdog_.enter(place, current_); });
+Desk::Desk(workbench::Workbenches& workbenches, Watchdog& watchdog)
+    : workbenches_(workbenches), watchdog_(watchdog) {
+  workbenches.each([this](workbench::Workbench& one) {
+    one.compileBy([this](workbench::Work work) { compiler_.push(std::move(work)); });
+    one.helpBy([this](workbench::Work work) { clerk_.push(std::move(work)); });
+    one.importBy([this](workbench::Work work) { importer_.push(std::move(work)); });
+    one.tellPlace([this](std::string_view place) { watchdog_.enter(place, current_); });
+  });
 }
 
 void Desk::wake() {
@@ -87,11 +89,11 @@ void Desk::greet() {
     watchdog_.enter(came ? "a new browser" : "a browser that has gone", browser);
     if (came) {
       browsers_.insert(browser);
-      workbench_.opened(browser);
+      workbenches_.opened(browser);
     } else {
       browsers_.erase(browser);
       unframed_.erase(browser);
-      workbench_.closed(browser);
+      workbenches_.closed(browser);
     }
   }
 }
@@ -134,7 +136,7 @@ std::optional<Desk::Message> Desk::next(hmi::Server& server) {
     const hmi::BrowserId browser = one->first;
     // Without its greeting it is not known yet.
     if (!browsers_.contains(browser) || one->second.texts.empty()) continue;
-    if (workbench_.busy(browser) || server.waiting(browser) > kMostUnread) continue;
+    if (workbenches_.busy(browser) || server.waiting(browser) > kMostUnread) continue;
     if (!ready(browser, one->second)) continue;
     last_ = browser;
     return taken(browser, one->second, server);
@@ -147,8 +149,8 @@ void Desk::handle(Message message, hmi::Server& server) {
   current_ = message.browser;
   watchdog_.enter("a request", current_);
   std::string answer = message.request
-                           ? workbench_.handle(message.browser, std::move(*message.request))
-                           : workbench_.handle(message.browser, message.text);
+                           ? workbenches_.handle(message.browser, std::move(*message.request))
+                           : workbenches_.handle(message.browser, message.text);
   if (!answer.empty()) server.send(message.browser, std::move(answer));
   current_ = 0;
 }
@@ -171,7 +173,7 @@ bool Desk::frame(hmi::Server& server, const Ended& enough) {
     if (now < nextFrame_ || browsers_.empty()) return false;
     nextFrame_ = now + kFrame;
     watchdog_.enter("what all browsers see");
-    workbench_.beginFrame(now / 1'000'000);
+    workbenches_.beginFrame(now / 1'000'000);
     unframed_ = browsers_;
   }
   while (!unframed_.empty() && !enough()) {
@@ -179,7 +181,7 @@ bool Desk::frame(hmi::Server& server, const Ended& enough) {
     unframed_.erase(unframed_.begin());
     if (server.waiting(browser) > 0) continue;
     watchdog_.enter("what a browser sees", browser);
-    for (std::string& text : workbench_.events(browser, enough))
+    for (std::string& text : workbenches_.events(browser, enough))
       server.send(browser, std::move(text));
   }
   return !unframed_.empty();
@@ -196,9 +198,9 @@ void Desk::run(hmi::Server& server, const std::function<bool()>& ended) {
     bool more = handleSome(server, enough);
     if (over) break;
     if (eachSlice_) eachSlice_();
-    more = workbench_.advance(wallClock, kSlice) || more;
+    more = workbenches_.advance(wallClock, kSlice) || more;
     begin();
-    for (auto& [browser, text] : workbench_.laterAnswers(enough))
+    for (auto& [browser, text] : workbenches_.laterAnswers(enough))
       server.send(browser, std::move(text));
     begin();
     more = frame(server, enough) || more;

@@ -13,13 +13,13 @@
 #include "server/server.h"
 #include "watchdog.h"
 #include "work_thread.h"
-#include "workbench/workbench.h"
+#include "workbench/workbenches.h"
 
 namespace merker::app {
 
 class Desk : public hmi::Handler {
  public:
-  Desk(workbench::Workbench& workbench, Watchdog& watchdog);
+  Desk(workbench::Workbenches& workbenches, Watchdog& watchdog);
 
   // Until `ended`, which is asked between any two pieces of work.
   void run(hmi::Server& server, const std::function<bool()>& ended);
@@ -64,7 +64,7 @@ class Desk : public hmi::Handler {
   bool frame(hmi::Server& server, const Ended& enough);
   void wait();
 
-  workbench::Workbench& workbench_;
+  workbench::Workbenches& workbenches_;
   Watchdog& watchdog_;
   std::function<void()> eachSlice_;  // in front of each slice of time
   WorkThread compiler_, clerk_, importer_;

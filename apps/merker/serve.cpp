@@ -84,9 +84,12 @@ int serve(const std::string& command, const ServeOptions& options, workbench::Wo
 
   workbench::Upload::sweep();  // of those that were killed
   holdSignals();
-  workbench.use({workspaceFolder(options), examplesFolder(options), options.project});
+  workbench::Workbenches workbenches(workbench);
+  workbenches.each([&](workbench::Workbench& one) {
+    one.use({workspaceFolder(options), examplesFolder(options), options.project});
+  });
   Watchdog watchdog(command);
-  Desk desk(workbench, watchdog);
+  Desk desk(workbenches, watchdog);
   S7Desk s7;
   desk.eachSlice([&] {
     serial.exchange();

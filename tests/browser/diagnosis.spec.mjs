@@ -131,6 +131,8 @@ test('B stack, I stack and L stack show where it was (S7-MGR-16)', async () => {
   await has(interrupts.first(), /FFFF/i);
   const locals = fault.getByRole('table').nth(2).locator('tbody tr');
   await has(locals.first(), /12 34/);
+  await has(fault.locator('tr[data-local="local"]'), /L 0\.0\s+local\s+WORD\s+W#16#1234/);
+  await accessible(fault, 'stacks');
   await blocks.first().getByRole('link').click();
   await until(() => /line=8/.test(fault.url()), 'the line');
 });

@@ -1,5 +1,6 @@
 import os
 import pathlib
+import subprocess
 import unittest
 
 from served import Served
@@ -93,6 +94,42 @@ class Projects(Served):
         for name in ("", "../x", "a/b", ".x", "x" * 65, " x", "a\u202eb", "a\u00d7b", "a\u2028"):
             self.assertEqual(browser.problems("projects.new", name=name, model="313C"), ["P1317"], name)
         self.assertEqual(browser.problems("projects.new", name="x", model="999"), ["P0705"])
+
+    def test_german_copies_of_examples_are_right_and_pass_their_scenarios(self):
+        browser = self.browser()
+        german = sorted(path.parent for path in (ROOT / "examples").rglob("german.txt"))
+        self.assertGreater(len(german), 5)
+        for example in german:
+            browser.call("projects.open", example=example.name, language="german")
+            self.assertEqual(browser.call("program.check")["problems"], [], example.name)
+            copy = self.workspace / example.name
+            phrases = dict(line.split("\t") for line in (example / "german.txt").read_text().splitlines() if "\t" in line)
+            texts = "".join(path.read_text() for pattern in ("*.awl", "*.sym") for path in copy.glob(pattern))
+            left = [one for one in phrases if f'"{one}"' in texts or f"TITLE = {one}\n" in texts or f"// {one}\n" in texts]
+            self.assertEqual(left, [], example.name)
+            if list(copy.glob("*.scn")):
+                tested = subprocess.run([os.environ["MERKER"], "test", str(copy)], capture_output=True, text=True)
+                self.assertEqual(tested.returncode, 0, example.name + tested.stdout + tested.stderr)
+
+    def test_several_projects_have_a_plc_each(self):
+        one, other = self.browser(), self.browser()
+        one.call("projects.open", example="lift")
+        one.until(lambda b: b.state.get("mode") == "RUN")
+        other.call("plcs.enter", plc=2)
+        other.until(lambda b: b.state["plcs"]["here"] == 2 and b.state["project"] is None)
+        self.assertEqual(other.problems("projects.open", example="lift"), ["P1308"])
+        other.call("projects.open", example="garage-door")
+        other.until(lambda b: b.state.get("mode") == "RUN")
+        one.until(lambda b: b.state["plcs"]["count"] == 2)
+        self.assertEqual(one.state["project"]["name"], "Lift")
+        other.call("cpu.stop")
+        other.until(lambda b: b.state["mode"] == "STOP")
+        rows = one.call("plcs.list")["plcs"]
+        self.assertEqual([(row["project"], row["mode"], row["browsers"]) for row in rows],
+                         [("Lift", "RUN", 1), ("Garage door", "STOP", 1), ("", "", 0), ("", "", 0)])
+        time = one.state["time"]
+        one.until(lambda b: b.state["time"] > time)
+        self.assertEqual(one.problems("plcs.enter", plc=5), ["P1305"])
 
     def test_no_folder_outside_is_opened(self):
         browser = self.browser()

@@ -1,6 +1,7 @@
 // Diagnostic buffer, stacks, module information (S7-DIAG-01, S7-DIAG-04).
 #include <algorithm>
 
+#include "monitor/data_rows.h"
 #include "workbench/method.h"
 
 namespace merker::workbench {
@@ -72,8 +73,23 @@ std::string bytesText(const std::vector<std::uint8_t>& bytes) {
   return text;
 }
 
+// The temporary variables with their names; none of a block that is not in the program.
+Json localRows(const ProgramRef& program, const monitor::LocalStackEntry& entry) {
+  Json rows = Json::array();
+  const auto block = program ? program->find(entry.block) : block::Program::const_iterator();
+  if (!program || block == program->end()) return rows;
+  for (monitor::DataValue& value : monitor::localValues(block->second, entry.bytes).values)
+    rows.push_back({{"address", fmt::format("{}.{}", value.byte, value.bit)},
+                    {"name", std::move(value.path)},
+                    {"type", std::move(value.type)},
+                    {"value", std::move(value.actual)},
+                    {"comment", std::move(value.comment)}});
+  return rows;
+}
+
 Answer stacks(const Call& call) {
   const monitor::Stacks all = call.monitor().stacks();
+  const ProgramRef program = call.plc().program();
   const auto openText = [](std::uint16_t number) {
     return number == 0 ? std::string("-") : fmt::format("DB {}", number);
   };
@@ -91,7 +107,9 @@ Answer stacks(const Call& call) {
     interrupts.push_back(std::move(row));
   }
   for (const monitor::LocalStackEntry& entry : all.locals)
-    locals.push_back({{"block", toString(entry.block)}, {"bytes", bytesText(entry.bytes)}});
+    locals.push_back({{"block", toString(entry.block)},
+                      {"bytes", bytesText(entry.bytes)},
+                      {"rows", localRows(program, entry)}});
   return Json{{"blocks", std::move(blocks)},
               {"interrupts", std::move(interrupts)},
               {"locals", std::move(locals)}};

@@ -52,6 +52,20 @@ Json terminalsOf(const io::Module& module, const source::SymbolTable& symbols) {
   return list;
 }
 
+// "0, 1": the inputs of these bits.
+std::string inputsText(std::uint32_t bits) {
+  std::string list;
+  for (unsigned i = 0; i < 32; ++i)
+    if ((bits >> i & 1) != 0) list += fmt::format("{}{}", list.empty() ? "" : ", ", i);
+  return list.empty() ? "-" : list;
+}
+
+std::string edgesText(const io::Parameters& parameters) {
+  if ((parameters.risingEdges | parameters.fallingEdges) == 0) return "off";
+  return fmt::format("rising {}, falling {}", inputsText(parameters.risingEdges),
+                     inputsText(parameters.fallingEdges));
+}
+
 Json propertiesOf(const io::Module& module) {
   const ModuleType& type = *module.type;
   const io::Parameters& parameters = module.parameters;
@@ -66,9 +80,7 @@ Json propertiesOf(const io::Module& module) {
   if (type.busCurrent != 0) add("bus current", fmt::format("{} mA", type.busCurrent));
   if (type.digitalInputs != 0) add("input delay", io::formatLength(parameters.inputDelay));
   if (type.resolution != 0) add("resolution", fmt::format("{} bits", type.resolution));
-  if (type.interruptChannels != 0)
-    add("hardware interrupt", fmt::format("rising {:#x}, falling {:#x}", parameters.risingEdges,
-                                          parameters.fallingEdges));
+  if (type.interruptChannels != 0) add("hardware interrupt", edgesText(parameters));
   if (type.diagnosticInterrupt)
     add("diagnostic interrupt", parameters.diagnosticInterrupt ? "on" : "off");
   return list;

@@ -75,6 +75,7 @@ std::span<const Method> importMethods();
 std::span<const Method> serialMethods();
 std::span<const Method> networkMethods();
 std::span<const Method> stationMethods();
+std::span<const Method> plcsMethods();
 
 // {} or the problem.
 Answer done(const std::optional<Problem>& problem = {});

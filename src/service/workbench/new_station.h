@@ -1,4 +1,5 @@
-// New stations, new global data and connections in the merker.toml of several stations (S7-NETPRO-02, -05).
+// New stations, new global data and connections in the merker.toml of several stations
+// (S7-NETPRO-02, -05).
 #pragma once
 
 #include "workbench/workspace.h"

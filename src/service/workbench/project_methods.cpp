@@ -2,8 +2,10 @@
 #include <algorithm>
 
 #include "catalogue/cpu_model.h"
+#include "softplc/sinumerik_model.h"
 #include "workbench/elsewhere.h"
 #include "workbench/look.h"
+#include "workbench/neighbours.h"
 #include "workbench/packing.h"
 
 namespace merker::workbench {
@@ -20,11 +22,11 @@ Answer rows(const Workspace& workspace, const std::vector<std::string>& recent) 
   for (const Template& one : Workspace::templates())
     templates.push_back({{"id", one.id}, {"title", one.title}});
   for (const CpuModel& model : cpuModels()) models.push_back(model.keyword);
-  return Json{{"examples", std::move(examples)},
-              {"templates", std::move(templates)},
-              {"models", std::move(models)},
-              {"projects", workspace.projects()},
-              {"recent", recent},
+  Json sinumerik = Json::array();
+  for (const SinumerikModel& model : sinumerikModels()) sinumerik.push_back(model.name);
+  return Json{{"examples", std::move(examples)},  {"templates", std::move(templates)},
+              {"models", std::move(models)},      {"sinumerik", std::move(sinumerik)},
+              {"projects", workspace.projects()}, {"recent", recent},
               {"folder", workspace.folder()}};
 }
 
@@ -92,6 +94,13 @@ Opened opened(const Result<std::string>& folder, Origin origin,
   return ready;
 }
 
+// Two PLCs would write the same files.
+std::optional<Problems> elsewhereOpen(const Shared& shared, const std::string& folder) {
+  const std::size_t who = shared.neighbours == nullptr ? 0 : shared.neighbours->whoHas(folder);
+  if (who == 0 || who == shared.plcNumber) return std::nullopt;
+  return refused(ProblemCode::P1308, folder, fmt::format("PLC {} has it open", who));
+}
+
 // `folder` finds or makes it, in the thread of the worker.
 Answer openFolder(const Call& call, Origin origin,
                   std::function<Result<std::string>(const Workspace&)> folder) {
@@ -103,6 +112,7 @@ Answer openFolder(const Call& call, Origin origin,
       },
       [origin](const Call& now, Opened& ready) -> Answer {
         if (ready.refused) return std::move(*ready.refused);
+        if (auto why = elsewhereOpen(now.shared, ready.folder)) return *why;
         const bool example = origin == Origin::Example;
         if (ready.lab)
           now.shared.show(std::move(ready.lab), 0, example, std::move(ready.seen));
@@ -118,10 +128,11 @@ Answer open(const Call& call) {
   const bool example = call.fields.has("example");
   const std::string name = call.fields.text(example ? "example" : "folder");
   const bool fresh = call.fields.flag("fresh", false);
+  const bool german = call.fields.choice("language", {"english", "german"}, 0) == 1;
   if (!call.fields.good()) return call.fields.problems();
   return openFolder(call, example ? Origin::Example : Origin::Own,
-                    [example, name, fresh](const Workspace& workspace) {
-                      return example ? workspace.copyExample(name, fresh)
+                    [example, name, fresh, german](const Workspace& workspace) {
+                      return example ? workspace.copyExample(name, fresh, german)
                                      : workspace.folderToOpen(name);
                     });
 }

@@ -31,9 +31,13 @@
 
 namespace merker::workbench {
 
+// Of one server, each with a project of its own.
+constexpr std::size_t kPlcs = 4;
 constexpr std::size_t kLists = 64, kItems = 1000;  // of each browser, of each list
 // Of each browser, in all lists: they are read or written in every cycle.
 constexpr std::size_t kPointItems = 2000;
+
+class Neighbours;
 
 struct Shared {
   std::shared_ptr<Plc> plc;         // null: no project is open
@@ -53,6 +57,8 @@ struct Shared {
   Worker helper = work;
   std::uint64_t shown = 0;  // counts the PLCs
   std::size_t browsers = 0;
+  Neighbours* neighbours = nullptr;  // null: it is alone
+  std::size_t plcNumber = 1;         // among them
   Recorder recorder;
   Player player;
   SerialView serialView;

@@ -4,6 +4,7 @@
 #include "cpu/led_panel.h"
 #include "cpu/switch_panel.h"
 #include "plc/machine_code.h"
+#include "workbench/neighbours.h"
 #include "workbench/shared.h"
 
 namespace merker::workbench {
@@ -98,6 +99,12 @@ Json abilities(const Plc& plc) {
   return list;
 }
 
+// Which one this is, and how many are in use.
+Json plcs(const Shared& shared) {
+  return {{"here", shared.plcNumber},
+          {"count", shared.neighbours == nullptr ? 1 : shared.neighbours->count()}};
+}
+
 // Whether there is an interface X27 in operation.
 bool hasSerial(const Plc& plc) {
   const io::Rack* rack = plc.rack();
@@ -135,6 +142,7 @@ Json state(Shared& shared) {
                {"pace", {{"mode", word(kPaces, pace.mode)}, {"factor", pace.factor}}},
                {"reached", shared.pacer.reached()},
                {"browsers", shared.browsers},
+               {"plcs", plcs(shared)},
                {"program", shared.programRevision},
                {"files", shared.filesRevision}};
   if (!shared.plc) return json;

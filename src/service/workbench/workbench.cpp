@@ -12,13 +12,13 @@
 namespace merker::workbench {
 
 std::span<const std::span<const Method>> methodGroups() {
-  static const std::array kGroups = {plcMethods(),       variableMethods(), fileMethods(),
-                                     programMethods(),   dataMethods(),     debugMethods(),
-                                     symbolMethods(),    hardwareMethods(), diagnosisMethods(),
-                                     processMethods(),   projectMethods(),  trendMethods(),
-                                     modifyMethods(),    timerMethods(),    snapshotMethods(),
-                                     recordingMethods(), downloadMethods(), importMethods(),
-                                     serialMethods(),    networkMethods(),  stationMethods()};
+  static const std::array kGroups = {
+      plcMethods(),       variableMethods(), fileMethods(),     programMethods(),
+      dataMethods(),      debugMethods(),    symbolMethods(),   hardwareMethods(),
+      diagnosisMethods(), processMethods(),  projectMethods(),  trendMethods(),
+      modifyMethods(),    timerMethods(),    snapshotMethods(), recordingMethods(),
+      downloadMethods(),  importMethods(),   serialMethods(),   networkMethods(),
+      stationMethods(),   plcsMethods()};
   return kGroups;
 }
 
@@ -65,6 +65,11 @@ void Workbench::reached(monitor::CyclePoint point) {
 void Workbench::sampleTrends() {
   for (auto& [id, browser] : browsers_)
     for (auto& [number, trend] : browser.trends) trend.sample(*shared_.plc);
+}
+
+std::string Workbench::folder() const {
+  if (shared_.lab) return shared_.lab->path;
+  return shared_.plc ? shared_.plc->build().project.path : "";
 }
 
 void Workbench::show(std::shared_ptr<Laboratory> lab) {

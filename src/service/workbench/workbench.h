@@ -25,7 +25,15 @@ class Workbench {
   // The PLC that everybody sees from now on.
   void show(std::shared_ptr<Plc> plc, bool example = false);
   void show(std::shared_ptr<Laboratory> lab);
-  Plc* plc() { return shared_.plc.get(); }
+  Plc* plc() const { return shared_.plc.get(); }
+  // Of the project that is open; empty: none is.
+  std::string folder() const;
+  std::size_t browsers() const { return browsers_.size(); }
+  // It is one of several, and has this number.
+  void among(Neighbours* neighbours, std::size_t number) {
+    shared_.neighbours = neighbours;
+    shared_.plcNumber = number;
+  }
 
   void opened(BrowserId browser) { browsers_[browser]; }
   void closed(BrowserId browser);

@@ -8,6 +8,7 @@
 #include "base/utf8.h"
 #include "project/files.h"
 #include "project/settings.h"
+#include "workbench/example_language.h"
 #include "workbench/json.h"
 #include "workbench/project_folder.h"
 
@@ -136,7 +137,7 @@ std::string blockText(std::uint32_t ob, Mnemonics mnemonics) {
 }
 
 // Error OBs as far as the CPU has them.
-std::string sourceText(const NewProject& wanted, const CpuModel& model) {
+std::string awlText(const NewProject& wanted, const CpuModel& model) {
   std::string text = blockText(1, wanted.mnemonics);
   if (wanted.ob != 1) text += blockText(wanted.ob, wanted.mnemonics);
   if (wanted.form == "errors")
@@ -147,20 +148,27 @@ std::string sourceText(const NewProject& wanted, const CpuModel& model) {
 }
 
 std::string settingsText(const NewProject& wanted) {
-  return fmt::format("[project]\nname = \"{}\"\n\n[cpu]\nmodel = \"{}\"\nmpi_address = {}\n",
-                     wanted.name, wanted.model, wanted.mpiAddress);
+  return fmt::format("[project]\nname = \"{}\"\n\n[cpu]\nmodel = \"{}\"\n", wanted.name,
+                     wanted.model);
+}
+
+using Files = std::vector<std::pair<std::string, std::string>>;
+
+Files simaticFiles(const NewProject& wanted, const CpuModel& model) {
+  return {{kSettings, settingsText(wanted) + fmt::format("mpi_address = {}\n", wanted.mpiAddress)},
+          {"main.awl", awlText(wanted, model)},
+          {"symbols.sym", ""}};
+}
+
+// STEP 5: OB 1 as a listing, and the assignment list.
+Files sinumerikFiles(const NewProject& wanted) {
+  return {{kSettings, settingsText(wanted)},
+          {"main.s5", "OB 1\nNETZWERK 1\n : BE\n"},
+          {"symbols.seq", ""}};
 }
 
 Problem notMade(const std::string& path, const std::error_code& error) {
   return makeProblem(ProblemCode::P1313, nowhere(), path, error.message());
-}
-
-// A new project is one of AWL.
-std::string newModels() {
-  std::string names;
-  for (const CpuModel& model : cpuModels())
-    names += fmt::format("{}{}", names.empty() ? "" : ", ", model.keyword);
-  return names;
 }
 
 }  // namespace
@@ -180,7 +188,7 @@ std::vector<std::string> Workspace::projects() const {
 
 std::span<const Template> Workspace::templates() { return kTemplates; }
 
-Result<std::string> Workspace::copyExample(const std::string& id, bool fresh) const {
+Result<std::string> Workspace::copyExample(const std::string& id, bool fresh, bool german) const {
   const auto all = examples();
   if (std::ranges::find(all, id, &Example::id) == all.end())
     return makeProblem(ProblemCode::P1316, nowhere(), "example", id, "");
@@ -191,6 +199,7 @@ Result<std::string> Workspace::copyExample(const std::string& id, bool fresh) co
   fs::create_directories(to, error);
   if (!error) fs::copy(fs::path(examples_) / id, to, fs::copy_options::recursive, error);
   if (error) return notMade(to.string(), error);
+  if (auto problem = finishCopy(to.string(), german)) return *problem;
   return to.string();
 }
 
@@ -230,11 +239,12 @@ std::string Workspace::freeName(std::string_view wanted) const {
 }
 
 std::optional<Problem> Workspace::wrong(const NewProject& wanted) {
-  const CpuModel* model = findCpuModel(wanted.model);
-  if (model == nullptr)
-    return makeProblem(ProblemCode::P0705, nowhere(), wanted.model, newModels());
-  if (!model->hasOrganizationBlock(wanted.ob))
-    return makeProblem(ProblemCode::P0502, nowhere(), fmt::format("OB {}", wanted.ob), model->name);
+  const auto model = project::findModel(wanted.model);
+  if (!model)
+    return makeProblem(ProblemCode::P0705, nowhere(), wanted.model, project::modelNames());
+  if (model->simatic != nullptr && !model->simatic->hasOrganizationBlock(wanted.ob))
+    return makeProblem(ProblemCode::P0502, nowhere(), fmt::format("OB {}", wanted.ob),
+                       model->simatic->name);
   if (std::ranges::find(kTemplates, wanted.form, &Template::id) == std::end(kTemplates))
     return makeProblem(ProblemCode::P1316, nowhere(), "template", wanted.form, "");
   return std::nullopt;
@@ -242,10 +252,9 @@ std::optional<Problem> Workspace::wrong(const NewProject& wanted) {
 
 std::optional<Problem> Workspace::fill(const std::string& folder, const NewProject& wanted) {
   const ProjectFolder files(folder);
-  const CpuModel& model = *findCpuModel(wanted.model);
-  for (const auto& [name, text] : {std::pair{std::string(kSettings), settingsText(wanted)},
-                                   std::pair{std::string("main.awl"), sourceText(wanted, model)},
-                                   std::pair{std::string("symbols.sym"), std::string()}})
+  const project::Model model = *project::findModel(wanted.model);
+  for (const auto& [name, text] :
+       model.simatic != nullptr ? simaticFiles(wanted, *model.simatic) : sinumerikFiles(wanted))
     if (auto problem = files.create(name, text)) return problem;
   return std::nullopt;
 }

@@ -42,8 +42,10 @@ class Workspace {
   std::vector<std::string> projects() const;
   static std::span<const Template> templates();
 
-  // The copy of an example in the workspace, made at the first time; `fresh`: one more.
-  Result<std::string> copyExample(const std::string& id, bool fresh = false) const;
+  // The copy of an example in the workspace, made at the first time; `fresh`: one more. `german`:
+  // with German words where the example has them.
+  Result<std::string> copyExample(const std::string& id, bool fresh = false,
+                                  bool german = false) const;
   // A folder of a project that may be opened: P1318 for others.
   Result<std::string> folderToOpen(const std::string& folder) const;
   // A new folder for a project: P1317, P1312.

@@ -137,6 +137,17 @@ DataValues dataValues(const block::Block& block, DataBytes actual) {
   return result;
 }
 
+// To the walk, which leaves temporary variables out, they are those of a block of their own.
+DataValues localValues(const block::Block& block, DataBytes local) {
+  block::Block own;
+  for (block::Variable variable : block.variables) {
+    if (variable.section != block::Section::Temp) continue;
+    variable.section = block::Section::Static;
+    own.variables.push_back(std::move(variable));
+  }
+  return dataValues(own, local);
+}
+
 DataValues dataValues(const mc5::Block& block) { return {std::move(WordRows(block).values)}; }
 
 // What no variable names comes behind the variables, in hex.

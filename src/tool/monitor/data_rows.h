@@ -27,6 +27,8 @@ struct DataValues {
 // The variables, with these bytes as their actual values.
 DataValues dataValues(const block::Block& block, std::span<const std::uint8_t> actual);
 DataValues dataValues(const mc5::Block& block);
+// The temporary variables, with these local data of the block.
+DataValues localValues(const block::Block& block, std::span<const std::uint8_t> local);
 
 // The variables with the values that they begin with and have; what no variable names in hex.
 std::vector<MachineCodeRow> dataRows(const block::Block& block);

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "monitor/data_rows.h"
 #include "plc.h"
 
 namespace merker::monitor::test {
@@ -37,6 +38,11 @@ TEST(Stacks, AtStopThroughAFault) {
   ASSERT_EQ(stacks.locals.size(), 3u);
   EXPECT_EQ(stacks.locals[0].bytes[0], 0xAB);
   EXPECT_EQ(stacks.locals[0].bytes[1], 0xCD);
+  const auto names =
+      localValues(plc.station().program().at(stacks.locals[0].block), stacks.locals[0].bytes);
+  ASSERT_EQ(names.values.size(), 1u);
+  EXPECT_EQ(names.values[0].path, "mark");
+  EXPECT_EQ(names.values[0].actual, "W#16#ABCD");
 }
 
 // S7-DIAG-04: while the program runs there is nothing to read; a restart clears them.

@@ -54,6 +54,7 @@ TEST(Diagnosis, StacksShowWhereItStopped) {
   EXPECT_EQ(stacks["blocks"][0]["line"], 23);
   EXPECT_EQ(stacks["interrupts"][0]["registers"]["AKKU1"], "0000FFFF");
   EXPECT_EQ(stacks["locals"][0]["block"], "OB 1");
+  EXPECT_EQ(stacks["locals"][0]["rows"], Json::array());
 }
 
 TEST(Diagnosis, InformationIsThatOfTheCpu) {

@@ -45,6 +45,25 @@ TEST_F(Projects, AnExampleIsCopiedOnce) {
     EXPECT_EQ(codeOf(workspace.copyExample(none)), "P1316") << none;
 }
 
+TEST_F(Projects, ACopyHasGermanWordsWhereTheyAreWanted) {
+  folder.write("examples/lift/german.txt", "# words\nLift\tAufzug\nCall 1\tRuf 1\nwaits\twartet\n");
+  folder.write("examples/lift/merker.toml",
+               "[project]\nname = \"Lift\"\n[[plant]]\nname = \"Lift\"\n");
+  folder.write(
+      "examples/lift/lift.awl",
+      "TITLE = Lift\n      U     \"Call 1\"; // waits\n      U     \"Call 11\"; // waits here\n");
+  ASSERT_TRUE(workspace.copyExample("lift", false, true));
+  EXPECT_EQ(
+      folder.read("mine/lift/lift.awl"),
+      "TITLE = Aufzug\n      U     \"Ruf 1\"; // wartet\n      U     \"Call 11\"; // waits here\n");
+  EXPECT_EQ(folder.read("mine/lift/merker.toml"),
+            "[project]\nname = \"Aufzug\"\n[[plant]]\nname = \"Lift\"\n");
+  EXPECT_FALSE(fs::exists(folder.path("mine/lift/german.txt")));
+  ASSERT_TRUE(workspace.copyExample("lift", true));
+  EXPECT_EQ(folder.read("mine/lift 2/lift.awl"), folder.read("examples/lift/lift.awl"));
+  EXPECT_FALSE(fs::exists(folder.path("mine/lift 2/german.txt")));
+}
+
 TEST_F(Projects, AFreshCopyOfAnExampleLiesBesideTheOldOne) {
   EXPECT_FALSE(workspace.examples()[0].copied);
   ASSERT_TRUE(workspace.copyExample("course/two", true));
@@ -80,9 +99,15 @@ TEST_F(Projects, ANewOneIsMadeOnce) {
   wanted.form = "empty";
   wanted.model = "315";
   EXPECT_EQ(codeOf(workspace.make(wanted)), "P0705");
-  wanted.model = "SINUMERIK 810 GA3";  // a new project is one of AWL
-  const std::string said = workspace.make(wanted).error().message;
-  EXPECT_EQ(said.find(wanted.model), said.rfind(wanted.model)) << said;
+}
+
+TEST_F(Projects, ANewOneOfASinumerikIsAListing) {
+  const NewProject wanted{.name = "Mill", .model = "SINUMERIK 810 GA3", .form = "empty"};
+  ASSERT_EQ(codeOf(workspace.make(wanted)), "made " + folder.path("mine/Mill"));
+  const auto built = compilation::build(project::load(folder.path("mine/Mill"), {}), true);
+  EXPECT_TRUE(built.ok()) << dump(toJson(built.problems));
+  EXPECT_TRUE(built.isListing());
+  EXPECT_TRUE(fs::exists(folder.path("mine/Mill/symbols.seq")));
 }
 
 TEST_F(Projects, OnlyThoseOfTheWorkspaceAndTheGivenOneAreOpened) {

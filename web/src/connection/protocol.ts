@@ -3,6 +3,8 @@
 
 /** `row` and `field` of symbols, `rack` and `slot` of a module in merker.toml */
 export interface Problem { code: string; severity: 'error' | 'warning'; file: string; line: number; column: number; length: number; text: string; arguments: string[]; row?: number; field?: string; rack?: number; slot?: string }
+/** without a project it is empty; `browsers`: how many are at it */
+export interface PlcRow { plc: number; project: string; folder: string; mode: string; browsers: number }
 export interface WatchItem { operand: string; format?: string }
 export interface ModifyItem { operand: string; value: string; format?: string }
 export interface NamedItem { operand: string }
@@ -65,7 +67,9 @@ export interface DiagnosticEntry { number: number; event: string; time: number; 
 export interface BlockLevel { block: string; offset: number; file?: string; line?: number; network?: number; db: string; di: string }
 /** `registers`: AKKU1 ..., those that the PLC has */
 export interface InterruptLevel { ob: number; priority: number; registers: Record<string, string>; block: string; offset: number; file?: string; line?: number; network?: number }
-export interface LocalLevel { block: string; bytes: string }
+/** a temporary variable; `address` is like "4.3" */
+export interface LocalRow { address: string; name: string; type: string; value: string; comment: string }
+export interface LocalLevel { block: string; bytes: string; rows: LocalRow[] }
 export interface PlantValue { name: string; unit: string; value: number; binary: boolean; input: boolean; writable: boolean; min: number; max: number; operand: string; symbol: string; stuck: number | null }
 /** of "time" in seconds */
 export interface PlantKind { name: string; parameters: { key: string; form: 'number' | 'time' | 'whole' | 'flag'; standard: number; min: number; max: number }[]; signals: { name: string; input: boolean; binary: boolean; unit: string }[] }
@@ -231,16 +235,20 @@ export interface Requests {
   'serial.watch': { fields: { on: boolean }; result: { line: SerialLine | null } };
   /** what the partner or the line does, a step of a scenario without `serial X27`: `send "ABC" CR`, `answer "W" with "01250"`, `partner 3964R`; P0993 without X27 */
   'serial.do': { fields: { step: string }; result: Record<string, never> };
-  /** `copied`: there is a copy of it in the workspace folder; `projects`: folders below it, relative to it, at most 500 */
-  'projects.list': { fields: Record<string, never>; result: { examples: { id: string; title: string; description: string; copied: boolean }[]; templates: { id: string; title: string }[]; models: string[]; projects: string[]; recent: string[]; folder: string } };
-  /** one of them. It is opened for all browsers; an example as a copy in the workspace folder so that it can be changed, `fresh`: as one more copy, untouched */
-  'projects.open': { fields: { example?: string; folder?: string; fresh?: boolean }; result: Record<string, never> };
+  /** `models`, `sinumerik`: of `projects.new`; `copied`: there is a copy of it in the workspace folder; `projects`: folders below it, relative to it, at most 500 */
+  'projects.list': { fields: Record<string, never>; result: { examples: { id: string; title: string; description: string; copied: boolean }[]; templates: { id: string; title: string }[]; models: string[]; sinumerik: string[]; projects: string[]; recent: string[]; folder: string } };
+  /** one of them. It is opened for all browsers at this PLC; P1308 if another PLC has it; an example as a copy in the workspace folder so that it can be changed, `fresh`: as one more copy, untouched; in this `language` as far as the example has it */
+  'projects.open': { fields: { example?: string; folder?: string; fresh?: boolean; language?: 'english' | 'german' }; result: Record<string, never> };
   /** the files of the open project into a new folder of the workspace; it stays open. `left` as of `download.begin` */
   'projects.copy': { fields: { name: string }; result: { folder: string; files: number; left: string[] } };
   /** wizard (S7-MGR-01); the CPU is in STOP and empty until `program.load` */
   'projects.new': { fields: { name: string; model?: string; mpiAddress?: number; template?: string; mnemonics?: 'german' | 'international'; ob?: string }; result: Record<string, never> };
   /** what programs are compared by: of the open project, with `side` of the CPU, with `folder` of another project of the workspace. P1308 beyond 8 MB */
   'projects.look': { fields: { folder?: string; side?: 'offline' | 'online'; mnemonics?: 'german' | 'international' }; result: { name: string; blocks: BlockText[]; symbols: SymbolRow[]; racks: Rack[] } };
+  /** the PLCs of the server, at most 4; `here`: where this browser is */
+  'plcs.list': { fields: Record<string, never>; result: { here: number; plcs: PlcRow[] } };
+  /** from now on this browser is at that PLC, and all requests and events are about it. It begins at PLC 1, which has the project of the command line, S7 communication and the serial interface. For the PLC that it leaves it has disconnected: what still waits is not answered */
+  'plcs.enter': { fields: { plc: number }; result: Record<string, never> };
   'projects.save': { fields: Record<string, never>; result: Record<string, never> };
   'projects.close': { fields: Record<string, never>; result: Record<string, never> };
   /** null: the project has one station */
@@ -284,7 +292,7 @@ export interface Requests {
 /** What the server sends by itself. */
 export interface Events {
   /** what changed; see above */
-  state: { project?: Project | null; mode?: 'RUN' | 'STOP' | 'STARTUP' | 'HALT'; powered?: boolean; switch?: 'RUN-P' | 'RUN' | 'STOP' | 'MRES'; leds?: Lamps; stopReason?: string; time?: number; clock?: string; cycles?: number; cycle?: { last: number; min: number; max: number } | null; pace?: { mode: 'real' | 'fast' | 'pause'; factor: number }; reached?: number; engine?: 'interpreter' | 'jit'; forces?: { operand: string; value: string }[]; breakpoint?: { file: string; line: number; block: string; why: string } | null; breakpoints?: Record<string, number[]>; timersByHand?: boolean; recording?: { since: number; actions: number; full: boolean } | null; playback?: Playback | null; diagnostics?: number; program?: number; files?: number; browsers?: number };
+  state: { project?: Project | null; mode?: 'RUN' | 'STOP' | 'STARTUP' | 'HALT'; powered?: boolean; switch?: 'RUN-P' | 'RUN' | 'STOP' | 'MRES'; leds?: Lamps; stopReason?: string; time?: number; clock?: string; cycles?: number; cycle?: { last: number; min: number; max: number } | null; pace?: { mode: 'real' | 'fast' | 'pause'; factor: number }; reached?: number; engine?: 'interpreter' | 'jit'; forces?: { operand: string; value: string }[]; breakpoint?: { file: string; line: number; block: string; why: string } | null; breakpoints?: Record<string, number[]>; timersByHand?: boolean; recording?: { since: number; actions: number; full: boolean } | null; playback?: Playback | null; diagnostics?: number; program?: number; files?: number; browsers?: number; plcs?: { here: number; count: number } };
   /** only changed items (all the first time): index, text, value as a number (unsigned bits, REAL as a number). `done` marks the last event of a list that is triggered once */
   values: { list: number; time: number; values: [number, string, number | null][]; done?: true };
   /** follows each modification of `modify.set` */
@@ -304,4 +312,4 @@ export interface Events {
 }
 
 /** The fields of the state, by their names. */
-export const stateFields = ['project', 'mode', 'powered', 'switch', 'leds', 'stopReason', 'time', 'clock', 'cycles', 'cycle', 'pace', 'reached', 'engine', 'forces', 'breakpoint', 'breakpoints', 'timersByHand', 'recording', 'playback', 'diagnostics', 'program', 'files', 'browsers'] as const;
+export const stateFields = ['project', 'mode', 'powered', 'switch', 'leds', 'stopReason', 'time', 'clock', 'cycles', 'cycle', 'pace', 'reached', 'engine', 'forces', 'breakpoint', 'breakpoints', 'timersByHand', 'recording', 'playback', 'diagnostics', 'program', 'files', 'browsers', 'plcs'] as const;

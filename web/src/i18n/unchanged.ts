@@ -41,7 +41,8 @@ export const unchanged = [
   // texts of sources and files
   'Network 1',
   'Netzwerk 1',
-  '[project] name = "{}"  [cpu] model = "{}" mpi_address = {}',
+  '[project] name = "{}"  [cpu] model = "{}"',
+  'mpi_address = {}',
   'type = "{}"',
   '126,Motor                   A       1.0 BOOL',
   'TABLE  0,1  "Merker"  VECTORS  0,{}  ""  TUPLES  0,4  ""  DATA  0,0  ""',

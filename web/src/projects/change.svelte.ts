@@ -1,5 +1,6 @@
 // Another project is another PLC for all pages: who takes a running one from others is asked first, and the others are told.
 import { untrack } from 'svelte';
+import { connection } from '../connection';
 import { translator } from '../i18n';
 import { projects } from '../i18n/texts/projects';
 import { attempt, messages } from '../state/messages.svelte';
@@ -11,7 +12,14 @@ const FOLLOWS_MS = 3000;
 
 class ProjectChange {
   /** What the user is asked, and who waits for the answer. */
-  asking = $state.raw<{ name: string; mode: string; others: number; decide: (go: boolean) => void } | null>(null);
+  asking = $state.raw<{
+    name: string;
+    mode: string;
+    others: number;
+    /** A PLC without a project; 0: there is none. */
+    free: number;
+    decide: (go: boolean) => void;
+  } | null>(null);
   private own = 0;
 
   /** Undefined: it was refused, or the user thought better of it. */
@@ -47,10 +55,12 @@ class ProjectChange {
     return plc.project !== null && plc.powered && plc.mode !== 'STOP' && plc.browsers > 1;
   }
 
-  private confirmed(): Promise<boolean> {
+  private async confirmed(): Promise<boolean> {
     this.decide(false);
+    const { plcs } = await connection.ask('plcs.list').catch(() => ({ plcs: [] }));
+    const free = plcs.find((one) => one.project === '' && one.browsers === 0)?.plc ?? 0;
     return new Promise((decide) => {
-      this.asking = { name: plc.project?.name ?? '', mode: plc.mode, others: plc.browsers - 1, decide };
+      this.asking = { name: plc.project?.name ?? '', mode: plc.mode, others: plc.browsers - 1, free, decide };
     });
   }
 }

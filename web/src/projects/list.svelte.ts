@@ -12,6 +12,7 @@ class ProjectList {
   examples = $state.raw<Listed['examples']>([]);
   templates = $state.raw<Listed['templates']>([]);
   models = $state.raw<string[]>([]);
+  sinumerik = $state.raw<string[]>([]);
   projects = $state.raw<string[]>([]);
   recent = $state.raw<string[]>([]);
   folder = $state('');

@@ -40,6 +40,8 @@ export class Plc implements State {
   files = $state(0);
   /** Connected, this one included. */
   browsers = $state(1);
+  /** Which PLC of the server this is, and how many are in use. */
+  plcs = $state<State['plcs']>({ here: 1, count: 1 });
 
   /** False until the first state came, and while the connection is lost: everything shown is old then. */
   live = $state(false);

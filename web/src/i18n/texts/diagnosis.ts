@@ -89,5 +89,9 @@ export const diagnosis = {
     'Kein S7-Server: merker run mit --s7 PORT startet einen.',
     'No S7 server: merker run with --s7 PORT starts one.',
   ],
-  bytes: ['Lokaldaten', 'Local data'],
+  address: ['Adresse', 'Address'],
+  name: ['Name', 'Name'],
+  type: ['Typ', 'Type'],
+  value: ['Wert', 'Value'],
+  comment: ['Kommentar', 'Comment'],
 } satisfies Texts;
