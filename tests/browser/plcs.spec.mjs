@@ -55,3 +55,17 @@ test('who would take a running PLC from others is offered another one', async ()
   await other.getByRole('heading', { name: 'Kein Projekt geöffnet' }).waitFor();
   await page.locator('[data-mode="RUN"]').waitFor();
 });
+
+test('the wizard makes a project of a SINUMERIK, with the keyboard alone', async () => {
+  const mill = await open(server, 'projects');
+  await mill.goto(server.address.replace(/\/$/, '/?plc=4#/projects'));
+  await mill.getByRole('button', { name: 'Neues Projekt …' }).press('Enter');
+  const dialog = mill.getByRole('dialog');
+  await dialog.getByLabel('Projektname').fill('Fräse');
+  await dialog.getByLabel('CPU-Typ').selectOption('SINUMERIK 810 GA3');
+  await accessible(mill, 'wizard of STEP 5');
+  assert.equal(await dialog.getByLabel('MPI-Adresse').count(), 0, 'it has no MPI');
+  await dialog.getByRole('button', { name: 'Anlegen' }).press('Enter');
+  await message(mill, /Fräse angelegt/);
+  await until(async () => (await mill.locator('.code .cm-content').innerText()).includes('NETZWERK 1'), 'the listing');
+});
