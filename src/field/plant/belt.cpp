@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <span>
 
 namespace merker::plant {
 namespace {
@@ -30,9 +32,11 @@ void Belt::move(double seconds, double metresPerSecond, const std::array<bool, k
   for (std::size_t i = 0; i < kSliders; ++i)
     if (moveSlider(i, out[i], seconds)) push(i);
   std::array<Box*, kBoxes> order{};
-  std::transform(boxes_.begin(), boxes_.end(), order.begin(), [](Box& box) { return &box; });
-  std::sort(order.begin(), order.end(), [](Box* a, Box* b) { return a->front > b->front; });
-  for (Box* box : order) {
+  auto end = order.begin();
+  for (Box& box : boxes_)
+    if (box.size != BoxSize::None) *end++ = &box;
+  std::sort(order.begin(), end, [](Box* a, Box* b) { return a->front > b->front; });
+  for (Box* box : std::span(order.begin(), end)) {
     if (box->slider >= 0) slide(*box, seconds);
     if (onBelt(*box)) carry(*box, seconds * metresPerSecond);
     if (onBelt(*box) && box->front > kEnd) lose(*box);
@@ -78,6 +82,23 @@ double Belt::obstacle(const Box& box) const {
     if (strokes_[i] >= kHalfOut && box.front <= kPlaces[i] - kPlate)
       nearest = std::min(nearest, kPlaces[i] - kPlate);
   return nearest;
+}
+
+// A slider that comes to the boxes takes them off the belt; a box that stands in the way of another
+// only makes it later.
+double Belt::silence(double metresPerSecond, const std::array<bool, kSliders>& out) const {
+  double seconds = std::numeric_limits<double>::infinity();
+  const auto within = [&](double way, double speed) {
+    if (way >= 0 && speed > 0) seconds = std::min(seconds, way / speed);
+  };
+  for (std::size_t i = 0; i < kSliders; ++i)
+    if (out[i] && strokes_[i] < kHalfOut) within(kHalfOut - strokes_[i], 1 / kStrokeTime);
+  for (const Box& box : boxes_) {
+    if (!onBelt(box)) continue;
+    within(-box.front, metresPerSecond);
+    within(kLength - box.front, metresPerSecond);
+  }
+  return metresPerSecond < 0 ? 0 : seconds;
 }
 
 bool Belt::interrupted(BoxSize from) const {

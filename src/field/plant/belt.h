@@ -33,6 +33,9 @@ class Belt {
   bool put(BoxSize size);
   void move(double seconds, double metresPerSecond, const std::array<bool, kSliders>& out);
 
+  // Not before so many seconds does a barrier change, at this speed of the belt.
+  double silence(double metresPerSecond, const std::array<bool, kSliders>& out) const;
+
   bool interrupted(BoxSize from) const;  // the barrier that boxes of this size reach
   const std::array<Box, kBoxes>& boxes() const { return boxes_; }
   double stroke(std::size_t slider) const { return strokes_[slider]; }  // 0: in, 1: out

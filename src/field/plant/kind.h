@@ -42,8 +42,16 @@ class Process {
   // On from one instant to a later one with these inputs; `to` = `from` when an input has just
   // been set.
   virtual void advance(Instant from, Instant to, std::span<double> values) = 0;
+  // So many steps with the same inputs.
+  virtual void advanceSteps(Instant from, Duration step, std::int64_t count,
+                            std::span<double> values) {
+    for (; count > 0; --count, from = from + step) advance(from, from + step, values);
+  }
   // When outputs change by themselves, besides the steps of the plant.
   virtual Instant next() const { return Instant::never(); }
+  // As long as its inputs stay as they are in `values`: before this instant no binary output
+  // changes, however often it moves. `at`, the instant of the last step: nothing is known.
+  virtual Instant silentUntil(Instant at, std::span<const double> /*values*/) const { return at; }
   // A fast binary output as a function of time, the same object until it takes another course;
   // null: the value as it is.
   virtual std::shared_ptr<const signal::Signal> course(std::uint32_t) const { return nullptr; }

@@ -63,11 +63,12 @@ void Plants::go(std::size_t index, io::Rack& rack, Instant to) {
   showOutputs(index, rack, to);
 }
 
-void Plants::readInputs(std::size_t index, const io::Rack& rack) {
+void Plants::readInputs(std::size_t index, const io::Rack& rack,
+                        std::vector<double>& values) const {
   const PlantSettings& settings = configuration_.plants[index];
   for (const Wire& wire : settings.wires) {
     if (settings.kind->signals[wire.signal].side != Signal::Side::Input) continue;
-    double& value = units_[index].values[wire.signal];
+    double& value = values[wire.signal];
     if (const auto* other = std::get_if<SignalPlace>(&wire.end)) {
       value = this->value(*other);
       continue;
@@ -78,7 +79,52 @@ void Plants::readInputs(std::size_t index, const io::Rack& rack) {
   }
   for (const Stuck& stuck : units_[index].stuck)
     if (settings.kind->signals[stuck.signal].side == Signal::Side::Input)
-      units_[index].values[stuck.signal] = stuck.value;
+      values[stuck.signal] = stuck.value;
+}
+
+// What it puts out are levels at terminals, and no other plant feeds it.
+bool Plants::onlyBinary(std::size_t index) const {
+  const PlantSettings& settings = configuration_.plants[index];
+  return std::ranges::all_of(settings.wires, [&](const Wire& wire) {
+    const Signal& signal = settings.kind->signals[wire.signal];
+    return std::holds_alternative<io::Terminal>(wire.end) &&
+           (signal.side == Signal::Side::Input || signal.binary);
+  });
+}
+
+Instant Plants::silentUntil(std::size_t index, const io::Rack& rack) const {
+  const Unit& unit = units_[index];
+  if (unit.fresh || !onlyBinary(index)) return unit.next();
+  std::vector<double> values = unit.values;
+  readInputs(index, rack, values);
+  return std::min(unit.process->next(),
+                  std::max(unit.next(), unit.process->silentUntil(unit.at, values)));
+}
+
+// The steps that are due, with the inputs as they stand.
+void Plants::stepSilently(std::size_t index, const io::Rack& rack, Instant to) {
+  Unit& unit = units_[index];
+  const Duration step = configuration_.plants[index].step;
+  const bool even = step.ns > 0 && unit.at + step == unit.nextStep && !unit.fresh;
+  if (!even || unit.nextStep > to) return;
+  readInputs(index, rack);
+  const std::int64_t count = (to - unit.at).ns / step.ns;
+  unit.process->advanceSteps(unit.at, step, count, unit.values);
+  unit.at = unit.at + step * count;
+  unit.nextStep = unit.at + step;
+}
+
+void Plants::advanceSilently(io::Rack& rack, Instant now) {
+  for (std::size_t i = 0; i < units_.size(); ++i)
+    if (onlyBinary(i)) stepSilently(i, rack, now);
+  findNext();
+  advance(rack, now);  // the others
+}
+
+Instant Plants::silentUntil(const io::Rack& rack) const {
+  Instant until = Instant::never();
+  for (std::size_t i = 0; i < units_.size(); ++i) until = std::min(until, silentUntil(i, rack));
+  return until;
 }
 
 // Only what has changed, so that what somebody else lays at a terminal stays there until then.

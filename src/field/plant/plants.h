@@ -22,6 +22,12 @@ class Plants {
   const Configuration& configuration() const { return configuration_; }
   Instant next() const { return next_; }  // of the first plant that moves
   void advance(io::Rack& rack, Instant now);
+  // The same up to before silentUntil(), for plants that feed terminals alone quicker than step by
+  // step.
+  void advanceSilently(io::Rack& rack, Instant now);
+  // As long as nobody changes an output of a module or sets a signal: before this instant no
+  // terminal changes, although plants may move.
+  Instant silentUntil(const io::Rack& rack) const;
 
   // A scenario sets an input; the plant sees it at once.
   void set(io::Rack& rack, SignalPlace place, double value, Instant now);
@@ -58,7 +64,13 @@ class Plants {
   void start(std::size_t index, Instant now);
   void move(std::size_t index, io::Rack& rack, Instant to);
   void go(std::size_t index, io::Rack& rack, Instant to);
-  void readInputs(std::size_t index, const io::Rack& rack);
+  void readInputs(std::size_t index, const io::Rack& rack) {
+    readInputs(index, rack, units_[index].values);
+  }
+  void readInputs(std::size_t index, const io::Rack& rack, std::vector<double>& values) const;
+  Instant silentUntil(std::size_t index, const io::Rack& rack) const;
+  bool onlyBinary(std::size_t index) const;
+  void stepSilently(std::size_t index, const io::Rack& rack, Instant to);
   void showOutputs(std::size_t index, io::Rack& rack, Instant now);
   void showOutput(std::size_t index, std::size_t wire, io::Rack& rack, Instant now);
   void findNext();

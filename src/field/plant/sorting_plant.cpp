@@ -1,6 +1,7 @@
 // The sorting plant of the course: boxes of three sizes, three light barriers, three sliders
 // (S7-VIS-07 to S7-VIS-16). Boxes are put on the belt by hand (NEW_...) or by themselves (AUTO):
 // each three of them have one of each size, in an order that follows from the seed.
+#include <algorithm>
 #include <random>
 
 #include "plant/belt.h"
@@ -85,17 +86,49 @@ class SortingPlant : public ProcessOf<kParameters, kSignals> {
   }
 
   void advance(Instant from, Instant to, Signals values) override {
-    const double time = seconds(from, to);
-    putByHand(values);
-    waited_ += time;
-    if (values["AUTO"] != 0 && waited_ >= interval_) putNext();
-    std::array<bool, Belt::kSliders> out{};
-    for (std::size_t i = 0; i < out.size(); ++i) out[i] = values.from("SLIDER_SMALL")[i] != 0;
-    belt_.move(time, values["BELT"] * values["SPEED"] / 100 * speed_, out);
+    move(seconds(from, to), values);
     show(values);
   }
 
+  // Nobody sees the outputs in between.
+  void advanceSteps(Instant from, Duration step, std::int64_t count,
+                    std::span<double> all) override {
+    const Signals values(all);
+    const double time = seconds(from, from + step);
+    for (; count > 0; --count) move(time, values);
+    show(values);
+  }
+
+  Instant silentUntil(Instant at, std::span<const double> all) const override {
+    constexpr double kMargin = 0.003, kLongest = 3600;  // s: some steps, for sums of floating point
+    const Named<kSignals, const double> values(all);
+    for (std::size_t i = 0; i < kSizes.size(); ++i)
+      if ((values.from("NEW_SMALL")[i] != 0) != wanted_[i]) return at;
+    double silence = belt_.silence(speed(values), slidersOut(values));
+    if (values["AUTO"] != 0) silence = std::min(silence, interval_ - waited_);
+    const double sure = std::clamp(silence - kMargin, 0.0, kLongest);
+    return at + Duration{static_cast<std::int64_t>(sure * 1e9)};
+  }
+
  private:
+  void move(double time, const Signals& values) {
+    putByHand(values);
+    waited_ += time;
+    if (values["AUTO"] != 0 && waited_ >= interval_) putNext();
+    belt_.move(time, speed(values), slidersOut(values));
+  }
+
+  template <typename Values>
+  double speed(const Values& values) const {
+    return values["BELT"] * values["SPEED"] / 100 * speed_;
+  }
+  template <typename Values>
+  static std::array<bool, Belt::kSliders> slidersOut(const Values& values) {
+    std::array<bool, Belt::kSliders> out{};
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = values.from("SLIDER_SMALL")[i] != 0;
+    return out;
+  }
+
   void putByHand(Signals values) {
     for (std::size_t i = 0; i < kSizes.size(); ++i) {
       const bool wanted = values.from("NEW_SMALL")[i] != 0;
