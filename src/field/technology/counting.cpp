@@ -50,6 +50,11 @@ bool Counting::sound() const {
   return !rack_.has(module_, io::FaultKind::ParameterError) && rack_.present(module_);
 }
 
+bool Counting::inUse() const {
+  return std::ranges::any_of(channels_,
+                             [](const Channel& one) { return one.function() != nullptr; });
+}
+
 bool Counting::answers(std::uint32_t address) const {
   return self_ != nullptr && self_->inputStart &&
          address == std::min(*self_->inputStart, self_->outputStart.value_or(*self_->inputStart));

@@ -30,6 +30,7 @@ class Counting {
   // For the system functions: a channel at `now`, null if it does not exist; whether the sub-module
   // has this address. `changed`: outputs and interrupts follow at the next instruction.
   bool answers(std::uint32_t address) const;
+  bool inUse() const;  // a channel has a function
   bool sound() const;  // no parametrising error
   std::uint32_t channels() const { return static_cast<std::uint32_t>(channels_.size()); }
   Channel& at(std::uint32_t channel, Instant now);

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "address/reference.h"
@@ -60,8 +61,14 @@ class Controller {
   virtual void advanceCycles(std::uint64_t count) = 0;
   // To the next cycle checkpoint, at most to `limit`; true if it came to one.
   virtual bool advanceToCheckpoint(Instant limit) = 0;
+  // Directly behind a checkpoint: passes over whole cycles that are the same as the one that has
+  // ended there, none that ends later than `limit`. Nothing can be seen to have happened but that
+  // time, and what counts cycles, went on.
+  virtual void passQuietCycles(Instant /*limit*/) {}
   // Called at each cycle checkpoint: traces look at values here.
   virtual void onCycle(std::function<void(Controller&)> observer) = 0;
+  // The same, but for cycles that have changed nothing.
+  virtual void onChange(std::function<void(Controller&)> observer) { onCycle(std::move(observer)); }
 
   // values (bits as 0/1). Reading an input shows its process image, writing it sets its terminal.
   // Nothing, or false, if there is no such operand.

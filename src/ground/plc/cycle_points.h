@@ -13,6 +13,7 @@ class CyclePoints {
  public:
   using Monitor = std::function<void(CyclePoint)>;
   void observe(Monitor monitor) { monitor_ = std::move(monitor); }
+  bool observed() const { return monitor_ != nullptr; }
   void reached(CyclePoint point) const {
     if (monitor_) monitor_(point);
   }

@@ -109,6 +109,12 @@ void RegionCode::locateLocal(bool ofCaller, const host::Gp& to, const asmjit::La
     code_.cmp(host::byte_ptr(host::rax, frame.first), 0);
     code_.jne(out);
   }
+  const asmjit::Label called = code_.newLabel();
+  code_.cmp(host::byte_ptr(host::rax, back + frame.first), 0);
+  code_.je(called);
+  code_.cmp(host::edx, frames().handedOver);
+  code_.jb(out);
+  code_.bind(called);
   code_.cmp(host::ecx, host::dword_ptr(host::rax, back + frame.localLength));
   code_.ja(out);
   code_.mov(to, host::qword_ptr(host::rax, back + frame.local));

@@ -27,12 +27,18 @@ Cpu::Cpu(const CpuModel& model, Engine& engine, SystemServices& services, std::i
 }
 
 bool Cpu::callSystem(BlockId block, std::span<const std::uint32_t> parameters) {
+  if (!services_.steady(block))
+    machine_.outlook.until(machine_.clock, {.at = Look::At::SystemBlock,
+                                            .block = machine_.top->code->source->id,
+                                            .offset = machine_.position,
+                                            .called = block});
   return services_.call(
       {.cpu = *this, .machine = machine_, .block = block, .parameters = parameters});
 }
 
 void Cpu::load(std::shared_ptr<const block::Program> program) {
   loadMemory_.load(std::move(program));
+  quiet_.forgetProgram();
   clearStacks();
   clearSystemMemory(Extent::All);
   machine_.dataBlocks.load(*this->program());
@@ -47,6 +53,7 @@ void Cpu::activateDownload() {
   if (!loadMemory_.downloaded()) return;
   if (mode() == Mode::Stop) clearStacks();  // the interrupted program cannot go on
   loadMemory_.activate();
+  quiet_.forgetProgram();
   if (mode() != Mode::Stop) interrupts_.update(mode() == Mode::Run);
 }
 

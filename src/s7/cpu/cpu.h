@@ -26,6 +26,7 @@
 #include "cpu/module_events.h"
 #include "cpu/modules.h"
 #include "cpu/present_faults.h"
+#include "cpu/quiet_cycles.h"
 #include "cpu/requests.h"
 #include "cpu/retention.h"
 #include "cpu/scan_cycle.h"
@@ -124,6 +125,11 @@ class Cpu {
   // Once, without the rest of the cycle; false if it did not end within `most`: the next call goes
   // on with it.
   bool runOb1(Duration most);
+  // Directly behind the end of a cycle: passes over further ones that are proven to be the same as
+  // the last one, not beyond `limit`, at most so many. How many it were.
+  std::uint64_t passQuiet(Instant limit, std::uint64_t most = UINT64_MAX);
+  QuietCycles& quiet() { return quiet_; }
+  const QuietCycles& quiet() const { return quiet_; }
   void setClock(std::int64_t milliseconds);  // time-of-day interrupts that are jumped over: OB 80
   void retrigger();                          // SFC 43
   // Somebody outside exchanges data: the cycle gets longer by the communication load.
@@ -151,6 +157,13 @@ class Cpu {
   void startCycle();
   void endCycle();
   void endTopLevel();
+  // quiet_pass.cpp
+  bool atCheckpoint() const;
+  bool predictable() const;
+  Checkpoint checkpoint() const;
+  void passOver(const ProvenCycle& cycle, std::uint64_t cycles);
+  DateAndTime dateAt(Instant when) const;
+  void showDate(const DateAndTime& before, const DateAndTime& now);
   // image_update.cpp
   void updateImages();
   void imageFault(const ImageFault& fault);
@@ -201,6 +214,9 @@ class Cpu {
   ClockMemory clockMemory_;
   ModeSwitch switch_;
   std::function<void()> observer_;
+  QuietCycles quiet_;
+  Outlook lastOutlook_;  // of the cycle that has ended last
+  Instant cycleEnded_{INT64_MIN};
 
   bool powered_ = true, buffered_ = true, runningAtPowerOff_ = false;
   bool resetRequested_ = false, timersHeld_ = false;

@@ -92,6 +92,9 @@ void Cpu::startCycle() {
 
 void Cpu::endCycle() {
   cycle_.end(machine_.clock);
+  cycleEnded_ = machine_.clock;
+  lastOutlook_ = machine_.outlook;
+  machine_.outlook.begin();
   cyclePoints_.reached(CyclePoint::End);
   forces_.apply(machine_.areas.image);
   activateDownload();

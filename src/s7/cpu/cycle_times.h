@@ -10,6 +10,7 @@ namespace merker::cpu {
 struct CycleTimes {  // ms
   std::int32_t previous = 0, shortest = 0, longest = 0;
   bool any = false;
+  bool operator==(const CycleTimes&) const = default;
   void add(Duration cycle) {
     previous = static_cast<std::int32_t>(cycle.ns / 1'000'000);
     shortest = any && shortest < previous ? shortest : previous;

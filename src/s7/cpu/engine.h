@@ -25,6 +25,8 @@ class Engine {
   virtual void probe(Code& code, Probe* probe) = 0;
   // Whether results point into code and blocks that nobody runs any more: checks, coverage.
   virtual bool keepsOldCode() const { return false; }
+  // Whether somebody looks at single instructions or counts them: each of them must be executed.
+  virtual bool watched() const { return false; }
 };
 
 // A call of SFC n, SFB n or of a library FC that the CPU brings.
@@ -40,6 +42,9 @@ class SystemServices {
   virtual ~SystemServices() = default;
   // False: the CPU has no such block.
   virtual bool call(const SystemCall& call) = 0;
+  // Whether a call comes to the same again as long as memory is the same; what it looks at beside
+  // memory is then in Machine::outlook.
+  virtual bool steady(BlockId) const { return false; }
   // Warm and cold restart: aborts jobs that span several calls.
   virtual void restart() {}
 };

@@ -27,6 +27,8 @@ bool masked(ErrorMasks& masks, const SyncError& error) {
 
 AfterError Cpu::synchronousError(const SyncError& error) {
   Machine& m = machine_;
+  m.outlook.until(m.clock,
+                  {.at = Look::At::Error, .block = m.top->code->source->id, .offset = m.position});
   if (masked(m.levels.back().masks, error)) return AfterError::GoOn;
   const std::string kind = error.peripheral() ? "" : "programming error: ";
   const StartInformation start = errorInformation(

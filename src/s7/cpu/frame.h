@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "block/block.h"
+#include "cpu/outlook.h"
 #include "cpu/registers.h"
 
 namespace merker::cpu {
@@ -17,6 +18,9 @@ struct Code {
   std::uint32_t localBytes = 0;  // even
   // Compiled code: where the host goes on for each instruction; null while there is none.
   const void* const* native = nullptr;
+  // Instructions that look at a running timer's time, or in OB 1 at its date, wherever they are
+  // executed.
+  std::vector<Look> looks;
   virtual ~Code() = default;
 };
 

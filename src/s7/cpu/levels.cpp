@@ -36,6 +36,7 @@ bool startLevel(Machine& m, std::uint8_t ob, std::uint8_t priority, const StartI
   if (stack.empty()) stack.resize(m.model->localBytes);
 
   m.levels.push_back(level);
+  ++m.levelsStarted;
   m.registers = {};
   if (!m.enter(code)) return false;
   std::copy(start.begin(), start.end(), m.top->local);

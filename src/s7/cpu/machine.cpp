@@ -12,6 +12,7 @@ Machine::Machine(const CpuModel& cpuModel)
       areas(cpuModel),
       timers(cpuModel.timers),
       counters(cpuModel.counters),
+      loadedTimers(cpuModel.timers),
       model(&cpuModel) {
   image = areas.image.data();
   frames.reserve(64);

@@ -9,6 +9,7 @@
 #include "cpu/areas.h"
 #include "cpu/data_blocks.h"
 #include "cpu/frame.h"
+#include "cpu/outlook.h"
 #include "cpu/registers.h"
 #include "cpu/s5_counter.h"
 #include "cpu/s5_timer.h"
@@ -57,6 +58,12 @@ struct Machine {
   DataBlocks dataBlocks;
   std::vector<S5Timer> timers;
   std::vector<S5Counter> counters;
+
+  // What this cycle has looked at besides memory; of each timer, whether a program can load its
+  // time; how many OBs have begun.
+  Outlook outlook;
+  std::vector<std::uint8_t> loadedTimers;
+  std::uint64_t levelsStarted = 0;
 
   // Loaded code by block number; null = not loaded.
   std::vector<const Code*> functions, functionBlocks, organizationBlocks;

@@ -83,7 +83,12 @@ SyncError writePeripheral(Machine& m, Width width, BitAddress address, std::uint
     return fail(ErrorCode::AlignmentWrite, Area::Peripheral, width, byte);
   if (!m.areas.answers(m.areas.outputPresent, byte, count))
     return fail(ErrorCode::PeripheralWrite, Area::Peripheral, width, byte);
-  storeBytes(&m.areas.outputs[byte], width, value);
+  std::uint8_t* const outputs = &m.areas.outputs[byte];
+  const std::uint32_t before = loadBytes(outputs, width);
+  storeBytes(outputs, width, value);
+  if (loadBytes(outputs, width) !=
+      before)  // a module sees more than what is left at the checkpoint
+    m.outlook.until(m.clock, {.at = Look::At::Output, .number = byte});
   for (std::uint32_t i = byte; i < byte + count && i < m.areas.imageBytes; ++i)
     *m.areas.output(i) = m.areas.outputs[i];
   m.cpu->modules().written(byte, count);
@@ -114,6 +119,8 @@ Located locate(Machine& m, Area area, Width width, BitAddress address, Access ac
                           byte)};
   if (end > (reads ? span.length : writable(m, area, span.length)))
     return {.error = fail(lengthError(m, area, access, end), area, width, byte)};
+  if (reads && area == Area::Local) lookAtLocal(m, *m.top, byte, byteCount(width));
+  if (reads && area == Area::CallerLocal) lookAtLocal(m, *m.caller(), byte, byteCount(width));
   return {.bytes = span.data + byte,
           .mask = static_cast<std::uint8_t>(1u << (address & 7)),
           .error = {}};

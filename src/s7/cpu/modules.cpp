@@ -13,6 +13,7 @@ bool Modules::advance() {
   if (next() > machine_.clock) return true;
   hang_ = !atOnce_.moves(machine_.clock);
   if (!hang_) periphery_->advance(*machine_.cpu, machine_.clock);
+  if (hang_ || !periphery_->silent()) ++acts_;
   return !hang_;
 }
 

@@ -25,6 +25,17 @@ class Modules {
   // they are not asked again until `wake`.
   bool advance();
   void wake() { hang_ = false; }
+  // As Periphery says.
+  Instant nextVisible() const {
+    return periphery_ == nullptr || hang_ ? Instant::never() : periphery_->nextVisible();
+  }
+  void passed() {
+    if (periphery_ != nullptr) periphery_->passed(*machine_.cpu, machine_.clock);
+  }
+  // How often they have done something that the CPU can notice.
+  std::uint64_t acts() const { return acts_; }
+  // As Periphery says.
+  bool steady() const { return periphery_ == nullptr || periphery_->steady(); }
   std::string_view due() const { return periphery_->due(machine_.clock); }
 
   // Areas::inputs are about to be read.
@@ -47,6 +58,7 @@ class Modules {
   Periphery* periphery_ = nullptr;
   bool outputsDisabled_ = true;
   bool hang_ = false;
+  std::uint64_t acts_ = 0;
   Standstill atOnce_{1000};
 };
 

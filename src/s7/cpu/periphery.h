@@ -24,6 +24,14 @@ class Periphery {
   // Areas::inputs are about to be read, by the process image or the program (L PEx): what modules
   // work out only when asked.
   virtual void reading(Cpu& /*cpu*/) {}
+  // The same for what the CPU can notice, as long as it changes no output; not before next().
+  virtual Instant nextVisible() const { return next(); }
+  // Whether the last `advance` did nothing that the CPU could notice.
+  virtual bool silent() const { return false; }
+  // Time has passed without an instruction, up to before nextVisible().
+  virtual void passed(Cpu& /*cpu*/, Instant /*now*/) {}
+  // Whether nothing that `reading` shows moves between two instants named by `next`.
+  virtual bool steady() const { return false; }
   // OB 40 of the module at this address has ended, or does not come.
   virtual void acknowledged(Cpu& /*cpu*/, std::uint32_t /*address*/) {}
   // The operating state is another one now.

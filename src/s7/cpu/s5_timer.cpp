@@ -107,6 +107,11 @@ std::uint16_t S5Timer::units(Instant now) const {
   return static_cast<std::uint16_t>(((end - now).ns + length - 1) / length);
 }
 
+Instant S5Timer::nextUnit(Instant from) const {
+  if (expired(from)) return end;
+  return end - unit(base) * (units(from) - 1);
+}
+
 std::uint16_t S5Timer::s5time(Instant now) const {
   return static_cast<std::uint16_t>(base << 12 | toBcd(std::uint32_t{units(now)}, 3));
 }

@@ -34,8 +34,10 @@ struct S5Timer {
   // A time that runs begins anew with the units that are left of it.
   void hold(Instant now);
 
-  bool status(Instant now) const;           // U T
-  std::uint16_t units(Instant now) const;   // L T: 0 … 999, no base
+  bool status(Instant now) const;          // U T
+  std::uint16_t units(Instant now) const;  // L T: 0 … 999, no base
+  // The first instant after `from` at which units() is another number; the end if it is over.
+  Instant nextUnit(Instant from) const;
   std::uint16_t s5time(Instant now) const;  // LC T: BCD with the base in bits 13..12
 
  private:

@@ -56,6 +56,12 @@ StartInformation ScanCycle::startOfOb1(const DateAndTime& time) {
   return start;
 }
 
+void ScanCycle::pass(std::uint64_t cycles, Duration by) {
+  count_ += cycles;
+  checkpoints_ += cycles;
+  delay(by);
+}
+
 void ScanCycle::delay(Duration by) {
   monitoring_.delay(by);
   began_ = began_ + by;

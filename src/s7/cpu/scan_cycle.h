@@ -36,6 +36,8 @@ class ScanCycle {
   void end(Instant now);
   // Of OB 1 in the cycle that has begun.
   StartInformation startOfOb1(const DateAndTime& time);
+  // So many cycles have passed, like the last one.
+  void pass(std::uint64_t cycles, Duration by);
   // The program stood still.
   void delay(Duration by);
 

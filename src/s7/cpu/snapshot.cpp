@@ -43,6 +43,7 @@ void Cpu::takeTimes(const Snapshot& from, Duration shift) {
 // As it was: no restart, no event, no OB.
 void Cpu::take(const Snapshot& from, std::shared_ptr<const block::Program> program) {
   const Duration shift{machine_.clock.ns - from.memory.now};
+  quiet_.forget();
   state_.stopQuietly();
   loadMemory_.download(std::move(program));
   activateDownload();

@@ -9,7 +9,7 @@ namespace merker::cpu {
 StartInformation startInformation(std::uint8_t eventClass, std::uint8_t eventNumber,
                                   std::uint8_t priority, std::uint8_t ob, const DateAndTime& time) {
   StartInformation info{eventClass, eventNumber, priority, ob};
-  std::copy(time.begin(), time.end(), info.begin() + 12);
+  std::copy(time.begin(), time.end(), info.begin() + kDateInStart);
   return info;
 }
 

@@ -11,6 +11,8 @@
 namespace merker::cpu {
 
 using StartInformation = std::array<std::uint8_t, 20>;
+// Where the date and time are in it (S7-OBI-01).
+constexpr std::uint32_t kDateInStart = 12;
 
 // Bytes 0..3 and 12..19, the same for all (S7-OBI-01).
 StartInformation startInformation(std::uint8_t eventClass, std::uint8_t eventNumber,

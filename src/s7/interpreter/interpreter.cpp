@@ -24,6 +24,7 @@ std::unique_ptr<cpu::Code> Interpreter::translate(const block::Block& block) {
   code->source = &block;
   const OpByWord opAt = translator_.translate(block.code, *code);
   code->localBytes = std::max(block.localBytes, localUse(*code));
+  code->looks = looksOf(*code);
   if (block.id.kind == BlockKind::OB)
     code->localBytes = std::max(code->localBytes, kStartInformation);
   code->localBytes = (code->localBytes + 1) / 2 * 2;
@@ -81,7 +82,9 @@ void Interpreter::run(cpu::Machine& m) {
 }
 
 void Interpreter::probe(cpu::Code& code, cpu::Probe* probe) {
-  setProbe(static_cast<Translated&>(code), probe);
+  auto& translated = static_cast<Translated&>(code);
+  probes_ += static_cast<int>(probe != nullptr) - static_cast<int>(translated.probe != nullptr);
+  setProbe(translated, probe);
 }
 
 std::map<BlockId, std::map<std::uint32_t, std::uint64_t>> Interpreter::executed() const {

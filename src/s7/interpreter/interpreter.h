@@ -20,6 +20,7 @@ class Interpreter : public cpu::Engine {
   void run(cpu::Machine& machine) override;
   void probe(cpu::Code& code, cpu::Probe* probe) override;
   std::uint32_t offset(const cpu::Frame& frame) const override;
+  bool watched() const override { return probes_ > 0 || keepsOldCode(); }
   bool keepsOldCode() const override { return coverage_ || !recorder_.records().empty(); }
 
   // How often each counted instruction ran, by block and offset.
@@ -33,6 +34,7 @@ class Interpreter : public cpu::Engine {
   Translator translator_;
   Recorder recorder_;
   bool coverage_ = false;
+  int probes_ = 0;                          // that look at blocks
   std::vector<const Translated*> counted_;  // they belong to the CPU, which loads once
 };
 

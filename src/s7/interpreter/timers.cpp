@@ -57,6 +57,7 @@ template <bool Bcd>
 const Op* load(cpu::Machine& m, const Op* op) {
   SyncError error;
   const S5Timer* timer = timerOf(m, op, error);
+  if (timer != nullptr) m.loadedTimers[static_cast<std::size_t>(timer - m.timers.data())] = 1;
   m.registers.load(timer == nullptr ? 0u : Bcd ? timer->s5time(m.clock) : timer->units(m.clock));
   return goOn(m, op, error);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "address/constant.h"
+#include "cpu/start_information.h"
 #include "interpreter/fault.h"
 #include "mc7/listing.h"
 
@@ -150,6 +151,39 @@ OpByWord Translator::translate(std::span<const std::uint8_t> code, Translated& o
   resolveJumps(out, listing);
   out.parameters = std::move(listing.parameters);
   return std::move(listing.placeAt);
+}
+
+namespace {
+
+bool overlapsDate(std::uint32_t byte, std::uint32_t bytes) {
+  return byte < cpu::kDateInStart + std::tuple_size_v<cpu::DateAndTime> &&
+         byte + bytes > cpu::kDateInStart;
+}
+
+bool readsDate(const Op& op) {
+  if (op.pointerArea == Area::Local && overlapsDate(op.value, byteCount(Width::DWord))) return true;
+  if (op.area != Area::Local || op.operation == Operation::TRANSFER) return false;
+  return op.kind != OperandKind::Memory || overlapsDate(op.value / 8, byteCount(op.width));
+}
+
+bool loadsTimer(const Op& op) {
+  return op.kind == OperandKind::Timer &&
+         (op.operation == Operation::LOAD || op.operation == Operation::LOAD_BCD);
+}
+
+}  // namespace
+
+std::vector<cpu::Look> looksOf(const Translated& code) {
+  std::vector<cpu::Look> looks;
+  for (const Op& op : std::span(code.ops).first(code.instructionCount)) {
+    const auto at = readsDate(op)    ? cpu::Look::At::Date
+                    : loadsTimer(op) ? cpu::Look::At::Timer
+                                     : cpu::Look::At::Nothing;
+    if (at != cpu::Look::At::Nothing)
+      looks.push_back(
+          {.at = at, .block = code.source->id, .offset = op.offset, .number = op.value});
+  }
+  return looks;
 }
 
 std::uint32_t localUse(const Translated& code) {

@@ -28,6 +28,10 @@ class Translator {
   const CpuModel& model_;
 };
 
+// What its instructions look at that is no memory: times of timers, in OB 1 the date in its local
+// data (cpu/outlook.h). Reads through a pointer with its own area are seen when they happen.
+std::vector<cpu::Look> looksOf(const Translated& code);
+
 // Bytes of local data that instructions of the block reach directly.
 std::uint32_t localUse(const Translated& code);
 

@@ -5,6 +5,7 @@
 
 #include "cpu/areas.h"
 #include "cpu/machine.h"
+#include "cpu/start_information.h"
 
 namespace merker::station {
 namespace {
@@ -90,6 +91,7 @@ Layout::Frames framesOf(const CpuModel& model) {
           .functions = listAt(AT(Machine, functions)),
           .functionBlocks = listAt(AT(Machine, functionBlocks)),
           .localBytes = model.localBytes,
+          .handedOver = std::tuple_size_v<cpu::StartInformation>,
           .frame = kFrame,
           .code = {.native = AT(cpu::Code, native), .localBytes = AT(cpu::Code, localBytes)},
           .dataBlocks = {.list = listAt(AT(Machine, dataBlocks)),

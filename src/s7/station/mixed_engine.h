@@ -48,6 +48,7 @@ class MixedEngine : public cpu::Engine {
   }
   void probe(cpu::Code& code, cpu::Probe* probe) override { interpreter_.probe(code, probe); }
   bool keepsOldCode() const override { return interpreter_.keepsOldCode(); }
+  bool watched() const override { return interpreter_.watched(); }
 
  private:
   void compile(interpreter::Translated& code) const;

@@ -35,6 +35,7 @@ struct Station::Parts {
   cpu::Cpu cpu;
   Station* self = nullptr;  // whom the observer gets to see; moves along
   std::function<void(controller::Controller&)> observer;
+  bool eachCycle = false;  // the observer wants to see it, also when it changed nothing
 
   void plug(io::Configuration hardware, plant::Configuration plants) {
     periphery = std::make_unique<Periphery>(std::move(hardware), std::move(plants));

@@ -27,10 +27,19 @@ void Periphery::connect(cpu::Cpu& cpu) {
 
 // What happens outside, between two calls of the CPU, is told at its next instruction boundary.
 Instant Periphery::next() const {
-  return rack_.pending() ? Instant{}
-                         : std::min({rack_.next(), counting_.next(), positioning_.next(),
-                                     serial_.next(), exchange_.next(), plants_.next()});
+  return rack_.pending() ? Instant{} : std::min(nextOfModules(), plants_.next());
 }
+
+Instant Periphery::nextOfModules() const {
+  return std::min(
+      {rack_.next(), counting_.next(), positioning_.next(), serial_.next(), exchange_.next()});
+}
+
+Instant Periphery::nextVisible() const {
+  return rack_.pending() ? Instant{} : std::min(nextOfModules(), plants_.silentUntil(rack_));
+}
+
+void Periphery::passed(cpu::Cpu&, Instant now) { plants_.advanceSilently(rack_, now); }
 
 std::string_view Periphery::due(Instant now) const {
   if (plants_.next() <= now) return "plants";
@@ -53,7 +62,9 @@ void Periphery::goOn(Instant now) {
 }
 
 void Periphery::advance(cpu::Cpu& cpu, Instant now) {
+  silent_ = !rack_.pending() && nextOfModules() > now;
   goOn(now);
+  silent_ = silent_ && !rack_.pending() && rack_.next() > now;
   counting_.advance(now);
   serial_.advance(now);
   if (rack_.takePresenceChanged()) showPresence(cpu);
@@ -71,6 +82,12 @@ void Periphery::reading(cpu::Cpu& cpu) {
   refresh(cpu.machine().clock);
   showInputs(cpu);
   if (rack_.pending()) cpu.machine().interrupt();
+}
+
+// Signals, channels that count and slaves are worked out when asked; everything else says when it
+// acts next.
+bool Periphery::steady() const {
+  return !rack_.hasSignals() && !counting_.inUse() && !exchange_.any();
 }
 
 void Periphery::acknowledged(cpu::Cpu&, std::uint32_t address) { counting_.acknowledged(address); }

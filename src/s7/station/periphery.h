@@ -51,6 +51,10 @@ class Periphery : public cpu::Periphery {
   std::string_view due(Instant now) const override;
   void advance(cpu::Cpu& cpu, Instant now) override;
   void reading(cpu::Cpu& cpu) override;
+  bool steady() const override;
+  Instant nextVisible() const override;
+  bool silent() const override { return silent_; }
+  void passed(cpu::Cpu& cpu, Instant now) override;
   void acknowledged(cpu::Cpu& cpu, std::uint32_t address) override;
   void modeChanged(cpu::Cpu& cpu) override;
   void written(cpu::Cpu& cpu, std::uint32_t first, std::uint32_t count) override;
@@ -59,6 +63,7 @@ class Periphery : public cpu::Periphery {
   void started(cpu::Cpu&) override { rack_.reportFaults(); }
 
  private:
+  Instant nextOfModules() const;
   std::uint8_t drivenBits(std::uint32_t byte) const;
   void showPresence(cpu::Cpu& cpu);
   void showInputs(cpu::Cpu& cpu);
@@ -70,6 +75,7 @@ class Periphery : public cpu::Periphery {
   SerialModule serial_;
   profibus::Exchange exchange_;
   plant::Plants plants_;
+  bool silent_ = false;  // the last advance
 };
 
 }  // namespace merker::station

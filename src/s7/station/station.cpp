@@ -39,7 +39,11 @@ Station& Station::operator=(Station&& other) noexcept {
   return *this;
 }
 
-cpu::Cpu& Station::cpu() { return parts_->cpu; }
+// Whoever gets at the CPU, its modules or its plants may change them.
+cpu::Cpu& Station::cpu() {
+  parts_->cpu.quiet().forget();
+  return parts_->cpu;
+}
 system::SzlList Station::systemStatus(std::uint32_t list, std::uint32_t index) {
   return system::readSzl({parts_->cpu, parts_->modules.get(), &communication()}, list, index);
 }
@@ -159,7 +163,10 @@ bool Station::settle(Duration longest) {
 }
 
 void Station::moveTo(Instant t) {
-  while (now() < t) parts_->step(t);
+  while (now() < t) {
+    passQuietCycles(t);
+    if (now() < t) parts_->step(t);
+  }
   if (!powered() && parts_->periphery) parts_->periphery->goOn(now());
 }
 
@@ -178,8 +185,10 @@ bool Station::advanceToCheckpoint(Instant limit) {
 }
 
 void Station::advanceCycles(std::uint64_t count) {
-  const cpu::Cpu& cpu = parts_->cpu;
+  cpu::Cpu& cpu = parts_->cpu;
   for (; count > 0 && cpu::executes(cpu.mode()); --count) {
+    if (nobodyLooks()) count -= cpu.passQuiet(Instant::never(), count);
+    if (count == 0) break;
     const std::uint64_t before = cycles();
     const Instant latest = now() + kLongestCycle;
     while (cycles() == before && cpu::executes(cpu.mode()) && now() < latest) parts_->step(latest);
@@ -193,6 +202,7 @@ bool Station::runOb1(Duration most) { return parts_->cpu.runOb1(most); }
 
 io::Rack* Station::rack() {
   if (!parts_->periphery) return nullptr;
+  parts_->cpu.quiet().forget();
   parts_->periphery->refresh(now());
   return &parts_->periphery->rack();
 }
@@ -201,6 +211,7 @@ const io::Rack* Station::rack() const {
 }
 
 plant::Plants* Station::plants() {
+  parts_->cpu.quiet().forget();
   return parts_->periphery ? &parts_->periphery->plants() : nullptr;
 }
 const plant::Plants* Station::plants() const {
@@ -215,6 +226,7 @@ const positioning::Channel* Station::axis() const {
 serial::Coupling* Station::serial() {
   serial::Coupling* coupling = parts_->serial();
   if (coupling == nullptr) return nullptr;
+  parts_->cpu.quiet().forget();
   coupling->advance(now());
   parts_->cpu.machine().interrupt();
   return coupling;
@@ -286,8 +298,26 @@ std::string Station::copyRamToRom(std::string_view password) {
 }
 
 void Station::onCycle(std::function<void(controller::Controller&)> observer) {
+  parts_->eachCycle = observer != nullptr;
   parts_->observer = std::move(observer);
   parts_->cpu.onCheckpoint([parts = parts_.get()] { parts->checkpoint(); });
+}
+
+void Station::onChange(std::function<void(controller::Controller&)> observer) {
+  onCycle(std::move(observer));
+  parts_->eachCycle = false;
+}
+
+// Of two stations at one line each takes the other along; partners on a subnet are served at each
+// checkpoint.
+bool Station::nobodyLooks() const {
+  const serial::Coupling* const line = parts_->serial();
+  return !parts_->eachCycle && !parts_->services.partners().joined() &&
+         (line == nullptr || !line->joined());
+}
+
+void Station::passQuietCycles(Instant limit) {
+  if (nobodyLooks()) parts_->cpu.passQuiet(limit);
 }
 
 void Station::join(network::Node& node, const network::GlobalData& globalData) {

@@ -30,6 +30,7 @@
 #include "plc/machine_code.h"
 #include "plc/ob1_alone.h"
 #include "plc/operand_memory.h"
+#include "plc/quiet_cycles.h"
 #include "positioning/axis_values.h"
 #include "serial/serial_port.h"
 #include "station/block_cpu.h"
@@ -62,6 +63,7 @@ class Station final : public controller::Controller,
                       public controller::MachineCode,
                       public controller::Ob1Alone,
                       public controller::OperandMemory,
+                      public controller::QuietCycles,
                       public network::Connectable,
                       public plant::Field,
                       public positioning::AxisOwner,
@@ -213,10 +215,17 @@ class Station final : public controller::Controller,
 
   // Called after each change of simulated time at a cycle checkpoint: traces look at values here.
   void onCycle(std::function<void(controller::Controller&)> observer) override;
+  void onChange(std::function<void(controller::Controller&)> observer) override;
+
+  void passQuietCycles(Instant limit) override;
+  void passOverQuietCycles(bool on) override;
+  std::uint64_t cyclesPassedOver() const override;
+  std::vector<Reason> whyComputed() const override;
 
  private:
   struct Parts;
   void moveTo(Instant t);
+  bool nobodyLooks() const;
   std::unique_ptr<Parts> parts_;
 };
 

@@ -42,13 +42,16 @@ std::optional<std::uint32_t> Station::read(const address::Reference& reference) 
 }
 bool Station::write(const address::Reference& reference, std::uint32_t value) {
   if (reference.partner) return parts_->partner && parts_->partner->write(own(reference), value);
+  parts_->cpu.quiet().forget();
   return writeValue(parts_->cpu, parts_->periphery.get(), reference, value);
 }
 bool Station::force(const address::Reference& reference, std::uint32_t value) {
   if (reference.partner) return parts_->partner && parts_->partner->force(own(reference), value);
+  parts_->cpu.quiet().forget();
   return forceValue(parts_->cpu, reference, value);
 }
 void Station::unforce() {
+  parts_->cpu.quiet().forget();
   parts_->cpu.forces().release();
   if (parts_->partner) parts_->partner->unforce();
 }
@@ -66,6 +69,7 @@ bool Station::writeBytes(const address::Reference& reference, std::span<const st
     return parts_->partner && parts_->partner->writeBytes(own(reference), bytes);
   const auto place = bytesAt(parts_->cpu, reference);
   if (place.empty() || place.size() != bytes.size()) return false;
+  parts_->cpu.quiet().forget();
   std::copy(bytes.begin(), bytes.end(), place.begin());
   return true;
 }

@@ -146,6 +146,8 @@ Region regionOf(cpu::Machine& machine, const AnyPointer& where, std::uint32_t by
   if (byte > block.length || bytes > block.length - byte)
     return {.error = reads ? ErrorCode::LengthRead : ErrorCode::LengthWrite};
   if (!reads && byte + bytes > block.writable) return {.error = ErrorCode::ProtectedDb};
+  if (inCaller(pointerArea(where.pointer)) == Area::Local)
+    cpu::lookAtLocal(machine, *machine.top, byte, bytes);
   return {.data = block.data + byte, .length = bytes};
 }
 

@@ -9,6 +9,13 @@ namespace {
 enum : std::uint32_t { Idle, Running, Done };
 
 std::uint32_t systemTime(Arguments& a) {
+  constexpr std::int64_t kTick = 1'000'000;  // ns
+  cpu::Machine& m = a.machine();
+  m.outlook.until(Instant{(m.clock.ns / kTick + 1) * kTick},
+                  {.at = cpu::Look::At::SystemBlock,
+                   .block = m.top->code->source->id,
+                   .offset = m.position,
+                   .called = {BlockKind::SFB, a.functionNumber()}});
   return static_cast<std::uint32_t>(a.machine().clock.ns / 1'000'000 & 0x7FFFFFFF);
 }
 

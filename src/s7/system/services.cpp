@@ -1,5 +1,7 @@
 #include "system/services.h"
 
+#include <algorithm>
+
 #include "block/width.h"
 #include "system/connections.h"
 #include "system/library.h"
@@ -41,6 +43,27 @@ const Services::Entry* Services::find(BlockId id) const {
   const auto& table = id.kind == BlockKind::FC ? fcs_ : id.kind == BlockKind::SFC ? sfcs_ : sfbs_;
   const bool known = id.number < table.size() && table[id.number].function != nullptr;
   return known ? &table[id.number] : nullptr;
+}
+
+namespace {
+
+struct SteadyRow {
+  BlockKind kind;
+  std::uint16_t first, last;
+};
+// Functions of their parameters and of memory alone. The IEC timers look at the system time, and
+// say so. Everything else asks the operating system or modules, or acts on them.
+constexpr SteadyRow kSteady[] = {{BlockKind::FC, 0, UINT16_MAX},
+                                 {BlockKind::SFC, 20, 21},  // BLKMOV, FILL
+                                 {BlockKind::SFC, 81, 81},  // UBLKMOV
+                                 {BlockKind::SFB, 0, 5}};   // CTU, CTD, CTUD, TP, TON, TOF
+
+}  // namespace
+
+bool Services::steady(BlockId block) const {
+  return std::ranges::any_of(kSteady, [&](const SteadyRow& row) {
+    return row.kind == block.kind && row.first <= block.number && block.number <= row.last;
+  });
 }
 
 // BIE tells whether it went well (S7-SFC-01).

@@ -13,6 +13,7 @@ class Services : public cpu::SystemServices {
  public:
   explicit Services(const CpuModel& model);
   bool call(const cpu::SystemCall& call) override;
+  bool steady(BlockId block) const override;
   void restart() override;
   Alarms& alarms() { return context_.alarms; }
   Communication& communication() { return context_.communication; }

@@ -1,0 +1,35 @@
+// A copy of everything in the memory of a CPU that a cycle can change, kept up to date by
+// comparing.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "cpu/machine.h"
+
+namespace merker::cpu {
+
+class StateCopy {
+ public:
+  // Where the machine first differs from the copy.
+  struct Difference {
+    std::string_view area;     // "M", "DB", "T"; empty: there is none
+    std::uint32_t number = 0;  // of the data block, timer or counter
+    std::uint32_t byte = 0;
+    explicit operator bool() const { return !area.empty(); }
+  };
+  // Makes the copy the same as the machine again.
+  Difference update(const Machine& machine);
+
+ private:
+  void take(const void* data, std::size_t bytes, std::string_view area, std::uint32_t number = 0);
+  void takeImage(const Areas& areas);
+  void takeLocalStacks(const Machine& machine);
+
+  std::vector<std::vector<std::uint8_t>> parts_;
+  std::size_t part_ = 0;  // that comes next
+  Difference found_;
+};
+
+}  // namespace merker::cpu
