@@ -1,5 +1,10 @@
 #include "control/cnc.h"
 
+#include <algorithm>
+#include <functional>
+#include <iterator>
+#include <utility>
+
 #include "base/text.h"
 #include "control/buffered.h"
 #include "control/compiled_code.h"
@@ -39,10 +44,10 @@ struct Cnc::Parts {
 
   void showAlarms() {
     const nc::Control& control = macros->control();
-    sinumerik::NcSide& nc = plc->surroundings().nc;
-    nc = control.signals;
+    sinumerik::NcSide nc = control.signals;
     nc.alarm = !control.alarms.empty();
     nc.machiningStop = nc.alarm && control.machiningStop;
+    if (nc != std::as_const(*plc).surroundings().nc) plc->surroundings().nc = nc;
   }
 
   Options options;
@@ -57,6 +62,8 @@ struct Cnc::Parts {
   std::uint64_t cyclesBefore = 0, instructionsBefore = 0;
   controller::ExecutedLines linesBefore;
   std::function<void(controller::Controller&)> observer;
+  bool eachCycle = false;     // the observer wants to see it, also when it changed nothing
+  bool passOverQuiet = true;  // as it was wanted
   std::vector<controller::DiagnosticEntry> diagnostics;
   std::vector<controller::CheckResult> checks;
 };
@@ -90,7 +97,9 @@ void Cnc::couple(std::unique_ptr<Cnc> partner, nc::Side side) {
 // The partner is never ahead of this control when it looks at the area.
 void Cnc::connect() {
   Parts& p = *parts_;
+  decideOnQuietCycles();
   if (!p.partner) return;
+  p.partner->decideOnQuietCycles();
   const nc::Side side = p.options.coupling->side;
   const bool master = side == nc::Side::Master;
   p.macros->couple(p.area, side, [this] { meet(); });
@@ -263,13 +272,53 @@ bool Cnc::advanceToCheckpoint(Instant limit) {
 }
 
 void Cnc::onCycle(std::function<void(controller::Controller&)> observer) {
+  parts_->eachCycle = observer != nullptr;
   parts_->observer = std::move(observer);
+  decideOnQuietCycles();
+}
+void Cnc::onChange(std::function<void(controller::Controller&)> observer) {
+  parts_->observer = std::move(observer);
+  parts_->eachCycle = false;
+  decideOnQuietCycles();
+}
+
+// A coupled control is taken along at each checkpoint.
+void Cnc::decideOnQuietCycles() {
+  plc().passOverQuietCycles(parts_->passOverQuiet && !parts_->eachCycle && !parts_->area);
+}
+void Cnc::passOverQuietCycles(bool on) {
+  parts_->passOverQuiet = on;
+  if (parts_->partner) parts_->partner->passOverQuietCycles(on);
+  decideOnQuietCycles();
+}
+void Cnc::passQuietCycles(Instant limit) {
+  plc().passQuietCycles(Instant{limit.ns - parts_->before.ns});
+}
+std::uint64_t Cnc::cyclesPassedOver() const { return plc().operatingSystem().quiet().cycles(); }
+
+std::vector<Cnc::Reason> Cnc::whyComputed() const {
+  constexpr std::string_view kTexts[] = {
+      "first cycle after something was asked or changed from outside",
+      "flags, images, timers, counters or data change",
+      "the blink clock (M 0.7), a timer or a job of a macro acts within the cycle",
+      "OB 2, an alarm or a message",
+      "a function macro is called",
+      "the cycle takes another time than the one before, or more than the call raster",
+      "each instruction is looked at or counted, or OB 1 works in thirds of the raster"};
+  const auto& counts = plc().operatingSystem().quiet().counts();
+  static_assert(std::size(kTexts) == std::tuple_size_v<sinumerik::QuietCycles::Counts>);
+  std::vector<Reason> reasons;
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    if (counts[i] != 0) reasons.push_back({std::string(kTexts[i]), counts[i]});
+  std::ranges::stable_sort(reasons, std::ranges::greater{}, &Reason::cycles);
+  return reasons;
 }
 
 // At the end of each cycle the PLC learns of the NC's alarms; the next one begins with M 24.0 and
 // M 24.3 (S5-FLAG-11).
 void Cnc::watch() {
   parts_->showAlarms();
+  decideOnQuietCycles();
   plc().onCycle([this](sinumerik::Plc&) {
     parts_->showAlarms();
     meet();

@@ -11,6 +11,7 @@
 #include "plc/machine_code.h"
 #include "plc/ob1_alone.h"
 #include "plc/operand_memory.h"
+#include "plc/quiet_cycles.h"
 #include "plc/stop_screens.h"
 #include "softplc/plc.h"
 #include "softplc/sinumerik_model.h"
@@ -52,6 +53,7 @@ class Cnc final : public controller::Controller,
                   public controller::MachineCode,
                   public controller::Ob1Alone,
                   public controller::OperandMemory,
+                  public controller::QuietCycles,
                   public controller::StopScreens {
  public:
   explicit Cnc(Options options);
@@ -110,6 +112,11 @@ class Cnc final : public controller::Controller,
   void advanceCycles(std::uint64_t count) override;
   bool advanceToCheckpoint(Instant limit) override;
   void onCycle(std::function<void(controller::Controller&)> observer) override;
+  void onChange(std::function<void(controller::Controller&)> observer) override;
+  void passQuietCycles(Instant limit) override;
+  void passOverQuietCycles(bool on) override;
+  std::uint64_t cyclesPassedOver() const override;
+  std::vector<Reason> whyComputed() const override;
 
   std::optional<std::uint32_t> read(const address::Reference& reference) const override;
   bool write(const address::Reference& reference, std::uint32_t value) override;
@@ -137,6 +144,7 @@ class Cnc final : public controller::Controller,
  private:
   struct Parts;
   void watch();
+  void decideOnQuietCycles();
   void meet();
   void standTogether();
   void connect();

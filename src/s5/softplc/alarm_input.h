@@ -24,6 +24,7 @@ class AlarmInput {
   void begin(std::uint8_t value, Duration delay);
   void change(std::uint8_t value, Instant now);  // at the terminal
   Edges sample(Instant now);
+  bool quiet() const { return coming_.empty(); }  // no change is on its way
 
  private:
   struct Change {

@@ -26,6 +26,8 @@ class AlarmLevel {
     const auto& levels = processor_.machine().levels;
     return !levels.empty() && levels.back().ob == kAlarmOb;
   }
+  // No edge comes or waits.
+  bool quiet() const { return input_.quiet() && !waiting_.any(); }
   // The sampling of this instant. A request while OB 2 still runs is a processing delay; as a
   // message it waits for its end (S5-OB-12).
   std::optional<Trap> sample(Instant at);

@@ -10,6 +10,7 @@ namespace merker::sinumerik {
 class Changes {
  public:
   void add(std::function<void()> change) { waiting_.push_back(std::move(change)); }
+  bool empty() const { return waiting_.empty(); }
   // In the order in which they came; one that comes meanwhile waits for the next call.
   void carryOut() {
     const auto changes = std::exchange(waiting_, {});

@@ -43,6 +43,7 @@ void OperatingSystem::endCycle() {
   images_.forceFlags();
   showUserAlarms(options_.userAlarms, machine_, record_.alarms());
   ++cycles_;
+  cycleEnded_ = machine_.clock;
   passCheckpoint();
   if (mode() != Mode::Run) return;
   if (processor_.stpSeen()) return raise(Trap{Alarm::Stp, {}});

@@ -36,6 +36,7 @@ class OperatingState {
   // How long it lasted; nothing if it was not in HALT.
   std::optional<Duration> resume(Instant now);
   void holdNext() { holdNext_ = executes(mode_); }  // before the next step
+  bool holdsNext() const { return holdNext_; }
   bool takeHoldNext();
   Instant heldSince() const { return held_.since; }  // in HALT
 

@@ -97,6 +97,7 @@ void OperatingSystem::levelEnded(std::uint8_t ob) {
 }
 
 void OperatingSystem::raise(const Trap& trap, ControlBit also) {
+  ++raised_;
   if (active_.stops(row(trap.alarm).reaction)) {
     resume();
     record_.stop(trap, also, mode() == Mode::Startup);

@@ -16,6 +16,7 @@
 #include "softplc/operating_state.h"
 #include "softplc/options.h"
 #include "softplc/process_images.h"
+#include "softplc/quiet_cycles.h"
 #include "softplc/run_times.h"
 #include "softplc/schedule.h"
 #include "softplc/start_checks.h"
@@ -47,6 +48,11 @@ class OperatingSystem {
 
   // One instruction or one event, or to `limit` if nothing is to do.
   void step(Instant limit);
+  // Directly behind the end of a cycle: passes over further ones that are proven to be the same as
+  // the last one, not beyond `limit`, at most so many.
+  void passQuiet(Instant limit, std::uint64_t most = UINT64_MAX);
+  QuietCycles& quiet() { return quiet_; }
+  const QuietCycles& quiet() const { return quiet_; }
   bool betweenCycles() const { return machine_.levels.empty() && !cycleActive_; }
   std::uint64_t cycles() const { return cycles_; }
   std::uint64_t checkpoints() const { return checkpoints_; }
@@ -74,6 +80,7 @@ class OperatingSystem {
   const Options& options() const { return options_; }
   MachineData& machineData() { return data_; }
   Surroundings& surroundings() { return around_; }
+  const Surroundings& surroundings() const { return around_; }
   ImageForces& forces() { return images_.forces; }
   const ImageForces& forces() const { return images_.forces; }
   AlarmRecord& record() { return record_; }
@@ -98,6 +105,11 @@ class OperatingSystem {
   void endCycle();
   bool runAlone(Instant latest);
   void passCheckpoint();
+  // quiet_pass.cpp
+  bool atCheckpoint() const;
+  bool predictable() const;
+  Instant nextEvent() const;
+  Checkpoint checkpoint() const;
   // sampling.cpp
   void sample();
   void ipoClock();
@@ -145,7 +157,9 @@ class OperatingSystem {
 
   bool memoryLost_ = false;
   bool cycleActive_ = false, requested_ = false;
-  std::uint64_t cycles_ = 0, checkpoints_ = 0;
+  std::uint64_t cycles_ = 0, checkpoints_ = 0, raised_ = 0;
+  QuietCycles quiet_;
+  Instant cycleEnded_{INT64_MIN};
   controller::CyclePoints cyclePoints_;
   std::function<void()> observer_;
 };

@@ -1,5 +1,7 @@
 #include "softplc/plc.h"
 
+#include <utility>
+
 namespace merker::sinumerik {
 namespace {
 
@@ -51,9 +53,18 @@ bool Plc::warmStart() {
   parts_->started = now();
   return parts_->os.start(Start::Warm);
 }
-void Plc::stop() { parts_->os.stopByProgrammer(); }
-void Plc::powerOff() { parts_->os.powerOff(); }
-bool Plc::hold() { return parts_->os.hold(); }
+void Plc::stop() {
+  parts_->os.quiet().forget();
+  parts_->os.stopByProgrammer();
+}
+void Plc::powerOff() {
+  parts_->os.quiet().forget();
+  parts_->os.powerOff();
+}
+bool Plc::hold() {
+  parts_->os.quiet().forget();
+  return parts_->os.hold();
+}
 void Plc::holdNext() { parts_->os.holdNext(); }
 bool Plc::resume() {
   if (mode() != Mode::Halt) return false;
@@ -84,8 +95,14 @@ std::uint64_t Plc::cycles() const { return parts_->os.cycles(); }
 std::uint64_t Plc::instructions() const { return parts_->os.instructions(); }
 
 void Plc::advanceTo(Instant t) {
-  while (now() < t) parts_->os.step(t);
+  while (now() < t) {
+    parts_->os.passQuiet(t);
+    if (now() < t) parts_->os.step(t);
+  }
 }
+
+void Plc::passQuietCycles(Instant limit) { parts_->os.passQuiet(limit); }
+void Plc::passOverQuietCycles(bool on) { parts_->os.quiet().on = on; }
 
 void Plc::runTo(Instant t) {
   while (executes(mode()) && now() < t) parts_->os.step(t);
@@ -109,6 +126,10 @@ bool Plc::settle(Duration longest) {
 
 void Plc::advanceCycles(std::uint64_t count) {
   for (; count > 0 && executes(mode()); --count) {
+    const std::uint64_t first = cycles();
+    parts_->os.passQuiet(Instant::never(), count);
+    count -= cycles() - first;
+    if (count == 0) break;
     const std::uint64_t before = cycles();
     const Instant latest = now() + kLongestCycle;
     while (cycles() == before && executes(mode()) && now() < latest) parts_->os.step(latest);
@@ -142,17 +163,26 @@ std::optional<std::uint32_t> Plc::read(const Reference& variable) const {
   return readValue(parts_->os, variable);
 }
 bool Plc::write(const Reference& variable, std::uint32_t value) {
+  parts_->os.quiet().forget();
   return writeValue(parts_->os, variable, value);
 }
 bool Plc::writeImage(const Reference& variable, std::uint32_t value) {
+  parts_->os.quiet().forget();
   return sinumerik::writeImage(parts_->os, variable, value);
 }
 bool Plc::force(const Reference& variable, std::uint32_t value) {
+  parts_->os.quiet().forget();
   return forceValue(parts_->os, variable, value);
 }
-void Plc::unforce() { parts_->os.forces().clear(); }
+void Plc::unforce() {
+  parts_->os.quiet().forget();
+  parts_->os.forces().clear();
+}
 
-bool Plc::probe(mc5::BlockId block, Probe* probe) { return parts_->os.probe(block, probe); }
+bool Plc::probe(mc5::BlockId block, Probe* probe) {
+  parts_->os.quiet().forget();
+  return parts_->os.probe(block, probe);
+}
 const PlacedProbes& Plc::probes() const { return parts_->os.probes(); }
 std::optional<CodePlace> Plc::place() const { return nextPlace(machine()); }
 std::optional<Instant> Plc::heldSince() const {
@@ -166,18 +196,37 @@ const std::vector<DiagnosticEntry>& Plc::diagnostics() const {
   return parts_->os.record().alarms().history();
 }
 std::vector<PendingAlarm> Plc::alarms() const { return parts_->os.record().alarms().shown(); }
-bool Plc::acknowledge(unsigned alarm) { return parts_->os.record().alarms().acknowledge(alarm); }
-void Plc::raise(const Trap& trap) { parts_->os.raise(trap); }
+bool Plc::acknowledge(unsigned alarm) {
+  parts_->os.quiet().forget();
+  return parts_->os.record().alarms().acknowledge(alarm);
+}
+void Plc::raise(const Trap& trap) {
+  parts_->os.quiet().forget();
+  parts_->os.raise(trap);
+}
 
-MachineData& Plc::machineData() { return parts_->os.machineData(); }
-Surroundings& Plc::surroundings() { return parts_->os.surroundings(); }
-Programmer Plc::programmer() { return Programmer(parts_->os); }
+MachineData& Plc::machineData() {
+  parts_->os.quiet().forget();
+  return parts_->os.machineData();
+}
+Surroundings& Plc::surroundings() {
+  parts_->os.quiet().forget();
+  return parts_->os.surroundings();
+}
+Programmer Plc::programmer() {
+  parts_->os.quiet().forget();
+  return Programmer(parts_->os);
+}
 unsigned Plc::loadPerMille() const {
   return static_cast<unsigned>(parts_->os.runTimes().lastRaster.ns * 1000 /
                                parts_->os.schedule().raster().call.ns);
 }
-Machine& Plc::machine() { return parts_->os.machine(); }
+Machine& Plc::machine() {
+  parts_->os.quiet().forget();
+  return parts_->os.machine();
+}
 const Machine& Plc::machine() const { return parts_->os.machine(); }
+const Surroundings& Plc::surroundings() const { return std::as_const(parts_->os).surroundings(); }
 const OperatingSystem& Plc::operatingSystem() const { return parts_->os; }
 
 }  // namespace merker::sinumerik

@@ -61,6 +61,11 @@ class Plc {
   void advanceCycles(std::uint64_t count);
   // To the next end of a cycle or of the start-up, at most to `limit`; true if it came there.
   bool advanceToCheckpoint(Instant limit);
+  // Off at first: an observer wants to see each cycle. When on, whatever moves time passes over
+  // cycles that are the same as the one before; passQuietCycles() directly behind a checkpoint,
+  // none that ends later than `limit`.
+  void passOverQuietCycles(bool on);
+  void passQuietCycles(Instant limit);
   void onCycle(std::function<void(Plc&)> observer);
   void onCyclePoint(controller::CyclePoints::Monitor monitor);
   // For measurements: OB 1 alone, and machine code of this computer now (operating_system.h).
@@ -93,6 +98,7 @@ class Plc {
 
   MachineData& machineData();  // taken over by the next start
   Surroundings& surroundings();
+  const Surroundings& surroundings() const;
   Programmer programmer();
   // Share of STEP 5 in the last call raster, in tenths of a percent (S5-SCHED-07, -08).
   unsigned loadPerMille() const;

@@ -50,6 +50,7 @@ bool Processor::begin(std::uint8_t ob) {
                           .parameters = 0,
                           .data = {}});
   machine_.levels.push_back(std::move(level));
+  ++levels_;
   return true;
 }
 
@@ -196,6 +197,7 @@ bool Processor::call(mc5::BlockId block) {
 }
 
 bool Processor::callMacro(std::uint16_t number) {
+  ++macroCalls_;
   const auto& memory = machine_.blocks.program();
   const std::uint32_t jumpWord = machine_.frame().next;
   std::span<const std::uint16_t> list;

@@ -72,6 +72,14 @@ class Processor {
   void clearStp() { stp_ = false; }
   std::uint64_t instructions() const { return instructions_; }
   void count(std::uint64_t instructions) { instructions_ += instructions; }  // done elsewhere
+  // How many levels began and macros were called.
+  std::uint64_t levels() const { return levels_; }
+  std::uint64_t macroCalls() const { return macroCalls_; }
+  // So many cycles of one level have passed, like the last one.
+  void pass(std::uint64_t cycles, std::uint64_t instructionsEach) {
+    instructions_ += cycles * instructionsEach;
+    levels_ += cycles;
+  }
   // Word of the instruction that ran last; behind B the one that was processed.
   std::uint32_t lastWord() const { return run_.current; }
   const Level& endedLevel() const { return ended_; }  // after LevelEnded: as its BE left it
@@ -130,7 +138,7 @@ class Processor {
   Running run_;
   Level ended_;
   bool stp_ = false;
-  std::uint64_t instructions_ = 0;
+  std::uint64_t instructions_ = 0, levels_ = 0, macroCalls_ = 0;
 };
 
 }  // namespace merker::sinumerik

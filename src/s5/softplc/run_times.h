@@ -11,6 +11,7 @@ namespace merker::sinumerik {
 struct CycleTimes {
   Duration cyclic, alarm;  // of OB 1 and of OB 2
   unsigned alarmRuns = 0;
+  bool operator==(const CycleTimes&) const = default;
 };
 
 struct RunTimes {
@@ -19,6 +20,7 @@ struct RunTimes {
   Duration third;                          // OB 1 in this third of the raster (S5-SCHED-06)
   Duration raster;                         // both in this raster
   Duration lastRaster;                     // and in the one before
+  bool operator==(const RunTimes&) const = default;
 
   // OB 2 in any interval of 4 sampling times (1.3.4, S5-SCHED-10).
   Duration alarmWindow() const {

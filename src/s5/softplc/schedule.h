@@ -21,6 +21,16 @@ class Schedule {
   // What the sampling that nextSample() names begins.
   bool beginsIpoClock() const { return samples_ % kSamplesPerIpo == 0; }
   bool callsOb1() const { return samples_ % (kSamplesPerIpo * raster_.factor) == 0; }
+  // The sampling that begins the IPO clock `count` behind the last one that has begun.
+  Instant ipoClock(std::int64_t count) const {
+    const std::int64_t begun = (samples_ + kSamplesPerIpo - 1) / kSamplesPerIpo;
+    return anchor_ + raster_.sampling * ((begun + count - 1) * kSamplesPerIpo);
+  }
+  // So many call rasters have passed.
+  void pass(std::uint64_t rasters) {
+    samples_ += static_cast<std::int64_t>(rasters) * kSamplesPerIpo * raster_.factor;
+    thirds_ += 3 * static_cast<std::int64_t>(rasters);
+  }
   void sampled() { ++samples_; }
   void thirdBegun() { ++thirds_; }
 

@@ -34,6 +34,8 @@ class Timer {
   }
   // The operating system counts the units that have passed; at instants of the sampling raster.
   void count(Instant now, const TimeBases& bases);
+  // When its value falls by one; never if it does not run.
+  Instant next() const { return (word_ & kRunning) != 0 ? next_ : Instant::never(); }
   // It stood still for so long.
   void delay(Duration by) {
     if (next_ != Instant::never()) next_ = next_ + by;

@@ -65,6 +65,8 @@ void TransferFlags::levelComplete(std::uint8_t ob) {
   setBit(3, ob, false);
 }
 
+int TransferFlags::clocksUntilBlink() const { return kBlinkClocks - ipoClocks_; }
+
 void TransferFlags::ipoClock(bool idle) {
   if (++ipoClocks_ == kBlinkClocks) {
     ipoClocks_ = 0;

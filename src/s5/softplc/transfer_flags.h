@@ -25,6 +25,12 @@ class TransferFlags {
   void delayed();  // M 6.2
   void fault();    // M 8.0
 
+  // The state of the blink clock, and how many IPO clocks until it turns.
+  bool blink() const { return blink_; }
+  int clocksUntilBlink() const;
+  std::uint8_t level() const { return level_; }
+  void pass(std::uint64_t ipoClocks) { ipoClocks_ += static_cast<int>(ipoClocks); }
+
  private:
   void setBit(unsigned byte, unsigned bit, bool on);
   void showBlink() { setBit(0, 7, blink_); }
