@@ -17,6 +17,7 @@ class CycleEnd {
     if (card != nullptr) keeper_.emplace(*card);
   }
   void watch(const simulator::Watched& watched, const controller::Controller& plc) {
+    plants_ = !watched.plants.empty();
     trace_.emplace(file_, watched, plc);
   }
   void operator()(controller::Controller& plc) {
@@ -30,6 +31,9 @@ class CycleEnd {
   void standing(controller::Controller& plc) {
     if (keeper_ && plc.mode() == controller::Mode::Stop) keeper_->saveProgram(plc);
   }
+  // Whether it has nothing to do where a cycle changed nothing: a card keeps each cycle, and plants
+  // may move while nothing changes in the PLC.
+  bool ofChanges() const { return !keeper_ && !plants_; }
   bool needed() const { return keeper_ || trace_; }
   const Problem* problem() const {
     return keeper_ && keeper_->problem() ? &*keeper_->problem() : nullptr;
@@ -38,6 +42,7 @@ class CycleEnd {
  private:
   std::ofstream& file_;
   bool realTime_;
+  bool plants_ = false;  // the trace shows signals of plants
   std::optional<CardKeeper> keeper_;
   std::optional<simulator::Trace> trace_;
 };

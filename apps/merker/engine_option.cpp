@@ -4,6 +4,7 @@
 
 #include "jit/native.h"
 #include "plc/machine_code.h"
+#include "plc/quiet_cycles.h"
 
 namespace merker::app {
 
@@ -12,6 +13,17 @@ void addEngine(CLI::App& command, std::string& engine) {
       .add_option("--engine", engine,
                   "interpreter, or jit: machine code of this computer, same results")
       ->check(CLI::IsMember({"interpreter", "jit"}));
+}
+
+void addNoSkip(CLI::App& command, bool& noSkip) {
+  command.add_flag(
+      "--no-skip", noSkip,
+      "compute each cycle, also one that comes to the same as the one before; same results");
+}
+
+void useSkipping(bool noSkip, controller::Controller& plc) {
+  if (auto* const quiet = controller::capability<controller::QuietCycles>(plc))
+    quiet->passOverQuietCycles(!noSkip);
 }
 
 std::optional<std::string> whyMissing(const std::string& engine) {

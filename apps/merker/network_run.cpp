@@ -137,6 +137,7 @@ int runBuilt(const RunOptions& options, const NetworkBuild& build, std::optional
   if (const int bad = readWishes(options, build, operands, wishes)) return bad;
   const unsigned processors = std::max(1u, std::thread::hardware_concurrency());
   const auto network = build.network(options.threads.value_or(processors));
+  for (std::size_t i = 0; i < network->size(); ++i) useSkipping(options.noSkip, network->itself(i));
   if (const int bad = useEngines(options, *network)) return bad;
   if (const int bad = startAll(*network)) return bad;
   if (const int bad = setAll(wishes.set, *network)) return bad;

@@ -183,7 +183,9 @@ void advanceServed(const Build& build, CycleEnd& cycleEnd, controller::Controlle
 int runAlone(const RunOptions& options, const Build& build, const Operands& operands,
              std::optional<Duration> time, store::MemoryCard* card, CycleEnd& cycleEnd,
              controller::Controller& plc, SerialLink* link) {
-  if (cycleEnd.needed()) plc.onCycle(std::ref(cycleEnd));
+  // A card keeps each cycle; a trace shows changes only.
+  if (cycleEnd.needed())
+    cycleEnd.ofChanges() ? plc.onChange(std::ref(cycleEnd)) : plc.onCycle(std::ref(cycleEnd));
   const bool realTime = !time && !options.hasCycles;
   if (realTime) holdSignals();
   S7Desk s7;
@@ -202,6 +204,7 @@ int runPlc(const RunOptions& options, const Build& build, const Operands& operan
   auto owner = build.controller();
   controller::Controller& plc = *owner;
   if (const auto problem = useEngine(options.engine, plc)) return wrongUsage(*problem);
+  useSkipping(options.noSkip, plc);
   if (const auto problem = start(build, card, plc)) return failed(*problem);
   if (plc.mode() == controller::Mode::Stop) {
     std::cerr << "merker run: the CPU does not start: " << plc.stopReason() << '\n';
@@ -315,6 +318,7 @@ void addRun(CLI::App& program, int& result) {
   cycles->excludes(time)->check(checkCycles);
   addProjectOptions(*command, options->project);
   addEngine(*command, options->engine);
+  addNoSkip(*command, options->noSkip);
   command->add_option("--set", options->set, "before the start: \"E 0.0=1, MW 10=W#16#0005\"")
       ->allow_extra_args(false);
   command->add_option("--print", options->print, "at the end: \"MW 10, A 0.0, DB1.DBD 4\"")

@@ -19,7 +19,7 @@ struct RunOptions {
   std::string path, card, time, trace, engine = "interpreter";
   SerialOptions serial;
   std::uint64_t cycles = 0;
-  bool hasCycles = false, copyRamToRom = false, json = false, noWorkbench = false;
+  bool hasCycles = false, copyRamToRom = false, json = false, noWorkbench = false, noSkip = false;
   std::optional<unsigned> threads;  // of several stations; none: those of the computer
   std::vector<std::string> set, print, watch;
   ServeOptions serve;

@@ -20,7 +20,7 @@ struct TestOptions {
   ProjectOptions project;
   std::string filter, junit, coverage, engine = "interpreter";
   unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
-  bool json = false;
+  bool json = false, noSkip = false;
 };
 
 nlohmann::json toJson(const simulator::TestResult& result) {
@@ -80,7 +80,7 @@ int test(const TestOptions& options) {
     return kUsage;
   }
   TestSession session({options.project, options.filter, options.engine, !options.coverage.empty(),
-                       options.json, options.jobs});
+                       options.json, options.jobs, options.noSkip});
   bool unreadable = false;
   for (const std::string& path : options.paths) unreadable |= !testPath(path, session);
   const bool nothing = session.results().empty();
@@ -112,6 +112,7 @@ void addTest(CLI::App& program, int& result) {
       ->check(CLI::Range(1u, 256u));
   addProjectOptions(*command, options->project);
   addEngine(*command, options->engine);
+  addNoSkip(*command, options->noSkip);
   command->add_flag("--json", options->json, "the results as one JSON object");
   command->footer(
       "Examples:\n"

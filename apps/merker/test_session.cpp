@@ -139,6 +139,7 @@ void TestSession::scenarios(const std::string& path, const Bench& bench) {
 std::unique_ptr<controller::Controller> TestSession::controller(const Build& build) const {
   auto plc = build.controller(options_.coverage);
   (void)useEngine(options_.engine, *plc);
+  useSkipping(options_.noSkip, *plc);
   return plc;
 }
 
@@ -162,6 +163,7 @@ simulator::TestResult TestSession::scenario(const simulator::Scenario& scenario,
   std::vector<simulator::NamedPlc> plcs;
   for (std::size_t i = 0; i < network->size(); ++i) {
     (void)useEngine(options_.engine, network->itself(i));
+    useSkipping(options_.noSkip, network->itself(i));
     plcs.push_back({network->name(i), &network->station(i)});
   }
   simulator::TestResult result = simulator::runScenario(scenario, plcs);

@@ -26,6 +26,7 @@ class TestSession {
     bool coverage = false;
     bool quiet = false;  // no line per test
     unsigned jobs = 1;   // threads
+    bool noSkip = false;
   };
   explicit TestSession(Options options)
       : options_(std::move(options)),

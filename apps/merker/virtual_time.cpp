@@ -1,6 +1,7 @@
 #include "virtual_time.h"
 
 #include <algorithm>
+#include <chrono>
 
 #include "progress.h"
 #include "serial_link.h"
@@ -13,11 +14,29 @@ void moveTo(controller::Controller& plc, SerialLink* link, Instant end) {
   plc.advanceTo(end);
 }
 
+namespace {
+
+constexpr Duration kShortest = Duration::milliseconds(100);
+
+// As much virtual time at once as passes between two looks at the progress: where cycles are passed
+// over, hours.
+Duration nextPortion(Duration portion, std::chrono::nanoseconds taken) {
+  using std::chrono::milliseconds;
+  constexpr Duration kLongest = Duration::seconds(3600);
+  if (taken < milliseconds(5)) return std::min(portion * 2, kLongest);
+  return taken > milliseconds(50) ? std::max(Duration{portion.ns / 2}, kShortest) : portion;
+}
+
+}  // namespace
+
 void runFor(controller::Controller& plc, Duration time, SerialLink* link) {
   Progress progress("running");
   const Instant start = plc.now(), end = start + time;
+  Duration portion = kShortest;
   while (plc.now() < end) {
-    moveTo(plc, link, std::min(end, plc.now() + Duration::milliseconds(100)));
+    const auto begin = std::chrono::steady_clock::now();
+    moveTo(plc, link, std::min(end, plc.now() + portion));
+    portion = nextPortion(portion, std::chrono::steady_clock::now() - begin);
     progress.show(static_cast<double>((plc.now() - start).ns) / static_cast<double>(time.ns));
   }
 }

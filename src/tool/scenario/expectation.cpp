@@ -30,6 +30,17 @@ bool holds(const AnyExpectation& expectation, Controller& plc) {
   return std::visit([&](const IsExpectation auto& one) { return one.holds(plc); }, expectation);
 }
 
+bool ofMemory(const AnyExpectation& expectation) {
+  return std::visit(
+      [](const IsExpectation auto& one) {
+        if constexpr (requires { one.ofMemory(); })
+          return one.ofMemory();
+        else
+          return false;
+      },
+      expectation);
+}
+
 std::string actual(const AnyExpectation& expectation, Controller& plc) {
   return std::visit([&](const IsExpectation auto& one) { return one.actual(plc); }, expectation);
 }

@@ -47,6 +47,9 @@ bool speaksOfState(const AnyExpectation& expectation);
 std::string_view missing(const AnyExpectation& expectation, const controller::Controller& plc);
 // Nothing is missing.
 bool holds(const AnyExpectation& expectation, controller::Controller& plc);
+// Whether it comes to the same as long as the memory of the PLC and its mode stay as they are,
+// whatever the time.
+bool ofMemory(const AnyExpectation& expectation);
 // "A 1.2 is 0", "mode is STOP: …": what is there instead.
 std::string actual(const AnyExpectation& expectation, controller::Controller& plc);
 

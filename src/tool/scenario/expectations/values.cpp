@@ -15,6 +15,15 @@ Reader readerOf(const controller::Controller& plc) {
 
 }  // namespace
 
+// The time of a timer runs.
+bool Values::ofMemory() const {
+  const auto stays = [](const Term& term) {
+    return term.constant ||
+           (term.reference.operand.kind != address::OperandKind::Timer && !term.reference.partner);
+  };
+  return stays(left) && stays(right);
+}
+
 // Values are those at the end of a cycle: in the middle of one they may be on their way.
 bool Values::holds(controller::Controller& plc) const {
   plc.settle();

@@ -23,6 +23,7 @@ struct Values {
   void resolve(const StepBinding& binding) {
     resolvePair(left, right, binding.resolver, binding.problems);
   }
+  bool ofMemory() const;
   bool holds(controller::Controller& plc) const;
   std::string actual(controller::Controller& plc) const;
 };

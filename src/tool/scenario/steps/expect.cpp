@@ -19,7 +19,10 @@ bool isBlank(char c) { return c == ' ' || c == '\t'; }
 class Watch {
  public:
   Watch(const Expect& expect, StepRun& run)
-      : expect_(expect), run_(run), end_(run.plc().now() + expect.duration) {}
+      : expect_(expect),
+        run_(run),
+        end_(run.plc().now() + expect.duration),
+        ofMemory_(!expect.partner && ofMemory(expect.what)) {}
 
   bool now() { return holds() || miss(); }
 
@@ -28,7 +31,7 @@ class Watch {
     for (;;) {
       if (!holds()) return miss();
       if (run_.plc().now() >= end_) return true;
-      advanceToNextLook(run_.plc(), end_);
+      goOn();
     }
   }
 
@@ -37,11 +40,16 @@ class Watch {
     for (;;) {
       if (holds()) return true;
       if (run_.plc().now() >= end_) return miss();
-      advanceToNextLook(run_.plc(), end_);
+      goOn();
     }
   }
 
  private:
+  // Where nothing but memory is looked at, cycles that leave it as it is need no look.
+  void goOn() {
+    if (ofMemory_) run_.plc().passQuietCycles(end_);
+    if (run_.plc().now() < end_) advanceToNextLook(run_.plc(), end_);
+  }
   Controller& plc() { return expect_.partner ? *run_.plc().partner() : run_.plc(); }
   bool holds() { return simulator::holds(expect_.what, plc()); }
 
@@ -56,6 +64,7 @@ class Watch {
   const Expect& expect_;
   StepRun& run_;
   Instant end_;
+  bool ofMemory_;
 };
 
 }  // namespace
