@@ -26,22 +26,40 @@ Station started(const std::shared_ptr<const block::Program>& program, Engine eng
   return station;
 }
 
-void idle(benchmark::State& state, Engine engine) {
-  constexpr Duration kStep = Duration::milliseconds(100);
+void idle(benchmark::State& state, Engine engine, bool passOver) {
+  const Duration kStep = passOver ? Duration::seconds(10) : Duration::milliseconds(100);
   Station station = started(compiled(controlSource(kInstructions), "314C-2 PtP"), engine);
+  station.passOverQuietCycles(passOver);
   const Instant begin = station.now();
   for (auto _ : state) station.advanceTo(station.now() + kStep);
   state.SetItemsProcessed((station.now() - begin).ns);
 }
-void IdleCpu(benchmark::State& s) { idle(s, Engine::Interpreter); }
+void BusyCpu(benchmark::State& s) { idle(s, Engine::Interpreter, false); }
+BENCHMARK(BusyCpu);
+void BusyCpuCompiled(benchmark::State& s) { idle(s, Engine::Compiled, false); }
+BENCHMARK(BusyCpuCompiled);
+void IdleCpu(benchmark::State& s) { idle(s, Engine::Interpreter, true); }
 BENCHMARK(IdleCpu);
-void IdleCpuCompiled(benchmark::State& s) { idle(s, Engine::Compiled); }
+void IdleCpuCompiled(benchmark::State& s) { idle(s, Engine::Compiled, true); }
 BENCHMARK(IdleCpuCompiled);
+
+// A small program that waits: a timer of a second that starts itself again, and what counts it.
+void WeekOfATimer(benchmark::State& state) {
+  constexpr const char* kSource =
+      "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n      UN    T 1\n      L     S5T#1S\n      SE    T "
+      "1\n"
+      "      U     T 1\n      ZV    Z 1\n      U     Z 1\n      =     A "
+      "0.0\nEND_ORGANIZATION_BLOCK\n";
+  Station station = started(compiled(kSource, "314C-2 PtP"), Engine::Interpreter);
+  for (auto _ : state) station.advanceTo(station.now() + Duration::seconds(7 * 24 * 3600));
+}
+BENCHMARK(WeekOfATimer)->UseRealTime()->Iterations(1);
 
 // A cycle with everything the operating system does between two runs of OB 1.
 void Cycles(benchmark::State& state) {
   station::Station station =
       started(compiled(callingSource(1, Callee::Function)), Engine::Interpreter);
+  station.passOverQuietCycles(false);
   for (auto _ : state) station.advanceCycles(1);
   state.SetItemsProcessed(state.iterations());
 }

@@ -141,6 +141,7 @@ std::string controlSource(int instructions) {
     code +=
         fmt::format(fmt::runtime(kScaling), byte, setpoint, 200 + 2 * (i % 20), 240 + 4 * (i % 4));
   }
+  code += "      U     M 0.1\n      L     S5T#10MS\n      SE    T 1\n";
   return organizationBlock(code);
 }
 

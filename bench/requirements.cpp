@@ -23,7 +23,8 @@ constexpr std::array kSingles{
     Single{"BusyComputerLink", "a 314C with a busy RK 512 line", Unit::RealTime, Limit::AtLeast,
            1000},
     Single{"Cycles", "cycles with process image", Unit::Rate, Limit::None, 0},
-    Single{"ThousandCpus", "1,000 CPUs on two threads, each", Unit::RealTime, Limit::AtLeast, 1},
+    Single{"ThousandCpus", "1,000 CPUs on two threads, each", Unit::RealTime, Limit::AtLeast, 100},
+    Single{"WeekOfATimer", "a week with one S5 timer a second", Unit::Seconds, Limit::AtMost, 10},
     Single{"ThousandComputerLinks", "1,000 CPUs with a busy RK 512 line on two threads, each",
            Unit::RealTime, Limit::AtLeast, 1},
     Single{"MemoryOfThousandCpus", "memory of 1,000 CPUs", Unit::Bytes, Limit::AtMost, 2e9},
@@ -39,8 +40,10 @@ constexpr std::array kPairs{
     Pair{"FcCalls", "calls of an FC with five parameters", Unit::Rate, 3e6, 50e6},
     Pair{"FbCalls", "calls of an FB with five parameters", Unit::Rate, 0, 50e6},
     Pair{"Step5", "STEP 5: 20 PB with data blocks", Unit::Rate, 0, 0},
-    Pair{"IdleCpu", "an idle 314C, 1,000 instructions", Unit::RealTime, 0, 2000},
-    Pair{"SortingPlant", "the sorting plant with its scenario", Unit::RealTime, 0, 0},
+    Pair{"BusyCpu", "a 314C, 1,000 instructions, each cycle", Unit::RealTime, 0, 2000, 0, 0},
+    Pair{"IdleCpu", "an idle 314C, 1,000 instructions", Unit::RealTime, 0, 200e3, 0, 0},
+    Pair{"SortingPlant", "the sorting plant with its scenario", Unit::RealTime, 0, 0, 0, 0},
+    Pair{"TenMinutes", "ten minutes of the sorting plant", Unit::RealTime, 0, 20e3, 0, 0},
 };
 
 }  // namespace

@@ -7,7 +7,7 @@ namespace {
 
 void advance(std::vector<station::Station>& stations, std::size_t first, std::size_t end,
              Duration by) {
-  constexpr Duration kSlice = Duration::milliseconds(100);
+  constexpr Duration kSlice = Duration::seconds(1);
   for (Duration gone{}; gone < by; gone = gone + kSlice)
     for (std::size_t i = first; i < end; ++i) stations[i].advanceTo(stations[i].now() + kSlice);
 }

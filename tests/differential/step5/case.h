@@ -31,9 +31,13 @@ std::string listing(const Case& c);
 struct Outcome {
   std::string difference;  // at the first stop where something differs; empty if nothing does
   std::uint64_t instructions = 0, compiled = 0;
+  std::uint64_t cycles = 0, passed = 0;  // of runQuiet
 };
 // Runs the case on two PLCs, one for each engine, which stop a dozen times to be compared.
 // `broken`: this emitter gives wrong code.
 Outcome run(const Case& c, std::optional<icode::Opcode> broken = {});
+
+// Runs the case for some seconds on two PLCs, of which one passes over quiet cycles.
+Outcome runQuiet(const Case& c, bool compiled);
 
 }  // namespace merker::differential5

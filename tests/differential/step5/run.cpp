@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <memory>
 #include <random>
 
 #include "case.h"
@@ -146,6 +147,42 @@ Outcome run(const Case& c, std::optional<icode::Opcode> broken) {
   }
   outcome.instructions = reference.instructions();
   outcome.compiled = engine.instructions();
+  return outcome;
+}
+
+Outcome runQuiet(const Case& c, bool compiled) {
+  constexpr int kLongStops = 5;
+  std::mt19937 random(c.seed);
+  const sinumerik::Options options = optionsOf(c, random);
+  struct Side {
+    cnc::CompiledCode engine;
+    std::unique_ptr<Plc> plc;
+  };
+  Side sides[2];
+  for (Side& side : sides) {
+    sinumerik::Options own = options;
+    own.engine = &side.engine;
+    side.engine.on = compiled;
+    side.plc = std::make_unique<Plc>(own);
+    side.plc->passOverQuietCycles(&side == &sides[0]);
+    side.plc->coldStart();
+  }
+  Plc &passing = *sides[0].plc, &computing = *sides[1].plc;
+  Outcome outcome;
+  for (int stop = 0; stop < kLongStops && outcome.difference.empty(); ++stop) {
+    const Instant until = computing.now() + Duration::milliseconds(random() % 1'500) +
+                          Duration{static_cast<std::int64_t>(random() % 1'000'000)};
+    for (Plc* plc : {&passing, &computing}) plc->advanceTo(until);
+    outcome.difference = Picture(passing).difference(Picture(computing));
+    if (computing.mode() == sinumerik::Mode::Stop) break;
+    if (random() % 3 == 0) continue;  // goes on as it is
+    const std::uint32_t byte = random() % kTerminals, value = random() & 0xFF;
+    address::Reference input;
+    input.operand = address::memory(Area::Input, Width::Byte, bitAddress(byte));
+    for (Plc* plc : {&passing, &computing}) plc->write(input, value);
+  }
+  outcome.cycles = computing.cycles();
+  outcome.passed = passing.operatingSystem().quiet().cycles();
   return outcome;
 }
 

@@ -1,0 +1,180 @@
+// Cycles that are passed over against cycles that are computed: random programs with everything
+// that can make one cycle different from the one before, on both engines. MERKER_QUIET=<first
+// seed>:<count> runs others (tools/differential quiet).
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <iostream>
+#include <random>
+#include <sstream>
+
+#include "comparison.h"
+#include "cpu/trigger.h"
+#include "jit/native.h"
+#include "quiet_program.h"
+#include "source.h"
+#include "stand.h"
+
+namespace merker::differential {
+namespace {
+
+constexpr std::uint32_t kParts = 8;
+#ifdef NDEBUG
+constexpr std::uint32_t kPrograms = 60'000;
+#else
+constexpr std::uint32_t kPrograms = 1'000;
+#endif
+
+struct Totals {
+  std::uint64_t cycles = 0, passed = 0, programs = 0, broken = 0;
+};
+
+class QuietRun {
+ public:
+  QuietRun(std::uint32_t seed, Totals& totals) : seed_(seed), random_(seed), totals_(totals) {}
+
+  // Empty if there is no difference.
+  std::string difference() {
+    const auto program =
+        std::make_shared<block::Program>(compiledText(quietProgram(seed_), *findModel(kModel)));
+    ++totals_.programs;
+    if (program->empty()) {
+      ++totals_.broken;
+      return "the program does not compile";
+    }
+    const CpuParameters parameters = this->parameters();
+    const bool jit = jit::available() && below(2) == 0;
+    passing_ = &start(true, jit, program, parameters);
+    computing_ = &start(false, jit, program, parameters);
+    const std::string found = run();
+    totals_.cycles += computing_->cycle().count();
+    totals_.passed += passing_->quiet().cycles();
+    return found;
+  }
+
+ private:
+  static constexpr const char* kModel = "small generic";
+  std::uint32_t below(std::uint32_t n) { return static_cast<std::uint32_t>(random_() % n); }
+
+  CpuParameters parameters() {
+    CpuParameters parameters = CpuParameters::of(*findModel(kModel));
+    if (below(2) == 0) parameters.clockMemory = 100;
+    if (below(2) == 0) parameters.cyclic.push_back({.ob = 35, .interval = 3 + int(below(20))});
+    if (below(3) == 0) parameters.minimumCycle = 1 + below(3);
+    return parameters;
+  }
+
+  // Two stands of one engine: their names differ.
+  static cpu::Cpu& start(bool passing, bool jit, const std::shared_ptr<const block::Program>& p,
+                         const CpuParameters& parameters) {
+    const std::uint32_t slots = passing ? UINT32_MAX : UINT32_MAX - 1;
+    cpu::Cpu& cpu = stand({.model = kModel, .compiled = jit, .slots = slots}).load(p, parameters);
+    cpu.quiet().enable(passing);
+    cpu.restart(cpu::Restart::ManualWarm);
+    return cpu;
+  }
+
+  std::string run() {
+    const std::uint32_t stops = 3 + below(4);
+    for (std::uint32_t i = 0; i < stops; ++i) {
+      change();
+      const Instant until = computing_->machine().clock + pause();
+      advance(*passing_, until);
+      advance(*computing_, until);
+      const std::string found = compare(*passing_, *computing_);
+      if (!found.empty()) return fmt::format("stop {} (first passes over):\n{}", i, found);
+      if (!executes(computing_->mode())) break;
+    }
+    return {};
+  }
+
+  static void advance(cpu::Cpu& cpu, Instant until) {
+    while (cpu.machine().clock < until && executes(cpu.mode())) {
+      cpu.passQuiet(until);
+      if (cpu.machine().clock < until) cpu.step(until);
+    }
+  }
+
+  Duration pause() {
+    return Duration{static_cast<std::int64_t>(below(below(4) == 0 ? 60'000'000 : 6'000'000))};
+  }
+
+  // From outside, the same for both.
+  void change() {
+    const std::uint32_t byte = below(3), value = below(16);
+    const bool event = below(8) == 0, input = below(2) == 0, again = below(3) == 0;
+    for (cpu::Cpu* cpu : {passing_, computing_}) {
+      if (again) continue;  // goes on as it is
+      cpu->quiet().forget();
+      cpu::Areas& areas = cpu->machine().areas;
+      *areas.flag(byte) = static_cast<std::uint8_t>(value);
+      if (input) areas.inputs[byte] = static_cast<std::uint8_t>(value);
+      if (event) cpu::trigger(*cpu, {.ob = 40});
+    }
+  }
+
+  const std::uint32_t seed_;
+  std::mt19937 random_;
+  Totals& totals_;
+  cpu::Cpu *passing_ = nullptr, *computing_ = nullptr;
+};
+
+struct Seeds {
+  std::uint32_t first = 1, count = kPrograms;
+};
+Seeds seeds() {
+  Seeds s;
+  char colon = 0;
+  if (const char* text = std::getenv("MERKER_QUIET"))
+    std::istringstream(text) >> s.first >> colon >> s.count;
+  return s;
+}
+
+class QuietCycles : public testing::TestWithParam<std::uint32_t> {};
+
+TEST_P(QuietCycles, PassedOverAsIfComputed) {
+  const Seeds s = seeds();
+  const auto share = [&](std::uint32_t part) {
+    return static_cast<std::uint32_t>(std::uint64_t{s.count} * part / kParts);
+  };
+  Totals totals;
+  int found = 0;
+  for (std::uint32_t i = share(GetParam()); i < share(GetParam() + 1); ++i) {
+    const std::uint32_t seed = s.first + i;
+    const std::string difference = QuietRun(seed, totals).difference();
+    if (difference.empty()) continue;
+    ADD_FAILURE() << "seed " << seed << '\n' << quietProgram(seed) << difference;
+    if (++found == 3) return;
+  }
+  std::cout << totals.passed << " of " << totals.cycles << " cycles passed over\n";
+  if (totals.programs < 100) return;
+  EXPECT_GT(totals.passed, totals.cycles / 4) << "nothing is tested";
+}
+
+INSTANTIATE_TEST_SUITE_P(Random, QuietCycles, testing::Range(0u, kParts));
+
+// Both sides of the comparison are asked the same: of a quiet program nearly all cycles are passed
+// over, and none if it is switched off.
+TEST(QuietCyclesOfOne, AreCounted) {
+  const auto program = std::make_shared<block::Program>(
+      compiledText("ORGANIZATION_BLOCK OB 1\nBEGIN\nU M 0.0\n= A 0.0\nEND_ORGANIZATION_BLOCK\n",
+                   *findModel("small generic")));
+  cpu::Cpu& cpu = stand({.model = "small generic", .compiled = false})
+                      .load(program, CpuParameters::of(*findModel("small generic")));
+  cpu.restart(cpu::Restart::ManualWarm);
+  const auto second = [&] {
+    const Instant until = cpu.machine().clock + Duration::seconds(1);
+    const std::uint64_t before = cpu.quiet().cycles();
+    while (cpu.machine().clock < until) {
+      cpu.passQuiet(until);
+      if (cpu.machine().clock < until) cpu.step(until);
+    }
+    return cpu.quiet().cycles() - before;
+  };
+  EXPECT_GT(second(), cpu.cycle().count() - 8);
+  cpu.quiet().enable(false);
+  EXPECT_EQ(second(), 0u);
+}
+
+}  // namespace
+}  // namespace merker::differential
