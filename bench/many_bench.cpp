@@ -46,10 +46,9 @@ BENCHMARK(IdleCpuCompiled);
 // A small program that waits: a timer of a second that starts itself again, and what counts it.
 void WeekOfATimer(benchmark::State& state) {
   constexpr const char* kSource =
-      "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n      UN    T 1\n      L     S5T#1S\n      SE    T "
-      "1\n"
-      "      U     T 1\n      ZV    Z 1\n      U     Z 1\n      =     A "
-      "0.0\nEND_ORGANIZATION_BLOCK\n";
+      "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n      U     T 1\n      ZV    Z 1\n      U     Z 1\n"
+      "      =     A 0.0\n      UN    T 1\n      L     S5T#1S\n      SE    T "
+      "1\nEND_ORGANIZATION_BLOCK\n";
   Station station = started(compiled(kSource, "314C-2 PtP"), Engine::Interpreter);
   for (auto _ : state) station.advanceTo(station.now() + Duration::seconds(7 * 24 * 3600));
 }
