@@ -1,11 +1,8 @@
 #include "control/cnc.h"
 
 #include <algorithm>
-#include <functional>
-#include <iterator>
 #include <utility>
 
-#include "base/text.h"
 #include "control/buffered.h"
 #include "control/compiled_code.h"
 #include "control/fault.h"
@@ -13,7 +10,6 @@
 #include "control/reference.h"
 #include "nc/datum.h"
 #include "plc/line_counts.h"
-#include "softplc/stack_fields.h"
 
 namespace merker::cnc {
 
@@ -176,24 +172,6 @@ bool Cnc::runOb1(Duration most) { return plc().runOb1(most); }
 
 std::string Cnc::modelName() const { return std::string(parts_->options.model->name); }
 
-Mode Cnc::mode() const {
-  switch (plc().mode()) {
-    case sinumerik::Mode::Startup:
-      return Mode::Startup;
-    case sinumerik::Mode::Run:
-      return Mode::Run;
-    case sinumerik::Mode::Halt:
-      return Mode::Halt;
-    default:
-      return Mode::Stop;
-  }
-}
-
-bool Cnc::stoppedByFault() const { return plc().stoppedByFault(); }
-std::string Cnc::stopReason() const {
-  return powered() ? plc().stopReason() : "the control is switched off";
-}
-bool Cnc::powered() const { return plc().mode() != sinumerik::Mode::Off; }
 bool Cnc::start() { return coldRestart(); }
 bool Cnc::warmRestart() {
   parts_->takeSamplingCode();
@@ -294,25 +272,6 @@ void Cnc::passOverQuietCycles(bool on) {
 void Cnc::passQuietCycles(Instant limit) {
   plc().passQuietCycles(Instant{limit.ns - parts_->before.ns});
 }
-std::uint64_t Cnc::cyclesPassedOver() const { return plc().operatingSystem().quiet().cycles(); }
-
-std::vector<Cnc::Reason> Cnc::whyComputed() const {
-  constexpr std::string_view kTexts[] = {
-      "first cycle after something was asked or changed from outside",
-      "flags, images, timers, counters or data change",
-      "the blink clock (M 0.7), a timer or a job of a macro acts within the cycle",
-      "OB 2, an alarm or a message",
-      "a function macro is called",
-      "the cycle takes another time than the one before, or more than the call raster",
-      "each instruction is looked at or counted, or OB 1 works in thirds of the raster"};
-  const auto& counts = plc().operatingSystem().quiet().counts();
-  static_assert(std::size(kTexts) == std::tuple_size_v<sinumerik::QuietCycles::Counts>);
-  std::vector<Reason> reasons;
-  for (std::size_t i = 0; i < counts.size(); ++i)
-    if (counts[i] != 0) reasons.push_back({std::string(kTexts[i]), counts[i]});
-  std::ranges::stable_sort(reasons, std::ranges::greater{}, &Reason::cycles);
-  return reasons;
-}
 
 // At the end of each cycle the PLC learns of the NC's alarms; the next one begins with M 24.0 and
 // M 24.3 (S5-FLAG-11).
@@ -389,22 +348,6 @@ std::string Cnc::whyRefused(const address::Reference& reference) const {
 bool Cnc::takes(const address::Reference& datum, std::string_view digits) const {
   if (datum.partner) return parts_->partner && parts_->partner->takes(own(datum), digits);
   return nc::takes(parts_->macros->control(), nc::unpack(datum.nc), digits);
-}
-
-std::optional<std::string> Cnc::stackField(std::string_view stack, std::string_view field) const {
-  const sinumerik::OperatingSystem& os = plc().operatingSystem();
-  if (equalsIgnoreCase(stack, "USTACK")) return sinumerik::interruptField(os, field);
-  return equalsIgnoreCase(stack, "BSTACK") ? sinumerik::blockField(os, field) : std::nullopt;
-}
-
-std::string Cnc::stackFields(std::string_view stack) const {
-  if (equalsIgnoreCase(stack, "USTACK")) return sinumerik::interruptFields();
-  return equalsIgnoreCase(stack, "BSTACK") ? sinumerik::blockFields() : std::string();
-}
-
-std::string Cnc::stopDetails() const {
-  const bool stopped = plc().mode() == sinumerik::Mode::Stop;
-  return stopped ? sinumerik::stopLine(plc().operatingSystem()) : std::string();
 }
 
 std::string Cnc::whyMissing(const address::Reference& reference) const {
