@@ -71,7 +71,9 @@ bool QuietCycles::prove(const Machine& m, const Checkpoint& now, Duration raster
 
 std::uint64_t QuietCycles::judge(const Machine& m, const Checkpoint& now, Duration raster,
                                  Instant limit) {
-  if (!known_ || at_.number != now.number) proven_ = prove(m, now, raster);
+  // Asked again at the same checkpoint: whoever kept a reference to memory may have written.
+  const bool again = known_ && at_.number == now.number;
+  proven_ = again ? remember(m) && proven_ : prove(m, now, raster);
   if (!proven_) return 0;
   const Instant last = std::min(limit, at_.nextEvent - Duration{1});
   return last <= at_.clock ? 0 : static_cast<std::uint64_t>((last - at_.clock).ns / length_.ns);

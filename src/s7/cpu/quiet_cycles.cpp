@@ -26,7 +26,7 @@ void QuietCycles::note(Machine& m, const Code& code) {
 }
 
 bool QuietCycles::wants(std::uint64_t checkpoint) {
-  if (known_ && at_.number == checkpoint) return proven_;
+  if (known_ && at_.number == checkpoint) return true;
   if (rest_ == 0) return true;
   --rest_;
   forget();
@@ -48,8 +48,15 @@ ProvenCycle* QuietCycles::refuse(const NotQuiet& why) {
   return fail(why);
 }
 
+// Asked again at the same checkpoint, by another call from outside: whoever kept a reference to memory
+// may have written meanwhile.
+ProvenCycle* QuietCycles::still(const Machine& m) {
+  if (memory_.update(m)) proven_ = false;
+  return proven_ ? &cycle_ : nullptr;
+}
+
 ProvenCycle* QuietCycles::judge(const Machine& m, const Checkpoint& now, const Outlook& outlook) {
-  if (known_ && at_.number == now.number) return proven_ ? &cycle_ : nullptr;
+  if (known_ && at_.number == now.number) return still(m);
   const StateCopy::Difference where = memory_.update(m);
   const Checkpoint before = at_;
   const bool follows = known_ && now.number == before.number + 1;

@@ -97,6 +97,7 @@ class QuietCycles {
  private:
   void note(Machine& machine, const Code& code);
   ProvenCycle* fail(const NotQuiet& why);
+  ProvenCycle* still(const Machine& machine);
   Instant timersHold(const Machine& machine, Instant from, Look& look) const;
 
   bool enabled_ = true, prepared_ = false;
