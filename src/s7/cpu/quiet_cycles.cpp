@@ -48,8 +48,8 @@ ProvenCycle* QuietCycles::refuse(const NotQuiet& why) {
   return fail(why);
 }
 
-// Asked again at the same checkpoint, by another call from outside: whoever kept a reference to memory
-// may have written meanwhile.
+// Asked again at the same checkpoint, by another call from outside: whoever kept a reference to
+// memory may have written meanwhile.
 ProvenCycle* QuietCycles::still(const Machine& m) {
   if (memory_.update(m)) proven_ = false;
   return proven_ ? &cycle_ : nullptr;
