@@ -1,6 +1,6 @@
 // Cycles that are passed over against cycles that are computed: random programs with everything
 // that can make one cycle different from the one before, on both engines. MERKER_QUIET=<first
-// seed>:<count> runs others (tools/differential quiet).
+// seed>:<count> runs others.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

@@ -1,6 +1,7 @@
 #include "source.h"
 
 #include <fstream>
+#include <map>
 #include <sstream>
 
 #include "step7/compiler.h"
@@ -10,11 +11,19 @@ namespace merker::differential {
 
 namespace {
 
+// Made once a model: it takes longer than the programs.
+const block::Program& libraryOf(const CpuModel& model) {
+  static std::map<const CpuModel*, block::Program> libraries;
+  const auto found = libraries.find(&model);
+  return found != libraries.end() ? found->second
+                                  : libraries.emplace(&model, system::library(model)).first->second;
+}
+
 block::Program compiledAs(const std::string& name, std::string text, const CpuModel& model) {
   std::vector<source::SourceFile> sources;
   sources.emplace_back(name, std::move(text));
-  const block::Program library = system::library(model);
-  step7::Compilation result = step7::compile(sources, {.model = &model, .library = &library});
+  step7::Compilation result =
+      step7::compile(sources, {.model = &model, .library = &libraryOf(model)});
   return result.ok() ? std::move(result.program) : block::Program{};
 }
 
