@@ -34,13 +34,13 @@ class Recorded(S7Case):
     def test_a_variable_table(self):
         self.assertEqual(self.asked.test(0x02, job_words(1, 0, 0x0200), "0002 01060000 0000 11010000 0008")[20:22].hex(), "0000")
         for function, data in ((0x0E, "0203"), (0x0E, "0203"), (0x0F, "00010203")):
-            self.asked.send(self.test_request(function, data))
+            self.asked.send(self.request(function, data))
             heard = self.asked.hear()
             while heard[15] != 0x81:
                 heard = self.asked.hear()
             self.assertEqual((heard[16], heard[20:22].hex()), (function, "0000"))
 
-    def test_request(self, function, data):
+    def request(self, function, data):
         words, data = bytes.fromhex(job_words(0, 1, 0)), bytes.fromhex(data)
         job = struct.pack(">HH", len(words), len(data)) + words + data
         return (b"\x32\x07\0\0\x6F\x03" + struct.pack(">HH", 12, 4 + len(job)) + bytes.fromhex("00 01 12 08 12 41")
