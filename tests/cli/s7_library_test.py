@@ -195,7 +195,7 @@ class Library(S7Case):
         self.assertGreaterEqual(records, 6)
         self.assertEqual(found.raw[4:8], b"\0\1Me")
         self.assertEqual(self.plc.call("ReadSZL", 0x001C, 0, found, ctypes.byref(ctypes.c_int(size.value - 1))), 0x02200000)
-        self.assertEqual(self.plc.call("ReadSZL", 0x0037, 0, found, ctypes.byref(size)), 0x00C00000)
+        self.assertEqual(self.plc.call("ReadSZL", 0x0023, 0, found, ctypes.byref(size)), 0x00C00000)
         count = ctypes.c_int(0x1FFE)
         self.assertEqual(self.plc.call("ReadSZLList", found, ctypes.byref(count)), 0)
         self.assertIn(0x0132, struct.unpack_from(f"{count.value}H", found, 4))
