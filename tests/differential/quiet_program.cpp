@@ -145,8 +145,12 @@ class Writer {
   int labels_ = 0;
 };
 
+// With the local data that the lines name.
 std::string block(std::string_view head, const std::string& lines) {
-  return fmt::format("{}\nBEGIN\n{}END_ORGANIZATION_BLOCK\n", head, lines);
+  constexpr std::string_view kLocal =
+      "VAR_TEMP\nstart : ARRAY[0..19] OF BYTE;\nstamp : DATE_AND_TIME;\ntick : BYTE;\n"
+      "rest : ARRAY[0..29] OF BYTE;\nEND_VAR";
+  return fmt::format("{}\n{}\nBEGIN\n{}END_ORGANIZATION_BLOCK\n", head, kLocal, lines);
 }
 
 std::string instance(int number, int block) {
@@ -161,10 +165,7 @@ std::string quietProgram(std::uint32_t seed) {
       "DATA_BLOCK DB 1\nSTRUCT\na : ARRAY[0..9] OF BYTE;\nEND_STRUCT;\nBEGIN\nEND_DATA_BLOCK\n";
   text += instance(10, 4) + instance(11, 3) + instance(12, 5) + instance(13, 0) +
           std::string(kFunctions);
-  text += block(
-      "ORGANIZATION_BLOCK OB 1\nVAR_TEMP\nstart : ARRAY[0..19] OF BYTE;\nstamp : DATE_AND_TIME;\n"
-      "tick : BYTE;\nrest : ARRAY[0..29] OF BYTE;\nEND_VAR",
-      writer.lines(6));
+  text += block("ORGANIZATION_BLOCK OB 1", writer.lines(6));
   if (writer.below(4) == 0) text += block("ORGANIZATION_BLOCK OB 35", writer.lines(2));
   if (writer.below(4) == 0) text += block("ORGANIZATION_BLOCK OB 121", "");
   if (writer.below(4) == 0) text += block("ORGANIZATION_BLOCK OB 122", "");

@@ -148,7 +148,7 @@ TEST_P(QuietCycles, PassedOverAsIfComputed) {
   }
   std::cout << totals.passed << " of " << totals.cycles << " cycles passed over\n";
   if (totals.programs < 100) return;
-  EXPECT_GT(totals.passed, totals.cycles / 4) << "nothing is tested";
+  EXPECT_GT(totals.passed, totals.cycles / 8) << "nothing is tested";
 }
 
 INSTANTIATE_TEST_SUITE_P(Random, QuietCycles, testing::Range(0u, kParts));
@@ -171,7 +171,8 @@ TEST(QuietCyclesOfOne, AreCounted) {
     }
     return cpu.quiet().cycles() - before;
   };
-  EXPECT_GT(second(), cpu.cycle().count() - 8);
+  const std::uint64_t passed = second();
+  EXPECT_GT(passed, cpu.cycle().count() - 8);
   cpu.quiet().enable(false);
   EXPECT_EQ(second(), 0u);
 }

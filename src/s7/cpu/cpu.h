@@ -163,7 +163,7 @@ class Cpu {
   Checkpoint checkpoint() const;
   void passOver(const ProvenCycle& cycle, std::uint64_t cycles);
   DateAndTime dateAt(Instant when) const;
-  void showDate(const DateAndTime& before, const DateAndTime& now);
+  void showDate(const DateAndTime& date);
   // image_update.cpp
   void updateImages();
   void imageFault(const ImageFault& fault);

@@ -119,8 +119,8 @@ Located locate(Machine& m, Area area, Width width, BitAddress address, Access ac
                           byte)};
   if (end > (reads ? span.length : writable(m, area, span.length)))
     return {.error = fail(lengthError(m, area, access, end), area, width, byte)};
-  if (reads && area == Area::Local) lookAtLocal(m, *m.top, byte, byteCount(width));
-  if (reads && area == Area::CallerLocal) lookAtLocal(m, *m.caller(), byte, byteCount(width));
+  if (area == Area::Local) lookAtLocal(m, *m.top, byte, byteCount(width));
+  if (area == Area::CallerLocal) lookAtLocal(m, *m.caller(), byte, byteCount(width));
   return {.bytes = span.data + byte,
           .mask = static_cast<std::uint8_t>(1u << (address & 7)),
           .error = {}};

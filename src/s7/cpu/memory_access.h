@@ -24,8 +24,8 @@ Located locate(Machine& m, Area area, Width width, BitAddress address, Access ac
 SyncError read(Machine& m, Area area, Width width, BitAddress address, std::uint32_t& value);
 SyncError write(Machine& m, Area area, Width width, BitAddress address, std::uint32_t value);
 
-// Local data of a block are about to be read: notes it if they are the date and time that OB 1 was
-// handed over.
+// Local data of a block are about to be accessed: notes it if they are the date and time that OB 1
+// was handed over.
 void lookAtLocal(Machine& m, const Frame& frame, std::uint32_t first, std::uint32_t bytes);
 
 std::uint32_t loadBytes(const std::uint8_t* bytes, Width width);

@@ -53,13 +53,12 @@ std::uint64_t Cpu::passQuiet(Instant limit, std::uint64_t most) {
 
 void Cpu::passOver(const ProvenCycle& cycle, std::uint64_t cycles) {
   const Duration by = cycle.length * static_cast<std::int64_t>(cycles);
-  const DateAndTime before = dateAt(cycle_.began());
   machine_.clock = cycleEnded_ = machine_.clock + by;
   machine_.instructions += cycle.instructions * cycles;
   machine_.levelsStarted += cycles;
   cycle_.pass(cycles, by);
   modules_.passed();
-  showDate(before, dateAt(cycle_.began()));
+  showDate(dateAt(cycle_.began()));
   quiet_.passed(cycles);
 }
 
@@ -67,10 +66,8 @@ DateAndTime Cpu::dateAt(Instant when) const { return toDateAndTime(clock_.millis
 
 // What OB 1 left of its start information: the last one began later. Nobody reads it before it is
 // written anew; the bytes are the same all the same.
-void Cpu::showDate(const DateAndTime& before, const DateAndTime& now) {
-  std::uint8_t* const shown = machine_.localStacks.front().data() + kDateInStart;
-  for (std::size_t i = 0; i < now.size(); ++i)
-    if (shown[i] == before[i]) shown[i] = now[i];
+void Cpu::showDate(const DateAndTime& date) {
+  std::ranges::copy(date, machine_.localStacks.front().begin() + kDateInStart);
 }
 
 // The date of OB 1 in its local data, and that of OB 1 in those of the block it has called.

@@ -160,9 +160,10 @@ bool overlapsDate(std::uint32_t byte, std::uint32_t bytes) {
          byte + bytes > cpu::kDateInStart;
 }
 
-bool readsDate(const Op& op) {
+// Written over, it would not be the date that is shown behind cycles that were passed over.
+bool touchesDate(const Op& op) {
   if (op.pointerArea == Area::Local && overlapsDate(op.value, byteCount(Width::DWord))) return true;
-  if (op.area != Area::Local || op.operation == Operation::TRANSFER) return false;
+  if (op.area != Area::Local) return false;
   return op.kind != OperandKind::Memory || overlapsDate(op.value / 8, byteCount(op.width));
 }
 
@@ -176,7 +177,7 @@ bool loadsTimer(const Op& op) {
 std::vector<cpu::Look> looksOf(const Translated& code) {
   std::vector<cpu::Look> looks;
   for (const Op& op : std::span(code.ops).first(code.instructionCount)) {
-    const auto at = readsDate(op)    ? cpu::Look::At::Date
+    const auto at = touchesDate(op)  ? cpu::Look::At::Date
                     : loadsTimer(op) ? cpu::Look::At::Timer
                                      : cpu::Look::At::Nothing;
     if (at != cpu::Look::At::Nothing)
