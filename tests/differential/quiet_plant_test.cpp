@@ -33,6 +33,12 @@ std::string compareBelts(const station::Station& a, const station::Station& b) {
   return c.text();
 }
 
+// Where the last call of a cycle that has ended was: only messages of the instruction that runs
+// read it, and compiled calls write it down less often.
+void forgetPosition(cpu::Cpu& cpu) {
+  if (cpu.machine().levels.empty()) cpu.machine().position = 0;
+}
+
 // From outside: a slider comes out by itself, or the belt stands.
 void disturb(station::Station& station, std::uint32_t what) {
   plant::Plants& plants = *station.plants();
@@ -65,6 +71,7 @@ TEST(QuietPlants, MoveAsBesideComputedCycles) {
         if (what % 5 == 0) disturb(*one, what / 5);
       }
       ASSERT_EQ(compareBelts(passing, computing), "") << "seed " << seed << ", stop " << stop;
+      for (station::Station* one : {&passing, &computing}) forgetPosition(one->cpu());
       ASSERT_EQ(compare(passing.cpu(), computing.cpu()), "")
           << "seed " << seed << ", stop " << stop;
     }
