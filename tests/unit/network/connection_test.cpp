@@ -33,7 +33,7 @@ std::string count(int at, const std::string& done, const std::string& failed,
 }
 
 // M 0.0 sends 600 bytes of DB 1, M 0.1 reads `there`, M 0.2 writes it, M 0.3 receives into DB 2.
-std::string program(const std::string& there = "P#M200.0 BYTE 4") {
+std::string connectedProgram(const std::string& there = "P#M200.0 BYTE 4") {
   return "L 600; T MW 100;\n"
          "CALL SFB 12, DB 12 (REQ := M 0.0, R := M 0.4, ID := W#16#1, R_ID := DW#16#5,\n"
          " DONE := M 1.0, ERROR := M 1.1, STATUS := MW 110, SD_1 := P#DB1.DBX 0.0 BYTE 1000,\n"
@@ -56,13 +56,14 @@ constexpr std::uint32_t kCycle = 10;
 
 class Connected : public testing::TestWithParam<bool> {
  protected:
-  void make(const std::string& own = program(), bool oneSided = false, unsigned threads = 1) {
+  void make(const std::string& own = connectedProgram(), bool oneSided = false,
+            unsigned threads = 1) {
     std::vector<Station> list;
     list.push_back({"A", station(own, instances(), "generic", kCycle)});
     if (oneSided)
       list.push_back({"B", station("L MW 200; T MW 202;", data(), {}, kCycle)});  // a 314C-2
     else
-      list.push_back({"B", station(program(), instances(), "generic", kCycle)});
+      list.push_back({"B", station(connectedProgram(), instances(), "generic", kCycle)});
     network = std::make_unique<Network>(std::move(list), threads);
     line = &network->addSubnet(GetParam() ? ethernet(100'000'000) : mpi(187'500));
     for (std::size_t i = 0; i < 2; ++i) {
@@ -96,23 +97,23 @@ class Connected : public testing::TestWithParam<bool> {
   Subnet* line = nullptr;
 };
 
-constexpr std::uint32_t kSend = 1, kGet = 2, kPut = 4, kReceive = 8;
+constexpr std::uint32_t kStartSend = 1, kStartGet = 2, kStartPut = 4, kStartReceive = 8;
 constexpr unsigned kSent = 10, kReceived = 20, kGot = 30, kWritten = 40, kFailed = 2, kStatus = 4;
 
 // S7-NETPRO-08, S7-SFB-10
 TEST_P(Connected, ReadsAndWritesTheVariablesOfAPartnerThatOnlyServes) {
-  make(program(), true);
+  make(connectedProgram(), true);
   set(1, 200, 0x1122);
-  begin(kGet);
+  begin(kStartGet);
   EXPECT_EQ(a(kGot), 1u);
   EXPECT_EQ(a(kGot + kFailed), 0u);
   EXPECT_EQ(a(210), 0x1122u);
   EXPECT_EQ(a(212), 0x1122u);  // its program has copied it
   set(0, 214, 0x5566);
-  begin(kPut);
+  begin(kStartPut);
   EXPECT_EQ(a(kWritten), 1u);
   EXPECT_EQ(b(200), 0x5566u);
-  begin(kSend);  // no block of it receives
+  begin(kStartSend);  // no block of it receives
   EXPECT_EQ(a(kSent + kFailed), 1u);
   EXPECT_EQ(a(kSent + kStatus), 3u);
 }
@@ -120,9 +121,9 @@ TEST_P(Connected, ReadsAndWritesTheVariablesOfAPartnerThatOnlyServes) {
 // S7-NETPRO-08, S7-SFB-10
 TEST_P(Connected, SendsDataOfSeveralTelegrams) {
   make();
-  set(1, 0, kReceive << 8);
+  set(1, 0, kStartReceive << 8);
   wait(50);
-  begin(kSend, 1000);
+  begin(kStartSend, 1000);
   EXPECT_EQ(a(kSent), 1u);
   EXPECT_EQ(b(kReceived), 1u);
   EXPECT_EQ(b(102), 600u);
@@ -132,20 +133,20 @@ TEST_P(Connected, SendsDataOfSeveralTelegrams) {
 
 TEST_P(Connected, TellsWhatThePartnerHasNot) {
   for (const char* there : {"P#DB9.DBX0.0 BYTE 4", "P#DB1.DBX998.0 BYTE 4"}) {
-    make(program(there), true);
-    begin(kGet);
+    make(connectedProgram(there), true);
+    begin(kStartGet);
     EXPECT_EQ(a(kGot + kStatus), 8u) << there;
   }
-  make(program("P#DB3.DBX0.0 BYTE 4"), true);
-  begin(kPut);
+  make(connectedProgram("P#DB3.DBX0.0 BYTE 4"), true);
+  begin(kStartPut);
   EXPECT_EQ(a(kWritten + kStatus), 8u);
 }
 
 TEST_P(Connected, AServerInStopAnswers) {
-  make(program(), true);
+  make(connectedProgram(), true);
   set(1, 200, 0x1122);
   network->itself(1).stop();
-  begin(kGet);
+  begin(kStartGet);
   EXPECT_EQ(a(kGot), 1u);
   EXPECT_EQ(a(210), 0x1122u);
 }
@@ -153,35 +154,35 @@ TEST_P(Connected, AServerInStopAnswers) {
 TEST_P(Connected, IsBuiltUpAgainWhenThePartnerHasPower) {
   make();
   network->itself(1).powerOff();
-  begin(kGet, 1900);
+  begin(kStartGet, 1900);
   EXPECT_EQ(a(kGot), 0u);
   EXPECT_EQ(a(kGot + kFailed), 0u);  // it waits
   wait(300);
   EXPECT_EQ(a(kGot + kStatus), 1u);  // for 2 s
   network->itself(1).powerOn(true);
   wait(4000);
-  begin(kGet);
+  begin(kStartGet);
   EXPECT_EQ(a(kGot), 1u);
   network->itself(0).powerOff();  // the one that calls
   wait(500);
   network->itself(0).powerOn(true);
   wait(4000);
   const std::uint32_t before = a(kGot);  // flags may be retentive
-  begin(kGet);
+  begin(kStartGet);
   EXPECT_EQ(a(kGot), before + 1);
 }
 
 TEST_P(Connected, ABrokenLineEndsItUntilItIsMended) {
   make();
   line->interrupt();
-  begin(kGet, 2500);
+  begin(kStartGet, 2500);
   EXPECT_EQ(a(kGot + kFailed), 1u);
   EXPECT_EQ(a(kGot + kStatus), 1u);
-  begin(kGet, 50);
+  begin(kStartGet, 50);
   EXPECT_EQ(a(kGot + kFailed), 2u);  // at once: there is no connection
   line->mend();
   wait(4000);
-  begin(kGet);
+  begin(kStartGet);
   EXPECT_EQ(a(kGot), 1u);
 }
 
@@ -191,8 +192,8 @@ TEST_P(Connected, APlugThatIsPulledAtAnyInstantHangsNothing) {
   std::uint32_t seed = 1;
   for (int i = 0; i < 8; ++i) {
     seed = seed * 1'103'515'245 + 12'345;
-    set(1, 0, kReceive << 8);
-    set(0, 0, (kSend | kGet) << 8);
+    set(1, 0, kStartReceive << 8);
+    set(0, 0, (kStartSend | kStartGet) << 8);
     network->advanceTo(network->now() +
                        Duration::microseconds(seed % (GetParam() ? 10'000 : 100'000)));
     line->interrupt(3);
@@ -200,7 +201,7 @@ TEST_P(Connected, APlugThatIsPulledAtAnyInstantHangsNothing) {
     line->mend(3);
     wait(4000);
     const std::uint32_t sent = a(kSent), got = a(kGot);
-    begin(kSend | kGet, 1000);
+    begin(kStartSend | kStartGet, 1000);
     EXPECT_EQ(a(kSent), sent + 1) << i;
     EXPECT_EQ(a(kGot), got + 1) << i;
   }
@@ -209,9 +210,9 @@ TEST_P(Connected, APlugThatIsPulledAtAnyInstantHangsNothing) {
 TEST_P(Connected, TheSameOnAnyNumberOfThreads) {
   std::vector<std::uint64_t> seen;
   for (const unsigned threads : {1u, 2u}) {
-    make(program(), false, threads);
-    set(1, 0, kReceive << 8);
-    begin(kSend | kGet, 500);
+    make(connectedProgram(), false, threads);
+    set(1, 0, kStartReceive << 8);
+    begin(kStartSend | kStartGet, 500);
     EXPECT_EQ(a(kSent), 1u);
     for (std::size_t i = 0; i < 2; ++i) {
       seen.push_back(network->itself(i).instructions());
