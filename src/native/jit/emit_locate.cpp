@@ -112,8 +112,11 @@ void RegionCode::locateLocal(bool ofCaller, const host::Gp& to, const asmjit::La
   const asmjit::Label called = code_.newLabel();
   code_.cmp(host::byte_ptr(host::rax, back + frame.first), 0);
   code_.je(called);
-  code_.cmp(host::edx, frames().handedOver);
-  code_.jb(out);
+  constexpr int kWidest = 4;  // bytes of an access
+  code_.cmp(host::edx, frames().watchedEnd);
+  code_.jae(called);
+  code_.cmp(host::edx, frames().watchedBegin - (kWidest - 1));
+  code_.jae(out);
   code_.bind(called);
   code_.cmp(host::ecx, host::dword_ptr(host::rax, back + frame.localLength));
   code_.ja(out);

@@ -83,9 +83,9 @@ struct Layout {
     unsigned bracketBytes = 1;
     List functions{}, functionBlocks{};  // addresses of Code by number; null: there is none
     std::uint32_t localBytes = 0;        // the most for all blocks together
-    // So many first bytes of the local data of a block that nobody has called are not looked at
-    // through pointers: the owner wants to see it.
-    int handedOver = 0;
+    // Local data of a block that nobody has called, from this byte to before that one, are not
+    // accessed through pointers: the owner wants to see it.
+    int watchedBegin = 0, watchedEnd = 0;
     Frame frame{};
     Code code{};
     DataBlocks dataBlocks{};
