@@ -168,9 +168,13 @@ test('another protocol takes its parameters with it (PTP-OVW-02)', async () => {
   await until(() => marks.isEnabled(), 'end characters');
   await marks.fill('0D 0A');
   await marks.press('Enter');
-  await weighing.getByRole('button', { name: 'Speichern', exact: true }).click();
   const settings = () => readFileSync(join(scale.project, 'merker.toml'), 'utf-8');
-  await until(() => settings().includes('end_characters = [13,10]'), settings);
+  const save = weighing.getByRole('button', { name: 'Speichern', exact: true });
+  // A change that comes behind a save waits for the next one.
+  await until(async () => {
+    if (await save.isEnabled()) await save.click({ timeout: 1000 }).catch(() => {});
+    return settings().includes('end_characters = [13,10]');
+  }, settings);
   assert.ok(!settings().includes('priority'), settings());
 });
 
