@@ -111,7 +111,9 @@ const covered = (text: string) => {
 // What only the command line says ('merker bench --why').
 const commandLine = (path: string) => path.endsWith('/quiet_reasons.cpp');
 test.each(modules)('the phrases of src/%s have their German', (module) => {
-  const texts = sourcesOf(module).filter((path) => !commandLine(path)).flatMap(literals);
+  const texts = sourcesOf(module)
+    .filter((path) => !commandLine(path))
+    .flatMap(literals);
   expect(texts.filter((text) => english(text) && !covered(text))).toEqual([]);
 });
 
