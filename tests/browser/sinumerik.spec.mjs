@@ -7,7 +7,7 @@ import { expect, open, quiet, serve, turn, until, visit } from './harness.mjs';
 
 const server = await serve('step5/tool-changer');
 const page = await open(server, 'projects');
-const views = ['projects', 'hardware', 'symbols', 'program', 'io', 'variables', 'process', 'trends', 'diagnosis'];
+const views = ['projects', 'hardware', 'symbols', 'program', 'io', 'variables', 'process', 'trends', 'diagnosis', 'nc'];
 
 test('the tree is that of a SINUMERIK', async () => {
   const tree = page.locator('.root');

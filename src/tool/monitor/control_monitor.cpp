@@ -32,7 +32,7 @@ ControlMonitor::~ControlMonitor() { control_.plc().onCyclePoint({}); }
 bool ControlMonitor::can(Feature feature) const {
   constexpr Feature kAble[] = {Feature::Breakpoints, Feature::CyclePoints, Feature::Stacks,
                                Feature::Information, Feature::Blocks,      Feature::References,
-                               Feature::Engine,      Feature::Symbols};
+                               Feature::Engine,      Feature::Symbols,     Feature::Nc};
   return std::ranges::find(kAble, feature) != std::end(kAble);
 }
 

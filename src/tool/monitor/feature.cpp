@@ -22,12 +22,13 @@ constexpr std::array kFeatures{
     FeatureName{Feature::Snapshots, "snapshots", "states that can be saved"},
     FeatureName{Feature::TimersByHand, "timersByHand", "timers that stop by hand"},
     FeatureName{Feature::ModeSwitch, "modeSwitch", "mode switch"},
-    FeatureName{Feature::Leds, "leds", "LEDs"}};
+    FeatureName{Feature::Leds, "leds", "LEDs"},
+    FeatureName{Feature::Nc, "nc", "numerical control"}};
 
 constexpr bool inOrder() {
   for (std::size_t i = 0; i < kFeatures.size(); ++i)
     if (static_cast<std::size_t>(kFeatures[i].feature) != i) return false;
-  return kFeatures.size() == static_cast<std::size_t>(Feature::Leds) + 1;
+  return kFeatures.size() == static_cast<std::size_t>(Feature::Nc) + 1;
 }
 static_assert(inOrder());
 

@@ -25,7 +25,8 @@ enum class Feature : std::uint8_t {
   Snapshots,     // the whole state in a file
   TimersByHand,  // S5 timers stand until someone sets them
   ModeSwitch,    // RUN-P, RUN, STOP, MRES
-  Leds
+  Leds,
+  Nc  // data of a numerical control beside it
 };
 
 struct FeatureName {

@@ -13,7 +13,7 @@ class StationMonitor final : public Monitor {
   ~StationMonitor() override;
 
   station::Station& station() { return station_; }
-  bool can(Feature) const override { return true; }
+  bool can(Feature feature) const override { return feature != Feature::Nc; }
   void stop() override;
   std::string clock() const override;
   bool downloadWaits() const override;

@@ -95,6 +95,16 @@ export const views: View[] = [
     ],
   },
   {
+    id: 'nc',
+    title: ['NC', 'NC'],
+    load: () => import('../nc/Nc.svelte'),
+    help: [
+      'Was die NC neben der SPS hat: Achsen, Kanäle, Spindeln, Alarme, R-Parameter, Werkzeuge, Verschiebungen, Maschinendaten; jeder Wert lässt sich ändern.',
+      'What the NC beside the PLC has: axes, channels, spindles, alarms, R parameters, tools, offsets, machine data; each value can be changed.',
+    ],
+    used: () => plc.can('nc'),
+  },
+  {
     id: 'serial',
     title: ['Seriell', 'Serial'],
     load: () => import('../serial/Serial.svelte'),

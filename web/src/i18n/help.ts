@@ -118,6 +118,16 @@ export const help: Record<string, readonly Text[]> = {
       'B, I and L stack are those of STOP and HALT; local data have their names.',
     ],
   ],
+  nc: [
+    [
+      'Einen Wert eintippen und mit Eingabe schreiben; das Programm liest ihn mit FB 56, 57, 58 oder 61, Signale ab dem nächsten Zyklus in MB 17 bis MB 24.',
+      'Type a value and write it with Enter; the program reads it by FB 56, 57, 58 or 61, signals from the next cycle on in MB 17 to MB 24.',
+    ],
+    [
+      'Dieselben Werte heißen in Variablentabellen, Kurven und Szenarien nc.position 1, nc.R 50, nc.tool 5.2.',
+      'In variable tables, trends and scenarios the same values are called nc.position 1, nc.R 50, nc.tool 5.2.',
+    ],
+  ],
   serial: [
     [
       'Oben sendet X27, unten ihr Partner; ein Kästchen ist so lang wie das Zeichen dauert.',

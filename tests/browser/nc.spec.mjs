@@ -1,0 +1,97 @@
+// The panel of a SINUMERIK's NC: what is typed there reaches the program, what the program does is seen there (docs/formats/nc.md,
+// S5-FM-12, S5-FM-18, S5-FLAG-11).
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { accessible } from './axe.mjs';
+import { bit, expect, message, open, picture, serve, until, visit } from './harness.mjs';
+
+const server = await serve('step5/machine-values');
+const page = await open(server, 'nc', { language: 'en' });
+const watching = await open(server, 'io', { language: 'en' });
+const sorting = await serve();
+const other = await open(sorting, 'io', { language: 'en' });
+const cell = (datum) => page.locator(`[data-operand="nc.${datum}"]`);
+const shows = (datum) => cell(datum).evaluate((one) => one.value ?? one.textContent);
+
+async function type(datum, value) {
+  await cell(datum).fill(value);
+  await cell(datum).press('Enter');
+}
+
+test('speed and feed of the panel switch the cooling on', async () => {
+  await watching.locator('#tile-operand').fill('AB 1');
+  await watching.locator('#tile-operand').press('Enter');
+  await expect(() => bit(watching, 'A 1.0'), '0');
+  await type('spindle_speed 1', '1500');
+  await type('path_feed 1', '1425.67');
+  await expect(() => bit(watching, 'A 1.0'), '1');
+  await type('spindle_speed 1', '0');
+  await expect(() => bit(watching, 'A 1.0'), '0');
+});
+
+test('an axis moves: the workpiece position follows, a comma is a point', async () => {
+  await type('position 3', '20,5');
+  await expect(() => shows('workpiece_position 3'), '-29.500');
+  await expect(() => bit(watching, 'A 1.1'), '1');
+  assert.equal(await cell('workpiece_position 3').evaluate((one) => one.localName), 'output', 'a sum is only read');
+});
+
+test('what the NC does not take is refused and stays as it was', async () => {
+  await type('spindle_speed 1', 'fast');
+  await message(page, 'must be written with digits and a point');
+  await cell('spindle_speed 1').press('Escape');
+  assert.equal(await shows('spindle_speed 1'), '0');
+});
+
+test('alarms: raised, seen in M 24.0, cleared', async () => {
+  await page.getByLabel('Alarm no.', { exact: true }).fill('3016');
+  await page.getByLabel('Alarm no.', { exact: true }).press('Enter');
+  await page.getByRole('button', { name: 'Clear alarm 3016' }).waitFor();
+  await watching.locator('#tile-operand').fill('MB 24');
+  await watching.locator('#tile-operand').press('Enter');
+  await expect(() => bit(watching, 'M 24.0'), '1');
+  await page.getByRole('button', { name: 'Clear alarm 3016' }).click();
+  await page.getByText('No alarm is pending.').waitFor();
+  await expect(() => bit(watching, 'M 24.0'), '0');
+});
+
+test('signals: a probe', async () => {
+  await page.getByRole('switch', { name: 'Probe 1' }).click();
+  await expect(() => bit(watching, 'M 24.6'), '1');
+});
+
+test('tools, offsets, R parameters and machine data by tabs, with the keyboard', async () => {
+  await page.getByRole('tab', { name: 'R parameters' }).focus();
+  await page.keyboard.press('ArrowRight');
+  await page.getByLabel('Tool D', { exact: true }).fill('7');
+  await page.getByLabel('Tool D', { exact: true }).press('Enter');
+  await expect(() => shows('tool 7.2'), '123.456');
+  await page.getByRole('tab', { name: 'Tools' }).press('ArrowRight');
+  await expect(() => shows('settable_offset 1.3'), '50.000');
+  await page.getByRole('tab', { name: 'Zero offsets' }).press('ArrowRight');
+  await page.getByLabel('from', { exact: true }).fill('155');
+  await page.getByLabel('from', { exact: true }).press('Enter');
+  await until(async () => (await shows('MD 155')) !== '', 'MD 155');
+  await page.getByRole('tab', { name: 'Machine data' }).press('ArrowRight');
+  await page.getByLabel('from', { exact: true }).fill('50');
+  await page.getByLabel('from', { exact: true }).press('Enter');
+  await type('R 1.50', '-0.5');
+  await expect(() => shows('R 1.50'), '-0.5');
+});
+
+for (const [width, height, theme] of [[1280, 800, 'light'], [1024, 768, 'dark'], [768, 1024, 'light']])
+  test(`everything has room at ${width} x ${height}`, async () => {
+    await page.setViewportSize({ width, height });
+    await page.evaluate((one) => (document.documentElement.dataset.theme = one), theme);
+    const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+    assert.ok(wide <= width, `${wide} of ${width} px wide`);
+    await accessible(page, `nc at ${width} x ${height}`);
+    if (width === 1280) await picture(page, 'nc');
+  });
+
+test('a CPU without an NC has no such view', async () => {
+  assert.equal(await page.locator('nav a[href="#/nc"]').count(), 1);
+  assert.equal(await other.locator('nav a[href="#/nc"]').count(), 0);
+  await visit(other, sorting, 'nc');
+  await other.getByText('This PLC has no NC.').waitFor();
+});
