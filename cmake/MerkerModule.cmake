@@ -1,13 +1,13 @@
 # One module, src/<wing>/<module>, is one static library; its headers are included as "<module>/<file>.h". Who uses a
 # library gets the folder of its wing, so the compiler itself finds no header of a wing that is not used.
-#   merker_module(<name> SOURCES <files...> USES <modules or packages...> [APART <files...>] [SINGLE] [FAST]
+#   merker_module(<name> SOURCES <files...> USES <modules or packages...> [APART <files...>] [SINGLE] [TENS] [FAST]
 #                 [PRECOMPILED <name>] [NOT_PRECOMPILED] [OPTIONS <compiler options...>])
-# APART and SINGLE: see merker_together. FAST: every instruction of a program passes here; the release build compiles file
+# APART, SINGLE, TENS: see merker_together. FAST: every instruction of a program passes here; the release build compiles file
 # by file, because GCC inlines less in a large unit. PRECOMPILED: the headers of merker_common(<name>) in place of the usual ones.
 # NOT_PRECOMPILED: the module has compiler options of its own.
 # The include rule (which module may see which) is checked by tests/architecture, not here.
 function(merker_module name)
-  cmake_parse_arguments(M "SINGLE;FAST;NOT_PRECOMPILED" "PRECOMPILED" "SOURCES;USES;APART;OPTIONS" ${ARGN})
+  cmake_parse_arguments(M "SINGLE;TENS;FAST;NOT_PRECOMPILED" "PRECOMPILED" "SOURCES;USES;APART;OPTIONS" ${ARGN})
   if(M_SOURCES)
     add_library(merker_${name} STATIC ${M_SOURCES})
     set(scope PUBLIC)
@@ -37,15 +37,19 @@ function(merker_module name)
       set_target_properties(merker_${name} PROPERTIES UNITY_BUILD OFF)
     elseif(CMAKE_UNITY_BUILD)
       merker_together(merker_${name} ${M_APART})
+      if(M_TENS)
+        set_target_properties(merker_${name} PROPERTIES UNITY_BUILD_BATCH_SIZE 10)
+      endif()
     endif()
   endif()
 endfunction()
 
-# Ten files in one go compile in the time of two: merker_together(<target> <files to compile alone...>). These have a
-# helper with the name of a helper in another file of the target; SINGLE: too many clashing helpers, no unity build. The
+# Ten files in one go compile in the time of two, thirty in that of four: merker_together(<target> <files to compile alone...>).
+# These have a helper with the name of a helper in another file of the target; TENS: too many for thirty files at once;
+# SINGLE: too many for ten, no unity build. The
 # preset `tidy` compiles each file of src/ by itself, without precompiled headers: each includes what it needs.
 function(merker_together target)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 10)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 30)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 

@@ -92,14 +92,14 @@ void addFlowControl(const Parameters& p, Page& page) {
 
 // PTP-PARAM-12 to -19
 void addEnd(const Parameters& p, Json& list) {
-  constexpr const char* kEnds[] = {"delay", "count", "characters"};
+  constexpr const char* kBothEnds[] = {"delay", "count", "characters"};
   constexpr const char* kSending[] = {"up to end", "length", "append"};
   const serial::AsciiParameters& a = p.ascii;
   const bool counted = a.end == End::Count, marked = a.end == End::Characters;
   Json marks = Json::array({a.end1});
   if (a.endCharacters == 2) marks.push_back(a.end2);
   Page page(list, "end");
-  page.choice("end", word(kEnds, a.end), kEnds);
+  page.choice("end", word(kBothEnds, a.end), kBothEnds);
   page.time("character_delay", a.delay, "4ms");
   page.flag("pause", a.pause, counted);
   page.number("length", a.length, 1, 1024, counted);
