@@ -186,7 +186,9 @@ void S7Connection::handle(iso::Event& event) {
     case Kind::Confirmed:
       return confirmed();
     case Kind::Disconnected:
-      return close();
+      out_.insert(out_.end(), event.answer.begin(), event.answer.end());
+      ending_ = true;
+      return;
   }
 }
 

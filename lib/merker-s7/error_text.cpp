@@ -31,7 +31,7 @@ constexpr Text kTexts[] = {
     {errCliAddressOutOfRange, "the PLC has no such address, or denies the access"},
     {errCliInvalidTransportSize, "the PLC does not know elements of this kind"},
     {errCliWriteDataSizeMismatch, "the length of the data does not fit the element"},
-    {errCliItemNotAvailable, "the data block does not exist"},
+    {errCliItemNotAvailable, "the data block, block or system status list does not exist"},
     {errCliInvalidValue, "the PLC does not accept the value"},
     {errCliCannotStartPLC, "the PLC does not start"},
     {errCliAlreadyRun, "the PLC is in RUN already"},

@@ -9,6 +9,7 @@ from s7_client import S7Case
 
 EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "examples"
 SAMPLE = pathlib.Path(os.environ["MERKER"]).parent / "lib" / "merker-s7" / "s7_vessel"
+AREAS = SAMPLE.with_name("s7_areas")
 LIBRARY = pathlib.Path(os.environ["MERKER"]).parent / "libmerker-s7.so"
 PE, PA, MK, DB, CT, TM = 0x81, 0x82, 0x83, 0x84, 0x1C, 0x1D
 BIT, BYTE, WORD, REAL = 1, 2, 4, 8
@@ -259,3 +260,13 @@ class Sample(S7Case):
         nobody = subprocess.run([SAMPLE, "127.0.0.1", "1", "1"], capture_output=True, text=True, timeout=60)
         self.assertEqual(nobody.returncode, 1)
         self.assertEqual(nobody.stderr, "connecting: no connection: address not found, or nobody listens at the port\n")
+
+    def test_areas_by_their_operands(self):
+        self.start(str(EXAMPLES / "vessel-emptying"), "--no-workbench")
+        call = lambda *operands: subprocess.run([AREAS, "127.0.0.1", str(self.port), *operands], capture_output=True, text=True, timeout=60)
+        done = call("MW200=513", "M200.1", "MB201", "E0.1", "T1", "Z1=0x123")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(done.stdout.splitlines(), ["MW200 = 513 (16#0201)", "M200.1 = 1 (16#01)", "MB201 = 1 (16#01)",
+                                                    "E0.1 = 1 (16#01)", "T1 = 0 (16#0000)", "Z1 = 291 (16#0123)"])
+        self.assertEqual(call("DB99.DBW0").stderr, "DB99.DBW0: the data block, block or system status list does not exist\n")
+        self.assertEqual(call("X5").returncode, 2)

@@ -60,7 +60,12 @@ std::optional<Event> Transport::take(const Tpdu& tpdu) {
       break;
   }
   state_ = State::Ended;
-  return Event{.kind = Event::Kind::Disconnected, .reason = tpdu.reason};
+  Event event{.kind = Event::Kind::Disconnected, .reason = tpdu.reason};
+  if (tpdu.kind == TpduKind::DisconnectRequest)
+    writePacket(event.answer, {.kind = TpduKind::DisconnectConfirm,
+                               .destination = tpdu.source,
+                               .source = tpdu.destination});
+  return event;
 }
 
 Event Transport::takeRequest(const Tpdu& tpdu) {

@@ -10,14 +10,23 @@ void BlockReceivers::set(const Receiver& receiver) {
   if (!receivers_.contains(receiver.rid) && receivers_.size() >= kMost) return;
   One& one = receivers_[receiver.rid];
   one.enabled = receiver.enabled;
+  one.room = receiver.octets;
   if (receiver.enabled) one.full = false;
 }
 
+void BlockReceivers::interruptOne(One& one) {
+  one.sequence = 0;
+  one.octets.clear();
+}
+
 void BlockReceivers::interrupt() {
-  for (auto& [rid, one] : receivers_) {
-    one.sequence = 0;
-    one.octets.clear();
-  }
+  for (auto& [rid, one] : receivers_) interruptOne(one);
+}
+
+// For its receiver, which is told; its sender gets a negative acknowledgement.
+bool BlockReceivers::isTooLong(const One& one, const Segment& segment) {
+  const std::size_t total = segment.total.value_or(0);
+  return one.enabled && !one.full && total > one.room && total <= kLongestTelegram;
 }
 
 // A first segment begins anew, whatever had begun before: its sender has given that up.
@@ -43,6 +52,11 @@ BlockReceivers::Taken BlockReceivers::take(const Segment& segment) {
   const auto found = receivers_.find(segment.rid);
   if (found == receivers_.end()) return {{0, Error::NoSuchObject}};
   One& one = found->second;
+  if (isTooLong(one, segment)) {
+    interruptOne(one);
+    one.full = true;
+    return {.answer = {0, Error::WrongPduSize}, .whole = Telegram{segment.rid, {}, true}};
+  }
   const Error error = append(one, segment);
   if (error != Error::None) {
     if (!one.full) one.sequence = 0;

@@ -31,9 +31,11 @@ class BlockReceivers {
   struct One {
     bool enabled = false, full = false;
     std::uint8_t sequence = 0;  // 0: no telegram has begun
-    std::size_t total = 0;
+    std::size_t total = 0, room = 0;
     Bytes octets{};
   };
+  static void interruptOne(One& one);
+  static bool isTooLong(const One& one, const Segment& segment);
   Error append(One& one, const Segment& segment);
 
   std::map<std::uint32_t, One> receivers_;  // by R_ID

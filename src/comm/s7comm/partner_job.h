@@ -47,12 +47,14 @@ struct PartnerResult {
 struct Receiver {
   std::uint32_t rid = 0;
   bool enabled = false;
-  bool removed = false;  // it is there no more
+  bool removed = false;        // it is there no more
+  std::size_t octets = 65534;  // that have room; the default: as many as a telegram can have
 };
 
 struct Telegram {
   std::uint32_t rid = 0;
   Bytes octets{};
+  bool tooLong = false;  // for its receiver: it was refused, and there are no octets
 };
 
 // What a program wants between two ends of a cycle, in this order.

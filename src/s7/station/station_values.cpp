@@ -130,7 +130,14 @@ std::string Station::whyRefused(const address::Reference& reference) const {
   if (reference.partner && parts_->partner) return parts_->partner->whyRefused(own(reference));
   const address::Operand& operand = reference.operand;
   if (address::isCounter(operand)) return "it takes 0 to 999";
-  if (!address::isTimer(operand)) return whyMissing(reference);
+  if (!address::isTimer(operand)) {
+    const cpu::DataBlock* const block =
+        reference.db < 0
+            ? nullptr
+            : cpu().machine().dataBlocks.find(static_cast<std::uint32_t>(reference.db));
+    return block != nullptr && block->readOnly ? fmt::format("DB {} is READ_ONLY", reference.db)
+                                               : whyMissing(reference);
+  }
   return operand.width == Width::Bit ? "only the program starts a timer"
                                      : "it takes S5T#0MS to S5T#2H46M30S";
 }

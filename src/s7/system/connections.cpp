@@ -81,16 +81,19 @@ void Connections::release(Receiver& receiver) {
 }
 
 // One that has not been taken keeps others away.
-void Connections::enable(Receiver& receiver, bool enabled) {
-  if (receiver.enabled == enabled) return;
+void Connections::enable(Receiver& receiver, bool enabled, std::size_t room) {
+  if (receiver.enabled == enabled && receiver.room == room) return;
   receiver.enabled = enabled;
-  if (!enabled || receiver.telegrams.empty()) tell(*receiver.connection, {receiver.rid, enabled});
+  receiver.room = room;
+  if (!enabled || receiver.telegrams.empty())
+    tell(*receiver.connection, {.rid = receiver.rid, .enabled = enabled, .octets = room});
 }
 
-s7comm::Bytes Connections::take(Receiver& receiver) {
-  s7comm::Bytes telegram = std::move(receiver.telegrams.front());
+s7comm::Telegram Connections::take(Receiver& receiver) {
+  s7comm::Telegram telegram = std::move(receiver.telegrams.front());
   receiver.telegrams.pop_front();
-  if (receiver.telegrams.empty()) tell(*receiver.connection, {receiver.rid, true});
+  if (receiver.telegrams.empty())
+    tell(*receiver.connection, {.rid = receiver.rid, .enabled = true, .octets = receiver.room});
   return telegram;
 }
 
@@ -113,7 +116,7 @@ void Connections::bring(std::size_t connection, s7comm::FromPartner news) {
     Receiver* const receiver = receiverOf(connection, telegram.rid);
     if (receiver == nullptr) continue;
     receiver->begun = 0;
-    receiver->telegrams.push_back(std::move(telegram.octets));
+    receiver->telegrams.push_back(std::move(telegram));
   }
 }
 

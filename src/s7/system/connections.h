@@ -31,8 +31,9 @@ class Connections {
     std::optional<std::size_t> connection{};  // once it has been called with EN_R
     std::uint32_t rid = 0;
     bool enabled = false;
+    std::size_t room = 0;   // octets of RD_1
     std::size_t begun = 0;  // octets of a telegram that is not whole
-    std::deque<s7comm::Bytes> telegrams{};
+    std::deque<s7comm::Telegram> telegrams{};
   };
 
   void configure(const std::vector<ConnectionParameters>& connections);
@@ -52,9 +53,9 @@ class Connections {
   // False: another one has this R_ID.
   bool bind(Receiver& receiver, std::size_t connection, std::uint32_t rid);
   void release(Receiver& receiver);
-  void enable(Receiver& receiver, bool enabled);
+  void enable(Receiver& receiver, bool enabled, std::size_t room);
   // The oldest telegram; the next one may come.
-  s7comm::Bytes take(Receiver& receiver);
+  s7comm::Telegram take(Receiver& receiver);
 
   // Of whoever carries them, at the end of a cycle.
   std::size_t count() const { return connections_.size(); }

@@ -159,10 +159,11 @@ PartnerStatus bindReceiver(Sfb<13>& a, Connections::Receiver& receiver) {
 }
 
 void takeTelegram(Sfb<13>& a, Connections::Receiver& receiver) {
-  const s7comm::Bytes telegram = a.connections().take(receiver);
-  const auto status = storeValue(a, a.any("RD_1"), telegram, false);
+  const s7comm::Telegram telegram = a.connections().take(receiver);
+  if (telegram.tooLong) return showFailed(a, "NDR", PartnerStatus::WrongLength);
+  const auto status = storeValue(a, a.any("RD_1"), telegram.octets, false);
   if (status != PartnerStatus::Done) return showFailed(a, "NDR", status);
-  a.set("LEN", static_cast<std::uint32_t>(telegram.size()));
+  a.set("LEN", static_cast<std::uint32_t>(telegram.octets.size()));
   showDone(a, "NDR", true);
 }
 
@@ -192,12 +193,12 @@ void receiveBlocks(Sfb<13>& a) {
   if (receiver == nullptr) return showFailed(a, "NDR", PartnerStatus::TooManyJobs);
   const bool enabled = a.flag("EN_R");
   if (!enabled) {
-    if (receiver->connection) a.connections().enable(*receiver, false);
+    if (receiver->connection) a.connections().enable(*receiver, false, 0);
     return showDone(a, "NDR", false);
   }
   const PartnerStatus bound = bindReceiver(a, *receiver);
   if (bound != PartnerStatus::Done) return showFailed(a, "NDR", bound);
-  a.connections().enable(*receiver, true);
+  a.connections().enable(*receiver, true, byteCount(a.any("RD_1")));
   receiver->telegrams.empty() ? awaitTelegram(a, *receiver) : takeTelegram(a, *receiver);
 }
 

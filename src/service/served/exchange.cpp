@@ -18,16 +18,6 @@ using s7comm::Write;
 // A cycle or a startup that does not end for so long refuses what waits for its end.
 constexpr Duration kLongestWait = Duration::seconds(5);
 
-bool allCopied(const std::vector<Range>& ranges) { return std::ranges::all_of(ranges, isCopied); }
-
-std::vector<Value> valuesOf(const controller::OperandImage& image,
-                            const std::vector<Range>& ranges) {
-  std::vector<Value> values;
-  values.reserve(ranges.size());
-  for (const Range& range : ranges) values.push_back(valueOf(image, range));
-  return values;
-}
-
 }  // namespace
 
 void Exchange::connectBy(std::function<void(Call)> post, Call wake) {
@@ -66,9 +56,12 @@ void Exchange::tellConnections(controller::Controller& plc) {
   setConnections(plc, inUse_, ethernet_);
 }
 
-std::shared_ptr<const Exchange::Image> Exchange::image() const {
-  const std::lock_guard lock(mutex_);
-  return image_;
+std::optional<std::vector<Value>> Exchange::copied(const std::vector<Range>& ranges) {
+  std::unique_lock lock(mutex_);
+  periphery_.ask(ranges);
+  const std::shared_ptr<const Copy> copy = image_;
+  lock.unlock();
+  return copy ? valuesOf(*copy, ranges) : std::nullopt;
 }
 
 void Exchange::order(Order order) {
@@ -81,7 +74,7 @@ void Exchange::order(Order order) {
 }
 
 void Exchange::read(const std::vector<Range>& ranges, ReadDone done) {
-  if (const auto copy = image(); copy && allCopied(ranges)) return done(valuesOf(*copy, ranges));
+  if (const auto values = copied(ranges)) return done(*values);
   order([ranges, done = std::move(done)](monitor::Monitor* monitor) -> Call {
     std::vector<Value> values(ranges.size(), {ItemCode::HardwareFault, {}});
     if (monitor != nullptr) values = valuesNow(monitor->plc(), ranges);
@@ -127,10 +120,11 @@ void Exchange::carryOut(monitor::Monitor* monitor) {
 void Exchange::publish(const controller::Controller& plc) {
   const auto* const memory = controller::capability<controller::OperandMemory>(plc);
   if (memory == nullptr) return;
-  if (!spare_ || spare_.use_count() > 1) spare_ = std::make_shared<Image>();
+  if (!spare_ || spare_.use_count() > 1) spare_ = std::make_shared<Copy>();
   std::atomic_thread_fence(std::memory_order_acquire);  // what its last reader did is over
-  memory->copyOperands(*spare_);
+  memory->copyOperands(spare_->operands);
   const std::lock_guard lock(mutex_);
+  periphery_.copy(plc, *spare_);
   if (connections_ > 0) image_.swap(spare_);
 }
 

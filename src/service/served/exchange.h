@@ -10,9 +10,9 @@
 #include <mutex>
 
 #include "monitor/monitor.h"
-#include "plc/operand_memory.h"
 #include "s7comm/plc.h"
 #include "served/bench.h"
+#include "served/copy.h"
 #include "served/messages.h"
 #include "served/partners.h"
 #include "served/passive_blocks.h"
@@ -81,7 +81,6 @@ class Exchange final : public s7comm::Plc {
  private:
   // Null: it cannot be carried out. What it returns is called in the thread of the connections.
   using Order = std::function<Call(monitor::Monitor*)>;
-  using Image = controller::OperandImage;
 
   void order(Order order);
   // Planned in the thread of the PLC, made ready in that of the connections, carried out.
@@ -93,7 +92,8 @@ class Exchange final : public s7comm::Plc {
   void publish(const controller::Controller& plc);
   void tellConnections(controller::Controller& plc);
   bool stands(const controller::Controller& plc);
-  std::shared_ptr<const Image> image() const;
+  // Nothing: the values are not in the copy.
+  std::optional<std::vector<s7comm::Value>> copied(const std::vector<s7comm::Range>& ranges);
 
   std::function<void(Call)> post_ = [](const Call& call) { call(); };
   Call wake_ = [] {};
@@ -103,13 +103,14 @@ class Exchange final : public s7comm::Plc {
   Partners partners_;
 
   mutable std::mutex mutex_;  // of what follows
-  std::shared_ptr<Image> image_;
+  std::shared_ptr<Copy> image_;
+  PeripheryWatch periphery_;
   std::deque<Order> orders_;
   Resources::Counts inUse_{};
   std::optional<system::EthernetInterface> ethernet_{};
 
   // of the thread of the PLC
-  std::shared_ptr<Image> spare_;
+  std::shared_ptr<Copy> spare_;
   MessageLog messages_;
   Tasks tasks_;
   Bench bench_{tasks_};

@@ -17,6 +17,8 @@ using controller::Mode;
 using s7comm::Controlled;
 using s7comm::Error;
 
+constexpr int kRunLevel = 2;  // write protection (S7-300 Module Data, SZL 0232, sch_rel)
+
 // Null: a machine without SZL and clock.
 cpu::Cpu* cpuOf(Controller& plc) {
   auto* const one = controller::capability<station::BlockCpu>(plc);
@@ -29,8 +31,15 @@ Controlled stop(monitor::Monitor& monitor) {
   return Controlled::Done;
 }
 
+std::optional<cpu::SwitchPosition> switchOf(Controller& plc) {
+  const auto* const panel = controller::capability<cpu::SwitchPanel>(plc);
+  return panel == nullptr ? std::nullopt : std::optional(panel->switchPosition());
+}
+
+// Nobody who is not there turns the switch: STOP there has precedence.
 Controlled restart(Controller& plc, bool cold) {
   if (plc.mode() != Mode::Stop) return Controlled::Already;
+  if (switchOf(plc) == cpu::SwitchPosition::Stop) return Controlled::Refused;
   if (cold && !plc.hasColdRestart()) return Controlled::Refused;
   return (cold ? plc.coldRestart() : plc.start()) ? Controlled::Done : Controlled::Refused;
 }
@@ -49,17 +58,18 @@ Controlled memoryReset(Controller& plc) {
 
 }  // namespace
 
+// The level in force is the higher one of the parameter and the mode switch, which is 2 at RUN; a
+// password, if the CPU has one, opens both.
 bool isProtected(Controller& plc, std::string_view password, int level) {
   const cpu::Cpu* const cpu = cpuOf(plc);
-  return cpu != nullptr && cpu->parameters().protection >= level &&
-         cpu->parameters().password != password;
+  if (cpu == nullptr) return false;
+  const bool locked = switchOf(plc) == cpu::SwitchPosition::Run;
+  const int inForce = std::max<int>(cpu->parameters().protection, locked ? kRunLevel : 0);
+  const std::string_view wanted = cpu->parameters().password;
+  return inForce >= level && (wanted != password || wanted.empty());
 }
 
-bool mayLoad(Controller& plc, std::string_view password) {
-  const auto* const panel = controller::capability<cpu::SwitchPanel>(plc);
-  const bool locked = panel != nullptr && panel->switchPosition() == cpu::SwitchPosition::Run;
-  return !locked && !isProtected(plc, password);
-}
+bool mayLoad(Controller& plc, std::string_view password) { return !isProtected(plc, password); }
 
 s7comm::StatusList statusList(Controller& plc, std::uint16_t list, std::uint16_t index) {
   auto* const one = controller::capability<station::BlockCpu>(plc);

@@ -32,8 +32,11 @@ void readConnections(const Table& table, CommunicationParameters& parameters) {
 void readReserved(const Table& table, std::uint32_t basicAtMost,
                   CommunicationParameters& parameters) {
   const std::uint32_t all = parameters.connections.value_or(kMostConnections);
-  parameters.pg = table.number("pg", 0, all).value_or(std::min(parameters.pg, all));
-  parameters.op = table.number("op", 0, all).value_or(std::min(parameters.op, all));
+  // LIM-05: one is always kept for a programming device, and one for a panel; a laboratory decides
+  // itself.
+  const std::uint32_t least = parameters.connections && all > 1 ? 1 : 0;
+  parameters.pg = table.number("pg", least, all).value_or(std::min(parameters.pg, all));
+  parameters.op = table.number("op", least, all).value_or(std::min(parameters.op, all));
   parameters.basic = table.number("basic", 0, basicAtMost).value_or(parameters.basic);
   if (parameters.pg + parameters.op + parameters.basic > all)
     table.mustBe("pg",
@@ -66,13 +69,20 @@ void readAddress(const Table& table, CommunicationParameters& parameters) {
     table.mustBe("address", kWhat);
 }
 
+constexpr std::array<std::string_view, 7> kKeys{"connections", "pg",          "op",     "basic",
+                                                "pdu",         "strict_slot", "address"};
+constexpr std::array<std::string_view, 2> kProtection{"protection", "password"};
+
 }  // namespace
 
-CommunicationParameters readCommunication(const Table& root, const CpuModel& model) {
+CommunicationParameters readCommunication(const Table& root, const CpuModel& model,
+                                          bool hasProtection) {
   CommunicationParameters parameters = CommunicationParameters::of(model);
   const auto table = root.table("communication");
   if (!table) return parameters;
-  table->allow({"connections", "pg", "op", "basic", "pdu", "strict_slot", "address"});
+  std::vector<std::string_view> known{kKeys.begin(), kKeys.end()};
+  if (hasProtection) known.insert(known.end(), kProtection.begin(), kProtection.end());
+  table->allow(known);
   readConnections(*table, parameters);
   readReserved(*table, connectionLimits(model).basic, parameters);
   if (const auto pdu = table->number("pdu", kLeastPdu, kMostPdu, "(bytes)"))
@@ -80,6 +90,16 @@ CommunicationParameters readCommunication(const Table& root, const CpuModel& mod
   parameters.strictSlot = table->flag("strict_slot").value_or(false);
   readAddress(*table, parameters);
   return parameters;
+}
+
+// They are parameters of the CPU; whoever looks for them among those of the connections finds them.
+void readCommunicationProtection(const Table& root, CpuParameters& parameters) {
+  const auto table = root.table("communication"), cpu = root.table("cpu");
+  if (!table) return;
+  for (const std::string_view key : kProtection)
+    if (table->has(key) && cpu && cpu->has(key))
+      return table->mustBe(key, "here or in [cpu], not in both");
+  if (table->has("protection") || table->has("password")) readProtection(*table, parameters);
 }
 
 }  // namespace merker::project

@@ -50,19 +50,6 @@ void readRanges(const Table& table, const CpuModel& model, CpuParameters& parame
     parameters.communicationLoad = *load;
 }
 
-void readProtection(const Table& table, CpuParameters& parameters) {
-  if (const auto level = table.number("protection", 1, 3))
-    parameters.protection = static_cast<std::uint8_t>(*level);
-  if (const auto password = table.text("password", "a text of 1 to 8 characters")) {
-    parameters.password = *password;
-    if (password->empty() || password->size() > 8)
-      table.mustBe("password", "a text of 1 to 8 characters");
-  }
-  if (parameters.protection > 1 && !table.has("password"))
-    table.problems().add(ProblemCode::P0744, table.at("protection"), "protection",
-                         "a password: password = \"...\"");
-}
-
 // The start information gives the interval as INT in ms (S7-OBI-05).
 void readCyclic(const Table& table, unsigned ob, CpuParameters& parameters) {
   table.allow({"interval", "phase"});
@@ -109,6 +96,19 @@ void readOrganizationBlocks(const Table& table, const CpuModel& model, CpuParame
 }
 
 }  // namespace
+
+void readProtection(const Table& table, CpuParameters& parameters) {
+  if (const auto level = table.number("protection", 1, 3))
+    parameters.protection = static_cast<std::uint8_t>(*level);
+  if (const auto password = table.text("password", "a text of 1 to 8 characters")) {
+    parameters.password = *password;
+    if (password->empty() || password->size() > 8)
+      table.mustBe("password", "a text of 1 to 8 characters");
+  }
+  if (parameters.protection > 1 && !table.has("password"))
+    table.problems().add(ProblemCode::P0744, table.at("protection"), "protection",
+                         "a password: password = \"...\"");
+}
 
 void readCpuParameters(const Table& table, const CpuModel& model, CpuParameters& parameters) {
   table.allow({"model",

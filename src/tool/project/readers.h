@@ -7,6 +7,8 @@
 namespace merker::project {
 
 // [cpu] without model and clock: CpuParameters (S7-HWCFG-08)
+// `protection` and `password`, of [cpu] or [communication].
+void readProtection(const Table& table, CpuParameters& parameters);
 void readCpuParameters(const Table& cpu, const CpuModel& model, CpuParameters& parameters);
 // A date and time as DT# in milliseconds since 1990-01-01.
 std::optional<std::int64_t> readDateAndTime(const Table& table, std::string_view key);
@@ -39,7 +41,10 @@ std::optional<serial::Connection> readConnection(const Table& root);
 // [serial] pacing
 void readPacing(const Table& root, io::Configuration& configuration);
 // [communication]; of a SINUMERIK as if it had the connections of a CPU 314C-2
-CommunicationParameters readCommunication(const Table& root, const CpuModel& model);
+// `hasProtection`: the CPU has protection levels, which stand here or in [cpu].
+CommunicationParameters readCommunication(const Table& root, const CpuModel& model,
+                                          bool hasProtection);
+void readCommunicationProtection(const Table& root, CpuParameters& parameters);
 // [[connection]]: configured S7 connections, of those that [communication] has
 void readConfigured(const Table& root, CommunicationParameters& parameters);
 // "W#16#1" or 1; nothing, and a problem, if it is no local ID

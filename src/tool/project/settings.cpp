@@ -102,6 +102,7 @@ void readStation(const Table& root, Settings& settings) {
   root.allow({"project", "program", "cpu", "hardware", "module", "plant", "serial", "station",
               "communication", "connection", "subnet", "slave"});
   if (const auto table = root.table("cpu")) readCpu(*table, settings);
+  readCommunicationProtection(root, settings.parameters);
   readConfigured(root, settings.communication);
   readHardware(root, settings);
   if (settings.hardware) settings.plants = readPlants(root, *settings.hardware);
@@ -122,7 +123,7 @@ void readAll(const Table& root, std::optional<Model> model, Settings& settings) 
   settings.parameters = CpuParameters::of(*settings.model);
   if (const auto table = root.table("project")) readProject(*table, settings);
   if (const auto table = root.table("program")) readProgram(*table, settings);
-  settings.communication = readCommunication(root, *settings.model);
+  settings.communication = readCommunication(root, *settings.model, !settings.control);
   settings.control ? readControl(root, *settings.control) : readStation(root, settings);
 }
 

@@ -149,6 +149,7 @@ TEST(Transport, theOtherSideEndsIt) {
   const Event event = only(transport, hex("03 00 00 0B 06 80 00 01 00 05 80"));
   EXPECT_EQ(event.kind, Kind::Disconnected);
   EXPECT_EQ(event.reason, 128);
+  EXPECT_EQ(toHex(event.answer), "03 00 00 0A 05 C0 00 05 00 01") << "it is confirmed";
 }
 
 TEST(Transport, bothSidesUnderstandEachOther) {

@@ -89,6 +89,10 @@ TEST(Settings, WrongCommunication) {
   EXPECT_EQ(wrong("pg = 13"), "2:6 P0704");
   EXPECT_EQ(wrong("basic = 9"), "2:9 P0704");
   EXPECT_EQ(wrong("pg = 6\nop = 6\nbasic = 1"), "2:6 P0704");
+  EXPECT_EQ(wrong("pg = 0"), "2:6 P0704");  // S7-LIM-05
+  EXPECT_EQ(wrong("op = 0"), "2:6 P0704");
+  EXPECT_EQ(wrong("connections = 1\npg = 0"), "0 problems");
+  EXPECT_EQ(wrong("connections = \"unlimited\"\nop = 0"), "0 problems");
   EXPECT_EQ(wrong("pdu = 111"), "2:7 P0704");
   EXPECT_EQ(wrong("pdu = 961"), "2:7 P0704");
   EXPECT_EQ(wrong("strict_slot = 1"), "2:15 P0704");
@@ -97,6 +101,20 @@ TEST(Settings, WrongCommunication) {
     EXPECT_EQ(wrong("address = \"" + std::string(place) + "\""), "2:11 P0704") << place;
   for (const char* place : {"102", "0", "127.0.0.1:102", "localhost:102", "[::1]:102"})
     EXPECT_EQ(wrong("address = \"" + std::string(place) + "\""), "0 problems") << place;
+}
+
+TEST(Settings, ProtectionStandsWithTheCpuOrWithItsConnections) {
+  const auto here = read("[communication]\nprotection = 2\npassword = \"secret\"\n");
+  EXPECT_TRUE(here.problems.empty());
+  EXPECT_EQ(here.settings.parameters.protection, 2);
+  EXPECT_EQ(here.settings.parameters.password, "secret");
+  EXPECT_EQ(read("[communication]\nprotection = 2\n").problem().substr(0, 10), "2:14 P0744");
+  EXPECT_EQ(read("[cpu]\npassword = \"a\"\n[communication]\npassword = \"b\"\n").problem(),
+            "4:12 P0704");
+  EXPECT_EQ(read("[cpu]\nmodel = \"SINUMERIK 810 GA3\"\n[communication]\nprotection = 1\n")
+                .problem()
+                .substr(0, 9),
+            "4:1 P0703");
 }
 
 // S7-NETPRO-08

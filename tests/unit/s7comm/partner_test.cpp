@@ -156,6 +156,26 @@ TEST_F(PartnerLine, TheStateOfTheReceiverDecides) {
   EXPECT_EQ(called.told.telegrams.size(), 1u);
 }
 
+// STATUS 2 of BSEND, 4 of BRCV: RD_1 is shorter than what comes. It is told once, and the next one
+// fits.
+TEST_F(PartnerLine, ATelegramThatIsTooLongIsRefused) {
+  connect();
+  ToPartner small = receiver(true);
+  small.receivers[0].octets = 300;
+  called.partner.order(small);
+  calling.partner.order(telegram(1, 301));
+  move();
+  EXPECT_EQ(calling.told.results, (Results{{1, PartnerStatus::Refused}}));
+  ASSERT_EQ(called.told.telegrams.size(), 1u);
+  EXPECT_TRUE(called.told.telegrams[0].tooLong);
+  EXPECT_TRUE(called.told.telegrams[0].octets.empty());
+  called.partner.order(small);
+  calling.partner.order(telegram(2, 300));
+  move();
+  EXPECT_EQ(calling.told.results.back().second, PartnerStatus::Done);
+  EXPECT_EQ(called.told.telegrams.back().octets.size(), 300u);
+}
+
 TEST_F(PartnerLine, LostInTheMiddleAndBuiltAgain) {
   connect();
   called.partner.order(receiver(true));

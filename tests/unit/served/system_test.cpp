@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "cpu/switch_panel.h"
 #include "served_plc.h"
 
 namespace merker::served {
@@ -36,6 +37,22 @@ TEST_P(EachSystem, stopsAndStarts) {
   EXPECT_EQ(control(Control::WarmRestart), Controlled::Done);
   plc.cycles(2);
   EXPECT_EQ(plc.plc().mode(), controller::Mode::Run);
+}
+
+// Level 2 is in force at RUN; nobody but who stands there turns the switch away from STOP.
+TEST(System, theModeSwitchProtects) {
+  ServedPlc plc = ServedPlc::station();
+  plc.cycles(1);
+  auto* const panel = controller::capability<cpu::SwitchPanel>(plc.plc());
+  panel->setSwitch(cpu::SwitchPosition::Run);
+  EXPECT_EQ(control(plc.monitor(), Control::Stop, {}), Controlled::Protected);
+  EXPECT_EQ(setClock(plc.plc(), {0x26, 1, 1, 0, 0, 0, 0, 0}, {}), Error::NeedsPassword);
+  EXPECT_FALSE(isProtected(plc.plc(), {}, 3)) << "reading is allowed";
+  panel->setSwitch(cpu::SwitchPosition::RunP);
+  EXPECT_EQ(control(plc.monitor(), Control::Stop, {}), Controlled::Done);
+  panel->setSwitch(cpu::SwitchPosition::Stop);
+  EXPECT_EQ(control(plc.monitor(), Control::WarmRestart, {}), Controlled::Refused);
+  EXPECT_EQ(panel->switchPosition(), cpu::SwitchPosition::Stop);
 }
 
 // Whoever tests asks what there is: 13h is bit 3 of the third byte.

@@ -97,5 +97,34 @@ TEST(Values, thePeripheryIsRead) {
   EXPECT_EQ(plc.read({.memory = Memory::Output, .begin = 4, .octets = 1})->octets, Bytes{0x77});
 }
 
+// Only the first read of a range waits for the end of a cycle; one that nobody asks for any more is
+// not copied.
+TEST(Values, thePeripheryIsCopiedWhileItIsAskedFor) {
+  ServedPlc plc = ServedPlc::station();
+  plc.exchange.opened();
+  const Range inputs{.memory = Memory::Peripheral, .begin = 0, .octets = 2};
+  plc.read(inputs);
+  plc.cycles(1);
+  plc.writeNow({.memory = Memory::Input, .begin = 0, .octets = 2}, {0x12, 0x34});
+  ASSERT_TRUE(plc.read(inputs));
+  EXPECT_EQ(plc.read(inputs)->octets, (Bytes{0x12, 0x34}));
+  EXPECT_FALSE(plc.read({.memory = Memory::Peripheral, .begin = 1, .octets = 1}))
+      << "another range";
+  plc.plc().advanceTo(plc.plc().now() + PeripheryWatch::kKept + Duration::seconds(1));
+  EXPECT_FALSE(plc.read(inputs));
+}
+
+TEST(Values, aReadOnlyDataBlockIsNotWritten) {
+  ServedPlc plc = ServedPlc::station(
+      "DATA_BLOCK DB 5\nREAD_ONLY\nSTRUCT\n a : DWORD := "
+      "DW#16#01020304;\nEND_STRUCT\nBEGIN\nEND_DATA_BLOCK\n"
+      "ORGANIZATION_BLOCK OB 1\nBEGIN\nNETWORK\n NOP 0;\nEND_ORGANIZATION_BLOCK\n");
+  plc.exchange.opened();
+  plc.cycles(1);
+  const Range word{.memory = Memory::DataBlock, .block = 5, .begin = 0, .octets = 2};
+  EXPECT_EQ(plc.writeNow(word, {0, 0}), ItemCode::AccessDenied);
+  EXPECT_EQ(plc.read(word)->octets, (Bytes{1, 2}));
+}
+
 }  // namespace
 }  // namespace merker::served
