@@ -104,7 +104,9 @@ std::string germanQuoted(std::string_view quoted, std::string_view before, const
                          const Phrases& phrases) {
   if (quoted.size() < 2 || !quoted.ends_with('"')) return std::string(quoted);
   const std::string_view text = quoted.substr(1, quoted.size() - 2);
-  const bool whole = !form.settings || (isText(before) && phrases.texts.contains(text));
+  // A station may have the name of its project.
+  const bool isName = phrases.names.contains(text);
+  const bool whole = !form.settings || (isText(before) && phrases.texts.contains(text) && !isName);
   return '"' + (whole ? germanWhole(text, phrases.texts) : germanNames(text, phrases)) + '"';
 }
 
