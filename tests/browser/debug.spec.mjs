@@ -42,6 +42,12 @@ test('the value of an operand stands behind it in the text', async () => {
   await toLine(page, await lineOf('"Plant data".TravelMiddle'));
   const shown = () => page.locator('.code .cm-activeLine .cm-operand-value').allInnerTexts();
   await until(async () => (await shown()).includes('S5T#5S'), 'the travel time');
+  await toLine(page, await lineOf('UN    #BeamSmall;'));
+  await until(async () => /^[01]$/.test((await shown())[0] ?? ''), 'a parameter, as its statement has seen it');
+  await toLine(page, await lineOf('L     #Filter;'));
+  await until(async () => (await shown()).includes('S5T#50MS'), 'another one, in the form of its type');
+  await toLine(page, await lineOf('Pulse := #Small'));
+  await until(async () => /^[01]$/.test((await shown())[0] ?? ''), 'the local variable that a CALL was given');
   await accessible(page, 'values in the text');
   await beside.press('Space');
   await expect(() => page.locator('.code .cm-operand-value').count(), 0);

@@ -183,12 +183,17 @@ export async function turn(page, position) {
 export async function picture(page, name) {
   if (!process.env.MERKER_SCREENSHOTS) return;
   await page.mouse.move(0, 0);
-  await page.evaluate(() => {
-    document.activeElement?.blur();
+  const focused = await page.evaluateHandle(() => {
     for (const message of document.querySelectorAll('.message')) message.style.display = 'none';
+    let element = document.activeElement;
+    while (element?.shadowRoot?.activeElement) element = element.shadowRoot.activeElement;
+    element?.blur();
+    return element;
   });
   mkdirSync(join(root, 'docs/images/workbench'), { recursive: true });
   await page.screenshot({ path: join(root, 'docs/images/workbench', `${name}.png`) });
+  // The test goes on with its keys.
+  await focused.evaluate((element) => element?.focus());
 }
 
 /** Writes operands, as a variable table does: from a connection of its own. */

@@ -1,6 +1,6 @@
-// The German words of an example: symbols, their comments, titles of blocks and networks. They
-// stand in german.txt of the example, one phrase a line, English, a tab, German; a copy does not
-// have it.
+// The German words of an example: comments, titles, symbols, names of scenarios and projects, texts
+// of alarms; and names of variables, modules, plants and stations. They stand in german.txt of the
+// example, one phrase a line, English, a tab, German; a copy does not have it.
 #pragma once
 
 #include <map>
@@ -14,14 +14,17 @@ namespace merker::workbench {
 
 constexpr const char* kGermanWords = "german.txt";
 
-using Phrases = std::map<std::string, std::string, std::less<>>;
+struct Phrases {
+  using Words = std::map<std::string, std::string, std::less<>>;
+
+  Words texts;
+  // Replaced wherever they stand as a word of their own: #Name in german.txt.
+  Words names;
+};
 
 Phrases readPhrases(std::string_view text);
-// Of a source, a symbol table, a scenario or a table of variables: what stands whole between
-// quotation marks, behind // or behind TITLE =.
-std::string translated(std::string_view text, const Phrases& phrases);
-// Of merker.toml: the name of the project.
-std::string translatedSettings(std::string_view text, const Phrases& phrases);
+// The text of a file of a project; `ending` says how its comments and titles look: ".awl".
+std::string translated(std::string_view text, std::string_view ending, const Phrases& phrases);
 // The files of a fresh copy; the words go from it, whether they were wanted or not.
 std::optional<Problem> finishCopy(const std::string& folder, bool german);
 

@@ -74,9 +74,18 @@ void collect(const fs::path& root, const std::string& below, std::vector<Example
   }
 }
 
-std::string copyName(std::string id) {
-  std::ranges::replace(id, '/', '-');
-  return id;
+// What is copied for an example, and where the example is in the copy. Stations of a pair name each
+// other's folders (technology/two-stations/filling): they come together.
+struct Copied {
+  std::string from, name, inside;
+};
+
+Copied copiedFor(const std::string& id) {
+  const std::size_t first = id.find('/'), last = id.rfind('/');
+  Copied copied{id, id, {}};
+  if (first != last) copied = {id.substr(0, last), id.substr(0, last), id.substr(last + 1)};
+  std::ranges::replace(copied.name, '/', '-');
+  return copied;
 }
 
 // An import of several programs has a folder for each.
@@ -176,7 +185,10 @@ Problem notMade(const std::string& path, const std::error_code& error) {
 std::vector<Example> Workspace::examples() const {
   std::vector<Example> list;
   if (!examples_.empty()) collect(examples_, "", list);
-  for (Example& one : list) one.copied = isProject(fs::path(folder_) / copyName(one.id));
+  for (Example& one : list) {
+    const Copied copied = copiedFor(one.id);
+    one.copied = isProject(fs::path(folder_) / copied.name / copied.inside);
+  }
   return list;
 }
 
@@ -192,15 +204,20 @@ Result<std::string> Workspace::copyExample(const std::string& id, bool fresh, bo
   const auto all = examples();
   if (std::ranges::find(all, id, &Example::id) == all.end())
     return makeProblem(ProblemCode::P1316, nowhere(), "example", id, "");
-  fs::path to = fs::path(folder_) / copyName(id);
-  if (isProject(to) && !fresh) return to.string();
-  if (isProject(to)) to = fs::path(folder_) / freeName(copyName(id));
+  const Copied copied = copiedFor(id);
+  fs::path to = fs::path(folder_) / copied.name;
+  const bool there = isProject(to / copied.inside);
+  const auto opened = [&] {
+    return copied.inside.empty() ? to.string() : (to / copied.inside).string();
+  };
+  if (there && !fresh) return opened();
+  if (there) to = fs::path(folder_) / freeName(copied.name);
   std::error_code error;
   fs::create_directories(to, error);
-  if (!error) fs::copy(fs::path(examples_) / id, to, fs::copy_options::recursive, error);
+  if (!error) fs::copy(fs::path(examples_) / copied.from, to, fs::copy_options::recursive, error);
   if (error) return notMade(to.string(), error);
   if (auto problem = finishCopy(to.string(), german)) return *problem;
-  return to.string();
+  return opened();
 }
 
 Result<std::string> Workspace::folderToOpen(const std::string& folder) const {

@@ -46,22 +46,44 @@ TEST_F(Projects, AnExampleIsCopiedOnce) {
 }
 
 TEST_F(Projects, ACopyHasGermanWordsWhereTheyAreWanted) {
-  folder.write("examples/lift/german.txt", "# words\nLift\tAufzug\nCall 1\tRuf 1\nwaits\twartet\n");
+  folder.write("examples/lift/german.txt",
+               "# words\nLift\tAufzug\nCall 1\tRuf 1\nwaits\twartet\nDoor jams\tTür klemmt\n"
+               "#Cabin\tKabine\n");
   folder.write("examples/lift/merker.toml",
-               "[project]\nname = \"Lift\"\n[[plant]]\nname = \"Lift\"\n");
-  folder.write(
-      "examples/lift/lift.awl",
-      "TITLE = Lift\n      U     \"Call 1\"; // waits\n      U     \"Call 11\"; // waits here\n");
+               "[project]\nname = \"Lift\" # waits\n[[plant]]\nname = \"Cabin\"\nkind = \"Lift\"\n"
+               "UP = \"Cabin.DO0\"\n6000 = \"Door jams\"\n");
+  folder.write("examples/lift/lift.awl",
+               "TITLE = Lift\n      U     \"Call 1\"; // waits\n      U     \"Call 11\"; // waits "
+               "here\n      L     #Cabin; //= \"Call 1\" = 1, DB1.Cabin = 1, Cabins = 2\n");
+  folder.write("examples/lift/doors/main.s5", "NETZWERK 1  Lift\n : !=F\n : UN   E 1.0 ! waits\n");
+  folder.write("examples/lift/lift.scn",
+               "scenario \"waits\"\n  plant Cabin.UP = W#16#1  # waits\n");
   ASSERT_TRUE(workspace.copyExample("lift", false, true));
-  EXPECT_EQ(
-      folder.read("mine/lift/lift.awl"),
-      "TITLE = Aufzug\n      U     \"Ruf 1\"; // wartet\n      U     \"Call 11\"; // waits here\n");
+  EXPECT_EQ(folder.read("mine/lift/lift.awl"),
+            "TITLE = Aufzug\n      U     \"Ruf 1\"; // wartet\n      U     \"Call 11\"; // waits "
+            "here\n      L     #Kabine; //= \"Ruf 1\" = 1, DB1.Kabine = 1, Cabins = 2\n");
   EXPECT_EQ(folder.read("mine/lift/merker.toml"),
-            "[project]\nname = \"Aufzug\"\n[[plant]]\nname = \"Lift\"\n");
+            "[project]\nname = \"Aufzug\" # wartet\n[[plant]]\nname = \"Kabine\"\nkind = \"Lift\"\n"
+            "UP = \"Kabine.DO0\"\n6000 = \"Tür klemmt\"\n");
+  EXPECT_EQ(folder.read("mine/lift/doors/main.s5"),
+            "NETZWERK 1  Aufzug\n : !=F\n : UN   E 1.0 ! wartet\n");
+  EXPECT_EQ(folder.read("mine/lift/lift.scn"),
+            "scenario \"wartet\"\n  plant Kabine.UP = W#16#1  # wartet\n");
   EXPECT_FALSE(fs::exists(folder.path("mine/lift/german.txt")));
   ASSERT_TRUE(workspace.copyExample("lift", true));
   EXPECT_EQ(folder.read("mine/lift 2/lift.awl"), folder.read("examples/lift/lift.awl"));
   EXPECT_FALSE(fs::exists(folder.path("mine/lift 2/german.txt")));
+}
+
+TEST_F(Projects, ThoseThatNameEachOtherAreCopiedTogether) {
+  folder.write("examples/course/pair/one/merker.toml", "[coupling]\npartner = \"../other\"\n");
+  folder.write("examples/course/pair/other/merker.toml", "[project]\n");
+  const auto copy = workspace.copyExample("course/pair/one");
+  ASSERT_TRUE(copy);
+  EXPECT_EQ(*copy, folder.path("mine/course-pair/one"));
+  EXPECT_TRUE(fs::exists(folder.path("mine/course-pair/other/merker.toml")));
+  EXPECT_EQ(codeOf(workspace.copyExample("course/pair/other")),
+            "made " + folder.path("mine/course-pair/other"));
 }
 
 TEST_F(Projects, AFreshCopyOfAnExampleLiesBesideTheOldOne) {

@@ -1,10 +1,10 @@
 // The value of each operand behind it in the text, live: those of the lines in sight.
-import { StateEffect, StateField, type Extension } from '@codemirror/state';
+import { StateEffect, StateField, type Extension, type Line } from '@codemirror/state';
 import { Decoration, EditorView, ViewPlugin, WidgetType, type DecorationSet, type ViewUpdate } from '@codemirror/view';
-import { operandKey, operandsOf } from './nearby';
+import { operandsOf } from './nearby';
 
-/** By the key of the operand; null: none are shown. */
-export type OperandValues = ReadonlyMap<string, string> | null;
+/** Of an operand in a line; null: none are shown. */
+export type OperandValues = ((written: string, line: number) => string | undefined) | null;
 export const setOperandValues = StateEffect.define<OperandValues>();
 
 export const operandValues = StateField.define<OperandValues>({
@@ -30,18 +30,18 @@ class Value extends WidgetType {
 
 function decorated(view: EditorView): DecorationSet {
   const values = view.state.field(operandValues);
-  const found = values ? linesInSight(view).flatMap(({ from, text }) => behind(from, text, values)) : [];
+  const found = values ? linesInSight(view).flatMap((line) => behind(line, values)) : [];
   return Decoration.set(found);
 }
 
-const behind = (from: number, text: string, values: ReadonlyMap<string, string>) =>
+const behind = ({ from, text, number }: Line, values: NonNullable<OperandValues>) =>
   operandsOf(text).flatMap(({ written, end }) => {
-    const value = values.get(operandKey(written));
+    const value = values(written, number);
     return value === undefined ? [] : [Decoration.widget({ widget: new Value(value), side: 1 }).range(from + end)];
   });
 
-function linesInSight(view: EditorView): { from: number; text: string }[] {
-  const lines = [];
+function linesInSight(view: EditorView): Line[] {
+  const lines: Line[] = [];
   for (const { from, to } of view.visibleRanges)
     for (let at = from; at <= to; ) {
       const line = view.state.doc.lineAt(at);

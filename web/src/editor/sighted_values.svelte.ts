@@ -3,11 +3,14 @@ import { untrack } from 'svelte';
 import { kept } from '../state/kept.svelte';
 import { WatchList } from '../state/watch.svelte';
 import { operandKey, operandsIn } from './nearby';
+import type { LocalValues } from './local_values';
 import type { OperandValues } from './operand_values';
 import { workspace } from './workspace.svelte';
 
 const MOST = 200;
-const isBlock = (symbol: string): boolean =>
+/** Local variables are those of a call: the program status has seen them, nobody can read them. */
+const isGlobal = (operand: string): boolean => !operand.startsWith('#');
+const isNoValue = (symbol: string): boolean =>
   /^(OB|FB|FC|DB|SFB|SFC|UDT)\b/i.test(workspace.symbols.ofName(symbol)?.operand ?? '');
 
 export class SightedValues {
@@ -17,10 +20,13 @@ export class SightedValues {
   /** Whether people want to see them; this browser remembers it. */
   readonly beside = kept('program.besideOperand', false);
 
-  /** In a component: `wanted` says whether they are shown now. */
-  constructor(wanted: () => boolean) {
+  /** In a component: `wanted` says whether they are shown now; `locals`: what the program status has seen. */
+  constructor(
+    wanted: () => boolean,
+    private readonly locals: () => LocalValues,
+  ) {
     this.shown = () => this.beside.value && wanted();
-    const operands = $derived(this.shown() ? operandsIn(this.lines, isBlock).slice(0, MOST) : []);
+    const operands = $derived(this.shown() ? operandsIn(this.lines, isNoValue).filter(isGlobal).slice(0, MOST) : []);
     const key = $derived(operands.join('\n'));
     $effect(() => {
       void key;
@@ -33,10 +39,12 @@ export class SightedValues {
     this.lines = lines;
   }
 
-  /** Local variables have none: they are those of a call. */
   get values(): OperandValues {
     if (!this.shown()) return null;
     const known = this.watch.items.filter((item) => !item.problem && item.raw !== null);
-    return new Map(known.map((item) => [operandKey(item.operand), item.text]));
+    const values = new Map(known.map((item) => [operandKey(item.operand), item.text]));
+    const locals = this.locals();
+    return (written, line) =>
+      written.startsWith('#') ? locals.get(line)?.get(operandKey(written)) : values.get(operandKey(written));
   }
 }

@@ -62,7 +62,7 @@ export const examples: Record<string, readonly [title: string, description: stri
   ],
   'networks/connections': [
     'S7-Verbindungen: PUT, GET und BSEND zwischen Stationen',
-    'Eine Leitstation gibt einem Band über MPI die Geschwindigkeit vor und holt seine Stückzahl; die CPU des Bandes hat dafür keinen Baustein, auf ihre Variablen wird zugegriffen. Meldungen von 300 Bytes gehen über Ethernet an ein Büro, wo ein Baustein sie annimmt. Die [[connection]] stehen in merker.toml; Bausteine nennen sie mit ID.',
+    'Eine Leitstation gibt einem Band über MPI die Geschwindigkeit vor und holt seine Stückzahl; die CPU des Bandes hat dafür keinen Baustein, auf ihre Variablen wird zugegriffen. Meldungen von 300 Bytes gehen über Ethernet an eine Verwaltung, wo ein Baustein sie annimmt. Die [[connection]] stehen in merker.toml; Bausteine nennen sie mit ID.',
   ],
   'networks/laboratory': [
     'Das Labor, Topologie 1 (Kapitel 2.3)',

@@ -2,7 +2,7 @@ import { language } from './language.svelte';
 
 export { language, type Language } from './language.svelte';
 export { operandText } from './operand';
-export { described, said, told } from './said';
+export { described, figure, said, told } from './said';
 
 /** German and English of one text. `{name}` stands for a value, `{name|one|many}` for the word that its number takes. */
 export type Text = readonly [german: string, english: string];

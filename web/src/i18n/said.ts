@@ -6,6 +6,9 @@ import { phrase, problemText } from './phrases';
 /** A text of the program: an event, a reason, the name of a property. */
 export const said = (text: string): string => (language.value === 'de' ? phrase(text) : text);
 
+/** A figure with its unit, as the program writes it: "187.5 kbit/s". */
+export const figure = (text: string): string => (language.value === 'de' ? text.replace('.', ',') : text);
+
 interface Told {
   code: string;
   text: string;

@@ -8,6 +8,10 @@ export const process = {
     'Zu diesem Projekt gehört noch keine Anlage. Mit „Anlage hinzufügen …“ bekommt es eine simulierte; die Beispiele „Sortieranlage“, „Aufzug“ und andere haben eine.',
     'This project has no plant yet. “Add a plant …” puts a simulated one beside the CPU; the examples “Sorting plant”, “Lift” and others have one.',
   ],
+  noneHere: [
+    'An der PLC einer SINUMERIK gibt es keine simulierte Anlage. Unter „Bilder …“ lässt sich eine eigene zeichnen; Eingänge setzen „E/A“ und „Variablen“.',
+    'The PLC of a SINUMERIK has no simulated plant. Draw one of your own under “Pictures …”; “I/O” and “Variables” set inputs.',
+  ],
   noProject: [
     'Es ist kein Projekt offen. Ein Beispiel oder ein eigenes Projekt öffnen:',
     'No project is open. Open an example or a project of your own:',

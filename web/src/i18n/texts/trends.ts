@@ -12,8 +12,8 @@ export const trends = {
   add: ['Dazu', 'Add'],
   remove: ['{name} nicht mehr aufzeichnen', 'Stop recording {name}'],
   none: [
-    'Noch keine Kurven: rechts einen Operanden oder einen Wert der Anlage eingeben.',
-    'No curves yet: enter an operand or a value of the plant on the right.',
+    'Noch keine Kurven: einen Operanden oder einen Wert der Anlage eingeben.',
+    'No curves yet: enter an operand or a value of the plant.',
   ],
   span: ['Zeitraum', 'Span'],
   rate: ['Abtastung', 'Sampling'],
