@@ -10,6 +10,7 @@
 #include <set>
 #include <thread>
 
+#include "cp_sockets.h"
 #include "ethernet.h"
 #include "s7_calls.h"
 #include "server/guard.h"
@@ -62,6 +63,7 @@ struct S7Server::Parts {
   net::steady_timer timer{context}, pause{context};
   std::set<std::shared_ptr<S7Connection>> clients;
   S7Calls calls{context, around, !hmi::isLocalAddress(place.address)};
+  CpSockets cp{context, around.exchange.cpLines(), place.address};
   std::thread thread;
   mutable std::mutex outsideMutex;
   workbench::S7Outside outside;
@@ -149,6 +151,7 @@ void S7Server::Parts::check() {
       if (!client->closed() && client->overdue(now)) client->breakOffLate();
     std::erase_if(clients, [](const auto& client) { return client->closed(); });
     callPartners();
+    cp.look();
     tell();
     check();
   });
@@ -164,6 +167,7 @@ void S7Server::Parts::use(const CommunicationParameters& parameters) {
     if (client->configured()) client->close();
   calls.forget();
   around.use(parameters);
+  cp.use(parameters.ofCp);
   callPartners();
 }
 

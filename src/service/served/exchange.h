@@ -13,6 +13,7 @@
 #include "plc/operand_memory.h"
 #include "s7comm/plc.h"
 #include "served/bench.h"
+#include "served/cp_lines.h"
 #include "served/messages.h"
 #include "served/partners.h"
 #include "served/passive_blocks.h"
@@ -35,6 +36,8 @@ class Exchange final : public s7comm::Plc {
   void closed();
   // Configured connections; they do without opened() and closed().
   Partners& partners() { return partners_; }
+  // The same of a CP.
+  CpLines& cpLines() { return cpLines_; }
   // How many connections of each kind there are: the system status list has it.
   void inUse(const Resources::Counts& connections);
   // The interface that clients come by; nothing: it is none of IP version 4.
@@ -93,6 +96,7 @@ class Exchange final : public s7comm::Plc {
   void publish(const controller::Controller& plc);
   void tellConnections(controller::Controller& plc);
   bool stands(const controller::Controller& plc);
+  void exchangeConfigured(controller::Controller& plc);
   std::shared_ptr<const Image> image() const;
 
   std::function<void(Call)> post_ = [](const Call& call) { call(); };
@@ -101,6 +105,7 @@ class Exchange final : public s7comm::Plc {
   std::atomic<bool> ordered_ = false, counted_ = false;
 
   Partners partners_;
+  CpLines cpLines_;
 
   mutable std::mutex mutex_;  // of what follows
   std::shared_ptr<Image> image_;

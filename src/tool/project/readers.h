@@ -42,6 +42,16 @@ void readPacing(const Table& root, io::Configuration& configuration);
 CommunicationParameters readCommunication(const Table& root, const CpuModel& model);
 // [[connection]]: configured S7 connections, of those that [communication] has
 void readConfigured(const Table& root, CommunicationParameters& parameters);
+// A [[connection]] of a CP 343-1, of `kind`, which is not S7, behind those that there are.
+void readCpConnection(const Table& table, ConnectionKind kind, CommunicationParameters& parameters);
+// `kind` of a [[connection]].
+ConnectionKind readConnectionKind(const Table& table);
+// The ID of a connection of a CP 343-1; nothing, and a problem: it is none.
+std::optional<std::uint8_t> readCpId(const Table& table, std::string_view key);
+// Connections of a CP need one.
+void requireCp(const Table& root, const Settings& settings);
+// Whose blocks the program may call.
+Libraries readLibraries(const Table& root, const Settings& settings);
 // "W#16#1" or 1; nothing, and a problem, if it is no local ID
 std::optional<std::uint16_t> readConnectionId(const Table& table, std::string_view key);
 // [[connection]] between two stations of a project of several
