@@ -24,6 +24,8 @@ std::optional<io::Module> readModule(const Table& table, const CpuModel& model);
 plant::Configuration readPlants(const Table& root, const io::Configuration& modules);
 // The module's parameters (S7-HWCFG-09)
 void readParameters(const Table& table, io::Module& module);
+// slave of a CP 343-2
+void readAsiSlaves(const Table& table, io::Module& module);
 // [[module.channel]]
 void readChannels(const Table& table, io::Module& module);
 // interrupts, [[module.channel]] of the sub-module 2.4
