@@ -80,13 +80,13 @@ export const examples: Record<string, readonly [title: string, description: stri
     'Rezepte: zwei Stationen mit SFC 65 bis 69',
     'Ein Mischer holt sein Rezept aus einem Lager, schreibt die Nummer seiner Chargen dorthin und sendet zu jeder Charge eine Meldung. Das Programm des Lagers hat einen Aufruf, X_RCV; Rezept und Nummer werden ohne ihn gelesen und geschrieben.',
   ],
-  'networks/token-ring': [
-    'Token-Ring: fünf Stationen mit Globaldaten',
-    'Fünf Zellen mit je einer Presse, die so viel Strom braucht, dass nur eine arbeiten darf. Jede sendet ihre Nummer MW 102 als Globaldaten an die nächste, die letzte an die erste. Die erste Zelle hat das Token, solange sie ihre eigene Nummer empfängt, jede andere, solange sie eine andere als die eigene empfängt; das Token ist kein Telegramm, das verloren gehen könnte (E. W. Dijkstra, 1974). So findet ein Ring, in dem mehrere Zellen es zu haben glauben, von selbst zu einem Token zurück.',
-  ],
   'networks/send-receive': [
     'Senden und Empfangen',
     'AG_SEND und AG_RECV (FC 5, FC 6) zweier Stationen mit je einem CP 343-1: Meldungen als Datenblöcke über ISO-on-TCP, Messwerte als Strom über TCP, ein Lebenszeichen über UDP. Die Szenarien zeigen, was geschieht, wenn niemand liest und wenn der Stecker gezogen ist.',
+  ],
+  'networks/token-ring': [
+    'Token-Ring: fünf Stationen mit Globaldaten',
+    'Fünf Zellen mit je einer Presse, die so viel Strom braucht, dass nur eine arbeiten darf. Jede sendet ihre Nummer MW 102 als Globaldaten an die nächste, die letzte an die erste. Die erste Zelle hat das Token, solange sie ihre eigene Nummer empfängt, jede andere, solange sie eine andere als die eigene empfängt; das Token ist kein Telegramm, das verloren gehen könnte (E. W. Dijkstra, 1974). So findet ein Ring, in dem mehrere Zellen es zu haben glauben, von selbst zu einem Token zurück.',
   ],
   'ring-buffer': [
     'Ringpuffer: Zeiger und indirekte Adressierung',
