@@ -40,7 +40,8 @@ Build buildFromCard(const store::MemoryCard& card, const std::string& folder,
   Build result;
   result.project =
       project::loadConfiguration(folder, load.configuration, cpu.empty() ? load.cpu : cpu);
-  result.library = std::make_shared<const block::Program>(system::library(*result.project.model));
+  result.library = std::make_shared<const block::Program>(
+      system::library(*result.project.model, result.project.libraries));
   result.problems = result.project.problems;
   // A configuration with problems is never put on a card.
   if (cpu.empty() && result.problems.hasErrors()) result.project.unreadable = true;

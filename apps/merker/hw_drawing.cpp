@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/text.h"
+#include "io/asi.h"
 #include "io/slave.h"
 #include "profibus/bus_cycle.h"
 
@@ -126,6 +127,24 @@ std::string cable(const io::Configuration& configuration, std::uint32_t rack) {
   return {};
 }
 
+// "AS-Interface of slot 4", then a line for each slave.
+std::string asiText(const io::Configuration& configuration) {
+  std::string text;
+  std::optional<std::uint32_t> cp;
+  for (const io::Module& module : configuration.modules) {
+    if (!module.asiCp) continue;
+    const io::Module& master = configuration.modules[*module.asiCp];
+    if (std::exchange(cp, module.asiCp) != module.asiCp)
+      text += fmt::format("AS-Interface of slot {}, E and A {} to {}\n", master.slotText(),
+                          *master.inputStart, master.inputEnd());
+    const std::uint32_t shift = io::asiShift(module.slot);
+    text += fmt::format("  {:>3} {:<16} {}  byte {}, bits {} to {}\n", module.slot, module.name,
+                        module.title(), *master.inputStart + io::asiByte(module.slot), shift,
+                        shift + io::kAsiBits - 1);
+  }
+  return text.empty() ? text : text + '\n';
+}
+
 // "DP master 2, bus cycle 1.234 ms", then a line for each slave and each module of it.
 std::string slavesText(const io::Configuration& configuration) {
   if (!configuration.dp) return {};
@@ -161,7 +180,7 @@ std::string outputText(const io::Module& module) {
 std::string drawRacks(const io::Configuration& configuration) {
   std::uint32_t last = 0;
   for (const io::Module& module : configuration.modules)
-    if (module.rack < io::kSlaveRack) last = std::max(last, module.rack);
+    if (module.rack < io::kAsiRack) last = std::max(last, module.rack);
   std::string text;
   for (std::uint32_t rack = 0; rack <= last; ++rack) {
     const std::vector<Box> row = boxes(configuration, rack);
@@ -170,7 +189,7 @@ std::string drawRacks(const io::Configuration& configuration) {
     text += fmt::format("Rack {}{}\n{}backplane bus: {} of {} mA\n\n", rack,
                         cable(configuration, rack), drawAll(row), current.taken, current.possible);
   }
-  return text + slavesText(configuration);
+  return text + asiText(configuration) + slavesText(configuration);
 }
 
 }  // namespace merker::app

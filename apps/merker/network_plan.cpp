@@ -60,26 +60,32 @@ std::string subnetLines(const NetworkPlan& plan, const PlannedSubnet& subnet) {
   text += ethernet ? "\n" : fmt::format(", highest address {}\n", subnet.highest);
   for (const PlannedNode& node : subnet.nodes)
     text += fmt::format("  {:>3}  {}\n", addressText(node), plan.stations[node.station].name);
+  for (const compilation::PlannedSlave& slave : subnet.slaves)
+    text += fmt::format("  {:>3}  {}, {}\n", slave.address, slave.name, slave.model);
   for (std::size_t i = 0; i < subnet.segments.size(); ++i)
     text += segmentLine(subnet.segments[i], i + 1);
   return text;
 }
 
 std::string connectionLine(const NetworkPlan& plan, const PlannedConnection& one) {
-  return fmt::format("  {} W#16#{:X} {} {}\n", plan.stations[one.station].name, one.id,
+  return fmt::format("  {} {} {} {}\n", plan.stations[one.station].name, nameOf(one),
                      one.active ? "calls" : "is called by", one.partner);
 }
 
 ordered_json subnetJson(const NetworkPlan& plan, const PlannedSubnet& subnet) {
-  ordered_json nodes = ordered_json::array(), segments = ordered_json::array();
+  ordered_json nodes = ordered_json::array(), segments = ordered_json::array(),
+               slaves = ordered_json::array();
   for (const PlannedNode& node : subnet.nodes)
     nodes.push_back(
         {{"station", plan.stations[node.station].name},
          {"address", node.ip.empty() ? ordered_json(node.address) : ordered_json(node.ip)}});
   for (const project::Segment& one : subnet.segments)
     segments.push_back({{"length_m", one.length}, {"nodes", one.places}});
+  for (const compilation::PlannedSlave& one : subnet.slaves)
+    slaves.push_back({{"name", one.name}, {"model", one.model}, {"address", one.address}});
   return {{"name", subnet.name},       {"kind", subnet.kind}, {"baud", subnet.rate},
-          {"highest", subnet.highest}, {"nodes", nodes},      {"segments", segments}};
+          {"highest", subnet.highest}, {"nodes", nodes},      {"segments", segments},
+          {"slaves", slaves}};
 }
 
 ordered_json circleJson(const project::GlobalDataRow& row) {
@@ -103,12 +109,12 @@ std::string circleText(const project::GlobalDataRow& row) {
 }
 
 std::string toText(const NetworkPlan& plan) {
-  std::string text =
-      fmt::format("{}: {} stations\n{}", plan.name, plan.stations.size(), stationLines(plan));
+  std::string text = fmt::format("{}: {} station{}\n{}", plan.name, plan.stations.size(),
+                                 plan.stations.size() == 1 ? "" : "s", stationLines(plan));
   for (const PlannedSubnet& subnet : plan.subnets) text += "\n" + subnetLines(plan, subnet);
   if (!plan.circles.empty()) text += "\nglobal data\n";
   for (const project::GlobalDataRow& row : plan.circles) text += "  " + circleText(row) + "\n";
-  if (!plan.connections.empty()) text += "\nS7 connections\n";
+  if (!plan.connections.empty()) text += "\nconnections\n";
   for (const PlannedConnection& one : plan.connections) text += connectionLine(plan, one);
   return text;
 }
@@ -125,6 +131,7 @@ ordered_json toJson(const NetworkPlan& plan) {
           {"global_data", arrayOf(plan.circles, circleJson)},
           {"connections", arrayOf(plan.connections, [&](const auto& one) -> ordered_json {
              return {{"station", plan.stations[one.station].name},
+                     {"kind", compilation::kindName(one.kind)},
                      {"id", one.id},
                      {"active", one.active},
                      {"partner", one.partner}};

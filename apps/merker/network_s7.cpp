@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "command.h"
+#include "network_routes.h"
 
 namespace merker::app {
 namespace {
@@ -53,7 +54,21 @@ int NetworkS7::open(const std::string& command, const S7Option& option,
   for (std::size_t i = 0; i < network.size(); ++i)
     if (const int bad = serve(command, placeOf(*first, i), build.stations[i], network.itself(i)))
       return bad;
+  route(build);
   return kGood;
+}
+
+void NetworkS7::route(const compilation::NetworkBuild& build) {
+  constexpr unsigned kSlots = 32;
+  std::map<std::uint8_t, S7Server*> others;
+  S7Server& first = served_.front().desk.server();
+  for (const auto& [address, station] : routesOf(*build.project.network)) {
+    others[address] = &served_[station].desk.server();
+    std::cerr << fmt::format("{} at {}, too: rack {}, slot {} (address {})\n",
+                             build.stations[station].name, first.place(), address / kSlots,
+                             address % kSlots, address);
+  }
+  if (!others.empty()) first.passOn(std::move(others));
 }
 
 void NetworkS7::look() {

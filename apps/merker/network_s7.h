@@ -1,5 +1,6 @@
 // S7 servers of several stations: each station has its own, at ports one behind the other in the
-// order of the stations, as programming devices reach each CPU of a subnet (S7-NET-01).
+// order of the stations, as programming devices reach each CPU of a subnet (S7-NET-01). The first
+// one leads to the others, too (S7-NET-15).
 #pragma once
 
 #include <deque>
@@ -34,7 +35,8 @@ class NetworkS7 {
   };
   int serve(const std::string& command, const S7Option& option, const compilation::NamedBuild& one,
             controller::Controller& plc);
-  std::deque<Served> served_;
+  void route(const compilation::NetworkBuild& build);
+  std::deque<Served> served_;  // the first one goes first: it passes clients on
 };
 
 }  // namespace merker::app

@@ -134,9 +134,8 @@ class NetworkDrawing {
     y_ -= kRowGap / 2;
     for (const project::GlobalDataRow& row : plan_.circles) legendLine(circleText(row));
     for (const PlannedConnection& one : plan_.connections)
-      legendLine(fmt::format("S7 connection W#16#{:X}: {} {} {}", one.id,
-                             plan_.stations[one.station].name, one.active ? "→" : "←",
-                             one.partner));
+      legendLine(fmt::format("{}: {} {} {}", nameOf(one), plan_.stations[one.station].name,
+                             one.active ? "→" : "←", one.partner));
   }
 
   const NetworkPlan& plan_;
@@ -147,6 +146,15 @@ class NetworkDrawing {
 
 }  // namespace
 
-std::string toSvg(const NetworkPlan& plan) { return NetworkDrawing(plan).draw(); }
+// A slave is drawn as a station is.
+std::string toSvg(const NetworkPlan& plan) {
+  NetworkPlan drawn = plan;
+  for (PlannedSubnet& subnet : drawn.subnets)
+    for (const compilation::PlannedSlave& slave : subnet.slaves) {
+      subnet.nodes.push_back({drawn.stations.size(), slave.address});
+      drawn.stations.push_back({slave.name, {}, slave.model});
+    }
+  return NetworkDrawing(drawn).draw();
+}
 
 }  // namespace merker::app

@@ -78,9 +78,13 @@ void S7Connection::prepare() {
 
 S7Connection::~S7Connection() { close(); }
 
-void S7Connection::begin() {
+void S7Connection::begin(iso::View sent) {
   expect(true);
-  read();
+  passedOn_ = !sent.empty();
+  if (!passedOn_) return read();
+  received_ += sent.size();
+  transport_.feed(sent);
+  pump();
 }
 
 void S7Connection::close() {
@@ -145,7 +149,9 @@ void S7Connection::read() {
 void S7Connection::received(std::size_t count) {
   if (closed_) return;
   received_ += count;
-  transport_.feed(iso::View(buffer_).first(count));
+  const iso::View bytes = iso::View(buffer_).first(count);
+  if (around_.passOn && !transport_.open()) head_.insert(head_.end(), bytes.begin(), bytes.end());
+  transport_.feed(bytes);
   pump();
 }
 
@@ -199,9 +205,14 @@ void S7Connection::refuse(iso::Reason reason, S7Why why) {
 }
 
 void S7Connection::requested(const iso::ConnectParameters& parameters) {
+  if (around_.passOn && around_.passOn(socket_, parameters.called, head_)) {
+    closed_ = true;  // its socket is another one's
+    return;
+  }
+  head_.clear();
   resource_ = served::resourceOf(parameters.called);
   if (takesConfigured(parameters)) return serve();
-  if (around_.parameters.strictSlot && !served::namesTheCpu(parameters.called))
+  if (around_.parameters.strictSlot && !passedOn_ && !served::namesTheCpu(parameters.called))
     return refuse(iso::Reason::UnknownAddress, S7Why::OtherSlot);
   while (!around_.resources.take(resource_))
     if (!around_.makeRoom(resource_)) return refuse(iso::Reason::Congestion, S7Why::NoResource);

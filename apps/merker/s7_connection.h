@@ -29,6 +29,10 @@ struct S7Surroundings {
   }
   S7Incidents incidents{};
   served::PasswordGuard passwords{};
+  // Gives a client that calls another station to the server of that one, with what it has sent so
+  // far: the socket is released. False: it calls this one.
+  std::function<bool(boost::asio::ip::tcp::socket& client, iso::View called, iso::View sent)>
+      passOn{};
   // Takes a connection resource of this kind from whoever has one and never set up its connection.
   std::function<bool(served::Resource kind)> makeRoom{};
 };
@@ -47,7 +51,8 @@ class S7Connection : public std::enable_shared_from_this<S7Connection> {
   S7Connection(const S7Connection&) = delete;
   S7Connection& operator=(const S7Connection&) = delete;
 
-  void begin();
+  // `sent`: what the client has sent to a server that has passed it on.
+  void begin(iso::View sent = {});
   void call(const Endpoint& there);
   bool closed() const { return closed_; }
   // It took too long for what is expected of it.
@@ -106,6 +111,8 @@ class S7Connection : public std::enable_shared_from_this<S7Connection> {
   served::Resource resource_ = served::Resource::Basic;
   std::array<std::uint8_t, 16'384> buffer_{};
   iso::Bytes out_, sending_;
+  iso::Bytes head_;        // what came before the connection stood
+  bool passedOn_ = false;  // by another server, which has looked at its TSAP
   bool reading_ = false, pumping_ = false, ending_ = false, closed_ = false;
   Expected expected_ = Expected::Nothing;
   Clock::time_point due_ = Clock::time_point::max();

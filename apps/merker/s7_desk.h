@@ -17,6 +17,7 @@ class S7Desk {
   // Without a place if it is not open.
   workbench::S7Outside outside() const;
   bool isOpen() const { return server_ != nullptr; }
+  S7Server& server() { return *server_; }  // it is open
   S7Desk() = default;
   ~S7Desk();
   S7Desk(const S7Desk&) = delete;

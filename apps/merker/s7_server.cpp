@@ -10,6 +10,7 @@
 #include <set>
 #include <thread>
 
+#include "cp_sockets.h"
 #include "ethernet.h"
 #include "s7_calls.h"
 #include "server/guard.h"
@@ -62,6 +63,7 @@ struct S7Server::Parts {
   net::steady_timer timer{context}, pause{context};
   std::set<std::shared_ptr<S7Connection>> clients;
   S7Calls calls{context, around, !hmi::isLocalAddress(place.address)};
+  CpSockets cp{context, around.exchange.cpLines(), place.address};
   std::thread thread;
   mutable std::mutex outsideMutex;
   workbench::S7Outside outside;
@@ -70,7 +72,7 @@ struct S7Server::Parts {
   bool listen(std::string& reason);
   void accept();
   void acceptLater();
-  void take(tcp::socket socket);
+  void take(tcp::socket socket, iso::View sent = {});
   bool makeRoom();
   bool breakOffNew(const std::function<bool(const S7Connection&)>& helps);
   void check();
@@ -129,14 +131,14 @@ bool S7Server::Parts::breakOffNew(const std::function<bool(const S7Connection&)>
   return true;
 }
 
-void S7Server::Parts::take(tcp::socket socket) {
+void S7Server::Parts::take(tcp::socket socket, iso::View sent) {
   if (!makeRoom()) {
     around.incidents.note(addressOf(socket), S7Why::NoSocket);
     return;
   }
   const auto client = std::make_shared<S7Connection>(std::move(socket), around);
   clients.insert(client);
-  client->begin();
+  client->begin(sent);
 }
 
 // Time limits, and those that have gone.
@@ -149,6 +151,7 @@ void S7Server::Parts::check() {
       if (!client->closed() && client->overdue(now)) client->breakOffLate();
     std::erase_if(clients, [](const auto& client) { return client->closed(); });
     callPartners();
+    cp.look();
     tell();
     check();
   });
@@ -164,6 +167,7 @@ void S7Server::Parts::use(const CommunicationParameters& parameters) {
     if (client->configured()) client->close();
   calls.forget();
   around.use(parameters);
+  cp.use(parameters.ofCp);
   callPartners();
 }
 
@@ -217,6 +221,31 @@ S7Server::~S7Server() {
 
 void S7Server::use(const CommunicationParameters& parameters) {
   net::post(parts_->context, [parts = parts_.get(), parameters] { parts->use(parameters); });
+}
+
+// In its own thread: what has called is already the other server's.
+void S7Server::passOn(std::map<std::uint8_t, S7Server*> others) {
+  net::post(parts_->context, [parts = parts_.get(), others = std::move(others)] {
+    parts->around.passOn = [others](tcp::socket& client, iso::View called, iso::View sent) {
+      constexpr std::size_t kTsap = 2;
+      const auto found = called.size() == kTsap ? others.find(called[1]) : others.end();
+      if (found == others.end()) return false;
+      boost::system::error_code error;
+      const bool six = client.local_endpoint(error).address().is_v6();
+      const int descriptor = client.release(error);
+      if (!error) found->second->adopt(descriptor, six, {sent.begin(), sent.end()});
+      return true;
+    };
+  });
+}
+
+void S7Server::adopt(int descriptor, bool six, const iso::Bytes& sent) {
+  net::post(parts_->context, [parts = parts_.get(), descriptor, six, sent] {
+    tcp::socket client(parts->context);
+    boost::system::error_code error;
+    client.assign(six ? tcp::v6() : tcp::v4(), descriptor, error);
+    if (!error) parts->take(std::move(client), sent);
+  });
 }
 
 served::Exchange& S7Server::exchange() { return parts_->around.exchange; }

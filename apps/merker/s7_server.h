@@ -1,6 +1,7 @@
 // The S7 server: listens, and carries PDUs between clients and a PLC. A thread of its own.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
 
@@ -22,6 +23,9 @@ class S7Server {
   served::Exchange& exchange();
   // For connections from now on; those that stand stay.
   void use(const CommunicationParameters& parameters);
+  // Clients that call another station by the low byte of the TSAP go to its server. Before
+  // anybody has called; the others outlive this one.
+  void passOn(std::map<std::uint8_t, S7Server*> others);
   std::string place() const;    // "127.0.0.1:10102"
   std::string summary() const;  // "3 connections, 1 refused, 0 broken off, 120 requests, 2 denied"
   // Who is connected, at most a quarter of a second ago; from any thread.
@@ -30,6 +34,7 @@ class S7Server {
   std::string warning() const;
 
  private:
+  void adopt(int descriptor, bool six, const iso::Bytes& sent);
   struct Parts;
   explicit S7Server(std::unique_ptr<Parts> parts);
   std::unique_ptr<Parts> parts_;

@@ -69,8 +69,8 @@ MPI(1): MPI, 187.5 kbit/s, highest address 15
 global data
   GD circle 1, every 8 cycles: Press/MB 100:8 → Belt/MB 120
 
-S7 connections
-  Press W#16#1 calls 127.0.0.1:10102
+connections
+  Press S7 connection W#16#1 calls 127.0.0.1:10102
 """)
 
     def test_as_json(self):
@@ -81,7 +81,7 @@ S7 connections
         self.assertEqual(subnet["nodes"], [{"station": "Press", "address": 2}, {"station": "Belt", "address": 3}])
         self.assertEqual(subnet["segments"][1], {"length_m": 1000, "nodes": ["R1", "Belt"]})
         self.assertEqual(plan["global_data"][0]["to"], ["Belt/MB 120"])
-        self.assertEqual(plan["connections"], [{"station": "Press", "id": 1, "active": True, "partner": "127.0.0.1:10102"}])
+        self.assertEqual(plan["connections"], [{"station": "Press", "kind": "s7", "id": 1, "active": True, "partner": "127.0.0.1:10102"}])
         self.assertEqual(plan["problems"], [])
 
     def test_as_drawing(self):
@@ -102,9 +102,19 @@ S7 connections
         self.lab(LAB.replace('"belt"', '"nowhere"'))
         self.assertIn("Belt   (not readable)", self.expect(PROBLEMS, "network", "lab").out)
 
-    def test_one_station_is_no_network(self):
+    # A DP master alone is a network, too.
+    def test_one_station(self):
         self.lab()
-        self.assertIn("lab/press is a project of one station", self.expect(USAGE, "network", "lab/press").err)
+        dp = pathlib.Path(__file__).parents[2] / "examples" / "networks" / "profibus"
+        text = self.expect(GOOD, "network", dp).out
+        self.assertIn("PROFIBUS(1): PROFIBUS, 1.5 Mbit/s, highest address 126\n    2  PROFIBUS-DP\n    4  Valves, ", text)
+        self.assertIn("\n    5  Remote, ET 200M\n", text)
+        subnet = self.expect(GOOD, "network", dp, "--json").json["subnets"][0]
+        self.assertEqual((subnet["kind"], [one["address"] for one in subnet["slaves"]]), ("profibus", [4, 5]))
+        self.expect(GOOD, "network", dp, "--svg", "dp.svg")
+        texts = [one.text for one in xml.etree.ElementTree.fromstring(self.read("dp.svg")).iter("{http://www.w3.org/2000/svg}text")]
+        self.assertLessEqual({"PROFIBUS(1)", "Valves", "Remote", "ET 200M"}, set(texts))
+        self.assertIn("1 station\n", self.expect(GOOD, "network", "lab/press").out)
         self.expect(UNREADABLE, "network", "nowhere")
 
     def wrong(self, what, *changes):

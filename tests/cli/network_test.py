@@ -328,10 +328,10 @@ partner = "Belt"
         self.linked(self.LINKS.replace('partner = "Belt"\n', 'partner = "Belt"\nsubnet = "net"\n'))
         text = self.expect(GOOD, "network", "lab").out
         self.assertIn("Net: Ethernet, 100 Mbit/s\n  192.168.0.1  Press\n  192.168.0.2  Belt\n", text)
-        self.assertIn("S7 connections\n  Press W#16#1 calls Belt (Net)\n", text)
+        self.assertIn("connections\n  Press S7 connection W#16#1 calls Belt (Net)\n", text)
         document = self.expect(GOOD, "network", "lab", "--json").json
         self.assertEqual(document["subnets"][1]["nodes"][0], {"station": "Press", "address": "192.168.0.1"})
-        self.assertEqual(document["connections"], [{"station": "Press", "id": 1, "active": True, "partner": "Belt (Net)"}])
+        self.assertEqual(document["connections"], [{"station": "Press", "kind": "s7", "id": 1, "active": True, "partner": "Belt (Net)"}])
 
     def test_commands_of_one_station(self):
         self.lab()

@@ -1,4 +1,6 @@
 """S7 servers of several stations: a programming device reaches each CPU at its own port (S7-NET-01, S7-NET-26)."""
+import contextlib
+
 from s7_client import *
 
 LAB = """[[station]]
@@ -30,12 +32,12 @@ class NetworkS7(S7Case):
         self.write("lab/mill/merker.toml", '[cpu]\nmodel = "SINUMERIK 810 GA3"\n')
         self.write("lab/mill/main.s5", "OB 1\n L KB 3\n T MB 51\n BE\n")
 
-    def serve(self):
+    def serve(self, count=3):
         command = [os.environ["MERKER"], "run", "lab", "--s7", "0", "--no-workbench"]
         process = subprocess.Popen(command, cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         self.addCleanup(lambda: (process.kill(), process.communicate()))
         self.ports = {}
-        while len(self.ports) < 3:
+        while len(self.ports) < count:
             line = process.stderr.readline()
             self.assertNotEqual(line, "")
             found = re.fullmatch(r"S7 communication of (\w+): 127\.0\.0\.1:(\d+)\n", line)
@@ -47,6 +49,40 @@ class NetworkS7(S7Case):
         client = Client(self.ports[station])
         self.addCleanup(client.close)
         return client
+
+    # S7-NET-15, S7-NET-01: one port, and the station by its address; a DP master behind a station that is on both subnets.
+    def test_all_at_the_first_port(self):
+        self.lab()
+        self.write("lab/merker.toml", LAB + """[[station]]
+name = "Saw"
+folder = "saw"
+[[subnet]]
+name = "MPI(2)"
+kind = "mpi"
+highest = 63
+nodes = [ {station = "Belt", address = 34}, {station = "Saw", address = 35} ]
+""")
+        self.write("lab/saw/merker.toml", '[cpu]\nmodel = "314C-2 DP"\n')
+        self.write("lab/saw/main.awl", PROGRAM + block("      L     4\n      T     MW 50", 100))
+        process = self.serve(4)
+        for slot, station in (2, b"\x01"), (3, b"\x02"), (34, b"\x02"), (35, b"\x04"), (7, b"\x01"):
+            client = Client(self.ports["Press"], slot=slot)
+            self.addCleanup(client.close)
+            self.assertEqual(client.read(FLAGS, 51), station, slot)
+        for _ in range(100):  # and it stays so with many
+            with contextlib.closing(Client(self.ports["Press"], slot=3)) as client:
+                self.assertEqual(client.read(FLAGS, 51), b"\x02")
+        pieces = Client.__new__(Client)  # the call comes byte by byte
+        pieces.socket, pieces.number = socket.create_connection(("127.0.0.1", self.ports["Press"]), timeout=20), 1
+        for byte in CONNECT[:-2] + b"\x01\x03":
+            pieces.socket.sendall(bytes([byte]))
+            time.sleep(0.001)
+        self.assertEqual(pieces.tpdu()[1:2], b"\xD0")
+        pieces.ask(SETUP)
+        self.assertEqual(pieces.read(FLAGS, 51), b"\x02")
+        pieces.close()
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=60)
 
     def test_each_at_its_port(self):
         self.lab()

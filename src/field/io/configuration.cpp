@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/text.h"
+#include "io/asi.h"
 #include "io/slave.h"
 #include "serial/parameters.h"
 
@@ -37,6 +38,7 @@ Parameters Parameters::of(const ModuleType& type) {
 }
 
 std::string Module::slotText() const {
+  if (asiCp) return fmt::format("AS{}/{}", rack - kAsiRack, slot);
   if (rack >= kSlaveRack) return fmt::format("DP{}/{}", rack - kSlaveRack, slot);
   if (onBoard()) return fmt::format("{}.{}", slot, subslot);
   return rack == 0 ? fmt::format("{}", slot) : fmt::format("{}/{}", rack, slot);

@@ -24,6 +24,7 @@ struct Parameters;
 namespace merker::io {
 
 struct DpMaster;  // io/slave.h
+struct AsiSlave;  // io/asi.h
 
 // What outputs do while the CPU is not in RUN (S7-STATE-02, S7-HWCFG-09).
 enum class OnStop : std::uint8_t { Zero, Keep, Substitute };
@@ -72,8 +73,14 @@ struct Module {
   std::shared_ptr<const ModuleType> own{};
   std::uint16_t master = 0;
   std::uint32_t station = 0;
+  // Of a CP 343-2: what is on its AS-Interface. Of such a slave: the number of the CP in the
+  // configuration, and which of its data bits are what.
+  std::shared_ptr<const std::vector<AsiSlave>> asi{};
+  std::optional<std::uint32_t> asiCp{};
+  std::uint8_t asiInputs = 0, asiOutputs = 0;
 
-  std::string slotText() const;  // "4", "1/4", "2.2", "DP3/4" of the slave with address 3
+  std::string slotText() const;  // "4", "1/4", "2.2", "DP3/4" of the slave with address 3,
+                                 // "AS4/7" of the AS-i slave 7 at the CP in slot 4
   std::string title() const;     // "SM 321 DI16xDC24V", "DI24/DO16 on board"
   std::uint32_t inputEnd() const { return *inputStart + type->inputBytes - 1; }
   std::uint32_t outputEnd() const { return *outputStart + type->outputBytes - 1; }

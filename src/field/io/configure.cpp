@@ -4,6 +4,7 @@
 
 #include "base/text.h"
 #include "io/addresses.h"
+#include "io/asi.h"
 #include "io/configuration.h"
 #include "io/mounting.h"
 
@@ -64,6 +65,7 @@ Configuration configure(std::vector<Module> modules, const CpuModel& model, Prob
   assignAddresses(configuration);
   checkMounting(configuration, problems);
   checkAddresses(configuration, problems);
+  addAsiSlaves(configuration, problems);
   return configuration;
 }
 

@@ -141,4 +141,15 @@ std::vector<std::uint8_t> diagnosis(const ModuleType& type, const ModuleFaults& 
   return record;
 }
 
+// Manual CP 343-2, diagnostic interrupt: channel type 60, no bytes of single channels, 32 channels,
+// a bit for each slave.
+void addMissingSlaves(std::vector<std::uint8_t>& record, std::uint32_t slaves) {
+  constexpr std::uint8_t kAsiType = 0x60, kSlaves = 32;
+  record[1] |= kChannelInformation;
+  for (const std::uint8_t byte : {kAsiType, std::uint8_t{0}, kSlaves}) record.push_back(byte);
+  for (unsigned shift = 0; shift < kSlaves; shift += 8)
+    record.push_back(static_cast<std::uint8_t>(slaves >> shift));
+  if (slaves != 0) record[0] |= kModuleDefect | kExternal | kChannel;
+}
+
 }  // namespace merker::io

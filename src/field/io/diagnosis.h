@@ -12,5 +12,7 @@ namespace merker::io {
 inline constexpr std::size_t kRecord0 = 4;  // bytes
 
 std::vector<std::uint8_t> diagnosis(const ModuleType& type, const ModuleFaults& faults);
+// Of a CP 343-2: the slaves that do not answer, a bit for each address.
+void addMissingSlaves(std::vector<std::uint8_t>& record, std::uint32_t slaves);
 
 }  // namespace merker::io

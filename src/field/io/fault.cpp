@@ -3,6 +3,7 @@
 #include <array>
 
 #include "base/text.h"
+#include "io/asi.h"
 #include "io/slave.h"
 
 namespace merker::io {
@@ -57,7 +58,7 @@ bool possible(const ModuleType& type, FaultKind kind) {
     case FaultKind::Underflow:
       return type.analogInputs > 0;
     case FaultKind::LoadVoltage:
-      return signals || type.kind == ModuleKind::Position;
+      return signals || type.kind == ModuleKind::Position || isAsiMaster(type);
     case FaultKind::SensorSupply:
       return type.digitalInputs > 0;
     case FaultKind::Fuse:

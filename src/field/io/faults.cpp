@@ -2,6 +2,7 @@
 #include <set>
 #include <utility>
 
+#include "io/asi.h"
 #include "io/diagnosis.h"
 #include "io/rack.h"
 #include "io/slave.h"
@@ -12,10 +13,17 @@ void Rack::interrupt(std::uint32_t index, std::uint32_t points) {
   if (points != 0 && present(index)) events_.interrupt(of(index), points);
 }
 
+std::vector<std::uint8_t> Rack::diagnosisOf(std::uint32_t index) const {
+  const ModuleType& type = *of(index).type;
+  std::vector<std::uint8_t> record = diagnosis(type, units_[index].faults);
+  if (isAsiMaster(type)) addMissingSlaves(record, missingOnAsi(index));
+  return record;
+}
+
 // Coming while any fault is there, going when the last one has gone (S7-ERR-05).
 void Rack::diagnose(std::uint32_t index) {
   Unit& unit = units_[index];
-  std::vector<std::uint8_t> now = diagnosis(*of(index).type, unit.faults);
+  std::vector<std::uint8_t> now = diagnosisOf(index);
   if (now == unit.diagnosis) return;
   unit.diagnosis = std::move(now);
   reportDiagnosis(index);
@@ -57,6 +65,7 @@ bool Rack::fault(std::uint32_t index, FaultKind kind, std::optional<std::uint32_
                  bool there) {
   if (!possible(*of(index).type, kind)) return false;
   if (!units_[index].faults.put(kind, channel, there)) return true;
+  if (of(index).asiCp || isAsiMaster(*of(index).type)) return asiFault(index, kind, there), true;
   const bool line = isHead(*of(index).type);
   if (kind == FaultKind::Removed || kind == FaultKind::RackPower || line)
     presenceFault(index, kind, there);
@@ -66,7 +75,8 @@ bool Rack::fault(std::uint32_t index, FaultKind kind, std::optional<std::uint32_
 }
 
 // A rack is there while its interface module has power; the rack of a slave, moreover, while the
-// line is whole from the master to its head, and shorted nowhere.
+// line is whole from the master to its head, and shorted nowhere. Slaves of an AS-Interface need
+// their CP and its supply.
 std::vector<char> Rack::presentNow() const {
   std::set<std::uint32_t> lost;
   bool broken = false, shorted = false;
@@ -82,6 +92,9 @@ std::vector<char> Rack::presentNow() const {
   for (std::uint32_t i = 0; i < units_.size(); ++i)
     present[i] = !units_[i].faults.has(FaultKind::Removed) && !lost.contains(of(i).rack) &&
                  !(shorted && of(i).rack >= kSlaveRack);
+  for (std::uint32_t i = 0; i < units_.size(); ++i)
+    if (const auto cp = of(i).asiCp)
+      present[i] = present[i] && present[*cp] && !units_[*cp].faults.has(FaultKind::LoadVoltage);
   return present;
 }
 

@@ -70,6 +70,7 @@ void Rack::showBits(std::uint32_t index) {
       bitOf(FaultKind::LoadVoltage) | bitOf(FaultKind::SensorSupply) | bitOf(FaultKind::Defect);
   const std::uint32_t bits =
       !unit.faults.hasAny(kDead) && present(index) ? unit.digital.delivered() : 0;
+  if (module.asiCp) return showAsi(index, bits);
   for (std::uint32_t i = 0; i < module.type->inputBytes; ++i)
     inputs_.set(*module.inputStart + i, static_cast<std::uint8_t>(bits >> (8 * i)));
 }

@@ -49,6 +49,7 @@ bool Rack::outputLevel(std::uint32_t index, std::uint32_t channel) const {
     return (module.parameters.substituteBits >> channel & 1) != 0;
   if (const auto driven = unit.driven.level(channel))  // CNT-PIN-13
     return !outputs_.disabled() && *driven;
+  if (module.asiCp) return asiOutput(module, channel);
   return (outputs_.byte(*module.outputStart + channel / 8) >> (channel % 8) & 1) != 0;
 }
 

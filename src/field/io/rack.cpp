@@ -43,7 +43,7 @@ Rack::Rack(Configuration configuration)
       units_[i].analog.set(c, amountAtRest(module.parameters.analogInputs[c].range));
       convert(i, c);
     }
-    units_[i].diagnosis = diagnosis(*module.type, units_[i].faults);
+    units_[i].diagnosis = diagnosisOf(i);
   }
   static_cast<void>(events_.take());  // limits that amounts at rest exceed
 }
@@ -96,7 +96,7 @@ void Rack::advance(std::uint32_t index, Instant at) {
 }
 
 std::vector<std::uint8_t> Rack::record1(const Module& module) const {
-  return diagnosis(*module.type, units_[index(module)].faults);
+  return diagnosisOf(index(module));
 }
 
 std::vector<std::uint8_t> Rack::record0(const Module& module) const {

@@ -118,12 +118,18 @@ class Rack {
   void detach(Terminal terminal, Instant now);
   void take(std::uint32_t index, std::uint32_t levels);  // inputs pass the delay
   void showBits(std::uint32_t index);
+  // asi.cpp
+  void showAsi(std::uint32_t index, std::uint32_t bits);
+  bool asiOutput(const Module& slave, std::uint32_t channel) const;
+  std::uint32_t missingOnAsi(std::uint32_t cp) const;
+  void asiFault(std::uint32_t index, FaultKind kind, bool there);
   void convert(std::uint32_t index, std::uint32_t channel);
   // outputs.cpp
   bool outputLevel(std::uint32_t index, std::uint32_t channel) const;
   double outputAmount(std::uint32_t index, std::uint32_t channel) const;
   std::uint8_t putOutBits(std::uint32_t index, std::uint32_t offset) const;
   // faults.cpp
+  std::vector<std::uint8_t> diagnosisOf(std::uint32_t index) const;
   void reportDiagnosis(std::uint32_t index);
   void diagnose(std::uint32_t index);
   void presence(std::uint32_t index, ModuleEvent::Kind kind);

@@ -25,6 +25,8 @@ struct Slave {
 };
 
 struct DpMaster {
+  std::string subnet{};           // its name
+  std::uint32_t highest = 126;    // address there (S7-NET-06)
   std::int64_t rate = 1'500'000;  // bit/s
   std::uint8_t address = 2;
   std::uint16_t diagnosis = 0;  // diagnostic address of the interface

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "address/connection_kind.h"
+
 namespace merker::network {
 
 class Node;
@@ -14,6 +16,7 @@ struct ConnectionEnd {
   std::uint16_t number = 0;           // of the connection, the same at both ends
   std::optional<std::uint16_t> id{};  // as blocks name it; none: this end only serves the other
   bool active = false;                // this end calls
+  ConnectionKind kind = ConnectionKind::S7;
 };
 
 }  // namespace merker::network

@@ -58,13 +58,14 @@ void Network::attach(std::size_t i, Subnet& subnet, std::uint8_t address) {
   places_.push_back({i, &subnet, &subnet.add(address)});
 }
 
-void Network::connect(const Subnet& subnet, const Partner& calling, const Partner& called) {
+void Network::connect(const Subnet& subnet, const Partner& calling, const Partner& called,
+                      ConnectionKind kind) {
   Node& from = *placeOf(calling.station, subnet)->node;
   Node& to = *placeOf(called.station, subnet)->node;
   const std::uint16_t number = ++connections_;
   const auto join = [&](const Partner& one, Node& own, const Node& other, bool active) {
     controller::capability<Connectable>(itself(one.station))
-        ->connect({&own, other.address(), number, one.id, active});
+        ->connect({&own, other.address(), number, one.id, active, kind});
   };
   join(calling, from, to, true);
   join(called, to, from, false);

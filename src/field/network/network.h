@@ -35,7 +35,8 @@ class Network {
     std::optional<std::uint16_t> id{};  // as ConnectionEnd
   };
   // A configured connection; both are on the subnet.
-  void connect(const Subnet& subnet, const Partner& calling, const Partner& called);
+  void connect(const Subnet& subnet, const Partner& calling, const Partner& called,
+               ConnectionKind kind = ConnectionKind::S7);
   Subnet& addSubnet(const Medium& medium, std::string name = {});
   Subnet& addSubnet(std::int64_t rate, std::string name = {}) {
     return addSubnet(mpi(rate), std::move(name));

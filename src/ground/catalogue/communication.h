@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "address/connection_kind.h"
 #include "catalogue/cpu_model.h"
 
 namespace merker {
@@ -30,6 +31,21 @@ struct ConnectionParameters {
   bool operator==(const ConnectionParameters&) const = default;
 };
 
+// A connection of a CP 343-1 to a partner outside, for AG_SEND and AG_RECV (S7-SFB-10).
+struct CpConnectionParameters {
+  static constexpr std::uint32_t kHighestId = 16;  // S7-300
+  static constexpr std::size_t kLongestTsap = 16;  // octets
+
+  std::uint8_t id = 1;
+  ConnectionKind kind = ConnectionKind::Tcp;
+  std::string host = "127.0.0.1";  // of the partner, as a number
+  std::uint16_t port = 0;          // there, if this side calls; of UDP always
+  std::uint16_t localPort = 0;     // where this side listens, if it is called; of UDP always
+  bool active = true;              // this side calls
+  std::vector<std::uint8_t> localTsap{}, partnerTsap{};  // ISO on TCP
+  bool operator==(const CpConnectionParameters&) const = default;
+};
+
 struct CommunicationParameters {
   std::optional<std::uint32_t> connections;  // none: unlimited
   std::uint32_t pg = 1, op = 1, basic = 0;   // of these kept for one kind
@@ -37,6 +53,7 @@ struct CommunicationParameters {
   bool strictSlot = false;                   // the called TSAP names rack 0, slot 2, or is refused
   std::string address{};                     // of the server, as --s7 takes it; empty: none
   std::vector<ConnectionParameters> configured{};
+  std::vector<CpConnectionParameters> ofCp{};
   bool operator==(const CommunicationParameters&) const = default;
 
   static CommunicationParameters of(const CpuModel& model) {

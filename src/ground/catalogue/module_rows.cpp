@@ -195,7 +195,8 @@ constexpr std::array kModules{
     other("6ES7 341-1AH02-0AE0", "CP 341", "RS 232", Kind::Communication, 70),
     other("6GK7 342-5DA03-0XE0", "CP 342-5", "PROFIBUS DP", Kind::Communication, 150),
     other("6GK7 343-1EX30-0XE0", "CP 343-1", "Ethernet", Kind::Communication, 200),
-    other("6GK7 343-1GX11-0XE0", "CP 343-1 IT", "Ethernet", Kind::Communication, 200)};
+    other("6GK7 343-1GX11-0XE0", "CP 343-1 IT", "Ethernet", Kind::Communication, 200),
+    diagnosing(other("6GK7 343-2AH00-0XA0", "CP 343-2", "AS-Interface", Kind::Communication, 200))};
 
 constexpr std::array kOnBoard{
     settable(digital("", "", "DI24/DO16", 24, 16, 0, kDc, kDirect), kDelaysOnBoard, 0xFFFFFF, 1),

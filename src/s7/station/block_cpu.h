@@ -19,6 +19,7 @@ struct Snapshot;
 namespace merker::system {
 class Alarms;
 class Connections;
+class SendReceive;
 struct Communication;
 struct SzlList;
 }  // namespace merker::system
@@ -45,6 +46,8 @@ class BlockCpu : public controller::Capability {
   virtual system::Communication& communication() = 0;
   // Configured connections, for whoever carries them.
   virtual system::Connections& connections() = 0;
+  // Those of a CP 343-1, the same.
+  virtual system::SendReceive& sendReceive() = 0;
   // In RUN at the next cycle checkpoint, all blocks at once. The reason if the CPU refuses.
   virtual std::string download(std::shared_ptr<const block::Program> program,
                                std::string_view password) = 0;

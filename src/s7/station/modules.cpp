@@ -1,5 +1,6 @@
 #include "station/modules.h"
 
+#include "catalogue/ethernet.h"
 #include "io/slave.h"
 #include "profibus/slave_diagnosis.h"
 
@@ -58,6 +59,7 @@ std::vector<ModuleInfo> Modules::all() const {
     info.plugged = answers(module);
     info.diagnostics = module.type->diagnosticInterrupt;
     info.distributed = module.rack >= io::kSlaveRack;
+    info.ethernet = hasEthernet(*module.type);
     list.push_back(info);
   }
   return list;

@@ -17,7 +17,7 @@ struct Station::Parts {
       : model(options.model),
         program(options.program ? options.program : std::make_shared<const block::Program>()),
         engine(*model, options.engine == Engine::Compiled),
-        services(*model),
+        services(*model, options.libraries),
         cpu(*model, engine, services, options.startOfClock,
             options.parameters.value_or(CpuParameters::of(*model))) {
     engine.interpreter().countCoverage(options.coverage);
@@ -71,14 +71,15 @@ struct Station::Parts {
   void rest() {
     system::BasicCommunication& partners = services.partners();
     partners.rest(cpu, cpu.machine().clock, cpu.powered());
-    links.rest(partners, cpu.machine().clock, cpu.powered());
+    links.rest(partners, services.sendReceive(), cpu.machine().clock, cpu.powered());
     globalData.rest(partners);
   }
   // At the end of a cycle: partners first, then who looks on.
   void checkpoint() {
     if (onSubnet()) {
       services.partners().serve(cpu, cpu.machine().clock);
-      links.serve(services.partners(), services.connections(), cpu.machine().clock);
+      links.serve(services.partners(), services.connections(), services.sendReceive(),
+                  cpu.machine().clock);
       globalData.exchange(cpu, services.partners());
     }
     if (!observer) return;

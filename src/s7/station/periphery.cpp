@@ -138,7 +138,9 @@ std::uint8_t Periphery::drivenBits(std::uint32_t byte) const {
       const auto* terminal = std::get_if<io::Terminal>(&wire.end);
       if (terminal == nullptr || isOutput(terminal->side)) continue;
       const bool digital = isDigital(terminal->side);
-      const std::uint32_t start = *rack_.configuration().modules[terminal->module].inputStart;
+      const io::Module& module = rack_.configuration().modules[terminal->module];
+      if (!module.inputStart) continue;  // an AS-i slave: its bits lie in bytes of the CP
+      const std::uint32_t start = *module.inputStart;
       const std::uint32_t first = start + (digital ? terminal->channel / 8 : 2 * terminal->channel);
       if (digital && first == byte) bits |= 1u << (terminal->channel & 7);
       if (!digital && (first == byte || first + 1 == byte)) bits = 0xFF;

@@ -51,6 +51,7 @@ const cpu::Cpu& Station::cpu() const { return parts_->cpu; }
 system::Alarms& Station::alarms() { return parts_->services.alarms(); }
 system::Communication& Station::communication() { return parts_->services.communication(); }
 system::Connections& Station::connections() { return parts_->services.connections(); }
+system::SendReceive& Station::sendReceive() { return parts_->services.sendReceive(); }
 
 const CpuModel& Station::model() const { return *parts_->model; }
 const block::Program& Station::program() const { return *parts_->program; }
@@ -312,8 +313,7 @@ void Station::onChange(std::function<void(controller::Controller&)> observer) {
 // checkpoint.
 bool Station::nobodyLooks() const {
   const serial::Coupling* const line = parts_->serial();
-  return !parts_->eachCycle && !parts_->services.partners().joined() &&
-         (line == nullptr || !line->joined());
+  return !parts_->eachCycle && !parts_->onSubnet() && (line == nullptr || !line->joined());
 }
 
 void Station::passQuietCycles(Instant limit) {
@@ -328,8 +328,11 @@ void Station::join(network::Node& node, const network::GlobalData& globalData) {
 
 void Station::connect(const network::ConnectionEnd& end) {
   system::Services& services = parts_->services;
-  parts_->links.add(end, services.communication().parameters.pdu, services.connections(),
-                    services.partners());
+  if (end.kind == ConnectionKind::S7)
+    parts_->links.add(end, services.communication().parameters.pdu, services.connections(),
+                      services.partners());
+  else
+    parts_->links.add(end, services.sendReceive());
   parts_->cpu.onCheckpoint([parts = parts_.get()] { parts->checkpoint(); });
 }
 

@@ -14,6 +14,7 @@
 
 #include "address/reference.h"
 #include "block/block.h"
+#include "catalogue/block_library.h"
 #include "catalogue/communication.h"
 #include "catalogue/cpu_model.h"
 #include "catalogue/cpu_parameters.h"
@@ -46,6 +47,7 @@ struct Options {
   const CpuModel* model = &defaultCpuModel();
   std::optional<CpuParameters> parameters{};  // without: the model's defaults
   std::optional<CommunicationParameters> communication{};
+  Libraries libraries = standardLibraries();
   // Without it: docs/compatibility.md, "Without a hardware configuration".
   std::optional<io::Configuration> hardware{};
   plant::Configuration plants{};  // only with a hardware configuration
@@ -212,6 +214,7 @@ class Station final : public controller::Controller,
   system::Alarms& alarms() override;
   system::Communication& communication() override;
   system::Connections& connections() override;
+  system::SendReceive& sendReceive() override;
 
   // Called after each change of simulated time at a cycle checkpoint: traces look at values here.
   void onCycle(std::function<void(controller::Controller&)> observer) override;

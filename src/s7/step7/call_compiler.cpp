@@ -17,7 +17,7 @@ bool CallCompiler::compile(std::size_t begin) {
     return false;
   }
   if (parameters.ofAnotherBlock()) {
-    c_.problems().add(ProblemCode::P0506, c_.at(begin, c_.cursor().pos()), toString(target_.id));
+    tellOtherBlock(c_.at(begin, c_.cursor().pos()));
     parameters.skip();
     return false;
   }
@@ -29,6 +29,18 @@ bool CallCompiler::compile(std::size_t begin) {
   else
     callFunctionBlock();
   return true;
+}
+
+// FC 5 and FC 6 are blocks of two libraries (docs/compatibility.md, "Libraries").
+void CallCompiler::tellOtherBlock(const Position& place) {
+  constexpr std::uint16_t kFirstOfBoth = 5, kLastOfBoth = 6;
+  const BlockId id = target_.id;
+  const bool ofBoth =
+      id.kind == BlockKind::FC && kFirstOfBoth <= id.number && id.number <= kLastOfBoth;
+  if (!ofBoth) return c_.problems().add(ProblemCode::P0506, place, toString(id));
+  const bool cp = target_.block->attributes.family == "CP300";
+  c_.problems().add(ProblemCode::P0525, place, toString(id), target_.block->symbol,
+                    cp ? "SIMATIC_NET_CP" : "Standard Library");
 }
 
 bool CallCompiler::target() {

@@ -18,6 +18,7 @@ class CallCompiler {
   bool instanceTarget(const block::Variable& variable, std::size_t begin);
   bool instanceDataBlock(std::size_t begin);
   void checkSystemBlock(std::size_t begin);
+  void tellOtherBlock(const Position& place);
 
   // functions
   void callFunction();

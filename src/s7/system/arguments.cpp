@@ -60,7 +60,7 @@ std::uint8_t* inInstance(const cpu::OpenBlock& instance, std::uint32_t length, W
 }  // namespace
 
 Arguments::Where Arguments::placeOf(std::size_t i) const {
-  if (call_.block.kind == BlockKind::SFB)
+  if (call_.block.kind == BlockKind::SFB || call_.block.kind == BlockKind::FB)
     return {Area::Instance, (call_.machine.registers.ar2 & 0xFFFFFF) + places_[i].address};
   const std::size_t entry = function_.parameters[i].entry;
   if (entry >= call_.parameters.size()) return {};

@@ -30,6 +30,7 @@ class Coupling;
 namespace merker::system {
 
 class Connections;
+class SendReceive;
 
 // Bytes in the CPU's memory, or why they cannot be reached.
 struct Region {
@@ -55,6 +56,7 @@ struct Context {
   Alarms alarms;
   Communication communication{};
   std::shared_ptr<Connections> connections;  // configured ones
+  std::shared_ptr<SendReceive> sendReceive;  // those of a CP
   BasicCommunication partners{};
 };
 
@@ -93,6 +95,7 @@ class Arguments {
   Alarms& alarms() { return context_.alarms; }
   const Communication& communication() const { return context_.communication; }
   Connections& connections() { return *context_.connections; }
+  SendReceive& sendReceive() { return *context_.sendReceive; }
   BasicCommunication& partners() { return context_.partners; }
   std::uint16_t functionNumber() const { return function_.number; }
   // SFB: whether the instance is long enough for this parameter.

@@ -42,6 +42,11 @@ template <std::uint16_t number>
 using Sfc = Call<BlockKind::SFC, number>;
 template <std::uint16_t number>
 using Sfb = Call<BlockKind::SFB, number>;
+// Of SIMATIC_NET_CP.
+template <std::uint16_t number>
+using CpFc = Call<BlockKind::FC, kCpRow + number>;
+template <std::uint16_t number>
+using CpFb = Call<BlockKind::FB, kCpRow + number>;
 
 // A name in the row of whichever function `A` is a call of.
 template <typename A>

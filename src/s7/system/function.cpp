@@ -15,6 +15,7 @@ struct Row {
   std::string_view name;
   bool (*run)(const Invocation&);
   std::string_view parameters;
+  BlockLibrary library;
 };
 
 template <typename Which, void (*function)(Which&)>
@@ -24,15 +25,34 @@ bool answer(const Invocation& invocation) {
   return call.good();
 }
 
+// Of functions.inc and library.inc: all FCs are of a library.
+constexpr BlockLibrary libraryOf(BlockKind kind) {
+  return kind == BlockKind::FC ? BlockLibrary::Standard : BlockLibrary::Cpu;
+}
+
 constexpr Row kRows[] = {
 #define FUNCTION(kind, number, name, function, requirement, parameters) \
-  {BlockKind::kind, number, name, answer<Call<BlockKind::kind, number>, function>, parameters},
+  {BlockKind::kind,                                                     \
+   number,                                                              \
+   name,                                                                \
+   answer<Call<BlockKind::kind, number>, function>,                     \
+   parameters,                                                          \
+   libraryOf(BlockKind::kind)},
+#define CP_FUNCTION(kind, number, name, function, requirement, parameters) \
+  {BlockKind::kind,                                                        \
+   number,                                                                 \
+   name,                                                                   \
+   answer<Call<BlockKind::kind, kCpRow + number>, function>,               \
+   parameters,                                                             \
+   BlockLibrary::NetCp},
 #define CODE(kind, number, code, text)
 #define CODES(kind, number, group)
 #define GROUP_CODE(group, code, text)
+#include "system/cp_library.inc"
 #include "system/functions.inc"
 #include "system/library.inc"
 #undef FUNCTION
+#undef CP_FUNCTION
 #undef CODE
 #undef CODES
 #undef GROUP_CODE
@@ -94,18 +114,29 @@ std::vector<Parameter> parametersOf(std::string_view text) {
 }
 
 bool lacks(const CpuModel& model, const Row& row) {
-  if (row.kind == BlockKind::FC) return false;
+  if (row.library != BlockLibrary::Cpu) return false;
   const auto& list = row.kind == BlockKind::SFC ? model.lacksSfcs : model.lacksSfbs;
   return std::find(list.begin(), list.end(), row.number) != list.end();
 }
 
+void addRows(const CpuModel& model, BlockLibrary library, std::vector<Function>& all) {
+  const auto known = [&](const Row& row) {
+    return std::ranges::any_of(all, [&](const Function& other) {
+      return other.kind == row.kind && other.number == row.number;
+    });
+  };
+  for (const Row& row : kRows)
+    if (row.library == library && !lacks(model, row) && !known(row))
+      all.push_back(
+          {row.kind, row.number, row.name, parametersOf(row.parameters), row.run, row.library});
+}
+
 }  // namespace
 
-std::vector<Function> allFunctions(const CpuModel& model) {
+std::vector<Function> allFunctions(const CpuModel& model, const Libraries& libraries) {
   std::vector<Function> all;
-  for (const Row& row : kRows)
-    if (!lacks(model, row))
-      all.push_back({row.kind, row.number, row.name, parametersOf(row.parameters), row.run});
+  addRows(model, BlockLibrary::Cpu, all);
+  for (const BlockLibrary library : libraries) addRows(model, library, all);
   return all;
 }
 

@@ -1,6 +1,6 @@
 // A row of the table of system functions: number, name, parameters, function. The interface that
-// the compiler sees and the function that runs come from the same row of functions.inc or
-// library.inc.
+// the compiler sees and the function that runs come from the same row of functions.inc, library.inc
+// or cp_library.inc.
 #pragma once
 
 #include <cstdint>
@@ -10,6 +10,7 @@
 #include "address/block_id.h"
 #include "address/type_code.h"
 #include "block/type.h"
+#include "catalogue/block_library.h"
 #include "catalogue/cpu_model.h"
 
 namespace merker::system {
@@ -17,6 +18,10 @@ namespace merker::system {
 struct Invocation;
 template <BlockKind kind, std::uint16_t number>
 class Call;
+
+// FC 5 of the Standard Library and that of SIMATIC_NET_CP are two functions: as types the latter
+// has this number more.
+constexpr std::uint16_t kCpRow = 0x8000;
 
 struct Parameter {
   std::string_view name;
@@ -32,20 +37,26 @@ struct Function {
   std::string_view name;
   std::vector<Parameter> parameters;         // IN, OUT, IN_OUT, RETURN, STAT
   bool (*run)(const Invocation&) = nullptr;  // false: BIE 0
+  BlockLibrary library = BlockLibrary::Cpu;
 };
 
-// All rows that a model has.
-std::vector<Function> allFunctions(const CpuModel& model);
+// All rows that a model has with these libraries.
+std::vector<Function> allFunctions(const CpuModel& model,
+                                   const Libraries& libraries = standardLibraries());
 
 // What the rows run.
 #define FUNCTION(kind, number, name, function, requirement, parameters) \
   void function(Call<BlockKind::kind, number>&);
+#define CP_FUNCTION(kind, number, name, function, requirement, parameters) \
+  void function(Call<BlockKind::kind, kCpRow + number>&);
 #define CODE(kind, number, code, text)
 #define CODES(kind, number, group)
 #define GROUP_CODE(group, code, text)
+#include "system/cp_library.inc"
 #include "system/functions.inc"
 #include "system/library.inc"
 #undef FUNCTION
+#undef CP_FUNCTION
 #undef CODE
 #undef CODES
 #undef GROUP_CODE

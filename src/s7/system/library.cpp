@@ -23,6 +23,7 @@ void setInitial(block::Variable& variable, std::uint32_t value) {
 // SFB 0 to 5, IEC counters and timers, as a CPU 315-2 PN/DP has them; others: own decision.
 std::string familyOf(const Function& function) {
   constexpr std::uint16_t kLastIec = 5;
+  if (function.library == BlockLibrary::NetCp) return "CP300";
   if (function.kind == BlockKind::FC) return "IEC";
   return function.kind == BlockKind::SFB && function.number <= kLastIec ? "IEC_TC" : "SYSTEM";
 }
@@ -43,15 +44,16 @@ block::Block blockOf(const Function& function) {
     result.variables.push_back(std::move(variable));
   }
   const BitAddress end = block::layOut(result.variables, 0, true);
-  if (function.kind == BlockKind::SFB) result.instanceBytes = end / 8;
+  if (function.kind == BlockKind::SFB || function.kind == BlockKind::FB)
+    result.instanceBytes = end / 8;
   return result;
 }
 
 }  // namespace
 
-block::Program library(const CpuModel& model) {
+block::Program library(const CpuModel& model, const Libraries& libraries) {
   block::Program program;
-  for (const Function& function : allFunctions(model)) {
+  for (const Function& function : allFunctions(model, libraries)) {
     block::Block block = blockOf(function);
     program.emplace(block.id, std::move(block));
   }

@@ -2,11 +2,12 @@
 #pragma once
 
 #include "block/block.h"
+#include "catalogue/block_library.h"
 #include "catalogue/cpu_model.h"
 
 namespace merker::system {
 
-// SFC, SFB and the library FCs (IEC and TI-S7 converting blocks) of a model.
-block::Program library(const CpuModel& model);
+// SFC and SFB of a model and the blocks of these libraries.
+block::Program library(const CpuModel& model, const Libraries& libraries = standardLibraries());
 
 }  // namespace merker::system

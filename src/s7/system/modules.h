@@ -32,6 +32,7 @@ struct ModuleInfo {
   bool wrongType = false;    // another module than the configured one
   bool diagnostics = false;  // has diagnostic data (records 0 and 1)
   bool distributed = false;  // DP slave: SFC 13 … 15
+  bool ethernet = false;     // CP 343-1: AG_SEND, AG_RECV
 };
 
 // What a module says to a data record. The codes are those of SFC 58 and SFC 59.

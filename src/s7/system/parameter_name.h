@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "address/block_id.h"
+#include "system/function.h"
 
 namespace merker::system {
 
@@ -27,12 +28,16 @@ struct ParameterText {
 inline constexpr ParameterText kParameterTexts[] = {
 #define FUNCTION(kind, number, name, function, requirement, parameters) \
   {BlockKind::kind, number, parameters},
+#define CP_FUNCTION(kind, number, name, function, requirement, parameters) \
+  {BlockKind::kind, kCpRow + number, parameters},
 #define CODE(kind, number, code, text)
 #define CODES(kind, number, group)
 #define GROUP_CODE(group, code, text)
+#include "system/cp_library.inc"
 #include "system/functions.inc"
 #include "system/library.inc"
 #undef FUNCTION
+#undef CP_FUNCTION
 #undef CODE
 #undef CODES
 #undef GROUP_CODE
@@ -41,7 +46,7 @@ inline constexpr ParameterText kParameterTexts[] = {
 constexpr std::string_view parametersInRow(BlockKind kind, std::uint16_t number) {
   for (const ParameterText& row : kParameterTexts)
     if (row.kind == kind && row.number == number) return row.parameters;
-  throw "no row of functions.inc or library.inc has this number";
+  throw "no row of the tables has this number";
 }
 
 constexpr std::size_t indexInRow(std::string_view parameters, std::string_view name) {

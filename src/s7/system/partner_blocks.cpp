@@ -1,5 +1,6 @@
-// SFB 12 BSEND, 13 BRCV, 14 GET, 15 PUT (S7-SFB-10; System and Standard Functions, volume 2/2,
-// chapter 21). What they begin is carried at the end of the cycle; a result is shown in one call.
+// SFB 12 BSEND, 13 BRCV, 14 GET, 15 PUT, and FB 12 to 15 of a CP 343-1 (S7-SFB-10; System and
+// Standard Functions, volume 2/2, chapter 21). What they begin is carried at the end of the cycle;
+// a result is shown in one call.
 #include "system/call.h"
 #include "system/connections.h"
 #include "system/partner_memory.h"
@@ -89,7 +90,8 @@ PartnerStatus nothingToStore(A&, const std::vector<s7comm::Bytes>&) {
 }
 
 // LEN replaces the length of SD_1.
-Made blockSendJob(Sfb<12>& a) {
+template <typename A>
+Made blockSendJob(A& a) {
   Taken taken = takeValue(a, a.any("SD_1"));
   if (taken.status != PartnerStatus::Done) return {taken.status};
   const std::uint32_t length = a.value("LEN");
@@ -98,10 +100,12 @@ Made blockSendJob(Sfb<12>& a) {
   return {.job = {.rid = a.value("R_ID"), .values = {std::move(taken.octets)}}};
 }
 
-constexpr Sfb<14>::Name kGetAddresses[] = {"ADDR_1", "ADDR_2", "ADDR_3", "ADDR_4"};
-constexpr Sfb<14>::Name kGetTargets[] = {"RD_1", "RD_2", "RD_3", "RD_4"};
-constexpr Sfb<15>::Name kPutAddresses[] = {"ADDR_1", "ADDR_2", "ADDR_3", "ADDR_4"};
-constexpr Sfb<15>::Name kPutSources[] = {"SD_1", "SD_2", "SD_3", "SD_4"};
+template <typename A>
+constexpr NameIn<A> kAddresses[] = {"ADDR_1", "ADDR_2", "ADDR_3", "ADDR_4"};
+template <typename A>
+constexpr NameIn<A> kTargets[] = {"RD_1", "RD_2", "RD_3", "RD_4"};
+template <typename A>
+constexpr NameIn<A> kSources[] = {"SD_1", "SD_2", "SD_3", "SD_4"};
 
 // The pairs of ADDR_i and RD_i or SD_i: those from the first unused one on are none. Each has the
 // same length on both sides.
@@ -120,34 +124,38 @@ std::optional<std::vector<s7comm::AnyItem>> itemsOf(A& a, std::span<const NameIn
   return items;
 }
 
-Made getJob(Sfb<14>& a) {
-  auto items = itemsOf<Sfb<14>>(a, kGetAddresses, kGetTargets);
+template <typename A>
+Made getJob(A& a) {
+  auto items = itemsOf<A>(a, kAddresses<A>, kTargets<A>);
   if (!items) return {PartnerStatus::WrongLength};
   return {.job = {.kind = PartnerJob::Kind::Get, .items = std::move(*items)}};
 }
 
-Made putJob(Sfb<15>& a) {
-  auto items = itemsOf<Sfb<15>>(a, kPutAddresses, kPutSources);
+template <typename A>
+Made putJob(A& a) {
+  auto items = itemsOf<A>(a, kAddresses<A>, kSources<A>);
   if (!items) return {PartnerStatus::WrongLength};
   Made made{.job = {.kind = PartnerJob::Kind::Put, .items = std::move(*items)}};
   for (std::size_t i = 0; i < made.job.items.size(); ++i) {
-    Taken taken = takeValue(a, a.any(kPutSources[i]));
+    Taken taken = takeValue(a, a.any(kSources<A>[i]));
     if (taken.status != PartnerStatus::Done) return {taken.status};
     made.job.values.push_back(std::move(taken.octets));
   }
   return made;
 }
 
-PartnerStatus storeGot(Sfb<14>& a, const std::vector<s7comm::Bytes>& values) {
-  for (std::size_t i = 0; i < values.size() && i < std::size(kGetTargets); ++i) {
-    const auto status = storeValue(a, a.any(kGetTargets[i]), values[i], true);
+template <typename A>
+PartnerStatus storeGot(A& a, const std::vector<s7comm::Bytes>& values) {
+  for (std::size_t i = 0; i < values.size() && i < std::size(kTargets<A>); ++i) {
+    const auto status = storeValue(a, a.any(kTargets<A>[i]), values[i], true);
     if (status != PartnerStatus::Done) return status;
   }
   return PartnerStatus::Done;
 }
 
 // The connection and R_ID of a receiver, as they are in this call; Done: it has them.
-PartnerStatus bindReceiver(Sfb<13>& a, Connections::Receiver& receiver) {
+template <typename A>
+PartnerStatus bindReceiver(A& a, Connections::Receiver& receiver) {
   Connections& all = a.connections();
   const auto connection = all.find(a.value("ID"));
   const std::uint32_t rid = a.value("R_ID");
@@ -158,7 +166,8 @@ PartnerStatus bindReceiver(Sfb<13>& a, Connections::Receiver& receiver) {
   return bound ? PartnerStatus::Done : PartnerStatus::Occupied;
 }
 
-void takeTelegram(Sfb<13>& a, Connections::Receiver& receiver) {
+template <typename A>
+void takeTelegram(A& a, Connections::Receiver& receiver) {
   const s7comm::Telegram telegram = a.connections().take(receiver);
   if (telegram.tooLong) return showFailed(a, "NDR", PartnerStatus::WrongLength);
   const auto status = storeValue(a, a.any("RD_1"), telegram.octets, false);
@@ -168,7 +177,8 @@ void takeTelegram(Sfb<13>& a, Connections::Receiver& receiver) {
 }
 
 // Nothing is there to be taken.
-void awaitTelegram(Sfb<13>& a, const Connections::Receiver& receiver) {
+template <typename A>
+void awaitTelegram(A& a, const Connections::Receiver& receiver) {
   if (!a.connections().connected(*receiver.connection))
     return showFailed(a, "NDR", PartnerStatus::NoConnection);
   if (receiver.begun == 0) return showDone(a, "NDR", false, kJobRuns);
@@ -176,19 +186,23 @@ void awaitTelegram(Sfb<13>& a, const Connections::Receiver& receiver) {
   showDone(a, "NDR", false, kBytesCome);
 }
 
-}  // namespace
-
-void sendBlocks(Sfb<12>& a) {
-  carryOutJob<Sfb<12>>(a, "DONE", a.flag("R"), blockSendJob, nothingToStore<Sfb<12>>);
+template <typename A>
+void sendBlocksOf(A& a) {
+  carryOutJob<A>(a, "DONE", a.flag("R"), blockSendJob<A>, nothingToStore<A>);
 }
 
-void getFromConnection(Sfb<14>& a) { carryOutJob<Sfb<14>>(a, "NDR", false, getJob, storeGot); }
-
-void putToConnection(Sfb<15>& a) {
-  carryOutJob<Sfb<15>>(a, "DONE", false, putJob, nothingToStore<Sfb<15>>);
+template <typename A>
+void getWith(A& a) {
+  carryOutJob<A>(a, "NDR", false, getJob<A>, storeGot<A>);
 }
 
-void receiveBlocks(Sfb<13>& a) {
+template <typename A>
+void putWith(A& a) {
+  carryOutJob<A>(a, "DONE", false, putJob<A>, nothingToStore<A>);
+}
+
+template <typename A>
+void receiveFrom(A& a) {
   Connections::Receiver* const receiver = a.connections().receiver(instanceOfCall(a));
   if (receiver == nullptr) return showFailed(a, "NDR", PartnerStatus::TooManyJobs);
   const bool enabled = a.flag("EN_R");
@@ -201,5 +215,16 @@ void receiveBlocks(Sfb<13>& a) {
   a.connections().enable(*receiver, true, byteCount(a.any("RD_1")));
   receiver->telegrams.empty() ? awaitTelegram(a, *receiver) : takeTelegram(a, *receiver);
 }
+
+}  // namespace
+
+void sendBlocks(Sfb<12>& a) { sendBlocksOf(a); }
+void sendBlocks(CpFb<12>& a) { sendBlocksOf(a); }
+void receiveBlocks(Sfb<13>& a) { receiveFrom(a); }
+void receiveBlocks(CpFb<13>& a) { receiveFrom(a); }
+void getFromConnection(Sfb<14>& a) { getWith(a); }
+void getFromConnection(CpFb<14>& a) { getWith(a); }
+void putToConnection(Sfb<15>& a) { putWith(a); }
+void putToConnection(CpFb<15>& a) { putWith(a); }
 
 }  // namespace merker::system

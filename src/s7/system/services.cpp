@@ -5,17 +5,32 @@
 #include "block/width.h"
 #include "system/connections.h"
 #include "system/library.h"
+#include "system/send_receive.h"
 
 namespace merker::system {
 
-Services::Services(const CpuModel& model) : functions_(allFunctions(model)) {
+template <typename Self>
+auto& Services::tableOf(Self& self, BlockKind kind) {
+  switch (kind) {
+    case BlockKind::FC:
+      return self.fcs_;
+    case BlockKind::FB:
+      return self.fbs_;
+    case BlockKind::SFC:
+      return self.sfcs_;
+    default:
+      return self.sfbs_;
+  }
+}
+
+Services::Services(const CpuModel& model, const Libraries& libraries)
+    : functions_(allFunctions(model, libraries)) {
   context_.communication.parameters = CommunicationParameters::of(model);
   context_.connections = std::make_shared<Connections>();
-  const block::Program blocks = library(model);
+  context_.sendReceive = std::make_shared<SendReceive>();
+  const block::Program blocks = library(model, libraries);
   for (const Function& function : functions_) {
-    auto& table = function.kind == BlockKind::FC    ? fcs_
-                  : function.kind == BlockKind::SFC ? sfcs_
-                                                    : sfbs_;
+    auto& table = tableOf(*this, function.kind);
     if (table.size() <= function.number) table.resize(function.number + 1u);
     Entry& entry = table[function.number];
     entry.function = &function;
@@ -32,15 +47,17 @@ void Services::restart() {
   context_.absentSerial.reset();
   context_.partners.restart();
   context_.connections->restart();
+  context_.sendReceive->restart();
 }
 
 void Services::configure(const CommunicationParameters& parameters) {
   context_.communication.parameters = parameters;
   context_.connections->configure(parameters.configured);
+  context_.sendReceive->configure(parameters.ofCp);
 }
 
 const Services::Entry* Services::find(BlockId id) const {
-  const auto& table = id.kind == BlockKind::FC ? fcs_ : id.kind == BlockKind::SFC ? sfcs_ : sfbs_;
+  const auto& table = tableOf(*this, id.kind);
   const bool known = id.number < table.size() && table[id.number].function != nullptr;
   return known ? &table[id.number] : nullptr;
 }
@@ -61,6 +78,8 @@ constexpr SteadyRow kSteady[] = {{BlockKind::FC, 0, UINT16_MAX},
 }  // namespace
 
 bool Services::steady(BlockId block) const {
+  const Entry* const entry = find(block);
+  if (entry != nullptr && entry->function->library == BlockLibrary::NetCp) return false;
   return std::ranges::any_of(kSteady, [&](const SteadyRow& row) {
     return row.kind == block.kind && row.first <= block.number && block.number <= row.last;
   });

@@ -11,7 +11,7 @@ namespace merker::system {
 
 class Services : public cpu::SystemServices {
  public:
-  explicit Services(const CpuModel& model);
+  explicit Services(const CpuModel& model, const Libraries& libraries = standardLibraries());
   bool call(const cpu::SystemCall& call) override;
   bool steady(BlockId block) const override;
   void restart() override;
@@ -19,6 +19,7 @@ class Services : public cpu::SystemServices {
   Communication& communication() { return context_.communication; }
   void configure(const CommunicationParameters& parameters);
   Connections& connections() { return *context_.connections; }
+  SendReceive& sendReceive() { return *context_.sendReceive; }
   BasicCommunication& partners() { return context_.partners; }
   const BasicCommunication& partners() const { return context_.partners; }
   // Whom the functions for modules ask; null: no modules.
@@ -43,7 +44,10 @@ class Services : public cpu::SystemServices {
 
   Context context_;
   std::vector<Function> functions_;
-  std::vector<Entry> fcs_, sfcs_, sfbs_;  // by number
+  using Entries = std::vector<Entry>;  // by number
+  Entries fcs_, fbs_, sfcs_, sfbs_;
+  template <typename Self>
+  static auto& tableOf(Self& self, BlockKind kind);
 };
 
 }  // namespace merker::system

@@ -22,6 +22,7 @@ constexpr Duration kLongestWait = Duration::seconds(5);
 
 void Exchange::connectBy(std::function<void(Call)> post, Call wake) {
   partners_.connectBy(post, wake);
+  cpLines_.connectBy(post, wake);
   post_ = std::move(post);
   wake_ = std::move(wake);
 }
@@ -94,11 +95,16 @@ void Exchange::write(std::vector<Write> writes, WriteDone done) {
 // Orders first: who is told that its value was written reads it then.
 void Exchange::cycleEnded(monitor::Monitor& monitor) {
   tellConnections(monitor.plc());
-  partners_.exchange(monitor.plc());
+  exchangeConfigured(monitor.plc());
   if (connections_ == 0) return tasks_.clear(monitor);
   carryOut(&monitor);
   tasks_.run(monitor, post_);
   publish(monitor.plc());
+}
+
+void Exchange::exchangeConfigured(controller::Controller& plc) {
+  partners_.exchange(plc);
+  cpLines_.exchange(plc);
 }
 
 void Exchange::carryOut(monitor::Monitor* monitor) {
@@ -139,7 +145,7 @@ bool Exchange::stands(const controller::Controller& plc) {
 void Exchange::look(monitor::Monitor* monitor) {
   if (monitor != nullptr) tellConnections(monitor->plc());
   if (connections_ == 0 && monitor != nullptr) {
-    if (stands(std::as_const(*monitor).plc())) partners_.exchange(monitor->plc());
+    if (stands(std::as_const(*monitor).plc())) exchangeConfigured(monitor->plc());
     return tasks_.clear(*monitor);
   }
   if (connections_ == 0) return tasks_.forget();
@@ -157,6 +163,7 @@ void Exchange::look(monitor::Monitor* monitor) {
 void Exchange::forget() {
   lastLook_ = waitingSince_ = Instant::never();
   partners_.forget();
+  cpLines_.forget();
   tasks_.forget();
   passive_.clear();
   const std::lock_guard lock(mutex_);

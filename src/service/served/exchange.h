@@ -13,6 +13,7 @@
 #include "s7comm/plc.h"
 #include "served/bench.h"
 #include "served/copy.h"
+#include "served/cp_lines.h"
 #include "served/messages.h"
 #include "served/partners.h"
 #include "served/passive_blocks.h"
@@ -35,6 +36,8 @@ class Exchange final : public s7comm::Plc {
   void closed();
   // Configured connections; they do without opened() and closed().
   Partners& partners() { return partners_; }
+  // The same of a CP.
+  CpLines& cpLines() { return cpLines_; }
   // How many connections of each kind there are: the system status list has it.
   void inUse(const Resources::Counts& connections);
   // The interface that clients come by; nothing: it is none of IP version 4.
@@ -94,6 +97,7 @@ class Exchange final : public s7comm::Plc {
   bool stands(const controller::Controller& plc);
   // Nothing: the values are not in the copy.
   std::optional<std::vector<s7comm::Value>> copied(const std::vector<s7comm::Range>& ranges);
+  void exchangeConfigured(controller::Controller& plc);
 
   std::function<void(Call)> post_ = [](const Call& call) { call(); };
   Call wake_ = [] {};
@@ -101,6 +105,7 @@ class Exchange final : public s7comm::Plc {
   std::atomic<bool> ordered_ = false, counted_ = false;
 
   Partners partners_;
+  CpLines cpLines_;
 
   mutable std::mutex mutex_;  // of what follows
   std::shared_ptr<Copy> image_;

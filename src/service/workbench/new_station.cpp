@@ -112,6 +112,7 @@ std::string freeId(const compilation::NetworkBuild& build, std::string_view stat
   const auto number = findStation(network, station);
   std::set<std::uint32_t> used;
   for (const project::StationConnection& one : network.connections) {
+    if (one.kind != ConnectionKind::S7) continue;
     if (one.local == number) used.insert(one.id);
     if (one.partner == number && one.partnerId) used.insert(*one.partnerId);
   }

@@ -50,6 +50,7 @@ Json connections(const NetworkPlan& plan) {
   Json rows = Json::array();
   for (const compilation::PlannedConnection& one : plan.connections)
     rows.push_back({{"station", plan.stations[one.station].name},
+                    {"kind", compilation::kindName(one.kind)},
                     {"id", one.id},
                     {"active", one.active},
                     {"partner", one.partner}});

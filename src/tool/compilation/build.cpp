@@ -120,6 +120,7 @@ station::Station Build::station(bool coverage) const {
   options.program = program;
   options.startOfClock = project.startOfClock;
   options.communication = project.communication;
+  options.libraries = project.libraries;
   options.coverage = coverage;
   return station::Station(std::move(options));
 }
@@ -209,7 +210,8 @@ void buildListings(Build& result, bool checks) {
 }
 
 void buildProgram(Build& result, bool checks) {
-  result.library = std::make_shared<const block::Program>(system::library(*result.project.model));
+  result.library = std::make_shared<const block::Program>(
+      system::library(*result.project.model, result.project.libraries));
   step7::CompileOptions compileOptions = options(result);
   compileOptions.checks = checks;
   compileOptions.mnemonics = result.project.mnemonics;

@@ -83,6 +83,12 @@ bool isOnEthernet(const project::Project& station) {
          (station.hardware && std::ranges::any_of(station.hardware->modules, isEthernet));
 }
 
+bool hasCp(const project::Project& station) {
+  return station.hardware && std::ranges::any_of(station.hardware->modules, [](const auto& one) {
+           return hasEthernet(*one.type);
+         });
+}
+
 // A SINUMERIK has none. Without problems so far the stations have the numbers of their list.
 void requireInterface(const project::Subnet& subnet, const project::SubnetNode& node,
                       NetworkBuild& build) {
@@ -103,12 +109,12 @@ void requireInterface(const project::Subnet& subnet, const project::SubnetNode& 
 // Blocks name a connection only where the CPU has such blocks (S7-SFB-10).
 void requireBlocks(NetworkBuild& build, std::size_t station, const Position& at,
                    std::string_view key) {
-  constexpr BlockId kGet{BlockKind::SFB, 14};
+  constexpr BlockId kGet{BlockKind::SFB, 14}, kGetOfCp{BlockKind::FB, 14};
   const Build& own = *build.stations[station].build;
-  if (own.library->contains(kGet)) return;
+  if (own.library->contains(kGet) || own.library->contains(kGetOfCp)) return;
   build.problems.add(ProblemCode::P0704, at, key,
-                     fmt::format("a station whose CPU has SFB 12 to 15; the {} only serves others: "
-                                 "it can be the partner, without partner_id",
+                     fmt::format("a station whose CPU has SFB 12 to 15, or with a CP 343-1; the {} "
+                                 "only serves others: it can be the partner, without partner_id",
                                  own.project.model->name));
 }
 
@@ -129,10 +135,27 @@ void requireConnection(NetworkBuild& build, std::size_t station, std::optional<s
                                  *own.connections, own.pg + own.op + own.basic));
 }
 
+void requireCp(NetworkBuild& build, std::size_t station, std::uint16_t id, const Position& at,
+               std::string_view key) {
+  const project::Project& own = build.stations[station].build->project;
+  if (!hasCp(own))
+    build.problems.add(ProblemCode::P0704, at, key, "a station with a CP 343-1 ([[module]])");
+  else if (std::ranges::count(own.communication.ofCp, id, &CpConnectionParameters::id) > 0)
+    build.problems.add(ProblemCode::P0704, at, "id",
+                       fmt::format("another one: {} has a connection {} of its CP in its own "
+                                   "merker.toml",
+                                   build.stations[station].name, id));
+}
+
 void checkConnections(NetworkBuild& build) {
   std::vector<std::size_t> counts(build.stations.size());
   for (const project::StationConnection& one : build.project.network->connections) {
     if (!build.ok()) return;
+    if (one.kind != ConnectionKind::S7) {
+      requireCp(build, one.local, one.id, one.localAt, "local");
+      requireCp(build, one.partner, *one.partnerId, one.partnerAt, "partner");
+      continue;
+    }
     requireBlocks(build, one.local, one.localAt, "local");
     if (one.partnerId) requireBlocks(build, one.partner, one.partnerAt, "partner");
     requireConnection(build, one.local, one.id, one.position, counts);
@@ -180,7 +203,8 @@ std::unique_ptr<network::Network> NetworkBuild::network(unsigned threads, bool c
     }
   }
   for (const project::StationConnection& one : project.network->connections)
-    result->connect(*subnets[one.subnet], {one.local, one.id}, {one.partner, one.partnerId});
+    result->connect(*subnets[one.subnet], {one.local, one.id}, {one.partner, one.partnerId},
+                    one.kind);
   return result;
 }
 

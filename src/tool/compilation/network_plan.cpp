@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "io/slave.h"
+
 namespace merker::compilation {
 namespace {
 
@@ -18,16 +20,29 @@ std::string modelOf(const Build& build) {
   return std::string(build.project.model->name);
 }
 
-std::string rateText(const project::Subnet& subnet) {
+std::string rateText(std::int64_t rate) {
   constexpr std::int64_t kMega = 1'000'000;
-  return subnet.rate >= kMega ? fmt::format("{} Mbit/s", subnet.rate / kMega)
-                              : fmt::format("{} kbit/s", static_cast<double>(subnet.rate) / 1000);
+  return rate >= kMega ? fmt::format("{} Mbit/s", static_cast<double>(rate) / kMega)
+                       : fmt::format("{} kbit/s", static_cast<double>(rate) / 1000);
+}
+
+PlannedSubnet planned(const io::DpMaster& master, std::size_t station) {
+  PlannedSubnet result{.name = master.subnet,
+                       .kind = "profibus",
+                       .rate = rateText(master.rate),
+                       .highest = master.highest,
+                       .nodes = {{station, master.address}},
+                       .segments = {}};
+  for (const io::Slave& slave : master.slaves)
+    result.slaves.push_back({slave.address, slave.name, slave.model});
+  std::ranges::sort(result.slaves, {}, &PlannedSlave::address);
+  return result;
 }
 
 PlannedSubnet planned(const project::Subnet& subnet) {
   const bool ethernet = subnet.kind == project::SubnetKind::Ethernet;
   PlannedSubnet result{
-      subnet.name,    ethernet ? "ethernet" : "mpi", rateText(subnet), subnet.highest, {},
+      subnet.name,    ethernet ? "ethernet" : "mpi", rateText(subnet.rate), subnet.highest, {},
       subnet.segments};
   for (const project::SubnetNode& node : subnet.nodes)
     result.nodes.push_back({node.station, node.address, node.ip});
@@ -39,6 +54,10 @@ void addConnections(const Build& build, std::size_t station, NetworkPlan& plan) 
   for (const ConnectionParameters& one : build.project.communication.configured)
     plan.connections.push_back({station, one.id, one.active,
                                 one.active ? fmt::format("{}:{}", one.host, one.port) : one.host});
+  for (const CpConnectionParameters& one : build.project.communication.ofCp)
+    plan.connections.push_back({station, one.id, one.active,
+                                one.port != 0 ? fmt::format("{}:{}", one.host, one.port) : one.host,
+                                one.kind});
 }
 
 // Once for each station whose blocks name it.
@@ -48,12 +67,25 @@ void addConnection(const project::Network& network, const project::StationConnec
   const auto at = [&](std::size_t station) {
     return fmt::format("{} ({})", network.stations[station].name, subnet);
   };
-  plan.connections.push_back({one.local, one.id, true, at(one.partner)});
+  plan.connections.push_back({one.local, one.id, true, at(one.partner), one.kind});
   if (one.partnerId)
-    plan.connections.push_back({one.partner, *one.partnerId, false, at(one.local)});
+    plan.connections.push_back({one.partner, *one.partnerId, false, at(one.local), one.kind});
 }
 
 }  // namespace
+
+std::string_view kindName(ConnectionKind kind) {
+  constexpr std::string_view kNames[] = {"s7", "tcp", "iso-on-tcp", "udp"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+std::string nameOf(const PlannedConnection& connection) {
+  constexpr std::string_view kNames[] = {"S7", "TCP", "ISO-on-TCP", "UDP"};
+  const std::string_view kind = kNames[static_cast<std::size_t>(connection.kind)];
+  return connection.kind == ConnectionKind::S7
+             ? fmt::format("{} connection W#16#{:X}", kind, connection.id)
+             : fmt::format("{} connection {}", kind, connection.id);
+}
 
 NetworkPlan planOf(const NetworkBuild& build) {
   const project::Network& network = *build.project.network;
@@ -68,6 +100,21 @@ NetworkPlan planOf(const NetworkBuild& build) {
   for (const project::StationConnection& one : network.connections)
     addConnection(network, one, plan);
   plan.circles = network.globalData;
+  return plan;
+}
+
+void addProfibus(const NetworkBuild& build, NetworkPlan& plan) {
+  for (const project::DpSubnet& subnet : build.project.network->profibus)
+    if (subnet.station) plan.subnets.push_back(planned(subnet.master, *subnet.station));
+}
+
+NetworkPlan planOf(const Build& build) {
+  const auto& hardware = build.project.hardware;
+  NetworkPlan plan;
+  plan.name = build.project.name;
+  plan.stations.push_back({build.project.name, {}, modelOf(build)});
+  if (hardware && hardware->dp) plan.subnets.push_back(planned(*hardware->dp, 0));
+  addConnections(build, 0, plan);
   return plan;
 }
 

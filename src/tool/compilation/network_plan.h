@@ -14,12 +14,19 @@ struct PlannedNode {
   std::string ip{};  // on Ethernet
 };
 
+// Of a DP master.
+struct PlannedSlave {
+  std::uint32_t address = 0;
+  std::string name, model;
+};
+
 struct PlannedSubnet {
   std::string name, kind;  // kind: as in merker.toml
   std::string rate;        // "187.5 kbit/s"
   std::uint32_t highest = 0;
   std::vector<PlannedNode> nodes;  // ascending addresses
   std::vector<project::Segment> segments;
+  std::vector<PlannedSlave> slaves{};
 };
 
 struct PlannedStation {
@@ -31,7 +38,12 @@ struct PlannedConnection {
   std::uint16_t id = 1;
   bool active = true;
   std::string partner;  // "127.0.0.1:10102"
+  ConnectionKind kind = ConnectionKind::S7;
 };
+
+// "s7", as in merker.toml; "S7 connection W#16#1", "TCP connection 1".
+std::string_view kindName(ConnectionKind kind);
+std::string nameOf(const PlannedConnection& connection);
 
 struct NetworkPlan {
   std::string name;
@@ -42,5 +54,9 @@ struct NetworkPlan {
 };
 
 NetworkPlan planOf(const NetworkBuild& build);
+// PROFIBUS behind the other subnets: masters and their slaves.
+void addProfibus(const NetworkBuild& build, NetworkPlan& plan);
+// The same of a project of one station.
+NetworkPlan planOf(const Build& build);
 
 }  // namespace merker::compilation

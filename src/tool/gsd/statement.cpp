@@ -97,7 +97,24 @@ class Lexer {
     if (kSigns.find(c) != std::string_view::npos)
       return {Word::Kind::Sign, std::string(1, text_[at_++]), start};
     while (at_ < text_.size() && isPlain(text_[at_])) ++at_;
-    return {Word::Kind::Plain, std::string(text_.substr(start, at_ - start)), start};
+    return {Word::Kind::Plain, withDigits(std::string(text_.substr(start, at_ - start)), start),
+            start};
+  }
+
+  // "0x 10" is one number: its digits are taken, too.
+  std::string withDigits(std::string word, std::size_t start) {
+    if (!equalsIgnoreCase(word, "0x")) return word;
+    std::size_t first = at_;
+    while (first < text_.size() && (text_[first] == ' ' || text_[first] == '\t')) ++first;
+    std::size_t end = first;
+    while (end < text_.size() && isPlain(text_[end])) ++end;
+    const std::string_view digits = text_.substr(first, end - first);
+    if (digits.empty() || digits.find_first_not_of("0123456789ABCDEFabcdef") != digits.npos)
+      return word;
+    remarks_.push_back(
+        remarkAt(file_, start, fmt::format("there must be no blank in 0x{}", digits)));
+    at_ = end;
+    return word + std::string(digits);
   }
 
   bool isPlain(char c) const {

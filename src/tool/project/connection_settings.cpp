@@ -2,58 +2,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
+#include "project/partner_address.h"
 #include "project/readers.h"
 
 namespace merker::project {
 namespace {
 
-constexpr std::string_view kScheme = "tcp://";
 constexpr std::uint32_t kLastRack = 7, kLastSlot = 31;
 
-// All of `text`, in this base, from 0 to `most`.
-std::optional<std::uint32_t> wholeNumber(std::string_view text, int base, std::uint32_t most) {
-  std::uint32_t value = 0;
-  const char* const last = text.data() + text.size();
-  const auto [end, error] = std::from_chars(text.data(), last, value, base);
-  if (text.empty() || error != std::errc() || end != last || value > most) return std::nullopt;
-  return value;
-}
-
-// The text up to `end`, taken off; all of it without one.
-std::string_view upTo(std::string_view& text, char end) {
-  const std::size_t at = text.find(end);
-  const std::string_view part = text.substr(0, at);
-  text.remove_prefix(at == std::string_view::npos ? text.size() : at + 1);
-  return part;
-}
-
-// A number: who is asked for names is no business of a PLC.
-std::optional<std::string> hostOf(std::string_view text) {
-  if (text == "localhost") return "127.0.0.1";
-  if (text == "::1") return std::string(text);
-  std::string_view rest = text;
-  for (int part = 0; part < 4; ++part)
-    if (!wholeNumber(upTo(rest, '.'), 10, 255)) return std::nullopt;
-  if (!rest.empty() || text.back() == '.') return std::nullopt;
-  return std::string(text);
-}
-
-// "tcp://127.0.0.1:10102"; whoever is called needs no port of who calls.
+// Whoever is called needs no port of who calls.
 bool readPartner(std::string_view text, ConnectionParameters& connection) {
-  if (!text.starts_with(kScheme)) return false;
-  text.remove_prefix(kScheme.size());
-  const bool six = text.starts_with('[');
-  if (six) text.remove_prefix(1);
-  const std::string_view name = upTo(text, six ? ']' : ':');
-  if (six && text.starts_with(':')) text.remove_prefix(1);
-  const auto host = hostOf(name);
-  const auto port = wholeNumber(text, 10, 0xFFFF);
-  const bool good = host && (port ? *port != 0 : text.empty() && !connection.active);
-  if (!good) return false;
-  connection.host = *host;
-  connection.port = static_cast<std::uint16_t>(port.value_or(connection.port));
+  const auto there = partnerAddress(text, "tcp");
+  if (!there || (connection.active && !there->port)) return false;
+  connection.host = there->host;
+  connection.port = there->port.value_or(connection.port);
   return true;
 }
 
@@ -72,7 +35,7 @@ void readTsap(const Table& table, std::string_view key, ConnectionParameters::Ts
 }
 
 ConnectionParameters readS7Connection(const Table& table) {
-  table.allow({"id", "partner", "active", "rack", "slot", "local_tsap", "partner_tsap"});
+  table.allow({"kind", "id", "partner", "active", "rack", "slot", "local_tsap", "partner_tsap"});
   ConnectionParameters connection;
   connection.id = readConnectionId(table, "id").value_or(connection.id);
   connection.active = table.flag("active").value_or(true);
@@ -131,6 +94,11 @@ std::optional<std::uint16_t> readConnectionId(const Table& table, std::string_vi
 void readConfigured(const Table& root, CommunicationParameters& parameters) {
   const std::uint32_t kept = parameters.pg + parameters.op + parameters.basic;
   for (const Table& table : root.tables("connection")) {
+    const ConnectionKind kind = readConnectionKind(table);
+    if (kind != ConnectionKind::S7) {
+      readCpConnection(table, kind, parameters);
+      continue;
+    }
     ConnectionParameters connection = readS7Connection(table);
     checkUnique(table, connection, parameters.configured);
     parameters.configured.push_back(std::move(connection));

@@ -65,6 +65,8 @@ std::vector<DpSubnet> readDpSubnets(const Table& root, const Network* network) {
     subnet.name = table.text("name", "a text").value_or("PROFIBUS");
     subnet.master.rate = readDpRate(table);
     subnet.highest = table.number("highest", 1, 126).value_or(subnet.highest);
+    subnet.master.subnet = subnet.name;
+    subnet.master.highest = subnet.highest;
     const auto nodes = table.tables("nodes");
     for (const Table& node : nodes) readMaster(node, network, subnet);
     if (nodes.size() != 1)

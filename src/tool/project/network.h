@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "address/connection_kind.h"
 #include "project/dp_subnet.h"
 #include "project/other_station.h"
 
@@ -53,8 +54,9 @@ struct GlobalDataRow {
   std::vector<Place> to, status, groupStatus;
 };
 
-// An S7 connection between two stations (S7-NETPRO-08).
+// A connection between two stations: of S7 communication (S7-NETPRO-08), or of their CP 343-1.
 struct StationConnection {
+  ConnectionKind kind = ConnectionKind::S7;
   std::uint16_t id = 1;                      // as blocks of `local` name it; `local` calls
   std::optional<std::uint16_t> partnerId{};  // the same of `partner`; none: it only serves
   std::size_t local = 0, partner = 0;        // numbers in the list of stations

@@ -39,6 +39,7 @@ void take(Project& project, const Settings& settings) {
   project.startOfClock = settings.startOfClock;
   project.parameters = settings.parameters;
   project.communication = settings.communication;
+  project.libraries = settings.libraries;
   project.hardware = settings.hardware;
   project.plants = settings.plants;
   project.serial = settings.serial;

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "catalogue/block_library.h"
 #include "catalogue/communication.h"
 #include "catalogue/cpu_parameters.h"
 #include "control/cnc.h"
@@ -41,6 +42,7 @@ struct Project {
   std::int64_t startOfClock = 0;       // milliseconds since 1990-01-01
   CpuParameters parameters = CpuParameters::of(defaultCpuModel());
   CommunicationParameters communication = CommunicationParameters::of(defaultCpuModel());
+  Libraries libraries = standardLibraries();  // whose blocks it may call
   std::optional<io::Configuration> hardware;  // none: every address of the image answers
   plant::Configuration plants;
   std::optional<serial::Connection> serial;  // of X27; none: the partner of scenarios

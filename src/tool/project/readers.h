@@ -26,6 +26,8 @@ std::optional<io::Module> readModule(const Table& table, const CpuModel& model);
 plant::Configuration readPlants(const Table& root, const io::Configuration& modules);
 // The module's parameters (S7-HWCFG-09)
 void readParameters(const Table& table, io::Module& module);
+// slave of a CP 343-2
+void readAsiSlaves(const Table& table, io::Module& module);
 // [[module.channel]]
 void readChannels(const Table& table, io::Module& module);
 // interrupts, [[module.channel]] of the sub-module 2.4
@@ -47,6 +49,16 @@ CommunicationParameters readCommunication(const Table& root, const CpuModel& mod
 void readCommunicationProtection(const Table& root, CpuParameters& parameters);
 // [[connection]]: configured S7 connections, of those that [communication] has
 void readConfigured(const Table& root, CommunicationParameters& parameters);
+// A [[connection]] of a CP 343-1, of `kind`, which is not S7, behind those that there are.
+void readCpConnection(const Table& table, ConnectionKind kind, CommunicationParameters& parameters);
+// `kind` of a [[connection]].
+ConnectionKind readConnectionKind(const Table& table);
+// The ID of a connection of a CP 343-1; nothing, and a problem: it is none.
+std::optional<std::uint8_t> readCpId(const Table& table, std::string_view key);
+// Connections of a CP need one.
+void requireCp(const Table& root, const Settings& settings);
+// Whose blocks the program may call.
+Libraries readLibraries(const Table& root, const Settings& settings);
 // "W#16#1" or 1; nothing, and a problem, if it is no local ID
 std::optional<std::uint16_t> readConnectionId(const Table& table, std::string_view key);
 // [[connection]] between two stations of a project of several

@@ -28,7 +28,7 @@ void readProject(const Table& table, Settings& settings) {
 }
 
 void readProgram(const Table& table, Settings& settings) {
-  table.allow({"sources", "symbols", "mnemonics"});
+  table.allow({"sources", "symbols", "mnemonics", "libraries"});
   settings.sources = patterns(table, "sources");
   settings.symbols = patterns(table, "symbols");
   if (const auto which = table.choice("mnemonics", {"german", "english"}))
@@ -105,6 +105,8 @@ void readStation(const Table& root, Settings& settings) {
   readCommunicationProtection(root, settings.parameters);
   readConfigured(root, settings.communication);
   readHardware(root, settings);
+  requireCp(root, settings);
+  settings.libraries = readLibraries(root, settings);
   if (settings.hardware) settings.plants = readPlants(root, *settings.hardware);
   settings.serial = readConnection(root);
   if (settings.hardware) readPacing(root, *settings.hardware);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "catalogue/block_library.h"
 #include "catalogue/communication.h"
 #include "catalogue/cpu_parameters.h"
 #include "control/cnc.h"
@@ -45,6 +46,7 @@ struct Settings {
   std::optional<Mnemonics> mnemonics;  // of the sources; each shows its own without it
   CpuParameters parameters;
   CommunicationParameters communication{};
+  Libraries libraries = standardLibraries();
   // Without [hardware], [[module]] and [[plant]] there is none: docs/compatibility.md, "Without a
   // hardware configuration".
   std::optional<io::Configuration> hardware;

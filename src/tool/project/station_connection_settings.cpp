@@ -1,5 +1,5 @@
 // [[connection]] of a project of several stations: S7 connections between two of them
-// (S7-NETPRO-08).
+// (S7-NETPRO-08), and those of their CPs.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -37,6 +37,7 @@ std::optional<std::size_t> readCommonSubnet(const Table& table, const Network& n
   for (std::size_t i = 0; i < network.subnets.size(); ++i) {
     const Subnet& one = network.subnets[i];
     if (!isOn(one, connection.local) || !isOn(one, connection.partner)) continue;
+    if (connection.kind != ConnectionKind::S7 && one.kind != SubnetKind::Ethernet) continue;
     if (!name || equalsIgnoreCase(*name, one.name)) return i;
     common += (common.empty() ? "" : ", ") + one.name;
   }
@@ -46,37 +47,49 @@ std::optional<std::size_t> readCommonSubnet(const Table& table, const Network& n
     table.mustBe("subnet", fmt::format("a subnet of both stations: {}", common));
   else
     table.mustBe("partner",
-                 fmt::format("on a subnet of {}; {} is on none of them", local, partner));
+                 connection.kind == ConnectionKind::S7
+                     ? fmt::format("on a subnet of {}; {} is on none of them", local, partner)
+                     : fmt::format("on an Ethernet of {}; {} is on none of them", local, partner));
   return std::nullopt;
 }
 
-// A local ID names one connection of its station.
-bool hasId(const Network& network, std::size_t station, std::uint16_t id) {
+// A local ID names one connection of its station, another one of its CP.
+bool hasId(const Network& network, std::size_t station, ConnectionKind kind, std::uint16_t id) {
   return std::ranges::any_of(network.connections, [&](const StationConnection& one) {
+    if ((one.kind == ConnectionKind::S7) != (kind == ConnectionKind::S7)) return false;
     return (one.local == station && one.id == id) ||
            (one.partner == station && one.partnerId == id);
   });
 }
 
 void checkId(const Table& table, std::string_view key, const Network& network, std::size_t station,
-             std::uint16_t id) {
-  if (hasId(network, station, id))
+             ConnectionKind kind, std::uint16_t id) {
+  if (hasId(network, station, kind, id))
     table.mustBe(key, fmt::format("another one: {} has a connection W#16#{:X} above",
                                   network.stations[station].name, id));
+}
+
+std::optional<std::uint16_t> readEndId(const Table& table, std::string_view key,
+                                       ConnectionKind kind) {
+  if (kind == ConnectionKind::S7) return readConnectionId(table, key);
+  return readCpId(table, key);
 }
 
 }  // namespace
 
 void readStationConnections(const Table& root, Network& network) {
   for (const Table& table : root.tables("connection", kMostStationConnections)) {
-    table.allow({"id", "local", "partner", "partner_id", "subnet"});
+    table.allow({"kind", "id", "local", "partner", "partner_id", "subnet"});
     StationConnection connection;
     connection.position = table.place();
-    const auto id = readConnectionId(table, "id");
+    connection.kind = readConnectionKind(table);
+    const auto id = readEndId(table, "id", connection.kind);
     const auto local = readEnd(table, "local", network);
     const auto partner = readEnd(table, "partner", network);
-    if (table.has("partner_id")) connection.partnerId = readConnectionId(table, "partner_id");
+    if (table.has("partner_id") || connection.kind != ConnectionKind::S7)
+      connection.partnerId = readEndId(table, "partner_id", connection.kind);
     if (!id || !local || !partner) continue;
+    if (connection.kind != ConnectionKind::S7 && !connection.partnerId) continue;
     if (local == partner) {
       table.mustBe("partner", "another station than local");
       continue;
@@ -86,9 +99,9 @@ void readStationConnections(const Table& root, Network& network) {
     connection.partner = *partner;
     connection.localAt = table.at("local");
     connection.partnerAt = table.at("partner");
-    checkId(table, "id", network, *local, *id);
+    checkId(table, "id", network, *local, connection.kind, *id);
     if (connection.partnerId)
-      checkId(table, "partner_id", network, *partner, *connection.partnerId);
+      checkId(table, "partner_id", network, *partner, connection.kind, *connection.partnerId);
     const auto subnet = readCommonSubnet(table, network, connection);
     if (!subnet) continue;
     connection.subnet = *subnet;

@@ -101,6 +101,7 @@ TEST(GsdRead, NoModuleIsLostThroughWhatAFileDoesWrong) {
        "4: there is no EndPrmText for it"},
       {"Module = \"A 0x10\nEndModule\n", "4: the text has no closing quotation mark"},
       {"Module = \"A\" 0x10 EndModule\n", ""},
+      {"Module = \"A\" 0x 10\nEndModule\n", "4: there must be no blank in 0x10"},
       {"Module = \"A\"\n0x10\n1\nEndModule\n", ""},
       {"Module \"A\" 0X10\nEndModule\n", ""},
       {"Module=\"A\"0x10\nendmodule\n", ""},
@@ -117,6 +118,17 @@ TEST(GsdRead, NoModuleIsLostThroughWhatAFileDoesWrong) {
     EXPECT_EQ(read.device.modules[1].configuration, Bytes{0x21}) << row.text;
     EXPECT_EQ(remarksOf(read), row.remark.empty() ? Texts{} : Texts{row.remark}) << row.text;
   }
+}
+
+// "0x" without digits is no number, and takes none of the next line or of what is no digit.
+TEST(GsdRead, WhatStandsBehindAZeroAndAnXIsItsNumber) {
+  const Reading read = device(
+      "Module = \"A\" 0x 1F, 0X\t2a\nEndModule\nModule = \"B\" 0x\n10\nEndModule\n"
+      "Module = \"C\" 0x , 0x12\nEndModule\n");
+  ASSERT_EQ(read.device.modules.size(), 3u);
+  EXPECT_EQ(read.device.modules[0].configuration, (Bytes{0x1F, 0x2A}));
+  EXPECT_EQ(read.device.modules[1].configuration, Bytes{});
+  EXPECT_EQ(read.device.modules[2].configuration, Bytes{0x12});
 }
 
 TEST(GsdRead, AListMayGoOnWithoutItsBackslash) {

@@ -149,12 +149,16 @@ TEST_F(Stations, AConnectionIsAddedWithFreeIds) {
   EXPECT_NE(text().find("# the first one"), std::string::npos);
   const Json rows = network()["connections"];
   ASSERT_EQ(rows.size(), 3u);
-  EXPECT_EQ(
-      rows[1],
-      (Json{{"station", "Press"}, {"id", 2}, {"active", true}, {"partner", "Belt (MPI(1))"}}));
-  EXPECT_EQ(
-      rows[2],
-      (Json{{"station", "Belt"}, {"id", 1}, {"active", false}, {"partner", "Press (MPI(1))"}}));
+  EXPECT_EQ(rows[1], (Json{{"station", "Press"},
+                           {"kind", "s7"},
+                           {"id", 2},
+                           {"active", true},
+                           {"partner", "Belt (MPI(1))"}}));
+  EXPECT_EQ(rows[2], (Json{{"station", "Belt"},
+                           {"kind", "s7"},
+                           {"id", 1},
+                           {"active", false},
+                           {"partner", "Press (MPI(1))"}}));
 }
 
 TEST_F(Stations, WhatIsWrongWithANewOneChangesNothing) {

@@ -60,6 +60,10 @@ export const examples: Record<string, readonly [title: string, description: stri
     'Aufzug mit drei Etagen',
     'Ruftaster auf jeder Etage und in der Kabine, ein Sensor je Etage, eine Tür. Der Aufzug fährt in seiner Richtung weiter, solange dort jemand wartet, hält unterwegs und kehrt dann um.',
   ],
+  'networks/as-interface': [
+    'AS-Interface',
+    'Ein CP 343-2 mit vier AS-i-Slaves. Der CP hat 16 Eingangs- und 16 Ausgangsbytes; jeder von bis zu 31 Slaves hat vier Bits davon. Der E/A-Code seines Profils sagt, was Eingang und was Ausgang ist. Fällt ein Slave aus, meldet es der CP mit einem Diagnosealarm.',
+  ],
   'networks/connections': [
     'S7-Verbindungen: PUT, GET und BSEND zwischen Stationen',
     'Eine Leitstation gibt einem Band über MPI die Geschwindigkeit vor und holt seine Stückzahl; die CPU des Bandes hat dafür keinen Baustein, auf ihre Variablen wird zugegriffen. Meldungen von 300 Bytes gehen über Ethernet an eine Verwaltung, wo ein Baustein sie annimmt. Die [[connection]] stehen in merker.toml; Bausteine nennen sie mit ID.',
@@ -75,6 +79,10 @@ export const examples: Record<string, readonly [title: string, description: stri
   'networks/recipes': [
     'Rezepte: zwei Stationen mit SFC 65 bis 69',
     'Ein Mischer holt sein Rezept aus einem Lager, schreibt die Nummer seiner Chargen dorthin und sendet zu jeder Charge eine Meldung. Das Programm des Lagers hat einen Aufruf, X_RCV; Rezept und Nummer werden ohne ihn gelesen und geschrieben.',
+  ],
+  'networks/send-receive': [
+    'Senden und Empfangen',
+    'AG_SEND und AG_RECV (FC 5, FC 6) zweier Stationen mit je einem CP 343-1: Meldungen als Datenblöcke über ISO-on-TCP, Messwerte als Strom über TCP, ein Lebenszeichen über UDP. Die Szenarien zeigen, was geschieht, wenn niemand liest und wenn der Stecker gezogen ist.',
   ],
   'networks/token-ring': [
     'Token-Ring: fünf Stationen mit Globaldaten',

@@ -8,6 +8,10 @@ export const unchanged = [
   'whole_buffer = false',
   'kind = "mpi"',
   'connection W#16#{:X}', // part of a sentence
+  // only on the command line: merker network
+  '{} connection W#16#{:X}',
+  '{} connection {}',
+  'Standard Library', // the name of a library of STEP 7
   'station = "Press" and address = 3',
   'end = "count"',
   'end = "characters"',

@@ -1,0 +1,15 @@
+// How the two ends of a configured connection speak with each other.
+#pragma once
+
+#include <cstdint>
+
+namespace merker {
+
+enum class ConnectionKind : std::uint8_t {
+  S7,        // S7 communication: BSEND, GET …
+  Tcp,       // of a CP, for AG_SEND and AG_RECV: a stream of bytes (RFC 793)
+  IsoOnTcp,  // the same with blocks of data (RFC 1006)
+  Udp        // datagrams (RFC 768)
+};
+
+}  // namespace merker
