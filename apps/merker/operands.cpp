@@ -6,6 +6,7 @@
 #include "command.h"
 #include "output.h"
 #include "scenario/line.h"
+#include "scenario/watched.h"
 
 namespace merker::app {
 namespace {
@@ -37,51 +38,6 @@ int readLists(const std::string& option, const std::vector<std::string>& texts, 
   return result;
 }
 
-void readOperand(std::string_view part, const Position& position,
-                 const simulator::Resolver& resolver, std::vector<address::Reference>& operands,
-                 Problems& problems) {
-  simulator::Term term{std::string(part), position, {}, {}, {}};
-  if (part.empty())
-    problems.add(ProblemCode::P0952, term.position, "an operand");
-  else if (auto problem = simulator::resolveOperand(term, resolver))
-    problems.add(*problem);
-  else if (term.reference.operand.kind != address::OperandKind::Memory)
-    term.reference.operand.width = Width::Word;
-  operands.push_back(term.reference);
-}
-
-// What the parts of a list can name.
-struct Watchable {
-  const simulator::Resolver& resolver;
-  const plant::Configuration& plants;
-  const io::Configuration* hardware;
-};
-
-void readPart(std::string_view part, const Position& position, const Watchable& from,
-              simulator::Watched& watched, Problems& problems) {
-  const auto at = [&](std::string_view) { return position; };
-  std::string_view name = part;
-  const std::string_view word = simulator::takeWord(name);
-  if (equalsIgnoreCase(word, "plant") && !name.empty()) {
-    simulator::PlantValue signal;
-    if (!simulator::parsePlant(name, "0", signal, at, problems)) return;
-    simulator::resolve(signal, &from.plants, problems);
-    watched.plants.push_back(std::move(signal));
-  } else if (equalsIgnoreCase(word, "terminal") && !name.empty()) {
-    simulator::TerminalValue terminal;
-    if (!simulator::parseTerminal(name, {}, terminal, at, problems)) return;
-    simulator::resolvePlace(terminal, from.hardware, problems);
-    watched.terminals.push_back(std::move(terminal));
-  } else if (simulator::namesAxis(part)) {
-    simulator::AxisTerm term;
-    if (!simulator::parseAxis(part, {}, term, at, problems)) return;
-    simulator::resolve(term, from.hardware, problems);
-    watched.axis.push_back(std::move(term));
-  } else {
-    readOperand(part, position, from.resolver, watched.operands, problems);
-  }
-}
-
 // "plant Press/Oven.PV" without the station, which is named by what is in front of the slash.
 std::string withoutStation(std::string_view part, const compilation::NetworkOperands& operands,
                            std::optional<std::size_t>& station) {
@@ -109,7 +65,7 @@ int readWatched(const std::string& option, const std::vector<std::string>& texts
                 const simulator::Resolver& resolver, const plant::Configuration& plants,
                 const io::Configuration* hardware, simulator::Watched& watched) {
   return readLists(option, texts, [&](auto part, const Position& position, Problems& problems) {
-    readPart(part, position, {resolver, plants, hardware}, watched, problems);
+    simulator::readWatchable(part, position, {resolver, plants, hardware}, watched, problems);
   });
 }
 
@@ -125,8 +81,9 @@ int readWatched(const std::string& option, const std::vector<std::string>& texts
     const auto& hardware = one.build->project.hardware;
     const auto resolver = operands.resolver(*station);
     watched.push_back({*station, {}});
-    readPart(own, position, {resolver, one.build->project.plants, hardware ? &*hardware : nullptr},
-             watched.back().what, problems);
+    simulator::readWatchable(own, position,
+                             {resolver, one.build->project.plants, hardware ? &*hardware : nullptr},
+                             watched.back().what, problems);
     nameStation(one.name, watched.back().what);
   });
 }

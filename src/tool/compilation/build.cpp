@@ -111,12 +111,14 @@ simulator::Resolver Build::resolver() const {
   return partner ? withStation(*this, own, partner->resolver()) : own;
 }
 
-station::Station Build::station(bool coverage) const {
+station::Station Build::station(bool coverage) const { return station(project.plants, coverage); }
+
+station::Station Build::station(const plant::Configuration& plants, bool coverage) const {
   station::Options options;
   options.model = project.model;
   options.parameters = project.parameters;
   options.hardware = project.hardware;
-  options.plants = project.plants;
+  options.plants = plants;
   options.program = program;
   options.startOfClock = project.startOfClock;
   options.communication = project.communication;
@@ -132,8 +134,13 @@ cnc::Options Build::controlOptions() const {
 }
 
 std::unique_ptr<controller::Controller> Build::controller(bool coverage) const {
+  return controller(project.plants, coverage);
+}
+
+std::unique_ptr<controller::Controller> Build::controller(const plant::Configuration& plants,
+                                                          bool coverage) const {
   if (isListing()) return control(coverage);
-  auto result = std::make_unique<station::Station>(station(coverage));
+  auto result = std::make_unique<station::Station>(station(plants, coverage));
   if (partner) result->couple(std::make_unique<station::Station>(partner->station()));
   return result;
 }

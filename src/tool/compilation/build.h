@@ -32,10 +32,14 @@ struct Build {
   simulator::Resolver operands() const;
   // The same, only operands that exist in its CPU.
   simulator::Resolver resolver() const;
-  station::Station station(bool coverage = false) const;           // a SIMATIC S7 only
+  station::Station station(bool coverage = false) const;  // a SIMATIC S7 only
+  station::Station station(const plant::Configuration& plants, bool coverage) const;  // the same
   cnc::Options controlOptions() const;                             // a SINUMERIK only
   std::unique_ptr<cnc::Cnc> control(bool coverage = false) const;  // the same
   std::unique_ptr<controller::Controller> controller(bool coverage = false) const;
+  // With these plants beside it in place of the project's: the same ones with other parameters.
+  std::unique_ptr<controller::Controller> controller(const plant::Configuration& plants,
+                                                     bool coverage = false) const;
 };
 
 // Ends early, with P0713 alone, when the project's loading is asked to stop (project::load).

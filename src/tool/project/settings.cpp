@@ -4,7 +4,7 @@
 
 #include "address/constant.h"
 #include "base/bcd.h"
-#include "project/deep_key.h"
+#include "project/parse.h"
 #include "project/readers.h"
 
 namespace merker::project {
@@ -164,24 +164,9 @@ Settings readSettings(const source::SourceFile& file, Problems& problems,
   if (model) choose(settings, *model);
   settings.parameters = CpuParameters::of(*settings.model);
   settings.communication = CommunicationParameters::of(*settings.model);
-  constexpr std::size_t kMegabyte = 1024 * 1024, kLargest = 1;
-  if (file.text().size() > kLargest * kMegabyte) {
-    problems.add(ProblemCode::P0103, Position{file.name()}, kLargest, "a project file");
-    return settings;
-  }
-  if (const auto place = deepKey(file.text())) {
-    problems.add(ProblemCode::P0202, file.position(*place), "the nesting of keys",
-                 fmt::format("1..{}", kDeepestKey));
-    return settings;
-  }
-  const toml::parse_result result = toml::parse(file.text(), file.name());
-  if (!result) {
-    const toml::source_position& place = result.error().source().begin;
-    problems.add(ProblemCode::P0702, Position{file.name(), place.line, place.column},
-                 std::string(result.error().description()));
-    return settings;
-  }
-  readAll(Table(result.table(), "", Position{file.name(), 1, 1}, problems), model, settings);
+  const auto table = parseToml(file, problems);
+  if (!table) return settings;
+  readAll(Table(*table, "", Position{file.name(), 1, 1}, problems), model, settings);
   return settings;
 }
 

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
 #include "base/xml.h"
+#include "scenario/plot_style.h"
 
 namespace merker::simulator {
 namespace {
@@ -16,9 +16,6 @@ namespace {
 constexpr double kWidth = 900, kLeft = 70, kRight = 20, kTop = 16, kTitle = 24, kBottom = 44;
 constexpr double kRowHeight = 190, kBitHeight = 22, kGap = 30, kBitGap = 22;
 constexpr int kTicks = 5, kTimeTicks = 10;
-constexpr std::array<std::string_view, 5> kColours = {"#1f6fb4", "#d2691e", "#2e8b57", "#8b3a8b",
-                                                      "#808000"};
-
 struct Range {
   double low = std::numeric_limits<double>::max(), high = std::numeric_limits<double>::lowest();
 };
@@ -133,7 +130,7 @@ std::string legend(const PlotRow& row, double y) {
   for (std::size_t i = 0; i < row.size(); ++i) {
     text += fmt::format(
         "<text x=\"{:.0f}\" y=\"{:.1f}\" style=\"fill:{};font-weight:bold\">{}</text>\n", x, y,
-        kColours[i % kColours.size()], xmlText(row[i].label));
+        kPlotColours[i % kPlotColours.size()], xmlText(row[i].label));
     x += 24 + 7.5 * static_cast<double>(row[i].label.size());
   }
   return text;
@@ -144,7 +141,7 @@ std::string drawRow(const PlotRow& row, const Frame& frame) {
   if (!isBits(row)) text += valueAxis(frame);
   for (std::size_t i = 0; i < row.size(); ++i)
     text += fmt::format("<path class=\"curve\" stroke=\"{}\" d=\"{}\"/>\n",
-                        kColours[i % kColours.size()], pathOf(row[i].curve, frame));
+                        kPlotColours[i % kPlotColours.size()], pathOf(row[i].curve, frame));
   return text;
 }
 
@@ -161,11 +158,6 @@ std::string timeAxis(const Plot& plot, double bottom) {
   return text + fmt::format("<text x=\"{}\" y=\"{:.1f}\" text-anchor=\"end\">t / s</text>\n",
                             kWidth - kRight, bottom + 34);
 }
-
-constexpr std::string_view kStyle =
-    "<style>text{font:12px sans-serif;fill:#333}"
-    ".title{font-size:15px;font-weight:bold}.grid{stroke:#ddd;fill:none}"
-    ".axis{stroke:#333;fill:none}.curve{fill:none;stroke-width:1.5}</style>\n";
 
 }  // namespace
 
@@ -205,7 +197,7 @@ std::string drawSvg(const Plot& plot) {
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1:.0f}\" "
       "viewBox=\"0 0 {0} {1:.0f}\">\n",
       kWidth, y + kBottom);
-  text += kStyle;
+  text += kPlotStyle;
   text += "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
   if (!plot.title.empty())
     text += fmt::format("<text class=\"title\" x=\"{}\" y=\"26\">{}</text>\n", kLeft,

@@ -22,7 +22,8 @@ TestResult runScenario(const Scenario& scenario, Controller& plc) {
   return runScenario(scenario, {NamedPlc{{}, &plc}});
 }
 
-TestResult runScenario(const Scenario& scenario, const std::vector<NamedPlc>& plcs) {
+TestResult runScenario(const Scenario& scenario, const std::vector<NamedPlc>& plcs,
+                       const Begun& begun) {
   TestResult result{scenario.position.file, scenario.name, {}, {}};
   const auto fail = [&](const NamedPlc& plc, const Position& position, const std::string& message) {
     result.failures.push_back({position, plc.plc->now(), message});
@@ -34,6 +35,9 @@ TestResult runScenario(const Scenario& scenario, const std::vector<NamedPlc>& pl
     if (!reasons[i].empty() && !plcs[i].plc->stoppedByFault())
       fail(plcs[i], scenario.position,
            (plcs[i].name.empty() ? "" : plcs[i].name + ": ") + reasons[i]);
+  if (result.passed() && begun)
+    if (const std::string reason = begun(); !reason.empty())
+      fail(plcs.front(), scenario.position, reason);
   const bool done = result.passed() && run.run(scenario.steps);
   for (std::size_t i = 0; done && i < plcs.size(); ++i)
     if (plcs[i].plc->stoppedByFault() && !run.speaksOfState(i))

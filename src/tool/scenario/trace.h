@@ -8,18 +8,9 @@
 #include <vector>
 
 #include "plant/field.h"
-#include "scenario/axis_term.h"
-#include "scenario/plant_value.h"
-#include "scenario/terminal_value.h"
+#include "scenario/watched.h"
 
 namespace merker::simulator {
-
-struct Watched {
-  std::vector<address::Reference> operands;
-  std::vector<PlantValue> plants;          // resolved
-  std::vector<TerminalValue> terminals{};  // the same
-  std::vector<AxisTerm> axis{};            // the same
-};
 
 class Trace {
  public:

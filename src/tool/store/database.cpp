@@ -30,6 +30,22 @@ Statement& Statement::bind(std::int64_t value) {
   return *this;
 }
 
+Statement& Statement::bindReal(double value) {
+  check(sqlite3_bind_double(statement_.get(), next_++, value));
+  return *this;
+}
+
+Statement& Statement::bindNull() {
+  check(sqlite3_bind_null(statement_.get(), next_++));
+  return *this;
+}
+
+Statement& Statement::copy(const Statement& row, int column) {
+  check(sqlite3_bind_value(statement_.get(), next_++,
+                           sqlite3_column_value(row.statement_.get(), column)));
+  return *this;
+}
+
 Statement& Statement::bind(std::string_view text) {
   check(sqlite3_bind_text(statement_.get(), next_++, text.data(), static_cast<int>(text.size()),
                           SQLITE_TRANSIENT));
@@ -70,6 +86,20 @@ std::int64_t Statement::integer(int column) const {
   return sqlite3_column_int64(statement_.get(), column);
 }
 
+double Statement::real(int column) const {
+  if (sqlite3_column_type(statement_.get(), column) != SQLITE_INTEGER)
+    require(column, SQLITE_FLOAT);
+  return sqlite3_column_double(statement_.get(), column);
+}
+
+bool Statement::isNull(int column) const {
+  return sqlite3_column_type(statement_.get(), column) == SQLITE_NULL;
+}
+
+bool Statement::isText(int column) const {
+  return sqlite3_column_type(statement_.get(), column) == SQLITE_TEXT;
+}
+
 std::string Statement::text(int column) const {
   require(column, SQLITE_TEXT);
   const auto* text = reinterpret_cast<const char*>(sqlite3_column_text(statement_.get(), column));
@@ -88,35 +118,36 @@ std::vector<std::uint8_t> Statement::bytes(int column) const {
 }
 
 // A file from somebody else: no tricks of its schema, nothing larger than a card has.
-void Database::protect() {
+void Database::protect(int columns) {
   sqlite3* const handle = handle_.get();
   sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
   for (const int feature :
        {SQLITE_DBCONFIG_TRUSTED_SCHEMA, SQLITE_DBCONFIG_ENABLE_VIEW, SQLITE_DBCONFIG_ENABLE_TRIGGER,
         SQLITE_DBCONFIG_DQS_DDL, SQLITE_DBCONFIG_DQS_DML})
     sqlite3_db_config(handle, feature, 0, nullptr);
-  constexpr std::array kLimits{std::pair{SQLITE_LIMIT_LENGTH, 4 * 1024 * 1024},
-                               std::pair{SQLITE_LIMIT_SQL_LENGTH, 10'000},
-                               std::pair{SQLITE_LIMIT_COLUMN, 16},
-                               std::pair{SQLITE_LIMIT_EXPR_DEPTH, 20},
-                               std::pair{SQLITE_LIMIT_COMPOUND_SELECT, 3},
-                               std::pair{SQLITE_LIMIT_ATTACHED, 0},
-                               std::pair{SQLITE_LIMIT_TRIGGER_DEPTH, 1},
-                               std::pair{SQLITE_LIMIT_WORKER_THREADS, 0},
-                               std::pair{SQLITE_LIMIT_VARIABLE_NUMBER, 16},
-                               std::pair{SQLITE_LIMIT_FUNCTION_ARG, 8}};
+  constexpr int kStatement = 10'000, kName = 100;
+  const std::array kLimits{std::pair{SQLITE_LIMIT_LENGTH, 4 * 1024 * 1024},
+                           std::pair{SQLITE_LIMIT_SQL_LENGTH, kStatement + kName * columns},
+                           std::pair{SQLITE_LIMIT_COLUMN, columns},
+                           std::pair{SQLITE_LIMIT_EXPR_DEPTH, 20},
+                           std::pair{SQLITE_LIMIT_COMPOUND_SELECT, 3},
+                           std::pair{SQLITE_LIMIT_ATTACHED, 0},
+                           std::pair{SQLITE_LIMIT_TRIGGER_DEPTH, 1},
+                           std::pair{SQLITE_LIMIT_WORKER_THREADS, 0},
+                           std::pair{SQLITE_LIMIT_VARIABLE_NUMBER, columns},
+                           std::pair{SQLITE_LIMIT_FUNCTION_ARG, 8}};
   for (const auto& [limit, value] : kLimits) sqlite3_limit(handle, limit, value);
   execute("PRAGMA cell_size_check = ON; PRAGMA temp_store = MEMORY; PRAGMA mmap_size = 0");
 }
 
-Database::Database(const std::string& file) {
+Database::Database(const std::string& file, int columns) {
   sqlite3* handle = nullptr;
   constexpr int kFlags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX |
                          SQLITE_OPEN_EXRESCODE | SQLITE_OPEN_NOFOLLOW;
   const int code = sqlite3_open_v2(file.c_str(), &handle, kFlags, nullptr);
   handle_.reset(handle);
   if (code != SQLITE_OK) fail(handle, code);
-  protect();
+  protect(columns);
 }
 
 void Database::setBudget(std::int64_t thousands) {

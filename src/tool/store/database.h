@@ -1,5 +1,5 @@
-// A thin cover of SQLite. Its failures are exceptions inside this module; memory_card.cpp makes
-// problems of them.
+// A thin cover of SQLite. Its failures are exceptions; memory_card.cpp, and the results of
+// campaigns, make problems of them.
 #pragma once
 
 #include <sqlite3.h>
@@ -30,12 +30,18 @@ class Statement {
  public:
   Statement(sqlite3* database, std::string_view sql);
   Statement& bind(std::int64_t value);
+  Statement& bindReal(double value);
+  Statement& bindNull();
+  Statement& copy(const Statement& row, int column);     // a value of a row of another one
   Statement& bind(std::string_view text);                // copied
   Statement& bind(std::span<const std::uint8_t> bytes);  // must stay until the statement is reset
   bool step();  // true: a row is there; at the end the statement is ready for the next run
   void run();   // to the end
   // Throw Damage if the value is of another type.
   std::int64_t integer(int column) const;
+  double real(int column) const;  // or an integer
+  bool isNull(int column) const;
+  bool isText(int column) const;
   std::string text(int column) const;
   std::vector<std::uint8_t> bytes(int column) const;
 
@@ -52,8 +58,9 @@ class Statement {
 
 class Database {
  public:
-  // The path contains no symbolic link.
-  explicit Database(const std::string& file);
+  static constexpr int kColumns = 16;  // of a memory card
+  // The path contains no symbolic link. `columns`: the most of a table.
+  explicit Database(const std::string& file, int columns = kColumns);
   void execute(const char* sql);
   Statement prepare(std::string_view sql) { return {handle_.get(), sql}; }
   std::int64_t integer(std::string_view sql);  // first column of the first row
@@ -66,7 +73,7 @@ class Database {
   void setNoBudget();
 
  private:
-  void protect();
+  void protect(int columns);
   struct Close {
     void operator()(sqlite3* database) const { sqlite3_close_v2(database); }
   };

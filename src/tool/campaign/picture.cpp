@@ -1,0 +1,77 @@
+#include "campaign/picture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/text.h"
+
+namespace merker::campaign {
+namespace {
+
+// A name of a list; the problem names those that there are.
+Result<std::size_t> find(const std::vector<std::string>& names, const std::string& wanted,
+                         std::string_view what, const std::string& path) {
+  const auto found = std::ranges::find_if(
+      names, [&](const std::string& name) { return equalsIgnoreCase(name, wanted); });
+  if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+  return makeProblem(ProblemCode::P0787, Position{path}, what, wanted,
+                     fmt::format("{}", fmt::join(names, ", ")));
+}
+
+// The named parameter, else the first one that has several values and is not `taken`.
+Result<std::size_t> parameter(const ResultTable& table, const std::string& wanted,
+                              std::optional<std::size_t> taken, const std::string& path) {
+  if (!wanted.empty()) return find(table.parameters, wanted, "parameter", path);
+  for (std::size_t i = 0; i < table.parameters.size(); ++i) {
+    const auto differs = [&](const ResultTable::Row& row) {
+      return row.parameters[i] != table.rows.front().parameters[i];
+    };
+    if (i != taken && std::ranges::any_of(table.rows, differs)) return i;
+  }
+  return std::size_t{taken == std::size_t{0} && table.parameters.size() > 1 ? 1u : 0u};
+}
+
+Result<std::size_t> measure(const ResultTable& table, const std::string& wanted,
+                            const std::string& path) {
+  if (wanted.empty() && !table.measures.empty()) return std::size_t{0};
+  return find(table.measures, wanted, "measure", path);
+}
+
+Result<std::string> heatMap(const ResultTable& table, const PictureWish& wish,
+                            const std::string& title, const std::string& path) {
+  const auto value = measure(table, wish.heat, path);
+  if (!value) return value.error();
+  const auto x = parameter(table, wish.x, {}, path);
+  if (!x) return x.error();
+  const auto y = parameter(table, wish.y, x.value(), path);
+  if (!y) return y.error();
+  return drawHeatMap(table, {title, x.value(), y.value(), value.value()});
+}
+
+Result<std::string> curves(const ResultTable& table, const PictureWish& wish,
+                           const std::string& title, const std::string& path) {
+  const auto value = measure(table, wish.y, path);
+  if (!value) return value.error();
+  const auto x = parameter(table, wish.x, {}, path);
+  if (!x) return x.error();
+  CurveWish curve{title, x.value(), value.value(), {}};
+  if (!wish.by.empty()) {
+    const auto by = find(table.parameters, wish.by, "parameter", path);
+    if (!by) return by.error();
+    curve.by = by.value();
+  }
+  return drawQuantiles(table, curve);
+}
+
+}  // namespace
+
+Result<std::string> draw(const ResultTable& table, const PictureWish& wish,
+                         const std::string& path) {
+  if (table.rows.empty())
+    return makeProblem(ProblemCode::P0786, Position{path}, "no run is over yet");
+  const std::string& title = wish.title.empty() ? table.name : wish.title;
+  return wish.heat.empty() ? curves(table, wish, title, path) : heatMap(table, wish, title, path);
+}
+
+}  // namespace merker::campaign
