@@ -26,6 +26,7 @@ void addExport(CLI::App& program, int& result);
 void addGsd(CLI::App& program, int& result);
 void addTags(CLI::App& program, int& result);
 void addPlot(CLI::App& program, int& result);
+void addCampaign(CLI::App& program, int& result);
 void addBench(CLI::App& program, int& result);
 void addImport(CLI::App& program, int& result);
 void addWorkbench(CLI::App& program, int& result);

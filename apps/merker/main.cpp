@@ -62,6 +62,7 @@ int run(int argc, char** argv) {
   merker::app::addRun(program, result);
   merker::app::addWorkbench(program, result);
   merker::app::addTest(program, result);
+  merker::app::addCampaign(program, result);
   merker::app::addDebug(program, result);
   merker::app::addDiag(program, result);
   merker::app::addMonitor(program, result);

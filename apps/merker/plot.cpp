@@ -1,4 +1,4 @@
-// merker plot TRACE.csv -o FILE.svg
+// merker plot TRACE.csv|RESULTS.sqlite -o FILE.svg
 #include "scenario/plot.h"
 
 #include <CLI/CLI.hpp>
@@ -10,6 +10,7 @@
 #include <iostream>
 
 #include "base/text.h"
+#include "campaign/picture.h"
 #include "command.h"
 #include "output.h"
 #include "scenario/duration.h"
@@ -23,6 +24,7 @@ using simulator::Curve;
 struct PlotOptions {
   std::string trace, output, title, from, to;
   std::vector<std::string> rows;
+  campaign::PictureWish results;  // without the title
 };
 
 std::string listOf(const std::vector<Curve>& curves) {
@@ -88,8 +90,23 @@ bool isPicture(const PlotOptions& options) {
   return false;
 }
 
-int plot(const PlotOptions& options) {
-  if (!isPicture(options)) return kUsage;
+int tell(const Problem& problem) {
+  Problems problems;
+  problems.add(problem);
+  printProblems(problems, [](const std::string&) { return nullptr; });
+  return problem.code == ProblemCode::P0787 ? kUsage : kUnreadable;
+}
+
+int plotResults(const PlotOptions& options) {
+  const auto table = campaign::readTable(options.trace);
+  if (!table) return tell(table.error());
+  campaign::PictureWish wish = options.results;
+  wish.title = options.title;
+  const auto picture = campaign::draw(table.value(), wish, options.trace);
+  return picture ? write(options.output, picture.value()) : tell(picture.error());
+}
+
+int plotTrace(const PlotOptions& options) {
   Problems problems;
   const auto file = source::readSource(options.trace, source::kLargestTrace);
   if (!file) {
@@ -110,12 +127,34 @@ int plot(const PlotOptions& options) {
   return kUsage;
 }
 
+// Options of the other kind of file would be without effect.
+bool fits(const PlotOptions& options, bool results) {
+  const campaign::PictureWish& wish = options.results;
+  const bool ofResults = !(wish.x + wish.y + wish.by + wish.heat).empty();
+  const bool ofTrace = !options.rows.empty() || !(options.from + options.to).empty();
+  if (results ? !ofTrace : !ofResults) return true;
+  std::cerr << "merker plot: " << options.trace
+            << (results ? " has results of a campaign; --row, --from and --to are for a trace\n"
+                        : " is no file of results; --x, --y, --by and --heat are for a campaign\n");
+  return false;
+}
+
+int plot(const PlotOptions& options) {
+  if (!isPicture(options)) return kUsage;
+  const bool results = campaign::isDatabase(options.trace);
+  if (!fits(options, results)) return kUsage;
+  return results ? plotResults(options) : plotTrace(options);
+}
+
 }  // namespace
 
 void addPlot(CLI::App& program, int& result) {
-  auto* command = program.add_subcommand("plot", "a trace as a picture: curves over time, in SVG");
+  auto* command =
+      program.add_subcommand("plot", "a trace or the results of a campaign as a picture, in SVG");
   auto options = std::make_shared<PlotOptions>();
-  command->add_option("TRACE", options->trace, "what `merker run --trace` wrote")->required();
+  command
+      ->add_option("TRACE", options->trace, "what `merker run --trace` or `merker campaign` wrote")
+      ->required();
   command->add_option("-o,--output", options->output, "the picture: FILE.svg")->required();
   command
       ->add_option("--row", options->rows,
@@ -125,12 +164,23 @@ void addPlot(CLI::App& program, int& result) {
   command->add_option("--title", options->title, "title above the picture");
   command->add_option("--from", options->from, "only from this instant on: 5s");
   command->add_option("--to", options->to, "only up to this instant: 2m");
+  command->add_option("--x", options->results.x,
+                      "results: the parameter along the picture; otherwise the first one");
+  command->add_option("--y", options->results.y,
+                      "results: the measure that is drawn; with --heat the parameter upwards");
+  command->add_option("--by", options->results.by,
+                      "results: a curve for each value of this parameter");
+  command->add_option("--heat", options->results.heat,
+                      "results: this measure as colours over two parameters");
   command->footer(
-      "Without --row each operand has a row.\n"
+      "Without --row each operand has a row. Results are drawn with quantiles of all runs.\n"
       "Examples:\n"
       "  merker plot plant.csv -o plant.svg\n"
       "  merker plot oven.csv -o oven.svg --row \"DB41.SP_INT = setpoint, DB41.PV = temperature\" "
-      "--row \"A 124.0 = heating\"");
+      "--row \"A 124.0 = heating\"\n"
+      "  merker plot sweep.sqlite -o sweep.svg --x plant.Vessel.stroke --y emptied\n"
+      "  merker plot sweep.sqlite -o map.svg --x plant.Vessel.stroke --y plant.Vessel.minimum "
+      "--heat emptied");
   command->callback([options, &result] { result = plot(*options); });
 }
 

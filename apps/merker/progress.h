@@ -3,6 +3,8 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
+#include <string>
 #include <string_view>
 
 namespace merker::app {
@@ -14,12 +16,16 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   void show(double fraction);  // 0..1; at most a few times a second
+  // "120 of 1000, 2 min left": of things that take about the same time each.
+  void show(std::uint64_t done, std::uint64_t all);
 
  private:
+  bool isTime();
+  void write(const std::string& text);
   std::string_view what_;
   bool terminal_;
   bool shown_ = false;
-  std::chrono::steady_clock::time_point next_;
+  std::chrono::steady_clock::time_point begin_, next_;
 };
 
 }  // namespace merker::app

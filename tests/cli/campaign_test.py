@@ -1,0 +1,241 @@
+import csv
+import os
+import pathlib
+import shlex
+import shutil
+import signal
+import sqlite3
+import subprocess
+import time
+import xml.etree.ElementTree
+
+from harness import *
+
+EXAMPLE = pathlib.Path(__file__).resolve().parents[2] / "examples" / "vessel-emptying"
+# Four runs a stroke: quick enough to be run again and again.
+SWEEP = """[campaign]
+name = "Vessel"
+for = "5s"
+repeat = 40
+[campaign.vary]
+"plant.Vessel.START" = true
+"plant.Vessel.stroke" = [2, 3, 4, 8]
+"plant.Vessel.start" = {normal = 80, sigma = 6}
+[campaign.measure]
+open = "time A 1.0"
+rest = "min plant.Vessel.LEVEL"
+[campaign.require]
+rest = "< 20"
+"""
+RUNS = 160
+
+
+class Campaign(Case):
+    def setUp(self):
+        super().setUp()
+        for name in ("merker.toml", "vessel.awl", "vessel.sym", "vessel.scn"):
+            shutil.copy(EXAMPLE / name, self.folder)
+        self.write("sweep.toml", SWEEP)
+
+    def campaign(self, code, *options, **more):
+        return self.expect(code, "campaign", "sweep.toml", *options, **more)
+
+    def rows(self, name="sweep.sqlite"):
+        """All of the table, by id; the file is sound."""
+        with sqlite3.connect(self.folder / name) as results:
+            self.assertEqual(results.execute("PRAGMA integrity_check").fetchall(), [("ok",)])
+            return results.execute("SELECT * FROM run ORDER BY id").fetchall()
+
+    def test_every_run_has_a_row(self):
+        call = self.campaign(PROBLEMS)  # a vessel of 8 s has more than 20 % left
+        self.assertIn("120 passed, 40 failed; results in sweep.sqlite", call.out)
+        self.assertIn("... and 30 more", call.out)
+        with sqlite3.connect(self.folder / "sweep.sqlite") as results:
+            table = results.execute(
+                'SELECT "plant.Vessel.stroke", count(*), count(DISTINCT "plant.Vessel.start"), min(open), max(rest), sum(passed) '
+                "FROM run GROUP BY 1 ORDER BY 1").fetchall()
+        self.assertEqual([(stroke, count, levels) for stroke, count, levels, *_ in table], [(s, 40, 40) for s in (2, 3, 4, 8)])
+        for stroke, _, _, shortest, rest, passed in table[:3]:
+            self.assertGreater(shortest, (80 - 4 * 6 - 5) / 100 * stroke)  # from the lowest filling to 5 %
+            self.assertLess(rest, 5)
+            self.assertEqual(passed, 40)
+        self.assertEqual(table[3][5], 0)
+
+    def test_results_are_the_same_however_they_are_shared(self):
+        self.campaign(PROBLEMS, "-j", "1", "--csv", "one.csv")
+        one = self.rows()
+        self.assertEqual(len(one), RUNS)
+        self.campaign(PROBLEMS, "-j", "5", "-o", "five.sqlite")
+        self.assertEqual(self.rows("five.sqlite"), one)
+        for count in (2, 16):
+            for shard in range(1, count + 1):
+                self.merker("campaign", "sweep.toml", "--shard", f"{shard}/{count}")
+            parts = [f"sweep-{shard}of{count}.sqlite" for shard in range(1, count + 1)]
+            self.assertEqual([len(self.rows(part)) for part in parts], [RUNS // count] * count)
+            self.campaign(PROBLEMS, "--merge", *parts, "-o", f"all{count}.sqlite", "--csv", f"all{count}.csv")
+            self.assertEqual(self.rows(f"all{count}.sqlite"), one)
+            self.assertEqual(self.read(f"all{count}.csv"), self.read("one.csv"))
+
+    def test_both_engines_measure_the_same(self):
+        self.write("sweep.toml", SWEEP.replace("[campaign.measure]", '"cpu.engine" = ["interpreter", "jit"]\n[campaign.measure]')
+                   .replace("repeat = 40", "repeat = 2"))
+        self.merker("campaign", "sweep.toml", "--csv", "a.csv")
+        with open(self.folder / "a.csv", encoding="utf-8", newline="") as file:
+            rows = list(csv.DictReader(file))
+        engines = [[[row[name] for name in ("open", "rest", "cycles")] for row in rows if row["cpu.engine"] == engine]
+                   for engine in ("interpreter", "jit")]
+        self.assertEqual(len(engines[0]), 8)
+        self.assertEqual(engines[0], engines[1])
+
+    def test_runs_are_forked_from_a_common_start(self):
+        text = """[campaign]
+for = "2s"
+start = "20s"
+[campaign.vary]
+"plant.Vessel.START" = [false, true]
+[campaign.measure]
+open = "time A 1.0"
+cycles_of_it = "cycles"
+"""
+        self.write("sweep.toml", text)
+        self.campaign(GOOD)
+        apart = {row[1]: row[2:] for row in self.rows()}
+        for row in apart.values():
+            self.assertEqual(round(row[3]), 22)
+            self.assertLess(row[-1], row[4] / 8)  # the measure begins behind the start
+        self.assertLess(sorted(row[5] for row in apart.values())[0], 0.1)
+        for number in ("1", "2"):  # each alone, from its own start
+            self.campaign(GOOD, "--job", number, "-o", "single.sqlite")
+        self.assertEqual(self.rows("single.sqlite"), self.rows())
+
+    # At several instants. What is there stays, what is missing is run, nothing twice.
+    def test_a_killed_campaign_is_resumed(self):
+        self.campaign(PROBLEMS, "-o", "whole.sqlite")
+        seen = set()
+        for wanted in (1, 30, 90):
+            process = subprocess.Popen([os.environ["MERKER"], "campaign", "sweep.toml", "--resume", "-j", "2"],
+                                       cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            while process.poll() is None and self.count() < wanted:
+                time.sleep(0.002)
+            process.kill()
+            process.wait()
+            there = {row[0] for row in self.rows()}
+            self.assertLessEqual(seen, there)
+            seen = there
+        self.campaign(PROBLEMS, "--resume")
+        self.assertEqual(self.rows(), self.rows("whole.sqlite"))
+
+    def count(self):
+        try:
+            with sqlite3.connect(f"file:{self.folder / 'sweep.sqlite'}?mode=ro", uri=True) as results:
+                return results.execute("SELECT count(*) FROM run").fetchone()[0]
+        except sqlite3.OperationalError:
+            return 0
+
+    def test_ctrl_c_keeps_what_is_done(self):
+        self.write("sweep.toml", SWEEP.replace("repeat = 40", "repeat = 20000"))
+        process = subprocess.Popen([os.environ["MERKER"], "campaign", "sweep.toml"], cwd=self.folder, start_new_session=True,
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        while self.count() < 5:
+            time.sleep(0.005)
+        os.killpg(process.pid, signal.SIGINT)
+        out, err = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, PROBLEMS)
+        self.assertIn("--resume goes on", err)
+        self.assertGreaterEqual(len(self.rows()), 5)
+        self.assertLess(len(self.rows()), 80000)
+        with self.assertRaises(ProcessLookupError):  # no child is left
+            os.killpg(process.pid, 0)
+
+    def test_a_campaign_can_grow_but_not_change(self):
+        self.campaign(PROBLEMS)
+        before = self.rows()
+        call = self.campaign(USAGE)
+        self.assertIn("sweep.sqlite exists; --resume goes on", call.err)
+        self.write("sweep.toml", SWEEP.replace("repeat = 40", "repeat = 41"))
+        self.campaign(PROBLEMS, "--resume")
+        self.assertEqual(len(self.rows()), RUNS + 4)
+        self.assertLess(set(before), set(self.rows()))
+        self.write("vessel.awl", self.read("vessel.awl") + "// changed\n")
+        call = self.campaign(USAGE, "--resume")
+        self.assertIn("164 of its 164 runs are of another campaign, project or version", call.err)
+        self.assertEqual(len(self.rows()), RUNS + 4)
+
+    def test_a_list_of_command_lines(self):
+        self.write("sweep.toml", SWEEP.replace("repeat = 40", "repeat = 2"))
+        lines = self.campaign(GOOD, "--list").lines
+        self.assertEqual(len(lines), 8)
+        self.assertFalse((self.folder / "sweep.sqlite").exists())
+        for line in lines:
+            self.merker(*shlex.split(line)[1:])
+        listed = self.rows()
+        self.merker("campaign", "sweep.toml", "-o", "b.sqlite")
+        self.assertEqual(listed, self.rows("b.sqlite"))
+        self.assertEqual(self.campaign(GOOD, "--list", "--shard", "3/4", "-o", "part {}.sqlite").lines,
+                         [f"merker campaign sweep.toml --job {job} -o 'part {job}.sqlite'" for job in (3, 7)])
+
+    def test_csv_and_junit_for_others(self):
+        self.campaign(PROBLEMS, "--csv", "a.csv", "--junit", "a.xml")
+        with open(self.folder / "a.csv", encoding="utf-8", newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(len(rows), RUNS)
+        self.assertEqual([row["run"] for row in rows], [str(i + 1) for i in range(RUNS)])
+        self.assertEqual({len(row) for row in rows}, {11})
+        self.assertEqual([row["plant.Vessel.START"] for row in rows[:2]], ["true", "true"])
+        self.assertEqual({(row["passed"], row["message"] == "") for row in rows}, {("1", True), ("0", False)})
+        suites = xml.etree.ElementTree.fromstring(self.read("a.xml"))
+        self.assertEqual((suites.get("tests"), suites.get("failures")), ("160", "40"))
+        cases = list(suites.iter("testcase"))
+        self.assertEqual(cases[0].get("classname"), "Vessel")
+        self.assertRegex(cases[0].get("name"), r"^plant\.Vessel\.START=true, plant\.Vessel\.stroke=2, plant\.Vessel\.start=[0-9.]+, seed=1$")
+        self.assertRegex(next(suites.iter("failure")).get("message"), r"^rest is [0-9.]+, required is < 20$")
+
+    def test_a_summary_in_json(self):
+        self.write("sweep.toml", SWEEP.replace("repeat = 40", "repeat = 1"))
+        document = self.campaign(PROBLEMS, "--json").json
+        self.assertEqual([document[key] for key in ("runs", "passed", "failed", "missing")], [4, 3, 1, 0])
+        self.assertEqual(document["failures"][0]["run"], 4)
+
+    def test_a_run_without_end_or_too_large_is_told(self):
+        self.write("sweep.toml", '[campaign]\nfor = "876000h"\ntime_limit = "1s"\n[campaign.vary]\n"set.MW 10" = [1, 2]\n'
+                                 '[campaign.measure]\nlevel = "max plant.Vessel.LEVEL"\n')
+        call = self.campaign(PROBLEMS)
+        self.assertIn("run 1 (set.MW 10=1) has no result: it needs more than 1 s of processor time (time_limit)", call.err)
+        self.assertIn("0 passed, 0 failed, 2 missing", call.out)
+
+    def test_pictures_are_drawn(self):
+        self.campaign(PROBLEMS)
+        self.expect(GOOD, "plot", "sweep.sqlite", "-o", "a.svg", "--x", "plant.Vessel.stroke", "--y", "open")
+        self.expect(GOOD, "plot", "sweep.sqlite", "-o", "b.svg", "--heat", "rest", "--x", "plant.Vessel.start", "--y", "plant.vessel.stroke")
+        for name in ("a.svg", "b.svg"):
+            texts = [one.text for one in xml.etree.ElementTree.fromstring(self.read(name)).iter() if one.tag.endswith("text")]
+            self.assertEqual(texts[0], "Vessel")
+        call = self.expect(USAGE, "plot", "sweep.sqlite", "-o", "c.svg", "--x", "stroke")
+        self.assertIn("the results have no parameter 'stroke'; valid: plant.Vessel.START, plant.Vessel.stroke", call.err)
+        self.assertIn("are for a trace", self.expect(USAGE, "plot", "sweep.sqlite", "-o", "c.svg", "--from", "1s").err)
+        self.write("t.csv", "0.0000000,MW 10,1\n1.0000000,MW 10,2\n")
+        self.assertIn("are for a campaign", self.expect(USAGE, "plot", "t.csv", "-o", "c.svg", "--x", "seed").err)
+
+    def test_what_is_wrong_is_said_at_its_place(self):
+        self.write("sweep.toml", SWEEP.replace('"plant.Vessel.stroke" = [2', '"plant.Vessel.stroke" = ["fast"'))
+        call = self.campaign(PROBLEMS)
+        self.assertTrue(call.err.startswith("sweep.toml:7:26: error: 'plant.Vessel.stroke' must be a duration from "), call.err)
+        self.assertIn('"plant.Vessel.stroke" = ["fast", 3, 4, 8]\n', call.err)
+        self.assertFalse((self.folder / "sweep.sqlite").exists())
+        self.write("sweep.toml", SWEEP.replace("[campaign]\n", '[campaign]\nproject = "none"\n'))
+        self.assertIn("none is not a project folder", self.campaign(UNREADABLE).err)
+        self.assertEqual(self.merker("campaign", "none.toml").code, UNREADABLE)
+
+    def test_wrong_options_are_refused(self):
+        for options in (["--shard", "3/2"], ["--shard", "x"], ["--job", "161"], ["--job", "0"], ["-j", "0"],
+                        ["--list", "--job", "1"], ["--merge", "a.sqlite", "--job", "1"]):
+            self.campaign(USAGE, *options)
+        self.write("other.sqlite", b"x" * 5000)
+        self.assertIn("other.sqlite", self.campaign(UNREADABLE, "-o", "other.sqlite", "--resume").err)
+        self.assertEqual(self.read("other.sqlite"), "x" * 5000)
+        self.assertIn("there is no such file", self.campaign(UNREADABLE, "--merge", "none.sqlite").err)
+
+    def test_the_example_runs(self):
+        call = self.expect(GOOD, "campaign", str(EXAMPLE / "emptying.toml"), "-o", "example.sqlite")
+        self.assertIn("280 passed, 0 failed", call.out)
+        self.assertEqual(len(self.rows("example.sqlite")), 280)
