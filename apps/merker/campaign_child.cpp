@@ -52,7 +52,7 @@ void limitMemory([[maybe_unused]] std::uint32_t megabytes) {
 
 // Short enough to arrive whole. A reader that is gone ends this process, too.
 void send(int out, const std::string& line) {
-  while (write(out, line.data(), line.size()) < 0 && errno == EINTR) {
+  while (::write(out, line.data(), line.size()) < 0 && errno == EINTR) {
   }
 }
 
