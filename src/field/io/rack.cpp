@@ -71,9 +71,21 @@ const Module* Rack::at(std::uint32_t address, bool output) const {
 }
 
 void Rack::findNext() {
-  next_ = Instant::never();
-  for (std::uint32_t i = 0; i < units_.size(); ++i)
-    next_ = std::min({next_, units_[i].digital.next(of(i).parameters), units_[i].analog.next()});
+  next_ = nextVisible_ = Instant::never();
+  for (std::uint32_t i = 0; i < units_.size(); ++i) {
+    const Instant digital = units_[i].digital.next(of(i).parameters);
+    const Instant analog = units_[i].analog.next();
+    next_ = std::min({next_, digital, analog});
+    nextVisible_ = std::min({nextVisible_, digital, onlyByAccess(i) ? Instant::never() : analog});
+  }
+}
+
+bool Rack::onlyByAccess(std::uint32_t module) const {
+  const Parameters& parameters = of(module).parameters;
+  return of(module).inputStart >= imageBytes() && !parameters.diagnosticInterrupt &&
+         std::ranges::none_of(parameters.analogInputs, [](const AnalogInput& input) {
+           return input.upperLimit || input.lowerLimit;
+         });
 }
 
 // In the order of time; what falls together is one event of its module.

@@ -99,15 +99,11 @@ class SortingPlant : public ProcessOf<kParameters, kSignals> {
     show(values);
   }
 
-  Instant silentUntil(Instant at, std::span<const double> all) const override {
-    constexpr double kMargin = 0.003, kLongest = 3600;  // s: some steps, for sums of floating point
-    const Named<kSignals, const double> values(all);
+  double silence(Seen values) const override {
     for (std::size_t i = 0; i < kSizes.size(); ++i)
-      if ((values.from("NEW_SMALL")[i] != 0) != wanted_[i]) return at;
-    double silence = belt_.silence(speed(values), slidersOut(values));
-    if (values["AUTO"] != 0) silence = std::min(silence, interval_ - waited_);
-    const double sure = std::clamp(silence - kMargin, 0.0, kLongest);
-    return at + Duration{static_cast<std::int64_t>(sure * 1e9)};
+      if ((values.from("NEW_SMALL")[i] != 0) != wanted_[i]) return 0;
+    const double silence = belt_.silence(speed(values), slidersOut(values));
+    return values["AUTO"] != 0 ? std::min(silence, interval_ - waited_) : silence;
   }
 
  private:

@@ -51,13 +51,13 @@ ProvenCycle* QuietCycles::refuse(const NotQuiet& why) {
 // Asked again at the same checkpoint, by another call from outside: whoever kept a reference to
 // memory may have written meanwhile.
 ProvenCycle* QuietCycles::still(const Machine& m) {
-  if (memory_.update(m)) proven_ = false;
+  if (memory_.update(m, at_.relative.access)) proven_ = false;
   return proven_ ? &cycle_ : nullptr;
 }
 
 ProvenCycle* QuietCycles::judge(const Machine& m, const Checkpoint& now, const Outlook& outlook) {
   if (known_ && at_.number == now.number) return still(m);
-  const StateCopy::Difference where = memory_.update(m);
+  const StateCopy::Difference where = memory_.update(m, now.relative.access);
   const Checkpoint before = at_;
   const bool follows = known_ && now.number == before.number + 1;
   known_ = true;

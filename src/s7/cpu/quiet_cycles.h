@@ -44,6 +44,7 @@ struct Checkpoint {
     CycleTimes times{};
     std::uint8_t scan = 0;
     std::uint32_t position = 0;
+    bool access = false;  // to inputs behind the process image
     bool operator==(const Relative&) const = default;
   };
   Relative relative{};

@@ -14,19 +14,22 @@ bool Cpu::atCheckpoint() const {
 
 Checkpoint Cpu::checkpoint() const {
   const Instant now = machine_.clock;
+  const bool access = lastOutlook_.accesses();
   return {.clock = now,
           .number = cycle_.checkpoints(),
           .instructions = machine_.instructions,
           .levels = machine_.levelsStarted,
-          .acts = modules_.acts(),
+          .acts = modules_.acts(access),
           .entries = log_.buffer().added(),
-          .nextEvent = std::min({clockMemory_.next(), modules_.nextVisible(), interrupts_.next()}),
+          .nextEvent =
+              std::min({clockMemory_.next(), modules_.nextVisible(access), interrupts_.next()}),
           .relative = {.sinceBegan = (now - cycle_.began()).ns,
                        .untilNext = (cycle_.next() - now).ns,
                        .untilDeadline = (cycle_.deadline() - now).ns,
                        .times = cycle_.times(),
                        .scan = cycle_.scan(),
-                       .position = machine_.position}};
+                       .position = machine_.position,
+                       .access = access}};
 }
 
 // What else a cycle can depend on and no checkpoint shows.

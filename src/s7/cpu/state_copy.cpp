@@ -7,11 +7,13 @@
 
 namespace merker::cpu {
 
-StateCopy::Difference StateCopy::update(const Machine& m) {
+StateCopy::Difference StateCopy::update(const Machine& m, bool allInputs) {
   part_ = 0;
   found_ = {};
   takeImage(m.areas);
-  take(m.areas.inputs.data(), m.areas.inputs.size(), "PE");
+  const std::size_t inputs = m.areas.inputs.size();
+  take(m.areas.inputs.data(),
+       allInputs ? inputs : std::min<std::size_t>(inputs, m.areas.imageBytes), "PE");
   take(m.areas.outputs.data(), m.areas.outputs.size(), "PA");
   take(m.timers.data(), m.timers.size() * sizeof(S5Timer), "T");
   take(m.counters.data(), m.counters.size() * sizeof(S5Counter), "Z");

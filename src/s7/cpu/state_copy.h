@@ -19,8 +19,9 @@ class StateCopy {
     std::uint32_t byte = 0;
     explicit operator bool() const { return !area.empty(); }
   };
-  // Makes the copy the same as the machine again.
-  Difference update(const Machine& machine);
+  // Makes the copy the same as the machine again. Inputs behind the process image count if a
+  // program reads them.
+  Difference update(const Machine& machine, bool allInputs);
 
  private:
   void take(const void* data, std::size_t bytes, std::string_view area, std::uint32_t number = 0);
