@@ -76,7 +76,8 @@ void Rack::findNext() {
     const Instant digital = units_[i].digital.next(of(i).parameters);
     const Instant analog = units_[i].analog.next();
     next_ = std::min({next_, digital, analog});
-    nextVisible_ = std::min({nextVisible_, digital, onlyByAccess(i) ? Instant::never() : analog});
+    nextVisible_ = std::min(nextVisible_, digital);
+    if (analog < nextVisible_ && !onlyByAccess(i)) nextVisible_ = analog;
   }
 }
 
@@ -102,9 +103,10 @@ void Rack::advance(std::uint32_t index, Instant at) {
   if (const auto levels = unit.digital.advance(at, of(index).parameters)) take(index, *levels);
   const std::uint32_t due = unit.analog.takeDue(at);
   if (due == 0) return;
+  bool others = false;
   for (std::uint32_t c = 0; c < of(index).type->analogInputs; ++c)
-    if ((due >> c & 1) != 0) convert(index, c);
-  diagnose(index);
+    if ((due >> c & 1) != 0) others |= convert(index, c);
+  if (others) diagnose(index);
 }
 
 std::vector<std::uint8_t> Rack::record1(const Module& module) const {

@@ -128,7 +128,7 @@ class Rack {
   void detach(Terminal terminal, Instant now);
   void take(std::uint32_t index, std::uint32_t levels);  // inputs pass the delay
   void showBits(std::uint32_t index);
-  void convert(std::uint32_t index, std::uint32_t channel);
+  bool convert(std::uint32_t index, std::uint32_t channel);  // whether its faults are others now
   // outputs.cpp
   bool outputLevel(std::uint32_t index, std::uint32_t channel) const;
   double outputAmount(std::uint32_t index, std::uint32_t channel) const;
