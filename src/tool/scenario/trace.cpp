@@ -57,6 +57,13 @@ std::string digits(double value) {
 
 }  // namespace
 
+bool Watched::movesByItself() const {
+  return !plants.empty() || !terminals.empty() ||
+         std::ranges::any_of(operands, [](const address::Reference& one) {
+           return one.operand.area == Area::Peripheral;
+         });
+}
+
 Trace::Trace(std::ostream& out, Watched watched, const controller::Controller& plc)
     : out_(out),
       watched_(std::move(watched)),
