@@ -7,6 +7,7 @@
 
 #include "compilation/build.h"
 #include "scenario/runner.h"
+#include "together.h"
 
 namespace merker::bench {
 namespace {
@@ -57,6 +58,22 @@ void alone(benchmark::State& state, station::Engine engine) {
   for (auto _ : state) station.advanceTo(station.now() + kTime);
   state.SetItemsProcessed(state.iterations() * kTime.ns);
 }
+
+// A thousand of them in one process, ten virtual seconds together.
+void ThousandPlants(benchmark::State& state) {
+  constexpr std::size_t kPlants = 1000;
+  constexpr Duration kTime = Duration::seconds(10);
+  const Plant plant;
+  std::vector<station::Station> stations;
+  for (std::size_t i = 0; i < kPlants; ++i) {
+    stations.push_back(plant.station(station::Engine::Compiled));
+    if (!stations.back().warmRestart()) std::abort();
+  }
+  for (auto _ : state) advanceTogether(stations, kTime);
+  state.SetItemsProcessed(state.iterations() * kTime.ns);
+}
+BENCHMARK(ThousandPlants)->UseRealTime()->Iterations(3);
+
 void TenMinutes(benchmark::State& s) { alone(s, station::Engine::Interpreter); }
 BENCHMARK(TenMinutes);
 void TenMinutesCompiled(benchmark::State& s) { alone(s, station::Engine::Compiled); }

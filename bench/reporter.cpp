@@ -103,7 +103,7 @@ void Reporter::pair(const Pair& row, double interpreted, double compiled) {
   constexpr const char* kLine = "{:<40}{:<14}{:>12}{:>12}{:>12}{:>8}{:>10}{}\n";
   header(fmt::format(fmt::runtime(kLine), "", "", "interpreter", "compiled", "required", "times",
                      "required", ""));
-  const double wanted = std::max(row.compiled, row.share * reached_["BitLogicLimit"]);
+  const double wanted = std::max(row.compiled, row.share * reached_[std::string(row.reference)]);
   const double times = interpreted > 0 ? compiled / interpreted : 0;
   const double scale = row.unit == Unit::Rate ? 1e6 : 1;
   const auto number = [](double value) {

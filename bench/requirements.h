@@ -21,14 +21,15 @@ struct Single {
   double value;
 };
 // The same with both engines: "Reals" and "RealsCompiled". Compiled must reach `compiled` and the
-// share of the limit in C++ (BitLogicLimit), and `kTimes` what the interpreter reached.
+// share of the `reference`, and `times` what the interpreter reached.
 struct Pair {
   std::string_view benchmark, label;
   Unit unit;
   double interpreted;  // at least
   double compiled;     // at least
-  double share = 0;
+  double share = 0;    // of what a C or C++ compiler makes of the same program
   double times = 10;
+  std::string_view reference = "BitLogicLimit";
 };
 
 const Single* findSingle(std::string_view benchmark);

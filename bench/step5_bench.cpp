@@ -16,7 +16,7 @@ constexpr const char* kNetwork =
     " : S    M {1}.4\n : U    T 1\n : R    M {1}.4\n : L    DW {2}\n : L    KF +5\n : +F\n"
     " : T    DW {2}\n : SPA  FB 20\nNAME : MOTOR\nEIN  : E {0}.1\nSOLL : MW {1}\n"
     "LAUF : A {0}.1\n";
-constexpr const char* kMotor =
+constexpr const char* kDrive =
     "FB 20\nNAME : MOTOR\nBEZ  : EIN   E/A/D/B/T/Z: E   BI/BY/W/D: BI\n"
     "BEZ  : SOLL  E/A/D/B/T/Z: E   BI/BY/W/D: W\nBEZ  : LAUF  E/A/D/B/T/Z: A   BI/BY/W/D: BI\n"
     " : U    =EIN\n : U    M 100.0\n : =    =LAUF\n : L    =SOLL\n : L    KF +100\n : >F\n"
@@ -35,7 +35,7 @@ std::string listing() {
     blocks += fmt::format(" : BE\nDB {}\n", kFirstData + i);
     for (int n = 0; n <= kNetworks; ++n) blocks += "   KF = +0\n";
   }
-  return "OB 1\n" + calls + " : BE\n" + kMotor + blocks;
+  return "OB 1\n" + calls + " : BE\n" + kDrive + blocks;
 }
 
 void run(benchmark::State& state, bool isCompiled) {

@@ -5,7 +5,7 @@ BUILD_PACKAGES="g++ cmake ninja-build python3 libfmt-dev libcli11-dev nlohmann-j
   libasmjit-dev libboost1.81-dev libssl-dev libgtest-dev librapidcheck-dev"
 # The page of the workbench; only where there is no Node.js from somewhere else.
 command -v node >/dev/null && command -v npm >/dev/null || BUILD_PACKAGES="$BUILD_PACKAGES nodejs npm libnode-dev"
-CHECK_PACKAGES="clang-format openssl tshark"
+CHECK_PACKAGES="clang-format openssl tshark libbenchmark-dev"
 FUZZ_PACKAGES="clang libclang-rt-14-dev"
 # The browser that the page is tested in; only where there is none from somewhere else.
 command -v chromium >/dev/null || CHECK_PACKAGES="$CHECK_PACKAGES chromium fonts-dejavu-core"

@@ -17,7 +17,7 @@ class CycleEnd {
     if (card != nullptr) keeper_.emplace(*card);
   }
   void watch(const simulator::Watched& watched, const controller::Controller& plc) {
-    plants_ = !watched.plants.empty();
+    moves_ = watched.movesByItself();
     trace_.emplace(file_, watched, plc);
   }
   void operator()(controller::Controller& plc) {
@@ -31,9 +31,8 @@ class CycleEnd {
   void standing(controller::Controller& plc) {
     if (keeper_ && plc.mode() == controller::Mode::Stop) keeper_->saveProgram(plc);
   }
-  // Whether it has nothing to do where a cycle changed nothing: a card keeps each cycle, and plants
-  // may move while nothing changes in the PLC.
-  bool ofChanges() const { return !keeper_ && !plants_; }
+  // Whether it has nothing to do where a cycle changed nothing: a card keeps each cycle.
+  bool ofChanges() const { return !keeper_ && !moves_; }
   bool needed() const { return keeper_ || trace_; }
   const Problem* problem() const {
     return keeper_ && keeper_->problem() ? &*keeper_->problem() : nullptr;
@@ -42,7 +41,7 @@ class CycleEnd {
  private:
   std::ofstream& file_;
   bool realTime_;
-  bool plants_ = false;  // the trace shows signals of plants
+  bool moves_ = false;  // the trace shows what moves by itself
   std::optional<CardKeeper> keeper_;
   std::optional<simulator::Trace> trace_;
 };

@@ -11,7 +11,8 @@ namespace merker::app {
 void addEngine(CLI::App& command, std::string& engine) {
   command
       .add_option("--engine", engine,
-                  "interpreter, or jit: machine code of this computer, same results")
+                  "interpreter, or jit: machine code of this computer; same results. Without it: "
+                  "jit for code that runs often enough")
       ->check(CLI::IsMember({"interpreter", "jit"}));
 }
 
@@ -31,9 +32,14 @@ std::optional<std::string> whyMissing(const std::string& engine) {
   return "--engine: jit is not available for this processor; use interpreter";
 }
 
-std::optional<std::string> useEngine(const std::string& engine, controller::Controller& plc) {
+std::optional<std::string> useEngine(const std::string& engine, controller::Controller& plc,
+                                     bool realTime) {
   if (auto problem = whyMissing(engine)) return problem;
   auto* const code = controller::capability<controller::MachineCode>(plc);
+  if (engine.empty()) {
+    if (code != nullptr) code->compileWhenItPays(realTime);
+    return std::nullopt;
+  }
   if (code != nullptr ? code->setCompiled(engine == "jit") : engine != "jit") return std::nullopt;
   return "--engine: jit is not available for " + plc.modelName() + "; use interpreter";
 }

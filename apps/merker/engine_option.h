@@ -19,7 +19,8 @@ void addNoSkip(CLI::App& command, bool& noSkip);
 void useSkipping(bool noSkip, controller::Controller& plc);
 // Why this computer does not have it, as text.
 std::optional<std::string> whyMissing(const std::string& engine);
-// Why not, as text.
-std::optional<std::string> useEngine(const std::string& engine, controller::Controller& plc);
+// Why not, as text. Without a name: compiled as soon as that pays, in real time by another thread.
+std::optional<std::string> useEngine(const std::string& engine, controller::Controller& plc,
+                                     bool realTime = false);
 
 }  // namespace merker::app

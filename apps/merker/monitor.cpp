@@ -29,7 +29,7 @@ namespace {
 
 struct MonitorOptions {
   ProjectOptions project;
-  std::string path, time = "10s", scenario, name, csv, pcap, serial, engine = "interpreter";
+  std::string path, time = "10s", scenario, name, csv, pcap, serial, engine;
 };
 
 int monitorFails(const std::string& text, ExitCode code) {

@@ -124,9 +124,9 @@ int concludeAll(const RunOptions& options, const NetworkWishes& wishes, network:
   return code;
 }
 
-int useEngines(const RunOptions& options, network::Network& network) {
+int useEngines(const RunOptions& options, bool realTime, network::Network& network) {
   for (std::size_t i = 0; i < network.size(); ++i)
-    if (const auto problem = useEngine(options.engine, network.itself(i)))
+    if (const auto problem = useEngine(options.engine, network.itself(i), realTime))
       return told(network.name(i) + ": " + *problem, kUsage);
   return kGood;
 }
@@ -138,7 +138,7 @@ int runBuilt(const RunOptions& options, const NetworkBuild& build, std::optional
   const unsigned processors = std::max(1u, std::thread::hardware_concurrency());
   const auto network = build.network(options.threads.value_or(processors));
   for (std::size_t i = 0; i < network->size(); ++i) useSkipping(options.noSkip, network->itself(i));
-  if (const int bad = useEngines(options, *network)) return bad;
+  if (const int bad = useEngines(options, !time, *network)) return bad;
   if (const int bad = startAll(*network)) return bad;
   if (const int bad = setAll(wishes.set, *network)) return bad;
   std::ofstream file;

@@ -203,7 +203,8 @@ int runPlc(const RunOptions& options, const Build& build, const Operands& operan
            std::optional<Duration> time, store::MemoryCard* card) {
   auto owner = build.controller();
   controller::Controller& plc = *owner;
-  if (const auto problem = useEngine(options.engine, plc)) return wrongUsage(*problem);
+  if (const auto problem = useEngine(options.engine, plc, !time && !options.hasCycles))
+    return wrongUsage(*problem);
   useSkipping(options.noSkip, plc);
   if (const auto problem = start(build, card, plc)) return failed(*problem);
   if (plc.mode() == controller::Mode::Stop) {

@@ -16,7 +16,7 @@ constexpr unsigned kMostThreads = 256;
 
 struct RunOptions {
   ProjectOptions project;
-  std::string path, card, time, trace, engine = "interpreter";
+  std::string path, card, time, trace, engine;
   SerialOptions serial;
   std::uint64_t cycles = 0;
   bool hasCycles = false, copyRamToRom = false, json = false, noWorkbench = false, noSkip = false;

@@ -18,7 +18,7 @@ namespace {
 struct TestOptions {
   std::vector<std::string> paths;
   ProjectOptions project;
-  std::string filter, junit, coverage, engine = "interpreter";
+  std::string filter, junit, coverage, engine;
   unsigned jobs = std::max(1u, std::thread::hardware_concurrency());
   bool json = false, noSkip = false;
 };

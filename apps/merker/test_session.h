@@ -22,7 +22,7 @@ class TestSession {
   struct Options {
     ProjectOptions project;
     std::string filter;
-    std::string engine = "interpreter";
+    std::string engine;
     bool coverage = false;
     bool quiet = false;  // no line per test
     unsigned jobs = 1;   // threads

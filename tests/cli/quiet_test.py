@@ -11,12 +11,34 @@ PROJECTS = {
     "examples/traffic-light": "AB 0, MB 0, T 1",
     "examples/lift": "EB 0, AB 0, MB 0",
     "examples/garage-door": "EB 0, AB 0",
+    "examples/technology/cascade-control": "PEW 752, AB 124, DB41.LMN",
+    "examples/technology/valve-control": "terminal Analog.AI0, AB 124",
     "tests/scenario/interrupts": "M 200.0, M 200.5, MW 20, MW 40",
 }
 QUIET = block("      U     E 0.0\n      L     S5T#500MS\n      SE    T 1\n      U     T 1\n      =     A 0.0")
 READS_DATE = block("      L     LB 18\n      T     MB 10")
 CALLS_CLOCK = block("      CALL  SFC 64 (RET_VAL := MD 10)")
 COUNTS = block("      L     MW 10\n      +     1\n      T     MW 10")
+
+PLANT = """[project]
+name = "Plant"
+
+[cpu]
+model = "314C-2 PtP"
+
+[[module]]
+slot = "2.3"
+name = "Analog"
+range = "0..10V"
+
+[[plant]]
+name = "Process"
+kind = "first order"
+time_constant = "2s"
+
+[plant.wire]
+PV = "Analog.AI0"
+"""
 
 
 class Quiet(Case):
@@ -36,11 +58,20 @@ class Quiet(Case):
                     self.assertIn(b",", passed_over[2])
 
     def test_scenarios_come_to_the_same(self):
-        for project in ("examples/sorting-plant", "examples/traffic-light", "examples/step5"):
+        for project in ("examples/sorting-plant", "examples/traffic-light", "examples/step5", "examples/technology/valve-control"):
             with self.subTest(project):
                 results = {self.expect(GOOD, "test", str(ROOT / project), "--json", *options).out
                            for options in ([], ["--no-skip"])}
                 self.assertEqual(len(results), 1)
+
+    def test_expectations_see_what_moves_beside_quiet_cycles(self):
+        self.write("plant/merker.toml", PLANT)
+        self.write("plant/main.awl", QUIET)
+        self.write("plant/way.scn", 'scenario "on its way"\n  plant Process.LMN = 100\n  expect PEW 752 > 1000 within 60s\n'
+                   "  expect PEW 752 < 1100\n  expect plant Process.PV > 8 within 60s\n  expect plant Process.PV < 8.1\n")
+        for options in ([], ["--no-skip"]):
+            with self.subTest(options=options):
+                self.expect(GOOD, "test", "plant", *options)
 
     def why(self, program):
         out = self.expect(GOOD, "bench", self.write("a.awl", program), "--why", "--for", "2s").out

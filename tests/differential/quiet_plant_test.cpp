@@ -1,5 +1,5 @@
-// The sorting plant with other boxes and speeds: a belt that moves beside cycles that are passed
-// over comes to the same places and levels as beside cycles that are computed.
+// Plants with other parameters and disturbances: what moves beside cycles that are passed over
+// comes to the same places, levels and amounts as beside cycles that are computed.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -10,12 +10,13 @@
 namespace merker::differential {
 namespace {
 
-constexpr const char* kFolder = MERKER_SOURCE_DIR "/examples/sorting-plant";
 #ifdef NDEBUG
-constexpr std::uint32_t kPlants = 40;
+constexpr std::uint32_t kBelts = 40, kOthers = 8;
 #else
-constexpr std::uint32_t kPlants = 3;
+constexpr std::uint32_t kBelts = 3, kOthers = 1;
 #endif
+
+constexpr const char* kSortingPlant = "sorting-plant";
 
 // Parameters of the belt: speed, interval, automatic, seed.
 void change(plant::PlantSettings& belt, std::mt19937& random) {
@@ -25,11 +26,13 @@ void change(plant::PlantSettings& belt, std::mt19937& random) {
   belt.parameters[3] = static_cast<double>(random() % 1000);
 }
 
-std::string compareBelts(const station::Station& a, const station::Station& b) {
+std::string comparePlants(const station::Station& a, const station::Station& b) {
   Comparison c;
-  const auto signals = a.plants()->configuration().plants[0].kind->signals.size();
-  for (std::uint32_t i = 0; i < signals; ++i)
-    c.value("signal", i, a.plants()->value({0, i}), b.plants()->value({0, i}));
+  const auto& plants = a.plants()->configuration().plants;
+  for (std::uint32_t plant = 0; plant < plants.size(); ++plant)
+    for (std::uint32_t i = 0; i < plants[plant].kind->signals.size(); ++i)
+      c.value(plants[plant].kind->signals[i].name, plant, a.plants()->value({plant, i}),
+              b.plants()->value({plant, i}));
   return c.text();
 }
 
@@ -39,48 +42,71 @@ void forgetPosition(cpu::Cpu& cpu) {
   if (cpu.machine().levels.empty()) cpu.machine().position = 0;
 }
 
-// From outside: a slider comes out by itself, or the belt stands.
+// From outside: a signal is set, sticks, or is released.
 void disturb(station::Station& station, std::uint32_t what) {
   plant::Plants& plants = *station.plants();
   io::Rack& rack = *station.rack();
-  const plant::SignalPlace place{0, what % 4};
-  if (what % 3 == 0)
-    plants.stick(rack, place, what / 3 % 2, station.now());
-  else
-    plants.release(rack, place, station.now());
+  const auto& all = plants.configuration().plants;
+  const std::uint32_t plant = what % 7 % static_cast<std::uint32_t>(all.size());
+  const auto& signals = all[plant].kind->signals;
+  const plant::SignalPlace place{plant, what / 7 % static_cast<std::uint32_t>(signals.size())};
+  const plant::Signal& signal = signals[place.signal];
+  const double value = signal.binary ? what / 64 % 2 : signal.low + (signal.high - signal.low) / 3;
+  if (what % 3 == 0) return plants.stick(rack, place, value, station.now());
+  if (what % 3 == 1 && signal.side == plant::Signal::Side::Input)
+    return plants.set(rack, place, value, station.now());
+  plants.release(rack, place, station.now());
 }
 
-TEST(QuietPlants, MoveAsBesideComputedCycles) {
-  compilation::Build build = compilation::build(project::load(kFolder, ""), false);
-  ASSERT_TRUE(build.ok());
+struct Totals {
   std::uint64_t passed = 0, cycles = 0;
-  for (std::uint32_t seed = 1; seed <= kPlants; ++seed) {
-    std::mt19937 random(seed);
-    change(build.project.plants.plants[0], random);
-    station::Station passing = build.station(), computing = build.station();
-    computing.passOverQuietCycles(false);
-    for (station::Station* one : {&passing, &computing}) {
-      (void)one->setCompiled(seed % 2 == 0);
-      ASSERT_TRUE(one->warmRestart());
-    }
-    for (int stop = 0; stop < 12; ++stop) {
-      const Duration pause{static_cast<std::int64_t>(random() % 5'000'000'000)};
-      const auto what = static_cast<std::uint32_t>(random());
-      for (station::Station* one : {&passing, &computing}) {
-        one->advanceTo(one->now() + pause);
-        if (what % 5 == 0) disturb(*one, what / 5);
-      }
-      ASSERT_EQ(compareBelts(passing, computing), "") << "seed " << seed << ", stop " << stop;
-      for (station::Station* one : {&passing, &computing}) forgetPosition(one->cpu());
-      ASSERT_EQ(compare(passing.cpu(), computing.cpu()), "")
-          << "seed " << seed << ", stop " << stop;
-    }
-    passed += passing.cyclesPassedOver();
-    cycles += computing.cycles();
+};
+
+void move(compilation::Build& build, std::uint32_t seed, std::mt19937& random, Totals& totals) {
+  station::Station passing = build.station(), computing = build.station();
+  computing.passOverQuietCycles(false);
+  for (station::Station* one : {&passing, &computing}) {
+    (void)one->setCompiled(seed % 2 == 0);
+    ASSERT_TRUE(one->warmRestart());
   }
-  EXPECT_GT(passed, cycles / 2);
-  std::cout << passed << " of " << cycles << " cycles passed over\n";
+  for (int stop = 0; stop < 12; ++stop) {
+    const Duration pause{static_cast<std::int64_t>(random() % 5'000'000'000)};
+    const auto what = static_cast<std::uint32_t>(random());
+    for (station::Station* one : {&passing, &computing}) {
+      one->advanceTo(one->now() + pause);
+      if (what % 5 < 2) disturb(*one, what / 5);
+    }
+    ASSERT_EQ(comparePlants(passing, computing), "") << "seed " << seed << ", stop " << stop;
+    for (station::Station* one : {&passing, &computing}) forgetPosition(one->cpu());
+    ASSERT_EQ(compare(passing.cpu(), computing.cpu()), "") << "seed " << seed << ", stop " << stop;
+  }
+  totals.passed += passing.cyclesPassedOver();
+  totals.cycles += computing.cycles();
 }
+
+class QuietPlants : public testing::TestWithParam<const char*> {};
+
+TEST_P(QuietPlants, MoveAsBesideComputedCycles) {
+  const std::string name = GetParam();
+  const std::string folder = std::string(MERKER_SOURCE_DIR "/examples/") + name;
+  compilation::Build build = compilation::build(project::load(folder, ""), false);
+  ASSERT_TRUE(build.ok());
+  Totals totals;
+  const bool belts = name == kSortingPlant;
+  for (std::uint32_t seed = 1; seed <= (belts ? kBelts : kOthers); ++seed) {
+    std::mt19937 random(seed);
+    if (belts) change(build.project.plants.plants[0], random);
+    ASSERT_NO_FATAL_FAILURE(move(build, seed, random, totals)) << name;
+  }
+  EXPECT_GT(totals.passed, totals.cycles / 3);
+  std::cout << totals.passed << " of " << totals.cycles << " cycles passed over\n";
+}
+
+INSTANTIATE_TEST_SUITE_P(Examples, QuietPlants,
+                         testing::Values(kSortingPlant, "lift", "garage-door", "traffic-light",
+                                         "vessel-emptying", "technology/cascade-control",
+                                         "technology/valve-control",
+                                         "technology/blending-control"));
 
 }  // namespace
 }  // namespace merker::differential

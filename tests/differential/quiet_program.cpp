@@ -34,6 +34,7 @@ constexpr std::string_view kLines[] = {
     // local data that nobody has written
     "L LW 40\nT MW {4}\nL MW {4}\nL 1\nUW\nT LW 40\n",
     "U L 42.0\nUN L 42.1\n= L 42.1\n= M {1}\n",
+    "UN L 44.3\n= L 44.3\n",
     // the start information of OB 1
     "L LB 18\nT MB 70\n",
     "L LB 18\nL B#16#5\n<I\n= M {1}\n",
@@ -85,11 +86,18 @@ constexpr std::string_view kLines[] = {
     "U M {0}\n= DB1.DBX 0.1\n",
     "U M 100.0\nFP M {1}\nZV Z {2}\n",
     "L MB 100\nT AB 7\n",
+    // comes and goes in each cycle but the one in which clock memory, or OB 35, has written
+    "L MB 100\nL 0\n==I\nX M {0}\n= M {0}\nL 0\nT MB 100\n",
+    "UN M 50.0\nX M {0}\n= M {0}\nCLR\n= M 50.0\n",
     "U M 100.3\n= A {1}\n",
 };
 
-constexpr std::string_view kFunctions = R"(
-FUNCTION FC 10 : VOID
+// The functions and data blocks that lines name.
+struct Named {
+  std::string_view name, text;
+};
+constexpr Named kNamed[] = {
+    {"FC 10", R"(FUNCTION FC 10 : VOID
 VAR_INPUT
   i : BYTE;
 END_VAR
@@ -100,7 +108,8 @@ BEGIN
 L #i
 T #q
 END_FUNCTION
-FUNCTION FC 11 : VOID
+)"},
+    {"FC 11", R"(FUNCTION FC 11 : VOID
 VAR_INPUT
   t : TIMER;
 END_VAR
@@ -111,7 +120,8 @@ BEGIN
 LC #t
 T #w
 END_FUNCTION
-FUNCTION FC 12 : VOID
+)"},
+    {"FC 12", R"(FUNCTION FC 12 : VOID
 VAR_INPUT
   p : ANY;
 END_VAR
@@ -123,7 +133,12 @@ LAR1
 L B [AR1,P#18.0]
 T MB 70
 END_FUNCTION
-)";
+)"},
+    {"DB 10", "DATA_BLOCK DB 10\nSFB 4\nBEGIN\nEND_DATA_BLOCK\n"},
+    {"DB 11", "DATA_BLOCK DB 11\nSFB 3\nBEGIN\nEND_DATA_BLOCK\n"},
+    {"DB 12", "DATA_BLOCK DB 12\nSFB 5\nBEGIN\nEND_DATA_BLOCK\n"},
+    {"DB 13", "DATA_BLOCK DB 13\nSFB 0\nBEGIN\nEND_DATA_BLOCK\n"},
+};
 
 class Writer {
  public:
@@ -153,24 +168,26 @@ std::string block(std::string_view head, const std::string& lines) {
   return fmt::format("{}\n{}\nBEGIN\n{}END_ORGANIZATION_BLOCK\n", head, kLocal, lines);
 }
 
-std::string instance(int number, int block) {
-  return fmt::format("DATA_BLOCK DB {}\nSFB {}\nBEGIN\nEND_DATA_BLOCK\n", number, block);
+std::string namedIn(const std::string& text) {
+  std::string blocks =
+      "DATA_BLOCK DB 1\nSTRUCT\na : ARRAY[0..9] OF BYTE;\nEND_STRUCT;\nBEGIN\nEND_DATA_BLOCK\n";
+  for (const Named& one : kNamed)
+    if (text.find(one.name) != std::string::npos) blocks += one.text;
+  return blocks;
 }
 
 }  // namespace
 
 std::string quietProgram(std::uint32_t seed) {
   Writer writer(seed);
-  std::string text =
-      "DATA_BLOCK DB 1\nSTRUCT\na : ARRAY[0..9] OF BYTE;\nEND_STRUCT;\nBEGIN\nEND_DATA_BLOCK\n";
-  text += instance(10, 4) + instance(11, 3) + instance(12, 5) + instance(13, 0) +
-          std::string(kFunctions);
-  text += block("ORGANIZATION_BLOCK OB 1", writer.lines(6));
-  if (writer.below(4) == 0) text += block("ORGANIZATION_BLOCK OB 35", writer.lines(2));
+  std::string text = block("ORGANIZATION_BLOCK OB 1", writer.lines(6));
+  if (writer.below(4) == 0)
+    text += block("ORGANIZATION_BLOCK OB 35", "SET\n= M 50.0\n" + writer.lines(2));
   if (writer.below(4) == 0) text += block("ORGANIZATION_BLOCK OB 121", "");
   if (writer.below(4) == 0) text += block("ORGANIZATION_BLOCK OB 122", "");
+  if (writer.below(8) == 0) text += block("ORGANIZATION_BLOCK OB 85", "");
   text += block("ORGANIZATION_BLOCK OB 20", "L MW 36\n+ 1\nT MW 36\n");
-  return text;
+  return namedIn(text) + text;
 }
 
 }  // namespace merker::differential

@@ -29,6 +29,7 @@ class Stand {
   // A new CPU with this program, in STOP; the one before is gone.
   cpu::Cpu& load(std::shared_ptr<const block::Program> program, const CpuParameters& parameters);
   // The program stands somewhere: it goes on with the other engine.
+  void compileAfter(std::uint64_t instructions) { engine_.compileAfter(instructions); }
   void switchEngine() { engine_.compile(!engine_.compiles(), *cpu_); }
 
  private:

@@ -17,15 +17,15 @@ Duration conversionCycle(const Module& module) {
   return Duration::microseconds(module.type->conversionTime) * active;
 }
 
-Instant AnalogInputs::next() const { return *std::ranges::min_element(due_); }
-
 std::uint32_t AnalogInputs::takeDue(Instant at) {
   std::uint32_t channels = 0;
+  if (soonest_ > at) return channels;
   for (std::uint32_t c = 0; c < due_.size(); ++c) {
     if (due_[c] > at) continue;
     due_[c] = Instant::never();
     channels |= 1u << c;
   }
+  soonest_ = *std::ranges::min_element(due_);
   return channels;
 }
 

@@ -1,6 +1,7 @@
 // Analog inputs of a module: amounts at the terminals, their conversion and limits (S7-CPU-19).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -23,8 +24,11 @@ class AnalogInputs {
 
   double amount(std::uint32_t channel) const { return amounts_[channel]; }
   void set(std::uint32_t channel, double amount) { amounts_[channel] = amount; }
-  void convertAt(std::uint32_t channel, Instant due) { due_[channel] = due; }
-  Instant next() const;
+  void convertAt(std::uint32_t channel, Instant due) {
+    due_[channel] = due;
+    soonest_ = *std::ranges::min_element(due_);
+  }
+  Instant next() const { return soonest_; }
   std::uint32_t takeDue(Instant at);  // channels, as bits
 
   Converted convert(const Module& module, std::uint32_t channel, const ModuleFaults& faults);
@@ -35,8 +39,9 @@ class AnalogInputs {
   std::uint32_t exceed(const Module& module, std::uint32_t channel, std::int16_t shown);
 
   std::array<double, 8> amounts_{};
-  std::array<Instant, 8> due_;  // when the next conversion ends
-  std::uint32_t beyond_ = 0;    // bits as in POINT_ADDR: limits that are exceeded now
+  std::array<Instant, 8> due_;          // when the next conversion ends
+  Instant soonest_ = Instant::never();  // of them
+  std::uint32_t beyond_ = 0;            // bits as in POINT_ADDR: limits that are exceeded now
 };
 
 // All channels are converted one after the other; an amount shows after the next whole cycle.

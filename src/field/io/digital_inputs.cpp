@@ -18,8 +18,14 @@ bool DigitalInputs::change(std::uint32_t channel, bool level, Instant now, Durat
   const std::uint32_t bit = 1u << channel;
   levels_ ^= bit;
   const bool same = ((delivered_ & bit) != 0) == level;
-  due_[channel] = same ? Instant::never() : now + delay;
+  setDue(channel, same ? Instant::never() : now + delay);
   return true;
+}
+
+void DigitalInputs::setDue(std::uint32_t channel, Instant due) {
+  if (due_[channel] == due) return;
+  due_[channel] = due;
+  soonest_ = *std::ranges::min_element(due_);
 }
 
 std::uint32_t DigitalInputs::deliver(std::uint32_t levels, const Parameters& parameters) {
@@ -43,7 +49,7 @@ Instant DigitalInputs::heldSince(std::uint32_t channel, Instant now) const {
 }
 
 Instant DigitalInputs::next(const Parameters& parameters) const {
-  Instant next = *std::ranges::min_element(due_);
+  Instant next = soonest_;
   for (const auto& [channel, attached] : signals_)
     if (follows(parameters, channel)) next = std::min(next, attached.signal->next(attached.seen));
   return next;
@@ -51,9 +57,9 @@ Instant DigitalInputs::next(const Parameters& parameters) const {
 
 std::optional<std::uint32_t> DigitalInputs::advance(Instant at, const Parameters& parameters) {
   std::uint32_t passed = 0;
-  for (std::uint32_t c = 0; c < due_.size(); ++c) {
+  for (std::uint32_t c = 0; soonest_ <= at && c < due_.size(); ++c) {
     if (due_[c] > at) continue;
-    due_[c] = Instant::never();
+    setDue(c, Instant::never());
     passed |= 1u << c;
   }
   for (auto& [channel, attached] : signals_) {

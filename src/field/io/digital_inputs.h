@@ -26,7 +26,7 @@ class DigitalInputs {
   }
   // False if the level is there already.
   bool change(std::uint32_t channel, bool level, Instant now, Duration delay);
-  void skipDelay(std::uint32_t channel) { due_[channel] = Instant::never(); }
+  void skipDelay(std::uint32_t channel) { setDue(channel, Instant::never()); }
   // The module delivers this from now on. The channels whose edges interrupt.
   std::uint32_t deliver(std::uint32_t levels, const Parameters& parameters);
 
@@ -58,8 +58,11 @@ class DigitalInputs {
                         const Parameters& parameters);
   static bool settled(const Attached& attached, Duration delay, Instant now, bool otherwise);
 
+  void setDue(std::uint32_t channel, Instant due);
+
   std::uint32_t levels_ = 0, delivered_ = 0;
   std::array<Instant, 32> due_;                // when the delay lets the level through
+  Instant soonest_ = Instant::never();         // of them
   std::map<std::uint32_t, Attached> signals_;  // by channel
 };
 

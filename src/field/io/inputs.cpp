@@ -107,15 +107,15 @@ void Rack::setAmount(Terminal terminal, double amount, Instant now) {
   findNext();
 }
 
-void Rack::convert(std::uint32_t index, std::uint32_t channel) {
+bool Rack::convert(std::uint32_t index, std::uint32_t channel) {
   Unit& unit = units_[index];
   const Converted result = unit.analog.convert(of(index), channel, unit.faults);
   const std::uint32_t byte = *of(index).inputStart + 2 * channel;
   const auto word = static_cast<std::uint16_t>(present(index) ? result.shown : 0);
   inputs_.set(byte, static_cast<std::uint8_t>(word >> 8));
   inputs_.set(byte + 1, static_cast<std::uint8_t>(word));
-  unit.faults.see(channel, result.faults);
   interrupt(index, result.limits);
+  return unit.faults.see(channel, result.faults);
 }
 
 void Rack::show(std::uint32_t module, std::uint32_t channel, std::uint32_t data) {

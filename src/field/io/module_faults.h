@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 #include "io/fault.h"
 
@@ -19,8 +20,10 @@ class ModuleFaults {
   // A fault comes or goes; `channel` only for kinds that have one, none = all channels. False if
   // the module has it already, or has it no more.
   bool put(FaultKind kind, std::optional<std::uint32_t> channel, bool there);
-  // What the conversion of a channel shows, as bits.
-  void see(std::uint32_t channel, std::uint16_t kinds) { seen_[channel] = kinds; }
+  // What the conversion of a channel shows, as bits. False: the same as before.
+  bool see(std::uint32_t channel, std::uint16_t kinds) {
+    return std::exchange(seen_[channel], kinds) != kinds;
+  }
 
   bool has(FaultKind kind) const { return hasAny(bitOf(kind)); }  // of the module
   bool hasAny(std::uint16_t kinds) const { return (ofModule_ & kinds) != 0; }

@@ -34,6 +34,7 @@ class InputBytes {
   const std::vector<std::uint8_t>& all() const { return bytes_; }
   void set(std::uint32_t byte, std::uint8_t value);
   bool changed() const { return first_ <= last_; }
+  bool changedBefore(std::uint32_t byte) const { return changed() && first_ < byte; }
   Bytes takeChanged();
 
  private:

@@ -71,9 +71,22 @@ const Module* Rack::at(std::uint32_t address, bool output) const {
 }
 
 void Rack::findNext() {
-  next_ = Instant::never();
-  for (std::uint32_t i = 0; i < units_.size(); ++i)
-    next_ = std::min({next_, units_[i].digital.next(of(i).parameters), units_[i].analog.next()});
+  next_ = nextVisible_ = Instant::never();
+  for (std::uint32_t i = 0; i < units_.size(); ++i) {
+    const Instant digital = units_[i].digital.next(of(i).parameters);
+    const Instant analog = units_[i].analog.next();
+    next_ = std::min({next_, digital, analog});
+    nextVisible_ = std::min(nextVisible_, digital);
+    if (analog < nextVisible_ && !onlyByAccess(i)) nextVisible_ = analog;
+  }
+}
+
+bool Rack::onlyByAccess(std::uint32_t module) const {
+  const Parameters& parameters = of(module).parameters;
+  return of(module).inputStart >= imageBytes() && !parameters.diagnosticInterrupt &&
+         std::ranges::none_of(parameters.analogInputs, [](const AnalogInput& input) {
+           return input.upperLimit || input.lowerLimit;
+         });
 }
 
 // In the order of time; what falls together is one event of its module.
@@ -90,9 +103,10 @@ void Rack::advance(std::uint32_t index, Instant at) {
   if (const auto levels = unit.digital.advance(at, of(index).parameters)) take(index, *levels);
   const std::uint32_t due = unit.analog.takeDue(at);
   if (due == 0) return;
+  bool others = false;
   for (std::uint32_t c = 0; c < of(index).type->analogInputs; ++c)
-    if ((due >> c & 1) != 0) convert(index, c);
-  diagnose(index);
+    if ((due >> c & 1) != 0) others |= convert(index, c);
+  if (others) diagnose(index);
 }
 
 std::vector<std::uint8_t> Rack::record1(const Module& module) const {

@@ -79,10 +79,19 @@ class Rack {
 
   // time: nothing moves outside these calls
   Instant next() const { return next_; }  // when an input delay or a conversion ends
+  // The same without conversions that only an access sees.
+  Instant nextVisible() const { return nextVisible_; }
   void advance(Instant now);
 
   // Whether there is something to tell the CPU: bytes, presence, events.
   bool pending() const { return inputs_.changed() || events_.any() || edges_.any(); }
+  // Beside what only an access sees.
+  bool pendingVisibly() const {
+    return inputs_.changedBefore(imageBytes()) || events_.any() || edges_.any();
+  }
+  // What the inputs of this module convert is seen by nothing but L PEW: they lie behind the
+  // process image and interrupt nobody.
+  bool onlyByAccess(std::uint32_t module) const;
 
   // towards the CPU
   const std::vector<std::uint8_t>& inputs() const { return inputs_.all(); }  // what PE shows
@@ -111,6 +120,7 @@ class Rack {
 
  private:
   const Module& of(std::uint32_t index) const { return configuration_.modules[index]; }
+  std::uint32_t imageBytes() const { return configuration_.model->imageBytes; }
   std::uint32_t index(const Module& module) const;
   bool answers(std::optional<std::uint32_t> owner) const { return owner && present(*owner); }
   // inputs.cpp
@@ -123,7 +133,7 @@ class Rack {
   bool asiOutput(const Module& slave, std::uint32_t channel) const;
   std::uint32_t missingOnAsi(std::uint32_t cp) const;
   void asiFault(std::uint32_t index, FaultKind kind, bool there);
-  void convert(std::uint32_t index, std::uint32_t channel);
+  bool convert(std::uint32_t index, std::uint32_t channel);  // whether its faults are others now
   // outputs.cpp
   bool outputLevel(std::uint32_t index, std::uint32_t channel) const;
   double outputAmount(std::uint32_t index, std::uint32_t channel) const;
@@ -147,7 +157,7 @@ class Rack {
   OutputBytes outputs_;
   EventList events_;
   WatchedEdges edges_;
-  Instant next_ = Instant::never();
+  Instant next_ = Instant::never(), nextVisible_ = Instant::never();
   std::size_t signals_ = 0;  // that lie at terminals
 };
 

@@ -5,7 +5,7 @@ namespace merker::network {
 using controller::Controller;
 
 Controller& Member::owner(const address::Reference& reference) const {
-  return reference.station == 0 ? itself() : network_.itself(reference.station - 1u);
+  return network_.itself(reference.station == 0 ? number_ : reference.station - 1u);
 }
 
 std::optional<std::uint32_t> Member::read(const address::Reference& reference) const {

@@ -7,12 +7,13 @@
 
 namespace merker::network {
 
-class Member final : public controller::Controller, public controller::Deputy {
+class Member final : public controller::Controller {
  public:
   Member(Network& network, std::size_t number) : network_(network), number_(number) {}
 
   Network& network() const { return network_; }
-  controller::Controller& itself() const override { return network_.itself(number_); }
+  controller::Controller& itself() override { return network_.itself(number_); }
+  const controller::Controller& itself() const override { return network_.itself(number_); }
 
   std::string modelName() const override { return itself().modelName(); }
   controller::Mode mode() const override { return itself().mode(); }

@@ -43,6 +43,42 @@ void Belt::move(double seconds, double metresPerSecond, const std::array<bool, k
   }
 }
 
+void Belt::move(double seconds, double metresPerSecond, const std::array<bool, kSliders>& out,
+                std::int64_t count) {
+  const double way = seconds * metresPerSecond;
+  if (way < 0 || !standsStill(out) || !freeFor(way * static_cast<double>(count))) {
+    for (; count > 0; --count) move(seconds, metresPerSecond, out);
+    return;
+  }
+  // Each step is added by itself: floating point comes to the same sum.
+  for (; count > 0; --count)
+    for (Box& box : boxes_) box.front += onBelt(box) ? way : 0;
+}
+
+// All sliders are at their ends, and no box is on its way into a bin.
+bool Belt::standsStill(const std::array<bool, kSliders>& out) const {
+  for (std::size_t i = 0; i < kSliders; ++i)
+    if (strokes_[i] != (out[i] ? 1 : 0)) return false;
+  return std::ranges::none_of(boxes_, [](const Box& box) { return box.slider >= 0; });
+}
+
+// No box comes to a slider, to the end or near another one within this way of the belt.
+bool Belt::freeFor(double way) const {
+  constexpr double kNear = 1e-6;  // m
+  return std::ranges::all_of(boxes_, [&](const Box& box) {
+    if (!onBelt(box)) return true;
+    for (const Box& other : boxes_)
+      if (onBelt(other) && &other != &box && std::abs(other.front - box.front) < kLength + kNear)
+        return false;
+    const double reached = box.front + way + kNear;
+    for (std::size_t i = 0; i < kSliders; ++i)
+      if (strokes_[i] >= kHalfOut && box.front <= kPlaces[i] - kPlate &&
+          reached >= kPlaces[i] - kPlate)
+        return false;
+    return reached < kEnd;
+  });
+}
+
 // Whether it has just come to the boxes.
 bool Belt::moveSlider(std::size_t slider, bool out, double seconds) {
   const double way = seconds / kStrokeTime * (out ? 1 : -1);

@@ -1,9 +1,9 @@
 // A process with one lag and dead time: x' = a x + (1 - a) K u with a = exp(-dt / T), exact for an
 // input that stays during a step (PID-SIM-03). PV = x + OFFSET + noise.
-#include <cmath>
 #include <random>
 
 #include "plant/delay.h"
+#include "plant/lag.h"
 #include "plant/named.h"
 #include "plant/processes.h"
 
@@ -41,7 +41,7 @@ class FirstOrder : public ProcessOf<kParameters, kSignals> {
 
   void advance(Instant from, Instant to, Signals values) override {
     const double input = delay_(from, values["LMN"] + values["DISTURBANCE"]);
-    state_ += (1 - std::exp(-seconds(from, to) / lag_)) * (gain_ * input - state_);
+    state_ += lag_.share(seconds(from, to)) * (gain_ * input - state_);
     values["PV"] = state_ + values["OFFSET"] + noise();
   }
 
@@ -52,7 +52,9 @@ class FirstOrder : public ProcessOf<kParameters, kSignals> {
     return noise_ * (static_cast<double>(random_()) / 2147483647.5 - 1);
   }
 
-  double gain_, lag_, noise_;
+  double gain_;
+  Lag lag_;
+  double noise_;
   Delay delay_;
   double state_;
   std::mt19937 random_;

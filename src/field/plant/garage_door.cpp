@@ -6,6 +6,7 @@
 #include "plant/delay.h"
 #include "plant/named.h"
 #include "plant/processes.h"
+#include "plant/silence.h"
 
 namespace merker::plant {
 namespace {
@@ -48,6 +49,15 @@ class GarageDoor : public ProcessOf<kParameters, kSignals> {
     onObstacle_ = on || (onObstacle_ && way == 0 && stops);
     position_ = std::clamp(position_ + way, lowest, kWhole);
     show(values);
+  }
+
+  // An obstacle only keeps the door from its end switch.
+  double silence(Seen values) const override {
+    const bool both = values["UP"] != 0 && values["DOWN"] != 0;
+    const bool shown = values["BARRIER"] == 1 - values["OBSTACLE"] &&
+                       values["CONTACT"] == values["BUTTON"] && (values["BOTH"] != 0) == both;
+    const double speed = speed_ * (values["UP"] - values["DOWN"]);
+    return shown ? secondsTo({0, kWhole}, position_, speed, 0, kWhole) : 0;
   }
 
  private:

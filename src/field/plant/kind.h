@@ -49,9 +49,9 @@ class Process {
   }
   // When outputs change by themselves, besides the steps of the plant.
   virtual Instant next() const { return Instant::never(); }
-  // As long as its inputs stay as they are in `values`: before this instant no binary output
-  // changes, however often it moves. `at`, the instant of the last step: nothing is known.
-  virtual Instant silentUntil(Instant at, std::span<const double> /*values*/) const { return at; }
+  // As long as its inputs stay as they are in `values`: not before so many seconds does a binary
+  // output change, however often it moves. 0: nothing is known.
+  virtual double silence(std::span<const double> /*values*/) const { return 0; }
   // A fast binary output as a function of time, the same object until it takes another course;
   // null: the value as it is.
   virtual std::shared_ptr<const signal::Signal> course(std::uint32_t) const { return nullptr; }

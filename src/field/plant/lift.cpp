@@ -8,6 +8,7 @@
 #include "plant/delay.h"
 #include "plant/named.h"
 #include "plant/processes.h"
+#include "plant/silence.h"
 
 namespace merker::plant {
 namespace {
@@ -77,6 +78,20 @@ class Lift : public ProcessOf<kParameters, kSignals> {
     judge(Forbidden::Buffer, direction * (height_ - kTop / 2) >= kTop / 2 + kAtFloor);
     judge(Forbidden::OpenBetween, values["DOOR"] != 0 && !atFloor());
     show(values);
+  }
+
+  double silence(Seen values) const override {
+    for (std::size_t i = 0; i < kFloors; ++i)
+      if (values.from("CALL1_CONTACT")[i] != values.from("CALL1")[i] ||
+          values.from("GO1_CONTACT")[i] != values.from("GO1")[i])
+        return 0;
+    const double speed = speed_ * (values["UP"] - values["DOWN"]);
+    const double doorSpeed = doorSpeed_ * (2 * values["DOOR"] - 1);
+    double seconds = secondsTo({0, kWhole}, door_, doorSpeed, 0, kWhole);
+    for (double floor = 0; floor <= kTop; ++floor)
+      seconds = std::min(seconds, secondsTo({floor - kAtFloor, floor + kAtFloor}, height_, speed,
+                                            -kAtFloor, kTop + kAtFloor));
+    return seconds;
   }
 
  private:

@@ -60,14 +60,17 @@ class ProcessOf : public Process {
  public:
   using Parameters = Named<parameters, const double>;
   using Signals = Named<signals, double>;
+  using Seen = Named<signals, const double>;
 
   virtual void begin(Signals values) = 0;
   virtual void advance(Instant from, Instant to, Signals values) = 0;
+  virtual double silence(Seen) const { return 0; }
 
   void begin(std::span<double> values) final { begin(Signals(values)); }
   void advance(Instant from, Instant to, std::span<double> values) final {
     advance(from, to, Signals(values));
   }
+  double silence(std::span<const double> values) const final { return silence(Seen(values)); }
 };
 
 // Kind::make of a process.

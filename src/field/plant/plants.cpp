@@ -4,11 +4,24 @@
 #include <utility>
 
 #include "clock/standstill.h"
+#include "plant/silence.h"
 
 namespace merker::plant {
+namespace {
+
+// Before the first change that a plant foresees, with a margin for sums of floating point.
+Instant surelyAfter(Instant at, double seconds) {
+  constexpr double kShare = 1e-4, kLongest = 3600;  // s
+  const double sure = std::clamp(seconds * (1 - kShare) - kUnsure, 0.0, kLongest);
+  return at + Duration{static_cast<std::int64_t>(sure * 1e9)};
+}
+
+}  // namespace
+
 Instant Plants::Unit::next() const { return fresh ? at : std::min(nextStep, process->next()); }
 
-Plants::Plants(Configuration configuration) : configuration_(std::move(configuration)) {
+Plants::Plants(Configuration configuration)
+    : configuration_(std::move(configuration)), wiring_(wirings()) {
   units_.resize(configuration_.plants.size());
   for (std::size_t i = 0; i < units_.size(); ++i) start(i, Instant{});
   findNext();
@@ -82,23 +95,32 @@ void Plants::readInputs(std::size_t index, const io::Rack& rack,
       values[stuck.signal] = stuck.value;
 }
 
-// What it puts out are levels at terminals, and no other plant feeds it.
-bool Plants::onlyBinary(std::size_t index) const {
-  const PlantSettings& settings = configuration_.plants[index];
-  return std::ranges::all_of(settings.wires, [&](const Wire& wire) {
-    const Signal& signal = settings.kind->signals[wire.signal];
-    return std::holds_alternative<io::Terminal>(wire.end) &&
-           (signal.side == Signal::Side::Input || signal.binary);
-  });
+std::vector<Plants::Wiring> Plants::wirings() const {
+  std::vector<Wiring> all(configuration_.plants.size());
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (const Wire& wire : configuration_.plants[i].wires) {
+      const Signal& signal = configuration_.plants[i].kind->signals[wire.signal];
+      if (const auto* other = std::get_if<SignalPlace>(&wire.end))
+        all[i].fed = all[other->plant].feeds = true;
+      else if (signal.side == Signal::Side::Output && signal.binary)
+        all[i].switches = true;
+      else if (signal.side == Signal::Side::Output)
+        all[i].analog.push_back(std::get<io::Terminal>(wire.end).module);
+    }
+  return all;
 }
 
-Instant Plants::silentUntil(std::size_t index, const io::Rack& rack) const {
+Instant Plants::silentUntil(std::size_t index, const io::Rack& rack, bool amounts) const {
   const Unit& unit = units_[index];
-  if (unit.fresh || !onlyBinary(index)) return unit.next();
+  const Wiring& wiring = wiring_[index];
+  const auto seen = [&](std::uint32_t module) { return amounts || !rack.onlyByAccess(module); };
+  if (unit.fresh || std::ranges::any_of(wiring.analog, seen)) return unit.next();
+  if (!wiring.switches) return unit.process->next();
+  if (wiring.fed) return unit.next();
   std::vector<double> values = unit.values;
   readInputs(index, rack, values);
-  return std::min(unit.process->next(),
-                  std::max(unit.next(), unit.process->silentUntil(unit.at, values)));
+  const double seconds = unit.process->silence(values);
+  return std::min(unit.process->next(), std::max(unit.next(), surelyAfter(unit.at, seconds)));
 }
 
 // The steps that are due, with the inputs as they stand.
@@ -114,16 +136,17 @@ void Plants::stepSilently(std::size_t index, const io::Rack& rack, Instant to) {
   unit.nextStep = unit.at + step;
 }
 
-void Plants::advanceSilently(io::Rack& rack, Instant now) {
+void Plants::advanceAlone(io::Rack& rack, Instant now) {
   for (std::size_t i = 0; i < units_.size(); ++i)
-    if (onlyBinary(i)) stepSilently(i, rack, now);
+    if (const Wiring& w = wiring_[i]; w.analog.empty() && !w.fed && !w.feeds)
+      stepSilently(i, rack, now);
   findNext();
-  advance(rack, now);  // the others
 }
 
-Instant Plants::silentUntil(const io::Rack& rack) const {
+Instant Plants::silentUntil(const io::Rack& rack, bool amounts) const {
   Instant until = Instant::never();
-  for (std::size_t i = 0; i < units_.size(); ++i) until = std::min(until, silentUntil(i, rack));
+  for (std::size_t i = 0; i < units_.size(); ++i)
+    until = std::min(until, silentUntil(i, rack, amounts));
   return until;
 }
 

@@ -22,12 +22,13 @@ class Plants {
   const Configuration& configuration() const { return configuration_; }
   Instant next() const { return next_; }  // of the first plant that moves
   void advance(io::Rack& rack, Instant now);
-  // The same up to before silentUntil(), for plants that feed terminals alone quicker than step by
-  // step.
-  void advanceSilently(io::Rack& rack, Instant now);
+  // Up to before silentUntil(), quicker than step by step: the plants that nothing but levels at
+  // terminals connects with others.
+  void advanceAlone(io::Rack& rack, Instant now);
   // As long as nobody changes an output of a module or sets a signal: before this instant no
-  // terminal changes, although plants may move.
-  Instant silentUntil(const io::Rack& rack) const;
+  // terminal shows another level, or `amounts` another amount where not only an access sees it
+  // (Rack::onlyByAccess), although plants may move.
+  Instant silentUntil(const io::Rack& rack, bool amounts) const;
 
   // A scenario sets an input; the plant sees it at once.
   void set(io::Rack& rack, SignalPlace place, double value, Instant now);
@@ -68,14 +69,21 @@ class Plants {
     readInputs(index, rack, units_[index].values);
   }
   void readInputs(std::size_t index, const io::Rack& rack, std::vector<double>& values) const;
-  Instant silentUntil(std::size_t index, const io::Rack& rack) const;
-  bool onlyBinary(std::size_t index) const;
+  Instant silentUntil(std::size_t index, const io::Rack& rack, bool amounts) const;
+  // How a plant is wired.
+  struct Wiring {
+    bool switches = false;                // levels of its own at terminals
+    std::vector<std::uint32_t> analog{};  // modules that get an amount from it
+    bool fed = false, feeds = false;      // by another plant, another plant
+  };
+  std::vector<Wiring> wirings() const;
   void stepSilently(std::size_t index, const io::Rack& rack, Instant to);
   void showOutputs(std::size_t index, io::Rack& rack, Instant now);
   void showOutput(std::size_t index, std::size_t wire, io::Rack& rack, Instant now);
   void findNext();
 
   Configuration configuration_;
+  std::vector<Wiring> wiring_;
   std::vector<Unit> units_;
   Instant next_;
 };

@@ -8,6 +8,7 @@
 #include "plant/delay.h"
 #include "plant/named.h"
 #include "plant/processes.h"
+#include "plant/silence.h"
 
 namespace merker::plant {
 namespace {
@@ -95,22 +96,32 @@ class SortingPlant : public ProcessOf<kParameters, kSignals> {
                     std::span<double> all) override {
     const Signals values(all);
     const double time = seconds(from, from + step);
-    for (; count > 0; --count) move(time, values);
+    if (putsNothingWithin(time * static_cast<double>(count), values)) {
+      for (std::int64_t i = 0; i < count; ++i) waited_ += time;
+      belt_.move(time, speed(values), slidersOut(values), count);
+    } else {
+      for (; count > 0; --count) move(time, values);
+    }
     show(values);
   }
 
-  Instant silentUntil(Instant at, std::span<const double> all) const override {
-    constexpr double kMargin = 0.003, kLongest = 3600;  // s: some steps, for sums of floating point
-    const Named<kSignals, const double> values(all);
-    for (std::size_t i = 0; i < kSizes.size(); ++i)
-      if ((values.from("NEW_SMALL")[i] != 0) != wanted_[i]) return at;
-    double silence = belt_.silence(speed(values), slidersOut(values));
-    if (values["AUTO"] != 0) silence = std::min(silence, interval_ - waited_);
-    const double sure = std::clamp(silence - kMargin, 0.0, kLongest);
-    return at + Duration{static_cast<std::int64_t>(sure * 1e9)};
+  double silence(Seen values) const override {
+    if (!sameWishes(values)) return 0;
+    const double silence = belt_.silence(speed(values), slidersOut(values));
+    return values["AUTO"] != 0 ? std::min(silence, interval_ - waited_) : silence;
   }
 
  private:
+  template <typename Values>
+  bool sameWishes(const Values& values) const {
+    for (std::size_t i = 0; i < kSizes.size(); ++i)
+      if ((values.from("NEW_SMALL")[i] != 0) != wanted_[i]) return false;
+    return true;
+  }
+  bool putsNothingWithin(double time, const Signals& values) const {
+    return sameWishes(values) && (values["AUTO"] == 0 || waited_ + time + kUnsure < interval_);
+  }
+
   void move(double time, const Signals& values) {
     putByHand(values);
     waited_ += time;

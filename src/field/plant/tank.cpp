@@ -5,6 +5,7 @@
 #include "plant/delay.h"
 #include "plant/named.h"
 #include "plant/processes.h"
+#include "plant/silence.h"
 
 namespace merker::plant {
 namespace {
@@ -40,13 +41,21 @@ class Tank : public ProcessOf<kParameters, kSignals> {
   void begin(Signals values) override { show(values); }
 
   void advance(Instant from, Instant to, Signals values) override {
-    const double flow = in_ * opening(values["INFLOW"], values["FILL"]) -
-                        out_ * opening(values["OUTFLOW"], values["DRAIN"]);
-    level_ = std::clamp(level_ + flow * seconds(from, to), 0.0, kWhole);
+    level_ = std::clamp(level_ + flow(values) * seconds(from, to), 0.0, kWhole);
     show(values);
   }
 
+  double silence(Seen values) const override {
+    return secondsTo({0, kWhole}, level_, flow(values), 0, kWhole);
+  }
+
  private:
+  template <typename Values>
+  double flow(const Values& values) const {
+    return in_ * opening(values["INFLOW"], values["FILL"]) -
+           out_ * opening(values["OUTFLOW"], values["DRAIN"]);
+  }
+
   void show(Signals values) const {
     values["LEVEL"] = level_;
     values["FULL"] = level_ >= kWhole;

@@ -1,8 +1,7 @@
 // A process that is heated and cooled: two lags in series and dead time, with a gain of its own for
 // each direction (PID-SIM-04). PV = AMBIENT + what heating and cooling make of it.
-#include <cmath>
-
 #include "plant/delay.h"
+#include "plant/lag.h"
 #include "plant/named.h"
 #include "plant/processes.h"
 
@@ -46,13 +45,14 @@ class Temperature : public ProcessOf<kParameters, kSignals> {
     const double u = delay_(from, wanted);
     const double time = seconds(from, to);
     const double target = (u >= 0 ? heating_ : cooling_) * u;
-    heater_ += (1 - std::exp(-time / first_)) * (target - heater_);
-    above_ += (1 - std::exp(-time / second_)) * (heater_ - above_);
+    heater_ += first_.share(time) * (target - heater_);
+    above_ += second_.share(time) * (heater_ - above_);
     values["PV"] = values["AMBIENT"] + above_;
   }
 
  private:
-  double heating_, cooling_, first_, second_;
+  double heating_, cooling_;
+  Lag first_, second_;
   Delay delay_;
   double heater_ = 0, above_ = 0;
 };

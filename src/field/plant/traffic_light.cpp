@@ -3,6 +3,7 @@
 #include "plant/delay.h"
 #include "plant/named.h"
 #include "plant/processes.h"
+#include "plant/silence.h"
 
 namespace merker::plant {
 namespace {
@@ -35,6 +36,12 @@ class TrafficLight : public ProcessOf<kNoParameters, kSignals> {
     if (both && !both_) ++dangers_;
     both_ = both;
     show(values);
+  }
+
+  double silence(Seen values) const override {
+    const bool shown =
+        values["LEFT_CONTACT"] == values["LEFT"] && values["RIGHT_CONTACT"] == values["RIGHT"];
+    return shown ? kForever : 0;
   }
 
  private:

@@ -5,6 +5,7 @@
 #include "plant/delay.h"
 #include "plant/named.h"
 #include "plant/processes.h"
+#include "plant/silence.h"
 
 namespace merker::plant {
 namespace {
@@ -41,6 +42,13 @@ class Valve : public ProcessOf<kParameters, kSignals> {
     const double way = kWhole / travelTime_ * seconds(from, to) * (values["UP"] - values["DOWN"]);
     if (values["STUCK"] == 0) move(way);
     show(values);
+  }
+
+  double silence(Seen values) const override {
+    const bool both = values["UP"] != 0 && values["DOWN"] != 0;
+    if ((values["BOTH"] != 0) != both) return 0;
+    const double direction = values["STUCK"] == 0 ? values["UP"] - values["DOWN"] : 0;
+    return secondsTo({0, kWhole}, motor_, kWhole / travelTime_ * direction, 0, kWhole);
   }
 
  private:

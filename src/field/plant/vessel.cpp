@@ -5,6 +5,7 @@
 #include "plant/delay.h"
 #include "plant/named.h"
 #include "plant/processes.h"
+#include "plant/silence.h"
 
 namespace merker::plant {
 namespace {
@@ -44,13 +45,23 @@ class Vessel : public ProcessOf<kParameters, kSignals> {
   void begin(Signals values) override { show(values); }
 
   void advance(Instant from, Instant to, Signals values) override {
-    const double in = std::max(values["INLET"], values["HAND_FILL"]);
-    level_ += rate_ * (in - values["OUTLET"]) * seconds(from, to);
+    level_ += speed(values) * seconds(from, to);
     level_ = std::clamp(level_, 0.0, kWhole);
     show(values);
   }
 
+  double silence(Seen values) const override {
+    const bool shown =
+        values["START_CONTACT"] == values["START"] && values["STOP_CONTACT"] == 1 - values["STOP"];
+    return shown ? secondsTo({minimum_, maximum_}, level_, speed(values), 0, kWhole) : 0;
+  }
+
  private:
+  template <typename Values>
+  double speed(const Values& values) const {
+    return rate_ * (std::max(values["INLET"], values["HAND_FILL"]) - values["OUTLET"]);
+  }
+
   void show(Signals values) const {
     values["LEVEL"] = level_;
     values["MIN"] = level_ >= minimum_;

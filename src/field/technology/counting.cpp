@@ -91,10 +91,12 @@ Instant Counting::next() const {
 // What falls on one instant is one interrupt, so the events go by in their order (CNT-PRAL-11).
 void Counting::advance(Instant now) {
   if (self_ == nullptr) return;
-  takeEdges();
-  advanceChannels(now);
+  if (inUse()) {
+    takeEdges();
+    advanceChannels(now);
+    show();
+  }
   changed_ = false;
-  show();
 }
 
 void Counting::advanceChannels(Instant now) {

@@ -25,24 +25,14 @@ concept IsCapability = std::derived_from<C, Capability> && requires {
   { C::kName } -> std::convertible_to<std::string_view>;
 };
 
-// A PLC among others that move through time together: it is asked in place of the PLC itself, which
-// has the capabilities.
-class Deputy {
- public:
-  virtual ~Deputy() = default;
-  virtual Controller& itself() const = 0;
-};
-
 // Null: this PLC has none.
 template <IsCapability C>
 C* capability(Controller& plc) {
-  const auto* const deputy = dynamic_cast<const Deputy*>(&plc);
-  return dynamic_cast<C*>(deputy == nullptr ? &plc : &deputy->itself());
+  return dynamic_cast<C*>(&plc.itself());
 }
 template <IsCapability C>
 const C* capability(const Controller& plc) {
-  const auto* const deputy = dynamic_cast<const Deputy*>(&plc);
-  return dynamic_cast<const C*>(deputy == nullptr ? &plc : &deputy->itself());
+  return dynamic_cast<const C*>(&plc.itself());
 }
 
 }  // namespace merker::controller

@@ -25,6 +25,11 @@ class Controller {
 
   virtual ~Controller() = default;
 
+  // Of a PLC among others that move through time together: the PLC itself, which has the
+  // capabilities.
+  virtual Controller& itself() { return *this; }
+  virtual const Controller& itself() const { return *this; }
+
   virtual std::string modelName() const = 0;
 
   // operating states
@@ -62,9 +67,10 @@ class Controller {
   // To the next cycle checkpoint, at most to `limit`; true if it came to one.
   virtual bool advanceToCheckpoint(Instant limit) = 0;
   // Directly behind a checkpoint: passes over whole cycles that are the same as the one that has
-  // ended there, none that ends later than `limit`. Nothing can be seen to have happened but that
-  // time, and what counts cycles, went on.
-  virtual void passQuietCycles(Instant /*limit*/) {}
+  // ended there, none that ends later than `limit`, and none behind the first that ends at `enough`
+  // or later. Nothing can be seen to have happened but that time went on, and with it plants and
+  // what counts cycles.
+  virtual void passQuietCycles(Instant /*limit*/, Instant /*enough*/) {}
   // Called at each cycle checkpoint: traces look at values here.
   virtual void onCycle(std::function<void(Controller&)> observer) = 0;
   // The same, but for cycles that have changed nothing.

@@ -160,8 +160,15 @@ bool Cnc::canCompile() { return jit::available(); }
 bool Cnc::setCompiled(bool on) {
   if (parts_->partner) parts_->partner->setCompiled(on);
   parts_->options.compiled = on;
+  parts_->engine->payback.end();
   parts_->engine->on = on && canCompile();
   return compiled() == on;
+}
+// Translation is part of its own thread: in real time it is left to whoever asks for it.
+void Cnc::compileWhenItPays(bool elsewhere) {
+  constexpr std::uint64_t kPrice = 100'000;  // docs/performance.md, "When code is compiled"
+  if (parts_->partner) parts_->partner->compileWhenItPays(elsewhere);
+  if (!elsewhere && canCompile() && !compiled()) parts_->engine->payback.begin(kPrice);
 }
 bool Cnc::compiled() const { return parts_->engine->on; }
 void Cnc::translateNow() {
@@ -269,8 +276,8 @@ void Cnc::passOverQuietCycles(bool on) {
   if (parts_->partner) parts_->partner->passOverQuietCycles(on);
   decideOnQuietCycles();
 }
-void Cnc::passQuietCycles(Instant limit) {
-  plc().passQuietCycles(Instant{limit.ns - parts_->before.ns});
+void Cnc::passQuietCycles(Instant limit, Instant enough) {
+  plc().passQuietCycles(Instant{std::min(limit, enough).ns - parts_->before.ns});
 }
 
 // At the end of each cycle the PLC learns of the NC's alarms; the next one begins with M 24.0 and

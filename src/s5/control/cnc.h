@@ -69,6 +69,7 @@ class Cnc final : public controller::Controller,
   nc::CouplingArea* couplingArea();  // null: there is none
   // Of the partner, too.
   bool setCompiled(bool on) override;
+  void compileWhenItPays(bool elsewhere) override;
   bool compiled() const override;
   void translateNow() override;
   std::size_t compiledBytes() const override;
@@ -113,7 +114,7 @@ class Cnc final : public controller::Controller,
   bool advanceToCheckpoint(Instant limit) override;
   void onCycle(std::function<void(controller::Controller&)> observer) override;
   void onChange(std::function<void(controller::Controller&)> observer) override;
-  void passQuietCycles(Instant limit) override;
+  void passQuietCycles(Instant limit, Instant enough) override;
   void passOverQuietCycles(bool on) override;
   std::uint64_t cyclesPassedOver() const override;
   std::vector<Reason> whyComputed() const override;

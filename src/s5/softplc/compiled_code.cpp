@@ -21,7 +21,9 @@ void CompiledCode::translate() {
 // Code that writes code is the processor's, and so is every instruction that coverage counts.
 std::uint64_t CompiledCode::run(Instant horizon) {
   Engine* const engine = options_.engine;
-  if (engine == nullptr || !engine->on || options_.coverage || machine_.blocks.patched()) return 0;
+  if (engine == nullptr || options_.coverage || machine_.blocks.patched()) return 0;
+  if (engine->payback.spend(1)) engine->on = true;
+  if (!engine->on) return 0;
   translate();
   return engine->run(machine_, horizon);
 }

@@ -2,6 +2,7 @@
 // may fill it; the processor remains the reference and does what the engine leaves.
 #pragma once
 
+#include "base/payback.h"
 #include "softplc/processor.h"
 
 namespace merker::sinumerik {
@@ -11,6 +12,7 @@ class Engine {
   virtual ~Engine() = default;
 
   bool on = false;
+  Payback payback;  // it comes on by itself
 
   // All code blocks as they lie in segment 5. `apart`: by its words, instructions that somebody
   // looks at and that therefore stay with the processor.

@@ -84,11 +84,6 @@ void Areas::readInputs() {
   if (i < end) readTogether(*this, i, end - i);
 }
 
-bool Areas::outputsDiffer() const {
-  const std::size_t count = std::min<std::size_t>(imageBytes, outputs.size());
-  return std::memcmp(&image[outputBase], outputs.data(), count) != 0;
-}
-
 void Areas::writeOutputs() {
   const std::size_t count = std::min<std::size_t>(imageBytes, outputs.size());
   std::copy_n(image.begin() + outputBase, count, outputs.begin());

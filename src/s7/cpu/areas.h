@@ -47,9 +47,8 @@ struct Areas {
   std::uint32_t base(Area area) const;
 
   bool answers(const Presence& present, std::uint32_t byte, unsigned count) const;
-  void readInputs();           // terminals to input image; bytes of no module stay as they are
-  bool outputsDiffer() const;  // writeOutputs() would change a terminal
-  void writeOutputs();         // output image to terminals
+  void readInputs();    // terminals to input image; bytes of no module stay as they are
+  void writeOutputs();  // output image to terminals
   void clearImages();
 };
 

@@ -126,8 +126,8 @@ class Cpu {
   // on with it.
   bool runOb1(Duration most);
   // Directly behind the end of a cycle: passes over further ones that are proven to be the same as
-  // the last one, not beyond `limit`, at most so many. How many it were.
-  std::uint64_t passQuiet(Instant limit, std::uint64_t most = UINT64_MAX);
+  // the last one. How many it were.
+  std::uint64_t passQuiet(const QuietSpan& span);
   QuietCycles& quiet() { return quiet_; }
   const QuietCycles& quiet() const { return quiet_; }
   void setClock(std::int64_t milliseconds);  // time-of-day interrupts that are jumped over: OB 80

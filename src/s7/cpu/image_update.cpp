@@ -6,7 +6,6 @@ namespace merker::cpu {
 void Cpu::updateImages() {
   Areas& areas = machine_.areas;
   forces_.apply(areas.image);
-  if (areas.outputsDiffer()) machine_.outlook.until(machine_.clock, {.at = Look::At::Output});
   areas.writeOutputs();
   modules_.written(0, areas.imageBytes);
   modules_.reading();

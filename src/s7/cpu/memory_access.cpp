@@ -70,6 +70,7 @@ SyncError readPeripheral(Machine& m, Width width, BitAddress address, std::uint3
     return fail(ErrorCode::AlignmentRead, Area::Peripheral, width, byte);
   if (!m.areas.answers(m.areas.inputPresent, byte, byteCount(width)))
     return fail(ErrorCode::PeripheralRead, Area::Peripheral, width, byte);
+  if (byte + byteCount(width) > m.areas.imageBytes) m.outlook.access();
   m.cpu->modules().reading();
   value = loadBytes(&m.areas.inputs[byte], width);
   return {};

@@ -13,8 +13,13 @@ bool Modules::advance() {
   if (next() > machine_.clock) return true;
   hang_ = !atOnce_.moves(machine_.clock);
   if (!hang_) periphery_->advance(*machine_.cpu, machine_.clock);
-  if (hang_ || !periphery_->silent()) ++acts_;
+  count(hang_ ? Periphery::Notice::Anyhow : periphery_->noticed());
   return !hang_;
+}
+
+void Modules::count(Periphery::Notice notice) {
+  if (notice == Periphery::Notice::Anyhow) ++acts_;
+  if (notice == Periphery::Notice::ByAccess) ++actsByAccess_;
 }
 
 void Modules::written(std::uint32_t first, std::uint32_t count) {

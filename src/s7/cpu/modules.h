@@ -26,14 +26,14 @@ class Modules {
   bool advance();
   void wake() { hang_ = false; }
   // As Periphery says.
-  Instant nextVisible() const {
-    return periphery_ == nullptr || hang_ ? Instant::never() : periphery_->nextVisible();
+  Instant nextVisible(bool access) const {
+    return periphery_ == nullptr || hang_ ? Instant::never() : periphery_->nextVisible(access);
   }
   void passed() {
     if (periphery_ != nullptr) periphery_->passed(*machine_.cpu, machine_.clock);
   }
   // How often they have done something that the CPU can notice.
-  std::uint64_t acts() const { return acts_; }
+  std::uint64_t acts(bool access) const { return access ? acts_ + actsByAccess_ : acts_; }
   // As Periphery says.
   bool steady() const { return periphery_ == nullptr || periphery_->steady(); }
   std::string_view due() const { return periphery_->due(machine_.clock); }
@@ -58,7 +58,8 @@ class Modules {
   Periphery* periphery_ = nullptr;
   bool outputsDisabled_ = true;
   bool hang_ = false;
-  std::uint64_t acts_ = 0;
+  std::uint64_t acts_ = 0, actsByAccess_ = 0;
+  void count(Periphery::Notice notice);
   Standstill atOnce_{1000};
 };
 

@@ -30,12 +30,16 @@ class Outlook {
     holds_ = when;
     look_ = look;
   }
+  // It reads inputs behind the process image.
+  void access() { access_ = true; }
+  bool accesses() const { return access_; }
   Instant holds() const { return holds_; }
   const Look& look() const { return look_; }
 
  private:
   Instant holds_ = Instant::never();
   Look look_;
+  bool access_ = false;
 };
 
 }  // namespace merker::cpu

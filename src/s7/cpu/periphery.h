@@ -25,9 +25,11 @@ class Periphery {
   // work out only when asked.
   virtual void reading(Cpu& /*cpu*/) {}
   // The same for what the CPU can notice, as long as it changes no output; not before next().
-  virtual Instant nextVisible() const { return next(); }
-  // Whether the last `advance` did nothing that the CPU could notice.
-  virtual bool silent() const { return false; }
+  // `access`: its program reads inputs behind the process image.
+  virtual Instant nextVisible(bool /*access*/) const { return next(); }
+  // How the last `advance` could be noticed.
+  enum class Notice : std::uint8_t { No, ByAccess, Anyhow };
+  virtual Notice noticed() const { return Notice::Anyhow; }
   // Time has passed without an instruction, up to before nextVisible().
   virtual void passed(Cpu& /*cpu*/, Instant /*now*/) {}
   // Whether nothing that `reading` shows moves between two instants named by `next`.

@@ -12,9 +12,14 @@ constexpr unsigned kPatience = 4, kMostDoublings = 6;
 
 }  // namespace
 
-std::uint64_t ProvenCycle::fit(Instant limit) const {
-  const Instant last = std::min(limit, holds - Duration{1});
-  return last <= end ? 0 : static_cast<std::uint64_t>((last - end).ns / length.ns);
+std::uint64_t ProvenCycle::fit(const QuietSpan& span) const {
+  const Instant last = std::min(span.limit, holds - Duration{1});
+  if (last <= end) return 0;
+  const auto fitting = static_cast<std::uint64_t>((last - end).ns / length.ns);
+  if (span.enough >= last) return std::min(fitting, span.most);
+  const std::int64_t way = std::max<std::int64_t>((span.enough - end).ns, 1);
+  const auto enough = static_cast<std::uint64_t>((way - 1) / length.ns + 1);
+  return std::min({fitting, enough, span.most});
 }
 
 void QuietCycles::note(Machine& m, const Code& code) {
@@ -51,13 +56,13 @@ ProvenCycle* QuietCycles::refuse(const NotQuiet& why) {
 // Asked again at the same checkpoint, by another call from outside: whoever kept a reference to
 // memory may have written meanwhile.
 ProvenCycle* QuietCycles::still(const Machine& m) {
-  if (memory_.update(m)) proven_ = false;
+  if (memory_.update(m, at_.relative.access)) proven_ = false;
   return proven_ ? &cycle_ : nullptr;
 }
 
 ProvenCycle* QuietCycles::judge(const Machine& m, const Checkpoint& now, const Outlook& outlook) {
   if (known_ && at_.number == now.number) return still(m);
-  const StateCopy::Difference where = memory_.update(m);
+  const StateCopy::Difference where = memory_.update(m, now.relative.access);
   const Checkpoint before = at_;
   const bool follows = known_ && now.number == before.number + 1;
   known_ = true;
@@ -78,7 +83,7 @@ ProvenCycle* QuietCycles::judge(const Machine& m, const Checkpoint& now, const O
             .holds = std::min({outlook.holds(), timers, now.nextEvent}),
             .length = now.clock - before.clock,
             .instructions = now.instructions - before.instructions};
-  if (cycle_.fit(Instant::never()) == 0) return fail({.why = Why::Event});
+  if (cycle_.fit({}) == 0) return fail({.why = Why::Event});
   proven_ = true;
   failures_ = 0;
   return &cycle_;

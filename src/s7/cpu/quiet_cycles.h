@@ -44,9 +44,17 @@ struct Checkpoint {
     CycleTimes times{};
     std::uint8_t scan = 0;
     std::uint32_t position = 0;
+    bool access = false;  // to inputs behind the process image
     bool operator==(const Relative&) const = default;
   };
   Relative relative{};
+};
+
+// How far cycles may be passed over: none that ends later than `limit`, none behind the first that
+// ends at `enough` or later, at most so many.
+struct QuietSpan {
+  Instant limit = Instant::never(), enough = Instant::never();
+  std::uint64_t most = UINT64_MAX;
 };
 
 // A cycle that is known.
@@ -55,8 +63,8 @@ struct ProvenCycle {
   Instant holds;  // the first instant that may be different
   Duration length{};
   std::uint64_t instructions = 0;
-  // How many more end before it, and not later than `limit`.
-  std::uint64_t fit(Instant limit) const;
+  // How many more end before it.
+  std::uint64_t fit(const QuietSpan& span) const;
 };
 
 class QuietCycles {

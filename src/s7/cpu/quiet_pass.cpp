@@ -14,19 +14,22 @@ bool Cpu::atCheckpoint() const {
 
 Checkpoint Cpu::checkpoint() const {
   const Instant now = machine_.clock;
+  const bool access = lastOutlook_.accesses();
   return {.clock = now,
           .number = cycle_.checkpoints(),
           .instructions = machine_.instructions,
           .levels = machine_.levelsStarted,
-          .acts = modules_.acts(),
+          .acts = modules_.acts(access),
           .entries = log_.buffer().added(),
-          .nextEvent = std::min({clockMemory_.next(), modules_.nextVisible(), interrupts_.next()}),
+          .nextEvent =
+              std::min({clockMemory_.next(), modules_.nextVisible(access), interrupts_.next()}),
           .relative = {.sinceBegan = (now - cycle_.began()).ns,
                        .untilNext = (cycle_.next() - now).ns,
                        .untilDeadline = (cycle_.deadline() - now).ns,
                        .times = cycle_.times(),
                        .scan = cycle_.scan(),
-                       .position = machine_.position}};
+                       .position = machine_.position,
+                       .access = access}};
 }
 
 // What else a cycle can depend on and no checkpoint shows.
@@ -35,7 +38,7 @@ bool Cpu::predictable() const {
          !cyclePoints_.observed() && !engine_.watched();
 }
 
-std::uint64_t Cpu::passQuiet(Instant limit, std::uint64_t most) {
+std::uint64_t Cpu::passQuiet(const QuietSpan& span) {
   if (!quiet_.enabled() || !atCheckpoint() || !quiet_.wants(cycle_.checkpoints())) return 0;
   quiet_.prepare(machine_, loadMemory_.code());
   const ProvenCycle* cycle = nullptr;
@@ -46,7 +49,7 @@ std::uint64_t Cpu::passQuiet(Instant limit, std::uint64_t most) {
   else
     cycle = quiet_.judge(machine_, checkpoint(), lastOutlook_);
   if (cycle == nullptr) return 0;
-  const std::uint64_t cycles = std::min(cycle->fit(limit), most);
+  const std::uint64_t cycles = cycle->fit(span);
   if (cycles > 0) passOver(*cycle, cycles);
   return cycles;
 }
@@ -73,9 +76,7 @@ void Cpu::showDate(const DateAndTime& date) {
 // The date of OB 1 in its local data, and that of OB 1 in those of the block it has called.
 void lookAtLocal(Machine& m, const Frame& frame, std::uint32_t first, std::uint32_t bytes) {
   const bool ofOb = frame.first && m.levels.size() == 1;
-  if (!ofOb || first >= kDateInStart + std::tuple_size_v<DateAndTime> ||
-      first + bytes <= kDateInStart)
-    return;
+  if (!ofOb || !touchesDate(first, bytes)) return;
   m.outlook.until(
       m.clock, {.at = Look::At::Date, .block = m.top->code->source->id, .offset = Look::kUnknown});
 }

@@ -13,6 +13,10 @@ namespace merker::cpu {
 using StartInformation = std::array<std::uint8_t, 20>;
 // Where the date and time are in it (S7-OBI-01).
 constexpr std::uint32_t kDateInStart = 12;
+// Whether these bytes of the local data of an OB have a part of them.
+constexpr bool touchesDate(std::uint32_t byte, std::uint32_t bytes) {
+  return byte < kDateInStart + std::tuple_size_v<DateAndTime> && byte + bytes > kDateInStart;
+}
 
 // Bytes 0..3 and 12..19, the same for all (S7-OBI-01).
 StartInformation startInformation(std::uint8_t eventClass, std::uint8_t eventNumber,

@@ -7,11 +7,17 @@
 
 namespace merker::cpu {
 
-StateCopy::Difference StateCopy::update(const Machine& m) {
+StateCopy::Difference StateCopy::update(const Machine& m, bool allInputs) {
   part_ = 0;
   found_ = {};
   takeImage(m.areas);
-  take(m.areas.inputs.data(), m.areas.inputs.size(), "PE");
+  const std::size_t inputs = m.areas.inputs.size();
+  const std::size_t image = std::min<std::size_t>(inputs, m.areas.imageBytes);
+  take(m.areas.inputs.data(), image, "PE");
+  if (allInputs)
+    take(m.areas.inputs.data() + image, inputs - image, "PE", static_cast<std::uint32_t>(image));
+  else
+    keepPart();
   take(m.areas.outputs.data(), m.areas.outputs.size(), "PA");
   take(m.timers.data(), m.timers.size() * sizeof(S5Timer), "T");
   take(m.counters.data(), m.counters.size() * sizeof(S5Counter), "Z");
@@ -43,6 +49,11 @@ void StateCopy::takeLocalStacks(const Machine& m) {
     const std::size_t from = i == 0 ? std::min(kHandedOver, stack.size()) : 0;
     take(stack.data() + from, stack.size() - from, "L");
   }
+}
+
+void StateCopy::keepPart() {
+  if (part_ == parts_.size()) parts_.emplace_back();
+  ++part_;
 }
 
 void StateCopy::take(const void* data, std::size_t bytes, std::string_view area,

@@ -15,15 +15,17 @@ class StateCopy {
   // Where the machine first differs from the copy.
   struct Difference {
     std::string_view area;     // "M", "DB", "T"; empty: there is none
-    std::uint32_t number = 0;  // of the data block, timer or counter
+    std::uint32_t number = 0;  // of the data block, timer or counter; the first byte of PE
     std::uint32_t byte = 0;
     explicit operator bool() const { return !area.empty(); }
   };
-  // Makes the copy the same as the machine again.
-  Difference update(const Machine& machine);
+  // Makes the copy the same as the machine again. Inputs behind the process image count if a
+  // program reads them.
+  Difference update(const Machine& machine, bool allInputs);
 
  private:
   void take(const void* data, std::size_t bytes, std::string_view area, std::uint32_t number = 0);
+  void keepPart();  // as it is: nobody asks for it
   void takeImage(const Areas& areas);
   void takeLocalStacks(const Machine& machine);
 

@@ -155,16 +155,12 @@ OpByWord Translator::translate(std::span<const std::uint8_t> code, Translated& o
 
 namespace {
 
-bool overlapsDate(std::uint32_t byte, std::uint32_t bytes) {
-  return byte < cpu::kDateInStart + std::tuple_size_v<cpu::DateAndTime> &&
-         byte + bytes > cpu::kDateInStart;
-}
-
 // Written over, it would not be the date that is shown behind cycles that were passed over.
 bool touchesDate(const Op& op) {
-  if (op.pointerArea == Area::Local && overlapsDate(op.value, byteCount(Width::DWord))) return true;
+  if (op.pointerArea == Area::Local && cpu::touchesDate(op.value, byteCount(Width::DWord)))
+    return true;
   if (op.area != Area::Local) return false;
-  return op.kind != OperandKind::Memory || overlapsDate(op.value / 8, byteCount(op.width));
+  return op.kind != OperandKind::Memory || cpu::touchesDate(op.value / 8, byteCount(op.width));
 }
 
 bool loadsTimer(const Op& op) {

@@ -7,6 +7,7 @@
 #include "interpreter/probing.h"
 #include "lowering/translate.h"
 #include "mc7/listing.h"
+#include "station/translation_thread.h"
 
 namespace merker::station {
 namespace {
@@ -46,6 +47,14 @@ std::vector<bool> checked(const Translated& code) {
 }
 
 }  // namespace
+
+MixedEngine::MixedEngine(const CpuModel& model, bool compiles, CompilerOptions options)
+    : model_(model),
+      layout_(layoutOf(model)),
+      interpreter_(model),
+      compiles_(compiles && canCompile()),
+      options_(std::move(options)) {}
+MixedEngine::~MixedEngine() = default;
 
 // Blocks with coverage count each instruction: they stay with the interpreter.
 void MixedEngine::compile(Translated& code) const {
@@ -110,6 +119,8 @@ void exchange(Translated& code, Translated& made, cpu::Machine& m) {
 }  // namespace
 
 void MixedEngine::exchange(const Translations& made, cpu::Cpu& cpu) {
+  payback_.end();
+  pays_ = false;
   compiles_ = made.compiled();
   for (const auto& one : cpu.loadMemory().code()) {
     auto& code = static_cast<Translated&>(*one);
@@ -124,6 +135,8 @@ void MixedEngine::exchange(const Translations& made, cpu::Cpu& cpu) {
 }
 
 void MixedEngine::compile(bool on, cpu::Cpu& cpu) {
+  payback_.end();
+  pays_ = false;
   compiles_ = on && canCompile();
   for (const auto& code : cpu.loadMemory().code()) {
     auto& translated = static_cast<Translated&>(*code);
@@ -132,6 +145,37 @@ void MixedEngine::compile(bool on, cpu::Cpu& cpu) {
     else if (translated.compiled == nullptr)
       compile(translated);
   }
+}
+
+std::uint64_t MixedEngine::price(const cpu::Cpu& cpu) const {
+  std::uint64_t sum = options_.begin;
+  for (const auto& code : cpu.loadMemory().code())
+    sum += options_.perBlock +
+           options_.perInstruction * static_cast<const Translated&>(*code).instructionCount;
+  return sum;
+}
+
+// A thread is worth while only for a program that keeps its own busy.
+void MixedEngine::compileWhenItPays(const cpu::Cpu& cpu, bool elsewhere) {
+  constexpr std::uint64_t kWorthAThread = 20'000'000;
+  if (compiles_ || !canCompile()) return;
+  elsewhere_ = elsewhere ? std::make_unique<TranslationThread>() : nullptr;
+  compileAfter(price(cpu) + (elsewhere ? kWorthAThread : 0));
+}
+
+void MixedEngine::takeWhatPays(cpu::Cpu& cpu) {
+  if (elsewhere_ == nullptr) return compile(true, cpu);
+  if (!elsewhere_->begun()) elsewhere_->begin(model_, cpu.program());
+  if (const auto made = elsewhere_->take()) exchange(*made, cpu);
+}
+
+// The program goes on where it stands: between two instructions.
+void MixedEngine::run(cpu::Machine& m) {
+  if (pays_) takeWhatPays(*m.cpu);
+  if (!payback_.waits()) return interpreter_.run(m);
+  const std::uint64_t before = m.instructions;
+  interpreter_.run(m);
+  pays_ = payback_.spend(m.instructions - before) && !keepsOldCode();
 }
 
 std::size_t MixedEngine::compiledBytes(const cpu::Cpu& cpu) {

@@ -2,6 +2,7 @@
 // executes, and where a block has compiled code, that code stands in front of it.
 #pragma once
 
+#include "base/payback.h"
 #include "cpu/cpu.h"
 #include "interpreter/interpreter.h"
 #include "jit/native.h"
@@ -15,21 +16,26 @@ struct CompilerOptions {
   // Into a region of fewer instructions the way is longer than through the interpreter; other
   // regions still lead on into it.
   std::uint32_t shortestEntry = 3;
+  // In interpreted instructions, what compiling costs: to begin with, each block, each instruction
+  // (docs/performance.md, "When code is compiled").
+  std::uint64_t begin = 20'000, perBlock = 10'000, perInstruction = 100;
 };
+
+class TranslationThread;
 
 class MixedEngine : public cpu::Engine {
  public:
-  MixedEngine(const CpuModel& model, bool compiles, CompilerOptions options = {})
-      : model_(model),
-        layout_(layoutOf(model)),
-        interpreter_(model),
-        compiles_(compiles && canCompile()),
-        options_(std::move(options)) {}
+  MixedEngine(const CpuModel& model, bool compiles, CompilerOptions options = {});
+  ~MixedEngine() override;
 
   static bool canCompile() { return jit::available(); }
   bool compiles() const { return compiles_; }
   // For the blocks that the CPU has, and those to come.
   void compile(bool on, cpu::Cpu& cpu);
+  // The same by itself as soon as it pays; in another thread: after a wait that is worth one.
+  void compileWhenItPays(const cpu::Cpu& cpu, bool elsewhere);
+  // After so many instructions.
+  void compileAfter(std::uint64_t interpreted) { payback_.begin(interpreted); }
   // The engine of `made` from now on; what is in it takes the place of what the CPU has. Not while
   // the CPU runs.
   void exchange(const Translations& made, cpu::Cpu& cpu);
@@ -42,7 +48,7 @@ class MixedEngine : public cpu::Engine {
   const interpreter::Interpreter& interpreter() const { return interpreter_; }
 
   std::unique_ptr<cpu::Code> translate(const block::Block& block) override;
-  void run(cpu::Machine& machine) override { interpreter_.run(machine); }
+  void run(cpu::Machine& machine) override;
   std::uint32_t offset(const cpu::Frame& frame) const override {
     return interpreter_.offset(frame);
   }
@@ -52,6 +58,8 @@ class MixedEngine : public cpu::Engine {
 
  private:
   void compile(interpreter::Translated& code) const;
+  std::uint64_t price(const cpu::Cpu& cpu) const;
+  void takeWhatPays(cpu::Cpu& cpu);
 
   const CpuModel& model_;
   const jit::Layout layout_;
@@ -59,6 +67,9 @@ class MixedEngine : public cpu::Engine {
   bool compiles_;
   CompilerOptions options_;
   std::shared_ptr<Translations> supplied_;
+  Payback payback_;
+  std::unique_ptr<TranslationThread> elsewhere_;  // null: compiles here
+  bool pays_ = false;                             // it was waited for, and not yet taken
 };
 
 }  // namespace merker::station

@@ -27,19 +27,30 @@ void Periphery::connect(cpu::Cpu& cpu) {
 
 // What happens outside, between two calls of the CPU, is told at its next instruction boundary.
 Instant Periphery::next() const {
-  return rack_.pending() ? Instant{} : std::min(nextOfModules(), plants_.next());
+  return rack_.pending() ? Instant{} : std::min({rack_.next(), nextOfChannels(), plants_.next()});
 }
 
-Instant Periphery::nextOfModules() const {
-  return std::min(
-      {rack_.next(), counting_.next(), positioning_.next(), serial_.next(), exchange_.next()});
+Instant Periphery::nextOfChannels() const {
+  return std::min({counting_.next(), positioning_.next(), serial_.next(), exchange_.next()});
 }
 
-Instant Periphery::nextVisible() const {
-  return rack_.pending() ? Instant{} : std::min(nextOfModules(), plants_.silentUntil(rack_));
+Instant Periphery::nextVisible(bool access) const {
+  if (rack_.pending()) return Instant{};
+  return std::min({access ? rack_.next() : rack_.nextVisible(), nextOfChannels(),
+                   plants_.silentUntil(rack_, access)});
 }
 
-void Periphery::passed(cpu::Cpu&, Instant now) { plants_.advanceSilently(rack_, now); }
+// What is there to tell, or due.
+Periphery::Notice Periphery::pending(Instant now) const {
+  if (rack_.pendingVisibly() || rack_.nextVisible() <= now) return Notice::Anyhow;
+  return rack_.pending() || rack_.next() <= now ? Notice::ByAccess : Notice::No;
+}
+
+void Periphery::passed(cpu::Cpu& cpu, Instant now) {
+  plants_.advanceAlone(rack_, now);
+  goOn(now);
+  showInputs(cpu);
+}
 
 std::string_view Periphery::due(Instant now) const {
   if (plants_.next() <= now) return "plants";
@@ -62,9 +73,9 @@ void Periphery::goOn(Instant now) {
 }
 
 void Periphery::advance(cpu::Cpu& cpu, Instant now) {
-  silent_ = !rack_.pending() && nextOfModules() > now;
+  noticed_ = nextOfChannels() <= now ? Notice::Anyhow : pending(now);
   goOn(now);
-  silent_ = silent_ && !rack_.pending() && rack_.next() > now;
+  noticed_ = std::max(noticed_, pending(now));
   counting_.advance(now);
   serial_.advance(now);
   if (rack_.takePresenceChanged()) showPresence(cpu);

@@ -52,8 +52,8 @@ class Periphery : public cpu::Periphery {
   void advance(cpu::Cpu& cpu, Instant now) override;
   void reading(cpu::Cpu& cpu) override;
   bool steady() const override;
-  Instant nextVisible() const override;
-  bool silent() const override { return silent_; }
+  Instant nextVisible(bool access) const override;
+  Notice noticed() const override { return noticed_; }
   void passed(cpu::Cpu& cpu, Instant now) override;
   void acknowledged(cpu::Cpu& cpu, std::uint32_t address) override;
   void modeChanged(cpu::Cpu& cpu) override;
@@ -63,7 +63,8 @@ class Periphery : public cpu::Periphery {
   void started(cpu::Cpu&) override { rack_.reportFaults(); }
 
  private:
-  Instant nextOfModules() const;
+  Instant nextOfChannels() const;
+  Notice pending(Instant now) const;
   std::uint8_t drivenBits(std::uint32_t byte) const;
   void showPresence(cpu::Cpu& cpu);
   void showInputs(cpu::Cpu& cpu);
@@ -75,7 +76,7 @@ class Periphery : public cpu::Periphery {
   SerialModule serial_;
   profibus::Exchange exchange_;
   plant::Plants plants_;
-  bool silent_ = false;  // the last advance
+  Notice noticed_ = Notice::Anyhow;  // of the last advance
 };
 
 }  // namespace merker::station

@@ -44,6 +44,7 @@ std::string lookText(const Look& look, const block::Program& program) {
 std::string differencePlace(const cpu::StateCopy::Difference& where) {
   if (where.area == "T" || where.area == "Z") return fmt::format("{} {}", where.area, where.number);
   if (where.area == "DB") return fmt::format("DB{}.DBB {}", where.number, where.byte);
+  if (where.area == "PE") return fmt::format("PEB {}", where.number + where.byte);
   return where.area == "L" ? "a temporary variable" : fmt::format("{}B {}", where.area, where.byte);
 }
 

@@ -72,6 +72,10 @@ bool Station::setEngine(Engine engine, const Translations& made) {
 bool Station::setCompiled(bool on) {
   return setEngine(on ? Engine::Compiled : Engine::Interpreter);
 }
+void Station::compileWhenItPays(bool elsewhere) {
+  if (parts_->partner) parts_->partner->compileWhenItPays(elsewhere);
+  parts_->engine.compileWhenItPays(parts_->cpu, elsewhere);
+}
 void Station::supply(std::shared_ptr<Translations> made) { parts_->engine.supply(std::move(made)); }
 Engine Station::engine() const {
   return parts_->engine.compiles() ? Engine::Compiled : Engine::Interpreter;
@@ -165,7 +169,7 @@ bool Station::settle(Duration longest) {
 
 void Station::moveTo(Instant t) {
   while (now() < t) {
-    passQuietCycles(t);
+    passQuietCycles(t, Instant::never());
     if (now() < t) parts_->step(t);
   }
   if (!powered() && parts_->periphery) parts_->periphery->goOn(now());
@@ -188,7 +192,7 @@ bool Station::advanceToCheckpoint(Instant limit) {
 void Station::advanceCycles(std::uint64_t count) {
   cpu::Cpu& cpu = parts_->cpu;
   for (; count > 0 && cpu::executes(cpu.mode()); --count) {
-    if (nobodyLooks()) count -= cpu.passQuiet(Instant::never(), count);
+    if (nobodyLooks()) count -= cpu.passQuiet({.most = count});
     if (count == 0) break;
     const std::uint64_t before = cycles();
     const Instant latest = now() + kLongestCycle;
@@ -316,8 +320,8 @@ bool Station::nobodyLooks() const {
   return !parts_->eachCycle && !parts_->onSubnet() && (line == nullptr || !line->joined());
 }
 
-void Station::passQuietCycles(Instant limit) {
-  if (nobodyLooks()) parts_->cpu.passQuiet(limit);
+void Station::passQuietCycles(Instant limit, Instant enough) {
+  if (nobodyLooks()) parts_->cpu.passQuiet({.limit = limit, .enough = enough});
 }
 
 void Station::join(network::Node& node, const network::GlobalData& globalData) {

@@ -102,6 +102,7 @@ class Station final : public controller::Controller,
   bool setEngine(Engine engine) override;
   Engine engine() const override;
   bool setCompiled(bool on) override;
+  void compileWhenItPays(bool elsewhere) override;
   bool compiled() const override { return engine() == Engine::Compiled; }
   void translateNow() override {}  // it has been: setEngine() translates
   std::size_t compiledBytes() const override;
@@ -220,7 +221,7 @@ class Station final : public controller::Controller,
   void onCycle(std::function<void(controller::Controller&)> observer) override;
   void onChange(std::function<void(controller::Controller&)> observer) override;
 
-  void passQuietCycles(Instant limit) override;
+  void passQuietCycles(Instant limit, Instant enough) override;
   void passOverQuietCycles(bool on) override;
   std::uint64_t cyclesPassedOver() const override;
   std::vector<Reason> whyComputed() const override;

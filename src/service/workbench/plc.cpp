@@ -6,12 +6,6 @@
 namespace merker::workbench {
 namespace {
 
-// One of several stations: the monitor looks at the machine itself.
-controller::Controller& machineOf(controller::Controller& plc) {
-  const auto* const deputy = dynamic_cast<const controller::Deputy*>(&plc);
-  return deputy == nullptr ? plc : deputy->itself();
-}
-
 std::unique_ptr<controller::Controller> made(const compilation::Build& build) {
   if (build.ok()) {
     auto plc = build.controller();
@@ -39,7 +33,7 @@ Plc::Plc(BuildRef build, std::unique_ptr<controller::Controller> controller)
       operands_(build_->operands()),
       controller_(controller ? std::move(controller) : made(*build_)) {
   monitor_ = monitor::monitorOf(
-      machineOf(*controller_), symbols_,
+      controller_->itself(), symbols_,
       simulator::Resolver(
           [this](std::string_view text, const Position& at) { return operands_(text, at); },
           operands_.constants));

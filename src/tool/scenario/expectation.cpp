@@ -30,13 +30,13 @@ bool holds(const AnyExpectation& expectation, Controller& plc) {
   return std::visit([&](const IsExpectation auto& one) { return one.holds(plc); }, expectation);
 }
 
-bool ofMemory(const AnyExpectation& expectation) {
+std::optional<Instant> staysUntil(const AnyExpectation& expectation, const Controller& plc) {
   return std::visit(
-      [](const IsExpectation auto& one) {
-        if constexpr (requires { one.ofMemory(); })
-          return one.ofMemory();
+      [&](const IsExpectation auto& one) -> std::optional<Instant> {
+        if constexpr (requires { one.staysUntil(plc); })
+          return one.staysUntil(plc);
         else
-          return false;
+          return std::nullopt;
       },
       expectation);
 }

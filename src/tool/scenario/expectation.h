@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concepts>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -47,9 +48,10 @@ bool speaksOfState(const AnyExpectation& expectation);
 std::string_view missing(const AnyExpectation& expectation, const controller::Controller& plc);
 // Nothing is missing.
 bool holds(const AnyExpectation& expectation, controller::Controller& plc);
-// Whether it comes to the same as long as the memory of the PLC and its mode stay as they are,
-// whatever the time.
-bool ofMemory(const AnyExpectation& expectation);
+// Before this instant it comes to the same as long as the memory of the PLC and its mode stay as
+// they are; none: nobody knows.
+std::optional<Instant> staysUntil(const AnyExpectation& expectation,
+                                  const controller::Controller& plc);
 // "A 1.2 is 0", "mode is STOP: …": what is there instead.
 std::string actual(const AnyExpectation& expectation, controller::Controller& plc);
 

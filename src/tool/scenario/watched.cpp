@@ -1,5 +1,7 @@
 #include "scenario/watched.h"
 
+#include <algorithm>
+
 #include "base/text.h"
 #include "scenario/line.h"
 
@@ -19,6 +21,13 @@ void readOperand(std::string_view part, const Position& position, const Resolver
 }
 
 }  // namespace
+
+bool Watched::movesByItself() const {
+  return !plants.empty() || !terminals.empty() ||
+         std::ranges::any_of(operands, [](const address::Reference& one) {
+           return one.operand.area == Area::Peripheral;
+         });
+}
 
 void readWatchable(std::string_view part, const Position& position, const Watchable& from,
                    Watched& watched, Problems& problems) {

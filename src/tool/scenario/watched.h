@@ -19,6 +19,10 @@ struct Watched {
   std::vector<PlantValue> plants;          // resolved
   std::vector<TerminalValue> terminals{};  // the same
   std::vector<AxisTerm> axis{};            // the same
+
+  // Whether some of it may change beside a cycle that changes nothing: plants, what they wire to
+  // terminals, and inputs of the periphery.
+  bool movesByItself() const;
 };
 
 // What the texts can name. `hardware`: null without a hardware configuration.

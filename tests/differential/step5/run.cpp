@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <random>
+#include <span>
 
 #include "case.h"
 #include "control/compiled_code.h"
@@ -28,7 +29,7 @@ sinumerik::Options optionsOf(const Case& c, std::mt19937& random) {
   return options;
 }
 
-// Everything in the order in which it is compared, as lines of text.
+// Everything in the order in which it is compared, line by line.
 class Picture {
  public:
   explicit Picture(const Plc& plc) {
@@ -37,48 +38,49 @@ class Picture {
     add("instructions", plc.instructions());
     add("cycles", plc.cycles());
     add("mode", static_cast<int>(plc.mode()));
-    lines_.push_back("reason " + plc.stopReason());
+    text("reason " + plc.stopReason());
     const sinumerik::RunTimes& times = os.runTimes();
     for (const Duration time : {times.cycle.cyclic, times.cycle.alarm, times.alarmWindow(),
                                 times.third, times.raster, times.lastRaster})
       add("run time", time.ns);
     for (const auto word : os.record().fineCode().words) add("fine code", word);
     for (const auto& entry : plc.diagnostics())
-      lines_.push_back(std::to_string(entry.time.ns) + ' ' + entry.text);
+      text(std::to_string(entry.time.ns) + ' ' + entry.text);
     machine(plc.machine());
   }
 
   std::string difference(const Picture& other) const {
     for (std::size_t i = 0; i < std::min(lines_.size(), other.lines_.size()); ++i)
       if (lines_[i] != other.lines_[i])
-        return fmt::format("{}: '{}', compiled '{}'\n", i, lines_[i], other.lines_[i]);
+        return fmt::format("{}: '{}', compiled '{}'\n", i, lines_[i].shown(),
+                           other.lines_[i].shown());
     return lines_.size() == other.lines_.size() ? "" : "one has more to show\n";
   }
 
  private:
   template <typename Number>
   void add(std::string_view what, Number number) {
-    lines_.push_back(fmt::format("{} {}", what, number));
+    lines_.push_back({std::string(what), {}, static_cast<std::int64_t>(number)});
   }
-  template <typename Numbers>
-  void all(std::string_view what, const Numbers& numbers) {
-    std::string text(what);
-    for (const auto number : numbers) text += fmt::format(" {:02X}", number);
-    lines_.push_back(text);
+  // Numbers stay as they are: most pictures are the same, and nobody reads them.
+  void all(std::string_view what, std::span<const std::uint8_t> numbers) {
+    lines_.push_back({std::string(what), {numbers.begin(), numbers.end()}});
   }
+  void all(std::string_view what, std::span<const std::uint16_t> numbers) {
+    lines_.push_back({std::string(what), {numbers.begin(), numbers.end()}});
+  }
+  void text(std::string line) { lines_.push_back({std::move(line), {}}); }
 
   void level(const sinumerik::Level& l) {
     add("OB", l.ob);
     for (const sinumerik::Frame& f : l.frames)
-      lines_.push_back(fmt::format("block {} {} at {} next {} list {} DB {} {} {} {}",
-                                   static_cast<int>(f.block.type), f.block.number, f.start, f.next,
-                                   f.parameters, f.data.open, f.data.number, f.data.start,
-                                   f.data.length));
+      text(fmt::format("block {} {} at {} next {} list {} DB {} {} {} {}",
+                       static_cast<int>(f.block.type), f.block.number, f.start, f.next,
+                       f.parameters, f.data.open, f.data.number, f.data.start, f.data.length));
     const sinumerik::Registers& r = l.registers;
-    lines_.push_back(
-        fmt::format("akku {:08X} {:08X} displays {:08b}", r.akku1, r.akku2, r.displays.byte()));
+    text(fmt::format("akku {:08X} {:08X} displays {:08b}", r.akku1, r.akku2, r.displays.byte()));
     for (const sinumerik::Bracket& b : r.brackets)
-      lines_.push_back(fmt::format("bracket {} {} {}", b.vke, b.orBit, b.isOr));
+      text(fmt::format("bracket {} {} {}", b.vke, b.orBit, b.isOr));
   }
 
   void machine(const Machine& m) {
@@ -94,7 +96,16 @@ class Picture {
     all("code", std::span(m.blocks.program()).first(m.blocks.programUsed()));
   }
 
-  std::vector<std::string> lines_;
+  struct Line {
+    std::string text;
+    std::vector<std::uint16_t> numbers;
+    std::int64_t number = 0;
+    bool operator==(const Line&) const = default;
+    std::string shown() const {
+      return fmt::format("{} {} {:02X}", text, number, fmt::join(numbers, " "));
+    }
+  };
+  std::vector<Line> lines_;
 };
 
 // Mostly a little behind the next sampling, where cycles and alarm levels begin.

@@ -1,8 +1,12 @@
 // Both engines behind one station, changed while it works.
 #include <gtest/gtest.h>
 
+#include <thread>
+
 #include "cpu/cpu.h"
 #include "program.h"
+#include "station/mixed_engine.h"
+#include "station/translation_thread.h"
 #include "station/translations.h"
 
 namespace merker::station::test {
@@ -137,6 +141,44 @@ TEST(Engine, TranslatesNothingForWhomNobodyWaits) {
   const auto program = compileAwl(kNested, model);
   const Translations made(model, Engine::Compiled, program, nullptr, stop.get_token());
   EXPECT_EQ(made.find(program->at({BlockKind::FC, 1})), nullptr);
+}
+
+// A program of a few instructions pays after some thousand cycles, and nobody can tell when.
+TEST(Engine, CompilesWhenItPays) {
+  if (!MixedEngine::canCompile()) GTEST_SKIP() << "no compiler for this processor";
+  Plc waiting(kProgram), reference(kProgram);
+  waiting->compileWhenItPays(false);
+  waiting.cycles(100);
+  EXPECT_EQ(waiting->engine(), Engine::Interpreter);
+  waiting->advanceCycles(9'900);
+  EXPECT_EQ(waiting->engine(), Engine::Compiled);
+  EXPECT_GT(waiting->compiledBytes(), 0u);
+  reference.cycles(10'000);
+  EXPECT_EQ(waiting.read("MW 10"), reference.read("MW 10"));
+  EXPECT_EQ(waiting->now(), reference->now());
+  EXPECT_EQ(waiting->instructions(), reference->instructions());
+}
+
+TEST(Engine, IsNotCompiledAgainstAWish) {
+  Plc plc(kProgram);
+  plc->compileWhenItPays(false);
+  plc->setEngine(Engine::Interpreter);
+  plc.cycles(10'000);
+  EXPECT_EQ(plc->engine(), Engine::Interpreter);
+}
+
+// In real time the thread of the PLC takes what another one has made.
+TEST(Engine, ThreadMakesTranslations) {
+  const CpuModel& model = defaultCpuModel();
+  const auto program = compileAwl(kNested, model);
+  TranslationThread thread;
+  EXPECT_FALSE(thread.begun());
+  EXPECT_EQ(thread.take(), nullptr);
+  thread.begin(model, program);
+  std::unique_ptr<Translations> made;
+  while ((made = thread.take()) == nullptr) std::this_thread::yield();
+  EXPECT_EQ(made->compiled(), MixedEngine::canCompile());
+  EXPECT_NE(made->find(program->at({BlockKind::FC, 1})), nullptr);
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ struct Mode {
                      claim.value);
   }
   void resolve(const StepBinding&) {}
-  bool ofMemory() const { return true; }
+  static Instant staysUntil(const controller::Controller&) { return Instant::never(); }
   bool holds(controller::Controller& plc) const { return agrees(plc.mode() == mode, relation); }
   std::string actual(controller::Controller& plc) const {
     return "mode is " + std::string(modeName(plc.mode())) + because(plc);

@@ -1,6 +1,7 @@
 // expect plant NAME.SIGNAL > VALUE: an input or output of a plant.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "plant/field.h"
@@ -26,6 +27,10 @@ struct Plant {
   }
   bool holds(controller::Controller& plc) const {
     return simulator::holds(signal, relation, plantsOf(plc));
+  }
+  // The next step of a plant.
+  std::optional<Instant> staysUntil(const controller::Controller& plc) const {
+    return plantsOf(plc).next();
   }
   std::string actual(controller::Controller& plc) const {
     return signal.text + " is " + actualValue(signal, plantsOf(plc));

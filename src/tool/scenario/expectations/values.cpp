@@ -15,13 +15,14 @@ Reader readerOf(const controller::Controller& plc) {
 
 }  // namespace
 
-// The time of a timer runs.
-bool Values::ofMemory() const {
+// The time of a timer runs, and analog inputs follow their plants beside the cycles.
+std::optional<Instant> Values::staysUntil(const controller::Controller&) const {
   const auto stays = [](const Term& term) {
+    const address::Operand& operand = term.reference.operand;
     return term.constant ||
-           (term.reference.operand.kind != address::OperandKind::Timer && !term.reference.partner);
+           (!isTimer(operand) && operand.area != Area::Peripheral && !term.reference.partner);
   };
-  return stays(left) && stays(right);
+  return stays(left) && stays(right) ? std::optional(Instant::never()) : std::nullopt;
 }
 
 // Values are those at the end of a cycle: in the middle of one they may be on their way.

@@ -1,6 +1,7 @@
 // expect MW 10 < 5: operands and constants.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "plc/controller.h"
@@ -23,7 +24,7 @@ struct Values {
   void resolve(const StepBinding& binding) {
     resolvePair(left, right, binding.resolver, binding.problems);
   }
-  bool ofMemory() const;
+  std::optional<Instant> staysUntil(const controller::Controller& plc) const;
   bool holds(controller::Controller& plc) const;
   std::string actual(controller::Controller& plc) const;
 };

@@ -19,10 +19,7 @@ bool isBlank(char c) { return c == ' ' || c == '\t'; }
 class Watch {
  public:
   Watch(const Expect& expect, StepRun& run)
-      : expect_(expect),
-        run_(run),
-        end_(run.plc().now() + expect.duration),
-        ofMemory_(!expect.partner && ofMemory(expect.what)) {}
+      : expect_(expect), run_(run), end_(run.plc().now() + expect.duration) {}
 
   bool now() { return holds() || miss(); }
 
@@ -45,9 +42,12 @@ class Watch {
   }
 
  private:
-  // Where nothing but memory is looked at, cycles that leave it as it is need no look.
+  // Cycles that leave what is looked at as it is need no look.
   void goOn() {
-    if (ofMemory_) run_.plc().passQuietCycles(end_);
+    const Instant before = plc().now();
+    const auto stays = expect_.partner ? std::nullopt : staysUntil(expect_.what, plc());
+    if (stays) plc().passQuietCycles(end_, *stays);
+    if (plc().now() > before && *stays <= plc().now()) return;
     if (run_.plc().now() < end_) advanceToNextLook(run_.plc(), end_);
   }
   Controller& plc() { return expect_.partner ? *run_.plc().partner() : run_.plc(); }
@@ -64,7 +64,6 @@ class Watch {
   const Expect& expect_;
   StepRun& run_;
   Instant end_;
-  bool ofMemory_;
 };
 
 }  // namespace
