@@ -19,7 +19,7 @@ struct AsiSlave {
   std::uint32_t address = 1;
   std::string name, profile = "S-7.0";
   std::uint8_t ioCode = 7;
-  Position position;
+  Position position{};
 };
 
 bool isAsiMaster(const ModuleType& type);
