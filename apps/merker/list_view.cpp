@@ -52,7 +52,7 @@ void print(const Counts& counts) {
   std::cout << text << '\n';
 }
 
-nlohmann::json toJson(const BlockDiagram& block, const NetworkDiagram& network, View wanted) {
+nlohmann::json drawnJson(const BlockDiagram& block, const NetworkDiagram& network, View wanted) {
   const Shown shown = diagram::asText(network, wanted);
   nlohmann::json out = {{"block", block.name},
                         {"network", network.number},
@@ -88,7 +88,7 @@ nlohmann::json viewToJson(const Build& build, View view, const diagram::Options&
   nlohmann::json out = nlohmann::json::array();
   for (const BlockDiagram& block : diagram::diagrams(build, options))
     for (const NetworkDiagram& network : block.networks)
-      out.push_back(toJson(block, network, view));
+      out.push_back(drawnJson(block, network, view));
   return out;
 }
 
