@@ -19,7 +19,7 @@ def calls(index, room):
 BLOCKS = "".join(f"DATA_BLOCK DB {number}\nSTRUCT\n a : ARRAY [0..8191] OF BYTE;\nEND_STRUCT\nBEGIN\n{first}END_DATA_BLOCK\n"
                  for number, first in ((1, " a[0] := B#16#A1; a[9] := B#16#B2; a[8191] := B#16#C3;\n"), (2, "")))
 PROGRAM = BLOCKS + block(calls(0, 10) + calls(1, 2048) + calls(2, 2048))
-CP = '[[module]]\nslot = 4\ntype = "CP 343-1"\n'
+CP = '[[module]]\nslot = 4\ntype = "6GK7 343-1EX30-0XE0"\n'
 ISO = bytes.fromhex("0300001914E00000000500C1055443502D31C2055443502D32")  # calling TCP-1, called TCP-2
 
 
