@@ -141,8 +141,8 @@ std::vector<std::uint8_t> diagnosis(const ModuleType& type, const ModuleFaults& 
   return record;
 }
 
-// Of the CP 343-2, as its users know it; no manual was at hand: channel type 60, no bytes of single channels, 32 channels,
-// a bit for each slave.
+// Of the CP 343-2, as its users know it; no manual was at hand: channel type 60, no bytes of single
+// channels, 32 channels, a bit for each slave.
 void addMissingSlaves(std::vector<std::uint8_t>& record, std::uint32_t slaves) {
   constexpr std::uint8_t kAsiType = 0x60, kSlaves = 32;
   record[1] |= kChannelInformation;
