@@ -263,7 +263,7 @@ partner_id = 1
         shutil.copytree(pathlib.Path(__file__).parents[2] / "examples" / "networks" / "send-receive", self.folder / "lab")
         traces = set()
         for threads in 1, 2, 4, 8:
-            self.expect(GOOD, "run", "lab", "--for", "1s", "--threads", str(threads), "--trace", "t.csv", "--set", "Press/E 0.0 = 1, Press/E 0.1 = 1",
+            self.expect(GOOD, "run", "lab", "--for", "1s", "--threads", str(threads), "--trace", "t.csv", "--set", "Press/E 124.0 = 1, Press/E 124.1 = 1",
                         "--watch", "Press/MW 20, Press/MW 22, Office/MW 10, Office/MW 24, Office/MW 30")
             traces.add(self.read("t.csv"))
         self.assertEqual(len(traces), 1)

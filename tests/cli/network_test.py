@@ -303,7 +303,6 @@ partner = "Belt"
                 ('partner = "Belt"\n', 'partner = "Belt"\nsubnet = "Lan"\n', "'subnet' must be a subnet of both stations: MPI(1), Net"),
                 ('partner = "Belt"\n', 'partner = "Belt"\nport = 1\n', "unknown key 'port'"),
                 ('partner = "Belt"\n', 'partner = "Belt"\n' + link, "'id' must be another one: Press has a connection W#16#1 above"),
-                ('partner = "Belt"\n', 'partner = "Belt"\npartner_id = 1\n', "'partner' must be a station whose CPU has SFB 12 to 15"),
                 ('"192.168.0.2"', '"192.168.0.1"', "'address' must be unique on the subnet; 192.168.0.1 has another station"),
                 ('"192.168.0.2"', '"10.0.0.2"', "'address' must be of the subnet of the others: 192.168.0.1 to 192.168.0.254"),
                 ('"192.168.0.2"', '"192.168.0.256"', "'address' must be an IP address"),
@@ -311,7 +310,9 @@ partner = "Belt"
                 ('kind = "ethernet"', 'kind = "ethernet"\nbaud = "1G"', "'baud' must be")):
             self.assertIn(old, self.LINKS)
             self.assertIn(what, self.linked(self.LINKS.replace(old, new)).err)
-        self.assertIn("'local' must be a station whose CPU has SFB 12 to 15", self.linked(press="314C-2 PN/DP").err)
+        self.assertEqual(self.linked(press="314C-2 PN/DP").code, GOOD)  # FB 12 to 15 over its own interface
+        mpi = self.LINKS.replace('partner = "Belt"\n', 'partner = "Belt"\nsubnet = "MPI(1)"\n').replace('"Press"', '"Belt"', 0)
+        self.assertIn("SFB 12 to 15, or with a CP 343-1", self.linked(mpi[:mpi.index("[[subnet]]\nname = \"Net\"")] + mpi[mpi.index("[[connection]]"):], press="314C-2 DP").err)
         self.assertIn("'station' must be a station with an Ethernet interface; the CPU 314C-2 DP has none", self.linked(belt="314C-2 DP").err)
         own = '[[connection]]\nid = 1\npartner = "tcp://127.0.0.1:1"\n'
         self.assertIn("Press has a connection W#16#1 in its own merker.toml", self.linked(more=own).err)
