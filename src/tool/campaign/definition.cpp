@@ -46,7 +46,8 @@ class Names {
       problems_.add(ProblemCode::P0704, table.placeOf(name), "a name",
                     "a text without control characters");
     else if (!used_.insert(upper(name)).second)
-      problems_.add(ProblemCode::P0742, table.placeOf(name), name, "another column of the results");
+      problems_.add(ProblemCode::P0742, table.placeOf(name), name,
+                    "another column of the results, in upper or lower case");
     else
       return true;
     return false;

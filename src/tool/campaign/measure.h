@@ -16,13 +16,13 @@ struct Measure {
     Max,
     Min,
     Mean,
-    Last,
     Integral,  // of a value
     Rising,
     Falling,
     Changes,  // how often
     Time,
     When,  // a condition holds: how long, since when
+    Last,  // what follows is looked at at the end alone
     Cycles,
     Instructions  // of the CPU
   } kind = Kind::Last;
@@ -33,8 +33,9 @@ struct Measure {
   std::optional<MeasureText::Requirement> required;
   std::string name;
 
-  // Whether it looks at what may change while the memory of the PLC does not: a plant, a terminal.
-  bool looksOutside() const { return source.operands.empty(); }
+  // Whether each cycle must be looked at, also one that changes nothing in the memory of the PLC: a
+  // plant or a terminal may move meanwhile.
+  bool needsEachCycle() const { return source.operands.empty() && kind < Kind::Last; }
 };
 
 // Nothing, and a problem, if the text is none.

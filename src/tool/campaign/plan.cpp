@@ -43,8 +43,13 @@ Plan::Plan(Definition definition, Problems& problems) : definition_(std::move(de
 void Plan::load(const std::string& model, Problems& problems) {
   const auto same = [&](const auto& variant) { return equalsIgnoreCase(variant->model, model); };
   if (std::ranges::any_of(variants_, same)) return;
-  project::Project project =
-      project::load(project::join(definition_.folder, definition_.project), model);
+  const std::string path = project::join(definition_.folder, definition_.project);
+  if (!project::isFile(path) && !project::isFolder(path)) {
+    problems.add(ProblemCode::P0704, definition_.projectPosition, "project",
+                 "the folder of a project or a source; there is no " + path);
+    return;
+  }
+  project::Project project = project::load(path, model);
   if (project.network) {
     problems.add(ProblemCode::P0704, definition_.projectPosition, "project",
                  "a project of one station; a campaign cannot vary several stations");

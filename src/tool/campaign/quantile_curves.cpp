@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "base/xml.h"
 #include "campaign/picture.h"
@@ -19,12 +20,14 @@ using simulator::kPlotColours;
 
 // Pixels.
 constexpr double kWidth = 900, kHeight = 460, kLeft = 80, kRight = 20, kTop = 72, kBottom = 56;
-constexpr int kTicksAcross = 10, kTicksUp = 6;
+constexpr int kTicksAcross = 10, kTicksUp = 8;
 
 struct Band {
   double low, high, opacity;
 };
 constexpr std::array kBands{Band{0.05, 0.95, 0.15}, Band{0.25, 0.75, 0.3}};
+// Of more curves the outer bands would lie over each other.
+constexpr std::size_t kMostOuterBands = 2;
 
 // Of one colour: the values at each place of x, sorted; places without values are left out.
 struct Curve {
@@ -141,9 +144,10 @@ std::string bandPath(const Curve& curve, const Frame& frame, const Band& band) {
   return there + back + "Z";
 }
 
-std::string drawCurve(const Curve& curve, const Frame& frame, std::string_view colour) {
+std::string drawCurve(const Curve& curve, const Frame& frame, std::span<const Band> bands,
+                      std::string_view colour) {
   std::string text, line, dots;
-  for (const Band& band : kBands)
+  for (const Band& band : bands)
     text += fmt::format("<path fill=\"{}\" fill-opacity=\"{}\" d=\"{}\"/>\n", colour, band.opacity,
                         bandPath(curve, frame, band));
   for (const auto& [place, values] : curve.points) {
@@ -157,9 +161,9 @@ std::string drawCurve(const Curve& curve, const Frame& frame, std::string_view c
 }
 
 std::string legend(const std::vector<Curve>& curves, const std::string& measure) {
-  std::string text = fmt::format(
-      "<text x=\"{}\" y=\"44\">{}: median, 25 to 75 % and 5 to 95 % of the runs</text>\n", kLeft,
-      xmlText(measure));
+  std::string text =
+      fmt::format("<text x=\"{}\" y=\"44\">{}: median, 25 to 75 %{} of the runs</text>\n", kLeft,
+                  xmlText(measure), curves.size() > kMostOuterBands ? "" : " and 5 to 95 %");
   double x = kLeft;
   for (std::size_t i = 0; curves.size() > 1 && i < curves.size(); ++i) {
     text +=
@@ -182,9 +186,10 @@ std::string drawQuantiles(const ResultTable& table, const CurveWish& wish) {
       "<text class=\"title\" x=\"{3}\" y=\"24\">{4}</text>\n",
       kWidth, kHeight, simulator::kPlotStyle, kLeft, xmlText(wish.title));
   text += legend(curves, table.measures[wish.measure]) + valueLines(frame) + axisAcross(x, frame);
+  const auto bands = std::span(kBands).subspan(curves.size() > kMostOuterBands ? 1 : 0);
   for (std::size_t i = 0; i < curves.size(); ++i)
     if (!curves[i].points.empty())
-      text += drawCurve(curves[i], frame, kPlotColours[i % kPlotColours.size()]);
+      text += drawCurve(curves[i], frame, bands, kPlotColours[i % kPlotColours.size()]);
   return text + "</svg>\n";
 }
 

@@ -107,7 +107,7 @@ void Run::follow(const simulator::Scenario* scenario, const Choice& choice, Outc
     const std::string reason = apply(choice);
     recorder.emplace(variant.measures, *plc_);
     const auto sample = [&](Controller&) { recorder->sample(); };
-    const bool outside = std::ranges::any_of(variant.measures, &Measure::looksOutside);
+    const bool outside = std::ranges::any_of(variant.measures, &Measure::needsEachCycle);
     outside ? plc_->onCycle(sample) : plc_->onChange(sample);
     return reason;
   };

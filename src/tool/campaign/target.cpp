@@ -79,6 +79,17 @@ std::optional<Target> plantTarget(std::string_view rest, const Parameter& parame
   return std::nullopt;
 }
 
+bool hasFraction(const Parameter& parameter) {
+  return parameter.draw || std::ranges::any_of(parameter.values, [](const auto& one) {
+           return one.value.number && *one.value.number != std::floor(*one.value.number);
+         });
+}
+
+// Of the types with 32 bits: MD 20 has none of them, and holds what is written to it.
+bool hasInteger(TypeCode type) {
+  return type == TypeCode::DInt || type == TypeCode::Time || type == TypeCode::TimeOfDay;
+}
+
 std::optional<Target> operandTarget(std::string_view text, const Parameter& parameter,
                                     const Build& build, Problems& problems) {
   simulator::Term term{std::string(text), parameter.position, {}, {}, {}};
@@ -86,7 +97,11 @@ std::optional<Target> operandTarget(std::string_view text, const Parameter& para
     problems.add(*problem);
     return std::nullopt;
   }
-  return Operand{{std::move(term), {}}};
+  const address::Reference& reference = term.reference;
+  const bool real =
+      reference.type == TypeCode::Real || (simulator::bitWidth(reference) == 32 &&
+                                           !hasInteger(reference.type) && hasFraction(parameter));
+  return Operand{{std::move(term), {}}, real, parameter.draw.has_value()};
 }
 
 std::optional<Target> findTarget(const Parameter& parameter, const Build& build,
@@ -205,11 +220,16 @@ simulator::PlantValue withValue(const PlantInput& input, const Value& value,
   return signal;
 }
 
-// A drawn number becomes a whole one for an operand that is no REAL.
+// As AWL writes it: a whole number for 32 bits has L#.
 static std::string constantOf(const Operand& operand, const Value& value) {
-  if (!value.number || operand.assignment.operand.reference.type == TypeCode::Real)
-    return value.text;
-  return fmt::format("{}", std::llround(*value.number));
+  if (!value.number) return value.text;
+  if (operand.real) return fmt::format("{:.9e}", *value.number);
+  const double number = operand.drawn ? std::round(*value.number) : *value.number;
+  if (number != std::floor(number)) return value.text;
+  const address::Reference& reference = operand.assignment.operand.reference;
+  const bool wide = simulator::bitWidth(reference) == 32 && reference.type != TypeCode::Time &&
+                    reference.type != TypeCode::TimeOfDay;
+  return fmt::format("{}{}", wide ? "L#" : "", std::llround(number));
 }
 
 std::optional<simulator::Assignment> withValue(const Operand& operand, const Value& value,

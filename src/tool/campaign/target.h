@@ -24,6 +24,8 @@ struct PlantInput {
 // set.MW 10: set at the beginning of a run.
 struct Operand {
   simulator::Assignment assignment;
+  bool real = false;   // its values are REAL numbers, also whole ones
+  bool drawn = false;  // of values that are not REAL the whole number beside it
 };
 struct CpuModelName {};  // cpu.model
 struct Engine {};        // cpu.engine

@@ -112,7 +112,7 @@ TEST_F(Runs, AreMeasured) {
 TEST_F(Runs, FailByWhatIsRequired) {
   const Outcome quick = run(plan(kSweep), 3);
   EXPECT_FALSE(quick.passed);
-  EXPECT_TRUE(quick.message.starts_with("level is 20")) << quick.message;
+  EXPECT_TRUE(quick.message.starts_with("level is 19.99")) << quick.message;
   EXPECT_TRUE(quick.message.ends_with(", required is <= 15"));
 }
 
@@ -139,6 +139,16 @@ TEST_F(Runs, MeasureBehindTheStart) {
   EXPECT_EQ(outcome.measures[0], 0x40200000);  // 2.5 in a double word
   EXPECT_NEAR(outcome.seconds, 5, 0.01);
   EXPECT_LT(*outcome.measures[1], static_cast<double>(outcome.cycles));
+}
+
+TEST_F(Runs, SetWholeNumbersOf32Bits) {
+  const Plan one = plan(
+      "[campaign]\nfor = \"1s\"\nrepeat = 1\n[campaign.vary]\n\"set.MD 20\" = [2, -70000]\n"
+      "\"set.MW 10\" = {uniform = [6.9, 7.1]}\n"
+      "[campaign.measure]\nx = \"last MD 24\"\ny = \"last MW 10\"\n");
+  EXPECT_EQ(run(one, 0).measures[0], 2);
+  EXPECT_EQ(run(one, 1).measures[0], 4294967296.0 - 70000);
+  EXPECT_EQ(run(one, 1).measures[1], 7);
 }
 
 TEST_F(Runs, FollowAScenario) {
@@ -211,8 +221,10 @@ TEST_F(Runs, NameWhatTheProjectDoesNotHave) {
       {"[campaign.vary]\n\"plant.Tank.start\" = 101", ProblemCode::P0704},
       {"[campaign.vary]\n\"plant.Tank.start\" = \"much\"", ProblemCode::P0704},
       {"[campaign.vary]\n\"plant.Tank.DRAIN\" = 2", ProblemCode::P0989},
-      {"[campaign.vary]\n\"set.Motor\" = 1", ProblemCode::P0903},
-      {"[campaign.vary]\n\"set.MW 10\" = 70000", ProblemCode::P0955},
+      {"[campaign.vary]\n\"set.Motor\" = 1", ProblemCode::P0317},
+      {"[campaign.vary]\n\"set.MW 10\" = 70000", ProblemCode::P0202},
+      {"[campaign.vary]\n\"set.MW 10\" = 1.5", ProblemCode::P0955},
+      {"[campaign.vary]\n\"set.M 10.0\" = 2", ProblemCode::P0955},
       {"[campaign.vary]\n\"cpu.engine\" = \"fast\"", ProblemCode::P0704},
       {"[campaign.vary]\n\"cpu.model\" = \"315\"", ProblemCode::P0705},
       {"[campaign.vary]\n\"scenario.name\" = \"x\"", ProblemCode::P0744},
