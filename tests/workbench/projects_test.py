@@ -107,7 +107,7 @@ class Projects(Served):
         self.assertEqual(left, [])
         text = (self.workspace / "sorting-plant" / "sorting.awl").read_text()
         self.assertIn("TITLE = Welche Größe war es?", text)
-        self.assertNotIn("Slider", text)
+        self.assertNotIn("\"Slider", text)
         tested = subprocess.run([os.environ["MERKER"], "test", str(self.workspace), "-j", "2"], capture_output=True, text=True)
         self.assertEqual(tested.returncode, 0, tested.stdout + tested.stderr)
 
