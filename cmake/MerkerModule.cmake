@@ -48,8 +48,9 @@ endfunction()
 # These have a helper with the name of a helper in another file of the target; TENS: too many for thirty files at once;
 # SINGLE: too many for ten, no unity build. The
 # preset `tidy` compiles each file of src/ by itself, without precompiled headers: each includes what it needs.
+set(MERKER_TOGETHER 30 CACHE STRING "files that are compiled in one go")
 function(merker_together target)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 30)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${MERKER_TOGETHER})
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
