@@ -219,12 +219,12 @@ Bytes jobData(const TestJob& job) {
 }
 
 TestJob forceJob(std::uint8_t number, std::vector<TestItem> items) {
-  constexpr std::uint16_t kAtOnce = 0x0100, kAlways = 2;
+  constexpr std::uint16_t kForceHow = 0x0100, kAlways = 2;
   TestJob job{.name = {static_cast<std::uint8_t>(TestFunction::Force), number},
-              .how = kAtOnce,
+              .how = kForceHow,
               .often = kAlways,
               .items = std::move(items)};
-  for (const std::uint16_t word : {std::uint16_t{0}, kAtOnce, kAlways, std::uint16_t{4}})
+  for (const std::uint16_t word : {std::uint16_t{0}, kForceHow, kAlways, std::uint16_t{4}})
     appendWord(job.parameters, word);
   for (int i = 0; i < 5; ++i) appendWord(job.parameters, 1);
   appendWord(job.parameters, 0);
