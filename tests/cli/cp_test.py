@@ -71,6 +71,7 @@ local_port = {self.udp_port}
         self.until(lambda: client.read(FLAGS, byte, count) == value)
 
     def send(self, client, index, length):
+        self.flag(client, 0, b"\0")  # the program resets ACT with the result of the last job
         client.write(FLAGS, 40, struct.pack(">H", length))
         client.write(FLAGS, 0, bytes([1 << index]))
 
