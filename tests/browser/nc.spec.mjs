@@ -79,6 +79,49 @@ test('tools, offsets, R parameters and machine data by tabs, with the keyboard',
   await expect(() => shows('R 1.50'), '-0.5');
 });
 
+test('every datum of every page has a value', async () => {
+  const unknown = () => page.evaluate(() => [...document.querySelectorAll('main [data-operand]')].filter((one) => ['', '?'].includes(one.value ?? one.textContent)).map((one) => one.dataset.operand));
+  let left = [];
+  const whole = () => until(async () => (left = await unknown()).length === 0, () => `values of ${left}`);
+  await page.getByRole('tab', { name: 'Tools' }).click();
+  await page.getByLabel('Tool D', { exact: true }).fill('99');
+  await page.getByLabel('Tool D', { exact: true }).press('Enter');
+  await page.locator('[data-operand="nc.tool 99.15"]').waitFor();
+  await whole();
+  await page.getByRole('tab', { name: 'Zero offsets' }).click();
+  for (const group of ['1', '2', '3', '4']) {
+    await page.locator('select[aria-label="Settable offset"]').selectOption(group);
+    await page.locator(`[data-operand="nc.settable_offset ${group}.5.1"]`).waitFor();
+    await whole();
+  }
+  for (const [tab, ranges] of [['R parameters', [['channel1', 'R 1.499'], ['channel2', 'R 2.499'], ['central', 'R 999']]],
+    ['Machine data', [['machine', 'MD 4999'], ['machineBits', 'MD 9999'], ['setting', 'SD 4999'], ['settingBits', 'SD 9999']]]]) {
+    await page.getByRole('tab', { name: tab }).click();
+    for (const [range, last] of ranges) {
+      await page.getByLabel('Range').selectOption(range);
+      await page.getByLabel('from', { exact: true }).fill('99999');
+      await page.getByLabel('from', { exact: true }).press('Enter');
+      await page.locator(`[data-operand="nc.${last}"]`).waitFor();
+      await whole();
+    }
+  }
+});
+
+test('every signal is switched on and off', async () => {
+  const switches = page.getByRole('switch');
+  const names = (await switches.allInnerTexts()).map((one) => one.trim());
+  assert.equal(names.length, 7);
+  for (const name of names) {
+    const one = page.getByRole('switch', { name });
+    const before = await one.getAttribute('aria-checked');
+    const other = before === 'true' ? 'false' : 'true';
+    await one.click();
+    await expect(() => one.getAttribute('aria-checked'), other, name);
+    await one.click();
+    await expect(() => one.getAttribute('aria-checked'), before, name);
+  }
+});
+
 for (const [width, height, theme] of [[1280, 800, 'light'], [1024, 768, 'dark'], [768, 1024, 'light']])
   test(`everything has room at ${width} x ${height}`, async () => {
     await page.setViewportSize({ width, height });

@@ -231,6 +231,35 @@ partner_id = 1
         call = self.merker("run", "lab", "--for", "500ms", "--set", "B/MW 20 = 1234", "--print", "A/MW 30")
         self.assertEqual(call.out, "A/MW 30 = W#16#04D2\n", call.err)
 
+    def both_engines(self, printed, expected):
+        for engine in ("interpreter", "jit"):
+            call = self.merker("run", "lab", "--for", "500ms", "--engine", engine, "--print", printed)
+            self.assertEqual((call.code, call.lines), (GOOD, expected), f"{engine}\n{call.err}")
+
+    def test_sending_receiving_and_writing_over_an_s7_connection(self):
+        self.pair("s7")
+        instances = "".join(f"DATA_BLOCK DB {number}\nFB {number}\nBEGIN\nEND_DATA_BLOCK\n" for number in (12, 13, 15))
+        self.write("lab/a/a.awl", BLOCKS + instances + block(
+            "L 100; T MW 60; CALL FB 12, DB 12 (REQ := M 0.0, R := M 5.0, ID := W#16#1, R_ID := DW#16#5, DONE := M 1.0, ERROR := M 1.1, "
+            "STATUS := MW 50, SD_1 := P#DB1.DBX 0.0 BYTE 100, LEN := MW 60); CALL FB 15, DB 15 (REQ := M 0.0, ID := W#16#1, DONE := M 1.2, "
+            "ERROR := M 1.3, STATUS := MW 52, ADDR_1 := P#M 40.0 BYTE 2, SD_1 := P#M 60.0 BYTE 2); UN M 0.0; = M 0.0;"))
+        self.write("lab/b/a.awl", BLOCKS + instances + block(
+            "SET; = M 0.3; CALL FB 13, DB 13 (EN_R := M 0.3, ID := W#16#1, R_ID := DW#16#5, NDR := M 1.0, ERROR := M 1.1, STATUS := MW 50, "
+            "RD_1 := P#DB2.DBX 0.0 BYTE 100, LEN := MW 62); U M 1.0; S M 2.0;"))
+        self.both_engines("B/MW 40, B/DB2.DBB 0, B/DB2.DBB 9, B/M 2.0",
+                          ["B/MW 40 = W#16#0064", "B/DB2.DBB 0 = B#16#A1", "B/DB2.DBB 9 = B#16#B2", "B/M 2.0 = 1"])
+
+    def test_the_long_blocks(self):
+        for kind in ("tcp", "udp"):
+            self.pair(kind)
+            self.write("lab/a/a.awl", BLOCKS + block(
+                "CALL FC 50 (ACT := M 0.0, ID := 1, LADDR := W#16#100, SEND := P#DB1.DBX 0.0 BYTE 2048, LEN := 2048, DONE := M 1.0, "
+                "ERROR := M 1.1, STATUS := MW 50); UN M 0.0; = M 0.0;"))
+            self.write("lab/b/a.awl", BLOCKS + block(
+                "CALL FC 60 (ID := 1, LADDR := W#16#100, RECV := P#DB2.DBX 0.0 BYTE 2048, NDR := M 1.0, ERROR := M 1.1, STATUS := MW 50, "
+                "LEN := MW 62); U M 1.0; SPBN none; L MW 62; T MW 64; none: NOP 0;"))
+            self.both_engines("B/MW 64, B/DB2.DBB 9", ["B/MW 64 = W#16#0800", "B/DB2.DBB 9 = B#16#B2"])
+
     # FC 5 is a block of two libraries.
     def test_whose_block_it_is(self):
         text = "CALL FC 5 (I := L#1234, RET_VAL := #t);"

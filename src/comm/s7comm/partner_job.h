@@ -12,6 +12,8 @@
 
 namespace merker::s7comm {
 
+constexpr std::size_t kLongestTelegram = 65'534;  // octets (BSEND of an S7-400)
+
 // STATUS of the blocks of S7 communication, with ERROR = 1 (System and Standard Functions, volume
 // 2/2, chapter 21).
 enum class PartnerStatus : std::uint8_t {
@@ -47,8 +49,8 @@ struct PartnerResult {
 struct Receiver {
   std::uint32_t rid = 0;
   bool enabled = false;
-  bool removed = false;        // it is there no more
-  std::size_t octets = 65534;  // that have room; the default: as many as a telegram can have
+  bool removed = false;                   // it is there no more
+  std::size_t octets = kLongestTelegram;  // that have room
 };
 
 struct Telegram {

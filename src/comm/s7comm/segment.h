@@ -7,8 +7,6 @@
 
 namespace merker::s7comm {
 
-constexpr std::size_t kLongestTelegram = 65'534;  // octets (BSEND of an S7-400)
-
 struct Segment {
   std::uint32_t rid = 0;
   std::uint8_t sequence = 0;             // 0: the first one; then what that was acknowledged with

@@ -95,6 +95,8 @@ class Station final : public controller::Controller,
   bool hasColdRestart() const override;
   std::string whyMissing(const address::Reference& reference) const override;
   std::string whyRefused(const address::Reference& reference) const override;
+  // In a data block with READ_ONLY, of this station or its partner.
+  bool isReadOnly(const address::Reference& reference) const;
   controller::ExecutedLines executedLines() const override;
   const block::Program& program() const override;
   std::shared_ptr<const block::Program> loaded() const override;

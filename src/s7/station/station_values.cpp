@@ -126,18 +126,20 @@ std::string Station::whyMissing(const address::Reference& reference) const {
   return fmt::format("DB {} has {} bytes", reference.db, found->second.actualData.size());
 }
 
+bool Station::isReadOnly(const address::Reference& reference) const {
+  if (reference.db < 0) return false;
+  const Station& owner = reference.partner && parts_->partner ? *parts_->partner : *this;
+  const auto number = static_cast<std::uint32_t>(reference.db);
+  const cpu::DataBlock* const block = owner.cpu().machine().dataBlocks.find(number);
+  return block != nullptr && block->readOnly;
+}
+
 std::string Station::whyRefused(const address::Reference& reference) const {
   if (reference.partner && parts_->partner) return parts_->partner->whyRefused(own(reference));
   const address::Operand& operand = reference.operand;
   if (address::isCounter(operand)) return "it takes 0 to 999";
-  if (!address::isTimer(operand)) {
-    const cpu::DataBlock* const block =
-        reference.db < 0
-            ? nullptr
-            : cpu().machine().dataBlocks.find(static_cast<std::uint32_t>(reference.db));
-    return block != nullptr && block->readOnly ? fmt::format("DB {} is READ_ONLY", reference.db)
-                                               : whyMissing(reference);
-  }
+  if (isReadOnly(reference)) return fmt::format("DB {} is READ_ONLY", reference.db);
+  if (!address::isTimer(operand)) return whyMissing(reference);
   return operand.width == Width::Bit ? "only the program starts a timer"
                                      : "it takes S5T#0MS to S5T#2H46M30S";
 }

@@ -75,11 +75,7 @@ bool StationMonitor::canForce(const address::Reference& reference) const {
 
 bool StationMonitor::canWrite(const address::Reference& reference) const {
   const address::Operand& operand = reference.operand;
-  const cpu::DataBlock* const block =
-      reference.db < 0
-          ? nullptr
-          : station_.cpu().machine().dataBlocks.find(static_cast<std::uint32_t>(reference.db));
-  if (block != nullptr && block->readOnly) return false;
+  if (station_.isReadOnly(reference)) return false;
   const bool terminal = operand.kind == address::OperandKind::Memory && !reference.outputSide &&
                         (operand.area == Area::Input || operand.area == Area::Peripheral);
   if (!terminal || station_.rack() == nullptr)
