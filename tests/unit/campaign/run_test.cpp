@@ -109,6 +109,21 @@ TEST_F(Runs, AreMeasured) {
   EXPECT_EQ(empty.measures[3], 0);
 }
 
+// Each word of a measure that kSweep does not have. What has no type is a number without a sign.
+TEST_F(Runs, AreMeasuredByEveryWord) {
+  write("data.awl",
+        "DATA_BLOCK DB 9\nSTRUCT\n n : INT := -3;\nEND_STRUCT\nBEGIN\nEND_DATA_BLOCK\n");
+  const Plan one = plan(
+      "[campaign]\nfor = \"1s\"\nrepeat = 1\n[campaign.measure]\na = \"min DB9.n\"\n"
+      "b = \"max |DB9.n|\"\nc = \"cycles\"\nd = \"instructions\"\ne = \"last DB9.DBW 0\"\n");
+  const Outcome outcome = run(one, 0);
+  EXPECT_EQ(outcome.measures[0], -3);
+  EXPECT_EQ(outcome.measures[1], 3);
+  EXPECT_EQ(outcome.measures[2], static_cast<double>(outcome.cycles));
+  EXPECT_GT(*outcome.measures[3], *outcome.measures[2]) << "more than one a cycle";
+  EXPECT_EQ(outcome.measures[4], 65533);
+}
+
 TEST_F(Runs, FailByWhatIsRequired) {
   const Outcome quick = run(plan(kSweep), 3);
   EXPECT_FALSE(quick.passed);

@@ -60,15 +60,15 @@ TEST(AsInterface, OutputsLieAtTheSamePlaces) {
 }
 
 TEST(AsInterface, TheIoCodeSaysWhatIsWhat) {
-  EXPECT_EQ(asiInputs(0x0), 0xF);
-  EXPECT_EQ(asiOutputs(0x0), 0x0);
-  EXPECT_EQ(asiInputs(0x3), 0x3);
-  EXPECT_EQ(asiOutputs(0x3), 0xC);
-  EXPECT_EQ(asiInputs(0x7), 0xF);
-  EXPECT_EQ(asiOutputs(0x7), 0xF);
-  EXPECT_EQ(asiInputs(0xD), 0xE);
-  EXPECT_EQ(asiOutputs(0xD), 0x1);
-  EXPECT_EQ(asiInputs(0xF) | asiOutputs(0xF), 0);
+  // D0 is bit 0.
+  constexpr std::pair<unsigned, unsigned> kCodes[] = {
+      {0xF, 0x0}, {0x7, 0x8}, {0xF, 0x8}, {0x3, 0xC}, {0xF, 0xC}, {0x1, 0xE},
+      {0xF, 0xE}, {0xF, 0xF}, {0x0, 0xF}, {0x8, 0x7}, {0x8, 0xF}, {0xC, 0x3},
+      {0xC, 0xF}, {0xE, 0x1}, {0xE, 0xF}, {0x0, 0x0}};
+  for (std::uint8_t code = 0; code < std::size(kCodes); ++code) {
+    EXPECT_EQ(asiInputs(code), kCodes[code].first) << unsigned{code};
+    EXPECT_EQ(asiOutputs(code), kCodes[code].second) << unsigned{code};
+  }
 }
 
 TEST(AsInterface, TheCpTellsWhichSlavesAreMissing) {
