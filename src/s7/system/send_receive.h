@@ -16,8 +16,8 @@ namespace merker::system {
 class SendReceive {
  public:
   using Bytes = std::vector<std::uint8_t>;
-  // Octets of a job: 8192, of UDP 2048 ("Program blocks for SIMATIC NET S7 CPs"). What waits for
-  // AG_RECV is our own: docs/compatibility.md.
+  // Octets of a job, as users of these blocks know them, and of what waits for AG_RECV, which is
+  // our own: docs/compatibility.md.
   static constexpr std::size_t kLongest = 8192, kLongestDatagram = 2048;
   static constexpr std::size_t kMostWaiting = 4 * kLongest, kMostTelegrams = 64;
   static constexpr std::uint16_t kSent = 0, kNotTaken = 0x8302, kNoConnection = 0x8304;
