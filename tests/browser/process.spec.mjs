@@ -61,7 +61,7 @@ test('the plates have names in place of operands, and room for a finger', async 
   const finger = async () => {
     await page.keyboard.press('F1');
     await page.getByRole('switch', { name: 'Finger' }).click();
-    await page.keyboard.press('Escape');
+    await leave(page);
   };
   await finger();
   await until(async () => (await height()) >= 40, '40 px');

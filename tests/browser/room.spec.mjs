@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { accessible } from './axe.mjs';
 import { toLine } from './editor.mjs';
-import { expect, open, serve, turn, until, visit } from './harness.mjs';
+import { expect, leave, open, serve, turn, until, visit } from './harness.mjs';
 import { crowding } from './layout.mjs';
 
 const server = await serve('sorting-plant');
@@ -121,7 +121,7 @@ test('rows of tables are dense, with room for fingers on demand', async () => {
   const finger = async () => {
     await page.keyboard.press('F1');
     await page.getByRole('switch', { name: 'Finger' }).click();
-    await page.keyboard.press('Escape');
+    await leave(page);
   };
   await visit(page, server, 'symbols');
   await page.locator('.table tbody tr').first().waitFor();
