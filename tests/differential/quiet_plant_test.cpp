@@ -58,6 +58,17 @@ void disturb(station::Station& station, std::uint32_t what) {
   plants.release(rack, place, station.now());
 }
 
+// From outside: what a pulse generator is given, its power and its enable, and what it never gets
+// from the program, its period. Elsewhere flags and an input that change.
+void feed(station::Station& station, std::uint32_t what) {
+  const auto write = [&](Area area, Width width, std::uint32_t byte, std::uint32_t value) {
+    (void)station.write({.operand = address::memory(area, width, bitAddress(byte))},
+                        value);
+  };
+  write(Area::Flag, Width::Word, 10, what % 1100);
+  write(Area::Input, Width::Bit, 125, what / 2048 % 4 != 0);
+}
+
 struct Totals {
   std::uint64_t passed = 0, cycles = 0;
 };
@@ -75,6 +86,7 @@ void move(compilation::Build& build, std::uint32_t seed, std::mt19937& random, T
     for (station::Station* one : {&passing, &computing}) {
       one->advanceTo(one->now() + pause);
       if (what % 5 < 2) disturb(*one, what / 5);
+      if (what % 5 > 2) feed(*one, what / 5);
     }
     ASSERT_EQ(comparePlants(passing, computing), "") << "seed " << seed << ", stop " << stop;
     for (station::Station* one : {&passing, &computing}) forgetPosition(one->cpu());
@@ -105,7 +117,7 @@ TEST_P(QuietPlants, MoveAsBesideComputedCycles) {
 INSTANTIATE_TEST_SUITE_P(Examples, QuietPlants,
                          testing::Values(kSortingPlant, "lift", "garage-door", "traffic-light",
                                          "vessel-emptying", "technology/cascade-control",
-                                         "technology/valve-control",
+                                         "technology/valve-control", "technology/pwm-heater",
                                          "technology/blending-control"));
 
 }  // namespace

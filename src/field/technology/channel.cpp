@@ -183,6 +183,10 @@ Instant Channel::nextPulse() const {
   return std::max(soon, std::min(then, even.until));
 }
 
+Instant Channel::nextVisible() const {
+  return function_ == nullptr ? Instant::never() : std::min(next(), nextInput());
+}
+
 Instant Channel::next() const {
   if (function_ == nullptr || !function_->watched()) return Instant::never();
   const Instant gate = parameters_.hardwareGate ? inputs_[GateInput].next() : Instant::never();

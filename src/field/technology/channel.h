@@ -26,6 +26,8 @@ class Channel {
   void advance(Instant now);
   // When something happens that is seen outside; never() if nobody looks. May be early.
   Instant next() const;
+  // The same with the levels of the inputs that pass their filter.
+  Instant nextVisible() const;
 
   Function* function() { return function_.get(); }
   const Function* function() const { return function_.get(); }

@@ -55,6 +55,12 @@ bool Counting::inUse() const {
                              [](const Channel& one) { return one.function() != nullptr; });
 }
 
+bool Counting::steady() const {
+  return std::ranges::all_of(channels_, [](const Channel& one) {
+    return one.function() == nullptr || one.function()->steady();
+  });
+}
+
 bool Counting::answers(std::uint32_t address) const {
   return self_ != nullptr && self_->inputStart &&
          address == std::min(*self_->inputStart, self_->outputStart.value_or(*self_->inputStart));
@@ -85,6 +91,12 @@ Instant Counting::next() const {
   if (changed_) return Instant{};
   Instant next = Instant::never();
   for (const Channel& channel : channels_) next = std::min(next, channel.next());
+  return next;
+}
+
+Instant Counting::nextVisible() const {
+  Instant next = this->next();
+  for (const Channel& channel : channels_) next = std::min(next, channel.nextVisible());
   return next;
 }
 

@@ -22,6 +22,8 @@ class Counting {
   void start(Instant now);  // the CPU starts: all as parametrised (CNT-GATE-10)
   void stop();              // the CPU stops (CNT-GATE-11)
   Instant next() const;
+  // The same with levels that a call can see (STS_STRT).
+  Instant nextVisible() const;
   // Takes what happened at the terminals, and brings channels, outputs and input bytes to `now`.
   void advance(Instant now);
   // OB 40 for this module has ended, or was never called (CNT-PRAL-12, CNT-DIAG-07).
@@ -30,8 +32,9 @@ class Counting {
   // For the system functions: a channel at `now`, null if it does not exist; whether the sub-module
   // has this address. `changed`: outputs and interrupts follow at the next instruction.
   bool answers(std::uint32_t address) const;
-  bool inUse() const;  // a channel has a function
-  bool sound() const;  // no parametrising error
+  bool inUse() const;   // a channel has a function
+  bool steady() const;  // each function is: `nextVisible` tells all that it does by itself
+  bool sound() const;   // no parametrising error
   std::uint32_t channels() const { return static_cast<std::uint32_t>(channels_.size()); }
   Channel& at(std::uint32_t channel, Instant now);
   void changed() { changed_ = true; }

@@ -31,6 +31,10 @@ class Function {
   virtual Instant due() const { return Instant::never(); }
   virtual void expire(Instant) {}
 
+  // All that it does by itself stands in `due` and at the edges of its inputs; what a call changes
+  // it tells by `Counting::changed`. So a cycle whose calls change nothing is the same again.
+  virtual bool steady() const { return false; }
+
   // Whether somebody sees at once what happens: an output, an interrupt.
   virtual bool watched() const = 0;
   virtual bool ownsOutput() const = 0;

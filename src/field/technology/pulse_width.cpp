@@ -1,6 +1,7 @@
 #include "technology/pulse_width.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace merker::technology {
 namespace {
@@ -72,6 +73,8 @@ void PulseWidth::gateEdge(bool level, Instant at) {
 }
 
 void PulseWidth::control(bool enable, bool manual, bool set, std::int32_t output, Instant now) {
+  changed_ |=
+      std::tie(enable, manual, set, output) != std::tie(softwareEdge_.last, manual_, set_, value_);
   value_ = output;
   calculate();
   const bool rises = softwareEdge_.rises(enable);
@@ -90,6 +93,7 @@ JobResult PulseWidth::job(std::uint32_t id, std::int32_t value, Instant now) {
     result.error = range.check(value);
     if (result.error != 0) return;
     target = value;
+    changed_ = true;
     calculate();
     tick(now);
   };

@@ -2,6 +2,8 @@
 // (technology manual 5.7; CNT-PWM).
 #pragma once
 
+#include <utility>
+
 #include "technology/function.h"
 #include "technology/job.h"
 
@@ -19,6 +21,7 @@ class PulseWidth : public Function {
   void absorb(int, std::uint64_t, Instant, Instant) override {}
   Instant due() const override;
   void expire(Instant at) override { tick(at); }
+  bool steady() const override { return true; }
   bool watched() const override { return true; }
   bool ownsOutput() const override { return true; }
   bool output() const override;
@@ -27,6 +30,8 @@ class PulseWidth : public Function {
   // What SFB 49 passes on and gets (CNT-IF49).
   void control(bool enable, bool manual, bool set, std::int32_t output, Instant now);
   JobResult job(std::uint32_t id, std::int32_t value, Instant now);
+  // Whether a call has changed anything since the last question.
+  bool takeChanged() { return std::exchange(changed_, false); }
   bool running() const { return phase_ != Phase::Stopped; }
 
  private:
@@ -39,7 +44,7 @@ class PulseWidth : public Function {
 
   io::CountChannel p_;
   EdgeMemory softwareEdge_;
-  bool software_ = false, manual_ = false, set_ = false;
+  bool software_ = false, manual_ = false, set_ = false, changed_ = false;
   std::int32_t value_ = 0;
   Duration high_, low_;
   Phase phase_ = Phase::Stopped;

@@ -37,7 +37,7 @@ Instant Periphery::nextOfChannels() const {
 Instant Periphery::nextVisible(bool access) const {
   if (rack_.pending()) return Instant{};
   return std::min({access ? rack_.next() : rack_.nextVisible(), nextOfChannels(),
-                   plants_.silentUntil(rack_, access)});
+                   counting_.nextVisible(), plants_.silentUntil(rack_, access)});
 }
 
 // What is there to tell, or due.
@@ -95,10 +95,10 @@ void Periphery::reading(cpu::Cpu& cpu) {
   if (rack_.pending()) cpu.machine().interrupt();
 }
 
-// Signals, channels that count and slaves are worked out when asked; everything else says when it
-// acts next.
+// Signals, channels that count or measure and slaves are worked out when asked; everything else
+// says when it acts next.
 bool Periphery::steady() const {
-  return !rack_.hasSignals() && !counting_.inUse() && !exchange_.any();
+  return !rack_.hasSignals() && counting_.steady() && !exchange_.any();
 }
 
 void Periphery::acknowledged(cpu::Cpu&, std::uint32_t address) { counting_.acknowledged(address); }

@@ -22,6 +22,7 @@ void show(Sfb<47>& a, const technology::Counter& counter) {
 void countBlock(Sfb<47>& a) {
   auto* counter = functionOf<technology::Counter>(a);
   if (counter == nullptr) return;
+  act(a);
   counter->control(a.flag("SW_GATE"), a.flag("CTRL_DO"), a.flag("SET_DO"), a.machine().clock);
   runJob(a, [&](std::uint32_t id, std::int32_t value) { return counter->job(id, value); });
   show(a, *counter);

@@ -7,6 +7,7 @@ namespace merker::system {
 void frequencyBlock(Sfb<48>& a) {
   auto* frequency = functionOf<technology::Frequency>(a);
   if (frequency == nullptr) return;
+  act(a);
   frequency->control(a.flag("SW_GATE"), a.flag("MAN_DO"), a.flag("SET_DO"), a.machine().clock);
   runJob(a, [&](std::uint32_t id, std::int32_t value) { return frequency->job(id, value); });
   showCount(a, *frequency);

@@ -71,9 +71,10 @@ struct SteadyRow {
 // Functions of their parameters and of memory alone. The IEC timers look at the system time, and
 // say so. Everything else asks the operating system or modules, or acts on them.
 constexpr SteadyRow kSteady[] = {{BlockKind::FC, 0, UINT16_MAX},
-                                 {BlockKind::SFC, 20, 21},  // BLKMOV, FILL
-                                 {BlockKind::SFC, 81, 81},  // UBLKMOV
-                                 {BlockKind::SFB, 0, 5}};   // CTU, CTD, CTUD, TP, TON, TOF
+                                 {BlockKind::SFC, 20, 21},   // BLKMOV, FILL
+                                 {BlockKind::SFC, 81, 81},   // UBLKMOV
+                                 {BlockKind::SFB, 0, 5},     // CTU, CTD, CTUD, TP, TON, TOF
+                                 {BlockKind::SFB, 49, 49}};  // tells what it changes
 
 }  // namespace
 

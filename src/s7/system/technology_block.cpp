@@ -8,9 +8,12 @@ std::uint32_t openChannel(Arguments& a, std::uint32_t address, std::int32_t chan
   if (channel < 0 || channel >= static_cast<std::int32_t>(counting->channels())) return kNoChannel;
   const auto number = static_cast<std::uint32_t>(channel);
   if (counting->at(number, a.machine().clock).function() == nullptr) return kWrongMode;
-  counting->changed();  // outputs and interrupts follow at the end of the instruction
-  a.machine().interrupt();
   return 0;
+}
+
+void act(Arguments& a) {
+  a.counting()->changed();
+  a.machine().interrupt();
 }
 
 }  // namespace merker::system

@@ -13,6 +13,9 @@ constexpr std::uint32_t kWrongMode = 0x8001, kNoChannel = 0x8009;
 // 0, or the JOB_STAT that says why there is no such channel, or why it has no function.
 std::uint32_t openChannel(Arguments& a, std::uint32_t address, std::int32_t channel);
 
+// The call has changed the channel: outputs and interrupts follow at the end of the instruction.
+void act(Arguments& a);
+
 template <typename A>
 technology::Channel& channelOf(A& a) {
   return a.counting()->at(a.value("CHANNEL"), a.machine().clock);
