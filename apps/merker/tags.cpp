@@ -53,6 +53,10 @@ int write(const tags::Output& output, const TagsOptions& options, std::size_t co
 }
 
 int listTags(const TagsOptions& options) {
+  if (options.file.address.find(':') != std::string::npos) {
+    std::cerr << "merker tags: --address must be an address without a port: FUXA asks port 102\n";
+    return kUsage;
+  }
   const Build built = build(loadProject(options.path, options.project), false);
   printProblems(built.problems, built.files());
   if (!built.ok()) return exitCode(built);

@@ -96,7 +96,7 @@ const Tool kNodeRed{word<&TypeRow::nodeRedData>, word<&TypeRow::nodeRed>,
 std::optional<std::string> address(const Tag& tag, const Tool& tool) {
   if (tool.tagType(tag.type).empty()) return std::nullopt;
   if (isNumbered(tag.area)) return fmt::format("{}{}", name(tag.area), tag.at);
-  if (isPeripheral(tag.area) && !tool.peripherals) return std::nullopt;
+  if (isPeripheral(tag.area) && !(tool.peripherals && tag.readable)) return std::nullopt;
   const bool data = tag.area == TagArea::Data;
   const std::string_view type = data ? tool.inData(tag.type) : tool.elsewhere(tag.type);
   if (type.empty() && (data || tag.type != Bool)) return std::nullopt;

@@ -8,6 +8,8 @@
 namespace merker::tags {
 namespace {
 
+std::string_view access(const Tag& tag) { return !tag.readable ? "W" : tag.writable ? "RW" : "R"; }
+
 std::string typeName(const Tag& tag) {
   return tag.type == TypeCode::String ? fmt::format("STRING[{}]", tag.length)
                                       : std::string(merker::name(tag.type));
@@ -20,7 +22,7 @@ Output csv(const std::vector<Tag>& tags, const FormatOptions& options) {
   for (const Tag& tag : tags)
     output.text +=
         fmt::format("{},{},{},{},{}\n", field(fullName(tag)), step7Address(tag, options.mnemonics),
-                    typeName(tag), tag.writable ? "RW" : "R", field(tag.comment));
+                    typeName(tag), access(tag), field(tag.comment));
   return output;
 }
 

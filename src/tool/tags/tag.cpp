@@ -31,7 +31,8 @@ void addSymbols(const source::SymbolTable& symbols, std::vector<Tag>& list) {
                     .at = numbered ? symbol.address.number : symbol.address.address,
                     .type = symbol.type,
                     .comment = symbol.comment,
-                    .writable = *area != TagArea::PeripheralInput});
+                    .writable = *area != TagArea::PeripheralInput,
+                    .readable = *area != TagArea::PeripheralOutput});
   }
 }
 
@@ -46,8 +47,14 @@ std::vector<std::string> parts(const std::string& name, const std::string& path)
   return list;
 }
 
-void addData(const block::Block& db, std::vector<Tag>& list) {
-  const std::string name = db.symbol.empty() ? fmt::format("DB{}", db.id.number) : db.symbol;
+// A source may declare a block by its number although it has a symbol.
+std::string nameOf(const block::Block& db, const source::SymbolTable& symbols) {
+  if (!db.symbol.empty()) return db.symbol;
+  const auto* const symbol = symbols.findAddress({.kind = Kind::Block, .block = db.id});
+  return symbol != nullptr ? symbol->name : fmt::format("DB{}", db.id.number);
+}
+
+void addData(const block::Block& db, const std::string& name, std::vector<Tag>& list) {
   block::forEachElement(db.variables, [&](const block::Element& element) {
     list.push_back({.path = parts(name, element.path),
                     .area = TagArea::Data,
@@ -68,7 +75,8 @@ std::vector<Tag> listTags(const compilation::Build& build, const TagOptions& opt
   addSymbols(build.project.symbols, list);
   if (!options.data || !build.program) return list;
   for (const auto& [id, block] : *build.program)
-    if (id.kind == BlockKind::DB) addData(block, list);
+    if (id.kind == BlockKind::DB && !block.attributes.unlinked)
+      addData(block, nameOf(block, build.project.symbols), list);
   return list;
 }
 

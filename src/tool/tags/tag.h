@@ -32,6 +32,8 @@ struct Tag {
   std::uint16_t length = 0;  // STRING: most characters
   std::string comment;
   bool writable = true;  // not: inputs of the peripherals, data blocks that are READ_ONLY
+  // Not: outputs of the peripherals, in whose place a PLC shows the inputs of the same address.
+  bool readable = true;
 };
 
 struct TagOptions {
@@ -39,7 +41,8 @@ struct TagOptions {
 };
 
 // The symbols for inputs, outputs, flags, peripherals, timers and counters in the order of their
-// table, then the variables of data blocks by number and place. A program of STEP 5 declares no
+// table, then the variables of data blocks by number and place, without blocks that are UNLINKED: a
+// PLC does not let anybody read them. A program of STEP 5 declares no
 // variables: its data words with a name are those of whatever block is open, and are left out.
 std::vector<Tag> listTags(const compilation::Build& build, const TagOptions& options = {});
 

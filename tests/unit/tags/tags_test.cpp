@@ -53,6 +53,21 @@ TEST(Tags, VariablesOfDataBlocksWithTheirPlaces) {
   EXPECT_EQ(lines(csv(listTags(program(kData)), {}).text), expected);
 }
 
+// Declared by its number or by its symbol, a block has the name of the table; what nobody may read
+// or only write says so.
+TEST(Tags, NamesAndAccess) {
+  const std::string head =
+      "DATA_BLOCK DB 10\nSTRUCT\n n : INT;\nEND_STRUCT\nBEGIN\nEND_DATA_BLOCK\n";
+  const std::string hidden =
+      "DATA_BLOCK DB 11\nUNLINKED\nSTRUCT\n n : INT;\nEND_STRUCT\nBEGIN\nEND_DATA_BLOCK\n";
+  const auto list = listTags(program(head + hidden, "Recipe DB 10 DB 10\nValve PAW 752 INT\n"));
+  const std::vector<std::string> expected = {"name,address,type,access,comment",
+                                             "Valve,PAW 752,INT,W,", "Recipe.n,DB10.DBW 0,INT,RW,"};
+  EXPECT_EQ(lines(csv(list, {}).text), expected);
+  EXPECT_EQ(nodeRed(list, {}).left, std::vector<std::string>{"Valve"});
+  EXPECT_EQ(kepware(list, {}).left, std::vector<std::string>{"Valve"});
+}
+
 // A composite IN_OUT parameter is a POINTER of six bytes in the instance (S7-PAR-03).
 TEST(Tags, ReferencesInInstancesAreOneValue) {
   const Build build = program(
