@@ -169,7 +169,10 @@ PartnerStatus bindReceiver(A& a, Connections::Receiver& receiver) {
 template <typename A>
 void takeTelegram(A& a, Connections::Receiver& receiver) {
   const s7comm::Telegram telegram = a.connections().take(receiver);
-  if (telegram.tooLong) return showFailed(a, "NDR", PartnerStatus::WrongLength);
+  if (telegram.tooLong) {
+    const PartnerStatus place = receivableAt(a, a.any("RD_1"));
+    return showFailed(a, "NDR", place == PartnerStatus::Done ? PartnerStatus::WrongLength : place);
+  }
   const auto status = storeValue(a, a.any("RD_1"), telegram.octets, false);
   if (status != PartnerStatus::Done) return showFailed(a, "NDR", status);
   a.set("LEN", static_cast<std::uint32_t>(telegram.octets.size()));
@@ -212,7 +215,11 @@ void receiveFrom(A& a) {
   }
   const PartnerStatus bound = bindReceiver(a, *receiver);
   if (bound != PartnerStatus::Done) return showFailed(a, "NDR", bound);
-  a.connections().enable(*receiver, true, byteCount(a.any("RD_1")));
+  // Where nothing can be stored, each telegram is refused: its sender must not take it for
+  // received.
+  const AnyPointer place = a.any("RD_1");
+  const bool takes = receivableAt(a, place) == PartnerStatus::Done;
+  a.connections().enable(*receiver, true, takes ? byteCount(place) : 0);
   receiver->telegrams.empty() ? awaitTelegram(a, *receiver) : takeTelegram(a, *receiver);
 }
 

@@ -33,6 +33,11 @@ Taken takeValue(Arguments& a, const AnyPointer& where) {
   return taken;
 }
 
+PartnerStatus receivableAt(Arguments& a, const AnyPointer& where) {
+  if (!isSendable(where)) return PartnerStatus::WrongLength;
+  return regionOf(a, where, cpu::Access::Write) ? PartnerStatus::Done : PartnerStatus::NoMemory;
+}
+
 PartnerStatus storeValue(Arguments& a, const AnyPointer& where, s7comm::View octets, bool exact) {
   if (!isSendable(where) || octets.size() > byteCount(where) ||
       (exact && octets.size() != byteCount(where)))

@@ -16,6 +16,8 @@ struct Taken {
   s7comm::Bytes octets{};
 };
 Taken takeValue(Arguments& a, const AnyPointer& where);
+// Whether octets can be received there: else why not.
+s7comm::PartnerStatus receivableAt(Arguments& a, const AnyPointer& where);
 // So many octets from there on; none if it has fewer, or another length than `exact` asks for.
 s7comm::PartnerStatus storeValue(Arguments& a, const AnyPointer& where, s7comm::View octets,
                                  bool exact);

@@ -33,14 +33,17 @@ std::string count(int at, const std::string& done, const std::string& failed,
 }
 
 // M 0.0 sends 600 bytes of DB 1, M 0.1 reads `there`, M 0.2 writes it, M 0.3 receives into DB 2.
-std::string connectedProgram(const std::string& there = "P#M200.0 BYTE 4") {
+std::string connectedProgram(const std::string& there = "P#M200.0 BYTE 4",
+                             const std::string& received = "P#DB2.DBX 0.0 BYTE 1000") {
   return "L 600; T MW 100;\n"
          "CALL SFB 12, DB 12 (REQ := M 0.0, R := M 0.4, ID := W#16#1, R_ID := DW#16#5,\n"
          " DONE := M 1.0, ERROR := M 1.1, STATUS := MW 110, SD_1 := P#DB1.DBX 0.0 BYTE 1000,\n"
          " LEN := MW 100);\n" +
          count(10, "M 1.0", "M 1.1", "s") +
          "CALL SFB 13, DB 13 (EN_R := M 0.3, ID := W#16#1, R_ID := DW#16#5,\n"
-         " NDR := M 1.0, ERROR := M 1.1, STATUS := MW 110, RD_1 := P#DB2.DBX 0.0 BYTE 1000,\n"
+         " NDR := M 1.0, ERROR := M 1.1, STATUS := MW 110, RD_1 := " +
+         received +
+         ",\n"
          " LEN := MW 102);\n" +
          count(20, "M 1.0", "M 1.1", "r") +
          "CALL SFB 14, DB 14 (REQ := M 0.1, ID := W#16#1, NDR := M 1.0, ERROR := M 1.1,\n"
@@ -57,13 +60,13 @@ constexpr std::uint32_t kCycle = 10;
 class Connected : public testing::TestWithParam<bool> {
  protected:
   void make(const std::string& own = connectedProgram(), bool oneSided = false,
-            unsigned threads = 1) {
+            unsigned threads = 1, const std::string& partner = connectedProgram()) {
     std::vector<Station> list;
     list.push_back({"A", station(own, instances(), "generic", kCycle)});
     if (oneSided)
       list.push_back({"B", station("L MW 200; T MW 202;", data(), {}, kCycle)});  // a 314C-2
     else
-      list.push_back({"B", station(connectedProgram(), instances(), "generic", kCycle)});
+      list.push_back({"B", station(partner, instances(), "generic", kCycle)});
     network = std::make_unique<Network>(std::move(list), threads);
     line = &network->addSubnet(GetParam() ? ethernet(100'000'000) : mpi(187'500));
     for (std::size_t i = 0; i < 2; ++i) {
@@ -129,6 +132,20 @@ TEST_P(Connected, SendsDataOfSeveralTelegrams) {
   EXPECT_EQ(b(102), 600u);
   EXPECT_EQ(byteOfDb2(1, 0), 0x11u);
   EXPECT_EQ(byteOfDb2(1, 599), 0x99u);
+}
+
+// Nobody may take for received what was lost: RD_1 is in a block that is READ_ONLY, or missing.
+TEST_P(Connected, RefusesWhatCannotBeStored) {
+  for (const char* place : {"P#DB3.DBX 0.0 BYTE 10", "P#DB77.DBX 0.0 BYTE 1000"}) {
+    make(connectedProgram(), false, 1, connectedProgram("P#M200.0 BYTE 4", place));
+    set(1, 0, kStartReceive << 8);
+    wait(50);
+    begin(kStartSend, 1000);
+    EXPECT_EQ(a(kSent), 0u) << place;
+    EXPECT_EQ(a(kSent + kStatus), 2u) << place;
+    EXPECT_EQ(b(kReceived), 0u) << place;
+    EXPECT_EQ(b(kReceived + kStatus), 10u) << place;
+  }
 }
 
 TEST_P(Connected, TellsWhatThePartnerHasNot) {
