@@ -8,6 +8,7 @@ namespace {
 // How long requests are handled, then virtual time runs, then browsers are told what is new; and
 // how long nothing happens.
 constexpr Duration kSlice = Duration::milliseconds(5);
+constexpr Duration kShortPause = Duration::microseconds(250);
 // 30 frames a second.
 constexpr std::int64_t kFrame = 33'000'000;
 // What may wait for its turn of a browser before nothing more is read from it; a message beyond
@@ -74,8 +75,9 @@ bool Desk::received(hmi::BrowserId browser, std::string text) {
 
 void Desk::wait() {
   watchdog_.leave();
+  const Duration longest = waitedFor_() ? kShortPause : kSlice;
   std::unique_lock lock(mutex_);
-  arrived_.wait_for(lock, std::chrono::nanoseconds(kSlice.ns), [this] { return fresh_; });
+  arrived_.wait_for(lock, std::chrono::nanoseconds(longest.ns), [this] { return fresh_; });
   fresh_ = false;
 }
 

@@ -25,6 +25,8 @@ class Desk : public hmi::Handler {
   void run(hmi::Server& server, const std::function<bool()>& ended);
 
   void eachSlice(std::function<void()> action) { eachSlice_ = std::move(action); }
+  // Whether somebody waits for the end of a cycle: pauses are short then.
+  void waitedFor(std::function<bool()> question) { waitedFor_ = std::move(question); }
   // From any thread: there is something to do in front of the next slice.
   void hurry();
 
@@ -67,6 +69,7 @@ class Desk : public hmi::Handler {
   workbench::Workbenches& workbenches_;
   Watchdog& watchdog_;
   std::function<void()> eachSlice_;  // in front of each slice of time
+  std::function<bool()> waitedFor_ = [] { return false; };
   WorkThread compiler_, clerk_, importer_;
   std::set<hmi::BrowserId> browsers_, unframed_;  // unframed_: this frame is still to be told to
   hmi::BrowserId current_ = 0, last_ = 0;         // that is served, that was served

@@ -61,12 +61,16 @@ int runWithClients(const DiagOptions& options, const Build& built, Duration time
                    controller::Controller& plc, workbench::S7Outside& outside) {
   const auto monitor = monitor::monitorOf(plc, built.project.symbols, built.resolver());
   holdSignals();
+  Bell bell;  // outlives the server
   S7Desk s7;
-  if (const int bad = s7.open("merker diag", options.s7, built.project.communication, [] {}))
+  const auto wake = [&bell] { bell.ring(); };
+  if (const int bad = s7.open("merker diag", options.s7, built.project.communication, wake))
     return bad;
   plc.onCycle(s7.cycleObserver(*monitor));
-  runRealTime(
-      plc, nullptr, [&] { s7.exchange(*monitor); }, plc.now() + time);
+  const Guests guests{.slice = [&] { s7.exchange(*monitor); },
+                      .waiting = [&] { return s7.waits(); },
+                      .bell = &bell};
+  runRealTime(plc, nullptr, guests, plc.now() + time);
   plc.onCycle({});
   outside = s7.outside();
   releaseSignals();

@@ -89,12 +89,13 @@ void runNetworkFor(network::Network& network, Duration time, NetworkTrace* trace
 // Until Ctrl-C.
 void runNetworkInRealTime(network::Network& network, std::ofstream& file, NetworkTrace* trace,
                           NetworkS7& s7) {
-  runRealTime(network.station(0), nullptr, [&] {
+  const auto slice = [&] {
     s7.look();
     if (trace == nullptr) return;
     trace->write(network.now());
     file.flush();
-  });
+  };
+  runRealTime(network.station(0), nullptr, {.slice = slice});
 }
 
 void printAll(const NetworkWishes& wishes, network::Network& network) {

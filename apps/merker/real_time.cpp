@@ -14,8 +14,12 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// How late inputs and outputs may be; short enough that nobody sees it.
-constexpr timespec kSlice = {0, 5'000'000};
+using std::chrono::nanoseconds;
+
+// How late inputs and outputs may be; short enough that nobody sees it. And while somebody waits
+// for the end of a cycle.
+constexpr std::chrono::milliseconds kSlice(5);
+constexpr std::chrono::microseconds kShortSlice(250);
 
 sigset_t endSignals() {
   sigset_t signals;
@@ -23,6 +27,15 @@ sigset_t endSignals() {
   sigaddset(&signals, SIGINT);
   sigaddset(&signals, SIGTERM);
   return signals;
+}
+
+// Between two slices. True: somebody wants an end. Waiting for the signal is the pause as well.
+bool pause(const Guests& guests) {
+  const nanoseconds longest = guests.waiting() ? nanoseconds(kShortSlice) : nanoseconds(kSlice);
+  if (guests.bell != nullptr) return guests.bell->wait(longest), endAsked();
+  const timespec time{0, longest.count()};
+  const sigset_t signals = endSignals();
+  return sigtimedwait(&signals, nullptr, &time) >= 0;
 }
 
 }  // namespace
@@ -56,9 +69,8 @@ void endAtOnce() {
   std::_Exit(1);
 }
 
-void runRealTime(controller::Controller& station, SerialLink* link,
-                 const std::function<void()>& slice, Instant end) {
-  const sigset_t signals = endSignals();
+void runRealTime(controller::Controller& station, SerialLink* link, const Guests& guests,
+                 Instant end) {
   Watchdog watchdog("merker run");
   const auto start = Clock::now();
   const Instant origin = station.now();
@@ -66,20 +78,19 @@ void runRealTime(controller::Controller& station, SerialLink* link,
     return Duration{
         std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - start).count()};
   };
-  // Waiting for a signal is the pause as well.
-  while (watchdog.leave(), sigtimedwait(&signals, nullptr, &kSlice) < 0) {
+  while (watchdog.leave(), !pause(guests)) {
     watchdog.enter("the PLC");
     // A program that costs more than real time falls behind; it must still be able to end.
     const Instant target =
         std::min({origin + elapsed(), station.now() + Duration::milliseconds(100), end});
     if (link != nullptr) link->exchange();
-    if (slice) slice();
+    if (guests.slice) guests.slice();
     while (station.now() < target) {
       station.advanceTo(link == nullptr ? target : std::min(target, link->next()));
       if (link != nullptr && link->next() <= station.now()) link->exchange();
     }
     if (station.now() >= end) return;
-    if (!slice && station.mode() == controller::Mode::Stop) return;
+    if (!guests.slice && station.mode() == controller::Mode::Stop) return;
   }
 }
 

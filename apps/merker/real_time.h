@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "bell.h"
 #include "plc/controller.h"
 
 namespace merker::app {
@@ -19,11 +20,18 @@ bool endWaits();
 // From here on they end the process again by themselves.
 void releaseSignals();
 class SerialLink;
+// Who looks at the station from outside.
+struct Guests {
+  std::function<void()> slice;  // in front of each slice of time
+  // Somebody waits for the end of a cycle: the next slice is a short one.
+  std::function<bool()> waiting = [] { return false; };
+  Bell* bell = nullptr;  // ends the pause between two slices
+};
+
 // Lets the station run as fast as time passes, until one of these signals comes or the CPU is in
-// STOP. `link`: of its serial interface with the outside; null: none. `slice`: in front of each
-// slice of time; with it somebody outside can start the CPU, so that its STOP is no end. Not beyond
-// `end`.
+// STOP. `link`: of its serial interface with the outside; null: none. With guests somebody outside
+// can start the CPU, so that its STOP is no end. Not beyond `end`.
 void runRealTime(controller::Controller& station, SerialLink* link = nullptr,
-                 const std::function<void()>& slice = {}, Instant end = Instant::never());
+                 const Guests& guests = {}, Instant end = Instant::never());
 
 }  // namespace merker::app

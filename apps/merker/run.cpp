@@ -167,16 +167,17 @@ int runServed(const RunOptions& options, const Build& build, const Operands& ope
 
 // In real time, with clients of S7 communication.
 void advanceServed(const Build& build, CycleEnd& cycleEnd, controller::Controller& plc,
-                   SerialLink* link, S7Desk& s7) {
+                   SerialLink* link, S7Desk& s7, Bell& bell) {
   const auto monitor = monitor::monitorOf(plc, build.project.symbols, build.resolver());
   plc.onCycle([&, served = s7.cycleObserver(*monitor)](controller::Controller& moved) {
     if (cycleEnd.needed()) cycleEnd(moved);
     served(moved);
   });
-  runRealTime(plc, link, [&] {
+  const auto slice = [&] {
     s7.exchange(*monitor);
     cycleEnd.standing(plc);
-  });
+  };
+  runRealTime(plc, link, {.slice = slice, .waiting = [&] { return s7.waits(); }, .bell = &bell});
   plc.onCycle([&](controller::Controller& moved) { cycleEnd(moved); });
 }
 
@@ -188,12 +189,13 @@ int runAlone(const RunOptions& options, const Build& build, const Operands& oper
     cycleEnd.ofChanges() ? plc.onChange(std::ref(cycleEnd)) : plc.onCycle(std::ref(cycleEnd));
   const bool realTime = !time && !options.hasCycles;
   if (realTime) holdSignals();
+  Bell bell;  // outlives the server
   S7Desk s7;
-  // The loop in real time looks every few milliseconds by itself.
   const S7Option wanted = realTime ? s7Of(options, build) : S7Option{};
-  if (const int bad = s7.open("merker run", wanted, build.project.communication, [] {})) return bad;
+  const auto wake = [&bell] { bell.ring(); };
+  if (const int bad = s7.open("merker run", wanted, build.project.communication, wake)) return bad;
   if (s7.isOpen())
-    advanceServed(build, cycleEnd, plc, link, s7);
+    advanceServed(build, cycleEnd, plc, link, s7, bell);
   else
     advance(options, plc, time, link);
   return conclude(options, build, operands, card, cycleEnd, plc, realTime);

@@ -52,6 +52,8 @@ void S7Desk::exchange(monitor::Monitor& monitor) {
   if (server_) server_->exchange().look(&monitor);
 }
 
+bool S7Desk::waits() const { return server_ && server_->exchange().waits(); }
+
 std::function<void(controller::Controller&)> S7Desk::cycleObserver(
     monitor::Monitor& monitor) const {
   return [server = std::weak_ptr(server_), &monitor](controller::Controller&) {

@@ -26,6 +26,8 @@ class S7Desk {
   // In front of each slice of time.
   void exchange(workbench::Workbench& workbench);
   void exchange(monitor::Monitor& monitor);
+  // Somebody waits for the end of a cycle.
+  bool waits() const;
   // For each end of a cycle of this PLC; it may be called when the server has gone.
   std::function<void(controller::Controller&)> cycleObserver(monitor::Monitor& monitor) const;
 

@@ -24,6 +24,7 @@ enum class S7Why : std::uint8_t {
   NoResource,
   OtherSlot,
   NoSocket,
+  NoPower,
   // connections that are broken off
   WrongTransport,
   NoS7,

@@ -132,6 +132,7 @@ bool S7Server::Parts::breakOffNew(const std::function<bool(const S7Connection&)>
 }
 
 void S7Server::Parts::take(tcp::socket socket, iso::View sent) {
+  if (!around.exchange.reachable()) return around.incidents.note(addressOf(socket), S7Why::NoPower);
   if (!makeRoom()) {
     around.incidents.note(addressOf(socket), S7Why::NoSocket);
     return;
@@ -147,8 +148,10 @@ void S7Server::Parts::check() {
   timer.async_wait([this](boost::system::error_code error) {
     if (error) return;
     const auto now = S7Connection::Clock::now();
-    for (const auto& client : clients)
+    for (const auto& client : clients) {
       if (!client->closed() && client->overdue(now)) client->breakOffLate();
+      if (!client->closed() && !around.exchange.reachable()) client->close();
+    }
     std::erase_if(clients, [](const auto& client) { return client->closed(); });
     callPartners();
     cp.look();

@@ -13,6 +13,7 @@ constexpr struct {
 } kReasons[] = {{"resource", "no connection was free for its kind"},
                 {"slot", "it called another rack or slot"},
                 {"socket", "too many sockets were open"},
+                {"power", "the station has no power"},
                 {"transport", "broken off, no ISO on TCP"},
                 {"protocol", "broken off, no S7 communication"},
                 {"late", "broken off, something did not come in time"},

@@ -95,6 +95,7 @@ int serve(const std::string& command, const ServeOptions& options, workbench::Wo
     serial.exchange();
     s7.exchange(workbench);
   });
+  desk.waitedFor([&] { return s7.waits(); });
   workbench.serialBy([&] { return serial.outside(); });
   workbench.s7By([&] { return s7.outside(); });
   const auto server = hmi::Server::start(wanted, desk, reason);

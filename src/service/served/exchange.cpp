@@ -143,6 +143,8 @@ bool Exchange::stands(const controller::Controller& plc) {
 }
 
 void Exchange::look(monitor::Monitor* monitor) {
+  reachable_ = monitor == nullptr || std::as_const(*monitor).plc().powered();
+  if (!reachable_) monitor = nullptr;  // it answers no more than one that is not there
   if (monitor != nullptr) tellConnections(monitor->plc());
   if (connections_ == 0 && monitor != nullptr) {
     if (stands(std::as_const(*monitor).plc())) exchangeConfigured(monitor->plc());

@@ -78,6 +78,10 @@ class Exchange final : public s7comm::Plc {
   // In front of each slice of time: where no cycle will end, what waits is done now. Null: there is
   // no PLC.
   void look(monitor::Monitor* monitor);
+  // An order waits for the end of a cycle. From any thread.
+  bool waits() const { return ordered_; }
+  // The PLC has power, or there is none. From any thread.
+  bool reachable() const { return reachable_; }
   // Another PLC is there from now on.
   void forget();
 
@@ -102,7 +106,7 @@ class Exchange final : public s7comm::Plc {
   std::function<void(Call)> post_ = [](const Call& call) { call(); };
   Call wake_ = [] {};
   std::atomic<unsigned> connections_ = 0;
-  std::atomic<bool> ordered_ = false, counted_ = false;
+  std::atomic<bool> ordered_ = false, counted_ = false, reachable_ = true;
 
   Partners partners_;
   CpLines cpLines_;

@@ -59,6 +59,28 @@ TEST_P(EachFamily, inStopItIsDoneAtOnce) {
   EXPECT_EQ(plc.read(flags(120, 1))->octets, Bytes{7});
 }
 
+TEST_P(EachFamily, withoutPowerNothingIsAnswered) {
+  plc.exchange.opened();
+  plc.cycles(1);
+  EXPECT_TRUE(plc.read(flags(10, 1)));
+  plc.plc().powerOff();
+  plc.look();
+  EXPECT_FALSE(plc.exchange.reachable());
+  plc.read(flags(10, 1));
+  plc.write(flags(120, 1), {7});
+  EXPECT_TRUE(plc.exchange.waits());
+  plc.look();
+  EXPECT_FALSE(plc.exchange.waits());
+  EXPECT_EQ((*plc.waiting)->code, ItemCode::HardwareFault);
+  EXPECT_EQ(*plc.written, ItemCode::HardwareFault);
+  plc.plc().powerOn();
+  plc.cycles(1);
+  plc.look();
+  EXPECT_TRUE(plc.exchange.reachable());
+  plc.cycles(1);
+  EXPECT_TRUE(plc.read(flags(10, 1)));
+}
+
 TEST_P(EachFamily, whileTimeIsHeldItIsDoneAtOnce) {
   plc.exchange.opened();
   plc.cycles(1);

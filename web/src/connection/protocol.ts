@@ -94,7 +94,7 @@ export interface S7Client { partner: string; kind: 'PG' | 'OP' | 'other'; pdu: n
 /** of a configured connection; `port` 0: it is the partner that calls; `outside`: on another computer, where clients may not come from */
 export interface S7Partner { id: string; host: string; port: number; active: boolean; state: 'connected' | 'calls' | 'waits' | 'outside'; pdu: number }
 /** of an address, the last time `seconds` ago; connections refused: none was free for its kind, it called another rack or slot, too many sockets were open; broken off: no ISO on TCP, no S7 communication, something did not come in time, answers were not read, another one needed its socket; requests denied: protection, wrong password, wrong setup */
-export interface S7Refusal { partner: string; why: 'resource' | 'slot' | 'socket' | 'transport' | 'protocol' | 'late' | 'unread' | 'room' | 'protection' | 'password' | 'setup'; times: number; seconds: number }
+export interface S7Refusal { partner: string; why: 'resource' | 'slot' | 'socket' | 'power' | 'transport' | 'protocol' | 'late' | 'unread' | 'room' | 'protection' | 'password' | 'setup'; times: number; seconds: number }
 export interface Lamps { SF: 'off' | 'on' | 'slow' | 'fast'; BF: 'off' | 'on' | 'slow' | 'fast'; DC5V: 'off' | 'on' | 'slow' | 'fast'; FRCE: 'off' | 'on' | 'slow' | 'fast'; RUN: 'off' | 'on' | 'slow' | 'fast'; STOP: 'off' | 'on' | 'slow' | 'fast' }
 export interface Playback { path: string; actions: number; done: number; state: 'playing' | 'paused' | 'ended' | 'failed'; problem?: Problem }
 
