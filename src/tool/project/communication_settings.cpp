@@ -36,7 +36,8 @@ void readReserved(const Table& table, std::uint32_t basicAtMost,
   // itself.
   const std::uint32_t least = parameters.connections && all > 1 ? 1 : 0;
   parameters.pg = table.number("pg", least, all).value_or(std::min(parameters.pg, all));
-  parameters.op = table.number("op", least, all).value_or(std::min(parameters.op, all));
+  const std::uint32_t rest = all - std::min(parameters.pg, all);  // of a single one: none
+  parameters.op = table.number("op", least, all).value_or(std::min(parameters.op, rest));
   parameters.basic = table.number("basic", 0, basicAtMost).value_or(parameters.basic);
   if (parameters.pg + parameters.op + parameters.basic > all)
     table.mustBe("pg",

@@ -91,6 +91,7 @@ TEST(Settings, WrongCommunication) {
   EXPECT_EQ(wrong("pg = 6\nop = 6\nbasic = 1"), "2:6 P0704");
   EXPECT_EQ(wrong("pg = 0"), "2:6 P0704");  // S7-LIM-05
   EXPECT_EQ(wrong("op = 0"), "2:6 P0704");
+  EXPECT_EQ(wrong("connections = 1"), "0 problems");
   EXPECT_EQ(wrong("connections = 1\npg = 0"), "0 problems");
   EXPECT_EQ(wrong("connections = \"unlimited\"\nop = 0"), "0 problems");
   EXPECT_EQ(wrong("pdu = 111"), "2:7 P0704");
