@@ -1,6 +1,8 @@
 import json
 import os
+import socket
 import subprocess
+import time
 import unittest
 import urllib.request
 
@@ -44,6 +46,43 @@ class Run(Served):
         for _ in range(20):
             self.browser().close()
         self.browser().until(lambda b: b.state.get("mode") == "RUN")
+
+
+class Clients(Served):
+    arguments = ("--s7", "0")
+    REQUEST = bytes.fromhex("0300001611E00000000500C0010AC1020100C2020102")
+
+    def start(self):
+        super().start()
+        self.s7 = int(self.process.stderr.readline().split(":")[2])
+
+    def client(self):
+        client = socket.create_connection(("127.0.0.1", self.s7), timeout=20)
+        self.addCleanup(client.close)
+        return client
+
+    def answer(self):
+        client = self.client()
+        client.sendall(self.REQUEST)
+        try:
+            return client.recv(100)
+        except ConnectionError:
+            return b""
+
+    def test_a_station_without_power_is_not_reachable(self):
+        browser, client = self.browser(), self.client()
+        client.sendall(self.REQUEST)
+        self.assertEqual(client.recv(100)[5], 0xD0)
+        browser.call("cpu.power", on=False)
+        self.assertEqual(client.recv(100), b"")
+        self.assertEqual(self.answer(), b"")
+        browser.call("cpu.power", on=True)
+        browser.until(lambda b: b.state.get("powered"))
+        for _ in range(200):
+            if answer := self.answer():
+                break
+            time.sleep(0.05)
+        self.assertEqual(answer[5], 0xD0)
 
 
 class Values(Served):
