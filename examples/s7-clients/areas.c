@@ -82,7 +82,7 @@ static int carry_out(S7Object plc, const char *argument) {
   const int bits = at.word_length == S7WLBit ? 1 : 8 * at.bytes;
   unsigned long value = 0;
   if (equals != NULL && !parse_value(equals + 1, bits, &value))
-    return fprintf(stderr, "%s: must be a number of at most %d bits, like 5 or 16#FF\n", argument, bits), 2;
+    return fprintf(stderr, "%s: must be a number with at most %d bit(s), like 5 or 16#FF\n", argument, bits), 2;
   int error = equals != NULL ? transfer(plc, &at, 1, &value) : 0;
   if (error == 0) error = transfer(plc, &at, 0, &value);
   if (error != 0) {

@@ -62,8 +62,7 @@ void disturb(station::Station& station, std::uint32_t what) {
 // from the program, its period. Elsewhere flags and an input that change.
 void feed(station::Station& station, std::uint32_t what) {
   const auto write = [&](Area area, Width width, std::uint32_t byte, std::uint32_t value) {
-    (void)station.write({.operand = address::memory(area, width, bitAddress(byte))},
-                        value);
+    (void)station.write({.operand = address::memory(area, width, bitAddress(byte))}, value);
   };
   write(Area::Flag, Width::Word, 10, what % 1100);
   write(Area::Input, Width::Bit, 125, what / 2048 % 4 != 0);

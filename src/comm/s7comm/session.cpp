@@ -44,14 +44,16 @@ bool Session::take(View bytes) {
           .function = pdu->parameters.empty() ? std::uint8_t{0} : pdu->parameters[0],
           .parameters = pdu->parameters,
           .data = pdu->data};
-  if (bytes.size() > pdu_ || pdu->parameters.empty()) return job.refuse(Error::WrongPduSize), true;
   constexpr static Service kUserdata{0, "userdata", true, false, serveUserdata};
   const Service* const service =
       pdu->type == PduType::Userdata ? &kUserdata : findService(job.function);
-  if (service == nullptr || (!setUp_ && !service->beforeSetup))
-    return job.refuse(Error::FunctionNotAvailable), true;
-  if (service->waits && waiting_ > 0)
+  Error wrong = Error::None;
+  if (service == nullptr || (!setUp_ && !service->beforeSetup)) wrong = Error::FunctionNotAvailable;
+  if (bytes.size() > pdu_ || pdu->parameters.empty()) wrong = Error::WrongPduSize;
+  if (waiting_ > 0 && (wrong != Error::None || service->waits))
     held_.assign(bytes.begin(), bytes.end());
+  else if (wrong != Error::None)
+    job.refuse(wrong);
   else
     service->serve(job);
   return true;

@@ -32,6 +32,16 @@ TEST(Order, aReadSeesTheWritesBeforeIt) {
   EXPECT_FALSE(line.session->busy());
 }
 
+TEST(Order, aRefusalWaitsForItsTurn) {
+  Line line;
+  line.plc.later = true;
+  EXPECT_EQ(line.say(write(1, 0x55)), "");
+  EXPECT_EQ(line.say("32 01 00 00 00 02 00 01 00 00 99"), "");
+  line.plc.carryOutAll();
+  EXPECT_EQ(line.heard(),
+            "32 03 00 00 00 01 00 02 00 01 00 00 05 01 FF | 32 02 00 00 00 02 00 00 00 00 81 04");
+}
+
 TEST(Order, writesGoTogether) {
   Line line;
   line.plc.later = true;
