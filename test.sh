@@ -56,16 +56,28 @@ end_build() {  # end_build PRESET
   wait "$beside"
 }
 
+# "98% tests passed, 1 tests failed out of 50" as "1 50".
+failed_of() { sed -nE 's/^[0-9]+% tests passed, ([0-9]+) tests? failed out of ([0-9]+)$/\1 \2/p' "$1" | tail -n 1; }
+
 run_ctest() {  # run_ctest NAME PRESET JOBS
   say "$1"
-  local log="build/$2.ctest.log" summary
+  local log="build/$2.ctest.log" summary hasty again=0
   # No test may hang the run. The conformance programs run once, counted below.
   ctest --preset "$2" -E '^conformance$' --output-on-failure --timeout 600 -j "$3" 2>&1 | tee "$log"
-  # "98% tests passed, 1 tests failed out of 50"
-  summary=$(sed -nE 's/^[0-9]+% tests passed, ([0-9]+) tests? failed out of ([0-9]+)$/\1 \2/p' "$log" | tail -n 1)
+  summary=$(failed_of "$log")
   if [ -z "$summary" ]; then count 0 1 "$1"; return 1; fi
+  # A browser that shares two processors with compilers may be late for a key. Whether that was all is seen when it is
+  # alone, once; it is told all the same.
+  hasty=$(sed -nE 's/^[[:space:]]+[0-9]+ - (browser_[a-z_]+) .*/\1/p' "$log" | paste -sd '|')
+  if [ -n "$hasty" ]; then
+    say "failed beside other work, once more alone: $hasty"
+    ctest --preset "$2" -R "^($hasty)\$" --output-on-failure --timeout 600 2>&1 | tee "$log.again"
+    again=$(failed_of "$log.again")
+    again=${again:-1 1}  # nothing was said: none passed
+    again=$((${again#* } - ${again% *}))
+  fi
   set -- "$1" ${summary}
-  count $(($3 - $2)) "$2" "$1"
+  count $(($3 - $2 + again)) $(($2 - again)) "$1"
 }
 
 # A program whose last line is "N passed, N failed".
