@@ -182,7 +182,9 @@ void S7Connection::handle(iso::Event& event) {
     case Kind::Message:
       ++around_.incidents.counts.requests;
       ++requests_;
-      if (!hear(event.message)) breakOff(S7Why::NoS7);
+      if (hear(event.message)) return;
+      note(S7Why::NoS7);
+      ending_ = true;  // what has been answered is sent
       return;
     case Kind::Violated:
       note(S7Why::WrongTransport);

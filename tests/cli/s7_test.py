@@ -249,6 +249,17 @@ class Hostile(S7Case):
         self.until(lambda: self.client(3).confirmed)
         self.assertRegex(self.end(self.process), r"^13 connections, [3-9]\d* refused, ")
 
+    def test_what_was_asked_before_nonsense_is_answered(self):
+        client = self.client()
+        client.read(FLAGS, 30)  # from now on values are there without a cycle
+        request = client.job(4, client.item(FLAGS, 30, 1, BYTE, 0))
+        frames = [struct.pack(">BBH", 3, 0, len(pdu) + 7) + b"\x02\xF0\x80" + pdu for pdu in (request, b"nonsense")]
+        client.socket.sendall(b"".join(frames))
+        self.assertEqual(client.hear()[14:15].hex(), "ff")
+        with self.assertRaises(ConnectionError):
+            client.hear()
+        self.well()
+
     def test_a_client_that_never_reads(self):
         before = self.memory()
         for _ in range(3):
