@@ -2,7 +2,10 @@
 // comes to the same places, levels and amounts as beside cycles that are computed.
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
 #include <random>
+#include <sstream>
 
 #include "comparison.h"
 #include "compilation/build.h"
@@ -118,6 +121,27 @@ INSTANTIATE_TEST_SUITE_P(Examples, QuietPlants,
                                          "vessel-emptying", "technology/cascade-control",
                                          "technology/valve-control", "technology/pwm-heater",
                                          "technology/blending-control"));
+
+// The example with a call in front of its own that takes the enable away: each cycle has the memory
+// of the one before, and begins the pulse anew.
+TEST(QuietPulses, BegunAnewInEachCycleAreNotPassedOver) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::path(testing::TempDir()) / "merker-pulses-begun-anew";
+  fs::remove_all(folder);
+  fs::copy(MERKER_SOURCE_DIR "/examples/technology/pwm-heater", folder);
+  std::stringstream text;
+  text << std::ifstream(folder / "heater.awl").rdbuf();
+  std::string source = text.str();
+  source.insert(source.find("      CALL"),
+                "      CALL SFB 49, DB 32 (LADDR := W#16#300, CHANNEL := 2, SW_EN := M 5.0);\n");
+  std::ofstream(folder / "heater.awl") << source;
+  compilation::Build build = compilation::build(project::load(folder.string(), ""), false);
+  ASSERT_TRUE(build.ok());
+  Totals totals;
+  std::mt19937 random(1);
+  ASSERT_NO_FATAL_FAILURE(move(build, 1, random, totals));
+  fs::remove_all(folder);
+}
 
 }  // namespace
 }  // namespace merker::differential

@@ -10,9 +10,9 @@ void pulseBlock(Sfb<49>& a) {
   const Instant now = a.machine().clock;
   pulse->control(a.flag("SW_EN"), a.flag("MAN_DO"), a.flag("SET_DO"), a.integer("OUTP_VAL"), now);
   runJob(a, [&](std::uint32_t id, std::int32_t value) { return pulse->job(id, value, now); });
-  if (pulse->takeChanged()) act(a);
   a.set("STS_EN", pulse->running());
-  showTerminals(a, *pulse);
+  showTerminals(a, *pulse);  // brings the channel to now, and forgets what has changed before
+  if (pulse->takeChanged()) act(a);
 }
 
 }  // namespace merker::system
