@@ -95,6 +95,14 @@ status refusal(const Request& request, const Guard& guard) {
   return status::ok;
 }
 
+status refusal(boost::beast::error_code error) {
+  if (error == http::error::header_limit) return status::request_header_fields_too_large;
+  if (error == http::error::body_limit) return status::payload_too_large;
+  const bool wrong = error.category() == make_error_code(http::error::bad_line_ending).category() &&
+                     error != http::error::end_of_stream && error != http::error::partial_message;
+  return wrong ? status::bad_request : status::ok;
+}
+
 Answer refuse(const Request& request, status code) {
   Answer result = blank(request, code);
   result.set(field::content_type, "text/plain; charset=utf-8");
@@ -102,6 +110,21 @@ Answer refuse(const Request& request, status code) {
   const std::string_view text = view(http::obsolete_reason(code));
   result.content_length(text.size());
   if (request.method() != http::verb::head) setBody(result, text);
+  return result;
+}
+
+// Pages of a user: their scripts and styles are theirs, and nothing comes from anywhere else. What
+// they show is of this moment.
+Answer pageAnswer(const Request& request, const Page& page) {
+  Answer result = blank(request, static_cast<status>(page.status));
+  result.set("X-Frame-Options", "SAMEORIGIN");
+  result.set("Content-Security-Policy",
+             "default-src 'self' 'unsafe-inline' data:; object-src 'none'; base-uri 'none'; "
+             "form-action 'none'; frame-ancestors 'self'");
+  result.set(field::cache_control, "no-store");
+  result.set(field::content_type, page.type);
+  result.content_length(page.bytes.size());
+  if (request.method() != http::verb::head) setBody(result, page.bytes);
   return result;
 }
 

@@ -5,6 +5,7 @@
 
 #include "server/guard.h"
 #include "server/options.h"
+#include "server/pages.h"
 
 namespace merker::hmi {
 
@@ -16,8 +17,12 @@ using Answer = http::response<http::span_body<const char>>;
 
 // What is wrong with the request whatever it asks for; http::status::ok if nothing.
 http::status refusal(const Request& request, const Guard& guard);
+// The same of one that could not be read; ok: its sender has gone, or is too slow.
+http::status refusal(boost::beast::error_code error);
 Answer answer(const Request& request, const Guard& guard, std::span<const Asset> assets);
 Answer refuse(const Request& request, http::status status);
+// `page` outlives the answer.
+Answer pageAnswer(const Request& request, const Page& page);
 bool asksForWebSocket(const Request& request);
 
 }  // namespace merker::hmi

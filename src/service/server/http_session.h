@@ -42,13 +42,10 @@ class HttpSession : public Unfinished, public std::enable_shared_from_this<HttpS
 
  private:
   void received(beast::error_code error) {
-    if (error == http::error::header_limit)
-      return answerAndEnd(http::status::request_header_fields_too_large);
-    if (error == http::error::body_limit) return answerAndEnd(http::status::payload_too_large);
-    if (error && error.category() == make_error_code(http::error::bad_line_ending).category() &&
-        error != http::error::end_of_stream && error != http::error::partial_message)
-      return answerAndEnd(http::status::bad_request);
-    if (error) return;  // gone, or too slow
+    if (error) {
+      const http::status wrong = refusal(error);
+      return wrong == http::status::ok ? void() : answerAndEnd(wrong);
+    }
     const Request& request = parser_->get();
     if (asksForWebSocket(request)) return upgrade();
     answer_ = answer(request, around_.guard, around_.options.assets);

@@ -1,6 +1,7 @@
 #include "server/sessions.h"
 
 #include "server/http_session.h"
+#include "server/page_session.h"
 
 namespace merker::hmi {
 
@@ -21,6 +22,16 @@ void serve(boost::asio::ip::tcp::socket socket, Surroundings& around) {
   session->stream().handshake([session](beast::error_code error) {
     if (!error) session->read();
   });
+}
+
+// Whoever has been here longest makes room.
+void servePages(boost::asio::ip::tcp::socket socket,
+                const std::shared_ptr<PageSurroundings>& around) {
+  if (around->sessions.size() >= 2 * around->limits.connections) return;  // closed at once
+  if (around->sessions.size() >= around->limits.connections) around->sessions.front()->giveUp();
+  beast::error_code ignored;
+  socket.set_option(boost::asio::ip::tcp::no_delay(true), ignored);
+  std::make_shared<PageSession>(std::move(socket), around)->read();
 }
 
 }  // namespace merker::hmi

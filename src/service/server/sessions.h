@@ -9,6 +9,7 @@
 #include "server/browsers.h"
 #include "server/guard.h"
 #include "server/options.h"
+#include "server/pages.h"
 
 namespace merker::hmi {
 
@@ -36,5 +37,15 @@ struct Surroundings {
 };
 
 void serve(boost::asio::ip::tcp::socket socket, Surroundings& around);
+
+// The same of a server of pages.
+struct PageSurroundings {
+  Limits limits;
+  Guard guard;
+  Pages* pages;                       // null: the server has gone
+  std::list<Unfinished*> sessions{};  // the oldest one first
+};
+void servePages(boost::asio::ip::tcp::socket socket,
+                const std::shared_ptr<PageSurroundings>& around);
 
 }  // namespace merker::hmi
