@@ -17,6 +17,9 @@
 #include "io/axis_channel.h"
 #include "io/count_channel.h"
 
+namespace merker {
+struct CpWebParameters;  // catalogue/communication.h
+}
 namespace merker::serial {
 struct Parameters;
 }
@@ -78,6 +81,7 @@ struct Module {
   std::shared_ptr<const std::vector<AsiSlave>> asi{};
   std::optional<std::uint32_t> asiCp{};
   std::uint8_t asiInputs = 0, asiOutputs = 0;
+  std::shared_ptr<const CpWebParameters> web{};  // of a CP 343-1 IT
 
   std::string slotText() const;  // "4", "1/4", "2.2", "DP3/4" of the slave with address 3,
                                  // "AS4/7" of the AS-i slave 7 at the CP in slot 4

@@ -43,7 +43,16 @@ struct CpConnectionParameters {
   std::uint16_t localPort = 0;     // where this side listens, if it is called; of UDP always
   bool active = true;              // this side calls
   std::vector<std::uint8_t> localTsap{}, partnerTsap{};  // ISO on TCP
+  std::string sender{};                                  // of e-mails that name none
   bool operator==(const CpConnectionParameters&) const = default;
+};
+
+// The web server of a CP 343-1 IT (S7-NET-16).
+struct CpWebParameters {
+  std::string slot;        // of the CP, as the hardware configuration has it
+  std::uint16_t port = 0;  // of this computer
+  std::string folder{};    // of the user's pages; empty: there are none
+  bool operator==(const CpWebParameters&) const = default;
 };
 
 struct CommunicationParameters {
@@ -54,6 +63,7 @@ struct CommunicationParameters {
   std::string address{};                     // of the server, as --s7 takes it; empty: none
   std::vector<ConnectionParameters> configured{};
   std::vector<CpConnectionParameters> ofCp{};
+  std::vector<CpWebParameters> web{};
   bool operator==(const CommunicationParameters&) const = default;
 
   static CommunicationParameters of(const CpuModel& model) {

@@ -8,5 +8,7 @@ namespace merker {
 
 bool hasEthernet(const CpuModel& model);
 bool hasEthernet(const ModuleType& type);
+// Web pages and e-mails, too.
+bool isItCp(const ModuleType& type);
 
 }  // namespace merker

@@ -75,12 +75,12 @@ void addConnection(const project::Network& network, const project::StationConnec
 }  // namespace
 
 std::string_view kindName(ConnectionKind kind) {
-  constexpr std::string_view kNames[] = {"s7", "tcp", "iso-on-tcp", "udp"};
+  constexpr std::string_view kNames[] = {"s7", "tcp", "iso-on-tcp", "udp", "e-mail"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 
 std::string nameOf(const PlannedConnection& connection) {
-  constexpr std::string_view kNames[] = {"S7", "TCP", "ISO-on-TCP", "UDP"};
+  constexpr std::string_view kNames[] = {"S7", "TCP", "ISO-on-TCP", "UDP", "E-mail"};
   const std::string_view kind = kNames[static_cast<std::size_t>(connection.kind)];
   return connection.kind == ConnectionKind::S7
              ? fmt::format("{} connection W#16#{:X}", kind, connection.id)

@@ -1,5 +1,5 @@
-// [[connection]] of merker.toml with kind = "tcp", "iso-on-tcp" or "udp": connections of a CP 343-1
-// for AG_SEND and AG_RECV (S7-SFB-10); [program] libraries.
+// [[connection]] of merker.toml with kind = "tcp", "iso-on-tcp" or "udp", and "e-mail": connections
+// of a CP 343-1 for AG_SEND and AG_RECV (S7-SFB-10); [program] libraries.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -82,6 +82,21 @@ void checkCpUnique(const Table& table, const CpConnectionParameters& added,
   }
 }
 
+void readPartnerConnection(const Table& table, CpConnectionParameters& connection) {
+  const bool iso = connection.kind == ConnectionKind::IsoOnTcp;
+  const bool udp = connection.kind == ConnectionKind::Udp;
+  std::vector<std::string_view> keys = {"kind", "id", "partner", "local_port"};
+  if (!udp) keys.push_back("active");
+  if (iso) keys.insert(keys.end(), {"local_tsap", "partner_tsap"});
+  table.allow(keys);
+  if (!udp) connection.active = table.flag("active").value_or(true);
+  readCpPartner(table, connection);
+  readLocalPort(table, connection);
+  if (!iso) return;
+  readCpTsap(table, "local_tsap", connection.localTsap);
+  readCpTsap(table, "partner_tsap", connection.partnerTsap);
+}
+
 bool hasCp(const Settings& settings) {
   return settings.hardware && std::ranges::any_of(settings.hardware->modules, [](const auto& one) {
            return hasEthernet(*one.type);
@@ -98,7 +113,7 @@ Libraries usualLibraries(const Settings& settings) {
 }  // namespace
 
 ConnectionKind readConnectionKind(const Table& table) {
-  const auto which = table.choice("kind", {"s7", "tcp", "iso-on-tcp", "udp"});
+  const auto which = table.choice("kind", {"s7", "tcp", "iso-on-tcp", "udp", "e-mail"});
   return static_cast<ConnectionKind>(which.value_or(0));
 }
 
@@ -112,20 +127,10 @@ std::optional<std::uint8_t> readCpId(const Table& table, std::string_view key) {
 
 void readCpConnection(const Table& table, ConnectionKind kind,
                       CommunicationParameters& parameters) {
-  const bool iso = kind == ConnectionKind::IsoOnTcp, udp = kind == ConnectionKind::Udp;
-  std::vector<std::string_view> keys = {"kind", "id", "partner", "local_port"};
-  if (!udp) keys.push_back("active");
-  if (iso) keys.insert(keys.end(), {"local_tsap", "partner_tsap"});
-  table.allow(keys);
   CpConnectionParameters connection{.kind = kind};
   const auto id = readCpId(table, "id");
-  if (!udp) connection.active = table.flag("active").value_or(true);
-  readCpPartner(table, connection);
-  readLocalPort(table, connection);
-  if (iso) {
-    readCpTsap(table, "local_tsap", connection.localTsap);
-    readCpTsap(table, "partner_tsap", connection.partnerTsap);
-  }
+  kind == ConnectionKind::Mail ? readCpMail(table, connection)
+                               : readPartnerConnection(table, connection);
   if (!id) return;
   connection.id = *id;
   checkCpUnique(table, connection, parameters.ofCp);
@@ -133,7 +138,8 @@ void readCpConnection(const Table& table, ConnectionKind kind,
 }
 
 void requireCp(const Table& root, const Settings& settings) {
-  if (settings.communication.ofCp.empty() || hasCp(settings)) return;
+  const auto isMail = [](const auto& one) { return one.kind == ConnectionKind::Mail; };
+  if (std::ranges::all_of(settings.communication.ofCp, isMail) || hasCp(settings)) return;
   for (const Table& table : root.tables("connection"))
     if (table.has("kind"))
       return table.mustBe("kind", "\"s7\", or the station needs a CP 343-1 ([[module]])");

@@ -127,10 +127,11 @@ std::string slotText(const toml::node& node) {
 namespace {
 
 void allowKeys(const Table& table) {
-  std::vector<std::string_view> keys{
-      "slot",        "rack",        "type",        "name",       "input",   "output",
-      "cable",       "input_delay", "rising_edge", "range",      "on_stop", "falling_edge",
-      "diagnostics", "substitute",  "channel",     "interrupts", "serial",  "slave"};
+  std::vector<std::string_view> keys{"slot",        "rack",       "type",    "name",
+                                     "input",       "output",     "cable",   "input_delay",
+                                     "rising_edge", "range",      "on_stop", "falling_edge",
+                                     "diagnostics", "substitute", "channel", "interrupts",
+                                     "serial",      "slave",      "web"};
   const toml::node* slot = table.node("slot");
   if (slot != nullptr && slotText(*slot) == "2.5")
     keys.insert(keys.end(), axisKeys().begin(), axisKeys().end());
@@ -161,6 +162,7 @@ std::optional<io::Module> readModule(const Table& table, const CpuModel& model) 
   if (module.type->kind == ModuleKind::Positioning) readAxis(table, module);
   readSerial(table, model, module);
   readAsiSlaves(table, module);
+  readCpWeb(table, module);
   return module;
 }
 

@@ -28,6 +28,8 @@ plant::Configuration readPlants(const Table& root, const io::Configuration& modu
 void readParameters(const Table& table, io::Module& module);
 // slave of a CP 343-2
 void readAsiSlaves(const Table& table, io::Module& module);
+// web of a CP 343-1 IT
+void readCpWeb(const Table& table, io::Module& module);
 // [[module.channel]]
 void readChannels(const Table& table, io::Module& module);
 // interrupts, [[module.channel]] of the sub-module 2.4
@@ -55,6 +57,9 @@ void readCpConnection(const Table& table, ConnectionKind kind, CommunicationPara
 ConnectionKind readConnectionKind(const Table& table);
 // The ID of a connection of a CP 343-1; nothing, and a problem: it is none.
 std::optional<std::uint8_t> readCpId(const Table& table, std::string_view key);
+// What is special to one that sends e-mails.
+void readCpMail(const Table& table, CpConnectionParameters& connection);
+void requireItCp(const Table& root, const Settings& settings);
 // Connections of a CP need one.
 void requireCp(const Table& root, const Settings& settings);
 // Whose blocks the program may call.

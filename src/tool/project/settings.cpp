@@ -88,6 +88,8 @@ void readHardware(const Table& root, Settings& settings) {
   for (const Table& table : root.tables("module"))
     if (auto module = readModule(table, *settings.model)) modules.push_back(std::move(*module));
   settings.hardware = io::configure(std::move(modules), *settings.model, root.problems());
+  for (const io::Module& module : settings.hardware->modules)
+    if (module.web) settings.communication.web.push_back(*module.web);
   checkAxis(root, *settings.hardware);
   for (const DpSubnet& subnet : readDpSubnets(root, nullptr))
     plugSlaves(subnet, *settings.model, settings.hardware, root.problems());
@@ -106,6 +108,7 @@ void readStation(const Table& root, Settings& settings) {
   readConfigured(root, settings.communication);
   readHardware(root, settings);
   requireCp(root, settings);
+  requireItCp(root, settings);
   settings.libraries = readLibraries(root, settings);
   if (settings.hardware) settings.plants = readPlants(root, *settings.hardware);
   settings.serial = readConnection(root);

@@ -83,6 +83,11 @@ void readStationConnections(const Table& root, Network& network) {
     StationConnection connection;
     connection.position = table.place();
     connection.kind = readConnectionKind(table);
+    if (connection.kind == ConnectionKind::Mail) {
+      table.mustBe("kind",
+                   "another one; e-mails are a [[connection]] of the station's merker.toml");
+      continue;
+    }
     const auto id = readEndId(table, "id", connection.kind);
     const auto local = readEnd(table, "local", network);
     const auto partner = readEnd(table, "partner", network);
