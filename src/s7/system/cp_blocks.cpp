@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "system/call.h"
+#include "system/mail_data.h"
 #include "system/module_access.h"
 #include "system/partner_memory.h"
 #include "system/send_receive.h"
@@ -77,7 +78,7 @@ std::uint32_t dataToSend(A& a, const Connection& one, SendReceive::Bytes& data) 
   const Region region = a.region(where, octets, cpu::Access::Read);
   if (!region) return memoryError(region, cp::kBadSource);
   data.assign(region.data, region.data + octets);
-  return 0;
+  return one.kind == ConnectionKind::Mail && !mailOf(data) ? cp::kWrongType : 0;
 }
 
 template <typename A>
