@@ -73,6 +73,12 @@ class Exchange final : public s7comm::Plc {
   void test(s7comm::TestRequest request, std::shared_ptr<s7comm::Outlet> client,
             TestDone done) override;
 
+  // What somebody else wants to know of the PLC. Called in its thread, between two cycles, with
+  // null if there is none or its cycle does not end; what it returns is called in the thread of the
+  // connections.
+  using Order = std::function<Call(monitor::Monitor*)>;
+  void order(Order order);
+
   // In the thread of the PLC. At each end of a cycle:
   void cycleEnded(monitor::Monitor& monitor);
   // In front of each slice of time: where no cycle will end, what waits is done now. Null: there is
@@ -86,10 +92,6 @@ class Exchange final : public s7comm::Plc {
   void forget();
 
  private:
-  // Null: it cannot be carried out. What it returns is called in the thread of the connections.
-  using Order = std::function<Call(monitor::Monitor*)>;
-
-  void order(Order order);
   // Planned in the thread of the PLC, made ready in that of the connections, carried out.
   using Plan = std::function<ProgramChange(controller::Controller&)>;
   void changeProgram(Plan plan, Done done);
