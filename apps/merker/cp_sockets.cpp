@@ -23,6 +23,7 @@ std::shared_ptr<CpSocket> CpSockets::socketOf(std::size_t i) {
         parameters.id, parameters.host);
     return nullptr;
   }
+  if (parameters.kind == ConnectionKind::Mail) return mailsOf(place);
   return parameters.kind == ConnectionKind::Udp ? datagramsOf(place) : streamOf(place);
 }
 

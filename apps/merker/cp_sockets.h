@@ -1,5 +1,5 @@
-// The sockets of a CP 343-1's connections to partners outside: TCP, ISO on TCP, UDP. Everything in
-// the thread of the S7 server; a partner that says nothing or too much stops nobody.
+// The sockets of a CP 343-1's connections to partners outside: TCP, ISO on TCP, UDP, e-mail.
+// Everything in the thread of the S7 server; a partner that says nothing or too much stops nobody.
 #pragma once
 
 #include <boost/asio/io_context.hpp>
@@ -59,6 +59,7 @@ struct CpPlace {
 };
 std::shared_ptr<CpSocket> streamOf(const CpPlace& place);
 std::shared_ptr<CpSocket> datagramsOf(const CpPlace& place);
+std::shared_ptr<CpSocket> mailsOf(const CpPlace& place);
 // "merker: connection 3 of the CP: port 2000 of 127.0.0.1 cannot be used: …"
 void tellNoPort(const CpPlace& place, const std::string& why);
 

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "cp_sockets.h"
+#include "cp_web.h"
 #include "ethernet.h"
 #include "s7_calls.h"
 #include "server/guard.h"
@@ -64,6 +65,7 @@ struct S7Server::Parts {
   std::set<std::shared_ptr<S7Connection>> clients;
   S7Calls calls{context, around, !hmi::isLocalAddress(place.address)};
   CpSockets cp{context, around.exchange.cpLines(), place.address};
+  CpWeb web{context, around.exchange, place.address};
   std::thread thread;
   mutable std::mutex outsideMutex;
   workbench::S7Outside outside;
@@ -155,6 +157,7 @@ void S7Server::Parts::check() {
     std::erase_if(clients, [](const auto& client) { return client->closed(); });
     callPartners();
     cp.look();
+    web.look();
     tell();
     check();
   });
@@ -171,6 +174,7 @@ void S7Server::Parts::use(const CommunicationParameters& parameters) {
   calls.forget();
   around.use(parameters);
   cp.use(parameters.ofCp);
+  web.use(parameters.web);
   callPartners();
 }
 
