@@ -88,6 +88,10 @@ export const examples: Record<string, readonly [title: string, description: stri
     'Token-Ring: fünf Stationen mit Globaldaten',
     'Fünf Zellen mit je einer Presse, die so viel Strom braucht, dass nur eine arbeiten darf. Jede sendet ihre Nummer MW 102 als Globaldaten an die nächste, die letzte an die erste. Die erste Zelle hat das Token, solange sie ihre eigene Nummer empfängt, jede andere, solange sie eine andere als die eigene empfängt; das Token ist kein Telegramm, das verloren gehen könnte (E. W. Dijkstra, 1974). So findet ein Ring, in dem mehrere Zellen es zu haben glauben, von selbst zu einem Token zurück.',
   ],
+  'networks/web-and-mail': [
+    'Webseiten und E-Mails',
+    'Ein CP 343-1 IT zeigt einen Tank im Browser und sendet eine E-Mail, wenn er voll ist: Seiten mit Werten des Programms, die Seite der CPU mit Betriebszustand, LEDs und Diagnosepuffer, eine E-Mail-Verbindung für AG_SEND. Ohne Mail-Server meldet AG_SEND 8304h.',
+  ],
   'ring-buffer': [
     'Ringpuffer: Zeiger und indirekte Adressierung',
     'Ein Datenbaustein merkt sich die letzten Werte in der Reihenfolge, in der sie kamen. Vier Funktionen arbeiten damit, jede zeigt eine Art der indirekten Adressierung.',
