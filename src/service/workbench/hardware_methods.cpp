@@ -2,6 +2,7 @@
 #include "workbench/elsewhere.h"
 #include "workbench/hardware_plan.h"
 #include "workbench/hardware_rows.h"
+#include "workbench/slave_rows.h"
 
 namespace merker::workbench {
 namespace hardware_methods {
@@ -15,8 +16,13 @@ Answer read(const Call& call) {
   Problems none;
   const io::Configuration configuration =
       rack != nullptr ? rack->configuration() : io::configure({}, *project.model, none);
-  return Json{{"racks", hardwareRows(configuration, rack, project.symbols)}};
+  Json racks = hardwareRows(configuration, rack, project.symbols);
+  if (rack != nullptr) addSlaveRows(racks, *rack, project.symbols);
+  return Json{{"racks", std::move(racks)}};
 }
+
+// Behind the racks there are AS-Interfaces, and DP slaves by their addresses.
+constexpr std::int64_t kHighestRack = 1125;
 
 std::optional<std::uint32_t> moduleAt(const io::Rack& rack, std::int64_t number,
                                       const std::string& slot) {
@@ -28,7 +34,7 @@ std::optional<std::uint32_t> moduleAt(const io::Rack& rack, std::int64_t number,
 }
 
 Answer fault(const Call& call) {
-  const std::int64_t number = call.fields.integer("rack", 0, 3);
+  const std::int64_t number = call.fields.integer("rack", 0, kHighestRack);
   const std::string slot = call.fields.text("slot"), name = call.fields.text("fault");
   const bool on = call.fields.flag("on");
   if (!call.fields.good()) return call.fields.problems();

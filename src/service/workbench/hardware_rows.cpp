@@ -1,5 +1,6 @@
 #include "workbench/hardware_rows.h"
 
+#include "catalogue/communication.h"
 #include "io/amount.h"
 #include "monitor/symbol_name.h"
 
@@ -83,6 +84,7 @@ Json propertiesOf(const io::Module& module) {
   if (type.interruptChannels != 0) add("hardware interrupt", edgesText(parameters));
   if (type.diagnosticInterrupt)
     add("diagnostic interrupt", parameters.diagnosticInterrupt ? "on" : "off");
+  if (module.web) add("port of the web server", std::to_string(module.web->port));
   return list;
 }
 
@@ -97,6 +99,8 @@ Json faultsOf(const io::Module& module, const io::Rack* rack) {
   }
   return list;
 }
+
+}  // namespace
 
 Json moduleRow(const io::Module& module, const io::Rack* rack, const source::SymbolTable& symbols) {
   const ModuleType& type = *module.type;
@@ -116,6 +120,8 @@ Json moduleRow(const io::Module& module, const io::Rack* rack, const source::Sym
     row["leds"] = {{"SF", rack->faulty(*index) ? "on" : "off"}};
   return row;
 }
+
+namespace {
 
 // Braces alone would make an object of a list of pairs.
 Json pair(const char* name, std::string value) { return Json::array({name, std::move(value)}); }

@@ -10,6 +10,9 @@ namespace merker::workbench {
 // As the page knows it: "digital".
 std::string_view kindOf(ModuleKind kind);
 
+// A module without its parameters.
+Json moduleRow(const io::Module& module, const io::Rack* rack, const source::SymbolTable& symbols);
+
 // `rack`: the modules in operation; null: without a hardware configuration none can have a fault.
 Json hardwareRows(const io::Configuration& configuration, const io::Rack* rack,
                   const source::SymbolTable& symbols);

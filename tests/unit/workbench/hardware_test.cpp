@@ -52,6 +52,31 @@ TEST(Hardware, ModulesHaveAddressesTerminalsAndFaults) {
   EXPECT_EQ(slot(bench, "5")["terminals"][1]["operand"], "PEW 274");
 }
 
+// S7-NET-17
+TEST(Hardware, SlavesOfAnAsInterfaceHangOnTheirCp) {
+  constexpr std::string_view kFormat =
+      "[[module]]\nslot = 4\ntype = \"CP 343-2\"\ninput = {0}\noutput = {0}\n"
+      "slave = [ {{address = 3, name = \"Gate\", profile = \"S-3.0\"}} ]\n";
+  Bench bench(kProgram, fmt::format(kFormat, 32));
+  const Json bus = bench.call("hardware.read")["racks"].back();
+  EXPECT_EQ(bus["bus"], "asi");
+  EXPECT_EQ(bus["place"], "4");
+  const Json gate = bus["slots"][0];
+  EXPECT_EQ(gate["name"], "Gate");
+  ASSERT_EQ(gate["terminals"].size(), 4u);  // two inputs, two outputs
+  EXPECT_EQ(gate["terminals"][1]["operand"], "E 33.1");
+  EXPECT_EQ(gate["terminals"][2]["text"], "DO2");
+  EXPECT_EQ(gate["terminals"][2]["operand"], "A 33.2");
+  const Json fault = {
+      {"rack", bus["rack"]}, {"slot", gate["slot"]}, {"fault", "removed"}, {"on", true}};
+  bench.call("hardware.fault", fault);
+  EXPECT_EQ(bench.call("hardware.read")["racks"].back()["slots"][0]["present"], false);
+  Bench far(kProgram, fmt::format(kFormat, 256));
+  const Json terminal = far.call("hardware.read")["racks"].back()["slots"][0]["terminals"][0];
+  EXPECT_EQ(terminal["operand"], "PEB 257");
+  EXPECT_EQ(terminal["text"], "DI0 = .0");
+}
+
 TEST(Hardware, FaultsComeAndGo) {
   Bench bench(kProgram, kSettings);
   const Json pulled = {{"rack", 0}, {"slot", "4"}, {"fault", "removed"}, {"on", true}};

@@ -55,7 +55,8 @@ export interface Parameter { key: string; kind: 'text' | 'address' | 'number' | 
 export interface Channel { side: 'input' | 'output'; number: number; parameters: Parameter[] }
 /** `slot` is like "4" or "2.2"; `parameters` and `channels` only of `hardware.edit` */
 export interface Slot { slot: string; order: string; name: string; type: string; kind: string; inputs: AddressRange | null; outputs: AddressRange | null; terminals: Terminal[]; properties: [string, string][]; leds?: Record<string, string>; faults: Fault[]; present: boolean; parameters?: Parameter[]; channels?: Channel[] }
-export interface Rack { rack: number; slots: Slot[] }
+/** with `bus` it is none: the slaves of the AS-Interface at the CP in the slot `place`, or the DP slave with the address `place` */
+export interface Rack { rack: number; slots: Slot[]; bus?: 'asi' | 'profibus'; place?: string }
 export interface ModuleType { order: string; name: string; text: string; kind: string; slots: [number, number]; inputBytes: number; outputBytes: number; current: number }
 export interface KeyValue { key: string; value: string | number | boolean }
 /** see below */

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { addresses, housings, lamps, type Slot } from './rack';
+import { addresses, housings, lamps, title, type Slot } from './rack';
 
 const slot = (place: string, operands: string[], more: Partial<Slot> = {}): Slot => ({
   slot: place,
@@ -30,4 +30,9 @@ test('addresses come from the terminals, or from the ranges where there are none
 
 test('only digital terminals have a lamp', () => {
   expect(lamps(slot('4', ['E 0.0', 'PEW 752'])).length).toBe(1);
+});
+
+test('a bus is no rack', () => {
+  expect(title({ rack: 1, slots: [] })).toEqual({ key: 'rack', values: { number: 1 } });
+  expect(title({ rack: 504, slots: [], bus: 'asi', place: '4' })).toEqual({ key: 'asi', values: { number: '4' } });
 });

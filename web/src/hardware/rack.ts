@@ -37,6 +37,9 @@ export interface Slot {
 export interface Rack {
   rack: number;
   slots: Slot[];
+  /** Slaves of a bus instead: of the CP in the slot `place`, or with that address. */
+  bus?: 'asi' | 'profibus';
+  place?: string;
 }
 
 /** One housing on the rail: a module, or a compact CPU with the submodules that sit in it (2.2, 2.3, …). */
@@ -44,6 +47,10 @@ export interface Housing {
   main: Slot;
   parts: Slot[];
 }
+
+/** What the picture says of it. */
+export const title = (rack: Rack) =>
+  ({ key: rack.bus ?? 'rack', values: { number: rack.place ?? rack.rack } }) as const;
 
 const plug = (slot: Slot) => slot.slot.split('.')[0]!;
 

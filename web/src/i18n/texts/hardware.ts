@@ -3,6 +3,8 @@ import type { Texts } from '..';
 export const hardware = {
   title: ['Hardware', 'Hardware'],
   rack: ['Baugruppenträger {number}', 'Rack {number}'],
+  asi: ['AS-Interface am CP auf Steckplatz {number}', 'AS-Interface of the CP in slot {number}'],
+  profibus: ['PROFIBUS-DP, Slave mit Adresse {number}', 'PROFIBUS-DP, slave with address {number}'],
   slot: ['Steckplatz {slot}', 'Slot {slot}'],
   none: ['Dieses Projekt hat keinen Aufbau.', 'This project has no hardware.'],
   properties: ['Eigenschaften', 'Properties'],

@@ -11,6 +11,7 @@ export const modules = {
   resolution: ['Auflösung', 'Resolution'],
   'hardware interrupt': ['Prozessalarm', 'Hardware interrupt'],
   'diagnostic interrupt': ['Diagnosealarm', 'Diagnostic interrupt'],
+  'port of the web server': ['Port des Webservers', 'Port of the web server'],
   'work memory': ['Arbeitsspeicher', 'Work memory'],
   timers: ['Zeiten', 'Timers'],
   counters: ['Zähler', 'Counters'],

@@ -1,0 +1,25 @@
+// Slaves of an AS-Interface in the picture of the hardware (S7-NET-17): their bits in the bytes of the CP, their faults.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { accessible } from './axe.mjs';
+import { open, serve, until } from './harness.mjs';
+
+const server = await serve('networks/as-interface');
+const page = await open(server, 'hardware');
+const bus = page.getByRole('group', { name: 'AS-Interface am CP auf Steckplatz 4' });
+
+test('the slaves hang on the CP', async () => {
+  await bus.getByRole('button', { name: /AS4\/31/ }).waitFor();
+  assert.equal(await bus.getByRole('button').count(), 4);
+  await bus.getByRole('button', { name: /AS4\/3:/ }).click();
+  const terminals = page.getByRole('table', { name: 'Klemmen' });
+  await until(async () => (await terminals.getByText('PAB 257', { exact: true }).count()) === 4, 'four outputs in the byte of slave 3');
+  await accessible(page, 'slaves of an AS-Interface');
+});
+
+test('a slave that fails looks like it', async () => {
+  await page.getByRole('switch', { name: 'gezogen' }).click();
+  await bus.getByRole('button', { name: /AS4\/3:[^]*gezogen/ }).waitFor();
+  await page.getByRole('switch', { name: 'gezogen' }).click();
+  await until(async () => (await bus.getByRole('button', { name: /gezogen/ }).count()) === 0, 'the slave is there again');
+});
