@@ -25,6 +25,7 @@ test('the submodules of a compact CPU sit in its housing', () => {
 
 test('addresses come from the terminals, or from the ranges where there are none', () => {
   expect(addresses(slot('2.2', ['E 124.0', 'E 124.1', 'E 126.7', 'A 124.0']))).toEqual(['E 124.0…126.7', 'A 124.0']);
+  expect(addresses(slot('AS4/3', ['PEB 257', 'PEB 257', 'PAB 257']))).toEqual(['PEB 257', 'PAB 257']);
   expect(addresses(slot('2.4', [], { inputs: { first: 768, bytes: 16 } }))).toEqual(['PE 768…783']);
 });
 

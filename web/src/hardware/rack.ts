@@ -74,7 +74,8 @@ export function addresses(slot: Slot): string[] {
   const groups = new Map<string, string[]>();
   for (const { operand } of slot.terminals) {
     const [, area, place] = /^(\w+) (.+)$/.exec(operand) ?? [];
-    if (area && place) groups.set(area, [...(groups.get(area) ?? []), place]);
+    const there = groups.get(area ?? '') ?? [];
+    if (area && place && there.at(-1) !== place) groups.set(area, [...there, place]);
   }
   if (groups.size === 0) return [range('PE', slot.inputs), range('PA', slot.outputs)].filter((text) => text !== '');
   return [...groups].map(([area, places]) =>
