@@ -23,3 +23,10 @@ test('a slave that fails looks like it', async () => {
   await page.getByRole('switch', { name: 'gezogen' }).click();
   await until(async () => (await bus.getByRole('button', { name: /gezogen/ }).count()) === 0, 'the slave is there again');
 });
+
+// What merker.toml names lies in the folder of the project, for the plan, too: a GSD file.
+test('a project with a GSD file is consistent', async () => {
+  const other = await open(await serve('networks/profibus'), 'hardware?mode=plan');
+  await other.getByRole('table').first().waitFor();
+  assert.equal(await other.getByText('P0704').count(), 0);
+});

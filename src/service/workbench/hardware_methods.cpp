@@ -64,7 +64,7 @@ Answer planned(const Aside& aside, const source::SymbolTable& symbols) {
                                                    : std::vector<Fields>();
   if (!aside.fields.good()) return aside.wrong();
   if (edit.problem()) return one(*edit.problem());
-  Plan plan = Plan::of(edit);
+  Plan plan = Plan::of(edit, aside.folder);
   for (const Fields& change : changes) {
     if (aside.stop.stop_requested()) break;
     applyChange(edit, change);
@@ -72,7 +72,7 @@ Answer planned(const Aside& aside, const source::SymbolTable& symbols) {
     if (edit.problem()) return withoutPlace(one(*edit.problem()));
     if (edit.text().size() > kLongestSettings)
       return refused(ProblemCode::P1314, kLongestSettings, "bytes of merker.toml");
-    Plan next = Plan::of(edit);
+    Plan next = Plan::of(edit, aside.folder);
     const Problems against = reasonsAgainst(plan, next, change);
     if (against.hasErrors()) return withoutPlace(against);
     plan = std::move(next);

@@ -174,9 +174,12 @@ void applyChange(SettingsEdit& edit, const Fields& change) {
   if (change.good()) kChanges[kind](edit, change);
 }
 
-Plan Plan::of(const SettingsEdit& edit) {
-  Plan plan{project::loadConfiguration("", edit.text(), {}), {}};
-  plan.problems = plan.project.problems;
+Plan Plan::of(const SettingsEdit& edit, const ProjectFolder& folder) {
+  Plan plan{project::loadConfiguration(folder.folder(), edit.text(), {}), {}};
+  for (Problem problem : plan.project.problems.list()) {
+    problem.position.file = folder.relative(problem.position.file);
+    plan.problems.add(std::move(problem));
+  }
   plan.problems.sort();
   return plan;
 }

@@ -7,6 +7,7 @@
 #include "source/symbol_table.h"
 #include "workbench/fields.h"
 #include "workbench/json.h"
+#include "workbench/project_folder.h"
 
 namespace merker::workbench {
 
@@ -20,7 +21,8 @@ struct Plan {
   project::Project project;
   Problems problems;  // sorted
 
-  static Plan of(const project::SettingsEdit& edit);
+  // Files that it names lie in the folder.
+  static Plan of(const project::SettingsEdit& edit, const ProjectFolder& folder);
 };
 
 // Problems that this change brought and that forbid it: a module without a place, a value that is
