@@ -109,6 +109,32 @@ test('in operation it shows what the operands have, full screen at an address of
   await panel.context().close();
 });
 
+test('a picture that has not been read yet cannot be changed', async () => {
+  const late = await open(server, 'process');
+  let asked = null;
+  let answer = null;
+  await late.routeWebSocket(/./, (socket) => {
+    const plc = socket.connectToServer();
+    socket.onMessage((message) => {
+      const { id, do: method, path } = JSON.parse(message);
+      if (method === 'files.read' && path.endsWith('.hmi')) asked = id;
+      plc.send(message);
+    });
+    plc.onMessage((message) => {
+      if (JSON.parse(message).id !== asked) socket.send(message);
+      else answer = () => socket.send(message);
+    });
+  });
+  await late.reload();
+  await late.getByRole('button', { name: 'Bilder …' }).press('Enter');
+  await until(() => answer, 'the answer, which is kept back');
+  await late.getByRole('switch', { name: 'Bearbeiten' }).press('Space');
+  assert.equal(await late.getByRole('toolbar', { name: 'Symbole zum Einfügen' }).count(), 0);
+  answer();
+  await late.getByRole('toolbar', { name: 'Symbole zum Einfügen' }).waitFor();
+  await late.context().close();
+});
+
 test('what another browser draws is seen; a line that is no symbol is named', async () => {
   writeFileSync(join(project, 'Presse.hmi'), 'tank ; 20 ; 20 ; 90 ; 140 ; MW 10\nwheel ; 1 ; 2 ; 3 ; 4\n');
   await page.getByText('Zeile 2 der Datei ist kein Symbol.').waitFor();

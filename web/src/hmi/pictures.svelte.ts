@@ -10,7 +10,8 @@ export class OpenPicture {
   /** Lines of the file that are no symbol. */
   wrong = $state.raw<number[]>([]);
   undos = $state(0);
-  path = '';
+  /** What is shown and written; none until a file has been read. */
+  path = $state('');
   private revision = 0;
   private before: Item[][] = [];
   private saving: Promise<void> = Promise.resolve();
