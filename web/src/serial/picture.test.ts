@@ -1,5 +1,7 @@
-import { expect, test } from 'vitest';
-import { scale, stepOf, timeText } from './picture';
+import { expect, test, vi } from 'vitest';
+import { draw, scale, stepOf, timeText } from './picture';
+
+vi.mock('../trends/look', () => ({ colour: (name: string) => name }));
 
 test('steps of the axis are 1, 2, 5 times a power of ten', () => {
   expect(stepOf(0.9)).toBe(1);
@@ -19,4 +21,14 @@ test('pixels and seconds', () => {
   expect(to.x(1)).toBe(76);
   expect(to.x(3)).toBe(176);
   expect(to.time(126)).toBe(2);
+});
+
+test('no time stands on the axis before the PLC began', () => {
+  const texts: string[] = [];
+  const pen = { fillText: (text: string) => texts.push(text), measureText: () => ({ width: 0 }) };
+  const rest = new Proxy(pen, { get: (of, name) => Reflect.get(of, name) ?? (() => {}), set: () => true });
+  const look = { width: 1076, height: 168, hexadecimal: false, names: ['X27', 'Partner'] as [string, string] };
+  draw(rest as unknown as CanvasRenderingContext2D, [], { from: -0.5, to: 0.5 }, look);
+  expect(texts.filter((text) => text.includes('-'))).toEqual([]);
+  expect(texts).toContain('0:00:00.2');
 });

@@ -84,7 +84,8 @@ function axis(pen: CanvasRenderingContext2D, window: Window, { width, height }: 
   const to = scale(width, window);
   const step = stepOf(((window.to - window.from) * 110) / Math.max(width - NAMES, 1));
   pen.textAlign = 'center';
-  for (let number = Math.ceil(window.from / step); number * step <= window.to; ++number) {
+  // The line begins with the PLC: before that there is no time.
+  for (let number = Math.ceil(Math.max(window.from, 0) / step); number * step <= window.to; ++number) {
     const x = Math.round(to.x(number * step));
     pen.fillStyle = colour('--line');
     pen.fillRect(x, 0, 1, bottom + 4);
