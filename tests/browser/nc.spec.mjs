@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { accessible } from './axe.mjs';
+import { crowding } from './layout.mjs';
 import { bit, expect, message, open, picture, serve, until, visit } from './harness.mjs';
 
 const server = await serve('step5/machine-values');
@@ -14,6 +15,8 @@ const cell = (datum) => page.locator(`[data-operand="nc.${datum}"]`);
 const shows = (datum) => cell(datum).evaluate((one) => one.value ?? one.textContent);
 
 async function type(datum, value) {
+  // What comes while one types would stand before it.
+  await until(async () => !['', '?'].includes(await shows(datum)), `a value of ${datum}`);
   await cell(datum).fill(value);
   await cell(datum).press('Enter');
 }
@@ -131,6 +134,17 @@ for (const [width, height, theme] of [[1280, 800, 'light'], [1024, 768, 'dark'],
     await accessible(page, `nc at ${width} x ${height}`);
     if (width === 1280) await picture(page, 'nc');
   });
+
+test('the German words have room as well', async () => {
+  const german = await open(server, 'nc');
+  await german.getByText('Bearbeitungsstillstand').waitFor();
+  for (const [width, height] of [[1280, 800], [1024, 768], [768, 1024]]) {
+    await german.setViewportSize({ width, height });
+    let found;
+    await until(async () => (found = await crowding(german)).length === 0, () => found.join('\n'));
+  }
+  await german.context().close();
+});
 
 test('a CPU without an NC has no such view', async () => {
   assert.equal(await page.locator('nav a[href="#/nc"]').count(), 1);
