@@ -118,9 +118,22 @@ test('a thousand rows are some rows of the page; the last one is reached', async
   await row('MW 20').locator('.modify input').fill('W#16#1234');
 });
 
-test('an operand that does not exist is told in its row', async () => {
+test('an operand that does not exist is told in its row, on a tablet as well', async () => {
+  await type('E 0.0');
   await type('EW 99999');
-  await row('EW 99999').locator('.problem').waitFor();
+  const problem = row('EW 99999').locator('.problem');
+  await problem.waitFor();
+  for (const [width, height] of [[1024, 768], [768, 1024], [1280, 800]]) {
+    await page.setViewportSize({ width, height });
+    // All columns are in sight; the row stays one line, and below the field that one is in all of the sentence can be read.
+    const frame = page.locator('.table-frame');
+    await until(() => frame.evaluate((one) => one.scrollWidth <= one.clientWidth), `all columns at ${width}`);
+    await row('EW 99999').locator('.operand input').focus();
+    await until(() => problem.evaluate((one) => one.scrollWidth <= one.clientWidth && one.textContent.length > 40), `all of it at ${width}`);
+    assert.ok((await row('EW 99999').boundingBox()).height <= 26, `one line at ${width}`);
+    await accessible(page, `problem at ${width}`);
+  }
+  await row('E 0.0').getByRole('button', { name: /löschen$/ }).click();
   await row('EW 99999').getByRole('button', { name: /löschen$/ }).click();
 });
 
