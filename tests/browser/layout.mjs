@@ -25,6 +25,16 @@ export const crowding = (page) =>
       for (const b of touched.slice(index + 1))
         if (scroller(a.one) === scroller(b.one) && !a.one.contains(b.one) && meet(a.rect, b.rect)) found.push(`${said(a.one)} lies on ${said(b.one)}`);
 
+    const written = boxes('main span, main label, main th').filter(({ one }) => one.childElementCount === 0 && one.textContent.trim());
+    for (const text of written)
+      for (const control of touched)
+        if (scroller(text.one) === scroller(control.one) && !control.one.contains(text.one) && !text.one.contains(control.one) && meet(text.rect, control.rect))
+          found.push(`${said(text.one)} lies on ${said(control.one)}`);
+    for (const { one, rect } of [...touched, ...written]) {
+      const frame = one.closest('.plate')?.getBoundingClientRect();
+      if (frame && scroller(one) === scroller(one.closest('.plate')) && rect.right > frame.right + 1) found.push(`${said(one)} leaves its plate`);
+    }
+
     const plates = boxes('[data-plant] button');
     for (const plate of plates) {
       for (const { one, rect } of boxes('[data-plant] > svg text, [data-plant] > svg circle'))
@@ -38,7 +48,7 @@ export const crowding = (page) =>
     // Long texts may be cut with dots, source text and curves scroll in their own frame.
     for (const one of document.querySelectorAll('body *')) {
       const { overflowX, textOverflow } = getComputedStyle(one);
-      if (overflowX === 'visible' || textOverflow === 'ellipsis' || !shown(one) || one.matches('input, select')) continue;
+      if (overflowX === 'visible' || textOverflow === 'ellipsis' || !shown(one) || one.matches('input, select, .paper')) continue;
       if (one.scrollWidth > one.clientWidth + 1) found.push(`<${one.tagName.toLowerCase()} class="${one.className}"> is cut: ${one.scrollWidth} of ${one.clientWidth} px`);
     }
     for (const { one, rect } of boxes(`${TOUCHED}, th, td`)) if (rect.right > innerWidth + 1 || rect.left < -1) found.push(`${said(one)} is beyond the edge`);

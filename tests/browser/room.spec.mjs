@@ -39,6 +39,18 @@ test('26 lines of program with status at 1280x800, 18 at 1024x768', async () => 
   await page.setViewportSize({ width: 1280, height: 800 });
 });
 
+test('above the networks nothing lies on anything, on a tablet as well', async () => {
+  await toLine(page, 42);
+  await page.keyboard.press('Control+1');
+  await page.locator('[data-network]').first().waitFor();
+  for (const [width, height] of [[1024, 768], [768, 1024], [1280, 800]]) {
+    await page.setViewportSize({ width, height });
+    await roomy();
+  }
+  await page.keyboard.press('Control+2');
+  await page.locator('.code .cm-status-head').waitFor();
+});
+
 test('the text stays where it is while the cursor walks, with its declarations or without', async () => {
   const walked = async () => {
     const tops = new Set();
