@@ -48,6 +48,10 @@ test('the value of an operand stands behind it in the text', async () => {
   await until(async () => (await shown()).includes('S5T#50MS'), 'another one, in the form of its type');
   await toLine(page, await lineOf('Pulse := #Small'));
   await until(async () => /^[01]$/.test((await shown())[0] ?? ''), 'the local variable that a CALL was given');
+  for (const statement of ['S     #SeenMiddle;', 'FN    #Edge;']) {
+    await toLine(page, await lineOf(statement));
+    await until(async () => /^[01]$/.test((await shown())[0] ?? ''), `the bit of ${statement}`);
+  }
   await accessible(page, 'values in the text');
   await beside.press('Space');
   await expect(() => page.locator('.code .cm-operand-value').count(), 0);

@@ -4,7 +4,7 @@ import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { content, statusOf, text, toLine } from './editor.mjs';
-import { expect, launch, open, picture, scratch, serve, turn, until, visit } from './harness.mjs';
+import { expect, launch, open, picture, scratch, serve, turn, until, visit, write } from './harness.mjs';
 
 const server = await serve('step5/tool-changer');
 const page = await open(server, 'program?file=main.s5');
@@ -39,6 +39,22 @@ test('the status follows the input', async () => {
   await visit(page, server, `program?file=main.s5&line=${line}`);
   await expect(async () => (await statusOf(page, line)).slice(0, 2).join(' '), '1 1');
   await expect(async () => (await statusOf(page, line + 1)).slice(0, 2).join(' '), '0 0');
+});
+
+test('the value of a formal operand stands behind it, as its statement has seen it', async () => {
+  const formal = await serve('step5/09-formal-operands');
+  const other = await open(formal, 'program?block=FB 201');
+  await turn(other, 'RUN');
+  await until(async () => (await content(other).innerText()).includes('=BETR'), 'the listing of FB 201');
+  await other.getByRole('switch', { name: 'Status' }).click();
+  await other.locator('summary', { hasText: 'Spalten' }).click();
+  await other.getByRole('button', { name: 'Wert am Operanden' }).press('Space');
+  await toLine(other, (await text(other)).split('\n').findIndex((one) => one.includes('=EIN')) + 1);
+  const shown = async () => (await other.locator('.code .cm-activeLine .cm-operand-value').allInnerTexts()).join(' ');
+  await expect(shown, '0');
+  await write(other, { 'E 20.0': 1 });
+  await expect(shown, '1');
+  await other.context().close();
 });
 
 test('columns of registers that the PLC does not have are not offered', async () => {

@@ -16,7 +16,7 @@ std::string pointer(const std::optional<std::uint32_t>& value) {
   return value ? formatConstant({ConstantFormat::Pointer, *value}) : "";
 }
 
-// [line, vke, sta, or, akku1, akku2, ar1, ar2, stw, db, di, values of a CALL]
+// [line, vke, sta, or, akku1, akku2, ar1, ar2, stw, db, di, values that these do not say]
 Json rowOf(const monitor::StatusRow& row) {
   const monitor::Registers& r = row.after;
   const auto bit = [](bool value) { return value ? "1" : "0"; };
@@ -33,7 +33,7 @@ Json rowOf(const monitor::StatusRow& row) {
           r.di ? number(*r.di) : ""};
 }
 
-// What the operands of a CALL held, by parameter; of any other statement nothing.
+// What the operands of a CALL held, by parameter, or the bit of S, R, FP and FN, by its name.
 Json valuesAt(const monitor::ProgramStatus& status, std::uint32_t offset) {
   Json values = Json::object();
   const auto& calls = status.callValues();

@@ -15,6 +15,13 @@ const block::Variable* variable(const block::Block& block, std::string_view name
   return at != block.variables.end() && at->type && isElementary(at->type->code) ? &*at : nullptr;
 }
 
+// Behind them STA is not the bit they are about.
+bool hidesItsBit(mc7::Operation operation) {
+  using enum mc7::Operation;
+  return operation == SET_BIT || operation == RESET_BIT || operation == EDGE_POSITIVE ||
+         operation == EDGE_NEGATIVE;
+}
+
 class CallReader {
  public:
   CallReader(const block::Block& block, awl::Blocks blocks, const simulator::Resolver& resolver)
@@ -29,7 +36,7 @@ class CallReader {
     const std::size_t end = listing_.places.size();
     for (std::size_t at = 0; at < end;) {
       const std::size_t count = awl::callLength(listing_, at, end);
-      CallValues call = count > 0 ? this->call(at, count) : CallValues{};
+      CallValues call = count > 0 ? this->call(at, count) : ownBit(listing_.places[at]);
       if (!call.operands.empty()) calls.push_back(std::move(call));
       at += std::max<std::size_t>(count, 1);
     }
@@ -46,6 +53,21 @@ class CallReader {
       if (auto operand = this->operand(lines[i], *callee)) call.operands.push_back(*operand);
     call.values.resize(call.operands.size());
     return call;
+  }
+
+  CallValues ownBit(const mc7::Place& place) const {
+    CallValues values{place.offset, place.offset, {}};
+    if (!place.known || !hidesItsBit(place.instruction.operation)) return values;
+    const std::string name = names_.of(place.instruction.operand);
+    const block::Variable* bit = name.empty() ? nullptr : variable(block_, name.substr(1));
+    if (bit == nullptr || bit->type->code != TypeCode::Bool) return values;
+    values.operands.push_back({.parameter = bit->name,
+                               .output = true,
+                               .type = TypeCode::Bool,
+                               .local = bit->name,
+                               .reference = {}});
+    values.values.resize(1);
+    return values;
   }
 
   const block::Block* callee(std::size_t at, std::size_t count) const {

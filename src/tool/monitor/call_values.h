@@ -1,5 +1,6 @@
-// What was given to the parameters of the CALLs of a block, and what came back: the values of the
-// actual operands as the program status shows them at the pins of a box.
+// What the registers do not say about a statement: what was given to the parameters of a CALL and
+// what came back, as the program status shows it at the pins of a box; behind S, R, FP and FN the
+// local bit itself.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +30,8 @@ struct CallValues {
   std::vector<std::optional<std::uint32_t>> values = {};  // of the last pass; one for each operand
 };
 
-// Of a block of STEP 7, as many as have operands of this kind.
+// Of a block of STEP 7, as many statements as have operands of this kind; the bit of S, R, FP and
+// FN is an output by its own name.
 std::vector<CallValues> callsOf(const BlockCode& code, const block::Program& program,
                                 const block::Program& library, const simulator::Resolver& resolver);
 

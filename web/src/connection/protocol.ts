@@ -300,7 +300,7 @@ export interface Events {
   modified: { list: number };
   /** time in ms, then the values of the curves */
   samples: { list: number; rows: (number | null)[][] };
-  /** program status: line, vke, sta, or, akku1, akku2, ar1, ar2, stw, db, di of the reached lines (empty: a register that the PLC does not have), and of a CALL what its operands held, by parameter; null while the block does not run */
+  /** program status: line, vke, sta, or, akku1, akku2, ar1, ar2, stw, db, di of the reached lines (empty: a register that the PLC does not have), and of a CALL what its operands held, by parameter, of S, R, FP and FN a local bit, by its name; null while the block does not run */
   status: { block: string; file: string; calls: number; rows: [number, string, string, string, string, string, string, string, string, string, string, Record<string, string>][] | null };
   /** values by plant and signal; `axis`: those of the positioning axis, by the names that scenarios have for them */
   process: { time: number; plants: Record<string, Record<string, number>>; stuck: Record<string, Record<string, number>>; axis: Record<string, number> | null };

@@ -10,6 +10,7 @@ VAR_INPUT
   Timer : TIMER ;
 END_VAR
 VAR
+  Edge : BOOL ;
   Box : STRUCT
     Size : INT ;
   END_STRUCT ;
@@ -22,6 +23,8 @@ m001: UN    #Start;          // U #Delay
       T     #Box.Size;
       L     #List[2];
       S     #Start;
+      FN    #Edge;
+      R     #Edge;
       U     "Motor";
       U     #Timer;
       L     #Timer;
@@ -51,7 +54,9 @@ test('what a statement has seen of its variable: a bit is STA, a value AKKU 1', 
     row('L     #Delay;', '1', '00002005'),
     row('T     #Box', '1', '0000FFFB'),
     row('L     #List', '1', '00000007'),
-    row('S     #Start', '1', '00000007'),
+    row('S     #Start', '1', '00000007', { Start: 'FALSE' }),
+    row('FN    #Edge', '1', '00000007', { Edge: 'TRUE' }),
+    row('R     #Edge', '1', '00000007'),
     row('U     "Motor"', '1', '00000007'),
     row('U     #Timer', '0', '00000007'),
     row('L     #Timer', '0', '0000000A'),
@@ -62,6 +67,8 @@ test('what a statement has seen of its variable: a bit is STA, a value AKKU 1', 
     [at('L     #Delay;'), { '#DELAY': 'S5T#5S' }],
     [at('T     #Box'), { '#BOX.SIZE': '-5' }],
     [at('L     #List'), { '#LIST[2]': '7' }],
+    [at('S     #Start'), { '#START': '0' }],
+    [at('FN    #Edge'), { '#EDGE': '1' }],
     [at('U     #Timer'), { '#TIMER': '0' }],
     [at('L     #Timer'), { '#TIMER': '10' }],
   ]);

@@ -15,8 +15,10 @@ const OF_CALL = 11;
 const local = String.raw`#[A-Za-z_][\w.]*(?:\[[^\]]*\][\w.]*)*`;
 const statement = new RegExp(String.raw`^\s*(?:\w+\s*:(?!=)\s*)?([A-Z]+|=)\s+(${local})\s*;`, 'i');
 const supplied = new RegExp(String.raw`(\w+)\s*:=\s*(${local})`, 'g');
-/** Behind them STA is the bit. Behind S, R, FP and FN it is not. */
+/** Behind them STA is the bit. */
 const query = /^(UN?|ON?|XN?|AN?|=)$/i;
+/** Behind them it is not: the row says the bit by its name. */
+const own = /^([SR]|FP|FN)$/i;
 const transfer = /^[LT]$/i;
 
 /** Declared types, by the way to the variable: "BOX.SIZE", an array by that of its elements. */
@@ -39,26 +41,34 @@ const typeOf = (types: ReadonlyMap<string, string>, written: string): string | u
       .toUpperCase(),
   );
 
+/** Bits look alike everywhere in the text. */
+const bit: Record<string, string> = { TRUE: '1', FALSE: '0' };
+
+/** What the registers do not say, by upper-case name. */
+function given(row: StatusRow): Map<string, string> {
+  const values = row[OF_CALL];
+  if (typeof values !== 'object') return new Map();
+  return new Map(Object.entries(values).map(([name, value]) => [name.toUpperCase(), bit[value] ?? value]));
+}
+
 function atStatement(line: string, row: StatusRow, types: ReadonlyMap<string, string>): [string, string] | null {
   const [, operation = '', written = ''] = statement.exec(line.replace(/\/\/.*$/, '')) ?? [];
   const type = typeOf(types, written);
   if (!type) return null;
+  if (own.test(operation)) {
+    const held = given(row).get(written.slice(1).toUpperCase());
+    return held === undefined ? null : [operandKey(written), held];
+  }
   if (query.test(operation)) return [operandKey(written), String(row[STA])];
   const bits = Number.parseInt(String(row[AKKU1]), 16);
   if (!transfer.test(operation) || Number.isNaN(bits)) return null;
   return [operandKey(written), formOf(bits, /^(TIMER|COUNTER)$/.test(type) ? 'INT' : type)];
 }
 
-/** Bits look alike everywhere in the text. */
-const bit: Record<string, string> = { TRUE: '1', FALSE: '0' };
-
 /** What the operands of a CALL held stands at its first line; they themselves stand on those below it. */
 function atCall(lines: readonly string[], row: StatusRow): [number, string, string][] {
-  const given = row[OF_CALL];
-  if (typeof given !== 'object') return [];
-  const values = new Map(
-    Object.entries(given).map(([parameter, value]) => [parameter.toUpperCase(), bit[value] ?? value]),
-  );
+  const values = given(row);
+  if (values.size === 0) return [];
   const found: [number, string, string][] = [];
   for (let at = row[0]; at <= lines.length; at++) {
     const text = lines[at - 1]!.replace(/\/\/.*$/, '');

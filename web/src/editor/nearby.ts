@@ -2,9 +2,10 @@
 import type { BlockOutline } from './outline';
 
 const comment = /\/\/.*$/;
-// A symbol with the way into its data, a local variable, data of a named block, a bit or a wider operand, a timer or counter.
+// A symbol with the way into its data, a local variable, a formal operand of STEP 5, data of a named block, a bit or a wider operand, a
+// timer or counter.
 const operand =
-  /"[^"]+"(?:\.[A-Za-z_]\w*(?:\[[^\]]*\])?)*|#[A-Za-z_][\w.]*(?:\[[^\]]*\][\w.]*)*|\bDB\s?\d+\.DB(?:X\s*\d+\.[0-7]|[BWD]\s*\d+)|\b[EIAQM]\s*\d+\.[0-7]\b|\b[EIAQM][BWD]\s*\d+\b|\b[TZC]\s+\d+\b/gi;
+  /"[^"]+"(?:\.[A-Za-z_]\w*(?:\[[^\]]*\])?)*|#[A-Za-z_][\w.]*(?:\[[^\]]*\][\w.]*)*|(?<=\s)=[A-Za-z]\w*|\bDB\s?\d+\.DB(?:X\s*\d+\.[0-7]|[BWD]\s*\d+)|\b[EIAQM]\s*\d+\.[0-7]\b|\b[EIAQM][BWD]\s*\d+\b|\b[TZC]\s+\d+\b/gi;
 
 /** First and last line of the network at the cursor; of the block where it has none. */
 export function networkLines(block: BlockOutline, line: number): { first: number; last: number } {
@@ -25,11 +26,13 @@ export function operandsOf(line: string): { written: string; end: number }[] {
   return [...found].map((match) => ({ written: match[0], end: match.index + match[0].length }));
 }
 
-/** Each once, in the order of the text, as it is written. `isBlock`: a symbol that names no value. */
+/** That can be asked for: each once, in the order of the text, as it is written. `isBlock`: a symbol that names no value. */
 export function operandsIn(lines: readonly string[], isBlock: (symbol: string) => boolean): string[] {
   const found = new Map<string, string>();
   for (const line of lines) {
     for (const { written } of operandsOf(line)) {
+      // It is the operand of a call, and another one in the next call.
+      if (written.startsWith('=')) continue;
       if (/^"[^"]+"$/.test(written) && isBlock(written)) continue;
       const key = operandKey(written);
       if (!found.has(key)) found.set(key, spelled(written));

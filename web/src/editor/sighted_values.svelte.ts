@@ -45,6 +45,6 @@ export class SightedValues {
     const values = new Map(known.map((item) => [operandKey(item.operand), item.text]));
     const locals = this.locals();
     return (written, line) =>
-      written.startsWith('#') ? locals.get(line)?.get(operandKey(written)) : values.get(operandKey(written));
+      /^[#=]/.test(written) ? locals.get(line)?.get(operandKey(written)) : values.get(operandKey(written));
   }
 }

@@ -23,7 +23,7 @@ export const statusColumns: readonly StatusColumn[] = [
 ];
 export const standardColumns = ['vke', 'sta', 'akku1'];
 
-/** Behind the columns: of a CALL what its operands held, by parameter. */
+/** Behind the columns: of a CALL what its operands held, by parameter; of S, R, FP and FN a local bit, by its name. */
 export type StatusRow = [line: number, ...values: (string | number | Record<string, string>)[]];
 
 /** A machine without address registers leaves theirs empty in each row. */
