@@ -1,6 +1,7 @@
-// Two browsers see the same; a lost connection is shown and repaired.
+// Two browsers see the same; a lost connection is shown and repaired; how much comes over it at first.
+import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { bit, expect, launch, open, serve } from './harness.mjs';
+import { bit, expect, launch, open, serve, visit } from './harness.mjs';
 
 test('what one browser does the other one sees', async () => {
   const server = await serve();
@@ -38,4 +39,22 @@ test('a server that says nothing any more is shown as lost, not as if all were w
   }
   await page.locator('[data-phase="open"]').waitFor();
   page.complaints.length = 0;
+});
+
+// The page in the program is compressed, one beside it is not.
+test('the first view costs less than 400 kB on the wire', { skip: Boolean(process.env.MERKER_PAGE) }, async () => {
+  const server = await serve();
+  const page = await open(server);
+  for (const [view, shown] of [['process', 'main h1'], ['program', '.code .cm-line']]) {
+    const fresh = await page.context().newPage();
+    const wire = await page.context().newCDPSession(fresh);
+    await wire.send('Network.enable');
+    await wire.send('Network.setCacheDisabled', { cacheDisabled: true });
+    let bytes = 0;
+    wire.on('Network.loadingFinished', ({ encodedDataLength }) => (bytes += encodedDataLength));
+    await visit(fresh, server, view);
+    await fresh.locator(shown).first().waitFor();
+    assert.ok(bytes > 50_000 && bytes < 400_000, `${view}: ${bytes} bytes`);
+    await fresh.close();
+  }
 });

@@ -68,6 +68,9 @@ test('the wizard makes a project with CPU, MPI address, OB 1 and representation 
   const made = (file) => readFileSync(join(server.workspace, 'merker', 'Manfred', file), 'utf-8');
   assert.match(made('merker.toml'), /model = "314C-2 PtP"\nmpi_address = 5/);
   assert.match(made('main.awl'), /^ORGANIZATION_BLOCK OB 1$/m);
+  // A CPU that has never run has no cycle times.
+  const times = page.locator('aside dl').first().locator('dd');
+  await expect(async () => (await times.allInnerTexts()).join(' '), '– – – 0');
 });
 
 test('MPI(1) shows who is on it (S7-MGR-04)', async () => {

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { expect, open, picture, scratch, serve, until } from './harness.mjs';
+import { expect, open, picture, quiet, scratch, serve, until } from './harness.mjs';
 
 const server = await serve('09-symbols');
 const file = join(server.project, 'symbols.sym');
@@ -82,4 +82,15 @@ test('export and import keep the table (S7-SYM-17)', async () => {
   await page.locator('input[type=file][accept]').setInputFiles(one);
   await expect(() => rows.count(), 10);
   await expect(() => cell('Symbol', 10).inputValue(), 'Horn');
+});
+
+test('a broken file is refused with its places, and nothing is said to have come', async () => {
+  await quiet(page);
+  const before = await rows.count();
+  const broken = join(server.workspace, 'broken.asc');
+  writeFileSync(broken, '126,Motor 2\nrubbish without form\n');
+  await page.locator('input[type=file][accept]').setInputFiles(broken);
+  for (const place of ['1:1', '2:1']) await page.locator('.message').filter({ hasText: `import.asc:${place}` }).first().waitFor();
+  assert.equal(await page.locator('.message').filter({ hasText: /importiert/ }).count(), 0);
+  assert.equal(await rows.count(), before);
 });
