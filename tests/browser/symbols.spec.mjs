@@ -90,7 +90,9 @@ test('a broken file is refused with its places, and nothing is said to have come
   const broken = join(server.workspace, 'broken.asc');
   writeFileSync(broken, '126,Motor 2\nrubbish without form\n');
   await page.locator('input[type=file][accept]').setInputFiles(broken);
-  for (const place of ['1:1', '2:1']) await page.locator('.message').filter({ hasText: `import.asc:${place}` }).first().waitFor();
+  for (const place of ['1:1', '2:1']) await page.locator('.message').filter({ hasText: `broken.asc:${place}` }).first().waitFor();
   assert.equal(await page.locator('.message').filter({ hasText: /importiert/ }).count(), 0);
+  // The file is none of the project.
+  assert.equal(await page.locator('.message').getByRole('button', { name: 'Stelle öffnen' }).count(), 0);
   assert.equal(await rows.count(), before);
 });

@@ -9,6 +9,8 @@ export interface Message {
   file: string;
   line: number;
   column: number;
+  /** The file is none of the project: there is nothing to open. */
+  elsewhere?: boolean;
   /** What was refused. */
   method: string;
 }
@@ -22,12 +24,14 @@ class Messages {
   list = $state<Message[]>([]);
   private nextId = 1;
 
-  problem(problem: Partial<Problem> & { text: string }, method = ''): void {
+  problem(problem: Partial<Problem> & { text: string; elsewhere?: boolean }, method = ''): void {
     this.add({ kind: 'problem', code: '', file: '', line: 0, column: 0, method, ...problem });
   }
 
-  problems(problems: Problem[], method = ''): void {
-    for (const problem of problems.slice(0, SHOWN)) this.problem(problem, method);
+  /** `from`: what the file is called on the computer that it came from. */
+  problems(problems: Problem[], method = '', from = ''): void {
+    for (const problem of problems.slice(0, SHOWN))
+      this.problem(from && problem.file ? { ...problem, file: from, elsewhere: true } : problem, method);
   }
 
   /** `stays`: until somebody closes it. */
@@ -62,11 +66,11 @@ export const messages = new Messages();
 connection.onDone = (method) => messages.solved(method);
 
 /** Waits for an answer of the server and shows its problems to the user; undefined if it was refused. */
-export async function attempt<T>(answer: Promise<T>): Promise<T | undefined> {
+export async function attempt<T>(answer: Promise<T>, from = ''): Promise<T | undefined> {
   try {
     return await answer;
   } catch (error) {
-    if (error instanceof Refused) messages.problems(error.problems, error.method);
+    if (error instanceof Refused) messages.problems(error.problems, error.method, from);
     else if (!(error instanceof ConnectionLost)) throw error;
     return undefined;
   }

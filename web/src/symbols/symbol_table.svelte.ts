@@ -90,10 +90,10 @@ class SymbolTable {
   }
 
   /** Rows of a file of STEP 7 become rows here; saved like typed ones. */
-  async import(format: Format, text: string): Promise<number | null> {
-    const answer = await attempt(connection.ask('symbols.import', { format, text }));
+  async import(format: Format, text: string, from: string): Promise<number | null> {
+    const answer = await attempt(connection.ask('symbols.import', { format, text }), from);
     if (!answer) return null;
-    messages.problems(answer.problems);
+    messages.problems(answer.problems, '', from);
     this.rows = [...meaningful(this.rows), ...answer.rows];
     this.changed();
     return answer.rows.length;
