@@ -162,6 +162,15 @@ test('HALT leaves the text where it is', async () => {
   await page.getByText('F10').waitFor();
   assert.equal(await top(), before);
   assert.ok((await lines()) >= 20, `${await lines()} lines`);
+  // One line of steps, and one of the front plate, on a tablet.
+  for (const [width, high] of [[1024, 768], [768, 1024]]) {
+    await page.setViewportSize({ width, height: high });
+    await until(async () => (await height('.halt')) <= 40, `one line at ${width}`);
+    await roomy();
+    const fold = page.getByRole('button', { name: 'Frontplatte der CPU' });
+    if (width < 900) await until(async () => (await fold.boundingBox()).x + 32 <= width, 'the button that unfolds the front plate');
+  }
+  await page.setViewportSize({ width: 1280, height: 800 });
   // The cursor stands at the breakpoint: it goes, and so does the CPU.
   await page.keyboard.press('F9');
   await page.locator('.halt').getByRole('button', { name: 'F8' }).click();
