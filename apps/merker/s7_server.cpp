@@ -164,6 +164,7 @@ void S7Server::Parts::check() {
 }
 
 void S7Server::Parts::callPartners() {
+  if (!around.exchange.reachable()) return;
   calls.look(S7Connection::Clock::now(), [this](auto call) { clients.insert(std::move(call)); });
 }
 

@@ -85,6 +85,35 @@ class Clients(Served):
         self.assertEqual(answer[5], 0xD0)
 
 
+class Callers(Clients):
+    def prepare(self):
+        super().prepare()
+        self.partner = socket.create_server(("127.0.0.1", 0))
+        self.partner.settimeout(20)
+        self.addCleanup(self.partner.close)
+        with open(self.project / "merker.toml", "a", encoding="utf-8") as project:
+            project.write('[cpu]\nmodel = "generic"\n[[connection]]\nid = "W#16#1"\n'
+                          f'partner = "tcp://127.0.0.1:{self.partner.getsockname()[1]}"\n')
+
+    def test_without_power_nobody_is_called(self):
+        browser = self.browser()
+        self.partner.accept()[0].close()
+        browser.call("cpu.power", on=False)
+        self.assertEqual(self.answer(), b"")
+        self.partner.settimeout(0)
+        try:  # what was on its way
+            while True:
+                self.partner.accept()[0].close()
+        except BlockingIOError:
+            pass
+        self.partner.settimeout(3)
+        with self.assertRaises(TimeoutError):
+            self.partner.accept()
+        browser.call("cpu.power", on=True)
+        self.partner.settimeout(20)
+        self.partner.accept()[0].close()
+
+
 class Values(Served):
     arguments = ("--set", "E 0.0 = 1", "--print", "A 0.0", "--json")
 

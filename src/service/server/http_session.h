@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "server/web_socket.h"
+#include "server/write_answer.h"
 
 namespace merker::hmi {
 
@@ -75,14 +76,7 @@ class HttpSession : public Unfinished, public std::enable_shared_from_this<HttpS
 
   void write() {
     limitTime(limits().idle);
-    http::async_write(stream_, answer_,
-                      [self = shared_from_this()](beast::error_code error, std::size_t) {
-                        if (!error && self->answer_.keep_alive()) return self->read();
-                        beast::error_code ignored;
-                        beast::get_lowest_layer(self->stream_)
-                            .socket()
-                            .shutdown(boost::asio::ip::tcp::socket::shutdown_send, ignored);
-                      });
+    writeAnswer(stream_, answer_, [self = shared_from_this()] { self->read(); });
   }
 
   Stream stream_;

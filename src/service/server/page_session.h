@@ -8,7 +8,7 @@
 
 #include "server/answer.h"
 #include "server/sessions.h"
-#include "server/stream.h"
+#include "server/write_answer.h"
 
 namespace merker::hmi {
 
@@ -96,14 +96,7 @@ class PageSession : public Unfinished, public std::enable_shared_from_this<PageS
   void write(Answer answer) {
     answer_ = std::move(answer);
     limitTime(around_->limits.idle);
-    http::async_write(stream_, answer_,
-                      [self = shared_from_this()](beast::error_code error, std::size_t) {
-                        if (!error && self->answer_.keep_alive()) return self->read();
-                        beast::error_code ignored;
-                        beast::get_lowest_layer(self->stream_)
-                            .socket()
-                            .shutdown(boost::asio::ip::tcp::socket::shutdown_send, ignored);
-                      });
+    writeAnswer(stream_, answer_, [self = shared_from_this()] { self->read(); });
   }
 
   Stream stream_;
