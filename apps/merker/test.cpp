@@ -57,10 +57,9 @@ bool writeFile(const std::string& path, Write write) {
 
 // False if the path does not exist.
 bool testPath(const std::string& path, TestSession& session) {
-  bool missing = false, found = false;
+  bool missing = false;
   const std::vector<project::TestTarget> targets = project::findTests(path, missing);
-  for (const project::TestTarget& target : targets) found |= session.run(target);
-  if (!found)
+  if (!session.run(targets))
     for (const project::TestTarget& target : targets) session.compile(target);
   if (missing) std::cerr << "merker test: " << path << " does not exist\n";
   return !missing;

@@ -48,40 +48,67 @@ simulator::TestResult notRun(const std::string& file, const std::string& name,
   return result;
 }
 
-}  // namespace
+struct ScenarioFile {
+  Result<source::SourceFile> file;  // the scenarios' texts are views into it
+  Problems problems;
+  std::vector<simulator::Scenario> list;
 
-template <typename Built>
-void TestSession::scenarios(const project::TestTarget& target, const Built& built) {
-  printProblems(built.problems, built.files());
-  const Bench bench{built.problems,
-                    [&](const source::SourceFile& file, Problems& problems) {
-                      return boundScenarios(file, built, problems);
-                    },
-                    [&](const simulator::Scenario& one) { return scenario(one, built); }};
-  for (const std::string& file : target.scenarios) scenarios(file, bench);
+  bool missing() const { return !file && file.error().code == ProblemCode::P0101; }
+  FileLookup files() const {
+    return [this](const std::string&) { return file ? &file.value() : nullptr; };
+  }
+};
+
+template <typename Bench>
+std::shared_ptr<const ScenarioFile> readScenarios(const std::string& path, const Bench& bench) {
+  auto read = std::make_shared<ScenarioFile>(ScenarioFile{source::readSource(path), {}, {}});
+  if (read->file)
+    read->list = bench.read(read->file.value(), read->problems);
+  else
+    read->problems.add(read->file.error());
+  return read;
 }
 
-bool TestSession::run(const project::TestTarget& target) {
-  project::Project project = loadTarget(target, options_.project);
-  unreadable_ |= project.unreadable;
-  if (project.network) return runNetwork(target, std::move(project));
-  const bool checks = target.selfChecks && checksItself(project);
-  if (checks && chosen(target.path, "self-checks")) selfChecks(target, project);
-  if (target.scenarios.empty()) return checks;
-  Build built = build(project, false);
-  requireOb1(built);
-  requireWorkMemory(built);
-  scenarios(target, built);
-  return true;
+}  // namespace
+
+bool TestSession::run(const std::vector<project::TestTarget>& targets) {
+  std::atomic<bool> found = false;
+  std::vector<OrderedWork::Target> work;
+  for (const project::TestTarget& target : targets)
+    work.push_back([&] { return tasks(target, found); });
+  work_.run(std::move(work));
+  return found;
+}
+
+TestSession::Tasks TestSession::tasks(const project::TestTarget& target, std::atomic<bool>& found) {
+  auto project = std::make_shared<project::Project>(loadTarget(target, options_.project));
+  if (project->unreadable) unreadable_ = true;
+  if (!target.scenarios.empty()) found = true;
+  if (project->network) return networkTasks(target, std::move(*project));
+  Tasks list;
+  if (target.selfChecks && checksItself(*project)) {
+    found = true;
+    if (chosen(target.path, "self-checks"))
+      list.push_back([this, target, project] { return selfChecks(target, *project); });
+  }
+  if (target.scenarios.empty()) return list;
+  auto built = std::make_shared<Build>(build(*project, false));
+  requireOb1(*built);
+  requireWorkMemory(*built);
+  addScenarios(target, std::shared_ptr<const Build>(built), list);
+  return list;
 }
 
 // The stations' own scenarios and checks are found in their folders.
-bool TestSession::runNetwork(const project::TestTarget& target, project::Project project) {
-  if (target.scenarios.empty()) return false;
-  const auto built = compilation::buildNetwork(std::move(project), true);
-  unreadable_ |= built.unreadable;
-  scenarios(target, built);
-  return true;
+TestSession::Tasks TestSession::networkTasks(const project::TestTarget& target,
+                                             project::Project project) {
+  Tasks list;
+  if (target.scenarios.empty()) return list;
+  const auto built = std::make_shared<const compilation::NetworkBuild>(
+      compilation::buildNetwork(std::move(project), true));
+  if (built->unreadable) unreadable_ = true;
+  addScenarios(target, built, list);
+  return list;
 }
 
 void TestSession::compile(const project::TestTarget& target) {
@@ -89,51 +116,63 @@ void TestSession::compile(const project::TestTarget& target) {
   if (project.network) {
     const auto several = compilation::buildNetwork(std::move(project), false);
     printProblems(several.problems, several.files());
-    broken_ |= !several.ok();
+    if (!several.ok()) broken_ = true;
     return;
   }
   const Build built = build(std::move(project), false);
   printProblems(built.problems, built.files());
-  broken_ |= !built.ok();
+  if (!built.ok()) broken_ = true;
 }
 
-void TestSession::selfChecks(const project::TestTarget& target, const project::Project& project) {
-  Build built = build(project, true);
-  requireOb1(built);
-  requireWorkMemory(built);
+OrderedWork::Say TestSession::selfChecks(const project::TestTarget& target,
+                                         const project::Project& project) {
+  auto built = std::make_shared<Build>(build(project, true));
+  requireOb1(*built);
+  requireWorkMemory(*built);
   // the scenarios' build prints the same problems
-  if (target.scenarios.empty() || !built.ok()) printProblems(built.problems, built.files());
-  if (!built.ok()) return add(notRun(target.path, "self-checks", built.problems));
-  const auto plc = controller(built);
-  add(simulator::runSelfChecks(target.path, *plc));
-  count(*plc);
+  const bool silent = !target.scenarios.empty() && built->ok();
+  simulator::TestResult result = notRun(target.path, "self-checks", built->problems);
+  if (built->ok()) {
+    const auto plc = controller(*built);
+    result = simulator::runSelfChecks(target.path, *plc);
+    count(*plc);
+  }
+  return [this, built, silent, result] {
+    if (!silent) printProblems(built->problems, built->files());
+    add(result);
+  };
 }
 
-void TestSession::scenarios(const std::string& path, const Bench& bench) {
-  auto file = source::readSource(path);
-  if (!file) {
-    unreadable_ |= file.error().code == ProblemCode::P0101;
-    Problems problems;
-    problems.add(file.error());
-    printProblems(problems, [](const std::string&) { return nullptr; });
-    return add(notRun(path, "scenarios", problems));
-  }
-  const FileLookup files = [&](const std::string&) { return &file.value(); };
-  Problems problems;
-  const std::vector<simulator::Scenario> list = bench.read(file.value(), problems);
-  printProblems(problems, files);
-  if (list.empty() && problems.hasErrors()) add(notRun(path, "scenarios", problems));
+template <typename Built>
+void TestSession::addScenarios(const project::TestTarget& target,
+                               const std::shared_ptr<const Built>& built, Tasks& to) {
+  to.push_back([built] { return [built] { printProblems(built->problems, built->files()); }; });
+  const auto bench = std::make_shared<const Bench>(
+      Bench{built->problems,
+            [built](const source::SourceFile& file, Problems& problems) {
+              return boundScenarios(file, *built, problems);
+            },
+            [this, built](const simulator::Scenario& one) { return scenario(one, *built); }});
+  for (const std::string& file : target.scenarios) addScenarios(file, bench, to);
+}
+
+void TestSession::addScenarios(const std::string& path, const std::shared_ptr<const Bench>& bench,
+                               Tasks& to) {
+  const auto read = readScenarios(path, *bench);
+  if (read->missing()) unreadable_ = true;
+  to.push_back([read] { return [read] { printProblems(read->problems, read->files()); }; });
+  const std::vector<simulator::Scenario>& list = read->list;
+  if (list.empty() && read->problems.hasErrors())
+    to.push_back([this, path, read] { return added(notRun(path, "scenarios", read->problems)); });
   for (std::size_t i = 0; i < list.size(); ++i) {
     if (!chosen(path, list[i].name)) continue;
-    const Problems own = between(problems, list[i].position.line,
+    const Problems own = between(read->problems, list[i].position.line,
                                  i + 1 < list.size() ? list[i + 1].position.line : kNoLine);
-    const Problems& why = own.hasErrors() ? own : bench.problems;
-    if (why.hasErrors())
-      queue_.add([result = notRun(path, list[i].name, why)] { return result; });
-    else
-      queue_.add([&, i] { return bench.run(list[i]); });
+    to.push_back([this, path, read, bench, i, why = own.hasErrors() ? own : bench->problems] {
+      const simulator::Scenario& one = read->list[i];
+      return added(why.hasErrors() ? notRun(path, one.name, why) : bench->run(one));
+    });
   }
-  queue_.run();
 }
 
 std::unique_ptr<controller::Controller> TestSession::controller(const Build& build) const {
@@ -169,6 +208,10 @@ simulator::TestResult TestSession::scenario(const simulator::Scenario& scenario,
   simulator::TestResult result = simulator::runScenario(scenario, plcs);
   for (std::size_t i = 0; i < network->size(); ++i) count(network->itself(i));
   return result;
+}
+
+OrderedWork::Say TestSession::added(simulator::TestResult result) {
+  return [this, result = std::move(result)] { add(result); };
 }
 
 void TestSession::add(simulator::TestResult result) {
