@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <fstream>
 #include <iostream>
@@ -75,12 +76,33 @@ int setAll(const std::vector<simulator::Assignment>& assignments, network::Netwo
   return kGood;
 }
 
+// Virtual time for about a tenth of a second of real time: long portions are faster, because a
+// station that moves stays in the cache, short ones show progress.
+class Portion {
+ public:
+  Duration length() const { return length_; }
+  void took(std::chrono::steady_clock::duration real) {
+    using std::chrono::milliseconds;
+    if (real < milliseconds(50))
+      length_ = std::min(length_ + length_, kLongest);
+    else if (real > milliseconds(200))
+      length_ = std::max(Duration{length_.ns / 2}, kShortest);
+  }
+
+ private:
+  static constexpr Duration kShortest = Duration::milliseconds(100);
+  static constexpr Duration kLongest = Duration::seconds(3600);
+  Duration length_ = kShortest;
+};
+
 void runNetworkFor(network::Network& network, Duration time, NetworkTrace* trace) {
-  constexpr Duration kPortion = Duration::milliseconds(100);
+  Portion portion;
   Progress progress("running");
   const Instant start = network.now(), end = start + time;
   while (network.now() < end) {
-    network.advanceTo(std::min(end, network.now() + kPortion));
+    const auto before = std::chrono::steady_clock::now();
+    network.advanceTo(std::min(end, network.now() + portion.length()));
+    portion.took(std::chrono::steady_clock::now() - before);
     if (trace != nullptr) trace->write(network.now());
     progress.show(static_cast<double>((network.now() - start).ns) / static_cast<double>(time.ns));
   }

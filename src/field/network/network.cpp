@@ -71,9 +71,20 @@ void Network::connect(const Subnet& subnet, const Partner& calling, const Partne
   join(called, to, from, false);
 }
 
-// What is sent from now on arrives after it at the earliest.
+// Somebody on it may send.
+bool Network::inUse(const Subnet& subnet) const {
+  return std::ranges::any_of(places_, [&](const Place& place) {
+    return place.subnet == &subnet &&
+           controller::capability<Connectable>(*stations_[place.station].plc)->maySend();
+  });
+}
+
+// What is sent from now on arrives after it at the earliest; where nobody sends, nothing arrives.
 Instant Network::windowEnd(Instant wanted) const {
-  for (const auto& subnet : subnets_) wanted = std::min(wanted, now_ + subnet->lookahead());
+  for (const auto& subnet : subnets_) {
+    const Instant reached = now_ + subnet->lookahead();
+    if (reached < wanted && inUse(*subnet)) wanted = reached;
+  }
   return wanted;
 }
 

@@ -68,6 +68,7 @@ class Network {
   void othersTo(std::size_t i, Instant end);
   void close(Instant end);
   Instant windowEnd(Instant wanted) const;
+  bool inUse(const Subnet& subnet) const;
 
   struct Place {
     std::size_t station = 0;

@@ -35,6 +35,8 @@ class Node {
   }
   // When the next one arrives, as far as that is known; never: none is on the way.
   Instant next() const { return in_.empty() ? Instant::never() : in_.front().at; }
+  // Nothing was sent that is not on the line yet, and nothing is on the way to it.
+  bool idle() const { return in_.empty() && out_.empty(); }
   // The next one that is there by `now`; it is taken.
   std::optional<Telegram> receive(Instant now);
 
@@ -56,6 +58,9 @@ class Connectable : public controller::Capability {
   virtual void join(Node& node, const GlobalData& globalData) = 0;
   // One more configured connection, over any subnet.
   virtual void connect(const ConnectionEnd& end) = 0;
+  // False: it sends nothing before a telegram reaches it or somebody changes its program. Then the
+  // others need not wait for it.
+  virtual bool maySend() const = 0;
 };
 
 }  // namespace merker::network

@@ -13,15 +13,17 @@ namespace {
 
 constexpr std::size_t kEntryBytes = 4;
 
+bool isCall(const Instruction& instruction) {
+  return instruction.operation == Operation::UC || instruction.operation == Operation::CC;
+}
+
 // Only FC and SFC have a parameter list; whether a call of a BLOCK_FC parameter has one is not
 // established (MC7 section 9), its jump is shown as an instruction.
 bool hasParameterList(const Instruction& instruction) {
   const Operand& operand = instruction.operand;
-  const bool call =
-      instruction.operation == Operation::UC || instruction.operation == Operation::CC;
   const bool block =
       operand.kind == OperandKind::Block || operand.kind == OperandKind::BlockIndirect;
-  return call && block &&
+  return isCall(instruction) && block &&
          (operand.blockKind == BlockKind::FC || operand.blockKind == BlockKind::SFC);
 }
 
@@ -95,6 +97,17 @@ std::string toString(const Line& line) {
   for (const std::uint8_t byte : line.bytes)
     fmt::format_to(std::back_inserter(bytes), "{:02X}", byte);
   return fmt::format("{:04X}: {:<12}  {}", line.offset, bytes, line.text);
+}
+
+std::vector<BlockId> calledBlocks(std::span<const std::uint8_t> code) {
+  std::vector<BlockId> blocks;
+  walk(code, [&](std::size_t, std::size_t, const Instruction* instruction, bool) {
+    if (instruction != nullptr && isCall(*instruction) &&
+        instruction->operand.kind == OperandKind::Block)
+      blocks.push_back(
+          {instruction->operand.blockKind, static_cast<std::uint16_t>(instruction->operand.value)});
+  });
+  return blocks;
 }
 
 std::vector<std::uint32_t> jumpPositions(std::span<const std::uint8_t> code) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "address/area.h"
+#include "address/block_id.h"
 
 namespace merker::mc7 {
 
@@ -30,6 +31,9 @@ std::string toString(const Line& line);
 // Number of entries of the parameter list at the start of `code` (a jump over them, `70 0B kk kk`);
 // -1 if there is none or it does not fit.
 int parameterListLength(std::span<const std::uint8_t> code);
+
+// The blocks that UC and CC name, as often as they do; a number in memory names none.
+std::vector<BlockId> calledBlocks(std::span<const std::uint8_t> code);
 
 // Places of the jumps in words, as the segment table of a block holds them; not the jumps over
 // parameter lists.

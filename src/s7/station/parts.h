@@ -5,6 +5,7 @@
 #include "station/mixed_engine.h"
 #include "station/modules.h"
 #include "station/periphery.h"
+#include "station/senders.h"
 #include "station/station.h"
 #include "system/global_data.h"
 #include "system/services.h"
@@ -53,6 +54,7 @@ struct Station::Parts {
   }
 
   system::GlobalDataExchange globalData;
+  Senders senders;
   system::SubnetLinks links{cpu};
   block::RetentiveData kept;
   std::vector<DiagnosticEntry> diagnostics;
@@ -66,6 +68,11 @@ struct Station::Parts {
     rest();
     cpu.step(std::min({limit, services.partners().next(), links.next()}));
     rest();
+  }
+  // As Connectable::maySend().
+  bool maySend() {
+    return !links.empty() || !globalData.empty() || !services.partners().idle() ||
+           cpu.loadMemory().downloaded() || senders.in(cpu.program());
   }
   bool onSubnet() const { return services.partners().joined() || !links.empty(); }
   void rest() {

@@ -314,10 +314,11 @@ void Station::onChange(std::function<void(controller::Controller&)> observer) {
 }
 
 // Of two stations at one line each takes the other along; partners on a subnet are served at each
-// checkpoint.
+// checkpoint, if there is anything to serve.
 bool Station::nobodyLooks() const {
   const serial::Coupling* const line = parts_->serial();
-  return !parts_->eachCycle && !parts_->onSubnet() && (line == nullptr || !line->joined());
+  return !parts_->eachCycle && !(parts_->onSubnet() && parts_->maySend()) &&
+         (line == nullptr || !line->joined());
 }
 
 void Station::passQuietCycles(Instant limit, Instant enough) {
@@ -329,6 +330,8 @@ void Station::join(network::Node& node, const network::GlobalData& globalData) {
   parts_->globalData = system::GlobalDataExchange(globalData);
   parts_->cpu.onCheckpoint([parts = parts_.get()] { parts->checkpoint(); });
 }
+
+bool Station::maySend() const { return parts_->maySend(); }
 
 void Station::connect(const network::ConnectionEnd& end) {
   system::Services& services = parts_->services;

@@ -89,6 +89,7 @@ class Station final : public controller::Controller,
   // From now on the CPU is a node of an MPI subnet.
   void join(network::Node& node, const network::GlobalData& globalData) override;
   void connect(const network::ConnectionEnd& end) override;
+  bool maySend() const override;
 
   const CpuModel& model() const override;
   std::string modelName() const override;

@@ -65,6 +65,11 @@ class BasicCommunication {
   bool joined() const { return node_ != nullptr; }
   const network::Node* node() const { return node_; }
   bool reads(const network::Node& node) const { return node_ == &node; }
+  // No partner, no job, no telegram: only a call of the program makes it send something.
+  bool idle() const {
+    return links_.empty() && partners_.empty() && queue_.empty() && others_.empty() &&
+           wishes_.empty() && (node_ == nullptr || node_->idle());
+  }
 
   // RET_VAL. Of SFC 67 with 0: `answer` is what the partner sent.
   std::uint32_t call(const Order& order, Instant now, std::vector<std::uint8_t>& answer);

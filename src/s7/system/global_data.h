@@ -22,6 +22,7 @@ class GlobalDataExchange {
  public:
   GlobalDataExchange() = default;
   explicit GlobalDataExchange(const network::GlobalData& data);
+  bool empty() const { return packets_.empty() && !groupStatus_; }
 
   // At a cycle checkpoint.
   void exchange(cpu::Cpu& cpu, BasicCommunication& interface);

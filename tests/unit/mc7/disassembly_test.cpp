@@ -115,5 +115,13 @@ TEST(Disassembly, FindsJumpsButNotThoseOverParameterLists) {
   EXPECT_EQ(jumpPositions(code), (std::vector<std::uint32_t>{0, 16, 18}));
 }
 
+// An entry of a parameter list is no call, whatever its bytes are.
+TEST(Disassembly, FindsTheBlocksThatAreCalled) {
+  Bytes code = kCall;
+  code[6] = 0x3D;                                       // an entry that begins as UC FC 0
+  code.insert(code.begin(), {0xFB, 0x74, 0x00, 0x41});  // UC SFC 65
+  EXPECT_EQ(calledBlocks(code), (std::vector<BlockId>{{BlockKind::SFC, 65}, {BlockKind::FC, 5}}));
+}
+
 }  // namespace
 }  // namespace merker::mc7

@@ -79,11 +79,14 @@ std::vector<graph::Edit> usualEdits(const graph::Selection& at) {
   return edits;
 }
 
+// Of every third element: all of them take half a minute under sanitizers.
 void expectEdits(const char* extension) {
   std::set<std::string> seen;
+  std::size_t number = 0;
   forEachShape(extension, [&](const source::SourceFile& file, const Surroundings& around,
                               const Block& block, const Network& network, const Shape& shape) {
     if (shape.of.pin != graph::kNoPin || !seen.insert(where(file, network, shape)).second) return;
+    if (number++ % 3 != 0) return;
     for (const graph::Edit& edit : usualEdits(shape.of)) {
       const auto done = networks::edit(file, block.line, network.number, edit, around);
       if (done) continue;
