@@ -51,6 +51,7 @@ void Rack::reportDiagnosis(std::uint32_t index) {
 
 void Rack::refresh(std::uint32_t index) {
   showBits(index);
+  showAnswer(index);
   for (std::uint32_t c = 0; c < of(index).type->analogInputs; ++c) convert(index, c);
   diagnose(index);
 }

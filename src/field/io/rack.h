@@ -12,6 +12,7 @@
 
 #include "io/event_list.h"
 #include "io/periphery_bytes.h"
+#include "io/process_data.h"
 #include "io/terminal.h"
 #include "io/unit.h"
 #include "io/watched_edges.h"
@@ -77,6 +78,12 @@ class Rack {
   void show(std::uint32_t module, std::uint32_t channel, std::uint32_t data);
   void interrupt(std::uint32_t module, std::uint32_t points);
 
+  // For a drive behind a DP slave: whether its master's data are good, the setpoints as the last
+  // turn on the bus left them, and what it answers.
+  bool exchanging(std::uint32_t module) const;
+  std::int32_t received(const ProcessData& data) const;
+  void answer(const ProcessData& data, std::int32_t value);
+
   // time: nothing moves outside these calls
   Instant next() const { return next_; }  // when an input delay or a conversion ends
   // The same without conversions that only an access sees.
@@ -128,6 +135,7 @@ class Rack {
   void detach(Terminal terminal, Instant now);
   void take(std::uint32_t index, std::uint32_t levels);  // inputs pass the delay
   void showBits(std::uint32_t index);
+  void showAnswer(std::uint32_t index);  // process_data.cpp
   // asi.cpp
   void showAsi(std::uint32_t index, std::uint32_t bits);
   bool asiOutput(const Module& slave, std::uint32_t channel) const;

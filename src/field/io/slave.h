@@ -48,6 +48,10 @@ constexpr bool isHead(const ModuleType& type) {
 std::shared_ptr<const ModuleType> slaveModule(const std::string& name, std::uint32_t inputs,
                                               std::uint32_t outputs);
 
+// The same without terminals: bytes that a drive reads and answers.
+std::shared_ptr<const ModuleType> dataModule(const std::string& name, std::uint32_t inputs,
+                                             std::uint32_t outputs);
+
 // Adds the slaves to a configuration that is complete without them: modules without an address get
 // one that is free, then all are checked together (S7-NET-04, -05).
 void addSlaves(Configuration& configuration, DpMaster master, Problems& problems);

@@ -19,6 +19,15 @@ std::shared_ptr<const ModuleType> owned(const std::string& name, ModuleType row)
   return {own, &own->row};
 }
 
+ModuleType dataRow(std::uint32_t inputs, std::uint32_t outputs) {
+  return {.orderNumber = "DP",
+          .name = {},
+          .text = {},
+          .kind = ModuleKind::Communication,
+          .inputBytes = static_cast<std::uint8_t>(inputs),
+          .outputBytes = static_cast<std::uint8_t>(outputs)};
+}
+
 std::shared_ptr<const ModuleType> headType(const std::string& model) {
   return owned(model, {.orderNumber = {}, .name = {}, .text = {}, .kind = ModuleKind::Interface});
 }
@@ -91,18 +100,18 @@ void checkSlaveNames(const std::vector<Module>& modules, Problems& problems) {
 std::shared_ptr<const ModuleType> slaveModule(const std::string& name, std::uint32_t inputs,
                                               std::uint32_t outputs) {
   constexpr std::uint32_t kTerminals = 4;  // bytes
-  const bool digital = inputs <= kTerminals && outputs <= kTerminals;
-  ModuleType row{.orderNumber = "DP",
-                 .name = {},
-                 .text = {},
-                 .kind = digital ? ModuleKind::Digital : ModuleKind::Communication,
-                 .inputBytes = static_cast<std::uint8_t>(inputs),
-                 .outputBytes = static_cast<std::uint8_t>(outputs)};
-  if (digital) {
+  ModuleType row = dataRow(inputs, outputs);
+  if (inputs <= kTerminals && outputs <= kTerminals) {
+    row.kind = ModuleKind::Digital;
     row.digitalInputs = static_cast<std::uint8_t>(8 * inputs);
     row.digitalOutputs = static_cast<std::uint8_t>(8 * outputs);
   }
   return owned(name, row);
+}
+
+std::shared_ptr<const ModuleType> dataModule(const std::string& name, std::uint32_t inputs,
+                                             std::uint32_t outputs) {
+  return owned(name, dataRow(inputs, outputs));
 }
 
 void addSlaves(Configuration& configuration, DpMaster master, Problems& problems) {

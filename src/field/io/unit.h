@@ -44,6 +44,7 @@ struct Unit {
   AnalogInputs analog;
   DrivenOutputs driven;
   std::optional<DrivenAmount> amount;
+  std::vector<std::uint8_t> answer;  // of a drive behind a slave: its telegram to the master
   ModuleFaults faults;
   std::vector<std::uint8_t> diagnosis;  // data record 1, as last reported
 

@@ -19,10 +19,11 @@ struct SignalPlace {
   std::uint32_t plant = 0, signal = 0;
 };
 
-// The other end of a wire: a terminal, or for inputs the signal of another plant.
+// The other end of a wire: a terminal, for inputs the signal of another plant, of a drive at a bus
+// words of its telegram.
 struct Wire {
   std::uint32_t signal = 0;  // of the plant that has the wire
-  std::variant<io::Terminal, SignalPlace> end;
+  std::variant<io::Terminal, SignalPlace, io::ProcessData> end;
   std::string text;  // as written: "4.AO0"
   // Of an analog terminal: the amount is offset + scale * value, in the range's unit.
   double scale = 1, offset = 0;

@@ -57,6 +57,8 @@ class Process {
   virtual std::shared_ptr<const signal::Signal> course(std::uint32_t) const { return nullptr; }
 };
 
+struct Telegram;  // telegram.h
+
 struct Kind {
   std::string_view name;  // "first order"
   // Between two steps; zero: the process moves by its own instants and by changes of inputs only.
@@ -65,6 +67,8 @@ struct Kind {
   std::span<const Signal> signals;
   // `parameters` in the order of the row.
   std::unique_ptr<Process> (*make)(std::span<const double> parameters);
+  // Of a drive that is wired to a bus: which words of the telegram are which of its signals.
+  const Telegram* telegram = nullptr;
 
   std::optional<std::uint32_t> signal(std::string_view wanted) const;  // ignoring case
 };

@@ -8,10 +8,10 @@
 namespace merker::plant {
 namespace {
 
-constexpr std::array kKinds{
-    &kFirstOrder,     &kTemperature,  &kValve,   &kTank,       &kGenerator,
-    &kBouncingSwitch, &kSortingPlant, &kVessel,  &kGarageDoor, &kTrafficLight,
-    &kLift,           &kPulseTrain,   &kEncoder, &kAxis};
+constexpr std::array kKinds{&kFirstOrder, &kTemperature,    &kValve,        &kTank,
+                            &kGenerator,  &kBouncingSwitch, &kSortingPlant, &kVessel,
+                            &kGarageDoor, &kTrafficLight,   &kLift,         &kPulseTrain,
+                            &kEncoder,    &kAxis,           &kSpeedDrive,   &kPositioningDrive};
 
 template <typename Rows, typename Name>
 std::string list(const Rows& rows, Name name) {

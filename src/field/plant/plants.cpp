@@ -1,6 +1,7 @@
 #include "plant/plants.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "clock/standstill.h"
@@ -86,6 +87,10 @@ void Plants::readInputs(std::size_t index, const io::Rack& rack,
       value = this->value(*other);
       continue;
     }
+    if (const auto* data = std::get_if<io::ProcessData>(&wire.end)) {
+      value = data->words == 0 ? rack.exchanging(data->module) : rack.received(*data);
+      continue;
+    }
     const auto& terminal = std::get<io::Terminal>(wire.end);
     value = isDigital(terminal.side) ? double(rack.level(terminal))
                                      : (rack.amount(terminal) - wire.offset) / wire.scale;
@@ -102,6 +107,8 @@ std::vector<Plants::Wiring> Plants::wirings() const {
       const Signal& signal = configuration_.plants[i].kind->signals[wire.signal];
       if (const auto* other = std::get_if<SignalPlace>(&wire.end))
         all[i].fed = all[other->plant].feeds = true;
+      else if (std::holds_alternative<io::ProcessData>(wire.end))
+        all[i].bus = true;
       else if (signal.side == Signal::Side::Output && signal.binary)
         all[i].switches = true;
       else if (signal.side == Signal::Side::Output)
@@ -114,7 +121,7 @@ Instant Plants::silentUntil(std::size_t index, const io::Rack& rack, bool amount
   const Unit& unit = units_[index];
   const Wiring& wiring = wiring_[index];
   const auto seen = [&](std::uint32_t module) { return amounts || !rack.onlyByAccess(module); };
-  if (unit.fresh || std::ranges::any_of(wiring.analog, seen)) return unit.next();
+  if (unit.fresh || wiring.bus || std::ranges::any_of(wiring.analog, seen)) return unit.next();
   if (!wiring.switches) return unit.process->next();
   if (wiring.fed) return unit.next();
   std::vector<double> values = unit.values;
@@ -138,7 +145,7 @@ void Plants::stepSilently(std::size_t index, const io::Rack& rack, Instant to) {
 
 void Plants::advanceAlone(io::Rack& rack, Instant now) {
   for (std::size_t i = 0; i < units_.size(); ++i)
-    if (const Wiring& w = wiring_[i]; w.analog.empty() && !w.fed && !w.feeds)
+    if (const Wiring& w = wiring_[i]; w.analog.empty() && !w.fed && !w.feeds && !w.bus)
       stepSilently(i, rack, now);
   findNext();
 }
@@ -161,6 +168,8 @@ void Plants::showOutputs(std::size_t index, io::Rack& rack, Instant now) {
 void Plants::showOutput(std::size_t index, std::size_t number, io::Rack& rack, Instant now) {
   Unit& unit = units_[index];
   const Wire& wire = configuration_.plants[index].wires[number];
+  if (const auto* data = std::get_if<io::ProcessData>(&wire.end))
+    return answer(index, number, *data, rack);
   const auto& terminal = std::get<io::Terminal>(wire.end);
   auto course = unit.stuckAt(wire.signal) ? nullptr : unit.process->course(wire.signal);
   if (course != nullptr) {
@@ -178,6 +187,14 @@ void Plants::showOutput(std::size_t index, std::size_t number, io::Rack& rack, I
     rack.setLevel(terminal, value != 0, now);
   else
     rack.setAmount(terminal, wire.offset + wire.scale * value, now);
+}
+
+void Plants::answer(std::size_t index, std::size_t number, const io::ProcessData& data,
+                    io::Rack& rack) {
+  const std::uint32_t signal = configuration_.plants[index].wires[number].signal;
+  const double value = this->value({static_cast<std::uint32_t>(index), signal});
+  if (std::exchange(units_[index].shown[number], value) == value) return;
+  rack.answer(data, static_cast<std::int32_t>(std::llround(value)));
 }
 
 double Plants::value(SignalPlace place) const {

@@ -75,11 +75,13 @@ class Plants {
     bool switches = false;                // levels of its own at terminals
     std::vector<std::uint32_t> analog{};  // modules that get an amount from it
     bool fed = false, feeds = false;      // by another plant, another plant
+    bool bus = false;                     // a drive behind a DP slave
   };
   std::vector<Wiring> wirings() const;
   void stepSilently(std::size_t index, const io::Rack& rack, Instant to);
   void showOutputs(std::size_t index, io::Rack& rack, Instant now);
   void showOutput(std::size_t index, std::size_t wire, io::Rack& rack, Instant now);
+  void answer(std::size_t index, std::size_t wire, const io::ProcessData& data, io::Rack& rack);
   void findNext();
 
   Configuration configuration_;

@@ -6,6 +6,7 @@
 namespace merker::plant {
 
 extern const Kind kAxis, kBouncingSwitch, kEncoder, kFirstOrder, kGarageDoor, kGenerator, kLift,
-    kPulseTrain, kSortingPlant, kTank, kTemperature, kTrafficLight, kValve, kVessel;
+    kPositioningDrive, kPulseTrain, kSortingPlant, kSpeedDrive, kTank, kTemperature, kTrafficLight,
+    kValve, kVessel;
 
 }  // namespace merker::plant

@@ -146,6 +146,12 @@ std::uint8_t Periphery::drivenBits(std::uint32_t byte) const {
   unsigned bits = 0;
   for (const plant::PlantSettings& plant : plants_.configuration().plants)
     for (const plant::Wire& wire : plant.wires) {
+      if (const auto* data = std::get_if<io::ProcessData>(&wire.end)) {
+        const io::Module& module = rack_.configuration().modules[data->module];
+        const std::uint32_t first = module.inputStart.value_or(0) + 2u * data->word;
+        if (!data->setpoint && byte >= first && byte < first + 2u * data->words) bits = 0xFF;
+        continue;
+      }
       const auto* terminal = std::get_if<io::Terminal>(&wire.end);
       if (terminal == nullptr || isOutput(terminal->side)) continue;
       const bool digital = isDigital(terminal->side);

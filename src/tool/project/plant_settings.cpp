@@ -6,6 +6,7 @@
 
 #include "base/text.h"
 #include "io/rack.h"
+#include "plant/telegram.h"
 #include "project/readers.h"
 
 namespace merker::project {
@@ -31,6 +32,9 @@ class Reader {
   bool readName(const Table& table, PlantSettings& plant) const;
   void readWires(const Table& wires, PlantSettings& plant) const;
   void readWire(const Table& wires, const std::string& key, PlantSettings& plant) const;
+  void readBus(const Table& wires, std::string_view key, PlantSettings& plant) const;
+  std::optional<std::uint32_t> slaveModule(std::string_view slave,
+                                           const plant::Telegram& telegram) const;
   bool find(const Table& table, std::string_view key, const Signal& signal,
             plant::Wire& wire) const;
   bool findTerminal(const Table& table, std::string_view key, const Signal& signal,
@@ -128,6 +132,8 @@ void Reader::readWire(const Table& wires, const std::string& key, PlantSettings&
     return;
   }
   const Signal& signal = plant.kind->signals[*number];
+  if (plant.kind->telegram != nullptr && signal.name == plant::kBusSignal)
+    return readBus(wires, key, plant);
   plant::Wire wire;
   wire.signal = *number;
   const toml::node* node = wires.node(key);
@@ -142,6 +148,39 @@ void Reader::readWire(const Table& wires, const std::string& key, PlantSettings&
     scale(nullptr, signal, wire);
   }
   plant.wires.push_back(std::move(wire));
+}
+
+// BUS = "Drive": the whole telegram is wired to the module of the slave that has it.
+void Reader::readBus(const Table& wires, std::string_view key, PlantSettings& plant) const {
+  const plant::Telegram& telegram = *plant.kind->telegram;
+  const std::string wanted =
+      fmt::format("the name of a [[slave]] of type PROFIdrive with \"{}\"", telegram.name);
+  const auto slave = wires.text(key, wanted);
+  if (!slave) return;
+  const auto module = slaveModule(*slave, telegram);
+  if (!module) return wires.mustBe(key, wanted);
+  for (const PlantSettings& other : plants_.plants)
+    for (const plant::Wire& wire : other.wires)
+      if (const auto* data = std::get_if<io::ProcessData>(&wire.end);
+          data != nullptr && data->module == *module)
+        return wires.problems().add(ProblemCode::P0765, wires.at(key), *slave, other.name);
+  const auto add = [&](std::string_view signal, const io::ProcessData& data) {
+    plant.wires.push_back({*plant.kind->signal(signal), data, *slave});
+  };
+  add(plant::kBusSignal, {*module, true, 0, 0});
+  for (const plant::TelegramWord& word : telegram.words)
+    add(word.signal, {*module, word.setpoint, word.word, word.words});
+}
+
+// The slave's module with this telegram.
+std::optional<std::uint32_t> Reader::slaveModule(std::string_view slave,
+                                                 const plant::Telegram& telegram) const {
+  const auto head = rack_.module(slave);
+  if (!head) return std::nullopt;
+  const std::vector<io::Module>& modules = rack_.configuration().modules;
+  for (std::uint32_t i = 0; i < modules.size(); ++i)
+    if (modules[i].rack == modules[*head].rack && modules[i].type->name == telegram.name) return i;
+  return std::nullopt;
 }
 
 // Two outputs at one input terminal would fight.

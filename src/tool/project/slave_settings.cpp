@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "gsd/configuration.h"
 #include "gsd/read.h"
+#include "plant/telegram.h"
 #include "project/files.h"
 #include "project/readers.h"
 
@@ -18,6 +19,8 @@ namespace {
 constexpr std::uint32_t kLongestData = 244;  // bytes each way in a telegram
 constexpr std::string_view kEt200M = "ET 200M";
 constexpr std::uint16_t kEt200MIdent = 0x801D;  // IM 153-1
+constexpr std::string_view kDrive = "PROFIdrive";
+constexpr std::uint16_t kDriveIdent = 0x7F02;  // belongs to no maker
 constexpr std::uint32_t kFirstEt200MSlot = 4, kEt200MModules = 8;
 
 // What a slave may have.
@@ -93,6 +96,36 @@ std::optional<io::Module> readGsdModule(const Table& table, const gsd::Device& d
   return module;
 }
 
+std::string telegramNames() {
+  std::string list;
+  for (const plant::Telegram* telegram : plant::telegrams())
+    list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", telegram->name);
+  return list;
+}
+
+// A drive has one module, its telegram; its words are bytes without terminals.
+std::optional<io::Module> readTelegram(const Table& table) {
+  table.allow({"type", "input", "output", "name"});
+  const auto type = table.text("type", telegramNames());
+  const auto found = std::ranges::find_if(plant::telegrams(), [&](const plant::Telegram* one) {
+    return type && equalsIgnoreCase(one->name, trim(*type));
+  });
+  if (found == plant::telegrams().end()) {
+    table.mustBe("type", "the telegram of the drive: " + telegramNames());
+    return std::nullopt;
+  }
+  io::Module module;
+  module.own =
+      io::dataModule(std::string((*found)->name), 2u * (*found)->actuals, 2u * (*found)->setpoints);
+  module.type = module.own.get();
+  module.parameters = io::Parameters::of(*module.type);
+  module.position = table.place();
+  module.name = table.text("name", "a text").value_or("");
+  readStart(table, "input", true, module.inputStart, module.inputPosition);
+  readStart(table, "output", true, module.outputStart, module.outputPosition);
+  return module;
+}
+
 // Slots follow each other where none is named.
 void readSlaveSlot(const Table& table, std::uint32_t first, std::uint32_t count, io::Module& module,
                    std::uint32_t& next) {
@@ -144,6 +177,20 @@ class SlaveReader {
         else
           add(std::move(*module), module->slot, table);
       }
+    checkLengths();
+  }
+
+  void drive() {
+    slave_.model = kDrive;
+    slave_.ident = kDriveIdent;
+    slave_.sync = slave_.freeze = true;
+    limits_.modules = 1;
+    std::uint32_t slot = 1;
+    for (const Table& table : table_.tables("modules"))
+      if (auto module = readTelegram(table)) add(std::move(*module), slot++, table);
+    if (slave_.modules.empty())
+      table_.problems().add(ProblemCode::P0744, table_.place(), table_.title(),
+                            "modules = [ {type = \"Standard telegram 9\"} ]");
     checkLengths();
   }
 
@@ -235,11 +282,11 @@ void readSlaves(const Table& root, std::vector<DpSubnet>& subnets) {
     readGroups(table, slave);
     SlaveReader reader(table, slave);
     if (table.has("type")) {
-      (void)table.choice("type", {kEt200M});
-      reader.et200M();
+      const auto type = table.choice("type", {kEt200M, kDrive});
+      type == 1 ? reader.drive() : reader.et200M();
     } else if (!table.has("gsd")) {
       table.problems().add(ProblemCode::P0744, table.place(), table.title(),
-                           "gsd = \"valves.gsd\" or type = \"ET 200M\"");
+                           "gsd = \"valves.gsd\", type = \"ET 200M\" or type = \"PROFIdrive\"");
     } else if (const auto device = readGsd(table)) {
       reader.fromGsd(*device, subnet->master.rate);
     }

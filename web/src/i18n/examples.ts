@@ -72,6 +72,10 @@ export const examples: Record<string, readonly [title: string, description: stri
     'Das Labor, Topologie 1 (Kapitel 2.3)',
     'Acht Stationen bilden ein MPI-Subnetz und ein Segment. Die Station des Lehrers sendet die Nummer der Aufgabe als Globaldaten an alle Plätze, ein Paket für sieben Empfänger. Ein Platz meldet mit SFC 68 X_PUT, ob die Hand oben ist: eine CPU empfängt höchstens vier Pakete Globaldaten, sieben Plätze könnten so nicht antworten.',
   ],
+  'networks/positioning-drive': [
+    'Positionierantrieb',
+    'Ein Antrieb als Slave an PROFIBUS-DP, der das Standardtelegramm 9 von PROFIdrive spricht: Steuerwort, Zielposition und Geschwindigkeit gehen mit SFC 15 hinaus, Zustandswort und Lageistwert kommen mit SFC 14 zurück. Das Programm schaltet ihn ein, lässt ihn referenzieren und schickt ihn von Position zu Position. Der Antrieb hat die Zustandsmaschine des Profils und eine Achse mit Endschaltern und Referenznocken.',
+  ],
   'networks/profibus': [
     'PROFIBUS-DP',
     'Eine CPU 314C-2 DP als Master von zwei Slaves: eine Ventilinsel, die ihre GSD-Datei beschreibt, und eine ET 200M mit Baugruppen des Katalogs. Das Programm benutzt ihre Ein- und Ausgänge wie die der CPU, liest und schreibt mit SFC 14 und SFC 15 acht Bytes, die zusammengehören, liest mit SFC 13 die Diagnose eines Slaves und läuft weiter, wenn eine Station ausfällt: OB 86 zählt die Ausfälle, OB 122 die Zugriffe auf das, was fehlt.',

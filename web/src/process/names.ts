@@ -14,7 +14,9 @@ export const SIGNALS: Record<string, Record<string, Text>> = {
   encoder: parts.encoderSignals,
   'first order': parts.firstOrderSignals,
   generator: parts.generatorSignals,
+  'positioning drive': parts.driveSignals,
   'pulse train': parts.pulseTrainSignals,
+  'speed drive': parts.driveSignals,
   tank: parts.tankSignals,
   valve: parts.valveSignals,
 };

@@ -7,7 +7,9 @@ export const kinds = {
   encoder: ['Inkrementalgeber', 'Incremental encoder'],
   'first order': ['Strecke erster Ordnung', 'First-order process'],
   generator: ['Signalgenerator', 'Signal generator'],
+  'positioning drive': ['Positionierantrieb', 'Positioning drive'],
   'pulse train': ['Impulsgeber', 'Pulse generator'],
+  'speed drive': ['Drehzahlantrieb', 'Speed drive'],
   tank: ['Tank', 'Tank'],
   valve: ['Stellventil mit Motor', 'Motorised valve'],
 } satisfies Texts;
@@ -38,6 +40,32 @@ export const generatorSignals = {
   AMPLITUDE: ['Amplitude', 'Amplitude'],
   PERIOD: ['Periode', 'Period'],
   VALUE: ['Wert', 'Value'],
+} satisfies Texts;
+
+export const driveSignals = {
+  BUS: ['Master da', 'Master there'],
+  STW1: ['Steuerwort 1', 'Control word 1'],
+  NSOLL_A: ['Drehzahlsollwert', 'Speed setpoint'],
+  SATZANW: ['Satzanwahl', 'Block selection'],
+  MDI_TARPOS: ['Zielposition', 'Target position'],
+  MDI_VELOCITY: ['Geschwindigkeit', 'Velocity'],
+  MDI_ACC: ['Beschleunigungsoverride', 'Acceleration override'],
+  MDI_DEC: ['Verzögerungsoverride', 'Deceleration override'],
+  MDI_MOD: ['Positioniermodus', 'Positioning mode'],
+  BLOCKED: ['Blockiert', 'Blocked'],
+  EXTERNAL: ['Externe Störung', 'External fault'],
+  ZSW1: ['Zustandswort 1', 'Status word 1'],
+  NIST_A: ['Drehzahlistwert', 'Actual speed'],
+  AKTSATZ: ['Aktueller Satz', 'Active block'],
+  XIST_A: ['Lageistwert', 'Actual position'],
+  STATE: ['Zustand S1 bis S5', 'State S1 to S5'],
+  FAULT: ['Störung', 'Fault'],
+  WARNING: ['Warnung', 'Warning'],
+  POSITION: ['Ort der Achse', 'Place of the axis'],
+  SPEED: ['Geschwindigkeit der Achse', 'Speed of the axis'],
+  LOW_SWITCH: ['Endschalter minus', 'Limit switch minus'],
+  HIGH_SWITCH: ['Endschalter plus', 'Limit switch plus'],
+  CAM: ['Referenznocken', 'Reference cam'],
 } satisfies Texts;
 
 export const pulseTrainSignals = {
