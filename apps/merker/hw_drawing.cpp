@@ -145,6 +145,24 @@ std::string asiText(const io::Configuration& configuration) {
   return text.empty() ? text : text + '\n';
 }
 
+std::string moduleLines(const std::vector<io::Module>& modules) {
+  std::string text;
+  for (const io::Module& module : modules)
+    text += fmt::format("      {:<8} {:<32} {}{}{}\n", module.slotText(), module.title(),
+                        inputText(module), module.inputStart && module.outputStart ? ", " : "",
+                        outputText(module));
+  return text;
+}
+
+// Of a station that is a slave itself.
+std::string ownSlaveText(const io::Configuration& configuration) {
+  if (!configuration.ownSlave) return {};
+  const io::Slave& self = configuration.ownSlave->self;
+  return fmt::format("PROFIBUS-DP: slave {} of master {}, diagnostic address {}\n{}\n",
+                     self.address, configuration.ownSlave->master, self.diagnosis,
+                     moduleLines(self.modules));
+}
+
 // "DP master 2, bus cycle 1.234 ms", then a line for each slave and each module of it.
 std::string slavesText(const io::Configuration& configuration) {
   if (!configuration.dp) return {};
@@ -155,10 +173,7 @@ std::string slavesText(const io::Configuration& configuration) {
   for (const io::Slave& slave : master.slaves) {
     text += fmt::format("  {:>3} {} ({}), diagnostic address {}\n", slave.address, slave.name,
                         slave.model, slave.diagnosis);
-    for (const io::Module& module : slave.modules)
-      text += fmt::format("      {:<8} {:<32} {}{}{}\n", module.slotText(), module.title(),
-                          inputText(module), module.inputStart && module.outputStart ? ", " : "",
-                          outputText(module));
+    text += moduleLines(slave.modules);
   }
   return text + '\n';
 }
@@ -189,7 +204,7 @@ std::string drawRacks(const io::Configuration& configuration) {
     text += fmt::format("Rack {}{}\n{}backplane bus: {} of {} mA\n\n", rack,
                         cable(configuration, rack), drawAll(row), current.taken, current.possible);
   }
-  return text + asiText(configuration) + slavesText(configuration);
+  return text + asiText(configuration) + slavesText(configuration) + ownSlaveText(configuration);
 }
 
 }  // namespace merker::app

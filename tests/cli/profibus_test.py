@@ -9,6 +9,9 @@ from harness import *
 EXAMPLE = pathlib.Path(__file__).resolve().parents[2] / "examples" / "networks" / "profibus"
 SUBNET = '[[subnet]]\nname = "DP"\nkind = "profibus"\nnodes = [ {address = 2, master = true} ]\n'
 SLAVE = '[[slave]]\nname = "V"\naddress = 4\ngsd = "v.gsd"\nmodules = [ {type = "8 sensors", input = 10}, {type = "8 valves", output = 10} ]\n'
+AREAS = ("modules = [ {input = 20, local = 30, length = 2}, {output = 20, local = 30, length = 2},\n"
+         '            {input = 300, local = 300, length = 8, consistency = "all"} ]\n')
+UNPLUGS = int(os.environ.get("MERKER_UNPLUGS", "300"))
 COUNTING = block("      NOP   0") + block(
     "      L     LB 0\n      L     B#16#39\n      ==I\n      SPBN  back\n      L     MD 100\n      +     1\n      T     MD 100\n"
     "      BEA\nback: L     MD 104\n      +     1\n      T     MD 104", 86)
@@ -76,15 +79,15 @@ class Profibus(Case):
             broken = any((names[k], "line break") in faults for k in range(i + 1))
             return not broken and (names[i], "power") not in faults and not any(kind == "short circuit" for _, kind in faults)
 
-        for _ in range(int(os.environ.get("MERKER_UNPLUGS", "300"))):
-            fault = chance.choice(names), chance.choice(kinds)
+        for _ in range(UNPLUGS):
+            fault = chance.choice(sorted(faults)) if faults and chance.random() < 0.6 else (chance.choice(names), chance.choice(kinds))
             steps.append(f"  wait {chance.randrange(1, 3_000_000) / 1e6:.6f}ms\n  fault {fault[0]} {fault[1]}{' off' if fault in faults else ''}\n")
             faults ^= {fault}
             before, answers = answers, [present(i) for i in range(3)]
             failures += sum(was and not now for was, now in zip(before, answers))
             returns += sum(now and not was for was, now in zip(before, answers))
         self.write("p/main.scn", 'scenario "at any instant"\n' + "".join(steps) +
-                   f"  wait 10ms\n  expect MD 100 = {failures}\n  expect MD 104 = {returns}\n  expect mode = RUN\n")
+                   f"  wait 10ms\n  expect MD 100 = L#{failures}\n  expect MD 104 = L#{returns}\n  expect mode = RUN\n")
         self.expect(GOOD, "test", "p")
 
     # S7-NET-22
@@ -114,6 +117,131 @@ class Profibus(Case):
                         "--threads", threads)
             traces.append((self.folder / "t.csv").read_text())
         self.assertEqual(len(set(traces)), 1)
+
+    # Intelligent slaves: CPU 31xC and CPU 31x: Installation, tables 11-8 and 11-11 (S7-NET-10, S7-OBI-09, S7-OBI-11, S7-SFC-07).
+    def two_stations(self, areas=AREAS, slave='station = "Press"\n'):
+        counting = "".join(
+            block(f"      L     LB 0\n      L     B#16#39\n      ==I\n      SPBN  back\n      L     MD {at}\n      +     1\n      T     MD {at}\n"
+                  f"      L     LW 6\n      T     MW {at + 8}\n      L     LB 10\n      T     MB {at + 10}\n      BEA\n"
+                  f"back: L     MD {at + 4}\n      +     1\n      T     MD {at + 4}", ob) for ob, at in ((82, 100), (86, 120)))
+        line = ("      L     MB 10\n      T     AB 20\n      L     EB 20\n      T     MB 11\n      CALL  SFC 14 (LADDR := W#16#12C,\n"
+                "           RET_VAL := MW 12, RECORD := P#M 200.0 BYTE 8)")
+        press = ("      L     EB 30\n      +     1\n      T     AB 30\n      L     MW 20\n      +     1\n      T     MW 20\n      T     MW 200\n"
+                 "      T     MW 206\n      CALL  SFC 15 (LADDR := W#16#12C, RECORD := P#M 200.0 BYTE 8,\n           RET_VAL := MW 12)")
+        for folder, code in ("line", line), ("press", press):
+            self.write(f"{folder}/merker.toml", '[cpu]\nmodel = "314C-2 DP"\n')
+            self.write(f"{folder}/main.awl", block(code) + counting + block("      NOP   0", 122))
+        self.write("merker.toml", '[[station]]\nname = "Line"\nfolder = "line"\n[[station]]\nname = "Press"\nfolder = "press"\n' +
+                   SUBNET.replace("{address", '{station = "Line", address') + f'[[slave]]\nname = "Slave"\n{slave}address = 5\n{areas}')
+
+    def test_an_intelligent_slave(self):
+        self.two_stations()
+        self.write("main.scn", """scenario "bytes go both ways"
+  set Line/MB 10 = 5
+  expect Press/EB 30 = 5 within 10ms
+  expect Line/MB 11 = 6 within 10ms
+  expect Line/MW 12 = 0
+  expect Press/MW 12 = 0
+  expect Line/MW 200 > 0
+
+scenario "STOP of the slave"
+  set Line/MB 10 = 5
+  wait 20ms
+  station Press
+  stop
+  expect Line/MD 100 = 1 within 10ms
+  expect Line/MW 108 = 1022
+  expect Line/MB 110 = 4
+  expect Line/MB 11 = 0
+  expect Line/MD 120 = 0
+  run
+  expect Line/MD 104 = 1 within 10ms
+  expect Line/MB 11 = 6 within 20ms
+
+scenario "the slave without power"
+  wait 20ms
+  station Press
+  power off
+  expect Line/MD 120 = 1 within 10ms
+  expect Line/MD 100 = 0
+  expect Line/MW 12 = W#16#80A0
+  power on
+  expect Line/MD 124 = 1 within 20ms
+  wait 20ms
+  expect Line/MD 100 = 0
+  expect Line/MW 12 = 0
+
+scenario "STOP of the master"
+  set Line/MB 10 = 5
+  wait 20ms
+  station Line
+  stop
+  expect Press/MD 100 = 1 within 10ms
+  expect Press/MB 110 = 4
+  expect Press/EB 30 = 0 within 10ms
+  run
+  expect Press/MD 104 = 1 within 10ms
+  power off
+  expect Press/MD 120 = 1 within 10ms
+
+scenario "the plug is pulled"
+  set Line/MB 10 = 5
+  wait 20ms
+  station Line
+  fault Slave line break
+  expect Line/MD 120 = 1 within 10ms
+  expect Press/MD 120 = 1 within 10ms
+  expect Press/MW 12 = W#16#80A1
+  fault Slave line break off
+  expect Line/MD 124 = 1 within 10ms
+  expect Press/MD 124 = 1 within 10ms
+  expect Line/MB 11 = 6 within 20ms
+  expect Press/MW 12 = 0 within 10ms
+""")
+        self.expect(GOOD, "test", ".")
+        drawn = self.expect(GOOD, "network", ".").out
+        self.assertIn("    2  Line\n    5  Press\n", drawn)
+
+    # Each side counts each failure and each return, in whatever state the bus cycle is.
+    def test_an_intelligent_slave_is_unplugged_at_any_instant(self):
+        self.two_stations()
+        chance, steps = random.Random(20261), []
+        for i in range(UNPLUGS):
+            steps.append(f"  wait {chance.randrange(1, 2_000_000) / 1e6:.6f}ms\n  fault Slave line break{' off' if i % 2 else ''}\n")
+        if UNPLUGS % 2:
+            steps.append("  fault Slave line break off\n")
+        times = (UNPLUGS + 1) // 2
+        self.write("main.scn", 'scenario "at any instant"\n  station Line\n' + "".join(steps) + "  wait 20ms\n" + "".join(
+            f"  expect {station}/MD {at} = L#{times}\n" for station in ("Line", "Press") for at in (120, 124)) +
+            "  expect Line/MD 100 = 0\n  expect Press/MW 12 = 0\n  expect mode = RUN\n")
+        self.expect(GOOD, "test", ".")
+
+    def test_two_stations_on_dp_do_not_depend_on_threads(self):
+        self.two_stations()
+        traces = set()
+        for threads in "1", "2", "4", "8":
+            self.expect(GOOD, "run", ".", "--for", "200ms", "--set", "Line/MB 10 = 7", "--watch", "Line/MB 11, Line/MW 200, Line/MW 206, Press/EB 30",
+                        "--trace", "t.csv", "--threads", threads)
+            traces.add((self.folder / "t.csv").read_text())
+        self.assertEqual(len(traces), 1)
+        self.assertGreater(traces.pop().count("Line/MW 200"), 10)
+
+    def test_rules_of_an_intelligent_slave(self):
+        def refused(message, **what):
+            self.two_stations(**what)
+            self.assertIn(message, self.expect(PROBLEMS, "check", ".").err)
+        refused("'station' must be the name of a [[station]]: Line, Press", slave='station = "Pres"\n')
+        refused("'station' must be a station whose DP interface is free", slave='station = "Line"\n')
+        refused("overlap", areas="modules = [ {input = 20, local = 30, length = 8}, {input = 24, local = 40, length = 8} ]\n")
+        refused("overlap", areas="modules = [ {input = 20, local = 30, length = 8}, {input = 40, local = 34, length = 8} ]\n")
+        refused("'length' must be", areas="modules = [ {input = 20, local = 30, length = 33} ]\n")
+        refused("'length' must be", areas='modules = [ {input = 20, local = 30, length = 17, unit = "word"} ]\n')
+        refused("needs input or output of the master", areas="modules = [ {local = 30, length = 8} ]\n")
+        refused("at most 244 bytes of inputs; these are 256",
+                areas="modules = [ " + ", ".join(f"{{input = {300 + 32 * i}, local = {300 + 32 * i}, length = 32}}" for i in range(8)) + " ]\n")
+        refused("needs modules = ", areas="")
+        refused("'local' must be wholly inside or outside the process image, bytes 0 to 127: the area is consistent",
+                areas='modules = [ {input = 300, local = 124, length = 8, consistency = "all"} ]\n')
 
     # SFC 11: outputs of a group are held until the next SYNC or UNSYNC; FREEZE does the same with inputs.
     def test_sync_and_freeze(self):

@@ -27,6 +27,7 @@ struct Parameters;
 namespace merker::io {
 
 struct DpMaster;  // io/slave.h
+struct OwnSlave;  // the same
 struct AsiSlave;  // io/asi.h
 
 // What outputs do while the CPU is not in RUN (S7-STATE-02, S7-HWCFG-09).
@@ -76,6 +77,7 @@ struct Module {
   std::shared_ptr<const ModuleType> own{};
   std::uint16_t master = 0;
   std::uint32_t station = 0;
+  bool consistent = false;  // an area of an intelligent slave: all its bytes belong together
   // Of a CP 343-2: what is on its AS-Interface. Of such a slave: the number of the CP in the
   // configuration, and which of its data bits are what.
   std::shared_ptr<const std::vector<AsiSlave>> asi{};
@@ -95,7 +97,8 @@ struct Module {
 struct Configuration {
   std::vector<Module> modules;
   const CpuModel* model = nullptr;
-  std::shared_ptr<const DpMaster> dp{};  // null: no DP slaves
+  std::shared_ptr<const DpMaster> dp{};        // null: no DP slaves
+  std::shared_ptr<const OwnSlave> ownSlave{};  // null: it is no DP slave
 
   // By name or slot ("Conveyor", "4", "1/4", "2.2"), ignoring case; null if there is none.
   const Module* find(std::string_view name) const;

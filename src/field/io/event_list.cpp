@@ -20,8 +20,9 @@ ModuleEvent rackEvent(const Module& module, bool failed) {
 ModuleEvent event(const Module& module, Kind kind) {
   ModuleEvent event{.kind = kind};
   event.output = !module.inputStart && module.outputStart;
-  event.address =
-      static_cast<std::uint16_t>(module.inputStart.value_or(module.outputStart.value_or(0)));
+  const std::uint32_t diagnosis = module.station >> 16;  // of the head of a slave
+  event.address = static_cast<std::uint16_t>(
+      module.inputStart.value_or(module.outputStart.value_or(diagnosis)));
   return event;
 }
 

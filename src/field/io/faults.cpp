@@ -99,6 +99,25 @@ std::vector<char> Rack::presentNow() const {
   return present;
 }
 
+bool Rack::lineReaches(std::uint32_t head) const {
+  bool broken = false, shorted = false;
+  for (std::uint32_t i = 0; i < units_.size(); ++i) {
+    if (!isHead(*of(i).type)) continue;
+    broken |= i <= head && units_[i].faults.has(FaultKind::LineBreak);
+    shorted |= units_[i].faults.hasAnywhere(FaultKind::ShortCircuit);
+  }
+  return !broken && !shorted;
+}
+
+// CPU 31xC and CPU 31x: Installation (A5E00105492-03), tables 11-8 and 11-11: "module fault",
+// OB82_MDL_STOP = 1. Class 1011: an intelligent slave.
+void Rack::partnerStops(std::uint32_t head, bool stops) {
+  constexpr std::uint8_t kModuleFault = 0x01, kIntelligentSlave = 0x0B, kInStop = 0x04;
+  const auto ifStops = [&](std::uint8_t bit) { return stops ? bit : std::uint8_t{0}; };
+  events_.diagnosis(of(head), {ifStops(kModuleFault), kIntelligentSlave, ifStops(kInStop), 0},
+                    stops);
+}
+
 void Rack::presenceFault(std::uint32_t index, FaultKind kind, bool there) {
   using Kind = ModuleEvent::Kind;
   const std::vector<char> before = std::exchange(present_, presentNow());

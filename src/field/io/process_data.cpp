@@ -25,6 +25,11 @@ void Rack::answer(const ProcessData& data, std::int32_t value) {
   showAnswer(data.module);
 }
 
+void Rack::answer(std::uint32_t module, std::vector<std::uint8_t> bytes) {
+  units_[module].answer = std::move(bytes);
+  showAnswer(module);
+}
+
 void Rack::showAnswer(std::uint32_t index) {
   const std::vector<std::uint8_t>& bytes = units_[index].answer;
   for (std::uint32_t i = 0; i < bytes.size(); ++i)

@@ -83,6 +83,15 @@ class Rack {
   bool exchanging(std::uint32_t module) const;
   std::int32_t received(const ProcessData& data) const;
   void answer(const ProcessData& data, std::int32_t value);
+  // The same for areas that two stations exchange: all bytes, and an output of this one.
+  void answer(std::uint32_t module, std::vector<std::uint8_t> bytes);
+  std::uint8_t sent(std::uint32_t byte) const {
+    return outputs_.supplied() && !outputs_.disabled() ? outputs_.byte(byte) : std::uint8_t{0};
+  }
+  // The line is whole from the master to this head of a slave.
+  bool lineReaches(std::uint32_t head) const;
+  // The CPU behind this head goes to STOP, or leaves it: a diagnostic interrupt.
+  void partnerStops(std::uint32_t head, bool stops);
 
   // time: nothing moves outside these calls
   Instant next() const { return next_; }  // when an input delay or a conversion ends

@@ -22,7 +22,17 @@ struct Slave {
   std::uint32_t inputs = 0, outputs = 0;  // bytes of all its modules
   std::vector<Module> modules;            // without the head
   Position position;
+  bool intelligent = false;  // another station of the project, with areas to transfer as modules
 };
+
+// The DP interface of a station that is itself a slave: its side of the areas, in the same order.
+struct OwnSlave {
+  std::uint8_t master = 0;  // its address
+  Slave self;
+};
+
+// Slots of an intelligent slave from here on are areas, in its master and in itself.
+constexpr std::uint32_t kFirstArea = 4, kMostAreas = 32;
 
 struct DpMaster {
   std::string subnet{};           // its name
@@ -55,5 +65,7 @@ std::shared_ptr<const ModuleType> dataModule(const std::string& name, std::uint3
 // Adds the slaves to a configuration that is complete without them: modules without an address get
 // one that is free, then all are checked together (S7-NET-04, -05).
 void addSlaves(Configuration& configuration, DpMaster master, Problems& problems);
+// The same for a station that is a slave: its master stands there as the head of its areas.
+void addOwnSlave(Configuration& configuration, OwnSlave own, Problems& problems);
 
 }  // namespace merker::io

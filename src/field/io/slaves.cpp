@@ -114,6 +114,20 @@ std::shared_ptr<const ModuleType> dataModule(const std::string& name, std::uint3
   return owned(name, dataRow(inputs, outputs));
 }
 
+// Addresses that are free for the areas, then all are checked together.
+void addOwnSlave(Configuration& configuration, OwnSlave own, Problems& problems) {
+  FreeBytes bytes(configuration);
+  for (const Module& area : own.self.modules) bytes.take(area);
+  own.self.diagnosis = static_cast<std::uint16_t>(bytes.highestInput());
+  DpMaster itself;
+  itself.diagnosis = own.self.diagnosis;
+  configuration.modules.push_back(headOf(own.self, itself));
+  for (const Module& area : own.self.modules) configuration.modules.push_back(area);
+  checkSlaveNames(configuration.modules, problems);
+  checkAddresses(configuration, problems);
+  configuration.ownSlave = std::make_shared<const OwnSlave>(std::move(own));
+}
+
 void addSlaves(Configuration& configuration, DpMaster master, Problems& problems) {
   FreeBytes bytes(configuration);
   for (const Slave& slave : master.slaves)

@@ -17,6 +17,8 @@ struct Medium {
   Duration latency;      // from the last bit on the line to its arrival
   // The sender learns that nobody has the address, or that the line is broken.
   bool acknowledged;
+  // Each pair of stations has its turn: nobody waits for the line.
+  bool inTurns = false;
 };
 
 // SYN of PROFIBUS (DIN 19245-1); SD2 LE LEr SD2 DA SA FC FCS ED and two SAPs; start, 8 bits,
@@ -26,6 +28,10 @@ constexpr Medium mpi(std::int64_t rate) { return {rate, 33, 9 + 2, 11, {}, true}
 constexpr Medium ethernet(std::int64_t rate) {
   return {rate, 96, 8 + 18 + 20 + 20 + 4 + 3, 8, Duration::microseconds(200), false};
 }
+
+// PROFIBUS-DP between two stations: a turn with its data (docs/compatibility.md, "PROFIBUS-DP"), of
+// which a telegram has one byte more.
+constexpr Medium dp(std::int64_t rate) { return {rate, 317, -1, 11, {}, false, true}; }
 
 // Bits of a telegram with this much data on the line, with the pause in front of it.
 constexpr std::int64_t telegramBits(const Medium& medium, std::size_t bytes) {

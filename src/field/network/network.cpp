@@ -54,6 +54,11 @@ void Network::join(std::size_t i, Subnet& subnet, std::uint8_t address,
   controller::capability<Connectable>(itself(i))->join(*places_.back().node, globalData);
 }
 
+void Network::joinDp(std::size_t i, Subnet& subnet, std::uint8_t address) {
+  attach(i, subnet, address);
+  controller::capability<Connectable>(itself(i))->joinDp(*places_.back().node);
+}
+
 void Network::attach(std::size_t i, Subnet& subnet, std::uint8_t address) {
   places_.push_back({i, &subnet, &subnet.add(address)});
 }

@@ -28,6 +28,8 @@ class Network {
 
   // Station `i` is a node of the MPI subnet from now on. It can be one.
   void join(std::size_t i, Subnet& subnet, std::uint8_t address, const GlobalData& globalData = {});
+  // The same on PROFIBUS-DP, with its DP interface.
+  void joinDp(std::size_t i, Subnet& subnet, std::uint8_t address);
   // The same on an Ethernet: only configured connections use it.
   void attach(std::size_t i, Subnet& subnet, std::uint8_t address);
   struct Partner {

@@ -56,6 +56,8 @@ class Connectable : public controller::Capability {
 
   // The node outlives the PLC.
   virtual void join(Node& node, const GlobalData& globalData) = 0;
+  // Its DP interface, where it exchanges data with other stations: as their master, or as a slave.
+  virtual void joinDp(Node& node) = 0;
   // One more configured connection, over any subnet.
   virtual void connect(const ConnectionEnd& end) = 0;
   // False: it sends nothing before a telegram reaches it or somebody changes its program. Then the

@@ -30,6 +30,7 @@ Node* Subnet::find(std::uint8_t address) {
 
 Instant Subnet::occupy(Instant from, std::int64_t bits) {
   const Duration length = duration(bits);
+  if (medium_.inTurns) return from + length;
   free_ = std::max(free_, from) + length;
   busy_ = busy_ + length;
   return free_;

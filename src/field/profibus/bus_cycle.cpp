@@ -10,6 +10,7 @@ BusCycle busCycle(const io::DpMaster& master) {
   BusCycle cycle;
   std::int64_t bits = kTokenBits;
   for (const io::Slave& slave : master.slaves) {
+    cycle.begins.push_back(time(bits));
     bits += kTurnBits + kBitsPerByte * std::int64_t{slave.inputs + slave.outputs};
     cycle.ends.push_back(time(bits));
   }

@@ -17,7 +17,7 @@ constexpr std::int64_t kTokenBits = 300;
 
 struct BusCycle {
   Duration length;
-  std::vector<Duration> ends;  // of each slave's turn, from the beginning of the cycle
+  std::vector<Duration> begins, ends;  // of each slave's turn, from the beginning of the cycle
 };
 
 BusCycle busCycle(const io::DpMaster& master);

@@ -23,7 +23,7 @@ Exchange::Exchange(io::Rack& rack) : rack_(rack) {
     Turn turn;
     for (const io::Module& module : slave.modules) {
       if (module.inputStart) turn.inputs.push_back({*module.inputStart, module.type->inputBytes});
-      if (module.outputStart)
+      if (module.outputStart && !slave.intelligent)  // these leave as telegrams of the station
         turn.outputs.push_back({*module.outputStart, module.type->outputBytes});
     }
     for (const io::Bytes& range : turn.inputs) own(inputOwners_, range, slaves_.size());
@@ -32,11 +32,11 @@ Exchange::Exchange(io::Rack& rack) : rack_(rack) {
   }
 }
 
-Instant Exchange::turnAfter(std::size_t slave, Instant now) const {
-  const std::int64_t length = cycle_.length.ns, end = cycle_.ends[slave].ns;
-  const std::int64_t passed = now.ns - end;  // since the end of the turn in cycle 0
-  const std::int64_t cycles = passed < 0 ? 0 : passed / length + 1;
-  return Instant{end + cycles * length};
+// In the first cycle that has it after `now`.
+Instant Exchange::inGrid(Duration first, Instant now) const {
+  const std::int64_t passed = now.ns - first.ns;
+  const std::int64_t cycles = passed < 0 ? 0 : passed / cycle_.length.ns + 1;
+  return Instant{first.ns + cycles * cycle_.length.ns};
 }
 
 void Exchange::require(std::size_t slave, Instant now) {

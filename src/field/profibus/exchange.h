@@ -30,6 +30,11 @@ class Exchange {
   void inputChanged(std::uint32_t byte, Instant now) { changed(inputOwners_, byte, now); }
   void written(std::uint32_t byte, std::uint8_t value, Instant now);
 
+  // The next turn of this slave begins: at `now` or later.
+  Instant turnBegins(std::size_t slave, Instant now) const {
+    return inGrid(cycle_.begins[slave], Instant{now.ns - 1});
+  }
+
   Instant next() const { return next_; }  // the next turn that changes something
   // Turns up to `now`: outputs go to the rack; returns which input bytes the CPU gets to see.
   std::vector<io::Bytes> advance(Instant now);
@@ -50,7 +55,10 @@ class Exchange {
   }
   void changed(const std::vector<std::uint8_t>& owners, std::uint32_t byte, Instant now);
   void require(std::size_t slave, Instant now);
-  Instant turnAfter(std::size_t slave, Instant now) const;
+  Instant turnAfter(std::size_t slave, Instant now) const {
+    return inGrid(cycle_.ends[slave], now);
+  }
+  Instant inGrid(Duration first, Instant now) const;
   void exchange(Turn& turn, std::vector<io::Bytes>& seen);
 
   io::Rack& rack_;

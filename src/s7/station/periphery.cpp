@@ -31,7 +31,8 @@ Instant Periphery::next() const {
 }
 
 Instant Periphery::nextOfChannels() const {
-  return std::min({counting_.next(), positioning_.next(), serial_.next(), exchange_.next()});
+  return std::min(
+      {counting_.next(), positioning_.next(), serial_.next(), exchange_.next(), dp_.next()});
 }
 
 Instant Periphery::nextVisible(bool access) const {
@@ -55,6 +56,7 @@ void Periphery::passed(cpu::Cpu& cpu, Instant now) {
 std::string_view Periphery::due(Instant now) const {
   if (plants_.next() <= now) return "plants";
   if (exchange_.next() <= now) return "DP master";
+  if (dp_.next() <= now) return "DP interface";
   if (positioning_.next() <= now) return "sub-module 2.5";
   if (serial_.next() <= now) return "sub-module 2.1";
   return counting_.next() <= now ? "sub-module 2.4" : "modules of the rack";
@@ -70,6 +72,7 @@ void Periphery::goOn(Instant now) {
   }
   rack_.advance(now);
   positioning_.advance(now);
+  dp_.hear(now);
 }
 
 void Periphery::advance(cpu::Cpu& cpu, Instant now) {
@@ -78,8 +81,12 @@ void Periphery::advance(cpu::Cpu& cpu, Instant now) {
   noticed_ = std::max(noticed_, pending(now));
   counting_.advance(now);
   serial_.advance(now);
-  if (rack_.takePresenceChanged()) showPresence(cpu);
+  if (rack_.takePresenceChanged()) {
+    showPresence(cpu);
+    dp_.changed(now);
+  }
   exchangeData(cpu, now);
+  dp_.advance(now);
   showInputs(cpu);
   for (const ModuleEvent& event : rack_.takeEvents()) cpu.moduleEvents().happened(event);
 }
@@ -98,7 +105,7 @@ void Periphery::reading(cpu::Cpu& cpu) {
 // Signals, channels that count or measure and slaves are worked out when asked; everything else
 // says when it acts next.
 bool Periphery::steady() const {
-  return !rack_.hasSignals() && counting_.steady() && !exchange_.any();
+  return !rack_.hasSignals() && counting_.steady() && !exchange_.any() && !dp_.joined();
 }
 
 void Periphery::acknowledged(cpu::Cpu&, std::uint32_t address) { counting_.acknowledged(address); }
@@ -113,23 +120,29 @@ void Periphery::modeChanged(cpu::Cpu& cpu) {
   }
   if (cpu.mode() == cpu::Mode::Stop) counting_.stop(), serial_.stop(now);
   if (cpu.mode() == cpu::Mode::Stop || cpu.mode() == cpu::Mode::Halt) positioning_.stop(now);
+  dp_.execute(cpu.mode() != cpu::Mode::Stop, cpu.powered(), now);
 }
 
 void Periphery::supply(cpu::Cpu& cpu, bool on) {
   if (!on) positioning_.stop(cpu.machine().clock);
   rack_.supply(on);
+  dp_.supply(on, cpu.machine().clock);
   serial_.supply(on, cpu.machine().clock);
 }
 
 void Periphery::written(cpu::Cpu& cpu, std::uint32_t first, std::uint32_t count) {
   const std::uint8_t* const bytes = &cpu.machine().areas.outputs[first];
-  if (!exchange_.any()) return rack_.written(first, bytes, count);
-  for (std::uint32_t i = 0; i < count; ++i)
+  if (!exchange_.any()) rack_.written(first, bytes, count);
+  for (std::uint32_t i = 0; i < count && exchange_.any(); ++i)
     exchange_.ownsOutput(first + i) ? exchange_.written(first + i, bytes[i], cpu.machine().clock)
                                     : rack_.written(first + i, &bytes[i], 1);
+  dp_.written(first, count, cpu.machine().clock);
 }
 
-void Periphery::disableOutputs(cpu::Cpu&, bool disabled) { rack_.disableOutputs(disabled); }
+void Periphery::disableOutputs(cpu::Cpu& cpu, bool disabled) {
+  rack_.disableOutputs(disabled);
+  if (cpu.powered()) dp_.changed(cpu.machine().clock);
+}
 
 bool Periphery::deliver(cpu::Cpu& cpu, std::uint32_t first, std::uint32_t count, std::uint8_t mask,
                         const std::uint8_t* bytes) {

@@ -7,6 +7,7 @@
 #include "plant/plants.h"
 #include "positioning/positioning.h"
 #include "profibus/exchange.h"
+#include "station/dp_interface.h"
 #include "station/serial_module.h"
 #include "technology/counting.h"
 
@@ -20,6 +21,7 @@ class Periphery : public cpu::Periphery {
         positioning_(rack_),
         serial_(rack_),
         exchange_(rack_),
+        dp_(rack_, exchange_),
         plants_(std::move(plants)) {}
   Periphery(const Periphery&) = delete;  // the sub-modules know `rack_`
   Periphery& operator=(const Periphery&) = delete;
@@ -31,6 +33,7 @@ class Periphery : public cpu::Periphery {
   const positioning::Positioning& positioning() const { return positioning_; }
   SerialModule& serial() { return serial_; }
   profibus::Exchange& exchange() { return exchange_; }
+  DpInterface& dp() { return dp_; }
   // What is worked out only when asked, as it is at `now`.
   void refresh(Instant now);
   plant::Plants& plants() { return plants_; }
@@ -75,6 +78,7 @@ class Periphery : public cpu::Periphery {
   positioning::Positioning positioning_;
   SerialModule serial_;
   profibus::Exchange exchange_;
+  DpInterface dp_;
   plant::Plants plants_;
   Notice noticed_ = Notice::Anyhow;  // of the last advance
 };

@@ -331,6 +331,8 @@ void Station::join(network::Node& node, const network::GlobalData& globalData) {
   parts_->cpu.onCheckpoint([parts = parts_.get()] { parts->checkpoint(); });
 }
 
+void Station::joinDp(network::Node& node) { parts_->periphery->dp().join(node); }
+
 bool Station::maySend() const { return parts_->maySend(); }
 
 void Station::connect(const network::ConnectionEnd& end) {

@@ -20,10 +20,13 @@ class NetworkStations {
     const auto path = std::filesystem::path(result_.project.folder) / station.folder;
     const std::string folder = path.lexically_normal().string();
     const project::DpSubnet* const slaves = slavesOf(result_.stations.size());
-    // A DP master is a program of its own, whatever others share its folder.
-    const std::string key = slaves == nullptr ? folder : folder + '\n' + station.name;
+    const project::IntelligentSlave* const self = slaveOf(result_.stations.size());
+    // A DP master or slave is a program of its own, whatever others share its folder.
+    const bool onDp = slaves != nullptr || self != nullptr;
+    const std::string key = onDp ? folder + '\n' + station.name : folder;
     auto known = builds_.find(key);
-    if (known == builds_.end()) known = builds_.emplace(key, built(folder, station, slaves)).first;
+    if (known == builds_.end())
+      known = builds_.emplace(key, built(folder, station, slaves, self)).first;
     if (known->second) result_.stations.push_back({station.name, known->second});
   }
 
@@ -34,10 +37,18 @@ class NetworkStations {
     return nullptr;
   }
 
+  const project::IntelligentSlave* slaveOf(std::size_t station) const {
+    for (const project::DpSubnet& subnet : result_.project.network->profibus)
+      for (const project::IntelligentSlave& slave : subnet.intelligent)
+        if (slave.station == station) return &slave;
+    return nullptr;
+  }
+
   // Null: it cannot be a station.
   std::shared_ptr<const Build> built(const std::string& folder,
                                      const project::OtherStation& station,
-                                     const project::DpSubnet* slaves) {
+                                     const project::DpSubnet* slaves,
+                                     const project::IntelligentSlave* self) {
     const auto refuse = [&](std::string_view what) {
       result_.problems.add(ProblemCode::P0704, station.named, "folder", what);
       return nullptr;
@@ -52,9 +63,10 @@ class NetworkStations {
       return refuse(
           "the folder of a project without [[station]]; its X27 needs another connection");
     if (result_.project.mnemonics) own.mnemonics = result_.project.mnemonics;
-    if (slaves != nullptr && own.control)
+    if ((slaves != nullptr || self != nullptr) && own.control)
       return refuse("a SIMATIC S7; a SINUMERIK has no DP interface");
     if (slaves != nullptr) project::plugSlaves(*slaves, *own.model, own.hardware, result_.problems);
+    if (self != nullptr) project::plugOwnSlave(*self, *own.model, own.hardware, result_.problems);
     auto made = std::make_shared<Build>(build(std::move(own), false));
     judge(*made);
     result_.problems.append(made->problems);
@@ -168,6 +180,16 @@ network::Medium mediumOf(const project::Subnet& subnet) {
                                                       : network::mpi(subnet.rate);
 }
 
+// Where stations exchange data with each other; other slaves are part of their master. Without a
+// name: its faults are those of the slaves.
+void joinDp(const project::DpSubnet& dp, network::Network& network) {
+  if (dp.intelligent.empty()) return;
+  network::Subnet& subnet = network.addSubnet(network::dp(dp.master.rate));
+  network.joinDp(*dp.station, subnet, dp.master.address);
+  for (const project::IntelligentSlave& slave : dp.intelligent)
+    network.joinDp(slave.station, subnet, slave.own.self.address);
+}
+
 }  // namespace
 
 std::size_t NetworkBuild::blocks() const {
@@ -202,6 +224,7 @@ std::unique_ptr<network::Network> NetworkBuild::network(unsigned threads, bool c
         result->attach(node.station, subnet, address);
     }
   }
+  for (const project::DpSubnet& one : project.network->profibus) joinDp(one, *result);
   for (const project::StationConnection& one : project.network->connections)
     result->connect(*subnets[one.subnet], {one.local, one.id}, {one.partner, one.partnerId},
                     one.kind);

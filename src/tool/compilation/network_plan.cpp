@@ -34,7 +34,7 @@ PlannedSubnet planned(const io::DpMaster& master, std::size_t station) {
                        .nodes = {{station, master.address}},
                        .segments = {}};
   for (const io::Slave& slave : master.slaves)
-    result.slaves.push_back({slave.address, slave.name, slave.model});
+    if (!slave.intelligent) result.slaves.push_back({slave.address, slave.name, slave.model});
   std::ranges::sort(result.slaves, {}, &PlannedSlave::address);
   return result;
 }
@@ -105,7 +105,11 @@ NetworkPlan planOf(const NetworkBuild& build) {
 
 void addProfibus(const NetworkBuild& build, NetworkPlan& plan) {
   for (const project::DpSubnet& subnet : build.project.network->profibus)
-    if (subnet.station) plan.subnets.push_back(planned(subnet.master, *subnet.station));
+    if (subnet.station) {
+      plan.subnets.push_back(planned(subnet.master, *subnet.station));
+      for (const project::IntelligentSlave& slave : subnet.intelligent)
+        plan.subnets.back().nodes.push_back({slave.station, slave.own.self.address});
+    }
 }
 
 NetworkPlan planOf(const Build& build) {

@@ -48,6 +48,32 @@ void readMaster(const Table& table, const Network* network, DpSubnet& subnet) {
                  fmt::format("at most the highest address of the subnet, {}", subnet.highest));
 }
 
+bool hasDpInterface(const CpuModel& model, const Position& at, Problems& problems) {
+  constexpr std::uint8_t kRackFailure = 86;  // CPUs with a DP interface have this OB
+  if (model.hasOrganizationBlock(kRackFailure)) return true;
+  problems.add(ProblemCode::P0735, at, model.name, "DP interface");
+  return false;
+}
+
+// An area whose bytes belong together is updated with the process image, or read by SFC 14: not
+// one part of it so and another so.
+void checkConsistency(const std::vector<io::Module>& modules, const CpuModel& model, bool own,
+                      Problems& problems) {
+  for (const io::Module& area : modules) {
+    if (!area.consistent) continue;
+    const std::uint32_t first = area.inputStart.value_or(area.outputStart.value_or(0));
+    const std::uint32_t last = area.inputStart ? area.inputEnd() : area.outputEnd();
+    if (first >= model.imageBytes || last < model.imageBytes) continue;
+    problems.add(ProblemCode::P0704, area.inputStart ? area.inputPosition : area.outputPosition,
+                 own               ? "local"
+                 : area.inputStart ? "input"
+                                   : "output",
+                 fmt::format("wholly inside or outside the process image, bytes 0 to {}: the area "
+                             "is consistent",
+                             model.imageBytes - 1));
+  }
+}
+
 }  // namespace
 
 bool isDpSubnet(const Table& table) {
@@ -75,7 +101,7 @@ std::vector<DpSubnet> readDpSubnets(const Table& root, const Network* network) {
   }
   if (subnets.empty() && root.has("slave"))
     root.mustBe("slave", "on a [[subnet]] with kind = \"profibus\"");
-  if (!subnets.empty()) readSlaves(root, subnets);
+  if (!subnets.empty()) readSlaves(root, network, subnets);
   for (const DpSubnet& subnet : subnets)
     if (subnet.master.slaves.empty())  // S7-NET-10
       root.problems().add(ProblemCode::P0744, subnet.position, "[[subnet]]",
@@ -85,14 +111,25 @@ std::vector<DpSubnet> readDpSubnets(const Table& root, const Network* network) {
 
 void plugSlaves(const DpSubnet& subnet, const CpuModel& model,
                 std::optional<io::Configuration>& hardware, Problems& problems) {
-  constexpr std::uint8_t kRackFailure = 86;  // CPUs with a DP interface have this OB
-  if (!model.hasOrganizationBlock(kRackFailure))
-    return problems.add(ProblemCode::P0735, subnet.named, model.name, "DP interface");
+  if (!hasDpInterface(model, subnet.named, problems)) return;
   if (!hardware) hardware = io::configure({}, model, problems);
   if (hardware->dp)
     return problems.add(ProblemCode::P0704, subnet.named, "nodes",
                         "a station that is no DP master yet; a CPU has one DP interface");
+  for (const io::Slave& slave : subnet.master.slaves)
+    checkConsistency(slave.modules, model, false, problems);
   io::addSlaves(*hardware, subnet.master, problems);
+}
+
+void plugOwnSlave(const IntelligentSlave& slave, const CpuModel& model,
+                  std::optional<io::Configuration>& hardware, Problems& problems) {
+  if (!hasDpInterface(model, slave.named, problems)) return;
+  if (!hardware) hardware = io::configure({}, model, problems);
+  if (hardware->dp)
+    return problems.add(ProblemCode::P0704, slave.named, "station",
+                        "a station whose DP interface is free; a CPU has one");
+  checkConsistency(slave.own.self.modules, model, true, problems);
+  io::addOwnSlave(*hardware, slave.own, problems);
 }
 
 }  // namespace merker::project

@@ -80,7 +80,10 @@ void readSegments(const Table& table, const Network& network, Subnet& subnet);
 // [[subnet]] of PROFIBUS with its [[slave]]s; `network` null: of a project of one station
 bool isDpSubnet(const Table& table);
 std::vector<DpSubnet> readDpSubnets(const Table& root, const Network* network);
-void readSlaves(const Table& root, std::vector<DpSubnet>& subnets);
+void readSlaves(const Table& root, const Network* network, std::vector<DpSubnet>& subnets);
+// A [[slave]] that is another station, with its areas; false and a problem: it cannot be one
+bool readIntelligentSlave(const Table& table, const Network* network,
+                          const std::vector<DpSubnet>& subnets, DpSubnet& subnet, io::Slave& slave);
 // [[global_data]]
 void readGlobalData(const Table& root, Network& network);
 // [[station]] of a station: another one, which X27 must be connected to

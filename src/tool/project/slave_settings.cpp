@@ -270,10 +270,10 @@ void readGroups(const Table& table, io::Slave& slave) {
 
 }  // namespace
 
-void readSlaves(const Table& root, std::vector<DpSubnet>& subnets) {
+void readSlaves(const Table& root, const Network* network, std::vector<DpSubnet>& subnets) {
   constexpr std::size_t kMost = 125;
   for (const Table& table : root.tables("slave", kMost)) {
-    table.allow({"name", "subnet", "address", "gsd", "type", "groups", "modules"});
+    table.allow({"name", "subnet", "address", "gsd", "type", "station", "groups", "modules"});
     DpSubnet* const subnet = subnetOf(table, subnets);
     io::Slave slave;
     slave.position = table.place();
@@ -281,7 +281,9 @@ void readSlaves(const Table& root, std::vector<DpSubnet>& subnets) {
     slave.name = table.text("name", "a text").value_or(fmt::format("DP{}", slave.address));
     readGroups(table, slave);
     SlaveReader reader(table, slave);
-    if (table.has("type")) {
+    if (table.has("station")) {
+      if (!readIntelligentSlave(table, network, subnets, *subnet, slave)) continue;
+    } else if (table.has("type")) {
       const auto type = table.choice("type", {kEt200M, kDrive});
       type == 1 ? reader.drive() : reader.et200M();
     } else if (!table.has("gsd")) {

@@ -73,5 +73,21 @@ TEST(Subnet, NobodyAtTheAddress) {
   EXPECT_TRUE(answer->data.empty());
 }
 
+// A turn of 317 bits and 11 for each byte of data: 10 bytes of a telegram are 9 of data, 416 bits.
+TEST(Subnet, TurnsOnDpDoNotWaitForEachOther) {
+  Subnet subnet(dp(1'500'000));
+  Node& master = subnet.add(2);
+  Node& slave = subnet.add(5);
+  master.send(at(1000), 5, Bytes(10, 1));
+  slave.send(at(1000), 2, Bytes(10, 2));
+  slave.send(at(2000), 7, Bytes(10, 3));  // nobody: nobody hears of it
+  subnet.carry(at(3000));
+  EXPECT_EQ(slave.next(), at(278'334));
+  EXPECT_EQ(master.next(), at(278'334));
+  EXPECT_EQ(master.receive(at(278'334))->data[0], 2);
+  EXPECT_EQ(master.next(), Instant::never());
+  EXPECT_EQ(subnet.lookahead().ns, 211'334);
+}
+
 }  // namespace
 }  // namespace merker::network

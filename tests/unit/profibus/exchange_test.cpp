@@ -54,6 +54,17 @@ TEST(Exchange, TheBusCycleFollowsRateAndBytes) {
   }
 }
 
+TEST(Exchange, ATurnBeginsWhereTheOneBeforeItEnds) {
+  constexpr std::int64_t kRate = 1'500'000;
+  io::Rack rack = rackOf(kRate);
+  const Exchange exchange(rack);
+  const Instant begin = bits(kBits[0], kRate);
+  EXPECT_EQ(exchange.turnBegins(1, Instant{}), begin);
+  EXPECT_EQ(exchange.turnBegins(1, begin), begin);
+  EXPECT_EQ(exchange.turnBegins(1, Instant{begin.ns + 1}),
+            begin + busCycle(exchange.master()).length);
+}
+
 TEST(Exchange, ASlaveHasItsTurnInEachCycle) {
   constexpr std::int64_t kRate = 1'500'000;
   io::Rack rack = rackOf(kRate);
