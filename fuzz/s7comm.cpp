@@ -165,6 +165,9 @@ class FewJobs : public s7comm::PartnerProgram {
     ++telegrams;
     fuzz::require(telegram.octets.size() <= s7comm::kLongestTelegram, "a telegram has a limit");
   }
+  void noticed(s7comm::Notice notice) override {
+    fuzz::require(notice.areas.size() < 64, "areas fit a PDU");
+  }
   std::size_t results = 0, telegrams = 0;
 };
 
@@ -177,7 +180,7 @@ void hearPartner(View rest) {
     fuzz::require(pdu.size() <= kPdu && s7comm::readPdu(pdu), "a partner gets a PDU as agreed");
   });
   partner.agreed(kPdu);
-  partner.order({.receivers = {{0, true}},
+  partner.order({.receivers = {{0, true}, {.rid = 0, .enabled = true, .blocks = false}},
                  .jobs = {{.number = 1, .values = {Bytes(1000)}},
                           {.kind = s7comm::PartnerJob::Kind::Get, .number = 2, .items = {{}}}}});
   for (auto heard = s7comm::Partner::Heard::Done;

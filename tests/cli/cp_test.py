@@ -249,6 +249,21 @@ partner_id = 1
         self.both_engines("B/MW 40, B/DB2.DBB 0, B/DB2.DBB 9, B/M 2.0",
                           ["B/MW 40 = W#16#0064", "B/DB2.DBB 0 = B#16#A1", "B/DB2.DBB 9 = B#16#B2", "B/M 2.0 = 1"])
 
+    # FB 8 and 9 have one area each.
+    def test_uncoordinated_sending_over_an_s7_connection(self):
+        self.pair("s7")
+        instances = "".join(f"DATA_BLOCK DB {number}\nFB {number}\nBEGIN\nEND_DATA_BLOCK\n" for number in (8, 9))
+        self.write("lab/a/a.awl", BLOCKS + instances + block(
+            "CALL FB 8, DB 8 (REQ := M 0.0, ID := W#16#1, R_ID := DW#16#5, DONE := M 1.0, ERROR := M 1.1, STATUS := MW 50, "
+            "SD_1 := P#DB1.DBX 0.0 BYTE 10); U M 1.0; S M 2.0; UN M 0.0; = M 0.0;"))
+        self.write("lab/b/a.awl", BLOCKS + instances + block(
+            "SET; = M 0.3; CALL FB 9, DB 9 (EN_R := M 0.3, ID := W#16#1, R_ID := DW#16#5, NDR := M 1.0, ERROR := M 1.1, STATUS := MW 50, "
+            "RD_1 := P#DB2.DBX 0.0 BYTE 20); U M 1.0; S M 2.0;"))
+        self.both_engines("A/M 2.0, B/DB2.DBB 0, B/DB2.DBB 9, B/M 2.0",
+                          ["A/M 2.0 = 1", "B/DB2.DBB 0 = B#16#A1", "B/DB2.DBB 9 = B#16#B2", "B/M 2.0 = 1"])
+        self.write("lab/a/a.awl", self.read("lab/a/a.awl").replace("BYTE 10)", "BYTE 10, SD_2 := P#M 9.0 BYTE 1)"))
+        self.assertIn("'SD_2' is not a parameter of FB 8", self.expect(PROBLEMS, "check", "lab").err)
+
     def test_the_long_blocks(self):
         for kind in ("tcp", "udp"):
             self.pair(kind)

@@ -2,7 +2,7 @@
 from s7_client import *
 from wireshark import BAD, Capture, Recorded
 
-# M 0.0: BSEND of 400 bytes, R_ID 9; BRCV for R_ID 7 all the time.
+# M 0.0: BSEND of 400 bytes, R_ID 9; BRCV for R_ID 7 all the time. M 0.1: USEND, R_ID 11; URCV for R_ID 12.
 BLOCKS = """DATA_BLOCK DB 1
 STRUCT
  a : ARRAY [0..999] OF BYTE;
@@ -18,9 +18,22 @@ DATA_BLOCK DB 13
 SFB 13
 BEGIN
 END_DATA_BLOCK
+DATA_BLOCK DB 8
+SFB 8
+BEGIN
+END_DATA_BLOCK
+DATA_BLOCK DB 9
+SFB 9
+BEGIN
+END_DATA_BLOCK
 ORGANIZATION_BLOCK OB 1
 BEGIN
 NETWORK
+ CALL SFB 8, DB 8 (REQ := M 0.1, ID := W#16#2, R_ID := DW#16#B, DONE := M 1.1, SD_1 := P#DB1.DBX 0.0 BYTE 3, SD_2 := P#M 30.0 WORD 1);
+ U M 1.1; SPBN d; L MB 21; + 1; T MB 21;
+d: CALL SFB 9, DB 9 (EN_R := TRUE, ID := W#16#2, R_ID := DW#16#C, NDR := M 1.2, RD_1 := P#M 40.0 BYTE 4, RD_2 := P#M 45.3 BOOL 1);
+ U M 1.2; SPBN n; L MB 22; + 1; T MB 22;
+n: NOP 0;
  L 400; T MW 10;
  CALL SFB 12, DB 12 (REQ := M 0.0, ID := W#16#2, R_ID := DW#16#9, STATUS := MW 12, SD_1 := P#DB1.DBX 0.0 BYTE 1000, LEN := MW 10);
  CALL SFB 13, DB 13 (EN_R := TRUE, ID := W#16#2, R_ID := DW#16#7, NDR := M 1.0, STATUS := MW 14, RD_1 := P#DB1.DBX 500.0 BYTE 500, LEN := MW 16);
@@ -110,6 +123,30 @@ class Partners(S7Case):
         self.assertEqual(len(capture.ask("s7comm.pbc.req.bsend.r_id == 7")), 3)
         self.assertEqual(len(capture.ask("s7comm.pbc.req.bsend.r_id == 9")), 2)
         self.until(lambda: client.read(FLAGS, 14, 1, WORD) == b"\0\x01")  # the connection is lost
+        self.end(process)
+
+    # S7-SFB-10: USEND and URCV; nobody answers. Judged by Wireshark, which knows the frame.
+    def test_usend_both_ways(self):
+        process = self.start("plant", "--no-workbench")
+        capture = Capture(self.folder / "s7.pcap")
+        self.addCleanup(capture.close)
+        peer = Peer(self.port, lambda socket: Recorded(socket, capture))
+        client = self.client(3)
+        self.until(lambda: client.read(FLAGS, 14, 1, WORD) == b"\0\x19")
+        client.write(FLAGS, 30, b"\x12\x34")
+        client.write(FLAGS, 0, b"\x02")
+        notice = peer.hear()
+        self.assertEqual(notice[10:].hex(" "), "00 01 12 06 13 00 00 00 00 0b ff 00 00 02 00 04 00 18 a1 00 00 00 00 04 00 10 12 34")
+        self.until(lambda: client.read(FLAGS, 21) == b"\x01")
+        data = bytes.fromhex("FF000002 00040018010203 00 0003000101")
+        sent = bytes.fromhex("320700000009 000A") + struct.pack(">H", len(data)) + bytes.fromhex("00011206130000 00000C") + data
+        for rid in b"\x0D", b"\x0C":  # nobody receives the first one
+            peer.send(sent[:19] + rid + sent[20:])
+        self.until(lambda: client.read(FLAGS, 22) == b"\x01")
+        self.assertEqual(client.read(FLAGS, 40, 6), b"\x01\x02\x03\x00\x00\x08")
+        self.assertEqual(peer.read(DATA_AREA, 0, 1, BYTE, 1), b"\xA1")  # it is there as before
+        peer.close()
+        self.assertEqual(capture.ask(BAD), [])
         self.end(process)
 
     # S7-NETPRO-08, S7-LIM-05: who is there and who is not; they take connections of the CPU.

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <utility>
 
+#include "s7comm/notice.h"
 #include "s7comm/request.h"
 
 namespace merker::s7comm {
@@ -65,7 +66,7 @@ void Partner::finish(PartnerStatus status, std::vector<Bytes> values) {
 
 void Partner::order(ToPartner orders) {
   if (orders.restart) restart();
-  for (const Receiver& one : orders.receivers) receivers_.set(one);
+  for (const Receiver& one : orders.receivers) set(one);
   for (PartnerJob& one : orders.jobs) jobs_.push_back(std::move(one));
   for (const std::uint32_t number : orders.aborted) abort(number);
   while (!isConnected() && !jobs_.empty()) finish(PartnerStatus::NoConnection);
@@ -79,8 +80,17 @@ void Partner::order(ToPartner orders) {
 // What the partner still has to answer is waited for, and told to nobody.
 void Partner::restart() {
   receivers_.clear();
+  listeners_.clear();
   jobs_.erase(jobs_.begin() + (busy_ ? 1 : 0), jobs_.end());
   dropped_ = told_ = busy_;
+}
+
+void Partner::set(const Receiver& receiver) {
+  if (receiver.blocks) return receivers_.set(receiver);
+  if (receiver.removed || !receiver.enabled)
+    listeners_.erase(receiver.rid);
+  else if (listeners_.size() < BlockReceivers::kMost)
+    listeners_.insert(receiver.rid);
 }
 
 // The program is told at once; a telegram ends behind the segment that is on its way.
@@ -101,6 +111,10 @@ void Partner::next() {
     sequence_ = unit_ = 0;
     if (job().kind == Kind::BlockSend) {
       sendSegment();
+      continue;
+    }
+    if (job().kind == Kind::Send) {
+      sendNotice();
       continue;
     }
     const Bytes request = requestOf(job(), ++reference_);
@@ -125,9 +139,18 @@ void Partner::sendSegment() {
   send_(writeSegment(++reference_, segment));
 }
 
+// It is done when it is sent.
+void Partner::sendNotice() {
+  const Bytes bytes = writeNotice(++reference_, job().rid, job().areas);
+  const bool fits = bytes.size() <= pdu_;
+  if (fits) send_(bytes);
+  finish(fits ? PartnerStatus::Done : PartnerStatus::WrongLength);
+}
+
 Partner::Heard Partner::receive(View bytes) {
   const auto pdu = readPdu(bytes);
   if (!pdu) return Heard::NotMine;
+  if (isNotice(*pdu)) return hearNotice(*pdu);
   switch (blockPdu(*pdu)) {
     case BlockPdu::Answer:
       return hearSegmentAnswer(*pdu);
@@ -204,6 +227,14 @@ void Partner::hearSegment(const Pdu& pdu) {
     program_.arrived(std::move(*taken.whole));
   else if (taken.answer.error == Error::None)
     program_.begun(segment->rid, taken.octets);
+}
+
+// Nobody learns of one that no block receives.
+Partner::Heard Partner::hearNotice(const Pdu& pdu) {
+  if (!isConnected()) return Heard::Wrong;
+  auto notice = readNotice(pdu);
+  if (notice && listeners_.contains(notice->rid)) program_.noticed(std::move(*notice));
+  return Heard::Done;
 }
 
 }  // namespace merker::s7comm

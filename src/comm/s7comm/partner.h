@@ -5,6 +5,7 @@
 
 #include <deque>
 #include <functional>
+#include <set>
 
 #include "s7comm/block_receivers.h"
 #include "s7comm/session.h"
@@ -19,6 +20,7 @@ class PartnerProgram {
   virtual void finished(PartnerResult result) = 0;
   virtual void begun(std::uint32_t rid, std::size_t octets) = 0;
   virtual void arrived(Telegram telegram) = 0;
+  virtual void noticed(Notice notice) = 0;
 
  protected:
   PartnerProgram() = default;
@@ -55,20 +57,24 @@ class Partner {
 
  private:
   void restart();
+  void set(const Receiver& receiver);
   void abort(std::uint32_t number);
   void next();
   void sendSegment();
+  void sendNotice();
   void finish(PartnerStatus status, std::vector<Bytes> values = {});
   Heard hearAnswer(const Pdu& pdu);
   Heard hearSetup(const Pdu& pdu);
   void hearVariables(const Pdu& pdu);
   Heard hearSegmentAnswer(const Pdu& pdu);
   void hearSegment(const Pdu& pdu);
+  Heard hearNotice(const Pdu& pdu);
   PartnerJob& job() { return jobs_.front(); }
 
   PartnerProgram& program_;
   Session::Send send_;
   BlockReceivers receivers_;
+  std::set<std::uint32_t> listeners_;  // R_IDs of the enabled URCV
   std::uint16_t pdu_ = 0, reference_ = 0;
   bool setupAsked_ = false;
   std::uint16_t wanted_ = 0;     // PDU that was asked for

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "s7comm/error.h"
@@ -31,12 +32,19 @@ enum class PartnerStatus : std::uint8_t {
   TooManyJobs = 20
 };
 
+// An area of USEND.
+struct SentArea {
+  DataUnit unit = DataUnit::Byte;
+  Bytes octets{};
+};
+
 struct PartnerJob {
-  enum class Kind : std::uint8_t { BlockSend, Get, Put } kind = Kind::BlockSend;
+  enum class Kind : std::uint8_t { BlockSend, Get, Put, Send } kind = Kind::BlockSend;
   std::uint32_t number = 0;  // of the program's own
-  std::uint32_t rid = 0;     // BlockSend
+  std::uint32_t rid = 0;     // BlockSend, Send
   std::vector<AnyItem> items{};
-  std::vector<Bytes> values{};  // of each item; BlockSend has one
+  std::vector<Bytes> values{};    // of each item; BlockSend has one
+  std::vector<SentArea> areas{};  // Send
 };
 
 struct PartnerResult {
@@ -51,12 +59,20 @@ struct Receiver {
   bool enabled = false;
   bool removed = false;                   // it is there no more
   std::size_t octets = kLongestTelegram;  // that have room
+  bool blocks = true;                     // BRCV; else URCV
 };
 
 struct Telegram {
   std::uint32_t rid = 0;
   Bytes octets{};
   bool tooLong = false;  // for its receiver: it was refused, and there are no octets
+};
+
+// What a USEND of the partner has sent.
+struct Notice {
+  std::uint32_t rid = 0;
+  std::vector<SentArea> areas{};
+  bool overwrote = false;  // one before it that the program has not taken
 };
 
 // What a program wants between two ends of a cycle, in this order.
@@ -73,6 +89,12 @@ struct FromPartner {
   std::vector<PartnerResult> results{};
   std::vector<Telegram> telegrams{};
   std::map<std::uint32_t, std::size_t> begun{};  // octets of telegrams that are not whole, by R_ID
+  std::map<std::uint32_t, Notice> notices{};     // by R_ID; of each the newest one
+  void note(Notice notice) {
+    const std::uint32_t rid = notice.rid;
+    notice.overwrote = notices.contains(rid);
+    notices.insert_or_assign(rid, std::move(notice));
+  }
 };
 
 }  // namespace merker::s7comm

@@ -33,15 +33,16 @@ constexpr std::array<std::uint8_t, 4> kNotOn31x{25, 26, 27, 48};
 // interface X27, RK 512 only one of them (PTP-OVW-01, PTP-OPEN-28).
 // S7 communication as a client: SFBs of an S7-400 (S7-SFB-10); of these models the generic ones
 // alone.
-constexpr std::array<std::uint8_t, 4> kNoPartners{12, 13, 14, 15};
-constexpr std::array<std::uint8_t, 10> kNoSerial{12, 13, 14, 15, 60, 61, 62, 63, 64, 65};
-constexpr std::array<std::uint8_t, 12> kNoPositioning{12, 13, 14, 15, 44, 46,
-                                                      60, 61, 62, 63, 64, 65};
-constexpr std::array<std::uint8_t, 9> kNoPositioningNoLink{12, 13, 14, 15, 44, 46, 63, 64, 65};
-constexpr std::array<std::uint8_t, 15> kNoControl{12, 13, 14, 15, 41, 42, 43, 44,
-                                                  46, 60, 61, 62, 63, 64, 65};
-constexpr std::array<std::uint8_t, 18> kNoTechnology{12, 13, 14, 15, 41, 42, 43, 44, 46,
-                                                     47, 48, 49, 60, 61, 62, 63, 64, 65};
+constexpr std::array<std::uint8_t, 6> kNoPartners{8, 9, 12, 13, 14, 15};
+constexpr std::array<std::uint8_t, 12> kNoSerial{8, 9, 12, 13, 14, 15, 60, 61, 62, 63, 64, 65};
+constexpr std::array<std::uint8_t, 14> kNoPositioning{8,  9,  12, 13, 14, 15, 44,
+                                                      46, 60, 61, 62, 63, 64, 65};
+constexpr std::array<std::uint8_t, 11> kNoPositioningNoLink{8,  9,  12, 13, 14, 15,
+                                                            44, 46, 63, 64, 65};
+constexpr std::array<std::uint8_t, 17> kNoControl{8,  9,  12, 13, 14, 15, 41, 42, 43,
+                                                  44, 46, 60, 61, 62, 63, 64, 65};
+constexpr std::array<std::uint8_t, 20> kNoTechnology{8,  9,  12, 13, 14, 15, 41, 42, 43, 44,
+                                                     46, 47, 48, 49, 60, 61, 62, 63, 64, 65};
 
 // On-board inputs and outputs by type (technology manual, table "Übersicht technologische
 // Funktionen" and connector tables 5.2.2; S7-CPU-15 to -18).

@@ -18,7 +18,6 @@ struct OtherFunction {
 };
 
 #define MERKER_SEND_DONE "OUT DONE BOOL ERROR BOOL STATUS WORD "
-#define MERKER_RECEIVED "OUT NDR BOOL ERROR BOOL STATUS WORD "
 #define MERKER_TEN_VALUES                                                                   \
   "INOUT SD_1 ANY SD_2 ANY SD_3 ANY SD_4 ANY SD_5 ANY SD_6 ANY SD_7 ANY SD_8 ANY SD_9 ANY " \
   "SD_10 ANY"
@@ -54,12 +53,6 @@ constexpr OtherFunction kOtherFunctions[] = {
      "IN SIG BOOL ID WORD EV_ID DWORD CMP_ID DWORD SD ANY RETURN RET_VAL INT"},
     {BlockKind::SFC, 126, "SYNC_PI", "IN PART BYTE RETURN RET_VAL INT OUT FLADDR WORD"},
     {BlockKind::SFC, 127, "SYNC_PO", "IN PART BYTE RETURN RET_VAL INT OUT FLADDR WORD"},
-    {BlockKind::SFB, 8, "USEND",
-     "IN REQ BOOL ID WORD R_ID DWORD " MERKER_SEND_DONE
-     "INOUT SD_1 ANY SD_2 ANY SD_3 ANY SD_4 ANY"},
-    {BlockKind::SFB, 9, "URCV",
-     "IN EN_R BOOL ID WORD R_ID DWORD " MERKER_RECEIVED
-     "INOUT RD_1 ANY RD_2 ANY RD_3 ANY RD_4 ANY"},
     {BlockKind::SFB, 19, "START",
      "IN REQ BOOL ID WORD " MERKER_SEND_DONE "INOUT PI_NAME ANY ARG ANY IO_STATE BYTE"},
     {BlockKind::SFB, 20, "STOP",
@@ -72,7 +65,6 @@ constexpr OtherFunction kOtherFunctions[] = {
 };
 
 #undef MERKER_SEND_DONE
-#undef MERKER_RECEIVED
 #undef MERKER_TEN_VALUES
 
 constexpr std::pair<std::string_view, Section> kSectionWords[] = {{"IN", Section::Input},

@@ -54,29 +54,34 @@ void Connections::abort(const Sender& sender) {
   connections_[sender.connection].orders.aborted.push_back(*sender.job);
 }
 
-Connections::Receiver* Connections::receiverOf(std::size_t connection, std::uint32_t rid) {
+Connections::Receiver* Connections::receiverOf(std::size_t connection, std::uint32_t rid,
+                                               bool blocks) {
   const auto found = std::ranges::find_if(receivers_, [&](const auto& entry) {
-    return entry.second.connection == connection && entry.second.rid == rid;
+    const Receiver& one = entry.second;
+    return one.connection == connection && one.rid == rid && one.blocks == blocks;
   });
   return found == receivers_.end() ? nullptr : &found->second;
 }
 
-bool Connections::bind(Receiver& receiver, std::size_t connection, std::uint32_t rid) {
-  if (receiverOf(connection, rid) != nullptr) return false;
+bool Connections::bind(Receiver& receiver, std::size_t connection, std::uint32_t rid, bool blocks) {
+  if (receiverOf(connection, rid, blocks) != nullptr) return false;
   receiver.connection = connection;
   receiver.rid = rid;
+  receiver.blocks = blocks;
   return true;
 }
 
 // The last state of each counts; there is a limit to those that nobody carries.
 void Connections::tell(std::size_t connection, const s7comm::Receiver& state) {
   auto& list = connections_[connection].orders.receivers;
-  std::erase_if(list, [&](const s7comm::Receiver& other) { return other.rid == state.rid; });
+  std::erase_if(list, [&](const s7comm::Receiver& other) {
+    return other.rid == state.rid && other.blocks == state.blocks;
+  });
   if (list.size() < kMostInstances) list.push_back(state);
 }
 
 void Connections::release(Receiver& receiver) {
-  tell(*receiver.connection, {.rid = receiver.rid, .removed = true});
+  tell(*receiver.connection, {.rid = receiver.rid, .removed = true, .blocks = receiver.blocks});
   receiver = {};
 }
 
@@ -86,7 +91,8 @@ void Connections::enable(Receiver& receiver, bool enabled, std::size_t room) {
   receiver.enabled = enabled;
   receiver.room = room;
   if (!enabled || receiver.telegrams.empty())
-    tell(*receiver.connection, {.rid = receiver.rid, .enabled = enabled, .octets = room});
+    tell(*receiver.connection,
+         {.rid = receiver.rid, .enabled = enabled, .octets = room, .blocks = receiver.blocks});
 }
 
 s7comm::Telegram Connections::take(Receiver& receiver) {
@@ -111,12 +117,23 @@ void Connections::bring(std::size_t connection, s7comm::FromPartner news) {
   for (auto& [instance, receiver] : receivers_)
     if (news.connected && receiver.connection == connection) receiver.begun = 0;
   for (const auto& [rid, octets] : news.begun)
-    if (Receiver* const receiver = receiverOf(connection, rid)) receiver->begun = octets;
+    if (Receiver* const receiver = receiverOf(connection, rid, true)) receiver->begun = octets;
   for (s7comm::Telegram& telegram : news.telegrams) {
-    Receiver* const receiver = receiverOf(connection, telegram.rid);
+    Receiver* const receiver = receiverOf(connection, telegram.rid, true);
     if (receiver == nullptr) continue;
     receiver->begun = 0;
     receiver->telegrams.push_back(std::move(telegram));
+  }
+  bringNotices(connection, news);
+}
+
+// The newest one counts.
+void Connections::bringNotices(std::size_t connection, s7comm::FromPartner& news) {
+  for (auto& [rid, notice] : news.notices) {
+    Receiver* const receiver = receiverOf(connection, rid, false);
+    if (receiver == nullptr || !receiver->enabled) continue;
+    notice.overwrote |= receiver->notice.has_value();
+    receiver->notice = std::move(notice);
   }
 }
 

@@ -19,21 +19,23 @@ class Connections {
   using Instance = std::uint32_t;                      // data block and byte in it
   static constexpr std::size_t kMostInstances = 1024;  // of sending and of receiving blocks each
 
-  // A sending block: BSEND, GET, PUT.
+  // A sending block: BSEND, GET, PUT, USEND.
   struct Sender {
     bool request = false, reset = false;  // as they were in the last call
     std::optional<std::uint32_t> job{};
     std::size_t connection = 0;
     std::optional<s7comm::PartnerResult> result{};
   };
-  // A receiving block: BRCV.
+  // A receiving block: BRCV, URCV.
   struct Receiver {
     std::optional<std::size_t> connection{};  // once it has been called with EN_R
     std::uint32_t rid = 0;
+    bool blocks = true;  // BRCV
     bool enabled = false;
     std::size_t room = 0;   // octets of RD_1
     std::size_t begun = 0;  // octets of a telegram that is not whole
     std::deque<s7comm::Telegram> telegrams{};
+    std::optional<s7comm::Notice> notice{};  // URCV
   };
 
   void configure(const std::vector<ConnectionParameters>& connections);
@@ -50,8 +52,8 @@ class Connections {
   Receiver* receiver(Instance instance);
   void begin(Sender& sender, std::size_t connection, s7comm::PartnerJob job);
   void abort(const Sender& sender);
-  // False: another one has this R_ID.
-  bool bind(Receiver& receiver, std::size_t connection, std::uint32_t rid);
+  // False: another one of its kind has this R_ID.
+  bool bind(Receiver& receiver, std::size_t connection, std::uint32_t rid, bool blocks);
   void release(Receiver& receiver);
   void enable(Receiver& receiver, bool enabled, std::size_t room);
   // The oldest telegram; the next one may come.
@@ -69,7 +71,8 @@ class Connections {
     s7comm::ToPartner orders{};
   };
   void tell(std::size_t connection, const s7comm::Receiver& state);
-  Receiver* receiverOf(std::size_t connection, std::uint32_t rid);
+  Receiver* receiverOf(std::size_t connection, std::uint32_t rid, bool blocks);
+  void bringNotices(std::size_t connection, s7comm::FromPartner& news);
 
   std::vector<Connection> connections_;
   std::map<Instance, Sender> senders_;

@@ -20,6 +20,12 @@ Region regionOf(Arguments& a, const AnyPointer& where, cpu::Access access) {
   return a.region(bytes, byteCount(where), access);
 }
 
+// The one type that has another code there.
+s7comm::ElementType elementOf(const AnyPointer& where) {
+  return where.type == TypeCode::DateAndTime ? s7comm::ElementType::DateAndTime
+                                             : static_cast<s7comm::ElementType>(where.type);
+}
+
 unsigned bitOf(const AnyPointer& where) { return where.pointer & 7; }
 
 }  // namespace
@@ -54,14 +60,17 @@ PartnerStatus storeValue(Arguments& a, const AnyPointer& where, s7comm::View oct
   return PartnerStatus::Done;
 }
 
+s7comm::DataUnit unitOf(const AnyPointer& where) {
+  const auto* const row = s7comm::findElement(static_cast<std::uint8_t>(elementOf(where)));
+  return row == nullptr ? s7comm::DataUnit::None : row->answer;
+}
+
 std::optional<s7comm::AnyItem> itemOf(const AnyPointer& where) {
   const Area area = pointerArea(where.pointer);
   const bool image = area == Area::Input || area == Area::Output || area == Area::Flag;
   const bool block = area == Area::DataBlock && where.db != 0;
   if (!isSendable(where) || !(image || block)) return std::nullopt;
-  const bool date = where.type == TypeCode::DateAndTime;  // the one with another code there
-  return s7comm::AnyItem{.type = date ? s7comm::ElementType::DateAndTime
-                                      : static_cast<s7comm::ElementType>(where.type),
+  return s7comm::AnyItem{.type = elementOf(where),
                          .count = static_cast<std::uint16_t>(where.count),
                          .block = where.db,
                          .memory = static_cast<s7comm::Memory>(area),

@@ -21,6 +21,8 @@ s7comm::PartnerStatus receivableAt(Arguments& a, const AnyPointer& where);
 // So many octets from there on; none if it has fewer, or another length than `exact` asks for.
 s7comm::PartnerStatus storeValue(Arguments& a, const AnyPointer& where, s7comm::View octets,
                                  bool exact);
+// The unit of its length in the data of a PDU.
+s7comm::DataUnit unitOf(const AnyPointer& where);
 // The same place in the partner; nothing: it can be none there.
 std::optional<s7comm::AnyItem> itemOf(const AnyPointer& where);
 

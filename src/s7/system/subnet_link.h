@@ -42,6 +42,7 @@ class SubnetLink final : public s7comm::PartnerProgram {
   }
   void begun(std::uint32_t rid, std::size_t octets) override { news_.begun[rid] = octets; }
   void arrived(s7comm::Telegram telegram) override;
+  void noticed(s7comm::Notice notice) override { news_.note(std::move(notice)); }
 
  private:
   enum class State : std::uint8_t { Idle, Calling, Up };

@@ -73,6 +73,10 @@ void Partners::End::arrived(s7comm::Telegram telegram) {
   });
 }
 
+void Partners::End::noticed(s7comm::Notice notice) {
+  owner.tell([&] { news.note(std::move(notice)); });
+}
+
 void Partners::forget() {
   const std::lock_guard lock(mutex_);
   stale_ = true;

@@ -41,6 +41,7 @@ class Partners {
     void finished(s7comm::PartnerResult result) override;
     void begun(std::uint32_t rid, std::size_t octets) override;
     void arrived(s7comm::Telegram telegram) override;
+    void noticed(s7comm::Notice notice) override;
 
     Partners& owner;
     ConnectionParameters parameters;

@@ -23,11 +23,14 @@ struct Told : PartnerProgram {
   void begun(std::uint32_t, std::size_t count) override { octets = count; }
   void arrived(Telegram telegram) override { telegrams.push_back(std::move(telegram)); }
 
+  void noticed(Notice notice) override { notices.push_back(std::move(notice)); }
+
   std::vector<bool> connections;
   Results results;
   std::vector<Bytes> values;
   std::size_t octets = 0;
   std::vector<Telegram> telegrams;
+  std::vector<Notice> notices;
 };
 
 struct End {
@@ -309,6 +312,39 @@ TEST_F(PartnerLine, NoMoreJobsThanItTakes) {
   calling.partner.order(std::move(many));
   EXPECT_EQ(calling.told.results, (Results{{Partner::kMostJobs + 1, PartnerStatus::TooManyJobs},
                                            {Partner::kMostJobs, PartnerStatus::TooManyJobs}}));
+}
+
+// USEND: nobody answers, so that it is done when it is sent, whoever listens.
+TEST_F(PartnerLine, ANoticeIsDoneWhenItIsSent) {
+  connect();
+  const auto send = [&](std::uint32_t number, std::size_t octets) {
+    calling.partner.order({.jobs = {{.kind = PartnerJob::Kind::Send,
+                                     .number = number,
+                                     .rid = 5,
+                                     .areas = {{DataUnit::Byte, Bytes(octets, 7)}}}}});
+    move();
+  };
+  const auto listen = [&](bool enabled) {
+    called.partner.order({.receivers = {{.rid = 5, .enabled = enabled, .blocks = false}}});
+  };
+  send(1, 4);
+  EXPECT_EQ(called.told.notices.size(), 0u);
+  called.partner.order(receiver(true));  // a BRCV of this R_ID is another block
+  send(2, 4);
+  EXPECT_EQ(called.told.notices.size(), 0u);
+  listen(true);
+  send(3, 212);
+  send(4, 213);  // does not fit a PDU of 240 bytes
+  listen(false);
+  send(5, 4);
+  ASSERT_EQ(called.told.notices.size(), 1u);
+  EXPECT_EQ(called.told.notices[0].areas.at(0).octets, Bytes(212, 7));
+  EXPECT_EQ(calling.told.results, (Results{{1, PartnerStatus::Done},
+                                           {2, PartnerStatus::Done},
+                                           {3, PartnerStatus::Done},
+                                           {4, PartnerStatus::WrongLength},
+                                           {5, PartnerStatus::Done}}));
+  EXPECT_FALSE(calling.partner.asks());
 }
 
 }  // namespace

@@ -219,11 +219,11 @@ TEST(Tolerance, SystemFunctionsOfOtherCpus) {
       "FUNCTION FC 1 : VOID\nBEGIN\n"
       "CALL SFC 12 (REQ := TRUE, MODE := B#16#1, LADDR := W#16#10, RET_VAL := MW 0, BUSY := M "
       "2.0)\n"
-      "CALL SFB 8, DB 8 (REQ := M 0.0, ID := W#16#1, SD_1 := P#M 20.0 BYTE 2)\nEND_FUNCTION\n"
-      "DATA_BLOCK DB 8\nSFB 8\nBEGIN\nID := W#16#2;\nEND_DATA_BLOCK\n";
+      "CALL SFB 19, DB 8 (REQ := M 0.0, ID := W#16#1, ARG := P#M 20.0 BYTE 2)\nEND_FUNCTION\n"
+      "DATA_BLOCK DB 8\nSFB 19\nBEGIN\nID := W#16#2;\nEND_DATA_BLOCK\n";
   const Compiled generic = compileText(program, "generic");
   EXPECT_EQ(generic.problems(), (List{"3:6 P0508", "4:6 P0508"}));
-  EXPECT_EQ(generic.block(BlockKind::DB, 8).actualData.size(), 52u);
+  EXPECT_EQ(generic.block(BlockKind::DB, 8).actualData.size(), 30u);
   EXPECT_NE(generic.listing(BlockKind::FC, 1).find("UC    SFC 12"), std::string::npos);
   const auto refused = compileText(program).problems();
   EXPECT_NE(std::find(refused.begin(), refused.end(), "3:6 P0506"), refused.end());
