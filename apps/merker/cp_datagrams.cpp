@@ -42,6 +42,7 @@ class CpDatagrams final : public CpSocket, public std::enable_shared_from_this<C
 
   void close() override {
     closed_ = true;
+    if (socket_.is_open()) place_.lines.connected(place_.i, false);
     boost::system::error_code ignored;
     socket_.close(ignored);
   }

@@ -138,6 +138,7 @@ class CpMail final : public CpSocket, public std::enable_shared_from_this<CpMail
   void close() override {
     closed_ = true;
     if (const auto job = std::exchange(job_, {})) job->close();
+    if (std::exchange(up_, false)) place_.lines.connected(place_.i, false);
   }
 
  private:

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <iostream>
+#include <utility>
 
 #include "server/guard.h"
 
@@ -13,16 +14,13 @@ void tellNoPort(const CpPlace& place, const std::string& why) {
                            place.parameters().id, place.parameters().localPort, place.address, why);
 }
 
+bool CpSockets::reaches(std::size_t i) const {
+  return !hmi::isLocalAddress(address_) || hmi::isLocalAddress(lines_.parameters(i).host);
+}
+
 std::shared_ptr<CpSocket> CpSockets::socketOf(std::size_t i) {
   const CpPlace place{context_, lines_, i, address_};
   const CpConnectionParameters& parameters = place.parameters();
-  if (hmi::isLocalAddress(address_) && !hmi::isLocalAddress(parameters.host)) {
-    std::cerr << fmt::format(
-        "merker: connection {} of the CP: {} is another computer, which only "
-        "--s7 with an address for others reaches\n",
-        parameters.id, parameters.host);
-    return nullptr;
-  }
   if (parameters.kind == ConnectionKind::Mail) return mailsOf(place);
   return parameters.kind == ConnectionKind::Udp ? datagramsOf(place) : streamOf(place);
 }
@@ -33,15 +31,27 @@ void CpSockets::use(const std::vector<CpConnectionParameters>& connections) {
     for (const auto& one : sockets_) one->move();
   });
   for (std::size_t i = 0; i < lines_.count(); ++i)
-    if (auto socket = socketOf(i)) sockets_.push_back(std::move(socket));
-  look();
+    if (!reaches(i))
+      std::cerr << fmt::format(
+          "merker: connection {} of the CP: {} is another computer, which only "
+          "--s7 with an address for others reaches\n",
+          lines_.parameters(i).id, lines_.parameters(i).host);
 }
 
-void CpSockets::look() {
+void CpSockets::open() {
+  if (std::exchange(open_, true)) return;
+  for (std::size_t i = 0; i < lines_.count(); ++i)
+    if (reaches(i)) sockets_.push_back(socketOf(i));
+}
+
+void CpSockets::look(bool powered) {
+  if (!powered) return close();
+  open();
   for (const auto& one : sockets_) one->look();
 }
 
 void CpSockets::close() {
+  open_ = false;
   for (const auto& one : sockets_) one->close();
   sockets_.clear();
 }

@@ -37,16 +37,20 @@ class CpSockets {
   CpSockets& operator=(const CpSockets&) = delete;
 
   void use(const std::vector<CpConnectionParameters>& connections);
-  void look();
+  // Every now and then. Without power nobody listens, and what stands is closed.
+  void look(bool powered);
   void close();
 
  private:
+  void open();
+  bool reaches(std::size_t i) const;
   std::shared_ptr<CpSocket> socketOf(std::size_t i);
 
   boost::asio::io_context& context_;
   served::CpLines& lines_;
   std::string address_;
   std::vector<std::shared_ptr<CpSocket>> sockets_;
+  bool open_ = false;
 };
 
 // What opens them; of `lines` the connection `i`.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <iostream>
+#include <optional>
 
 #include "itcp/site.h"
 #include "server/page_server.h"
@@ -21,15 +22,12 @@ std::string urlOf(const std::string& address, std::uint16_t port) {
 }  // namespace
 
 struct CpWeb::One {
-  One(boost::asio::io_context& context, served::Exchange& plc, const std::string& address,
-      CpWebParameters wanted)
-      : parameters(std::move(wanted)),
-        site(std::make_shared<itcp::Site>(plc, parameters.folder)),
-        server(context, address, *site) {}
+  One(served::Exchange& plc, CpWebParameters wanted)
+      : parameters(std::move(wanted)), site(std::make_shared<itcp::Site>(plc, parameters.folder)) {}
 
   CpWebParameters parameters;
   std::shared_ptr<itcp::Site> site;
-  hmi::PageServer server;
+  std::optional<hmi::PageServer> server;
   bool listens = false, told = false;
 };
 
@@ -40,13 +38,13 @@ CpWeb::~CpWeb() = default;
 
 void CpWeb::use(const std::vector<CpWebParameters>& servers) {
   servers_.clear();
-  for (const CpWebParameters& one : servers)
-    servers_.push_back(std::make_unique<One>(context_, plc_, address_, one));
+  for (const CpWebParameters& one : servers) servers_.push_back(std::make_unique<One>(plc_, one));
 }
 
 void CpWeb::listen(One& one) {
   const std::uint16_t port = one.parameters.port;
-  const std::string why = one.server.listen(port);
+  if (!one.server) one.server.emplace(context_, address_, *one.site);
+  const std::string why = one.server->listen(port);
   const bool now = why.empty() && !std::exchange(one.listens, why.empty());
   if (now)
     std::cerr << fmt::format("Web server of the CP in slot {}: {}\n", one.parameters.slot,
@@ -58,9 +56,13 @@ void CpWeb::listen(One& one) {
         one.parameters.slot, port, address_, why);
 }
 
-void CpWeb::look() {
+void CpWeb::look(bool powered) {
   const bool names = ++looks_ % kLooksOfNames == 0;
   for (const auto& one : servers_) {
+    if (!powered) {
+      one->server.reset();
+      continue;
+    }
     listen(*one);
     one->site->forgetState();
     if (names) one->site->forgetNames();

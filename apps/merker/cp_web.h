@@ -21,8 +21,8 @@ class CpWeb {
 
   // Those of another project close.
   void use(const std::vector<CpWebParameters>& servers);
-  // Every now and then; the first time they begin to listen.
-  void look();
+  // Every now and then; the first time they begin to listen. Without power nobody does.
+  void look(bool powered);
 
  private:
   struct One;

@@ -156,8 +156,8 @@ void S7Server::Parts::check() {
     }
     std::erase_if(clients, [](const auto& client) { return client->closed(); });
     callPartners();
-    cp.look();
-    web.look();
+    cp.look(around.exchange.reachable());
+    web.look(around.exchange.reachable());
     tell();
     check();
   });
@@ -175,6 +175,7 @@ void S7Server::Parts::use(const CommunicationParameters& parameters) {
   calls.forget();
   around.use(parameters);
   cp.use(parameters.ofCp);
+  cp.look(around.exchange.reachable());
   web.use(parameters.web);
   callPartners();
 }

@@ -9,6 +9,11 @@ import urllib.request
 from served import Served
 
 
+def free_port():
+    with socket.create_server(("127.0.0.1", 0)) as one:
+        return one.getsockname()[1]
+
+
 class Run(Served):
     def test_the_page_is_there(self):
         with urllib.request.urlopen(f"http://127.0.0.1:{self.port}/") as page:
@@ -54,7 +59,10 @@ class Clients(Served):
 
     def start(self):
         super().start()
-        self.s7 = int(self.process.stderr.readline().split(":")[2])
+        line = "-"
+        while line and not line.startswith("S7 communication: "):  # warnings may stand before it
+            line = self.process.stderr.readline()
+        self.s7 = int(line.split(":")[2])
 
     def client(self):
         client = socket.create_connection(("127.0.0.1", self.s7), timeout=20)
@@ -112,6 +120,44 @@ class Callers(Clients):
         browser.call("cpu.power", on=True)
         self.partner.settimeout(20)
         self.partner.accept()[0].close()
+
+
+# Outside of the S7 server a CP 343-1 IT listens at ports of its own.
+class Cp(Clients):
+    def prepare(self):
+        super().prepare()
+        (self.line, self.web) = (free_port() for _ in range(2))
+        with open(self.project / "merker.toml", "a", encoding="utf-8") as project:
+            project.write('[cpu]\nmodel = "314C-2 DP"\n[[module]]\nslot = 4\ntype = "6GK7 343-1GX11-0XE0"\n'
+                          f'web = {{ port = {self.web} }}\n[[connection]]\nkind = "tcp"\nid = 1\n'
+                          f'partner = "tcp://127.0.0.1"\nactive = false\nlocal_port = {self.line}\n')
+
+    def until_called(self, port, listens):
+        """Whoever listens there takes the call."""
+        end = time.monotonic() + 20
+        while True:
+            try:
+                socket.create_connection(("127.0.0.1", port), timeout=20).close()
+                called = True
+            except ConnectionRefusedError:
+                called = False
+            if called == listens:
+                return
+            self.assertLess(time.monotonic(), end, (port, listens))
+            time.sleep(0.02)
+
+    def test_without_power_it_does_not_listen(self):
+        browser = self.browser()
+        for on in True, False, True:
+            browser.call("cpu.power", on=on)
+            self.until_called(self.line, on)
+            self.until_called(self.web, on)
+        partner = socket.create_connection(("127.0.0.1", self.line), timeout=20)
+        page = socket.create_connection(("127.0.0.1", self.web), timeout=20)
+        browser.call("cpu.power", on=False)
+        self.assertEqual((partner.recv(1), page.recv(1)), (b"", b""))  # what stands is closed
+        for one in partner, page:
+            one.close()
 
 
 class Values(Served):
