@@ -110,14 +110,15 @@ void runNetworkFor(network::Network& network, Duration time, NetworkTrace* trace
 
 // Until Ctrl-C.
 void runNetworkInRealTime(network::Network& network, std::ofstream& file, NetworkTrace* trace,
-                          NetworkS7& s7) {
+                          NetworkS7& s7, Bell& bell) {
   const auto slice = [&] {
     s7.look();
     if (trace == nullptr) return;
     trace->write(network.now());
     file.flush();
   };
-  runRealTime(network.station(0), nullptr, {.slice = slice});
+  runRealTime(network.station(0), nullptr,
+              {.slice = slice, .waiting = [&] { return s7.waits(); }, .bell = &bell});
 }
 
 void printAll(const NetworkWishes& wishes, network::Network& network) {
@@ -179,9 +180,11 @@ int runBuilt(const RunOptions& options, const NetworkBuild& build, std::optional
   if (time) {
     runNetworkFor(*network, *time, seen);
   } else {
+    Bell bell;  // outlives the servers
     NetworkS7 s7;
-    if (const int bad = s7.open("merker run", options.serve.s7, build, *network)) return bad;
-    runNetworkInRealTime(*network, file, seen, s7);
+    const auto wake = [&bell] { bell.ring(); };
+    if (const int bad = s7.open("merker run", options.serve.s7, build, *network, wake)) return bad;
+    runNetworkInRealTime(*network, file, seen, s7, bell);
   }
   network->settle(time ? controller::Controller::kLongestCycle : Duration::seconds(1));
   if (trace) trace->write(Instant::never());

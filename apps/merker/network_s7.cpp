@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
 
 #include "command.h"
@@ -25,19 +26,20 @@ S7Option placeOf(const S7Place& first, std::size_t number) {
 }  // namespace
 
 int NetworkS7::serve(const std::string& command, const S7Option& option,
-                     const compilation::NamedBuild& one, controller::Controller& plc) {
+                     const compilation::NamedBuild& one, controller::Controller& plc,
+                     const std::function<void()>& wake) {
   const project::Project& own = one.build->project;
   Served& served =
       served_.emplace_back(plc, monitor::monitorOf(plc, own.symbols, one.build->resolver()));
-  if (const int bad = served.desk.open(
-          command, option, own.communication, [] {}, one.name))
+  if (const int bad = served.desk.open(command, option, own.communication, wake, one.name))
     return bad;
   plc.onCycle(served.desk.cycleObserver(*served.monitor));
   return kGood;
 }
 
 int NetworkS7::open(const std::string& command, const S7Option& option,
-                    const compilation::NetworkBuild& build, network::Network& network) {
+                    const compilation::NetworkBuild& build, network::Network& network,
+                    const std::function<void()>& wake) {
   if (option.place.empty()) return kGood;
   std::string reason;
   const auto first = s7Place(option, reason);
@@ -52,7 +54,8 @@ int NetworkS7::open(const std::string& command, const S7Option& option,
                                           "must be at most {}",
                                           network.size(), kHighestPort + 1 - network.size()));
   for (std::size_t i = 0; i < network.size(); ++i)
-    if (const int bad = serve(command, placeOf(*first, i), build.stations[i], network.itself(i)))
+    if (const int bad =
+            serve(command, placeOf(*first, i), build.stations[i], network.itself(i), wake))
       return bad;
   route(build);
   return kGood;
@@ -73,6 +76,10 @@ void NetworkS7::route(const compilation::NetworkBuild& build) {
 
 void NetworkS7::look() {
   for (Served& one : served_) one.desk.exchange(*one.monitor);
+}
+
+bool NetworkS7::waits() const {
+  return std::ranges::any_of(served_, [](const Served& one) { return one.desk.waits(); });
 }
 
 NetworkS7::~NetworkS7() {

@@ -15,8 +15,10 @@ class NetworkS7 {
   static constexpr std::size_t kMostServed = 64;  // each has a thread
 
   // `network` outlives it. Nothing without the option. The exit code; what is wrong is told.
+  // `wake`: somebody waits for the thread of the stations; from any thread.
   int open(const std::string& command, const S7Option& option,
-           const compilation::NetworkBuild& build, network::Network& network);
+           const compilation::NetworkBuild& build, network::Network& network,
+           const std::function<void()>& wake);
   NetworkS7() = default;
   ~NetworkS7();  // nobody looks at the stations any more
   NetworkS7(const NetworkS7&) = delete;
@@ -24,6 +26,8 @@ class NetworkS7 {
 
   // In front of each slice of time.
   void look();
+  // Somebody waits for the end of a cycle.
+  bool waits() const;
 
  private:
   struct Served {
@@ -34,7 +38,7 @@ class NetworkS7 {
     S7Desk desk;
   };
   int serve(const std::string& command, const S7Option& option, const compilation::NamedBuild& one,
-            controller::Controller& plc);
+            controller::Controller& plc, const std::function<void()>& wake);
   void route(const compilation::NetworkBuild& build);
   std::deque<Served> served_;  // the first one goes first: it passes clients on
 };
