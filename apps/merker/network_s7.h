@@ -7,13 +7,12 @@
 
 #include "compilation/network.h"
 #include "s7_desk.h"
+#include "s7_ways.h"
 
 namespace merker::app {
 
 class NetworkS7 {
  public:
-  static constexpr std::size_t kMostServed = 64;  // each has a thread
-
   // `network` outlives it. Nothing without the option. The exit code; what is wrong is told.
   // `wake`: somebody waits for the thread of the stations; from any thread.
   int open(const std::string& command, const S7Option& option,
@@ -41,6 +40,8 @@ class NetworkS7 {
             controller::Controller& plc, const std::function<void()>& wake);
   void route(const compilation::NetworkBuild& build);
   std::deque<Served> served_;  // the first one goes first: it passes clients on
+  S7Ways ways_;
+  network::Network* network_ = nullptr;
 };
 
 }  // namespace merker::app

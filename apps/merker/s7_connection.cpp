@@ -78,10 +78,10 @@ void S7Connection::prepare() {
 
 S7Connection::~S7Connection() { close(); }
 
-void S7Connection::begin(iso::View sent) {
+void S7Connection::begin(iso::View sent, S7WayOpen way) {
   expect(true);
-  passedOn_ = !sent.empty();
-  if (!passedOn_) return read();
+  way_ = std::move(way);
+  if (way_ == nullptr) return read();
   received_ += sent.size();
   transport_.feed(sent);
   pump();
@@ -207,14 +207,17 @@ void S7Connection::refuse(iso::Reason reason, S7Why why) {
 }
 
 void S7Connection::requested(const iso::ConnectParameters& parameters) {
-  if (around_.passOn && around_.passOn(socket_, parameters.called, head_)) {
+  const S7Whose whose =
+      around_.passOn ? around_.passOn(socket_, parameters.called, head_) : S7Whose::Own;
+  if (whose == S7Whose::NoWay) return refuse(iso::Reason::UnknownAddress, S7Why::NoWay);
+  if (whose == S7Whose::Passed) {
     closed_ = true;  // its socket is another one's
     return;
   }
   head_.clear();
   resource_ = served::resourceOf(parameters.called);
   if (takesConfigured(parameters)) return serve();
-  if (around_.parameters.strictSlot && !passedOn_ && !served::namesTheCpu(parameters.called))
+  if (around_.parameters.strictSlot && way_ == nullptr && !served::namesTheCpu(parameters.called))
     return refuse(iso::Reason::UnknownAddress, S7Why::OtherSlot);
   while (!around_.resources.take(resource_))
     if (!around_.makeRoom(resource_)) return refuse(iso::Reason::Congestion, S7Why::NoResource);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <boost/asio/ip/tcp.hpp>
 #include <chrono>
 #include <memory>
@@ -17,6 +18,11 @@
 
 namespace merker::app {
 
+// Whether a way leads to the station now, for clients that come by the server of another one.
+using S7WayOpen = std::shared_ptr<const std::atomic<bool>>;
+// Whose client it is: of this server, of another one that has it now, of one that no way leads to.
+enum class S7Whose : std::uint8_t { Own, Passed, NoWay };
+
 // What all clients share; it outlives them.
 struct S7Surroundings {
   served::Exchange exchange{};
@@ -30,8 +36,8 @@ struct S7Surroundings {
   S7Incidents incidents{};
   served::PasswordGuard passwords{};
   // Gives a client that calls another station to the server of that one, with what it has sent so
-  // far: the socket is released. False: it calls this one.
-  std::function<bool(boost::asio::ip::tcp::socket& client, iso::View called, iso::View sent)>
+  // far: the socket is released.
+  std::function<S7Whose(boost::asio::ip::tcp::socket& client, iso::View called, iso::View sent)>
       passOn{};
   // Takes a connection resource of this kind from whoever has one and never set up its connection.
   std::function<bool(served::Resource kind)> makeRoom{};
@@ -51,8 +57,10 @@ class S7Connection : public std::enable_shared_from_this<S7Connection> {
   S7Connection(const S7Connection&) = delete;
   S7Connection& operator=(const S7Connection&) = delete;
 
-  // `sent`: what the client has sent to a server that has passed it on.
-  void begin(iso::View sent = {});
+  // `sent`: what the client has sent to a server that has passed it on, `way`: from there.
+  void begin(iso::View sent = {}, S7WayOpen way = {});
+  // Nothing leads from where it came in to this station any more.
+  bool cutOff() const { return way_ != nullptr && !*way_; }
   void call(const Endpoint& there);
   bool closed() const { return closed_; }
   // It took too long for what is expected of it.
@@ -111,8 +119,8 @@ class S7Connection : public std::enable_shared_from_this<S7Connection> {
   served::Resource resource_ = served::Resource::Basic;
   std::array<std::uint8_t, 16'384> buffer_{};
   iso::Bytes out_, sending_;
-  iso::Bytes head_;        // what came before the connection stood
-  bool passedOn_ = false;  // by another server, which has looked at its TSAP
+  iso::Bytes head_;  // what came before the connection stood
+  S7WayOpen way_;    // null: no other server has passed it on
   bool reading_ = false, pumping_ = false, ending_ = false, closed_ = false;
   Expected expected_ = Expected::Nothing;
   Clock::time_point due_ = Clock::time_point::max();

@@ -32,19 +32,16 @@ S7Desk::~S7Desk() {
   if (server_) std::cerr << title_ << ": " << server_->summary() << std::endl;
 }
 
-void S7Desk::follow(workbench::Workbench& workbench) {
-  shown_ = workbench.shown();
+void S7Desk::follow(workbench::Plc* plc) {
   server_->exchange().forget();
-  workbench::Plc* const plc = workbench.plc();
   if (plc == nullptr) return;
   server_->use(plc->build().project.communication);
   plc->onCycle(cycleObserver(plc->monitor()));
 }
 
-void S7Desk::exchange(workbench::Workbench& workbench) {
+void S7Desk::exchange(workbench::Plc* plc, bool fresh) {
   if (!server_) return;
-  if (workbench.shown() != shown_) follow(workbench);
-  workbench::Plc* const plc = workbench.plc();
+  if (fresh) follow(plc);
   server_->exchange().look(plc == nullptr ? nullptr : &plc->monitor());
 }
 

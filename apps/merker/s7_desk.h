@@ -23,8 +23,8 @@ class S7Desk {
   S7Desk(const S7Desk&) = delete;
   S7Desk& operator=(const S7Desk&) = delete;
 
-  // In front of each slice of time.
-  void exchange(workbench::Workbench& workbench);
+  // In front of each slice of time. `fresh`: it is another PLC, or none, from now on.
+  void exchange(workbench::Plc* plc, bool fresh);
   void exchange(monitor::Monitor& monitor);
   // Somebody waits for the end of a cycle.
   bool waits() const;
@@ -32,11 +32,10 @@ class S7Desk {
   std::function<void(controller::Controller&)> cycleObserver(monitor::Monitor& monitor) const;
 
  private:
-  void follow(workbench::Workbench& workbench);
+  void follow(workbench::Plc* plc);
 
   std::shared_ptr<S7Server> server_;
   std::string title_ = "S7 communication";
-  std::uint64_t shown_ = UINT64_MAX;
 };
 
 }  // namespace merker::app

@@ -12,12 +12,13 @@ struct WhyRow {
 
 // In the order of S7Why.
 constexpr WhyRow kWhyRows[] = {
-    {"resource", &S7Counts::refused}, {"slot", &S7Counts::refused},
-    {"socket", &S7Counts::refused},   {"power", &S7Counts::refused},
-    {"transport", &S7Counts::broken}, {"protocol", &S7Counts::broken},
-    {"late", &S7Counts::broken},      {"unread", &S7Counts::broken},
-    {"room", &S7Counts::broken},      {"protection", &S7Counts::denied},
-    {"password", &S7Counts::denied},  {"setup", &S7Counts::denied},
+    {"resource", &S7Counts::refused},  {"slot", &S7Counts::refused},
+    {"socket", &S7Counts::refused},    {"power", &S7Counts::refused},
+    {"way", &S7Counts::refused},       {"transport", &S7Counts::broken},
+    {"protocol", &S7Counts::broken},   {"late", &S7Counts::broken},
+    {"unread", &S7Counts::broken},     {"room", &S7Counts::broken},
+    {"protection", &S7Counts::denied}, {"password", &S7Counts::denied},
+    {"setup", &S7Counts::denied},
 };
 
 }  // namespace

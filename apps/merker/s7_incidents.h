@@ -25,6 +25,7 @@ enum class S7Why : std::uint8_t {
   OtherSlot,
   NoSocket,
   NoPower,
+  NoWay,
   // connections that are broken off
   WrongTransport,
   NoS7,

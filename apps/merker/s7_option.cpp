@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <boost/asio/ip/address.hpp>
 #include <charconv>
+#include <iostream>
 
 #include "server/guard.h"
 
@@ -47,6 +48,29 @@ std::optional<S7Place> s7Place(const S7Option& option, std::string& reason) {
   }
   place.port = *port;
   return place;
+}
+
+std::optional<S7Place> firstS7Place(const std::string& command, const S7Option& option,
+                                    std::size_t stations) {
+  constexpr std::size_t kMostServed = 64;  // each has a thread
+  constexpr std::size_t kHighestPort = 65'535;
+  std::string reason;
+  const auto first = s7Place(option, reason);
+  if (stations > kMostServed)
+    reason = fmt::format("--s7 serves at most {} stations; --station NAME serves one", kMostServed);
+  else if (first && first->port + stations - 1 > kHighestPort)
+    reason =
+        fmt::format("--s7: each of the {} stations has a port, the first one must be at most {}",
+                    stations, kHighestPort + 1 - stations);
+  if (reason.empty()) return first;
+  std::cerr << command << ": " << reason << '\n';
+  return std::nullopt;
+}
+
+S7Option s7OptionOf(const S7Place& first, std::size_t number) {
+  const bool six = first.address.find(':') != std::string::npos;
+  return {fmt::format("{}{}{}:{}", six ? "[" : "", first.address, six ? "]" : "",
+                      first.port == 0 ? 0 : first.port + number)};
 }
 
 }  // namespace merker::app

@@ -1,6 +1,7 @@
 // --s7 [ADDRESS:]PORT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -23,5 +24,11 @@ struct S7Place {
 void addS7(CLI::App& command, S7Option& option);
 // Nothing, and the reason, if it is no place.
 std::optional<S7Place> s7Place(const S7Option& option, std::string& reason);
+// Of several stations: the place of the first one; nothing, and the reason is told, if the others
+// have none behind it.
+std::optional<S7Place> firstS7Place(const std::string& command, const S7Option& option,
+                                    std::size_t stations);
+// Of the station `number`; port 0 is any free one for each.
+S7Option s7OptionOf(const S7Place& first, std::size_t number);
 
 }  // namespace merker::app

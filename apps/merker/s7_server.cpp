@@ -74,7 +74,7 @@ struct S7Server::Parts {
   bool listen(std::string& reason);
   void accept();
   void acceptLater();
-  void take(tcp::socket socket, iso::View sent = {});
+  void take(tcp::socket socket, iso::View sent = {}, const S7WayOpen& way = {});
   bool makeRoom();
   bool breakOffNew(const std::function<bool(const S7Connection&)>& helps);
   void check();
@@ -133,7 +133,7 @@ bool S7Server::Parts::breakOffNew(const std::function<bool(const S7Connection&)>
   return true;
 }
 
-void S7Server::Parts::take(tcp::socket socket, iso::View sent) {
+void S7Server::Parts::take(tcp::socket socket, iso::View sent, const S7WayOpen& way) {
   if (!around.exchange.reachable()) return around.incidents.note(addressOf(socket), S7Why::NoPower);
   if (!makeRoom()) {
     around.incidents.note(addressOf(socket), S7Why::NoSocket);
@@ -141,7 +141,7 @@ void S7Server::Parts::take(tcp::socket socket, iso::View sent) {
   }
   const auto client = std::make_shared<S7Connection>(std::move(socket), around);
   clients.insert(client);
-  client->begin(sent);
+  client->begin(sent, way);
 }
 
 // Time limits, and those that have gone.
@@ -152,7 +152,7 @@ void S7Server::Parts::check() {
     const auto now = S7Connection::Clock::now();
     for (const auto& client : clients) {
       if (!client->closed() && client->overdue(now)) client->breakOffLate();
-      if (!client->closed() && !around.exchange.reachable()) client->close();
+      if (!client->closed() && (client->cutOff() || !around.exchange.reachable())) client->close();
     }
     std::erase_if(clients, [](const auto& client) { return client->closed(); });
     callPartners();
@@ -233,27 +233,31 @@ void S7Server::use(const CommunicationParameters& parameters) {
 }
 
 // In its own thread: what has called is already the other server's.
-void S7Server::passOn(std::map<std::uint8_t, S7Server*> others) {
+void S7Server::passOn(std::map<std::uint8_t, S7Way> others) {
   net::post(parts_->context, [parts = parts_.get(), others = std::move(others)] {
+    parts->around.passOn = {};
+    if (others.empty()) return;
     parts->around.passOn = [others](tcp::socket& client, iso::View called, iso::View sent) {
       constexpr std::size_t kTsap = 2;
       const auto found = called.size() == kTsap ? others.find(called[1]) : others.end();
-      if (found == others.end()) return false;
+      if (found == others.end()) return S7Whose::Own;
+      const S7Way& way = found->second;
+      if (!*way.open) return S7Whose::NoWay;
       boost::system::error_code error;
       const bool six = client.local_endpoint(error).address().is_v6();
       const int descriptor = client.release(error);
-      if (!error) found->second->adopt(descriptor, six, {sent.begin(), sent.end()});
-      return true;
+      if (!error) way.server->adopt(descriptor, six, {sent.begin(), sent.end()}, way.open);
+      return S7Whose::Passed;
     };
   });
 }
 
-void S7Server::adopt(int descriptor, bool six, const iso::Bytes& sent) {
-  net::post(parts_->context, [parts = parts_.get(), descriptor, six, sent] {
+void S7Server::adopt(int descriptor, bool six, const iso::Bytes& sent, const S7WayOpen& way) {
+  net::post(parts_->context, [parts = parts_.get(), descriptor, six, sent, way] {
     tcp::socket client(parts->context);
     boost::system::error_code error;
     client.assign(six ? tcp::v6() : tcp::v4(), descriptor, error);
-    if (!error) parts->take(std::move(client), sent);
+    if (!error) parts->take(std::move(client), sent, way);
   });
 }
 

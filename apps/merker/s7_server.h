@@ -10,6 +10,13 @@
 
 namespace merker::app {
 
+class S7Server;
+// To the server of another station.
+struct S7Way {
+  S7Server* server = nullptr;
+  S7WayOpen open{};
+};
+
 class S7Server {
  public:
   // Null, and the reason, if it cannot listen. `wake`: the thread of the PLC has something to do.
@@ -23,9 +30,10 @@ class S7Server {
   served::Exchange& exchange();
   // For connections from now on; those that stand stay.
   void use(const CommunicationParameters& parameters);
-  // Clients that call another station by the low byte of the TSAP go to its server. Before
-  // anybody has called; the others outlive this one.
-  void passOn(std::map<std::uint8_t, S7Server*> others);
+  // Clients that call another station by the low byte of the TSAP go to its server, as long as
+  // there is a way; without one they are refused, and those that have gone it are closed. The
+  // others outlive this one.
+  void passOn(std::map<std::uint8_t, S7Way> others);
   std::string place() const;    // "127.0.0.1:10102"
   std::string summary() const;  // "3 connections, 1 refused, 0 broken off, 120 requests, 2 denied"
   // Who is connected, at most a quarter of a second ago; from any thread.
@@ -34,7 +42,7 @@ class S7Server {
   std::string warning() const;
 
  private:
-  void adopt(int descriptor, bool six, const iso::Bytes& sent);
+  void adopt(int descriptor, bool six, const iso::Bytes& sent, const S7WayOpen& way);
   struct Parts;
   explicit S7Server(std::unique_ptr<Parts> parts);
   std::unique_ptr<Parts> parts_;

@@ -14,6 +14,7 @@ constexpr struct {
                 {"slot", "it called another rack or slot"},
                 {"socket", "too many sockets were open"},
                 {"power", "the station has no power"},
+                {"way", "no subnet leads to the station that it called"},
                 {"transport", "broken off, no ISO on TCP"},
                 {"protocol", "broken off, no S7 communication"},
                 {"late", "broken off, something did not come in time"},

@@ -7,9 +7,9 @@
 
 #include "command.h"
 #include "desk.h"
+#include "laboratory_s7.h"
 #include "page.h"
 #include "real_time.h"
-#include "s7_desk.h"
 #include "serial_desk.h"
 
 namespace merker::app {
@@ -90,21 +90,17 @@ int serve(const std::string& command, const ServeOptions& options, workbench::Wo
   });
   Watchdog watchdog(command);
   Desk desk(workbenches, watchdog);
-  S7Desk s7;
+  LaboratoryS7 s7(workbench);
   desk.eachSlice([&] {
     serial.exchange();
-    s7.exchange(workbench);
+    s7.exchange();
   });
   desk.waitedFor([&] { return s7.waits(); });
   workbench.serialBy([&] { return serial.outside(); });
   workbench.s7By([&] { return s7.outside(); });
   const auto server = hmi::Server::start(wanted, desk, reason);
   if (!server) return refused(command, reason, kUnreadable);
-  const auto communication = workbench.plc() == nullptr
-                                 ? CommunicationParameters::of(defaultCpuModel())
-                                 : workbench.plc()->build().project.communication;
-  if (const int bad = s7.open(command, options.s7, communication, [&] { desk.hurry(); }))
-    return bad;
+  if (const int bad = s7.open(command, options.s7, [&] { desk.hurry(); })) return bad;
   (quiet ? std::cerr : std::cout) << "workbench: " << server->url() << '/'
                                   << (options.token.empty() ? "" : "?token=" + options.token)
                                   << "  (Ctrl-C ends it)" << std::endl;

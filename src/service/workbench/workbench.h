@@ -26,6 +26,9 @@ class Workbench {
   void show(std::shared_ptr<Plc> plc, bool example = false);
   void show(std::shared_ptr<Laboratory> lab);
   Plc* plc() const { return shared_.plc.get(); }
+  // Null: its project has one station only. And which of them is shown.
+  std::shared_ptr<Laboratory> laboratory() const { return shared_.lab; }
+  std::size_t station() const { return shared_.station; }
   // Of the project that is open; empty: none is.
   std::string folder() const;
   std::size_t browsers() const { return browsers_.size(); }

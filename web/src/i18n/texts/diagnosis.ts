@@ -72,6 +72,7 @@ export const diagnosis = {
   noResource: ['keine Verbindung dieser Art frei', 'no connection was free for its kind'],
   otherSlot: ['anderes Rack oder anderer Steckplatz gerufen', 'it called another rack or slot'],
   noPower: ['Station ohne Spannung', 'the station has no power'],
+  noWay: ['kein Subnetz führt zur gerufenen Station', 'no subnet leads to the station that it called'],
   noSocket: ['zu viele Sockets offen', 'too many sockets were open'],
   noTransport: ['abgebrochen, kein ISO-on-TCP', 'broken off, no ISO on TCP'],
   noS7Protocol: ['abgebrochen, keine S7-Kommunikation', 'broken off, no S7 communication'],
