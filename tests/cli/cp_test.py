@@ -264,6 +264,27 @@ partner_id = 1
         self.write("lab/a/a.awl", self.read("lab/a/a.awl").replace("BYTE 10)", "BYTE 10, SD_2 := P#M 9.0 BYTE 1)"))
         self.assertIn("'SD_2' is not a parameter of FB 8", self.expect(PROBLEMS, "check", "lab").err)
 
+    # A project of STEP 7 brings these blocks along, here without their code: those of Merker run, and the project is told.
+    def test_copied_blocks_of_the_library(self):
+        head = "TITLE = x\nAUTHOR : SIMATIC\nFAMILY : {}\nNAME : {}\n"
+        send = ("FUNCTION FC 5 : VOID\n" + head + "VAR_INPUT\n ACT : BOOL;\n ID : INT;\n LADDR : WORD;\n SEND : ANY;\n LEN : INT;\nEND_VAR\n"
+                "VAR_OUTPUT\n DONE : BOOL;\n ERROR : BOOL;\n STATUS : WORD;\nEND_VAR\nBEGIN\nNETWORK\n SET; = #DONE;\nEND_FUNCTION\n")
+        receive = ("FUNCTION_BLOCK FB 13\n" + head + "VAR_INPUT\n EN_R : BOOL;\n ID : WORD;\n R_ID : DWORD;\nEND_VAR\nVAR_OUTPUT\n NDR : BOOL;\n "
+                   "ERROR : BOOL;\n STATUS : WORD;\nEND_VAR\nVAR_IN_OUT\n RD_1 : ANY;\n LEN : WORD;\nEND_VAR\nVAR\n own : ARRAY [0..99] OF BYTE;\n"
+                   "END_VAR\nBEGIN\nNETWORK\n SET; = #NDR;\nEND_FUNCTION_BLOCK\n")
+        call = "DATA_BLOCK DB 13\nFB 13\nBEGIN\nEND_DATA_BLOCK\n" + BLOCKS + block(
+            "CALL FC 5 (ACT := M 0.0, ID := 9, LADDR := W#16#100, SEND := P#M 0.0 BYTE 1, LEN := 1, DONE := M 1.0, ERROR := M 1.1, STATUS := MW 50);"
+            "SET; = M 0.3; CALL FB 13, DB 13 (EN_R := M 0.3, ID := W#16#9, R_ID := DW#16#5, NDR := M 1.2, ERROR := M 1.3, STATUS := MW 52, "
+            "RD_1 := P#M 60.0 BYTE 1, LEN := MW 62);")
+        for module, family, names, notes, printed in (
+                (CP, "CP_300", ("AG_SEND", "BRCV"), 2, "8183 0001"), (CP, "CP300", ("AG_SEND", "OTHER"), 1, "8183 0000"),
+                (CP, "MINE", ("AG_SEND", "BRCV"), 0, "0000 0000"), ("", "CP_300", ("AG_SEND", "BRCV"), 0, "0000 0000")):
+            self.write("plant/merker.toml", f'[cpu]\nmodel = "314C-2 DP"\n{module}')
+            self.write("plant/a.awl", send.format(family, names[0]) + receive.format(family, names[1]) + call)
+            ran = self.expect(GOOD, "run", "plant", "--for", "50ms", "--print", "MW 50, MW 52")
+            self.assertEqual([line[-4:] for line in ran.lines], printed.split(), ran.err)
+            self.assertEqual(ran.err.count("of SIMATIC_NET_CP, whose code needs a real CP"), notes, ran.err)
+
     def test_the_long_blocks(self):
         for kind in ("tcp", "udp"):
             self.pair(kind)

@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "block/memory.h"
 #include "compilation/existence.h"
+#include "compilation/library_blocks.h"
 #include "compilation/machine_code.h"
 #include "compilation/network.h"
 #include "compilation/stations.h"
@@ -227,6 +228,7 @@ void buildProgram(Build& result, bool checks) {
   step7::Compilation compilation = step7::compile(result.project.sources, compileOptions);
   result.problems.append(compilation.problems);
   addMachineCode(result.project.machineCode, compilation.program, result.problems);
+  preferLibraryBlocks(*result.library, compilation.program, result.problems);
   result.program = std::make_shared<const block::Program>(std::move(compilation.program));
   if (result.problems.cancelled()) return;
   project::checkAddresses(result.project, *result.program, result.problems);
