@@ -299,7 +299,7 @@ partner = "Belt"
                 ('local = "Press"', 'local = "Pres"', "merker.toml:28:9: error: 'local' must be the name of a [[station]]: Press, Belt, Mill"),
                 ('local = "Press"\n', "", "merker.toml:26:1: error: '[[connection]]' needs id = "),
                 ('partner = "Belt"\n', 'partner = "press"\n', "'partner' must be another station than local"),
-                ('partner = "Belt"\n', 'partner = "Mill"\n', "'partner' must be on a subnet of Press; Mill is on none of them"),
+                ('partner = "Belt"\n', 'partner = "Mill"\n', "'partner' must be on a subnet of Press; Mill is on none of them, and no CPU routes a connection"),
                 ('partner = "Belt"\n', 'partner = "Belt"\nsubnet = "Lan"\n', "'subnet' must be a subnet of both stations: MPI(1), Net"),
                 ('partner = "Belt"\n', 'partner = "Belt"\nport = 1\n', "unknown key 'port'"),
                 ('partner = "Belt"\n', 'partner = "Belt"\n' + link, "'id' must be another one: Press has a connection W#16#1 above"),

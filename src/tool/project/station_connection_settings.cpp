@@ -46,10 +46,13 @@ std::optional<std::size_t> readCommonSubnet(const Table& table, const Network& n
   if (!common.empty())
     table.mustBe("subnet", fmt::format("a subnet of both stations: {}", common));
   else
-    table.mustBe("partner",
-                 connection.kind == ConnectionKind::S7
-                     ? fmt::format("on a subnet of {}; {} is on none of them", local, partner)
-                     : fmt::format("on an Ethernet of {}; {} is on none of them", local, partner));
+    table.mustBe(
+        "partner",
+        connection.kind == ConnectionKind::S7
+            ? fmt::format(
+                  "on a subnet of {}; {} is on none of them, and no CPU routes a connection", local,
+                  partner)
+            : fmt::format("on an Ethernet of {}; {} is on none of them", local, partner));
   return std::nullopt;
 }
 
