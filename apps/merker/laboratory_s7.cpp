@@ -8,20 +8,28 @@
 namespace merker::app {
 
 int LaboratoryS7::open(const std::string& command, const S7Option& option,
-                       const std::function<void()>& wake) {
-  const auto lab = workbench_.laboratory();
-  const std::size_t stations = lab ? lab->plcs.size() : 1;
+                       std::function<void()> wake) {
   if (option.place.empty()) return kGood;
-  const auto first = firstS7Place(command, option, stations);
+  const auto lab = workbench_.laboratory();
+  const auto first = firstS7Place(command, option, lab ? lab->plcs.size() : 1);
   if (!first) return kUsage;
-  for (std::size_t i = 0; i < stations; ++i) {
-    workbench::Plc* const plc = plcOf(lab.get(), i);
+  command_ = command;
+  first_ = *first;
+  wake_ = std::move(wake);
+  return add(lab.get());
+}
+
+// Servers stay when their stations have gone: clients find them at the same ports.
+int LaboratoryS7::add(const Laboratory* lab) {
+  const std::size_t stations = lab == nullptr ? 1 : std::min(lab->plcs.size(), kMostS7Stations);
+  for (std::size_t i = desks_.size(); i < stations; ++i) {
+    workbench::Plc* const plc = plcOf(lab, i);
     const auto parameters = plc == nullptr ? CommunicationParameters::of(defaultCpuModel())
                                            : plc->build().project.communication;
-    const std::string name = lab ? lab->build.stations[i].name : std::string();
-    if (const int bad =
-            desks_.emplace_back().open(command, s7OptionOf(*first, i), parameters, wake, name))
-      return bad;
+    const std::string name = lab == nullptr ? std::string() : lab->build.stations[i].name;
+    const int bad =
+        desks_.emplace_back().open(command_, s7OptionOf(first_, i), parameters, wake_, name);
+    if (bad != kGood) return desks_.pop_back(), bad;
   }
   return kGood;
 }
@@ -33,6 +41,7 @@ workbench::Plc* LaboratoryS7::plcOf(const Laboratory* lab, std::size_t i) const 
 
 void LaboratoryS7::follow(const std::shared_ptr<Laboratory>& lab) {
   lab_ = lab;
+  (void)add(lab.get());  // what has no free port is not served; it is told
   std::vector<S7Server*> servers;
   for (S7Desk& one : desks_) servers.push_back(&one.server());
   if (lab)

@@ -14,8 +14,8 @@ class LaboratoryS7 {
   // `workbench` outlives it.
   explicit LaboratoryS7(workbench::Workbench& workbench) : workbench_(workbench) {}
 
-  // As S7Desk::open. A server for each station that there is now.
-  int open(const std::string& command, const S7Option& option, const std::function<void()>& wake);
+  // As S7Desk::open. A server for each station; for those of a project that is opened later, too.
+  int open(const std::string& command, const S7Option& option, std::function<void()> wake);
   // In front of each slice of time.
   void exchange();
   bool waits() const;
@@ -25,9 +25,13 @@ class LaboratoryS7 {
  private:
   using Laboratory = workbench::Laboratory;
   workbench::Plc* plcOf(const Laboratory* lab, std::size_t i) const;
+  int add(const Laboratory* lab);
   void follow(const std::shared_ptr<Laboratory>& lab);
 
   workbench::Workbench& workbench_;
+  std::string command_;
+  S7Place first_;
+  std::function<void()> wake_;
   std::deque<S7Desk> desks_;  // the first one goes first: it passes clients on
   S7Ways ways_;
   std::weak_ptr<Laboratory> lab_;

@@ -52,12 +52,12 @@ std::optional<S7Place> s7Place(const S7Option& option, std::string& reason) {
 
 std::optional<S7Place> firstS7Place(const std::string& command, const S7Option& option,
                                     std::size_t stations) {
-  constexpr std::size_t kMostServed = 64;  // each has a thread
   constexpr std::size_t kHighestPort = 65'535;
   std::string reason;
   const auto first = s7Place(option, reason);
-  if (stations > kMostServed)
-    reason = fmt::format("--s7 serves at most {} stations; --station NAME serves one", kMostServed);
+  if (stations > kMostS7Stations)
+    reason =
+        fmt::format("--s7 serves at most {} stations; --station NAME serves one", kMostS7Stations);
   else if (first && first->port + stations - 1 > kHighestPort)
     reason =
         fmt::format("--s7: each of the {} stations has a port, the first one must be at most {}",

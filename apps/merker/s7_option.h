@@ -24,6 +24,8 @@ struct S7Place {
 void addS7(CLI::App& command, S7Option& option);
 // Nothing, and the reason, if it is no place.
 std::optional<S7Place> s7Place(const S7Option& option, std::string& reason);
+constexpr std::size_t kMostS7Stations = 64;  // each has a thread
+
 // Of several stations: the place of the first one; nothing, and the reason is told, if the others
 // have none behind it.
 std::optional<S7Place> firstS7Place(const std::string& command, const S7Option& option,

@@ -116,3 +116,17 @@ class Ways(Served):
         self.assertEqual([self.number(slot) for slot in (2, 3, 5)], [1, 2, 3])
         browser.call("stations.fault", subnet="MPI(1)", fault="break")
         self.until(5, REFUSE)
+
+
+class Later(Ways):
+    """The project is opened when the server runs."""
+    def target(self):
+        return ["--workspace", str(self.folder)]
+
+    def start(self):
+        Served.start(self)
+        self.browser().call("projects.open", folder="lab")
+        self.ports = {}
+        for name in ("Press", "Belt", "Mill"):
+            self.ports[name] = int(self.process.stderr.readline().rsplit(":", 1)[1])
+        self.until(5, CONFIRM)
