@@ -7,9 +7,9 @@ test('short tables are there as a whole', () => {
 });
 
 test('of a long one the rows in sight with some around them', () => {
-  expect(rowsInSight(0, 480, 24, 1000)).toEqual({ first: 0, end: 40 });
-  expect(rowsInSight(500 * 24, 480, 24, 1000)).toEqual({ first: 480, end: 536 });
-  expect(rowsInSight(990 * 24, 480, 24, 1000)).toEqual({ first: 968, end: 1000 });
+  expect(rowsInSight(0, 480, 24, 1000)).toEqual({ first: 0, end: 32 });
+  expect(rowsInSight(500 * 24, 480, 24, 1000)).toEqual({ first: 488, end: 528 });
+  expect(rowsInSight(990 * 24, 480, 24, 1000)).toEqual({ first: 976, end: 1000 });
 });
 
 test('a row more or less above the edge moves nothing; what has gone away does not count', () => {

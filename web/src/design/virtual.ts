@@ -7,7 +7,7 @@ export interface Span {
 }
 
 /** Rows above and below those in sight, and the step in which the span moves: scrolling by a row changes nothing. */
-const SPARE = 16;
+const SPARE = 8;
 const STEP = 8;
 
 /** `hidden`: how much of the rows lies above the edge of what is seen, in pixels; `height`: how much is seen. */

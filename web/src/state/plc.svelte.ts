@@ -13,6 +13,10 @@ export type Ability = Project['can'][number];
 
 const DARK: Record<LedName, Led> = { SF: 'off', BF: 'off', DC5V: 'off', FRCE: 'off', RUN: 'off', STOP: 'off' };
 
+/** They change with each frame of the server, 30 a second. Nobody reads more than ten, and each change paints the page anew. */
+const RUNNING: ReadonlySet<string> = new Set(['event', 'time', 'clock', 'cycles', 'cycle']);
+const RUNNING_MS = 100;
+
 /** What the server pushes to everybody. Reading a field in a component makes the component follow it. */
 export class Plc implements State {
   project = $state<Project | null>(null);
@@ -68,11 +72,27 @@ export class Plc implements State {
     return this.forces.some((force) => names.includes(force.operand));
   }
 
-  /** Takes over the fields that changed. */
+  private waiting: Events['state'] = {};
+  private shownAt = -RUNNING_MS;
+  private timer: ReturnType<typeof setTimeout> | undefined;
+
+  /** Takes over the fields that changed; where only the time went on, ten times a second. */
   receive(message: Events['state']): void {
+    this.live = true;
+    this.waiting = { ...this.waiting, ...message };
+    const rest = this.shownAt + RUNNING_MS - performance.now();
+    if (rest <= 0 || Object.keys(message).some((name) => !RUNNING.has(name))) this.show();
+    else this.timer ??= setTimeout(() => this.show(), rest);
+  }
+
+  private show(): void {
+    clearTimeout(this.timer);
+    const message = this.waiting;
+    this.timer = undefined;
+    this.waiting = {};
+    this.shownAt = performance.now();
     if (message.project === null) this.close();
     for (const name of stateFields) this.take(name, message);
-    this.live = true;
   }
 
   private take<Name extends keyof State>(name: Name, message: Events['state']): void {

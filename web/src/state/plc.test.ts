@@ -1,4 +1,4 @@
-import { expect, test } from 'vitest';
+import { expect, test, vi } from 'vitest';
 import type { Project } from '../connection/protocol';
 import { Plc } from './plc.svelte';
 
@@ -20,11 +20,27 @@ const project: Project = {
 test('only the fields that came change', () => {
   const plc = new Plc();
   plc.receive({ mode: 'RUN', cycles: 7 });
-  const strange = { event: 'state', cycles: 8, unknown: 1, phase: 'lost', isForced: null };
+  const strange = { event: 'state', mode: 'RUN' as const, cycles: 8, unknown: 1, phase: 'lost', isForced: null };
   plc.receive(strange);
   expect([plc.mode, plc.cycles, plc.live]).toEqual(['RUN', 8, true]);
   expect('unknown' in plc).toBe(false);
   expect([plc.phase, typeof plc.isForced]).toEqual(['connecting', 'function']);
+});
+
+test('where only the time goes on, it is shown ten times a second, and the last one of all', () => {
+  vi.useFakeTimers();
+  const plc = new Plc();
+  plc.receive({ mode: 'RUN', time: 1, cycles: 1 });
+  plc.receive({ time: 2, cycles: 2 });
+  vi.advanceTimersByTime(33);
+  plc.receive({ time: 3 });
+  expect([plc.time, plc.cycles]).toEqual([1, 1]);
+  vi.advanceTimersByTime(67);
+  expect([plc.time, plc.cycles]).toEqual([3, 2]);
+  plc.receive({ time: 4 });
+  plc.receive({ mode: 'STOP' });
+  expect([plc.time, plc.mode]).toEqual([4, 'STOP']);
+  vi.useRealTimers();
 });
 
 test('a closed project leaves a dark CPU', () => {
