@@ -47,7 +47,7 @@ export function scratch() {
 export async function serve(example = 'sorting-plant', port = 0) {
   const workspace = scratch();
   const project = join(workspace, basename(example));
-  cpSync(join(root, 'examples', example), project, { recursive: true, filter: (path) => basename(path) !== 'german.txt' });
+  cpSync(join(root, 'examples', example), project, { recursive: true, filter: (path) => !['german.txt', 'README.de.md'].includes(basename(path)) });
   return launch(project, workspace, port);
 }
 
@@ -185,6 +185,8 @@ export async function picture(page, name) {
   await page.mouse.move(0, 0);
   const focused = await page.evaluateHandle(() => {
     for (const message of document.querySelectorAll('.message')) message.style.display = 'none';
+    // The folder of a user, not the temporary one of the test.
+    for (const path of document.querySelectorAll('.folder .mono')) path.firstChild.data = path.textContent.replace(/^.*merker-browser-\w+/, '/home/student/merker');
     let element = document.activeElement;
     while (element?.shadowRoot?.activeElement) element = element.shadowRoot.activeElement;
     element?.blur();
