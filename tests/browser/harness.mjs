@@ -186,7 +186,7 @@ export async function picture(page, name) {
   const focused = await page.evaluateHandle(() => {
     for (const message of document.querySelectorAll('.message')) message.style.display = 'none';
     // The folder of a user, not the temporary one of the test.
-    for (const path of document.querySelectorAll('.folder .mono')) path.firstChild.data = path.textContent.replace(/^.*merker-browser-\w+/, '/home/student/merker');
+    for (const path of document.querySelectorAll('.folder .mono')) path.firstChild.data = path.textContent.replace(/^.*merker-browser-\w+/, '~/merker');
     let element = document.activeElement;
     while (element?.shadowRoot?.activeElement) element = element.shadowRoot.activeElement;
     element?.blur();
