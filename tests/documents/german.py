@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Every example that the workbench offers has its German words in german.txt (docs/how-to-add.md): each comment, title,
 symbol, scenario, name of a project, alarm text; and each name of a variable, module, plant and station, with a # before
-it. None is left over, and symbols are at most 24 characters long and differ."""
+it. None is left over, and symbols are at most 24 characters long and differ. A README.de.md has the parts of its README.md."""
 import pathlib
 import re
 import sys
@@ -84,8 +84,23 @@ def problems(project):
     yield from (f"symbol '{one}' twice" for one in set(names) if names.count(one) > 1)
 
 
+def parts(page):
+    """What a page has in any language: its headings and rows of tables by number, its pictures, its commands without values."""
+    text = page.read_text(encoding="utf-8")
+    return {"headings": len(re.findall(r"^#", text, re.MULTILINE)), "rows of tables": len(re.findall(r"^\|", text, re.MULTILINE)),
+            "items": len(re.findall(r"^- ", text, re.MULTILINE)), "pictures": re.findall(r"\]\((\S+)\)", text),
+            "commands": re.findall(r"^merker +(\S+) +(\S+)", text, re.MULTILINE)}
+
+
+def pages():
+    for german in sorted(ROOT.rglob("README.de.md")):
+        of, here = parts(german.with_name("README.md")), parts(german)
+        yield from (f"{german.relative_to(ROOT)}: other {part} than README.md" for part in of if of[part] != here[part])
+
+
 def main():
     told = [f"{project.relative_to(ROOT)}/german.txt: {problem}" for project in projects(ROOT) for problem in problems(project)]
+    told += pages()
     print("\n".join(told))
     sys.exit(1 if told else 0)
 

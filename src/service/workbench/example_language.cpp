@@ -159,6 +159,14 @@ void translateFolder(const fs::path& folder, const Phrases& phrases) {
     if (entry.is_regular_file(error)) translateFile(entry.path(), phrases);
 }
 
+std::vector<fs::path> filesNamed(const char* name, const std::string& folder,
+                                 std::error_code& error) {
+  std::vector<fs::path> found;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, error))
+    if (entry.path().filename() == name) found.push_back(entry.path());
+  return found;
+}
+
 }  // namespace
 
 // "# " begins a comment of the list.
@@ -183,11 +191,13 @@ std::string translated(std::string_view text, std::string_view ending, const Phr
 
 // Of a pair each has words of its own.
 std::optional<Problem> finishCopy(const std::string& folder, bool german) {
-  std::vector<fs::path> lists;
   std::error_code error;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, error))
-    if (entry.path().filename() == kGermanWords) lists.push_back(entry.path());
-  for (const fs::path& list : lists) {
+  for (const fs::path& text : filesNamed(kGermanReadme, folder, error))
+    if (german)
+      fs::rename(text, text.parent_path() / "README.md", error);
+    else
+      fs::remove(text, error);
+  for (const fs::path& list : filesNamed(kGermanWords, folder, error)) {
     const Phrases phrases = readPhrases(readFile(list));
     fs::remove(list, error);
     if (german) translateFolder(list.parent_path(), phrases);

@@ -13,6 +13,8 @@
 namespace merker::workbench {
 
 constexpr const char* kGermanWords = "german.txt";
+// Where an example has it, it takes the place of README.md.
+constexpr const char* kGermanReadme = "README.de.md";
 
 struct Phrases {
   using Words = std::map<std::string, std::string, std::less<>>;

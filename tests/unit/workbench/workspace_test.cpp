@@ -58,7 +58,11 @@ TEST_F(Projects, ACopyHasGermanWordsWhereTheyAreWanted) {
   folder.write("examples/lift/doors/main.s5", "NETZWERK 1  Lift\n : !=F\n : UN   E 1.0 ! waits\n");
   folder.write("examples/lift/lift.scn",
                "scenario \"waits\"\n  plant Cabin.UP = W#16#1  # waits\n");
+  folder.write("examples/lift/README.md", "# Lift\n");
+  folder.write("examples/lift/README.de.md", "# Aufzug\n");
   ASSERT_TRUE(workspace.copyExample("lift", false, true));
+  EXPECT_EQ(folder.read("mine/lift/README.md"), "# Aufzug\n");
+  EXPECT_FALSE(fs::exists(folder.path("mine/lift/README.de.md")));
   EXPECT_EQ(folder.read("mine/lift/lift.awl"),
             "TITLE = Aufzug\n      U     \"Ruf 1\"; // wartet\n      U     \"Call 11\"; // waits "
             "here\n      L     #Kabine; //= \"Ruf 1\" = 1, DB1.Kabine = 1, Cabins = 2\n");
@@ -73,6 +77,8 @@ TEST_F(Projects, ACopyHasGermanWordsWhereTheyAreWanted) {
   ASSERT_TRUE(workspace.copyExample("lift", true));
   EXPECT_EQ(folder.read("mine/lift 2/lift.awl"), folder.read("examples/lift/lift.awl"));
   EXPECT_FALSE(fs::exists(folder.path("mine/lift 2/german.txt")));
+  EXPECT_EQ(folder.read("mine/lift 2/README.md"), "# Lift\n");
+  EXPECT_FALSE(fs::exists(folder.path("mine/lift 2/README.de.md")));
 }
 
 TEST_F(Projects, ThoseThatNameEachOtherAreCopiedTogether) {
