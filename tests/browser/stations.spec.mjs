@@ -5,7 +5,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { accessible } from './axe.mjs';
-import { expect, open, picture, serve, until, visit } from './harness.mjs';
+import { expect, leave, message, open, picture, serve, until, visit } from './harness.mjs';
 import { crowding } from './layout.mjs';
 
 const ring = await serve('networks/token-ring');
@@ -57,22 +57,91 @@ test('the line is broken and mended', async () => {
   await page.getByText('in Ordnung', { exact: true }).waitFor();
 });
 
-test('a station is added and connected', async () => {
+const settings = () => readFileSync(join(ring.project, 'merker.toml'), 'utf8');
+const addresses = () => page.locator('.canvas svg text:not(.label)').allTextContents();
+const address = (station, subnet = 'MPI(1)') => page.getByLabel(`${station}: Adresse an ${subnet}`, { exact: true });
+const hardware = () => visit(page, ring, 'hardware?mode=plan');
+async function network() {
+  await visit(page, ring, 'stations');
+  await card('Office').waitFor();
+}
+
+// S7-NETPRO-05
+test('an empty station leads to the hardware view; its CPU is connected there, and the network shows it', async () => {
   await button('Station hinzufügen').click();
   await page.getByLabel('Name', { exact: true }).fill('Office');
-  await expect(() => page.getByLabel('MPI-Adresse').inputValue(), '7');
+  assert.equal(await page.getByLabel('MPI-Adresse').count(), 0, 'an empty station is not connected');
   await page.keyboard.press('Enter');
-  await card('Office').waitFor();
+  await page.getByRole('tab', { name: 'Konfigurieren', selected: true }).waitFor();
   await page.locator('header').getByText('Office').waitFor();
+  await expect(() => address('Office').inputValue(), '');
+  await button('Office mit MPI(1) vernetzen').click();
+  await expect(() => address('Office').inputValue(), '7');
+  assert.match(settings(), /\{station = "Office", address = 7\}/);
+  await network();
+  await expect(async () => (await addresses()).includes('7'), true);
+});
+
+// S7-NETPRO-06
+test('a double click on a subnet opens its properties; an address of there is that of the hardware view, and back', async () => {
+  await page.locator('[data-subnet="MPI(1)"]').first().dblclick();
+  const dialog = page.getByRole('dialog', { name: 'Eigenschaften: MPI(1)' });
+  await dialog.waitFor();
+  await address('Office').fill('9');
+  await page.keyboard.press('Enter');
+  await until(() => settings().includes('{station = "Office", address = 9}'), 'address 9 in merker.toml');
+  await address('Office').fill('2');
+  await page.keyboard.press('Enter');
+  await message(page, 'eindeutig');
+  await expect(() => address('Office').inputValue(), '9');
+  await leave(page);
+  await hardware();
+  await expect(() => address('Office').inputValue(), '9');
+  assert.equal(await page.getByLabel('MPI-Adresse', { exact: true }).count(), 0, 'the address of a project of one station');
+  await address('Office').fill('8');
+  await page.keyboard.press('Enter');
+  await until(() => settings().includes('{station = "Office", address = 8}'), 'address 8 in merker.toml');
+  await network();
+  await expect(async () => (await addresses()).includes('8'), true);
+});
+
+// S7-NETPRO-03, S7-NETPRO-04
+test('a subnet is made in the network, a station drawn to it; the hardware view has it', async () => {
+  await button('Subnetz einfügen').click();
+  await expect(() => page.getByLabel('Name', { exact: true }).inputValue(), 'MPI(2)');
+  await page.keyboard.press('Enter');
+  await page.getByRole('dialog', { name: 'Eigenschaften: MPI(2)' }).waitFor();
+  await leave(page);
+  await button('Schnittstellen von Office').dragTo(page.locator('[data-subnet="MPI(2)"]'));
+  await until(() => /name = "MPI\(2\)"\nkind = "mpi"\nnodes = \[\{station = "Office", address = 2\}\]/.test(settings()), 'Office on MPI(2)');
+  await hardware();
+  await expect(() => address('Office', 'MPI(2)').inputValue(), '2');
+  await expect(() => address('Office').inputValue(), '');
+  await network();
+  await button('Schnittstellen von Office').click();
+  await button('Office mit MPI(1) vernetzen').click();
+  await expect(() => address('Office', 'MPI(2)').inputValue(), '');
+  await leave(page);
+});
+
+test('the tree of the project leads to a subnet', async () => {
+  await visit(page, ring, 'projects');
+  await page.getByRole('link', { name: 'MPI(1), Adresse 7' }).waitFor();
+  await page.getByRole('link', { name: 'MPI(2)' }).click();
+  const dialog = page.getByRole('dialog', { name: 'Eigenschaften: MPI(2)' });
+  await button('Subnetz löschen', dialog).click();
+  await expect(() => page.getByRole('dialog').count(), 0);
+  assert.ok(!settings().includes('MPI(2)'));
+});
+
+test('global data are connected', async () => {
   await button('Globaldaten verbinden').click();
   await page.getByLabel('Empfänger', { exact: true }).selectOption('Office');
   await page.getByLabel('Sender: Bereich').fill('MW 104');
   await page.getByLabel('Empfänger: Bereich').fill('MW 10');
   await page.getByRole('dialog').getByRole('button', { name: 'Globaldaten verbinden' }).click();
   await page.getByText('Office/MW 10').waitFor();
-  const text = readFileSync(join(ring.project, 'merker.toml'), 'utf8');
-  assert.match(text, /\{station = "Office", address = 7\}/);
-  assert.match(text, /from = "Cell1\/MW 104"\nto = \["Office\/MW 10"\]/);
+  assert.match(settings(), /from = "Cell1\/MW 104"\nto = \["Office\/MW 10"\]/);
 });
 
 test('a connection is made', async () => {

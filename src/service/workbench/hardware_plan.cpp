@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 
 #include "io/configuration.h"
+#include "workbench/fresh_errors.h"
 #include "workbench/hardware_rows.h"
 #include "workbench/parameter_rows.h"
 #include "workbench/serial_rows.h"
@@ -110,16 +110,6 @@ std::size_t changeKind(const Fields& change) {
 }
 
 // Errors that were not there before, wherever they stand now.
-Problems freshErrors(const Problems& before, const Problems& after) {
-  std::set<std::pair<ProblemCode, std::string_view>> known;
-  for (const Problem& problem : before.list()) known.emplace(problem.code, problem.message);
-  Problems fresh;
-  for (const Problem& problem : after.list())
-    if (problem.severity() == Severity::Error && !known.contains({problem.code, problem.message}))
-      fresh.add(problem);
-  return fresh;
-}
-
 bool stands(const project::Project& project, const ModulePlace& place) {
   return project.hardware && std::ranges::any_of(project.hardware->modules, [&](const auto& one) {
            return one.rack == place.rack && place.slot == std::to_string(one.slot) &&

@@ -9,26 +9,14 @@
 #include "base/text.h"
 #include "compilation/network.h"
 #include "project/files.h"
-#include "project/settings_edit.h"
+#include "project/subnet_edit.h"
 #include "workbench/json.h"
-#include "workbench/project_folder.h"
+#include "workbench/network_file.h"
 
 namespace merker::workbench {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* kNetworkFile = "merker.toml";
-
-// TOML of a text; names and operands have no control characters that would need more.
-std::string tomlText(std::string_view text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
-    if (static_cast<unsigned char>(c) >= 0x20) out += c;
-  }
-  return out + "\"";
-}
 
 std::string nodeText(std::string_view station, std::uint32_t address) {
   return fmt::format("{{station = {}, address = {}}}", tomlText(station), address);
@@ -54,47 +42,20 @@ Problem wrongName() {
                      "at most 32 letters, digits, '-' and '_'");
 }
 
-// The merker.toml of several stations while it is changed.
-class NetworkFile {
- public:
-  explicit NetworkFile(const std::string& path)
-      : folder_(project::load(path, {}).folder), read_(folder_.read(kNetworkFile)) {}
-
-  std::optional<Problem> problem() const {
-    if (!read_) return read_.error();
-    return std::nullopt;
-  }
-  project::SettingsEdit edit() const { return {folder_.full(kNetworkFile), read_->text}; }
-  // The project as it would be with this text.
-  project::Project with(const std::string& text) const {
-    return project::load(folder_.folder(), {}, {{folder_.full(kNetworkFile), text}});
-  }
-  std::optional<Problem> write(const std::string& text) const {
-    return folder_.write(kNetworkFile, text, read_->revision);
-  }
-  const ProjectFolder& folder() const { return folder_; }
-
- private:
-  ProjectFolder folder_;
-  Result<ProjectFolder::Content> read_;
-};
-
-std::optional<Problem> firstError(const Problems& problems) {
-  for (const Problem& one : problems.list())
-    if (one.severity() == Severity::Error) return one;
-  return std::nullopt;
-}
-
 std::string withStation(const NetworkFile& file, const NewStation& wanted) {
   project::SettingsEdit edit = file.edit();
   edit.addTable("station",
                 {{"name", tomlText(wanted.name)}, {"folder", tomlText(folderName(wanted.name))}});
-  const std::string node = nodeText(wanted.name, wanted.address);
-  if (!wanted.subnet.empty() && !edit.addNode(wanted.subnet, node))
-    edit.addTable("subnet", {{"name", tomlText(wanted.subnet)},
-                             {"kind", "\"mpi\""},
-                             {"highest", wanted.address > 31 ? "126" : "31"},
-                             {"nodes", fmt::format("[{}]", node)}});
+  if (wanted.subnet.empty()) return edit.text();
+  project::SubnetEdit subnets(edit.text());
+  if (!subnets.kindOf(wanted.subnet).empty()) {
+    subnets.setNode(wanted.subnet, wanted.name, std::to_string(wanted.address));
+    return subnets.text();
+  }
+  edit.addTable("subnet", {{"name", tomlText(wanted.subnet)},
+                           {"kind", "\"mpi\""},
+                           {"highest", wanted.address > 31 ? "126" : "31"},
+                           {"nodes", fmt::format("[{}]", nodeText(wanted.name, wanted.address))}});
   return edit.text();
 }
 

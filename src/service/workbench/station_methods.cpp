@@ -7,6 +7,7 @@
 #include "workbench/elsewhere.h"
 #include "workbench/new_station.h"
 #include "workbench/station_rows.h"
+#include "workbench/subnet_change.h"
 
 namespace merker::workbench {
 namespace station_methods {
@@ -189,6 +190,37 @@ Answer link(const Call& call) {
       call.shared.stationName());
 }
 
+// S7-NETPRO-03, -04, -06
+Answer attach(const Call& call) {
+  NodeChange wanted;
+  wanted.subnet = call.fields.name("subnet");
+  wanted.station = call.fields.name("station", 32);
+  wanted.address = call.fields.text("address", "");
+  if (!call.fields.good()) return call.fields.problems();
+  if (!call.shared.lab) return noLaboratory();
+  return reopened(
+      call,
+      [wanted, path = call.shared.lab->path](const Aside&) { return changeNode(path, wanted); },
+      call.shared.stationName());
+}
+
+Answer properties(const Call& call) {
+  constexpr const char* kKinds[] = {"mpi", "ethernet"};
+  SubnetChange wanted;
+  wanted.name = call.fields.name("subnet", 32);
+  if (call.fields.has("kind"))
+    wanted.kind = kKinds[call.fields.choice("kind", {"mpi", "ethernet"})];
+  wanted.baud = call.fields.text("baud", "");
+  wanted.highest = static_cast<std::uint32_t>(call.fields.integer("highest", 0, 126, 0));
+  wanted.remove = call.fields.flag("remove", false);
+  if (!call.fields.good()) return call.fields.problems();
+  if (!call.shared.lab) return noLaboratory();
+  return reopened(
+      call,
+      [wanted, path = call.shared.lab->path](const Aside&) { return changeSubnet(path, wanted); },
+      call.shared.stationName());
+}
+
 // A new project whose first station is a copy of the one that is open.
 Answer make(const Call& call) {
   const std::string name = call.fields.name("name"), station = call.fields.name("station", 32);
@@ -215,6 +247,8 @@ constexpr Method kMethods[] = {
     {"stations.add", Needs::Nothing, add, Kind::Compiles},
     {"stations.connect", Needs::Nothing, connect, Kind::Compiles},
     {"stations.link", Needs::Nothing, link, Kind::Compiles},
+    {"stations.node", Needs::Nothing, attach, Kind::Compiles},
+    {"stations.subnet", Needs::Nothing, properties, Kind::Compiles},
     {"stations.make", Needs::Plc, make, Kind::Compiles},
 };
 

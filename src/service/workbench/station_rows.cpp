@@ -14,17 +14,25 @@ Json stations(const NetworkPlan& plan) {
   return rows;
 }
 
+Json nodeRow(const NetworkPlan& plan, const compilation::PlannedNode& node) {
+  Json row = {{"station", plan.stations[node.station].name}, {"address", node.address}};
+  if (!node.ip.empty()) row["ip"] = node.ip;
+  return row;
+}
+
 Json subnets(const NetworkPlan& plan) {
   Json rows = Json::array();
   for (const compilation::PlannedSubnet& one : plan.subnets) {
-    Json nodes = Json::array();
-    for (const compilation::PlannedNode& node : one.nodes)
-      nodes.push_back({{"station", plan.stations[node.station].name}, {"address", node.address}});
+    Json nodes = Json::array(), slaves = Json::array();
+    for (const compilation::PlannedNode& node : one.nodes) nodes.push_back(nodeRow(plan, node));
+    for (const compilation::PlannedSlave& slave : one.slaves)
+      slaves.push_back({{"address", slave.address}, {"name", slave.name}, {"model", slave.model}});
     rows.push_back({{"name", one.name},
                     {"kind", one.kind},
                     {"rate", one.rate},
                     {"highest", one.highest},
-                    {"nodes", std::move(nodes)}});
+                    {"nodes", std::move(nodes)},
+                    {"slaves", std::move(slaves)}});
   }
   return rows;
 }
@@ -93,7 +101,8 @@ Json statusWords(const Laboratory& lab) {
 }  // namespace
 
 Json stationRows(const Laboratory& lab, const std::string& shown) {
-  const NetworkPlan plan = planOf(lab.build);
+  NetworkPlan plan = planOf(lab.build);
+  addProfibus(lab.build, plan);
   return {{"name", plan.name},          {"shown", shown},
           {"stations", stations(plan)}, {"subnets", subnets(plan)},
           {"circles", circles(plan)},   {"connections", connections(plan)},

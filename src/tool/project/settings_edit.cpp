@@ -38,24 +38,6 @@ std::string slotValue(const std::string& slot) {
   return slot.find('.') == std::string::npos ? slot : "\"" + slot + "\"";
 }
 
-// A key of a table that stands under this header; `table` may be null where the header is new.
-void setKey(SettingsView& view, const toml::table& table, std::string_view key,
-            const SettingsEdit::Value& value) {
-  const toml::node* old = table.get(key);
-  if (old == nullptr) {
-    if (value)
-      view.text().insert(view.lastLine(SettingsView::lineOf(table)) + 1,
-                         {fmt::format("{} = {}", key, *value)});
-    return;
-  }
-  const toml::source_region& region = old->source();
-  if (value)
-    view.text().replace(region.begin.line, region.begin.column, region.end.line, region.end.column,
-                        *value);
-  else
-    view.text().erase(region.begin.line, region.end.line + 1);
-}
-
 // Before the plants, which come last in most files.
 std::uint32_t endOfModules(const SettingsView& view) {
   if (const auto* modules = listOf(view.root(), "module"); modules && !modules->empty())
@@ -233,26 +215,6 @@ void SettingsEdit::addTable(std::string_view title, const Pairs& values) {
   take(view.text().text());
 }
 
-bool SettingsEdit::addNode(std::string_view subnet, std::string_view node) {
-  SettingsView view(text_);
-  const toml::array* const subnets = view.root()["subnet"].as_array();
-  if (subnets == nullptr) return false;
-  for (const toml::node& one : *subnets) {
-    const toml::table* const table = one.as_table();
-    if (table == nullptr || (*table)["name"].value_or(std::string_view("MPI")) != subnet) continue;
-    const toml::array* const nodes = (*table)["nodes"].as_array();
-    if (nodes == nullptr || nodes->empty()) {
-      setKey(view, *table, "nodes", fmt::format("[{}]", node));
-    } else {
-      const toml::source_position& end = nodes->back().source().end;
-      view.text().replace(end.line, end.column, end.line, end.column, fmt::format(", {}", node));
-    }
-    take(view.text().text());
-    return true;
-  }
-  return false;
-}
-
 void SettingsEdit::remove(const ModulePlace& place) {
   SettingsView view(text_);
   const toml::table* module = project::moduleAt(view, place);
@@ -274,9 +236,9 @@ void SettingsEdit::set(const ModulePlace& place, std::string_view key, const Val
   const auto point = key.find('.');
   const std::string_view inner = key.substr(0, point);
   if (point == std::string_view::npos)
-    setKey(view, *module, key, value);
+    view.set(*module, key, value);
   else if (const toml::table* below = tableOf(*module, inner))
-    setKey(view, *below, key.substr(point + 1), value);
+    view.set(*below, key.substr(point + 1), value);
   else if (value)
     insertTable(
         view.text(), view.behind(*module),
@@ -290,7 +252,7 @@ void SettingsEdit::setChannel(const ModulePlace& place, std::string_view side, s
   const toml::table* module = project::moduleAt(view, place);
   if (module == nullptr) return;
   if (const toml::table* channel = channelOf(*module, side, number))
-    setKey(view, *channel, key, value);
+    view.set(*channel, key, value);
   else if (value)
     insertTable(view.text(), view.behind(*module),
                 {"[[module.channel]]", fmt::format("{} = {}", side, number),
@@ -302,7 +264,7 @@ void SettingsEdit::setIn(std::string_view name, std::string_view key, const Valu
   SettingsView view(text_);
   const toml::table* table = tableOf(view.root(), name);
   if (table != nullptr && view.hasHeader(*table)) {
-    setKey(view, *table, key, value);
+    view.set(*table, key, value);
   } else if (value) {
     const toml::table* outer = tableOf(view.root(), name.substr(0, name.find('.')));
     const std::uint32_t before = outer != nullptr && view.hasHeader(*outer)

@@ -57,8 +57,6 @@ class SettingsEdit {
 
   // A [[title]] behind everything else; all values as TOML.
   void addTable(std::string_view title, const Pairs& values);
-  // `node` as TOML to the nodes of the [[subnet]] of this name; false: there is none.
-  bool addNode(std::string_view subnet, std::string_view node);
 
   // Files that [program] lists by name: another name, or none. A file that a pattern found and that
   // none would find under its new name is added.

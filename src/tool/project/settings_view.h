@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/text.h"
@@ -60,6 +62,22 @@ class SettingsView {
   std::uint32_t withComment(std::uint32_t header) const {
     while (header > 1 && header <= text_.lines() && text_.isComment(header - 1)) --header;
     return header;
+  }
+  // A key of a table, which may have no header of its own where the key is there already; the value
+  // as TOML, none takes it out.
+  void set(const toml::table& table, std::string_view key,
+           const std::optional<std::string>& value) {
+    const toml::node* old = table.get(key);
+    if (old == nullptr) {
+      if (value) text_.insert(lastLine(lineOf(table)) + 1, {std::string(key) + " = " + *value});
+      return;
+    }
+    const toml::source_region& region = old->source();
+    if (value)
+      text_.replace(region.begin.line, region.begin.column, region.end.line, region.end.column,
+                    *value);
+    else
+      text_.erase(region.begin.line, region.end.line + 1);
   }
 
  private:

@@ -161,6 +161,32 @@ TEST_F(Stations, AConnectionIsAddedWithFreeIds) {
                            {"partner", "Press (MPI(1))"}}));
 }
 
+// S7-NETPRO-03, S7-NETPRO-04
+TEST_F(Stations, OneIsConnectedElsewhere) {
+  bench.call("stations.subnet", {{"subnet", "MPI(2)"}, {"kind", "mpi"}, {"highest", 15}});
+  bench.call("stations.node", {{"subnet", "MPI(2)"}, {"station", "Belt"}, {"address", "9"}});
+  const Json subnets = network()["subnets"];
+  EXPECT_EQ(subnets[0]["nodes"], Json::array({Json{{"station", "Press"}, {"address", 2}}}));
+  EXPECT_EQ(subnets[1]["highest"], 15);
+  EXPECT_EQ(subnets[1]["nodes"], Json::array({Json{{"station", "Belt"}, {"address", 9}}}));
+  EXPECT_NE(text().find("# the first one"), std::string::npos);
+}
+
+TEST_F(Stations, WhatIsWrongWithASubnetChangesNothing) {
+  const std::string before = text();
+  const auto node = [&](const char* subnet, const char* station, const char* address) {
+    return bench.problem("stations.node",
+                         {{"subnet", subnet}, {"station", station}, {"address", address}});
+  };
+  EXPECT_EQ(node("MPI(1)", "Belt", "2"), "P0704");   // S7-NETPRO-01
+  EXPECT_EQ(node("MPI(1)", "Belt", "32"), "P0704");  // above the highest
+  EXPECT_EQ(node("MPI(1)", "Belt", "x\"}]"), "P1305");
+  EXPECT_EQ(node("MPI(2)", "Belt", "4"), "P1316");
+  EXPECT_EQ(node("MPI(1)", "Mill", "4"), "P1316");
+  EXPECT_EQ(bench.problem("stations.subnet", {{"subnet", "MPI(1)"}, {"baud", "3M"}}), "P0704");
+  EXPECT_EQ(text(), before);
+}
+
 TEST_F(Stations, WhatIsWrongWithANewOneChangesNothing) {
   const std::string before = text();
   const auto add = [&](const char* name, int address) {

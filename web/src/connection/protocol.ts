@@ -84,8 +84,8 @@ export interface UploadedPart { path: string; data: string }
 export interface ReportRow { effect: 'came' | 'changed' | 'lost' | 'beside'; text: string; quoted?: { code: string; text: string; arguments: string[] } }
 /** `can`: what the machine can do; `serial`: it has an interface X27; `empty`: no block in the CPU; `changed`: the first 200 paths that are newer than the program of the CPU; of several stations `station` is the one that is shown and `network` their project, else both are empty */
 export interface Project { name: string; folder: string; mpiAddress: number; can: ('breakpoints' | 'cyclePoints' | 'stacks' | 'information' | 'blocks' | 'download' | 'completion' | 'references' | 'symbols' | 'rack' | 'plants' | 'interrupts' | 'engine' | 'snapshots' | 'timersByHand' | 'modeSwitch' | 'leds' | 'nc')[]; family: 'S7' | 'S5'; model: string; example: boolean; serial: boolean; empty: boolean; changed: string[]; station: string; network: string }
-/** `rate` is like "187.5 kbit/s" */
-export interface PlannedSubnet { name: string; kind: string; rate: string; highest: number; nodes: { station: string; address: number }[] }
+/** `rate` is like "187.5 kbit/s"; `ip` on Ethernet, `slaves` of a DP master; PROFIBUS stands behind the others */
+export interface PlannedSubnet { name: string; kind: string; rate: string; highest: number; nodes: { station: string; address: number; ip?: string }[]; slaves: { address: number; name: string; model: string }[] }
 /** a project of several stations as its merker.toml has it: `shown` is the station that the other requests are about; `model` is empty if a station cannot be read; `circles`: global data, operands with their stations; `connections`: configured S7 connections */
 export interface StationsPlan { name: string; shown: string; stations: { name: string; folder: string; model: string }[]; subnets: PlannedSubnet[]; circles: { circle: number; rate: number; from: string; to: string[]; status: string[] }[]; connections: { station: string; kind: string; id: number; active: boolean; partner: string }[]; problems: Problem[] }
 /** `frame` is like "8E1"; `partner`: what the simulated partner speaks, `waiting`: bytes that it is still to send; `connection` as in `[serial]` of merker.toml, empty: the partner, `place` where that is, `problem` why it could not be opened; `seen`: all characters so far */
@@ -270,6 +270,10 @@ export interface Requests {
   'stations.connect': { fields: { from: string; to: string[]; rate?: number }; result: Record<string, never> };
   /** an S7 connection that `local` builds up, over the `subnet` or the first one of both, with the lowest free local IDs; `both`: blocks of the partner name it, too; then as `stations.reload` */
   'stations.link': { fields: { local: string; partner: string; subnet?: string; both?: boolean }; result: Record<string, never> };
+  /** the station is on the subnet at this address, and on no other of this kind; without one it leaves it; then as `stations.reload` */
+  'stations.node': { fields: { subnet: string; station: string; address?: string }; result: Record<string, never> };
+  /** properties of a subnet; with a `kind` a new one, if there is none of this name. An empty text and 0 change nothing; then as `stations.reload` */
+  'stations.subnet': { fields: { subnet: string; kind?: 'mpi' | 'ethernet'; baud?: string; highest?: number; remove?: boolean }; result: Record<string, never> };
   /** a new project in the workspace folder whose first station is a copy of the project that is open */
   'stations.make': { fields: { name: string; station: string }; result: Record<string, never> };
   /** writes the project as a zip, for this browser; `left`: what is not in it, folders end with `/`. P1308 beyond 256 MB */

@@ -6,6 +6,17 @@ export type Now = Events['stations'];
 
 const NS = 1e9;
 
+/** The network as it is configured; several parts of the page show it. */
+export class ConfiguredNetwork {
+  network = $state.raw<Network | null>(null);
+
+  /** The result ends it. */
+  follow(): () => void {
+    const kept = connection.keep('stations.list', {}, ({ network }) => (this.network = network));
+    return () => kept.drop();
+  }
+}
+
 /** The stations of the project while the page shows them. */
 export class NetworkMonitor {
   network = $state.raw<Network | null>(null);

@@ -53,6 +53,8 @@ export const hardwarePlan = {
     'merker.toml wurde inzwischen geändert. In der Ansicht Programm öffnen und eine Fassung wählen.',
     'merker.toml has changed in the meantime. Open it in the Program view and choose a version.',
   ],
+  network: ['Netz', 'Network'],
+  openNetwork: ['Netz öffnen', 'Open the network'],
   openText: ['merker.toml als Text', 'merker.toml as text'],
   properties: ['Eigenschaften: {module}', 'Properties: {module}'],
   remove: ['Entfernen', 'Remove'],

@@ -12,14 +12,14 @@ export const projects = {
   tree: ['Projektbaum', 'Project tree'],
   network: ['MPI-Subnetz', 'MPI subnet'],
   networkHelp: [
-    'Das Programmiergerät (diese Seite) hat Adresse 0, ein Bediengerät hätte 1. Weitere Stationen und NetPro gibt es noch nicht.',
-    'The programming device (this page) has address 0, an operator panel would have 1. More stations and NetPro are not available yet.',
+    'Das Programmiergerät (diese Seite) hat Adresse 0, ein Bediengerät hätte 1. Weitere Stationen kommen in einem Projekt mit mehreren Stationen dazu.',
+    'The programming device (this page) has address 0, an operator panel would have 1. A project of several stations has more of them.',
   ],
   node: ['Teilnehmer', 'Node'],
   address: ['Adresse', 'Address'],
   pg: ['PG (diese Seite)', 'PG (this page)'],
   mpiNode: ['MPI(1), Adresse {address}', 'MPI(1), address {address}'],
-  allStations: ['Alle Stationen des Projekts', 'All stations of the project'],
+  subnetNode: ['{name}, Adresse {address}', '{name}, address {address}'],
   severalStations: ['Mehrere Stationen', 'Several stations'],
   severalHelp: [
     'Ein neues Projekt mit einer Kopie dieses Projekts als erster Station; weitere kommen in der Ansicht Netz dazu.',
