@@ -50,6 +50,13 @@ void CpSockets::look(bool powered) {
   for (const auto& one : sockets_) one->look();
 }
 
+std::vector<workbench::CpConnectionRow> CpSockets::rows() const {
+  std::vector<workbench::CpConnectionRow> rows;
+  for (std::size_t i = 0; i < lines_.count(); ++i)
+    rows.push_back({lines_.parameters(i).id, lines_.isConnected(i)});
+  return rows;
+}
+
 void CpSockets::close() {
   open_ = false;
   for (const auto& one : sockets_) one->close();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "served/cp_lines.h"
+#include "workbench/communication_view.h"
 
 namespace merker::app {
 
@@ -40,6 +41,7 @@ class CpSockets {
   // Every now and then. Without power nobody listens, and what stands is closed.
   void look(bool powered);
   void close();
+  std::vector<workbench::CpConnectionRow> rows() const;
 
  private:
   void open();

@@ -197,6 +197,7 @@ void S7Server::Parts::tell() {
   for (const auto& client : clients)
     if (auto row = client->row(now)) told.clients.push_back(std::move(*row));
   told.partners = calls.rows();
+  told.ofCp = cp.rows();
   const std::lock_guard lock(outsideMutex);
   outside = std::move(told);
 }

@@ -74,6 +74,11 @@ bool CpLines::hasRoom(std::size_t i) {
   return !full(*lines_[i]);
 }
 
+bool CpLines::isConnected(std::size_t i) {
+  const std::lock_guard lock(mutex_);
+  return lines_[i]->up;
+}
+
 void CpLines::forget() {
   const std::lock_guard lock(mutex_);
   stale_ = true;

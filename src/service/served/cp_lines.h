@@ -29,6 +29,7 @@ class CpLines {
   const CpConnectionParameters& parameters(std::size_t i) const { return lines_[i]->parameters; }
   std::optional<Bytes> toSend(std::size_t i);
   bool hasRoom(std::size_t i);
+  bool isConnected(std::size_t i);
   void connected(std::size_t i, bool is);
   void ended(std::size_t i, std::uint16_t result);
   void arrived(std::size_t i, Bytes data);

@@ -37,6 +37,12 @@ struct S7PartnerRow {
   std::uint32_t pdu = 0;
 };
 
+// A connection of a CP 343-1 that somebody carries.
+struct CpConnectionRow {
+  std::uint8_t id = 1;
+  bool connected = false;
+};
+
 struct S7Outside {
   std::string place{};                         // "127.0.0.1:10102"; empty: nobody is served
   std::string warning{};                       // other computers can come; empty: they cannot
@@ -45,6 +51,7 @@ struct S7Outside {
   std::uint64_t confirmed = 0, refused = 0, broken = 0, requests = 0, denied = 0;
   std::vector<S7ClientRow> clients{};
   std::vector<S7PartnerRow> partners{};
+  std::vector<CpConnectionRow> ofCp{};
   std::vector<S7RefusedRow> refusals{};  // the last ones, newest first
 };
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "monitor/data_rows.h"
+#include "workbench/configured_rows.h"
 #include "workbench/method.h"
 
 namespace merker::workbench {
@@ -142,7 +143,12 @@ Answer information(const Call& call) {
                 {"counters", info.counters}}}};
 }
 
-Answer connections(const Call& call) { return s7Json(call.shared.s7Outside()); }
+Answer connections(const Call& call) {
+  const S7Outside outside = call.shared.s7Outside();
+  Json rows = s7Json(outside);
+  rows["configured"] = configuredRows(call.shared, outside);
+  return rows;
+}
 
 constexpr Method kMethods[] = {
     {"diagnosis.buffer", Needs::Plc, buffer},

@@ -67,9 +67,9 @@ void addConnection(const project::Network& network, const project::StationConnec
   const auto at = [&](std::size_t station) {
     return fmt::format("{} ({})", network.stations[station].name, subnet);
   };
-  plan.connections.push_back({one.local, one.id, true, at(one.partner), one.kind});
+  plan.connections.push_back({one.local, one.id, true, at(one.partner), one.kind, true});
   if (one.partnerId)
-    plan.connections.push_back({one.partner, *one.partnerId, false, at(one.local), one.kind});
+    plan.connections.push_back({one.partner, *one.partnerId, false, at(one.local), one.kind, true});
 }
 
 }  // namespace

@@ -39,6 +39,7 @@ struct PlannedConnection {
   bool active = true;
   std::string partner;  // "127.0.0.1:10102"
   ConnectionKind kind = ConnectionKind::S7;
+  bool inside = false;  // the partner is another station of the project
 };
 
 // "s7", as in merker.toml; "S7 connection W#16#1", "TCP connection 1".

@@ -27,6 +27,35 @@ TEST(Diagnosis, TheBufferLeadsToTheLine) {
   EXPECT_NE(reason.find("(main.awl:23)"), std::string::npos) << reason;
 }
 
+// S7-NETPRO-08, S7-SFB-10: those of S7 communication and those of a CP.
+TEST(Diagnosis, ConfiguredConnectionsAreListed) {
+  Bench bench(kProgram,
+              "[cpu]\nmodel = \"generic\"\n"
+              "[[module]]\nslot = 4\ntype = \"6GK7 343-1EX30-0XE0\"\n"
+              "[[connection]]\nid = \"W#16#A\"\npartner = \"tcp://127.0.0.1:102\"\n"
+              "[[connection]]\nkind = \"udp\"\nid = 3\npartner = \"udp://127.0.0.1:2003\"\n"
+              "local_port = 2004\n");
+  const auto row = [](const char* kind, int id, const char* partner, const char* state) {
+    return Json{
+        {"kind", kind}, {"id", id}, {"partner", partner}, {"active", true}, {"state", state}};
+  };
+  const Json closed = bench.call("diagnosis.connections")["configured"];
+  EXPECT_EQ(closed[0], row("s7", 10, "127.0.0.1:102", "closed"));
+  EXPECT_EQ(closed[1], row("udp", 3, "127.0.0.1:2003", "closed"));
+  bench.workbench.s7By([] {
+    S7Outside outside;
+    outside.place = "127.0.0.1:102";
+    outside.partners.emplace_back();
+    outside.partners[0].id = "W#16#A";
+    outside.partners[0].state = "connected";
+    outside.ofCp.push_back({.id = 3, .connected = true});
+    return outside;
+  });
+  const Json open = bench.call("diagnosis.connections")["configured"];
+  EXPECT_EQ(open[0]["state"], "connected");
+  EXPECT_EQ(open[1]["state"], "connected");
+}
+
 // S7-DIAG-01: the module that an event is about, by its address.
 TEST(Diagnosis, AnEventLeadsToItsModule) {
   Bench bench(kProgram, "[[module]]\nslot = 4\ntype = \"6ES7 321-1BH02-0AA0\"\n");

@@ -159,6 +159,13 @@ TEST_F(Stations, AConnectionIsAddedWithFreeIds) {
                            {"id", 1},
                            {"active", false},
                            {"partner", "Press (MPI(1))"}}));
+  bench.call("stations.show", {{"station", "Belt"}});
+  EXPECT_EQ(bench.call("diagnosis.connections")["configured"],
+            Json::array({Json{{"kind", "s7"},
+                              {"id", 1},
+                              {"partner", "Press (MPI(1))"},
+                              {"active", false},
+                              {"state", "inside"}}}));
 }
 
 // S7-NETPRO-03, S7-NETPRO-04

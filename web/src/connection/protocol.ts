@@ -94,6 +94,8 @@ export interface SerialLine { protocol: 'ASCII' | '3964' | '3964R' | 'RK512'; mo
 export interface S7Client { partner: string; kind: 'PG' | 'OP' | 'other'; pdu: number; seconds: number; requests: number; received: number; sent: number; lost: number }
 /** of a configured connection; `port` 0: it is the partner that calls; `outside`: on another computer, where clients may not come from */
 export interface S7Partner { id: string; host: string; port: number; active: boolean; state: 'connected' | 'calls' | 'waits' | 'outside'; pdu: number }
+/** of the station that is shown, `kind` is S7 or what a CP 343-1 speaks; `state` as of S7Partner, `inside`: the partner is a station of the project, `closed`: no server carries it */
+export interface ConfiguredConnection { kind: 's7' | 'tcp' | 'iso-on-tcp' | 'udp' | 'e-mail'; id: number; partner: string; active: boolean; state: 'connected' | 'calls' | 'waits' | 'outside' | 'inside' | 'closed' }
 /** of an address, the last time `seconds` ago; connections refused: none was free for its kind, it called another rack or slot, too many sockets were open, the station has no power, no subnet leads to the one that it called; broken off: no ISO on TCP, no S7 communication, something did not come in time, answers were not read, another one needed its socket; requests denied: protection, wrong password, wrong setup */
 export interface S7Refusal { partner: string; why: 'resource' | 'slot' | 'socket' | 'power' | 'way' | 'transport' | 'protocol' | 'late' | 'unread' | 'room' | 'protection' | 'password' | 'setup'; times: number; seconds: number }
 export interface Lamps { SF: 'off' | 'on' | 'slow' | 'fast'; BF: 'off' | 'on' | 'slow' | 'fast'; DC5V: 'off' | 'on' | 'slow' | 'fast'; FRCE: 'off' | 'on' | 'slow' | 'fast'; RUN: 'off' | 'on' | 'slow' | 'fast'; STOP: 'off' | 'on' | 'slow' | 'fast' }
@@ -220,7 +222,7 @@ export interface Requests {
   /** module information; 0 or an empty text where the PLC has none */
   'diagnosis.information': { fields: Record<string, never>; result: { model: string; mode: string; stopReason: string; clock: string; memory: Record<string, number | string>; cycle: Record<string, number | string>; limits: Record<string, number | string> } };
   /** S7 communication: an empty place, nobody is served; `beyond`: other computers can come; `connections` null: unlimited; `pg`, `op`, `basic` of them kept */
-  'diagnosis.connections': { fields: Record<string, never>; result: { place: string; beyond: boolean; connections: number | null; pg: number; op: number; basic: number; confirmed: number; refused: number; broken: number; requests: number; denied: number; clients: S7Client[]; partners: S7Partner[]; refusals: S7Refusal[] } };
+  'diagnosis.connections': { fields: Record<string, never>; result: { place: string; beyond: boolean; connections: number | null; pg: number; op: number; basic: number; confirmed: number; refused: number; broken: number; requests: number; denied: number; clients: S7Client[]; partners: S7Partner[]; refusals: S7Refusal[]; configured: ConfiguredConnection[] } };
   'process.list': { fields: Record<string, never>; result: { plants: PlantRow[]; axis: Axis | null } };
   /** what can be put beside the CPU */
   'process.kinds': { fields: Record<string, never>; result: { kinds: PlantKind[] } };

@@ -64,6 +64,19 @@ export const diagnosis = {
   partnerThere: ['aufgebaut', 'established'],
   partnerCalled: ['wird aufgebaut', 'being established'],
   partnerAwaited: ['wartet auf den Partner', 'waits for the partner'],
+  buildsUp: ['Aufbau durch', 'Built up by'],
+  thisSide: ['diese Station', 'this station'],
+  otherSide: ['den Partner', 'the partner'],
+  state: ['Zustand', 'State'],
+  partnerInside: [
+    'in der Simulation, zwischen Stationen des Projekts',
+    'in the simulation, between stations of the project',
+  ],
+  partnerClosed: ['nicht aufgebaut, es läuft kein S7-Server', 'not established, no S7 server is running'],
+  s7OfFirst: [
+    'Der S7-Server dieses Programms gehört zu PLC 1; diese PLC hat keinen.',
+    'The S7 server of this program belongs to PLC 1; this PLC has none.',
+  ],
   partnerOutside: [
     'nicht erlaubt: Der S7-Server ist für andere Rechner geschlossen',
     'not permitted: the S7 server is closed to other computers',
