@@ -68,6 +68,10 @@ export const examples: Record<string, readonly [title: string, description: stri
     'S7-Verbindungen: PUT, GET und BSEND zwischen Stationen',
     'Eine Leitstation gibt einem Band über MPI die Geschwindigkeit vor und holt seine Stückzahl; die CPU des Bandes hat dafür keinen Baustein, auf ihre Variablen wird zugegriffen. Meldungen von 300 Bytes gehen über Ethernet an eine Verwaltung, wo ein Baustein sie annimmt. Die [[connection]] stehen in merker.toml; Bausteine nennen sie mit ID.',
   ],
+  'networks/intelligent-slave': [
+    'Linie und Presse',
+    'Zwei CPUs 314C-2 DP an PROFIBUS: die Presse ist ein intelligenter Slave der Linie. Ein Byte geht zur Presse, vier Bytes kommen zurück: was hier ein Ausgang ist, ist dort ein Eingang, mit eigener Adresse. Die Linie bestellt einen Hub, solange ihr Taster gedrückt und die Presse bereit ist; die Presse zählt ihre Hübe für die Linie.',
+  ],
   'networks/laboratory': [
     'Das Labor, Topologie 1 (Kapitel 2.3)',
     'Acht Stationen bilden ein MPI-Subnetz und ein Segment. Die Station des Lehrers sendet die Nummer der Aufgabe als Globaldaten an alle Plätze, ein Paket für sieben Empfänger. Ein Platz meldet mit SFC 68 X_PUT, ob die Hand oben ist: eine CPU empfängt höchstens vier Pakete Globaldaten, sieben Plätze könnten so nicht antworten.',
