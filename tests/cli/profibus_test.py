@@ -103,7 +103,8 @@ class Profibus(Case):
         self.refused(SUBNET + drive + axis.replace('"D"', '"E"'), "'BUS' must be the name of a [[slave]] of type PROFIdrive")
         self.refused(SUBNET + drive + axis + axis.replace("Axis", "Other"), "D is already wired to Axis")
         self.refused(SUBNET + drive.replace("modules", "#"), "needs modules = ")
-        self.refused(SUBNET + drive.replace("} ]", '}, {type = "Standard telegram 1"} ]'), "at most 1 modules")
+        self.refused(SUBNET + drive.replace("} ]", '}, {type = "Standard telegram 1"} ]'), "at most 1 module;")
+        self.refused(SUBNET + drive.replace("type = \"PROFIdrive\"", "type = \"PROFIdrive\"\ngsd = \"x.gsd\"") + axis, "'gsd' must be omitted; the slave has type")
 
     def test_a_master_among_several_stations(self):
         self.write("lab/merker.toml", '[[station]]\nname = "A"\nfolder = "../p"\n[[station]]\nname = "B"\nfolder = "../p"\n' +
@@ -158,6 +159,24 @@ scenario "STOP of the slave"
   expect Line/MD 104 = 1 within 10ms
   expect Line/MB 11 = 6 within 20ms
 
+scenario "over a broken line nothing is heard"
+  wait 20ms
+  station Press
+  stop
+  expect Line/MD 100 = 1 within 10ms
+  station Line
+  fault Slave line break
+  expect Line/MD 120 = 1 within 10ms
+  station Press
+  run
+  wait 50ms
+  expect Line/MD 104 = 0
+  station Line
+  fault Slave line break off
+  expect Line/MD 124 = 1 within 10ms
+  expect Line/MD 104 = 1 within 10ms
+  expect Line/MD 100 = 1
+
 scenario "the slave without power"
   wait 20ms
   station Press
@@ -200,7 +219,7 @@ scenario "the plug is pulled"
 """)
         self.expect(GOOD, "test", ".")
         drawn = self.expect(GOOD, "network", ".").out
-        self.assertIn("    2  Line\n    5  Press\n", drawn)
+        self.assertIn("    2  Line, DP master\n    5  Press, intelligent slave \"Slave\"\n", drawn)
 
     # Each side counts each failure and each return, in whatever state the bus cycle is.
     def test_an_intelligent_slave_is_unplugged_at_any_instant(self):

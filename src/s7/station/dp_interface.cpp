@@ -53,12 +53,14 @@ void DpInterface::hear(Instant now) {
   if (node_ == nullptr) return;
   while (const auto telegram = node_->receive(now))
     for (Partner& partner : partners_)
-      if (partner.address == telegram->from) take(partner, telegram->data);
+      if (partner.address == telegram->from) partner.heard = telegram->data, take(partner);
 }
 
-// Who is gone has failed (OB 86); who does not execute its program has a fault (OB 82).
-void DpInterface::take(Partner& partner, const std::vector<std::uint8_t>& telegram) {
-  if (telegram.empty()) return;
+// Who is gone has failed (OB 86); who does not execute its program has a fault (OB 82). Over a
+// broken line the master hears nothing, and the last news when it is mended.
+void DpInterface::take(Partner& partner) {
+  if (partner.heard.empty() || (partner.slave && !rack_.lineReaches(partner.head))) return;
+  const std::vector<std::uint8_t> telegram = std::exchange(partner.heard, {});
   rack_.fault(partner.head, io::FaultKind::RackPower, std::nullopt, (telegram[0] & kThere) == 0);
   auto at = telegram.begin() + 1;
   for (const std::uint32_t input : partner.inputs) {
@@ -99,7 +101,10 @@ void DpInterface::say(Partner& partner, Instant now) {
 
 void DpInterface::changed(Instant now) {
   if (node_ == nullptr) return;
-  for (Partner& partner : partners_) say(partner, now);
+  for (Partner& partner : partners_) {
+    take(partner);
+    say(partner, now);
+  }
 }
 
 void DpInterface::advance(Instant now) {

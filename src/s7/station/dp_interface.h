@@ -39,12 +39,12 @@ class DpInterface {
     std::uint32_t head = 0;                      // modules of the configuration
     std::vector<std::uint32_t> inputs, outputs;  // the same
     std::optional<std::size_t> slave{};          // of the master: whose turn it is
-    std::vector<std::uint8_t> said{};
+    std::vector<std::uint8_t> said{}, heard{};   // heard: not taken yet
     bool stopped = false;
     Instant due = Instant::never();
   };
   void add(std::uint8_t address, const io::Slave& slave, std::optional<std::size_t> turn);
-  void take(Partner& partner, const std::vector<std::uint8_t>& telegram);
+  void take(Partner& partner);
   void say(Partner& partner, Instant now);
   std::vector<std::uint8_t> telegram(const Partner& partner) const;
 
