@@ -124,10 +124,11 @@ void Connections::bring(std::size_t connection, s7comm::FromPartner news) {
     receiver->begun = 0;
     receiver->telegrams.push_back(std::move(telegram));
   }
-  bringNotices(connection, news);
+  if (!connections_[connection].orders.restart) bringNotices(connection, news);
 }
 
-// The newest one counts.
+// The newest one counts. What came in STOP, before the restart of which the link does not know yet,
+// is forgotten as all data of these blocks.
 void Connections::bringNotices(std::size_t connection, s7comm::FromPartner& news) {
   for (auto& [rid, notice] : news.notices) {
     Receiver* const receiver = receiverOf(connection, rid, false);

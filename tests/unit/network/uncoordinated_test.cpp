@@ -103,6 +103,19 @@ TEST_P(Uncoordinated, IsLostWhereNobodyListens) {
 }
 
 // STATUS 9
+TEST_P(Uncoordinated, ARestartForgetsWhatCameInStop) {
+  make();
+  enable(kCalls | kEnabled);
+  network->itself(1).stop();
+  send(77);
+  ASSERT_TRUE(network->itself(1).start());
+  wait(100);
+  EXPECT_EQ(b(kGood), 0u);
+  EXPECT_EQ(b(0) & 0x0300, 0x0300u);  // it has listened from its first cycle on
+  send(78);
+  EXPECT_EQ(b(kGood), 1u);
+}
+
 TEST_P(Uncoordinated, TheNewestCounts) {
   make();
   enable(kCalls | kEnabled);
