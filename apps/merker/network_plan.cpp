@@ -53,13 +53,20 @@ std::string addressText(const PlannedNode& node) {
   return node.ip.empty() ? fmt::format("{}", node.address) : node.ip;
 }
 
+// On PROFIBUS; scenarios name a slave in their faults.
+std::string roleOf(const PlannedSubnet& subnet, const PlannedNode& node) {
+  if (subnet.kind != "profibus") return {};
+  return node.slave.empty() ? ", DP master" : fmt::format(", intelligent slave \"{}\"", node.slave);
+}
+
 std::string subnetLines(const NetworkPlan& plan, const PlannedSubnet& subnet) {
   const bool ethernet = subnet.kind == "ethernet";
   std::string text = fmt::format("{}: {}, {}", subnet.name,
                                  ethernet ? "Ethernet" : upper(subnet.kind), subnet.rate);
   text += ethernet ? "\n" : fmt::format(", highest address {}\n", subnet.highest);
   for (const PlannedNode& node : subnet.nodes)
-    text += fmt::format("  {:>3}  {}\n", addressText(node), plan.stations[node.station].name);
+    text += fmt::format("  {:>3}  {}{}\n", addressText(node), plan.stations[node.station].name,
+                        roleOf(subnet, node));
   for (const compilation::PlannedSlave& slave : subnet.slaves)
     text += fmt::format("  {:>3}  {}, {}\n", slave.address, slave.name, slave.model);
   for (std::size_t i = 0; i < subnet.segments.size(); ++i)
@@ -75,10 +82,12 @@ std::string connectionLine(const NetworkPlan& plan, const PlannedConnection& one
 ordered_json subnetJson(const NetworkPlan& plan, const PlannedSubnet& subnet) {
   ordered_json nodes = ordered_json::array(), segments = ordered_json::array(),
                slaves = ordered_json::array();
-  for (const PlannedNode& node : subnet.nodes)
-    nodes.push_back(
-        {{"station", plan.stations[node.station].name},
-         {"address", node.ip.empty() ? ordered_json(node.address) : ordered_json(node.ip)}});
+  for (const PlannedNode& node : subnet.nodes) {
+    ordered_json& row = nodes.emplace_back(ordered_json{
+        {"station", plan.stations[node.station].name},
+        {"address", node.ip.empty() ? ordered_json(node.address) : ordered_json(node.ip)}});
+    if (!node.slave.empty()) row["slave"] = node.slave;
+  }
   for (const project::Segment& one : subnet.segments)
     segments.push_back({{"length_m", one.length}, {"nodes", one.places}});
   for (const compilation::PlannedSlave& one : subnet.slaves)

@@ -107,7 +107,7 @@ connections
         self.lab()
         dp = pathlib.Path(__file__).parents[2] / "examples" / "networks" / "profibus"
         text = self.expect(GOOD, "network", dp).out
-        self.assertIn("PROFIBUS(1): PROFIBUS, 1.5 Mbit/s, highest address 126\n    2  PROFIBUS-DP\n    4  Valves, ", text)
+        self.assertIn("PROFIBUS(1): PROFIBUS, 1.5 Mbit/s, highest address 126\n    2  PROFIBUS-DP, DP master\n    4  Valves, ", text)
         self.assertIn("\n    5  Remote, ET 200M\n", text)
         subnet = self.expect(GOOD, "network", dp, "--json").json["subnets"][0]
         self.assertEqual((subnet["kind"], [one["address"] for one in subnet["slaves"]]), ("profibus", [4, 5]))

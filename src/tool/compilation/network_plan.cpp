@@ -26,6 +26,12 @@ std::string rateText(std::int64_t rate) {
                        : fmt::format("{} kbit/s", static_cast<double>(rate) / 1000);
 }
 
+// What the master calls its slave.
+std::string nameOf(const io::DpMaster& master, std::uint32_t address) {
+  const auto slave = std::ranges::find(master.slaves, address, &io::Slave::address);
+  return slave == master.slaves.end() ? std::string() : slave->name;
+}
+
 PlannedSubnet planned(const io::DpMaster& master, std::size_t station) {
   PlannedSubnet result{.name = master.subnet,
                        .kind = "profibus",
@@ -107,8 +113,11 @@ void addProfibus(const NetworkBuild& build, NetworkPlan& plan) {
   for (const project::DpSubnet& subnet : build.project.network->profibus)
     if (subnet.station) {
       plan.subnets.push_back(planned(subnet.master, *subnet.station));
-      for (const project::IntelligentSlave& slave : subnet.intelligent)
-        plan.subnets.back().nodes.push_back({slave.station, slave.own.self.address});
+      for (const project::IntelligentSlave& slave : subnet.intelligent) {
+        const std::uint32_t address = slave.own.self.address;
+        plan.subnets.back().nodes.push_back(
+            {slave.station, address, {}, nameOf(subnet.master, address)});
+      }
     }
 }
 

@@ -11,7 +11,8 @@ namespace merker::compilation {
 struct PlannedNode {
   std::size_t station = 0;
   std::uint32_t address = 0;
-  std::string ip{};  // on Ethernet
+  std::string ip{};     // on Ethernet
+  std::string slave{};  // an intelligent slave: its name there
 };
 
 // Of a DP master.
