@@ -114,7 +114,8 @@ class SlaveReader {
       if (is > limit)
         table_.mustBe("modules", fmt::format("at most {} {}; these are {}", limit, what, is));
     };
-    most(static_cast<std::int64_t>(slave_.modules.size()), limits_.modules, "modules");
+    most(static_cast<std::int64_t>(slave_.modules.size()), limits_.modules,
+         limits_.modules == 1 ? "module" : "modules");
     most(input, limits_.input, "bytes of inputs");
     most(output, limits_.output, "bytes of outputs");
     most(input + output, limits_.data, "bytes in all");
@@ -164,6 +165,22 @@ void readGroups(const Table& table, io::Slave& slave) {
   }
 }
 
+// A GSD file, a type or a station; SYNC and FREEZE are for the first two.
+bool namesOneKind(const Table& table) {
+  const char* first = nullptr;
+  for (const char* key : {"station", "type", "gsd"}) {
+    if (!table.has(key)) continue;
+    if (first != nullptr) {
+      table.mustBe(key, fmt::format("omitted; the slave has {}", first));
+      return false;
+    }
+    first = key;
+  }
+  if (table.has("station") && table.has("groups"))
+    table.mustBe("groups", "omitted; an intelligent slave has neither SYNC nor FREEZE");
+  return true;
+}
+
 }  // namespace
 
 void readSlaves(const Table& root, const Network* network, std::vector<DpSubnet>& subnets) {
@@ -175,6 +192,7 @@ void readSlaves(const Table& root, const Network* network, std::vector<DpSubnet>
     slave.position = table.place();
     if (subnet == nullptr || !readAddressOnBus(table, *subnet, slave)) continue;
     slave.name = table.text("name", "a text").value_or(fmt::format("DP{}", slave.address));
+    if (!namesOneKind(table)) continue;
     readGroups(table, slave);
     SlaveReader reader(table, slave);
     if (table.has("station")) {

@@ -58,8 +58,10 @@ void OfLine::resolve(const StepBinding& binding) {
   const bool known = std::ranges::any_of(
       *binding.stations, [&](const StationBinding& one) { return isOn(one, subnet); });
   if (!known)
-    return binding.problems.add(ProblemCode::P0704, subnetAt, subnet,
-                                "the name of a [[subnet]] with nodes");
+    return binding.problems.add(
+        ProblemCode::P0704, subnetAt, subnet,
+        "the name of an MPI or Ethernet [[subnet]] with nodes; on PROFIBUS a "
+        "slave has the fault: fault NAME line break");
   if (station.empty()) return;
   const StationBinding* const node = findStation(binding, station);
   if (node == nullptr || !isOn(*node, subnet))
