@@ -76,6 +76,10 @@ export const examples: Record<string, readonly [title: string, description: stri
     'Das Labor, Topologie 1 (Kapitel 2.3)',
     'Acht Stationen bilden ein MPI-Subnetz und ein Segment. Die Station des Lehrers sendet die Nummer der Aufgabe als Globaldaten an alle Plätze, ein Paket für sieben Empfänger. Ein Platz meldet mit SFC 68 X_PUT, ob die Hand oben ist: eine CPU empfängt höchstens vier Pakete Globaldaten, sieben Plätze könnten so nicht antworten.',
   ],
+  'networks/laboratory-2': [
+    'Das Labor, Topologie 2 (Kapitel 2.3)',
+    'Vier Stationen bilden ein MPI-Subnetz, vier ein PROFIBUS-Subnetz. Die Brücke, eine CPU 314C-2 DP, ist an beiden: sie ist der DP-Master von drei Plätzen, die intelligente Slaves sind, und nimmt an den Globaldaten der Station des Lehrers teil. Die Aufgabe geht an alle Plätze, von PROFIBUS kommen die Hände zurück.',
+  ],
   'networks/positioning-drive': [
     'Positionierantrieb',
     'Ein Antrieb als Slave an PROFIBUS-DP, der das Standardtelegramm 9 von PROFIdrive spricht: Steuerwort, Zielposition und Geschwindigkeit gehen mit SFC 15 hinaus, Zustandswort und Lageistwert kommen mit SFC 14 zurück. Das Programm schaltet ihn ein, lässt ihn referenzieren und schickt ihn von Position zu Position. Der Antrieb hat die Zustandsmaschine des Profils und eine Achse mit Endschaltern und Referenznocken.',
