@@ -16,6 +16,8 @@ NetworkRoutes::NetworkRoutes(const project::Network& network) {
     if (!subnet.station) continue;
     Line& line = profibus.try_emplace(subnet.name, Line{subnet.name, false}).first->second;
     line.stations.push_back({*subnet.station, subnet.master.address, true});
+    for (const project::IntelligentSlave& slave : subnet.intelligent)
+      line.stations.push_back({slave.station, slave.own.self.address, true});
   }
   for (auto& [name, line] : profibus) lines_.push_back(std::move(line));
 }

@@ -73,6 +73,26 @@ class NetworkS7(S7Case):
         process.send_signal(signal.SIGINT)
         process.communicate(timeout=60)
 
+    # S7-NET-15: a station on PROFIBUS is behind its master.
+    def test_an_intelligent_slave_behind_its_master(self):
+        self.lab()
+        stations = "".join(f'[[station]]\nname = "{name}"\nfolder = "{name.lower()}"\n' for name in ("Press", "Belt"))
+        self.write("lab/merker.toml", stations + """[[subnet]]
+kind = "profibus"
+nodes = [ {station = "Press", address = 2, master = true} ]
+[[slave]]
+station = "Belt"
+address = 12
+modules = [ {output = 40, local = 40} ]
+""")
+        for name in "press", "belt":
+            self.write(f"lab/{name}/merker.toml", '[cpu]\nmodel = "314C-2 DP"\n')
+        self.serve(2)
+        for slot, station in (2, b"\x01"), (12, b"\x02"):
+            client = Client(self.ports["Press"], slot=slot)
+            self.addCleanup(client.close)
+            self.until(lambda: client.read(FLAGS, 51) == station)
+
     def test_each_at_its_port(self):
         self.lab()
         process = self.serve()
