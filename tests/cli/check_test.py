@@ -8,6 +8,12 @@ class Check(Case):
         self.assertEqual(call.err, "")
         self.assertEqual(call.out, "a.awl: 1 block, 0 errors, 0 warnings\n")
 
+    def test_a_merker_toml_that_cannot_be_read_is_the_only_problem(self):
+        self.write("p/merker.toml", '[[station]]\nname = "A"\nfolder = "a"\n[[station\n')
+        err = self.expect(PROBLEMS, "check", "p").err
+        self.assertRegex(err, r"^p/merker\.toml:4:10: error: ")
+        self.assertNotIn("P0708", err)
+
     def test_problems_have_place_code_line_and_caret(self):
         self.write("a.awl", block("      U     M 300.0\n      =     A 0.0"))
         call = self.expect(PROBLEMS, "check", "a.awl")

@@ -181,7 +181,11 @@ void loadFolder(Project& project, const std::string& cpu) {
   for (const std::string& file : symbols) readSymbolFile(project, join(project.folder, file));
   for (const std::string& file : sources)
     if (!project.problems.cancelled()) readSource(project, join(project.folder, file));
-  if (sources.empty())
+  // A merker.toml that cannot be read may name stations or sources.
+  const bool known = std::ranges::none_of(project.problems.list(), [](const Problem& problem) {
+    return problem.code == ProblemCode::P0702;
+  });
+  if (sources.empty() && known)
     project.problems.add(ProblemCode::P0708, Position{project.path},
                          project.control ? "*.s5" : "*.awl");
 }
