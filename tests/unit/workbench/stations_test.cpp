@@ -171,11 +171,17 @@ TEST_F(Stations, AConnectionIsAddedWithFreeIds) {
 // S7-NETPRO-03, S7-NETPRO-04
 TEST_F(Stations, OneIsConnectedElsewhere) {
   bench.call("stations.subnet", {{"subnet", "MPI(2)"}, {"kind", "mpi"}, {"highest", 15}});
-  bench.call("stations.node", {{"subnet", "MPI(2)"}, {"station", "Belt"}, {"address", "9"}});
+  const auto move = [](const char* station) {
+    return Json{{"subnet", "MPI(2)"}, {"station", station}, {"address", "9"}};
+  };
+  EXPECT_EQ(bench.problem("stations.node", move("Belt")), "P0704");  // it has global data
+  bench.call("stations.add",
+             {{"name", "Mill"}, {"model", "312C"}, {"subnet", "MPI(1)"}, {"address", 4}});
+  bench.call("stations.node", move("Mill"));
   const Json subnets = network()["subnets"];
-  EXPECT_EQ(subnets[0]["nodes"], Json::array({Json{{"station", "Press"}, {"address", 2}}}));
+  EXPECT_EQ(subnets[0]["nodes"].size(), 2u);
   EXPECT_EQ(subnets[1]["highest"], 15);
-  EXPECT_EQ(subnets[1]["nodes"], Json::array({Json{{"station", "Belt"}, {"address", 9}}}));
+  EXPECT_EQ(subnets[1]["nodes"], Json::array({Json{{"station", "Mill"}, {"address", 9}}}));
   EXPECT_NE(text().find("# the first one"), std::string::npos);
 }
 
