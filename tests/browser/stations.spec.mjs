@@ -114,6 +114,10 @@ test('a subnet is made in the network, a station drawn to it; the hardware view 
   await leave(page);
   await button('Schnittstellen von Office').dragTo(page.locator('[data-subnet="MPI(2)"]'));
   await until(() => /name = "MPI\(2\)"\nkind = "mpi"\nnodes = \[\{station = "Office", address = 2\}\]/.test(settings()), 'Office on MPI(2)');
+  // The file is written before the project is opened anew; the network shows when that is done.
+  await button('Schnittstellen von Office').click();
+  await expect(() => address('Office', 'MPI(2)').inputValue(), '2');
+  await leave(page);
   await hardware();
   await expect(() => address('Office', 'MPI(2)').inputValue(), '2');
   await expect(() => address('Office').inputValue(), '');
