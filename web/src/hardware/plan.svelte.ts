@@ -97,6 +97,8 @@ class Plan {
   missing = $state(false);
   past = $state.raw<string[]>([]);
   private looked = '';
+  /** What it was opened with was refused. */
+  private failed = false;
   private before: Promise<unknown> = Promise.resolve();
 
   async open(): Promise<void> {
@@ -105,14 +107,21 @@ class Plan {
     this.past = [];
     this.looked = '';
     const files = await attempt(connection.ask('files.list'));
+    this.failed = files === undefined;
     this.missing = files !== undefined && !files.files.some((file) => file.path === SETTINGS);
     if (!files || this.missing) return;
     this.document = (await workspace.fetch(SETTINGS)) ?? null;
+    this.failed = this.document === null;
     const listed = await attempt(connection.ask('hardware.catalogue'));
     if (listed) this.types = listed.types;
   }
 
-  /** The text changed, here or elsewhere. */
+  /** The text or the program changed: a project that was opened anew meanwhile has refused what was asked before. */
+  keepUp(): void {
+    if (this.document) void this.look(this.document.text);
+    else if (this.failed) void this.open();
+  }
+
   async look(text: string): Promise<void> {
     if (this.looked === text && this.planned) return;
     this.looked = text;
