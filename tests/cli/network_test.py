@@ -147,6 +147,13 @@ class Network(Case):
         self.write("lab/lab.scn", "set Belt/E 0.7 = 1\nwait 1s\nstation Belt\nexpect mode = STOP\n")
         self.expect(GOOD, "test", "lab")
 
+    def test_memory_of_a_station_without_power(self):
+        self.lab()
+        self.write("lab/lab.scn", "station Belt\npower off\nset Press/MW 100 = 5\nexpect Press/MW 100 = 5\nset Belt/E 0.0 = 1\n")
+        self.expect(GOOD, "test", "lab")
+        self.write("lab/lab.scn", "station Belt\npower off\nstation Press\nset Belt/MW 100 = 5\n")
+        self.assertIn("lab/lab.scn:4: at 0.000 s: set Belt/MW 100 = 5: the CPU is switched off", self.expect(PROBLEMS, "test", "lab").out)
+
     def test_wrong_scenarios(self):
         self.lab()
         for text, what in (("set Foo/E 0.0 = 1", "1:5: error: 'Foo' must be the name of a [[station]]: Press, Belt, Mill"),

@@ -65,8 +65,12 @@ bool StepRun::fail(std::string_view reason) {
   return failAt(step_->position, fmt::format("{}: {}", step_->text, reason));
 }
 
-bool StepRun::powered() {
-  return plc().powered() || fail("the CPU is switched off; use 'power on' first");
+bool StepRun::powered(const Controller& plc) {
+  return plc.powered() || fail("the CPU is switched off; use 'power on' first");
+}
+
+bool StepRun::powered(const address::Reference& operand) {
+  return powered(operand.station == 0 ? plc() : *stations_[operand.station - 1u].plc.plc);
 }
 
 bool StepRun::lacks(std::string_view what) {

@@ -39,7 +39,9 @@ class StepRun {
   // "memory reset: the CPU refuses", at the step.
   bool fail(std::string_view reason);
   bool failAt(const Position& position, std::string message);
-  bool powered();
+  bool powered() { return powered(plc()); }
+  // The station of the operand, which may be another one than that of the step.
+  bool powered(const address::Reference& operand);
   // "SINUMERIK 810 GA3 has no mode switch", at the step.
   bool lacks(std::string_view what);
   bool noPartner();
@@ -58,6 +60,7 @@ class StepRun {
     bool speaksOfState = false;
   };
   Station& here() { return stations_[at_]; }
+  bool powered(const controller::Controller& plc);
   bool reached(const Step& step);
   bool perform(const Step& step);
   bool performHere(const Step& step);

@@ -34,7 +34,7 @@ struct Assigns {
     for (const Assignment& one : assignments) {
       const address::Reference& operand = one.operand.reference;
       const bool unpowered = !force && isTerminal(operand);
-      if (!unpowered && !run.powered()) return false;
+      if (!unpowered && !run.powered(operand)) return false;
       std::string reason =
           force ? run.forces().whyNotForced(operand) : run.forces().whyNotSet(operand);
       if (force && reason.empty()) reason = here.whyNotTwice(operand);
