@@ -2,7 +2,10 @@
 // LU, the unit of length that a drive counts in; seconds.
 #pragma once
 
+#include <array>
+
 #include "plant/drive_states.h"
+#include "plant/kind.h"
 #include "plant/motion.h"
 
 namespace merker::plant {
@@ -15,7 +18,19 @@ struct DriveSettings {
   double start = 0;
 };
 
-// The rows of a kind of drive that say so.
+// Parameters of every kind of drive; `start`: where it stands if nothing else is said.
+constexpr std::array<Parameter, 7> driveParameters(double start) {
+  using Form = Parameter::Form;
+  return {{{"speed", Form::Number, 100'000, 1, 1e9},          // LU/s at 100 %
+           {"acceleration", Form::Number, 500'000, 1, 1e12},  // LU/s^2
+           {"quick_stop", Form::Number, 2'000'000, 1, 1e12},
+           {"coast", Form::Number, 50'000, 1, 1e12},
+           {"low_switch", Form::Number, -20'000, -1e9, 1e9},  // LU
+           {"high_switch", Form::Number, 320'000, -1e9, 1e9},
+           {"start", Form::Number, start, -1e9, 1e9}}};
+}
+
+// Their values.
 template <typename Parameters>
 DriveSettings driveSettings(Parameters p) {
   return {p["speed"],      p["acceleration"], p["quick_stop"], p["coast"],
@@ -75,5 +90,16 @@ class Drive {
   Order order_;
   bool hadMaster_ = false;
 };
+
+// The signals that every kind of drive shows.
+template <typename Signals>
+void showDrive(const Drive& drive, Instant now, Signals values) {
+  values["STATE"] = static_cast<double>(drive.states().state());
+  values["FAULT"] = drive.states().faultNumber();
+  values["POSITION"] = drive.motion().place(now);
+  values["SPEED"] = drive.motion().speed(now);
+  values["LOW_SWITCH"] = drive.atLowSwitch(now);
+  values["HIGH_SWITCH"] = drive.atHighSwitch(now);
+}
 
 }  // namespace merker::plant

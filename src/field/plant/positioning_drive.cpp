@@ -1,4 +1,6 @@
 // A drive at a bus that travels to positions: standard telegram 9 of PROFIdrive (S7-NET-22).
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "plant/named.h"
@@ -12,20 +14,19 @@ namespace {
 using Form = Parameter::Form;
 using Side = Signal::Side;
 
-constexpr Parameter kParameters[] = {
-    {"speed", Form::Number, 100'000, 1, 1e9},          // LU/s at 100 %
-    {"acceleration", Form::Number, 500'000, 1, 1e12},  // LU/s^2
-    {"quick_stop", Form::Number, 2'000'000, 1, 1e12},
-    {"coast", Form::Number, 50'000, 1, 1e12},
-    {"low_switch", Form::Number, -20'000, -1e9, 1e9},  // LU
-    {"high_switch", Form::Number, 320'000, -1e9, 1e9},
-    {"start", Form::Number, 50'000, -1e9, 1e9},
+constexpr Parameter kOwnParameters[] = {
     {"homing_speed", Form::Number, 20'000, 1, 1e9},
     {"jog_speed", Form::Number, 5000, 1, 1e9},
     {"reference", Form::Number, 0, -1e9, 1e9},
     {"home", Form::Number, 0, -1e9, 1e9},
     {"absolute", Form::Flag, 0, 0, 1},
 };
+constexpr auto kParameters = [] {
+  constexpr auto common = driveParameters(50'000);
+  std::array<Parameter, common.size() + std::size(kOwnParameters)> all{};
+  std::ranges::copy(kOwnParameters, std::ranges::copy(common, all.begin()).out);
+  return all;
+}();
 constexpr Signal kSignals[] = {
     {"BUS", Side::Input, true, 1},
     {"STW1", Side::Input},
@@ -87,13 +88,8 @@ class PositioningDrive : public ProcessOf<kParameters, kSignals> {
                      positioner_.statusBits(now);
     values["AKTSATZ"] = positioner_.currentBlock();
     values["XIST_A"] = static_cast<double>(std::llround(positioner_.position(now)));
-    values["STATE"] = static_cast<double>(states.state());
-    values["FAULT"] = states.faultNumber();
     values["WARNING"] = states.warning();
-    values["POSITION"] = drive_.motion().place(now);
-    values["SPEED"] = drive_.motion().speed(now);
-    values["LOW_SWITCH"] = drive_.atLowSwitch(now);
-    values["HIGH_SWITCH"] = drive_.atHighSwitch(now);
+    showDrive(drive_, now, values);
     values["CAM"] = positioner_.onCam(now);
   }
 

@@ -9,16 +9,9 @@
 namespace merker::plant {
 namespace {
 
-using Form = Parameter::Form;
 using Side = Signal::Side;
 
-constexpr Parameter kParameters[] = {
-    {"speed", Form::Number, 100'000, 1, 1e9},          // LU/s at 100 %
-    {"acceleration", Form::Number, 500'000, 1, 1e12},  // LU/s^2
-    {"quick_stop", Form::Number, 2'000'000, 1, 1e12},  {"coast", Form::Number, 50'000, 1, 1e12},
-    {"low_switch", Form::Number, -20'000, -1e9, 1e9},  // LU
-    {"high_switch", Form::Number, 320'000, -1e9, 1e9}, {"start", Form::Number, 0, -1e9, 1e9},
-};
+constexpr auto kParameters = driveParameters(0);
 constexpr Signal kSignals[] = {
     {"BUS", Side::Input, true, 1},
     {"STW1", Side::Input},
@@ -72,17 +65,12 @@ class SpeedDrive : public ProcessOf<kParameters, kSignals> {
   }
 
   void show(Instant now, Signals values) const {
-    const double speed = drive_.motion().speed(now), share = speed / drive_.settings().speed;
+    const double share = drive_.motion().speed(now) / drive_.settings().speed;
     const DriveStates& states = drive_.states();
     values["ZSW1"] = states.statusBits() | bitIf(values["BLOCKED"] == 0, Zsw1::NoDeviation) |
                      (std::abs(share) >= 1 ? kSpeedReached : 0);
     values["NIST_A"] = static_cast<double>(std::llround(share * kHundredPercent));
-    values["STATE"] = static_cast<double>(states.state());
-    values["FAULT"] = states.faultNumber();
-    values["POSITION"] = drive_.motion().place(now);
-    values["LOW_SWITCH"] = drive_.atLowSwitch(now);
-    values["HIGH_SWITCH"] = drive_.atHighSwitch(now);
-    values["SPEED"] = speed;
+    showDrive(drive_, now, values);
   }
 
   Drive drive_;
