@@ -258,6 +258,8 @@ scenario "the plug is pulled"
         refused("needs input or output of the master", areas="modules = [ {local = 30, length = 8} ]\n")
         refused("at most 244 bytes of inputs; these are 256",
                 areas="modules = [ " + ", ".join(f"{{input = {300 + 32 * i}, local = {300 + 32 * i}, length = 32}}" for i in range(8)) + " ]\n")
+        refused("at most 32 areas; these are 33",
+                areas="modules = [ " + ", ".join(f"{{input = {300 + i}, local = {300 + i}}}" for i in range(33)) + " ]\n")
         refused("needs modules = ", areas="")
         refused("'local' must be wholly inside or outside the process image, bytes 0 to 127: the area is consistent",
                 areas='modules = [ {input = 300, local = 124, length = 8, consistency = "all"} ]\n')

@@ -6,14 +6,15 @@
 
 #include "base/text.h"
 #include "project/readers.h"
+#include "project/slave_modules.h"
 
 namespace merker::project {
 namespace {
 
 // CPU 31xC and CPU 31x: Installation (A5E00105492-03), 9.7: 32 areas of at most 32 bytes each.
 constexpr std::uint32_t kLongestArea = 32;
-constexpr std::uint32_t kLongestData = 244;  // bytes each way in a telegram
-constexpr std::uint16_t kIdent = 0x7F03;     // belongs to no maker
+constexpr SlaveLimits kLimits{io::kMostAreas, kLongestData, kLongestData, 2 * kLongestData};
+constexpr std::uint16_t kIdent = 0x7F03;  // belongs to no maker
 
 bool hasDp(const DpSubnet& subnet, std::size_t station) {
   return subnet.station == station ||
@@ -72,19 +73,6 @@ void readArea(const Table& table, io::Slave& slave, io::OwnSlave& own) {
   own.self.modules.push_back(std::move(here));
 }
 
-void checkLengths(const Table& table, const io::Slave& slave) {
-  std::uint32_t inputs = 0, outputs = 0;
-  for (const io::Module& area : slave.modules)
-    inputs += area.type->inputBytes, outputs += area.type->outputBytes;
-  const auto most = [&](std::size_t is, std::uint32_t limit, std::string_view what) {
-    if (is > limit)
-      table.mustBe("modules", fmt::format("at most {} {}; these are {}", limit, what, is));
-  };
-  most(slave.modules.size(), io::kMostAreas, "areas");
-  most(inputs, kLongestData, "bytes of inputs");
-  most(outputs, kLongestData, "bytes of outputs");
-}
-
 }  // namespace
 
 bool readIntelligentSlave(const Table& table, const Network* network,
@@ -105,7 +93,7 @@ bool readIntelligentSlave(const Table& table, const Network* network,
   if (slave.modules.empty())
     table.problems().add(ProblemCode::P0744, table.place(), table.title(),
                          "modules = [ {input = 20, local = 30, length = 8} ]");
-  checkLengths(table, slave);
+  checkLengths(table, slave, kLimits, "areas");
   subnet.intelligent.push_back(std::move(result));
   return true;
 }

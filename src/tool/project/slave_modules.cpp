@@ -43,6 +43,22 @@ std::string telegramNames() {
 
 }  // namespace
 
+void checkLengths(const Table& table, const io::Slave& slave, const SlaveLimits& limits,
+                  std::string_view parts) {
+  std::int64_t input = 0, output = 0;
+  for (const io::Module& module : slave.modules)
+    input += module.type->inputBytes, output += module.type->outputBytes;
+  const auto most = [&](std::int64_t is, std::int64_t limit, std::string_view what) {
+    if (is > limit)
+      table.mustBe("modules", fmt::format("at most {} {}; these are {}", limit, what, is));
+  };
+  most(static_cast<std::int64_t>(slave.modules.size()), limits.modules,
+       limits.modules == 1 ? "module" : parts);
+  most(input, limits.input, "bytes of inputs");
+  most(output, limits.output, "bytes of outputs");
+  most(input + output, limits.data, "bytes in all");
+}
+
 std::optional<gsd::Device> readGsd(const Table& table) {
   const auto name = table.text("gsd", "the name of a GSD file");
   if (!name) return std::nullopt;

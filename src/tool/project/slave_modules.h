@@ -11,6 +11,14 @@ namespace merker::project {
 
 constexpr std::uint32_t kLongestData = 244;  // bytes each way in a telegram
 
+// What a slave may have: modules, bytes of inputs, of outputs, of both.
+struct SlaveLimits {
+  std::int64_t modules, input, output, data;
+};
+// `parts`: what its modules are called in a problem.
+void checkLengths(const Table& table, const io::Slave& slave, const SlaveLimits& limits,
+                  std::string_view parts = "modules");
+
 // The GSD file that `table` names; nothing after a problem.
 std::optional<gsd::Device> readGsd(const Table& table);
 io::Module moduleOf(const gsd::Module& module);

@@ -16,11 +16,7 @@ constexpr std::uint16_t kEt200MIdent = 0x801D;  // IM 153-1
 constexpr std::string_view kDrive = "PROFIdrive";
 constexpr std::uint16_t kDriveIdent = 0x7F02;  // belongs to no maker
 constexpr std::uint32_t kFirstEt200MSlot = 4, kEt200MModules = 8;
-
-// What a slave may have.
-struct SlaveLimits {
-  std::int64_t modules = kEt200MModules, input = 128, output = 128, data = 256;
-};
+constexpr SlaveLimits kEt200MLimits{kEt200MModules, 128, 128, 256};
 
 // Slots follow each other where none is named.
 void readSlaveSlot(const Table& table, std::uint32_t first, std::uint32_t count, io::Module& module,
@@ -57,7 +53,7 @@ class SlaveReader {
         readSlaveSlot(table, 1, static_cast<std::uint32_t>(kLongestData), *module, next);
         add(std::move(*module), module->slot, table);
       }
-    checkLengths();
+    checkLengths(table_, slave_, limits_);
   }
 
   void et200M() {
@@ -73,7 +69,7 @@ class SlaveReader {
         else
           add(std::move(*module), module->slot, table);
       }
-    checkLengths();
+    checkLengths(table_, slave_, limits_);
   }
 
   void drive() {
@@ -87,7 +83,7 @@ class SlaveReader {
     if (slave_.modules.empty())
       table_.problems().add(ProblemCode::P0744, table_.place(), table_.title(),
                             "modules = [ {type = \"Standard telegram 9\"} ]");
-    checkLengths();
+    checkLengths(table_, slave_, limits_);
   }
 
  private:
@@ -106,24 +102,9 @@ class SlaveReader {
                                           device.model, known->name));
   }
 
-  void checkLengths() const {
-    std::int64_t input = 0, output = 0;
-    for (const io::Module& module : slave_.modules)
-      input += module.type->inputBytes, output += module.type->outputBytes;
-    const auto most = [&](std::int64_t is, std::int64_t limit, std::string_view what) {
-      if (is > limit)
-        table_.mustBe("modules", fmt::format("at most {} {}; these are {}", limit, what, is));
-    };
-    most(static_cast<std::int64_t>(slave_.modules.size()), limits_.modules,
-         limits_.modules == 1 ? "module" : "modules");
-    most(input, limits_.input, "bytes of inputs");
-    most(output, limits_.output, "bytes of outputs");
-    most(input + output, limits_.data, "bytes in all");
-  }
-
   const Table& table_;
   io::Slave& slave_;
-  SlaveLimits limits_{};
+  SlaveLimits limits_ = kEt200MLimits;
 };
 
 DpSubnet* subnetOf(const Table& table, std::vector<DpSubnet>& subnets) {
