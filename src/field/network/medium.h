@@ -33,6 +33,10 @@ constexpr Medium ethernet(std::int64_t rate) {
 // which a telegram has one byte more.
 constexpr Medium dp(std::int64_t rate) { return {rate, 317, -1, 11, {}, false, true}; }
 
+// Wires between two stations, which are no line and have no bits: how long a change needs is our
+// own (docs/compatibility.md, "Several stations").
+constexpr Medium wires() { return {1, 0, 0, 0, Duration::milliseconds(1), false, true}; }
+
 // Bits of a telegram with this much data on the line, with the pause in front of it.
 constexpr std::int64_t telegramBits(const Medium& medium, std::size_t bytes) {
   return medium.pause + medium.perByte * (medium.frame + static_cast<std::int64_t>(bytes));

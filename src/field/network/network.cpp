@@ -59,6 +59,19 @@ void Network::joinDp(std::size_t i, Subnet& subnet, std::uint8_t address) {
   controller::capability<Connectable>(itself(i))->joinDp(*places_.back().node);
 }
 
+// What the wires show before time begins has arrived when it does.
+void Network::wire(std::size_t plants, std::size_t terminals) {
+  Subnet& subnet = addSubnet(wires());
+  attach(plants, subnet, 1);
+  attach(terminals, subnet, 2);
+  for (const bool plant : {true, false}) {
+    const std::size_t own = plant ? plants : terminals, other = plant ? terminals : plants;
+    controller::capability<Connectable>(itself(own))
+        ->joinWires(*placeOf(own, subnet)->node, other, plant);
+    subnet.carry(Instant{});
+  }
+}
+
 void Network::attach(std::size_t i, Subnet& subnet, std::uint8_t address) {
   places_.push_back({i, &subnet, &subnet.add(address)});
 }

@@ -32,6 +32,8 @@ class Network {
   void joinDp(std::size_t i, Subnet& subnet, std::uint8_t address);
   // The same on an Ethernet: only configured connections use it.
   void attach(std::size_t i, Subnet& subnet, std::uint8_t address);
+  // Plants of the first station are wired to terminals of the second.
+  void wire(std::size_t plants, std::size_t terminals);
   struct Partner {
     std::size_t station = 0;
     std::optional<std::uint16_t> id{};  // as ConnectionEnd

@@ -58,6 +58,9 @@ class Connectable : public controller::Capability {
   virtual void join(Node& node, const GlobalData& globalData) = 0;
   // Its DP interface, where it exchanges data with other stations: as their master, or as a slave.
   virtual void joinDp(Node& node) = 0;
+  // Wires between a plant and the terminals of another station, the `partner`. `plant`: it is this
+  // one's.
+  virtual void joinWires(Node& node, std::size_t partner, bool plant) = 0;
   // One more configured connection, over any subnet.
   virtual void connect(const ConnectionEnd& end) = 0;
   // False: it sends nothing before a telegram reaches it or somebody changes its program. Then the

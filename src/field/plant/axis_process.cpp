@@ -238,6 +238,6 @@ class AxisProcess : public ProcessOf<kParameters, kSignals> {
 
 }  // namespace
 
-const Kind kAxis{"axis", kStep, kParameters, kSignals, make<AxisProcess>};
+const Kind kAxis{"axis", kStep, kParameters, kSignals, make<AxisProcess>, nullptr, true};
 
 }  // namespace merker::plant

@@ -35,6 +35,8 @@ std::string PlantSettings::driverOf(const io::Terminal& terminal) const {
 std::string Configuration::driverOf(const io::Terminal& terminal) const {
   for (const PlantSettings& plant : plants)
     if (std::string driver = plant.driverOf(terminal); !driver.empty()) return driver;
+  for (const LentTerminal& one : lent)
+    if (one.terminal == terminal && !io::isOutput(terminal.side)) return one.signal;
   return {};
 }
 

@@ -91,6 +91,7 @@ class Encoder : public ProcessOf<kParameters, kSignals> {
 
 }  // namespace
 
-const Kind kEncoder{"encoder", Duration::milliseconds(1), kParameters, kSignals, make<Encoder>};
+const Kind kEncoder{
+    "encoder", Duration::milliseconds(1), kParameters, kSignals, make<Encoder>, nullptr, true};
 
 }  // namespace merker::plant

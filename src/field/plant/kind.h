@@ -69,6 +69,8 @@ struct Kind {
   std::unique_ptr<Process> (*make)(std::span<const double> parameters);
   // Of a drive that is wired to a bus: which words of the telegram are which of its signals.
   const Telegram* telegram = nullptr;
+  // Some outputs are functions of time (Process::course), which no wire to another station carries.
+  bool fast = false;
 
   std::optional<std::uint32_t> signal(std::string_view wanted) const;  // ignoring case
 };

@@ -24,6 +24,7 @@ Instant Plants::Unit::next() const { return fresh ? at : std::min(nextStep, proc
 Plants::Plants(Configuration configuration)
     : configuration_(std::move(configuration)), wiring_(wirings()) {
   units_.resize(configuration_.plants.size());
+  told_.resize(configuration_.far.size());
   for (std::size_t i = 0; i < units_.size(); ++i) start(i, Instant{});
   findNext();
 }
@@ -87,6 +88,10 @@ void Plants::readInputs(std::size_t index, const io::Rack& rack,
       value = this->value(*other);
       continue;
     }
+    if (const auto* far = std::get_if<FarEnd>(&wire.end)) {
+      value = (told_[far->number] - wire.offset) / wire.scale;
+      continue;
+    }
     if (const auto* data = std::get_if<io::ProcessData>(&wire.end)) {
       value = data->words == 0 ? rack.exchanging(data->module) : rack.received(*data);
       continue;
@@ -107,7 +112,7 @@ std::vector<Plants::Wiring> Plants::wirings() const {
       const Signal& signal = configuration_.plants[i].kind->signals[wire.signal];
       if (const auto* other = std::get_if<SignalPlace>(&wire.end))
         all[i].fed = all[other->plant].feeds = true;
-      else if (std::holds_alternative<io::ProcessData>(wire.end))
+      else if (!std::holds_alternative<io::Terminal>(wire.end))
         all[i].bus = true;
       else if (signal.side == Signal::Side::Output && signal.binary)
         all[i].switches = true;
@@ -170,6 +175,7 @@ void Plants::showOutput(std::size_t index, std::size_t number, io::Rack& rack, I
   const Wire& wire = configuration_.plants[index].wires[number];
   if (const auto* data = std::get_if<io::ProcessData>(&wire.end))
     return answer(index, number, *data, rack);
+  if (std::holds_alternative<FarEnd>(wire.end)) return;  // whoever carries it looks at it
   const auto& terminal = std::get<io::Terminal>(wire.end);
   auto course = unit.stuckAt(wire.signal) ? nullptr : unit.process->course(wire.signal);
   if (course != nullptr) {
@@ -201,6 +207,12 @@ double Plants::value(SignalPlace place) const {
   const Unit& unit = units_[place.plant];
   const Stuck* stuck = unit.stuckAt(place.signal);
   return stuck == nullptr ? unit.values[place.signal] : stuck->value;
+}
+
+double Plants::shows(std::uint32_t farWire) const {
+  const FarWire& far = configuration_.far[farWire];
+  const Wire& wire = configuration_.plants[far.plant].wires[far.wire];
+  return wire.offset + wire.scale * value({far.plant, wire.signal});
 }
 
 void Plants::set(io::Rack& rack, SignalPlace place, double value, Instant now) {

@@ -41,6 +41,11 @@ class Plants {
   void release(io::Rack& rack, SignalPlace place, Instant now);
   std::optional<double> stuck(SignalPlace place) const;
 
+  // Of a wire to another station (Configuration::far): what an input gets there, which its plant
+  // sees at its next step; what an output shows there.
+  void tell(std::uint32_t farWire, double value) { told_[farWire] = value; }
+  double shows(std::uint32_t farWire) const;
+
   // As at the beginning: its process, its inputs, without faults.
   void reset(io::Rack& rack, std::uint32_t plant, Instant now);
 
@@ -75,7 +80,7 @@ class Plants {
     bool switches = false;                // levels of its own at terminals
     std::vector<std::uint32_t> analog{};  // modules that get an amount from it
     bool fed = false, feeds = false;      // by another plant, another plant
-    bool bus = false;                     // a drive behind a DP slave
+    bool bus = false;                     // a drive behind a DP slave, a wire to another station
   };
   std::vector<Wiring> wirings() const;
   void stepSilently(std::size_t index, const io::Rack& rack, Instant to);
@@ -87,6 +92,7 @@ class Plants {
   Configuration configuration_;
   std::vector<Wiring> wiring_;
   std::vector<Unit> units_;
+  std::vector<double> told_;  // by number of the far wire
   Instant next_;
 };
 

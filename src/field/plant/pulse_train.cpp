@@ -84,7 +84,8 @@ class PulseTrain : public ProcessOf<kParameters, kSignals> {
 
 }  // namespace
 
-const Kind kPulseTrain{"pulse train", Duration::milliseconds(1), kParameters, kSignals,
-                       make<PulseTrain>};
+const Kind kPulseTrain{"pulse train", Duration::milliseconds(1), kParameters,
+                       kSignals,      make<PulseTrain>,          nullptr,
+                       true};
 
 }  // namespace merker::plant

@@ -64,7 +64,7 @@ struct Station::Parts {
   serial::Coupling* serial() { return periphery ? periphery->serial().coupling() : nullptr; }
   // One step of the CPU. In STOP it answers its partners at the instant at which they ask.
   void step(Instant limit) {
-    if (periphery && periphery->dp().next() <= limit) cpu.machine().interrupt();
+    if (periphery && periphery->nextOfPartners() <= limit) cpu.machine().interrupt();
     if (!onSubnet() || cpu.mode() != cpu::Mode::Stop) return cpu.step(limit);
     rest();
     cpu.step(std::min({limit, services.partners().next(), links.next()}));
@@ -73,7 +73,7 @@ struct Station::Parts {
   // As Connectable::maySend().
   bool maySend() {
     return !links.empty() || !globalData.empty() || !services.partners().idle() ||
-           (periphery && periphery->dp().joined()) || cpu.loadMemory().downloaded() ||
+           (periphery && periphery->hasPartners()) || cpu.loadMemory().downloaded() ||
            senders.in(cpu.program());
   }
   bool onSubnet() const { return services.partners().joined() || !links.empty(); }

@@ -19,10 +19,20 @@ void Periphery::connect(cpu::Cpu& cpu) {
   showPresence(cpu);
   // Sensors have had their supply long enough for any input delay when the CPU begins.
   plants_.show(rack_, Instant{} - Duration::seconds(1));
+  showBefore(cpu);
+  cpu.modules().connect(this);
+}
+
+void Periphery::joinWires(cpu::Cpu& cpu, network::Node& node, std::size_t partner, bool plant) {
+  wires_.join(node, partner, plant);
+  showBefore(cpu);
+}
+
+// What the inputs are when time begins.
+void Periphery::showBefore(cpu::Cpu& cpu) {
   rack_.advance(Instant{});
   rack_.takeChanged();
-  areas.inputs = rack_.inputs();
-  cpu.modules().connect(this);
+  cpu.machine().areas.inputs = rack_.inputs();
 }
 
 // What happens outside, between two calls of the CPU, is told at its next instruction boundary.
@@ -32,7 +42,7 @@ Instant Periphery::next() const {
 
 Instant Periphery::nextOfChannels() const {
   return std::min(
-      {counting_.next(), positioning_.next(), serial_.next(), exchange_.next(), dp_.next()});
+      {counting_.next(), positioning_.next(), serial_.next(), exchange_.next(), nextOfPartners()});
 }
 
 Instant Periphery::nextVisible(bool access) const {
@@ -57,12 +67,14 @@ std::string_view Periphery::due(Instant now) const {
   if (plants_.next() <= now) return "plants";
   if (exchange_.next() <= now) return "DP master";
   if (dp_.next() <= now) return "DP interface";
+  if (wires_.next() <= now) return "wires to other stations";
   if (positioning_.next() <= now) return "sub-module 2.5";
   if (serial_.next() <= now) return "sub-module 2.1";
   return counting_.next() <= now ? "sub-module 2.4" : "modules of the rack";
 }
 
 void Periphery::goOn(Instant now) {
+  wires_.hear(now);
   const auto next = [this] { return std::min(plants_.next(), positioning_.next()); };
   for (Standstill loop; next() <= now && loop.moves(next());) {  // by time
     const Instant at = next();
@@ -73,6 +85,7 @@ void Periphery::goOn(Instant now) {
   rack_.advance(now);
   positioning_.advance(now);
   dp_.hear(now);
+  wires_.look(now);
 }
 
 void Periphery::advance(cpu::Cpu& cpu, Instant now) {
@@ -87,6 +100,7 @@ void Periphery::advance(cpu::Cpu& cpu, Instant now) {
   }
   exchangeData(cpu, now);
   dp_.advance(now);
+  wires_.look(now);
   showInputs(cpu);
   for (const ModuleEvent& event : rack_.takeEvents()) cpu.moduleEvents().happened(event);
 }
@@ -105,7 +119,7 @@ void Periphery::reading(cpu::Cpu& cpu) {
 // Signals, channels that count or measure and slaves are worked out when asked; everything else
 // says when it acts next.
 bool Periphery::steady() const {
-  return !rack_.hasSignals() && counting_.steady() && !exchange_.any() && !dp_.joined();
+  return !rack_.hasSignals() && counting_.steady() && !exchange_.any() && !hasPartners();
 }
 
 void Periphery::acknowledged(cpu::Cpu&, std::uint32_t address) { counting_.acknowledged(address); }
@@ -127,6 +141,7 @@ void Periphery::supply(cpu::Cpu& cpu, bool on) {
   if (!on) positioning_.stop(cpu.machine().clock);
   rack_.supply(on);
   dp_.supply(on, cpu.machine().clock);
+  wires_.look(cpu.machine().clock);
   serial_.supply(on, cpu.machine().clock);
 }
 
@@ -137,11 +152,13 @@ void Periphery::written(cpu::Cpu& cpu, std::uint32_t first, std::uint32_t count)
     exchange_.ownsOutput(first + i) ? exchange_.written(first + i, bytes[i], cpu.machine().clock)
                                     : rack_.written(first + i, &bytes[i], 1);
   dp_.written(first, count, cpu.machine().clock);
+  wires_.look(cpu.machine().clock);
 }
 
 void Periphery::disableOutputs(cpu::Cpu& cpu, bool disabled) {
   rack_.disableOutputs(disabled);
   if (cpu.powered()) dp_.changed(cpu.machine().clock);
+  wires_.look(cpu.machine().clock);
 }
 
 bool Periphery::deliver(cpu::Cpu& cpu, std::uint32_t first, std::uint32_t count, std::uint8_t mask,
@@ -152,6 +169,18 @@ bool Periphery::deliver(cpu::Cpu& cpu, std::uint32_t first, std::uint32_t count,
     rack_.deliver(first + i, mask, bytes[i], cpu.machine().clock);
   showInputs(cpu);
   return true;
+}
+
+// Bits of this byte that the terminal is, if it is an input.
+std::uint8_t Periphery::inputBits(const io::Terminal& terminal, std::uint32_t byte) const {
+  const io::Module& module = rack_.configuration().modules[terminal.module];
+  // An AS-i slave: its bits lie in bytes of the CP.
+  if (isOutput(terminal.side) || !module.inputStart) return 0;
+  const bool digital = isDigital(terminal.side);
+  const std::uint32_t first =
+      *module.inputStart + (digital ? terminal.channel / 8 : 2 * terminal.channel);
+  if (digital) return first == byte ? static_cast<std::uint8_t>(1u << (terminal.channel & 7)) : 0;
+  return first == byte || first + 1 == byte ? 0xFF : 0;
 }
 
 // Inputs at this byte that lie at an output of a plant.
@@ -165,16 +194,11 @@ std::uint8_t Periphery::drivenBits(std::uint32_t byte) const {
         if (!data->setpoint && byte >= first && byte < first + 2u * data->words) bits = 0xFF;
         continue;
       }
-      const auto* terminal = std::get_if<io::Terminal>(&wire.end);
-      if (terminal == nullptr || isOutput(terminal->side)) continue;
-      const bool digital = isDigital(terminal->side);
-      const io::Module& module = rack_.configuration().modules[terminal->module];
-      if (!module.inputStart) continue;  // an AS-i slave: its bits lie in bytes of the CP
-      const std::uint32_t start = *module.inputStart;
-      const std::uint32_t first = start + (digital ? terminal->channel / 8 : 2 * terminal->channel);
-      if (digital && first == byte) bits |= 1u << (terminal->channel & 7);
-      if (!digital && (first == byte || first + 1 == byte)) bits = 0xFF;
+      if (const auto* terminal = std::get_if<io::Terminal>(&wire.end))
+        bits |= inputBits(*terminal, byte);
     }
+  for (const plant::LentTerminal& one : plants_.configuration().lent)
+    bits |= inputBits(one.terminal, byte);
   return static_cast<std::uint8_t>(bits);
 }
 

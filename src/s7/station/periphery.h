@@ -8,6 +8,7 @@
 #include "positioning/positioning.h"
 #include "profibus/exchange.h"
 #include "station/dp_interface.h"
+#include "station/far_wires.h"
 #include "station/serial_module.h"
 #include "technology/counting.h"
 
@@ -22,7 +23,8 @@ class Periphery : public cpu::Periphery {
         serial_(rack_),
         exchange_(rack_),
         dp_(rack_, exchange_),
-        plants_(std::move(plants)) {}
+        plants_(std::move(plants)),
+        wires_(rack_, plants_) {}
   Periphery(const Periphery&) = delete;  // the sub-modules know `rack_`
   Periphery& operator=(const Periphery&) = delete;
 
@@ -34,6 +36,11 @@ class Periphery : public cpu::Periphery {
   SerialModule& serial() { return serial_; }
   profibus::Exchange& exchange() { return exchange_; }
   DpInterface& dp() { return dp_; }
+  // Before time begins.
+  void joinWires(cpu::Cpu& cpu, network::Node& node, std::size_t partner, bool plant);
+  // Other stations reach its modules and plants, past the CPU; when the next one does.
+  bool hasPartners() const { return dp_.joined() || wires_.any(); }
+  Instant nextOfPartners() const { return std::min(dp_.next(), wires_.next()); }
   // What is worked out only when asked, as it is at `now`.
   void refresh(Instant now);
   plant::Plants& plants() { return plants_; }
@@ -68,7 +75,9 @@ class Periphery : public cpu::Periphery {
  private:
   Instant nextOfChannels() const;
   Notice pending(Instant now) const;
+  std::uint8_t inputBits(const io::Terminal& terminal, std::uint32_t byte) const;
   std::uint8_t drivenBits(std::uint32_t byte) const;
+  void showBefore(cpu::Cpu& cpu);
   void showPresence(cpu::Cpu& cpu);
   void showInputs(cpu::Cpu& cpu);
   void exchangeData(cpu::Cpu& cpu, Instant now);
@@ -80,6 +89,7 @@ class Periphery : public cpu::Periphery {
   profibus::Exchange exchange_;
   DpInterface dp_;
   plant::Plants plants_;
+  FarWires wires_;
   Notice noticed_ = Notice::Anyhow;  // of the last advance
 };
 

@@ -333,6 +333,10 @@ void Station::join(network::Node& node, const network::GlobalData& globalData) {
 
 void Station::joinDp(network::Node& node) { parts_->periphery->dp().join(node); }
 
+void Station::joinWires(network::Node& node, std::size_t partner, bool plant) {
+  parts_->periphery->joinWires(parts_->cpu, node, partner, plant);
+}
+
 bool Station::maySend() const { return parts_->maySend(); }
 
 void Station::connect(const network::ConnectionEnd& end) {

@@ -89,6 +89,7 @@ class Station final : public controller::Controller,
   // From now on the CPU is a node of an MPI subnet.
   void join(network::Node& node, const network::GlobalData& globalData) override;
   void joinDp(network::Node& node) override;
+  void joinWires(network::Node& node, std::size_t partner, bool plant) override;
   void connect(const network::ConnectionEnd& end) override;
   bool maySend() const override;
 

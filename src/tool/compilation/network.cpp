@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
+#include <set>
 
 #include "catalogue/ethernet.h"
 #include "project/files.h"
+#include "project/station_plants.h"
 
 namespace merker::compilation {
 namespace {
@@ -14,48 +17,65 @@ namespace {
 // Loads and compiles the folders, each once.
 class NetworkStations {
  public:
-  NetworkStations(NetworkBuild& result, bool toRun) : result_(result), toRun_(toRun) {}
+  NetworkStations(NetworkBuild& result, bool toRun)
+      : result_(result), network_(*result.project.network), toRun_(toRun) {}
 
-  void add(const project::OtherStation& station) {
-    const auto path = std::filesystem::path(result_.project.folder) / station.folder;
-    const std::string folder = path.lexically_normal().string();
-    const project::DpSubnet* const slaves = slavesOf(result_.stations.size());
-    const project::IntelligentSlave* const self = slaveOf(result_.stations.size());
-    // A DP master or slave is a program of its own, whatever others share its folder.
-    const bool onDp = slaves != nullptr || self != nullptr;
-    const std::string key = onDp ? folder + '\n' + station.name : folder;
-    auto known = builds_.find(key);
-    if (known == builds_.end())
-      known = builds_.emplace(key, built(folder, station, slaves, self)).first;
-    if (known->second) result_.stations.push_back({station.name, known->second});
+  void load() {
+    for (std::size_t i = 0; i < network_.stations.size(); ++i)
+      if (auto folder = folderOf(i)) folders_.emplace(keyOf(i), std::move(*folder));
+    if (network_.plants) addPlants();
+  }
+
+  void build() {
+    for (std::size_t i = 0; i < network_.stations.size(); ++i) {
+      const auto own = folders_.find(keyOf(i));
+      if (own == folders_.end()) continue;
+      auto& made = builds_[own->first];
+      if (!made) made = built(std::move(own->second));
+      result_.stations.push_back({network_.stations[i].name, made});
+    }
   }
 
  private:
   const project::DpSubnet* slavesOf(std::size_t station) const {
-    for (const project::DpSubnet& subnet : result_.project.network->profibus)
+    for (const project::DpSubnet& subnet : network_.profibus)
       if (subnet.station == station) return &subnet;
     return nullptr;
   }
 
   const project::IntelligentSlave* slaveOf(std::size_t station) const {
-    for (const project::DpSubnet& subnet : result_.project.network->profibus)
+    for (const project::DpSubnet& subnet : network_.profibus)
       for (const project::IntelligentSlave& slave : subnet.intelligent)
         if (slave.station == station) return &slave;
     return nullptr;
   }
 
-  // Null: it cannot be a station.
-  std::shared_ptr<const Build> built(const std::string& folder,
-                                     const project::OtherStation& station,
-                                     const project::DpSubnet* slaves,
-                                     const project::IntelligentSlave* self) {
+  std::string pathOf(std::size_t station) const {
+    const auto path =
+        std::filesystem::path(result_.project.folder) / network_.stations[station].folder;
+    return path.lexically_normal().string();
+  }
+
+  // A DP master or slave, and one with plants, is a program of its own, whatever others share its
+  // folder.
+  std::string keyOf(std::size_t station) const {
+    const bool apart =
+        network_.plants || slavesOf(station) != nullptr || slaveOf(station) != nullptr;
+    return apart ? pathOf(station) + '\n' + network_.stations[station].name : pathOf(station);
+  }
+
+  // Nothing: it was loaded before, or cannot be a station.
+  std::optional<project::Project> folderOf(std::size_t number) const {
+    const std::string key = keyOf(number), folder = pathOf(number);
+    if (folders_.contains(key)) return std::nullopt;
+    const Position& named = network_.stations[number].named;
     const auto refuse = [&](std::string_view what) {
-      result_.problems.add(ProblemCode::P0704, station.named, "folder", what);
-      return nullptr;
+      result_.problems.add(ProblemCode::P0704, named, "folder", what);
+      return std::nullopt;
     };
     if (!project::isFile(project::join(folder, "merker.toml"))) {
-      result_.problems.add(ProblemCode::P0701, station.named, folder);
-      return nullptr;
+      result_.problems.add(ProblemCode::P0701, named, folder);
+      return std::nullopt;
     }
     project::Project own = project::load(folder, "", {}, result_.project.problems.stop());
     if (own.network) return refuse("the folder of a project of one station");
@@ -63,11 +83,41 @@ class NetworkStations {
       return refuse(
           "the folder of a project without [[station]]; its X27 needs another connection");
     if (result_.project.mnemonics) own.mnemonics = result_.project.mnemonics;
+    const project::DpSubnet* const slaves = slavesOf(number);
+    const project::IntelligentSlave* const self = slaveOf(number);
     if ((slaves != nullptr || self != nullptr) && own.control)
       return refuse("a SIMATIC S7; a SINUMERIK has no DP interface");
     if (slaves != nullptr) project::plugSlaves(*slaves, *own.model, own.hardware, result_.problems);
     if (self != nullptr) project::plugOwnSlave(*self, *own.model, own.hardware, result_.problems);
-    auto made = std::make_shared<Build>(build(std::move(own), false));
+    return own;
+  }
+
+  // Where all modules are known. A station without a hardware configuration gets the modules on
+  // board if it has a plant or lends a terminal, as one with a [[plant]] of its own.
+  void addPlants() {
+    std::vector<project::StationField> fields;
+    std::map<std::size_t, io::Configuration> onBoard;
+    for (std::size_t i = 0; i < network_.stations.size(); ++i) {
+      fields.push_back({network_.stations[i].name});
+      const auto found = folders_.find(keyOf(i));
+      if (found == folders_.end()) return;  // which is a problem already
+      project::Project& own = found->second;
+      if (own.control) continue;
+      if (!own.hardware) onBoard[i] = io::configure({}, *own.model, result_.problems);
+      fields.back().hardware = own.hardware ? &*own.hardware : &onBoard[i];
+      fields.back().plants = &own.plants;
+    }
+    const std::string file = project::join(result_.project.folder, "merker.toml");
+    if (const source::SourceFile* const text = result_.project.file(file))
+      project::readStationPlants(*text, fields, result_.problems);
+    for (auto& [station, modules] : onBoard)
+      if (const plant::Configuration& plants = *fields[station].plants;
+          !plants.plants.empty() || !plants.lent.empty())
+        folders_.at(keyOf(station)).hardware = std::move(modules);
+  }
+
+  std::shared_ptr<const Build> built(project::Project own) {
+    auto made = std::make_shared<Build>(compilation::build(std::move(own), false));
     judge(*made);
     result_.problems.append(made->problems);
     result_.unreadable |= made->project.unreadable;
@@ -81,7 +131,9 @@ class NetworkStations {
   }
 
   NetworkBuild& result_;
+  const project::Network& network_;
   bool toRun_;
+  std::map<std::string, project::Project> folders_;
   std::map<std::string, std::shared_ptr<const Build>> builds_;
 };
 
@@ -190,6 +242,15 @@ void joinDp(const project::DpSubnet& dp, network::Network& network) {
     network.joinDp(slave.station, subnet, slave.own.self.address);
 }
 
+// Between each two stations one bundle for the plants of the one and one for those of the other.
+void wirePlants(const NetworkBuild& build, network::Network& network) {
+  for (std::size_t i = 0; i < build.stations.size(); ++i) {
+    std::set<std::size_t> others;
+    for (const plant::FarWire& wire : build.stations[i].build->project.plants.far)
+      if (others.insert(wire.station).second) network.wire(i, wire.station);
+  }
+}
+
 }  // namespace
 
 std::size_t NetworkBuild::blocks() const {
@@ -225,6 +286,7 @@ std::unique_ptr<network::Network> NetworkBuild::network(unsigned threads, bool c
     }
   }
   for (const project::DpSubnet& one : project.network->profibus) joinDp(one, *result);
+  wirePlants(*this, *result);
   for (const project::StationConnection& one : project.network->connections)
     result->connect(*subnets[one.subnet], {one.local, one.id}, {one.partner, one.partnerId},
                     one.kind);
@@ -237,8 +299,8 @@ NetworkBuild buildNetwork(project::Project project, bool toRun) {
   result.problems = result.project.problems;
   result.unreadable = result.project.unreadable;
   NetworkStations stations(result, toRun);
-  for (const project::OtherStation& station : result.project.network->stations)
-    stations.add(station);
+  stations.load();
+  stations.build();
   for (const project::Subnet& subnet : result.project.network->subnets)
     for (const project::SubnetNode& node : subnet.nodes) requireInterface(subnet, node, result);
   checkConnections(result);

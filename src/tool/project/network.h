@@ -70,6 +70,7 @@ struct Network {
   std::vector<DpSubnet> profibus;
   std::vector<GlobalDataRow> globalData;
   std::vector<StationConnection> connections;
+  bool plants = false;  // [[plant]]: read when the modules of the stations are known
 };
 
 // "Press, Belt", for problems; of many the first ones.

@@ -1,4 +1,6 @@
 // merker.toml of a project of several stations.
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "base/text.h"
@@ -8,8 +10,21 @@ namespace merker::project {
 namespace {
 
 // What makes a merker.toml one of several stations: it describes none itself.
-constexpr std::string_view kNetworkKeys[] = {"project",     "station", "subnet",
-                                             "global_data", "slave",   "connection"};
+constexpr std::string_view kNetworkKeys[] = {"project", "station",    "subnet", "global_data",
+                                             "slave",   "connection", "plant"};
+
+bool isKnown(const std::string& key) {
+  return std::ranges::find(kNetworkKeys, key) != std::end(kNetworkKeys);
+}
+
+void allowKnown(const Table& root) {
+  for (const std::string& key : root.keys())
+    if (!isKnown(key))
+      root.problems().add(ProblemCode::P0704, root.placeOf(key), key,
+                          fmt::format("left out: a project of several stations has no [{}] of its "
+                                      "own, its stations have",
+                                      key));
+}
 
 void readStations(const Table& root, Network& network) {
   for (const Table& table : root.tables("station", kMostStations)) {
@@ -25,18 +40,21 @@ void readStations(const Table& root, Network& network) {
 
 }  // namespace
 
+// A station names one other at most, that at its X27.
 bool namesOnlyStations(const Table& root) {
-  const auto known = [](const std::string& key) {
-    return std::ranges::find(kNetworkKeys, key) != std::end(kNetworkKeys);
-  };
-  return root.has("station") && std::ranges::all_of(root.keys(), known);
+  const toml::node* const stations = root.node("station");
+  if (stations == nullptr) return false;
+  const toml::array* const list = stations->as_array();
+  return std::ranges::all_of(root.keys(), isKnown) || (list != nullptr && list->size() > 1);
 }
 
 Network readNetwork(const Table& root) {
   Network network;
+  allowKnown(root);
   readStations(root, network);
   readSubnets(root, network);
   network.profibus = readDpSubnets(root, &network);
+  network.plants = root.has("plant");
   readGlobalData(root, network);
   readStationConnections(root, network);
   return network;

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "io/terminal_address.h"
 #include "make.h"
 
 namespace merker::io {
@@ -123,6 +124,28 @@ TEST(Addresses, modulesAreFoundByNameAndSlot) {
   EXPECT_EQ(configuration.find("conveyor"), configuration.find("4"));
   EXPECT_EQ(configuration.find("0/4"), configuration.find("4"));
   EXPECT_EQ(configuration.find("5"), nullptr);
+}
+
+// S7-HW-20, S7-HW-21: the terminal at an address, in either language; nothing where none lies.
+TEST(Addresses, terminalsBehindThem) {
+  const Configuration configuration =
+      good({make(0, 4, "SM 321 DI16xDC24V"), make(0, 5, "6ES7 331-7KF02-0AB0")});
+  const auto at = [&](std::string_view text) -> std::optional<Terminal> {
+    const auto address = parseTerminalAddress(text);
+    return address ? terminalAt(configuration, *address) : std::nullopt;
+  };
+  const auto input = at("E 1.3"), analog = at("PEW 274");
+  ASSERT_TRUE(input && analog);
+  EXPECT_EQ(*input, (Terminal{input->module, Side::DigitalInput, 11}));
+  EXPECT_EQ(*analog, (Terminal{analog->module, Side::AnalogInput, 1}));
+  EXPECT_EQ(configuration.modules[input->module].slot, 4u);
+  EXPECT_EQ(at("i 1.3"), input);
+  EXPECT_EQ(at("PIW 274"), analog);
+  EXPECT_EQ(at("EW 274"), analog);
+  for (const char* none : {"E 2.0", "A 1.3", "PEW 275", "PEW 288", "EW 0"}) EXPECT_FALSE(at(none));
+  for (const char* wrong :
+       {"E 1.8", "E 1", "PEW 274.0", "M 1.3", "E1.3", "E x.3", "E 1.3 ", "4.DI0"})
+    EXPECT_EQ(parseTerminalAddress(wrong).has_value(), std::string_view(wrong) == "E 1.3 ");
 }
 
 }  // namespace
