@@ -84,6 +84,10 @@ export const examples: Record<string, readonly [title: string, description: stri
     'Positionierantrieb',
     'Ein Antrieb als Slave an PROFIBUS-DP, der das Standardtelegramm 9 von PROFIdrive spricht: Steuerwort, Zielposition und Geschwindigkeit gehen mit SFC 15 hinaus, Zustandswort und Lageistwert kommen mit SFC 14 zurück. Das Programm schaltet ihn ein, lässt ihn referenzieren und schickt ihn von Position zu Position. Der Antrieb hat die Zustandsmaschine des Profils und eine Achse mit Endschaltern und Referenznocken.',
   ],
+  'networks/production-line': [
+    'Fertigungslinie',
+    'Fünf Stationen: eine Presse macht Teile, ein Band mit einem PROFIdrive-Antrieb trägt sie, eine Sortierung mit AS-i-Slaves schiebt sie in eine Kiste, ein Lager zählt sie, alles auf Geheiß eines Bedienpults. MPI, PROFIBUS und Ethernet verbinden die Stationen, die Maschinen sind an den Klemmen mehrerer von ihnen verdrahtet.',
+  ],
   'networks/profibus': [
     'PROFIBUS-DP',
     'Eine CPU 314C-2 DP als Master von zwei Slaves: eine Ventilinsel, die ihre GSD-Datei beschreibt, und eine ET 200M mit Baugruppen des Katalogs. Das Programm benutzt ihre Ein- und Ausgänge wie die der CPU, liest und schreibt mit SFC 14 und SFC 15 acht Bytes, die zusammengehören, liest mit SFC 13 die Diagnose eines Slaves und läuft weiter, wenn eine Station ausfällt: OB 86 zählt die Ausfälle, OB 122 die Zugriffe auf das, was fehlt.',
