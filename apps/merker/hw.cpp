@@ -7,6 +7,7 @@
 
 #include "build.h"
 #include "command.h"
+#include "compilation/network.h"
 #include "cpu_option.h"
 #include "hw_drawing.h"
 #include "project/usage.h"
@@ -116,15 +117,15 @@ nlohmann::json usages(const std::vector<project::Usage>& list) {
   return document;
 }
 
-void printJson(const Build& build) {
+nlohmann::json stationJson(const Build& build) {
   const project::Project& project = build.project;
-  print({{"name", project.name},
-         {"cpu", project.model->name},
-         {"configured", project.hardware.has_value()},
-         {"mounting", project.vertical ? "vertical" : "horizontal"},
-         {"racks", racks(hardwareOf(build))},
-         {"utilisation", usages(project::usage(*build.program, *project.model, project.hardware))},
-         {"problems", toJson(build.problems)}});
+  return {{"name", project.name},
+          {"cpu", project.model->name},
+          {"configured", project.hardware.has_value()},
+          {"mounting", project.vertical ? "vertical" : "horizontal"},
+          {"racks", racks(hardwareOf(build))},
+          {"utilisation", usages(project::usage(*build.program, *project.model, project.hardware))},
+          {"problems", toJson(build.problems)}};
 }
 
 std::string channelsOf(const ModuleType& type) {
@@ -161,13 +162,44 @@ int catalogue() {
   return kGood;
 }
 
+// Of each station, a SINUMERIK has no racks.
+void printText(const compilation::NetworkBuild& build) {
+  for (const compilation::NamedBuild& station : build.stations) {
+    std::cout << fmt::format("{}station {}\n", &station == &build.stations.front() ? "" : "\n",
+                             station.name);
+    if (station.build->isListing())
+      std::cout << station.build->controller()->modelName() << '\n';
+    else
+      printText(*station.build);
+  }
+}
+
+void printJson(const compilation::NetworkBuild& build) {
+  nlohmann::json stations = nlohmann::json::object();
+  for (const compilation::NamedBuild& station : build.stations)
+    if (!station.build->isListing()) stations[station.name] = stationJson(*station.build);
+  print({{"name", build.project.name},
+         {"stations", std::move(stations)},
+         {"problems", toJson(build.problems)}});
+}
+
+int hardwareOfAll(project::Project project, bool asJson) {
+  const auto built = compilation::buildNetwork(std::move(project), false);
+  printProblems(built.problems, built.files());
+  asJson ? printJson(built) : printText(built);
+  if (built.unreadable) return kUnreadable;
+  return built.ok() ? kGood : kProblems;
+}
+
 int hardware(const HwOptions& options) {
   if (options.catalogue) return catalogue();
-  const Build built = build(loadProject(options.path, options.project), false);
+  project::Project project = loadProject(options.path, options.project);
+  if (project.network) return hardwareOfAll(std::move(project), options.json);
+  const Build built = build(std::move(project), false);
   if (built.isListing() && built.ok()) return refuseListing("hw");
   printProblems(built.problems, built.files());
   if (built.project.unreadable) return exitCode(built);
-  options.json ? printJson(built) : printText(built);
+  options.json ? print(stationJson(built)) : printText(built);
   return exitCode(built);
 }
 

@@ -178,6 +178,7 @@ class Network(Case):
     def test_wrong_projects(self):
         twice = '[[station]]\nname = "A"\nfolder = "press"\n[[station]]\nname = "a"\nfolder = "belt"\n'
         self.wrong(twice, "merker.toml:5:8: error: the name 'a' is already used for another station above")
+        # S7-HWCFG-06
         self.wrong('[[station]]\nname = "A"\nfolder = "nowhere"\n', "merker.toml:3:10: error: lab/nowhere is not a project folder")
         for folder in ".", "../lab", "press/..":
             self.wrong(f'[[station]]\nname = "A"\nfolder = "{folder}"\n', "'folder' must be the folder of a project of one station")
@@ -267,6 +268,32 @@ scenario "the partner is in STOP"
         circles = "".join(f'[[global_data]]\ncircle = {i}\nfrom = "Press/MB 100"\nto = ["Belt/MB 120"]\n' for i in range(2, 6))
         self.wrong(self.MPI + circles, "Press sends 4 packets at most")
 
+    def test_one_mistake_is_one_problem(self):
+        tables = ('[cpu]\nmodel = "312C"\nmpi_address = 3\n[cpu.OB35]\ninterval = "10ms"\n', '[hardware]\nmounting = "vertical"\n',
+                  '[[module]]\nslot = 4\ntype = "SM 321 DI16xDC24V"\n')
+        mistakes = [(self.MPI + table, "must be left out: a project of several stations has no [") for table in tables] + [
+            (self.MPI.replace('"mpi"', '"token ring"'), "'kind' must be one of"),
+            (self.MPI + '[[slave]]\naddress = 4\n[[subnet]]\nkind = "profbus"\n', "'kind' must be one of"),
+            (self.MPI + '[[subnet]]\nname = "mpi(1)"\nkind = "ethernet"\n', "the name 'mpi(1)' is already used for another subnet above"),
+            (self.MPI.replace('["Belt/MB 120"]', "[]"), "'to' must be at least one operand"),
+            (self.MPI.replace("Belt/MB 120", "Press/MB 120"), "'Press/MB 120' must be of another station than the sender's"),
+            (self.MPI.replace("[[subnet]]", '[[station]]\nname = "Extra"\nfolder = "belt"\n\n[[subnet]]').replace("Belt/MD 130", "Extra/MD 130"),
+             "'Extra/MD 130' must be of a station that sends or takes this packet"),
+        ]
+        for settings, what in mistakes:
+            self.lab(settings)
+            err = self.expect(PROBLEMS, "check", "lab").err
+            self.assertIn(what, err)
+            self.assertEqual(err.count(": error: "), 1, err)
+
+    def test_hardware_of_each_station(self):
+        self.lab(self.MPI)
+        out = self.expect(GOOD, "hw", "lab").out
+        self.assertEqual([line for line in out.splitlines() if line.startswith("station ")], ["station Press", "station Belt", "station Mill"])
+        self.assertEqual(out.count("CPU 314C-2 PtP"), 4)
+        stations = self.expect(GOOD, "hw", "lab", "--json").json["stations"]
+        self.assertEqual({name: one["cpu"] for name, one in stations.items()}, {"Press": "CPU 314C-2 PtP", "Belt": "CPU 314C-2 PtP"})
+
     def test_one_station_alone(self):
         self.lab()
         self.assertEqual(self.run_lab("--station", "belt", "--print", "MW 22").out, "MW 22 = W#16#0032\n")
@@ -343,7 +370,7 @@ partner = "Belt"
 
     def test_commands_of_one_station(self):
         self.lab()
-        for command in (("list",), ("xref",), ("hw",), ("bench", "--for", "1s"), ("diag", "--for", "1s"), ("debug",), ("tags",),
+        for command in (("list",), ("xref",), ("bench", "--for", "1s"), ("diag", "--for", "1s"), ("debug",), ("tags",),
                         ("export", "-o", "x"), ("monitor", "serial")):
             call = self.merker(*command, "lab")
             self.assertNotIn(call.code, (GOOD, FAULT), f"{command} {call.out}")

@@ -39,11 +39,11 @@ DriveSettings driveSettings(Parameters p) {
 
 // Faults and alarms, by their numbers of SINAMICS (list manual): F01910 setpoint timeout of the
 // field bus, F07452 following error, F07491 and F07492 stop cams, F07860 external fault; A07461
-// reference point not set, A07462 no such traversing block.
+// reference point not set, A07462 no such traversing block, A07467 illegal task parameters.
 namespace drive_fault {
 constexpr std::uint16_t kNoMaster = 1910, kFollowingError = 7452, kLowSwitch = 7491,
                         kHighSwitch = 7492, kExternal = 7860;
-constexpr std::uint16_t kNoReference = 7461, kNoBlock = 7462;
+constexpr std::uint16_t kNoReference = 7461, kNoBlock = 7462, kIllegalTask = 7467;
 }  // namespace drive_fault
 
 struct DriveConditions {

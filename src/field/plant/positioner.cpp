@@ -33,11 +33,12 @@ void Positioner::accept(Instant now, const PositionerSetpoints& p) {
   const bool absolute = (p.mode & kAbsolute) != 0;
   if ((p.satzanw & kMdi) == 0) return drive_.states().warn(drive_fault::kNoBlock);
   if (absolute && !homed_) return drive_.states().warn(drive_fault::kNoReference);
+  if (p.velocity <= 0) return drive_.states().warn(drive_fault::kIllegalTask);
   drive_.states().warn(0);
   const DriveSettings& s = drive_.settings();
   constexpr double kLuPerSecond = 1000.0 / 60;
-  limits_ = {std::clamp(p.velocity * kLuPerSecond, 1.0, s.speed),
-             s.acceleration * share(p.acceleration), s.acceleration * share(p.deceleration)};
+  limits_ = {std::min(p.velocity * kLuPerSecond, s.speed), s.acceleration * share(p.acceleration),
+             s.acceleration * share(p.deceleration)};
   target_ = p.target + (absolute ? offset_ : drive_.motion().place(now));
   task_ = Task::Travel;
   acknowledged_ = true;

@@ -54,7 +54,8 @@ const ModuleType* onBoardType(const CpuModel& model, unsigned subslot) {
 }
 
 std::string title(const ModuleType& type) {
-  return std::string(type.name) + (type.name.empty() ? "" : " ") + std::string(type.text);
+  return std::string(type.name) + (type.name.empty() || type.text.empty() ? "" : " ") +
+         std::string(type.text);
 }
 
 }  // namespace merker

@@ -40,9 +40,15 @@ class GlobalTable {
     GlobalPacket packet{static_cast<std::uint8_t>(row.circle), ++packets_[row.circle], true,
                         from->area, row.rate};
     put(row, row.from, from->station, packet);
+    const std::size_t before = build_.problems.list().size();
     for (const GlobalDataRow::Place& place : row.to) addReceiver(row, *from, packet, place);
+    if (build_.problems.list().size() > before) return;  // who is in the circle is not known
     for (const GlobalDataRow::Place& place : row.groupStatus)
-      if (const auto status = statusArea(place)) result[status->station].groupStatus = status->area;
+      if (const auto status = statusArea(place); status && inCircle(row, *status, place))
+        result[status->station].groupStatus = status->area;
+    for (const GlobalDataRow::Place& place : row.status)
+      if (const auto known = statuses_.find(&place); known != statuses_.end() && known->second)
+        inCircle(row, *known->second, place);
   }
 
   std::vector<network::GlobalData> result;
@@ -95,6 +101,17 @@ class GlobalTable {
     return std::nullopt;
   }
 
+  // A station that neither sends nor takes a packet of the circle has no status of it.
+  bool inCircle(const GlobalDataRow& row, const StationArea& status,
+                const GlobalDataRow::Place& place) {
+    const auto& packets = result[status.station].packets;
+    if (std::ranges::any_of(packets,
+                            [&](const GlobalPacket& one) { return one.circle == row.circle; }))
+      return true;
+    refuse(place, "of a station that sends or takes this packet");
+    return false;
+  }
+
   // The double word for the status of this packet in this station.
   std::optional<GlobalArea> statusOf(const GlobalDataRow& row, std::size_t station) {
     for (const GlobalDataRow::Place& place : row.status) {
@@ -113,6 +130,7 @@ class GlobalTable {
     if (!to->counted) to->area.length = from.area.length;
     if (to->area.length != from.area.length)
       return refuse(place, fmt::format("{} bytes long, as the sender's area", from.area.length));
+    if (to->station == from.station) return refuse(place, "of another station than the sender's");
     if (subnetOf(to->station) == nullptr || subnetOf(to->station) != subnetOf(from.station))
       return refuse(place, "of a station on the MPI subnet of the sender");
     packet.sends = false;

@@ -76,6 +76,17 @@ void checkConsistency(const std::vector<io::Module>& modules, const CpuModel& mo
 
 }  // namespace
 
+// Else the mistake is named there.
+static bool kindsAreKnown(const Table& root) {
+  const std::vector<Table> tables = root.tables("subnet");
+  return std::ranges::all_of(tables, [](const Table& table) {
+    const toml::node* const kind = table.node("kind");
+    const std::string_view name = kind != nullptr ? kind->value_or(std::string_view{}) : "";
+    return equalsIgnoreCase(name, "mpi") || equalsIgnoreCase(name, "ethernet") ||
+           equalsIgnoreCase(name, "profibus");
+  });
+}
+
 bool isDpSubnet(const Table& table) {
   const toml::node* kind = table.node("kind");
   return kind != nullptr && equalsIgnoreCase(kind->value_or(""), "profibus");
@@ -83,6 +94,7 @@ bool isDpSubnet(const Table& table) {
 
 std::vector<DpSubnet> readDpSubnets(const Table& root, const Network* network) {
   std::vector<DpSubnet> subnets;
+  checkSubnetNames(root);
   for (const Table& table : root.tables("subnet")) {
     if (!isDpSubnet(table)) continue;
     table.allow({"name", "kind", "baud", "highest", "nodes"});
@@ -99,7 +111,7 @@ std::vector<DpSubnet> readDpSubnets(const Table& root, const Network* network) {
       table.mustBe("nodes", "one station, the DP master: [ {address = 2, master = true} ]");
     subnets.push_back(std::move(subnet));
   }
-  if (subnets.empty() && root.has("slave"))
+  if (subnets.empty() && root.has("slave") && kindsAreKnown(root))
     root.mustBe("slave", "on a [[subnet]] with kind = \"profibus\"");
   if (!subnets.empty()) readSlaves(root, network, subnets);
   for (const DpSubnet& subnet : subnets)

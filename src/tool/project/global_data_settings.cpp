@@ -29,6 +29,9 @@ void readGlobalData(const Table& root, Network& network) {
     row.circleAt = table.at("circle");
     row.rate = table.number("rate", 1, kHighestRate).value_or(row.rate);
     row.to = readPlaces(table, "to");
+    if (const toml::array* const list = table.has("to") ? table.node("to")->as_array() : nullptr;
+        list != nullptr && list->empty())
+      table.mustBe("to", "at least one operand: [\"Belt/MB 200\"]");
     row.status = readPlaces(table, "status");
     row.groupStatus = readPlaces(table, "group_status");
     if (!circle || !from || row.to.empty()) continue;

@@ -75,6 +75,8 @@ bool namesOnlyStations(const Table& root);
 Network readNetwork(const Table& root);
 // [[subnet]] and its nodes
 void readSubnets(const Table& root, Network& network);
+// Of all [[subnet]]s: each has its own
+void checkSubnetNames(const Table& root);
 // Repeaters and segments of a [[subnet]] whose nodes are known
 void readSegments(const Table& table, const Network& network, Subnet& subnet);
 // [[subnet]] of PROFIBUS with its [[slave]]s; `network` null: of a project of one station

@@ -121,6 +121,13 @@ DpSubnet* subnetOf(const Table& table, std::vector<DpSubnet>& subnets) {
 bool readAddressOnBus(const Table& table, const DpSubnet& subnet, io::Slave& slave) {
   if (!table.has("address"))
     table.problems().add(ProblemCode::P0744, table.place(), table.title(), "address = 4");
+  const toml::node* const given = table.node("address");
+  const std::int64_t value = given != nullptr ? given->value_or(std::int64_t{1}) : 1;
+  if (value == 0 || value == 126) {
+    table.mustBe("address", value == 0 ? "1 to 125: 0 is the programming device's"
+                                       : "1 to 125: 126 is for slaves that have no address yet");
+    return false;
+  }
   const auto address = table.number("address", 1, 125);
   if (!address) return false;
   slave.address = static_cast<std::uint8_t>(*address);
@@ -173,6 +180,7 @@ void readSlaves(const Table& root, const Network* network, std::vector<DpSubnet>
     slave.position = table.place();
     if (subnet == nullptr || !readAddressOnBus(table, *subnet, slave)) continue;
     slave.name = table.text("name", "a text").value_or(fmt::format("DP{}", slave.address));
+    if (trim(slave.name).empty()) table.mustBe("name", "a name, or left out");
     if (!namesOneKind(table)) continue;
     readGroups(table, slave);
     SlaveReader reader(table, slave);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <set>
 
 #include "base/text.h"
 #include "project/readers.h"
@@ -123,12 +124,30 @@ void readEthernet(const Table& table, const Network& network, Subnet& subnet) {
 
 }  // namespace
 
+// Scenarios and drawings name them.
+void checkSubnetNames(const Table& root) {
+  std::set<std::string> names;
+  for (const Table& table : root.tables("subnet")) {
+    const toml::node* const kind = table.node("kind");
+    const std::string standard =
+        isDpSubnet(table)                                                     ? "PROFIBUS"
+        : kind != nullptr && equalsIgnoreCase(kind->value_or(""), "ethernet") ? "Ethernet"
+                                                                              : "MPI";
+    const toml::node* const given = table.node("name");
+    const std::string name = given != nullptr ? given->value_or(standard) : standard;
+    if (!names.insert(upper(name)).second)
+      table.problems().add(ProblemCode::P0742, table.at("name"), name, "another subnet above");
+  }
+}
+
 void readSubnets(const Table& root, Network& network) {
   for (const Table& table : root.tables("subnet")) {
     if (isDpSubnet(table)) continue;
     if (!table.has("kind"))
       table.problems().add(ProblemCode::P0744, table.place(), table.title(), "kind = \"mpi\"");
-    const bool ethernet = table.choice("kind", {"mpi", "ethernet", "profibus"}) == std::size_t{1};
+    const auto kind = table.choice("kind", {"mpi", "ethernet", "profibus"});
+    if (!kind) continue;  // what else it has is that of an unknown kind
+    const bool ethernet = kind == std::size_t{1};
     Subnet subnet;
     subnet.name = table.text("name", "a text").value_or(ethernet ? "Ethernet" : "MPI");
     ethernet ? readEthernet(table, network, subnet) : readMpi(table, network, subnet);

@@ -65,12 +65,22 @@ bool parseVerb(std::string_view part, PlantValue& result, std::string_view& name
   return false;
 }
 
+// A word of a telegram holds a whole number of 16 bits, with or without a sign.
+bool fitsWord(double value, const plant::Wire* wire) {
+  const auto* const data = wire != nullptr ? std::get_if<io::ProcessData>(&wire->end) : nullptr;
+  return data == nullptr || data->words != 1 ||
+         (value == std::floor(value) && value >= -32'768 && value <= 65'535);
+}
+
 // The number that the text of a value means to its signal.
-void resolveNumber(PlantValue& value, bool binary, Problems& problems) {
+void resolveNumber(PlantValue& value, bool binary, const plant::Wire* wire, Problems& problems) {
   const auto wanted = number(value.value, binary);
   if (!wanted)
     problems.add(ProblemCode::P0989, value.valuePosition, value.value, value.text,
                  binary ? "it is 0 or 1" : "it is a number up to 1e9: 12.5");
+  else if (!fitsWord(*wanted, wire))
+    problems.add(ProblemCode::P0989, value.valuePosition, value.value, value.text,
+                 "it is a word: a whole number from -32768 to 65535");
   value.number = wanted.value_or(0);
 }
 
@@ -86,7 +96,8 @@ void resolveSignal(PlantValue& value, std::string_view name, const plant::Config
   value.place.signal = *signal;
   const std::string reason = value.does == Does::Set ? whyNot(plants, value.place) : "";
   if (!reason.empty()) problems.add(ProblemCode::P0988, value.position, value.text, reason);
-  if (hasValue(value.does)) resolveNumber(value, signalOf(plants, value.place).binary, problems);
+  if (hasValue(value.does))
+    resolveNumber(value, signalOf(plants, value.place).binary, settings.wireOf(*signal), problems);
 }
 
 }  // namespace

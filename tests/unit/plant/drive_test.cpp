@@ -160,6 +160,25 @@ TEST(PositioningDrive, ABlockOfItsOwnDoesNotExist) {
   EXPECT_TRUE(axis.status(kStandstill));
 }
 
+// It neither creeps nor travels backwards.
+TEST(PositioningDrive, DoesNotTravelWithoutAVelocity) {
+  for (const double velocity : {0.0, -3000.0}) {
+    Axis axis({{"absolute", 1}, {"start", 0}});
+    axis.operate();
+    axis.set("SATZANW", 0x8000), axis.set("MDI_MOD", 1), axis.set("MDI_TARPOS", 20'000);
+    axis.set("MDI_VELOCITY", velocity);
+    axis.control(kOperation | kActivate);
+    axis.wait(1000);
+    EXPECT_EQ(axis.value("WARNING"), 7467);
+    EXPECT_FALSE(axis.status(kTaken));
+    EXPECT_EQ(axis.value("POSITION"), 0);
+    axis.travel(20'000);
+    axis.wait(2000);
+    EXPECT_EQ(axis.value("POSITION"), 20'000);
+    EXPECT_EQ(axis.value("WARNING"), 0);
+  }
+}
+
 // F01910: it brakes as by OFF3, 2000000 LU/s^2, and needs an acknowledgement.
 TEST(PositioningDrive, StopsWithoutItsMaster) {
   Axis axis({{"absolute", 1}, {"start", 0}});
