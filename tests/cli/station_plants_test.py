@@ -1,5 +1,5 @@
 """Plants in a project of several stations: wired to terminals of their own station, of its DP and AS-i slaves, and of other stations
-(S7-MGR-13, S7-NET-10, S7-NET-17, S7-VIS-01)."""
+(S7-MGR-13, S7-NET-10, S7-NET-17)."""
 from harness import *
 
 STATIONS = """[[station]]
