@@ -136,7 +136,7 @@ scenario "STOP of the other station switches its outputs off"
         self.refused("Press/Switches.DO0; with the profile S-0.0 of the slave the bit is no such", 'UP = "Press/Switches.DO0"\n')
         self.refused("Press/E 257.4 is already wired to Line/Valve.LMNR_HS", WIRES,
                      VALVE.replace('"Valve"', '"Other"') + 'LMNR_HS = "Press/E 257.4"\n')
-        self.refused("Press/E 257.4 is already wired to Line/Valve.LMNR_HS", WIRES,
+        self.refused("Switches.DI0 is already wired to Line/Valve.LMNR_HS", WIRES,
                      VALVE.replace('"Valve"', '"Other"').replace("Line", "Press") + 'LMNR_HS = "Switches.DI0"\n')
         self.refused("fast signals need a terminal of the plant's own station", "",
                      '[[plant]]\nname = "P"\nkind = "pulse train"\nstation = "Line"\n[plant.wire]\nPULSES = "Press/Switches.DI0"\n')
