@@ -145,11 +145,28 @@ test('rows of tables are dense, with room for fingers on demand', async () => {
   await page.locator('.code').waitFor();
 });
 
-test('the tabs of the drawer are in one line on a tablet held upright', async () => {
-  await page.setViewportSize({ width: 768, height: 1024 });
+test('the rack and its catalogue are as dense', async () => {
+  await visit(page, server, 'hardware?mode=plan');
+  await page.getByText('Digital', { exact: false }).first().click();
+  const seen = () => page.getByRole('region', { name: 'Katalog' }).locator('.list').evaluate((list) => {
+    const { top, bottom } = list.getBoundingClientRect();
+    return [...list.querySelectorAll('li')].map((one) => one.getBoundingClientRect()).filter((one) => one.height > 0 && one.top >= top && one.bottom <= bottom).length;
+  });
+  await until(async () => (await seen()) >= 12, 'twelve modules of the catalogue');
+  const slot = await height('tr[data-slot="4"]');
+  assert.ok(slot >= 22 && slot <= 26, `a slot: ${slot} px`);
+  await visit(page, server, 'io');
+  await page.locator('[data-operand="E 0.0"]').waitFor();
+  assert.equal(await height('[data-operand="E 0.0"]'), 24);
+  await visit(page, server, 'program?file=sorting.awl');
+  await page.locator('.code').waitFor();
+});
+
+test('the bar of the text and the tabs of the drawer are each in one line on a tablet held upright', async () => {
   const lines = () => page.locator('.panel [role=tab]').evaluateAll((tabs) => new Set(tabs.map((tab) => tab.offsetTop)).size);
   await expect(lines, 1);
   await edge('Breite der Liste').dblclick();
+  await until(async () => (await height('.work .bar')) <= 40, 'one line');
   await roomy();
   await page.setViewportSize({ width: 1280, height: 800 });
 });
