@@ -19,6 +19,7 @@ import {
   keymap,
   lineNumbers,
   type KeyBinding,
+  type ViewUpdate,
 } from '@codemirror/view';
 import type { Problem } from '../connection';
 import { breakpointGutter, setBreakpoints, setFailedLine, setHaltLine } from './breakpoints';
@@ -37,7 +38,8 @@ import { displaySetting, symbolicDisplay, type DisplaySetting } from './symbolic
 export interface EditorHooks extends HoverHooks {
   label: string;
   catalogue: () => Catalogue;
-  edited: (text: string) => void;
+  /** `typed`: by keys, one character after the other. */
+  edited: (text: string, typed: boolean) => void;
   moved: (line: number) => void;
   /** The lines that can be read. */
   sighted: (lines: string[]) => void;
@@ -47,6 +49,9 @@ export interface EditorHooks extends HoverHooks {
 
 const operandKinds = new Set(['operand', 'symbol', 'local', 'name']);
 const fromOutside = Annotation.define<boolean>();
+
+const isTyped = (update: ViewUpdate): boolean =>
+  update.transactions.every((one) => !one.docChanged || one.isUserEvent('input.type') || one.isUserEvent('delete'));
 
 /** The place in the line of this number, as far behind its beginning. */
 function sameLine(before: Text, at: number, after: Text): number {
@@ -238,7 +243,7 @@ export class CodeEditor {
       phrases(),
       EditorView.updateListener.of((update) => {
         const own = update.transactions.some((transaction) => transaction.annotation(fromOutside));
-        if (update.docChanged && !own) this.hooks.edited(update.state.doc.toString());
+        if (update.docChanged && !own) this.hooks.edited(update.state.doc.toString(), isTyped(update));
         if (update.selectionSet || update.docChanged)
           this.hooks.moved(update.state.doc.lineAt(update.state.selection.main.head).number);
       }),

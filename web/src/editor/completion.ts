@@ -2,8 +2,9 @@
 // blocks or labels, as the instruction takes them.
 import type { Completion, CompletionContext, CompletionResult, CompletionSource } from '@codemirror/autocomplete';
 import { said, translator } from '../i18n';
+import { language } from '../i18n/language.svelte';
 import { instructions } from '../i18n/texts/instructions';
-import type { Catalogue } from './catalogue';
+import type { Catalogue, MnemonicRow } from './catalogue';
 import { initialState, tokenizeLine, type LexerState, type Token } from './lexer';
 import { mnemonicsOf, type Mnemonics } from './mnemonics';
 import { blockAt, outline, type BlockOutline } from './outline';
@@ -54,13 +55,21 @@ const blockOptions = (catalogue: Catalogue): Completion[] =>
 const labelOptions = (block: BlockOutline | undefined): Completion[] =>
   (block?.labels ?? []).map((label) => ({ label, type: 'label' }));
 
-const instructionOptions = (catalogue: Catalogue, mnemonics: Mnemonics): Completion[] =>
-  catalogue.mnemonics[mnemonics].map(([word, operands, id]) => ({
-    label: word,
-    detail: operands.split(', ').map(said).join(', '),
-    info: id in instructions ? meaning(id as keyof typeof instructions) : undefined,
-    type: 'instruction',
-  }));
+const instructionOption = ([word, operands, id]: MnemonicRow): Completion => ({
+  label: word,
+  detail: operands.split(', ').map(said).join(', '),
+  info: id in instructions ? meaning(id as keyof typeof instructions) : undefined,
+  type: 'instruction',
+});
+
+/** Made once in a language: they are asked for at each key. */
+let made: { of: readonly MnemonicRow[]; language: string; options: Completion[] } | undefined;
+function instructionOptions(catalogue: Catalogue, mnemonics: Mnemonics): Completion[] {
+  const of = catalogue.mnemonics[mnemonics];
+  if (made?.of !== of || made.language !== language.value)
+    made = { of, language: language.value, options: of.map(instructionOption) };
+  return made.options;
+}
 
 const keywords = [
   'NETWORK',

@@ -1,4 +1,5 @@
 import type { Problem } from '../connection';
+import { afterFrame } from '../state/after_frame';
 import type { Drafts } from './drafts';
 
 export interface Stored {
@@ -9,6 +10,9 @@ export interface Stored {
 /** One open text: what was typed, what the server has, and whether another browser came in between. */
 export class OpenDocument {
   text = $state('');
+  /** The text as of the last frame, for what is worked out from all of it: a key is shown first. */
+  settled = $state('');
+  private settling = false;
   problems = $state<Problem[]>([]);
   /** The server's newer text, while this browser has changes of its own. */
   conflict = $state<Stored | null>(null);
@@ -22,10 +26,10 @@ export class OpenDocument {
     readonly code: { block: string; side: 'offline' | 'online' } | null = null,
   ) {
     this.stored = stored;
-    this.text = stored.text;
+    this.text = this.settled = stored.text;
     const draft = this.readonly ? null : drafts.read(path);
     if (!draft || draft.text === stored.text) return;
-    this.text = draft.text;
+    this.text = this.settled = draft.text;
     if (draft.revision !== stored.revision) this.conflict = stored;
   }
 
@@ -41,10 +45,21 @@ export class OpenDocument {
     return this.stored.revision;
   }
 
-  /** Typed by the user, or changed by a command of the page. */
-  edit(text: string): void {
+  /** Typed by the user key by key, or changed by a command of the page. */
+  edit(text: string, typed = false): void {
     this.text = text;
+    if (typed) this.settleSoon();
+    else this.settled = text;
     this.keep();
+  }
+
+  private settleSoon(): void {
+    if (this.settling) return;
+    this.settling = true;
+    afterFrame(() => {
+      this.settling = false;
+      this.settled = this.text;
+    });
   }
 
   /** What the server has now. Without changes of our own the text follows; with them both are kept. */
@@ -76,7 +91,7 @@ export class OpenDocument {
 
   private take(stored: Stored): void {
     this.stored = stored;
-    this.text = stored.text;
+    this.text = this.settled = stored.text;
     this.conflict = null;
     this.keep();
   }

@@ -140,8 +140,8 @@ class Workspace {
     if (this.current?.path === path) this.current = [...this.documents.values()].at(-1) ?? null;
   }
 
-  edit(document: OpenDocument, text: string): void {
-    document.edit(text);
+  edit(document: OpenDocument, text: string, typed = false): void {
+    document.edit(text, typed);
     this.checkSoon();
   }
 
