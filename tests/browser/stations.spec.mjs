@@ -24,6 +24,7 @@ test('all stations run, with their addresses', async () => {
 test('a click opens a station; all views are about it', async () => {
   await button('Cell3 CPU 314C-2 PtP').click();
   await page.locator('header').getByText('Cell3').waitFor();
+  assert.equal(await page.locator('.message').filter({ hasText: 'Eine andere Seite' }).count(), 0, 'it was this page');
   await expect(() => button('Cell3 CPU 314C-2 PtP').getAttribute('aria-current'), 'true');
 });
 
@@ -122,6 +123,56 @@ test('a subnet is made in the network, a station drawn to it; the hardware view 
   await button('Office mit MPI(1) vernetzen').click();
   await expect(() => address('Office', 'MPI(2)').inputValue(), '');
   await leave(page);
+});
+
+test('an address that is being typed stays while another change arrives', async () => {
+  const other = await open(ring, 'stations');
+  await page.locator('[data-subnet="MPI(1)"]').first().dblclick();
+  await address('Office').fill('1');
+  await other.locator('[data-subnet="MPI(1)"]').first().dblclick();
+  await address('Office', 'MPI(1)').waitFor();
+  await other.getByLabel('Office: Adresse an MPI(1)', { exact: true }).fill('12');
+  await other.keyboard.press('Enter');
+  await until(() => settings().includes('{station = "Office", address = 12}'), 'address 12 in merker.toml');
+  await expect(async () => (await addresses()).includes('12'), true);
+  assert.equal(await address('Office').inputValue(), '1');
+  await address('Office').press('End');
+  await page.keyboard.type('1');
+  await page.keyboard.press('Enter');
+  await until(() => settings().includes('{station = "Office", address = 11}'), 'address 11 in merker.toml');
+  await address('Office').fill('7');
+  await page.keyboard.press('Enter');
+  await until(() => settings().includes('{station = "Office", address = 7}'), 'address 7 in merker.toml');
+  await leave(page);
+  await other.context().close();
+});
+
+// S7-NETPRO-03, S7-NET-10
+test('a PROFIBUS subnet is made with its master and a slave, and deleted with them', async () => {
+  await button('Subnetz einfügen').click();
+  await page.getByLabel('Art', { exact: true }).selectOption('PROFIBUS');
+  await expect(() => page.getByLabel('Name', { exact: true }).inputValue(), 'PROFIBUS(1)');
+  await page.getByLabel('DP-Master').selectOption('Cell1');
+  await button('Hinzufügen', page.getByRole('dialog')).click();
+  await message(page, 'DP-Schnittstelle');
+  await leave(page);
+  await button('Station hinzufügen').click();
+  await page.getByLabel('Name', { exact: true }).fill('Master');
+  await page.getByRole('dialog').getByLabel('CPU', { exact: true }).selectOption('314C-2 DP');
+  await page.keyboard.press('Enter');
+  await page.getByRole('tab', { name: 'Konfigurieren', selected: true }).waitFor();
+  await network();
+  await button('Subnetz einfügen').click();
+  await page.getByLabel('Art', { exact: true }).selectOption('PROFIBUS');
+  await page.getByLabel('DP-Master').selectOption('Master');
+  await accessible(page, 'a new PROFIBUS subnet');
+  await button('Hinzufügen', page.getByRole('dialog')).click();
+  const dialog = page.getByRole('dialog', { name: 'Eigenschaften: PROFIBUS(1)' });
+  await dialog.getByText('ET 200M').waitFor();
+  await expect(() => address('Master', 'PROFIBUS(1)').inputValue(), '2');
+  await button('Subnetz löschen', dialog).click();
+  await expect(() => page.getByRole('dialog').count(), 0);
+  assert.ok(!settings().includes('PROFIBUS(1)') && !settings().includes('[[slave]]'));
 });
 
 // The server refuses what was asked of the project before: here it is refused on purpose, and then the project is opened anew.

@@ -205,11 +205,12 @@ Answer attach(const Call& call) {
 }
 
 Answer properties(const Call& call) {
-  constexpr const char* kKinds[] = {"mpi", "ethernet"};
+  constexpr const char* kKinds[] = {"mpi", "ethernet", "profibus"};
   SubnetChange wanted;
   wanted.name = call.fields.name("subnet", 32);
   if (call.fields.has("kind"))
-    wanted.kind = kKinds[call.fields.choice("kind", {"mpi", "ethernet"})];
+    wanted.kind = kKinds[call.fields.choice("kind", {"mpi", "ethernet", "profibus"})];
+  wanted.master = call.fields.text("master", "");
   wanted.baud = call.fields.text("baud", "");
   wanted.highest = static_cast<std::uint32_t>(call.fields.integer("highest", 0, 126, 0));
   wanted.remove = call.fields.flag("remove", false);

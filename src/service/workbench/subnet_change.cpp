@@ -18,12 +18,20 @@ Result<std::string> stored(const NetworkFile& file, const std::string& text,
   return path;
 }
 
+// A PROFIBUS subnet has its DP master and at least one slave (S7-NET-10): an ET 200M, without
+// modules so far.
 std::string withNewSubnet(const NetworkFile& file, const SubnetChange& wanted) {
   project::SettingsEdit edit = file.edit();
   edit.addTable(
       "subnet",
       {{"name", tomlText(wanted.name)}, {"kind", tomlText(wanted.kind)}, {"nodes", "[]"}});
-  return edit.text();
+  if (wanted.kind != "profibus") return edit.text();
+  edit.addTable(
+      "slave",
+      {{"subnet", tomlText(wanted.name)}, {"address", "3"}, {"type", tomlText("ET 200M")}});
+  project::SubnetEdit nodes(edit.text());
+  nodes.setNode(wanted.name, wanted.master, "2");
+  return nodes.text();
 }
 
 // Numbers and points: no text that would mean something else in the file.

@@ -14,7 +14,8 @@ struct NodeChange {
 };
 
 struct SubnetChange {
-  std::string name, kind;     // kind: of a new one, "mpi" or "ethernet"
+  std::string name, kind;     // kind: of a new one, "mpi", "ethernet" or "profibus"
+  std::string master;         // of a new PROFIBUS subnet: the station that is its DP master
   std::string baud;           // as in merker.toml; empty: as it is
   std::uint32_t highest = 0;  // 0: as it is
   bool remove = false;

@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <functional>
+#include <utility>
+
 #include "base/text.h"
 #include "project/readers.h"
 #include "project/settings_view.h"
@@ -38,6 +42,16 @@ const toml::table* subnetNamed(const toml::table& root, std::string_view name) {
   for (const toml::table* one : subnetsIn(root))
     if (nameIn(*one) == name) return one;
   return nullptr;
+}
+
+// A slave without a name of a subnet is on the only one (slave_settings.cpp).
+std::vector<const toml::table*> slavesOn(const toml::table& root, std::string_view subnet) {
+  std::vector<const toml::table*> list;
+  if (const toml::array* all = root["slave"].as_array())
+    for (const toml::node& one : *all)
+      if (const toml::table* table = one.as_table())
+        if (equalsIgnoreCase((*table)["subnet"].value_or(subnet), subnet)) list.push_back(table);
+  return list;
 }
 
 // The place of the station in the list of nodes; as large as the list: it is not there.
@@ -140,8 +154,15 @@ void SubnetEdit::remove(std::string_view subnet) {
   SettingsView view(text_);
   const toml::table* found = view.good() ? subnetNamed(view.root(), subnet) : nullptr;
   if (found == nullptr) return;
-  const std::uint32_t behind = view.behind(*found);
-  view.text().erase(view.withComment(SettingsView::lineOf(*found)), behind);
+  std::vector<const toml::table*> tables;
+  if (kindIn(*found).keyword == "profibus") tables = slavesOn(view.root(), subnet);
+  tables.push_back(found);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> gone;  // first line, the one behind
+  for (const toml::table* one : tables)
+    gone.emplace_back(view.withComment(SettingsView::lineOf(*one)), view.behind(*one));
+  // From the last one on: the lines of those above stay.
+  std::ranges::sort(gone, std::greater());
+  for (const auto& [first, behind] : gone) view.text().erase(first, behind);
   text_ = view.text().text();
 }
 

@@ -23,6 +23,7 @@ class SubnetEdit {
   void setNode(std::string_view subnet, std::string_view station, std::string_view address);
   // A key of the [[subnet]], its value as TOML.
   void set(std::string_view subnet, std::string_view key, const std::string& value);
+  // With its slaves.
   void remove(std::string_view subnet);
 
  private:

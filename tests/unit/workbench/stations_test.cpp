@@ -185,6 +185,25 @@ TEST_F(Stations, OneIsConnectedElsewhere) {
   EXPECT_NE(text().find("# the first one"), std::string::npos);
 }
 
+// S7-NETPRO-03, S7-NET-10
+TEST_F(Stations, AProfibusSubnetHasItsMasterAndASlave) {
+  const Json line{{"subnet", "PROFIBUS(1)"}, {"kind", "profibus"}, {"master", "Mill"}};
+  EXPECT_EQ(bench.problem("stations.subnet", line), "P0704");  // no such station
+  bench.call("stations.add", {{"name", "Mill"}, {"model", "314C-2 DP"}});
+  const std::string added = text();
+  EXPECT_EQ(bench.problem("stations.subnet",
+                          {{"subnet", "PROFIBUS(1)"}, {"kind", "profibus"}, {"master", "Belt"}}),
+            "P0735");  // no DP interface
+  EXPECT_EQ(text(), added);
+  bench.call("stations.subnet", line);
+  const Json made = network()["subnets"][1];
+  EXPECT_EQ(made["nodes"], Json::array({Json{{"station", "Mill"}, {"address", 2}}}));
+  EXPECT_EQ(made["slaves"][0]["model"], "ET 200M");
+  bench.call("stations.subnet", {{"subnet", "PROFIBUS(1)"}, {"remove", true}});
+  EXPECT_EQ(network()["subnets"].size(), 1u);
+  EXPECT_EQ(text().find("[[slave]]"), std::string::npos);
+}
+
 TEST_F(Stations, WhatIsWrongWithASubnetChangesNothing) {
   const std::string before = text();
   const auto node = [&](const char* subnet, const char* station, const char* address) {

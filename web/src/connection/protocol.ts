@@ -274,8 +274,8 @@ export interface Requests {
   'stations.link': { fields: { local: string; partner: string; subnet?: string; both?: boolean }; result: Record<string, never> };
   /** the station is on the subnet at this address, and on no other of this kind; without one it leaves it; then as `stations.reload` */
   'stations.node': { fields: { subnet: string; station: string; address?: string }; result: Record<string, never> };
-  /** properties of a subnet; with a `kind` a new one, if there is none of this name. An empty text and 0 change nothing; then as `stations.reload` */
-  'stations.subnet': { fields: { subnet: string; kind?: 'mpi' | 'ethernet'; baud?: string; highest?: number; remove?: boolean }; result: Record<string, never> };
+  /** properties of a subnet; with a `kind` a new one, if there is none of this name. A new PROFIBUS subnet has the station `master` as its DP master and an ET 200M as its first slave; the slaves of a subnet go with it. An empty text and 0 change nothing; then as `stations.reload` */
+  'stations.subnet': { fields: { subnet: string; kind?: 'mpi' | 'ethernet' | 'profibus'; master?: string; baud?: string; highest?: number; remove?: boolean }; result: Record<string, never> };
   /** a new project in the workspace folder whose first station is a copy of the project that is open */
   'stations.make': { fields: { name: string; station: string }; result: Record<string, never> };
   /** writes the project as a zip, for this browser; `left`: what is not in it, folders end with `/`. P1308 beyond 256 MB */

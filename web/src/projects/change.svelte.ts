@@ -25,6 +25,11 @@ class ProjectChange {
   /** Undefined: it was refused, or the user thought better of it. */
   async run<T>(request: () => Promise<T>): Promise<T | undefined> {
     if (this.takesFromOthers() && !(await this.confirmed())) return undefined;
+    return this.mine(request);
+  }
+
+  /** What takes nothing from others: another station of the same network. Nobody is asked, and this page is not told of it. */
+  async mine<T>(request: () => Promise<T>): Promise<T | undefined> {
     this.own++;
     try {
       return await attempt(request());

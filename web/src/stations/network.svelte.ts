@@ -1,4 +1,5 @@
 import { connection, type Events, type Kept, type Requests } from '../connection';
+import { projectChange } from '../projects/change.svelte';
 import { attempt } from '../state/messages.svelte';
 
 export type Network = NonNullable<Requests['stations.list']['result']['network']>;
@@ -59,7 +60,7 @@ export class NetworkMonitor {
   }
 
   show(station: string): Promise<unknown> {
-    return attempt(connection.ask('stations.show', { station }));
+    return projectChange.mine(() => connection.ask('stations.show', { station }));
   }
 
   command(station: string, command: Requests['stations.command']['fields']['command']): Promise<unknown> {

@@ -3,6 +3,9 @@ import type { Network } from './network.svelte';
 
 export type Subnet = Network['subnets'][number];
 
+export const KINDS = { mpi: 'MPI', ethernet: 'Ethernet', profibus: 'PROFIBUS' } as const;
+export type SubnetKind = keyof typeof KINDS;
+
 /** Of a new CPU (S7-NET-03); 0 is the programming device, 1 an operator panel. */
 const FIRST_STATION = 2;
 const FIRST_HOST = 1;
@@ -24,8 +27,8 @@ export function freeAddress(subnet: Subnet): string {
 }
 
 /** "MPI(2)": the first name of this kind that no subnet has. */
-export function freeName(subnets: Subnet[], kind: 'mpi' | 'ethernet'): string {
-  const word = kind === 'mpi' ? 'MPI' : 'Ethernet';
+export function freeName(subnets: Subnet[], kind: SubnetKind): string {
+  const word = KINDS[kind];
   let number = 1;
   while (subnets.some((one) => one.name === `${word}(${number})`)) number++;
   return `${word}(${number})`;

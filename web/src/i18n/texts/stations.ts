@@ -9,9 +9,10 @@ export const stations = {
   add: ['Station hinzufügen', 'Add station'],
   addSubnet: ['Subnetz einfügen', 'Insert subnet'],
   kind: ['Art', 'Kind'],
+  master: ['DP-Master', 'DP master'],
   profibusHelp: [
-    'Ein PROFIBUS-Subnetz hat immer einen DP-Master mit mindestens einem Slave; es wird mit ihnen in merker.toml eingetragen.',
-    'A PROFIBUS subnet always has a DP master with at least one slave; it is entered in merker.toml together with them.',
+    'Die CPU des Masters braucht eine DP-Schnittstelle. Der erste Slave ist ein ET 200M ohne Baugruppen mit der Adresse 3; Baugruppen und weitere Slaves werden in merker.toml eingetragen.',
+    'The CPU of the master needs a DP interface. The first slave is an ET 200M without modules at the address 3; modules and further slaves are entered in merker.toml.',
   ],
   propertiesOf: ['Eigenschaften: {name}', 'Properties: {name}'],
   nodesOf: ['Teilnehmer an {name}', 'Nodes on {name}'],
