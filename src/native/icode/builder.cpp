@@ -90,6 +90,14 @@ Value Builder::lowHalf(Value value) const {
   }
 }
 
+// The high half is 0.
+bool Builder::isWord(Value value) const {
+  const Op& op = region_.ops[value];
+  const bool loaded = op.code == Opcode::Load8 || op.code == Opcode::Load16;
+  const bool extended = op.code == Opcode::Zext8 || op.code == Opcode::Zext16;
+  return loaded || extended || (op.code == Opcode::Constant && op.number <= 0xFFFF);
+}
+
 // What comes out of numbers that are known.
 std::optional<std::uint32_t> Builder::folded(Opcode code, Value a, Value b,
                                              std::uint32_t number) const {
@@ -101,7 +109,9 @@ std::optional<std::uint32_t> Builder::folded(Opcode code, Value a, Value b,
 Value Builder::make(Opcode code, Value a, Value b, std::uint32_t number) {
   if (const auto known = folded(code, a, b, number)) return constant(*known);
   if (code == Opcode::Sext16 || code == Opcode::Zext16) a = lowHalf(a);
+  if (code == Opcode::Zext16 && isWord(a)) return a;
   if (code == Opcode::LowFrom) b = lowHalf(b);
+  if (code == Opcode::LowFrom && isWord(a)) return make(Opcode::Zext16, b);
   if (code == Opcode::LowFrom && region_.ops[a].code == Opcode::LowFrom) a = region_.ops[a].a;
   return append({.code = code, .a = a, .b = b, .number = number});
 }
@@ -199,7 +209,8 @@ void Builder::store(Space space, std::uint32_t place, unsigned bytes, Value valu
   bytes_.push_back({space, place, bytes, value, later});
   if (!later) storeNow(bytes_.back());
   // A load gives the byte or word, not what else the register has.
-  if (bytes != 4 && !later) bytes_.pop_back();
+  if (bytes == 2) bytes_.back().value = make(Opcode::Zext16, value);
+  if (bytes == 1 && !later) bytes_.pop_back();
 }
 
 void Builder::writeBackAll(Space space) {
@@ -306,17 +317,36 @@ Value Builder::atTheEnd(Opcode code, std::uint32_t number) {
       {.code = code, .number = number, .place = static_cast<std::uint32_t>(costSoFar_ + cost_)});
 }
 
-Value Builder::field(Field field, std::uint32_t number) {
-  return append({.code = isWord(field) ? Opcode::FieldWord : Opcode::FieldByte,
-                 .number = number,
-                 .place = static_cast<std::uint32_t>(field)});
+Value* Builder::known(Field field, std::uint32_t number) {
+  for (FieldValue& known : fields_)
+    if (known.field == field && known.number == number) return &known.value;
+  return nullptr;
 }
 
+Value Builder::field(Field field, std::uint32_t number) {
+  if (const Value* value = known(field, number)) return *value;
+  const Value value = append({.code = icode::isWord(field) ? Opcode::FieldWord : Opcode::FieldByte,
+                              .number = number,
+                              .place = static_cast<std::uint32_t>(field)});
+  fields_.push_back({field, number, value});
+  return value;
+}
+
+// Nobody but the region itself changes it before the region is left.
 void Builder::setField(Field field, std::uint32_t number, Value value) {
-  append({.code = isWord(field) ? Opcode::SetFieldWord : Opcode::SetFieldByte,
-          .a = icode::isNumber(field) ? value : make(Opcode::ToWord, value),
+  if (!icode::isNumber(field)) value = make(Opcode::ToWord, value);
+  Value* const before = known(field, number);
+  if (before != nullptr && *before == value) return;
+  append({.code = icode::isWord(field) ? Opcode::SetFieldWord : Opcode::SetFieldByte,
+          .a = value,
           .number = number,
           .place = static_cast<std::uint32_t>(field)});
+  if (icode::isNumber(field))
+    value = make(icode::isWord(field) ? Opcode::Zext16 : Opcode::Zext8, value);
+  if (before != nullptr)
+    *before = value;
+  else
+    fields_.push_back({field, number, value});
 }
 
 }  // namespace merker::icode

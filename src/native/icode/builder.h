@@ -106,9 +106,16 @@ class Builder {
     Value value;
     bool dirty;
   };
+  struct FieldValue {
+    Field field;
+    std::uint32_t number;
+    Value value;
+  };
+  Value* known(Field field, std::uint32_t number);
   static std::size_t index(Item item) { return static_cast<std::size_t>(item); }
   std::optional<std::uint32_t> folded(Opcode code, Value a, Value b, std::uint32_t number) const;
   Value lowHalf(Value value) const;
+  bool isWord(Value value) const;
   Value append(Op op);
   Value atTheEnd(Opcode code, std::uint32_t number);
   Value base(Space space);
@@ -136,6 +143,7 @@ class Builder {
   Registers items_;
   std::array<Value, 6> bases_{kNoValue, kNoValue, kNoValue, kNoValue, kNoValue, kNoValue};
   std::vector<Byte> bytes_;
+  std::vector<FieldValue> fields_;
   std::uint32_t place_ = 0, executed_ = 0;  // in front of this instruction
   std::uint64_t cost_ = 0, costSoFar_ = 0, aheadBefore_ = 0;
 };

@@ -128,6 +128,16 @@ BitPlace anywhere(Lowering& l, const Dynamic& d, const Access& access) {
   return {.space = d.space, .offset = byte, .bit = bit};
 }
 
+// Behind LAR1 P#M 10.0 an image's byte is known now. Other addresses need a look when it runs.
+std::optional<BitPlace> known(const Lowering& l, std::optional<Space> space, Value address,
+                              const Access& access) {
+  const auto bit = l.to.number(address);
+  if (!bit || !space || !icode::isImage(*space) || (access.whole && *bit % 8 != 0))
+    return std::nullopt;
+  if (std::uint64_t{*bit / 8} + access.bytes > imageLength(l.model, *space)) return std::nullopt;
+  return BitPlace{.space = *space, .place = *bit / 8, .direct = *bit & 7};
+}
+
 // The area stands in a pointer: of a parameter, or in an address register.
 std::optional<BitPlace> crossing(Lowering& l, const Access& access) {
   icode::Builder& b = l.to;
@@ -141,6 +151,9 @@ std::optional<BitPlace> crossing(Lowering& l, const Access& access) {
     address = lowOf(l, pointer);
     if (o.value != 0) address = b.make(Opcode::Add, address, b.constant(o.value));
   }
+  if (const auto area = b.number(pointer))
+    if (const auto place = known(l, spaceOf(static_cast<Area>(*area >> 24)), address, access))
+      return place;
   return BitPlace{
       .address = b.locate(pointer, address, access),
       .bit = access.whole ? icode::kNoValue : b.make(Opcode::And, address, b.constant(7))};
@@ -168,6 +181,8 @@ std::optional<BitPlace> indirectPlace(Lowering& l, const Access& access) {
     return crossing(l, access);
   const auto d = dynamic(l);
   if (!d) return std::nullopt;
+  const Value address = l.to.make(Opcode::Add, d->low, l.to.constant(d->offset));
+  if (const auto place = known(l, d->space, address, access)) return place;
   const bool constant = !access.whole || d->offset % 8 == 0;
   if (kind == OperandKind::MemoryIndirect)
     return access.whole ? aligned(l, *d, access, {}) : anywhere(l, *d, access);

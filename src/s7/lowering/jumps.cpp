@@ -16,15 +16,22 @@ std::optional<std::uint32_t> target(Lowering& l) {
   return inside ? std::optional(static_cast<std::uint32_t>(to)) : std::nullopt;
 }
 
-// The jump over the list of parameters behind a call leads to the next instruction.
+// The jump over the list of parameters behind a call leads to the next instruction. In a loop the
+// region goes on with the next turn, and leaves where the loop ends.
 void branch(Lowering& l, Value bit, bool wanted, std::uint32_t to) {
-  if (to != l.place + 1) l.to.branch(bit, wanted, to);
+  if (to == l.place + 1) return;
+  if (l.follows) l.next = to;
+  l.to.branch(bit, wanted != l.follows, l.follows ? l.place + 1 : to);
 }
 
 bool always(Lowering& l) {
   const auto to = target(l);
   if (!to) return false;
   if (*to == l.place + 1) return true;
+  if (l.follows) {
+    l.next = *to;
+    return true;
+  }
   l.to.leave(*to);
   l.ended = true;
   return true;

@@ -36,7 +36,9 @@ struct Lowering {
   std::vector<std::array<icode::Value, 3>>& brackets;  // RLO, OR, /ER in front of each
   std::vector<Reach>& reached;                         // in this region
   std::map<std::uint32_t, BitPlace>& ahead;  // operands in brackets, guarded in front of them
-  bool ended = false;  // the way on leads elsewhere: nothing may follow in this region
+  bool follows = false;    // a jump here leads back, and the region may go on there
+  std::uint32_t next = 0;  // where it goes on
+  bool ended = false;      // the way on leads elsewhere: nothing may follow in this region
 
   const mc7::Instruction& instruction() const { return listing.places[place].instruction; }
   const mc7::Operand& operand() const { return instruction().operand; }

@@ -1,6 +1,8 @@
 #include "lowering/translate.h"
 
+#include <algorithm>
 #include <array>
+#include <optional>
 
 #include "lowering/lowering.h"
 
@@ -11,6 +13,8 @@ using icode::Item;
 using mc7::Operation;
 
 constexpr std::size_t kOperations = 256;
+// So many instructions of a block are translated once more because loops lead to them again.
+constexpr std::uint32_t kRepeated = 4096;
 
 using Table = std::array<Lower, kOperations>;
 
@@ -32,7 +36,8 @@ class Blockwise {
         model_(model),
         apart_(apart),
         longest_(longest),
-        isEntry_(listing.places.size() + 1) {}
+        isEntry_(listing.places.size() + 1),
+        inLoop_(listing.places.size() + 1) {}
 
   std::vector<icode::Region> run() {
     markEntries();
@@ -42,14 +47,47 @@ class Blockwise {
   }
 
  private:
-  // A jump to the next instruction, as over a list of parameters, makes no entry.
+  // Nothing: no jump, or it leads out of the block.
+  std::optional<std::uint32_t> target(std::uint32_t at) const {
+    const mc7::Place& place = listing_.places[at];
+    if (!place.known || place.instruction.operand.kind != mc7::OperandKind::Jump)
+      return std::nullopt;
+    const auto to = static_cast<std::uint32_t>(listing_.target(place));
+    return to < isEntry_.size() ? std::optional(to) : std::nullopt;
+  }
+
+  // A jump to the next instruction, as over a list of parameters, makes no entry. One that leads
+  // back may be followed; then the way behind it is an exit.
   void markEntries() {
+    std::vector<int> change(inLoop_.size() + 1);
     for (std::uint32_t at = 0; at < listing_.places.size(); ++at) {
-      const mc7::Place& place = listing_.places[at];
-      if (!place.known || place.instruction.operand.kind != mc7::OperandKind::Jump) continue;
-      const auto to = static_cast<std::uint32_t>(listing_.target(place));
-      if (to < isEntry_.size() && to != at + 1) isEntry_[to] = 1;
+      const auto to = target(at);
+      if (!to || *to == at + 1) continue;
+      isEntry_[*to] = 1;
+      if (*to > at) continue;
+      isEntry_[at + 1] = 1;
+      ++change[*to], --change[at + 1];
     }
+    int depth = 0;
+    for (std::size_t at = 0; at < inLoop_.size(); ++at) inLoop_[at] = (depth += change[at]) > 0;
+  }
+
+  // Once more in a region that came here by way of a loop: as far as to the next place at which
+  // another region begins, or not at all.
+  bool repeats(const icode::Region& region, std::uint32_t at) {
+    if (!inLoop_[region.first] || !inLoop_[at]) return false;
+    const std::uint32_t room = std::min(spare_, longest_ - std::min(region.instructions, longest_));
+    std::uint32_t count = 1;
+    while (count <= room && isEntry_[at + count] == 0) ++count;
+    if (count > room) return false;
+    spare_ -= count;
+    return true;
+  }
+
+  // The jump here leads back to where this region can go on.
+  bool follows(const icode::Region& region, std::uint32_t at) {
+    const auto to = target(at);
+    return to && *to <= at && repeats(region, *to);
   }
 
   // What the instruction in front leaves in any case, by its row.
@@ -65,11 +103,54 @@ class Blockwise {
       if (status[column] == '0' || status[column] == '1') builder.know(item, status[column] == '1');
   }
 
-  bool mayFollow(const icode::Region& region, std::uint32_t at, bool inBrackets) const {
-    if (at >= listing_.places.size() || !listing_.places[at].known) return false;
-    if (at < apart_.size() && apart_[at]) return false;
-    if (region.instructions == 0 || inBrackets) return true;
-    return isEntry_[at] == 0 && region.instructions < longest_;
+  // How far a region has come.
+  struct Walk {
+    std::uint32_t at;
+    bool ended = false, jumped = false;
+    std::optional<std::uint32_t> behind{};  // its own instructions, where it repeats others
+    std::vector<std::array<icode::Value, 3>> brackets{};
+    std::vector<Reach> reached{};
+    std::map<std::uint32_t, BitPlace> ahead{};
+
+    void goTo(std::uint32_t next) {
+      jumped = next <= at;
+      if (jumped && !behind) behind = at + 1;
+      at = next;
+    }
+  };
+
+  bool canFollow(std::uint32_t at) const {
+    return at < listing_.places.size() && listing_.places[at].known &&
+           !(at < apart_.size() && apart_[at]);
+  }
+  bool mayFollow(const icode::Region& region, Walk& walk) {
+    if (!canFollow(walk.at)) return false;
+    if (region.instructions == 0 || walk.jumped || !walk.brackets.empty()) return true;
+    if (isEntry_[walk.at] == 0) return region.instructions < longest_;
+    if (!repeats(region, walk.at)) return false;
+    if (!walk.behind) walk.behind = walk.at;
+    return true;
+  }
+
+  // False: this instruction stays with the interpreter.
+  bool lower(icode::Builder& builder, icode::Region& region, Walk& walk) {
+    const Operation operation = listing_.places[walk.at].instruction.operation;
+    const Lower function = table()[static_cast<std::size_t>(operation)];
+    if (function == nullptr) return false;
+    builder.begin(walk.at, model_.time(mc7::info(operation).time));
+    Lowering lowering{builder, region.needs,  model_,       listing_,
+                      walk.at, walk.brackets, walk.reached, walk.ahead};
+    lowering.follows = walk.brackets.empty() && follows(region, walk.at);
+    lowering.next = walk.at + 1;
+    const bool outermost = isOpening(operation) && walk.brackets.empty();
+    if (outermost) walk.ahead.clear();  // of the same brackets, the turn before
+    if ((outermost && !prepareBracket(lowering, isEntry_)) || !function(lowering)) {
+      builder.cancel();
+      return false;
+    }
+    walk.goTo(lowering.next);
+    walk.ended = lowering.ended;
+    return true;
   }
 
   // Returns where the next region may begin.
@@ -78,30 +159,14 @@ class Blockwise {
     region.first = first;
     icode::Builder builder(region);
     knowFromBefore(builder, first);
-    std::vector<std::array<icode::Value, 3>> brackets;
-    std::vector<Reach> reached;
-    std::map<std::uint32_t, BitPlace> ahead;
-    std::uint32_t at = first;
-    bool ended = false;
-    while (!ended && mayFollow(region, at, !brackets.empty())) {
-      const mc7::Place& place = listing_.places[at];
-      const Operation operation = place.instruction.operation;
-      const Lower lower = table()[static_cast<std::size_t>(operation)];
-      if (lower == nullptr) break;
-      builder.begin(at, model_.time(mc7::info(operation).time));
-      Lowering lowering{builder, region.needs, model_, listing_, at, brackets, reached, ahead};
-      const bool outermost = isOpening(operation) && brackets.empty();
-      if ((outermost && !prepareBracket(lowering, isEntry_)) || !lower(lowering)) {
-        builder.cancel();
-        break;
-      }
-      ended = lowering.ended;
-      ++at;
+    Walk walk{.at = first};
+    while (!walk.ended && mayFollow(region, walk) && lower(builder, region, walk)) {
     }
-    if (region.instructions == 0 || !brackets.empty()) return std::max(at, first + 1);
-    if (!ended) builder.leave(at);
+    const std::uint32_t next = walk.behind.value_or(walk.at);
+    if (region.instructions == 0 || !walk.brackets.empty()) return std::max(next, first + 1);
+    if (!walk.ended) builder.leave(walk.at);
     regions_.push_back(std::move(region));
-    return at;
+    return next;
   }
 
   static const Table& table() {
@@ -113,7 +178,8 @@ class Blockwise {
   const CpuModel& model_;
   const std::vector<bool>& apart_;
   const std::uint32_t longest_;
-  std::vector<std::uint8_t> isEntry_;
+  std::vector<std::uint8_t> isEntry_, inLoop_;
+  std::uint32_t spare_ = kRepeated;
   std::vector<icode::Region> regions_;
 };
 

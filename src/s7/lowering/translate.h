@@ -15,7 +15,8 @@ namespace merker::translate {
 // instruction, those that stay with the interpreter; empty: none.
 //
 // A region in which the clock cannot reach the horizon is executed in one go; shorter ones lose
-// less when an event is near. Brackets are never divided.
+// less when an event is near. Brackets are never divided. In a loop a region goes on with the next
+// turns as far as it may be long: they stand in it once more.
 constexpr std::uint32_t kLongestRegion = 128;
 std::vector<icode::Region> translate(const mc7::Listing& listing, const CpuModel& model,
                                      const std::vector<bool>& apart = {},

@@ -205,17 +205,81 @@ TEST(Region, ConditionCodesAreLeftToTheWaysOut) {
   EXPECT_EQ(late, 4);
 }
 
+mc7::Instruction loopBack(std::int32_t words) {
+  return {Operation::LOOP,
+          {.kind = OperandKind::Jump, .value = static_cast<std::uint32_t>(-words)}};
+}
+const mc7::Instruction kCount{Operation::TRANSFER, word(100)}, kCounted{Operation::LOAD, word(100)};
+
+// Each turn can be the last one; the longest region ends in front of a whole turn, and behind the
+// loop another one begins.
+TEST(Region, ALoopGoesOnWithItsNextTurns) {
+  const auto regions = regionsOf({kCount, kAddInt, kCounted, loopBack(3), kEnd});
+  ASSERT_EQ(regions.size(), 2u);
+  EXPECT_EQ(regions[0].instructions, kLongestRegion);
+  EXPECT_EQ(count(regions[0], Opcode::BranchUnless), kLongestRegion / 4 - 1);
+  EXPECT_EQ(count(regions[0], Opcode::BranchIf), 1u);
+  for (std::uint32_t turn = 1; turn < kLongestRegion / 4; ++turn) {
+    EXPECT_EQ(regions[0].exits[turn - 1].to, 4u);
+    EXPECT_EQ(regions[0].exits[turn - 1].instructions, 4 * turn);
+  }
+  EXPECT_EQ(regions[1].first, 4u);
+}
+
+// Over the end of the branch that SPB left out, which begins a region of its own.
+TEST(Region, ALoopGoesOnBehindABranch) {
+  const Operand over{.kind = OperandKind::Jump, .value = 3};
+  const auto regions =
+      regionsOf({kCount, {Operation::SPBI, over}, kAddInt, kCounted, loopBack(5), kEnd});
+  ASSERT_EQ(regions.size(), 3u);
+  EXPECT_EQ(regions[0].instructions, kLongestRegion / 5 * 5 + 3);
+  EXPECT_EQ(regions[1].first, 3u);
+  EXPECT_EQ(regions[2].first, 5u);
+}
+
+TEST(Region, AWordThatWasWrittenIsKnown) {
+  const auto regions = regionsOf({kCount, kCounted, kAddInt, kEnd});
+  EXPECT_EQ(count(regions[0], Opcode::Load16), 0u);
+}
+
+// The bit in brackets lies elsewhere in each turn.
+TEST(Region, BracketsOfEachTurnLookAtTheirOwnOperands) {
+  const Operand behind = mc7::registerIndirect(Area::Flag, Width::Bit, 1, 0);
+  const mc7::Instruction advance{Operation::ADD_AR1,
+                                 {.kind = OperandKind::Pointer, .value = bitAddress(1)}};
+  const auto regions = regionsOf({{Operation::AND_OPEN, {}},
+                                  {Operation::AND, behind},
+                                  {Operation::CLOSE, {}},
+                                  advance,
+                                  loopBack(6),
+                                  kEnd});
+  EXPECT_EQ(count(regions[0], Opcode::Load8), kLongestRegion / 5);
+}
+
+TEST(Region, AnAddressThatIsKnownIsAPlace) {
+  const Operand pointer = mc7::constant(
+      ConstantFormat::Pointer, static_cast<std::uint32_t>(Area::Flag) << 24 | bitAddress(10));
+  const Operand crossing = mc7::registerCrossing(Width::Word, 1, bitAddress(2));
+  const auto regions =
+      regionsOf({{Operation::LAR1, pointer}, {Operation::LOAD, crossing}, kAddInt, kEnd});
+  EXPECT_EQ(count(regions[0], Opcode::Locate), 0u);
+  const auto load = std::find_if(regions[0].ops.begin(), regions[0].ops.end(),
+                                 [](const icode::Op& op) { return op.code == Opcode::Load16; });
+  ASSERT_NE(load, regions[0].ops.end());
+  EXPECT_EQ(load->place, 12u);
+}
+
 TEST(Region, AnyBytesGiveValidRegions) {
   std::mt19937 random(7);
   for (int i = 0; i < 3000; ++i) {
     std::vector<std::uint8_t> code(random() % 200);
     for (std::uint8_t& byte : code)
       byte = static_cast<std::uint8_t>(random() % 3 == 0 ? 0 : random());
-    std::uint32_t end = 0;
+    std::uint32_t next = 0;
     for (const icode::Region& region : translate(mc7::list(code), defaultCpuModel())) {
       ASSERT_EQ(icode::verify(region), "") << icode::print(region);
-      ASSERT_GE(region.first, end);
-      end = region.first + region.instructions;
+      ASSERT_GE(region.first, next);
+      next = region.first + 1;
     }
   }
 }
