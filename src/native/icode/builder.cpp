@@ -1,6 +1,7 @@
 #include "icode/builder.h"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 namespace merker::icode {
@@ -41,11 +42,13 @@ void Builder::cancel() {
 
 namespace {
 
+// By the upper bits, in which all bits of each part show: of REAL constants the lower ones are 0.
 std::size_t slotOf(const Op& op) {
-  std::size_t hash = static_cast<std::size_t>(op.code);
+  constexpr int kUpper = 64 - std::countr_zero(Builder::kRecent);
+  auto hash = static_cast<std::uint64_t>(op.code);
   for (const std::uint32_t part : {op.a, op.b, op.c, op.number})
-    hash = (hash ^ part) * 0x9E37'79B1u;
-  return hash >> 12 & 0xFF;
+    hash = (hash ^ part) * 0x9E37'79B9'7F4A'7C15u;
+  return static_cast<std::size_t>(hash >> kUpper);
 }
 
 }  // namespace

@@ -13,6 +13,10 @@ namespace merker::icode {
 
 class Builder {
  public:
+  // So many pure operations are remembered, to be made once: a power of two, more than the longest
+  // region has.
+  static constexpr std::size_t kRecent = 2048;
+
   explicit Builder(Region& region) : region_(region) {
     limits_.fill(kNoValue);
     made_.fill(kNoValue);
@@ -138,7 +142,7 @@ class Builder {
   std::array<bool, kSpaces> reopened_{};  // these by the register that holds the block
   std::array<Value, 2 * kSpaces> limits_;
   // Pure operations made a moment ago, by a hash of what they are.
-  std::array<Value, 256> made_;
+  std::array<Value, kRecent> made_;
   std::vector<Value> guarded_;  // bits that are 1 from here on
   Registers items_;
   std::array<Value, 6> bases_{kNoValue, kNoValue, kNoValue, kNoValue, kNoValue, kNoValue};

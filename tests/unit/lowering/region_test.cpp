@@ -237,6 +237,21 @@ TEST(Region, ALoopGoesOnBehindABranch) {
   EXPECT_EQ(regions[2].first, 5u);
 }
 
+// The lower bits of these constants are 0: that alone must not make one push out the other.
+TEST(Region, EqualOperationsOnRealsAreMadeOnce) {
+  const auto real = [](std::uint32_t bits) {
+    return mc7::Instruction{Operation::LOAD, mc7::constant(ConstantFormat::Real, bits)};
+  };
+  const auto regions = regionsOf({kCount,
+                                  real(0x3FC0'0000),
+                                  real(0x4040'0000),
+                                  {Operation::MUL_R, {}},
+                                  kCounted,
+                                  loopBack(9),
+                                  kEnd});
+  EXPECT_EQ(count(regions[0], Opcode::MulReal), 1u);
+}
+
 TEST(Region, AWordThatWasWrittenIsKnown) {
   const auto regions = regionsOf({kCount, kCounted, kAddInt, kEnd});
   EXPECT_EQ(count(regions[0], Opcode::Load16), 0u);
@@ -253,7 +268,7 @@ TEST(Region, BracketsOfEachTurnLookAtTheirOwnOperands) {
                                   advance,
                                   loopBack(6),
                                   kEnd});
-  EXPECT_EQ(count(regions[0], Opcode::Load8), kLongestRegion / 5);
+  EXPECT_EQ(count(regions[0], Opcode::Index), kLongestRegion / 5);
 }
 
 TEST(Region, AnAddressThatIsKnownIsAPlace) {
