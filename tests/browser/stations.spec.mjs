@@ -76,6 +76,7 @@ test('an empty station leads to the hardware view; its CPU is connected there, a
   await page.getByRole('tab', { name: 'Konfigurieren', selected: true }).waitFor();
   await page.locator('header').getByText('Office').waitFor();
   await expect(() => address('Office').inputValue(), '');
+  await until(() => address('Office').evaluate((field) => field.getBoundingClientRect().bottom < innerHeight), 'it is in sight');
   await button('Office mit MPI(1) vernetzen').click();
   await expect(() => address('Office').inputValue(), '7');
   assert.match(settings(), /\{station = "Office", address = 7\}/);
@@ -173,6 +174,8 @@ test('a PROFIBUS subnet is made with its master and a slave, and deleted with th
   await button('Subnetz löschen', dialog).click();
   await expect(() => page.getByRole('dialog').count(), 0);
   assert.ok(!settings().includes('PROFIBUS(1)') && !settings().includes('[[slave]]'));
+  await button('Office CPU 314C-2 PtP').click();
+  await page.locator('header').getByText('Office').waitFor();
 });
 
 // The server refuses what was asked of the project before: here it is refused on purpose, and then the project is opened anew.
