@@ -50,9 +50,20 @@ void Belt::move(double seconds, double metresPerSecond, const std::array<bool, k
     for (; count > 0; --count) move(seconds, metresPerSecond, out);
     return;
   }
-  // Each step is added by itself: floating point comes to the same sum.
+  carryFreely(way, count);
+}
+
+// Each step is added by itself: floating point comes to the same sum. The places of all boxes stay
+// in registers meanwhile.
+void Belt::carryFreely(double way, std::int64_t count) {
+  std::array<double, kBoxes> fronts{}, ways{};
+  for (std::size_t i = 0; i < kBoxes; ++i) {
+    fronts[i] = boxes_[i].front;
+    ways[i] = onBelt(boxes_[i]) ? way : 0;
+  }
   for (; count > 0; --count)
-    for (Box& box : boxes_) box.front += onBelt(box) ? way : 0;
+    for (std::size_t i = 0; i < kBoxes; ++i) fronts[i] += ways[i];
+  for (std::size_t i = 0; i < kBoxes; ++i) boxes_[i].front = fronts[i];
 }
 
 // All sliders are at their ends, and no box is on its way into a bin.

@@ -56,6 +56,7 @@ class Belt {
   void push(std::size_t slider);
   void slide(Box& box, double seconds);
   void carry(Box& box, double way) const;
+  void carryFreely(double way, std::int64_t count);
   double obstacle(const Box& box) const;
   void deliver(Box& box);
   void lose(Box& box);
