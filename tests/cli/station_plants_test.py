@@ -112,6 +112,18 @@ scenario "STOP of the other station switches its outputs off"
 """)
         self.expect(GOOD, "test", ".")
 
+    # Each step of the valve brings another amount; the module measures it once in each of its own cycles all the same.
+    def test_an_amount_is_measured_while_it_changes(self):
+        self.lab()
+        self.write("main.scn", """scenario "beside the cycle of the module"
+  wait 1us
+  set Line/M 0.0 = 1
+  wait 700ms
+  expect Press/MW 6 > -20000
+  expect Press/MW 6 < 27648
+""")
+        self.expect(GOOD, "test", ".")
+
     # A contact that is closed when time begins is there in the first cycle.
     def test_what_wires_show_before_time_begins(self):
         self.lab(WIRES.replace("LMNR_HS", "X").replace("LMNR_LS", "LMNR_HS").replace("X", "LMNR_LS"))

@@ -68,9 +68,10 @@ double FarWires::shown(const End& end) const {
 }
 
 void FarWires::take(const End& end, double value, Instant at) {
-  if (end.plant)
-    plants_.tell(end.number, value);
-  else if (isDigital(end.terminal.side))
+  if (end.plant) return plants_.tell(end.number, value);
+  // Conversions that have ended measured what was there before; each new amount begins another one.
+  rack_.advance(at);
+  if (isDigital(end.terminal.side))
     rack_.setLevel(end.terminal, value != 0, at);
   else
     rack_.setAmount(end.terminal, value, at);
