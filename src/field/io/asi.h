@@ -25,8 +25,7 @@ struct AsiSlave {
 bool isAsiMaster(const ModuleType& type);
 
 // Of the slave `address`, in the CP's bytes: of the first one the upper half is the CP's own, then
-// two slaves lie in each, the even address in the upper half (as users of the CP know it; no manual
-// was at hand).
+// two slaves lie in each, the even address in the upper half (manual of the CP 343-2, 4.1.1).
 constexpr std::uint32_t asiByte(std::uint32_t address) { return address / 2; }
 constexpr std::uint32_t asiShift(std::uint32_t address) { return address % 2 == 0 ? 4 : 0; }
 

@@ -2,6 +2,7 @@
 #include "io/diagnosis.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace merker::io {
 namespace {
@@ -141,14 +142,16 @@ std::vector<std::uint8_t> diagnosis(const ModuleType& type, const ModuleFaults& 
   return record;
 }
 
-// Of the CP 343-2, as its users know it; no manual was at hand: channel type 60, no bytes of single
-// channels, 32 channels, a bit for each slave.
+// Manual of the CP 343-2, 6.6: data record 1 has always 16 bytes. Three of them are fixed, then a
+// bit for each slave, four bytes for addresses B, which nobody has here, and a reserved one.
 void addMissingSlaves(std::vector<std::uint8_t>& record, std::uint32_t slaves) {
-  constexpr std::uint8_t kAsiType = 0x60, kSlaves = 32;
+  constexpr std::uint8_t kFixed[] = {0x60, 0x00, 0x40};
+  constexpr std::size_t kLength = 16;
   record[1] |= kChannelInformation;
-  for (const std::uint8_t byte : {kAsiType, std::uint8_t{0}, kSlaves}) record.push_back(byte);
-  for (unsigned shift = 0; shift < kSlaves; shift += 8)
+  record.insert(record.end(), std::begin(kFixed), std::end(kFixed));
+  for (unsigned shift = 0; shift < 32; shift += 8)
     record.push_back(static_cast<std::uint8_t>(slaves >> shift));
+  record.resize(kLength);
   if (slaves != 0) record[0] |= kModuleDefect | kExternal | kChannel;
 }
 

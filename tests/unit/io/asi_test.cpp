@@ -76,13 +76,14 @@ TEST(AsInterface, TheCpTellsWhichSlavesAreMissing) {
   static_cast<void>(rack.takeEvents());
   const Module& cp = *rack.at(kStart, false);
   const auto clear = rack.record1(cp);
-  ASSERT_EQ(clear.size(), 11u);
+  ASSERT_EQ(clear.size(), 16u);
   EXPECT_EQ(clear[0], 0);
-  EXPECT_EQ(clear[4], 0x60);
+  EXPECT_EQ(std::vector<std::uint8_t>(clear.begin() + 4, clear.begin() + 7),
+            (std::vector<std::uint8_t>{0x60, 0x00, 0x40}));
   ASSERT_TRUE(rack.fault(*rack.module("S9"), FaultKind::Removed, {}, true));
   const auto record = rack.record1(cp);
   EXPECT_EQ(std::vector<std::uint8_t>(record.begin() + 7, record.end()),
-            (std::vector<std::uint8_t>{0, 2, 0, 0}));
+            (std::vector<std::uint8_t>{0, 2, 0, 0, 0, 0, 0, 0, 0}));
   EXPECT_EQ(record[0] & 1, 1);
   auto events = rack.takeEvents();
   ASSERT_EQ(events.size(), 1u);  // OB 82 of the CP, no OB 83 of a slave
