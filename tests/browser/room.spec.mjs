@@ -163,6 +163,7 @@ test('the rack and its catalogue are as dense', async () => {
 });
 
 test('the bar of the text and the tabs of the drawer are each in one line on a tablet held upright', async () => {
+  await page.setViewportSize({ width: 768, height: 1024 });
   const lines = () => page.locator('.panel [role=tab]').evaluateAll((tabs) => new Set(tabs.map((tab) => tab.offsetTop)).size);
   await expect(lines, 1);
   await edge('Breite der Liste').dblclick();
