@@ -86,15 +86,15 @@ export const examples: Record<string, readonly [title: string, description: stri
   ],
   'networks/production-line': [
     'Fertigungslinie',
-    'Fünf Stationen: eine Presse macht Teile, ein Band mit einem PROFIdrive-Antrieb trägt sie, eine Sortierung mit AS-i-Slaves schiebt sie in eine Kiste, ein Lager zählt sie, alles auf Geheiß eines Bedienpults. MPI, PROFIBUS und Ethernet verbinden die Stationen, die Maschinen sind an den Klemmen mehrerer von ihnen verdrahtet.',
+    'Fünf Stationen: eine Presse macht Teile, ein Band mit einem PROFIdrive-Antrieb trägt sie, eine Sortierung mit AS-i-Slaves schiebt sie in eine Kiste, ein Lager zählt sie, gesteuert von einem Bedienpult. MPI, PROFIBUS und Ethernet verbinden die Stationen, die Maschinen sind an den Klemmen mehrerer von ihnen verdrahtet.',
   ],
   'networks/profibus': [
     'PROFIBUS-DP',
     'Eine CPU 314C-2 DP als Master von zwei Slaves: eine Ventilinsel, die ihre GSD-Datei beschreibt, und eine ET 200M mit Baugruppen des Katalogs. Das Programm benutzt ihre Ein- und Ausgänge wie die der CPU, liest und schreibt mit SFC 14 und SFC 15 acht Bytes, die zusammengehören, liest mit SFC 13 die Diagnose eines Slaves und läuft weiter, wenn eine Station ausfällt: OB 86 zählt die Ausfälle, OB 122 die Zugriffe auf das, was fehlt.',
   ],
   'networks/recipes': [
-    'Rezepte: zwei Stationen mit SFC 65 bis 69',
-    'Ein Mischer holt sein Rezept aus einem Lager, schreibt die Nummer seiner Chargen dorthin und sendet zu jeder Charge eine Meldung. Das Programm des Lagers hat einen Aufruf, X_RCV; Rezept und Nummer werden ohne ihn gelesen und geschrieben.',
+    'Rezepte: zwei Stationen mit SFC 65 bis 68',
+    'Ein Mischer holt sein Rezept aus einem Lager, schreibt die Zahl seiner Chargen dorthin und sendet zu jeder Charge eine Meldung. Das Programm des Lagers hat einen Aufruf, X_RCV; Rezept und Zahl werden ohne ihn gelesen und geschrieben.',
   ],
   'networks/send-receive': [
     'Senden und Empfangen',
