@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Every example that the workbench offers has its German words in german.txt (docs/how-to-add.md): each comment, title,
 symbol, scenario, name of a project, alarm text; and each name of a variable, module, plant and station, with a # before
-it. None is left over, and symbols are at most 24 characters long and differ. A README.de.md has the parts of its README.md."""
+it. None is left over, and symbols are at most 24 characters long and differ. Each README.md has a README.de.md with the same parts."""
 import pathlib
 import re
 import sys
@@ -93,8 +93,12 @@ def parts(page):
 
 
 def pages():
-    for german in sorted(ROOT.rglob("README.de.md")):
-        of, here = parts(german.with_name("README.md")), parts(german)
+    for english in sorted(ROOT.rglob("README.md")):
+        german = english.with_name("README.de.md")
+        if not german.exists():
+            yield f"{german.relative_to(ROOT)} is missing"
+            continue
+        of, here = parts(english), parts(german)
         yield from (f"{german.relative_to(ROOT)}: other {part} than README.md" for part in of if of[part] != here[part])
 
 
