@@ -2,43 +2,16 @@
 
 #include <algorithm>
 
-#include "block/width.h"
 #include "system/connections.h"
-#include "system/library.h"
 #include "system/send_receive.h"
 
 namespace merker::system {
 
-template <typename Self>
-auto& Services::tableOf(Self& self, BlockKind kind) {
-  switch (kind) {
-    case BlockKind::FC:
-      return self.fcs_;
-    case BlockKind::FB:
-      return self.fbs_;
-    case BlockKind::SFC:
-      return self.sfcs_;
-    default:
-      return self.sfbs_;
-  }
-}
-
 Services::Services(const CpuModel& model, const Libraries& libraries)
-    : functions_(allFunctions(model, libraries)) {
+    : functions_(functionTable(model, libraries)) {
   context_.communication.parameters = CommunicationParameters::of(model);
   context_.connections = std::make_shared<Connections>();
   context_.sendReceive = std::make_shared<SendReceive>();
-  const block::Program blocks = library(model, libraries);
-  for (const Function& function : functions_) {
-    auto& table = tableOf(*this, function.kind);
-    if (table.size() <= function.number) table.resize(function.number + 1u);
-    Entry& entry = table[function.number];
-    entry.function = &function;
-    const auto& variables = blocks.at({function.kind, function.number}).variables;
-    for (std::size_t i = 0; i < function.parameters.size(); ++i)
-      entry.places.push_back({i < variables.size() ? variables[i].address : 0,
-                              block::widthOf(function.parameters[i].type)});
-  }
 }
 
 void Services::restart() {
@@ -54,12 +27,6 @@ void Services::configure(const CommunicationParameters& parameters) {
   context_.communication.parameters = parameters;
   context_.connections->configure(parameters.configured);
   context_.sendReceive->configure(parameters.ofCp);
-}
-
-const Services::Entry* Services::find(BlockId id) const {
-  const auto& table = tableOf(*this, id.kind);
-  const bool known = id.number < table.size() && table[id.number].function != nullptr;
-  return known ? &table[id.number] : nullptr;
 }
 
 namespace {
@@ -79,7 +46,7 @@ constexpr SteadyRow kSteady[] = {{BlockKind::FC, 0, UINT16_MAX},
 }  // namespace
 
 bool Services::steady(BlockId block) const {
-  const Entry* const entry = find(block);
+  const FunctionTable::Entry* const entry = functions_->find(block);
   if (entry != nullptr && entry->function->library == BlockLibrary::NetCp) return false;
   return std::ranges::any_of(kSteady, [&](const SteadyRow& row) {
     return row.kind == block.kind && row.first <= block.number && block.number <= row.last;
@@ -88,7 +55,7 @@ bool Services::steady(BlockId block) const {
 
 // BIE tells whether it went well (S7-SFC-01).
 bool Services::call(const cpu::SystemCall& call) {
-  const Entry* entry = find(call.block);
+  const FunctionTable::Entry* const entry = functions_->find(call.block);
   if (entry == nullptr) return false;
   // UC FC n means a block of the program: library functions are called with parameters
   if (call.block.kind == BlockKind::FC && call.parameters.empty()) return false;

@@ -1,11 +1,12 @@
 // Answers calls of SFC, SFB and of the library functions that the CPU brings.
 #pragma once
 
-#include <vector>
+#include <memory>
 
 #include "block/block.h"
 #include "cpu/engine.h"
 #include "system/arguments.h"
+#include "system/function_table.h"
 
 namespace merker::system {
 
@@ -36,18 +37,8 @@ class Services : public cpu::SystemServices {
   }
 
  private:
-  struct Entry {
-    const Function* function = nullptr;
-    std::vector<ParameterPlace> places;
-  };
-  const Entry* find(BlockId id) const;
-
   Context context_;
-  std::vector<Function> functions_;
-  using Entries = std::vector<Entry>;  // by number
-  Entries fcs_, fbs_, sfcs_, sfbs_;
-  template <typename Self>
-  static auto& tableOf(Self& self, BlockKind kind);
+  std::shared_ptr<const FunctionTable> functions_;
 };
 
 }  // namespace merker::system
