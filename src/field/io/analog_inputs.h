@@ -28,6 +28,10 @@ class AnalogInputs {
     due_[channel] = due;
     soonest_ = *std::ranges::min_element(due_);
   }
+  // A conversion of this channel is under way: it takes the amount that stands at its end.
+  bool converts(std::uint32_t channel, Instant now) const {
+    return due_[channel] > now && due_[channel] < Instant::never();
+  }
   Instant next() const { return soonest_; }
   std::uint32_t takeDue(Instant at);  // channels, as bits
 

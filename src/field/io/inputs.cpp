@@ -101,6 +101,7 @@ void Rack::setAmount(Terminal terminal, double amount, Instant now) {
   if (terminal.side != Side::AnalogInput) return;
   AnalogInputs& inputs = units_[terminal.module].analog;
   inputs.set(terminal.channel, amount);
+  if (inputs.converts(terminal.channel, now)) return;  // its end is the same
   const std::int64_t cycle = conversionCycle(of(terminal.module)).ns;
   if (cycle == 0) return;  // all channels deactivated
   inputs.convertAt(terminal.channel, Instant{(now.ns / cycle + 1) * cycle});

@@ -5,7 +5,7 @@
 
 namespace merker::plant {
 
-const Plants::Stuck* Plants::Unit::stuckAt(std::uint32_t signal) const {
+const Plants::Stuck* Plants::Unit::foundStuck(std::uint32_t signal) const {
   const auto found = std::find_if(stuck.begin(), stuck.end(),
                                   [signal](const Stuck& one) { return one.signal == signal; });
   return found == stuck.end() ? nullptr : &*found;

@@ -19,7 +19,7 @@ Instant surelyAfter(Instant at, double seconds) {
 
 }  // namespace
 
-Instant Plants::Unit::next() const { return fresh ? at : std::min(nextStep, process->next()); }
+void Plants::Unit::findNext() { next = fresh ? at : std::min(nextStep, process->next()); }
 
 Plants::Plants(Configuration configuration)
     : configuration_(std::move(configuration)), wiring_(wirings()) {
@@ -40,11 +40,12 @@ void Plants::start(std::size_t index, Instant now) {
   unit.at = now;
   if (settings.step.ns > 0) unit.nextStep = now + settings.step;
   unit.process->begin(unit.values);
+  unit.findNext();
 }
 
 void Plants::findNext() {
   next_ = Instant::never();
-  for (const Unit& unit : units_) next_ = std::min(next_, unit.next());
+  for (const Unit& unit : units_) next_ = std::min(next_, unit.next);
 }
 
 void Plants::show(io::Rack& rack, Instant at) {
@@ -57,7 +58,7 @@ void Plants::advance(io::Rack& rack, Instant now) {
   for (Standstill loop; next_ <= now && loop.moves(next_);) {
     const Instant at = next_;
     for (std::size_t i = 0; i < units_.size(); ++i)
-      if (units_[i].next() <= at) move(i, rack, at);
+      if (units_[i].next <= at) move(i, rack, at);
     findNext();
   }
 }
@@ -68,6 +69,7 @@ void Plants::move(std::size_t index, io::Rack& rack, Instant to) {
   Unit& unit = units_[index];
   const Duration step = configuration_.plants[index].step;
   while (unit.nextStep <= to) unit.nextStep = unit.nextStep + step;
+  unit.findNext();
 }
 
 void Plants::go(std::size_t index, io::Rack& rack, Instant to) {
@@ -75,6 +77,7 @@ void Plants::go(std::size_t index, io::Rack& rack, Instant to) {
   unit.process->advance(unit.at, to, unit.values);
   unit.at = to;
   unit.fresh = false;
+  unit.findNext();
   showOutputs(index, rack, to);
 }
 
@@ -126,13 +129,13 @@ Instant Plants::silentUntil(std::size_t index, const io::Rack& rack, bool amount
   const Unit& unit = units_[index];
   const Wiring& wiring = wiring_[index];
   const auto seen = [&](std::uint32_t module) { return amounts || !rack.onlyByAccess(module); };
-  if (unit.fresh || wiring.bus || std::ranges::any_of(wiring.analog, seen)) return unit.next();
+  if (unit.fresh || wiring.bus || std::ranges::any_of(wiring.analog, seen)) return unit.next;
   if (!wiring.switches) return unit.process->next();
-  if (wiring.fed) return unit.next();
+  if (wiring.fed) return unit.next;
   std::vector<double> values = unit.values;
   readInputs(index, rack, values);
   const double seconds = unit.process->silence(values);
-  return std::min(unit.process->next(), std::max(unit.next(), surelyAfter(unit.at, seconds)));
+  return std::min(unit.process->next(), std::max(unit.next, surelyAfter(unit.at, seconds)));
 }
 
 // The steps that are due, with the inputs as they stand.
@@ -146,6 +149,7 @@ void Plants::stepSilently(std::size_t index, const io::Rack& rack, Instant to) {
   unit.process->advanceSteps(unit.at, step, count, unit.values);
   unit.at = unit.at + step * count;
   unit.nextStep = unit.at + step;
+  unit.findNext();
 }
 
 void Plants::advanceAlone(io::Rack& rack, Instant now) {

@@ -64,8 +64,12 @@ class Plants {
     std::vector<std::shared_ptr<const signal::Signal>> courses;
     Instant at, nextStep = Instant::never();
     bool fresh = true;  // its outputs have not been shown yet
-    Instant next() const;
-    const Stuck* stuckAt(std::uint32_t signal) const;
+    Instant next{};     // when it moves; after each change: findNext()
+    void findNext();
+    const Stuck* stuckAt(std::uint32_t signal) const {
+      return stuck.empty() ? nullptr : foundStuck(signal);
+    }
+    const Stuck* foundStuck(std::uint32_t signal) const;
   };
   void start(std::size_t index, Instant now);
   void move(std::size_t index, io::Rack& rack, Instant to);

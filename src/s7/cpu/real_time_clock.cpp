@@ -15,24 +15,38 @@ struct Field {
 };
 constexpr Field kFields[] = {{0, 99}, {1, 12}, {1, 31}, {0, 23}, {0, 59}, {0, 59}, {0, 99}};
 
+// Each cycle asks for the date of its beginning, which is nearly always that of the one before.
+struct Day {
+  std::int64_t since1990 = -1;
+  std::uint8_t year = 0, month = 0, day = 0, weekday = 0;  // BCD
+};
+const Day& dayOf(std::int64_t since1990) {
+  thread_local Day last;
+  if (last.since1990 == since1990) return last;
+  const auto days = static_cast<std::uint16_t>(since1990);
+  int year = 0, month = 0, day = 0;
+  dateFromDays(days, year, month, day);
+  last = {since1990, toBcd(static_cast<unsigned>(year % 100)), toBcd(static_cast<unsigned>(month)),
+          toBcd(static_cast<unsigned>(day)), static_cast<std::uint8_t>(weekday(days))};
+  return last;
+}
+
 }  // namespace
 
 DateAndTime toDateAndTime(std::int64_t milliseconds) {
   const std::int64_t time = (milliseconds % kDay + kDay) % kDay;
   const std::int64_t since = ((milliseconds - time) / kDay % kDays + kDays) % kDays;
-  const auto days = static_cast<std::uint16_t>(since);
-  int year = 0, month = 0, day = 0;
-  dateFromDays(days, year, month, day);
+  const Day& day = dayOf(since);
   const auto ms = static_cast<unsigned>(time % 1000);
   const auto seconds = static_cast<unsigned>(time / 1000);
-  return {toBcd(static_cast<unsigned>(year % 100)),
-          toBcd(static_cast<unsigned>(month)),
-          toBcd(static_cast<unsigned>(day)),
+  return {day.year,
+          day.month,
+          day.day,
           toBcd(seconds / 3600),
           toBcd(seconds / 60 % 60),
           toBcd(seconds % 60),
           toBcd(ms / 10),
-          static_cast<std::uint8_t>(ms % 10 << 4 | static_cast<unsigned>(weekday(days)))};
+          static_cast<std::uint8_t>(ms % 10 << 4 | unsigned{day.weekday})};
 }
 
 std::optional<std::int64_t> fromDateAndTime(const std::uint8_t* bytes) {
