@@ -14,6 +14,12 @@ constexpr double kHalfOut = 0.5;  // of the stroke: the slider is at the box
 
 double middle(const Box& box) { return box.front - Belt::kLength / 2; }
 
+double strokeAfter(double stroke, double way, bool out) {
+  return std::clamp(stroke + (out ? way : -way), 0.0, 1.0);
+}
+
+double pushedAfter(double pushed, double way) { return std::max(pushed, kHalfOut) + way; }
+
 bool onBelt(const Box& box) { return box.size != BoxSize::None && box.slider < 0; }
 
 }  // namespace
@@ -45,12 +51,31 @@ void Belt::move(double seconds, double metresPerSecond, const std::array<bool, k
 
 void Belt::move(double seconds, double metresPerSecond, const std::array<bool, kSliders>& out,
                 std::int64_t count) {
+  constexpr std::int64_t kOneByOne = 16;  // before it is worth looking again
   const double way = seconds * metresPerSecond;
-  if (way < 0 || !standsStill(out) || !freeFor(way * static_cast<double>(count))) {
-    for (; count > 0; --count) move(seconds, metresPerSecond, out);
-    return;
+  while (count > 0) {
+    std::int64_t steps = std::min(count, freeSteps(seconds / kStrokeTime, out));
+    if (steps > 0 && way >= 0 && freeFor(way * static_cast<double>(steps))) {
+      carryFreely(way, steps);
+      moveSliders(seconds / kStrokeTime, out, steps);
+    } else {
+      steps = std::min(count, kOneByOne);
+      for (std::int64_t i = 0; i < steps; ++i) move(seconds, metresPerSecond, out);
+    }
+    count -= steps;
   }
-  carryFreely(way, count);
+}
+
+// So many steps for which surely no slider comes to the boxes, and none has pushed one into a bin.
+// `stroke`: of a slider in a step.
+std::int64_t Belt::freeSteps(double stroke, const std::array<bool, kSliders>& out) const {
+  double steps = 1e9;
+  const auto upTo = [&](double way) { steps = std::min(steps, way / stroke - 1); };
+  for (std::size_t i = 0; i < kSliders; ++i)
+    if (out[i] && strokes_[i] < kHalfOut) upTo(kHalfOut - strokes_[i]);
+  for (const Box& box : boxes_)
+    if (box.slider >= 0) upTo(1 - std::max(box.pushed, kHalfOut));
+  return static_cast<std::int64_t>(std::max(steps, 0.0));
 }
 
 // Each step is added by itself: floating point comes to the same sum. The places of all boxes stay
@@ -66,11 +91,13 @@ void Belt::carryFreely(double way, std::int64_t count) {
   for (std::size_t i = 0; i < kBoxes; ++i) boxes_[i].front = fronts[i];
 }
 
-// All sliders are at their ends, and no box is on its way into a bin.
-bool Belt::standsStill(const std::array<bool, kSliders>& out) const {
+void Belt::moveSliders(double stroke, const std::array<bool, kSliders>& out, std::int64_t count) {
   for (std::size_t i = 0; i < kSliders; ++i)
-    if (strokes_[i] != (out[i] ? 1 : 0)) return false;
-  return std::ranges::none_of(boxes_, [](const Box& box) { return box.slider >= 0; });
+    for (std::int64_t step = 0; step < count && strokes_[i] != (out[i] ? 1 : 0); ++step)
+      strokes_[i] = strokeAfter(strokes_[i], stroke, out[i]);
+  for (Box& box : boxes_)
+    for (std::int64_t step = 0; step < count && box.slider >= 0; ++step)
+      box.pushed = pushedAfter(box.pushed, stroke);
 }
 
 // No box comes to a slider, to the end or near another one within this way of the belt.
@@ -92,9 +119,8 @@ bool Belt::freeFor(double way) const {
 
 // Whether it has just come to the boxes.
 bool Belt::moveSlider(std::size_t slider, bool out, double seconds) {
-  const double way = seconds / kStrokeTime * (out ? 1 : -1);
   const double before = strokes_[slider];
-  strokes_[slider] = std::clamp(before + way, 0.0, 1.0);
+  strokes_[slider] = strokeAfter(before, seconds / kStrokeTime, out);
   return before < kHalfOut && strokes_[slider] >= kHalfOut;
 }
 
@@ -111,7 +137,7 @@ void Belt::push(std::size_t slider) {
 }
 
 void Belt::slide(Box& box, double seconds) {
-  box.pushed = std::max(box.pushed, kHalfOut) + seconds / kStrokeTime;
+  box.pushed = pushedAfter(box.pushed, seconds / kStrokeTime);
   if (box.pushed >= 1) deliver(box);
 }
 

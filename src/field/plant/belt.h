@@ -32,7 +32,7 @@ class Belt {
   // False: there is no room at the beginning of the belt.
   bool put(BoxSize size);
   void move(double seconds, double metresPerSecond, const std::array<bool, kSliders>& out);
-  // So many times; quicker while nothing but boxes moves and none of them is in the way of another.
+  // So many times; quicker while no box is in the way of another and no slider comes to one.
   void move(double seconds, double metresPerSecond, const std::array<bool, kSliders>& out,
             std::int64_t count);
 
@@ -50,13 +50,14 @@ class Belt {
   const Counts& counts() const { return counts_; }
 
  private:
-  bool standsStill(const std::array<bool, kSliders>& out) const;
+  std::int64_t freeSteps(double stroke, const std::array<bool, kSliders>& out) const;
   bool freeFor(double way) const;
   bool moveSlider(std::size_t slider, bool out, double seconds);
   void push(std::size_t slider);
   void slide(Box& box, double seconds);
   void carry(Box& box, double way) const;
   void carryFreely(double way, std::int64_t count);
+  void moveSliders(double stroke, const std::array<bool, kSliders>& out, std::int64_t count);
   double obstacle(const Box& box) const;
   void deliver(Box& box);
   void lose(Box& box);
