@@ -14,7 +14,7 @@ constexpr std::array kSingles{
            20},
     Single{"StartOfASmallProgram", "start, compile and run a small program", Unit::Seconds,
            Limit::AtMost, 0.050},
-    Single{"BitLogicLimit", "bit operations, written in C++", Unit::Rate, Limit::None, 0},
+    Single{kLimit, "bit operations, written in C++", Unit::Rate, Limit::None, 0},
     Single{"CountedEncoder", "counts of a 60 kHz encoder, quadruple", Unit::Rate, Limit::AtLeast,
            24e6},
     Single{"CountedEncoders", "counts of four such encoders together", Unit::Rate, Limit::AtLeast,

@@ -5,6 +5,11 @@
 
 namespace merker::bench {
 
+// What the machine can do at all (limit.cpp), and how many bit operations a second that is on the
+// machine for which absolute values are required: two virtual cores of an AMD EPYC at 2.6 GHz.
+constexpr std::string_view kLimit = "BitLogicLimit";
+constexpr double kReferenceSpeed = 4.13e9;
+
 enum class Unit {
   Seconds,   // per iteration
   Rate,      // items a second
@@ -29,7 +34,7 @@ struct Pair {
   double compiled;     // at least
   double share = 0;    // of what a C or C++ compiler makes of the same program
   double times = 10;
-  std::string_view reference = "BitLogicLimit";
+  std::string_view reference = kLimit;
 };
 
 const Single* findSingle(std::string_view benchmark);
