@@ -1,10 +1,8 @@
 #include "cpu_option.h"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <filesystem>
 
-#include "base/text.h"
 #include "project/settings.h"
 
 namespace merker::app {
@@ -35,29 +33,29 @@ void addProjectOptions(CLI::App& command, ProjectOptions& options) {
 
 namespace {
 
-// The one that --station names, as if its folder had been given.
-project::Project narrowed(project::Project project, const ProjectOptions& options) {
-  if (options.station.empty()) return project;
-  const auto refuse = [&](const std::string& what) {
-    project.problems.add(ProblemCode::P0704, Position{project.path}, "--station", what);
-    return std::move(project);
-  };
-  if (project.unreadable) return project;
-  if (!project.network) return refuse("left out: the project has one station only");
-  const auto& stations = project.network->stations;
-  const auto found = std::ranges::find_if(stations, [&](const project::OtherStation& one) {
-    return equalsIgnoreCase(one.name, options.station);
-  });
-  if (found == stations.end())
-    return refuse("the name of a station: " + stationNames(*project.network));
-  const auto folder = std::filesystem::path(project.folder) / found->folder;
-  return project::load(folder.lexically_normal().string(), options.cpu);
+[[noreturn]] void refuseStation(const std::string& what) {
+  throw CLI::ValidationError("--station", what);
 }
 
 }  // namespace
 
+std::string chosenPath(const std::string& path, const ProjectOptions& options) {
+  if (options.station.empty()) return path;
+  const project::Project project = project::load(path, {});
+  if (!project.network) {
+    if (project.unreadable || project.problems.hasErrors()) return path;  // which is told
+    refuseStation(path + " has one station only; leave the option out");
+  }
+  const auto number = findStation(*project.network, options.station);
+  if (!number)
+    refuseStation("there is no station '" + options.station + "' in " + path +
+                  "; its stations are " + stationNames(*project.network));
+  const std::string& folder = project.network->stations[*number].folder;
+  return (std::filesystem::path(project.folder) / folder).lexically_normal().string();
+}
+
 project::Project loadProject(const std::string& path, const ProjectOptions& options) {
-  return withMnemonics(narrowed(project::load(path, options.cpu), options), options.mnemonics);
+  return withMnemonics(project::load(chosenPath(path, options), options.cpu), options.mnemonics);
 }
 
 project::Project loadSources(const std::vector<std::string>& sources,

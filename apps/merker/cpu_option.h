@@ -20,6 +20,9 @@ struct ProjectOptions {
 // An unknown name is wrong usage.
 void addProjectOptions(CLI::App& command, ProjectOptions& options);
 
+// The folder of the station that --station names; without it `path`. A name that no station has is
+// wrong usage: CLI::ValidationError.
+std::string chosenPath(const std::string& path, const ProjectOptions& options);
 project::Project loadProject(const std::string& path, const ProjectOptions& options);
 // Some sources as one program.
 project::Project loadSources(const std::vector<std::string>& sources,

@@ -78,10 +78,14 @@ int test(const TestOptions& options) {
     std::cerr << "merker test: " << *problem << '\n';
     return kUsage;
   }
-  TestSession session({options.project, options.filter, options.engine, !options.coverage.empty(),
+  ProjectOptions inFolder = options.project;
+  inFolder.station.clear();
+  std::vector<std::string> paths;
+  for (const std::string& path : options.paths) paths.push_back(chosenPath(path, options.project));
+  TestSession session({inFolder, options.filter, options.engine, !options.coverage.empty(),
                        options.json, options.jobs, options.noSkip});
   bool unreadable = false;
-  for (const std::string& path : options.paths) unreadable |= !testPath(path, session);
+  for (const std::string& path : paths) unreadable |= !testPath(path, session);
   const bool nothing = session.results().empty();
   if (nothing && !unreadable && !session.unreadable()) nothingTested(options);
   unreadable |= !writeFile(

@@ -297,9 +297,28 @@ scenario "the partner is in STOP"
     def test_one_station_alone(self):
         self.lab()
         self.assertEqual(self.run_lab("--station", "belt", "--print", "MW 22").out, "MW 22 = W#16#0032\n")
-        self.assertIn("'--station' must be the name of a station: Press, Belt, Mill", self.run_lab("--station", "Foo", code=PROBLEMS).err)
-        self.assertIn("the project has one station only", self.expect(PROBLEMS, "run", "lab/belt", "--station", "Belt", "--for", "1s").err)
+        self.assertIn("lab/belt has one station only", self.expect(USAGE, "run", "lab/belt", "--station", "Belt", "--for", "1s").err)
         self.assertIn("OB 35", self.expect(GOOD, "list", "lab", "--station", "Belt").out)
+
+    # In real time, too, no page opens and no station runs.
+    def test_a_station_that_there_is_not(self):
+        self.lab()
+        for command in ("run",), ("run", "--for", "1s"), ("hw",), ("check",), ("test",), ("list",), ("xref",), ("diag", "--for", "1s"):
+            call = self.expect(USAGE, *command, "lab", "--station", "Foo")
+            self.assertEqual(call.err.splitlines()[0], "--station: there is no station 'Foo' in lab; its stations are Press, Belt, Mill", command)
+            self.assertEqual(call.out, "", command)
+        self.write("lab/merker.toml", LAB + "x = = 1\n")
+        err = self.expect(PROBLEMS, "check", "lab", "--station", "Foo").err
+        self.assertEqual(err.count("error: "), 1, err)
+
+    # Those of its folder; the scenarios of the project speak of several stations.
+    def test_tests_of_one_station(self):
+        self.lab()
+        self.write("lab/lab.scn", 'scenario "of all"\n  set Press/E 0.0 = 1\n  wait 2 cycles\n  expect Press/A 0.0 = 1\n')
+        for name in "press", "belt":
+            self.write(f"lab/{name}/own.scn", f'scenario "of {name}"\n  set E 0.0 = 1\n  wait 2 cycles\n  expect A 0.0 = 1\n')
+        self.assertEqual(self.expect(GOOD, "test", "lab").lines[-1], "3 passed, 0 failed")
+        self.assertEqual(self.expect(GOOD, "test", "lab", "--station", "Belt").out, "ok      lab/belt/own.scn: of belt\n1 passed, 0 failed\n")
 
     # S7-NETPRO-08: what is wrong with connections and Ethernet subnets.
     LINKS = LAB + """
