@@ -23,10 +23,15 @@
 namespace merker::compilation {
 namespace {
 
+// A CPU that nobody knows has no limits.
+const CpuModel& modelOf(const project::Project& project) {
+  return project.modelKnown ? *project.model : *findCpuModel("generic-4");
+}
+
 step7::CompileOptions options(const Build& build) {
   step7::CompileOptions options;
   options.stop = build.project.problems.stop();
-  options.model = build.project.model;
+  options.model = &modelOf(build.project);
   options.library = build.library.get();
   options.symbols = &build.project.symbols;
   return options;
@@ -219,7 +224,7 @@ void buildListings(Build& result, bool checks) {
 
 void buildProgram(Build& result, bool checks) {
   result.library = std::make_shared<const block::Program>(
-      system::library(*result.project.model, result.project.libraries));
+      system::library(modelOf(result.project), result.project.libraries));
   step7::CompileOptions compileOptions = options(result);
   compileOptions.checks = checks;
   compileOptions.mnemonics = result.project.mnemonics;

@@ -83,6 +83,9 @@ class NetworkStations {
       return refuse(
           "the folder of a project without [[station]]; its X27 needs another connection");
     if (result_.project.mnemonics) own.mnemonics = result_.project.mnemonics;
+    // Slaves may be missing.
+    if (result_.project.problems.hasErrors()) own.addressCheck = project::AddressCheck::Off;
+    if (modulesAreUnknown(own)) return own;
     const project::DpSubnet* const slaves = slavesOf(number);
     const project::IntelligentSlave* const self = slaveOf(number);
     if ((slaves != nullptr || self != nullptr) && own.control)
@@ -90,6 +93,14 @@ class NetworkStations {
     if (slaves != nullptr) project::plugSlaves(*slaves, *own.model, own.hardware, result_.problems);
     if (self != nullptr) project::plugOwnSlave(*self, *own.model, own.hardware, result_.problems);
     return own;
+  }
+
+  // Its merker.toml has mistakes, which are named there.
+  static bool modulesAreUnknown(const project::Project& station) {
+    const std::string settings = project::join(station.folder, "merker.toml");
+    return std::ranges::any_of(station.problems.list(), [&](const Problem& problem) {
+      return problem.severity() == Severity::Error && problem.position.file == settings;
+    });
   }
 
   // Where all modules are known. A station without a hardware configuration gets the modules on
@@ -102,6 +113,7 @@ class NetworkStations {
       const auto found = folders_.find(keyOf(i));
       if (found == folders_.end()) return;  // which is a problem already
       project::Project& own = found->second;
+      if (modulesAreUnknown(own)) return;
       if (own.control) continue;
       if (!own.hardware) onBoard[i] = io::configure({}, *own.model, result_.problems);
       fields.back().hardware = own.hardware ? &*own.hardware : &onBoard[i];

@@ -215,7 +215,8 @@ void readCounter(Reader& r) {
   r.choice("mode", {"none", "endless", "once", "periodic", "frequency", "pwm"}, c.mode);
   switch (c.mode) {
     case CountMode::None:
-      return r.table.allow({"number", "mode"});
+      r.table.allow({"number", "mode"});
+      return;
     case CountMode::Frequency:
       return readFrequency(r);
     case CountMode::PulseWidth:

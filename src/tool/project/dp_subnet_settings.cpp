@@ -92,11 +92,24 @@ bool isDpSubnet(const Table& table) {
   return kind != nullptr && equalsIgnoreCase(kind->value_or(""), "profibus");
 }
 
+// Of a project of one station; of several, each kind has its reader.
+static void requireProfibus(const Table& subnet) {
+  if (!subnet.has("kind"))
+    subnet.problems().add(ProblemCode::P0744, subnet.place(), subnet.title(),
+                          "kind = \"profibus\"");
+  else
+    subnet.mustBe("kind", "\"profibus\": a project of one station has no other subnets");
+}
+
 std::vector<DpSubnet> readDpSubnets(const Table& root, const Network* network) {
   std::vector<DpSubnet> subnets;
   checkSubnetNames(root);
+  bool known = kindsAreKnown(root);
   for (const Table& table : root.tables("subnet")) {
-    if (!isDpSubnet(table)) continue;
+    if (!isDpSubnet(table)) {
+      if (network == nullptr) requireProfibus(table), known = false;
+      continue;
+    }
     table.allow({"name", "kind", "baud", "highest", "nodes"});
     DpSubnet subnet;
     subnet.position = table.place();
@@ -111,9 +124,9 @@ std::vector<DpSubnet> readDpSubnets(const Table& root, const Network* network) {
       table.mustBe("nodes", "one station, the DP master: [ {address = 2, master = true} ]");
     subnets.push_back(std::move(subnet));
   }
-  if (subnets.empty() && root.has("slave") && kindsAreKnown(root))
+  if (subnets.empty() && root.has("slave") && known)
     root.mustBe("slave", "on a [[subnet]] with kind = \"profibus\"");
-  if (!subnets.empty()) readSlaves(root, network, subnets);
+  if (!subnets.empty() && !readSlaves(root, network, subnets, known)) return subnets;
   for (const DpSubnet& subnet : subnets)
     if (subnet.master.slaves.empty())  // S7-NET-10
       root.problems().add(ProblemCode::P0744, subnet.position, "[[subnet]]",

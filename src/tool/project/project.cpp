@@ -51,6 +51,20 @@ void take(Project& project, const Settings& settings) {
   chooseLanguage(project);
 }
 
+bool has(const Problems& problems, std::initializer_list<ProblemCode> codes) {
+  return std::ranges::any_of(problems.list(), [&](const Problem& problem) {
+    return std::ranges::find(codes, problem.code) != codes.end();
+  });
+}
+
+// What merker.toml gets wrong is no mistake of the program: modules may be missing in it, and a CPU
+// that nobody knows has no limits. `given`: the CPU is that of the command line.
+void forgetWrong(Project& project, bool given) {
+  if (!project.problems.hasErrors()) return;
+  project.addressCheck = AddressCheck::Off;
+  project.modelKnown = given || !has(project.problems, {ProblemCode::P0702, ProblemCode::P0705});
+}
+
 bool isListing(const std::string& path) { return hasExtension(path, ".s5"); }
 
 const source::SourceFile* read(Project& project, const std::string& path,
@@ -168,6 +182,7 @@ void loadFolder(Project& project, const std::string& cpu) {
   const Settings settings =
       settingsFile ? readSettings(*settingsFile, project.problems, model) : Settings{};
   take(project, settings);
+  forgetWrong(project, model.has_value());
   if (project.network) return;
   const std::vector<std::string> files = listFiles(project.folder, &project.problems);
   const auto sources = settings.sources ? choose(project, files, *settings.sources)
@@ -182,10 +197,7 @@ void loadFolder(Project& project, const std::string& cpu) {
   for (const std::string& file : sources)
     if (!project.problems.cancelled()) readSource(project, join(project.folder, file));
   // A merker.toml that cannot be read may name stations or sources.
-  const bool known = std::ranges::none_of(project.problems.list(), [](const Problem& problem) {
-    return problem.code == ProblemCode::P0702;
-  });
-  if (sources.empty() && known)
+  if (sources.empty() && !has(project.problems, {ProblemCode::P0702}))
     project.problems.add(ProblemCode::P0708, Position{project.path},
                          project.control ? "*.s5" : "*.awl");
 }

@@ -36,6 +36,7 @@ struct Project {
   std::string folder;  // where its files are
   std::string name;
   const CpuModel* model = &defaultCpuModel();
+  bool modelKnown = true;  // false: merker.toml cannot be read, or names one that there is not
   // The PLC is that of a SINUMERIK: what follows up to `vertical` means nothing then.
   std::optional<cnc::Options> control;
   std::optional<Mnemonics> mnemonics;  // of AWL sources; each shows its own without it

@@ -82,7 +82,9 @@ void readSegments(const Table& table, const Network& network, Subnet& subnet);
 // [[subnet]] of PROFIBUS with its [[slave]]s; `network` null: of a project of one station
 bool isDpSubnet(const Table& table);
 std::vector<DpSubnet> readDpSubnets(const Table& root, const Network* network);
-void readSlaves(const Table& root, const Network* network, std::vector<DpSubnet>& subnets);
+// False: one of them is too wrong to be there. `allSubnets`: none is missing because of a mistake.
+bool readSlaves(const Table& root, const Network* network, std::vector<DpSubnet>& subnets,
+                bool allSubnets);
 // A [[slave]] that is another station, with its areas; false and a problem: it cannot be one
 bool readIntelligentSlave(const Table& table, const Network* network,
                           const std::vector<DpSubnet>& subnets, DpSubnet& subnet, io::Slave& slave);

@@ -111,10 +111,15 @@ std::optional<io::Module> readGsdModule(const Table& table, const gsd::Device& d
 }
 
 std::optional<io::Module> readTelegram(const Table& table) {
-  table.allow({"type", "input", "output", "name"});
-  const auto type = table.text("type", telegramNames());
+  const bool known = table.allow({"type", "input", "output", "name"});
+  if (!table.has("type")) {
+    if (known) table.mustBe("type", "the telegram of the drive: " + telegramNames());
+    return std::nullopt;
+  }
+  const auto type = table.text("type", "the telegram of the drive: " + telegramNames());
+  if (!type) return std::nullopt;
   const auto found = std::ranges::find_if(plant::telegrams(), [&](const plant::Telegram* one) {
-    return type && equalsIgnoreCase(one->name, trim(*type));
+    return equalsIgnoreCase(one->name, trim(*type));
   });
   if (found == plant::telegrams().end()) {
     table.mustBe("type", "the telegram of the drive: " + telegramNames());

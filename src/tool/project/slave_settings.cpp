@@ -72,7 +72,8 @@ class SlaveReader {
     checkLengths(table_, slave_, limits_);
   }
 
-  void drive() {
+  // `known`: it has no other keys; else it may have modules under another name.
+  void drive(bool known) {
     slave_.model = kDrive;
     slave_.ident = kDriveIdent;
     slave_.sync = slave_.freeze = true;
@@ -80,7 +81,7 @@ class SlaveReader {
     std::uint32_t slot = 1;
     for (const Table& table : table_.tables("modules"))
       if (auto module = readTelegram(table)) add(std::move(*module), slot++, table);
-    if (slave_.modules.empty())
+    if (known && table_.tables("modules").empty())
       table_.problems().add(ProblemCode::P0744, table_.place(), table_.title(),
                             "modules = [ {type = \"Standard telegram 9\"} ]");
     checkLengths(table_, slave_, limits_);
@@ -107,15 +108,40 @@ class SlaveReader {
   SlaveLimits limits_ = kEt200MLimits;
 };
 
-DpSubnet* subnetOf(const Table& table, std::vector<DpSubnet>& subnets) {
-  const auto name = table.text("subnet", "the name of a [[subnet]] with kind = \"profibus\"");
-  const auto found = std::ranges::find_if(subnets, [&](const DpSubnet& one) {
-    return name ? equalsIgnoreCase(one.name, *name) : subnets.size() == 1;
-  });
-  if (found != subnets.end()) return &*found;
-  table.mustBe("subnet", "the name of a [[subnet]] with kind = \"profibus\"");
-  return nullptr;
-}
+// Which subnet a slave is on, where several are; a second subnet is one mistake, however many
+// slaves leave their own out.
+class SubnetChoice {
+ public:
+  // `silent`: a subnet is missing because of a mistake in it, which is named there.
+  SubnetChoice(std::vector<DpSubnet>& subnets, bool silent) : subnets_(subnets), silent_(silent) {}
+
+  // Null, and a problem: it is on none.
+  DpSubnet* of(const Table& table) {
+    constexpr std::string_view kWhat = "the name of a [[subnet]] with kind = \"profibus\"";
+    if (!table.has("subnet")) return onlyOne(table);
+    const auto name = table.text("subnet", kWhat);
+    if (!name) return nullptr;
+    const auto found = std::ranges::find_if(
+        subnets_, [&](const DpSubnet& one) { return equalsIgnoreCase(one.name, *name); });
+    if (found != subnets_.end()) return &*found;
+    if (!silent_) table.mustBe("subnet", kWhat);
+    return nullptr;
+  }
+
+ private:
+  DpSubnet* onlyOne(const Table& table) {
+    if (subnets_.size() == 1) return &subnets_.front();
+    if (!silent_)
+      table.problems().add(
+          ProblemCode::P0744, table.place(), table.title(),
+          fmt::format("subnet = \"{}\": there are several PROFIBUS subnets", subnets_[0].name));
+    silent_ = true;
+    return nullptr;
+  }
+
+  std::vector<DpSubnet>& subnets_;
+  bool silent_;
+};
 
 // 1 to the highest, and no other one's.
 bool readAddressOnBus(const Table& table, const DpSubnet& subnet, io::Slave& slave) {
@@ -169,34 +195,48 @@ bool namesOneKind(const Table& table) {
   return true;
 }
 
+// Behind the others of its subnet, unless it is too wrong.
+void readSlave(const Table& table, const Network* network, std::vector<DpSubnet>& subnets,
+               DpSubnet& subnet, io::Slave slave, bool known) {
+  slave.name = table.text("name", "a text").value_or(fmt::format("DP{}", slave.address));
+  if (trim(slave.name).empty()) table.mustBe("name", "a name, or left out");
+  if (!namesOneKind(table)) return;
+  readGroups(table, slave);
+  SlaveReader reader(table, slave);
+  if (table.has("station")) {
+    if (!readIntelligentSlave(table, network, subnets, subnet, slave)) return;
+  } else if (table.has("type")) {
+    const auto type = table.choice("type", {kEt200M, kDrive});
+    if (type == std::size_t{0}) reader.et200M();
+    if (type == std::size_t{1}) reader.drive(known);
+  } else if (!table.has("gsd")) {
+    table.problems().add(ProblemCode::P0744, table.place(), table.title(),
+                         "gsd = \"valves.gsd\", type = \"ET 200M\" or type = \"PROFIdrive\"");
+  } else if (const auto device = readGsd(table)) {
+    reader.fromGsd(*device, subnet.master.rate);
+  }
+  subnet.master.slaves.push_back(std::move(slave));
+}
+
 }  // namespace
 
-void readSlaves(const Table& root, const Network* network, std::vector<DpSubnet>& subnets) {
+bool readSlaves(const Table& root, const Network* network, std::vector<DpSubnet>& subnets,
+                bool allSubnets) {
   constexpr std::size_t kMost = 125;
+  bool complete = true;
+  SubnetChoice choice(subnets, !allSubnets);
   for (const Table& table : root.tables("slave", kMost)) {
-    table.allow({"name", "subnet", "address", "gsd", "type", "station", "groups", "modules"});
-    DpSubnet* const subnet = subnetOf(table, subnets);
+    const bool known =
+        table.allow({"name", "subnet", "address", "gsd", "type", "station", "groups", "modules"});
+    DpSubnet* const subnet = choice.of(table);
     io::Slave slave;
     slave.position = table.place();
-    if (subnet == nullptr || !readAddressOnBus(table, *subnet, slave)) continue;
-    slave.name = table.text("name", "a text").value_or(fmt::format("DP{}", slave.address));
-    if (trim(slave.name).empty()) table.mustBe("name", "a name, or left out");
-    if (!namesOneKind(table)) continue;
-    readGroups(table, slave);
-    SlaveReader reader(table, slave);
-    if (table.has("station")) {
-      if (!readIntelligentSlave(table, network, subnets, *subnet, slave)) continue;
-    } else if (table.has("type")) {
-      const auto type = table.choice("type", {kEt200M, kDrive});
-      type == 1 ? reader.drive() : reader.et200M();
-    } else if (!table.has("gsd")) {
-      table.problems().add(ProblemCode::P0744, table.place(), table.title(),
-                           "gsd = \"valves.gsd\", type = \"ET 200M\" or type = \"PROFIdrive\"");
-    } else if (const auto device = readGsd(table)) {
-      reader.fromGsd(*device, subnet->master.rate);
-    }
-    subnet->master.slaves.push_back(std::move(slave));
+    const std::size_t before = subnet == nullptr ? 0 : subnet->master.slaves.size();
+    if (subnet != nullptr && readAddressOnBus(table, *subnet, slave))
+      readSlave(table, network, subnets, *subnet, std::move(slave), known);
+    complete &= subnet != nullptr && subnet->master.slaves.size() > before;
   }
+  return complete;
 }
 
 }  // namespace merker::project

@@ -53,11 +53,15 @@ void Table::mustBe(std::string_view key, std::string_view what) const {
   problems_.add(ProblemCode::P0704, at(key), key, what);
 }
 
-void Table::allow(const std::vector<std::string_view>& known) const {
+bool Table::allow(const std::vector<std::string_view>& known) const {
+  bool good = true;
   for (const auto& [key, value] : table_)
-    if (std::find(known.begin(), known.end(), key.str()) == known.end())
+    if (std::find(known.begin(), known.end(), key.str()) == known.end()) {
+      good = false;
       problems_.add(ProblemCode::P0703, position(key.source(), key.str().size()), key.str(),
                     title_.empty() ? place_.file : title_, list(known));
+    }
+  return good;
 }
 
 std::vector<std::string> Table::keys() const {

@@ -25,8 +25,8 @@ class Table {
   Table(const toml::table& table, std::string title, Position place, Problems& problems)
       : table_(table), title_(std::move(title)), place_(std::move(place)), problems_(problems) {}
 
-  // A problem for each key that is not among these.
-  void allow(const std::vector<std::string_view>& keys) const;
+  // A problem for each key that is not among these; then it is false.
+  bool allow(const std::vector<std::string_view>& keys) const;
   bool has(std::string_view key) const { return table_.contains(key); }
   const Position& place() const { return place_; }
   Position at(std::string_view key) const;  // of a value; of the table if the key is missing
