@@ -142,19 +142,49 @@ scenario "STOP of the other station switches its outputs off"
         self.assertGreater(traces.pop().count("Press/MW 6"), 2)
 
     def test_what_is_wrong_with_a_wire(self):
-        self.refused("'Pres/A 0.0' is neither", 'UP = "Pres/A 0.0"\n')
+        self.refused("'UP' must be a terminal of a station: Line, Press; there is no station Pres", 'UP = "Pres/A 0.0"\n')
+        self.refused("'UP' must be a terminal of a station: Line, Press; there is no station Pres", 'UP = "Pres/Motor.DO0"\n')
+        self.refused("'DP4/9.DO0' is neither", 'UP = "DP4/9.DO0"\n')
+        self.refused("the name 'up' is already used for another wire of UP", 'UP = "A 20.1"\nup = "A 20.2"\n')
         self.refused("the hardware configuration has no terminal at Press/A 300.0", 'UP = "Press/A 300.0"\n')
         self.refused("cannot be wired to Press/E 257.4; it needs a digital output terminal, DO", 'UP = "Press/E 257.4"\n')
-        self.refused("Press/Switches.DO0; with the profile S-0.0 of the slave the bit is no such", 'UP = "Press/Switches.DO0"\n')
+        self.refused("Press/Switches.DO0; with the profile S-0.0 of the slave this bit is no output", 'UP = "Press/Switches.DO0"\n')
         self.refused("Press/E 257.4 is already wired to Line/Valve.LMNR_HS", WIRES,
                      VALVE.replace('"Valve"', '"Other"') + 'LMNR_HS = "Press/E 257.4"\n')
         self.refused("Switches.DI0 is already wired to Line/Valve.LMNR_HS", WIRES,
                      VALVE.replace('"Valve"', '"Other"').replace("Line", "Press") + 'LMNR_HS = "Switches.DI0"\n')
+        self.refused("that is a plant of the station Line; plants feed only those of their own station", WIRES,
+                     VALVE.replace('"Valve"', '"Other"').replace("Line", "Press") + 'UP = "Valve.LMNR_HS"\n')
+        self.refused("that is a plant of the station Line; plants feed only those of their own station", WIRES,
+                     VALVE.replace('"Valve"', '"Other"').replace("Line", "Press") + 'UP = "line/Valve.LMNR_HS"\n')
+        self.refused("a plant cannot feed itself", 'UP = "Valve.LMNR_LS"\n')
         self.refused("fast signals need a terminal of the plant's own station", "",
                      '[[plant]]\nname = "P"\nkind = "pulse train"\nstation = "Line"\n[plant.wire]\nPULSES = "Press/Switches.DI0"\n')
         self.refused("'station' must be the name of a [[station]]: Line, Press", "", VALVE.replace('"Valve"', '"V"').replace('"Line"', '"Lin"'))
         self.refused("a [[plant]] needs 'station'", "", VALVE.replace('"Valve"', '"V"').replace('station = "Line"\n', ""))
         self.refused("the name 'Valve' is already used for another plant", "", VALVE)
+
+    # A plant of the station's own merker.toml has the terminals of that station.
+    def test_wires_of_a_station_end_there(self):
+        self.lab("")
+        own = VALVE.replace('station = "Line"\n', "").replace('"Valve"', '"Own"')
+        self.write("line/merker.toml", '[cpu]\nmodel = "314C-2 DP"\n' + own + 'UP = "Press/Motor.DO1"\n')
+        for project in ".", "line":
+            err = self.merker("check", project).err
+            self.assertIn("'UP' must be a terminal of this station; a plant with a wire to another one, Press, stands in the merker.toml of the "
+                          "project that names the stations", err)
+
+    def test_data_of_a_slave_have_no_terminals(self):
+        drive = '[[slave]]\nname = "Drive"\naddress = 6\ntype = "PROFIdrive"\nmodules = [ {type = "Standard telegram 1", input = 60, output = 60} ]\n\n'
+        self.lab()
+        self.write("merker.toml", STATIONS + drive + VALVE + 'LMNR_HS = "E 60.0"\n')
+        err = self.expect(PROBLEMS, "check", ".").err
+        self.assertIn("cannot be wired to E 60.0; there are data of the DP slave Drive without terminals", err)
+
+    # They stand beside each other in scenarios and on the command line.
+    def test_names_of_plants(self):
+        for name in "a/b", "a,b", "a:b", "a.b", "a b", "a\\u0007b", "a\\u007Fb", "":
+            self.refused("'name' must be a word without blanks, control characters and . , : / = \"", "", VALVE.replace('"Valve"', f'"{name}"'))
 
 
 if __name__ == "__main__":

@@ -2,6 +2,7 @@
 // and its wires may end at terminals of the others.
 #pragma once
 
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -13,6 +14,9 @@
 
 namespace merker::project {
 
+// "the binary input signal UP", for problems.
+std::string titleOf(const plant::Signal& signal);
+
 // Reads the plants of one station, in the order of the file.
 class PlantReader {
  public:
@@ -20,8 +24,10 @@ class PlantReader {
   PlantReader(const io::Configuration& modules, plant::Configuration& plants,
               std::vector<StationField>* stations = nullptr, std::size_t own = 0)
       : rack_(modules), plants_(plants), stations_(stations), own_(own) {}
-  // All names, in capital letters, to tell which of them stand below.
-  void expect(std::set<std::string> names) { below_ = std::move(names); }
+  // All names, in capital letters, of each station, to tell which of them stand below or elsewhere.
+  void expect(const std::vector<std::set<std::string>>& names) { expected_ = &names; }
+  // Names of plants, in capital letters, that no station has because of a mistake.
+  void refuse(const std::set<std::string>& names) { refused_.insert(names.begin(), names.end()); }
   void read(const Table& table);
 
  private:
@@ -41,6 +47,11 @@ class PlantReader {
     const Table* ends;  // { to, low, high }; null: the end alone
   };
   bool find(const Asked& asked, plant::Wire& wire);
+  bool cannotFeed(const Asked& asked, std::string_view front, const plant::Wire& wire) const;
+  bool isNamed(std::size_t station, std::string_view plant) const;
+  bool isOfOthers(const Asked& asked, std::optional<std::size_t> station, std::string_view front,
+                  const plant::Wire& wire) const;
+  bool isStrange(const Asked& asked, std::string_view end) const;
   bool findSignal(const Asked& asked, std::uint32_t other, plant::Wire& wire) const;
   bool findHere(const Asked& asked, std::string_view end, plant::Wire& wire) const;
   bool findThere(const Asked& asked, std::size_t station, std::string_view end, plant::Wire& wire);
@@ -50,7 +61,8 @@ class PlantReader {
   plant::Configuration& plants_;
   std::vector<StationField>* stations_;
   std::size_t own_;
-  std::set<std::string> below_;
+  const std::vector<std::set<std::string>>* expected_ = nullptr;
+  std::set<std::string> refused_;  // plants that are too wrong to be there, in capital letters
 };
 
 }  // namespace merker::project

@@ -42,6 +42,15 @@ double readParameter(const Table& table, const plant::Parameter& parameter) {
   return length ? static_cast<double>(length->ns) / 1e9 : parameter.standard;
 }
 
+// It stands between others in scenarios and on the command line: "plant Press/Oven.PV, MW 10".
+bool isWord(std::string_view name) {
+  constexpr char kLastControl = ' ', kDelete = 0x7F;
+  return !name.empty() && std::ranges::none_of(name, [](char c) {
+    return (c >= 0 && c <= kLastControl) || c == kDelete ||
+           std::string_view(".,:/=\"").find(c) != std::string_view::npos;
+  });
+}
+
 // `ofStations`: it names its station.
 void readParameters(const Table& table, bool ofStations, PlantSettings& plant) {
   std::vector<std::string_view> keys{"name", "kind", "step", "wire"};
@@ -81,8 +90,8 @@ bool PlantReader::readName(const Table& table, PlantSettings& plant) const {
   const auto name = table.text("name", "a text");
   if (!name) return false;
   plant.name = *name;
-  if (name->empty() || name->find_first_of(".\"= \t") != std::string::npos) {
-    table.mustBe("name", "a word without blanks, points and quotation marks");
+  if (!isWord(*name)) {
+    table.mustBe("name", "a word without blanks, control characters and . , : / = \"");
     return false;
   }
   if (plants_.find(*name) || rack_.module(*name)) {
@@ -97,6 +106,7 @@ void PlantReader::read(const Table& table) {
   PlantSettings plant;
   const bool named = readName(table, plant);
   plant.kind = readKind(table);
+  if (!named || plant.kind == nullptr) refused_.insert(upper(plant.name));
   if (plant.kind == nullptr) return;
   readParameters(table, stations_ != nullptr, plant);
   if (const auto wires = table.table("wire")) readWires(*wires, plant);
@@ -107,11 +117,11 @@ void PlantReader::read(const Table& table) {
 plant::Configuration readPlants(const Table& root, const io::Configuration& modules) {
   plant::Configuration plants;
   PlantReader reader(modules, plants);
-  std::set<std::string> names;
+  std::vector<std::set<std::string>> names(1);
   for (const Table& table : root.tables("plant"))
     if (const toml::node* name = table.node("name"); name != nullptr && name->is_string())
-      names.insert(upper(name->as_string()->get()));
-  reader.expect(std::move(names));
+      names.front().insert(upper(name->as_string()->get()));
+  reader.expect(names);
   for (const Table& table : root.tables("plant")) reader.read(table);
   return plants;
 }

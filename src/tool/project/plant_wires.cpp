@@ -1,12 +1,21 @@
 // [plant.wire] of merker.toml: where the signals of a plant are wired to.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/text.h"
 #include "io/asi.h"
+#include "io/slave.h"
 #include "io/terminal_address.h"
 #include "project/plant_reader.h"
 
 namespace merker::project {
+
+std::string titleOf(const plant::Signal& signal) {
+  return fmt::format("{} {} signal {}", signal.binary ? "the binary" : "the analog",
+                     signal.side == plant::Signal::Side::Input ? "input" : "output", signal.name);
+}
+
 namespace {
 
 using plant::Kind;
@@ -15,11 +24,6 @@ using plant::Signal;
 
 constexpr std::string_view kWireWords =
     "a terminal or a signal: \"Panel.DO0\", or { to = \"4.AI0\", low = 0, high = 200 }";
-
-std::string titleOf(const Signal& signal) {
-  return fmt::format("{} {} signal {}", signal.binary ? "the binary" : "the analog",
-                     signal.side == Signal::Side::Input ? "input" : "output", signal.name);
-}
 
 std::string neededBy(const Signal& signal) {
   const bool input = signal.side == Signal::Side::Input;
@@ -32,6 +36,29 @@ std::string neededBy(const Signal& signal) {
 bool isNone(const io::Module& module, const io::Terminal& terminal) {
   const unsigned bits = io::isOutput(terminal.side) ? module.asiOutputs : module.asiInputs;
   return module.asiCp && (bits >> terminal.channel & 1) == 0;
+}
+
+bool hasTerminals(const ModuleType& type) {
+  return type.digitalInputs + type.digitalOutputs + type.analogInputs + type.analogOutputs > 0;
+}
+
+// The DP slave, a drive or an intelligent one, whose data lie at an address; empty: none.
+std::string slaveOfData(const io::Configuration& configuration,
+                        const io::TerminalAddress& address) {
+  const auto has = [&](const io::Module& module) {
+    if (module.rack < io::kSlaveRack || hasTerminals(*module.type)) return false;
+    if (io::isOutput(address.side))
+      return module.outputStart && address.byte >= *module.outputStart &&
+             address.byte <= module.outputEnd();
+    return module.inputStart && address.byte >= *module.inputStart &&
+           address.byte <= module.inputEnd();
+  };
+  const auto data = std::ranges::find_if(configuration.modules, has);
+  if (data == configuration.modules.end()) return {};
+  const auto head = std::ranges::find_if(configuration.modules, [&](const io::Module& one) {
+    return one.rack == data->rack && one.slot == io::kHeadSlot;
+  });
+  return head == configuration.modules.end() ? data->slotText() : head->name;
 }
 
 // Finds terminals in the rack of one station.
@@ -50,9 +77,12 @@ class Ends {
     if (!fits) return fail(ProblemCode::P0764, titleOf(signal_), text, neededBy(signal_));
     const io::Module& module = rack_.configuration().modules[terminal->module];
     if (isNone(module, *terminal))
-      return fail(
-          ProblemCode::P0764, titleOf(signal_), text,
-          fmt::format("with the profile {} of the slave the bit is no such", module.type->name));
+      return fail(ProblemCode::P0764, titleOf(signal_), text,
+                  io::isOutput(terminal->side)
+                      ? fmt::format("with the profile {} of the slave this bit is no output",
+                                    module.type->name)
+                      : fmt::format("with the profile {} of the slave this bit is no input",
+                                    module.type->name));
     if (!signal_.binary && rack_.range(*terminal) == nullptr)
       return fail(ProblemCode::P0984, text, "range: it is off");
     return terminal;
@@ -69,9 +99,12 @@ class Ends {
   std::optional<io::Terminal> named(std::string_view end, const std::string& text) const {
     if (const auto address = io::parseTerminalAddress(end)) {
       const auto terminal = io::terminalAt(rack_.configuration(), *address);
-      return terminal ? terminal
-                      : fail(ProblemCode::P0984, "the hardware configuration",
-                             fmt::format("terminal at {}", text));
+      if (terminal) return terminal;
+      if (const std::string slave = slaveOfData(rack_.configuration(), *address); !slave.empty())
+        return fail(ProblemCode::P0764, titleOf(signal_), text,
+                    fmt::format("there are data of the DP slave {} without terminals", slave));
+      return fail(ProblemCode::P0984, "the hardware configuration",
+                  fmt::format("terminal at {}", text));
     }
     const auto name = io::parseTerminal(end);
     const auto module = name ? rack_.module(name->module) : std::nullopt;
@@ -138,6 +171,9 @@ void PlantReader::readWire(const Table& wires, const std::string& key, PlantSett
     return;
   }
   const Signal& signal = plant.kind->signals[*number];
+  if (std::ranges::count(plant.wires, *number, &plant::Wire::signal) > 0)
+    return wires.problems().add(ProblemCode::P0742, wires.placeOf(key), key,
+                                fmt::format("another wire of {}", signal.name));
   if (plant.kind->telegram != nullptr && signal.name == plant::kBusSignal)
     return readBus(wires, key, plant);
   plant::Wire wire;
@@ -162,6 +198,7 @@ void PlantReader::readBus(const Table& wires, std::string_view key, PlantSetting
   const auto slave = wires.text(key, wanted);
   if (!slave) return;
   const auto module = slaveModule(*slave, telegram);
+  if (!module && wires.problems().hasErrors()) return;  // the slave may be what is wrong
   if (!module) return wires.mustBe(key, wanted);
   for (const PlantSettings& other : plants_.plants)
     for (const plant::Wire& wire : other.wires)
@@ -209,36 +246,24 @@ bool PlantReader::findSignal(const Asked& asked, std::uint32_t other, plant::Wir
   return true;
 }
 
-// "Press/E 0.0": the station in front of the end, which is taken off; a name of a module in
-// quotation marks may have a slash in it.
-std::optional<std::size_t> PlantReader::otherStation(std::string_view& end) const {
-  const auto slash = end.find('/');
-  if (stations_ == nullptr || slash == std::string_view::npos || end.find('"') < slash)
-    return std::nullopt;
-  for (std::size_t i = 0; i < stations_->size(); ++i) {
-    if (!equalsIgnoreCase((*stations_)[i].name, trim(end.substr(0, slash)))) continue;
-    end = trim(end.substr(slash + 1));
-    return i;
-  }
-  return std::nullopt;
-}
-
 // The end that a text names.
 bool PlantReader::find(const Asked& asked, plant::Wire& wire) {
   const auto text = asked.table.text(asked.key, kWireWords);
   if (!text) return false;
   wire.text = *text;
-  const std::string_view front = std::string_view(*text).substr(0, text->rfind('.'));
-  const auto other = plants_.find(front);
-  if (other && front.size() < text->size()) return findSignal(asked, *other, wire);
-  if (below_.contains(upper(front))) {
-    asked.table.problems().add(ProblemCode::P0767, asked.table.at(asked.key), front);
-    return false;
-  }
   std::string_view end = *text;
   const auto station = otherStation(end);
-  return station && *station != own_ ? findThere(asked, *station, end, wire)
-                                     : findHere(asked, end, wire);
+  const bool here = !station || *station == own_;
+  const std::string_view front = end.substr(0, end.rfind('.'));
+  if (front.size() < end.size()) {
+    const auto other = here ? plants_.find(front) : std::nullopt;
+    if (other) return findSignal(asked, *other, wire);
+    if (here && cannotFeed(asked, front, wire)) return false;
+    const bool module = here && rack_.module(front);
+    if (!module && isOfOthers(asked, station, front, wire)) return false;
+  }
+  if (!here) return findThere(asked, *station, end, wire);
+  return !isStrange(asked, end) && findHere(asked, end, wire);
 }
 
 bool PlantReader::findHere(const Asked& asked, std::string_view end, plant::Wire& wire) const {

@@ -1,6 +1,7 @@
 #include "project/station_plants.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "base/text.h"
@@ -8,7 +9,6 @@
 #include "project/plant_reader.h"
 
 namespace merker::project {
-namespace {
 
 std::string namesOf(const std::vector<StationField>& stations) {
   constexpr std::size_t kShown = 10;
@@ -17,6 +17,8 @@ std::string namesOf(const std::vector<StationField>& stations) {
     list += (i == 0 ? "" : ", ") + stations[i].name;
   return stations.size() > kShown ? list + ", …" : list;
 }
+
+namespace {
 
 // Nothing, and a problem: it has none.
 std::optional<std::size_t> stationOf(const Table& table,
@@ -49,17 +51,22 @@ void readStationPlants(const source::SourceFile& file, std::vector<StationField>
   const std::vector<Table> tables = root.tables("plant");
   std::vector<std::optional<std::size_t>> owners;
   std::vector<std::set<std::string>> names(stations.size());
+  std::set<std::string> lost;
   for (const Table& table : tables) {
     owners.push_back(stationOf(table, stations));
     const toml::node* name = table.node("name");
-    if (owners.back() && name != nullptr && name->is_string())
-      names[*owners.back()].insert(upper(name->as_string()->get()));
+    if (name != nullptr && name->is_string())
+      (owners.back() ? names[*owners.back()] : lost).insert(upper(name->as_string()->get()));
   }
+  std::map<std::size_t, PlantReader> readers;
   for (std::size_t i = 0; i < tables.size(); ++i) {
     if (!owners[i]) continue;
     const StationField& own = stations[*owners[i]];
-    PlantReader reader(*own.hardware, *own.plants, &stations, *owners[i]);
-    reader.expect(names[*owners[i]]);
+    PlantReader& reader =
+        readers.try_emplace(*owners[i], *own.hardware, *own.plants, &stations, *owners[i])
+            .first->second;
+    reader.expect(names);
+    reader.refuse(lost);
     reader.read(tables[i]);
   }
 }

@@ -18,6 +18,9 @@ struct StationField {
   plant::Configuration* plants = nullptr;  // to be completed
 };
 
+// "Line, Press", of many the first ones.
+std::string namesOf(const std::vector<StationField>& stations);
+
 // [[plant]] of the project's merker.toml, behind the plants of the stations' own.
 void readStationPlants(const source::SourceFile& file, std::vector<StationField>& stations,
                        Problems& problems);
