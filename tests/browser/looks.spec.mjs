@@ -54,8 +54,8 @@ for (const view of views)
     for (const [width, height] of [[1280, 800], [1024, 768], [768, 1024]]) await fits(pages.en, width, height);
   });
 
-const sizes = [[1280, 800], [1180, 820], [820, 1180]];
-const plants = ['vessel-emptying', 'garage-door', 'lift', 'traffic-light', 'technology/temperature-control', 'technology/axis-first-steps'];
+const sizes = [[1280, 800], [1180, 820], [820, 1180], [768, 1024]];
+const plants = ['vessel-emptying', 'garage-door', 'lift', 'traffic-light', 'technology/temperature-control', 'technology/axis-first-steps', 'technology/rotary-table'];
 
 /** Nothing is crowded, as soon as the view has what it shows. */
 async function roomy(page) {

@@ -51,23 +51,14 @@ test('a box of each size goes into its bin', async () => {
   assert.equal(await count('WRONG'), '0');
 });
 
-test('the plates have names in place of operands, and room for a finger', async () => {
-  const text = () => tag('BARRIER_LARGE').innerText();
-  await until(async () => (await text()).startsWith('E 0.2'), 'the operand');
-  await page.getByRole('switch', { name: 'Namen' }).press('Space');
-  await until(async () => /^Lichtschranke/.test(await text()), 'the name');
-  await accessible(page, 'names on plates');
-  const height = () => tag('BARRIER_LARGE').evaluate((one) => one.getBoundingClientRect().height);
-  const finger = async () => {
-    await page.keyboard.press('F1');
-    await page.getByRole('switch', { name: 'Finger' }).click();
-    await leave(page);
-  };
-  await finger();
-  await until(async () => (await height()) >= 40, '40 px');
-  await finger();
-  await page.getByRole('switch', { name: 'Namen' }).press('Space');
-  await until(async () => (await text()).startsWith('E 0.2'), 'the operand again');
+test('the plates have names and operands, and room for a finger, on a tablet as well', async () => {
+  assert.match(await tag('BARRIER_LARGE').innerText(), /^Lichtschranke groß\s+E 0\.2\s+[01]$/);
+  const smallest = () => page.locator('[data-signal], [data-push]').evaluateAll((all) => Math.min(...all.map((one) => one.getBoundingClientRect().height)));
+  for (const [width, height] of [[1024, 768], [768, 1024], [1280, 800]]) {
+    await page.setViewportSize({ width, height });
+    await until(async () => (await smallest()) >= 40, `40 px at ${width}`);
+    await accessible(page, `plates at ${width}`);
+  }
 });
 
 test('a stuck light barrier takes a large box for a middle one', async () => {

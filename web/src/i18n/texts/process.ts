@@ -17,8 +17,6 @@ export const process = {
     'No project is open. Open an example or a project of your own:',
   ],
   toProjects: ['Zu den Projekten', 'To the projects'],
-  tagNamed: ['{name} {value}, {operand}{state}', '{name} {value}, {operand}{state}'],
-  named: ['Namen', 'Names'],
   reset: ['Zurück zum Anfang', 'Back to the start'],
   place: ['Kasten auflegen', 'Place a box'],
   signals: ['Signale', 'Signals'],

@@ -79,7 +79,7 @@ export const liftSignals = {
   FAULTS: ['Gefährliche Bewegungen', 'Dangerous movements'],
   ...floors('Lampe', 'Lamp', (floor) => `LAMP${floor}`),
   ...floors('Ruf', 'Call', (floor) => `CALL${floor}`),
-  ...floors('Fahrt nach', 'Go to', (floor) => `GO${floor}`),
+  ...floors('Nach', 'Go to', (floor) => `GO${floor}`),
   ...floors('Etagensensor', 'Floor sensor', (floor) => `FLOOR${floor}`),
   ...floors('Ruftaster', 'Call button', (floor) => `CALL${floor}_CONTACT`),
   ...floors('Kabinentaster', 'Car button', (floor) => `GO${floor}_CONTACT`),
@@ -96,7 +96,7 @@ export const temperatureSignals = {
 
 export const axisSignals = {
   SETPOINT: ['Sollwert', 'Set-point'],
-  ENABLE: ['Freigabe Leistungsteil', 'Enable of the power section'],
+  ENABLE: ['Freigabe Leistungsteil', 'Enable power section'],
   DIRECTION: ['Richtungssignal', 'Direction signal'],
   Q0: ['Schütz Q0', 'Contactor Q0'],
   Q1: ['Schütz Q1', 'Contactor Q1'],
