@@ -114,7 +114,7 @@ test('assignment list, program structure, unused symbols', async () => {
   const structure = panel.getByRole('table', { name: 'Programmstruktur' });
   await until(async () => /^\s*OB 1\b[^]*FB 1/.test(await structure.locator('tbody').innerText()), 'the calls of OB 1');
   await accessible(page, 'program structure');
-  await reference('Nicht verwendet');
+  await reference('Nicht verwendete Symbole');
   await panel.getByRole('table', { name: 'Nicht verwendete Symbole' }).waitFor();
   await panel.getByRole('table', { name: 'Operanden ohne Symbol' }).waitFor();
   await accessible(page, 'unused');

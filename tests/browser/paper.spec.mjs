@@ -21,6 +21,20 @@ async function printed(words) {
   return text;
 }
 
+test('each view that has something for paper has a button for it', async () => {
+  for (const view of ['program?file=sorting.awl', 'symbols', 'hardware']) {
+    await visit(page, server, view);
+    const button = page.getByRole('button', { name: 'Drucken …' });
+    await button.waitFor();
+    await page.evaluate(() => (window.print = () => (document.title = 'printed')));
+    await button.press('Enter');
+    await expect(() => page.title(), 'printed', view);
+    await page.reload();
+    await page.locator('[data-phase="open"]').waitFor();
+  }
+  await visit(page, server, 'program?file=sorting.awl');
+});
+
 test('a source from its first line to its last', async () => {
   await page.locator('.code .cm-content').waitFor();
   const source = readFileSync(join(server.project, 'sorting.awl'), 'utf-8');

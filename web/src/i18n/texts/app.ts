@@ -47,5 +47,6 @@ export const app = {
     'Dialog schließen; im Programmtext führt Tab danach hinaus',
     'Close a dialog; in the program text, Tab then moves out',
   ],
+  print: ['Drucken …', 'Print …'],
   skip: ['Zum Inhalt springen', 'Skip to content'],
 } satisfies Texts;

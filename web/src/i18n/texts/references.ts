@@ -5,7 +5,7 @@ export const references = {
   cross: ['Querverweisliste', 'Cross reference list'],
   assigned: ['Belegungsplan', 'Assignment list'],
   structure: ['Programmstruktur', 'Program structure'],
-  unusedPage: ['Nicht verwendet', 'Not used'],
+  unusedPage: ['Nicht verwendete Symbole', 'Unused symbols'],
   unused: ['wird nicht aufgerufen', 'is not called'],
   count: ['{count} {count|Verwendung|Verwendungen}', '{count} {count|use|uses}'],
   more: ['und {count} weitere: den Operanden genauer angeben', 'and {count} more: name the operand more exactly'],
