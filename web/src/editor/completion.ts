@@ -14,7 +14,7 @@ const calls = /^(CALL|UC|CC|AUF|OPN)$/;
 const jumps = /^(SP[A-Z]+|J[A-Z]+|LOOP)$/;
 
 export interface Place {
-  tokens: Token[]; // of the line, up to the cursor
+  tokens: readonly Token[]; // of the line, up to the cursor
   section: LexerState['section'];
   parameters: boolean;
 }
@@ -27,7 +27,7 @@ export function placeOf(text: string, offset: number): Place {
   return { tokens: sinceSemicolon(tokens), section: state.section, parameters: state.parameters };
 }
 
-function sinceSemicolon(tokens: Token[]): Token[] {
+function sinceSemicolon(tokens: readonly Token[]): readonly Token[] {
   return tokens.slice(tokens.map((token) => token.text).lastIndexOf(';') + 1);
 }
 

@@ -1,5 +1,6 @@
 import type { Problem } from '../connection';
 import { afterFrame } from '../state/after_frame';
+import { whenQuiet } from '../state/when_quiet';
 import type { Drafts } from './drafts';
 
 export interface Stored {
@@ -13,6 +14,7 @@ export class OpenDocument {
   /** The text as of the last frame, for what is worked out from all of it: a key is shown first. */
   settled = $state('');
   private settling = false;
+  private readonly keeping = whenQuiet(() => this.keep());
   problems = $state<Problem[]>([]);
   /** The server's newer text, while this browser has changes of its own. */
   conflict = $state<Stored | null>(null);
@@ -48,9 +50,13 @@ export class OpenDocument {
   /** Typed by the user key by key, or changed by a command of the page. */
   edit(text: string, typed = false): void {
     this.text = text;
-    if (typed) this.settleSoon();
-    else this.settled = text;
-    this.keep();
+    if (typed) {
+      this.settleSoon();
+      this.keeping.ask();
+    } else {
+      this.settled = text;
+      this.keep();
+    }
   }
 
   private settleSoon(): void {
@@ -97,6 +103,7 @@ export class OpenDocument {
   }
 
   private keep(): void {
+    this.keeping.cancel();
     if (this.readonly) return;
     if (this.dirty) this.drafts.write(this.path, { text: this.text, revision: this.revision });
     else this.drafts.remove(this.path);

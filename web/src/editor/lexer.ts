@@ -178,7 +178,34 @@ export function startLine(state: LexerState): void {
   if (!state.parameters) state.start = true;
 }
 
-export function tokenizeLine(line: string, state: LexerState): Token[] {
+interface Read {
+  tokens: readonly Token[];
+  after: LexerState;
+}
+/** Lines that were read, by the state before them: at a key all lines but one are as they were. */
+const known = new Map<string, Map<string, Read>>();
+const KNOWN_AT_MOST = 50_000;
+let knownLines = 0;
+
+export function tokenizeLine(line: string, state: LexerState): readonly Token[] {
+  const before = Object.values(state).join();
+  const lines = known.get(before) ?? new Map<string, Read>();
+  let read = lines.get(line);
+  if (!read) {
+    if (++knownLines > KNOWN_AT_MOST) {
+      known.clear();
+      lines.clear();
+      knownLines = 1;
+    }
+    const tokens = readTokens(line, state);
+    lines.set(line, (read = { tokens, after: { ...state } }));
+    known.set(before, lines);
+  }
+  Object.assign(state, read.after);
+  return read.tokens;
+}
+
+function readTokens(line: string, state: LexerState): Token[] {
   const tokens: Token[] = [];
   startLine(state);
   let from = 0;

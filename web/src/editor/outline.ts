@@ -79,7 +79,7 @@ export function outline(source: string): BlockOutline[] {
   return reader.blocks;
 }
 
-function readLine(reader: Reader, tokens: Token[], first: Token, text: string, line: number): void {
+function readLine(reader: Reader, tokens: readonly Token[], first: Token, text: string, line: number): void {
   const word = first.kind === 'keyword' ? first.text.toUpperCase() : '';
   if (/^(ORGANIZATION_BLOCK|FUNCTION_BLOCK|FUNCTION|DATA_BLOCK|TYPE)$/.test(word))
     return beginBlock(reader, word, tokens, line);
@@ -97,7 +97,7 @@ function readLine(reader: Reader, tokens: Token[], first: Token, text: string, l
   else readDeclaration(reader, block, text, line);
 }
 
-function beginBlock(reader: Reader, keyword: string, tokens: Token[], line: number): void {
+function beginBlock(reader: Reader, keyword: string, tokens: readonly Token[], line: number): void {
   const rest = tokens.slice(1).filter((token) => token.kind !== 'comment');
   const stop = rest.findIndex((token) => token.text === ':' || token.kind === 'keyword');
   const name = (stop < 0 ? rest : rest.slice(0, stop))
