@@ -136,10 +136,14 @@ const plants = {
 };
 for (const [example, look] of Object.entries(plants)) {
   test(`${example} moves`, async () => {
-    const page = await open(await serve(example), 'process', { language: 'en' });
+    const own = await serve(example);
+    const page = await open(own, 'process', { language: 'en' });
     await turn(page, 'RUN-P');
     await look(page);
     await accessible(page, example);
+    // What moves here takes the processor from the next.
+    await page.context().close();
+    await own.close();
   });
 }
 

@@ -14,6 +14,7 @@ export const diagnosis = {
   details: ['Zu Ereignis {event}', 'Details of event {event}'],
   place: ['Stelle', 'Place'],
   module: ['Baugruppe', 'Module'],
+  moduleRow: ['{name} (Baugruppenträger {rack}, Steckplatz {slot})', '{name} (rack {rack}, slot {slot})'],
   moduleAt: [
     '{name}, Baugruppenträger {rack}, Steckplatz {slot}, Adresse {address}',
     '{name}, rack {rack}, slot {slot}, address {address}',
