@@ -105,3 +105,19 @@ describe('around the code', () => {
     expect(kinds('  Count := 5;', state)[0]).toBe('name Count');
   });
 });
+
+describe('a line that was read before', () => {
+  it('is read by the state before it, and leaves the same one behind', () => {
+    for (const _ of ['first', 'again']) {
+      const state = initialState();
+      tokenizeLine('DATA_BLOCK DB 1', state);
+      expect(kinds('BEGIN', state)).toEqual(['keyword BEGIN']);
+      expect(state.section).toBe('data');
+      const code = inCode();
+      expect(kinds('(* U E 0.0', code)).toEqual(['comment (* U E 0.0']);
+      expect(code.comment).toBe(true);
+      expect(kinds('U E 0.0', code)).toEqual(['comment U E 0.0']);
+      expect(kinds('U E 0.0')).toEqual(['instruction U', 'operand E 0.0']);
+    }
+  });
+});

@@ -183,23 +183,34 @@ interface Read {
   after: LexerState;
 }
 /** Lines that were read, by the state before them: at a key all lines but one are as they were. */
-const known = new Map<string, Map<string, Read>>();
+const known = new Map<string, Map<string, Read>[]>();
 const KNOWN_AT_MOST = 50_000;
 let knownLines = 0;
 
+const sections: readonly Section[] = ['head', 'declarations', 'code', 'data'];
+const titles: readonly LexerState['title'][] = ['none', 'word', 'text'];
+/** All of a state but its block: a small number is found faster than a text. */
+const numberOf = ({ section, title, start, parameters, comment }: LexerState): number =>
+  ((sections.indexOf(section) * 3 + titles.indexOf(title)) << 3) |
+  (Number(start) | (Number(parameters) << 1) | (Number(comment) << 2));
+
+function linesBehind(state: LexerState): Map<string, Read> {
+  let states = known.get(state.block);
+  if (!states) known.set(state.block, (states = []));
+  return (states[numberOf(state)] ??= new Map<string, Read>());
+}
+
 export function tokenizeLine(line: string, state: LexerState): readonly Token[] {
-  const before = Object.values(state).join();
-  const lines = known.get(before) ?? new Map<string, Read>();
+  if (knownLines > KNOWN_AT_MOST) {
+    known.clear();
+    knownLines = 0;
+  }
+  const lines = linesBehind(state);
   let read = lines.get(line);
   if (!read) {
-    if (++knownLines > KNOWN_AT_MOST) {
-      known.clear();
-      lines.clear();
-      knownLines = 1;
-    }
     const tokens = readTokens(line, state);
     lines.set(line, (read = { tokens, after: { ...state } }));
-    known.set(before, lines);
+    knownLines += 1;
   }
   Object.assign(state, read.after);
   return read.tokens;

@@ -62,10 +62,14 @@ const areas: readonly (readonly [german: string, international: string])[] = [
   ['BIE', 'BR'],
 ];
 
-function table(rows: readonly (readonly [string, string])[], to: Mnemonics): Map<string, string> {
-  return new Map(
-    rows.map(([german, international]) => (to === 'international' ? [german, international] : [international, german])),
-  );
+type Pairs = readonly (readonly [german: string, international: string])[];
+const table = (rows: Pairs, to: Mnemonics): Map<string, string> => tables.get(rows)![to];
+const tables = new Map([instructions, areas].map((rows: Pairs) => [rows, bothWays(rows)]));
+function bothWays(rows: Pairs): Record<Mnemonics, Map<string, string>> {
+  return {
+    international: new Map(rows),
+    german: new Map(rows.map(([german, international]) => [international, german])),
+  };
 }
 
 function convertToken(token: Token, words: Map<string, string>, operands: Map<string, string>): string {
@@ -123,20 +127,28 @@ export function sameOperand(operand: string): string {
   return (german.get(area.toUpperCase()) ?? area.toUpperCase()) + rest.replace(/\s+/g, '').toUpperCase();
 }
 
+/** How many more words of a line are German; tokens of a line that was read before are the same. */
+const votes = new WeakMap<readonly Token[], number>();
+function votesOf(tokens: readonly Token[]): number {
+  const found = votes.get(tokens);
+  if (found !== undefined) return found;
+  const counted = tokens.reduce((sum, token) => sum + vote(token), 0);
+  votes.set(tokens, counted);
+  return counted;
+}
+
+function vote(token: Token): number {
+  const word = token.text.toUpperCase();
+  const differs = (words: Pairs, one: string) =>
+    Number(table(words, 'international').has(one)) - Number(table(words, 'german').has(one));
+  if (token.kind === 'instruction') return differs(instructions, word);
+  return token.kind === 'operand' ? differs(areas, /^[A-Z]+/.exec(word)?.[0] ?? '') : 0;
+}
+
 // What a source is written in: the setting that more of its words belong to (STEP 7 reads no mixture).
 export function mnemonicsOf(source: string): Mnemonics {
-  const german = table(instructions, 'international');
-  const international = table(instructions, 'german');
-  const germanAreas = table(areas, 'international');
-  const internationalAreas = table(areas, 'german');
-  let votes = 0;
   const state = initialState();
-  for (const line of source.split('\n'))
-    for (const token of tokenizeLine(line, state)) {
-      const word = token.text.toUpperCase();
-      if (token.kind === 'instruction') votes += Number(german.has(word)) - Number(international.has(word));
-      const area = /^[A-Z]+/.exec(word)?.[0] ?? '';
-      if (token.kind === 'operand') votes += Number(germanAreas.has(area)) - Number(internationalAreas.has(area));
-    }
-  return votes >= 0 ? 'german' : 'international';
+  let sum = 0;
+  for (const line of source.split('\n')) sum += votesOf(tokenizeLine(line, state));
+  return sum >= 0 ? 'german' : 'international';
 }

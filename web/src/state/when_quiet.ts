@@ -4,7 +4,9 @@ const QUIET_MS = 300;
 export function whenQuiet(action: () => void): { ask: () => void; cancel: () => void } {
   let timer: ReturnType<typeof setTimeout> | undefined;
   const cancel = () => {
+    if (timer === undefined) return;
     clearTimeout(timer);
+    timer = undefined;
     globalThis.removeEventListener?.('pagehide', now);
   };
   const now = () => {
@@ -12,9 +14,9 @@ export function whenQuiet(action: () => void): { ask: () => void; cancel: () => 
     action();
   };
   const ask = () => {
-    cancel();
+    if (timer === undefined) globalThis.addEventListener?.('pagehide', now);
+    clearTimeout(timer);
     timer = setTimeout(now, QUIET_MS);
-    globalThis.addEventListener?.('pagehide', now);
   };
   return { ask, cancel };
 }
