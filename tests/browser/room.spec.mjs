@@ -117,6 +117,18 @@ test('the list is folded away; the program alone has the whole page', async () =
   await page.getByRole('tree').waitFor();
 });
 
+test('heads of views are one line', async () => {
+  for (const [width, views] of [[1280, ['projects', 'symbols', 'io', 'variables', 'process', 'trends', 'hardware', 'diagnosis']], [1024, ['symbols', 'process', 'hardware']]]) {
+    await page.setViewportSize({ width, height: 800 });
+    for (const view of views) {
+      await visit(page, server, view);
+      await page.locator(`nav a[href="#/${view}"][aria-current]`).waitFor();
+      await expect(async () => (await height('.view-head')) <= 44, true, `${view} at ${width}`);
+    }
+  }
+  await page.setViewportSize({ width: 1280, height: 800 });
+});
+
 test('rows of tables are dense, with room for fingers on demand', async () => {
   const rows = {
     program: () => height('[role=treeitem]'),
