@@ -37,6 +37,16 @@ test('26 lines of program with status at 1280x800, 18 at 1024x768', async () => 
     await roomy();
   }
   await page.setViewportSize({ width: 1280, height: 800 });
+  // What appears when something is typed takes none of them, and moves nothing.
+  const before = await top();
+  await toLine(page, 1);
+  await page.keyboard.type('/');
+  await page.locator('.note').waitFor();
+  let left;
+  await until(async () => (left = await lines()) >= 26, () => `26 lines with a note, seen ${left}`);
+  assert.equal(await top(), before);
+  await page.keyboard.press('Control+z');
+  await expect(() => page.locator('.note').count(), 0, 'notes');
 });
 
 test('above the networks nothing lies on anything, on a tablet as well', async () => {
